@@ -1,0 +1,2 @@
+//! The lole command.
+fn main() {}

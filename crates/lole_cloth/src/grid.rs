@@ -1,0 +1,59 @@
+//! The grid of mass points: how many, how they are joined, how far apart they lie when flat.
+
+/// How the first and last column meet.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Topology {
+    /// A rectangle with four free edges.
+    Sheet,
+    /// The last column is followed by the first, as in a skirt sewn by one seam.
+    Tube,
+}
+
+/// A rectangular grid of particles, stored row by row from the top.
+///
+/// `u` runs along a row (around the body), `v` runs down the columns.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Grid {
+    /// Particles in a row, at least 3.
+    pub column_count: u32,
+    /// Rows, at least 3.
+    pub row_count: u32,
+    /// Whether rows are closed rings.
+    pub topology: Topology,
+    /// Rest distance between neighbors along `u` and `v` [m]; the cells are rectangles.
+    pub spacing: [f32; 2],
+}
+
+impl Grid {
+    /// Number of particles.
+    #[must_use]
+    pub const fn particle_count(&self) -> usize {
+        self.column_count as usize * self.row_count as usize
+    }
+
+    /// Number of cells along a row: as many as columns in a tube, one less in a sheet.
+    #[must_use]
+    pub const fn cell_columns(&self) -> u32 {
+        match self.topology {
+            Topology::Sheet => self.column_count - 1,
+            Topology::Tube => self.column_count,
+        }
+    }
+
+    /// Index of the particle at `row`, `column`.
+    #[must_use]
+    pub const fn index(&self, row: u32, column: u32) -> usize {
+        row as usize * self.column_count as usize + column as usize
+    }
+
+    /// Column `offset` to the right of `column`; `None` beyond the edge of a sheet.
+    #[must_use]
+    pub const fn column_right(&self, column: u32, offset: u32) -> Option<u32> {
+        let target = column + offset;
+        match self.topology {
+            Topology::Tube => Some(target % self.column_count),
+            Topology::Sheet if target < self.column_count => Some(target),
+            Topology::Sheet => None,
+        }
+    }
+}

@@ -1,0 +1,28 @@
+//! What a cloth is made of, before any method has prepared it.
+
+use crate::{Fabric, Grid};
+
+/// Everything that never changes about one cloth, method by method prepared into a model.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ClothSpec {
+    /// Particles and their rest distances.
+    pub grid: Grid,
+    /// Material of the whole cloth.
+    pub fabric: Fabric,
+    /// Layers of cloth at each row: 1, or 2 where a hem or casing is folded. Multiplies the mass.
+    /// Shape `[row_count]`.
+    pub row_layers: Vec<f32>,
+    /// Whether border particles carry only the area of their own half cells.
+    pub mass: MassLaw,
+    /// Particles carried exactly by the body, row-major, shape `[particle_count]`.
+    pub pinned: Vec<bool>,
+}
+
+/// How the cloth's mass is shared among particles.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MassLaw {
+    /// Every particle weighs the same (the paper): total mass / particle count.
+    Uniform,
+    /// Each particle carries the area nearest to it: borders weigh half, corners a quarter.
+    AreaWeighted,
+}

@@ -1,0 +1,15 @@
+//! Geometry that every other crate shares: lengths with units, capsules, triangle meshes and
+//! trigonometry that gives the same bits on every platform.
+//!
+//! It knows no cloth, no garment and no file.
+//! World space is right-handed, meters, `+Y` up, `+Z` the dancer's front, `+X` the dancer's left.
+
+pub mod capsule;
+pub mod length;
+pub mod mesh;
+pub mod trig;
+pub mod trig64;
+
+pub use capsule::Capsule;
+pub use length::Length;
+pub use mesh::TriangleMesh;
