@@ -7,9 +7,11 @@
 pub mod capsule;
 pub mod length;
 pub mod mesh;
+pub mod triangle_grid;
 pub mod trig;
 pub mod trig64;
 
 pub use capsule::Capsule;
 pub use length::Length;
 pub use mesh::TriangleMesh;
+pub use triangle_grid::TriangleGrid;
