@@ -3,6 +3,20 @@
 //! Body space is meters, right-handed, `+Y` up, `+Z` front, `+X` the dancer's left, floor at 0.
 //! The crate knows no cloth and opens no file.
 
+pub mod appearance;
+pub mod capsules;
+pub mod dancer;
+pub mod error;
+pub mod measurements;
 pub mod skeleton;
+pub mod skin;
+pub mod tape;
 
+pub use appearance::{FaceTexture, face_texture};
+pub use capsules::BodyCapsule;
+pub use dancer::{Dancer, Landmarks};
+pub use error::BodyError;
+pub use measurements::{Measurements, Tape};
 pub use skeleton::{Bone, Pose, Skeleton};
+pub use skin::{MeshPart, PartKind, SkinnedMesh};
+pub use tape::TapePoint;

