@@ -1,0 +1,73 @@
+//! The finished picture and its size.
+
+use crate::RenderError;
+
+/// Width and height of a picture.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Size {
+    /// Columns [pixel].
+    pub width: u32,
+    /// Rows [pixel].
+    pub height: u32,
+}
+
+/// Longest side that every backend can draw [pixel]; WebGL2 promises no more than 2048, today's
+/// adapters 8192.
+pub const MAX_SIDE: u32 = 8192;
+
+impl Size {
+    /// A size of `width` times `height` pixels; checked where a renderer is made of it.
+    #[must_use]
+    pub const fn new(width: u32, height: u32) -> Self {
+        Self { width, height }
+    }
+
+    /// Width over height.
+    #[must_use]
+    pub fn aspect(self) -> f32 {
+        self.width as f32 / self.height.max(1) as f32
+    }
+
+    /// Pixels in the picture.
+    #[must_use]
+    pub const fn pixel_count(self) -> usize {
+        self.width as usize * self.height as usize
+    }
+
+    /// Refuses a picture without pixels or one too large to draw.
+    pub(crate) fn check(self) -> Result<(), RenderError> {
+        let fits = |side: u32| (1..=MAX_SIDE).contains(&side);
+        if fits(self.width) && fits(self.height) {
+            Ok(())
+        } else {
+            Err(RenderError::ImageSize {
+                width: self.width,
+                height: self.height,
+            })
+        }
+    }
+}
+
+/// A picture: 8-bit sRGB with an alpha of 255.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Image {
+    /// Columns [pixel].
+    pub width: u32,
+    /// Rows [pixel].
+    pub height: u32,
+    /// RGBA, row-major, top row first, shape `[height, width, 4]`.
+    pub pixels: Vec<u8>,
+}
+
+impl Image {
+    /// The RGBA bytes at column `x`, row `y`; `None` outside the picture.
+    #[must_use]
+    pub fn pixel(&self, x: u32, y: u32) -> Option<[u8; 4]> {
+        if x >= self.width || y >= self.height {
+            return None;
+        }
+        let start = (y as usize * self.width as usize + x as usize) * 4;
+        let bytes = self.pixels.get(start..start + 4)?;
+        Some([bytes[0], bytes[1], bytes[2], bytes[3]])
+    }
+}
