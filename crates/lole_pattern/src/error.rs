@@ -1,0 +1,65 @@
+//! What can be wrong with a draft, said so that a costume maker can mend it.
+
+/// Why a draft cannot be made.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum DraftError {
+    /// The gather ratio is not a number between 1 and 5.
+    #[error("gather ratio {ratio} is out of range; use 1 (no gathers) to 5, usually 3 to 5")]
+    GatherRatio {
+        /// The refused ratio.
+        ratio: f64,
+    },
+    /// The elastic ratio is not a number between 0.8 and 0.9.
+    #[error(
+        "elastic ratio {ratio} is out of range; use 0.8 (tight, heavy cloth) to 0.9 (light cloth)"
+    )]
+    ElasticRatio {
+        /// The refused ratio.
+        ratio: f64,
+    },
+    /// The number of elastic rows is not between 1 and 6.
+    #[error("{count} elastic rows cannot be drafted; use 1 to 6, usually 3 to 5")]
+    ElasticRowCount {
+        /// The refused number.
+        count: u32,
+    },
+    /// A length is not a finite number in the range that makes sense for it.
+    #[error("{what} is {cm} cm; give a length between {min_cm} cm and {max_cm} cm")]
+    Length {
+        /// Which length, as a tailor says it.
+        what: &'static str,
+        /// The refused length [cm].
+        cm: f64,
+        /// Smallest accepted length [cm].
+        min_cm: f64,
+        /// Largest accepted length [cm].
+        max_cm: f64,
+    },
+    /// The hem would hang above the band.
+    #[error(
+        "the hem at {hem_cm:.1} cm above the floor leaves {finished_cm:.1} cm from top fold to hem, \
+         which is no longer than the {band_cm:.1} cm band; lower the hem or wear the skirt higher"
+    )]
+    TooShort {
+        /// Height of the hem above the floor [cm].
+        hem_cm: f64,
+        /// Resulting finished length [cm].
+        finished_cm: f64,
+        /// Depth of the band of casings [cm].
+        band_cm: f64,
+    },
+    /// The cloth does not reach around the place where it is worn.
+    #[error(
+        "{flat_cm:.1} cm of cloth does not go around {worn_cm:.1} cm where the skirt is worn; \
+         raise the gather ratio above {ratio:.2}"
+    )]
+    TooNarrow {
+        /// Flat length around [cm].
+        flat_cm: f64,
+        /// Girth where it is worn [cm].
+        worn_cm: f64,
+        /// Gather ratio that would just reach.
+        ratio: f64,
+    },
+}
