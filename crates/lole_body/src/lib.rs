@@ -7,7 +7,9 @@ pub mod appearance;
 pub mod capsules;
 pub mod dancer;
 pub mod error;
+pub mod ik;
 pub mod measurements;
+pub mod motion;
 pub mod skeleton;
 pub mod skin;
 pub mod tape;
@@ -17,6 +19,9 @@ pub use capsules::BodyCapsule;
 pub use dancer::{Dancer, Landmarks};
 pub use error::BodyError;
 pub use measurements::{Measurements, Tape};
+pub use motion::{
+    AmiTurn, ArmStyle, Dance, DanceStep, HipLead, HipLift, MotionError, MotionSettings,
+};
 pub use skeleton::{Bone, Pose, Skeleton};
 pub use skin::{MeshPart, PartKind, SkinnedMesh};
 pub use tape::TapePoint;

@@ -1,0 +1,210 @@
+//! What a dance can be asked for, with units, defaults and limits.
+
+use thiserror::Error;
+
+/// A basic step of hula.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum DanceStep {
+    /// Sway in place, 2 counts: the hips go from side to side over standing feet.
+    Kao,
+    /// Two sliding steps to the right with a tap, two to the left, 8 counts.
+    Kaholo,
+    /// The hips draw a circle over standing feet, 2 counts.
+    Ami,
+    /// A foot is lifted and put down, then both heels snap up; right and left, 4 counts.
+    Uwehe,
+}
+
+impl DanceStep {
+    /// All steps, in the order they are taught.
+    pub const ALL: [Self; 4] = [Self::Kao, Self::Kaholo, Self::Ami, Self::Uwehe];
+
+    /// Name in documents and on the command line: ASCII, lower case.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Kao => "kao",
+            Self::Kaholo => "kaholo",
+            Self::Ami => "ami",
+            Self::Uwehe => "uwehe",
+        }
+    }
+
+    /// Name as it is written in Hawaiian, with ʻokina and kahakō.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Kao => "kaʻo",
+            Self::Kaholo => "kāholo",
+            Self::Ami => "ʻami",
+            Self::Uwehe => "ʻuwehe",
+        }
+    }
+
+    /// The step whose [`id`](Self::id) is `id`.
+    #[must_use]
+    pub fn from_id(id: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|step| step.id() == id)
+    }
+
+    /// Counts (beats) of one whole loop, right and left halves together.
+    #[must_use]
+    pub const fn counts(self) -> u32 {
+        match self {
+            Self::Kao | Self::Ami => 2,
+            Self::Kaholo => 8,
+            Self::Uwehe => 4,
+        }
+    }
+}
+
+/// Which side of the pelvis is higher while it sways; the schools differ.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum HipLift {
+    /// The hip goes out and up over the leg that carries the weight. It is the default, because it
+    /// gives the hip adduction measured in a dancer (15° in kaʻo).
+    #[default]
+    WeightedSide,
+    /// "Ka lewa": the hip of the free leg is lifted with its heel.
+    FreeSide,
+}
+
+/// Where the hips are on the count; the schools differ. It shifts kaʻo and kāholo by one count.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum HipLead {
+    /// On the count the foot is placed while the hips are still over the other foot, and the
+    /// weight crosses as the next foot closes (taught in Japan).
+    #[default]
+    OtherFoot,
+    /// On the count the hips sway toward the stepping foot.
+    SteppingFoot,
+}
+
+/// Direction of the ʻami circle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum AmiTurn {
+    /// ʻAmi ʻākau: left, back, right, front; counter-clockwise seen from above.
+    #[default]
+    Akau,
+    /// ʻAmi hema: right, back, left, front; clockwise seen from above.
+    Hema,
+}
+
+/// What the arms do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum ArmStyle {
+    /// The arms that belong to the step: kāholo leads with one arm out and the other hand before
+    /// the chest; kaʻo and ʻami open both arms; ʻuwehe raises the arm of the lifted foot.
+    #[default]
+    OfStep,
+    /// Both arms softly open to the sides, a little below shoulder height.
+    Open,
+    /// Both hands on the waist above the skirt's band, as the basics are practised.
+    HandsOnHips,
+}
+
+/// Settings of a dance. Lengths are fractions of the stature that fits the dancer's legs, so that
+/// one setting suits every body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MotionSettings {
+    /// The step to be danced.
+    pub dance_step: DanceStep,
+    /// Tempo [beats per minute], 30 to 240. 80 is a medium ʻauana.
+    pub beats_per_minute: f32,
+    /// Factor on the sway of the hips (shift, roll and yaw), 0 to 1.6. 1 gives the amplitudes of
+    /// the sources: 7 cm and 9° to each side in kaʻo at a stature of 158 cm.
+    pub sway: f32,
+    /// Bend of both knees while standing even [°], 10 (tall) to 65 (kahiko ʻai haʻa). 32 is the
+    /// haʻa of ʻauana. Kāholo sinks 0.012 statures deeper, or the legs could not reach.
+    pub knee_degrees: f32,
+    /// Which side of the pelvis is higher while it sways.
+    pub hip_lift: HipLift,
+    /// Where the hips are on the count.
+    pub hip_lead: HipLead,
+    /// Height of the free foot's heel [statures], 0 (soles stay down) to 0.03. 0.02 is 3 cm.
+    pub heel_lift: f32,
+    /// Side step of kāholo [statures], 0 to 0.26. 0.22 is the width of the shoulders.
+    pub step_width: f32,
+    /// Distance between the ankles while standing [statures], 0.1 to 0.3. 0.124 leaves a woman's
+    /// one fist (11 cm) between the feet; men stand at about 0.22.
+    pub stance_width: f32,
+    /// Turn-out of each foot [°], 0 to 30; 7 by default ("toes straight or 5 to 10° out").
+    pub toe_out_degrees: f32,
+    /// What the arms do.
+    pub arms: ArmStyle,
+    /// Direction of the ʻami circle.
+    pub ami_turn: AmiTurn,
+}
+
+impl Default for MotionSettings {
+    fn default() -> Self {
+        Self {
+            dance_step: DanceStep::Kaholo,
+            beats_per_minute: 80.0,
+            sway: 1.0,
+            knee_degrees: 32.0,
+            hip_lift: HipLift::default(),
+            hip_lead: HipLead::default(),
+            heel_lift: 0.02,
+            step_width: 0.22,
+            stance_width: 0.124,
+            toe_out_degrees: 7.0,
+            arms: ArmStyle::default(),
+            ami_turn: AmiTurn::default(),
+        }
+    }
+}
+
+/// Why a dance cannot be made.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum MotionError {
+    /// A setting is not a number or outside of what a body can dance.
+    #[error("motion {setting} is {value}; use a number from {lowest} to {highest}")]
+    OutOfRange {
+        /// Name of the field of [`MotionSettings`].
+        setting: &'static str,
+        /// What was given.
+        value: f32,
+        /// Smallest accepted value.
+        lowest: f32,
+        /// Largest accepted value.
+        highest: f32,
+    },
+    /// Two joints that span a limb coincide or are not finite.
+    #[error("the bone {bone} of the skeleton has no length; give its joints different places")]
+    BoneWithoutLength {
+        /// VRM name of the bone.
+        bone: &'static str,
+    },
+}
+
+impl MotionSettings {
+    /// Checks every number.
+    ///
+    /// # Errors
+    ///
+    /// [`MotionError::OutOfRange`] for the first number that is not finite or outside its range.
+    pub fn check(&self) -> Result<(), MotionError> {
+        let ranges = [
+            ("beats_per_minute", self.beats_per_minute, 30.0, 240.0),
+            ("sway", self.sway, 0.0, 1.6),
+            ("knee_degrees", self.knee_degrees, 10.0, 65.0),
+            ("heel_lift", self.heel_lift, 0.0, 0.03),
+            ("step_width", self.step_width, 0.0, 0.26),
+            ("stance_width", self.stance_width, 0.1, 0.3),
+            ("toe_out_degrees", self.toe_out_degrees, 0.0, 30.0),
+        ];
+        for (setting, value, lowest, highest) in ranges {
+            if !(lowest..=highest).contains(&value) {
+                return Err(MotionError::OutOfRange {
+                    setting,
+                    value,
+                    lowest,
+                    highest,
+                });
+            }
+        }
+        Ok(())
+    }
+}
