@@ -2,10 +2,23 @@
 //!
 //! It knows no garment and no dancer, and has no file, clock, log or picture in it.
 
+pub mod collision;
+pub mod config;
+pub mod diagnose;
 pub mod fabric;
 pub mod grid;
+pub mod method;
+pub mod model;
+pub mod snapshot;
 pub mod spec;
+pub mod state;
+pub mod step;
 
+pub use config::{SelfCollision, SolverConfig};
 pub use fabric::Fabric;
 pub use grid::{Grid, Topology};
+pub use model::{BuildError, ClothModel};
+pub use snapshot::state_hash;
 pub use spec::{ClothSpec, MassLaw};
+pub use state::ClothState;
+pub use step::{StepInput, step};

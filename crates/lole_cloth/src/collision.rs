@@ -1,0 +1,1 @@
+//! Contact with the body and of the cloth with itself.

@@ -1,0 +1,53 @@
+//! What the user turns: substeps, contact, self-collision.
+
+use std::num::NonZeroU32;
+
+use glam::Vec3;
+
+/// Settings of the real-time method; the default holds the values measured on the scenes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SolverConfig {
+    /// Substeps per step. More substeps mean stiffer cloth, truer motion and more work.
+    pub substep_count: NonZeroU32,
+    /// Passes over the structural springs in each substep. More passes mean less strain.
+    pub structural_sweep_count: NonZeroU32,
+    /// Acceleration [m/s²].
+    pub gravity: Vec3,
+    /// Distance kept between cloth and capsules [m]; hides the cloth's thickness.
+    pub contact_offset: f32,
+    /// Fastest a particle found inside a capsule is pushed out [m/s]; a slow push does not pop.
+    pub depenetration_speed: f32,
+    /// Distances in grid cells, coarse first, over which neighbors along a row may not stretch.
+    pub row_strides: Vec<u32>,
+    /// Distances in grid cells, coarse first, over which neighbors down a column may not stretch.
+    pub column_strides: Vec<u32>,
+    /// Longest tether over its geodesic rest length; `None` leaves the cloth untethered.
+    pub tether_scale: Option<f32>,
+    /// Contact of the cloth with itself; `None` lets folds pass through each other.
+    pub self_collision: Option<SelfCollision>,
+}
+
+impl Default for SolverConfig {
+    fn default() -> Self {
+        Self {
+            substep_count: NonZeroU32::MIN.saturating_add(11),
+            structural_sweep_count: NonZeroU32::MIN.saturating_add(3),
+            gravity: Vec3::new(0.0, -9.81, 0.0),
+            contact_offset: 0.0,
+            depenetration_speed: 2.0,
+            row_strides: Vec::new(),
+            column_strides: vec![4],
+            tether_scale: Some(1.0),
+            self_collision: None,
+        }
+    }
+}
+
+/// Contact of the cloth with itself: a sphere around every particle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SelfCollision {
+    /// Radius of a particle's sphere [m]; two particles keep `min(2 radius, rest distance)`.
+    pub radius: f32,
+    /// Substeps from one solution of the contacts to the next: 1 is safest, 2 halves the work.
+    pub substep_interval: NonZeroU32,
+}

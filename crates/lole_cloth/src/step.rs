@@ -1,0 +1,42 @@
+//! One call of the engine: the cloth moves on by `dt`.
+use glam::Vec3;
+use lole_geom::Capsule;
+
+use crate::{ClothModel, ClothState, SolverConfig};
+
+/// What the world does during one step.
+#[derive(Debug, Clone, Copy)]
+pub struct StepInput<'a> {
+    /// Where the pinned particles are at the end of the step [m], in the order of
+    /// [`ClothModel::pin_indices`].
+    pub pin_targets: &'a [Vec3],
+    /// Where the capsules are at the end of the step; always the same ones in the same order.
+    pub capsules: &'a [Capsule],
+    /// Velocity of the air [m/s]; the fabric's drag rate pulls every particle towards it.
+    pub air_velocity: Vec3,
+}
+
+/// Moves the cloth on by `dt` [s].
+///
+/// Pins and capsules move evenly from where the previous call left them to where `input` has them.
+/// Inside a rayon thread pool the work is shared; the result is the same bit for bit.
+pub fn step(
+    model: &ClothModel,
+    config: &SolverConfig,
+    input: &StepInput<'_>,
+    state: &mut ClothState,
+    dt: f32,
+) {
+    for (position, velocity) in state.positions.iter_mut().zip(&mut state.velocities) {
+        *velocity += config.gravity * dt;
+        *position += *velocity * dt;
+    }
+    for (&index, &target) in model.pin_indices().iter().zip(input.pin_targets) {
+        state.positions[index as usize] = target;
+        state.velocities[index as usize] = Vec3::ZERO;
+    }
+    state.pin_targets.clear();
+    state.pin_targets.extend_from_slice(input.pin_targets);
+    state.capsules.clear();
+    state.capsules.extend_from_slice(input.capsules);
+}
