@@ -1,1 +1,21 @@
-//! See the crate description in `Cargo.toml`.
+//! Files out, as bytes: the caller writes them.
+//!
+//! | File | Function |
+//! |---|---|
+//! | `dance.mp4` | [`video::Mp4Writer`]: H.264, one picture at a time |
+//! | stills | [`still::encode_png`], [`still::encode_jpeg`] |
+//! | `dancer.glb` | [`glb::write_glb`]: skinned dancer and cloth with baked motion |
+//! | `report.json` | [`report::report_json`] |
+//! | `report.html` | [`report::report_html`]: one self-contained page in Japanese and English |
+//!
+//! It opens no file, reads no clock, and draws no picture of the dancer: pictures come in as
+//! pixels.
+
+pub mod error;
+pub mod glb;
+pub mod report;
+pub mod still;
+pub mod video;
+
+pub use error::ExportError;
+pub use still::Image;

