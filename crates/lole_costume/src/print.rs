@@ -1,0 +1,98 @@
+//! A Hawaiian-style print drawn by the program: hibiscus, fern and breadfruit leaves cut from two
+//! or three colors on a saturated ground, in one repeat that tiles without a seam.
+
+use lole_geom::Length;
+
+/// What is scattered over the ground.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PrintMotif {
+    /// Large hibiscus with monstera leaves and ferns.
+    Hibiscus,
+    /// Breadfruit (ʻulu) leaves and fruit, as on a Hawaiian quilt.
+    Ulu,
+}
+
+/// A print before it is drawn. Colors are sRGB bytes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PrintDesign {
+    /// Color of the ground.
+    pub ground: [u8; 3],
+    /// Color of the flowers, or of the fruit.
+    pub flower: [u8; 3],
+    /// Color of the large leaves.
+    pub leaf: [u8; 3],
+    /// Color of the quiet second layer, close to the ground.
+    pub shadow: [u8; 3],
+    /// What is drawn.
+    pub motif: PrintMotif,
+    /// Width and height of one repeat on the cloth.
+    pub repeat: Length,
+    /// Chooses places and turns.
+    pub seed: u64,
+}
+
+/// A drawn repeat.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PrintImage {
+    /// Width [pixel].
+    pub width: u32,
+    /// Height [pixel].
+    pub height: u32,
+    /// RGBA8 in sRGB, rows from the top, opaque, shape `[height, width, 4]`.
+    pub pixels: Vec<u8>,
+    /// Width and height of the picture on the cloth.
+    pub repeat: Length,
+}
+
+impl PrintDesign {
+    /// Names of the colorways of [`PrintDesign::colorway`].
+    pub const COLORWAYS: &'static [&'static str] = &["red", "pink", "blue", "green"];
+
+    /// A ready design by the name of its ground, `None` for a name not in
+    /// [`PrintDesign::COLORWAYS`].
+    #[must_use]
+    pub fn colorway(name: &str) -> Option<Self> {
+        let (ground, flower, leaf, shadow) = match name {
+            "red" => ([158, 16, 38], [252, 240, 222], [238, 178, 70], [126, 8, 30]),
+            "pink" => (
+                [206, 40, 110],
+                [255, 246, 240],
+                [250, 190, 205],
+                [176, 24, 92],
+            ),
+            "blue" => (
+                [14, 62, 134],
+                [250, 250, 245],
+                [120, 190, 215],
+                [8, 46, 108],
+            ),
+            "green" => ([8, 92, 66], [252, 244, 220], [150, 200, 120], [4, 72, 52]),
+            _ => return None,
+        };
+        let (motif, repeat, seed) = (PrintMotif::Hibiscus, Length::from_cm(42.0), 1);
+        Some(Self {
+            ground,
+            flower,
+            leaf,
+            shadow,
+            motif,
+            repeat,
+            seed,
+        })
+    }
+}
+
+/// Draws one repeat of `size` × `size` pixels.
+#[must_use]
+pub fn draw(design: &PrintDesign, size: u32) -> PrintImage {
+    let size = size.max(1);
+    let pixel_count = size as usize * size as usize;
+    let [red, green, blue] = design.ground;
+    let pixels = [red, green, blue, 255].repeat(pixel_count);
+    PrintImage {
+        width: size,
+        height: size,
+        pixels,
+        repeat: design.repeat,
+    }
+}
