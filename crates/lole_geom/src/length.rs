@@ -36,6 +36,16 @@ impl Length {
         self.0
     }
 
+    /// In meters, in the engine's precision (7 digits: a hair's width in a kilometer).
+    #[must_use]
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "the engine computes in f32"
+    )]
+    pub const fn to_m_f32(self) -> f32 {
+        self.0 as f32
+    }
+
     /// In centimeters.
     #[must_use]
     pub const fn to_cm(self) -> f64 {
