@@ -1,1 +1,2 @@
 //! Contact with the body and of the cloth with itself.
+pub mod penalty;

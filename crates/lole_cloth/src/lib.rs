@@ -13,6 +13,7 @@ pub mod snapshot;
 pub mod spec;
 pub mod state;
 pub mod step;
+pub mod wind;
 
 pub use config::{SelfCollision, SolverConfig};
 pub use fabric::Fabric;

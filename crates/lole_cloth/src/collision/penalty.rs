@@ -1,0 +1,242 @@
+//! Contact with moving capsules by the penalty force (14), in `f64`, for the reference methods.
+
+use glam::DVec3;
+use lole_geom::Capsule;
+
+use crate::method::paper;
+
+/// What happens where capsules overlap, as the thirteen do at every joint.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Overlap {
+    /// Only the capsule that holds the particle deepest pushes it. The default: the stiffness, and
+    /// with it the largest stable substep, is then the same at a joint as along a limb.
+    Deepest,
+    /// Every capsule pushes, as the paper's text suggests. `n` overlapping capsules are `n` times
+    /// as stiff; [`Penalty::overlap_count`] keeps the substep count safe.
+    Sum,
+}
+
+/// The constants of the penalty force (14).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Penalty {
+    /// `k` [N/m]. A particle under the force `F` rests `F / k` deep.
+    pub stiffness: f64,
+    /// `b` [N·s/m]. Zero bounces the particle back at the speed it came with.
+    pub damping: f64,
+    /// Coulomb friction coefficient; zero as in the paper, which models none.
+    pub friction: f64,
+    /// Distance kept between cloth and capsules [m], added to every radius.
+    pub contact_offset: f64,
+    /// What overlapping capsules do.
+    pub overlap: Overlap,
+}
+
+impl Penalty {
+    /// The paper's contact: stiffness [N/m] and damping [N·s/m], no friction, no offset.
+    #[must_use]
+    pub const fn new(stiffness: f64, damping: f64) -> Self {
+        Self {
+            stiffness,
+            damping,
+            friction: 0.0,
+            contact_offset: 0.0,
+            overlap: Overlap::Deepest,
+        }
+    }
+
+    /// How many capsules of `capsule_count` may push one particle at once.
+    #[must_use]
+    pub const fn overlap_count(&self, capsule_count: u32) -> u32 {
+        match self.overlap {
+            Overlap::Deepest if capsule_count == 0 => 0,
+            Overlap::Deepest => 1,
+            Overlap::Sum => capsule_count,
+        }
+    }
+}
+
+/// A capsule at one moment of a step, with the velocity of its ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MovingCapsule {
+    /// Both ends of the axis [m].
+    pub ends: [DVec3; 2],
+    /// Radius at each end [m].
+    pub radii: [f64; 2],
+    /// Velocity of each end [m/s].
+    pub end_velocities: [DVec3; 2],
+    /// Growth of the radius at each end [m/s].
+    pub radius_rates: [f64; 2],
+}
+
+/// One particle inside one capsule.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Contact {
+    /// Unit vector from the axis to the particle.
+    pub normal: DVec3,
+    /// Penetration depth [m], positive.
+    pub depth: f64,
+    /// Velocity [m/s] of the surface under the particle.
+    pub surface_velocity: DVec3,
+}
+
+impl MovingCapsule {
+    /// A capsule that stands still, every radius larger by `offset` [m].
+    #[must_use]
+    pub fn at_rest(capsule: &Capsule, offset: f64) -> Self {
+        Self::between(capsule, capsule, 0.0, 1.0).inflated(offset)
+    }
+
+    /// The capsule a `fraction` of the way from `start` to `end`, which are `dt` [s] apart, its
+    /// ends moving on straight lines.
+    #[must_use]
+    pub fn between(start: &Capsule, end: &Capsule, fraction: f64, dt: f64) -> Self {
+        let paths = [0, 1].map(|i| (start.ends[i].as_dvec3(), end.ends[i].as_dvec3()));
+        let radii = [0, 1].map(|i| (f64::from(start.radii[i]), f64::from(end.radii[i])));
+        Self {
+            ends: paths.map(|(a, b)| a + (b - a) * fraction),
+            radii: radii.map(|(a, b)| a + (b - a) * fraction),
+            end_velocities: paths.map(|(a, b)| (b - a) / dt),
+            radius_rates: radii.map(|(a, b)| (b - a) / dt),
+        }
+    }
+
+    /// The same capsule with every radius larger by `offset` [m].
+    #[must_use]
+    pub fn inflated(mut self, offset: f64) -> Self {
+        self.radii = self.radii.map(|radius| radius + offset);
+        self
+    }
+
+    /// Distance [m] from `point` to the surface; negative inside. The `f64` twin of
+    /// [`Capsule::signed_distance`], with its rule for tapered capsules.
+    #[must_use]
+    pub fn signed_distance(&self, point: DVec3) -> f64 {
+        let foot = paper::axis_foot(point, self.ends);
+        (point - foot.point).length() - self.radius_at(foot.parameter)
+    }
+
+    /// Radius [m] at the axis parameter `s`.
+    fn radius_at(&self, parameter: f64) -> f64 {
+        self.radii[0] + (self.radii[1] - self.radii[0]) * parameter
+    }
+
+    /// The contact of a particle at `point`; `None` outside.
+    #[inline]
+    #[must_use]
+    pub fn contact(&self, point: DVec3) -> Option<Contact> {
+        let foot = paper::axis_foot(point, self.ends);
+        let radius = self.radius_at(foot.parameter);
+        let offset = point - foot.point;
+        let distance_squared = offset.length_squared();
+        if radius <= 0.0 || radius * radius <= distance_squared {
+            return None;
+        }
+        let normal = offset
+            .try_normalize()
+            .unwrap_or_else(|| self.fallback_normal());
+        Some(Contact {
+            normal,
+            depth: radius - distance_squared.sqrt(),
+            surface_velocity: self.surface_velocity(foot.parameter, normal, radius),
+        })
+    }
+
+    /// Any direction across the axis, for a particle that lies on it.
+    fn fallback_normal(&self) -> DVec3 {
+        (self.ends[1] - self.ends[0])
+            .try_normalize()
+            .map_or(DVec3::Y, DVec3::any_orthonormal_vector)
+    }
+
+    /// Velocity [m/s] of the surface point under `normal`: the axis point's, the turning of the
+    /// axis (`ω = a × ȧ / |a|²`), and the growth of the radius. Rolling about the axis itself is
+    /// not seen in the ends.
+    fn surface_velocity(&self, parameter: f64, normal: DVec3, radius: f64) -> DVec3 {
+        let axis = self.ends[1] - self.ends[0];
+        let axis_rate = self.end_velocities[1] - self.end_velocities[0];
+        let length_squared = axis.length_squared();
+        let turning = if length_squared > 0.0 {
+            axis.cross(axis_rate) / length_squared
+        } else {
+            DVec3::ZERO
+        };
+        let growth =
+            self.radius_rates[0] + (self.radius_rates[1] - self.radius_rates[0]) * parameter;
+        self.end_velocities[0]
+            + axis_rate * parameter
+            + turning.cross(normal) * radius
+            + normal * growth
+    }
+}
+
+/// The push of the body on one particle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactForce {
+    /// Equation (14) times the normal, summed as [`Overlap`] says [N].
+    pub force: DVec3,
+    /// The deepest contact, which friction acts on.
+    pub deepest: Contact,
+}
+
+/// Equation (14) for a particle at `position` moving at `velocity`, against the `capsules` that may
+/// touch it; `None` outside all of them.
+#[must_use]
+pub fn contact_force<'a>(
+    penalty: &Penalty,
+    capsules: impl Iterator<Item = &'a MovingCapsule>,
+    position: DVec3,
+    velocity: DVec3,
+) -> Option<ContactForce> {
+    let mut found: Option<ContactForce> = None;
+    for contact in capsules.filter_map(|capsule| capsule.contact(position)) {
+        let depth_rate = (contact.surface_velocity - velocity).dot(contact.normal);
+        let size = paper::penalty_force(
+            contact.depth,
+            depth_rate,
+            penalty.stiffness,
+            penalty.damping,
+        );
+        let force = contact.normal * size;
+        found = Some(match found {
+            None => ContactForce {
+                force,
+                deepest: contact,
+            },
+            Some(other) => combine(penalty.overlap, other, force, contact),
+        });
+    }
+    found
+}
+
+/// One more contact of a particle that already has one.
+fn combine(overlap: Overlap, found: ContactForce, force: DVec3, contact: Contact) -> ContactForce {
+    let is_deeper = found.deepest.depth < contact.depth;
+    let deepest = if is_deeper { contact } else { found.deepest };
+    let force = match overlap {
+        Overlap::Sum => found.force + force,
+        Overlap::Deepest if is_deeper => force,
+        Overlap::Deepest => found.force,
+    };
+    ContactForce { force, deepest }
+}
+
+/// Coulomb friction [N] on a particle of `mass` [kg] pressed against `contact` by `normal_force`
+/// [N], which `velocity` [m/s] would carry along the surface during the next `dt` [s].
+///
+/// The force opposes the sliding, is at most `friction * normal_force`, and never more than what
+/// stops the sliding within `dt`: a particle that can stick, sticks.
+#[must_use]
+pub fn friction_force(
+    contact: &Contact,
+    max_force: f64,
+    velocity: DVec3,
+    mass_over_dt: f64,
+) -> DVec3 {
+    let relative = velocity - contact.surface_velocity;
+    let sliding = relative - contact.normal * relative.dot(contact.normal);
+    let stopping_force = sliding.length() * mass_over_dt;
+    if stopping_force <= max_force {
+        return -sliding * mass_over_dt;
+    }
+    -sliding * (mass_over_dt * max_force / stopping_force)
+}

@@ -1,0 +1,174 @@
+//! The edge lists of the paper's springs, and the gather that sums them particle by particle.
+
+use glam::{DVec2, DVec3};
+
+use super::SpringConstants;
+use crate::Grid;
+use crate::method::paper;
+
+/// The families of the paper's figure 5; the two diagonals share one constant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SpringFamily {
+    /// Neighbors along a row.
+    StructuralU,
+    /// Neighbors down a column.
+    StructuralV,
+    /// Diagonal from the upper left to the lower right.
+    ShearFalling,
+    /// Diagonal from the upper right to the lower left.
+    ShearRising,
+    /// Every other particle along a row.
+    SkipU,
+    /// Every other particle down a column.
+    SkipV,
+}
+
+/// All springs of one family: equal rest lengths, equal stiffness.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Springs {
+    /// Which family.
+    pub family: SpringFamily,
+    /// Particles at both ends.
+    pub ends: Vec<[u32; 2]>,
+    /// `L` [m].
+    pub rest_length: f64,
+    /// `k` [N/m].
+    pub stiffness: f64,
+    /// Unit vector of the spring in the flat cloth, `(u, v)`.
+    pub direction: DVec2,
+}
+
+/// Edge lists of every family whose constant is above zero.
+pub(super) fn build(grid: &Grid, constants: &SpringConstants) -> Vec<Springs> {
+    let families = [
+        (SpringFamily::StructuralU, constants.structural_u, [1, 0]),
+        (SpringFamily::StructuralV, constants.structural_v, [0, 1]),
+        (SpringFamily::ShearFalling, constants.shear, [1, 1]),
+        (SpringFamily::ShearRising, constants.shear, [-1, 1]),
+        (SpringFamily::SkipU, constants.skip_u, [2, 0]),
+        (SpringFamily::SkipV, constants.skip_v, [0, 2]),
+    ];
+    families
+        .into_iter()
+        .filter(|&(_, stiffness, _)| 0.0 < stiffness)
+        .map(|(family, stiffness, steps)| {
+            let flat = DVec2::new(
+                f64::from(steps[0]) * f64::from(grid.spacing[0]),
+                f64::from(steps[1]) * f64::from(grid.spacing[1]),
+            );
+            Springs {
+                family,
+                ends: edges(grid, steps),
+                rest_length: flat.length(),
+                stiffness,
+                direction: flat.normalize_or_zero(),
+            }
+        })
+        .collect()
+}
+
+/// All pairs that lie `steps` columns and rows apart. A negative column step is written from its
+/// left end, so that one rule for the seam serves both diagonals.
+fn edges(grid: &Grid, steps: [i32; 2]) -> Vec<[u32; 2]> {
+    let [columns, rows] = steps.map(i32::unsigned_abs);
+    let mut ends = Vec::with_capacity(grid.particle_count());
+    for row in 0..grid.row_count.saturating_sub(rows) {
+        for column in 0..grid.column_count {
+            let Some(right) = grid.column_right(column, columns) else {
+                continue;
+            };
+            let (upper, lower) = if steps[0] < 0 {
+                (right, column)
+            } else {
+                (column, right)
+            };
+            ends.push([
+                particle(grid, row, upper),
+                particle(grid, row + rows, lower),
+            ]);
+        }
+    }
+    ends
+}
+
+/// [`Grid::index`] as the `u32` that columns of indices hold.
+pub(super) fn particle(grid: &Grid, row: u32, column: u32) -> u32 {
+    row * grid.column_count + column
+}
+
+/// Where each of `rows` starts when they are written one after another, and where the last ends.
+pub(super) fn row_starts<T>(rows: &[Vec<T>]) -> Vec<u32> {
+    let mut starts = vec![0];
+    let mut end = 0;
+    for row in rows {
+        end += row.iter().fold(0, |count, _| count + 1);
+        starts.push(end);
+    }
+    starts
+}
+
+/// One end of a spring as its other end sees it.
+#[derive(Debug, Clone, Copy)]
+struct Neighbor {
+    index: u32,
+    kind: u32,
+}
+
+/// Stiffness and rest length of one family.
+#[derive(Debug, Clone, Copy)]
+struct Kind {
+    rest_length: f64,
+    stiffness: f64,
+}
+
+/// The springs of every particle, side by side, in the order of the edge lists.
+#[derive(Debug, Clone)]
+pub(super) struct SpringGather {
+    kinds: Vec<Kind>,
+    starts: Vec<u32>,
+    neighbors: Vec<Neighbor>,
+}
+
+impl SpringGather {
+    /// Turns edge lists into one list per particle.
+    pub(super) fn new(particle_count: usize, springs: &[Springs]) -> Self {
+        let mut lists: Vec<Vec<Neighbor>> = vec![Vec::new(); particle_count];
+        for (kind, family) in (0u32..).zip(springs) {
+            for &[a, b] in &family.ends {
+                lists[a as usize].push(Neighbor { index: b, kind });
+                lists[b as usize].push(Neighbor { index: a, kind });
+            }
+        }
+        let starts = row_starts(&lists);
+        let kinds = springs
+            .iter()
+            .map(|family| Kind {
+                rest_length: family.rest_length,
+                stiffness: family.stiffness,
+            })
+            .collect();
+        Self {
+            kinds,
+            starts,
+            neighbors: lists.concat(),
+        }
+    }
+
+    /// Equation (1) summed over the springs of particle `index` [N].
+    #[inline]
+    pub(super) fn force(&self, index: usize, positions: &[DVec3]) -> DVec3 {
+        let range = self.starts[index] as usize..self.starts[index + 1] as usize;
+        let position = positions[index];
+        let mut force = DVec3::ZERO;
+        for neighbor in &self.neighbors[range] {
+            let kind = self.kinds[neighbor.kind as usize];
+            force += paper::spring_force(
+                position,
+                positions[neighbor.index as usize],
+                kind.rest_length,
+                kind.stiffness,
+            );
+        }
+        force
+    }
+}
