@@ -1,0 +1,282 @@
+//! The design document (`*.lole`): a TOML text that names dancer, skirt, fabric, print, motion,
+//! wind and method.
+//!
+//! The first key is `lole = 1`, the version of the format. Every key that has a dimension ends in
+//! its unit; one that has none ends in `_ratio`, `_coefficient` or `_count`, or is a name, a color
+//! or a seed. Anything may be left out: the built-in pāʻū skirt dancing kāholo fills it in.
+//! Every key, with its range and meaning, is one row of [`schema`]; reading, checking and writing
+//! all walk that table.
+
+mod convert;
+mod error;
+mod nearest;
+mod parse;
+pub mod schema;
+mod write;
+
+use lole_body::{AmiTurn, ArmStyle, DanceStep, HipLead, HipLift};
+
+use crate::fabrics::Preset;
+use crate::print::PrintMotif;
+
+pub use error::{DesignError, Problem};
+pub use nearest::{likely, nearest};
+pub use parse::{parse, parse_bytes};
+pub use write::to_toml;
+
+/// Version of the format that this program writes, and the newest it reads.
+pub const VERSION: u64 = 1;
+
+/// A whole design, in the units of the document so that reading and writing lose nothing.
+///
+/// Invariant of a design that [`parse`] returned: every value is finite and in its range. One
+/// built or changed in the program is brought under it by [`Design::check`].
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Design {
+    /// Who wears it.
+    pub dancer: DancerDesign,
+    /// The pāʻū skirt.
+    pub skirt: SkirtDesign,
+    /// What it is cut from.
+    pub fabric: FabricDesign,
+    /// What is printed on it.
+    pub print: PrintChoice,
+    /// What is danced.
+    pub motion: MotionDesign,
+    /// Moving air.
+    pub wind: WindDesign,
+    /// How the cloth is computed.
+    pub method: MethodDesign,
+}
+
+/// The dancer's tape; what was not measured follows from the rest.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct DancerDesign {
+    /// Height of the crown above the floor [cm].
+    pub stature_cm: Option<f64>,
+    /// Around the fullest part of the bust [cm].
+    pub bust_cm: Option<f64>,
+    /// Around the narrowest part of the trunk [cm].
+    pub waist_cm: Option<f64>,
+    /// Around the fullest part of the hips [cm].
+    pub hip_cm: Option<f64>,
+    /// Crotch to floor [cm].
+    pub inseam_cm: Option<f64>,
+}
+
+/// The pāʻū skirt and how finely it is computed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SkirtDesign {
+    /// Height of the hem above the floor [cm].
+    pub hem_height_cm: f64,
+    /// Height of the lowest elastic row above the floor [cm]; the front hip bones when `None`.
+    pub worn_height_cm: Option<f64>,
+    /// Flat length over hip girth, 1 to 5.
+    pub gather_ratio: f64,
+    /// Rows of elastic, 1 to 6.
+    pub elastic_row_count: u32,
+    /// Relaxed elastic over the girth where it is worn, 0.8 to 0.9.
+    pub elastic_ratio: f64,
+    /// Ruffle above the top elastic [cm].
+    pub header_cm: f64,
+    /// Height of one casing [cm].
+    pub casing_cm: f64,
+    /// Height between two casings [cm].
+    pub casing_gap_cm: f64,
+    /// Cloth for the hem [cm].
+    pub hem_allowance_cm: f64,
+    /// Particles around.
+    pub column_count: u32,
+    /// Particles from top fold to hem.
+    pub row_count: u32,
+    /// Chance for how unevenly the gathers are pushed together.
+    pub seed: u64,
+}
+
+impl Default for SkirtDesign {
+    fn default() -> Self {
+        Self {
+            hem_height_cm: 22.0,
+            worn_height_cm: None,
+            gather_ratio: 4.0,
+            elastic_row_count: 3,
+            elastic_ratio: 0.85,
+            header_cm: 2.0,
+            casing_cm: 1.5,
+            casing_gap_cm: 2.5,
+            hem_allowance_cm: 5.0,
+            column_count: 512,
+            row_count: 50,
+            seed: 1,
+        }
+    }
+}
+
+/// A fabric from the shelf, with the figures that were measured on the real cloth instead.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FabricDesign {
+    /// Fabric from the shelf.
+    pub preset: &'static Preset,
+    /// Width of the bolt, selvage to selvage [cm].
+    pub width_cm: f64,
+    /// Mass per area [g/m²].
+    pub areal_density_g_per_m2: Option<f64>,
+    /// Thickness [mm].
+    pub thickness_mm: Option<f64>,
+    /// Membrane stiffness along the warp, around the skirt [N/m].
+    pub stretch_warp_n_per_m: Option<f64>,
+    /// Membrane stiffness along the weft, down the skirt [N/m].
+    pub stretch_weft_n_per_m: Option<f64>,
+    /// Shear stiffness [N/m per radian].
+    pub shear_n_per_m: Option<f64>,
+    /// Bending rigidity along the warp [µN·m].
+    pub bend_warp_un_m: Option<f64>,
+    /// Bending rigidity along the weft [µN·m].
+    pub bend_weft_un_m: Option<f64>,
+    /// Twist rigidity [µN·m]; follows the bending rigidities when `None`.
+    pub twist_un_m: Option<f64>,
+    /// Friction coefficient on skin.
+    pub friction_coefficient: Option<f64>,
+    /// Air drag as a rate [1/s].
+    pub drag_per_s: Option<f64>,
+}
+
+impl Default for FabricDesign {
+    fn default() -> Self {
+        Self {
+            preset: &crate::fabrics::PRESETS[0],
+            width_cm: 110.0,
+            areal_density_g_per_m2: None,
+            thickness_mm: None,
+            stretch_warp_n_per_m: None,
+            stretch_weft_n_per_m: None,
+            shear_n_per_m: None,
+            bend_warp_un_m: None,
+            bend_weft_un_m: None,
+            twist_un_m: None,
+            friction_coefficient: None,
+            drag_per_s: None,
+        }
+    }
+}
+
+/// A ready colorway, with the colors that should differ.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PrintChoice {
+    /// What is scattered over the ground.
+    pub motif: PrintMotif,
+    /// Name of a ready set of colors, one of [`PrintDesign::COLORWAYS`](crate::print::PrintDesign::COLORWAYS).
+    pub colorway: &'static str,
+    /// Color of the ground, sRGB.
+    pub ground: Option<[u8; 3]>,
+    /// Color of the flowers or fruit, sRGB.
+    pub flower: Option<[u8; 3]>,
+    /// Color of the large leaves, sRGB.
+    pub leaf: Option<[u8; 3]>,
+    /// Color of the quiet second layer, sRGB.
+    pub shadow: Option<[u8; 3]>,
+    /// Width and height of one repeat on the cloth [cm].
+    pub repeat_cm: f64,
+    /// Chooses places and turns.
+    pub seed: u64,
+}
+
+impl Default for PrintChoice {
+    fn default() -> Self {
+        Self {
+            motif: PrintMotif::Hibiscus,
+            colorway: "red",
+            ground: None,
+            flower: None,
+            leaf: None,
+            shadow: None,
+            repeat_cm: 42.0,
+            seed: 1,
+        }
+    }
+}
+
+/// What is danced, and in whose manner.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MotionDesign {
+    /// The step.
+    pub step: DanceStep,
+    /// Counts per minute.
+    pub tempo_bpm: f64,
+    /// How long is danced [s].
+    pub duration_s: f64,
+    /// Factor on the sway of the hips.
+    pub sway_ratio: f64,
+    /// Bend of both knees while standing even [°].
+    pub knee_deg: f64,
+    /// Which side of the pelvis is higher while it sways.
+    pub hip_lift: HipLift,
+    /// Where the hips are on the count.
+    pub hip_lead: HipLead,
+    /// What the arms do.
+    pub arms: ArmStyle,
+    /// Direction of the ʻami circle.
+    pub ami_turn: AmiTurn,
+}
+
+impl Default for MotionDesign {
+    fn default() -> Self {
+        Self {
+            step: DanceStep::Kaholo,
+            tempo_bpm: 80.0,
+            duration_s: 12.0,
+            sway_ratio: 1.0,
+            knee_deg: 32.0,
+            hip_lift: HipLift::default(),
+            hip_lead: HipLead::default(),
+            arms: ArmStyle::default(),
+            ami_turn: AmiTurn::default(),
+        }
+    }
+}
+
+/// Moving air: the paper's turning wind, given by its strongest breath.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct WindDesign {
+    /// Air speed at the strongest [m/s]; 0 is still air.
+    pub speed_m_per_s: f64,
+}
+
+/// How the cloth is computed.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct MethodDesign {
+    /// The method.
+    pub name: MethodName,
+    /// Time slices of one picture; the method's own choice when `None`.
+    pub substep_count: Option<u32>,
+}
+
+/// A method of computing cloth.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum MethodName {
+    /// Small steps of position-based dynamics: real time.
+    #[default]
+    Xpbd,
+    /// The paper's forward-backward Euler in double precision: the reference, slow.
+    FbEuler,
+}
+
+impl MethodName {
+    /// All methods, the default first.
+    pub const ALL: [Self; 2] = [Self::Xpbd, Self::FbEuler];
+
+    /// Name in documents and on the command line.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Xpbd => "xpbd",
+            Self::FbEuler => "fb-euler",
+        }
+    }
+
+    /// The method whose [`id`](Self::id) is `id`.
+    #[must_use]
+    pub fn from_id(id: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|method| method.id() == id)
+    }
+}

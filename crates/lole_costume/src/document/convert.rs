@@ -1,0 +1,183 @@
+//! From the document's units to what the other crates work with.
+
+use lole_body::{Measurements, MotionSettings, Tape};
+use lole_cloth::Fabric;
+use lole_geom::Length;
+use lole_pattern::design::pau_skirt::PauOptions;
+use lole_pattern::{DraftError, ElasticRatio, GatherRatio};
+
+use super::{Design, DesignError, FabricDesign, PrintChoice, Problem, WindDesign, schema};
+use crate::fabrics::{FabricFigures, si_fabric};
+use crate::print::PrintDesign;
+
+/// Density of air at 20 °C and sea level [kg/m³].
+const AIR_DENSITY: f64 = 1.204;
+
+impl Design {
+    /// Checks every value against its row of the schema, and the tape as a whole.
+    ///
+    /// `source` is named in the sentence, such as `command line`.
+    ///
+    /// # Errors
+    /// The first value out of range.
+    pub fn check(&self, source: &str) -> Result<(), DesignError> {
+        for table in schema::TABLES {
+            for key in table.keys {
+                key.kind.check(self).map_err(|problem| DesignError {
+                    file_name: source.to_owned(),
+                    line: None,
+                    place: format!("[{}] {}", table.name, key.name),
+                    problem: Box::new(problem),
+                })?;
+            }
+        }
+        self.check_together()
+            .map_err(|(table, problem)| DesignError {
+                file_name: source.to_owned(),
+                line: None,
+                place: format!("[{table}]"),
+                problem: Box::new(problem),
+            })
+    }
+
+    /// What only several values together can get wrong, with the table to look at.
+    pub(super) fn check_together(&self) -> Result<(), (&'static str, Problem)> {
+        let together = |sentence: String| Problem::Together { sentence };
+        Measurements::from_tape(&self.tape())
+            .map_err(|error| ("dancer", together(error.to_string())))?;
+        self.pau_options()
+            .map_err(|error| ("skirt", together(error.to_string())))?;
+        Ok(())
+    }
+
+    /// What was measured of the dancer.
+    #[must_use]
+    pub fn tape(&self) -> Tape {
+        Tape {
+            stature: self.dancer.stature_cm.map(Length::from_cm),
+            bust_girth: self.dancer.bust_cm.map(Length::from_cm),
+            waist_girth: self.dancer.waist_cm.map(Length::from_cm),
+            hip_girth: self.dancer.hip_cm.map(Length::from_cm),
+            inseam_length: self.dancer.inseam_cm.map(Length::from_cm),
+        }
+    }
+
+    /// What the maker decides about the skirt.
+    ///
+    /// # Errors
+    /// Ratios that cannot be sewn; [`Design::check`] finds them first.
+    pub fn pau_options(&self) -> Result<PauOptions, DraftError> {
+        Ok(PauOptions {
+            gather_ratio: GatherRatio::new(self.skirt.gather_ratio)?,
+            hem_height: Length::from_cm(self.skirt.hem_height_cm),
+            elastic_row_count: self.skirt.elastic_row_count,
+            elastic_ratio: ElasticRatio::new(self.skirt.elastic_ratio)?,
+            header: Length::from_cm(self.skirt.header_cm),
+            casing: Length::from_cm(self.skirt.casing_cm),
+            gap: Length::from_cm(self.skirt.casing_gap_cm),
+            hem: Length::from_cm(self.skirt.hem_allowance_cm),
+            fabric_width: Length::from_cm(self.fabric.width_cm),
+            ..PauOptions::default()
+        })
+    }
+
+    /// What is danced, for [`lole_body::Dance`].
+    #[must_use]
+    pub fn motion_settings(&self) -> MotionSettings {
+        MotionSettings {
+            dance_step: self.motion.step,
+            beats_per_minute: motion_value(self.motion.tempo_bpm),
+            sway: motion_value(self.motion.sway_ratio),
+            knee_degrees: motion_value(self.motion.knee_deg),
+            hip_lift: self.motion.hip_lift,
+            hip_lead: self.motion.hip_lead,
+            arms: self.motion.arms,
+            ami_turn: self.motion.ami_turn,
+            ..MotionSettings::default()
+        }
+    }
+}
+
+impl FabricDesign {
+    /// The fabric in the engine's SI units, warp along `u`: the preset where nothing else is given.
+    ///
+    /// A twist that is not given keeps the preset's share of `√(B_warp B_weft)`; a drag that is not
+    /// given stays the same force on heavier or lighter cloth.
+    #[must_use]
+    pub fn fabric(&self) -> Fabric {
+        let preset = self.preset;
+        let [stretch_warp, stretch_weft] = preset.stretch.value;
+        let [bend_warp, bend_weft] = preset.bend.value;
+        let bend = [
+            self.bend_warp_un_m.unwrap_or(bend_warp),
+            self.bend_weft_un_m.unwrap_or(bend_weft),
+        ];
+        let twist_share = preset.twist.value / (bend_warp * bend_weft).sqrt();
+        let areal_density = self
+            .areal_density_g_per_m2
+            .unwrap_or(preset.areal_density.value);
+        let drag_rate = preset.drag_rate() * preset.areal_density.value / areal_density;
+        si_fabric(&FabricFigures {
+            areal_density,
+            thickness: self.thickness_mm.unwrap_or(preset.thickness.value),
+            stretch: [
+                self.stretch_warp_n_per_m.unwrap_or(stretch_warp),
+                self.stretch_weft_n_per_m.unwrap_or(stretch_weft),
+            ],
+            shear: self.shear_n_per_m.unwrap_or(preset.shear.value),
+            bend,
+            twist: self
+                .twist_un_m
+                .unwrap_or(twist_share * (bend[0] * bend[1]).sqrt()),
+            friction: self.friction_coefficient.unwrap_or(preset.friction.value),
+            drag_rate: self.drag_per_s.unwrap_or(drag_rate),
+        })
+    }
+}
+
+impl PrintChoice {
+    /// The print to draw.
+    #[must_use]
+    pub fn print(&self) -> PrintDesign {
+        let ready = PrintDesign::colorway(self.colorway).unwrap_or_else(fallback_colorway);
+        PrintDesign {
+            ground: self.ground.unwrap_or(ready.ground),
+            flower: self.flower.unwrap_or(ready.flower),
+            leaf: self.leaf.unwrap_or(ready.leaf),
+            shadow: self.shadow.unwrap_or(ready.shadow),
+            motif: self.motif,
+            repeat: Length::from_cm(self.repeat_cm),
+            seed: self.seed,
+        }
+    }
+}
+
+/// Broadcloth in two tones, for a colorway name set by a program and not on the list.
+fn fallback_colorway() -> PrintDesign {
+    PrintDesign {
+        ground: [158, 16, 38],
+        flower: [252, 240, 222],
+        leaf: [238, 178, 70],
+        shadow: [126, 8, 30],
+        motif: crate::print::PrintMotif::Hibiscus,
+        repeat: Length::from_cm(42.0),
+        seed: 1,
+    }
+}
+
+impl WindDesign {
+    /// Dynamic pressure `½ ρ v²` of the strongest breath [Pa]; the amplitude of the paper's wind
+    /// is this on the area of one particle, so a finer grid feels the same wind.
+    #[must_use]
+    pub fn pressure(&self) -> f64 {
+        0.5 * AIR_DENSITY * self.speed_m_per_s * self.speed_m_per_s
+    }
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "dance settings are f32; a seven-digit tempo is exact enough"
+)]
+fn motion_value(value: f64) -> f32 {
+    value as f32
+}

@@ -1,0 +1,256 @@
+//! Reads a design from text, and says in one sentence what is wrong with it.
+
+use std::ops::Range;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::schema::{self, Key, Kind, Table, shortened};
+use super::{Design, DesignError, Problem, VERSION, likely};
+
+/// Largest text that is read [bytes]; a whole design is under two thousand.
+const SIZE_LIMIT: usize = 1 << 20;
+
+/// Reads a design from the bytes of a file.
+///
+/// # Errors
+/// As [`parse`], and bytes that are not UTF-8.
+pub fn parse_bytes(bytes: &[u8], file_name: &str) -> Result<Design, DesignError> {
+    match std::str::from_utf8(bytes) {
+        Ok(text) => parse(text, file_name),
+        Err(error) => {
+            let read = &bytes[..error.valid_up_to()];
+            Err(DesignError {
+                file_name: file_name.to_owned(),
+                line: Some(1 + read.iter().filter(|byte| **byte == b'\n').count()),
+                place: String::new(),
+                problem: Box::new(Problem::NotUtf8),
+            })
+        }
+    }
+}
+
+/// Reads a design from text; `file_name` is only named in the sentence.
+///
+/// # Errors
+/// The first thing that is wrong, from the top of the text down; a version that cannot be read
+/// comes before everything but broken TOML.
+pub fn parse(text: &str, file_name: &str) -> Result<Design, DesignError> {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let reader = Reader { text, file_name };
+    if SIZE_LIMIT < text.len() {
+        let problem = Problem::TooLong {
+            byte_count: text.len(),
+            limit: SIZE_LIMIT,
+        };
+        return Err(reader.error(0, String::new(), problem));
+    }
+    let document = DeTable::parse(text).map_err(|error| {
+        let start = error.span().map_or(0, |span| span.start);
+        reader.error(
+            start,
+            String::new(),
+            Problem::Syntax {
+                message: one_line(error.message()),
+            },
+        )
+    })?;
+    reader.check_version(document.get_ref())?;
+
+    let mut design = Design::default();
+    for (name, value) in in_text_order(document.get_ref()) {
+        if name.get_ref() != "lole" {
+            reader.read_table(name, value, &mut design)?;
+        }
+    }
+    design.check_together().map_err(|(table, problem)| {
+        let header = document
+            .get_ref()
+            .iter()
+            .find(|(name, _)| name.get_ref() == table);
+        let start = header.map_or(0, |(name, _)| name.span().start);
+        reader.error(start, format!("[{table}]"), problem)
+    })?;
+    Ok(design)
+}
+
+type Entry<'d, 'i> = (
+    &'d Spanned<toml::de::DeString<'i>>,
+    &'d Spanned<DeValue<'i>>,
+);
+
+/// Entries from the top of the text down, so that the first mistake is the one reported.
+fn in_text_order<'d, 'i>(table: &'d DeTable<'i>) -> Vec<Entry<'d, 'i>> {
+    let mut entries: Vec<_> = table.iter().collect();
+    entries.sort_by_key(|(name, _)| name.span().start);
+    entries
+}
+
+struct Reader<'t> {
+    text: &'t str,
+    file_name: &'t str,
+}
+
+impl Reader<'_> {
+    fn error(&self, start: usize, place: String, problem: Problem) -> DesignError {
+        let read = &self.text.as_bytes()[..start.min(self.text.len())];
+        DesignError {
+            file_name: self.file_name.to_owned(),
+            line: Some(1 + read.iter().filter(|byte| **byte == b'\n').count()),
+            place,
+            problem: Box::new(problem),
+        }
+    }
+
+    /// What stands in the text there, short and on one line.
+    fn found(&self, span: Range<usize>) -> String {
+        shortened(self.text.get(span).unwrap_or_default())
+    }
+
+    fn check_version(&self, document: &DeTable<'_>) -> Result<(), DesignError> {
+        let Some((name, value)) = document.iter().find(|(name, _)| name.get_ref() == "lole") else {
+            return Err(self.error(0, String::new(), Problem::VersionMissing));
+        };
+        let problem = match value.get_ref().as_integer().map(whole_number) {
+            Some(Some(VERSION)) => return Ok(()),
+            Some(Some(found)) if VERSION < found => Problem::VersionNewer { found },
+            _ => Problem::VersionUnreadable {
+                found: self.found(value.span()),
+            },
+        };
+        Err(self.error(name.span().start, "lole".to_owned(), problem))
+    }
+
+    fn read_table(
+        &self,
+        name: &Spanned<toml::de::DeString<'_>>,
+        value: &Spanned<DeValue<'_>>,
+        design: &mut Design,
+    ) -> Result<(), DesignError> {
+        let place = format!("[{}]", shortened(name.get_ref()));
+        let Some(table) = schema::TABLES
+            .iter()
+            .find(|table| table.name == name.get_ref())
+        else {
+            let names: Vec<_> = schema::TABLES.iter().map(|table| table.name).collect();
+            let problem = unknown("table", name.get_ref(), &names, "the tables are");
+            return Err(self.error(name.span().start, place, problem));
+        };
+        let Some(entries) = value.get_ref().as_table() else {
+            let problem = Problem::WrongType {
+                found: self.found(value.span()),
+                found_type: type_with_article(value.get_ref()),
+                wanted: format!("a table that begins with [{}]", table.name),
+            };
+            return Err(self.error(value.span().start, place, problem));
+        };
+        in_text_order(entries)
+            .into_iter()
+            .try_for_each(|(key, value)| self.read_key(table, key, value, design))
+    }
+
+    fn read_key(
+        &self,
+        table: &Table,
+        name: &Spanned<toml::de::DeString<'_>>,
+        value: &Spanned<DeValue<'_>>,
+        design: &mut Design,
+    ) -> Result<(), DesignError> {
+        let place = format!("[{}] {}", table.name, shortened(name.get_ref()));
+        let Some(key) = table.keys.iter().find(|key| key.name == name.get_ref()) else {
+            let names: Vec<_> = table.keys.iter().map(|key| key.name).collect();
+            let problem = unknown("key", name.get_ref(), &names, "the keys of this table are");
+            return Err(self.error(name.span().start, place, problem));
+        };
+        fill(key, value.get_ref(), &self.found(value.span()), design)
+            .map_err(|problem| self.error(value.span().start, place, problem))
+    }
+}
+
+/// Puts a value, written as `found`, where its key belongs.
+fn fill(key: &Key, value: &DeValue<'_>, found: &str, design: &mut Design) -> Result<(), Problem> {
+    let wrong_type = || Problem::WrongType {
+        found: found.to_owned(),
+        found_type: type_with_article(value),
+        wanted: key.kind.wanted(),
+    };
+    match &key.kind {
+        Kind::Number { set, .. } => {
+            let number = number(value).ok_or_else(wrong_type)?;
+            key.kind.check_number(number, found)?;
+            set(design, number);
+        }
+        Kind::Count { set, .. } => {
+            let integer = value.as_integer().ok_or_else(wrong_type)?;
+            let count = whole_number(integer).ok_or_else(|| key.kind.out_of_range(found))?;
+            key.kind.check_count(count, found)?;
+            set(design, count);
+        }
+        Kind::Name { set, .. } => {
+            let name = value.as_str().ok_or_else(wrong_type)?;
+            key.kind.check_name(name)?;
+            set(design, name);
+        }
+        Kind::Color { set, .. } => {
+            let text = value.as_str().ok_or_else(wrong_type)?;
+            set(
+                design,
+                color(text).ok_or_else(|| key.kind.out_of_range(found))?,
+            );
+        }
+    }
+    Ok(())
+}
+
+/// A number, whole or not; what no `f64` can hold becomes infinite and is then out of range.
+fn number(value: &DeValue<'_>) -> Option<f64> {
+    match value {
+        DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse().ok(),
+        DeValue::Integer(integer) => {
+            let parsed = i64::from_str_radix(integer.as_str(), integer.radix());
+            Some(parsed.map_or(f64::INFINITY, |whole| whole as f64))
+        }
+        DeValue::Float(float) => Some(float.as_str().parse().unwrap_or(f64::NAN)),
+        _ => None,
+    }
+}
+
+/// A whole number that is not negative and fits.
+fn whole_number(integer: &toml::de::DeInteger<'_>) -> Option<u64> {
+    u64::from_str_radix(integer.as_str(), integer.radix()).ok()
+}
+
+/// `#rrggbb` as three bytes.
+fn color(text: &str) -> Option<[u8; 3]> {
+    let digits = text.strip_prefix('#')?;
+    if digits.len() != 6 || !digits.bytes().all(|byte| byte.is_ascii_hexdigit()) {
+        return None;
+    }
+    let [_, red, green, blue] = u32::from_str_radix(digits, 16).ok()?.to_be_bytes();
+    Some([red, green, blue])
+}
+
+fn unknown(what: &'static str, name: &str, names: &[&str], list_lead: &str) -> Problem {
+    let remedy = match likely(name, names) {
+        Some(choice) => format!("did you mean {choice}?"),
+        None => format!("{list_lead} {}", names.join(", ")),
+    };
+    Problem::Unknown { what, remedy }
+}
+
+fn type_with_article(value: &DeValue<'_>) -> &'static str {
+    match value {
+        DeValue::String(_) => "a text",
+        DeValue::Integer(_) => "a whole number",
+        DeValue::Float(_) => "a number with a point",
+        DeValue::Boolean(_) => "a true or false",
+        DeValue::Datetime(_) => "a date",
+        DeValue::Array(_) => "a list",
+        DeValue::Table(_) => "a table",
+    }
+}
+
+/// The parser's message without its line breaks.
+fn one_line(message: &str) -> String {
+    message.split_whitespace().collect::<Vec<_>>().join(" ")
+}

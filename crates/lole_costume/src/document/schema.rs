@@ -1,0 +1,634 @@
+//! Every key of the design document, one row each: name, range, meaning, and the field it fills.
+//!
+//! Reading, checking, writing and the messages all walk this table, so a key that is added here is
+//! read, refused, written and explained.
+
+use lole_body::{AmiTurn, ArmStyle, DanceStep, HipLead, HipLift};
+
+use super::{Design, MethodName, Problem, nearest};
+use crate::fabrics::{PRESETS, Preset};
+use crate::print::{PrintDesign, PrintMotif};
+
+/// One table of the document.
+#[derive(Debug)]
+pub struct Table {
+    /// Name between the brackets.
+    pub name: &'static str,
+    /// What it holds, in a few words, written as a comment above it.
+    pub about: &'static str,
+    /// Its keys, in the order they are written.
+    pub keys: &'static [Key],
+}
+
+/// One key.
+#[derive(Debug)]
+pub struct Key {
+    /// Name, ending in its unit where it has one.
+    pub name: &'static str,
+    /// What it means, in a few words.
+    pub about: &'static str,
+    /// What it takes and where it goes.
+    pub kind: Kind,
+}
+
+/// What a key takes, with its way into and out of a [`Design`]. A `get` that returns `None` leaves
+/// the key out of the document.
+#[derive(Debug)]
+pub enum Kind {
+    /// A finite number from `min` to `max`.
+    Number {
+        /// Smallest accepted number.
+        min: f64,
+        /// Largest accepted number.
+        max: f64,
+        /// Reads the field.
+        get: fn(&Design) -> Option<f64>,
+        /// Fills the field.
+        set: fn(&mut Design, f64),
+    },
+    /// A whole number from `min` to `max`.
+    Count {
+        /// Smallest accepted number.
+        min: u64,
+        /// Largest accepted number.
+        max: u64,
+        /// Reads the field.
+        get: fn(&Design) -> Option<u64>,
+        /// Fills the field.
+        set: fn(&mut Design, u64),
+    },
+    /// A name from a list.
+    Name {
+        /// What the list holds, as in "is not a dance step".
+        what: &'static str,
+        /// The list.
+        choices: fn() -> Vec<&'static str>,
+        /// Reads the field.
+        get: fn(&Design) -> &'static str,
+        /// Fills the field; names that are not on the list change nothing.
+        set: fn(&mut Design, &str),
+    },
+    /// A color as `"#rrggbb"` in sRGB.
+    Color {
+        /// Reads the field.
+        get: fn(&Design) -> Option<[u8; 3]>,
+        /// Fills the field.
+        set: fn(&mut Design, [u8; 3]),
+    },
+}
+
+/// Largest seed: what fits the integers of TOML.
+const MAX_SEED: u64 = i64::MAX as u64;
+
+macro_rules! number {
+    ($name:literal, $min:literal..=$max:literal, $table:ident.$field:ident, $about:literal) => {
+        Key {
+            name: $name,
+            about: $about,
+            kind: Kind::Number {
+                min: $min,
+                max: $max,
+                get: |design| Some(design.$table.$field),
+                set: |design, value| design.$table.$field = value,
+            },
+        }
+    };
+}
+
+macro_rules! number_if_known {
+    ($name:literal, $min:literal..=$max:literal, $table:ident.$field:ident, $about:literal) => {
+        Key {
+            name: $name,
+            about: $about,
+            kind: Kind::Number {
+                min: $min,
+                max: $max,
+                get: |design| design.$table.$field,
+                set: |design, value| design.$table.$field = Some(value),
+            },
+        }
+    };
+}
+
+macro_rules! count {
+    ($name:literal, $min:literal..=$max:literal, $table:ident.$field:ident, $about:literal) => {
+        Key {
+            name: $name,
+            about: $about,
+            kind: Kind::Count {
+                min: $min,
+                max: $max,
+                get: |design| Some(u64::from(design.$table.$field)),
+                set: |design, value| {
+                    design.$table.$field = u32::try_from(value).unwrap_or(u32::MAX);
+                },
+            },
+        }
+    };
+}
+
+macro_rules! seed {
+    ($table:ident, $about:literal) => {
+        Key {
+            name: "seed",
+            about: $about,
+            kind: Kind::Count {
+                min: 0,
+                max: MAX_SEED,
+                get: |design| Some(design.$table.seed),
+                set: |design, value| design.$table.seed = value,
+            },
+        }
+    };
+}
+
+macro_rules! color {
+    ($name:literal, $field:ident, $about:literal) => {
+        Key {
+            name: $name,
+            about: $about,
+            kind: Kind::Color {
+                get: |design| design.print.$field,
+                set: |design, value| design.print.$field = Some(value),
+            },
+        }
+    };
+}
+
+/// A choice among `(id, value)` pairs that this file names.
+macro_rules! choice {
+    ($name:literal, $what:literal, $list:ident, $table:ident.$field:ident, $about:literal) => {
+        Key {
+            name: $name,
+            about: $about,
+            kind: Kind::Name {
+                what: $what,
+                choices: || $list.iter().map(|(id, _)| *id).collect(),
+                get: |design| {
+                    let found = $list
+                        .iter()
+                        .find(|(_, value)| *value == design.$table.$field);
+                    found.map_or($list[0].0, |(id, _)| id)
+                },
+                set: |design, name| {
+                    if let Some((_, value)) = $list.iter().find(|(id, _)| *id == name) {
+                        design.$table.$field = *value;
+                    }
+                },
+            },
+        }
+    };
+}
+
+const MOTIFS: &[(&str, PrintMotif)] =
+    &[("hibiscus", PrintMotif::Hibiscus), ("ulu", PrintMotif::Ulu)];
+const HIP_LIFTS: &[(&str, HipLift)] = &[
+    ("weighted-side", HipLift::WeightedSide),
+    ("free-side", HipLift::FreeSide),
+];
+const HIP_LEADS: &[(&str, HipLead)] = &[
+    ("other-foot", HipLead::OtherFoot),
+    ("stepping-foot", HipLead::SteppingFoot),
+];
+const ARM_STYLES: &[(&str, ArmStyle)] = &[
+    ("of-step", ArmStyle::OfStep),
+    ("open", ArmStyle::Open),
+    ("hands-on-hips", ArmStyle::HandsOnHips),
+];
+const AMI_TURNS: &[(&str, AmiTurn)] = &[("akau", AmiTurn::Akau), ("hema", AmiTurn::Hema)];
+
+/// The tables in the order they are written.
+pub const TABLES: &[Table] = &[DANCER, SKIRT, FABRIC, PRINT, MOTION, WIND, METHOD];
+
+const DANCER: Table = Table {
+    name: "dancer",
+    about: "the tape, in cm; leave out what was not measured",
+    keys: &[
+        number_if_known!(
+            "stature_cm",
+            130.0..=195.0,
+            dancer.stature_cm,
+            "crown to floor"
+        ),
+        number_if_known!(
+            "bust_cm",
+            60.0..=140.0,
+            dancer.bust_cm,
+            "fullest part of the bust"
+        ),
+        number_if_known!(
+            "waist_cm",
+            50.0..=130.0,
+            dancer.waist_cm,
+            "narrowest part of the trunk"
+        ),
+        number_if_known!(
+            "hip_cm",
+            70.0..=150.0,
+            dancer.hip_cm,
+            "fullest part of the hips"
+        ),
+        number_if_known!(
+            "inseam_cm",
+            52.0..=97.5,
+            dancer.inseam_cm,
+            "crotch to floor"
+        ),
+    ],
+};
+
+const SKIRT: Table = Table {
+    name: "skirt",
+    about: "the pāʻū skirt",
+    keys: &[
+        number!(
+            "hem_height_cm",
+            0.0..=100.0,
+            skirt.hem_height_cm,
+            "hem above the floor"
+        ),
+        number_if_known!(
+            "worn_height_cm",
+            40.0..=130.0,
+            skirt.worn_height_cm,
+            "lowest elastic above the floor; left out: the front hip bones"
+        ),
+        number!(
+            "gather_ratio",
+            1.0..=5.0,
+            skirt.gather_ratio,
+            "flat length over hip girth"
+        ),
+        count!(
+            "elastic_row_count",
+            1..=6,
+            skirt.elastic_row_count,
+            "rows of elastic"
+        ),
+        number!(
+            "elastic_ratio",
+            0.8..=0.9,
+            skirt.elastic_ratio,
+            "relaxed elastic over the girth where it is worn"
+        ),
+        number!(
+            "header_cm",
+            0.0..=15.0,
+            skirt.header_cm,
+            "ruffle above the top elastic"
+        ),
+        number!(
+            "casing_cm",
+            0.5..=10.0,
+            skirt.casing_cm,
+            "height of one casing"
+        ),
+        number!(
+            "casing_gap_cm",
+            0.0..=15.0,
+            skirt.casing_gap_cm,
+            "between two casings"
+        ),
+        number!(
+            "hem_allowance_cm",
+            0.0..=30.0,
+            skirt.hem_allowance_cm,
+            "cloth for the hem"
+        ),
+        count!(
+            "column_count",
+            32..=4096,
+            skirt.column_count,
+            "particles around"
+        ),
+        count!(
+            "row_count",
+            8..=512,
+            skirt.row_count,
+            "particles from top to hem"
+        ),
+        seed!(skirt, "chance of the gathers"),
+    ],
+};
+
+const FABRIC: Table = Table {
+    name: "fabric",
+    about: "a fabric from the shelf, and figures measured on the real cloth",
+    keys: &[
+        Key {
+            name: "preset",
+            about: "fabric from the shelf",
+            kind: Kind::Name {
+                what: "fabric",
+                choices: || PRESETS.iter().map(|preset| preset.id).collect(),
+                get: |design| design.fabric.preset.id,
+                set: |design, name| {
+                    if let Some(preset) = Preset::from_id(name) {
+                        design.fabric.preset = preset;
+                    }
+                },
+            },
+        },
+        number!(
+            "width_cm",
+            30.0..=400.0,
+            fabric.width_cm,
+            "selvage to selvage"
+        ),
+        number_if_known!(
+            "areal_density_g_per_m2",
+            10.0..=1000.0,
+            fabric.areal_density_g_per_m2,
+            "weight"
+        ),
+        number_if_known!("thickness_mm", 0.02..=5.0, fabric.thickness_mm, "thickness"),
+        number_if_known!(
+            "stretch_warp_n_per_m",
+            1.0..=1e6,
+            fabric.stretch_warp_n_per_m,
+            "around the skirt"
+        ),
+        number_if_known!(
+            "stretch_weft_n_per_m",
+            1.0..=1e6,
+            fabric.stretch_weft_n_per_m,
+            "down the skirt"
+        ),
+        number_if_known!(
+            "shear_n_per_m",
+            0.1..=1e6,
+            fabric.shear_n_per_m,
+            "across the bias"
+        ),
+        number_if_known!(
+            "bend_warp_un_m",
+            0.01..=1e5,
+            fabric.bend_warp_un_m,
+            "bending around"
+        ),
+        number_if_known!(
+            "bend_weft_un_m",
+            0.01..=1e5,
+            fabric.bend_weft_un_m,
+            "bending down"
+        ),
+        number_if_known!("twist_un_m", 0.01..=1e5, fabric.twist_un_m, "twisting"),
+        number_if_known!(
+            "friction_coefficient",
+            0.0..=2.0,
+            fabric.friction_coefficient,
+            "on skin"
+        ),
+        number_if_known!("drag_per_s", 0.0..=50.0, fabric.drag_per_s, "air drag"),
+    ],
+};
+
+const PRINT: Table = Table {
+    name: "print",
+    about: "what is printed on the cloth; colors as \"#rrggbb\"",
+    keys: &[
+        choice!("motif", "motif", MOTIFS, print.motif, "what is drawn"),
+        Key {
+            name: "colorway",
+            about: "ready set of colors",
+            kind: Kind::Name {
+                what: "colorway",
+                choices: || PrintDesign::COLORWAYS.to_vec(),
+                get: |design| design.print.colorway,
+                set: |design, name| {
+                    let found = PrintDesign::COLORWAYS
+                        .iter()
+                        .find(|choice| **choice == name);
+                    design.print.colorway = found.unwrap_or(&design.print.colorway);
+                },
+            },
+        },
+        color!("ground", ground, "instead of the colorway's ground"),
+        color!("flower", flower, "instead of the colorway's flowers"),
+        color!("leaf", leaf, "instead of the colorway's leaves"),
+        color!("shadow", shadow, "instead of the colorway's second layer"),
+        number!(
+            "repeat_cm",
+            5.0..=200.0,
+            print.repeat_cm,
+            "one repeat on the cloth"
+        ),
+        seed!(print, "chance of the places"),
+    ],
+};
+
+const MOTION: Table = Table {
+    name: "motion",
+    about: "what is danced; hālau differ, and a kumu's rule comes first",
+    keys: &[
+        Key {
+            name: "step",
+            about: "dance step",
+            kind: Kind::Name {
+                what: "dance step",
+                choices: || DanceStep::ALL.iter().map(|step| step.id()).collect(),
+                get: |design| design.motion.step.id(),
+                set: |design, name| {
+                    design.motion.step = DanceStep::from_id(name).unwrap_or(design.motion.step);
+                },
+            },
+        },
+        number!(
+            "tempo_bpm",
+            30.0..=240.0,
+            motion.tempo_bpm,
+            "counts per minute"
+        ),
+        number!(
+            "duration_s",
+            0.5..=600.0,
+            motion.duration_s,
+            "length of the dance"
+        ),
+        number!(
+            "sway_ratio",
+            0.0..=1.6,
+            motion.sway_ratio,
+            "factor on the sway of the hips"
+        ),
+        number!(
+            "knee_deg",
+            10.0..=65.0,
+            motion.knee_deg,
+            "bend of the knees"
+        ),
+        choice!(
+            "hip_lift",
+            "hip lift",
+            HIP_LIFTS,
+            motion.hip_lift,
+            "which hip is higher"
+        ),
+        choice!(
+            "hip_lead",
+            "hip lead",
+            HIP_LEADS,
+            motion.hip_lead,
+            "hips on the count"
+        ),
+        choice!(
+            "arms",
+            "arm style",
+            ARM_STYLES,
+            motion.arms,
+            "what the arms do"
+        ),
+        choice!(
+            "ami_turn",
+            "turn of the ʻami",
+            AMI_TURNS,
+            motion.ami_turn,
+            "way round"
+        ),
+    ],
+};
+
+const WIND: Table = Table {
+    name: "wind",
+    about: "a turning wind, by its strongest breath",
+    keys: &[number!(
+        "speed_m_per_s",
+        0.0..=20.0,
+        wind.speed_m_per_s,
+        "0 is still air"
+    )],
+};
+
+const METHOD: Table = Table {
+    name: "method",
+    about: "how the cloth is computed",
+    keys: &[
+        Key {
+            name: "name",
+            about: "method",
+            kind: Kind::Name {
+                what: "method",
+                choices: || MethodName::ALL.iter().map(|method| method.id()).collect(),
+                get: |design| design.method.name.id(),
+                set: |design, name| {
+                    design.method.name = MethodName::from_id(name).unwrap_or(design.method.name);
+                },
+            },
+        },
+        Key {
+            name: "substep_count",
+            about: "time slices of a picture; left out: the method's choice",
+            kind: Kind::Count {
+                min: 1,
+                max: 10_000,
+                get: |design| design.method.substep_count.map(u64::from),
+                set: |design, value| design.method.substep_count = u32::try_from(value).ok(),
+            },
+        },
+    ],
+};
+
+impl Kind {
+    /// What should be written, with its range: "a number from 0 to 100".
+    #[must_use]
+    pub fn wanted(&self) -> String {
+        match self {
+            Self::Number { min, max, .. } => format!("a number from {min} to {max}"),
+            Self::Count { min, max, .. } => format!("a whole number from {min} to {max}"),
+            Self::Name { what, choices, .. } => {
+                format!("the name of a {what} in quotes: {}", choices().join(", "))
+            }
+            Self::Color { .. } => "a color such as \"#9e1026\"".to_owned(),
+        }
+    }
+
+    /// Whether a number written as `found` fits.
+    pub(super) fn check_number(&self, value: f64, found: &str) -> Result<(), Problem> {
+        let inside = match self {
+            Self::Number { min, max, .. } => (*min..=*max).contains(&value),
+            _ => true,
+        };
+        if inside {
+            Ok(())
+        } else {
+            Err(self.out_of_range(found))
+        }
+    }
+
+    /// Whether a whole number written as `found` fits.
+    pub(super) fn check_count(&self, value: u64, found: &str) -> Result<(), Problem> {
+        let inside = match self {
+            Self::Count { min, max, .. } => (*min..=*max).contains(&value),
+            _ => true,
+        };
+        if inside {
+            Ok(())
+        } else {
+            Err(self.out_of_range(found))
+        }
+    }
+
+    /// Whether a name is on the list.
+    pub(super) fn check_name(&self, name: &str) -> Result<(), Problem> {
+        let Self::Name { what, choices, .. } = self else {
+            return Ok(());
+        };
+        let choices = choices();
+        if choices.contains(&name) {
+            return Ok(());
+        }
+        Err(Problem::UnknownName {
+            found: format!("\"{}\"", shortened(name)),
+            what,
+            nearest: nearest(name, &choices).unwrap_or_default().to_owned(),
+            choices: choices.join(", "),
+        })
+    }
+
+    /// Whether what a design holds fits.
+    pub(super) fn check(&self, design: &Design) -> Result<(), Problem> {
+        match self {
+            Self::Number { get, .. } => {
+                get(design).map_or(Ok(()), |value| self.check_number(value, &value.to_string()))
+            }
+            Self::Count { get, .. } => {
+                get(design).map_or(Ok(()), |value| self.check_count(value, &value.to_string()))
+            }
+            Self::Name { get, .. } => self.check_name(get(design)),
+            Self::Color { .. } => Ok(()),
+        }
+    }
+
+    pub(super) fn out_of_range(&self, found: &str) -> Problem {
+        Problem::OutOfRange {
+            found: shortened(found),
+            wanted: self.wanted(),
+        }
+    }
+}
+
+/// What the user typed, short enough for a sentence and on one line.
+pub(super) fn shortened(text: &str) -> String {
+    const LIMIT: usize = 40;
+    let line: String = text
+        .chars()
+        .take(LIMIT)
+        .flat_map(char::escape_debug)
+        .collect();
+    if text.chars().nth(LIMIT).is_some() {
+        line + "…"
+    } else {
+        line
+    }
+}
+
+/// The key of this name in the table of this name.
+#[must_use]
+pub fn key(table: &str, name: &str) -> Option<&'static Key> {
+    TABLES
+        .iter()
+        .find(|row| row.name == table)?
+        .keys
+        .iter()
+        .find(|row| row.name == name)
+}
