@@ -1,1 +1,100 @@
-//! Being built.
+//! Light that is worked out once for a picture and shared by both backends: the key light's
+//! shadow map, the light that reaches each vertex from the studio around it, and the floor.
+
+mod ambient;
+mod ground;
+mod studio;
+
+pub(crate) use ground::GroundLight;
+use studio::Studio;
+
+use crate::depth_map::{DepthMap, Layers};
+use crate::prepare::Geometry;
+use crate::{LightRig, Scene};
+use glam::Vec3;
+use rayon::prelude::*;
+
+/// Longer side of the key light's map [texel]: about 1 mm on a standing dancer.
+const KEY_MAP_SIDE: usize = 1536;
+/// Longer side of the maps of the surroundings [texel]: about 4 mm on a standing dancer, finer
+/// than the folds of a gathered band.
+const STUDIO_MAP_SIDE: usize = 448;
+
+/// Light worked out for one picture.
+pub(crate) struct Bake {
+    /// What the key light sees.
+    pub(crate) key_map: DepthMap,
+    /// Light of the surroundings on the face and on the back of each vertex, as the radiance of a
+    /// white surface there.
+    pub(crate) ambient: Vec<[Vec3; 2]>,
+    /// Light on the floor.
+    pub(crate) ground: Option<GroundLight>,
+}
+
+impl Bake {
+    pub(crate) fn new(scene: &Scene<'_>, geometry: &Geometry) -> Self {
+        let key_axis = unit_toward(scene.lights.key.toward);
+        let studio = Studio::new(&scene.lights);
+        let axes: Vec<_> = std::iter::once((key_axis, KEY_MAP_SIDE, Layers::Nearest))
+            .chain(
+                studio
+                    .axes
+                    .iter()
+                    .map(|lobe| (lobe.axis, STUDIO_MAP_SIDE, Layers::Both)),
+            )
+            .collect();
+        let mut maps: Vec<DepthMap> = axes
+            .par_iter()
+            .map(|&(axis, side, layers)| DepthMap::draw(geometry, axis, side, layers))
+            .collect();
+        let studio_maps = maps.split_off(1);
+        let key_map = maps.swap_remove(0);
+        let ground = scene
+            .ground
+            .as_ref()
+            .zip(geometry.bounds())
+            .map(|(ground, bounds)| {
+                GroundLight::new(
+                    ground,
+                    bounds,
+                    &scene.lights,
+                    &studio,
+                    &studio_maps,
+                    &key_map,
+                )
+            });
+        let ambient = ambient::by_vertex(geometry, &studio, &studio_maps, ground.as_ref());
+        Self {
+            key_map,
+            ambient,
+            ground,
+        }
+    }
+}
+
+/// The direction as a unit vector; straight up where it has no length.
+fn unit_toward(toward: Vec3) -> Vec3 {
+    toward.try_normalize().unwrap_or(Vec3::Y)
+}
+
+impl LightRig {
+    /// Radiance of the surroundings in a unit direction, without the key light.
+    fn radiance(&self, direction: Vec3) -> Vec3 {
+        let away = if direction.y >= 0.0 {
+            self.zenith
+        } else {
+            self.nadir
+        };
+        // The floor's light begins right below the horizon, the sky's grows towards the zenith.
+        let share = if direction.y >= 0.0 {
+            direction.y
+        } else {
+            (-direction.y * 3.0).min(1.0)
+        };
+        let room = Vec3::from(self.horizon).lerp(Vec3::from(away), share);
+        self.boxes.iter().fold(room, |light, lamp| {
+            let cosine = direction.dot(unit_toward(lamp.toward)).max(0.0);
+            light + Vec3::from(lamp.color) * lole_geom::trig::powf(cosine, lamp.focus)
+        })
+    }
+}

@@ -18,13 +18,16 @@ pub mod camera;
 mod cpu;
 mod depth_map;
 pub mod error;
+mod frame;
 mod gpu;
 pub mod image;
 pub mod light;
 pub mod material;
+mod prepare;
 mod renderer;
 pub mod scene;
 mod shade;
+mod srgb;
 pub mod texture;
 
 pub use camera::{Bounds, Camera, View};

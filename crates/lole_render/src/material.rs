@@ -41,8 +41,8 @@ pub struct Material {
     pub translucency: f32,
     /// How far light wraps around past the terminator: skin 0.3, cloth 0.1.
     pub wrap: f32,
-    /// Tint of light that scattered below the surface, linear; black for none. Shows where
-    /// `wrap` carries light past the terminator.
+    /// Tint, linear, of the light that `wrap` carries past the terminator, because it went through
+    /// what lies below the surface: white for none, orange-red for skin.
     pub subsurface: [f32; 3],
     /// Sides that are drawn.
     pub sides: Sides,
@@ -60,7 +60,7 @@ impl Default for Material {
             sheen: 0.0,
             translucency: 0.0,
             wrap: 0.0,
-            subsurface: [0.0; 3],
+            subsurface: [1.0; 3],
             sides: Sides::Outward,
         }
     }
@@ -104,7 +104,7 @@ impl Material {
             specular: 0.035,
             sheen: 0.10,
             wrap: 0.30,
-            subsurface: [0.55, 0.16, 0.07],
+            subsurface: [1.0, 0.42, 0.26],
             ..Self::default()
         }
     }

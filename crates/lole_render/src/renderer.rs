@@ -1,5 +1,6 @@
 //! Chooses who draws, and draws.
 
+use crate::cpu::CpuRenderer;
 use crate::{Image, RenderError, Scene, Size};
 
 /// Who draws.
@@ -18,6 +19,11 @@ pub enum Backend {
 pub struct Renderer {
     size: Size,
     description: String,
+    drawer: Drawer,
+}
+
+enum Drawer {
+    Cpu(CpuRenderer),
 }
 
 impl Renderer {
@@ -33,6 +39,7 @@ impl Renderer {
         Ok(Self {
             size,
             description: format!("CPU rasteriser, {threads} threads"),
+            drawer: Drawer::Cpu(CpuRenderer::new()),
         })
     }
 
@@ -49,10 +56,8 @@ impl Renderer {
     /// cannot look, naming the place; where the graphics adapter fails.
     pub fn render(&mut self, scene: &Scene<'_>) -> Result<Image, RenderError> {
         scene.check()?;
-        Ok(Image {
-            width: self.size.width,
-            height: self.size.height,
-            pixels: vec![255; self.size.pixel_count() * 4],
-        })
+        match &mut self.drawer {
+            Drawer::Cpu(cpu) => Ok(cpu.render(scene, self.size)),
+        }
     }
 }

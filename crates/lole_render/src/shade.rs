@@ -1,1 +1,293 @@
-//! Being built.
+//! The shading formula, its twin is `gpu/shade.wgsl`: line by line alike, same names.
+//!
+//! Diffuse light that wraps a little around the terminator, light through thin cloth, GGX
+//! highlights (Walter et al. 2007), grazing sheen, soft shadows whose width grows with the
+//! distance of what throws them (Fernando 2005), and the neutral tone curve that Khronos
+//! published for product pictures (2024), which keeps the hues of a print.
+
+use crate::Material;
+use crate::depth_map::{DepthMap, EMPTY};
+use crate::frame::Frame;
+use glam::{Vec2, Vec3, Vec4};
+use lole_geom::trig;
+use std::f32::consts::{PI, TAU};
+
+/// Taps that look for what is in the way of the key light.
+const SEARCH_TAPS: usize = 8;
+/// Taps that measure how much of the key light is seen.
+const SHADOW_TAPS: usize = 16;
+/// Shadows from farther away than this [m] do not get softer.
+const SOFTEST_DISTANCE: f32 = 0.45;
+/// A point is lifted off its own surface by this many texels of the key map.
+const LIFT_TEXELS: f32 = 2.0;
+/// What is this close in front does not count as in the way [m].
+const SLACK: f32 = 0.0015;
+/// Per unit of wrap, light comes from this much deeper below the surface [m].
+const WRAP_DEPTH: f32 = 0.03;
+
+/// Constants of one material, laid out for a shader's uniform block.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+pub(crate) struct Surface {
+    /// Base color; `w` is the roughness.
+    pub(crate) base_color: Vec4,
+    /// Color of the reverse; `w` is how far the face's color goes there.
+    pub(crate) back: Vec4,
+    /// Subsurface tint; `w` is the wrap.
+    pub(crate) subsurface: Vec4,
+    /// Specular, sheen, translucency; `w` is 1 where there is a texture.
+    pub(crate) gloss: Vec4,
+}
+
+impl Surface {
+    pub(crate) fn of(material: &Material) -> Self {
+        let (back_color, fade) = material
+            .back
+            .map_or(([0.0; 3], 0.0), |back| (back.color, back.fade));
+        Self {
+            base_color: Vec3::from(material.base_color).extend(material.roughness.clamp(0.05, 1.0)),
+            back: Vec3::from(back_color).extend(fade.clamp(0.0, 1.0)),
+            subsurface: Vec3::from(material.subsurface).extend(material.wrap.clamp(0.0, 1.0)),
+            gloss: Vec4::new(
+                material.specular,
+                material.sheen,
+                material.translucency,
+                f32::from(u8::from(material.texture.is_some())),
+            ),
+        }
+    }
+}
+
+/// One visible point of a surface.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Point {
+    /// Where it is [m].
+    pub(crate) position: Vec3,
+    /// Unit normal on the side that is seen.
+    pub(crate) normal: Vec3,
+    /// Share of light given back on the side that is seen.
+    pub(crate) albedo: Vec3,
+    /// Light of the room on the side that is seen and on the other.
+    pub(crate) ambient: [Vec3; 2],
+    /// Where in the picture [pixel].
+    pub(crate) pixel: Vec2,
+}
+
+/// Color of a surface on the side that is seen.
+pub(crate) fn albedo(surface: &Surface, paint: Vec3, is_face: f32) -> Vec3 {
+    let face = surface.base_color.truncate() * paint;
+    face.lerp(surface.back.truncate(), surface.back.w * (1.0 - is_face))
+}
+
+/// Color that the picture shows at a point, linear, 0 to 1.
+pub(crate) fn shade(frame: &Frame, map: &DepthMap, surface: &Surface, point: &Point) -> Vec3 {
+    let toward_eye = (frame.eye.truncate() - point.position).normalize_or_zero();
+    let toward_key = frame.key_toward.truncate();
+    let normal = face_eye(point.normal, toward_eye);
+    let key_cosine = normal.dot(toward_key);
+    let lit_side = if key_cosine >= 0.0 { normal } else { -normal };
+    let wrap = surface.subsurface.w;
+    let lift = lit_side * (LIFT_TEXELS * frame.key_color.w) + toward_key * (wrap * WRAP_DEPTH);
+    let seen = key_seen(frame, map, point.position + lift, point.pixel);
+    let key = frame.key_color.truncate() * seen;
+
+    // The area of the lamp itself softens the terminator by its angular radius.
+    let soft = wrap + 0.5 * frame.key_toward.w;
+    let lambert = key_cosine.max(0.0);
+    let wrapped = ((key_cosine + soft) / (1.0 + soft)).max(0.0);
+    let wrapped = wrapped * wrapped.sqrt();
+    let tint = Vec3::ONE.lerp(surface.subsurface.truncate(), 0.85);
+    let carried = (wrapped - lambert).max(0.0);
+    let direct = key * (tint * carried + lambert.min(wrapped));
+    let through = surface.gloss.z * (key * (-key_cosine).max(0.0) + point.ambient[1]);
+    // Light that went through the cloth took on its color twice.
+    let diffuse = point.albedo * (direct + point.ambient[0])
+        + point.albedo * point.albedo.map(f32::sqrt) * through;
+
+    let grazing = 1.0 - normal.dot(toward_eye).clamp(0.0, 1.0);
+    let grazing_2 = grazing * grazing;
+    let grazing_5 = grazing_2 * grazing_2 * grazing;
+    let sheen_tint = Vec3::splat(0.25).lerp(point.albedo, 0.75);
+    let sheen = sheen_tint * (point.ambient[0] + direct) * (surface.gloss.y * grazing_2 * grazing);
+
+    let roughness = surface.base_color.w;
+    let mirror = surface.gloss.x;
+    let smooth = 1.0 - roughness;
+    let room_mirror = mirror + (1.0 - mirror) * smooth * smooth * grazing_5 * step(mirror);
+    let highlight =
+        key * ggx(
+            normal,
+            toward_eye,
+            toward_key,
+            roughness + 0.5 * frame.key_toward.w,
+        ) * mirror
+            * lambert;
+    tone_map((diffuse + sheen + highlight + point.ambient[0] * room_mirror) * frame.eye.w)
+}
+
+/// Nothing mirrors where the share mirrored head-on is zero.
+fn step(mirror: f32) -> f32 {
+    (mirror * 50.0).min(1.0)
+}
+
+/// A normal of a smoothed surface may point away from the eye at a rim: it is turned to grazing.
+fn face_eye(normal: Vec3, toward_eye: Vec3) -> Vec3 {
+    let cosine = normal.dot(toward_eye);
+    if cosine >= 0.0 {
+        normal
+    } else {
+        (normal - toward_eye * cosine).normalize_or(toward_eye)
+    }
+}
+
+/// Distribution times visibility of GGX microfacets over the Fresnel term, divided by nothing
+/// that can be zero.
+fn ggx(normal: Vec3, toward_eye: Vec3, toward_light: Vec3, roughness: f32) -> f32 {
+    let half = (toward_eye + toward_light).normalize_or(normal);
+    let half_cosine = normal.dot(half).max(0.0);
+    let eye_cosine = normal.dot(toward_eye).max(1.0e-3);
+    let light_cosine = normal.dot(toward_light).max(1.0e-3);
+    let alpha = (roughness * roughness).max(0.01);
+    let alpha_2 = alpha * alpha;
+    let spread = half_cosine * half_cosine * (alpha_2 - 1.0) + 1.0;
+    let distribution = alpha_2 / (PI * spread * spread);
+    let k = alpha * 0.5;
+    let eye_part = eye_cosine * (1.0 - k) + k;
+    let light_part = light_cosine * (1.0 - k) + k;
+    // The light is given as what a facing white card shows, that is radiance over π.
+    (distribution * PI / (4.0 * eye_part * light_part)).min(12.0)
+}
+
+/// Point `index` of `count` on the unit disk, evenly spread (Vogel 1979).
+pub(crate) fn disk_point(index: usize, count: usize) -> Vec2 {
+    const GOLDEN_ANGLE: f32 = 2.399_963_2;
+    let radius = ((index as f32 + 0.5) / count as f32).sqrt();
+    let (sin, cos) = trig::sin_cos(index as f32 * GOLDEN_ANGLE);
+    Vec2::new(cos, sin) * radius
+}
+
+/// Points of the disks, worked out once.
+struct Disks {
+    search: [Vec2; SEARCH_TAPS],
+    shadow: [Vec2; SHADOW_TAPS],
+}
+
+static DISKS: std::sync::LazyLock<Disks> = std::sync::LazyLock::new(|| Disks {
+    search: std::array::from_fn(|index| disk_point(index, SEARCH_TAPS)),
+    shadow: std::array::from_fn(|index| disk_point(index, SHADOW_TAPS)),
+});
+
+/// A number 0 to 1 for a pixel, spread so that neighbors differ (Jimenez 2014).
+fn pixel_noise(pixel: Vec2) -> f32 {
+    let inner = 0.067_110_56 * pixel.x.floor() + 0.005_837_15 * pixel.y.floor();
+    let outer = 52.982_918 * (inner - inner.floor());
+    outer - outer.floor()
+}
+
+/// Share of the key light seen from a point.
+fn key_seen(frame: &Frame, map: &DepthMap, position: Vec3, pixel: Vec2) -> f32 {
+    let at = Vec3::new(
+        frame.key_texel_u.dot(position.extend(1.0)),
+        frame.key_texel_v.dot(position.extend(1.0)),
+        frame.key_toward.truncate().dot(position) + SLACK,
+    );
+    let (tangent, texel) = (frame.key_toward.w, frame.key_color.w);
+    let (sin, cos) = trig::sin_cos(pixel_noise(pixel) * TAU);
+    let turn = |p: Vec2| Vec2::new(p.x * cos - p.y * sin, p.x * sin + p.y * cos);
+    let search = (tangent * SOFTEST_DISTANCE / texel).max(2.0);
+    let (mut blocked, mut distance) = (0.0, 0.0);
+    for point in &DISKS.search {
+        let offset = turn(*point) * search;
+        let surface = map.nearest_at(at.x + offset.x, at.y + offset.y);
+        let before = surface - at.z;
+        // What is in the way counts only where its own penumbra reaches this point.
+        let reach = before * tangent / texel + 2.0;
+        if surface > -EMPTY && before > 0.0 && offset.length() <= reach {
+            blocked += 1.0;
+            distance += before;
+        }
+    }
+    // Where no tap of the search finds anything, the nearest texels still decide.
+    let mean = if blocked > 0.0 {
+        distance / blocked
+    } else {
+        0.0
+    };
+    let radius = (mean.min(SOFTEST_DISTANCE) * tangent / texel).max(1.5);
+    let mut seen = 0.0;
+    for point in &DISKS.shadow {
+        let offset = turn(*point) * radius;
+        seen += map.seen_from_front(at + offset.extend(0.0));
+    }
+    seen / SHADOW_TAPS as f32
+}
+
+/// Khronos' neutral tone curve: colors below 0.8 stay as they are but for the light that Fresnel
+/// reflection adds; highlights roll off and lose saturation.
+pub(crate) fn tone_map(color: Vec3) -> Vec3 {
+    const START: f32 = 0.8 - 0.04;
+    const DESATURATION: f32 = 0.15;
+    let least = color.min_element();
+    let offset = if least < 0.08 {
+        least - 6.25 * least * least
+    } else {
+        0.04
+    };
+    let color = color - offset;
+    let peak = color.max_element();
+    if peak < START {
+        return color;
+    }
+    let room = 1.0 - START;
+    let new_peak = 1.0 - room * room / (peak + room - START);
+    let scaled = color * (new_peak / peak);
+    let kept = 1.0 / (DESATURATION * (peak - new_peak) + 1.0);
+    Vec3::splat(new_peak).lerp(scaled, kept)
+}
+
+/// The backdrop at a place of the picture [pixel]; `ground` is the light on the floor there.
+pub(crate) fn background(frame: &Frame, pixel: Vec2, ground: Vec3) -> Vec3 {
+    let place = pixel / Vec2::new(frame.ray_right.w, frame.ray_down.w);
+    let down = place.y * place.y * (3.0 - 2.0 * place.y);
+    let base = frame
+        .background_top
+        .truncate()
+        .lerp(frame.background_bottom.truncate(), down);
+    let from_middle = (place - Vec2::new(0.5, 0.52)) * Vec2::new(1.5, 1.25);
+    let corner = from_middle.length_squared().min(1.0);
+    let glow = 1.0 + frame.background_top.w * (0.45 - corner * (2.0 - corner));
+    // Less than one step of an 8-bit picture, so that the gradient shows no bands.
+    let color = base * glow * ground;
+    let grain = (pixel_noise(pixel) - 0.5) * (2.2 / 255.0);
+    (color + color.map(|c| c.max(0.0).sqrt()) * grain).max(Vec3::ZERO)
+}
+
+/// Where the ray through a place of the picture meets the floor: x, z and 1, or 0 where it does
+/// not.
+pub(crate) fn floor_hit(frame: &Frame, pixel: Vec2) -> Vec3 {
+    let ray = frame.ray(pixel);
+    let drop = frame.ground.x - frame.eye.y;
+    let meets = frame.background_bottom.w > 0.5 && ray.y < -1.0e-5 && drop < 0.0;
+    if !meets {
+        return Vec3::ZERO;
+    }
+    let hit = frame.eye.truncate() + ray * (drop / ray.y);
+    Vec3::new(hit.x, hit.z, 1.0)
+}
+
+/// Level of detail of a texture from how fast texel coordinates change from pixel to pixel:
+/// between the wider and the narrower direction, never blurred by more than a factor of four.
+pub(crate) fn texture_lod(change_x: Vec2, change_y: Vec2) -> f32 {
+    let (a, b) = (change_x.length_squared(), change_y.length_squared());
+    let (wide, narrow) = (a.max(b), a.min(b));
+    let squared = (wide * narrow).sqrt().max(wide * 0.0625).max(1.0e-12);
+    0.5 * log2(squared)
+}
+
+/// Base-2 logarithm to 1 %, by the exponent bits and a parabola; the same bits everywhere.
+fn log2(value: f32) -> f32 {
+    let bits = value.to_bits();
+    let exponent = (bits >> 23) as f32 - 127.0;
+    let mantissa = f32::from_bits((bits & 0x007f_ffff) | 0x3f80_0000) - 1.0;
+    exponent + mantissa * (1.346_607 - 0.346_607 * mantissa)
+}

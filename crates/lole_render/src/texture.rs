@@ -1,6 +1,8 @@
 //! Pictures on surfaces, with mipmaps.
 
 use crate::RenderError;
+use crate::srgb::SrgbTable;
+use glam::{Vec2, Vec3};
 
 /// An sRGB picture that repeats, with its mipmaps. Alpha is not used.
 #[derive(Clone, PartialEq, Eq)]
@@ -43,11 +45,14 @@ impl Texture {
                 given: pixels.len(),
             });
         }
-        let levels = vec![Level {
+        let mut levels = vec![Level {
             width,
             height,
             pixels,
         }];
+        while let Some(next) = levels.last().and_then(Level::halved) {
+            levels.push(next);
+        }
         Ok(Self { levels })
     }
 
@@ -68,4 +73,89 @@ impl Texture {
     pub fn pixels(&self) -> &[u8] {
         &self.levels[0].pixels
     }
+    /// All mipmap levels, the finest first; each side is half the one before, rounded down.
+    pub(crate) fn levels(&self) -> &[Level] {
+        &self.levels
+    }
+
+    /// Linear color at `uv` (repeating, v down), bilinear within two levels and linear between
+    /// them; `lod` 0 is the finest level, 1 the next.
+    pub(crate) fn sample(&self, srgb: &SrgbTable, uv: Vec2, lod: f32) -> Vec3 {
+        let last = self.levels.len() - 1;
+        let lod = lod.clamp(0.0, last as f32);
+        let fine = (lod as usize).min(last);
+        let between = lod - fine as f32;
+        let fine_color = self.levels[fine].bilinear(srgb, uv);
+        if between <= 0.0 || fine == last {
+            return fine_color;
+        }
+        fine_color.lerp(self.levels[fine + 1].bilinear(srgb, uv), between)
+    }
+}
+
+impl Level {
+    /// The next level, each pixel the mean light of the pixels it covers; `None` after 1 x 1.
+    fn halved(&self) -> Option<Self> {
+        if self.width == 1 && self.height == 1 {
+            return None;
+        }
+        let srgb = SrgbTable::new();
+        let (width, height) = ((self.width / 2).max(1), (self.height / 2).max(1));
+        let mut pixels = Vec::with_capacity(width as usize * height as usize * 4);
+        for y in 0..height {
+            for x in 0..width {
+                let mean = [(0, 0), (1, 0), (0, 1), (1, 1)]
+                    .iter()
+                    .map(|(dx, dy)| {
+                        let (x, y) = (x * 2 + dx, y * 2 + dy);
+                        self.texel(&srgb, x.min(self.width - 1), y.min(self.height - 1))
+                    })
+                    .sum::<Vec3>()
+                    * 0.25;
+                pixels.extend(srgb.encode(mean));
+                pixels.push(255);
+            }
+        }
+        Some(Self {
+            width,
+            height,
+            pixels,
+        })
+    }
+
+    fn texel(&self, srgb: &SrgbTable, x: u32, y: u32) -> Vec3 {
+        let start = (y as usize * self.width as usize + x as usize) * 4;
+        srgb.decode([
+            self.pixels[start],
+            self.pixels[start + 1],
+            self.pixels[start + 2],
+        ])
+    }
+
+    fn bilinear(&self, srgb: &SrgbTable, uv: Vec2) -> Vec3 {
+        let wrapped = uv - uv.floor();
+        let at = wrapped * Vec2::new(self.width as f32, self.height as f32) - 0.5;
+        let base = at.floor();
+        let part = at - base;
+        let (x0, x1) = neighbors(base.x, self.width);
+        let (y0, y1) = neighbors(base.y, self.height);
+        let top = self
+            .texel(srgb, x0, y0)
+            .lerp(self.texel(srgb, x1, y0), part.x);
+        let bottom = self
+            .texel(srgb, x0, y1)
+            .lerp(self.texel(srgb, x1, y1), part.x);
+        top.lerp(bottom, part.y)
+    }
+}
+
+/// The texels on both sides of a sample, around the edge; `base` is -1 to `side` - 1.
+fn neighbors(base: f32, side: u32) -> (u32, u32) {
+    let first = if base < 0.0 {
+        side - 1
+    } else {
+        (base as u32).min(side - 1)
+    };
+    let second = if first + 1 == side { 0 } else { first + 1 };
+    (first, second)
 }

@@ -1,0 +1,203 @@
+//! Light on the floor: the shadow of the key light and the darkness where feet and hem keep the
+//! light of the room away.
+
+use super::studio::Studio;
+use crate::depth_map::{DepthMap, EMPTY};
+use crate::shade::disk_point;
+use crate::{Bounds, Ground, LightRig};
+use glam::{Vec2, Vec3};
+use lole_geom::trig;
+use rayon::prelude::*;
+
+/// Cells of the light map on each side.
+pub(crate) const CELLS: usize = 256;
+/// Every so many cells the light of the room is worked out; between them it is interpolated.
+const ROOM_STEP: usize = 2;
+/// Room around the meshes [m], where the darkness of contact fades out.
+const MARGIN: f32 = 0.6;
+/// Shadows are followed no farther than this many times the height of the meshes.
+const LONGEST_SHADOW: f32 = 1.6;
+const KEY_SEARCH_TAPS: usize = 24;
+const KEY_TAPS: usize = 40;
+const ROOM_TAPS: usize = 10;
+/// Half the angle between neighboring directions of the room, as a tangent: each direction stands
+/// for all within it.
+const ROOM_SPREAD: f32 = 0.30;
+/// What is this close above the floor does not count as in the way [m].
+const SLACK: f32 = 0.002;
+
+/// Share of the open floor's light that arrives, by cell.
+pub(crate) struct GroundLight {
+    /// Height of the floor [m].
+    pub(crate) height: f32,
+    /// x and z of the first cell's corner [m].
+    pub(crate) corner: Vec2,
+    /// Side of a cell [m].
+    pub(crate) cell: f32,
+    /// Factor by cell, x fastest, shape `[CELLS, CELLS]`; 1 in the open.
+    pub(crate) factors: Vec<Vec3>,
+}
+
+impl GroundLight {
+    pub(super) fn new(
+        ground: &Ground,
+        bounds: Bounds,
+        lights: &LightRig,
+        studio: &Studio,
+        studio_maps: &[DepthMap],
+        key_map: &DepthMap,
+    ) -> Self {
+        let (corner, side) = covered_square(ground.height, bounds, key_map.axis);
+        let cell = side / CELLS as f32;
+        let place =
+            |x: f32, z: f32| Vec3::new(corner.x + x * cell, ground.height, corner.y + z * cell);
+        let room_side = CELLS / ROOM_STEP + 1;
+        let room: Vec<Vec3> = (0..room_side * room_side)
+            .into_par_iter()
+            .map(|index| {
+                let step = ROOM_STEP as f32;
+                let (x, z) = ((index % room_side) as f32, (index / room_side) as f32);
+                room_light(studio, studio_maps, place(x * step, z * step))
+            })
+            .collect();
+        let room_open: Vec3 = studio
+            .axes
+            .iter()
+            .map(|pair| pair.radiance[0] * pair.axis.y)
+            .sum();
+        let key_light = Vec3::from(lights.key.color) * key_map.axis.y.max(0.0);
+        let tangent = trig::tan(lights.key.angular_radius.clamp(0.0, 1.0));
+        let open = (room_open + key_light).max(Vec3::splat(1.0e-6));
+        let factors = (0..CELLS * CELLS)
+            .into_par_iter()
+            .map(|index| {
+                let (x, z) = (index % CELLS, index / CELLS);
+                let middle = place(x as f32 + 0.5, z as f32 + 0.5);
+                let seen = key_seen(key_map, middle, tangent);
+                let light = key_light * seen + room_between(&room, room_side, x, z);
+                let shaded = (light / open).min(Vec3::ONE);
+                let fade = ground.shadow * edge_fade(x, z);
+                Vec3::ONE.lerp(shaded, fade.clamp(0.0, 1.0))
+            })
+            .collect();
+        Self {
+            height: ground.height,
+            corner,
+            cell,
+            factors,
+        }
+    }
+
+    /// Factor where a ray from `position` along `direction` meets the floor; 1 where it does not.
+    pub(super) fn factor_along(&self, position: Vec3, direction: Vec3) -> Vec3 {
+        if direction.y > -1.0e-3 {
+            return Vec3::ONE;
+        }
+        let reach = (self.height - position.y) / direction.y;
+        let hit = position + direction * reach.max(0.0);
+        let at = (Vec2::new(hit.x, hit.z) - self.corner) / self.cell;
+        let inside = at.cmpge(Vec2::ZERO).all() && at.cmplt(Vec2::splat(CELLS as f32)).all();
+        if inside {
+            self.factors[at.y as usize * CELLS + at.x as usize]
+        } else {
+            Vec3::ONE
+        }
+    }
+
+    /// Factor at a point of the floor, bilinear; 1 outside the map.
+    pub(crate) fn factor_at(&self, x: f32, z: f32) -> Vec3 {
+        let at = (Vec2::new(x, z) - self.corner) / self.cell - 0.5;
+        let base = at.floor();
+        let last = (CELLS - 2) as f32;
+        if base.min_element() < 0.0 || base.max_element() > last {
+            return Vec3::ONE;
+        }
+        let part = at - base;
+        let start = base.y as usize * CELLS + base.x as usize;
+        let top = self.factors[start].lerp(self.factors[start + 1], part.x);
+        let bottom = self.factors[start + CELLS].lerp(self.factors[start + CELLS + 1], part.x);
+        top.lerp(bottom, part.y)
+    }
+}
+
+/// Corner and side [m] of the square of floor on which the meshes can throw a shadow.
+fn covered_square(height: f32, bounds: Bounds, key_axis: Vec3) -> (Vec2, f32) {
+    let tall = (bounds.max.y - height).max(0.0);
+    let lean = Vec2::new(-key_axis.x, -key_axis.z) / key_axis.y.max(0.05);
+    let longest = tall * LONGEST_SHADOW;
+    let throw = (lean * tall).clamp_length_max(longest);
+    let low = Vec2::new(bounds.min.x, bounds.min.z);
+    let high = Vec2::new(bounds.max.x, bounds.max.z);
+    let low = low.min(low + throw) - MARGIN;
+    let high = high.max(high + throw) + MARGIN;
+    let side = (high - low).max_element();
+    ((low + high) * 0.5 - side * 0.5, side)
+}
+
+/// 1 inside, 0 at the rim of the map, so that it ends without an edge.
+fn edge_fade(x: usize, z: usize) -> f32 {
+    let rim = x.min(z).min(CELLS - 1 - x).min(CELLS - 1 - z) as f32;
+    let share = (rim / (CELLS as f32 * 0.10)).min(1.0);
+    share * share * (3.0 - 2.0 * share)
+}
+
+/// Light of the room that reaches a point of the floor.
+fn room_light(studio: &Studio, maps: &[DepthMap], point: Vec3) -> Vec3 {
+    let mut light = Vec3::ZERO;
+    for (pair, map) in studio.axes.iter().zip(maps) {
+        let at = map.project(point);
+        let mut seen = 0.0;
+        for tap in 0..ROOM_TAPS {
+            let offset = disk_point(tap, ROOM_TAPS);
+            // Each direction stands for a cone: what is far away hides a wider part of the floor
+            // softly, what is near a small part sharply.
+            let spread = 0.25 * ROOM_SPREAD / map.texel;
+            let wide = map.nearest_at(at.x + offset.x * spread, at.y + offset.y * spread);
+            let distance = if wide > at.z { wide - at.z } else { 0.08 };
+            let radius = (distance.min(1.0) * ROOM_SPREAD / map.texel).max(1.0);
+            let spot = at + Vec3::new(offset.x * radius, offset.y * radius, SLACK);
+            seen += map.seen_from_front(spot);
+        }
+        light += pair.radiance[0] * (pair.axis.y * seen / ROOM_TAPS as f32);
+    }
+    light
+}
+
+/// Share of the key light that a point of the floor sees.
+fn key_seen(map: &DepthMap, point: Vec3, tangent: f32) -> f32 {
+    let at = map.project(point);
+    let (mut blocked, mut height) = (0.0, 0.0);
+    let search = (tangent * 0.8 / map.texel).max(2.0);
+    for tap in 0..KEY_SEARCH_TAPS {
+        let offset = disk_point(tap, KEY_SEARCH_TAPS) * search;
+        let surface = map.nearest_at(at.x + offset.x, at.y + offset.y);
+        // A blocker counts only where its own penumbra reaches this point.
+        let above = surface - at.z;
+        let reach = above * tangent / map.texel + 2.0;
+        if surface > -EMPTY && above > SLACK && offset.length() <= reach {
+            blocked += 1.0;
+            height += above;
+        }
+    }
+    if blocked == 0.0 {
+        return 1.0;
+    }
+    let radius = (height / blocked * tangent / map.texel).max(1.5);
+    let seen: f32 = (0..KEY_TAPS)
+        .map(|tap| {
+            let offset = disk_point(tap, KEY_TAPS) * radius;
+            map.seen_from_front(at + Vec3::new(offset.x, offset.y, SLACK))
+        })
+        .sum();
+    seen / KEY_TAPS as f32
+}
+
+fn room_between(room: &[Vec3], side: usize, x: usize, z: usize) -> Vec3 {
+    let step = ROOM_STEP as f32;
+    let (at_x, at_z) = ((x as f32 + 0.5) / step, (z as f32 + 0.5) / step);
+    let (base_x, base_z) = (at_x.floor(), at_z.floor());
+    let start = base_z as usize * side + base_x as usize;
+    let top = room[start].lerp(room[start + 1], at_x - base_x);
+    let bottom = room[start + side].lerp(room[start + side + 1], at_x - base_x);
+    top.lerp(bottom, at_z - base_z)
+}

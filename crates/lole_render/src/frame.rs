@@ -1,0 +1,82 @@
+//! What the shading formula needs to know about a picture as a whole, laid out for a shader's
+//! uniform block (`Frame` in `gpu/shade.wgsl`); the CPU reads the same fields.
+
+use crate::bake::Bake;
+use crate::{Scene, Size};
+use glam::{Mat4, Vec2, Vec3, Vec4};
+use lole_geom::trig;
+
+/// Constants of one picture.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+pub(crate) struct Frame {
+    /// Clip space of the camera.
+    pub(crate) clip_from_world: Mat4,
+    /// Camera position; `w` is the exposure.
+    pub(crate) eye: Vec4,
+    /// Ray through the top left corner of the picture; not of unit length.
+    pub(crate) ray_corner: Vec4,
+    /// Change of the ray from one pixel to the next on the right; `w` is the picture's width.
+    pub(crate) ray_right: Vec4,
+    /// Change of the ray from one pixel to the next below; `w` is the picture's height.
+    pub(crate) ray_down: Vec4,
+    /// Unit vector towards the key light; `w` is the tangent of its angular radius.
+    pub(crate) key_toward: Vec4,
+    /// Color of the key light; `w` is the texel size of its map [m].
+    pub(crate) key_color: Vec4,
+    /// Texel column of its map from a world point.
+    pub(crate) key_texel_u: Vec4,
+    /// Texel row of its map from a world point.
+    pub(crate) key_texel_v: Vec4,
+    /// Backdrop at the top; `w` is the glow.
+    pub(crate) background_top: Vec4,
+    /// Backdrop at the bottom; `w` is 1 where there is a ground.
+    pub(crate) background_bottom: Vec4,
+    /// Height of the ground [m], x and z of the corner of its light map [m], cells per meter.
+    pub(crate) ground: Vec4,
+}
+
+impl Frame {
+    pub(crate) fn new(scene: &Scene<'_>, size: Size, bake: &Bake) -> Self {
+        let camera = &scene.camera;
+        let [right, up, backward] = camera.axes();
+        let reach = trig::tan(camera.vertical_fov * 0.5);
+        let across = reach * size.aspect();
+        let (width, height) = (size.width as f32, size.height as f32);
+        let key = &scene.lights.key;
+        let map = &bake.key_map;
+        let background = &scene.background;
+        let ground = bake.ground.as_ref().map_or(Vec4::ZERO, |light| {
+            Vec4::new(
+                light.height,
+                light.corner.x,
+                light.corner.y,
+                1.0 / light.cell,
+            )
+        });
+        Self {
+            clip_from_world: camera.clip_from_world(size.aspect()),
+            eye: camera.eye.extend(scene.lights.exposure),
+            ray_corner: (up * reach - backward - right * across).extend(0.0),
+            ray_right: (right * (2.0 * across / width)).extend(width),
+            ray_down: (up * (-2.0 * reach / height)).extend(height),
+            key_toward: map
+                .axis
+                .extend(trig::tan(key.angular_radius.clamp(0.0, 1.0))),
+            key_color: Vec3::from(key.color).extend(map.texel),
+            key_texel_u: map.texel_u,
+            key_texel_v: map.texel_v,
+            background_top: Vec3::from(background.top).extend(background.glow),
+            background_bottom: Vec3::from(background.bottom)
+                .extend(f32::from(u8::from(bake.ground.is_some()))),
+            ground,
+        }
+    }
+
+    /// Direction of the ray through picture coordinates `at` [pixel], not of unit length.
+    pub(crate) fn ray(&self, at: Vec2) -> Vec3 {
+        self.ray_corner.truncate()
+            + self.ray_right.truncate() * at.x
+            + self.ray_down.truncate() * at.y
+    }
+}
