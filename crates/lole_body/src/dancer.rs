@@ -1,8 +1,10 @@
 //! The dancer, built from a tape: skin, skeleton, capsules and landmarks.
 
-use glam::{Affine3A, Vec3};
+use glam::Affine3A;
 use lole_geom::Capsule;
 
+use crate::skin_build::{Regions, build_skin};
+use crate::surface;
 use crate::{BodyCapsule, BodyError, Bone, Measurements, Skeleton, SkinnedMesh, TapePoint};
 
 /// Heights of the standing bind pose above the floor [m].
@@ -51,24 +53,31 @@ impl Dancer {
     /// A measurement outside its band, or measurements that make no closed body.
     pub fn new(measurements: &Measurements) -> Result<Self, BodyError> {
         measurements.check()?;
+        let shape = surface::build(measurements)?;
+        let skeleton = Skeleton {
+            joints: (Bone::ALL.iter())
+                .map(|bone| shape.body.joint(bone.name()))
+                .collect(),
+        };
+        let skin = build_skin(&shape, &Regions::new(&shape));
+        let height = |bone: Bone| skeleton.joint(bone).y;
+        let landmarks = Landmarks {
+            bust_height: shape.body.tape_level("bust"),
+            waist_height: shape.body.tape_level("waist"),
+            asis_height: shape.asis,
+            hip_height: shape.body.tape_level("hip"),
+            crotch_height: shape.crotch,
+            hip_joint_height: height(Bone::LeftUpperLeg),
+            knee_height: height(Bone::LeftLowerLeg),
+            ankle_height: height(Bone::LeftFoot),
+            crown_height: shape.body.height,
+        };
         Ok(Self {
             measurements: *measurements,
-            skeleton: Skeleton {
-                joints: vec![Vec3::ZERO; Bone::COUNT],
-            },
-            skin: SkinnedMesh::default(),
+            skeleton,
+            skin,
             capsules: Vec::new(),
-            landmarks: Landmarks {
-                bust_height: 1.14,
-                waist_height: 0.975,
-                asis_height: 0.848,
-                hip_height: 0.746,
-                crotch_height: 0.71,
-                hip_joint_height: 0.79,
-                knee_height: 0.435,
-                ankle_height: 0.067,
-                crown_height: 1.58,
-            },
+            landmarks,
         })
     }
 

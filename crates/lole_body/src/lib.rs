@@ -10,8 +10,12 @@ pub mod error;
 pub mod ik;
 pub mod measurements;
 pub mod motion;
+mod sections;
 pub mod skeleton;
 pub mod skin;
+mod skin_build;
+mod skin_weights;
+mod surface;
 pub mod tape;
 
 pub use appearance::{FaceTexture, face_texture};

@@ -1,0 +1,311 @@
+//! From measured sections to the dancer's surface: a half mesh in the bind pose with her tape.
+//!
+//! Sections, blended and scaled → hard minimum of tubes → marching tetrahedra → smoothing →
+//! heights and girths → simplification → regions. All on the left half; the mirror image closes it.
+
+mod field;
+pub(crate) mod half;
+mod march;
+mod pchip;
+pub(crate) mod section;
+mod simplify;
+pub(crate) mod slice;
+pub(crate) mod warp;
+
+use std::collections::BTreeMap;
+
+use glam::Vec3;
+
+use crate::sections::{Sections, Tube, read_bodies};
+use crate::{BodyError, Measurements};
+pub(crate) use field::Field;
+use half::{HalfMesh, Neighbours, is_on_plane};
+use warp::{Girths, Heights, arm_share, asis_level, smooth_step};
+
+/// Lattice step [m]: fingers need 5 mm, and large bodies do not close at 6.
+const LATTICE_STEP: f32 = 0.004;
+/// Triangles of the whole body after simplification.
+const TRIANGLE_TARGET: usize = 15_600;
+const TAUBIN_PASSES: usize = 4;
+const FAIRING_PASSES: usize = 120;
+
+/// The left half of the finished surface and what was measured on the way.
+pub(crate) struct Shape {
+    pub(crate) positions: Vec<Vec3>,
+    pub(crate) normals: Vec<Vec3>,
+    pub(crate) labels: Vec<Tube>,
+    pub(crate) triangles: Vec<[u32; 3]>,
+    /// Share of each vertex that belongs to the arm.
+    pub(crate) arms: Vec<f32>,
+    /// The sections with final heights; joints with final girths.
+    pub(crate) body: Sections,
+    pub(crate) crotch: f32,
+    /// The head's field before heights were carried, and how far it moved up.
+    pub(crate) head: Field,
+    pub(crate) head_lift: f32,
+    pub(crate) asis: f32,
+}
+
+/// Builds the left half of the dancer's surface.
+pub(crate) fn build(tape: &Measurements) -> Result<Shape, BodyError> {
+    let body = nearest_body(&read_bodies()?, tape)?;
+    let field = Field::new(&body);
+    let mut mesh = march::march(&field.sample(LATTICE_STEP));
+    mesh.keep_largest();
+    let neighbours = mesh.neighbours();
+    mesh.smooth(&neighbours, TAUBIN_PASSES);
+    mesh.fair(&neighbours, &fairing_balls(&body), FAIRING_PASSES);
+    let (floor, crotch, crown) = extent(&mesh)?;
+    for position in &mut mesh.positions {
+        position.y -= floor;
+    }
+    let heights = Heights::new(&body, crotch - floor, crown - floor, tape);
+    let arms = arm_shares(&mesh, &neighbours, &body);
+    for (position, &arm) in mesh.positions.iter_mut().zip(&arms) {
+        *position = heights.carry(*position, arm);
+    }
+    let asis = heights.at(asis_level(&body));
+    let head_lift = heights.at(body.head.center.y) - body.head.center.y;
+    let mut body = heights.carry_sections(&body);
+    #[expect(clippy::cast_possible_truncation, reason = "a length to 0.1 µm")]
+    let crotch = tape.inseam_length.to_m() as f32;
+    let mut girths = Girths::new(&body, crotch, tape);
+
+    let base = mesh.positions.clone();
+    mesh.positions = girths.fit(&base, &mesh.triangles, &arms)?;
+    let normals = mesh.normals(&neighbours);
+    let detail = detail(&mesh, &body);
+    let triangles = simplify::simplify(
+        &mesh.positions,
+        &mesh.triangles,
+        &detail,
+        TRIANGLE_TARGET / 2,
+    );
+    let kept = used_vertices(base.len(), &triangles);
+    let pick = |from: &[Vec3]| {
+        kept.old
+            .iter()
+            .map(|&old| from[old as usize])
+            .collect::<Vec<_>>()
+    };
+    let triangles: Vec<[u32; 3]> = (triangles.iter())
+        .map(|triangle| triangle.map(|vertex| kept.new[vertex as usize]))
+        .collect();
+    let arms: Vec<f32> = kept.old.iter().map(|&old| arms[old as usize]).collect();
+    let positions = girths.fit(&pick(&base), &triangles, &arms)?;
+    for (name, joint) in &mut body.joints {
+        *joint = girths.warp_point(*joint, arm_share(name));
+    }
+    Ok(Shape {
+        positions,
+        normals: pick(&normals),
+        labels: kept
+            .old
+            .iter()
+            .map(|&old| mesh.labels[old as usize])
+            .collect(),
+        triangles,
+        arms,
+        body,
+        crotch,
+        head: field,
+        head_lift,
+        asis,
+    })
+}
+
+/// The convex blend of measured women and children nearest to the tape, at her stature.
+///
+/// Nearest in girths over stature, with a little pull of stature itself, by projected gradient
+/// descent from the mean woman; the tape warp removes the rest.
+fn nearest_body(
+    bodies: &BTreeMap<String, Sections>,
+    tape: &Measurements,
+) -> Result<Sections, BodyError> {
+    const NAMES: [&str; 6] = [
+        "woman_mean",
+        "woman_60s",
+        "woman_small",
+        "woman_large",
+        "child_8",
+        "child_12",
+    ];
+    const STATURE_WEIGHT: f64 = 0.25;
+    const STEPS: usize = 600;
+    let stature = tape.stature.to_m();
+    let feature = |height: f64, girths: [f64; 3]| {
+        let [bust, waist, hip] = girths.map(|girth| girth / height);
+        [bust, waist, hip, STATURE_WEIGHT * height]
+    };
+    let found: Vec<&Sections> = NAMES.iter().filter_map(|&name| bodies.get(name)).collect();
+    let wanted = feature(
+        stature,
+        [tape.bust_girth, tape.waist_girth, tape.hip_girth].map(lole_geom::Length::to_m),
+    );
+    let offsets: Vec<[f64; 4]> = (found.iter())
+        .map(|body| {
+            let has = feature(f64::from(body.height), body.girths.map(f64::from));
+            std::array::from_fn(|k| has[k] - wanted[k])
+        })
+        .collect();
+    let steepness: f64 = offsets.iter().flatten().map(|x| x * x).sum();
+    let step = 1.0 / steepness.max(1.0e-9);
+    let mut shares = vec![0.0; found.len()];
+    if let Some(first) = shares.first_mut() {
+        *first = 1.0;
+    }
+    for _ in 0..STEPS {
+        let residual: [f64; 4] = std::array::from_fn(|k| {
+            shares
+                .iter()
+                .zip(&offsets)
+                .map(|(share, offset)| share * offset[k])
+                .sum()
+        });
+        for (share, offset) in shares.iter_mut().zip(&offsets) {
+            let slope: f64 = residual.iter().zip(offset).map(|(r, x)| r * x).sum();
+            *share -= step * slope;
+        }
+        project_to_simplex(&mut shares);
+    }
+    #[expect(clippy::cast_possible_truncation, reason = "a share to seven digits")]
+    let scaled: Vec<(f32, Sections)> = (shares.iter().zip(&found))
+        .filter(|(share, _)| **share > 1.0e-4)
+        .map(|(&share, body)| {
+            (
+                share as f32,
+                body.scaled((stature / f64::from(body.height)) as f32),
+            )
+        })
+        .collect();
+    let blend: Vec<(f32, &Sections)> = scaled.iter().map(|(share, body)| (*share, body)).collect();
+    Sections::blended(&blend).ok_or_else(|| BodyError::Sections {
+        reason: "no woman in the table".to_owned(),
+    })
+}
+
+/// Nearest point with shares that are not negative and sum to 1 (Duchi et al. 2008).
+fn project_to_simplex(shares: &mut [f64]) {
+    let mut sorted = shares.to_vec();
+    sorted.sort_by(|a, b| b.total_cmp(a));
+    let mut sum = 0.0;
+    let mut shift = 0.0;
+    for (index, &share) in sorted.iter().enumerate() {
+        sum += share;
+        let candidate = (sum - 1.0) / (index + 1) as f64;
+        if share > candidate {
+            shift = candidate;
+        }
+    }
+    for share in shares {
+        *share = (*share - shift).max(0.0);
+    }
+}
+
+/// Where tubes meet badly: under the crotch (flat rings see it edge-on) and in the armpit.
+fn fairing_balls(body: &Sections) -> [(Vec3, f32); 3] {
+    let k = body.height / 1.585;
+    let level = |name: &str| body.level(name);
+    let crotch = level("crotch") + 0.004 * k;
+    let armpit = Vec3::new(
+        level("armpit_x") + 0.01 * k,
+        level("armpit"),
+        level("armpit_z") - 0.012 * k,
+    );
+    [
+        (
+            Vec3::new(0.0, crotch, level("crotch_z") + 0.02 * k),
+            0.05 * k,
+        ),
+        (
+            Vec3::new(0.0, crotch, level("crotch_z") - 0.01 * k),
+            0.045 * k,
+        ),
+        (armpit, 0.06 * k),
+    ]
+}
+
+/// Floor, crotch (lowest point on the mirror plane) and crown heights.
+fn extent(mesh: &HalfMesh) -> Result<(f32, f32, f32), BodyError> {
+    let lowest = |points: &mut dyn Iterator<Item = &Vec3>| {
+        points.map(|point| point.y).fold(f32::INFINITY, f32::min)
+    };
+    let floor = lowest(&mut mesh.positions.iter());
+    let crotch = lowest(&mut mesh.positions.iter().filter(|point| is_on_plane(**point)));
+    let crown = mesh
+        .positions
+        .iter()
+        .map(|point| point.y)
+        .fold(0.0, f32::max);
+    if crotch - floor < 0.3 * (crown - floor) || !crotch.is_finite() {
+        return Err(BodyError::Unbuildable {
+            reason: "its legs grow together".to_owned(),
+            check: "hip girth",
+        });
+    }
+    Ok((floor, crotch, crown))
+}
+
+/// Share of each vertex that belongs to the arm, fading over the shoulder.
+fn arm_shares(mesh: &HalfMesh, neighbours: &Neighbours, body: &Sections) -> Vec<f32> {
+    const PASSES: usize = 24;
+    let k = body.height / 1.585;
+    let shoulder = body.joint("leftUpperArm");
+    let along = (body.joint("leftLowerArm") - shoulder).normalize_or_zero();
+    let normal = (along + Vec3::new(0.55, 0.0, 0.0)).normalize_or_zero();
+    let mut shares: Vec<f32> = (mesh.positions.iter().zip(&mesh.labels))
+        .map(|(&position, label)| {
+            let past = (position - shoulder).dot(normal);
+            if label.is_arm() {
+                smooth_step((past + 0.035 * k) / (0.085 * k))
+            } else {
+                0.0
+            }
+        })
+        .collect();
+    for _ in 0..PASSES {
+        let before = shares.clone();
+        for (vertex, share) in shares.iter_mut().enumerate() {
+            let around = neighbours.of(vertex);
+            if !around.is_empty() {
+                let sum: f32 = around.iter().map(|&other| before[other as usize]).sum();
+                *share = 0.5 * *share + 0.5 * sum / around.len() as f32;
+            }
+        }
+    }
+    shares
+}
+
+/// Face and hands are looked at: their error counts more in the simplification.
+fn detail(mesh: &HalfMesh, body: &Sections) -> Vec<f32> {
+    let center = body.head.center;
+    (mesh.positions.iter().zip(&mesh.labels))
+        .map(|(position, label)| match label {
+            Tube::Head if position.z > center.z => 4.0,
+            _ => 1.0,
+        })
+        .collect()
+}
+
+struct Kept {
+    /// New index of each old vertex.
+    new: Vec<u32>,
+    /// Old index of each new vertex.
+    old: Vec<u32>,
+}
+
+fn used_vertices(count: usize, triangles: &[[u32; 3]]) -> Kept {
+    let mut used = vec![false; count];
+    for &vertex in triangles.iter().flatten() {
+        used[vertex as usize] = true;
+    }
+    let mut kept = Kept {
+        new: vec![u32::MAX; count],
+        old: Vec::new(),
+    };
+    for (old, _) in used.iter().enumerate().filter(|(_, used)| **used) {
+        kept.new[old] = u32::try_from(kept.old.len()).unwrap_or(u32::MAX);
+        kept.old.push(u32::try_from(old).unwrap_or(u32::MAX));
+    }
+    kept
+}

@@ -1,0 +1,213 @@
+//! The left half of a mirror-symmetric surface, its neighbours, and smoothing that keeps the
+//! mirror plane.
+
+use glam::Vec3;
+
+use crate::sections::Tube;
+
+/// Left half (`x >= 0`) of a closed surface; its border lies in the plane `x = 0` exactly.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct HalfMesh {
+    pub(crate) positions: Vec<Vec3>,
+    pub(crate) triangles: Vec<[u32; 3]>,
+    /// The tube each vertex belongs to.
+    pub(crate) labels: Vec<Tube>,
+}
+
+/// Neighbours of every vertex in one array.
+pub(crate) struct Neighbours {
+    starts: Vec<u32>,
+    vertices: Vec<u32>,
+}
+
+impl Neighbours {
+    pub(crate) fn new(vertex_count: usize, triangles: &[[u32; 3]]) -> Self {
+        let mut edges: Vec<[u32; 2]> = Vec::with_capacity(triangles.len() * 6);
+        for &[a, b, c] in triangles {
+            for [from, to] in [[a, b], [b, c], [c, a]] {
+                edges.push([from, to]);
+                edges.push([to, from]);
+            }
+        }
+        edges.sort_unstable();
+        edges.dedup();
+        let mut starts = vec![0; vertex_count + 1];
+        for edge in &edges {
+            starts[edge[0] as usize + 1] += 1;
+        }
+        for index in 0..vertex_count {
+            starts[index + 1] += starts[index];
+        }
+        Self {
+            starts,
+            vertices: edges.into_iter().map(|edge| edge[1]).collect(),
+        }
+    }
+
+    pub(crate) fn of(&self, vertex: usize) -> &[u32] {
+        &self.vertices[self.starts[vertex] as usize..self.starts[vertex + 1] as usize]
+    }
+
+    /// Mean of the neighbours of `vertex`; on the mirror plane the unseen half counts too.
+    pub(crate) fn mean(&self, positions: &[Vec3], vertex: usize) -> Vec3 {
+        let on_plane = is_on_plane(positions[vertex]);
+        let mut sum = Vec3::ZERO;
+        let mut count = 0.0;
+        for &neighbour in self.of(vertex) {
+            let mut position = positions[neighbour as usize];
+            let mut share = 1.0;
+            if on_plane && !is_on_plane(position) {
+                position.x = 0.0;
+                share = 2.0;
+            }
+            sum += position * share;
+            count += share;
+        }
+        if count > 0.0 {
+            sum / count
+        } else {
+            positions[vertex]
+        }
+    }
+}
+
+/// The border of the half lies at `x = 0` exactly.
+pub(crate) fn is_on_plane(position: Vec3) -> bool {
+    position.x == 0.0
+}
+
+impl HalfMesh {
+    pub(crate) fn neighbours(&self) -> Neighbours {
+        Neighbours::new(self.positions.len(), &self.triangles)
+    }
+
+    /// Keeps the largest connected piece.
+    pub(crate) fn keep_largest(&mut self) {
+        let neighbours = self.neighbours();
+        let mut piece_of = vec![usize::MAX; self.positions.len()];
+        let mut sizes = Vec::new();
+        for seed in 0..self.positions.len() {
+            if piece_of[seed] != usize::MAX {
+                continue;
+            }
+            let piece = sizes.len();
+            let mut size = 0;
+            let mut open = vec![seed];
+            piece_of[seed] = piece;
+            while let Some(vertex) = open.pop() {
+                size += 1;
+                for &next in neighbours.of(vertex) {
+                    if piece_of[next as usize] == usize::MAX {
+                        piece_of[next as usize] = piece;
+                        open.push(next as usize);
+                    }
+                }
+            }
+            sizes.push(size);
+        }
+        let largest = (0..sizes.len())
+            .max_by_key(|&piece| sizes[piece])
+            .unwrap_or(0);
+        let kept: Vec<bool> = piece_of.iter().map(|&piece| piece == largest).collect();
+        self.retain(&kept);
+    }
+
+    /// Drops vertices and every triangle that uses one.
+    pub(crate) fn retain(&mut self, kept: &[bool]) {
+        let mut renamed = vec![u32::MAX; self.positions.len()];
+        let mut positions = Vec::new();
+        let mut labels = Vec::new();
+        for (vertex, &keep) in kept.iter().enumerate() {
+            if keep {
+                renamed[vertex] = u32::try_from(positions.len()).unwrap_or(u32::MAX);
+                positions.push(self.positions[vertex]);
+                labels.push(self.labels[vertex]);
+            }
+        }
+        self.triangles
+            .retain(|triangle| triangle.iter().all(|&vertex| kept[vertex as usize]));
+        for triangle in &mut self.triangles {
+            *triangle = triangle.map(|vertex| renamed[vertex as usize]);
+        }
+        self.positions = positions;
+        self.labels = labels;
+    }
+
+    /// Taubin 1995: steps forward and back that smooth without shrinking.
+    pub(crate) fn smooth(&mut self, neighbours: &Neighbours, pass_count: usize) {
+        const FORWARD: f32 = 0.5;
+        const BACK: f32 = -0.53;
+        for _ in 0..pass_count {
+            for step in [FORWARD, BACK] {
+                let before = self.positions.clone();
+                for (vertex, position) in self.positions.iter_mut().enumerate() {
+                    let mean = neighbours.mean(&before, vertex);
+                    let on_plane = is_on_plane(*position);
+                    *position += (mean - *position) * step;
+                    position.x = if on_plane {
+                        0.0
+                    } else {
+                        position.x.max(1.0e-6)
+                    };
+                }
+            }
+        }
+    }
+
+    /// Laplacian fairing within balls `(center, radius)`, fading to nothing at the radius.
+    pub(crate) fn fair(&mut self, neighbours: &Neighbours, balls: &[(Vec3, f32)], passes: usize) {
+        let mut near: Vec<(usize, f32)> = Vec::new();
+        for (vertex, &position) in self.positions.iter().enumerate() {
+            let weight = (balls.iter())
+                .map(|&(center, radius)| {
+                    let share = (position - center).length_squared() / (radius * radius);
+                    (1.4 * (1.0 - share)).clamp(0.0, 1.0)
+                })
+                .fold(0.0, f32::max);
+            if weight > 0.0 {
+                near.push((vertex, 0.5 * weight));
+            }
+        }
+        let mut moved = vec![Vec3::ZERO; near.len()];
+        for _ in 0..passes {
+            for (&(vertex, weight), moved) in near.iter().zip(&mut moved) {
+                let position = self.positions[vertex];
+                *moved = position + (neighbours.mean(&self.positions, vertex) - position) * weight;
+                moved.x = if is_on_plane(position) {
+                    0.0
+                } else {
+                    moved.x.max(1.0e-6)
+                };
+            }
+            for (&(vertex, _), &moved) in near.iter().zip(&moved) {
+                self.positions[vertex] = moved;
+            }
+        }
+    }
+
+    /// Area-weighted normals, with the unseen half, smoothed once over neighbours.
+    pub(crate) fn normals(&self, neighbours: &Neighbours) -> Vec<Vec3> {
+        let mut normals = lole_geom::mesh::vertex_normals(&self.positions, &self.triangles);
+        self.flatten(&mut normals);
+        for _ in 0..2 {
+            let before = normals.clone();
+            for (vertex, normal) in normals.iter_mut().enumerate() {
+                for &neighbour in neighbours.of(vertex) {
+                    *normal += before[neighbour as usize] * 0.5;
+                }
+            }
+            self.flatten(&mut normals);
+        }
+        normals
+    }
+
+    /// Unit length; in the mirror plane where the vertex is.
+    fn flatten(&self, normals: &mut [Vec3]) {
+        for (normal, &position) in normals.iter_mut().zip(&self.positions) {
+            if is_on_plane(position) {
+                normal.x = 0.0;
+            }
+            *normal = normal.normalize_or_zero();
+        }
+    }
+}
