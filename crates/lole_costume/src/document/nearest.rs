@@ -1,24 +1,35 @@
 //! Offers the word a typist most likely meant.
 
+/// Letters that make a part of a word worth recognizing: "silk" or "hem", not "e".
+const PART_LENGTH: usize = 3;
+
 /// The choice most like `word`; `None` only when there are no choices.
 ///
-/// Likeness is edit distance with swapped neighbors as one edit, ties broken by the order of the
+/// A choice that has the whole word in it comes first ("broadcloth" means polycotton-broadcloth),
+/// then the smallest edit distance with swapped neighbors as one edit, then the order of the
 /// choices.
 #[must_use]
 pub fn nearest<'a>(word: &str, choices: &[&'a str]) -> Option<&'a str> {
     let word = word.to_lowercase();
-    choices
-        .iter()
-        .copied()
-        .min_by_key(|choice| strsim::damerau_levenshtein(&word, choice))
+    choices.iter().copied().min_by_key(|choice| {
+        (
+            !is_part(&word, choice),
+            strsim::damerau_levenshtein(&word, choice),
+        )
+    })
 }
 
-/// Like [`nearest`], but only when more than half of the letters agree.
+/// Like [`nearest`], but only when more than half of the letters agree or it has the word in it.
 #[must_use]
 pub fn likely<'a>(word: &str, choices: &[&'a str]) -> Option<&'a str> {
     let choice = nearest(word, choices)?;
-    let likeness = strsim::normalized_damerau_levenshtein(&word.to_lowercase(), choice);
-    (0.5 < likeness).then_some(choice)
+    let word = word.to_lowercase();
+    let likeness = strsim::normalized_damerau_levenshtein(&word, choice);
+    (is_part(&word, choice) || 0.5 < likeness).then_some(choice)
+}
+
+fn is_part(word: &str, choice: &str) -> bool {
+    PART_LENGTH <= word.len() && choice.contains(word)
 }
 
 #[cfg(test)]
@@ -38,6 +49,11 @@ mod tests {
             assert_eq!(nearest(typed, &steps), Some(meant));
             assert_eq!(likely(typed, &steps), Some(meant));
         }
+        let fabrics = ["barkcloth", "polycotton-broadcloth"];
+        assert_eq!(
+            nearest("broadcloth", &fabrics),
+            Some("polycotton-broadcloth")
+        );
         assert_eq!(likely("waltz", &steps), None);
         assert_eq!(nearest("waltz", &[]), None);
     }

@@ -610,11 +610,8 @@ impl Kind {
 /// What the user typed, short enough for a sentence and on one line.
 pub(super) fn shortened(text: &str) -> String {
     const LIMIT: usize = 40;
-    let line: String = text
-        .chars()
-        .take(LIMIT)
-        .flat_map(char::escape_debug)
-        .collect();
+    let visible = |letter: char| if letter.is_control() { ' ' } else { letter };
+    let line: String = text.chars().take(LIMIT).map(visible).collect();
     if text.chars().nth(LIMIT).is_some() {
         line + "…"
     } else {

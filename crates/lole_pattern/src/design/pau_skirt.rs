@@ -119,6 +119,20 @@ pub enum LineKind {
     HemFold,
 }
 
+impl LineKind {
+    /// What the line is called on a cutting plan.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::TurnUnder => "crease of the turned edge",
+            Self::TopFold => "top fold",
+            Self::CasingTop => "casing, upper stitches",
+            Self::CasingBottom => "casing, lower stitches",
+            Self::HemFold => "hem fold",
+        }
+    }
+}
+
 /// One of the lines across the flat cloth.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MarkedLine {
