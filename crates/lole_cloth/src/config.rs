@@ -2,6 +2,7 @@
 
 use std::num::NonZeroU32;
 
+use fearless_simd::Level;
 use glam::Vec3;
 
 /// Settings of the real-time method; the default holds the values measured on the scenes.
@@ -25,6 +26,8 @@ pub struct SolverConfig {
     pub tether_scale: Option<f32>,
     /// Contact of the cloth with itself; `None` lets folds pass through each other.
     pub self_collision: Option<SelfCollision>,
+    /// Vector instructions to use; the result has the same bits with all of them.
+    pub instruction_set: InstructionSet,
 }
 
 impl Default for SolverConfig {
@@ -39,6 +42,7 @@ impl Default for SolverConfig {
             column_strides: vec![4],
             tether_scale: Some(1.0),
             self_collision: None,
+            instruction_set: InstructionSet::Detected,
         }
     }
 }
@@ -50,4 +54,36 @@ pub struct SelfCollision {
     pub radius: f32,
     /// Substeps from one solution of the contacts to the next: 1 is safest, 2 halves the work.
     pub substep_interval: NonZeroU32,
+}
+
+/// Vector instructions of the processor.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum InstructionSet {
+    /// The widest this processor has.
+    #[default]
+    Detected,
+    /// At most eight floats at a time (AVX2), where the processor has them.
+    Wide,
+    /// What every processor of the architecture has (SSE2, NEON, or WebAssembly as compiled).
+    Baseline,
+}
+
+impl InstructionSet {
+    pub(crate) fn level(self) -> Level {
+        match self {
+            Self::Detected => Level::new(),
+            Self::Wide => wide_level(),
+            Self::Baseline => Level::baseline(),
+        }
+    }
+}
+
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+fn wide_level() -> Level {
+    Level::new().as_avx2().map_or(Level::new(), Level::Avx2)
+}
+
+#[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+fn wide_level() -> Level {
+    Level::new()
 }

@@ -4,18 +4,21 @@
 
 pub mod collision;
 pub mod config;
+mod constraint;
 pub mod diagnose;
 pub mod fabric;
 pub mod grid;
+mod lanes;
 pub mod method;
 pub mod model;
+pub mod scenes;
 pub mod snapshot;
 pub mod spec;
 pub mod state;
 pub mod step;
 pub mod wind;
 
-pub use config::{SelfCollision, SolverConfig};
+pub use config::{InstructionSet, SelfCollision, SolverConfig};
 pub use fabric::Fabric;
 pub use grid::{Grid, Topology};
 pub use model::{BuildError, ClothModel};

@@ -1,5 +1,8 @@
 //! A cloth prepared for the real-time method: what never changes from step to step.
-use crate::ClothSpec;
+
+use crate::constraint::tether::Tethers;
+use crate::lanes::{Layout, RowLink, Scalars, row_links};
+use crate::{ClothSpec, MassLaw, Topology};
 
 /// Why a [`ClothSpec`] cannot be built.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -42,6 +45,14 @@ pub enum BuildError {
 pub struct ClothModel {
     spec: ClothSpec,
     pin_indices: Vec<u32>,
+    pub(crate) layout: Layout,
+    /// [1/kg]; 0 for pinned particles and for lanes without a column.
+    pub(crate) inv_masses: Vec<Scalars>,
+    /// Neighbors along a row.
+    pub(crate) row_pairs: Vec<RowLink<2>>,
+    /// A column and the two right of it.
+    pub(crate) row_triples: Vec<RowLink<3>>,
+    pub(crate) tethers: Tethers,
 }
 
 impl ClothModel {
@@ -50,13 +61,24 @@ impl ClothModel {
     /// # Errors
     /// When a length does not fit the grid, or a number is not finite or out of range.
     pub fn new(spec: &ClothSpec) -> Result<Self, BuildError> {
+        check_lengths(spec)?;
+        check_numbers(spec)?;
+        let layout = Layout::new(&spec.grid);
+        let pin_indices: Vec<u32> =
+            (0u32..).zip(&spec.pinned).filter(|(_, pinned)| **pinned).map(|(i, _)| i).collect();
+        let inv_masses: Vec<f32> = particle_masses(spec)
+            .into_iter()
+            .zip(&spec.pinned)
+            .map(|(mass, &pinned)| if pinned { 0.0 } else { 1.0 / mass })
+            .collect();
         Ok(Self {
+            inv_masses: layout.scatter(&inv_masses),
+            row_pairs: row_links(&spec.grid, &layout, [0, 1]),
+            row_triples: row_links(&spec.grid, &layout, [0, 1, 2]),
+            tethers: Tethers::new(spec, &layout, &pin_indices),
             spec: spec.clone(),
-            pin_indices: (0u32..)
-                .zip(&spec.pinned)
-                .filter(|(_, pinned)| **pinned)
-                .map(|(i, _)| i)
-                .collect(),
+            pin_indices,
+            layout,
         })
     }
 
@@ -72,11 +94,94 @@ impl ClothModel {
         &self.pin_indices
     }
 
-    /// Structural, shear and bending springs together.
+    /// Structural and shear springs, bending and twist terms together.
     #[must_use]
     pub fn spring_count(&self) -> usize {
         let grid = &self.spec.grid;
-        let (columns, rows) = (grid.cell_columns() as usize, grid.row_count as usize);
-        columns * rows + grid.column_count as usize * (rows - 1) + 2 * columns * (rows - 1)
+        let (columns, rows) = (grid.column_count as usize, grid.row_count as usize);
+        let cells_across = grid.cell_columns() as usize;
+        let structural = cells_across * rows + columns * (rows - 1);
+        let shear_and_twist = 3 * cells_across * (rows - 1);
+        let bend_across = match grid.topology {
+            Topology::Sheet => columns - 2,
+            Topology::Tube => columns,
+        };
+        structural + shear_and_twist + bend_across * rows + columns * (rows - 2)
     }
+}
+
+/// Mass of every particle [kg], row-major.
+#[must_use]
+pub fn particle_masses(spec: &ClothSpec) -> Vec<f32> {
+    let grid = &spec.grid;
+    let cell_mass = spec.fabric.areal_density * grid.spacing[0] * grid.spacing[1];
+    #[expect(clippy::cast_precision_loss, reason = "cells are counted below 2^24 or rounded alike")]
+    let uniform = (grid.cell_columns() * (grid.row_count - 1)) as f32 * cell_mass
+        / grid.particle_count() as f32;
+    let half_at = |index: u32, count: u32| if index == 0 || index + 1 == count { 0.5 } else { 1.0 };
+    let mut masses = Vec::with_capacity(grid.particle_count());
+    for (row, &layers) in (0..grid.row_count).zip(&spec.row_layers) {
+        masses.extend((0..grid.column_count).map(|column| {
+            let single = match (spec.mass, grid.topology) {
+                (MassLaw::Uniform, _) => uniform,
+                (MassLaw::AreaWeighted, Topology::Tube) => cell_mass * half_at(row, grid.row_count),
+                (MassLaw::AreaWeighted, Topology::Sheet) => {
+                    cell_mass * half_at(row, grid.row_count) * half_at(column, grid.column_count)
+                }
+            };
+            single * layers
+        }));
+    }
+    masses
+}
+
+fn check_lengths(spec: &ClothSpec) -> Result<(), BuildError> {
+    let grid = &spec.grid;
+    if grid.column_count < 3 || grid.row_count < 3 {
+        return Err(BuildError::GridTooSmall {
+            column_count: grid.column_count,
+            row_count: grid.row_count,
+        });
+    }
+    let lengths = [
+        ("row_layers", spec.row_layers.len(), grid.row_count as usize),
+        ("pinned", spec.pinned.len(), grid.particle_count()),
+    ];
+    for (field, actual, expected) in lengths {
+        if actual != expected {
+            return Err(BuildError::WrongLength { field, actual, expected });
+        }
+    }
+    Ok(())
+}
+
+fn check_numbers(spec: &ClothSpec) -> Result<(), BuildError> {
+    let fabric = &spec.fabric;
+    let positive = [
+        ("grid.spacing", spec.grid.spacing[0]),
+        ("grid.spacing", spec.grid.spacing[1]),
+        ("fabric.areal_density", fabric.areal_density),
+    ];
+    let layers = spec.row_layers.iter().map(|&layers| ("row_layers", layers));
+    for (field, value) in positive.into_iter().chain(layers) {
+        if !(value.is_finite() && 0.0 < value) {
+            return Err(BuildError::OutOfRange { field, value, rule: "finite and above 0" });
+        }
+    }
+    let not_negative = [
+        ("fabric.stretch", fabric.stretch[0]),
+        ("fabric.stretch", fabric.stretch[1]),
+        ("fabric.shear", fabric.shear),
+        ("fabric.bend", fabric.bend[0]),
+        ("fabric.bend", fabric.bend[1]),
+        ("fabric.twist", fabric.twist),
+        ("fabric.friction", fabric.friction),
+        ("fabric.drag_rate", fabric.drag_rate),
+    ];
+    for (field, value) in not_negative {
+        if !(value.is_finite() && 0.0 <= value) {
+            return Err(BuildError::OutOfRange { field, value, rule: "finite and not negative" });
+        }
+    }
+    Ok(())
 }

@@ -1,4 +1,5 @@
 //! The state as one number, so that two runs can be told apart by a single bit.
+
 use crate::ClothState;
 
 /// FNV-1a offset basis and prime (Fowler, Noll, Vo; 64 bits).
@@ -8,14 +9,9 @@ const FNV_PRIME: u64 = 0x0000_0100_0000_01b3;
 /// FNV-1a hash of all bits of all positions and velocities.
 #[must_use]
 pub fn state_hash(state: &ClothState) -> u64 {
-    let columns = [&state.positions, &state.velocities];
-    let values = columns
-        .into_iter()
-        .flatten()
-        .flat_map(|value| value.to_array());
-    values
-        .flat_map(f32::to_le_bytes)
-        .fold(FNV_OFFSET, |hash, byte| {
-            (hash ^ u64::from(byte)).wrapping_mul(FNV_PRIME)
-        })
+    let points = state.positions.iter().chain(&state.velocities);
+    let values = points.flat_map(|points| [points.x, points.y, points.z]).flatten();
+    values.flat_map(f32::to_le_bytes).fold(FNV_OFFSET, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(FNV_PRIME)
+    })
 }

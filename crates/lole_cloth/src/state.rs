@@ -1,16 +1,31 @@
 //! What moves: positions and velocities in the engine's own layout.
+
 use glam::Vec3;
 use lole_geom::Capsule;
 
 use crate::ClothModel;
+use crate::collision::capsule::RowContacts;
+use crate::lanes::Points;
 
 /// Everything about one cloth that changes from step to step.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct ClothState {
-    pub(crate) positions: Vec<Vec3>,
-    pub(crate) velocities: Vec<Vec3>,
+    pub(crate) positions: Vec<Points>,
+    pub(crate) velocities: Vec<Points>,
+    /// Where the pinned particles were left, in the order of the model's pins.
     pub(crate) pin_targets: Vec<Vec3>,
+    /// Where the capsules were left; empty before the first step.
     pub(crate) capsules: Vec<Capsule>,
+    pub(crate) scratch: Scratch,
+}
+
+/// Room for one step, kept so that no step allocates. It carries nothing from step to step.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Scratch {
+    /// Positions predicted at the start of the substep.
+    pub(crate) predicted: Vec<Points>,
+    pub(crate) row_contacts: RowContacts,
+    pub(crate) moving_capsules: Vec<crate::collision::capsule::MovingCapsule>,
 }
 
 impl ClothState {
@@ -20,39 +35,52 @@ impl ClothState {
     /// When `positions` has another length than the model has particles.
     #[must_use]
     pub fn new(model: &ClothModel, positions: &[Vec3]) -> Self {
-        Self {
-            positions: positions.to_vec(),
-            velocities: vec![Vec3::ZERO; positions.len()],
-            pin_targets: model
-                .pin_indices()
-                .iter()
-                .map(|&i| positions[i as usize])
-                .collect(),
+        let vector_count = model.layout.vector_count();
+        let mut state = Self {
+            positions: vec![Points::default(); vector_count],
+            velocities: vec![Points::default(); vector_count],
+            pin_targets: Vec::new(),
             capsules: Vec::new(),
-        }
+            scratch: Scratch {
+                predicted: vec![Points::default(); vector_count],
+                ..Scratch::default()
+            },
+        };
+        state.set_positions(model, positions);
+        state
     }
 
     /// Writes every position [m], row-major, over `out`.
     pub fn copy_positions(&self, model: &ClothModel, out: &mut Vec<Vec3>) {
-        let _ = model;
-        out.clone_from(&self.positions);
+        model.layout.gather_points(&self.positions, out);
     }
 
     /// Writes every velocity [m/s], row-major, over `out`.
     pub fn copy_velocities(&self, model: &ClothModel, out: &mut Vec<Vec3>) {
-        let _ = model;
-        out.clone_from(&self.velocities);
+        model.layout.gather_points(&self.velocities, out);
     }
 
-    /// Moves every particle to `positions` [m], row-major; velocities stay.
+    /// Moves every particle, pinned ones too, to `positions` [m], row-major; velocities stay.
+    ///
+    /// # Panics
+    /// When `positions` has another length than the model has particles.
     pub fn set_positions(&mut self, model: &ClothModel, positions: &[Vec3]) {
-        let _ = model;
-        self.positions.copy_from_slice(positions);
+        assert_eq!(positions.len(), model.spec().grid.particle_count(), "one position a particle");
+        model.layout.scatter_points(positions, &mut self.positions);
+        self.pin_targets.clear();
+        self.pin_targets.extend(model.pin_indices().iter().map(|&pin| positions[pin as usize]));
     }
 
     /// Gives every particle its velocity [m/s], row-major.
+    ///
+    /// # Panics
+    /// When `velocities` has another length than the model has particles.
     pub fn set_velocities(&mut self, model: &ClothModel, velocities: &[Vec3]) {
-        let _ = model;
-        self.velocities.copy_from_slice(velocities);
+        assert_eq!(velocities.len(), model.spec().grid.particle_count(), "one velocity a particle");
+        self.velocities.fill(Points::default());
+        for (particle, &velocity) in velocities.iter().enumerate() {
+            let (vector, lane) = model.layout.slot(particle);
+            self.velocities[vector].set(lane, velocity);
+        }
     }
 }

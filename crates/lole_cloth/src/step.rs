@@ -1,7 +1,10 @@
 //! One call of the engine: the cloth moves on by `dt`.
+
+use fearless_simd::{dispatch};
 use glam::Vec3;
 use lole_geom::Capsule;
 
+use crate::method::xpbd;
 use crate::{ClothModel, ClothState, SolverConfig};
 
 /// What the world does during one step.
@@ -27,14 +30,8 @@ pub fn step(
     state: &mut ClothState,
     dt: f32,
 ) {
-    for (position, velocity) in state.positions.iter_mut().zip(&mut state.velocities) {
-        *velocity += config.gravity * dt;
-        *position += *velocity * dt;
-    }
-    for (&index, &target) in model.pin_indices().iter().zip(input.pin_targets) {
-        state.positions[index as usize] = target;
-        state.velocities[index as usize] = Vec3::ZERO;
-    }
+    let level = config.instruction_set.level();
+    dispatch!(level, simd => xpbd::advance(simd, model, config, (input, dt), state));
     state.pin_targets.clear();
     state.pin_targets.extend_from_slice(input.pin_targets);
     state.capsules.clear();

@@ -1,0 +1,62 @@
+//! Bending along rows and down columns: the pure terms of the orthotropic plate energy.
+//!
+//! `E = h_u h_v / 2 (B_u |d_uu x|² + B_v |d_vv x|² + 2 B_t |d_uv x|²)` with the second differences
+//! `d_uu x = (x₋ - 2 x₀ + x₊) / h_u²`. Its Hessian is constant, so each term is a linear
+//! constraint `C = x₋ - 2 x₀ + x₊ = 0` that knows no direction: rotations leave it alone, and a
+//! flat sheet has none of it. The twist term is solved with the shear springs of its cell.
+
+use fearless_simd::{Simd, f32x16, prelude::*};
+
+use crate::constraint::{Rows, add_to_partner, load_partner};
+use crate::lanes::{RowLink, Vectors};
+
+/// Solves bending along rows; `scaled_compliance` [1/kg] is the compliance over the substep
+/// squared.
+#[inline(always)]
+pub(crate) fn solve_rows<S: Simd>(
+    simd: S,
+    rows: &mut Rows<'_>,
+    links: &[RowLink<3>],
+    scaled_compliance: f32,
+) {
+    rows.each_row(#[inline(always)] |row, inv_masses| {
+        for link in links {
+            let (left, inv_left) = load_partner(simd, link, 0, row, inv_masses);
+            let (middle, inv_middle) = load_partner(simd, link, 1, row, inv_masses);
+            let (right, inv_right) = load_partner(simd, link, 2, row, inv_masses);
+            let curvature = left.add(right).sub(middle.add(middle));
+            let mut factor = f32x16::splat(simd, 1.0)
+                / (inv_left + inv_right + inv_middle * 4.0 + scaled_compliance);
+            if let Some(mask) = &link.mask {
+                factor *= f32x16::load_array_ref(simd, &mask.0);
+            }
+            add_to_partner(link, 0, curvature.scale(-(factor * inv_left)), row);
+            add_to_partner(link, 1, curvature.scale(factor * inv_middle * 2.0), row);
+            add_to_partner(link, 2, curvature.scale(-(factor * inv_right)), row);
+        }
+    });
+}
+
+/// Solves bending down columns, from the top to the bottom.
+#[inline(always)]
+pub(crate) fn solve_columns<S: Simd>(simd: S, rows: &mut Rows<'_>, scaled_compliance: f32) {
+    let width = rows.group_count;
+    let row_count = rows.positions.len() / width;
+    for row in 0..row_count.saturating_sub(2) {
+        let start = row * width;
+        let (upper, rest) = rows.positions[start..start + 3 * width].split_at_mut(width);
+        let (middle, lower) = rest.split_at_mut(width);
+        let inv_masses = &rows.inv_masses[start..start + 3 * width];
+        for group in 0..width {
+            let inv_mass = #[inline(always)] |row: usize| f32x16::load_array_ref(simd, &inv_masses[row * width + group].0);
+            let (inv_upper, inv_middle, inv_lower) = (inv_mass(0), inv_mass(1), inv_mass(2));
+            let points = [&upper[group], &middle[group], &lower[group]].map(#[inline(always)] |p| Vectors::load(simd, p));
+            let curvature = points[0].add(points[2]).sub(points[1].add(points[1]));
+            let factor = f32x16::splat(simd, 1.0)
+                / (inv_upper + inv_lower + inv_middle * 4.0 + scaled_compliance);
+            points[0].sub(curvature.scale(factor * inv_upper)).store(&mut upper[group]);
+            points[1].add(curvature.scale(factor * inv_middle * 2.0)).store(&mut middle[group]);
+            points[2].sub(curvature.scale(factor * inv_lower)).store(&mut lower[group]);
+        }
+    }
+}

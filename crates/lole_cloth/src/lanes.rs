@@ -1,0 +1,406 @@
+//! The engine's own layout: sixteen column strips side by side in one vector.
+//!
+//! A row of `W` columns is cut into sixteen strips of neighboring columns; lane `l` of group `g`
+//! holds column `g` of strip `l`. Neighbors along a row are then whole neighboring vectors, and
+//! only from the last column of a strip to the first of the next does a lane rotate.
+
+use fearless_simd::{f32x16, prelude::*};
+use glam::Vec3;
+
+use crate::{Grid, Topology};
+
+/// Column strips, and lanes of a vector.
+pub(crate) const LANES: usize = 16;
+
+/// One scalar for each lane.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[repr(align(64))]
+pub(crate) struct Scalars(pub(crate) [f32; LANES]);
+
+/// One point for each lane: three vectors.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[repr(align(64))]
+pub(crate) struct Points {
+    pub(crate) x: [f32; LANES],
+    pub(crate) y: [f32; LANES],
+    pub(crate) z: [f32; LANES],
+}
+
+impl Points {
+    pub(crate) const fn get(&self, lane: usize) -> Vec3 {
+        Vec3::new(self.x[lane], self.y[lane], self.z[lane])
+    }
+
+    pub(crate) const fn set(&mut self, lane: usize, point: Vec3) {
+        self.x[lane] = point.x;
+        self.y[lane] = point.y;
+        self.z[lane] = point.z;
+    }
+}
+
+/// Three vectors in registers.
+#[derive(Clone, Copy)]
+pub(crate) struct Vectors<S: Simd> {
+    pub(crate) x: f32x16<S>,
+    pub(crate) y: f32x16<S>,
+    pub(crate) z: f32x16<S>,
+}
+
+impl<S: Simd> Vectors<S> {
+    #[inline(always)]
+    pub(crate) fn load(simd: S, points: &Points) -> Self {
+        Self {
+            x: f32x16::load_array_ref(simd, &points.x),
+            y: f32x16::load_array_ref(simd, &points.y),
+            z: f32x16::load_array_ref(simd, &points.z),
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn splat(simd: S, point: Vec3) -> Self {
+        Self {
+            x: f32x16::splat(simd, point.x),
+            y: f32x16::splat(simd, point.y),
+            z: f32x16::splat(simd, point.z),
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn store(self, points: &mut Points) {
+        self.x.store_array(&mut points.x);
+        self.y.store_array(&mut points.y);
+        self.z.store_array(&mut points.z);
+    }
+
+    #[inline(always)]
+    pub(crate) fn add(self, other: Self) -> Self {
+        Self {
+            x: self.x + other.x,
+            y: self.y + other.y,
+            z: self.z + other.z,
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn sub(self, other: Self) -> Self {
+        Self {
+            x: self.x - other.x,
+            y: self.y - other.y,
+            z: self.z - other.z,
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn scale(self, factor: f32x16<S>) -> Self {
+        Self {
+            x: self.x * factor,
+            y: self.y * factor,
+            z: self.z * factor,
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn dot(self, other: Self) -> f32x16<S> {
+        (self.x * other.x + self.y * other.y) + self.z * other.z
+    }
+
+    /// Lane `l` receives lane `l + shift`.
+    #[inline(always)]
+    pub(crate) fn rotate_left(self, shift: u8) -> Self {
+        Self {
+            x: rotate_left(self.x, shift),
+            y: rotate_left(self.y, shift),
+            z: rotate_left(self.z, shift),
+        }
+    }
+
+    /// Lane `l + shift` receives lane `l`.
+    #[inline(always)]
+    pub(crate) fn rotate_right(self, shift: u8) -> Self {
+        Self {
+            x: rotate_right(self.x, shift),
+            y: rotate_right(self.y, shift),
+            z: rotate_right(self.z, shift),
+        }
+    }
+}
+
+/// Lane `l` receives lane `l + shift`; a shift of 0 or 1 is what every wide cloth needs.
+#[inline(always)]
+pub(crate) fn rotate_left<S: Simd>(value: f32x16<S>, shift: u8) -> f32x16<S> {
+    match shift {
+        0 => value,
+        1 => value.rotate_elements_left::<1>(),
+        _ => {
+            let mut lanes = value.to_array();
+            lanes.rotate_left(usize::from(shift) % LANES);
+            f32x16::load_array(value.token(), lanes)
+        }
+    }
+}
+
+/// Lane `l + shift` receives lane `l`.
+#[inline(always)]
+pub(crate) fn rotate_right<S: Simd>(value: f32x16<S>, shift: u8) -> f32x16<S> {
+    match shift {
+        0 => value,
+        1 => value.rotate_elements_left::<15>(),
+        _ => {
+            let mut lanes = value.to_array();
+            lanes.rotate_right(usize::from(shift) % LANES);
+            f32x16::load_array(value.token(), lanes)
+        }
+    }
+}
+
+/// The smaller of two numbers by one comparison, the same on every instruction set.
+#[inline(always)]
+pub(crate) fn smaller<S: Simd>(first: f32x16<S>, second: f32x16<S>) -> f32x16<S> {
+    first.simd_lt(second).select(first, second)
+}
+
+/// The larger of two numbers by one comparison, the same on every instruction set.
+#[inline(always)]
+pub(crate) fn larger<S: Simd>(first: f32x16<S>, second: f32x16<S>) -> f32x16<S> {
+    second.simd_lt(first).select(first, second)
+}
+
+/// Where the columns of a row lie.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Layout {
+    /// Vectors in a row.
+    pub(crate) group_count: usize,
+    pub(crate) row_count: usize,
+    /// Group and lane of every column.
+    slots: Vec<(u16, u8)>,
+}
+
+impl Layout {
+    pub(crate) fn new(grid: &Grid) -> Self {
+        let columns = grid.column_count as usize;
+        let slots = (0..columns).map(|column| {
+            // Lane `l` begins at column ceil(l W / 16): lengths of strips differ by one at most.
+            let lane = column * LANES / columns;
+            let first = (lane * columns).div_ceil(LANES);
+            (narrow_u16(column - first), narrow_u8(lane))
+        });
+        Self {
+            group_count: columns.div_ceil(LANES),
+            row_count: grid.row_count as usize,
+            slots: slots.collect(),
+        }
+    }
+
+    /// Vectors in all rows.
+    pub(crate) const fn vector_count(&self) -> usize {
+        self.group_count * self.row_count
+    }
+
+
+    /// Vector and lane of the particle with row-major index `particle`.
+    pub(crate) fn slot(&self, particle: usize) -> (usize, usize) {
+        let (row, column) = (particle / self.slots.len(), particle % self.slots.len());
+        let (group, lane) = self.slots[column];
+        (row * self.group_count + usize::from(group), usize::from(lane))
+    }
+
+    /// Brings row-major scalars into the layout; unused lanes hold 0.
+    pub(crate) fn scatter(&self, values: &[f32]) -> Vec<Scalars> {
+        let mut vectors = vec![Scalars::default(); self.vector_count()];
+        for (particle, &value) in values.iter().enumerate() {
+            let (vector, lane) = self.slot(particle);
+            vectors[vector].0[lane] = value;
+        }
+        vectors
+    }
+
+    /// Brings row-major points into the layout. Unused lanes hold the first point, so that they
+    /// lie in no box where the cloth is not.
+    pub(crate) fn scatter_points(&self, points: &[Vec3], vectors: &mut [Points]) {
+        let filler = points.first().copied().unwrap_or_default();
+        for vector in vectors.iter_mut() {
+            for lane in 0..LANES {
+                vector.set(lane, filler);
+            }
+        }
+        for (particle, &point) in points.iter().enumerate() {
+            let (vector, lane) = self.slot(particle);
+            vectors[vector].set(lane, point);
+        }
+    }
+
+    /// Brings points back to row-major order.
+    pub(crate) fn gather_points(&self, vectors: &[Points], points: &mut Vec<Vec3>) {
+        points.clear();
+        for row in vectors.chunks_exact(self.group_count) {
+            points.extend(
+                self.slots.iter().map(|&(group, lane)| row[usize::from(group)].get(usize::from(lane))),
+            );
+        }
+    }
+}
+
+/// The same relation between particles of one row, for all lanes at once.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct RowLink<const N: usize> {
+    /// Group of every partner.
+    pub(crate) groups: [u16; N],
+    /// Lanes every partner is rotated by; 0 for the first.
+    pub(crate) shifts: [u8; N],
+    /// 1 in lanes where the relation exists, 0 elsewhere; `None` when it exists in all.
+    pub(crate) mask: Option<Box<Scalars>>,
+}
+
+/// Every relation of a column with those `offsets` to its right, in an order that is fixed and
+/// lets neighbors in the order run side by side.
+pub(crate) fn row_links<const N: usize>(
+    grid: &Grid,
+    layout: &Layout,
+    offsets: [u32; N],
+) -> Vec<RowLink<N>> {
+    let mut links: Vec<(RowLink<N>, [bool; LANES])> = Vec::new();
+    let reach = offsets[N - 1].max(1) as usize;
+    for column in 0..grid.column_count {
+        let Some(partners) = partner_columns(grid, column, offsets) else {
+            continue;
+        };
+        let slots = partners.map(|partner| layout.slots[partner as usize]);
+        let lane = slots[0].1;
+        let groups = slots.map(|(group, _)| group);
+        let shifts = slots.map(|(_, partner)| (partner + narrow_u8(LANES) - lane) % narrow_u8(LANES));
+        let lane = usize::from(lane);
+        let home = links.iter_mut().find(|(link, lanes)| {
+            link.groups == groups
+                && link.shifts == shifts
+                && lanes_are_free(&link.groups, &link.shifts, lanes, lane)
+        });
+        match home {
+            Some((_, lanes)) => lanes[lane] = true,
+            None => {
+                let mut lanes = [false; LANES];
+                lanes[lane] = true;
+                links.push((RowLink { groups, shifts, mask: None }, lanes));
+            }
+        }
+    }
+    let period = reach + 1;
+    let mut links: Vec<_> = links
+        .into_iter()
+        .map(|(mut link, lanes)| {
+            if lanes != [true; LANES] {
+                link.mask = Some(Box::new(Scalars(lanes.map(|used| f32::from(u8::from(used))))));
+            }
+            link
+        })
+        .collect();
+    links.sort_by_key(|link| (usize::from(link.groups[0]) % period, link.groups[0]));
+    links
+}
+
+fn partner_columns<const N: usize>(grid: &Grid, column: u32, offsets: [u32; N]) -> Option<[u32; N]> {
+    let mut partners = [column; N];
+    for (partner, offset) in partners.iter_mut().zip(offsets) {
+        if grid.topology == Topology::Tube && offset >= grid.column_count {
+            return None;
+        }
+        *partner = grid.column_right(column, offset)?;
+    }
+    Some(partners)
+}
+
+/// Whether `lane` can join `lanes` without two relations touching one particle: only possible
+/// where partners share a group.
+fn lanes_are_free<const N: usize>(
+    groups: &[u16; N],
+    shifts: &[u8; N],
+    lanes: &[bool; LANES],
+    lane: usize,
+) -> bool {
+    for first in 0..N {
+        for second in 0..N {
+            if first == second || groups[first] != groups[second] {
+                continue;
+            }
+            let particle_lane = (lane + usize::from(shifts[first])) % LANES;
+            let owner = (particle_lane + LANES - usize::from(shifts[second])) % LANES;
+            if lanes[owner] || owner == lane {
+                return false;
+            }
+        }
+    }
+    true
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "a row holds fewer than 65,536 × 16 columns")]
+const fn narrow_u16(value: usize) -> u16 {
+    value as u16
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "a lane is below 16")]
+const fn narrow_u8(value: usize) -> u8 {
+    value as u8
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn grid(column_count: u32, topology: Topology) -> Grid {
+        Grid { column_count, row_count: 3, topology, spacing: [0.01, 0.01] }
+    }
+
+    #[test]
+    fn links_name_every_pair_of_columns_once() {
+        for topology in [Topology::Sheet, Topology::Tube] {
+            for column_count in [3, 7, 16, 17, 31, 33, 50, 64, 100] {
+                for stride in [1, 2, 4] {
+                    check_pairs(&grid(column_count, topology), stride);
+                }
+            }
+        }
+    }
+
+    fn check_pairs(grid: &Grid, stride: u32) {
+        let layout = Layout::new(grid);
+        let column_at = |group: u16, lane: usize| {
+            layout.slots.iter().position(|&slot| slot == (group, narrow_u8(lane)))
+        };
+        let mut found = Vec::new();
+        for link in row_links(grid, &layout, [0, stride]) {
+            let mut touched = Vec::new();
+            for lane in 0..LANES {
+                if link.mask.as_ref().is_some_and(|mask| mask.0[lane] < 0.5) {
+                    continue;
+                }
+                let other = (lane + usize::from(link.shifts[1])) % LANES;
+                touched.extend([(link.groups[0], lane), (link.groups[1], other)]);
+                found.push((
+                    column_at(link.groups[0], lane).expect("column"),
+                    column_at(link.groups[1], other).expect("column"),
+                ));
+            }
+            let count = touched.len();
+            touched.sort_unstable();
+            touched.dedup();
+            assert_eq!(touched.len(), count, "two relations of one vector share a particle");
+        }
+        found.sort_unstable();
+        let expected: Vec<_> = (0..grid.column_count)
+            .filter(|_| stride < grid.column_count)
+            .filter_map(|c| Some((c as usize, grid.column_right(c, stride)? as usize)))
+            .collect();
+        assert_eq!(found, expected);
+    }
+
+    #[test]
+    fn points_survive_the_layout() {
+        let grid = grid(37, Topology::Tube);
+        let layout = Layout::new(&grid);
+        let points: Vec<_> = (0..37 * 3).map(|i| Vec3::splat(i as f32)).collect();
+        let mut vectors = vec![Points::default(); layout.vector_count()];
+        layout.scatter_points(&points, &mut vectors);
+        let mut back = Vec::new();
+        layout.gather_points(&vectors, &mut back);
+        assert_eq!(back, points);
+    }
+}
