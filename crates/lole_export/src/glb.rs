@@ -1,6 +1,9 @@
 //! `dancer.glb`: the dancer skinned and animated, the cloth with its baked motion, in glTF 2.0.
 
+mod buffer;
+mod check;
 mod grid_mesh;
+mod write;
 
 pub use grid_mesh::{GridMesh, GridRing, GridSheet};
 
@@ -98,6 +101,6 @@ pub struct BakedCloth<'a> {
 /// [`ExportError`] when columns do not fit each other, an index is out of range or a number is
 /// not finite.
 pub fn write_glb(scene: &GlbScene<'_>) -> Result<Vec<u8>, ExportError> {
-    let _ = scene;
-    Ok(Vec::new())
+    check::check_scene(scene)?;
+    write::write_scene(scene)
 }

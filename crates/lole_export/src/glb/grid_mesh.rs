@@ -1,6 +1,6 @@
 //! The vertices and triangles of a grid of particles, thinned for a file.
 
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 
 /// Whether the last column of a grid is sewn to the first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -35,4 +35,95 @@ pub struct GridMesh {
     pub uvs: Vec<Vec2>,
     /// Vertex indices.
     pub triangles: Vec<[u32; 3]>,
+}
+
+impl GridMesh {
+    /// Every `strides`-th column and row of a grid, the last row always kept, and the last column
+    /// of an open one. A closed grid repeats its first column at the end, for the texture.
+    ///
+    /// Triangles wind counter-clockwise for an eye that sees columns run right and rows run down.
+    #[must_use]
+    pub fn new(sheet: &GridSheet, strides: [u32; 2]) -> Self {
+        let mut columns = thinned(sheet.column_count, strides[0]);
+        match sheet.ring {
+            GridRing::Open => keep_last(&mut columns, sheet.column_count),
+            GridRing::Closed => columns.push(sheet.column_count),
+        }
+        let mut rows = thinned(sheet.row_count, strides[1]);
+        keep_last(&mut rows, sheet.row_count);
+        let mut mesh = Self::default();
+        for row in &rows {
+            for column in &columns {
+                mesh.particles
+                    .push(row * sheet.column_count + column % sheet.column_count);
+                let flat = Vec2::new(count(*column), count(*row)) * Vec2::from(sheet.spacing);
+                mesh.uvs.push(flat / Vec2::from(sheet.print_repeat));
+            }
+        }
+        let (width, height) = (columns.len(), rows.len());
+        for row in 0..height.saturating_sub(1) {
+            for column in 0..width.saturating_sub(1) {
+                let corner = row * width + column;
+                let [a, b, c, d] = [corner, corner + 1, corner + width, corner + width + 1]
+                    .map(|index| u32::try_from(index).unwrap_or(u32::MAX));
+                mesh.triangles.extend([[a, c, b], [b, c, d]]);
+            }
+        }
+        mesh
+    }
+
+    /// Turns all triangles over if they face, on the whole, towards the vertical line through the
+    /// middle of `particles` [m]: a skirt's outside is then its front.
+    #[must_use]
+    pub fn facing_outward(mut self, particles: &[Vec3]) -> Self {
+        let count = particles.len().max(1);
+        #[expect(clippy::cast_precision_loss, reason = "far fewer than 2^24 particles")]
+        let middle = particles.iter().copied().sum::<Vec3>() / count as f32;
+        let point = |vertex: u32| {
+            let particle = self
+                .particles
+                .get(vertex as usize)
+                .copied()
+                .unwrap_or(u32::MAX);
+            particles.get(particle as usize).copied().unwrap_or(middle)
+        };
+        let outward: f32 = self
+            .triangles
+            .iter()
+            .map(|triangle| {
+                let [a, b, c] = triangle.map(point);
+                let away = ((a + b + c) / 3.0 - middle).with_y(0.0);
+                (b - a).cross(c - a).dot(away)
+            })
+            .sum();
+        if outward < 0.0 {
+            for triangle in &mut self.triangles {
+                triangle.swap(1, 2);
+            }
+        }
+        self
+    }
+}
+
+/// Every `stride`-th of `count` indices.
+fn thinned(count: u32, stride: u32) -> Vec<u32> {
+    (0..count).step_by(stride.max(1) as usize).collect()
+}
+
+/// Adds the last of `count` indices where it was passed over.
+fn keep_last(indices: &mut Vec<u32>, count: u32) {
+    if let Some(last) = count.checked_sub(1)
+        && indices.last() != Some(&last)
+    {
+        indices.push(last);
+    }
+}
+
+/// A grid index as a number.
+#[expect(
+    clippy::cast_precision_loss,
+    reason = "grids have far fewer than 2^24 columns"
+)]
+fn count(index: u32) -> f32 {
+    index as f32
 }

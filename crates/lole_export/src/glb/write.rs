@@ -1,0 +1,393 @@
+//! From a checked scene to the JSON and the bytes of a GLB.
+//!
+//! The JSON is put together with `serde_json` alone: the asset uses a dozen of glTF's objects, and
+//! typed crates for it lag behind the extensions while the validator checks what matters.
+
+use glam::Vec3;
+use lole_body::skeleton::Bone;
+use lole_geom::mesh::vertex_normals;
+use serde_json::{Map, Value, json};
+
+use super::buffer::Buffer;
+use super::{BakedCloth, GlbMaterial, GlbScene, Sides, SkinnedMesh};
+use crate::ExportError;
+
+/// `glTF`, `JSON` and `BIN\0` as little-endian numbers; glTF 2.0, section 4.4.
+const MAGIC: u32 = 0x4654_6c67;
+const CHUNK_JSON: u32 = 0x4e4f_534a;
+const CHUNK_BIN: u32 = 0x004e_4942;
+
+/// Magnification, minification (with mip maps) and wrapping of the print's sampler.
+const LINEAR: u32 = 9729;
+const LINEAR_MIPMAP_LINEAR: u32 = 9987;
+const REPEAT: u32 = 10_497;
+
+/// The lists of the file as they grow.
+#[derive(Default)]
+struct Document {
+    buffer: Buffer,
+    nodes: Vec<Value>,
+    meshes: Vec<Value>,
+    materials: Vec<Value>,
+    textures: Vec<Value>,
+    images: Vec<Value>,
+    samplers: Vec<Value>,
+    channels: Vec<Value>,
+    roots: Vec<usize>,
+    quantized: u32,
+}
+
+/// Bytes of the GLB of a checked scene.
+pub(super) fn write_scene(scene: &GlbScene<'_>) -> Result<Vec<u8>, ExportError> {
+    let mut document = Document::default();
+    write_skeleton(&mut document, scene);
+    for mesh in scene.skinned {
+        write_skinned(&mut document, mesh);
+    }
+    let mut animations = Vec::new();
+    animate_bones(&mut document, scene);
+    let mut samplers = std::mem::take(&mut document.samplers);
+    for cloth in scene.cloths {
+        write_cloth(&mut document, cloth, &mut samplers);
+    }
+    if !document.channels.is_empty() {
+        animations.push(json!({
+            "name": "dance", "channels": document.channels, "samplers": samplers,
+        }));
+    }
+    let bone_nodes: Vec<usize> = (1..=Bone::COUNT).collect();
+    let inverse_binds = document.buffer.inverse_binds(&scene.skeleton.joints);
+    let mut json = json!({
+        "asset": { "version": "2.0", "generator": concat!("Lole ", env!("CARGO_PKG_VERSION")) },
+        "scene": 0,
+        "scenes": [{ "name": "hula", "nodes": document.roots }],
+        "nodes": document.nodes,
+        "bufferViews": document.buffer.views,
+        "accessors": document.buffer.accessors,
+        "buffers": [{ "byteLength": document.buffer.bytes.len() }],
+    });
+    if !scene.skinned.is_empty() {
+        json["skins"] = json!([{
+            "name": "dancer", "skeleton": 1, "joints": bone_nodes,
+            "inverseBindMatrices": inverse_binds,
+        }]);
+    }
+    if 0 < document.quantized {
+        json["extensionsUsed"] = json!(["KHR_mesh_quantization"]);
+        json["extensionsRequired"] = json!(["KHR_mesh_quantization"]);
+    }
+    // glTF has no empty lists.
+    if !document.textures.is_empty() {
+        json["samplers"] = json!([{
+            "magFilter": LINEAR, "minFilter": LINEAR_MIPMAP_LINEAR,
+            "wrapS": REPEAT, "wrapT": REPEAT,
+        }]);
+    }
+    let lists = [
+        ("meshes", document.meshes),
+        ("materials", document.materials),
+        ("textures", document.textures),
+        ("images", document.images),
+        ("animations", animations),
+    ];
+    for (name, list) in lists {
+        if !list.is_empty() {
+            json[name] = Value::Array(list);
+        }
+    }
+    pack(&json, document.buffer.bytes)
+}
+
+/// Node 0 is the armature; the bones follow in the order of [`Bone::ALL`].
+fn write_skeleton(document: &mut Document, scene: &GlbScene<'_>) {
+    let node_of = |bone: Bone| bone.index() + 1;
+    document.roots.push(0);
+    document
+        .nodes
+        .push(json!({ "name": "dancer", "children": [node_of(Bone::Hips)] }));
+    for &bone in Bone::ALL {
+        let joint = scene.skeleton.joint(bone);
+        let origin = bone
+            .parent()
+            .map_or(Vec3::ZERO, |parent| scene.skeleton.joint(parent));
+        let mut node = json!({
+            "name": bone.name(), "translation": (joint - origin).to_array(),
+        });
+        let children: Vec<usize> = Bone::ALL
+            .iter()
+            .filter(|child| child.parent() == Some(bone))
+            .map(|child| node_of(*child))
+            .collect();
+        if !children.is_empty() {
+            node["children"] = json!(children);
+        }
+        document.nodes.push(node);
+    }
+}
+
+/// Channels that turn the bones and carry the hips; bones that never turn get none.
+fn animate_bones(document: &mut Document, scene: &GlbScene<'_>) {
+    if scene.poses.is_empty() {
+        return;
+    }
+    let input = document.buffer.times(scene.pose_times);
+    let hips = scene.skeleton.joint(Bone::Hips);
+    let places: Vec<f32> = scene
+        .poses
+        .iter()
+        .flat_map(|pose| (hips + pose.hips_translation).to_array())
+        .collect();
+    let output = document.buffer.key_values(&places, 3, "VEC3");
+    push_channel(document, [input, output], 1, "translation");
+    for &bone in Bone::ALL {
+        // A quaternion and its negative turn alike, but interpolation between them does not.
+        let mut last = glam::Quat::IDENTITY;
+        let mut turns = Vec::with_capacity(4 * scene.poses.len());
+        for pose in scene.poses {
+            let turn = pose.rotation(bone).normalize();
+            last = if turn.dot(last) < 0.0 { -turn } else { turn };
+            turns.extend_from_slice(&last.to_array());
+        }
+        let still = turns
+            .chunks_exact(4)
+            .all(|turn| turn == [0.0, 0.0, 0.0, 1.0]);
+        if !still {
+            let output = document.buffer.key_values(&turns, 4, "VEC4");
+            push_channel(document, [input, output], bone.index() + 1, "rotation");
+        }
+    }
+}
+
+/// A linear animation of one property of one node.
+fn push_channel(document: &mut Document, [input, output]: [usize; 2], node: usize, path: &str) {
+    document.channels.push(json!({
+        "sampler": document.samplers.len(), "target": { "node": node, "path": path },
+    }));
+    document
+        .samplers
+        .push(json!({ "input": input, "output": output, "interpolation": "LINEAR" }));
+}
+
+/// A node of its own at the scene's root, as glTF wants skinned meshes.
+fn write_skinned(document: &mut Document, mesh: &SkinnedMesh<'_>) {
+    let buffer = &mut document.buffer;
+    let weights: Vec<[f32; 4]> = mesh
+        .weights
+        .iter()
+        .map(|weights| unit_sum(*weights))
+        .collect();
+    let joints: Vec<[u16; 4]> = mesh
+        .joints
+        .iter()
+        .zip(&weights)
+        .map(|(joints, weights)| used(*joints, *weights))
+        .collect();
+    let mut attributes = Map::new();
+    attributes.insert("POSITION".into(), json!(buffer.positions(mesh.positions)));
+    attributes.insert("NORMAL".into(), json!(buffer.vectors(&unit(mesh.normals))));
+    if !mesh.uvs.is_empty() {
+        attributes.insert("TEXCOORD_0".into(), json!(buffer.uvs(mesh.uvs)));
+    }
+    attributes.insert("JOINTS_0".into(), json!(buffer.joints(&joints)));
+    attributes.insert("WEIGHTS_0".into(), json!(buffer.weights(&weights)));
+    let mut primitives = Vec::new();
+    for part in mesh.parts.iter().filter(|part| !part.triangles.is_empty()) {
+        let indices = document.buffer.triangles(part.triangles);
+        let material = write_material(document, &part.material);
+        primitives.push(json!({
+            "attributes": attributes, "indices": indices, "material": material,
+        }));
+    }
+    if primitives.is_empty() {
+        return;
+    }
+    document
+        .meshes
+        .push(json!({ "name": mesh.name, "primitives": primitives }));
+    document.roots.push(document.nodes.len());
+    document.nodes.push(json!({
+        "name": mesh.name, "mesh": document.meshes.len() - 1, "skin": 0,
+    }));
+}
+
+/// The first frame is the mesh; each later one is a morph target that is fully on at its time.
+fn write_cloth(document: &mut Document, cloth: &BakedCloth<'_>, samplers: &mut Vec<Value>) {
+    let vertices_of = |frame: &[Vec3]| -> Vec<Vec3> {
+        cloth
+            .mesh
+            .particles
+            .iter()
+            .map(|particle| frame[*particle as usize])
+            .collect()
+    };
+    let rest = vertices_of(&cloth.frames[0]);
+    let rest_normals = cloth.mesh.normals(&cloth.frames[0]);
+    let scale = displacement_scale(cloth);
+    let buffer = &mut document.buffer;
+    let scaled: Vec<Vec3> = rest.iter().map(|point| *point / scale).collect();
+    let attributes = json!({
+        "POSITION": buffer.positions(&scaled),
+        "NORMAL": buffer.vectors(&rest_normals),
+        "TEXCOORD_0": buffer.uvs(&cloth.mesh.uvs),
+    });
+    let mut targets = Vec::new();
+    for frame in &cloth.frames[1..] {
+        let moved: Vec<Vec3> = vertices_of(frame)
+            .iter()
+            .zip(&rest)
+            .map(|(now, then)| (*now - *then) / scale)
+            .collect();
+        // A glTF normal is the base plus the weighted differences, which reach 2 in length; half
+        // a byte's range is kept by clamping, for a fold that turned right over.
+        let turned: Vec<Vec3> = cloth
+            .mesh
+            .normals(frame)
+            .iter()
+            .zip(&rest_normals)
+            .map(|(now, then)| *now - *then)
+            .collect();
+        targets.push(json!({
+            "POSITION": document.buffer.displacements(&moved),
+            "NORMAL": document.buffer.turns(&turned),
+        }));
+    }
+    let indices = document.buffer.triangles(&cloth.mesh.triangles);
+    let material = write_material(document, &cloth.material);
+    let mut mesh = json!({
+        "name": cloth.name,
+        "primitives": [{ "attributes": attributes, "indices": indices, "material": material }],
+    });
+    let node = document.nodes.len();
+    if !targets.is_empty() {
+        document.quantized += 1;
+        mesh["weights"] = json!(vec![0.0; targets.len()]);
+        let names: Vec<String> = (1..=targets.len())
+            .map(|index| format!("frame_{index:04}"))
+            .collect();
+        mesh["extras"] = json!({ "targetNames": names });
+        let input = document.buffer.times(cloth.key_times);
+        let output = document.buffer.scalars(&one_hot(targets.len()));
+        document.channels.push(json!({
+            "sampler": samplers.len(), "target": { "node": node, "path": "weights" },
+        }));
+        samplers.push(json!({ "input": input, "output": output, "interpolation": "LINEAR" }));
+        mesh["primitives"][0]["targets"] = Value::Array(targets);
+    }
+    document.meshes.push(mesh);
+    document.roots.push(node);
+    let mut json = json!({ "name": cloth.name, "mesh": document.meshes.len() - 1 });
+    if scale != 1.0 {
+        json["scale"] = json!([scale; 3]);
+    }
+    document.nodes.push(json);
+}
+
+/// Meters that a full displacement stands for: 1, or the power of two that reaches the farthest
+/// vertex of a dance that travels. Steps are then `scale / 32767`, 0.03 mm at 1.
+fn displacement_scale(cloth: &BakedCloth<'_>) -> f32 {
+    let rest = &cloth.frames[0];
+    let moved = cloth.frames.iter().flat_map(|frame| frame.iter().zip(rest));
+    let farthest = moved.fold(0.0_f32, |far, (now, then)| {
+        far.max((*now - *then).abs().max_element())
+    });
+    let mut scale = 1.0;
+    while scale < farthest {
+        scale *= 2.0;
+    }
+    scale
+}
+
+/// Weights of `count` targets over `count + 1` keys: none, then one after the other.
+fn one_hot(count: usize) -> Vec<f32> {
+    let mut weights = vec![0.0; count * (count + 1)];
+    for index in 0..count {
+        weights[(index + 1) * count + index] = 1.0;
+    }
+    weights
+}
+
+/// Appends a material, with its texture, and gives its index.
+fn write_material(document: &mut Document, material: &GlbMaterial<'_>) -> usize {
+    let [red, green, blue] = material.base_color.map(|channel| channel.clamp(0.0, 1.0));
+    let mut surface = json!({
+        "baseColorFactor": [red, green, blue, 1.0],
+        "metallicFactor": 0.0,
+        "roughnessFactor": material.roughness.clamp(0.0, 1.0),
+    });
+    if let Some(png) = material.texture_png {
+        let view = document.buffer.picture(png);
+        document.images.push(json!({
+            "name": material.name, "bufferView": view, "mimeType": "image/png",
+        }));
+        document
+            .textures
+            .push(json!({ "source": document.images.len() - 1, "sampler": 0 }));
+        surface["baseColorTexture"] = json!({ "index": document.textures.len() - 1 });
+    }
+    document.materials.push(json!({
+        "name": material.name,
+        "pbrMetallicRoughness": surface,
+        "doubleSided": material.sides == Sides::Both,
+    }));
+    document.materials.len() - 1
+}
+
+/// Weights that sum to 1.
+fn unit_sum(weights: [f32; 4]) -> [f32; 4] {
+    let sum: f32 = weights.iter().sum();
+    weights.map(|weight| weight / sum)
+}
+
+/// Joints of zero weight become joint 0, as glTF recommends.
+fn used(joints: [u16; 4], weights: [f32; 4]) -> [u16; 4] {
+    [0, 1, 2, 3].map(|slot| if 0.0 < weights[slot] { joints[slot] } else { 0 })
+}
+
+/// Unit normals; a vertex without one looks up, since glTF has no zero normals.
+fn unit(normals: &[Vec3]) -> Vec<Vec3> {
+    normals
+        .iter()
+        .map(|normal| normal.normalize_or(Vec3::Y))
+        .collect()
+}
+
+impl super::GridMesh {
+    /// Unit vertex normals for particle positions. They are those of the particles, so that the
+    /// two sides of a seam agree.
+    fn normals(&self, particles: &[Vec3]) -> Vec<Vec3> {
+        let triangles: Vec<[u32; 3]> = self
+            .triangles
+            .iter()
+            .map(|triangle| triangle.map(|vertex| self.particles[vertex as usize]))
+            .collect();
+        let normals = unit(&vertex_normals(particles, &triangles));
+        self.particles
+            .iter()
+            .map(|particle| normals[*particle as usize])
+            .collect()
+    }
+}
+
+/// The header, the JSON chunk and the binary chunk.
+fn pack(json: &Value, mut binary: Vec<u8>) -> Result<Vec<u8>, ExportError> {
+    let mut text = json.to_string().into_bytes();
+    while !text.len().is_multiple_of(4) {
+        text.push(b' ');
+    }
+    while !binary.len().is_multiple_of(4) {
+        binary.push(0);
+    }
+    let total = 12 + 8 + text.len() + 8 + binary.len();
+    let too_large = || ExportError::TooLarge { bytes: total };
+    let size = |length: usize| u32::try_from(length).map_err(|_| too_large());
+    let mut bytes = Vec::with_capacity(total);
+    for word in [MAGIC, 2, size(total)?, size(text.len())?, CHUNK_JSON] {
+        bytes.extend_from_slice(&word.to_le_bytes());
+    }
+    bytes.append(&mut text);
+    for word in [size(binary.len())?, CHUNK_BIN] {
+        bytes.extend_from_slice(&word.to_le_bytes());
+    }
+    bytes.append(&mut binary);
+    Ok(bytes)
+}

@@ -1,0 +1,178 @@
+//! The MP4 around the H.264 pictures: index first, one video track, one chunk.
+
+use mp4_atom::{
+    Atom as _, Avc1, Avcc, Codec, Colr, Dinf, Dref, DrefEntry, Encode as _, FixedPoint, Ftyp, Hdlr,
+    Mdhd, Mdia, Minf, Moov, Mvhd, Stbl, Stco, Stsc, StscEntry, Stsd, Stss, Stsz, StszSamples, Stts,
+    SttsEntry, Tkhd, Trak, Url, Visual, Vmhd,
+};
+
+/// Media time units per picture. A film's time unit is then `1 / (fps × 1000)` s, which holds
+/// every picture's time exactly.
+const TICKS_PER_PICTURE: u32 = 1000;
+
+/// Code points of BT.709 primaries, transfer and matrix in ITU-T H.273, tables 2 to 4.
+const BT_709: u16 = 1;
+
+/// A film whose pictures are encoded.
+pub(super) struct Track<'a> {
+    /// Width and height [pixel].
+    pub size: [u16; 2],
+    /// Pictures a second.
+    pub fps: u32,
+    /// Sequence parameter set, without start code.
+    pub sequence_parameters: &'a [u8],
+    /// Picture parameter set, without start code.
+    pub picture_parameters: &'a [u8],
+    /// Bytes of each picture.
+    pub sample_sizes: &'a [u32],
+    /// Indices of the pictures that stand alone, from 0.
+    pub keyframes: &'a [u32],
+}
+
+/// Bytes of the file: `ftyp`, `moov`, then `samples` as `mdat`.
+pub(super) fn write_mp4(track: &Track<'_>, samples: &[u8]) -> Result<Vec<u8>, mp4_atom::Error> {
+    let mut bytes = Vec::with_capacity(samples.len() + 64 * 1024);
+    Ftyp {
+        major_brand: b"isom".into(),
+        minor_version: 0x200,
+        compatible_brands: [b"isom", b"iso2", b"avc1", b"mp41"]
+            .map(Into::into)
+            .to_vec(),
+    }
+    .encode(&mut bytes)?;
+    // The index holds the place of the pictures, which stand behind the index: its length does
+    // not depend on the number it holds, so it is written once to be measured.
+    let mut measured = Vec::new();
+    movie(track, 0).encode(&mut measured)?;
+    let header_len = 8;
+    let offset = bytes.len() + measured.len() + header_len;
+    let (Ok(offset), Ok(mdat_len)) = (
+        u32::try_from(offset),
+        u32::try_from(samples.len() + header_len),
+    ) else {
+        return Err(mp4_atom::Error::TooLarge(mp4_atom::Mdat::KIND));
+    };
+    movie(track, offset).encode(&mut bytes)?;
+    bytes.extend_from_slice(&mdat_len.to_be_bytes());
+    bytes.extend_from_slice(b"mdat");
+    bytes.extend_from_slice(samples);
+    Ok(bytes)
+}
+
+/// The index of the film, whose first picture stands at `offset` [byte].
+fn movie(track: &Track<'_>, offset: u32) -> Moov {
+    let timescale = track.fps * TICKS_PER_PICTURE;
+    let duration = track.sample_sizes.len() as u64 * u64::from(TICKS_PER_PICTURE);
+    let [width, height] = track.size;
+    Moov {
+        mvhd: Mvhd {
+            timescale,
+            duration,
+            rate: FixedPoint::from(1),
+            volume: FixedPoint::from(1),
+            next_track_id: 2,
+            ..Mvhd::default()
+        },
+        trak: vec![Trak {
+            tkhd: Tkhd {
+                track_id: 1,
+                duration,
+                enabled: true,
+                in_movie: true,
+                width: FixedPoint::from(width),
+                height: FixedPoint::from(height),
+                ..Tkhd::default()
+            },
+            mdia: Mdia {
+                mdhd: Mdhd {
+                    timescale,
+                    duration,
+                    language: "und".into(),
+                    ..Mdhd::default()
+                },
+                hdlr: Hdlr {
+                    handler: b"vide".into(),
+                    name: "Lole".into(),
+                },
+                minf: Minf {
+                    vmhd: Some(Vmhd::default()),
+                    dinf: Dinf {
+                        dref: Dref {
+                            entries: vec![DrefEntry::Url(Url::default())],
+                        },
+                    },
+                    stbl: sample_table(track, offset),
+                    ..Minf::default()
+                },
+            },
+            ..Trak::default()
+        }],
+        ..Moov::default()
+    }
+}
+
+/// Where each picture stands and how long it shows.
+fn sample_table(track: &Track<'_>, offset: u32) -> Stbl {
+    let sample_count = u32::try_from(track.sample_sizes.len()).unwrap_or(u32::MAX);
+    Stbl {
+        stsd: Stsd {
+            codecs: vec![Codec::Avc1(sample_entry(track))],
+        },
+        stts: Stts {
+            entries: vec![SttsEntry {
+                sample_count,
+                sample_delta: TICKS_PER_PICTURE,
+            }],
+        },
+        stss: Some(Stss {
+            entries: track.keyframes.iter().map(|index| index + 1).collect(),
+        }),
+        stsc: Stsc {
+            entries: vec![StscEntry {
+                first_chunk: 1,
+                samples_per_chunk: sample_count,
+                sample_description_index: 1,
+            }],
+        },
+        stsz: Stsz {
+            samples: StszSamples::Different {
+                sizes: track.sample_sizes.to_vec(),
+            },
+        },
+        stco: Some(Stco {
+            entries: vec![offset],
+        }),
+        ..Stbl::default()
+    }
+}
+
+/// How the pictures are coded, and what their colors mean.
+fn sample_entry(track: &Track<'_>) -> Avc1 {
+    let parameters = track.sequence_parameters;
+    let byte = |index: usize| parameters.get(index).copied().unwrap_or(0);
+    Avc1 {
+        visual: Visual {
+            data_reference_index: 1,
+            width: track.size[0],
+            height: track.size[1],
+            ..Visual::default()
+        },
+        avcc: Avcc {
+            configuration_version: 1,
+            avc_profile_indication: byte(1),
+            profile_compatibility: byte(2),
+            avc_level_indication: byte(3),
+            length_size: 4,
+            sequence_parameter_sets: vec![parameters.to_vec()],
+            picture_parameter_sets: vec![track.picture_parameters.to_vec()],
+            ext: None,
+        },
+        colr: Some(Colr::Nclx {
+            colour_primaries: BT_709,
+            transfer_characteristics: BT_709,
+            matrix_coefficients: BT_709,
+            full_range_flag: false,
+        }),
+        ..Avc1::default()
+    }
+}
