@@ -6,7 +6,8 @@
 use glam::{Vec2, Vec3};
 use lole_geom::{TriangleMesh, mesh::vertex_normals, trig};
 use lole_render::{
-    Backend, Camera, Material, RenderError, Renderer, Scene, SceneMesh, Size, Texture, View,
+    Backend, Camera, LightRig, Material, RenderError, Renderer, Scene, SceneMesh, Size, Texture,
+    View,
 };
 use std::error::Error;
 use std::f32::consts::TAU;
@@ -165,6 +166,7 @@ impl Dancer {
         scene.meshes = meshes;
         if let Some(bounds) = scene.bounds() {
             scene.camera = Camera::framing(bounds, view, size.aspect());
+            scene.lights = LightRig::seen_from(&scene.camera);
         }
         scene
     }
@@ -218,21 +220,21 @@ fn skirt_point(around: f32, down: f32) -> Vec3 {
 }
 
 fn capsule(from: Vec3, to: Vec3, radii: [f32; 2]) -> TriangleMesh {
-    const AROUND: usize = 48;
-    const CAP: usize = 12;
+    const AROUND: usize = 24;
+    const CAP: usize = 6;
+    const ALONG: usize = 16;
     let mut mesh = TriangleMesh::default();
     let axis = (to - from).normalize_or_zero();
     let (right, up) = axis.any_orthonormal_pair();
-    let rings = 2 * CAP + 2;
+    let rings = 2 * CAP + ALONG + 1;
     for ring in 0..rings {
-        let is_start = ring <= CAP;
-        let step = if is_start { ring } else { ring - 1 };
-        let polar = step as f32 / (2 * CAP) as f32 * TAU * 0.5;
-        let (center, radius) = if is_start {
-            (from, radii[0])
-        } else {
-            (to, radii[1])
-        };
+        let along = ring.clamp(CAP, CAP + ALONG) - CAP;
+        let polar = (ring - along) as f32 / (2 * CAP) as f32 * TAU * 0.5;
+        let share = along as f32 / ALONG as f32;
+        let (center, radius) = (
+            from.lerp(to, share),
+            radii[0] + (radii[1] - radii[0]) * share,
+        );
         for column in 0..=AROUND {
             let (sin, cos) = trig::sin_cos(column as f32 / AROUND as f32 * TAU);
             let outward = (right * cos + up * sin) * trig::sin(polar) - axis * trig::cos(polar);

@@ -12,7 +12,7 @@ mod tiles;
 use crate::bake::Bake;
 use crate::frame::Frame;
 use crate::prepare::Geometry;
-use crate::shade::Surface;
+use crate::shade::{KeyShadow, Surface};
 use crate::srgb::SrgbTable;
 use crate::{Image, Scene, Size};
 use rayon::prelude::*;
@@ -44,6 +44,7 @@ impl CpuRenderer {
             bake: &bake,
             frame: &frame,
             srgb: &self.srgb,
+            shadow: KeyShadow::new(&bake.key_map),
             surfaces: scene
                 .meshes
                 .iter()

@@ -1,6 +1,7 @@
 //! What a far light sees first: depth along one direction, seen without perspective.
 
 use crate::prepare::Geometry;
+use crate::whole;
 use glam::{Vec2, Vec3, Vec4};
 
 /// Depth of a texel that nothing covers [m]; a finite number, so that shaders can hold it.
@@ -9,6 +10,11 @@ pub(crate) const EMPTY: f32 = 1.0e30;
 const BORDER: f32 = 3.0;
 /// Texels are not made smaller than this [m]: finer than any thread shows.
 const LEAST_TEXEL: f32 = 4.0e-4;
+
+/// Corner weights down to minus this count as inside.
+const RIM: f32 = 1.0e-4;
+/// From this many texels on, it pays to work out where in a row a triangle begins and ends.
+const WIDE_SPAN: i32 = 8;
 
 /// Nearest and farthest surface along an axis for each texel of a plane across it.
 #[derive(Debug, Clone)]
@@ -57,7 +63,7 @@ impl DepthMap {
         }
         let texel = ((high - low).max_element() / (side as f32 - 2.0 * BORDER)).max(LEAST_TEXEL);
         let texels = (high - low) / texel + 2.0 * BORDER;
-        let (width, height) = (texels.x.ceil() as usize, texels.y.ceil() as usize);
+        let (width, height) = (whole::index(texels.x.ceil()), whole::index(texels.y.ceil()));
         let scale = 1.0 / texel;
         let mut map = Self {
             width,
@@ -93,11 +99,11 @@ impl DepthMap {
         let low = a.min(b).min(c);
         let high = a.max(b).max(c);
         // Texel (x, y) has its center at (x + 0.5, y + 0.5).
-        let x_first = (low.x - 0.5).ceil().max(0.0) as usize;
-        let y_first = (low.y - 0.5).ceil().max(0.0) as usize;
-        let x_end = ((high.x - 0.5).floor() + 1.0).clamp(0.0, self.width as f32) as usize;
-        let y_end = ((high.y - 0.5).floor() + 1.0).clamp(0.0, self.height as f32) as usize;
-        if x_first >= x_end || y_first >= y_end {
+        let x_first = whole::ceil(low.x - 0.5).max(0);
+        let y_first = whole::ceil(low.y - 0.5).max(0);
+        let x_last = whole::floor(high.x - 0.5).min(last_of(self.width));
+        let y_last = whole::floor(high.y - 0.5).min(last_of(self.height));
+        if x_first > x_last || y_first > y_last {
             return;
         }
         let (ab, ac) = (b - a, c - a);
@@ -106,17 +112,27 @@ impl DepthMap {
             return;
         }
         let per_area = 1.0 / area;
-        let slope_x = (ab.z * ac.y - ac.z * ab.y) * per_area;
-        let slope_y = (ac.z * ab.x - ab.z * ac.x) * per_area;
-        for y in y_first..y_end {
-            for x in x_first..x_end {
-                let (dx, dy) = (x as f32 + 0.5 - a.x, y as f32 + 0.5 - a.y);
-                let beta = (dx * ac.y - dy * ac.x) * per_area;
-                let gamma = (dy * ab.x - dx * ab.y) * per_area;
+        // Weights of the corners b and c, and depth, as planes over the map.
+        let beta = Vec2::new(ac.y, -ac.x) * per_area;
+        let gamma = Vec2::new(-ab.y, ab.x) * per_area;
+        let slope = beta * ab.z + gamma * ac.z;
+        let wide = x_last - x_first > WIDE_SPAN;
+        for y in y_first..=y_last {
+            let dy = y as f32 + 0.5 - a.y;
+            let at_a = [beta.y * dy, gamma.y * dy];
+            let (mut start, mut end) = (x_first, x_last);
+            if wide {
+                [start, end] = span([beta.x, gamma.x], at_a, a.x, [start, end]);
+            }
+            for x in start..=end {
+                let dx = x as f32 + 0.5 - a.x;
+                let (beta_at, gamma_at) = (at_a[0] + beta.x * dx, at_a[1] + gamma.x * dx);
                 // A hair wider than the triangle: neighbors share their edge.
-                if beta >= -1.0e-4 && gamma >= -1.0e-4 && beta + gamma <= 1.0001 {
-                    let depth = a.z + slope_x * dx + slope_y * dy;
-                    self.enter(y * self.width + x, depth.clamp(low.z, high.z));
+                let inside = beta_at >= -RIM && gamma_at >= -RIM && beta_at + gamma_at <= 1.0 + RIM;
+                if inside {
+                    let depth = a.z + slope.x * dx + slope.y * dy;
+                    let texel = y.unsigned_abs() as usize * self.width + x.unsigned_abs() as usize;
+                    self.enter(texel, depth.clamp(low.z, high.z));
                 }
             }
         }
@@ -145,7 +161,7 @@ impl DepthMap {
     pub(crate) fn nearest_at(&self, u: f32, v: f32) -> f32 {
         let inside = u >= 0.0 && v >= 0.0 && u < self.width as f32 && v < self.height as f32;
         if inside {
-            self.nearest[v as usize * self.width + u as usize]
+            self.nearest[whole::index(v) * self.width + whole::index(u)]
         } else {
             -EMPTY
         }
@@ -153,20 +169,39 @@ impl DepthMap {
 
     fn share(&self, layer: &[f32], at: Vec3, is_free: impl Fn(f32, f32) -> bool) -> f32 {
         let (u, v) = (at.x - 0.5, at.y - 0.5);
-        let (u_floor, v_floor) = (u.floor(), v.floor());
-        let inside = u_floor >= 0.0
-            && v_floor >= 0.0
-            && u_floor < (self.width - 1) as f32
-            && v_floor < (self.height - 1) as f32;
+        let inside =
+            u >= 0.0 && v >= 0.0 && u < (self.width - 1) as f32 && v < (self.height - 1) as f32;
         if !inside {
             return 1.0;
         }
-        let start = v_floor as usize * self.width + u_floor as usize;
+        let (column, row) = (whole::index(u), whole::index(v));
+        let start = row * self.width + column;
         let free = |texel: usize| f32::from(u8::from(is_free(layer[texel], at.z)));
-        let (u_part, v_part) = (u - u_floor, v - v_floor);
+        let (u_part, v_part) = (u - column as f32, v - row as f32);
         let top = free(start) * (1.0 - u_part) + free(start + 1) * u_part;
         let bottom =
             free(start + self.width) * (1.0 - u_part) + free(start + self.width + 1) * u_part;
         top * (1.0 - v_part) + bottom * v_part
     }
+}
+
+/// The highest index of `count` things.
+fn last_of(count: usize) -> i32 {
+    i32::try_from(count).unwrap_or(i32::MAX) - 1
+}
+
+/// The part of a row in which all three corner weights may be positive. `slopes` are the changes
+/// of the weights of b and c by texel, `at_a` the weights below or above corner a at column `a_x`.
+fn span(slopes: [f32; 2], at_a: [f32; 2], a_x: f32, [first, last]: [i32; 2]) -> [i32; 2] {
+    let third = (-slopes[0] - slopes[1], 1.0 - at_a[0] - at_a[1]);
+    let (mut low, mut high) = (first as f32, last as f32);
+    for (slope, start) in [(slopes[0], at_a[0]), (slopes[1], at_a[1]), third] {
+        let limit = (-RIM - start) / slope + a_x - 0.5;
+        if slope > 0.0 {
+            low = low.max(limit - 1.0);
+        } else if slope < 0.0 {
+            high = high.min(limit + 1.0);
+        }
+    }
+    [whole::ceil(low).max(first), whole::floor(high).min(last)]
 }

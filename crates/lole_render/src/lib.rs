@@ -29,6 +29,7 @@ pub mod scene;
 mod shade;
 mod srgb;
 pub mod texture;
+mod whole;
 
 pub use camera::{Bounds, Camera, View};
 pub use error::RenderError;

@@ -1,6 +1,8 @@
 //! The lights of the studio, its backdrop and its floor.
 
+use crate::Camera;
 use glam::Vec3;
+use lole_geom::trig;
 
 /// The one light that throws a shadow with a visible edge: a large lamp, far away.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,30 +45,47 @@ pub struct LightRig {
 }
 
 impl Default for LightRig {
-    /// A warm key from the upper right of the picture, a cool fill from the left, a rim from
-    /// behind, in a bright room with a sand-colored floor.
+    /// The rig of [`LightRig::seen_from`] for a camera in front.
     fn default() -> Self {
+        Self::turned(0.0)
+    }
+}
+
+impl LightRig {
+    /// The studio's lights as they stand around `camera`: a warm key from the upper right of the
+    /// picture, a cool fill from its left, a rim from behind, in a bright room with a sand-colored
+    /// floor. Walking around the subject with camera and lights is turning it on the spot.
+    #[must_use]
+    pub fn seen_from(camera: &Camera) -> Self {
+        let arm = camera.eye - camera.target;
+        Self::turned(trig::atan2(arm.x, arm.z))
+    }
+
+    /// The studio's lights turned about the vertical by `azimuth` [rad].
+    fn turned(azimuth: f32) -> Self {
+        let (sin, cos) = trig::sin_cos(azimuth);
+        let turn = |x: f32, y: f32, z: f32| Vec3::new(x * cos + z * sin, y, z * cos - x * sin);
         Self {
             key: KeyLight {
-                toward: Vec3::new(0.55, 0.95, 0.75),
-                color: [2.05, 1.90, 1.68],
-                angular_radius: 0.11,
+                toward: turn(0.80, 0.95, 0.62),
+                color: [1.42, 1.30, 1.12],
+                angular_radius: 0.10,
             },
             boxes: vec![
                 SoftBox {
-                    toward: Vec3::new(-1.0, 0.35, 0.55),
-                    color: [0.30, 0.36, 0.44],
+                    toward: turn(-1.0, 0.30, 0.45),
+                    color: [0.17, 0.21, 0.27],
                     focus: 2.0,
                 },
                 SoftBox {
-                    toward: Vec3::new(-0.35, 0.55, -1.0),
-                    color: [0.65, 0.62, 0.58],
+                    toward: turn(-0.45, 0.50, -1.0),
+                    color: [0.62, 0.60, 0.57],
                     focus: 4.0,
                 },
             ],
-            zenith: [0.42, 0.43, 0.45],
-            horizon: [0.25, 0.25, 0.25],
-            nadir: [0.20, 0.17, 0.14],
+            zenith: [0.36, 0.37, 0.39],
+            horizon: [0.22, 0.22, 0.225],
+            nadir: [0.27, 0.235, 0.20],
             exposure: 1.0,
         }
     }
@@ -87,8 +106,8 @@ impl Default for Background {
     /// Pale warm gray above pale sand.
     fn default() -> Self {
         Self {
-            top: [0.60, 0.585, 0.56],
-            bottom: [0.70, 0.665, 0.615],
+            top: [0.68, 0.66, 0.63],
+            bottom: [0.78, 0.745, 0.69],
             glow: 0.22,
         }
     }

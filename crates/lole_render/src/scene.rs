@@ -36,13 +36,13 @@ pub struct Scene<'a> {
 }
 
 impl Scene<'_> {
-    /// An empty studio seen by `camera`: default lights and backdrop, floor at height 0.
+    /// An empty studio seen by `camera`: lights that stand around it, backdrop, floor at height 0.
     #[must_use]
     pub fn studio(camera: Camera) -> Self {
         Self {
             meshes: Vec::new(),
             camera,
-            lights: LightRig::default(),
+            lights: LightRig::seen_from(&camera),
             background: Background::default(),
             ground: Some(Ground::default()),
         }

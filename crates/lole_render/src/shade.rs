@@ -8,22 +8,25 @@
 use crate::Material;
 use crate::depth_map::{DepthMap, EMPTY};
 use crate::frame::Frame;
+use crate::whole;
 use glam::{Vec2, Vec3, Vec4};
 use lole_geom::trig;
 use std::f32::consts::{PI, TAU};
 
 /// Taps that look for what is in the way of the key light.
-const SEARCH_TAPS: usize = 8;
+const SEARCH_TAPS: usize = 16;
 /// Taps that measure how much of the key light is seen.
-const SHADOW_TAPS: usize = 16;
+const SHADOW_TAPS: usize = 20;
 /// Shadows from farther away than this [m] do not get softer.
 const SOFTEST_DISTANCE: f32 = 0.45;
 /// A point is lifted off its own surface by this many texels of the key map.
 const LIFT_TEXELS: f32 = 2.0;
 /// What is this close in front does not count as in the way [m].
 const SLACK: f32 = 0.0015;
-/// Per unit of wrap, light comes from this much deeper below the surface [m].
-const WRAP_DEPTH: f32 = 0.03;
+/// Per unit of wrap, light crosses this much of the body at the terminator [m].
+const WRAP_DEPTH: f32 = 0.15;
+/// Cosine to the key light from which on no light crosses the body.
+const WRAP_END: f32 = 0.4;
 
 /// Constants of one material, laid out for a shader's uniform block.
 #[repr(C)]
@@ -80,15 +83,26 @@ pub(crate) fn albedo(surface: &Surface, paint: Vec3, is_face: f32) -> Vec3 {
 }
 
 /// Color that the picture shows at a point, linear, 0 to 1.
-pub(crate) fn shade(frame: &Frame, map: &DepthMap, surface: &Surface, point: &Point) -> Vec3 {
+pub(crate) fn shade(
+    frame: &Frame,
+    shadow: &KeyShadow<'_>,
+    surface: &Surface,
+    point: &Point,
+) -> Vec3 {
     let toward_eye = (frame.eye.truncate() - point.position).normalize_or_zero();
     let toward_key = frame.key_toward.truncate();
     let normal = face_eye(point.normal, toward_eye);
     let key_cosine = normal.dot(toward_key);
-    let lit_side = if key_cosine >= 0.0 { normal } else { -normal };
+    // Thin cloth seen from the dark side is lit from the other.
+    let lit_side = if key_cosine < 0.0 && surface.gloss.z > 0.0 {
+        -normal
+    } else {
+        normal
+    };
     let wrap = surface.subsurface.w;
-    let lift = lit_side * (LIFT_TEXELS * frame.key_color.w) + toward_key * (wrap * WRAP_DEPTH);
-    let seen = key_seen(frame, map, point.position + lift, point.pixel);
+    let crossed = wrap * WRAP_DEPTH * (1.0 - key_cosine.abs() / WRAP_END).max(0.0);
+    let lift = lit_side * (LIFT_TEXELS * frame.key_color.w) + toward_key * crossed;
+    let seen = key_seen(frame, shadow, point.position + lift, point.pixel);
     let key = frame.key_color.truncate() * seen;
 
     // The area of the lamp itself softens the terminator by its angular radius.
@@ -158,34 +172,43 @@ fn ggx(normal: Vec3, toward_eye: Vec3, toward_light: Vec3, roughness: f32) -> f3
     (distribution * PI / (4.0 * eye_part * light_part)).min(12.0)
 }
 
-/// Point `index` of `count` on the unit disk, evenly spread (Vogel 1979).
-pub(crate) fn disk_point(index: usize, count: usize) -> Vec2 {
+/// `N` points on the unit disk, evenly spread (Vogel 1979).
+pub(crate) fn disk<const N: usize>() -> [Vec2; N] {
     const GOLDEN_ANGLE: f32 = 2.399_963_2;
-    let radius = ((index as f32 + 0.5) / count as f32).sqrt();
-    let (sin, cos) = trig::sin_cos(index as f32 * GOLDEN_ANGLE);
-    Vec2::new(cos, sin) * radius
+    std::array::from_fn(|index| {
+        let radius = ((index as f32 + 0.5) / N as f32).sqrt();
+        let (sin, cos) = trig::sin_cos(index as f32 * GOLDEN_ANGLE);
+        Vec2::new(cos, sin) * radius
+    })
 }
 
-/// Points of the disks, worked out once.
-struct Disks {
+/// The key light's map, and where around a point it is read.
+pub(crate) struct KeyShadow<'a> {
+    /// What the light sees.
+    pub(crate) map: &'a DepthMap,
     search: [Vec2; SEARCH_TAPS],
     shadow: [Vec2; SHADOW_TAPS],
 }
 
-static DISKS: std::sync::LazyLock<Disks> = std::sync::LazyLock::new(|| Disks {
-    search: std::array::from_fn(|index| disk_point(index, SEARCH_TAPS)),
-    shadow: std::array::from_fn(|index| disk_point(index, SHADOW_TAPS)),
-});
+impl<'a> KeyShadow<'a> {
+    pub(crate) fn new(map: &'a DepthMap) -> Self {
+        Self {
+            map,
+            search: disk(),
+            shadow: disk(),
+        }
+    }
+}
 
 /// A number 0 to 1 for a pixel, spread so that neighbors differ (Jimenez 2014).
-fn pixel_noise(pixel: Vec2) -> f32 {
-    let inner = 0.067_110_56 * pixel.x.floor() + 0.005_837_15 * pixel.y.floor();
-    let outer = 52.982_918 * (inner - inner.floor());
-    outer - outer.floor()
+pub(crate) fn pixel_noise(pixel: Vec2) -> f32 {
+    let fraction = |x: f32| x - whole::floor(x) as f32;
+    let (x, y) = (whole::floor(pixel.x) as f32, whole::floor(pixel.y) as f32);
+    fraction(52.982_918 * fraction(0.067_110_56 * x + 0.005_837_15 * y))
 }
 
 /// Share of the key light seen from a point.
-fn key_seen(frame: &Frame, map: &DepthMap, position: Vec3, pixel: Vec2) -> f32 {
+fn key_seen(frame: &Frame, shadow: &KeyShadow<'_>, position: Vec3, pixel: Vec2) -> f32 {
     let at = Vec3::new(
         frame.key_texel_u.dot(position.extend(1.0)),
         frame.key_texel_v.dot(position.extend(1.0)),
@@ -196,9 +219,10 @@ fn key_seen(frame: &Frame, map: &DepthMap, position: Vec3, pixel: Vec2) -> f32 {
     let turn = |p: Vec2| Vec2::new(p.x * cos - p.y * sin, p.x * sin + p.y * cos);
     let search = (tangent * SOFTEST_DISTANCE / texel).max(2.0);
     let (mut blocked, mut distance) = (0.0, 0.0);
-    for point in &DISKS.search {
-        let offset = turn(*point) * search;
-        let surface = map.nearest_at(at.x + offset.x, at.y + offset.y);
+    for point in &shadow.search {
+        // Denser towards the middle: near things, of which there are more, shade a narrow ring.
+        let offset = turn(*point) * (point.length() * search);
+        let surface = shadow.map.nearest_at(at.x + offset.x, at.y + offset.y);
         let before = surface - at.z;
         // What is in the way counts only where its own penumbra reaches this point.
         let reach = before * tangent / texel + 2.0;
@@ -213,11 +237,11 @@ fn key_seen(frame: &Frame, map: &DepthMap, position: Vec3, pixel: Vec2) -> f32 {
     } else {
         0.0
     };
-    let radius = (mean.min(SOFTEST_DISTANCE) * tangent / texel).max(1.5);
+    let radius = (mean.min(SOFTEST_DISTANCE) * tangent / texel).max(2.0);
     let mut seen = 0.0;
-    for point in &DISKS.shadow {
+    for point in &shadow.shadow {
         let offset = turn(*point) * radius;
-        seen += map.seen_from_front(at + offset.extend(0.0));
+        seen += shadow.map.seen_from_front(at + offset.extend(0.0));
     }
     seen / SHADOW_TAPS as f32
 }

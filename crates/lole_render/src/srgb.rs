@@ -1,5 +1,6 @@
 //! sRGB bytes to linear light and back (IEC 61966-2-1), by table, with the same bits everywhere.
 
+use crate::whole;
 use glam::Vec3;
 use lole_geom::trig;
 
@@ -34,7 +35,7 @@ impl SrgbTable {
     pub(crate) fn encode(&self, color: Vec3) -> [u8; 3] {
         color.to_array().map(|linear| {
             let entry = linear.clamp(0.0, 1.0) * ENCODE_ENTRIES as f32 + 0.5;
-            self.byte_from_linear[(entry as usize).min(ENCODE_ENTRIES)]
+            self.byte_from_linear[whole::index(entry).min(ENCODE_ENTRIES)]
         })
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::RenderError;
 use crate::srgb::SrgbTable;
+use crate::whole;
 use glam::{Vec2, Vec3};
 
 /// An sRGB picture that repeats, with its mipmaps. Alpha is not used.
@@ -83,7 +84,7 @@ impl Texture {
     pub(crate) fn sample(&self, srgb: &SrgbTable, uv: Vec2, lod: f32) -> Vec3 {
         let last = self.levels.len() - 1;
         let lod = lod.clamp(0.0, last as f32);
-        let fine = (lod as usize).min(last);
+        let fine = whole::index(lod).min(last);
         let between = lod - fine as f32;
         let fine_color = self.levels[fine].bilinear(srgb, uv);
         if between <= 0.0 || fine == last {
@@ -133,12 +134,12 @@ impl Level {
     }
 
     fn bilinear(&self, srgb: &SrgbTable, uv: Vec2) -> Vec3 {
-        let wrapped = uv - uv.floor();
-        let at = wrapped * Vec2::new(self.width as f32, self.height as f32) - 0.5;
-        let base = at.floor();
-        let part = at - base;
-        let (x0, x1) = neighbors(base.x, self.width);
-        let (y0, y1) = neighbors(base.y, self.height);
+        let whole_uv = Vec2::new(whole::floor(uv.x) as f32, whole::floor(uv.y) as f32);
+        let at = (uv - whole_uv) * Vec2::new(self.width as f32, self.height as f32) - 0.5;
+        let (column, row) = (whole::floor(at.x), whole::floor(at.y));
+        let part = at - Vec2::new(column as f32, row as f32);
+        let (x0, x1) = neighbors(column, self.width);
+        let (y0, y1) = neighbors(row, self.height);
         let top = self
             .texel(srgb, x0, y0)
             .lerp(self.texel(srgb, x1, y0), part.x);
@@ -150,12 +151,8 @@ impl Level {
 }
 
 /// The texels on both sides of a sample, around the edge; `base` is -1 to `side` - 1.
-fn neighbors(base: f32, side: u32) -> (u32, u32) {
-    let first = if base < 0.0 {
-        side - 1
-    } else {
-        (base as u32).min(side - 1)
-    };
+fn neighbors(base: i32, side: u32) -> (u32, u32) {
+    let first = u32::try_from(base).map_or(side - 1, |base| base.min(side - 1));
     let second = if first + 1 == side { 0 } else { first + 1 };
     (first, second)
 }

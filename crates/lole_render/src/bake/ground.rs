@@ -3,11 +3,13 @@
 
 use super::studio::Studio;
 use crate::depth_map::{DepthMap, EMPTY};
-use crate::shade::disk_point;
+use crate::shade::{disk, pixel_noise};
+use crate::whole;
 use crate::{Bounds, Ground, LightRig};
 use glam::{Vec2, Vec3};
 use lole_geom::trig;
 use rayon::prelude::*;
+use std::f32::consts::TAU;
 
 /// Cells of the light map on each side.
 pub(crate) const CELLS: usize = 256;
@@ -51,13 +53,15 @@ impl GroundLight {
         let cell = side / CELLS as f32;
         let place =
             |x: f32, z: f32| Vec3::new(corner.x + x * cell, ground.height, corner.y + z * cell);
+        let room_taps: [Vec2; ROOM_TAPS] = disk();
+        let (search_taps, key_taps) = (disk::<KEY_SEARCH_TAPS>(), disk::<KEY_TAPS>());
         let room_side = CELLS / ROOM_STEP + 1;
         let room: Vec<Vec3> = (0..room_side * room_side)
             .into_par_iter()
             .map(|index| {
                 let step = ROOM_STEP as f32;
                 let (x, z) = ((index % room_side) as f32, (index / room_side) as f32);
-                room_light(studio, studio_maps, place(x * step, z * step))
+                room_light(studio, studio_maps, &room_taps, place(x * step, z * step))
             })
             .collect();
         let room_open: Vec3 = studio
@@ -68,12 +72,14 @@ impl GroundLight {
         let key_light = Vec3::from(lights.key.color) * key_map.axis.y.max(0.0);
         let tangent = trig::tan(lights.key.angular_radius.clamp(0.0, 1.0));
         let open = (room_open + key_light).max(Vec3::splat(1.0e-6));
-        let factors = (0..CELLS * CELLS)
+        let factors: Vec<Vec3> = (0..CELLS * CELLS)
             .into_par_iter()
             .map(|index| {
                 let (x, z) = (index % CELLS, index / CELLS);
                 let middle = place(x as f32 + 0.5, z as f32 + 0.5);
-                let seen = key_seen(key_map, middle, tangent);
+                let turn = trig::sin_cos(pixel_noise(Vec2::new(x as f32, z as f32)) * TAU);
+                let turn = Vec2::new(turn.1, turn.0);
+                let seen = key_seen(key_map, [&search_taps, &key_taps], middle, tangent, turn);
                 let light = key_light * seen + room_between(&room, room_side, x, z);
                 let shaded = (light / open).min(Vec3::ONE);
                 let fade = ground.shadow * edge_fade(x, z);
@@ -84,7 +90,7 @@ impl GroundLight {
             height: ground.height,
             corner,
             cell,
-            factors,
+            factors: smoothed(&factors),
         }
     }
 
@@ -98,7 +104,7 @@ impl GroundLight {
         let at = (Vec2::new(hit.x, hit.z) - self.corner) / self.cell;
         let inside = at.cmpge(Vec2::ZERO).all() && at.cmplt(Vec2::splat(CELLS as f32)).all();
         if inside {
-            self.factors[at.y as usize * CELLS + at.x as usize]
+            self.factors[whole::index(at.y) * CELLS + whole::index(at.x)]
         } else {
             Vec3::ONE
         }
@@ -107,13 +113,13 @@ impl GroundLight {
     /// Factor at a point of the floor, bilinear; 1 outside the map.
     pub(crate) fn factor_at(&self, x: f32, z: f32) -> Vec3 {
         let at = (Vec2::new(x, z) - self.corner) / self.cell - 0.5;
-        let base = at.floor();
-        let last = (CELLS - 2) as f32;
-        if base.min_element() < 0.0 || base.max_element() > last {
+        let last = (CELLS - 1) as f32;
+        if at.min_element() < 0.0 || at.max_element() >= last {
             return Vec3::ONE;
         }
-        let part = at - base;
-        let start = base.y as usize * CELLS + base.x as usize;
+        let (column, row) = (whole::index(at.x), whole::index(at.y));
+        let part = at - Vec2::new(column as f32, row as f32);
+        let start = row * CELLS + column;
         let top = self.factors[start].lerp(self.factors[start + 1], part.x);
         let bottom = self.factors[start + CELLS].lerp(self.factors[start + CELLS + 1], part.x);
         top.lerp(bottom, part.y)
@@ -142,13 +148,12 @@ fn edge_fade(x: usize, z: usize) -> f32 {
 }
 
 /// Light of the room that reaches a point of the floor.
-fn room_light(studio: &Studio, maps: &[DepthMap], point: Vec3) -> Vec3 {
+fn room_light(studio: &Studio, maps: &[DepthMap], taps: &[Vec2], point: Vec3) -> Vec3 {
     let mut light = Vec3::ZERO;
     for (pair, map) in studio.axes.iter().zip(maps) {
         let at = map.project(point);
         let mut seen = 0.0;
-        for tap in 0..ROOM_TAPS {
-            let offset = disk_point(tap, ROOM_TAPS);
+        for offset in taps {
             // Each direction stands for a cone: what is far away hides a wider part of the floor
             // softly, what is near a small part sharply.
             let spread = 0.25 * ROOM_SPREAD / map.texel;
@@ -163,13 +168,28 @@ fn room_light(studio: &Studio, maps: &[DepthMap], point: Vec3) -> Vec3 {
     light
 }
 
+/// The mean of each cell and its eight neighbors, weighted 1-2-1 both ways: it takes the grain of
+/// the turned taps away. The rim stays as it is.
+fn smoothed(factors: &[Vec3]) -> Vec<Vec3> {
+    let mut smooth = factors.to_vec();
+    for z in 1..CELLS - 1 {
+        for x in 1..CELLS - 1 {
+            let start = z * CELLS + x;
+            let row =
+                |middle: usize| factors[middle - 1] + factors[middle] * 2.0 + factors[middle + 1];
+            smooth[start] = (row(start - CELLS) + row(start) * 2.0 + row(start + CELLS)) / 16.0;
+        }
+    }
+    smooth
+}
+
 /// Share of the key light that a point of the floor sees.
-fn key_seen(map: &DepthMap, point: Vec3, tangent: f32) -> f32 {
+fn key_seen(map: &DepthMap, taps: [&[Vec2]; 2], point: Vec3, tangent: f32, turn: Vec2) -> f32 {
     let at = map.project(point);
     let (mut blocked, mut height) = (0.0, 0.0);
     let search = (tangent * 0.8 / map.texel).max(2.0);
-    for tap in 0..KEY_SEARCH_TAPS {
-        let offset = disk_point(tap, KEY_SEARCH_TAPS) * search;
+    for offset in taps[0] {
+        let offset = turn.rotate(*offset) * search;
         let surface = map.nearest_at(at.x + offset.x, at.y + offset.y);
         // A blocker counts only where its own penumbra reaches this point.
         let above = surface - at.z;
@@ -183,9 +203,10 @@ fn key_seen(map: &DepthMap, point: Vec3, tangent: f32) -> f32 {
         return 1.0;
     }
     let radius = (height / blocked * tangent / map.texel).max(1.5);
-    let seen: f32 = (0..KEY_TAPS)
-        .map(|tap| {
-            let offset = disk_point(tap, KEY_TAPS) * radius;
+    let seen: f32 = taps[1]
+        .iter()
+        .map(|offset| {
+            let offset = turn.rotate(*offset) * radius;
             map.seen_from_front(at + Vec3::new(offset.x, offset.y, SLACK))
         })
         .sum();
@@ -195,9 +216,10 @@ fn key_seen(map: &DepthMap, point: Vec3, tangent: f32) -> f32 {
 fn room_between(room: &[Vec3], side: usize, x: usize, z: usize) -> Vec3 {
     let step = ROOM_STEP as f32;
     let (at_x, at_z) = ((x as f32 + 0.5) / step, (z as f32 + 0.5) / step);
-    let (base_x, base_z) = (at_x.floor(), at_z.floor());
-    let start = base_z as usize * side + base_x as usize;
-    let top = room[start].lerp(room[start + 1], at_x - base_x);
-    let bottom = room[start + side].lerp(room[start + side + 1], at_x - base_x);
-    top.lerp(bottom, at_z - base_z)
+    let (column, row) = (whole::index(at_x), whole::index(at_z));
+    let start = row * side + column;
+    let part = Vec2::new(at_x - column as f32, at_z - row as f32);
+    let top = room[start].lerp(room[start + 1], part.x);
+    let bottom = room[start + side].lerp(room[start + side + 1], part.x);
+    top.lerp(bottom, part.y)
 }

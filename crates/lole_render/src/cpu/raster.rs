@@ -1,10 +1,10 @@
 //! Which triangle is nearest at each of the four samples of each pixel of a tile.
 
 use super::tiles::{TILE, TileGrid};
-use crate::Sides;
 use crate::camera::NEAR;
 use crate::frame::Frame;
 use crate::prepare::Geometry;
+use crate::{Sides, whole};
 use glam::{Vec2, Vec3, Vec4};
 use rayon::prelude::*;
 
@@ -192,10 +192,10 @@ impl Samples {
         if high.x < 0.0 || high.y < 0.0 || low.x > TILE as f32 || low.y > TILE as f32 {
             return;
         }
-        let first_x = low.x.clamp(0.0, limit) as usize;
-        let last_x = high.x.clamp(0.0, limit) as usize;
-        let first_y = low.y.clamp(0.0, limit) as usize;
-        let last_y = high.y.clamp(0.0, limit) as usize;
+        let first_x = whole::index(low.x.min(limit));
+        let last_x = whole::index(high.x.min(limit));
+        let first_y = whole::index(low.y.min(limit));
+        let last_y = whole::index(high.y.min(limit));
         let sign = area.signum();
         let edges = [
             Edge::new(a, b, sign),

@@ -7,7 +7,7 @@ use crate::Scene;
 use crate::bake::Bake;
 use crate::frame::Frame;
 use crate::prepare::Geometry;
-use crate::shade::{self, Point, Surface};
+use crate::shade::{self, KeyShadow, Point, Surface};
 use crate::srgb::SrgbTable;
 use glam::{Vec2, Vec3};
 
@@ -19,6 +19,7 @@ pub(super) struct Picture<'a> {
     pub(super) frame: &'a Frame,
     pub(super) srgb: &'a SrgbTable,
     pub(super) surfaces: Vec<Surface>,
+    pub(super) shadow: KeyShadow<'a>,
 }
 
 /// RGBA of the pixels of a tile, row by row.
@@ -128,7 +129,7 @@ fn surface_color(picture: &Picture<'_>, triangle: u32, pixel: Vec2) -> Vec3 {
         },
         pixel,
     };
-    shade::shade(frame, &picture.bake.key_map, surface, &point)
+    shade::shade(frame, &picture.shadow, surface, &point)
 }
 
 fn mix(corners: [usize; 3], weights: Vec3, column: impl Fn(usize) -> Vec3) -> Vec3 {

@@ -2,7 +2,7 @@
 
 use super::raster::{Corner, screen_pieces};
 use crate::prepare::Geometry;
-use crate::{Sides, Size};
+use crate::{Sides, Size, whole};
 use glam::Vec2;
 use rayon::prelude::*;
 
@@ -101,7 +101,7 @@ fn enter(
     if high.cmplt(Vec2::ZERO).any() || low.cmpge(picture).any() || low.x > high.x {
         return;
     }
-    let tile_of = |at: f32, count: usize| ((at.max(0.0) as usize) / TILE).min(count - 1);
+    let tile_of = |at: f32, count: usize| (whole::index(at) / TILE).min(count - 1);
     for row in tile_of(low.y, rows)..=tile_of(high.y, rows) {
         for column in tile_of(low.x, columns)..=tile_of(high.x, columns) {
             entries.push((index(row * columns + column), triangle));
