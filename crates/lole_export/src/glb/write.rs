@@ -277,7 +277,7 @@ fn write_cloth(document: &mut Document, cloth: &BakedCloth<'_>, samplers: &mut V
     document.roots.push(node);
     let mut json = json!({ "name": cloth.name, "mesh": document.meshes.len() - 1 });
     if scale != 1.0 {
-        json["scale"] = json!([scale; 3]);
+        json["scale"] = json!([scale, scale, scale]);
     }
     document.nodes.push(json);
 }
