@@ -3,7 +3,7 @@
 use glam::Affine3A;
 use lole_geom::Capsule;
 
-use crate::skin_build::{Regions, build_skin};
+use crate::skin_build::build_skin;
 use crate::surface;
 use crate::{BodyCapsule, BodyError, Bone, Measurements, Skeleton, SkinnedMesh, TapePoint};
 
@@ -59,7 +59,7 @@ impl Dancer {
                 .map(|bone| shape.body.joint(bone.name()))
                 .collect(),
         };
-        let skin = build_skin(&shape, &Regions::new(&shape));
+        let skin = build_skin(&shape);
         let height = |bone: Bone| skeleton.joint(bone).y;
         let landmarks = Landmarks {
             bust_height: shape.body.tape_level("bust"),

@@ -4,12 +4,14 @@
 //! heights and girths → simplification → regions. All on the left half; the mirror image closes it.
 
 mod field;
+mod fine;
 pub(crate) mod half;
 mod march;
 mod pchip;
+pub(crate) mod regions;
 pub(crate) mod section;
 mod simplify;
-pub(crate) mod slice;
+mod slice;
 pub(crate) mod warp;
 
 use std::collections::BTreeMap;
@@ -17,15 +19,15 @@ use std::collections::BTreeMap;
 use glam::Vec3;
 
 use crate::sections::{Sections, Tube, read_bodies};
-use crate::{BodyError, Measurements};
+use crate::{BodyError, Measurements, PartKind};
 pub(crate) use field::Field;
+use fine::Fine;
 use half::{HalfMesh, Neighbours, is_on_plane};
+use regions::Regions;
 use warp::{Girths, Heights, arm_share, asis_level, smooth_step};
 
 /// Lattice step [m]: fingers need 5 mm, and large bodies do not close at 6.
 const LATTICE_STEP: f32 = 0.004;
-/// Triangles of the whole body after simplification.
-const TRIANGLE_TARGET: usize = 15_600;
 const TAUBIN_PASSES: usize = 4;
 const FAIRING_PASSES: usize = 120;
 
@@ -35,11 +37,12 @@ pub(crate) struct Shape {
     pub(crate) normals: Vec<Vec3>,
     pub(crate) labels: Vec<Tube>,
     pub(crate) triangles: Vec<[u32; 3]>,
-    /// Share of each vertex that belongs to the arm.
-    pub(crate) arms: Vec<f32>,
+    /// Material of each triangle.
+    pub(crate) kinds: Vec<PartKind>,
     /// The sections with final heights; joints with final girths.
     pub(crate) body: Sections,
     pub(crate) crotch: f32,
+    pub(crate) regions: Regions,
     /// The head's field before heights were carried, and how far it moved up.
     pub(crate) head: Field,
     pub(crate) head_lift: f32,
@@ -71,43 +74,34 @@ pub(crate) fn build(tape: &Measurements) -> Result<Shape, BodyError> {
     let crotch = tape.inseam_length.to_m() as f32;
     let mut girths = Girths::new(&body, crotch, tape);
 
-    let base = mesh.positions.clone();
-    mesh.positions = girths.fit(&base, &mesh.triangles, &arms)?;
-    let normals = mesh.normals(&neighbours);
-    let detail = detail(&mesh, &body);
-    let triangles = simplify::simplify(
-        &mesh.positions,
-        &mesh.triangles,
-        &detail,
-        TRIANGLE_TARGET / 2,
-    );
-    let kept = used_vertices(base.len(), &triangles);
-    let pick = |from: &[Vec3]| {
-        kept.old
-            .iter()
-            .map(|&old| from[old as usize])
-            .collect::<Vec<_>>()
+    let mut fine = Fine {
+        base: mesh.positions.clone(),
+        warped: girths.fit(&mesh.positions, &mesh.triangles, &arms)?,
+        ..Fine::default()
     };
-    let triangles: Vec<[u32; 3]> = (triangles.iter())
-        .map(|triangle| triangle.map(|vertex| kept.new[vertex as usize]))
-        .collect();
-    let arms: Vec<f32> = kept.old.iter().map(|&old| arms[old as usize]).collect();
-    let positions = girths.fit(&pick(&base), &triangles, &arms)?;
+    mesh.positions.clone_from(&fine.warped);
+    fine.normals = mesh.normals(&neighbours);
+    fine.kinds = vec![PartKind::Skin; mesh.triangles.len()];
+    fine.triangles = mesh.triangles;
+    fine.labels = mesh.labels;
+    fine.arms = arms;
+    let regions = Regions::new(&body, crotch);
+    fine.cut(PartKind::Leotard, |point| regions.leotard(point));
+    fine.cut(PartKind::Face, |point| regions.face(point));
+    fine.simplify(&body);
+    let positions = girths.fit(&fine.base, &fine.triangles, &fine.arms)?;
     for (name, joint) in &mut body.joints {
         *joint = girths.warp_point(*joint, arm_share(name));
     }
     Ok(Shape {
         positions,
-        normals: pick(&normals),
-        labels: kept
-            .old
-            .iter()
-            .map(|&old| mesh.labels[old as usize])
-            .collect(),
-        triangles,
-        arms,
+        normals: fine.normals,
+        labels: fine.labels,
+        triangles: fine.triangles,
+        kinds: fine.kinds,
         body,
         crotch,
+        regions,
         head: field,
         head_lift,
         asis,
@@ -274,38 +268,4 @@ fn arm_shares(mesh: &HalfMesh, neighbours: &Neighbours, body: &Sections) -> Vec<
         }
     }
     shares
-}
-
-/// Face and hands are looked at: their error counts more in the simplification.
-fn detail(mesh: &HalfMesh, body: &Sections) -> Vec<f32> {
-    let center = body.head.center;
-    (mesh.positions.iter().zip(&mesh.labels))
-        .map(|(position, label)| match label {
-            Tube::Head if position.z > center.z => 4.0,
-            _ => 1.0,
-        })
-        .collect()
-}
-
-struct Kept {
-    /// New index of each old vertex.
-    new: Vec<u32>,
-    /// Old index of each new vertex.
-    old: Vec<u32>,
-}
-
-fn used_vertices(count: usize, triangles: &[[u32; 3]]) -> Kept {
-    let mut used = vec![false; count];
-    for &vertex in triangles.iter().flatten() {
-        used[vertex as usize] = true;
-    }
-    let mut kept = Kept {
-        new: vec![u32::MAX; count],
-        old: Vec::new(),
-    };
-    for (old, _) in used.iter().enumerate().filter(|(_, used)| **used) {
-        kept.new[old] = u32::try_from(kept.old.len()).unwrap_or(u32::MAX);
-        kept.old.push(u32::try_from(old).unwrap_or(u32::MAX));
-    }
-    kept
 }

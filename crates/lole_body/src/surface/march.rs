@@ -75,17 +75,21 @@ impl March<'_> {
     }
 
     fn tetrahedron(&mut self, base: Corner, path: [usize; 4]) {
-        let (inside, outside): (Vec<usize>, Vec<usize>) =
-            (path.into_iter()).partition(|&bits| self.value(corner_of(base, bits)) < 0.0);
+        let mut sorted = path;
+        sorted.sort_by_key(|&bits| self.value(corner_of(base, bits)) >= 0.0);
+        let inside_count = (sorted.iter())
+            .take_while(|&&bits| self.value(corner_of(base, bits)) < 0.0)
+            .count();
+        let (inside, outside) = sorted.split_at(inside_count);
         let mut outward = Vec3::ZERO;
-        for &from in &inside {
-            for &to in &outside {
+        for &from in inside {
+            for &to in outside {
                 let (from, to) = (corner_of([0; 3], from), corner_of([0; 3], to));
                 outward += Vec3::from_array(to.map(|x| x as f32))
                     - Vec3::from_array(from.map(|x| x as f32));
             }
         }
-        match (inside.as_slice(), outside.as_slice()) {
+        match (inside, outside) {
             (&[i], &[a, b, c]) => {
                 let triangle = [a, b, c].map(|o| self.vertex(base, [i, o]));
                 self.push(triangle, outward);

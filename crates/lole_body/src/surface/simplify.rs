@@ -19,6 +19,14 @@ const LONGEST_EDGE: f64 = 0.045;
 const LEAST_TURN_COSINE: f64 = 0.3;
 /// Least double area over squared longest edge of a new triangle: no needles.
 const LEAST_SHAPE: f64 = 0.06;
+/// Weight of the course of a line between regions against the surface.
+const LINE_WEIGHT: f64 = 4.0;
+/// Before the exact order by heap, sweeps collapse whatever costs less than a rising threshold,
+/// down to this many times the target; one heap for everything would take four times as long.
+const SWEEP_UNTIL: usize = 4;
+const SWEEP_START: f64 = 2.0e-14;
+const SWEEP_GROWTH: f64 = 2.5;
+const SWEEP_END: f64 = 1.0e-6;
 
 /// Squared distance to planes as a symmetric form: `p·A p + 2 b·p + c`.
 #[derive(Debug, Clone, Copy, Default)]
@@ -65,21 +73,18 @@ impl Quadric {
     }
 }
 
-/// A possible collapse of `from` onto `onto`; stale once either end has changed.
+/// A possible collapse of the first end onto the second; stale once either has changed.
 #[derive(Debug, Clone, Copy)]
 struct Collapse {
     cost: f64,
-    from: u32,
-    onto: u32,
+    ends: [u32; 2],
     versions: [u32; 2],
 }
 
 impl Ord for Collapse {
     /// The cheapest is the greatest; ties go to the lower indices.
     fn cmp(&self, other: &Self) -> Ordering {
-        (other.cost.total_cmp(&self.cost))
-            .then(other.from.cmp(&self.from))
-            .then(other.onto.cmp(&self.onto))
+        (other.cost.total_cmp(&self.cost)).then(other.ends.cmp(&self.ends))
     }
 }
 
@@ -101,87 +106,177 @@ struct Collapser {
     points: Vec<DVec3>,
     on_plane: Vec<bool>,
     quadrics: Vec<Quadric>,
+    /// On a line between regions.
+    on_line: Vec<bool>,
+    /// Where a line ends or meets another or the mirror plane: never moved.
+    locked: Vec<bool>,
     triangles: Vec<[u32; 3]>,
+    regions: Vec<u8>,
     alive: Vec<bool>,
+    count: usize,
     fans: Vec<Vec<u32>>,
     versions: Vec<u32>,
     heap: BinaryHeap<Collapse>,
 }
 
-/// Collapses to about `target` triangles; `detail` weighs the error at each vertex.
-/// Returns the remaining triangles, indexing the given positions.
-pub(crate) fn simplify(
-    positions: &[Vec3],
-    triangles: &[[u32; 3]],
-    detail: &[f32],
-    target: usize,
-) -> Vec<[u32; 3]> {
-    let mut collapser = Collapser::new(positions, triangles, detail);
-    let mut count = triangles.len();
-    while count > target {
-        let Some(collapse) = collapser.heap.pop() else {
+/// What is simplified: equal-length vertex columns and triangles with their region.
+pub(crate) struct Fine<'a> {
+    pub(crate) positions: &'a [Vec3],
+    /// Weight of the error at each vertex.
+    pub(crate) detail: &'a [f32],
+    pub(crate) triangles: &'a [[u32; 3]],
+    /// Region of each triangle: lines between regions keep their course.
+    pub(crate) regions: &'a [u8],
+}
+
+/// Collapses to about `target` triangles: those that remain, indexing the given positions, each
+/// with its region.
+pub(crate) fn simplify(fine: &Fine<'_>, target: usize) -> Vec<([u32; 3], u8)> {
+    let mut collapser = Collapser::new(fine);
+    let mut threshold = SWEEP_START;
+    while collapser.count > SWEEP_UNTIL * target && threshold < SWEEP_END {
+        collapser.sweep(threshold);
+        threshold *= SWEEP_GROWTH;
+    }
+    collapser.fill_heap();
+    while collapser.count > target {
+        let Some(Collapse { ends, versions, .. }) = collapser.heap.pop() else {
             break;
         };
-        let ends = [collapse.from as usize, collapse.onto as usize];
-        let current = ends.map(|end| collapser.versions[end]);
-        if current == collapse.versions && collapser.is_allowed(collapse.from, collapse.onto) {
-            count -= collapser.apply(collapse.from, collapse.onto);
+        if ends.map(|end| collapser.versions[end as usize]) != versions {
+            continue;
+        }
+        let [from, onto] = ends;
+        if collapser.is_allowed(from, onto) {
+            collapser.apply(from, onto);
+            collapser.propose_around(onto);
+        } else if collapser.is_allowed(onto, from) {
+            collapser.apply(onto, from);
+            collapser.propose_around(from);
         }
     }
-    (collapser.triangles.iter().zip(&collapser.alive))
-        .filter_map(|(triangle, &alive)| alive.then_some(*triangle))
+    (0..fine.triangles.len())
+        .filter(|&index| collapser.alive[index])
+        .map(|index| (collapser.triangles[index], fine.regions[index]))
         .collect()
 }
 
 impl Collapser {
-    fn new(positions: &[Vec3], triangles: &[[u32; 3]], detail: &[f32]) -> Self {
-        let points: Vec<DVec3> = positions
+    fn new(fine: &Fine<'_>) -> Self {
+        let points: Vec<DVec3> = fine
+            .positions
             .iter()
-            .map(|position| position.as_dvec3())
+            .map(|point| point.as_dvec3())
             .collect();
-        let on_plane: Vec<bool> = positions
-            .iter()
-            .map(|&position| is_on_plane(position))
-            .collect();
-        let mut quadrics = vec![Quadric::default(); points.len()];
-        let mut fans = vec![Vec::new(); points.len()];
-        for (index, triangle) in triangles.iter().enumerate() {
-            let [a, b, c] = triangle.map(|vertex| points[vertex as usize]);
+        let count = points.len();
+        let mut collapser = Self {
+            on_plane: fine
+                .positions
+                .iter()
+                .map(|&point| is_on_plane(point))
+                .collect(),
+            points,
+            quadrics: vec![Quadric::default(); count],
+            on_line: vec![false; count],
+            locked: vec![false; count],
+            triangles: fine.triangles.to_vec(),
+            regions: fine.regions.to_vec(),
+            alive: vec![true; fine.triangles.len()],
+            count: fine.triangles.len(),
+            fans: vec![Vec::new(); count],
+            versions: vec![0; count],
+            heap: BinaryHeap::new(),
+        };
+        for (index, triangle) in fine.triangles.iter().enumerate() {
+            let [a, b, c] = triangle.map(|vertex| collapser.points[vertex as usize]);
             let cross = (b - a).cross(c - a);
             let area = cross.length();
             let normal = cross.normalize_or_zero();
             let mirrored = normal * DVec3::new(-1.0, 1.0, 1.0);
             for &vertex in triangle {
                 let vertex = vertex as usize;
-                let weight = area * f64::from(detail[vertex]);
-                quadrics[vertex].add(&Quadric::plane(normal, a, weight));
-                if on_plane[vertex] {
+                let weight = area * f64::from(fine.detail[vertex]);
+                collapser.quadrics[vertex].add(&Quadric::plane(normal, a, weight));
+                if collapser.on_plane[vertex] {
                     // The unseen half passes through the same border.
-                    quadrics[vertex].add(&Quadric::plane(mirrored, points[vertex], weight));
+                    let point = collapser.points[vertex];
+                    collapser.quadrics[vertex].add(&Quadric::plane(mirrored, point, weight));
                 }
-                fans[vertex].push(u32::try_from(index).unwrap_or(u32::MAX));
+                collapser.fans[vertex].push(u32::try_from(index).unwrap_or(u32::MAX));
             }
         }
-        let mut collapser = Self {
-            points,
-            on_plane,
-            quadrics,
-            triangles: triangles.to_vec(),
-            alive: vec![true; triangles.len()],
-            fans,
-            versions: vec![0; positions.len()],
-            heap: BinaryHeap::new(),
-        };
-        for &[a, b, c] in triangles {
-            for [from, onto] in [[a, b], [b, c], [c, a]] {
-                // Each inner edge is met twice, a border edge once.
-                if from < onto || collapser.is_border(from, onto) {
-                    collapser.propose(from, onto);
-                    collapser.propose(onto, from);
-                }
-            }
-        }
+        collapser.mark_lines();
         collapser
+    }
+
+    /// Finds the lines between regions and gives their vertices a plane across the surface.
+    fn mark_lines(&mut self) {
+        let mut degrees = vec![0_u8; self.points.len()];
+        for index in 0..self.triangles.len() {
+            let corners = self.triangles[index];
+            let [a, b, c] = corners.map(|corner| self.points[corner as usize]);
+            let normal = (b - a).cross(c - a).normalize_or_zero();
+            for side in 0..3 {
+                let ends = [corners[side], corners[(side + 1) % 3]];
+                if !self.is_line(ends[0], ends[1]) {
+                    continue;
+                }
+                let [from, to] = ends.map(|end| self.points[end as usize]);
+                let across = (to - from).cross(normal).normalize_or_zero();
+                let weight = LINE_WEIGHT * (to - from).length_squared();
+                for end in ends {
+                    self.quadrics[end as usize].add(&Quadric::plane(across, from, weight));
+                    self.on_line[end as usize] = true;
+                    degrees[end as usize] += 1;
+                }
+            }
+        }
+        // Every line edge is met from both its triangles.
+        for (vertex, &degree) in degrees.iter().enumerate() {
+            self.locked[vertex] = self.on_line[vertex] && (degree != 4 || self.on_plane[vertex]);
+        }
+    }
+
+    /// Whether the edge has different regions on its sides.
+    fn is_line(&self, a: u32, b: u32) -> bool {
+        let mut sides = (self.fans[a as usize].iter())
+            .filter(|&&triangle| self.triangles[triangle as usize].contains(&b))
+            .map(|&triangle| self.regions[triangle as usize]);
+        match (sides.next(), sides.next()) {
+            (Some(one), Some(other)) => one != other,
+            _ => false,
+        }
+    }
+
+    /// Collapses each vertex onto its cheapest neighbour where that costs less than `threshold`.
+    fn sweep(&mut self, threshold: f64) {
+        let mut ring = Vec::new();
+        for from in 0..self.points.len() {
+            if self.fans[from].is_empty() {
+                continue;
+            }
+            let from = u32::try_from(from).unwrap_or(u32::MAX);
+            self.ring_into(from, &mut ring);
+            let best = (ring.iter())
+                .map(|&onto| (self.cost(from, onto), onto))
+                .filter(|&(cost, _)| cost < threshold)
+                .min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+            if let Some((_, onto)) = best.filter(|&(_, onto)| self.is_allowed(from, onto)) {
+                self.apply(from, onto);
+            }
+        }
+    }
+
+    fn fill_heap(&mut self) {
+        let mut edges: Vec<[u32; 2]> = (self.triangles.iter().zip(&self.alive))
+            .filter(|(_, alive)| **alive)
+            .flat_map(|(&[a, b, c], _)| [[a, b], [b, c], [c, a]])
+            .map(|[a, b]| [a.min(b), a.max(b)])
+            .collect();
+        edges.sort_unstable();
+        edges.dedup();
+        let collapses: Vec<Collapse> = edges.iter().filter_map(|&[a, b]| self.best(a, b)).collect();
+        self.heap = BinaryHeap::from(collapses);
     }
 
     /// Both ends on the mirror plane; such edges are border edges, kept so by `is_allowed`.
@@ -189,54 +284,82 @@ impl Collapser {
         self.on_plane[a as usize] && self.on_plane[b as usize]
     }
 
-    fn propose(&mut self, from: u32, onto: u32) {
+    /// Cost of moving `from` onto `onto`; infinite where a rule forbids it outright.
+    fn cost(&self, from: u32, onto: u32) -> f64 {
         let (f, o) = (from as usize, onto as usize);
-        if self.on_plane[f] && !self.on_plane[o] {
-            return;
+        let leaves_plane = self.on_plane[f] && !self.on_plane[o];
+        let leaves_line = self.on_line[f] && !self.on_line[o];
+        if self.locked[f] || leaves_plane || leaves_line {
+            return f64::INFINITY;
         }
         let mut quadric = self.quadrics[f];
         quadric.add(&self.quadrics[o]);
         let squared = self.points[f].distance_squared(self.points[o]);
-        let cost = quadric.at(self.points[o]).max(0.0) + LENGTH_WEIGHT * squared * squared;
-        self.heap.push(Collapse {
+        quadric.at(self.points[o]).max(0.0) + LENGTH_WEIGHT * squared * squared
+    }
+
+    /// The cheaper of the edge's two collapses.
+    fn best(&self, a: u32, b: u32) -> Option<Collapse> {
+        let costs = [self.cost(a, b), self.cost(b, a)];
+        let ends = if costs[1] < costs[0] { [b, a] } else { [a, b] };
+        let cost = costs[0].min(costs[1]);
+        cost.is_finite().then(|| Collapse {
             cost,
-            from,
-            onto,
-            versions: [self.versions[f], self.versions[o]],
-        });
+            ends,
+            versions: ends.map(|end| self.versions[end as usize]),
+        })
+    }
+
+    fn propose_around(&mut self, vertex: u32) {
+        let mut ring = Vec::new();
+        self.ring_into(vertex, &mut ring);
+        for other in ring {
+            if let Some(collapse) = self.best(vertex.min(other), vertex.max(other)) {
+                self.heap.push(collapse);
+            }
+        }
     }
 
     /// Vertices around `vertex`, sorted.
-    fn ring(&self, vertex: u32) -> Vec<u32> {
-        let mut ring: Vec<u32> = (self.fans[vertex as usize].iter())
-            .flat_map(|&triangle| self.triangles[triangle as usize])
-            .filter(|&other| other != vertex)
-            .collect();
+    fn ring_into(&self, vertex: u32, ring: &mut Vec<u32>) {
+        ring.clear();
+        for &triangle in &self.fans[vertex as usize] {
+            ring.extend(
+                self.triangles[triangle as usize]
+                    .iter()
+                    .filter(|&&other| other != vertex),
+            );
+        }
         ring.sort_unstable();
         ring.dedup();
-        ring
+    }
+
+    fn is_around(&self, vertex: u32, other: u32) -> bool {
+        (self.fans[vertex as usize].iter())
+            .any(|&triangle| self.triangles[triangle as usize].contains(&other))
     }
 
     /// The link condition, the border rules, and no flipped, thin or huge triangle.
     fn is_allowed(&self, from: u32, onto: u32) -> bool {
-        let around_onto = self.ring(onto);
+        let (f, o) = (from as usize, onto as usize);
+        if !self.cost(from, onto).is_finite() || (self.on_line[f] && !self.is_line(from, onto)) {
+            return false;
+        }
+        let mut ring = Vec::new();
+        self.ring_into(from, &mut ring);
         let mut common = 0;
-        for other in self.ring(from) {
-            if around_onto.binary_search(&other).is_ok() {
+        for &other in &ring {
+            if other == onto {
+                continue;
+            }
+            if self.is_around(onto, other) {
                 common += 1;
-            } else if other != onto
-                && self.on_plane[onto as usize]
-                && self.on_plane[other as usize]
-                && !self.on_plane[from as usize]
-            {
+            } else if self.on_plane[o] && self.on_plane[other as usize] && !self.on_plane[f] {
                 return false;
             }
         }
         let expected = if self.is_border(from, onto) { 1 } else { 2 };
-        common == expected
-            && self.fans[from as usize]
-                .iter()
-                .all(|&t| self.stays_good(t, from, onto))
+        common == expected && self.fans[f].iter().all(|&t| self.stays_good(t, from, onto))
     }
 
     fn stays_good(&self, triangle: u32, from: u32, onto: u32) -> bool {
@@ -263,16 +386,13 @@ impl Collapser {
             && longest < LONGEST_EDGE * LONGEST_EDGE
     }
 
-    /// Collapses and returns how many triangles vanished.
-    fn apply(&mut self, from: u32, onto: u32) -> usize {
+    fn apply(&mut self, from: u32, onto: u32) {
         let (f, o) = (from as usize, onto as usize);
-        let fan = std::mem::take(&mut self.fans[f]);
-        let mut vanished = 0;
-        for triangle in fan {
+        for triangle in std::mem::take(&mut self.fans[f]) {
             let corners = self.triangles[triangle as usize];
             if corners.contains(&onto) {
                 self.alive[triangle as usize] = false;
-                vanished += 1;
+                self.count -= 1;
                 for corner in corners {
                     self.fans[corner as usize].retain(|&other| other != triangle);
                 }
@@ -286,10 +406,5 @@ impl Collapser {
         self.quadrics[o].add(&quadric);
         self.versions[f] += 1;
         self.versions[o] += 1;
-        for other in self.ring(onto) {
-            self.propose(onto, other);
-            self.propose(other, onto);
-        }
-        vanished
     }
 }

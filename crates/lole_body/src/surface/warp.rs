@@ -179,12 +179,6 @@ impl Girths {
         }
     }
 
-    /// Height of a tape level by name.
-    pub(crate) fn level(&self, name: &str) -> f32 {
-        let index = TAPES.iter().position(|&tape| tape == name).unwrap_or(WAIST);
-        self.levels[index]
-    }
-
     /// Re-cuts and rescales until every girth is the measured one. `arms` is the share of each
     /// vertex that belongs to the arm. Returns the warped positions.
     pub(crate) fn fit(
@@ -279,8 +273,9 @@ impl Girths {
             [self.stature, 1.0],
         ]);
         let leg = logarithms(&[
-            [0.0, 1.0],
-            [0.03 * self.stature, 1.0],
+            [0.0, 1.0 + 0.2 * (s[ANKLE] - 1.0)],
+            [0.03 * self.stature, 1.0 + 0.55 * (s[ANKLE] - 1.0)],
+            [0.05 * self.stature, 1.0 + 0.85 * (s[ANKLE] - 1.0)],
             [self.levels[ANKLE], s[ANKLE]],
             [self.levels[CALF], s[CALF]],
             [self.levels[KNEE], s[KNEE]],
