@@ -33,179 +33,181 @@ fn the_built_in_design_reads_back_and_is_in_range() {
     Design::default().check("built-in").unwrap();
 }
 
+/// Table, line that is wrong, start of what is said, and the remedy.
+const MISTAKES: &[(&str, &str, &str, &str)] = &[
+    (
+        "skirt",
+        "hem_hight_cm = 22",
+        ":4: [skirt] hem_hight_cm: ",
+        "did you mean hem_height_cm?",
+    ),
+    (
+        "skirt",
+        "hem_height = 22",
+        ":4: [skirt] hem_height: ",
+        "did you mean hem_height_cm?",
+    ),
+    (
+        "skirt",
+        "zzz = 1",
+        ":4: [skirt] zzz: ",
+        "the keys of this table are hem_height_cm, ",
+    ),
+    (
+        "skrit",
+        "",
+        ":3: [skrit]: there is no such table",
+        "did you mean skirt?",
+    ),
+    (
+        "skirt",
+        "hem_height_cm = -3",
+        ":4: [skirt] hem_height_cm: -3 is",
+        "a number from 0 to 100",
+    ),
+    (
+        "skirt",
+        "hem_height_cm = 1e9",
+        ":4: [skirt] hem_height_cm: 1e9 is",
+        "from 0 to 100",
+    ),
+    (
+        "skirt",
+        "hem_height_cm = nan",
+        ":4: [skirt] hem_height_cm: nan is",
+        "from 0 to 100",
+    ),
+    (
+        "skirt",
+        "hem_height_cm = inf",
+        ":4: [skirt] hem_height_cm: inf is",
+        "from 0 to 100",
+    ),
+    (
+        "skirt",
+        "hem_height_cm = -inf",
+        ":4: [skirt] hem_height_cm: -inf is",
+        "from 0 to 100",
+    ),
+    (
+        "skirt",
+        "hem_height_cm = \"22\"",
+        "\"22\" is a text; write a number",
+        "from 0 to 100",
+    ),
+    (
+        "skirt",
+        "hem_height_cm = true",
+        "true is a true or false",
+        "a number from 0 to 100",
+    ),
+    (
+        "skirt",
+        "hem_height_cm = [22]",
+        "[22] is a list",
+        "a number from 0 to 100",
+    ),
+    (
+        "skirt",
+        "hem_height_cm = 2026-11-21",
+        "2026-11-21 is a date",
+        "a number from 0",
+    ),
+    (
+        "skirt",
+        "hem_height_cm = 99999999999999999999999",
+        "is out of range",
+        "from 0 to 100",
+    ),
+    (
+        "skirt",
+        "gather_ratio = 0.5",
+        ":4: [skirt] gather_ratio: 0.5 is",
+        "from 1 to 5",
+    ),
+    (
+        "skirt",
+        "elastic_row_count = 2.5",
+        "2.5 is a number with a point",
+        "whole number from 1 to 6",
+    ),
+    (
+        "skirt",
+        "elastic_row_count = -1",
+        "-1 is out of range",
+        "a whole number from 1 to 6",
+    ),
+    (
+        "skirt",
+        "seed = 9223372036854775808",
+        "is out of range",
+        "from 0 to 9223372036854775807",
+    ),
+    (
+        "motion",
+        "step = \"kahollo\"",
+        "\"kahollo\" is not a dance step; did you mean \"kaholo\"?",
+        "kao, kaholo, ami, uwehe",
+    ),
+    (
+        "motion",
+        "step = 3",
+        "3 is a whole number",
+        "the name of a dance step",
+    ),
+    (
+        "method",
+        "name = \"fb_euler\"",
+        "\"fb_euler\" is not a method",
+        "\"fb-euler\"",
+    ),
+    (
+        "fabric",
+        "preset = \"broadcloth\"",
+        "is not a fabric",
+        "\"polycotton-broadcloth\"",
+    ),
+    (
+        "print",
+        "ground = \"red\"",
+        "\"red\" is out of range",
+        "a color such as \"#9e1026\"",
+    ),
+    (
+        "print",
+        "ground = \"#12345\"",
+        "is out of range",
+        "a color such as",
+    ),
+    (
+        "dancer",
+        "hip_cm = 910",
+        ":4: [dancer] hip_cm: 910 is",
+        "from 70 to 150",
+    ),
+    (
+        "dancer",
+        "stature_cm = 190\ninseam_cm = 55",
+        ":3: [dancer]: ",
+        "measure again",
+    ),
+    (
+        "dancer",
+        "hip_cm = 90\nhip_cm = 91",
+        ":5: this is not TOML",
+        "mend the line",
+    ),
+    (
+        "dancer",
+        "hip_cm = ",
+        ":4: this is not TOML",
+        "mend the line",
+    ),
+];
+
 #[test]
 fn every_mistake_has_its_line_its_place_and_its_remedy() {
-    let cases = [
-        (
-            "skirt",
-            "hem_hight_cm = 22",
-            ":4: [skirt] hem_hight_cm: ",
-            "did you mean hem_height_cm?",
-        ),
-        (
-            "skirt",
-            "hem_height = 22",
-            ":4: [skirt] hem_height: ",
-            "did you mean hem_height_cm?",
-        ),
-        (
-            "skirt",
-            "zzz = 1",
-            ":4: [skirt] zzz: ",
-            "the keys of this table are hem_height_cm, ",
-        ),
-        (
-            "skrit",
-            "",
-            ":3: [skrit]: there is no such table",
-            "did you mean skirt?",
-        ),
-        (
-            "skirt",
-            "hem_height_cm = -3",
-            ":4: [skirt] hem_height_cm: -3 is",
-            "a number from 0 to 100",
-        ),
-        (
-            "skirt",
-            "hem_height_cm = 1e9",
-            ":4: [skirt] hem_height_cm: 1e9 is",
-            "from 0 to 100",
-        ),
-        (
-            "skirt",
-            "hem_height_cm = nan",
-            ":4: [skirt] hem_height_cm: nan is",
-            "from 0 to 100",
-        ),
-        (
-            "skirt",
-            "hem_height_cm = inf",
-            ":4: [skirt] hem_height_cm: inf is",
-            "from 0 to 100",
-        ),
-        (
-            "skirt",
-            "hem_height_cm = -inf",
-            ":4: [skirt] hem_height_cm: -inf is",
-            "from 0 to 100",
-        ),
-        (
-            "skirt",
-            "hem_height_cm = \"22\"",
-            "\"22\" is a text; write a number",
-            "from 0 to 100",
-        ),
-        (
-            "skirt",
-            "hem_height_cm = true",
-            "true is a true or false",
-            "a number from 0 to 100",
-        ),
-        (
-            "skirt",
-            "hem_height_cm = [22]",
-            "[22] is a list",
-            "a number from 0 to 100",
-        ),
-        (
-            "skirt",
-            "hem_height_cm = 2026-11-21",
-            "2026-11-21 is a date",
-            "a number from 0",
-        ),
-        (
-            "skirt",
-            "hem_height_cm = 99999999999999999999999",
-            "is out of range",
-            "from 0 to 100",
-        ),
-        (
-            "skirt",
-            "gather_ratio = 0.5",
-            ":4: [skirt] gather_ratio: 0.5 is",
-            "from 1 to 5",
-        ),
-        (
-            "skirt",
-            "elastic_row_count = 2.5",
-            "2.5 is a number with a point",
-            "whole number from 1 to 6",
-        ),
-        (
-            "skirt",
-            "elastic_row_count = -1",
-            "-1 is out of range",
-            "a whole number from 1 to 6",
-        ),
-        (
-            "skirt",
-            "seed = 9223372036854775808",
-            "is out of range",
-            "from 0 to 9223372036854775807",
-        ),
-        (
-            "motion",
-            "step = \"kahollo\"",
-            "\"kahollo\" is not a dance step; did you mean \"kaholo\"?",
-            "kao, kaholo, ami, uwehe",
-        ),
-        (
-            "motion",
-            "step = 3",
-            "3 is a whole number",
-            "the name of a dance step",
-        ),
-        (
-            "method",
-            "name = \"fb_euler\"",
-            "\"fb_euler\" is not a method",
-            "\"fb-euler\"",
-        ),
-        (
-            "fabric",
-            "preset = \"broadcloth\"",
-            "is not a fabric",
-            "\"polycotton-broadcloth\"",
-        ),
-        (
-            "print",
-            "ground = \"red\"",
-            "\"red\" is out of range",
-            "a color such as \"#9e1026\"",
-        ),
-        (
-            "print",
-            "ground = \"#12345\"",
-            "is out of range",
-            "a color such as",
-        ),
-        (
-            "dancer",
-            "hip_cm = 910",
-            ":4: [dancer] hip_cm: 910 is",
-            "from 70 to 150",
-        ),
-        (
-            "dancer",
-            "stature_cm = 190\ninseam_cm = 55",
-            ":3: [dancer]: ",
-            "measure again",
-        ),
-        (
-            "dancer",
-            "hip_cm = 90\nhip_cm = 91",
-            ":5: this is not TOML",
-            "mend the line",
-        ),
-        (
-            "dancer",
-            "hip_cm = ",
-            ":4: this is not TOML",
-            "mend the line",
-        ),
-    ];
-    for (table, line, start, remedy) in cases {
+    for (table, line, start, remedy) in MISTAKES.iter().copied() {
         let sentence = sentence(&with_line(table, line));
         assert!(sentence.starts_with("mine.lole:"), "{sentence}");
         assert!(sentence.contains(start), "{sentence}\n lacks {start}");

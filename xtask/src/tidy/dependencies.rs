@@ -1,0 +1,159 @@
+//! Dependencies point up the table and nowhere else, and every external crate has a reason.
+
+use std::path::Path;
+use std::process::Command;
+
+use anyhow::{Context as _, ensure};
+use serde_json::Value;
+
+use super::TextFile;
+
+/// Each crate with the workspace crates it may use. `lole_cloth`, `lole_body`, `lole_pattern` and
+/// `lole_render` never see each other.
+const TABLE: &[(&str, &[&str])] = &[
+    ("lole_geom", &[]),
+    ("lole_cloth", &["lole_geom"]),
+    ("lole_body", &["lole_geom"]),
+    ("lole_pattern", &["lole_geom"]),
+    ("lole_render", &["lole_geom"]),
+    (
+        "lole_costume",
+        &["lole_geom", "lole_cloth", "lole_body", "lole_pattern"],
+    ),
+    (
+        "lole_stage",
+        &[
+            "lole_geom",
+            "lole_cloth",
+            "lole_body",
+            "lole_pattern",
+            "lole_costume",
+        ],
+    ),
+    (
+        "lole_export",
+        &[
+            "lole_geom",
+            "lole_cloth",
+            "lole_body",
+            "lole_pattern",
+            "lole_costume",
+            "lole_stage",
+        ],
+    ),
+    (
+        "lole",
+        &[
+            "lole_geom",
+            "lole_cloth",
+            "lole_body",
+            "lole_pattern",
+            "lole_render",
+            "lole_costume",
+            "lole_stage",
+            "lole_export",
+        ],
+    ),
+    ("xtask", &[]),
+];
+
+/// Where the sentence on each external crate stands.
+const REASONS: &str = "DESIGN.md";
+
+pub(crate) fn check(repository: &Path, files: &[TextFile]) -> anyhow::Result<Vec<String>> {
+    let output = Command::new(env!("CARGO"))
+        .current_dir(repository)
+        .args(["metadata", "--no-deps", "--format-version", "1"])
+        .output()
+        .context("cannot run cargo metadata")?;
+    ensure!(
+        output.status.success(),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    let metadata: Value = serde_json::from_slice(&output.stdout)?;
+    let reasons = files
+        .iter()
+        .find(|file| file.path == REASONS)
+        .map_or("", |file| &file.text);
+    Ok(findings(&metadata, reasons))
+}
+
+fn findings(metadata: &Value, reasons: &str) -> Vec<String> {
+    let mut findings = Vec::new();
+    for package in list(metadata, "packages") {
+        let name = text(package, "name");
+        let manifest = format!("crates/{name}/Cargo.toml");
+        let Some((_, allowed)) = TABLE.iter().find(|(row, _)| *row == name) else {
+            findings.push(format!(
+                "{manifest}:1: {name} has no row in the dependency table"
+            ));
+            continue;
+        };
+        for dependency in list(package, "dependencies") {
+            let used = text(dependency, "name");
+            let ours = TABLE.iter().any(|(row, _)| *row == used);
+            if ours && !allowed.contains(&used) {
+                findings.push(format!("{manifest}:1: {name} may not use {used}"));
+            }
+            if !ours && !reasons.contains(&format!("`{used}`")) {
+                findings.push(format!(
+                    "{manifest}:1: {REASONS} has no sentence on `{used}`"
+                ));
+            }
+        }
+    }
+    findings
+}
+
+fn list<'v>(value: &'v Value, key: &str) -> &'v [Value] {
+    value[key].as_array().map_or(&[], Vec::as_slice)
+}
+
+fn text<'v>(value: &'v Value, key: &str) -> &'v str {
+    value[key].as_str().unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn metadata(name: &str, used: &str) -> Value {
+        serde_json::json!({"packages": [{"name": name, "dependencies": [{"name": used}]}]})
+    }
+
+    #[test]
+    fn arrows_point_up_the_table_only() {
+        assert!(findings(&metadata("lole_stage", "lole_cloth"), "").is_empty());
+        for (name, used) in [
+            ("lole_cloth", "lole_body"),
+            ("lole_pattern", "lole_cloth"),
+            ("lole_export", "lole_render"),
+            ("lole_geom", "lole_geom"),
+            ("lole_body", "lole_stage"),
+        ] {
+            assert_eq!(
+                findings(&metadata(name, used), "").len(),
+                1,
+                "{name} → {used}"
+            );
+        }
+    }
+
+    #[test]
+    fn strangers_need_a_sentence() {
+        assert_eq!(findings(&metadata("lole_geom", "glam"), "").len(), 1);
+        assert!(findings(&metadata("lole_geom", "glam"), "- `glam`: vectors.").is_empty());
+        assert_eq!(findings(&metadata("lole_new", "glam"), "`glam`").len(), 1);
+    }
+
+    #[test]
+    fn the_table_has_no_cycle() {
+        for (index, (name, allowed)) in TABLE.iter().enumerate() {
+            for used in *allowed {
+                let above = TABLE.iter().position(|(row, _)| row == used);
+                assert!(above.is_some_and(|above| above < index), "{name} → {used}");
+            }
+        }
+    }
+}
