@@ -1,1 +1,32 @@
-//! See the crate description in `Cargo.toml`.
+//! A performance: dancer, costume and motion become frames, and frames become numbers.
+//!
+//! It opens no file, reads no clock and draws nothing: whoever calls [`Performance::advance`] times
+//! it, draws what it holds and writes it down.
+
+pub mod metrics;
+pub mod performance;
+pub mod skin_check;
+mod solver;
+
+pub use metrics::{FrameMetrics, RunMetrics};
+pub use performance::{Divergence, FRAME_SECONDS, FRAMES_PER_SECOND, Performance, Production};
+
+/// Why a design cannot be performed.
+#[derive(Debug, thiserror::Error)]
+pub enum StageError {
+    /// The dancer cannot be built.
+    #[error(transparent)]
+    Body(#[from] lole_body::BodyError),
+    /// The dance cannot be danced.
+    #[error(transparent)]
+    Motion(#[from] lole_body::motion::MotionError),
+    /// The skirt cannot be drafted.
+    #[error(transparent)]
+    Draft(#[from] lole_pattern::DraftError),
+    /// The skirt cannot be sewn.
+    #[error(transparent)]
+    Sew(#[from] lole_costume::sew::SewError),
+    /// The cloth cannot be built.
+    #[error(transparent)]
+    Build(#[from] lole_cloth::BuildError),
+}

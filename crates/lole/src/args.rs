@@ -1,0 +1,108 @@
+//! What may be typed after `lole`.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+
+/// Hula costume CAD with live cloth.
+#[derive(Debug, Parser)]
+#[command(name = "lole", version, about, arg_required_else_help = true)]
+pub(crate) struct Cli {
+    /// What to do.
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Drape and dance a design; write film, stills, 3D file and report.
+    /// デザインを着せて踊らせ、動画・写真・3Dファイル・レポートを書き出します。
+    Dance(DanceArgs),
+}
+
+/// `lole dance`.
+#[derive(Debug, Args)]
+pub(crate) struct DanceArgs {
+    /// Design document; without one, the built-in pāʻū skirt dances kāholo.
+    pub(crate) design: Option<PathBuf>,
+    /// Folder for the results.
+    #[arg(long, value_name = "DIR", default_value = "lole-dance")]
+    pub(crate) out: PathBuf,
+    /// Length of the dance [s], 0.5 to 600; otherwise the design's, 12 without one.
+    #[arg(long, value_parser = seconds)]
+    pub(crate) seconds: Option<f64>,
+    /// Dance step: kao, kaholo, ami or uwehe; otherwise the design's.
+    #[arg(long)]
+    pub(crate) step: Option<String>,
+    /// Tempo in counts per minute; otherwise the design's.
+    #[arg(long, value_name = "COUNTS")]
+    pub(crate) bpm: Option<f64>,
+    /// Method: xpbd (real time) or fb-euler (the reference, slow); otherwise the design's.
+    #[arg(long)]
+    pub(crate) method: Option<String>,
+    /// Size of the film in pixels, both even.
+    #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1280x720", value_parser = size)]
+    pub(crate) size: (u32, u32),
+    /// Threads of the simulation; the result is the same on any number.
+    #[arg(long, value_parser = clap::value_parser!(u16).range(1..=256))]
+    pub(crate) threads: Option<u16>,
+    /// Chance for how unevenly the gathers are pushed together; otherwise the design's.
+    #[arg(long)]
+    pub(crate) seed: Option<u64>,
+    /// Draw with the processor even where there is a graphics device.
+    #[arg(long)]
+    pub(crate) cpu: bool,
+    /// Print the report as JSON on standard output, and nothing else there.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+fn seconds(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if (0.5..=600.0).contains(&value) => Ok(value),
+        _ => Err("give a number of seconds from 0.5 to 600, such as 12".to_owned()),
+    }
+}
+
+fn size(text: &str) -> Result<(u32, u32), String> {
+    let help = || "give WIDTHxHEIGHT, both even and from 64 to 4096, such as 1280x720".to_owned();
+    let (width, height) = text.split_once(['x', 'X', '×']).ok_or_else(help)?;
+    let (width, height): (u32, u32) = (
+        width.parse().map_err(|_| help())?,
+        height.parse().map_err(|_| help())?,
+    );
+    let fits = |side: u32| (64..=4096).contains(&side) && side.is_multiple_of(2);
+    if fits(width) && fits(height) {
+        Ok((width, height))
+    } else {
+        Err(help())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_command_line_is_well_formed() {
+        use clap::CommandFactory as _;
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn sizes_that_no_film_can_have_are_refused() {
+        assert_eq!(size("1280x720"), Ok((1280, 720)));
+        for bad in ["", "1280", "0x0", "641x360", "-2x4", "99999x720", "axb"] {
+            assert!(size(bad).is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn absurd_lengths_are_refused() {
+        assert_eq!(seconds("2"), Ok(2.0));
+        for bad in ["0", "-1", "nan", "inf", "1e9", "long"] {
+            assert!(seconds(bad).is_err(), "{bad}");
+        }
+    }
+}

@@ -1,0 +1,118 @@
+//! `dancer.glb`: the recorded run as a file for other programs.
+
+use anyhow::Result;
+use glam::Vec3;
+use lole_body::{PartKind, Pose, appearance};
+use lole_cloth::Topology;
+use lole_export::Image;
+use lole_export::glb::{
+    BakedCloth, GlbMaterial, GlbScene, GridMesh, GridRing, GridSheet, MeshPart, Sides, SkinnedMesh,
+    write_glb,
+};
+use lole_export::still::encode_png;
+use lole_stage::Performance;
+
+use crate::studio::{Studio, linear};
+
+/// Columns of the simulation for one column of the file: a gather keeps six vertices.
+const COLUMN_STRIDE: u32 = 2;
+/// Rows of the simulation for one row of the file.
+const ROW_STRIDE: u32 = 2;
+
+/// Poses and cloth at key times.
+#[derive(Debug, Default)]
+pub(crate) struct Keys {
+    pub(crate) times: Vec<f32>,
+    pub(crate) poses: Vec<Pose>,
+    pub(crate) cloth: Vec<Vec<Vec3>>,
+}
+
+impl Keys {
+    /// Keeps the current frame.
+    pub(crate) fn keep(&mut self, performance: &Performance) {
+        self.times.push(performance.time());
+        self.poses.push(performance.pose().clone());
+        self.cloth.push(performance.cloth_positions().to_vec());
+    }
+}
+
+/// The file's bytes: dancer with skeleton and motion, skirt with its baked motion and print.
+pub(crate) fn dancer_glb(
+    performance: &Performance,
+    keys: &Keys,
+    studio: &Studio,
+) -> Result<Vec<u8>> {
+    let production = performance.production();
+    let face = appearance::face_texture();
+    let face = encode_png(Image::new(face.side, face.side, &face.pixels)?)?;
+    let print = &studio.print;
+    let print_png = encode_png(Image::new(print.width, print.height, &print.pixels)?)?;
+    let skin = &production.dancer.skin;
+    let parts: Vec<MeshPart<'_>> = skin
+        .parts
+        .iter()
+        .map(|part| MeshPart {
+            triangles: &part.triangles,
+            material: material(part.kind, &face),
+        })
+        .collect();
+    let body = SkinnedMesh {
+        name: "dancer",
+        positions: &skin.positions,
+        normals: &skin.normals,
+        uvs: &skin.uvs,
+        joints: &skin.joints,
+        weights: &skin.weights,
+        parts: &parts,
+    };
+    let grid = &production.skirt.spec.grid;
+    let sheet = GridSheet {
+        column_count: grid.column_count,
+        row_count: grid.row_count,
+        ring: match grid.topology {
+            Topology::Tube => GridRing::Closed,
+            Topology::Sheet => GridRing::Open,
+        },
+        spacing: grid.spacing,
+        print_repeat: [print.repeat.to_m_f32(); 2],
+    };
+    let mesh = GridMesh::new(&sheet, [COLUMN_STRIDE, ROW_STRIDE]);
+    let cloth = BakedCloth {
+        name: "pau_skirt",
+        mesh: &mesh,
+        material: GlbMaterial {
+            name: "print",
+            base_color: [1.0; 3],
+            roughness: 0.85,
+            texture_png: Some(&print_png),
+            sides: Sides::Both,
+        },
+        key_times: &keys.times,
+        frames: &keys.cloth,
+    };
+    Ok(write_glb(&GlbScene {
+        skeleton: &production.dancer.skeleton,
+        pose_times: &keys.times,
+        poses: &keys.poses,
+        skinned: &[body],
+        cloths: &[cloth],
+    })?)
+}
+
+fn material(kind: PartKind, face: &[u8]) -> GlbMaterial<'_> {
+    let (name, color, roughness) = match kind {
+        PartKind::Skin => ("skin", appearance::SKIN_SRGB, 0.6),
+        PartKind::Face => ("face", [255; 3], 0.6),
+        PartKind::Leotard => ("leotard", appearance::LEOTARD_SRGB, 0.8),
+        PartKind::Hair => ("hair", appearance::HAIR_SRGB, 0.5),
+        PartKind::Flower => ("flower", appearance::FLOWER_SRGB, 0.8),
+        PartKind::FlowerHeart => ("flower_heart", appearance::FLOWER_HEART_SRGB, 0.8),
+    };
+    GlbMaterial {
+        name,
+        base_color: linear(color),
+        roughness,
+        texture_png: (kind == PartKind::Face).then_some(face),
+        sides: Sides::Front,
+    }
+}

@@ -1,0 +1,423 @@
+//! `lole dance`: drape, dance, draw, write.
+
+use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
+
+use anyhow::{Context as _, Result};
+use cpu_time::ProcessTime;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use lole_body::DanceStep;
+use lole_costume::document::{self, Design, MethodName};
+use lole_export::report::ReportFile;
+use lole_export::video::{Mp4Writer, VideoSettings};
+use lole_export::{Image, still};
+use lole_render::{Backend, Renderer, Size};
+use lole_stage::{
+    Divergence, FRAME_SECONDS, FRAMES_PER_SECOND, FrameMetrics, Performance, Production,
+};
+
+use crate::args::DanceArgs;
+use crate::baked::{self, Keys};
+use crate::figures::{self, RunFigures, Timing};
+use crate::language::Language;
+use crate::output::OutputFolder;
+use crate::studio::{FilmCamera, STILLS, Studio, still_camera};
+use crate::{Failure, summary};
+
+/// Pictures of the film per second.
+const FILM_RATE: u32 = 30;
+/// Simulated frames per picture.
+const FRAMES_PER_PICTURE: u32 = FRAMES_PER_SECOND / FILM_RATE;
+/// Keys of the baked motion per second.
+const KEY_RATE: u32 = 15;
+/// Size of the stills: upright, as a poster is.
+const STILL_SIZE: Size = Size {
+    width: 1080,
+    height: 1440,
+};
+/// Threads the cloth is simulated on unless asked otherwise: more do not help a single skirt.
+const MOST_THREADS: usize = 4;
+
+/// What was recorded while dancing.
+#[derive(Default)]
+struct Recording {
+    metrics: Vec<FrameMetrics>,
+    timings: Vec<Timing>,
+    keys: Keys,
+    divergence: Option<Divergence>,
+}
+
+/// Runs the command and gives the report as JSON with the text for people.
+pub(crate) fn run(args: &DanceArgs, language: Language) -> Result<(), Failure> {
+    let design = load(args)?;
+    let output = OutputFolder::create(&args.out).map_err(Failure::Usage)?;
+    let stop = stop_flag().map_err(Failure::Run)?;
+    let production = Production::new(&design).map_err(|error| Failure::Usage(error.into()))?;
+    let run = Run {
+        args,
+        language,
+        stop,
+        design,
+    };
+    run.perform(production, output)
+}
+
+struct Run<'a> {
+    args: &'a DanceArgs,
+    language: Language,
+    stop: Arc<AtomicBool>,
+    design: Design,
+}
+
+/// Reads the design and lays the command line's wishes over it.
+fn load(args: &DanceArgs) -> Result<Design, Failure> {
+    let mut design = match &args.design {
+        Some(path) => {
+            let name = path.display().to_string();
+            let bytes = read(path).map_err(Failure::Usage)?;
+            document::parse_bytes(&bytes, &name).map_err(|error| Failure::Usage(error.into()))?
+        }
+        None => Design::default(),
+    };
+    if let Some(step) = &args.step {
+        let ids = DanceStep::ALL.map(DanceStep::id);
+        design.motion.step =
+            DanceStep::from_id(step).ok_or_else(|| unknown("--step", step, "dance step", &ids))?;
+    }
+    if let Some(method) = &args.method {
+        let ids = MethodName::ALL.map(MethodName::id);
+        design.method.name = MethodName::from_id(method)
+            .ok_or_else(|| unknown("--method", method, "method", &ids))?;
+    }
+    design.motion.tempo_bpm = args.bpm.unwrap_or(design.motion.tempo_bpm);
+    design.motion.duration_s = args.seconds.unwrap_or(design.motion.duration_s);
+    design.skirt.seed = args.seed.unwrap_or(design.skirt.seed);
+    design
+        .check("command line")
+        .map_err(|error| Failure::Usage(error.into()))?;
+    Ok(design)
+}
+
+fn unknown(option: &str, word: &str, what: &str, choices: &[&str]) -> Failure {
+    let hint = match document::likely(word, choices) {
+        Some(near) => format!("did you mean {near}?"),
+        None => format!("choose one of {}", choices.join(", ")),
+    };
+    Failure::usage(&format!("{option} {word}: there is no such {what}; {hint}"))
+}
+
+/// A design larger than this [byte] is some other file; it is not even read.
+const LARGEST_FILE: u64 = 16 << 20;
+
+fn read(path: &Path) -> Result<Vec<u8>> {
+    let name = path.display();
+    let unreadable = || format!("{name}: the file cannot be read; check the path");
+    let size = std::fs::metadata(path).with_context(unreadable)?.len();
+    anyhow::ensure!(
+        size <= LARGEST_FILE,
+        "{name}: the file has {} MB and is no design; give a .lole file",
+        size >> 20
+    );
+    std::fs::read(path).with_context(unreadable)
+}
+
+/// A flag that Ctrl-C and a request to end set.
+fn stop_flag() -> Result<Arc<AtomicBool>> {
+    let flag = Arc::new(AtomicBool::new(false));
+    let set = Arc::clone(&flag);
+    ctrlc::set_handler(move || set.store(true, Ordering::Relaxed))
+        .context("the system lets no program listen to Ctrl-C")?;
+    Ok(flag)
+}
+
+/// The pictures of a run while they are being made.
+struct Shoot {
+    studio: Studio,
+    renderer: Renderer,
+    film: Mp4Writer,
+    size: Size,
+    backend: Backend,
+    stills: Vec<lole_render::Image>,
+}
+
+impl Run<'_> {
+    fn perform(&self, production: Production, output: OutputFolder) -> Result<(), Failure> {
+        let started = Instant::now();
+        let mut performance =
+            Performance::new(production).map_err(|error| Failure::Usage(error.into()))?;
+        let threads = self.thread_count();
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .map_err(Failure::error)?;
+        let mut shoot = self.shoot(&performance).map_err(Failure::Run)?;
+        let mut recording = Recording::default();
+        self.settle(&mut performance, &pool, &mut recording)?;
+        if recording.divergence.is_none() {
+            self.dance(&mut performance, &pool, &mut shoot, &mut recording)?;
+        }
+        let finished = Finished {
+            performance: &performance,
+            recording,
+            shoot,
+            threads,
+        };
+        self.write(finished, output, started)
+    }
+
+    fn thread_count(&self) -> usize {
+        let cores = || std::thread::available_parallelism().map_or(1, usize::from);
+        self.args
+            .threads
+            .map_or_else(|| cores().min(MOST_THREADS), usize::from)
+    }
+
+    fn shoot(&self, performance: &Performance) -> Result<Shoot> {
+        let (width, height) = self.args.size;
+        let size = Size::new(width, height);
+        let backend = if self.args.cpu {
+            Backend::Cpu
+        } else {
+            Backend::Auto
+        };
+        Ok(Shoot {
+            studio: Studio::new(performance)?,
+            renderer: Renderer::new(backend, size)?,
+            film: Mp4Writer::new([width, height], FILM_RATE, VideoSettings::default())?,
+            size,
+            backend,
+            stills: Vec::new(),
+        })
+    }
+
+    /// Lets the skirt hang down in the dancer's stance.
+    fn settle(
+        &self,
+        performance: &mut Performance,
+        pool: &rayon::ThreadPool,
+        recording: &mut Recording,
+    ) -> Result<(), Failure> {
+        let count = Performance::settle_frame_count();
+        let bar = self.progress(count, self.language.pick("布をなじませる", "settling"));
+        for _ in 0..count {
+            self.check_stop()?;
+            if let Err(divergence) = pool.install(|| performance.advance()) {
+                recording.divergence = Some(divergence);
+                break;
+            }
+            bar.inc(1);
+        }
+        bar.finish_and_clear();
+        Ok(())
+    }
+
+    /// Dances, drawing every second frame into the film.
+    fn dance(
+        &self,
+        performance: &mut Performance,
+        pool: &rayon::ThreadPool,
+        shoot: &mut Shoot,
+        recording: &mut Recording,
+    ) -> Result<(), Failure> {
+        let frame_count = frame_count(self.design.motion.duration_s);
+        let still_frame = self.still_frame(frame_count);
+        let bar = self.progress(frame_count, self.language.pick("踊る", "dancing"));
+        performance.pose_body();
+        let mut camera = FilmCamera::new(performance);
+        for frame in 0..frame_count {
+            self.check_stop()?;
+            if frame % FRAMES_PER_PICTURE == 0 {
+                performance.pose_body();
+                recording.metrics.push(performance.measure());
+                let dt = FRAME_SECONDS * FRAMES_PER_PICTURE as f32;
+                let view = camera.advance(performance, dt, shoot.size);
+                shoot.take(performance, view).map_err(Failure::Run)?;
+            }
+            if frame % (FRAMES_PER_SECOND / KEY_RATE) == 0 {
+                recording.keys.keep(performance);
+            }
+            if frame == still_frame {
+                shoot.take_stills(performance).map_err(Failure::Run)?;
+            }
+            let (wall, process) = (Instant::now(), ProcessTime::now());
+            let result = pool.install(|| performance.advance());
+            recording.timings.push(Timing {
+                process_seconds: process.elapsed().as_secs_f64(),
+                wall_seconds: wall.elapsed().as_secs_f64(),
+            });
+            if let Err(divergence) = result {
+                recording.divergence = Some(divergence);
+                break;
+            }
+            bar.inc(1);
+        }
+        if recording.divergence.is_none() {
+            performance.pose_body();
+            recording.metrics.push(performance.measure());
+        }
+        bar.finish_and_clear();
+        Ok(())
+    }
+
+    /// The frame of the stills: on a count, past the middle, when the sway is in full swing.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a dance has at most 36,000 frames"
+    )]
+    fn still_frame(&self, frame_count: u32) -> u32 {
+        let beat = f64::from(FRAMES_PER_SECOND) * 60.0 / self.design.motion.tempo_bpm;
+        let counts = (0.6 * f64::from(frame_count) / beat).round();
+        ((counts * beat) as u32).min(frame_count - 1)
+    }
+
+    fn check_stop(&self) -> Result<(), Failure> {
+        if self.stop.load(Ordering::Relaxed) {
+            Err(Failure::Interrupted)
+        } else {
+            Ok(())
+        }
+    }
+
+    fn progress(&self, length: u32, message: &'static str) -> ProgressBar {
+        let style = ProgressStyle::with_template("{msg:>12} [{bar:32}] {pos}/{len}  {eta}")
+            .unwrap_or_else(|_| ProgressStyle::default_bar())
+            .progress_chars("=> ");
+        let bar = ProgressBar::with_draw_target(
+            Some(u64::from(length)),
+            ProgressDrawTarget::stderr_with_hz(5),
+        );
+        bar.with_style(style).with_message(message)
+    }
+
+    fn write(
+        &self,
+        finished: Finished<'_>,
+        mut output: OutputFolder,
+        started: Instant,
+    ) -> Result<(), Failure> {
+        let Finished {
+            performance,
+            recording,
+            shoot,
+            threads,
+        } = finished;
+        let bar = self.progress(4, self.language.pick("書き出す", "writing"));
+        let mut files = Files::default();
+        let renderer = shoot.renderer.description().to_owned();
+        let film = match recording.divergence {
+            None => Some(shoot.film.finish().map_err(Failure::error)?),
+            Some(_) => None,
+        };
+        bar.inc(1);
+        let mut stills = Vec::new();
+        if let Some(film) = &film {
+            files.add(&mut output, "dance.mp4", film, "film")?;
+            for (still, image) in STILLS.iter().zip(&shoot.stills) {
+                let image =
+                    Image::new(image.width, image.height, &image.pixels).map_err(Failure::error)?;
+                let png = still::encode_png(image).map_err(Failure::error)?;
+                files.add(&mut output, still.file, &png, "still")?;
+                stills.push(still::encode_jpeg(image, 88).map_err(Failure::error)?);
+            }
+            bar.inc(1);
+            let glb = baked::dancer_glb(performance, &recording.keys, &shoot.studio)
+                .map_err(Failure::Run)?;
+            files.add(&mut output, "dancer.glb", &glb, "model")?;
+        }
+        bar.inc(1);
+        let text = document::to_toml(&self.design);
+        files.add(&mut output, "design.lole", text.as_bytes(), "design")?;
+        let figures = RunFigures {
+            design: &self.design,
+            threads,
+            renderer,
+            metrics: &recording.metrics,
+            timings: &recording.timings,
+            divergence: recording.divergence,
+            files: files.list,
+        };
+        let report = figures::report(performance, figures);
+        let page = figures::page(&report, film.as_deref(), &stills);
+        let json = lole_export::report::report_json(&report).map_err(Failure::error)?;
+        output
+            .write("report.html", page.as_bytes())
+            .map_err(Failure::Run)?;
+        output
+            .write("report.json", json.as_bytes())
+            .map_err(Failure::Run)?;
+        let paths = output.finish().map_err(Failure::Run)?;
+        bar.finish_and_clear();
+        if self.args.json {
+            summary::print_json(&json);
+        } else {
+            let seconds = started.elapsed().as_secs_f64();
+            summary::print_run(&report, &paths, seconds, self.language);
+        }
+        report
+            .divergence
+            .map_or(Ok(()), |found| Err(Failure::Diverged(found.sentence)))
+    }
+}
+
+/// A run whose last frame has been danced.
+struct Finished<'a> {
+    performance: &'a Performance,
+    recording: Recording,
+    shoot: Shoot,
+    threads: usize,
+}
+
+impl Shoot {
+    fn take(&mut self, performance: &Performance, camera: lole_render::Camera) -> Result<()> {
+        let image = self.studio.shoot(performance, camera, &mut self.renderer)?;
+        Ok(self.film.push_frame(&image.pixels)?)
+    }
+
+    fn take_stills(&mut self, performance: &mut Performance) -> Result<()> {
+        performance.pose_body();
+        let mut renderer = Renderer::new(self.backend, STILL_SIZE)?;
+        for still in &STILLS {
+            let camera = still_camera(performance, still.view, STILL_SIZE);
+            self.stills
+                .push(self.studio.shoot(performance, camera, &mut renderer)?);
+        }
+        Ok(())
+    }
+}
+
+/// Files written so far, for the report.
+#[derive(Default)]
+struct Files {
+    list: Vec<ReportFile>,
+}
+
+impl Files {
+    fn add(
+        &mut self,
+        output: &mut OutputFolder,
+        name: &str,
+        bytes: &[u8],
+        what: &str,
+    ) -> Result<(), Failure> {
+        output.write(name, bytes).map_err(Failure::Run)?;
+        self.list.push(ReportFile {
+            name: name.to_owned(),
+            bytes: bytes.len() as u64,
+            what: what.to_owned(),
+        });
+        Ok(())
+    }
+}
+
+/// Simulated frames of a dance of `seconds`.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "the command line allows at most 600 seconds"
+)]
+fn frame_count(seconds: f64) -> u32 {
+    (seconds * f64::from(FRAMES_PER_SECOND)).round() as u32
+}

@@ -1,0 +1,226 @@
+//! From a recorded run to the numbers of its report.
+
+use lole_costume::document::Design;
+use lole_export::report::{
+    Divergence as ReportDivergence, MeanPercentileMax, MedianPercentile, MinMeanMax, PageMedia,
+    ReportFile, RunReport, RunSeries, SkirtFacts, Still as PageStill, Worst, report_html,
+};
+use lole_stage::{Divergence, FRAMES_PER_SECOND, FrameMetrics, Performance, RunMetrics};
+
+use crate::studio::STILLS;
+
+/// How long one frame of simulation took.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Timing {
+    /// Processor time of all threads [s].
+    pub(crate) process_seconds: f64,
+    /// Time on the wall [s].
+    pub(crate) wall_seconds: f64,
+}
+
+/// What a run leaves behind.
+pub(crate) struct RunFigures<'a> {
+    pub(crate) design: &'a Design,
+    pub(crate) threads: usize,
+    pub(crate) renderer: String,
+    pub(crate) metrics: &'a [FrameMetrics],
+    pub(crate) timings: &'a [Timing],
+    pub(crate) divergence: Option<Divergence>,
+    pub(crate) files: Vec<ReportFile>,
+}
+
+/// The report of a run.
+pub(crate) fn report(performance: &Performance, run: RunFigures<'_>) -> RunReport {
+    let worst = RunMetrics::of(run.metrics);
+    let spec = &performance.production().skirt.spec;
+    let process: Vec<f64> = run
+        .timings
+        .iter()
+        .map(|t| 1e3 * t.process_seconds)
+        .collect();
+    let wall: Vec<f64> = run.timings.iter().map(|t| 1e3 * t.wall_seconds).collect();
+    let seconds = run.timings.len() as f64 / f64::from(FRAMES_PER_SECOND);
+    let skin_vertices = worst.skin.sunken_cloth_vertices + worst.skin.showing_body_vertices;
+    let columns = spec.grid.column_count;
+    RunReport {
+        lole: env!("CARGO_PKG_VERSION").to_owned(),
+        particles: spec.grid.particle_count(),
+        springs: performance.spring_count(),
+        method: run.design.method.name.id().to_owned(),
+        substeps: performance.substep_count(),
+        threads: run.threads,
+        frames: run.timings.len(),
+        seconds,
+        dance_step: run.design.motion.step.id().to_owned(),
+        bpm: run.design.motion.tempo_bpm,
+        seed: run.design.skirt.seed,
+        renderer: run.renderer,
+        frame_ms: median_and_p99(&process),
+        frame_wall_ms: median_and_p99(&wall),
+        realtime_factor: ratio(seconds, 1e-3 * wall.iter().sum::<f64>()),
+        strain_pct: percent(worst.strain),
+        strain_end_pct: percent(worst.strain_end),
+        capsule_penetration_mm: Worst {
+            worst: 1e3 * f64::from(worst.capsule_penetration),
+        },
+        skin_penetration_mm: Worst {
+            worst: 1e3 * f64::from(worst.skin.worst_depth),
+        },
+        skin_penetration_vertices: Worst {
+            worst: skin_vertices as usize,
+        },
+        hem_height_cm: MinMeanMax {
+            min: 1e2 * f64::from(worst.hem_height[0]),
+            mean: 1e2 * f64::from(worst.hem_height[1]),
+            max: 1e2 * f64::from(worst.hem_height[2]),
+        },
+        finite: run.divergence.is_none(),
+        divergence: run
+            .divergence
+            .map(|found| explain(&found, columns, run.design)),
+        state_hash: format!("{:016x}", performance.state_hash()),
+        files: run.files,
+        skirt: skirt_facts(performance),
+        series: series(run.metrics, &process),
+    }
+}
+
+fn explain(found: &Divergence, columns: u32, design: &Design) -> ReportDivergence {
+    let remedy = match design.method.name.id() {
+        "xpbd" => "raise [method] substep_count, or lower [motion] tempo_bpm",
+        _ => {
+            "raise [method] substep_count, or leave it out so that they are chosen by the stability bound"
+        }
+    };
+    let sentence = format!(
+        "the cloth diverged at {:.2} s at row {} column {} (particle {}); {remedy}",
+        found.time,
+        found.row,
+        found.column,
+        found.row * columns + found.column,
+    );
+    ReportDivergence {
+        time_s: f64::from(found.time),
+        particle: (found.row * columns + found.column) as usize,
+        sentence,
+    }
+}
+
+fn skirt_facts(performance: &Performance) -> SkirtFacts {
+    let production = performance.production();
+    let (draft, skirt) = (&production.draft, &production.design.skirt);
+    SkirtFacts {
+        design_name: design_name(performance),
+        cloth_needed_m: draft.yardage.metric.to_m(),
+        cloth_needed_yd: draft.yardage.imperial.to_yd(),
+        cloth_width_cm: production.design.fabric.width_cm,
+        gather_ratio: skirt.gather_ratio,
+        flat_width_cm: draft.flat_length.to_cm(),
+        finished_length_cm: draft.finished_length.to_cm(),
+        hem_height_cm: skirt.hem_height_cm,
+        elastic_lengths_cm: draft
+            .elastic_rows
+            .iter()
+            .map(|row| row.cut_length.to_cm())
+            .collect(),
+        hip_girth_cm: production.worn.hip_girth.to_cm(),
+    }
+}
+
+/// Step and cloth in a few words, since a design has no name of its own.
+fn design_name(performance: &Performance) -> String {
+    let design = &performance.production().design;
+    format!(
+        "pāʻū · {} · {}",
+        design.motion.step.name(),
+        design.fabric.preset.name
+    )
+}
+
+/// Curves of the report, one point a picture.
+fn series(metrics: &[FrameMetrics], process_ms: &[f64]) -> RunSeries {
+    let column = |value: fn(&FrameMetrics) -> f32| -> Vec<f64> {
+        metrics
+            .iter()
+            .map(|frame| f64::from(value(frame)))
+            .collect()
+    };
+    let cost_at = |time: f32| {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a dance has at most 36,000 frames"
+        )]
+        let frame = (time * FRAMES_PER_SECOND as f32).round().max(0.0) as usize;
+        process_ms
+            .get(frame)
+            .or(process_ms.last())
+            .copied()
+            .unwrap_or(0.0)
+    };
+    RunSeries {
+        time_s: column(|frame| frame.time),
+        frame_ms: metrics.iter().map(|frame| cost_at(frame.time)).collect(),
+        strain_p99_pct: column(|frame| 100.0 * frame.strain.p99),
+        hem_height_mean_cm: column(|frame| 100.0 * frame.hem_height),
+        skin_penetration_mm: column(|frame| 1e3 * frame.skin.worst_depth),
+    }
+}
+
+/// The page of a run.
+pub(crate) fn page(report: &RunReport, film: Option<&[u8]>, jpegs: &[Vec<u8>]) -> String {
+    let stills: Vec<PageStill<'_>> = STILLS
+        .iter()
+        .zip(jpegs)
+        .map(|(still, jpeg)| PageStill {
+            caption_en: still.caption_en,
+            caption_ja: still.caption_ja,
+            jpeg,
+        })
+        .collect();
+    report_html(
+        report,
+        PageMedia {
+            film_mp4: film,
+            stills: &stills,
+        },
+    )
+}
+
+fn percent(strain: lole_cloth::diagnose::StrainSummary) -> MeanPercentileMax {
+    let [mean, p99, max] =
+        [strain.mean, strain.p99, strain.max].map(|value| 100.0 * f64::from(value));
+    MeanPercentileMax { mean, p99, max }
+}
+
+fn ratio(numerator: f64, denominator: f64) -> f64 {
+    if 0.0 < denominator {
+        numerator / denominator
+    } else {
+        0.0
+    }
+}
+
+/// Median and 99th percentile: entries `n/2` and `99 n/100` of the sorted values; 0 without any.
+pub(crate) fn median_and_p99(values: &[f64]) -> MedianPercentile {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    let at = |index: usize| sorted.get(index).copied().unwrap_or(0.0);
+    MedianPercentile {
+        median: at(sorted.len() / 2),
+        p99: at(sorted.len() * 99 / 100),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn percentiles_are_entries_of_the_sorted_values() {
+        let values: Vec<f64> = (0..100).rev().map(f64::from).collect();
+        let found = median_and_p99(&values);
+        assert_eq!((found.median, found.p99), (50.0, 99.0));
+        assert_eq!(median_and_p99(&[]).median, 0.0);
+    }
+}

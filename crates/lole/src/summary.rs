@@ -1,0 +1,135 @@
+//! What the terminal says at the end: what was written and how to open it, or what went wrong.
+#![expect(
+    clippy::print_stdout,
+    clippy::print_stderr,
+    reason = "this is the terminal's voice"
+)]
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use lole_export::report::RunReport;
+
+use crate::Failure;
+use crate::language::Language;
+
+/// Exit code after Ctrl-C: 128 plus the signal's number, as shells have it.
+const INTERRUPTED: u8 = 130;
+
+/// Prints the report as JSON.
+pub(crate) fn print_json(json: &str) {
+    print!("{json}");
+}
+
+/// Says what a run wrote and how it went.
+pub(crate) fn print_run(report: &RunReport, paths: &[PathBuf], seconds: f64, language: Language) {
+    let pick = |japanese: &'static str, english: &'static str| language.pick(japanese, english);
+    println!();
+    for path in paths {
+        println!("  {:<44} {}", path.display(), open_hint(path, language));
+    }
+    println!();
+    println!(
+        "  {} {} {} · {} {} · {:.1} {} ({} {:.1} ms) · {} {:.1} ×",
+        report.method,
+        report.particles,
+        pick("質点", "particles"),
+        report.threads,
+        pick("スレッド", "threads"),
+        report.frame_wall_ms.median,
+        pick("ミリ秒/コマ", "ms a frame"),
+        pick("CPU", "CPU"),
+        report.frame_ms.median,
+        pick("実時間の", "real time"),
+        report.realtime_factor,
+    );
+    println!(
+        "  {} {:.1} % (p99) · {} {:.1} mm · {} {:.1} cm · {} · {:.0} s",
+        pick("ひずみ", "strain"),
+        report.strain_pct.p99,
+        pick("肌へのめり込み", "below the skin"),
+        report.skin_penetration_mm.worst,
+        pick("裾の高さ", "hem height"),
+        report.hem_height_cm.mean,
+        report.renderer,
+        seconds,
+    );
+}
+
+fn open_hint(path: &std::path::Path, language: Language) -> &'static str {
+    let name = path
+        .file_name()
+        .and_then(|name| name.to_str())
+        .unwrap_or("");
+    match name {
+        "report.html" => language.pick("ここから: ブラウザで開く", "start here: open in a browser"),
+        "dance.mp4" => language.pick("動画プレーヤーで再生", "plays in any video player"),
+        "dancer.glb" => language.pick(
+            "Blender や 3D ビューアーで開く",
+            "opens in Blender and 3D viewers",
+        ),
+        "design.lole" => language.pick(
+            "lole dance design.lole で同じ踊り",
+            "lole dance design.lole repeats it",
+        ),
+        "report.json" => language.pick("プログラム用の数値", "the numbers, for programs"),
+        _ => language.pick("写真", "a still"),
+    }
+}
+
+/// Says what went wrong, in one sentence, and gives the exit code.
+pub(crate) fn explain(failure: &Failure, language: Language) -> ExitCode {
+    match failure {
+        Failure::Usage(error) => {
+            eprintln!("lole: {}", one_line(error));
+            ExitCode::from(2)
+        }
+        Failure::Run(error) => {
+            eprintln!("lole: {}", one_line(error));
+            ExitCode::from(1)
+        }
+        Failure::Diverged(sentence) => {
+            eprintln!("lole: {sentence}");
+            ExitCode::from(1)
+        }
+        Failure::Interrupted => {
+            eprintln!(
+                "lole: {}",
+                language.pick(
+                    "中止しました。何も書き出していません。",
+                    "stopped; nothing was written."
+                )
+            );
+            ExitCode::from(INTERRUPTED)
+        }
+    }
+}
+
+/// The sentence and its cause, without line breaks.
+fn one_line(error: &anyhow::Error) -> String {
+    let mut text = String::new();
+    for cause in error.chain() {
+        let sentence = cause.to_string().replace(['\n', '\r'], " ");
+        if !text.contains(&sentence) {
+            if !text.is_empty() {
+                text.push_str(" (");
+                text.push_str(&sentence);
+                text.push(')');
+            } else {
+                text.push_str(&sentence);
+            }
+        }
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn causes_follow_the_sentence_in_parentheses() {
+        let error = anyhow::anyhow!("no such\nfile").context("a.lole: cannot be read");
+        assert_eq!(one_line(&error), "a.lole: cannot be read (no such file)");
+    }
+}

@@ -1,0 +1,319 @@
+//! A performance: one dancer, one skirt, one dance, moved on frame by frame.
+
+use glam::{Affine3A, Vec3};
+use lole_body::motion::Dance;
+use lole_body::{Dancer, Measurements, Pose};
+use lole_cloth::{Fabric, diagnose};
+use lole_costume::document::Design;
+use lole_costume::sew::{self, SewSettings, SewnSkirt, SkirtMesh};
+use lole_geom::{Capsule, Length, mesh::vertex_normals};
+use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements, draft_pau_skirt};
+
+use crate::solver::{Solver, Surroundings};
+use crate::{FrameMetrics, StageError, skin_check};
+
+/// Steps of the simulation per second: one for every picture of an ordinary screen.
+pub const FRAMES_PER_SECOND: u32 = 60;
+
+/// Frames the cloth hangs down in the stance before the dance starts: three seconds, after which a
+/// skirt of any fabric on the shelf hangs still.
+const SETTLE_FRAMES: u32 = 3 * FRAMES_PER_SECOND;
+
+/// Duration of one frame [s].
+pub const FRAME_SECONDS: f32 = 1.0 / FRAMES_PER_SECOND as f32;
+
+/// Cloth that is further than this from the origin [m] has left the stage: the run has diverged.
+const STAGE_RADIUS: f32 = 100.0;
+
+/// Everything about one performance that does not change from frame to frame.
+pub struct Production {
+    /// What is performed.
+    pub design: Design,
+    /// The dancer.
+    pub dancer: Dancer,
+    /// What she dances.
+    pub dance: Dance,
+    /// The skirt on paper, and what was measured for it.
+    pub draft: PauDraft,
+    /// Where the skirt is worn.
+    pub worn: PauMeasurements,
+    /// The skirt in SI units.
+    pub fabric: Fabric,
+    /// The skirt on the dancer.
+    pub skirt: SewnSkirt,
+    /// The skirt as it is drawn.
+    pub skirt_mesh: SkirtMesh,
+    /// Triangles of the closed body surface.
+    pub body_triangles: Vec<[u32; 3]>,
+}
+
+/// Where and when the cloth stopped being cloth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Divergence {
+    /// Time of the dance [s]; negative while settling.
+    pub time: f32,
+    /// Row and column of the first particle that left.
+    pub row: u32,
+    /// See `row`.
+    pub column: u32,
+}
+
+/// A production on stage.
+pub struct Performance {
+    production: Production,
+    solver: Solver,
+    pose: Pose,
+    world_from_bind: Vec<Affine3A>,
+    capsules: Vec<Capsule>,
+    pin_targets: Vec<Vec3>,
+    cloth_positions: Vec<Vec3>,
+    body_positions: Vec<Vec3>,
+    body_normals: Vec<Vec3>,
+    /// Frames danced; negative while settling.
+    frame: i64,
+}
+
+impl Production {
+    /// Measures, drafts and sews a design.
+    ///
+    /// # Errors
+    /// A design whose parts do not fit together.
+    pub fn new(design: &Design) -> Result<Self, StageError> {
+        let measurements = Measurements::from_tape(&design.tape())?;
+        let dancer = Dancer::new(&measurements)?;
+        let dance = Dance::new(&dancer.skeleton, &design.motion_settings())?;
+        let worn = worn_measurements(design, &dancer);
+        let draft = draft_pau_skirt(&worn, &design.pau_options()?)?;
+        let fabric = design.fabric.fabric();
+        let settings = SewSettings {
+            column_count: design.skirt.column_count,
+            row_count: design.skirt.row_count,
+            seed: design.skirt.seed,
+            ..SewSettings::default()
+        };
+        let skirt = sew::sew(&draft, &worn, &fabric, &dancer, &settings)?;
+        let skirt_mesh = SkirtMesh::new(&skirt.spec.grid, design.print.print().repeat.to_m_f32());
+        let body_triangles = dancer.skin.body_triangles();
+        Ok(Self {
+            design: design.clone(),
+            dancer,
+            dance,
+            draft,
+            worn,
+            fabric,
+            skirt,
+            skirt_mesh,
+            body_triangles,
+        })
+    }
+}
+
+/// Points of the tape that measures the girth where the skirt is worn.
+const TAPE_POINTS: usize = 360;
+
+/// What the tape says where the lowest elastic row is worn: at the front points of the hip bones,
+/// unless the design says otherwise.
+fn worn_measurements(design: &Design, dancer: &Dancer) -> PauMeasurements {
+    let height = match design.skirt.worn_height_cm {
+        Some(centimeters) => Length::from_cm(centimeters).to_m_f32(),
+        None => dancer.landmarks.asis_height,
+    };
+    let ring = dancer.tape_ring(height, TAPE_POINTS);
+    let next = ring.iter().cycle().skip(1);
+    let girth: f32 = ring
+        .iter()
+        .zip(next)
+        .map(|(a, b)| a.bind_position.distance(b.bind_position))
+        .sum();
+    PauMeasurements {
+        hip_girth: dancer.measurements.hip_girth,
+        worn_girth: Length::from_m(f64::from(girth)),
+        worn_height: Length::from_m(f64::from(height)),
+    }
+}
+
+impl Performance {
+    /// Puts a production on stage: the dancer in her stance, the skirt where its drape starts,
+    /// [`Self::settle_frame_count`] frames before the dance.
+    ///
+    /// # Errors
+    /// A skirt the chosen method cannot be prepared for.
+    pub fn new(production: Production) -> Result<Self, StageError> {
+        let skeleton = &production.dancer.skeleton;
+        let world_from_bind = skeleton.world_from_bind(&production.dance.pose_at(0.0));
+        let start = production.skirt.start_positions(&world_from_bind);
+        let solver = Solver::new(&production.design, &production.skirt.spec, &start)?;
+        let mut performance = Self {
+            production,
+            solver,
+            pose: Pose::default(),
+            world_from_bind,
+            capsules: Vec::new(),
+            pin_targets: Vec::new(),
+            cloth_positions: start,
+            body_positions: Vec::new(),
+            body_normals: Vec::new(),
+            frame: -i64::from(SETTLE_FRAMES),
+        };
+        performance.pose_dancer();
+        Ok(performance)
+    }
+
+    /// What is performed.
+    #[must_use]
+    pub const fn production(&self) -> &Production {
+        &self.production
+    }
+
+    /// Frames the cloth hangs down in the stance before the dance starts.
+    #[must_use]
+    pub const fn settle_frame_count() -> u32 {
+        SETTLE_FRAMES
+    }
+
+    /// Time of the dance [s]; negative while settling.
+    #[must_use]
+    #[expect(clippy::cast_precision_loss, reason = "ten minutes are 36,000 frames")]
+    pub fn time(&self) -> f32 {
+        self.frame as f32 * FRAME_SECONDS
+    }
+
+    /// Moves dancer and cloth on by one frame: the part that must run in real time.
+    ///
+    /// # Errors
+    /// The first particle that left the stage, with time and place.
+    pub fn advance(&mut self) -> Result<(), Divergence> {
+        self.frame += 1;
+        self.pose_dancer();
+        let surroundings = Surroundings {
+            pin_targets: &self.pin_targets,
+            capsules: &self.capsules,
+            time: self.time(),
+        };
+        self.solver.step(&surroundings, FRAME_SECONDS);
+        self.solver.copy_positions(&mut self.cloth_positions);
+        self.check_stage()
+    }
+
+    fn pose_dancer(&mut self) {
+        self.pose = self.production.dance.pose_at(self.time().max(0.0));
+        self.world_from_bind = self.production.dancer.skeleton.world_from_bind(&self.pose);
+        self.capsules = self.production.dancer.posed_capsules(&self.world_from_bind);
+        self.production
+            .skirt
+            .pose_pins(&self.world_from_bind, &mut self.pin_targets);
+    }
+
+    fn check_stage(&self) -> Result<(), Divergence> {
+        let left = |position: &Vec3| {
+            !position.is_finite() || STAGE_RADIUS * STAGE_RADIUS < position.length_squared()
+        };
+        let Some(particle) = self.cloth_positions.iter().position(left) else {
+            return Ok(());
+        };
+        let columns = self.production.skirt.spec.grid.column_count as usize;
+        let place = |value: usize| u32::try_from(value).unwrap_or(u32::MAX);
+        let (row, column) = (place(particle / columns), place(particle % columns));
+        Err(Divergence {
+            time: self.time(),
+            row,
+            column,
+        })
+    }
+
+    /// Places the drawn body in the current pose: for pictures and checks, not for the cloth.
+    pub fn pose_body(&mut self) {
+        let skin = &self.production.dancer.skin;
+        skin.pose(
+            &self.world_from_bind,
+            &mut self.body_positions,
+            &mut self.body_normals,
+        );
+    }
+
+    /// Positions of the particles [m], row-major.
+    #[must_use]
+    pub fn cloth_positions(&self) -> &[Vec3] {
+        &self.cloth_positions
+    }
+
+    /// Unit normals of the particles, outward; the seam is smooth.
+    #[must_use]
+    pub fn cloth_normals(&self) -> Vec<Vec3> {
+        vertex_normals(
+            &self.cloth_positions,
+            &self.production.skirt_mesh.particle_triangles,
+        )
+    }
+
+    /// Posed vertices of the drawn body [m]; call [`Self::pose_body`] first.
+    #[must_use]
+    pub fn body_positions(&self) -> &[Vec3] {
+        &self.body_positions
+    }
+
+    /// Posed unit normals of the drawn body.
+    #[must_use]
+    pub fn body_normals(&self) -> &[Vec3] {
+        &self.body_normals
+    }
+
+    /// The dancer's current pose.
+    #[must_use]
+    pub const fn pose(&self) -> &Pose {
+        &self.pose
+    }
+
+    /// Skin transforms of the current pose, by bone.
+    #[must_use]
+    pub fn world_from_bind(&self) -> &[Affine3A] {
+        &self.world_from_bind
+    }
+
+    /// Measures the current frame; call [`Self::pose_body`] first.
+    #[must_use]
+    pub fn measure(&self) -> FrameMetrics {
+        let spec = &self.production.skirt.spec;
+        let body = skin_check::Surface {
+            positions: &self.body_positions,
+            normals: &self.body_normals,
+            triangles: &self.production.body_triangles,
+        };
+        let cloth = skin_check::Surface {
+            positions: &self.cloth_positions,
+            normals: &[],
+            triangles: &self.production.skirt_mesh.particle_triangles,
+        };
+        let columns = spec.grid.column_count as usize;
+        let hem = &self.cloth_positions[self.cloth_positions.len() - columns..];
+        FrameMetrics {
+            time: self.time(),
+            strain: diagnose::strain(spec, &self.cloth_positions),
+            capsule_penetration: diagnose::worst_capsule_penetration(
+                spec,
+                &self.cloth_positions,
+                &self.capsules,
+            ),
+            skin: skin_check::check(body, cloth),
+            hem_height: hem.iter().map(|p| p.y).sum::<f32>() / columns as f32,
+        }
+    }
+
+    /// All bits of the cloth's state as one number.
+    #[must_use]
+    pub fn state_hash(&self) -> u64 {
+        self.solver.state_hash()
+    }
+
+    /// Springs of the prepared cloth.
+    #[must_use]
+    pub fn spring_count(&self) -> usize {
+        self.solver.spring_count()
+    }
+
+    /// Substeps of one frame.
+    #[must_use]
+    pub fn substep_count(&self) -> u32 {
+        self.solver.substep_count()
+    }
+}

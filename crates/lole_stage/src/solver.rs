@@ -1,0 +1,205 @@
+//! One face for the engine's methods, so that a performance does not ask which one moves its cloth.
+
+use std::num::NonZeroU32;
+
+use glam::{DVec3, Vec3};
+use lole_cloth::method::fb_euler::{self, FbEulerConfig, Substeps};
+use lole_cloth::method::paper;
+use lole_cloth::method::reference::{ReferenceModel, ReferenceState};
+use lole_cloth::wind::Wind;
+use lole_cloth::{ClothModel, ClothSpec, ClothState, SelfCollision, SolverConfig, StepInput};
+use lole_costume::document::{Design, MethodName};
+use lole_geom::Capsule;
+
+use crate::{FRAME_SECONDS, StageError};
+
+/// Gap kept between skin and cloth [m]: half the thickness of a gathered double layer, and room
+/// for the capsules' distance to the drawn skin.
+const CONTACT_OFFSET: f32 = 0.004;
+
+/// A prepared cloth and its moving state, by method.
+pub(crate) enum Solver {
+    /// Real time, `f32`.
+    Xpbd(Box<Xpbd>),
+    /// The paper's stable integrator, `f64`, as many substeps as its stability asks for.
+    FbEuler(Box<FbEuler>),
+}
+
+pub(crate) struct Xpbd {
+    model: ClothModel,
+    state: ClothState,
+    config: SolverConfig,
+    /// Speed of the air at its strongest [m/s].
+    wind_speed: f64,
+}
+
+pub(crate) struct FbEuler {
+    model: ReferenceModel,
+    state: ReferenceState,
+    config: FbEulerConfig,
+}
+
+/// Where everything that touches the cloth is at the end of a step.
+pub(crate) struct Surroundings<'a> {
+    pub(crate) pin_targets: &'a [Vec3],
+    pub(crate) capsules: &'a [Capsule],
+    /// Time at the start of the step [s].
+    pub(crate) time: f32,
+}
+
+impl Solver {
+    /// Prepares the cloth for the design's method, at rest at `start` [m].
+    pub(crate) fn new(
+        design: &Design,
+        spec: &ClothSpec,
+        start: &[Vec3],
+    ) -> Result<Self, StageError> {
+        let substeps = design.method.substep_count.and_then(NonZeroU32::new);
+        match design.method.name {
+            MethodName::Xpbd => {
+                let model = ClothModel::new(spec)?;
+                let state = ClothState::new(&model, start);
+                let config = xpbd_config(spec, substeps);
+                let wind_speed = design.wind.speed_m_per_s;
+                Ok(Self::Xpbd(Box::new(Xpbd {
+                    model,
+                    state,
+                    config,
+                    wind_speed,
+                })))
+            }
+            MethodName::FbEuler => {
+                let model = ReferenceModel::new(spec)?;
+                let state = ReferenceState::at_rest(start.iter().map(|p| p.as_dvec3()).collect());
+                let mut config = FbEulerConfig::for_model(&model, f64::from(FRAME_SECONDS));
+                config.penalty.contact_offset = f64::from(CONTACT_OFFSET);
+                config.wind = wind_per_particle(design, spec);
+                if let Some(count) = substeps {
+                    config.substeps = Substeps::Fixed(count);
+                }
+                Ok(Self::FbEuler(Box::new(FbEuler {
+                    model,
+                    state,
+                    config,
+                })))
+            }
+        }
+    }
+
+    /// Moves the cloth on by `dt` [s].
+    pub(crate) fn step(&mut self, surroundings: &Surroundings<'_>, dt: f32) {
+        match self {
+            Self::Xpbd(xpbd) => {
+                let input = StepInput {
+                    pin_targets: surroundings.pin_targets,
+                    capsules: surroundings.capsules,
+                    air_velocity: air_velocity(xpbd.wind_speed, surroundings.time),
+                };
+                lole_cloth::step(&xpbd.model, &xpbd.config, &input, &mut xpbd.state, dt);
+            }
+            Self::FbEuler(reference) => {
+                let pin_targets: Vec<DVec3> = surroundings
+                    .pin_targets
+                    .iter()
+                    .map(|p| p.as_dvec3())
+                    .collect();
+                let input = fb_euler::StepInput {
+                    time: f64::from(surroundings.time),
+                    pin_targets: &pin_targets,
+                    capsules: surroundings.capsules,
+                };
+                let FbEuler {
+                    model,
+                    state,
+                    config,
+                } = &mut **reference;
+                fb_euler::step(model, config, &input, state, f64::from(dt));
+            }
+        }
+    }
+
+    /// Positions of the particles [m], row-major.
+    pub(crate) fn copy_positions(&self, out: &mut Vec<Vec3>) {
+        match self {
+            Self::Xpbd(xpbd) => xpbd.state.copy_positions(&xpbd.model, out),
+            Self::FbEuler(reference) => {
+                out.clear();
+                out.extend(reference.state.positions.iter().map(|p| p.as_vec3()));
+            }
+        }
+    }
+
+    /// All bits of positions and velocities as one number.
+    pub(crate) fn state_hash(&self) -> u64 {
+        match self {
+            Self::Xpbd(xpbd) => lole_cloth::state_hash(&xpbd.state),
+            Self::FbEuler(reference) => hash_f64(&reference.state),
+        }
+    }
+
+    /// Springs of all families.
+    pub(crate) fn spring_count(&self) -> usize {
+        match self {
+            Self::Xpbd(xpbd) => xpbd.model.spring_count(),
+            Self::FbEuler(reference) => reference.model.spring_count(),
+        }
+    }
+
+    /// Substeps of one frame.
+    pub(crate) fn substep_count(&self) -> u32 {
+        match self {
+            Self::Xpbd(xpbd) => xpbd.config.substep_count.get(),
+            Self::FbEuler(reference) => match reference.config.substeps {
+                Substeps::Fixed(count) => count.get(),
+                Substeps::Automatic => reference
+                    .model
+                    .stable_substeps(f64::from(FRAME_SECONDS), &reference.config.penalty),
+            },
+        }
+    }
+}
+
+/// The paper's turning wind (4) and (5), as the velocity [m/s] of the air.
+fn air_velocity(speed: f64, time: f32) -> Vec3 {
+    paper::wind_force(speed, paper::wind_phases(f64::from(time))).as_vec3()
+}
+
+/// The same wind as a force on every particle, `None` in still air.
+fn wind_per_particle(design: &Design, spec: &ClothSpec) -> Option<Wind> {
+    let [width, height] = spec.grid.spacing.map(f64::from);
+    let cells = f64::from(spec.grid.cell_columns()) * f64::from(spec.grid.row_count - 1);
+    let count = spec.grid.column_count * spec.grid.row_count;
+    let pressure = design.wind.pressure();
+    (0.0 < pressure).then(|| Wind::from_pressure(pressure, width * height * cells, count))
+}
+
+/// FNV-1a hash (Fowler, Noll, Vo; 64 bits) of all bits of positions and velocities.
+fn hash_f64(state: &ReferenceState) -> u64 {
+    let values = state
+        .positions
+        .iter()
+        .chain(&state.velocities)
+        .flat_map(|v| v.to_array());
+    values
+        .flat_map(f64::to_le_bytes)
+        .fold(0xcbf2_9ce4_8422_2325, |hash: u64, byte| {
+            (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
+        })
+}
+
+/// Settings of the film's skirt.
+fn xpbd_config(spec: &ClothSpec, substeps: Option<NonZeroU32>) -> SolverConfig {
+    let mut config = SolverConfig {
+        contact_offset: CONTACT_OFFSET,
+        self_collision: Some(SelfCollision {
+            // Spheres of neighbors along a row just touch when the cloth is flat.
+            radius: 0.5 * spec.grid.spacing[0],
+            substep_interval: NonZeroU32::MIN,
+        }),
+        ..SolverConfig::default()
+    };
+    if let Some(count) = substeps {
+        config.substep_count = count;
+    }
+    config
+}
