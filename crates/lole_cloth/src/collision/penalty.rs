@@ -1,5 +1,7 @@
 //! Contact with moving capsules by the penalty force (14), in `f64`, for the reference methods.
 
+use std::num::NonZeroU32;
+
 use glam::DVec3;
 use lole_geom::Capsule;
 
@@ -11,9 +13,12 @@ pub enum Overlap {
     /// Only the capsule that holds the particle deepest pushes it. The default: the stiffness, and
     /// with it the largest stable substep, is then the same at a joint as along a limb.
     Deepest,
-    /// Every capsule pushes, as the paper's text suggests. `n` overlapping capsules are `n` times
-    /// as stiff; [`Penalty::overlap_count`] keeps the substep count safe.
-    Sum,
+    /// Every capsule pushes, as the paper's text suggests: where `n` overlap, contact is `n` times
+    /// as stiff, and the substeps are made for it.
+    Sum {
+        /// The largest number of capsules that overlap anywhere.
+        count: NonZeroU32,
+    },
 }
 
 /// The constants of the penalty force (14).
@@ -44,13 +49,12 @@ impl Penalty {
         }
     }
 
-    /// How many capsules of `capsule_count` may push one particle at once.
+    /// How many capsules may push one particle at once.
     #[must_use]
-    pub const fn overlap_count(&self, capsule_count: u32) -> u32 {
+    pub const fn overlap_count(&self) -> u32 {
         match self.overlap {
-            Overlap::Deepest if capsule_count == 0 => 0,
             Overlap::Deepest => 1,
-            Overlap::Sum => capsule_count,
+            Overlap::Sum { count } => count.get(),
         }
     }
 }
@@ -213,7 +217,7 @@ fn combine(overlap: Overlap, found: ContactForce, force: DVec3, contact: Contact
     let is_deeper = found.deepest.depth < contact.depth;
     let deepest = if is_deeper { contact } else { found.deepest };
     let force = match overlap {
-        Overlap::Sum => found.force + force,
+        Overlap::Sum { .. } => found.force + force,
         Overlap::Deepest if is_deeper => force,
         Overlap::Deepest => found.force,
     };

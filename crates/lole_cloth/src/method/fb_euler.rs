@@ -47,7 +47,7 @@ impl FbEulerConfig {
     /// for it, so that contact asks for hardly more substeps than the cloth itself.
     #[must_use]
     pub fn for_model(model: &ReferenceModel, dt: f64) -> Self {
-        let substeps = model.stable_substeps(dt, &Penalty::new(0.0, 0.0), 0);
+        let substeps = model.stable_substeps(dt, &Penalty::new(0.0, 0.0));
         let frequency = 0.5 * f64::from(substeps) / dt;
         let mass = lightest_mass(model);
         Self {
@@ -99,9 +99,8 @@ pub fn step(
 ) -> u32 {
     assert_eq!(state.positions.len(), model.masses().len(), "particles");
     assert_eq!(input.pin_targets.len(), model.pin_indices().len(), "pins");
-    let capsule_count = u32::try_from(input.capsules.len()).unwrap_or(u32::MAX);
     let substep_count = match config.substeps {
-        Substeps::Automatic => model.stable_substeps(dt, &config.penalty, capsule_count),
+        Substeps::Automatic => model.stable_substeps(dt, &config.penalty),
         Substeps::Fixed(count) => count.get(),
     };
     if state.capsules.len() != input.capsules.len() {

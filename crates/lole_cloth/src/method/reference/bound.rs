@@ -28,11 +28,11 @@ impl ReferenceModel {
 
     /// Substeps into which (9) must divide `dt` [s] to be stable with this contact, from
     /// `ω² Δt² + 2 c Δt < 4` at every free particle, where `ω² = ω_i² + n k / m_i`,
-    /// `c = drag_rate + n b / m_i` and `n` capsules push at once; and so that `ω_c Δt ≤ 0.5`, which
+    /// `c = drag_rate + n b / m_i` and `n` capsules push at once ([`Penalty::overlap_count`]); and so that `ω_c Δt ≤ 0.5`, which
     /// keeps the bounce honest. At least 1.
     #[must_use]
-    pub fn stable_substeps(&self, dt: f64, contact: &Penalty, capsule_count: u32) -> u32 {
-        let overlap = f64::from(contact.overlap_count(capsule_count));
+    pub fn stable_substeps(&self, dt: f64, contact: &Penalty) -> u32 {
+        let overlap = f64::from(contact.overlap_count());
         let mut rate: f64 = 0.0;
         for (index, &frequency_squared) in self.frequency_bounds_squared.iter().enumerate() {
             if self.pinned[index] {
