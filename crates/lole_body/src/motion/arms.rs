@@ -102,11 +102,11 @@ const LOW: Arm = Arm {
 const ON_WAIST: Arm = Arm {
     azimuth: 2.0,
     elevation: -40.0,
-    fore_azimuth: 166.0,
-    fore_elevation: -36.0,
-    palm: -30.0,
-    wrist: 0.0,
-    fingers: 4.0,
+    fore_azimuth: 190.0,
+    fore_elevation: -32.0,
+    palm: -72.0,
+    wrist: -48.0,
+    fingers: 8.0,
 };
 
 /// Counts by which the fingers follow the wrist: 60 ms at 80 beats per minute.
@@ -114,9 +114,10 @@ const FINGER_LAG_COUNTS: f32 = 0.08;
 /// Turn of the head toward the far hand [°].
 const GAZE: f32 = 18.0;
 
-/// Arms of the ready stance [left, right]: where the loop begins, without its waves.
-pub(super) fn ready(plan: ArmPlan) -> [Arm; 2] {
-    [shape(plan, 0.0), shape(plan, 0.5 * loop_counts(plan))]
+/// Arms of the ready stance [left, right]: where the loop begins, without its waves. A loop has
+/// `loop_counts`.
+pub(super) fn ready(plan: ArmPlan, loop_counts: f32) -> [Arm; 2] {
+    [shape(plan, 0.0), shape(plan, 0.5 * loop_counts)]
 }
 
 /// Turn of the head in the ready stance [°].
@@ -128,28 +129,18 @@ pub(super) fn ready_gaze(plan: ArmPlan) -> f32 {
     }
 }
 
-/// Arms [left, right] and turn of the head [°] at `count`.
-pub(super) fn of_count(plan: ArmPlan, count: f32) -> ([Arm; 2], f32) {
+/// Arms [left, right] and turn of the head [°] at `count` of a loop of `loop_counts`.
+pub(super) fn of_count(plan: ArmPlan, loop_counts: f32, count: f32) -> ([Arm; 2], f32) {
     // The right arm does what the left arm does half a loop later.
-    let half = 0.5 * loop_counts(plan);
-    let arm = |count: f32| waved(plan, count);
-    ([arm(count), arm(count + half)], gaze(plan, count))
+    let arms = [waved(plan, count), waved(plan, count + 0.5 * loop_counts)];
+    (arms, gaze(plan, loop_counts, count))
 }
 
-/// Counts after which the arms repeat.
-fn loop_counts(plan: ArmPlan) -> f32 {
-    match plan {
-        ArmPlan::LeadAndChest => 8.0,
-        ArmPlan::HighAndLow => 4.0,
-        ArmPlan::Rounded | ArmPlan::Open | ArmPlan::HandsOnHips => 2.0,
-    }
-}
-
-fn gaze(plan: ArmPlan, count: f32) -> f32 {
+fn gaze(plan: ArmPlan, loop_counts: f32, count: f32) -> f32 {
     match plan {
         ArmPlan::LeadAndChest => GAZE * (2.0 * left_out(count - 0.05) - 1.0),
         ArmPlan::HighAndLow => GAZE * (2.0 * left_high(count) - 1.0),
-        ArmPlan::Open => 6.0 * trig::cos(PI * (count - 0.1)),
+        ArmPlan::Open => 6.0 * trig::cos(2.0 * PI * count / loop_counts),
         ArmPlan::Rounded | ArmPlan::HandsOnHips => 0.0,
     }
 }
@@ -196,7 +187,7 @@ fn waved(plan: ArmPlan, count: f32) -> Arm {
     let (wrist, elbow) = match plan {
         ArmPlan::LeadAndChest => {
             let out = left_out(count);
-            (10.0 + 12.0 * out, 1.5 + 3.0 * out)
+            (9.0 + 8.0 * out, 1.5 + 3.0 * out)
         }
         ArmPlan::Open => (14.0, 4.0),
         ArmPlan::Rounded => (12.0, 3.0),

@@ -45,6 +45,11 @@ pub(super) fn soft_min(a: f32, b: f32, width: f32) -> f32 {
     a.min(b) - overlap * overlap * overlap * width / 6.0
 }
 
+/// The larger of two lengths, rounded like [`soft_min`]; never smaller than either.
+pub(super) fn soft_max(a: f32, b: f32, width: f32) -> f32 {
+    -soft_min(-a, -b, width)
+}
+
 /// Straight-line mixture: `a` at weight 0, `b` at weight 1.
 pub(super) fn mix(a: f32, b: f32, weight: f32) -> f32 {
     a + (b - a) * weight

@@ -178,6 +178,16 @@ impl LegRig {
         HEEL_BEYOND_ANKLE * to_ball.with_y(0.0).length().max(1e-3)
     }
 
+    /// How far from the ankle a hip joint may stand, seen along the floor, for the knee to stay
+    /// bent by `knee_degrees`; both are lengths [m], `over` and `ahead` the known distances.
+    pub(super) fn widest(&self, over: f32, ahead: f32, knee_degrees: f32) -> f32 {
+        let chord = self.chord(knee_degrees);
+        let least = 0.1 * chord;
+        (chord * chord - over * over - ahead * ahead)
+            .max(least * least)
+            .sqrt()
+    }
+
     /// Height above which `hip` [m] may not rise, for the knee to stay bent by `knee_degrees`.
     pub(super) fn highest_hip(&self, hip: Vec3, ankle: Vec3, knee_degrees: f32) -> f32 {
         let chord = self.chord(knee_degrees);
@@ -227,8 +237,8 @@ impl ArmRig {
         let fore = direction(skeleton, lower, hand)?;
         let along = direction(skeleton, hand, middle)?;
         let across = direction(skeleton, index, little)?;
-        // Left hand: along × (index → little) points out of the palm; mirrored on the right.
-        let palm = along.cross(across) * side;
+        // Left hand: (index → little) × along points out of the palm; mirrored on the right.
+        let palm = across.cross(along) * side;
         let horizontal = upper_direction.with_y(0.0).length();
         Ok(Self {
             side,

@@ -6,11 +6,11 @@
 use glam::{Quat, Vec2, Vec3};
 use lole_geom::trig;
 
-use super::ease::soft_min;
+use super::ease::{soft_max, soft_min};
 use super::figure::{Figure, Foot, Pelvis};
 use super::limbs::{ArmRig, LegRig};
 use super::settings::{MotionError, MotionSettings};
-use super::steps::sink;
+use super::steps::{sink, widest_feet};
 use crate::{Bone, Pose, Skeleton};
 
 /// Legs (hip joint to ankle) of the fitted woman [statures]: thigh 0.225 and shank 0.236.
@@ -21,8 +21,13 @@ const HIPS_BEHIND_ANKLES: f32 = 0.010;
 const SWAY_OF_SHOULDERS: f32 = 0.18;
 /// Straightest knee of a dancing leg [°].
 const LEAST_KNEE_DEGREES: f32 = 11.0;
+/// Room for the hips to sway while the feet are farthest apart [statures].
+const SHIFT_IN_STRIDE: f32 = 0.04;
 /// Width over which the pelvis gives way to a short leg [statures], 1 cm.
 const GIVE_WAY: f32 = 0.0065;
+
+/// The same to the side [statures], 3 cm.
+const GIVE_WAY_ASIDE: f32 = 0.02;
 
 /// Measures of one skeleton that every pose needs.
 #[derive(Debug, Clone)]
@@ -57,36 +62,40 @@ impl Rig {
         })
     }
 
-    /// Height of the middle between the hip joints [m] while standing even as `settings` say.
+    /// Height of the middle between the hip joints [m] while standing even as `settings` say; low
+    /// enough for both legs to reach in the widest step.
     pub(super) fn standing_height(&self, settings: &MotionSettings) -> f32 {
-        let MotionSettings {
-            knee_degrees,
-            stance_width,
-            dance_step,
-            ..
-        } = *settings;
         let leg = &self.legs[0];
-        let chord = leg.chord(knee_degrees);
-        let aside = 0.5 * stance_width * self.stature - (leg.hip.x - self.hip_middle.x);
         let behind = HIPS_BEHIND_ANKLES * self.stature;
-        let height = (chord * chord - aside * aside - behind * behind).max(0.0);
-        leg.ankle.y + height.sqrt() - sink(dance_step) * self.stature
+        let height = |knee_degrees: f32, feet_apart: f32, shift: f32| {
+            let aside = (0.5 * feet_apart + shift) * self.stature - (leg.hip.x - self.hip_middle.x);
+            let chord = leg.chord(knee_degrees);
+            leg.ankle.y
+                + (chord * chord - aside * aside - behind * behind)
+                    .max(0.0)
+                    .sqrt()
+        };
+        let standing = height(settings.knee_degrees, settings.stance_width, 0.0)
+            - sink(settings.dance_step) * self.stature;
+        let stride = widest_feet(settings);
+        standing.min(height(LEAST_KNEE_DEGREES + 4.0, stride, SHIFT_IN_STRIDE))
     }
 
     /// Pose of `figure` for a pelvis that stands `standing_height` [m] high.
     pub(super) fn pose(&self, figure: &Figure, standing_height: f32) -> Pose {
         let mut pose = Pose::default();
         let pelvis_turn = pelvis_turn(&figure.pelvis);
-        let (spine_turn, chest_turn) = self.spine_turns(&figure.pelvis, pelvis_turn);
         let feet = [0, 1].map(|side| self.legs[side].place_foot(&figure.feet[side], self.stature));
+        let pelvis = self.within_reach(&figure.pelvis, &feet, pelvis_turn, standing_height);
+        let (spine_turn, chest_turn) = self.spine_turns(&pelvis, pelvis_turn);
 
         // The head keeps its height; the pelvis takes what the bent spine lost.
         let straight = self.upper_chest - self.hip_middle;
         let bent = pelvis_turn * (self.spine - self.hip_middle)
             + spine_turn * (self.chest - self.spine)
             + chest_turn * (self.upper_chest - self.chest);
-        let wanted = standing_height - figure.pelvis.drop * self.stature + straight.y - bent.y;
-        let mut middle = self.pelvis_on_floor(&figure.pelvis);
+        let wanted = standing_height - pelvis.drop * self.stature + straight.y - bent.y;
+        let mut middle = self.pelvis_on_floor(&pelvis);
         middle.y = wanted;
         for (leg, foot) in self.legs.iter().zip(&feet) {
             let hip_offset = pelvis_turn * (leg.hip - self.hip_middle);
@@ -109,6 +118,37 @@ impl Rig {
             arm.solve(target, &mut pose);
         }
         pose
+    }
+
+    /// The pelvis moved to where both legs reach their feet without straightening, if the height
+    /// allows it: hips that would leave a foot behind stay nearer to it.
+    fn within_reach(
+        &self,
+        pelvis: &Pelvis,
+        feet: &[PlacedFoot; 2],
+        turn: Quat,
+        standing_height: f32,
+    ) -> Pelvis {
+        let middle = self.pelvis_on_floor(pelvis);
+        let height = standing_height - pelvis.drop * self.stature;
+        let mut range = [f32::MIN, f32::MAX];
+        for (leg, foot) in self.legs.iter().zip(feet) {
+            let hip = turn * (leg.hip - self.hip_middle);
+            let over = height + hip.y - foot.ankle.y;
+            let ahead = middle.z + hip.z - foot.ankle.z;
+            let widest = leg.widest(over, ahead, LEAST_KNEE_DEGREES + 4.0);
+            let centre = foot.ankle.x - hip.x;
+            range = [range[0].max(centre - widest), range[1].min(centre + widest)];
+        }
+        // Feet too far apart for this height: the middle, and the pelvis will sink.
+        let middle_of_range = 0.5 * (range[0] + range[1]);
+        let [lowest, highest] = [range[0].min(middle_of_range), range[1].max(middle_of_range)];
+        let width = GIVE_WAY_ASIDE * self.stature;
+        let x = soft_max(soft_min(middle.x, highest, width), lowest, width);
+        Pelvis {
+            x: pelvis.x + (x - middle.x) / self.stature,
+            ..*pelvis
+        }
     }
 
     /// Middle between the hip joints seen from above [m]; its height is left at 0.

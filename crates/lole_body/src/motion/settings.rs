@@ -123,7 +123,8 @@ pub struct MotionSettings {
     pub hip_lead: HipLead,
     /// Height of the free foot's heel [statures], 0 (soles stay down) to 0.03. 0.02 is 3 cm.
     pub heel_lift: f32,
-    /// Side step of kāholo [statures], 0 to 0.26. 0.22 is the width of the shoulders.
+    /// Side step of kāholo [statures], 0 to 0.26: how far a foot goes. 0.22, the width of the
+    /// shoulders, is the most teachers allow; 0.18 (28 cm) keeps the far leg from lunging.
     pub step_width: f32,
     /// Distance between the ankles while standing [statures], 0.1 to 0.3. 0.124 leaves a woman's
     /// one fist (11 cm) between the feet; men stand at about 0.22.
@@ -146,7 +147,7 @@ impl Default for MotionSettings {
             hip_lift: HipLift::default(),
             hip_lead: HipLead::default(),
             heel_lift: 0.02,
-            step_width: 0.22,
+            step_width: 0.18,
             stance_width: 0.124,
             toe_out_degrees: 7.0,
             arms: ArmStyle::default(),

@@ -66,12 +66,20 @@ pub(super) fn sink(step: DanceStep) -> f32 {
     }
 }
 
+/// Largest distance between the ankles in the step [statures].
+pub(super) fn widest_feet(settings: &MotionSettings) -> f32 {
+    match settings.dance_step {
+        DanceStep::Kaholo => settings.stance_width + settings.step_width,
+        DanceStep::Kao | DanceStep::Ami | DanceStep::Uwehe => settings.stance_width,
+    }
+}
+
 /// The ready stance: standing even, arms where the step begins.
 pub(super) fn stance(settings: &MotionSettings) -> Figure {
     let plan = ArmPlan::of(settings);
     Figure {
         feet: [standing_foot(settings, 1.0), standing_foot(settings, -1.0)],
-        arms: arms::ready(plan),
+        arms: arms::ready(plan, loop_counts(settings)),
         gaze: arms::ready_gaze(plan),
         ..Figure::default()
     }
@@ -79,9 +87,8 @@ pub(super) fn stance(settings: &MotionSettings) -> Figure {
 
 /// Figure at `count` of the repeated step; counts from −[`LEAD_IN_COUNTS`] to 0 are the lead-in.
 pub(super) fn figure(settings: &MotionSettings, count: f32) -> Figure {
-    let counts = settings.dance_step.counts() as f32;
     if count >= 0.0 {
-        return looped(settings, count.rem_euclid(counts));
+        return looped(settings, count.rem_euclid(loop_counts(settings)));
     }
     let weight = ramp_between(count, -LEAD_IN_COUNTS, 0.0);
     let mut figure = stance(settings).mixed(&looped(settings, count), weight);
@@ -91,6 +98,10 @@ pub(super) fn figure(settings: &MotionSettings, count: f32) -> Figure {
     figure
 }
 
+fn loop_counts(settings: &MotionSettings) -> f32 {
+    settings.dance_step.counts() as f32
+}
+
 fn looped(settings: &MotionSettings, count: f32) -> Figure {
     let mut figure = match settings.dance_step {
         DanceStep::Kao => kao(settings, count),
@@ -98,7 +109,8 @@ fn looped(settings: &MotionSettings, count: f32) -> Figure {
         DanceStep::Ami => ami(settings, count),
         DanceStep::Uwehe => uwehe(settings, count),
     };
-    (figure.arms, figure.gaze) = arms::of_count(ArmPlan::of(settings), count);
+    (figure.arms, figure.gaze) =
+        arms::of_count(ArmPlan::of(settings), loop_counts(settings), count);
     figure
 }
 
@@ -231,33 +243,34 @@ fn kaholo_right_feet(settings: &MotionSettings, count: f32) -> [Foot; 2] {
         turn_out: settings.toe_out_degrees + TAP_TURN,
         ..flat
     };
+    // Where the hips are early over the stepping foot, the other foot follows earlier.
+    let closing = match settings.hip_lead {
+        HipLead::OtherFoot => FLIGHT_COUNTS,
+        HipLead::SteppingFoot => 1.5 * FLIGHT_COUNTS,
+    };
+    let step_out = |landing: f32, x: f32| Landing {
+        count: landing,
+        flight: FLIGHT_COUNTS,
+        place: Foot { x, ..flat },
+    };
+    let close = |landing: f32, place: Foot| Landing {
+        count: landing,
+        flight: closing,
+        place,
+    };
     let right = [
-        (0.0, tapping),
-        (
-            1.0,
-            Foot {
-                x: -half - step,
-                ..flat
-            },
-        ),
-        (
-            3.0,
-            Foot {
-                x: -half - 2.0 * step,
-                ..flat
-            },
-        ),
+        step_out(1.0, -half - step),
+        step_out(3.0, -half - 2.0 * step),
     ];
     let left = [
-        (0.0, Foot { x: half, ..flat }),
-        (
+        close(
             2.0,
             Foot {
                 x: half - step,
                 ..flat
             },
         ),
-        (
+        close(
             4.0,
             Foot {
                 x: -2.0 * step,
@@ -265,27 +278,45 @@ fn kaholo_right_feet(settings: &MotionSettings, count: f32) -> [Foot; 2] {
             },
         ),
     ];
-    [stepped(&left, count), stepped(&right, count)]
+    [
+        stepped(Foot { x: half, ..flat }, &left, count),
+        stepped(tapping, &right, count),
+    ]
 }
 
 /// Feet of kāholo's lead-in: the right foot goes from the stance to the first tap.
 fn kaholo_first_feet(settings: &MotionSettings, count: f32) -> [Foot; 2] {
-    let right = [
-        (-1.0, standing_foot(settings, -1.0)),
-        (0.0, kaholo_right_feet(settings, 0.0)[1]),
-    ];
-    [standing_foot(settings, 1.0), stepped(&right, count)]
+    let place = kaholo_right_feet(settings, 0.0)[1];
+    let tap = Landing {
+        count: 0.0,
+        flight: FLIGHT_COUNTS,
+        place,
+    };
+    [
+        standing_foot(settings, 1.0),
+        stepped(standing_foot(settings, -1.0), &[tap], count),
+    ]
 }
 
-/// A foot that goes from place to place and lands on the given counts.
-fn stepped(landings: &[(f32, Foot)], count: f32) -> Foot {
-    let mut foot = landings[0].1;
-    for &(landing, place) in &landings[1..] {
-        let flight = (count - (landing - FLIGHT_COUNTS)) / FLIGHT_COUNTS;
+/// Where and when a foot lands.
+struct Landing {
+    /// Count of the landing.
+    count: f32,
+    /// Counts in the air before it.
+    flight: f32,
+    /// How it stands afterwards.
+    place: Foot,
+}
+
+/// A foot that starts at `foot` and goes from landing to landing.
+fn stepped(mut foot: Foot, landings: &[Landing], count: f32) -> Foot {
+    for landing in landings {
+        let flight = (count - landing.count) / landing.flight + 1.0;
         if flight <= 0.0 {
             break;
         }
         let way = ramp(flight);
+        let place = landing.place;
         foot = Foot {
             x: mix(foot.x, place.x, way),
             lift: SLIDE_LIFT * hump(flight),

@@ -1,0 +1,550 @@
+//! Laws of the dance: feet stand, the head stays level, loops close, mirrors and tempo hold.
+
+mod motion_support;
+
+use glam::{Affine3A, Quat, Vec3};
+use lole_body::{
+    AmiTurn, ArmStyle, Bone, Dance, DanceStep, HipLead, HipLift, MotionError, MotionSettings, Pose,
+    Skeleton,
+};
+use motion_support::woman;
+
+const SAMPLES_PER_COUNT: usize = 40;
+
+fn dance_of(settings: &MotionSettings) -> Dance {
+    Dance::new(&woman(), settings).expect("settings within their ranges")
+}
+
+fn settings_of(dance_step: DanceStep) -> MotionSettings {
+    MotionSettings {
+        dance_step,
+        ..MotionSettings::default()
+    }
+}
+
+/// Every step in a few tempos, schools and amplitudes.
+fn many_settings() -> Vec<MotionSettings> {
+    let mut all = Vec::new();
+    for dance_step in DanceStep::ALL {
+        for beats_per_minute in [60.0, 80.0, 130.0] {
+            all.push(MotionSettings {
+                beats_per_minute,
+                ..settings_of(dance_step)
+            });
+        }
+        for arms in [ArmStyle::Open, ArmStyle::HandsOnHips] {
+            all.push(MotionSettings {
+                arms,
+                ..settings_of(dance_step)
+            });
+        }
+        all.push(MotionSettings {
+            hip_lift: HipLift::FreeSide,
+            hip_lead: HipLead::SteppingFoot,
+            ami_turn: AmiTurn::Hema,
+            ..settings_of(dance_step)
+        });
+        all.push(MotionSettings {
+            sway: 1.6,
+            knee_degrees: 10.0,
+            step_width: 0.26,
+            heel_lift: 0.03,
+            ..settings_of(dance_step)
+        });
+        all.push(MotionSettings {
+            sway: 0.0,
+            knee_degrees: 65.0,
+            ..settings_of(dance_step)
+        });
+    }
+    all
+}
+
+/// Times [s] of the lead-in and of one loop.
+fn times(dance: &Dance, settings: &MotionSettings) -> Vec<f32> {
+    let count = 60.0 / settings.beats_per_minute;
+    let end = dance.lead_in() + dance.period();
+    let step = count / SAMPLES_PER_COUNT as f32;
+    let samples = (end / step).ceil() as usize;
+    (0..=samples).map(|i| i as f32 * step).collect()
+}
+
+struct Moment {
+    skeleton: Skeleton,
+    skin: Vec<Affine3A>,
+}
+
+impl Moment {
+    fn of(pose: &Pose) -> Self {
+        let skeleton = woman();
+        let skin = skeleton.world_from_bind(pose);
+        Self { skeleton, skin }
+    }
+
+    fn at(&self, bone: Bone) -> Vec3 {
+        self.carried(bone, self.skeleton.joint(bone))
+    }
+
+    fn carried(&self, bone: Bone, point: Vec3) -> Vec3 {
+        self.skin[bone.index()].transform_point3(point)
+    }
+
+    fn turn(&self, bone: Bone) -> Quat {
+        Quat::from_mat3a(&self.skin[bone.index()].matrix3)
+    }
+
+    fn knee_degrees(&self, leg: [Bone; 3]) -> f32 {
+        let [hip, knee, ankle] = leg.map(|bone| self.at(bone));
+        (knee - hip).angle_between(ankle - knee).to_degrees()
+    }
+}
+
+const LEFT_LEG: [Bone; 3] = [Bone::LeftUpperLeg, Bone::LeftLowerLeg, Bone::LeftFoot];
+const RIGHT_LEG: [Bone; 3] = [Bone::RightUpperLeg, Bone::RightLowerLeg, Bone::RightFoot];
+const FEET: [[Bone; 2]; 2] = [
+    [Bone::LeftFoot, Bone::LeftToes],
+    [Bone::RightFoot, Bone::RightToes],
+];
+
+/// Largest distance between joints of two poses [m].
+fn distance(a: &Pose, b: &Pose) -> f32 {
+    let (a, b) = (Moment::of(a), Moment::of(b));
+    let gaps = Bone::ALL
+        .iter()
+        .map(|&bone| a.at(bone).distance(b.at(bone)));
+    gaps.fold(0.0, f32::max)
+}
+
+#[test]
+fn a_standing_foot_slides_less_than_a_millimetre() {
+    for settings in many_settings() {
+        let dance = dance_of(&settings);
+        for [foot, toes] in FEET {
+            let mut stand: Option<Vec3> = None;
+            for time in times(&dance, &settings) {
+                let moment = Moment::of(&dance.pose_at(time));
+                let flat = moment.turn(foot) * Vec3::Y;
+                let ball = moment.at(toes);
+                let bind = moment.skeleton.joint(toes).y;
+                assert!(ball.y > bind - 1e-4, "{settings:?}: toes in the floor");
+                let lifted = ball.y > bind + 1e-4;
+                if lifted || flat.y < 0.999_99 {
+                    stand = None;
+                    continue;
+                }
+                let ankle = moment.at(foot);
+                assert!(
+                    (ankle.y - moment.skeleton.joint(foot).y).abs() < 1e-3,
+                    "{settings:?}"
+                );
+                let first = *stand.get_or_insert(ankle);
+                assert!(
+                    ankle.distance(first) < 1e-3,
+                    "{settings:?} at {time}: slides"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_raised_heel_leaves_the_ball_of_the_foot_where_it_was() {
+    for settings in many_settings() {
+        let dance = dance_of(&settings);
+        for [_, toes] in FEET {
+            let mut stand: Option<Vec3> = None;
+            for time in times(&dance, &settings) {
+                let moment = Moment::of(&dance.pose_at(time));
+                let ball = moment.at(toes);
+                if ball.y > moment.skeleton.joint(toes).y + 1e-4 {
+                    stand = None;
+                    continue;
+                }
+                let first = *stand.get_or_insert(ball);
+                // The lift of a sliding foot grows from nothing, hence not exactly zero.
+                assert!(ball.distance(first) < 0.01, "{settings:?} at {time}");
+                let toes_up = moment.turn(toes) * Vec3::Y;
+                assert!(toes_up.y > 0.9999, "{settings:?}: toes stay flat");
+            }
+        }
+    }
+}
+
+#[test]
+fn one_foot_always_stands() {
+    for settings in many_settings() {
+        let dance = dance_of(&settings);
+        for time in times(&dance, &settings) {
+            let moment = Moment::of(&dance.pose_at(time));
+            let lowest = FEET.map(|[_, toes]| moment.at(toes).y - moment.skeleton.joint(toes).y);
+            assert!(lowest[0].min(lowest[1]) < 1e-4, "{settings:?} at {time}");
+        }
+    }
+}
+
+#[test]
+fn head_and_shoulders_stay_level() {
+    for settings in many_settings() {
+        let dance = dance_of(&settings);
+        let extreme = settings.sway > 1.0;
+        let mut heights = [f32::MAX, f32::MIN];
+        for time in times(&dance, &settings) {
+            let moment = Moment::of(&dance.pose_at(time));
+            let height = moment.at(Bone::Head).y;
+            heights = [heights[0].min(height), heights[1].max(height)];
+            let across = moment.at(Bone::LeftUpperArm).y - moment.at(Bone::RightUpperArm).y;
+            let style = settings.arms != ArmStyle::OfStep || settings.dance_step == DanceStep::Ami;
+            assert!(
+                !style || across.abs() < 0.01,
+                "{settings:?}: shoulders {across}"
+            );
+            let up = moment.turn(Bone::UpperChest) * Vec3::Y;
+            assert!(up.y > 0.999_99, "{settings:?}: chest leans");
+        }
+        let drift = heights[1] - heights[0];
+        let allowed = if extreme { 0.06 } else { 0.01 };
+        assert!(
+            drift < allowed,
+            "{settings:?}: head rises and falls by {drift}"
+        );
+    }
+}
+
+#[test]
+fn the_head_stays_above_the_feet_in_place() {
+    for dance_step in [DanceStep::Kao, DanceStep::Ami, DanceStep::Uwehe] {
+        let settings = settings_of(dance_step);
+        let dance = dance_of(&settings);
+        for time in times(&dance, &settings) {
+            let moment = Moment::of(&dance.pose_at(time));
+            let x = moment.at(Bone::Head).x;
+            assert!(x.abs() < 0.015, "{dance_step:?} at {time}: head at {x}");
+        }
+    }
+}
+
+#[test]
+fn loops_close_with_their_velocity() {
+    for settings in many_settings() {
+        let dance = dance_of(&settings);
+        let period = dance.period();
+        let start = dance.lead_in();
+        let step = 0.01;
+        for shift in [-step, 0.0, step, 0.37 * period] {
+            let once = dance.pose_at(start + period + shift);
+            let again = dance.pose_at(start + 2.0 * period + shift);
+            let gap = distance(&once, &again);
+            assert!(gap < 1e-4, "{settings:?} at {shift}: loop opens by {gap}");
+        }
+    }
+}
+
+#[test]
+fn joints_have_continuous_velocity_from_the_stance_on() {
+    for settings in many_settings() {
+        let dance = dance_of(&settings);
+        let count = 60.0 / settings.beats_per_minute;
+        let step = count / 400.0;
+        let end = dance.lead_in() + dance.period() + count;
+        let mut before: Option<[Moment; 2]> = None;
+        let mut time = -2.0 * step;
+        while time < end {
+            let now = Moment::of(&dance.pose_at(time));
+            if let Some([first, second]) = before.take() {
+                for &bone in Bone::ALL {
+                    let a = second.at(bone) - first.at(bone);
+                    let b = now.at(bone) - second.at(bone);
+                    // m per count²: no jump in velocity, however fine the steps.
+                    let bend = (b - a).length() * 400.0 * 400.0;
+                    let most = if settings.sway > 1.0 { 120.0 } else { 60.0 };
+                    assert!(bend < most, "{settings:?} {bone:?} at {time}: {bend}");
+                }
+                before = Some([second, now]);
+            } else {
+                before = Some([Moment::of(&dance.pose_at(time - step)), now]);
+            }
+            time += step;
+        }
+    }
+}
+
+#[test]
+fn it_starts_in_the_ready_stance_on_both_feet() {
+    for settings in many_settings() {
+        let dance = dance_of(&settings);
+        for time in [0.0, -3.0, f32::NEG_INFINITY, f32::NAN, f32::INFINITY] {
+            assert_eq!(dance.pose_at(time), dance.stance());
+        }
+        let moment = Moment::of(&dance.stance());
+        for leg in [LEFT_LEG, RIGHT_LEG] {
+            let knee = moment.knee_degrees(leg);
+            // Kāholo stands as low as its stride needs.
+            let deeper = match settings.dance_step {
+                DanceStep::Kaholo if settings.step_width > 0.2 => 40.0,
+                DanceStep::Kaholo => 14.0,
+                _ if settings.knee_degrees < 20.0 => 6.0,
+                _ => 2.5,
+            };
+            let range = settings.knee_degrees - 0.5..settings.knee_degrees + deeper;
+            assert!(range.contains(&knee), "{settings:?}: knee {knee}");
+        }
+        let gap = moment.at(Bone::LeftFoot).x - moment.at(Bone::RightFoot).x;
+        assert!((gap - 0.124 * 1.5847).abs() < 0.002, "ankles {gap} m apart");
+    }
+}
+
+#[test]
+fn no_time_gives_a_broken_pose() {
+    for settings in many_settings() {
+        let dance = dance_of(&settings);
+        let odd = [1e-30, 0.1, 7.77, 3600.0, 1e6, 1e12, 1e30, f32::MAX];
+        for time in times(&dance, &settings).into_iter().chain(odd) {
+            let pose = dance.pose_at(time);
+            assert!(pose.hips_translation.is_finite());
+            for rotation in &pose.rotations {
+                assert!(
+                    (rotation.length() - 1.0).abs() < 1e-4,
+                    "{settings:?} at {time}"
+                );
+            }
+            let moment = Moment::of(&pose);
+            for leg in [LEFT_LEG, RIGHT_LEG] {
+                let knee = moment.knee_degrees(leg);
+                let most = if settings.knee_degrees > 60.0 {
+                    105.0
+                } else {
+                    80.0
+                };
+                assert!(
+                    (8.0..most).contains(&knee),
+                    "{settings:?} at {time}: knee {knee}"
+                );
+            }
+        }
+    }
+}
+
+/// The pose seen in a mirror at `x` [m].
+fn mirrored(moment: &Moment, bone: Bone, x: f32) -> Vec3 {
+    let name = bone.name();
+    let other = if name.starts_with("left") {
+        name.replace("left", "right")
+    } else {
+        name.replace("right", "left")
+    };
+    let other = Bone::ALL
+        .iter()
+        .find(|bone| bone.name() == other)
+        .expect("bones are paired");
+    let place = moment.at(*other);
+    Vec3::new(2.0 * x - place.x, place.y, place.z)
+}
+
+#[test]
+fn the_left_half_is_the_mirror_image_of_the_right_half() {
+    for settings in many_settings() {
+        if settings.dance_step == DanceStep::Ami {
+            continue;
+        }
+        let dance = dance_of(&settings);
+        // Kāholo's mirror stands in the middle of its way.
+        let middle = match settings.dance_step {
+            DanceStep::Kaholo => -settings.step_width * (0.3566 + 0.3739) / 0.461,
+            _ => 0.0,
+        };
+        for i in 0..20 {
+            let time = dance.lead_in() + dance.period() * (1.0 + i as f32 / 40.0);
+            let right = Moment::of(&dance.pose_at(time));
+            let left = Moment::of(&dance.pose_at(time + 0.5 * dance.period()));
+            for &bone in Bone::ALL {
+                let gap = right.at(bone).distance(mirrored(&left, bone, middle));
+                assert!(gap < 5e-4, "{settings:?} {bone:?}: {gap}");
+            }
+        }
+    }
+}
+
+#[test]
+fn ami_hema_is_the_mirror_image_of_ami_akau() {
+    let akau = dance_of(&settings_of(DanceStep::Ami));
+    let hema = dance_of(&MotionSettings {
+        ami_turn: AmiTurn::Hema,
+        ..settings_of(DanceStep::Ami)
+    });
+    for i in 0..20 {
+        let time = akau.lead_in() + akau.period() * i as f32 / 20.0;
+        let right = Moment::of(&akau.pose_at(time));
+        let left = Moment::of(&hema.pose_at(time + 0.5 * akau.period()));
+        for &bone in Bone::ALL {
+            let gap = right.at(bone).distance(mirrored(&left, bone, 0.0));
+            assert!(gap < 5e-4, "{bone:?}: {gap}");
+        }
+    }
+}
+
+#[test]
+fn ami_akau_goes_from_left_to_back() {
+    let dance = dance_of(&settings_of(DanceStep::Ami));
+    let hips = |part: f32| {
+        let moment = Moment::of(&dance.pose_at(dance.lead_in() + part * dance.period()));
+        0.5 * (moment.at(Bone::LeftUpperLeg) + moment.at(Bone::RightUpperLeg))
+    };
+    let (left, back, right, front) = (hips(0.0), hips(0.25), hips(0.5), hips(0.75));
+    assert!(left.x > 0.06 && right.x < -0.06, "{left} {right}");
+    assert!(
+        back.z < left.z - 0.04 && front.z > left.z + 0.02,
+        "{back} {front}"
+    );
+    // The front reach is 0.6 of the back reach.
+    let ratio = (front.z - left.z) / (left.z - back.z);
+    assert!((ratio - 0.6).abs() < 0.02, "{ratio}");
+}
+
+#[test]
+fn tempo_scales_time_exactly() {
+    for dance_step in DanceStep::ALL {
+        let slow = dance_of(&MotionSettings {
+            beats_per_minute: 64.0,
+            ..settings_of(dance_step)
+        });
+        let fast = dance_of(&MotionSettings {
+            beats_per_minute: 128.0,
+            ..settings_of(dance_step)
+        });
+        assert_eq!(slow.period(), 2.0 * fast.period());
+        for i in 0..50 {
+            let time = i as f32 * 0.125;
+            assert_eq!(slow.pose_at(2.0 * time), fast.pose_at(time));
+        }
+    }
+}
+
+/// Adduction of the left hip [°]: how far the thigh leans inward in the pelvis.
+fn left_adduction(moment: &Moment) -> f32 {
+    let thigh = moment.at(Bone::LeftLowerLeg) - moment.at(Bone::LeftUpperLeg);
+    let in_pelvis = moment.turn(Bone::Hips).inverse() * thigh;
+    (-in_pelvis.x).atan2(-in_pelvis.y).to_degrees()
+}
+
+#[test]
+fn hip_adduction_agrees_with_the_radiographs_of_a_dancer() {
+    // Komiyama et al. 2018: 15° in kaʻo, 11° in kāholo.
+    for (dance_step, measured) in [(DanceStep::Kao, 15.0), (DanceStep::Kaholo, 11.0)] {
+        let settings = settings_of(dance_step);
+        let dance = dance_of(&settings);
+        let most = (times(&dance, &settings).into_iter())
+            .map(|time| left_adduction(&Moment::of(&dance.pose_at(time))))
+            .fold(f32::MIN, f32::max);
+        assert!((most - measured).abs() < 3.0, "{dance_step:?}: {most}");
+    }
+}
+
+#[test]
+fn kao_sways_fourteen_centimetres_at_two_thirds_hertz() {
+    let settings = settings_of(DanceStep::Kao);
+    let dance = dance_of(&settings);
+    assert!((1.0 / dance.period() - 0.667).abs() < 1e-3);
+    let x = |time: f32| {
+        let moment = Moment::of(&dance.pose_at(time));
+        0.5 * (moment.at(Bone::LeftUpperLeg) + moment.at(Bone::RightUpperLeg)).x
+    };
+    let left = x(dance.lead_in());
+    let right = x(dance.lead_in() + 0.5 * dance.period());
+    assert!((left - right - 0.143).abs() < 0.004, "{left} {right}");
+}
+
+#[test]
+fn hands_keep_clear_of_trunk_and_skirt() {
+    for settings in many_settings() {
+        if settings.arms == ArmStyle::HandsOnHips {
+            continue;
+        }
+        let dance = dance_of(&settings);
+        for time in times(&dance, &settings) {
+            let moment = Moment::of(&dance.pose_at(time));
+            let trunk = moment.at(Bone::Chest);
+            for hand in [Bone::LeftHand, Bone::RightHand, Bone::LeftMiddleDistal] {
+                let place = moment.at(hand);
+                assert!(
+                    place.y > 0.95,
+                    "{settings:?} at {time}: {hand:?} at {place}"
+                );
+                let away = (place - trunk).with_y(0.0).length();
+                assert!(
+                    away > 0.15,
+                    "{settings:?} at {time}: {hand:?} {away} m from the axis"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn the_far_hand_of_kaholo_is_out_at_shoulder_height_with_its_palm_down() {
+    let settings = settings_of(DanceStep::Kaholo);
+    let dance = dance_of(&settings);
+    // Third count of the way to the right.
+    let moment = Moment::of(&dance.pose_at(dance.lead_in() + 0.25 * dance.period()));
+    let shoulder = moment.at(Bone::RightUpperArm);
+    let hand = moment.at(Bone::RightHand);
+    assert!(shoulder.x - hand.x > 0.38, "{hand}");
+    assert!((shoulder.y - hand.y).abs() < 0.08, "{hand}");
+    let along = moment.at(Bone::RightMiddleProximal) - hand;
+    let across = moment.at(Bone::RightLittleProximal) - moment.at(Bone::RightIndexProximal);
+    let palm = along.cross(across).normalize_or_zero();
+    assert!(palm.y < -0.8, "{palm}");
+    // The thumb is on the front side then.
+    assert!(moment.at(Bone::RightThumbProximal).z > moment.at(Bone::RightLittleProximal).z);
+    let chest_hand = moment.at(Bone::LeftMiddleProximal);
+    assert!(
+        (chest_hand.x - moment.at(Bone::UpperChest).x).abs() < 0.08,
+        "{chest_hand}"
+    );
+}
+
+#[test]
+fn absurd_settings_are_refused_with_a_sentence() {
+    let absurd = [
+        MotionSettings {
+            beats_per_minute: 0.0,
+            ..MotionSettings::default()
+        },
+        MotionSettings {
+            beats_per_minute: 1000.0,
+            ..MotionSettings::default()
+        },
+        MotionSettings {
+            beats_per_minute: f32::NAN,
+            ..MotionSettings::default()
+        },
+        MotionSettings {
+            sway: -1.0,
+            ..MotionSettings::default()
+        },
+        MotionSettings {
+            knee_degrees: f32::INFINITY,
+            ..MotionSettings::default()
+        },
+    ];
+    for settings in absurd {
+        let error = Dance::new(&woman(), &settings).expect_err("it is absurd");
+        assert!(error.to_string().contains("use a number from"), "{error}");
+    }
+    let mut skeleton = woman();
+    skeleton.joints[Bone::LeftLowerLeg.index()] = skeleton.joint(Bone::LeftUpperLeg);
+    let error = Dance::new(&skeleton, &MotionSettings::default()).expect_err("no thigh");
+    assert_eq!(
+        error,
+        MotionError::BoneWithoutLength {
+            bone: "leftUpperLeg"
+        }
+    );
+}
+
+#[test]
+fn steps_are_found_by_their_ids() {
+    for dance_step in DanceStep::ALL {
+        assert_eq!(DanceStep::from_id(dance_step.id()), Some(dance_step));
+    }
+    assert_eq!(DanceStep::from_id("hela"), None);
+}
