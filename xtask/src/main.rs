@@ -1,4 +1,5 @@
-//! House rules as code: `cargo xtask tidy` checks them, `cargo xtask golden` rewrites goldens.
+//! House rules as code: `cargo xtask tidy` checks them, `cargo xtask golden` rewrites goldens,
+//! `cargo xtask look` judges the files of a dance.
 
 #![expect(
     clippy::print_stdout,
@@ -7,6 +8,7 @@
 )]
 
 mod golden;
+mod look;
 mod tidy;
 
 use std::path::{Path, PathBuf};
@@ -17,13 +19,16 @@ usage: cargo xtask <command>
 
   tidy     check the house rules: dependency table, documents, budgets, words
   golden   rewrite the goldens under tests/golden and list what changed
+  look DIR look at the files that `lole dance` wrote: all there, and the report complete
 ";
 
 fn main() -> ExitCode {
-    let command = std::env::args().nth(1);
-    let result = match command.as_deref() {
-        Some("tidy") => tidy::run(&repository()),
-        Some("golden") => golden::run(&repository()),
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let result = match arguments.as_slice() {
+        ["tidy"] => tidy::run(&repository()),
+        ["golden"] => golden::run(&repository()),
+        ["look", folder] => look::run(Path::new(folder)),
         _ => {
             eprint!("{USAGE}");
             return ExitCode::from(2);
