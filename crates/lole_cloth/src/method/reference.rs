@@ -17,7 +17,8 @@ pub use constants::SpringConstants;
 pub use energy::Momentum;
 pub use springs::{SpringFamily, Springs};
 
-use crate::{BuildError, ClothSpec, Grid, MassLaw, Topology};
+use crate::model::particle_masses;
+use crate::{BuildError, ClothSpec, Grid, Topology};
 use plate::Plate;
 use springs::SpringGather;
 
@@ -79,7 +80,7 @@ impl ReferenceModel {
     ) -> Result<Self, BuildError> {
         check_spec(spec)?;
         constants.check()?;
-        let masses = particle_masses(spec);
+        let masses = particle_masses(spec).into_iter().map(f64::from).collect();
         let springs = springs::build(&spec.grid, &constants);
         let gather = SpringGather::new(spec.grid.particle_count(), &springs);
         let plate = Plate::new(&spec.grid, &constants, &spec.pinned);
@@ -215,35 +216,6 @@ fn out_of_range(field: &'static str, value: f64, rule: &'static str) -> BuildErr
     )]
     let value = value as f32;
     BuildError::OutOfRange { field, value, rule }
-}
-
-/// Mass of each particle [kg] by the law of `spec`.
-fn particle_masses(spec: &ClothSpec) -> Vec<f64> {
-    let area_masses = area_masses(spec);
-    match spec.mass {
-        MassLaw::AreaWeighted => area_masses,
-        MassLaw::Uniform => {
-            let total: f64 = area_masses.iter().sum();
-            let count = f64::from(spec.grid.column_count) * f64::from(spec.grid.row_count);
-            vec![total / count; area_masses.len()]
-        }
-    }
-}
-
-/// Mass [kg] of the area nearest to each particle.
-fn area_masses(spec: &ClothSpec) -> Vec<f64> {
-    let grid = &spec.grid;
-    let cell_mass = f64::from(spec.fabric.areal_density)
-        * f64::from(grid.spacing[0])
-        * f64::from(grid.spacing[1]);
-    let mut masses = Vec::with_capacity(grid.particle_count());
-    for (row, &layers) in (0..grid.row_count).zip(&spec.row_layers) {
-        for column in 0..grid.column_count {
-            let share = row_share(grid, row) * column_share(grid, column);
-            masses.push(cell_mass * f64::from(layers) * share);
-        }
-    }
-    masses
 }
 
 /// Cells that belong to a row: a half at the top and bottom border, else one.
