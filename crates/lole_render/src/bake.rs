@@ -5,7 +5,7 @@ mod ambient;
 mod ground;
 mod studio;
 
-pub(crate) use ground::GroundLight;
+pub(crate) use ground::{CELLS as GROUND_CELLS, GroundLight};
 use studio::Studio;
 
 use crate::depth_map::{DepthMap, Layers};

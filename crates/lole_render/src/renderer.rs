@@ -1,6 +1,7 @@
 //! Chooses who draws, and draws.
 
 use crate::cpu::CpuRenderer;
+use crate::gpu::GpuRenderer;
 use crate::{Image, RenderError, Scene, Size};
 
 /// Who draws.
@@ -24,6 +25,7 @@ pub struct Renderer {
 
 enum Drawer {
     Cpu(CpuRenderer),
+    Gpu(Box<GpuRenderer>),
 }
 
 impl Renderer {
@@ -34,12 +36,22 @@ impl Renderer {
     /// [`Backend::Gpu`] is asked for and there is none.
     pub fn new(backend: Backend, size: Size) -> Result<Self, RenderError> {
         size.check()?;
-        let _ = backend;
-        let threads = rayon::current_num_threads();
-        Ok(Self {
-            size,
-            description: format!("CPU rasteriser, {threads} threads"),
-            drawer: Drawer::Cpu(CpuRenderer::new()),
+        let gpu = match backend {
+            Backend::Cpu => None,
+            Backend::Gpu => Some(GpuRenderer::open(size)?),
+            Backend::Auto => GpuRenderer::open(size).ok(),
+        };
+        Ok(match gpu {
+            Some(gpu) => Self {
+                size,
+                description: gpu.description().to_owned(),
+                drawer: Drawer::Gpu(Box::new(gpu)),
+            },
+            None => Self {
+                size,
+                description: cpu_description(),
+                drawer: Drawer::Cpu(CpuRenderer::new()),
+            },
         })
     }
 
@@ -58,6 +70,14 @@ impl Renderer {
         scene.check()?;
         match &mut self.drawer {
             Drawer::Cpu(cpu) => Ok(cpu.render(scene, self.size)),
+            Drawer::Gpu(gpu) => gpu.render(scene),
         }
+    }
+}
+
+fn cpu_description() -> String {
+    match rayon::current_num_threads() {
+        1 => "CPU rasteriser, 1 thread".to_owned(),
+        threads => format!("CPU rasteriser, {threads} threads"),
     }
 }

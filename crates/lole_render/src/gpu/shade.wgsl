@@ -1,0 +1,334 @@
+// The shading formula for graphics adapters; its twin is `shade.rs`: line by line alike.
+
+struct Frame {
+    clip_from_world: mat4x4<f32>,
+    eye: vec4<f32>,
+    ray_corner: vec4<f32>,
+    ray_right: vec4<f32>,
+    ray_down: vec4<f32>,
+    key_toward: vec4<f32>,
+    key_color: vec4<f32>,
+    key_texel_u: vec4<f32>,
+    key_texel_v: vec4<f32>,
+    background_top: vec4<f32>,
+    background_bottom: vec4<f32>,
+    ground: vec4<f32>,
+}
+
+struct Surface {
+    base_color: vec4<f32>,
+    back: vec4<f32>,
+    subsurface: vec4<f32>,
+    gloss: vec4<f32>,
+}
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+@group(0) @binding(1) var key_map: texture_2d<f32>;
+@group(0) @binding(2) var ground_light: texture_2d<f32>;
+@group(1) @binding(0) var<uniform> surface: Surface;
+@group(1) @binding(1) var print: texture_2d<f32>;
+@group(1) @binding(2) var print_sampler: sampler;
+
+const SEARCH_TAPS: i32 = 16;
+const SHADOW_TAPS: i32 = 20;
+const SOFTEST_DISTANCE: f32 = 0.45;
+const LIFT_TEXELS: f32 = 2.0;
+const SLACK: f32 = 0.0015;
+const WRAP_DEPTH: f32 = 0.15;
+const WRAP_END: f32 = 0.4;
+const EMPTY: f32 = 1.0e30;
+const PI: f32 = 3.14159265;
+const GOLDEN_ANGLE: f32 = 2.3999632;
+
+struct MeshVertex {
+    @location(0) position: vec3<f32>,
+    @location(1) normal: vec3<f32>,
+    @location(2) uv: vec2<f32>,
+    @location(3) color: vec3<f32>,
+    @location(4) face_light: vec3<f32>,
+    @location(5) back_light: vec3<f32>,
+}
+
+struct MeshFragment {
+    @builtin(position) clip: vec4<f32>,
+    @location(0) @interpolate(perspective, centroid) position: vec3<f32>,
+    @location(1) @interpolate(perspective, centroid) normal: vec3<f32>,
+    @location(2) @interpolate(perspective, centroid) uv: vec2<f32>,
+    @location(3) @interpolate(perspective, centroid) color: vec3<f32>,
+    @location(4) @interpolate(perspective, centroid) face_light: vec3<f32>,
+    @location(5) @interpolate(perspective, centroid) back_light: vec3<f32>,
+}
+
+@vertex
+fn mesh_vertex(vertex: MeshVertex) -> MeshFragment {
+    var out: MeshFragment;
+    out.clip = frame.clip_from_world * vec4<f32>(vertex.position, 1.0);
+    out.position = vertex.position;
+    out.normal = vertex.normal;
+    out.uv = vertex.uv;
+    out.color = vertex.color;
+    out.face_light = vertex.face_light;
+    out.back_light = vertex.back_light;
+    return out;
+}
+
+@fragment
+fn mesh_fragment(in: MeshFragment, @builtin(front_facing) is_face: bool) -> @location(0) vec4<f32> {
+    let texels = vec2<f32>(textureDimensions(print));
+    let lod = texture_lod(dpdx(in.uv) * texels, dpdy(in.uv) * texels);
+    var paint = in.color;
+    if surface.gloss.w > 0.5 {
+        paint *= textureSampleLevel(print, print_sampler, in.uv, lod).rgb;
+    }
+    let face = surface.base_color.rgb * paint;
+    var facing = -1.0;
+    var ambient = in.back_light;
+    var ambient_behind = in.face_light;
+    var albedo = mix(face, surface.back.rgb, surface.back.w);
+    if is_face {
+        facing = 1.0;
+        ambient = in.face_light;
+        ambient_behind = in.back_light;
+        albedo = face;
+    }
+    let toward_eye = normalize_or(frame.eye.xyz - in.position, vec3<f32>(0.0));
+    let normal = normalize_or(in.normal, toward_eye * facing) * facing;
+    let light = vec4<f32>(0.0);
+    let color = shade(in.position, normal, toward_eye, albedo, max(ambient, light.rgb),
+        max(ambient_behind, light.rgb), in.clip.xy);
+    return vec4<f32>(color, 1.0);
+}
+
+fn normalize_or(vector: vec3<f32>, otherwise: vec3<f32>) -> vec3<f32> {
+    let squared = dot(vector, vector);
+    if squared > 1.0e-20 {
+        return vector * inverseSqrt(squared);
+    }
+    return otherwise;
+}
+
+fn shade(
+    position: vec3<f32>,
+    point_normal: vec3<f32>,
+    toward_eye: vec3<f32>,
+    albedo: vec3<f32>,
+    ambient: vec3<f32>,
+    ambient_behind: vec3<f32>,
+    pixel: vec2<f32>,
+) -> vec3<f32> {
+    let toward_key = frame.key_toward.xyz;
+    let normal = face_eye(point_normal, toward_eye);
+    let key_cosine = dot(normal, toward_key);
+    var lit_side = normal;
+    if key_cosine < 0.0 && surface.gloss.z > 0.0 {
+        lit_side = -normal;
+    }
+    let wrap = surface.subsurface.w;
+    let crossed = wrap * WRAP_DEPTH * max(1.0 - abs(key_cosine) / WRAP_END, 0.0);
+    let lift = lit_side * (LIFT_TEXELS * frame.key_color.w) + toward_key * crossed;
+    let seen = key_seen(position + lift, pixel);
+    let key = frame.key_color.rgb * seen;
+
+    let soft = wrap + 0.5 * frame.key_toward.w;
+    let lambert = max(key_cosine, 0.0);
+    var wrapped = max((key_cosine + soft) / (1.0 + soft), 0.0);
+    wrapped = wrapped * sqrt(wrapped);
+    let tint = mix(vec3<f32>(1.0), surface.subsurface.rgb, 0.85);
+    let carried = max(wrapped - lambert, 0.0);
+    let direct = key * (tint * carried + min(lambert, wrapped));
+    let through = surface.gloss.z * (key * max(-key_cosine, 0.0) + ambient_behind);
+    let diffuse = albedo * (direct + ambient) + albedo * sqrt(albedo) * through;
+
+    let grazing = 1.0 - clamp(dot(normal, toward_eye), 0.0, 1.0);
+    let grazing_2 = grazing * grazing;
+    let grazing_5 = grazing_2 * grazing_2 * grazing;
+    let sheen_tint = mix(vec3<f32>(0.25), albedo, 0.75);
+    let sheen = sheen_tint * (ambient + direct) * (surface.gloss.y * grazing_2 * grazing);
+
+    let roughness = surface.base_color.w;
+    let mirror = surface.gloss.x;
+    let smooth_share = 1.0 - roughness;
+    let mirrors = min(mirror * 50.0, 1.0);
+    let room_mirror = mirror + (1.0 - mirror) * smooth_share * smooth_share * grazing_5 * mirrors;
+    let highlight = key
+        * ggx(normal, toward_eye, toward_key, roughness + 0.5 * frame.key_toward.w)
+        * mirror
+        * lambert;
+    return tone_map((diffuse + sheen + highlight + ambient * room_mirror) * frame.eye.w);
+}
+
+fn face_eye(normal: vec3<f32>, toward_eye: vec3<f32>) -> vec3<f32> {
+    let cosine = dot(normal, toward_eye);
+    if cosine >= 0.0 {
+        return normal;
+    }
+    return normalize_or(normal - toward_eye * cosine, toward_eye);
+}
+
+fn ggx(normal: vec3<f32>, toward_eye: vec3<f32>, toward_light: vec3<f32>, roughness: f32) -> f32 {
+    let halfway = normalize_or(toward_eye + toward_light, normal);
+    let half_cosine = max(dot(normal, halfway), 0.0);
+    let eye_cosine = max(dot(normal, toward_eye), 1.0e-3);
+    let light_cosine = max(dot(normal, toward_light), 1.0e-3);
+    let alpha = max(roughness * roughness, 0.01);
+    let alpha_2 = alpha * alpha;
+    let spread = half_cosine * half_cosine * (alpha_2 - 1.0) + 1.0;
+    let distribution = alpha_2 / (PI * spread * spread);
+    let k = alpha * 0.5;
+    let eye_part = eye_cosine * (1.0 - k) + k;
+    let light_part = light_cosine * (1.0 - k) + k;
+    return min(distribution * PI / (4.0 * eye_part * light_part), 12.0);
+}
+
+fn disk_point(index: i32, radius: f32) -> vec2<f32> {
+    let angle = f32(index) * GOLDEN_ANGLE;
+    return vec2<f32>(cos(angle), sin(angle)) * radius;
+}
+
+fn pixel_noise(pixel: vec2<f32>) -> f32 {
+    let at = floor(pixel);
+    return fract(52.982918 * fract(0.06711056 * at.x + 0.00583715 * at.y));
+}
+
+fn key_nearest(texel: vec2<i32>, size: vec2<i32>) -> f32 {
+    if any(texel < vec2<i32>(0)) || any(texel >= size) {
+        return -EMPTY;
+    }
+    return textureLoad(key_map, texel, 0).r;
+}
+
+fn seen_from_front(at: vec3<f32>, size: vec2<i32>) -> f32 {
+    let place = at.xy - 0.5;
+    let base = floor(place);
+    let first = vec2<i32>(base);
+    if any(first < vec2<i32>(0)) || any(first >= size - 1) {
+        return 1.0;
+    }
+    let part = place - base;
+    let surfaces = vec4<f32>(
+        textureLoad(key_map, first, 0).r,
+        textureLoad(key_map, first + vec2<i32>(1, 0), 0).r,
+        textureLoad(key_map, first + vec2<i32>(0, 1), 0).r,
+        textureLoad(key_map, first + vec2<i32>(1, 1), 0).r,
+    );
+    let open = select(vec4<f32>(0.0), vec4<f32>(1.0), surfaces <= vec4<f32>(at.z));
+    return mix(mix(open.x, open.y, part.x), mix(open.z, open.w, part.x), part.y);
+}
+
+fn key_seen(position: vec3<f32>, pixel: vec2<f32>) -> f32 {
+    let size = vec2<i32>(textureDimensions(key_map));
+    let at = vec3<f32>(
+        dot(frame.key_texel_u, vec4<f32>(position, 1.0)),
+        dot(frame.key_texel_v, vec4<f32>(position, 1.0)),
+        dot(frame.key_toward.xyz, position) + SLACK,
+    );
+    let tangent = frame.key_toward.w;
+    let texel = frame.key_color.w;
+    let angle = pixel_noise(pixel) * 2.0 * PI;
+    let turn = mat2x2<f32>(cos(angle), sin(angle), -sin(angle), cos(angle));
+    let search = max(tangent * SOFTEST_DISTANCE / texel, 2.0);
+    var blocked = 0.0;
+    var distance = 0.0;
+    for (var index = 0; index < SEARCH_TAPS; index++) {
+        let radius = (f32(index) + 0.5) / f32(SEARCH_TAPS);
+        let offset = turn * disk_point(index, radius) * search;
+        let nearest = key_nearest(vec2<i32>(floor(at.xy + offset)), size);
+        let before = nearest - at.z;
+        let reach = before * tangent / texel + 2.0;
+        if nearest > -EMPTY && before > 0.0 && length(offset) <= reach {
+            blocked += 1.0;
+            distance += before;
+        }
+    }
+    var mean = 0.0;
+    if blocked > 0.0 {
+        mean = distance / blocked;
+    }
+    let radius = max(min(mean, SOFTEST_DISTANCE) * tangent / texel, 2.0);
+    var seen = 0.0;
+    for (var index = 0; index < SHADOW_TAPS; index++) {
+        let place = sqrt((f32(index) + 0.5) / f32(SHADOW_TAPS));
+        let offset = turn * disk_point(index, place) * radius;
+        seen += seen_from_front(at + vec3<f32>(offset, 0.0), size);
+    }
+    return seen / f32(SHADOW_TAPS);
+}
+
+fn tone_map(light: vec3<f32>) -> vec3<f32> {
+    let start = 0.8 - 0.04;
+    let least = min(light.r, min(light.g, light.b));
+    var offset = 0.04;
+    if least < 0.08 {
+        offset = least - 6.25 * least * least;
+    }
+    let color = light - offset;
+    let peak = max(color.r, max(color.g, color.b));
+    if peak < start {
+        return color;
+    }
+    let room = 1.0 - start;
+    let new_peak = 1.0 - room * room / (peak + room - start);
+    let scaled = color * (new_peak / peak);
+    let kept = 1.0 / (0.15 * (peak - new_peak) + 1.0);
+    return mix(vec3<f32>(new_peak), scaled, kept);
+}
+
+fn texture_lod(change_x: vec2<f32>, change_y: vec2<f32>) -> f32 {
+    let a = dot(change_x, change_x);
+    let b = dot(change_y, change_y);
+    let wide = max(a, b);
+    let narrow = min(a, b);
+    let squared = max(max(sqrt(wide * narrow), wide * 0.0625), 1.0e-12);
+    return 0.5 * log2(squared);
+}
+
+struct BackgroundFragment {
+    @builtin(position) clip: vec4<f32>,
+}
+
+// One triangle that covers the picture.
+@vertex
+fn background_vertex(@builtin(vertex_index) index: u32) -> BackgroundFragment {
+    var out: BackgroundFragment;
+    let x = f32(i32(index & 1u) * 4 - 1);
+    let y = f32(i32(index >> 1u) * 4 - 1);
+    out.clip = vec4<f32>(x, y, 0.0, 1.0);
+    return out;
+}
+
+@fragment
+fn background_fragment(in: BackgroundFragment) -> @location(0) vec4<f32> {
+    let pixel = in.clip.xy;
+    let ray = frame.ray_corner.xyz + frame.ray_right.xyz * pixel.x + frame.ray_down.xyz * pixel.y;
+    let drop = frame.ground.x - frame.eye.y;
+    var ground = vec3<f32>(1.0);
+    if frame.background_bottom.w > 0.5 && ray.y < -1.0e-5 && drop < 0.0 {
+        let hit = frame.eye.xyz + ray * (drop / ray.y);
+        ground = ground_factor(hit.xz);
+    }
+    let place = pixel / vec2<f32>(frame.ray_right.w, frame.ray_down.w);
+    let down = place.y * place.y * (3.0 - 2.0 * place.y);
+    let base = mix(frame.background_top.rgb, frame.background_bottom.rgb, down);
+    let from_middle = (place - vec2<f32>(0.5, 0.52)) * vec2<f32>(1.5, 1.25);
+    let corner = min(dot(from_middle, from_middle), 1.0);
+    let glow = 1.0 + frame.background_top.w * (0.45 - corner * (2.0 - corner));
+    let color = base * glow * ground;
+    let grain = (pixel_noise(pixel) - 0.5) * (2.2 / 255.0);
+    return vec4<f32>(max(color + sqrt(max(color, vec3<f32>(0.0))) * grain, vec3<f32>(0.0)), 1.0);
+}
+
+fn ground_factor(point: vec2<f32>) -> vec3<f32> {
+    let size = vec2<i32>(textureDimensions(ground_light));
+    let at = (point - frame.ground.yz) * frame.ground.w - 0.5;
+    let base = floor(at);
+    if any(base < vec2<f32>(0.0)) || any(base > vec2<f32>(size - 2)) {
+        return vec3<f32>(1.0);
+    }
+    let part = at - base;
+    let first = vec2<i32>(base);
+    let top = mix(textureLoad(ground_light, first, 0).rgb,
+        textureLoad(ground_light, first + vec2<i32>(1, 0), 0).rgb, part.x);
+    let bottom = mix(textureLoad(ground_light, first + vec2<i32>(0, 1), 0).rgb,
+        textureLoad(ground_light, first + vec2<i32>(1, 1), 0).rgb, part.x);
+    return mix(top, bottom, part.y);
+}
