@@ -1,9 +1,17 @@
 //! The 13 capsules of the lower body: what the cloth collides with.
+//!
+//! Five cover pelvis, belly and waist, four each leg. They are fitted to the skin by weighted
+//! least squares: each skin point belongs to the capsule it is nearest to or deepest in, and a
+//! point left outside weighs more than one covered too thickly, because cloth must not sink into
+//! the drawn skin.
+
+mod fit;
 
 use glam::{Affine3A, Vec3};
 use lole_geom::Capsule;
 
 use crate::Bone;
+pub(crate) use fit::fit_capsules;
 
 /// One capsule whose ends are carried by bones.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,9 +3,10 @@
 use glam::Affine3A;
 use lole_geom::Capsule;
 
+use crate::capsules::fit_capsules;
 use crate::skin_build::build_skin;
-use crate::surface;
 use crate::{BodyCapsule, BodyError, Bone, Measurements, Skeleton, SkinnedMesh, TapePoint};
+use crate::{surface, tape};
 
 /// Heights of the standing bind pose above the floor [m].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -72,11 +73,12 @@ impl Dancer {
             ankle_height: height(Bone::LeftFoot),
             crown_height: shape.body.height,
         };
+        let capsules = fit_capsules(&skin, &skeleton, &landmarks);
         Ok(Self {
             measurements: *measurements,
             skeleton,
             skin,
-            capsules: Vec::new(),
+            capsules,
             landmarks,
         })
     }
@@ -97,7 +99,6 @@ impl Dancer {
     /// clockwise seen from above. Empty where the cut is empty or `point_count` is 0.
     #[must_use]
     pub fn tape_ring(&self, height: f32, point_count: usize) -> Vec<TapePoint> {
-        let _ = (height, point_count);
-        Vec::new()
+        tape::ring(&self.skin, height, point_count)
     }
 }
