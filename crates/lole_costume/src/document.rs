@@ -21,7 +21,7 @@ use crate::print::PrintMotif;
 
 pub use error::{DesignError, Problem};
 pub use nearest::{likely, nearest};
-pub use parse::{parse, parse_bytes};
+pub use parse::{Place, locate, parse, parse_bytes};
 pub use write::to_toml;
 
 /// Version of the format that this program writes, and the newest it reads.

@@ -2,7 +2,7 @@
 //! sentence with file, line and remedy.
 
 use lole_costume::document::schema::{Kind, TABLES};
-use lole_costume::document::{Design, MethodName, parse, parse_bytes, to_toml};
+use lole_costume::document::{Design, MethodName, Place, locate, parse, parse_bytes, to_toml};
 use proptest::prelude::*;
 
 /// The sentence for a document that must be refused.
@@ -368,6 +368,51 @@ fn wind_pressure_is_that_of_the_air_speed() {
     let design = parse("lole = 1\n[wind]\nspeed_m_per_s = 10", "mine.lole").unwrap();
     assert!((design.wind.pressure() - 60.2).abs() < 1e-9);
     assert!(Design::default().wind.pressure().abs() < f64::EPSILON);
+}
+
+#[test]
+fn a_mistake_found_while_sewing_is_blamed_on_its_line() {
+    let text = "lole = 1\n\n[skirt]\ngather_ratio = 4\nhem_height_cm = 84\n";
+    for (table, key, expected) in [
+        (
+            "skirt",
+            "hem_height_cm",
+            "mine.lole:5: [skirt] hem_height_cm: too short; lower it",
+        ),
+        (
+            "skirt",
+            "header_cm",
+            "mine.lole:3: [skirt] header_cm: too short; lower it",
+        ),
+        ("skirt", "", "mine.lole:3: [skirt]: too short; lower it"),
+        (
+            "dancer",
+            "hip_cm",
+            "mine.lole:1: [dancer] hip_cm: too short; lower it",
+        ),
+    ] {
+        let sentence = "too short; lower it".to_owned();
+        let error = locate(text, "mine.lole", Place { table, key }, sentence);
+        assert_eq!(error.to_string(), expected);
+    }
+}
+
+#[test]
+fn designs_in_the_readmes_can_be_read() {
+    for (name, text) in [
+        ("README.md", include_str!("../../../README.md")),
+        ("README.ja.md", include_str!("../../../README.ja.md")),
+    ] {
+        let samples: Vec<&str> = text
+            .split("```toml\n")
+            .skip(1)
+            .filter_map(|rest| rest.split_once("```").map(|(sample, _)| sample))
+            .collect();
+        assert!(!samples.is_empty(), "{name}");
+        for sample in samples {
+            parse(sample, name).unwrap();
+        }
+    }
 }
 
 #[test]

@@ -74,6 +74,38 @@ pub fn parse(text: &str, file_name: &str) -> Result<Design, DesignError> {
     Ok(design)
 }
 
+/// Says of a text that was read before where a mistake lies that only sewing or dancing found:
+/// at the key, else at its table, else at the top.
+#[must_use]
+pub fn locate(text: &str, file_name: &str, place: Place<'_>, sentence: String) -> DesignError {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let document = DeTable::parse(text)
+        .map(Spanned::into_inner)
+        .unwrap_or_default();
+    let table = document
+        .iter()
+        .find(|(name, _)| name.get_ref() == place.table);
+    let keys = table.and_then(|(_, value)| value.get_ref().as_table());
+    let key = keys.and_then(|keys| keys.iter().find(|(name, _)| name.get_ref() == place.key));
+    let start = key.map(|(name, _)| name).or(table.map(|(name, _)| name));
+    let start = start.map_or(0, |name| name.span().start);
+    let place = format!("[{}] {}", place.table, place.key);
+    Reader { text, file_name }.error(
+        start,
+        place.trim_end().to_owned(),
+        Problem::Together { sentence },
+    )
+}
+
+/// A table of the document and one of its keys, which may be empty.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Place<'p> {
+    /// Name of the table.
+    pub table: &'p str,
+    /// Name of the key, or nothing.
+    pub key: &'p str,
+}
+
 type Entry<'d, 'i> = (
     &'d Spanned<toml::de::DeString<'i>>,
     &'d Spanned<DeValue<'i>>,
