@@ -1,20 +1,17 @@
 //! Draws contact sheets of the hula steps: every half count from front, side and back.
 //!
-//! `cargo run -p lole_body --example motion_sheet -- FOLDER` writes one PPM file for each step.
-//! The body is drawn as round limbs around the bones.
-
-#[path = "../tests/motion_support/mod.rs"]
-mod motion_support;
+//! `cargo run --release -p lole_body --example motion_sheet -- FOLDER` writes one PPM file for
+//! each step. The first column is the ready stance; marks on the floor are 10 cm apart.
 
 use std::fs;
 use std::path::PathBuf;
 
-use glam::{Affine3A, Vec3};
-use lole_body::{ArmStyle, Bone, Dance, DanceStep, MotionSettings, Skeleton};
+use glam::Vec3;
+use lole_body::{ArmStyle, Bone, Dance, DanceStep, Dancer, Measurements, MotionSettings, PartKind};
 
+/// Pixels of one picture, width and height.
 const CELL: [usize; 2] = [300, 340];
-/// Pixels per meter.
-const SCALE: f32 = 190.0;
+const PIXELS_PER_METER: f32 = 190.0;
 
 /// An image with depth.
 struct Sheet {
@@ -23,12 +20,24 @@ struct Sheet {
     depths: Vec<f32>,
 }
 
-/// One view of one moment: the cell it is drawn in and the turn of the camera.
+/// One picture of the sheet: its corner and the axes of its camera.
 struct View {
     corner: [usize; 2],
     right: Vec3,
     toward: Vec3,
     centre: Vec3,
+}
+
+impl View {
+    /// Pixel (within the picture) and depth of a point.
+    fn project(&self, point: Vec3) -> Vec3 {
+        let offset = point - self.centre;
+        Vec3::new(
+            self.right.dot(offset) * PIXELS_PER_METER + 0.5 * CELL[0] as f32,
+            CELL[1] as f32 - 12.0 - point.y * PIXELS_PER_METER,
+            self.toward.dot(offset),
+        )
+    }
 }
 
 impl Sheet {
@@ -41,140 +50,80 @@ impl Sheet {
         }
     }
 
-    fn ball(&mut self, view: &View, centre: Vec3, radius: f32, color: [f32; 3]) {
-        let offset = centre - view.centre;
-        let x = view.right.dot(offset) * SCALE + 0.5 * CELL[0] as f32;
-        let y = CELL[1] as f32 - 12.0 - centre.y * SCALE;
-        let size = radius * SCALE;
-        let depth = view.toward.dot(offset) * SCALE;
-        let reach = size.ceil() as i32;
-        for dy in -reach..=reach {
-            for dx in -reach..=reach {
-                let (px, py) = (x as i32 + dx, y as i32 + dy);
-                let (u, v) = ((px as f32 + 0.5 - x) / size, (py as f32 + 0.5 - y) / size);
-                let square = 1.0 - u * u - v * v;
-                let inside = px >= 0 && py >= 0 && px < CELL[0] as i32 && py < CELL[1] as i32;
-                if square < 0.0 || !inside {
-                    continue;
-                }
-                let bulge = square.sqrt();
-                let at = (view.corner[1] + py as usize) * self.width + view.corner[0] + px as usize;
-                if depth + bulge * size > self.depths[at] {
-                    self.depths[at] = depth + bulge * size;
-                    let light = 0.35 + 0.65 * (0.3 * -u - 0.5 * v + 0.8 * bulge).max(0.0);
-                    self.pixels[at] = color.map(|c| (c * light * 255.0).min(255.0) as u8);
+    fn triangle(&mut self, view: &View, corners: [Vec3; 3], color: [f32; 3]) {
+        let normal = (corners[1] - corners[0])
+            .cross(corners[2] - corners[0])
+            .normalize_or_zero();
+        let light =
+            (0.5 * view.right * -0.6 + 0.6 * Vec3::Y + 0.8 * view.toward).normalize_or_zero();
+        let shade = 0.35 + 0.65 * normal.dot(light).max(0.0);
+        let pixel = color.map(|c| (c * shade * 255.0).min(255.0) as u8);
+        let [a, b, c] = corners.map(|corner| view.project(corner));
+        let area = (b - a).truncate().perp_dot((c - a).truncate());
+        let low = a.min(b).min(c).max(Vec3::ZERO);
+        let high = a.max(b).max(c);
+        for y in low.y as usize..CELL[1].min(high.y.max(0.0) as usize + 1) {
+            for x in low.x as usize..CELL[0].min(high.x.max(0.0) as usize + 1) {
+                let point = glam::Vec2::new(x as f32 + 0.5, y as f32 + 0.5);
+                let u = (b.truncate() - point).perp_dot(c.truncate() - point) / area;
+                let v = (c.truncate() - point).perp_dot(a.truncate() - point) / area;
+                let depth = a.z * u + b.z * v + c.z * (1.0 - u - v);
+                let at = (view.corner[1] + y) * self.width + view.corner[0] + x;
+                if u >= 0.0 && v >= 0.0 && u + v <= 1.0 && depth > self.depths[at] {
+                    self.depths[at] = depth;
+                    self.pixels[at] = pixel;
                 }
             }
         }
     }
+}
 
-    fn limb(&mut self, view: &View, ends: [Vec3; 2], radii: [f32; 2], color: [f32; 3]) {
-        let steps = 24;
-        for i in 0..=steps {
-            let t = i as f32 / steps as f32;
-            let radius = radii[0] + (radii[1] - radii[0]) * t;
-            self.ball(view, ends[0].lerp(ends[1], t), radius, color);
-        }
+fn color_of(kind: PartKind) -> [f32; 3] {
+    match kind {
+        PartKind::Skin => [0.80, 0.58, 0.45],
+        PartKind::Leotard => [0.35, 0.38, 0.45],
+        PartKind::Face => [0.85, 0.62, 0.48],
+        _ => [0.25, 0.18, 0.15],
     }
 }
 
-/// Radius of the limb at a bone's joint [m].
-fn radius(bone: Bone) -> f32 {
-    let name = bone.name().to_lowercase();
-    let table = [
-        ("upperleg", 0.075),
-        ("lowerleg", 0.05),
-        ("foot", 0.032),
-        ("toes", 0.022),
-        ("upperarm", 0.04),
-        ("lowerarm", 0.032),
-        ("hand", 0.022),
-        ("shoulder", 0.05),
-        ("hips", 0.11),
-        ("spine", 0.095),
-        ("chest", 0.1),
-        ("neck", 0.045),
-        ("head", 0.05),
-    ];
-    (table.iter().find(|(part, _)| name.contains(part))).map_or(0.009, |&(_, radius)| radius)
+fn draw(sheet: &mut Sheet, view: &View, dancer: &Dancer, positions: &[Vec3]) {
+    for part in &dancer.skin.parts {
+        for &triangle in &part.triangles {
+            let corners = triangle.map(|vertex| positions[vertex as usize]);
+            sheet.triangle(view, corners, color_of(part.kind));
+        }
+    }
+    for mark in -12..=7 {
+        let middle = Vec3::new(0.1 * mark as f32, 0.0, 0.0);
+        let corners = [[-0.01, 0.0], [0.01, 0.0], [0.0, 0.02]];
+        let corners = corners.map(|[x, y]| middle + view.right * x + Vec3::NEG_Y * y);
+        sheet.triangle(view, corners, [0.5, 0.5, 0.5]);
+    }
 }
 
-fn draw(sheet: &mut Sheet, view: &View, skeleton: &Skeleton, skin: &[Affine3A]) {
-    let place = |bone: Bone, point: Vec3| skin[bone.index()].transform_point3(point);
-    let left = [0.80, 0.45, 0.33];
-    let right = [0.42, 0.52, 0.72];
-    let middle = [0.75, 0.66, 0.55];
-    for &bone in Bone::ALL {
-        let Some(parent) = bone.parent() else {
-            continue;
-        };
-        let color = match bone.name() {
-            name if name.starts_with("left") => left,
-            name if name.starts_with("right") => right,
-            _ => middle,
-        };
-        let ends = [parent, bone].map(|b| place(b, skeleton.joint(b)));
-        let mut radii = [radius(parent), radius(bone)];
-        if matches!(
-            bone.name(),
-            "leftShoulder" | "rightShoulder" | "leftUpperLeg" | "rightUpperLeg"
-        ) {
-            radii[0] = radii[1];
-        }
-        if bone.name().contains("Proximal") || bone.name().contains("Thumb") {
-            radii = [0.014, 0.01];
-        }
-        sheet.limb(view, ends, radii, color);
-    }
-    for side in [-1.0_f32, 1.0] {
-        let (toes, foot) = if side > 0.0 {
-            (Bone::LeftToes, Bone::LeftFoot)
-        } else {
-            (Bone::RightToes, Bone::RightFoot)
-        };
-        let color = if side > 0.0 { left } else { right };
-        let ball = skeleton.joint(toes);
-        let tip = place(toes, ball + Vec3::new(0.0, -0.008, 0.045));
-        sheet.limb(view, [place(toes, ball), tip], [0.022, 0.014], color);
-        let ankle = skeleton.joint(foot);
-        let heel = place(foot, Vec3::new(ankle.x, 0.025, ankle.z - 0.03));
-        sheet.limb(view, [place(foot, ankle), heel], [0.03, 0.025], color);
-    }
-    let head = skeleton.joint(Bone::Head);
-    sheet.ball(
-        view,
-        place(Bone::Head, head + Vec3::new(0.0, 0.09, 0.0)),
-        0.095,
-        middle,
-    );
-    sheet.ball(
-        view,
-        place(Bone::Head, head + Vec3::new(0.0, 0.07, 0.1)),
-        0.015,
-        [0.9, 0.2, 0.2],
-    );
+/// The settings that are drawn, with the names of their files.
+fn cases() -> Vec<(String, MotionSettings)> {
+    let of = |dance_step, arms| MotionSettings {
+        dance_step,
+        arms,
+        ..MotionSettings::default()
+    };
+    let mut cases: Vec<_> = DanceStep::ALL
+        .map(|step| (step.id().to_owned(), of(step, ArmStyle::OfStep)))
+        .to_vec();
+    cases.push((
+        "kao_hips".to_owned(),
+        of(DanceStep::Kao, ArmStyle::HandsOnHips),
+    ));
+    cases
 }
 
 fn main() {
     let folder = PathBuf::from(std::env::args().nth(1).unwrap_or_else(|| ".".into()));
-    let skeleton = motion_support::woman();
-    let mut cases: Vec<(String, MotionSettings)> = DanceStep::ALL
-        .map(|dance_step| {
-            let settings = MotionSettings {
-                dance_step,
-                ..MotionSettings::default()
-            };
-            (dance_step.id().to_owned(), settings)
-        })
-        .to_vec();
-    let on_hips = MotionSettings {
-        dance_step: DanceStep::Kao,
-        arms: ArmStyle::HandsOnHips,
-        ..MotionSettings::default()
-    };
-    cases.push(("kao_hips".to_owned(), on_hips));
-    for (name, settings) in cases {
-        let dance = Dance::new(&skeleton, &settings).expect("the defaults can be danced");
+    let dancer = Dancer::new(&Measurements::woman()).expect("the default woman can be built");
+    for (name, settings) in cases() {
+        let dance = Dance::new(&dancer.skeleton, &settings).expect("the defaults can be danced");
         let columns = settings.dance_step.counts() as usize * 2 + 1;
         let views = [
             (Vec3::X, Vec3::Z),
@@ -183,25 +132,24 @@ fn main() {
         ];
         let mut sheet = Sheet::new(columns, views.len());
         let half_count = 30.0 / settings.beats_per_minute;
+        let (mut positions, mut normals) = (Vec::new(), Vec::new());
         for column in 0..columns {
             let time = match column {
                 0 => 0.0,
                 _ => dance.lead_in() + (column - 1) as f32 * half_count,
             };
-            let skin = skeleton.world_from_bind(&dance.pose_at(time));
+            let skin = dancer.skeleton.world_from_bind(&dance.pose_at(time));
+            dancer.skin.pose(&skin, &mut positions, &mut normals);
+            let hips = dancer.skeleton.joint(Bone::Hips);
+            let hips = skin[Bone::Hips.index()].transform_point3(hips);
             for (row, &(right, toward)) in views.iter().enumerate() {
-                let hips = skin[Bone::Hips.index()].transform_point3(skeleton.joint(Bone::Hips));
                 let view = View {
                     corner: [column * CELL[0], row * CELL[1]],
                     right,
                     toward,
                     centre: Vec3::new(hips.x, 0.0, 0.0),
                 };
-                for mark in -12..=7 {
-                    let place = Vec3::new(0.1 * mark as f32, 0.0, 0.0);
-                    sheet.ball(&view, place, 0.012, [0.5, 0.5, 0.5]);
-                }
-                draw(&mut sheet, &view, &skeleton, &skin);
+                draw(&mut sheet, &view, &dancer, &positions);
             }
         }
         let height = sheet.pixels.len() / sheet.width;

@@ -282,7 +282,7 @@ fn it_starts_in_the_ready_stance_on_both_feet() {
             let deeper = match settings.dance_step {
                 DanceStep::Kaholo if settings.step_width > 0.2 => 40.0,
                 DanceStep::Kaholo => 14.0,
-                _ if settings.knee_degrees < 20.0 => 6.0,
+                _ if settings.knee_degrees < 20.0 => 10.0,
                 _ => 2.5,
             };
             let range = settings.knee_degrees - 0.5..settings.knee_degrees + deeper;

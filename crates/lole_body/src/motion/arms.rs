@@ -70,18 +70,18 @@ const OPEN: Arm = Arm {
 };
 /// Arm rounded in front at the height of the lower ribs.
 const ROUNDED: Arm = Arm {
-    azimuth: 30.0,
-    elevation: -32.0,
-    fore_azimuth: 82.0,
-    fore_elevation: -4.0,
-    palm: 0.0,
-    wrist: -6.0,
+    azimuth: 22.0,
+    elevation: -30.0,
+    fore_azimuth: 112.0,
+    fore_elevation: -6.0,
+    palm: 14.0,
+    wrist: -4.0,
     fingers: 2.0,
 };
 /// Arm raised in the "U" above.
 const HIGH: Arm = Arm {
     azimuth: 28.0,
-    elevation: 34.0,
+    elevation: 28.0,
     fore_azimuth: 48.0,
     fore_elevation: 58.0,
     palm: 60.0,
@@ -104,7 +104,7 @@ const ON_WAIST: Arm = Arm {
     elevation: -40.0,
     fore_azimuth: 190.0,
     fore_elevation: -32.0,
-    palm: -72.0,
+    palm: 72.0,
     wrist: -48.0,
     fingers: 8.0,
 };

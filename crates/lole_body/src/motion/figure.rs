@@ -64,7 +64,7 @@ pub(super) struct Arm {
     pub fore_azimuth: f32,
     /// Elevation of the forearm [°].
     pub fore_elevation: f32,
-    /// Turn of the palm from facing down toward facing front [°].
+    /// Turn of the hand from palm down toward thumb up [°].
     pub palm: f32,
     /// Bend of the wrist toward the palm [°].
     pub wrist: f32,

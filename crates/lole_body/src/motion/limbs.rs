@@ -3,6 +3,7 @@
 use glam::{Mat3, Quat, Vec3};
 use lole_geom::trig;
 
+use super::ease::soft_max;
 use super::figure::Arm;
 use super::rig::{PlacedFoot, quat_about, quat_x, quat_y, quat_z};
 use super::settings::MotionError;
@@ -13,12 +14,22 @@ use crate::{Bone, Pose, Skeleton};
 const HEEL_BEYOND_ANKLE: f32 = 1.35;
 /// Part of the arm's raise and of its turn to the front that the clavicle takes.
 const CLAVICLE_RAISE: f32 = 0.16;
+const ABOVE_HORIZONTAL: f32 = 0.14;
 const CLAVICLE_FORWARD: f32 = 0.12;
 /// Part of the upper arm's turn about itself that is made at the shoulder; the skin of the
 /// shoulder would tear with all of it.
-const UPPER_ARM_TWIST: f32 = 0.75;
+const UPPER_ARM_TWIST: f32 = 0.3;
 /// Part of the hand's turn about the forearm that is made along the forearm.
 const FOREARM_TWIST: f32 = 0.5;
+
+/// Bend of a relaxed finger's joints [°], root first, and their shares of the wave.
+const RELAXED_FINGER: [f32; 3] = [6.0, 12.0, 6.0];
+const WAVE_OF_JOINTS: [f32; 3] = [1.0, 0.8, 0.5];
+/// Part of the bind pose's spread that is taken away: hula hands keep the fingers together.
+const GATHERED: f32 = 0.85;
+
+/// Part of the bind pose's opening of the thumb that each of its bones takes away.
+const THUMB_CLOSED: [f32; 3] = [0.25, 0.2, 0.1];
 
 /// Bones of one leg: upper leg, lower leg, foot, toes.
 const LEGS: [[Bone; 4]; 2] = [
@@ -95,6 +106,20 @@ const FINGERS: [[[Bone; 3]; 4]; 2] = [
             Bone::RightLittleIntermediate,
             Bone::RightLittleDistal,
         ],
+    ],
+];
+
+/// Bones of the thumbs.
+const THUMBS: [[Bone; 3]; 2] = [
+    [
+        Bone::LeftThumbMetacarpal,
+        Bone::LeftThumbProximal,
+        Bone::LeftThumbDistal,
+    ],
+    [
+        Bone::RightThumbMetacarpal,
+        Bone::RightThumbProximal,
+        Bone::RightThumbDistal,
     ],
 ];
 
@@ -220,8 +245,10 @@ pub(super) struct ArmRig {
     fore: Vec3,
     /// Frame of the hand: along it, out of the palm.
     hand: Mat3,
-    /// Axis about which a finger curls toward the palm.
-    curl: Vec3,
+    /// Axis about which the thumb closes toward the hand's direction, and how far it is open [rad].
+    thumb: (Vec3, f32),
+    /// What the fingers need to lie beside each other, softly bent, index to little.
+    fingers: [FingerRig; 4],
     /// Azimuth and elevation of the upper arm [°], as in [`Arm`].
     azimuth: f32,
     elevation: f32,
@@ -245,7 +272,13 @@ impl ArmRig {
             upper: upper_direction,
             fore,
             hand: frame(along, palm),
-            curl: frame(along, palm).z_axis,
+            thumb: {
+                let [root, _, end] = THUMBS[i].map(|bone| skeleton.joint(bone));
+                let thumb = (end - root).normalize_or_zero();
+                let axis = thumb.cross(along).normalize_or_zero();
+                (axis, trig::acos(thumb.dot(along)))
+            },
+            fingers: FINGERS[i].map(|finger| FingerRig::new(skeleton, finger, frame(along, palm))),
             azimuth: trig::atan2(upper_direction.z, upper_direction.x * side).to_degrees(),
             elevation: trig::atan2(upper_direction.y, horizontal).to_degrees(),
         })
@@ -262,7 +295,8 @@ impl ArmRig {
     pub(super) fn solve(&self, arm: &Arm, pose: &mut Pose) {
         let i = index_of(self.side);
         let [clavicle_bone, upper_bone, lower_bone, hand_bone] = ARMS[i];
-        let raise = (CLAVICLE_RAISE * (arm.elevation - self.elevation)).to_radians();
+        let above = ABOVE_HORIZONTAL * soft_max(arm.elevation, 0.0, 20.0);
+        let raise = (CLAVICLE_RAISE * (arm.elevation - self.elevation) + above).to_radians();
         let forward = (CLAVICLE_FORWARD * (arm.azimuth - self.azimuth)).to_radians();
         let clavicle = quat_y(-self.side * forward) * quat_z(self.side * raise);
 
@@ -295,7 +329,7 @@ impl ArmRig {
     /// Turn of the hand at the end of a forearm that points along `fore`.
     fn turn_hand(&self, arm: &Arm, fore: Vec3) -> Quat {
         let down = frame(fore, Vec3::NEG_Y).y_axis;
-        let roll = quat_about(fore, arm.palm.to_radians() * self.side);
+        let roll = quat_about(fore, -arm.palm.to_radians() * self.side);
         let palm = roll * down;
         let (sin, cos) = trig::sin_cos(arm.wrist.to_radians());
         turn_between(
@@ -305,11 +339,50 @@ impl ArmRig {
     }
 
     fn curl_fingers(&self, degrees: f32, pose: &mut Pose) {
-        for finger in FINGERS[index_of(self.side)] {
-            for (bone, share) in finger.into_iter().zip([1.0, 0.8, 0.5]) {
-                let angle = (degrees * share).to_radians();
-                pose.rotate(bone, quat_about(self.curl, angle));
+        let (axis, open) = self.thumb;
+        for (bone, share) in THUMBS[index_of(self.side)].into_iter().zip(THUMB_CLOSED) {
+            pose.rotate(bone, quat_about(axis, share * open));
+        }
+        for (finger, bones) in self.fingers.iter().zip(FINGERS[index_of(self.side)]) {
+            for (i, bone) in bones.into_iter().enumerate() {
+                let wanted = RELAXED_FINGER[i] + WAVE_OF_JOINTS[i] * degrees;
+                let curl = quat_about(finger.curl, wanted.to_radians() - finger.bent[i]);
+                let turn = match i {
+                    0 => quat_about(finger.palm, -GATHERED * finger.spread) * curl,
+                    _ => curl,
+                };
+                pose.rotate(bone, turn);
             }
+        }
+    }
+}
+
+/// One finger in the bind pose, where it is spread and bent.
+#[derive(Debug, Clone, Copy)]
+struct FingerRig {
+    /// Axis about which it curls toward the palm, and the direction out of the palm.
+    curl: Vec3,
+    palm: Vec3,
+    /// Angle [rad] about `palm` from the hand's direction to the finger's.
+    spread: f32,
+    /// Bend [rad] of its joints about `curl`.
+    bent: [f32; 3],
+}
+
+impl FingerRig {
+    fn new(skeleton: &Skeleton, bones: [Bone; 3], hand: Mat3) -> Self {
+        let [root, middle, last] = bones.map(|bone| skeleton.joint(bone));
+        // Components along the hand, out of the palm and across it.
+        let first = hand.transpose() * (middle - root);
+        let second = hand.transpose() * (last - middle);
+        let bend = |v: Vec3| trig::atan2(v.y, v.x);
+        // The last bone has no joint at its end; fingers bend there about as at the middle joint.
+        let middle_bend = bend(second) - bend(first);
+        Self {
+            curl: hand.z_axis,
+            palm: hand.y_axis,
+            spread: trig::atan2(-first.z, first.x),
+            bent: [bend(first), middle_bend, 0.5 * middle_bend],
         }
     }
 }
