@@ -34,7 +34,7 @@ impl Default for SolverConfig {
     fn default() -> Self {
         Self {
             substep_count: NonZeroU32::MIN.saturating_add(11),
-            structural_sweep_count: NonZeroU32::MIN.saturating_add(3),
+            structural_sweep_count: NonZeroU32::MIN.saturating_add(5),
             gravity: Vec3::new(0.0, -9.81, 0.0),
             contact_offset: 0.0,
             depenetration_speed: 2.0,

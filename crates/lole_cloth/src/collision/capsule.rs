@@ -4,7 +4,6 @@ use fearless_simd::{Simd, f32x16, prelude::*};
 use glam::Vec3;
 use lole_geom::Capsule;
 
-use crate::constraint::INV_MASS_FLOOR;
 use crate::lanes::{Points, Vectors, larger, smaller};
 
 /// A row nearer to a capsule than this [m] is tested against it in every substep of the step,
@@ -19,6 +18,12 @@ const DEGENERATE_AXIS_SQUARED: f32 = 1.0e-12;
 
 /// Below this distance [m] from the axis a contact has no direction.
 const DEGENERATE_DISTANCE: f32 = 1.0e-7;
+
+/// Below this slip [m] in a substep friction has no direction; it keeps the quotient finite.
+const DEGENERATE_SLIP: f32 = 1.0e-12;
+
+/// Passes over the capsules of a row where one pushes into another.
+const PASS_COUNT_MAX: u32 = 12;
 
 /// A capsule at the end of a substep, with what it did during it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -80,41 +85,61 @@ pub(crate) struct ContactLaw {
 pub(crate) fn project<S: Simd>(
     simd: S,
     position: &mut Vectors<S>,
-    before: impl Fn() -> Vectors<S>,
+    before: Vectors<S>,
     inv_mass: f32x16<S>,
     (capsules, indices): (&[MovingCapsule], &[u32]),
     law: ContactLaw,
 ) {
+    for _ in 0..PASS_COUNT_MAX {
+        let mut is_touched = false;
+        for &index in indices {
+            let capsule = &capsules[index as usize];
+            is_touched |= project_out(simd, position, before, inv_mass, (capsule, law));
+        }
+        // Leaving one capsule may enter another: where they meet, once is not enough.
+        if !is_touched || indices.len() < 2 {
+            break;
+        }
+    }
+}
+
+/// Projects one vector of particles out of one capsule; whether any was inside.
+#[inline(always)]
+fn project_out<S: Simd>(
+    simd: S,
+    position: &mut Vectors<S>,
+    before: Vectors<S>,
+    inv_mass: f32x16<S>,
+    (capsule, law): (&MovingCapsule, ContactLaw),
+) -> bool {
     let zero = f32x16::splat(simd, 0.0);
     let one = f32x16::splat(simd, 1.0);
-    for &index in indices {
-        let capsule = &capsules[index as usize];
-        let axis = Vectors::splat(simd, capsule.axis);
-        let from_start = position.sub(Vectors::splat(simd, capsule.start));
-        let s = smaller(larger(from_start.dot(axis) * capsule.inv_length_squared, zero), one);
-        let normal = from_start.sub(axis.scale(s));
-        let squared = normal.dot(normal);
-        let radius = s * capsule.radii[1] + capsule.radii[0];
-        let touching = squared.simd_lt(radius * radius) & zero.simd_lt(inv_mass);
-        if !touching.any_true() {
-            continue;
-        }
-        let distance = squared.sqrt();
-        let on_axis = distance.simd_lt(f32x16::splat(simd, DEGENERATE_DISTANCE));
-        let inv_distance = one / larger(distance, f32x16::splat(simd, DEGENERATE_DISTANCE));
-        let mut normal = normal.scale(inv_distance);
-        normal.z = on_axis.select(one, normal.z);
-        let surface = Vectors::splat(simd, capsule.displacement)
-            .add(Vectors::splat(simd, capsule.stretch).scale(s));
-        let slip = position.sub(before()).sub(surface);
-        let approach = slip.dot(normal);
-        let depth = smaller(radius - distance, larger(zero - approach, zero) + law.depenetration);
-        let depth = touching.select(depth, zero);
-        let tangential = slip.sub(normal.scale(approach));
-        let slip_length = tangential.dot(tangential).sqrt() + INV_MASS_FLOOR * DEGENERATE_DISTANCE;
-        let held = smaller(depth * law.friction / slip_length, one);
-        *position = position.add(normal.scale(depth)).sub(tangential.scale(held));
+    let axis = Vectors::splat(simd, capsule.axis);
+    let from_start = position.sub(Vectors::splat(simd, capsule.start));
+    let s = smaller(larger(from_start.dot(axis) * capsule.inv_length_squared, zero), one);
+    let normal = from_start.sub(axis.scale(s));
+    let squared = normal.dot(normal);
+    let radius = s * capsule.radii[1] + capsule.radii[0];
+    let touching = squared.simd_lt(radius * radius) & zero.simd_lt(inv_mass);
+    if !touching.any_true() {
+        return false;
     }
+    let distance = squared.sqrt();
+    let on_axis = distance.simd_lt(f32x16::splat(simd, DEGENERATE_DISTANCE));
+    let inv_distance = one / larger(distance, f32x16::splat(simd, DEGENERATE_DISTANCE));
+    let mut normal = normal.scale(inv_distance);
+    normal.z = on_axis.select(one, normal.z);
+    let surface =
+        Vectors::splat(simd, capsule.displacement).add(Vectors::splat(simd, capsule.stretch).scale(s));
+    let slip = position.sub(before).sub(surface);
+    let approach = slip.dot(normal);
+    let depth = smaller(radius - distance, larger(zero - approach, zero) + law.depenetration);
+    let depth = touching.select(depth, zero);
+    let tangential = slip.sub(normal.scale(approach));
+    let slip_length = tangential.dot(tangential).sqrt() + DEGENERATE_SLIP;
+    let held = smaller(depth * law.friction / slip_length, one);
+    *position = position.add(normal.scale(depth)).sub(tangential.scale(held));
+    true
 }
 
 /// Which capsules each row may touch during a step: list of capsule indices for every row.

@@ -48,8 +48,9 @@ pub(crate) fn solve_columns<S: Simd>(simd: S, rows: &mut Rows<'_>, scaled_compli
         let (middle, lower) = rest.split_at_mut(width);
         let inv_masses = &rows.inv_masses[start..start + 3 * width];
         for group in 0..width {
-            let inv_mass = #[inline(always)] |row: usize| f32x16::load_array_ref(simd, &inv_masses[row * width + group].0);
-            let (inv_upper, inv_middle, inv_lower) = (inv_mass(0), inv_mass(1), inv_mass(2));
+            let inv_upper = f32x16::load_array_ref(simd, &inv_masses[group].0);
+            let inv_middle = f32x16::load_array_ref(simd, &inv_masses[width + group].0);
+            let inv_lower = f32x16::load_array_ref(simd, &inv_masses[2 * width + group].0);
             let points = [&upper[group], &middle[group], &lower[group]].map(#[inline(always)] |p| Vectors::load(simd, p));
             let curvature = points[0].add(points[2]).sub(points[1].add(points[1]));
             let factor = f32x16::splat(simd, 1.0)

@@ -265,7 +265,7 @@ fn resolve_contacts_and_update_velocities<S: Simd>(
             let velocity = Vectors::load(simd, &velocities[group]);
             let predicted = Vectors::load(simd, &predicted[group]);
             let inv_mass = f32x16::load_array_ref(simd, &inv_masses[group].0);
-            let before = #[inline(always)] || predicted.sub(velocity.scale(h));
+            let before = predicted.sub(velocity.scale(h));
             capsule::project(simd, &mut position, before, inv_mass, capsules, substep.contact);
             position.store(&mut positions[group]);
             velocity.add(position.sub(predicted).scale(inv_h)).store(&mut velocities[group]);
