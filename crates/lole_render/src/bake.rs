@@ -16,9 +16,9 @@ use rayon::prelude::*;
 
 /// Longer side of the key light's map [texel]: about 1 mm on a standing dancer.
 const KEY_MAP_SIDE: usize = 1536;
-/// Longer side of the maps of the surroundings [texel]: about 4 mm on a standing dancer, finer
+/// Longer side of the maps of the surroundings [texel]: about 5 mm on a standing dancer, finer
 /// than the folds of a gathered band.
-const STUDIO_MAP_SIDE: usize = 448;
+const STUDIO_MAP_SIDE: usize = 352;
 
 /// Light worked out for one picture.
 pub(crate) struct Bake {

@@ -140,9 +140,13 @@ impl DepthMap {
 
     fn enter(&mut self, texel: usize, depth: f32) {
         let nearest = &mut self.nearest[texel];
-        *nearest = nearest.max(depth);
-        if let Some(farthest) = self.farthest.get_mut(texel) {
-            *farthest = farthest.min(depth);
+        if depth > *nearest {
+            *nearest = depth;
+        }
+        if let Some(farthest) = self.farthest.get_mut(texel)
+            && depth < *farthest
+        {
+            *farthest = depth;
         }
     }
 

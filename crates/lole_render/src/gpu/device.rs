@@ -8,6 +8,8 @@ pub(super) struct Device {
     pub(super) queue: wgpu::Queue,
     /// Its name, for people.
     pub(super) description: String,
+    /// Whether it is a driver that computes on the CPU.
+    pub(super) is_software: bool,
 }
 
 impl Device {
@@ -36,6 +38,7 @@ impl Device {
             device,
             queue,
             description: format!("{} ({})", found.name, found.backend),
+            is_software: found.device_type == wgpu::DeviceType::Cpu,
         })
     }
 }

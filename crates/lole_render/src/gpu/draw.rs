@@ -80,6 +80,11 @@ impl GpuRenderer {
         &self.gpu.description
     }
 
+    /// Whether the adapter is a driver that computes on the CPU.
+    pub(crate) const fn is_software(&self) -> bool {
+        self.gpu.is_software
+    }
+
     /// Draws a checked scene.
     ///
     /// # Errors
