@@ -7,6 +7,7 @@
     reason = "a command speaks on the terminal"
 )]
 
+mod docs;
 mod golden;
 mod look;
 mod tidy;
@@ -18,6 +19,7 @@ const USAGE: &str = "\
 usage: cargo xtask <command>
 
   tidy     check the house rules: dependency table, documents, budgets, words
+  docs     build the documentation, warnings being errors, and check its links
   golden   rewrite the goldens under tests/golden and list what changed
   look DIR look at the files that `lole dance` wrote: all there, and the report complete
 ";
@@ -27,6 +29,7 @@ fn main() -> ExitCode {
     let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let result = match arguments.as_slice() {
         ["tidy"] => tidy::run(&repository()),
+        ["docs"] => docs::run(&repository()),
         ["golden"] => golden::run(&repository()),
         ["look", folder] => look::run(Path::new(folder)),
         _ => {
