@@ -52,8 +52,8 @@ struct Recording {
 /// Runs the command and gives the report as JSON with the text for people.
 pub(crate) fn run(args: &DanceArgs, language: Language) -> Result<(), Failure> {
     let design = load(args)?;
-    let output = OutputFolder::create(&args.out).map_err(Failure::Usage)?;
     let stop = stop_flag().map_err(Failure::Run)?;
+    let output = OutputFolder::create(&args.out).map_err(Failure::Usage)?;
     let production = Production::new(&design).map_err(|error| Failure::Usage(error.into()))?;
     let run = Run {
         args,

@@ -1,0 +1,231 @@
+//! The command as a user meets it: exit codes, sentences, files, and the same bits every time.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+use serde_json::Value;
+
+/// A skirt coarse enough that a run takes seconds; everything else as by default.
+const SMALL: &str = "lole = 1\n[skirt]\ncolumn_count = 96\nrow_count = 40\n";
+
+/// A scratch folder that is removed when the test ends.
+struct Scratch(PathBuf);
+
+impl Scratch {
+    fn new(name: &str) -> Self {
+        let folder = std::env::temp_dir().join(format!("lole-cli-{name}-{}", std::process::id()));
+        drop(fs::remove_dir_all(&folder));
+        fs::create_dir_all(&folder).unwrap();
+        Self(folder)
+    }
+
+    fn write(&self, name: &str, text: &str) -> PathBuf {
+        let path = self.0.join(name);
+        fs::write(&path, text).unwrap();
+        path
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.0.join(name)
+    }
+}
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        drop(fs::remove_dir_all(&self.0));
+    }
+}
+
+fn lole() -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_lole"));
+    command
+        .env("LANG", "en_US.UTF-8")
+        .env_remove("LC_ALL")
+        .env_remove("LC_MESSAGES");
+    command
+}
+
+fn dance(design: &Path, out: &Path, more: &[&str]) -> Output {
+    let small = ["--cpu", "--seconds", "0.5", "--size", "128x72", "--json"];
+    lole()
+        .arg("dance")
+        .arg(design)
+        .arg("--out")
+        .arg(out)
+        .args(small)
+        .args(more)
+        .output()
+        .unwrap()
+}
+
+fn sentence(output: &Output) -> String {
+    let text = String::from_utf8(output.stderr.clone()).unwrap();
+    let lines: Vec<&str> = text
+        .lines()
+        .filter(|line| line.starts_with("lole: "))
+        .collect();
+    assert_eq!(lines.len(), 1, "one sentence, not: {text}");
+    lines[0].to_owned()
+}
+
+#[test]
+fn a_wrong_document_is_one_sentence_with_its_line_and_writes_nothing() {
+    let scratch = Scratch::new("wrong");
+    let out = scratch.path("out");
+    let cases = [
+        (
+            "lole = 1\n[skirt]\nhem_hight_cm = 20\n",
+            ":3",
+            "hem_height_cm",
+        ),
+        (
+            "lole = 1\n[skirt]\nhem_height_cm = \"low\"\n",
+            ":3",
+            "number",
+        ),
+        ("lole = 1\n[dancer]\n\nhip_cm = -91\n", ":4", "70"),
+        ("lole = 1\n[dancer]\nstature_cm = 1e99\n", ":3", "195"),
+        ("lole = 1\n[motion]\nstep = \"kaholoo\"\n", ":3", "kaholo"),
+        ("lole = 2\n", ":1", "lole"),
+        ("[skirt]\n", "", "lole = 1"),
+        ("lole = 1\n[skirt\n", ":2", "TOML"),
+    ];
+    for (text, line, remedy) in cases {
+        let design = scratch.write("wrong.lole", text);
+        let output = dance(&design, &out, &[]);
+        let found = sentence(&output);
+        assert_eq!(output.status.code(), Some(2), "{text}: {found}");
+        assert!(
+            found.contains(&format!("wrong.lole{line}")),
+            "{text}: {found}"
+        );
+        assert!(found.contains(remedy), "{text}: {found}");
+        assert!(!out.exists(), "{text}");
+    }
+}
+
+#[test]
+fn wrong_usage_is_refused_before_anything_is_computed() {
+    let scratch = Scratch::new("usage");
+    let design = scratch.write("small.lole", SMALL);
+    let out = scratch.path("out");
+    let file = scratch.write("file", "in the way");
+    let missing = scratch.path("missing.lole");
+    let inside = file.join("out");
+    let cases: [(&Path, &Path, &[&str], &str); 6] = [
+        (&missing, &out, &[], "missing.lole"),
+        (&scratch.0, &out, &[], "cannot be read"),
+        (&design, &inside, &[], "--out"),
+        (
+            &design,
+            &out,
+            &["--step", "kaholoo"],
+            "did you mean kaholo?",
+        ),
+        (&design, &out, &["--bpm", "nan"], "tempo_bpm"),
+        (&design, &out, &["--method", "euler"], "fb-euler"),
+    ];
+    for (design, out, more, part) in cases {
+        let output = dance(design, out, more);
+        let found = sentence(&output);
+        assert_eq!(output.status.code(), Some(2), "{found}");
+        assert!(found.contains(part), "{found}");
+        assert!(!scratch.path("out").exists(), "{found}");
+    }
+    let output = lole().args(["dance", "--seconds", "-1"]).output().unwrap();
+    assert_eq!(output.status.code(), Some(2));
+}
+
+#[test]
+fn a_run_writes_every_file_and_the_same_bits_on_any_number_of_threads() {
+    let scratch = Scratch::new("run");
+    let design = scratch.write("small.lole", SMALL);
+    let run = |design: &Path, name: &str, threads: &str| -> Value {
+        let out = scratch.path(name);
+        let output = dance(design, &out, &["--threads", threads]);
+        let text = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(0), "{text}");
+        serde_json::from_slice(&output.stdout).unwrap()
+    };
+    let one = run(&design, "one", "1");
+    for name in [
+        "dance.mp4",
+        "front.png",
+        "side.png",
+        "back.png",
+        "three-quarter.png",
+        "dancer.glb",
+        "design.lole",
+        "report.html",
+        "report.json",
+    ] {
+        let size = fs::metadata(scratch.path("one").join(name)).unwrap().len();
+        assert!(100 < size, "{name} has {size} bytes");
+    }
+    assert_eq!(fs::read_dir(scratch.path("one")).unwrap().count(), 9);
+    assert_eq!(one["finite"], true);
+    assert_eq!(one["particles"], 96 * 40);
+    assert_eq!(one["frames"], 30);
+    assert!(one["strain_pct"]["max"].as_f64().unwrap().is_finite());
+    let two = run(&scratch.path("one").join("design.lole"), "two", "2");
+    let three = run(&design, "three", "3");
+    assert_eq!(
+        one["state_hash"], two["state_hash"],
+        "the written design repeats the run"
+    );
+    assert_eq!(one["state_hash"], three["state_hash"]);
+}
+
+#[test]
+fn a_run_that_diverges_says_so_and_still_reports() {
+    let scratch = Scratch::new("diverges");
+    let text = format!("{SMALL}[method]\nname = \"fb-euler\"\nsubstep_count = 1\n");
+    let design = scratch.write("wild.lole", &text);
+    let out = scratch.path("out");
+    let output = dance(&design, &out, &[]);
+    let found = sentence(&output);
+    assert_eq!(output.status.code(), Some(1), "{found}");
+    assert!(
+        found.contains("diverged") && found.contains("substep_count"),
+        "{found}"
+    );
+    let report = fs::read_to_string(out.join("report.json")).unwrap();
+    let report: Value = serde_json::from_str(&report).unwrap();
+    assert_eq!(report["finite"], false);
+    assert!(report["divergence"]["particle"].is_u64(), "{report}");
+    assert!(!out.join("dance.mp4").exists());
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_run_leaves_no_file() {
+    let scratch = Scratch::new("interrupted");
+    let design = scratch.write("small.lole", SMALL);
+    let out = scratch.path("out");
+    let mut child = lole()
+        .args(["dance", "--cpu", "--seconds", "600", "--size", "128x72"])
+        .arg(&design)
+        .arg("--out")
+        .arg(&out)
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    while !out.exists() {
+        assert!(
+            child.try_wait().unwrap().is_none(),
+            "ended before it was interrupted"
+        );
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+    // The handler is set right after the folder is made.
+    std::thread::sleep(std::time::Duration::from_millis(500));
+    let killed = Command::new("kill")
+        .args(["-INT", &child.id().to_string()])
+        .status()
+        .unwrap();
+    assert!(killed.success());
+    let status = child.wait().unwrap();
+    assert_eq!(status.code(), Some(130));
+    assert!(!out.exists());
+}
