@@ -3,6 +3,7 @@
 use glam::Affine3A;
 use lole_geom::Capsule;
 
+use crate::appearance::add_hair;
 use crate::capsules::fit_capsules;
 use crate::skin_build::build_skin;
 use crate::{BodyCapsule, BodyError, Bone, Measurements, Skeleton, SkinnedMesh, TapePoint};
@@ -60,7 +61,8 @@ impl Dancer {
                 .map(|bone| shape.body.joint(bone.name()))
                 .collect(),
         };
-        let skin = build_skin(&shape);
+        let mut skin = build_skin(&shape);
+        add_hair(&mut skin, &shape);
         let height = |bone: Bone| skeleton.joint(bone).y;
         let landmarks = Landmarks {
             bust_height: shape.body.tape_level("bust"),

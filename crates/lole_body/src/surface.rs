@@ -3,11 +3,11 @@
 //! Sections, blended and scaled → hard minimum of tubes → marching tetrahedra → smoothing →
 //! heights and girths → simplification → regions. All on the left half; the mirror image closes it.
 
-mod field;
+pub(crate) mod field;
 mod fine;
 pub(crate) mod half;
 mod march;
-mod pchip;
+pub(crate) mod pchip;
 pub(crate) mod regions;
 pub(crate) mod section;
 mod simplify;
@@ -43,9 +43,8 @@ pub(crate) struct Shape {
     pub(crate) body: Sections,
     pub(crate) crotch: f32,
     pub(crate) regions: Regions,
-    /// The head's field before heights were carried, and how far it moved up.
+    /// The head's field before heights were carried; `body.head.center` is where it ended.
     pub(crate) head: Field,
-    pub(crate) head_lift: f32,
     pub(crate) asis: f32,
 }
 
@@ -68,7 +67,6 @@ pub(crate) fn build(tape: &Measurements) -> Result<Shape, BodyError> {
         *position = heights.carry(*position, arm);
     }
     let asis = heights.at(asis_level(&body));
-    let head_lift = heights.at(body.head.center.y) - body.head.center.y;
     let mut body = heights.carry_sections(&body);
     #[expect(clippy::cast_possible_truncation, reason = "a length to 0.1 µm")]
     let crotch = tape.inseam_length.to_m() as f32;
@@ -103,7 +101,6 @@ pub(crate) fn build(tape: &Measurements) -> Result<Shape, BodyError> {
         crotch,
         regions,
         head: field,
-        head_lift,
         asis,
     })
 }
