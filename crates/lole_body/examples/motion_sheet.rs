@@ -57,13 +57,12 @@ impl Sheet {
         let light =
             (0.5 * view.right * -0.6 + 0.6 * Vec3::Y + 0.8 * view.toward).normalize_or_zero();
         let shade = 0.35 + 0.65 * normal.dot(light).max(0.0);
-        let pixel = color.map(|c| (c * shade * 255.0).min(255.0) as u8);
+        let pixel = color.map(|c| byte(c * shade));
         let [a, b, c] = corners.map(|corner| view.project(corner));
         let area = (b - a).truncate().perp_dot((c - a).truncate());
-        let low = a.min(b).min(c).max(Vec3::ZERO);
-        let high = a.max(b).max(c);
-        for y in low.y as usize..CELL[1].min(high.y.max(0.0) as usize + 1) {
-            for x in low.x as usize..CELL[0].min(high.x.max(0.0) as usize + 1) {
+        let (low, high) = (a.min(b).min(c), a.max(b).max(c));
+        for y in pixels_between(low.y, high.y, CELL[1]) {
+            for x in pixels_between(low.x, high.x, CELL[0]) {
                 let point = glam::Vec2::new(x as f32 + 0.5, y as f32 + 0.5);
                 let u = (b.truncate() - point).perp_dot(c.truncate() - point) / area;
                 let v = (c.truncate() - point).perp_dot(a.truncate() - point) / area;
@@ -76,6 +75,17 @@ impl Sheet {
             }
         }
     }
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "clamped before")]
+fn byte(value: f32) -> u8 {
+    (value * 255.0).clamp(0.0, 255.0) as u8
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "clamped before")]
+fn pixels_between(low: f32, high: f32, count: usize) -> std::ops::Range<usize> {
+    let pixel = |value: f32| value.clamp(0.0, count as f32) as usize;
+    pixel(low)..pixel(high + 1.0)
 }
 
 fn color_of(kind: PartKind) -> [f32; 3] {

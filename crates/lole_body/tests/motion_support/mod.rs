@@ -37,7 +37,7 @@ const JOINTS: [(&str, [f32; 3]); 29] = [
 ];
 
 /// The mean woman's skeleton; right joints mirror the left ones.
-pub fn woman() -> Skeleton {
+pub(crate) fn woman() -> Skeleton {
     let joints = Bone::ALL.iter().map(|bone| {
         let mirrored = bone.name().replace("right", "left");
         let (_, [x, y, z]) = JOINTS
