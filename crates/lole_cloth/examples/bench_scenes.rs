@@ -56,8 +56,6 @@ fn run(scene: &Scene, instruction_set: InstructionSet) -> Result<(), Box<dyn std
             worst.p99 = worst.p99.max(end.p99);
             worst.max = worst.max.max(end.max);
         }
-        let p = diagnose::worst_capsule_penetration(model.spec(), &positions, &capsules);
-        if frame<12 || p>1e-4 { println!("f{frame} pen {:.2} p99 {:.2} max {:.1}", p*1e3, end.p99*100., end.max*100.); }
         penetration =
             penetration.max(diagnose::worst_capsule_penetration(model.spec(), &positions, &capsules));
         if let Some(particle) = diagnose::first_non_finite(&positions) {

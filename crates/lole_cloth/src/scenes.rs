@@ -80,6 +80,13 @@ pub const SCENES: &[Scene] = &[
         },
         capsules: swaying_capsules,
     },
+    Scene {
+        name: "gathered",
+        about: "512 columns gathered four to one by three casings, over a body that sways.",
+        frame_count: 180,
+        build: gathered,
+        capsules: swaying_hips,
+    },
 ];
 
 /// A cotton for dresses; drag of still air.
@@ -166,6 +173,60 @@ fn skirt() -> Setup {
         config: SolverConfig::default(),
         positions,
     }
+}
+
+/// Where the gathered skirt's casings lie: the rows, and the girth they are drawn in to [m].
+const CASING_ROWS: [u32; 3] = [2, 5, 8];
+const CASING_GIRTH: f64 = 0.86;
+/// Folds around the casings, about 2 cm each.
+const FOLD_COUNT: f64 = 44.0;
+
+/// A skirt such as the dancer wears: folds of 2 cm at three casings, free above and below.
+fn gathered() -> Setup {
+    let (column_count, row_count) = (512, 50);
+    let spacing = [0.007, 0.015];
+    let grid = Grid {
+        column_count,
+        row_count,
+        topology: Topology::Tube,
+        spacing: spacing.map(narrow),
+    };
+    let girth = f64::from(column_count) * spacing[0];
+    let ring = waved_ring(CASING_GIRTH / TAU, girth, column_count, FOLD_COUNT);
+    let positions = (0..row_count).flat_map(|row| {
+        let height = 0.05 - f64::from(row) * spacing[1];
+        ring.iter().map(move |&[x, z]| Vec3::new(narrow(x), narrow(height), narrow(z)))
+    });
+    let rows = (0..row_count).flat_map(|row| (0..column_count).map(move |_| row));
+    Setup {
+        positions: positions.collect(),
+        spec: ClothSpec {
+            grid,
+            fabric: Fabric { areal_density: 0.11, friction: 0.45, ..FABRIC },
+            row_layers: vec![1.0; row_count as usize],
+            mass: MassLaw::AreaWeighted,
+            pinned: rows.map(|row| CASING_ROWS.contains(&row)).collect(),
+        },
+        config: SolverConfig {
+            self_collision: Some(SelfCollision {
+                radius: 0.003,
+                substep_interval: NonZeroU32::MIN.saturating_add(1),
+            }),
+            ..SolverConfig::default()
+        },
+    }
+}
+
+/// Hips and legs of [`swaying_capsules`] with a sway that stays inside the casings.
+#[must_use]
+pub fn swaying_hips(time: f64) -> Vec<Capsule> {
+    let sway = 0.5 * (swaying_capsules(time)[0].ends[0].x - swaying_capsules(0.0)[0].ends[0].x);
+    let shift = Vec3::X * sway;
+    swaying_capsules(0.0)
+        .into_iter()
+        .skip(3)
+        .map(|capsule| Capsule { ends: capsule.ends.map(|end| end + shift), ..capsule })
+        .collect()
 }
 
 /// Radius [m] of the skirt `slant` [m] below its ring: it opens over the hips, then flares.

@@ -4,7 +4,8 @@ use glam::Vec3;
 use lole_geom::Capsule;
 
 use crate::ClothModel;
-use crate::collision::capsule::RowContacts;
+use crate::collision::capsule::{MovingCapsule, RowContacts};
+use crate::collision::cloth_cloth::ClothContacts;
 use crate::lanes::Points;
 
 /// Everything about one cloth that changes from step to step.
@@ -25,7 +26,8 @@ pub(crate) struct Scratch {
     /// Positions predicted at the start of the substep.
     pub(crate) predicted: Vec<Points>,
     pub(crate) row_contacts: RowContacts,
-    pub(crate) moving_capsules: Vec<crate::collision::capsule::MovingCapsule>,
+    pub(crate) cloth_contacts: ClothContacts,
+    pub(crate) moving_capsules: Vec<MovingCapsule>,
 }
 
 impl ClothState {

@@ -10,6 +10,7 @@ use glam::Vec3;
 use lole_geom::trig;
 
 use crate::collision::capsule::{self, ContactLaw, MovingCapsule};
+use crate::collision::cloth_cloth::ClothContactLaw;
 use crate::constraint::shear::Cell;
 use crate::constraint::structural::Spring;
 use crate::constraint::tether::Tethers;
@@ -98,9 +99,28 @@ pub(crate) fn advance<S: Simd>(
         [&state.capsules, input.capsules],
         (config.contact_offset, config.gravity.length() * dt, dt),
     );
+    let cloth_contact = config.self_collision.map(|contact| {
+        let law = ClothContactLaw::new(
+            &model.spec().grid,
+            contact.radius,
+            config.depenetration_speed * substep.h,
+        );
+        let grid = &model.spec().grid;
+        state.scratch.cloth_contacts.find(grid, &model.layout, &state.positions, law);
+        (law, contact.substep_interval.get())
+    });
     for index in 0..substep.count {
         predict(simd, model, &substep, state);
-        solve_springs(simd, model, (config, &strides), &substep, state);
+        solve_far_and_soft(simd, model, (config, &strides), &substep, state);
+        if let Some((law, interval)) = cloth_contact
+            && index % interval == 0
+        {
+            let columns =
+                (&mut state.positions[..], &mut state.scratch.predicted[..], &model.inv_masses[..]);
+            let grid = &model.spec().grid;
+            state.scratch.cloth_contacts.solve(grid, &model.layout, columns, law);
+        }
+        solve_structural(simd, model, config, &substep, state);
         move_capsules(config, input, index, &substep, state);
         resolve_contacts_and_update_velocities(simd, model, &substep, state);
     }
@@ -160,7 +180,7 @@ fn predict<S: Simd>(simd: S, model: &ClothModel, substep: &Substep, state: &mut 
 }
 
 #[inline(always)]
-fn solve_springs<S: Simd>(
+fn solve_far_and_soft<S: Simd>(
     simd: S,
     model: &ClothModel,
     (config, strides): (&SolverConfig, &[(u32, Vec<RowLink<2>>)]),
@@ -187,6 +207,22 @@ fn solve_springs<S: Simd>(
     bend::solve_rows(simd, &mut rows, &model.row_triples, substep.bend_across);
     bend::solve_columns(simd, &mut rows, substep.bend_down);
     shear::solve(simd, &mut rows, &model.row_pairs, substep.cell);
+}
+
+/// Last of the springs, so that what is drawn is stretched least.
+#[inline(always)]
+fn solve_structural<S: Simd>(
+    simd: S,
+    model: &ClothModel,
+    config: &SolverConfig,
+    substep: &Substep,
+    state: &mut ClothState,
+) {
+    let mut rows = Rows {
+        positions: &mut state.positions,
+        inv_masses: &model.inv_masses,
+        group_count: model.layout.group_count,
+    };
     for _ in 0..config.structural_sweep_count.get() {
         structural::solve_rows(simd, &mut rows, &model.row_pairs, substep.across);
         structural::solve_columns(simd, &mut rows, substep.down);
