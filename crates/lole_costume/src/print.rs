@@ -1,7 +1,13 @@
 //! A Hawaiian-style print drawn by the program: hibiscus, fern and breadfruit leaves cut from two
 //! or three colors on a saturated ground, in one repeat that tiles without a seam.
 
+mod canvas;
+mod layout;
+mod motif;
+
 use lole_geom::Length;
+
+use canvas::Canvas;
 
 /// What is scattered over the ground.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -82,17 +88,22 @@ impl PrintDesign {
     }
 }
 
-/// Draws one repeat of `size` × `size` pixels.
+/// Draws one repeat of `size` × `size` pixels; the same design gives the same bytes.
 #[must_use]
 pub fn draw(design: &PrintDesign, size: u32) -> PrintImage {
-    let size = size.max(1);
-    let pixel_count = size as usize * size as usize;
-    let [red, green, blue] = design.ground;
-    let pixels = [red, green, blue, 255].repeat(pixel_count);
+    let size = size.clamp(1, SIZE_MAX);
+    let placements = layout::place(design.motif, design.seed);
+    let mut canvas = Canvas::new(design, size);
+    for placement in &placements {
+        canvas.stamp(placement);
+    }
     PrintImage {
         width: size,
         height: size,
-        pixels,
+        pixels: canvas.into_pixels(),
         repeat: design.repeat,
     }
 }
+
+/// Largest picture [pixel]; a repeat of 45 cm then has 460 pixels per inch.
+const SIZE_MAX: u32 = 8192;

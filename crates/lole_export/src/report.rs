@@ -2,7 +2,10 @@
 //!
 //! Both say the same: [`report_json`] for programs, [`report_html`] for eyes.
 
+mod html;
 mod model;
+mod plot;
+mod text;
 
 pub use model::{
     Divergence, MeanPercentileMax, MedianPercentile, MinMeanMax, ReportFile, RunReport, RunSeries,
@@ -36,6 +39,5 @@ pub struct PageMedia<'a> {
 /// `report.html`: one self-contained page in Japanese and English.
 #[must_use]
 pub fn report_html(report: &RunReport, media: PageMedia<'_>) -> String {
-    let _ = media;
-    format!("<!doctype html><title>{}</title>", report.frames)
+    html::page(report, media)
 }

@@ -185,7 +185,11 @@ fn write_skinned(document: &mut Document, mesh: &SkinnedMesh<'_>) {
     let mut attributes = Map::new();
     attributes.insert("POSITION".into(), json!(buffer.positions(mesh.positions)));
     attributes.insert("NORMAL".into(), json!(buffer.vectors(&unit(mesh.normals))));
-    if !mesh.uvs.is_empty() {
+    let textured = mesh
+        .parts
+        .iter()
+        .any(|part| part.material.texture_png.is_some());
+    if textured && !mesh.uvs.is_empty() {
         attributes.insert("TEXCOORD_0".into(), json!(buffer.uvs(mesh.uvs)));
     }
     attributes.insert("JOINTS_0".into(), json!(buffer.joints(&joints)));

@@ -1,0 +1,543 @@
+//! The page: film, pictures, the skirt in a tailor's words, the run in plain words.
+//!
+//! Everything is in one file. Without scripts both languages show; with them, one.
+
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
+
+use super::plot::{Floor, Plot, svg};
+use super::text::{both, dance_step, escape, file_size, grouped, link, number};
+use super::{PageMedia, ReportFile, RunReport};
+
+/// A line of a table: its name, its value and what it means, each as HTML.
+struct Row {
+    name: String,
+    value: String,
+    why: String,
+}
+
+/// The whole page.
+pub(super) fn page(report: &RunReport, media: PageMedia<'_>) -> String {
+    let mut page = String::from(
+        "<!doctype html>\n<html lang=\"ja\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n",
+    );
+    let name = title(report);
+    page.push_str(&format!(
+        "<title>{name} – Lole</title>\n<style>{}</style>\n</head>\n<body>\n",
+        include_str!("page.css")
+    ));
+    page.push_str(&header(report, &name));
+    page.push_str("<main>\n");
+    page.push_str(&alarm(report));
+    page.push_str(&film(media));
+    page.push_str(&stills(media));
+    page.push_str(&skirt(report));
+    page.push_str(&motion(report));
+    page.push_str(&speed(report));
+    page.push_str(&plots(report));
+    page.push_str(&files(&report.files));
+    page.push_str(&settings(report));
+    page.push_str("</main>\n");
+    page.push_str(&format!(
+        "<footer><p>{}</p></footer>\n<script>{}</script>\n</body>\n</html>\n",
+        both(
+            &format!("Made by Lole {}. Steps and lengths differ between hālau: your kumu’s rule comes first.", escape(&report.lole)),
+            &format!("Lole {} で作成しました。ステップや丈の決まりはハーラウごとに違います。クムの教えを優先してください。", escape(&report.lole)),
+        ),
+        include_str!("page.js"),
+    ));
+    page
+}
+
+fn title(report: &RunReport) -> String {
+    if report.skirt.design_name.trim().is_empty() {
+        "Pāʻū".into()
+    } else {
+        escape(report.skirt.design_name.trim())
+    }
+}
+
+fn header(report: &RunReport, name: &str) -> String {
+    let (step, bpm, seconds) = (
+        dance_step(&report.dance_step),
+        number(report.bpm, 0),
+        number(report.seconds, 0),
+    );
+    format!(
+        "<header><div><h1>{name}</h1><p class=\"where\">{}</p></div><div class=\"language\"><button type=\"button\" data-set=\"ja\" lang=\"ja-JP\">日本語</button><button type=\"button\" data-set=\"en\" lang=\"en-US\">English</button></div></header>\n",
+        both(
+            &format!("A pāʻū skirt dancing {step}, {bpm} beats a minute, {seconds} seconds"),
+            &format!("パウスカートで踊る {step}（1分間に{bpm}拍、{seconds}秒間）"),
+        ),
+    )
+}
+
+/// What went wrong, where everyone sees it first.
+fn alarm(report: &RunReport) -> String {
+    if report.finite && report.divergence.is_none() {
+        return String::new();
+    }
+    let detail = report
+        .divergence
+        .as_ref()
+        .map_or_else(String::new, |divergence| {
+            format!(
+                "<p>{}</p><p>{}</p>",
+                both(
+                    &format!(
+                        "At {} seconds, at particle {}.",
+                        number(divergence.time_s, 2),
+                        grouped(divergence.particle)
+                    ),
+                    &format!(
+                        "{} 秒、質点 {} 番で起こりました。",
+                        number(divergence.time_s, 2),
+                        grouped(divergence.particle)
+                    ),
+                ),
+                escape(&divergence.sentence),
+            )
+        });
+    format!(
+        "<section class=\"alarm\" role=\"alert\"><h3>{}</h3>{detail}</section>\n",
+        both(
+            "The calculation broke off. The pictures and numbers below end there.",
+            "計算が途中で止まりました。下の映像と数値は、そこまでのものです。",
+        ),
+    )
+}
+
+fn film(media: PageMedia<'_>) -> String {
+    let Some(film) = media.film_mp4 else {
+        return String::new();
+    };
+    let poster = media.stills.first().map_or_else(String::new, |still| {
+        format!(
+            " poster=\"data:image/jpeg;base64,{}\"",
+            STANDARD.encode(still.jpeg)
+        )
+    });
+    format!(
+        "<video controls playsinline loop preload=\"metadata\"{poster} src=\"data:video/mp4;base64,{}\"></video>\n",
+        STANDARD.encode(film),
+    )
+}
+
+fn stills(media: PageMedia<'_>) -> String {
+    if media.stills.is_empty() {
+        return String::new();
+    }
+    let figures: String = media
+        .stills
+        .iter()
+        .map(|still| {
+            format!(
+                "<figure><img alt=\"{} / {}\" src=\"data:image/jpeg;base64,{}\"><figcaption>{}</figcaption></figure>\n",
+                escape(still.caption_en),
+                escape(still.caption_ja),
+                STANDARD.encode(still.jpeg),
+                both(&escape(still.caption_en), &escape(still.caption_ja)),
+            )
+        })
+        .collect();
+    format!(
+        "<h2>{}</h2>\n<div class=\"stills\">\n{figures}</div>\n",
+        both("From all sides", "いろいろな角度から")
+    )
+}
+
+fn skirt(report: &RunReport) -> String {
+    let skirt = &report.skirt;
+    let cm = |value: f64| format!("{} <i>cm</i>", number(value, 1));
+    let mut rows = vec![
+        row(
+            ["Cloth to buy", "用尺（必要な布の長さ）"],
+            format!(
+                "{} <i>m</i><span class=\"also\">{} yd</span>",
+                number(skirt.cloth_needed_m, 2),
+                number(skirt.cloth_needed_yd, 2),
+            ),
+            [
+                &format!("For a bolt {} cm wide.", number(skirt.cloth_width_cm, 0)),
+                &format!("布幅 {} cm の場合です。", number(skirt.cloth_width_cm, 0)),
+            ],
+        ),
+        row(
+            ["Finished length", "仕上がり丈"],
+            cm(skirt.finished_length_cm),
+            [
+                "From the top of the ruffle at the waist to the hem.",
+                "ウエストのフリルの上端から裾までの長さです。",
+            ],
+        ),
+        row(
+            ["Hem above the floor", "裾上がり"],
+            cm(skirt.hem_height_cm),
+            [
+                "The height that was asked for, standing still.",
+                "まっすぐ立ったときの、床から裾までの高さ（指定した値）です。",
+            ],
+        ),
+        row(
+            ["Gathers", "ギャザーの倍率"],
+            format!("{} ×", number(skirt.gather_ratio, 2)),
+            [
+                &format!(
+                    "The cloth is {} cm around before it is gathered, for hips of {} cm.",
+                    number(skirt.flat_width_cm, 0),
+                    number(skirt.hip_girth_cm, 1)
+                ),
+                &format!(
+                    "ヒップ {} cm に対して、ギャザーを寄せる前の布の幅は {} cm です。",
+                    number(skirt.hip_girth_cm, 1),
+                    number(skirt.flat_width_cm, 0)
+                ),
+            ],
+        ),
+    ];
+    for (index, length) in skirt.elastic_lengths_cm.iter().enumerate() {
+        let place = index + 1;
+        rows.push(row(
+            [
+                &format!("Elastic, row {place}"),
+                &format!("ゴム {place} 段目"),
+            ],
+            cm(*length),
+            if index == 0 {
+                [
+                    "Length to cut, rows counted from the top.",
+                    "切るゴムの長さです。段は上から数えます。",
+                ]
+            } else {
+                ["", ""]
+            },
+        ));
+    }
+    section(
+        ["The skirt", "スカートの寸法"],
+        ["What to sew it from.", "縫うときに必要な寸法です。"],
+        &rows,
+    )
+}
+
+fn motion(report: &RunReport) -> String {
+    let hem = report.hem_height_cm;
+    let pct = |value: f64| format!("{} <i>%</i>", number(value, 2));
+    let mm = |value: f64| format!("{} <i>mm</i>", number(value, 2));
+    let rows = [
+        row(
+            ["Hem above the floor, dancing", "踊っているときの裾の高さ"],
+            format!(
+                "{}–{} <i>cm</i><span class=\"also\">⌀ {} cm</span>",
+                number(hem.min, 1),
+                number(hem.max, 1),
+                number(hem.mean, 1)
+            ),
+            [
+                "Lowest and highest point of the hem, and its mean (⌀).",
+                "裾のいちばん低いところと高いところ、平均（⌀）です。",
+            ],
+        ),
+        row(
+            ["Stretch of the cloth", "布の伸び縮み"],
+            pct(report.strain_pct.mean),
+            [
+                "Mean at the worst moment. Real cotton hardly stretches: less is better.",
+                "もっとも大きい瞬間の平均です。木綿はほとんど伸びません。小さいほど本物に近い動きです。",
+            ],
+        ),
+        row(
+            ["… of 99 in 100 threads", "… 100本中99本"],
+            pct(report.strain_pct.p99),
+            [
+                "99 of 100 threads stretch less than this.",
+                "100本の糸のうち99本は、これより小さい伸びです。",
+            ],
+        ),
+        row(
+            ["… largest", "… 最大"],
+            pct(report.strain_pct.max),
+            [
+                "The one worst thread of the whole dance.",
+                "踊り全体でいちばん伸びた1か所です。",
+            ],
+        ),
+        row(
+            ["Stretch at the end", "終わりの伸び縮み"],
+            format!(
+                "{}<span class=\"also\">99 %: {} %</span>",
+                pct(report.strain_end_pct.mean),
+                number(report.strain_end_pct.p99, 2)
+            ),
+            [
+                "Mean in the last frame; it should not have grown.",
+                "最後のコマの平均です。増え続けていないかを見ます。",
+            ],
+        ),
+        row(
+            ["Cloth inside the body", "体へのめり込み"],
+            format!(
+                "{}<span class=\"also\">{} {}</span>",
+                mm(report.skin_penetration_mm.worst),
+                grouped(report.skin_penetration_vertices.worst),
+                both("points", "か所")
+            ),
+            [
+                "Deepest place in the whole dance, and how many points lie wrongly at the worst moment.",
+                "踊り全体でいちばん深いところと、もっとも多い瞬間の点の数です。",
+            ],
+        ),
+        row(
+            ["… of the collision shapes", "… 衝突用のカプセル"],
+            mm(report.capsule_penetration_mm.worst),
+            [
+                "The same against the 13 capsules that stand for the body.",
+                "体のかわりに使う13本のカプセルに対する値です。",
+            ],
+        ),
+    ];
+    section(
+        ["How it moved", "布の動き"],
+        [
+            "How far the cloth can be believed.",
+            "布の動きがどこまで信用できるかの目安です。",
+        ],
+        &rows,
+    )
+}
+
+fn speed(report: &RunReport) -> String {
+    let ms = |value: f64| format!("{} <i>ms</i>", number(value, 2));
+    let rows = [
+        row(
+            ["Faster than life", "実際の時間との比"],
+            format!("{} ×", number(report.realtime_factor, 2)),
+            [
+                "1 is as fast as the dance itself; more is faster. Drawing is not counted.",
+                "1なら踊りと同じ速さ、大きいほど速い計算です。描画の時間は含みません。",
+            ],
+        ),
+        row(
+            ["One frame, processor", "1コマの計算（CPU時間）"],
+            format!(
+                "{}<span class=\"also\">99 %: {} ms</span>",
+                ms(report.frame_ms.median),
+                number(report.frame_ms.p99, 2)
+            ),
+            [
+                "Half of all frames took less; 99 of 100 took less than the second number.",
+                "半分のコマはこれより短く、100コマ中99コマは2番目の数より短い時間です。",
+            ],
+        ),
+        row(
+            ["One frame, clock", "1コマの計算（実時間）"],
+            format!(
+                "{}<span class=\"also\">99 %: {} ms</span>",
+                ms(report.frame_wall_ms.median),
+                number(report.frame_wall_ms.p99, 2)
+            ),
+            [
+                "Below 16.7 ms the cloth keeps up with 60 pictures a second.",
+                "16.7 ms より短ければ、1秒60コマに間に合います。",
+            ],
+        ),
+    ];
+    section(
+        ["How fast it was", "計算の速さ"],
+        [
+            "Measured on the computer that ran it.",
+            "計算したコンピューターで測った値です。",
+        ],
+        &rows,
+    )
+}
+
+fn plots(report: &RunReport) -> String {
+    let series = &report.series;
+    let shown = [
+        (
+            ["Time for one frame (ms)", "1コマの計算時間（ms）"],
+            [
+                "The dashed line is 16.7 ms: 60 frames a second.",
+                "破線は 16.7 ms（1秒60コマ）です。",
+            ],
+            &series.frame_ms,
+            Some((1000.0 / 60.0, "16.7 ms")),
+            Floor::Zero,
+        ),
+        (
+            ["Height of the hem (cm)", "裾の高さ（cm）"],
+            ["Mean height above the floor.", "床からの高さの平均です。"],
+            &series.hem_height_mean_cm,
+            None,
+            Floor::Smallest,
+        ),
+        (
+            ["Stretch of the cloth (%)", "布の伸び縮み（%）"],
+            [
+                "99 of 100 threads stretch less.",
+                "100本中99本はこれより小さい伸びです。",
+            ],
+            &series.strain_p99_pct,
+            None,
+            Floor::Zero,
+        ),
+        (
+            ["Cloth inside the body (mm)", "体へのめり込み（mm）"],
+            [
+                "Deepest point of each frame.",
+                "各コマでいちばん深い点です。",
+            ],
+            &series.skin_penetration_mm,
+            None,
+            Floor::Zero,
+        ),
+    ];
+    let figures: String = shown
+        .into_iter()
+        .filter_map(
+            |([title_en, title_ja], [about_en, about_ja], values, reference, floor)| {
+                let drawing = svg(&Plot {
+                    times: &series.time_s,
+                    values,
+                    reference,
+                    floor,
+                })?;
+                let (title, about) = (both(title_en, title_ja), both(about_en, about_ja));
+                Some(format!(
+                    "<figure><h3>{title}</h3><p>{about}</p>{drawing}</figure>\n"
+                ))
+            },
+        )
+        .collect();
+    if figures.is_empty() {
+        return String::new();
+    }
+    format!(
+        "<h2>{}</h2>\n<p class=\"note\">{}</p>\n<div class=\"plots\">\n{figures}</div>\n",
+        both("From beginning to end", "はじめから終わりまで"),
+        both(
+            "The axis below is the time of the dance in seconds.",
+            "横軸は踊りの時間（秒）です。"
+        ),
+    )
+}
+
+fn files(files: &[ReportFile]) -> String {
+    if files.is_empty() {
+        return String::new();
+    }
+    let items: String = files
+        .iter()
+        .map(|file| {
+            let name = escape(&file.name);
+            let what = escape(&file.what);
+            format!(
+                "<li><a href=\"{}\">{name}</a> <span class=\"note\">{}</span><br>{}</li>\n",
+                link(&file.name),
+                file_size(file.bytes),
+                both(&what, what_in_japanese(&file.name).unwrap_or(&what)),
+            )
+        })
+        .collect();
+    format!(
+        "<h2>{}</h2>\n<ul class=\"files\">\n{items}</ul>\n",
+        both("Files", "ファイル")
+    )
+}
+
+/// What a file is, by its ending.
+fn what_in_japanese(name: &str) -> Option<&'static str> {
+    match name.rsplit_once('.')?.1 {
+        "mp4" => Some("踊りの動画です。ふつうの動画プレーヤーやスマートフォンで再生できます。"),
+        "png" | "jpg" | "jpeg" => Some("静止画です。印刷にも使えます。"),
+        "glb" => Some("動く3Dモデルです。Blender や Windows の 3D ビューアーで開けます。"),
+        "lole" => Some("この衣装の設計データです。同じデータからは同じ動きが再現されます。"),
+        "json" => Some("プログラム用の数値データです。"),
+        "html" => Some("このページです。"),
+        _ => None,
+    }
+}
+
+fn settings(report: &RunReport) -> String {
+    let plain = |value: String| value;
+    let rows = [
+        row(
+            ["Mass points", "質点の数"],
+            grouped(report.particles),
+            [
+                "The cloth as the computer sees it.",
+                "コンピューターの中の布を表す点です。",
+            ],
+        ),
+        row(["Springs", "ばねの数"], grouped(report.springs), ["", ""]),
+        row(
+            ["Method", "計算方法"],
+            plain(escape(&report.method)),
+            [
+                &format!(
+                    "{} substeps a frame, {} threads",
+                    report.substeps, report.threads
+                ),
+                &format!(
+                    "1コマを{}回に分けて計算、スレッド数 {}",
+                    report.substeps, report.threads
+                ),
+            ],
+        ),
+        row(["Frames", "コマ数"], grouped(report.frames), ["", ""]),
+        row(
+            ["Seed", "乱数の種"],
+            plain(report.seed.to_string()),
+            ["", ""],
+        ),
+        row(
+            ["Pictures drawn by", "描画"],
+            plain(escape(&report.renderer)),
+            ["", ""],
+        ),
+        row(
+            ["Fingerprint of the run", "計算結果の指紋"],
+            format!("<code>{}</code>", escape(&report.state_hash)),
+            [
+                "The same design and version give the same one, on any number of threads.",
+                "同じ設計データと同じバージョンなら、スレッド数が違っても同じ値になります。",
+            ],
+        ),
+    ];
+    section(["For the curious", "くわしい設定"], ["", ""], &rows)
+}
+
+fn row([name_en, name_ja]: [&str; 2], value: String, [why_en, why_ja]: [&str; 2]) -> Row {
+    let why = if why_en.is_empty() {
+        String::new()
+    } else {
+        both(why_en, why_ja)
+    };
+    Row {
+        name: both(name_en, name_ja),
+        value,
+        why,
+    }
+}
+
+fn section(title: [&str; 2], about: [&str; 2], rows: &[Row]) -> String {
+    let rows: String = rows
+        .iter()
+        .map(|row| {
+            format!(
+                "<tr><th scope=\"row\">{}</th><td class=\"value\">{}</td><td class=\"why\">{}</td></tr>\n",
+                row.name, row.value, row.why,
+            )
+        })
+        .collect();
+    let about = if about[0].is_empty() {
+        String::new()
+    } else {
+        format!("<p class=\"note\">{}</p>\n", both(about[0], about[1]))
+    };
+    format!(
+        "<h2>{}</h2>\n{about}<table><tbody>\n{rows}</tbody></table>\n",
+        both(title[0], title[1])
+    )
+}
