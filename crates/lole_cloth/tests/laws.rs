@@ -152,6 +152,33 @@ fn a_free_sheet_keeps_its_momentum() {
 }
 
 #[test]
+fn the_energy_of_a_free_sheet_has_no_trend() {
+    let model = model(&spec(5, 5, Topology::Sheet, [0.02; 2]), lattice(20.0));
+    let mut state = crumpled(&model, 9);
+    let dt = 1.0 / model.largest_frequency_bound();
+    let input = StepInput {
+        time: 0.0,
+        pin_targets: &[],
+        capsules: &[],
+    };
+    let mut mean_energy = |steps: u32| {
+        let mut sum = 0.0;
+        for _ in 0..steps {
+            fb_euler::step(&model, &still(1), &input, &mut state, dt);
+            sum += model.kinetic_energy(&state.velocities) + model.spring_energy(&state.positions);
+        }
+        sum / f64::from(steps)
+    };
+    let early = mean_energy(10_000);
+    mean_energy(80_000);
+    let late = mean_energy(10_000);
+    assert!(
+        (late / early - 1.0).abs() < 0.01,
+        "{early} J, then {late} J"
+    );
+}
+
+#[test]
 fn wind_starts_at_nothing_and_never_exceeds_its_amplitude() {
     let wind = Wind { amplitude: 0.3 };
     assert_eq!(wind.force(0.0), DVec3::ZERO);

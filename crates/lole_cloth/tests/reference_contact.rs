@@ -168,43 +168,57 @@ fn overlapping_capsules_push_once_or_together() {
     assert!((push(&penalty) - 4.0).abs() < 1e-5);
 }
 
-/// Least and greatest speed after over speed before an impact, over all phases of the first
-/// contact, at `ω Δt = phase_step`.
-fn restitution(phase_step: f64) -> [f64; 2] {
-    let (mass, speed, dt): (f64, f64, f64) = (1.0, 1.0, 1e-3);
-    let stiffness = mass * (phase_step / dt) * (phase_step / dt);
-    let mut range = [f64::INFINITY, 0.0f64];
+/// What a penalty does to particles that arrive at 1 m/s in every phase of a substep.
+struct Bounce {
+    /// Least and greatest speed after over speed before.
+    restitution: [f64; 2],
+    /// Greatest depth over `v / ω`, the depth of exact motion.
+    depth: f64,
+}
+
+/// Bounces of an undamped penalty with `ω Δt = phase_step`.
+fn bounce(phase_step: f64) -> Bounce {
+    let (mass, dt): (f64, f64) = (0.25, 1e-3);
+    let omega = phase_step / dt;
+    let stiffness = mass * omega * omega;
+    let mut found = Bounce {
+        restitution: [f64::INFINITY, 0.0],
+        depth: 0.0,
+    };
     for phase in 0..1000 {
-        let mut height = speed * dt * f64::from(phase) / 1000.0;
-        let mut velocity = -speed;
-        loop {
-            let force = paper::penalty_force(-height, -velocity, stiffness, 0.0);
-            let (x, v) = paper::fb_euler(
-                DVec3::Y * height,
-                DVec3::Y * velocity,
-                DVec3::Y * (force / mass),
-                dt,
-            );
-            (height, velocity) = (x.y, v.y);
-            if 0.0 < velocity && 0.0 < height {
-                break;
-            }
+        let mut position = DVec3::Y * (dt * f64::from(phase) / 1000.0);
+        let mut velocity = DVec3::NEG_Y;
+        while velocity.y < 0.0 || position.y <= 0.0 {
+            let force = paper::penalty_force(-position.y, -velocity.y, stiffness, 0.0);
+            let acceleration = paper::acceleration(mass, DVec3::Y * force);
+            (position, velocity) = paper::fb_euler(position, velocity, acceleration, dt);
+            found.depth = found.depth.max(-position.y * omega);
         }
-        range = [
-            range[0].min(velocity / speed),
-            range[1].max(velocity / speed),
-        ];
+        found.restitution[0] = found.restitution[0].min(velocity.y);
+        found.restitution[1] = found.restitution[1].max(velocity.y);
     }
-    range
+    found
 }
 
 #[test]
 fn a_penalty_returns_what_the_substep_lets_it() {
-    // Bounds measured by an independent program, all phases swept.
-    for (phase_step, low, high) in [(0.5, 0.98, 1.02), (1.0, 0.9999, 1.0001), (1.5, 0.8, 1.25)] {
-        let [least, greatest] = restitution(phase_step);
+    // Bounds found by an independent program, all phases swept.
+    let cases = [
+        (0.5, [0.98, 1.02], 1.035),
+        (1.0, [0.9999, 1.0001], 1.0001),
+        (1.5, [0.8, 1.25], 1.5001),
+    ];
+    for (phase_step, [low, high], depth) in cases {
+        let found = bounce(phase_step);
+        let [least, greatest] = found.restitution;
         assert!(low - 0.005 <= least, "{phase_step}: {least}");
         assert!(greatest <= high + 0.005, "{phase_step}: {greatest}");
+        let range = 0.99 * depth..depth;
+        assert!(
+            range.contains(&found.depth),
+            "{phase_step}: {}",
+            found.depth
+        );
     }
 }
 
@@ -216,7 +230,7 @@ fn one_particle() -> ReferenceModel {
     model(&spec, SpringConstants::default())
 }
 
-/// The particle after `seconds` on `capsule`, which ends at `capsule_end`.
+/// The particle after `seconds` on a capsule that moves from the first to the second.
 fn after(
     config: &FbEulerConfig,
     position: DVec3,
