@@ -344,7 +344,7 @@ fn uwehe_right(settings: &MotionSettings, count: f32) -> Figure {
     let snap = ramp_between(count, 0.72, 1.0) * (1.0 - ramp_between(count, 1.04, 1.36));
     let mut figure = stance(settings);
     figure.pelvis = swayed(settings, &UWEHE, sway);
-    figure.pelvis.drop = bob(sway) + 0.003 * snap;
+    figure.pelvis.drop = bob(sway) + 0.0015 * snap;
     for foot in &mut figure.feet {
         foot.heel = 0.032 * snap;
         foot.knee_out = 30.0 * snap;
