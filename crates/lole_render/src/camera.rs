@@ -13,6 +13,8 @@ const MARGIN: f32 = 0.06;
 const FRAMING_FOV: f32 = 0.42;
 /// The framing views look down by this much [rad], enough to show the floor and its shadow.
 const FRAMING_PITCH: f32 = 0.10;
+/// Rounds of balancing in [`Camera::framing`]; each shrinks what is left about tenfold.
+const FRAMING_ROUNDS: usize = 6;
 
 /// An axis-aligned box, in meters.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -233,5 +235,74 @@ impl Camera {
     }
 }
 
-/// Rounds of balancing in [`Camera::framing`]; each shrinks what is left about tenfold.
-const FRAMING_ROUNDS: usize = 6;
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn standing() -> Bounds {
+        Bounds {
+            min: Vec3::new(-0.5, 0.0, -0.35),
+            max: Vec3::new(0.7, 1.7, 0.45),
+        }
+    }
+
+    /// Picture coordinates, -1 to 1 where visible.
+    fn seen(camera: &Camera, aspect: f32, point: Vec3) -> Vec2 {
+        let clip = camera.clip_from_world(aspect) * point.extend(1.0);
+        Vec2::new(clip.x, clip.y) / clip.w
+    }
+
+    #[test]
+    fn framing_shows_the_whole_box_centered_and_large() {
+        for aspect in [16.0 / 9.0, 1.0, 0.5625] {
+            for view in [View::Front, View::Side, View::Back, View::ThreeQuarter] {
+                let camera = Camera::framing(standing(), view, aspect);
+                let places = standing()
+                    .corners()
+                    .map(|corner| seen(&camera, aspect, corner));
+                let low = places.iter().copied().reduce(Vec2::min).unwrap();
+                let high = places.iter().copied().reduce(Vec2::max).unwrap();
+                let largest = (high - low).max_element();
+                assert!(
+                    high.max_element() < 0.95 && low.min_element() > -0.95,
+                    "{view:?}"
+                );
+                assert!(
+                    (low + high).abs().max_element() < 0.02,
+                    "{view:?} {low} {high}"
+                );
+                assert!(largest > 1.6, "{view:?} fills only {largest}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_named_views_look_from_their_side() {
+        let from = |view| {
+            let camera = Camera::framing(standing(), view, 1.5);
+            camera.eye - camera.target
+        };
+        assert!(from(View::Front).z > 0.0 && from(View::Front).x.abs() < 1e-4);
+        assert!(from(View::Side).x > 0.0 && from(View::Side).z.abs() < 1e-4);
+        assert!(from(View::Back).z < 0.0 && from(View::Back).x.abs() < 1e-4);
+        assert!(from(View::ThreeQuarter).x > 0.0 && from(View::ThreeQuarter).z > 0.0);
+    }
+
+    #[test]
+    fn a_turntable_keeps_its_distance_and_closes() {
+        let axis = |camera: &Camera| {
+            let arm = camera.eye - standing().center();
+            Vec2::new(arm.x, arm.z).length()
+        };
+        let start = Camera::turntable(standing(), 0.0, 1.5);
+        for step in 0..8_u8 {
+            let camera = Camera::turntable(standing(), f32::from(step) / 8.0, 1.5);
+            assert!((axis(&camera) - axis(&start)).abs() < 1e-4);
+            for corner in standing().corners() {
+                assert!(seen(&camera, 1.5, corner).abs().max_element() < 0.96);
+            }
+        }
+        let end = Camera::turntable(standing(), 1.0, 1.5);
+        assert!((end.eye - start.eye).length() < 1e-4);
+    }
+}

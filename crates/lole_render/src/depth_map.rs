@@ -209,3 +209,52 @@ fn span(slopes: [f32; 2], at_a: [f32; 2], a_x: f32, [first, last]: [i32; 2]) -> 
     }
     [whole::ceil(low).max(first), whole::floor(high).min(last)]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Camera, Material, Scene, SceneMesh};
+
+    fn slanted_plane() -> (Vec<Vec3>, Vec<[u32; 3]>) {
+        let corner = |x: f32, z: f32| Vec3::new(x, 0.3 * x - 0.2 * z, z);
+        let positions = vec![
+            corner(-1.0, -1.0),
+            corner(-1.0, 1.0),
+            corner(1.0, 1.0),
+            corner(1.0, -1.0),
+        ];
+        (positions, vec![[0, 1, 2], [0, 2, 3]])
+    }
+
+    #[test]
+    fn depths_of_a_plane_are_those_of_its_equation() {
+        let (positions, triangles) = slanted_plane();
+        let material = Material::default();
+        let mut scene = Scene::studio(Camera {
+            eye: Vec3::Z,
+            target: Vec3::ZERO,
+            vertical_fov: 0.5,
+        });
+        scene.meshes.push(SceneMesh {
+            positions: &positions,
+            normals: &[],
+            uvs: &[],
+            colors: &[],
+            triangles: &triangles,
+            material: &material,
+        });
+        let geometry = Geometry::of(&scene);
+        let axis = Vec3::new(0.2, 0.9, 0.1).normalize_or_zero();
+        let map = DepthMap::draw(&geometry, axis, 64, Layers::Both);
+        for step in 0..100_u8 {
+            let (x, z) = (f32::from(step % 10), f32::from(step / 10));
+            let (x, z) = (x * 0.18 - 0.8, z * 0.18 - 0.8);
+            let on = Vec3::new(x, 0.3 * x - 0.2 * z, z);
+            let near = Vec3::new(0.0, 0.0, 0.05);
+            assert!((map.seen_from_front(map.project(on) + near) - 1.0).abs() < 1e-6);
+            assert!(map.seen_from_front(map.project(on) - near).abs() < 1e-6);
+            assert!((map.seen_from_behind(map.project(on) - near) - 1.0).abs() < 1e-6);
+            assert!(map.seen_from_behind(map.project(on) + near).abs() < 1e-6);
+        }
+    }
+}

@@ -67,7 +67,7 @@ impl LightRig {
         let turn = |x: f32, y: f32, z: f32| Vec3::new(x * cos + z * sin, y, z * cos - x * sin);
         Self {
             key: KeyLight {
-                toward: turn(0.80, 0.95, 0.62),
+                toward: turn(0.78, 1.08, 0.62),
                 color: [1.42, 1.30, 1.12],
                 angular_radius: 0.10,
             },
@@ -107,7 +107,7 @@ impl Default for Background {
     fn default() -> Self {
         Self {
             top: [0.68, 0.66, 0.63],
-            bottom: [0.78, 0.745, 0.69],
+            bottom: [0.80, 0.757, 0.69],
             glow: 0.22,
         }
     }

@@ -315,3 +315,54 @@ fn log2(value: f32) -> f32 {
     let mantissa = f32::from_bits((bits & 0x007f_ffff) | 0x3f80_0000) - 1.0;
     exponent + mantissa * (1.346_607 - 0.346_607 * mantissa)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SHADER: &str = include_str!("gpu/shade.wgsl");
+
+    #[test]
+    fn the_shader_is_valid_without_an_adapter() {
+        let module = naga::front::wgsl::parse_str(SHADER).unwrap();
+        let mut validator = naga::valid::Validator::new(
+            naga::valid::ValidationFlags::all(),
+            naga::valid::Capabilities::empty(),
+        );
+        validator.validate(&module).unwrap();
+    }
+
+    #[test]
+    fn the_shader_has_the_same_constants() {
+        for line in [
+            format!("const SEARCH_TAPS: i32 = {SEARCH_TAPS};"),
+            format!("const SHADOW_TAPS: i32 = {SHADOW_TAPS};"),
+            format!("const SOFTEST_DISTANCE: f32 = {SOFTEST_DISTANCE:?};"),
+            format!("const LIFT_TEXELS: f32 = {LIFT_TEXELS:?};"),
+            format!("const SLACK: f32 = {SLACK:?};"),
+            format!("const WRAP_DEPTH: f32 = {WRAP_DEPTH:?};"),
+            format!("const WRAP_END: f32 = {WRAP_END:?};"),
+        ] {
+            assert!(SHADER.contains(&line), "{line}");
+        }
+    }
+
+    #[test]
+    fn the_tone_curve_keeps_plain_colors_and_never_leaves_the_range() {
+        // Below the shoulder only the 4 % of a reflection are taken off.
+        let plain = tone_map(Vec3::new(0.5, 0.3, 0.2));
+        assert!((plain - Vec3::new(0.46, 0.26, 0.16)).abs().max_element() < 1e-6);
+        for power in 0..12_i32 {
+            let bright = tone_map(Vec3::new(1.0, 0.7, 0.4) * 2.0_f32.powi(power));
+            assert!(bright.min_element() >= 0.0 && bright.max_element() <= 1.0);
+        }
+    }
+
+    #[test]
+    fn texture_detail_halves_when_the_picture_shrinks_by_two() {
+        let lod = |scale: f32| texture_lod(Vec2::new(scale, 0.0), Vec2::new(0.0, scale));
+        assert!(lod(1.0).abs() < 0.02);
+        assert!((lod(2.0) - 1.0).abs() < 0.02);
+        assert!((lod(3.0) - 1.585).abs() < 0.02);
+    }
+}

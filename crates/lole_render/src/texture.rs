@@ -156,3 +156,48 @@ fn neighbors(base: i32, side: u32) -> (u32, u32) {
     let second = if first + 1 == side { 0 } else { first + 1 };
     (first, second)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_mipmap_is_the_mean_light() {
+        let pixels: Vec<u8> = (0..64_u8)
+            .flat_map(|index| [if (index / 8 + index) % 2 == 0 { 255 } else { 0 }; 4])
+            .collect();
+        let texture = Texture::new(8, 8, pixels).unwrap();
+        let last = texture.levels().last().unwrap();
+        assert_eq!((last.width, last.height), (1, 1));
+        // Half of all light is 188 in sRGB.
+        assert_eq!(last.pixels[..3], [188; 3]);
+    }
+
+    #[test]
+    fn whole_turns_of_the_coordinates_change_nothing() {
+        let pixels: Vec<u8> = (0..=255_u8).map(|byte| byte.wrapping_mul(37)).collect();
+        let texture = Texture::new(8, 8, pixels).unwrap();
+        let srgb = SrgbTable::new();
+        for (u, v) in [(0.0, 0.0), (0.03125, 0.9375), (0.5, 0.25)] {
+            let here = texture.sample(&srgb, Vec2::new(u, v), 0.5);
+            let there = texture.sample(&srgb, Vec2::new(u + 3.0, v - 2.0), 0.5);
+            assert_eq!(here, there);
+        }
+    }
+
+    #[test]
+    fn a_texture_needs_four_bytes_a_pixel() {
+        assert!(matches!(
+            Texture::new(4, 4, vec![0; 63]),
+            Err(RenderError::TextureSize {
+                needed: 64,
+                given: 63,
+                ..
+            })
+        ));
+        assert!(matches!(
+            Texture::new(0, 4, Vec::new()),
+            Err(RenderError::ImageSize { .. })
+        ));
+    }
+}

@@ -1,0 +1,546 @@
+//! What every picture must obey, drawn by the CPU rasteriser and, where there is an adapter,
+//! compared with wgpu.
+
+use glam::{Vec2, Vec3};
+use lole_geom::trig;
+use lole_render::{
+    BackShade, Backend, Background, Camera, Ground, Image, KeyLight, LightRig, Material,
+    RenderError, Renderer, Scene, SceneMesh, Sides, Size, Texture,
+};
+use std::f32::consts::{PI, TAU};
+use std::sync::Arc;
+
+/// Columns of a mesh, owned.
+#[derive(Default)]
+struct Shape {
+    positions: Vec<Vec3>,
+    uvs: Vec<Vec2>,
+    triangles: Vec<[u32; 3]>,
+}
+
+impl Shape {
+    fn with<'a>(&'a self, material: &'a Material) -> SceneMesh<'a> {
+        SceneMesh {
+            positions: &self.positions,
+            normals: &[],
+            uvs: &self.uvs,
+            colors: &[],
+            triangles: &self.triangles,
+            material,
+        }
+    }
+}
+
+fn sphere(center: Vec3, radius: f32) -> Shape {
+    let mut shape = Shape::default();
+    let (rings, columns) = (24_u16, 48_u16);
+    for ring in 0..=rings {
+        let polar = f32::from(ring) / f32::from(rings) * PI;
+        for column in 0..columns {
+            let around = f32::from(column) / f32::from(columns) * TAU;
+            let outward = Vec3::new(
+                trig::sin(polar) * trig::sin(around),
+                trig::cos(polar),
+                trig::sin(polar) * trig::cos(around),
+            );
+            shape.positions.push(center + outward * radius);
+        }
+    }
+    let columns = u32::from(columns);
+    for ring in 0..u32::from(rings) {
+        for column in 0..columns {
+            let next = (column + 1) % columns;
+            let (top, below) = (ring * columns, (ring + 1) * columns);
+            shape
+                .triangles
+                .push([top + column, below + column, top + next]);
+            shape
+                .triangles
+                .push([top + next, below + column, below + next]);
+        }
+    }
+    shape
+}
+
+/// A square that faces `+Z`, around `center`.
+fn square(center: Vec3, half: f32) -> Shape {
+    let corner = |x: f32, y: f32| center + Vec3::new(x * half, y * half, 0.0);
+    Shape {
+        positions: vec![
+            corner(-1.0, 1.0),
+            corner(-1.0, -1.0),
+            corner(1.0, -1.0),
+            corner(1.0, 1.0),
+        ],
+        uvs: vec![Vec2::ZERO, Vec2::Y, Vec2::ONE, Vec2::X],
+        triangles: vec![[0, 1, 2], [0, 2, 3]],
+    }
+}
+
+/// A square of floor at `height`, facing up.
+fn floor(height: f32, half: f32) -> Shape {
+    let mut shape = square(Vec3::ZERO, half);
+    for position in &mut shape.positions {
+        *position = Vec3::new(position.x, height, -position.y);
+    }
+    shape
+}
+
+fn matt(color: [f32; 3]) -> Material {
+    Material {
+        base_color: color,
+        roughness: 1.0,
+        specular: 0.0,
+        ..Material::default()
+    }
+}
+
+fn front_camera(distance: f32) -> Camera {
+    Camera {
+        eye: Vec3::Z * distance,
+        target: Vec3::ZERO,
+        vertical_fov: 0.6,
+    }
+}
+
+/// No lights but an even room of radiance `room`, no ground, a backdrop of black.
+fn plain_scene<'a>(camera: Camera, room: f32) -> Scene<'a> {
+    Scene {
+        lights: LightRig {
+            key: KeyLight {
+                color: [0.0; 3],
+                ..LightRig::default().key
+            },
+            boxes: Vec::new(),
+            zenith: [room; 3],
+            horizon: [room; 3],
+            nadir: [room; 3],
+            exposure: 1.0,
+        },
+        background: Background {
+            top: [0.0; 3],
+            bottom: [0.0; 3],
+            glow: 0.0,
+        },
+        ground: None,
+        ..Scene::studio(camera)
+    }
+}
+
+fn draw(scene: &Scene<'_>, size: Size) -> Image {
+    let mut renderer = Renderer::new(Backend::Cpu, size).unwrap();
+    renderer.render(scene).unwrap()
+}
+
+const SMALL: Size = Size::new(96, 96);
+
+/// Sum of red, green and blue at a pixel.
+fn brightness(image: &Image, x: u32, y: u32) -> u32 {
+    let [r, g, b, _] = image.pixel(x, y).unwrap();
+    u32::from(r) + u32::from(g) + u32::from(b)
+}
+
+/// Byte of a linear value in sRGB.
+fn srgb(linear: f32) -> f32 {
+    255.0 * (1.055 * trig::powf(linear, 1.0 / 2.4) - 0.055)
+}
+
+#[test]
+fn a_sphere_is_brighter_toward_the_key() {
+    let (ball, material) = (sphere(Vec3::ZERO, 0.5), matt([0.5; 3]));
+    let mut scene = Scene::studio(front_camera(3.0));
+    scene.meshes.push(ball.with(&material));
+    for (toward, lit, dark) in [(1.0, 66, 30), (-1.0, 30, 66)] {
+        scene.lights.key.toward = Vec3::new(toward, 0.3, 0.4);
+        scene.lights.boxes.clear();
+        let image = draw(&scene, SMALL);
+        assert!(brightness(&image, lit, 48) > brightness(&image, dark, 48) + 60);
+    }
+}
+
+/// A gray ball in an even white room shows its own gray, less the 4 % of the tone curve.
+#[test]
+fn a_ball_in_an_even_room_shows_its_albedo() {
+    let (ball, material) = (sphere(Vec3::ZERO, 0.5), matt([0.5; 3]));
+    let mut scene = plain_scene(front_camera(3.0), 1.0);
+    scene.meshes.push(ball.with(&material));
+    let image = draw(&scene, SMALL);
+    let expected = srgb(0.5 - 0.04);
+    for (x, y) in [(48, 48), (40, 60), (60, 40), (48, 66)] {
+        let red = f32::from(image.pixel(x, y).unwrap()[0]);
+        assert!(
+            (red - expected).abs() < 8.0,
+            "{red} for {expected} at {x}, {y}"
+        );
+    }
+}
+
+/// A card facing the key light shows albedo times light.
+#[test]
+fn a_card_facing_the_key_shows_its_albedo_times_the_light() {
+    let (card, material) = (square(Vec3::ZERO, 0.6), matt([0.4; 3]));
+    let mut scene = plain_scene(front_camera(3.0), 0.0);
+    scene.lights.key = KeyLight {
+        toward: Vec3::Z,
+        color: [1.5; 3],
+        angular_radius: 0.02,
+    };
+    scene.meshes.push(card.with(&material));
+    let red = f32::from(draw(&scene, SMALL).pixel(48, 48).unwrap()[0]);
+    assert!((red - srgb(0.6 - 0.04)).abs() < 2.0, "{red}");
+}
+
+#[test]
+fn what_lies_under_something_is_darker() {
+    let (ground, roof, material) = (floor(0.0, 2.0), floor(0.3, 0.3), matt([0.5; 3]));
+    let two_sided = Material {
+        sides: Sides::Both,
+        ..material.clone()
+    };
+    let camera = Camera {
+        eye: Vec3::new(0.0, 0.25, 3.0),
+        target: Vec3::ZERO,
+        vertical_fov: 0.6,
+    };
+    let mut scene = Scene::studio(camera);
+    scene.lights.key.toward = Vec3::Y;
+    scene.ground = None;
+    scene.meshes.push(ground.with(&material));
+    let open = draw(&scene, SMALL);
+    scene.meshes.push(roof.with(&two_sided));
+    let covered = draw(&scene, SMALL);
+    assert!(brightness(&covered, 48, 49) + 100 < brightness(&open, 48, 49));
+}
+
+#[test]
+fn the_ground_is_darker_in_shadow_and_far_away_unchanged() {
+    let (ball, material) = (sphere(Vec3::new(0.0, 0.5, 0.0), 0.3), matt([0.5; 3]));
+    let camera = Camera {
+        eye: Vec3::new(0.0, 2.0, 6.0),
+        target: Vec3::ZERO,
+        vertical_fov: 0.6,
+    };
+    let mut scene = Scene::studio(camera);
+    scene.lights.key.toward = Vec3::new(1.0, 1.0, 0.0);
+    scene.background.glow = 0.0;
+    let open = draw(&scene, SMALL);
+    scene.meshes.push(ball.with(&material));
+    let shaded = draw(&scene, SMALL);
+    // The shadow's middle is half a meter to the left of the ball's foot.
+    let (x, y) = (48 - 12, 48);
+    assert!(brightness(&shaded, x, y) + 40 < brightness(&open, x, y));
+    for corner in [(2, 93), (93, 93), (2, 2), (93, 2)] {
+        let (here, there) = (
+            brightness(&shaded, corner.0, corner.1),
+            brightness(&open, corner.0, corner.1),
+        );
+        assert!(here.abs_diff(there) <= 3);
+    }
+}
+
+#[test]
+fn the_reverse_of_a_cloth_shows_its_own_color() {
+    let material = Material {
+        base_color: [0.6, 0.05, 0.05],
+        back: Some(BackShade {
+            color: [0.05, 0.05, 0.6],
+            fade: 1.0,
+        }),
+        sides: Sides::Both,
+        ..matt([0.0; 3])
+    };
+    let card = square(Vec3::ZERO, 0.6);
+    let mut scene = plain_scene(front_camera(3.0), 1.0);
+    scene.meshes.push(card.with(&material));
+    let [r, _, b, _] = draw(&scene, SMALL).pixel(48, 48).unwrap();
+    assert!(r > b + 80, "face: {r} {b}");
+    scene.camera = front_camera(-3.0);
+    let [r, _, b, _] = draw(&scene, SMALL).pixel(48, 48).unwrap();
+    assert!(b > r + 80, "back: {r} {b}");
+}
+
+#[test]
+fn a_body_is_not_seen_from_inside() {
+    let (card, material) = (square(Vec3::ZERO, 0.6), matt([0.5; 3]));
+    let mut scene = plain_scene(front_camera(-3.0), 1.0);
+    scene.meshes.push(card.with(&material));
+    assert_eq!(draw(&scene, SMALL).pixel(48, 48), Some([0, 0, 0, 255]));
+}
+
+#[test]
+fn an_empty_scene_is_its_backdrop() {
+    let mut scene = plain_scene(front_camera(3.0), 1.0);
+    scene.background = Background {
+        top: [0.5, 0.4, 0.3],
+        bottom: [0.5, 0.4, 0.3],
+        glow: 0.0,
+    };
+    scene.ground = Some(Ground::default());
+    let image = draw(&scene, Size::new(50, 37));
+    assert_eq!(image.pixels.len(), 50 * 37 * 4);
+    for pixel in image.pixels.chunks(4) {
+        for (byte, linear) in pixel.iter().zip([0.5, 0.4, 0.3]) {
+            assert!((f32::from(*byte) - srgb(linear)).abs() < 2.0);
+        }
+        assert_eq!(pixel[3], 255);
+    }
+}
+
+#[test]
+fn a_picture_without_pixels_is_refused() {
+    for size in [Size::new(0, 10), Size::new(10, 0), Size::new(10, 100_000)] {
+        for backend in [Backend::Cpu, Backend::Auto, Backend::Gpu] {
+            assert!(matches!(
+                Renderer::new(backend, size),
+                Err(RenderError::ImageSize { .. })
+            ));
+        }
+    }
+}
+
+#[test]
+fn the_nearer_hides_the_farther_in_any_order() {
+    let (red, green) = (matt([0.6, 0.0, 0.0]), matt([0.0, 0.6, 0.0]));
+    let (near, far) = (square(Vec3::Z * 0.01, 0.3), square(Vec3::ZERO, 0.5));
+    let mut scene = plain_scene(front_camera(3.0), 1.0);
+    scene.meshes = vec![near.with(&red), far.with(&green)];
+    let first = draw(&scene, SMALL);
+    scene.meshes.reverse();
+    let second = draw(&scene, SMALL);
+    for image in [&first, &second] {
+        let [r, g, ..] = image.pixel(48, 48).unwrap();
+        assert!(r > 100 && g < 50);
+        let [r, g, ..] = image.pixel(48, 24).unwrap();
+        assert!(g > 100 && r < 50);
+    }
+}
+
+#[test]
+fn a_texture_repeats() {
+    let colors = [
+        [200, 0, 0, 255],
+        [0, 200, 0, 255],
+        [0, 0, 200, 255],
+        [90; 4],
+    ];
+    let pixels = (0..16_usize)
+        .flat_map(|index| colors[index * 7 % 4])
+        .collect();
+    let material = Material {
+        texture: Some(Arc::new(Texture::new(4, 4, pixels).unwrap())),
+        ..matt([1.0; 3])
+    };
+    let mut card = square(Vec3::ZERO, 0.8);
+    let moved = {
+        let mut scene = plain_scene(front_camera(3.0), 1.0);
+        scene.meshes.push(card.with(&material));
+        draw(&scene, SMALL)
+    };
+    for uv in &mut card.uvs {
+        *uv += Vec2::new(2.0, -4.0);
+    }
+    let mut scene = plain_scene(front_camera(3.0), 1.0);
+    scene.meshes.push(card.with(&material));
+    let other = draw(&scene, SMALL);
+    let worst = moved
+        .pixels
+        .iter()
+        .zip(&other.pixels)
+        .map(|(a, b)| a.abs_diff(*b))
+        .max();
+    assert!(worst <= Some(2), "{worst:?}");
+    assert_ne!(moved.pixel(20, 20), moved.pixel(40, 20));
+}
+
+/// A plane cut into many slivers has no holes: every pixel inside is as bright as the next.
+#[test]
+fn neighbors_leave_no_gap() {
+    let mut shape = Shape::default();
+    let count = 40_u16;
+    for y in 0..=count {
+        for x in 0..=count {
+            let jitter = trig::sin(f32::from(x) * 12.9 + f32::from(y) * 78.2) * 0.4;
+            let at = Vec2::new(f32::from(x) + jitter, f32::from(y) - jitter) / f32::from(count);
+            shape.positions.push((at * 4.0 - 2.0).extend(0.0));
+        }
+    }
+    let stride = u32::from(count) + 1;
+    for y in 0..stride - 1 {
+        for x in 0..stride - 1 {
+            let corner = y * stride + x;
+            shape.triangles.push([corner, corner + 1, corner + stride]);
+            shape
+                .triangles
+                .push([corner + 1, corner + stride + 1, corner + stride]);
+        }
+    }
+    let material = matt([0.5; 3]);
+    let mut scene = plain_scene(front_camera(3.0), 1.0);
+    scene.meshes.push(shape.with(&material));
+    let image = draw(&scene, Size::new(173, 131));
+    let middle = brightness(&image, 80, 60);
+    for pixel in image.pixels.chunks(4) {
+        let sum: u32 = pixel[..3].iter().map(|&byte| u32::from(byte)).sum();
+        assert!(sum.abs_diff(middle) < 20, "{sum} beside {middle}");
+    }
+}
+
+#[test]
+fn a_surface_that_passes_the_camera_is_drawn_up_to_it() {
+    let (ground, material) = (floor(-0.1, 50.0), matt([0.5; 3]));
+    let mut scene = plain_scene(front_camera(3.0), 1.0);
+    scene.meshes.push(ground.with(&material));
+    let image = draw(&scene, SMALL);
+    assert!(brightness(&image, 48, 95) > 300);
+    assert!(brightness(&image, 3, 70) > 300);
+    assert_eq!(brightness(&image, 48, 20), 0);
+}
+
+#[test]
+fn the_same_bits_on_one_and_three_threads() {
+    let (ball, ground) = (sphere(Vec3::new(0.1, 0.4, 0.0), 0.4), floor(0.1, 0.6));
+    let (skin, cloth) = (
+        Material::skin([0.5, 0.3, 0.2]),
+        Material::cloth([0.2, 0.1, 0.5]),
+    );
+    let mut scene = Scene::studio(front_camera(3.0));
+    scene.meshes = vec![ball.with(&skin), ground.with(&cloth)];
+    let on_threads = |count| {
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(count)
+            .build()
+            .unwrap();
+        pool.install(|| draw(&scene, Size::new(160, 120)))
+    };
+    assert_eq!(on_threads(1), on_threads(3));
+}
+
+#[test]
+fn numbers_that_are_not_finite_are_refused_by_name() {
+    let (good, material) = (sphere(Vec3::ZERO, 0.5), matt([0.5; 3]));
+    let mut bad = square(Vec3::ZERO, 0.5);
+    bad.positions[2].y = f32::NAN;
+    let mut scene = Scene::studio(front_camera(3.0));
+    scene.meshes = vec![good.with(&material), bad.with(&material)];
+    let mut renderer = Renderer::new(Backend::Cpu, SMALL).unwrap();
+    let error = renderer.render(&scene).unwrap_err();
+    assert!(matches!(
+        error,
+        RenderError::NotFinite {
+            mesh: 1,
+            vertex: 2,
+            column: "position"
+        }
+    ));
+    assert!(error.to_string().contains("mesh 1"), "{error}");
+
+    bad.positions[2].y = -0.5;
+    bad.uvs[3].x = f32::INFINITY;
+    let mut scene = Scene::studio(front_camera(3.0));
+    scene.meshes = vec![bad.with(&material)];
+    assert!(matches!(
+        renderer.render(&scene),
+        Err(RenderError::NotFinite {
+            mesh: 0,
+            vertex: 3,
+            column: "texture coordinate"
+        })
+    ));
+}
+
+#[test]
+fn broken_meshes_and_cameras_are_refused() {
+    let material = matt([0.5; 3]);
+    let mut renderer = Renderer::new(Backend::Cpu, SMALL).unwrap();
+    let mut shape = square(Vec3::ZERO, 0.5);
+    shape.triangles[1][0] = 4;
+    let mut scene = Scene::studio(front_camera(3.0));
+    scene.meshes = vec![shape.with(&material)];
+    assert!(matches!(
+        renderer.render(&scene),
+        Err(RenderError::VertexIndex {
+            mesh: 0,
+            triangle: 1,
+            vertex: 4,
+            vertex_count: 4
+        })
+    ));
+
+    let mut shape = square(Vec3::ZERO, 0.5);
+    shape.uvs.pop();
+    scene.meshes = vec![shape.with(&material)];
+    assert!(matches!(
+        renderer.render(&scene),
+        Err(RenderError::ColumnLength {
+            mesh: 0,
+            given: 3,
+            expected: 4,
+            ..
+        })
+    ));
+
+    scene.meshes.clear();
+    scene.camera.eye = scene.camera.target;
+    assert!(matches!(
+        renderer.render(&scene),
+        Err(RenderError::Camera { .. })
+    ));
+}
+
+/// Meshes without area, without triangles, with collapsed corners: nothing to see, nothing broken.
+#[test]
+fn degenerate_meshes_draw_nothing() {
+    let material = Material::cloth([0.5; 3]);
+    let empty = Shape::default();
+    let mut collapsed = square(Vec3::ZERO, 0.0);
+    collapsed.triangles.push([1, 1, 1]);
+    let mut scene = plain_scene(front_camera(3.0), 1.0);
+    scene.meshes = vec![empty.with(&material), collapsed.with(&material)];
+    scene.ground = Some(Ground::default());
+    let image = draw(&scene, SMALL);
+    assert!(image.pixels.chunks(4).all(|pixel| pixel[..3] == [0, 0, 0]));
+}
+
+#[test]
+#[expect(clippy::print_stderr, reason = "says why the comparison is skipped")]
+fn both_backends_draw_nearly_the_same() {
+    let size = Size::new(200, 150);
+    let mut gpu = match Renderer::new(Backend::Gpu, size) {
+        Ok(gpu) => gpu,
+        Err(reason) => {
+            eprintln!("skipped: {reason}");
+            return;
+        }
+    };
+    let pixels = (0..64_usize)
+        .flat_map(|index| [[200, 40, 40, 255], [240, 230, 210, 255]][(index / 8 + index) % 2])
+        .collect();
+    let print = Arc::new(Texture::new(8, 8, pixels).unwrap());
+    let (cloth, skin) = (
+        Material::printed_cloth(print),
+        Material::skin([0.5, 0.3, 0.2]),
+    );
+    let (ball, sheet) = (sphere(Vec3::new(0.1, 0.5, 0.0), 0.35), floor(0.2, 0.5));
+    let mut scene = Scene::studio(Camera {
+        eye: Vec3::new(1.0, 1.0, 3.0),
+        target: Vec3::new(0.0, 0.3, 0.0),
+        vertical_fov: 0.5,
+    });
+    scene.meshes = vec![ball.with(&skin), sheet.with(&cloth)];
+    let by_gpu = gpu.render(&scene).unwrap();
+    let by_cpu = draw(&scene, size);
+    let differences: Vec<u8> = by_gpu
+        .pixels
+        .iter()
+        .zip(&by_cpu.pixels)
+        .map(|(a, b)| a.abs_diff(*b))
+        .collect();
+    let mean = differences.iter().map(|&d| f64::from(d)).sum::<f64>() / differences.len() as f64;
+    let off = differences.iter().filter(|&&d| d > 12).count() as f64 / differences.len() as f64;
+    assert!(
+        mean < 0.6,
+        "mean difference {mean} on {}",
+        gpu.description()
+    );
+    assert!(off < 0.01, "{off} of all bytes differ by more than 12");
+}
