@@ -12,8 +12,35 @@ use serde_json::Value;
 /// Bracketed words that are units and no links. Those with a sign, such as `[m/s]`, rustdoc leaves
 /// alone.
 const UNITS: &[&str] = &[
-    "m", "cm", "mm", "yd", "s", "ms", "kg", "g", "N", "J", "W", "Pa", "rad", "deg", "degrees",
-    "counts", "statures", "byte", "bytes", "pixel", "pixels", "px", "bit", "fps",
+    "1",
+    "m",
+    "m²",
+    "cm",
+    "mm",
+    "yd",
+    "s",
+    "ms",
+    "kg",
+    "g",
+    "N",
+    "J",
+    "W",
+    "Pa",
+    "rad",
+    "deg",
+    "degrees",
+    "counts",
+    "statures",
+    "diameters",
+    "byte",
+    "bytes",
+    "bit",
+    "pixel",
+    "pixels",
+    "pixel²",
+    "px",
+    "texel",
+    "fps",
 ];
 
 const LINK_LINT: &str = "rustdoc::broken_intra_doc_links";

@@ -29,7 +29,7 @@ pub const VERSION: u64 = 1;
 
 /// A whole design, in the units of the document so that reading and writing lose nothing.
 ///
-/// Invariant of a design that [`parse`] returned: every value is finite and in its range. One
+/// Invariant of a design that [`parse()`] returned: every value is finite and in its range. One
 /// built or changed in the program is brought under it by [`Design::check`].
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Design {
