@@ -260,6 +260,7 @@ const fn index(count: usize) -> u32 {
 }
 
 /// Five-petaled flowers with leaves on red ground.
+#[expect(clippy::cast_possible_truncation, reason = "0 to 20")]
 fn flower_print(side: usize) -> Vec<u8> {
     let mut pixels = Vec::with_capacity(side * side * 4);
     for y in 0..side {

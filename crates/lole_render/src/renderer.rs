@@ -25,7 +25,7 @@ pub struct Renderer {
 }
 
 enum Drawer {
-    Cpu(CpuRenderer),
+    Cpu(Box<CpuRenderer>),
     Gpu(Box<GpuRenderer>),
 }
 
@@ -53,7 +53,7 @@ impl Renderer {
             None => Self {
                 size,
                 description: cpu_description(),
-                drawer: Drawer::Cpu(CpuRenderer::new()),
+                drawer: Drawer::Cpu(Box::new(CpuRenderer::new())),
             },
         })
     }

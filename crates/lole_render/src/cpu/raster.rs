@@ -217,15 +217,21 @@ impl Samples {
                 }
                 let flat = a.z + slope_x * (x_at - a.x) + slope_y * (y_at - a.y);
                 let depth = (Vec4::splat(flat) + depth_at_samples).clamp(least, most);
-                let pixel = y * TILE + x;
-                let nearer = inside & depth.cmpgt(self.depths[pixel]);
-                self.depths[pixel] = Vec4::select(nearer, depth, self.depths[pixel]);
-                let mask = nearer.bitmask();
-                for (sample, seen) in self.triangles[pixel].iter_mut().enumerate() {
-                    if mask & (1 << sample) != 0 {
-                        *seen = triangle;
-                    }
-                }
+                let depth = Vec4::select(inside, depth, Vec4::NEG_ONE);
+                self.enter(y * TILE + x, depth, triangle);
+            }
+        }
+    }
+
+    /// Enters a triangle at the samples of a pixel where it is nearest; a negative depth is not
+    /// covered.
+    fn enter(&mut self, pixel: usize, depth: Vec4, triangle: u32) {
+        let nearer = depth.cmpgt(self.depths[pixel]);
+        self.depths[pixel] = Vec4::select(nearer, depth, self.depths[pixel]);
+        let mask = nearer.bitmask();
+        for (sample, seen) in self.triangles[pixel].iter_mut().enumerate() {
+            if mask & (1 << sample) != 0 {
+                *seen = triangle;
             }
         }
     }

@@ -40,11 +40,11 @@ impl Pipelines {
     pub(super) fn new(device: &wgpu::Device) -> Self {
         let frame_layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
             label: Some("frame"),
-            entries: &[uniform(0), texture(1, false), texture(2, false)],
+            entries: &[uniform(0), texture(1, READ_ONLY), texture(2, READ_ONLY)],
         });
         let surface_layout = device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
             label: Some("surface"),
-            entries: &[uniform(0), texture(1, true), sampler(2)],
+            entries: &[uniform(0), texture(1, FILTERED), sampler(2)],
         });
         let shader = device.create_shader_module(wgpu::include_wgsl!("shade.wgsl"));
         let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
@@ -156,12 +156,17 @@ const fn uniform(binding: u32) -> wgpu::BindGroupLayoutEntry {
     }
 }
 
-const fn texture(binding: u32, filterable: bool) -> wgpu::BindGroupLayoutEntry {
+/// A texture that is read texel by texel.
+const READ_ONLY: wgpu::TextureSampleType = wgpu::TextureSampleType::Float { filterable: false };
+/// A texture that is read through a sampler.
+const FILTERED: wgpu::TextureSampleType = wgpu::TextureSampleType::Float { filterable: true };
+
+const fn texture(binding: u32, sample_type: wgpu::TextureSampleType) -> wgpu::BindGroupLayoutEntry {
     wgpu::BindGroupLayoutEntry {
         binding,
         visibility: wgpu::ShaderStages::FRAGMENT,
         ty: wgpu::BindingType::Texture {
-            sample_type: wgpu::TextureSampleType::Float { filterable },
+            sample_type,
             view_dimension: wgpu::TextureViewDimension::D2,
             multisampled: false,
         },
