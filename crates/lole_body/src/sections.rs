@@ -273,7 +273,7 @@ impl Sections {
 
     /// Visits every number of the body in a fixed order.
     fn for_each_number(&mut self, visit: &mut dyn FnMut(&mut f32)) {
-        let mut visit_vector = |vector: &mut Vec3, visit: &mut dyn FnMut(&mut f32)| {
+        let visit_vector = |vector: &mut Vec3, visit: &mut dyn FnMut(&mut f32)| {
             visit(&mut vector.x);
             visit(&mut vector.y);
             visit(&mut vector.z);

@@ -14,7 +14,7 @@ use crate::surface::warp::smooth_step;
 /// Weight of every bone, shape `[Bone::COUNT]`.
 pub(crate) type Row = [f32; Bone::COUNT];
 
-const AVERAGING_PASSES: usize = 8;
+const AVERAGING_PASSES: usize = 12;
 
 /// Dense weights of the left half, each row summing to 1.
 pub(crate) fn half_weights(shape: &Shape) -> Vec<Row> {
@@ -201,15 +201,17 @@ impl<'a> Joints<'a> {
             girdle = 0.8;
         }
         girdle *= 1.0 - neck;
-        let near = label == Tube::Torso
-            && position.x > 0.8 * upper.x
-            && position.y > self.armpit - 0.03 * k;
-        let axis = (lower - upper).normalize_or_zero() + Vec3::X * 0.55;
-        let arm = if is_arm || near {
-            past(position, upper, axis, [0.035 * k, 0.085 * k])
-        } else {
-            0.0
+        // The torso's skin beside the armpit follows the arm less and less downwards and inwards.
+        let near = match label {
+            Tube::Torso => {
+                smooth_step((position.y - self.armpit + 0.06 * k) / (0.09 * k))
+                    * smooth_step((position.x - 0.62 * upper.x) / (0.32 * upper.x))
+            }
+            _ if is_arm => 1.0,
+            _ => 0.0,
         };
+        let axis = (lower - upper).normalize_or_zero() + Vec3::X * 0.55;
+        let arm = near * past(position, upper, axis, [0.035 * k, 0.085 * k]);
         let forearm = if arm > 0.5 {
             past(
                 position,

@@ -26,8 +26,9 @@ use half::{HalfMesh, Neighbours, is_on_plane};
 use regions::Regions;
 use warp::{Girths, Heights, arm_share, asis_level, smooth_step};
 
-/// Lattice step [m]: fingers need 5 mm, and large bodies do not close at 6.
-const LATTICE_STEP: f32 = 0.004;
+/// Lattice steps [m], tried until the surface has no handle: fingers that nearly touch grow
+/// together on a coarse lattice.
+const LATTICE_STEPS: [f32; 4] = [0.004, 0.0034, 0.0029, 0.0025];
 const TAUBIN_PASSES: usize = 4;
 const FAIRING_PASSES: usize = 120;
 
@@ -52,8 +53,7 @@ pub(crate) struct Shape {
 pub(crate) fn build(tape: &Measurements) -> Result<Shape, BodyError> {
     let body = nearest_body(&read_bodies()?, tape)?;
     let field = Field::new(&body);
-    let mut mesh = march::march(&field.sample(LATTICE_STEP));
-    mesh.keep_largest();
+    let mut mesh = closed_half(&field)?;
     let neighbours = mesh.neighbours();
     mesh.smooth(&neighbours, TAUBIN_PASSES);
     mesh.fair(&neighbours, &fairing_balls(&body), FAIRING_PASSES);
@@ -102,6 +102,21 @@ pub(crate) fn build(tape: &Measurements) -> Result<Shape, BodyError> {
         regions,
         head: field,
         asis,
+    })
+}
+
+/// The left half of the body's surface: one disk, so that it and its mirror image make a sphere.
+fn closed_half(field: &Field) -> Result<HalfMesh, BodyError> {
+    for step in LATTICE_STEPS {
+        let mut mesh = march::march(&field.sample(step));
+        mesh.keep_largest();
+        if mesh.euler_characteristic() == 1 {
+            return Ok(mesh);
+        }
+    }
+    Err(BodyError::Unbuildable {
+        reason: "its limbs grow together".to_owned(),
+        check: "stature",
     })
 }
 

@@ -37,6 +37,9 @@ impl TapePoint {
     }
 }
 
+/// Triangles carried by the arm this far are no part of the trunk.
+const LEAST_ARM_SHARE: f32 = 0.7;
+
 /// A corner of the taut tape.
 #[derive(Debug, Clone)]
 struct Corner {
@@ -84,11 +87,13 @@ impl Corner {
 /// `count` points at equal arc length on the hull of the cut at `height`, from the back middle
 /// over the left side.
 pub(crate) fn ring(skin: &SkinnedMesh, height: f32, count: usize) -> Vec<TapePoint> {
-    let arms: Vec<bool> = (skin.joints.iter().zip(&skin.weights))
-        .map(|(joints, weights)| is_arm(*joints, *weights))
+    let arms: Vec<f32> = (skin.joints.iter().zip(&skin.weights))
+        .map(|(joints, weights)| arm_share(*joints, *weights))
         .collect();
-    let trunk = (skin.body_triangles().into_iter())
-        .filter(|triangle| triangle.iter().all(|&vertex| !arms[vertex as usize]));
+    let trunk = (skin.body_triangles().into_iter()).filter(|triangle| {
+        let sum: f32 = triangle.iter().map(|&vertex| arms[vertex as usize]).sum();
+        sum < 3.0 * LEAST_ARM_SHARE
+    });
     let hull = convex_hull(cut_points(&skin.positions, trunk, height));
     let corners = from_back(&corners(skin, &hull));
     resample(&corners, count)
@@ -97,9 +102,9 @@ pub(crate) fn ring(skin: &SkinnedMesh, height: f32, count: usize) -> Vec<TapePoi
         .collect()
 }
 
-/// More than half carried by the arm below the shoulder joint.
-fn is_arm(joints: [u16; 4], weights: [f32; 4]) -> bool {
-    let share: f32 = (joints.iter().zip(weights))
+/// How far a vertex is carried by the arm below the shoulder joint.
+fn arm_share(joints: [u16; 4], weights: [f32; 4]) -> f32 {
+    (joints.iter().zip(weights))
         .filter(|(joint, _)| {
             let index = usize::from(**joint);
             let side = |first: Bone, last: Bone| (first.index()..=last.index()).contains(&index);
@@ -107,8 +112,7 @@ fn is_arm(joints: [u16; 4], weights: [f32; 4]) -> bool {
                 || side(Bone::RightUpperArm, Bone::RightLittleDistal)
         })
         .map(|(_, weight)| weight)
-        .sum();
-    share > 0.5
+        .sum()
 }
 
 /// Hull corners with smooth outward directions and the skin's weights.

@@ -110,9 +110,9 @@ impl Scalp<'_> {
 
     /// The cap: rings around the bun's axis, so that combed locks run to the bun.
     fn cap(&self) -> Solid {
-        const RINGS: usize = 44;
-        const AROUND: usize = 128;
-        const LOCK_DEPTH: f32 = 0.0007;
+        const RINGS: usize = 38;
+        const AROUND: usize = 104;
+        const LOCK_DEPTH: f32 = 0.0005;
         let axis = direction(180.0, BUN_LATITUDE);
         let (across, up) = frame(axis);
         let rings = (1..RINGS).map(|ring| {
@@ -170,8 +170,8 @@ impl Scalp<'_> {
 
     /// A plumeria: five petals turned like a pinwheel, and its heart.
     fn flower(&self) -> (Solid, Solid) {
-        const RINGS: usize = 7;
-        const AROUND: usize = 100;
+        const RINGS: usize = 5;
+        const AROUND: usize = 80;
         const THICKNESS: f32 = 0.0012;
         let place = direction(FLOWER[0], FLOWER[1]);
         let seat = self.center + place * (self.radius(place) + 0.004 * self.k);

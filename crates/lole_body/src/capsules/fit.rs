@@ -8,7 +8,7 @@ use crate::{Bone, Landmarks, Skeleton, SkinnedMesh};
 
 const PASSES: usize = 240;
 /// Capsules aim this far outside the skin [m]: inside the band -8..+3 mm of skin against capsule.
-const COVER: f64 = 0.0015;
+const COVER: f64 = 0.0008;
 /// A skin point outside its aim weighs up to this many times as much.
 const OUTSIDE_WEIGHT: f64 = 10.0;
 /// Over this distance [m] from the aim the outside weight grows from 1 to full.

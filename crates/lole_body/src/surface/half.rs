@@ -112,6 +112,21 @@ impl HalfMesh {
         self.retain(&kept);
     }
 
+    /// Vertices minus edges plus triangles: 1 for a disk, 2 less for every handle.
+    pub(crate) fn euler_characteristic(&self) -> i64 {
+        let count = |len: usize| i64::try_from(len).unwrap_or(i64::MAX);
+        // Every inner edge is met twice, every border edge once.
+        let borders = (self.triangles.iter())
+            .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]])
+            .filter(|edge| {
+                edge.iter()
+                    .all(|&end| is_on_plane(self.positions[end as usize]))
+            })
+            .count();
+        let edges = (self.triangles.len() * 3 + borders) / 2;
+        count(self.positions.len()) - count(edges) + count(self.triangles.len())
+    }
+
     /// Drops vertices and every triangle that uses one.
     pub(crate) fn retain(&mut self, kept: &[bool]) {
         let mut renamed = vec![u32::MAX; self.positions.len()];
