@@ -107,3 +107,85 @@ pub fn draw(design: &PrintDesign, size: u32) -> PrintImage {
 
 /// Largest picture [pixel]; a repeat of 45 cm then has 460 pixels per inch.
 const SIZE_MAX: u32 = 8192;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn pixel(image: &PrintImage, x: u32, y: u32) -> [u8; 3] {
+        let at = 4 * (y * image.width + x) as usize;
+        [image.pixels[at], image.pixels[at + 1], image.pixels[at + 2]]
+    }
+
+    /// Mean absolute difference between two columns, or two rows, of a picture.
+    fn difference(image: &PrintImage, [a, b]: [u32; 2], at: fn(u32, u32) -> (u32, u32)) -> f64 {
+        let sum: u32 = (0..image.width)
+            .map(|along| {
+                let [(ax, ay), (bx, by)] = [at(a, along), at(b, along)];
+                let (p, q) = (pixel(image, ax, ay), pixel(image, bx, by));
+                (0..3)
+                    .map(|channel| u32::from(p[channel].abs_diff(q[channel])))
+                    .sum::<u32>()
+            })
+            .sum();
+        f64::from(sum) / f64::from(image.width)
+    }
+
+    #[test]
+    fn the_repeat_has_no_seam() {
+        for name in PrintDesign::COLORWAYS {
+            for motif in [PrintMotif::Hibiscus, PrintMotif::Ulu] {
+                let design = PrintDesign {
+                    motif,
+                    ..PrintDesign::colorway(name).unwrap()
+                };
+                let image = draw(&design, 256);
+                for at in [|line, along| (line, along), |line, along| (along, line)] {
+                    let inside: f64 = (0..255)
+                        .map(|line| difference(&image, [line, line + 1], at))
+                        .fold(0.0, f64::max);
+                    let seam = difference(&image, [255, 0], at);
+                    assert!(
+                        seam <= inside,
+                        "{name} {motif:?}: {seam} over the edge, {inside} inside"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn motifs_and_ground_share_the_cloth() {
+        for (name, seed) in [("red", 1), ("pink", 2), ("blue", 3), ("green", 4)] {
+            let design = PrintDesign {
+                seed,
+                ..PrintDesign::colorway(name).unwrap()
+            };
+            let image = draw(&design, 256);
+            let share = |color: [u8; 3]| {
+                let near = image.pixels.chunks_exact(4).filter(|pixel| {
+                    (0..3).all(|channel| pixel[channel].abs_diff(color[channel]) < 6)
+                });
+                near.count() as f64 / (256.0 * 256.0)
+            };
+            let (flower, leaf) = (share(design.flower), share(design.leaf));
+            let ground = share(design.ground) + share(design.shadow);
+            assert!((0.12..0.35).contains(&flower), "{name}: flowers {flower}");
+            assert!((0.14..0.42).contains(&leaf), "{name}: leaves {leaf}");
+            assert!((0.25..0.60).contains(&ground), "{name}: ground {ground}");
+            assert!(image.pixels.chunks_exact(4).all(|pixel| pixel[3] == 255));
+        }
+    }
+
+    #[test]
+    fn the_same_design_gives_the_same_print_and_another_seed_another() {
+        let design = PrintDesign::colorway("red").unwrap();
+        assert_eq!(draw(&design, 200), draw(&design, 200));
+        let other = PrintDesign {
+            seed: 7,
+            ..design.clone()
+        };
+        assert_ne!(draw(&design, 200), draw(&other, 200));
+        assert!(PrintDesign::colorway("plaid").is_none());
+    }
+}

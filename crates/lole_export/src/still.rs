@@ -132,3 +132,62 @@ fn over_white(rgba: &[u8]) -> Vec<u8> {
         .flat_map(|pixel| [0, 1, 2].map(|index| blend(pixel[index], pixel[3])))
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A soft gradient with one transparent pixel.
+    fn pixels() -> Vec<u8> {
+        let mut pixels: Vec<u8> = (0..64_u8)
+            .flat_map(|index| [index * 4, 128, 255 - index, 255])
+            .collect();
+        pixels[3] = 0;
+        pixels
+    }
+
+    #[test]
+    fn png_gives_back_every_bit() {
+        let pixels = pixels();
+        for (pixels, channels) in [(pixels.clone(), 4), ([9, 8, 7, 255].repeat(64), 3)] {
+            let bytes = encode_png(Image::new(8, 8, &pixels).unwrap()).unwrap();
+            let mut reader = png::Decoder::new(std::io::Cursor::new(bytes))
+                .read_info()
+                .unwrap();
+            let mut back = vec![0; reader.output_buffer_size().unwrap()];
+            reader.next_frame(&mut back).unwrap();
+            let wanted: Vec<u8> = pixels
+                .chunks_exact(4)
+                .flat_map(|pixel| pixel[..channels].to_vec())
+                .collect();
+            assert_eq!(back, wanted);
+        }
+    }
+
+    #[test]
+    fn jpeg_says_its_size_and_gets_larger_with_quality() {
+        let pixels = pixels();
+        let image = Image::new(8, 8, &pixels).unwrap();
+        let [low, high] = [30, 95].map(|quality| encode_jpeg(image, quality).unwrap());
+        assert!(low.starts_with(&[0xff, 0xd8]) && low.ends_with(&[0xff, 0xd9]));
+        assert!(low.len() < high.len());
+        assert_eq!(over_white(&pixels)[..3], [255, 255, 255]);
+    }
+
+    #[test]
+    fn pictures_that_do_not_fill_their_size_are_refused() {
+        let error = Image::new(4, 4, &[0; 63]).unwrap_err();
+        assert!(error.to_string().contains("64 bytes"), "{error}");
+        let image = Image {
+            width: 70_000,
+            height: 1,
+            pixels: &[255; 280_000],
+        };
+        assert!(
+            encode_jpeg(image, 90)
+                .unwrap_err()
+                .to_string()
+                .contains("65535")
+        );
+    }
+}

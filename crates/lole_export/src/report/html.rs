@@ -228,14 +228,15 @@ fn motion(report: &RunReport) -> String {
         row(
             ["Hem above the floor, dancing", "踊っているときの裾の高さ"],
             format!(
-                "{}–{} <i>cm</i><span class=\"also\">⌀ {} cm</span>",
+                "{}–{} <i>cm</i><span class=\"also\">{} {} cm</span>",
                 number(hem.min, 1),
                 number(hem.max, 1),
+                both("mean", "平均"),
                 number(hem.mean, 1)
             ),
             [
-                "Lowest and highest point of the hem, and its mean (⌀).",
-                "裾のいちばん低いところと高いところ、平均（⌀）です。",
+                "Lowest and highest point of the hem, and the mean.",
+                "裾のいちばん低いところと高いところ、平均です。",
             ],
         ),
         row(

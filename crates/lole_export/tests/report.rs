@@ -1,0 +1,141 @@
+//! The report keeps NaN out of JSON and names out of markup, and tells everything twice.
+
+use lole_export::report::{
+    Divergence, PageMedia, ReportFile, RunReport, RunSeries, Still, report_html, report_json,
+};
+use serde_json::Value;
+
+fn report() -> RunReport {
+    RunReport {
+        lole: "0.1.0".into(),
+        particles: 25_600,
+        method: "xpbd".into(),
+        dance_step: "kaholo".into(),
+        frames: 4,
+        finite: true,
+        state_hash: "00ff00ff00ff00ff".into(),
+        files: vec![ReportFile {
+            name: "dancer.glb".into(),
+            bytes: 28_800_000,
+            what: "The dancer in 3D.".into(),
+        }],
+        series: RunSeries {
+            time_s: vec![0.0, 0.1, 0.2, 0.3],
+            frame_ms: vec![3.0, f64::NAN, 4.0, 5.0],
+            ..RunSeries::default()
+        },
+        ..RunReport::default()
+    }
+}
+
+#[test]
+fn numbers_that_are_not_finite_become_null() {
+    let mut report = report();
+    report.strain_pct.max = f64::INFINITY;
+    report.hem_height_cm.mean = f64::NAN;
+    let text = report_json(&report).unwrap();
+    let json: Value = serde_json::from_str(&text).unwrap();
+    assert!(json["strain_pct"]["max"].is_null() && json["hem_height_cm"]["mean"].is_null());
+    assert!(json["series"]["frame_ms"][1].is_null());
+    assert_eq!(json["series"]["frame_ms"][2], 4.0);
+    assert_eq!(json["files"][0]["name"], "dancer.glb");
+}
+
+#[test]
+fn every_promised_key_is_in_the_json() {
+    let json: Value = serde_json::from_str(&report_json(&report()).unwrap()).unwrap();
+    for path in [
+        "/particles",
+        "/springs",
+        "/method",
+        "/substeps",
+        "/threads",
+        "/frames",
+        "/frame_ms/median",
+        "/frame_ms/p99",
+        "/frame_wall_ms/median",
+        "/frame_wall_ms/p99",
+        "/realtime_factor",
+        "/strain_pct/mean",
+        "/strain_pct/p99",
+        "/strain_pct/max",
+        "/strain_end_pct/mean",
+        "/strain_end_pct/p99",
+        "/strain_end_pct/max",
+        "/capsule_penetration_mm/worst",
+        "/skin_penetration_mm/worst",
+        "/skin_penetration_vertices/worst",
+        "/hem_height_cm/min",
+        "/hem_height_cm/mean",
+        "/hem_height_cm/max",
+        "/finite",
+        "/state_hash",
+        "/files/0/bytes",
+    ] {
+        assert!(json.pointer(path).is_some(), "{path}");
+    }
+}
+
+#[test]
+fn names_cannot_become_markup() {
+    let mut report = report();
+    let attack = "<script>alert('1')</script>\"><img src=x onerror=alert(2)>";
+    report.skirt.design_name = attack.into();
+    report.renderer = attack.into();
+    report.method = attack.into();
+    report.dance_step = attack.into();
+    report.state_hash = attack.into();
+    report.files[0].name = attack.into();
+    report.files[0].what = attack.into();
+    report.divergence = Some(Divergence {
+        time_s: 1.0,
+        particle: 3,
+        sentence: attack.into(),
+    });
+    let stills = [Still {
+        caption_en: attack,
+        caption_ja: attack,
+        jpeg: &[1],
+    }];
+    let page = report_html(
+        &report,
+        PageMedia {
+            film_mp4: None,
+            stills: &stills,
+        },
+    );
+    assert_eq!(page.matches("<script>").count(), 1, "only the page's own");
+    assert!(!page.contains("<img src=x") && !page.contains("onerror=alert(2)>\""));
+}
+
+#[test]
+fn the_page_needs_nothing_from_outside() {
+    let stills = [Still {
+        caption_en: "Front",
+        caption_ja: "正面",
+        jpeg: &[0xff, 0xd8],
+    }];
+    let page = report_html(
+        &report(),
+        PageMedia {
+            film_mp4: Some(&[0; 9]),
+            stills: &stills,
+        },
+    );
+    assert!(!page.contains("http://") && !page.contains("https://") && !page.contains("@import"));
+    assert!(page.contains("data:video/mp4;base64,AAAAAAAAAAAA") && page.contains("playsinline"));
+    assert!(page.contains("data:image/jpeg;base64,/9g="));
+    assert!(page.contains("href=\"./dancer.glb\""));
+}
+
+#[test]
+fn everything_is_said_in_both_languages() {
+    let mut report = report();
+    report.divergence = Some(Divergence::default());
+    let page = report_html(&report, PageMedia::default());
+    let (english, japanese) = (page.matches("lang=\"en\">"), page.matches("lang=\"ja\">"));
+    // The page itself declares Japanese once more.
+    assert_eq!(english.count() + 1, japanese.count());
+    assert!(page.contains("kāholo") && page.contains("パウスカート") && page.contains("用尺"));
+    assert!(!page.contains("NaN") && !page.contains("inf "));
+}
