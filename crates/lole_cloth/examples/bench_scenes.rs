@@ -17,15 +17,23 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let names: Vec<String> = std::env::args().skip(1).collect();
     println!(
         "{:14} {:9} {:>8} {:>24} {:>17} {:>6} {:>9}  hash",
-        "scene", "vectors", "cpu ms", "end strain mean p99 max %", "worst p99 max %", "pen mm", "rms m/s"
+        "scene",
+        "vectors",
+        "cpu ms",
+        "end strain mean p99 max %",
+        "worst p99 max %",
+        "pen mm",
+        "rms m/s"
     );
     for scene in SCENES {
         if !names.is_empty() && !names.iter().any(|name| name == scene.name) {
             continue;
         }
-        for instruction_set in
-            [InstructionSet::Detected, InstructionSet::Wide, InstructionSet::Baseline]
-        {
+        for instruction_set in [
+            InstructionSet::Detected,
+            InstructionSet::Wide,
+            InstructionSet::Baseline,
+        ] {
             run(scene, instruction_set)?;
         }
     }
@@ -37,8 +45,11 @@ fn run(scene: &Scene, instruction_set: InstructionSet) -> Result<(), Box<dyn std
     setup.config.instruction_set = instruction_set;
     let model = ClothModel::new(&setup.spec)?;
     let mut state = ClothState::new(&model, &setup.positions);
-    let pins: Vec<_> =
-        model.pin_indices().iter().map(|&pin| setup.positions[pin as usize]).collect();
+    let pins: Vec<_> = model
+        .pin_indices()
+        .iter()
+        .map(|&pin| setup.positions[pin as usize])
+        .collect();
     let mut milliseconds = Vec::new();
     let (mut end, mut worst) = (StrainSummary::default(), StrainSummary::default());
     let mut penetration = 0.0_f32;
@@ -46,7 +57,11 @@ fn run(scene: &Scene, instruction_set: InstructionSet) -> Result<(), Box<dyn std
     // The capsules start where they are at time 0.
     for frame in 0..scene.frame_count {
         let capsules = (scene.capsules)(f64::from(frame + 1) * f64::from(FRAME_DT));
-        let input = StepInput { pin_targets: &pins, capsules: &capsules, air_velocity: glam::Vec3::ZERO };
+        let input = StepInput {
+            pin_targets: &pins,
+            capsules: &capsules,
+            air_velocity: glam::Vec3::ZERO,
+        };
         let before = cpu_milliseconds();
         step(&model, &setup.config, &input, &mut state, FRAME_DT);
         milliseconds.push(cpu_milliseconds() - before);
@@ -56,10 +71,16 @@ fn run(scene: &Scene, instruction_set: InstructionSet) -> Result<(), Box<dyn std
             worst.p99 = worst.p99.max(end.p99);
             worst.max = worst.max.max(end.max);
         }
-        penetration =
-            penetration.max(diagnose::worst_capsule_penetration(model.spec(), &positions, &capsules));
+        penetration = penetration.max(diagnose::worst_capsule_penetration(
+            model.spec(),
+            &positions,
+            &capsules,
+        ));
         if let Some(particle) = diagnose::first_non_finite(&positions) {
-            println!("{:14} diverged at frame {frame}, particle {particle}", scene.name);
+            println!(
+                "{:14} diverged at frame {frame}, particle {particle}",
+                scene.name
+            );
             return Ok(());
         }
     }

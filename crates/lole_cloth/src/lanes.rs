@@ -196,12 +196,14 @@ impl Layout {
         self.group_count * self.row_count
     }
 
-
     /// Vector and lane of the particle with row-major index `particle`.
     pub(crate) fn slot(&self, particle: usize) -> (usize, usize) {
         let (row, column) = (particle / self.slots.len(), particle % self.slots.len());
         let (group, lane) = self.slots[column];
-        (row * self.group_count + usize::from(group), usize::from(lane))
+        (
+            row * self.group_count + usize::from(group),
+            usize::from(lane),
+        )
     }
 
     /// Brings row-major scalars into the layout; unused lanes hold 0.
@@ -234,7 +236,9 @@ impl Layout {
         points.clear();
         for row in vectors.chunks_exact(self.group_count) {
             points.extend(
-                self.slots.iter().map(|&(group, lane)| row[usize::from(group)].get(usize::from(lane))),
+                self.slots
+                    .iter()
+                    .map(|&(group, lane)| row[usize::from(group)].get(usize::from(lane))),
             );
         }
     }
@@ -267,7 +271,8 @@ pub(crate) fn row_links<const N: usize>(
         let slots = partners.map(|partner| layout.slots[partner as usize]);
         let lane = slots[0].1;
         let groups = slots.map(|(group, _)| group);
-        let shifts = slots.map(|(_, partner)| (partner + narrow_u8(LANES) - lane) % narrow_u8(LANES));
+        let shifts =
+            slots.map(|(_, partner)| (partner + narrow_u8(LANES) - lane) % narrow_u8(LANES));
         let lane = usize::from(lane);
         let home = links.iter_mut().find(|(link, lanes)| {
             link.groups == groups
@@ -279,7 +284,14 @@ pub(crate) fn row_links<const N: usize>(
             None => {
                 let mut lanes = [false; LANES];
                 lanes[lane] = true;
-                links.push((RowLink { groups, shifts, mask: None }, lanes));
+                links.push((
+                    RowLink {
+                        groups,
+                        shifts,
+                        mask: None,
+                    },
+                    lanes,
+                ));
             }
         }
     }
@@ -288,7 +300,9 @@ pub(crate) fn row_links<const N: usize>(
         .into_iter()
         .map(|(mut link, lanes)| {
             if lanes != [true; LANES] {
-                link.mask = Some(Box::new(Scalars(lanes.map(|used| f32::from(u8::from(used))))));
+                link.mask = Some(Box::new(Scalars(
+                    lanes.map(|used| f32::from(u8::from(used))),
+                )));
             }
             link
         })
@@ -297,7 +311,11 @@ pub(crate) fn row_links<const N: usize>(
     links
 }
 
-fn partner_columns<const N: usize>(grid: &Grid, column: u32, offsets: [u32; N]) -> Option<[u32; N]> {
+fn partner_columns<const N: usize>(
+    grid: &Grid,
+    column: u32,
+    offsets: [u32; N],
+) -> Option<[u32; N]> {
     let mut partners = [column; N];
     for (partner, offset) in partners.iter_mut().zip(offsets) {
         if grid.topology == Topology::Tube && offset >= grid.column_count {
@@ -331,7 +349,10 @@ fn lanes_are_free<const N: usize>(
     true
 }
 
-#[expect(clippy::cast_possible_truncation, reason = "a row holds fewer than 65,536 × 16 columns")]
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "a row holds fewer than 65,536 × 16 columns"
+)]
 const fn narrow_u16(value: usize) -> u16 {
     value as u16
 }
@@ -346,7 +367,12 @@ mod tests {
     use super::*;
 
     fn grid(column_count: u32, topology: Topology) -> Grid {
-        Grid { column_count, row_count: 3, topology, spacing: [0.01, 0.01] }
+        Grid {
+            column_count,
+            row_count: 3,
+            topology,
+            spacing: [0.01, 0.01],
+        }
     }
 
     #[test]
@@ -363,7 +389,10 @@ mod tests {
     fn check_pairs(grid: &Grid, stride: u32) {
         let layout = Layout::new(grid);
         let column_at = |group: u16, lane: usize| {
-            layout.slots.iter().position(|&slot| slot == (group, narrow_u8(lane)))
+            layout
+                .slots
+                .iter()
+                .position(|&slot| slot == (group, narrow_u8(lane)))
         };
         let mut found = Vec::new();
         for link in row_links(grid, &layout, [0, stride]) {
@@ -382,7 +411,11 @@ mod tests {
             let count = touched.len();
             touched.sort_unstable();
             touched.dedup();
-            assert_eq!(touched.len(), count, "two relations of one vector share a particle");
+            assert_eq!(
+                touched.len(),
+                count,
+                "two relations of one vector share a particle"
+            );
         }
         found.sort_unstable();
         let expected: Vec<_> = (0..grid.column_count)

@@ -64,8 +64,11 @@ impl ClothModel {
         check_lengths(spec)?;
         check_numbers(spec)?;
         let layout = Layout::new(&spec.grid);
-        let pin_indices: Vec<u32> =
-            (0u32..).zip(&spec.pinned).filter(|(_, pinned)| **pinned).map(|(i, _)| i).collect();
+        let pin_indices: Vec<u32> = (0u32..)
+            .zip(&spec.pinned)
+            .filter(|(_, pinned)| **pinned)
+            .map(|(i, _)| i)
+            .collect();
         let inv_masses: Vec<f32> = particle_masses(spec)
             .into_iter()
             .zip(&spec.pinned)
@@ -115,10 +118,19 @@ impl ClothModel {
 pub fn particle_masses(spec: &ClothSpec) -> Vec<f32> {
     let grid = &spec.grid;
     let cell_mass = spec.fabric.areal_density * grid.spacing[0] * grid.spacing[1];
-    #[expect(clippy::cast_precision_loss, reason = "cells are counted below 2^24 or rounded alike")]
+    #[expect(
+        clippy::cast_precision_loss,
+        reason = "cells are counted below 2^24 or rounded alike"
+    )]
     let uniform = (grid.cell_columns() * (grid.row_count - 1)) as f32 * cell_mass
         / grid.particle_count() as f32;
-    let half_at = |index: u32, count: u32| if index == 0 || index + 1 == count { 0.5 } else { 1.0 };
+    let half_at = |index: u32, count: u32| {
+        if index == 0 || index + 1 == count {
+            0.5
+        } else {
+            1.0
+        }
+    };
     let mut masses = Vec::with_capacity(grid.particle_count());
     for (row, &layers) in (0..grid.row_count).zip(&spec.row_layers) {
         masses.extend((0..grid.column_count).map(|column| {
@@ -149,7 +161,11 @@ fn check_lengths(spec: &ClothSpec) -> Result<(), BuildError> {
     ];
     for (field, actual, expected) in lengths {
         if actual != expected {
-            return Err(BuildError::WrongLength { field, actual, expected });
+            return Err(BuildError::WrongLength {
+                field,
+                actual,
+                expected,
+            });
         }
     }
     Ok(())
@@ -165,7 +181,11 @@ fn check_numbers(spec: &ClothSpec) -> Result<(), BuildError> {
     let layers = spec.row_layers.iter().map(|&layers| ("row_layers", layers));
     for (field, value) in positive.into_iter().chain(layers) {
         if !(value.is_finite() && 0.0 < value) {
-            return Err(BuildError::OutOfRange { field, value, rule: "finite and above 0" });
+            return Err(BuildError::OutOfRange {
+                field,
+                value,
+                rule: "finite and above 0",
+            });
         }
     }
     let not_negative = [
@@ -180,7 +200,11 @@ fn check_numbers(spec: &ClothSpec) -> Result<(), BuildError> {
     ];
     for (field, value) in not_negative {
         if !(value.is_finite() && 0.0 <= value) {
-            return Err(BuildError::OutOfRange { field, value, rule: "finite and not negative" });
+            return Err(BuildError::OutOfRange {
+                field,
+                value,
+                rule: "finite and not negative",
+            });
         }
     }
     Ok(())

@@ -115,7 +115,9 @@ fn hang(side: u32, substep_count: u32, strides: &[u32]) -> Setup {
     let rows = (0..side).flat_map(|row| (0..side).map(move |column| (row, column)));
     let at = |index: u32| narrow(f64::from(index) * 1.2 / f64::from(side - 1));
     Setup {
-        positions: rows.map(|(row, column)| Vec3::new(at(column) - 0.6, 0.0, at(row))).collect(),
+        positions: rows
+            .map(|(row, column)| Vec3::new(at(column) - 0.6, 0.0, at(row)))
+            .collect(),
         spec: ClothSpec {
             grid,
             fabric: FABRIC,
@@ -142,7 +144,10 @@ const WAVE_COUNT: f64 = 16.0;
 
 fn skirt() -> Setup {
     let (column_count, row_count) = (128, 64);
-    let spacing = [SKIRT_GIRTH / f64::from(column_count), SKIRT_LENGTH / f64::from(row_count - 1)];
+    let spacing = [
+        SKIRT_GIRTH / f64::from(column_count),
+        SKIRT_LENGTH / f64::from(row_count - 1),
+    ];
     let grid = Grid {
         column_count,
         row_count,
@@ -155,17 +160,25 @@ fn skirt() -> Setup {
         let radius = skirt_radius(f64::from(row) * spacing[1]);
         if 0 < row {
             let outward = radius - radius_above;
-            height -= (spacing[1] * spacing[1] - outward * outward).max(1.0e-8).sqrt();
+            height -= (spacing[1] * spacing[1] - outward * outward)
+                .max(1.0e-8)
+                .sqrt();
         }
         radius_above = radius;
         let ring = waved_ring(radius, SKIRT_GIRTH, column_count, WAVE_COUNT);
-        positions.extend(ring.into_iter().map(|[x, z]| Vec3::new(narrow(x), narrow(height), narrow(z))));
+        positions.extend(
+            ring.into_iter()
+                .map(|[x, z]| Vec3::new(narrow(x), narrow(height), narrow(z))),
+        );
     }
     let pinned = (0..grid.particle_count()).map(|particle| particle < column_count as usize);
     Setup {
         spec: ClothSpec {
             grid,
-            fabric: Fabric { areal_density: 0.18, ..FABRIC },
+            fabric: Fabric {
+                areal_density: 0.18,
+                ..FABRIC
+            },
             row_layers: vec![1.0; row_count as usize],
             mass: MassLaw::Uniform,
             pinned: pinned.collect(),
@@ -195,14 +208,19 @@ fn gathered() -> Setup {
     let ring = waved_ring(CASING_GIRTH / TAU, girth, column_count, FOLD_COUNT);
     let positions = (0..row_count).flat_map(|row| {
         let height = 0.05 - f64::from(row) * spacing[1];
-        ring.iter().map(move |&[x, z]| Vec3::new(narrow(x), narrow(height), narrow(z)))
+        ring.iter()
+            .map(move |&[x, z]| Vec3::new(narrow(x), narrow(height), narrow(z)))
     });
     let rows = (0..row_count).flat_map(|row| (0..column_count).map(move |_| row));
     Setup {
         positions: positions.collect(),
         spec: ClothSpec {
             grid,
-            fabric: Fabric { areal_density: 0.11, friction: 0.45, ..FABRIC },
+            fabric: Fabric {
+                areal_density: 0.11,
+                friction: 0.45,
+                ..FABRIC
+            },
             row_layers: vec![1.0; row_count as usize],
             mass: MassLaw::AreaWeighted,
             pinned: rows.map(|row| CASING_ROWS.contains(&row)).collect(),
@@ -225,7 +243,10 @@ pub fn swaying_hips(time: f64) -> Vec<Capsule> {
     swaying_capsules(0.0)
         .into_iter()
         .skip(3)
-        .map(|capsule| Capsule { ends: capsule.ends.map(|end| end + shift), ..capsule })
+        .map(|capsule| Capsule {
+            ends: capsule.ends.map(|end| end + shift),
+            ..capsule
+        })
         .collect()
 }
 
@@ -266,7 +287,11 @@ pub fn waved_ring(radius: f64, girth: f64, point_count: u32, wave_count: f64) ->
     for _ in 0..24 {
         let middle = 0.5 * (low + high);
         let total = lengths(middle).last().copied().unwrap_or(0.0);
-        if total < girth { low = middle } else { high = middle }
+        if total < girth {
+            low = middle
+        } else {
+            high = middle
+        }
     }
     let amplitude = 0.5 * (low + high);
     let lengths = lengths(amplitude);
@@ -306,9 +331,8 @@ const SIDE_CAPSULES: [([f64; 3], [f64; 3], f64, [f64; 2]); 5] = [
 #[must_use]
 pub fn swaying_capsules(time: f64) -> Vec<Capsule> {
     let sway = 0.08 * trig64::sin(TAU * time) * time.min(1.0);
-    let end = |[x, y, z]: [f64; 3], share: f64| {
-        Vec3::new(narrow(x + share * sway), narrow(y), narrow(z))
-    };
+    let end =
+        |[x, y, z]: [f64; 3], share: f64| Vec3::new(narrow(x + share * sway), narrow(y), narrow(z));
     let mut capsules: Vec<_> = MIDDLE_CAPSULES
         .iter()
         .map(|&(a, b, radius)| Capsule::uniform(end(a, 1.0), end(b, 1.0), narrow(radius)))
@@ -316,13 +340,20 @@ pub fn swaying_capsules(time: f64) -> Vec<Capsule> {
     for side in [-1.0, 1.0] {
         let mirror = |[x, y, z]: [f64; 3]| [side * x, y, z];
         capsules.extend(SIDE_CAPSULES.iter().map(|&(a, b, radius, share)| {
-            Capsule::uniform(end(mirror(a), share[0]), end(mirror(b), share[1]), narrow(radius))
+            Capsule::uniform(
+                end(mirror(a), share[0]),
+                end(mirror(b), share[1]),
+                narrow(radius),
+            )
         }));
     }
     capsules
 }
 
-#[expect(clippy::cast_possible_truncation, reason = "a scene is built in f64 and run in f32")]
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "a scene is built in f64 and run in f32"
+)]
 const fn narrow(value: f64) -> f32 {
     value as f32
 }

@@ -10,8 +10,12 @@ const FNV_PRIME: u64 = 0x0000_0100_0000_01b3;
 #[must_use]
 pub fn state_hash(state: &ClothState) -> u64 {
     let points = state.positions.iter().chain(&state.velocities);
-    let values = points.flat_map(|points| [points.x, points.y, points.z]).flatten();
-    values.flat_map(f32::to_le_bytes).fold(FNV_OFFSET, |hash, byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(FNV_PRIME)
-    })
+    let values = points
+        .flat_map(|points| [points.x, points.y, points.z])
+        .flatten();
+    values
+        .flat_map(f32::to_le_bytes)
+        .fold(FNV_OFFSET, |hash, byte| {
+            (hash ^ u64::from(byte)).wrapping_mul(FNV_PRIME)
+        })
 }

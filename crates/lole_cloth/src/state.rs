@@ -67,10 +67,19 @@ impl ClothState {
     /// # Panics
     /// When `positions` has another length than the model has particles.
     pub fn set_positions(&mut self, model: &ClothModel, positions: &[Vec3]) {
-        assert_eq!(positions.len(), model.spec().grid.particle_count(), "one position a particle");
+        assert_eq!(
+            positions.len(),
+            model.spec().grid.particle_count(),
+            "one position a particle"
+        );
         model.layout.scatter_points(positions, &mut self.positions);
         self.pin_targets.clear();
-        self.pin_targets.extend(model.pin_indices().iter().map(|&pin| positions[pin as usize]));
+        self.pin_targets.extend(
+            model
+                .pin_indices()
+                .iter()
+                .map(|&pin| positions[pin as usize]),
+        );
     }
 
     /// Gives every particle its velocity [m/s], row-major.
@@ -78,7 +87,11 @@ impl ClothState {
     /// # Panics
     /// When `velocities` has another length than the model has particles.
     pub fn set_velocities(&mut self, model: &ClothModel, velocities: &[Vec3]) {
-        assert_eq!(velocities.len(), model.spec().grid.particle_count(), "one velocity a particle");
+        assert_eq!(
+            velocities.len(),
+            model.spec().grid.particle_count(),
+            "one velocity a particle"
+        );
         self.velocities.fill(Points::default());
         for (particle, &velocity) in velocities.iter().enumerate() {
             let (vector, lane) = model.layout.slot(particle);

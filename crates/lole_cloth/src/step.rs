@@ -1,6 +1,6 @@
 //! One call of the engine: the cloth moves on by `dt`.
 
-use fearless_simd::{dispatch};
+use fearless_simd::dispatch;
 use glam::Vec3;
 use lole_geom::Capsule;
 

@@ -116,7 +116,10 @@ fn project_out<S: Simd>(
     let one = f32x16::splat(simd, 1.0);
     let axis = Vectors::splat(simd, capsule.axis);
     let from_start = position.sub(Vectors::splat(simd, capsule.start));
-    let s = smaller(larger(from_start.dot(axis) * capsule.inv_length_squared, zero), one);
+    let s = smaller(
+        larger(from_start.dot(axis) * capsule.inv_length_squared, zero),
+        one,
+    );
     let normal = from_start.sub(axis.scale(s));
     let squared = normal.dot(normal);
     let radius = s * capsule.radii[1] + capsule.radii[0];
@@ -129,16 +132,21 @@ fn project_out<S: Simd>(
     let inv_distance = one / larger(distance, f32x16::splat(simd, DEGENERATE_DISTANCE));
     let mut normal = normal.scale(inv_distance);
     normal.z = on_axis.select(one, normal.z);
-    let surface =
-        Vectors::splat(simd, capsule.displacement).add(Vectors::splat(simd, capsule.stretch).scale(s));
+    let surface = Vectors::splat(simd, capsule.displacement)
+        .add(Vectors::splat(simd, capsule.stretch).scale(s));
     let slip = position.sub(before).sub(surface);
     let approach = slip.dot(normal);
-    let depth = smaller(radius - distance, larger(zero - approach, zero) + law.depenetration);
+    let depth = smaller(
+        radius - distance,
+        larger(zero - approach, zero) + law.depenetration,
+    );
     let depth = touching.select(depth, zero);
     let tangential = slip.sub(normal.scale(approach));
     let slip_length = tangential.dot(tangential).sqrt() + DEGENERATE_SLIP;
     let held = smaller(depth * law.friction / slip_length, one);
-    *position = position.add(normal.scale(depth)).sub(tangential.scale(held));
+    *position = position
+        .add(normal.scale(depth))
+        .sub(tangential.scale(held));
     true
 }
 
@@ -167,7 +175,10 @@ impl RowContacts {
         self.starts.clear();
         self.capsule_indices.clear();
         self.starts.push(0);
-        for (row, speeds) in positions.chunks_exact(width).zip(velocities.chunks_exact(width)) {
+        for (row, speeds) in positions
+            .chunks_exact(width)
+            .zip(velocities.chunks_exact(width))
+        {
             let travel = (fastest(simd, speeds) + speed_gain) * dt;
             for (index, (before, after)) in (0u32..).zip(before.iter().zip(after)) {
                 let moved = (after.ends[0] - before.ends[0])
@@ -178,11 +189,16 @@ impl RowContacts {
                     ends: before.ends,
                     radii: [0, 1].map(|end| before.radii[end].max(after.radii[end]) + reach),
                 };
-                if touches(simd, row, &MovingCapsule::new([&grown, &grown], 1.0, 0.0, 0.0)) {
+                if touches(
+                    simd,
+                    row,
+                    &MovingCapsule::new([&grown, &grown], 1.0, 0.0, 0.0),
+                ) {
                     self.capsule_indices.push(index);
                 }
             }
-            self.starts.push(u32::try_from(self.capsule_indices.len()).unwrap_or(u32::MAX));
+            self.starts
+                .push(u32::try_from(self.capsule_indices.len()).unwrap_or(u32::MAX));
         }
     }
 }
@@ -205,11 +221,17 @@ fn touches<S: Simd>(simd: S, row: &[Points], capsule: &MovingCapsule) -> bool {
     let one = f32x16::splat(simd, 1.0);
     let axis = Vectors::splat(simd, capsule.axis);
     let start = Vectors::splat(simd, capsule.start);
-    row.iter().any(#[inline(always)] |points| {
-        let from_start = Vectors::load(simd, points).sub(start);
-        let s = smaller(larger(from_start.dot(axis) * capsule.inv_length_squared, zero), one);
-        let normal = from_start.sub(axis.scale(s));
-        let radius = s * capsule.radii[1] + capsule.radii[0];
-        normal.dot(normal).simd_lt(radius * radius).any_true()
-    })
+    row.iter().any(
+        #[inline(always)]
+        |points| {
+            let from_start = Vectors::load(simd, points).sub(start);
+            let s = smaller(
+                larger(from_start.dot(axis) * capsule.inv_length_squared, zero),
+                one,
+            );
+            let normal = from_start.sub(axis.scale(s));
+            let radius = s * capsule.radii[1] + capsule.radii[0];
+            normal.dot(normal).simd_lt(radius * radius).any_true()
+        },
+    )
 }

@@ -13,7 +13,7 @@ use crate::{Grid, Topology};
 
 /// How far beyond touching candidates are kept [diameters]: folds move together, so what one
 /// gains on another in a step is far less than its speed.
-const MARGIN: f32 = 0.5;
+const MARGIN: f32 = 1.0;
 
 /// Columns and rows within which particles are held apart by their springs alone.
 const NEIGHBOR_COLUMNS: u32 = 1;
@@ -59,7 +59,10 @@ impl ClothContactLaw {
     /// Spheres of `radius` that never reach farther than the cloth's own columns.
     pub(crate) fn new(grid: &Grid, radius: f32, depenetration: f32) -> Self {
         let diameter = (2.0 * radius).min(grid.spacing[0]);
-        Self { diameter, depenetration }
+        Self {
+            diameter,
+            depenetration,
+        }
     }
 
     /// Half of the part of a column that a particle stands for [m].
@@ -77,7 +80,8 @@ impl ClothContacts {
         positions: &[Points],
         law: ClothContactLaw,
     ) {
-        self.pairs.resize_with(grid.particle_count().div_ceil(TASK_LENGTH), Vec::new);
+        self.pairs
+            .resize_with(grid.particle_count().div_ceil(TASK_LENGTH), Vec::new);
         layout.gather_points(positions, &mut self.positions);
         if !self.positions.iter().all(|position| position.is_finite()) {
             self.pairs.iter_mut().for_each(Vec::clear);
@@ -119,7 +123,13 @@ impl ClothContacts {
         let half_thread = law.half_thread(grid);
         for &[first, second] in self.pairs.iter().flatten() {
             let (first, second) = (first as usize, second as usize);
-            solve_pair(&mut self.particles, [first, second], columns, half_thread, law);
+            solve_pair(
+                &mut self.particles,
+                [first, second],
+                columns,
+                half_thread,
+                law,
+            );
         }
         self.store(layout, positions, predicted);
     }
@@ -127,10 +137,18 @@ impl ClothContacts {
     fn load(&mut self, layout: &Layout, positions: &[Points], inv_masses: &[Scalars]) {
         layout.gather_points(positions, &mut self.positions);
         self.particles.clear();
-        self.particles.extend(self.positions.iter().enumerate().map(|(particle, &position)| {
-            let (vector, lane) = layout.slot(particle);
-            Particle { position, inv_mass: inv_masses[vector].0[lane] }
-        }));
+        self.particles.extend(
+            self.positions
+                .iter()
+                .enumerate()
+                .map(|(particle, &position)| {
+                    let (vector, lane) = layout.slot(particle);
+                    Particle {
+                        position,
+                        inv_mass: inv_masses[vector].0[lane],
+                    }
+                }),
+        );
     }
 
     fn store(&mut self, layout: &Layout, positions: &mut [Points], predicted: &mut [Points]) {
@@ -192,10 +210,18 @@ fn solve_pair(
         return;
     }
     let above = second.checked_sub(columns).unwrap_or(second);
-    let below = if second + columns < particles.len() { second + columns } else { second };
+    let below = if second + columns < particles.len() {
+        second + columns
+    } else {
+        second
+    };
     let thread = particles[below].position - particles[above].position;
     let thread_squared = thread.length_squared();
-    let along = if thread_squared < DEGENERATE_SQUARED { 0.0 } else { offset.dot(thread) };
+    let along = if thread_squared < DEGENERATE_SQUARED {
+        0.0
+    } else {
+        offset.dot(thread)
+    };
     // The foot on the thread: as far along it as the particle stands for.
     let limit = half_thread * thread_squared.sqrt();
     let foot = along.clamp(-limit, limit) / thread_squared.max(DEGENERATE_SQUARED);

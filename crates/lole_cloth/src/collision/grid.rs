@@ -29,7 +29,10 @@ impl CellGrid {
     /// Sorts `positions`, all finite, into cells of at least `cell_size` [m].
     pub(crate) fn sort(&mut self, positions: &[Vec3], cell_size: f32) {
         let low = positions.iter().copied().fold(Vec3::INFINITY, Vec3::min);
-        let high = positions.iter().copied().fold(Vec3::NEG_INFINITY, Vec3::max);
+        let high = positions
+            .iter()
+            .copied()
+            .fold(Vec3::NEG_INFINITY, Vec3::max);
         let extent = (high - low).max(Vec3::ZERO);
         let mut size = cell_size;
         let cell_count = |size: f32| {
@@ -66,7 +69,11 @@ impl CellGrid {
 
     /// Backwards, so that every start ends where its cell begins and equal cells keep their order.
     fn fill(&mut self, positions: &[Vec3]) {
-        let blank = Entry { position: Vec3::ZERO, particle: 0, cell: 0 };
+        let blank = Entry {
+            position: Vec3::ZERO,
+            particle: 0,
+            cell: 0,
+        };
         self.entries.clear();
         self.entries.resize(positions.len(), blank);
         // starts[c + 1] is the end of cell c; counting it down makes it the start of cell c.
@@ -74,7 +81,11 @@ impl CellGrid {
         for ((particle, &position), &cell) in (0..count).zip(positions).zip(&self.cells).rev() {
             let end = &mut self.starts[cell as usize + 1];
             *end -= 1;
-            self.entries[*end as usize] = Entry { position, particle, cell };
+            self.entries[*end as usize] = Entry {
+                position,
+                particle,
+                cell,
+            };
         }
         // Shift back: now starts[c + 1] begins cell c, and the last entry is the end of all.
         self.starts.remove(0);
@@ -90,7 +101,12 @@ impl CellGrid {
         let layer = width * height;
         let end = self.starts[cell as usize + 2] as usize;
         visit(&self.entries[index + 1..end]);
-        for middle in [cell + width, cell + layer - width, cell + layer, cell + layer + width] {
+        for middle in [
+            cell + width,
+            cell + layer - width,
+            cell + layer,
+            cell + layer + width,
+        ] {
             let start = self.starts[middle as usize - 1] as usize;
             let end = self.starts[middle as usize + 2] as usize;
             visit(&self.entries[start..end]);

@@ -19,22 +19,25 @@ pub(crate) fn solve_rows<S: Simd>(
     links: &[RowLink<3>],
     scaled_compliance: f32,
 ) {
-    rows.each_row(#[inline(always)] |row, inv_masses| {
-        for link in links {
-            let (left, inv_left) = load_partner(simd, link, 0, row, inv_masses);
-            let (middle, inv_middle) = load_partner(simd, link, 1, row, inv_masses);
-            let (right, inv_right) = load_partner(simd, link, 2, row, inv_masses);
-            let curvature = left.add(right).sub(middle.add(middle));
-            let mut factor = f32x16::splat(simd, 1.0)
-                / (inv_left + inv_right + inv_middle * 4.0 + scaled_compliance);
-            if let Some(mask) = &link.mask {
-                factor *= f32x16::load_array_ref(simd, &mask.0);
+    rows.each_row(
+        #[inline(always)]
+        |row, inv_masses| {
+            for link in links {
+                let (left, inv_left) = load_partner(simd, link, 0, row, inv_masses);
+                let (middle, inv_middle) = load_partner(simd, link, 1, row, inv_masses);
+                let (right, inv_right) = load_partner(simd, link, 2, row, inv_masses);
+                let curvature = left.add(right).sub(middle.add(middle));
+                let mut factor = f32x16::splat(simd, 1.0)
+                    / (inv_left + inv_right + inv_middle * 4.0 + scaled_compliance);
+                if let Some(mask) = &link.mask {
+                    factor *= f32x16::load_array_ref(simd, &mask.0);
+                }
+                add_to_partner(link, 0, curvature.scale(-(factor * inv_left)), row);
+                add_to_partner(link, 1, curvature.scale(factor * inv_middle * 2.0), row);
+                add_to_partner(link, 2, curvature.scale(-(factor * inv_right)), row);
             }
-            add_to_partner(link, 0, curvature.scale(-(factor * inv_left)), row);
-            add_to_partner(link, 1, curvature.scale(factor * inv_middle * 2.0), row);
-            add_to_partner(link, 2, curvature.scale(-(factor * inv_right)), row);
-        }
-    });
+        },
+    );
 }
 
 /// Solves bending down columns, from the top to the bottom.
@@ -51,13 +54,22 @@ pub(crate) fn solve_columns<S: Simd>(simd: S, rows: &mut Rows<'_>, scaled_compli
             let inv_upper = f32x16::load_array_ref(simd, &inv_masses[group].0);
             let inv_middle = f32x16::load_array_ref(simd, &inv_masses[width + group].0);
             let inv_lower = f32x16::load_array_ref(simd, &inv_masses[2 * width + group].0);
-            let points = [&upper[group], &middle[group], &lower[group]].map(#[inline(always)] |p| Vectors::load(simd, p));
+            let points = [&upper[group], &middle[group], &lower[group]].map(
+                #[inline(always)]
+                |p| Vectors::load(simd, p),
+            );
             let curvature = points[0].add(points[2]).sub(points[1].add(points[1]));
             let factor = f32x16::splat(simd, 1.0)
                 / (inv_upper + inv_lower + inv_middle * 4.0 + scaled_compliance);
-            points[0].sub(curvature.scale(factor * inv_upper)).store(&mut upper[group]);
-            points[1].add(curvature.scale(factor * inv_middle * 2.0)).store(&mut middle[group]);
-            points[2].sub(curvature.scale(factor * inv_lower)).store(&mut lower[group]);
+            points[0]
+                .sub(curvature.scale(factor * inv_upper))
+                .store(&mut upper[group]);
+            points[1]
+                .add(curvature.scale(factor * inv_middle * 2.0))
+                .store(&mut middle[group]);
+            points[2]
+                .sub(curvature.scale(factor * inv_lower))
+                .store(&mut lower[group]);
         }
     }
 }

@@ -22,38 +22,54 @@ const DEGENERATE_LENGTH: f32 = 1.0e-7;
 /// Solves every cell, from the top row of cells to the bottom.
 #[inline(always)]
 pub(crate) fn solve<S: Simd>(simd: S, rows: &mut Rows<'_>, links: &[RowLink<2>], cell: Cell) {
-    rows.each_row_pair(1, #[inline(always)] |[upper, lower], [inv_upper, inv_lower]| {
-        for link in links {
-            let corners = [
-                load_partner(simd, link, 0, upper, inv_upper),
-                load_partner(simd, link, 1, upper, inv_upper),
-                load_partner(simd, link, 0, lower, inv_lower),
-                load_partner(simd, link, 1, lower, inv_lower),
-            ];
-            let mask = match &link.mask {
-                Some(mask) => f32x16::load_array_ref(simd, &mask.0),
-                None => f32x16::splat(simd, 1.0),
-            };
-            let inv_masses = corners.map(#[inline(always)] |(_, inv_mass)| inv_mass * mask);
-            let mut points = corners.map(#[inline(always)] |(point, _)| point);
-            solve_twist(simd, &mut points, &inv_masses, cell);
-            solve_diagonal(simd, &mut points, &inv_masses, ([0, 3], cell));
-            solve_diagonal(simd, &mut points, &inv_masses, ([1, 2], cell));
-            let [left, right] = link.groups.map(usize::from);
-            if left == right {
-                // A narrow cloth: both corners of a row live in one vector, so only changes add up.
-                for (corner, (point, (before, _))) in points.into_iter().zip(corners).enumerate() {
-                    let row = if corner < 2 { &mut *upper } else { &mut *lower };
-                    add_to_partner(link, corner % 2, point.sub(before), row);
+    rows.each_row_pair(
+        1,
+        #[inline(always)]
+        |[upper, lower], [inv_upper, inv_lower]| {
+            for link in links {
+                let corners = [
+                    load_partner(simd, link, 0, upper, inv_upper),
+                    load_partner(simd, link, 1, upper, inv_upper),
+                    load_partner(simd, link, 0, lower, inv_lower),
+                    load_partner(simd, link, 1, lower, inv_lower),
+                ];
+                let mask = match &link.mask {
+                    Some(mask) => f32x16::load_array_ref(simd, &mask.0),
+                    None => f32x16::splat(simd, 1.0),
+                };
+                let inv_masses = corners.map(
+                    #[inline(always)]
+                    |(_, inv_mass)| inv_mass * mask,
+                );
+                let mut points = corners.map(
+                    #[inline(always)]
+                    |(point, _)| point,
+                );
+                solve_twist(simd, &mut points, &inv_masses, cell);
+                solve_diagonal(simd, &mut points, &inv_masses, ([0, 3], cell));
+                solve_diagonal(simd, &mut points, &inv_masses, ([1, 2], cell));
+                let [left, right] = link.groups.map(usize::from);
+                if left == right {
+                    // A narrow cloth: both corners of a row live in one vector, so only changes add up.
+                    for (corner, (point, (before, _))) in
+                        points.into_iter().zip(corners).enumerate()
+                    {
+                        let row = if corner < 2 { &mut *upper } else { &mut *lower };
+                        add_to_partner(link, corner % 2, point.sub(before), row);
+                    }
+                    continue;
                 }
-                continue;
+                points[0].store(&mut upper[left]);
+                points[2].store(&mut lower[left]);
+                points[1]
+                    .rotate_right(link.shifts[1])
+                    .store(&mut upper[right]);
+                points[3]
+                    .rotate_right(link.shifts[1])
+                    .store(&mut lower[right]);
             }
-            points[0].store(&mut upper[left]);
-            points[2].store(&mut lower[left]);
-            points[1].rotate_right(link.shifts[1]).store(&mut upper[right]);
-            points[3].rotate_right(link.shifts[1]).store(&mut lower[right]);
-        }
-    });
+        },
+    );
 }
 
 #[inline(always)]

@@ -32,36 +32,55 @@ fn correction<S: Simd>(
 
 /// Solves every spring along rows.
 #[inline(always)]
-pub(crate) fn solve_rows<S: Simd>(simd: S, rows: &mut Rows<'_>, links: &[RowLink<2>], spring: Spring) {
-    rows.each_row(#[inline(always)] |row, inv_masses| {
-        for link in links {
-            let (first, inv_mass_first) = load_partner(simd, link, 0, row, inv_masses);
-            let (second, inv_mass_second) = load_partner(simd, link, 1, row, inv_masses);
-            let (offset, mut factor) =
-                correction(second.sub(first), inv_mass_first + inv_mass_second, spring);
-            if let Some(mask) = &link.mask {
-                factor *= f32x16::load_array_ref(simd, &mask.0);
+pub(crate) fn solve_rows<S: Simd>(
+    simd: S,
+    rows: &mut Rows<'_>,
+    links: &[RowLink<2>],
+    spring: Spring,
+) {
+    rows.each_row(
+        #[inline(always)]
+        |row, inv_masses| {
+            for link in links {
+                let (first, inv_mass_first) = load_partner(simd, link, 0, row, inv_masses);
+                let (second, inv_mass_second) = load_partner(simd, link, 1, row, inv_masses);
+                let (offset, mut factor) =
+                    correction(second.sub(first), inv_mass_first + inv_mass_second, spring);
+                if let Some(mask) = &link.mask {
+                    factor *= f32x16::load_array_ref(simd, &mask.0);
+                }
+                add_to_partner(link, 0, offset.scale(factor * inv_mass_first), row);
+                add_to_partner(link, 1, offset.scale(-(factor * inv_mass_second)), row);
             }
-            add_to_partner(link, 0, offset.scale(factor * inv_mass_first), row);
-            add_to_partner(link, 1, offset.scale(-(factor * inv_mass_second)), row);
-        }
-    });
+        },
+    );
 }
 
 /// Solves every spring down columns, from the top row to the bottom.
 #[inline(always)]
 pub(crate) fn solve_columns<S: Simd>(simd: S, rows: &mut Rows<'_>, spring: Spring) {
-    rows.each_row_pair(1, #[inline(always)] |[upper, lower], [inv_upper, inv_lower]| {
-        let pairs = upper.iter_mut().zip(lower).zip(inv_upper.iter().zip(inv_lower));
-        for ((upper, lower), (inv_upper, inv_lower)) in pairs {
-            let first = Vectors::load(simd, upper);
-            let second = Vectors::load(simd, lower);
-            let inv_mass_first = f32x16::load_array_ref(simd, &inv_upper.0);
-            let inv_mass_second = f32x16::load_array_ref(simd, &inv_lower.0);
-            let (offset, factor) =
-                correction(second.sub(first), inv_mass_first + inv_mass_second, spring);
-            first.add(offset.scale(factor * inv_mass_first)).store(upper);
-            second.sub(offset.scale(factor * inv_mass_second)).store(lower);
-        }
-    });
+    rows.each_row_pair(
+        1,
+        #[inline(always)]
+        |[upper, lower], [inv_upper, inv_lower]| {
+            let pairs = upper
+                .iter_mut()
+                .zip(lower)
+                .zip(inv_upper.iter().zip(inv_lower));
+            for ((upper, lower), (inv_upper, inv_lower)) in pairs {
+                let first = Vectors::load(simd, upper);
+                let second = Vectors::load(simd, lower);
+                let inv_mass_first = f32x16::load_array_ref(simd, &inv_upper.0);
+                let inv_mass_second = f32x16::load_array_ref(simd, &inv_lower.0);
+                let (offset, factor) =
+                    correction(second.sub(first), inv_mass_first + inv_mass_second, spring);
+                first
+                    .add(offset.scale(factor * inv_mass_first))
+                    .store(upper);
+                second
+                    .sub(offset.scale(factor * inv_mass_second))
+                    .store(lower);
+            }
+        },
+    );
 }

@@ -46,7 +46,11 @@ impl Tethers {
             Self::Anchors(spread_anchors(&spec.grid, layout, pin_indices))
         } else {
             let nearest = (0..spec.grid.row_count).map(|row| {
-                pinned_rows.iter().copied().min_by_key(|&pinned| pinned.abs_diff(row)).unwrap_or(row)
+                pinned_rows
+                    .iter()
+                    .copied()
+                    .min_by_key(|&pinned| pinned.abs_diff(row))
+                    .unwrap_or(row)
             });
             Self::Rows(nearest.collect())
         }
@@ -65,7 +69,10 @@ fn spread_anchors(grid: &Grid, layout: &Layout, pin_indices: &[u32]) -> Vec<Anch
         for (gap, &other) in gaps.iter_mut().zip(pin_indices) {
             *gap = gap.min(lengths[other as usize]);
         }
-        anchors.push(Anchor { pin, rest_lengths: layout.scatter(&lengths) });
+        anchors.push(Anchor {
+            pin,
+            rest_lengths: layout.scatter(&lengths),
+        });
         let farthest = (0..gaps.len()).max_by(|&a, &b| gaps[a].total_cmp(&gaps[b]).then(b.cmp(&a)));
         pin = farthest.unwrap_or(0);
     }
@@ -81,8 +88,14 @@ fn flat_distance(grid: &Grid, first: usize, second: usize) -> f32 {
         Topology::Tube => across.min(columns - across),
     };
     let down = (first / columns).abs_diff(second / columns);
-    #[expect(clippy::cast_precision_loss, reason = "a grid has fewer than 2^24 rows and columns")]
-    let (u, v) = (across as f32 * grid.spacing[0], down as f32 * grid.spacing[1]);
+    #[expect(
+        clippy::cast_precision_loss,
+        reason = "a grid has fewer than 2^24 rows and columns"
+    )]
+    let (u, v) = (
+        across as f32 * grid.spacing[0],
+        down as f32 * grid.spacing[1],
+    );
     (u * u + v * v).sqrt()
 }
 
@@ -100,12 +113,20 @@ pub(crate) fn solve_row<S: Simd>(
         let point = Vectors::load(simd, points);
         let offset = point.sub(Vectors::load(simd, anchor));
         let squared = offset.dot(offset);
-        if !f32x16::splat(simd, limit * limit).simd_lt(squared).any_true() {
+        if !f32x16::splat(simd, limit * limit)
+            .simd_lt(squared)
+            .any_true()
+        {
             continue;
         }
         let free = zero.simd_lt(f32x16::load_array_ref(simd, &inv_mass.0));
-        let excess = larger(zero, f32x16::splat(simd, 1.0) - f32x16::splat(simd, limit) / squared.sqrt());
-        point.sub(offset.scale(free.select(excess, zero))).store(points);
+        let excess = larger(
+            zero,
+            f32x16::splat(simd, 1.0) - f32x16::splat(simd, limit) / squared.sqrt(),
+        );
+        point
+            .sub(offset.scale(free.select(excess, zero)))
+            .store(points);
     }
 }
 
@@ -132,6 +153,8 @@ pub(crate) fn solve_anchor<S: Simd>(
             continue;
         }
         let excess = f32x16::splat(simd, 1.0) - limit / squared.sqrt();
-        point.sub(offset.scale(taut.select(excess, zero))).store(points);
+        point
+            .sub(offset.scale(taut.select(excess, zero)))
+            .store(points);
     }
 }

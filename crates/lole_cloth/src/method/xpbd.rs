@@ -41,7 +41,10 @@ impl Substep {
     fn new(model: &ClothModel, config: &SolverConfig, air_velocity: Vec3, dt: f32) -> Self {
         let count = config.substep_count.get();
         #[expect(clippy::cast_precision_loss, reason = "substeps and sweeps are few")]
-        let (h, sweeps) = (dt / count as f32, config.structural_sweep_count.get() as f32);
+        let (h, sweeps) = (
+            dt / count as f32,
+            config.structural_sweep_count.get() as f32,
+        );
         let fabric = &model.spec().fabric;
         let [u, v] = model.spec().grid.spacing;
         let scaled_compliance = |stiffness: f32| 1.0 / (stiffness * h * h);
@@ -106,7 +109,10 @@ pub(crate) fn advance<S: Simd>(
             config.depenetration_speed * substep.h,
         );
         let grid = &model.spec().grid;
-        state.scratch.cloth_contacts.find(grid, &model.layout, &state.positions, law);
+        state
+            .scratch
+            .cloth_contacts
+            .find(grid, &model.layout, &state.positions, law);
         (law, contact.substep_interval.get())
     });
     for index in 0..substep.count {
@@ -115,10 +121,16 @@ pub(crate) fn advance<S: Simd>(
         if let Some((law, interval)) = cloth_contact
             && index % interval == 0
         {
-            let columns =
-                (&mut state.positions[..], &mut state.scratch.predicted[..], &model.inv_masses[..]);
+            let columns = (
+                &mut state.positions[..],
+                &mut state.scratch.predicted[..],
+                &model.inv_masses[..],
+            );
             let grid = &model.spec().grid;
-            state.scratch.cloth_contacts.solve(grid, &model.layout, columns, law);
+            state
+                .scratch
+                .cloth_contacts
+                .solve(grid, &model.layout, columns, law);
         }
         solve_structural(simd, model, config, &substep, state);
         move_capsules(config, input, index, &substep, state);
@@ -129,7 +141,12 @@ pub(crate) fn advance<S: Simd>(
 
 /// Pinned particles fly straight to their targets, so every substep finds them on the way.
 fn start_pins(model: &ClothModel, targets: &[Vec3], state: &mut ClothState, dt: f32) {
-    for ((&pin, &target), &start) in model.pin_indices().iter().zip(targets).zip(&state.pin_targets) {
+    for ((&pin, &target), &start) in model
+        .pin_indices()
+        .iter()
+        .zip(targets)
+        .zip(&state.pin_targets)
+    {
         let (vector, lane) = model.layout.slot(pin as usize);
         state.velocities[vector].set(lane, (target - start) / dt);
     }
@@ -162,7 +179,9 @@ fn predict<S: Simd>(simd: S, model: &ClothModel, substep: &Substep, state: &mut 
     let kept = f32x16::splat(simd, substep.drag_kept);
     let h = f32x16::splat(simd, substep.h);
     let columns = state.positions.iter_mut().zip(&mut state.velocities);
-    let columns = columns.zip(&mut state.scratch.predicted).zip(&model.inv_masses);
+    let columns = columns
+        .zip(&mut state.scratch.predicted)
+        .zip(&model.inv_masses);
     for (((position, velocity), predicted), inv_mass) in columns {
         let free = zero.simd_lt(f32x16::load_array_ref(simd, &inv_mass.0));
         let before = Vectors::load(simd, velocity);
@@ -237,7 +256,8 @@ fn solve_tethers<S: Simd>(simd: S, model: &ClothModel, scale: f32, state: &mut C
         Tethers::Rows(anchor_rows) => {
             let spacing = model.spec().grid.spacing[1] * scale;
             for (row, &anchor_row) in anchor_rows.iter().enumerate() {
-                let (anchor_row, distance) = (anchor_row as usize, row.abs_diff(anchor_row as usize));
+                let (anchor_row, distance) =
+                    (anchor_row as usize, row.abs_diff(anchor_row as usize));
                 if distance < 2 {
                     continue;
                 }
@@ -259,7 +279,13 @@ fn solve_tethers<S: Simd>(simd: S, model: &ClothModel, scale: f32, state: &mut C
                 let (vector, lane) = model.layout.slot(model.pin_indices()[anchor.pin] as usize);
                 let position = state.positions[vector].get(lane);
                 let columns = (&model.inv_masses, &anchor.rest_lengths);
-                tether::solve_anchor(simd, &mut state.positions, columns.0, columns.1, (position, scale));
+                tether::solve_anchor(
+                    simd,
+                    &mut state.positions,
+                    columns.0,
+                    columns.1,
+                    (position, scale),
+                );
             }
         }
     }
@@ -273,12 +299,23 @@ fn move_capsules(
     state: &mut ClothState,
 ) {
     #[expect(clippy::cast_precision_loss, reason = "substeps are few")]
-    let (fraction, share) =
-        ((index + 1) as f32 / substep.count as f32, 1.0 / substep.count as f32);
+    let (fraction, share) = (
+        (index + 1) as f32 / substep.count as f32,
+        1.0 / substep.count as f32,
+    );
     state.scratch.moving_capsules.clear();
-    state.scratch.moving_capsules.extend(state.capsules.iter().zip(input.capsules).map(
-        |(before, after)| MovingCapsule::new([before, after], fraction, share, config.contact_offset),
-    ));
+    state
+        .scratch
+        .moving_capsules
+        .extend(
+            state
+                .capsules
+                .iter()
+                .zip(input.capsules)
+                .map(|(before, after)| {
+                    MovingCapsule::new([before, after], fraction, share, config.contact_offset)
+                }),
+        );
 }
 
 #[inline(always)]
@@ -291,20 +328,35 @@ fn resolve_contacts_and_update_velocities<S: Simd>(
     let width = model.layout.group_count;
     let h = f32x16::splat(simd, substep.h);
     let inv_h = f32x16::splat(simd, 1.0 / substep.h);
-    let rows = state.positions.chunks_exact_mut(width).zip(state.velocities.chunks_exact_mut(width));
+    let rows = state
+        .positions
+        .chunks_exact_mut(width)
+        .zip(state.velocities.chunks_exact_mut(width));
     let rows = rows.zip(state.scratch.predicted.chunks_exact(width));
     let rows = rows.zip(model.inv_masses.chunks_exact(width));
     for (row, (((positions, velocities), predicted), inv_masses)) in rows.enumerate() {
-        let capsules = (&state.scratch.moving_capsules[..], state.scratch.row_contacts.row(row));
+        let capsules = (
+            &state.scratch.moving_capsules[..],
+            state.scratch.row_contacts.row(row),
+        );
         for group in 0..width {
             let mut position = Vectors::load(simd, &positions[group]);
             let velocity = Vectors::load(simd, &velocities[group]);
             let predicted = Vectors::load(simd, &predicted[group]);
             let inv_mass = f32x16::load_array_ref(simd, &inv_masses[group].0);
             let before = predicted.sub(velocity.scale(h));
-            capsule::project(simd, &mut position, before, inv_mass, capsules, substep.contact);
+            capsule::project(
+                simd,
+                &mut position,
+                before,
+                inv_mass,
+                capsules,
+                substep.contact,
+            );
             position.store(&mut positions[group]);
-            velocity.add(position.sub(predicted).scale(inv_h)).store(&mut velocities[group]);
+            velocity
+                .add(position.sub(predicted).scale(inv_h))
+                .store(&mut velocities[group]);
         }
     }
 }

@@ -1,0 +1,200 @@
+//! Laws of free motion: fall, momentum, slackness, rotation.
+
+mod xpbd_support;
+
+use glam::{Quat, Vec3};
+use lole_cloth::diagnose;
+use xpbd_support::{DT, FABRIC, World, flat_positions, mean, sheet_spec};
+
+#[test]
+fn a_level_sheet_falls_as_a_stone() {
+    for columns in [16, 23, 40] {
+        let positions = flat_positions(columns, 10, 0.02);
+        let mut world = World::new(&sheet_spec(columns, 10, 0.02, FABRIC), &positions);
+        for _ in 0..60 {
+            world.step(&[]);
+        }
+        // Symplectic Euler falls g t (t + h) / 2.
+        let h = DT / world.config.substep_count.get() as f32;
+        let expected = -0.5 * 9.81 * (1.0 + h);
+        for position in world.positions() {
+            assert!(
+                (position.y - expected).abs() < 2.0e-3,
+                "{} of {expected}",
+                position.y
+            );
+        }
+    }
+}
+
+#[test]
+fn drag_slows_a_fall_as_the_closed_form_says() {
+    let fabric = lole_cloth::Fabric {
+        drag_rate: 2.0,
+        ..FABRIC
+    };
+    let positions = flat_positions(16, 8, 0.02);
+    let mut world = World::new(&sheet_spec(16, 8, 0.02, fabric), &positions).with_substeps(64);
+    for _ in 0..60 {
+        world.step(&[]);
+    }
+    // v = -g / k (1 - exp(-k t)) at t = 1 s, k = 2 / s.
+    let expected = -9.81 / 2.0 * (1.0 - 0.135_335_28);
+    let velocity = mean(&world.velocities()).y;
+    assert!(
+        (velocity / expected - 1.0).abs() < 2.0e-3,
+        "{velocity} of {expected}"
+    );
+}
+
+#[test]
+fn springs_keep_the_momentum_of_a_free_sheet() {
+    let mut positions = flat_positions(33, 20, 0.02);
+    for (index, position) in positions.iter_mut().enumerate() {
+        position.y += 0.01 * ((index * 7919 % 101) as f32 / 101.0 - 0.5);
+    }
+    let mut world = World::new(&sheet_spec(33, 20, 0.02, FABRIC), &positions);
+    world.config.gravity = Vec3::ZERO;
+    world.config.row_strides = vec![8, 4];
+    world.config.column_strides = vec![8, 4];
+    let before = mean(&positions);
+    for _ in 0..30 {
+        world.step(&[]);
+    }
+    let fastest = world
+        .velocities()
+        .iter()
+        .map(|v| v.length())
+        .fold(0.0, f32::max);
+    assert!(
+        1.0e-3 < fastest,
+        "the sheet moves, so the law says something"
+    );
+    assert!(mean(&world.velocities()).length() < 1.0e-5);
+    assert!(mean(&world.positions()).distance(before) < 1.0e-5);
+}
+
+#[test]
+fn a_resting_plane_stays_at_rest_however_it_is_turned() {
+    let turn = Quat::from_axis_angle(Vec3::new(0.6, 0.0, 0.8), 0.7);
+    let positions: Vec<_> = flat_positions(20, 12, 0.02)
+        .iter()
+        .map(|&position| turn * position)
+        .collect();
+    let mut world = World::new(&sheet_spec(20, 12, 0.02, FABRIC), &positions);
+    world.config.gravity = Vec3::ZERO;
+    for _ in 0..10 {
+        world.step(&[]);
+    }
+    for (now, start) in world.positions().iter().zip(&positions) {
+        assert!(now.distance(*start) < 2.0e-6);
+    }
+}
+
+#[test]
+fn bending_does_not_know_directions() {
+    let turn = Quat::from_axis_angle(Vec3::new(0.0, 0.6, 0.8), 1.1);
+    let mut bent = flat_positions(20, 12, 0.02);
+    for position in &mut bent {
+        position.y = position.x * position.x * 2.0;
+    }
+    let turned: Vec<_> = bent.iter().map(|&position| turn * position).collect();
+    let run = |positions: &[Vec3]| {
+        let mut world = World::new(&sheet_spec(20, 12, 0.02, FABRIC), positions);
+        world.config.gravity = Vec3::ZERO;
+        for _ in 0..5 {
+            world.step(&[]);
+        }
+        world.positions()
+    };
+    let (plain, rotated) = (run(&bent), run(&turned));
+    let moved = plain
+        .iter()
+        .zip(&bent)
+        .map(|(a, b)| a.distance(*b))
+        .fold(0.0, f32::max);
+    assert!(1.0e-4 < moved, "the sheet springs back: {moved}");
+    for (plain, rotated) in plain.iter().zip(&rotated) {
+        assert!((turn * *plain).distance(*rotated) < 1.0e-4);
+    }
+}
+
+#[test]
+fn slack_strides_and_tethers_change_nothing() {
+    let mut positions = flat_positions(24, 16, 0.02);
+    for position in &mut positions {
+        *position *= 0.9;
+    }
+    let mut spec = sheet_spec(24, 16, 0.02, FABRIC);
+    spec.pinned[..24].fill(true);
+    let run = |strides: &[u32], tether_scale: Option<f32>| {
+        let mut world = World::new(&spec, &positions);
+        world.config.gravity = Vec3::ZERO;
+        world.config.row_strides = strides.to_vec();
+        world.config.column_strides = strides.to_vec();
+        world.config.tether_scale = tether_scale;
+        world.step(&[]);
+        lole_cloth::state_hash(&world.state)
+    };
+    assert_eq!(run(&[], None), run(&[8, 4], Some(1.01)));
+}
+
+#[test]
+fn strain_of_a_hanging_sheet_does_not_grow_with_resolution() {
+    let p99 = |side: u32, strides: &[u32]| {
+        let spacing = 1.0 / (side - 1) as f32;
+        let mut spec = sheet_spec(side, side, spacing, FABRIC);
+        spec.pinned[..side as usize].fill(true);
+        let mut world = World::new(&spec, &flat_positions(side, side, spacing));
+        world.config.column_strides = strides.to_vec();
+        world.config.row_strides = strides.to_vec();
+        for _ in 0..45 {
+            world.step(&[]);
+        }
+        diagnose::strain(world.model.spec(), &world.positions()).p99
+    };
+    let (coarse, fine) = (p99(32, &[4]), p99(64, &[8, 4]));
+    assert!(fine < 1.2 * coarse + 1.0e-3, "{coarse} then {fine}");
+}
+
+#[test]
+fn the_first_number_that_is_not_one_is_found() {
+    let mut positions = flat_positions(4, 4, 0.1);
+    assert_eq!(diagnose::first_non_finite(&positions), None);
+    positions[7].z = f32::NAN;
+    assert_eq!(diagnose::first_non_finite(&positions), Some(7));
+}
+
+#[test]
+fn coincident_particles_stay_finite() {
+    let positions = vec![Vec3::ZERO; 20 * 6];
+    let mut world = World::new(&sheet_spec(20, 6, 0.02, FABRIC), &positions);
+    world.config.self_collision = Some(lole_cloth::SelfCollision {
+        radius: 0.01,
+        substep_interval: std::num::NonZeroU32::MIN,
+    });
+    for _ in 0..10 {
+        world.step(&[]);
+    }
+    assert_eq!(diagnose::first_non_finite(&world.positions()), None);
+}
+
+#[test]
+fn a_hung_sheet_comes_to_rest() {
+    let fabric = lole_cloth::Fabric {
+        drag_rate: 3.0,
+        ..FABRIC
+    };
+    let mut spec = sheet_spec(32, 32, 0.02, fabric);
+    spec.pinned[..32].fill(true);
+    let hung: Vec<_> = flat_positions(32, 32, 0.02)
+        .iter()
+        .map(|p| Vec3::new(p.x, -p.z, 0.01 * p.x))
+        .collect();
+    let mut world = World::new(&spec, &hung);
+    for _ in 0..300 {
+        world.step(&[]);
+    }
+    let speed = diagnose::rms_speed(&world.velocities());
+    assert!(speed < 0.02, "{speed} m/s");
+}
