@@ -1,4 +1,5 @@
-//! The film: H.264 in an MP4 that plays anywhere, encoded in process by OpenH264.
+//! The film: H.264 in an MP4 that plays anywhere, encoded in process by
+//! `OpenH264`.
 //!
 //! Colors are BT.709 in the limited range and say so twice, in the H.264 stream and in the MP4,
 //! because players believe one or the other.
@@ -207,7 +208,7 @@ fn check_size(size: [u32; 2]) -> Result<(), ExportError> {
 
 /// Constant quality, no dropped pictures, colors tagged.
 ///
-/// OpenH264 has no mode of constant quality. Its buffer-based mode honors a quantizer range of one
+/// `OpenH264` has no mode of constant quality. Its buffer-based mode honors a quantizer range of one
 /// value and never drops a picture; its quality mode drops some, or else warns on standard error;
 /// with rate control off it ignores the range.
 fn encoder_config(fps: u32, settings: VideoSettings) -> EncoderConfig {

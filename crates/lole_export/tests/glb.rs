@@ -1,5 +1,11 @@
 //! A GLB read by the rules of glTF 2.0 gives back the dance that went in.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::cast_possible_truncation,
+    reason = "a test that meets anything unexpected should stop"
+)]
+
 use glam::{Affine3A, Mat4, Quat, Vec2, Vec3, Vec4};
 use lole_body::skeleton::{Bone, Pose, Skeleton};
 use lole_export::ExportError;

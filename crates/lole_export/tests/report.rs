@@ -1,5 +1,11 @@
 //! The report keeps NaN out of JSON and names out of markup, and tells everything twice.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::cast_possible_truncation,
+    reason = "a test that meets anything unexpected should stop"
+)]
+
 use lole_export::report::{
     Divergence, PageMedia, ReportFile, RunReport, RunSeries, Still, report_html, report_json,
 };

@@ -1,5 +1,11 @@
 //! A film gives back the pictures that went in, at the times and in the colors they had.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::cast_possible_truncation,
+    reason = "a test that meets anything unexpected should stop"
+)]
+
 use lole_export::video::{Mp4Writer, VideoSettings};
 use mp4_atom::{Any, Atom as _, Codec, Colr, Decode as _, Moov, StszSamples};
 use openh264::decoder::Decoder;

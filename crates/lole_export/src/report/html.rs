@@ -223,8 +223,7 @@ fn skirt(report: &RunReport) -> String {
 fn motion(report: &RunReport) -> String {
     let hem = report.hem_height_cm;
     let pct = |value: f64| format!("{} <i>%</i>", number(value, 2));
-    let mm = |value: f64| format!("{} <i>mm</i>", number(value, 2));
-    let rows = [
+    let stretch = [
         row(
             ["Hem above the floor, dancing", "踊っているときの裾の高さ"],
             format!(
@@ -275,6 +274,25 @@ fn motion(report: &RunReport) -> String {
                 "最後のコマの平均です。増え続けていないかを見ます。",
             ],
         ),
+    ];
+    let rows = stretch
+        .into_iter()
+        .chain(penetration(report))
+        .collect::<Vec<_>>();
+    section(
+        ["How it moved", "布の動き"],
+        [
+            "How far the cloth can be believed.",
+            "布の動きがどこまで信用できるかの目安です。",
+        ],
+        &rows,
+    )
+}
+
+/// How far the cloth went into the dancer.
+fn penetration(report: &RunReport) -> [Row; 2] {
+    let mm = |value: f64| format!("{} <i>mm</i>", number(value, 2));
+    [
         row(
             ["Cloth inside the body", "体へのめり込み"],
             format!(
@@ -296,15 +314,7 @@ fn motion(report: &RunReport) -> String {
                 "体のかわりに使う13本のカプセルに対する値です。",
             ],
         ),
-    ];
-    section(
-        ["How it moved", "布の動き"],
-        [
-            "How far the cloth can be believed.",
-            "布の動きがどこまで信用できるかの目安です。",
-        ],
-        &rows,
-    )
+    ]
 }
 
 fn speed(report: &RunReport) -> String {

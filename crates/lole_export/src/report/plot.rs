@@ -108,17 +108,22 @@ pub(super) fn svg(plot: &Plot<'_>) -> Option<String> {
         format_args!("<path class=\"curve\" d=\"{path}\"/>"),
     );
     if let Some((value, label)) = plot.reference {
-        let (right, line) = (WIDTH - MARGIN, y(value));
-        append(
-            &mut svg,
-            format_args!(
-                "<line class=\"reference\" x1=\"{LEFT}\" x2=\"{right}\" y1=\"{line:.1}\" y2=\"{line:.1}\"/><text class=\"reference\" x=\"{right}\" y=\"{:.1}\" text-anchor=\"end\">{label}</text>",
-                line - 6.0,
-            ),
-        );
+        append_reference(&mut svg, y(value), label);
     }
     svg.push_str("</svg>");
     Some(svg)
+}
+
+/// A dashed line at height `line` with its label above it.
+fn append_reference(svg: &mut String, line: f64, label: &str) {
+    let right = WIDTH - MARGIN;
+    append(
+        svg,
+        format_args!(
+            "<line class=\"reference\" x1=\"{LEFT}\" x2=\"{right}\" y1=\"{line:.1}\" y2=\"{line:.1}\"/><text class=\"reference\" x=\"{right}\" y=\"{:.1}\" text-anchor=\"end\">{label}</text>",
+            line - 6.0,
+        ),
+    );
 }
 
 /// The curve as SVG path commands. Long series are thinned to the largest value of each stretch,
