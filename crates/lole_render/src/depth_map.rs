@@ -11,6 +11,8 @@ const BORDER: f32 = 3.0;
 /// Texels are not made smaller than this [m]: finer than any thread shows.
 const LEAST_TEXEL: f32 = 4.0e-4;
 
+/// The covered extent grows in steps of this [m].
+const EXTENT_STEP: f32 = 0.1;
 /// Corner weights down to minus this count as inside.
 const RIM: f32 = 1.0e-4;
 /// From this many texels on, it pays to work out where in a row a triangle begins and ends.
@@ -61,7 +63,10 @@ impl DepthMap {
         if geometry.positions.is_empty() {
             (low, high) = (Vec2::ZERO, Vec2::ZERO);
         }
-        let texel = ((high - low).max_element() / (side as f32 - 2.0 * BORDER)).max(LEAST_TEXEL);
+        // In a film the meshes move: a texel that keeps its size and place keeps shadows calm.
+        let extent = ((high - low).max_element() / EXTENT_STEP).ceil().max(1.0) * EXTENT_STEP;
+        let texel = (extent / (side as f32 - 2.0 * BORDER - 1.0)).max(LEAST_TEXEL);
+        low = (low / texel).floor() * texel;
         let texels = (high - low) / texel + 2.0 * BORDER;
         let (width, height) = (whole::index(texels.x.ceil()), whole::index(texels.y.ceil()));
         let scale = 1.0 / texel;

@@ -1,6 +1,6 @@
 //! All meshes of a scene as one list of vertices and one of triangles.
 
-use crate::{Bounds, Scene, Sides};
+use crate::{Bounds, Scene, SceneMesh, Sides};
 use glam::{Vec2, Vec3};
 use lole_geom::mesh::vertex_normals;
 use std::ops::Range;
@@ -31,10 +31,6 @@ pub(crate) struct Part {
 
 impl Geometry {
     /// Gathers the meshes of a checked scene.
-    #[expect(
-        clippy::cast_possible_truncation,
-        reason = "indices are u32 by the scene's own type"
-    )]
     pub(crate) fn of(scene: &Scene<'_>) -> Self {
         let vertex_count = scene.meshes.iter().map(|mesh| mesh.positions.len()).sum();
         let mut all = Self {
@@ -46,30 +42,54 @@ impl Geometry {
             parts: Vec::new(),
         };
         for mesh in &scene.meshes {
-            let count = mesh.positions.len();
-            let base = all.positions.len() as u32;
-            let first_triangle = all.triangles.len() as u32;
-            all.positions.extend(mesh.positions);
-            if mesh.normals.is_empty() {
-                all.normals
-                    .extend(vertex_normals(mesh.positions, mesh.triangles));
-            } else {
-                all.normals
-                    .extend(mesh.normals.iter().map(|normal| normal.normalize_or_zero()));
-            }
-            extend_or_fill(&mut all.uvs, mesh.uvs, count, Vec2::ZERO);
-            extend_or_fill(&mut all.colors, mesh.colors, count, Vec3::ONE);
-            all.triangles.extend(
-                mesh.triangles
-                    .iter()
-                    .map(|corners| corners.map(|c| c + base)),
-            );
-            all.parts.push(Part {
-                triangles: first_triangle..all.triangles.len() as u32,
-                sides: mesh.material.sides,
-            });
+            all.add(mesh);
         }
         all
+    }
+
+    /// Adds the vertices of a mesh that its triangles use, and the triangles.
+    ///
+    /// A body in several materials comes as several meshes over the same vertices: what one does
+    /// not use is left out, so that light is worked out once for each.
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "indices are u32 by the scene's own type"
+    )]
+    fn add(&mut self, mesh: &SceneMesh<'_>) {
+        const UNUSED: u32 = u32::MAX;
+        let mut places = vec![UNUSED; mesh.positions.len()];
+        for &corner in mesh.triangles.iter().flatten() {
+            places[corner as usize] = 0;
+        }
+        let made;
+        let normals = if mesh.normals.is_empty() {
+            made = vertex_normals(mesh.positions, mesh.triangles);
+            &made
+        } else {
+            mesh.normals
+        };
+        for (vertex, place) in places.iter_mut().enumerate() {
+            if *place == UNUSED {
+                continue;
+            }
+            *place = self.positions.len() as u32;
+            self.positions.push(mesh.positions[vertex]);
+            self.normals.push(normals[vertex].normalize_or_zero());
+            self.uvs
+                .push(mesh.uvs.get(vertex).copied().unwrap_or(Vec2::ZERO));
+            self.colors
+                .push(mesh.colors.get(vertex).copied().unwrap_or(Vec3::ONE));
+        }
+        let first = self.triangles.len() as u32;
+        self.triangles.extend(
+            mesh.triangles
+                .iter()
+                .map(|corners| corners.map(|c| places[c as usize])),
+        );
+        self.parts.push(Part {
+            triangles: first..self.triangles.len() as u32,
+            sides: mesh.material.sides,
+        });
     }
 
     /// The box around everything; `None` where there is nothing.
@@ -81,13 +101,5 @@ impl Geometry {
     pub(crate) fn part_of(&self, triangle: u32) -> usize {
         self.parts
             .partition_point(|part| part.triangles.end <= triangle)
-    }
-}
-
-fn extend_or_fill<T: Copy>(column: &mut Vec<T>, values: &[T], count: usize, missing: T) {
-    if values.is_empty() {
-        column.resize(column.len() + count, missing);
-    } else {
-        column.extend(values);
     }
 }

@@ -12,11 +12,13 @@ use rayon::prelude::*;
 use std::f32::consts::TAU;
 
 /// Cells of the light map on each side.
-pub(crate) const CELLS: usize = 256;
+pub(crate) const CELLS: usize = 384;
 /// Every so many cells the light of the room is worked out; between them it is interpolated.
 const ROOM_STEP: usize = 2;
 /// Room around the meshes [m], where the darkness of contact fades out.
 const MARGIN: f32 = 0.6;
+/// The side of the map grows in steps of this [m].
+const SIDE_STEP: f32 = 0.5;
 /// Shadows are followed no farther than this many times the height of the meshes.
 const LONGEST_SHADOW: f32 = 1.6;
 const KEY_SEARCH_TAPS: usize = 24;
@@ -136,8 +138,11 @@ fn covered_square(height: f32, bounds: Bounds, key_axis: Vec3) -> (Vec2, f32) {
     let high = Vec2::new(bounds.max.x, bounds.max.z);
     let low = low.min(low + throw) - MARGIN;
     let high = high.max(high + throw) + MARGIN;
-    let side = (high - low).max_element();
-    ((low + high) * 0.5 - side * 0.5, side)
+    // In a film the meshes move: cells that keep their size and place keep the shadow calm.
+    let side = ((high - low).max_element() / SIDE_STEP).ceil() * SIDE_STEP;
+    let cell = side / CELLS as f32;
+    let corner = ((low + high) * 0.5 - side * 0.5) / cell;
+    (corner.floor() * cell, side)
 }
 
 /// 1 inside, 0 at the rim of the map, so that it ends without an edge.

@@ -36,6 +36,7 @@ const LIFT_TEXELS: f32 = 2.0;
 const SLACK: f32 = 0.0015;
 const WRAP_DEPTH: f32 = 0.15;
 const WRAP_END: f32 = 0.4;
+const TOE: f32 = 0.01;
 const EMPTY: f32 = 1.0e30;
 const PI: f32 = 3.14159265;
 const GOLDEN_ANGLE: f32 = 2.3999632;
@@ -257,9 +258,9 @@ fn key_seen(position: vec3<f32>, pixel: vec2<f32>) -> f32 {
 fn tone_map(light: vec3<f32>) -> vec3<f32> {
     let start = 0.8 - 0.04;
     let least = min(light.r, min(light.g, light.b));
-    var offset = 0.04;
-    if least < 0.08 {
-        offset = least - 6.25 * least * least;
+    var offset = TOE;
+    if least < 2.0 * TOE {
+        offset = least - least * least / (4.0 * TOE);
     }
     let color = light - offset;
     let peak = max(color.r, max(color.g, color.b));
