@@ -18,7 +18,7 @@ fn picture(frame: u32, block: [u8; 3]) -> Vec<u8> {
     let [width, height] = SIZE;
     let mut pixels = Vec::new();
     for (y, x) in (0..height).flat_map(|y| (0..width).map(move |x| (y, x))) {
-        let stripe = if (x + 2 * frame) / 12 % 2 == 0 {
+        let stripe = if ((x + 2 * frame) / 12).is_multiple_of(2) {
             [180, 30, 60]
         } else {
             [240, 220, 190]
