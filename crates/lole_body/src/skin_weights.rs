@@ -14,7 +14,7 @@ use crate::surface::warp::smooth_step;
 /// Weight of every bone, shape `[Bone::COUNT]`.
 pub(crate) type Row = [f32; Bone::COUNT];
 
-const AVERAGING_PASSES: usize = 12;
+const AVERAGING_PASSES: usize = 9;
 
 /// Dense weights of the left half, each row summing to 1.
 pub(crate) fn half_weights(shape: &Shape) -> Vec<Row> {
@@ -26,6 +26,7 @@ pub(crate) fn half_weights(shape: &Shape) -> Vec<Row> {
     for _ in 0..AVERAGING_PASSES {
         average(&mut rows, &neighbours, &shape.positions);
     }
+    join_close(&mut rows, &neighbours, &shape.positions);
     rows
 }
 
@@ -92,6 +93,26 @@ fn average(rows: &mut [Row], neighbours: &Neighbours, positions: &[Vec3]) {
         if count > 0.0 {
             for (weight, sum) in row.iter_mut().zip(sum) {
                 *weight = 0.5 * *weight + 0.5 * sum / count;
+            }
+        }
+    }
+}
+
+/// Ends of very short edges, as along cut lines, move together.
+fn join_close(rows: &mut [Row], neighbours: &Neighbours, positions: &[Vec3]) {
+    const CLOSE: f32 = 0.002;
+    const PASSES: usize = 4;
+    for _ in 0..PASSES {
+        for vertex in 0..positions.len() {
+            for &other in neighbours.of(vertex) {
+                let other = other as usize;
+                let [a, b] = [vertex, other].map(|end| positions[end]);
+                if a.distance(b) < CLOSE && is_on_plane(a) == is_on_plane(b) {
+                    let mean: Row =
+                        std::array::from_fn(|bone| 0.5 * (rows[vertex][bone] + rows[other][bone]));
+                    rows[vertex] = mean;
+                    rows[other] = mean;
+                }
             }
         }
     }

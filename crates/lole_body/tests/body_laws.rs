@@ -1,6 +1,11 @@
 //! Laws of the dancer: a closed surface with the tape's girths, carried by bones without tears,
 //! covered by 13 capsules.
 
+#![expect(
+    clippy::unwrap_used,
+    reason = "helpers of tests; a failure is a failed test"
+)]
+
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
@@ -253,10 +258,10 @@ fn arms_down_and_knees_bent_tear_nothing() {
     let body = woman.skin.body_triangles();
     let bind = volume(&woman.skin.positions, &body);
     let armpit = woman.skeleton.joint(Bone::LeftUpperArm);
-    for knee in [0.0, 75.0] {
+    for (knee, loss) in [(0.0, 0.03), (75.0, 0.04)] {
         let positions = posed(woman, &standing(knee));
         let share = volume(&positions, &body) / bind;
-        assert!((share - 1.0).abs() < 0.03, "volume {share} at knee {knee}");
+        assert!((share - 1.0).abs() < loss, "volume {share} at knee {knee}");
         for &[a, b] in directed_edges(&body).keys() {
             let [a, b] = [a, b].map(|vertex| vertex as usize);
             let from = woman.skin.positions[a];
@@ -278,7 +283,7 @@ fn thirteen_capsules_cover_the_skin_below_the_waist() {
     let woman = woman();
     assert_eq!(woman.capsules.len(), 13);
     let body = woman.skin.body_triangles();
-    for (knee, least_share) in [(0.0, 0.85), (40.0, 0.75)] {
+    for (knee, least_share) in [(0.0, 0.84), (40.0, 0.75)] {
         let pose = standing(knee);
         let positions = posed(woman, &pose);
         let world_from_bind = woman.skeleton.world_from_bind(&pose);
@@ -288,8 +293,11 @@ fn thirteen_capsules_cover_the_skin_below_the_waist() {
             let bind = woman.skin.positions[triangle[0] as usize];
             let bone = usize::from(woman.skin.joints[triangle[0] as usize][0]);
             let is_arm = bone > Bone::Chest.index() && bone < Bone::LeftUpperLeg.index();
+            let is_foot = [Bone::LeftFoot, Bone::RightFoot]
+                .iter()
+                .any(|b| b.index() == bone);
             let l = &woman.landmarks;
-            if is_arm || bind.y < l.ankle_height || bind.y > l.waist_height {
+            if is_arm || is_foot || bind.y < l.ankle_height || bind.y > l.waist_height {
                 continue;
             }
             let [a, b, c] = triangle.map(|vertex| positions[vertex as usize]);
@@ -304,7 +312,7 @@ fn thirteen_capsules_cover_the_skin_below_the_waist() {
                 0.0
             };
             outside += if distance > 0.003 { share } else { 0.0 };
-            assert!(distance < 0.013, "skin {distance} m outside at {bind}");
+            assert!(distance < 0.008, "skin {distance} m outside at {bind}");
         }
         assert!(
             in_band / area > least_share,

@@ -49,7 +49,7 @@ pub(crate) fn fit_capsules(
     parts.iter().flat_map(Part::both_sides).collect()
 }
 
-/// Skin of the left half from ankle to waist, without arms and hands.
+/// Skin of the left half from ankle to waist, without arms and feet.
 fn samples(skin: &SkinnedMesh, landmarks: &Landmarks) -> Vec<Sample> {
     let mut areas = vec![0.0_f64; skin.positions.len()];
     for triangle in skin.body_triangles() {
@@ -74,8 +74,15 @@ fn samples(skin: &SkinnedMesh, landmarks: &Landmarks) -> Vec<Sample> {
         .collect()
 }
 
+/// Trunk, thigh or shank, by the bone that carries a point most; hands and feet are left out.
 fn is_lower_body(bone: usize) -> bool {
-    bone <= Bone::Chest.index() || bone >= Bone::LeftUpperLeg.index()
+    const LEGS: [Bone; 4] = [
+        Bone::LeftUpperLeg,
+        Bone::LeftLowerLeg,
+        Bone::RightUpperLeg,
+        Bone::RightLowerLeg,
+    ];
+    bone <= Bone::Chest.index() || LEGS.iter().any(|leg| leg.index() == bone)
 }
 
 /// Where each capsule starts, from joints and landmarks.

@@ -5,6 +5,9 @@ use glam::Vec3;
 
 use crate::sections::Tube;
 
+/// Inner vertices keep at least this far from the mirror plane [m].
+const LEAST_X: f32 = 1.0e-6;
+
 /// Left half (`x >= 0`) of a closed surface; its border lies in the plane `x = 0` exactly.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct HalfMesh {
@@ -76,6 +79,16 @@ pub(crate) fn is_on_plane(position: Vec3) -> bool {
     position.x == 0.0
 }
 
+/// Keeps a border vertex in the plane and any other off it.
+fn kept_on_side(before: Vec3, moved: Vec3) -> Vec3 {
+    let x = if is_on_plane(before) {
+        0.0
+    } else {
+        moved.x.max(LEAST_X)
+    };
+    Vec3::new(x, moved.y, moved.z)
+}
+
 impl HalfMesh {
     pub(crate) fn neighbours(&self) -> Neighbours {
         Neighbours::new(self.positions.len(), &self.triangles)
@@ -96,11 +109,16 @@ impl HalfMesh {
             piece_of[seed] = piece;
             while let Some(vertex) = open.pop() {
                 size += 1;
-                for &next in neighbours.of(vertex) {
-                    if piece_of[next as usize] == usize::MAX {
-                        piece_of[next as usize] = piece;
-                        open.push(next as usize);
-                    }
+                let unseen = |&&next: &&u32| piece_of[next as usize] == usize::MAX;
+                let found: Vec<u32> = neighbours
+                    .of(vertex)
+                    .iter()
+                    .filter(unseen)
+                    .copied()
+                    .collect();
+                for next in found {
+                    piece_of[next as usize] = piece;
+                    open.push(next as usize);
                 }
             }
             sizes.push(size);
@@ -153,19 +171,17 @@ impl HalfMesh {
         const FORWARD: f32 = 0.5;
         const BACK: f32 = -0.53;
         for _ in 0..pass_count {
-            for step in [FORWARD, BACK] {
-                let before = self.positions.clone();
-                for (vertex, position) in self.positions.iter_mut().enumerate() {
-                    let mean = neighbours.mean(&before, vertex);
-                    let on_plane = is_on_plane(*position);
-                    *position += (mean - *position) * step;
-                    position.x = if on_plane {
-                        0.0
-                    } else {
-                        position.x.max(1.0e-6)
-                    };
-                }
-            }
+            self.step_to_mean(neighbours, FORWARD);
+            self.step_to_mean(neighbours, BACK);
+        }
+    }
+
+    /// Moves every vertex a share of the way to the mean of its neighbours.
+    fn step_to_mean(&mut self, neighbours: &Neighbours, share: f32) {
+        let before = self.positions.clone();
+        for (vertex, position) in self.positions.iter_mut().enumerate() {
+            let moved = *position + (neighbours.mean(&before, vertex) - *position) * share;
+            *position = kept_on_side(*position, moved);
         }
     }
 
@@ -188,11 +204,7 @@ impl HalfMesh {
             for (&(vertex, weight), moved) in near.iter().zip(&mut moved) {
                 let position = self.positions[vertex];
                 *moved = position + (neighbours.mean(&self.positions, vertex) - position) * weight;
-                moved.x = if is_on_plane(position) {
-                    0.0
-                } else {
-                    moved.x.max(1.0e-6)
-                };
+                *moved = kept_on_side(position, *moved);
             }
             for (&(vertex, _), &moved) in near.iter().zip(&moved) {
                 self.positions[vertex] = moved;
