@@ -223,24 +223,24 @@ fn column(turn: f32) -> Vec<Layer> {
 pub(super) fn breadfruit(whim: f32) -> Vec<Layer> {
     let outline = (0..120).map(|step| {
         let angle = std::f32::consts::TAU * count(step) / 120.0;
-        direction(angle) * (0.80 + 0.02 * trig::sin(3.0 * angle + 6.0 * whim))
+        direction(angle) * (0.64 + 0.02 * trig::sin(3.0 * angle + 6.0 * whim))
     });
     let path = closed(outline);
     let mut layers = vec![
         (
             Ink::Accent,
-            spine(vec2(-1.05, 0.08), vec2(-0.60, 0.0), 0.06),
+            spine(vec2(-0.92, 0.08), vec2(-0.50, 0.0), 0.06),
         ),
         (Ink::Halo, path.clone()),
         (Ink::Motif, path),
     ];
     // Sunflower spacing: even, without rows.
     for index in 1..70 {
-        let radius = 0.088 * count(index).sqrt();
+        let radius = 0.071 * count(index).sqrt();
         let at = direction(2.399_963 * count(index)) * radius;
         layers.push((
             Ink::Ground,
-            lens(at, 2.399_963 * count(index), 0.030, 0.016),
+            lens(at, 2.399_963 * count(index), 0.034, 0.021),
         ));
     }
     layers
