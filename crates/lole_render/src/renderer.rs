@@ -8,7 +8,7 @@ use crate::{Image, RenderError, Scene, Size};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Backend {
     /// A graphics adapter where one is found, else the CPU. A driver that itself computes on the
-    /// CPU is passed over: measured, it takes three times as long for the same picture.
+    /// CPU is passed over: measured, it takes about four times as long for the same picture.
     #[default]
     Auto,
     /// A graphics adapter, also one that computes on the CPU, or an error.

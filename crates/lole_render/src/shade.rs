@@ -14,9 +14,9 @@ use lole_geom::trig;
 use std::f32::consts::{PI, TAU};
 
 /// Taps that look for what is in the way of the key light.
-const SEARCH_TAPS: usize = 16;
+const SEARCH_TAPS: usize = 24;
 /// Taps that measure how much of the key light is seen.
-const SHADOW_TAPS: usize = 20;
+const SHADOW_TAPS: usize = 28;
 /// Shadows from farther away than this [m] do not get softer.
 const SOFTEST_DISTANCE: f32 = 0.45;
 /// A point is lifted off its own surface by this many texels of the key map.

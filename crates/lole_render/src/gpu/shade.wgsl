@@ -29,8 +29,8 @@ struct Surface {
 @group(1) @binding(1) var print: texture_2d<f32>;
 @group(1) @binding(2) var print_sampler: sampler;
 
-const SEARCH_TAPS: i32 = 16;
-const SHADOW_TAPS: i32 = 20;
+const SEARCH_TAPS: i32 = 24;
+const SHADOW_TAPS: i32 = 28;
 const SOFTEST_DISTANCE: f32 = 0.45;
 const LIFT_TEXELS: f32 = 2.0;
 const SLACK: f32 = 0.0015;
