@@ -227,11 +227,11 @@ pub(super) fn breadfruit(whim: f32) -> Vec<Layer> {
     });
     let path = closed(outline);
     let mut layers = vec![
+        (Ink::Halo, path.clone()),
         (
             Ink::Accent,
-            spine(vec2(-0.92, 0.08), vec2(-0.50, 0.0), 0.06),
+            spine(vec2(-0.84, 0.07), vec2(-0.45, 0.0), 0.06),
         ),
-        (Ink::Halo, path.clone()),
         (Ink::Motif, path),
     ];
     // Sunflower spacing: even, without rows.
