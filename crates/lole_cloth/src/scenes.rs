@@ -288,9 +288,9 @@ pub fn waved_ring(radius: f64, girth: f64, point_count: u32, wave_count: f64) ->
         let middle = 0.5 * (low + high);
         let total = lengths(middle).last().copied().unwrap_or(0.0);
         if total < girth {
-            low = middle
+            low = middle;
         } else {
-            high = middle
+            high = middle;
         }
     }
     let amplitude = 0.5 * (low + high);
@@ -310,15 +310,18 @@ pub fn waved_ring(radius: f64, girth: f64, point_count: u32, wave_count: f64) ->
     points.collect()
 }
 
-/// Ends and radius [m] of the capsules in the middle, and how much of the sway each end takes.
+/// Ends and radius [m] of the capsules in the middle, which take the whole sway.
 const MIDDLE_CAPSULES: [([f64; 3], [f64; 3], f64); 3] = [
     ([-0.02, 0.03, 0.0], [0.02, 0.03, 0.0], 0.065),
     ([-0.05, -0.12, 0.0], [0.05, -0.12, 0.0], 0.09),
     ([-0.03, -0.09, 0.03], [0.03, -0.09, 0.03], 0.07),
 ];
 
+/// A capsule of one side: ends, radius, and the share of the sway that each end takes.
+type SideCapsule = ([f64; 3], [f64; 3], f64, [f64; 2]);
+
 /// The same for the left side; the right mirrors it.
-const SIDE_CAPSULES: [([f64; 3], [f64; 3], f64, [f64; 2]); 5] = [
+const SIDE_CAPSULES: [SideCapsule; 5] = [
     ([0.065, -0.15, 0.0], [0.075, -0.22, 0.0], 0.085, [1.0, 1.0]),
     ([0.05, -0.16, -0.05], [0.05, -0.21, -0.04], 0.08, [1.0, 1.0]),
     ([0.08, -0.22, 0.0], [0.09, -0.52, 0.01], 0.075, [1.0, 0.5]),

@@ -90,7 +90,10 @@ fn friction_carries_the_sheet_along_below_mu_g() {
     // The table gains `a dt` at the start of every frame, and the sheet needs `a dt / (mu g)` to
     // follow: it slips `(a dt)² / (2 mu g)` a frame and no more.
     let slip = 30.0 * (acceleration * DT) * (acceleration * DT) / (2.0 * grip);
-    assert!((sheet - (table - slip)).abs() < 0.005 * table, "{sheet} of {table} less {slip}");
+    assert!(
+        (sheet - (table - slip)).abs() < 0.005 * table,
+        "{sheet} of {table} less {slip}"
+    );
 }
 
 #[test]

@@ -151,7 +151,7 @@ impl ClothContacts {
         );
     }
 
-    fn store(&mut self, layout: &Layout, positions: &mut [Points], predicted: &mut [Points]) {
+    fn store(&self, layout: &Layout, positions: &mut [Points], predicted: &mut [Points]) {
         let moved = self.particles.iter().zip(&self.positions).enumerate();
         for (index, (particle, &before)) in moved {
             if particle.position == before {

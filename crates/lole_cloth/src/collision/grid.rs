@@ -142,12 +142,15 @@ mod tests {
         for index in 0..positions.len() {
             let first = grid.entries[index];
             grid.following_runs(index, |run| {
-                for second in run {
-                    if first.position.distance(second.position) < reach {
-                        let (a, b) = (first.particle, second.particle);
-                        found.push((a.min(b), a.max(b)));
-                    }
-                }
+                let near = run
+                    .iter()
+                    .filter(|other| first.position.distance(other.position) < reach);
+                found.extend(near.map(|other| {
+                    (
+                        first.particle.min(other.particle),
+                        first.particle.max(other.particle),
+                    )
+                }));
             });
         }
         found.sort_unstable();

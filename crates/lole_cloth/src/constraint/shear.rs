@@ -51,12 +51,14 @@ pub(crate) fn solve<S: Simd>(simd: S, rows: &mut Rows<'_>, links: &[RowLink<2>],
                 let [left, right] = link.groups.map(usize::from);
                 if left == right {
                     // A narrow cloth: both corners of a row live in one vector, so only changes add up.
-                    for (corner, (point, (before, _))) in
-                        points.into_iter().zip(corners).enumerate()
-                    {
-                        let row = if corner < 2 { &mut *upper } else { &mut *lower };
-                        add_to_partner(link, corner % 2, point.sub(before), row);
-                    }
+                    let changes = [0, 1, 2, 3].map(
+                        #[inline(always)]
+                        |i| points[i].sub(corners[i].0),
+                    );
+                    add_to_partner(link, 0, changes[0], upper);
+                    add_to_partner(link, 1, changes[1], upper);
+                    add_to_partner(link, 0, changes[2], lower);
+                    add_to_partner(link, 1, changes[3], lower);
                     continue;
                 }
                 points[0].store(&mut upper[left]);

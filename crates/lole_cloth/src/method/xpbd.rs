@@ -8,15 +8,22 @@
 use fearless_simd::{Simd, f32x16, prelude::*};
 use glam::Vec3;
 use lole_geom::trig;
+use rayon::prelude::*;
 
-use crate::collision::capsule::{self, ContactLaw, MovingCapsule};
+use crate::collision::capsule::{self, ContactLaw, MovingCapsule, RowContacts};
 use crate::collision::cloth_cloth::ClothContactLaw;
 use crate::constraint::shear::Cell;
 use crate::constraint::structural::Spring;
 use crate::constraint::tether::Tethers;
 use crate::constraint::{Rows, bend, shear, stride, structural, tether};
-use crate::lanes::{RowLink, Vectors, row_links};
+use crate::lanes::{Points, RowLink, Scalars, Vectors, row_links};
 use crate::{ClothModel, ClothState, SolverConfig, StepInput};
+
+/// Rows that one task takes.
+const TASK_ROWS: usize = 8;
+
+/// Below this many vectors of particles a step is over before a second thread has woken up.
+const PARALLEL_VECTORS_MIN: usize = 1024;
 
 /// Numbers that hold for every substep of one step.
 #[derive(Debug, Clone, PartialEq)]
@@ -318,6 +325,7 @@ fn move_capsules(
         );
 }
 
+/// Contacts and velocities concern one row at a time, so threads share the rows and change nothing.
 #[inline(always)]
 fn resolve_contacts_and_update_velocities<S: Simd>(
     simd: S,
@@ -326,37 +334,88 @@ fn resolve_contacts_and_update_velocities<S: Simd>(
     state: &mut ClothState,
 ) {
     let width = model.layout.group_count;
+    let capsules = &state.scratch.moving_capsules[..];
+    let contacts = &state.scratch.row_contacts;
+    let task = TASK_ROWS * width;
+    let kernel = |index: usize, columns: ContactColumns<'_>| {
+        simd.vectorize(
+            #[inline(always)]
+            || {
+                finish_rows(
+                    simd,
+                    (index * TASK_ROWS, width),
+                    columns,
+                    (capsules, contacts),
+                    substep,
+                );
+            },
+        );
+    };
+    if rayon::current_num_threads() == 1 || model.layout.vector_count() < PARALLEL_VECTORS_MIN {
+        let tasks = state
+            .positions
+            .chunks_mut(task)
+            .zip(state.velocities.chunks_mut(task));
+        let fixed = state
+            .scratch
+            .predicted
+            .chunks(task)
+            .zip(model.inv_masses.chunks(task));
+        for (index, columns) in tasks.zip(fixed).enumerate() {
+            kernel(index, columns);
+        }
+    } else {
+        let tasks = state
+            .positions
+            .par_chunks_mut(task)
+            .zip(state.velocities.par_chunks_mut(task));
+        let fixed = state
+            .scratch
+            .predicted
+            .par_chunks(task)
+            .zip(model.inv_masses.par_chunks(task));
+        tasks
+            .zip(fixed)
+            .enumerate()
+            .for_each(|(index, columns)| kernel(index, columns));
+    }
+}
+
+/// Positions and velocities, then predictions and inverse masses, of some rows.
+type ContactColumns<'a> = (
+    (&'a mut [Points], &'a mut [Points]),
+    (&'a [Points], &'a [Scalars]),
+);
+
+#[inline(always)]
+fn finish_rows<S: Simd>(
+    simd: S,
+    (first_row, width): (usize, usize),
+    ((positions, velocities), (predicted, inv_masses)): ContactColumns<'_>,
+    (capsules, contacts): (&[MovingCapsule], &RowContacts),
+    substep: &Substep,
+) {
     let h = f32x16::splat(simd, substep.h);
     let inv_h = f32x16::splat(simd, 1.0 / substep.h);
-    let rows = state
-        .positions
-        .chunks_exact_mut(width)
-        .zip(state.velocities.chunks_exact_mut(width));
-    let rows = rows.zip(state.scratch.predicted.chunks_exact(width));
-    let rows = rows.zip(model.inv_masses.chunks_exact(width));
-    for (row, (((positions, velocities), predicted), inv_masses)) in rows.enumerate() {
-        let capsules = (
-            &state.scratch.moving_capsules[..],
-            state.scratch.row_contacts.row(row),
+    for index in 0..positions.len() {
+        let indices = contacts.row(first_row + index / width);
+        let mut position = Vectors::load(simd, &positions[index]);
+        let velocity = Vectors::load(simd, &velocities[index]);
+        let predicted = Vectors::load(simd, &predicted[index]);
+        let inv_mass = f32x16::load_array_ref(simd, &inv_masses[index].0);
+        let before = predicted.sub(velocity.scale(h));
+        let law = substep.contact;
+        capsule::project(
+            simd,
+            &mut position,
+            before,
+            inv_mass,
+            (capsules, indices),
+            law,
         );
-        for group in 0..width {
-            let mut position = Vectors::load(simd, &positions[group]);
-            let velocity = Vectors::load(simd, &velocities[group]);
-            let predicted = Vectors::load(simd, &predicted[group]);
-            let inv_mass = f32x16::load_array_ref(simd, &inv_masses[group].0);
-            let before = predicted.sub(velocity.scale(h));
-            capsule::project(
-                simd,
-                &mut position,
-                before,
-                inv_mass,
-                capsules,
-                substep.contact,
-            );
-            position.store(&mut positions[group]);
-            velocity
-                .add(position.sub(predicted).scale(inv_h))
-                .store(&mut velocities[group]);
-        }
+        position.store(&mut positions[index]);
+        velocity
+            .add(position.sub(predicted).scale(inv_h))
+            .store(&mut velocities[index]);
     }
 }

@@ -10,9 +10,9 @@ use lole_cloth::{
 };
 use lole_geom::Capsule;
 
-pub const DT: f32 = 1.0 / 60.0;
+pub(crate) const DT: f32 = 1.0 / 60.0;
 
-pub const FABRIC: Fabric = Fabric {
+pub(crate) const FABRIC: Fabric = Fabric {
     areal_density: 0.15,
     thickness: 0.4e-3,
     stretch: [1000.0, 1000.0],
@@ -24,21 +24,21 @@ pub const FABRIC: Fabric = Fabric {
 };
 
 /// One cloth and what it needs to move.
-pub struct World {
-    pub model: ClothModel,
-    pub config: SolverConfig,
-    pub state: ClothState,
-    pub pins: Vec<Vec3>,
+pub(crate) struct World {
+    pub(crate) model: ClothModel,
+    pub(crate) config: SolverConfig,
+    pub(crate) state: ClothState,
+    pub(crate) pins: Vec<Vec3>,
 }
 
 /// A level sheet of `columns` by `rows` with its first corner at the origin, `+X` and `+Z`.
-pub fn flat_positions(columns: u32, rows: u32, spacing: f32) -> Vec<Vec3> {
+pub(crate) fn flat_positions(columns: u32, rows: u32, spacing: f32) -> Vec<Vec3> {
     let rows = (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column)));
     rows.map(|(row, column)| Vec3::new(column as f32, 0.0, row as f32) * spacing)
         .collect()
 }
 
-pub fn sheet_spec(columns: u32, rows: u32, spacing: f32, fabric: Fabric) -> ClothSpec {
+pub(crate) fn sheet_spec(columns: u32, rows: u32, spacing: f32, fabric: Fabric) -> ClothSpec {
     let grid = Grid {
         column_count: columns,
         row_count: rows,
@@ -55,7 +55,7 @@ pub fn sheet_spec(columns: u32, rows: u32, spacing: f32, fabric: Fabric) -> Clot
 }
 
 impl World {
-    pub fn new(spec: &ClothSpec, positions: &[Vec3]) -> Self {
+    pub(crate) fn new(spec: &ClothSpec, positions: &[Vec3]) -> Self {
         let model = ClothModel::new(spec).expect("the cloth is valid");
         let pins = model
             .pin_indices()
@@ -71,12 +71,12 @@ impl World {
         }
     }
 
-    pub fn with_substeps(mut self, count: u32) -> Self {
+    pub(crate) fn with_substeps(mut self, count: u32) -> Self {
         self.config.substep_count = NonZeroU32::new(count).expect("a count");
         self
     }
 
-    pub fn step(&mut self, capsules: &[Capsule]) {
+    pub(crate) fn step(&mut self, capsules: &[Capsule]) {
         let input = StepInput {
             pin_targets: &self.pins,
             capsules,
@@ -85,13 +85,13 @@ impl World {
         step(&self.model, &self.config, &input, &mut self.state, DT);
     }
 
-    pub fn positions(&self) -> Vec<Vec3> {
+    pub(crate) fn positions(&self) -> Vec<Vec3> {
         let mut positions = Vec::new();
         self.state.copy_positions(&self.model, &mut positions);
         positions
     }
 
-    pub fn velocities(&self) -> Vec<Vec3> {
+    pub(crate) fn velocities(&self) -> Vec<Vec3> {
         let mut velocities = Vec::new();
         self.state.copy_velocities(&self.model, &mut velocities);
         velocities
@@ -99,7 +99,7 @@ impl World {
 }
 
 /// Mean of points, summed in f64.
-pub fn mean(points: &[Vec3]) -> Vec3 {
+pub(crate) fn mean(points: &[Vec3]) -> Vec3 {
     let sum = points
         .iter()
         .fold(glam::DVec3::ZERO, |sum, point| sum + point.as_dvec3());
