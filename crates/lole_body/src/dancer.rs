@@ -34,6 +34,17 @@ pub struct Landmarks {
 
 /// A dancer in the bind pose: arms 47° below the horizontal, legs apart, feet on the floor at 0,
 /// front towards `+Z`.
+///
+/// ```
+/// use lole_body::{Dancer, Measurements, Pose};
+///
+/// let dancer = Dancer::new(&Measurements::woman())?;
+/// let world_from_bind = dancer.skeleton.world_from_bind(&Pose::default());
+/// assert_eq!(dancer.posed_capsules(&world_from_bind).len(), 13);
+/// let band = dancer.tape_ring(dancer.landmarks.asis_height, 512);
+/// assert_eq!(band.len(), 512);
+/// # Ok::<(), lole_body::BodyError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Dancer {
     /// What she was built from.
