@@ -69,7 +69,10 @@ pub(crate) fn load_partner<S: Simd, const N: usize>(
     let shift = link.shifts[partner];
     let inv_mass = f32x16::load_array_ref(simd, &inv_masses[group].0);
     let point = Vectors::load(simd, &row[group]);
-    (point.rotate_left(shift), crate::lanes::rotate_left(inv_mass, shift))
+    (
+        point.rotate_left(shift),
+        crate::lanes::rotate_left(inv_mass, shift),
+    )
 }
 
 /// Adds `change` to a partner of a row link.
@@ -81,8 +84,8 @@ pub(crate) fn add_to_partner<S: Simd, const N: usize>(
     row: &mut [Points],
 ) {
     let points = &mut row[usize::from(link.groups[partner])];
-    let moved = Vectors::load(change_token(change), points)
-        .add(change.rotate_right(link.shifts[partner]));
+    let moved =
+        Vectors::load(change_token(change), points).add(change.rotate_right(link.shifts[partner]));
     moved.store(points);
 }
 

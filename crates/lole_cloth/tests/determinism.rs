@@ -3,7 +3,7 @@
 use lole_cloth::scenes::{FRAME_DT, SCENES, Scene};
 use lole_cloth::{ClothModel, ClothState, InstructionSet, StepInput, state_hash, step};
 
-const FRAME_COUNT: u32 = 8;
+const FRAME_COUNT: u32 = 3;
 
 fn hash_after(scene: &Scene, instruction_set: InstructionSet, thread_count: usize) -> u64 {
     let mut setup = (scene.build)();
