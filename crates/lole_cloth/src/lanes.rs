@@ -125,12 +125,15 @@ impl<S: Simd> Vectors<S> {
     }
 }
 
-/// Lane `l` receives lane `l + shift`; a shift of 0 or 1 is what every wide cloth needs.
+/// Lane `l` receives lane `l + shift`; a wide cloth needs shifts of 0 and 1, its strides
+/// 2 or 4.
 #[inline(always)]
 pub(crate) fn rotate_left<S: Simd>(value: f32x16<S>, shift: u8) -> f32x16<S> {
     match shift {
         0 => value,
         1 => value.rotate_elements_left::<1>(),
+        2 => value.rotate_elements_left::<2>(),
+        4 => value.rotate_elements_left::<4>(),
         _ => {
             let mut lanes = value.to_array();
             lanes.rotate_left(usize::from(shift) % LANES);
@@ -145,6 +148,8 @@ pub(crate) fn rotate_right<S: Simd>(value: f32x16<S>, shift: u8) -> f32x16<S> {
     match shift {
         0 => value,
         1 => value.rotate_elements_left::<15>(),
+        2 => value.rotate_elements_left::<14>(),
+        4 => value.rotate_elements_left::<12>(),
         _ => {
             let mut lanes = value.to_array();
             lanes.rotate_right(usize::from(shift) % LANES);
