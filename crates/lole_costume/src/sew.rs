@@ -2,6 +2,7 @@
 //! hips, its elastic rows carried by the skin.
 
 mod fold_curve;
+mod ring;
 
 use glam::{Affine3A, Vec2, Vec3};
 use lole_body::{Dancer, TapePoint};
@@ -9,7 +10,7 @@ use lole_cloth::{ClothSpec, Fabric, Grid, MassLaw, Topology};
 use lole_geom::trig;
 use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements};
 
-use fold_curve::FoldCurve;
+use ring::{Ring, Row};
 
 /// How the skirt is divided into particles and laid around the dancer.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -134,18 +135,16 @@ pub fn sew(
     settings: &SewSettings,
 ) -> Result<SewnSkirt, SewError> {
     let layout = Layout::new(draft, worn, settings)?;
-    let lowest = *layout.elastic_rows.last().unwrap_or(&0);
-    let worn_height = worn.worn_height.to_m_f32();
     let mut start = Vec::with_capacity(layout.grid.particle_count());
-    let lowest_ring = Ring::at(dancer, worn_height, settings, &layout)?;
-    for row in 0..layout.grid.row_count {
-        let drop = (row as f32 - lowest as f32) * layout.grid.spacing[1];
-        if row <= lowest {
-            let ring = Ring::at(dancer, worn_height - drop, settings, &layout)?;
-            ring.lay_row(0.0, 0.0, &layout, &mut start);
-        } else {
-            lowest_ring.lay_row(drop, opening(drop), &layout, &mut start);
-        }
+    let lowest = *layout.elastic_rows.last().unwrap_or(&0);
+    let rings = layout.band_rings(dancer, worn.worn_height.to_m_f32(), lowest)?;
+    for ring in &rings {
+        ring.lay(layout.row(0.0, 0.0), &mut start);
+    }
+    for row in lowest + 1..layout.grid.row_count {
+        let slant = (row - lowest) as f32 * layout.grid.spacing[1];
+        let row = layout.row(slant * OPENING_COS, slant * OPENING_SIN);
+        rings[lowest as usize].lay(row, &mut start);
     }
     let mut pinned = vec![false; layout.grid.particle_count()];
     let mut pins = Vec::new();
@@ -175,11 +174,15 @@ pub fn sew(
     })
 }
 
-/// How far the skirt is held open [m], `drop` [m] below the band, before it is let go: a cone of
-/// about 15°, inside what the hips and the folds' own width ask for.
-fn opening(drop: f32) -> f32 {
-    0.26 * drop
-}
+/// The skirt is held open as a cone of 8° before it is let go. A wider one swings in and its folds
+/// fall flat on each other; a narrower one starts inside the hips.
+const OPENING_SIN: f32 = 0.139_173_1;
+/// See [`OPENING_SIN`].
+const OPENING_COS: f32 = 0.990_268_05;
+
+/// Rows of the band lie this much closer on the skin than in the cloth: cloth between two elastics
+/// blouses, it is never tight.
+const BLOUSING: f32 = 0.94;
 
 /// The grid and what its rows and columns mean.
 struct Layout {
@@ -188,9 +191,9 @@ struct Layout {
     row_layers: Vec<f32>,
     /// Cloth around the skirt [m].
     flat_length: f32,
-    /// Fold phase of every column, in folds.
-    phases: Vec<f32>,
-    fold_count: f32,
+    /// Where each fold starts, as a fraction of the ring.
+    fold_starts: Vec<f32>,
+    /// Gap between skin and inner turns [m].
     band_gap: f32,
 }
 
@@ -206,7 +209,7 @@ impl Layout {
         let elastic_rows: Vec<u32> = draft
             .elastic_rows
             .iter()
-            .map(|row| nearest_row(row.from_fold.to_m_f32(), spacing_v))
+            .map(|row| whole_count(row.from_fold.to_m_f32(), spacing_v))
             .collect();
         let rising = elastic_rows.windows(2).all(|pair| pair[0] < pair[1]);
         let below = elastic_rows.last().map_or(0, |&row| row + 3);
@@ -234,50 +237,92 @@ impl Layout {
             }
         };
         let ring_length = worn.worn_girth.to_m_f32();
-        let fold_count = (ring_length / settings.gather_pitch).round().max(8.0);
+        let fold_count = whole_count(ring_length, settings.gather_pitch).max(8);
         Ok(Self {
             grid,
             elastic_rows,
             row_layers: (0..settings.row_count).map(layers).collect(),
             flat_length,
-            phases: fold_phases(settings, fold_count),
-            fold_count,
+            fold_starts: fold_starts(settings, fold_count),
             band_gap: settings.band_gap,
         })
+    }
+
+    /// A row of cloth `drop` [m] below its tape, its inner turns `out` [m] outside the band's.
+    fn row(&self, drop: f32, out: f32) -> Row<'_> {
+        Row {
+            drop,
+            out: self.band_gap + out,
+            cloth_length: self.flat_length,
+            column_count: self.grid.column_count,
+            fold_starts: &self.fold_starts,
+        }
+    }
+
+    /// Rings for every row down to the lowest elastic, a row's height apart along the skin.
+    fn band_rings(
+        &self,
+        dancer: &Dancer,
+        worn_height: f32,
+        lowest: u32,
+    ) -> Result<Vec<Ring>, SewError> {
+        let mut rings = vec![Ring::at(dancer, worn_height)?];
+        rings.extend(Ring::upward(
+            dancer,
+            worn_height,
+            self.grid.spacing[1],
+            lowest,
+        )?);
+        rings.reverse();
+        rings.into_iter().map(|ring| self.fitting(ring)).collect()
+    }
+
+    fn fitting(&self, ring: Ring) -> Result<Ring, SewError> {
+        let around = ring.girth + std::f32::consts::TAU * self.band_gap;
+        if self.flat_length < around {
+            return Err(SewError::TooNarrow {
+                flat_cm: f64::from(self.flat_length) * 100.0,
+                ring_cm: f64::from(around) * 100.0,
+            });
+        }
+        Ok(ring)
     }
 }
 
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
-    reason = "a distance on the skirt over a row's height: below 1,000 rows"
+    reason = "a length on the skirt over a row or a fold: below 10,000"
 )]
-fn nearest_row(distance: f32, spacing: f32) -> u32 {
+fn whole_count(distance: f32, spacing: f32) -> u32 {
     (distance / spacing).round() as u32
 }
 
-/// The fold phase of each column: even, plus a slow random drift that closes around the ring.
-fn fold_phases(settings: &SewSettings, fold_count: f32) -> Vec<f32> {
+/// Where folds start around the ring: evenly, plus a slow random drift that closes.
+fn fold_starts(settings: &SewSettings, fold_count: u32) -> Vec<f32> {
     const WAVES: [f32; 6] = [2.0, 3.0, 5.0, 7.0, 11.0, 17.0];
     let mut state = settings.seed ^ 0x9e37_79b9_7f4a_7c15;
     let shifts = WAVES.map(|_| unit_random(&mut state));
     let strengths = WAVES.map(|_| 0.5 + unit_random(&mut state));
-    (0..settings.column_count)
-        .map(|column| {
-            let around = column as f32 / settings.column_count as f32;
-            let drift: f32 = WAVES
-                .iter()
-                .zip(shifts)
-                .zip(strengths)
-                // Each wave changes the local pitch by the same share, whatever its length.
-                .map(|((wave, shift), strength)| {
-                    strength / wave * trig::sin(std::f32::consts::TAU * (wave * around + shift))
-                })
-                .sum();
-            fold_count * (around + 0.025 * settings.unevenness * drift)
+    let drift = |around: f32| -> f32 {
+        let wave = |((wave, shift), strength): ((f32, f32), f32)| {
+            // Each wave changes the local pitch by the same share, whatever its length.
+            strength / wave * trig::sin(std::f32::consts::TAU * (wave * around + shift))
+        };
+        WAVES.into_iter().zip(shifts).zip(strengths).map(wave).sum()
+    };
+    let first = drift(0.0);
+    (0..fold_count)
+        .map(|fold| {
+            let around = fold as f32 / fold_count as f32;
+            around + LARGEST_DRIFT * settings.unevenness * (drift(around) - first)
         })
         .collect()
 }
+
+/// Drift of the folds at an unevenness of 1, in rings over waves: six waves of strength up to 1.5
+/// change the pitch by at most `6 · 1.5 · 2π · 0.015 = 85 %`, so folds never change places.
+const LARGEST_DRIFT: f32 = 0.015;
 
 /// A repeatable number in `0..1` (`SplitMix64`, Steele, Lea and Flood 2014).
 fn unit_random(state: &mut u64) -> f32 {
@@ -287,93 +332,6 @@ fn unit_random(state: &mut u64) -> f32 {
     bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
     bits ^= bits >> 31;
     (bits >> 40) as f32 / (1_u32 << 24) as f32
-}
-
-/// Points of a tape that one row of gathers is laid along.
-const RING_POINTS: usize = 720;
-
-/// A tape around the body that one row is laid along.
-struct Ring {
-    points: Vec<TapePoint>,
-    girth: f32,
-}
-
-impl Ring {
-    fn at(
-        dancer: &Dancer,
-        height: f32,
-        settings: &SewSettings,
-        layout: &Layout,
-    ) -> Result<Self, SewError> {
-        let points = dancer.tape_ring(height, RING_POINTS);
-        if points.is_empty() {
-            return Err(SewError::NoSection {
-                height_cm: f64::from(height) * 100.0,
-            });
-        }
-        let next = points.iter().cycle().skip(1);
-        let girth = points
-            .iter()
-            .zip(next)
-            .map(|(a, b)| a.bind_position.distance(b.bind_position))
-            .sum();
-        let around = girth + std::f32::consts::TAU * settings.band_gap;
-        if layout.flat_length < around {
-            return Err(SewError::TooNarrow {
-                flat_cm: f64::from(layout.flat_length) * 100.0,
-                ring_cm: f64::from(around) * 100.0,
-            });
-        }
-        Ok(Self { points, girth })
-    }
-
-    /// Lays one row of particles, `drop` [m] below the ring and `out` [m] further from the body.
-    fn lay_row(&self, drop: f32, out: f32, layout: &Layout, into: &mut Vec<TapePoint>) {
-        let cloth_per_fold = layout.flat_length / layout.fold_count;
-        // The middle line of the folds lies half their depth further out than their inner turns,
-        // which shortens the folds, which moves the middle line: two rounds settle it.
-        let mut depth = 0.0;
-        let mut curve = FoldCurve::new(cloth_per_fold, cloth_per_fold);
-        for _ in 0..3 {
-            let ring = self.girth + std::f32::consts::TAU * (layout.band_gap + out + 0.5 * depth);
-            curve = FoldCurve::new(cloth_per_fold, ring / layout.fold_count);
-            depth = curve.depth();
-        }
-        let middle = self.girth + std::f32::consts::TAU * (layout.band_gap + out + 0.5 * depth);
-        for (column, &phase) in layout.phases.iter().enumerate() {
-            let (sideways, outward) = curve.at(phase);
-            let even = column as f32 / layout.phases.len() as f32;
-            let around = even + sideways / middle;
-            let mut point = self.point(around);
-            point.bind_position += point.outward * (layout.band_gap + out + outward);
-            point.bind_position.y -= drop;
-            into.push(point);
-        }
-    }
-
-    /// The tape point a fraction `around` the ring, mixed from its two neighbors.
-    fn point(&self, around: f32) -> TapePoint {
-        let place = (around - around.floor()) * self.points.len() as f32;
-        let whole = place.floor();
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "between 0 and the number of points"
-        )]
-        let index = whole as usize % self.points.len();
-        let (a, b) = (
-            &self.points[index],
-            &self.points[(index + 1) % self.points.len()],
-        );
-        let fraction = place - whole;
-        // The nearer neighbor's bones carry it: weights vary slowly along a tape.
-        let carrier = if fraction < 0.5 { a } else { b };
-        TapePoint {
-            bind_position: a.bind_position.lerp(b.bind_position, fraction),
-            outward: a.outward.lerp(b.outward, fraction).normalize_or(a.outward),
-            ..*carrier
-        }
-    }
 }
 
 /// The drawn skirt: the particles' grid with the seam column twice, so that the print may differ on
