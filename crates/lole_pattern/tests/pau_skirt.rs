@@ -337,7 +337,7 @@ fn check_golden(name: &str, text: &str) {
         .join("../../tests/golden/lole_pattern")
         .join(name);
     if std::env::var_os("LOLE_GOLDEN").is_some_and(|mode| mode == "write") {
-        std::fs::write(&path, text).unwrap();
+        std::fs::write(&path, text).expect("the golden can be written");
     }
     let golden = std::fs::read_to_string(&path).unwrap_or_default();
     assert_eq!(

@@ -118,12 +118,10 @@ impl Ring {
                     .bind_position
                     .distance(high.bind_position)
                     .max(PROFILE_STEP);
-                while reached[index] < count as usize {
-                    let missing = (reached[index] + 1) as f32 * spacing - climbed[index];
-                    if rise < missing {
-                        break;
-                    }
-                    rows[reached[index]].push((index, mix(low, high, missing / rise)));
+                let missing = |row: usize| (row + 1) as f32 * spacing - climbed[index];
+                while reached[index] < count as usize && missing(reached[index]) <= rise {
+                    let share = missing(reached[index]) / rise;
+                    rows[reached[index]].push((index, mix(low, high, share)));
                     reached[index] += 1;
                 }
                 climbed[index] += rise;
