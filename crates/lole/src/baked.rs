@@ -14,10 +14,10 @@ use lole_stage::Performance;
 
 use crate::studio::{Studio, linear};
 
-/// Columns of the simulation for one column of the file: a gather keeps six vertices.
+/// Columns of the simulation for one column of the file: a gather keeps five vertices.
 const COLUMN_STRIDE: u32 = 2;
 /// Rows of the simulation for one row of the file.
-const ROW_STRIDE: u32 = 2;
+const ROW_STRIDE: u32 = 1;
 
 /// Poses and cloth at key times.
 #[derive(Debug, Default)]

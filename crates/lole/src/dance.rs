@@ -13,7 +13,7 @@ use lole_costume::document::{self, Design, MethodName};
 use lole_export::report::ReportFile;
 use lole_export::video::{Mp4Writer, VideoSettings};
 use lole_export::{Image, still};
-use lole_render::{Backend, Renderer, Size};
+use lole_render::{Backend, LightRig, Renderer, Size};
 use lole_stage::{
     Divergence, FRAME_SECONDS, FRAMES_PER_SECOND, FrameMetrics, Performance, Production,
 };
@@ -371,8 +371,11 @@ struct Finished<'a> {
 }
 
 impl Shoot {
+    /// The lamps of the film stand still while the camera moves.
     fn take(&mut self, performance: &Performance, camera: lole_render::Camera) -> Result<()> {
-        let image = self.studio.shoot(performance, camera, &mut self.renderer)?;
+        let image =
+            self.studio
+                .shoot(performance, camera, LightRig::default(), &mut self.renderer)?;
         Ok(self.film.push_frame(&image.pixels)?)
     }
 
@@ -381,8 +384,11 @@ impl Shoot {
         let mut renderer = Renderer::new(self.backend, STILL_SIZE)?;
         for still in &STILLS {
             let camera = still_camera(performance, still.view, STILL_SIZE);
-            self.stills
-                .push(self.studio.shoot(performance, camera, &mut renderer)?);
+            let lights = LightRig::seen_from(&camera);
+            let image = self
+                .studio
+                .shoot(performance, camera, lights, &mut renderer)?;
+            self.stills.push(image);
         }
         Ok(())
     }

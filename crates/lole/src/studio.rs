@@ -8,7 +8,7 @@ use lole_body::{Bone, PartKind, appearance};
 use lole_costume::print::{self, PrintImage};
 use lole_geom::trig;
 use lole_render::{
-    Bounds, Camera, Image, Material, Renderer, Scene, SceneMesh, Size, Texture, View,
+    Bounds, Camera, Image, LightRig, Material, Renderer, Scene, SceneMesh, Size, Texture, View,
 };
 use lole_stage::Performance;
 
@@ -93,6 +93,7 @@ impl Studio {
         &self,
         performance: &Performance,
         camera: Camera,
+        lights: LightRig,
         renderer: &mut Renderer,
     ) -> Result<Image> {
         let production = performance.production();
@@ -100,7 +101,10 @@ impl Studio {
         let (mut positions, mut normals) = (Vec::new(), Vec::new());
         mesh.spread(performance.cloth_positions(), &mut positions);
         mesh.spread(&performance.cloth_normals(), &mut normals);
-        let mut scene = Scene::studio(camera);
+        let mut scene = Scene {
+            lights,
+            ..Scene::studio(camera)
+        };
         scene.meshes.push(SceneMesh {
             positions: &positions,
             normals: &normals,

@@ -106,7 +106,7 @@ impl Default for SkirtDesign {
             casing_gap_cm: 2.5,
             hem_allowance_cm: 5.0,
             column_count: 512,
-            row_count: 50,
+            row_count: 55,
             seed: 1,
         }
     }

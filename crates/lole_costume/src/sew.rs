@@ -33,7 +33,7 @@ impl Default for SewSettings {
     fn default() -> Self {
         Self {
             column_count: 512,
-            row_count: 50,
+            row_count: 55,
             gather_pitch: 0.016,
             band_gap: 0.006,
             unevenness: 0.5,
@@ -270,7 +270,7 @@ impl Layout {
         rings.extend(Ring::upward(
             dancer,
             worn_height,
-            self.grid.spacing[1],
+            BLOUSING * self.grid.spacing[1],
             lowest,
         )?);
         rings.reverse();

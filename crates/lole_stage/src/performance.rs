@@ -18,6 +18,11 @@ pub const FRAMES_PER_SECOND: u32 = 60;
 /// Frames the cloth hangs down in the stance before the dance starts: three seconds, after which a
 /// skirt of any fabric on the shelf hangs still.
 const SETTLE_FRAMES: u32 = 3 * FRAMES_PER_SECOND;
+/// The first of them, in which the cloth is lowered by hand instead of dropped: a fall would lay
+/// its folds flat on each other.
+const LOWERING_FRAMES: u32 = 100;
+/// Share of its velocity that the cloth keeps from frame to frame while it is lowered.
+const LOWERING: f32 = 0.6;
 
 /// Duration of one frame [s].
 pub const FRAME_SECONDS: f32 = 1.0 / FRAMES_PER_SECOND as f32;
@@ -191,6 +196,9 @@ impl Performance {
             time: self.time(),
         };
         self.solver.step(&surroundings, FRAME_SECONDS);
+        if self.frame <= i64::from(LOWERING_FRAMES) - i64::from(SETTLE_FRAMES) {
+            self.solver.scale_velocities(LOWERING);
+        }
         self.solver.copy_positions(&mut self.cloth_positions);
         self.check_stage()
     }

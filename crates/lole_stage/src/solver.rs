@@ -118,6 +118,28 @@ impl Solver {
         }
     }
 
+    /// Multiplies every velocity.
+    pub(crate) fn scale_velocities(&mut self, factor: f32) {
+        match self {
+            Self::Xpbd(xpbd) => {
+                let mut velocities = Vec::new();
+                xpbd.state.copy_velocities(&xpbd.model, &mut velocities);
+                velocities
+                    .iter_mut()
+                    .for_each(|velocity| *velocity *= factor);
+                xpbd.state.set_velocities(&xpbd.model, &velocities);
+            }
+            Self::FbEuler(reference) => {
+                let factor = f64::from(factor);
+                reference
+                    .state
+                    .velocities
+                    .iter_mut()
+                    .for_each(|velocity| *velocity *= factor);
+            }
+        }
+    }
+
     /// Positions of the particles [m], row-major.
     pub(crate) fn copy_positions(&self, out: &mut Vec<Vec3>) {
         match self {
@@ -192,8 +214,9 @@ fn xpbd_config(spec: &ClothSpec, substeps: Option<NonZeroU32>) -> SolverConfig {
     let mut config = SolverConfig {
         contact_offset: CONTACT_OFFSET,
         self_collision: Some(SelfCollision {
-            // Spheres of neighbors along a row just touch when the cloth is flat.
-            radius: 0.5 * spec.grid.spacing[0],
+            // Strands of the gathers lie about a column's width apart: thinner than that, they
+            // meet without fighting the band.
+            radius: 0.45 * spec.grid.spacing[0],
             substep_interval: NonZeroU32::MIN,
         }),
         ..SolverConfig::default()
