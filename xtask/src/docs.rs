@@ -58,6 +58,9 @@ pub(crate) fn run(repository: &Path) -> anyhow::Result<ExitCode> {
             "--no-deps",
             "--document-private-items",
         ])
+        // With the examples come the features that tests and Clippy build dependencies with, so
+        // that none is built once more for the documentation.
+        .args(["--lib", "--bins", "--examples"])
         .args(["--quiet", "--message-format", "json"])
         .output()
         .context("cannot run cargo doc")?;
