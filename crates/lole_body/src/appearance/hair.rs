@@ -89,6 +89,41 @@ fn frame(axis: Vec3) -> (Vec3, Vec3) {
     (across, axis.cross(across))
 }
 
+/// A place on a ball around an axis.
+struct Spot {
+    /// Angle from the axis [rad].
+    polar: f32,
+    /// Angle around the axis [rad].
+    azimuth: f32,
+    sin_polar: f32,
+    cos_polar: f32,
+    /// Unit vector from the axis outwards.
+    around: Vec3,
+}
+
+/// Rings of vertices from one pole of `axis` to the other, as many parts as `counts` says along
+/// and around it, each vertex where `place` puts it.
+fn rings(counts: [usize; 2], axis: Vec3, place: impl Fn(Spot) -> Vec3) -> Vec<Vec<Vec3>> {
+    let (across, up) = frame(axis);
+    let ring = |ring: usize| {
+        let polar = PI * ring as f32 / counts[0] as f32;
+        let (sin_polar, cos_polar) = trig::sin_cos(polar);
+        let vertex = |step: usize| {
+            let azimuth = TAU * step as f32 / counts[1] as f32;
+            let (sin_azimuth, cos_azimuth) = trig::sin_cos(azimuth);
+            place(Spot {
+                polar,
+                azimuth,
+                sin_polar,
+                cos_polar,
+                around: across * cos_azimuth + up * sin_azimuth,
+            })
+        };
+        (0..counts[1]).map(vertex).collect()
+    };
+    (1..counts[0]).map(ring).collect()
+}
+
 impl Scalp<'_> {
     /// Distance [m] of the hair from the head's center in a direction.
     fn radius(&self, towards: Vec3) -> f32 {
@@ -114,23 +149,19 @@ impl Scalp<'_> {
         const AROUND: usize = 104;
         const LOCK_DEPTH: f32 = 0.0005;
         let axis = direction(180.0, BUN_LATITUDE);
-        let (across, up) = frame(axis);
-        let rings = (1..RINGS).map(|ring| {
-            let polar = PI * ring as f32 / RINGS as f32;
-            let (sin_polar, cos_polar) = trig::sin_cos(polar);
-            (0..AROUND)
-                .map(|step| {
-                    let azimuth = TAU * step as f32 / AROUND as f32;
-                    let (sin_azimuth, cos_azimuth) = trig::sin_cos(azimuth);
-                    let around = across * cos_azimuth + up * sin_azimuth;
-                    let towards = axis * cos_polar + around * sin_polar;
-                    let waver = trig::sin(3.0 * polar + 5.0 * trig::sin(2.0 * azimuth));
-                    let lock = trig::sin(LOCKS * azimuth + waver) * LOCK_DEPTH * sin_polar;
-                    self.center + towards * (self.radius(towards) + lock * self.k)
-                })
-                .collect()
+        let rings = rings([RINGS, AROUND], axis, |spot| {
+            let Spot {
+                polar,
+                azimuth,
+                sin_polar,
+                cos_polar,
+                around,
+            } = spot;
+            let towards = axis * cos_polar + around * sin_polar;
+            let waver = trig::sin(3.0 * polar + 5.0 * trig::sin(2.0 * azimuth));
+            let lock = trig::sin(LOCKS * azimuth + waver) * LOCK_DEPTH * sin_polar;
+            self.center + towards * (self.radius(towards) + lock * self.k)
         });
-        let rings: Vec<Vec<Vec3>> = rings.collect();
         let pole = |towards: Vec3| self.center + towards * self.radius(towards);
         Solid::from_rings(&rings, [pole(axis), pole(-axis)])
     }
@@ -141,24 +172,13 @@ impl Scalp<'_> {
         const AROUND: usize = 40;
         const STRANDS: f32 = 3.0;
         let axis = direction(180.0, BUN_LATITUDE);
-        let (across, up) = frame(axis);
         let radius = BUN_RADIUS * self.k;
         let center = self.center + axis * (self.radius(axis) + 0.45 * radius);
-        let rings = (1..RINGS).map(|ring| {
-            let polar = PI * ring as f32 / RINGS as f32;
-            let (sin_polar, cos_polar) = trig::sin_cos(polar);
-            (0..AROUND)
-                .map(|step| {
-                    let azimuth = TAU * step as f32 / AROUND as f32;
-                    let (sin_azimuth, cos_azimuth) = trig::sin_cos(azimuth);
-                    let around = across * cos_azimuth + up * sin_azimuth;
-                    let strand = trig::sin(STRANDS * azimuth + 9.0 * polar) * sin_polar;
-                    let length = radius * (1.0 + 0.035 * strand);
-                    center + (axis * (0.8 * cos_polar) + around * sin_polar) * length
-                })
-                .collect()
+        let rings = rings([RINGS, AROUND], axis, |spot| {
+            let strand = trig::sin(STRANDS * spot.azimuth + 9.0 * spot.polar) * spot.sin_polar;
+            let length = radius * (1.0 + 0.035 * strand);
+            center + (axis * (0.8 * spot.cos_polar) + spot.around * spot.sin_polar) * length
         });
-        let rings: Vec<Vec<Vec3>> = rings.collect();
         Solid::from_rings(
             &rings,
             [
