@@ -25,13 +25,13 @@ struct View {
     corner: [usize; 2],
     right: Vec3,
     toward: Vec3,
-    centre: Vec3,
+    center: Vec3,
 }
 
 impl View {
     /// Pixel (within the picture) and depth of a point.
     fn project(&self, point: Vec3) -> Vec3 {
-        let offset = point - self.centre;
+        let offset = point - self.center;
         Vec3::new(
             self.right.dot(offset) * PIXELS_PER_METER + 0.5 * CELL[0] as f32,
             CELL[1] as f32 - 12.0 - point.y * PIXELS_PER_METER,
@@ -157,7 +157,7 @@ fn main() {
                     corner: [column * CELL[0], row * CELL[1]],
                     right,
                     toward,
-                    centre: Vec3::new(hips.x, 0.0, 0.0),
+                    center: Vec3::new(hips.x, 0.0, 0.0),
                 };
                 draw(&mut sheet, &view, &dancer, &positions);
             }

@@ -8,7 +8,7 @@ use glam::Vec3;
 use crate::Bone;
 use crate::sections::{Sections, Tube};
 use crate::surface::Shape;
-use crate::surface::half::{Neighbours, is_on_plane};
+use crate::surface::half::{Neighbors, is_on_plane};
 use crate::surface::warp::smooth_step;
 
 /// Weight of every bone, shape `[Bone::COUNT]`.
@@ -22,11 +22,11 @@ pub(crate) fn half_weights(shape: &Shape) -> Vec<Row> {
     let mut rows: Vec<Row> = (shape.positions.iter().zip(&shape.labels))
         .map(|(&position, &label)| joints.row(position, label))
         .collect();
-    let neighbours = Neighbours::new(shape.positions.len(), &shape.triangles);
+    let neighbors = Neighbors::new(shape.positions.len(), &shape.triangles);
     for _ in 0..AVERAGING_PASSES {
-        average(&mut rows, &neighbours, &shape.positions);
+        average(&mut rows, &neighbors, &shape.positions);
     }
-    join_close(&mut rows, &neighbours, &shape.positions);
+    join_close(&mut rows, &neighbors, &shape.positions);
     rows
 }
 
@@ -74,14 +74,14 @@ pub(crate) fn four_largest(row: &Row) -> ([u16; 4], [f32; 4]) {
     (joints, weights)
 }
 
-fn average(rows: &mut [Row], neighbours: &Neighbours, positions: &[Vec3]) {
+fn average(rows: &mut [Row], neighbors: &Neighbors, positions: &[Vec3]) {
     let mirror = mirror_table();
     let before = rows.to_vec();
     for (vertex, row) in rows.iter_mut().enumerate() {
         let on_plane = is_on_plane(positions[vertex]);
         let mut sum = [0.0; Bone::COUNT];
         let mut count = 0.0;
-        for &other in neighbours.of(vertex) {
+        for &other in neighbors.of(vertex) {
             let other = other as usize;
             add(&mut sum, &before[other]);
             count += 1.0;
@@ -99,12 +99,12 @@ fn average(rows: &mut [Row], neighbours: &Neighbours, positions: &[Vec3]) {
 }
 
 /// Ends of very short edges, as along cut lines, move together.
-fn join_close(rows: &mut [Row], neighbours: &Neighbours, positions: &[Vec3]) {
+fn join_close(rows: &mut [Row], neighbors: &Neighbors, positions: &[Vec3]) {
     const CLOSE: f32 = 0.002;
     const PASSES: usize = 4;
     for _ in 0..PASSES {
         for vertex in 0..positions.len() {
-            for &other in neighbours.of(vertex) {
+            for &other in neighbors.of(vertex) {
                 let other = other as usize;
                 let [a, b] = [vertex, other].map(|end| positions[end]);
                 if a.distance(b) < CLOSE && is_on_plane(a) == is_on_plane(b) {

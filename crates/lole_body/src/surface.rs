@@ -22,7 +22,7 @@ use crate::sections::{Sections, Tube, read_bodies};
 use crate::{BodyError, Measurements, PartKind};
 pub(crate) use field::Field;
 use fine::Fine;
-use half::{HalfMesh, Neighbours, is_on_plane};
+use half::{HalfMesh, Neighbors, is_on_plane};
 use regions::Regions;
 use warp::{Girths, Heights, arm_share, asis_level, smooth_step};
 
@@ -54,15 +54,15 @@ pub(crate) fn build(tape: &Measurements) -> Result<Shape, BodyError> {
     let body = nearest_body(&read_bodies()?, tape)?;
     let field = Field::new(&body);
     let mut mesh = closed_half(&field)?;
-    let neighbours = mesh.neighbours();
-    mesh.smooth(&neighbours, TAUBIN_PASSES);
-    mesh.fair(&neighbours, &fairing_balls(&body), FAIRING_PASSES);
+    let neighbors = mesh.neighbors();
+    mesh.smooth(&neighbors, TAUBIN_PASSES);
+    mesh.fair(&neighbors, &fairing_balls(&body), FAIRING_PASSES);
     let (floor, crotch, crown) = extent(&mesh)?;
     for position in &mut mesh.positions {
         position.y -= floor;
     }
     let heights = Heights::new(&body, crotch - floor, crown - floor, tape);
-    let arms = arm_shares(&mesh, &neighbours, &body);
+    let arms = arm_shares(&mesh, &neighbors, &body);
     for (position, &arm) in mesh.positions.iter_mut().zip(&arms) {
         *position = heights.carry(*position, arm);
     }
@@ -78,7 +78,7 @@ pub(crate) fn build(tape: &Measurements) -> Result<Shape, BodyError> {
         ..Fine::default()
     };
     mesh.positions.clone_from(&fine.warped);
-    fine.normals = mesh.normals(&neighbours);
+    fine.normals = mesh.normals(&neighbors);
     fine.kinds = vec![PartKind::Skin; mesh.triangles.len()];
     fine.triangles = mesh.triangles;
     fine.labels = mesh.labels;
@@ -253,7 +253,7 @@ fn extent(mesh: &HalfMesh) -> Result<(f32, f32, f32), BodyError> {
 }
 
 /// Share of each vertex that belongs to the arm, fading over the shoulder.
-fn arm_shares(mesh: &HalfMesh, neighbours: &Neighbours, body: &Sections) -> Vec<f32> {
+fn arm_shares(mesh: &HalfMesh, neighbors: &Neighbors, body: &Sections) -> Vec<f32> {
     const PASSES: usize = 24;
     let k = body.height / 1.585;
     let shoulder = body.joint("leftUpperArm");
@@ -272,7 +272,7 @@ fn arm_shares(mesh: &HalfMesh, neighbours: &Neighbours, body: &Sections) -> Vec<
     for _ in 0..PASSES {
         let before = shares.clone();
         for (vertex, share) in shares.iter_mut().enumerate() {
-            let around = neighbours.of(vertex);
+            let around = neighbors.of(vertex);
             if !around.is_empty() {
                 let sum: f32 = around.iter().map(|&other| before[other as usize]).sum();
                 *share = 0.5 * *share + 0.5 * sum / around.len() as f32;

@@ -1,9 +1,9 @@
-//! The rasteriser for machines without a graphics adapter: four samples a pixel for edges, one
+//! The rasterizer for machines without a graphics adapter: four samples a pixel for edges, one
 //! shading for each triangle in a pixel, tiles in parallel, the same bits on any number of threads.
 //!
-//! A ready-made software rasteriser was looked at first: `euc` 0.5.3, the newest release in its
+//! A ready-made software rasterizer was looked at first: `euc` 0.5.3, the newest release in its
 //! registry, has neither multisampling nor threads, and the shadow maps here, seen from both ends
-//! of an axis at once, would have needed a rasteriser of their own beside it.
+//! of an axis at once, would have needed a rasterizer of their own beside it.
 
 mod raster;
 mod resolve;

@@ -1,4 +1,4 @@
-//! Pictures of meshes, without a window: by wgpu where an adapter exists, by a CPU rasteriser
+//! Pictures of meshes, without a window: by wgpu where an adapter exists, by a CPU rasterizer
 //! where none does.
 //!
 //! A [`Scene`] names meshes with materials, a camera, lights, a backdrop and a ground; a

@@ -13,7 +13,7 @@ pub enum Backend {
     Auto,
     /// A graphics adapter, also one that computes on the CPU, or an error.
     Gpu,
-    /// The rasteriser of this crate; the same bits on every machine and any number of threads.
+    /// The rasterizer of this crate; the same bits on every machine and any number of threads.
     Cpu,
 }
 
@@ -58,7 +58,7 @@ impl Renderer {
         })
     }
 
-    /// What draws, for people: `CPU rasteriser, 2 threads` or the adapter's name.
+    /// What draws, for people: `CPU rasterizer, 2 threads` or the adapter's name.
     #[must_use]
     pub fn description(&self) -> &str {
         &self.description
@@ -80,7 +80,7 @@ impl Renderer {
 
 fn cpu_description() -> String {
     match rayon::current_num_threads() {
-        1 => "CPU rasteriser, 1 thread".to_owned(),
-        threads => format!("CPU rasteriser, {threads} threads"),
+        1 => "CPU rasterizer, 1 thread".to_owned(),
+        threads => format!("CPU rasterizer, {threads} threads"),
     }
 }

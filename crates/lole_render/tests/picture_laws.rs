@@ -1,4 +1,4 @@
-//! What every picture must obey, drawn by the CPU rasteriser and, where there is an adapter,
+//! What every picture must obey, drawn by the CPU rasterizer and, where there is an adapter,
 //! compared with wgpu.
 
 #![expect(clippy::unwrap_used, reason = "functions that only tests call")]

@@ -48,7 +48,7 @@ const OUT: Arm = Arm {
     wrist: 0.0,
     fingers: 0.0,
 };
-/// Hand at the centre of the chest, elbow at chest height, palm down.
+/// Hand at the center of the chest, elbow at chest height, palm down.
 const AT_CHEST: Arm = Arm {
     azimuth: 38.0,
     elevation: -20.0,

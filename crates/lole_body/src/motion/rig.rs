@@ -137,8 +137,8 @@ impl Rig {
             let over = height + hip.y - foot.ankle.y;
             let ahead = middle.z + hip.z - foot.ankle.z;
             let widest = leg.widest(over, ahead, LEAST_KNEE_DEGREES + 4.0);
-            let centre = foot.ankle.x - hip.x;
-            range = [range[0].max(centre - widest), range[1].min(centre + widest)];
+            let center = foot.ankle.x - hip.x;
+            range = [range[0].max(center - widest), range[1].min(center + widest)];
         }
         // Feet too far apart for this height: the middle, and the pelvis will sink.
         let middle_of_range = 0.5 * (range[0] + range[1]);

@@ -99,7 +99,7 @@ pub enum ArmStyle {
     OfStep,
     /// Both arms softly open to the sides, a little below shoulder height.
     Open,
-    /// Both hands on the waist above the skirt's band, as the basics are practised.
+    /// Both hands on the waist above the skirt's band, as the basics are practiced.
     HandsOnHips,
 }
 

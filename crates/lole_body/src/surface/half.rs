@@ -1,4 +1,4 @@
-//! The left half of a mirror-symmetric surface, its neighbours, and smoothing that keeps the
+//! The left half of a mirror-symmetric surface, its neighbors, and smoothing that keeps the
 //! mirror plane.
 
 use glam::Vec3;
@@ -17,13 +17,13 @@ pub(crate) struct HalfMesh {
     pub(crate) labels: Vec<Tube>,
 }
 
-/// Neighbours of every vertex in one array.
-pub(crate) struct Neighbours {
+/// Neighbors of every vertex in one array.
+pub(crate) struct Neighbors {
     starts: Vec<u32>,
     vertices: Vec<u32>,
 }
 
-impl Neighbours {
+impl Neighbors {
     pub(crate) fn new(vertex_count: usize, triangles: &[[u32; 3]]) -> Self {
         let mut edges: Vec<[u32; 2]> = Vec::with_capacity(triangles.len() * 6);
         for &[a, b, c] in triangles {
@@ -51,13 +51,13 @@ impl Neighbours {
         &self.vertices[self.starts[vertex] as usize..self.starts[vertex + 1] as usize]
     }
 
-    /// Mean of the neighbours of `vertex`; on the mirror plane the unseen half counts too.
+    /// Mean of the neighbors of `vertex`; on the mirror plane the unseen half counts too.
     pub(crate) fn mean(&self, positions: &[Vec3], vertex: usize) -> Vec3 {
         let on_plane = is_on_plane(positions[vertex]);
         let mut sum = Vec3::ZERO;
         let mut count = 0.0;
-        for &neighbour in self.of(vertex) {
-            let mut position = positions[neighbour as usize];
+        for &neighbor in self.of(vertex) {
+            let mut position = positions[neighbor as usize];
             let mut share = 1.0;
             if on_plane && !is_on_plane(position) {
                 position.x = 0.0;
@@ -90,13 +90,13 @@ fn kept_on_side(before: Vec3, moved: Vec3) -> Vec3 {
 }
 
 impl HalfMesh {
-    pub(crate) fn neighbours(&self) -> Neighbours {
-        Neighbours::new(self.positions.len(), &self.triangles)
+    pub(crate) fn neighbors(&self) -> Neighbors {
+        Neighbors::new(self.positions.len(), &self.triangles)
     }
 
     /// Keeps the largest connected piece.
     pub(crate) fn keep_largest(&mut self) {
-        let neighbours = self.neighbours();
+        let neighbors = self.neighbors();
         let mut piece_of = vec![usize::MAX; self.positions.len()];
         let mut sizes = Vec::new();
         for seed in 0..self.positions.len() {
@@ -110,7 +110,7 @@ impl HalfMesh {
             while let Some(vertex) = open.pop() {
                 size += 1;
                 let unseen = |&&next: &&u32| piece_of[next as usize] == usize::MAX;
-                let found: Vec<u32> = neighbours
+                let found: Vec<u32> = neighbors
                     .of(vertex)
                     .iter()
                     .filter(unseen)
@@ -167,26 +167,26 @@ impl HalfMesh {
     }
 
     /// Taubin 1995: steps forward and back that smooth without shrinking.
-    pub(crate) fn smooth(&mut self, neighbours: &Neighbours, pass_count: usize) {
+    pub(crate) fn smooth(&mut self, neighbors: &Neighbors, pass_count: usize) {
         const FORWARD: f32 = 0.5;
         const BACK: f32 = -0.53;
         for _ in 0..pass_count {
-            self.step_to_mean(neighbours, FORWARD);
-            self.step_to_mean(neighbours, BACK);
+            self.step_to_mean(neighbors, FORWARD);
+            self.step_to_mean(neighbors, BACK);
         }
     }
 
-    /// Moves every vertex a share of the way to the mean of its neighbours.
-    fn step_to_mean(&mut self, neighbours: &Neighbours, share: f32) {
+    /// Moves every vertex a share of the way to the mean of its neighbors.
+    fn step_to_mean(&mut self, neighbors: &Neighbors, share: f32) {
         let before = self.positions.clone();
         for (vertex, position) in self.positions.iter_mut().enumerate() {
-            let moved = *position + (neighbours.mean(&before, vertex) - *position) * share;
+            let moved = *position + (neighbors.mean(&before, vertex) - *position) * share;
             *position = kept_on_side(*position, moved);
         }
     }
 
     /// Laplacian fairing within balls `(center, radius)`, fading to nothing at the radius.
-    pub(crate) fn fair(&mut self, neighbours: &Neighbours, balls: &[(Vec3, f32)], passes: usize) {
+    pub(crate) fn fair(&mut self, neighbors: &Neighbors, balls: &[(Vec3, f32)], passes: usize) {
         let mut near: Vec<(usize, f32)> = Vec::new();
         for (vertex, &position) in self.positions.iter().enumerate() {
             let weight = (balls.iter())
@@ -203,7 +203,7 @@ impl HalfMesh {
         for _ in 0..passes {
             for (&(vertex, weight), moved) in near.iter().zip(&mut moved) {
                 let position = self.positions[vertex];
-                *moved = position + (neighbours.mean(&self.positions, vertex) - position) * weight;
+                *moved = position + (neighbors.mean(&self.positions, vertex) - position) * weight;
                 *moved = kept_on_side(position, *moved);
             }
             for (&(vertex, _), &moved) in near.iter().zip(&moved) {
@@ -212,15 +212,15 @@ impl HalfMesh {
         }
     }
 
-    /// Area-weighted normals, with the unseen half, smoothed once over neighbours.
-    pub(crate) fn normals(&self, neighbours: &Neighbours) -> Vec<Vec3> {
+    /// Area-weighted normals, with the unseen half, smoothed once over neighbors.
+    pub(crate) fn normals(&self, neighbors: &Neighbors) -> Vec<Vec3> {
         let mut normals = lole_geom::mesh::vertex_normals(&self.positions, &self.triangles);
         self.flatten(&mut normals);
         for _ in 0..2 {
             let before = normals.clone();
             for (vertex, normal) in normals.iter_mut().enumerate() {
-                for &neighbour in neighbours.of(vertex) {
-                    *normal += before[neighbour as usize] * 0.5;
+                for &neighbor in neighbors.of(vertex) {
+                    *normal += before[neighbor as usize] * 0.5;
                 }
             }
             self.flatten(&mut normals);

@@ -25,7 +25,7 @@ const NO_VERTEX: u32 = u32::MAX;
 
 struct March<'a> {
     lattice: &'a Lattice,
-    /// Vertex on each lattice edge of two neighbouring slices: `[slice % 2][y, z][direction]`.
+    /// Vertex on each lattice edge of two neighboring slices: `[slice % 2][y, z][direction]`.
     edges: [Vec<[u32; 8]>; 2],
     mesh: HalfMesh,
 }

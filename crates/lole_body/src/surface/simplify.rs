@@ -262,7 +262,7 @@ impl Collapser {
         }
     }
 
-    /// Collapses each vertex onto its cheapest neighbour where that costs less than `threshold`.
+    /// Collapses each vertex onto its cheapest neighbor where that costs less than `threshold`.
     fn sweep(&mut self, threshold: f64) {
         let mut ring = Vec::new();
         for from in 0..self.points.len() {
