@@ -19,6 +19,9 @@ pub(crate) enum Command {
     /// Drape and dance a design; write film, stills, 3D file and report.
     /// デザインを着せて踊らせ、動画・写真・3Dファイル・レポートを書き出します。
     Dance(DanceArgs),
+    /// Frame time by scene on this machine, with strain and penetration.
+    /// この機械での1コマの計算時間を場面ごとに測ります。
+    Bench(BenchArgs),
 }
 
 /// `lole dance`.
@@ -54,6 +57,20 @@ pub(crate) struct DanceArgs {
     #[arg(long)]
     pub(crate) cpu: bool,
     /// Print the report as JSON on standard output, and nothing else there.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// `lole bench`.
+#[derive(Debug, Args)]
+pub(crate) struct BenchArgs {
+    /// One scene only.
+    #[arg(long)]
+    pub(crate) scene: Option<String>,
+    /// Threads of the simulation.
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=256))]
+    pub(crate) threads: u16,
+    /// Print the table as JSON.
     #[arg(long)]
     pub(crate) json: bool,
 }

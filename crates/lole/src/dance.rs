@@ -3,19 +3,17 @@
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::Instant;
 
 use anyhow::{Context as _, Result};
-use cpu_time::ProcessTime;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use lole_body::DanceStep;
-use lole_costume::document::{self, Design, MethodName};
+use lole_costume::document::{self, Design, MethodName, Place};
 use lole_export::report::ReportFile;
 use lole_export::video::{Mp4Writer, VideoSettings};
 use lole_export::{Image, still};
 use lole_render::{Backend, LightRig, Renderer, Size};
 use lole_stage::{
-    Divergence, FRAME_SECONDS, FRAMES_PER_SECOND, FrameMetrics, Performance, Production,
+    Divergence, FRAME_SECONDS, FRAMES_PER_SECOND, FrameMetrics, Performance, Production, StageError,
 };
 
 use crate::args::DanceArgs;
@@ -23,6 +21,7 @@ use crate::baked::{self, Keys};
 use crate::figures::{self, RunFigures, Timing};
 use crate::language::Language;
 use crate::output::OutputFolder;
+use crate::stopwatch::Stopwatch;
 use crate::studio::{FilmCamera, STILLS, Studio, still_camera};
 use crate::{Failure, summary};
 
@@ -49,12 +48,16 @@ struct Recording {
     divergence: Option<Divergence>,
 }
 
-/// Runs the command and gives the report as JSON with the text for people.
+/// Runs the command.
 pub(crate) fn run(args: &DanceArgs, language: Language) -> Result<(), Failure> {
-    let design = load(args)?;
+    let Source { name, text, design } = load(args)?;
+    let production = Production::new(&design).map_err(|error| {
+        let place = place_of(&error);
+        let sentence = document::locate(&text, &name, place, error.to_string());
+        Failure::Usage(sentence.into())
+    })?;
     let stop = stop_flag().map_err(Failure::Run)?;
     let output = OutputFolder::create(&args.out).map_err(Failure::Usage)?;
-    let production = Production::new(&design).map_err(|error| Failure::Usage(error.into()))?;
     let run = Run {
         args,
         language,
@@ -62,6 +65,24 @@ pub(crate) fn run(args: &DanceArgs, language: Language) -> Result<(), Failure> {
         design,
     };
     run.perform(production, output)
+}
+
+/// Table of the document where a mistake that only measuring, drafting or sewing finds is mended.
+const fn place_of(error: &StageError) -> Place<'static> {
+    let table = match error {
+        StageError::Body(_) => "dancer",
+        StageError::Motion(_) => "motion",
+        StageError::Draft(_) | StageError::Sew(_) => "skirt",
+        StageError::Build(_) => "fabric",
+    };
+    Place { table, key: "" }
+}
+
+/// A design and where it came from.
+struct Source {
+    name: String,
+    text: String,
+    design: Design,
 }
 
 struct Run<'a> {
@@ -72,14 +93,20 @@ struct Run<'a> {
 }
 
 /// Reads the design and lays the command line's wishes over it.
-fn load(args: &DanceArgs) -> Result<Design, Failure> {
-    let mut design = match &args.design {
+fn load(args: &DanceArgs) -> Result<Source, Failure> {
+    let (name, text, mut design) = match &args.design {
         Some(path) => {
             let name = path.display().to_string();
             let bytes = read(path).map_err(Failure::Usage)?;
-            document::parse_bytes(&bytes, &name).map_err(|error| Failure::Usage(error.into()))?
+            let design = document::parse_bytes(&bytes, &name)
+                .map_err(|error| Failure::Usage(error.into()))?;
+            (name, String::from_utf8_lossy(&bytes).into_owned(), design)
         }
-        None => Design::default(),
+        None => (
+            "the built-in design".to_owned(),
+            String::new(),
+            Design::default(),
+        ),
     };
     if let Some(step) = &args.step {
         let ids = DanceStep::ALL.map(DanceStep::id);
@@ -97,10 +124,10 @@ fn load(args: &DanceArgs) -> Result<Design, Failure> {
     design
         .check("command line")
         .map_err(|error| Failure::Usage(error.into()))?;
-    Ok(design)
+    Ok(Source { name, text, design })
 }
 
-fn unknown(option: &str, word: &str, what: &str, choices: &[&str]) -> Failure {
+pub(crate) fn unknown(option: &str, word: &str, what: &str, choices: &[&str]) -> Failure {
     let hint = match document::likely(word, choices) {
         Some(near) => format!("did you mean {near}?"),
         None => format!("choose one of {}", choices.join(", ")),
@@ -144,7 +171,7 @@ struct Shoot {
 
 impl Run<'_> {
     fn perform(&self, production: Production, output: OutputFolder) -> Result<(), Failure> {
-        let started = Instant::now();
+        let started = Stopwatch::start();
         let mut performance =
             Performance::new(production).map_err(|error| Failure::Usage(error.into()))?;
         let threads = self.thread_count();
@@ -241,12 +268,9 @@ impl Run<'_> {
             if frame == still_frame {
                 shoot.take_stills(performance).map_err(Failure::Run)?;
             }
-            let (wall, process) = (Instant::now(), ProcessTime::now());
+            let watch = Stopwatch::start();
             let result = pool.install(|| performance.advance());
-            recording.timings.push(Timing {
-                process_seconds: process.elapsed().as_secs_f64(),
-                wall_seconds: wall.elapsed().as_secs_f64(),
-            });
+            recording.timings.push(watch.read());
             if let Err(divergence) = result {
                 recording.divergence = Some(divergence);
                 break;
@@ -296,7 +320,7 @@ impl Run<'_> {
         &self,
         finished: Finished<'_>,
         mut output: OutputFolder,
-        started: Instant,
+        started: Stopwatch,
     ) -> Result<(), Failure> {
         let Finished {
             performance,
@@ -314,22 +338,37 @@ impl Run<'_> {
         bar.inc(1);
         let mut stills = Vec::new();
         if let Some(film) = &film {
-            files.add(&mut output, "dance.mp4", film, "film")?;
+            files.add(
+                &mut output,
+                "dance.mp4",
+                film,
+                "The film: plays in any video player and browser.",
+            )?;
             for (still, image) in STILLS.iter().zip(&shoot.stills) {
                 let image =
                     Image::new(image.width, image.height, &image.pixels).map_err(Failure::error)?;
                 let png = still::encode_png(image).map_err(Failure::error)?;
-                files.add(&mut output, still.file, &png, "still")?;
+                files.add(
+                    &mut output,
+                    still.file,
+                    &png,
+                    "A still at the full swing of the hips: opens in any viewer.",
+                )?;
                 stills.push(still::encode_jpeg(image, 88).map_err(Failure::error)?);
             }
             bar.inc(1);
             let glb = baked::dancer_glb(performance, &recording.keys, &shoot.studio)
                 .map_err(Failure::Run)?;
-            files.add(&mut output, "dancer.glb", &glb, "model")?;
+            files.add(&mut output, "dancer.glb", &glb, "The dancer with her skeleton and dance, and the skirt with its baked motion: opens in Blender and 3D viewers.")?;
         }
         bar.inc(1);
         let text = document::to_toml(&self.design);
-        files.add(&mut output, "design.lole", text.as_bytes(), "design")?;
+        files.add(
+            &mut output,
+            "design.lole",
+            text.as_bytes(),
+            "The design that was run: `lole dance design.lole` repeats it bit for bit.",
+        )?;
         let figures = RunFigures {
             design: &self.design,
             threads,
@@ -353,7 +392,7 @@ impl Run<'_> {
         if self.args.json {
             summary::print_json(&json);
         } else {
-            let seconds = started.elapsed().as_secs_f64();
+            let seconds = started.read().wall_seconds;
             summary::print_run(&report, &paths, seconds, self.language);
         }
         report

@@ -2,10 +2,12 @@
 
 mod args;
 mod baked;
+mod bench;
 mod dance;
 mod figures;
 mod language;
 mod output;
+mod stopwatch;
 mod studio;
 mod summary;
 
@@ -44,6 +46,7 @@ fn main() -> ExitCode {
     let language = Language::of_system();
     let result = match Cli::parse().command {
         Command::Dance(args) => dance::run(&args, language),
+        Command::Bench(args) => bench::run(&args, language),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -11,6 +11,7 @@ use std::process::ExitCode;
 use lole_export::report::RunReport;
 
 use crate::Failure;
+use crate::bench::BenchRow;
 use crate::language::Language;
 
 /// Exit code after Ctrl-C: 128 plus the signal's number, as shells have it.
@@ -53,6 +54,38 @@ pub(crate) fn print_run(report: &RunReport, paths: &[PathBuf], seconds: f64, lan
         report.hem_height_cm.mean,
         report.renderer,
         seconds,
+    );
+}
+
+/// Column heads of the bench table.
+pub(crate) fn print_bench_head(language: Language) {
+    println!(
+        "{:<14} {:>9} {:>8} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}",
+        language.pick("場面", "scene"),
+        language.pick("質点", "particles"),
+        language.pick("分割", "substeps"),
+        "CPU ms",
+        "CPU p99",
+        "wall ms",
+        "end p99 %",
+        "worst %",
+        "depth mm"
+    );
+}
+
+/// One row of the bench table.
+pub(crate) fn print_bench_row(row: &BenchRow) {
+    println!(
+        "{:<14} {:>9} {:>8} {:>9.2} {:>9.2} {:>9.2} {:>9.2} {:>9.2} {:>9.2}",
+        row.scene,
+        row.particles,
+        row.substeps,
+        row.frame_ms_median,
+        row.frame_ms_p99,
+        row.frame_wall_ms_median,
+        row.strain_end_p99_pct,
+        row.strain_worst_p99_pct,
+        row.capsule_penetration_mm
     );
 }
 

@@ -1,4 +1,8 @@
 //! The command as a user meets it: exit codes, sentences, files, and the same bits every time.
+#![expect(
+    clippy::unwrap_used,
+    reason = "a test that cannot be set up has failed"
+)]
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -34,7 +34,7 @@ impl Default for SewSettings {
         Self {
             column_count: 512,
             row_count: 55,
-            gather_pitch: 0.016,
+            gather_pitch: 0.0125,
             band_gap: 0.006,
             unevenness: 0.5,
             seed: 1,
@@ -393,6 +393,117 @@ impl SkirtMesh {
             self.particles
                 .iter()
                 .map(|&index| by_particle[index as usize]),
+        );
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use lole_body::Measurements;
+    use lole_geom::Length;
+    use lole_pattern::design::pau_skirt::{PauOptions, draft_pau_skirt};
+
+    use super::*;
+
+    fn sewn(settings: &SewSettings) -> (Dancer, Result<SewnSkirt, SewError>) {
+        let dancer = Dancer::new(&Measurements::woman()).unwrap();
+        let worn = PauMeasurements {
+            hip_girth: dancer.measurements.hip_girth,
+            worn_girth: Length::from_cm(82.0),
+            worn_height: Length::from_m(f64::from(dancer.landmarks.asis_height)),
+        };
+        let draft = draft_pau_skirt(&worn, &PauOptions::default()).unwrap();
+        let fabric = crate::fabrics::PRESETS[0].fabric();
+        let skirt = sew(&draft, &worn, &fabric, &dancer, settings);
+        (dancer, skirt)
+    }
+
+    #[test]
+    fn gathered_cloth_keeps_its_length_around_and_down() {
+        let (dancer, skirt) = sewn(&SewSettings::default());
+        let skirt = skirt.unwrap();
+        let pose = lole_body::Pose::default();
+        let start = skirt.start_positions(&dancer.skeleton.world_from_bind(&pose));
+        let strain = lole_cloth::diagnose::strain(&skirt.spec, &start);
+        assert!(strain.mean < 0.04, "{strain:?}");
+        let grid = &skirt.spec.grid;
+        for row in 0..grid.row_count {
+            let place = |column: u32| start[grid.index(row, column % grid.column_count)];
+            let around: f32 = (0..grid.column_count)
+                .map(|c| place(c).distance(place(c + 1)))
+                .sum();
+            let flat = grid.spacing[0] * grid.column_count as f32;
+            assert!(
+                (around / flat - 1.0).abs() < 0.05,
+                "row {row}: {around} m of {flat} m"
+            );
+        }
+    }
+
+    #[test]
+    fn pins_are_the_elastic_rows_and_stay_outside_the_skin() {
+        let (dancer, skirt) = sewn(&SewSettings::default());
+        let skirt = skirt.unwrap();
+        assert_eq!(skirt.elastic_rows.len(), 3);
+        assert_eq!(skirt.pins.len(), 3 * skirt.spec.grid.column_count as usize);
+        let body = &dancer.skin;
+        let triangles = body.body_triangles();
+        let grid = lole_geom::TriangleGrid::new(&body.positions, &triangles, 0.02);
+        let transforms = dancer.skeleton.world_from_bind(&lole_body::Pose::default());
+        for pin in &skirt.pins {
+            let place = pin.posed(&transforms);
+            let nearest = grid.nearest(place, 0.08).unwrap();
+            let normals = triangles[nearest.triangle as usize].map(|i| body.normals[i as usize]);
+            let outward = lole_geom::triangle_grid::blend(normals, nearest.barycentric);
+            assert!(
+                0.0 < (place - nearest.point).dot(outward),
+                "pin {}",
+                pin.particle
+            );
+        }
+    }
+
+    #[test]
+    fn other_seeds_push_the_gathers_otherwise() {
+        let lay = |seed| {
+            sewn(&SewSettings {
+                seed,
+                ..SewSettings::default()
+            })
+            .1
+            .unwrap()
+        };
+        assert_eq!(lay(1), lay(1));
+        assert_ne!(lay(1), lay(2));
+    }
+
+    #[test]
+    fn folds_stay_in_order_for_any_seed() {
+        for seed in 0..200 {
+            let settings = SewSettings {
+                seed,
+                unevenness: 1.0,
+                ..SewSettings::default()
+            };
+            let starts = fold_starts(&settings, 52);
+            assert!(
+                starts.windows(2).all(|pair| pair[0] < pair[1]),
+                "seed {seed}"
+            );
+            assert!(starts[51] < 1.0 + starts[0]);
+        }
+    }
+
+    #[test]
+    fn too_few_rows_are_refused_in_a_sentence() {
+        let (_, skirt) = sewn(&SewSettings {
+            row_count: 9,
+            ..SewSettings::default()
+        });
+        let sentence = skirt.unwrap_err().to_string();
+        assert!(
+            sentence.contains("9 rows") && sentence.contains("at least"),
+            "{sentence}"
         );
     }
 }

@@ -1,0 +1,37 @@
+//! The one place that reads clocks.
+
+use std::time::Instant;
+
+use cpu_time::ProcessTime;
+
+use crate::figures::Timing;
+
+/// Wall and processor time since it was started.
+pub(crate) struct Stopwatch {
+    wall: Instant,
+    process: ProcessTime,
+}
+
+impl Stopwatch {
+    /// Starts now.
+    #[expect(
+        clippy::disallowed_methods,
+        reason = "the program, not a library, reads the clock"
+    )]
+    pub(crate) fn start() -> Self {
+        Self {
+            wall: Instant::now(),
+            process: ProcessTime::now(),
+        }
+    }
+
+    /// Time since the start.
+    pub(crate) fn read(&self) -> Timing {
+        // The processor's clock first: reading it costs more.
+        let process_seconds = self.process.elapsed().as_secs_f64();
+        Timing {
+            process_seconds,
+            wall_seconds: self.wall.elapsed().as_secs_f64(),
+        }
+    }
+}
