@@ -443,9 +443,10 @@ fn any_design() -> impl Strategy<Value = Design> {
                     Kind::Count { min, max, set, .. } => set(&mut design, min + bits % (max - min)),
                     Kind::Name { choices, set, .. } => {
                         let names = choices();
+                        let index = bits % names.len() as u64;
                         set(
                             &mut design,
-                            names[usize::try_from(bits % 97).unwrap() % names.len()],
+                            names[usize::try_from(index).expect("a list's index")],
                         );
                     }
                     Kind::Color { set, .. } => {
@@ -487,13 +488,13 @@ proptest! {
 
     #[test]
     fn a_mutated_document_reads_or_is_refused_with_its_line(
-        position in 0.0..1.0_f64,
+        position in any::<prop::sample::Index>(),
         inserted in "[ -~\n\u{30ed}]{0,3}",
         removed in 0..4_usize,
     ) {
         let text = to_toml(&Design::default());
         let characters: Vec<char> = text.chars().collect();
-        let start = (characters.len() as f64 * position) as usize;
+        let start = position.index(characters.len());
         let end = (start + removed).min(characters.len());
         let mutated: String = characters[..start]
             .iter()
