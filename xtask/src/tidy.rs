@@ -21,7 +21,7 @@ pub(crate) fn run(repository: &Path) -> anyhow::Result<ExitCode> {
     let files = text_files(repository)?;
     let mut findings = dependencies::check(repository, &files)?;
     findings.extend(source::check(&files));
-    findings.extend(documents::check(&files));
+    findings.extend(documents::check(repository, &files));
     findings.extend(words::check(&files));
     findings.sort();
 

@@ -1,4 +1,7 @@
-//! The documents that must exist, what they must name, and one sentence to a line.
+//! The documents that must exist, what they must name, where their links lead, and one sentence to
+//! a line.
+
+use std::path::Path;
 
 use super::TextFile;
 
@@ -17,7 +20,7 @@ const REQUIRED: &[&str] = &[
 /// Names every crate.
 const ARCHITECTURE: &str = "ARCHITECTURE.md";
 
-pub(crate) fn check(files: &[TextFile]) -> Vec<String> {
+pub(crate) fn check(repository: &Path, files: &[TextFile]) -> Vec<String> {
     let mut findings: Vec<String> = REQUIRED
         .iter()
         .filter(|required| !files.iter().any(|file| file.path == **required))
@@ -32,6 +35,8 @@ pub(crate) fn check(files: &[TextFile]) -> Vec<String> {
     }
     for file in files.iter().filter(|file| file.path.ends_with(".md")) {
         findings.extend(crowded_lines(file));
+        let exists = |path: &Path| repository.join(path).exists();
+        findings.extend(lost_links(file, exists));
     }
     findings
 }
@@ -61,6 +66,22 @@ fn crowded_lines(file: &TextFile) -> Vec<String> {
                 "{}:{number}: write one sentence to a line",
                 file.path
             ));
+        }
+    }
+    findings
+}
+
+/// Links and pictures within the repository that lead nowhere.
+fn lost_links(file: &TextFile, exists: impl Fn(&Path) -> bool) -> Vec<String> {
+    let folder = Path::new(&file.path).parent().unwrap_or(Path::new(""));
+    let mut findings = Vec::new();
+    for (number, line) in (1..).zip(file.text.lines()) {
+        for rest in line.split("](").skip(1) {
+            let target = rest.split([')', '#']).next().unwrap_or_default();
+            let is_ours = !target.is_empty() && !target.contains(':');
+            if is_ours && !exists(&folder.join(target)) {
+                findings.push(format!("{}:{number}: there is no {target}", file.path));
+            }
         }
     }
     findings
@@ -100,6 +121,17 @@ mod tests {
         ] {
             assert_eq!(sentence_count(line), count, "{line}");
         }
+    }
+
+    #[test]
+    fn links_lead_somewhere() {
+        let file = TextFile {
+            path: "docs/a.md".to_owned(),
+            text: "[b](b.md#part), [here](#part), [web](https://example.org)\n![c](c.png)\n"
+                .to_owned(),
+        };
+        let found = lost_links(&file, |path| path == Path::new("docs/b.md"));
+        assert_eq!(found, ["docs/a.md:2: there is no c.png"]);
     }
 
     #[test]
