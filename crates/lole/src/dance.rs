@@ -344,18 +344,7 @@ impl Run<'_> {
                 film,
                 "The film: plays in any video player and browser.",
             )?;
-            for (still, image) in STILLS.iter().zip(&shoot.stills) {
-                let image =
-                    Image::new(image.width, image.height, &image.pixels).map_err(Failure::error)?;
-                let png = still::encode_png(image).map_err(Failure::error)?;
-                files.add(
-                    &mut output,
-                    still.file,
-                    &png,
-                    "A still at the full swing of the hips: opens in any viewer.",
-                )?;
-                stills.push(still::encode_jpeg(image, 88).map_err(Failure::error)?);
-            }
+            stills = files.add_stills(&mut output, &shoot.stills)?;
             bar.inc(1);
             let glb = baked::dancer_glb(performance, &recording.keys, &shoot.studio)
                 .map_err(Failure::Run)?;
@@ -440,6 +429,28 @@ struct Files {
 }
 
 impl Files {
+    /// Writes the stills and gives them back as JPEG, for the page.
+    fn add_stills(
+        &mut self,
+        output: &mut OutputFolder,
+        images: &[lole_render::Image],
+    ) -> Result<Vec<Vec<u8>>, Failure> {
+        let mut jpegs = Vec::new();
+        for (still, image) in STILLS.iter().zip(images) {
+            let image =
+                Image::new(image.width, image.height, &image.pixels).map_err(Failure::error)?;
+            let png = still::encode_png(image).map_err(Failure::error)?;
+            self.add(
+                output,
+                still.file,
+                &png,
+                "A still at the full swing of the hips: opens in any viewer.",
+            )?;
+            jpegs.push(still::encode_jpeg(image, 88).map_err(Failure::error)?);
+        }
+        Ok(jpegs)
+    }
+
     fn add(
         &mut self,
         output: &mut OutputFolder,
