@@ -18,6 +18,10 @@ pub struct SolverConfig {
     pub contact_offset: f32,
     /// Fastest a particle found inside a capsule is pushed out [m/s]; a slow push does not pop.
     pub depenetration_speed: f32,
+    /// Deepest that a row pinned all along may hold its neighbors inside a capsule [m]: the least
+    /// of it, its own depth, and what the cloth between leaves of that. Capsules are not the skin
+    /// that carries pins; at 0 they stretch the cloth where they reach beyond it.
+    pub held_depth: f32,
     /// Distances in grid cells, coarse first, over which neighbors along a row may not stretch.
     pub row_strides: Vec<u32>,
     /// Distances in grid cells, coarse first, over which neighbors down a column may not stretch.
@@ -38,6 +42,7 @@ impl Default for SolverConfig {
             gravity: Vec3::new(0.0, -9.81, 0.0),
             contact_offset: 0.0,
             depenetration_speed: 2.0,
+            held_depth: 0.0,
             row_strides: Vec::new(),
             column_strides: vec![4],
             tether_scale: Some(1.0),

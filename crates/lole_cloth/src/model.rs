@@ -1,5 +1,6 @@
 //! A cloth prepared for the real-time method: what never changes from step to step.
 
+use crate::collision::pinned_rows::PinnedRows;
 use crate::constraint::tether::Tethers;
 use crate::lanes::{Layout, RowLink, Scalars, row_links};
 use crate::{ClothSpec, MassLaw, Topology};
@@ -53,6 +54,7 @@ pub struct ClothModel {
     /// A column and the two right of it.
     pub(crate) row_triples: Vec<RowLink<3>>,
     pub(crate) tethers: Tethers,
+    pub(crate) pinned_rows: PinnedRows,
 }
 
 impl ClothModel {
@@ -79,6 +81,7 @@ impl ClothModel {
             row_pairs: row_links(&spec.grid, &layout, [0, 1]),
             row_triples: row_links(&spec.grid, &layout, [0, 1, 2]),
             tethers: Tethers::new(spec, &layout, &pin_indices),
+            pinned_rows: PinnedRows::new(spec),
             spec: spec.clone(),
             pin_indices,
             layout,

@@ -65,6 +65,21 @@ impl MovingCapsule {
             stretch: moved[1] - moved[0],
         }
     }
+
+    /// How far inside every lane lies [m], negative outside.
+    #[inline(always)]
+    pub(crate) fn depth<S: Simd>(&self, simd: S, position: Vectors<S>) -> f32x16<S> {
+        let zero = f32x16::splat(simd, 0.0);
+        let one = f32x16::splat(simd, 1.0);
+        let axis = Vectors::splat(simd, self.axis);
+        let from_start = position.sub(Vectors::splat(simd, self.start));
+        let s = smaller(
+            larger(from_start.dot(axis) * self.inv_length_squared, zero),
+            one,
+        );
+        let normal = from_start.sub(axis.scale(s));
+        s * self.radii[1] + self.radii[0] - normal.dot(normal).sqrt()
+    }
 }
 
 /// What a contact needs to know besides where things are.
@@ -80,13 +95,13 @@ pub(crate) struct ContactLaw {
 ///
 /// `travel` is what the particles did in this substep: friction acts on the part of it that is
 /// tangential to the surface, relative to the surface's own motion, and is at most `friction`
-/// times the depth projected.
+/// times the depth projected. Particles may stay `held` [m] inside.
 #[inline(always)]
 pub(crate) fn project<S: Simd>(
     simd: S,
     position: &mut Vectors<S>,
     before: Vectors<S>,
-    inv_mass: f32x16<S>,
+    (inv_mass, held): (f32x16<S>, f32x16<S>),
     (capsules, indices): (&[MovingCapsule], &[u32]),
     law: ContactLaw,
 ) {
@@ -94,7 +109,7 @@ pub(crate) fn project<S: Simd>(
         let mut is_touched = false;
         for &index in indices {
             let capsule = &capsules[index as usize];
-            is_touched |= project_out(simd, position, before, inv_mass, (capsule, law));
+            is_touched |= project_out(simd, position, before, (inv_mass, held), (capsule, law));
         }
         // Leaving one capsule may enter another: where they meet, once is not enough.
         if !is_touched || indices.len() < 2 {
@@ -109,7 +124,7 @@ fn project_out<S: Simd>(
     simd: S,
     position: &mut Vectors<S>,
     before: Vectors<S>,
-    inv_mass: f32x16<S>,
+    (inv_mass, held): (f32x16<S>, f32x16<S>),
     (capsule, law): (&MovingCapsule, ContactLaw),
 ) -> bool {
     let zero = f32x16::splat(simd, 0.0);
@@ -122,7 +137,7 @@ fn project_out<S: Simd>(
     );
     let normal = from_start.sub(axis.scale(s));
     let squared = normal.dot(normal);
-    let radius = s * capsule.radii[1] + capsule.radii[0];
+    let radius = larger(s * capsule.radii[1] + capsule.radii[0] - held, zero);
     let touching = squared.simd_lt(radius * radius) & zero.simd_lt(inv_mass);
     if !touching.any_true() {
         return false;
@@ -138,9 +153,13 @@ fn project_out<S: Simd>(
     let approach = slip.dot(normal);
     let depth = smaller(
         radius - distance,
-        larger(zero - approach, zero) + law.depenetration,
+        // What an earlier pass has pushed counts: the limit holds for all passes together.
+        larger(f32x16::splat(simd, law.depenetration) - approach, zero),
     );
     let depth = touching.select(depth, zero);
+    if !zero.simd_lt(depth).any_true() {
+        return false;
+    }
     let tangential = slip.sub(normal.scale(approach));
     let slip_length = tangential.dot(tangential).sqrt() + DEGENERATE_SLIP;
     let held = smaller(depth * law.friction / slip_length, one);

@@ -2,237 +2,410 @@
 //!
 //! Every particle carries a sphere drawn out along its column to half-way to the next row: in a
 //! gathered skirt rows lie farther apart than columns, and spheres alone would let one fold slip
-//! between two rows of another. Candidates are found once a step, and solved in a fixed order.
+//! between two rows of another. Candidates are found with the side on which they lie, so that what
+//! has gone through within the step is pushed back to where it came from.
+//!
+//! Particles are sorted by cells into slabs. A pair reaches from its slab into the next at most:
+//! every other slab can be solved at the same time, and the order never depends on threads.
 
 use glam::Vec3;
 use rayon::prelude::*;
 
 use crate::collision::grid::{CellGrid, Entry};
+use crate::collision::pinned_rows::PinnedRows;
 use crate::lanes::{Layout, Points, Scalars};
 use crate::{Grid, Topology};
 
 /// How far beyond touching candidates are kept [diameters]: folds move together, so what one
 /// gains on another in a step is far less than its speed.
-const MARGIN: f32 = 1.0;
+const MARGIN: f32 = 0.5;
 
 /// Columns and rows within which particles are held apart by their springs alone.
 const NEIGHBOR_COLUMNS: u32 = 1;
 const NEIGHBOR_ROWS: u32 = 2;
 
-/// Share of a correction that becomes velocity. The rest moves the cloth without a push, so that
-/// overlapping folds part and do not bounce.
-const BOUNCE: f32 = 0.5;
+/// Fastest that overlapping folds part [m/s], beyond undoing their approach.
+const PARTING_SPEED: f32 = 2.0;
 
-/// Entries of one parallel task; fixed, so that the order of pairs never depends on threads.
-const TASK_LENGTH: usize = 1024;
+/// Share of a shallow overlap that parts in one solution: springs that hold folds together answer
+/// a greater one with jitter.
+const PARTING_SHARE: f32 = 0.4;
+
+/// Where pins hold strands nearer together than a diameter, contact keeps this share of their gap,
+/// and what lies this much farther apart for every meter of cloth from the pins.
+const PINNED_SHARE: f32 = 0.9;
+const PINNED_OPENING: f32 = 0.02;
+
+/// Slabs at most. They do not depend on threads, so that the order of pairs does not either.
+const SLAB_COUNT_MAX: usize = 16;
 
 /// Below this squared length [m²] two particles have no direction between them.
 const DEGENERATE_SQUARED: f32 = 1.0e-14;
 
-/// A particle as the pair loop wants it: near its neighbors in memory.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-struct Particle {
-    position: Vec3,
-    inv_mass: f32,
+/// A pair that may touch, by entries of the cell grid.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Pair {
+    first: u32,
+    second: u32,
+    /// Kept between the first and the thread of the second [m].
+    diameter: f32,
+    /// Unit vector from the first to the thread of the second when the pair was found.
+    side: Vec3,
 }
 
-/// Candidates of one step and room to solve them.
+/// A particle as the pair loop wants it: near its neighbors in memory.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+struct Strand {
+    position: Vec3,
+    inv_mass: f32,
+    /// Unit vector along the column; zero where it has no direction.
+    thread: Vec3,
+    /// Where it was at the start of the substep [m].
+    before: Vec3,
+    /// What contacts moved it without a push [m].
+    quiet: Vec3,
+    /// Where the solution of the contacts found it [m].
+    found: Vec3,
+}
+
+/// Candidates and room to solve them.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct ClothContacts {
     grid: CellGrid,
     positions: Vec<Vec3>,
-    /// Pairs of row-major indices, task by task.
-    pairs: Vec<Vec<[u32; 2]>>,
-    particles: Vec<Particle>,
+    threads: Vec<Vec3>,
+    /// First entry of every slab, and one more.
+    slabs: Vec<usize>,
+    /// Pairs whose first entry lies in a slab, slab by slab.
+    pairs: Vec<Vec<Pair>>,
+    /// In the order of the entries.
+    strands: Vec<Strand>,
+    /// Vector and lane of every entry.
+    slots: Vec<(u32, u32)>,
+}
+
+/// Particles in the engine's layout, as a substep has them.
+pub(crate) struct Columns<'a> {
+    pub(crate) positions: &'a mut [Points],
+    pub(crate) predicted: &'a mut [Points],
+    pub(crate) velocities: &'a [Points],
 }
 
 /// Distances of one contact law.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct ClothContactLaw {
     /// Kept between particles and threads [m].
-    pub(crate) diameter: f32,
-    /// Farthest a pair is moved apart in one solution [m].
-    pub(crate) depenetration: f32,
+    diameter: f32,
+    /// Farthest a pair is moved apart in a substep beyond undoing its approach [m].
+    parting: f32,
+    /// Half of the part of a column that a particle stands for [m].
+    half_thread: f32,
+    /// Coulomb friction coefficient of cloth on cloth.
+    friction: f32,
+    /// Duration of a substep [s].
+    h: f32,
 }
 
 impl ClothContactLaw {
     /// Spheres of `radius` that never reach farther than the cloth's own columns.
-    pub(crate) fn new(grid: &Grid, radius: f32, depenetration: f32) -> Self {
+    pub(crate) fn new(grid: &Grid, radius: f32, friction: f32, h: f32) -> Self {
         let diameter = (2.0 * radius).min(grid.spacing[0]);
         Self {
             diameter,
-            depenetration,
+            parting: PARTING_SPEED * h,
+            half_thread: (0.5 * grid.spacing[1]).max(diameter) - 0.5 * diameter,
+            friction,
+            h,
         }
     }
+}
 
-    /// Half of the part of a column that a particle stands for [m].
-    fn half_thread(&self, grid: &Grid) -> f32 {
-        (0.5 * grid.spacing[1]).max(self.diameter) - 0.5 * self.diameter
-    }
+/// What never changes of the cloth.
+#[derive(Clone, Copy)]
+pub(crate) struct Shape<'a> {
+    pub(crate) grid: &'a Grid,
+    pub(crate) layout: &'a Layout,
+    pub(crate) pinned_rows: &'a PinnedRows,
+    pub(crate) inv_masses: &'a [Scalars],
 }
 
 impl ClothContacts {
     /// Finds the candidates of a step. Where the cloth has blown up there are none.
-    pub(crate) fn find(
-        &mut self,
-        grid: &Grid,
-        layout: &Layout,
-        positions: &[Points],
-        law: ClothContactLaw,
-    ) {
-        self.pairs
-            .resize_with(grid.particle_count().div_ceil(TASK_LENGTH), Vec::new);
-        layout.gather_points(positions, &mut self.positions);
+    pub(crate) fn find(&mut self, shape: Shape<'_>, positions: &[Points], law: ClothContactLaw) {
+        shape.layout.gather_points(positions, &mut self.positions);
         if !self.positions.iter().all(|position| position.is_finite()) {
-            self.pairs.iter_mut().for_each(Vec::clear);
+            self.pairs.clear();
+            self.slabs.clear();
             return;
         }
-        let along = law.half_thread(grid);
+        find_threads(shape.grid, &self.positions, &mut self.threads);
         let across = law.diameter * (1.0 + MARGIN);
-        let reach = (along * along + across * across).sqrt();
-        self.grid.sort(&self.positions, reach);
-        let cells = &self.grid;
-        let find_task = |(task, pairs): (usize, &mut Vec<[u32; 2]>)| {
+        let reach = (law.half_thread * law.half_thread + across * across).sqrt();
+        self.grid
+            .sort(&self.positions, shape.grid.column_count, reach);
+        self.cut_slabs();
+        self.find_strands(shape);
+        let (slabs, finder) = (
+            &self.slabs,
+            PairFinder {
+                shape,
+                law,
+                reach_squared: reach * reach,
+                across_squared: across * across,
+                cells: &self.grid,
+                strands: &self.strands,
+                positions: &self.positions,
+            },
+        );
+        let find_slab = |(slab, pairs): (usize, &mut Vec<Pair>)| {
             pairs.clear();
-            let start = task * TASK_LENGTH;
-            for index in start..(start + TASK_LENGTH).min(cells.entries.len()) {
-                let first = cells.entries[index];
-                cells.following_runs(index, |run| {
-                    collect_near(grid, &first, run, reach * reach, pairs);
-                });
+            for index in slabs[slab]..slabs[slab + 1] {
+                finder.collect(index, pairs);
             }
         };
         if rayon::current_num_threads() == 1 {
-            self.pairs.iter_mut().enumerate().for_each(find_task);
+            self.pairs.iter_mut().enumerate().for_each(find_slab);
         } else {
-            self.pairs.par_iter_mut().enumerate().for_each(find_task);
+            self.pairs.par_iter_mut().enumerate().for_each(find_slab);
         }
     }
 
-    /// Moves apart what is nearer than the law allows, and `predicted` with it but for the share
-    /// that becomes velocity.
-    pub(crate) fn solve(
-        &mut self,
-        grid: &Grid,
-        layout: &Layout,
-        (positions, predicted, inv_masses): (&mut [Points], &mut [Points], &[Scalars]),
-        law: ClothContactLaw,
-    ) {
-        self.load(layout, positions, inv_masses);
-        let columns = grid.column_count as usize;
-        let half_thread = law.half_thread(grid);
-        for &[first, second] in self.pairs.iter().flatten() {
-            let (first, second) = (first as usize, second as usize);
-            solve_pair(
-                &mut self.particles,
-                [first, second],
-                columns,
-                half_thread,
-                law,
-            );
+    /// Slabs of whole layers of cells, about equally full.
+    fn cut_slabs(&mut self) {
+        let count = self.grid.entries.len();
+        let share = count.div_ceil(SLAB_COUNT_MAX);
+        self.slabs.clear();
+        self.slabs.push(0);
+        for start in self.grid.layer_starts() {
+            let last = self.slabs[self.slabs.len() - 1];
+            if share <= start - last {
+                self.slabs.push(start);
+            }
         }
-        self.store(layout, positions, predicted);
+        if self.slabs[self.slabs.len() - 1] < count {
+            self.slabs.push(count);
+        }
+        self.pairs.resize_with(self.slabs.len() - 1, Vec::new);
     }
 
-    fn load(&mut self, layout: &Layout, positions: &[Points], inv_masses: &[Scalars]) {
-        layout.gather_points(positions, &mut self.positions);
-        self.particles.clear();
-        self.particles.extend(
-            self.positions
-                .iter()
-                .enumerate()
-                .map(|(particle, &position)| {
-                    let (vector, lane) = layout.slot(particle);
-                    Particle {
-                        position,
-                        inv_mass: inv_masses[vector].0[lane],
-                    }
-                }),
-        );
+    fn find_strands(&mut self, shape: Shape<'_>) {
+        self.strands.clear();
+        self.slots.clear();
+        for entry in &self.grid.entries {
+            let particle = entry.particle as usize;
+            let (vector, lane) = shape.layout.slot(particle);
+            self.slots.push((narrow(vector), narrow(lane)));
+            self.strands.push(Strand {
+                position: entry.position,
+                inv_mass: shape.inv_masses[vector].0[lane],
+                thread: self.threads[particle],
+                before: entry.position,
+                quiet: Vec3::ZERO,
+                found: entry.position,
+            });
+        }
     }
 
-    fn store(&self, layout: &Layout, positions: &mut [Points], predicted: &mut [Points]) {
-        let moved = self.particles.iter().zip(&self.positions).enumerate();
-        for (index, (particle, &before)) in moved {
-            if particle.position == before {
+    /// Moves apart what is nearer than the law allows. What undoes an approach in this substep
+    /// becomes velocity; the rest moves `predicted` too, so that overlapping folds part without a
+    /// push and nothing bounces.
+    pub(crate) fn solve(&mut self, mut columns: Columns<'_>, law: ClothContactLaw) {
+        if self.pairs.is_empty() {
+            return;
+        }
+        self.load(&columns, law);
+        for parity in [0, 1] {
+            self.solve_slabs(parity, law);
+        }
+        self.store(&mut columns);
+    }
+
+    fn load(&mut self, columns: &Columns<'_>, law: ClothContactLaw) {
+        for (strand, &(vector, lane)) in self.strands.iter_mut().zip(&self.slots) {
+            let (vector, lane) = (vector as usize, lane as usize);
+            let position = columns.positions[vector].get(lane);
+            strand.before =
+                columns.predicted[vector].get(lane) - columns.velocities[vector].get(lane) * law.h;
+            strand.position = position;
+            strand.quiet = Vec3::ZERO;
+            strand.found = position;
+        }
+    }
+
+    /// Solves every other slab, from `parity` on.
+    fn solve_slabs(&mut self, parity: usize, law: ClothContactLaw) {
+        let mut tasks = Vec::with_capacity(self.pairs.len().div_ceil(2));
+        let mut rest = &mut self.strands[..];
+        let mut start = 0;
+        for slab in (parity..self.pairs.len()).step_by(2) {
+            let [first, end] = [slab, slab + 2].map(|s| self.slabs[s.min(self.slabs.len() - 1)]);
+            let (task, after) = rest.split_at_mut(end - start);
+            tasks.push((&mut task[first - start..], first, &self.pairs[slab][..]));
+            (rest, start) = (after, end);
+        }
+        let solve = |(strands, first, pairs): (&mut [Strand], usize, &[Pair])| {
+            for pair in pairs {
+                solve_pair(strands, first, pair, law);
+            }
+        };
+        if rayon::current_num_threads() == 1 {
+            tasks.into_iter().for_each(solve);
+        } else {
+            tasks.into_par_iter().for_each(solve);
+        }
+    }
+
+    fn store(&self, columns: &mut Columns<'_>) {
+        for (strand, &(vector, lane)) in self.strands.iter().zip(&self.slots) {
+            if strand.position == strand.found {
                 continue;
             }
-            let (vector, lane) = layout.slot(index);
-            positions[vector].set(lane, particle.position);
-            let quiet = (particle.position - before) * (1.0 - BOUNCE);
-            let start = predicted[vector].get(lane);
-            predicted[vector].set(lane, start + quiet);
+            let (vector, lane) = (vector as usize, lane as usize);
+            columns.positions[vector].set(lane, strand.position);
+            let start = columns.predicted[vector].get(lane);
+            columns.predicted[vector].set(lane, start + strand.quiet);
         }
     }
 }
 
-#[inline(always)]
-fn collect_near(
-    grid: &Grid,
-    first: &Entry,
-    run: &[Entry],
+/// Unit vectors along the columns, row-major.
+fn find_threads(grid: &Grid, positions: &[Vec3], threads: &mut Vec<Vec3>) {
+    let (columns, count) = (grid.column_count as usize, positions.len());
+    threads.clear();
+    threads.extend((0..count).map(|particle| {
+        let above = particle.checked_sub(columns).unwrap_or(particle);
+        let below = if particle + columns < count {
+            particle + columns
+        } else {
+            particle
+        };
+        (positions[below] - positions[above]).normalize_or_zero()
+    }));
+}
+
+/// What a search for pairs looks at.
+struct PairFinder<'a> {
+    shape: Shape<'a>,
+    law: ClothContactLaw,
     reach_squared: f32,
-    pairs: &mut Vec<[u32; 2]>,
-) {
-    for second in run {
-        if (second.position - first.position).length_squared() < reach_squared
-            && !are_neighbors(grid, first.particle, second.particle)
-        {
-            pairs.push([first.particle, second.particle]);
+    across_squared: f32,
+    cells: &'a CellGrid,
+    strands: &'a [Strand],
+    /// Row-major.
+    positions: &'a [Vec3],
+}
+
+impl PairFinder<'_> {
+    #[inline(always)]
+    fn collect(&self, index: usize, pairs: &mut Vec<Pair>) {
+        let first = self.cells.entries[index];
+        self.cells.following_runs(index, |start, run| {
+            for (offset, second) in run.iter().enumerate() {
+                if (second.position - first.position).length_squared() < self.reach_squared
+                    && !are_neighbors(self.shape.grid, &first, second)
+                {
+                    pairs.extend(self.pair([index, start + offset]));
+                }
+            }
+        });
+    }
+
+    fn pair(&self, [first, second]: [usize; 2]) -> Option<Pair> {
+        let (one, other) = (&self.strands[first], &self.strands[second]);
+        if one.inv_mass + other.inv_mass <= 0.0 {
+            return None;
         }
+        let gap = gap(one, other, self.law.half_thread);
+        let squared = gap.length_squared();
+        if self.across_squared < squared || squared < DEGENERATE_SQUARED {
+            return None;
+        }
+        let entries = [first, second].map(|index| &self.cells.entries[index]);
+        let pinned_gap = self
+            .shape
+            .pinned_rows
+            .gap(self.shape.grid, self.positions, entries);
+        let diameter = pinned_gap.map_or(self.law.diameter, |(gap, cloth)| {
+            (PINNED_SHARE * gap + PINNED_OPENING * cloth).min(self.law.diameter)
+        });
+        Some(Pair {
+            first: narrow(first),
+            second: narrow(second),
+            diameter,
+            side: gap / squared.sqrt(),
+        })
     }
 }
 
-fn are_neighbors(grid: &Grid, first: u32, second: u32) -> bool {
-    let columns = grid.column_count;
-    let down = (first / columns).abs_diff(second / columns);
-    let across = (first % columns).abs_diff(second % columns);
+fn are_neighbors(grid: &Grid, first: &Entry, second: &Entry) -> bool {
+    let across = first.column.abs_diff(second.column);
     let across = match grid.topology {
         Topology::Sheet => across,
-        Topology::Tube => across.min(columns - across),
+        Topology::Tube => across.min(grid.column_count - across),
     };
-    across <= NEIGHBOR_COLUMNS && down <= NEIGHBOR_ROWS
+    across <= NEIGHBOR_COLUMNS && first.row.abs_diff(second.row) <= NEIGHBOR_ROWS
+}
+
+/// From `one` to the nearest point of the part of a column that `other` stands for.
+#[inline(always)]
+fn gap(one: &Strand, other: &Strand, half_thread: f32) -> Vec3 {
+    let offset = other.position - one.position;
+    let foot = offset.dot(other.thread).max(-half_thread).min(half_thread);
+    offset - other.thread * foot
 }
 
 #[inline(always)]
-fn solve_pair(
-    particles: &mut [Particle],
-    [first, second]: [usize; 2],
-    columns: usize,
-    half_thread: f32,
-    law: ClothContactLaw,
-) {
-    let (one, other) = (particles[first], particles[second]);
-    let offset = other.position - one.position;
-    let reach_squared = law.diameter * law.diameter + half_thread * half_thread;
-    let inv_mass_sum = one.inv_mass + other.inv_mass;
-    if reach_squared < offset.length_squared() || inv_mass_sum <= 0.0 {
-        return;
-    }
-    let above = second.checked_sub(columns).unwrap_or(second);
-    let below = if second + columns < particles.len() {
-        second + columns
-    } else {
-        second
-    };
-    let thread = particles[below].position - particles[above].position;
-    let thread_squared = thread.length_squared();
-    let along = if thread_squared < DEGENERATE_SQUARED {
-        0.0
-    } else {
-        offset.dot(thread)
-    };
-    // The foot on the thread: as far along it as the particle stands for.
-    let limit = half_thread * thread_squared.sqrt();
-    let foot = along.clamp(-limit, limit) / thread_squared.max(DEGENERATE_SQUARED);
-    let gap = offset - thread * foot;
+fn solve_pair(strands: &mut [Strand], base: usize, pair: &Pair, law: ClothContactLaw) {
+    let (first, second) = (pair.first as usize - base, pair.second as usize - base);
+    let (one, other) = (&strands[first], &strands[second]);
+    let gap = gap(one, other, law.half_thread);
     let squared = gap.length_squared();
-    if law.diameter * law.diameter <= squared || squared < DEGENERATE_SQUARED {
+    let along_side = gap.dot(pair.side);
+    let diameter_squared = pair.diameter * pair.diameter;
+    if diameter_squared <= squared {
         return;
     }
-    let distance = squared.sqrt();
-    let depth = (law.diameter - distance).min(law.depenetration);
-    let change = gap * (depth / (distance * inv_mass_sum));
-    particles[first].position -= change * one.inv_mass;
-    particles[second].position += change * other.inv_mass;
+    // Gone through: back along the side it came from.
+    let (normal, distance) = if along_side <= 0.0 || squared < DEGENERATE_SQUARED {
+        (pair.side, along_side)
+    } else {
+        let distance = squared.sqrt();
+        (gap / distance, distance)
+    };
+    let slip = (other.position - other.before) - (one.position - one.before);
+    let separation = slip.dot(normal);
+    let overlap = pair.diameter - distance;
+    let parting = if along_side <= 0.0 {
+        law.parting
+    } else {
+        law.parting.min(PARTING_SHARE * overlap)
+    };
+    let depth = overlap.min(parting - separation);
+    if depth <= 0.0 {
+        return;
+    }
+    let tangential = slip - normal * separation;
+    let slip_squared = tangential.length_squared();
+    let limit = law.friction * depth;
+    let held = if slip_squared <= limit * limit {
+        1.0
+    } else {
+        limit / slip_squared.sqrt()
+    };
+    let inv_mass_sum = one.inv_mass + other.inv_mass;
+    let change = (normal * depth - tangential * held) / inv_mass_sum;
+    let quiet = normal * ((depth - (-separation).max(0.0)).max(0.0) / inv_mass_sum);
+    let (inv_first, inv_second) = (one.inv_mass, other.inv_mass);
+    strands[first].position -= change * inv_first;
+    strands[first].quiet -= quiet * inv_first;
+    strands[second].position += change * inv_second;
+    strands[second].quiet += quiet * inv_second;
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "a cloth has fewer than 2^32 particles"
+)]
+const fn narrow(value: usize) -> u32 {
+    value as u32
 }

@@ -11,6 +11,8 @@ pub(crate) struct Entry {
     pub(crate) position: Vec3,
     /// Row-major index.
     pub(crate) particle: u32,
+    pub(crate) row: u32,
+    pub(crate) column: u32,
     cell: u32,
 }
 
@@ -26,8 +28,9 @@ pub(crate) struct CellGrid {
 }
 
 impl CellGrid {
-    /// Sorts `positions`, all finite, into cells of at least `cell_size` [m].
-    pub(crate) fn sort(&mut self, positions: &[Vec3], cell_size: f32) {
+    /// Sorts `positions`, all finite, rows of `column_count`, into cells of at least `cell_size`
+    /// [m].
+    pub(crate) fn sort(&mut self, positions: &[Vec3], column_count: u32, cell_size: f32) {
         let low = positions.iter().copied().fold(Vec3::INFINITY, Vec3::min);
         let high = positions
             .iter()
@@ -64,14 +67,16 @@ impl CellGrid {
             sum += *start;
             *start = sum;
         }
-        self.fill(positions);
+        self.fill(positions, column_count);
     }
 
     /// Backwards, so that every start ends where its cell begins and equal cells keep their order.
-    fn fill(&mut self, positions: &[Vec3]) {
+    fn fill(&mut self, positions: &[Vec3], column_count: u32) {
         let blank = Entry {
             position: Vec3::ZERO,
             particle: 0,
+            row: 0,
+            column: 0,
             cell: 0,
         };
         self.entries.clear();
@@ -84,6 +89,8 @@ impl CellGrid {
             self.entries[*end as usize] = Entry {
                 position,
                 particle,
+                row: particle / column_count,
+                column: particle % column_count,
                 cell,
             };
         }
@@ -92,15 +99,25 @@ impl CellGrid {
         self.starts.push(count);
     }
 
-    /// Calls `visit` with every run of entries that follows `index` in the half neighborhood:
+    /// First entry of every layer of cells; a neighbor lies in the same layer or the next.
+    pub(crate) fn layer_starts(&self) -> impl Iterator<Item = usize> {
+        let [width, height, _] = self.dimensions;
+        let layer = (width * height) as usize;
+        self.starts
+            .iter()
+            .step_by(layer)
+            .map(|&start| start as usize)
+    }
+
+    /// Calls `visit` with where it starts and every run of entries that follows `index` in the half neighborhood:
     /// the rest of its own cell and the cell right of it, then four runs of three cells.
     #[inline(always)]
-    pub(crate) fn following_runs(&self, index: usize, mut visit: impl FnMut(&[Entry])) {
+    pub(crate) fn following_runs(&self, index: usize, mut visit: impl FnMut(usize, &[Entry])) {
         let [width, height, _] = self.dimensions;
         let cell = self.entries[index].cell;
         let layer = width * height;
         let end = self.starts[cell as usize + 2] as usize;
-        visit(&self.entries[index + 1..end]);
+        visit(index + 1, &self.entries[index + 1..end]);
         for middle in [
             cell + width,
             cell + layer - width,
@@ -109,7 +126,7 @@ impl CellGrid {
         ] {
             let start = self.starts[middle as usize - 1] as usize;
             let end = self.starts[middle as usize + 2] as usize;
-            visit(&self.entries[start..end]);
+            visit(start, &self.entries[start..end]);
         }
     }
 }
@@ -137,11 +154,11 @@ mod tests {
             .collect();
         let reach = 0.012;
         let mut grid = CellGrid::default();
-        grid.sort(&positions, reach);
+        grid.sort(&positions, 20, reach);
         let mut found = Vec::new();
         for index in 0..positions.len() {
             let first = grid.entries[index];
-            grid.following_runs(index, |run| {
+            grid.following_runs(index, |_, run| {
                 let near = run
                     .iter()
                     .filter(|other| first.position.distance(other.position) < reach);

@@ -11,7 +11,7 @@ use lole_geom::trig;
 use rayon::prelude::*;
 
 use crate::collision::capsule::{self, ContactLaw, MovingCapsule, RowContacts};
-use crate::collision::cloth_cloth::ClothContactLaw;
+use crate::collision::cloth_cloth::{ClothContactLaw, Columns, Shape};
 use crate::constraint::shear::Cell;
 use crate::constraint::structural::Spring;
 use crate::constraint::tether::Tethers;
@@ -21,6 +21,10 @@ use crate::{ClothModel, ClothState, SolverConfig, StepInput};
 
 /// Rows that one task takes.
 const TASK_ROWS: usize = 8;
+
+/// Structural sweeps after the contacts of the cloth with itself: none leaves the springs strained
+/// where folds are pressed together, all of them press folds through each other.
+const LAST_SWEEPS: u32 = 1;
 
 /// Below this many vectors of particles a step is over before a second thread has woken up.
 const PARALLEL_VECTORS_MIN: usize = 1024;
@@ -109,37 +113,37 @@ pub(crate) fn advance<S: Simd>(
         [&state.capsules, input.capsules],
         (config.contact_offset, config.gravity.length() * dt, dt),
     );
+    find_held_depths(simd, model, config, (input, dt), state);
+    let shape = Shape {
+        grid: &model.spec().grid,
+        layout: &model.layout,
+        pinned_rows: &model.pinned_rows,
+        inv_masses: &model.inv_masses,
+    };
     let cloth_contact = config.self_collision.map(|contact| {
-        let law = ClothContactLaw::new(
-            &model.spec().grid,
-            contact.radius,
-            config.depenetration_speed * substep.h,
-        );
-        let grid = &model.spec().grid;
-        state
-            .scratch
-            .cloth_contacts
-            .find(grid, &model.layout, &state.positions, law);
+        let friction = model.spec().fabric.friction;
+        let law = ClothContactLaw::new(shape.grid, contact.radius, friction, substep.h);
+        let contacts = &mut state.scratch.cloth_contacts;
+        contacts.find(shape, &state.positions, law);
         (law, contact.substep_interval.get())
     });
     for index in 0..substep.count {
         predict(simd, model, &substep, state);
         solve_far_and_soft(simd, model, (config, &strides), &substep, state);
+        let sweep_count = config.structural_sweep_count.get();
+        let last_count = LAST_SWEEPS.min(sweep_count);
+        solve_structural(simd, model, sweep_count - last_count, &substep, state);
         if let Some((law, interval)) = cloth_contact
             && index % interval == 0
         {
-            let columns = (
-                &mut state.positions[..],
-                &mut state.scratch.predicted[..],
-                &model.inv_masses[..],
-            );
-            let grid = &model.spec().grid;
-            state
-                .scratch
-                .cloth_contacts
-                .solve(grid, &model.layout, columns, law);
+            let columns = Columns {
+                positions: &mut state.positions,
+                predicted: &mut state.scratch.predicted,
+                velocities: &state.velocities,
+            };
+            state.scratch.cloth_contacts.solve(columns, law);
         }
-        solve_structural(simd, model, config, &substep, state);
+        solve_structural(simd, model, last_count, &substep, state);
         move_capsules(config, input, index, &substep, state);
         resolve_contacts_and_update_velocities(simd, model, &substep, state);
     }
@@ -157,6 +161,37 @@ fn start_pins(model: &ClothModel, targets: &[Vec3], state: &mut ClothState, dt: 
         let (vector, lane) = model.layout.slot(pin as usize);
         state.velocities[vector].set(lane, (target - start) / dt);
     }
+}
+
+/// Where pins are inside capsules at either end of the step.
+#[inline(always)]
+fn find_held_depths<S: Simd>(
+    simd: S,
+    model: &ClothModel,
+    config: &SolverConfig,
+    (input, dt): (&StepInput<'_>, f32),
+    state: &mut ClothState,
+) {
+    let flight = f32x16::splat(simd, dt);
+    let columns = state.positions.iter().zip(&state.velocities);
+    for ((position, velocity), predicted) in columns.zip(&mut state.scratch.predicted) {
+        Vectors::load(simd, position)
+            .add(Vectors::load(simd, velocity).scale(flight))
+            .store(predicted);
+    }
+    state.scratch.held_depths.find(
+        simd,
+        (&model.layout, &model.pinned_rows),
+        [
+            (&state.positions, &state.capsules),
+            (&state.scratch.predicted, input.capsules),
+        ],
+        (
+            config.held_depth,
+            config.contact_offset,
+            model.spec().grid.spacing[1],
+        ),
+    );
 }
 
 /// Rounding has moved the pins a little off their targets.
@@ -240,7 +275,7 @@ fn solve_far_and_soft<S: Simd>(
 fn solve_structural<S: Simd>(
     simd: S,
     model: &ClothModel,
-    config: &SolverConfig,
+    sweep_count: u32,
     substep: &Substep,
     state: &mut ClothState,
 ) {
@@ -249,7 +284,7 @@ fn solve_structural<S: Simd>(
         inv_masses: &model.inv_masses,
         group_count: model.layout.group_count,
     };
-    for _ in 0..config.structural_sweep_count.get() {
+    for _ in 0..sweep_count {
         structural::solve_rows(simd, &mut rows, &model.row_pairs, substep.across);
         structural::solve_columns(simd, &mut rows, substep.down);
     }
@@ -336,6 +371,7 @@ fn resolve_contacts_and_update_velocities<S: Simd>(
     let width = model.layout.group_count;
     let capsules = &state.scratch.moving_capsules[..];
     let contacts = &state.scratch.row_contacts;
+    let held = state.scratch.held_depths.depths();
     let task = TASK_ROWS * width;
     let kernel = |index: usize, columns: ContactColumns<'_>| {
         simd.vectorize(
@@ -345,7 +381,7 @@ fn resolve_contacts_and_update_velocities<S: Simd>(
                     simd,
                     (index * TASK_ROWS, width),
                     columns,
-                    (capsules, contacts),
+                    (capsules, contacts, held),
                     substep,
                 );
             },
@@ -392,7 +428,7 @@ fn finish_rows<S: Simd>(
     simd: S,
     (first_row, width): (usize, usize),
     ((positions, velocities), (predicted, inv_masses)): ContactColumns<'_>,
-    (capsules, contacts): (&[MovingCapsule], &RowContacts),
+    (capsules, contacts, held): (&[MovingCapsule], &RowContacts, &[Scalars]),
     substep: &Substep,
 ) {
     let h = f32x16::splat(simd, substep.h);
@@ -404,12 +440,13 @@ fn finish_rows<S: Simd>(
         let predicted = Vectors::load(simd, &predicted[index]);
         let inv_mass = f32x16::load_array_ref(simd, &inv_masses[index].0);
         let before = predicted.sub(velocity.scale(h));
+        let held = f32x16::load_array_ref(simd, &held[first_row * width + index].0);
         let law = substep.contact;
         capsule::project(
             simd,
             &mut position,
             before,
-            inv_mass,
+            (inv_mass, held),
             (capsules, indices),
             law,
         );
