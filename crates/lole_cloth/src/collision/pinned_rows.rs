@@ -35,6 +35,13 @@ impl PinnedRows {
         }
     }
 
+    /// The rows that are pinned all along.
+    pub(crate) fn rows(&self) -> impl Iterator<Item = usize> {
+        let rows = self.nearest.iter().enumerate();
+        rows.filter(|&(row, &nearest)| row == nearest as usize)
+            .map(|(row, _)| row)
+    }
+
     /// Distance of the pins from which two particles hang, and the cloth between the particles
     /// and their pins [m].
     pub(crate) fn gap(

@@ -17,6 +17,7 @@ use crate::constraint::structural::Spring;
 use crate::constraint::tether::Tethers;
 use crate::constraint::{Rows, bend, shear, stride, structural, tether};
 use crate::lanes::{Points, RowLink, Scalars, Vectors, row_links};
+use crate::method::reference::SpringConstants;
 use crate::{ClothModel, ClothState, SolverConfig, StepInput};
 
 /// Rows that one task takes.
@@ -64,20 +65,29 @@ impl Substep {
             rest_length_squared: rest_length * rest_length,
             scaled_compliance: scaled_compliance(stiffness) * sweeps,
         };
-        let diagonal_squared = u * u + v * v;
+        let constants =
+            SpringConstants::from_fabric(fabric, model.spec().grid.spacing.map(f64::from));
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "constants are derived in f64 and used in f32"
+        )]
+        let [structural_u, structural_v, shear] = [
+            constants.structural_u,
+            constants.structural_v,
+            constants.shear,
+        ]
+        .map(|constant| constant as f32);
         Self {
             h,
             count,
             gravity_gain: config.gravity * h,
             air_velocity,
             drag_kept: trig::exp(-fabric.drag_rate * h),
-            across: spring(u, fabric.stretch[0] * v / u),
-            down: spring(v, fabric.stretch[1] * u / v),
+            across: spring(u, structural_u),
+            down: spring(v, structural_v),
             cell: Cell {
-                diagonal: diagonal_squared.sqrt(),
-                shear_compliance: scaled_compliance(
-                    0.5 * fabric.shear * diagonal_squared / (u * v),
-                ),
+                diagonal: (u * u + v * v).sqrt(),
+                shear_compliance: scaled_compliance(shear),
                 twist_compliance: scaled_compliance(2.0 * fabric.twist / (u * v)),
             },
             bend_across: scaled_compliance(fabric.bend[0] * v / (u * u * u)),
