@@ -18,7 +18,7 @@ use crate::{Grid, Topology};
 
 /// How far beyond touching candidates are kept [diameters]: folds move together, so what one
 /// gains on another in a step is far less than its speed.
-const MARGIN: f32 = 0.5;
+const MARGIN: f32 = 0.75;
 
 /// Columns and rows within which particles are held apart by their springs alone.
 const NEIGHBOR_COLUMNS: u32 = 1;
