@@ -84,8 +84,8 @@ pub(crate) fn build(tape: &Measurements) -> Result<Shape, BodyError> {
     fine.labels = mesh.labels;
     fine.arms = arms;
     let regions = Regions::new(&body, crotch);
-    fine.cut(PartKind::Leotard, |point| regions.leotard(point));
-    fine.cut(PartKind::Face, |point| regions.face(point));
+    fine.cut(PartKind::Leotard, |point, arm| regions.leotard(point, arm));
+    fine.cut(PartKind::Face, |point, _| regions.face(point));
     fine.simplify(&body);
     let positions = girths.fit(&fine.base, &fine.triangles, &fine.arms)?;
     for (name, joint) in &mut body.joints {

@@ -28,9 +28,12 @@ pub(crate) struct Fine {
 }
 
 impl Fine {
-    /// Cuts along the zero line of `region` and marks what is inside.
-    pub(crate) fn cut(&mut self, kind: PartKind, region: impl Fn(Vec3) -> f32) {
-        let values: Vec<f32> = self.warped.iter().map(|&point| region(point)).collect();
+    /// Cuts along the zero line of `region`, a function of the place and the arm's share there,
+    /// and marks what is inside.
+    pub(crate) fn cut(&mut self, kind: PartKind, region: impl Fn(Vec3, f32) -> f32) {
+        let values: Vec<f32> = (self.warped.iter().zip(&self.arms))
+            .map(|(&point, &arm)| region(point, arm))
+            .collect();
         let sliced = slice(&self.triangles, &values);
         for cut in &sliced.vertices[values.len()..] {
             if let Cut::Between(a, b, share) = *cut {

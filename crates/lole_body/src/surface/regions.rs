@@ -5,6 +5,17 @@ use glam::{Vec2, Vec3};
 use super::warp::smooth_step;
 use crate::sections::Sections;
 
+/// Share of the arm from which on nothing is leotard.
+const ARM_LIMIT: f32 = 0.7;
+/// Outer edge of the shoulder strap from the middle [m] at a stature of 158.5 cm.
+const STRAP_EDGE: f32 = 0.118;
+/// How far beyond the armpit the armhole is still bent [m].
+const SEAM_OUT: f32 = 0.0;
+/// How far below the armpit the armhole ends [m].
+const ARMHOLE_DROP: f32 = 0.034;
+/// Height of the armhole's bend as a share of the armhole.
+const ARMHOLE_RISE: f32 = 0.62;
+
 /// Where the leotard ends and the painted face begins, in the bind pose.
 #[derive(Debug, Clone)]
 pub(crate) struct Regions {
@@ -33,18 +44,33 @@ impl Regions {
         }
     }
 
-    /// Positive inside the leotard: above the leg line, below the scoop, inside the armholes.
-    pub(crate) fn leotard(&self, point: Vec3) -> f32 {
+    /// Positive inside the leotard: above the leg line, below the scoop, inside the armholes and
+    /// off the arm, of which `arm` is the share at this point.
+    pub(crate) fn leotard(&self, point: Vec3, arm: f32) -> f32 {
         let k = self.k;
         let x = point.x.abs();
         let leg = point.y - (self.crotch - 0.022 * k) - 0.62 * (x - 0.02 * k).max(0.0);
         let front = smooth_front(point.z / (0.05 * k));
         let depth = self.armpit + (0.052 - 0.022 * front) * k;
         let scoop = depth + 14.5 / k * x * x - point.y;
-        let armhole_x = 0.128 * k
-            + (self.armpit_x + 0.012 * k - 0.128 * k) * (self.shoulder - point.y)
-                / (self.shoulder - self.armpit);
-        leg.min(scoop).min(armhole_x - x)
+        let off_arm = (ARM_LIMIT - arm) * (0.1 * k);
+        leg.min(scoop)
+            .min(self.armhole(Vec2::new(x, point.y)))
+            .min(off_arm)
+    }
+
+    /// Negative inside the armhole, which is cut as seen from the front: straight down beside the
+    /// strap, then a quarter of an ellipse out to the side seam, which it meets level below the
+    /// armpit, where the skin hardly follows the arm.
+    fn armhole(&self, at: Vec2) -> f32 {
+        let k = self.k;
+        let strap = STRAP_EDGE * k;
+        let seam = self.armpit_x + SEAM_OUT * k;
+        let bottom = self.armpit - ARMHOLE_DROP * k;
+        let rise = ARMHOLE_RISE * (self.shoulder - bottom);
+        let from_center = Vec2::new(seam - at.x, bottom + rise - at.y).max(Vec2::ZERO);
+        let radii = Vec2::new(seam - strap, rise);
+        ((from_center / radii).length() - 1.0) * radii.min_element()
     }
 
     /// Positive on the front of the head.
