@@ -26,8 +26,45 @@ pub(crate) fn half_weights(shape: &Shape) -> Vec<Row> {
     for _ in 0..AVERAGING_PASSES {
         average(&mut rows, &neighbors, &shape.positions);
     }
+    ease_armpit(&mut rows, &shape.positions, &joints);
     join_close(&mut rows, &neighbors, &shape.positions);
     rows
+}
+
+/// Around the armpit, weights become a smooth function of the place alone: averaging over edges
+/// leaves steps where triangles are small, and the leotard's armhole, which runs there, would show
+/// them as a ragged edge when the arm rises.
+fn ease_armpit(rows: &mut [Row], positions: &[Vec3], joints: &Joints<'_>) {
+    const REACH: f32 = 0.13;
+    const SPREAD: f32 = 0.034;
+    const PASSES: usize = 2;
+    let k = joints.k;
+    let center = Vec3::new(
+        joints.body.level("armpit_x"),
+        joints.armpit,
+        joints.body.level("armpit_z"),
+    );
+    let share = |point: Vec3| smooth_step(2.0 * (1.0 - point.distance(center) / (REACH * k)));
+    let near: Vec<usize> = (0..positions.len())
+        .filter(|&vertex| share(positions[vertex]) > 0.0)
+        .collect();
+    for _ in 0..PASSES {
+        let before: Vec<Row> = near.iter().map(|&vertex| rows[vertex]).collect();
+        for &vertex in &near {
+            let mut sum = [0.0; Bone::COUNT];
+            let mut total = 0.0;
+            for (&other, row) in near.iter().zip(&before) {
+                let apart = positions[vertex].distance(positions[other]) / (SPREAD * k);
+                let bell = (1.0 - apart * apart).max(0.0);
+                add(&mut sum, &row.map(|weight| weight * bell * bell));
+                total += bell * bell;
+            }
+            let eased = share(positions[vertex]);
+            for (weight, sum) in rows[vertex].iter_mut().zip(sum) {
+                *weight += (sum / total - *weight) * eased;
+            }
+        }
+    }
 }
 
 /// The bone on the other side, or itself in the middle.

@@ -278,6 +278,46 @@ fn arms_down_and_knees_bent_tear_nothing() {
     }
 }
 
+/// Share of a vertex that the upper arms carry.
+fn arm_weight(dancer: &Dancer, vertex: u32) -> f32 {
+    let vertex = vertex as usize;
+    let (joints, weights) = (dancer.skin.joints[vertex], dancer.skin.weights[vertex]);
+    [Bone::LeftUpperArm, Bone::RightUpperArm]
+        .iter()
+        .map(|arm| {
+            (joints.iter().zip(weights))
+                .filter(|(joint, _)| usize::from(**joint) == arm.index())
+                .map(|(_, weight)| weight)
+                .sum::<f32>()
+        })
+        .sum()
+}
+
+/// The armholes stay armholes when the arms rise: little of the arm moves their edge, and no step
+/// from vertex to vertex.
+#[test]
+fn armholes_hardly_follow_the_arms_and_evenly() {
+    let dancer = woman();
+    let part = (dancer.skin.parts.iter())
+        .find(|part| part.kind == PartKind::Leotard)
+        .unwrap();
+    let edges = directed_edges(&part.triangles);
+    let rim = (edges.keys()).filter(|[a, b]| !edges.contains_key(&[*b, *a]));
+    let mut steepest = 0.0_f32;
+    let mut most = 0.0_f32;
+    for &[a, b] in rim {
+        let [w, other] = [a, b].map(|vertex| arm_weight(dancer, vertex));
+        let [p, q] = [a, b].map(|vertex| dancer.skin.positions[vertex as usize]);
+        most = most.max(w);
+        steepest = steepest.max(((w - other).abs() - 0.01) / p.distance(q).max(1.0e-3));
+    }
+    assert!(most < 0.42, "the arm carries {most} of the rim");
+    assert!(
+        steepest < 12.0,
+        "the arm's share changes by {steepest} a meter"
+    );
+}
+
 #[test]
 fn thirteen_capsules_cover_the_skin_below_the_waist() {
     let woman = woman();

@@ -12,7 +12,7 @@ const STRAP_EDGE: f32 = 0.118;
 /// How far beyond the armpit the armhole is still bent [m].
 const SEAM_OUT: f32 = 0.0;
 /// How far below the armpit the armhole ends [m].
-const ARMHOLE_DROP: f32 = 0.034;
+const ARMHOLE_DROP: f32 = 0.037;
 /// Height of the armhole's bend as a share of the armhole.
 const ARMHOLE_RISE: f32 = 0.62;
 
