@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 use glam::Vec3;
-use lole_body::{PartKind, Pose, appearance};
+use lole_body::{BodyPicture, PartKind, Pose, appearance};
 use lole_cloth::Topology;
 use lole_export::Image;
 use lole_export::glb::{
@@ -43,8 +43,17 @@ pub(crate) fn dancer_glb(
     studio: &Studio,
 ) -> Result<Vec<u8>> {
     let production = performance.production();
-    let face = appearance::face_texture();
-    let face = encode_png(Image::new(face.side, face.side, &face.pixels)?)?;
+    let png = |picture: BodyPicture| -> Result<Vec<u8>> {
+        Ok(encode_png(Image::new(
+            picture.side,
+            picture.side,
+            &picture.pixels,
+        )?)?)
+    };
+    let [face, hair] = [
+        png(appearance::face_texture())?,
+        png(appearance::hair_texture())?,
+    ];
     let print = &studio.print;
     let print_png = encode_png(Image::new(print.width, print.height, &print.pixels)?)?;
     let skin = &production.dancer.skin;
@@ -53,7 +62,7 @@ pub(crate) fn dancer_glb(
         .iter()
         .map(|part| MeshPart {
             triangles: &part.triangles,
-            material: material(part.kind, &face),
+            material: material(part.kind, [&face, &hair]),
         })
         .collect();
     let body = SkinnedMesh {
@@ -99,20 +108,20 @@ pub(crate) fn dancer_glb(
     })?)
 }
 
-fn material(kind: PartKind, face: &[u8]) -> GlbMaterial<'_> {
-    let (name, color, roughness) = match kind {
-        PartKind::Skin => ("skin", appearance::SKIN_SRGB, 0.6),
-        PartKind::Face => ("face", [255; 3], 0.6),
-        PartKind::Leotard => ("leotard", appearance::LEOTARD_SRGB, 0.8),
-        PartKind::Hair => ("hair", appearance::HAIR_SRGB, 0.5),
-        PartKind::Flower => ("flower", appearance::FLOWER_SRGB, 0.8),
-        PartKind::FlowerHeart => ("flower_heart", appearance::FLOWER_HEART_SRGB, 0.8),
+fn material<'a>(kind: PartKind, [face, hair]: [&'a [u8]; 2]) -> GlbMaterial<'a> {
+    let (name, color, roughness, texture_png) = match kind {
+        PartKind::Skin => ("skin", appearance::SKIN_SRGB, 0.6, None),
+        PartKind::Face => ("face", [255; 3], 0.6, Some(face)),
+        PartKind::Leotard => ("leotard", appearance::LEOTARD_SRGB, 0.8, None),
+        PartKind::Hair => ("hair", [255; 3], 0.75, Some(hair)),
+        PartKind::Flower => ("flower", appearance::FLOWER_SRGB, 0.8, None),
+        PartKind::FlowerHeart => ("flower_heart", appearance::FLOWER_HEART_SRGB, 0.8, None),
     };
     GlbMaterial {
         name,
         base_color: linear(color),
         roughness,
-        texture_png: (kind == PartKind::Face).then_some(face),
+        texture_png,
         sides: Sides::Front,
     }
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use anyhow::Result;
 use glam::Vec3;
-use lole_body::{Bone, PartKind, appearance};
+use lole_body::{BodyPicture, Bone, PartKind, appearance};
 use lole_costume::print::{self, PrintImage};
 use lole_geom::trig;
 use lole_render::{
@@ -69,8 +69,7 @@ impl Studio {
             print.height,
             print.pixels.clone(),
         )?);
-        let face = appearance::face_texture();
-        let face = Arc::new(Texture::new(face.side, face.side, face.pixels)?);
+        let paint = Paint::new()?;
         let kinds = performance
             .production()
             .dancer
@@ -79,7 +78,7 @@ impl Studio {
             .iter()
             .map(|part| part.kind);
         let parts = kinds
-            .map(|kind| (kind, part_material(kind, &face)))
+            .map(|kind| (kind, part_material(kind, &paint)))
             .collect();
         Ok(Self {
             cloth: Material::printed_cloth(texture),
@@ -127,11 +126,29 @@ impl Studio {
     }
 }
 
-fn part_material(kind: PartKind, face: &Arc<Texture>) -> Material {
+/// The pictures on the body.
+struct Paint {
+    face: Arc<Texture>,
+    hair: Arc<Texture>,
+}
+
+impl Paint {
+    fn new() -> Result<Self> {
+        let texture = |picture: BodyPicture| {
+            Texture::new(picture.side, picture.side, picture.pixels).map(Arc::new)
+        };
+        Ok(Self {
+            face: texture(appearance::face_texture())?,
+            hair: texture(appearance::hair_texture())?,
+        })
+    }
+}
+
+fn part_material(kind: PartKind, paint: &Paint) -> Material {
     match kind {
         PartKind::Skin => Material::skin(linear(appearance::SKIN_SRGB)),
         PartKind::Face => Material {
-            texture: Some(Arc::clone(face)),
+            texture: Some(Arc::clone(&paint.face)),
             ..Material::skin([1.0; 3])
         },
         PartKind::Leotard => Material {
@@ -139,7 +156,13 @@ fn part_material(kind: PartKind, face: &Arc<Texture>) -> Material {
             sheen: 0.15,
             ..Material::cloth(linear(appearance::LEOTARD_SRGB))
         },
-        PartKind::Hair => Material::hair(linear(appearance::HAIR_SRGB)),
+        // Lit as skin is: at the hairline it shows skin.
+        PartKind::Hair => Material {
+            texture: Some(Arc::clone(&paint.hair)),
+            roughness: 0.62,
+            specular: 0.02,
+            ..Material::skin([1.0; 3])
+        },
         PartKind::Flower => Material::cloth(linear(appearance::FLOWER_SRGB)),
         PartKind::FlowerHeart => Material::cloth(linear(appearance::FLOWER_HEART_SRGB)),
     }

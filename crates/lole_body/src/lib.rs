@@ -18,7 +18,7 @@ mod skin_weights;
 mod surface;
 pub mod tape;
 
-pub use appearance::{FaceTexture, face_texture};
+pub use appearance::{BodyPicture, face_texture, hair_texture};
 pub use capsules::BodyCapsule;
 pub use dancer::{Dancer, Landmarks};
 pub use error::BodyError;

@@ -11,7 +11,7 @@ pub enum PartKind {
     Leotard,
     /// The front of the head, with painted eyes, brows and lips (see [`crate::face_texture`]).
     Face,
-    /// The hair with its bun.
+    /// The hair with its bun, with painted strands (see [`crate::hair_texture`]).
     Hair,
     /// Petals of the flower in the hair.
     Flower,
@@ -38,7 +38,8 @@ pub struct SkinnedMesh {
     pub positions: Vec<Vec3>,
     /// Unit outward normals of the bind pose, shape `[vertex_count, 3]`.
     pub normals: Vec<Vec3>,
-    /// Texture coordinates of the face, `v` down; elsewhere of no meaning, shape `[vertex_count, 2]`.
+    /// Texture coordinates of face and hair, `v` down; elsewhere of no meaning, shape
+    /// `[vertex_count, 2]`.
     pub uvs: Vec<Vec2>,
     /// Bones ([`crate::Bone::index`]) that carry each vertex, shape `[vertex_count, 4]`.
     pub joints: Vec<[u16; 4]>,

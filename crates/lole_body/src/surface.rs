@@ -31,6 +31,7 @@ use warp::{Girths, Heights, arm_share, asis_level, smooth_step};
 const LATTICE_STEPS: [f32; 4] = [0.004, 0.0034, 0.0029, 0.0025];
 const TAUBIN_PASSES: usize = 4;
 const FAIRING_PASSES: usize = 120;
+const FACE_PASSES: usize = 24;
 
 /// The left half of the finished surface and what was measured on the way.
 pub(crate) struct Shape {
@@ -79,6 +80,8 @@ pub(crate) fn build(tape: &Measurements) -> Result<Shape, BodyError> {
     };
     mesh.positions.clone_from(&fine.warped);
     fine.normals = mesh.normals(&neighbors);
+    let face = face_balls(&body);
+    mesh.soften_normals(&mut fine.normals, &neighbors, &face, FACE_PASSES);
     fine.kinds = vec![PartKind::Skin; mesh.triangles.len()];
     fine.triangles = mesh.triangles;
     fine.labels = mesh.labels;
@@ -228,6 +231,18 @@ fn fairing_balls(body: &Sections) -> [(Vec3, f32); 3] {
             0.045 * k,
         ),
         (armpit, 0.06 * k),
+    ]
+}
+
+/// Where the face's light is evened out: eye, mouth with chin, and cheek.
+fn face_balls(body: &Sections) -> [(Vec3, f32); 4] {
+    let k = body.height / 1.585;
+    let at = |x: f32, y: f32, z: f32| body.head.center + Vec3::new(x, y, z) * k;
+    [
+        (at(0.031, -0.006, 0.085), 0.030 * k),
+        (at(0.0, -0.076, 0.085), 0.055 * k),
+        (at(0.035, -0.050, 0.070), 0.050 * k),
+        (at(0.0, -0.052, 0.100), 0.030 * k),
     ]
 }
 

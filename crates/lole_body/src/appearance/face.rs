@@ -9,38 +9,40 @@ use tiny_skia::{
     RadialGradient, SpreadMode, Stroke, Transform,
 };
 
-use super::{FaceTexture, SKIN_SRGB};
+use super::{BodyPicture, SKIN_SRGB};
 
 /// Side of the picture [pixel].
 const SIDE: u32 = 1024;
 const MIDDLE: f32 = 512.0;
 /// Pupil: distance from the middle and row.
-const EYE: [f32; 2] = [170.0, 428.0];
-/// Row where the lips meet.
-const MOUTH: f32 = 795.0;
+const EYE: [f32; 2] = [168.0, 430.0];
+/// Row where the lips meet in the middle; their corners are higher.
+const MOUTH: f32 = 797.0;
 
-const LASH: [u8; 3] = [36, 25, 22];
-const BROW: [u8; 3] = [66, 48, 40];
-const SCLERA: [u8; 3] = [244, 238, 232];
-const IRIS: [u8; 3] = [74, 46, 32];
-const IRIS_RIM: [u8; 3] = [40, 25, 20];
+const LASH: [u8; 3] = [38, 27, 24];
+const BROW: [u8; 3] = [62, 45, 38];
+const SCLERA: [u8; 3] = [232, 222, 214];
+const IRIS: [u8; 3] = [70, 44, 32];
+const IRIS_LIGHT: [u8; 3] = [112, 72, 48];
+const IRIS_RIM: [u8; 3] = [38, 25, 20];
 const PUPIL: [u8; 3] = [16, 11, 11];
-const LIP_UPPER: [u8; 3] = [190, 98, 92];
-const LIP_LOWER: [u8; 3] = [206, 112, 104];
-const LIP_LINE: [u8; 3] = [128, 56, 56];
-const BLUSH: [u8; 3] = [226, 120, 104];
+const LID: [u8; 3] = [126, 76, 60];
+const LIP_UPPER: [u8; 3] = [186, 92, 88];
+const LIP_LOWER: [u8; 3] = [204, 108, 102];
+const LIP_LINE: [u8; 3] = [126, 56, 56];
+const BLUSH: [u8; 3] = [226, 116, 98];
 const SHADE: [u8; 3] = [150, 98, 78];
-const LIGHT: [u8; 3] = [255, 246, 236];
+const LIGHT: [u8; 3] = [255, 240, 224];
 
 /// The face on a ground of exactly [`SKIN_SRGB`].
 #[must_use]
-pub fn face_texture() -> FaceTexture {
+pub fn face_texture() -> BodyPicture {
     let ground: Vec<u8> = {
         let [r, g, b] = SKIN_SRGB;
         [r, g, b, 255].repeat((SIDE * SIDE) as usize)
     };
     let Some(mut canvas) = Pixmap::new(SIDE, SIDE) else {
-        return FaceTexture {
+        return BodyPicture {
             side: SIDE,
             pixels: ground,
         };
@@ -55,16 +57,22 @@ pub fn face_texture() -> FaceTexture {
         half.nose();
         half.eye();
         half.brow();
-        half.lips();
+        half.mouth_corner();
     }
-    FaceTexture {
+    let mut whole = Half {
+        canvas: &mut canvas,
+        transform: Transform::from_translate(MIDDLE, 0.0),
+    };
+    whole.nose_ridge();
+    whole.lips();
+    BodyPicture {
         side: SIDE,
         // Opaque pixels are the same premultiplied or not.
         pixels: canvas.take(),
     }
 }
 
-/// One side of the face, `x` outwards from the middle.
+/// One side of the face, `x` outwards from the middle; or both, where shapes cross it.
 struct Half<'a> {
     canvas: &'a mut Pixmap,
     transform: Transform,
@@ -91,6 +99,23 @@ fn curve(start: At, cubics: &[[At; 3]]) -> Option<Path> {
     for [a, b, end] in cubics {
         builder.cubic_to(a[0], a[1], b[0], b[1], end[0], end[1]);
     }
+    builder.finish()
+}
+
+/// A closed path that runs from the middle on one side and comes back on the other, as in a mirror.
+fn mirrored(start: At, cubics: &[[At; 3]]) -> Option<Path> {
+    let mut builder = PathBuilder::new();
+    builder.move_to(start[0], start[1]);
+    for [a, b, end] in cubics {
+        builder.cubic_to(a[0], a[1], b[0], b[1], end[0], end[1]);
+    }
+    for (index, [a, b, _]) in cubics.iter().enumerate().rev() {
+        let end = index
+            .checked_sub(1)
+            .map_or(start, |before| cubics[before][2]);
+        builder.cubic_to(-b[0], b[1], -a[0], a[1], -end[0], end[1]);
+    }
+    builder.close();
     builder.finish()
 }
 
@@ -153,148 +178,225 @@ impl Half<'_> {
     }
 
     fn cheek(&mut self) {
-        self.spot([218.0, 610.0], [150.0, 105.0], BLUSH, 62);
+        self.spot([222.0, 596.0], [160.0, 112.0], BLUSH, 64);
+        // A smile lifts the cheek: light on it, a breath of shade under it.
+        self.spot([206.0, 560.0], [84.0, 44.0], LIGHT, 34);
     }
 
     fn nose(&mut self) {
-        // Shade beside the bridge and under the tip, nostrils, light on the tip.
-        self.spot([62.0, 470.0], [34.0, 90.0], SHADE, 34);
-        self.spot([0.0, 668.0], [86.0, 26.0], SHADE, 60);
-        self.spot([34.0, 656.0], [17.0, 9.0], [96, 48, 40], 150);
-        self.spot([66.0, 640.0], [14.0, 30.0], SHADE, 46);
-        self.spot([0.0, 612.0], [34.0, 30.0], LIGHT, 50);
-        self.spot([0.0, 500.0], [20.0, 110.0], LIGHT, 40);
+        self.spot([60.0, 470.0], [34.0, 90.0], SHADE, 30);
+        self.spot([34.0, 656.0], [16.0, 8.0], [104, 54, 44], 130);
+        self.spot([66.0, 642.0], [14.0, 28.0], SHADE, 36);
+    }
+
+    fn nose_ridge(&mut self) {
+        self.spot([0.0, 668.0], [84.0, 24.0], SHADE, 74);
+        self.spot([0.0, 612.0], [36.0, 32.0], LIGHT, 74);
+        self.spot([0.0, 500.0], [20.0, 110.0], LIGHT, 52);
     }
 
     fn eye(&mut self) {
         let [x, y] = EYE;
         let at = |dx: f32, dy: f32| [x + dx, y + dy];
-        self.spot(at(0.0, -22.0), [128.0, 62.0], SHADE, 66);
-        self.spot(at(4.0, 44.0), [96.0, 22.0], SHADE, 30);
-        let inner = at(-84.0, 15.0);
-        let outer = at(88.0, -7.0);
+        self.spot(at(2.0, -30.0), [122.0, 54.0], [158, 100, 78], 76);
+        self.spot(at(4.0, 42.0), [92.0, 24.0], SHADE, 34);
+        let inner = at(-80.0, 15.0);
+        let outer = at(84.0, -4.0);
+        // The lower lid is lifted a little, as in a smile.
         let almond = curve(
             inner,
             &[
-                [at(-58.0, -26.0), at(-26.0, -40.0), at(8.0, -39.0)],
-                [at(44.0, -37.0), at(70.0, -24.0), outer],
-                [at(66.0, 22.0), at(28.0, 33.0), at(-4.0, 33.0)],
-                [at(-38.0, 32.0), at(-62.0, 25.0), inner],
+                [at(-56.0, -20.0), at(-28.0, -33.0), at(6.0, -33.0)],
+                [at(42.0, -32.0), at(66.0, -21.0), outer],
+                [at(62.0, 18.0), at(30.0, 27.0), at(-2.0, 27.0)],
+                [at(-36.0, 27.0), at(-60.0, 22.0), inner],
             ],
         );
         let Some(almond) = almond else { return };
         self.fill(Some(almond.clone()), &paint(SCLERA, 255), None);
-        if let Some(mut inside) = Mask::new(SIDE, SIDE) {
-            inside.fill_path(&almond, FillRule::Winding, true, self.transform);
-            let circle = |dx: f32, dy: f32, r: f32| PathBuilder::from_circle(x + dx, y + dy, r);
-            self.fill(
-                circle(0.0, -5.0, 41.0),
-                &paint(IRIS_RIM, 255),
-                Some(&inside),
-            );
-            self.fill(circle(0.0, -5.0, 36.0), &paint(IRIS, 255), Some(&inside));
-            self.fill(
-                circle(0.0, 5.0, 25.0),
-                &paint([106, 68, 46], 120),
-                Some(&inside),
-            );
-            self.fill(circle(0.0, -5.0, 18.0), &paint(PUPIL, 255), Some(&inside));
-            // The upper lid's shadow on the ball.
-            let shadow = curve(
-                at(-90.0, -50.0),
-                &[
-                    [at(-40.0, -62.0), at(50.0, -62.0), at(95.0, -50.0)],
-                    [at(92.0, -20.0), at(60.0, -22.0), at(8.0, -25.0)],
-                    [at(-40.0, -24.0), at(-70.0, 4.0), at(-90.0, -50.0)],
-                ],
-            );
-            self.fill(shadow, &paint([70, 50, 46], 90), Some(&inside));
-        }
+        self.eyeball(&almond);
         self.lids();
-        // The window's reflection, on the same side of both eyes.
+        // The window's reflection, on the same side of both eyes, and a faint one of the floor.
         let reflection = Transform::from_translate(MIDDLE, 0.0);
         let side = self.transform.sx;
-        if let Some(glint) = PathBuilder::from_circle(x * side - 13.0, y - 18.0, 8.5) {
-            let white = paint([255, 255, 255], 235);
-            self.canvas
-                .fill_path(&glint, &white, FillRule::Winding, reflection, None);
+        for (dx, dy, radius, alpha) in [(14.0, -15.0, 9.5, 245), (-13.0, 11.0, 5.5, 90)] {
+            if let Some(glint) = PathBuilder::from_circle(x * side + dx, y + dy, radius) {
+                let white = paint([255, 253, 248], alpha);
+                self.canvas
+                    .fill_path(&glint, &white, FillRule::Winding, reflection, None);
+            }
         }
     }
 
-    /// Lash line above with a small wing, crease, and a faint line below.
+    /// Iris, pupil and the lids' shadow, within the almond.
+    fn eyeball(&mut self, almond: &Path) {
+        let [x, y] = EYE;
+        let at = |dx: f32, dy: f32| [x + dx, y + dy];
+        let Some(mut inside) = Mask::new(SIDE, SIDE) else {
+            return;
+        };
+        inside.fill_path(almond, FillRule::Winding, true, self.transform);
+        let circle = |dy: f32, r: f32| PathBuilder::from_circle(x, y + dy, r);
+        self.fill(circle(-6.0, 42.0), &paint(IRIS_RIM, 120), Some(&inside));
+        self.fill(circle(-6.0, 39.0), &paint(IRIS_RIM, 255), Some(&inside));
+        self.fill(circle(-5.0, 34.0), &paint(IRIS, 255), Some(&inside));
+        self.fill(circle(4.0, 25.0), &paint(IRIS_LIGHT, 130), Some(&inside));
+        self.fill(circle(-6.0, 17.0), &paint(PUPIL, 255), Some(&inside));
+        let shadow = curve(
+            at(-90.0, -50.0),
+            &[
+                [at(-40.0, -62.0), at(50.0, -62.0), at(95.0, -50.0)],
+                [at(92.0, -14.0), at(60.0, -17.0), at(8.0, -19.0)],
+                [at(-40.0, -18.0), at(-70.0, 8.0), at(-90.0, -50.0)],
+            ],
+        );
+        self.fill(shadow, &paint([70, 48, 44], 96), Some(&inside));
+        for corner in [at(-86.0, 14.0), at(88.0, -4.0)] {
+            let dusk = PathBuilder::from_circle(corner[0], corner[1], 30.0);
+            self.fill(dusk, &paint([150, 96, 84], 70), Some(&inside));
+        }
+    }
+
+    /// Lash line above with a small wing, lashes, crease, and a faint line below.
     fn lids(&mut self) {
         let [x, y] = EYE;
         let at = |dx: f32, dy: f32| [x + dx, y + dy];
         let lash = curve(
-            at(-88.0, 18.0),
+            at(-83.0, 17.0),
             &[
-                [at(-60.0, -28.0), at(-26.0, -48.0), at(10.0, -50.0)],
-                [at(52.0, -49.0), at(80.0, -34.0), at(108.0, -20.0)],
-                [at(96.0, -12.0), at(92.0, -8.0), at(86.0, -7.0)],
-                [at(68.0, -24.0), at(42.0, -34.0), at(8.0, -36.0)],
-                [at(-26.0, -37.0), at(-58.0, -23.0), at(-88.0, 18.0)],
+                [at(-58.0, -22.0), at(-28.0, -41.0), at(8.0, -42.0)],
+                [at(48.0, -41.0), at(76.0, -29.0), at(100.0, -18.0)],
+                [at(92.0, -8.0), at(88.0, -4.0), at(82.0, -4.0)],
+                [at(64.0, -19.0), at(40.0, -29.0), at(6.0, -30.0)],
+                [at(-28.0, -30.0), at(-56.0, -18.0), at(-83.0, 17.0)],
             ],
         );
-        self.fill(lash, &paint(LASH, 245), None);
+        self.fill(lash.clone(), &paint(LASH, 235), None);
+        self.line(lash, &paint(LASH, 50), 5.0);
+        for (dx, dy, length) in [
+            (40.0, -37.0, 12.0),
+            (58.0, -32.0, 15.0),
+            (76.0, -25.0, 17.0),
+        ] {
+            let hair = curve(
+                at(dx, dy),
+                &[[
+                    at(dx + 0.4 * length, dy - 0.1 * length),
+                    at(dx + 0.8 * length, dy - 0.4 * length),
+                    at(dx + length, dy - 0.8 * length),
+                ]],
+            );
+            self.line(hair, &paint(LASH, 190), 3.0);
+        }
         let crease = curve(
-            at(-78.0, -10.0),
+            at(-72.0, -10.0),
             &[
-                [at(-54.0, -44.0), at(-20.0, -64.0), at(14.0, -64.0)],
-                [at(50.0, -63.0), at(78.0, -48.0), at(98.0, -34.0)],
+                [at(-50.0, -38.0), at(-20.0, -56.0), at(12.0, -57.0)],
+                [at(48.0, -56.0), at(74.0, -43.0), at(94.0, -31.0)],
             ],
         );
-        self.line(crease, &paint([112, 70, 58], 150), 4.0);
+        self.line(crease.clone(), &paint(LID, 50), 10.0);
+        self.line(crease, &paint(LID, 150), 3.5);
         let below = curve(
-            at(90.0, -4.0),
-            &[[at(66.0, 25.0), at(28.0, 36.0), at(-4.0, 36.0)]],
+            at(84.0, -2.0),
+            &[[at(62.0, 20.0), at(30.0, 30.0), at(-10.0, 30.0)]],
         );
-        self.line(below, &paint([96, 62, 52], 150), 4.0);
+        self.line(below.clone(), &paint(LID, 46), 9.0);
+        self.line(below, &paint(LASH, 110), 3.0);
     }
 
+    /// A soft arch: a faint body, and hairs that lean outwards.
     fn brow(&mut self) {
-        let brow = curve(
-            [84.0, 338.0],
-            &[
-                [[124.0, 326.0], [190.0, 312.0], [230.0, 310.0]],
-                [[258.0, 310.0], [284.0, 326.0], [304.0, 348.0]],
-                [[280.0, 335.0], [256.0, 328.0], [230.0, 329.0]],
-                [[188.0, 331.0], [126.0, 346.0], [92.0, 357.0]],
-                [[84.0, 354.0], [82.0, 346.0], [84.0, 338.0]],
-            ],
-        );
-        self.fill(brow.clone(), &paint(BROW, 160), None);
-        // A soft edge, as hair has.
-        self.line(brow, &paint(BROW, 40), 8.0);
+        const HAIRS: u8 = 34;
+        let brow = |thick: f32| {
+            curve(
+                [88.0, 352.0 - 0.5 * thick],
+                &[
+                    [[126.0, 334.0], [182.0, 318.0], [224.0, 316.0]],
+                    [[256.0, 315.0], [284.0, 328.0], [306.0, 348.0]],
+                    [
+                        [282.0, 338.0],
+                        [254.0, 324.0 + thick],
+                        [222.0, 322.0 + thick],
+                    ],
+                    [
+                        [182.0, 323.0 + thick],
+                        [128.0, 340.0 + thick],
+                        [94.0, 350.0 + thick],
+                    ],
+                    [
+                        [86.0, 352.0 + thick],
+                        [84.0, 352.0],
+                        [88.0, 352.0 - 0.5 * thick],
+                    ],
+                ],
+            )
+        };
+        self.line(brow(10.0), &paint(BROW, 26), 12.0);
+        self.fill(brow(12.0), &paint(BROW, 104), None);
+        for hair in 0..HAIRS {
+            let along = f32::from(hair) / f32::from(HAIRS - 1);
+            let x = 90.0 + 196.0 * along;
+            let arch = 340.0 - 24.0 * along * (2.3 - 1.55 * along * along);
+            let thick = 18.0 * (1.0 - 0.55 * along) * (0.5 + 1.6 * along).min(1.0);
+            let lean = 8.0 + 16.0 * along;
+            let path = curve(
+                [x, arch + 0.6 * thick + 6.0],
+                &[[
+                    [x + 0.2 * lean, arch + 0.2 * thick + 5.0],
+                    [x + 0.6 * lean, arch - 0.2 * thick + 6.0],
+                    [x + lean, arch - 0.3 * thick + 6.0 + 5.0 * along],
+                ]],
+            );
+            let faint = if hair < 4 { 60 } else { 96 };
+            self.line(path, &paint(BROW, faint), 3.2);
+        }
     }
 
+    /// The corner that a smile tucks in.
+    fn mouth_corner(&mut self) {
+        self.spot([134.0, MOUTH - 26.0], [20.0, 22.0], SHADE, 66);
+        self.spot([150.0, MOUTH - 70.0], [20.0, 60.0], SHADE, 22);
+    }
+
+    /// Closed lips in a gentle smile: corners raised, the lower lip full.
     fn lips(&mut self) {
         let y = MOUTH;
-        let corner = [112.0, y - 12.0];
-        self.spot([0.0, y + 74.0], [90.0, 22.0], SHADE, 60);
-        self.spot([126.0, y - 6.0], [22.0, 18.0], SHADE, 60);
-        let upper = curve(
-            [-0.6, y - 32.0],
+        let corner = [124.0, y - 26.0];
+        self.spot([0.0, y + 74.0], [84.0, 20.0], SHADE, 56);
+        let upper = mirrored(
+            [0.0, y - 34.0],
             &[
-                [[10.0, y - 34.0], [18.0, y - 40.0], [30.0, y - 40.0]],
-                [[58.0, y - 40.0], [92.0, y - 18.0], corner],
-                [[80.0, y + 2.0], [40.0, y + 6.0], [-0.6, y + 5.0]],
+                [[10.0, y - 37.0], [18.0, y - 43.0], [30.0, y - 43.0]],
+                [[58.0, y - 42.0], [92.0, y - 30.0], corner],
+                [[86.0, y - 8.0], [44.0, y + 5.0], [0.0, y + 5.0]],
             ],
         );
-        self.fill(upper, &paint(LIP_UPPER, 200), None);
-        let lower = curve(
-            [-0.6, y + 3.0],
+        self.line(upper.clone(), &paint(LIP_UPPER, 60), 7.0);
+        self.fill(upper, &paint(LIP_UPPER, 190), None);
+        let lower = mirrored(
+            [0.0, y + 3.0],
             &[
-                [[40.0, y + 4.0], [80.0, y + 2.0], corner],
-                [[96.0, y + 28.0], [60.0, y + 52.0], [-0.6, y + 52.0]],
+                [[44.0, y + 3.0], [86.0, y - 10.0], corner],
+                [[104.0, y + 18.0], [64.0, y + 55.0], [0.0, y + 55.0]],
             ],
         );
-        self.fill(lower, &paint(LIP_LOWER, 200), None);
-        let between = curve(
-            [0.0, y + 4.0],
-            &[[[36.0, y + 6.0], [76.0, y + 1.0], [117.0, y - 15.0]]],
-        );
-        self.line(between, &paint(LIP_LINE, 170), 4.5);
-        self.spot([14.0, y + 30.0], [42.0, 14.0], LIGHT, 56);
+        self.line(lower.clone(), &paint(LIP_LOWER, 60), 7.0);
+        self.fill(lower, &paint(LIP_LOWER, 190), None);
+        for side in [-1.0, 1.0] {
+            let between = curve(
+                [0.0, y + 4.0],
+                &[[
+                    [side * 44.0, y + 4.0],
+                    [side * 88.0, y - 9.0],
+                    [side * 130.0, y - 31.0],
+                ]],
+            );
+            self.line(between.clone(), &paint(LIP_LINE, 60), 8.0);
+            self.line(between, &paint(LIP_LINE, 150), 3.5);
+        }
+        self.spot([0.0, y + 30.0], [62.0, 14.0], LIGHT, 74);
+        self.spot([0.0, y - 24.0], [40.0, 8.0], LIGHT, 36);
     }
 }
 

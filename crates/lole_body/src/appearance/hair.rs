@@ -1,7 +1,8 @@
-//! Her hair: a smooth cap combed back into a bun, and a plumeria behind the left ear.
+//! Her hair: combed back into a wound bun, and a plumeria behind the left ear.
 //!
-//! The cap is a closed surface around the head whose distance from the skin falls from a few
-//! millimeters to below zero across the hairline: where it dives under the skin, hair ends.
+//! The cap is a closed surface around the head whose distance from the skin falls gently to below
+//! zero across the hairline: where it dives under the skin, hair ends. There it is painted as
+//! skin (`hair_paint`), so that no edge shows.
 
 use std::f32::consts::{PI, TAU};
 
@@ -9,6 +10,7 @@ use glam::{Vec2, Vec3};
 use lole_geom::mesh::vertex_normals;
 use lole_geom::trig;
 
+use super::hair_paint::hairline_v;
 use crate::surface::Shape;
 use crate::surface::field::Head;
 use crate::surface::pchip::Pchip;
@@ -17,30 +19,41 @@ use crate::{Bone, MeshPart, PartKind, SkinnedMesh};
 
 /// Latitude of the hairline [°] by longitude from the front [°]: forehead, temple, over the ear,
 /// nape.
-const HAIRLINE: [[f32; 2]; 11] = [
-    [0.0, 40.0],
-    [22.0, 39.0],
-    [40.0, 34.0],
-    [56.0, 23.0],
-    [68.0, 9.0],
-    [78.0, 4.0],
-    [98.0, 4.0],
-    [110.0, -6.0],
-    [124.0, -26.0],
-    [144.0, -38.0],
-    [180.0, -42.0],
+const HAIRLINE: [[f32; 2]; 12] = [
+    [0.0, 39.0],
+    [16.0, 38.0],
+    [34.0, 33.0],
+    [50.0, 23.0],
+    [62.0, 12.0],
+    [72.0, 3.0],
+    [84.0, 1.0],
+    [97.0, 3.0],
+    [108.0, -9.0],
+    [120.0, -27.0],
+    [142.0, -39.0],
+    [180.0, -43.0],
+];
+/// Height of the hair above the skin [mm] by the distance inside the hairline [°]: it rises gently
+/// and stands fullest over the crown.
+const COVER: [[f32; 2]; 9] = [
+    [-12.0, -8.0],
+    [-5.0, -1.8],
+    [-1.0, -0.1],
+    [2.0, 0.7],
+    [6.0, 2.6],
+    [12.0, 5.4],
+    [22.0, 9.4],
+    [38.0, 12.5],
+    [70.0, 13.0],
 ];
 /// Direction of the bun: straight back, this much up [°].
 const BUN_LATITUDE: f32 = 24.0;
 /// Radius of the bun [m] at a stature of 158.5 cm.
-const BUN_RADIUS: f32 = 0.041;
+const BUN_RADIUS: f32 = 0.043;
 /// Longitude and latitude of the flower [°], on the left.
 const FLOWER: [f32; 2] = [72.0, 16.0];
 /// Radius of the flower [m].
 const FLOWER_RADIUS: f32 = 0.034;
-/// Locks combed towards the bun.
-const LOCKS: f32 = 26.0;
-
 /// Appends hair and flower to the skin, all carried by the head.
 pub(crate) fn add_hair(skin: &mut SkinnedMesh, shape: &Shape) {
     let scalp = Scalp {
@@ -48,6 +61,7 @@ pub(crate) fn add_hair(skin: &mut SkinnedMesh, shape: &Shape) {
         center: shape.body.head.center,
         k: shape.body.height / 1.585,
         hairline: Pchip::new(&HAIRLINE),
+        cover: Pchip::new(&COVER),
     };
     let mut hair = scalp.cap();
     hair.append(&scalp.bun());
@@ -67,12 +81,15 @@ struct Scalp<'a> {
     /// Stature over 1.585 m.
     k: f32,
     hairline: Pchip,
+    cover: Pchip,
 }
 
 /// A closed surface, triangles counter-clockwise seen from outside.
 #[derive(Default)]
 struct Solid {
     positions: Vec<Vec3>,
+    /// Places in the hair's picture, as many as positions, or none.
+    uvs: Vec<Vec2>,
     triangles: Vec<[u32; 3]>,
 }
 
@@ -124,68 +141,92 @@ fn rings(counts: [usize; 2], axis: Vec3, place: impl Fn(Spot) -> Vec3) -> Vec<Ve
     (1..counts[0]).map(ring).collect()
 }
 
+/// Angle from the top of a ring, the same on both sides, as a share of a half turn: 0 to 1.
+fn from_top(azimuth: f32) -> f32 {
+    let turned = (azimuth / TAU + 0.75).fract();
+    1.0 - (2.0 * turned - 1.0).abs()
+}
+
+/// Combed locks of unlike width [m].
+fn lock_height(spot: &Spot) -> f32 {
+    let sway = trig::sin(3.0 * spot.polar + 5.0 * trig::sin(2.0 * spot.azimuth));
+    let wave = |count: f32, share: f32| trig::sin(count * spot.azimuth + share * sway);
+    0.0004 * wave(26.0, 1.0) + 0.0003 * wave(17.0, 1.6) + 0.0002 * wave(41.0, 0.7)
+}
+
 impl Scalp<'_> {
+    /// How far a direction lies inside the hairline [°].
+    fn inside(&self, towards: Vec3) -> f32 {
+        let latitude = trig::asin(towards.y).to_degrees();
+        let longitude = trig::atan2(towards.x.abs(), towards.z).to_degrees();
+        latitude - self.hairline.at(longitude)
+    }
+
     /// Distance [m] of the hair from the head's center in a direction.
     fn radius(&self, towards: Vec3) -> f32 {
-        const UNDER: f32 = -0.006;
-        const ROOT: f32 = 0.0035;
-        const FULL: f32 = 0.010;
         const BURIED: f32 = 0.045;
         let latitude = trig::asin(towards.y).to_degrees();
         let longitude = trig::atan2(towards.x.abs(), towards.z).to_degrees();
         // Above the ear the skin sticks out: the skull lies at most this far from the center.
         let skin = self.head.radius(longitude, latitude);
-        let inside = latitude - self.hairline.at(longitude);
-        let root = UNDER + (ROOT - UNDER) * smooth_step((inside + 6.0) / 9.0);
-        let cover = root + (FULL - ROOT) * smooth_step((inside - 1.0) / 30.0);
-        let buried = smooth_step((-inside - 7.0) / 18.0);
-        let visible = skin + cover * self.k;
+        let inside = self.inside(towards);
+        let buried = smooth_step((-inside - 9.0) / 18.0);
+        let visible = skin + self.cover.at(inside) * 0.001 * self.k;
         visible + (BURIED * self.k - visible).min(0.0) * buried
     }
 
     /// The cap: rings around the bun's axis, so that combed locks run to the bun.
     fn cap(&self) -> Solid {
-        const RINGS: usize = 38;
-        const AROUND: usize = 104;
-        const LOCK_DEPTH: f32 = 0.0005;
+        const RINGS: usize = 52;
+        const AROUND: usize = 144;
         let axis = direction(180.0, BUN_LATITUDE);
-        let rings = rings([RINGS, AROUND], axis, |spot| {
-            let Spot {
-                polar,
-                azimuth,
-                sin_polar,
-                cos_polar,
-                around,
-            } = spot;
-            let towards = axis * cos_polar + around * sin_polar;
-            let waver = trig::sin(3.0 * polar + 5.0 * trig::sin(2.0 * azimuth));
-            let lock = trig::sin(LOCKS * azimuth + waver) * LOCK_DEPTH * sin_polar;
-            self.center + towards * (self.radius(towards) + lock * self.k)
+        let towards = |spot: &Spot| axis * spot.cos_polar + spot.around * spot.sin_polar;
+        let rings_of = rings([RINGS, AROUND], axis, |spot| {
+            let towards = towards(&spot);
+            let depth = smooth_step((self.inside(towards) - 3.0) / 14.0) * spot.sin_polar;
+            self.center + towards * (self.radius(towards) + lock_height(&spot) * depth * self.k)
         });
         let pole = |towards: Vec3| self.center + towards * self.radius(towards);
-        Solid::from_rings(&rings, [pole(axis), pole(-axis)])
+        let mut solid = Solid::from_rings(&rings_of, [pole(axis), pole(-axis)]);
+        // Mirrored across the middle, so that the picture has no seam.
+        let places = rings([RINGS, AROUND], axis, |spot| {
+            let v = hairline_v(self.inside(towards(&spot)));
+            Vec3::new(from_top(spot.azimuth), v, 0.0)
+        });
+        solid.uvs = (places.iter().flatten().map(|place| place.truncate()))
+            .chain([axis, -axis].map(|pole| Vec2::new(0.5, hairline_v(self.inside(pole)))))
+            .collect();
+        solid
     }
 
-    /// A wound bun, a little flattened against the head.
+    /// A wound bun, a little flattened against the head: strands run around it in a spiral.
     fn bun(&self) -> Solid {
-        const RINGS: usize = 18;
-        const AROUND: usize = 40;
-        const STRANDS: f32 = 3.0;
+        const RINGS: usize = 30;
+        const AROUND: usize = 64;
         let axis = direction(180.0, BUN_LATITUDE);
         let radius = BUN_RADIUS * self.k;
-        let center = self.center + axis * (self.radius(axis) + 0.45 * radius);
-        let rings = rings([RINGS, AROUND], axis, |spot| {
-            let strand = trig::sin(STRANDS * spot.azimuth + 9.0 * spot.polar) * spot.sin_polar;
-            let length = radius * (1.0 + 0.035 * strand);
-            center + (axis * (0.8 * spot.cos_polar) + spot.around * spot.sin_polar) * length
+        let center = self.center + axis * (self.radius(axis) + 0.40 * radius);
+        let rings_of = rings([RINGS, AROUND], axis, |spot| {
+            // Two strands, each wound two and a half times: round ropes with a groove between.
+            let wave = trig::sin(spot.azimuth + 7.5 * spot.polar);
+            let rope = (1.0 - wave * wave * wave * wave) * spot.sin_polar;
+            let length = radius * (0.94 + 0.085 * rope);
+            center + (axis * (0.74 * spot.cos_polar) + spot.around * spot.sin_polar) * length
         });
-        Solid::from_rings(
-            &rings,
-            [
-                center + axis * (0.76 * radius),
-                center - axis * (0.8 * radius),
-            ],
-        )
+        let poles = [0.74, -0.74].map(|share| center + axis * (share * 0.94 * radius));
+        let mut solid = Solid::from_rings(&rings_of, poles);
+        let place = |spot: &Spot| {
+            let around = from_top(spot.azimuth);
+            Vec2::new(
+                0.1 + 0.25 * spot.polar + 0.06 * around,
+                hairline_v(27.0 + 10.0 * around),
+            )
+        };
+        let places = rings([RINGS, AROUND], axis, |spot| place(&spot).extend(0.0));
+        solid.uvs = (places.iter().flatten().map(|place| place.truncate()))
+            .chain([Vec2::new(0.1, 0.4), Vec2::new(0.9, 0.4)])
+            .collect();
+        solid
     }
 
     /// A plumeria: five petals turned like a pinwheel, and its heart.
@@ -256,6 +297,7 @@ impl Solid {
         let index = |value: usize| u32::try_from(value).unwrap_or(u32::MAX);
         let mut solid = Self {
             positions: rings.iter().flatten().copied().collect(),
+            uvs: Vec::new(),
             triangles: Vec::new(),
         };
         let first_pole = solid.positions.len();
@@ -298,6 +340,7 @@ impl Solid {
     fn append(&mut self, other: &Self) {
         let start = u32::try_from(self.positions.len()).unwrap_or(u32::MAX);
         self.positions.extend(&other.positions);
+        self.uvs.extend(&other.uvs);
         let moved = other
             .triangles
             .iter()
@@ -313,7 +356,8 @@ impl Solid {
         skin.positions.extend(&self.positions);
         skin.normals
             .extend(vertex_normals(&self.positions, &self.triangles));
-        skin.uvs.extend(std::iter::repeat_n(Vec2::ZERO, count));
+        skin.uvs.extend(&self.uvs);
+        skin.uvs.resize(skin.positions.len(), Vec2::ZERO);
         skin.joints
             .extend(std::iter::repeat_n([head, 0, 0, 0], count));
         skin.weights

@@ -3,6 +3,7 @@
 
 use glam::Vec3;
 
+use super::warp::smooth_step;
 use crate::sections::Tube;
 
 /// Inner vertices keep at least this far from the mirror plane [m].
@@ -71,6 +72,16 @@ impl Neighbors {
         } else {
             positions[vertex]
         }
+    }
+}
+
+impl Neighbors {
+    /// Unit mean of the normals around a vertex.
+    fn mean_normal(&self, normals: &[Vec3], vertex: usize) -> Vec3 {
+        let sum: Vec3 = (self.of(vertex).iter())
+            .map(|&neighbor| normals[neighbor as usize])
+            .sum();
+        sum.normalize_or(normals[vertex])
     }
 }
 
@@ -226,6 +237,34 @@ impl HalfMesh {
             self.flatten(&mut normals);
         }
         normals
+    }
+
+    /// Evens out normals within balls: the surface keeps its shape, but light no longer shows every
+    /// dent of the sections.
+    pub(crate) fn soften_normals(
+        &self,
+        normals: &mut [Vec3],
+        neighbors: &Neighbors,
+        balls: &[(Vec3, f32)],
+        passes: usize,
+    ) {
+        let share = |point: Vec3| {
+            (balls.iter())
+                .map(|&(center, radius)| smooth_step(2.0 * (1.0 - point.distance(center) / radius)))
+                .fold(0.0, f32::max)
+        };
+        let near: Vec<(usize, f32)> = (self.positions.iter().enumerate())
+            .map(|(vertex, &point)| (vertex, share(point)))
+            .filter(|&(_, share)| share > 0.0)
+            .collect();
+        for _ in 0..passes {
+            let before = normals.to_vec();
+            for &(vertex, share) in &near {
+                let mean = neighbors.mean_normal(&before, vertex);
+                normals[vertex] = before[vertex].lerp(mean, share);
+            }
+            self.flatten(normals);
+        }
     }
 
     /// Unit length; in the mirror plane where the vertex is.
