@@ -3,6 +3,5 @@
 pub(crate) mod capsule;
 pub(crate) mod cloth_cloth;
 pub(crate) mod grid;
-pub(crate) mod held;
 pub mod penalty;
 pub(crate) mod pinned_rows;

@@ -18,9 +18,9 @@ pub struct SolverConfig {
     pub contact_offset: f32,
     /// Fastest a particle found inside a capsule is pushed out [m/s]; a slow push does not pop.
     pub depenetration_speed: f32,
-    /// Deepest that a row pinned all along may hold its neighbors inside a capsule [m]: the least
-    /// of it, its own depth, and what the cloth between leaves of that. Capsules are not the skin
-    /// that carries pins; at 0 they stretch the cloth where they reach beyond it.
+    /// Depth [m] inside capsules in which contact leaves rows that are pinned all along, and, less
+    /// with distance, their neighbors. Capsules are not the skin that carries pins; at 0 they
+    /// stretch the cloth where they reach beyond it.
     pub held_depth: f32,
     /// Distances in grid cells, coarse first, over which neighbors along a row may not stretch.
     pub row_strides: Vec<u32>,

@@ -6,7 +6,6 @@ use lole_geom::Capsule;
 use crate::ClothModel;
 use crate::collision::capsule::{MovingCapsule, RowContacts};
 use crate::collision::cloth_cloth::ClothContacts;
-use crate::collision::held::HeldDepths;
 use crate::lanes::Points;
 
 /// Everything about one cloth that changes from step to step.
@@ -27,7 +26,7 @@ pub(crate) struct Scratch {
     /// Positions predicted at the start of the substep.
     pub(crate) predicted: Vec<Points>,
     pub(crate) row_contacts: RowContacts,
-    pub(crate) held_depths: HeldDepths,
+    pub(crate) held_depths: Vec<f32>,
     pub(crate) cloth_contacts: ClothContacts,
     pub(crate) moving_capsules: Vec<MovingCapsule>,
 }

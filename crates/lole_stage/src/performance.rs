@@ -96,7 +96,8 @@ impl Production {
             seed: design.skirt.seed,
             ..SewSettings::default()
         };
-        let skirt = sew::sew(&draft, &worn, &fabric, &dancer, &settings)?;
+        let stance = dancer.skeleton.world_from_bind(&dance.pose_at(0.0));
+        let skirt = sew::sew(&draft, &worn, &fabric, &dancer, &stance, &settings)?;
         let skirt_mesh = SkirtMesh::new(&skirt.spec.grid, design.print.print().repeat.to_m_f32());
         let body_triangles = dancer.skin.body_triangles();
         Ok(Self {

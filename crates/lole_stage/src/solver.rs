@@ -13,9 +13,16 @@ use lole_geom::Capsule;
 
 use crate::{FRAME_SECONDS, StageError};
 
-/// Gap kept between skin and cloth [m]: half the thickness of a gathered double layer, and room
-/// for the capsules' distance to the drawn skin.
+/// Gap kept between capsules and cloth [m]: half the thickness of a gathered double layer.
 const CONTACT_OFFSET: f32 = 0.004;
+
+/// Fastest that cloth inside a capsule is pushed out [m/s]: what two moving capsules pinch between
+/// them slips out instead of being shot through the next fold.
+const DEPENETRATION_SPEED: f32 = 0.25;
+
+/// Deepest that the elastic rows hold cloth inside a capsule [m]: capsules reach this far beyond
+/// the skin that carries the rows, at most.
+const HELD_DEPTH: f32 = 0.012;
 
 /// A prepared cloth and its moving state, by method.
 pub(crate) enum Solver {
@@ -213,6 +220,8 @@ fn hash_f64(state: &ReferenceState) -> u64 {
 fn xpbd_config(spec: &ClothSpec, substeps: Option<NonZeroU32>) -> SolverConfig {
     let mut config = SolverConfig {
         contact_offset: CONTACT_OFFSET,
+        depenetration_speed: DEPENETRATION_SPEED,
+        held_depth: HELD_DEPTH,
         self_collision: Some(SelfCollision {
             // Strands of the gathers lie about a column's width apart: thinner than that, they
             // meet without fighting the band.

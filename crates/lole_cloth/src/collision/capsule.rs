@@ -65,21 +65,6 @@ impl MovingCapsule {
             stretch: moved[1] - moved[0],
         }
     }
-
-    /// How far inside every lane lies [m], negative outside.
-    #[inline(always)]
-    pub(crate) fn depth<S: Simd>(&self, simd: S, position: Vectors<S>) -> f32x16<S> {
-        let zero = f32x16::splat(simd, 0.0);
-        let one = f32x16::splat(simd, 1.0);
-        let axis = Vectors::splat(simd, self.axis);
-        let from_start = position.sub(Vectors::splat(simd, self.start));
-        let s = smaller(
-            larger(from_start.dot(axis) * self.inv_length_squared, zero),
-            one,
-        );
-        let normal = from_start.sub(axis.scale(s));
-        s * self.radii[1] + self.radii[0] - normal.dot(normal).sqrt()
-    }
 }
 
 /// What a contact needs to know besides where things are.

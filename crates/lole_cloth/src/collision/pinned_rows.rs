@@ -5,6 +5,11 @@ use glam::Vec3;
 use crate::collision::grid::Entry;
 use crate::{ClothSpec, Grid};
 
+/// Share of the cloth between a pin and a particle by which the particle has come out of a capsule
+/// that reaches beyond the skin: far below 1, because folds turn within millimeters and stretch
+/// when they are pushed along the cloth.
+const HELD_SLOPE: f32 = 0.3;
+
 /// For every row the nearest row that is pinned all along; empty where none is.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct PinnedRows {
@@ -35,11 +40,21 @@ impl PinnedRows {
         }
     }
 
-    /// The rows that are pinned all along.
-    pub(crate) fn rows(&self) -> impl Iterator<Item = usize> {
-        let rows = self.nearest.iter().enumerate();
-        rows.filter(|&(row, &nearest)| row == nearest as usize)
-            .map(|(row, _)| row)
+    /// How far every row may stay inside the capsules [m]: `limit` where pins hold it, less with
+    /// the cloth between, nothing where no row is pinned.
+    pub(crate) fn held_depths(
+        &self,
+        (limit, row_count, spacing): (f32, u32, f32),
+        depths: &mut Vec<f32>,
+    ) {
+        depths.clear();
+        #[expect(clippy::cast_precision_loss, reason = "rows are fewer than 2^24")]
+        depths.extend(
+            (0u32..).zip(&self.nearest).map(|(row, &pin)| {
+                (limit - HELD_SLOPE * row.abs_diff(pin) as f32 * spacing).max(0.0)
+            }),
+        );
+        depths.resize(row_count as usize, 0.0);
     }
 
     /// Distance of the pins from which two particles hang, and the cloth between the particles

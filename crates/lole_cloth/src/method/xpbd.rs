@@ -123,7 +123,11 @@ pub(crate) fn advance<S: Simd>(
         [&state.capsules, input.capsules],
         (config.contact_offset, config.gravity.length() * dt, dt),
     );
-    find_held_depths(simd, model, config, (input, dt), state);
+    let spacing = model.spec().grid.spacing[1];
+    model.pinned_rows.held_depths(
+        (config.held_depth, model.spec().grid.row_count, spacing),
+        &mut state.scratch.held_depths,
+    );
     let shape = Shape {
         grid: &model.spec().grid,
         layout: &model.layout,
@@ -171,37 +175,6 @@ fn start_pins(model: &ClothModel, targets: &[Vec3], state: &mut ClothState, dt: 
         let (vector, lane) = model.layout.slot(pin as usize);
         state.velocities[vector].set(lane, (target - start) / dt);
     }
-}
-
-/// Where pins are inside capsules at either end of the step.
-#[inline(always)]
-fn find_held_depths<S: Simd>(
-    simd: S,
-    model: &ClothModel,
-    config: &SolverConfig,
-    (input, dt): (&StepInput<'_>, f32),
-    state: &mut ClothState,
-) {
-    let flight = f32x16::splat(simd, dt);
-    let columns = state.positions.iter().zip(&state.velocities);
-    for ((position, velocity), predicted) in columns.zip(&mut state.scratch.predicted) {
-        Vectors::load(simd, position)
-            .add(Vectors::load(simd, velocity).scale(flight))
-            .store(predicted);
-    }
-    state.scratch.held_depths.find(
-        simd,
-        (&model.layout, &model.pinned_rows),
-        [
-            (&state.positions, &state.capsules),
-            (&state.scratch.predicted, input.capsules),
-        ],
-        (
-            config.held_depth,
-            config.contact_offset,
-            model.spec().grid.spacing[1],
-        ),
-    );
 }
 
 /// Rounding has moved the pins a little off their targets.
@@ -381,7 +354,7 @@ fn resolve_contacts_and_update_velocities<S: Simd>(
     let width = model.layout.group_count;
     let capsules = &state.scratch.moving_capsules[..];
     let contacts = &state.scratch.row_contacts;
-    let held = state.scratch.held_depths.depths();
+    let held = &state.scratch.held_depths[..];
     let task = TASK_ROWS * width;
     let kernel = |index: usize, columns: ContactColumns<'_>| {
         simd.vectorize(
@@ -438,19 +411,20 @@ fn finish_rows<S: Simd>(
     simd: S,
     (first_row, width): (usize, usize),
     ((positions, velocities), (predicted, inv_masses)): ContactColumns<'_>,
-    (capsules, contacts, held): (&[MovingCapsule], &RowContacts, &[Scalars]),
+    (capsules, contacts, held): (&[MovingCapsule], &RowContacts, &[f32]),
     substep: &Substep,
 ) {
     let h = f32x16::splat(simd, substep.h);
     let inv_h = f32x16::splat(simd, 1.0 / substep.h);
     for index in 0..positions.len() {
-        let indices = contacts.row(first_row + index / width);
+        let row = first_row + index / width;
+        let indices = contacts.row(row);
         let mut position = Vectors::load(simd, &positions[index]);
         let velocity = Vectors::load(simd, &velocities[index]);
         let predicted = Vectors::load(simd, &predicted[index]);
         let inv_mass = f32x16::load_array_ref(simd, &inv_masses[index].0);
         let before = predicted.sub(velocity.scale(h));
-        let held = f32x16::load_array_ref(simd, &held[first_row * width + index].0);
+        let held = f32x16::splat(simd, held[row]);
         let law = substep.contact;
         capsule::project(
             simd,

@@ -1,17 +1,38 @@
 //! Lays rows of gathered cloth around the body.
 
-use glam::Vec3;
+use glam::{Affine3A, Vec3};
 use lole_body::{Dancer, TapePoint};
+use lole_geom::trig;
 
 use super::SewError;
-use super::fold_curve::{FoldCurve, LARGEST_SWING, SAMPLE_COUNT};
+use super::fold_curve::{SHARPEST, direction};
 
 /// Points of a tape that rows are laid along.
 const RING_POINTS: usize = 720;
-/// Halvings of the search for the swing of a fold.
-const SEARCH_STEPS: u32 = 16;
+/// Halvings of the search for the sharpness of a fold.
+const SEARCH_STEPS: u32 = 24;
 /// Distance between the tapes that follow the skin upward [m].
 const PROFILE_STEP: f32 = 0.005;
+
+/// Part of a ring over which its local scale is measured.
+const SCALE_STEP: f32 = 0.004;
+/// Least angle [rad] from the vertical at which a skirt is held before it is let go: narrower, it
+/// would rub along the hips on its way down; wider, it swings in and its folds fall flat.
+const LEAST_FLARE: f32 = 0.14;
+/// Widest angle [rad] at which a skirt is held.
+const LARGEST_FLARE: f32 = 0.7;
+/// Precision of the angle [rad].
+const FLARE_STEP: f32 = 0.01;
+/// Places down the skirt that must be clear.
+const FLARE_SAMPLES: u32 = 24;
+/// Depth [m] inside the body's capsules at which inner turns may start: contact lifts them out of
+/// it gently, and right below the band no angle would be wide enough to stay outside.
+const START_DEPTH: f32 = 0.005;
+/// Points of the ring, on either side, over which the way out of the body turns evenly: 30°. A tape
+/// runs straight between two bones of the hip and turns sharply over them; cloth around it does not.
+const OUTWARD_BLUR: usize = 60;
+/// Points of the ring, on either side, that share an angle: 20°.
+const FLARE_BLUR: usize = 40;
 
 /// A closed line around the body that the inner turns of a row touch.
 #[derive(Clone)]
@@ -21,57 +42,158 @@ pub(super) struct Ring {
     pub(super) girth: f32,
 }
 
-/// A row of cloth to be laid.
+/// How a skirt is held open below its band: an angle [rad] from the vertical for every point of the
+/// ring it hangs from.
+pub(super) struct Flare(Vec<f32>);
+
+/// The gathers of every row, and how far apart their particles are.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Row<'a> {
-    /// Distance below the ring [m].
-    pub(super) drop: f32,
+pub(super) struct Gathers<'a> {
     /// Distance of the inner turns outside the ring [m].
-    pub(super) out: f32,
-    /// Length of the row's cloth [m].
-    pub(super) cloth_length: f32,
+    pub(super) gap: f32,
+    /// Cloth between two particles of a row [m].
+    pub(super) spacing: f32,
     /// Particles of the row.
     pub(super) column_count: u32,
-    /// Where each fold starts, as a fraction of the ring, ascending; every fold holds as much cloth.
+    /// Where each fold starts, as a fraction of the ring, ascending; every fold holds as many
+    /// particles, but for one.
     pub(super) fold_starts: &'a [f32],
 }
 
 /// A place on a ring: fraction around it, and distance outside it [m].
 type Place = (f32, f32);
 
-/// One fold of one row.
-struct Fold {
-    start: f32,
-    width: f32,
-    out: f32,
-    /// Meters of ring, at the inner turns, that the fold fills.
-    pitch: f32,
-    curve: FoldCurve,
+/// A row that hangs on a ring.
+#[derive(Clone, Copy)]
+struct Hanging<'a> {
+    ring: &'a Ring,
+    flare: &'a Flare,
+    /// Cloth between the ring and the row [m].
+    below: f32,
 }
 
-impl Fold {
-    /// The place at `phase` in `0..1` of the fold's cloth.
-    fn place(&self, phase: f32) -> Place {
-        let scaled = phase * SAMPLE_COUNT as f32;
-        let whole = scaled.floor();
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "between 0 and the sample count"
-        )]
-        let index = (whole as usize).min(SAMPLE_COUNT - 1);
-        let end = index + 1 == SAMPLE_COUNT;
-        let next = if end { 0 } else { index + 1 };
-        let fraction = scaled - whole;
-        let (along, outward) = (&self.curve.along, &self.curve.outward);
-        let next_along = if end { 1.0 } else { along[next] };
-        let mixed_along = along[index] + (next_along - along[index]) * fraction;
-        let mixed_out = outward[index] + (outward[next] - outward[index]) * fraction;
-        (
-            self.start + self.width * mixed_along,
-            self.out + self.pitch * mixed_out,
-        )
+impl Hanging<'_> {
+    fn position(&self, (around, out): Place) -> Vec3 {
+        let (a, b, fraction) = self.ring.neighbors(around);
+        let [from, to] = [&self.ring.points[a], &self.ring.points[b]];
+        let outward = from
+            .outward
+            .lerp(to.outward, fraction)
+            .normalize_or(from.outward);
+        let angle = self.flare.0[a] + (self.flare.0[b] - self.flare.0[a]) * fraction;
+        let (sin, cos) = trig::sin_cos(angle);
+        from.bind_position.lerp(to.bind_position, fraction) + outward * (out + self.below * sin)
+            - Vec3::Y * (self.below * cos)
     }
+
+    /// Meters per ring at a place: how far it is, there, once around.
+    fn scale(&self, (around, out): Place) -> f32 {
+        let [before, after] =
+            [around - SCALE_STEP, around + SCALE_STEP].map(|around| self.position((around, out)));
+        before.distance(after) / (2.0 * SCALE_STEP)
+    }
+
+    /// Places of the `count` particles of a fold whose links fill the ring between `ends`.
+    fn fold(&self, gathers: Gathers<'_>, ends: [f32; 2], count: usize) -> Vec<Place> {
+        let (mut low, mut high) = (0.0, SHARPEST);
+        for _ in 0..SEARCH_STEPS {
+            // Halves of the logarithm, nearly: sharpness spans three decades.
+            let sharpness = ((1.0 + low) * (1.0_f32 + high)).sqrt() - 1.0;
+            if self.chain(gathers, ends[0], (sharpness, count)).1 < ends[1] {
+                high = sharpness;
+            } else {
+                low = sharpness;
+            }
+        }
+        self.chain(gathers, ends[0], (low, count)).0
+    }
+
+    /// A chain of `count` links from `start`: its particles, and where on the ring it ends.
+    fn chain(
+        &self,
+        gathers: Gathers<'_>,
+        start: f32,
+        (sharpness, count): (f32, usize),
+    ) -> (Vec<Place>, f32) {
+        let mut place = (start, gathers.gap);
+        let mut places = Vec::with_capacity(count);
+        for index in 0..count {
+            places.push(place);
+            let (sin, cos) = trig::sin_cos(direction(sharpness, index, count));
+            let rise = gathers.spacing * sin;
+            let scale = self.scale((place.0, place.1 + 0.5 * rise));
+            place = (place.0 + gathers.spacing * cos / scale, place.1 + rise);
+        }
+        (places, place.0)
+    }
+}
+
+impl Flare {
+    /// Straight down.
+    pub(super) fn none() -> Self {
+        Self(vec![0.0; RING_POINTS])
+    }
+
+    /// The least that keeps `length` [m] of cloth, hung `gap` [m] outside `ring`, outside what the
+    /// dancer's `stance` puts in its way, but never less than [`LEAST_FLARE`]; it changes slowly
+    /// around the ring.
+    pub(super) fn around(
+        ring: &Ring,
+        dancer: &Dancer,
+        stance: &[Affine3A],
+        [gap, length]: [f32; 2],
+    ) -> Self {
+        let capsules = dancer.posed_capsules(stance);
+        let clear = |point: &TapePoint, angle: f32| {
+            let (sin, cos) = trig::sin_cos(angle);
+            (1..=FLARE_SAMPLES).all(|sample| {
+                let below = length * sample as f32 / FLARE_SAMPLES as f32;
+                let place = TapePoint {
+                    bind_position: point.bind_position + point.outward * (gap + below * sin)
+                        - Vec3::Y * (below * cos),
+                    ..*point
+                };
+                let place = place.posed(stance);
+                capsules
+                    .iter()
+                    .all(|capsule| -START_DEPTH < capsule.signed_distance(place))
+            })
+        };
+        let least = |point: &TapePoint| {
+            let mut angle = LEAST_FLARE;
+            while angle < LARGEST_FLARE && !clear(point, angle) {
+                angle += FLARE_STEP;
+            }
+            angle
+        };
+        let least: Vec<f32> = ring.points.iter().map(least).collect();
+        let widest: Vec<f32> = (0..RING_POINTS)
+            .map(|index| {
+                let near = around(index, RING_POINTS, FLARE_BLUR);
+                near.map(|other| least[other]).fold(0.0, f32::max)
+            })
+            .collect();
+        Self(blurred(&widest, FLARE_BLUR))
+    }
+}
+
+/// The indices up to `reach` from `index` on a closed line of `count` points.
+fn around(index: usize, count: usize, reach: usize) -> impl Iterator<Item = usize> {
+    (0..=2 * reach).map(move |step| (index + 2 * count + step - reach) % count)
+}
+
+/// Every value of a closed line as the mean of those up to `reach` points away.
+fn blurred<T>(values: &[T], reach: usize) -> Vec<T>
+where
+    T: Copy + std::iter::Sum + std::ops::Div<f32, Output = T>,
+{
+    let mean = |index: usize| {
+        let sum: T = around(index, values.len(), reach)
+            .map(|other| values[other])
+            .sum();
+        sum / (2 * reach + 1) as f32
+    };
+    (0..values.len()).map(mean).collect()
 }
 
 impl Ring {
@@ -86,7 +208,14 @@ impl Ring {
         Ok(Self::of(points))
     }
 
-    fn of(points: Vec<TapePoint>) -> Self {
+    fn of(mut points: Vec<TapePoint>) -> Self {
+        let outward = blurred(
+            &points.iter().map(|point| point.outward).collect::<Vec<_>>(),
+            OUTWARD_BLUR,
+        );
+        for (point, outward) in points.iter_mut().zip(outward) {
+            point.outward = outward.normalize_or(point.outward);
+        }
         let next = points.iter().cycle().skip(1);
         let girth = points
             .iter()
@@ -96,12 +225,13 @@ impl Ring {
         Self { points, girth }
     }
 
-    /// `count` rings above `height`, from the tape there, each `spacing` [m] further up along the
-    /// skin: at the sides, where the hips lean in, a row rises less than in front.
+    /// `count` rings above `height`, from the tape there, each `spacing` [m] further up, measured
+    /// `reach` [m] outside the skin: at the sides, where the hips lean in, a row rises less than in
+    /// front, and there the outer turns of the gathers are farther apart than the inner ones.
     pub(super) fn upward(
         dancer: &Dancer,
         height: f32,
-        spacing: f32,
+        [spacing, reach]: [f32; 2],
         count: u32,
     ) -> Result<Vec<Self>, SewError> {
         let mut below = Self::at(dancer, height)?;
@@ -114,10 +244,9 @@ impl Ring {
             let above = Self::at(dancer, level)?;
             for index in 0..RING_POINTS {
                 let (low, high) = (&below.points[index], &above.points[index]);
-                let rise = low
-                    .bind_position
-                    .distance(high.bind_position)
-                    .max(PROFILE_STEP);
+                let outer = |point: &TapePoint| point.bind_position + point.outward * reach;
+                let inner = low.bind_position.distance(high.bind_position);
+                let rise = inner.max(outer(low).distance(outer(high)));
                 let missing = |row: usize| (row + 1) as f32 * spacing - climbed[index];
                 while reached[index] < count as usize && missing(reached[index]) <= rise {
                     let share = missing(reached[index]) / rise;
@@ -135,91 +264,60 @@ impl Ring {
         Ok(rings.collect())
     }
 
-    /// Lays one row: every fold as deep as it takes to bring its share of the cloth onto its share
-    /// of the ring, particles evenly along the cloth.
-    pub(super) fn lay(&self, row: Row<'_>, into: &mut Vec<TapePoint>) {
-        let fold_count = row.fold_starts.len();
-        let folds: Vec<Fold> = (0..fold_count).map(|index| self.fold(row, index)).collect();
-        for column in 0..row.column_count {
-            let cloth = column as f32 * fold_count as f32 / row.column_count as f32;
-            #[expect(
-                clippy::cast_possible_truncation,
-                clippy::cast_sign_loss,
-                reason = "below the number of folds"
-            )]
-            let fold = (cloth as usize).min(fold_count - 1);
-            let place = folds[fold].place(cloth - fold as f32);
-            let mut point = self.nearest_point(place.0);
-            point.bind_position = self.position(place);
-            point.bind_position.y -= row.drop;
-            into.push(point);
-        }
-    }
-
-    fn fold(&self, row: Row<'_>, index: usize) -> Fold {
-        let fold_count = row.fold_starts.len();
-        let start = row.fold_starts[index];
-        let end = row
-            .fold_starts
-            .get(index + 1)
-            .copied()
-            .unwrap_or(1.0 + row.fold_starts[0]);
-        let cloth = row.cloth_length / fold_count as f32;
-        // Particles cut the corners of the curve; the polygon through them must hold the cloth.
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "a dozen particles a fold"
-        )]
-        let corner_count = (row.column_count as f32 / fold_count as f32)
-            .round()
-            .max(2.0) as u32;
-        let with_swing = |swing: f32| Fold {
-            start,
-            width: end - start,
-            out: row.out,
-            pitch: (end - start) * (self.girth + std::f32::consts::TAU * row.out),
-            curve: FoldCurve::new(swing),
+    /// Lays one row, `below` [m] of cloth under the ring: every fold as deep as it takes to bring
+    /// its share of the cloth onto its share of the ring, particles evenly along the cloth.
+    pub(super) fn lay(
+        &self,
+        gathers: Gathers<'_>,
+        flare: &Flare,
+        below: f32,
+        into: &mut Vec<TapePoint>,
+    ) {
+        let row = Hanging {
+            ring: self,
+            flare,
+            below,
         };
-        let (mut low, mut high) = (0.0, LARGEST_SWING);
-        for _ in 0..SEARCH_STEPS {
-            let swing = 0.5 * (low + high);
-            if self.polygon_length(&with_swing(swing), corner_count) < cloth {
-                low = swing;
-            } else {
-                high = swing;
+        let starts = gathers.fold_starts;
+        let columns = gathers.column_count as usize;
+        for (index, &start) in starts.iter().enumerate() {
+            let end = starts.get(index + 1).copied().unwrap_or(1.0 + starts[0]);
+            let first = |fold: usize| fold * columns / starts.len();
+            let count = first(index + 1) - first(index);
+            for place in row.fold(gathers, [start, end], count) {
+                let (a, b, fraction) = self.neighbors(place.0);
+                // The nearest skin carries what is laid here.
+                let nearest = if fraction < 0.5 { a } else { b };
+                into.push(TapePoint {
+                    bind_position: row.position(place),
+                    ..self.points[nearest]
+                });
             }
         }
-        with_swing(0.5 * (low + high))
     }
 
-    fn polygon_length(&self, fold: &Fold, corner_count: u32) -> f32 {
-        let corner = |index: u32| {
-            let phase = index as f32 / corner_count as f32;
-            self.position(if index == corner_count {
-                (fold.start + fold.width, fold.out)
-            } else {
-                fold.place(phase)
-            })
+    /// Depth [m] of the deepest of the gathers laid on this ring.
+    pub(super) fn depth_of(&self, gathers: Gathers<'_>) -> f32 {
+        let flare = Flare::none();
+        let row = Hanging {
+            ring: self,
+            flare: &flare,
+            below: 0.0,
         };
-        (0..corner_count)
-            .map(|index| corner(index).distance(corner(index + 1)))
-            .sum()
+        let starts = gathers.fold_starts;
+        let columns = gathers.column_count as usize;
+        (0..starts.len())
+            .flat_map(|index| {
+                let end = starts.get(index + 1).copied().unwrap_or(1.0 + starts[0]);
+                let count = (index + 1) * columns / starts.len() - index * columns / starts.len();
+                row.fold(gathers, [starts[index], end], count)
+            })
+            .map(|place| place.1)
+            .fold(0.0, f32::max)
     }
 
-    fn position(&self, (around, out): Place) -> Vec3 {
-        let (a, b, fraction) = self.neighbors(around);
-        let outward = a.outward.lerp(b.outward, fraction).normalize_or(a.outward);
-        a.bind_position.lerp(b.bind_position, fraction) + outward * out
-    }
-
-    /// The point nearest to a fraction around the ring: its bones carry what is laid there.
-    fn nearest_point(&self, around: f32) -> TapePoint {
-        let (a, b, fraction) = self.neighbors(around);
-        if fraction < 0.5 { *a } else { *b }
-    }
-
-    fn neighbors(&self, around: f32) -> (&TapePoint, &TapePoint, f32) {
+    /// The points before and after a fraction around the ring, and how far between them it is.
+    fn neighbors(&self, around: f32) -> (usize, usize, f32) {
         let place = (around - around.floor()) * self.points.len() as f32;
         let whole = place.floor();
         #[expect(
@@ -229,7 +327,7 @@ impl Ring {
         )]
         let index = whole as usize % self.points.len();
         let next = (index + 1) % self.points.len();
-        (&self.points[index], &self.points[next], place - whole)
+        (index, next, place - whole)
     }
 }
 
