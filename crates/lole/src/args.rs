@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 
 /// Hula costume CAD with live cloth.
 #[derive(Debug, Parser)]
@@ -70,9 +70,24 @@ pub(crate) struct BenchArgs {
     /// Threads of the simulation.
     #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=256))]
     pub(crate) threads: u16,
+    /// Vector instructions: the widest of this processor, AVX2 at most, or what every one has. The
+    /// state hash is the same with all of them.
+    #[arg(long, value_enum, default_value_t = Vectors::Detected)]
+    pub(crate) vectors: Vectors,
     /// Print the table as JSON.
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+/// Vector instructions of `lole bench`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Vectors {
+    /// The widest of this processor.
+    Detected,
+    /// Eight floats at a time at most.
+    Wide,
+    /// What every processor of the kind has.
+    Baseline,
 }
 
 fn seconds(text: &str) -> Result<f64, String> {

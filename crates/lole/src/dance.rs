@@ -328,7 +328,7 @@ impl Run<'_> {
             shoot,
             threads,
         } = finished;
-        let bar = self.progress(4, self.language.pick("書き出す", "writing"));
+        let bar = self.progress(3, self.language.pick("書き出す", "writing"));
         let mut files = Files::default();
         let renderer = shoot.renderer.description().to_owned();
         let film = match recording.divergence {

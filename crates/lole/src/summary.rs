@@ -60,32 +60,38 @@ pub(crate) fn print_run(report: &RunReport, paths: &[PathBuf], seconds: f64, lan
 /// Column heads of the bench table.
 pub(crate) fn print_bench_head(language: Language) {
     println!(
-        "{:<14} {:>9} {:>8} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}",
+        "{:<14} {:>9} {:>8} {:>8} {:>8} {:>8} {:>22} {:>15} {:>8} {:>7}  hash",
         language.pick("場面", "scene"),
         language.pick("質点", "particles"),
         language.pick("分割", "substeps"),
         "CPU ms",
         "CPU p99",
         "wall ms",
-        "end p99 %",
-        "worst %",
-        "depth mm"
+        "end mean p99 max %",
+        "worst p99 max %",
+        "depth mm",
+        "rms m/s"
     );
 }
 
 /// One row of the bench table.
 pub(crate) fn print_bench_row(row: &BenchRow) {
     println!(
-        "{:<14} {:>9} {:>8} {:>9.2} {:>9.2} {:>9.2} {:>9.2} {:>9.2} {:>9.2}",
+        "{:<14} {:>9} {:>8} {:>8.2} {:>8.2} {:>8.2} {:>10.3} {:>5.2} {:>5.2} {:>9.2} {:>5.2} {:>8.2} {:>7.3}  {}",
         row.scene,
         row.particles,
         row.substeps,
         row.frame_ms_median,
         row.frame_ms_p99,
         row.frame_wall_ms_median,
-        row.strain_end_p99_pct,
-        row.strain_worst_p99_pct,
-        row.capsule_penetration_mm
+        row.strain_end_pct.mean,
+        row.strain_end_pct.p99,
+        row.strain_end_pct.max,
+        row.strain_worst_pct.p99,
+        row.strain_worst_pct.max,
+        row.capsule_penetration_mm,
+        row.rms_speed_m_per_s,
+        row.state_hash
     );
 }
 

@@ -22,7 +22,7 @@ pub use config::{InstructionSet, SelfCollision, SolverConfig};
 pub use fabric::Fabric;
 pub use grid::{Grid, Topology};
 pub use model::{BuildError, ClothModel};
-pub use snapshot::state_hash;
+pub use snapshot::{reference_state_hash, state_hash};
 pub use spec::{ClothSpec, MassLaw};
 pub use state::ClothState;
 pub use step::{StepInput, step};

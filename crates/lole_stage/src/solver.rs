@@ -162,7 +162,7 @@ impl Solver {
     pub(crate) fn state_hash(&self) -> u64 {
         match self {
             Self::Xpbd(xpbd) => lole_cloth::state_hash(&xpbd.state),
-            Self::FbEuler(reference) => hash_f64(&reference.state),
+            Self::FbEuler(reference) => lole_cloth::reference_state_hash(&reference.state),
         }
     }
 
@@ -200,20 +200,6 @@ fn wind_per_particle(design: &Design, spec: &ClothSpec) -> Option<Wind> {
     let count = spec.grid.column_count * spec.grid.row_count;
     let pressure = design.wind.pressure();
     (0.0 < pressure).then(|| Wind::from_pressure(pressure, width * height * cells, count))
-}
-
-/// FNV-1a hash (Fowler, Noll, Vo; 64 bits) of all bits of positions and velocities.
-fn hash_f64(state: &ReferenceState) -> u64 {
-    let values = state
-        .positions
-        .iter()
-        .chain(&state.velocities)
-        .flat_map(|v| v.to_array());
-    values
-        .flat_map(f64::to_le_bytes)
-        .fold(0xcbf2_9ce4_8422_2325, |hash: u64, byte| {
-            (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
-        })
 }
 
 /// Settings of the film's skirt.
