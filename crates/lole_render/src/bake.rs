@@ -10,8 +10,10 @@ use studio::Studio;
 
 use crate::depth_map::{DepthMap, Layers};
 use crate::prepare::Geometry;
+use crate::shade::KeyShadow;
 use crate::{LightRig, Scene};
 use glam::Vec3;
+use lole_geom::trig;
 use rayon::prelude::*;
 
 /// Longer side of the key light's map [texel]: about 1 mm on a standing dancer.
@@ -24,6 +26,8 @@ const STUDIO_MAP_SIDE: usize = 352;
 pub(crate) struct Bake {
     /// What the key light sees.
     pub(crate) key_map: DepthMap,
+    /// Depth by texel of its map above which nothing is in the way of the key light.
+    pub(crate) key_clear: Vec<f32>,
     /// Light of the surroundings on the face and on the back of each vertex, as the radiance of a
     /// white surface there.
     pub(crate) ambient: Vec<[Vec3; 2]>,
@@ -49,6 +53,8 @@ impl Bake {
             .collect();
         let studio_maps = maps.split_off(1);
         let key_map = maps.swap_remove(0);
+        let tangent = key_tangent(&scene.lights);
+        let key_clear = key_map.clear_above(tangent);
         let ground = scene
             .ground
             .as_ref()
@@ -60,16 +66,27 @@ impl Bake {
                     &scene.lights,
                     &studio,
                     &studio_maps,
-                    &key_map,
+                    KeyShadow {
+                        map: &key_map,
+                        clear_above: &key_clear,
+                        tangent,
+                        softest: ground::SOFTEST_DISTANCE,
+                    },
                 )
             });
         let ambient = ambient::by_vertex(geometry, &studio, &studio_maps, ground.as_ref());
         Self {
             key_map,
+            key_clear,
             ambient,
             ground,
         }
     }
+}
+
+/// Tangent of the key light's angular radius.
+pub(crate) fn key_tangent(lights: &LightRig) -> f32 {
+    trig::tan(lights.key.angular_radius.clamp(0.0, 1.0))
 }
 
 /// The direction as a unit vector; straight up where it has no length.
@@ -94,7 +111,7 @@ impl LightRig {
         let room = Vec3::from(self.horizon).lerp(Vec3::from(away), share);
         self.boxes.iter().fold(room, |light, lamp| {
             let cosine = direction.dot(unit_toward(lamp.toward)).max(0.0);
-            light + Vec3::from(lamp.color) * lole_geom::trig::powf(cosine, lamp.focus)
+            light + Vec3::from(lamp.color) * trig::powf(cosine, lamp.focus)
         })
     }
 }

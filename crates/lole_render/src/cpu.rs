@@ -12,7 +12,7 @@ mod tiles;
 use crate::bake::Bake;
 use crate::frame::Frame;
 use crate::prepare::Geometry;
-use crate::shade::{KeyShadow, Surface};
+use crate::shade::{KeyShadow, SOFTEST_DISTANCE, Surface};
 use crate::srgb::SrgbTable;
 use crate::{Image, Scene, Size};
 use rayon::prelude::*;
@@ -44,7 +44,12 @@ impl CpuRenderer {
             bake: &bake,
             frame: &frame,
             srgb: &self.srgb,
-            shadow: KeyShadow::new(&bake.key_map),
+            shadow: KeyShadow {
+                map: &bake.key_map,
+                clear_above: &bake.key_clear,
+                tangent: frame.key_toward.w,
+                softest: SOFTEST_DISTANCE,
+            },
             surfaces: scene
                 .meshes
                 .iter()

@@ -1,8 +1,10 @@
 //! What a far light sees first: depth along one direction, seen without perspective.
 
 use crate::prepare::Geometry;
+use crate::shade::BELL;
 use crate::whole;
-use glam::{Vec2, Vec3, Vec4};
+use glam::{BVec4A, Vec2, Vec3, Vec4};
+use rayon::prelude::*;
 
 /// Depth of a texel that nothing covers [m]; a finite number, so that shaders can hold it.
 pub(crate) const EMPTY: f32 = 1.0e30;
@@ -17,6 +19,11 @@ const EXTENT_STEP: f32 = 0.1;
 const RIM: f32 = 1.0e-4;
 /// From this many texels on, it pays to work out where in a row a triangle begins and ends.
 const WIDE_SPAN: i32 = 8;
+
+/// The cone of a lamp begins this wide [texel]: what always counts, and one of rounding.
+const FOOT: usize = 4;
+/// Middles of four texels in a row.
+const LANES: Vec4 = Vec4::new(0.5, 1.5, 2.5, 3.5);
 
 /// Nearest and farthest surface along an axis for each texel of a plane across it.
 #[derive(Debug, Clone)]
@@ -38,7 +45,13 @@ pub(crate) struct DepthMap {
     pub(crate) nearest: Vec<f32>,
     /// Least depth: what a light at `-axis` sees; `EMPTY` for none, no texels where not asked for.
     pub(crate) farthest: Vec<f32>,
+    /// Greatest depths of squares of texels, each level half as fine as the one before, the first
+    /// half as fine as `nearest`; none but for a map of the nearest surfaces alone.
+    pub(crate) coarser: Vec<Vec<f32>>,
 }
+
+/// Levels beyond the finest that a map of the nearest surfaces alone has.
+pub(crate) const COARSER_LEVELS: usize = 5;
 
 /// Which layers of a map are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -68,7 +81,12 @@ impl DepthMap {
         let texel = (extent / (side as f32 - 2.0 * BORDER - 1.0)).max(LEAST_TEXEL);
         low = (low / texel).floor() * texel;
         let texels = (high - low) / texel + 2.0 * BORDER;
-        let (width, height) = (whole::index(texels.x.ceil()), whole::index(texels.y.ceil()));
+        let mut sides = [texels.x, texels.y].map(|side| whole::index(side.ceil()));
+        if layers == Layers::Nearest {
+            // The coarser levels cover the finest to its rim.
+            sides = sides.map(|side| side.next_multiple_of(1 << COARSER_LEVELS));
+        }
+        let [width, height] = sides;
         let scale = 1.0 / texel;
         let mut map = Self {
             width,
@@ -79,6 +97,7 @@ impl DepthMap {
             texel,
             nearest: vec![-EMPTY; width * height],
             farthest: Vec::new(),
+            coarser: Vec::new(),
         };
         if layers == Layers::Both {
             map.farthest = vec![EMPTY; width * height];
@@ -87,7 +106,27 @@ impl DepthMap {
         for triangle in &geometry.triangles {
             map.cover(triangle.map(|index| projected[index as usize]));
         }
+        if layers == Layers::Nearest {
+            map.add_coarser();
+        }
         map
+    }
+
+    /// Works out the coarser levels: the greatest of the four texels that each covers.
+    fn add_coarser(&mut self) {
+        for level in 1..=COARSER_LEVELS {
+            let finer = self.coarser.last().unwrap_or(&self.nearest);
+            let width = self.width >> (level - 1);
+            let texels = finer
+                .chunks_exact(2 * width)
+                .flat_map(|rows| {
+                    let (top, bottom) = rows.split_at(width);
+                    (top.chunks_exact(2).zip(bottom.chunks_exact(2)))
+                        .map(|(a, b)| a[0].max(a[1]).max(b[0]).max(b[1]))
+                })
+                .collect();
+            self.coarser.push(texels);
+        }
     }
 
     /// Texel column, texel row and depth [m] of a world point.
@@ -129,29 +168,31 @@ impl DepthMap {
             if wide {
                 [start, end] = span([beta.x, gamma.x], at_a, a.x, [start, end]);
             }
-            for x in start..=end {
-                let dx = x as f32 + 0.5 - a.x;
-                let (beta_at, gamma_at) = (at_a[0] + beta.x * dx, at_a[1] + gamma.x * dx);
+            let row = y.unsigned_abs() as usize * self.width;
+            for x in (start..=end).step_by(4) {
+                // Four texels at once; the last four of a row where fewer are left.
+                let x = x.min(last_of(self.width) - 3);
+                let dx = LANES + (x as f32 - a.x);
+                let (beta_at, gamma_at) = (dx * beta.x + at_a[0], dx * gamma.x + at_a[1]);
                 // A hair wider than the triangle: neighbors share their edge.
-                let inside = beta_at >= -RIM && gamma_at >= -RIM && beta_at + gamma_at <= 1.0 + RIM;
-                if inside {
-                    let depth = a.z + slope.x * dx + slope.y * dy;
-                    let texel = y.unsigned_abs() as usize * self.width + x.unsigned_abs() as usize;
-                    self.enter(texel, depth.clamp(low.z, high.z));
-                }
+                let least = beta_at.min(gamma_at).min(1.0 - beta_at - gamma_at);
+                let depth = dx * slope.x + (a.z + slope.y * dy);
+                let depth = depth.clamp(Vec4::splat(low.z), Vec4::splat(high.z));
+                let inside = least.cmpge(Vec4::splat(-RIM));
+                self.enter(row + x.unsigned_abs() as usize, inside, depth);
             }
         }
     }
 
-    fn enter(&mut self, texel: usize, depth: f32) {
-        let nearest = &mut self.nearest[texel];
-        if depth > *nearest {
-            *nearest = depth;
-        }
-        if let Some(farthest) = self.farthest.get_mut(texel)
-            && depth < *farthest
-        {
-            *farthest = depth;
+    /// Enters the depths of four texels where `inside` says so.
+    #[inline]
+    fn enter(&mut self, texel: usize, inside: BVec4A, depth: Vec4) {
+        let nearest = &mut self.nearest[texel..texel + 4];
+        let before = Vec4::from_slice(nearest);
+        Vec4::select(inside, before.max(depth), before).write_to_slice(nearest);
+        if let Some(farthest) = self.farthest.get_mut(texel..texel + 4) {
+            let before = Vec4::from_slice(farthest);
+            Vec4::select(inside, before.min(depth), before).write_to_slice(farthest);
         }
     }
 
@@ -176,6 +217,90 @@ impl DepthMap {
         }
     }
 
+    /// What the light at `+axis` sees at eight neighbors in a row of a level; `-EMPTY` outside the
+    /// map.
+    #[inline]
+    pub(crate) fn eight(&self, level: usize, [first, row]: [i32; 2]) -> [Vec4; 2] {
+        let texels = match level.checked_sub(1) {
+            None => &self.nearest,
+            Some(coarser) => &self.coarser[coarser],
+        };
+        let (width, height) = (self.width >> level, self.height >> level);
+        let row = match usize::try_from(row) {
+            Ok(row) if row < height => &texels[row * width..(row + 1) * width],
+            _ => return [Vec4::splat(-EMPTY); 2],
+        };
+        let inside = usize::try_from(first).ok();
+        if let Some(eight) = inside.and_then(|first| row.get(first..first + 8)) {
+            return [Vec4::from_slice(eight), Vec4::from_slice(&eight[4..])];
+        }
+        let at = |node: i32| {
+            let column = usize::try_from(first + node).unwrap_or(usize::MAX);
+            row.get(column).copied().unwrap_or(-EMPTY)
+        };
+        [0, 4].map(|node| Vec4::new(at(node), at(node + 1), at(node + 2), at(node + 3)))
+    }
+
+    /// The same at eight texels `stride` apart, each lowered by its own shift.
+    #[inline]
+    pub(crate) fn eight_shifted(
+        &self,
+        [first, row]: [i32; 2],
+        stride: i32,
+        down: &[i32; 8],
+    ) -> [Vec4; 2] {
+        let at = |node: u8| {
+            let column = (first + i32::from(node) * stride).cast_unsigned() as usize;
+            let row = (row + down[usize::from(node)]).cast_unsigned() as usize;
+            if column < self.width && row < self.height {
+                self.nearest[row * self.width + column]
+            } else {
+                -EMPTY
+            }
+        };
+        [0, 4].map(|node| Vec4::new(at(node), at(node + 1), at(node + 2), at(node + 3)))
+    }
+
+    /// For each texel, the depth above which nothing is in the way of a lamp at `+axis` that is
+    /// seen under `tangent`: no surface rises out of the cone towards the lamp.
+    ///
+    /// The cone is taken a little wider than it is, as a pyramid, so that two sweeps along each
+    /// side of the map find it.
+    pub(crate) fn clear_above(&self, tangent: f32) -> Vec<f32> {
+        let slope = std::f32::consts::FRAC_1_SQRT_2 * self.texel / (tangent.max(1.0e-3) * BELL);
+        let mut bound = self.nearest.clone();
+        bound.par_chunks_mut(self.width).for_each(|row| {
+            widen(row);
+            for x in 1..row.len() {
+                row[x] = row[x].max(row[x - 1] - slope);
+            }
+            for x in (1..row.len()).rev() {
+                row[x - 1] = row[x - 1].max(row[x] - slope);
+            }
+        });
+        let rows = bound.clone();
+        let width = self.width;
+        bound
+            .par_chunks_mut(width)
+            .enumerate()
+            .for_each(|(y, row)| {
+                let first = y.saturating_sub(FOOT);
+                let last = (y + FOOT).min(self.height - 1);
+                for other in rows[first * width..(last + 1) * width].chunks_exact(width) {
+                    raise(row, other, 0.0);
+                }
+            });
+        for y in 1..self.height {
+            let (before, after) = bound.split_at_mut(y * width);
+            raise(&mut after[..width], &before[(y - 1) * width..], slope);
+        }
+        for y in (1..self.height).rev() {
+            let (before, after) = bound.split_at_mut(y * width);
+            raise(&mut before[(y - 1) * width..], &after[..width], slope);
+        }
+        bound
+    }
+
     fn share(&self, layer: &[f32], at: Vec3, is_free: impl Fn(f32, f32) -> bool) -> f32 {
         let (u, v) = (at.x - 0.5, at.y - 0.5);
         let inside =
@@ -191,6 +316,22 @@ impl DepthMap {
         let bottom =
             free(start + self.width) * (1.0 - u_part) + free(start + self.width + 1) * u_part;
         top * (1.0 - v_part) + bottom * v_part
+    }
+}
+
+/// Raises each value to that of the other row less `drop`.
+fn raise(row: &mut [f32], other: &[f32], drop: f32) {
+    for (value, &other) in row.iter_mut().zip(other) {
+        *value = value.max(other - drop);
+    }
+}
+
+/// Raises each value of a row to the greatest within [`FOOT`] places.
+fn widen(row: &mut [f32]) {
+    let before = row.to_vec();
+    for shift in 1..=FOOT.min(row.len()) {
+        raise(&mut row[shift..], &before, 0.0);
+        raise(row, &before[shift..], 0.0);
     }
 }
 

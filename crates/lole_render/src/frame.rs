@@ -1,7 +1,7 @@
 //! What the shading formula needs to know about a picture as a whole, laid out for a shader's
 //! uniform block (`Frame` in `gpu/shade.wgsl`); the CPU reads the same fields.
 
-use crate::bake::Bake;
+use crate::bake::{Bake, key_tangent};
 use crate::{Scene, Size};
 use glam::{Mat4, Vec2, Vec3, Vec4};
 use lole_geom::trig;
@@ -60,9 +60,7 @@ impl Frame {
             ray_corner: (up * reach - backward - right * across).extend(0.0),
             ray_right: (right * (2.0 * across / width)).extend(width),
             ray_down: (up * (-2.0 * reach / height)).extend(height),
-            key_toward: map
-                .axis
-                .extend(trig::tan(key.angular_radius.clamp(0.0, 1.0))),
+            key_toward: map.axis.extend(key_tangent(&scene.lights)),
             key_color: Vec3::from(key.color).extend(map.texel),
             key_texel_u: map.texel_u,
             key_texel_v: map.texel_v,

@@ -6,19 +6,30 @@
 //! published for product pictures (2024), which keeps the hues of a print.
 
 use crate::Material;
-use crate::depth_map::{DepthMap, EMPTY};
+use crate::depth_map::{COARSER_LEVELS, DepthMap};
 use crate::frame::Frame;
 use crate::whole;
 use glam::{Vec2, Vec3, Vec4};
 use lole_geom::trig;
-use std::f32::consts::{PI, TAU};
+use std::f32::consts::PI;
 
-/// Taps that look for what is in the way of the key light.
-const SEARCH_TAPS: usize = 24;
-/// Taps that measure how much of the key light is seen.
-const SHADOW_TAPS: usize = 28;
+/// Averages run over eight by eight nodes of a lattice: this many strides to each side.
+const RINGS: f32 = 4.0;
+/// A penumbra reaches at most this many strides: shifted nodes still cover it.
+const SHADOW_RINGS: f32 = 3.6;
+/// The search near by is this many levels finer than the one far out.
+const NEAR_SEARCH: usize = 2;
+/// The finest level that is searched.
+const FINEST_SEARCH: usize = 2;
+/// Shadows are never sharper than this [texel].
+const LEAST_RADIUS: f32 = 2.0;
+/// How high things must rise at the rim of a penumbra to count, as a share of the distance of what
+/// throws it.
+const RISE: f32 = 0.8;
+/// A bell over a disk is as wide as an even disk this many times smaller.
+pub(crate) const BELL: f32 = 1.22;
 /// Shadows from farther away than this [m] do not get softer.
-const SOFTEST_DISTANCE: f32 = 0.45;
+pub(crate) const SOFTEST_DISTANCE: f32 = 0.45;
 /// A point is lifted off its own surface by this many texels of the key map.
 const LIFT_TEXELS: f32 = 2.0;
 /// What is this close in front does not count as in the way [m].
@@ -27,6 +38,8 @@ const SLACK: f32 = 0.0015;
 const WRAP_DEPTH: f32 = 0.15;
 /// Cosine to the key light from which on no light crosses the body.
 const WRAP_END: f32 = 0.4;
+/// Four nodes of a lattice.
+const LANES: Vec4 = Vec4::new(0.0, 1.0, 2.0, 3.0);
 /// Light that the tone curve takes off.
 const TOE: f32 = 0.01;
 
@@ -74,8 +87,6 @@ pub(crate) struct Point {
     pub(crate) albedo: Vec3,
     /// Light of the room on the side that is seen and on the other.
     pub(crate) ambient: [Vec3; 2],
-    /// Where in the picture [pixel].
-    pub(crate) pixel: Vec2,
 }
 
 /// Color of a surface on the side that is seen.
@@ -87,7 +98,7 @@ pub(crate) fn albedo(surface: &Surface, paint: Vec3, is_face: f32) -> Vec3 {
 /// Color that the picture shows at a point, linear, 0 to 1.
 pub(crate) fn shade(
     frame: &Frame,
-    shadow: &KeyShadow<'_>,
+    shadow: KeyShadow<'_>,
     surface: &Surface,
     point: &Point,
 ) -> Vec3 {
@@ -104,7 +115,13 @@ pub(crate) fn shade(
     let wrap = surface.subsurface.w;
     let crossed = wrap * WRAP_DEPTH * (1.0 - key_cosine.abs() / WRAP_END).max(0.0);
     let lift = lit_side * (LIFT_TEXELS * frame.key_color.w) + toward_key * crossed;
-    let seen = key_seen(frame, shadow, point.position + lift, point.pixel);
+    // Nothing of the key light shows past the end of the wrap, unless through cloth.
+    let shows = key_cosine > -(wrap + 0.5 * frame.key_toward.w) || surface.gloss.z > 0.0;
+    let seen = if shows {
+        shadow.seen(point.position + lift)
+    } else {
+        0.0
+    };
     let key = frame.key_color.truncate() * seen;
 
     // The area of the lamp itself softens the terminator by its angular radius.
@@ -184,21 +201,155 @@ pub(crate) fn disk<const N: usize>() -> [Vec2; N] {
     })
 }
 
-/// The key light's map, and where around a point it is read.
+/// The key light's map, and how its lamp softens shadows.
+///
+/// Averages run over texels of a lattice that is fixed to the map, weighted by a bell around the
+/// point: they change smoothly from point to point, without the grain of scattered samples.
+#[derive(Clone, Copy)]
 pub(crate) struct KeyShadow<'a> {
     /// What the light sees.
     pub(crate) map: &'a DepthMap,
-    search: [Vec2; SEARCH_TAPS],
-    shadow: [Vec2; SHADOW_TAPS],
+    /// Where nothing can be in the way, by texel: depths above are in full light.
+    pub(crate) clear_above: &'a [f32],
+    /// Tangent of the lamp's angular radius.
+    pub(crate) tangent: f32,
+    /// Shadows from farther away than this [m] do not get softer.
+    pub(crate) softest: f32,
 }
 
-impl<'a> KeyShadow<'a> {
-    pub(crate) fn new(map: &'a DepthMap) -> Self {
-        Self {
-            map,
-            search: disk(),
-            shadow: disk(),
+impl KeyShadow<'_> {
+    /// Share of the key light seen from a point.
+    pub(crate) fn seen(self, position: Vec3) -> f32 {
+        let at = self.map.project(position) + Vec3::new(0.0, 0.0, SLACK);
+        if self.is_clear(at) {
+            return 1.0;
         }
+        let per_depth = self.tangent / self.map.texel;
+        let search = self.softest * per_depth * BELL;
+        let mut level = FINEST_SEARCH;
+        while level < COARSER_LEVELS && search > RINGS * (1 << level) as f32 {
+            level += 1;
+        }
+        let far = self.blockers(at, level);
+        let close = self.blockers(at, (level - NEAR_SEARCH).max(FINEST_SEARCH));
+        // Where nothing is in the way, the nearest texels decide.
+        let mean = (far.y + close.y) / (far.x + close.x + 1.0e-4);
+        let distance = mean.min(self.softest).max(LEAST_RADIUS / per_depth);
+        self.share(at, distance)
+    }
+
+    /// Whether nothing is in the way. Outside the map, its rim answers: what rises out of the cone
+    /// there rises out of a nearer one.
+    fn is_clear(self, at: Vec3) -> bool {
+        let column = whole::index(at.x).min(self.map.width - 1);
+        let row = whole::index(at.y).min(self.map.height - 1);
+        at.z >= self.clear_above[row * self.map.width + column]
+    }
+
+    /// Weight of what is in the way, and weight times its distance [m], in eight by eight squares
+    /// of a level of the map around a point.
+    fn blockers(self, at: Vec3, level: usize) -> Vec2 {
+        let per_depth = BELL * self.tangent / self.map.texel;
+        let step = (1 << level) as f32;
+        let lattice = Lattice::around(at / step);
+        let at_step = at / step;
+        let (mut weights, mut distances) = (Vec4::ZERO, Vec4::ZERO);
+        for node in 0..8 {
+            let (row, down) = lattice.row(at_step, node);
+            let surfaces = self.map.eight(level, [lattice.column, row]);
+            for (surface, square) in surfaces.into_iter().zip(lattice.squares) {
+                let before = (surface - at.z).max(Vec4::ZERO);
+                if before == Vec4::ZERO {
+                    continue;
+                }
+                // What is in the way counts only where its own penumbra reaches this point, from
+                // anywhere in the square; one that falls between squares is left to a finer level.
+                let reach = before * (per_depth / step);
+                let held = (reach - 0.5).clamp(Vec4::ZERO, Vec4::ONE);
+                let reach = (reach + 0.7).min(Vec4::splat(RINGS));
+                let per_square = (reach * reach).recip();
+                let bell = (1.0 - (square + down * down) * per_square).max(Vec4::ZERO);
+                let weight = bell * held * per_square;
+                weights += weight;
+                distances += weight * before;
+            }
+        }
+        Vec2::new(weights.element_sum(), distances.element_sum())
+    }
+
+    /// Share of the texels around a point that are not before it, as far out as things at a
+    /// `distance` [m] throw their penumbra.
+    fn share(self, at: Vec3, distance: f32) -> f32 {
+        let radius = BELL * distance * self.tangent / self.map.texel;
+        // Farther out only what is farther away throws a shadow here; the surface itself, seen
+        // aslant, does not.
+        let rise = distance * RISE;
+        let mut stride = 1;
+        while radius > SHADOW_RINGS * stride as f32 {
+            stride *= 2;
+        }
+        let step = stride as f32;
+        let first = |at: f32| whole::ceil((at - 0.5) / step - RINGS);
+        let (column, row) = (first(at.x), first(at.y));
+        // By row and by column, nodes are shifted by quarters of a stride: an edge that runs
+        // along the lattice crosses them one by one.
+        let down_shifts: [i32; 8] = std::array::from_fn(|node| shift(column, node, stride));
+        let below = [0, 4].map(|lane| {
+            Vec4::from_array(std::array::from_fn(|node| down_shifts[lane + node] as f32))
+        });
+        let per_square = 1.0 / (radius * radius);
+        let (mut hidden, mut all) = (Vec4::ZERO, Vec4::ZERO);
+        for node in 0..8_u8 {
+            let first = column * stride + shift(row, usize::from(node), stride);
+            let row = (row + i32::from(node)) * stride;
+            let surfaces = self.map.eight_shifted([first, row], stride, &down_shifts);
+            let right = LANES * step + (first as f32 + 0.5 - at.x);
+            let down = row as f32 + 0.5 - at.y;
+            for (half, surface) in surfaces.into_iter().enumerate() {
+                let right = right + half as f32 * 4.0 * step;
+                let down = below[half] + down;
+                let bell = 1.0 - (right * right + down * down) * per_square;
+                let before = surface.cmpgt(at.z + (1.0 - bell) * rise);
+                let bell = bell.max(Vec4::ZERO);
+                all += bell;
+                hidden += Vec4::select(before, bell, Vec4::ZERO);
+            }
+        }
+        1.0 - hidden.element_sum() / all.element_sum()
+    }
+}
+
+/// Shift [texel] of a row or column of nodes, `node` after the `first`.
+fn shift(first: i32, node: usize, stride: i32) -> i32 {
+    const QUARTERS: [i32; 4] = [0, 2, 1, 3];
+    let quarter = QUARTERS[(first.cast_unsigned() as usize).wrapping_add(node) & 3];
+    quarter * stride / 4 - 3 * stride / 8
+}
+
+/// Eight by eight texels around a point.
+struct Lattice {
+    column: i32,
+    row: i32,
+    /// Squares of the distances of the columns' middles [texel²].
+    squares: [Vec4; 2],
+}
+
+impl Lattice {
+    fn around(at: Vec3) -> Self {
+        let first = |at: f32| whole::ceil(at - 0.5 - RINGS);
+        let (column, row) = (first(at.x), first(at.y));
+        let right = LANES + (column as f32 + 0.5 - at.x);
+        Self {
+            column,
+            row,
+            squares: [right, right + 4.0].map(|right| right * right),
+        }
+    }
+
+    /// Texel row of a row of nodes, and how far its middle lies from the point.
+    fn row(&self, at: Vec3, node: i32) -> (i32, f32) {
+        let row = self.row + node;
+        (row, row as f32 + 0.5 - at.y)
     }
 }
 
@@ -207,45 +358,6 @@ pub(crate) fn pixel_noise(pixel: Vec2) -> f32 {
     let fraction = |x: f32| x - whole::floor(x) as f32;
     let (x, y) = (whole::floor(pixel.x) as f32, whole::floor(pixel.y) as f32);
     fraction(52.982_918 * fraction(0.067_110_56 * x + 0.005_837_15 * y))
-}
-
-/// Share of the key light seen from a point.
-fn key_seen(frame: &Frame, shadow: &KeyShadow<'_>, position: Vec3, pixel: Vec2) -> f32 {
-    let at = Vec3::new(
-        frame.key_texel_u.dot(position.extend(1.0)),
-        frame.key_texel_v.dot(position.extend(1.0)),
-        frame.key_toward.truncate().dot(position) + SLACK,
-    );
-    let (tangent, texel) = (frame.key_toward.w, frame.key_color.w);
-    let (sin, cos) = trig::sin_cos(pixel_noise(pixel) * TAU);
-    let turn = |p: Vec2| Vec2::new(p.x * cos - p.y * sin, p.x * sin + p.y * cos);
-    let search = (tangent * SOFTEST_DISTANCE / texel).max(2.0);
-    let (mut blocked, mut distance) = (0.0, 0.0);
-    for point in &shadow.search {
-        // Denser towards the middle: near things, of which there are more, shade a narrow ring.
-        let offset = turn(*point) * (point.length() * search);
-        let surface = shadow.map.nearest_at(at.x + offset.x, at.y + offset.y);
-        let before = surface - at.z;
-        // What is in the way counts only where its own penumbra reaches this point.
-        let reach = before * tangent / texel + 2.0;
-        if surface > -EMPTY && before > 0.0 && offset.length() <= reach {
-            blocked += 1.0;
-            distance += before;
-        }
-    }
-    // Where no tap of the search finds anything, the nearest texels still decide.
-    let mean = if blocked > 0.0 {
-        distance / blocked
-    } else {
-        0.0
-    };
-    let radius = (mean.min(SOFTEST_DISTANCE) * tangent / texel).max(2.0);
-    let mut seen = 0.0;
-    for point in &shadow.shadow {
-        let offset = turn(*point) * radius;
-        seen += shadow.map.seen_from_front(at + offset.extend(0.0));
-    }
-    seen / SHADOW_TAPS as f32
 }
 
 /// Khronos' neutral tone curve: colors below 0.8 stay as they are but for the toe; highlights roll
@@ -322,6 +434,9 @@ fn log2(value: f32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::depth_map::Layers;
+    use crate::prepare::Geometry;
+    use crate::{Camera, Scene, SceneMesh};
 
     const SHADER: &str = include_str!("gpu/shade.wgsl");
 
@@ -338,8 +453,14 @@ mod tests {
     #[test]
     fn the_shader_has_the_same_constants() {
         for line in [
-            format!("const SEARCH_TAPS: i32 = {SEARCH_TAPS};"),
-            format!("const SHADOW_TAPS: i32 = {SHADOW_TAPS};"),
+            format!("const RINGS: f32 = {RINGS:?};"),
+            format!("const SHADOW_RINGS: f32 = {SHADOW_RINGS:?};"),
+            format!("const NEAR_SEARCH: i32 = {NEAR_SEARCH};"),
+            format!("const FINEST_SEARCH: i32 = {FINEST_SEARCH};"),
+            format!("const COARSER_LEVELS: i32 = {COARSER_LEVELS};"),
+            format!("const LEAST_RADIUS: f32 = {LEAST_RADIUS:?};"),
+            format!("const RISE: f32 = {RISE:?};"),
+            format!("const BELL: f32 = {BELL:?};"),
             format!("const SOFTEST_DISTANCE: f32 = {SOFTEST_DISTANCE:?};"),
             format!("const LIFT_TEXELS: f32 = {LIFT_TEXELS:?};"),
             format!("const SLACK: f32 = {SLACK:?};"),
@@ -348,6 +469,60 @@ mod tests {
             format!("const WRAP_END: f32 = {WRAP_END:?};"),
         ] {
             assert!(SHADER.contains(&line), "{line}");
+        }
+    }
+
+    /// Under a straight edge the light falls off evenly over the width that the lamp's size gives,
+    /// half of it where the edge is.
+    #[test]
+    fn the_penumbra_of_an_edge_is_smooth_and_as_wide_as_the_lamp_says() {
+        const HEIGHT: f32 = 0.3;
+        const TANGENT: f32 = 0.1;
+        let plane = |low: Vec2, high: Vec2, y: f32| {
+            [
+                [low.x, low.y],
+                [low.x, high.y],
+                [high.x, high.y],
+                [high.x, low.y],
+            ]
+            .map(|[x, z]| Vec3::new(x, y, z))
+            .to_vec()
+        };
+        let (floor, card) = (
+            plane(Vec2::splat(-0.8), Vec2::splat(0.8), 0.0),
+            plane(Vec2::new(-0.8, -0.8), Vec2::new(0.0, 0.8), HEIGHT),
+        );
+        let material = Material::default();
+        let mut scene = Scene::studio(Camera {
+            eye: Vec3::Z,
+            target: Vec3::ZERO,
+            vertical_fov: 0.5,
+        });
+        for positions in [&floor, &card] {
+            scene.meshes.push(SceneMesh {
+                positions,
+                normals: &[],
+                uvs: &[],
+                colors: &[],
+                triangles: &[[0, 1, 2], [0, 2, 3]],
+                material: &material,
+            });
+        }
+        let map = DepthMap::draw(&Geometry::of(&scene), Vec3::Y, 1536, Layers::Nearest);
+        let shadow = KeyShadow {
+            map: &map,
+            clear_above: &map.clear_above(TANGENT),
+            tangent: TANGENT,
+            softest: SOFTEST_DISTANCE,
+        };
+        let seen = |x: f32| shadow.seen(Vec3::new(x, 0.0, 0.05));
+        let wide = HEIGHT * TANGENT;
+        assert!(seen(-1.3 * wide) < 0.01 && seen(1.3 * wide) > 0.99);
+        assert!((seen(0.0) - 0.5).abs() < 0.06, "{}", seen(0.0));
+        for step in -40_i16..40 {
+            let x = f32::from(step) * 0.001;
+            let rise = seen(x + 0.001) - seen(x);
+            assert!((-0.004..0.05).contains(&rise), "{rise} at {x}");
         }
     }
 

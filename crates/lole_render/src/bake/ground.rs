@@ -2,14 +2,12 @@
 //! light of the room away.
 
 use super::studio::Studio;
-use crate::depth_map::{DepthMap, EMPTY};
-use crate::shade::{disk, pixel_noise};
+use crate::depth_map::DepthMap;
+use crate::shade::{KeyShadow, disk};
 use crate::whole;
 use crate::{Bounds, Ground, LightRig};
 use glam::{Vec2, Vec3};
-use lole_geom::trig;
 use rayon::prelude::*;
-use std::f32::consts::TAU;
 
 /// Cells of the light map on each side.
 pub(crate) const CELLS: usize = 384;
@@ -21,12 +19,12 @@ const MARGIN: f32 = 0.6;
 const SIDE_STEP: f32 = 0.5;
 /// Shadows are followed no farther than this many times the height of the meshes.
 const LONGEST_SHADOW: f32 = 1.6;
-const KEY_SEARCH_TAPS: usize = 24;
-const KEY_TAPS: usize = 40;
 const ROOM_TAPS: usize = 10;
 /// Half the angle between neighboring directions of the room, as a tangent: each direction stands
 /// for all within it.
 const ROOM_SPREAD: f32 = 0.30;
+/// Shadows on the floor from farther away than this [m] do not get softer.
+pub(super) const SOFTEST_DISTANCE: f32 = 0.8;
 /// What is this close above the floor does not count as in the way [m].
 const SLACK: f32 = 0.002;
 
@@ -49,14 +47,13 @@ impl GroundLight {
         lights: &LightRig,
         studio: &Studio,
         studio_maps: &[DepthMap],
-        key_map: &DepthMap,
+        shadow: KeyShadow<'_>,
     ) -> Self {
-        let (corner, side) = covered_square(ground.height, bounds, key_map.axis);
+        let (corner, side) = covered_square(ground.height, bounds, shadow.map.axis);
         let cell = side / CELLS as f32;
         let place =
             |x: f32, z: f32| Vec3::new(corner.x + x * cell, ground.height, corner.y + z * cell);
         let room_taps: [Vec2; ROOM_TAPS] = disk();
-        let (search_taps, key_taps) = (disk::<KEY_SEARCH_TAPS>(), disk::<KEY_TAPS>());
         let room_side = CELLS / ROOM_STEP + 1;
         let room: Vec<Vec3> = (0..room_side * room_side)
             .into_par_iter()
@@ -71,18 +68,14 @@ impl GroundLight {
             .iter()
             .map(|pair| pair.radiance[0] * pair.axis.y)
             .sum();
-        let key_light = Vec3::from(lights.key.color) * key_map.axis.y.max(0.0);
-        let tangent = trig::tan(lights.key.angular_radius.clamp(0.0, 1.0));
+        let key_light = Vec3::from(lights.key.color) * shadow.map.axis.y.max(0.0);
         let open = (room_open + key_light).max(Vec3::splat(1.0e-6));
         let factors: Vec<Vec3> = (0..CELLS * CELLS)
             .into_par_iter()
             .map(|index| {
                 let (x, z) = (index % CELLS, index / CELLS);
                 let middle = place(x as f32 + 0.5, z as f32 + 0.5);
-                let turn = trig::sin_cos(pixel_noise(Vec2::new(x as f32, z as f32)) * TAU);
-                let turn = Vec2::new(turn.1, turn.0);
-                let seen = key_seen(key_map, [&search_taps, &key_taps], middle, tangent, turn);
-                let light = key_light * seen + room_between(&room, room_side, x, z);
+                let light = key_light * shadow.seen(middle) + room_between(&room, room_side, x, z);
                 let shaded = (light / open).min(Vec3::ONE);
                 let fade = ground.shadow * edge_fade(x, z);
                 Vec3::ONE.lerp(shaded, fade.clamp(0.0, 1.0))
@@ -173,8 +166,8 @@ fn room_light(studio: &Studio, maps: &[DepthMap], taps: &[Vec2], point: Vec3) ->
     light
 }
 
-/// The mean of each cell and its eight neighbors, weighted 1-2-1 both ways: it takes the grain of
-/// the turned taps away. The rim stays as it is.
+/// The mean of each cell and its eight neighbors, weighted 1-2-1 both ways: it takes the steps of
+/// the room's taps away. The rim stays as it is.
 fn smoothed(factors: &[Vec3]) -> Vec<Vec3> {
     let mut smooth = factors.to_vec();
     for z in 1..CELLS - 1 {
@@ -186,36 +179,6 @@ fn smoothed(factors: &[Vec3]) -> Vec<Vec3> {
         }
     }
     smooth
-}
-
-/// Share of the key light that a point of the floor sees.
-fn key_seen(map: &DepthMap, taps: [&[Vec2]; 2], point: Vec3, tangent: f32, turn: Vec2) -> f32 {
-    let at = map.project(point);
-    let (mut blocked, mut height) = (0.0, 0.0);
-    let search = (tangent * 0.8 / map.texel).max(2.0);
-    for offset in taps[0] {
-        let offset = turn.rotate(*offset) * search;
-        let surface = map.nearest_at(at.x + offset.x, at.y + offset.y);
-        // A blocker counts only where its own penumbra reaches this point.
-        let above = surface - at.z;
-        let reach = above * tangent / map.texel + 2.0;
-        if surface > -EMPTY && above > SLACK && offset.length() <= reach {
-            blocked += 1.0;
-            height += above;
-        }
-    }
-    if blocked == 0.0 {
-        return 1.0;
-    }
-    let radius = (height / blocked * tangent / map.texel).max(1.5);
-    let seen: f32 = taps[1]
-        .iter()
-        .map(|offset| {
-            let offset = turn.rotate(*offset) * radius;
-            map.seen_from_front(at + Vec3::new(offset.x, offset.y, SLACK))
-        })
-        .sum();
-    seen / KEY_TAPS as f32
 }
 
 fn room_between(room: &[Vec3], side: usize, x: usize, z: usize) -> Vec3 {

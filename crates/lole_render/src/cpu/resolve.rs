@@ -127,9 +127,8 @@ fn surface_color(picture: &Picture<'_>, triangle: u32, pixel: Vec2) -> Vec3 {
         } else {
             [back_light, face_light]
         },
-        pixel,
     };
-    shade::shade(frame, &picture.shadow, surface, &point)
+    shade::shade(frame, picture.shadow, surface, &point)
 }
 
 fn mix(corners: [usize; 3], weights: Vec3, column: impl Fn(usize) -> Vec3) -> Vec3 {

@@ -210,11 +210,10 @@ impl GpuRenderer {
         });
         let map = &bake.key_map;
         let side = |texels: usize| u32::try_from(texels).unwrap_or(u32::MAX);
-        let key_map = float_texture(
+        let key_map = levels_texture(
             &self.gpu,
             [side(map.width), side(map.height)],
-            Format::Float,
-            bytemuck::cast_slice(&map.nearest),
+            std::iter::once(&map.nearest).chain(&map.coarser),
         );
         let ground = bake.ground.as_ref().map(|light| {
             let cells: Vec<[f32; 4]> = light
@@ -404,6 +403,27 @@ fn float_texture(
     let order = wgpu::util::TextureDataOrder::LayerMajor;
     gpu.device
         .create_texture_with_data(&gpu.queue, &descriptor, order, texels)
+        .create_view(&wgpu::TextureViewDescriptor::default())
+}
+
+/// A texture of numbers with its coarser levels, the finest first.
+fn levels_texture<'a>(
+    gpu: &Device,
+    [width, height]: [u32; 2],
+    levels: impl Iterator<Item = &'a Vec<f32>>,
+) -> wgpu::TextureView {
+    let levels: Vec<&Vec<f32>> = levels.collect();
+    let count = u32::try_from(levels.len()).unwrap_or(1);
+    let descriptor = texture_descriptor([width, height], count, Format::Float);
+    let texels: Vec<f32> = levels.into_iter().flatten().copied().collect();
+    let order = wgpu::util::TextureDataOrder::LayerMajor;
+    gpu.device
+        .create_texture_with_data(
+            &gpu.queue,
+            &descriptor,
+            order,
+            bytemuck::cast_slice(&texels),
+        )
         .create_view(&wgpu::TextureViewDescriptor::default())
 }
 

@@ -29,8 +29,14 @@ struct Surface {
 @group(1) @binding(1) var print: texture_2d<f32>;
 @group(1) @binding(2) var print_sampler: sampler;
 
-const SEARCH_TAPS: i32 = 24;
-const SHADOW_TAPS: i32 = 28;
+const RINGS: f32 = 4.0;
+const SHADOW_RINGS: f32 = 3.6;
+const NEAR_SEARCH: i32 = 2;
+const FINEST_SEARCH: i32 = 2;
+const COARSER_LEVELS: i32 = 5;
+const LEAST_RADIUS: f32 = 2.0;
+const RISE: f32 = 0.8;
+const BELL: f32 = 1.22;
 const SOFTEST_DISTANCE: f32 = 0.45;
 const LIFT_TEXELS: f32 = 2.0;
 const SLACK: f32 = 0.0015;
@@ -39,7 +45,6 @@ const WRAP_END: f32 = 0.4;
 const TOE: f32 = 0.01;
 const EMPTY: f32 = 1.0e30;
 const PI: f32 = 3.14159265;
-const GOLDEN_ANGLE: f32 = 2.3999632;
 
 struct MeshVertex {
     @location(0) position: vec3<f32>,
@@ -96,7 +101,7 @@ fn mesh_fragment(in: MeshFragment, @builtin(front_facing) is_face: bool) -> @loc
     let normal = normalize_or(in.normal, toward_eye * facing) * facing;
     let light = vec4<f32>(0.0);
     let color = shade(in.position, normal, toward_eye, albedo, max(ambient, light.rgb),
-        max(ambient_behind, light.rgb), in.clip.xy);
+        max(ambient_behind, light.rgb));
     return vec4<f32>(color, 1.0);
 }
 
@@ -115,7 +120,6 @@ fn shade(
     albedo: vec3<f32>,
     ambient: vec3<f32>,
     ambient_behind: vec3<f32>,
-    pixel: vec2<f32>,
 ) -> vec3<f32> {
     let toward_key = frame.key_toward.xyz;
     let normal = face_eye(point_normal, toward_eye);
@@ -127,7 +131,10 @@ fn shade(
     let wrap = surface.subsurface.w;
     let crossed = wrap * WRAP_DEPTH * max(1.0 - abs(key_cosine) / WRAP_END, 0.0);
     let lift = lit_side * (LIFT_TEXELS * frame.key_color.w) + toward_key * crossed;
-    let seen = key_seen(position + lift, pixel);
+    var seen = 0.0;
+    if key_cosine > -(wrap + 0.5 * frame.key_toward.w) || surface.gloss.z > 0.0 {
+        seen = key_seen(position + lift);
+    }
     let key = frame.key_color.rgb * seen;
 
     let soft = wrap + 0.5 * frame.key_toward.w;
@@ -181,78 +188,94 @@ fn ggx(normal: vec3<f32>, toward_eye: vec3<f32>, toward_light: vec3<f32>, roughn
     return min(distribution * PI / (4.0 * eye_part * light_part), 12.0);
 }
 
-fn disk_point(index: i32, radius: f32) -> vec2<f32> {
-    let angle = f32(index) * GOLDEN_ANGLE;
-    return vec2<f32>(cos(angle), sin(angle)) * radius;
-}
-
 fn pixel_noise(pixel: vec2<f32>) -> f32 {
     let at = floor(pixel);
     return fract(52.982918 * fract(0.06711056 * at.x + 0.00583715 * at.y));
 }
 
-fn key_nearest(texel: vec2<i32>, size: vec2<i32>) -> f32 {
+fn key_nearest(texel: vec2<i32>, level: i32) -> f32 {
+    let size = vec2<i32>(textureDimensions(key_map, level));
     if any(texel < vec2<i32>(0)) || any(texel >= size) {
         return -EMPTY;
     }
-    return textureLoad(key_map, texel, 0).r;
+    return textureLoad(key_map, texel, level).r;
 }
 
-fn seen_from_front(at: vec3<f32>, size: vec2<i32>) -> f32 {
-    let place = at.xy - 0.5;
-    let base = floor(place);
-    let first = vec2<i32>(base);
-    if any(first < vec2<i32>(0)) || any(first >= size - 1) {
-        return 1.0;
-    }
-    let part = place - base;
-    let surfaces = vec4<f32>(
-        textureLoad(key_map, first, 0).r,
-        textureLoad(key_map, first + vec2<i32>(1, 0), 0).r,
-        textureLoad(key_map, first + vec2<i32>(0, 1), 0).r,
-        textureLoad(key_map, first + vec2<i32>(1, 1), 0).r,
-    );
-    let open = select(vec4<f32>(0.0), vec4<f32>(1.0), surfaces <= vec4<f32>(at.z));
-    return mix(mix(open.x, open.y, part.x), mix(open.z, open.w, part.x), part.y);
-}
-
-fn key_seen(position: vec3<f32>, pixel: vec2<f32>) -> f32 {
-    let size = vec2<i32>(textureDimensions(key_map));
+fn key_seen(position: vec3<f32>) -> f32 {
     let at = vec3<f32>(
         dot(frame.key_texel_u, vec4<f32>(position, 1.0)),
         dot(frame.key_texel_v, vec4<f32>(position, 1.0)),
         dot(frame.key_toward.xyz, position) + SLACK,
     );
-    let tangent = frame.key_toward.w;
-    let texel = frame.key_color.w;
-    let angle = pixel_noise(pixel) * 2.0 * PI;
-    let turn = mat2x2<f32>(cos(angle), sin(angle), -sin(angle), cos(angle));
-    let search = max(tangent * SOFTEST_DISTANCE / texel, 2.0);
-    var blocked = 0.0;
-    var distance = 0.0;
-    for (var index = 0; index < SEARCH_TAPS; index++) {
-        let radius = (f32(index) + 0.5) / f32(SEARCH_TAPS);
-        let offset = turn * disk_point(index, radius) * search;
-        let nearest = key_nearest(vec2<i32>(floor(at.xy + offset)), size);
-        let before = nearest - at.z;
-        let reach = before * tangent / texel + 2.0;
-        if nearest > -EMPTY && before > 0.0 && length(offset) <= reach {
-            blocked += 1.0;
-            distance += before;
+    let per_depth = frame.key_toward.w / frame.key_color.w;
+    let search = SOFTEST_DISTANCE * per_depth * BELL;
+    var level = FINEST_SEARCH;
+    while level < COARSER_LEVELS && search > RINGS * f32(1 << u32(level)) {
+        level++;
+    }
+    let far = key_blockers(at, level);
+    let close = key_blockers(at, max(level - NEAR_SEARCH, FINEST_SEARCH));
+    let mean = (far.y + close.y) / (far.x + close.x + 1.0e-4);
+    let distance = max(min(mean, SOFTEST_DISTANCE), LEAST_RADIUS / per_depth);
+    return key_share(at, distance);
+}
+
+fn key_blockers(at: vec3<f32>, level: i32) -> vec2<f32> {
+    let per_depth = BELL * frame.key_toward.w / frame.key_color.w;
+    let step = f32(1 << u32(level));
+    let at_step = at.xy / step;
+    let first = vec2<i32>(ceil(at_step - 0.5 - RINGS));
+    var found = vec2<f32>(0.0);
+    for (var row = 0; row < 8; row++) {
+        for (var column = 0; column < 8; column++) {
+            let node = first + vec2<i32>(column, row);
+            let before = key_nearest(node, level) - at.z;
+            if before <= 0.0 {
+                continue;
+            }
+            let reach = before * per_depth / step;
+            let held = clamp(reach - 0.5, 0.0, 1.0);
+            let wide = min(reach + 0.7, RINGS);
+            let offset = vec2<f32>(node) + 0.5 - at_step;
+            let bell = max(1.0 - dot(offset, offset) / (wide * wide), 0.0);
+            let weight = bell * held / (wide * wide);
+            found += vec2<f32>(weight, weight * before);
         }
     }
-    var mean = 0.0;
-    if blocked > 0.0 {
-        mean = distance / blocked;
+    return found;
+}
+
+fn key_shift(index: i32, stride: i32) -> i32 {
+    let place = index & 3;
+    let quarter = (place >> 1u) + (place & 1) * 2;
+    return quarter * stride / 4 - 3 * stride / 8;
+}
+
+fn key_share(at: vec3<f32>, distance: f32) -> f32 {
+    let radius = BELL * distance * frame.key_toward.w / frame.key_color.w;
+    let rise = distance * RISE;
+    var stride = 1;
+    while radius > SHADOW_RINGS * f32(stride) {
+        stride *= 2;
     }
-    let radius = max(min(mean, SOFTEST_DISTANCE) * tangent / texel, 2.0);
-    var seen = 0.0;
-    for (var index = 0; index < SHADOW_TAPS; index++) {
-        let place = sqrt((f32(index) + 0.5) / f32(SHADOW_TAPS));
-        let offset = turn * disk_point(index, place) * radius;
-        seen += seen_from_front(at + vec3<f32>(offset, 0.0), size);
+    let first = vec2<i32>(ceil((at.xy - 0.5) / f32(stride) - RINGS));
+    var hidden = 0.0;
+    var whole = 0.0;
+    for (var row = 0; row < 8; row++) {
+        for (var column = 0; column < 8; column++) {
+            let index = first + vec2<i32>(column, row);
+            let node = index * stride
+                + vec2<i32>(key_shift(index.y, stride), key_shift(index.x, stride));
+            let offset = vec2<f32>(node) + 0.5 - at.xy;
+            let bell = 1.0 - dot(offset, offset) / (radius * radius);
+            let weight = max(bell, 0.0);
+            whole += weight;
+            if key_nearest(node, 0) > at.z + (1.0 - bell) * rise {
+                hidden += weight;
+            }
+        }
     }
-    return seen / f32(SHADOW_TAPS);
+    return 1.0 - hidden / whole;
 }
 
 fn tone_map(light: vec3<f32>) -> vec3<f32> {
