@@ -24,6 +24,10 @@ const DEPENETRATION_SPEED: f32 = 0.25;
 /// the skin that carries the rows, at most.
 const HELD_DEPTH: f32 = 0.012;
 
+/// Substeps of a frame: with two more the strain's 99th percentile falls from 4.4 to 3.9 % and a
+/// frame costs an eighth more.
+const SUBSTEP_COUNT: NonZeroU32 = NonZeroU32::MIN.saturating_add(9);
+
 /// A prepared cloth and its moving state, by method.
 pub(crate) enum Solver {
     /// Real time, `f32`.
@@ -204,7 +208,8 @@ fn wind_per_particle(design: &Design, spec: &ClothSpec) -> Option<Wind> {
 
 /// Settings of the film's skirt.
 fn xpbd_config(spec: &ClothSpec, substeps: Option<NonZeroU32>) -> SolverConfig {
-    let mut config = SolverConfig {
+    SolverConfig {
+        substep_count: substeps.unwrap_or(SUBSTEP_COUNT),
         contact_offset: CONTACT_OFFSET,
         depenetration_speed: DEPENETRATION_SPEED,
         held_depth: HELD_DEPTH,
@@ -215,9 +220,5 @@ fn xpbd_config(spec: &ClothSpec, substeps: Option<NonZeroU32>) -> SolverConfig {
             substep_interval: NonZeroU32::MIN,
         }),
         ..SolverConfig::default()
-    };
-    if let Some(count) = substeps {
-        config.substep_count = count;
     }
-    config
 }

@@ -39,6 +39,10 @@ const PINNED_OPENING: f32 = 0.02;
 /// Slabs at most. They do not depend on threads, so that the order of pairs does not either.
 const SLAB_COUNT_MAX: usize = 16;
 
+/// Below this many pairs a solution is over before a second thread has woken up, which takes it
+/// about 50 µs.
+const PARALLEL_PAIRS_MIN: usize = 1 << 19;
+
 /// Below this squared length [m²] two particles have no direction between them.
 const DEGENERATE_SQUARED: f32 = 1.0e-14;
 
@@ -248,7 +252,8 @@ impl ClothContacts {
                 solve_pair(strands, first, pair, law);
             }
         };
-        if rayon::current_num_threads() == 1 {
+        let count: usize = self.pairs.iter().map(Vec::len).sum();
+        if rayon::current_num_threads() == 1 || count < PARALLEL_PAIRS_MIN {
             tasks.into_iter().for_each(solve);
         } else {
             tasks.into_par_iter().for_each(solve);

@@ -31,7 +31,7 @@ mod tests {
     #[test]
     fn a_shallow_fold_holds_the_inverse_of_the_bessel_function_of_its_swing() {
         // J₀: Abramowitz and Stegun, table 9.1. While it is shallow, the swing is π/2 · sharpness.
-        for (swing, bessel) in [(0.0, 1.0), (0.1, 0.997_501_6), (0.2, 0.990_024_97)] {
+        for (swing, bessel) in [(0.0, 1.0), (0.1, 0.997_501_6), (0.2, 0.990_025)] {
             let share = filled(swing / std::f32::consts::FRAC_PI_2, 100) / 100.0;
             assert!((share - bessel).abs() < 1e-3, "swing {swing}: {share}");
         }
