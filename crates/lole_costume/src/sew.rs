@@ -415,11 +415,12 @@ mod tests {
 
     use super::*;
 
-    fn sewn(settings: &SewSettings) -> (Dancer, Result<SewnSkirt, SewError>) {
-        let dancer = Dancer::new(&Measurements::woman()).unwrap();
-        let stance = dancer.skeleton.world_from_bind(&lole_body::Pose::default());
-        let skirt = sewn_in(&dancer, &stance, settings);
-        (dancer, skirt)
+    static DANCER: std::sync::LazyLock<Dancer> =
+        std::sync::LazyLock::new(|| Dancer::new(&Measurements::woman()).unwrap());
+
+    fn sewn(settings: &SewSettings) -> (&'static Dancer, Result<SewnSkirt, SewError>) {
+        let stance = DANCER.skeleton.world_from_bind(&lole_body::Pose::default());
+        (&DANCER, sewn_in(&DANCER, &stance, settings))
     }
 
     fn sewn_in(
@@ -465,11 +466,11 @@ mod tests {
 
     #[test]
     fn the_drape_starts_outside_the_body_in_any_stance() {
-        let (dancer, _) = sewn(&SewSettings::default());
+        let dancer = &*DANCER;
         let dance =
             lole_body::Dance::new(&dancer.skeleton, &lole_body::MotionSettings::default()).unwrap();
         let stance = dancer.skeleton.world_from_bind(&dance.pose_at(0.0));
-        let skirt = sewn_in(&dancer, &stance, &SewSettings::default()).unwrap();
+        let skirt = sewn_in(dancer, &stance, &SewSettings::default()).unwrap();
         let start = skirt.start_positions(&stance);
         let capsules = dancer.posed_capsules(&stance);
         let depth = lole_cloth::diagnose::worst_capsule_penetration(&skirt.spec, &start, &capsules);
