@@ -22,7 +22,7 @@ use crate::figures::{self, RunFigures, Timing};
 use crate::language::Language;
 use crate::output::OutputFolder;
 use crate::stopwatch::Stopwatch;
-use crate::studio::{FilmCamera, STILLS, Studio, still_camera};
+use crate::studio::{FilmCamera, STILLS, Studio, still_cameras};
 use crate::{Failure, summary};
 
 /// Pictures of the film per second.
@@ -165,7 +165,6 @@ struct Shoot {
     renderer: Renderer,
     film: Mp4Writer,
     size: Size,
-    backend: Backend,
     stills: Vec<lole_render::Image>,
 }
 
@@ -214,7 +213,6 @@ impl Run<'_> {
             renderer: Renderer::new(backend, size)?,
             film: Mp4Writer::new([width, height], FILM_RATE, VideoSettings::default())?,
             size,
-            backend,
             stills: Vec::new(),
         })
     }
@@ -409,15 +407,15 @@ impl Shoot {
 
     fn take_stills(&mut self, performance: &mut Performance) -> Result<()> {
         performance.pose_body();
-        let mut renderer = Renderer::new(self.backend, STILL_SIZE)?;
-        for still in &STILLS {
-            let camera = still_camera(performance, still.view, STILL_SIZE);
+        self.renderer.resize(STILL_SIZE)?;
+        for camera in still_cameras(performance, STILL_SIZE) {
             let lights = LightRig::seen_from(&camera);
             let image = self
                 .studio
-                .shoot(performance, camera, lights, &mut renderer)?;
+                .shoot(performance, camera, lights, &mut self.renderer)?;
             self.stills.push(image);
         }
+        self.renderer.resize(self.size)?;
         Ok(())
     }
 }

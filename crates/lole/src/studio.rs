@@ -7,6 +7,7 @@ use glam::Vec3;
 use lole_body::{BodyPicture, Bone, PartKind, appearance};
 use lole_costume::print::{self, PrintImage};
 use lole_geom::trig;
+use lole_render::srgb::linear_from_srgb;
 use lole_render::{
     Bounds, Camera, Image, LightRig, Material, Renderer, Scene, SceneMesh, Size, Texture, View,
 };
@@ -168,39 +169,25 @@ fn part_material(kind: PartKind, paint: &Paint) -> Material {
     }
 }
 
-/// Linear light of an sRGB-encoded color (IEC 61966-2-1).
+/// Linear light of an sRGB-encoded color.
 pub(crate) fn linear(srgb: [u8; 3]) -> [f32; 3] {
-    srgb.map(|byte| {
-        let value = f32::from(byte) / 255.0;
-        if value <= 0.040_45 {
-            value / 12.92
-        } else {
-            trig::powf((value + 0.055) / 1.055, 2.4)
-        }
-    })
+    srgb.map(|byte| linear_from_srgb(f32::from(byte) / 255.0))
 }
 
-/// The camera of a still: the whole dancer with her skirt.
-pub(crate) fn still_camera(performance: &Performance, view: View, size: Size) -> Camera {
-    Camera::framing(bounds_now(performance), view, size.aspect())
-}
-
-fn bounds_now(performance: &Performance) -> Bounds {
-    let body = Bounds::of(performance.body_positions());
-    let cloth = Bounds::of(performance.cloth_positions());
-    let around = match (body, cloth) {
-        (Some(body), Some(cloth)) => body.union(cloth),
-        (Some(one), None) | (None, Some(one)) => one,
-        (None, None) => Bounds {
-            min: Vec3::ZERO,
-            max: Vec3::ONE,
-        },
-    };
-    // The floor in front of the feet belongs to the picture.
-    Bounds {
-        min: around.min.min(Vec3::new(around.min.x, 0.0, around.min.z)),
-        ..around
-    }
+/// The cameras of the stills, in their order: the whole dancer with her skirt, in all at the same
+/// scale, so that lengths can be compared from picture to picture.
+pub(crate) fn still_cameras(performance: &Performance, size: Size) -> Vec<Camera> {
+    let mut points = performance.body_positions().to_vec();
+    points.extend(performance.cloth_positions());
+    let cameras: Vec<Camera> = STILLS
+        .iter()
+        .map(|still| Camera::framing_points(&points, still.view, size.aspect()))
+        .collect();
+    let farthest = cameras.iter().map(Camera::distance).fold(0.0, f32::max);
+    cameras
+        .into_iter()
+        .map(|camera| camera.at_distance(farthest))
+        .collect()
 }
 
 /// The film's camera: it follows the hips softly, as a hand would, and drifts from the front to
@@ -208,7 +195,14 @@ fn bounds_now(performance: &Performance) -> Bounds {
 pub(crate) struct FilmCamera {
     center: Vec3,
     velocity: Vec3,
+    /// What the dance reaches up to [m].
+    top: f32,
 }
+
+/// Free air above the crown or the highest finger's root [m].
+const HEADROOM: f32 = 0.12;
+/// Moments of a dance at which its reach is looked at.
+const REACH_MOMENTS: u16 = 48;
 
 /// How quickly the camera follows [1/s]: it lags by half a second.
 const FOLLOW_RATE: f32 = 2.0;
@@ -222,6 +216,7 @@ impl FilmCamera {
         Self {
             center: hips(performance),
             velocity: Vec3::ZERO,
+            top: top_of_dance(performance),
         }
     }
 
@@ -234,8 +229,8 @@ impl FilmCamera {
         let reach = 0.56 * stature;
         let middle = Vec3::new(self.center.x, 0.0, self.center.z);
         let bounds = Bounds {
-            min: middle + Vec3::new(-reach, 0.0, -0.35),
-            max: middle + Vec3::new(reach, 1.06 * stature, 0.35),
+            min: middle + Vec3::new(-reach, 0.0, -0.20),
+            max: middle + Vec3::new(reach, self.top, 0.20),
         };
         let phase = std::f32::consts::TAU * performance.time() / DRIFT_PERIOD;
         Camera::framing(
@@ -244,6 +239,29 @@ impl FilmCamera {
             size.aspect(),
         )
     }
+}
+
+/// Highest joint of head and hands over one round of the dance, with headroom [m].
+fn top_of_dance(performance: &Performance) -> f32 {
+    let production = performance.production();
+    let (skeleton, dance) = (&production.dancer.skeleton, &production.dance);
+    let crown = production.dancer.landmarks.crown_height - skeleton.joint(Bone::Head).y;
+    let length = dance.lead_in() + dance.period();
+    let highest = (0..REACH_MOMENTS)
+        .flat_map(|moment| {
+            let time = length * f32::from(moment) / f32::from(REACH_MOMENTS);
+            let world = skeleton.world_from_bind(&dance.pose_at(time));
+            [
+                (Bone::Head, crown - 0.7 * HEADROOM),
+                (Bone::LeftMiddleProximal, 0.0),
+                (Bone::RightMiddleProximal, 0.0),
+            ]
+            .map(|(bone, above)| {
+                world[bone.index()].transform_point3(skeleton.joint(bone)).y + above
+            })
+        })
+        .fold(0.0, f32::max);
+    highest + HEADROOM
 }
 
 fn hips(performance: &Performance) -> Vec3 {

@@ -7,7 +7,7 @@ use lole_geom::trig;
 /// Nothing nearer than this is drawn [m].
 pub(crate) const NEAR: f32 = 0.02;
 /// Share of the picture's height or width left free on each side of a framed box.
-const MARGIN: f32 = 0.06;
+const MARGIN: f32 = 0.05;
 /// Opening of the framing views [rad]: a short portrait lens (24°), which does not distort a
 /// standing figure.
 const FRAMING_FOV: f32 = 0.42;
@@ -115,6 +115,13 @@ impl Camera {
     /// as fits, from `view` and slightly above.
     #[must_use]
     pub fn framing(bounds: Bounds, view: View, aspect: f32) -> Self {
+        Self::framing_points(&bounds.corners(), view, aspect)
+    }
+
+    /// The same for points: tighter around a figure than around its box. Where there are none, the
+    /// camera looks at the origin.
+    #[must_use]
+    pub fn framing_points(points: &[Vec3], view: View, aspect: f32) -> Self {
         let (sin_azimuth, cos_azimuth) = trig::sin_cos(view.azimuth());
         let (sin_pitch, cos_pitch) = trig::sin_cos(FRAMING_PITCH);
         let backward = Vec3::new(sin_azimuth * cos_pitch, sin_pitch, cos_azimuth * cos_pitch);
@@ -122,9 +129,9 @@ impl Camera {
         let up = backward.cross(right);
         let tan_up = trig::tan(FRAMING_FOV * 0.5) * (1.0 - 2.0 * MARGIN);
         let tan_right = tan_up * aspect.max(1.0e-3);
-        let center = bounds.center();
+        let center = Bounds::of(points).map_or(Vec3::ZERO, Bounds::center);
 
-        // The camera goes back until each of the four sides of the view clears each corner; the
+        // The camera goes back until each of the four sides of the view clears each point; the
         // sides are balanced by moving the target across the view.
         let mut offset = Vec2::ZERO;
         let mut distance = 0.1_f32;
@@ -132,18 +139,21 @@ impl Camera {
             distance = 0.1;
             let mut low = Vec2::INFINITY;
             let mut high = Vec2::NEG_INFINITY;
-            for corner in bounds.corners() {
-                let from_center = corner - center;
+            for &point in points {
+                let from_center = point - center;
                 let across = Vec2::new(from_center.dot(right), from_center.dot(up)) - offset;
                 let needed = across.abs() / Vec2::new(tan_right, tan_up);
                 distance = distance.max(from_center.dot(backward) + needed.max_element());
             }
-            for corner in bounds.corners() {
-                let from_center = corner - center;
+            for &point in points {
+                let from_center = point - center;
                 let depth = (distance - from_center.dot(backward)).max(NEAR);
                 let across = Vec2::new(from_center.dot(right), from_center.dot(up)) - offset;
                 low = low.min(across / depth);
                 high = high.max(across / depth);
+            }
+            if points.is_empty() {
+                break;
             }
             offset += (low + high) * 0.5 * distance;
         }
@@ -152,6 +162,23 @@ impl Camera {
             eye: target + backward * distance,
             target,
             vertical_fov: FRAMING_FOV,
+        }
+    }
+
+    /// How far it stands from its target [m]. Two framing views at the same distance show the same
+    /// figure at the same scale.
+    #[must_use]
+    pub fn distance(&self) -> f32 {
+        self.eye.distance(self.target)
+    }
+
+    /// The camera moved along its view to a distance [m] from its target.
+    #[must_use]
+    pub fn at_distance(self, distance: f32) -> Self {
+        let [_, _, backward] = self.axes();
+        Self {
+            eye: self.target + backward * distance,
+            ..self
         }
     }
 

@@ -6,4 +6,5 @@ mod device;
 mod draw;
 mod pipeline;
 
+pub(crate) use device::may_exist;
 pub(crate) use draw::GpuRenderer;

@@ -27,7 +27,7 @@ mod prepare;
 mod renderer;
 pub mod scene;
 mod shade;
-mod srgb;
+pub mod srgb;
 pub mod texture;
 mod whole;
 

@@ -1,7 +1,7 @@
 //! Chooses who draws, and draws.
 
 use crate::cpu::CpuRenderer;
-use crate::gpu::GpuRenderer;
+use crate::gpu::{self, GpuRenderer};
 use crate::{Image, RenderError, Scene, Size};
 
 /// Who draws.
@@ -40,6 +40,7 @@ impl Renderer {
         let gpu = match backend {
             Backend::Cpu => None,
             Backend::Gpu => Some(GpuRenderer::open(size)?),
+            Backend::Auto if !gpu::may_exist() => None,
             Backend::Auto => GpuRenderer::open(size)
                 .ok()
                 .filter(|gpu| !gpu.is_software()),
@@ -56,6 +57,21 @@ impl Renderer {
                 drawer: Drawer::Cpu(Box::new(CpuRenderer::new())),
             },
         })
+    }
+
+    /// Draws pictures of another size from now on, on the same adapter: looking for one again would
+    /// take longer than a picture.
+    ///
+    /// # Errors
+    /// [`RenderError::ImageSize`] for a size without pixels, [`RenderError::Gpu`] where the adapter
+    /// has no room for it; the size then stays as it was.
+    pub fn resize(&mut self, size: Size) -> Result<(), RenderError> {
+        size.check()?;
+        if let Drawer::Gpu(gpu) = &mut self.drawer {
+            gpu.resize(size)?;
+        }
+        self.size = size;
+        Ok(())
     }
 
     /// What draws, for people: `CPU rasterizer, 2 threads` or the adapter's name.

@@ -48,7 +48,9 @@ fn byte(value: f32) -> u8 {
     (value.clamp(0.0, 1.0) * 255.0).round() as u8
 }
 
-fn linear_from_srgb(value: f32) -> f32 {
+/// Linear light of an sRGB-encoded share, both 0 to 1 (IEC 61966-2-1).
+#[must_use]
+pub fn linear_from_srgb(value: f32) -> f32 {
     if value <= 0.040_45 {
         value / 12.92
     } else {

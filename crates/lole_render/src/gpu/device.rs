@@ -12,6 +12,16 @@ pub(super) struct Device {
     pub(super) is_software: bool,
 }
 
+/// Whether this machine can have a graphics adapter at all.
+///
+/// On Linux every driver of real hardware shows a device node. Where there is none, asking Vulkan
+/// finds a driver that computes on the CPU at best, takes longer, and Mesa's layers write
+/// complaints about a missing display to the terminal.
+pub(crate) fn may_exist() -> bool {
+    const NODES: [&str; 4] = ["/dev/dri", "/dev/nvidia0", "/dev/dxg", "/dev/kgsl-3d0"];
+    !cfg!(target_os = "linux") || NODES.iter().any(|node| std::path::Path::new(node).exists())
+}
+
 impl Device {
     /// Opens the adapter that the system prefers; `WGPU_BACKEND` and `WGPU_ADAPTER_NAME` choose.
     ///

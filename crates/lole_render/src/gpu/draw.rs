@@ -45,12 +45,7 @@ impl GpuRenderer {
     /// [`RenderError::NoAdapter`] where there is none, [`RenderError::Gpu`] where it refuses.
     pub(crate) fn open(size: Size) -> Result<Self, RenderError> {
         let gpu = Device::open()?;
-        let longest = gpu.device.limits().max_texture_dimension_2d;
-        if size.width.max(size.height) > longest {
-            return Err(RenderError::NoAdapter {
-                reason: format!("{} draws at most {longest} pixels", gpu.description),
-            });
-        }
+        check_side(&gpu, size)?;
         let scope = gpu.device.push_error_scope(wgpu::ErrorFilter::Validation);
         let pipelines = Pipelines::new(&gpu.device);
         let targets = Targets::new(&gpu.device, size);
@@ -73,6 +68,19 @@ impl GpuRenderer {
             blank,
             uploaded: Vec::new(),
         })
+    }
+
+    /// Draws pictures of `size` from now on.
+    ///
+    /// # Errors
+    /// Where the adapter has no room for it; the size then stays as it was.
+    pub(crate) fn resize(&mut self, size: Size) -> Result<(), RenderError> {
+        check_side(&self.gpu, size)?;
+        let scope = (self.gpu.device).push_error_scope(wgpu::ErrorFilter::Validation);
+        let targets = Targets::new(&self.gpu.device, size);
+        checked(scope, "resizing")?;
+        self.targets = targets;
+        Ok(())
     }
 
     /// The adapter's name.
@@ -471,6 +479,17 @@ const fn view_entry(binding: u32, view: &wgpu::TextureView) -> wgpu::BindGroupEn
         binding,
         resource: wgpu::BindingResource::TextureView(view),
     }
+}
+
+/// Refuses pictures that the adapter cannot hold.
+fn check_side(gpu: &Device, size: Size) -> Result<(), RenderError> {
+    let longest = gpu.device.limits().max_texture_dimension_2d;
+    if size.width.max(size.height) > longest {
+        return Err(RenderError::NoAdapter {
+            reason: format!("{} draws at most {longest} pixels", gpu.description),
+        });
+    }
+    Ok(())
 }
 
 /// What the adapter complained about since `scope` was opened.
