@@ -37,7 +37,7 @@ pub(crate) fn half_weights(shape: &Shape) -> Vec<Row> {
 fn ease_armpit(rows: &mut [Row], positions: &[Vec3], joints: &Joints<'_>) {
     const REACH: f32 = 0.13;
     const SPREAD: f32 = 0.034;
-    const PASSES: usize = 3;
+    const PASSES: usize = 2;
     let k = joints.k;
     let center = Vec3::new(
         joints.body.level("armpit_x"),
