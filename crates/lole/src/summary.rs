@@ -30,8 +30,11 @@ pub(crate) fn print_run(report: &RunReport, paths: &[PathBuf], seconds: f64, lan
         println!("  {:<44} {}", path.display(), open_hint(path, language));
     }
     println!();
+    if report.frames == 0 {
+        return;
+    }
     println!(
-        "  {} {} {} · {} {} · {:.1} {} ({} {:.1} ms) · {} {:.1} ×",
+        "  {} {} {} · {} {} · {:.1} {} ({} {:.1} ms) · {} {:.2} ×",
         report.method,
         report.particles,
         pick("質点", "particles"),
