@@ -189,15 +189,18 @@ fn write_skinned(document: &mut Document, mesh: &SkinnedMesh<'_>) {
         .parts
         .iter()
         .any(|part| part.material.texture_png.is_some());
-    if textured && !mesh.uvs.is_empty() {
-        attributes.insert("TEXCOORD_0".into(), json!(buffer.uvs(mesh.uvs)));
-    }
+    let uvs = (textured && !mesh.uvs.is_empty()).then(|| buffer.uvs(mesh.uvs));
     attributes.insert("JOINTS_0".into(), json!(buffer.joints(&joints)));
     attributes.insert("WEIGHTS_0".into(), json!(buffer.weights(&weights)));
     let mut primitives = Vec::new();
     for part in mesh.parts.iter().filter(|part| !part.triangles.is_empty()) {
         let indices = document.buffer.triangles(part.triangles);
         let material = write_material(document, &part.material);
+        let mut attributes = attributes.clone();
+        // A part without a picture has no use for the coordinates that the others share.
+        if let (Some(uvs), Some(_)) = (uvs, part.material.texture_png) {
+            attributes.insert("TEXCOORD_0".into(), json!(uvs));
+        }
         primitives.push(json!({
             "attributes": attributes, "indices": indices, "material": material,
         }));
