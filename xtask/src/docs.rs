@@ -40,6 +40,7 @@ const UNITS: &[&str] = &[
     "pixel²",
     "px",
     "texel",
+    "texel²",
     "fps",
 ];
 
