@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+use lole_language::Sentence;
+
 /// Hula costume CAD with live cloth.
 #[derive(Debug, Parser)]
 #[command(name = "lole", version, about, arg_required_else_help = true)]
@@ -17,10 +19,8 @@ pub(crate) struct Cli {
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     /// Drape and dance a design; write film, stills, 3D file and report.
-    /// デザインを着せて踊らせ、動画・写真・3Dファイル・レポートを書き出します。
     Dance(DanceArgs),
     /// Frame time by scene on this machine, with strain and penetration.
-    /// この機械での1コマの計算時間を場面ごとに測ります。
     Bench(BenchArgs),
 }
 
@@ -33,13 +33,13 @@ pub(crate) struct DanceArgs {
     #[arg(long, value_name = "DIR", default_value = "lole-dance")]
     pub(crate) out: PathBuf,
     /// Length of the dance [s], 0.5 to 600; otherwise the design's, 12 without one.
-    #[arg(long, value_parser = seconds)]
+    #[arg(long, value_parser = seconds, allow_negative_numbers = true)]
     pub(crate) seconds: Option<f64>,
     /// Dance step: kao, kaholo, ami or uwehe; otherwise the design's.
     #[arg(long)]
     pub(crate) step: Option<String>,
     /// Tempo in counts per minute; otherwise the design's.
-    #[arg(long, value_name = "COUNTS")]
+    #[arg(long, value_name = "COUNTS", value_parser = tempo, allow_negative_numbers = true)]
     pub(crate) bpm: Option<f64>,
     /// Method: xpbd (real time) or fb-euler (the reference, slow); otherwise the design's.
     #[arg(long)]
@@ -48,10 +48,10 @@ pub(crate) struct DanceArgs {
     #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1280x720", value_parser = size)]
     pub(crate) size: (u32, u32),
     /// Threads of the simulation; the result is the same on any number.
-    #[arg(long, value_parser = clap::value_parser!(u16).range(1..=256))]
+    #[arg(long, value_parser = threads, allow_negative_numbers = true)]
     pub(crate) threads: Option<u16>,
     /// Chance for how unevenly the gathers are pushed together; otherwise the design's.
-    #[arg(long)]
+    #[arg(long, value_parser = seed, allow_negative_numbers = true)]
     pub(crate) seed: Option<u64>,
     /// Draw with the processor even where there is a graphics device.
     #[arg(long)]
@@ -68,7 +68,7 @@ pub(crate) struct BenchArgs {
     #[arg(long)]
     pub(crate) scene: Option<String>,
     /// Threads of the simulation.
-    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=256))]
+    #[arg(long, default_value_t = 1, value_parser = threads, allow_negative_numbers = true)]
     pub(crate) threads: u16,
     /// Vector instructions: the widest of this processor, AVX2 at most, or what every one has. The
     /// state hash is the same with all of them.
@@ -90,15 +90,57 @@ pub(crate) enum Vectors {
     Baseline,
 }
 
-fn seconds(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(value) if (0.5..=600.0).contains(&value) => Ok(value),
-        _ => Err("give a number of seconds from 0.5 to 600, such as 12".to_owned()),
-    }
+fn seconds(text: &str) -> Result<f64, Sentence> {
+    let help = || {
+        Sentence::new(
+            "0.5 から 600 までの秒数を書いてください（例: 12）",
+            "give a number of seconds from 0.5 to 600, such as 12",
+        )
+    };
+    let value = text.parse::<f64>().map_err(|_| help())?;
+    (0.5..=600.0)
+        .contains(&value)
+        .then_some(value)
+        .ok_or_else(help)
 }
 
-fn size(text: &str) -> Result<(u32, u32), String> {
-    let help = || "give WIDTHxHEIGHT, both even and from 64 to 4096, such as 1280x720".to_owned();
+/// Any number: the design knows which tempos there are.
+fn tempo(text: &str) -> Result<f64, Sentence> {
+    text.parse().map_err(|_| {
+        Sentence::new(
+            "1分あたりの拍数を数で書いてください（例: 80）",
+            "give a number of counts per minute, such as 80",
+        )
+    })
+}
+
+fn threads(text: &str) -> Result<u16, Sentence> {
+    let help = || {
+        Sentence::new(
+            "1 から 256 までの整数を書いてください",
+            "give a whole number from 1 to 256",
+        )
+    };
+    let value = text.parse().map_err(|_| help())?;
+    (1..=256).contains(&value).then_some(value).ok_or_else(help)
+}
+
+fn seed(text: &str) -> Result<u64, Sentence> {
+    text.parse().map_err(|_| {
+        Sentence::new(
+            "0 以上の整数を書いてください（例: 1）",
+            "give a whole number from 0 upward, such as 1",
+        )
+    })
+}
+
+fn size(text: &str) -> Result<(u32, u32), Sentence> {
+    let help = || {
+        Sentence::new(
+            "幅x高さ を 64 から 4096 までの偶数で書いてください（例: 1280x720）",
+            "give WIDTHxHEIGHT, both even and from 64 to 4096, such as 1280x720",
+        )
+    };
     let (width, height) = text.split_once(['x', 'X', '×']).ok_or_else(help)?;
     let (width, height): (u32, u32) = (
         width.parse().map_err(|_| help())?,

@@ -3,11 +3,11 @@
 use lole_cloth::diagnose::{self, StrainSummary};
 use lole_cloth::scenes::{FRAME_DT, SCENES, Scene};
 use lole_cloth::{ClothModel, ClothState, InstructionSet, StepInput, state_hash, step};
+use lole_language::{Language, words};
 use serde::Serialize;
 
 use crate::args::{BenchArgs, Vectors};
 use crate::figures::median_and_p99;
-use crate::language::Language;
 use crate::stopwatch::Stopwatch;
 use crate::{Failure, summary};
 
@@ -64,7 +64,9 @@ pub(crate) fn run(args: &BenchArgs, language: Language) -> Result<(), Failure> {
             SCENES
                 .iter()
                 .find(|scene| scene.name == name)
-                .ok_or_else(|| crate::dance::unknown("--scene", name, "scene", &names))?,
+                .ok_or_else(|| {
+                    crate::dance::unknown("--scene", name, words("場面", "scene"), &names)
+                })?,
         ],
         None => SCENES.iter().collect(),
     };

@@ -11,6 +11,7 @@ use lole_costume::document::{self, Design, MethodName, Place};
 use lole_export::report::ReportFile;
 use lole_export::video::{Mp4Writer, VideoSettings};
 use lole_export::{Image, still};
+use lole_language::{Language, Sentence, Words, words};
 use lole_render::{Backend, LightRig, Renderer, Size};
 use lole_stage::{
     Divergence, FRAME_SECONDS, FRAMES_PER_SECOND, FrameMetrics, Performance, Production, StageError,
@@ -19,7 +20,6 @@ use lole_stage::{
 use crate::args::DanceArgs;
 use crate::baked::{self, Keys};
 use crate::figures::{self, RunFigures, Timing};
-use crate::language::Language;
 use crate::output::OutputFolder;
 use crate::stopwatch::Stopwatch;
 use crate::studio::{FilmCamera, STILLS, Studio, still_cameras};
@@ -53,7 +53,7 @@ pub(crate) fn run(args: &DanceArgs, language: Language) -> Result<(), Failure> {
     let Source { name, text, design } = load(args)?;
     let production = Production::new(&design).map_err(|error| {
         let place = place_of(&error);
-        let sentence = document::locate(&text, &name, place, error.to_string());
+        let sentence = document::locate(&text, &name, place, Sentence::of(&error));
         Failure::Usage(sentence.into())
     })?;
     let stop = stop_flag().map_err(Failure::Run)?;
@@ -110,13 +110,13 @@ fn load(args: &DanceArgs) -> Result<Source, Failure> {
     };
     if let Some(step) = &args.step {
         let ids = DanceStep::ALL.map(DanceStep::id);
-        design.motion.step =
-            DanceStep::from_id(step).ok_or_else(|| unknown("--step", step, "dance step", &ids))?;
+        design.motion.step = DanceStep::from_id(step)
+            .ok_or_else(|| unknown("--step", step, words("ステップ", "dance step"), &ids))?;
     }
     if let Some(method) = &args.method {
         let ids = MethodName::ALL.map(MethodName::id);
         design.method.name = MethodName::from_id(method)
-            .ok_or_else(|| unknown("--method", method, "method", &ids))?;
+            .ok_or_else(|| unknown("--method", method, words("方法", "method"), &ids))?;
     }
     design.motion.tempo_bpm = args.bpm.unwrap_or(design.motion.tempo_bpm);
     design.motion.duration_s = args.seconds.unwrap_or(design.motion.duration_s);
@@ -127,12 +127,25 @@ fn load(args: &DanceArgs) -> Result<Source, Failure> {
     Ok(Source { name, text, design })
 }
 
-pub(crate) fn unknown(option: &str, word: &str, what: &str, choices: &[&str]) -> Failure {
+pub(crate) fn unknown(option: &str, word: &str, what: Words, choices: &[&str]) -> Failure {
+    let list = choices.join(", ");
     let hint = match document::likely(word, choices) {
-        Some(near) => format!("did you mean {near}?"),
-        None => format!("choose one of {}", choices.join(", ")),
+        Some(near) => Sentence::new(
+            format!("{near} のことですか"),
+            format!("did you mean {near}?"),
+        ),
+        None => Sentence::new(
+            format!("{list} から選んでください"),
+            format!("choose one of {list}"),
+        ),
     };
-    Failure::usage(&format!("{option} {word}: there is no such {what}; {hint}"))
+    Failure::usage(Sentence::new(
+        format!(
+            "{option} {word}: このような{}はありません。{}",
+            what.japanese, hint.japanese
+        ),
+        format!("{option} {word}: there is no such {}; {hint}", what.english),
+    ))
 }
 
 /// A design larger than this [byte] is some other file; it is not even read.
@@ -140,12 +153,22 @@ const LARGEST_FILE: u64 = 16 << 20;
 
 fn read(path: &Path) -> Result<Vec<u8>> {
     let name = path.display();
-    let unreadable = || format!("{name}: the file cannot be read; check the path");
+    let unreadable = || {
+        Sentence::new(
+            format!("{name}: ファイルが読めません。場所と名前を確かめてください"),
+            format!("{name}: the file cannot be read; check the path"),
+        )
+    };
     let size = std::fs::metadata(path).with_context(unreadable)?.len();
+    let megabytes = size >> 20;
     anyhow::ensure!(
         size <= LARGEST_FILE,
-        "{name}: the file has {} MB and is no design; give a .lole file",
-        size >> 20
+        Sentence::new(
+            format!(
+                "{name}: {megabytes} MB もあり、デザインではありません。.lole のファイルを指定してください"
+            ),
+            format!("{name}: the file has {megabytes} MB and is no design; give a .lole file"),
+        )
     );
     std::fs::read(path).with_context(unreadable)
 }
@@ -154,8 +177,10 @@ fn read(path: &Path) -> Result<Vec<u8>> {
 fn stop_flag() -> Result<Arc<AtomicBool>> {
     let flag = Arc::new(AtomicBool::new(false));
     let set = Arc::clone(&flag);
-    ctrlc::set_handler(move || set.store(true, Ordering::Relaxed))
-        .context("the system lets no program listen to Ctrl-C")?;
+    ctrlc::set_handler(move || set.store(true, Ordering::Relaxed)).context(Sentence::new(
+        "このシステムでは Ctrl-C を受け取れません",
+        "the system lets no program listen to Ctrl-C",
+    ))?;
     Ok(flag)
 }
 
@@ -382,9 +407,12 @@ impl Run<'_> {
             let seconds = started.read().wall_seconds;
             summary::print_run(&report, &paths, seconds, self.language);
         }
-        report
-            .divergence
-            .map_or(Ok(()), |found| Err(Failure::Diverged(found.sentence)))
+        report.divergence.map_or(Ok(()), |found| {
+            Err(Failure::Diverged(Sentence::new(
+                found.sentence_ja,
+                found.sentence,
+            )))
+        })
     }
 }
 

@@ -3,8 +3,9 @@
 use lole_costume::document::Design;
 use lole_export::report::{
     Divergence as ReportDivergence, MeanPercentileMax, MedianPercentile, MinMeanMax, PageMedia,
-    ReportFile, RunReport, RunSeries, SkirtFacts, Still as PageStill, Worst, report_html,
+    Remark, ReportFile, RunReport, RunSeries, SkirtFacts, Still as PageStill, Worst, report_html,
 };
+use lole_language::{Bilingual, words};
 use lole_stage::{Divergence, FRAMES_PER_SECOND, FrameMetrics, Performance, RunMetrics};
 
 use crate::studio::STILLS;
@@ -87,22 +88,30 @@ pub(crate) fn report(performance: &Performance, run: RunFigures<'_>) -> RunRepor
 
 fn explain(found: &Divergence, columns: u32, design: &Design) -> ReportDivergence {
     let remedy = match design.method.name.id() {
-        "xpbd" => "raise [method] substep_count, or lower [motion] tempo_bpm",
-        _ => {
-            "raise [method] substep_count, or leave it out so that they are chosen by the stability bound"
-        }
+        "xpbd" => words(
+            "[method] substep_count を増やすか、[motion] tempo_bpm を下げてください",
+            "raise [method] substep_count, or lower [motion] tempo_bpm",
+        ),
+        _ => words(
+            "[method] substep_count を増やすか、書かずに安定の限界から選ばせてください",
+            "raise [method] substep_count, or leave it out so that they are chosen by the stability bound",
+        ),
     };
+    let Divergence { time, row, column } = found;
+    let particle = row * columns + column;
     let sentence = format!(
-        "the cloth diverged at {:.2} s at row {} column {} (particle {}); {remedy}",
-        found.time,
-        found.row,
-        found.column,
-        found.row * columns + found.column,
+        "the cloth diverged at {time:.2} s at row {row} column {column} (particle {particle}); {}",
+        remedy.english
+    );
+    let sentence_ja = format!(
+        "{time:.2} 秒に {row} 行 {column} 列（質点 {particle}）で布の計算が発散しました。{}",
+        remedy.japanese
     );
     ReportDivergence {
         time_s: f64::from(found.time),
-        particle: (found.row * columns + found.column) as usize,
+        particle: particle as usize,
         sentence,
+        sentence_ja,
     }
 }
 
@@ -124,6 +133,14 @@ fn skirt_facts(performance: &Performance) -> SkirtFacts {
             .map(|row| row.cut_length.to_cm())
             .collect(),
         hip_girth_cm: production.worn.hip_girth.to_cm(),
+        warnings: draft.warnings.iter().map(remark).collect(),
+    }
+}
+
+fn remark(said: &impl Bilingual) -> Remark {
+    Remark {
+        sentence: said.to_string(),
+        sentence_ja: said.japanese(),
     }
 }
 

@@ -5,18 +5,16 @@ mod baked;
 mod bench;
 mod dance;
 mod figures;
-mod language;
 mod output;
 mod stopwatch;
 mod studio;
 mod summary;
+mod usage;
 
 use std::process::ExitCode;
 
-use clap::Parser as _;
-
-use args::{Cli, Command};
-use language::Language;
+use args::Command;
+use lole_language::{Language, Sentence};
 
 /// Why a command did not do what was asked.
 pub(crate) enum Failure {
@@ -25,7 +23,7 @@ pub(crate) enum Failure {
     /// A failed run: exit code 1.
     Run(anyhow::Error),
     /// The cloth diverged; the report says so: exit code 1.
-    Diverged(String),
+    Diverged(Sentence),
     /// Ctrl-C: exit code 130, as shells expect.
     Interrupted,
 }
@@ -37,14 +35,18 @@ impl Failure {
     }
 
     /// Wrong usage, in one sentence.
-    pub(crate) fn usage(sentence: &str) -> Self {
-        Self::Usage(anyhow::anyhow!("{sentence}"))
+    pub(crate) fn usage(sentence: Sentence) -> Self {
+        Self::Usage(sentence.into())
     }
 }
 
 fn main() -> ExitCode {
-    let language = Language::of_system();
-    let result = match Cli::parse().command {
+    let language = Language::of_locale(sys_locale::get_locale().as_deref());
+    let cli = match usage::read(language) {
+        Ok(cli) => cli,
+        Err(exit_code) => return exit_code,
+    };
+    let result = match cli.command {
         Command::Dance(args) => dance::run(&args, language),
         Command::Bench(args) => bench::run(&args, language),
     };

@@ -5,6 +5,7 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context as _, Result};
+use lole_language::Sentence;
 
 /// Name of the folder for files that are not finished.
 const UNFINISHED: &str = ".lole-unfinished";
@@ -23,9 +24,12 @@ impl OutputFolder {
     pub(crate) fn create(folder: &Path) -> Result<Self> {
         let created = !folder.exists();
         let cannot = || {
-            format!(
-                "{}: the folder cannot be written; choose another with --out",
-                folder.display()
+            let folder = folder.display();
+            Sentence::new(
+                format!(
+                    "{folder}: このフォルダーには書けません。--out で別のフォルダーを選んでください"
+                ),
+                format!("{folder}: the folder cannot be written; choose another with --out"),
             )
         };
         fs::create_dir_all(folder).with_context(cannot)?;
@@ -46,9 +50,15 @@ impl OutputFolder {
     pub(crate) fn write(&mut self, name: &str, bytes: &[u8]) -> Result<()> {
         let path = self.unfinished.join(name);
         let cannot = || {
-            format!(
-                "{}: the file cannot be written; free space or choose another folder with --out",
-                self.folder.join(name).display()
+            let file = self.folder.join(name);
+            let file = file.display();
+            Sentence::new(
+                format!(
+                    "{file}: ファイルが書けません。空きを作るか、--out で別のフォルダーを選んでください"
+                ),
+                format!(
+                    "{file}: the file cannot be written; free space or choose another folder with --out"
+                ),
             )
         };
         let mut file = fs::File::create(&path).with_context(cannot)?;
@@ -66,9 +76,12 @@ impl OutputFolder {
         for name in names {
             let path = self.folder.join(&name);
             fs::rename(self.unfinished.join(&name), &path).with_context(|| {
-                format!(
-                    "{}: the file cannot be replaced; close the program that shows it",
-                    path.display()
+                let path = path.display();
+                Sentence::new(
+                    format!(
+                        "{path}: ファイルを置き換えられません。開いているプログラムを閉じてください"
+                    ),
+                    format!("{path}: the file cannot be replaced; close the program that shows it"),
                 )
             })?;
             paths.push(path);

@@ -8,11 +8,13 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use lole_export::report::RunReport;
+use lole_costume::document::DesignError;
+use lole_export::report::{Remark, RunReport};
+use lole_language::{Bilingual, Language, Sentence};
+use lole_stage::StageError;
 
 use crate::Failure;
 use crate::bench::BenchRow;
-use crate::language::Language;
 
 /// Exit code after Ctrl-C: 128 plus the signal's number, as shells have it.
 const INTERRUPTED: u8 = 130;
@@ -30,6 +32,9 @@ pub(crate) fn print_run(report: &RunReport, paths: &[PathBuf], seconds: f64, lan
         println!("  {:<44} {}", path.display(), open_hint(path, language));
     }
     println!();
+    for remark in &report.skirt.warnings {
+        println!("  ! {}", pick_remark(remark, language));
+    }
     if report.frames == 0 {
         return;
     }
@@ -58,6 +63,10 @@ pub(crate) fn print_run(report: &RunReport, paths: &[PathBuf], seconds: f64, lan
         report.renderer,
         seconds,
     );
+}
+
+fn pick_remark(remark: &Remark, language: Language) -> &str {
+    language.pick(&remark.sentence_ja, &remark.sentence)
 }
 
 /// Column heads of the bench table.
@@ -123,15 +132,15 @@ fn open_hint(path: &std::path::Path, language: Language) -> &'static str {
 pub(crate) fn explain(failure: &Failure, language: Language) -> ExitCode {
     match failure {
         Failure::Usage(error) => {
-            eprintln!("lole: {}", one_line(error));
+            eprintln!("lole: {}", one_line(error, language));
             ExitCode::from(2)
         }
         Failure::Run(error) => {
-            eprintln!("lole: {}", one_line(error));
+            eprintln!("lole: {}", one_line(error, language));
             ExitCode::from(1)
         }
         Failure::Diverged(sentence) => {
-            eprintln!("lole: {sentence}");
+            eprintln!("lole: {}", sentence.text(language));
             ExitCode::from(1)
         }
         Failure::Interrupted => {
@@ -147,22 +156,31 @@ pub(crate) fn explain(failure: &Failure, language: Language) -> ExitCode {
     }
 }
 
-/// The sentence and its cause, without line breaks.
-fn one_line(error: &anyhow::Error) -> String {
-    let mut text = String::new();
-    for cause in error.chain() {
+/// The sentence and its causes, without line breaks.
+fn one_line(error: &anyhow::Error, language: Language) -> String {
+    let mut text = said(error, language).replace(['\n', '\r'], " ");
+    for cause in error.chain().skip(1) {
         let sentence = cause.to_string().replace(['\n', '\r'], " ");
         if !text.contains(&sentence) {
-            if !text.is_empty() {
-                text.push_str(" (");
-                text.push_str(&sentence);
-                text.push(')');
-            } else {
-                text.push_str(&sentence);
-            }
+            text.push_str(" (");
+            text.push_str(&sentence);
+            text.push(')');
         }
     }
     text
+}
+
+/// What people read of an error: what is not ours is in the language it came in.
+fn said(error: &anyhow::Error, language: Language) -> String {
+    if let Some(sentence) = error.downcast_ref::<Sentence>() {
+        sentence.text(language)
+    } else if let Some(design) = error.downcast_ref::<DesignError>() {
+        design.text(language)
+    } else if let Some(stage) = error.downcast_ref::<StageError>() {
+        stage.text(language)
+    } else {
+        error.to_string()
+    }
 }
 
 #[cfg(test)]
@@ -171,7 +189,26 @@ mod tests {
 
     #[test]
     fn causes_follow_the_sentence_in_parentheses() {
-        let error = anyhow::anyhow!("no such\nfile").context("a.lole: cannot be read");
-        assert_eq!(one_line(&error), "a.lole: cannot be read (no such file)");
+        let sentence = Sentence::new("a.lole: 読めません", "a.lole: cannot be read");
+        let error = anyhow::anyhow!("no such\nfile").context(sentence);
+        for (language, expected) in [
+            (Language::English, "a.lole: cannot be read (no such file)"),
+            (Language::Japanese, "a.lole: 読めません (no such file)"),
+        ] {
+            assert_eq!(one_line(&error, language), expected);
+        }
+    }
+
+    #[test]
+    fn mistakes_in_a_design_are_explained_in_both_languages() {
+        let error =
+            lole_costume::document::parse("lole = 1\n[skirt]\nhem_hight_cm = 2\n", "a.lole")
+                .unwrap_err();
+        let error = anyhow::Error::from(error);
+        assert_eq!(
+            one_line(&error, Language::Japanese),
+            "a.lole:3: [skirt] hem_hight_cm: このような項目はありません。hem_height_cm のことですか"
+        );
+        assert!(one_line(&error, Language::English).ends_with("did you mean hem_height_cm?"));
     }
 }

@@ -1,17 +1,20 @@
 //! What can go wrong when a dancer is built.
 
+use lole_language::{Bilingual, Sentence, Words};
+
 /// Why no dancer could be built.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum BodyError {
     /// A measurement no dancer has.
     #[error(
-        "{name} is {value_cm:.1} cm, but a dancer's lies between {least_cm:.1} and {most_cm:.1} cm; \
-         measure again or correct the unit"
+        "{} is {value_cm:.1} cm, but a dancer's lies between {least_cm:.1} and {most_cm:.1} cm; \
+         measure again or correct the unit",
+        name.english
     )]
     OutOfBand {
         /// Name of the measurement.
-        name: &'static str,
+        name: Words,
         /// What was given [cm].
         value_cm: f64,
         /// Lower end of the band [cm].
@@ -20,12 +23,15 @@ pub enum BodyError {
         most_cm: f64,
     },
     /// The measurements do not go together: no closed body has them all.
-    #[error("the measurements do not make one body: {reason}; check {check} against the others")]
+    #[error(
+        "the measurements do not make one body: {reason}; check {} against the others",
+        check.english
+    )]
     Unbuildable {
         /// What failed.
-        reason: String,
+        reason: Sentence,
         /// The measurement to check first.
-        check: &'static str,
+        check: Words,
     },
     /// The built-in table of sections is damaged.
     #[error(
@@ -35,4 +41,28 @@ pub enum BodyError {
         /// What the reader said.
         reason: String,
     },
+}
+
+impl Bilingual for BodyError {
+    fn japanese(&self) -> String {
+        match self {
+            Self::OutOfBand {
+                name,
+                value_cm,
+                least_cm,
+                most_cm,
+            } => format!(
+                "{}が {value_cm:.1} cm ですが、{least_cm:.1}～{most_cm:.1} cm のはずです。\
+                 測り直すか、単位を確かめてください",
+                name.japanese
+            ),
+            Self::Unbuildable { reason, check } => format!(
+                "この採寸では一つの体になりません（{}）。{}をほかの寸法と比べて確かめてください",
+                reason.japanese, check.japanese
+            ),
+            Self::Sections { reason } => format!(
+                "体の断面の表が読めません（{reason}）。data/body_sections.json を元に戻してください"
+            ),
+        }
+    }
 }

@@ -5,6 +5,12 @@
 //! size 9AR) for the tape a costume maker takes.
 
 use lole_geom::{Length, trig64};
+use lole_language::{Words, words};
+
+/// Names that sentences use.
+pub(crate) const STATURE: Words = words("身長", "stature");
+/// See [`STATURE`].
+pub(crate) const HIP_GIRTH: Words = words("ヒップ", "hip girth");
 
 use crate::BodyError;
 
@@ -82,25 +88,40 @@ impl Measurements {
         let stature_cm = self.stature.to_cm();
         let hip_cm = self.hip_girth.to_cm();
         let bands = [
-            ("stature", self.stature, 130.0, 195.0),
-            ("waist girth", self.waist_girth, 50.0, 130.0),
-            ("hip girth", self.hip_girth, 70.0, 150.0),
-            ("bust girth", self.bust_girth, 60.0, 140.0),
+            (STATURE, self.stature, 130.0, 195.0),
             (
-                "inseam length",
+                words("ウエスト", "waist girth"),
+                self.waist_girth,
+                50.0,
+                130.0,
+            ),
+            (HIP_GIRTH, self.hip_girth, 70.0, 150.0),
+            (words("バスト", "bust girth"), self.bust_girth, 60.0, 140.0),
+            (
+                words("股下", "inseam length"),
                 self.inseam_length,
                 0.40 * stature_cm,
                 0.50 * stature_cm,
             ),
             (
-                "thigh girth",
+                words("太もも回り", "thigh girth"),
                 self.thigh_girth,
                 0.40 * hip_cm,
                 0.70 * hip_cm,
             ),
-            ("knee girth", self.knee_girth, 24.0, 60.0),
-            ("calf girth", self.calf_girth, 24.0, 60.0),
-            ("ankle girth", self.ankle_girth, 14.0, 36.0),
+            (words("ひざ回り", "knee girth"), self.knee_girth, 24.0, 60.0),
+            (
+                words("ふくらはぎ回り", "calf girth"),
+                self.calf_girth,
+                24.0,
+                60.0,
+            ),
+            (
+                words("足首回り", "ankle girth"),
+                self.ankle_girth,
+                14.0,
+                36.0,
+            ),
         ];
         for (name, value, least_cm, most_cm) in bands {
             let value_cm = value.to_cm();

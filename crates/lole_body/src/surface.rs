@@ -17,9 +17,10 @@ pub(crate) mod warp;
 use std::collections::BTreeMap;
 
 use glam::Vec3;
+use lole_language::Sentence;
 
 use crate::sections::{Sections, Tube, read_bodies};
-use crate::{BodyError, Measurements, PartKind};
+use crate::{BodyError, Measurements, PartKind, measurements};
 pub(crate) use field::Field;
 use fine::Fine;
 use half::{HalfMesh, Neighbors, is_on_plane};
@@ -118,8 +119,8 @@ fn closed_half(field: &Field) -> Result<HalfMesh, BodyError> {
         }
     }
     Err(BodyError::Unbuildable {
-        reason: "its limbs grow together".to_owned(),
-        check: "stature",
+        reason: Sentence::new("手足がつながってしまいます", "its limbs grow together"),
+        check: measurements::STATURE,
     })
 }
 
@@ -260,8 +261,8 @@ fn extent(mesh: &HalfMesh) -> Result<(f32, f32, f32), BodyError> {
         .fold(0.0, f32::max);
     if crotch - floor < 0.3 * (crown - floor) || !crotch.is_finite() {
         return Err(BodyError::Unbuildable {
-            reason: "its legs grow together".to_owned(),
-            check: "hip girth",
+            reason: Sentence::new("脚がつながってしまいます", "its legs grow together"),
+            check: measurements::HIP_GIRTH,
         });
     }
     Ok((floor, crotch, crown))

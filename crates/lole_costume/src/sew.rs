@@ -8,6 +8,7 @@ use glam::{Affine3A, Vec2, Vec3};
 use lole_body::{Dancer, TapePoint};
 use lole_cloth::{ClothSpec, Fabric, Grid, MassLaw, Topology};
 use lole_geom::trig;
+use lole_language::Bilingual;
 use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements};
 
 use ring::{Flare, Gathers, Ring};
@@ -75,6 +76,26 @@ pub enum SewError {
         /// Rows needed.
         least: u32,
     },
+}
+
+impl Bilingual for SewError {
+    fn japanese(&self) -> String {
+        match self {
+            Self::TooNarrow { flat_cm, ring_cm } => format!(
+                "スカートの布は一周 {flat_cm:.0} cm ですが、腰まわりは {ring_cm:.0} cm です。gather_ratio を大きくしてください"
+            ),
+            Self::NoSection { height_cm } => format!(
+                "ゴムが来る高さ {height_cm:.1} cm に胴がありません。ゴムの段を減らしてください"
+            ),
+            Self::TooFewRows {
+                row_count,
+                elastic_row_count,
+                least,
+            } => format!(
+                "ゴム {elastic_row_count} 段に対して {row_count} 行では足りません。{least} 行以上にしてください"
+            ),
+        }
+    }
 }
 
 /// A particle carried by the skin: its place in the bind pose and the bones that move it.

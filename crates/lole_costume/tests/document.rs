@@ -391,7 +391,8 @@ fn a_mistake_found_while_sewing_is_blamed_on_its_line() {
             "mine.lole:1: [dancer] hip_cm: too short; lower it",
         ),
     ] {
-        let sentence = "too short; lower it".to_owned();
+        let sentence =
+            lole_language::Sentence::new("短すぎます。下げてください", "too short; lower it");
         let error = locate(text, "mine.lole", Place { table, key }, sentence);
         assert_eq!(error.to_string(), expected);
     }

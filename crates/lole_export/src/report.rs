@@ -8,8 +8,8 @@ mod plot;
 mod text;
 
 pub use model::{
-    Divergence, MeanPercentileMax, MedianPercentile, MinMeanMax, ReportFile, RunReport, RunSeries,
-    SkirtFacts, Still, Worst,
+    Divergence, MeanPercentileMax, MedianPercentile, MinMeanMax, Remark, ReportFile, RunReport,
+    RunSeries, SkirtFacts, Still, Worst,
 };
 
 use crate::ExportError;

@@ -97,6 +97,7 @@ fn names_cannot_become_markup() {
         time_s: 1.0,
         particle: 3,
         sentence: attack.into(),
+        sentence_ja: attack.into(),
     });
     let stills = [Still {
         caption_en: attack,

@@ -1,5 +1,7 @@
 //! What can be wrong with a draft, said so that a costume maker can mend it.
 
+use lole_language::{Bilingual, Words};
+
 /// Why a draft cannot be made.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -25,10 +27,13 @@ pub enum DraftError {
         count: u32,
     },
     /// A length is not a finite number in the range that makes sense for it.
-    #[error("{what} is {cm} cm; give a length between {min_cm} cm and {max_cm} cm")]
+    #[error(
+        "{} is {cm} cm; give a length between {min_cm} cm and {max_cm} cm",
+        what.english
+    )]
     Length {
         /// Which length, as a tailor says it.
-        what: &'static str,
+        what: Words,
         /// The refused length [cm].
         cm: f64,
         /// Smallest accepted length [cm].
@@ -62,4 +67,45 @@ pub enum DraftError {
         /// Gather ratio that would just reach.
         ratio: f64,
     },
+}
+
+impl Bilingual for DraftError {
+    fn japanese(&self) -> String {
+        match self {
+            Self::GatherRatio { ratio } => format!(
+                "ギャザーの倍率 {ratio} は使えません。1（ギャザーなし）から 5 まで、ふつうは 3 から 5 です"
+            ),
+            Self::ElasticRatio { ratio } => format!(
+                "ゴムの割合 {ratio} は使えません。0.8（きつめ、重い布）から 0.9（軽い布）までにしてください"
+            ),
+            Self::ElasticRowCount { count } => {
+                format!("ゴム {count} 段は製図できません。1 から 6 段、ふつうは 3 から 5 段です")
+            }
+            Self::Length {
+                what,
+                cm,
+                min_cm,
+                max_cm,
+            } => format!(
+                "{}が {cm} cm です。{min_cm}～{max_cm} cm にしてください",
+                what.japanese
+            ),
+            Self::TooShort {
+                hem_cm,
+                finished_cm,
+                band_cm,
+            } => format!(
+                "裾を床上 {hem_cm:.1} cm にすると丈が {finished_cm:.1} cm しかなく、\
+                 ゴムの部分の {band_cm:.1} cm より長くなりません。裾を下げるか、高い位置ではいてください"
+            ),
+            Self::TooNarrow {
+                flat_cm,
+                worn_cm,
+                ratio,
+            } => format!(
+                "布の長さ {flat_cm:.1} cm では、はく位置の {worn_cm:.1} cm を回りません。\
+                 ギャザーの倍率を {ratio:.2} より大きくしてください"
+            ),
+        }
+    }
 }

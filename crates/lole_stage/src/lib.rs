@@ -11,6 +11,8 @@ mod solver;
 pub use metrics::{FrameMetrics, RunMetrics};
 pub use performance::{Divergence, FRAME_SECONDS, FRAMES_PER_SECOND, Performance, Production};
 
+use lole_language::Bilingual;
+
 /// Why a design cannot be performed.
 #[derive(Debug, thiserror::Error)]
 pub enum StageError {
@@ -29,4 +31,16 @@ pub enum StageError {
     /// The cloth cannot be built.
     #[error(transparent)]
     Build(#[from] lole_cloth::BuildError),
+}
+
+impl Bilingual for StageError {
+    fn japanese(&self) -> String {
+        match self {
+            Self::Body(error) => error.japanese(),
+            Self::Motion(error) => error.japanese(),
+            Self::Draft(error) => error.japanese(),
+            Self::Sew(error) => error.japanese(),
+            Self::Build(error) => format!("布を組み立てられません（{error}）"),
+        }
+    }
 }

@@ -11,18 +11,26 @@ use super::TextFile;
 /// Each crate with the workspace crates it may use. `lole_cloth`, `lole_body`, `lole_pattern` and
 /// `lole_render` never see each other.
 const TABLE: &[(&str, &[&str])] = &[
+    ("lole_language", &[]),
     ("lole_geom", &[]),
     ("lole_cloth", &["lole_geom"]),
-    ("lole_body", &["lole_geom"]),
-    ("lole_pattern", &["lole_geom"]),
+    ("lole_body", &["lole_language", "lole_geom"]),
+    ("lole_pattern", &["lole_language", "lole_geom"]),
     ("lole_render", &["lole_geom"]),
     (
         "lole_costume",
-        &["lole_geom", "lole_cloth", "lole_body", "lole_pattern"],
+        &[
+            "lole_language",
+            "lole_geom",
+            "lole_cloth",
+            "lole_body",
+            "lole_pattern",
+        ],
     ),
     (
         "lole_stage",
         &[
+            "lole_language",
             "lole_geom",
             "lole_cloth",
             "lole_body",
@@ -33,6 +41,7 @@ const TABLE: &[(&str, &[&str])] = &[
     (
         "lole_export",
         &[
+            "lole_language",
             "lole_geom",
             "lole_cloth",
             "lole_body",
@@ -44,6 +53,7 @@ const TABLE: &[(&str, &[&str])] = &[
     (
         "lole",
         &[
+            "lole_language",
             "lole_geom",
             "lole_cloth",
             "lole_body",

@@ -1,5 +1,6 @@
 //! What a dance can be asked for, with units, defaults and limits.
 
+use lole_language::Bilingual;
 use thiserror::Error;
 
 /// A basic step of hula.
@@ -178,6 +179,24 @@ pub enum MotionError {
         /// VRM name of the bone.
         bone: &'static str,
     },
+}
+
+impl Bilingual for MotionError {
+    fn japanese(&self) -> String {
+        match self {
+            Self::OutOfRange {
+                setting,
+                value,
+                lowest,
+                highest,
+            } => format!(
+                "踊りの {setting} が {value} です。{lowest} から {highest} までの数にしてください"
+            ),
+            Self::BoneWithoutLength { bone } => {
+                format!("骨格の {bone} の長さがありません。関節を別の位置に置いてください")
+            }
+        }
+    }
 }
 
 impl MotionSettings {

@@ -11,6 +11,8 @@ use lole_geom::trig;
 use super::half::is_on_plane;
 use super::pchip::Pchip;
 use super::section::{convex_hull, cut_points, perimeter};
+use lole_language::{Sentence, Words, words};
+
 use crate::sections::{Sections, Tube};
 use crate::{BodyError, Measurements};
 
@@ -32,6 +34,16 @@ pub(crate) fn smooth_step(x: f32) -> f32 {
 
 /// Tape levels in the order of [`Girths`].
 const TAPES: [&str; 7] = ["bust", "waist", "hip", "thigh", "knee", "calf", "ankle"];
+/// What sentences call them.
+const TAPE_WORDS: [Words; 7] = [
+    words("バスト", "bust girth"),
+    words("ウエスト", "waist girth"),
+    words("ヒップ", "hip girth"),
+    words("太もも回り", "thigh girth"),
+    words("ひざ回り", "knee girth"),
+    words("ふくらはぎ回り", "calf girth"),
+    words("足首回り", "ankle girth"),
+];
 const BUST: usize = 0;
 const WAIST: usize = 1;
 const HIP: usize = 2;
@@ -208,13 +220,13 @@ impl Girths {
                 return Ok(warped);
             }
         }
+        let (tape, off_cm) = (TAPE_WORDS[worst.0], worst.1 * 100.0);
         Err(BodyError::Unbuildable {
-            reason: format!(
-                "the {} girth stays {:.1} cm off",
-                TAPES[worst.0],
-                worst.1 * 100.0
+            reason: Sentence::new(
+                format!("{}が {off_cm:.1} cm 合いません", tape.japanese),
+                format!("the {} stays {off_cm:.1} cm off", tape.english),
             ),
-            check: TAPES[worst.0],
+            check: tape,
         })
     }
 

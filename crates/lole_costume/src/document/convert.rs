@@ -3,6 +3,7 @@
 use lole_body::{Measurements, MotionSettings, Tape};
 use lole_cloth::Fabric;
 use lole_geom::Length;
+use lole_language::{Bilingual, Sentence};
 use lole_pattern::design::pau_skirt::PauOptions;
 use lole_pattern::{DraftError, ElasticRatio, GatherRatio};
 
@@ -36,17 +37,15 @@ impl Design {
                 file_name: source.to_owned(),
                 line: None,
                 place: format!("[{table}]"),
-                problem: Box::new(problem),
+                problem,
             })
     }
 
     /// What only several values together can get wrong, with the table to look at.
-    pub(super) fn check_together(&self) -> Result<(), (&'static str, Problem)> {
-        let together = |sentence: String| Problem::Together { sentence };
-        Measurements::from_tape(&self.tape())
-            .map_err(|error| ("dancer", together(error.to_string())))?;
+    pub(super) fn check_together(&self) -> Result<(), (&'static str, Box<Problem>)> {
+        Measurements::from_tape(&self.tape()).map_err(|error| ("dancer", together(&error)))?;
         self.pau_options()
-            .map_err(|error| ("skirt", together(error.to_string())))?;
+            .map_err(|error| ("skirt", together(&error)))?;
         Ok(())
     }
 
@@ -96,6 +95,12 @@ impl Design {
             ..MotionSettings::default()
         }
     }
+}
+
+fn together(error: &impl Bilingual) -> Box<Problem> {
+    Box::new(Problem::Together {
+        sentence: Sentence::of(error),
+    })
 }
 
 impl FabricDesign {

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use lole_language::{Bilingual, Sentence, Words};
+
 use super::VERSION;
 
 /// Why a design cannot be used. Its text is one sentence, such as
@@ -75,22 +77,22 @@ pub enum Problem {
         found: u64,
     },
     /// No such key or table.
-    #[error("there is no such {what}; {remedy}")]
+    #[error("there is no such {}; {remedy}", what.english)]
     Unknown {
         /// "key" or "table".
-        what: &'static str,
+        what: Words,
         /// The nearest, or all there are.
-        remedy: String,
+        remedy: Sentence,
     },
     /// A value of another type.
-    #[error("{found} is {found_type}; write {wanted}")]
+    #[error("{found} is {}; write {wanted}", found_type.english)]
     WrongType {
         /// What stands there.
         found: String,
-        /// Its type with an article.
-        found_type: &'static str,
+        /// Its type, in English with an article.
+        found_type: Words,
         /// What should stand there.
-        wanted: String,
+        wanted: Sentence,
     },
     /// A number outside its range, or none at all.
     #[error("{found} is out of range; write {wanted}")]
@@ -98,15 +100,18 @@ pub enum Problem {
         /// What stands there.
         found: String,
         /// The range.
-        wanted: String,
+        wanted: Sentence,
     },
     /// A name that is not on its list.
-    #[error("{found} is not a {what}; did you mean \"{nearest}\"? (the choices are {choices})")]
+    #[error(
+        "{found} is not a {}; did you mean \"{nearest}\"? (the choices are {choices})",
+        what.english
+    )]
     UnknownName {
         /// What stands there.
         found: String,
         /// What it should name.
-        what: &'static str,
+        what: Words,
         /// The choice most like it.
         nearest: String,
         /// All choices.
@@ -116,6 +121,75 @@ pub enum Problem {
     #[error("{sentence}")]
     Together {
         /// Which and why, and what to do.
-        sentence: String,
+        sentence: Sentence,
     },
+}
+
+impl Bilingual for DesignError {
+    fn japanese(&self) -> String {
+        let mut text = self.file_name.clone();
+        if let Some(line) = self.line {
+            text.push_str(&format!(":{line}"));
+        }
+        if !self.place.is_empty() {
+            text.push_str(&format!(": {}", self.place));
+        }
+        format!("{text}: {}", self.problem.japanese())
+    }
+}
+
+impl Bilingual for Problem {
+    fn japanese(&self) -> String {
+        match self {
+            Self::NotUtf8 => {
+                "文字コードが UTF-8 ではありません。UTF-8 で保存し直してください".to_owned()
+            }
+            Self::TooLong { byte_count, limit } => format!(
+                "{byte_count} バイトあり、デザインの上限 {limit} バイトを超えています。ファイルが違っていませんか"
+            ),
+            Self::Syntax { message } => format!(
+                "TOML として読めません（{message}）。この行を直すか、正しいデザインと見比べてください"
+            ),
+            Self::VersionMissing => {
+                format!("バージョンがありません。最初の行に lole = {VERSION} と書いてください")
+            }
+            Self::VersionUnreadable { found } => {
+                format!("{found} はバージョンではありません。lole = {VERSION} と書いてください")
+            }
+            Self::VersionNewer { found } => format!(
+                "このデザインはバージョン {found} ですが、このプログラムが読めるのは {VERSION} までです。\
+                 新しい Lole で開いてください"
+            ),
+            Self::Unknown { what, remedy } => {
+                format!(
+                    "このような{}はありません。{}",
+                    what.japanese, remedy.japanese
+                )
+            }
+            Self::WrongType {
+                found,
+                found_type,
+                wanted,
+            } => format!(
+                "{found} は{}です。{}を書いてください",
+                found_type.japanese, wanted.japanese
+            ),
+            Self::OutOfRange { found, wanted } => {
+                format!(
+                    "{found} は範囲の外です。{}を書いてください",
+                    wanted.japanese
+                )
+            }
+            Self::UnknownName {
+                found,
+                what,
+                nearest,
+                choices,
+            } => format!(
+                "{found} という{}はありません。\"{nearest}\" のことですか（選べるのは {choices}）",
+                what.japanese
+            ),
+            Self::Together { sentence } => sentence.japanese(),
+        }
+    }
 }

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use lole_language::{Sentence, Words, words};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -69,7 +70,7 @@ pub fn parse(text: &str, file_name: &str) -> Result<Design, DesignError> {
             .iter()
             .find(|(name, _)| name.get_ref() == table);
         let start = header.map_or(0, |(name, _)| name.span().start);
-        reader.error(start, format!("[{table}]"), problem)
+        reader.error(start, format!("[{table}]"), *problem)
     })?;
     Ok(design)
 }
@@ -77,7 +78,7 @@ pub fn parse(text: &str, file_name: &str) -> Result<Design, DesignError> {
 /// Says of a text that was read before where a mistake lies that only sewing or dancing found:
 /// at the key, else at its table, else at the top.
 #[must_use]
-pub fn locate(text: &str, file_name: &str, place: Place<'_>, sentence: String) -> DesignError {
+pub fn locate(text: &str, file_name: &str, place: Place<'_>, sentence: Sentence) -> DesignError {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let document = DeTable::parse(text)
         .map(Spanned::into_inner)
@@ -165,14 +166,22 @@ impl Reader<'_> {
             .find(|table| table.name == name.get_ref())
         else {
             let names: Vec<_> = schema::TABLES.iter().map(|table| table.name).collect();
-            let problem = unknown("table", name.get_ref(), &names, "the tables are");
+            let problem = unknown(
+                words("表", "table"),
+                name.get_ref(),
+                &names,
+                words("使える表は ", "the tables are"),
+            );
             return Err(self.error(name.span().start, place, problem));
         };
         let Some(entries) = value.get_ref().as_table() else {
             let problem = Problem::WrongType {
                 found: self.found(value.span()),
-                found_type: type_with_article(value.get_ref()),
-                wanted: format!("a table that begins with [{}]", table.name),
+                found_type: type_name(value.get_ref()),
+                wanted: Sentence::new(
+                    format!("[{}] で始まる表", table.name),
+                    format!("a table that begins with [{}]", table.name),
+                ),
             };
             return Err(self.error(value.span().start, place, problem));
         };
@@ -191,7 +200,12 @@ impl Reader<'_> {
         let place = format!("[{}] {}", table.name, shortened(name.get_ref()));
         let Some(key) = table.keys.iter().find(|key| key.name == name.get_ref()) else {
             let names: Vec<_> = table.keys.iter().map(|key| key.name).collect();
-            let problem = unknown("key", name.get_ref(), &names, "the keys of this table are");
+            let problem = unknown(
+                words("項目", "key"),
+                name.get_ref(),
+                &names,
+                words("この表の項目は ", "the keys of this table are"),
+            );
             return Err(self.error(name.span().start, place, problem));
         };
         fill(key, value.get_ref(), &self.found(value.span()), design)
@@ -203,7 +217,7 @@ impl Reader<'_> {
 fn fill(key: &Key, value: &DeValue<'_>, found: &str, design: &mut Design) -> Result<(), Problem> {
     let wrong_type = || Problem::WrongType {
         found: found.to_owned(),
-        found_type: type_with_article(value),
+        found_type: type_name(value),
         wanted: key.kind.wanted(),
     };
     match &key.kind {
@@ -262,23 +276,29 @@ fn color(text: &str) -> Option<[u8; 3]> {
     Some([red, green, blue])
 }
 
-fn unknown(what: &'static str, name: &str, names: &[&str], list_lead: &str) -> Problem {
+fn unknown(what: Words, name: &str, names: &[&str], all: Words) -> Problem {
     let remedy = match likely(name, names) {
-        Some(choice) => format!("did you mean {choice}?"),
-        None => format!("{list_lead} {}", names.join(", ")),
+        Some(choice) => Sentence::new(
+            format!("{choice} のことですか"),
+            format!("did you mean {choice}?"),
+        ),
+        None => Sentence::new(
+            format!("{}{}です", all.japanese, names.join(", ")),
+            format!("{} {}", all.english, names.join(", ")),
+        ),
     };
     Problem::Unknown { what, remedy }
 }
 
-fn type_with_article(value: &DeValue<'_>) -> &'static str {
+const fn type_name(value: &DeValue<'_>) -> Words {
     match value {
-        DeValue::String(_) => "a text",
-        DeValue::Integer(_) => "a whole number",
-        DeValue::Float(_) => "a number with a point",
-        DeValue::Boolean(_) => "a true or false",
-        DeValue::Datetime(_) => "a date",
-        DeValue::Array(_) => "a list",
-        DeValue::Table(_) => "a table",
+        DeValue::String(_) => words("文字", "a text"),
+        DeValue::Integer(_) => words("整数", "a whole number"),
+        DeValue::Float(_) => words("小数", "a number with a point"),
+        DeValue::Boolean(_) => words("真偽値", "a true or false"),
+        DeValue::Datetime(_) => words("日付", "a date"),
+        DeValue::Array(_) => words("リスト", "a list"),
+        DeValue::Table(_) => words("表", "a table"),
     }
 }
 

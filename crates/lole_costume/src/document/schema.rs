@@ -5,6 +5,8 @@
 
 use lole_body::{AmiTurn, ArmStyle, DanceStep, HipLead, HipLift};
 
+use lole_language::{Sentence, Words, words};
+
 use super::{Design, MethodName, Problem, nearest};
 use crate::fabrics::{PRESETS, Preset};
 use crate::print::{PrintDesign, PrintMotif};
@@ -15,7 +17,7 @@ pub struct Table {
     /// Name between the brackets.
     pub name: &'static str,
     /// What it holds, in a few words, written as a comment above it.
-    pub about: &'static str,
+    pub about: Words,
     /// Its keys, in the order they are written.
     pub keys: &'static [Key],
 }
@@ -26,7 +28,7 @@ pub struct Key {
     /// Name, ending in its unit where it has one.
     pub name: &'static str,
     /// What it means, in a few words.
-    pub about: &'static str,
+    pub about: Words,
     /// What it takes and where it goes.
     pub kind: Kind,
 }
@@ -60,7 +62,7 @@ pub enum Kind {
     /// A name from a list.
     Name {
         /// What the list holds, as in "is not a dance step".
-        what: &'static str,
+        what: Words,
         /// The list.
         choices: fn() -> Vec<&'static str>,
         /// Reads the field.
@@ -81,10 +83,10 @@ pub enum Kind {
 const MAX_SEED: u64 = i64::MAX as u64;
 
 macro_rules! number {
-    ($name:literal, $min:literal..=$max:literal, $table:ident.$field:ident, $about:literal) => {
+    ($name:literal, $min:literal..=$max:literal, $table:ident.$field:ident, $japanese:literal, $about:literal) => {
         Key {
             name: $name,
-            about: $about,
+            about: words($japanese, $about),
             kind: Kind::Number {
                 min: $min,
                 max: $max,
@@ -96,10 +98,10 @@ macro_rules! number {
 }
 
 macro_rules! number_if_known {
-    ($name:literal, $min:literal..=$max:literal, $table:ident.$field:ident, $about:literal) => {
+    ($name:literal, $min:literal..=$max:literal, $table:ident.$field:ident, $japanese:literal, $about:literal) => {
         Key {
             name: $name,
-            about: $about,
+            about: words($japanese, $about),
             kind: Kind::Number {
                 min: $min,
                 max: $max,
@@ -111,10 +113,10 @@ macro_rules! number_if_known {
 }
 
 macro_rules! count {
-    ($name:literal, $min:literal..=$max:literal, $table:ident.$field:ident, $about:literal) => {
+    ($name:literal, $min:literal..=$max:literal, $table:ident.$field:ident, $japanese:literal, $about:literal) => {
         Key {
             name: $name,
-            about: $about,
+            about: words($japanese, $about),
             kind: Kind::Count {
                 min: $min,
                 max: $max,
@@ -128,10 +130,10 @@ macro_rules! count {
 }
 
 macro_rules! seed {
-    ($table:ident, $about:literal) => {
+    ($table:ident, $japanese:literal, $about:literal) => {
         Key {
             name: "seed",
-            about: $about,
+            about: words($japanese, $about),
             kind: Kind::Count {
                 min: 0,
                 max: MAX_SEED,
@@ -143,10 +145,10 @@ macro_rules! seed {
 }
 
 macro_rules! color {
-    ($name:literal, $field:ident, $about:literal) => {
+    ($name:literal, $field:ident, $japanese:literal, $about:literal) => {
         Key {
             name: $name,
-            about: $about,
+            about: words($japanese, $about),
             kind: Kind::Color {
                 get: |design| design.print.$field,
                 set: |design, value| design.print.$field = Some(value),
@@ -157,10 +159,10 @@ macro_rules! color {
 
 /// A choice among `(id, value)` pairs that this file names.
 macro_rules! choice {
-    ($name:literal, $what:literal, $list:ident, $table:ident.$field:ident, $about:literal) => {
+    ($name:literal, $what:expr, $list:ident, $table:ident.$field:ident, $japanese:literal, $about:literal) => {
         Key {
             name: $name,
-            about: $about,
+            about: words($japanese, $about),
             kind: Kind::Name {
                 what: $what,
                 choices: || $list.iter().map(|(id, _)| *id).collect(),
@@ -202,36 +204,44 @@ pub const TABLES: &[Table] = &[DANCER, SKIRT, FABRIC, PRINT, MOTION, WIND, METHO
 
 const DANCER: Table = Table {
     name: "dancer",
-    about: "the tape, in cm; leave out what was not measured",
+    about: words(
+        "採寸（cm）。測っていないものは書かない",
+        "the tape, in cm; leave out what was not measured",
+    ),
     keys: &[
         number_if_known!(
             "stature_cm",
             130.0..=195.0,
             dancer.stature_cm,
+            "頭のてっぺんから床まで",
             "crown to floor"
         ),
         number_if_known!(
             "bust_cm",
             60.0..=140.0,
             dancer.bust_cm,
+            "胸のいちばん太いところ",
             "fullest part of the bust"
         ),
         number_if_known!(
             "waist_cm",
             50.0..=130.0,
             dancer.waist_cm,
+            "胴のいちばん細いところ",
             "narrowest part of the trunk"
         ),
         number_if_known!(
             "hip_cm",
             70.0..=150.0,
             dancer.hip_cm,
+            "腰のいちばん太いところ",
             "fullest part of the hips"
         ),
         number_if_known!(
             "inseam_cm",
             52.0..=97.5,
             dancer.inseam_cm,
+            "股から床まで",
             "crotch to floor"
         ),
     ],
@@ -239,87 +249,105 @@ const DANCER: Table = Table {
 
 const SKIRT: Table = Table {
     name: "skirt",
-    about: "the pāʻū skirt",
+    about: words("パウスカート", "the pāʻū skirt"),
     keys: &[
         number!(
             "hem_height_cm",
             0.0..=100.0,
             skirt.hem_height_cm,
+            "床から裾まで",
             "hem above the floor"
         ),
         number_if_known!(
             "worn_height_cm",
             40.0..=130.0,
             skirt.worn_height_cm,
+            "床からいちばん下のゴムまで。書かなければ腰骨の前",
             "lowest elastic above the floor; left out: the front hip bones"
         ),
         number!(
             "gather_ratio",
             1.0..=5.0,
             skirt.gather_ratio,
+            "布の長さ÷ヒップ",
             "flat length over hip girth"
         ),
         count!(
             "elastic_row_count",
             1..=6,
             skirt.elastic_row_count,
+            "ゴムの段数",
             "rows of elastic"
         ),
         number!(
             "elastic_ratio",
             0.8..=0.9,
             skirt.elastic_ratio,
+            "縮んだゴムの長さ÷はく位置の胴回り",
             "relaxed elastic over the girth where it is worn"
         ),
         number!(
             "header_cm",
             0.0..=15.0,
             skirt.header_cm,
+            "いちばん上のゴムより上のフリル",
             "ruffle above the top elastic"
         ),
         number!(
             "casing_cm",
             0.5..=10.0,
             skirt.casing_cm,
+            "ゴム通しの幅",
             "height of one casing"
         ),
         number!(
             "casing_gap_cm",
             0.0..=15.0,
             skirt.casing_gap_cm,
+            "ゴム通しの間隔",
             "between two casings"
         ),
         number!(
             "hem_allowance_cm",
             0.0..=30.0,
             skirt.hem_allowance_cm,
+            "裾上げの分",
             "cloth for the hem"
         ),
         count!(
             "column_count",
             32..=4096,
             skirt.column_count,
+            "横まわりの質点の数",
             "particles around"
         ),
         count!(
             "row_count",
             8..=512,
             skirt.row_count,
+            "上から裾までの質点の数",
             "particles from top to hem"
         ),
-        seed!(skirt, "chance of the gathers"),
+        seed!(
+            skirt,
+            "ギャザーの寄り方（乱数の種）",
+            "chance of the gathers"
+        ),
     ],
 };
 
 const FABRIC: Table = Table {
     name: "fabric",
-    about: "a fabric from the shelf, and figures measured on the real cloth",
+    about: words(
+        "棚の布と、本物の布で測った値",
+        "a fabric from the shelf, and figures measured on the real cloth",
+    ),
     keys: &[
         Key {
             name: "preset",
-            about: "fabric from the shelf",
+            about: words("棚の布", "fabric from the shelf"),
             kind: Kind::Name {
-                what: "fabric",
+                what: words("布", "fabric"),
                 choices: || PRESETS.iter().map(|preset| preset.id).collect(),
                 get: |design| design.fabric.preset.id,
                 set: |design, name| {
@@ -333,66 +361,102 @@ const FABRIC: Table = Table {
             "width_cm",
             30.0..=400.0,
             fabric.width_cm,
+            "布の耳から耳まで",
             "selvage to selvage"
         ),
         number_if_known!(
             "areal_density_g_per_m2",
             10.0..=1000.0,
             fabric.areal_density_g_per_m2,
+            "布の重さ",
             "weight"
         ),
-        number_if_known!("thickness_mm", 0.02..=5.0, fabric.thickness_mm, "thickness"),
+        number_if_known!(
+            "thickness_mm",
+            0.02..=5.0,
+            fabric.thickness_mm,
+            "厚さ",
+            "thickness"
+        ),
         number_if_known!(
             "stretch_warp_n_per_m",
             1.0..=1e6,
             fabric.stretch_warp_n_per_m,
+            "横まわりの伸びにくさ",
             "around the skirt"
         ),
         number_if_known!(
             "stretch_weft_n_per_m",
             1.0..=1e6,
             fabric.stretch_weft_n_per_m,
+            "丈の方向の伸びにくさ",
             "down the skirt"
         ),
         number_if_known!(
             "shear_n_per_m",
             0.1..=1e6,
             fabric.shear_n_per_m,
+            "バイアスの伸びにくさ",
             "across the bias"
         ),
         number_if_known!(
             "bend_warp_un_m",
             0.01..=1e5,
             fabric.bend_warp_un_m,
+            "横まわりの曲げにくさ",
             "bending around"
         ),
         number_if_known!(
             "bend_weft_un_m",
             0.01..=1e5,
             fabric.bend_weft_un_m,
+            "丈の方向の曲げにくさ",
             "bending down"
         ),
-        number_if_known!("twist_un_m", 0.01..=1e5, fabric.twist_un_m, "twisting"),
+        number_if_known!(
+            "twist_un_m",
+            0.01..=1e5,
+            fabric.twist_un_m,
+            "ねじりにくさ",
+            "twisting"
+        ),
         number_if_known!(
             "friction_coefficient",
             0.0..=2.0,
             fabric.friction_coefficient,
+            "肌との摩擦",
             "on skin"
         ),
-        number_if_known!("drag_per_s", 0.0..=50.0, fabric.drag_per_s, "air drag"),
+        number_if_known!(
+            "drag_per_s",
+            0.0..=50.0,
+            fabric.drag_per_s,
+            "空気の抵抗",
+            "air drag"
+        ),
     ],
 };
 
 const PRINT: Table = Table {
     name: "print",
-    about: "what is printed on the cloth; colors as \"#rrggbb\"",
+    about: words(
+        "布の柄。色は \"#rrggbb\"",
+        "what is printed on the cloth; colors as \"#rrggbb\"",
+    ),
     keys: &[
-        choice!("motif", "motif", MOTIFS, print.motif, "what is drawn"),
+        choice!(
+            "motif",
+            words("柄", "motif"),
+            MOTIFS,
+            print.motif,
+            "描くもの",
+            "what is drawn"
+        ),
         Key {
             name: "colorway",
-            about: "ready set of colors",
+            about: words("色の組み合わせ", "ready set of colors"),
             kind: Kind::Name {
-                what: "colorway",
+                what: words("配色", "colorway"),
                 choices: || PrintDesign::COLORWAYS.to_vec(),
                 get: |design| design.print.colorway,
                 set: |design, name| {
@@ -403,29 +467,53 @@ const PRINT: Table = Table {
                 },
             },
         },
-        color!("ground", ground, "instead of the colorway's ground"),
-        color!("flower", flower, "instead of the colorway's flowers"),
-        color!("leaf", leaf, "instead of the colorway's leaves"),
-        color!("shadow", shadow, "instead of the colorway's second layer"),
+        color!(
+            "ground",
+            ground,
+            "地の色を変えるとき",
+            "instead of the colorway's ground"
+        ),
+        color!(
+            "flower",
+            flower,
+            "花の色を変えるとき",
+            "instead of the colorway's flowers"
+        ),
+        color!(
+            "leaf",
+            leaf,
+            "葉の色を変えるとき",
+            "instead of the colorway's leaves"
+        ),
+        color!(
+            "shadow",
+            shadow,
+            "奥の柄の色を変えるとき",
+            "instead of the colorway's second layer"
+        ),
         number!(
             "repeat_cm",
             5.0..=200.0,
             print.repeat_cm,
+            "柄のひと送り",
             "one repeat on the cloth"
         ),
-        seed!(print, "chance of the places"),
+        seed!(print, "柄の置き方（乱数の種）", "chance of the places"),
     ],
 };
 
 const MOTION: Table = Table {
     name: "motion",
-    about: "what is danced; hālau differ, and a kumu's rule comes first",
+    about: words(
+        "踊り。ハーラウごとに違い、クムの教えが先",
+        "what is danced; hālau differ, and a kumu's rule comes first",
+    ),
     keys: &[
         Key {
             name: "step",
-            about: "dance step",
+            about: words("ステップ", "dance step"),
             kind: Kind::Name {
-                what: "dance step",
+                what: words("ステップ", "dance step"),
                 choices: || DanceStep::ALL.iter().map(|step| step.id()).collect(),
                 get: |design| design.motion.step.id(),
                 set: |design, name| {
@@ -437,52 +525,60 @@ const MOTION: Table = Table {
             "tempo_bpm",
             30.0..=240.0,
             motion.tempo_bpm,
+            "1分間の拍数",
             "counts per minute"
         ),
         number!(
             "duration_s",
             0.5..=600.0,
             motion.duration_s,
+            "踊りの長さ",
             "length of the dance"
         ),
         number!(
             "sway_ratio",
             0.0..=1.6,
             motion.sway_ratio,
+            "腰の揺れの倍率",
             "factor on the sway of the hips"
         ),
         number!(
             "knee_deg",
             10.0..=65.0,
             motion.knee_deg,
+            "ひざの曲げ",
             "bend of the knees"
         ),
         choice!(
             "hip_lift",
-            "hip lift",
+            words("腰の上げ方", "hip lift"),
             HIP_LIFTS,
             motion.hip_lift,
+            "どちらの腰が上がるか",
             "which hip is higher"
         ),
         choice!(
             "hip_lead",
-            "hip lead",
+            words("腰の出し方", "hip lead"),
             HIP_LEADS,
             motion.hip_lead,
+            "拍で腰がどちらにあるか",
             "hips on the count"
         ),
         choice!(
             "arms",
-            "arm style",
+            words("腕の形", "arm style"),
             ARM_STYLES,
             motion.arms,
+            "腕の動き",
             "what the arms do"
         ),
         choice!(
             "ami_turn",
-            "turn of the ʻami",
+            words("アミの回り方", "turn of the ʻami"),
             AMI_TURNS,
             motion.ami_turn,
+            "回る向き",
             "way round"
         ),
     ],
@@ -490,24 +586,28 @@ const MOTION: Table = Table {
 
 const WIND: Table = Table {
     name: "wind",
-    about: "a turning wind, by its strongest breath",
+    about: words(
+        "回る風。いちばん強いときの速さ",
+        "a turning wind, by its strongest breath",
+    ),
     keys: &[number!(
         "speed_m_per_s",
         0.0..=20.0,
         wind.speed_m_per_s,
+        "0 なら無風",
         "0 is still air"
     )],
 };
 
 const METHOD: Table = Table {
     name: "method",
-    about: "how the cloth is computed",
+    about: words("布の計算のしかた", "how the cloth is computed"),
     keys: &[
         Key {
             name: "name",
-            about: "method",
+            about: words("方法", "method"),
             kind: Kind::Name {
-                what: "method",
+                what: words("方法", "method"),
                 choices: || MethodName::ALL.iter().map(|method| method.id()).collect(),
                 get: |design| design.method.name.id(),
                 set: |design, name| {
@@ -517,7 +617,10 @@ const METHOD: Table = Table {
         },
         Key {
             name: "substep_count",
-            about: "time slices of a picture; left out: the method's choice",
+            about: words(
+                "1コマを分ける数。書かなければ方法にまかせる",
+                "time slices of a picture; left out: the method's choice",
+            ),
             kind: Kind::Count {
                 min: 1,
                 max: 10_000,
@@ -531,14 +634,26 @@ const METHOD: Table = Table {
 impl Kind {
     /// What should be written, with its range: "a number from 0 to 100".
     #[must_use]
-    pub fn wanted(&self) -> String {
+    pub fn wanted(&self) -> Sentence {
         match self {
-            Self::Number { min, max, .. } => format!("a number from {min} to {max}"),
-            Self::Count { min, max, .. } => format!("a whole number from {min} to {max}"),
+            Self::Number { min, max, .. } => Sentence::new(
+                format!("{min} から {max} までの数"),
+                format!("a number from {min} to {max}"),
+            ),
+            Self::Count { min, max, .. } => Sentence::new(
+                format!("{min} から {max} までの整数"),
+                format!("a whole number from {min} to {max}"),
+            ),
             Self::Name { what, choices, .. } => {
-                format!("the name of a {what} in quotes: {}", choices().join(", "))
+                let choices = choices().join(", ");
+                Sentence::new(
+                    format!("{}の名前を引用符で囲んだもの（{choices}）", what.japanese),
+                    format!("the name of a {} in quotes: {choices}", what.english),
+                )
             }
-            Self::Color { .. } => "a color such as \"#9e1026\"".to_owned(),
+            Self::Color { .. } => {
+                Sentence::new("\"#9e1026\" のような色", "a color such as \"#9e1026\"")
+            }
         }
     }
 
@@ -579,7 +694,7 @@ impl Kind {
         }
         Err(Problem::UnknownName {
             found: format!("\"{}\"", shortened(name)),
-            what,
+            what: *what,
             nearest: nearest(name, &choices).unwrap_or_default().to_owned(),
             choices: choices.join(", "),
         })

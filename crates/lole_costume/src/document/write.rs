@@ -17,16 +17,21 @@ pub fn to_toml(design: &Design) -> String {
             .keys
             .iter()
             .filter_map(|key| {
+                let value = value_text(&key.kind, design)?;
                 Some(format!(
-                    "{} = {}\n",
-                    key.name,
-                    value_text(&key.kind, design)?
+                    "{} = {value}  # {}; {}\n",
+                    key.name, key.about.japanese, key.about.english
                 ))
             })
             .collect();
         if !lines.is_empty() {
             // Writing to a string cannot fail.
-            let _ignored = write!(text, "\n# {}\n[{}]\n", table.about, table.name);
+            let about = table.about;
+            let _ignored = write!(
+                text,
+                "\n# {}\n# {}\n[{}]\n",
+                about.japanese, about.english, table.name
+            );
             text.extend(lines);
         }
     }

@@ -95,7 +95,10 @@ fn alarm(report: &RunReport) -> String {
                         grouped(divergence.particle)
                     ),
                 ),
-                escape(&divergence.sentence),
+                both(
+                    &escape(&divergence.sentence),
+                    &escape(&divergence.sentence_ja),
+                ),
             )
         });
     format!(
@@ -211,6 +214,13 @@ fn skirt(report: &RunReport) -> String {
             } else {
                 ["", ""]
             },
+        ));
+    }
+    for remark in &skirt.warnings {
+        rows.push(row(
+            ["Worth a thought", "ご確認ください"],
+            "<i>!</i>".to_owned(),
+            [&escape(&remark.sentence), &escape(&remark.sentence_ja)],
         ));
     }
     section(

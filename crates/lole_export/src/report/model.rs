@@ -49,6 +49,8 @@ pub struct Divergence {
     pub particle: usize,
     /// One sentence: what happened and what to change.
     pub sentence: String,
+    /// The same in Japanese.
+    pub sentence_ja: String,
 }
 
 /// One file of the run.
@@ -60,6 +62,15 @@ pub struct ReportFile {
     pub bytes: u64,
     /// One English sentence: what it is and how to open it.
     pub what: String,
+}
+
+/// A sentence for the reader, in both languages.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
+pub struct Remark {
+    /// English
+    pub sentence: String,
+    /// 日本語
+    pub sentence_ja: String,
 }
 
 /// What a tailor wants to know of the skirt.
@@ -85,6 +96,8 @@ pub struct SkirtFacts {
     pub elastic_lengths_cm: Vec<f64>,
     /// Girth of the hip the skirt was drafted for [cm].
     pub hip_girth_cm: f64,
+    /// What is unusual about the draft and what to do about it.
+    pub warnings: Vec<Remark>,
 }
 
 /// Columns over the frames of the run; equally long, or empty where not measured.

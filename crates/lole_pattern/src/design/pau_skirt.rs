@@ -30,6 +30,7 @@
 //! American ones use 1 and ¾ inch. A kumu's own rule comes first: everything is an option.
 
 use lole_geom::Length;
+use lole_language::{Bilingual, Words, words};
 
 use crate::{DraftError, ElasticRatio, GatherRatio, Yardage};
 
@@ -210,6 +211,29 @@ pub enum PauWarning {
     },
 }
 
+impl Bilingual for PauWarning {
+    fn japanese(&self) -> String {
+        match self {
+            Self::TallerThanCloth {
+                cut_cm,
+                width_cm,
+                longest_cm,
+            } => format!(
+                "裁ち丈が {cut_cm:.1} cm で、布幅 {width_cm:.1} cm に収まりません。\
+                 丈を {longest_cm:.1} cm までにするか、ゴムの段を減らすか、幅の広い布にしてください"
+            ),
+            Self::ElasticStretch { stretch, limit } => format!(
+                "腰を通すのにゴムが {stretch:.2} 倍伸びる必要がありますが、コールゴムは {limit:.1} 倍までです。\
+                 長めに切ってください"
+            ),
+            Self::BulkyBand { per_cm } => format!(
+                "縮んだゴム 1 cm あたり布が {per_cm:.1} cm になります。腰まわりが厚くなるので、\
+                 気になるときはギャザーの倍率を下げてください"
+            ),
+        }
+    }
+}
+
 /// Stretch of flat braided ("kooru") elastic before it is overstrained; dressmaking references.
 const BRAIDED_ELASTIC_STRETCH: f64 = 1.8;
 
@@ -353,15 +377,20 @@ fn warnings(
 /// Girths from a small child to the largest tape, heights from a toddler's hips to a tall
 /// dancer's waist: beyond them a number was typed in the wrong unit.
 fn check_measurements(measurements: &PauMeasurements) -> Result<(), DraftError> {
-    check_length("the hip girth", measurements.hip_girth, 40.0, 200.0)?;
     check_length(
-        "the girth where the skirt is worn",
+        words("ヒップ", "the hip girth"),
+        measurements.hip_girth,
+        40.0,
+        200.0,
+    )?;
+    check_length(
+        words("はく位置の胴回り", "the girth where the skirt is worn"),
         measurements.worn_girth,
         35.0,
         200.0,
     )?;
     check_length(
-        "the height where the skirt is worn",
+        words("はく位置の高さ", "the height where the skirt is worn"),
         measurements.worn_height,
         30.0,
         140.0,
@@ -375,32 +404,57 @@ fn check_options(options: &PauOptions) -> Result<(), DraftError> {
         });
     }
     check_length(
-        "the hem's height above the floor",
+        words("床から裾までの高さ", "the hem's height above the floor"),
         options.hem_height,
         0.0,
         100.0,
     )?;
-    check_length("the header", options.header, 0.0, 15.0)?;
-    check_length("the casing", options.casing, 0.5, 10.0)?;
-    check_length("the gap between casings", options.gap, 0.0, 15.0)?;
-    check_length("the turned edge", options.turn_under, 0.0, 5.0)?;
-    check_length("the hem allowance", options.hem, 0.0, 30.0)?;
-    check_length("the seam allowance", options.seam_allowance, 0.0, 10.0)?;
+    check_length(words("上のフリル", "the header"), options.header, 0.0, 15.0)?;
     check_length(
-        "the overlap of the elastic",
+        words("ゴム通しの幅", "the casing"),
+        options.casing,
+        0.5,
+        10.0,
+    )?;
+    check_length(
+        words("ゴム通しの間隔", "the gap between casings"),
+        options.gap,
+        0.0,
+        15.0,
+    )?;
+    check_length(
+        words("折り代", "the turned edge"),
+        options.turn_under,
+        0.0,
+        5.0,
+    )?;
+    check_length(
+        words("裾上げの分", "the hem allowance"),
+        options.hem,
+        0.0,
+        30.0,
+    )?;
+    check_length(
+        words("縫い代", "the seam allowance"),
+        options.seam_allowance,
+        0.0,
+        10.0,
+    )?;
+    check_length(
+        words("ゴムの重なり", "the overlap of the elastic"),
         options.elastic_overlap,
         0.0,
         10.0,
     )?;
-    check_length("the width of the cloth", options.fabric_width, 30.0, 400.0)
+    check_length(
+        words("布幅", "the width of the cloth"),
+        options.fabric_width,
+        30.0,
+        400.0,
+    )
 }
 
-fn check_length(
-    what: &'static str,
-    length: Length,
-    min_cm: f64,
-    max_cm: f64,
-) -> Result<(), DraftError> {
+fn check_length(what: Words, length: Length, min_cm: f64, max_cm: f64) -> Result<(), DraftError> {
     let cm = length.to_cm();
     // Tolerance for the conversion to meters and back, far below a tape's millimeter.
     if (min_cm - 1e-9..=max_cm + 1e-9).contains(&cm) {

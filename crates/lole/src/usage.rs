@@ -1,0 +1,340 @@
+//! The command line in both languages: its help, and one sentence for what was typed wrongly.
+
+use std::error::Error as _;
+use std::process::ExitCode;
+
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use clap::{Arg, ArgAction, Command, CommandFactory as _, FromArgMatches as _};
+
+use lole_costume::document;
+use lole_language::{Bilingual as _, Language, Sentence};
+
+use crate::args::Cli;
+use crate::{Failure, summary};
+
+/// What help says in Japanese: a command, one of its arguments (none for the command itself), and
+/// the text.
+const JAPANESE_HELP: &[(&str, &str, &str)] = &[
+    (
+        "dance",
+        "",
+        "デザインを着せて踊らせ、動画・写真・3Dファイル・レポートを書き出します",
+    ),
+    (
+        "dance",
+        "design",
+        "デザインの文書。書かなければ、内蔵のパウスカートがカホロを踊ります",
+    ),
+    ("dance", "out", "書き出すフォルダー"),
+    (
+        "dance",
+        "seconds",
+        "踊りの長さ [秒]、0.5 から 600。書かなければデザインのとおり（デザインがなければ 12）",
+    ),
+    (
+        "dance",
+        "step",
+        "ステップ: kao, kaholo, ami, uwehe。書かなければデザインのとおり",
+    ),
+    (
+        "dance",
+        "bpm",
+        "テンポ（1分あたりの拍数）。書かなければデザインのとおり",
+    ),
+    (
+        "dance",
+        "method",
+        "計算方法: xpbd（実時間）または fb-euler（基準、遅い）。書かなければデザインのとおり",
+    ),
+    ("dance", "size", "動画の大きさ [画素]。どちらも偶数"),
+    (
+        "dance",
+        "threads",
+        "計算に使うスレッド数。いくつでも結果は同じです",
+    ),
+    (
+        "dance",
+        "seed",
+        "ギャザーの寄り方のばらつきの種。書かなければデザインのとおり",
+    ),
+    (
+        "dance",
+        "cpu",
+        "グラフィックス装置があっても CPU で描きます",
+    ),
+    (
+        "dance",
+        "json",
+        "レポートを JSON で標準出力に書きます（ほかには何も書きません）",
+    ),
+    (
+        "bench",
+        "",
+        "この機械での1コマの計算時間を、ひずみとめり込みとともに場面ごとに測ります",
+    ),
+    ("bench", "scene", "この場面だけを測ります"),
+    ("bench", "threads", "計算に使うスレッド数"),
+    (
+        "bench",
+        "vectors",
+        "ベクトル命令: detected（この CPU で最も広いもの）、wide（AVX2 まで）、baseline（どの CPU にもあるもの）。ハッシュはどれでも同じです",
+    ),
+    ("bench", "json", "表を JSON で書きます"),
+];
+
+/// Reads the command line; where that ends the program (help, version, a mistake), the exit code.
+pub(crate) fn read(language: Language) -> Result<Cli, ExitCode> {
+    command(language)
+        .try_get_matches()
+        .and_then(|matches| Cli::from_arg_matches(&matches))
+        .map_err(|error| match error.kind() {
+            ErrorKind::DisplayHelp
+            | ErrorKind::DisplayVersion
+            | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => error.exit(),
+            _ => summary::explain(&Failure::usage(sentence(&error)), language),
+        })
+}
+
+fn command(language: Language) -> Command {
+    let command = Cli::command();
+    match language {
+        Language::English => command,
+        Language::Japanese => in_japanese(command),
+    }
+}
+
+fn in_japanese(command: Command) -> Command {
+    let names: Vec<_> = command
+        .get_subcommands()
+        .map(|sub| sub.get_name().to_owned())
+        .collect();
+    let command = headed(command)
+        .about("布が生きて動く、フラ衣装の CAD")
+        .subcommand_help_heading("コマンド")
+        .disable_help_subcommand(true)
+        .disable_version_flag(true)
+        .arg(
+            Arg::new("version")
+                .short('V')
+                .long("version")
+                .action(ArgAction::Version)
+                .help_heading("オプション")
+                .help("バージョンを表示します"),
+        );
+    names.into_iter().fold(command, |command, name| {
+        command.mut_subcommand(name.clone(), |sub| {
+            let text = |argument: &str| {
+                JAPANESE_HELP
+                    .iter()
+                    .find(|entry| entry.0 == name && entry.1 == argument)
+                    .map_or("", |entry| entry.2)
+            };
+            let sub = sub.mut_args(|argument| {
+                let help = text(argument.get_id().as_str());
+                let heading = if argument.is_positional() {
+                    "引数"
+                } else {
+                    "オプション"
+                };
+                let choices = argument.get_action().takes_values();
+                let argument = argument.hide_possible_values(choices);
+                argument.help(help).long_help(help).help_heading(heading)
+            });
+            headed(sub).about(text(""))
+        })
+    })
+}
+
+/// The headings of a command's help, and its help option.
+fn headed(command: Command) -> Command {
+    command
+        .help_template("{about-with-newline}\n使い方: {usage}\n\n{all-args}")
+        .disable_help_flag(true)
+        .arg(
+            Arg::new("help")
+                .short('h')
+                .long("help")
+                .action(ArgAction::Help)
+                .help_heading("オプション")
+                .help("この説明を表示します"),
+        )
+}
+
+/// What was typed wrongly, and what to type.
+fn sentence(error: &clap::Error) -> Sentence {
+    let context = |kind| match error.get(kind) {
+        Some(ContextValue::String(text)) => text.clone(),
+        Some(ContextValue::Strings(texts)) => texts.join(", "),
+        _ => String::new(),
+    };
+    let option = context(ContextKind::InvalidArg);
+    let name = option.split([' ', '=']).next().unwrap_or_default();
+    match error.kind() {
+        ErrorKind::ValueValidation => {
+            let value = context(ContextKind::InvalidValue);
+            let remedy = error.source().and_then(|source| source.downcast_ref());
+            remedy.map_or_else(
+                || plain(error),
+                |remedy: &Sentence| {
+                    Sentence::new(
+                        format!("{name} {value}: {}", remedy.japanese()),
+                        format!("{name} {value}: {remedy}"),
+                    )
+                },
+            )
+        }
+        ErrorKind::InvalidValue => {
+            let value = context(ContextKind::InvalidValue);
+            let valid = context(ContextKind::ValidValue);
+            if value.is_empty() {
+                Sentence::new(
+                    format!("{name}: 値がありません。{option} のように書いてください"),
+                    format!("{name}: the value is missing; write {option}"),
+                )
+            } else {
+                Sentence::new(
+                    format!("{name} {value}: {valid} から選んでください"),
+                    format!("{name} {value}: choose one of {valid}"),
+                )
+            }
+        }
+        ErrorKind::UnknownArgument => unknown(
+            &option,
+            "オプションや引数",
+            "option or argument",
+            &long_options(),
+        ),
+        ErrorKind::InvalidSubcommand => {
+            let command = Cli::command();
+            let names: Vec<_> = command.get_subcommands().map(Command::get_name).collect();
+            let typed = context(ContextKind::InvalidSubcommand);
+            let names: Vec<_> = names.into_iter().map(str::to_owned).collect();
+            unknown(&typed, "コマンド", "command", &names)
+        }
+        ErrorKind::ArgumentConflict => Sentence::new(
+            format!("{name}: 二度は書けません。一つだけ残してください"),
+            format!("{name}: it stands there twice; keep one"),
+        ),
+        _ => plain(error),
+    }
+}
+
+fn unknown(typed: &str, japanese: &str, english: &str, names: &[String]) -> Sentence {
+    let choices: Vec<_> = names.iter().map(String::as_str).collect();
+    let (near_japanese, near_english) = document::likely(typed, &choices).map_or_else(
+        || {
+            (
+                "lole --help に一覧があります".to_owned(),
+                "lole --help lists what there is".to_owned(),
+            )
+        },
+        |near| {
+            (
+                format!("{near} のことですか"),
+                format!("did you mean {near}?"),
+            )
+        },
+    );
+    Sentence::new(
+        format!("{typed}: このような{japanese}はありません。{near_japanese}"),
+        format!("{typed}: there is no such {english}; {near_english}"),
+    )
+}
+
+/// Every option of every command, as typed.
+fn long_options() -> Vec<String> {
+    let command = Cli::command();
+    command
+        .get_subcommands()
+        .flat_map(Command::get_arguments)
+        .filter_map(|argument| Some(format!("--{}", argument.get_long()?)))
+        .collect()
+}
+
+/// A mistake of a rare kind, in the words of the argument parser.
+fn plain(error: &clap::Error) -> Sentence {
+    let text = error.to_string();
+    let first = text.lines().next().unwrap_or_default();
+    let english = first.strip_prefix("error: ").unwrap_or(first);
+    Sentence::new(
+        format!("コマンドの書き方が違います。lole --help をご覧ください ({english})"),
+        format!("{english}; see lole --help"),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn said(words: &[&str]) -> Sentence {
+        let error = command(Language::English)
+            .try_get_matches_from(words)
+            .unwrap_err();
+        sentence(&error)
+    }
+
+    #[test]
+    fn every_command_and_argument_has_help_in_japanese() {
+        let command = Cli::command();
+        for sub in command.get_subcommands() {
+            let ids = sub
+                .get_arguments()
+                .map(|argument| argument.get_id().as_str());
+            for id in ids.chain([""]) {
+                let entry = JAPANESE_HELP
+                    .iter()
+                    .find(|entry| entry.0 == sub.get_name() && entry.1 == id);
+                assert!(entry.is_some(), "{} {id}", sub.get_name());
+            }
+        }
+        for (name, id, _) in JAPANESE_HELP.iter().copied() {
+            let sub = command.find_subcommand(name).unwrap();
+            let exists = sub.get_arguments().any(|argument| argument.get_id() == id);
+            assert!(id.is_empty() || exists, "{name} {id}");
+        }
+        in_japanese(Cli::command()).debug_assert();
+    }
+
+    #[test]
+    fn every_slip_gets_a_sentence_in_both_languages() {
+        for (words, english) in [
+            (
+                ["lole", "dance", "--seconds", "-1"].as_slice(),
+                "--seconds -1: give a number of seconds from 0.5 to 600, such as 12",
+            ),
+            (
+                &["lole", "dance", "--bpm", "fast"],
+                "--bpm fast: give a number of counts per minute, such as 80",
+            ),
+            (
+                &["lole", "dance", "--threads", "0"],
+                "--threads 0: give a whole number from 1 to 256",
+            ),
+            (
+                &["lole", "dance", "--second", "2"],
+                "--second: there is no such option or argument; did you mean --seconds?",
+            ),
+            (
+                &["lole", "dans"],
+                "dans: there is no such command; did you mean dance?",
+            ),
+            (
+                &["lole", "bench", "--vectors", "avx"],
+                "--vectors avx: choose one of detected, wide, baseline",
+            ),
+            (
+                &["lole", "dance", "--step"],
+                "--step: the value is missing; write --step <STEP>",
+            ),
+            (
+                &["lole", "dance", "--seconds", "2", "--seconds", "3"],
+                "--seconds: it stands there twice; keep one",
+            ),
+        ] {
+            let sentence = said(words);
+            assert_eq!(sentence.english, english);
+            let kana = |letter: char| ('ぁ'..='ヿ').contains(&letter);
+            assert!(sentence.japanese.contains(kana), "{sentence}");
+        }
+    }
+}

@@ -1,0 +1,132 @@
+//! The two languages of the product, and sentences that are written in both where they arise.
+//!
+//! A sentence stands beside what it is about, in both languages, so that neither can be forgotten:
+//! an error that a person reads implements [`Bilingual`], and the compiler asks for its Japanese
+//! when a case is added.
+//!
+//! ```
+//! use lole_language::{Bilingual as _, Language, Sentence};
+//!
+//! let sentence = Sentence::new("布が足りません。", "there is too little cloth");
+//! assert_eq!(sentence.text(Language::of_locale(Some("ja-JP"))), "布が足りません。");
+//! assert_eq!(sentence.text(Language::of_locale(Some("en-US"))), "there is too little cloth");
+//! ```
+
+use std::fmt;
+
+/// A language of the product.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Language {
+    /// 日本語
+    Japanese,
+    /// English, also for every system in another language.
+    English,
+}
+
+impl Language {
+    /// The language of a locale such as `ja-JP`; English where there is none.
+    #[must_use]
+    pub fn of_locale(locale: Option<&str>) -> Self {
+        match locale {
+            Some(name) if name.to_ascii_lowercase().starts_with("ja") => Self::Japanese,
+            _ => Self::English,
+        }
+    }
+
+    /// The text in this language.
+    #[must_use]
+    pub const fn pick<'a>(self, japanese: &'a str, english: &'a str) -> &'a str {
+        match self {
+            Self::Japanese => japanese,
+            Self::English => english,
+        }
+    }
+}
+
+/// A few words in both languages.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Words {
+    /// 日本語
+    pub japanese: &'static str,
+    /// English
+    pub english: &'static str,
+}
+
+impl Words {
+    /// The words in this language.
+    #[must_use]
+    pub const fn text(self, language: Language) -> &'static str {
+        language.pick(self.japanese, self.english)
+    }
+}
+
+/// Shorthand for [`Words`], Japanese first.
+#[must_use]
+pub const fn words(japanese: &'static str, english: &'static str) -> Words {
+    Words { japanese, english }
+}
+
+/// What people read in either language; [`fmt::Display`] is English.
+pub trait Bilingual: fmt::Display {
+    /// The same in Japanese.
+    fn japanese(&self) -> String;
+
+    /// The sentence in this language.
+    fn text(&self, language: Language) -> String {
+        match language {
+            Language::Japanese => self.japanese(),
+            Language::English => self.to_string(),
+        }
+    }
+}
+
+/// A sentence in both languages.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Sentence {
+    /// 日本語
+    pub japanese: String,
+    /// English
+    pub english: String,
+}
+
+impl Sentence {
+    /// The sentence, Japanese first.
+    pub fn new(japanese: impl Into<String>, english: impl Into<String>) -> Self {
+        Self {
+            japanese: japanese.into(),
+            english: english.into(),
+        }
+    }
+
+    /// Both texts of `said`.
+    pub fn of(said: &impl Bilingual) -> Self {
+        Self::new(said.japanese(), said.to_string())
+    }
+}
+
+impl fmt::Display for Sentence {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.english)
+    }
+}
+
+impl std::error::Error for Sentence {}
+
+impl Bilingual for Sentence {
+    fn japanese(&self) -> String {
+        self.japanese.clone()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn japanese_systems_get_japanese() {
+        assert_eq!(Language::of_locale(Some("ja-JP")), Language::Japanese);
+        assert_eq!(Language::of_locale(Some("en-US")), Language::English);
+        assert_eq!(Language::of_locale(Some("de")), Language::English);
+        assert_eq!(Language::of_locale(None), Language::English);
+    }
+}
