@@ -10,9 +10,10 @@ use lole_export::glb::{
     write_glb,
 };
 use lole_export::still::encode_png;
+use lole_picture::linear;
 use lole_stage::Performance;
 
-use crate::studio::{Studio, linear};
+use crate::studio::Studio;
 
 /// Columns of the simulation for one column of the file: a gather keeps five vertices.
 const COLUMN_STRIDE: u32 = 2;
@@ -54,7 +55,7 @@ pub(crate) fn dancer_glb(
         png(appearance::face_texture())?,
         png(appearance::hair_texture())?,
     ];
-    let print = &studio.print;
+    let print = studio.print();
     let print_png = encode_png(Image::new(print.width, print.height, &print.pixels)?)?;
     let skin = &production.dancer.skin;
     let parts: Vec<MeshPart<'_>> = skin

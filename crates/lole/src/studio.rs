@@ -1,27 +1,17 @@
-//! What the camera sees: materials, light and viewpoints of the pictures.
-
-use std::sync::Arc;
+//! Light and viewpoints of the pictures of `lole dance`.
 
 use anyhow::Result;
 use glam::Vec3;
-use lole_body::{BodyPicture, Bone, PartKind, appearance};
-use lole_costume::print::{self, PrintImage};
+use lole_body::Bone;
+use lole_costume::print::PrintImage;
 use lole_geom::trig;
-use lole_render::srgb::linear_from_srgb;
-use lole_render::{
-    Bounds, Camera, Image, LightRig, Material, Renderer, Scene, SceneMesh, Size, Texture, View,
-};
+use lole_picture::{Figure, Looks};
+use lole_render::{Bounds, Camera, Image, LightRig, Renderer, Size, View};
 use lole_stage::Performance;
-
-/// Pixels of one print repeat: a repeat of 45 cm shows every petal from two meters.
-const PRINT_SIDE: u32 = 1024;
 
 /// Everything that pictures of one production share.
 pub(crate) struct Studio {
-    cloth: Material,
-    parts: Vec<(PartKind, Material)>,
-    /// The print, for files that carry it.
-    pub(crate) print: PrintImage,
+    looks: Looks,
 }
 
 /// One named still.
@@ -63,29 +53,15 @@ pub(crate) const STILLS: [Still; 4] = [
 impl Studio {
     /// Draws print and face once.
     pub(crate) fn new(performance: &Performance) -> Result<Self> {
-        let design = &performance.production().design;
-        let print = print::draw(&design.print.print(), PRINT_SIDE);
-        let texture = Arc::new(Texture::new(
-            print.width,
-            print.height,
-            print.pixels.clone(),
-        )?);
-        let paint = Paint::new()?;
-        let kinds = performance
-            .production()
-            .dancer
-            .skin
-            .parts
-            .iter()
-            .map(|part| part.kind);
-        let parts = kinds
-            .map(|kind| (kind, part_material(kind, &paint)))
-            .collect();
+        let production = performance.production();
         Ok(Self {
-            cloth: Material::printed_cloth(texture),
-            parts,
-            print,
+            looks: Looks::new(&production.design, production)?,
         })
+    }
+
+    /// The print, for files that carry it.
+    pub(crate) const fn print(&self) -> &PrintImage {
+        &self.looks.print
     }
 
     /// The picture of the performance's current frame; its body must be posed.
@@ -101,77 +77,16 @@ impl Studio {
         let (mut positions, mut normals) = (Vec::new(), Vec::new());
         mesh.spread(performance.cloth_positions(), &mut positions);
         mesh.spread(&performance.cloth_normals(), &mut normals);
-        let mut scene = Scene {
-            lights,
-            ..Scene::studio(camera)
+        let figure = Figure {
+            cloth_positions: &positions,
+            cloth_normals: &normals,
+            cloth_colors: &[],
+            body_positions: performance.body_positions(),
+            body_normals: performance.body_normals(),
         };
-        scene.meshes.push(SceneMesh {
-            positions: &positions,
-            normals: &normals,
-            uvs: &mesh.uvs,
-            colors: &[],
-            triangles: &mesh.triangles,
-            material: &self.cloth,
-        });
-        for (part, (_, material)) in production.dancer.skin.parts.iter().zip(&self.parts) {
-            scene.meshes.push(SceneMesh {
-                positions: performance.body_positions(),
-                normals: performance.body_normals(),
-                uvs: &production.dancer.skin.uvs,
-                colors: &[],
-                triangles: &part.triangles,
-                material,
-            });
-        }
+        let scene = self.looks.scene(production, &figure, camera, lights);
         Ok(renderer.render(&scene)?)
     }
-}
-
-/// The pictures on the body.
-struct Paint {
-    face: Arc<Texture>,
-    hair: Arc<Texture>,
-}
-
-impl Paint {
-    fn new() -> Result<Self> {
-        let texture = |picture: BodyPicture| {
-            Texture::new(picture.side, picture.side, picture.pixels).map(Arc::new)
-        };
-        Ok(Self {
-            face: texture(appearance::face_texture())?,
-            hair: texture(appearance::hair_texture())?,
-        })
-    }
-}
-
-fn part_material(kind: PartKind, paint: &Paint) -> Material {
-    match kind {
-        PartKind::Skin => Material::skin(linear(appearance::SKIN_SRGB)),
-        PartKind::Face => Material {
-            texture: Some(Arc::clone(&paint.face)),
-            ..Material::skin([1.0; 3])
-        },
-        PartKind::Leotard => Material {
-            roughness: 0.75,
-            sheen: 0.15,
-            ..Material::cloth(linear(appearance::LEOTARD_SRGB))
-        },
-        // Lit as skin is: at the hairline it shows skin.
-        PartKind::Hair => Material {
-            texture: Some(Arc::clone(&paint.hair)),
-            roughness: 0.62,
-            specular: 0.02,
-            ..Material::skin([1.0; 3])
-        },
-        PartKind::Flower => Material::cloth(linear(appearance::FLOWER_SRGB)),
-        PartKind::FlowerHeart => Material::cloth(linear(appearance::FLOWER_HEART_SRGB)),
-    }
-}
-
-/// Linear light of an sRGB-encoded color.
-pub(crate) fn linear(srgb: [u8; 3]) -> [f32; 3] {
-    srgb.map(|byte| linear_from_srgb(f32::from(byte) / 255.0))
 }
 
 /// The cameras of the stills, in their order: the whole dancer with her skirt, in all at the same

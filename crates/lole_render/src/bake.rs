@@ -84,13 +84,30 @@ impl Bake {
     }
 }
 
+/// Light of the surroundings on the face and on the back of each vertex of `geometry`, without the
+/// floor's shadow: what [`Bake`] holds, for pictures that cannot wait for all of it.
+pub(crate) fn ambient_alone(lights: &LightRig, geometry: &Geometry) -> Vec<[Vec3; 2]> {
+    let studio = Studio::new(lights);
+    let maps: Vec<DepthMap> = (studio.axes.par_iter())
+        .map(|pair| DepthMap::draw(geometry, pair.axis, STUDIO_MAP_SIDE, Layers::Both))
+        .collect();
+    ambient::by_vertex(geometry, &studio, &maps, None)
+}
+
+/// Light of the surroundings on an open floor, as the radiance of a white surface there.
+pub(crate) fn room_on_floor(lights: &LightRig) -> Vec3 {
+    (Studio::new(lights).axes.iter())
+        .map(|pair| pair.radiance[0] * pair.axis.y)
+        .sum()
+}
+
 /// Tangent of the key light's angular radius.
 pub(crate) fn key_tangent(lights: &LightRig) -> f32 {
     trig::tan(lights.key.angular_radius.clamp(0.0, 1.0))
 }
 
 /// The direction as a unit vector; straight up where it has no length.
-fn unit_toward(toward: Vec3) -> Vec3 {
+pub(crate) fn unit_toward(toward: Vec3) -> Vec3 {
     toward.try_normalize().unwrap_or(Vec3::Y)
 }
 

@@ -36,22 +36,62 @@ pub(crate) struct Frame {
     pub(crate) ground: Vec4,
 }
 
+/// Where the key light's map and the floor's light lie in the world.
+pub(crate) struct Places {
+    /// Unit vector towards the key light.
+    pub(crate) axis: Vec3,
+    /// Size of a texel of its map [m].
+    pub(crate) texel: f32,
+    /// Texel column of a world point `p`: `dot(texel_u, (p, 1))`.
+    pub(crate) texel_u: Vec4,
+    /// Texel row of a world point.
+    pub(crate) texel_v: Vec4,
+    /// The floor's light; `None` where there is no floor.
+    pub(crate) ground: Option<GroundPlace>,
+}
+
+/// Where the floor's light lies.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct GroundPlace {
+    /// Height of the floor [m].
+    pub(crate) height: f32,
+    /// x and z of the first cell's corner [m].
+    pub(crate) corner: Vec2,
+    /// Side of a cell [m].
+    pub(crate) cell: f32,
+}
+
 impl Frame {
     pub(crate) fn new(scene: &Scene<'_>, size: Size, bake: &Bake) -> Self {
+        let map = &bake.key_map;
+        let places = Places {
+            axis: map.axis,
+            texel: map.texel,
+            texel_u: map.texel_u,
+            texel_v: map.texel_v,
+            ground: bake.ground.as_ref().map(|light| GroundPlace {
+                height: light.height,
+                corner: light.corner,
+                cell: light.cell,
+            }),
+        };
+        Self::of(scene, size, &places)
+    }
+
+    pub(crate) fn of(scene: &Scene<'_>, size: Size, map: &Places) -> Self {
         let camera = &scene.camera;
         let [right, up, backward] = camera.axes();
         let reach = trig::tan(camera.vertical_fov * 0.5);
         let across = reach * size.aspect();
         let (width, height) = (size.width as f32, size.height as f32);
         let key = &scene.lights.key;
-        let map = &bake.key_map;
         let background = &scene.background;
-        let ground = bake.ground.as_ref().map_or(Vec4::ZERO, |light| {
+        let ground = map.ground.map_or(Vec4::ZERO, |place| {
             Vec4::new(
-                light.height,
-                light.corner.x,
-                light.corner.y,
-                1.0 / light.cell,
+                place.height,
+                place.corner.x,
+                place.corner.y,
+                1.0 / place.cell,
             )
         });
         Self {
@@ -66,7 +106,7 @@ impl Frame {
             key_texel_v: map.texel_v,
             background_top: Vec3::from(background.top).extend(background.glow),
             background_bottom: Vec3::from(background.bottom)
-                .extend(f32::from(u8::from(bake.ground.is_some()))),
+                .extend(f32::from(u8::from(map.ground.is_some()))),
             ground,
         }
     }

@@ -4,7 +4,9 @@
 
 mod device;
 mod draw;
+mod live;
 mod pipeline;
 
 pub(crate) use device::may_exist;
 pub(crate) use draw::GpuRenderer;
+pub use live::{AmbientLight, LiveView, Overlay, Stroke};

@@ -33,9 +33,11 @@ mod whole;
 
 pub use camera::{Bounds, Camera, View};
 pub use error::RenderError;
+pub use gpu::{AmbientLight, LiveView, Overlay, Stroke};
 pub use image::{Image, Size};
 pub use light::{Background, Ground, KeyLight, LightRig, SoftBox};
 pub use material::{BackShade, Material, Sides};
 pub use renderer::{Backend, Renderer};
 pub use scene::{Scene, SceneMesh};
 pub use texture::Texture;
+pub use wgpu;

@@ -56,11 +56,7 @@ impl Geometry {
         reason = "indices are u32 by the scene's own type"
     )]
     fn add(&mut self, mesh: &SceneMesh<'_>) {
-        const UNUSED: u32 = u32::MAX;
-        let mut places = vec![UNUSED; mesh.positions.len()];
-        for &corner in mesh.triangles.iter().flatten() {
-            places[corner as usize] = 0;
-        }
+        let mut places = vec![0; mesh.positions.len()];
         let made;
         let normals = if mesh.normals.is_empty() {
             made = vertex_normals(mesh.positions, mesh.triangles);
@@ -68,11 +64,9 @@ impl Geometry {
         } else {
             mesh.normals
         };
-        for (vertex, place) in places.iter_mut().enumerate() {
-            if *place == UNUSED {
-                continue;
-            }
-            *place = self.positions.len() as u32;
+        for vertex in used_vertices(mesh) {
+            let vertex = vertex as usize;
+            places[vertex] = self.positions.len() as u32;
             self.positions.push(mesh.positions[vertex]);
             self.normals.push(normals[vertex].normalize_or_zero());
             self.uvs
@@ -102,4 +96,16 @@ impl Geometry {
         self.parts
             .partition_point(|part| part.triangles.end <= triangle)
     }
+}
+
+/// The vertices of a mesh that its triangles use, in order.
+pub(crate) fn used_vertices(mesh: &SceneMesh<'_>) -> Vec<u32> {
+    let mut used = vec![false; mesh.positions.len()];
+    for &corner in mesh.triangles.iter().flatten() {
+        used[corner as usize] = true;
+    }
+    (0..)
+        .zip(used)
+        .filter_map(|(vertex, used)| used.then_some(vertex))
+        .collect()
 }

@@ -438,7 +438,7 @@ mod tests {
     use crate::prepare::Geometry;
     use crate::{Camera, Scene, SceneMesh};
 
-    const SHADER: &str = include_str!("gpu/shade.wgsl");
+    const SHADER: &str = concat!(include_str!("gpu/shade.wgsl"), include_str!("gpu/key.wgsl"));
 
     #[test]
     fn the_shader_is_valid_without_an_adapter() {

@@ -3,11 +3,13 @@
 //! It opens no file, reads no clock and draws nothing: whoever calls [`Performance::advance`] times
 //! it, draws what it holds and writes it down.
 
+pub mod live;
 pub mod metrics;
 pub mod performance;
 pub mod skin_check;
 mod solver;
 
+pub use live::{Pull, Show, Vitals, Wish};
 pub use metrics::{FrameMetrics, RunMetrics};
 pub use performance::{Divergence, FRAME_SECONDS, FRAMES_PER_SECOND, Performance, Production};
 

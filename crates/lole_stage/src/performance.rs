@@ -1,5 +1,7 @@
 //! A performance: one dancer, one skirt, one dance, moved on frame by frame.
 
+use std::sync::Arc;
+
 use glam::{Affine3A, Vec3};
 use lole_body::motion::Dance;
 use lole_body::{Dancer, Measurements, Pose};
@@ -65,7 +67,7 @@ pub struct Divergence {
 
 /// A production on stage.
 pub struct Performance {
-    production: Production,
+    production: Arc<Production>,
     solver: Solver,
     pose: Pose,
     world_from_bind: Vec<Affine3A>,
@@ -144,7 +146,8 @@ impl Performance {
     ///
     /// # Errors
     /// A skirt the chosen method cannot be prepared for.
-    pub fn new(production: Production) -> Result<Self, StageError> {
+    pub fn new(production: impl Into<Arc<Production>>) -> Result<Self, StageError> {
+        let production = production.into();
         let skeleton = &production.dancer.skeleton;
         let world_from_bind = skeleton.world_from_bind(&production.dance.pose_at(0.0));
         let start = production.skirt.start_positions(&world_from_bind);
@@ -161,14 +164,21 @@ impl Performance {
             body_normals: Vec::new(),
             frame: -i64::from(SETTLE_FRAMES),
         };
-        performance.pose_dancer();
+        let pose = performance.pose_of_dance();
+        performance.pose_dancer(pose);
         Ok(performance)
     }
 
     /// What is performed.
     #[must_use]
-    pub const fn production(&self) -> &Production {
+    pub fn production(&self) -> &Production {
         &self.production
+    }
+
+    /// What is performed, to be kept by others too.
+    #[must_use]
+    pub fn shared_production(&self) -> Arc<Production> {
+        Arc::clone(&self.production)
     }
 
     /// Frames the cloth hangs down in the stance before the dance starts.
@@ -190,7 +200,28 @@ impl Performance {
     /// The first particle that left the stage, with time and place.
     pub fn advance(&mut self) -> Result<(), Divergence> {
         self.frame += 1;
-        self.pose_dancer();
+        let pose = self.pose_of_dance();
+        self.step_in(pose)
+    }
+
+    /// The same with the dancer in a pose of the caller's instead of her dance's.
+    pub(crate) fn advance_in(&mut self, pose: Pose) -> Result<(), Divergence> {
+        self.frame += 1;
+        self.step_in(pose)
+    }
+
+    /// Lets another method go on with the cloth as it is.
+    pub(crate) fn replace_solver(&mut self, solver: Solver) {
+        self.solver = solver;
+    }
+
+    /// What moves the cloth.
+    pub(crate) const fn solver_mut(&mut self) -> &mut Solver {
+        &mut self.solver
+    }
+
+    fn step_in(&mut self, pose: Pose) -> Result<(), Divergence> {
+        self.pose_dancer(pose);
         let surroundings = Surroundings {
             pin_targets: &self.pin_targets,
             capsules: &self.capsules,
@@ -204,8 +235,12 @@ impl Performance {
         self.check_stage()
     }
 
-    fn pose_dancer(&mut self) {
-        self.pose = self.production.dance.pose_at(self.time().max(0.0));
+    fn pose_of_dance(&self) -> Pose {
+        self.production.dance.pose_at(self.time().max(0.0))
+    }
+
+    fn pose_dancer(&mut self, pose: Pose) {
+        self.pose = pose;
         self.world_from_bind = self.production.dancer.skeleton.world_from_bind(&self.pose);
         self.capsules = self.production.dancer.posed_capsules(&self.world_from_bind);
         self.production
@@ -277,6 +312,12 @@ impl Performance {
     #[must_use]
     pub fn world_from_bind(&self) -> &[Affine3A] {
         &self.world_from_bind
+    }
+
+    /// The capsules in the current pose.
+    #[must_use]
+    pub fn capsules(&self) -> &[Capsule] {
+        &self.capsules
     }
 
     /// Measures the current frame; call [`Self::pose_body`] first.

@@ -63,6 +63,22 @@ pub fn check(body: Surface<'_>, cloth: Surface<'_>) -> SkinCheck {
     result
 }
 
+/// The cloth vertices that [`check`] counts as sunken.
+#[must_use]
+pub fn sunken(body: Surface<'_>, cloth: Surface<'_>) -> Vec<u32> {
+    let (low, high) = bounds(cloth.positions);
+    let near = near_triangles(body, low - Vec3::splat(REACH), high + Vec3::splat(REACH));
+    let grid = TriangleGrid::new(body.positions, &near, CELL);
+    let below = |&(_, &position): &(u32, &Vec3)| {
+        TOLERANCE < depth_below_skin(&grid, body, &near, position)
+    };
+    (0..)
+        .zip(cloth.positions)
+        .filter(below)
+        .map(|(vertex, _)| vertex)
+        .collect()
+}
+
 fn bounds(positions: &[Vec3]) -> (Vec3, Vec3) {
     let start = (Vec3::splat(f32::MAX), Vec3::splat(f32::MIN));
     positions
@@ -180,8 +196,16 @@ mod tests {
     fn a_shell_inside_the_body_shows_it_everywhere() {
         let found = check_spheres(0.10, 0.09);
         assert!((found.worst_depth - 0.01).abs() < 1e-3, "{found:?}");
-        let (positions, ..) = sphere(Vec3::ZERO, 0.1);
+        let (positions, normals, triangles) = sphere(Vec3::ZERO, 0.1);
         assert_eq!(found.sunken_cloth_vertices as usize, positions.len());
+        let (inner, ..) = sphere(Vec3::ZERO, 0.09);
+        let shell = |positions, normals| Surface {
+            positions,
+            normals,
+            triangles: &triangles,
+        };
+        let sunken = sunken(shell(&positions, &normals), shell(&inner, &[]));
+        assert_eq!(sunken.len(), positions.len());
         assert!(
             found.showing_body_vertices as usize > positions.len() * 9 / 10,
             "{found:?}"

@@ -1,5 +1,7 @@
 //! One face for the engine's methods, so that a performance does not ask which one moves its cloth.
 
+mod velocities;
+
 use std::num::NonZeroU32;
 
 use glam::{DVec3, Vec3};

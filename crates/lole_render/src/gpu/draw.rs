@@ -28,8 +28,6 @@ struct Targets {
     depth: wgpu::TextureView,
     picture: wgpu::Texture,
     readback: wgpu::Buffer,
-    /// Bytes from one row to the next in `readback`.
-    row_stride: u32,
 }
 
 /// What one mesh binds and draws.
@@ -290,42 +288,7 @@ impl GpuRenderer {
     }
 
     fn read_back(&self) -> Result<Image, RenderError> {
-        let failed = |reason: String| RenderError::Gpu {
-            doing: "reading the picture back",
-            reason,
-        };
-        let targets = &self.targets;
-        let (sender, receiver) = std::sync::mpsc::channel();
-        targets
-            .readback
-            .map_async(wgpu::MapMode::Read, .., move |mapped| {
-                // Nobody listens only where the picture was given up.
-                drop(sender.send(mapped));
-            });
-        self.gpu
-            .device
-            .poll(wgpu::PollType::wait_indefinitely())
-            .map_err(|e| failed(e.to_string()))?;
-        receiver
-            .recv()
-            .map_err(|e| failed(e.to_string()))?
-            .map_err(|e| failed(e.to_string()))?;
-        let mut pixels = Vec::with_capacity(targets.size.pixel_count() * 4);
-        {
-            let bytes = targets
-                .readback
-                .get_mapped_range(..)
-                .map_err(|e| failed(e.to_string()))?;
-            for row in bytes.chunks(targets.row_stride as usize) {
-                pixels.extend_from_slice(&row[..targets.size.width as usize * 4]);
-            }
-        }
-        targets.readback.unmap();
-        Ok(Image {
-            width: targets.size.width,
-            height: targets.size.height,
-            pixels,
-        })
+        read_buffer(&self.gpu, &self.targets.readback, self.targets.size)
     }
 }
 
@@ -346,7 +309,6 @@ impl Targets {
         let attachment = wgpu::TextureUsages::RENDER_ATTACHMENT;
         let view =
             |texture: wgpu::Texture| texture.create_view(&wgpu::TextureViewDescriptor::default());
-        let row_stride = (size.width * 4).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
         Self {
             size,
             samples: view(texture("samples", COLOR, SAMPLES, attachment)),
@@ -359,33 +321,21 @@ impl Targets {
             ),
             readback: device.create_buffer(&wgpu::BufferDescriptor {
                 label: Some("readback"),
-                size: u64::from(row_stride) * u64::from(size.height),
+                size: u64::from(row_stride(size)) * u64::from(size.height),
                 usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
                 mapped_at_creation: false,
             }),
-            row_stride,
         }
     }
 
     fn copy_to_readback(&self, encoder: &mut wgpu::CommandEncoder) {
-        encoder.copy_texture_to_buffer(
-            self.picture.as_image_copy(),
-            wgpu::TexelCopyBufferInfo {
-                buffer: &self.readback,
-                layout: wgpu::TexelCopyBufferLayout {
-                    offset: 0,
-                    bytes_per_row: Some(self.row_stride),
-                    rows_per_image: None,
-                },
-            },
-            extent(self.size.width, self.size.height),
-        );
+        copy_rows(encoder, &self.picture, &self.readback, self.size);
     }
 }
 
 /// Texel formats that are uploaded.
 #[derive(Clone, Copy)]
-enum Format {
+pub(super) enum Format {
     Bytes,
     Float,
     FourFloats,
@@ -401,7 +351,7 @@ impl Format {
     }
 }
 
-fn float_texture(
+pub(super) fn float_texture(
     gpu: &Device,
     [width, height]: [u32; 2],
     format: Format,
@@ -435,7 +385,7 @@ fn levels_texture<'a>(
         .create_view(&wgpu::TextureViewDescriptor::default())
 }
 
-fn mipmapped_texture(gpu: &Device, texture: &Texture) -> wgpu::TextureView {
+pub(super) fn mipmapped_texture(gpu: &Device, texture: &Texture) -> wgpu::TextureView {
     let levels = texture.levels();
     let count = u32::try_from(levels.len()).unwrap_or(1);
     let descriptor = texture_descriptor([texture.width(), texture.height()], count, Format::Bytes);
@@ -466,7 +416,7 @@ fn texture_descriptor(
     }
 }
 
-const fn extent(width: u32, height: u32) -> wgpu::Extent3d {
+pub(super) const fn extent(width: u32, height: u32) -> wgpu::Extent3d {
     wgpu::Extent3d {
         width,
         height,
@@ -474,7 +424,7 @@ const fn extent(width: u32, height: u32) -> wgpu::Extent3d {
     }
 }
 
-const fn view_entry(binding: u32, view: &wgpu::TextureView) -> wgpu::BindGroupEntry<'_> {
+pub(super) const fn view_entry(binding: u32, view: &wgpu::TextureView) -> wgpu::BindGroupEntry<'_> {
     wgpu::BindGroupEntry {
         binding,
         resource: wgpu::BindingResource::TextureView(view),
@@ -482,7 +432,7 @@ const fn view_entry(binding: u32, view: &wgpu::TextureView) -> wgpu::BindGroupEn
 }
 
 /// Refuses pictures that the adapter cannot hold.
-fn check_side(gpu: &Device, size: Size) -> Result<(), RenderError> {
+pub(super) fn check_side(gpu: &Device, size: Size) -> Result<(), RenderError> {
     let longest = gpu.device.limits().max_texture_dimension_2d;
     if size.width.max(size.height) > longest {
         return Err(RenderError::NoAdapter {
@@ -493,7 +443,10 @@ fn check_side(gpu: &Device, size: Size) -> Result<(), RenderError> {
 }
 
 /// What the adapter complained about since `scope` was opened.
-fn checked(scope: wgpu::ErrorScopeGuard, doing: &'static str) -> Result<(), RenderError> {
+pub(super) fn checked(
+    scope: wgpu::ErrorScopeGuard,
+    doing: &'static str,
+) -> Result<(), RenderError> {
     match pollster::block_on(scope.pop()) {
         None => Ok(()),
         Some(error) => Err(RenderError::Gpu {
@@ -501,4 +454,82 @@ fn checked(scope: wgpu::ErrorScopeGuard, doing: &'static str) -> Result<(), Rend
             reason: error.to_string(),
         }),
     }
+}
+
+/// Copies a finished texture and waits for it.
+pub(super) fn read_texture(
+    gpu: &Device,
+    texture: &wgpu::Texture,
+    size: Size,
+) -> Result<Image, RenderError> {
+    let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("readback"),
+        size: u64::from(row_stride(size)) * u64::from(size.height),
+        usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+        mapped_at_creation: false,
+    });
+    let mut encoder =
+        (gpu.device).create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    copy_rows(&mut encoder, texture, &buffer, size);
+    gpu.queue.submit([encoder.finish()]);
+    read_buffer(gpu, &buffer, size)
+}
+
+/// Bytes from one row to the next in a buffer that is read back.
+const fn row_stride(size: Size) -> u32 {
+    (size.width * 4).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT)
+}
+
+fn copy_rows(
+    encoder: &mut wgpu::CommandEncoder,
+    texture: &wgpu::Texture,
+    buffer: &wgpu::Buffer,
+    size: Size,
+) {
+    encoder.copy_texture_to_buffer(
+        texture.as_image_copy(),
+        wgpu::TexelCopyBufferInfo {
+            buffer,
+            layout: wgpu::TexelCopyBufferLayout {
+                offset: 0,
+                bytes_per_row: Some(row_stride(size)),
+                rows_per_image: None,
+            },
+        },
+        extent(size.width, size.height),
+    );
+}
+
+fn read_buffer(gpu: &Device, buffer: &wgpu::Buffer, size: Size) -> Result<Image, RenderError> {
+    let failed = |reason: String| RenderError::Gpu {
+        doing: "reading the picture back",
+        reason,
+    };
+    let (sender, receiver) = std::sync::mpsc::channel();
+    buffer.map_async(wgpu::MapMode::Read, .., move |mapped| {
+        // Nobody listens only where the picture was given up.
+        drop(sender.send(mapped));
+    });
+    gpu.device
+        .poll(wgpu::PollType::wait_indefinitely())
+        .map_err(|e| failed(e.to_string()))?;
+    receiver
+        .recv()
+        .map_err(|e| failed(e.to_string()))?
+        .map_err(|e| failed(e.to_string()))?;
+    let mut pixels = Vec::with_capacity(size.pixel_count() * 4);
+    {
+        let bytes = buffer
+            .get_mapped_range(..)
+            .map_err(|e| failed(e.to_string()))?;
+        for row in bytes.chunks(row_stride(size) as usize) {
+            pixels.extend_from_slice(&row[..size.width as usize * 4]);
+        }
+    }
+    buffer.unmap();
+    Ok(Image {
+        width: size.width,
+        height: size.height,
+        pixels,
+    })
 }

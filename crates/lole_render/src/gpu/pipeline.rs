@@ -46,7 +46,11 @@ impl Pipelines {
             label: Some("surface"),
             entries: &[uniform(0), texture(1, FILTERED), sampler(2)],
         });
-        let shader = device.create_shader_module(wgpu::include_wgsl!("shade.wgsl"));
+        let source = concat!(include_str!("shade.wgsl"), include_str!("key.wgsl"));
+        let shader = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+            label: Some("shade"),
+            source: wgpu::ShaderSource::Wgsl(source.into()),
+        });
         let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some("shade"),
             bind_group_layouts: &[Some(&frame_layout), Some(&surface_layout)],
@@ -143,7 +147,7 @@ impl Recipe<'_> {
     }
 }
 
-const fn uniform(binding: u32) -> wgpu::BindGroupLayoutEntry {
+pub(super) const fn uniform(binding: u32) -> wgpu::BindGroupLayoutEntry {
     wgpu::BindGroupLayoutEntry {
         binding,
         visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
@@ -157,11 +161,16 @@ const fn uniform(binding: u32) -> wgpu::BindGroupLayoutEntry {
 }
 
 /// A texture that is read texel by texel.
-const READ_ONLY: wgpu::TextureSampleType = wgpu::TextureSampleType::Float { filterable: false };
+pub(super) const READ_ONLY: wgpu::TextureSampleType =
+    wgpu::TextureSampleType::Float { filterable: false };
 /// A texture that is read through a sampler.
-const FILTERED: wgpu::TextureSampleType = wgpu::TextureSampleType::Float { filterable: true };
+pub(super) const FILTERED: wgpu::TextureSampleType =
+    wgpu::TextureSampleType::Float { filterable: true };
 
-const fn texture(binding: u32, sample_type: wgpu::TextureSampleType) -> wgpu::BindGroupLayoutEntry {
+pub(super) const fn texture(
+    binding: u32,
+    sample_type: wgpu::TextureSampleType,
+) -> wgpu::BindGroupLayoutEntry {
     wgpu::BindGroupLayoutEntry {
         binding,
         visibility: wgpu::ShaderStages::FRAGMENT,
@@ -174,7 +183,7 @@ const fn texture(binding: u32, sample_type: wgpu::TextureSampleType) -> wgpu::Bi
     }
 }
 
-const fn sampler(binding: u32) -> wgpu::BindGroupLayoutEntry {
+pub(super) const fn sampler(binding: u32) -> wgpu::BindGroupLayoutEntry {
     wgpu::BindGroupLayoutEntry {
         binding,
         visibility: wgpu::ShaderStages::FRAGMENT,

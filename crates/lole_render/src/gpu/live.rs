@@ -1,0 +1,528 @@
+//! Pictures for a window: a scene drawn again and again on a device that somebody else opened,
+//! into a texture that somebody else shows.
+//!
+//! The formula is that of the stills. What stills work out for each picture on the processor is
+//! cheaper here: the key light's map and the floor's light are drawn by the adapter, and the light
+//! of the room ([`AmbientLight`]) is worked out now and then, on any thread, and faded in.
+
+mod meshes;
+mod pipelines;
+
+use super::device::Device;
+use super::draw::{check_side, checked, extent, view_entry};
+use super::pipeline::{COLOR, DEPTH};
+use crate::bake::{ambient_alone, key_tangent, room_on_floor, unit_toward};
+use crate::frame::{Frame, GroundPlace, Places};
+use crate::prepare::Geometry;
+use crate::{Bounds, Image, RenderError, Scene, Size};
+use glam::{Vec2, Vec3, Vec4};
+use meshes::LiveMeshes;
+use pipelines::{FLOOR, LivePipelines};
+
+/// Side of the key light's map [texel]: 2 to 3 mm on a dancer.
+const KEY_SIDE: u32 = 1024;
+/// Side of the floor's light and of the map from below [texel]; also in `live.wgsl`.
+const FLOOR_CELLS: u32 = 256;
+/// Side of the lit floor [m].
+const FLOOR_SIDE: f32 = 5.0;
+/// The key light's map covers a ball around everything, whose radius grows in steps of this [m]: a
+/// texel that keeps its size keeps shadows calm.
+const REACH_STEP: f32 = 0.25;
+/// Bytes of one line in its buffer.
+const STROKE_BYTES: u64 = 32;
+
+/// A line or, where both ends are the same, a dot over the picture.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
+pub struct Stroke {
+    /// Where it starts [m].
+    pub from: Vec3,
+    /// Where it ends [m].
+    pub to: Vec3,
+    /// sRGB and opacity.
+    pub color: [u8; 4],
+    /// Width [pixel].
+    pub width: f32,
+}
+
+/// What is drawn over the meshes.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Overlay<'a> {
+    /// Lines on surfaces: hidden by what is before them.
+    pub on_surfaces: &'a [Stroke],
+    /// Lines that shine through everything.
+    pub through: &'a [Stroke],
+}
+
+/// Light of the room by vertex of a scene's meshes: on the face and on the back.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AmbientLight(Vec<[Vec3; 2]>);
+
+impl AmbientLight {
+    /// Works it out on the processor, for the meshes and lights of `scene`.
+    ///
+    /// # Errors
+    /// Where the scene holds a number that is not finite, or an index out of range.
+    pub fn of(scene: &Scene<'_>) -> Result<Self, RenderError> {
+        scene.check()?;
+        let geometry = Geometry::of(scene);
+        Ok(Self(ambient_alone(&scene.lights, &geometry)))
+    }
+}
+
+/// Constants of the floor's light (`FloorLight` in `live.wgsl`).
+#[repr(C)]
+#[derive(Debug, Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+struct FloorLight {
+    room: Vec4,
+    key: Vec4,
+}
+
+/// A picture that is drawn again and again.
+pub struct LiveView {
+    gpu: Device,
+    samples: u32,
+    pipelines: LivePipelines,
+    targets: Targets,
+    shared: Shared,
+    meshes: Option<LiveMeshes>,
+    has_light: bool,
+    strokes: Option<wgpu::Buffer>,
+}
+
+/// What is drawn into.
+struct Targets {
+    size: Size,
+    /// Samples of the picture; `None` where there is one a pixel.
+    samples: Option<wgpu::TextureView>,
+    depth: wgpu::TextureView,
+    picture: wgpu::Texture,
+    drawn: wgpu::TextureView,
+    shown: wgpu::TextureView,
+}
+
+/// What does not depend on the picture's size.
+struct Shared {
+    frame: wgpu::Buffer,
+    floor_light: wgpu::Buffer,
+    key_map: wgpu::TextureView,
+    under_map: wgpu::TextureView,
+    floor: wgpu::TextureView,
+    caster_group: wgpu::BindGroup,
+    floor_group: wgpu::BindGroup,
+    frame_group: wgpu::BindGroup,
+}
+
+impl LiveView {
+    /// Pictures of `size` by `device`; `samples` are drawn for each pixel, 1 or 4.
+    ///
+    /// # Errors
+    /// [`RenderError`] where the device refuses.
+    pub fn new(
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        size: Size,
+        samples: u32,
+    ) -> Result<Self, RenderError> {
+        let gpu = Device {
+            device: device.clone(),
+            queue: queue.clone(),
+            description: "the window's adapter".to_owned(),
+            is_software: false,
+        };
+        size.check()?;
+        check_side(&gpu, size)?;
+        let scope = device.push_error_scope(wgpu::ErrorFilter::Validation);
+        let pipelines = LivePipelines::new(device, samples);
+        let targets = Targets::new(device, size, samples);
+        let shared = Shared::new(device, &pipelines);
+        checked(scope, "setting up")?;
+        Ok(Self {
+            gpu,
+            samples,
+            pipelines,
+            targets,
+            shared,
+            meshes: None,
+            has_light: false,
+            strokes: None,
+        })
+    }
+
+    /// Size of the pictures.
+    #[must_use]
+    pub const fn size(&self) -> Size {
+        self.targets.size
+    }
+
+    /// Draws pictures of `size` from now on, into a new texture.
+    ///
+    /// # Errors
+    /// Where the adapter has no room for it; the size then stays as it was.
+    pub fn resize(&mut self, size: Size) -> Result<(), RenderError> {
+        size.check()?;
+        check_side(&self.gpu, size)?;
+        let scope = (self.gpu.device).push_error_scope(wgpu::ErrorFilter::Validation);
+        let targets = Targets::new(&self.gpu.device, size, self.samples);
+        checked(scope, "resizing")?;
+        self.targets = targets;
+        Ok(())
+    }
+
+    /// The picture to be shown: its bytes are sRGB-encoded, and reading gives them as they are.
+    #[must_use]
+    pub const fn shown(&self) -> &wgpu::TextureView {
+        &self.targets.shown
+    }
+
+    /// Fades to a light that was worked out for these meshes; one of other meshes is ignored.
+    pub fn light_up(&mut self, light: &AmbientLight) {
+        if let Some(meshes) = &mut self.meshes {
+            meshes.light_up(&light.0, !self.has_light);
+            self.has_light |= light.0.len() == meshes.vertex_count;
+        }
+    }
+
+    /// Draws a scene and lines over it. Meshes that are the last scene's, moved, are quickest.
+    ///
+    /// # Errors
+    /// Where the scene holds a number that is not finite, an index out of range or a camera that
+    /// cannot look; where the adapter refuses.
+    pub fn draw(&mut self, scene: &Scene<'_>, overlay: Overlay<'_>) -> Result<(), RenderError> {
+        scene.check()?;
+        let scope = (self.gpu.device).push_error_scope(wgpu::ErrorFilter::Validation);
+        if !self.meshes.as_ref().is_some_and(|meshes| meshes.fit(scene)) {
+            self.meshes = Some(LiveMeshes::new(&self.gpu, &self.pipelines, scene));
+            self.has_light = false;
+        }
+        if let Some(meshes) = &mut self.meshes {
+            meshes.write(&self.gpu, &self.pipelines, scene);
+        }
+        self.write_frame(scene);
+        self.write_strokes(overlay);
+        let mut encoder =
+            (self.gpu.device).create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        self.draw_shadows(&mut encoder);
+        self.draw_picture(&mut encoder, overlay);
+        self.gpu.queue.submit([encoder.finish()]);
+        checked(scope, "drawing")
+    }
+
+    fn write_frame(&self, scene: &Scene<'_>) {
+        let bounds = scene.bounds().unwrap_or(Bounds {
+            min: Vec3::NEG_ONE,
+            max: Vec3::ONE,
+        });
+        let axis = unit_toward(scene.lights.key.toward);
+        let places = places(
+            axis,
+            bounds,
+            scene.ground.map_or(0.0, |ground| ground.height),
+        );
+        let frame = Frame::of(
+            scene,
+            self.targets.size,
+            &Places {
+                ground: scene.ground.and(places.ground),
+                ..places
+            },
+        );
+        let key = Vec3::from(scene.lights.key.color) * axis.y.max(0.0);
+        let shadow = scene.ground.map_or(0.0, |ground| ground.shadow);
+        let floor_light = FloorLight {
+            room: room_on_floor(&scene.lights).extend(shadow),
+            key: key.extend(KEY_SIDE as f32),
+        };
+        debug_assert!(key_tangent(&scene.lights) >= 0.0, "an angle of a lamp");
+        let queue = &self.gpu.queue;
+        queue.write_buffer(&self.shared.frame, 0, bytemuck::bytes_of(&frame));
+        queue.write_buffer(
+            &self.shared.floor_light,
+            0,
+            bytemuck::bytes_of(&floor_light),
+        );
+    }
+
+    fn write_strokes(&mut self, overlay: Overlay<'_>) {
+        let strokes = [overlay.on_surfaces, overlay.through].concat();
+        let needed = (strokes.len().max(1) as u64) * STROKE_BYTES;
+        let has_room = (self.strokes.as_ref()).is_some_and(|buffer| needed <= buffer.size());
+        if !has_room {
+            self.strokes = Some(self.gpu.device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some("lines"),
+                size: needed.next_power_of_two(),
+                usage: wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST,
+                mapped_at_creation: false,
+            }));
+        }
+        if let Some(buffer) = &self.strokes {
+            (self.gpu.queue).write_buffer(buffer, 0, bytemuck::cast_slice(&strokes));
+        }
+    }
+
+    /// The key light's map, the map from below, and the floor's light by both.
+    fn draw_shadows(&self, encoder: &mut wgpu::CommandEncoder) {
+        let shared = &self.shared;
+        for (map, pipeline) in [
+            (&shared.key_map, &self.pipelines.caster),
+            (&shared.under_map, &self.pipelines.under),
+        ] {
+            let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+                label: Some("casters"),
+                depth_stencil_attachment: Some(depth_attachment(map, wgpu::StoreOp::Store)),
+                ..wgpu::RenderPassDescriptor::default()
+            });
+            let Some(meshes) = self.meshes.as_ref().filter(|m| m.index_count > 0) else {
+                continue;
+            };
+            pass.set_pipeline(pipeline);
+            pass.set_bind_group(0, &shared.caster_group, &[]);
+            pass.set_vertex_buffer(0, meshes.moving.slice(..));
+            pass.set_index_buffer(meshes.indices.slice(..), wgpu::IndexFormat::Uint32);
+            pass.draw_indexed(0..meshes.index_count, 0, 0..1);
+        }
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("floor"),
+            color_attachments: &[Some(color_attachment(&shared.floor, None))],
+            ..wgpu::RenderPassDescriptor::default()
+        });
+        pass.set_pipeline(&self.pipelines.floor);
+        pass.set_bind_group(0, &shared.floor_group, &[]);
+        pass.draw(0..3, 0..1);
+    }
+
+    fn draw_picture(&self, encoder: &mut wgpu::CommandEncoder, overlay: Overlay<'_>) {
+        let targets = &self.targets;
+        let color = match &targets.samples {
+            Some(samples) => color_attachment(samples, Some(&targets.drawn)),
+            None => color_attachment(&targets.drawn, None),
+        };
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("picture"),
+            color_attachments: &[Some(color)],
+            depth_stencil_attachment: Some(depth_attachment(
+                &targets.depth,
+                wgpu::StoreOp::Discard,
+            )),
+            ..wgpu::RenderPassDescriptor::default()
+        });
+        pass.set_bind_group(0, &self.shared.frame_group, &[]);
+        pass.set_pipeline(&self.pipelines.background);
+        pass.draw(0..3, 0..1);
+        if let Some(meshes) = self.meshes.as_ref().filter(|m| m.index_count > 0) {
+            meshes.bind_columns(&mut pass);
+            meshes.draw(&self.pipelines, &mut pass);
+        }
+        if let Some(strokes) = &self.strokes {
+            let count = |strokes: &[Stroke]| u32::try_from(strokes.len()).unwrap_or(0);
+            let (on, through) = (count(overlay.on_surfaces), count(overlay.through));
+            pass.set_vertex_buffer(0, strokes.slice(..));
+            for (pipeline, range) in [
+                (&self.pipelines.lines_on_surfaces, 0..on),
+                (&self.pipelines.lines_through, on..on + through),
+            ] {
+                if !range.is_empty() {
+                    pass.set_pipeline(pipeline);
+                    pass.draw(0..6, range);
+                }
+            }
+        }
+    }
+
+    /// The last picture, as bytes.
+    ///
+    /// # Errors
+    /// Where the adapter fails.
+    pub fn read_back(&self) -> Result<Image, RenderError> {
+        super::draw::read_texture(&self.gpu, &self.targets.picture, self.targets.size)
+    }
+}
+
+/// Where the light's maps lie: around everything, in whole texels.
+fn places(axis: Vec3, bounds: Bounds, ground_height: f32) -> Places {
+    let (right, up) = axis.any_orthonormal_pair();
+    let radius = (bounds.max - bounds.min).length() * 0.5;
+    let reach = (radius / REACH_STEP).ceil().max(1.0) * REACH_STEP;
+    let texel = 2.0 * reach / KEY_SIDE as f32;
+    let center = bounds.center();
+    let row = |direction: Vec3| {
+        let first = ((center.dot(direction) - reach) / texel).floor();
+        (direction / texel).extend(-first)
+    };
+    let cell = FLOOR_SIDE / FLOOR_CELLS as f32;
+    let low = Vec2::new(center.x, center.z) - FLOOR_SIDE * 0.5;
+    Places {
+        axis,
+        texel,
+        texel_u: row(right),
+        texel_v: row(up),
+        ground: Some(GroundPlace {
+            height: ground_height,
+            corner: (low / cell).floor() * cell,
+            cell,
+        }),
+    }
+}
+
+fn color_attachment<'a>(
+    view: &'a wgpu::TextureView,
+    resolve_target: Option<&'a wgpu::TextureView>,
+) -> wgpu::RenderPassColorAttachment<'a> {
+    wgpu::RenderPassColorAttachment {
+        view,
+        depth_slice: None,
+        resolve_target,
+        ops: wgpu::Operations {
+            load: wgpu::LoadOp::Clear(wgpu::Color::BLACK),
+            store: if resolve_target.is_some() {
+                wgpu::StoreOp::Discard
+            } else {
+                wgpu::StoreOp::Store
+            },
+        },
+    }
+}
+
+const fn depth_attachment(
+    view: &wgpu::TextureView,
+    store: wgpu::StoreOp,
+) -> wgpu::RenderPassDepthStencilAttachment<'_> {
+    wgpu::RenderPassDepthStencilAttachment {
+        view,
+        depth_ops: Some(wgpu::Operations {
+            load: wgpu::LoadOp::Clear(0.0),
+            store,
+        }),
+        stencil_ops: None,
+    }
+}
+
+fn new_texture(
+    device: &wgpu::Device,
+    [width, height]: [u32; 2],
+    format: wgpu::TextureFormat,
+    sample_count: u32,
+    usage: wgpu::TextureUsages,
+) -> wgpu::Texture {
+    device.create_texture(&wgpu::TextureDescriptor {
+        label: Some("live"),
+        size: extent(width, height),
+        mip_level_count: 1,
+        sample_count,
+        dimension: wgpu::TextureDimension::D2,
+        format,
+        usage,
+        view_formats: if format == COLOR && sample_count == 1 {
+            &[wgpu::TextureFormat::Rgba8Unorm]
+        } else {
+            &[]
+        },
+    })
+}
+
+fn view(texture: &wgpu::Texture) -> wgpu::TextureView {
+    texture.create_view(&wgpu::TextureViewDescriptor::default())
+}
+
+impl Targets {
+    fn new(device: &wgpu::Device, size: Size, samples: u32) -> Self {
+        let attachment = wgpu::TextureUsages::RENDER_ATTACHMENT;
+        let sides = [size.width, size.height];
+        let picture = new_texture(
+            device,
+            sides,
+            COLOR,
+            1,
+            attachment | wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_SRC,
+        );
+        Self {
+            size,
+            samples: (samples > 1)
+                .then(|| view(&new_texture(device, sides, COLOR, samples, attachment))),
+            depth: view(&new_texture(device, sides, DEPTH, samples, attachment)),
+            drawn: view(&picture),
+            shown: picture.create_view(&wgpu::TextureViewDescriptor {
+                label: Some("shown"),
+                format: Some(wgpu::TextureFormat::Rgba8Unorm),
+                usage: Some(wgpu::TextureUsages::TEXTURE_BINDING),
+                ..wgpu::TextureViewDescriptor::default()
+            }),
+            picture,
+        }
+    }
+}
+
+impl Shared {
+    fn new(device: &wgpu::Device, pipelines: &LivePipelines) -> Self {
+        let uniform = |label, bytes: usize| {
+            device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some(label),
+                size: bytes as u64,
+                usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+                mapped_at_creation: false,
+            })
+        };
+        let frame = uniform("frame", size_of::<Frame>());
+        let floor_light = uniform("floor", size_of::<FloorLight>());
+        let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING;
+        let map = |side, format| view(&new_texture(device, [side; 2], format, 1, usage));
+        let key_map = map(KEY_SIDE, DEPTH);
+        let under_map = map(FLOOR_CELLS, DEPTH);
+        let floor = map(FLOOR_CELLS, FLOOR);
+        let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
+            label: Some("key light"),
+            mag_filter: wgpu::FilterMode::Linear,
+            min_filter: wgpu::FilterMode::Linear,
+            compare: Some(wgpu::CompareFunction::GreaterEqual),
+            ..wgpu::SamplerDescriptor::default()
+        });
+        let compares = wgpu::BindGroupEntry {
+            binding: 3,
+            resource: wgpu::BindingResource::Sampler(&sampler),
+        };
+        let group = |layout, entries: &[wgpu::BindGroupEntry<'_>]| {
+            device.create_bind_group(&wgpu::BindGroupDescriptor {
+                label: None,
+                layout,
+                entries,
+            })
+        };
+        Self {
+            caster_group: group(
+                &pipelines.caster_layout,
+                &[buffer_entry(0, &frame), buffer_entry(5, &floor_light)],
+            ),
+            floor_group: group(
+                &pipelines.floor_layout,
+                &[
+                    buffer_entry(0, &frame),
+                    view_entry(1, &key_map),
+                    compares.clone(),
+                    view_entry(4, &under_map),
+                    buffer_entry(5, &floor_light),
+                ],
+            ),
+            frame_group: group(
+                &pipelines.frame_layout,
+                &[
+                    buffer_entry(0, &frame),
+                    view_entry(1, &key_map),
+                    view_entry(2, &floor),
+                    compares,
+                ],
+            ),
+            frame,
+            floor_light,
+            key_map,
+            under_map,
+            floor,
+        }
+    }
+}
+
+fn buffer_entry(binding: u32, buffer: &wgpu::Buffer) -> wgpu::BindGroupEntry<'_> {
+    wgpu::BindGroupEntry {
+        binding,
+        resource: buffer.as_entire_binding(),
+    }
+}

@@ -1,0 +1,592 @@
+//! A performance that is changed while it runs: by another step, tempo, method or fabric, and by a
+//! hand that pulls at the cloth.
+//!
+//! What a change can keep, it keeps: a new tempo goes on from the same count, a new step is eased
+//! into, another method takes the cloth over as it hangs. Only another dancer or another cut asks
+//! for a new [`Production`].
+
+use std::sync::Arc;
+
+use glam::{Affine3A, Vec3};
+use lole_body::motion::Dance;
+use lole_body::{Bone, Pose};
+use lole_cloth::{ClothSpec, model::particle_masses};
+use lole_costume::document::Design;
+use lole_geom::Capsule;
+
+use crate::performance::{FRAME_SECONDS, FRAMES_PER_SECOND};
+use crate::skin_check::{self, Surface};
+use crate::solver::Solver;
+use crate::{Divergence, Performance, Production, StageError};
+
+/// Time in which one dance step is eased into the next [s]: about one count.
+const EASE_SECONDS: f64 = 0.9;
+
+/// Acceleration of free fall [m/s²], for the potential energy.
+const GRAVITY: f32 = 9.81;
+
+/// A hand reaches this far around the point it holds [m]: about three fingers wide.
+const HAND_RADIUS: f32 = 0.045;
+/// Share of the way to the hand that the cloth is asked to go in one frame.
+const HAND_PULL: f32 = 0.35;
+/// Fastest the hand moves the cloth [m/s], so that a jerk of the mouse does not tear it away.
+const HAND_SPEED: f32 = 3.0;
+
+/// A show: a performance with its present wishes.
+pub struct Show {
+    performance: Performance,
+    design: Design,
+    /// The cloth as it is computed now: the production's, in the present fabric.
+    spec: ClothSpec,
+    masses: Vec<f32>,
+    layers: Vec<Layer>,
+    pull: Option<Pull>,
+    /// Last good positions [m], row-major, and the velocities [m/s] that led there.
+    positions: Vec<Vec3>,
+    velocities: Vec<Vec3>,
+    stopped: Option<Divergence>,
+}
+
+/// One dance of those that are being eased into each other, the last on top.
+struct Layer {
+    dance: Dance,
+    /// Its own time [s].
+    time: f64,
+    /// Time since it began to cover what is below [s].
+    age: f64,
+}
+
+/// A hand that holds the cloth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pull {
+    /// Particle that is held.
+    pub particle: u32,
+    /// Where the hand is [m].
+    pub hand: Vec3,
+}
+
+/// What a wish asks for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Wish {
+    /// It was granted on the spot.
+    Granted,
+    /// It needs a new production: another dancer or another cut.
+    Resew,
+}
+
+/// The cloth's figures of one frame.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Vitals {
+    /// Energy of motion, `Σ ½ m v²` [J].
+    pub kinetic_energy: f32,
+    /// Energy of height, `Σ m g y` with `y` above the floor [J].
+    pub potential_energy: f32,
+    /// Mean height of the hem above the floor [m].
+    pub hem_height: f32,
+    /// Middle of the hem: right to left and back to front [m].
+    pub hem_middle: [f32; 2],
+}
+
+impl Show {
+    /// Puts a design on stage.
+    ///
+    /// # Errors
+    /// A design whose parts do not fit together.
+    pub fn new(design: &Design) -> Result<Self, StageError> {
+        Self::of(Production::new(design)?)
+    }
+
+    /// Puts a production on stage, from the beginning.
+    ///
+    /// # Errors
+    /// A skirt the chosen method cannot be prepared for.
+    pub fn of(production: impl Into<Arc<Production>>) -> Result<Self, StageError> {
+        let production = production.into();
+        let spec = production.skirt.spec.clone();
+        let layer = Layer {
+            dance: production.dance.clone(),
+            time: 0.0,
+            age: EASE_SECONDS,
+        };
+        let performance = Performance::new(Arc::clone(&production))?;
+        let positions = performance.cloth_positions().to_vec();
+        Ok(Self {
+            design: production.design.clone(),
+            masses: particle_masses(&spec),
+            velocities: vec![Vec3::ZERO; positions.len()],
+            positions,
+            performance,
+            spec,
+            layers: vec![layer],
+            pull: None,
+            stopped: None,
+        })
+    }
+
+    /// The same production and wishes, from the beginning.
+    ///
+    /// # Errors
+    /// A skirt the chosen method cannot be prepared for.
+    pub fn restarted(&self) -> Result<Self, StageError> {
+        let mut fresh = Self::of(self.performance.shared_production())?;
+        fresh.wish(&self.design)?;
+        fresh.layers.drain(..fresh.layers.len() - 1);
+        if let Some(layer) = fresh.layers.first_mut() {
+            (layer.time, layer.age) = (0.0, EASE_SECONDS);
+        }
+        Ok(fresh)
+    }
+
+    /// What is performed.
+    #[must_use]
+    pub fn production(&self) -> Arc<Production> {
+        self.performance.shared_production()
+    }
+
+    /// What is wished at present.
+    #[must_use]
+    pub const fn design(&self) -> &Design {
+        &self.design
+    }
+
+    /// Time of the dance [s]; negative while the skirt settles.
+    #[must_use]
+    pub fn time(&self) -> f32 {
+        self.performance.time()
+    }
+
+    /// Where and when the cloth stopped being cloth, if it did.
+    #[must_use]
+    pub const fn stopped(&self) -> Option<Divergence> {
+        self.stopped
+    }
+
+    /// Changes the design; a refused or postponed wish changes nothing.
+    ///
+    /// # Errors
+    /// A dance that cannot be danced, a fabric the method cannot be prepared for.
+    pub fn wish(&mut self, design: &Design) -> Result<Wish, StageError> {
+        if needs_sewing(&self.design, design) {
+            return Ok(Wish::Resew);
+        }
+        let dance = (self.design.motion != design.motion)
+            .then(|| self.next_layer(design))
+            .transpose()?;
+        let cloth_changes = self.design.fabric != design.fabric
+            || self.design.method != design.method
+            || self.design.wind != design.wind;
+        if cloth_changes {
+            let mut spec = self.spec.clone();
+            spec.fabric = design.fabric.fabric();
+            let mut solver = Solver::new(design, &spec, &self.positions)?;
+            solver.edit_velocities(|velocities| velocities.copy_from_slice(&self.velocities));
+            self.performance.replace_solver(solver);
+            self.masses = particle_masses(&spec);
+            self.spec = spec;
+            self.stopped = None;
+        }
+        if let Some(layer) = dance {
+            self.layers.push(layer);
+        }
+        self.design = design.clone();
+        Ok(Wish::Granted)
+    }
+
+    /// The dance of `design`, on the count of the present one.
+    fn next_layer(&self, design: &Design) -> Result<Layer, StageError> {
+        let skeleton = &self.performance.production().dancer.skeleton;
+        let dance = Dance::new(skeleton, &design.motion_settings())?;
+        let (old, new) = (&self.design.motion, &design.motion);
+        let time = self.layers.last().map_or(0.0, |layer| layer.time);
+        let same_figure = MotionOfTempo(old) == MotionOfTempo(new);
+        // The same step goes on from the same count; another one starts on the same beat.
+        let counts = time * old.tempo_bpm / 60.0;
+        let lead_in = f64::from(dance.lead_in());
+        let time = if same_figure {
+            counts * 60.0 / new.tempo_bpm
+        } else if time <= 0.0 {
+            0.0
+        } else {
+            lead_in + counts.fract() * 60.0 / new.tempo_bpm
+        };
+        let age = if same_figure { EASE_SECONDS } else { 0.0 };
+        Ok(Layer { dance, time, age })
+    }
+
+    /// Holds the cloth, or lets it go.
+    pub const fn pull(&mut self, pull: Option<Pull>) {
+        self.pull = pull;
+    }
+
+    /// Moves dancer and cloth on by one frame; a stopped show stays as it is.
+    ///
+    /// # Errors
+    /// The first particle that left the stage, with time and place.
+    pub fn advance(&mut self) -> Result<(), Divergence> {
+        if let Some(divergence) = self.stopped {
+            return Err(divergence);
+        }
+        let dances = 0.0 <= self.performance.time();
+        for layer in &mut self.layers {
+            let dt = 1.0 / f64::from(FRAMES_PER_SECOND);
+            layer.time += if dances { dt } else { 0.0 };
+            layer.age += dt;
+        }
+        let covered = |layer: &Layer| EASE_SECONDS <= layer.age;
+        let bottom = self.layers.iter().rposition(covered).unwrap_or(0);
+        self.layers.drain(..bottom);
+        self.pull_cloth();
+        let pose = self.pose();
+        match self.performance.advance_in(pose) {
+            Ok(()) => {
+                let now = self.performance.cloth_positions();
+                for ((velocity, before), &after) in
+                    (self.velocities.iter_mut().zip(&mut self.positions)).zip(now)
+                {
+                    *velocity = (after - *before) / FRAME_SECONDS;
+                    *before = after;
+                }
+                Ok(())
+            }
+            Err(divergence) => {
+                self.stopped = Some(divergence);
+                Err(divergence)
+            }
+        }
+    }
+
+    /// Lets the skirt settle until the dance begins.
+    ///
+    /// # Errors
+    /// As [`Self::advance`].
+    pub fn settle(&mut self) -> Result<(), Divergence> {
+        while self.time() < 0.0 {
+            self.advance()?;
+        }
+        Ok(())
+    }
+
+    fn pose(&self) -> Pose {
+        let mut layers = self.layers.iter();
+        let mut pose = layers
+            .next()
+            .map_or_else(Pose::default, |layer| layer.dance.pose_at(seconds(layer.time)));
+        for layer in layers {
+            let share = seconds((layer.age / EASE_SECONDS).clamp(0.0, 1.0));
+            let share = share * share * (3.0 - 2.0 * share);
+            pose = between(&pose, &layer.dance.pose_at(seconds(layer.time)), share);
+        }
+        pose
+    }
+
+    fn pull_cloth(&mut self) {
+        let Some(pull) = self.pull else { return };
+        let Some(&held) = self.positions.get(pull.particle as usize) else {
+            return;
+        };
+        let way = (pull.hand - held) * (HAND_PULL / FRAME_SECONDS);
+        let wanted = way.clamp_length_max(HAND_SPEED);
+        let positions = &self.positions;
+        let pinned = &self.spec.pinned;
+        self.performance.solver_mut().edit_velocities(|velocities| {
+            for ((velocity, &position), &pinned) in velocities.iter_mut().zip(positions).zip(pinned)
+            {
+                let near = 1.0 - position.distance(held) / HAND_RADIUS;
+                if 0.0 < near && !pinned {
+                    *velocity = velocity.lerp(wanted, near.sqrt());
+                }
+            }
+        });
+    }
+
+    /// The last good positions of the cloth [m], row-major.
+    #[must_use]
+    pub fn cloth_positions(&self) -> &[Vec3] {
+        &self.positions
+    }
+
+    /// The cloth as it is computed now.
+    #[must_use]
+    pub const fn spec(&self) -> &ClothSpec {
+        &self.spec
+    }
+
+    /// The capsules now.
+    #[must_use]
+    pub fn capsules(&self) -> &[Capsule] {
+        self.performance.capsules()
+    }
+
+    /// Skin transforms of the present pose, by bone.
+    #[must_use]
+    pub fn world_from_bind(&self) -> &[Affine3A] {
+        self.performance.world_from_bind()
+    }
+
+    /// Substeps of one frame.
+    #[must_use]
+    pub fn substep_count(&self) -> u32 {
+        self.performance.substep_count()
+    }
+
+    /// Springs of all families.
+    #[must_use]
+    pub fn spring_count(&self) -> usize {
+        self.performance.spring_count()
+    }
+
+    /// The cloth's figures now.
+    #[must_use]
+    #[expect(clippy::cast_precision_loss, reason = "a skirt has 512 columns")]
+    pub fn vitals(&self) -> Vitals {
+        let columns = self.spec.grid.column_count as usize;
+        let hem = &self.positions[self.positions.len().saturating_sub(columns)..];
+        let middle = hem.iter().sum::<Vec3>() / hem.len().max(1) as f32;
+        let (mut kinetic, mut potential) = (0.0, 0.0);
+        for ((&mass, velocity), position) in
+            (self.masses.iter().zip(&self.velocities)).zip(&self.positions)
+        {
+            kinetic += 0.5 * mass * velocity.length_squared();
+            potential += mass * GRAVITY * position.y;
+        }
+        Vitals {
+            kinetic_energy: kinetic,
+            potential_energy: potential,
+            hem_height: middle.y,
+            hem_middle: [middle.x, middle.z],
+        }
+    }
+
+    /// Mean strain of the structural springs at each particle, `length / rest_length - 1`: positive
+    /// where the cloth is stretched.
+    #[must_use]
+    pub fn strain(&self) -> Vec<f32> {
+        let grid = &self.spec.grid;
+        let mut sums = vec![(0.0_f32, 0.0_f32); self.positions.len()];
+        let mut add = |first: usize, second: usize, rest_length: f32| {
+            let length = self.positions[first].distance(self.positions[second]);
+            for particle in [first, second] {
+                sums[particle].0 += length / rest_length - 1.0;
+                sums[particle].1 += 1.0;
+            }
+        };
+        for row in 0..grid.row_count {
+            for column in 0..grid.column_count {
+                let particle = grid.index(row, column);
+                if let Some(right) = grid.column_right(column, 1) {
+                    add(particle, grid.index(row, right), grid.spacing[0]);
+                }
+                if row + 1 < grid.row_count {
+                    add(particle, grid.index(row + 1, column), grid.spacing[1]);
+                }
+            }
+        }
+        sums.into_iter()
+            .map(|(sum, count)| sum / count.max(1.0))
+            .collect()
+    }
+
+    /// Particles below the drawn skin, given its posed vertices and normals.
+    #[must_use]
+    pub fn sunken(&self, body_positions: &[Vec3], body_normals: &[Vec3]) -> Vec<Vec3> {
+        let production = self.performance.production();
+        let body = Surface {
+            positions: body_positions,
+            normals: body_normals,
+            triangles: &production.body_triangles,
+        };
+        let cloth = Surface {
+            positions: &self.positions,
+            normals: &[],
+            triangles: &production.skirt_mesh.particle_triangles,
+        };
+        skin_check::sunken(body, cloth)
+            .into_iter()
+            .map(|vertex| self.positions[vertex as usize])
+            .collect()
+    }
+
+    /// Ends of each bone that has a parent, in the world [m].
+    #[must_use]
+    pub fn bones(&self) -> Vec<[Vec3; 2]> {
+        let skeleton = &self.performance.production().dancer.skeleton;
+        let joint =
+            |bone: Bone| self.world_from_bind()[bone.index()].transform_point3(skeleton.joint(bone));
+        Bone::ALL
+            .iter()
+            .filter_map(|&bone| Some([joint(bone.parent()?), joint(bone)]))
+            .collect()
+    }
+}
+
+/// Whether the skirt must be sewn anew on the way from one design to the other.
+fn needs_sewing(old: &Design, new: &Design) -> bool {
+    old.dancer != new.dancer || old.skirt != new.skirt || old.print.repeat_cm != new.print.repeat_cm
+}
+
+/// A motion but for its tempo and length.
+struct MotionOfTempo<'a>(&'a lole_costume::document::MotionDesign);
+
+impl PartialEq for MotionOfTempo<'_> {
+    fn eq(&self, other: &Self) -> bool {
+        let mut motion = self.0.clone();
+        motion.tempo_bpm = other.0.tempo_bpm;
+        motion.duration_s = other.0.duration_s;
+        motion == *other.0
+    }
+}
+
+/// The pose a `share` of the way from `from` to `to`.
+fn between(from: &Pose, to: &Pose, share: f32) -> Pose {
+    Pose {
+        hips_translation: from.hips_translation.lerp(to.hips_translation, share),
+        rotations: (from.rotations.iter().zip(&to.rotations))
+            .map(|(&from, &to)| from.lerp(to, share))
+            .collect(),
+    }
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "poses are asked for in f32; the sums are f64"
+)]
+fn seconds(time: f64) -> f32 {
+    time as f32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use lole_body::DanceStep;
+    use lole_costume::document::MethodName;
+
+    /// A coarse skirt, so that a test is quick.
+    fn design() -> Design {
+        let mut design = Design::default();
+        design.skirt.column_count = 96;
+        design.skirt.row_count = 24;
+        design
+    }
+
+    fn dancing() -> Show {
+        let mut show = Show::new(&design()).unwrap();
+        show.settle().unwrap();
+        for _ in 0..90 {
+            show.advance().unwrap();
+        }
+        show
+    }
+
+    fn hips(show: &Show) -> Vec3 {
+        show.bones()[0][0]
+    }
+
+    /// Farthest that the hips go in one frame of the next second [m].
+    fn jerk(show: &mut Show) -> f32 {
+        let mut farthest = 0.0_f32;
+        for _ in 0..60 {
+            let before = hips(show);
+            show.advance().unwrap();
+            farthest = farthest.max(hips(show).distance(before));
+        }
+        farthest
+    }
+
+    #[test]
+    fn another_step_tempo_and_method_keep_dancer_and_cloth_where_they_are() {
+        let mut show = dancing();
+        let undisturbed = jerk(&mut show);
+        for step in [DanceStep::Ami, DanceStep::Uwehe, DanceStep::Kao] {
+            let mut wished = show.design().clone();
+            wished.motion.step = step;
+            wished.motion.tempo_bpm += 20.0;
+            assert_eq!(show.wish(&wished).unwrap(), Wish::Granted);
+            assert!(jerk(&mut show) < 2.5 * undisturbed, "{step:?}");
+        }
+        let before = show.cloth_positions().to_vec();
+        let mut wished = show.design().clone();
+        wished.method.name = MethodName::FbEuler;
+        wished.fabric.drag_per_s = Some(3.0);
+        assert_eq!(show.wish(&wished).unwrap(), Wish::Granted);
+        assert_eq!(show.cloth_positions(), before);
+        show.advance().unwrap();
+        let moved = (before.iter().zip(show.cloth_positions()))
+            .map(|(a, b)| a.distance(*b))
+            .fold(0.0, f32::max);
+        assert!(moved < 0.1, "{moved} m in one frame");
+    }
+
+    #[test]
+    fn a_new_tempo_goes_on_from_the_same_count() {
+        let mut show = dancing();
+        let mut wished = show.design().clone();
+        wished.motion.tempo_bpm *= 1.5;
+        let before = show.pose();
+        show.wish(&wished).unwrap();
+        let apart = (before.rotations.iter().zip(&show.pose().rotations))
+            .map(|(a, b)| 1.0 - a.dot(*b).abs())
+            .fold(0.0, f32::max);
+        assert!(apart < 1e-5, "{apart}");
+    }
+
+    #[test]
+    fn another_cut_or_dancer_asks_for_sewing_and_changes_nothing() {
+        let mut show = Show::new(&design()).unwrap();
+        let mut wished = design();
+        wished.skirt.gather_ratio = 3.0;
+        assert_eq!(show.wish(&wished).unwrap(), Wish::Resew);
+        wished = design();
+        wished.dancer.stature_cm = Some(170.0);
+        assert_eq!(show.wish(&wished).unwrap(), Wish::Resew);
+        assert_eq!(*show.design(), design());
+    }
+
+    #[test]
+    fn cloth_follows_the_hand_that_holds_it_and_hangs_again_when_let_go() {
+        let mut show = Show::new(&design()).unwrap();
+        show.settle().unwrap();
+        let particle = show.spec().grid.index(show.spec().grid.row_count - 1, 48);
+        let at = |show: &Show| show.cloth_positions()[particle];
+        let rest = at(&show);
+        let hand = rest + Vec3::new(0.0, 0.15, 0.10);
+        show.pull(Some(Pull {
+            particle: u32::try_from(particle).unwrap(),
+            hand,
+        }));
+        for _ in 0..60 {
+            show.advance().unwrap();
+        }
+        assert!(at(&show).distance(hand) < 0.06, "{}", at(&show) - hand);
+        show.pull(None);
+        for _ in 0..120 {
+            show.advance().unwrap();
+        }
+        assert!(0.1 < at(&show).distance(hand));
+    }
+
+    #[test]
+    fn a_restarted_show_repeats_itself_bit_for_bit() {
+        let mut first = Show::new(&design()).unwrap();
+        for _ in 0..20 {
+            first.advance().unwrap();
+        }
+        let mut second = first.restarted().unwrap();
+        for _ in 0..20 {
+            second.advance().unwrap();
+        }
+        assert_eq!(first.cloth_positions(), second.cloth_positions());
+    }
+
+    #[test]
+    fn energy_of_motion_falls_while_the_skirt_settles() {
+        let mut show = Show::new(&design()).unwrap();
+        let mut energies = Vec::new();
+        while show.time() < 0.0 {
+            show.advance().unwrap();
+            energies.push(show.vitals().kinetic_energy);
+        }
+        let highest = energies.iter().copied().fold(0.0, f32::max);
+        assert!(energies.last().is_some_and(|last| *last < 0.05 * highest));
+        assert!(0.0 < show.vitals().potential_energy);
+    }
+}
