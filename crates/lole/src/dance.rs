@@ -50,13 +50,16 @@ struct Recording {
 
 /// Runs the command.
 pub(crate) fn run(args: &DanceArgs, language: Language) -> Result<(), Failure> {
+    let stop = stop_flag().map_err(Failure::Run)?;
     let Source { name, text, design } = load(args)?;
     let production = Production::new(&design).map_err(|error| {
         let place = place_of(&error);
         let sentence = document::locate(&text, &name, place, Sentence::of(&error));
         Failure::Usage(sentence.into())
     })?;
-    let stop = stop_flag().map_err(Failure::Run)?;
+    if stop.load(Ordering::Relaxed) {
+        return Err(Failure::Interrupted);
+    }
     let output = OutputFolder::create(&args.out).map_err(Failure::Usage)?;
     let run = Run {
         args,
@@ -121,9 +124,15 @@ fn load(args: &DanceArgs) -> Result<Source, Failure> {
     design.motion.tempo_bpm = args.bpm.unwrap_or(design.motion.tempo_bpm);
     design.motion.duration_s = args.seconds.unwrap_or(design.motion.duration_s);
     design.skirt.seed = args.seed.unwrap_or(design.skirt.seed);
-    design
-        .check("command line")
-        .map_err(|error| Failure::Usage(error.into()))?;
+    design.check("command line").map_err(|mut error| {
+        // The document was sound before the command line was laid over it.
+        for (key, option) in [("tempo_bpm", "--bpm"), ("seed", "--seed")] {
+            if error.place.ends_with(key) {
+                option.clone_into(&mut error.file_name);
+            }
+        }
+        Failure::Usage(error.into())
+    })?;
     Ok(Source { name, text, design })
 }
 

@@ -44,7 +44,11 @@ pub(crate) fn print_run(report: &RunReport, paths: &[PathBuf], seconds: f64, lan
         report.particles,
         pick("質点", "particles"),
         report.threads,
-        pick("スレッド", "threads"),
+        if report.threads == 1 {
+            pick("スレッド", "thread")
+        } else {
+            pick("スレッド", "threads")
+        },
         report.frame_wall_ms.median,
         pick("ミリ秒/コマ", "ms a frame"),
         pick("CPU", "CPU"),

@@ -4,7 +4,7 @@ use glam::Affine3A;
 use lole_geom::Capsule;
 
 use crate::appearance::add_hair;
-use crate::capsules::fit_capsules;
+use crate::capsules::{CapsuleLayout, fit_capsules};
 use crate::skin_build::build_skin;
 use crate::{BodyCapsule, BodyError, Bone, Measurements, Skeleton, SkinnedMesh, TapePoint};
 use crate::{surface, tape};
@@ -53,7 +53,7 @@ pub struct Dancer {
     pub skeleton: Skeleton,
     /// The drawn body.
     pub skin: SkinnedMesh,
-    /// The 13 capsules cloth collides with.
+    /// The capsules cloth collides with: the 13 of [`CapsuleLayout::default`].
     pub capsules: Vec<BodyCapsule>,
     /// Heights to hang clothes on.
     pub landmarks: Landmarks,
@@ -86,7 +86,7 @@ impl Dancer {
             ankle_height: height(Bone::LeftFoot),
             crown_height: shape.body.height,
         };
-        let capsules = fit_capsules(&skin, &skeleton, &landmarks);
+        let capsules = fit_capsules(&skin, &skeleton, &landmarks, CapsuleLayout::default());
         Ok(Self {
             measurements: *measurements,
             skeleton,
@@ -94,6 +94,12 @@ impl Dancer {
             capsules,
             landmarks,
         })
+    }
+
+    /// Other capsules for the same body: assign them to [`Dancer::capsules`].
+    #[must_use]
+    pub fn fit_capsules(&self, layout: CapsuleLayout) -> Vec<BodyCapsule> {
+        fit_capsules(&self.skin, &self.skeleton, &self.landmarks, layout)
     }
 
     /// The capsules in the world.

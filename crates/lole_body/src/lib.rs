@@ -19,7 +19,7 @@ mod surface;
 pub mod tape;
 
 pub use appearance::{BodyPicture, face_texture, hair_texture};
-pub use capsules::BodyCapsule;
+pub use capsules::{BodyCapsule, CapsuleLayout};
 pub use dancer::{Dancer, Landmarks};
 pub use error::BodyError;
 pub use measurements::{Measurements, Tape};

@@ -63,6 +63,11 @@ const LEG_FOLLOWS_HIP: [f64; 4] = [0.85, 0.6, 0.6, 0.35];
 /// How far a trunk girth that was not measured follows those that were (exponent).
 const TRUNK_FOLLOWS_TRUNK: f64 = 0.85;
 
+/// Girths that a dancer can have [cm].
+const BUST_BAND_CM: [f64; 2] = [60.0, 140.0];
+const WAIST_BAND_CM: [f64; 2] = [50.0, 130.0];
+const HIP_BAND_CM: [f64; 2] = [70.0, 150.0];
+
 impl Measurements {
     /// The default woman: 158 / 83.5 / 66 / 91, inseam 71 cm.
     #[must_use]
@@ -92,13 +97,18 @@ impl Measurements {
             (
                 words("ウエスト", "waist girth"),
                 self.waist_girth,
-                50.0,
-                130.0,
+                WAIST_BAND_CM[0],
+                WAIST_BAND_CM[1],
             ),
-            (HIP_GIRTH, self.hip_girth, 70.0, 150.0),
-            (words("バスト", "bust girth"), self.bust_girth, 60.0, 140.0),
+            (HIP_GIRTH, self.hip_girth, HIP_BAND_CM[0], HIP_BAND_CM[1]),
             (
-                words("股下", "inseam length"),
+                words("バスト", "bust girth"),
+                self.bust_girth,
+                BUST_BAND_CM[0],
+                BUST_BAND_CM[1],
+            ),
+            (
+                words("この身長での股下", "inseam length at this stature"),
                 self.inseam_length,
                 0.40 * stature_cm,
                 0.50 * stature_cm,
@@ -158,8 +168,12 @@ impl Measurements {
         }
         let wide = if count > 0.0 { wide / count } else { tall };
         let trunk = trig64::exp(TRUNK_FOLLOWS_TRUNK * wide + (1.0 - TRUNK_FOLLOWS_TRUNK) * tall);
-        let [bust, waist, hip] =
-            measured.map(|(girth, default)| girth.map_or(default * trunk, Length::to_cm));
+        let mut bands = [BUST_BAND_CM, WAIST_BAND_CM, HIP_BAND_CM].into_iter();
+        let [bust, waist, hip] = measured.map(|(girth, default)| {
+            // What is guessed never leaves the band: nobody could mend it.
+            let [least, most] = bands.next().unwrap_or([0.0, f64::INFINITY]);
+            girth.map_or((default * trunk).clamp(least, most), Length::to_cm)
+        });
         let inseam = tape
             .inseam_length
             .map_or(inseam_0 * stature / stature_0, Length::to_cm);

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
 use glam::{Quat, Vec2, Vec3};
-use lole_body::{Bone, Dancer, Measurements, PartKind, Pose, Tape};
+use lole_body::{Bone, CapsuleLayout, Dancer, Measurements, PartKind, Pose, Tape};
 use lole_geom::{Capsule, Length};
 
 fn woman() -> &'static Dancer {
@@ -365,6 +365,54 @@ fn thirteen_capsules_cover_the_skin_below_the_waist() {
             outside / area
         );
     }
+}
+
+/// Root mean square distance [m] from the skin between ankle and waist to the capsules.
+fn misfit(woman: &Dancer, layout: CapsuleLayout) -> f32 {
+    let pose = standing(0.0);
+    let world_from_bind = woman.skeleton.world_from_bind(&pose);
+    let capsules: Vec<Capsule> = (woman.fit_capsules(layout).iter())
+        .map(|capsule| capsule.posed(&world_from_bind))
+        .collect();
+    let l = &woman.landmarks;
+    let (mut sum, mut count) = (0.0, 0.0);
+    for (vertex, position) in posed(woman, &pose).into_iter().enumerate() {
+        let bind = woman.skin.positions[vertex];
+        let bone = usize::from(woman.skin.joints[vertex][0]);
+        let is_arm = bone > Bone::Chest.index() && bone < Bone::LeftUpperLeg.index();
+        if !is_arm && (l.ankle_height + 0.02..l.waist_height).contains(&bind.y) {
+            let distance = (capsules.iter())
+                .map(|capsule| capsule.signed_distance(position))
+                .fold(f32::INFINITY, f32::min);
+            sum += distance * distance;
+            count += 1.0;
+        }
+    }
+    (sum / count).sqrt()
+}
+
+#[test]
+fn any_number_of_capsules_can_stand_for_the_body_and_more_fit_better() {
+    let woman = woman();
+    for count in 1..=CapsuleLayout::MOST {
+        let capsules = woman.fit_capsules(CapsuleLayout::Fitted(count));
+        assert_eq!(capsules.len(), count as usize);
+        for capsule in &capsules {
+            assert!(
+                capsule.ends.iter().all(|(_, end)| end.is_finite()),
+                "{count}"
+            );
+            assert!(
+                capsule.radii.iter().all(|r| (0.02..0.2).contains(r)),
+                "{count}: {capsule:?}"
+            );
+        }
+    }
+    let misfits = [1, 4, 8, 13, 20, 40].map(|count| misfit(woman, CapsuleLayout::Fitted(count)));
+    assert!(misfits.is_sorted_by(|few, many| many < few), "{misfits:?}");
+    let cylinders = woman.fit_capsules(CapsuleLayout::TwoCylinders);
+    assert_eq!(cylinders.len(), 2);
+    assert!(misfits[3] < misfit(woman, CapsuleLayout::TwoCylinders));
 }
 
 #[test]

@@ -10,7 +10,7 @@
 use std::time::Instant;
 
 use glam::{DVec3, Vec3};
-use lole_cloth::method::fb_euler::{self, FbEulerConfig, StepInput};
+use lole_cloth::method::explicit::{self, ExplicitConfig, StepInput};
 use lole_cloth::method::reference::{ReferenceModel, ReferenceState};
 use lole_cloth::{ClothSpec, Fabric, Grid, MassLaw, Topology};
 use lole_geom::{Capsule, trig64};
@@ -44,7 +44,7 @@ fn main() -> Result<(), lole_cloth::BuildError> {
         pinned,
     };
     let model = ReferenceModel::new(&spec)?;
-    let config = FbEulerConfig::for_model(&model, FRAME_DT);
+    let config = ExplicitConfig::for_model(&model, FRAME_DT);
     let radius = 0.0075 * 512.0 / std::f64::consts::TAU;
     let positions: Vec<DVec3> = (0..grid.row_count)
         .flat_map(|row| (0..grid.column_count).map(move |column| (row, column)))
@@ -69,7 +69,7 @@ fn main() -> Result<(), lole_cloth::BuildError> {
             capsules: &capsules,
         };
         let start = Instant::now();
-        let substeps = fb_euler::step(&model, &config, &input, &mut state, FRAME_DT);
+        let substeps = explicit::step(&model, &config, &input, &mut state, FRAME_DT);
         let milliseconds = start.elapsed().as_secs_f64() * 1e3;
         let nanoseconds = milliseconds * 1e6 / (25_600.0 * f64::from(substeps));
         println!("{substeps} substeps {milliseconds:.0} ms, {nanoseconds:.1} ns per particle");

@@ -10,8 +10,20 @@ use crate::method::paper;
 /// same cloth feels more of it; [`Wind::from_pressure`] takes that out.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wind {
-    /// `α` [N]: the largest force on one particle.
+    /// `α` [N]: the largest force on one particle, of [`WindLaw::Spherical`].
     pub amplitude: f64,
+    /// How (4) is read.
+    pub law: WindLaw,
+}
+
+/// How equation (4), printed as a scalar that acts "in the x-axis and z-axis directions", is read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum WindLaw {
+    /// Its two terms are the two components: the wind turns.
+    #[default]
+    Spherical,
+    /// The sum acts along both axes: the wind goes to and fro along (1, 0, 1).
+    LiteralScalar,
 }
 
 impl Wind {
@@ -21,12 +33,18 @@ impl Wind {
     pub fn from_pressure(pressure: f64, area: f64, particle_count: u32) -> Self {
         Self {
             amplitude: pressure * area / f64::from(particle_count.max(1)),
+            law: WindLaw::Spherical,
         }
     }
 
-    /// Force [N] on each particle at `time` [s]; zero at time zero, never longer than `amplitude`.
+    /// Force [N] on each particle at `time` [s]; zero at time zero, never longer than `amplitude`
+    /// (twice as long by the literal law).
     #[must_use]
     pub fn force(&self, time: f64) -> DVec3 {
-        paper::wind_force(self.amplitude, paper::wind_phases(time))
+        let phases = paper::wind_phases(time);
+        match self.law {
+            WindLaw::Spherical => paper::wind_force(self.amplitude, phases),
+            WindLaw::LiteralScalar => paper::wind_force_literal(self.amplitude, phases),
+        }
     }
 }

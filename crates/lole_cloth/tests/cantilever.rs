@@ -4,7 +4,7 @@ mod reference_support;
 
 use glam::DVec3;
 use lole_cloth::collision::penalty::Penalty;
-use lole_cloth::method::fb_euler::{self, FbEulerConfig, StepInput};
+use lole_cloth::method::explicit::{self, ExplicitConfig, StepInput};
 use lole_cloth::method::reference::{ReferenceModel, ReferenceState, SpringConstants};
 use lole_cloth::{MassLaw, Topology};
 use reference_support::{held_pins, model, rest_positions, spec};
@@ -55,9 +55,9 @@ fn height_over_width(gamma: f64, segments: u16) -> f64 {
 
 /// Lets the strip swing out in thick air.
 fn settle(model: &ReferenceModel, state: &mut ReferenceState) {
-    let config = FbEulerConfig {
+    let config = ExplicitConfig {
         penalty: Penalty::new(0.0, 0.0),
-        ..FbEulerConfig::for_model(model, 1.0)
+        ..ExplicitConfig::for_model(model, 1.0)
     };
     let pin_targets = held_pins(model, state);
     let input = StepInput {
@@ -65,7 +65,7 @@ fn settle(model: &ReferenceModel, state: &mut ReferenceState) {
         pin_targets: &pin_targets,
         capsules: &[],
     };
-    fb_euler::step(model, &config, &input, state, 3.0);
+    explicit::step(model, &config, &input, state, 3.0);
     let speed = (state.velocities.iter()).fold(0.0, |most: f64, v| most.max(v.length()));
     assert!(speed < 1e-5, "still moving at {speed} m/s");
 }

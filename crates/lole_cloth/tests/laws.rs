@@ -2,12 +2,15 @@
 
 mod reference_support;
 
+use std::f64::consts::FRAC_PI_4;
+
 use glam::DVec3;
-use lole_cloth::method::fb_euler::{self, StepInput};
+use lole_cloth::method::explicit::{self, StepInput};
 use lole_cloth::method::paper;
 use lole_cloth::method::reference::{ReferenceModel, ReferenceState, SpringConstants};
-use lole_cloth::wind::Wind;
+use lole_cloth::wind::{Wind, WindLaw};
 use lole_cloth::{MassLaw, Topology};
+use lole_geom::trig64;
 use reference_support::{Lcg, lattice, model, rest_positions, spec, still};
 
 const DT: f64 = 1.0 / 60.0;
@@ -26,7 +29,7 @@ fn fallen(drag_rate: f32, substeps: u32) -> ReferenceState {
         pin_targets: &[],
         capsules: &[],
     };
-    fb_euler::step(
+    explicit::step(
         &model,
         &config,
         &input,
@@ -142,7 +145,7 @@ fn a_free_sheet_keeps_its_momentum() {
             pin_targets: &[],
             capsules: &[],
         };
-        fb_euler::step(&model, &still(2000), &input, &mut state, 1.0);
+        explicit::step(&model, &still(2000), &input, &mut state, 1.0);
         let after = model.momentum(&state);
         let linear = (after.linear - before.linear).length() / scale;
         let angular = (after.angular - before.angular).length() / scale;
@@ -164,7 +167,7 @@ fn the_energy_of_a_free_sheet_has_no_trend() {
     let mut mean_energy = |steps: u32| {
         let mut sum = 0.0;
         for _ in 0..steps {
-            fb_euler::step(&model, &still(1), &input, &mut state, dt);
+            explicit::step(&model, &still(1), &input, &mut state, dt);
             sum += model.kinetic_energy(&state.velocities) + model.spring_energy(&state.positions);
         }
         sum / f64::from(steps)
@@ -180,7 +183,10 @@ fn the_energy_of_a_free_sheet_has_no_trend() {
 
 #[test]
 fn wind_starts_at_nothing_and_never_exceeds_its_amplitude() {
-    let wind = Wind { amplitude: 0.3 };
+    let wind = Wind {
+        amplitude: 0.3,
+        law: WindLaw::Spherical,
+    };
     assert_eq!(wind.force(0.0), DVec3::ZERO);
     for step in 0..10_000 {
         let force = wind.force(f64::from(step) * 0.01);
@@ -191,7 +197,10 @@ fn wind_starts_at_nothing_and_never_exceeds_its_amplitude() {
 
 #[test]
 fn wind_repeats_after_six_tenths_of_pi_and_blows_nowhere_on_average() {
-    let wind = Wind { amplitude: 1.0 };
+    let wind = Wind {
+        amplitude: 1.0,
+        law: WindLaw::Spherical,
+    };
     let period = 0.6 * std::f64::consts::PI;
     let count = 1200;
     let mut sum = DVec3::ZERO;
@@ -205,6 +214,46 @@ fn wind_repeats_after_six_tenths_of_pi_and_blows_nowhere_on_average() {
     // No shorter period: half of it and a third of it give another force.
     for divisor in [2.0, 3.0] {
         assert!(0.1 < (wind.force(0.1 + period / divisor) - wind.force(0.1)).length());
+    }
+}
+
+#[test]
+fn the_literal_wind_goes_to_and_fro_along_the_diagonal() {
+    let wind = Wind {
+        amplitude: 1.0,
+        law: WindLaw::LiteralScalar,
+    };
+    let period = 0.6 * std::f64::consts::PI;
+    let count = 1200;
+    let mut sum = DVec3::ZERO;
+    let mut largest: f64 = 0.0;
+    for step in 0..count {
+        let time = period * f64::from(step) / f64::from(count);
+        let force = wind.force(time);
+        let [beta, gamma] = paper::wind_phases(time);
+        let scalar = 2.0f64.sqrt() * trig64::sin(gamma) * trig64::sin(beta + FRAC_PI_4);
+        assert!((force - DVec3::new(scalar, 0.0, scalar)).length() < 1e-12);
+        assert!((wind.force(time + period) - force).length() < 1e-12);
+        sum += force;
+        largest = largest.max(force.x.abs());
+    }
+    assert!((sum / f64::from(count)).length() < 1e-12);
+    assert!(1.2 < largest && largest <= 2.0f64.sqrt(), "{largest}");
+}
+
+#[test]
+fn the_wind_has_two_tones() {
+    // cos β sin γ = (sin(50 t / 3) - sin(10 t / 3)) / 2: 2.653 Hz and 0.531 Hz.
+    let wind = Wind {
+        amplitude: 1.0,
+        law: WindLaw::Spherical,
+    };
+    for step in 0..1000 {
+        let time = 0.01 * f64::from(step);
+        let (fast, slow) = (50.0 / 3.0 * time, 10.0 / 3.0 * time);
+        let x = 0.5 * (trig64::sin(fast) - trig64::sin(slow));
+        let z = 0.5 * (trig64::cos(slow) - trig64::cos(fast));
+        assert!((wind.force(time) - DVec3::new(x, 0.0, z)).length() < 1e-12);
     }
 }
 

@@ -3,7 +3,7 @@
 mod reference_support;
 
 use glam::{DVec3, Vec3};
-use lole_cloth::method::fb_euler::{self, FbEulerConfig};
+use lole_cloth::method::explicit::{self, ExplicitConfig};
 use lole_cloth::method::reference::{ReferenceState, SpringConstants};
 use lole_cloth::{ClothModel, ClothSpec, ClothState, SolverConfig, Topology};
 use reference_support::{FABRIC, held_pins, model, spec};
@@ -52,18 +52,18 @@ fn reference_run(spec: &ClothSpec) -> Vec<Vec<DVec3>> {
         ..SpringConstants::from_fabric(&spec.fabric, spec.grid.spacing.map(f64::from))
     };
     let model = model(spec, constants);
-    let config = FbEulerConfig::for_model(&model, f64::from(DT));
+    let config = ExplicitConfig::for_model(&model, f64::from(DT));
     let positions = level(spec).iter().map(|p| p.as_dvec3()).collect();
     let mut state = ReferenceState::at_rest(positions);
     let pin_targets = held_pins(&model, &state);
     let mut snapshots = Vec::new();
     for frame in 1..=COMPARED_FRAMES[2] {
-        let input = fb_euler::StepInput {
+        let input = explicit::StepInput {
             time: 0.0,
             pin_targets: &pin_targets,
             capsules: &[],
         };
-        fb_euler::step(&model, &config, &input, &mut state, f64::from(DT));
+        explicit::step(&model, &config, &input, &mut state, f64::from(DT));
         if COMPARED_FRAMES.contains(&frame) {
             snapshots.push(state.positions.clone());
         }

@@ -48,7 +48,7 @@ impl Default for SewSettings {
 pub enum SewError {
     /// The flat cloth does not reach around the body.
     #[error(
-        "the skirt's cloth is {flat_cm:.0} cm around but the band sits on {ring_cm:.0} cm; raise gather_ratio"
+        "the skirt's cloth is {flat_cm:.1} cm around but the band sits on {ring_cm:.1} cm; raise gather_ratio"
     )]
     TooNarrow {
         /// Length of the cloth around [cm].
@@ -64,9 +64,41 @@ pub enum SewError {
         /// Height above the floor [cm].
         height_cm: f64,
     },
+    /// The band would reach up to the bust.
+    #[error(
+        "the band would reach {top_cm:.0} cm above the floor and the bust is at {bust_cm:.0} cm; lower casing_cm, casing_gap_cm or elastic_row_count, or wear the skirt lower"
+    )]
+    BandTooTall {
+        /// Upper edge of the band above the floor [cm].
+        top_cm: f64,
+        /// The bust above the floor [cm].
+        bust_cm: f64,
+    },
+    /// The skirt would be worn around the legs.
+    #[error(
+        "worn_height_cm is {worn_cm:.0} cm, where her legs have parted; wear the skirt above {least_cm:.0} cm"
+    )]
+    WornTooLow {
+        /// Height of the lowest elastic above the floor [cm].
+        worn_cm: f64,
+        /// Lowest height at which a skirt is carried [cm].
+        least_cm: f64,
+    },
+    /// Too few particles for the gathers.
+    #[error(
+        "{column_count} columns are too few to gather {flat_cm:.0} cm of cloth; use a column_count of at least {least}, or a smaller gather_ratio"
+    )]
+    TooFewColumns {
+        /// Columns asked for.
+        column_count: u32,
+        /// Length of the cloth around [cm].
+        flat_cm: f64,
+        /// Columns needed.
+        least: u32,
+    },
     /// Too few particles for the band.
     #[error(
-        "{row_count} rows are too few for {elastic_row_count} elastic rows; use at least {least}"
+        "{row_count} rows are too few for {elastic_row_count} elastic rows; use a row_count of at least {least}"
     )]
     TooFewRows {
         /// Rows asked for.
@@ -82,7 +114,7 @@ impl Bilingual for SewError {
     fn japanese(&self) -> String {
         match self {
             Self::TooNarrow { flat_cm, ring_cm } => format!(
-                "スカートの布は一周 {flat_cm:.0} cm ですが、腰まわりは {ring_cm:.0} cm です。gather_ratio を大きくしてください"
+                "スカートの布は一周 {flat_cm:.1} cm ですが、腰まわりは {ring_cm:.1} cm です。gather_ratio を大きくしてください"
             ),
             Self::NoSection { height_cm } => format!(
                 "ゴムが来る高さ {height_cm:.1} cm に胴がありません。ゴムの段を減らしてください"
@@ -92,7 +124,22 @@ impl Bilingual for SewError {
                 elastic_row_count,
                 least,
             } => format!(
-                "ゴム {elastic_row_count} 段に対して {row_count} 行では足りません。{least} 行以上にしてください"
+                "ゴム {elastic_row_count} 段に対して {row_count} 行では足りません。row_count を {least} 以上にしてください"
+            ),
+            Self::BandTooTall { top_cm, bust_cm } => format!(
+                "ゴムの部分が床から {top_cm:.0} cm まで届きますが、バストは {bust_cm:.0} cm です。\
+                 casing_cm か casing_gap_cm か elastic_row_count を小さくするか、低い位置ではいてください"
+            ),
+            Self::WornTooLow { worn_cm, least_cm } => format!(
+                "worn_height_cm が {worn_cm:.0} cm ですが、そこはもう脚です。{least_cm:.0} cm より上ではいてください"
+            ),
+            Self::TooFewColumns {
+                column_count,
+                flat_cm,
+                least,
+            } => format!(
+                "{flat_cm:.0} cm の布にギャザーを寄せるには {column_count} 列では足りません。\
+                 column_count を {least} 以上にするか、gather_ratio を小さくしてください"
             ),
         }
     }
@@ -169,6 +216,7 @@ pub fn sew(
     settings: &SewSettings,
 ) -> Result<SewnSkirt, SewError> {
     let layout = Layout::new(draft, worn, settings)?;
+    check_place(draft, worn, dancer)?;
     let mut start = Vec::with_capacity(layout.grid.particle_count());
     let lowest = *layout.elastic_rows.last().unwrap_or(&0);
     let gathers = layout.gathers();
@@ -211,6 +259,34 @@ pub fn sew(
     })
 }
 
+/// Refuses a skirt worn around the legs, or one whose band covers the bust.
+fn check_place(draft: &PauDraft, worn: &PauMeasurements, dancer: &Dancer) -> Result<(), SewError> {
+    let worn_cm = worn.worn_height.to_cm();
+    let least_cm = f64::from(dancer.landmarks.crotch_height) * 100.0 + LEAST_ABOVE_CROTCH_CM;
+    if worn_cm < least_cm {
+        return Err(SewError::WornTooLow { worn_cm, least_cm });
+    }
+    let lowest_cm = draft
+        .elastic_rows
+        .last()
+        .map_or(0.0, |row| row.from_fold.to_cm());
+    let (top_cm, bust_cm) = (
+        worn_cm + lowest_cm,
+        f64::from(dancer.landmarks.bust_height) * 100.0,
+    );
+    if bust_cm < top_cm {
+        return Err(SewError::BandTooTall { top_cm, bust_cm });
+    }
+    Ok(())
+}
+
+/// Lowest elastic above the crotch [cm], at least: below, nothing carries a skirt.
+const LEAST_ABOVE_CROTCH_CM: f64 = 2.0;
+
+/// Deepest fold of the gathers [m] that still looks gathered: beyond, a fold is one pair of cells
+/// that stick out like a cog.
+const DEEPEST_FOLD: f32 = 0.04;
+
 /// Rows of the band lie this much closer on the body than in the cloth: cloth between two elastics
 /// blouses, it is never tight.
 const BLOUSING: f32 = 0.96;
@@ -240,19 +316,27 @@ impl Layout {
     ) -> Result<Self, SewError> {
         let finished = draft.finished_length.to_m_f32();
         let flat_length = draft.flat_length.to_m_f32();
+        let elastics = |row_count: u32| {
+            let spacing = finished / (row_count.max(2) - 1) as f32;
+            elastic_rows(draft, row_count, spacing)
+        };
         let spacing_v = finished / (settings.row_count.max(2) - 1) as f32;
-        let elastic_rows: Vec<u32> = draft
-            .elastic_rows
-            .iter()
-            .map(|row| whole_count(row.from_fold.to_m_f32(), spacing_v))
-            .collect();
-        let rising = elastic_rows.windows(2).all(|pair| pair[0] < pair[1]);
-        let below = elastic_rows.last().map_or(0, |&row| row + 3);
-        if !rising || settings.row_count <= below {
+        let Some(elastic_rows) = elastics(settings.row_count) else {
             return Err(SewError::TooFewRows {
                 row_count: settings.row_count,
-                elastic_row_count: elastic_rows.len(),
-                least: 40,
+                elastic_row_count: draft.elastic_rows.len(),
+                least: (settings.row_count..MOST_ROWS)
+                    .find(|&count| elastics(count).is_some())
+                    .unwrap_or(MOST_ROWS),
+            });
+        };
+        let fullness = (worn.worn_girth.to_m_f32() / flat_length).min(1.0);
+        let least = flat_length * (1.0 - fullness * fullness).sqrt() / DEEPEST_FOLD;
+        if (settings.column_count as f32) < least {
+            return Err(SewError::TooFewColumns {
+                column_count: settings.column_count,
+                flat_cm: f64::from(flat_length) * 100.0,
+                least: whole_count(least.ceil(), 1.0),
             });
         }
         let grid = Grid {
@@ -318,6 +402,21 @@ impl Layout {
         }
         Ok(ring)
     }
+}
+
+/// More rows than anyone asks for.
+const MOST_ROWS: u32 = 1000;
+
+/// Grid rows that carry elastic; `None` where two fall on one row or too few are left below.
+fn elastic_rows(draft: &PauDraft, row_count: u32, spacing: f32) -> Option<Vec<u32>> {
+    let rows: Vec<u32> = draft
+        .elastic_rows
+        .iter()
+        .map(|row| whole_count(row.from_fold.to_m_f32(), spacing))
+        .collect();
+    let rising = rows.windows(2).all(|pair| pair[0] < pair[1]);
+    let below = rows.last().map_or(0, |&row| row + 3);
+    (rising && below < row_count).then_some(rows)
 }
 
 #[expect(

@@ -98,7 +98,7 @@ const MISTAKES: &[(&str, &str, &str, &str)] = &[
     (
         "skirt",
         "hem_height_cm = true",
-        "true is a true or false",
+        "true is a yes-or-no value",
         "a number from 0 to 100",
     ),
     (
@@ -170,13 +170,13 @@ const MISTAKES: &[(&str, &str, &str, &str)] = &[
     (
         "print",
         "ground = \"red\"",
-        "\"red\" is out of range",
+        "\"red\" is not a color",
         "a color such as \"#9e1026\"",
     ),
     (
         "print",
         "ground = \"#12345\"",
-        "is out of range",
+        "is not a color",
         "a color such as",
     ),
     (

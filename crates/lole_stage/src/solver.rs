@@ -5,7 +5,7 @@ mod velocities;
 use std::num::NonZeroU32;
 
 use glam::{DVec3, Vec3};
-use lole_cloth::method::fb_euler::{self, FbEulerConfig, Substeps};
+use lole_cloth::method::explicit::{self, ExplicitConfig, Substeps};
 use lole_cloth::method::paper;
 use lole_cloth::method::reference::{ReferenceModel, ReferenceState};
 use lole_cloth::wind::Wind;
@@ -49,7 +49,7 @@ pub(crate) struct Xpbd {
 pub(crate) struct FbEuler {
     model: ReferenceModel,
     state: ReferenceState,
-    config: FbEulerConfig,
+    config: ExplicitConfig,
 }
 
 /// Where everything that touches the cloth is at the end of a step.
@@ -84,7 +84,7 @@ impl Solver {
             MethodName::FbEuler => {
                 let model = ReferenceModel::new(spec)?;
                 let state = ReferenceState::at_rest(start.iter().map(|p| p.as_dvec3()).collect());
-                let mut config = FbEulerConfig::for_model(&model, f64::from(FRAME_SECONDS));
+                let mut config = ExplicitConfig::for_model(&model, f64::from(FRAME_SECONDS));
                 config.penalty.contact_offset = f64::from(CONTACT_OFFSET);
                 config.wind = wind_per_particle(design, spec);
                 if let Some(count) = substeps {
@@ -116,7 +116,7 @@ impl Solver {
                     .iter()
                     .map(|p| p.as_dvec3())
                     .collect();
-                let input = fb_euler::StepInput {
+                let input = explicit::StepInput {
                     time: f64::from(surroundings.time),
                     pin_targets: &pin_targets,
                     capsules: surroundings.capsules,
@@ -126,7 +126,7 @@ impl Solver {
                     state,
                     config,
                 } = &mut **reference;
-                fb_euler::step(model, config, &input, state, f64::from(dt));
+                explicit::step(model, config, &input, state, f64::from(dt));
             }
         }
     }

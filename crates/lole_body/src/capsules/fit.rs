@@ -1,11 +1,15 @@
 //! Fitting the capsules: alternating assignment and damped Gauss–Newton, left half only.
 
+mod start;
+
 use glam::DVec3;
 
-use super::BodyCapsule;
+use super::{BodyCapsule, CapsuleLayout};
 use crate::skin_weights::mirrored_bone;
 use crate::{Bone, Landmarks, Skeleton, SkinnedMesh};
 
+/// Capsules of the paper's body.
+pub(super) const PAPER_COUNT: u32 = 13;
 const PASSES: usize = 240;
 /// Capsules aim this far outside the skin [m]: inside the band -8..+3 mm of skin against capsule.
 const COVER: f64 = 0.0008;
@@ -35,14 +39,25 @@ struct Sample {
     area: f64,
 }
 
-/// The 13 capsules of a body, top down, left before right.
+/// The capsules of a body, top down, left before right.
 pub(crate) fn fit_capsules(
     skin: &SkinnedMesh,
     skeleton: &Skeleton,
     landmarks: &Landmarks,
+    layout: CapsuleLayout,
 ) -> Vec<BodyCapsule> {
-    let samples = samples(skin, landmarks);
-    let mut parts = start(skeleton, landmarks);
+    let mut parts = match layout {
+        CapsuleLayout::Fitted(PAPER_COUNT) => start::of_paper(skeleton, landmarks),
+        CapsuleLayout::Fitted(count) => start::by_count(skeleton, landmarks, count),
+        CapsuleLayout::TwoCylinders => {
+            return start::two_cylinders(skeleton, landmarks).both_sides();
+        }
+    };
+    let mut samples = samples(skin, landmarks);
+    if parts.iter().all(|part| part.is_crosswise) {
+        // Nothing that could follow the legs: the trunk is covered well instead.
+        samples.retain(|sample| sample.point.y > f64::from(landmarks.crotch_height));
+    }
     for _ in 0..PASSES {
         improve(&mut parts, &samples);
     }
@@ -83,72 +98,6 @@ fn is_lower_body(bone: usize) -> bool {
         Bone::RightLowerLeg,
     ];
     bone <= Bone::Chest.index() || LEGS.iter().any(|leg| leg.index() == bone)
-}
-
-/// Where each capsule starts, from joints and landmarks.
-fn start(skeleton: &Skeleton, landmarks: &Landmarks) -> Vec<Part> {
-    let joint = |bone: Bone| skeleton.joint(bone).as_dvec3();
-    let [hip, knee, ankle] = [Bone::LeftUpperLeg, Bone::LeftLowerLeg, Bone::LeftFoot].map(joint);
-    let k = f64::from(landmarks.crown_height) / 1.58;
-    let [waist, asis] = [landmarks.waist_height, landmarks.asis_height].map(f64::from);
-    let at = |x: f64, y: f64, z: f64| DVec3::new(x * k, y, z * k);
-    let along = |from: DVec3, to: DVec3, share: f64| from.lerp(to, share);
-    let crosswise = |name, bone, end: DVec3, radius: f64| Part {
-        names: [name, name],
-        bones: [bone; 2],
-        ends: [end * DVec3::new(-1.0, 1.0, 1.0), end],
-        radii: [radius * k; 2],
-        is_crosswise: true,
-    };
-    let sided = |names, bone, ends, radii: [f64; 2]| Part {
-        names,
-        bones: [bone; 2],
-        ends,
-        radii: radii.map(|radius| radius * k),
-        is_crosswise: false,
-    };
-    let thigh = along(hip, knee, 0.62);
-    let calf = along(knee, ankle, 0.45);
-    vec![
-        crosswise("waist", Bone::Spine, at(0.035, waist, 0.035), 0.083),
-        crosswise(
-            "belly",
-            Bone::Hips,
-            at(0.055, 0.5 * (waist + asis), 0.02),
-            0.09,
-        ),
-        crosswise("seat", Bone::Hips, at(0.055, hip.y - 0.01, -0.01), 0.098),
-        sided(
-            ["left pelvis", "right pelvis"],
-            Bone::Hips,
-            [at(0.08, asis + 0.01, 0.02), at(0.09, hip.y - 0.03, 0.03)],
-            [0.08, 0.085],
-        ),
-        sided(
-            ["left upper thigh", "right upper thigh"],
-            Bone::LeftUpperLeg,
-            [along(hip, knee, 0.18), thigh],
-            [0.085, 0.066],
-        ),
-        sided(
-            ["left lower thigh", "right lower thigh"],
-            Bone::LeftUpperLeg,
-            [thigh, knee],
-            [0.066, 0.054],
-        ),
-        sided(
-            ["left upper shin", "right upper shin"],
-            Bone::LeftLowerLeg,
-            [knee, calf],
-            [0.053, 0.05],
-        ),
-        sided(
-            ["left lower shin", "right lower shin"],
-            Bone::LeftLowerLeg,
-            [calf, along(knee, ankle, 0.97)],
-            [0.05, 0.034],
-        ),
-    ]
 }
 
 /// One assignment of points to capsules and one damped step of each capsule.

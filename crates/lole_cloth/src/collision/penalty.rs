@@ -3,7 +3,7 @@
 use std::num::NonZeroU32;
 
 use glam::DVec3;
-use lole_geom::Capsule;
+use lole_geom::{Capsule, trig64};
 
 use crate::method::paper;
 
@@ -21,6 +21,26 @@ pub enum Overlap {
     },
 }
 
+/// How the size of (14) is read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Response {
+    /// Never negative: skin pushes and does not pull.
+    #[default]
+    Clamped,
+    /// As printed: sticky for a particle that leaves.
+    AsPrinted,
+}
+
+/// Where a capsule ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum CapsuleShape {
+    /// At its hemispheres.
+    #[default]
+    Capped,
+    /// Nowhere: the cylinder of (12) with `s` of (11) unbounded, as printed. For study only.
+    LiteralInfiniteCylinder,
+}
+
 /// The constants of the penalty force (14).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Penalty {
@@ -34,6 +54,10 @@ pub struct Penalty {
     pub contact_offset: f64,
     /// What overlapping capsules do.
     pub overlap: Overlap,
+    /// Whether skin may pull.
+    pub response: Response,
+    /// Whether capsules end.
+    pub shape: CapsuleShape,
 }
 
 impl Penalty {
@@ -46,6 +70,30 @@ impl Penalty {
             friction: 0.0,
             contact_offset: 0.0,
             overlap: Overlap::Deepest,
+            response: Response::Clamped,
+            shape: CapsuleShape::Capped,
+        }
+    }
+
+    /// Contact of `stiffness` [N/m] that returns a particle of `mass` [kg] at `restitution` of its
+    /// speed, from above 0 to 1.
+    ///
+    /// Solves [`restitution`] for the damping ratio by bisection.
+    #[must_use]
+    pub fn with_bounce(stiffness: f64, mass: f64, bounce: f64, response: Response) -> Self {
+        let (mut low, mut high) = (0.0, MAX_DAMPING_RATIO);
+        for _ in 0..BISECTIONS {
+            let middle = 0.5 * (low + high);
+            if bounce < restitution(middle, response) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        let damping = 2.0 * low * (stiffness * mass).sqrt();
+        Self {
+            response,
+            ..Self::new(stiffness, damping)
         }
     }
 
@@ -57,6 +105,43 @@ impl Penalty {
             Overlap::Sum { count } => count.get(),
         }
     }
+}
+
+/// Above this damping ratio a particle creeps out of the skin and does not bounce.
+const MAX_DAMPING_RATIO: f64 = 50.0;
+
+/// Halvings after which an `f64` has no more digits to give.
+const BISECTIONS: u32 = 100;
+
+/// Speed after over speed before a contact (14) of one particle, by the damping ratio
+/// `ζ = b / (2 sqrt(k m))`.
+///
+/// With `s = sqrt(1 - ζ²)`: as printed the contact lasts until the depth is zero again,
+/// `exp(-π ζ / s)`, and a particle at `ζ ≥ 1` never leaves. Clamped it ends earlier, when the force
+/// has fallen to zero: `exp(-(ζ / s) atan2(2 ζ s, 2 ζ² - 1))`, and beyond `ζ = 1` with
+/// `q = sqrt(ζ² - 1)`: `((ζ + q) / (ζ - q))^(-ζ / q)`, after Schwager and Pöschel, "Coefficient of
+/// restitution and linear-dashpot model revisited", Granular Matter 9 (2007).
+#[must_use]
+pub fn restitution(damping_ratio: f64, response: Response) -> f64 {
+    let ratio = damping_ratio.max(0.0);
+    let squared = 1.0 - ratio * ratio;
+    if response == Response::AsPrinted {
+        if squared <= 0.0 {
+            return 0.0;
+        }
+        return trig64::exp(-std::f64::consts::PI * ratio / squared.sqrt());
+    }
+    // At exactly 1 both forms are 0 / 0 with the limit exp(-2).
+    if squared.abs() < 1.0e-9 {
+        return trig64::exp(-2.0);
+    }
+    let root = squared.abs().sqrt();
+    if squared > 0.0 {
+        let angle = trig64::atan2(2.0 * ratio * root, 2.0 * ratio * ratio - 1.0);
+        return trig64::exp(-ratio / root * angle);
+    }
+    // (ζ + q)(ζ - q) = 1.
+    trig64::exp(-2.0 * ratio / root * trig64::ln(ratio + root))
 }
 
 /// A capsule at one moment of a step, with the velocity of its ends.
@@ -128,8 +213,18 @@ impl MovingCapsule {
     #[inline]
     #[must_use]
     pub fn contact(&self, point: DVec3) -> Option<Contact> {
-        let foot = paper::axis_foot(point, self.ends);
-        let radius = self.radius_at(foot.parameter);
+        self.contact_at(point, paper::axis_foot(point, self.ends))
+    }
+
+    /// The contact of a particle at `point` with the endless cylinder of (12) as printed.
+    #[must_use]
+    pub fn contact_unbounded(&self, point: DVec3) -> Option<Contact> {
+        self.contact_at(point, paper::axis_foot_unbounded(point, self.ends))
+    }
+
+    #[inline]
+    fn contact_at(&self, point: DVec3, foot: paper::AxisFoot) -> Option<Contact> {
+        let radius = self.radius_at(foot.parameter.clamp(0.0, 1.0));
         let offset = point - foot.point;
         let distance_squared = offset.length_squared();
         if radius <= 0.0 || radius * radius <= distance_squared {
@@ -192,9 +287,17 @@ pub fn contact_force<'a>(
     velocity: DVec3,
 ) -> Option<ContactForce> {
     let mut found: Option<ContactForce> = None;
-    for contact in capsules.filter_map(|capsule| capsule.contact(position)) {
+    let touch = |capsule: &MovingCapsule| match penalty.shape {
+        CapsuleShape::Capped => capsule.contact(position),
+        CapsuleShape::LiteralInfiniteCylinder => capsule.contact_unbounded(position),
+    };
+    let law = match penalty.response {
+        Response::Clamped => paper::penalty_force,
+        Response::AsPrinted => paper::penalty_force_as_printed,
+    };
+    for contact in capsules.filter_map(touch) {
         let depth_rate = (contact.surface_velocity - velocity).dot(contact.normal);
-        let size = paper::penalty_force(
+        let size = law(
             contact.depth,
             depth_rate,
             penalty.stiffness,

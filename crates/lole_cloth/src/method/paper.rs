@@ -3,8 +3,8 @@
 //! "The paper" is Kamasaka, Miyamoto, Sakamoto, "Real-Time Cloth Simulation for Hula Costume CAD
 //! Development". Each function names its equation, its symbols and their units; where the print is
 //! incomplete or contradicts itself, the function says how it is read and why.
-//! Here are (1) to (7), (9) and (11) to (14); there is no (15), the text that refers to it means
-//! (14). The schemes of (8) and (10) would stand beside [`fb_euler`].
+//! Here are (1) to (9) and (11) to (14); there is no (15), the text that refers to it means (14).
+//! Equation (10) is one function for all its stages, [`crate::method::explicit::RungeKutta`].
 
 use glam::DVec3;
 use lole_geom::trig64;
@@ -72,6 +72,18 @@ pub fn wind_force(amplitude: f64, phases: [f64; 2]) -> DVec3 {
     DVec3::new(cos_beta * sin_gamma, 0.0, sin_beta * sin_gamma) * amplitude
 }
 
+/// Equation (4) to the letter: one scalar [N], `α (cos β sin γ + sin β sin γ)`, applied along x and
+/// along z.
+///
+/// It equals `√2 α sin γ sin(β + π/4)`: the wind always blows along (1, 0, 1) or against it, with
+/// each component at most `√2 α`.
+#[must_use]
+pub fn wind_force_literal(amplitude: f64, phases: [f64; 2]) -> DVec3 {
+    let spherical = wind_force(amplitude, phases);
+    let scalar = spherical.x + spherical.z;
+    DVec3::new(scalar, 0.0, scalar)
+}
+
 /// Equation (5): the wind's phases `β = 100 t / 10` and `γ = 100 t / 15` at `time` `t` [s].
 ///
 /// Read in radians, as sine and cosine take them in C++: the wind then repeats every
@@ -109,6 +121,17 @@ pub fn total_force(forces: &Forces) -> DVec3 {
 #[must_use]
 pub fn acceleration(mass: f64, force: DVec3) -> DVec3 {
     force / mass
+}
+
+/// Equation (8), Euler's method: `x(t + Δt) = x(t) + v(t) Δt` and `v(t + Δt) = v(t) + a(t) Δt`,
+/// both from the old velocity. Returns position [m] and velocity [m/s] after `dt` [s].
+///
+/// The energy of an undamped oscillator of angular frequency `ω` grows by the factor `1 + ω² Δt²`
+/// in every step, however small: the method is stable only with damping, while `Δt < c / ω²`.
+#[inline]
+#[must_use]
+pub fn euler(position: DVec3, velocity: DVec3, acceleration: DVec3, dt: f64) -> (DVec3, DVec3) {
+    (position + velocity * dt, velocity + acceleration * dt)
 }
 
 /// Equation (9), "FB Euler": `v(t + Δt) = v(t) + a(t) Δt`, then `x(t + Δt) = x(t) + v(t + Δt) Δt`.
@@ -161,6 +184,18 @@ fn line_parameter(point: DVec3, ends: [DVec3; 2]) -> f64 {
     (point - ends[0]).dot(axis) / length_squared
 }
 
+/// Equation (11) to the letter: the foot on the endless line through both ends, so that the
+/// cylinder of (12) has no ends. Particles above a head or below a foot are hit by it, too.
+#[inline]
+#[must_use]
+pub fn axis_foot_unbounded(point: DVec3, ends: [DVec3; 2]) -> AxisFoot {
+    let parameter = line_parameter(point, ends);
+    AxisFoot {
+        parameter,
+        point: ends[0] + (ends[1] - ends[0]) * parameter,
+    }
+}
+
 /// Equation (12): whether the particle at `point` lies in the cylinder part, `r' - r < 0`, where
 /// `r'` is its distance from `y` of (11) and `y` lies between the ends.
 #[must_use]
@@ -192,4 +227,17 @@ pub fn penalty_force(depth: f64, depth_rate: f64, stiffness: f64, damping: f64) 
         return 0.0;
     }
     (stiffness * depth + damping * depth_rate).max(0.0)
+}
+
+/// Equation (14) to the letter: `k d + b ḋ` wherever the particle is inside, whatever its sign.
+///
+/// A leaving particle is pulled back while `b |ḋ| > k d`: the skin is sticky. A particle that only
+/// just touches (`d = 0`) already feels all of `b ḋ`. Symbols and units as in [`penalty_force`].
+#[inline]
+#[must_use]
+pub fn penalty_force_as_printed(depth: f64, depth_rate: f64, stiffness: f64, damping: f64) -> f64 {
+    if depth <= 0.0 {
+        return 0.0;
+    }
+    stiffness * depth + damping * depth_rate
 }

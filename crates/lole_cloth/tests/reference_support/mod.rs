@@ -4,7 +4,7 @@
 
 use glam::DVec3;
 use lole_cloth::collision::penalty::Penalty;
-use lole_cloth::method::fb_euler::{FbEulerConfig, Substeps};
+use lole_cloth::method::explicit::{ContactEvaluation, ExplicitConfig, Integrator, Substeps};
 use lole_cloth::method::reference::{ReferenceModel, ReferenceState, SpringConstants};
 use lole_cloth::{ClothSpec, Fabric, Grid, MassLaw, Topology};
 use lole_geom::trig64;
@@ -77,12 +77,14 @@ pub(crate) fn rest_positions(grid: &Grid) -> Vec<DVec3> {
 }
 
 /// No gravity, no wind, no contact, `count` substeps.
-pub(crate) fn still(count: u32) -> FbEulerConfig {
-    FbEulerConfig {
+pub(crate) fn still(count: u32) -> ExplicitConfig {
+    ExplicitConfig {
         gravity: DVec3::ZERO,
         wind: None,
         penalty: Penalty::new(0.0, 0.0),
         substeps: Substeps::Fixed(NonZeroU32::new(count).expect("at least one")),
+        integrator: Integrator::FbEuler,
+        contact_evaluation: ContactEvaluation::PerStage,
     }
 }
 
@@ -113,4 +115,66 @@ impl Lcg {
     pub(crate) fn vector(&mut self) -> DVec3 {
         DVec3::new(self.signed(), self.signed(), self.signed())
     }
+}
+
+/// The largest `ω²` [1/s²] of the cloth about `positions`, by power iteration.
+pub(crate) fn largest_frequency_squared(
+    model: &ReferenceModel,
+    positions: &[DVec3],
+) -> (f64, Vec<DVec3>) {
+    let mut dice = Lcg(11);
+    let free = |index: usize| !model.pinned()[index];
+    let mut mode: Vec<DVec3> = (0..positions.len())
+        .map(|index| {
+            if free(index) {
+                dice.vector()
+            } else {
+                DVec3::ZERO
+            }
+        })
+        .collect();
+    let epsilon = 1e-7;
+    let mut eigenvalue = 0.0;
+    for _ in 0..3000 {
+        let norm = mode.iter().map(|v| v.length_squared()).sum::<f64>().sqrt();
+        let displaced = |sign: f64| -> Vec<DVec3> {
+            let scale = sign * epsilon / norm;
+            positions
+                .iter()
+                .zip(&mode)
+                .map(|(x, v)| *x + *v * scale)
+                .collect()
+        };
+        let (plus, minus) = (displaced(1.0), displaced(-1.0));
+        let next: Vec<DVec3> = (0..positions.len())
+            .map(|index| {
+                if !free(index) {
+                    return DVec3::ZERO;
+                }
+                let difference =
+                    model.internal_force(index, &minus) - model.internal_force(index, &plus);
+                difference / (2.0 * epsilon * model.masses()[index])
+            })
+            .collect();
+        eigenvalue = next.iter().map(|v| v.length_squared()).sum::<f64>().sqrt();
+        mode = next;
+    }
+    for vector in &mut mode {
+        *vector /= eigenvalue;
+    }
+    (eigenvalue, mode)
+}
+
+/// A square net of `size × size` particles, top row pinned, all springs with 10 N/m, the paper's
+/// bend springs included, and `drag_rate` [1/s].
+pub(crate) fn pinned_net(size: u32, drag_rate: f32) -> ReferenceModel {
+    let mut spec = spec(size, size, Topology::Sheet, [0.02; 2]);
+    spec.pinned[..size as usize].fill(true);
+    spec.fabric.drag_rate = drag_rate;
+    let constants = SpringConstants {
+        skip_u: 10.0,
+        skip_v: 10.0,
+        ..lattice(10.0)
+    };
+    model(&spec, constants)
 }

@@ -102,6 +102,14 @@ pub enum Problem {
         /// The range.
         wanted: Sentence,
     },
+    /// A text that names no color.
+    #[error("{found} is not a color; write {wanted}")]
+    NotColor {
+        /// What stands there.
+        found: String,
+        /// How colors are written.
+        wanted: Sentence,
+    },
     /// A name that is not on its list.
     #[error(
         "{found} is not a {}; did you mean \"{nearest}\"? (the choices are {choices})",
@@ -173,6 +181,10 @@ impl Bilingual for Problem {
             } => format!(
                 "{found} は{}です。{}を書いてください",
                 found_type.japanese, wanted.japanese
+            ),
+            Self::NotColor { found, wanted } => format!(
+                "{found} は色ではありません。{}を書いてください",
+                wanted.japanese
             ),
             Self::OutOfRange { found, wanted } => {
                 format!(

@@ -241,7 +241,10 @@ fn fill(key: &Key, value: &DeValue<'_>, found: &str, design: &mut Design) -> Res
             let text = value.as_str().ok_or_else(wrong_type)?;
             set(
                 design,
-                color(text).ok_or_else(|| key.kind.out_of_range(found))?,
+                color(text).ok_or_else(|| Problem::NotColor {
+                    found: found.to_owned(),
+                    wanted: key.kind.wanted(),
+                })?,
             );
         }
     }
@@ -283,7 +286,7 @@ fn unknown(what: Words, name: &str, names: &[&str], all: Words) -> Problem {
             format!("did you mean {choice}?"),
         ),
         None => Sentence::new(
-            format!("{}{}です", all.japanese, names.join(", ")),
+            format!("{}{} です", all.japanese, names.join(", ")),
             format!("{} {}", all.english, names.join(", ")),
         ),
     };
@@ -295,7 +298,7 @@ const fn type_name(value: &DeValue<'_>) -> Words {
         DeValue::String(_) => words("文字", "a text"),
         DeValue::Integer(_) => words("整数", "a whole number"),
         DeValue::Float(_) => words("小数", "a number with a point"),
-        DeValue::Boolean(_) => words("真偽値", "a true or false"),
+        DeValue::Boolean(_) => words("真偽値", "a yes-or-no value"),
         DeValue::Datetime(_) => words("日付", "a date"),
         DeValue::Array(_) => words("リスト", "a list"),
         DeValue::Table(_) => words("表", "a table"),
