@@ -1,1 +1,28 @@
-//! x
+//! The live window: the dance runs on its own thread, and every knob can be turned while it does.
+//!
+//! The interface holds no cloth and does no arithmetic of its own: it sends [`Command`]s to the
+//! simulation's thread and draws the [`Snapshot`]s that come back. A [`Studio`] is all that the
+//! panels show and change; it needs neither a display nor a thread, so that they can be tested.
+
+mod app;
+mod clock;
+mod command;
+mod files;
+mod history;
+mod light;
+mod look;
+mod message;
+mod orbit;
+mod overlay;
+pub mod panel;
+mod sim;
+mod snapshot;
+mod studio;
+mod text;
+mod viewport;
+
+pub use app::{Opening, open};
+pub use command::Command;
+pub use message::Message;
+pub use snapshot::Snapshot;
+pub use studio::Studio;

@@ -1,0 +1,345 @@
+//! The window itself: panels, picture, simulation and files brought together.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::mpsc::{self, Receiver};
+
+use eframe::egui::{self, Context, Ui};
+use eframe::egui_wgpu::{WgpuConfiguration, WgpuSetup, WgpuSetupCreateNew};
+use lole_costume::document::Design;
+use lole_language::{Language, Sentence};
+use lole_render::wgpu;
+
+use crate::message::Message;
+use crate::sim::{News, Sim};
+use crate::studio::{Purpose, Question, Request};
+use crate::viewport::Viewport;
+use crate::{Studio, files, look, panel};
+
+/// Size of a new window [point].
+const WINDOW: [f32; 2] = [1280.0, 720.0];
+/// Smallest size of the window [point].
+const SMALLEST: [f32; 2] = [360.0, 260.0];
+/// Width of the left and of the right column [point].
+const COLUMNS: [f32; 2] = [286.0, 300.0];
+/// Narrower windows have one column [point].
+const WIDE: f32 = 980.0;
+/// And still narrower ones none beside the picture, but below it [point].
+const NARROW: f32 = 640.0;
+
+/// What the window opens with.
+#[derive(Debug, Clone)]
+pub struct Opening {
+    /// Language of its words.
+    pub language: Language,
+    /// Design to open; the built-in one where there is none.
+    pub document: Option<PathBuf>,
+}
+
+/// Opens the window and waits until it is closed.
+///
+/// # Errors
+/// One sentence where there is no display or no graphics adapter, or the document cannot be read.
+pub fn open(opening: &Opening) -> Result<(), Sentence> {
+    let design = match &opening.document {
+        Some(path) => files::read_design(path)?,
+        None => Design::default(),
+    };
+    let studio = Studio::new(opening.language, design, opening.document.clone());
+    let options = eframe::NativeOptions {
+        viewport: egui::ViewportBuilder::default()
+            .with_title("Lole")
+            .with_app_id("lole")
+            .with_inner_size(WINDOW)
+            .with_min_inner_size(SMALLEST)
+            .with_drag_and_drop(true),
+        wgpu_options: WgpuConfiguration {
+            wgpu_setup: WgpuSetup::CreateNew(WgpuSetupCreateNew {
+                device_descriptor: Arc::new(device_descriptor),
+                ..WgpuSetupCreateNew::without_display_handle()
+            }),
+            ..WgpuConfiguration::default()
+        },
+        ..eframe::NativeOptions::default()
+    };
+    eframe::run_native(
+        "lole",
+        options,
+        Box::new(move |creation| Ok(Box::new(App::new(studio, &creation.egui_ctx)))),
+    )
+    .map_err(|error| no_window(&error))
+}
+
+/// The limits of WebGL2, so that the same drawing runs everywhere, at this adapter's resolution.
+fn device_descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
+    let limits = wgpu::Limits::downlevel_webgl2_defaults().using_resolution(adapter.limits());
+    wgpu::DeviceDescriptor {
+        label: Some("lole window"),
+        required_limits: limits,
+        ..wgpu::DeviceDescriptor::default()
+    }
+}
+
+fn no_window(error: &eframe::Error) -> Sentence {
+    Sentence::new(
+        format!(
+            "ここでは窓を開けません（{error}）。画面がなくても lole dance --out フォルダー で動画と写真を書き出せます"
+        ),
+        format!(
+            "no window can be opened here ({error}); without a display, lole dance --out FOLDER writes film and stills"
+        ),
+    )
+}
+
+/// The running window.
+struct App {
+    studio: Studio,
+    sim: Sim,
+    viewport: Viewport,
+    /// Answers of the system's file dialog.
+    answers: Option<Receiver<Option<PathBuf>>>,
+    context: Context,
+}
+
+impl App {
+    fn new(studio: Studio, context: &Context) -> Self {
+        look::apply(context);
+        let sim = start(studio.design().clone(), context);
+        Self {
+            studio,
+            sim,
+            viewport: Viewport::new(),
+            answers: None,
+            context: context.clone(),
+        }
+    }
+
+    /// Everything that came from other threads since the last picture.
+    fn receive(&mut self) {
+        if let Some(snapshot) = self.sim.take() {
+            self.studio.receive(snapshot);
+        }
+        let news: Vec<News> = self.sim.news().collect();
+        for news in news {
+            match news {
+                News::Sewing => self.studio.sews = true,
+                News::Sewn => self.studio.sews = false,
+                News::Refused(sentence, kept) => self.studio.refused(sentence, *kept),
+            }
+        }
+        if !self.sim.is_alive() {
+            self.studio.message = Some(Message::trouble(&Sentence::new(
+                "計算が止まってしまったので、最初から始めました。",
+                "The simulation stopped unexpectedly; it was started anew.",
+            )));
+            self.sim = start(Design::default(), &self.context);
+            self.studio.opened(Design::default(), None);
+        }
+        let answer = self.answers.as_ref().map(Receiver::try_recv);
+        match answer {
+            Some(Ok(path)) => {
+                self.answers = None;
+                self.answer(path);
+            }
+            Some(Err(mpsc::TryRecvError::Disconnected)) => self.answers = None,
+            Some(Err(mpsc::TryRecvError::Empty)) | None => {}
+        }
+    }
+
+    fn answer(&mut self, path: Option<PathBuf>) {
+        if let (Some(path), Some(question)) = (path, &mut self.studio.question) {
+            question.path = path.display().to_string();
+        }
+    }
+
+    fn open_dropped(&mut self) {
+        let dropped = self.context.input(|input| {
+            let files = &input.raw.dropped_files;
+            files.iter().find_map(|file| Some(file.path().to_owned()))
+        });
+        if let Some(path) = dropped {
+            self.studio.request(Request::Open(path));
+        }
+    }
+
+    fn serve(&mut self) {
+        for request in self.studio.take_requests() {
+            match request {
+                Request::AskOpen => self.ask(Purpose::Open),
+                Request::AskSave => self.ask(Purpose::Save),
+                Request::Browse => self.browse(),
+                Request::Open(path) => self.open(&path),
+                Request::Save(path) => self.save(&path),
+                Request::Picture => self.take_picture(),
+            }
+        }
+        for command in self.studio.take_commands() {
+            self.sim.send(command);
+        }
+    }
+
+    fn ask(&mut self, purpose: Purpose) {
+        let folder = std::env::current_dir().unwrap_or_default();
+        let path = match (&self.studio.path, purpose) {
+            (Some(path), _) => path.clone(),
+            (None, Purpose::Open) => folder.join(""),
+            (None, Purpose::Save) => folder.join("design.lole"),
+        };
+        self.studio.question = Some(Question {
+            purpose,
+            path: path.display().to_string(),
+        });
+    }
+
+    /// The system's own dialog, on a thread of its own: the dance goes on behind it.
+    fn browse(&mut self) {
+        let Some(question) = &self.studio.question else {
+            return;
+        };
+        if self.answers.is_some() {
+            return;
+        }
+        let purpose = question.purpose;
+        let (sender, answers) = mpsc::channel();
+        let context = self.context.clone();
+        let ask = move || {
+            let dialog = rfd::FileDialog::new().add_filter("Lole", &["lole"]);
+            let path = match purpose {
+                Purpose::Open => dialog.pick_file(),
+                Purpose::Save => dialog.set_file_name("design.lole").save_file(),
+            };
+            // The window may have been closed meanwhile.
+            drop(sender.send(path));
+            context.request_repaint();
+        };
+        if cfg!(target_os = "macos") {
+            // There, dialogs belong to the main thread.
+            ask();
+        } else {
+            drop(std::thread::Builder::new().name("dialog".to_owned()).spawn(ask));
+        }
+        self.answers = Some(answers);
+    }
+
+    fn open(&mut self, path: &Path) {
+        match files::read_design(path) {
+            Ok(design) => {
+                self.studio.message = None;
+                self.studio.opened(design, Some(path.to_owned()));
+            }
+            Err(sentence) => self.studio.message = Some(Message::trouble(&sentence)),
+        }
+    }
+
+    fn save(&mut self, path: &Path) {
+        let path = path.with_extension("lole");
+        match files::write_design(&path, self.studio.design()) {
+            Ok(()) => {
+                let name = path.display();
+                self.studio.message = Some(Message::news(
+                    format!("保存しました: {name}"),
+                    format!("Saved: {name}"),
+                ));
+                self.studio.saved_at(path);
+            }
+            Err(sentence) => self.studio.message = Some(Message::trouble(&sentence)),
+        }
+    }
+
+    fn take_picture(&mut self) {
+        let Some(image) = self.viewport.picture() else {
+            return;
+        };
+        let folder = std::env::current_dir().unwrap_or_default();
+        let failed = |error: lole_render::RenderError| {
+            let text = error.to_string();
+            Sentence::new(format!("写真を撮れません（{text}）"), text)
+        };
+        let written = image
+            .map_err(failed)
+            .and_then(|image| files::write_picture(&folder, &image));
+        self.studio.message = Some(match written {
+            Ok(path) => {
+                let name = path.display();
+                Message::news(
+                    format!("写真を書きました: {name}"),
+                    format!("The picture is in {name}"),
+                )
+            }
+            Err(sentence) => Message::trouble(&sentence),
+        });
+    }
+
+    /// Sends a change that waited until the hand left the slider.
+    fn send_late(&mut self) {
+        let is_busy = self.context.input(|input| input.pointer.any_down());
+        if self.studio.has_unsent() && !is_busy {
+            self.studio.send_design();
+        }
+    }
+
+    fn picture(&mut self, ui: &mut Ui, frame: &eframe::Frame) {
+        let area = ui.max_rect();
+        self.viewport
+            .show(ui, &mut self.studio, frame.wgpu_render_state());
+        let mut over = ui.new_child(egui::UiBuilder::new().max_rect(area.shrink(4.0)));
+        panel::notices(&mut over, &mut self.studio);
+    }
+}
+
+impl eframe::App for App {
+    fn logic(&mut self, _context: &Context, _frame: &mut eframe::Frame) {
+        self.receive();
+    }
+
+    fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
+        self.open_dropped();
+        let width = ui.available_width();
+        let bar = egui::Frame::new().fill(look::CARD).inner_margin(8);
+        egui::Panel::top("document")
+            .frame(bar)
+            .show(ui, |ui| panel::document_bar(ui, &mut self.studio));
+        egui::Panel::bottom("status")
+            .frame(bar.inner_margin(egui::Margin::symmetric(10, 4)))
+            .show(ui, |ui| panel::status_bar(ui, &mut self.studio));
+        let side = egui::Frame::new().fill(look::PAPER).inner_margin(12);
+        let all: Vec<&panel::Panel> = panel::LEFT.iter().chain(panel::RIGHT).collect();
+        if width < NARROW {
+            let height = 0.45 * ui.available_height();
+            egui::Panel::bottom("all")
+                .frame(side)
+                .exact_size(height)
+                .show(ui, |ui| panel::column(ui, &mut self.studio, &all));
+        } else if width < WIDE {
+            egui::Panel::left("all")
+                .frame(side)
+                .exact_size(COLUMNS[0])
+                .show(ui, |ui| panel::column(ui, &mut self.studio, &all));
+        } else {
+            let [left, right] = [panel::LEFT, panel::RIGHT].map(|side| side.iter().collect::<Vec<_>>());
+            egui::Panel::left("left")
+                .frame(side)
+                .exact_size(COLUMNS[0])
+                .show(ui, |ui| panel::column(ui, &mut self.studio, &left));
+            egui::Panel::right("right")
+                .frame(side)
+                .exact_size(COLUMNS[1])
+                .show(ui, |ui| panel::column(ui, &mut self.studio, &right));
+        }
+        egui::CentralPanel::default()
+            .frame(egui::Frame::new().fill(look::PAPER))
+            .show(ui, |ui| self.picture(ui, frame));
+        panel::question(ui, &mut self.studio);
+        self.send_late();
+        self.serve();
+    }
+
+    fn clear_color(&self, _visuals: &egui::Visuals) -> [f32; 4] {
+        look::PAPER.to_normalized_gamma_f32()
+    }
+}
+
+fn start(design: Design, context: &Context) -> Sim {
+    let context = context.clone();
+    Sim::start(design, Arc::new(move || context.request_repaint()))
+}

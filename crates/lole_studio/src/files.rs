@@ -1,0 +1,161 @@
+//! Files: designs in and out, pictures out. Nothing half-written takes a file's place.
+
+use std::fs::{self, File};
+use std::io::{self, Write as _};
+use std::path::{Path, PathBuf};
+
+use lole_costume::document::{self, Design};
+use lole_export::{Image, still};
+use lole_language::Sentence;
+
+/// A design larger than this [byte] is some other file; it is not even read.
+const LARGEST_FILE: u64 = 16 << 20;
+/// Pictures of one folder that are counted before giving up.
+const MOST_PICTURES: u32 = 10_000;
+
+/// Reads a design.
+///
+/// # Errors
+/// One sentence that names the file and, where there is one, the line.
+pub(crate) fn read_design(path: &Path) -> Result<Design, Sentence> {
+    let name = path.display().to_string();
+    let unreadable = |_| {
+        Sentence::new(
+            format!("{name}: ファイルが読めません。場所と名前を確かめてください"),
+            format!("{name}: the file cannot be read; check the path"),
+        )
+    };
+    let size = fs::metadata(path).map_err(unreadable)?.len();
+    if LARGEST_FILE < size {
+        let megabytes = size >> 20;
+        return Err(Sentence::new(
+            format!("{name}: {megabytes} MB もあり、デザインではありません。.lole のファイルを選んでください"),
+            format!("{name}: the file has {megabytes} MB and is no design; choose a .lole file"),
+        ));
+    }
+    let bytes = fs::read(path).map_err(unreadable)?;
+    document::parse_bytes(&bytes, &name).map_err(|error| Sentence::of(&error))
+}
+
+/// Writes a design; until all of it is safe, the file stays as it was.
+///
+/// # Errors
+/// One sentence that names the file.
+pub(crate) fn write_design(path: &Path, design: &Design) -> Result<(), Sentence> {
+    write_whole(path, document::to_toml(design).as_bytes())
+}
+
+/// Writes a picture as PNG under the first free name in `folder`, and gives the name.
+///
+/// # Errors
+/// One sentence that names the file.
+pub(crate) fn write_picture(
+    folder: &Path,
+    image: &lole_render::Image,
+) -> Result<PathBuf, Sentence> {
+    let bytes = Image::new(image.width, image.height, &image.pixels)
+        .and_then(still::encode_png)
+        .map_err(|error| {
+            Sentence::new(format!("写真を作れません（{error}）"), error.to_string())
+        })?;
+    let free = (1..MOST_PICTURES)
+        .map(|number| folder.join(format!("lole-{number}.png")))
+        .find(|path| !path.exists());
+    let path = free.unwrap_or_else(|| folder.join("lole.png"));
+    write_whole(&path, &bytes)?;
+    Ok(fs::canonicalize(&path).unwrap_or(path))
+}
+
+/// Writes beside the file, then takes its place in one move.
+fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Sentence> {
+    let beside = beside(path);
+    let written = write_and_move(&beside, path, bytes);
+    if written.is_err() {
+        // It may never have come to be.
+        drop(fs::remove_file(&beside));
+    }
+    written.map_err(|error| {
+        let name = path.display();
+        Sentence::new(
+            format!("{name}: 書き込めません（{error}）。場所と空きを確かめてください"),
+            format!("{name}: cannot be written ({error}); check the folder and the free space"),
+        )
+    })
+}
+
+fn write_and_move(beside: &Path, path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let mut file = File::create(beside)?;
+    file.write_all(bytes)?;
+    file.sync_all()?;
+    drop(file);
+    fs::rename(beside, path)
+}
+
+/// A name in the same folder, so that moving is one step, and of this process alone.
+fn beside(path: &Path) -> PathBuf {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    path.with_file_name(format!(".{name}.{}.part", std::process::id()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn folder(name: &str) -> PathBuf {
+        let folder = std::env::temp_dir().join(format!("lole-studio-{name}-{}", std::process::id()));
+        fs::create_dir_all(&folder).unwrap();
+        folder
+    }
+
+    #[test]
+    fn a_saved_design_opens_as_it_was_and_leaves_nothing_beside() {
+        let folder = folder("save");
+        let path = folder.join("ハウ.lole");
+        let mut design = Design::default();
+        design.motion.tempo_bpm = 92.5;
+        write_design(&path, &design).unwrap();
+        design.skirt.hem_height_cm = 30.0;
+        write_design(&path, &design).unwrap();
+        assert_eq!(read_design(&path).unwrap(), design);
+        assert_eq!(fs::read_dir(&folder).unwrap().count(), 1);
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn what_cannot_be_written_leaves_what_was_there() {
+        let folder = folder("keep");
+        // A folder of that name cannot be replaced by a file.
+        let path = folder.join("taken.lole");
+        fs::create_dir_all(path.join("inside")).unwrap();
+        let sentence = write_design(&path, &Design::default()).unwrap_err();
+        assert!(sentence.english.contains("taken.lole"));
+        assert!(path.join("inside").exists());
+        assert_eq!(fs::read_dir(&folder).unwrap().count(), 1);
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn a_bad_document_is_one_sentence_with_its_line() {
+        let folder = folder("bad");
+        let path = folder.join("bad.lole");
+        fs::write(&path, "lole = 1\n[skirt]\nhem_hight_cm = 20\n").unwrap();
+        let sentence = read_design(&path).unwrap_err();
+        assert!(sentence.english.contains("bad.lole:3"), "{sentence}");
+        assert!(read_design(&folder.join("none.lole")).is_err());
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn pictures_do_not_overwrite_each_other() {
+        let folder = folder("pictures");
+        let image = lole_render::Image {
+            width: 2,
+            height: 1,
+            pixels: vec![200; 8],
+        };
+        let first = write_picture(&folder, &image).unwrap();
+        let second = write_picture(&folder, &image).unwrap();
+        assert_ne!(first, second);
+        fs::remove_dir_all(folder).unwrap();
+    }
+}

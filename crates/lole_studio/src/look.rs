@@ -1,0 +1,92 @@
+//! The light theme: paper, ink and one red, in type that can be read at arm's length.
+
+use eframe::egui::{
+    self, Color32, CornerRadius, FontFamily, FontId, Margin, Stroke, Style, TextStyle, Vec2,
+};
+
+/// Size of ordinary text [point].
+const BODY: f32 = 16.0;
+/// Size of the smallest text [point].
+const SMALL: f32 = 14.5;
+/// Size of a panel's title [point].
+const HEADING: f32 = 18.0;
+
+pub(crate) const PAPER: Color32 = Color32::from_rgb(250, 247, 241);
+pub(crate) const CARD: Color32 = Color32::from_rgb(255, 254, 251);
+pub(crate) const INK: Color32 = Color32::from_rgb(38, 32, 28);
+pub(crate) const PALE_INK: Color32 = Color32::from_rgb(96, 86, 78);
+pub(crate) const LINE: Color32 = Color32::from_rgb(217, 208, 195);
+pub(crate) const RED: Color32 = Color32::from_rgb(170, 28, 50);
+pub(crate) const PALE_RED: Color32 = Color32::from_rgb(246, 222, 218);
+pub(crate) const TEAL: Color32 = Color32::from_rgb(0, 112, 122);
+const KEY: Color32 = Color32::from_rgb(238, 231, 220);
+const KEY_HOVERED: Color32 = Color32::from_rgb(229, 219, 204);
+const KEY_PRESSED: Color32 = Color32::from_rgb(217, 204, 185);
+
+/// Dresses the window.
+pub(crate) fn apply(context: &egui::Context) {
+    context.set_theme(egui::Theme::Light);
+    context.all_styles_mut(style);
+}
+
+fn style(style: &mut Style) {
+    let font = |size| FontId::new(size, FontFamily::Proportional);
+    style.text_styles = [
+        (TextStyle::Small, font(SMALL)),
+        (TextStyle::Body, font(BODY)),
+        (TextStyle::Button, font(BODY)),
+        (TextStyle::Heading, font(HEADING)),
+        (TextStyle::Monospace, FontId::new(BODY, FontFamily::Monospace)),
+    ]
+    .into();
+    let spacing = &mut style.spacing;
+    spacing.item_spacing = Vec2::new(8.0, 7.0);
+    spacing.button_padding = Vec2::new(11.0, 6.0);
+    spacing.interact_size = Vec2::new(44.0, 32.0);
+    spacing.icon_width = 20.0;
+    spacing.icon_width_inner = 12.0;
+    spacing.slider_rail_height = 6.0;
+    spacing.combo_height = 320.0;
+    spacing.window_margin = Margin::same(14);
+    let visuals = &mut style.visuals;
+    visuals.panel_fill = PAPER;
+    visuals.window_fill = CARD;
+    visuals.window_stroke = Stroke::new(1.0, LINE);
+    visuals.window_corner_radius = CornerRadius::same(10);
+    visuals.extreme_bg_color = CARD;
+    visuals.faint_bg_color = KEY;
+    visuals.weak_text_color = Some(PALE_INK);
+    visuals.selection.bg_fill = RED;
+    visuals.selection.stroke = Stroke::new(1.0, Color32::WHITE);
+    visuals.slider_trailing_fill = true;
+    let radius = CornerRadius::same(7);
+    for (widget, fill, line) in [
+        (&mut visuals.widgets.noninteractive, PAPER, LINE),
+        (&mut visuals.widgets.inactive, KEY, LINE),
+        (&mut visuals.widgets.hovered, KEY_HOVERED, PALE_INK),
+        (&mut visuals.widgets.active, KEY_PRESSED, INK),
+        (&mut visuals.widgets.open, KEY_HOVERED, PALE_INK),
+    ] {
+        widget.bg_fill = fill;
+        widget.weak_bg_fill = fill;
+        widget.bg_stroke = Stroke::new(1.0, line);
+        widget.fg_stroke = Stroke::new(1.5, INK);
+        widget.corner_radius = radius;
+        widget.expansion = 0.0;
+    }
+}
+
+/// Color of a strain, linear, for the cloth: blue where it is shrunk, red where it is stretched;
+/// full at ±[`FULL_STRAIN`]. Blue and red stay apart for color-blind eyes.
+pub(crate) fn strain_color(strain: f32) -> glam::Vec3 {
+    use glam::Vec3;
+    const CALM: Vec3 = Vec3::new(0.80, 0.78, 0.74);
+    const SHRUNK: Vec3 = Vec3::new(0.03, 0.16, 0.62);
+    const STRETCHED: Vec3 = Vec3::new(0.72, 0.05, 0.02);
+    let share = (strain / FULL_STRAIN).clamp(-1.0, 1.0);
+    let end = if share < 0.0 { SHRUNK } else { STRETCHED };
+    CALM.lerp(end, share.abs().sqrt())
+}
+
+/// Strain that is shown in full color.
+pub(crate) const FULL_STRAIN: f32 = 0.05;

@@ -1,0 +1,39 @@
+//! A sentence that the window shows until it is closed or another one comes.
+
+use lole_language::{Bilingual, Sentence};
+
+/// News or trouble.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Message {
+    /// What is said.
+    pub sentence: Sentence,
+    /// How it is meant.
+    pub tone: Tone,
+}
+
+/// How a sentence is meant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Tone {
+    /// Something was done.
+    News,
+    /// Something was not done.
+    Trouble,
+}
+
+impl Message {
+    /// Something was done.
+    pub fn news(japanese: impl Into<String>, english: impl Into<String>) -> Self {
+        Self {
+            sentence: Sentence::new(japanese, english),
+            tone: Tone::News,
+        }
+    }
+
+    /// Something was not done, in the words of an error.
+    pub fn trouble(error: &impl Bilingual) -> Self {
+        Self {
+            sentence: Sentence::of(error),
+            tone: Tone::Trouble,
+        }
+    }
+}

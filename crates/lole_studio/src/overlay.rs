@@ -1,0 +1,176 @@
+//! Lines and dots over the picture: capsules, springs, bones, cloth below the skin.
+
+use std::f32::consts::{PI, TAU};
+
+use glam::Vec3;
+use lole_cloth::Grid;
+use lole_geom::{Capsule, trig};
+use lole_render::Stroke;
+
+use crate::Snapshot;
+use crate::studio::Shows;
+
+/// Corners of a circle.
+const CORNERS: u16 = 24;
+const CAPSULE: [u8; 4] = [0, 112, 122, 235];
+const BONE: [u8; 4] = [205, 92, 0, 255];
+const JOINT: [u8; 4] = [120, 48, 0, 255];
+const SPRING: [u8; 4] = [24, 26, 60, 150];
+const SUNKEN: [u8; 4] = [225, 0, 60, 255];
+/// Springs are drawn no nearer to each other than this [pixel].
+const SPRING_GAP: f32 = 7.0;
+
+/// All lines of one picture.
+#[derive(Debug, Default)]
+pub(crate) struct Strokes {
+    pub(crate) on_surfaces: Vec<Stroke>,
+    pub(crate) through: Vec<Stroke>,
+}
+
+impl Strokes {
+    /// The lines of a moment; `meters_per_pixel` where the dancer stands, `scale` pixels a point.
+    pub(crate) fn of(
+        snapshot: &Snapshot,
+        shows: Shows,
+        meters_per_pixel: f32,
+        scale: f32,
+    ) -> Self {
+        let mut strokes = Self::default();
+        let line = |color, width: f32| {
+            move |[from, to]: [Vec3; 2]| Stroke {
+                from,
+                to,
+                color,
+                width: width * scale,
+            }
+        };
+        if shows.springs {
+            let grid = &snapshot.wardrobe.production.skirt.spec.grid;
+            let stride = spring_stride(grid, meters_per_pixel / scale);
+            let springs = springs(grid, &snapshot.particles, stride);
+            strokes.on_surfaces.extend(springs.map(line(SPRING, 1.2)));
+        }
+        if shows.capsules {
+            for capsule in &snapshot.capsules {
+                let outline = capsule_outline(capsule);
+                strokes.through.extend(outline.map(line(CAPSULE, 1.6)));
+            }
+        }
+        if shows.skeleton {
+            let bones = &snapshot.bones;
+            strokes.through.extend(bones.iter().copied().map(line(BONE, 3.0)));
+            let joints = bones.iter().map(|&[_, joint]| [joint; 2]);
+            strokes.through.extend(joints.map(line(JOINT, 6.0)));
+        }
+        if shows.sunken {
+            let dots = snapshot.sunken.iter().map(|&place| [place; 2]);
+            strokes.through.extend(dots.map(line(SUNKEN, 5.0)));
+        }
+        strokes
+    }
+}
+
+/// Every how many rows and columns springs are drawn, so that they can be told apart.
+fn spring_stride(grid: &Grid, meters_per_pixel: f32) -> u32 {
+    let finest = grid.spacing[0].min(grid.spacing[1]).max(1.0e-4);
+    let mut stride = 1;
+    // Gathered cloth lies about a quarter as wide as it is.
+    while stride < 16 && 0.5 * finest * stride as f32 / meters_per_pixel < SPRING_GAP {
+        stride *= 2;
+    }
+    stride
+}
+
+fn springs(
+    grid: &Grid,
+    particles: &[Vec3],
+    stride: u32,
+) -> impl Iterator<Item = [Vec3; 2]> {
+    let grid = *grid;
+    let at = move |row: u32, column: u32| particles.get(grid.index(row, column)).copied();
+    (0..grid.row_count).flat_map(move |row| {
+        (0..grid.column_count).flat_map(move |column| {
+            let here = at(row, column);
+            let right = (row % stride == 0)
+                .then(|| at(row, grid.column_right(column, 1)?))
+                .flatten();
+            let below = (column % stride == 0 && row + 1 < grid.row_count)
+                .then(|| at(row + 1, column))
+                .flatten();
+            [right, below]
+                .into_iter()
+                .filter_map(move |there| Some([here?, there?]))
+        })
+    })
+}
+
+/// Rings around both ends, lines along the side, and a cap on each end.
+fn capsule_outline(capsule: &Capsule) -> impl Iterator<Item = [Vec3; 2]> {
+    let [a, b] = capsule.ends;
+    let [radius_a, radius_b] = capsule.radii;
+    let axis = (b - a).try_normalize().unwrap_or(Vec3::Y);
+    let (right, up) = axis.any_orthonormal_pair();
+    let around = move |angle: f32| {
+        let (sin, cos) = trig::sin_cos(angle);
+        right * cos + up * sin
+    };
+    let corner = |index: u16| TAU * f32::from(index) / f32::from(CORNERS);
+    let ring = move |center: Vec3, radius: f32| {
+        (0..CORNERS).map(move |index| {
+            [index, index + 1].map(|index| center + around(corner(index)) * radius)
+        })
+    };
+    let sides = (0..4_u16).map(move |quarter| {
+        let out = around(TAU * f32::from(quarter) / 4.0);
+        [a + out * radius_a, b + out * radius_b]
+    });
+    let cap = move |center: Vec3, radius: f32, end: Vec3, side: Vec3| {
+        (0..CORNERS / 2).map(move |index| {
+            [index, index + 1].map(|index| {
+                let (sin, cos) = trig::sin_cos(PI * f32::from(index) / f32::from(CORNERS / 2));
+                center + (side * cos + end * sin) * radius
+            })
+        })
+    };
+    ring(a, radius_a)
+        .chain(ring(b, radius_b))
+        .chain(sides)
+        .chain(cap(a, radius_a, -axis, right))
+        .chain(cap(a, radius_a, -axis, up))
+        .chain(cap(b, radius_b, axis, right))
+        .chain(cap(b, radius_b, axis, up))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use lole_cloth::Topology;
+
+    #[test]
+    fn a_capsules_outline_lies_on_its_surface() {
+        let capsule = Capsule {
+            ends: [Vec3::new(0.1, 0.9, 0.0), Vec3::new(0.2, 0.4, 0.1)],
+            radii: [0.12, 0.12],
+        };
+        for [from, to] in capsule_outline(&capsule) {
+            for point in [from, to] {
+                assert!(capsule.signed_distance(point).abs() < 1e-4, "{point}");
+            }
+        }
+    }
+
+    #[test]
+    fn far_springs_are_thinned_and_near_ones_are_all_there() {
+        let grid = Grid {
+            column_count: 8,
+            row_count: 5,
+            topology: Topology::Tube,
+            spacing: [0.01, 0.01],
+        };
+        assert_eq!(spring_stride(&grid, 0.0001), 1);
+        assert!(4 <= spring_stride(&grid, 0.004));
+        let particles = vec![Vec3::ZERO; grid.particle_count()];
+        assert_eq!(springs(&grid, &particles, 1).count(), 8 * 5 + 8 * 4);
+        assert_eq!(springs(&grid, &[], 1).count(), 0);
+    }
+}

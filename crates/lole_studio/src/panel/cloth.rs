@@ -1,0 +1,75 @@
+//! Method, stiffness, damping and wind: changed without stopping the dance.
+
+use eframe::egui::{ComboBox, Ui};
+use lole_costume::document::MethodName;
+
+use super::knob::{Knob, Scale};
+use crate::studio::{STIFFNESSES, range};
+use crate::{Studio, text};
+
+/// The damping slider ends here [1/s]: stronger drag looks like honey.
+const MOST_DAMPING: f64 = 10.0;
+/// The wind slider ends here [m/s]: a strong breeze.
+const MOST_WIND: f64 = 8.0;
+
+pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
+    method(ui, studio);
+    let stiffness = Knob {
+        name: studio.say(text::STIFFNESS),
+        range: STIFFNESSES[0]..=STIFFNESSES[1],
+        decimals: 2,
+        unit: "×",
+        scale: Scale::Factors,
+    };
+    if let (_, Some(factor)) = stiffness.show(ui, studio.stiffness()) {
+        studio.set_stiffness(factor);
+    }
+    let (low, high) = range("fabric", "drag_per_s");
+    let damping = Knob {
+        name: studio.say(text::DAMPING),
+        range: low..=high.min(MOST_DAMPING),
+        decimals: 2,
+        unit: " 1/s",
+        scale: Scale::Even,
+    };
+    let now = f64::from(studio.design().fabric.fabric().drag_rate);
+    if let (_, Some(drag)) = damping.show(ui, now) {
+        studio.change(|design| design.fabric.drag_per_s = Some(drag));
+    }
+    let (low, high) = range("wind", "speed_m_per_s");
+    let wind = Knob {
+        name: studio.say(text::WIND),
+        range: low..=high.min(MOST_WIND),
+        decimals: 1,
+        unit: " m/s",
+        scale: Scale::Even,
+    };
+    if let (_, Some(speed)) = wind.show(ui, studio.design().wind.speed_m_per_s) {
+        studio.change(|design| design.wind.speed_m_per_s = speed);
+    }
+}
+
+fn method(ui: &mut Ui, studio: &mut Studio) {
+    ui.label(studio.say(text::METHOD));
+    let chosen = studio.design().method.name;
+    let mut picked = chosen;
+    let width = ui.available_width();
+    ComboBox::from_id_salt("method")
+        .width(width)
+        .selected_text(name_of(studio, chosen))
+        .show_ui(ui, |ui| {
+            for method in MethodName::ALL {
+                let name = name_of(studio, method);
+                ui.selectable_value(&mut picked, method, name);
+            }
+        });
+    if picked != chosen {
+        studio.change(|design| design.method.name = picked);
+    }
+}
+
+/// The method's id with a word on it.
+fn name_of(studio: &Studio, method: MethodName) -> String {
+    let about = studio.say(text::method(method));
+    format!("{}  {about}", method.id())
+}

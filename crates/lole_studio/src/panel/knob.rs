@@ -1,0 +1,72 @@
+//! A slider with its name above and its value beside it, as wide as the panel.
+
+use std::ops::RangeInclusive;
+
+use eframe::egui::{self, Response, Slider, Ui};
+
+/// Width of the value beside a slider [point].
+const VALUE_WIDTH: f32 = 108.0;
+
+/// What a slider shows.
+pub(super) struct Knob<'a> {
+    /// Its name.
+    pub(super) name: &'a str,
+    /// Smallest and largest value.
+    pub(super) range: RangeInclusive<f64>,
+    /// Digits after the point.
+    pub(super) decimals: usize,
+    /// Unit behind the value, with its space.
+    pub(super) unit: &'a str,
+    /// How values lie along the slider.
+    pub(super) scale: Scale,
+}
+
+/// How values lie along a slider.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Scale {
+    Even,
+    /// Each step multiplies.
+    Factors,
+}
+
+impl Knob<'_> {
+    /// Shows it; the new value while it is moved.
+    pub(super) fn show(self, ui: &mut Ui, value: f64) -> (Response, Option<f64>) {
+        let mut moved = value;
+        let label = ui.label(self.name);
+        ui.spacing_mut().slider_width = (ui.available_width() - VALUE_WIDTH).max(60.0);
+        let slider = Slider::new(&mut moved, self.range)
+            .logarithmic(self.scale == Scale::Factors)
+            .fixed_decimals(self.decimals)
+            .suffix(self.unit);
+        let response = ui.add(slider).labelled_by(label.id);
+        let is_moved = response.changed() && moved.is_finite();
+        (response, is_moved.then_some(moved))
+    }
+}
+
+/// Buttons of which one is chosen, side by side, each as wide as the others.
+pub(super) fn choice<T: PartialEq + Copy>(
+    ui: &mut Ui,
+    chosen: Option<T>,
+    options: &[(T, &str)],
+) -> Option<T> {
+    let mut picked = None;
+    let gap = 6.0;
+    #[expect(clippy::cast_precision_loss, reason = "a handful of buttons")]
+    let count = options.len().max(1) as f32;
+    let width = ((ui.available_width() - gap * (count - 1.0)) / count).max(30.0);
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = gap;
+        ui.spacing_mut().button_padding.x = 4.0;
+        for &(option, name) in options {
+            let button = egui::Button::selectable(chosen == Some(option), name)
+                .frame_when_inactive(true)
+                .min_size(egui::vec2(width, 32.0));
+            if ui.add(button).clicked() {
+                picked = Some(option);
+            }
+        }
+    });
+    picked
+}

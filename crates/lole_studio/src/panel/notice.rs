@@ -1,0 +1,69 @@
+//! Sentences over the picture: news, trouble, and cloth that flew apart.
+
+use eframe::egui::{self, Color32, RichText, Ui};
+use lole_stage::Divergence;
+
+use crate::message::Tone;
+use crate::{Studio, look, text};
+
+/// Shows what there is to say; `ui` is the picture's place.
+pub fn show(ui: &mut Ui, studio: &mut Studio) {
+    let stopped = studio.snapshot.as_ref().and_then(|snapshot| snapshot.stopped);
+    if let Some(divergence) = stopped {
+        let sentence = flew_apart(studio, &divergence);
+        card(ui, look::PALE_RED, |ui| {
+            ui.label(RichText::new(sentence).color(look::INK));
+            let button = egui::Button::new(
+                RichText::new(studio.say(text::RESET)).strong().color(Color32::WHITE),
+            );
+            if ui.add(button.fill(look::RED)).clicked() {
+                studio.reset();
+            }
+        });
+    }
+    if let Some(message) = studio.message.clone() {
+        let fill = match message.tone {
+            Tone::News => look::CARD,
+            Tone::Trouble => look::PALE_RED,
+        };
+        card(ui, fill, |ui| {
+            ui.label(studio.tell(&message.sentence));
+            if ui.button(studio.say(text::CLOSE)).clicked() {
+                studio.message = None;
+            }
+        });
+    }
+    if studio.sews && studio.snapshot.is_none() {
+        card(ui, look::CARD, |ui| {
+            ui.horizontal(|ui| {
+                ui.spinner();
+                ui.label(studio.say(text::SEWING));
+            });
+        });
+    }
+}
+
+fn card(ui: &mut Ui, fill: Color32, contents: impl FnOnce(&mut Ui)) {
+    egui::Frame::new()
+        .fill(fill)
+        .stroke(egui::Stroke::new(1.0, look::LINE))
+        .corner_radius(9)
+        .inner_margin(12)
+        .outer_margin(6)
+        .show(ui, |ui| {
+            ui.set_max_width(ui.available_width().min(560.0));
+            contents(ui);
+        });
+}
+
+fn flew_apart(studio: &Studio, divergence: &Divergence) -> String {
+    let Divergence { time, row, column } = divergence;
+    let method = studio.design().method.name.id();
+    let japanese = format!(
+        "{time:.2} 秒に、{row} 行 {column} 列から布が飛び散りました（{method}）。「最初から」を押すか、計算方法を変えてください。"
+    );
+    let english = format!(
+        "The cloth flew apart at {time:.2} s, first at row {row}, column {column} ({method}). Press Reset, or choose another method."
+    );
+    studio.language.pick(&japanese, &english).to_owned()
+}

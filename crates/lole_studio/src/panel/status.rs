@@ -1,0 +1,51 @@
+//! The line below: time of the dance, how fast cloth and picture go, what the mouse does.
+
+use eframe::egui::{Align, Label, Layout, RichText, Ui};
+
+use crate::{Studio, text};
+
+/// The pace is named where it differs by more than this share.
+const NOTICED: f64 = 0.05;
+
+/// Shows it.
+pub fn show(ui: &mut Ui, studio: &mut Studio) {
+    ui.horizontal(|ui| {
+        for part in parts(studio) {
+            ui.label(RichText::new(part).small());
+            ui.add_space(10.0);
+        }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let hint = RichText::new(studio.say(text::HINT)).small().weak();
+            ui.add(Label::new(hint).truncate());
+        });
+    });
+}
+
+fn parts(studio: &Studio) -> Vec<String> {
+    let mut parts = Vec::new();
+    let Some(snapshot) = &studio.snapshot else {
+        return vec![studio.say(text::SEWING).to_owned()];
+    };
+    parts.push(if snapshot.time < 0.0 {
+        studio.say(text::SETTLING).to_owned()
+    } else {
+        format!("{:.1} {}", snapshot.time, studio.say(text::SECONDS))
+    });
+    if let Some(pace) = snapshot.pace {
+        let name = studio.say(text::REAL_TIME);
+        parts.push(if pace < studio.speed * (1.0 - NOTICED) {
+            format!("{name} ×{pace:.2}")
+        } else {
+            format!("{name} ×{}", studio.speed)
+        });
+    }
+    if let Some(milliseconds) = studio.history.milliseconds() {
+        let unit = studio.say(text::MS_PER_FRAME);
+        parts.push(format!("{milliseconds:.1} {unit}"));
+    }
+    if let Some(pictures) = studio.pictures_per_second {
+        let unit = studio.say(text::PICTURES_PER_SECOND);
+        parts.push(format!("{pictures:.0} {unit}"));
+    }
+    parts
+}

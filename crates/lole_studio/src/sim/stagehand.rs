@@ -1,0 +1,356 @@
+//! The work of the simulation's thread.
+
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, TryRecvError};
+use std::time::Duration;
+
+use lole_costume::document::Design;
+use lole_geom::mesh::vertex_normals;
+use lole_language::Sentence;
+use lole_stage::{Show, Wish};
+
+use super::pace::Pace;
+use super::sewing::{Entrance, Sewing, Sewn, wardrobe};
+use super::{Input, News, Outbox};
+use crate::clock::Clock;
+use crate::command::Watch;
+use crate::history::Sample;
+use crate::snapshot::Wardrobe;
+use crate::{Command, Snapshot};
+
+/// Threads of the cloth: more do not help a single skirt, and one core is left to the picture.
+const MOST_THREADS: usize = 4;
+/// Samples kept for a picture that is not taken, as while the window is minimized.
+const MOST_SAMPLES: usize = 600;
+
+/// Whoever keeps the show going.
+pub(super) struct Stagehand {
+    inputs: Sender<Input>,
+    outbox: Outbox,
+    clock: Clock,
+    pace: Pace,
+    pool: Option<rayon::ThreadPool>,
+    stage: Option<(Show, Arc<Wardrobe>)>,
+    sewing: Option<Sewing>,
+    /// The newest design that was wished while another one was being sewn.
+    next: Option<Design>,
+    plays: bool,
+    /// Frames that are danced although the show stands still.
+    steps: u32,
+    speed: f64,
+    watch: Watch,
+    samples: Vec<Sample>,
+    /// Whether there is something new to see.
+    is_stale: bool,
+    quits: bool,
+}
+
+impl Stagehand {
+    pub(super) fn new(design: Design, inputs: Sender<Input>, outbox: Outbox) -> Self {
+        let clock = Clock::start();
+        let cores = std::thread::available_parallelism().map_or(1, usize::from);
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(cores.saturating_sub(1).clamp(1, MOST_THREADS))
+            .build()
+            .ok();
+        let mut hand = Self {
+            inputs,
+            outbox,
+            clock,
+            pace: Pace::new(clock.seconds(), 1.0),
+            pool,
+            stage: None,
+            sewing: None,
+            next: None,
+            plays: true,
+            steps: 0,
+            speed: 1.0,
+            watch: Watch::default(),
+            samples: Vec::new(),
+            is_stale: false,
+            quits: false,
+        };
+        hand.sew(design);
+        hand
+    }
+
+    /// Works until it is told to quit.
+    pub(super) fn work(mut self, inputs: &Receiver<Input>) {
+        while !self.quits {
+            self.obey(inputs);
+            if self.quits {
+                return;
+            }
+            if self.may_dance() {
+                let wait = self.pace.wait(self.clock.seconds());
+                if 0.0 < wait && self.steps == 0 {
+                    self.rest(inputs, Some(wait));
+                } else {
+                    self.dance();
+                }
+            } else if !(self.is_stale && self.outbox.is_empty()) {
+                // A picture that nobody has taken is looked after again soon.
+                self.rest(inputs, self.is_stale.then_some(0.02));
+            }
+            self.show();
+        }
+    }
+
+    fn may_dance(&self) -> bool {
+        let stands = |(show, _): &(Show, _)| show.stopped().is_none();
+        (self.plays || 0 < self.steps) && self.stage.as_ref().is_some_and(stands)
+    }
+
+    /// Takes in everything that was sent; of many designs only the last counts.
+    fn obey(&mut self, inputs: &Receiver<Input>) {
+        let mut wish = None;
+        loop {
+            match inputs.try_recv() {
+                Ok(Input::Wanted(Command::Wish(design))) => wish = Some(design),
+                Ok(input) => {
+                    if let Some(design) = wish.take() {
+                        self.wish(*design);
+                    }
+                    self.take_in(input);
+                }
+                Err(TryRecvError::Empty) => break,
+                Err(TryRecvError::Disconnected) => {
+                    self.quits = true;
+                    break;
+                }
+            }
+        }
+        if let Some(design) = wish {
+            self.wish(*design);
+        }
+    }
+
+    /// Waits for something to be sent, at most for `seconds`.
+    fn rest(&mut self, inputs: &Receiver<Input>, seconds: Option<f64>) {
+        let input = match seconds {
+            Some(seconds) => match inputs.recv_timeout(Duration::from_secs_f64(seconds)) {
+                Ok(input) => Some(input),
+                Err(RecvTimeoutError::Timeout) => None,
+                Err(RecvTimeoutError::Disconnected) => Some(Input::Wanted(Command::Quit)),
+            },
+            None => inputs.recv().ok().or(Some(Input::Wanted(Command::Quit))),
+        };
+        if let Some(input) = input {
+            self.take_in(input);
+        }
+    }
+
+    fn take_in(&mut self, input: Input) {
+        match input {
+            Input::Wanted(command) => self.follow(command),
+            Input::Sewn(sewn) => self.dress(*sewn),
+        }
+    }
+
+    fn follow(&mut self, command: Command) {
+        match command {
+            Command::Play => {
+                self.plays = true;
+                self.restart_clock();
+            }
+            Command::Pause => self.plays = false,
+            Command::Step => {
+                self.plays = false;
+                self.steps += 1;
+            }
+            Command::Speed(speed) => {
+                self.speed = speed;
+                self.restart_clock();
+            }
+            Command::Wish(design) => self.wish(*design),
+            Command::Reset => self.reset(),
+            Command::Pull(pull) => {
+                if let Some((show, _)) = &mut self.stage {
+                    show.pull(pull);
+                }
+            }
+            Command::Watch(watch) => {
+                self.watch = watch;
+                self.is_stale = true;
+            }
+            Command::Quit => self.quits = true,
+        }
+    }
+
+    fn restart_clock(&mut self) {
+        self.pace.set_speed(self.clock.seconds(), self.speed);
+        self.is_stale = true;
+    }
+
+    fn wish(&mut self, design: Design) {
+        if self.sewing.is_some() {
+            if let Some(sewing) = &self.sewing {
+                sewing.call_off();
+            }
+            self.next = Some(design);
+            return;
+        }
+        let Some((show, clothes)) = &mut self.stage else {
+            self.sew(design);
+            return;
+        };
+        let prints_anew = show.design().print != design.print;
+        let before = show.design().clone();
+        match show.wish(&design) {
+            Ok(Wish::Resew) => self.sew(design),
+            Ok(Wish::Granted) => {
+                self.is_stale = true;
+                if prints_anew {
+                    match wardrobe(&design, show.production()) {
+                        Ok(new) => *clothes = new,
+                        Err(sentence) => self.refuse(sentence, before),
+                    }
+                }
+            }
+            Err(error) => self.refuse(Sentence::of(&error), before),
+        }
+    }
+
+    fn refuse(&self, sentence: Sentence, kept: Design) {
+        self.outbox.say(News::Refused(sentence, Box::new(kept)));
+    }
+
+    fn sew(&mut self, design: Design) {
+        let entrance = if self.stage.is_some() {
+            Entrance::Settled
+        } else {
+            Entrance::Settling
+        };
+        self.outbox.say(News::Sewing);
+        self.sewing = Some(Sewing::begin(design, entrance, self.inputs.clone()));
+    }
+
+    /// Puts what was sewn on stage, or sews what was wished meanwhile.
+    fn dress(&mut self, sewn: Sewn) {
+        self.sewing = None;
+        if let Some(next) = self.next.take() {
+            // Back at what is on stage, nothing needs to be sewn.
+            if self.stage.is_some() {
+                self.wish(next);
+            } else {
+                self.sew(next);
+            }
+            if self.sewing.is_none() {
+                self.outbox.say(News::Sewn);
+            }
+            return;
+        }
+        match sewn.show {
+            Ok(Some(stage)) => {
+                self.stage = Some(stage);
+                self.samples.clear();
+                self.outbox.say(News::Sewn);
+            }
+            Ok(None) => self.outbox.say(News::Sewn),
+            Err(sentence) => {
+                let kept = (self.stage.as_ref()).map_or(sewn.design, |(show, _)| {
+                    show.design().clone()
+                });
+                self.refuse(sentence, kept);
+            }
+        }
+        self.restart_clock();
+    }
+
+    fn reset(&mut self) {
+        let Some((show, _)) = &mut self.stage else {
+            return;
+        };
+        match show.restarted() {
+            Ok(fresh) => {
+                *show = fresh;
+                self.samples.clear();
+            }
+            Err(error) => {
+                let kept = show.design().clone();
+                self.refuse(Sentence::of(&error), kept);
+            }
+        }
+        self.restart_clock();
+    }
+
+    /// One frame.
+    fn dance(&mut self) {
+        let Some((show, _)) = &mut self.stage else {
+            return;
+        };
+        let started = self.clock.seconds();
+        self.pace.begin(started);
+        self.steps = self.steps.saturating_sub(1);
+        let result = match &self.pool {
+            Some(pool) => pool.install(|| show.advance()),
+            None => show.advance(),
+        };
+        if result.is_err() {
+            self.steps = 0;
+        }
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "seven digits of a millisecond are enough"
+        )]
+        let milliseconds = ((self.clock.seconds() - started) * 1e3) as f32;
+        if self.samples.len() < MOST_SAMPLES {
+            self.samples.push(Sample {
+                time: show.time(),
+                milliseconds,
+                vitals: show.vitals(),
+            });
+        }
+        self.is_stale = true;
+    }
+
+    /// Hands out a snapshot where the last one was taken and something is new.
+    fn show(&mut self) {
+        if !self.is_stale || !self.outbox.is_empty() {
+            return;
+        }
+        let pace = if self.may_dance() { self.pace.measured() } else { None };
+        let samples = std::mem::take(&mut self.samples);
+        if let Some((show, clothes)) = &self.stage {
+            let mut snapshot = photograph(show, clothes, self.watch);
+            (snapshot.samples, snapshot.pace) = (samples, pace);
+            self.outbox.post(snapshot);
+            self.is_stale = false;
+        }
+    }
+}
+
+/// The show as it stands.
+fn photograph(show: &Show, clothes: &Arc<Wardrobe>, watch: Watch) -> Snapshot {
+    let production = &clothes.production;
+    let mesh = &production.skirt_mesh;
+    let particles = show.cloth_positions().to_vec();
+    let (mut positions, mut normals) = (Vec::new(), Vec::new());
+    mesh.spread(&particles, &mut positions);
+    mesh.spread(
+        &vertex_normals(&particles, &mesh.particle_triangles),
+        &mut normals,
+    );
+    let (mut body_positions, mut body_normals) = (Vec::new(), Vec::new());
+    (production.dancer.skin).pose(show.world_from_bind(), &mut body_positions, &mut body_normals);
+    let sunken = if watch.sunken {
+        show.sunken(&body_positions, &body_normals)
+    } else {
+        Vec::new()
+    };
+    Snapshot {
+        wardrobe: Arc::clone(clothes),
+        time: show.time(),
+        particles,
+        cloth: [positions, normals],
+        body: [body_positions, body_normals],
+        capsules: show.capsules().to_vec(),
+        bones: show.bones(),
+        strain: if watch.strain { show.strain() } else { Vec::new() },
+        sunken,
+        samples: Vec::new(),
+        pace: None,
+        substep_count: show.substep_count(),
+        stopped: show.stopped(),
+    }
+}

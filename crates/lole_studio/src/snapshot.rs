@@ -1,0 +1,63 @@
+//! One moment of the show, handed from the simulation's thread to the picture.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use glam::Vec3;
+use lole_geom::Capsule;
+use lole_picture::Looks;
+use lole_stage::{Divergence, Production};
+
+use crate::history::Sample;
+
+/// What belongs together as long as the skirt is not sewn anew.
+pub struct Wardrobe {
+    /// Tells wardrobes apart.
+    pub id: u64,
+    /// Dancer, dance and skirt.
+    pub production: Arc<Production>,
+    /// Materials.
+    pub looks: Looks,
+}
+
+impl Wardrobe {
+    /// A wardrobe with a number of its own.
+    pub(crate) fn new(production: Arc<Production>, looks: Looks) -> Self {
+        static NEXT: AtomicU64 = AtomicU64::new(1);
+        Self {
+            id: NEXT.fetch_add(1, Ordering::Relaxed),
+            production,
+            looks,
+        }
+    }
+}
+
+/// One moment.
+pub struct Snapshot {
+    /// What is shown.
+    pub wardrobe: Arc<Wardrobe>,
+    /// Time of the dance [s]; negative while the skirt settles.
+    pub time: f32,
+    /// Particles of the cloth [m], row-major.
+    pub particles: Vec<Vec3>,
+    /// The skirt as it is drawn: positions and normals, the seam's column twice.
+    pub cloth: [Vec<Vec3>; 2],
+    /// The body as it is drawn: positions and normals.
+    pub body: [Vec<Vec3>; 2],
+    /// What the cloth meets.
+    pub capsules: Vec<Capsule>,
+    /// Ends of each bone [m].
+    pub bones: Vec<[Vec3; 2]>,
+    /// Mean strain at every particle; empty where it is not watched.
+    pub strain: Vec<f32>,
+    /// Particles below the drawn skin [m]; empty where they are not watched.
+    pub sunken: Vec<Vec3>,
+    /// The frames since the last snapshot.
+    pub samples: Vec<Sample>,
+    /// Seconds of the dance in one second on the wall, measured; `None` while it stands still.
+    pub pace: Option<f64>,
+    /// Substeps of one frame.
+    pub substep_count: u32,
+    /// Where and when the cloth flew apart.
+    pub stopped: Option<Divergence>,
+}

@@ -1,0 +1,358 @@
+//! The picture: its texture, the camera under the mouse, the hand on the cloth.
+
+use std::sync::Arc;
+
+use eframe::egui::{self, Color32, PointerButton, Rect, Response, Sense, Ui};
+use eframe::egui_wgpu::RenderState;
+use glam::{Vec2, Vec3};
+use lole_language::Sentence;
+use lole_picture::Figure;
+use lole_render::{
+    Bounds, Image, LightRig, LiveView, Material, Overlay, RenderError, Size, View, wgpu,
+};
+use lole_stage::Pull;
+
+use crate::clock::Clock;
+use crate::light::Light;
+use crate::look::{self, strain_color};
+use crate::message::Message;
+use crate::orbit::{Orbit, hand_at, pick};
+use crate::overlay::Strokes;
+use crate::studio::{Shows, Tool};
+use crate::{Command, Snapshot, Studio};
+
+/// Room to each side of the dancer that the views show [m]: she steps to both sides.
+const SIDE_ROOM: f32 = 0.72;
+/// Nearness for the wheel: one notch of 50 points comes nearer by a tenth.
+const ZOOM_PER_POINT: f32 = 0.002;
+/// The pointer takes hold of cloth this near [point].
+const GRASP: f32 = 14.0;
+/// Pictures are counted over this time [s].
+const COUNTED: f64 = 1.0;
+
+/// What the picture keeps.
+pub(crate) struct Viewport {
+    live: Option<Live>,
+    light: Light,
+    hold: Option<Hold>,
+    drawn: Option<Drawn>,
+    clock: Clock,
+    counted_from: f64,
+    pictures: u32,
+    strain_cloth: Material,
+    aspect: f32,
+}
+
+/// What is on the adapter.
+struct Live {
+    view: LiveView,
+    texture: egui::TextureId,
+    wardrobe: u64,
+    is_lit: bool,
+}
+
+/// A hand on the cloth.
+struct Hold {
+    particle: u32,
+    /// The plane in which the hand moves goes through this point [m].
+    anchor: Vec3,
+}
+
+/// What the last picture showed: another one is drawn only where something differs.
+#[derive(Clone, PartialEq)]
+struct Drawn {
+    snapshot: *const Snapshot,
+    orbit: Orbit,
+    size: (u32, u32),
+    shows: Shows,
+}
+
+impl Viewport {
+    pub(crate) fn new() -> Self {
+        let clock = Clock::start();
+        Self {
+            live: None,
+            light: Light::start(),
+            hold: None,
+            drawn: None,
+            clock,
+            counted_from: clock.seconds(),
+            pictures: 0,
+            strain_cloth: Material {
+                specular: 0.0,
+                sheen: 0.1,
+                ..Material::cloth([1.0; 3])
+            },
+            aspect: 1.0,
+        }
+    }
+
+    /// Shows the picture in all of `ui`.
+    pub(crate) fn show(&mut self, ui: &mut Ui, studio: &mut Studio, gpu: Option<&RenderState>) {
+        let (area, response) =
+            ui.allocate_exact_size(ui.available_size().max(egui::Vec2::splat(1.0)), Sense::drag());
+        let scale = ui.ctx().pixels_per_point();
+        self.aspect = (area.width() / area.height().max(1.0)).clamp(0.02, 50.0);
+        ui.painter().rect_filled(area, 0.0, look::PAPER);
+        let Some(snapshot) = studio.snapshot.clone() else {
+            return;
+        };
+        self.place_camera(studio, &snapshot);
+        self.follow_pointer(ui, studio, &snapshot, area, &response);
+        let Some(gpu) = gpu else { return };
+        if let Err(error) = self.draw(studio, &snapshot, gpu, pixels(area, scale), scale) {
+            let text = error.to_string();
+            let sentence = Sentence::new(format!("画面に描けません（{text}）"), text);
+            studio.message = Some(Message::trouble(&sentence));
+        }
+        if let Some(live) = &self.live {
+            let whole = Rect::from_min_max(egui::pos2(0.0, 0.0), egui::pos2(1.0, 1.0));
+            ui.painter().image(live.texture, area, whole, Color32::WHITE);
+            if !live.is_lit {
+                ui.ctx().request_repaint_after_secs(0.1);
+            }
+        }
+        self.count(studio);
+    }
+
+    /// Frames the dancer where that was asked for, or where nobody moved the camera since.
+    fn place_camera(&self, studio: &mut Studio, snapshot: &Snapshot) {
+        let view = match (studio.wanted_view.take(), studio.orbit) {
+            (Some(view), _) => view,
+            (None, Some(orbit)) => match orbit.view {
+                Some(view) => view,
+                None => return,
+            },
+            (None, None) => View::Front,
+        };
+        studio.orbit = Some(Orbit::framing(stage_of(snapshot), view, self.aspect));
+    }
+
+    fn follow_pointer(
+        &mut self,
+        ui: &Ui,
+        studio: &mut Studio,
+        snapshot: &Snapshot,
+        area: Rect,
+        response: &Response,
+    ) {
+        let Some(mut orbit) = studio.orbit else { return };
+        let height = area.height().max(1.0);
+        let drag = response.drag_delta();
+        let drag = Vec2::new(drag.x, drag.y) / height;
+        let shift = ui.input(|input| input.modifiers.shift);
+        if response.drag_started_by(PointerButton::Primary) && studio.tool == Tool::Hold && !shift {
+            self.take_hold(ui, &orbit, snapshot, area);
+        }
+        if self.hold.is_some() {
+            self.move_hand(ui, studio, &orbit, area);
+        } else if response.dragged_by(PointerButton::Primary) && !shift {
+            orbit.turn(drag);
+        } else if response.dragged() {
+            orbit.pan(drag);
+        }
+        if response.hovered() {
+            let (scroll, pinch) =
+                ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta()));
+            if scroll != 0.0 {
+                orbit.zoom((scroll * ZOOM_PER_POINT).exp());
+            }
+            #[expect(clippy::float_cmp, reason = "exactly 1 where nothing was pinched")]
+            if pinch != 1.0 {
+                orbit.zoom(pinch);
+            }
+        }
+        if studio.orbit != Some(orbit) {
+            studio.orbit = Some(orbit);
+        }
+    }
+
+    fn take_hold(&mut self, ui: &Ui, orbit: &Orbit, snapshot: &Snapshot, area: Rect) {
+        let Some(at) = ui.input(|input| input.pointer.press_origin()) else {
+            return;
+        };
+        let ray = self.ray_at(orbit, area, at);
+        let reach = orbit.vertical_fov * GRASP / area.height().max(1.0);
+        let eye = orbit.camera().eye;
+        self.hold = pick(&snapshot.particles, eye, ray, reach).map(|particle| Hold {
+            particle,
+            anchor: snapshot.particles[particle as usize],
+        });
+    }
+
+    fn move_hand(&mut self, ui: &Ui, studio: &mut Studio, orbit: &Orbit, area: Rect) {
+        let pointer = ui.input(|input| {
+            input.pointer.primary_down().then(|| input.pointer.latest_pos()).flatten()
+        });
+        let pull = match (&self.hold, pointer) {
+            (Some(hold), Some(at)) => {
+                let ray = self.ray_at(orbit, area, at);
+                Some(Pull {
+                    particle: hold.particle,
+                    hand: hand_at(orbit, ray, hold.anchor),
+                })
+            }
+            _ => None,
+        };
+        if pull.is_none() {
+            self.hold = None;
+        }
+        studio.command(Command::Pull(pull));
+    }
+
+    fn ray_at(&self, orbit: &Orbit, area: Rect, at: egui::Pos2) -> Vec3 {
+        let place = Vec2::new(
+            (at.x - area.left()) / area.width().max(1.0) * 2.0 - 1.0,
+            1.0 - (at.y - area.top()) / area.height().max(1.0) * 2.0,
+        );
+        orbit.ray(place, self.aspect)
+    }
+
+    fn draw(
+        &mut self,
+        studio: &Studio,
+        snapshot: &Arc<Snapshot>,
+        gpu: &RenderState,
+        size: Size,
+        scale: f32,
+    ) -> Result<(), RenderError> {
+        let Some(orbit) = studio.orbit else {
+            return Ok(());
+        };
+        let is_new_light = self.take_light();
+        self.light.offer(snapshot, orbit.camera());
+        let drawn = Drawn {
+            snapshot: Arc::as_ptr(snapshot),
+            orbit,
+            size: (size.width, size.height),
+            shows: studio.shows,
+        };
+        if self.drawn.as_ref() == Some(&drawn) && !is_new_light {
+            return Ok(());
+        }
+        self.prepare(gpu, size)?;
+        let Some(live) = &mut self.live else {
+            return Ok(());
+        };
+        if live.wardrobe != snapshot.wardrobe.id {
+            live.wardrobe = snapshot.wardrobe.id;
+            live.is_lit = false;
+        }
+        let reach = lole_geom::trig::tan(orbit.vertical_fov * 0.5);
+        let meters_per_pixel = 2.0 * reach * orbit.distance / size.height as f32;
+        let strokes = Strokes::of(snapshot, studio.shows, meters_per_pixel, scale);
+        let overlay = Overlay {
+            on_surfaces: &strokes.on_surfaces,
+            through: &strokes.through,
+        };
+        let colors = strain_colors(snapshot, studio.shows);
+        let figure = Figure {
+            cloth_positions: &snapshot.cloth[0],
+            cloth_normals: &snapshot.cloth[1],
+            cloth_colors: &colors,
+            body_positions: &snapshot.body[0],
+            body_normals: &snapshot.body[1],
+        };
+        let wardrobe = &snapshot.wardrobe;
+        let camera = orbit.camera();
+        let lights = LightRig::seen_from(&camera);
+        let mut scene = (wardrobe.looks).scene(&wardrobe.production, &figure, camera, lights);
+        if let (false, Some(cloth)) = (colors.is_empty(), scene.meshes.first_mut()) {
+            cloth.material = &self.strain_cloth;
+        }
+        live.view.draw(&scene, overlay)?;
+        self.pictures += 1;
+        self.drawn = Some(drawn);
+        Ok(())
+    }
+
+    /// A view of this size on the window's device.
+    fn prepare(&mut self, gpu: &RenderState, size: Size) -> Result<(), RenderError> {
+        let filter = wgpu::FilterMode::Linear;
+        match &mut self.live {
+            None => {
+                let is_software = gpu.adapter.get_info().device_type == wgpu::DeviceType::Cpu;
+                let samples = if is_software { 1 } else { 4 };
+                let view = LiveView::new(&gpu.device, &gpu.queue, size, samples)?;
+                let mut renderer = gpu.renderer.write();
+                let texture =
+                    renderer.register_native_texture(&gpu.device, view.shown(), filter);
+                self.live = Some(Live {
+                    view,
+                    texture,
+                    wardrobe: 0,
+                    is_lit: false,
+                });
+            }
+            Some(live) if live.view.size() != size => {
+                live.view.resize(size)?;
+                gpu.renderer.write().update_egui_texture_from_wgpu_texture(
+                    &gpu.device,
+                    live.view.shown(),
+                    filter,
+                    live.texture,
+                );
+            }
+            Some(_) => {}
+        }
+        Ok(())
+    }
+
+    fn take_light(&mut self) -> bool {
+        let (Some(live), Some((wardrobe, light))) = (&mut self.live, self.light.take()) else {
+            return false;
+        };
+        if wardrobe == live.wardrobe {
+            live.view.light_up(&light);
+            live.is_lit = true;
+        }
+        true
+    }
+
+    fn count(&mut self, studio: &mut Studio) {
+        let now = self.clock.seconds();
+        let elapsed = now - self.counted_from;
+        if COUNTED <= elapsed {
+            studio.pictures_per_second =
+                (0 < self.pictures).then(|| f64::from(self.pictures) / elapsed);
+            self.pictures = 0;
+            self.counted_from = now;
+        }
+    }
+
+    /// The picture as it is shown, overlays and all.
+    pub(crate) fn picture(&self) -> Option<Result<Image, RenderError>> {
+        self.live.as_ref().map(|live| live.view.read_back())
+    }
+}
+
+/// Where she stands and steps [m].
+fn stage_of(snapshot: &Snapshot) -> Bounds {
+    let dancer = &snapshot.wardrobe.production.dancer;
+    let crown = dancer.landmarks.crown_height;
+    Bounds {
+        min: Vec3::new(-SIDE_ROOM, -0.02, -0.3),
+        max: Vec3::new(SIDE_ROOM, crown + 0.06, 0.3),
+    }
+}
+
+/// Colors of the skirt's vertices by strain; empty where it shows its print.
+fn strain_colors(snapshot: &Snapshot, shows: Shows) -> Vec<Vec3> {
+    let mut colors = Vec::new();
+    if shows.strain && snapshot.strain.len() == snapshot.particles.len() {
+        let by_particle: Vec<Vec3> = snapshot.strain.iter().map(|&s| strain_color(s)).collect();
+        let mesh = &snapshot.wardrobe.production.skirt_mesh;
+        mesh.spread(&by_particle, &mut colors);
+    }
+    colors
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a window's side in pixels, at least 1"
+)]
+fn pixels(area: Rect, scale: f32) -> Size {
+    let side = |points: f32| (points * scale).round().clamp(1.0, 8192.0) as u32;
+    Size::new(side(area.width()), side(area.height()))
+}
