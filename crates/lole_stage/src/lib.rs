@@ -9,7 +9,9 @@ pub mod skin_check;
 mod solver;
 
 pub use metrics::{FrameMetrics, RunMetrics};
-pub use performance::{Divergence, FRAME_SECONDS, FRAMES_PER_SECOND, Performance, Production};
+pub use performance::{
+    Divergence, Energy, FRAME_SECONDS, FRAMES_PER_SECOND, Performance, Production,
+};
 
 use lole_language::Bilingual;
 
