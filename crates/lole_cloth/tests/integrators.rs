@@ -2,16 +2,17 @@
 
 mod reference_support;
 
+use std::num::NonZeroU32;
+
 use glam::DVec3;
 use lole_cloth::Topology;
 use lole_cloth::method::explicit::{
-    self, ContactEvaluation, Counting, Integrator, LastStage, RungeKutta, StageDamping, StepInput,
+    self, ContactEvaluation, Counting, HighestMode, Integrator, LastStage, RungeKutta,
+    StageDamping, StepInput, stability_limit,
 };
 use lole_cloth::method::reference::{ReferenceModel, ReferenceState, SpringConstants};
 use lole_geom::trig64;
-use reference_support::{
-    held_pins, largest_frequency_squared, model, pinned_net, rest_positions, spec, still,
-};
+use reference_support::{held_pins, model, pinned_net, rest_positions, spec, still};
 
 const GRAVITY: f64 = 9.81;
 const RK4: Integrator = Integrator::RungeKutta(RungeKutta::CLASSICAL);
@@ -211,59 +212,37 @@ fn an_undamped_oscillator_grows_as_the_method_lets_it() {
     }
 }
 
-/// The highest mode of a pinned net, and how it grows.
-struct HighestMode {
-    net: fn(f32) -> ReferenceModel,
-    mode: Vec<DVec3>,
-    /// `ω` [rad/s].
-    frequency: f64,
+/// The highest mode of a pinned net.
+struct Net {
+    mode: HighestMode,
 }
 
-impl HighestMode {
+impl Net {
     fn new() -> Self {
-        let net: fn(f32) -> ReferenceModel = |drag_rate| pinned_net(12, drag_rate);
-        let model = net(0.0);
+        let model = pinned_net(12, 0.0);
         let rest = rest_positions(model.grid());
-        let (frequency_squared, mode) = largest_frequency_squared(&model, &rest);
         Self {
-            net,
-            mode,
-            frequency: frequency_squared.sqrt(),
+            mode: HighestMode::of(&model, &rest, 3000),
         }
     }
 
     /// Natural logarithm of the growth per step with the damping `c / ω` and the phase `ω Δt`.
     fn growth(&self, integrator: Integrator, damping: f64, phase: f64, count: u32) -> f64 {
+        let frequency = self.mode.frequency;
         #[expect(clippy::cast_possible_truncation, reason = "models hold drag in f32")]
-        let model = (self.net)((damping * self.frequency) as f32);
-        let rest = rest_positions(model.grid());
-        let mut state = ReferenceState::at_rest(rest.clone());
-        for (position, vector) in state.positions.iter_mut().zip(&self.mode) {
-            *position += *vector * (1e-9 * 0.02);
-        }
-        let mut config = still(count);
-        config.integrator = integrator;
-        let input = StepInput {
-            pin_targets: &held_pins(&model, &state),
-            ..NOTHING
-        };
-        let dt = phase / self.frequency;
-        let mut size = || {
-            explicit::step(&model, &config, &input, &mut state, dt * f64::from(count));
-            let sum: f64 = (state.positions.iter().zip(&rest).zip(&state.velocities))
-                .map(|((x, r), v)| {
-                    (*x - *r).length_squared() + v.length_squared() / self.frequency.powi(2)
-                })
-                .sum();
-            sum.sqrt()
-        };
-        let early = size();
-        let late = size();
-        trig64::ln(late / early) / f64::from(count)
+        let model = pinned_net(12, (damping * frequency) as f32);
+        let count = NonZeroU32::new(count).expect("at least one");
+        let step = [phase / frequency, 1e-10];
+        self.mode.growth(&model, integrator, step, count)
     }
 
     /// That the highest mode shrinks 2 % below the `limit` of `ω Δt`, and grows 2 % above it.
     fn assert_limit(&self, integrator: Integrator, damping: f64, limit: f64, count: u32) {
+        let theory = stability_limit(integrator, 1.0, damping).expect("a stable step");
+        assert!(
+            (theory / limit - 1.0).abs() < 0.01,
+            "{integrator:?} c/ω {damping}: {theory} in theory, not {limit}"
+        );
         let below = self.growth(integrator, damping, 0.98 * limit, count);
         let above = self.growth(integrator, damping, 1.02 * limit, count);
         assert!(
@@ -275,24 +254,29 @@ impl HighestMode {
 
 #[test]
 fn euler_is_stable_up_to_c_over_omega_squared() {
-    let mode = HighestMode::new();
+    let net = Net::new();
     for damping in [0.05, 0.1, 0.5] {
-        mode.assert_limit(Integrator::Euler, damping, damping, 4000);
+        net.assert_limit(Integrator::Euler, damping, damping, 4000);
     }
 }
 
 #[test]
 fn damping_takes_stability_from_fb_euler() {
-    let mode = HighestMode::new();
+    let net = Net::new();
+    // Undamped, 2 % above the limit: ω Δt = 2.04 gives acosh(2.0808 - 1), a factor of 1.49.
+    let above = net.growth(Integrator::FbEuler, 0.0, 2.04, 20);
+    assert!((above - trig64::ln(1.49)).abs() < 0.015, "{above}");
+    let below = net.growth(Integrator::FbEuler, 0.0, 1.96, 200);
+    assert!(below.abs() < 0.02, "{below}");
     for damping in [0.1f64, 0.5, 1.0] {
         let limit = (damping * damping + 4.0).sqrt() - damping;
-        mode.assert_limit(Integrator::FbEuler, damping, limit, 60);
+        net.assert_limit(Integrator::FbEuler, damping, limit, 60);
     }
 }
 
 #[test]
 fn the_classical_method_is_stable_up_to_the_root_of_eight() {
-    let mode = HighestMode::new();
+    let net = Net::new();
     // Damped: roots of the stability polynomial on the mode's eigenvalue, by an independent
     // program.
     for (damping, limit) in [
@@ -302,25 +286,28 @@ fn the_classical_method_is_stable_up_to_the_root_of_eight() {
         (0.5, 2.897),
         (1.0, 2.62),
     ] {
-        mode.assert_limit(RK4, damping, limit, 40);
+        net.assert_limit(RK4, damping, limit, 40);
     }
 }
 
 #[test]
 fn frozen_damping_takes_stability_from_the_classical_method() {
-    let mode = HighestMode::new();
+    let net = Net::new();
     for (damping, limit) in [(0.1, 2.810), (0.5, 2.744), (1.0, 1.596)] {
-        mode.assert_limit(FROZEN, damping, limit, 40);
+        net.assert_limit(FROZEN, damping, limit, 40);
     }
 }
 
 #[test]
 fn equation_10_as_printed_is_stable_up_to_six_c_over_omega_squared() {
-    let mode = HighestMode::new();
-    mode.assert_limit(PRINTED, 0.02, 6.0 * 0.02, 8000);
-    mode.assert_limit(DOUBLE, 0.02, 11.0 * 0.02, 4000);
+    let net = Net::new();
+    net.assert_limit(PRINTED, 0.02, 6.0 * 0.02, 8000);
+    net.assert_limit(DOUBLE, 0.02, 11.0 * 0.02, 4000);
     // Without damping there is no stable step at all.
-    let growth = mode.growth(PRINTED, 0.0, 0.1, 2000);
+    for integrator in [Integrator::Euler, PRINTED, DOUBLE] {
+        assert_eq!(stability_limit(integrator, 1.0, 0.0), None);
+    }
+    let growth = net.growth(PRINTED, 0.0, 0.1, 2000);
     assert!((growth / (0.01 / 12.0) - 1.0).abs() < 0.01, "{growth:e}");
 }
 

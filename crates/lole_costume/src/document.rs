@@ -15,6 +15,9 @@ pub mod schema;
 mod write;
 
 use lole_body::{AmiTurn, ArmStyle, DanceStep, HipLead, HipLift};
+use lole_cloth::collision::penalty::{CapsuleShape, Response};
+use lole_cloth::method::explicit::{ContactEvaluation, Integrator, RungeKutta};
+use lole_cloth::wind::WindLaw;
 
 use crate::fabrics::Preset;
 use crate::print::PrintMotif;
@@ -240,15 +243,58 @@ impl Default for MotionDesign {
 pub struct WindDesign {
     /// Air speed at the strongest [m/s]; 0 is still air.
     pub speed_m_per_s: f64,
+    /// How the wind's equation is read.
+    pub law: WindLaw,
 }
 
 /// How the cloth is computed.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct MethodDesign {
     /// The method.
     pub name: MethodName,
     /// Time slices of one picture; the method's own choice when `None`.
     pub substep_count: Option<u32>,
+    /// What the cloth meets as a body.
+    pub body: BodyShapes,
+    /// Capsules of [`BodyShapes::Capsules`].
+    pub capsule_count: u32,
+    /// The paper's methods: when contact is worked out.
+    pub contact_evaluation: ContactEvaluation,
+    /// The paper's methods: whether skin may pull.
+    pub penalty: Response,
+    /// The paper's methods: speed with which cloth leaves the skin over that with which it came;
+    /// critically damped when `None`.
+    pub bounce_ratio: Option<f64>,
+    /// The paper's methods: whether capsules end.
+    pub capsule_shape: CapsuleShape,
+}
+
+impl Default for MethodDesign {
+    fn default() -> Self {
+        Self {
+            name: MethodName::default(),
+            substep_count: None,
+            body: BodyShapes::default(),
+            capsule_count: PAPER_CAPSULES,
+            contact_evaluation: ContactEvaluation::default(),
+            penalty: Response::default(),
+            bounce_ratio: None,
+            capsule_shape: CapsuleShape::default(),
+        }
+    }
+}
+
+/// Capsules of the paper's body.
+const PAPER_CAPSULES: u32 = 13;
+
+/// What stands for the body where cloth meets it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum BodyShapes {
+    /// Capsules fitted to the skin.
+    #[default]
+    Capsules,
+    /// One upright cylinder for each leg, the paper's earlier body.
+    TwoCylinders,
 }
 
 /// A method of computing cloth.
@@ -259,11 +305,26 @@ pub enum MethodName {
     Xpbd,
     /// The paper's forward-backward Euler in double precision: the reference, slow.
     FbEuler,
+    /// The paper's explicit Euler: flies apart unless its steps are tiny.
+    Euler,
+    /// The classical Runge-Kutta method of fourth order.
+    Rk4,
+    /// The paper's Runge-Kutta method to the letter.
+    RkAsPrinted,
+    /// The same, with gravity and resistance counted twice as the print can be read.
+    RkDoubleCounted,
 }
 
 impl MethodName {
     /// All methods, the default first.
-    pub const ALL: [Self; 2] = [Self::Xpbd, Self::FbEuler];
+    pub const ALL: [Self; 6] = [
+        Self::Xpbd,
+        Self::FbEuler,
+        Self::Euler,
+        Self::Rk4,
+        Self::RkAsPrinted,
+        Self::RkDoubleCounted,
+    ];
 
     /// Name in documents and on the command line.
     #[must_use]
@@ -271,6 +332,10 @@ impl MethodName {
         match self {
             Self::Xpbd => "xpbd",
             Self::FbEuler => "fb-euler",
+            Self::Euler => "euler",
+            Self::Rk4 => "rk4",
+            Self::RkAsPrinted => "rk-as-printed",
+            Self::RkDoubleCounted => "rk-double-counted",
         }
     }
 
@@ -278,5 +343,18 @@ impl MethodName {
     #[must_use]
     pub fn from_id(id: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|method| method.id() == id)
+    }
+
+    /// The integrator of the paper's methods; `None` for `xpbd`.
+    #[must_use]
+    pub const fn integrator(self) -> Option<Integrator> {
+        Some(match self {
+            Self::Xpbd => return None,
+            Self::FbEuler => Integrator::FbEuler,
+            Self::Euler => Integrator::Euler,
+            Self::Rk4 => Integrator::RungeKutta(RungeKutta::CLASSICAL),
+            Self::RkAsPrinted => Integrator::RungeKutta(RungeKutta::AS_PRINTED),
+            Self::RkDoubleCounted => Integrator::RungeKutta(RungeKutta::DOUBLE_COUNTED),
+        })
     }
 }

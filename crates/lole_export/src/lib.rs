@@ -13,6 +13,7 @@
 
 pub mod error;
 pub mod glb;
+mod page;
 pub mod report;
 pub mod still;
 pub mod video;

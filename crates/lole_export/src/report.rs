@@ -4,8 +4,6 @@
 
 mod html;
 mod model;
-mod plot;
-mod text;
 
 pub use model::{
     Divergence, MeanPercentileMax, MedianPercentile, MinMeanMax, Remark, ReportFile, RunReport,

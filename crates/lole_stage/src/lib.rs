@@ -11,7 +11,9 @@ mod solver;
 
 pub use live::{Pull, Show, Vitals, Wish};
 pub use metrics::{FrameMetrics, RunMetrics};
-pub use performance::{Divergence, FRAME_SECONDS, FRAMES_PER_SECOND, Performance, Production};
+pub use performance::{
+    Divergence, Energy, FRAME_SECONDS, FRAMES_PER_SECOND, Performance, Production,
+};
 
 use lole_language::Bilingual;
 

@@ -4,7 +4,9 @@ use std::sync::Arc;
 
 use glam::{Affine3A, Vec3};
 use lole_body::motion::Dance;
-use lole_body::{Dancer, Measurements, Pose};
+use lole_body::{CapsuleLayout, Dancer, Measurements, Pose};
+use lole_cloth::method::explicit::ExplicitConfig;
+use lole_cloth::method::reference::ReferenceModel;
 use lole_cloth::{Fabric, diagnose};
 use lole_costume::document::Design;
 use lole_costume::sew::{self, SewSettings, SewnSkirt, SkirtMesh};
@@ -65,7 +67,29 @@ pub struct Divergence {
     pub column: u32,
 }
 
-/// A production on stage.
+/// Energy of a cloth [J].
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Energy {
+    /// Of motion.
+    pub kinetic: f64,
+    /// Stored in the springs.
+    pub springs: f64,
+    /// Stored in bending and twist.
+    pub bending: f64,
+    /// Of height above the floor.
+    pub height: f64,
+}
+
+impl Energy {
+    /// All of it [J].
+    #[must_use]
+    pub fn total(&self) -> f64 {
+        self.kinetic + self.springs + self.bending + self.height
+    }
+}
+
+/// A production on stage. Clones share the production.
+#[derive(Clone)]
 pub struct Performance {
     production: Arc<Production>,
     solver: Solver,
@@ -87,7 +111,11 @@ impl Production {
     /// A design whose parts do not fit together.
     pub fn new(design: &Design) -> Result<Self, StageError> {
         let measurements = Measurements::from_tape(&design.tape())?;
-        let dancer = Dancer::new(&measurements)?;
+        let mut dancer = Dancer::new(&measurements)?;
+        let layout = design.capsule_layout();
+        if layout != CapsuleLayout::default() {
+            dancer.capsules = dancer.fit_capsules(layout);
+        }
         let dance = Dance::new(&dancer.skeleton, &design.motion_settings())?;
         let worn = worn_measurements(design, &dancer);
         let draft = draft_pau_skirt(&worn, &design.pau_options()?)?;
@@ -153,7 +181,7 @@ impl Performance {
         let start = production.skirt.start_positions(&world_from_bind);
         let solver = Solver::new(&production.design, &production.skirt.spec, &start)?;
         let mut performance = Self {
-            production,
+            production: Arc::new(production),
             solver,
             pose: Pose::default(),
             world_from_bind,
@@ -347,6 +375,37 @@ impl Performance {
             skin: skin_check::check(body, cloth),
             hem_height: hem.iter().map(|p| p.y).sum::<f32>() / columns as f32,
         }
+    }
+
+    /// Model and settings of the paper's methods; `None` for `xpbd`.
+    #[must_use]
+    pub fn explicit(&self) -> Option<(&ReferenceModel, &ExplicitConfig)> {
+        let explicit = self.solver.explicit()?;
+        Some((&explicit.model, &explicit.config))
+    }
+
+    /// Changes the settings of the paper's methods from the next frame on; nothing for `xpbd`.
+    pub fn tune_explicit(&mut self, change: impl FnOnce(&ReferenceModel, &mut ExplicitConfig)) {
+        if let Some(explicit) = self.solver.explicit_mut() {
+            change(&explicit.model, &mut explicit.config);
+        }
+    }
+
+    /// Energy of the cloth under the paper's methods; `None` for `xpbd`.
+    #[must_use]
+    pub fn energy(&self) -> Option<Energy> {
+        let explicit = self.solver.explicit()?;
+        let (model, state) = (&explicit.model, &explicit.state);
+        let gravity = explicit.config.gravity;
+        let weights = model.masses().iter().zip(&state.positions);
+        Some(Energy {
+            kinetic: model.kinetic_energy(&state.velocities),
+            springs: model.spring_energy(&state.positions),
+            bending: model.plate_energy(&state.positions),
+            height: weights
+                .map(|(mass, position)| -mass * gravity.dot(*position))
+                .sum(),
+        })
     }
 
     /// All bits of the cloth's state as one number.

@@ -5,12 +5,12 @@ mod velocities;
 use std::num::NonZeroU32;
 
 use glam::{DVec3, Vec3};
-use lole_cloth::method::explicit::{self, ExplicitConfig, Substeps};
-use lole_cloth::method::paper;
+use lole_cloth::collision::penalty::Penalty;
+use lole_cloth::method::explicit::{self, ExplicitConfig, Integrator, Substeps};
 use lole_cloth::method::reference::{ReferenceModel, ReferenceState};
 use lole_cloth::wind::Wind;
 use lole_cloth::{ClothModel, ClothSpec, ClothState, SelfCollision, SolverConfig, StepInput};
-use lole_costume::document::{Design, MethodName};
+use lole_costume::document::Design;
 use lole_geom::Capsule;
 
 use crate::{FRAME_SECONDS, StageError};
@@ -31,25 +31,28 @@ const HELD_DEPTH: f32 = 0.012;
 const SUBSTEP_COUNT: NonZeroU32 = NonZeroU32::MIN.saturating_add(9);
 
 /// A prepared cloth and its moving state, by method.
+#[derive(Clone)]
 pub(crate) enum Solver {
     /// Real time, `f32`.
     Xpbd(Box<Xpbd>),
-    /// The paper's stable integrator, `f64`, as many substeps as its stability asks for.
-    FbEuler(Box<FbEuler>),
+    /// The paper's integrators, `f64`.
+    Explicit(Box<Explicit>),
 }
 
+#[derive(Clone)]
 pub(crate) struct Xpbd {
     model: ClothModel,
     state: ClothState,
     config: SolverConfig,
-    /// Speed of the air at its strongest [m/s].
-    wind_speed: f64,
+    /// The air's velocity [m/s] as (4) has its force.
+    wind: Wind,
 }
 
-pub(crate) struct FbEuler {
-    model: ReferenceModel,
-    state: ReferenceState,
-    config: ExplicitConfig,
+#[derive(Clone)]
+pub(crate) struct Explicit {
+    pub(crate) model: ReferenceModel,
+    pub(crate) state: ReferenceState,
+    pub(crate) config: ExplicitConfig,
 }
 
 /// Where everything that touches the cloth is at the end of a step.
@@ -68,34 +71,40 @@ impl Solver {
         start: &[Vec3],
     ) -> Result<Self, StageError> {
         let substeps = design.method.substep_count.and_then(NonZeroU32::new);
-        match design.method.name {
-            MethodName::Xpbd => {
-                let model = ClothModel::new(spec)?;
-                let state = ClothState::new(&model, start);
-                let config = xpbd_config(spec, substeps);
-                let wind_speed = design.wind.speed_m_per_s;
-                Ok(Self::Xpbd(Box::new(Xpbd {
-                    model,
-                    state,
-                    config,
-                    wind_speed,
-                })))
-            }
-            MethodName::FbEuler => {
-                let model = ReferenceModel::new(spec)?;
-                let state = ReferenceState::at_rest(start.iter().map(|p| p.as_dvec3()).collect());
-                let mut config = ExplicitConfig::for_model(&model, f64::from(FRAME_SECONDS));
-                config.penalty.contact_offset = f64::from(CONTACT_OFFSET);
-                config.wind = wind_per_particle(design, spec);
-                if let Some(count) = substeps {
-                    config.substeps = Substeps::Fixed(count);
-                }
-                Ok(Self::FbEuler(Box::new(FbEuler {
-                    model,
-                    state,
-                    config,
-                })))
-            }
+        let Some(integrator) = design.method.name.integrator() else {
+            let model = ClothModel::new(spec)?;
+            return Ok(Self::Xpbd(Box::new(Xpbd {
+                state: ClothState::new(&model, start),
+                config: xpbd_config(spec, substeps),
+                wind: Wind {
+                    amplitude: design.wind.speed_m_per_s,
+                    law: design.wind.law,
+                },
+                model,
+            })));
+        };
+        let model = ReferenceModel::new(spec)?;
+        let config = explicit_config(design, spec, &model, integrator);
+        Ok(Self::Explicit(Box::new(Explicit {
+            state: ReferenceState::at_rest(start.iter().map(|p| p.as_dvec3()).collect()),
+            model,
+            config,
+        })))
+    }
+
+    /// Model and settings of the paper's methods; `None` for `xpbd`.
+    pub(crate) const fn explicit(&self) -> Option<&Explicit> {
+        match self {
+            Self::Xpbd(_) => None,
+            Self::Explicit(explicit) => Some(explicit),
+        }
+    }
+
+    /// Like [`Self::explicit`], to change the settings.
+    pub(crate) const fn explicit_mut(&mut self) -> Option<&mut Explicit> {
+        match self {
+            Self::Xpbd(_) => None,
+            Self::Explicit(explicit) => Some(explicit),
         }
     }
 
@@ -106,11 +115,11 @@ impl Solver {
                 let input = StepInput {
                     pin_targets: surroundings.pin_targets,
                     capsules: surroundings.capsules,
-                    air_velocity: air_velocity(xpbd.wind_speed, surroundings.time),
+                    air_velocity: xpbd.wind.force(f64::from(surroundings.time)).as_vec3(),
                 };
                 lole_cloth::step(&xpbd.model, &xpbd.config, &input, &mut xpbd.state, dt);
             }
-            Self::FbEuler(reference) => {
+            Self::Explicit(reference) => {
                 let pin_targets: Vec<DVec3> = surroundings
                     .pin_targets
                     .iter()
@@ -121,7 +130,7 @@ impl Solver {
                     pin_targets: &pin_targets,
                     capsules: surroundings.capsules,
                 };
-                let FbEuler {
+                let Explicit {
                     model,
                     state,
                     config,
@@ -142,7 +151,7 @@ impl Solver {
                     .for_each(|velocity| *velocity *= factor);
                 xpbd.state.set_velocities(&xpbd.model, &velocities);
             }
-            Self::FbEuler(reference) => {
+            Self::Explicit(reference) => {
                 let factor = f64::from(factor);
                 reference
                     .state
@@ -157,7 +166,7 @@ impl Solver {
     pub(crate) fn copy_positions(&self, out: &mut Vec<Vec3>) {
         match self {
             Self::Xpbd(xpbd) => xpbd.state.copy_positions(&xpbd.model, out),
-            Self::FbEuler(reference) => {
+            Self::Explicit(reference) => {
                 out.clear();
                 out.extend(reference.state.positions.iter().map(|p| p.as_vec3()));
             }
@@ -168,7 +177,7 @@ impl Solver {
     pub(crate) fn state_hash(&self) -> u64 {
         match self {
             Self::Xpbd(xpbd) => lole_cloth::state_hash(&xpbd.state),
-            Self::FbEuler(reference) => lole_cloth::reference_state_hash(&reference.state),
+            Self::Explicit(reference) => lole_cloth::reference_state_hash(&reference.state),
         }
     }
 
@@ -176,7 +185,7 @@ impl Solver {
     pub(crate) fn spring_count(&self) -> usize {
         match self {
             Self::Xpbd(xpbd) => xpbd.model.spring_count(),
-            Self::FbEuler(reference) => reference.model.spring_count(),
+            Self::Explicit(reference) => reference.model.spring_count(),
         }
     }
 
@@ -184,7 +193,7 @@ impl Solver {
     pub(crate) fn substep_count(&self) -> u32 {
         match self {
             Self::Xpbd(xpbd) => xpbd.config.substep_count.get(),
-            Self::FbEuler(reference) => match reference.config.substeps {
+            Self::Explicit(reference) => match reference.config.substeps {
                 Substeps::Fixed(count) => count.get(),
                 Substeps::Automatic => reference
                     .model
@@ -194,18 +203,42 @@ impl Solver {
     }
 }
 
-/// The paper's turning wind (4) and (5), as the velocity [m/s] of the air.
-fn air_velocity(speed: f64, time: f32) -> Vec3 {
-    paper::wind_force(speed, paper::wind_phases(f64::from(time))).as_vec3()
+/// Settings of the paper's methods for this cloth.
+fn explicit_config(
+    design: &Design,
+    spec: &ClothSpec,
+    model: &ReferenceModel,
+    integrator: Integrator,
+) -> ExplicitConfig {
+    let method = &design.method;
+    let mut config = ExplicitConfig::for_model(model, f64::from(FRAME_SECONDS));
+    if let Some(bounce) = method.bounce_ratio {
+        let mass = model.lightest_mass();
+        config.penalty =
+            Penalty::with_bounce(config.penalty.stiffness, mass, bounce, method.penalty);
+    }
+    config.penalty.contact_offset = f64::from(CONTACT_OFFSET);
+    config.penalty.response = method.penalty;
+    config.penalty.shape = method.capsule_shape;
+    config.wind = wind_per_particle(design, spec);
+    config.integrator = integrator;
+    config.contact_evaluation = method.contact_evaluation;
+    if let Some(count) = method.substep_count.and_then(NonZeroU32::new) {
+        config.substeps = Substeps::Fixed(count);
+    }
+    config
 }
 
-/// The same wind as a force on every particle, `None` in still air.
+/// The wind of (4) and (5) as a force on every particle, `None` in still air.
 fn wind_per_particle(design: &Design, spec: &ClothSpec) -> Option<Wind> {
     let [width, height] = spec.grid.spacing.map(f64::from);
     let cells = f64::from(spec.grid.cell_columns()) * f64::from(spec.grid.row_count - 1);
     let count = spec.grid.column_count * spec.grid.row_count;
     let pressure = design.wind.pressure();
-    (0.0 < pressure).then(|| Wind::from_pressure(pressure, width * height * cells, count))
+    (0.0 < pressure).then(|| Wind {
+        law: design.wind.law,
+        ..Wind::from_pressure(pressure, width * height * cells, count)
+    })
 }
 
 /// Settings of the film's skirt.

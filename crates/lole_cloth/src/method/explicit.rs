@@ -4,6 +4,7 @@
 mod forces;
 mod one_stage;
 mod runge_kutta;
+mod stability;
 
 use std::num::NonZeroU32;
 
@@ -11,6 +12,7 @@ use glam::DVec3;
 use lole_geom::Capsule;
 
 pub use runge_kutta::{Counting, LastStage, RungeKutta, StageDamping, StageTime};
+pub use stability::{HighestMode, stability_limit};
 
 use crate::collision::penalty::{MovingCapsule, Penalty};
 use crate::method::paper;
@@ -95,7 +97,7 @@ impl ExplicitConfig {
     pub fn for_model(model: &ReferenceModel, dt: f64) -> Self {
         let substeps = model.stable_substeps(dt, &Penalty::new(0.0, 0.0));
         let frequency = 0.5 * f64::from(substeps) / dt;
-        let mass = lightest_mass(model);
+        let mass = model.lightest_mass();
         Self {
             gravity: DVec3::new(0.0, -9.81, 0.0),
             wind: None,
@@ -105,17 +107,6 @@ impl ExplicitConfig {
             contact_evaluation: ContactEvaluation::PerStage,
         }
     }
-}
-
-/// Mass [kg] of the lightest free particle; zero if all are pinned.
-fn lightest_mass(model: &ReferenceModel) -> f64 {
-    let lightest = model
-        .masses()
-        .iter()
-        .zip(model.pinned())
-        .filter(|&(_, &is_pinned)| !is_pinned)
-        .fold(f64::INFINITY, |least, (&mass, _)| least.min(mass));
-    if lightest.is_finite() { lightest } else { 0.0 }
 }
 
 /// What the dancer does during one step.

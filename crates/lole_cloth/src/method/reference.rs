@@ -122,6 +122,16 @@ impl ReferenceModel {
         &self.masses
     }
 
+    /// Mass [kg] of the lightest free particle; zero if all are pinned.
+    #[must_use]
+    pub fn lightest_mass(&self) -> f64 {
+        let free = self.masses.iter().zip(&self.pinned);
+        let lightest = free
+            .filter(|&(_, &is_pinned)| !is_pinned)
+            .fold(f64::INFINITY, |least, (&mass, _)| least.min(mass));
+        if lightest.is_finite() { lightest } else { 0.0 }
+    }
+
     /// The rate `ρ / m` [1/s] of equation (3).
     #[must_use]
     pub const fn drag_rate(&self) -> f64 {

@@ -117,54 +117,6 @@ impl Lcg {
     }
 }
 
-/// The largest `ω²` [1/s²] of the cloth about `positions`, by power iteration.
-pub(crate) fn largest_frequency_squared(
-    model: &ReferenceModel,
-    positions: &[DVec3],
-) -> (f64, Vec<DVec3>) {
-    let mut dice = Lcg(11);
-    let free = |index: usize| !model.pinned()[index];
-    let mut mode: Vec<DVec3> = (0..positions.len())
-        .map(|index| {
-            if free(index) {
-                dice.vector()
-            } else {
-                DVec3::ZERO
-            }
-        })
-        .collect();
-    let epsilon = 1e-7;
-    let mut eigenvalue = 0.0;
-    for _ in 0..3000 {
-        let norm = mode.iter().map(|v| v.length_squared()).sum::<f64>().sqrt();
-        let displaced = |sign: f64| -> Vec<DVec3> {
-            let scale = sign * epsilon / norm;
-            positions
-                .iter()
-                .zip(&mode)
-                .map(|(x, v)| *x + *v * scale)
-                .collect()
-        };
-        let (plus, minus) = (displaced(1.0), displaced(-1.0));
-        let next: Vec<DVec3> = (0..positions.len())
-            .map(|index| {
-                if !free(index) {
-                    return DVec3::ZERO;
-                }
-                let difference =
-                    model.internal_force(index, &minus) - model.internal_force(index, &plus);
-                difference / (2.0 * epsilon * model.masses()[index])
-            })
-            .collect();
-        eigenvalue = next.iter().map(|v| v.length_squared()).sum::<f64>().sqrt();
-        mode = next;
-    }
-    for vector in &mut mode {
-        *vector /= eigenvalue;
-    }
-    (eigenvalue, mode)
-}
-
 /// A square net of `size × size` particles, top row pinned, all springs with 10 N/m, the paper's
 /// bend springs included, and `drag_rate` [1/s].
 pub(crate) fn pinned_net(size: u32, drag_rate: f32) -> ReferenceModel {

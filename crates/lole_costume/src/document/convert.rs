@@ -1,13 +1,15 @@
 //! From the document's units to what the other crates work with.
 
-use lole_body::{Measurements, MotionSettings, Tape};
+use lole_body::{CapsuleLayout, Measurements, MotionSettings, Tape};
 use lole_cloth::Fabric;
 use lole_geom::Length;
 use lole_language::{Bilingual, Sentence};
 use lole_pattern::design::pau_skirt::PauOptions;
 use lole_pattern::{DraftError, ElasticRatio, GatherRatio};
 
-use super::{Design, DesignError, FabricDesign, PrintChoice, Problem, WindDesign, schema};
+use super::{
+    BodyShapes, Design, DesignError, FabricDesign, PrintChoice, Problem, WindDesign, schema,
+};
 use crate::fabrics::{FabricFigures, si_fabric};
 use crate::print::PrintDesign;
 
@@ -47,6 +49,15 @@ impl Design {
         self.pau_options()
             .map_err(|error| ("skirt", together(&error)))?;
         Ok(())
+    }
+
+    /// What the cloth meets as a body.
+    #[must_use]
+    pub const fn capsule_layout(&self) -> CapsuleLayout {
+        match self.method.body {
+            BodyShapes::Capsules => CapsuleLayout::Fitted(self.method.capsule_count),
+            BodyShapes::TwoCylinders => CapsuleLayout::TwoCylinders,
+        }
     }
 
     /// What was measured of the dancer.

@@ -5,48 +5,33 @@
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 
-use super::plot::{Floor, Plot, svg};
-use super::text::{both, dance_step, escape, file_size, grouped, link, number};
 use super::{PageMedia, ReportFile, RunReport};
-
-/// A line of a table: its name, its value and what it means, each as HTML.
-struct Row {
-    name: String,
-    value: String,
-    why: String,
-}
+use crate::page::plot::{Floor, Plot, svg};
+use crate::page::text::{both, dance_step, escape, file_size, grouped, link, number};
+use crate::page::{Page, Row, row, section};
 
 /// The whole page.
 pub(super) fn page(report: &RunReport, media: PageMedia<'_>) -> String {
-    let mut page = String::from(
-        "<!doctype html>\n<html lang=\"ja\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n",
-    );
     let name = title(report);
-    page.push_str(&format!(
-        "<title>{name} – Lole</title>\n<style>{}</style>\n</head>\n<body>\n",
-        include_str!("page.css")
-    ));
-    page.push_str(&header(report, &name));
-    page.push_str("<main>\n");
-    page.push_str(&alarm(report));
-    page.push_str(&film(media));
-    page.push_str(&stills(media));
-    page.push_str(&skirt(report));
-    page.push_str(&motion(report));
-    page.push_str(&speed(report));
-    page.push_str(&plots(report));
-    page.push_str(&files(&report.files));
-    page.push_str(&settings(report));
-    page.push_str("</main>\n");
-    page.push_str(&format!(
-        "<footer><p>{}</p></footer>\n<script>{}</script>\n</body>\n</html>\n",
-        both(
-            &format!("Made by Lole {}. Steps and lengths differ between hālau: your kumu’s rule comes first.", escape(&report.lole)),
-            &format!("Lole {} で作成しました。ステップや丈の決まりはハーラウごとに違います。クムの教えを優先してください。", escape(&report.lole)),
-        ),
-        include_str!("page.js"),
-    ));
-    page
+    let body = [
+        alarm(report),
+        film(media),
+        stills(media),
+        skirt(report),
+        motion(report),
+        speed(report),
+        plots(report),
+        files(&report.files),
+        settings(report),
+    ]
+    .concat();
+    Page {
+        title: &name,
+        about: &about(report),
+        body: &body,
+        lole: &report.lole,
+    }
+    .html()
 }
 
 fn title(report: &RunReport) -> String {
@@ -57,18 +42,16 @@ fn title(report: &RunReport) -> String {
     }
 }
 
-fn header(report: &RunReport, name: &str) -> String {
+/// What was danced, in one line.
+fn about(report: &RunReport) -> String {
     let (step, bpm, seconds) = (
         dance_step(&report.dance_step),
         number(report.bpm, 0),
         number(report.seconds, 0),
     );
-    format!(
-        "<header><div><h1>{name}</h1><p class=\"where\">{}</p></div><div class=\"language\"><button type=\"button\" data-set=\"ja\" lang=\"ja-JP\">日本語</button><button type=\"button\" data-set=\"en\" lang=\"en-US\">English</button></div></header>\n",
-        both(
-            &format!("A pāʻū skirt dancing {step}, {bpm} beats a minute, {seconds} seconds"),
-            &format!("パウスカートで踊る {step}（1分間に{bpm}拍、{seconds}秒間）"),
-        ),
+    both(
+        &format!("A pāʻū skirt dancing {step}, {bpm} beats a minute, {seconds} seconds"),
+        &format!("パウスカートで踊る {step}（1分間に{bpm}拍、{seconds}秒間）"),
     )
 }
 
@@ -419,10 +402,8 @@ fn plots(report: &RunReport) -> String {
         .filter_map(
             |([title_en, title_ja], [about_en, about_ja], values, reference, floor)| {
                 let drawing = svg(&Plot {
-                    times: &series.time_s,
-                    values,
                     reference,
-                    floor,
+                    ..Plot::single(&series.time_s, values, floor)
                 })?;
                 let (title, about) = (both(title_en, title_ja), both(about_en, about_ja));
                 Some(format!(
@@ -527,38 +508,4 @@ fn settings(report: &RunReport) -> String {
         ),
     ];
     section(["For the curious", "くわしい設定"], ["", ""], &rows)
-}
-
-fn row([name_en, name_ja]: [&str; 2], value: String, [why_en, why_ja]: [&str; 2]) -> Row {
-    let why = if why_en.is_empty() {
-        String::new()
-    } else {
-        both(why_en, why_ja)
-    };
-    Row {
-        name: both(name_en, name_ja),
-        value,
-        why,
-    }
-}
-
-fn section(title: [&str; 2], about: [&str; 2], rows: &[Row]) -> String {
-    let rows: String = rows
-        .iter()
-        .map(|row| {
-            format!(
-                "<tr><th scope=\"row\">{}</th><td class=\"value\">{}</td><td class=\"why\">{}</td></tr>\n",
-                row.name, row.value, row.why,
-            )
-        })
-        .collect();
-    let about = if about[0].is_empty() {
-        String::new()
-    } else {
-        format!("<p class=\"note\">{}</p>\n", both(about[0], about[1]))
-    };
-    format!(
-        "<h2>{}</h2>\n{about}<table><tbody>\n{rows}</tbody></table>\n",
-        both(title[0], title[1])
-    )
 }

@@ -2,7 +2,7 @@
 
 /// Text with the five characters that HTML gives a meaning spelled out, safe inside elements and
 /// quoted attributes.
-pub(super) fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for character in text.chars() {
         match character {
@@ -18,7 +18,7 @@ pub(super) fn escape(text: &str) -> String {
 }
 
 /// A file name as a relative link: everything but letters, digits and `-._` in percent codes.
-pub(super) fn link(name: &str) -> String {
+pub(crate) fn link(name: &str) -> String {
     use std::fmt::Write as _;
     name.bytes().fold(String::from("./"), |mut link, byte| {
         if byte.is_ascii_alphanumeric() || b"-._".contains(&byte) {
@@ -32,12 +32,12 @@ pub(super) fn link(name: &str) -> String {
 }
 
 /// The same words in English and in Japanese; the page shows one of them. Both are HTML.
-pub(super) fn both(english: &str, japanese: &str) -> String {
+pub(crate) fn both(english: &str, japanese: &str) -> String {
     format!("<span lang=\"en\">{english}</span><span lang=\"ja\">{japanese}</span>")
 }
 
 /// A number with fixed decimals, a dash where it is not finite.
-pub(super) fn number(value: f64, decimals: usize) -> String {
+pub(crate) fn number(value: f64, decimals: usize) -> String {
     if value.is_finite() {
         format!("{value:.decimals$}")
     } else {
@@ -46,7 +46,7 @@ pub(super) fn number(value: f64, decimals: usize) -> String {
 }
 
 /// A whole number in groups of three.
-pub(super) fn grouped(value: usize) -> String {
+pub(crate) fn grouped(value: usize) -> String {
     let digits = value.to_string();
     let first = digits.len() % 3;
     let mut groups: Vec<&str> = Vec::new();
@@ -62,7 +62,7 @@ pub(super) fn grouped(value: usize) -> String {
 }
 
 /// A file size in words.
-pub(super) fn file_size(bytes: u64) -> String {
+pub(crate) fn file_size(bytes: u64) -> String {
     #[expect(clippy::cast_precision_loss, reason = "shown with one decimal")]
     let bytes_shown = bytes as f64;
     if bytes < 1000 {
@@ -75,7 +75,7 @@ pub(super) fn file_size(bytes: u64) -> String {
 }
 
 /// A dance step's name as it is written in Hawaiian; unknown names stay as they are.
-pub(super) fn dance_step(name: &str) -> String {
+pub(crate) fn dance_step(name: &str) -> String {
     match name {
         "kao" => "Kaʻo".into(),
         "kaholo" => "kāholo".into(),

@@ -1,0 +1,303 @@
+//! Line plots as inline SVG: few ticks, large figures, one accent.
+
+use std::fmt::Write as _;
+
+use super::text::{escape, number};
+
+/// Size of the drawing [SVG unit]; the page scales it.
+const WIDTH: f64 = 520.0;
+const HEIGHT: f64 = 250.0;
+/// Room for figures left of and below the axes, and above and right of the curve.
+const LEFT: f64 = 58.0;
+const BOTTOM: f64 = 44.0;
+const MARGIN: f64 = 16.0;
+/// Most points of a curve; more would not be seen and make the page heavy.
+const POINTS_MAX: usize = 1200;
+
+/// Curves over one axis.
+pub(crate) struct Plot<'a> {
+    /// The curves; named in a legend where there are several.
+    pub curves: Vec<Curve<'a>>,
+    /// A value drawn as a dashed line, with its label.
+    pub reference: Option<(f64, &'a str)>,
+    /// Where the value axis starts.
+    pub floor: Floor,
+    /// How values are spread over the axis.
+    pub scale: Scale,
+}
+
+/// One curve.
+pub(crate) struct Curve<'a> {
+    /// Its name in the legend.
+    pub name: &'a str,
+    /// Along the axis, from 0 upwards, ascending.
+    pub along: &'a [f64],
+    /// Values; where one is not finite the curve is broken.
+    pub values: &'a [f64],
+}
+
+/// Where a value axis starts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Floor {
+    /// At zero.
+    Zero,
+    /// At a round number below the smallest value.
+    Smallest,
+}
+
+/// How values are spread over the axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Scale {
+    /// Evenly.
+    Linear,
+    /// By their decimal logarithm; values that have none break the curve.
+    Logarithmic,
+}
+
+impl<'a> Plot<'a> {
+    /// One curve on a linear axis.
+    pub(crate) fn single(along: &'a [f64], values: &'a [f64], floor: Floor) -> Self {
+        Self {
+            curves: vec![Curve {
+                name: "",
+                along,
+                values,
+            }],
+            reference: None,
+            floor,
+            scale: Scale::Linear,
+        }
+    }
+
+    /// Where a value lies on the axis, before it is scaled to the drawing.
+    fn on_axis(&self, value: f64) -> f64 {
+        match self.scale {
+            Scale::Linear => value,
+            Scale::Logarithmic if value > 0.0 => value.log10(),
+            Scale::Logarithmic => f64::NAN,
+        }
+    }
+
+    /// All finite points of all curves, on the axis.
+    fn points(&self) -> impl Iterator<Item = (f64, f64)> {
+        self.curves
+            .iter()
+            .flat_map(|curve| curve.along.iter().zip(curve.values))
+            .map(|(&along, &value)| (along, self.on_axis(value)))
+            .filter(|(along, value)| along.is_finite() && value.is_finite())
+    }
+}
+
+/// The plot as an SVG element, `None` where there is nothing to draw.
+pub(crate) fn svg(plot: &Plot<'_>) -> Option<String> {
+    let along_max = plot.points().map(|point| point.0).reduce(f64::max)?;
+    let (low, high) = plot
+        .points()
+        .fold((f64::MAX, f64::MIN), |(l, h), (_, v)| (l.min(v), h.max(v)));
+    if along_max <= 0.0 {
+        return None;
+    }
+    let high = plot
+        .reference
+        .map_or(high, |(value, _)| high.max(plot.on_axis(value * 1.08)));
+    let low = if plot.floor == Floor::Zero && plot.scale == Scale::Linear {
+        low.min(0.0)
+    } else {
+        low
+    };
+    let value_step = match plot.scale {
+        Scale::Linear => tick_step(high - low),
+        Scale::Logarithmic => tick_step(high - low).max(1.0).round(),
+    };
+    let (bottom, top) = (
+        (low / value_step).floor() * value_step,
+        (high / value_step + 1e-9)
+            .ceil()
+            .max((low / value_step).floor() + 1.0)
+            * value_step,
+    );
+    let x = |along: f64| LEFT + (WIDTH - LEFT - MARGIN) * along / along_max;
+    let y = |value: f64| {
+        HEIGHT - BOTTOM - (HEIGHT - BOTTOM - MARGIN) * (value - bottom) / (top - bottom)
+    };
+    let mut svg = format!("<svg viewBox=\"0 0 {WIDTH} {HEIGHT}\" role=\"img\">");
+    for value in ticks(bottom, top, value_step) {
+        let (right, line, text) = (
+            WIDTH - MARGIN,
+            y(value),
+            tick_label(plot, value, value_step),
+        );
+        append(
+            &mut svg,
+            format_args!(
+                "<line class=\"grid\" x1=\"{LEFT}\" x2=\"{right}\" y1=\"{line:.1}\" y2=\"{line:.1}\"/><text x=\"{:.0}\" y=\"{:.1}\" text-anchor=\"end\">{text}</text>",
+                LEFT - 8.0,
+                line + 6.0,
+            ),
+        );
+    }
+    let along_step = tick_step(along_max);
+    for along in ticks(0.0, along_max, along_step) {
+        let text = number(along, usize::from(along_step < 1.0));
+        append(
+            &mut svg,
+            format_args!(
+                "<text x=\"{:.1}\" y=\"{:.0}\" text-anchor=\"middle\">{text}</text>",
+                x(along),
+                HEIGHT - BOTTOM + 24.0,
+            ),
+        );
+    }
+    for (index, curve) in plot.curves.iter().enumerate() {
+        let path = curve_path(plot, curve, &x, &y);
+        append(
+            &mut svg,
+            format_args!("<path class=\"curve c{index}\" d=\"{path}\"/>"),
+        );
+    }
+    if let Some((value, label)) = plot.reference {
+        append_reference(&mut svg, y(plot.on_axis(value)), label);
+    }
+    svg.push_str("</svg>");
+    if 1 < plot.curves.len() {
+        svg.push_str(&legend(plot));
+    }
+    Some(svg)
+}
+
+/// What a tick of the value axis is called.
+fn tick_label(plot: &Plot<'_>, value: f64, step: f64) -> String {
+    if plot.scale == Scale::Logarithmic {
+        return format!("10<tspan dy=\"-6\" font-size=\"75%\">{value:.0}</tspan>");
+    }
+    let decimals = if step < 0.1 {
+        2
+    } else {
+        usize::from(step < 1.0)
+    };
+    number(value, decimals)
+}
+
+/// The names of the curves in their colors.
+fn legend(plot: &Plot<'_>) -> String {
+    let items: String = (plot.curves.iter().enumerate())
+        .map(|(index, curve)| format!("<li class=\"c{index}\">{}</li>", escape(curve.name)))
+        .collect();
+    format!("<ul class=\"legend\">{items}</ul>")
+}
+
+/// A dashed line at height `line` with its label above it.
+fn append_reference(svg: &mut String, line: f64, label: &str) {
+    let right = WIDTH - MARGIN;
+    append(
+        svg,
+        format_args!(
+            "<line class=\"reference\" x1=\"{LEFT}\" x2=\"{right}\" y1=\"{line:.1}\" y2=\"{line:.1}\"/><text class=\"reference\" x=\"{right}\" y=\"{:.1}\" text-anchor=\"end\">{label}</text>",
+            line - 6.0,
+        ),
+    );
+}
+
+/// The curve as SVG path commands. Long series are thinned to the largest value of each stretch,
+/// so that no peak is lost.
+fn curve_path(
+    plot: &Plot<'_>,
+    curve: &Curve<'_>,
+    x: &dyn Fn(f64) -> f64,
+    y: &dyn Fn(f64) -> f64,
+) -> String {
+    let pairs: Vec<(f64, f64)> = curve
+        .along
+        .iter()
+        .zip(curve.values)
+        .map(|(&along, &value)| (along, plot.on_axis(value)))
+        .collect();
+    let stretch = pairs.len().div_ceil(POINTS_MAX).max(1);
+    let mut path = String::new();
+    let mut pen_is_down = false;
+    for pairs in pairs.chunks(stretch) {
+        let peak = pairs
+            .iter()
+            .filter(|(along, value)| along.is_finite() && value.is_finite())
+            .copied()
+            .reduce(|best, next| if best.1 < next.1 { next } else { best });
+        if let Some((along, value)) = peak {
+            let command = if pen_is_down { 'L' } else { 'M' };
+            append(
+                &mut path,
+                format_args!("{command}{:.1} {:.1}", x(along), y(value)),
+            );
+        }
+        pen_is_down = peak.is_some();
+    }
+    path
+}
+
+/// A step of 1, 2 or 5 times a power of ten that gives three to six ticks over `span`.
+fn tick_step(span: f64) -> f64 {
+    let mut step = 1e-6;
+    for factor in [2.0, 2.5, 2.0].into_iter().cycle().take(60) {
+        if span <= 5.0 * step {
+            break;
+        }
+        step *= factor;
+    }
+    step
+}
+
+/// Multiples of `step` from `low` to `high`.
+fn ticks(low: f64, high: f64, step: f64) -> impl Iterator<Item = f64> {
+    (0..=12_u8)
+        .map(move |index| low + step * f64::from(index))
+        .take_while(move |value| *value <= high + 1e-9 * step.max(high.abs()))
+}
+
+/// Writes to a string, which cannot fail.
+fn append(text: &mut String, arguments: std::fmt::Arguments<'_>) {
+    let written = text.write_fmt(arguments);
+    debug_assert!(written.is_ok());
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ticks_are_few_and_round() {
+        for span in [0.003, 0.7, 1.0, 12.0, 16.7, 240.0] {
+            let step = tick_step(span);
+            let count = span / step;
+            assert!((1.9..=5.0).contains(&count), "span {span}: step {step}");
+        }
+        assert!((tick_step(12.0) - 5.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_gap_in_the_numbers_is_a_gap_in_the_curve() {
+        let times = [0.0, 1.0, 2.0, 3.0, 4.0];
+        let values = [1.0, 2.0, f64::NAN, 2.0, 1.0];
+        let plot = Plot::single(&times, &values, Floor::Zero);
+        let svg = svg(&plot).unwrap();
+        assert!(!svg.contains("NaN"));
+        let path = &svg[svg.find("d=\"").unwrap()..];
+        assert_eq!(path.matches('M').count(), 2);
+    }
+
+    #[test]
+    fn logarithms_have_powers_of_ten_and_no_zero() {
+        let along = [0.0, 1.0, 2.0];
+        let mut plot = Plot::single(&along, &[0.0, 1.0, 1000.0], Floor::Zero);
+        plot.scale = Scale::Logarithmic;
+        let svg = svg(&plot).unwrap();
+        assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
+        for power in 0..=3 {
+            assert!(svg.contains(&format!(">{power}</tspan>")), "{svg}");
+        }
+    }
+
+    #[test]
+    fn nothing_finite_draws_nothing() {
+        let plot = Plot::single(&[0.0, 1.0], &[f64::NAN, f64::INFINITY], Floor::Smallest);
+        assert!(svg(&plot).is_none());
+    }
+}
