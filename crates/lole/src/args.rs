@@ -6,9 +6,14 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use lole_language::Sentence;
 
-/// Hula costume CAD with live cloth.
+/// Hula costume CAD with live cloth. Without a command it opens the live window.
 #[derive(Debug, Parser)]
-#[command(name = "lole", version, about, arg_required_else_help = true)]
+#[command(
+    name = "lole",
+    version,
+    about,
+    override_usage = "lole [DESIGN.lole]\n       lole <COMMAND>"
+)]
 pub(crate) struct Cli {
     /// What to do.
     #[command(subcommand)]

@@ -11,10 +11,13 @@ mod studio;
 mod summary;
 mod usage;
 
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use args::Command;
 use lole_language::{Language, Sentence};
+use lole_studio::{Opening, Refusal};
+use usage::Asked;
 
 /// Why a command did not do what was asked.
 pub(crate) enum Failure {
@@ -42,16 +45,26 @@ impl Failure {
 
 fn main() -> ExitCode {
     let language = Language::of_locale(sys_locale::get_locale().as_deref());
-    let cli = match usage::read(language) {
-        Ok(cli) => cli,
+    let asked = match usage::read(language) {
+        Ok(asked) => asked,
         Err(exit_code) => return exit_code,
     };
-    let result = match cli.command {
-        Command::Dance(args) => dance::run(&args, language),
-        Command::Bench(args) => bench::run(&args, language),
+    let result = match asked {
+        Asked::Window(document) => open_window(document, language),
+        Asked::Command(Command::Dance(args)) => dance::run(&args, language),
+        Asked::Command(Command::Bench(args)) => bench::run(&args, language),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => summary::explain(&failure, language),
     }
+}
+
+/// The live window, with a document or the built-in design.
+fn open_window(document: Option<PathBuf>, language: Language) -> Result<(), Failure> {
+    let opening = Opening { language, document };
+    lole_studio::open(&opening).map_err(|refusal| match refusal {
+        Refusal::Document(sentence) => Failure::usage(sentence),
+        Refusal::Window(sentence) => Failure::error(sentence),
+    })
 }

@@ -1,6 +1,8 @@
 //! The command line in both languages: its help, and one sentence for what was typed wrongly.
 
 use std::error::Error as _;
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
@@ -9,7 +11,7 @@ use clap::{Arg, ArgAction, Command, CommandFactory as _, FromArgMatches as _};
 use lole_costume::document;
 use lole_language::{Bilingual as _, Language, Sentence};
 
-use crate::args::Cli;
+use crate::args::{self, Cli};
 use crate::{Failure, summary};
 
 /// What help says in Japanese: a command, one of its arguments (none for the command itself), and
@@ -82,17 +84,43 @@ const JAPANESE_HELP: &[(&str, &str, &str)] = &[
     ("bench", "json", "表を JSON で書きます"),
 ];
 
+/// What was asked for.
+pub(crate) enum Asked {
+    /// The live window, with this document.
+    Window(Option<PathBuf>),
+    /// A command.
+    Command(args::Command),
+}
+
 /// Reads the command line; where that ends the program (help, version, a mistake), the exit code.
-pub(crate) fn read(language: Language) -> Result<Cli, ExitCode> {
+pub(crate) fn read(language: Language) -> Result<Asked, ExitCode> {
+    let words: Vec<OsString> = std::env::args_os().skip(1).collect();
+    if let Some(document) = window(&words) {
+        return Ok(Asked::Window(document));
+    }
     command(language)
         .try_get_matches()
         .and_then(|matches| Cli::from_arg_matches(&matches))
+        .map(|cli| Asked::Command(cli.command))
         .map_err(|error| match error.kind() {
             ErrorKind::DisplayHelp
             | ErrorKind::DisplayVersion
             | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => error.exit(),
             _ => summary::explain(&Failure::usage(sentence(&error)), language),
         })
+}
+
+/// The window's document, where nothing else was typed: nothing at all, or one design.
+fn window(words: &[OsString]) -> Option<Option<PathBuf>> {
+    match words {
+        [] => Some(None),
+        [word] => {
+            let path = Path::new(word);
+            let is_design = (path.extension()).is_some_and(|end| end.eq_ignore_ascii_case("lole"));
+            is_design.then(|| Some(path.to_owned()))
+        }
+        _ => None,
+    }
 }
 
 fn command(language: Language) -> Command {
@@ -109,7 +137,7 @@ fn in_japanese(command: Command) -> Command {
         .map(|sub| sub.get_name().to_owned())
         .collect();
     let command = headed(command)
-        .about("布が生きて動く、フラ衣装の CAD")
+        .about("布が生きて動く、フラ衣装の CAD。コマンドを書かなければ、踊りの窓を開きます")
         .subcommand_help_heading("コマンド")
         .disable_help_subcommand(true)
         .disable_version_flag(true)
@@ -271,6 +299,19 @@ mod tests {
             .try_get_matches_from(words)
             .unwrap_err();
         sentence(&error)
+    }
+
+    #[test]
+    fn nothing_and_a_design_alone_open_the_window() {
+        let window = |words: &[&str]| {
+            let words: Vec<OsString> = words.iter().map(OsString::from).collect();
+            super::window(&words)
+        };
+        assert_eq!(window(&[]), Some(None));
+        assert_eq!(window(&["a/hau.LOLE"]), Some(Some("a/hau.LOLE".into())));
+        for words in [&["dance"][..], &["--help"], &["dans"], &["a.lole", "--json"]] {
+            assert_eq!(window(words), None, "{words:?}");
+        }
     }
 
     #[test]

@@ -181,6 +181,12 @@ impl Show {
             let mut solver = Solver::new(design, &spec, &self.positions)?;
             solver.edit_velocities(|velocities| velocities.copy_from_slice(&self.velocities));
             self.performance.replace_solver(solver);
+            let layout = design.capsule_layout();
+            if layout != self.design.capsule_layout() {
+                let dancer = &self.performance.production().dancer;
+                let capsules = dancer.fit_capsules(layout);
+                self.performance.replace_capsules(capsules);
+            }
             self.masses = particle_masses(&spec);
             self.spec = spec;
             self.stopped = None;

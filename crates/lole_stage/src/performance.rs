@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::{Affine3A, Vec3};
 use lole_body::motion::Dance;
-use lole_body::{CapsuleLayout, Dancer, Measurements, Pose};
+use lole_body::{BodyCapsule, CapsuleLayout, Dancer, Measurements, Pose};
 use lole_cloth::method::explicit::ExplicitConfig;
 use lole_cloth::method::reference::ReferenceModel;
 use lole_cloth::{Fabric, diagnose};
@@ -95,6 +95,8 @@ pub struct Performance {
     solver: Solver,
     pose: Pose,
     world_from_bind: Vec<Affine3A>,
+    /// What the cloth meets as a body: the dancer's capsules, unless others were given.
+    body_capsules: Vec<BodyCapsule>,
     capsules: Vec<Capsule>,
     pin_targets: Vec<Vec3>,
     cloth_positions: Vec<Vec3>,
@@ -181,7 +183,8 @@ impl Performance {
         let start = production.skirt.start_positions(&world_from_bind);
         let solver = Solver::new(&production.design, &production.skirt.spec, &start)?;
         let mut performance = Self {
-            production: Arc::new(production),
+            body_capsules: production.dancer.capsules.clone(),
+            production,
             solver,
             pose: Pose::default(),
             world_from_bind,
@@ -243,6 +246,11 @@ impl Performance {
         self.solver = solver;
     }
 
+    /// Lets the cloth meet other capsules from the next frame on.
+    pub(crate) fn replace_capsules(&mut self, capsules: Vec<BodyCapsule>) {
+        self.body_capsules = capsules;
+    }
+
     /// What moves the cloth.
     pub(crate) const fn solver_mut(&mut self) -> &mut Solver {
         &mut self.solver
@@ -270,7 +278,9 @@ impl Performance {
     fn pose_dancer(&mut self, pose: Pose) {
         self.pose = pose;
         self.world_from_bind = self.production.dancer.skeleton.world_from_bind(&self.pose);
-        self.capsules = self.production.dancer.posed_capsules(&self.world_from_bind);
+        self.capsules = (self.body_capsules.iter())
+            .map(|capsule| capsule.posed(&self.world_from_bind))
+            .collect();
         self.production
             .skirt
             .pose_pins(&self.world_from_bind, &mut self.pin_targets);

@@ -36,13 +36,22 @@ pub struct Opening {
     pub document: Option<PathBuf>,
 }
 
+/// Why no window was opened, in one sentence.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Refusal {
+    /// The document cannot be read.
+    Document(Sentence),
+    /// There is no display, or no graphics adapter for it.
+    Window(Sentence),
+}
+
 /// Opens the window and waits until it is closed.
 ///
 /// # Errors
-/// One sentence where there is no display or no graphics adapter, or the document cannot be read.
-pub fn open(opening: &Opening) -> Result<(), Sentence> {
+/// A document that cannot be read; no display.
+pub fn open(opening: &Opening) -> Result<(), Refusal> {
     let design = match &opening.document {
-        Some(path) => files::read_design(path)?,
+        Some(path) => files::read_design(path).map_err(Refusal::Document)?,
         None => Design::default(),
     };
     let studio = Studio::new(opening.language, design, opening.document.clone());
@@ -67,7 +76,7 @@ pub fn open(opening: &Opening) -> Result<(), Sentence> {
         options,
         Box::new(move |creation| Ok(Box::new(App::new(studio, &creation.egui_ctx)))),
     )
-    .map_err(|error| no_window(&error))
+    .map_err(|error| Refusal::Window(no_window(&error)))
 }
 
 /// The limits of WebGL2, so that the same drawing runs everywhere, at this adapter's resolution.

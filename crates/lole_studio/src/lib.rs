@@ -21,7 +21,7 @@ mod studio;
 mod text;
 mod viewport;
 
-pub use app::{Opening, open};
+pub use app::{Opening, Refusal, open};
 pub use command::Command;
 pub use message::Message;
 pub use snapshot::Snapshot;

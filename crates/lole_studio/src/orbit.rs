@@ -31,7 +31,7 @@ pub struct Orbit {
 }
 
 /// The views of the buttons, with the angle they look from.
-pub const VIEWS: [View; 4] = [View::Front, View::Side, View::Back, View::ThreeQuarter];
+pub(crate) const VIEWS: [View; 4] = [View::Front, View::Side, View::Back, View::ThreeQuarter];
 
 impl Orbit {
     /// The camera that shows all of `bounds` from `view` in a picture of `aspect`.
@@ -109,7 +109,7 @@ impl Orbit {
 
 /// The particle under a ray, nearest to the eye among those within `reach` [rad] of it.
 #[must_use]
-pub fn pick(particles: &[Vec3], eye: Vec3, ray: Vec3, reach: f32) -> Option<u32> {
+pub(crate) fn pick(particles: &[Vec3], eye: Vec3, ray: Vec3, reach: f32) -> Option<u32> {
     let mut best = None;
     let mut best_depth = f32::MAX;
     for (particle, &position) in (0..).zip(particles) {
@@ -128,7 +128,7 @@ pub fn pick(particles: &[Vec3], eye: Vec3, ray: Vec3, reach: f32) -> Option<u32>
 
 /// Where a ray meets the plane through `point` across the camera's view.
 #[must_use]
-pub fn hand_at(orbit: &Orbit, ray: Vec3, point: Vec3) -> Vec3 {
+pub(crate) fn hand_at(orbit: &Orbit, ray: Vec3, point: Vec3) -> Vec3 {
     let [_, _, backward] = orbit.axes();
     let eye = orbit.camera().eye;
     let along = -ray.dot(backward);

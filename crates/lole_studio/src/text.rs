@@ -83,5 +83,9 @@ pub(crate) const fn method(method: MethodName) -> Words {
     match method {
         MethodName::Xpbd => words("実時間", "real time"),
         MethodName::FbEuler => words("基準、遅い", "reference, slow"),
+        MethodName::Euler => words("飛び散りやすい", "flies apart"),
+        MethodName::Rk4 => words("古典的、遅い", "classical, slow"),
+        MethodName::RkAsPrinted => words("論文の式のまま", "as printed"),
+        MethodName::RkDoubleCounted => words("二重に数える", "counted twice"),
     }
 }

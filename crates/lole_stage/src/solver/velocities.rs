@@ -14,7 +14,7 @@ impl Solver {
                 edit(&mut velocities);
                 xpbd.state.set_velocities(&xpbd.model, &velocities);
             }
-            Self::FbEuler(reference) => {
+            Self::Explicit(reference) => {
                 let state = &mut reference.state;
                 let mut velocities: Vec<Vec3> =
                     state.velocities.iter().map(|v| v.as_vec3()).collect();

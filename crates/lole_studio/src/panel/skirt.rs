@@ -32,6 +32,18 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     if let (_, Some(height)) = hem.show(ui, studio.design().skirt.hem_height_cm) {
         studio.change_later(|design| design.skirt.hem_height_cm = height.round());
     }
+    let (low, high) = range("method", "capsule_count");
+    let capsules = Knob {
+        name: studio.say(text::CAPSULES_COUNT),
+        range: low..=high,
+        decimals: 0,
+        unit: "",
+        scale: Scale::Even,
+    };
+    let now = f64::from(studio.design().method.capsule_count);
+    if let (_, Some(count)) = capsules.show(ui, now) {
+        studio.change_later(|design| design.method.capsule_count = whole(count));
+    }
     if studio.sews {
         ui.horizontal(|ui| {
             ui.spinner();
@@ -40,4 +52,13 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     } else {
         ui.label(RichText::new(studio.say(text::SEWS_ANEW)).small().weak());
     }
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a slider from 1 to 40"
+)]
+fn whole(count: f64) -> u32 {
+    count.round() as u32
 }
