@@ -14,7 +14,8 @@ pub(crate) struct Frame {
     pub(crate) clip_from_world: Mat4,
     /// Camera position; `w` is the exposure.
     pub(crate) eye: Vec4,
-    /// Ray through the top left corner of the picture; not of unit length.
+    /// Ray through the top left corner of the picture; not of unit length. `w` is free: windows
+    /// keep the number of shadow taps there.
     pub(crate) ray_corner: Vec4,
     /// Change of the ray from one pixel to the next on the right; `w` is the picture's width.
     pub(crate) ray_right: Vec4,

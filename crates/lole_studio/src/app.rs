@@ -69,6 +69,8 @@ pub fn open(opening: &Opening) -> Result<(), Refusal> {
             }),
             ..WgpuConfiguration::default()
         },
+        // Plain colors need none, and it costs each pixel of a driver on the processor dearly.
+        dithering: false,
         ..eframe::NativeOptions::default()
     };
     eframe::run_native(
@@ -336,7 +338,7 @@ impl eframe::App for App {
                 .show(ui, |ui| panel::column(ui, &mut self.studio, &right));
         }
         egui::CentralPanel::default()
-            .frame(egui::Frame::new().fill(look::PAPER))
+            .frame(egui::Frame::NONE)
             .show(ui, |ui| self.picture(ui, frame));
         panel::question(ui, &mut self.studio);
         self.send_late();

@@ -18,9 +18,13 @@ const REST: f64 = 4.0;
 const SHORTEST_REST: f64 = 0.25;
 
 /// What is to be lit.
-struct Job {
-    snapshot: Arc<Snapshot>,
-    camera: Camera,
+pub(crate) struct Job {
+    /// The moment.
+    pub(crate) snapshot: Arc<Snapshot>,
+    /// Where it is seen from.
+    pub(crate) camera: Camera,
+    /// Whether the skirt is drawn in coarse triangles.
+    pub(crate) is_coarse: bool,
 }
 
 /// The running thread. Dropped, it ends and is waited for.
@@ -53,11 +57,10 @@ impl Light {
     }
 
     /// Lights a snapshot, if the last one is done; lamps stand around the camera.
-    pub(crate) fn offer(&mut self, snapshot: &Arc<Snapshot>, camera: Camera) {
+    pub(crate) fn offer(&mut self, job: Job) {
         self.is_free |= self.ready.try_recv().is_ok();
         if let (true, Some(jobs)) = (self.is_free, &self.jobs) {
-            let snapshot = Arc::clone(snapshot);
-            self.is_free = jobs.send(Job { snapshot, camera }).is_err();
+            self.is_free = jobs.send(job).is_err();
         }
     }
 
@@ -81,7 +84,7 @@ fn work(
     results: &Mutex<Option<(u64, AmbientLight)>>,
     free: &Sender<()>,
 ) {
-    while let Ok(Job { snapshot, camera }) = jobs.recv() {
+    while let Ok(Job { snapshot, camera, is_coarse }) = jobs.recv() {
         let clock = Clock::start();
         let wardrobe = &snapshot.wardrobe;
         let figure = Figure {
@@ -92,7 +95,10 @@ fn work(
             body_normals: &snapshot.body[1],
         };
         let lights = LightRig::seen_from(&camera);
-        let scene = (wardrobe.looks).scene(&wardrobe.production, &figure, camera, lights);
+        let mut scene = (wardrobe.looks).scene(&wardrobe.production, &figure, camera, lights);
+        if let (true, Some(cloth)) = (is_coarse, scene.meshes.first_mut()) {
+            cloth.triangles = &wardrobe.coarse_triangles;
+        }
         if let Ok(light) = AmbientLight::of(&scene) {
             *results.lock().unwrap_or_else(PoisonError::into_inner) = Some((wardrobe.id, light));
         }

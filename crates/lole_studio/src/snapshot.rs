@@ -4,6 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use glam::Vec3;
+use lole_cloth::Grid;
 use lole_geom::Capsule;
 use lole_picture::Looks;
 use lole_stage::{Divergence, Production};
@@ -18,6 +19,8 @@ pub struct Wardrobe {
     pub production: Arc<Production>,
     /// Materials.
     pub looks: Looks,
+    /// The skirt in triangles of two cells each way, for adapters that compute on the processor.
+    pub(crate) coarse_triangles: Vec<[u32; 3]>,
 }
 
 impl Wardrobe {
@@ -26,10 +29,34 @@ impl Wardrobe {
         static NEXT: AtomicU64 = AtomicU64::new(1);
         Self {
             id: NEXT.fetch_add(1, Ordering::Relaxed),
+            coarse_triangles: coarse_triangles(&production.skirt.spec.grid),
             production,
             looks,
         }
     }
+}
+
+/// Triangles over every second row and column of a grid's vertices, the last ones included.
+fn coarse_triangles(grid: &Grid) -> Vec<[u32; 3]> {
+    let columns = grid.cell_columns() + 1;
+    let every_second = |count: u32| {
+        let mut kept: Vec<u32> = (0..count).step_by(2).collect();
+        if kept.last() != Some(&(count - 1)) {
+            kept.push(count - 1);
+        }
+        kept
+    };
+    let (rows, kept) = (every_second(grid.row_count), every_second(columns));
+    let mut triangles = Vec::new();
+    for row in rows.windows(2) {
+        for column in kept.windows(2) {
+            let at = |row: u32, column: u32| row * columns + column;
+            let (a, b) = (at(row[0], column[0]), at(row[0], column[1]));
+            let (c, d) = (at(row[1], column[0]), at(row[1], column[1]));
+            triangles.extend([[a, b, c], [b, d, c]]);
+        }
+    }
+    triangles
 }
 
 /// One moment.

@@ -8,13 +8,13 @@ use glam::{Vec2, Vec3};
 use lole_language::Sentence;
 use lole_picture::Figure;
 use lole_render::{
-    Bounds, Image, LightRig, LiveView, Material, Overlay, RenderError, Size, View, wgpu,
+    Bounds, Effort, Image, LightRig, LiveView, Material, Overlay, RenderError, Size, View, wgpu,
 };
 use lole_stage::Pull;
 
 use crate::clock::Clock;
-use crate::light::Light;
-use crate::look::{self, strain_color};
+use crate::light::{Job, Light};
+use crate::look::strain_color;
 use crate::message::Message;
 use crate::orbit::{Orbit, hand_at, pick};
 use crate::overlay::Strokes;
@@ -30,6 +30,9 @@ const GRASP: f32 = 14.0;
 /// Pictures are counted over this time [s].
 const COUNTED: f64 = 1.0;
 
+/// Pixels of the picture for each of the screen's where the processor draws them.
+const SOFTWARE_SCALE: f32 = 0.75;
+
 /// What the picture keeps.
 pub(crate) struct Viewport {
     live: Option<Live>,
@@ -41,6 +44,8 @@ pub(crate) struct Viewport {
     pictures: u32,
     strain_cloth: Material,
     aspect: f32,
+    /// Whether the adapter is a driver that computes on the processor.
+    is_software: bool,
 }
 
 /// What is on the adapter.
@@ -84,6 +89,7 @@ impl Viewport {
                 ..Material::cloth([1.0; 3])
             },
             aspect: 1.0,
+            is_software: false,
         }
     }
 
@@ -93,13 +99,18 @@ impl Viewport {
             ui.allocate_exact_size(ui.available_size().max(egui::Vec2::splat(1.0)), Sense::drag());
         let scale = ui.ctx().pixels_per_point();
         self.aspect = (area.width() / area.height().max(1.0)).clamp(0.02, 50.0);
-        ui.painter().rect_filled(area, 0.0, look::PAPER);
         let Some(snapshot) = studio.snapshot.clone() else {
             return;
         };
         self.place_camera(studio, &snapshot);
         self.follow_pointer(ui, studio, &snapshot, area, &response);
         let Some(gpu) = gpu else { return };
+        self.is_software = gpu.adapter.get_info().device_type == wgpu::DeviceType::Cpu;
+        let scale = if self.is_software {
+            scale * SOFTWARE_SCALE
+        } else {
+            scale
+        };
         if let Err(error) = self.draw(studio, &snapshot, gpu, pixels(area, scale), scale) {
             let text = error.to_string();
             let sentence = Sentence::new(format!("画面に描けません（{text}）"), text);
@@ -220,7 +231,11 @@ impl Viewport {
             return Ok(());
         };
         let is_new_light = self.take_light();
-        self.light.offer(snapshot, orbit.camera());
+        self.light.offer(Job {
+            snapshot: Arc::clone(snapshot),
+            camera: orbit.camera(),
+            is_coarse: self.is_software,
+        });
         let drawn = Drawn {
             snapshot: Arc::as_ptr(snapshot),
             orbit,
@@ -257,8 +272,13 @@ impl Viewport {
         let camera = orbit.camera();
         let lights = LightRig::seen_from(&camera);
         let mut scene = (wardrobe.looks).scene(&wardrobe.production, &figure, camera, lights);
-        if let (false, Some(cloth)) = (colors.is_empty(), scene.meshes.first_mut()) {
-            cloth.material = &self.strain_cloth;
+        if let Some(cloth) = scene.meshes.first_mut() {
+            if !colors.is_empty() {
+                cloth.material = &self.strain_cloth;
+            }
+            if self.is_software {
+                cloth.triangles = &wardrobe.coarse_triangles;
+            }
         }
         live.view.draw(&scene, overlay)?;
         self.pictures += 1;
@@ -271,9 +291,8 @@ impl Viewport {
         let filter = wgpu::FilterMode::Linear;
         match &mut self.live {
             None => {
-                let is_software = gpu.adapter.get_info().device_type == wgpu::DeviceType::Cpu;
-                let samples = if is_software { 1 } else { 4 };
-                let view = LiveView::new(&gpu.device, &gpu.queue, size, samples)?;
+                let effort = if self.is_software { Effort::Light } else { Effort::Full };
+                let view = LiveView::new(&gpu.device, &gpu.queue, size, effort)?;
                 let mut renderer = gpu.renderer.write();
                 let texture =
                     renderer.register_native_texture(&gpu.device, view.shown(), filter);

@@ -11,7 +11,7 @@ mod pipelines;
 use super::device::Device;
 use super::draw::{check_side, checked, extent, view_entry};
 use super::pipeline::{COLOR, DEPTH};
-use crate::bake::{ambient_alone, key_tangent, room_on_floor, unit_toward};
+use crate::bake::{ambient_alone, room_on_floor, unit_toward};
 use crate::frame::{Frame, GroundPlace, Places};
 use crate::prepare::Geometry;
 use crate::{Bounds, Image, RenderError, Scene, Size};
@@ -19,8 +19,50 @@ use glam::{Vec2, Vec3, Vec4};
 use meshes::LiveMeshes;
 use pipelines::{FLOOR, LivePipelines};
 
-/// Side of the key light's map [texel]: 2 to 3 mm on a dancer.
-const KEY_SIDE: u32 = 1024;
+/// How much work a picture may be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Effort {
+    /// For graphics hardware: four samples a pixel, all shadows anew in each picture.
+    Full,
+    /// For a driver that computes on the processor: one sample, a coarser key light's map, and the
+    /// floor's light anew in every fourth picture.
+    Light,
+}
+
+impl Effort {
+    /// Samples a pixel.
+    const fn samples(self) -> u32 {
+        match self {
+            Self::Full => 4,
+            Self::Light => 1,
+        }
+    }
+
+    /// Side of the key light's map [texel]: 2 to 3 mm on a dancer, or 4 to 6.
+    const fn key_side(self) -> u32 {
+        match self {
+            Self::Full => 1024,
+            Self::Light => 512,
+        }
+    }
+
+    /// Taps of the key light's map at each point; odd.
+    const fn key_taps(self) -> f32 {
+        match self {
+            Self::Full => 11.0,
+            Self::Light => 5.0,
+        }
+    }
+
+    /// Pictures for which the floor's light stays.
+    const fn floor_interval(self) -> u32 {
+        match self {
+            Self::Full => 1,
+            Self::Light => 4,
+        }
+    }
+}
+
 /// Side of the floor's light and of the map from below [texel]; also in `live.wgsl`.
 const FLOOR_CELLS: u32 = 256;
 /// Side of the lit floor [m].
@@ -81,7 +123,9 @@ struct FloorLight {
 /// A picture that is drawn again and again.
 pub struct LiveView {
     gpu: Device,
-    samples: u32,
+    effort: Effort,
+    /// Pictures until the floor's light is drawn again.
+    floor_due: u32,
     pipelines: LivePipelines,
     targets: Targets,
     shared: Shared,
@@ -114,7 +158,7 @@ struct Shared {
 }
 
 impl LiveView {
-    /// Pictures of `size` by `device`; `samples` are drawn for each pixel, 1 or 4.
+    /// Pictures of `size` by `device`.
     ///
     /// # Errors
     /// [`RenderError`] where the device refuses.
@@ -122,7 +166,7 @@ impl LiveView {
         device: &wgpu::Device,
         queue: &wgpu::Queue,
         size: Size,
-        samples: u32,
+        effort: Effort,
     ) -> Result<Self, RenderError> {
         let gpu = Device {
             device: device.clone(),
@@ -133,13 +177,14 @@ impl LiveView {
         size.check()?;
         check_side(&gpu, size)?;
         let scope = device.push_error_scope(wgpu::ErrorFilter::Validation);
-        let pipelines = LivePipelines::new(device, samples);
-        let targets = Targets::new(device, size, samples);
-        let shared = Shared::new(device, &pipelines);
+        let pipelines = LivePipelines::new(device, effort.samples());
+        let targets = Targets::new(device, size, effort.samples());
+        let shared = Shared::new(device, &pipelines, effort.key_side());
         checked(scope, "setting up")?;
         Ok(Self {
             gpu,
-            samples,
+            effort,
+            floor_due: 0,
             pipelines,
             targets,
             shared,
@@ -163,7 +208,7 @@ impl LiveView {
         size.check()?;
         check_side(&self.gpu, size)?;
         let scope = (self.gpu.device).push_error_scope(wgpu::ErrorFilter::Validation);
-        let targets = Targets::new(&self.gpu.device, size, self.samples);
+        let targets = Targets::new(&self.gpu.device, size, self.effort.samples());
         checked(scope, "resizing")?;
         self.targets = targets;
         Ok(())
@@ -179,7 +224,7 @@ impl LiveView {
     pub fn light_up(&mut self, light: &AmbientLight) {
         if let Some(meshes) = &mut self.meshes {
             meshes.light_up(&light.0, !self.has_light);
-            self.has_light |= light.0.len() == meshes.vertex_count;
+            self.has_light |= light.0.len() == meshes.vertex_count();
         }
     }
 
@@ -217,9 +262,10 @@ impl LiveView {
         let places = places(
             axis,
             bounds,
+            self.effort.key_side(),
             scene.ground.map_or(0.0, |ground| ground.height),
         );
-        let frame = Frame::of(
+        let mut frame = Frame::of(
             scene,
             self.targets.size,
             &Places {
@@ -227,13 +273,13 @@ impl LiveView {
                 ..places
             },
         );
+        frame.ray_corner.w = self.effort.key_taps();
         let key = Vec3::from(scene.lights.key.color) * axis.y.max(0.0);
         let shadow = scene.ground.map_or(0.0, |ground| ground.shadow);
         let floor_light = FloorLight {
             room: room_on_floor(&scene.lights).extend(shadow),
-            key: key.extend(KEY_SIDE as f32),
+            key: key.extend(self.effort.key_side() as f32),
         };
-        debug_assert!(key_tangent(&scene.lights) >= 0.0, "an angle of a lamp");
         let queue = &self.gpu.queue;
         queue.write_buffer(&self.shared.frame, 0, bytemuck::bytes_of(&frame));
         queue.write_buffer(
@@ -261,12 +307,21 @@ impl LiveView {
     }
 
     /// The key light's map, the map from below, and the floor's light by both.
-    fn draw_shadows(&self, encoder: &mut wgpu::CommandEncoder) {
+    fn draw_shadows(&mut self, encoder: &mut wgpu::CommandEncoder) {
+        let draws_floor = self.floor_due == 0;
+        self.floor_due = if draws_floor {
+            self.effort.floor_interval() - 1
+        } else {
+            self.floor_due - 1
+        };
         let shared = &self.shared;
         for (map, pipeline) in [
             (&shared.key_map, &self.pipelines.caster),
             (&shared.under_map, &self.pipelines.under),
-        ] {
+        ]
+        .into_iter()
+        .take(if draws_floor { 2 } else { 1 })
+        {
             let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
                 label: Some("casters"),
                 depth_stencil_attachment: Some(depth_attachment(map, wgpu::StoreOp::Store)),
@@ -277,9 +332,11 @@ impl LiveView {
             };
             pass.set_pipeline(pipeline);
             pass.set_bind_group(0, &shared.caster_group, &[]);
-            pass.set_vertex_buffer(0, meshes.moving.slice(..));
-            pass.set_index_buffer(meshes.indices.slice(..), wgpu::IndexFormat::Uint32);
+            meshes.bind(&mut pass);
             pass.draw_indexed(0..meshes.index_count, 0, 0..1);
+        }
+        if !draws_floor {
+            return;
         }
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("floor"),
@@ -310,7 +367,7 @@ impl LiveView {
         pass.set_pipeline(&self.pipelines.background);
         pass.draw(0..3, 0..1);
         if let Some(meshes) = self.meshes.as_ref().filter(|m| m.index_count > 0) {
-            meshes.bind_columns(&mut pass);
+            meshes.bind(&mut pass);
             meshes.draw(&self.pipelines, &mut pass);
         }
         if let Some(strokes) = &self.strokes {
@@ -339,11 +396,11 @@ impl LiveView {
 }
 
 /// Where the light's maps lie: around everything, in whole texels.
-fn places(axis: Vec3, bounds: Bounds, ground_height: f32) -> Places {
+fn places(axis: Vec3, bounds: Bounds, key_side: u32, ground_height: f32) -> Places {
     let (right, up) = axis.any_orthonormal_pair();
     let radius = (bounds.max - bounds.min).length() * 0.5;
     let reach = (radius / REACH_STEP).ceil().max(1.0) * REACH_STEP;
-    let texel = 2.0 * reach / KEY_SIDE as f32;
+    let texel = 2.0 * reach / key_side as f32;
     let center = bounds.center();
     let row = |direction: Vec3| {
         let first = ((center.dot(direction) - reach) / texel).floor();
@@ -453,7 +510,7 @@ impl Targets {
 }
 
 impl Shared {
-    fn new(device: &wgpu::Device, pipelines: &LivePipelines) -> Self {
+    fn new(device: &wgpu::Device, pipelines: &LivePipelines, key_side: u32) -> Self {
         let uniform = |label, bytes: usize| {
             device.create_buffer(&wgpu::BufferDescriptor {
                 label: Some(label),
@@ -466,7 +523,7 @@ impl Shared {
         let floor_light = uniform("floor", size_of::<FloorLight>());
         let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING;
         let map = |side, format| view(&new_texture(device, [side; 2], format, 1, usage));
-        let key_map = map(KEY_SIDE, DEPTH);
+        let key_map = map(key_side, DEPTH);
         let under_map = map(FLOOR_CELLS, DEPTH);
         let floor = map(FLOOR_CELLS, FLOOR);
         let sampler = device.create_sampler(&wgpu::SamplerDescriptor {

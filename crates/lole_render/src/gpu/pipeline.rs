@@ -21,7 +21,7 @@ pub(super) struct Vertex {
     pub(super) back_light: [f32; 3],
 }
 
-const ATTRIBUTES: [wgpu::VertexAttribute; 6] = wgpu::vertex_attr_array![
+pub(super) const ATTRIBUTES: [wgpu::VertexAttribute; 6] = wgpu::vertex_attr_array![
     0 => Float32x3, 1 => Float32x3, 2 => Float32x2, 3 => Float32x3, 4 => Float32x3, 5 => Float32x3
 ];
 

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use super::pipelines::LivePipelines;
 use crate::gpu::device::Device;
 use crate::gpu::draw::{Format, float_texture, mipmapped_texture, view_entry};
+use crate::gpu::pipeline::Vertex;
 use crate::prepare::{Geometry, used_vertices};
 use crate::shade::Surface;
 use crate::{Material, Scene, Sides, Texture};
@@ -16,20 +17,16 @@ use wgpu::util::{BufferInitDescriptor, DeviceExt};
 /// All meshes of one scene.
 pub(super) struct LiveMeshes {
     parts: Vec<Part>,
-    pub(super) vertex_count: usize,
-    pub(super) moving: wgpu::Buffer,
-    pub(super) uvs: wgpu::Buffer,
-    pub(super) colors: wgpu::Buffer,
-    pub(super) light: wgpu::Buffer,
+    /// What the adapter holds. All columns lie in one buffer: of several, Mesa's processor driver
+    /// (22.3) was measured to lose about a megabyte for each draw.
+    vertices: Vec<Vertex>,
+    pub(super) vertex_buffer: wgpu::Buffer,
     pub(super) indices: wgpu::Buffer,
     pub(super) index_count: u32,
-    /// Light on face and back that is shown, and that it goes towards.
-    shown: Vec<[Vec3; 2]>,
+    /// Light on face and back that the vertices go towards.
     target: Vec<[Vec3; 2]>,
-    /// Pictures until `shown` is `target`.
+    /// Pictures until it is reached.
     rounds_left: u32,
-    painted: Vec<bool>,
-    scratch: Vec<[Vec3; 2]>,
     blank: wgpu::TextureView,
     sampler: wgpu::Sampler,
 }
@@ -45,6 +42,7 @@ struct Part {
     group: wgpu::BindGroup,
     surface: wgpu::Buffer,
     texture: Option<Arc<Texture>>,
+    is_painted: bool,
 }
 
 /// A first light, before any has been worked out: that of an evenly lit room.
@@ -56,26 +54,18 @@ impl LiveMeshes {
     /// Uploads the meshes of a checked scene.
     pub(super) fn new(gpu: &Device, pipelines: &LivePipelines, scene: &Scene<'_>) -> Self {
         let geometry = Geometry::of(scene);
-        let vertex_count = geometry.positions.len();
         let device = &gpu.device;
-        let kept = |label, contents: &[u8], usage| {
-            device.create_buffer_init(&BufferInitDescriptor {
-                label: Some(label),
-                contents,
-                usage,
+        let vertices: Vec<Vertex> = (geometry.positions.iter().zip(&geometry.normals))
+            .zip(geometry.uvs.iter().zip(&geometry.colors))
+            .map(|((&position, &normal), (&uv, &color))| Vertex {
+                position: position.into(),
+                normal: normal.into(),
+                uv: uv.into(),
+                color: color.into(),
+                face_light: FIRST_LIGHT.into(),
+                back_light: FIRST_LIGHT.into(),
             })
-        };
-        let rewritten = |label, stride: usize| {
-            device.create_buffer(&wgpu::BufferDescriptor {
-                label: Some(label),
-                size: (vertex_count.max(1) * stride) as u64,
-                usage: wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST,
-                mapped_at_creation: false,
-            })
-        };
-        let colors = rewritten("colors", 12);
-        gpu.queue
-            .write_buffer(&colors, 0, bytemuck::cast_slice(&geometry.colors));
+            .collect();
         let blank = float_texture(gpu, [1, 1], Format::Bytes, &[255; 4]);
         let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
             label: Some("print"),
@@ -86,29 +76,23 @@ impl LiveMeshes {
             mipmap_filter: wgpu::MipmapFilterMode::Linear,
             ..wgpu::SamplerDescriptor::default()
         });
-        let light = vec![[FIRST_LIGHT; 2]; vertex_count];
         let mut meshes = Self {
             parts: Vec::new(),
-            vertex_count,
-            moving: rewritten("positions and normals", 24),
-            uvs: kept(
-                "texture coordinates",
-                bytemuck::cast_slice(&geometry.uvs),
-                wgpu::BufferUsages::VERTEX,
-            ),
-            colors,
-            light: rewritten("light", 24),
-            indices: kept(
-                "triangles",
-                bytemuck::cast_slice(&geometry.triangles),
-                wgpu::BufferUsages::INDEX,
-            ),
+            vertex_buffer: device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some("vertices"),
+                size: (vertices.len().max(1) * size_of::<Vertex>()) as u64,
+                usage: wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST,
+                mapped_at_creation: false,
+            }),
+            indices: device.create_buffer_init(&BufferInitDescriptor {
+                label: Some("triangles"),
+                contents: bytemuck::cast_slice(&geometry.triangles),
+                usage: wgpu::BufferUsages::INDEX,
+            }),
             index_count: u32::try_from(geometry.triangles.len() * 3).unwrap_or(0),
-            shown: light.clone(),
-            target: light,
-            rounds_left: 1,
-            painted: vec![false; scene.meshes.len()],
-            scratch: Vec::with_capacity(vertex_count),
+            target: vec![[FIRST_LIGHT; 2]; vertices.len()],
+            vertices,
+            rounds_left: 0,
             blank,
             sampler,
         };
@@ -116,7 +100,7 @@ impl LiveMeshes {
         for (mesh, part) in scene.meshes.iter().zip(&geometry.parts) {
             let sources = used_vertices(mesh);
             let count = sources.len();
-            let (surface, group) = meshes.bind(gpu, pipelines, mesh.material, None);
+            let (surface, group) = meshes.surface(gpu, pipelines, mesh.material, None);
             meshes.parts.push(Part {
                 sources,
                 first,
@@ -125,6 +109,7 @@ impl LiveMeshes {
                 group,
                 surface,
                 texture: mesh.material.texture.clone(),
+                is_painted: false,
             });
             first += count;
         }
@@ -133,7 +118,7 @@ impl LiveMeshes {
 
     /// The material's constants and what the shader binds for it; `surface` is used again where it
     /// is given.
-    fn bind(
+    fn surface(
         &self,
         gpu: &Device,
         pipelines: &LivePipelines,
@@ -184,9 +169,10 @@ impl LiveMeshes {
 
     /// Writes positions, normals, colors, materials and light of a scene that fits.
     pub(super) fn write(&mut self, gpu: &Device, pipelines: &LivePipelines, scene: &Scene<'_>) {
-        self.write_motion(gpu, scene);
-        self.write_colors(gpu, scene);
-        self.write_light(gpu);
+        self.move_vertices(scene);
+        self.fade_light();
+        gpu.queue
+            .write_buffer(&self.vertex_buffer, 0, bytemuck::cast_slice(&self.vertices));
         for index in 0..self.parts.len() {
             let material = scene.meshes[index].material;
             let part = &self.parts[index];
@@ -200,16 +186,15 @@ impl LiveMeshes {
             };
             if !same {
                 let surface = part.surface.clone();
-                let (_, group) = self.bind(gpu, pipelines, material, Some(surface));
+                let (_, group) = self.surface(gpu, pipelines, material, Some(surface));
                 self.parts[index].group = group;
                 self.parts[index].texture.clone_from(&material.texture);
             }
         }
     }
 
-    fn write_motion(&mut self, gpu: &Device, scene: &Scene<'_>) {
-        self.scratch.clear();
-        for (mesh, part) in scene.meshes.iter().zip(&self.parts) {
+    fn move_vertices(&mut self, scene: &Scene<'_>) {
+        for (mesh, part) in scene.meshes.iter().zip(&mut self.parts) {
             let made;
             let normals = if mesh.normals.is_empty() {
                 made = vertex_normals(mesh.positions, mesh.triangles);
@@ -217,52 +202,33 @@ impl LiveMeshes {
             } else {
                 mesh.normals
             };
-            self.scratch.extend(part.sources.iter().map(|&source| {
-                let source = source as usize;
-                [mesh.positions[source], normals[source]]
-            }));
-        }
-        gpu.queue
-            .write_buffer(&self.moving, 0, bytemuck::cast_slice(&self.scratch));
-    }
-
-    fn write_colors(&mut self, gpu: &Device, scene: &Scene<'_>) {
-        for ((mesh, part), painted) in (scene.meshes.iter().zip(&self.parts)).zip(&mut self.painted)
-        {
             let paints = !mesh.colors.is_empty();
-            if !paints && !*painted {
-                continue;
+            let repaints = paints || part.is_painted;
+            part.is_painted = paints;
+            for (vertex, &source) in self.vertices[part.first..].iter_mut().zip(&part.sources) {
+                let source = source as usize;
+                vertex.position = mesh.positions[source].into();
+                vertex.normal = normals[source].into();
+                if repaints {
+                    vertex.color = mesh.colors.get(source).copied().unwrap_or(Vec3::ONE).into();
+                }
             }
-            *painted = paints;
-            let colors: Vec<Vec3> = part
-                .sources
-                .iter()
-                .map(|&source| {
-                    mesh.colors
-                        .get(source as usize)
-                        .copied()
-                        .unwrap_or(Vec3::ONE)
-                })
-                .collect();
-            let place = (part.first * size_of::<Vec3>()) as u64;
-            gpu.queue
-                .write_buffer(&self.colors, place, bytemuck::cast_slice(&colors));
         }
     }
 
-    fn write_light(&mut self, gpu: &Device) {
+    fn fade_light(&mut self) {
         if self.rounds_left == 0 {
             return;
         }
         let share = 1.0 / self.rounds_left as f32;
-        for (shown, target) in self.shown.iter_mut().zip(&self.target) {
-            for (shown, target) in shown.iter_mut().zip(target) {
-                *shown += (*target - *shown) * share;
+        for (vertex, target) in self.vertices.iter_mut().zip(&self.target) {
+            for (shown, &target) in
+                [&mut vertex.face_light, &mut vertex.back_light].into_iter().zip(target)
+            {
+                *shown = Vec3::from(*shown).lerp(target, share).into();
             }
         }
         self.rounds_left -= 1;
-        gpu.queue
-            .write_buffer(&self.light, 0, bytemuck::cast_slice(&self.shown));
     }
 
     /// Fades to another light; one of other meshes is ignored.
@@ -273,12 +239,14 @@ impl LiveMeshes {
         }
     }
 
-    /// Binds the columns of all vertices.
-    pub(super) fn bind_columns<'pass>(&'pass self, pass: &mut wgpu::RenderPass<'pass>) {
-        pass.set_vertex_buffer(0, self.moving.slice(..));
-        pass.set_vertex_buffer(1, self.uvs.slice(..));
-        pass.set_vertex_buffer(2, self.colors.slice(..));
-        pass.set_vertex_buffer(3, self.light.slice(..));
+    /// How many vertices there are.
+    pub(super) const fn vertex_count(&self) -> usize {
+        self.vertices.len()
+    }
+
+    /// Binds the vertices and triangles.
+    pub(super) fn bind(&self, pass: &mut wgpu::RenderPass<'_>) {
+        pass.set_vertex_buffer(0, self.vertex_buffer.slice(..));
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
     }
 

@@ -1,7 +1,9 @@
 //! The pipelines of a window's picture: shadow casters, the floor's light, meshes, backdrop, lines.
 
 use crate::Sides;
-use crate::gpu::pipeline::{COLOR, DEPTH, FILTERED, READ_ONLY, sampler, texture, uniform};
+use crate::gpu::pipeline::{
+    ATTRIBUTES, COLOR, DEPTH, FILTERED, READ_ONLY, Vertex, sampler, texture, uniform,
+};
 
 /// Format of the floor's light.
 pub(super) const FLOOR: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
@@ -26,19 +28,20 @@ pub(super) struct LivePipelines {
     pub(super) lines_through: wgpu::RenderPipeline,
 }
 
-/// Position and normal; texture coordinate; color; light on face and back.
-const COLUMNS: [wgpu::VertexBufferLayout<'static>; 4] = [
-    column(
-        24,
-        &wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3],
-    ),
-    column(8, &wgpu::vertex_attr_array![2 => Float32x2]),
-    column(12, &wgpu::vertex_attr_array![3 => Float32x3]),
-    column(
-        24,
-        &wgpu::vertex_attr_array![4 => Float32x3, 5 => Float32x3],
-    ),
-];
+/// Vertices as the meshes' shader reads them, and as the casters do.
+const WHOLE: [wgpu::VertexBufferLayout<'static>; 1] = [vertices(&ATTRIBUTES)];
+const PLACES: [wgpu::VertexBufferLayout<'static>; 1] =
+    [vertices(&wgpu::vertex_attr_array![0 => Float32x3])];
+
+const fn vertices(
+    attributes: &'static [wgpu::VertexAttribute],
+) -> wgpu::VertexBufferLayout<'static> {
+    wgpu::VertexBufferLayout {
+        array_stride: size_of::<Vertex>() as u64,
+        step_mode: wgpu::VertexStepMode::Vertex,
+        attributes,
+    }
+}
 
 /// One line: both ends, color and width.
 const LINES: [wgpu::VertexBufferLayout<'static>; 1] = [wgpu::VertexBufferLayout {
@@ -48,17 +51,6 @@ const LINES: [wgpu::VertexBufferLayout<'static>; 1] = [wgpu::VertexBufferLayout 
         0 => Float32x3, 1 => Float32x3, 2 => Unorm8x4, 3 => Float32
     ],
 }];
-
-const fn column(
-    array_stride: u64,
-    attributes: &'static [wgpu::VertexAttribute],
-) -> wgpu::VertexBufferLayout<'static> {
-    wgpu::VertexBufferLayout {
-        array_stride,
-        step_mode: wgpu::VertexStepMode::Vertex,
-        attributes,
-    }
-}
 
 impl LivePipelines {
     /// Pipelines for pictures of `samples` samples a pixel.
@@ -149,7 +141,7 @@ impl<'a> Recipe<'a> {
             groups,
             vertex,
             fragment: None,
-            buffers: &COLUMNS[..1],
+            buffers: &PLACES,
             cull: None,
             depth: Some((wgpu::CompareFunction::Greater, Writes::Depth)),
             is_multisampled: false,
@@ -173,7 +165,7 @@ impl<'a> Recipe<'a> {
             groups,
             vertex: "mesh_vertex",
             fragment: Some(("mesh_fragment", COLOR)),
-            buffers: &COLUMNS,
+            buffers: &WHOLE,
             cull,
             depth: Some((wgpu::CompareFunction::Greater, Writes::Depth)),
             is_multisampled: true,
