@@ -13,7 +13,7 @@ use crate::Snapshot;
 use crate::clock::Clock;
 
 /// It rests this many times as long as it works, so that it takes little from cloth and picture.
-const REST: f64 = 4.0;
+const REST: f64 = 8.0;
 /// And at least this long [s]: folds move slowly.
 const SHORTEST_REST: f64 = 0.25;
 

@@ -26,6 +26,8 @@ const KEY_PRESSED: Color32 = Color32::from_rgb(217, 204, 185);
 /// Dresses the window.
 pub(crate) fn apply(context: &egui::Context) {
     context.set_theme(egui::Theme::Light);
+    // A machine without a Japanese font shows boxes instead of ending.
+    context.set_missing_glyph_policy(egui::MissingGlyphPolicy::Tofu);
     context.all_styles_mut(style);
 }
 

@@ -11,6 +11,8 @@ mod playback;
 mod question;
 mod skirt;
 mod status;
+#[cfg(test)]
+mod tests;
 mod view;
 
 use eframe::egui::{self, RichText, Ui};

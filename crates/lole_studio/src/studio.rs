@@ -7,6 +7,7 @@ use lole_costume::document::schema::{self, Kind};
 use lole_costume::document::{Design, FabricDesign};
 use lole_language::{Bilingual as _, Language, Sentence, Words};
 use lole_render::View;
+use lole_stage::Divergence;
 
 use crate::command::Watch;
 use crate::history::History;
@@ -108,6 +109,8 @@ pub struct Studio {
     pub history: History,
     /// The newest moment.
     pub snapshot: Option<Arc<Snapshot>>,
+    /// Where and when the cloth flew apart.
+    pub stopped: Option<Divergence>,
     /// Whether a skirt is being sewn.
     pub sews: bool,
     /// The sentence that is shown.
@@ -140,6 +143,7 @@ impl Studio {
             wanted_view: Some(View::Front),
             history: History::default(),
             snapshot: None,
+            stopped: None,
             sews: true,
             message: None,
             question: None,
@@ -280,7 +284,8 @@ impl Studio {
         for sample in &snapshot.samples {
             self.history.push(*sample);
         }
-        if snapshot.stopped.is_some() {
+        self.stopped = snapshot.stopped;
+        if self.stopped.is_some() {
             self.plays = false;
         }
         self.snapshot = Some(snapshot);

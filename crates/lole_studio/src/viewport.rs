@@ -22,7 +22,13 @@ use crate::studio::{Shows, Tool};
 use crate::{Command, Snapshot, Studio};
 
 /// Room to each side of the dancer that the views show [m]: she steps to both sides.
-const SIDE_ROOM: f32 = 0.72;
+const SIDE_ROOM: f32 = 0.62;
+/// How quickly the camera goes with her [1/s]: softly, as a hand would.
+const FOLLOW_RATE: f32 = 1.6;
+/// The longest time between two pictures that the camera makes up for [s].
+const LONGEST_PICTURE: f32 = 0.25;
+/// A way that is not worth following [m].
+const STILL: f32 = 2.0e-3;
 /// Nearness for the wheel: one notch of 50 points comes nearer by a tenth.
 const ZOOM_PER_POINT: f32 = 0.002;
 /// The pointer takes hold of cloth this near [point].
@@ -46,6 +52,9 @@ pub(crate) struct Viewport {
     aspect: f32,
     /// Whether the adapter is a driver that computes on the processor.
     is_software: bool,
+    /// How far the camera went with her over the floor [m].
+    drift: Vec3,
+    followed_at: f64,
 }
 
 /// What is on the adapter.
@@ -90,6 +99,8 @@ impl Viewport {
             },
             aspect: 1.0,
             is_software: false,
+            drift: Vec3::ZERO,
+            followed_at: clock.seconds(),
         }
     }
 
@@ -103,6 +114,9 @@ impl Viewport {
             return;
         };
         self.place_camera(studio, &snapshot);
+        if self.follow_dancer(&snapshot) {
+            ui.ctx().request_repaint();
+        }
         self.follow_pointer(ui, studio, &snapshot, area, &response);
         let Some(gpu) = gpu else { return };
         self.is_software = gpu.adapter.get_info().device_type == wgpu::DeviceType::Cpu;
@@ -139,6 +153,29 @@ impl Viewport {
         studio.orbit = Some(Orbit::framing(stage_of(snapshot), view, self.aspect));
     }
 
+    /// Goes with her over the floor; whether the camera is still on its way.
+    fn follow_dancer(&mut self, snapshot: &Snapshot) -> bool {
+        let now = self.clock.seconds();
+        #[expect(clippy::cast_possible_truncation, reason = "a fraction of a second")]
+        let dt = ((now - self.followed_at) as f32).min(LONGEST_PICTURE);
+        self.followed_at = now;
+        let hips = snapshot.bones.first().map_or(Vec3::ZERO, |&[hips, _]| hips);
+        let way = Vec3::new(hips.x, 0.0, hips.z) - self.drift;
+        if way.length() < STILL {
+            return false;
+        }
+        self.drift += way * (FOLLOW_RATE * dt).min(1.0);
+        true
+    }
+
+    /// The camera where it stands now.
+    fn standing(&self, orbit: &Orbit) -> Orbit {
+        Orbit {
+            target: orbit.target + self.drift,
+            ..*orbit
+        }
+    }
+
     fn follow_pointer(
         &mut self,
         ui: &Ui,
@@ -153,10 +190,10 @@ impl Viewport {
         let drag = Vec2::new(drag.x, drag.y) / height;
         let shift = ui.input(|input| input.modifiers.shift);
         if response.drag_started_by(PointerButton::Primary) && studio.tool == Tool::Hold && !shift {
-            self.take_hold(ui, &orbit, snapshot, area);
+            self.take_hold(ui, &self.standing(&orbit), snapshot, area);
         }
         if self.hold.is_some() {
-            self.move_hand(ui, studio, &orbit, area);
+            self.move_hand(ui, studio, &self.standing(&orbit), area);
         } else if response.dragged_by(PointerButton::Primary) && !shift {
             orbit.turn(drag);
         } else if response.dragged() {
@@ -227,7 +264,7 @@ impl Viewport {
         size: Size,
         scale: f32,
     ) -> Result<(), RenderError> {
-        let Some(orbit) = studio.orbit else {
+        let Some(orbit) = studio.orbit.map(|orbit| self.standing(&orbit)) else {
             return Ok(());
         };
         let is_new_light = self.take_light();

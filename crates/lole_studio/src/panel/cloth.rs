@@ -50,7 +50,7 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
 }
 
 fn method(ui: &mut Ui, studio: &mut Studio) {
-    ui.label(studio.say(text::METHOD));
+    let label = ui.label(studio.say(text::METHOD));
     let chosen = studio.design().method.name;
     let mut picked = chosen;
     let width = ui.available_width();
@@ -62,7 +62,9 @@ fn method(ui: &mut Ui, studio: &mut Studio) {
                 let name = name_of(studio, method);
                 ui.selectable_value(&mut picked, method, name);
             }
-        });
+        })
+        .response
+        .labelled_by(label.id);
     if picked != chosen {
         studio.change(|design| design.method.name = picked);
     }

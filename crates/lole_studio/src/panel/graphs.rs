@@ -1,6 +1,6 @@
 //! Frame time, energy and the way of the hem over the last ten seconds.
 
-use eframe::egui::{Color32, RichText, Ui};
+use eframe::egui::{Color32, Rangef, RichText, Ui};
 use egui_plot::{HLine, Line, Plot, PlotPoints};
 
 use crate::history::Sample;
@@ -67,6 +67,7 @@ fn plot(id: &str) -> Plot<'_> {
         .allow_scroll(false)
         .allow_boxed_zoom(false)
         .show_background(true)
+        .grid_spacing(Rangef::new(12.0, 46.0))
         .y_axis_min_width(30.0)
         .label_formatter(|_| None)
 }

@@ -8,8 +8,7 @@ use crate::{Studio, look, text};
 
 /// Shows what there is to say; `ui` is the picture's place.
 pub fn show(ui: &mut Ui, studio: &mut Studio) {
-    let stopped = studio.snapshot.as_ref().and_then(|snapshot| snapshot.stopped);
-    if let Some(divergence) = stopped {
+    if let Some(divergence) = studio.stopped {
         let sentence = flew_apart(studio, &divergence);
         card(ui, look::PALE_RED, |ui| {
             ui.label(RichText::new(sentence).color(look::INK));
