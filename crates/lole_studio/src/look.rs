@@ -2,6 +2,7 @@
 
 use eframe::egui::{
     self, Color32, CornerRadius, FontFamily, FontId, Margin, Stroke, Style, TextStyle, Vec2,
+    style::ScrollStyle,
 };
 
 /// Size of ordinary text [point].
@@ -49,6 +50,10 @@ fn style(style: &mut Style) {
     spacing.icon_width_inner = 12.0;
     spacing.slider_rail_height = 6.0;
     spacing.combo_height = 320.0;
+    spacing.scroll = ScrollStyle {
+        bar_width: 8.0,
+        ..ScrollStyle::solid()
+    };
     spacing.window_margin = Margin::same(14);
     let visuals = &mut style.visuals;
     visuals.panel_fill = PAPER;

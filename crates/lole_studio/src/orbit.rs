@@ -6,8 +6,8 @@ use lole_render::{Bounds, Camera, View};
 
 /// Turn for a drag over the whole height of the picture [rad].
 const TURN_PER_HEIGHT: f32 = 3.6;
-/// The camera looks down and up at most this far [rad].
-const STEEPEST: f32 = 1.45;
+/// The camera looks up and down at most this far [rad]: not from under the floor.
+const PITCHES: [f32; 2] = [-0.12, 1.45];
 /// Nearest and farthest that the camera goes [m].
 const DISTANCES: [f32; 2] = [0.45, 14.0];
 /// The target stays within this box around the stage [m].
@@ -75,7 +75,7 @@ impl Orbit {
     pub fn turn(&mut self, drag: Vec2) {
         let turned = self.azimuth - drag.x * TURN_PER_HEIGHT;
         self.azimuth = turned.rem_euclid(std::f32::consts::TAU);
-        self.pitch = (self.pitch + drag.y * TURN_PER_HEIGHT).clamp(-STEEPEST, STEEPEST);
+        self.pitch = (self.pitch + drag.y * TURN_PER_HEIGHT).clamp(PITCHES[0], PITCHES[1]);
         self.view = None;
     }
 
@@ -161,7 +161,7 @@ mod tests {
             orbit.zoom(0.5);
         }
         let camera = orbit.camera();
-        assert!(orbit.pitch <= STEEPEST && orbit.distance <= DISTANCES[1]);
+        assert!(orbit.pitch <= PITCHES[1] && orbit.distance <= DISTANCES[1]);
         assert!(orbit.target.abs().max_element() <= STAGE && camera.eye.is_finite());
         orbit.zoom(f32::NAN);
         orbit.zoom(0.0);

@@ -15,10 +15,10 @@ const CORNERS: u16 = 24;
 const CAPSULE: [u8; 4] = [0, 112, 122, 235];
 const BONE: [u8; 4] = [205, 92, 0, 255];
 const JOINT: [u8; 4] = [120, 48, 0, 255];
-const SPRING: [u8; 4] = [24, 26, 60, 150];
+const SPRING: [u8; 4] = [20, 40, 90, 220];
 const SUNKEN: [u8; 4] = [225, 0, 60, 255];
-/// Springs are drawn no nearer to each other than this [pixel].
-const SPRING_GAP: f32 = 7.0;
+/// Springs are drawn no nearer to each other than this [point].
+const SPRING_GAP: f32 = 3.5;
 
 /// All lines of one picture.
 #[derive(Debug, Default)]
@@ -46,9 +46,9 @@ impl Strokes {
         };
         if shows.springs {
             let grid = &snapshot.wardrobe.production.skirt.spec.grid;
-            let stride = spring_stride(grid, meters_per_pixel / scale);
+            let stride = spring_stride(grid, meters_per_pixel * scale);
             let springs = springs(grid, &snapshot.particles, stride);
-            strokes.on_surfaces.extend(springs.map(line(SPRING, 1.2)));
+            strokes.on_surfaces.extend(springs.map(line(SPRING, 1.0)));
         }
         if shows.capsules {
             for capsule in &snapshot.capsules {
@@ -71,11 +71,11 @@ impl Strokes {
 }
 
 /// Every how many rows and columns springs are drawn, so that they can be told apart.
-fn spring_stride(grid: &Grid, meters_per_pixel: f32) -> u32 {
+fn spring_stride(grid: &Grid, meters_per_point: f32) -> u32 {
     let finest = grid.spacing[0].min(grid.spacing[1]).max(1.0e-4);
     let mut stride = 1;
     // Gathered cloth lies about a quarter as wide as it is.
-    while stride < 16 && 0.5 * finest * stride as f32 / meters_per_pixel < SPRING_GAP {
+    while stride < 16 && 0.5 * finest * stride as f32 / meters_per_point < SPRING_GAP {
         stride *= 2;
     }
     stride

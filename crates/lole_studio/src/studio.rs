@@ -285,9 +285,6 @@ impl Studio {
             self.history.push(*sample);
         }
         self.stopped = snapshot.stopped;
-        if self.stopped.is_some() {
-            self.plays = false;
-        }
         self.snapshot = Some(snapshot);
     }
 

@@ -24,8 +24,8 @@ pub(crate) const REAL_TIME: Words = words("実時間", "Real time");
 
 pub(crate) const DANCE: Words = words("踊り", "Dance");
 pub(crate) const DANCE_STEP: Words = words("ステップ", "Step");
-pub(crate) const TEMPO: Words = words("テンポ", "Tempo");
-pub(crate) const TEMPO_UNIT: Words = words(" 拍/分", " counts/min");
+pub(crate) const TEMPO: Words = words("テンポ", "Tempo (counts)");
+pub(crate) const TEMPO_UNIT: Words = words(" 拍/分", " /min");
 
 pub(crate) const CLOTH: Words = words("布", "Cloth");
 pub(crate) const METHOD: Words = words("計算方法", "Method");

@@ -41,7 +41,9 @@ const SOFTWARE_SCALE: f32 = 0.75;
 
 /// What the picture keeps.
 pub(crate) struct Viewport {
-    live: Option<Live>,
+    /// The picture of a dance, and the finer one of what stands still, for drivers that compute on
+    /// the processor; others have the first alone.
+    lives: [Option<Live>; 2],
     light: Light,
     hold: Option<Hold>,
     drawn: Option<Drawn>,
@@ -52,6 +54,8 @@ pub(crate) struct Viewport {
     aspect: f32,
     /// Whether the adapter is a driver that computes on the processor.
     is_software: bool,
+    /// Whether it should do little for the present picture.
+    is_quick: bool,
     /// How far the camera went with her over the floor [m].
     drift: Vec3,
     followed_at: f64,
@@ -79,13 +83,14 @@ struct Drawn {
     orbit: Orbit,
     size: (u32, u32),
     shows: Shows,
+    is_quick: bool,
 }
 
 impl Viewport {
     pub(crate) fn new() -> Self {
         let clock = Clock::start();
         Self {
-            live: None,
+            lives: [None, None],
             light: Light::start(),
             hold: None,
             drawn: None,
@@ -99,6 +104,7 @@ impl Viewport {
             },
             aspect: 1.0,
             is_software: false,
+            is_quick: false,
             drift: Vec3::ZERO,
             followed_at: clock.seconds(),
         }
@@ -120,7 +126,9 @@ impl Viewport {
         self.follow_pointer(ui, studio, &snapshot, area, &response);
         let Some(gpu) = gpu else { return };
         self.is_software = gpu.adapter.get_info().device_type == wgpu::DeviceType::Cpu;
-        let scale = if self.is_software {
+        let moves = studio.plays || ui.input(|input| input.pointer.any_down());
+        self.is_quick = self.is_software && moves;
+        let scale = if self.is_quick {
             scale * SOFTWARE_SCALE
         } else {
             scale
@@ -130,7 +138,7 @@ impl Viewport {
             let sentence = Sentence::new(format!("画面に描けません（{text}）"), text);
             studio.message = Some(Message::trouble(&sentence));
         }
-        if let Some(live) = &self.live {
+        if let Some(live) = self.live() {
             let whole = Rect::from_min_max(egui::pos2(0.0, 0.0), egui::pos2(1.0, 1.0));
             ui.painter().image(live.texture, area, whole, Color32::WHITE);
             if !live.is_lit {
@@ -151,6 +159,16 @@ impl Viewport {
             (None, None) => View::Front,
         };
         studio.orbit = Some(Orbit::framing(stage_of(snapshot), view, self.aspect));
+    }
+
+    /// What shows the present picture.
+    const fn live(&self) -> Option<&Live> {
+        self.lives[slot(self.is_quick)].as_ref()
+    }
+
+    /// Whether the skirt is drawn in fewer triangles; its springs lie on the fine ones.
+    const fn is_coarse(&self, shows: Shows) -> bool {
+        self.is_quick && !shows.springs
     }
 
     /// Goes with her over the floor; whether the camera is still on its way.
@@ -186,8 +204,7 @@ impl Viewport {
     ) {
         let Some(mut orbit) = studio.orbit else { return };
         let height = area.height().max(1.0);
-        let drag = response.drag_delta();
-        let drag = Vec2::new(drag.x, drag.y) / height;
+        let drag = drag_of(ui, response) / height;
         let shift = ui.input(|input| input.modifiers.shift);
         if response.drag_started_by(PointerButton::Primary) && studio.tool == Tool::Hold && !shift {
             self.take_hold(ui, &self.standing(&orbit), snapshot, area);
@@ -271,19 +288,21 @@ impl Viewport {
         self.light.offer(Job {
             snapshot: Arc::clone(snapshot),
             camera: orbit.camera(),
-            is_coarse: self.is_software,
+            is_coarse: self.is_coarse(studio.shows),
         });
         let drawn = Drawn {
             snapshot: Arc::as_ptr(snapshot),
             orbit,
             size: (size.width, size.height),
             shows: studio.shows,
+            is_quick: self.is_quick,
         };
         if self.drawn.as_ref() == Some(&drawn) && !is_new_light {
             return Ok(());
         }
         self.prepare(gpu, size)?;
-        let Some(live) = &mut self.live else {
+        let is_coarse = self.is_coarse(studio.shows);
+        let Some(live) = &mut self.lives[slot(self.is_quick)] else {
             return Ok(());
         };
         if live.wardrobe != snapshot.wardrobe.id {
@@ -297,7 +316,7 @@ impl Viewport {
             on_surfaces: &strokes.on_surfaces,
             through: &strokes.through,
         };
-        let colors = strain_colors(snapshot, studio.shows);
+        let colors = cloth_colors(snapshot, studio.shows);
         let figure = Figure {
             cloth_positions: &snapshot.cloth[0],
             cloth_normals: &snapshot.cloth[1],
@@ -313,7 +332,7 @@ impl Viewport {
             if !colors.is_empty() {
                 cloth.material = &self.strain_cloth;
             }
-            if self.is_software {
+            if is_coarse {
                 cloth.triangles = &wardrobe.coarse_triangles;
             }
         }
@@ -326,14 +345,15 @@ impl Viewport {
     /// A view of this size on the window's device.
     fn prepare(&mut self, gpu: &RenderState, size: Size) -> Result<(), RenderError> {
         let filter = wgpu::FilterMode::Linear;
-        match &mut self.live {
-            None => {
-                let effort = if self.is_software { Effort::Light } else { Effort::Full };
+        let is_quick = self.is_quick;
+        match &mut self.lives[slot(is_quick)] {
+            free @ None => {
+                let effort = if is_quick { Effort::Light } else { Effort::Full };
                 let view = LiveView::new(&gpu.device, &gpu.queue, size, effort)?;
                 let mut renderer = gpu.renderer.write();
                 let texture =
                     renderer.register_native_texture(&gpu.device, view.shown(), filter);
-                self.live = Some(Live {
+                *free = Some(Live {
                     view,
                     texture,
                     wardrobe: 0,
@@ -355,12 +375,12 @@ impl Viewport {
     }
 
     fn take_light(&mut self) -> bool {
-        let (Some(live), Some((wardrobe, light))) = (&mut self.live, self.light.take()) else {
+        let live = &mut self.lives[slot(self.is_quick)];
+        let (Some(live), Some((wardrobe, light))) = (live, self.light.take()) else {
             return false;
         };
         if wardrobe == live.wardrobe {
-            live.view.light_up(&light);
-            live.is_lit = true;
+            live.is_lit |= live.view.light_up(&light);
         }
         true
     }
@@ -378,8 +398,29 @@ impl Viewport {
 
     /// The picture as it is shown, overlays and all.
     pub(crate) fn picture(&self) -> Option<Result<Image, RenderError>> {
-        self.live.as_ref().map(|live| live.view.read_back())
+        self.live().map(|live| live.view.read_back())
     }
+}
+
+/// How far the pointer was dragged since the last picture [point]. In the picture in which it was
+/// pressed, the way before that does not count.
+fn drag_of(ui: &Ui, response: &Response) -> Vec2 {
+    let delta = if response.drag_started() {
+        ui.input(|input| {
+            let pressed = input.pointer.press_origin();
+            let now = input.pointer.latest_pos();
+            pressed.zip(now).map(|(pressed, now)| now - pressed)
+        })
+        .unwrap_or_default()
+    } else {
+        response.drag_delta()
+    };
+    Vec2::new(delta.x, delta.y)
+}
+
+/// Place of the quick or of the fine picture.
+const fn slot(is_quick: bool) -> usize {
+    if is_quick { 0 } else { 1 }
 }
 
 /// Where she stands and steps [m].
@@ -392,9 +433,13 @@ fn stage_of(snapshot: &Snapshot) -> Bounds {
     }
 }
 
-/// Colors of the skirt's vertices by strain; empty where it shows its print.
-fn strain_colors(snapshot: &Snapshot, shows: Shows) -> Vec<Vec3> {
+/// Colors of the skirt's vertices by strain, or plain under its springs; empty where it shows its
+/// print.
+fn cloth_colors(snapshot: &Snapshot, shows: Shows) -> Vec<Vec3> {
     let mut colors = Vec::new();
+    if shows.springs {
+        colors.resize(snapshot.cloth[0].len(), strain_color(0.0));
+    }
     if shows.strain && snapshot.strain.len() == snapshot.particles.len() {
         let by_particle: Vec<Vec3> = snapshot.strain.iter().map(|&s| strain_color(s)).collect();
         let mesh = &snapshot.wardrobe.production.skirt_mesh;

@@ -221,11 +221,17 @@ impl LiveView {
     }
 
     /// Fades to a light that was worked out for these meshes; one of other meshes is ignored.
-    pub fn light_up(&mut self, light: &AmbientLight) {
-        if let Some(meshes) = &mut self.meshes {
+    /// Whether it fits.
+    pub fn light_up(&mut self, light: &AmbientLight) -> bool {
+        let Some(meshes) = &mut self.meshes else {
+            return false;
+        };
+        let fits = light.0.len() == meshes.vertex_count();
+        if fits {
             meshes.light_up(&light.0, !self.has_light);
-            self.has_light |= light.0.len() == meshes.vertex_count();
+            self.has_light = true;
         }
+        fits
     }
 
     /// Draws a scene and lines over it. Meshes that are the last scene's, moved, are quickest.

@@ -1,44 +1,59 @@
 //! The bar above: the design's file, the picture, the language.
 
-use eframe::egui::{Align, Button, Layout, RichText, Ui};
+use eframe::egui::{Align, Button, Label, Layout, RichText, Ui};
 use lole_language::Language;
 
 use crate::studio::Request;
 use crate::{Studio, text};
 
+/// Narrower bars take two lines [point].
+const ONE_LINE: f32 = 660.0;
+
 /// Shows it.
 pub fn show(ui: &mut Ui, studio: &mut Studio) {
-    ui.horizontal(|ui| {
-        if ui.button(studio.say(text::OPEN)).clicked() {
-            studio.request(Request::AskOpen);
-        }
-        if ui.button(studio.say(text::SAVE)).clicked() {
-            let request = studio.path.clone().map_or(Request::AskSave, Request::Save);
-            studio.request(request);
-        }
-        if ui.button(studio.say(text::SAVE_AS)).clicked() {
-            studio.request(Request::AskSave);
-        }
-        if ui.button(studio.say(text::PICTURE)).clicked() {
-            studio.request(Request::Picture);
-        }
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            languages(ui, studio);
-            let name = studio.path.as_ref().and_then(|path| path.file_name());
-            let name = name.map_or_else(
-                || studio.say(text::UNNAMED).to_owned(),
-                |name| name.to_string_lossy().into_owned(),
-            );
-            let mark = if studio.is_changed() {
-                studio.say(text::CHANGED)
-            } else {
-                ""
-            };
-            ui.add(
-                eframe::egui::Label::new(RichText::new(format!("{name} {mark}")).weak())
-                    .truncate(),
-            );
+    if ui.available_width() < ONE_LINE {
+        ui.horizontal(|ui| rest(ui, studio));
+        ui.horizontal_wrapped(|ui| files(ui, studio));
+    } else {
+        ui.horizontal(|ui| {
+            files(ui, studio);
+            rest(ui, studio);
         });
+    }
+}
+
+fn files(ui: &mut Ui, studio: &mut Studio) {
+    if ui.button(studio.say(text::OPEN)).clicked() {
+        studio.request(Request::AskOpen);
+    }
+    if ui.button(studio.say(text::SAVE)).clicked() {
+        let request = studio.path.clone().map_or(Request::AskSave, Request::Save);
+        studio.request(request);
+    }
+    if ui.button(studio.say(text::SAVE_AS)).clicked() {
+        studio.request(Request::AskSave);
+    }
+    if ui.button(studio.say(text::PICTURE)).clicked() {
+        studio.request(Request::Picture);
+    }
+}
+
+/// What stands at the right: the languages, and the design's name before them.
+fn rest(ui: &mut Ui, studio: &mut Studio) {
+    ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+        languages(ui, studio);
+        let name = studio.path.as_ref().and_then(|path| path.file_name());
+        let name = name.map_or_else(
+            || studio.say(text::UNNAMED).to_owned(),
+            |name| name.to_string_lossy().into_owned(),
+        );
+        let mark = if studio.is_changed() {
+            studio.say(text::CHANGED)
+        } else {
+            ""
+        };
+        let name = RichText::new(format!("{name} {mark}")).weak();
+        ui.add(Label::new(name).truncate());
     });
 }
 

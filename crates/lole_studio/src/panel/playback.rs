@@ -24,11 +24,13 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
             studio.step();
         }
     });
-    let width = ui.available_width();
-    let reset = egui::Button::new(studio.say(text::RESET)).min_size(egui::vec2(width, 32.0));
-    if ui.add(reset).clicked() {
-        studio.reset();
-    }
+    ui.horizontal(|ui| {
+        let width = ui.available_width();
+        let reset = egui::Button::new(studio.say(text::RESET)).min_size(egui::vec2(width, 32.0));
+        if ui.add(reset).clicked() {
+            studio.reset();
+        }
+    });
     ui.label(studio.say(text::SPEED));
     if let Some(speed) = choice(ui, Some(studio.speed), &SPEEDS) {
         studio.speed = speed;

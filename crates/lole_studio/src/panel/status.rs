@@ -7,11 +7,20 @@ use crate::{Studio, text};
 /// The pace is named where it differs by more than this share.
 const NOTICED: f64 = 0.05;
 
+/// Narrower lines say nothing of the mouse [point].
+const WITH_HINT: f32 = 820.0;
+
 /// Shows it.
 pub fn show(ui: &mut Ui, studio: &mut Studio) {
+    let parts = parts(studio);
+    let small = |part: &String| RichText::new(part).small();
+    if ui.available_width() < WITH_HINT {
+        ui.add(Label::new(small(&parts.join("   "))).truncate());
+        return;
+    }
     ui.horizontal(|ui| {
-        for part in parts(studio) {
-            ui.label(RichText::new(part).small());
+        for part in &parts {
+            ui.label(small(part));
             ui.add_space(10.0);
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {

@@ -4,6 +4,7 @@ use std::sync::Arc;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, TryRecvError};
 use std::time::Duration;
 
+use glam::Vec3;
 use lole_costume::document::Design;
 use lole_geom::mesh::vertex_normals;
 use lole_language::Sentence;
@@ -20,6 +21,9 @@ use crate::{Command, Snapshot};
 
 /// Threads of the cloth: more do not help a single skirt, and one core is left to the picture.
 const MOST_THREADS: usize = 4;
+/// Cloth below the skin is looked for this often while she dances [s]: it takes as long as a few
+/// frames.
+const SUNKEN_INTERVAL: f64 = 0.4;
 /// Samples kept for a picture that is not taken, as while the window is minimized.
 const MOST_SAMPLES: usize = 600;
 
@@ -39,6 +43,8 @@ pub(super) struct Stagehand {
     steps: u32,
     speed: f64,
     watch: Watch,
+    /// Cloth below the skin as it was last looked for, and when.
+    sunken: (f64, Vec<Vec3>),
     samples: Vec<Sample>,
     /// Whether there is something new to see.
     is_stale: bool,
@@ -66,6 +72,7 @@ impl Stagehand {
             steps: 0,
             speed: 1.0,
             watch: Watch::default(),
+            sunken: (f64::MIN, Vec::new()),
             samples: Vec::new(),
             is_stale: false,
             quits: false,
@@ -314,6 +321,14 @@ impl Stagehand {
         if let Some((show, clothes)) = &self.stage {
             let mut snapshot = photograph(show, clothes, self.watch);
             (snapshot.samples, snapshot.pace) = (samples, pace);
+            if self.watch.sunken {
+                let now = self.clock.seconds();
+                if SUNKEN_INTERVAL < now - self.sunken.0 || !self.plays {
+                    let [positions, normals] = &snapshot.body;
+                    self.sunken = (now, show.sunken(positions, normals));
+                }
+                snapshot.sunken.clone_from(&self.sunken.1);
+            }
             self.outbox.post(snapshot);
             self.is_stale = false;
         }
@@ -333,11 +348,6 @@ fn photograph(show: &Show, clothes: &Arc<Wardrobe>, watch: Watch) -> Snapshot {
     );
     let (mut body_positions, mut body_normals) = (Vec::new(), Vec::new());
     (production.dancer.skin).pose(show.world_from_bind(), &mut body_positions, &mut body_normals);
-    let sunken = if watch.sunken {
-        show.sunken(&body_positions, &body_normals)
-    } else {
-        Vec::new()
-    };
     Snapshot {
         wardrobe: Arc::clone(clothes),
         time: show.time(),
@@ -347,7 +357,7 @@ fn photograph(show: &Show, clothes: &Arc<Wardrobe>, watch: Watch) -> Snapshot {
         capsules: show.capsules().to_vec(),
         bones: show.bones(),
         strain: if watch.strain { show.strain() } else { Vec::new() },
-        sunken,
+        sunken: Vec::new(),
         samples: Vec::new(),
         pace: None,
         substep_count: show.substep_count(),
