@@ -303,14 +303,19 @@ mod tests {
 
     #[test]
     fn nothing_and_a_design_alone_open_the_window() {
-        let window = |words: &[&str]| {
+        let opens = |words: &[&str]| {
             let words: Vec<OsString> = words.iter().map(OsString::from).collect();
-            super::window(&words)
+            window(&words)
         };
-        assert_eq!(window(&[]), Some(None));
-        assert_eq!(window(&["a/hau.LOLE"]), Some(Some("a/hau.LOLE".into())));
-        for words in [&["dance"][..], &["--help"], &["dans"], &["a.lole", "--json"]] {
-            assert_eq!(window(words), None, "{words:?}");
+        assert_eq!(opens(&[]), Some(None));
+        assert_eq!(opens(&["a/hau.LOLE"]), Some(Some("a/hau.LOLE".into())));
+        for words in [
+            &["dance"][..],
+            &["--help"],
+            &["dans"],
+            &["a.lole", "--json"],
+        ] {
+            assert_eq!(opens(words), None, "{words:?}");
         }
     }
 

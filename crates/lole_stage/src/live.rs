@@ -274,9 +274,9 @@ impl Show {
 
     fn pose(&self) -> Pose {
         let mut layers = self.layers.iter();
-        let mut pose = layers
-            .next()
-            .map_or_else(Pose::default, |layer| layer.dance.pose_at(seconds(layer.time)));
+        let mut pose = layers.next().map_or_else(Pose::default, |layer| {
+            layer.dance.pose_at(seconds(layer.time))
+        });
         for layer in layers {
             let share = seconds((layer.age / EASE_SECONDS).clamp(0.0, 1.0));
             let share = share * share * (3.0 - 2.0 * share);
@@ -416,8 +416,9 @@ impl Show {
     #[must_use]
     pub fn bones(&self) -> Vec<[Vec3; 2]> {
         let skeleton = &self.performance.production().dancer.skeleton;
-        let joint =
-            |bone: Bone| self.world_from_bind()[bone.index()].transform_point3(skeleton.joint(bone));
+        let joint = |bone: Bone| {
+            self.world_from_bind()[bone.index()].transform_point3(skeleton.joint(bone))
+        };
         Bone::ALL
             .iter()
             .filter_map(|&bone| Some([joint(bone.parent()?), joint(bone)]))

@@ -69,9 +69,8 @@ pub fn sunken(body: Surface<'_>, cloth: Surface<'_>) -> Vec<u32> {
     let (low, high) = bounds(cloth.positions);
     let near = near_triangles(body, low - Vec3::splat(REACH), high + Vec3::splat(REACH));
     let grid = TriangleGrid::new(body.positions, &near, CELL);
-    let below = |&(_, &position): &(u32, &Vec3)| {
-        TOLERANCE < depth_below_skin(&grid, body, &near, position)
-    };
+    let below =
+        |&(_, &position): &(u32, &Vec3)| TOLERANCE < depth_below_skin(&grid, body, &near, position);
     (0..)
         .zip(cloth.positions)
         .filter(below)

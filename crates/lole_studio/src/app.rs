@@ -1,13 +1,14 @@
 //! The window itself: panels, picture, simulation and files brought together.
 
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, Receiver};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use eframe::egui::{self, Context, Ui};
 use eframe::egui_wgpu::{WgpuConfiguration, WgpuSetup, WgpuSetupCreateNew};
 use lole_costume::document::Design;
-use lole_language::{Language, Sentence};
+use lole_language::{Language, Sentence, words};
 use lole_render::wgpu;
 
 use crate::message::Message;
@@ -26,6 +27,9 @@ const COLUMNS: [f32; 2] = [286.0, 300.0];
 const WIDE: f32 = 980.0;
 /// And still narrower ones none beside the picture, but below it [point].
 const NARROW: f32 = 640.0;
+
+/// A window whose adapter is lost is opened again this often.
+const MOST_REOPENINGS: u32 = 3;
 
 /// What the window opens with.
 #[derive(Debug, Clone)]
@@ -54,7 +58,27 @@ pub fn open(opening: &Opening) -> Result<(), Refusal> {
         Some(path) => files::read_design(path).map_err(Refusal::Document)?,
         None => Design::default(),
     };
-    let studio = Studio::new(opening.language, design, opening.document.clone());
+    let mut studio = Studio::new(opening.language, design, opening.document.clone());
+    for _ in 0..=MOST_REOPENINGS {
+        match show(studio).map_err(|error| Refusal::Window(no_window(&error)))? {
+            Some(lost) => studio = lost,
+            None => return Ok(()),
+        }
+        studio.message = Some(Message::trouble(&Sentence::new(
+            "グラフィックス装置がとぎれたので、窓を開き直しました。",
+            "The graphics adapter was lost; the window was opened anew.",
+        )));
+    }
+    Err(Refusal::Window(Sentence::new(
+        "グラフィックス装置が何度もとぎれました。lole dance --out フォルダー なら装置がなくても書き出せます",
+        "the graphics adapter was lost again and again; lole dance --out FOLDER works without one",
+    )))
+}
+
+/// Shows the window until it is closed; gives the studio back where the graphics adapter was lost.
+fn show(studio: Studio) -> eframe::Result<Option<Studio>> {
+    let rescued = Arc::new(Mutex::new(None));
+    let shelf = Arc::clone(&rescued);
     let options = eframe::NativeOptions {
         viewport: egui::ViewportBuilder::default()
             .with_title("Lole")
@@ -76,9 +100,13 @@ pub fn open(opening: &Opening) -> Result<(), Refusal> {
     eframe::run_native(
         "lole",
         options,
-        Box::new(move |creation| Ok(Box::new(App::new(studio, &creation.egui_ctx)))),
-    )
-    .map_err(|error| Refusal::Window(no_window(&error)))
+        Box::new(move |creation| Ok(Box::new(App::new(studio, creation, shelf)))),
+    )?;
+    let studio = rescued
+        .lock()
+        .unwrap_or_else(PoisonError::into_inner)
+        .take();
+    Ok(studio)
 }
 
 /// The limits of WebGL2, so that the same drawing runs everywhere, at this adapter's resolution.
@@ -92,12 +120,21 @@ fn device_descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static>
 }
 
 fn no_window(error: &eframe::Error) -> Sentence {
+    let reason = match error {
+        eframe::Error::Wgpu(_) => words(
+            "グラフィックス装置が使えません",
+            "no graphics adapter can be used",
+        ),
+        _ => words("画面がありません", "there is no display"),
+    };
     Sentence::new(
         format!(
-            "ここでは窓を開けません（{error}）。画面がなくても lole dance --out フォルダー で動画と写真を書き出せます"
+            "窓を開けません（{}）。画面がなくても lole dance --out フォルダー で動画と写真を書き出せます",
+            reason.japanese
         ),
         format!(
-            "no window can be opened here ({error}); without a display, lole dance --out FOLDER writes film and stills"
+            "no window can be opened ({}); lole dance --out FOLDER writes film and stills without one",
+            reason.english
         ),
     )
 }
@@ -110,11 +147,22 @@ struct App {
     /// Answers of the system's file dialog.
     answers: Option<Receiver<Option<PathBuf>>>,
     context: Context,
+    /// Whether the graphics adapter was lost, and where the studio is put then.
+    is_lost: Arc<AtomicBool>,
+    shelf: Shelf,
 }
 
+/// What outlives a window.
+type Shelf = Arc<Mutex<Option<Studio>>>;
+
 impl App {
-    fn new(studio: Studio, context: &Context) -> Self {
+    fn new(studio: Studio, creation: &eframe::CreationContext<'_>, shelf: Shelf) -> Self {
+        let context = &creation.egui_ctx;
         look::apply(context);
+        let is_lost = Arc::new(AtomicBool::new(false));
+        if let Some(gpu) = &creation.wgpu_render_state {
+            watch_device(&gpu.device, &is_lost, context);
+        }
         let sim = start(studio.design().clone(), context);
         Self {
             studio,
@@ -122,6 +170,8 @@ impl App {
             viewport: Viewport::new(),
             answers: None,
             context: context.clone(),
+            is_lost,
+            shelf,
         }
     }
 
@@ -166,7 +216,7 @@ impl App {
     fn open_dropped(&mut self) {
         let dropped = self.context.input(|input| {
             let files = &input.raw.dropped_files;
-            files.iter().find_map(|file| Some(file.path().to_owned()))
+            files.first().map(|file| file.path().to_owned())
         });
         if let Some(path) = dropped {
             self.studio.request(Request::Open(path));
@@ -227,7 +277,11 @@ impl App {
             // There, dialogs belong to the main thread.
             ask();
         } else {
-            drop(std::thread::Builder::new().name("dialog".to_owned()).spawn(ask));
+            drop(
+                std::thread::Builder::new()
+                    .name("dialog".to_owned())
+                    .spawn(ask),
+            );
         }
         self.answers = Some(answers);
     }
@@ -246,6 +300,7 @@ impl App {
         let path = path.with_extension("lole");
         match files::write_design(&path, self.studio.design()) {
             Ok(()) => {
+                let path = std::fs::canonicalize(&path).unwrap_or(path);
                 let name = path.display();
                 self.studio.message = Some(Message::news(
                     format!("保存しました: {name}"),
@@ -303,7 +358,19 @@ impl eframe::App for App {
         self.receive();
     }
 
+    fn on_exit(&mut self) {
+        if self.is_lost.load(Ordering::Relaxed) {
+            let empty = Studio::new(self.studio.language, Design::default(), None);
+            let studio = std::mem::replace(&mut self.studio, empty);
+            *self.shelf.lock().unwrap_or_else(PoisonError::into_inner) = Some(studio.anew());
+        }
+    }
+
     fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
+        if self.is_lost.load(Ordering::Relaxed) {
+            self.context.send_viewport_cmd(egui::ViewportCommand::Close);
+            return;
+        }
         self.open_dropped();
         let width = ui.available_width();
         let bar = egui::Frame::new().fill(look::CARD).inner_margin(8);
@@ -327,7 +394,8 @@ impl eframe::App for App {
                 .exact_size(COLUMNS[0])
                 .show(ui, |ui| panel::column(ui, &mut self.studio, &all));
         } else {
-            let [left, right] = [panel::LEFT, panel::RIGHT].map(|side| side.iter().collect::<Vec<_>>());
+            let [left, right] =
+                [panel::LEFT, panel::RIGHT].map(|side| side.iter().collect::<Vec<_>>());
             egui::Panel::left("left")
                 .frame(side)
                 .exact_size(COLUMNS[0])
@@ -348,6 +416,17 @@ impl eframe::App for App {
     fn clear_color(&self, _visuals: &egui::Visuals) -> [f32; 4] {
         look::PAPER.to_normalized_gamma_f32()
     }
+}
+
+/// Notes when the device is lost. Errors that nobody asked for are not the end of the program: the
+/// picture is drawn again and again, and says what is wrong with it.
+fn watch_device(device: &wgpu::Device, is_lost: &Arc<AtomicBool>, context: &Context) {
+    device.on_uncaptured_error(Arc::new(|_| {}));
+    let (is_lost, context) = (Arc::clone(is_lost), context.clone());
+    device.set_device_lost_callback(move |_, _| {
+        is_lost.store(true, Ordering::Relaxed);
+        context.request_repaint();
+    });
 }
 
 fn start(design: Design, context: &Context) -> Sim {

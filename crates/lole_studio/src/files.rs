@@ -29,7 +29,9 @@ pub(crate) fn read_design(path: &Path) -> Result<Design, Sentence> {
     if LARGEST_FILE < size {
         let megabytes = size >> 20;
         return Err(Sentence::new(
-            format!("{name}: {megabytes} MB もあり、デザインではありません。.lole のファイルを選んでください"),
+            format!(
+                "{name}: {megabytes} MB もあり、デザインではありません。.lole のファイルを選んでください"
+            ),
             format!("{name}: the file has {megabytes} MB and is no design; choose a .lole file"),
         ));
     }
@@ -102,7 +104,8 @@ mod tests {
     use super::*;
 
     fn folder(name: &str) -> PathBuf {
-        let folder = std::env::temp_dir().join(format!("lole-studio-{name}-{}", std::process::id()));
+        let folder =
+            std::env::temp_dir().join(format!("lole-studio-{name}-{}", std::process::id()));
         fs::create_dir_all(&folder).unwrap();
         folder
     }

@@ -66,7 +66,10 @@ impl Light {
 
     /// A new light and the wardrobe that it is for.
     pub(crate) fn take(&self) -> Option<(u64, AmbientLight)> {
-        self.done.lock().unwrap_or_else(PoisonError::into_inner).take()
+        self.done
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .take()
     }
 }
 
@@ -79,12 +82,13 @@ impl Drop for Light {
     }
 }
 
-fn work(
-    jobs: &Receiver<Job>,
-    results: &Mutex<Option<(u64, AmbientLight)>>,
-    free: &Sender<()>,
-) {
-    while let Ok(Job { snapshot, camera, is_coarse }) = jobs.recv() {
+fn work(jobs: &Receiver<Job>, results: &Mutex<Option<(u64, AmbientLight)>>, free: &Sender<()>) {
+    while let Ok(Job {
+        snapshot,
+        camera,
+        is_coarse,
+    }) = jobs.recv()
+    {
         let clock = Clock::start();
         let wardrobe = &snapshot.wardrobe;
         let figure = Figure {

@@ -39,7 +39,10 @@ fn style(style: &mut Style) {
         (TextStyle::Body, font(BODY)),
         (TextStyle::Button, font(BODY)),
         (TextStyle::Heading, font(HEADING)),
-        (TextStyle::Monospace, FontId::new(BODY, FontFamily::Monospace)),
+        (
+            TextStyle::Monospace,
+            FontId::new(BODY, FontFamily::Monospace),
+        ),
     ]
     .into();
     let spacing = &mut style.spacing;

@@ -102,8 +102,7 @@ impl Orbit {
     pub fn ray(&self, place: Vec2, aspect: f32) -> Vec3 {
         let [right, up, backward] = self.axes();
         let reach = trig::tan(self.vertical_fov * 0.5);
-        (right * (place.x * reach * aspect) + up * (place.y * reach) - backward)
-            .normalize_or_zero()
+        (right * (place.x * reach * aspect) + up * (place.y * reach) - backward).normalize_or_zero()
     }
 }
 

@@ -29,12 +29,7 @@ pub(crate) struct Strokes {
 
 impl Strokes {
     /// The lines of a moment; `meters_per_pixel` where the dancer stands, `scale` pixels a point.
-    pub(crate) fn of(
-        snapshot: &Snapshot,
-        shows: Shows,
-        meters_per_pixel: f32,
-        scale: f32,
-    ) -> Self {
+    pub(crate) fn of(snapshot: &Snapshot, shows: Shows, meters_per_pixel: f32, scale: f32) -> Self {
         let mut strokes = Self::default();
         let line = |color, width: f32| {
             move |[from, to]: [Vec3; 2]| Stroke {
@@ -58,7 +53,9 @@ impl Strokes {
         }
         if shows.skeleton {
             let bones = &snapshot.bones;
-            strokes.through.extend(bones.iter().copied().map(line(BONE, 3.0)));
+            strokes
+                .through
+                .extend(bones.iter().copied().map(line(BONE, 3.0)));
             let joints = bones.iter().map(|&[_, joint]| [joint; 2]);
             strokes.through.extend(joints.map(line(JOINT, 6.0)));
         }
@@ -81,11 +78,7 @@ fn spring_stride(grid: &Grid, meters_per_point: f32) -> u32 {
     stride
 }
 
-fn springs(
-    grid: &Grid,
-    particles: &[Vec3],
-    stride: u32,
-) -> impl Iterator<Item = [Vec3; 2]> {
+fn springs(grid: &Grid, particles: &[Vec3], stride: u32) -> impl Iterator<Item = [Vec3; 2]> {
     let grid = *grid;
     let at = move |row: u32, column: u32| particles.get(grid.index(row, column)).copied();
     (0..grid.row_count).flat_map(move |row| {

@@ -79,7 +79,9 @@ pub fn column(ui: &mut Ui, studio: &mut Studio, panels: &[&Panel]) {
                     ui.add_space(5.0);
                     ui.separator();
                 }
-                let title = RichText::new(studio.say(panel.title)).heading().color(look::RED);
+                let title = RichText::new(studio.say(panel.title))
+                    .heading()
+                    .color(look::RED);
                 ui.label(title);
                 (panel.show)(ui, studio);
             }

@@ -153,6 +153,22 @@ impl Studio {
         }
     }
 
+    /// The same for another window: what was computed is gone, what was wished stays.
+    #[must_use]
+    pub fn anew(self) -> Self {
+        Self {
+            snapshot: None,
+            stopped: None,
+            history: History::default(),
+            plays: true,
+            speed: 1.0,
+            shows: Shows::default(),
+            sews: true,
+            commands: Vec::new(),
+            ..self
+        }
+    }
+
     /// The words in the window's language.
     #[must_use]
     pub const fn say(&self, words: Words) -> &'static str {
@@ -218,7 +234,10 @@ impl Studio {
     /// Sends the design, unless it is none.
     pub fn send_design(&mut self) {
         self.unsent = false;
-        match self.design.check(self.language.pick("この窓", "this window")) {
+        match self
+            .design
+            .check(self.language.pick("この窓", "this window"))
+        {
             Ok(()) => self.command(Command::Wish(Box::new(self.design.clone()))),
             Err(error) => self.message = Some(Message::trouble(&error)),
         }
@@ -289,9 +308,13 @@ impl Studio {
     }
 
     /// Dances on or stands still.
-    pub fn set_playing(&mut self, plays: bool) {
-        self.plays = plays;
-        self.command(if plays { Command::Play } else { Command::Pause });
+    pub fn toggle_playing(&mut self) {
+        self.plays = !self.plays;
+        self.command(if self.plays {
+            Command::Play
+        } else {
+            Command::Pause
+        });
     }
 
     /// One frame, then still.
@@ -302,8 +325,9 @@ impl Studio {
 
     /// From the beginning.
     pub fn reset(&mut self) {
+        self.plays = true;
         self.command(Command::Reset);
-        self.set_playing(true);
+        self.command(Command::Play);
     }
 
     /// Changes what is drawn over the picture.
@@ -394,7 +418,10 @@ mod tests {
         studio.change(|design| design.motion.tempo_bpm = 1e9);
         assert!(studio.take_commands().is_empty());
         let message = studio.message.unwrap();
-        assert!(message.sentence.english.contains("tempo_bpm"), "{message:?}");
+        assert!(
+            message.sentence.english.contains("tempo_bpm"),
+            "{message:?}"
+        );
     }
 
     #[test]

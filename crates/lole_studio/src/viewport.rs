@@ -5,6 +5,7 @@ use std::sync::Arc;
 use eframe::egui::{self, Color32, PointerButton, Rect, Response, Sense, Ui};
 use eframe::egui_wgpu::RenderState;
 use glam::{Vec2, Vec3};
+use lole_geom::trig;
 use lole_language::Sentence;
 use lole_picture::Figure;
 use lole_render::{
@@ -29,8 +30,8 @@ const FOLLOW_RATE: f32 = 1.6;
 const LONGEST_PICTURE: f32 = 0.25;
 /// A way that is not worth following [m].
 const STILL: f32 = 2.0e-3;
-/// Nearness for the wheel: one notch of 50 points comes nearer by a tenth.
-const ZOOM_PER_POINT: f32 = 0.002;
+/// Nearness for each point of the wheel: one notch of 50 points comes nearer by a tenth.
+const ZOOM_BASE: f32 = 1.002;
 /// The pointer takes hold of cloth this near [point].
 const GRASP: f32 = 14.0;
 /// Pictures are counted over this time [s].
@@ -54,8 +55,8 @@ pub(crate) struct Viewport {
     aspect: f32,
     /// Whether the adapter is a driver that computes on the processor.
     is_software: bool,
-    /// Whether it should do little for the present picture.
-    is_quick: bool,
+    /// Of the present picture.
+    quality: Quality,
     /// How far the camera went with her over the floor [m].
     drift: Vec3,
     followed_at: f64,
@@ -83,7 +84,16 @@ struct Drawn {
     orbit: Orbit,
     size: (u32, u32),
     shows: Shows,
-    is_quick: bool,
+    quality: Quality,
+}
+
+/// How much work a picture may be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Quality {
+    /// What a driver on the processor can do while she dances.
+    Quick,
+    /// What the machine can do.
+    Fine,
 }
 
 impl Viewport {
@@ -104,7 +114,7 @@ impl Viewport {
             },
             aspect: 1.0,
             is_software: false,
-            is_quick: false,
+            quality: Quality::Fine,
             drift: Vec3::ZERO,
             followed_at: clock.seconds(),
         }
@@ -112,8 +122,10 @@ impl Viewport {
 
     /// Shows the picture in all of `ui`.
     pub(crate) fn show(&mut self, ui: &mut Ui, studio: &mut Studio, gpu: Option<&RenderState>) {
-        let (area, response) =
-            ui.allocate_exact_size(ui.available_size().max(egui::Vec2::splat(1.0)), Sense::drag());
+        let (area, response) = ui.allocate_exact_size(
+            ui.available_size().max(egui::Vec2::splat(1.0)),
+            Sense::drag(),
+        );
         let scale = ui.ctx().pixels_per_point();
         self.aspect = (area.width() / area.height().max(1.0)).clamp(0.02, 50.0);
         let Some(snapshot) = studio.snapshot.clone() else {
@@ -127,8 +139,12 @@ impl Viewport {
         let Some(gpu) = gpu else { return };
         self.is_software = gpu.adapter.get_info().device_type == wgpu::DeviceType::Cpu;
         let moves = studio.plays || ui.input(|input| input.pointer.any_down());
-        self.is_quick = self.is_software && moves;
-        let scale = if self.is_quick {
+        self.quality = if self.is_software && moves {
+            Quality::Quick
+        } else {
+            Quality::Fine
+        };
+        let scale = if self.quality == Quality::Quick {
             scale * SOFTWARE_SCALE
         } else {
             scale
@@ -140,7 +156,8 @@ impl Viewport {
         }
         if let Some(live) = self.live() {
             let whole = Rect::from_min_max(egui::pos2(0.0, 0.0), egui::pos2(1.0, 1.0));
-            ui.painter().image(live.texture, area, whole, Color32::WHITE);
+            ui.painter()
+                .image(live.texture, area, whole, Color32::WHITE);
             if !live.is_lit {
                 ui.ctx().request_repaint_after_secs(0.1);
             }
@@ -163,12 +180,12 @@ impl Viewport {
 
     /// What shows the present picture.
     const fn live(&self) -> Option<&Live> {
-        self.lives[slot(self.is_quick)].as_ref()
+        self.lives[self.quality as usize].as_ref()
     }
 
     /// Whether the skirt is drawn in fewer triangles; its springs lie on the fine ones.
     const fn is_coarse(&self, shows: Shows) -> bool {
-        self.is_quick && !shows.springs
+        matches!(self.quality, Quality::Quick) && !shows.springs
     }
 
     /// Goes with her over the floor; whether the camera is still on its way.
@@ -202,7 +219,9 @@ impl Viewport {
         area: Rect,
         response: &Response,
     ) {
-        let Some(mut orbit) = studio.orbit else { return };
+        let Some(mut orbit) = studio.orbit else {
+            return;
+        };
         let height = area.height().max(1.0);
         let drag = drag_of(ui, response) / height;
         let shift = ui.input(|input| input.modifiers.shift);
@@ -220,7 +239,7 @@ impl Viewport {
             let (scroll, pinch) =
                 ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta()));
             if scroll != 0.0 {
-                orbit.zoom((scroll * ZOOM_PER_POINT).exp());
+                orbit.zoom(trig::powf(ZOOM_BASE, scroll));
             }
             #[expect(clippy::float_cmp, reason = "exactly 1 where nothing was pinched")]
             if pinch != 1.0 {
@@ -247,7 +266,11 @@ impl Viewport {
 
     fn move_hand(&mut self, ui: &Ui, studio: &mut Studio, orbit: &Orbit, area: Rect) {
         let pointer = ui.input(|input| {
-            input.pointer.primary_down().then(|| input.pointer.latest_pos()).flatten()
+            input
+                .pointer
+                .primary_down()
+                .then(|| input.pointer.latest_pos())
+                .flatten()
         });
         let pull = match (&self.hold, pointer) {
             (Some(hold), Some(at)) => {
@@ -295,21 +318,21 @@ impl Viewport {
             orbit,
             size: (size.width, size.height),
             shows: studio.shows,
-            is_quick: self.is_quick,
+            quality: self.quality,
         };
         if self.drawn.as_ref() == Some(&drawn) && !is_new_light {
             return Ok(());
         }
         self.prepare(gpu, size)?;
         let is_coarse = self.is_coarse(studio.shows);
-        let Some(live) = &mut self.lives[slot(self.is_quick)] else {
+        let Some(live) = &mut self.lives[self.quality as usize] else {
             return Ok(());
         };
         if live.wardrobe != snapshot.wardrobe.id {
             live.wardrobe = snapshot.wardrobe.id;
             live.is_lit = false;
         }
-        let reach = lole_geom::trig::tan(orbit.vertical_fov * 0.5);
+        let reach = trig::tan(orbit.vertical_fov * 0.5);
         let meters_per_pixel = 2.0 * reach * orbit.distance / size.height as f32;
         let strokes = Strokes::of(snapshot, studio.shows, meters_per_pixel, scale);
         let overlay = Overlay {
@@ -345,14 +368,16 @@ impl Viewport {
     /// A view of this size on the window's device.
     fn prepare(&mut self, gpu: &RenderState, size: Size) -> Result<(), RenderError> {
         let filter = wgpu::FilterMode::Linear;
-        let is_quick = self.is_quick;
-        match &mut self.lives[slot(is_quick)] {
+        let quality = self.quality;
+        match &mut self.lives[quality as usize] {
             free @ None => {
-                let effort = if is_quick { Effort::Light } else { Effort::Full };
+                let effort = match quality {
+                    Quality::Quick => Effort::Light,
+                    Quality::Fine => Effort::Full,
+                };
                 let view = LiveView::new(&gpu.device, &gpu.queue, size, effort)?;
                 let mut renderer = gpu.renderer.write();
-                let texture =
-                    renderer.register_native_texture(&gpu.device, view.shown(), filter);
+                let texture = renderer.register_native_texture(&gpu.device, view.shown(), filter);
                 *free = Some(Live {
                     view,
                     texture,
@@ -375,7 +400,7 @@ impl Viewport {
     }
 
     fn take_light(&mut self) -> bool {
-        let live = &mut self.lives[slot(self.is_quick)];
+        let live = &mut self.lives[self.quality as usize];
         let (Some(live), Some((wardrobe, light))) = (live, self.light.take()) else {
             return false;
         };
@@ -416,11 +441,6 @@ fn drag_of(ui: &Ui, response: &Response) -> Vec2 {
         response.drag_delta()
     };
     Vec2::new(delta.x, delta.y)
-}
-
-/// Place of the quick or of the fine picture.
-const fn slot(is_quick: bool) -> usize {
-    if is_quick { 0 } else { 1 }
 }
 
 /// Where she stands and steps [m].

@@ -16,7 +16,7 @@ use crate::frame::{Frame, GroundPlace, Places};
 use crate::prepare::Geometry;
 use crate::{Bounds, Image, RenderError, Scene, Size};
 use glam::{Vec2, Vec3, Vec4};
-use meshes::LiveMeshes;
+use meshes::{FADE_ROUNDS, LiveMeshes};
 use pipelines::{FLOOR, LivePipelines};
 
 /// How much work a picture may be.
@@ -228,7 +228,8 @@ impl LiveView {
         };
         let fits = light.0.len() == meshes.vertex_count();
         if fits {
-            meshes.light_up(&light.0, !self.has_light);
+            let rounds = if self.has_light { FADE_ROUNDS } else { 1 };
+            meshes.light_up(&light.0, rounds);
             self.has_light = true;
         }
         fits

@@ -63,7 +63,8 @@ fn languages(ui: &mut Ui, studio: &mut Studio) {
         (Language::English, "English"),
         (Language::Japanese, "日本語"),
     ] {
-        let button = Button::selectable(studio.language == language, name).frame_when_inactive(true);
+        let button =
+            Button::selectable(studio.language == language, name).frame_when_inactive(true);
         if ui.add(button).clicked() {
             studio.language = language;
         }

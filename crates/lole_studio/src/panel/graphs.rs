@@ -19,10 +19,13 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
 
     title(ui, studio.say(text::FRAME_TIME));
     let cost = points(&|s| [time(s), f64::from(s.milliseconds)]);
-    plot("frame time").include_y(0.0).include_y(20.0).show(ui, |plot| {
-        plot.hline(HLine::new("", REAL_TIME_MS).color(look::RED).width(1.0));
-        plot.line(line("", cost, look::TEAL));
-    });
+    plot("frame time")
+        .include_y(0.0)
+        .include_y(20.0)
+        .show(ui, |plot| {
+            plot.hline(HLine::new("", REAL_TIME_MS).color(look::RED).width(1.0));
+            plot.line(line("", cost, look::TEAL));
+        });
 
     title(ui, studio.say(text::ENERGY));
     let least = (studio.history.samples())
@@ -73,5 +76,7 @@ fn plot(id: &str) -> Plot<'_> {
 }
 
 fn line(name: &str, points: Vec<[f64; 2]>, color: Color32) -> Line<'_> {
-    Line::new(name, PlotPoints::from(points)).color(color).width(1.6)
+    Line::new(name, PlotPoints::from(points))
+        .color(color)
+        .width(1.6)
 }

@@ -13,7 +13,9 @@ pub fn show(ui: &mut Ui, studio: &mut Studio) {
         card(ui, look::PALE_RED, |ui| {
             ui.label(RichText::new(sentence).color(look::INK));
             let button = egui::Button::new(
-                RichText::new(studio.say(text::RESET)).strong().color(Color32::WHITE),
+                RichText::new(studio.say(text::RESET))
+                    .strong()
+                    .color(Color32::WHITE),
             );
             if ui.add(button.fill(look::RED)).clicked() {
                 studio.reset();

@@ -55,9 +55,15 @@ fn legend(ui: &mut Ui, studio: &Studio) {
     ui.painter().add(mesh);
     ui.horizontal(|ui| {
         let small = |words: String| RichText::new(words).small();
-        ui.label(small(format!("−{percent:.0} % {}", studio.say(text::SHRUNK))));
+        ui.label(small(format!(
+            "−{percent:.0} % {}",
+            studio.say(text::SHRUNK)
+        )));
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            ui.label(small(format!("{} +{percent:.0} %", studio.say(text::STRETCHED))));
+            ui.label(small(format!(
+                "{} +{percent:.0} %",
+                studio.say(text::STRETCHED)
+            )));
         });
     });
 }

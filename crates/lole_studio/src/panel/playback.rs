@@ -12,12 +12,16 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     let gap = ui.spacing().item_spacing.x;
     let half = ((ui.available_width() - gap) / 2.0).max(40.0);
     ui.horizontal(|ui| {
-        let name = studio.say(if studio.plays { text::PAUSE } else { text::PLAY });
+        let name = studio.say(if studio.plays {
+            text::PAUSE
+        } else {
+            text::PLAY
+        });
         let main = egui::Button::new(RichText::new(name).strong().color(egui::Color32::WHITE))
             .fill(look::RED)
             .min_size(egui::vec2(half, 38.0));
         if ui.add(main).clicked() {
-            studio.set_playing(!studio.plays);
+            studio.toggle_playing();
         }
         let step = egui::Button::new(studio.say(text::STEP)).min_size(egui::vec2(half, 38.0));
         if ui.add(step).clicked() {

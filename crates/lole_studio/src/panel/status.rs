@@ -19,6 +19,9 @@ pub fn show(ui: &mut Ui, studio: &mut Studio) {
         return;
     }
     ui.horizontal(|ui| {
+        if studio.sews {
+            ui.spinner();
+        }
         for part in &parts {
             ui.label(small(part));
             ui.add_space(10.0);
@@ -40,6 +43,9 @@ fn parts(studio: &Studio) -> Vec<String> {
     } else {
         format!("{:.1} {}", snapshot.time, studio.say(text::SECONDS))
     });
+    if studio.sews {
+        parts.push(studio.say(text::SEWING).to_owned());
+    }
     if let Some(pace) = snapshot.pace {
         let name = studio.say(text::REAL_TIME);
         parts.push(if pace < studio.speed * (1.0 - NOTICED) {

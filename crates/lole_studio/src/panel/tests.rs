@@ -104,7 +104,11 @@ fn the_language_switch_changes_the_labels_and_nothing_else() {
 #[test]
 fn cloth_that_flew_apart_says_when_and_where_and_offers_a_reset() {
     for (language, reset, part) in [
-        (Language::English, "Reset", "1.25 s, first at row 7, column 30"),
+        (
+            Language::English,
+            "Reset",
+            "1.25 s, first at row 7, column 30",
+        ),
         (Language::Japanese, "最初から", "1.25 秒に、7 行 30 列から"),
     ] {
         let mut studio = studio(language);
@@ -115,7 +119,9 @@ fn cloth_that_flew_apart_says_when_and_where_and_offers_a_reset() {
         });
         let mut window = window(studio);
         window.get_by_label_contains(part);
-        let buttons: Vec<_> = window.get_all_by_role_and_label(Role::Button, reset).collect();
+        let buttons: Vec<_> = window
+            .get_all_by_role_and_label(Role::Button, reset)
+            .collect();
         buttons[0].click();
         drop(buttons);
         window.run_steps(3);
@@ -127,7 +133,9 @@ fn cloth_that_flew_apart_says_when_and_where_and_offers_a_reset() {
 fn overlays_that_cost_time_are_asked_for_and_called_off() {
     let mut window = window(studio(Language::English));
     for shown in [true, false] {
-        window.get_by_role_and_label(Role::CheckBox, "Strain").click();
+        window
+            .get_by_role_and_label(Role::CheckBox, "Strain")
+            .click();
         window.run_steps(3);
         let sent = commands(&mut window);
         assert!(

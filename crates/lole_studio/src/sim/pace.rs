@@ -85,7 +85,10 @@ mod tests {
         for speed in [1.0, 0.25] {
             let (frames, pace) = frames_in(10.0, speed, 0.002);
             assert!((frames - 600.0 * speed).abs() <= 1.0, "{frames}");
-            assert!(pace.measured().is_some_and(|pace| (pace - speed).abs() < 0.02));
+            assert!(
+                pace.measured()
+                    .is_some_and(|pace| (pace - speed).abs() < 0.02)
+            );
         }
     }
 
@@ -93,7 +96,10 @@ mod tests {
     fn a_slow_machine_falls_behind_and_does_not_race_afterwards() {
         let (frames, pace) = frames_in(10.0, 1.0, 1.0 / 30.0);
         assert!((frames - 300.0).abs() <= 1.0, "{frames}");
-        assert!(pace.measured().is_some_and(|pace| (pace - 0.5).abs() < 0.03));
+        assert!(
+            pace.measured()
+                .is_some_and(|pace| (pace - 0.5).abs() < 0.03)
+        );
         // After a long hiccup at most the debt is caught up with.
         let mut pace = Pace::new(0.0, 1.0);
         pace.begin(5.0);

@@ -104,10 +104,7 @@ pub(super) fn wardrobe(
     production: Arc<Production>,
 ) -> Result<Arc<Wardrobe>, Sentence> {
     let looks = Looks::new(design, &production).map_err(|error| {
-        Sentence::new(
-            format!("布の柄を描けません（{error}）"),
-            error.to_string(),
-        )
+        Sentence::new(format!("布の柄を描けません（{error}）"), error.to_string())
     })?;
     Ok(Arc::new(Wardrobe::new(production, looks)))
 }

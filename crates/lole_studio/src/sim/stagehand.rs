@@ -255,9 +255,8 @@ impl Stagehand {
             }
             Ok(None) => self.outbox.say(News::Sewn),
             Err(sentence) => {
-                let kept = (self.stage.as_ref()).map_or(sewn.design, |(show, _)| {
-                    show.design().clone()
-                });
+                let kept =
+                    (self.stage.as_ref()).map_or(sewn.design, |(show, _)| show.design().clone());
                 self.refuse(sentence, kept);
             }
         }
@@ -316,7 +315,11 @@ impl Stagehand {
         if !self.is_stale || !self.outbox.is_empty() {
             return;
         }
-        let pace = if self.may_dance() { self.pace.measured() } else { None };
+        let pace = if self.may_dance() {
+            self.pace.measured()
+        } else {
+            None
+        };
         let samples = std::mem::take(&mut self.samples);
         if let Some((show, clothes)) = &self.stage {
             let mut snapshot = photograph(show, clothes, self.watch);
@@ -347,7 +350,11 @@ fn photograph(show: &Show, clothes: &Arc<Wardrobe>, watch: Watch) -> Snapshot {
         &mut normals,
     );
     let (mut body_positions, mut body_normals) = (Vec::new(), Vec::new());
-    (production.dancer.skin).pose(show.world_from_bind(), &mut body_positions, &mut body_normals);
+    (production.dancer.skin).pose(
+        show.world_from_bind(),
+        &mut body_positions,
+        &mut body_normals,
+    );
     Snapshot {
         wardrobe: Arc::clone(clothes),
         time: show.time(),
@@ -356,7 +363,11 @@ fn photograph(show: &Show, clothes: &Arc<Wardrobe>, watch: Watch) -> Snapshot {
         body: [body_positions, body_normals],
         capsules: show.capsules().to_vec(),
         bones: show.bones(),
-        strain: if watch.strain { show.strain() } else { Vec::new() },
+        strain: if watch.strain {
+            show.strain()
+        } else {
+            Vec::new()
+        },
         sunken: Vec::new(),
         samples: Vec::new(),
         pace: None,

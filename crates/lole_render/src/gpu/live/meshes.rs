@@ -48,7 +48,7 @@ struct Part {
 /// A first light, before any has been worked out: that of an evenly lit room.
 const FIRST_LIGHT: Vec3 = Vec3::splat(0.24);
 /// Pictures over which new light fades in.
-const FADE_ROUNDS: u32 = 8;
+pub(super) const FADE_ROUNDS: u32 = 8;
 
 impl LiveMeshes {
     /// Uploads the meshes of a checked scene.
@@ -222,8 +222,9 @@ impl LiveMeshes {
         }
         let share = 1.0 / self.rounds_left as f32;
         for (vertex, target) in self.vertices.iter_mut().zip(&self.target) {
-            for (shown, &target) in
-                [&mut vertex.face_light, &mut vertex.back_light].into_iter().zip(target)
+            for (shown, &target) in [&mut vertex.face_light, &mut vertex.back_light]
+                .into_iter()
+                .zip(target)
             {
                 *shown = Vec3::from(*shown).lerp(target, share).into();
             }
@@ -231,11 +232,11 @@ impl LiveMeshes {
         self.rounds_left -= 1;
     }
 
-    /// Fades to another light; one of other meshes is ignored.
-    pub(super) fn light_up(&mut self, light: &[[Vec3; 2]], is_first: bool) {
+    /// Fades to another light over `rounds` pictures; one of other meshes is ignored.
+    pub(super) fn light_up(&mut self, light: &[[Vec3; 2]], rounds: u32) {
         if light.len() == self.target.len() {
             self.target.copy_from_slice(light);
-            self.rounds_left = if is_first { 1 } else { FADE_ROUNDS };
+            self.rounds_left = rounds;
         }
     }
 
