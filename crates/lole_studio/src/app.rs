@@ -1,5 +1,6 @@
 //! The window itself: panels, picture, simulation and files brought together.
 
+use std::panic::{AssertUnwindSafe, PanicHookInfo};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, Receiver};
@@ -30,6 +31,9 @@ const NARROW: f32 = 640.0;
 
 /// A window whose adapter is lost is opened again this often.
 const MOST_REOPENINGS: u32 = 3;
+
+/// Why a window ended that was in the middle of a picture.
+const LOST: &str = "the graphics adapter was lost";
 
 /// What the window opens with.
 #[derive(Debug, Clone)]
@@ -97,16 +101,44 @@ fn show(studio: Studio) -> eframe::Result<Option<Studio>> {
         dithering: false,
         ..eframe::NativeOptions::default()
     };
-    eframe::run_native(
-        "lole",
-        options,
-        Box::new(move |creation| Ok(Box::new(App::new(studio, creation, shelf)))),
-    )?;
-    let studio = rescued
-        .lock()
-        .unwrap_or_else(PoisonError::into_inner)
-        .take();
-    Ok(studio)
+    let is_lost = Arc::new(AtomicBool::new(false));
+    let watched = Arc::clone(&is_lost);
+    let run = move || {
+        eframe::run_native(
+            "lole",
+            options,
+            Box::new(move |creation| Ok(Box::new(App::new(studio, creation, watched, shelf)))),
+        )
+    };
+    // Where the adapter is lost in the middle of a picture, egui's painter panics before the device
+    // has told of its loss.
+    let result = quietly(&is_lost, run);
+    let studio = (rescued.lock().unwrap_or_else(PoisonError::into_inner)).take();
+    match result {
+        Ok(result) => result.map(|()| studio),
+        Err(_) if studio.is_some() => Err(eframe::Error::AppCreation(LOST.into())),
+        Err(panic) => std::panic::resume_unwind(panic),
+    }
+}
+
+/// Runs `run` and catches its panics. Those of the graphics crates mean that the adapter is lost and
+/// are not printed.
+fn quietly<R>(is_lost: &Arc<AtomicBool>, run: impl FnOnce() -> R) -> std::thread::Result<R> {
+    let usual: Arc<dyn Fn(&PanicHookInfo<'_>) + Send + Sync> = Arc::from(std::panic::take_hook());
+    let (kept, lost) = (Arc::clone(&usual), Arc::clone(is_lost));
+    std::panic::set_hook(Box::new(move |news| {
+        if news
+            .location()
+            .is_some_and(|place| place.file().contains("wgpu"))
+        {
+            lost.store(true, Ordering::Relaxed);
+        } else {
+            kept(news);
+        }
+    }));
+    let result = std::panic::catch_unwind(AssertUnwindSafe(run));
+    std::panic::set_hook(Box::new(move |news| usual(news)));
+    result
 }
 
 /// The limits of WebGL2, so that the same drawing runs everywhere, at this adapter's resolution.
@@ -121,7 +153,7 @@ fn device_descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static>
 
 fn no_window(error: &eframe::Error) -> Sentence {
     let reason = match error {
-        eframe::Error::Wgpu(_) => words(
+        eframe::Error::Wgpu(_) | eframe::Error::AppCreation(_) => words(
             "グラフィックス装置が使えません",
             "no graphics adapter can be used",
         ),
@@ -156,10 +188,14 @@ struct App {
 type Shelf = Arc<Mutex<Option<Studio>>>;
 
 impl App {
-    fn new(studio: Studio, creation: &eframe::CreationContext<'_>, shelf: Shelf) -> Self {
+    fn new(
+        studio: Studio,
+        creation: &eframe::CreationContext<'_>,
+        is_lost: Arc<AtomicBool>,
+        shelf: Shelf,
+    ) -> Self {
         let context = &creation.egui_ctx;
         look::apply(context);
-        let is_lost = Arc::new(AtomicBool::new(false));
         if let Some(gpu) = &creation.wgpu_render_state {
             watch_device(&gpu.device, &is_lost, context);
         }
@@ -173,6 +209,15 @@ impl App {
             is_lost,
             shelf,
         }
+    }
+
+    /// Whether the adapter is gone; asking lets the device tell.
+    fn has_lost_device(&self, frame: &eframe::Frame) -> bool {
+        if let Some(gpu) = frame.wgpu_render_state() {
+            // A device that cannot be asked is lost, which its callback notes.
+            drop(gpu.device.poll(wgpu::PollType::Poll));
+        }
+        self.is_lost.load(Ordering::Relaxed)
     }
 
     /// Everything that came from other threads since the last picture.
@@ -353,21 +398,24 @@ impl App {
     }
 }
 
-impl eframe::App for App {
-    fn logic(&mut self, _context: &Context, _frame: &mut eframe::Frame) {
-        self.receive();
-    }
-
-    fn on_exit(&mut self) {
+impl Drop for App {
+    fn drop(&mut self) {
         if self.is_lost.load(Ordering::Relaxed) {
             let empty = Studio::new(self.studio.language, Design::default(), None);
             let studio = std::mem::replace(&mut self.studio, empty);
             *self.shelf.lock().unwrap_or_else(PoisonError::into_inner) = Some(studio.anew());
         }
     }
+}
+
+impl eframe::App for App {
+    fn logic(&mut self, _context: &Context, _frame: &mut eframe::Frame) {
+        self.receive();
+    }
 
     fn ui(&mut self, ui: &mut Ui, frame: &mut eframe::Frame) {
-        if self.is_lost.load(Ordering::Relaxed) {
+        if self.has_lost_device(frame) {
+            // Nothing more is drawn: egui's painter would panic.
             self.context.send_viewport_cmd(egui::ViewportCommand::Close);
             return;
         }
