@@ -51,6 +51,24 @@ const TABLE: &[(&str, &[&str])] = &[
         ],
     ),
     (
+        "lole_picture",
+        &["lole_body", "lole_render", "lole_costume", "lole_stage"],
+    ),
+    (
+        "lole_studio",
+        &[
+            "lole_language",
+            "lole_geom",
+            "lole_cloth",
+            "lole_body",
+            "lole_render",
+            "lole_costume",
+            "lole_stage",
+            "lole_export",
+            "lole_picture",
+        ],
+    ),
+    (
         "lole",
         &[
             "lole_language",
@@ -62,6 +80,8 @@ const TABLE: &[(&str, &[&str])] = &[
             "lole_costume",
             "lole_stage",
             "lole_export",
+            "lole_picture",
+            "lole_studio",
         ],
     ),
     ("xtask", &[]),
