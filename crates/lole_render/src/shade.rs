@@ -440,14 +440,22 @@ mod tests {
 
     const SHADER: &str = concat!(include_str!("gpu/shade.wgsl"), include_str!("gpu/key.wgsl"));
 
+    /// The shader of windows.
+    const LIVE_SHADER: &str = concat!(
+        include_str!("gpu/shade.wgsl"),
+        include_str!("gpu/live.wgsl")
+    );
+
     #[test]
-    fn the_shader_is_valid_without_an_adapter() {
-        let module = naga::front::wgsl::parse_str(SHADER).unwrap();
-        let mut validator = naga::valid::Validator::new(
-            naga::valid::ValidationFlags::all(),
-            naga::valid::Capabilities::empty(),
-        );
-        validator.validate(&module).unwrap();
+    fn the_shaders_are_valid_without_an_adapter() {
+        for shader in [SHADER, LIVE_SHADER] {
+            let module = naga::front::wgsl::parse_str(shader).unwrap();
+            let mut validator = naga::valid::Validator::new(
+                naga::valid::ValidationFlags::all(),
+                naga::valid::Capabilities::empty(),
+            );
+            validator.validate(&module).unwrap();
+        }
     }
 
     #[test]

@@ -25,10 +25,10 @@ const EASE_SECONDS: f64 = 0.9;
 /// Acceleration of free fall [m/s²], for the potential energy.
 const GRAVITY: f32 = 9.81;
 
-/// A hand reaches this far around the point it holds [m]: about three fingers wide.
-const HAND_RADIUS: f32 = 0.045;
+/// A hand reaches this far around the point it holds [m]: four fingers.
+const HAND_RADIUS: f32 = 0.06;
 /// Share of the way to the hand that the cloth is asked to go in one frame.
-const HAND_PULL: f32 = 0.35;
+const HAND_PULL: f32 = 0.8;
 /// Fastest the hand moves the cloth [m/s], so that a jerk of the mouse does not tear it away.
 const HAND_SPEED: f32 = 3.0;
 
@@ -466,6 +466,7 @@ mod tests {
     use super::*;
     use lole_body::DanceStep;
     use lole_costume::document::MethodName;
+    use std::sync::LazyLock;
 
     /// A coarse skirt, so that a test is quick.
     fn design() -> Design {
@@ -475,8 +476,16 @@ mod tests {
         design
     }
 
+    /// Sewn once for all tests.
+    static PRODUCTION: LazyLock<Arc<Production>> =
+        LazyLock::new(|| Arc::new(Production::new(&design()).unwrap()));
+
+    fn fresh() -> Show {
+        Show::of(Arc::clone(&PRODUCTION)).unwrap()
+    }
+
     fn dancing() -> Show {
-        let mut show = Show::new(&design()).unwrap();
+        let mut show = fresh();
         show.settle().unwrap();
         for _ in 0..90 {
             show.advance().unwrap();
@@ -538,7 +547,7 @@ mod tests {
 
     #[test]
     fn another_cut_or_dancer_asks_for_sewing_and_changes_nothing() {
-        let mut show = Show::new(&design()).unwrap();
+        let mut show = fresh();
         let mut wished = design();
         wished.skirt.gather_ratio = 3.0;
         assert_eq!(show.wish(&wished).unwrap(), Wish::Resew);
@@ -550,7 +559,7 @@ mod tests {
 
     #[test]
     fn cloth_follows_the_hand_that_holds_it_and_hangs_again_when_let_go() {
-        let mut show = Show::new(&design()).unwrap();
+        let mut show = fresh();
         show.settle().unwrap();
         let particle = show.spec().grid.index(show.spec().grid.row_count - 1, 48);
         let at = |show: &Show| show.cloth_positions()[particle];
@@ -573,7 +582,7 @@ mod tests {
 
     #[test]
     fn a_restarted_show_repeats_itself_bit_for_bit() {
-        let mut first = Show::new(&design()).unwrap();
+        let mut first = fresh();
         for _ in 0..20 {
             first.advance().unwrap();
         }
@@ -586,7 +595,7 @@ mod tests {
 
     #[test]
     fn energy_of_motion_falls_while_the_skirt_settles() {
-        let mut show = Show::new(&design()).unwrap();
+        let mut show = fresh();
         let mut energies = Vec::new();
         while show.time() < 0.0 {
             show.advance().unwrap();
