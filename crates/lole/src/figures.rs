@@ -204,7 +204,8 @@ pub(crate) fn page(report: &RunReport, film: Option<&[u8]>, jpegs: &[Vec<u8>]) -
     )
 }
 
-fn percent(strain: lole_cloth::diagnose::StrainSummary) -> MeanPercentileMax {
+/// Strain in percent.
+pub(crate) fn percent(strain: lole_cloth::diagnose::StrainSummary) -> MeanPercentileMax {
     let [mean, p99, max] =
         [strain.mean, strain.p99, strain.max].map(|value| 100.0 * f64::from(value));
     MeanPercentileMax { mean, p99, max }

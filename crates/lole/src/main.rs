@@ -6,8 +6,10 @@ mod bench;
 mod dance;
 mod figures;
 mod output;
+mod patience;
 mod stopwatch;
 mod studio;
+mod study;
 mod summary;
 mod usage;
 
@@ -48,6 +50,7 @@ fn main() -> ExitCode {
     };
     let result = match cli.command {
         Command::Dance(args) => dance::run(&args, language),
+        Command::Study(args) => study::run(&args, language),
         Command::Bench(args) => bench::run(&args, language),
     };
     match result {

@@ -338,6 +338,12 @@ impl Performance {
         }
     }
 
+    /// The capsules of the current pose.
+    #[must_use]
+    pub fn capsules(&self) -> &[Capsule] {
+        &self.capsules
+    }
+
     /// Model and settings of the paper's methods; `None` for `xpbd`.
     #[must_use]
     pub fn explicit(&self) -> Option<(&ReferenceModel, &ExplicitConfig)> {
