@@ -7,8 +7,6 @@ use lole_geom::triangle_grid::{TriangleGrid, blend};
 /// millimeter is a fold of thread, and no picture shows it.
 const TOLERANCE: f32 = 0.5e-3;
 
-/// Longest edge of a triangle of cloth [m]: the coarsest grid has edges of a third of it.
-const LONGEST_EDGE: f32 = 0.5;
 /// How far behind the skin cloth is looked for [m]; a limb is thicker.
 const REACH: f32 = 0.05;
 /// How far in front of a poking body vertex other cloth may still cover it [m].
@@ -56,8 +54,7 @@ pub fn check(body: Surface<'_>, cloth: Surface<'_>) -> SkinCheck {
         }
     }
     if result.sunken_cloth_vertices != 0 || 0.0 < result.worst_depth {
-        let whole = whole_triangles(cloth);
-        let cloth_grid = TriangleGrid::new(cloth.positions, &whole, CELL);
+        let cloth_grid = TriangleGrid::new(cloth.positions, cloth.triangles, CELL);
         for vertex in used_vertices(&near, body.positions.len()) {
             if shows(&cloth_grid, body.positions[vertex], body.normals[vertex]) {
                 result.showing_body_vertices += 1;
@@ -65,18 +62,6 @@ pub fn check(body: Surface<'_>, cloth: Surface<'_>) -> SkinCheck {
         }
     }
     result
-}
-
-/// The triangles that still are cloth. Those of a cloth that has burst cover nothing, and would
-/// fill millions of cells.
-fn whole_triangles(cloth: Surface<'_>) -> Vec<[u32; 3]> {
-    let is_whole = |triangle: &[u32; 3]| {
-        let [a, b, c] = triangle.map(|vertex| cloth.positions[vertex as usize]);
-        [a - b, b - c, c - a]
-            .iter()
-            .all(|edge| edge.length_squared() < LONGEST_EDGE * LONGEST_EDGE)
-    };
-    cloth.triangles.iter().copied().filter(is_whole).collect()
 }
 
 fn bounds(positions: &[Vec3]) -> (Vec3, Vec3) {

@@ -82,7 +82,7 @@ fn euler_flies_away(euler: &IntegratorEntry, fb: &IntegratorEntry) -> Finding {
         "Euler: the skirt flying away from the body",
         Agrees(run.diverged_at_s.is_some()),
         format!(
-            "At the step that all share Euler's method {english}. It is stable only below ω Δt = c / ω: {theory:.4} in theory and {measured:.4} on this skirt with c / ω = {damping}, where FB Euler bears {fb_theory:.2}. The time step is the cause; no other switch is needed."
+            "Euler's method at the step that all share: {english}. It is stable only below ω Δt = c / ω: {theory:.4} in theory and {measured:.4} on this skirt with c / ω = {damping}, where FB Euler bears {fb_theory:.2}. The time step is the cause; no other switch is needed."
         ),
         format!(
             "共通の刻みでオイラー法は「{japanese}」。安定なのは ω Δt < c / ω の間だけで、c / ω = {damping} のとき理論値 {theory:.4}、このスカートでの実測 {measured:.4} です（FB オイラー法は {fb_theory:.2}）。原因は時間刻みです。"
@@ -114,7 +114,7 @@ fn fb_is_stable(fb: &IntegratorEntry) -> Finding {
         "FB Euler: stable",
         Agrees(fb.same_step.outcome == "stable"),
         format!(
-            "At the step that all share FB Euler is {english}: strain {:.1} % (99 of 100 threads), {:.1} mm into the drawn body. Its limit is ω Δt = {theory:.4} in theory, {measured:.4} on this skirt. The print calls its second half backward Euler; it is symplectic Euler, nothing is implicit.",
+            "FB Euler at the step that all share: {english}; strain {:.1} % (99 of 100 threads), {:.1} mm into the drawn body. Its limit is ω Δt = {theory:.4} in theory, {measured:.4} on this skirt. The print calls its second half backward Euler; it is symplectic Euler, nothing is implicit.",
             fb.same_step.strain_pct.p99, fb.same_step.skin_mm,
         ),
         format!(
@@ -173,7 +173,7 @@ fn printed_penetrates(
         "Runge-Kutta: the skirt penetrated the legs",
         Agrees(is_worse(&printed.same_step)),
         format!(
-            "Equation (10) as printed {printed_english} with strain {:.0} %, where the classical method at the same step is {classical_english} with {:.0} %. Switched on alone, what makes this picture: {english}. The printed scheme is of first order and gains energy in every step without damping.",
+            "Equation (10) as printed at the step that all share: {printed_english}, strain {:.0} %. The classical method at the same step: {classical_english}, strain {:.0} %. Switched on alone, what makes this picture: {english}. The printed scheme is of first order and gains energy in every step without damping.",
             printed.same_step.strain_pct.p99, classical.same_step.strain_pct.p99,
         ),
         format!(

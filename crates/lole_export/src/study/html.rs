@@ -226,8 +226,8 @@ fn methods(report: &StudyReport) -> String {
         "All at the same step",
         "すべて同じ刻みで",
         [
-            "Same skirt, same dance, same step: a quarter of what FB Euler needs.",
-            "同じスカート、同じ踊り、同じ刻み（FB オイラー法に必要な刻みの4分の1）。",
+            "Same skirt, same dance, same step: a sixth of what FB Euler needs.",
+            "同じスカート、同じ踊り、同じ刻み（FB オイラー法に必要な刻みの6分の1）。",
         ],
     ) + &table(&head, &rows(|entry| &entry.same_step))
         + &heading(

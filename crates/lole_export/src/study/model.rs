@@ -62,7 +62,7 @@ pub struct IntegratorEntry {
     pub evaluations_per_step: u32,
     /// The largest stable step.
     pub threshold: Threshold,
-    /// At the step that all share, a quarter of what keeps `fb-euler` stable.
+    /// At the step that all share, a sixth of what keeps `fb-euler` stable.
     pub same_step: RunEntry,
     /// At its own stable step.
     pub own_step: RunEntry,
