@@ -1,7 +1,6 @@
 //! The skirts side by side, as in the paper's figures 13 to 15, with its sentence and ours.
 
 use anyhow::Result;
-use glam::Vec3;
 use lole_costume::document::MethodName;
 use lole_export::study::RunEntry;
 use lole_render::label::Label;
@@ -24,8 +23,6 @@ const PANEL: Size = Size::new(520, 720);
 const CAPTION: u32 = 190;
 /// Edge around everything [pixel].
 const EDGE: u32 = 24;
-/// Cloth farther from its dancer than this [m] is not waited for by the camera.
-const REACH: f32 = 1.6;
 
 const PAPER_WHITE: [u8; 3] = [255, 253, 249];
 const INK: [u8; 3] = [42, 36, 48];
@@ -68,15 +65,9 @@ pub(super) fn draw(panels: &[Panel]) -> Result<Picture> {
 
 /// One skirt on its dancer, from the side that the paper shows.
 fn shoot(performance: &Performance, renderer: &mut Renderer) -> Result<Image> {
-    let mut points = performance.body_positions().to_vec();
-    let center = points.iter().sum::<Vec3>() / points.len().max(1) as f32;
-    points.extend(
-        performance
-            .cloth_positions()
-            .iter()
-            .filter(|position| position.distance(center) < REACH),
-    );
-    let camera = Camera::framing_points(&points, View::ThreeQuarter, PANEL.aspect());
+    // The dancer alone sets the frame, so that all skirts are seen at one scale.
+    let points = performance.body_positions();
+    let camera = Camera::framing_points(points, View::ThreeQuarter, PANEL.aspect());
     let lights = LightRig::seen_from(&camera);
     Studio::new(performance)?.shoot(performance, camera, lights, renderer)
 }

@@ -25,7 +25,7 @@ pub(super) fn page(report: &StudyReport, picture_jpeg: &[u8]) -> String {
         &format!(
             "The experiment of Kamasaka, Miyamoto and Sakamoto with numbers: {step}, {bpm} counts a minute"
         ),
-        &format!("鎌坂・宮本・坂本の実験を数値で: {step}、1分間に{bpm}拍"),
+        &format!("論文（Kamasaka, Miyamoto, Sakamoto）の実験を数値で: {step}、1分間に{bpm}拍"),
     );
     let body = [
         picture(picture_jpeg),
@@ -246,7 +246,7 @@ fn extrapolated(report: &StudyReport) -> String {
     let head = [
         both("Method", "方法"),
         both("Step of the film's skirt (s)", "動画のスカートの刻み（秒）"),
-        both("A frame of it, extrapolated (ms)", "その1コマ、外挿（ms）"),
+        both("A frame of it, extrapolated", "その1コマ、外挿（ms）"),
     ];
     let rows: Vec<_> = ORDER
         .iter()
@@ -255,11 +255,22 @@ fn extrapolated(report: &StudyReport) -> String {
             vec![
                 format!("<code>{name}</code>"),
                 format!("{:.1e}", entry.film_step_s_extrapolated),
-                number(entry.film_frame_ms_extrapolated, 0),
+                duration(entry.film_frame_ms_extrapolated),
             ]
         })
         .collect();
     table(&head, &rows)
+}
+
+/// A time given in milliseconds in the unit that people would use.
+fn duration(ms: f64) -> String {
+    if ms < 1e3 {
+        format!("{} ms", number(ms, 0))
+    } else if ms < 120e3 {
+        format!("{} s", number(ms / 1e3, 1))
+    } else {
+        format!("{} h", number(ms / 3.6e6, 1))
+    }
 }
 
 fn limits(report: &StudyReport) -> String {
