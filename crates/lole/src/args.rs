@@ -22,6 +22,8 @@ pub(crate) enum Command {
     Dance(DanceArgs),
     /// The paper's experiment with numbers: its integrators, their limits, its 13 capsules.
     Study(StudyArgs),
+    /// The engine against closed forms: measured, reference, error, gate.
+    Validate(ValidateArgs),
     /// Frame time by scene on this machine, with strain and penetration.
     Bench(BenchArgs),
 }
@@ -76,6 +78,17 @@ pub(crate) struct StudyArgs {
     #[arg(long, value_parser = threads, allow_negative_numbers = true)]
     pub(crate) threads: Option<u16>,
     /// Print the study as JSON on standard output, and nothing else there.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// `lole validate`.
+#[derive(Debug, Args)]
+pub(crate) struct ValidateArgs {
+    /// One protocol only.
+    #[arg(long)]
+    pub(crate) only: Option<String>,
+    /// Print the rows as JSON.
     #[arg(long)]
     pub(crate) json: bool,
 }

@@ -12,6 +12,7 @@ mod studio;
 mod study;
 mod summary;
 mod usage;
+mod validate;
 
 use std::process::ExitCode;
 
@@ -51,6 +52,7 @@ fn main() -> ExitCode {
     let result = match cli.command {
         Command::Dance(args) => dance::run(&args, language),
         Command::Study(args) => study::run(&args, language),
+        Command::Validate(args) => validate::run(&args, language),
         Command::Bench(args) => bench::run(&args, language),
     };
     match result {

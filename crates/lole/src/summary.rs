@@ -13,6 +13,7 @@ use lole_export::report::{Remark, RunReport};
 use lole_export::study::StudyReport;
 use lole_language::{Bilingual, Language, Sentence};
 use lole_stage::StageError;
+use lole_stage::validate::{Check, Protocol};
 
 use crate::Failure;
 use crate::bench::BenchRow;
@@ -86,6 +87,30 @@ pub(crate) fn print_study(report: &StudyReport, paths: &[PathBuf], language: Lan
         println!("    {}", pick_remark(&finding.measured, language));
     }
     println!("\n  {:.0} s", report.seconds);
+}
+
+/// Says what a protocol compares.
+pub(crate) fn print_protocol(protocol: &Protocol, language: Language) {
+    let about = language.pick(protocol.about_ja, protocol.about);
+    println!("\n{}: {about}", protocol.name);
+}
+
+/// One figure of a protocol against its reference.
+pub(crate) fn print_check(method: &str, check: &Check, language: Language) {
+    let verdict = if check.passes() {
+        language.pick("合格", "pass")
+    } else {
+        language.pick("不合格", "FAIL")
+    };
+    println!(
+        "  {method:<10} {:<14} {:>12.6} {:>12.6} {:<3} {:>9.3} % (± {} %)  {verdict}",
+        check.case,
+        check.measured,
+        check.reference,
+        check.unit,
+        check.error_pct(),
+        check.gate_pct,
+    );
 }
 
 /// Column heads of the bench table.

@@ -7,6 +7,7 @@ pub mod metrics;
 pub mod performance;
 pub mod skin_check;
 mod solver;
+pub mod validate;
 
 pub use metrics::{FrameMetrics, RunMetrics};
 pub use performance::{
