@@ -33,6 +33,7 @@ impl Label<'_> {
         let scaled = font.as_scaled(PxScale::from(self.size));
         let advance = |text: &str| -> f32 {
             text.chars()
+                .map(drawn)
                 .map(|letter| scaled.h_advance(scaled.glyph_id(letter)))
                 .sum()
         };
@@ -41,7 +42,7 @@ impl Label<'_> {
         let mut baseline = y + scaled.ascent();
         for line in &lines {
             let mut pen = x;
-            for letter in line.chars() {
+            for letter in line.chars().map(drawn) {
                 let glyph = scaled
                     .glyph_id(letter)
                     .with_scale_and_position(self.size, point(pen, baseline));
@@ -87,6 +88,15 @@ impl Label<'_> {
     }
 }
 
+/// The letter whose shape stands for `letter`: the font lacks the ʻokina, whose shape is that of a
+/// turned comma.
+const fn drawn(letter: char) -> char {
+    match letter {
+        'ʻ' => '‘',
+        other => other,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -115,7 +125,7 @@ mod tests {
     fn every_letter_of_hawaiian_and_of_the_equations_is_in_the_font() {
         let font = FontRef::try_from_slice(epaint_default_fonts::UBUNTU_LIGHT).unwrap();
         for letter in "āēīōūĀĒĪŌŪʻωΔ²₃×–".chars() {
-            assert_ne!(font.glyph_id(letter).0, 0, "{letter}");
+            assert_ne!(font.glyph_id(drawn(letter)).0, 0, "{letter}");
         }
     }
 
