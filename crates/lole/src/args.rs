@@ -25,6 +25,10 @@ pub(crate) struct Cli {
 pub(crate) enum Command {
     /// Drape and dance a design; write film, stills, 3D file and report.
     Dance(DanceArgs),
+    /// The paper's experiment with numbers: its integrators, their limits, its 13 capsules.
+    Study(StudyArgs),
+    /// The engine against closed forms: measured, reference, error, gate.
+    Validate(ValidateArgs),
     /// Frame time by scene on this machine, with strain and penetration.
     Bench(BenchArgs),
 }
@@ -62,6 +66,34 @@ pub(crate) struct DanceArgs {
     #[arg(long)]
     pub(crate) cpu: bool,
     /// Print the report as JSON on standard output, and nothing else there.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// `lole study`.
+#[derive(Debug, Args)]
+pub(crate) struct StudyArgs {
+    /// Folder for the results.
+    #[arg(long, value_name = "DIR", default_value = "lole-study")]
+    pub(crate) out: PathBuf,
+    /// Shorter runs: under a minute instead of several.
+    #[arg(long)]
+    pub(crate) quick: bool,
+    /// Threads of the simulation.
+    #[arg(long, value_parser = threads, allow_negative_numbers = true)]
+    pub(crate) threads: Option<u16>,
+    /// Print the study as JSON on standard output, and nothing else there.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// `lole validate`.
+#[derive(Debug, Args)]
+pub(crate) struct ValidateArgs {
+    /// One protocol only.
+    #[arg(long)]
+    pub(crate) only: Option<String>,
+    /// Print the rows as JSON.
     #[arg(long)]
     pub(crate) json: bool,
 }

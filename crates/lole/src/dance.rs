@@ -5,7 +5,6 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use anyhow::{Context as _, Result};
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use lole_body::DanceStep;
 use lole_costume::document::{self, Design, MethodName, Place};
 use lole_export::report::ReportFile;
@@ -21,6 +20,7 @@ use crate::args::DanceArgs;
 use crate::baked::{self, Keys};
 use crate::figures::{self, RunFigures, Timing};
 use crate::output::OutputFolder;
+use crate::patience::{progress_bar, stop_flag};
 use crate::stopwatch::Stopwatch;
 use crate::studio::{FilmCamera, STILLS, Studio, still_cameras};
 use crate::{Failure, summary};
@@ -182,17 +182,6 @@ fn read(path: &Path) -> Result<Vec<u8>> {
     std::fs::read(path).with_context(unreadable)
 }
 
-/// A flag that Ctrl-C and a request to end set.
-fn stop_flag() -> Result<Arc<AtomicBool>> {
-    let flag = Arc::new(AtomicBool::new(false));
-    let set = Arc::clone(&flag);
-    ctrlc::set_handler(move || set.store(true, Ordering::Relaxed)).context(Sentence::new(
-        "このシステムでは Ctrl-C を受け取れません",
-        "the system lets no program listen to Ctrl-C",
-    ))?;
-    Ok(flag)
-}
-
 /// The pictures of a run while they are being made.
 struct Shoot {
     studio: Studio,
@@ -259,7 +248,7 @@ impl Run<'_> {
         recording: &mut Recording,
     ) -> Result<(), Failure> {
         let count = Performance::settle_frame_count();
-        let bar = self.progress(count, self.language.pick("布をなじませる", "settling"));
+        let bar = progress_bar(count, self.language.pick("布をなじませる", "settling"));
         for _ in 0..count {
             self.check_stop()?;
             if let Err(divergence) = pool.install(|| performance.advance()) {
@@ -282,7 +271,7 @@ impl Run<'_> {
     ) -> Result<(), Failure> {
         let frame_count = frame_count(self.design.motion.duration_s);
         let still_frame = self.still_frame(frame_count);
-        let bar = self.progress(frame_count, self.language.pick("踊る", "dancing"));
+        let bar = progress_bar(frame_count, self.language.pick("踊る", "dancing"));
         performance.pose_body();
         let mut camera = FilmCamera::new(performance);
         for frame in 0..frame_count {
@@ -337,17 +326,6 @@ impl Run<'_> {
         }
     }
 
-    fn progress(&self, length: u32, message: &'static str) -> ProgressBar {
-        let style = ProgressStyle::with_template("{msg:>12} [{bar:32}] {pos}/{len}  {eta}")
-            .unwrap_or_else(|_| ProgressStyle::default_bar())
-            .progress_chars("=> ");
-        let bar = ProgressBar::with_draw_target(
-            Some(u64::from(length)),
-            ProgressDrawTarget::stderr_with_hz(5),
-        );
-        bar.with_style(style).with_message(message)
-    }
-
     fn write(
         &self,
         finished: Finished<'_>,
@@ -360,7 +338,7 @@ impl Run<'_> {
             shoot,
             threads,
         } = finished;
-        let bar = self.progress(3, self.language.pick("書き出す", "writing"));
+        let bar = progress_bar(3, self.language.pick("書き出す", "writing"));
         let mut files = Files::default();
         let renderer = shoot.renderer.description().to_owned();
         let film = match recording.divergence {

@@ -92,9 +92,13 @@ fn explain(found: &Divergence, columns: u32, design: &Design) -> ReportDivergenc
             "[method] substep_count を増やすか、[motion] tempo_bpm を下げてください",
             "raise [method] substep_count, or lower [motion] tempo_bpm",
         ),
-        _ => words(
+        "fb-euler" => words(
             "[method] substep_count を増やすか、書かずに安定の限界から選ばせてください",
             "raise [method] substep_count, or leave it out so that they are chosen by the stability bound",
+        ),
+        _ => words(
+            "この方法はずっと細かい刻みが必要です。[method] substep_count を増やすか、name を fb-euler にしてください",
+            "this method needs far smaller steps: raise [method] substep_count, or choose fb-euler",
         ),
     };
     let Divergence { time, row, column } = found;
@@ -204,7 +208,8 @@ pub(crate) fn page(report: &RunReport, film: Option<&[u8]>, jpegs: &[Vec<u8>]) -
     )
 }
 
-fn percent(strain: lole_cloth::diagnose::StrainSummary) -> MeanPercentileMax {
+/// Strain in percent.
+pub(crate) fn percent(strain: lole_cloth::diagnose::StrainSummary) -> MeanPercentileMax {
     let [mean, p99, max] =
         [strain.mean, strain.p99, strain.max].map(|value| 100.0 * f64::from(value));
     MeanPercentileMax { mean, p99, max }

@@ -6,10 +6,13 @@ mod bench;
 mod dance;
 mod figures;
 mod output;
+mod patience;
 mod stopwatch;
 mod studio;
+mod study;
 mod summary;
 mod usage;
+mod validate;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -52,6 +55,8 @@ fn main() -> ExitCode {
     let result = match asked {
         Asked::Window(document) => open_window(document, language),
         Asked::Command(Command::Dance(args)) => dance::run(&args, language),
+        Asked::Command(Command::Study(args)) => study::run(&args, language),
+        Asked::Command(Command::Validate(args)) => validate::run(&args, language),
         Asked::Command(Command::Bench(args)) => bench::run(&args, language),
     };
     match result {

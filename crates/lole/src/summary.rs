@@ -10,8 +10,10 @@ use std::process::ExitCode;
 
 use lole_costume::document::DesignError;
 use lole_export::report::{Remark, RunReport};
+use lole_export::study::StudyReport;
 use lole_language::{Bilingual, Language, Sentence};
 use lole_stage::StageError;
+use lole_stage::validate::{Check, Protocol};
 
 use crate::Failure;
 use crate::bench::BenchRow;
@@ -73,6 +75,44 @@ fn pick_remark(remark: &Remark, language: Language) -> &str {
     language.pick(&remark.sentence_ja, &remark.sentence)
 }
 
+/// Says what the study wrote and what it found.
+pub(crate) fn print_study(report: &StudyReport, paths: &[PathBuf], language: Language) {
+    println!();
+    for path in paths {
+        println!("  {:<44} {}", path.display(), open_hint(path, language));
+    }
+    for finding in &report.findings {
+        let mark = if finding.agrees { "=" } else { "≠" };
+        println!("\n  {mark} “{}”", finding.paper);
+        println!("    {}", pick_remark(&finding.measured, language));
+    }
+    println!("\n  {:.0} s", report.seconds);
+}
+
+/// Says what a protocol compares.
+pub(crate) fn print_protocol(protocol: &Protocol, language: Language) {
+    let about = language.pick(protocol.about_ja, protocol.about);
+    println!("\n{}: {about}", protocol.name);
+}
+
+/// One figure of a protocol against its reference.
+pub(crate) fn print_check(method: &str, check: &Check, language: Language) {
+    let verdict = if check.passes() {
+        language.pick("合格", "pass")
+    } else {
+        language.pick("不合格", "FAIL")
+    };
+    println!(
+        "  {method:<10} {:<14} {:>12.6} {:>12.6} {:<3} {:>9.3} % (± {} %)  {verdict}",
+        check.case,
+        check.measured,
+        check.reference,
+        check.unit,
+        check.error_pct(),
+        check.gate_pct,
+    );
+}
+
 /// Column heads of the bench table.
 pub(crate) fn print_bench_head(language: Language) {
     println!(
@@ -117,7 +157,9 @@ fn open_hint(path: &std::path::Path, language: Language) -> &'static str {
         .and_then(|name| name.to_str())
         .unwrap_or("");
     match name {
-        "report.html" => language.pick("ここから: ブラウザで開く", "start here: open in a browser"),
+        "report.html" | "study.html" => {
+            language.pick("ここから: ブラウザで開く", "start here: open in a browser")
+        }
         "dance.mp4" => language.pick("動画プレーヤーで再生", "plays in any video player"),
         "dancer.glb" => language.pick(
             "Blender や 3D ビューアーで開く",
@@ -127,7 +169,10 @@ fn open_hint(path: &std::path::Path, language: Language) -> &'static str {
             "lole dance design.lole で同じ踊り",
             "lole dance design.lole repeats it",
         ),
-        "report.json" => language.pick("プログラム用の数値", "the numbers, for programs"),
+        "study.csv" => language.pick("表計算で開く", "opens in a spreadsheet"),
+        "report.json" | "study.json" => {
+            language.pick("プログラム用の数値", "the numbers, for programs")
+        }
         _ => language.pick("写真", "a still"),
     }
 }

@@ -128,7 +128,7 @@ fn wrong_usage_is_refused_before_anything_is_computed() {
             "did you mean kaholo?",
         ),
         (&design, &out, &["--bpm", "nan"], "tempo_bpm"),
-        (&design, &out, &["--method", "euler"], "fb-euler"),
+        (&design, &out, &["--method", "fb_eular"], "fb-euler"),
     ];
     for (design, out, more, part) in cases {
         let output = dance(design, out, more);

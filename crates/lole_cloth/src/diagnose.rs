@@ -85,6 +85,25 @@ pub fn worst_capsule_penetration(
     .fold(0.0, f32::max)
 }
 
+/// Free particles of `positions` that are deeper than `depth` [m] in any of `capsules`.
+#[must_use]
+pub fn penetrating_count(
+    spec: &ClothSpec,
+    positions: &[Vec3],
+    capsules: &[Capsule],
+    depth: f32,
+) -> usize {
+    let free = positions
+        .iter()
+        .zip(&spec.pinned)
+        .filter(|(_, pinned)| !**pinned);
+    free.filter(|&(&position, _)| {
+        let is_inside = |capsule: &Capsule| capsule.signed_distance(position) < -depth;
+        capsules.iter().any(is_inside)
+    })
+    .count()
+}
+
 /// Root mean square of the speeds [m/s].
 #[must_use]
 pub fn rms_speed(velocities: &[Vec3]) -> f32 {

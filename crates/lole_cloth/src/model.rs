@@ -1,6 +1,7 @@
 //! A cloth prepared for the real-time method: what never changes from step to step.
 
 use crate::collision::pinned_rows::PinnedRows;
+use crate::constraint::bend::Clamps;
 use crate::constraint::tether::Tethers;
 use crate::lanes::{Layout, RowLink, Scalars, row_links};
 use crate::{ClothSpec, MassLaw, Topology};
@@ -53,6 +54,7 @@ pub struct ClothModel {
     pub(crate) row_pairs: Vec<RowLink<2>>,
     /// A column and the two right of it.
     pub(crate) row_triples: Vec<RowLink<3>>,
+    pub(crate) clamps: Clamps,
     pub(crate) tethers: Tethers,
     pub(crate) pinned_rows: PinnedRows,
 }
@@ -80,6 +82,7 @@ impl ClothModel {
             inv_masses: layout.scatter(&inv_masses),
             row_pairs: row_links(&spec.grid, &layout, [0, 1]),
             row_triples: row_links(&spec.grid, &layout, [0, 1, 2]),
+            clamps: Clamps::new(spec),
             tethers: Tethers::new(spec, &layout, &pin_indices),
             pinned_rows: PinnedRows::new(spec),
             spec: spec.clone(),

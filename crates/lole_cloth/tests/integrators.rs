@@ -261,6 +261,19 @@ fn euler_is_stable_up_to_c_over_omega_squared() {
 }
 
 #[test]
+fn an_overdamped_euler_is_stable_up_to_its_faster_decay() {
+    // Two real decays; the faster one sets the step.
+    for damping in [2.5f64, 8.0] {
+        let fast = 0.5 * damping + (0.25 * damping * damping - 1.0).sqrt();
+        let limit = stability_limit(Integrator::Euler, 1.0, damping).expect("a stable step");
+        assert!(
+            (limit * fast / 2.0 - 1.0).abs() < 1e-12,
+            "{damping}: {limit}"
+        );
+    }
+}
+
+#[test]
 fn damping_takes_stability_from_fb_euler() {
     let net = Net::new();
     // Undamped, 2 % above the limit: ω Δt = 2.04 gives acosh(2.0808 - 1), a factor of 1.49.

@@ -7,6 +7,7 @@
 //! | `dancer.glb` | [`glb::write_glb`]: skinned dancer and cloth with baked motion |
 //! | `report.json` | [`report::report_json`] |
 //! | `report.html` | [`report::report_html`]: one self-contained page in Japanese and English |
+//! | `study.json`, `.csv`, `.html` | [`study::study_json`], [`study::study_csv`], [`study::study_html`] |
 //!
 //! It opens no file, reads no clock, and draws no picture of the dancer: pictures come in as
 //! pixels.
@@ -16,6 +17,7 @@ pub mod glb;
 mod page;
 pub mod report;
 pub mod still;
+pub mod study;
 pub mod video;
 
 pub use error::ExportError;

@@ -5,6 +5,16 @@
 
 use glam::{IVec3, Vec3};
 
+/// Most cells of a grid: two hundred times those of a body.
+const MOST_CELLS: f32 = 4.0e6;
+/// Most entries of triangles in cells.
+const MOST_MEMBERS: f32 = 2.0e7;
+
+/// Cells that a box of this `extent` [m] may touch, as a number that cannot overflow.
+fn cells_in(extent: Vec3, cell_size: f32) -> f32 {
+    (extent / cell_size + 1.0).element_product()
+}
+
 /// Triangles sorted into cubic cells.
 #[derive(Debug, Clone)]
 pub struct TriangleGrid<'a> {
@@ -35,21 +45,28 @@ pub struct Nearest {
 impl<'a> TriangleGrid<'a> {
     /// Sorts triangles into cells of `cell_size` [m].
     ///
-    /// Choose about twice the mean edge length. Non-finite triangles are left out.
+    /// Choose about twice the mean edge length. Non-finite triangles are left out. Where the mesh has
+    /// burst, the cells are made larger, so that memory stays bounded.
     #[must_use]
     pub fn new(positions: &'a [Vec3], triangles: &'a [[u32; 3]], cell_size: f32) -> Self {
-        let (mut low, mut high) = (Vec3::splat(f32::MAX), Vec3::splat(f32::MIN));
-        for position in positions.iter().filter(|position| position.is_finite()) {
-            low = low.min(*position);
-            high = high.max(*position);
-        }
-        let origin = if low.x <= high.x { low } else { Vec3::ZERO };
-        let extent = if low.x <= high.x {
-            high - low
-        } else {
-            Vec3::ZERO
+        let boxes = || {
+            triangles.iter().filter_map(|triangle| {
+                let [a, b, c] = triangle.map(|corner| positions[corner as usize]);
+                let is_finite = a.is_finite() && b.is_finite() && c.is_finite();
+                is_finite.then(|| (a.min(b).min(c), a.max(b).max(c)))
+            })
         };
-        let cell_counts = (extent / cell_size).as_ivec3() + IVec3::ONE;
+        let (low, high) = boxes()
+            .reduce(|all, one| (all.0.min(one.0), all.1.max(one.1)))
+            .unwrap_or_default();
+        let origin = low;
+        let mut cell_size = cell_size;
+        while MOST_CELLS < cells_in(high - low, cell_size)
+            || MOST_MEMBERS < boxes().map(|one| cells_in(one.1 - one.0, cell_size)).sum()
+        {
+            cell_size *= 2.0;
+        }
+        let cell_counts = ((high - low) / cell_size).as_ivec3() + IVec3::ONE;
         let cell_count = cell_counts.x as usize * cell_counts.y as usize * cell_counts.z as usize;
         let mut grid = Self {
             positions,
@@ -328,5 +345,24 @@ mod tests {
         let found = grid.nearest(Vec3::ZERO, 2.0).unwrap();
         assert!((found.distance - 3.0_f32.sqrt()).abs() < 1e-6);
         assert_eq!(grid.nearest(Vec3::splat(f32::NAN), 1.0), None);
+    }
+
+    #[test]
+    fn a_burst_mesh_takes_no_more_memory_than_a_large_one() {
+        let far = 99.0;
+        let positions = [
+            Vec3::ZERO,
+            Vec3::X * far,
+            Vec3::Y * far,
+            Vec3::new(-far, -far, far),
+            Vec3::splat(f32::NAN),
+        ];
+        let triangles: Vec<[u32; 3]> = (0..600)
+            .flat_map(|_| [[0, 1, 2], [1, 2, 3], [0, 1, 4]])
+            .collect();
+        let grid = TriangleGrid::new(&positions, &triangles, 0.01);
+        assert!(grid.starts.len() < 5_000_000 && grid.members.len() < 30_000_000);
+        let nearest = grid.nearest(Vec3::new(1.0, 1.0, 0.003), 0.1).unwrap();
+        assert!((nearest.distance - 0.003).abs() < 1e-5, "{nearest:?}");
     }
 }

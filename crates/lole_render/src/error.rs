@@ -4,6 +4,9 @@
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum RenderError {
+    /// The font that comes with the program cannot be read.
+    #[error("the program's font is damaged; install it again")]
+    Font,
     /// The picture would have no pixels, or more than can be drawn.
     #[error("a picture of {width} x {height} pixels cannot be drawn; use 1 to {max} on each side", max = crate::image::MAX_SIDE)]
     ImageSize {

@@ -60,6 +60,27 @@ pub struct Image {
 }
 
 impl Image {
+    /// A picture of one sRGB color.
+    #[must_use]
+    pub fn filled(size: Size, [red, green, blue]: [u8; 3]) -> Self {
+        Self {
+            width: size.width,
+            height: size.height,
+            pixels: [red, green, blue, 255].repeat(size.pixel_count()),
+        }
+    }
+
+    /// Copies `other` with its top left pixel at column `x`, row `y`; what does not fit is left out.
+    pub fn paste(&mut self, other: &Self, x: u32, y: u32) {
+        let width = other.width.min(self.width.saturating_sub(x)) as usize * 4;
+        let height = other.height.min(self.height.saturating_sub(y));
+        for row in 0..height as usize {
+            let from = row * other.width as usize * 4;
+            let to = ((y as usize + row) * self.width as usize + x as usize) * 4;
+            self.pixels[to..to + width].copy_from_slice(&other.pixels[from..from + width]);
+        }
+    }
+
     /// The RGBA bytes at column `x`, row `y`; `None` outside the picture.
     #[must_use]
     pub fn pixel(&self, x: u32, y: u32) -> Option<[u8; 4]> {

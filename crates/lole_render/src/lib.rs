@@ -21,6 +21,7 @@ pub mod error;
 mod frame;
 mod gpu;
 pub mod image;
+pub mod label;
 pub mod light;
 pub mod material;
 mod prepare;

@@ -8,6 +8,7 @@ pub mod metrics;
 pub mod performance;
 pub mod skin_check;
 mod solver;
+pub mod validate;
 
 pub use live::{Pull, Show, Vitals, Wish};
 pub use metrics::{FrameMetrics, RunMetrics};

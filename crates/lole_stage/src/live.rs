@@ -81,6 +81,8 @@ pub struct Vitals {
     pub kinetic_energy: f32,
     /// Energy of height, `Σ m g y` with `y` above the floor [J].
     pub potential_energy: f32,
+    /// Energy stored in springs and bending [J]; `None` for `xpbd`, which has no such energy.
+    pub elastic_energy: Option<f32>,
     /// Mean height of the hem above the floor [m].
     pub hem_height: f32,
     /// Middle of the hem: right to left and back to front [m].
@@ -275,12 +277,12 @@ impl Show {
     fn pose(&self) -> Pose {
         let mut layers = self.layers.iter();
         let mut pose = layers.next().map_or_else(Pose::default, |layer| {
-            layer.dance.pose_at(seconds(layer.time))
+            layer.dance.pose_at(single(layer.time))
         });
         for layer in layers {
-            let share = seconds((layer.age / EASE_SECONDS).clamp(0.0, 1.0));
+            let share = single((layer.age / EASE_SECONDS).clamp(0.0, 1.0));
             let share = share * share * (3.0 - 2.0 * share);
-            pose = between(&pose, &layer.dance.pose_at(seconds(layer.time)), share);
+            pose = between(&pose, &layer.dance.pose_at(single(layer.time)), share);
         }
         pose
     }
@@ -358,6 +360,8 @@ impl Show {
         Vitals {
             kinetic_energy: kinetic,
             potential_energy: potential,
+            elastic_energy: (self.performance.energy())
+                .map(|energy| single(energy.springs + energy.bending)),
             hem_height: middle.y,
             hem_middle: [middle.x, middle.z],
         }
@@ -455,10 +459,10 @@ fn between(from: &Pose, to: &Pose, share: f32) -> Pose {
 
 #[expect(
     clippy::cast_possible_truncation,
-    reason = "poses are asked for in f32; the sums are f64"
+    reason = "poses and figures are f32; the sums are f64"
 )]
-fn seconds(time: f64) -> f32 {
-    time as f32
+fn single(value: f64) -> f32 {
+    value as f32
 }
 
 #[cfg(test)]

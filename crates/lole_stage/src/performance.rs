@@ -352,12 +352,6 @@ impl Performance {
         &self.world_from_bind
     }
 
-    /// The capsules in the current pose.
-    #[must_use]
-    pub fn capsules(&self) -> &[Capsule] {
-        &self.capsules
-    }
-
     /// Measures the current frame; call [`Self::pose_body`] first.
     #[must_use]
     pub fn measure(&self) -> FrameMetrics {
@@ -385,6 +379,12 @@ impl Performance {
             skin: skin_check::check(body, cloth),
             hem_height: hem.iter().map(|p| p.y).sum::<f32>() / columns as f32,
         }
+    }
+
+    /// The capsules of the current pose.
+    #[must_use]
+    pub fn capsules(&self) -> &[Capsule] {
+        &self.capsules
     }
 
     /// Model and settings of the paper's methods; `None` for `xpbd`.

@@ -6,6 +6,7 @@ use lole_geom::triangle_grid::{TriangleGrid, blend};
 /// Cloth nearer than this behind the drawn skin [m] is touching it, not through it: half a
 /// millimeter is a fold of thread, and no picture shows it.
 const TOLERANCE: f32 = 0.5e-3;
+
 /// How far behind the skin cloth is looked for [m]; a limb is thicker.
 const REACH: f32 = 0.05;
 /// How far in front of a poking body vertex other cloth may still cover it [m].

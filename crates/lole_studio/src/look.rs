@@ -20,6 +20,7 @@ pub(crate) const LINE: Color32 = Color32::from_rgb(217, 208, 195);
 pub(crate) const RED: Color32 = Color32::from_rgb(170, 28, 50);
 pub(crate) const PALE_RED: Color32 = Color32::from_rgb(246, 222, 218);
 pub(crate) const TEAL: Color32 = Color32::from_rgb(0, 112, 122);
+pub(crate) const OCHRE: Color32 = Color32::from_rgb(190, 120, 0);
 const KEY: Color32 = Color32::from_rgb(238, 231, 220);
 const KEY_HOVERED: Color32 = Color32::from_rgb(229, 219, 204);
 const KEY_PRESSED: Color32 = Color32::from_rgb(217, 204, 185);

@@ -70,6 +70,7 @@ pub(crate) const FRAME_TIME: Words = words("1コマの計算時間（ミリ秒�
 pub(crate) const ENERGY: Words = words("エネルギー（J）", "Energy (J)");
 pub(crate) const MOTION_ENERGY: Words = words("動き", "motion");
 pub(crate) const HEIGHT_ENERGY: Words = words("高さ（最低から）", "height, above its least");
+pub(crate) const ELASTIC_ENERGY: Words = words("ばねと曲げ", "springs and bending");
 pub(crate) const HEM_PATH: Words = words(
     "すその動き（cm、正面から）",
     "Path of the hem (cm, from the front)",

@@ -11,7 +11,7 @@ mod plate;
 mod springs;
 
 use glam::DVec3;
-use lole_geom::Capsule;
+use lole_geom::{Capsule, trig64};
 
 pub use constants::SpringConstants;
 pub use energy::Momentum;
@@ -160,6 +160,31 @@ impl ReferenceModel {
     #[must_use]
     pub fn spring_count(&self) -> usize {
         self.springs.iter().map(|family| family.ends.len()).sum()
+    }
+
+    /// Positions [m] at which no spring is stretched: a flat sheet in the plane `z = 0`, rows
+    /// downwards; a tube as the regular polygon whose sides are the spacing, its axis along `-y`.
+    #[must_use]
+    pub fn rest_positions(&self) -> Vec<DVec3> {
+        let grid = &self.grid;
+        let [width, height] = grid.spacing.map(f64::from);
+        let turn = std::f64::consts::TAU / f64::from(grid.column_count);
+        let radius = 0.5 * width / trig64::sin(0.5 * turn);
+        let mut positions = Vec::with_capacity(grid.particle_count());
+        for row in 0..grid.row_count {
+            let y = -height * f64::from(row);
+            positions.extend((0..grid.column_count).map(|column| {
+                let u = f64::from(column);
+                match grid.topology {
+                    Topology::Sheet => DVec3::new(width * u, y, 0.0),
+                    Topology::Tube => {
+                        let (sin, cos) = trig64::sin_cos(turn * u);
+                        DVec3::new(radius * cos, y, radius * sin)
+                    }
+                }
+            }));
+        }
+        positions
     }
 
     /// Force [N] of springs and plate on the particle `index`: equation (1) summed over its

@@ -249,8 +249,14 @@ fn solve_far_and_soft<S: Simd>(
     for (stride, links) in strides {
         stride::solve_rows(simd, &mut rows, links, squared(*stride, u));
     }
-    bend::solve_rows(simd, &mut rows, &model.row_triples, substep.bend_across);
-    bend::solve_columns(simd, &mut rows, substep.bend_down);
+    let clamps = &model.clamps;
+    bend::solve_rows(
+        simd,
+        &mut rows,
+        &model.row_triples,
+        (substep.bend_across, clamps),
+    );
+    bend::solve_columns(simd, &mut rows, (substep.bend_down, clamps));
     shear::solve(simd, &mut rows, &model.row_pairs, substep.cell);
 }
 

@@ -33,13 +33,21 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
         .fold(f32::MAX, f32::min);
     let motion = points(&|s| [time(s), f64::from(s.vitals.kinetic_energy)]);
     let height = points(&|s| [time(s), f64::from(s.vitals.potential_energy - least)]);
+    let elastic: Vec<[f64; 2]> = (studio.history.samples())
+        .filter_map(|s| Some([time(s), f64::from(s.vitals.elastic_energy?)]))
+        .collect();
+    let stretches = !elastic.is_empty();
     plot("energy").include_y(0.0).show(ui, |plot| {
         plot.line(line("", motion, look::RED));
         plot.line(line("", height, look::TEAL));
+        plot.line(line("", elastic, look::OCHRE));
     });
     ui.horizontal_wrapped(|ui| {
         legend(ui, studio.say(text::MOTION_ENERGY), look::RED);
         legend(ui, studio.say(text::HEIGHT_ENERGY), look::TEAL);
+        if stretches {
+            legend(ui, studio.say(text::ELASTIC_ENERGY), look::OCHRE);
+        }
     });
 
     title(ui, studio.say(text::HEM_PATH));

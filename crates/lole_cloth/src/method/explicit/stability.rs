@@ -30,6 +30,15 @@ const PHASE_RATIO: f64 = 1.005;
 #[must_use]
 pub fn stability_limit(integrator: Integrator, frequency: f64, drag_rate: f64) -> Option<f64> {
     let damping = drag_rate / frequency;
+    if integrator == Integrator::Euler && 0.0 < damping {
+        // In closed form: with little damping the limit lies below any phase worth a search.
+        let phase = if damping < 2.0 {
+            damping
+        } else {
+            2.0 / (0.5 * damping + (0.25 * damping * damping - 1.0).sqrt())
+        };
+        return Some(phase / frequency);
+    }
     let grows =
         |phase: f64| 1.0 + GROWTH < spectral_radius(amplification(integrator, damping, phase));
     let mut stable = SMALLEST_PHASE;

@@ -1,0 +1,88 @@
+//! How many capsules a body needs: the paper's "13, so that the collision is right and the speed
+//! not too slow", as a curve.
+
+use lole_body::CapsuleLayout;
+use lole_cloth::method::reference::ReferenceModel;
+use lole_costume::document::{BodyShapes, Design, MethodName};
+use lole_export::study::{CapsulesEntry, SkirtOfStudy};
+
+use super::runs::Runner;
+use crate::Failure;
+use crate::figures::median_and_p99;
+use crate::stopwatch::Stopwatch;
+
+/// The bodies that are compared.
+pub(super) const BODIES: [CapsuleLayout; 7] = [
+    CapsuleLayout::Fitted(1),
+    CapsuleLayout::TwoCylinders,
+    CapsuleLayout::Fitted(4),
+    CapsuleLayout::Fitted(8),
+    CapsuleLayout::Fitted(13),
+    CapsuleLayout::Fitted(20),
+    CapsuleLayout::Fitted(40),
+];
+
+/// Frames from one look at the skin to the next.
+const FRAMES_PER_LOOK: u32 = 4;
+
+/// A gathered skirt fine enough that what shows is the body's fault, not the grid's.
+fn design(body: CapsuleLayout) -> Design {
+    let mut design = Design::default();
+    design.skirt.gather_ratio = 2.0;
+    design.skirt.column_count = 96;
+    design.skirt.row_count = 36;
+    design.method.name = MethodName::Xpbd;
+    match body {
+        CapsuleLayout::Fitted(count) => design.method.capsule_count = count,
+        CapsuleLayout::TwoCylinders => design.method.body = BodyShapes::TwoCylinders,
+    }
+    design
+}
+
+/// Dances `frame_count` frames on one body.
+pub(super) fn measure(
+    runner: &Runner<'_>,
+    body: CapsuleLayout,
+    frame_count: u32,
+) -> Result<(CapsulesEntry, SkirtOfStudy), Failure> {
+    let mut performance = runner.settled(&design(body))?;
+    let mut frame_ms = Vec::new();
+    let (mut depths, mut wrong_vertices) = (Vec::new(), 0);
+    for frame in 0..frame_count {
+        runner.check_stop()?;
+        let watch = Stopwatch::start();
+        let advanced = runner.pool.install(|| performance.advance());
+        frame_ms.push(1e3 * watch.read().process_seconds);
+        if advanced.is_err() {
+            break;
+        }
+        if frame % FRAMES_PER_LOOK == 0 {
+            performance.pose_body();
+            let skin = performance.measure().skin;
+            depths.push(1e3 * f64::from(skin.worst_depth));
+            let wrong = skin.sunken_cloth_vertices + skin.showing_body_vertices;
+            wrong_vertices = wrong_vertices.max(wrong);
+        }
+    }
+    let production = performance.production();
+    let entry = CapsulesEntry {
+        body: match body {
+            CapsuleLayout::Fitted(_) => "capsules",
+            CapsuleLayout::TwoCylinders => "two-cylinders",
+        }
+        .to_owned(),
+        count: production.dancer.capsules.len(),
+        skin_mm: depths.iter().copied().fold(0.0, f64::max),
+        skin_mean_mm: depths.iter().sum::<f64>() / depths.len().max(1) as f64,
+        wrong_vertices,
+        frame_ms: median_and_p99(&frame_ms),
+    };
+    let model = ReferenceModel::new(&production.skirt.spec).map_err(Failure::error)?;
+    let skirt = SkirtOfStudy {
+        particles: production.skirt.spec.grid.particle_count(),
+        springs: performance.spring_count(),
+        damping_per_s: f64::from(production.fabric.drag_rate),
+        highest_frequency_rad_per_s: model.largest_frequency_bound(),
+    };
+    Ok((entry, skirt))
+}
