@@ -25,12 +25,10 @@ const EASE_SECONDS: f64 = 0.9;
 /// Acceleration of free fall [m/s²], for the potential energy.
 const GRAVITY: f32 = 9.81;
 
-/// A hand reaches this far around the point it holds [m]: four fingers.
-const HAND_RADIUS: f32 = 0.06;
-/// Share of the way to the hand that the cloth is asked to go in one frame.
-const HAND_PULL: f32 = 0.8;
-/// Fastest the hand moves the cloth [m/s], so that a jerk of the mouse does not tear it away.
-const HAND_SPEED: f32 = 3.0;
+/// A hand takes the cloth this far around the point where it takes it [m]: two fingers wide.
+const HAND_RADIUS: f32 = 0.022;
+/// Fastest the hand moves the cloth [m/s], so that a jerk of the mouse does not tear it.
+const HAND_SPEED: f32 = 1.6;
 
 /// A show: a performance with its present wishes.
 pub struct Show {
@@ -40,7 +38,7 @@ pub struct Show {
     spec: ClothSpec,
     masses: Vec<f32>,
     layers: Vec<Layer>,
-    pull: Option<Pull>,
+    hold: Option<Hold>,
     /// Last good positions [m], row-major, and the velocities [m/s] that led there.
     positions: Vec<Vec3>,
     velocities: Vec<Vec3>,
@@ -63,6 +61,15 @@ pub struct Pull {
     pub particle: u32,
     /// Where the hand is [m].
     pub hand: Vec3,
+}
+
+/// The cloth between the fingers.
+struct Hold {
+    pull: Pull,
+    /// Where the fingers are [m]: on the way to the hand.
+    place: Vec3,
+    /// The particles between them, ascending, and where they are from there [m].
+    patch: Vec<(u32, Vec3)>,
 }
 
 /// What a wish asks for.
@@ -120,7 +127,7 @@ impl Show {
             performance,
             spec,
             layers: vec![layer],
-            pull: None,
+            hold: None,
             stopped: None,
         })
     }
@@ -178,19 +185,13 @@ impl Show {
             || self.design.method != design.method
             || self.design.wind != design.wind;
         if cloth_changes {
-            let mut spec = self.spec.clone();
-            spec.fabric = design.fabric.fabric();
-            let mut solver = Solver::new(design, &spec, &self.positions)?;
-            solver.edit_velocities(|velocities| velocities.copy_from_slice(&self.velocities));
-            self.performance.replace_solver(solver);
+            self.prepare(design)?;
             let layout = design.capsule_layout();
             if layout != self.design.capsule_layout() {
                 let dancer = &self.performance.production().dancer;
                 let capsules = dancer.fit_capsules(layout);
                 self.performance.replace_capsules(capsules);
             }
-            self.masses = particle_masses(&spec);
-            self.spec = spec;
             self.stopped = None;
         }
         if let Some(layer) = dance {
@@ -221,9 +222,82 @@ impl Show {
         Ok(Layer { dance, time, age })
     }
 
-    /// Holds the cloth, or lets it go.
-    pub const fn pull(&mut self, pull: Option<Pull>) {
-        self.pull = pull;
+    /// Holds the cloth, moves the hand, or lets go.
+    ///
+    /// Held particles are carried by the hand as those of the elastic rows are by the skin: every
+    /// method knows how.
+    ///
+    /// # Errors
+    /// A cloth that the method cannot be prepared for; nothing is held then.
+    pub fn pull(&mut self, pull: Option<Pull>) -> Result<(), StageError> {
+        match (pull, &mut self.hold) {
+            (Some(pull), Some(hold)) if hold.pull.particle == pull.particle => {
+                hold.pull = pull;
+                Ok(())
+            }
+            (Some(pull), _) => self.take(pull),
+            (None, Some(_)) => {
+                self.hold = None;
+                self.performance.hold(Vec::new());
+                self.prepare(&self.design.clone())
+            }
+            (None, None) => Ok(()),
+        }
+    }
+
+    fn take(&mut self, pull: Pull) -> Result<(), StageError> {
+        let Some(&place) = self.positions.get(pull.particle as usize) else {
+            return Ok(());
+        };
+        let patch: Vec<(u32, Vec3)> = (0..)
+            .zip(self.positions.iter().zip(&self.spec.pinned))
+            .filter(|(_, (position, pinned))| !**pinned && position.distance(place) < HAND_RADIUS)
+            .map(|(particle, (&position, _))| (particle, position - place))
+            .collect();
+        if patch.is_empty() {
+            return Ok(());
+        }
+        self.hold = Some(Hold { pull, place, patch });
+        let taken = self.prepare(&self.design.clone());
+        if taken.is_err() {
+            self.hold = None;
+        }
+        self.place_held();
+        taken
+    }
+
+    /// Prepares the cloth anew for the method of `design`: as it hangs and moves, in its fabric, with
+    /// what is held.
+    fn prepare(&mut self, design: &Design) -> Result<(), StageError> {
+        let mut spec = self.spec.clone();
+        spec.fabric = design.fabric.fabric();
+        let mut held = spec.clone();
+        for &(particle, _) in self.hold.iter().flat_map(|hold| &hold.patch) {
+            held.pinned[particle as usize] = true;
+        }
+        let mut solver = Solver::new(design, &held, &self.positions)?;
+        solver.edit_velocities(|velocities| velocities.copy_from_slice(&self.velocities));
+        self.performance.replace_solver(solver);
+        self.masses = particle_masses(&spec);
+        self.spec = spec;
+        Ok(())
+    }
+
+    /// Moves the fingers towards the hand by one frame.
+    fn move_hand(&mut self) {
+        if let Some(hold) = &mut self.hold {
+            let way = hold.pull.hand - hold.place;
+            hold.place += way.clamp_length_max(HAND_SPEED * FRAME_SECONDS);
+        }
+        self.place_held();
+    }
+
+    fn place_held(&mut self) {
+        if let Some(hold) = &self.hold {
+            let held = hold.patch.iter();
+            let held = held.map(|&(particle, offset)| (particle, hold.place + offset));
+            self.performance.hold(held.collect());
+        }
     }
 
     /// Moves dancer and cloth on by one frame; a stopped show stays as it is.
@@ -243,7 +317,7 @@ impl Show {
         let covered = |layer: &Layer| EASE_SECONDS <= layer.age;
         let bottom = self.layers.iter().rposition(covered).unwrap_or(0);
         self.layers.drain(..bottom);
-        self.pull_cloth();
+        self.move_hand();
         let pose = self.pose();
         match self.performance.advance_in(pose) {
             Ok(()) => {
@@ -285,26 +359,6 @@ impl Show {
             pose = between(&pose, &layer.dance.pose_at(single(layer.time)), share);
         }
         pose
-    }
-
-    fn pull_cloth(&mut self) {
-        let Some(pull) = self.pull else { return };
-        let Some(&held) = self.positions.get(pull.particle as usize) else {
-            return;
-        };
-        let way = (pull.hand - held) * (HAND_PULL / FRAME_SECONDS);
-        let wanted = way.clamp_length_max(HAND_SPEED);
-        let positions = &self.positions;
-        let pinned = &self.spec.pinned;
-        self.performance.solver_mut().edit_velocities(|velocities| {
-            for ((velocity, &position), &pinned) in velocities.iter_mut().zip(positions).zip(pinned)
-            {
-                let near = 1.0 - position.distance(held) / HAND_RADIUS;
-                if 0.0 < near && !pinned {
-                    *velocity = velocity.lerp(wanted, near.sqrt());
-                }
-            }
-        });
     }
 
     /// The last good positions of the cloth [m], row-major.
@@ -572,12 +626,13 @@ mod tests {
         show.pull(Some(Pull {
             particle: u32::try_from(particle).unwrap(),
             hand,
-        }));
+        }))
+        .unwrap();
         for _ in 0..60 {
             show.advance().unwrap();
         }
-        assert!(at(&show).distance(hand) < 0.06, "{}", at(&show) - hand);
-        show.pull(None);
+        assert!(at(&show).distance(hand) < 1e-3, "{}", at(&show) - hand);
+        show.pull(None).unwrap();
         for _ in 0..120 {
             show.advance().unwrap();
         }

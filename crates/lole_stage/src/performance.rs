@@ -99,6 +99,8 @@ pub struct Performance {
     body_capsules: Vec<BodyCapsule>,
     capsules: Vec<Capsule>,
     pin_targets: Vec<Vec3>,
+    /// Particles that a hand holds besides, ascending, and where it has them [m].
+    held: Vec<(u32, Vec3)>,
     cloth_positions: Vec<Vec3>,
     body_positions: Vec<Vec3>,
     body_normals: Vec<Vec3>,
@@ -190,6 +192,7 @@ impl Performance {
             world_from_bind,
             capsules: Vec::new(),
             pin_targets: Vec::new(),
+            held: Vec::new(),
             cloth_positions: start,
             body_positions: Vec::new(),
             body_normals: Vec::new(),
@@ -251,9 +254,10 @@ impl Performance {
         self.body_capsules = capsules;
     }
 
-    /// What moves the cloth.
-    pub(crate) const fn solver_mut(&mut self) -> &mut Solver {
-        &mut self.solver
+    /// Places particles that a hand holds, from the next frame on: ascending, and pinned in the
+    /// solver's cloth.
+    pub(crate) fn hold(&mut self, held: Vec<(u32, Vec3)>) {
+        self.held = held;
     }
 
     fn step_in(&mut self, pose: Pose) -> Result<(), Divergence> {
@@ -284,6 +288,14 @@ impl Performance {
         self.production
             .skirt
             .pose_pins(&self.world_from_bind, &mut self.pin_targets);
+        if !self.held.is_empty() {
+            let pins = self.production.skirt.pins.iter().map(|pin| pin.particle);
+            let mut all: Vec<(u32, Vec3)> = pins.zip(self.pin_targets.drain(..)).collect();
+            all.extend(&self.held);
+            all.sort_by_key(|&(particle, _)| particle);
+            self.pin_targets
+                .extend(all.iter().map(|&(_, target)| target));
+        }
     }
 
     fn check_stage(&self) -> Result<(), Divergence> {

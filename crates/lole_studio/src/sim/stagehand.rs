@@ -172,8 +172,11 @@ impl Stagehand {
             Command::Wish(design) => self.wish(*design),
             Command::Reset => self.reset(),
             Command::Pull(pull) => {
-                if let Some((show, _)) = &mut self.stage {
-                    show.pull(pull);
+                if let Some((show, _)) = &mut self.stage
+                    && let Err(error) = show.pull(pull)
+                {
+                    let kept = show.design().clone();
+                    self.refuse(Sentence::of(&error), kept);
                 }
             }
             Command::Watch(watch) => {
