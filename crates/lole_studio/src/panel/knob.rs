@@ -58,7 +58,7 @@ pub(super) fn choice<T: PartialEq + Copy>(
     let width = ((ui.available_width() - gap * (count - 1.0)) / count).max(30.0);
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = gap;
-        ui.spacing_mut().button_padding.x = 4.0;
+        ui.spacing_mut().button_padding.x = 2.0;
         for &(option, name) in options {
             let button = egui::Button::selectable(chosen == Some(option), name)
                 .frame_when_inactive(true)

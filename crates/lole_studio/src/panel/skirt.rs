@@ -32,6 +32,14 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     if let (_, Some(height)) = hem.show(ui, studio.design().skirt.hem_height_cm) {
         studio.change_later(|design| design.skirt.hem_height_cm = height.round());
     }
+    if studio.sews {
+        ui.horizontal(|ui| {
+            ui.spinner();
+            ui.label(studio.say(text::SEWING));
+        });
+    } else {
+        ui.label(RichText::new(studio.say(text::SEWS_ANEW)).small().weak());
+    }
     let (low, high) = range("method", "capsule_count");
     let capsules = Knob {
         name: studio.say(text::CAPSULES_COUNT),
@@ -43,14 +51,6 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     let now = f64::from(studio.design().method.capsule_count);
     if let (_, Some(count)) = capsules.show(ui, now) {
         studio.change_later(|design| design.method.capsule_count = whole(count));
-    }
-    if studio.sews {
-        ui.horizontal(|ui| {
-            ui.spinner();
-            ui.label(studio.say(text::SEWING));
-        });
-    } else {
-        ui.label(RichText::new(studio.say(text::SEWS_ANEW)).small().weak());
     }
 }
 

@@ -160,7 +160,10 @@ impl Stagehand {
                 self.plays = true;
                 self.restart_clock();
             }
-            Command::Pause => self.plays = false,
+            Command::Pause => {
+                self.plays = false;
+                self.is_stale = true;
+            }
             Command::Step => {
                 self.plays = false;
                 self.steps += 1;
