@@ -36,6 +36,7 @@ const UNITS: &[&str] = &[
     "bytes",
     "bit",
     "pixel",
+    "point",
     "pixels",
     "pixel²",
     "px",
