@@ -4,6 +4,7 @@
 //! 2016, "XPBD": `Δλ = -C / (Σ wᵢ |∇ᵢC|² + compliance / dt²)`.
 
 pub(crate) mod bend;
+pub(crate) mod pull;
 pub(crate) mod shear;
 pub(crate) mod stride;
 pub(crate) mod structural;
@@ -17,42 +18,23 @@ use crate::lanes::{Points, RowLink, Scalars, Vectors};
 /// 1e3 to 1e6.
 pub(crate) const INV_MASS_FLOOR: f32 = 1.0e-6;
 
-/// Rows of particles with their inverse masses [1/kg], `group_count` vectors a row.
-pub(crate) struct Rows<'a> {
-    pub(crate) positions: &'a mut [Points],
-    pub(crate) inv_masses: &'a [Scalars],
-    pub(crate) group_count: usize,
+/// Inverse masses of one row [1/kg]; 0 for what is pinned and for lanes without a column.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct RowMasses<'a> {
+    pub(crate) lanes: &'a [Scalars],
+    /// That of every particle, where all have the same.
+    pub(crate) even: Option<f32>,
 }
 
-impl Rows<'_> {
-    /// Runs `kernel(row, inverse masses of the row)` for every row.
-    #[inline(always)]
-    pub(crate) fn each_row(&mut self, mut kernel: impl FnMut(&mut [Points], &[Scalars])) {
-        let rows = self.positions.chunks_exact_mut(self.group_count);
-        for (row, inv_masses) in rows.zip(self.inv_masses.chunks_exact(self.group_count)) {
-            kernel(row, inv_masses);
-        }
-    }
-
-    /// Runs `kernel(row, row below by stride, and their inverse masses)` from the top down.
-    #[inline(always)]
-    pub(crate) fn each_row_pair(
-        &mut self,
-        stride: usize,
-        mut kernel: impl FnMut([&mut [Points]; 2], [&[Scalars]; 2]),
-    ) {
-        let width = self.group_count;
-        let row_count = self.positions.len() / width;
-        for row in 0..row_count.saturating_sub(stride) {
-            let (above, below) = self.positions.split_at_mut((row + stride) * width);
-            let first = row * width..(row + 1) * width;
-            let second = (row + stride) * width..(row + stride + 1) * width;
-            kernel(
-                [&mut above[first.clone()], &mut below[..width]],
-                [&self.inv_masses[first], &self.inv_masses[second]],
-            );
-        }
-    }
+/// The inverse mass [1/kg] that all particles of these rows share.
+#[inline(always)]
+pub(crate) fn shared<const N: usize>(masses: [RowMasses<'_>; N]) -> Option<f32> {
+    let first = masses[0].even?;
+    let alike = masses.iter().all(|row| {
+        row.even
+            .is_some_and(|even| even.to_bits() == first.to_bits())
+    });
+    alike.then_some(first)
 }
 
 /// A partner of a row link: where it is and how heavy.

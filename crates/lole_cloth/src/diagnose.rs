@@ -1,4 +1,9 @@
 //! What a run is judged by: strain, penetration, the first number that is not one.
+
+mod crossings;
+
+pub use crossings::self_crossings;
+
 use glam::Vec3;
 use lole_geom::Capsule;
 
@@ -38,26 +43,47 @@ pub fn strain(spec: &ClothSpec, positions: &[Vec3]) -> StrainSummary {
 }
 
 fn structural_strains(spec: &ClothSpec, positions: &[Vec3]) -> Vec<f32> {
-    let grid = &spec.grid;
-    let mut strains = Vec::with_capacity(2 * grid.particle_count());
-    let mut push = |first: usize, second: usize, rest_length: f32| {
+    let mut strains = Vec::with_capacity(2 * spec.grid.particle_count());
+    each_structural_edge(spec, |[first, second], rest_length| {
         if !(spec.pinned[first] && spec.pinned[second]) {
             let length = positions[first].distance(positions[second]);
             strains.push((length / rest_length - 1.0).abs());
         }
-    };
+    });
+    strains
+}
+
+/// Mean strain of the structural springs at each particle of `positions` [m], row-major,
+/// `length / rest_length - 1`: positive where the cloth is stretched.
+#[must_use]
+pub fn strain_by_particle(spec: &ClothSpec, positions: &[Vec3]) -> Vec<f32> {
+    let mut sums = vec![(0.0_f32, 0.0_f32); positions.len()];
+    each_structural_edge(spec, |[first, second], rest_length| {
+        let length = positions[first].distance(positions[second]);
+        for particle in [first, second] {
+            sums[particle].0 += length / rest_length - 1.0;
+            sums[particle].1 += 1.0;
+        }
+    });
+    sums.into_iter()
+        .map(|(sum, count)| sum / count.max(1.0))
+        .collect()
+}
+
+/// Calls with both ends of every edge of the grid and the length it has at rest [m].
+fn each_structural_edge(spec: &ClothSpec, mut edge: impl FnMut([usize; 2], f32)) {
+    let grid = &spec.grid;
     for row in 0..grid.row_count {
         for column in 0..grid.column_count {
             let particle = grid.index(row, column);
             if let Some(right) = grid.column_right(column, 1) {
-                push(particle, grid.index(row, right), grid.spacing[0]);
+                edge([particle, grid.index(row, right)], grid.spacing[0]);
             }
             if row + 1 < grid.row_count {
-                push(particle, grid.index(row + 1, column), grid.spacing[1]);
+                edge([particle, grid.index(row + 1, column)], grid.spacing[1]);
             }
         }
     }
-    strains
 }
 
 /// Index of the first position that is not finite.

@@ -11,6 +11,7 @@ use crate::{Grid, Topology};
 
 /// Column strips, and lanes of a vector.
 pub(crate) const LANES: usize = 16;
+const LANES_U8: u8 = 16;
 
 /// One scalar for each lane.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -104,29 +105,59 @@ impl<S: Simd> Vectors<S> {
         (self.x * other.x + self.y * other.y) + self.z * other.z
     }
 
-    /// Lane `l` receives lane `l + shift`.
+    /// Lane `l` receives lane `l + shift`; a wide cloth needs shifts of 0 and 1, its strides 2 or 4.
     #[inline(always)]
     pub(crate) fn rotate_left(self, shift: u8) -> Self {
-        Self {
-            x: rotate_left(self.x, shift),
-            y: rotate_left(self.y, shift),
-            z: rotate_left(self.z, shift),
+        match shift {
+            0 => self,
+            1 => self.slide::<1>(),
+            2 => self.slide::<2>(),
+            4 => self.slide::<4>(),
+            _ => self.turned(shift),
         }
     }
 
     /// Lane `l + shift` receives lane `l`.
     #[inline(always)]
     pub(crate) fn rotate_right(self, shift: u8) -> Self {
-        Self {
-            x: rotate_right(self.x, shift),
-            y: rotate_right(self.y, shift),
-            z: rotate_right(self.z, shift),
+        match shift {
+            0 => self,
+            1 => self.slide::<15>(),
+            2 => self.slide::<14>(),
+            4 => self.slide::<12>(),
+            _ => self.turned(LANES_U8 - shift),
         }
+    }
+
+    #[inline(always)]
+    fn slide<const SHIFT: usize>(self) -> Self {
+        Self {
+            x: self.x.rotate_elements_left::<SHIFT>(),
+            y: self.y.rotate_elements_left::<SHIFT>(),
+            z: self.z.rotate_elements_left::<SHIFT>(),
+        }
+    }
+
+    #[inline(always)]
+    fn turned(self, shift: u8) -> Self {
+        let simd = self.x.token();
+        let mut points = Points::default();
+        self.store(&mut points);
+        turn(&mut points, shift);
+        Self::load(simd, &points)
     }
 }
 
-/// Lane `l` receives lane `l + shift`; a wide cloth needs shifts of 0 and 1, its strides
-/// 2 or 4.
+/// Lane `l` receives lane `l + shift`, whatever it is: rare, and kept out of the loops.
+#[cold]
+#[inline(never)]
+fn turn(points: &mut Points, shift: u8) {
+    for lanes in [&mut points.x, &mut points.y, &mut points.z] {
+        lanes.rotate_left(usize::from(shift));
+    }
+}
+
+/// Lane `l` receives lane `l + shift`.
 #[inline(always)]
 pub(crate) fn rotate_left<S: Simd>(value: f32x16<S>, shift: u8) -> f32x16<S> {
     match shift {
@@ -134,40 +165,28 @@ pub(crate) fn rotate_left<S: Simd>(value: f32x16<S>, shift: u8) -> f32x16<S> {
         1 => value.rotate_elements_left::<1>(),
         2 => value.rotate_elements_left::<2>(),
         4 => value.rotate_elements_left::<4>(),
-        _ => {
-            let mut lanes = value.to_array();
-            lanes.rotate_left(usize::from(shift) % LANES);
-            f32x16::load_array(value.token(), lanes)
-        }
+        _ => f32x16::load_array(value.token(), turned(value.to_array(), shift)),
     }
 }
 
-/// Lane `l + shift` receives lane `l`.
-#[inline(always)]
-pub(crate) fn rotate_right<S: Simd>(value: f32x16<S>, shift: u8) -> f32x16<S> {
-    match shift {
-        0 => value,
-        1 => value.rotate_elements_left::<15>(),
-        2 => value.rotate_elements_left::<14>(),
-        4 => value.rotate_elements_left::<12>(),
-        _ => {
-            let mut lanes = value.to_array();
-            lanes.rotate_right(usize::from(shift) % LANES);
-            f32x16::load_array(value.token(), lanes)
-        }
-    }
+#[cold]
+#[inline(never)]
+fn turned(mut lanes: [f32; LANES], shift: u8) -> [f32; LANES] {
+    lanes.rotate_left(usize::from(shift));
+    lanes
 }
 
-/// The smaller of two numbers by one comparison, the same on every instruction set.
+/// The smaller of two numbers. Of two zeros and of a number and none it may be either, which no
+/// bit of a finite state depends on but the sign of a zero.
 #[inline(always)]
 pub(crate) fn smaller<S: Simd>(first: f32x16<S>, second: f32x16<S>) -> f32x16<S> {
-    first.simd_lt(second).select(first, second)
+    first.min(second)
 }
 
-/// The larger of two numbers by one comparison, the same on every instruction set.
+/// The larger of two numbers; see [`smaller`].
 #[inline(always)]
 pub(crate) fn larger<S: Simd>(first: f32x16<S>, second: f32x16<S>) -> f32x16<S> {
-    second.simd_lt(first).select(first, second)
+    first.max(second)
 }
 
 /// Where the columns of a row lie.
@@ -194,6 +213,11 @@ impl Layout {
             row_count: grid.row_count as usize,
             slots: slots.collect(),
         }
+    }
+
+    /// Memory that it holds [byte].
+    pub(crate) const fn byte_count(&self) -> usize {
+        size_of_val(self.slots.as_slice())
     }
 
     /// Vectors in all rows.
@@ -258,6 +282,20 @@ pub(crate) struct RowLink<const N: usize> {
     pub(crate) shifts: [u8; N],
     /// 1 in lanes where the relation exists, 0 elsewhere; `None` when it exists in all.
     pub(crate) mask: Option<Box<Scalars>>,
+}
+
+impl<const N: usize> RowLink<N> {
+    /// Whether it exists in all lanes and no partner is rotated.
+    #[inline(always)]
+    pub(crate) fn is_straight(&self) -> bool {
+        self.mask.is_none() && self.shifts == [0; N]
+    }
+
+    /// Whether no two partners lie in one group: only then may all be written at once.
+    #[inline(always)]
+    pub(crate) fn has_own_groups(&self) -> bool {
+        (0..N).all(|first| (first + 1..N).all(|second| self.groups[first] != self.groups[second]))
+    }
 }
 
 /// Every relation of a column with those `offsets` to its right, in an order that is fixed and

@@ -1,6 +1,7 @@
 //! A cloth prepared for the real-time method: what never changes from step to step.
 
 use crate::collision::pinned_rows::PinnedRows;
+use crate::constraint::RowMasses;
 use crate::constraint::bend::Clamps;
 use crate::constraint::tether::Tethers;
 use crate::lanes::{Layout, RowLink, Scalars, row_links};
@@ -50,6 +51,8 @@ pub struct ClothModel {
     pub(crate) layout: Layout,
     /// [1/kg]; 0 for pinned particles and for lanes without a column.
     pub(crate) inv_masses: Vec<Scalars>,
+    /// By row, the inverse mass of every particle [1/kg] where all have the same.
+    even_rows: Vec<Option<f32>>,
     /// Neighbors along a row.
     pub(crate) row_pairs: Vec<RowLink<2>>,
     /// A column and the two right of it.
@@ -79,6 +82,10 @@ impl ClothModel {
             .map(|(mass, &pinned)| if pinned { 0.0 } else { 1.0 / mass })
             .collect();
         Ok(Self {
+            even_rows: inv_masses
+                .chunks_exact(spec.grid.column_count as usize)
+                .map(even)
+                .collect(),
             inv_masses: layout.scatter(&inv_masses),
             row_pairs: row_links(&spec.grid, &layout, [0, 1]),
             row_triples: row_links(&spec.grid, &layout, [0, 1, 2]),
@@ -91,10 +98,38 @@ impl ClothModel {
         })
     }
 
+    /// Memory that it holds [byte].
+    #[must_use]
+    pub fn byte_count(&self) -> usize {
+        let links = |count: usize| count * (size_of::<RowLink<3>>() + size_of::<Scalars>());
+        let tethers = match &self.tethers {
+            Tethers::Loose => 0,
+            Tethers::Rows(rows) => size_of_val(&rows[..]),
+            Tethers::Anchors(anchors) => (anchors.iter())
+                .map(|anchor| size_of_val(&anchor.inv_squares[..]))
+                .sum(),
+        };
+        size_of_val(&self.spec.pinned[..])
+            + size_of_val(&self.pin_indices[..])
+            + size_of_val(&self.inv_masses[..])
+            + links(self.row_pairs.len() + self.row_triples.len())
+            + self.layout.byte_count()
+            + tethers
+    }
+
     /// What the cloth was made from.
     #[must_use]
     pub const fn spec(&self) -> &ClothSpec {
         &self.spec
+    }
+
+    /// Inverse masses of a row.
+    pub(crate) fn row_masses(&self, row: usize) -> RowMasses<'_> {
+        let width = self.layout.group_count;
+        RowMasses {
+            lanes: &self.inv_masses[row * width..(row + 1) * width],
+            even: self.even_rows[row],
+        }
     }
 
     /// Row-major indices of the pinned particles, ascending.
@@ -117,6 +152,15 @@ impl ClothModel {
         };
         structural + shear_and_twist + bend_across * rows + columns * (rows - 2)
     }
+}
+
+/// The value that all `values` have.
+fn even(values: &[f32]) -> Option<f32> {
+    let first = *values.first()?;
+    let alike = values
+        .iter()
+        .all(|value| value.to_bits() == first.to_bits());
+    alike.then_some(first)
 }
 
 /// Mass of every particle [kg], row-major.

@@ -42,21 +42,21 @@ pub const SCENES: &[Scene] = &[
         name: "hang-64",
         about: "A square of 1.2 m, level at first, swings down from two corners.",
         frame_count: 300,
-        build: || hang(64, 6, &[4]),
+        build: || hang(64, 4, &[4]),
         capsules: |_| Vec::new(),
     },
     Scene {
         name: "hang-128",
         about: "The same square with four times the particles.",
         frame_count: 300,
-        build: || hang(128, 8, &[16, 4]),
+        build: || hang(128, 5, &[16, 4]),
         capsules: |_| Vec::new(),
     },
     Scene {
         name: "hang-256",
         about: "The same square with sixteen times the particles.",
         frame_count: 300,
-        build: || hang(256, 10, &[16, 4]),
+        build: || hang(256, 6, &[16, 4]),
         capsules: |_| Vec::new(),
     },
     Scene {
@@ -67,7 +67,7 @@ pub const SCENES: &[Scene] = &[
         capsules: swaying_capsules,
     },
     Scene {
-        name: "skirt-contact",
+        name: "skirt-self",
         about: "The same skirt, whose folds do not pass through each other.",
         frame_count: 300,
         build: || {
@@ -183,7 +183,11 @@ fn skirt() -> Setup {
             mass: MassLaw::Uniform,
             pinned: pinned.collect(),
         },
-        config: SolverConfig::default(),
+        config: SolverConfig {
+            substep_count: NonZeroU32::MIN.saturating_add(9),
+            structural_sweep_count: NonZeroU32::MIN.saturating_add(3),
+            ..SolverConfig::default()
+        },
         positions,
     }
 }

@@ -7,6 +7,7 @@ use crate::ClothModel;
 use crate::collision::capsule::{MovingCapsule, RowContacts};
 use crate::collision::cloth_cloth::ClothContacts;
 use crate::lanes::Points;
+use crate::method::xpbd::{RowStrides, Schedules};
 
 /// Everything about one cloth that changes from step to step.
 #[derive(Debug, Clone)]
@@ -29,6 +30,8 @@ pub(crate) struct Scratch {
     pub(crate) held_depths: Vec<f32>,
     pub(crate) cloth_contacts: ClothContacts,
     pub(crate) moving_capsules: Vec<MovingCapsule>,
+    pub(crate) row_strides: RowStrides,
+    pub(crate) schedules: Schedules,
 }
 
 impl ClothState {
@@ -51,6 +54,16 @@ impl ClothState {
         };
         state.set_positions(model, positions);
         state
+    }
+
+    /// Memory that it holds, room for a step included [byte].
+    #[must_use]
+    pub fn byte_count(&self) -> usize {
+        size_of_val(&self.positions[..])
+            + size_of_val(&self.velocities[..])
+            + size_of_val(&self.scratch.predicted[..])
+            + size_of_val(&self.pin_targets[..])
+            + self.scratch.cloth_contacts.byte_count()
     }
 
     /// Writes every position [m], row-major, over `out`.

@@ -172,6 +172,22 @@ impl<'a> TriangleGrid<'a> {
         best
     }
 
+    /// Writes over `crossed` the triangles that the segment `start → end` crosses, ascending.
+    pub fn crossed_by(&self, start: Vec3, end: Vec3, crossed: &mut Vec<u32>) {
+        crossed.clear();
+        self.for_each_cell(start.min(end), start.max(end), |cell| {
+            for &triangle in self.members_of(cell) {
+                let corners =
+                    self.triangles[triangle as usize].map(|corner| self.positions[corner as usize]);
+                if segment_crossing(start, end, corners).is_some() {
+                    crossed.push(triangle);
+                }
+            }
+        });
+        crossed.sort_unstable();
+        crossed.dedup();
+    }
+
     /// Fraction in `0..=1` of the first crossing of the segment `start → end` with the mesh.
     #[must_use]
     pub fn first_crossing(&self, start: Vec3, end: Vec3) -> Option<f32> {
@@ -239,14 +255,21 @@ pub fn nearest_barycentric(point: Vec3, [a, b, c]: [Vec3; 3]) -> Vec3 {
     Vec3::new(va, vb, vc) / sum
 }
 
+/// Sine of the angle between a segment and a triangle below which they are parallel: `f64` rounds
+/// far below it, and the `f32` corners of one plane far below one another.
+const PARALLEL_SINE: f64 = 1.0e-7;
+
 /// Fraction along `start → end` where it crosses a triangle, from either side
 /// (Möller and Trumbore 1997); `None` for parallel or degenerate ones.
-fn segment_crossing(start: Vec3, end: Vec3, [a, b, c]: [Vec3; 3]) -> Option<f32> {
+fn segment_crossing(start: Vec3, end: Vec3, corners: [Vec3; 3]) -> Option<f32> {
+    let [a, b, c] = corners.map(|corner| corner.as_dvec3());
+    let (start, end) = (start.as_dvec3(), end.as_dvec3());
     let direction = end - start;
     let (ab, ac) = (b - a, c - a);
     let p = direction.cross(ac);
     let determinant = ab.dot(p);
-    if determinant.abs() < f32::MIN_POSITIVE {
+    let largest = direction.length_squared() * ab.cross(ac).length_squared();
+    if determinant * determinant <= PARALLEL_SINE * PARALLEL_SINE * largest {
         return None;
     }
     let from_a = start - a;
@@ -255,6 +278,8 @@ fn segment_crossing(start: Vec3, end: Vec3, [a, b, c]: [Vec3; 3]) -> Option<f32>
     let v = direction.dot(q) / determinant;
     let t = ac.dot(q) / determinant;
     let inside = 0.0 <= u && 0.0 <= v && u + v <= 1.0 && (0.0..=1.0).contains(&t);
+    #[expect(clippy::cast_possible_truncation, reason = "a fraction of a segment")]
+    let t = t as f32;
     inside.then_some(t)
 }
 

@@ -134,6 +134,17 @@ pub(crate) struct Shape<'a> {
 }
 
 impl ClothContacts {
+    /// Memory that it holds [byte].
+    pub(crate) fn byte_count(&self) -> usize {
+        let pairs: usize = self.pairs.iter().map(Vec::capacity).sum();
+        self.grid.byte_count()
+            + size_of_val(&self.positions[..])
+            + size_of_val(&self.threads[..])
+            + size_of_val(&self.strands[..])
+            + size_of_val(&self.slots[..])
+            + pairs * size_of::<Pair>()
+    }
+
     /// Finds the candidates of a step. Where the cloth has blown up there are none.
     pub(crate) fn find(&mut self, shape: Shape<'_>, positions: &[Points], law: ClothContactLaw) {
         shape.layout.gather_points(positions, &mut self.positions);

@@ -28,6 +28,13 @@ pub(crate) struct CellGrid {
 }
 
 impl CellGrid {
+    /// Memory that it holds [byte].
+    pub(crate) const fn byte_count(&self) -> usize {
+        size_of_val(self.starts.as_slice())
+            + size_of_val(self.entries.as_slice())
+            + size_of_val(self.cells.as_slice())
+    }
+
     /// Sorts `positions`, all finite, rows of `column_count`, into cells of at least `cell_size`
     /// [m].
     pub(crate) fn sort(&mut self, positions: &[Vec3], column_count: u32, cell_size: f32) {

@@ -12,16 +12,16 @@
 use fearless_simd::{Simd, f32x16, prelude::*};
 
 use crate::ClothSpec;
-use crate::constraint::{Rows, add_to_partner, load_partner};
-use crate::lanes::{RowLink, Vectors};
+use crate::constraint::{RowMasses, add_to_partner, load_partner, shared};
+use crate::lanes::{Points, RowLink, Vectors};
 
 /// Which bending terms have a clamp in them.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Clamps {
     /// By row: whether a term along it has one.
-    rows: Vec<bool>,
+    pub(crate) rows: Vec<bool>,
     /// By upper row of a term down the columns.
-    columns: Vec<bool>,
+    pub(crate) columns: Vec<bool>,
 }
 
 impl Clamps {
@@ -68,83 +68,146 @@ fn at_clamp<S: Simd>(
     is_clamp.select(whole * 0.5, whole)
 }
 
-/// Solves bending along rows; `scaled_compliance` [1/kg] is the compliance over the substep
-/// squared.
-#[inline(always)]
-pub(crate) fn solve_rows<S: Simd>(
-    simd: S,
-    rows: &mut Rows<'_>,
-    links: &[RowLink<3>],
-    (scaled_compliance, clamps): (f32, &Clamps),
-) {
-    let mut has_clamp = clamps.rows.iter().copied();
-    rows.each_row(
-        #[inline(always)]
-        |row, inv_masses| {
-            let has_clamp = has_clamp.next().unwrap_or(false);
-            for link in links {
-                let (left, inv_left) = load_partner(simd, link, 0, row, inv_masses);
-                let (middle, inv_middle) = load_partner(simd, link, 1, row, inv_masses);
-                let (right, inv_right) = load_partner(simd, link, 2, row, inv_masses);
-                let curvature = left.add(right).sub(middle.add(middle));
-                let compliance = if has_clamp {
-                    at_clamp(simd, [inv_left, inv_middle, inv_right], scaled_compliance)
-                } else {
-                    f32x16::splat(simd, scaled_compliance)
-                };
-                let mut factor = f32x16::splat(simd, 1.0)
-                    / (inv_left + inv_right + inv_middle * 4.0 + compliance);
-                if let Some(mask) = &link.mask {
-                    factor *= f32x16::load_array_ref(simd, &mask.0);
-                }
-                add_to_partner(link, 0, curvature.scale(-(factor * inv_left)), row);
-                add_to_partner(link, 1, curvature.scale(factor * inv_middle * 2.0), row);
-                add_to_partner(link, 2, curvature.scale(-(factor * inv_right)), row);
-            }
-        },
-    );
+/// Bending terms of one row or of three, one below the other.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Bend {
+    /// Compliance over the substep squared [1/kg].
+    pub(crate) scaled_compliance: f32,
+    /// Whether any of them has a clamp in it.
+    pub(crate) has_clamp: bool,
 }
 
-/// Solves bending down columns, from the top to the bottom.
+impl Bend {
+    /// Share of the second difference by which both ends move where all have the same inverse mass
+    /// [1/kg]; the middle moves twice as far, the other way.
+    fn share_of_equals(&self, inv_mass: f32) -> f32 {
+        inv_mass / (6.0 * inv_mass + self.scaled_compliance)
+    }
+
+    /// What the second difference is multiplied by, before it is divided among the three.
+    #[inline(always)]
+    fn factor<S: Simd>(&self, simd: S, inv_masses: [f32x16<S>; 3]) -> f32x16<S> {
+        let [before, center, after] = inv_masses;
+        let compliance = if self.has_clamp {
+            at_clamp(simd, inv_masses, self.scaled_compliance)
+        } else {
+            f32x16::splat(simd, self.scaled_compliance)
+        };
+        f32x16::splat(simd, 1.0) / (before + after + center * 4.0 + compliance)
+    }
+}
+
+/// Solves bending along a row.
 #[inline(always)]
-pub(crate) fn solve_columns<S: Simd>(
+pub(crate) fn solve_row<S: Simd>(
     simd: S,
-    rows: &mut Rows<'_>,
-    (scaled_compliance, clamps): (f32, &Clamps),
+    row: &mut [Points],
+    masses: RowMasses<'_>,
+    links: &[RowLink<3>],
+    bend: Bend,
 ) {
-    let width = rows.group_count;
-    let row_count = rows.positions.len() / width;
-    for row in 0..row_count.saturating_sub(2) {
-        let start = row * width;
-        let has_clamp = clamps.columns[row];
-        let (upper, rest) = rows.positions[start..start + 3 * width].split_at_mut(width);
-        let (middle, lower) = rest.split_at_mut(width);
-        let inv_masses = &rows.inv_masses[start..start + 3 * width];
-        for group in 0..width {
-            let inv_upper = f32x16::load_array_ref(simd, &inv_masses[group].0);
-            let inv_middle = f32x16::load_array_ref(simd, &inv_masses[width + group].0);
-            let inv_lower = f32x16::load_array_ref(simd, &inv_masses[2 * width + group].0);
-            let points = [&upper[group], &middle[group], &lower[group]].map(
-                #[inline(always)]
-                |p| Vectors::load(simd, p),
-            );
-            let curvature = points[0].add(points[2]).sub(points[1].add(points[1]));
-            let compliance = if has_clamp {
-                at_clamp(simd, [inv_upper, inv_middle, inv_lower], scaled_compliance)
-            } else {
-                f32x16::splat(simd, scaled_compliance)
-            };
-            let factor =
-                f32x16::splat(simd, 1.0) / (inv_upper + inv_lower + inv_middle * 4.0 + compliance);
-            points[0]
-                .sub(curvature.scale(factor * inv_upper))
-                .store(&mut upper[group]);
-            points[1]
-                .add(curvature.scale(factor * inv_middle * 2.0))
-                .store(&mut middle[group]);
-            points[2]
-                .sub(curvature.scale(factor * inv_lower))
-                .store(&mut lower[group]);
+    match masses.even {
+        Some(inv_mass) if inv_mass <= 0.0 => {}
+        Some(inv_mass) if links.iter().all(RowLink::has_own_groups) => {
+            solve_even_row(simd, row, links, bend.share_of_equals(inv_mass));
         }
+        _ => solve_uneven_row(simd, row, masses, links, bend),
+    }
+}
+
+#[inline(always)]
+fn solve_even_row<S: Simd>(simd: S, row: &mut [Points], links: &[RowLink<3>], share: f32) {
+    for link in links {
+        let groups = link.groups.map(usize::from);
+        let left = Vectors::load(simd, &row[groups[0]]);
+        let middle = Vectors::load(simd, &row[groups[1]]);
+        let right = Vectors::load(simd, &row[groups[2]]);
+        if link.is_straight() {
+            let curvature = left.add(right).sub(middle.add(middle));
+            let change = curvature.scale(f32x16::splat(simd, share));
+            left.sub(change).store(&mut row[groups[0]]);
+            middle.add(change.add(change)).store(&mut row[groups[1]]);
+            right.sub(change).store(&mut row[groups[2]]);
+            continue;
+        }
+        let center = middle.rotate_left(link.shifts[1]);
+        let curvature = (left.add(right.rotate_left(link.shifts[2]))).sub(center.add(center));
+        let mut factor = f32x16::splat(simd, share);
+        if let Some(mask) = &link.mask {
+            factor *= f32x16::load_array_ref(simd, &mask.0);
+        }
+        let change = curvature.scale(factor);
+        left.sub(change).store(&mut row[groups[0]]);
+        middle
+            .add(change.add(change).rotate_right(link.shifts[1]))
+            .store(&mut row[groups[1]]);
+        right
+            .sub(change.rotate_right(link.shifts[2]))
+            .store(&mut row[groups[2]]);
+    }
+}
+
+#[inline(always)]
+fn solve_uneven_row<S: Simd>(
+    simd: S,
+    row: &mut [Points],
+    masses: RowMasses<'_>,
+    links: &[RowLink<3>],
+    bend: Bend,
+) {
+    for link in links {
+        let (left, inv_left) = load_partner(simd, link, 0, row, masses.lanes);
+        let (middle, inv_middle) = load_partner(simd, link, 1, row, masses.lanes);
+        let (right, inv_right) = load_partner(simd, link, 2, row, masses.lanes);
+        let curvature = left.add(right).sub(middle.add(middle));
+        let mut factor = bend.factor(simd, [inv_left, inv_middle, inv_right]);
+        if let Some(mask) = &link.mask {
+            factor *= f32x16::load_array_ref(simd, &mask.0);
+        }
+        add_to_partner(link, 0, curvature.scale(-(factor * inv_left)), row);
+        add_to_partner(link, 1, curvature.scale(factor * inv_middle * 2.0), row);
+        add_to_partner(link, 2, curvature.scale(-(factor * inv_right)), row);
+    }
+}
+
+/// Solves bending down the columns of three rows.
+#[inline(always)]
+pub(crate) fn solve_triple<S: Simd>(
+    simd: S,
+    [upper, middle, lower]: [&mut [Points]; 3],
+    masses: [RowMasses<'_>; 3],
+    bend: Bend,
+) {
+    let rows = upper.iter_mut().zip(middle).zip(lower);
+    if let Some(inv_mass) = shared(masses) {
+        if inv_mass <= 0.0 {
+            return;
+        }
+        let share = f32x16::splat(simd, bend.share_of_equals(inv_mass));
+        for ((upper, middle), lower) in rows {
+            let first = Vectors::load(simd, upper);
+            let center = Vectors::load(simd, middle);
+            let last = Vectors::load(simd, lower);
+            let change = first.add(last).sub(center.add(center)).scale(share);
+            first.sub(change).store(upper);
+            center.add(change.add(change)).store(middle);
+            last.sub(change).store(lower);
+        }
+        return;
+    }
+    for (group, ((upper, middle), lower)) in rows.enumerate() {
+        let first = Vectors::load(simd, upper);
+        let center = Vectors::load(simd, middle);
+        let last = Vectors::load(simd, lower);
+        let curvature = first.add(last).sub(center.add(center));
+        let inv_upper = f32x16::load_array_ref(simd, &masses[0].lanes[group].0);
+        let inv_middle = f32x16::load_array_ref(simd, &masses[1].lanes[group].0);
+        let inv_lower = f32x16::load_array_ref(simd, &masses[2].lanes[group].0);
+        let factor = bend.factor(simd, [inv_upper, inv_middle, inv_lower]);
+        first.sub(curvature.scale(factor * inv_upper)).store(upper);
+        center
+            .add(curvature.scale(factor * inv_middle * 2.0))
+            .store(middle);
+        last.sub(curvature.scale(factor * inv_lower)).store(lower);
     }
 }

@@ -2,76 +2,166 @@
 
 use fearless_simd::{Simd, f32x16, prelude::*};
 
-use crate::constraint::{Rows, add_to_partner, load_partner};
-use crate::lanes::{RowLink, Vectors};
+use crate::constraint::pull::Pull;
+use crate::constraint::{RowMasses, add_to_partner, load_partner, shared};
+use crate::lanes::{Points, RowLink, Scalars, Vectors};
 
 /// Compliances of one cell over the substep squared.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Cell {
-    /// Rest length of both diagonals [m].
-    pub(crate) diagonal: f32,
+    /// Squared rest length of both diagonals [m²].
+    pub(crate) diagonal_squared: f32,
     /// Of a shear spring [1/kg].
     pub(crate) shear_compliance: f32,
     /// Of the twist constraint `x₁₁ - x₁₀ - x₀₁ + x₀₀ = 0` [1/kg].
     pub(crate) twist_compliance: f32,
 }
 
-/// Below this length [m] a spring has no direction; a thread is 1e-4 m thick.
-const DEGENERATE_LENGTH: f32 = 1.0e-7;
-
-/// Solves every cell, from the top row of cells to the bottom.
+/// Solves every cell between a row and the next.
 #[inline(always)]
-pub(crate) fn solve<S: Simd>(simd: S, rows: &mut Rows<'_>, links: &[RowLink<2>], cell: Cell) {
-    rows.each_row_pair(
-        1,
-        #[inline(always)]
-        |[upper, lower], [inv_upper, inv_lower]| {
-            for link in links {
-                let corners = [
-                    load_partner(simd, link, 0, upper, inv_upper),
-                    load_partner(simd, link, 1, upper, inv_upper),
-                    load_partner(simd, link, 0, lower, inv_lower),
-                    load_partner(simd, link, 1, lower, inv_lower),
-                ];
-                let mask = match &link.mask {
-                    Some(mask) => f32x16::load_array_ref(simd, &mask.0),
-                    None => f32x16::splat(simd, 1.0),
-                };
-                let inv_masses = corners.map(
-                    #[inline(always)]
-                    |(_, inv_mass)| inv_mass * mask,
-                );
-                let mut points = corners.map(
-                    #[inline(always)]
-                    |(point, _)| point,
-                );
-                solve_twist(simd, &mut points, &inv_masses, cell);
-                solve_diagonal(simd, &mut points, &inv_masses, ([0, 3], cell));
-                solve_diagonal(simd, &mut points, &inv_masses, ([1, 2], cell));
-                let [left, right] = link.groups.map(usize::from);
-                if left == right {
-                    // A narrow cloth: both corners of a row live in one vector, so only changes add up.
-                    let changes = [0, 1, 2, 3].map(
-                        #[inline(always)]
-                        |i| points[i].sub(corners[i].0),
-                    );
-                    add_to_partner(link, 0, changes[0], upper);
-                    add_to_partner(link, 1, changes[1], upper);
-                    add_to_partner(link, 0, changes[2], lower);
-                    add_to_partner(link, 1, changes[3], lower);
-                    continue;
-                }
-                points[0].store(&mut upper[left]);
-                points[2].store(&mut lower[left]);
-                points[1]
-                    .rotate_right(link.shifts[1])
-                    .store(&mut upper[right]);
-                points[3]
-                    .rotate_right(link.shifts[1])
-                    .store(&mut lower[right]);
-            }
-        },
-    );
+pub(crate) fn solve_pair<S: Simd>(
+    simd: S,
+    [upper, lower]: [&mut [Points]; 2],
+    masses: [RowMasses<'_>; 2],
+    links: &[RowLink<2>],
+    cell: Cell,
+) {
+    match shared(masses) {
+        Some(inv_mass) if inv_mass <= 0.0 => {}
+        Some(inv_mass) if links.iter().all(RowLink::has_own_groups) => {
+            let spring = inv_mass / (2.0 * inv_mass + cell.shear_compliance);
+            let equals = Equals {
+                diagonal: Pull::new(cell.diagonal_squared, spring),
+                twist: inv_mass / (4.0 * inv_mass + cell.twist_compliance),
+            };
+            solve_even_pair(simd, [upper, lower], links, equals);
+        }
+        _ => solve_uneven_pair(simd, [upper, lower], masses, links, cell),
+    }
+}
+
+/// A cell whose corners have the same mass.
+#[derive(Clone, Copy)]
+struct Equals {
+    diagonal: Pull,
+    /// Share of the twist by which every corner moves.
+    twist: f32,
+}
+
+#[inline(always)]
+fn solve_even_pair<S: Simd>(
+    simd: S,
+    [upper, lower]: [&mut [Points]; 2],
+    links: &[RowLink<2>],
+    cell: Equals,
+) {
+    for link in links {
+        let (left, right) = (usize::from(link.groups[0]), usize::from(link.groups[1]));
+        let shift = link.shifts[1];
+        let mut points = [
+            Vectors::load(simd, &upper[left]),
+            Vectors::load(simd, &upper[right]),
+            Vectors::load(simd, &lower[left]),
+            Vectors::load(simd, &lower[right]),
+        ];
+        if link.is_straight() {
+            cell.solve(simd, &mut points, None);
+        } else {
+            points[1] = points[1].rotate_left(shift);
+            points[3] = points[3].rotate_left(shift);
+            let mask = link.mask.as_deref();
+            cell.solve(simd, &mut points, mask);
+            points[1] = points[1].rotate_right(shift);
+            points[3] = points[3].rotate_right(shift);
+        }
+        points[0].store(&mut upper[left]);
+        points[1].store(&mut upper[right]);
+        points[2].store(&mut lower[left]);
+        points[3].store(&mut lower[right]);
+    }
+}
+
+impl Equals {
+    /// Moves the corners of a cell: upper left and right, lower left and right.
+    #[inline(always)]
+    fn solve<S: Simd>(self, simd: S, points: &mut [Vectors<S>; 4], mask: Option<&Scalars>) {
+        let twist = points[0].add(points[3]).sub(points[1].add(points[2]));
+        let change = twist.scale(masked(simd, f32x16::splat(simd, self.twist), mask));
+        points[0] = points[0].sub(change);
+        points[1] = points[1].add(change);
+        points[2] = points[2].add(change);
+        points[3] = points[3].sub(change);
+        self.solve_diagonal(simd, points, [0, 3], mask);
+        self.solve_diagonal(simd, points, [1, 2], mask);
+    }
+
+    #[inline(always)]
+    fn solve_diagonal<S: Simd>(
+        self,
+        simd: S,
+        points: &mut [Vectors<S>; 4],
+        [first, second]: [usize; 2],
+        mask: Option<&Scalars>,
+    ) {
+        let offset = points[second].sub(points[first]);
+        let factor = self.diagonal.factor(simd, offset.dot(offset));
+        let change = offset.scale(masked(simd, factor, mask));
+        points[first] = points[first].add(change);
+        points[second] = points[second].sub(change);
+    }
+}
+
+/// `value` in the lanes of the mask, 0 in others.
+#[inline(always)]
+fn masked<S: Simd>(simd: S, value: f32x16<S>, mask: Option<&Scalars>) -> f32x16<S> {
+    match mask {
+        Some(mask) => value * f32x16::load_array_ref(simd, &mask.0),
+        None => value,
+    }
+}
+
+#[inline(always)]
+fn solve_uneven_pair<S: Simd>(
+    simd: S,
+    [upper, lower]: [&mut [Points]; 2],
+    masses: [RowMasses<'_>; 2],
+    links: &[RowLink<2>],
+    cell: Cell,
+) {
+    for link in links {
+        let [inv_upper, inv_lower] = masses.map(|row| row.lanes);
+        let corners = [
+            load_partner(simd, link, 0, upper, inv_upper),
+            load_partner(simd, link, 1, upper, inv_upper),
+            load_partner(simd, link, 0, lower, inv_lower),
+            load_partner(simd, link, 1, lower, inv_lower),
+        ];
+        let mask = match &link.mask {
+            Some(mask) => f32x16::load_array_ref(simd, &mask.0),
+            None => f32x16::splat(simd, 1.0),
+        };
+        let inv_masses = [
+            corners[0].1 * mask,
+            corners[1].1 * mask,
+            corners[2].1 * mask,
+            corners[3].1 * mask,
+        ];
+        let mut points = [corners[0].0, corners[1].0, corners[2].0, corners[3].0];
+        solve_twist(simd, &mut points, &inv_masses, cell);
+        solve_diagonal(simd, &mut points, &inv_masses, ([0, 3], cell));
+        solve_diagonal(simd, &mut points, &inv_masses, ([1, 2], cell));
+        // In a narrow cloth both corners of a row live in one vector, so only changes add up.
+        let changes = [
+            points[0].sub(corners[0].0),
+            points[1].sub(corners[1].0),
+            points[2].sub(corners[2].0),
+            points[3].sub(corners[3].0),
+        ];
+        add_to_partner(link, 0, changes[0], upper);
+        add_to_partner(link, 1, changes[1], upper);
+        add_to_partner(link, 0, changes[2], lower);
+        add_to_partner(link, 1, changes[3], lower);
+    }
 }
 
 #[inline(always)]
@@ -95,12 +185,12 @@ fn solve_diagonal<S: Simd>(
     simd: S,
     points: &mut [Vectors<S>; 4],
     inv_masses: &[f32x16<S>; 4],
-    (ends, cell): ([usize; 2], Cell),
+    ([first, second], cell): ([usize; 2], Cell),
 ) {
-    let offset = points[ends[1]].sub(points[ends[0]]);
-    let length = offset.dot(offset).sqrt() + DEGENERATE_LENGTH;
-    let sum = inv_masses[ends[0]] + inv_masses[ends[1]] + cell.shear_compliance;
-    let factor = (length - f32x16::splat(simd, cell.diagonal)) / (length * sum);
-    points[ends[0]] = points[ends[0]].add(offset.scale(factor * inv_masses[ends[0]]));
-    points[ends[1]] = points[ends[1]].sub(offset.scale(factor * inv_masses[ends[1]]));
+    let offset = points[second].sub(points[first]);
+    let sum = inv_masses[first] + inv_masses[second] + cell.shear_compliance;
+    let pull = Pull::new(cell.diagonal_squared, 1.0);
+    let factor = pull.factor(simd, offset.dot(offset)) / sum;
+    points[first] = points[first].add(offset.scale(factor * inv_masses[first]));
+    points[second] = points[second].sub(offset.scale(factor * inv_masses[second]));
 }

@@ -6,88 +6,124 @@
 
 use fearless_simd::{Simd, f32x16, prelude::*};
 
-use crate::constraint::{INV_MASS_FLOOR, Rows, add_to_partner, load_partner};
-use crate::lanes::{RowLink, Vectors, larger};
+use crate::constraint::pull::Pull;
+use crate::constraint::{INV_MASS_FLOOR, RowMasses, add_to_partner, load_partner, shared};
+use crate::lanes::{Points, RowLink, Vectors};
 
 /// Factor of the offset, zero where slack; `None` where no lane is taut.
 #[inline(always)]
-fn taut_factor<S: Simd>(
-    simd: S,
-    offset: Vectors<S>,
-    inv_mass_sum: f32x16<S>,
-    limit_squared: f32,
-) -> Option<f32x16<S>> {
+fn taut_factor<S: Simd>(simd: S, offset: Vectors<S>, pull: Pull) -> Option<f32x16<S>> {
     let squared = offset.dot(offset);
-    let excess = squared - limit_squared;
-    let zero = f32x16::splat(simd, 0.0);
-    if !zero.simd_lt(excess).any_true() {
-        return None;
+    let limit = f32x16::splat(simd, pull.rest_length_squared());
+    if limit.simd_lt(squared).any_true() {
+        Some(pull.taut_factor(simd, squared))
+    } else {
+        None
     }
-    Some(larger(excess, zero) / ((squared + limit_squared) * (inv_mass_sum + INV_MASS_FLOOR)))
 }
 
-/// Solves every stride along rows; `limit_squared` is the largest squared distance [m²].
+/// Solves every stride along a row; `limit_squared` is the largest squared distance [m²].
 #[inline(always)]
-pub(crate) fn solve_rows<S: Simd>(
+pub(crate) fn solve_row<S: Simd>(
     simd: S,
-    rows: &mut Rows<'_>,
+    row: &mut [Points],
+    masses: RowMasses<'_>,
     links: &[RowLink<2>],
     limit_squared: f32,
 ) {
-    rows.each_row(
-        #[inline(always)]
-        |row, inv_masses| {
-            for link in links {
-                let (first, inv_mass_first) = load_partner(simd, link, 0, row, inv_masses);
-                let (second, inv_mass_second) = load_partner(simd, link, 1, row, inv_masses);
-                let offset = second.sub(first);
-                let sum = inv_mass_first + inv_mass_second;
-                let Some(mut factor) = taut_factor(simd, offset, sum, limit_squared) else {
-                    continue;
-                };
-                if let Some(mask) = &link.mask {
-                    factor *= f32x16::load_array_ref(simd, &mask.0);
-                }
-                add_to_partner(link, 0, offset.scale(factor * inv_mass_first), row);
-                add_to_partner(link, 1, offset.scale(-(factor * inv_mass_second)), row);
-            }
-        },
-    );
+    match masses.even {
+        Some(inv_mass) if inv_mass <= 0.0 => return,
+        Some(_) => return solve_even_row(simd, row, links, Pull::new(limit_squared, 0.5)),
+        None => {}
+    }
+    let pull = Pull::new(limit_squared, 1.0);
+    for link in links {
+        let (first, inv_mass_first) = load_partner(simd, link, 0, row, masses.lanes);
+        let (second, inv_mass_second) = load_partner(simd, link, 1, row, masses.lanes);
+        let offset = second.sub(first);
+        let Some(mut factor) = taut_factor(simd, offset, pull) else {
+            continue;
+        };
+        factor /= inv_mass_first + inv_mass_second + INV_MASS_FLOOR;
+        if let Some(mask) = &link.mask {
+            factor *= f32x16::load_array_ref(simd, &mask.0);
+        }
+        add_to_partner(link, 0, offset.scale(factor * inv_mass_first), row);
+        add_to_partner(link, 1, offset.scale(-(factor * inv_mass_second)), row);
+    }
 }
 
-/// Solves every stride down columns, from the top row to the bottom.
 #[inline(always)]
-pub(crate) fn solve_columns<S: Simd>(
+fn solve_even_row<S: Simd>(simd: S, row: &mut [Points], links: &[RowLink<2>], pull: Pull) {
+    for link in links {
+        let (left, right) = (usize::from(link.groups[0]), usize::from(link.groups[1]));
+        let shift = link.shifts[1];
+        let first = Vectors::load(simd, &row[left]);
+        let second = Vectors::load(simd, &row[right]);
+        let offset = second.rotate_left(shift).sub(first);
+        let Some(mut factor) = taut_factor(simd, offset, pull) else {
+            continue;
+        };
+        if let Some(mask) = &link.mask {
+            factor *= f32x16::load_array_ref(simd, &mask.0);
+        }
+        let change = offset.scale(factor);
+        let first = first.add(change);
+        first.store(&mut row[left]);
+        // In a narrow cloth both ends live in one vector.
+        let second = if left == right { first } else { second };
+        second
+            .sub(change.rotate_right(shift))
+            .store(&mut row[right]);
+    }
+}
+
+/// Solves the stride from a row down to another.
+#[inline(always)]
+pub(crate) fn solve_pair<S: Simd>(
     simd: S,
-    rows: &mut Rows<'_>,
-    stride: usize,
+    [upper, lower]: [&mut [Points]; 2],
+    masses: [RowMasses<'_>; 2],
     limit_squared: f32,
 ) {
-    rows.each_row_pair(
-        stride,
-        #[inline(always)]
-        |[upper, lower], [inv_upper, inv_lower]| {
-            let pairs = upper
-                .iter_mut()
-                .zip(lower)
-                .zip(inv_upper.iter().zip(inv_lower));
-            for ((upper, lower), (inv_upper, inv_lower)) in pairs {
-                let first = Vectors::load(simd, upper);
-                let second = Vectors::load(simd, lower);
-                let inv_mass_first = f32x16::load_array_ref(simd, &inv_upper.0);
-                let inv_mass_second = f32x16::load_array_ref(simd, &inv_lower.0);
-                let offset = second.sub(first);
-                let sum = inv_mass_first + inv_mass_second;
-                let Some(factor) = taut_factor(simd, offset, sum, limit_squared) else {
-                    continue;
-                };
-                first
-                    .add(offset.scale(factor * inv_mass_first))
-                    .store(upper);
-                second
-                    .sub(offset.scale(factor * inv_mass_second))
-                    .store(lower);
-            }
-        },
-    );
+    if let Some(inv_mass) = shared(masses) {
+        if 0.0 < inv_mass {
+            solve_even_pair(simd, [upper, lower], Pull::new(limit_squared, 0.5));
+        }
+        return;
+    }
+    let pull = Pull::new(limit_squared, 1.0);
+    let inv_masses = masses[0].lanes.iter().zip(masses[1].lanes);
+    for ((upper, lower), (inv_upper, inv_lower)) in upper.iter_mut().zip(lower).zip(inv_masses) {
+        let first = Vectors::load(simd, upper);
+        let second = Vectors::load(simd, lower);
+        let inv_mass_first = f32x16::load_array_ref(simd, &inv_upper.0);
+        let inv_mass_second = f32x16::load_array_ref(simd, &inv_lower.0);
+        let offset = second.sub(first);
+        let Some(factor) = taut_factor(simd, offset, pull) else {
+            continue;
+        };
+        let factor = factor / (inv_mass_first + inv_mass_second + INV_MASS_FLOOR);
+        first
+            .add(offset.scale(factor * inv_mass_first))
+            .store(upper);
+        second
+            .sub(offset.scale(factor * inv_mass_second))
+            .store(lower);
+    }
+}
+
+#[inline(always)]
+fn solve_even_pair<S: Simd>(simd: S, [upper, lower]: [&mut [Points]; 2], pull: Pull) {
+    for (upper, lower) in upper.iter_mut().zip(lower) {
+        let first = Vectors::load(simd, upper);
+        let second = Vectors::load(simd, lower);
+        let offset = second.sub(first);
+        let Some(factor) = taut_factor(simd, offset, pull) else {
+            continue;
+        };
+        let change = offset.scale(factor);
+        first.add(change).store(upper);
+        second.sub(change).store(lower);
+    }
 }

@@ -2,8 +2,9 @@
 
 use fearless_simd::{Simd, f32x16, prelude::*};
 
-use crate::constraint::{Rows, add_to_partner, load_partner};
-use crate::lanes::{RowLink, Vectors};
+use crate::constraint::pull::Pull;
+use crate::constraint::{RowMasses, add_to_partner, load_partner, shared};
+use crate::lanes::{Points, RowLink, Vectors};
 
 /// One family of distance springs.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,73 +15,127 @@ pub(crate) struct Spring {
     pub(crate) scaled_compliance: f32,
 }
 
-/// Correction of the first particle over its inverse mass; the second moves the other way.
-///
-/// `(q - L²) / (q + L²)` with `q` the squared length stands for `1 - L / length`: it agrees to
-/// second order near rest, needs no square root, and is gentler on a collapsed spring.
-#[inline(always)]
-fn correction<S: Simd>(
-    offset: Vectors<S>,
-    inv_mass_sum: f32x16<S>,
-    spring: Spring,
-) -> (Vectors<S>, f32x16<S>) {
-    let squared = offset.dot(offset);
-    let factor = (squared - spring.rest_length_squared)
-        / ((squared + spring.rest_length_squared) * (inv_mass_sum + spring.scaled_compliance));
-    (offset, factor)
+impl Spring {
+    /// What pulls where both ends have the same inverse mass [1/kg].
+    pub(crate) fn between_equals(&self, inv_mass: f32) -> Pull {
+        let share = inv_mass / (inv_mass + inv_mass + self.scaled_compliance);
+        Pull::new(self.rest_length_squared, share)
+    }
+
+    /// What pulls in all: masses and compliance are divided among the ends afterwards.
+    pub(crate) fn whole(&self) -> Pull {
+        Pull::new(self.rest_length_squared, 1.0)
+    }
 }
 
-/// Solves every spring along rows.
+/// Solves every spring along a row.
 #[inline(always)]
-pub(crate) fn solve_rows<S: Simd>(
+pub(crate) fn solve_row<S: Simd>(
     simd: S,
-    rows: &mut Rows<'_>,
+    row: &mut [Points],
+    masses: RowMasses<'_>,
     links: &[RowLink<2>],
     spring: Spring,
 ) {
-    rows.each_row(
-        #[inline(always)]
-        |row, inv_masses| {
-            for link in links {
-                let (first, inv_mass_first) = load_partner(simd, link, 0, row, inv_masses);
-                let (second, inv_mass_second) = load_partner(simd, link, 1, row, inv_masses);
-                let (offset, mut factor) =
-                    correction(second.sub(first), inv_mass_first + inv_mass_second, spring);
-                if let Some(mask) = &link.mask {
-                    factor *= f32x16::load_array_ref(simd, &mask.0);
-                }
-                add_to_partner(link, 0, offset.scale(factor * inv_mass_first), row);
-                add_to_partner(link, 1, offset.scale(-(factor * inv_mass_second)), row);
-            }
-        },
-    );
+    match masses.even {
+        Some(inv_mass) if inv_mass <= 0.0 => {}
+        Some(inv_mass) if links.iter().all(RowLink::has_own_groups) => {
+            solve_even_row(simd, row, links, spring.between_equals(inv_mass));
+        }
+        _ => solve_uneven_row(simd, row, masses, links, spring),
+    }
 }
 
-/// Solves every spring down columns, from the top row to the bottom.
 #[inline(always)]
-pub(crate) fn solve_columns<S: Simd>(simd: S, rows: &mut Rows<'_>, spring: Spring) {
-    rows.each_row_pair(
-        1,
-        #[inline(always)]
-        |[upper, lower], [inv_upper, inv_lower]| {
-            let pairs = upper
-                .iter_mut()
-                .zip(lower)
-                .zip(inv_upper.iter().zip(inv_lower));
-            for ((upper, lower), (inv_upper, inv_lower)) in pairs {
-                let first = Vectors::load(simd, upper);
-                let second = Vectors::load(simd, lower);
-                let inv_mass_first = f32x16::load_array_ref(simd, &inv_upper.0);
-                let inv_mass_second = f32x16::load_array_ref(simd, &inv_lower.0);
-                let (offset, factor) =
-                    correction(second.sub(first), inv_mass_first + inv_mass_second, spring);
-                first
-                    .add(offset.scale(factor * inv_mass_first))
-                    .store(upper);
-                second
-                    .sub(offset.scale(factor * inv_mass_second))
-                    .store(lower);
-            }
-        },
-    );
+fn solve_even_row<S: Simd>(simd: S, row: &mut [Points], links: &[RowLink<2>], pull: Pull) {
+    for link in links {
+        let (left, right) = (usize::from(link.groups[0]), usize::from(link.groups[1]));
+        let first = Vectors::load(simd, &row[left]);
+        let second = Vectors::load(simd, &row[right]);
+        if link.is_straight() {
+            let offset = second.sub(first);
+            let change = offset.scale(pull.factor(simd, offset.dot(offset)));
+            first.add(change).store(&mut row[left]);
+            second.sub(change).store(&mut row[right]);
+            continue;
+        }
+        let offset = second.rotate_left(link.shifts[1]).sub(first);
+        let mut factor = pull.factor(simd, offset.dot(offset));
+        if let Some(mask) = &link.mask {
+            factor *= f32x16::load_array_ref(simd, &mask.0);
+        }
+        let change = offset.scale(factor);
+        first.add(change).store(&mut row[left]);
+        second
+            .sub(change.rotate_right(link.shifts[1]))
+            .store(&mut row[right]);
+    }
+}
+
+#[inline(always)]
+fn solve_uneven_row<S: Simd>(
+    simd: S,
+    row: &mut [Points],
+    masses: RowMasses<'_>,
+    links: &[RowLink<2>],
+    spring: Spring,
+) {
+    let pull = spring.whole();
+    for link in links {
+        let (first, inv_mass_first) = load_partner(simd, link, 0, row, masses.lanes);
+        let (second, inv_mass_second) = load_partner(simd, link, 1, row, masses.lanes);
+        let offset = second.sub(first);
+        let sum = inv_mass_first + inv_mass_second + spring.scaled_compliance;
+        let mut factor = pull.factor(simd, offset.dot(offset)) / sum;
+        if let Some(mask) = &link.mask {
+            factor *= f32x16::load_array_ref(simd, &mask.0);
+        }
+        add_to_partner(link, 0, offset.scale(factor * inv_mass_first), row);
+        add_to_partner(link, 1, offset.scale(-(factor * inv_mass_second)), row);
+    }
+}
+
+/// Solves every spring from a row down to the next.
+#[inline(always)]
+pub(crate) fn solve_pair<S: Simd>(
+    simd: S,
+    [upper, lower]: [&mut [Points]; 2],
+    masses: [RowMasses<'_>; 2],
+    spring: Spring,
+) {
+    if let Some(inv_mass) = shared(masses) {
+        if 0.0 < inv_mass {
+            solve_even_pair(simd, [upper, lower], spring.between_equals(inv_mass));
+        }
+        return;
+    }
+    let pull = spring.whole();
+    let inv_masses = masses[0].lanes.iter().zip(masses[1].lanes);
+    for ((upper, lower), (inv_upper, inv_lower)) in upper.iter_mut().zip(lower).zip(inv_masses) {
+        let first = Vectors::load(simd, upper);
+        let second = Vectors::load(simd, lower);
+        let inv_mass_first = f32x16::load_array_ref(simd, &inv_upper.0);
+        let inv_mass_second = f32x16::load_array_ref(simd, &inv_lower.0);
+        let offset = second.sub(first);
+        let sum = inv_mass_first + inv_mass_second + spring.scaled_compliance;
+        let factor = pull.factor(simd, offset.dot(offset)) / sum;
+        first
+            .add(offset.scale(factor * inv_mass_first))
+            .store(upper);
+        second
+            .sub(offset.scale(factor * inv_mass_second))
+            .store(lower);
+    }
+}
+
+#[inline(always)]
+fn solve_even_pair<S: Simd>(simd: S, [upper, lower]: [&mut [Points]; 2], pull: Pull) {
+    for (upper, lower) in upper.iter_mut().zip(lower) {
+        let first = Vectors::load(simd, upper);
+        let second = Vectors::load(simd, lower);
+        let offset = second.sub(first);
+        let change = offset.scale(pull.factor(simd, offset.dot(offset)));
+        first.add(change).store(upper);
+        second.sub(change).store(lower);
+    }
 }

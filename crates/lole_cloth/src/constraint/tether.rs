@@ -6,7 +6,8 @@
 use fearless_simd::{Simd, f32x16, prelude::*};
 use glam::Vec3;
 
-use crate::lanes::{Layout, Points, Scalars, Vectors, larger};
+use crate::constraint::pull::Pull;
+use crate::lanes::{Layout, Points, Scalars, Vectors};
 use crate::{ClothSpec, Grid, Topology};
 
 /// Pins that particles are tethered to where no whole row is pinned; each costs one pass.
@@ -28,8 +29,10 @@ pub(crate) enum Tethers {
 pub(crate) struct Anchor {
     /// Position of the pin in the list of pins.
     pub(crate) pin: usize,
-    /// Flat distance of every particle from it [m].
-    pub(crate) rest_lengths: Vec<Scalars>,
+    /// Its row.
+    pub(crate) row: usize,
+    /// Inverse square of every particle's flat distance from it [1/m²]; 0 for the pin itself.
+    pub(crate) inv_squares: Vec<Scalars>,
 }
 
 impl Tethers {
@@ -57,6 +60,20 @@ impl Tethers {
     }
 }
 
+impl Tethers {
+    /// Rows by which a tether's pin may lie below the row that hangs from it.
+    pub(crate) fn reach(&self) -> usize {
+        match self {
+            Self::Loose => 0,
+            Self::Rows(anchor_rows) => (anchor_rows.iter().enumerate())
+                .map(|(row, &anchor)| (anchor as usize).saturating_sub(row))
+                .max()
+                .unwrap_or(0),
+            Self::Anchors(anchors) => anchors.iter().map(|anchor| anchor.row).max().unwrap_or(0),
+        }
+    }
+}
+
 /// Farthest-point choice: each next anchor is the pin farthest from those already chosen.
 fn spread_anchors(grid: &Grid, layout: &Layout, pin_indices: &[u32]) -> Vec<Anchor> {
     let mut gaps = vec![f32::INFINITY; pin_indices.len()];
@@ -66,12 +83,21 @@ fn spread_anchors(grid: &Grid, layout: &Layout, pin_indices: &[u32]) -> Vec<Anch
         let lengths: Vec<f32> = (0..grid.particle_count())
             .map(|particle| flat_distance(grid, pin_indices[pin] as usize, particle))
             .collect();
+        let inv_square = |&length: &f32| {
+            if 0.0 < length {
+                1.0 / (length * length)
+            } else {
+                0.0
+            }
+        };
+        let inv_squares: Vec<f32> = lengths.iter().map(inv_square).collect();
         for (gap, &other) in gaps.iter_mut().zip(pin_indices) {
             *gap = gap.min(lengths[other as usize]);
         }
         anchors.push(Anchor {
             pin,
-            rest_lengths: layout.scatter(&lengths),
+            row: pin_indices[pin] as usize / grid.column_count as usize,
+            inv_squares: layout.scatter(&inv_squares),
         });
         let farthest = (0..gaps.len()).max_by(|&a, &b| gaps[a].total_cmp(&gaps[b]).then(b.cmp(&a)));
         pin = farthest.unwrap_or(0);
@@ -109,52 +135,48 @@ pub(crate) fn solve_row<S: Simd>(
     limit: f32,
 ) {
     let zero = f32x16::splat(simd, 0.0);
+    let pull = Pull::new(limit * limit, 1.0);
     for ((points, inv_mass), anchor) in row.iter_mut().zip(inv_masses).zip(anchors) {
         let point = Vectors::load(simd, points);
         let offset = point.sub(Vectors::load(simd, anchor));
         let squared = offset.dot(offset);
-        if !f32x16::splat(simd, limit * limit)
-            .simd_lt(squared)
-            .any_true()
-        {
-            continue;
-        }
-        let free = zero.simd_lt(f32x16::load_array_ref(simd, &inv_mass.0));
-        let excess = larger(
-            zero,
-            f32x16::splat(simd, 1.0) - f32x16::splat(simd, limit) / squared.sqrt(),
-        );
-        point
-            .sub(offset.scale(free.select(excess, zero)))
-            .store(points);
-    }
-}
-
-/// Pulls back what is farther from `anchor` than its rest length times `scale`.
-#[inline(always)]
-pub(crate) fn solve_anchor<S: Simd>(
-    simd: S,
-    positions: &mut [Points],
-    inv_masses: &[Scalars],
-    rest_lengths: &[Scalars],
-    (anchor, scale): (Vec3, f32),
-) {
-    let zero = f32x16::splat(simd, 0.0);
-    let anchor = Vectors::splat(simd, anchor);
-    let columns = positions.iter_mut().zip(inv_masses).zip(rest_lengths);
-    for ((points, inv_mass), rest_length) in columns {
-        let point = Vectors::load(simd, points);
-        let offset = point.sub(anchor);
-        let squared = offset.dot(offset);
-        let limit = f32x16::load_array_ref(simd, &rest_length.0) * scale;
-        let taut = (limit * limit).simd_lt(squared)
-            & zero.simd_lt(f32x16::load_array_ref(simd, &inv_mass.0));
+        let taut = f32x16::splat(simd, pull.rest_length_squared()).simd_lt(squared);
         if !taut.any_true() {
             continue;
         }
-        let excess = f32x16::splat(simd, 1.0) - limit / squared.sqrt();
-        point
-            .sub(offset.scale(taut.select(excess, zero)))
-            .store(points);
+        let free = zero.simd_lt(f32x16::load_array_ref(simd, &inv_mass.0));
+        let factor = free.select(pull.taut_factor(simd, squared), zero);
+        point.sub(offset.scale(factor)).store(points);
+    }
+}
+
+/// Pulls back what of a row is farther from `anchor` than its rest length times `scale`; squared
+/// rest lengths come as their inverses [1/m²].
+#[inline(always)]
+pub(crate) fn solve_row_to_anchor<S: Simd>(
+    simd: S,
+    row: &mut [Points],
+    inv_masses: &[Scalars],
+    inv_squares: &[Scalars],
+    (anchor, scale): (Vec3, f32),
+) {
+    let zero = f32x16::splat(simd, 0.0);
+    let one = f32x16::splat(simd, 1.0);
+    let anchor = Vectors::splat(simd, anchor);
+    let pull = Pull::new(1.0, 1.0);
+    let inv_scale = 1.0 / (scale * scale);
+    let columns = row.iter_mut().zip(inv_masses).zip(inv_squares);
+    for ((points, inv_mass), inv_square) in columns {
+        let point = Vectors::load(simd, points);
+        let offset = point.sub(anchor);
+        // Squared length in units of the longest allowed.
+        let squared =
+            offset.dot(offset) * (f32x16::load_array_ref(simd, &inv_square.0) * inv_scale);
+        let taut = one.simd_lt(squared) & zero.simd_lt(f32x16::load_array_ref(simd, &inv_mass.0));
+        if !taut.any_true() {
+            continue;
+        }
+        let factor = taut.select(pull.taut_factor(simd, squared), zero);
+        point.sub(offset.scale(factor)).store(points);
     }
 }

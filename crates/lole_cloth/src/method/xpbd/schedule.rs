@@ -1,0 +1,145 @@
+//! The order of the work in a substep: what is done to which rows, and when.
+//!
+//! Every constraint reaches down a few rows at most, and is solved from the top down. A row is
+//! finished with one family as soon as the rows within reach have had their turn, so the next
+//! family may begin there before the first has come to the bottom. Done row by row in this
+//! staggered way the arithmetic is that of one family after the other over the whole cloth, bit for
+//! bit, and a row is still in the nearest cache when the next family wants it.
+
+/// One thing that is done to every row, or to every row and some below it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Stage {
+    /// Gravity, drag towards the air, and a straight flight.
+    Predict,
+    /// Tethers to pins, which lie at most so many rows further down.
+    Tether(usize),
+    /// Strides down the columns, over so many rows.
+    ColumnStride(usize),
+    /// Strides along the row: which of the strides.
+    RowStride(usize),
+    /// Bending along the row.
+    BendAlong,
+    /// Bending down the columns.
+    BendDown,
+    /// Shear and twist of the cells between two rows.
+    Cells,
+    /// Structural springs along the row.
+    SpringsAlong,
+    /// Structural springs down the columns.
+    SpringsDown,
+    /// Contact with the body, and velocities.
+    Finish,
+}
+
+impl Stage {
+    /// Rows below the first that it changes.
+    const fn span(self) -> usize {
+        match self {
+            Self::ColumnStride(rows) => rows,
+            Self::BendDown => 2,
+            Self::Cells | Self::SpringsDown => 1,
+            Self::Predict
+            | Self::Tether(_)
+            | Self::RowStride(_)
+            | Self::BendAlong
+            | Self::SpringsAlong
+            | Self::Finish => 0,
+        }
+    }
+
+    /// Rows below the first that must be finished with what comes before.
+    const fn reach(self) -> usize {
+        match self {
+            Self::Tether(rows) => rows,
+            _ => self.span(),
+        }
+    }
+}
+
+/// Stages in their order, each as many rows behind the first as the reaches so far ask for.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct Schedule {
+    stages: Vec<(Stage, usize)>,
+}
+
+impl Schedule {
+    /// Forgets every stage.
+    pub(crate) fn clear(&mut self) {
+        self.stages.clear();
+    }
+
+    /// Adds the next stage.
+    pub(crate) fn push(&mut self, stage: Stage) {
+        self.stages.push((stage, self.lag() + stage.reach()));
+    }
+
+    /// Rows by which the last stage is behind the first.
+    fn lag(&self) -> usize {
+        self.stages.last().map_or(0, |&(_, lag)| lag)
+    }
+
+    /// Calls with every stage and every row that it starts at, in the staggered order.
+    #[inline(always)]
+    pub(crate) fn run(&self, row_count: usize, mut work: impl FnMut(Stage, usize)) {
+        if self.stages.is_empty() {
+            return;
+        }
+        for time in 0..row_count + self.lag() {
+            for &(stage, lag) in &self.stages {
+                if let Some(row) = time.checked_sub(lag)
+                    && row + stage.span() < row_count
+                {
+                    work(stage, row);
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What a stage does to a number per row here: it depends on order in every way.
+    fn act(values: &mut [f64], stage: Stage, row: usize) {
+        let span = stage.span();
+        let far = (row + stage.reach()).min(values.len() - 1);
+        let sum: f64 = values[row..=row + span].iter().sum::<f64>() + 0.3 * values[far];
+        for (place, value) in values[row..=row + span].iter_mut().enumerate() {
+            *value = 0.7 * *value + 0.1 * sum * (1.0 + place as f64);
+        }
+    }
+
+    #[test]
+    fn staggered_rows_do_what_one_family_after_the_other_does() {
+        let stages = [
+            Stage::Predict,
+            Stage::Tether(3),
+            Stage::ColumnStride(16),
+            Stage::ColumnStride(4),
+            Stage::RowStride(0),
+            Stage::BendAlong,
+            Stage::BendDown,
+            Stage::Cells,
+            Stage::SpringsAlong,
+            Stage::SpringsDown,
+            Stage::SpringsAlong,
+            Stage::SpringsDown,
+            Stage::Finish,
+        ];
+        for row_count in [3_usize, 4, 5, 16, 17, 50] {
+            let start: Vec<f64> = (0..row_count).map(|row| (row * row % 7) as f64).collect();
+            let mut apart = start.clone();
+            for stage in stages {
+                for row in 0..row_count.saturating_sub(stage.span()) {
+                    act(&mut apart, stage, row);
+                }
+            }
+            let mut schedule = Schedule::default();
+            stages.into_iter().for_each(|stage| schedule.push(stage));
+            let mut staggered = start;
+            schedule.run(row_count, |stage, row| act(&mut staggered, stage, row));
+            assert_eq!(staggered, apart, "{row_count} rows");
+        }
+    }
+}

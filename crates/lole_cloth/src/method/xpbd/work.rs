@@ -1,0 +1,238 @@
+//! What each stage of a substep does to its rows.
+
+use fearless_simd::{Simd, f32x16, prelude::*};
+
+use super::Substep;
+use super::schedule::Stage;
+use crate::collision::capsule::{ContactRow, MovingCapsule, Range, RowContacts};
+use crate::constraint::bend::Bend;
+use crate::constraint::tether::Tethers;
+use crate::constraint::{bend, shear, stride, structural, tether};
+use crate::lanes::{Points, RowLink, Vectors, row_links};
+use crate::{ClothModel, SolverConfig};
+
+/// Stride links along rows, with their strides.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct RowStrides(Vec<(u32, Vec<RowLink<2>>)>);
+
+impl RowStrides {
+    /// Prepares the strides of `config`; nothing is done where they are those of the last step.
+    pub(crate) fn set(&mut self, model: &ClothModel, config: &SolverConfig) {
+        let known = self.0.iter().map(|&(stride, _)| stride);
+        if known.eq(config.row_strides.iter().copied()) {
+            return;
+        }
+        let links = |&stride: &u32| {
+            let links = row_links(&model.spec().grid, &model.layout, [0, stride]);
+            (stride, links)
+        };
+        self.0 = config.row_strides.iter().map(links).collect();
+    }
+}
+
+/// The cloth in a substep.
+pub(super) struct Work<'a> {
+    pub(super) model: &'a ClothModel,
+    pub(super) config: &'a SolverConfig,
+    pub(super) substep: &'a Substep,
+    pub(super) strides: &'a RowStrides,
+    pub(super) positions: &'a mut [Points],
+    pub(super) velocities: &'a mut [Points],
+    /// Positions predicted at the start of the substep.
+    pub(super) predicted: &'a mut [Points],
+    pub(super) capsules: &'a [MovingCapsule],
+    pub(super) contacts: &'a RowContacts,
+    /// Which capsules are tested.
+    pub(super) range: Range,
+    /// By row, how far inside the capsules its particles may stay [m].
+    pub(super) held: &'a [f32],
+}
+
+impl Work<'_> {
+    /// Does the work of a stage that starts at a row.
+    #[inline(always)]
+    pub(super) fn perform<S: Simd>(&mut self, simd: S, stage: Stage, row: usize) {
+        let (model, substep) = (self.model, self.substep);
+        let masses = model.row_masses(row);
+        let [u, v] = model.spec().grid.spacing;
+        match stage {
+            Stage::Predict => self.predict(simd, row),
+            Stage::Tether(_) => self.solve_tethers(simd, row),
+            Stage::ColumnStride(span) => {
+                let masses = [masses, model.row_masses(row + span)];
+                let limit = reach_squared(span, v);
+                stride::solve_pair(simd, self.row_pair(row, span), masses, limit);
+            }
+            Stage::RowStride(index) => {
+                let (count, links) = &self.strides.0[index];
+                let limit = reach_squared(*count as usize, u);
+                stride::solve_row(simd, self.row(row), masses, links, limit);
+            }
+            Stage::BendAlong => {
+                let bend = Bend {
+                    scaled_compliance: substep.bend_across,
+                    has_clamp: model.clamps.rows[row],
+                };
+                bend::solve_row(simd, self.row(row), masses, &model.row_triples, bend);
+            }
+            Stage::BendDown => {
+                let bend = Bend {
+                    scaled_compliance: substep.bend_down,
+                    has_clamp: model.clamps.columns[row],
+                };
+                let masses = [masses, model.row_masses(row + 1), model.row_masses(row + 2)];
+                bend::solve_triple(simd, self.row_triple(row), masses, bend);
+            }
+            Stage::Cells => {
+                let masses = [masses, model.row_masses(row + 1)];
+                let rows = self.row_pair(row, 1);
+                shear::solve_pair(simd, rows, masses, &model.row_pairs, substep.cell);
+            }
+            Stage::SpringsAlong => {
+                let links = &model.row_pairs;
+                structural::solve_row(simd, self.row(row), masses, links, substep.across);
+            }
+            Stage::SpringsDown => {
+                let masses = [masses, model.row_masses(row + 1)];
+                structural::solve_pair(simd, self.row_pair(row, 1), masses, substep.down);
+            }
+            Stage::Finish => self.finish(simd, row),
+        }
+    }
+
+    #[inline(always)]
+    fn row(&mut self, row: usize) -> &mut [Points] {
+        let width = self.model.layout.group_count;
+        &mut self.positions[row * width..(row + 1) * width]
+    }
+
+    /// A row, and the one so many further down.
+    #[inline(always)]
+    fn row_pair(&mut self, row: usize, span: usize) -> [&mut [Points]; 2] {
+        let width = self.model.layout.group_count;
+        let (above, below) = self.positions.split_at_mut((row + span) * width);
+        [
+            &mut above[row * width..(row + 1) * width],
+            &mut below[..width],
+        ]
+    }
+
+    #[inline(always)]
+    fn row_triple(&mut self, row: usize) -> [&mut [Points]; 3] {
+        let width = self.model.layout.group_count;
+        let rows = &mut self.positions[row * width..(row + 3) * width];
+        let (upper, rest) = rows.split_at_mut(width);
+        let (middle, lower) = rest.split_at_mut(width);
+        [upper, middle, lower]
+    }
+
+    #[inline(always)]
+    fn predict<S: Simd>(&mut self, simd: S, row: usize) {
+        let width = self.model.layout.group_count;
+        let range = row * width..(row + 1) * width;
+        let substep = self.substep;
+        let zero = f32x16::splat(simd, 0.0);
+        let gravity = Vectors::splat(simd, substep.gravity_gain);
+        let air = Vectors::splat(simd, substep.air_velocity);
+        let kept = f32x16::splat(simd, substep.drag_kept);
+        let h = f32x16::splat(simd, substep.h);
+        let columns = (self.positions[range.clone()].iter_mut())
+            .zip(&mut self.velocities[range.clone()])
+            .zip(&mut self.predicted[range.clone()])
+            .zip(&self.model.inv_masses[range]);
+        for (((position, velocity), predicted), inv_mass) in columns {
+            let free = zero.simd_lt(f32x16::load_array_ref(simd, &inv_mass.0));
+            let before = Vectors::load(simd, velocity);
+            let after = before.add(gravity).sub(air).scale(kept).add(air);
+            let after = Vectors {
+                x: free.select(after.x, before.x),
+                y: free.select(after.y, before.y),
+                z: free.select(after.z, before.z),
+            };
+            let moved = Vectors::load(simd, position).add(after.scale(h));
+            after.store(velocity);
+            moved.store(position);
+            moved.store(predicted);
+        }
+    }
+
+    #[inline(always)]
+    fn solve_tethers<S: Simd>(&mut self, simd: S, row: usize) {
+        let Some(scale) = self.config.tether_scale else {
+            return;
+        };
+        let model = self.model;
+        let width = model.layout.group_count;
+        let range = row * width..(row + 1) * width;
+        match &model.tethers {
+            Tethers::Loose => {}
+            Tethers::Rows(anchor_rows) => {
+                let anchor_row = anchor_rows[row] as usize;
+                let distance = row.abs_diff(anchor_row);
+                if distance < 2 {
+                    return;
+                }
+                let (points, anchors) = if anchor_row < row {
+                    let [anchors, points] = self.row_pair(anchor_row, distance);
+                    (points, anchors)
+                } else {
+                    let [points, anchors] = self.row_pair(row, distance);
+                    (points, anchors)
+                };
+                #[expect(clippy::cast_precision_loss, reason = "rows are fewer than 2^24")]
+                let limit = distance as f32 * model.spec().grid.spacing[1] * scale;
+                tether::solve_row(simd, points, &model.inv_masses[range], anchors, limit);
+            }
+            Tethers::Anchors(anchors) => {
+                for anchor in anchors {
+                    let (vector, lane) =
+                        model.layout.slot(model.pin_indices()[anchor.pin] as usize);
+                    let position = self.positions[vector].get(lane);
+                    tether::solve_row_to_anchor(
+                        simd,
+                        &mut self.positions[range.clone()],
+                        &model.inv_masses[range.clone()],
+                        &anchor.inv_squares[range.clone()],
+                        (position, scale),
+                    );
+                }
+            }
+        }
+    }
+
+    /// Contact with the body; then what the projections changed becomes velocity.
+    #[inline(always)]
+    fn finish<S: Simd>(&mut self, simd: S, row: usize) {
+        let width = self.model.layout.group_count;
+        let range = row * width..(row + 1) * width;
+        let indices = self.contacts.row(row, self.range);
+        if !indices.is_empty() {
+            let mut row = ContactRow {
+                positions: &mut self.positions[range.clone()],
+                predicted: &self.predicted[range.clone()],
+                velocities: &self.velocities[range.clone()],
+                inv_masses: &self.model.inv_masses[range.clone()],
+                h: self.substep.h,
+                held: self.held[row],
+            };
+            row.project(simd, self.capsules, indices, self.substep.contact);
+        }
+        let inv_h = f32x16::splat(simd, 1.0 / self.substep.h);
+        let columns = (self.positions[range.clone()].iter())
+            .zip(&self.predicted[range.clone()])
+            .zip(&mut self.velocities[range]);
+        for ((position, predicted), velocity) in columns {
+            let change = Vectors::load(simd, position).sub(Vectors::load(simd, predicted));
+            Vectors::load(simd, velocity)
+                .add(change.scale(inv_h))
+                .store(velocity);
+        }
+    }
+}
+
+/// Squared length of so many cells [m²].
+#[expect(clippy::cast_precision_loss, reason = "a stride is far below 2^24")]
+fn reach_squared(cells: usize, spacing: f32) -> f32 {
+    let reach = cells as f32 * spacing;
+    reach * reach
+}
