@@ -3,57 +3,50 @@
 use lole_cloth::diagnose::{self, StrainSummary};
 use lole_cloth::scenes::{FRAME_DT, SCENES, Scene};
 use lole_cloth::{ClothModel, ClothState, InstructionSet, StepInput, state_hash, step};
+use lole_export::report::{MeanPercentileMax, MedianPercentile, Worst};
 use lole_language::{Language, words};
 use serde::Serialize;
 
 use crate::args::{BenchArgs, Vectors};
-use crate::figures::median_and_p99;
+use crate::figures::{median_and_p99, percent};
 use crate::stopwatch::Stopwatch;
 use crate::{Failure, summary};
 
 /// Frames whose worst strain does not count: the start pose of some scenes is stretched.
 const START_FRAMES: u32 = 6;
+/// Frame from which the cloth may not cross itself: some scenes start so tightly folded that it
+/// does.
+const CROSSINGS_FROM: u32 = 30;
 
 /// One scene on this machine.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub(crate) struct BenchRow {
     pub(crate) scene: &'static str,
+    pub(crate) method: &'static str,
     pub(crate) particles: usize,
     pub(crate) substeps: u32,
+    pub(crate) threads: usize,
     /// Processor time of a frame, all threads [ms].
-    pub(crate) frame_ms_median: f64,
-    pub(crate) frame_ms_p99: f64,
+    pub(crate) frame_ms: MedianPercentile,
     /// Wall time of a frame [ms].
-    pub(crate) frame_wall_ms_median: f64,
+    pub(crate) frame_wall_ms: MedianPercentile,
+    /// Processor time for one particle in one substep [ns].
+    pub(crate) particle_substep_ns: f64,
     /// Absolute structural strain at the end [%].
-    pub(crate) strain_end_pct: StrainPercent,
+    pub(crate) strain_end_pct: MeanPercentileMax,
     /// Its worst from the seventh frame on [%].
-    pub(crate) strain_worst_pct: StrainPercent,
-    /// Deepest free particle in a capsule over the run [mm].
-    pub(crate) capsule_penetration_mm: f64,
+    pub(crate) strain_worst_pct: MeanPercentileMax,
+    /// Deepest free particle in a capsule over the run.
+    pub(crate) penetration_mm: Worst<f64>,
+    /// Edges of the cloth that cross one of its triangles, most of any frame from
+    /// [`CROSSINGS_FROM`] on; left out where the cloth may pass through itself.
+    pub(crate) self_crossings: Option<usize>,
     /// Root mean square of the particles' speeds at the end [m/s].
     pub(crate) rms_speed_m_per_s: f64,
+    /// Memory of the prepared cloth and its state.
+    pub(crate) bytes_per_particle: f64,
     /// All bits of the state at the end.
     pub(crate) state_hash: String,
-}
-
-/// A strain's figures [%].
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub(crate) struct StrainPercent {
-    pub(crate) mean: f64,
-    pub(crate) p99: f64,
-    pub(crate) max: f64,
-}
-
-impl From<StrainSummary> for StrainPercent {
-    fn from(strain: StrainSummary) -> Self {
-        let percent = |value: f32| 100.0 * f64::from(value);
-        Self {
-            mean: percent(strain.mean),
-            p99: percent(strain.p99),
-            max: percent(strain.max),
-        }
-    }
 }
 
 /// Runs every scene, or the one that was named.
@@ -110,6 +103,7 @@ fn measure(scene: &Scene, vectors: Vectors) -> Result<BenchRow, lole_cloth::Buil
     let (mut process, mut wall) = (Vec::new(), Vec::new());
     let mut positions = Vec::new();
     let mut deepest = 0.0_f32;
+    let mut crossings = setup.config.self_collision.is_some().then_some(0);
     let (mut end, mut worst) = (StrainSummary::default(), StrainSummary::default());
     for frame in 0..scene.frame_count {
         let time = f64::from(frame + 1) * f64::from(FRAME_DT);
@@ -133,21 +127,40 @@ fn measure(scene: &Scene, vectors: Vectors) -> Result<BenchRow, lole_cloth::Buil
         }
         let depth = diagnose::worst_capsule_penetration(&setup.spec, &positions, &capsules);
         deepest = deepest.max(depth);
+        if let Some(most) = &mut crossings
+            && CROSSINGS_FROM <= frame
+        {
+            *most = diagnose::self_crossings(&setup.spec.grid, &positions)
+                .map_or(usize::MAX, |count| count.max(*most));
+        }
     }
-    let process = median_and_p99(&process);
+    let frame_ms = median_and_p99(&process);
+    let particles = setup.spec.grid.particle_count();
+    let substeps = setup.config.substep_count.get();
+    #[expect(clippy::cast_precision_loss, reason = "counts are far below 2^52")]
+    let (count, bytes) = (
+        particles as f64,
+        (model.byte_count() + state.byte_count()) as f64,
+    );
     let mut velocities = Vec::new();
     state.copy_velocities(&model, &mut velocities);
     Ok(BenchRow {
         scene: scene.name,
-        particles: setup.spec.grid.particle_count(),
-        substeps: setup.config.substep_count.get(),
-        frame_ms_median: process.median,
-        frame_ms_p99: process.p99,
-        frame_wall_ms_median: median_and_p99(&wall).median,
-        strain_end_pct: end.into(),
-        strain_worst_pct: worst.into(),
-        capsule_penetration_mm: 1e3 * f64::from(deepest),
+        method: "xpbd",
+        particles,
+        substeps,
+        threads: rayon::current_num_threads(),
+        frame_ms,
+        frame_wall_ms: median_and_p99(&wall),
+        particle_substep_ns: 1e6 * frame_ms.median / (count * f64::from(substeps)),
+        strain_end_pct: percent(end),
+        strain_worst_pct: percent(worst),
+        penetration_mm: Worst {
+            worst: 1e3 * f64::from(deepest),
+        },
+        self_crossings: crossings,
         rms_speed_m_per_s: f64::from(diagnose::rms_speed(&velocities)),
+        bytes_per_particle: bytes / count,
         state_hash: format!("{:016x}", state_hash(&state)),
     })
 }

@@ -1,10 +1,9 @@
 //! `lole dance`: drape, dance, draw, write.
 
-use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use anyhow::{Context as _, Result};
+use anyhow::Result;
 use lole_body::DanceStep;
 use lole_costume::document::{self, Design, MethodName, Place};
 use lole_export::report::ReportFile;
@@ -100,7 +99,7 @@ fn load(args: &DanceArgs) -> Result<Source, Failure> {
     let (name, text, mut design) = match &args.design {
         Some(path) => {
             let name = path.display().to_string();
-            let bytes = read(path).map_err(Failure::Usage)?;
+            let bytes = lole_studio::read_document(path).map_err(Failure::usage)?;
             let design = document::parse_bytes(&bytes, &name)
                 .map_err(|error| Failure::Usage(error.into()))?;
             (name, String::from_utf8_lossy(&bytes).into_owned(), design)
@@ -155,31 +154,6 @@ pub(crate) fn unknown(option: &str, word: &str, what: Words, choices: &[&str]) -
         ),
         format!("{option} {word}: there is no such {}; {hint}", what.english),
     ))
-}
-
-/// A design larger than this [byte] is some other file; it is not even read.
-const LARGEST_FILE: u64 = 16 << 20;
-
-fn read(path: &Path) -> Result<Vec<u8>> {
-    let name = path.display();
-    let unreadable = || {
-        Sentence::new(
-            format!("{name}: ファイルが読めません。場所と名前を確かめてください"),
-            format!("{name}: the file cannot be read; check the path"),
-        )
-    };
-    let size = std::fs::metadata(path).with_context(unreadable)?.len();
-    let megabytes = size >> 20;
-    anyhow::ensure!(
-        size <= LARGEST_FILE,
-        Sentence::new(
-            format!(
-                "{name}: {megabytes} MB もあり、デザインではありません。.lole のファイルを指定してください"
-            ),
-            format!("{name}: the file has {megabytes} MB and is no design; give a .lole file"),
-        )
-    );
-    std::fs::read(path).with_context(unreadable)
 }
 
 /// The pictures of a run while they are being made.

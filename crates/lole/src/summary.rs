@@ -116,37 +116,44 @@ pub(crate) fn print_check(method: &str, check: &Check, language: Language) {
 /// Column heads of the bench table.
 pub(crate) fn print_bench_head(language: Language) {
     println!(
-        "{:<14} {:>9} {:>8} {:>8} {:>8} {:>8} {:>22} {:>15} {:>8} {:>7}  hash",
+        "{:<14} {:>9} {:>8} {:>8} {:>8} {:>8} {:>6} {:>22} {:>15} {:>8} {:>9} {:>7} {:>6}  hash",
         language.pick("場面", "scene"),
         language.pick("質点", "particles"),
         language.pick("分割", "substeps"),
         "CPU ms",
         "CPU p99",
         "wall ms",
+        "ns",
         "end mean p99 max %",
         "worst p99 max %",
         "depth mm",
-        "rms m/s"
+        "crossings",
+        "rms m/s",
+        "bytes",
     );
 }
 
 /// One row of the bench table.
 pub(crate) fn print_bench_row(row: &BenchRow) {
+    let crossings = (row.self_crossings).map_or("-".to_owned(), |count| count.to_string());
     println!(
-        "{:<14} {:>9} {:>8} {:>8.2} {:>8.2} {:>8.2} {:>10.3} {:>5.2} {:>5.2} {:>9.2} {:>5.2} {:>8.2} {:>7.3}  {}",
+        "{:<14} {:>9} {:>8} {:>8.3} {:>8.3} {:>8.3} {:>6.2} {:>10.3} {:>5.2} {:>5.2} {:>9.2} {:>5.2} {:>8.3} {:>9} {:>7.3} {:>6.0}  {}",
         row.scene,
         row.particles,
         row.substeps,
-        row.frame_ms_median,
-        row.frame_ms_p99,
-        row.frame_wall_ms_median,
+        row.frame_ms.median,
+        row.frame_ms.p99,
+        row.frame_wall_ms.median,
+        row.particle_substep_ns,
         row.strain_end_pct.mean,
         row.strain_end_pct.p99,
         row.strain_end_pct.max,
         row.strain_worst_pct.p99,
         row.strain_worst_pct.max,
-        row.capsule_penetration_mm,
+        row.penetration_mm.worst,
+        crossings,
         row.rms_speed_m_per_s,
+        row.bytes_per_particle,
         row.state_hash
     );
 }

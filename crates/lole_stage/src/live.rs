@@ -10,7 +10,7 @@ use std::sync::Arc;
 use glam::{Affine3A, Vec3};
 use lole_body::motion::Dance;
 use lole_body::{Bone, Pose};
-use lole_cloth::{ClothSpec, model::particle_masses};
+use lole_cloth::{ClothSpec, diagnose, model::particle_masses};
 use lole_costume::document::Design;
 use lole_geom::Capsule;
 
@@ -425,29 +425,7 @@ impl Show {
     /// where the cloth is stretched.
     #[must_use]
     pub fn strain(&self) -> Vec<f32> {
-        let grid = &self.spec.grid;
-        let mut sums = vec![(0.0_f32, 0.0_f32); self.positions.len()];
-        let mut add = |first: usize, second: usize, rest_length: f32| {
-            let length = self.positions[first].distance(self.positions[second]);
-            for particle in [first, second] {
-                sums[particle].0 += length / rest_length - 1.0;
-                sums[particle].1 += 1.0;
-            }
-        };
-        for row in 0..grid.row_count {
-            for column in 0..grid.column_count {
-                let particle = grid.index(row, column);
-                if let Some(right) = grid.column_right(column, 1) {
-                    add(particle, grid.index(row, right), grid.spacing[0]);
-                }
-                if row + 1 < grid.row_count {
-                    add(particle, grid.index(row + 1, column), grid.spacing[1]);
-                }
-            }
-        }
-        sums.into_iter()
-            .map(|(sum, count)| sum / count.max(1.0))
-            .collect()
+        diagnose::strain_by_particle(&self.spec, &self.positions)
     }
 
     /// Particles below the drawn skin, given its posed vertices and normals.

@@ -13,12 +13,12 @@ const LARGEST_FILE: u64 = 16 << 20;
 /// Pictures of one folder that are counted before giving up.
 const MOST_PICTURES: u32 = 10_000;
 
-/// Reads a design.
+/// Reads the bytes of a design, if the file is small enough to be one.
 ///
 /// # Errors
-/// One sentence that names the file and, where there is one, the line.
-pub(crate) fn read_design(path: &Path) -> Result<Design, Sentence> {
-    let name = path.display().to_string();
+/// One sentence that names the file.
+pub fn read_document(path: &Path) -> Result<Vec<u8>, Sentence> {
+    let name = path.display();
     let unreadable = |_| {
         Sentence::new(
             format!("{name}: ファイルが読めません。場所と名前を確かめてください"),
@@ -35,7 +35,16 @@ pub(crate) fn read_design(path: &Path) -> Result<Design, Sentence> {
             format!("{name}: the file has {megabytes} MB and is no design; choose a .lole file"),
         ));
     }
-    let bytes = fs::read(path).map_err(unreadable)?;
+    fs::read(path).map_err(unreadable)
+}
+
+/// Reads a design.
+///
+/// # Errors
+/// One sentence that names the file and, where there is one, the line.
+pub(crate) fn read_design(path: &Path) -> Result<Design, Sentence> {
+    let bytes = read_document(path)?;
+    let name = path.display().to_string();
     document::parse_bytes(&bytes, &name).map_err(|error| Sentence::of(&error))
 }
 
