@@ -11,7 +11,6 @@ use lole_language::Sentence;
 #[command(
     name = "lole",
     version,
-    about,
     override_usage = "lole [DESIGN.lole]\n       lole <COMMAND>"
 )]
 pub(crate) struct Cli {

@@ -1,19 +1,17 @@
 //! `lole bench`: what a frame costs on this machine, scene by scene, with the quality it buys.
 
-use lole_cloth::diagnose::{self, StrainSummary};
-use lole_cloth::scenes::{FRAME_DT, SCENES, Scene};
-use lole_cloth::{ClothModel, ClothState, InstructionSet, StepInput, state_hash, step};
+mod engine;
+mod stage;
+
+use lole_cloth::InstructionSet;
+use lole_cloth::scenes::SCENES;
 use lole_export::report::{MeanPercentileMax, MedianPercentile, Worst};
 use lole_language::{Language, words};
 use serde::Serialize;
 
 use crate::args::{BenchArgs, Vectors};
-use crate::figures::{median_and_p99, percent};
-use crate::stopwatch::Stopwatch;
 use crate::{Failure, summary};
 
-/// Frames whose worst strain does not count: the start pose of some scenes is stretched.
-const START_FRAMES: u32 = 6;
 /// Frame from which the cloth may not cross itself: some scenes start so tightly folded that it
 /// does.
 const CROSSINGS_FROM: u32 = 30;
@@ -38,6 +36,8 @@ pub(crate) struct BenchRow {
     pub(crate) strain_worst_pct: MeanPercentileMax,
     /// Deepest free particle in a capsule over the run.
     pub(crate) penetration_mm: Worst<f64>,
+    /// Deepest particle below the drawn skin over the run; left out where there is no skin.
+    pub(crate) skin_penetration_mm: Option<Worst<f64>>,
     /// Edges of the cloth that cross one of its triangles, most of any frame from
     /// [`CROSSINGS_FROM`] on; left out where the cloth may pass through itself.
     pub(crate) self_crossings: Option<usize>,
@@ -49,32 +49,48 @@ pub(crate) struct BenchRow {
     pub(crate) state_hash: String,
 }
 
+/// A scene of the table.
+type Measure = Box<dyn Fn(InstructionSet) -> Result<BenchRow, Failure> + Send + Sync>;
+
+/// Every scene by name: those of the engine, then those with a dancer.
+fn scenes() -> Vec<(&'static str, Measure)> {
+    let engine = SCENES.iter().map(|scene| {
+        let measure: Measure = Box::new(|set| engine::measure(scene, set).map_err(Failure::error));
+        (scene.name, measure)
+    });
+    let stage = stage::SCENES.iter().map(|scene| {
+        let measure: Measure = Box::new(|set| stage::measure(scene, set).map_err(Failure::error));
+        (scene.name, measure)
+    });
+    engine.chain(stage).collect()
+}
+
 /// Runs every scene, or the one that was named.
 pub(crate) fn run(args: &BenchArgs, language: Language) -> Result<(), Failure> {
-    let names: Vec<&str> = SCENES.iter().map(|scene| scene.name).collect();
-    let chosen: Vec<&Scene> = match &args.scene {
-        Some(name) => vec![
-            SCENES
-                .iter()
-                .find(|scene| scene.name == name)
-                .ok_or_else(|| {
-                    crate::dance::unknown("--scene", name, words("場面", "scene"), &names)
-                })?,
-        ],
-        None => SCENES.iter().collect(),
-    };
+    let mut chosen = scenes();
+    if let Some(name) = &args.scene {
+        let names: Vec<&str> = chosen.iter().map(|(name, _)| *name).collect();
+        if !names.contains(&name.as_str()) {
+            let what = words("場面", "scene");
+            return Err(crate::dance::unknown("--scene", name, what, &names));
+        }
+        chosen.retain(|(scene, _)| scene == name);
+    }
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(usize::from(args.threads))
         .build()
         .map_err(Failure::error)?;
+    let set = match args.vectors {
+        Vectors::Detected => InstructionSet::Detected,
+        Vectors::Wide => InstructionSet::Wide,
+        Vectors::Baseline => InstructionSet::Baseline,
+    };
     let mut rows = Vec::new();
     if !args.json {
         summary::print_bench_head(language);
     }
-    for scene in chosen {
-        let row = pool
-            .install(|| measure(scene, args.vectors))
-            .map_err(Failure::error)?;
+    for (_, measure) in chosen {
+        let row = pool.install(|| measure(set))?;
         if !args.json {
             summary::print_bench_row(&row);
         }
@@ -84,83 +100,4 @@ pub(crate) fn run(args: &BenchArgs, language: Language) -> Result<(), Failure> {
         summary::print_json(&serde_json::to_string_pretty(&rows).map_err(Failure::error)?);
     }
     Ok(())
-}
-
-fn measure(scene: &Scene, vectors: Vectors) -> Result<BenchRow, lole_cloth::BuildError> {
-    let mut setup = (scene.build)();
-    setup.config.instruction_set = match vectors {
-        Vectors::Detected => InstructionSet::Detected,
-        Vectors::Wide => InstructionSet::Wide,
-        Vectors::Baseline => InstructionSet::Baseline,
-    };
-    let model = ClothModel::new(&setup.spec)?;
-    let mut state = ClothState::new(&model, &setup.positions);
-    let pins: Vec<glam::Vec3> = model
-        .pin_indices()
-        .iter()
-        .map(|&index| setup.positions[index as usize])
-        .collect();
-    let (mut process, mut wall) = (Vec::new(), Vec::new());
-    let mut positions = Vec::new();
-    let mut deepest = 0.0_f32;
-    let mut crossings = setup.config.self_collision.is_some().then_some(0);
-    let (mut end, mut worst) = (StrainSummary::default(), StrainSummary::default());
-    for frame in 0..scene.frame_count {
-        let time = f64::from(frame + 1) * f64::from(FRAME_DT);
-        let capsules = (scene.capsules)(time);
-        let input = StepInput {
-            pin_targets: &pins,
-            capsules: &capsules,
-            air_velocity: glam::Vec3::ZERO,
-        };
-        let watch = Stopwatch::start();
-        step(&model, &setup.config, &input, &mut state, FRAME_DT);
-        let timing = watch.read();
-        process.push(1e3 * timing.process_seconds);
-        wall.push(1e3 * timing.wall_seconds);
-        state.copy_positions(&model, &mut positions);
-        end = diagnose::strain(&setup.spec, &positions);
-        if START_FRAMES <= frame {
-            worst.mean = worst.mean.max(end.mean);
-            worst.p99 = worst.p99.max(end.p99);
-            worst.max = worst.max.max(end.max);
-        }
-        let depth = diagnose::worst_capsule_penetration(&setup.spec, &positions, &capsules);
-        deepest = deepest.max(depth);
-        if let Some(most) = &mut crossings
-            && CROSSINGS_FROM <= frame
-        {
-            *most = diagnose::self_crossings(&setup.spec.grid, &positions)
-                .map_or(usize::MAX, |count| count.max(*most));
-        }
-    }
-    let frame_ms = median_and_p99(&process);
-    let particles = setup.spec.grid.particle_count();
-    let substeps = setup.config.substep_count.get();
-    #[expect(clippy::cast_precision_loss, reason = "counts are far below 2^52")]
-    let (count, bytes) = (
-        particles as f64,
-        (model.byte_count() + state.byte_count()) as f64,
-    );
-    let mut velocities = Vec::new();
-    state.copy_velocities(&model, &mut velocities);
-    Ok(BenchRow {
-        scene: scene.name,
-        method: "xpbd",
-        particles,
-        substeps,
-        threads: rayon::current_num_threads(),
-        frame_ms,
-        frame_wall_ms: median_and_p99(&wall),
-        particle_substep_ns: 1e6 * frame_ms.median / (count * f64::from(substeps)),
-        strain_end_pct: percent(end),
-        strain_worst_pct: percent(worst),
-        penetration_mm: Worst {
-            worst: 1e3 * f64::from(deepest),
-        },
-        self_crossings: crossings,
-        rms_speed_m_per_s: f64::from(diagnose::rms_speed(&velocities)),
-        bytes_per_particle: bytes / count,
-        state_hash: format!("{:016x}", state_hash(&state)),
-    })
 }

@@ -1,10 +1,7 @@
 //! What the terminal says at the end: what was written and how to open it, or what went wrong.
-#![expect(
-    clippy::print_stdout,
-    clippy::print_stderr,
-    reason = "this is the terminal's voice"
-)]
+#![expect(clippy::print_stderr, reason = "this is the terminal's voice")]
 
+use std::io::Write as _;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -18,29 +15,37 @@ use lole_stage::validate::{Check, Protocol};
 use crate::Failure;
 use crate::bench::BenchRow;
 
+/// Writes a line where the user looks. Nobody may be looking any more, as behind `| head`: that is
+/// no failure of the run.
+macro_rules! say {
+    ($($words:tt)*) => {
+        drop(writeln!(std::io::stdout(), $($words)*))
+    };
+}
+
 /// Exit code after Ctrl-C: 128 plus the signal's number, as shells have it.
 const INTERRUPTED: u8 = 130;
 
 /// Prints the report as JSON.
 pub(crate) fn print_json(json: &str) {
-    print!("{json}");
+    say!("{json}");
 }
 
 /// Says what a run wrote and how it went.
 pub(crate) fn print_run(report: &RunReport, paths: &[PathBuf], seconds: f64, language: Language) {
     let pick = |japanese: &'static str, english: &'static str| language.pick(japanese, english);
-    println!();
+    say!();
     for path in paths {
-        println!("  {:<44} {}", path.display(), open_hint(path, language));
+        say!("  {:<44} {}", path.display(), open_hint(path, language));
     }
-    println!();
+    say!();
     for remark in &report.skirt.warnings {
-        println!("  ! {}", pick_remark(remark, language));
+        say!("  ! {}", pick_remark(remark, language));
     }
     if report.frames == 0 {
         return;
     }
-    println!(
+    say!(
         "  {} {} {} · {} {} · {:.1} {} ({} {:.1} ms) · {} {:.2} ×",
         report.method,
         report.particles,
@@ -58,7 +63,7 @@ pub(crate) fn print_run(report: &RunReport, paths: &[PathBuf], seconds: f64, lan
         pick("実時間の", "real time"),
         report.realtime_factor,
     );
-    println!(
+    say!(
         "  {} {:.1} % (p99) · {} {:.1} mm · {} {:.1} cm · {} · {:.0} s",
         pick("ひずみ", "strain"),
         report.strain_pct.p99,
@@ -77,22 +82,22 @@ fn pick_remark(remark: &Remark, language: Language) -> &str {
 
 /// Says what the study wrote and what it found.
 pub(crate) fn print_study(report: &StudyReport, paths: &[PathBuf], language: Language) {
-    println!();
+    say!();
     for path in paths {
-        println!("  {:<44} {}", path.display(), open_hint(path, language));
+        say!("  {:<44} {}", path.display(), open_hint(path, language));
     }
     for finding in &report.findings {
         let mark = if finding.agrees { "=" } else { "≠" };
-        println!("\n  {mark} “{}”", finding.paper);
-        println!("    {}", pick_remark(&finding.measured, language));
+        say!("\n  {mark} “{}”", finding.paper);
+        say!("    {}", pick_remark(&finding.measured, language));
     }
-    println!("\n  {:.0} s", report.seconds);
+    say!("\n  {:.0} s", report.seconds);
 }
 
 /// Says what a protocol compares.
 pub(crate) fn print_protocol(protocol: &Protocol, language: Language) {
     let about = language.pick(protocol.about_ja, protocol.about);
-    println!("\n{}: {about}", protocol.name);
+    say!("\n{}: {about}", protocol.name);
 }
 
 /// One figure of a protocol against its reference.
@@ -102,7 +107,7 @@ pub(crate) fn print_check(method: &str, check: &Check, language: Language) {
     } else {
         language.pick("不合格", "FAIL")
     };
-    println!(
+    say!(
         "  {method:<10} {:<14} {:>12.6} {:>12.6} {:<3} {:>9.3} % (± {} %)  {verdict}",
         check.case,
         check.measured,
@@ -115,8 +120,8 @@ pub(crate) fn print_check(method: &str, check: &Check, language: Language) {
 
 /// Column heads of the bench table.
 pub(crate) fn print_bench_head(language: Language) {
-    println!(
-        "{:<14} {:>9} {:>8} {:>8} {:>8} {:>8} {:>6} {:>22} {:>15} {:>8} {:>9} {:>7} {:>6}  hash",
+    say!(
+        "{:<14} {:>9} {:>8} {:>8} {:>8} {:>8} {:>6} {:>22} {:>15} {:>8} {:>7} {:>9} {:>7} {:>6}  hash",
         language.pick("場面", "scene"),
         language.pick("質点", "particles"),
         language.pick("分割", "substeps"),
@@ -127,6 +132,7 @@ pub(crate) fn print_bench_head(language: Language) {
         "end mean p99 max %",
         "worst p99 max %",
         "depth mm",
+        "skin mm",
         "crossings",
         "rms m/s",
         "bytes",
@@ -136,8 +142,10 @@ pub(crate) fn print_bench_head(language: Language) {
 /// One row of the bench table.
 pub(crate) fn print_bench_row(row: &BenchRow) {
     let crossings = (row.self_crossings).map_or("-".to_owned(), |count| count.to_string());
-    println!(
-        "{:<14} {:>9} {:>8} {:>8.3} {:>8.3} {:>8.3} {:>6.2} {:>10.3} {:>5.2} {:>5.2} {:>9.2} {:>5.2} {:>8.3} {:>9} {:>7.3} {:>6.0}  {}",
+    let skin =
+        (row.skin_penetration_mm).map_or("-".to_owned(), |skin| format!("{:.2}", skin.worst));
+    say!(
+        "{:<14} {:>9} {:>8} {:>8.3} {:>8.3} {:>8.3} {:>6.2} {:>10.3} {:>5.2} {:>5.2} {:>9.2} {:>5.2} {:>8.3} {:>7} {:>9} {:>7.3} {:>6.0}  {}",
         row.scene,
         row.particles,
         row.substeps,
@@ -151,6 +159,7 @@ pub(crate) fn print_bench_row(row: &BenchRow) {
         row.strain_worst_pct.p99,
         row.strain_worst_pct.max,
         row.penetration_mm.worst,
+        skin,
         crossings,
         row.rms_speed_m_per_s,
         row.bytes_per_particle,

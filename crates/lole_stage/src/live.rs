@@ -22,9 +22,6 @@ use crate::{Divergence, Performance, Production, StageError};
 /// Time in which one dance step is eased into the next [s]: about one count.
 const EASE_SECONDS: f64 = 0.9;
 
-/// Acceleration of free fall [m/s²], for the potential energy.
-const GRAVITY: f32 = 9.81;
-
 /// A hand takes the cloth this far around the point where it takes it [m]: two fingers wide.
 const HAND_RADIUS: f32 = 0.022;
 /// Fastest the hand moves the cloth [m/s], so that a jerk of the mouse does not tear it.
@@ -86,7 +83,7 @@ pub enum Wish {
 pub struct Vitals {
     /// Energy of motion, `Σ ½ m v²` [J].
     pub kinetic_energy: f32,
-    /// Energy of height, `Σ m g y` with `y` above the floor [J].
+    /// Energy of height, `-Σ m g·x` with `x` from the floor [J].
     pub potential_energy: f32,
     /// Energy stored in springs and bending [J]; `None` for `xpbd`, which has no such energy.
     pub elastic_energy: Option<f32>,
@@ -404,12 +401,13 @@ impl Show {
         let columns = self.spec.grid.column_count as usize;
         let hem = &self.positions[self.positions.len().saturating_sub(columns)..];
         let middle = hem.iter().sum::<Vec3>() / hem.len().max(1) as f32;
+        let gravity = self.performance.gravity();
         let (mut kinetic, mut potential) = (0.0, 0.0);
         for ((&mass, velocity), position) in
             (self.masses.iter().zip(&self.velocities)).zip(&self.positions)
         {
             kinetic += 0.5 * mass * velocity.length_squared();
-            potential += mass * GRAVITY * position.y;
+            potential -= mass * gravity.dot(*position);
         }
         Vitals {
             kinetic_energy: kinetic,

@@ -7,7 +7,7 @@ use lole_body::motion::Dance;
 use lole_body::{BodyCapsule, CapsuleLayout, Dancer, Measurements, Pose};
 use lole_cloth::method::explicit::ExplicitConfig;
 use lole_cloth::method::reference::ReferenceModel;
-use lole_cloth::{Fabric, diagnose};
+use lole_cloth::{Fabric, InstructionSet, diagnose};
 use lole_costume::document::Design;
 use lole_costume::sew::{self, SewSettings, SewnSkirt, SkirtMesh};
 use lole_geom::{Capsule, Length, mesh::vertex_normals};
@@ -440,6 +440,28 @@ impl Performance {
     #[must_use]
     pub fn spring_count(&self) -> usize {
         self.solver.spring_count()
+    }
+
+    /// Vector instructions of `xpbd` from the next frame on; the bits are the same with all.
+    pub fn set_instruction_set(&mut self, set: InstructionSet) {
+        self.solver.set_instruction_set(set);
+    }
+
+    /// Memory of the prepared cloth and its state [byte].
+    #[must_use]
+    pub fn byte_count(&self) -> usize {
+        self.solver.byte_count()
+    }
+
+    /// Root mean square of the particles' speeds [m/s].
+    #[must_use]
+    pub fn rms_speed(&self) -> f32 {
+        self.solver.rms_speed()
+    }
+
+    /// Acceleration of free fall [m/s²].
+    pub(crate) fn gravity(&self) -> Vec3 {
+        self.solver.gravity()
     }
 
     /// Substeps of one frame.

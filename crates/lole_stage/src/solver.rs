@@ -9,7 +9,10 @@ use lole_cloth::collision::penalty::Penalty;
 use lole_cloth::method::explicit::{self, ExplicitConfig, Integrator, Substeps};
 use lole_cloth::method::reference::{ReferenceModel, ReferenceState};
 use lole_cloth::wind::Wind;
-use lole_cloth::{ClothModel, ClothSpec, ClothState, SelfCollision, SolverConfig, StepInput};
+use lole_cloth::{
+    ClothModel, ClothSpec, ClothState, InstructionSet, SelfCollision, SolverConfig, StepInput,
+    diagnose,
+};
 use lole_costume::document::Design;
 use lole_geom::Capsule;
 
@@ -178,6 +181,50 @@ impl Solver {
         match self {
             Self::Xpbd(xpbd) => lole_cloth::state_hash(&xpbd.state),
             Self::Explicit(reference) => lole_cloth::reference_state_hash(&reference.state),
+        }
+    }
+
+    /// Vector instructions of `xpbd`.
+    pub(crate) const fn set_instruction_set(&mut self, set: InstructionSet) {
+        if let Self::Xpbd(xpbd) = self {
+            xpbd.config.instruction_set = set;
+        }
+    }
+
+    /// Memory of the prepared cloth and its state [byte].
+    pub(crate) fn byte_count(&self) -> usize {
+        match self {
+            Self::Xpbd(xpbd) => xpbd.model.byte_count() + xpbd.state.byte_count(),
+            Self::Explicit(explicit) => {
+                let state = &explicit.state;
+                size_of_val(&state.positions[..])
+                    + size_of_val(&state.velocities[..])
+                    + size_of_val(explicit.model.masses())
+            }
+        }
+    }
+
+    /// Root mean square of the particles' speeds [m/s].
+    pub(crate) fn rms_speed(&self) -> f32 {
+        match self {
+            Self::Xpbd(xpbd) => {
+                let mut velocities = Vec::new();
+                xpbd.state.copy_velocities(&xpbd.model, &mut velocities);
+                diagnose::rms_speed(&velocities)
+            }
+            Self::Explicit(explicit) => {
+                let velocities = explicit.state.velocities.iter();
+                let velocities: Vec<Vec3> = velocities.map(|v| v.as_vec3()).collect();
+                diagnose::rms_speed(&velocities)
+            }
+        }
+    }
+
+    /// Acceleration of free fall [m/s²].
+    pub(crate) fn gravity(&self) -> Vec3 {
+        match self {
+            Self::Xpbd(xpbd) => xpbd.config.gravity,
+            Self::Explicit(explicit) => explicit.config.gravity.as_vec3(),
         }
     }
 

@@ -47,15 +47,7 @@ impl GpuRenderer {
         let scope = gpu.device.push_error_scope(wgpu::ErrorFilter::Validation);
         let pipelines = Pipelines::new(&gpu.device);
         let targets = Targets::new(&gpu.device, size);
-        let sampler = gpu.device.create_sampler(&wgpu::SamplerDescriptor {
-            label: Some("print"),
-            address_mode_u: wgpu::AddressMode::Repeat,
-            address_mode_v: wgpu::AddressMode::Repeat,
-            mag_filter: wgpu::FilterMode::Linear,
-            min_filter: wgpu::FilterMode::Linear,
-            mipmap_filter: wgpu::MipmapFilterMode::Linear,
-            ..wgpu::SamplerDescriptor::default()
-        });
+        let sampler = print_sampler(&gpu.device);
         let blank = float_texture(&gpu, [1, 1], Format::Bytes, &[255; 4]);
         checked(scope, "setting up")?;
         Ok(Self {
@@ -531,5 +523,18 @@ fn read_buffer(gpu: &Device, buffer: &wgpu::Buffer, size: Size) -> Result<Image,
         width: size.width,
         height: size.height,
         pixels,
+    })
+}
+
+/// How prints are read: repeated, and smoothly at every size.
+pub(super) fn print_sampler(device: &wgpu::Device) -> wgpu::Sampler {
+    device.create_sampler(&wgpu::SamplerDescriptor {
+        label: Some("print"),
+        address_mode_u: wgpu::AddressMode::Repeat,
+        address_mode_v: wgpu::AddressMode::Repeat,
+        mag_filter: wgpu::FilterMode::Linear,
+        min_filter: wgpu::FilterMode::Linear,
+        mipmap_filter: wgpu::MipmapFilterMode::Linear,
+        ..wgpu::SamplerDescriptor::default()
     })
 }

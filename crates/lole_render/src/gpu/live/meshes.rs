@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::pipelines::LivePipelines;
 use crate::gpu::device::Device;
-use crate::gpu::draw::{Format, float_texture, mipmapped_texture, view_entry};
+use crate::gpu::draw::{Format, float_texture, mipmapped_texture, print_sampler, view_entry};
 use crate::gpu::pipeline::Vertex;
 use crate::prepare::{Geometry, used_vertices};
 use crate::shade::Surface;
@@ -67,15 +67,7 @@ impl LiveMeshes {
             })
             .collect();
         let blank = float_texture(gpu, [1, 1], Format::Bytes, &[255; 4]);
-        let sampler = device.create_sampler(&wgpu::SamplerDescriptor {
-            label: Some("print"),
-            address_mode_u: wgpu::AddressMode::Repeat,
-            address_mode_v: wgpu::AddressMode::Repeat,
-            mag_filter: wgpu::FilterMode::Linear,
-            min_filter: wgpu::FilterMode::Linear,
-            mipmap_filter: wgpu::MipmapFilterMode::Linear,
-            ..wgpu::SamplerDescriptor::default()
-        });
+        let sampler = print_sampler(device);
         let mut meshes = Self {
             parts: Vec::new(),
             vertex_buffer: device.create_buffer(&wgpu::BufferDescriptor {

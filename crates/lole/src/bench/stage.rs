@@ -1,0 +1,83 @@
+//! Scenes with a dancer: what a whole frame of the product costs.
+
+use lole_cloth::InstructionSet;
+use lole_cloth::diagnose;
+use lole_costume::document::Design;
+use lole_export::report::Worst;
+use lole_stage::{Performance, Production, RunMetrics, StageError};
+
+use super::BenchRow;
+use crate::figures::{median_and_p99, percent};
+use crate::stopwatch::Stopwatch;
+
+/// One skirt on one dancer.
+pub(super) struct StageScene {
+    pub(super) name: &'static str,
+    frame_count: u32,
+    design: fn() -> Design,
+}
+
+/// Every scene with a dancer.
+pub(super) const SCENES: &[StageScene] = &[StageScene {
+    name: "pau-fine",
+    frame_count: 300,
+    design: Design::default,
+}];
+
+/// Dances a scene, settled beforehand. Measured is all that a frame needs before it can be drawn:
+/// pose, capsules, pins and cloth.
+pub(super) fn measure(scene: &StageScene, set: InstructionSet) -> Result<BenchRow, StageError> {
+    let mut performance = Performance::new(Production::new(&(scene.design)())?)?;
+    performance.set_instruction_set(set);
+    let settle_count = Performance::settle_frame_count();
+    let (mut process, mut wall, mut metrics) = (Vec::new(), Vec::new(), Vec::new());
+    let mut crossings = 0;
+    for frame in 0..settle_count + scene.frame_count {
+        let watch = Stopwatch::start();
+        // What stops short is seen in the figures of the frame.
+        let went_on = performance.advance().is_ok();
+        let timing = watch.read();
+        if frame < settle_count {
+            continue;
+        }
+        process.push(1e3 * timing.process_seconds);
+        wall.push(1e3 * timing.wall_seconds);
+        performance.pose_body();
+        metrics.push(performance.measure());
+        let spec = &performance.production().skirt.spec;
+        let count = diagnose::self_crossings(&spec.grid, performance.cloth_positions());
+        crossings = count.map_or(usize::MAX, |count| count.max(crossings));
+        if !went_on {
+            break;
+        }
+    }
+    let spec = &performance.production().skirt.spec;
+    let particles = spec.grid.particle_count();
+    let substeps = performance.substep_count();
+    let frame_ms = median_and_p99(&process);
+    let worst = RunMetrics::of(&metrics);
+    #[expect(clippy::cast_precision_loss, reason = "counts are far below 2^52")]
+    let (count, bytes) = (particles as f64, performance.byte_count() as f64);
+    Ok(BenchRow {
+        scene: scene.name,
+        method: performance.production().design.method.name.id(),
+        particles,
+        substeps,
+        threads: rayon::current_num_threads(),
+        frame_ms,
+        frame_wall_ms: median_and_p99(&wall),
+        particle_substep_ns: 1e6 * frame_ms.median / (count * f64::from(substeps)),
+        strain_end_pct: percent(worst.strain_end),
+        strain_worst_pct: percent(worst.strain),
+        penetration_mm: Worst {
+            worst: 1e3 * f64::from(worst.capsule_penetration),
+        },
+        skin_penetration_mm: Some(Worst {
+            worst: 1e3 * f64::from(worst.skin.worst_depth),
+        }),
+        self_crossings: Some(crossings),
+        rms_speed_m_per_s: f64::from(performance.rms_speed()),
+        bytes_per_particle: bytes / count,
+        state_hash: format!("{:016x}", performance.state_hash()),
+    })
+}
