@@ -112,28 +112,34 @@ fn show(studio: Studio) -> eframe::Result<Option<Studio>> {
     };
     // Where the adapter is lost in the middle of a picture, egui's painter panics before the device
     // has told of its loss.
-    let result = quietly(&is_lost, run);
+    let is_gone = Arc::new(AtomicBool::new(false));
+    let result = quietly(&is_lost, &is_gone, run);
     let studio = (rescued.lock().unwrap_or_else(PoisonError::into_inner)).take();
     match result {
         Ok(result) => result.map(|()| studio),
         Err(_) if studio.is_some() => Err(eframe::Error::AppCreation(LOST.into())),
+        Err(_) if is_gone.load(Ordering::Relaxed) => Ok(None),
         Err(panic) => std::panic::resume_unwind(panic),
     }
 }
 
-/// Runs `run` and catches its panics. Those of the graphics crates mean that the adapter is lost and
-/// are not printed.
-fn quietly<R>(is_lost: &Arc<AtomicBool>, run: impl FnOnce() -> R) -> std::thread::Result<R> {
+/// Runs `run` and catches its panics. Those of the graphics crates mean that the adapter is lost,
+/// those of the window's crate that another program has taken the window away, which is one more
+/// way of closing it; neither is printed.
+fn quietly<R>(
+    is_lost: &Arc<AtomicBool>,
+    is_gone: &Arc<AtomicBool>,
+    run: impl FnOnce() -> R,
+) -> std::thread::Result<R> {
     let usual: Arc<dyn Fn(&PanicHookInfo<'_>) + Send + Sync> = Arc::from(std::panic::take_hook());
-    let (kept, lost) = (Arc::clone(&usual), Arc::clone(is_lost));
+    let kept = Arc::clone(&usual);
+    let causes =
+        [("wgpu", is_lost), ("winit", is_gone)].map(|(name, flag)| (name, Arc::clone(flag)));
     std::panic::set_hook(Box::new(move |news| {
-        if news
-            .location()
-            .is_some_and(|place| place.file().contains("wgpu"))
-        {
-            lost.store(true, Ordering::Relaxed);
-        } else {
-            kept(news);
+        let place = news.location().map_or("", |place| place.file());
+        match causes.iter().find(|(name, _)| place.contains(name)) {
+            Some((_, flag)) => flag.store(true, Ordering::Relaxed),
+            None => kept(news),
         }
     }));
     let result = std::panic::catch_unwind(AssertUnwindSafe(run));
