@@ -18,7 +18,7 @@ use crate::{Grid, Topology};
 
 /// How far beyond touching candidates are kept [diameters]: folds move together, so what one
 /// gains on another in a step is far less than its speed.
-const MARGIN: f32 = 0.75;
+const MARGIN: f32 = 1.0;
 
 /// Columns and rows within which particles are held apart by their springs alone.
 const NEIGHBOR_COLUMNS: u32 = 1;
@@ -29,12 +29,12 @@ const PARTING_SPEED: f32 = 2.0;
 
 /// Share of a shallow overlap that parts in one solution: springs that hold folds together answer
 /// a greater one with jitter.
-const PARTING_SHARE: f32 = 0.4;
+const PARTING_SHARE: f32 = 0.7;
 
 /// Where pins hold strands nearer together than a diameter, contact keeps this share of their gap,
 /// and what lies this much farther apart for every meter of cloth from the pins.
 const PINNED_SHARE: f32 = 0.9;
-const PINNED_OPENING: f32 = 0.02;
+const PINNED_OPENING: f32 = 0.06;
 
 /// Slabs at most. They do not depend on threads, so that the order of pairs does not either.
 const SLAB_COUNT_MAX: usize = 16;
@@ -64,12 +64,17 @@ struct Strand {
     inv_mass: f32,
     /// Unit vector along the column; zero where it has no direction.
     thread: Vec3,
+    /// Whether this solution has moved it.
+    is_touched: bool,
+}
+
+/// What else is known of a particle that is touched, from then on.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+struct Touch {
     /// Where it was at the start of the substep [m].
     before: Vec3,
     /// What contacts moved it without a push [m].
     quiet: Vec3,
-    /// Where the solution of the contacts found it [m].
-    found: Vec3,
 }
 
 /// Candidates and room to solve them.
@@ -84,6 +89,9 @@ pub(crate) struct ClothContacts {
     pairs: Vec<Vec<Pair>>,
     /// In the order of the entries.
     strands: Vec<Strand>,
+    touches: Vec<Touch>,
+    /// Entries that are in a pair, ascending.
+    paired: Vec<u32>,
     /// Vector and lane of every entry.
     slots: Vec<(u32, u32)>,
 }
@@ -141,6 +149,8 @@ impl ClothContacts {
             + size_of_val(&self.positions[..])
             + size_of_val(&self.threads[..])
             + size_of_val(&self.strands[..])
+            + size_of_val(&self.touches[..])
+            + size_of_val(&self.paired[..])
             + size_of_val(&self.slots[..])
             + pairs * size_of::<Pair>()
     }
@@ -183,6 +193,19 @@ impl ClothContacts {
         } else {
             self.pairs.par_iter_mut().enumerate().for_each(find_slab);
         }
+        self.list_paired();
+    }
+
+    fn list_paired(&mut self) {
+        for pair in self.pairs.iter().flatten() {
+            for entry in [pair.first, pair.second] {
+                self.strands[entry as usize].is_touched = true;
+            }
+        }
+        self.paired.clear();
+        let strands = (0u32..).zip(&self.strands);
+        let paired = strands.filter(|(_, strand)| strand.is_touched);
+        self.paired.extend(paired.map(|(entry, _)| entry));
     }
 
     /// Slabs of whole layers of cells, about equally full.
@@ -214,11 +237,10 @@ impl ClothContacts {
                 position: entry.position,
                 inv_mass: shape.inv_masses[vector].0[lane],
                 thread: self.threads[particle],
-                before: entry.position,
-                quiet: Vec3::ZERO,
-                found: entry.position,
+                is_touched: false,
             });
         }
+        self.touches.resize(self.strands.len(), Touch::default());
     }
 
     /// Moves apart what is nearer than the law allows. What undoes an approach in this substep
@@ -228,39 +250,39 @@ impl ClothContacts {
         if self.pairs.is_empty() {
             return;
         }
-        self.load(&columns, law);
+        for &entry in &self.paired {
+            let (vector, lane) = self.slots[entry as usize];
+            let strand = &mut self.strands[entry as usize];
+            strand.position = columns.positions[vector as usize].get(lane as usize);
+            strand.is_touched = false;
+        }
         for parity in [0, 1] {
-            self.solve_slabs(parity, law);
+            self.solve_slabs(parity, &columns, law);
         }
         self.store(&mut columns);
     }
 
-    fn load(&mut self, columns: &Columns<'_>, law: ClothContactLaw) {
-        for (strand, &(vector, lane)) in self.strands.iter_mut().zip(&self.slots) {
-            let (vector, lane) = (vector as usize, lane as usize);
-            let position = columns.positions[vector].get(lane);
-            strand.before =
-                columns.predicted[vector].get(lane) - columns.velocities[vector].get(lane) * law.h;
-            strand.position = position;
-            strand.quiet = Vec3::ZERO;
-            strand.found = position;
-        }
-    }
-
     /// Solves every other slab, from `parity` on.
-    fn solve_slabs(&mut self, parity: usize, law: ClothContactLaw) {
+    fn solve_slabs(&mut self, parity: usize, columns: &Columns<'_>, law: ClothContactLaw) {
         let mut tasks = Vec::with_capacity(self.pairs.len().div_ceil(2));
-        let mut rest = &mut self.strands[..];
+        let (mut strands, mut touches) = (&mut self.strands[..], &mut self.touches[..]);
         let mut start = 0;
         for slab in (parity..self.pairs.len()).step_by(2) {
             let [first, end] = [slab, slab + 2].map(|s| self.slabs[s.min(self.slabs.len() - 1)]);
-            let (task, after) = rest.split_at_mut(end - start);
-            tasks.push((&mut task[first - start..], first, &self.pairs[slab][..]));
-            (rest, start) = (after, end);
+            let (strand_part, strands_after) = strands.split_at_mut(end - start);
+            let (touch_part, touches_after) = touches.split_at_mut(end - start);
+            let slab_part = Slab {
+                strands: &mut strand_part[first - start..],
+                touches: &mut touch_part[first - start..],
+                slots: &self.slots[first..end],
+                first,
+            };
+            tasks.push((slab_part, &self.pairs[slab][..]));
+            (strands, touches, start) = (strands_after, touches_after, end);
         }
-        let solve = |(strands, first, pairs): (&mut [Strand], usize, &[Pair])| {
+        let solve = |(mut slab, pairs): (Slab<'_>, &[Pair])| {
             for pair in pairs {
-                solve_pair(strands, first, pair, law);
+                slab.solve_pair(pair, columns, law);
             }
         };
         let count: usize = self.pairs.iter().map(Vec::len).sum();
@@ -272,14 +294,17 @@ impl ClothContacts {
     }
 
     fn store(&self, columns: &mut Columns<'_>) {
-        for (strand, &(vector, lane)) in self.strands.iter().zip(&self.slots) {
-            if strand.position == strand.found {
+        for &entry in &self.paired {
+            let strand = &self.strands[entry as usize];
+            if !strand.is_touched {
                 continue;
             }
+            let (vector, lane) = self.slots[entry as usize];
             let (vector, lane) = (vector as usize, lane as usize);
             columns.positions[vector].set(lane, strand.position);
             let start = columns.predicted[vector].get(lane);
-            columns.predicted[vector].set(lane, start + strand.quiet);
+            let quiet = self.touches[entry as usize].quiet;
+            columns.predicted[vector].set(lane, start + quiet);
         }
     }
 }
@@ -370,52 +395,93 @@ fn gap(one: &Strand, other: &Strand, half_thread: f32) -> Vec3 {
     offset - other.thread * foot
 }
 
-#[inline(always)]
-fn solve_pair(strands: &mut [Strand], base: usize, pair: &Pair, law: ClothContactLaw) {
-    let (first, second) = (pair.first as usize - base, pair.second as usize - base);
-    let (one, other) = (&strands[first], &strands[second]);
-    let gap = gap(one, other, law.half_thread);
-    let squared = gap.length_squared();
-    let along_side = gap.dot(pair.side);
-    let diameter_squared = pair.diameter * pair.diameter;
-    if diameter_squared <= squared {
-        return;
+/// Entries of a slab and the next, while they are being solved.
+struct Slab<'a> {
+    strands: &'a mut [Strand],
+    touches: &'a mut [Touch],
+    /// Vector and lane of each.
+    slots: &'a [(u32, u32)],
+    /// The first entry.
+    first: usize,
+}
+
+impl Slab<'_> {
+    #[inline(always)]
+    fn solve_pair(&mut self, pair: &Pair, columns: &Columns<'_>, law: ClothContactLaw) {
+        let ends = [pair.first, pair.second].map(|entry| entry as usize - self.first);
+        let (one, other) = (&self.strands[ends[0]], &self.strands[ends[1]]);
+        let gap = gap(one, other, law.half_thread);
+        let squared = gap.length_squared();
+        if squared < pair.diameter * pair.diameter {
+            self.part(ends, (pair, gap, squared), columns, law);
+        }
     }
-    // Gone through: back along the side it came from.
-    let (normal, distance) = if along_side <= 0.0 || squared < DEGENERATE_SQUARED {
-        (pair.side, along_side)
-    } else {
-        let distance = squared.sqrt();
-        (gap / distance, distance)
-    };
-    let slip = (other.position - other.before) - (one.position - one.before);
-    let separation = slip.dot(normal);
-    let overlap = pair.diameter - distance;
-    let parting = if along_side <= 0.0 {
-        law.parting
-    } else {
-        law.parting.min(PARTING_SHARE * overlap)
-    };
-    let depth = overlap.min(parting - separation);
-    if depth <= 0.0 {
-        return;
+
+    /// Parts a pair that is nearer than its diameter, `gap` apart.
+    fn part(
+        &mut self,
+        ends: [usize; 2],
+        (pair, gap, squared): (&Pair, Vec3, f32),
+        columns: &Columns<'_>,
+        law: ClothContactLaw,
+    ) {
+        for end in ends {
+            self.touch(end, columns, law.h);
+        }
+        let along_side = gap.dot(pair.side);
+        // Gone through: back along the side it came from.
+        let (normal, distance) = if along_side <= 0.0 || squared < DEGENERATE_SQUARED {
+            (pair.side, along_side)
+        } else {
+            let distance = squared.sqrt();
+            (gap / distance, distance)
+        };
+        let travel = ends.map(|end| self.strands[end].position - self.touches[end].before);
+        let slip = travel[1] - travel[0];
+        let separation = slip.dot(normal);
+        let overlap = pair.diameter - distance;
+        let parting = if along_side <= 0.0 {
+            law.parting
+        } else {
+            law.parting.min(PARTING_SHARE * overlap)
+        };
+        let depth = overlap.min(parting - separation);
+        if depth <= 0.0 {
+            return;
+        }
+        let tangential = slip - normal * separation;
+        let slip_squared = tangential.length_squared();
+        let limit = law.friction * depth;
+        let held = if slip_squared <= limit * limit {
+            1.0
+        } else {
+            limit / slip_squared.sqrt()
+        };
+        let inv_masses = ends.map(|end| self.strands[end].inv_mass);
+        let inv_mass_sum = inv_masses[0] + inv_masses[1];
+        let change = (normal * depth - tangential * held) / inv_mass_sum;
+        let quiet = normal * ((depth - (-separation).max(0.0)).max(0.0) / inv_mass_sum);
+        self.strands[ends[0]].position -= change * inv_masses[0];
+        self.touches[ends[0]].quiet -= quiet * inv_masses[0];
+        self.strands[ends[1]].position += change * inv_masses[1];
+        self.touches[ends[1]].quiet += quiet * inv_masses[1];
     }
-    let tangential = slip - normal * separation;
-    let slip_squared = tangential.length_squared();
-    let limit = law.friction * depth;
-    let held = if slip_squared <= limit * limit {
-        1.0
-    } else {
-        limit / slip_squared.sqrt()
-    };
-    let inv_mass_sum = one.inv_mass + other.inv_mass;
-    let change = (normal * depth - tangential * held) / inv_mass_sum;
-    let quiet = normal * ((depth - (-separation).max(0.0)).max(0.0) / inv_mass_sum);
-    let (inv_first, inv_second) = (one.inv_mass, other.inv_mass);
-    strands[first].position -= change * inv_first;
-    strands[first].quiet -= quiet * inv_first;
-    strands[second].position += change * inv_second;
-    strands[second].quiet += quiet * inv_second;
+
+    /// Fetches what only touched particles need.
+    #[inline(always)]
+    fn touch(&mut self, end: usize, columns: &Columns<'_>, h: f32) {
+        if self.strands[end].is_touched {
+            return;
+        }
+        let (vector, lane) = self.slots[end];
+        let (vector, lane) = (vector as usize, lane as usize);
+        let flown = columns.velocities[vector].get(lane) * h;
+        self.strands[end].is_touched = true;
+        self.touches[end] = Touch {
+            before: columns.predicted[vector].get(lane) - flown,
+            quiet: Vec3::ZERO,
+        };
+    }
 }
 
 #[expect(
