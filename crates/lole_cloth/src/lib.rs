@@ -1,6 +1,33 @@
 //! The cloth engine: particles joined by springs that move under gravity, drag, wind and contact.
 //!
 //! It knows no garment and no dancer, and has no file, clock, log or picture in it.
+//!
+//! A handkerchief, held by two corners, falls for a second:
+//!
+//! ```
+//! use lole_cloth::{ClothModel, ClothState, SolverConfig, StepInput, diagnose, step};
+//!
+//! let setup = (lole_cloth::scenes::SCENES[0].build)();
+//! let model = ClothModel::new(&setup.spec)?;
+//! let mut state = ClothState::new(&model, &setup.positions);
+//! let pins: Vec<_> = model.pin_indices().iter().map(|&pin| setup.positions[pin as usize]).collect();
+//! let input = StepInput { pin_targets: &pins, capsules: &[], air_velocity: glam::Vec3::ZERO };
+//! for _ in 0..60 {
+//!     step(&model, &SolverConfig::default(), &input, &mut state, 1.0 / 60.0);
+//! }
+//! let mut positions = Vec::new();
+//! state.copy_positions(&model, &mut positions);
+//! assert!(diagnose::strain(&setup.spec, &positions).max < 0.05);
+//! # Ok::<(), lole_cloth::BuildError>(())
+//! ```
+//!
+//! # Which method when
+//!
+//! | Method | For | Numbers | Cost | What it does not do |
+//! |---|---|---|---|---|
+//! | [`step()`], `xpbd` | dancing, windows, films | `f32`, the same bits on any thread count and instruction set | about 6 ns a particle and substep, 4 to 12 substeps a frame | stretch converges with substeps, not with passes; bends 5 to 15 % too deep beyond four cells a bending length |
+//! | [`method::explicit::step`] with `fb-euler` | truth: static shapes, periods, energy | `f64` | substeps grow with the root of stiffness over mass and with the fineness of the grid: hundreds a frame | contact as a penalty, so cloth sinks in by weight over stiffness |
+//! | the same with `euler`, `rk4`, `rk-as-printed`, `rk-double-counted` | the paper's experiment | `f64` | 1, 4, 4 and 4 forces a step | `euler` and the printed method are stable only with damping |
 
 pub mod collision;
 pub mod config;
