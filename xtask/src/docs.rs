@@ -20,6 +20,7 @@ const UNITS: &[&str] = &[
     "yd",
     "s",
     "ms",
+    "ns",
     "kg",
     "g",
     "N",

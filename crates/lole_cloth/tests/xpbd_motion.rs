@@ -210,3 +210,70 @@ fn a_hung_sheet_comes_to_rest() {
     let speed = diagnose::rms_speed(&world.velocities());
     assert!(speed < 0.02, "{speed} m/s");
 }
+
+/// A sheet of half a meter that hangs from its first row and starts level.
+fn hung_sheet() -> (lole_cloth::ClothSpec, Vec<Vec3>) {
+    let mut spec = sheet_spec(32, 32, 0.016, FABRIC);
+    spec.pinned[..32].fill(true);
+    (spec, flat_positions(32, 32, 0.016))
+}
+
+#[test]
+fn cloth_in_a_moving_train_falls_as_on_the_platform() {
+    let (spec, positions) = hung_sheet();
+    let mut still = World::new(&spec, &positions);
+    let mut riding = World::new(&spec, &positions);
+    // Pins that start moving would pull, so all of the cloth moves from the start.
+    let velocity = Vec3::new(1.5, 0.0, -0.75);
+    let velocities = vec![velocity; positions.len()];
+    riding.state.set_velocities(&riding.model, &velocities);
+    for _ in 0..60 {
+        still.step(&[]);
+        for pin in &mut riding.pins {
+            *pin += velocity * DT;
+        }
+        riding.step(&[]);
+    }
+    let apart = (still.positions().iter().zip(riding.positions()))
+        .map(|(a, b)| (*a + velocity).distance_squared(b))
+        .sum::<f32>();
+    let rms = (apart / positions.len() as f32).sqrt();
+    assert!(rms < 1.0e-3, "{rms} m");
+}
+
+#[test]
+fn a_sheet_falls_alike_at_30_60_and_120_frames_a_second() {
+    // The time of a substep decides, not the frame that it belongs to.
+    let hem_after = |frames_per_second: u32| {
+        let (spec, positions) = hung_sheet();
+        let mut world = World::new(&spec, &positions).with_substeps(960 / frames_per_second);
+        let mut heights = Vec::new();
+        for frame in 0..frames_per_second {
+            let input = lole_cloth::StepInput {
+                pin_targets: &world.pins,
+                capsules: &[],
+                air_velocity: Vec3::ZERO,
+            };
+            let dt = 1.0 / frames_per_second as f32;
+            lole_cloth::step(&world.model, &world.config, &input, &mut world.state, dt);
+            if (frame + 1) % (frames_per_second / 30) == 0 {
+                heights.push(mean(&world.positions()[31 * 32..]).y);
+            }
+        }
+        heights
+    };
+    let reference = hem_after(120);
+    let swing = reference
+        .iter()
+        .fold(0.0_f32, |most, height| most.max(-height));
+    for frames_per_second in [30, 60] {
+        let apart = (hem_after(frames_per_second).iter().zip(&reference))
+            .map(|(a, b)| (a - b) * (a - b))
+            .sum::<f32>();
+        let rms = (apart / reference.len() as f32).sqrt();
+        assert!(
+            rms < 0.02 * swing,
+            "{frames_per_second}: {rms} m of {swing} m"
+        );
+    }
+}
