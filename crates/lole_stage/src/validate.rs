@@ -9,6 +9,7 @@ mod catenary;
 mod chain;
 mod column;
 mod hanging_strip;
+mod lateral;
 mod rig;
 
 use lole_cloth::BuildError;
@@ -83,6 +84,12 @@ pub const PROTOCOLS: &[Protocol] = &[
         about: "the Γ at which an upright clamped strip falls over under its own weight",
         about_ja: "立てた布が自重で倒れはじめる Γ",
         run: column::run,
+    },
+    Protocol {
+        name: "lateral-buckling",
+        about: "the Γ at which a strip held on its narrow edge tips over sideways: bending and twist",
+        about_ja: "細い縁で立てて片側を固定した布が横に倒れはじめる Γ（曲げとねじり）",
+        run: lateral::run,
     },
     Protocol {
         name: "hanging-strip",

@@ -9,7 +9,7 @@ use super::rig::GRAVITY;
 pub(super) const COLUMNS: u32 = 3;
 
 /// Mass per area of every strip [kg/m²].
-const AREAL_DENSITY: f32 = 0.15;
+pub(super) const AREAL_DENSITY: f32 = 0.15;
 
 /// A strip by its length and stiffness.
 pub(super) struct Strip {
