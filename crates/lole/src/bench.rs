@@ -34,7 +34,7 @@ pub(crate) struct BenchRow {
     pub(crate) strain_end_pct: MeanPercentileMax,
     /// Its worst from the seventh frame on [%].
     pub(crate) strain_worst_pct: MeanPercentileMax,
-    /// Deepest free particle in a capsule over the run.
+    /// Deepest free particle, over the run, in the body that the cloth meets: capsules, or the skin.
     pub(crate) penetration_mm: Worst<f64>,
     /// Deepest particle below the drawn skin over the run; left out where there is no skin.
     pub(crate) skin_penetration_mm: Option<Worst<f64>>,

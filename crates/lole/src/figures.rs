@@ -61,6 +61,7 @@ pub(crate) fn report(performance: &Performance, run: RunFigures<'_>) -> RunRepor
         realtime_factor: ratio(seconds, 1e-3 * wall.iter().sum::<f64>()),
         strain_pct: percent(worst.strain),
         strain_end_pct: percent(worst.strain_end),
+        contact_body: run.design.contact_body().id().to_owned(),
         capsule_penetration_mm: Worst {
             worst: 1e3 * f64::from(worst.capsule_penetration),
         },

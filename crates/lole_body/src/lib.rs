@@ -14,6 +14,7 @@ mod sections;
 pub mod skeleton;
 pub mod skin;
 mod skin_build;
+pub mod skin_surfels;
 mod skin_weights;
 mod surface;
 pub mod tape;
@@ -28,4 +29,5 @@ pub use motion::{
 };
 pub use skeleton::{Bone, Pose, Skeleton};
 pub use skin::{MeshPart, PartKind, SkinnedMesh};
+pub use skin_surfels::SkinSurfels;
 pub use tape::TapePoint;

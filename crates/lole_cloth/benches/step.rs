@@ -5,7 +5,6 @@
 )]
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use glam::Vec3;
 use lole_cloth::scenes::{FRAME_DT, SCENES};
 use lole_cloth::{ClothModel, ClothState, StepInput, step};
 
@@ -31,7 +30,7 @@ fn bench_scenes(criterion: &mut Criterion) {
             let input = StepInput {
                 pin_targets: &pins,
                 capsules: &capsules,
-                air_velocity: Vec3::ZERO,
+                ..StepInput::default()
             };
             step(&model, &setup.config, &input, state, FRAME_DT);
         };

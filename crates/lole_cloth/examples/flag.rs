@@ -57,6 +57,7 @@ fn main() -> Result<(), BuildError> {
             pin_targets: &pins,
             capsules: &[],
             air_velocity: wind.force(time).as_vec3(),
+            ..StepInput::default()
         };
         step(
             &model,

@@ -24,7 +24,7 @@ fn main() -> Result<(), BuildError> {
         let input = StepInput {
             pin_targets: &pins,
             capsules: &capsules,
-            air_velocity: Vec3::ZERO,
+            ..StepInput::default()
         };
         step(&model, &setup.config, &input, &mut state, FRAME_DT);
         if frame % 60 != 0 {

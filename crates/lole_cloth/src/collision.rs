@@ -5,3 +5,5 @@ pub(crate) mod cloth_cloth;
 pub(crate) mod grid;
 pub mod penalty;
 pub(crate) mod pinned_rows;
+pub(crate) mod response;
+pub(crate) mod surfel;

@@ -235,6 +235,14 @@ impl Layout {
         )
     }
 
+    /// Vector and lane of every particle of a row, by column.
+    #[inline(always)]
+    pub(crate) fn row_slots(&self, row: usize) -> impl Iterator<Item = (usize, usize)> {
+        let first = row * self.group_count;
+        (self.slots.iter())
+            .map(move |&(group, lane)| (first + usize::from(group), usize::from(lane)))
+    }
+
     /// Brings row-major scalars into the layout; unused lanes hold 0.
     pub(crate) fn scatter(&self, values: &[f32]) -> Vec<Scalars> {
         let mut vectors = vec![Scalars::default(); self.vector_count()];

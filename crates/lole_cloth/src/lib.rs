@@ -11,7 +11,7 @@
 //! let model = ClothModel::new(&setup.spec)?;
 //! let mut state = ClothState::new(&model, &setup.positions);
 //! let pins: Vec<_> = model.pin_indices().iter().map(|&pin| setup.positions[pin as usize]).collect();
-//! let input = StepInput { pin_targets: &pins, capsules: &[], air_velocity: glam::Vec3::ZERO };
+//! let input = StepInput { pin_targets: &pins, ..StepInput::default() };
 //! for _ in 0..60 {
 //!     step(&model, &SolverConfig::default(), &input, &mut state, 1.0 / 60.0);
 //! }

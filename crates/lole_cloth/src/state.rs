@@ -1,11 +1,13 @@
 //! What moves: positions and velocities in the engine's own layout.
 
 use glam::Vec3;
-use lole_geom::Capsule;
+use lole_geom::{Capsule, Surfel};
 
 use crate::ClothModel;
-use crate::collision::capsule::{MovingCapsule, RowContacts};
+use crate::collision::capsule::MovingCapsule;
+use crate::collision::capsule::near::RowContacts;
 use crate::collision::cloth_cloth::ClothContacts;
+use crate::collision::surfel::SurfelContacts;
 use crate::lanes::Points;
 use crate::method::xpbd::{RowStrides, Schedules};
 
@@ -18,15 +20,19 @@ pub struct ClothState {
     pub(crate) pin_targets: Vec<Vec3>,
     /// Where the capsules were left; empty before the first step.
     pub(crate) capsules: Vec<Capsule>,
+    /// Where the surfels were left; empty before the first step.
+    pub(crate) surfels: Vec<Surfel>,
     pub(crate) scratch: Scratch,
 }
 
-/// Room for one step, kept so that no step allocates. It carries nothing from step to step.
+/// Room for one step, kept so that no step allocates. What it holds is found anew in every step, or
+/// is worked out from model and settings alone.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Scratch {
     /// Positions predicted at the start of the substep.
     pub(crate) predicted: Vec<Points>,
     pub(crate) row_contacts: RowContacts,
+    pub(crate) surfel_contacts: SurfelContacts,
     pub(crate) held_depths: Vec<f32>,
     pub(crate) cloth_contacts: ClothContacts,
     pub(crate) moving_capsules: Vec<MovingCapsule>,
@@ -47,6 +53,7 @@ impl ClothState {
             velocities: vec![Points::default(); vector_count],
             pin_targets: Vec::new(),
             capsules: Vec::new(),
+            surfels: Vec::new(),
             scratch: Scratch {
                 predicted: vec![Points::default(); vector_count],
                 ..Scratch::default()
@@ -63,6 +70,8 @@ impl ClothState {
             + size_of_val(&self.velocities[..])
             + size_of_val(&self.scratch.predicted[..])
             + size_of_val(&self.pin_targets[..])
+            + size_of_val(&self.surfels[..])
+            + self.scratch.surfel_contacts.byte_count()
             + self.scratch.cloth_contacts.byte_count()
     }
 

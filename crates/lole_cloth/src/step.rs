@@ -2,26 +2,29 @@
 
 use fearless_simd::dispatch;
 use glam::Vec3;
-use lole_geom::Capsule;
+use lole_geom::{Capsule, Surfel};
 
 use crate::method::xpbd;
 use crate::{ClothModel, ClothState, SolverConfig};
 
-/// What the world does during one step.
-#[derive(Debug, Clone, Copy)]
+/// What the world does during one step; by default nothing is in it.
+#[derive(Debug, Clone, Copy, Default)]
 pub struct StepInput<'a> {
     /// Where the pinned particles are at the end of the step [m], in the order of
     /// [`ClothModel::pin_indices`].
     pub pin_targets: &'a [Vec3],
     /// Where the capsules are at the end of the step; always the same ones in the same order.
     pub capsules: &'a [Capsule],
+    /// Where the surfels of a skinned body are at the end of the step, about a centimeter apart;
+    /// always the same ones in the same order. Cloth keeps to the side to which they face.
+    pub surfels: &'a [Surfel],
     /// Velocity of the air [m/s]; the fabric's drag rate pulls every particle towards it.
     pub air_velocity: Vec3,
 }
 
 /// Moves the cloth on by `dt` [s].
 ///
-/// Pins and capsules move evenly from where the previous call left them to where `input` has them.
+/// Pins, capsules and surfels move evenly from where the previous call left them to where `input` has them.
 /// Inside a rayon thread pool the work is shared; the result is the same bit for bit.
 pub fn step(
     model: &ClothModel,
@@ -36,4 +39,6 @@ pub fn step(
     state.pin_targets.extend_from_slice(input.pin_targets);
     state.capsules.clear();
     state.capsules.extend_from_slice(input.capsules);
+    state.surfels.clear();
+    state.surfels.extend_from_slice(input.surfels);
 }

@@ -25,7 +25,7 @@ fn hash_after(scene: &Scene, instruction_set: InstructionSet, thread_count: usiz
             let input = StepInput {
                 pin_targets: &pins,
                 capsules: &capsules,
-                air_velocity: glam::Vec3::ZERO,
+                ..StepInput::default()
             };
             step(&model, &setup.config, &input, &mut state, FRAME_DT);
         }

@@ -82,7 +82,7 @@ fn real_time_run(spec: &ClothSpec, config: &SolverConfig) -> Vec<Vec<DVec3>> {
         let input = lole_cloth::StepInput {
             pin_targets: &positions[..SIDE as usize],
             capsules: &[],
-            air_velocity: Vec3::ZERO,
+            ..lole_cloth::StepInput::default()
         };
         lole_cloth::step(&model, config, &input, &mut state, DT);
         if COMPARED_FRAMES.contains(&frame) {

@@ -252,7 +252,7 @@ fn a_sheet_falls_alike_at_30_60_and_120_frames_a_second() {
             let input = lole_cloth::StepInput {
                 pin_targets: &world.pins,
                 capsules: &[],
-                air_velocity: Vec3::ZERO,
+                ..lole_cloth::StepInput::default()
             };
             let dt = 1.0 / frames_per_second as f32;
             lole_cloth::step(&world.model, &world.config, &input, &mut world.state, dt);

@@ -256,7 +256,7 @@ pub struct MethodDesign {
     pub substep_count: Option<u32>,
     /// What the cloth meets as a body.
     pub body: BodyShapes,
-    /// Capsules of [`BodyShapes::Capsules`].
+    /// Capsules where capsules are met.
     pub capsule_count: u32,
     /// The paper's methods: when contact is worked out.
     pub contact_evaluation: ContactEvaluation,
@@ -290,11 +290,25 @@ const PAPER_CAPSULES: u32 = 13;
 /// What stands for the body where cloth meets it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum BodyShapes {
-    /// Capsules fitted to the skin.
+    /// The skin itself, as it is drawn; the paper's methods, which know none, meet capsules.
     #[default]
+    Skin,
+    /// Capsules fitted to the skin.
     Capsules,
     /// One upright cylinder for each leg, the paper's earlier body.
     TwoCylinders,
+}
+
+impl BodyShapes {
+    /// Name in documents.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Skin => "skin",
+            Self::Capsules => "capsules",
+            Self::TwoCylinders => "two-cylinders",
+        }
+    }
 }
 
 /// A method of computing cloth.

@@ -1,4 +1,4 @@
-//! Geometry that every other crate shares: lengths with units, capsules, triangle meshes and
+//! Geometry that every other crate shares: lengths with units, capsules, surfels, triangle meshes and
 //! trigonometry that gives the same bits on every platform.
 //!
 //! It knows no cloth, no garment and no file.
@@ -7,6 +7,7 @@
 pub mod capsule;
 pub mod length;
 pub mod mesh;
+pub mod surfel;
 pub mod triangle_grid;
 pub mod trig;
 pub mod trig64;
@@ -14,4 +15,5 @@ pub mod trig64;
 pub use capsule::Capsule;
 pub use length::Length;
 pub use mesh::TriangleMesh;
+pub use surfel::Surfel;
 pub use triangle_grid::TriangleGrid;

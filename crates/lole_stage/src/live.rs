@@ -189,6 +189,7 @@ impl Show {
                 let capsules = dancer.fit_capsules(layout);
                 self.performance.replace_capsules(capsules);
             }
+            self.performance.meet_body_of(design);
             self.stopped = None;
         }
         if let Some(layer) = dance {

@@ -11,7 +11,7 @@ pub struct FrameMetrics {
     pub time: f32,
     /// Absolute strain of the structural springs.
     pub strain: StrainSummary,
-    /// Deepest free particle in a capsule [m].
+    /// Deepest free particle in a capsule that the cloth meets [m]; 0 where it meets the skin.
     pub capsule_penetration: f32,
     /// Cloth against the drawn body.
     pub skin: SkinCheck,
@@ -26,7 +26,7 @@ pub struct RunMetrics {
     pub strain: StrainSummary,
     /// Strain of the last frame.
     pub strain_end: StrainSummary,
-    /// Deepest free particle in a capsule [m].
+    /// Deepest free particle in a capsule that the cloth meets [m]; 0 where it meets the skin.
     pub capsule_penetration: f32,
     /// Largest of each skin figure over the run.
     pub skin: SkinCheck,

@@ -4,13 +4,13 @@ use std::sync::Arc;
 
 use glam::{Affine3A, Vec3};
 use lole_body::motion::Dance;
-use lole_body::{BodyCapsule, CapsuleLayout, Dancer, Measurements, Pose};
+use lole_body::{BodyCapsule, CapsuleLayout, Dancer, Measurements, Pose, SkinSurfels};
 use lole_cloth::method::explicit::ExplicitConfig;
 use lole_cloth::method::reference::ReferenceModel;
 use lole_cloth::{Fabric, InstructionSet, diagnose};
-use lole_costume::document::Design;
+use lole_costume::document::{BodyShapes, Design};
 use lole_costume::sew::{self, SewSettings, SewnSkirt, SkirtMesh};
-use lole_geom::{Capsule, Length, mesh::vertex_normals};
+use lole_geom::{Capsule, Length, Surfel, mesh::vertex_normals};
 use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements, draft_pau_skirt};
 
 use crate::solver::{Solver, Surroundings};
@@ -34,6 +34,16 @@ pub const FRAME_SECONDS: f32 = 1.0 / FRAMES_PER_SECOND as f32;
 /// Cloth that is further than this from the origin [m] has left the stage: the run has diverged.
 const STAGE_RADIUS: f32 = 100.0;
 
+/// Farthest that the tape of an elastic row is from the skin below it [m]: across the small of the
+/// back and between the buttocks.
+const PIN_REACH: f32 = 0.08;
+
+/// Least distance of an elastic row from the skin [m]: half the thickness of what is sewn there.
+const PIN_CLEARANCE: f32 = 0.001;
+
+/// Farthest that surfels of the skin lie apart [m].
+const SURFEL_SPACING: f32 = 0.016;
+
 /// Everything about one performance that does not change from frame to frame.
 pub struct Production {
     /// What is performed.
@@ -54,6 +64,10 @@ pub struct Production {
     pub skirt_mesh: SkirtMesh,
     /// Triangles of the closed body surface.
     pub body_triangles: Vec<[u32; 3]>,
+    /// The body surface as cloth meets it that meets the skin.
+    pub body_surfels: SkinSurfels,
+    /// The skin below every pin of the skirt; `None` where one is too far from the body.
+    pub pin_surfels: Option<SkinSurfels>,
 }
 
 /// Where and when the cloth stopped being cloth.
@@ -97,6 +111,8 @@ pub struct Performance {
     world_from_bind: Vec<Affine3A>,
     /// What the cloth meets as a body: the dancer's capsules, unless others were given.
     body_capsules: Vec<BodyCapsule>,
+    /// Whether it meets the skin instead.
+    meets_skin: bool,
     capsules: Vec<Capsule>,
     pin_targets: Vec<Vec3>,
     /// Particles that a hand holds besides, ascending, and where it has them [m].
@@ -104,6 +120,9 @@ pub struct Performance {
     cloth_positions: Vec<Vec3>,
     body_positions: Vec<Vec3>,
     body_normals: Vec<Vec3>,
+    surfels: Vec<Surfel>,
+    /// The skin below every pin.
+    pin_skin: Vec<Surfel>,
     /// Frames danced; negative while settling.
     frame: i64,
 }
@@ -134,16 +153,24 @@ impl Production {
         let skirt = sew::sew(&draft, &worn, &fabric, &dancer, &stance, &settings)?;
         let skirt_mesh = SkirtMesh::new(&skirt.spec.grid, design.print.print().repeat.to_m_f32());
         let body_triangles = dancer.skin.body_triangles();
+        let bind = dancer.skeleton.world_from_bind(&Pose::default());
+        let pins = skirt.pins.iter();
         Ok(Self {
             design: design.clone(),
-            dancer,
             dance,
             draft,
             worn,
             fabric,
-            skirt,
             skirt_mesh,
+            body_surfels: SkinSurfels::new(&dancer.skin.positions, &body_triangles, SURFEL_SPACING),
+            pin_surfels: SkinSurfels::nearest_to(
+                pins.map(|pin| pin.posed(&bind)),
+                (&dancer.skin.positions, &body_triangles),
+                PIN_REACH,
+            ),
             body_triangles,
+            dancer,
+            skirt,
         })
     }
 }
@@ -186,6 +213,7 @@ impl Performance {
         let solver = Solver::new(&production.design, &production.skirt.spec, &start)?;
         let mut performance = Self {
             body_capsules: production.dancer.capsules.clone(),
+            meets_skin: production.design.contact_body() == BodyShapes::Skin,
             production,
             solver,
             pose: Pose::default(),
@@ -196,6 +224,8 @@ impl Performance {
             cloth_positions: start,
             body_positions: Vec::new(),
             body_normals: Vec::new(),
+            surfels: Vec::new(),
+            pin_skin: Vec::new(),
             frame: -i64::from(SETTLE_FRAMES),
         };
         let pose = performance.pose_of_dance();
@@ -254,6 +284,11 @@ impl Performance {
         self.body_capsules = capsules;
     }
 
+    /// Lets the cloth meet what `design` has it meet, from the next frame on.
+    pub(crate) fn meet_body_of(&mut self, design: &Design) {
+        self.meets_skin = design.contact_body() == BodyShapes::Skin;
+    }
+
     /// Places particles that a hand holds, from the next frame on: ascending, and pinned in the
     /// solver's cloth.
     pub(crate) fn hold(&mut self, held: Vec<(u32, Vec3)>) {
@@ -264,7 +299,8 @@ impl Performance {
         self.pose_dancer(pose);
         let surroundings = Surroundings {
             pin_targets: &self.pin_targets,
-            capsules: &self.capsules,
+            capsules: if self.meets_skin { &[] } else { &self.capsules },
+            surfels: &self.surfels,
             time: self.time(),
         };
         self.solver.step(&surroundings, FRAME_SECONDS);
@@ -285,9 +321,25 @@ impl Performance {
         self.capsules = (self.body_capsules.iter())
             .map(|capsule| capsule.posed(&self.world_from_bind))
             .collect();
+        self.surfels.clear();
+        if self.meets_skin {
+            self.production.dancer.skin.pose(
+                &self.world_from_bind,
+                &mut self.body_positions,
+                &mut self.body_normals,
+            );
+            self.production.body_surfels.pose(
+                &self.body_positions,
+                &self.body_normals,
+                &mut self.surfels,
+            );
+        }
         self.production
             .skirt
             .pose_pins(&self.world_from_bind, &mut self.pin_targets);
+        if self.meets_skin {
+            self.lift_pins();
+        }
         if !self.held.is_empty() {
             let pins = self.production.skirt.pins.iter().map(|pin| pin.particle);
             let mut all: Vec<(u32, Vec3)> = pins.zip(self.pin_targets.drain(..)).collect();
@@ -295,6 +347,19 @@ impl Performance {
             all.sort_by_key(|&(particle, _)| particle);
             self.pin_targets
                 .extend(all.iter().map(|&(_, target)| target));
+        }
+    }
+
+    /// Skin that folds would swallow the tape, which runs straight between the points that carry it.
+    fn lift_pins(&mut self) {
+        let Some(skin) = &self.production.pin_surfels else {
+            return;
+        };
+        let (positions, normals) = (&self.body_positions, &self.body_normals);
+        skin.pose(positions, normals, &mut self.pin_skin);
+        for (target, skin) in self.pin_targets.iter_mut().zip(&self.pin_skin) {
+            let gap = (*target - skin.position).dot(skin.normal);
+            *target += skin.normal * (PIN_CLEARANCE - gap).max(0.0);
         }
     }
 
@@ -386,11 +451,16 @@ impl Performance {
             capsule_penetration: diagnose::worst_capsule_penetration(
                 spec,
                 &self.cloth_positions,
-                &self.capsules,
+                self.met_capsules(),
             ),
             skin: skin_check::check(body, cloth),
             hem_height: hem.iter().map(|p| p.y).sum::<f32>() / columns as f32,
         }
+    }
+
+    /// The capsules that the cloth meets: none where it meets the skin.
+    fn met_capsules(&self) -> &[Capsule] {
+        if self.meets_skin { &[] } else { &self.capsules }
     }
 
     /// The capsules of the current pose.

@@ -32,6 +32,7 @@ pub(crate) const METHOD: Words = words("計算方法", "Method");
 pub(crate) const STIFFNESS: Words = words("かたさ（倍）", "Stiffness (times)");
 pub(crate) const DAMPING: Words = words("空気の抵抗", "Damping by air");
 pub(crate) const WIND: Words = words("風", "Wind");
+pub(crate) const MEETS_SKIN: Words = words("布を肌そのものに当てる", "Cloth meets the skin itself");
 pub(crate) const CAPSULES_COUNT: Words = words("体のカプセルの数", "Capsules of the body");
 
 pub(crate) const SKIRT: Words = words("スカート", "Skirt");

@@ -37,7 +37,7 @@ pub(super) fn measure(
         let input = StepInput {
             pin_targets: &pins,
             capsules: &capsules,
-            air_velocity: glam::Vec3::ZERO,
+            ..StepInput::default()
         };
         let watch = Stopwatch::start();
         step(&model, &setup.config, &input, &mut state, FRAME_DT);

@@ -70,7 +70,7 @@ pub(super) fn measure(scene: &StageScene, set: InstructionSet) -> Result<BenchRo
         strain_end_pct: percent(worst.strain_end),
         strain_worst_pct: percent(worst.strain),
         penetration_mm: Worst {
-            worst: 1e3 * f64::from(worst.capsule_penetration),
+            worst: 1e3 * f64::from(worst.capsule_penetration.max(worst.skin.worst_depth)),
         },
         skin_penetration_mm: Some(Worst {
             worst: 1e3 * f64::from(worst.skin.worst_depth),

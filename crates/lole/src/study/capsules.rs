@@ -1,7 +1,6 @@
 //! How many capsules a body needs: the paper's "13, so that the collision is right and the speed
 //! not too slow", as a curve.
 
-use lole_body::CapsuleLayout;
 use lole_cloth::method::reference::ReferenceModel;
 use lole_costume::document::{BodyShapes, Design, MethodName};
 use lole_export::study::{CapsulesEntry, SkirtOfStudy};
@@ -12,29 +11,33 @@ use crate::figures::median_and_p99;
 use crate::stopwatch::Stopwatch;
 
 /// The bodies that are compared.
-pub(super) const BODIES: [CapsuleLayout; 7] = [
-    CapsuleLayout::Fitted(1),
-    CapsuleLayout::TwoCylinders,
-    CapsuleLayout::Fitted(4),
-    CapsuleLayout::Fitted(8),
-    CapsuleLayout::Fitted(13),
-    CapsuleLayout::Fitted(20),
-    CapsuleLayout::Fitted(40),
+pub(super) const BODIES: [Body; 8] = [
+    (BodyShapes::Capsules, 1),
+    (BodyShapes::TwoCylinders, 2),
+    (BodyShapes::Capsules, 4),
+    (BodyShapes::Capsules, 8),
+    (BodyShapes::Capsules, 13),
+    (BodyShapes::Capsules, 20),
+    (BodyShapes::Capsules, 40),
+    (BodyShapes::Skin, 0),
 ];
+
+/// What the cloth meets, and how many of it.
+pub(super) type Body = (BodyShapes, u32);
 
 /// Frames from one look at the skin to the next.
 const FRAMES_PER_LOOK: u32 = 4;
 
 /// A gathered skirt fine enough that what shows is the body's fault, not the grid's.
-fn design(body: CapsuleLayout) -> Design {
+fn design((body, count): Body) -> Design {
     let mut design = Design::default();
     design.skirt.gather_ratio = 2.0;
     design.skirt.column_count = 96;
     design.skirt.row_count = 36;
     design.method.name = MethodName::Xpbd;
-    match body {
-        CapsuleLayout::Fitted(count) => design.method.capsule_count = count,
-        CapsuleLayout::TwoCylinders => design.method.body = BodyShapes::TwoCylinders,
+    design.method.body = body;
+    if body == BodyShapes::Capsules {
+        design.method.capsule_count = count;
     }
     design
 }
@@ -42,7 +45,7 @@ fn design(body: CapsuleLayout) -> Design {
 /// Dances `frame_count` frames on one body.
 pub(super) fn measure(
     runner: &Runner<'_>,
-    body: CapsuleLayout,
+    body: Body,
     frame_count: u32,
 ) -> Result<(CapsulesEntry, SkirtOfStudy), Failure> {
     let mut performance = runner.settled(&design(body))?;
@@ -66,12 +69,8 @@ pub(super) fn measure(
     }
     let production = performance.production();
     let entry = CapsulesEntry {
-        body: match body {
-            CapsuleLayout::Fitted(_) => "capsules",
-            CapsuleLayout::TwoCylinders => "two-cylinders",
-        }
-        .to_owned(),
-        count: production.dancer.capsules.len(),
+        body: body.0.id().to_owned(),
+        count: body.1 as usize,
         skin_mm: depths.iter().copied().fold(0.0, f64::max),
         skin_mean_mm: depths.iter().sum::<f64>() / depths.len().max(1) as f64,
         wrong_vertices,

@@ -12,8 +12,11 @@ use fearless_simd::Simd;
 use glam::Vec3;
 use lole_geom::trig;
 
-use crate::collision::capsule::{ContactLaw, MovingCapsule, Range};
+use crate::collision::capsule::MovingCapsule;
+use crate::collision::capsule::near::Range;
 use crate::collision::cloth_cloth::{ClothContactLaw, Columns, Shape};
+use crate::collision::response::ContactLaw;
+use crate::collision::surfel::{Cloth, Skin, SurfelContacts};
 use crate::constraint::shear::Cell;
 use crate::constraint::structural::Spring;
 use crate::constraint::tether::Tethers;
@@ -98,6 +101,15 @@ impl Substep {
     }
 }
 
+impl Substep {
+    /// The share of the step that has passed at the end of a substep, and the substep's own.
+    fn passed(&self, index: u32) -> (f32, f32) {
+        #[expect(clippy::cast_precision_loss, reason = "substeps are few")]
+        let (end, count) = ((index + 1) as f32, self.count as f32);
+        (end / count, 1.0 / count)
+    }
+}
+
 /// Moves the cloth on by `dt`.
 #[inline(always)]
 pub(crate) fn advance<S: Simd>(
@@ -112,12 +124,25 @@ pub(crate) fn advance<S: Simd>(
         state.capsules.clear();
         state.capsules.extend_from_slice(input.capsules);
     }
+    if state.surfels.len() != input.surfels.len() {
+        state.surfels.clear();
+        state.surfels.extend_from_slice(input.surfels);
+    }
     start_pins(model, input.pin_targets, state, dt);
     find_body_contacts(simd, model, config, (input, dt), state);
     let cloth_contact = find_cloth_contacts(model, config, substep.h, state);
     set_schedules(model, config, state);
     for index in 0..substep.count {
         move_capsules(config, input, index, &substep, state);
+        with_skin(
+            model,
+            config,
+            (input, dt),
+            state,
+            |contacts, cloth, skin| {
+                contacts.begin_substep((index, substep.count), cloth, skin);
+            },
+        );
         let is_last = index + 1 == substep.count;
         let range = if is_last || (index + 1) % FAR_INTERVAL == 0 {
             Range::All
@@ -135,7 +160,7 @@ pub(crate) fn advance<S: Simd>(
             {
                 solve_cloth_contacts(law, state);
             }
-            run(simd, (model, config, &substep), (part, range), state);
+            run(simd, (model, config, &substep), (part, range, index), state);
         }
     }
     finish_pins(model, input.pin_targets, state);
@@ -160,7 +185,7 @@ const FAR_INTERVAL: u32 = 4;
 fn run<S: Simd>(
     simd: S,
     (model, config, substep): (&ClothModel, &SolverConfig, &Substep),
-    (part, range): (Part, Range),
+    (part, range, index): (Part, Range, u32),
     state: &mut ClothState,
 ) {
     let scratch = &mut state.scratch;
@@ -175,6 +200,8 @@ fn run<S: Simd>(
         capsules: &scratch.moving_capsules,
         contacts: &scratch.row_contacts,
         range,
+        surfel_contacts: &scratch.surfel_contacts,
+        passed: scratch.surfel_contacts.passed(index),
         held: &scratch.held_depths,
     };
     scratch.schedules.0[part as usize].run(
@@ -230,7 +257,7 @@ fn push_far_and_soft(model: &ClothModel, config: &SolverConfig, schedule: &mut S
     schedule.push(Stage::Cells);
 }
 
-/// Which capsules each row may touch in this step.
+/// Where each row may touch the body in this step.
 #[inline(always)]
 fn find_body_contacts<S: Simd>(
     simd: S,
@@ -239,23 +266,56 @@ fn find_body_contacts<S: Simd>(
     (input, dt): (&StepInput<'_>, f32),
     state: &mut ClothState,
 ) {
-    state.scratch.row_contacts.find(
+    let (scratch, positions, velocities) =
+        (&mut state.scratch, &state.positions, &state.velocities);
+    let speed_gain = config.gravity.length() * dt;
+    scratch.row_contacts.find(
         simd,
-        (
-            &state.positions,
-            &state.velocities,
-            model.layout.group_count,
-        ),
+        (positions, velocities, model.layout.group_count),
         [&state.capsules, input.capsules],
-        (config.contact_offset, config.gravity.length() * dt, dt),
+        (config.contact_offset, speed_gain, dt),
     );
     let spacing = model.spec().grid.spacing[1];
     model.pinned_rows.held_depths(
         (config.held_depth, model.spec().grid.row_count, spacing),
-        &mut state.scratch.held_depths,
+        &mut scratch.held_depths,
+    );
+    let substep_count = config.substep_count.get();
+    with_skin(
+        model,
+        config,
+        (input, dt),
+        state,
+        |contacts, cloth, skin| {
+            contacts.plan(cloth, skin, substep_count);
+        },
     );
 }
 
+fn with_skin(
+    model: &ClothModel,
+    config: &SolverConfig,
+    (input, dt): (&StepInput<'_>, f32),
+    state: &mut ClothState,
+    act: impl FnOnce(&mut SurfelContacts, Cloth<'_>, Skin<'_>),
+) {
+    let scratch = &mut state.scratch;
+    let cloth = Cloth {
+        layout: &model.layout,
+        positions: &state.positions,
+        velocities: &state.velocities,
+        held: &scratch.held_depths,
+        spacing: model.spec().grid.spacing[0],
+        speed_gain: config.gravity.length() * dt,
+        dt,
+    };
+    let skin = Skin {
+        before: &state.surfels,
+        after: input.surfels,
+        offset: config.contact_offset,
+    };
+    act(&mut scratch.surfel_contacts, cloth, skin);
+}
 /// Where the cloth may touch itself in this step; the law of it, and the interval of substeps.
 fn find_cloth_contacts(
     model: &ClothModel,
@@ -314,11 +374,7 @@ fn move_capsules(
     substep: &Substep,
     state: &mut ClothState,
 ) {
-    #[expect(clippy::cast_precision_loss, reason = "substeps are few")]
-    let (fraction, share) = (
-        (index + 1) as f32 / substep.count as f32,
-        1.0 / substep.count as f32,
-    );
+    let (fraction, share) = substep.passed(index);
     state.scratch.moving_capsules.clear();
     state
         .scratch

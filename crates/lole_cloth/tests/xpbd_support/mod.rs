@@ -80,7 +80,7 @@ impl World {
         let input = StepInput {
             pin_targets: &self.pins,
             capsules,
-            air_velocity: Vec3::ZERO,
+            ..StepInput::default()
         };
         step(&self.model, &self.config, &input, &mut self.state, DT);
     }

@@ -51,11 +51,22 @@ impl Design {
         Ok(())
     }
 
-    /// What the cloth meets as a body.
+    /// What the cloth meets as a body: capsules where the method knows no skin.
+    #[must_use]
+    pub const fn contact_body(&self) -> BodyShapes {
+        match self.method.body {
+            BodyShapes::Skin if self.method.name.integrator().is_some() => BodyShapes::Capsules,
+            body => body,
+        }
+    }
+
+    /// The capsules that the cloth meets where it meets capsules.
     #[must_use]
     pub const fn capsule_layout(&self) -> CapsuleLayout {
         match self.method.body {
-            BodyShapes::Capsules => CapsuleLayout::Fitted(self.method.capsule_count),
+            BodyShapes::Skin | BodyShapes::Capsules => {
+                CapsuleLayout::Fitted(self.method.capsule_count)
+            }
             BodyShapes::TwoCylinders => CapsuleLayout::TwoCylinders,
         }
     }

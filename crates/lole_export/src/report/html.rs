@@ -283,31 +283,32 @@ fn motion(report: &RunReport) -> String {
 }
 
 /// How far the cloth went into the dancer.
-fn penetration(report: &RunReport) -> [Row; 2] {
+fn penetration(report: &RunReport) -> Vec<Row> {
     let mm = |value: f64| format!("{} <i>mm</i>", number(value, 2));
-    [
-        row(
-            ["Cloth inside the body", "体へのめり込み"],
-            format!(
-                "{}<span class=\"also\">{} {}</span>",
-                mm(report.skin_penetration_mm.worst),
-                grouped(report.skin_penetration_vertices.worst),
-                both("points", "か所")
-            ),
-            [
-                "Deepest place in the whole dance, and how many points lie wrongly at the worst moment.",
-                "踊り全体でいちばん深いところと、もっとも多い瞬間の点の数です。",
-            ],
+    let mut rows = vec![row(
+        ["Cloth inside the body", "体へのめり込み"],
+        format!(
+            "{}<span class=\"also\">{} {}</span>",
+            mm(report.skin_penetration_mm.worst),
+            grouped(report.skin_penetration_vertices.worst),
+            both("points", "か所")
         ),
-        row(
+        [
+            "Deepest place in the whole dance, and how many points lie wrongly at the worst moment.",
+            "踊り全体でいちばん深いところと、もっとも多い瞬間の点の数です。",
+        ],
+    )];
+    if report.contact_body != "skin" {
+        rows.push(row(
             ["… of the collision shapes", "… 衝突用のカプセル"],
             mm(report.capsule_penetration_mm.worst),
             [
-                "The same against the 13 capsules that stand for the body.",
-                "体のかわりに使う13本のカプセルに対する値です。",
+                "The same against the capsules that stand for the body.",
+                "体のかわりに使うカプセルに対する値です。",
             ],
-        ),
-    ]
+        ));
+    }
+    rows
 }
 
 fn speed(report: &RunReport) -> String {

@@ -152,7 +152,9 @@ pub struct RunReport {
     pub strain_pct: MeanPercentileMax,
     /// The same at the end of the run [%].
     pub strain_end_pct: MeanPercentileMax,
-    /// Deepest particle inside a capsule [mm].
+    /// What the cloth met as a body: `skin`, `capsules` or `two-cylinders`.
+    pub contact_body: String,
+    /// Deepest particle inside a capsule [mm]; 0 where cloth met the skin.
     pub capsule_penetration_mm: Worst<f64>,
     /// Deepest cloth vertex inside the drawn body [mm].
     pub skin_penetration_mm: Worst<f64>,

@@ -426,13 +426,15 @@ fn capsules(report: &StudyReport) -> String {
         .capsules
         .iter()
         .map(|entry| {
-            let name = if entry.body == "two-cylinders" {
-                both("two cylinders (the earlier body)", "2本の円柱（以前の体）")
-            } else {
-                both(
+            let name = match entry.body.as_str() {
+                "two-cylinders" => {
+                    both("two cylinders (the earlier body)", "2本の円柱（以前の体）")
+                }
+                "skin" => both("the drawn skin itself", "描いている肌そのもの"),
+                _ => both(
                     &format!("{} capsules", entry.count),
                     &format!("カプセル {} 本", entry.count),
-                )
+                ),
             };
             vec![
                 name,
@@ -459,8 +461,8 @@ fn capsules(report: &StudyReport) -> String {
         "How many capsules?",
         "カプセルは何本いるか",
         [
-            "The same dance with the real-time method on bodies of more and more capsules, each fitted to the same skin. The axis below is their number.",
-            "同じ踊りを、同じ肌に合わせたカプセルの数だけ変えて、実時間の方法で計算しました。横軸は本数です。",
+            "The same dance with the real-time method on bodies of more and more capsules, each fitted to the same skin. The last body is the drawn skin itself. The axis below is the number of capsules.",
+            "同じ踊りを、同じ肌に合わせたカプセルの数だけ変えて、実時間の方法で計算しました。最後の行は描いている肌そのものです。横軸はカプセルの本数です。",
         ],
     ) + &format!(
         "<div class=\"plots\">\n{}{}</div>\n",

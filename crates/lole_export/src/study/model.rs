@@ -161,7 +161,7 @@ pub struct StepEntry {
 /// One body of capsules.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct CapsulesEntry {
-    /// `capsules` or `two-cylinders`.
+    /// `capsules`, `two-cylinders` or `skin`.
     pub body: String,
     /// Capsules.
     pub count: usize,

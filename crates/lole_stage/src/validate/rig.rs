@@ -128,7 +128,7 @@ impl Rig {
                 let input = StepInput {
                     pin_targets: &rig.pins,
                     capsules: &[],
-                    air_velocity: Vec3::ZERO,
+                    ..StepInput::default()
                 };
                 #[expect(clippy::cast_possible_truncation, reason = "the engine counts in f32")]
                 let dt = FRAME as f32;

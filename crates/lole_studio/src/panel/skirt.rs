@@ -1,6 +1,7 @@
 //! The cut of the skirt and the body beneath it.
 
-use eframe::egui::{RichText, Ui};
+use eframe::egui::{Checkbox, RichText, Ui};
+use lole_costume::document::BodyShapes;
 
 use super::knob::{Knob, Scale};
 use crate::studio::range;
@@ -39,6 +40,29 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
         });
     } else {
         ui.label(RichText::new(studio.say(text::SEWS_ANEW)).small().weak());
+    }
+    body(ui, studio);
+}
+
+/// What the cloth meets: the skin, or so many capsules.
+fn body(ui: &mut Ui, studio: &mut Studio) {
+    let mut meets_skin = studio.design().contact_body() == BodyShapes::Skin;
+    let knows_skin = studio.design().method.name.integrator().is_none();
+    let switch = ui.add_enabled(
+        knows_skin,
+        Checkbox::new(&mut meets_skin, studio.say(text::MEETS_SKIN)),
+    );
+    if switch.changed() {
+        studio.change(|design| {
+            design.method.body = if meets_skin {
+                BodyShapes::Skin
+            } else {
+                BodyShapes::Capsules
+            };
+        });
+    }
+    if meets_skin {
+        return;
     }
     let (low, high) = range("method", "capsule_count");
     let capsules = Knob {

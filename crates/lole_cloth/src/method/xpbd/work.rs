@@ -4,7 +4,10 @@ use fearless_simd::{Simd, f32x16, prelude::*};
 
 use super::Substep;
 use super::schedule::Stage;
-use crate::collision::capsule::{ContactRow, MovingCapsule, Range, RowContacts};
+use crate::collision::capsule::MovingCapsule;
+use crate::collision::capsule::near::{Range, RowContacts};
+use crate::collision::response::ContactRow;
+use crate::collision::surfel::SurfelContacts;
 use crate::constraint::bend::Bend;
 use crate::constraint::tether::Tethers;
 use crate::constraint::{bend, shear, stride, structural, tether};
@@ -44,6 +47,9 @@ pub(super) struct Work<'a> {
     pub(super) contacts: &'a RowContacts,
     /// Which capsules are tested.
     pub(super) range: Range,
+    pub(super) surfel_contacts: &'a SurfelContacts,
+    /// How much has passed at the end of the substep of what they were found for, and its own share.
+    pub(super) passed: (f32, f32),
     /// By row, how far inside the capsules its particles may stay [m].
     pub(super) held: &'a [f32],
 }
@@ -206,16 +212,22 @@ impl Work<'_> {
         let width = self.model.layout.group_count;
         let range = row * width..(row + 1) * width;
         let indices = self.contacts.row(row, self.range);
-        if !indices.is_empty() {
-            let mut row = ContactRow {
+        let has_skin = !self.surfel_contacts.is_empty();
+        if has_skin || !indices.is_empty() {
+            let mut contact_row = ContactRow {
                 positions: &mut self.positions[range.clone()],
-                predicted: &self.predicted[range.clone()],
+                predicted: &mut self.predicted[range.clone()],
                 velocities: &self.velocities[range.clone()],
                 inv_masses: &self.model.inv_masses[range.clone()],
                 h: self.substep.h,
                 held: self.held[row],
             };
-            row.project(simd, self.capsules, indices, self.substep.contact);
+            let law = self.substep.contact;
+            contact_row.project(simd, self.capsules, indices, law);
+            if has_skin {
+                let contacts = (self.surfel_contacts, range.start);
+                contact_row.project_out_of_skin(simd, contacts, self.passed, law);
+            }
         }
         let inv_h = f32x16::splat(simd, 1.0 / self.substep.h);
         let columns = (self.positions[range.clone()].iter())

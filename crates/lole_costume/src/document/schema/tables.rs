@@ -137,8 +137,9 @@ const WIND_LAWS: &[(&str, WindLaw)] = &[
     ("literal-scalar", WindLaw::LiteralScalar),
 ];
 const BODIES: &[(&str, BodyShapes)] = &[
-    ("capsules", BodyShapes::Capsules),
-    ("two-cylinders", BodyShapes::TwoCylinders),
+    (BodyShapes::Skin.id(), BodyShapes::Skin),
+    (BodyShapes::Capsules.id(), BodyShapes::Capsules),
+    (BodyShapes::TwoCylinders.id(), BodyShapes::TwoCylinders),
 ];
 const CONTACT_EVALUATIONS: &[(&str, ContactEvaluation)] = &[
     ("per-stage", ContactEvaluation::PerStage),
@@ -601,8 +602,8 @@ const METHOD: Table = Table {
             words("衝突の体", "body for contact"),
             BODIES,
             method.body,
-            "布が当たる体の形",
-            "what the cloth meets as a body"
+            "布が当たる体の形。skin は肌そのもの（論文の方法ではカプセル）",
+            "what the cloth meets as a body; skin is the drawn skin (capsules for the paper's methods)"
         ),
         count!(
             "capsule_count",

@@ -1,0 +1,373 @@
+//! Contact with the skinned body itself: what is drawn is what is touched.
+//!
+//! The body is given as surfels, so many that the nearest one's tangent plane stands for the skin.
+//! Once a step every particle that may get there takes the plane of the surfel nearest to it in the
+//! middle of the step; in the substeps the plane moves and turns with the skin. Nothing is kept from
+//! step to step, so that a state says all there is to know.
+
+mod cells;
+mod nearness;
+
+use std::ops::Range;
+
+use fearless_simd::{Simd, f32x16, prelude::*};
+use glam::Vec3;
+use lole_geom::Surfel;
+
+use crate::collision::response::{Contact, ContactLaw, ContactRow};
+use crate::lanes::{LANES, Layout, Points, Scalars, Vectors, smaller};
+use cells::SurfelCells;
+
+/// A particle that comes nearer to a surfel than this [m], besides what both may travel, takes its
+/// plane.
+const REACH: f32 = 0.012;
+
+/// Farthest surfel that is looked for [m], whatever the speeds.
+const REACH_MAX: f32 = 0.06;
+
+/// Columns nearer together than this [m] share surfels.
+const CLOSE: f32 = 0.008;
+
+/// How much farther than its speed promises a particle may come in half a step.
+const SPEED_MARGIN: f32 = 1.5;
+
+/// Farthest that cloth and skin may move towards each other from one search to the next [m]: less
+/// than a wrist is thick.
+const TRAVEL_MAX: f32 = 0.06;
+
+/// Planes that the particles of a vector may touch in a step: inside is where
+/// `normal · x < level`. Lanes without one have a zero normal and a negative level.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Planes {
+    /// At the start of the step: unit normal and level [m].
+    normal: Points,
+    level: Scalars,
+    /// What the end of the step has more.
+    normal_change: Points,
+    level_change: Scalars,
+}
+
+const NOWHERE: Planes = Planes {
+    normal: Points {
+        x: [0.0; LANES],
+        y: [0.0; LANES],
+        z: [0.0; LANES],
+    },
+    level: Scalars([-1.0; LANES]),
+    normal_change: Points {
+        x: [0.0; LANES],
+        y: [0.0; LANES],
+        z: [0.0; LANES],
+    },
+    level_change: Scalars([0.0; LANES]),
+};
+
+/// The skin near each particle during one step.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct SurfelContacts {
+    /// Index into `planes` and one more for every vector, 0 where none of its particles comes near.
+    slots: Vec<u32>,
+    planes: Vec<Planes>,
+    /// What the surface does in the step [m], in the order of `planes`.
+    motions: Vec<Points>,
+    /// Parts of a step, each with a search of its own, and the substeps of the present one.
+    part_count: u32,
+    part: Range<u32>,
+    /// The skin at the ends of a part, where there are several.
+    ends: [Vec<Surfel>; 2],
+    cells: SurfelCells,
+    /// Room for a row.
+    found: Vec<Found>,
+}
+
+/// The skin during one step.
+#[derive(Clone, Copy)]
+pub(crate) struct Skin<'a> {
+    /// At the start, and at the end, in the same order.
+    pub(crate) before: &'a [Surfel],
+    pub(crate) after: &'a [Surfel],
+    /// Distance kept from it [m].
+    pub(crate) offset: f32,
+}
+
+/// The cloth at the start of a step.
+#[derive(Clone, Copy)]
+pub(crate) struct Cloth<'a> {
+    pub(crate) layout: &'a Layout,
+    pub(crate) positions: &'a [Points],
+    pub(crate) velocities: &'a [Points],
+    /// By row, how far inside the skin's offset its particles may stay [m].
+    pub(crate) held: &'a [f32],
+    /// Of its columns [m].
+    pub(crate) spacing: f32,
+    /// What gravity adds to a speed in the step [m/s], and the step [s].
+    pub(crate) speed_gain: f32,
+    pub(crate) dt: f32,
+}
+
+/// A particle of a row, and the place of its surfel.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Found {
+    slot: (usize, usize),
+    place: Option<usize>,
+}
+
+impl Cloth<'_> {
+    /// Where a particle is in the middle of the step if it flies on, and how far from there it may
+    /// come to touch the skin [m].
+    fn flight(
+        &self,
+        (vector, lane): (usize, usize),
+        skin: Skin<'_>,
+        cells: &SurfelCells,
+    ) -> (Vec3, f32) {
+        let flown = self.velocities[vector].get(lane) * self.dt;
+        let away = (flown - cells.mean_motion()).length();
+        let travel = away + cells.spread() + self.speed_gain * self.dt;
+        let reach = REACH + skin.offset + SPEED_MARGIN * 0.5 * travel;
+        let middle = self.positions[vector].get(lane) + flown * 0.5;
+        (middle, reach.min(REACH_MAX))
+    }
+}
+
+impl SurfelContacts {
+    /// Memory that it holds [byte].
+    pub(crate) const fn byte_count(&self) -> usize {
+        size_of_val(self.slots.as_slice())
+            + size_of_val(self.planes.as_slice())
+            + size_of_val(self.motions.as_slice())
+            + self.cells.byte_count()
+    }
+
+    /// Plans a step of so many substeps: where something is fast, the nearest surfels are looked for
+    /// several times.
+    #[inline(never)]
+    pub(crate) fn plan(&mut self, cloth: Cloth<'_>, skin: Skin<'_>, substep_count: u32) {
+        self.planes.clear();
+        self.part = 0..0;
+        if skin.after.is_empty() {
+            self.part_count = 0;
+            return;
+        }
+        self.cells
+            .sort(skin, bounds(cloth.positions), REACH_MAX + skin.offset);
+        let mean = self.cells.mean_motion() / cloth.dt;
+        let fastest = (cloth.velocities.iter())
+            .flat_map(|points| (0..LANES).map(|lane| points.get(lane)))
+            .map(|velocity| velocity.distance_squared(mean))
+            .fold(0.0, f32::max);
+        let travel = (fastest.sqrt() + cloth.speed_gain) * cloth.dt + self.cells.spread();
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "as many as there are substeps at most"
+        )]
+        let part_count = (travel / TRAVEL_MAX).ceil().min(1024.0) as u32;
+        self.part_count = part_count.clamp(1, substep_count);
+    }
+
+    /// Finds the planes anew if a part of the step begins with a substep.
+    pub(crate) fn begin_substep(
+        &mut self,
+        (index, substep_count): (u32, u32),
+        cloth: Cloth<'_>,
+        skin: Skin<'_>,
+    ) {
+        if self.part_count == 0 || self.part.contains(&index) {
+            return;
+        }
+        let part = index * self.part_count / substep_count;
+        let start_of = |part: u32| (part * substep_count).div_ceil(self.part_count);
+        self.part = start_of(part)..start_of(part + 1);
+        if self.part_count == 1 {
+            self.find(cloth, skin);
+            return;
+        }
+        let mut ends = std::mem::take(&mut self.ends);
+        let shares = [self.part.start, self.part.end].map(|end| ratio(end, substep_count));
+        for (end, share) in ends.iter_mut().zip(shares) {
+            end.clear();
+            end.extend(
+                (skin.before.iter())
+                    .zip(skin.after)
+                    .map(|(before, after)| Surfel {
+                        position: before.position.lerp(after.position, share),
+                        normal: before.normal.lerp(after.normal, share),
+                    }),
+            );
+        }
+        let cloth = Cloth {
+            dt: cloth.dt * (shares[1] - shares[0]),
+            ..cloth
+        };
+        let skin = Skin {
+            before: &ends[0],
+            after: &ends[1],
+            ..skin
+        };
+        self.cells
+            .sort(skin, bounds(cloth.positions), REACH_MAX + skin.offset);
+        self.find(cloth, skin);
+        self.ends = ends;
+    }
+
+    /// How much of the present part has passed at the end of a substep, and the substep's share.
+    pub(crate) fn passed(&self, index: u32) -> (f32, f32) {
+        if self.part.is_empty() {
+            return (1.0, 1.0);
+        }
+        let count = self.part.end - self.part.start;
+        (ratio(index + 1 - self.part.start, count), ratio(1, count))
+    }
+
+    /// Finds the planes anew, the cells being sorted. Not inlined into vector code: it would change
+    /// kinds of instructions.
+    #[inline(never)]
+    fn find(&mut self, cloth: Cloth<'_>, skin: Skin<'_>) {
+        self.slots.clear();
+        self.slots.resize(cloth.positions.len(), 0);
+        self.planes.clear();
+        self.motions.clear();
+        for row in 0..cloth.layout.row_count {
+            self.find_row(row, cloth, skin);
+        }
+    }
+
+    /// Searches for every particle of a row, or, where they lie close together, for every second one:
+    /// the others take the nearer one of their neighbors' surfels.
+    fn find_row(&mut self, row: usize, cloth: Cloth<'_>, skin: Skin<'_>) {
+        let Self { cells, found, .. } = self;
+        let is_dense = cloth.spacing < CLOSE;
+        found.clear();
+        found.extend(
+            cloth
+                .layout
+                .row_slots(row)
+                .map(|slot| Found { slot, place: None }),
+        );
+        // A neighbor's surfel is near, if not the nearest.
+        let mut hint = None;
+        for one in found.iter_mut().step_by(if is_dense { 2 } else { 1 }) {
+            let (middle, reach) = cloth.flight(one.slot, skin, cells);
+            hint = cells.nearest(middle, reach, hint);
+            one.place = hint;
+        }
+        if is_dense {
+            for left in (0..found.len() - 1).step_by(2) {
+                let right = (left + 2) % found.len();
+                let candidates = [found[left].place, found[right].place];
+                let one = &mut found[left + 1];
+                let (middle, reach) = cloth.flight(one.slot, skin, cells);
+                one.place = cells.nearer(middle, reach, candidates);
+            }
+        }
+        let offset = skin.offset - cloth.held[row];
+        for index in 0..self.found.len() {
+            let Found { slot, place } = self.found[index];
+            if let Some(place) = place {
+                let surfel = self.cells.surfel(place);
+                let ends = [&skin.before[surfel], &skin.after[surfel]];
+                self.set_plane(slot, ends, offset);
+            }
+        }
+    }
+
+    fn set_plane(
+        &mut self,
+        (vector, lane): (usize, usize),
+        [before, after]: [&Surfel; 2],
+        offset: f32,
+    ) {
+        if self.slots[vector] == 0 {
+            self.planes.push(NOWHERE);
+            self.motions.push(Points::default());
+            self.slots[vector] = narrow(self.planes.len());
+        }
+        let slot = self.slots[vector] as usize - 1;
+        let planes = &mut self.planes[slot];
+        let levels = [before, after].map(|surfel| surfel.normal.dot(surfel.position) + offset);
+        planes.normal.set(lane, before.normal);
+        planes.normal_change.set(lane, after.normal - before.normal);
+        planes.level.0[lane] = levels[0];
+        planes.level_change.0[lane] = levels[1] - levels[0];
+        self.motions[slot].set(lane, after.position - before.position);
+    }
+
+    /// Whether no particle comes near the skin.
+    pub(crate) const fn is_empty(&self) -> bool {
+        self.planes.is_empty()
+    }
+
+    /// Where the planes of a vector are, if any of its particles comes near the skin.
+    #[inline(always)]
+    fn slot(&self, vector: usize) -> Option<usize> {
+        (self.slots[vector] as usize).checked_sub(1)
+    }
+}
+
+impl ContactRow<'_> {
+    /// Projects a row, whose first vector is `first`, out of the skin as it is at the end of a
+    /// substep: a `fraction` of the way through the step, of which the substep is a `share`.
+    #[inline(always)]
+    pub(crate) fn project_out_of_skin<S: Simd>(
+        &mut self,
+        simd: S,
+        (contacts, first): (&SurfelContacts, usize),
+        (fraction, share): (f32, f32),
+        law: ContactLaw,
+    ) {
+        let zero = f32x16::splat(simd, 0.0);
+        let fraction = f32x16::splat(simd, fraction);
+        for index in 0..self.positions.len() {
+            let Some(slot) = contacts.slot(first + index) else {
+                continue;
+            };
+            let planes = &contacts.planes[slot];
+            let position = Vectors::load(simd, &self.positions[index]);
+            let change = Vectors::load(simd, &planes.normal_change).scale(fraction);
+            let normal = Vectors::load(simd, &planes.normal).add(change);
+            let level = f32x16::load_array_ref(simd, &planes.level.0)
+                + f32x16::load_array_ref(simd, &planes.level_change.0) * fraction;
+            let overlap = level - normal.dot(position);
+            let inv_mass = f32x16::load_array_ref(simd, &self.inv_masses[index].0);
+            let touching = zero.simd_lt(smaller(overlap, inv_mass));
+            if !touching.any_true() {
+                continue;
+            }
+            let motion = Vectors::load(simd, &contacts.motions[slot]);
+            let contact = Contact {
+                touching,
+                normal,
+                overlap,
+                surface: motion.scale(f32x16::splat(simd, share)),
+            };
+            self.push_out::<S, true>(simd, (index, position), &contact, law);
+        }
+    }
+}
+
+/// Box around all particles.
+fn bounds(positions: &[Points]) -> [Vec3; 2] {
+    let mut low = Vec3::INFINITY;
+    let mut high = Vec3::NEG_INFINITY;
+    for points in positions {
+        for lane in 0..LANES {
+            low = low.min(points.get(lane));
+            high = high.max(points.get(lane));
+        }
+    }
+    [low, high]
+}
+
+#[expect(clippy::cast_precision_loss, reason = "substeps are few")]
+const fn ratio(part: u32, whole: u32) -> f32 {
+    part as f32 / whole as f32
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "a cloth has fewer than 2^32 particles"
+)]
+const fn narrow(value: usize) -> u32 {
+    value as u32
+}
