@@ -290,6 +290,14 @@ pub(crate) struct RowLink<const N: usize> {
     pub(crate) shifts: [u8; N],
     /// 1 in lanes where the relation exists, 0 elsewhere; `None` when it exists in all.
     pub(crate) mask: Option<Box<Scalars>>,
+    /// Whether no link of its list has two partners in one group.
+    list_is_apart: bool,
+}
+
+/// Whether no partners of any link lie in one group: only then may all be written at once.
+#[inline(always)]
+pub(crate) fn are_apart<const N: usize>(links: &[RowLink<N>]) -> bool {
+    links.first().is_none_or(|link| link.list_is_apart)
 }
 
 impl<const N: usize> RowLink<N> {
@@ -299,9 +307,8 @@ impl<const N: usize> RowLink<N> {
         self.mask.is_none() && self.shifts == [0; N]
     }
 
-    /// Whether no two partners lie in one group: only then may all be written at once.
-    #[inline(always)]
-    pub(crate) fn has_own_groups(&self) -> bool {
+    /// Whether no two partners lie in one group.
+    fn has_own_groups(&self) -> bool {
         (0..N).all(|first| (first + 1..N).all(|second| self.groups[first] != self.groups[second]))
     }
 }
@@ -340,6 +347,7 @@ pub(crate) fn row_links<const N: usize>(
                         groups,
                         shifts,
                         mask: None,
+                        list_is_apart: false,
                     },
                     lanes,
                 ));
@@ -358,6 +366,10 @@ pub(crate) fn row_links<const N: usize>(
             link
         })
         .collect();
+    let list_is_apart = links.iter().all(RowLink::has_own_groups);
+    for link in &mut links {
+        link.list_is_apart = list_is_apart;
+    }
     links.sort_by_key(|link| (usize::from(link.groups[0]) % period, link.groups[0]));
     links
 }

@@ -13,7 +13,7 @@ use fearless_simd::{Simd, f32x16, prelude::*};
 
 use crate::ClothSpec;
 use crate::constraint::{RowMasses, add_to_partner, load_partner, shared};
-use crate::lanes::{Points, RowLink, Vectors};
+use crate::lanes::{Points, RowLink, Vectors, are_apart};
 
 /// Which bending terms have a clamp in them.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -108,7 +108,7 @@ pub(crate) fn solve_row<S: Simd>(
 ) {
     match masses.even {
         Some(inv_mass) if inv_mass <= 0.0 => {}
-        Some(inv_mass) if links.iter().all(RowLink::has_own_groups) => {
+        Some(inv_mass) if are_apart(links) => {
             solve_even_row(simd, row, links, bend.share_of_equals(inv_mass));
         }
         _ => solve_uneven_row(simd, row, masses, links, bend),

@@ -25,24 +25,33 @@ pub(crate) struct Pull {
 }
 
 impl Pull {
-    /// Springs of a squared rest length [m²], each end of which takes `share` of the correction.
+    /// Springs of a squared rest length [m²].
     #[expect(
         clippy::cast_possible_truncation,
         reason = "coefficients are worked out in f64 and used in f32"
     )]
-    pub(crate) fn new(rest_length_squared: f32, share: f32) -> Self {
+    pub(crate) const fn new(rest_length_squared: f32) -> Self {
         let [a, b, c] = CUBIC;
-        let (s, share) = (1.0 / f64::from(rest_length_squared), f64::from(share));
-        let coefficients = [
-            -a + b - c,
-            s * (a - 2.0 * b + 3.0 * c),
-            s * s * (b - 3.0 * c),
-            s * s * s * c,
-        ];
+        let s = 1.0 / rest_length_squared as f64;
         Self {
-            coefficients: coefficients.map(|coefficient| (share * coefficient) as f32),
+            coefficients: [
+                (-a + b - c) as f32,
+                (s * (a - 2.0 * b + 3.0 * c)) as f32,
+                (s * s * (b - 3.0 * c)) as f32,
+                (s * s * s * c) as f32,
+            ],
             farthest: FARTHEST * rest_length_squared,
             rest: rest_length_squared,
+        }
+    }
+
+    /// The same of which each end takes `share`.
+    #[inline(always)]
+    pub(crate) const fn shared(self, share: f32) -> Self {
+        let [k0, k1, k2, k3] = self.coefficients;
+        Self {
+            coefficients: [k0 * share, k1 * share, k2 * share, k3 * share],
+            ..self
         }
     }
 
@@ -80,7 +89,7 @@ mod tests {
     #[test]
     fn the_cubic_follows_the_spring_where_cloth_lives_and_never_turns_around() {
         let length = 0.0137_f32;
-        let pull = Pull::new(length * length, 1.0);
+        let pull = Pull::new(length * length);
         let mut last = f32::NEG_INFINITY;
         for percent in -100..200_i16 {
             let strain = f32::from(percent) / 100.0;
@@ -101,7 +110,7 @@ mod tests {
     #[test]
     fn a_spring_at_rest_is_left_alone() {
         for length in [0.001_f32, 0.0119, 0.35] {
-            let found = factor(Pull::new(length * length, 1.0), length * length);
+            let found = factor(Pull::new(length * length), length * length);
             assert!(found.abs() < 5e-7, "{found}");
         }
     }

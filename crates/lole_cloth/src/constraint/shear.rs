@@ -4,13 +4,13 @@ use fearless_simd::{Simd, f32x16, prelude::*};
 
 use crate::constraint::pull::Pull;
 use crate::constraint::{RowMasses, add_to_partner, load_partner, shared};
-use crate::lanes::{Points, RowLink, Scalars, Vectors};
+use crate::lanes::{Points, RowLink, Scalars, Vectors, are_apart};
 
 /// Compliances of one cell over the substep squared.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Cell {
-    /// Squared rest length of both diagonals [m²].
-    pub(crate) diagonal_squared: f32,
+    /// How far both diagonals pull by their length.
+    pub(crate) diagonal: Pull,
     /// Of a shear spring [1/kg].
     pub(crate) shear_compliance: f32,
     /// Of the twist constraint `x₁₁ - x₁₀ - x₀₁ + x₀₀ = 0` [1/kg].
@@ -28,10 +28,10 @@ pub(crate) fn solve_pair<S: Simd>(
 ) {
     match shared(masses) {
         Some(inv_mass) if inv_mass <= 0.0 => {}
-        Some(inv_mass) if links.iter().all(RowLink::has_own_groups) => {
+        Some(inv_mass) if are_apart(links) => {
             let spring = inv_mass / (2.0 * inv_mass + cell.shear_compliance);
             let equals = Equals {
-                diagonal: Pull::new(cell.diagonal_squared, spring),
+                diagonal: cell.diagonal.shared(spring),
                 twist: inv_mass / (4.0 * inv_mass + cell.twist_compliance),
             };
             solve_even_pair(simd, [upper, lower], links, equals);
@@ -189,8 +189,7 @@ fn solve_diagonal<S: Simd>(
 ) {
     let offset = points[second].sub(points[first]);
     let sum = inv_masses[first] + inv_masses[second] + cell.shear_compliance;
-    let pull = Pull::new(cell.diagonal_squared, 1.0);
-    let factor = pull.factor(simd, offset.dot(offset)) / sum;
+    let factor = cell.diagonal.factor(simd, offset.dot(offset)) / sum;
     points[first] = points[first].add(offset.scale(factor * inv_masses[first]));
     points[second] = points[second].sub(offset.scale(factor * inv_masses[second]));
 }

@@ -22,26 +22,25 @@ fn taut_factor<S: Simd>(simd: S, offset: Vectors<S>, pull: Pull) -> Option<f32x1
     }
 }
 
-/// Solves every stride along a row; `limit_squared` is the largest squared distance [m²].
+/// Solves every stride along a row; `limit` has the largest distance as its rest length.
 #[inline(always)]
 pub(crate) fn solve_row<S: Simd>(
     simd: S,
     row: &mut [Points],
     masses: RowMasses<'_>,
     links: &[RowLink<2>],
-    limit_squared: f32,
+    limit: Pull,
 ) {
     match masses.even {
         Some(inv_mass) if inv_mass <= 0.0 => return,
-        Some(_) => return solve_even_row(simd, row, links, Pull::new(limit_squared, 0.5)),
+        Some(_) => return solve_even_row(simd, row, links, limit.shared(0.5)),
         None => {}
     }
-    let pull = Pull::new(limit_squared, 1.0);
     for link in links {
         let (first, inv_mass_first) = load_partner(simd, link, 0, row, masses.lanes);
         let (second, inv_mass_second) = load_partner(simd, link, 1, row, masses.lanes);
         let offset = second.sub(first);
-        let Some(mut factor) = taut_factor(simd, offset, pull) else {
+        let Some(mut factor) = taut_factor(simd, offset, limit) else {
             continue;
         };
         factor /= inv_mass_first + inv_mass_second + INV_MASS_FLOOR;
@@ -84,15 +83,14 @@ pub(crate) fn solve_pair<S: Simd>(
     simd: S,
     [upper, lower]: [&mut [Points]; 2],
     masses: [RowMasses<'_>; 2],
-    limit_squared: f32,
+    limit: Pull,
 ) {
     if let Some(inv_mass) = shared(masses) {
         if 0.0 < inv_mass {
-            solve_even_pair(simd, [upper, lower], Pull::new(limit_squared, 0.5));
+            solve_even_pair(simd, [upper, lower], limit.shared(0.5));
         }
         return;
     }
-    let pull = Pull::new(limit_squared, 1.0);
     let inv_masses = masses[0].lanes.iter().zip(masses[1].lanes);
     for ((upper, lower), (inv_upper, inv_lower)) in upper.iter_mut().zip(lower).zip(inv_masses) {
         let first = Vectors::load(simd, upper);
@@ -100,7 +98,7 @@ pub(crate) fn solve_pair<S: Simd>(
         let inv_mass_first = f32x16::load_array_ref(simd, &inv_upper.0);
         let inv_mass_second = f32x16::load_array_ref(simd, &inv_lower.0);
         let offset = second.sub(first);
-        let Some(factor) = taut_factor(simd, offset, pull) else {
+        let Some(factor) = taut_factor(simd, offset, limit) else {
             continue;
         };
         let factor = factor / (inv_mass_first + inv_mass_second + INV_MASS_FLOOR);

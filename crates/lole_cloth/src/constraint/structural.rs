@@ -4,27 +4,23 @@ use fearless_simd::{Simd, f32x16, prelude::*};
 
 use crate::constraint::pull::Pull;
 use crate::constraint::{RowMasses, add_to_partner, load_partner, shared};
-use crate::lanes::{Points, RowLink, Vectors};
+use crate::lanes::{Points, RowLink, Vectors, are_apart};
 
 /// One family of distance springs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Spring {
-    /// Rest length squared [m²].
-    pub(crate) rest_length_squared: f32,
+    /// How far it pulls by its length.
+    pub(crate) pull: Pull,
     /// Compliance over the substep squared [1/kg].
     pub(crate) scaled_compliance: f32,
 }
 
 impl Spring {
     /// What pulls where both ends have the same inverse mass [1/kg].
+    #[inline(always)]
     pub(crate) fn between_equals(&self, inv_mass: f32) -> Pull {
         let share = inv_mass / (inv_mass + inv_mass + self.scaled_compliance);
-        Pull::new(self.rest_length_squared, share)
-    }
-
-    /// What pulls in all: masses and compliance are divided among the ends afterwards.
-    pub(crate) fn whole(&self) -> Pull {
-        Pull::new(self.rest_length_squared, 1.0)
+        self.pull.shared(share)
     }
 }
 
@@ -39,7 +35,7 @@ pub(crate) fn solve_row<S: Simd>(
 ) {
     match masses.even {
         Some(inv_mass) if inv_mass <= 0.0 => {}
-        Some(inv_mass) if links.iter().all(RowLink::has_own_groups) => {
+        Some(inv_mass) if are_apart(links) => {
             solve_even_row(simd, row, links, spring.between_equals(inv_mass));
         }
         _ => solve_uneven_row(simd, row, masses, links, spring),
@@ -80,7 +76,7 @@ fn solve_uneven_row<S: Simd>(
     links: &[RowLink<2>],
     spring: Spring,
 ) {
-    let pull = spring.whole();
+    let pull = spring.pull;
     for link in links {
         let (first, inv_mass_first) = load_partner(simd, link, 0, row, masses.lanes);
         let (second, inv_mass_second) = load_partner(simd, link, 1, row, masses.lanes);
@@ -109,7 +105,7 @@ pub(crate) fn solve_pair<S: Simd>(
         }
         return;
     }
-    let pull = spring.whole();
+    let pull = spring.pull;
     let inv_masses = masses[0].lanes.iter().zip(masses[1].lanes);
     for ((upper, lower), (inv_upper, inv_lower)) in upper.iter_mut().zip(lower).zip(inv_masses) {
         let first = Vectors::load(simd, upper);

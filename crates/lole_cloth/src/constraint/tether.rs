@@ -125,6 +125,9 @@ fn flat_distance(grid: &Grid, first: usize, second: usize) -> f32 {
     (u * u + v * v).sqrt()
 }
 
+/// How far tethers pull by their length in units of the longest allowed.
+const UNIT: Pull = Pull::new(1.0);
+
 /// Pulls back what is farther from its row's anchors than `limit` [m], particle by particle.
 #[inline(always)]
 pub(crate) fn solve_row<S: Simd>(
@@ -135,17 +138,19 @@ pub(crate) fn solve_row<S: Simd>(
     limit: f32,
 ) {
     let zero = f32x16::splat(simd, 0.0);
-    let pull = Pull::new(limit * limit, 1.0);
+    let one = f32x16::splat(simd, 1.0);
+    let inv_limit = 1.0 / (limit * limit);
     for ((points, inv_mass), anchor) in row.iter_mut().zip(inv_masses).zip(anchors) {
         let point = Vectors::load(simd, points);
         let offset = point.sub(Vectors::load(simd, anchor));
-        let squared = offset.dot(offset);
-        let taut = f32x16::splat(simd, pull.rest_length_squared()).simd_lt(squared);
+        // Squared length in units of the longest allowed.
+        let squared = offset.dot(offset) * inv_limit;
+        let taut = one.simd_lt(squared);
         if !taut.any_true() {
             continue;
         }
         let free = zero.simd_lt(f32x16::load_array_ref(simd, &inv_mass.0));
-        let factor = free.select(pull.taut_factor(simd, squared), zero);
+        let factor = free.select(UNIT.taut_factor(simd, squared), zero);
         point.sub(offset.scale(factor)).store(points);
     }
 }
@@ -163,7 +168,6 @@ pub(crate) fn solve_row_to_anchor<S: Simd>(
     let zero = f32x16::splat(simd, 0.0);
     let one = f32x16::splat(simd, 1.0);
     let anchor = Vectors::splat(simd, anchor);
-    let pull = Pull::new(1.0, 1.0);
     let inv_scale = 1.0 / (scale * scale);
     let columns = row.iter_mut().zip(inv_masses).zip(inv_squares);
     for ((points, inv_mass), inv_square) in columns {
@@ -176,7 +180,7 @@ pub(crate) fn solve_row_to_anchor<S: Simd>(
         if !taut.any_true() {
             continue;
         }
-        let factor = taut.select(pull.taut_factor(simd, squared), zero);
+        let factor = taut.select(UNIT.taut_factor(simd, squared), zero);
         point.sub(offset.scale(factor)).store(points);
     }
 }

@@ -17,6 +17,7 @@ use crate::collision::capsule::near::Range;
 use crate::collision::cloth_cloth::{ClothContactLaw, Columns, Shape};
 use crate::collision::response::ContactLaw;
 use crate::collision::surfel::{Cloth, Skin, SurfelContacts};
+use crate::constraint::pull::Pull;
 use crate::constraint::shear::Cell;
 use crate::constraint::structural::Spring;
 use crate::constraint::tether::Tethers;
@@ -63,7 +64,7 @@ impl Substep {
         let scaled_compliance = |stiffness: f32| 1.0 / (stiffness * h * h);
         // A pass without `λ` adds its own stiffness to the passes before it, hence the factor.
         let spring = |rest_length: f32, stiffness: f32| Spring {
-            rest_length_squared: rest_length * rest_length,
+            pull: Pull::new(rest_length * rest_length),
             scaled_compliance: scaled_compliance(stiffness) * sweeps,
         };
         let constants =
@@ -87,7 +88,7 @@ impl Substep {
             across: spring(u, structural_u),
             down: spring(v, structural_v),
             cell: Cell {
-                diagonal_squared: u * u + v * v,
+                diagonal: Pull::new(u * u + v * v),
                 shear_compliance: scaled_compliance(shear),
                 twist_compliance: scaled_compliance(2.0 * fabric.twist / (u * v)),
             },
@@ -246,15 +247,23 @@ fn push_far_and_soft(model: &ClothModel, config: &SolverConfig, schedule: &mut S
     if config.tether_scale.is_some() && model.tethers != Tethers::Loose {
         schedule.push(Stage::Tether(model.tethers.reach()));
     }
+    let [u, v] = model.spec().grid.spacing;
     for &stride in &config.column_strides {
-        schedule.push(Stage::ColumnStride(stride as usize));
+        schedule.push(Stage::ColumnStride(stride as usize, limit(stride, v)));
     }
-    for index in 0..config.row_strides.len() {
-        schedule.push(Stage::RowStride(index));
+    for (index, &stride) in config.row_strides.iter().enumerate() {
+        schedule.push(Stage::RowStride(index, limit(stride, u)));
     }
     schedule.push(Stage::BendAlong);
     schedule.push(Stage::BendDown);
     schedule.push(Stage::Cells);
+}
+
+/// What pulls where so many cells of a spacing [m] are the limit.
+#[expect(clippy::cast_precision_loss, reason = "a stride is far below 2^24")]
+fn limit(cells: u32, spacing: f32) -> Pull {
+    let reach = cells as f32 * spacing;
+    Pull::new(reach * reach)
 }
 
 /// Where each row may touch the body in this step.

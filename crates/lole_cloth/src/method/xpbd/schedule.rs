@@ -6,6 +6,8 @@
 //! staggered way the arithmetic is that of one family after the other over the whole cloth, bit for
 //! bit, and a row is still in the nearest cache when the next family wants it.
 
+use crate::constraint::pull::Pull;
+
 /// One thing that is done to every row, or to every row and some below it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Stage {
@@ -13,10 +15,10 @@ pub(crate) enum Stage {
     Predict,
     /// Tethers to pins, which lie at most so many rows further down.
     Tether(usize),
-    /// Strides down the columns, over so many rows.
-    ColumnStride(usize),
-    /// Strides along the row: which of the strides.
-    RowStride(usize),
+    /// Strides down the columns, over so many rows, and their limit.
+    ColumnStride(usize, Pull),
+    /// Strides along the row: which of the strides, and their limit.
+    RowStride(usize, Pull),
     /// Bending along the row.
     BendAlong,
     /// Bending down the columns.
@@ -35,12 +37,12 @@ impl Stage {
     /// Rows below the first that it changes.
     const fn span(self) -> usize {
         match self {
-            Self::ColumnStride(rows) => rows,
+            Self::ColumnStride(rows, _) => rows,
             Self::BendDown => 2,
             Self::Cells | Self::SpringsDown => 1,
             Self::Predict
             | Self::Tether(_)
-            | Self::RowStride(_)
+            | Self::RowStride(..)
             | Self::BendAlong
             | Self::SpringsAlong
             | Self::Finish => 0,
@@ -115,9 +117,9 @@ mod tests {
         let stages = [
             Stage::Predict,
             Stage::Tether(3),
-            Stage::ColumnStride(16),
-            Stage::ColumnStride(4),
-            Stage::RowStride(0),
+            Stage::ColumnStride(16, Pull::new(1.0)),
+            Stage::ColumnStride(4, Pull::new(1.0)),
+            Stage::RowStride(0, Pull::new(1.0)),
             Stage::BendAlong,
             Stage::BendDown,
             Stage::Cells,

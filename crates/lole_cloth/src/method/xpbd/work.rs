@@ -60,18 +60,15 @@ impl Work<'_> {
     pub(super) fn perform<S: Simd>(&mut self, simd: S, stage: Stage, row: usize) {
         let (model, substep) = (self.model, self.substep);
         let masses = model.row_masses(row);
-        let [u, v] = model.spec().grid.spacing;
         match stage {
             Stage::Predict => self.predict(simd, row),
             Stage::Tether(_) => self.solve_tethers(simd, row),
-            Stage::ColumnStride(span) => {
+            Stage::ColumnStride(span, limit) => {
                 let masses = [masses, model.row_masses(row + span)];
-                let limit = reach_squared(span, v);
                 stride::solve_pair(simd, self.row_pair(row, span), masses, limit);
             }
-            Stage::RowStride(index) => {
-                let (count, links) = &self.strides.0[index];
-                let limit = reach_squared(*count as usize, u);
+            Stage::RowStride(index, limit) => {
+                let (_, links) = &self.strides.0[index];
                 stride::solve_row(simd, self.row(row), masses, links, limit);
             }
             Stage::BendAlong => {
@@ -240,11 +237,4 @@ impl Work<'_> {
                 .store(velocity);
         }
     }
-}
-
-/// Squared length of so many cells [m²].
-#[expect(clippy::cast_precision_loss, reason = "a stride is far below 2^24")]
-fn reach_squared(cells: usize, spacing: f32) -> f32 {
-    let reach = cells as f32 * spacing;
-    reach * reach
 }
