@@ -1,5 +1,6 @@
 //! The window itself: panels, picture, simulation and files brought together.
 
+use std::any::Any;
 use std::panic::{AssertUnwindSafe, PanicHookInfo};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -64,7 +65,7 @@ pub fn open(opening: &Opening) -> Result<(), Refusal> {
     };
     let mut studio = Studio::new(opening.language, design, opening.document.clone());
     for _ in 0..=MOST_REOPENINGS {
-        match show(studio).map_err(|error| Refusal::Window(no_window(&error)))? {
+        match show(studio).map_err(Refusal::Window)? {
             Some(lost) => studio = lost,
             None => return Ok(()),
         }
@@ -80,7 +81,7 @@ pub fn open(opening: &Opening) -> Result<(), Refusal> {
 }
 
 /// Shows the window until it is closed; gives the studio back where the graphics adapter was lost.
-fn show(studio: Studio) -> eframe::Result<Option<Studio>> {
+fn show(studio: Studio) -> Result<Option<Studio>, Sentence> {
     let rescued = Arc::new(Mutex::new(None));
     let shelf = Arc::clone(&rescued);
     let options = eframe::NativeOptions {
@@ -116,16 +117,16 @@ fn show(studio: Studio) -> eframe::Result<Option<Studio>> {
     let result = quietly(&is_lost, &is_gone, run);
     let studio = (rescued.lock().unwrap_or_else(PoisonError::into_inner)).take();
     match result {
-        Ok(result) => result.map(|()| studio),
-        Err(_) if studio.is_some() => Err(eframe::Error::AppCreation(LOST.into())),
-        Err(_) if is_gone.load(Ordering::Relaxed) => Ok(None),
+        Ok(result) => result.map(|()| studio).map_err(|error| no_window(&error)),
+        Err(_) if studio.is_some() => Err(no_window(&eframe::Error::AppCreation(LOST.into()))),
+        Err(panic) if is_gone.load(Ordering::Relaxed) => Err(taken_away(&*panic)),
         Err(panic) => std::panic::resume_unwind(panic),
     }
 }
 
 /// Runs `run` and catches its panics. Those of the graphics crates mean that the adapter is lost,
-/// those of the window's crate that another program has taken the window away, which is one more
-/// way of closing it; neither is printed.
+/// those of the window's crate that the window is gone, as where another program takes it away; both
+/// are told in a sentence instead of being printed.
 fn quietly<R>(
     is_lost: &Arc<AtomicBool>,
     is_gone: &Arc<AtomicBool>,
@@ -155,6 +156,21 @@ fn device_descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static>
         required_limits: limits,
         ..wgpu::DeviceDescriptor::default()
     }
+}
+
+/// The window's crate gave up, and why.
+fn taken_away(panic: &(dyn Any + Send)) -> Sentence {
+    let reason = (panic.downcast_ref::<String>().map(String::as_str))
+        .or_else(|| panic.downcast_ref::<&str>().copied())
+        .unwrap_or("");
+    Sentence::new(
+        format!(
+            "窓が外から閉じられました（{reason}）。保存していない変更は失われました。もう一度 lole で開けます"
+        ),
+        format!(
+            "the window was taken away ({reason}); changes that were not saved are lost. Run lole to open it again"
+        ),
+    )
 }
 
 fn no_window(error: &eframe::Error) -> Sentence {
