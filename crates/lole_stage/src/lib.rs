@@ -3,6 +3,8 @@
 //! It opens no file, reads no clock and draws nothing: whoever calls [`Performance::advance`] times
 //! it, draws what it holds and writes it down.
 
+#[cfg(test)]
+mod extremes;
 pub mod live;
 pub mod metrics;
 pub mod performance;

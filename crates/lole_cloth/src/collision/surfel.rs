@@ -7,6 +7,7 @@
 
 mod cells;
 mod nearness;
+mod planes;
 
 use std::ops::Range;
 
@@ -15,8 +16,9 @@ use glam::Vec3;
 use lole_geom::Surfel;
 
 use crate::collision::response::{Contact, ContactLaw, ContactRow};
-use crate::lanes::{LANES, Layout, Points, Scalars, Vectors, smaller};
+use crate::lanes::{LANES, Layout, Points, Vectors, smaller};
 use cells::SurfelCells;
+use planes::PlaneField;
 
 /// A particle that comes nearer to a surfel than this [m], besides what both may travel, takes its
 /// plane.
@@ -24,6 +26,13 @@ const REACH: f32 = 0.012;
 
 /// Farthest surfel that is looked for [m], whatever the speeds.
 const REACH_MAX: f32 = 0.06;
+
+/// Farthest that a particle is believed to fly on in a step, beside what the body does [m]: what
+/// trembles between elastics does not.
+const FORESIGHT: f32 = 0.016;
+
+/// Particles nearer than this to a surfel [m] may be pinched between it and another.
+const PINCH_REACH: f32 = 0.02;
 
 /// Columns nearer together than this [m] share surfels.
 const CLOSE: f32 = 0.008;
@@ -35,41 +44,13 @@ const SPEED_MARGIN: f32 = 1.5;
 /// than a wrist is thick.
 const TRAVEL_MAX: f32 = 0.06;
 
-/// Planes that the particles of a vector may touch in a step: inside is where
-/// `normal · x < level`. Lanes without one have a zero normal and a negative level.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Planes {
-    /// At the start of the step: unit normal and level [m].
-    normal: Points,
-    level: Scalars,
-    /// What the end of the step has more.
-    normal_change: Points,
-    level_change: Scalars,
-}
-
-const NOWHERE: Planes = Planes {
-    normal: Points {
-        x: [0.0; LANES],
-        y: [0.0; LANES],
-        z: [0.0; LANES],
-    },
-    level: Scalars([-1.0; LANES]),
-    normal_change: Points {
-        x: [0.0; LANES],
-        y: [0.0; LANES],
-        z: [0.0; LANES],
-    },
-    level_change: Scalars([0.0; LANES]),
-};
-
 /// The skin near each particle during one step.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct SurfelContacts {
-    /// Index into `planes` and one more for every vector, 0 where none of its particles comes near.
-    slots: Vec<u32>,
-    planes: Vec<Planes>,
-    /// What the surface does in the step [m], in the order of `planes`.
-    motions: Vec<Points>,
+    /// Of the nearest surfels.
+    nearest: PlaneField,
+    /// Of the nearest ones that face the other way, where cloth is pinched between two limbs.
+    opposite: PlaneField,
     /// Parts of a step, each with a search of its own, and the substeps of the present one.
     part_count: u32,
     part: Range<u32>,
@@ -121,11 +102,12 @@ impl Cloth<'_> {
         skin: Skin<'_>,
         cells: &SurfelCells,
     ) -> (Vec3, f32) {
-        let flown = self.velocities[vector].get(lane) * self.dt;
-        let away = (flown - cells.mean_motion()).length();
-        let travel = away + cells.spread() + self.speed_gain * self.dt;
+        let common = cells.mean_motion();
+        let away = self.velocities[vector].get(lane) * self.dt - common;
+        let travel = away.length() + cells.spread() + self.speed_gain * self.dt;
         let reach = REACH + skin.offset + SPEED_MARGIN * 0.5 * travel;
-        let middle = self.positions[vector].get(lane) + flown * 0.5;
+        let flown = (common + away.clamp_length_max(FORESIGHT)) * 0.5;
+        let middle = self.positions[vector].get(lane) + flown;
         (middle, reach.min(REACH_MAX))
     }
 }
@@ -133,17 +115,14 @@ impl Cloth<'_> {
 impl SurfelContacts {
     /// Memory that it holds [byte].
     pub(crate) const fn byte_count(&self) -> usize {
-        size_of_val(self.slots.as_slice())
-            + size_of_val(self.planes.as_slice())
-            + size_of_val(self.motions.as_slice())
-            + self.cells.byte_count()
+        self.nearest.byte_count() + self.opposite.byte_count() + self.cells.byte_count()
     }
 
     /// Plans a step of so many substeps: where something is fast, the nearest surfels are looked for
     /// several times.
     #[inline(never)]
     pub(crate) fn plan(&mut self, cloth: Cloth<'_>, skin: Skin<'_>, substep_count: u32) {
-        self.planes.clear();
+        self.nearest.clear(0);
         self.part = 0..0;
         if skin.after.is_empty() {
             self.part_count = 0;
@@ -224,10 +203,8 @@ impl SurfelContacts {
     /// kinds of instructions.
     #[inline(never)]
     fn find(&mut self, cloth: Cloth<'_>, skin: Skin<'_>) {
-        self.slots.clear();
-        self.slots.resize(cloth.positions.len(), 0);
-        self.planes.clear();
-        self.motions.clear();
+        self.nearest.clear(cloth.positions.len());
+        self.opposite.clear(cloth.positions.len());
         for row in 0..cloth.layout.row_count {
             self.find_row(row, cloth, skin);
         }
@@ -236,7 +213,13 @@ impl SurfelContacts {
     /// Searches for every particle of a row, or, where they lie close together, for every second one:
     /// the others take the nearer one of their neighbors' surfels.
     fn find_row(&mut self, row: usize, cloth: Cloth<'_>, skin: Skin<'_>) {
-        let Self { cells, found, .. } = self;
+        let Self {
+            cells,
+            found,
+            nearest,
+            opposite,
+            ..
+        } = self;
         let is_dense = cloth.spacing < CLOSE;
         found.clear();
         found.extend(
@@ -262,46 +245,30 @@ impl SurfelContacts {
             }
         }
         let offset = skin.offset - cloth.held[row];
-        for index in 0..self.found.len() {
-            let Found { slot, place } = self.found[index];
-            if let Some(place) = place {
-                let surfel = self.cells.surfel(place);
-                let ends = [&skin.before[surfel], &skin.after[surfel]];
-                self.set_plane(slot, ends, offset);
+        let mut hint = None;
+        for &Found { slot, place } in found.iter() {
+            let Some(place) = place else {
+                continue;
+            };
+            let ends = |place| {
+                let surfel = cells.surfel(place);
+                [&skin.before[surfel], &skin.after[surfel]]
+            };
+            nearest.set(slot, ends(place), offset);
+            let (middle, _) = cloth.flight(slot, skin, cells);
+            if PINCH_REACH < middle.distance(cells.position(place)) {
+                continue;
+            }
+            hint = cells.opposite(middle, (place, hint), skin.after);
+            if let Some(place) = hint {
+                opposite.set(slot, ends(place), offset);
             }
         }
     }
 
-    fn set_plane(
-        &mut self,
-        (vector, lane): (usize, usize),
-        [before, after]: [&Surfel; 2],
-        offset: f32,
-    ) {
-        if self.slots[vector] == 0 {
-            self.planes.push(NOWHERE);
-            self.motions.push(Points::default());
-            self.slots[vector] = narrow(self.planes.len());
-        }
-        let slot = self.slots[vector] as usize - 1;
-        let planes = &mut self.planes[slot];
-        let levels = [before, after].map(|surfel| surfel.normal.dot(surfel.position) + offset);
-        planes.normal.set(lane, before.normal);
-        planes.normal_change.set(lane, after.normal - before.normal);
-        planes.level.0[lane] = levels[0];
-        planes.level_change.0[lane] = levels[1] - levels[0];
-        self.motions[slot].set(lane, after.position - before.position);
-    }
-
     /// Whether no particle comes near the skin.
     pub(crate) const fn is_empty(&self) -> bool {
-        self.planes.is_empty()
-    }
-
-    /// Where the planes of a vector are, if any of its particles comes near the skin.
-    #[inline(always)]
-    fn slot(&self, vector: usize) -> Option<usize> {
-        (self.slots[vector] as usize).checked_sub(1)
+        self.nearest.is_empty()
     }
 }
 
@@ -316,33 +283,65 @@ impl ContactRow<'_> {
         (fraction, share): (f32, f32),
         law: ContactLaw,
     ) {
-        let zero = f32x16::splat(simd, 0.0);
         let fraction = f32x16::splat(simd, fraction);
         for index in 0..self.positions.len() {
-            let Some(slot) = contacts.slot(first + index) else {
+            let Some(slot) = contacts.nearest.slot(first + index) else {
                 continue;
             };
-            let planes = &contacts.planes[slot];
+            let plane = contacts.nearest.now(simd, slot, fraction);
             let position = Vectors::load(simd, &self.positions[index]);
-            let change = Vectors::load(simd, &planes.normal_change).scale(fraction);
-            let normal = Vectors::load(simd, &planes.normal).add(change);
-            let level = f32x16::load_array_ref(simd, &planes.level.0)
-                + f32x16::load_array_ref(simd, &planes.level_change.0) * fraction;
-            let overlap = level - normal.dot(position);
-            let inv_mass = f32x16::load_array_ref(simd, &self.inv_masses[index].0);
-            let touching = zero.simd_lt(smaller(overlap, inv_mass));
-            if !touching.any_true() {
+            let overlap = plane.level - plane.normal.dot(position);
+            let motion = (&contacts.nearest, slot, share);
+            self.meet_plane(
+                simd,
+                (index, position),
+                (plane.normal, overlap),
+                motion,
+                law,
+            );
+            let Some(slot) = contacts.opposite.slot(first + index) else {
                 continue;
-            }
-            let motion = Vectors::load(simd, &contacts.motions[slot]);
-            let contact = Contact {
-                touching,
-                normal,
-                overlap,
-                surface: motion.scale(f32x16::splat(simd, share)),
             };
-            self.push_out::<S, true>(simd, (index, position), &contact, law);
+            let other = contacts.opposite.now(simd, slot, fraction);
+            let position = Vectors::load(simd, &self.positions[index]);
+            let overlap = other.level - other.normal.dot(position);
+            // Where there is too little room for both, the cloth stays in the middle.
+            let room = plane.normal.dot(position) - plane.level;
+            let overlap = smaller(overlap, (overlap + room) * 0.5);
+            let motion = (&contacts.opposite, slot, share);
+            self.meet_plane(
+                simd,
+                (index, position),
+                (other.normal, overlap),
+                motion,
+                law,
+            );
         }
+    }
+
+    /// Pushes the particles of a vector out of the planes that they overlap.
+    #[inline(always)]
+    fn meet_plane<S: Simd>(
+        &mut self,
+        simd: S,
+        (index, position): (usize, Vectors<S>),
+        (normal, overlap): (Vectors<S>, f32x16<S>),
+        (field, slot, share): (&PlaneField, usize, f32),
+        law: ContactLaw,
+    ) {
+        let zero = f32x16::splat(simd, 0.0);
+        let inv_mass = f32x16::load_array_ref(simd, &self.inv_masses[index].0);
+        let touching = zero.simd_lt(smaller(overlap, inv_mass));
+        if !touching.any_true() {
+            return;
+        }
+        let contact = Contact {
+            touching,
+            normal,
+            overlap,
+            surface: field.motion(simd, slot, share),
+        };
+        self.push_out::<S, true>(simd, (index, position), &contact, law);
     }
 }
 
@@ -362,12 +361,4 @@ fn bounds(positions: &[Points]) -> [Vec3; 2] {
 #[expect(clippy::cast_precision_loss, reason = "substeps are few")]
 const fn ratio(part: u32, whole: u32) -> f32 {
     part as f32 / whole as f32
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "a cloth has fewer than 2^32 particles"
-)]
-const fn narrow(value: usize) -> u32 {
-    value as u32
 }

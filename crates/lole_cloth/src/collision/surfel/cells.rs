@@ -3,9 +3,10 @@
 use std::ops::Range;
 
 use glam::{IVec3, Vec3};
+use lole_geom::Surfel;
 
 use super::nearness::{FARTHEST, Nearness};
-use super::{REACH_MAX, Skin};
+use super::{PINCH_REACH, REACH_MAX, Skin};
 
 /// Edge of a cell [m]: a few surfels' spacing.
 const CELL: f32 = 0.02;
@@ -18,6 +19,9 @@ const _: () = assert!(
     REACH_MAX <= (FARTHEST - 1) as f32 * CELL,
     "empty cells around the surfels reach far enough"
 );
+
+/// Surfels with normals whose product is less face against each other.
+const FACING_AGAINST: f32 = -0.3;
 
 /// Cells counted to at most: points farther away than this have no surfel near.
 const FAR: f32 = 1024.0;
@@ -158,20 +162,55 @@ impl SurfelCells {
         if let Some(place) = best {
             least = point.distance_squared(self.entries[place].0);
         }
-        let radius = Vec3::splat(least.sqrt());
+        self.for_each_run(point, least.sqrt(), |run| {
+            (least, best) = self.nearest_of(run, point, (least, best));
+        });
+        best
+    }
+
+    /// The surfel nearest to `point` of those within [`PINCH_REACH`] that face against the one at
+    /// `place`; `hint` as for [`Self::nearest`].
+    pub(super) fn opposite(
+        &self,
+        point: Vec3,
+        (place, hint): (usize, Option<usize>),
+        surfels: &[Surfel],
+    ) -> Option<usize> {
+        let normal = surfels[self.surfel(place)].normal;
+        let faces_against =
+            |other: usize| surfels[self.surfel(other)].normal.dot(normal) < FACING_AGAINST;
+        let hint = hint.filter(|&hint| faces_against(hint));
+        let mut best = self.nearer(point, PINCH_REACH, [hint, None]);
+        let mut least = best.map_or(PINCH_REACH * PINCH_REACH, |place| {
+            point.distance_squared(self.entries[place].0)
+        });
+        self.for_each_run(point, least.sqrt(), |run| {
+            for place in run {
+                let squared = point.distance_squared(self.entries[place].0);
+                let ties = squared <= least && best.is_some_and(|other| place < other);
+                if (squared < least || ties) && faces_against(place) {
+                    (least, best) = (squared, Some(place));
+                }
+            }
+        });
+        best
+    }
+
+    /// Calls with the places of all surfels in the cells within `radius` [m] of `point`, and of more.
+    #[inline(always)]
+    fn for_each_run(&self, point: Vec3, radius: f32, mut visit: impl FnMut(Range<usize>)) {
         let low = self.cell_of(point - radius).max(IVec3::ZERO);
         let high = self.cell_of(point + radius).min(self.counts - IVec3::ONE);
         if high.cmplt(low).any() {
-            return best;
+            return;
         }
         for z in low.z..=high.z {
             for y in low.y..=high.y {
                 let start = self.starts[self.index(IVec3::new(low.x, y, z))] as usize;
                 let end = self.starts[self.index(IVec3::new(high.x, y, z)) + 1] as usize;
-                (least, best) = self.nearest_of(start..end, point, (least, best));
+                visit(start..end);
             }
         }
-        best
     }
 
     /// The nearest to `point` of some places and the best so far, with its squared distance [m²]; of
@@ -209,6 +248,11 @@ impl SurfelCells {
             }
         }
         best
+    }
+
+    /// Where the surfel at a place is in the middle of the step [m].
+    pub(super) fn position(&self, place: usize) -> Vec3 {
+        self.entries[place].0
     }
 
     /// Which surfel is at a place among the entries.

@@ -1,0 +1,143 @@
+//! Laws of a whole performance where bodies do what is hard for cloth: it stays finite, hardly
+//! stretches, and no skin comes through.
+
+use glam::{Quat, Vec3};
+use lole_body::{Bone, DanceStep, Pose};
+use lole_costume::document::Design;
+use lole_geom::trig;
+
+use crate::{FRAME_SECONDS, Performance, Production, RunMetrics};
+
+/// Frames from one look at the skin to the next.
+const FRAMES_PER_LOOK: u32 = 6;
+
+/// A skirt with less cloth than the film's, so that the laws are quick.
+fn design() -> Design {
+    let mut design = Design::default();
+    design.skirt.gather_ratio = 2.0;
+    design.skirt.column_count = 160;
+    design.skirt.row_count = 40;
+    design
+}
+
+fn settled(design: &Design) -> Performance {
+    let mut performance = Performance::new(Production::new(design).unwrap()).unwrap();
+    for _ in 0..Performance::settle_frame_count() {
+        performance.advance().unwrap();
+    }
+    performance
+}
+
+/// Looks at every few frames of some seconds, in which `advance` moves the performance on to a time
+/// [s].
+fn look(
+    mut performance: Performance,
+    seconds: f32,
+    mut advance: impl FnMut(&mut Performance, f32),
+) -> RunMetrics {
+    let mut metrics = Vec::new();
+    let mut time = 0.0;
+    let mut frame = 0_u32;
+    while time < seconds {
+        time += FRAME_SECONDS;
+        frame += 1;
+        advance(&mut performance, time);
+        if frame.is_multiple_of(FRAMES_PER_LOOK) {
+            performance.pose_body();
+            metrics.push(performance.measure());
+        }
+    }
+    RunMetrics::of(&metrics)
+}
+
+fn check(name: &str, found: RunMetrics, (most_strain, deepest): (f32, f32)) {
+    let (strain, depth) = (found.strain.p99, found.skin.worst_depth);
+    assert!(strain < most_strain, "{name}: {strain}");
+    assert!(depth < deepest, "{name}: {depth} m");
+    assert_eq!(found.skin.showing_body_vertices, 0, "{name}");
+}
+
+/// 240 counts a minute are twice what is danced; the belly bulges between two casings then.
+#[test]
+fn every_step_at_its_fastest_tempo() {
+    for step in DanceStep::ALL {
+        let mut design = design();
+        design.motion.step = step;
+        design.motion.tempo_bpm = 240.0;
+        let found = look(settled(&design), 2.0, |performance, _| {
+            performance.advance().unwrap();
+        });
+        check(step.id(), found, (0.2, 2.0e-3));
+    }
+}
+
+/// Poses that no step has, from 0 at the stance to 1 at the utmost, and how they go to and fro.
+#[test]
+fn turning_circling_crossing_and_pinching() {
+    let stance = settled(&design());
+    let base = stance.pose().clone();
+    // Comes in within half a second, or the stance would jump.
+    let ease = |time: f32| (2.0 * time).min(1.0);
+    let wave =
+        |time: f32, hertz: f32| trig::sin_cos(std::f32::consts::TAU * ((hertz * time) % 1.0));
+    let turned = |pose: &mut Pose, bone: Bone, turn: Quat| {
+        let rotation = &mut pose.rotations[bone.index()];
+        *rotation = turn * *rotation;
+    };
+    type Motion<'a> = (&'static str, Box<dyn Fn(f32, &mut Pose) + 'a>);
+    let motions: [Motion<'_>; 4] = [
+        (
+            "a turn of 180° a second",
+            Box::new(|time, pose| {
+                let angle = std::f32::consts::PI * (time - 0.25 * (2.0 * time).min(1.0));
+                turned(
+                    pose,
+                    Bone::Hips,
+                    Quat::from_rotation_y(angle % std::f32::consts::TAU),
+                );
+            }),
+        ),
+        (
+            "hips circling at 2.5 Hz",
+            Box::new(|time, pose| {
+                let (sin, cos) = wave(time, 2.5);
+                pose.hips_translation += Vec3::new(sin, 0.0, cos) * (0.05 * ease(time));
+            }),
+        ),
+        (
+            "legs crossing",
+            Box::new(|time, pose| {
+                let (sin, _) = wave(time, 0.75);
+                let across = 0.3 * ease(time) * (0.5 - 0.5 * sin);
+                turned(
+                    pose,
+                    Bone::LeftUpperLeg,
+                    Quat::from_rotation_x(-across) * Quat::from_rotation_z(-across),
+                );
+                turned(
+                    pose,
+                    Bone::RightUpperLeg,
+                    Quat::from_rotation_x(across) * Quat::from_rotation_z(across),
+                );
+            }),
+        ),
+        (
+            "a skirt pinched between knees",
+            Box::new(|time, pose| {
+                let (sin, _) = wave(time, 1.0);
+                let apart = ease(time) * (0.12 + 0.2 * sin);
+                for (side, leg) in [(1.0, Bone::LeftUpperLeg), (-1.0, Bone::RightUpperLeg)] {
+                    turned(pose, leg, Quat::from_rotation_z(side * apart));
+                }
+            }),
+        ),
+    ];
+    for (name, motion) in motions {
+        let found = look(stance.clone(), 3.0, |performance, time| {
+            let mut pose = base.clone();
+            motion(time, &mut pose);
+            performance.advance_in(pose).unwrap();
+        });
+        check(name, found, (0.12, 0.5e-3));
+    }
+}
