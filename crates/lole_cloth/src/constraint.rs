@@ -1,7 +1,7 @@
 //! What holds the cloth together, in the order in which a substep solves it.
 //!
-//! Every constraint projects once a substep with `λ = 0`, as in Macklin, Müller and Chentanez
-//! 2016, "XPBD": `Δλ = -C / (Σ wᵢ |∇ᵢC|² + compliance / dt²)`.
+//! Every constraint projects once a substep with `λ = 0`, much as in Macklin, Müller and Chentanez
+//! 2016, "XPBD": `Δλ = -C / D`, with `D` from [`resistance`].
 
 pub(crate) mod bend;
 pub(crate) mod pull;
@@ -12,11 +12,33 @@ pub(crate) mod tether;
 
 use fearless_simd::{Simd, f32x16};
 
-use crate::lanes::{Points, RowLink, Scalars, Vectors};
+use crate::lanes::{Points, RowLink, Scalars, Vectors, larger, smaller};
 
 /// Keeps the quotient finite where both partners are pinned [1/kg]; a particle of cloth has
 /// 1e3 to 1e6.
 pub(crate) const INV_MASS_FLOOR: f32 = 1.0e-6;
+
+/// What a constraint with `own = Σ wᵢ |∇ᵢC|²` [1/kg] is divided by: `½ own + compliance`, and up to
+/// XPBD's `own + compliance` where it is so stiff that a substep nearly closes it.
+///
+/// XPBD's whole `own` makes a cloth softer than its fabric: an even strain or curvature asks for the
+/// impulse `C / compliance`, and what a constraint takes from itself its neighbors give back,
+/// because opposite pulls cancel. Solved one after the other, half of the neighbors have given
+/// their half before it is its turn; so half of `own` is left to take away. Stiff constraints need
+/// the other half to stay calm: without it a fine cloth of few substeps shakes itself apart.
+pub(crate) const fn resistance(own: f32, compliance: f32) -> f32 {
+    let calm = (own + compliance).min(1.5 * own);
+    calm.max(0.5 * own + compliance)
+}
+
+/// [`resistance`] lane by lane.
+#[inline(always)]
+pub(crate) fn resistances<S: Simd>(simd: S, own: f32x16<S>, compliance: f32x16<S>) -> f32x16<S> {
+    use fearless_simd::SimdBase as _;
+    let half = own * f32x16::splat(simd, 0.5);
+    let calm = smaller(own + compliance, own + half);
+    larger(calm, half + compliance)
+}
 
 /// Inverse masses of one row [1/kg]; 0 for what is pinned and for lanes without a column.
 #[derive(Debug, Clone, Copy)]

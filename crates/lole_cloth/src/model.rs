@@ -2,7 +2,7 @@
 
 use crate::collision::pinned_rows::PinnedRows;
 use crate::constraint::RowMasses;
-use crate::constraint::bend::Clamps;
+use crate::constraint::bend::{self, Clamps};
 use crate::constraint::tether::Tethers;
 use crate::lanes::{Layout, RowLink, Scalars, row_links};
 use crate::{ClothSpec, MassLaw, Topology};
@@ -58,6 +58,8 @@ pub struct ClothModel {
     /// A column and the two right of it.
     pub(crate) row_triples: Vec<RowLink<3>>,
     pub(crate) clamps: Clamps,
+    /// By group, how much softer bending down the columns is at the borders.
+    pub(crate) bend_borders: Vec<Option<Box<Scalars>>>,
     pub(crate) tethers: Tethers,
     pub(crate) pinned_rows: PinnedRows,
 }
@@ -90,6 +92,7 @@ impl ClothModel {
             row_pairs: row_links(&spec.grid, &layout, [0, 1]),
             row_triples: row_links(&spec.grid, &layout, [0, 1, 2]),
             clamps: Clamps::new(spec),
+            bend_borders: bend::borders(spec, &layout),
             tethers: Tethers::new(spec, &layout, &pin_indices),
             pinned_rows: PinnedRows::new(spec),
             spec: spec.clone(),

@@ -5,15 +5,18 @@
 //! constraint `C = x₋ - 2 x₀ + x₊ = 0` that knows no direction: rotations leave it alone, and a
 //! flat sheet has none of it. The twist term is solved with the shear springs of its cell.
 //!
+//! Each term is weighted by the area that it stands for: a half at the free borders, as in the
+//! reference. With whole weights a strip of four cells is a quarter too stiff.
+//!
 //! At a clamp, a pinned particle between a pinned and a free one, the arm that bends is half as
 //! long and the energy twice as large, as in the reference: without it a clamped strip converges
 //! only with the spacing, from 62 % too deep on two cells a bending length.
 
 use fearless_simd::{Simd, f32x16, prelude::*};
 
-use crate::ClothSpec;
-use crate::constraint::{RowMasses, add_to_partner, load_partner, shared};
-use crate::lanes::{Points, RowLink, Vectors, are_apart};
+use crate::constraint::{RowMasses, add_to_partner, load_partner, resistance, resistances, shared};
+use crate::lanes::{LANES, Layout, Points, RowLink, Scalars, Vectors, are_apart};
+use crate::{ClothSpec, Topology};
 
 /// Which bending terms have a clamp in them.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -54,15 +57,29 @@ impl Clamps {
     }
 }
 
+/// By group of a row, what the compliance of bending down the columns is multiplied by in each
+/// lane: 2 at the free borders of a sheet; `None` where there are none.
+pub(crate) fn borders(spec: &ClothSpec, layout: &Layout) -> Vec<Option<Box<Scalars>>> {
+    let grid = &spec.grid;
+    let mut borders = vec![None; layout.group_count];
+    if grid.topology == Topology::Sheet {
+        for column in [0, grid.column_count - 1] {
+            let (group, lane) = layout.slot(column as usize);
+            let factors = borders[group].get_or_insert_with(|| Box::new(Scalars([1.0; LANES])));
+            factors.0[lane] = 2.0;
+        }
+    }
+    borders
+}
+
 /// The compliance of a term with these inverse masses [1/kg]: halved where it has a clamp in it.
 #[inline(always)]
 fn at_clamp<S: Simd>(
     simd: S,
     [before, center, after]: [f32x16<S>; 3],
-    scaled_compliance: f32,
+    whole: f32x16<S>,
 ) -> f32x16<S> {
     let zero = f32x16::splat(simd, 0.0);
-    let whole = f32x16::splat(simd, scaled_compliance);
     let is_free = |inv_mass: f32x16<S>| zero.simd_lt(inv_mass);
     let is_clamp = (is_free(before) ^ is_free(after)) & !is_free(center);
     is_clamp.select(whole * 0.5, whole)
@@ -81,19 +98,32 @@ impl Bend {
     /// Share of the second difference by which both ends move where all have the same inverse mass
     /// [1/kg]; the middle moves twice as far, the other way.
     fn share_of_equals(&self, inv_mass: f32) -> f32 {
-        inv_mass / (6.0 * inv_mass + self.scaled_compliance)
+        inv_mass / resistance(6.0 * inv_mass, self.scaled_compliance)
+    }
+
+    #[inline(always)]
+    fn compliance<S: Simd>(&self, simd: S, border: Option<&Scalars>) -> f32x16<S> {
+        let whole = f32x16::splat(simd, self.scaled_compliance);
+        match border {
+            Some(factors) => whole * f32x16::load_array_ref(simd, &factors.0),
+            None => whole,
+        }
     }
 
     /// What the second difference is multiplied by, before it is divided among the three.
     #[inline(always)]
-    fn factor<S: Simd>(&self, simd: S, inv_masses: [f32x16<S>; 3]) -> f32x16<S> {
+    fn factor<S: Simd>(
+        &self,
+        simd: S,
+        inv_masses: [f32x16<S>; 3],
+        border: Option<&Scalars>,
+    ) -> f32x16<S> {
         let [before, center, after] = inv_masses;
-        let compliance = if self.has_clamp {
-            at_clamp(simd, inv_masses, self.scaled_compliance)
-        } else {
-            f32x16::splat(simd, self.scaled_compliance)
-        };
-        f32x16::splat(simd, 1.0) / (before + after + center * 4.0 + compliance)
+        let mut compliance = self.compliance(simd, border);
+        if self.has_clamp {
+            compliance = at_clamp(simd, inv_masses, compliance);
+        }
+        f32x16::splat(simd, 1.0) / resistances(simd, before + after + center * 4.0, compliance)
     }
 }
 
@@ -160,7 +190,7 @@ fn solve_uneven_row<S: Simd>(
         let (middle, inv_middle) = load_partner(simd, link, 1, row, masses.lanes);
         let (right, inv_right) = load_partner(simd, link, 2, row, masses.lanes);
         let curvature = left.add(right).sub(middle.add(middle));
-        let mut factor = bend.factor(simd, [inv_left, inv_middle, inv_right]);
+        let mut factor = bend.factor(simd, [inv_left, inv_middle, inv_right], None);
         if let Some(mask) = &link.mask {
             factor *= f32x16::load_array_ref(simd, &mask.0);
         }
@@ -177,14 +207,23 @@ pub(crate) fn solve_triple<S: Simd>(
     [upper, middle, lower]: [&mut [Points]; 3],
     masses: [RowMasses<'_>; 3],
     bend: Bend,
+    borders: &[Option<Box<Scalars>>],
 ) {
-    let rows = upper.iter_mut().zip(middle).zip(lower);
+    let rows = upper.iter_mut().zip(middle).zip(lower).zip(borders);
     if let Some(inv_mass) = shared(masses) {
         if inv_mass <= 0.0 {
             return;
         }
-        let share = f32x16::splat(simd, bend.share_of_equals(inv_mass));
-        for ((upper, middle), lower) in rows {
+        let even = f32x16::splat(simd, bend.share_of_equals(inv_mass));
+        for (((upper, middle), lower), border) in rows {
+            let share = match border.as_deref() {
+                None => even,
+                border => {
+                    let inv_mass = f32x16::splat(simd, inv_mass);
+                    let own = inv_mass * f32x16::splat(simd, 6.0);
+                    inv_mass / resistances(simd, own, bend.compliance(simd, border))
+                }
+            };
             let first = Vectors::load(simd, upper);
             let center = Vectors::load(simd, middle);
             let last = Vectors::load(simd, lower);
@@ -195,7 +234,8 @@ pub(crate) fn solve_triple<S: Simd>(
         }
         return;
     }
-    for (group, ((upper, middle), lower)) in rows.enumerate() {
+    for (group, (((upper, middle), lower), border)) in rows.enumerate() {
+        let border = border.as_deref();
         let first = Vectors::load(simd, upper);
         let center = Vectors::load(simd, middle);
         let last = Vectors::load(simd, lower);
@@ -203,7 +243,7 @@ pub(crate) fn solve_triple<S: Simd>(
         let inv_upper = f32x16::load_array_ref(simd, &masses[0].lanes[group].0);
         let inv_middle = f32x16::load_array_ref(simd, &masses[1].lanes[group].0);
         let inv_lower = f32x16::load_array_ref(simd, &masses[2].lanes[group].0);
-        let factor = bend.factor(simd, [inv_upper, inv_middle, inv_lower]);
+        let factor = bend.factor(simd, [inv_upper, inv_middle, inv_lower], border);
         first.sub(curvature.scale(factor * inv_upper)).store(upper);
         center
             .add(curvature.scale(factor * inv_middle * 2.0))

@@ -3,7 +3,7 @@
 use fearless_simd::{Simd, f32x16, prelude::*};
 
 use crate::constraint::pull::Pull;
-use crate::constraint::{RowMasses, add_to_partner, load_partner, shared};
+use crate::constraint::{RowMasses, add_to_partner, load_partner, resistance, resistances, shared};
 use crate::lanes::{Points, RowLink, Scalars, Vectors, are_apart};
 
 /// Compliances of one cell over the substep squared.
@@ -29,10 +29,10 @@ pub(crate) fn solve_pair<S: Simd>(
     match shared(masses) {
         Some(inv_mass) if inv_mass <= 0.0 => {}
         Some(inv_mass) if are_apart(links) => {
-            let spring = inv_mass / (2.0 * inv_mass + cell.shear_compliance);
+            let spring = inv_mass / resistance(2.0 * inv_mass, cell.shear_compliance);
             let equals = Equals {
                 diagonal: cell.diagonal.shared(spring),
-                twist: inv_mass / (4.0 * inv_mass + cell.twist_compliance),
+                twist: inv_mass / resistance(4.0 * inv_mass, cell.twist_compliance),
             };
             solve_even_pair(simd, [upper, lower], links, equals);
         }
@@ -173,7 +173,10 @@ fn solve_twist<S: Simd>(
 ) {
     let twist = points[0].add(points[3]).sub(points[1].add(points[2]));
     let sum = (inv_masses[0] + inv_masses[1]) + (inv_masses[2] + inv_masses[3]);
-    let change = twist.scale(f32x16::splat(simd, 1.0) / (sum + cell.twist_compliance));
+    let change = twist.scale(
+        f32x16::splat(simd, 1.0)
+            / resistances(simd, sum, f32x16::splat(simd, cell.twist_compliance)),
+    );
     points[0] = points[0].sub(change.scale(inv_masses[0]));
     points[1] = points[1].add(change.scale(inv_masses[1]));
     points[2] = points[2].add(change.scale(inv_masses[2]));
@@ -188,7 +191,8 @@ fn solve_diagonal<S: Simd>(
     ([first, second], cell): ([usize; 2], Cell),
 ) {
     let offset = points[second].sub(points[first]);
-    let sum = inv_masses[first] + inv_masses[second] + cell.shear_compliance;
+    let compliance = f32x16::splat(simd, cell.shear_compliance);
+    let sum = resistances(simd, inv_masses[first] + inv_masses[second], compliance);
     let factor = cell.diagonal.factor(simd, offset.dot(offset)) / sum;
     points[first] = points[first].add(offset.scale(factor * inv_masses[first]));
     points[second] = points[second].sub(offset.scale(factor * inv_masses[second]));

@@ -3,7 +3,7 @@
 use fearless_simd::{Simd, f32x16, prelude::*};
 
 use crate::constraint::pull::Pull;
-use crate::constraint::{RowMasses, add_to_partner, load_partner, shared};
+use crate::constraint::{RowMasses, add_to_partner, load_partner, resistance, resistances, shared};
 use crate::lanes::{Points, RowLink, Vectors, are_apart};
 
 /// One family of distance springs.
@@ -19,7 +19,7 @@ impl Spring {
     /// What pulls where both ends have the same inverse mass [1/kg].
     #[inline(always)]
     pub(crate) fn between_equals(&self, inv_mass: f32) -> Pull {
-        let share = inv_mass / (inv_mass + inv_mass + self.scaled_compliance);
+        let share = inv_mass / resistance(inv_mass + inv_mass, self.scaled_compliance);
         self.pull.shared(share)
     }
 }
@@ -77,11 +77,12 @@ fn solve_uneven_row<S: Simd>(
     spring: Spring,
 ) {
     let pull = spring.pull;
+    let compliance = f32x16::splat(simd, spring.scaled_compliance);
     for link in links {
         let (first, inv_mass_first) = load_partner(simd, link, 0, row, masses.lanes);
         let (second, inv_mass_second) = load_partner(simd, link, 1, row, masses.lanes);
         let offset = second.sub(first);
-        let sum = inv_mass_first + inv_mass_second + spring.scaled_compliance;
+        let sum = resistances(simd, inv_mass_first + inv_mass_second, compliance);
         let mut factor = pull.factor(simd, offset.dot(offset)) / sum;
         if let Some(mask) = &link.mask {
             factor *= f32x16::load_array_ref(simd, &mask.0);
@@ -106,6 +107,7 @@ pub(crate) fn solve_pair<S: Simd>(
         return;
     }
     let pull = spring.pull;
+    let compliance = f32x16::splat(simd, spring.scaled_compliance);
     let inv_masses = masses[0].lanes.iter().zip(masses[1].lanes);
     for ((upper, lower), (inv_upper, inv_lower)) in upper.iter_mut().zip(lower).zip(inv_masses) {
         let first = Vectors::load(simd, upper);
@@ -113,7 +115,7 @@ pub(crate) fn solve_pair<S: Simd>(
         let inv_mass_first = f32x16::load_array_ref(simd, &inv_upper.0);
         let inv_mass_second = f32x16::load_array_ref(simd, &inv_lower.0);
         let offset = second.sub(first);
-        let sum = inv_mass_first + inv_mass_second + spring.scaled_compliance;
+        let sum = resistances(simd, inv_mass_first + inv_mass_second, compliance);
         let factor = pull.factor(simd, offset.dot(offset)) / sum;
         first
             .add(offset.scale(factor * inv_mass_first))

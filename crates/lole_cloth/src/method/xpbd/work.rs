@@ -72,8 +72,10 @@ impl Work<'_> {
                 stride::solve_row(simd, self.row(row), masses, links, limit);
             }
             Stage::BendAlong => {
+                // Half of a border row's cells is missing.
+                let is_border = row == 0 || row + 1 == model.layout.row_count;
                 let bend = Bend {
-                    scaled_compliance: substep.bend_across,
+                    scaled_compliance: substep.bend_across * if is_border { 2.0 } else { 1.0 },
                     has_clamp: model.clamps.rows[row],
                 };
                 bend::solve_row(simd, self.row(row), masses, &model.row_triples, bend);
@@ -84,7 +86,8 @@ impl Work<'_> {
                     has_clamp: model.clamps.columns[row],
                 };
                 let masses = [masses, model.row_masses(row + 1), model.row_masses(row + 2)];
-                bend::solve_triple(simd, self.row_triple(row), masses, bend);
+                let borders = &model.bend_borders;
+                bend::solve_triple(simd, self.row_triple(row), masses, bend, borders);
             }
             Stage::Cells => {
                 let masses = [masses, model.row_masses(row + 1)];
@@ -146,7 +149,8 @@ impl Work<'_> {
         for (((position, velocity), predicted), inv_mass) in columns {
             let free = zero.simd_lt(f32x16::load_array_ref(simd, &inv_mass.0));
             let before = Vectors::load(simd, velocity);
-            let after = before.add(gravity).sub(air).scale(kept).add(air);
+            // Drag slows what moves and leaves the whole weight to what hangs still.
+            let after = before.sub(air).scale(kept).add(air).add(gravity);
             let after = Vectors {
                 x: free.select(after.x, before.x),
                 y: free.select(after.y, before.y),
