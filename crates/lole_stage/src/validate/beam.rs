@@ -23,6 +23,8 @@ pub(super) struct Strip {
     pub(super) bend: f64,
     /// Drag that brings it to rest [1/s].
     pub(super) drag: f64,
+    /// Coulomb friction coefficient against capsules.
+    pub(super) friction: f64,
 }
 
 impl Strip {
@@ -54,7 +56,7 @@ impl Strip {
                 shear: 0.0,
                 bend: [0.0, self.bend as f32],
                 twist: 0.0,
-                friction: 0.0,
+                friction: self.friction as f32,
                 drag_rate: self.drag as f32,
             },
             row_layers: vec![1.0; grid.row_count as usize],

@@ -31,17 +31,13 @@ pub(super) fn run(subject: Subject) -> Result<Vec<Check>, BuildError> {
                 stretch: STIFFNESS * weight() * length,
                 bend: 0.0,
                 drag: DRAG,
+                friction: 0.0,
             };
             let mut rig = Rig::new(subject, &strip.spec(&[0, SEGMENTS]), &arc(&strip))?;
             rig.settle(SETTLE);
             let lowest = middle(&rig.positions(), SEGMENTS / 2);
-            Ok(Check {
-                case: format!("L / d = {ratio}"),
-                measured: -lowest.y / SPAN,
-                reference,
-                gate_pct: subject.gate([0.5, 0.5]),
-                unit: "",
-            })
+            let case = format!("L / d = {ratio}");
+            Ok(Check::new(case, [-lowest.y / SPAN, reference], 0.5))
         })
         .collect()
 }

@@ -7,8 +7,8 @@ use super::Check;
 use super::beam::{Strip, middle, weight};
 use super::rig::{FRAME, GRAVITY, Rig, Subject};
 
-/// `ω sqrt(L / g)` of the slowest mode: half the first zero of the Bessel function `J0`.
-const FREQUENCY: f64 = 1.202_413;
+/// `ω sqrt(L / g)` of the slowest modes: half the zeros of the Bessel function `J0`.
+const FREQUENCIES: [f64; 3] = [1.202_413, 2.760_039, 4.326_864];
 /// Length [m] and segments.
 const LENGTH: f64 = 0.6;
 const SEGMENTS: u32 = 40;
@@ -24,27 +24,30 @@ pub(super) fn run(subject: Subject) -> Result<Vec<Check>, BuildError> {
         stretch: 1.0e4 * weight() * LENGTH,
         bend: 0.0,
         drag: 0.0,
+        friction: 0.0,
     };
-    let start = strip.laid(|along| {
-        let shape = mode(along / LENGTH);
-        DVec3::new(AMPLITUDE * LENGTH * shape, -along, 0.0)
-    });
-    let mut rig = Rig::new(subject, &strip.spec(&[0]), &start)?;
-    Ok(vec![Check {
-        case: "slowest mode".to_owned(),
-        measured: period(&mut rig),
-        reference: std::f64::consts::TAU / FREQUENCY * (LENGTH / GRAVITY).sqrt(),
-        gate_pct: subject.gate([1.0, 2.0]),
-        unit: "s",
-    }])
+    (1..)
+        .zip(FREQUENCIES)
+        .map(|(number, frequency)| {
+            let start = strip.laid(|along| {
+                let shape = mode(frequency, along / LENGTH);
+                DVec3::new(AMPLITUDE / f64::from(number) * LENGTH * shape, -along, 0.0)
+            });
+            let mut rig = Rig::new(subject, &strip.spec(&[0]), &start)?;
+            let reference = std::f64::consts::TAU / frequency * (LENGTH / GRAVITY).sqrt();
+            let gate = subject.gate([1.0, 2.0]);
+            let found = [period(&mut rig, frequency), reference];
+            Ok(Check::new(format!("mode {number}"), found, gate).unit("s"))
+        })
+        .collect()
 }
 
-/// Displacement of the slowest mode at the share `along` of the length from the top: `J0` of twice
+/// Displacement of the mode of this frequency at the share `along` of the length from the top: `J0` of twice
 /// the frequency times the root of the share below.
-fn mode(along: f64) -> f64 {
-    let quarter = FREQUENCY * FREQUENCY * (1.0 - along).max(0.0);
+fn mode(frequency: f64, along: f64) -> f64 {
+    let quarter = frequency * frequency * (1.0 - along).max(0.0);
     let (mut term, mut sum) = (1.0, 1.0);
-    for order in 1..20 {
+    for order in 1..40 {
         let order = f64::from(order);
         term *= -quarter / (order * order);
         sum += term;
@@ -53,13 +56,13 @@ fn mode(along: f64) -> f64 {
 }
 
 /// Mean time of a swing there and back [s], from where the motion along the mode changes sign.
-fn period(rig: &mut Rig) -> f64 {
+fn period(rig: &mut Rig, frequency: f64) -> f64 {
     let mut crossings: Vec<f64> = Vec::new();
-    let mut before = along_mode(rig);
+    let mut before = along_mode(rig, frequency);
     let mut time = 0.0;
     while crossings.len() < 2 * SWINGS + 1 && time < 60.0 {
         rig.advance();
-        let now = along_mode(rig);
+        let now = along_mode(rig, frequency);
         if (before < 0.0) != (now < 0.0) {
             crossings.push(time + FRAME * before / (before - now));
         }
@@ -75,13 +78,13 @@ fn period(rig: &mut Rig) -> f64 {
 }
 
 /// How far the strip is displaced along the mode: other modes are at right angles to it.
-fn along_mode(rig: &Rig) -> f64 {
+fn along_mode(rig: &Rig, frequency: f64) -> f64 {
     let positions = rig.positions();
     (0..=SEGMENTS)
         .map(|row| {
             let share = f64::from(row) / f64::from(SEGMENTS);
             let weight = if row == SEGMENTS { 0.5 } else { 1.0 };
-            weight * mode(share) * middle(&positions, row).x
+            weight * mode(frequency, share) * middle(&positions, row).x
         })
         .sum()
 }

@@ -7,6 +7,7 @@ use lole_cloth::collision::penalty::Penalty;
 use lole_cloth::method::explicit::{self, ExplicitConfig};
 use lole_cloth::method::reference::{ReferenceModel, ReferenceState};
 use lole_cloth::{BuildError, ClothModel, ClothSpec, ClothState, SolverConfig, StepInput, step};
+use lole_geom::Capsule;
 
 /// Acceleration of gravity in every protocol [m/s²].
 pub(super) const GRAVITY: f64 = 9.81;
@@ -45,7 +46,7 @@ impl Subject {
     }
 }
 
-/// One cloth that moves, its pins held where they are.
+/// One cloth that moves, its pins and the capsules where they were put.
 pub(super) struct Rig(Kind);
 
 enum Kind {
@@ -58,6 +59,8 @@ struct Reference {
     state: ReferenceState,
     config: ExplicitConfig,
     pins: Vec<DVec3>,
+    capsules: Vec<Capsule>,
+    friction: f64,
 }
 
 struct RealTime {
@@ -65,11 +68,16 @@ struct RealTime {
     state: ClothState,
     config: SolverConfig,
     pins: Vec<Vec3>,
+    capsules: Vec<Capsule>,
 }
 
 /// Substeps of the real-time method: more than it dances with, so that what is left is the
 /// method's and not the step's.
 const SUBSTEPS: NonZeroU32 = NonZeroU32::MIN.saturating_add(39);
+
+/// Times as stiff as the contact of the reference that the cloth's own substeps would bear: it
+/// sinks in that much less.
+const CONTACT_STIFFNESS: f64 = 4.0;
 
 impl Rig {
     /// The cloth of `spec` at rest at `start` [m] under gravity.
@@ -79,38 +87,80 @@ impl Rig {
         start: &[DVec3],
     ) -> Result<Self, BuildError> {
         Ok(Self(match subject {
-            Subject::FbEuler => {
-                let model = ReferenceModel::new(spec)?;
-                let config = ExplicitConfig {
-                    gravity: DVec3::NEG_Y * GRAVITY,
-                    penalty: Penalty::new(0.0, 0.0),
-                    ..ExplicitConfig::for_model(&model, FRAME)
-                };
-                let pins = model.pin_indices().iter().map(|&pin| start[pin as usize]);
-                Kind::Reference(Box::new(Reference {
-                    pins: pins.collect(),
-                    state: ReferenceState::at_rest(start.to_vec()),
-                    model,
-                    config,
-                }))
-            }
-            Subject::Xpbd => {
-                let model = ClothModel::new(spec)?;
-                let single: Vec<Vec3> = start.iter().map(|position| position.as_vec3()).collect();
-                let pins = model.pin_indices().iter().map(|&pin| single[pin as usize]);
-                Kind::RealTime(Box::new(RealTime {
-                    pins: pins.collect(),
-                    state: ClothState::new(&model, &single),
-                    config: SolverConfig {
-                        substep_count: SUBSTEPS,
-                        column_strides: Vec::new(),
-                        tether_scale: None,
-                        ..SolverConfig::default()
-                    },
-                    model,
-                }))
-            }
+            Subject::FbEuler => Kind::Reference(Box::new(Reference::new(spec, start)?)),
+            Subject::Xpbd => Kind::RealTime(Box::new(RealTime::new(spec, start)?)),
         }))
+    }
+
+    /// The same with this acceleration instead of gravity's [m/s²].
+    pub(super) fn with_gravity(mut self, gravity: DVec3) -> Self {
+        match &mut self.0 {
+            Kind::Reference(rig) => rig.config.gravity = gravity,
+            Kind::RealTime(rig) => rig.config.gravity = gravity.as_vec3(),
+        }
+        self
+    }
+
+    /// The same moving with these velocities [m/s], row-major.
+    pub(super) fn with_velocities(mut self, velocities: &[DVec3]) -> Self {
+        match &mut self.0 {
+            Kind::Reference(rig) => rig.state.velocities.copy_from_slice(velocities),
+            Kind::RealTime(rig) => {
+                let single: Vec<Vec3> = velocities.iter().map(|v| v.as_vec3()).collect();
+                rig.state.set_velocities(&rig.model, &single);
+            }
+        }
+        self
+    }
+
+    /// The same touching these capsules, with the friction of its fabric.
+    pub(super) fn with_capsules(mut self, capsules: &[Capsule]) -> Self {
+        if let Kind::Reference(rig) = &mut self.0 {
+            let soft = ExplicitConfig::for_model(&rig.model, FRAME).penalty;
+            rig.config.penalty = Penalty {
+                friction: rig.friction,
+                // Critical damping grows with the root of the stiffness.
+                ..Penalty::new(
+                    CONTACT_STIFFNESS * soft.stiffness,
+                    CONTACT_STIFFNESS.sqrt() * soft.damping,
+                )
+            };
+        }
+        self.set_capsules(capsules);
+        self
+    }
+
+    /// The same with so many substeps a frame, where the method does not choose them itself.
+    pub(super) fn with_substeps(mut self, count: NonZeroU32) -> Self {
+        if let Kind::RealTime(rig) = &mut self.0 {
+            rig.config.substep_count = count;
+        }
+        self
+    }
+
+    /// Where the capsules are at the end of the next frame.
+    pub(super) fn set_capsules(&mut self, capsules: &[Capsule]) {
+        match &mut self.0 {
+            Kind::Reference(rig) => rig.capsules = capsules.to_vec(),
+            Kind::RealTime(rig) => rig.capsules = capsules.to_vec(),
+        }
+    }
+
+    /// Moves the pins on by `shift(where they are)` [m] during the next frame.
+    pub(super) fn move_pins(&mut self, shift: impl Fn(DVec3) -> DVec3) {
+        match &mut self.0 {
+            Kind::Reference(rig) => {
+                for pin in &mut rig.pins {
+                    *pin += shift(*pin);
+                }
+            }
+            Kind::RealTime(rig) => {
+                for pin in &mut rig.pins {
+                    let place = pin.as_dvec3();
+                    *pin = (place + shift(place)).as_vec3();
+                }
+            }
+        }
     }
 
     /// Moves on by one frame.
@@ -120,14 +170,14 @@ impl Rig {
                 let input = explicit::StepInput {
                     time: 0.0,
                     pin_targets: &rig.pins,
-                    capsules: &[],
+                    capsules: &rig.capsules,
                 };
                 explicit::step(&rig.model, &rig.config, &input, &mut rig.state, FRAME);
             }
             Kind::RealTime(rig) => {
                 let input = StepInput {
                     pin_targets: &rig.pins,
-                    capsules: &[],
+                    capsules: &rig.capsules,
                     ..StepInput::default()
                 };
                 #[expect(clippy::cast_possible_truncation, reason = "the engine counts in f32")]
@@ -155,11 +205,65 @@ impl Rig {
             Kind::RealTime(rig) => {
                 let mut positions = Vec::new();
                 rig.state.copy_positions(&rig.model, &mut positions);
-                positions
-                    .iter()
-                    .map(|position| position.as_dvec3())
-                    .collect()
+                positions.iter().map(|p| p.as_dvec3()).collect()
             }
         }
     }
+
+    /// How the particles move [m/s], row-major.
+    pub(super) fn velocities(&self) -> Vec<DVec3> {
+        match &self.0 {
+            Kind::Reference(rig) => rig.state.velocities.clone(),
+            Kind::RealTime(rig) => {
+                let mut velocities = Vec::new();
+                rig.state.copy_velocities(&rig.model, &mut velocities);
+                velocities.iter().map(|v| v.as_dvec3()).collect()
+            }
+        }
+    }
+}
+
+impl Reference {
+    fn new(spec: &ClothSpec, start: &[DVec3]) -> Result<Self, BuildError> {
+        let model = ReferenceModel::new(spec)?;
+        let config = ExplicitConfig {
+            gravity: DVec3::NEG_Y * GRAVITY,
+            penalty: Penalty::new(0.0, 0.0),
+            ..ExplicitConfig::for_model(&model, FRAME)
+        };
+        let pins = model.pin_indices().iter().map(|&pin| start[pin as usize]);
+        Ok(Self {
+            pins: pins.collect(),
+            capsules: Vec::new(),
+            state: ReferenceState::at_rest(start.to_vec()),
+            friction: f64::from(spec.fabric.friction),
+            model,
+            config,
+        })
+    }
+}
+
+impl RealTime {
+    fn new(spec: &ClothSpec, start: &[DVec3]) -> Result<Self, BuildError> {
+        let model = ClothModel::new(spec)?;
+        let single: Vec<Vec3> = start.iter().map(|position| position.as_vec3()).collect();
+        let pins = model.pin_indices().iter().map(|&pin| single[pin as usize]);
+        Ok(Self {
+            pins: pins.collect(),
+            capsules: Vec::new(),
+            state: ClothState::new(&model, &single),
+            config: SolverConfig {
+                substep_count: SUBSTEPS,
+                column_strides: Vec::new(),
+                tether_scale: None,
+                ..SolverConfig::default()
+            },
+            model,
+        })
+    }
+}
+
+/// Mean of points or vectors.
+pub(super) fn mean(vectors: &[DVec3]) -> DVec3 {
+    vectors.iter().sum::<DVec3>() / vectors.len().max(1) as f64
 }
