@@ -92,6 +92,9 @@ pub(crate) struct ValidateArgs {
     /// One protocol only.
     #[arg(long)]
     pub(crate) only: Option<String>,
+    /// Folder for a page with tables and curves; without one, nothing is written.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
     /// Print the rows as JSON.
     #[arg(long)]
     pub(crate) json: bool,

@@ -8,7 +8,7 @@ use std::process::ExitCode;
 use lole_costume::document::DesignError;
 use lole_export::report::{Remark, RunReport};
 use lole_export::study::StudyReport;
-use lole_language::{Bilingual, Language, Sentence};
+use lole_language::{Bilingual, Language, Sentence, Words};
 use lole_stage::StageError;
 use lole_stage::validate::{Check, Protocol};
 
@@ -96,8 +96,21 @@ pub(crate) fn print_study(report: &StudyReport, paths: &[PathBuf], language: Lan
 
 /// Says what a protocol compares.
 pub(crate) fn print_protocol(protocol: &Protocol, language: Language) {
-    let about = language.pick(protocol.about_ja, protocol.about);
+    let about = protocol.about.text(language);
     say!("\n{}: {about}", protocol.name);
+}
+
+/// Says what keeps a method from more.
+pub(crate) fn print_limit(method: &str, limit: Words, language: Language) {
+    say!("  {method:<10} ! {}", limit.text(language));
+}
+
+/// Says what a validation wrote.
+pub(crate) fn print_files(paths: &[PathBuf], language: Language) {
+    say!();
+    for path in paths {
+        say!("  {:<44} {}", path.display(), open_hint(path, language));
+    }
 }
 
 /// One figure of a protocol against its reference.
@@ -108,7 +121,7 @@ pub(crate) fn print_check(method: &str, check: &Check, language: Language) {
         language.pick("不合格", "FAIL")
     };
     say!(
-        "  {method:<10} {:<14} {:>12.6} {:>12.6} {:<3} {:>9.3} % (± {} %)  {verdict}",
+        "  {method:<10} {:<18} {:>12.6} {:>12.6} {:<4} {:>9.3} % (± {:.3} %)  {verdict}",
         check.case,
         check.measured,
         check.reference,
@@ -173,7 +186,7 @@ fn open_hint(path: &std::path::Path, language: Language) -> &'static str {
         .and_then(|name| name.to_str())
         .unwrap_or("");
     match name {
-        "report.html" | "study.html" => {
+        "report.html" | "study.html" | "validation.html" => {
             language.pick("ここから: ブラウザで開く", "start here: open in a browser")
         }
         "dance.mp4" => language.pick("動画プレーヤーで再生", "plays in any video player"),
@@ -186,7 +199,7 @@ fn open_hint(path: &std::path::Path, language: Language) -> &'static str {
             "lole dance design.lole repeats it",
         ),
         "study.csv" => language.pick("表計算で開く", "opens in a spreadsheet"),
-        "report.json" | "study.json" => {
+        "report.json" | "study.json" | "validation.json" => {
             language.pick("プログラム用の数値", "the numbers, for programs")
         }
         _ => language.pick("写真", "a still"),

@@ -92,6 +92,11 @@ const JAPANESE_HELP: &[(&str, &str, &str)] = &[
         "布の計算を理論の値と比べます: 実測、基準、誤差、許容",
     ),
     ("validate", "only", "この検証だけを行います"),
+    (
+        "validate",
+        "out",
+        "表と曲線のページを書き出すフォルダー。書かなければ何も書き出しません",
+    ),
     ("validate", "json", "行を JSON で書きます"),
     (
         "bench",

@@ -1,27 +1,17 @@
 //! `lole validate`: the engine against closed forms.
 
-use lole_language::{Language, Sentence, words};
-use lole_stage::validate::{PROTOCOLS, Subject};
-use serde::Serialize;
+use lole_export::report::Remark;
+use lole_export::validation::{
+    CheckEntry, CurveEntry, ProtocolEntry, ValidationReport, validation_html,
+};
+use lole_language::{Language, Sentence, Words, words};
+use lole_stage::validate::{Check, PROTOCOLS, Protocol, Subject};
 
 use crate::args::ValidateArgs;
 use crate::dance::unknown;
+use crate::output::OutputFolder;
 use crate::patience::stop_flag;
 use crate::{Failure, summary};
-
-/// One figure, as it is printed for programs.
-#[derive(Serialize)]
-struct Row {
-    name: &'static str,
-    case: String,
-    method: &'static str,
-    measured: f64,
-    reference: f64,
-    unit: &'static str,
-    error_pct: f64,
-    gate_pct: f64,
-    pass: bool,
-}
 
 /// Runs the command.
 pub(crate) fn run(args: &ValidateArgs, language: Language) -> Result<(), Failure> {
@@ -32,38 +22,66 @@ pub(crate) fn run(args: &ValidateArgs, language: Language) -> Result<(), Failure
         let what = words("検証", "protocol");
         return Err(unknown("--only", only, what, &names));
     }
+    let output = args
+        .out
+        .as_deref()
+        .map(OutputFolder::create)
+        .transpose()
+        .map_err(Failure::Usage)?;
     let stop = stop_flag().map_err(Failure::Run)?;
     let wanted = |name: &str| args.only.as_ref().is_none_or(|only| only == name);
-    let mut rows = Vec::new();
+    let mut report = ValidationReport {
+        lole: env!("CARGO_PKG_VERSION").to_owned(),
+        protocols: Vec::new(),
+    };
     for protocol in PROTOCOLS.iter().filter(|protocol| wanted(protocol.name)) {
-        if !args.json {
+        let shown = (!args.json).then_some(language);
+        if let Some(language) = shown {
             summary::print_protocol(protocol, language);
         }
+        let mut entry = entry(protocol);
         for subject in Subject::ALL {
             if stop.load(std::sync::atomic::Ordering::Relaxed) {
                 return Err(Failure::Interrupted);
             }
-            for check in protocol.run(subject).map_err(Failure::error)? {
-                if !args.json {
-                    summary::print_check(subject.id(), &check, language);
-                }
-                rows.push(Row {
-                    name: protocol.name,
-                    method: subject.id(),
-                    measured: check.measured,
-                    reference: check.reference,
-                    unit: check.unit,
-                    error_pct: check.error_pct(),
-                    gate_pct: check.gate_pct,
-                    pass: check.passes(),
-                    case: check.case,
-                });
+            let checks = protocol.run(subject).map_err(Failure::error)?;
+            if let Some(language) = shown {
+                print(protocol, subject, &checks, language);
             }
+            let rows = checks
+                .into_iter()
+                .map(|check| row(protocol, subject, check));
+            entry.rows.extend(rows);
         }
+        report.protocols.push(entry);
     }
+    finish(args, &report, output, language)
+}
+
+/// Prints and writes what was found.
+fn finish(
+    args: &ValidateArgs,
+    report: &ValidationReport,
+    output: Option<OutputFolder>,
+    language: Language,
+) -> Result<(), Failure> {
+    let rows: Vec<&CheckEntry> = (report.protocols.iter())
+        .flat_map(|protocol| &protocol.rows)
+        .collect();
+    let json = serde_json::to_string_pretty(&rows).map_err(Failure::error)? + "\n";
     if args.json {
-        let json = serde_json::to_string_pretty(&rows).map_err(Failure::error)?;
-        summary::print_json(&(json + "\n"));
+        summary::print_json(&json);
+    }
+    if let Some(mut output) = output {
+        let page = validation_html(report);
+        output
+            .write("validation.html", page.as_bytes())
+            .and_then(|()| output.write("validation.json", json.as_bytes()))
+            .map_err(Failure::Run)?;
+        let paths = output.finish().map_err(Failure::Run)?;
+        if !args.json {
+            summary::print_files(&paths, language);
+        }
     }
     let failed = rows.iter().filter(|row| !row.pass).count();
     if failed == 0 {
@@ -74,4 +92,66 @@ pub(crate) fn run(args: &ValidateArgs, language: Language) -> Result<(), Failure
         format!("{failed} figures are outside their gates; see the rows above"),
     );
     Err(Failure::Run(sentence.into()))
+}
+
+fn print(protocol: &Protocol, subject: Subject, checks: &[Check], language: Language) {
+    for check in checks {
+        summary::print_check(subject.id(), check, language);
+    }
+    for limit in limits(protocol, subject) {
+        summary::print_limit(subject.id(), limit, language);
+    }
+}
+
+/// What keeps a method from more.
+fn limits(protocol: &Protocol, subject: Subject) -> impl Iterator<Item = Words> {
+    let of_subject = move |limit: &&(Subject, Words)| limit.0 == subject;
+    protocol
+        .limits
+        .iter()
+        .filter(of_subject)
+        .map(|limit| limit.1)
+}
+
+/// A protocol without figures yet.
+fn entry(protocol: &Protocol) -> ProtocolEntry {
+    ProtocolEntry {
+        name: protocol.name.to_owned(),
+        about: remark(protocol.about),
+        rows: Vec::new(),
+        limits: (protocol.limits.iter())
+            .map(|&(subject, limit)| (subject.id().to_owned(), remark(limit)))
+            .collect(),
+        curve: protocol.curve.as_ref().map(|curve| CurveEntry {
+            along: remark(curve.along),
+            value: remark(curve.value),
+            points: curve.points(),
+        }),
+    }
+}
+
+fn row(protocol: &Protocol, subject: Subject, check: Check) -> CheckEntry {
+    let limits: Vec<_> = limits(protocol, subject)
+        .map(|limit| limit.english)
+        .collect();
+    CheckEntry {
+        name: protocol.name.to_owned(),
+        method: subject.id().to_owned(),
+        measured: check.measured,
+        reference: check.reference,
+        unit: check.unit.to_owned(),
+        error_pct: check.error_pct(),
+        gate_pct: check.gate_pct,
+        pass: check.passes(),
+        along: check.along,
+        limit: (!limits.is_empty()).then(|| limits.join("; ")),
+        case: check.case,
+    }
+}
+
+fn remark(words: Words) -> Remark {
+    Remark {
+        sentence: words.english.to_owned(),
+        sentence_ja: words.japanese.to_owned(),
+    }
 }

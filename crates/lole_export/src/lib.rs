@@ -8,6 +8,7 @@
 //! | `report.json` | [`report::report_json`] |
 //! | `report.html` | [`report::report_html`]: one self-contained page in Japanese and English |
 //! | `study.json`, `.csv`, `.html` | [`study::study_json`], [`study::study_csv`], [`study::study_html`] |
+//! | `validation.html` | [`validation::validation_html`]: figures against closed forms, with curves |
 //!
 //! It opens no file, reads no clock, and draws no picture of the dancer: pictures come in as
 //! pixels.
@@ -18,6 +19,7 @@ mod page;
 pub mod report;
 pub mod still;
 pub mod study;
+pub mod validation;
 pub mod video;
 
 pub use error::ExportError;

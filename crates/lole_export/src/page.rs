@@ -95,3 +95,30 @@ pub(crate) fn section(title: [&str; 2], about: [&str; 2], rows: &[Row]) -> Strin
         both(title[0], title[1])
     )
 }
+
+/// A heading and a note below it.
+pub(crate) fn heading(english: &str, japanese: &str, note: [&str; 2]) -> String {
+    format!(
+        "<h2>{}</h2>\n<p class=\"note\">{}</p>\n",
+        both(english, japanese),
+        both(note[0], note[1])
+    )
+}
+
+/// A table with a head line; cells are HTML.
+pub(crate) fn table(head: &[String], rows: &[Vec<String>]) -> String {
+    let cells = |tag: &str, cells: &[String]| -> String {
+        cells
+            .iter()
+            .map(|cell| format!("<{tag}>{cell}</{tag}>"))
+            .collect()
+    };
+    let rows: String = rows
+        .iter()
+        .map(|row| format!("<tr>{}</tr>\n", cells("td", row)))
+        .collect();
+    format!(
+        "<div class=\"wide\"><table><thead><tr>{}</tr></thead>\n{rows}</table></div>\n",
+        cells("th", head)
+    )
+}

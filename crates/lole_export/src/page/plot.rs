@@ -34,6 +34,19 @@ pub(crate) struct Curve<'a> {
     pub along: &'a [f64],
     /// Values; where one is not finite the curve is broken.
     pub values: &'a [f64],
+    /// How its points are shown.
+    pub drawn: Drawn,
+}
+
+/// How the points of a curve are shown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Drawn {
+    /// Joined by a line.
+    Line,
+    /// Each by a ring, so that what lies under it is still seen.
+    Rings,
+    /// Each by a small dot.
+    Dots,
 }
 
 /// Where a value axis starts.
@@ -62,6 +75,7 @@ impl<'a> Plot<'a> {
                 name: "",
                 along,
                 values,
+                drawn: Drawn::Line,
             }],
             reference: None,
             floor,
@@ -149,11 +163,7 @@ pub(crate) fn svg(plot: &Plot<'_>) -> Option<String> {
         );
     }
     for (index, curve) in plot.curves.iter().enumerate() {
-        let path = curve_path(plot, curve, &x, &y);
-        append(
-            &mut svg,
-            format_args!("<path class=\"curve c{index}\" d=\"{path}\"/>"),
-        );
+        append_curve(&mut svg, plot, (index, curve), [&x, &y]);
     }
     if let Some((value, label)) = plot.reference {
         append_reference(&mut svg, y(plot.on_axis(value)), label);
@@ -163,6 +173,39 @@ pub(crate) fn svg(plot: &Plot<'_>) -> Option<String> {
         svg.push_str(&legend(plot));
     }
     Some(svg)
+}
+
+/// A curve as a line, or as a mark for each point.
+fn append_curve(
+    svg: &mut String,
+    plot: &Plot<'_>,
+    (index, curve): (usize, &Curve<'_>),
+    [x, y]: [&dyn Fn(f64) -> f64; 2],
+) {
+    let (class, radius) = match curve.drawn {
+        Drawn::Line => {
+            let path = curve_path(plot, curve, x, y);
+            return append(
+                svg,
+                format_args!("<path class=\"curve c{index}\" d=\"{path}\"/>"),
+            );
+        }
+        Drawn::Rings => ("ring", 6.5),
+        Drawn::Dots => ("dot", 3.5),
+    };
+    for (&along, &value) in curve.along.iter().zip(curve.values) {
+        let value = plot.on_axis(value);
+        if along.is_finite() && value.is_finite() {
+            append(
+                svg,
+                format_args!(
+                    "<circle class=\"{class} c{index}\" cx=\"{:.1}\" cy=\"{:.1}\" r=\"{radius}\"/>",
+                    x(along),
+                    y(value),
+                ),
+            );
+        }
+    }
 }
 
 /// What a tick of the value axis is called.
@@ -281,6 +324,16 @@ mod tests {
         assert!(!svg.contains("NaN"));
         let path = &svg[svg.find("d=\"").unwrap()..];
         assert_eq!(path.matches('M').count(), 2);
+    }
+
+    #[test]
+    fn every_finite_point_gets_its_mark() {
+        let along = [0.0, 1.0, 2.0];
+        let mut plot = Plot::single(&along, &[1.0, f64::NAN, 3.0], Floor::Zero);
+        plot.curves[0].drawn = Drawn::Rings;
+        let svg = svg(&plot).unwrap();
+        assert_eq!(svg.matches("<circle").count(), 2);
+        assert!(!svg.contains("<path") && !svg.contains("NaN"), "{svg}");
     }
 
     #[test]

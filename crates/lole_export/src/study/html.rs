@@ -4,9 +4,9 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 
 use super::{RunEntry, StudyReport};
-use crate::page::Page;
-use crate::page::plot::{Curve, Floor, Plot, Scale, svg};
+use crate::page::plot::{Curve, Drawn, Floor, Plot, Scale, svg};
 use crate::page::text::{both, dance_step, escape, grouped, number};
+use crate::page::{Page, heading, table};
 
 /// The methods in the order of the page: the paper's three first.
 const ORDER: [&str; 5] = [
@@ -59,32 +59,6 @@ fn picture(jpeg: &[u8]) -> String {
             "The last moment of each run at the step that all share, as in figures 13 to 15 of the paper.",
             "共通の刻みでの、それぞれの計算の最後の瞬間（論文の図13～15にあたります）。",
         )
-    )
-}
-
-fn heading(english: &str, japanese: &str, note: [&str; 2]) -> String {
-    format!(
-        "<h2>{}</h2>\n<p class=\"note\">{}</p>\n",
-        both(english, japanese),
-        both(note[0], note[1])
-    )
-}
-
-/// A table with a head line; cells are HTML.
-fn table(head: &[String], rows: &[Vec<String>]) -> String {
-    let cells = |tag: &str, cells: &[String]| -> String {
-        cells
-            .iter()
-            .map(|cell| format!("<{tag}>{cell}</{tag}>"))
-            .collect()
-    };
-    let rows: String = rows
-        .iter()
-        .map(|row| format!("<tr>{}</tr>\n", cells("td", row)))
-        .collect();
-    format!(
-        "<div class=\"wide\"><table><thead><tr>{}</tr></thead>\n{rows}</table></div>\n",
-        cells("th", head)
     )
 }
 
@@ -322,6 +296,7 @@ fn curves(report: &StudyReport) -> String {
                 name,
                 along: &entry.same_step.series.time_s,
                 values: pick(&entry.same_step),
+                drawn: Drawn::Line,
             })
             .collect()
     };

@@ -4,9 +4,9 @@ use glam::DVec3;
 use lole_cloth::BuildError;
 use lole_geom::trig64;
 
-use super::Check;
 use super::beam::{Strip, middle, weight};
 use super::rig::{Rig, Subject};
+use super::{Check, elastica};
 
 /// `Γ` and the height over width of the free part, from `θ'' = -Γ (1 - s) cos θ`, `θ(0) = 0`,
 /// `θ'(1) = 0`, integrated by an independent program.
@@ -33,19 +33,34 @@ const STRAIN: f64 = 2.5e-4;
 const DRAG: f64 = 17.0;
 const SETTLE: u32 = 240;
 
+/// The elastica's height over width, by `Γ`.
+pub(super) fn points() -> Vec<[f64; 2]> {
+    (0..=60_u8)
+        .map(|index| {
+            let gamma = 0.5 * f64::from(index);
+            let [width, height] = elastica::reach(gamma);
+            [gamma, height / width]
+        })
+        .collect()
+}
+
 pub(super) fn run(subject: Subject) -> Result<Vec<Check>, BuildError> {
     ELASTICA
         .iter()
         .map(|&(gamma, reference)| {
-            let measured = height_over_width(subject, gamma)?;
+            let measured = height_over_width(subject, gamma, segments(subject, gamma))?;
             let gate = subject.gate([1.0, 1.5]);
             Ok(Check::new(format!("Γ = {gamma}"), [measured, reference], gate).along(gamma))
         })
         .collect()
 }
 
-fn height_over_width(subject: Subject, gamma: f64) -> Result<f64, BuildError> {
-    let segments = segments(subject, gamma);
+/// Height over width of a strip with so many segments.
+pub(super) fn height_over_width(
+    subject: Subject,
+    gamma: f64,
+    segments: u32,
+) -> Result<f64, BuildError> {
     let spacing = LENGTH / f64::from(segments);
     // One row more lies in the clamp; its tangent is then that of the first free segment's start.
     let strip = Strip {

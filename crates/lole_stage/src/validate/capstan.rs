@@ -31,6 +31,16 @@ const DRAG: f64 = 2.0;
 /// Substeps of the real-time method: as many as bear the tension of such short cells.
 const SUBSTEPS: NonZeroU32 = NonZeroU32::MIN.saturating_add(99);
 
+/// `exp(μ π)`, by `μ`.
+pub(super) fn points() -> Vec<[f64; 2]> {
+    (0..=50_u8)
+        .map(|index| {
+            let friction = 0.01 * f64::from(index);
+            [friction, trig64::exp(friction * std::f64::consts::PI)]
+        })
+        .collect()
+}
+
 pub(super) fn run(subject: Subject) -> Result<Vec<Check>, BuildError> {
     FRICTIONS
         .iter()

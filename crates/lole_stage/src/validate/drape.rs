@@ -35,6 +35,16 @@ const EDGE_POINTS: u32 = 8;
 /// Farthest that a coefficient may be from its estimate [points].
 const GATE: f64 = 12.0;
 
+/// The estimate [%], by bending length [cm].
+pub(super) fn points() -> Vec<[f64; 2]> {
+    (15..=45_u8)
+        .map(|tenths| {
+            let length = 1.0e-3 * f64::from(tenths);
+            [100.0 * length, estimated(length)]
+        })
+        .collect()
+}
+
 pub(super) fn run(subject: Subject) -> Result<Vec<Check>, BuildError> {
     let mut checks = Vec::new();
     let mut coefficients = Vec::new();
@@ -60,7 +70,7 @@ pub(super) fn run(subject: Subject) -> Result<Vec<Check>, BuildError> {
 }
 
 /// The drape coefficient [%] of strips that know nothing of each other.
-pub(super) fn estimated(length: f64) -> f64 {
+fn estimated(length: f64) -> f64 {
     let rays: Vec<f64> = (0..RAYS)
         .map(|ray| {
             let overhang = edge(angle(ray)) - DISC;
@@ -124,7 +134,7 @@ fn outline(positions: &[DVec3]) -> Vec<f64> {
 
 /// Folds of the hem: how often it rises above its mean height and falls below, a tenth of its
 /// range apart.
-pub(super) fn fold_count(positions: &[DVec3]) -> u32 {
+fn fold_count(positions: &[DVec3]) -> u32 {
     let heights: Vec<f64> = rim().map(|particle| positions[particle].y).collect();
     let mean = heights.iter().sum::<f64>() / heights.len() as f64;
     let [low, high] = heights.iter().fold(
@@ -163,7 +173,7 @@ fn rim() -> impl Iterator<Item = usize> {
 }
 
 /// Where a sheet of this bending length hangs [m].
-pub(super) fn draped(subject: Subject, length: f64) -> Result<Vec<DVec3>, BuildError> {
+fn draped(subject: Subject, length: f64) -> Result<Vec<DVec3>, BuildError> {
     let half = 0.5 * SIDE;
     let spacing = SIDE / f64::from(COUNT - 1);
     let mut start = Vec::new();

@@ -41,7 +41,7 @@ pub(super) fn run(subject: Subject) -> Result<Vec<Check>, BuildError> {
             let measured = 1e3 * (-tip.y - LENGTH);
             let reference = 1e3 * extension(&ReferenceModel::new(&spec)?);
             let case = format!("strain {} %", 100.0 * strain);
-            let gate = subject.gate([1e-3, 5.0]);
+            let gate = subject.gate([1e-3, 1.5]);
             Ok(Check::new(case, [measured, reference], gate).unit("mm"))
         })
         .collect()

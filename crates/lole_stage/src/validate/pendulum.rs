@@ -26,6 +26,22 @@ const HALF_SWINGS: usize = 2;
 /// Substeps of the real-time method.
 const SUBSTEPS: NonZeroU32 = NonZeroU32::MIN.saturating_add(39);
 
+/// The period over that of a small swing, by amplitude [degree]: `1 / M(1, cos(α / 2))` with the
+/// arithmetic-geometric mean `M`.
+pub(super) fn points() -> Vec<[f64; 2]> {
+    (0..=90_u8)
+        .map(|degrees| {
+            let amplitude = f64::from(degrees);
+            let mut means = [1.0, trig64::cos(0.5 * amplitude.to_radians())];
+            for _ in 0..6 {
+                let [a, b] = means;
+                means = [0.5 * (a + b), (a * b).sqrt()];
+            }
+            [amplitude, 1.0 / means[0]]
+        })
+        .collect()
+}
+
 pub(super) fn run(subject: Subject) -> Result<Vec<Check>, BuildError> {
     PERIODS
         .iter()

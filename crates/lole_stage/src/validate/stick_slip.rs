@@ -16,6 +16,30 @@ use super::rig::{FRAME, Rig, Subject};
 /// the force along the strip.
 const ONSETS: [(f64, f64); 3] = [(0.15, 0.0969), (0.2, 0.1549), (0.3, 0.2715)];
 
+/// Sideways force at the tip over the force along the strip, and the push over the length, from the
+/// elastica's equation, integrated by an independent program.
+const ELASTICA: &[[f64; 2]] = &[
+    [0.01409, 0.00100],
+    [0.01648, 0.00137],
+    [0.01928, 0.00187],
+    [0.02256, 0.00256],
+    [0.02641, 0.00350],
+    [0.03092, 0.00479],
+    [0.03621, 0.00655],
+    [0.04244, 0.00897],
+    [0.04976, 0.01226],
+    [0.05841, 0.01678],
+    [0.06865, 0.02295],
+    [0.08083, 0.03140],
+    [0.09542, 0.04295],
+    [0.11306, 0.05876],
+    [0.13467, 0.08038],
+    [0.16165, 0.10996],
+    [0.19627, 0.15043],
+    [0.24265, 0.20578],
+    [0.30911, 0.28150],
+];
+
 /// Free length [m] and segments.
 const LENGTH: f64 = 0.2;
 const SEGMENTS: u32 = 20;
@@ -43,6 +67,11 @@ const RADIUS: f32 = 1.0;
 const HALF_LENGTH: f32 = 1.0;
 /// Substeps of the real-time method.
 const SUBSTEPS: NonZeroU32 = NonZeroU32::MIN.saturating_add(119);
+
+/// The push over the length, by the sideways force at the tip over the force along the strip.
+pub(super) fn points() -> Vec<[f64; 2]> {
+    ELASTICA.to_vec()
+}
 
 pub(super) fn run(subject: Subject) -> Result<Vec<Check>, BuildError> {
     ONSETS
