@@ -2,8 +2,13 @@
 
 pub(crate) mod capsule;
 pub(crate) mod cloth_cloth;
+pub(crate) mod crossing;
 pub(crate) mod grid;
+pub(crate) mod impact_zone;
 pub mod penalty;
 pub(crate) mod pinned_rows;
+pub(crate) mod repair;
 pub(crate) mod response;
+pub(crate) mod separation;
+pub(crate) mod surface;
 pub(crate) mod surfel;

@@ -1,6 +1,7 @@
 //! A cloth prepared for the real-time method: what never changes from step to step.
 
 use crate::collision::pinned_rows::PinnedRows;
+use crate::collision::surface::Surface;
 use crate::constraint::RowMasses;
 use crate::constraint::bend::{self, Clamps};
 use crate::constraint::tether::Tethers;
@@ -62,6 +63,7 @@ pub struct ClothModel {
     pub(crate) bend_borders: Vec<Option<Box<Scalars>>>,
     pub(crate) tethers: Tethers,
     pub(crate) pinned_rows: PinnedRows,
+    pub(crate) surface: Surface,
 }
 
 impl ClothModel {
@@ -95,6 +97,7 @@ impl ClothModel {
             bend_borders: bend::borders(spec, &layout),
             tethers: Tethers::new(spec, &layout, &pin_indices),
             pinned_rows: PinnedRows::new(spec),
+            surface: Surface::from_grid(&spec.grid),
             spec: spec.clone(),
             pin_indices,
             layout,
@@ -118,6 +121,7 @@ impl ClothModel {
             + links(self.row_pairs.len() + self.row_triples.len())
             + self.layout.byte_count()
             + tethers
+            + self.surface.byte_count()
     }
 
     /// What the cloth was made from.

@@ -7,6 +7,7 @@ use crate::ClothModel;
 use crate::collision::capsule::MovingCapsule;
 use crate::collision::capsule::near::RowContacts;
 use crate::collision::cloth_cloth::ClothContacts;
+use crate::collision::repair::CrossingRepair;
 use crate::collision::surfel::SurfelContacts;
 use crate::lanes::Points;
 use crate::method::xpbd::{RowStrides, Schedules};
@@ -27,6 +28,7 @@ pub struct ClothState {
 
 /// Room for one step, kept so that no step allocates. What it holds is found anew in every step, or
 /// is worked out from model and settings alone.
+/// Where the cloth is tangled is what the end of the last step has found.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Scratch {
     /// Positions predicted at the start of the substep.
@@ -35,6 +37,7 @@ pub(crate) struct Scratch {
     pub(crate) surfel_contacts: SurfelContacts,
     pub(crate) held_depths: Vec<f32>,
     pub(crate) cloth_contacts: ClothContacts,
+    pub(crate) crossing_repair: CrossingRepair,
     pub(crate) moving_capsules: Vec<MovingCapsule>,
     pub(crate) row_strides: RowStrides,
     pub(crate) schedules: Schedules,
@@ -73,6 +76,7 @@ impl ClothState {
             + size_of_val(&self.surfels[..])
             + self.scratch.surfel_contacts.byte_count()
             + self.scratch.cloth_contacts.byte_count()
+            + self.scratch.crossing_repair.byte_count()
     }
 
     /// Writes every position [m], row-major, over `out`.
@@ -96,6 +100,7 @@ impl ClothState {
             "one position a particle"
         );
         model.layout.scatter_points(positions, &mut self.positions);
+        self.scratch.crossing_repair.is_tangled.clear();
         self.pin_targets.clear();
         self.pin_targets.extend(
             model

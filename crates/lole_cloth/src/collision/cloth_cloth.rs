@@ -139,9 +139,16 @@ pub(crate) struct Shape<'a> {
     pub(crate) layout: &'a Layout,
     pub(crate) pinned_rows: &'a PinnedRows,
     pub(crate) inv_masses: &'a [Scalars],
+    /// Particles where the cloth has gone through itself, row-major: they do not know on which side
+    /// they belong, and do not touch each other. Empty where there are none.
+    pub(crate) is_tangled: &'a [bool],
 }
 
 impl ClothContacts {
+    pub(crate) fn start_positions(&self) -> &[Vec3] {
+        &self.positions
+    }
+
     /// Memory that it holds [byte].
     pub(crate) fn byte_count(&self) -> usize {
         let pairs: usize = self.pairs.iter().map(Vec::capacity).sum();
@@ -352,6 +359,13 @@ impl PairFinder<'_> {
     }
 
     fn pair(&self, [first, second]: [usize; 2]) -> Option<Pair> {
+        if !self.shape.is_tangled.is_empty()
+            && [first, second]
+                .into_iter()
+                .all(|entry| self.shape.is_tangled[self.cells.entries[entry].particle as usize])
+        {
+            return None;
+        }
         let (one, other) = (&self.strands[first], &self.strands[second]);
         if one.inv_mass + other.inv_mass <= 0.0 {
             return None;

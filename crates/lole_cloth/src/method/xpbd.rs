@@ -15,6 +15,7 @@ use lole_geom::trig;
 use crate::collision::capsule::MovingCapsule;
 use crate::collision::capsule::near::Range;
 use crate::collision::cloth_cloth::{ClothContactLaw, Columns, Shape};
+use crate::collision::repair::Fixed;
 use crate::collision::response::ContactLaw;
 use crate::collision::surfel::{Cloth, Skin, SurfelContacts};
 use crate::constraint::pull::Pull;
@@ -165,6 +166,35 @@ pub(crate) fn advance<S: Simd>(
         }
     }
     finish_pins(model, input.pin_targets, state);
+    repair_crossings(simd, (model, config), (input, dt), state);
+}
+
+/// Takes back what came to cross in this step.
+#[inline(always)]
+fn repair_crossings<S: Simd>(
+    simd: S,
+    (model, config): (&ClothModel, &SolverConfig),
+    (input, dt): (&StepInput<'_>, f32),
+    state: &mut ClothState,
+) {
+    if config.self_collision.is_some() {
+        let scratch = &mut state.scratch;
+        scratch.crossing_repair.repair(
+            simd,
+            Fixed {
+                surface: &model.surface,
+                layout: &model.layout,
+                inv_masses: &model.inv_masses,
+                capsules: input.capsules,
+                contact_offset: config.contact_offset,
+                held: &scratch.held_depths,
+                dt,
+            },
+            scratch.cloth_contacts.start_positions(),
+            &mut state.positions,
+            &mut state.velocities,
+        );
+    }
 }
 
 /// A substep in one piece, or cut where the cloth meets itself.
@@ -333,16 +363,17 @@ fn find_cloth_contacts(
     state: &mut ClothState,
 ) -> Option<(ClothContactLaw, u32)> {
     let contact = config.self_collision?;
+    let scratch = &mut state.scratch;
     let shape = Shape {
         grid: &model.spec().grid,
         layout: &model.layout,
         pinned_rows: &model.pinned_rows,
         inv_masses: &model.inv_masses,
+        is_tangled: &scratch.crossing_repair.is_tangled,
     };
     let friction = model.spec().fabric.friction;
     let law = ClothContactLaw::new(shape.grid, contact.radius, friction, h);
-    let contacts = &mut state.scratch.cloth_contacts;
-    contacts.find(shape, &state.positions, law);
+    scratch.cloth_contacts.find(shape, &state.positions, law);
     Some((law, contact.substep_interval.get()))
 }
 

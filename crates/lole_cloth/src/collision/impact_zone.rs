@@ -1,0 +1,106 @@
+//! Particles that move as one because nothing else keeps them from crossing.
+//!
+//! Provot 1997, "Collision and self-collision handling in cloth model dedicated to design
+//! garments": a zone has the shape in which it began the step, which did not cross.
+
+use glam::Vec3;
+
+use crate::collision::crossing::Crossing;
+use crate::collision::surface::Surface;
+
+/// Mass of a pinned particle in the mean of its zone [kg]: all that counts.
+const PINNED_MASS: f32 = 1.0e6;
+
+/// Zones of a step.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct ImpactZones {
+    /// Another particle of the same zone, or the particle itself.
+    parents: Vec<u32>,
+    /// Particles of zones.
+    pub(crate) members: Vec<u32>,
+    is_member: Vec<bool>,
+    /// By the first particle of a zone, mass [kg] and mass times displacement [kg·m].
+    sums: Vec<(f32, Vec3)>,
+}
+
+impl ImpactZones {
+    /// Memory that it holds [byte].
+    pub(crate) const fn byte_count(&self) -> usize {
+        size_of_val(self.parents.as_slice())
+            + size_of_val(self.members.as_slice())
+            + size_of_val(self.is_member.as_slice())
+            + size_of_val(self.sums.as_slice())
+    }
+
+    /// Lets every one of so many particles move by itself.
+    pub(crate) fn clear(&mut self, particle_count: u32) {
+        self.parents.clear();
+        self.parents.extend(0..particle_count);
+        self.members.clear();
+        self.is_member.clear();
+        self.is_member.resize(particle_count as usize, false);
+    }
+
+    /// Joins what crosses and the patches around it, with the zones in which they are already:
+    /// with what crosses alone, the zone would next cross its neighbors.
+    pub(crate) fn join(&mut self, surface: &Surface, crossing: &Crossing) {
+        let [start, end] = surface.edges[crossing.edge as usize].ends;
+        let [a, b, c] = crossing.corners;
+        for particle in [start, end, a, b, c] {
+            for corner in surface.ring(particle) {
+                self.join_pair(start, corner);
+            }
+        }
+    }
+
+    fn join_pair(&mut self, one: u32, other: u32) {
+        if !self.is_member[other as usize] {
+            self.is_member[other as usize] = true;
+            self.members.push(other);
+        }
+        let (one, other) = (self.first_of(one), self.first_of(other));
+        self.parents[one.max(other) as usize] = one.min(other);
+    }
+
+    fn first_of(&mut self, mut particle: u32) -> u32 {
+        while self.parents[particle as usize] != particle {
+            let above = self.parents[self.parents[particle as usize] as usize];
+            self.parents[particle as usize] = above;
+            particle = above;
+        }
+        particle
+    }
+
+    /// Gives all particles of a zone the mean displacement from `starts` [m].
+    pub(crate) fn carry(
+        &mut self,
+        starts: &[Vec3],
+        positions: &mut [Vec3],
+        inv_mass: impl Fn(u32) -> f32,
+    ) {
+        self.sums.clear();
+        self.sums.resize(starts.len(), (0.0, Vec3::ZERO));
+        for index in 0..self.members.len() {
+            let member = self.members[index];
+            let inv_mass = inv_mass(member);
+            let mass = if 0.0 < inv_mass {
+                1.0 / inv_mass
+            } else {
+                PINNED_MASS
+            };
+            let travel = positions[member as usize] - starts[member as usize];
+            let first = self.first_of(member);
+            let sum = &mut self.sums[first as usize];
+            sum.0 += mass;
+            sum.1 += travel * mass;
+        }
+        for index in 0..self.members.len() {
+            let member = self.members[index];
+            if 0.0 < inv_mass(member) {
+                let first = self.first_of(member);
+                let (mass, travel) = self.sums[first as usize];
+                positions[member as usize] = starts[member as usize] + travel / mass;
+            }
+        }
+    }
+}

@@ -1,0 +1,380 @@
+//! The last word of a step: what has come to cross is taken back, and what crossed before is drawn
+//! out.
+//!
+//! An edge and a triangle that did not cross at the start of the step are brought back to their
+//! sides of a plane that lay between them then; along that plane they keep what they did. What
+//! crossed already is pushed so that the contour along which the surface intersects itself becomes
+//! shorter (Volino and Magnenat-Thalmann 2006, "Resolving surface collisions through intersection
+//! contour minimization"), at a limited speed.
+
+use fearless_simd::Simd;
+use glam::Vec3;
+use lole_geom::Capsule;
+
+use crate::collision::crossing::{Crossing, CrossingFinder, crossing_point};
+use crate::collision::impact_zone::ImpactZones;
+use crate::collision::separation::Separation;
+use crate::collision::surface::{ABSENT, Surface};
+use crate::lanes::{Layout, Points, Scalars};
+
+/// Rounds of looking and bringing apart at most: a repair may make something else cross.
+const PARTING_ROUNDS: u8 = 8;
+
+/// After those, rounds in which what still crosses is held together in zones.
+const ZONE_ROUNDS: usize = 8;
+
+/// Sweeps over all repairs in a round.
+const SWEEP_COUNT: usize = 4;
+
+/// How far a repair may reach what was not near before [m].
+const MARGIN: f32 = 0.002;
+
+/// Kept between an edge and a triangle that were brought back to their sides [m].
+const CLEARANCE: f32 = 0.2e-3;
+
+/// Rounds in which tangles are drawn out.
+const UNTANGLING_ROUNDS: u8 = 4;
+
+/// Speed at which a tangle is drawn out [m/s].
+const UNTANGLING_SPEED: f32 = 0.2;
+
+/// What never changes.
+#[derive(Clone, Copy)]
+pub(crate) struct Fixed<'a> {
+    pub(crate) surface: &'a Surface,
+    pub(crate) layout: &'a Layout,
+    pub(crate) inv_masses: &'a [Scalars],
+    /// Where the capsules are at the end of the step.
+    pub(crate) capsules: &'a [Capsule],
+    /// Distance kept from the capsules [m].
+    pub(crate) contact_offset: f32,
+    /// By row, how far inside the capsules particles may stay [m].
+    pub(crate) held: &'a [f32],
+    /// Duration of the step [s].
+    pub(crate) dt: f32,
+}
+
+/// Finds and repairs crossings.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct CrossingRepair {
+    finder: CrossingFinder,
+    /// Row-major.
+    positions: Vec<Vec3>,
+    /// Where the particles were when what lies near was looked for.
+    looked_at: Vec<Vec3>,
+    separations: Vec<Separation>,
+    zones: ImpactZones,
+    /// Particles that the repair has moved, and a mark for each.
+    moved: Vec<u32>,
+    is_moved: Vec<bool>,
+    is_patch_moved: Vec<bool>,
+    /// Particles near what still crosses at the end of a step; empty where nothing does.
+    pub(crate) is_tangled: Vec<bool>,
+}
+
+impl CrossingRepair {
+    /// Memory that it holds [byte].
+    pub(crate) fn byte_count(&self) -> usize {
+        self.finder.byte_count()
+            + size_of_val(&self.positions[..])
+            + size_of_val(&self.separations[..])
+            + size_of_val(&self.looked_at[..])
+            + self.zones.byte_count()
+            + size_of_val(&self.moved[..])
+            + size_of_val(&self.is_moved[..])
+            + size_of_val(&self.is_patch_moved[..])
+    }
+
+    /// Repairs what came to cross since the particles were at `starts`, row-major [m].
+    #[inline(always)]
+    pub(crate) fn repair<S: Simd>(
+        &mut self,
+        simd: S,
+        fixed: Fixed<'_>,
+        starts: &[Vec3],
+        positions: &mut [Points],
+        velocities: &mut [Points],
+    ) {
+        fixed.layout.gather_points(positions, &mut self.positions);
+        if !self.positions.iter().all(|position| position.is_finite()) {
+            return;
+        }
+        self.finder
+            .look_around(simd, fixed.surface, &self.positions, MARGIN);
+        self.finder.find(fixed.surface, &self.positions, None);
+        if !self.finder.crossings.is_empty() {
+            self.work(fixed, starts);
+            self.store(fixed, positions, velocities);
+        }
+        self.remember_tangles(fixed.surface);
+    }
+
+    /// Marks what still crosses and the patches around it.
+    fn remember_tangles(&mut self, surface: &Surface) {
+        self.is_tangled.clear();
+        if self.finder.crossings.is_empty() {
+            return;
+        }
+        self.is_tangled.resize(surface.particle_count(), false);
+        for crossing in &self.finder.crossings {
+            let ends = surface.edges[crossing.edge as usize].ends;
+            for particle in ends.into_iter().chain(crossing.corners) {
+                for corner in surface.ring(particle) {
+                    self.is_tangled[corner as usize] = true;
+                }
+            }
+        }
+    }
+
+    fn work(&mut self, fixed: Fixed<'_>, starts: &[Vec3]) {
+        self.separations.clear();
+        self.looked_at.clear();
+        self.looked_at.extend_from_slice(&self.positions);
+        self.moved.clear();
+        self.is_moved.clear();
+        self.is_moved.resize(starts.len(), false);
+        for round in 0..PARTING_ROUNDS {
+            let known = self.separations.len();
+            self.separate_new(fixed, starts);
+            if round < UNTANGLING_ROUNDS {
+                self.draw_out_tangles(fixed, starts);
+            }
+            if UNTANGLING_ROUNDS <= round && self.separations.len() == known {
+                return;
+            }
+            for _ in 0..SWEEP_COUNT {
+                for index in 0..self.separations.len() {
+                    self.part(fixed, self.separations[index]);
+                }
+                self.leave_body(fixed);
+            }
+            self.look_again(fixed);
+            if self.finder.crossings.is_empty() {
+                return;
+            }
+        }
+        self.zones.clear(narrow(starts.len()));
+        for _ in 0..ZONE_ROUNDS {
+            for crossing in &self.finder.crossings {
+                if !crossed_at(fixed.surface, starts, crossing) {
+                    self.zones.join(fixed.surface, crossing);
+                }
+            }
+            self.zones.carry(starts, &mut self.positions, |particle| {
+                Self::inv_mass(fixed, particle)
+            });
+            for index in 0..self.zones.members.len() {
+                self.shift(self.zones.members[index], Vec3::ZERO);
+            }
+            self.look_again(fixed);
+            if self.finder.crossings.is_empty() {
+                return;
+            }
+        }
+    }
+
+    /// Finds what crosses around the particles that were moved, or anywhere where they have come
+    /// farther than was looked.
+    fn look_again(&mut self, fixed: Fixed<'_>) {
+        let went_far = self.moved.iter().any(|&particle| {
+            let place = particle as usize;
+            let travel = self.positions[place] - self.looked_at[place];
+            0.25 * MARGIN * MARGIN < travel.length_squared()
+        });
+        self.mark_patches(fixed.surface);
+        if went_far {
+            self.looked_at.clear();
+            self.looked_at.extend_from_slice(&self.positions);
+            self.finder.look_at(
+                fixed.surface,
+                (&self.positions, MARGIN),
+                &self.is_patch_moved,
+            );
+        }
+        self.finder
+            .find(fixed.surface, &self.positions, Some(&self.is_patch_moved));
+    }
+
+    /// Makes a separation of every crossing that was none at the start.
+    fn separate_new(&mut self, fixed: Fixed<'_>, starts: &[Vec3]) {
+        let new = self.finder.crossings.iter().filter_map(|crossing| {
+            let ends = fixed.surface.edges[crossing.edge as usize].ends;
+            if crossed_at(fixed.surface, starts, crossing) {
+                return None;
+            }
+            Separation::between(ends, crossing.corners, starts)
+        });
+        self.separations.extend(new);
+    }
+
+    /// Draws out what crossed at the start already.
+    fn draw_out_tangles(&mut self, fixed: Fixed<'_>, starts: &[Vec3]) {
+        for index in 0..self.finder.crossings.len() {
+            let crossing = self.finder.crossings[index];
+            if crossed_at(fixed.surface, starts, &crossing) {
+                self.draw_out(fixed, &crossing);
+            }
+        }
+    }
+
+    fn inv_mass(fixed: Fixed<'_>, particle: u32) -> f32 {
+        let (vector, lane) = fixed.layout.slot(particle as usize);
+        fixed.inv_masses[vector].0[lane]
+    }
+
+    fn shift(&mut self, particle: u32, by: Vec3) {
+        let place = particle as usize;
+        self.positions[place] += by;
+        if !self.is_moved[place] {
+            self.is_moved[place] = true;
+            self.moved.push(particle);
+        }
+    }
+
+    fn part(&mut self, fixed: Fixed<'_>, separation: Separation) {
+        for _ in 0..3 {
+            let (end, corner, gap) = separation.closest(&self.positions);
+            let inv_masses = [end, corner].map(|particle| Self::inv_mass(fixed, particle));
+            let sum = inv_masses[0] + inv_masses[1];
+            if CLEARANCE <= gap || sum <= 0.0 {
+                return;
+            }
+            let push = separation.normal * ((CLEARANCE - gap) / sum);
+            self.shift(end, push * inv_masses[0]);
+            self.shift(corner, -push * inv_masses[1]);
+        }
+    }
+
+    fn draw_out(&mut self, fixed: Fixed<'_>, crossing: &Crossing) {
+        let edge = fixed.surface.edges[crossing.edge as usize];
+        let Some(direction) =
+            contour_gradient(&self.positions, crossing, edge.ends, edge.opposites)
+        else {
+            return;
+        };
+        let weights = [
+            1.0 - crossing.along,
+            crossing.along,
+            -crossing.weights.x,
+            -crossing.weights.y,
+            -crossing.weights.z,
+        ];
+        let [a, b, c] = crossing.corners;
+        let particles = [edge.ends[0], edge.ends[1], a, b, c];
+        let inv_masses = particles.map(|particle| Self::inv_mass(fixed, particle));
+        let mut sum = 0.0;
+        for (weight, inv_mass) in weights.iter().zip(inv_masses) {
+            sum += weight * weight * inv_mass;
+        }
+        if sum <= 0.0 {
+            return;
+        }
+        let push = direction * (UNTANGLING_SPEED * fixed.dt / (f32::from(UNTANGLING_ROUNDS) * sum));
+        for ((particle, weight), inv_mass) in particles.into_iter().zip(weights).zip(inv_masses) {
+            self.shift(particle, push * (weight * inv_mass));
+        }
+    }
+
+    fn leave_body(&mut self, fixed: Fixed<'_>) {
+        for &particle in &self.moved {
+            let (vector, lane) = fixed.layout.slot(particle as usize);
+            if fixed.inv_masses[vector].0[lane] <= 0.0 {
+                continue;
+            }
+            let offset = fixed.contact_offset - fixed.held[vector / fixed.layout.group_count];
+            let position = &mut self.positions[particle as usize];
+            for capsule in fixed.capsules {
+                let s = capsule.axis_parameter(*position);
+                let radius = capsule.radii[0] + (capsule.radii[1] - capsule.radii[0]) * s + offset;
+                let foot = capsule.ends[0] + (capsule.ends[1] - capsule.ends[0]) * s;
+                let from_axis = *position - foot;
+                let squared = from_axis.length_squared();
+                if 0.0 < radius && squared < radius * radius {
+                    *position = foot + from_axis.normalize_or(Vec3::Z) * radius;
+                }
+            }
+        }
+    }
+
+    fn mark_patches(&mut self, surface: &Surface) {
+        self.is_patch_moved.clear();
+        self.is_patch_moved.resize(surface.patches.len(), false);
+        for &particle in &self.moved {
+            for &patch in surface.star(particle as usize) {
+                self.is_patch_moved[patch as usize] = true;
+            }
+        }
+    }
+
+    fn store(&self, fixed: Fixed<'_>, positions: &mut [Points], velocities: &mut [Points]) {
+        for &particle in &self.moved {
+            let (vector, lane) = fixed.layout.slot(particle as usize);
+            positions[vector].set(lane, self.positions[particle as usize]);
+        }
+        for separation in &self.separations {
+            self.stop_approach(fixed, separation, velocities);
+        }
+    }
+
+    /// Takes from an end and a corner that lie on each other what brings them nearer.
+    fn stop_approach(&self, fixed: Fixed<'_>, separation: &Separation, velocities: &mut [Points]) {
+        let (end, corner, gap) = separation.closest(&self.positions);
+        let slots = [end, corner].map(|particle| fixed.layout.slot(particle as usize));
+        let inv_masses = slots.map(|(vector, lane)| fixed.inv_masses[vector].0[lane]);
+        let sum = inv_masses[0] + inv_masses[1];
+        let speeds = slots.map(|(vector, lane)| velocities[vector].get(lane));
+        let approach = (speeds[1] - speeds[0]).dot(separation.normal);
+        if gap <= 2.0 * CLEARANCE && 0.0 < sum && 0.0 < approach {
+            let change = separation.normal * (approach / sum);
+            let [end, corner] = slots;
+            velocities[end.0].set(end.1, speeds[0] + change * inv_masses[0]);
+            velocities[corner.0].set(corner.1, speeds[1] - change * inv_masses[1]);
+        }
+    }
+}
+
+/// Whether what crosses now did so at `starts` [m].
+fn crossed_at(surface: &Surface, starts: &[Vec3], crossing: &Crossing) -> bool {
+    let ends = surface.edges[crossing.edge as usize].ends;
+    let segment = ends.map(|end| starts[end as usize]);
+    let triangle = crossing.corners.map(|corner| starts[corner as usize]);
+    crossing_point(segment, triangle).is_some()
+}
+
+/// Unit vector along which the edge must move against the triangle for the contour of the
+/// intersection to become shorter: the sum over the faces of the edge of `R - 2 (E·R) / (E·N) N`,
+/// with the direction `R` of the contour into the face, the edge's `E` and the triangle's normal
+/// `N`.
+fn contour_gradient(
+    positions: &[Vec3],
+    crossing: &Crossing,
+    ends: [u32; 2],
+    opposites: [u32; 2],
+) -> Option<Vec3> {
+    let [start, end] = ends.map(|end| positions[end as usize]);
+    let [a, b, c] = crossing.corners.map(|corner| positions[corner as usize]);
+    let edge = (end - start).normalize_or_zero();
+    let normal = (b - a).cross(c - a).normalize_or_zero();
+    let steepness = edge.dot(normal);
+    let mut gradient = Vec3::ZERO;
+    for opposite in opposites.into_iter().filter(|&opposite| opposite != ABSENT) {
+        let into_face = positions[opposite as usize] - start;
+        let face_normal = edge.cross(into_face);
+        let mut contour = face_normal.cross(normal).normalize_or_zero();
+        let inward = into_face - edge * into_face.dot(edge);
+        if contour.dot(inward) < 0.0 {
+            contour = -contour;
+        }
+        gradient += contour * steepness - normal * (2.0 * edge.dot(contour));
+    }
+    let gradient = if steepness < 0.0 { -gradient } else { gradient };
+    gradient.try_normalize()
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "a cloth has fewer than 2^32 particles"
+)]
+const fn narrow(value: usize) -> u32 {
+    value as u32
+}

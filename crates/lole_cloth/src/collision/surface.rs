@@ -1,0 +1,297 @@
+//! A surface made of triangles, cut into patches of two: what contact and crossings are looked for
+//! in, whether it is one grid of cloth, several layers or any other mesh.
+
+use crate::Grid;
+
+/// Stands for a particle or an edge that is not there.
+pub(crate) const ABSENT: u32 = u32::MAX;
+
+/// Both triangles of a patch, by corners.
+pub(crate) const PATCH_TRIANGLES: [[usize; 3]; 2] = [[0, 1, 3], [0, 3, 2]];
+
+/// The five edges of a patch, by corners; the third is the one that both triangles share.
+pub(crate) const PATCH_EDGES: [[usize; 2]; 5] = [[0, 1], [0, 2], [0, 3], [1, 3], [2, 3]];
+
+/// Two triangles that share an edge, or one: then the third corner is the first once more.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Patch {
+    pub(crate) corners: [u32; 4],
+    /// Edge of the surface at each of [`PATCH_EDGES`]; [`ABSENT`] where another patch has it.
+    pub(crate) edges: [u32; 5],
+}
+
+/// An edge and what lies opposite of it in its triangles.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Edge {
+    pub(crate) ends: [u32; 2],
+    /// Third corner of each triangle; [`ABSENT`] on a border.
+    pub(crate) opposites: [u32; 2],
+}
+
+/// Topology of a surface; it never changes.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub(crate) struct Surface {
+    pub(crate) patches: Vec<Patch>,
+    pub(crate) edges: Vec<Edge>,
+    /// First entry of every particle in `star_patches`, and one more.
+    star_starts: Vec<u32>,
+    star_patches: Vec<u32>,
+}
+
+impl Surface {
+    /// The triangles of a grid, every cell cut from upper left to lower right.
+    pub(crate) fn from_grid(grid: &Grid) -> Self {
+        Self::new(grid.particle_count(), &grid_triangles(grid))
+    }
+
+    /// A surface over particles `0..particle_count`. An edge of more than two triangles remembers
+    /// two of them.
+    pub(crate) fn new(particle_count: usize, triangles: &[[u32; 3]]) -> Self {
+        let (edges, triangle_edges) = find_edges(triangles);
+        let patches = pair_triangles(triangles, &triangle_edges, &edges);
+        let mut surface = Self {
+            patches,
+            edges,
+            ..Self::default()
+        };
+        surface.find_stars(particle_count);
+        surface
+    }
+
+    /// Patches that have this particle for a corner, ascending.
+    pub(crate) fn star(&self, particle: usize) -> &[u32] {
+        let [start, end] = [particle, particle + 1].map(|place| self.star_starts[place] as usize);
+        &self.star_patches[start..end]
+    }
+
+    /// Corners of the patches around a particle, some more than once, the particle among them.
+    pub(crate) fn ring(&self, particle: u32) -> impl Iterator<Item = u32> {
+        self.star(particle as usize)
+            .iter()
+            .flat_map(|&patch| self.patches[patch as usize].corners)
+    }
+
+    /// Whether two patches have a corner in common.
+    pub(crate) fn share_particle(&self, pair: [u32; 2]) -> bool {
+        let [one, other] = pair.map(|patch| self.patches[patch as usize].corners);
+        let [a, b, c, d] = other;
+        one.into_iter()
+            .any(|corner| corner == a || corner == b || corner == c || corner == d)
+    }
+
+    /// Particles that it was made for.
+    pub(crate) const fn particle_count(&self) -> usize {
+        self.star_starts.len().saturating_sub(1)
+    }
+
+    /// Memory that it holds [byte].
+    pub(crate) const fn byte_count(&self) -> usize {
+        size_of_val(self.patches.as_slice())
+            + size_of_val(self.edges.as_slice())
+            + size_of_val(self.star_starts.as_slice())
+            + size_of_val(self.star_patches.as_slice())
+    }
+
+    fn find_stars(&mut self, particle_count: usize) {
+        let mut members = Vec::with_capacity(4 * self.patches.len());
+        for (index, patch) in (0u32..).zip(&self.patches) {
+            members.extend(patch.corners.map(|corner| (corner, index)));
+        }
+        members.sort_unstable();
+        members.dedup();
+        self.star_starts = vec![0; particle_count + 1];
+        for &(corner, _) in &members {
+            self.star_starts[corner as usize + 1] += 1;
+        }
+        for particle in 0..particle_count {
+            self.star_starts[particle + 1] += self.star_starts[particle];
+        }
+        self.star_patches = members.into_iter().map(|(_, patch)| patch).collect();
+    }
+}
+
+/// Two triangles for every cell, row by row.
+fn grid_triangles(grid: &Grid) -> Vec<[u32; 3]> {
+    let mut triangles = Vec::with_capacity(2 * grid.particle_count());
+    for row in 0..grid.row_count - 1 {
+        for column in 0..grid.column_count {
+            let Some(right) = grid.column_right(column, 1) else {
+                continue;
+            };
+            let at = |row: u32, column: u32| narrow(grid.index(row, column));
+            let (first, last) = (at(row, column), at(row + 1, right));
+            triangles.push([first, at(row, right), last]);
+            triangles.push([first, last, at(row + 1, column)]);
+        }
+    }
+    triangles
+}
+
+/// Every edge once, ascending by its ends, and the three edges of every triangle: the one that
+/// starts at each corner.
+fn find_edges(triangles: &[[u32; 3]]) -> (Vec<Edge>, Vec<[u32; 3]>) {
+    let mut sides = Vec::with_capacity(3 * triangles.len());
+    for (index, triangle) in triangles.iter().enumerate() {
+        for side in 0..3 {
+            let [one, other, opposite] = [0, 1, 2].map(|step| triangle[(side + step) % 3]);
+            sides.push(([one.min(other), one.max(other)], index, side, opposite));
+        }
+    }
+    sides.sort_unstable();
+    let mut edges: Vec<Edge> = Vec::new();
+    let mut triangle_edges = vec![[ABSENT; 3]; triangles.len()];
+    for (ends, triangle, side, opposite) in sides {
+        match edges.last_mut() {
+            Some(edge) if edge.ends == ends => edge.opposites[1] = opposite,
+            _ => edges.push(Edge {
+                ends,
+                opposites: [opposite, ABSENT],
+            }),
+        }
+        triangle_edges[triangle][side] = narrow(edges.len() - 1);
+    }
+    (edges, triangle_edges)
+}
+
+/// Joins every triangle with the next one that shares an edge and is still alone.
+fn pair_triangles(
+    triangles: &[[u32; 3]],
+    triangle_edges: &[[u32; 3]],
+    edges: &[Edge],
+) -> Vec<Patch> {
+    let mut owners = vec![[usize::MAX; 2]; edges.len()];
+    for (index, sides) in triangle_edges.iter().enumerate() {
+        for &side in sides {
+            let owner = &mut owners[side as usize];
+            owner[usize::from(owner[0] != usize::MAX)] = index;
+        }
+    }
+    let mut is_taken = vec![false; triangles.len()];
+    let mut has_owner = vec![false; edges.len()];
+    let mut patches = Vec::with_capacity(triangles.len().div_ceil(2));
+    for (index, (triangle, sides)) in triangles.iter().zip(triangle_edges).enumerate() {
+        if is_taken[index] {
+            continue;
+        }
+        is_taken[index] = true;
+        let partner = (0..3)
+            .filter_map(|side| {
+                let other = owners[sides[side] as usize]
+                    .into_iter()
+                    .find(|&o| o != index)?;
+                let is_free = other != usize::MAX && !is_taken[other];
+                is_free.then_some((other, side))
+            })
+            .min();
+        // The shared edge runs from corner 3 to corner 0, or any edge of a triangle alone.
+        let side = partner.map_or(2, |(_, side)| side);
+        let [last, first, middle] = [0, 1, 2].map(|step| triangle[(side + step) % 3]);
+        let far = partner.map_or(first, |(other, _)| {
+            is_taken[other] = true;
+            let is_far = |corner: &u32| *corner != first && *corner != last;
+            triangles[other].into_iter().find(is_far).unwrap_or(first)
+        });
+        let corners = [first, middle, far, last];
+        let known = [index].into_iter().chain(partner.map(|(other, _)| other));
+        let mut owned = [ABSENT; 5];
+        for side in known.flat_map(|triangle| triangle_edges[triangle]) {
+            let place = PATCH_EDGES.iter().position(|pair| {
+                let [one, other] = pair.map(|corner| corners[corner]);
+                [one.min(other), one.max(other)] == edges[side as usize].ends
+            });
+            if let Some(place) = place
+                && !has_owner[side as usize]
+            {
+                has_owner[side as usize] = true;
+                owned[place] = side;
+            }
+        }
+        patches.push(Patch {
+            corners,
+            edges: owned,
+        });
+    }
+    patches
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "a surface has fewer than 2^32 particles and edges"
+)]
+const fn narrow(value: usize) -> u32 {
+    value as u32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Topology;
+
+    /// Every edge is owned by one patch, and there as long as the patch's corners say.
+    fn check(surface: &Surface, triangles: &[[u32; 3]]) {
+        let mut owned = Vec::new();
+        let mut covered = Vec::new();
+        for patch in &surface.patches {
+            for (pair, &edge) in PATCH_EDGES.iter().zip(&patch.edges) {
+                if edge != ABSENT {
+                    let mut ends = pair.map(|corner| patch.corners[corner]);
+                    ends.sort_unstable();
+                    assert_eq!(surface.edges[edge as usize].ends, ends);
+                    owned.push(edge);
+                }
+            }
+            for triangle in PATCH_TRIANGLES {
+                let mut corners = triangle.map(|corner| patch.corners[corner]);
+                corners.sort_unstable();
+                if corners[0] != corners[1] && corners[1] != corners[2] {
+                    covered.push(corners);
+                }
+            }
+        }
+        owned.sort_unstable();
+        let all: Vec<u32> = (0..narrow(surface.edges.len())).collect();
+        assert_eq!(owned, all);
+        let mut expected = triangles.to_vec();
+        expected
+            .iter_mut()
+            .for_each(|corners| corners.sort_unstable());
+        expected.sort_unstable();
+        covered.sort_unstable();
+        assert_eq!(covered, expected);
+    }
+
+    #[test]
+    fn patches_hold_every_triangle_and_every_edge_once() {
+        for topology in [Topology::Sheet, Topology::Tube] {
+            let grid = Grid {
+                column_count: 7,
+                row_count: 5,
+                topology,
+                spacing: [0.01; 2],
+            };
+            let surface = Surface::from_grid(&grid);
+            let triangles = grid_triangles(&grid);
+            check(&surface, &triangles);
+            // A grid is cut into its cells.
+            assert_eq!(surface.patches.len() * 2, triangles.len());
+        }
+        let fan: Vec<[u32; 3]> = (1..6).map(|rim| [0, rim, rim + 1]).collect();
+        check(&Surface::new(7, &fan), &fan);
+        let lone = [[2, 0, 1]];
+        check(&Surface::new(3, &lone), &lone);
+    }
+
+    #[test]
+    fn a_star_holds_the_patches_of_a_particle() {
+        let grid = Grid {
+            column_count: 4,
+            row_count: 3,
+            topology: Topology::Sheet,
+            spacing: [0.01; 2],
+        };
+        let surface = Surface::from_grid(&grid);
+        assert_eq!(surface.star(grid.index(1, 1)), [0, 1, 3, 4]);
+        assert_eq!(surface.star(grid.index(0, 0)), [0]);
+        assert!(surface.share_particle([0, 4]) && !surface.share_particle([0, 2]));
+    }
+}
