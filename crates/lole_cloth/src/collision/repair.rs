@@ -15,6 +15,7 @@ use crate::collision::crossing::{Crossing, CrossingFinder, crossing_point};
 use crate::collision::impact_zone::ImpactZones;
 use crate::collision::separation::Separation;
 use crate::collision::surface::{ABSENT, Surface};
+use crate::collision::surfel::SurfelContacts;
 use crate::lanes::{Layout, Points, Scalars};
 
 /// Rounds of looking and bringing apart at most: a repair may make something else cross.
@@ -48,6 +49,8 @@ pub(crate) struct Fixed<'a> {
     pub(crate) capsules: &'a [Capsule],
     /// Distance kept from the capsules [m].
     pub(crate) contact_offset: f32,
+    /// Where the particles may touch the skin.
+    pub(crate) skin: &'a SurfelContacts,
     /// By row, how far inside the capsules particles may stay [m].
     pub(crate) held: &'a [f32],
     /// Duration of the step [s].
@@ -293,6 +296,7 @@ impl CrossingRepair {
                     *position = foot + from_axis.normalize_or(Vec3::Z) * radius;
                 }
             }
+            *position = fixed.skin.outside((vector, lane), *position);
         }
     }
 

@@ -266,6 +266,23 @@ impl SurfelContacts {
         }
     }
 
+    /// Where the particle of a vector and lane is that was at `position` [m] at the end of the step and
+    /// leaves the skin if it is in it.
+    pub(crate) fn outside(&self, (vector, lane): (usize, usize), position: Vec3) -> Vec3 {
+        let mut position = position;
+        let mut room = f32::INFINITY;
+        for field in [&self.nearest, &self.opposite] {
+            if let Some((normal, level)) = field.at_end(vector, lane) {
+                let overlap = level - normal.dot(position);
+                // Where there is too little room for both, it stays in the middle.
+                let overlap = overlap.min(0.5 * (overlap + room)).max(0.0);
+                position += normal * overlap;
+                room = normal.dot(position) - level;
+            }
+        }
+        position
+    }
+
     /// Whether no particle comes near the skin.
     pub(crate) const fn is_empty(&self) -> bool {
         self.nearest.is_empty()

@@ -187,6 +187,7 @@ fn repair_crossings<S: Simd>(
                 inv_masses: &model.inv_masses,
                 capsules: input.capsules,
                 contact_offset: config.contact_offset,
+                skin: &scratch.surfel_contacts,
                 held: &scratch.held_depths,
                 dt,
             },

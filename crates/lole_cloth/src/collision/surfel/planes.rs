@@ -1,6 +1,7 @@
 //! Tangent planes of the skin that particles may touch in a step.
 
 use fearless_simd::{Simd, f32x16, prelude::*};
+use glam::Vec3;
 use lole_geom::Surfel;
 
 use crate::lanes::{LANES, Points, Scalars, Vectors};
@@ -110,6 +111,15 @@ impl PlaneField {
             level: f32x16::load_array_ref(simd, &planes.level.0)
                 + f32x16::load_array_ref(simd, &planes.level_change.0) * fraction,
         }
+    }
+
+    /// Normal and level of a particle's plane at the end of the step, if it has one.
+    pub(super) fn at_end(&self, vector: usize, lane: usize) -> Option<(Vec3, f32)> {
+        let slot = self.slots.get(vector)?.checked_sub(1)?;
+        let planes = &self.planes[slot as usize];
+        let normal = planes.normal.get(lane) + planes.normal_change.get(lane);
+        let level = planes.level.0[lane] + planes.level_change.0[lane];
+        (normal != Vec3::ZERO).then_some((normal, level))
     }
 
     /// What the surface at a slot does in a `share` of the step [m].
