@@ -23,7 +23,11 @@ pub struct StrainSummary {
 /// Strain of `positions` [m], row-major.
 #[must_use]
 pub fn strain(spec: &ClothSpec, positions: &[Vec3]) -> StrainSummary {
-    let mut strains = structural_strains(spec, positions);
+    summarize(structural_strains(spec, positions))
+}
+
+/// Mean, 99th percentile and largest of these strains.
+pub(crate) fn summarize(mut strains: Vec<f32>) -> StrainSummary {
     if strains.is_empty() {
         return StrainSummary::default();
     }

@@ -1,6 +1,8 @@
 //! The state as one number, so that two runs can be told apart by a single bit.
 
 use crate::ClothState;
+use crate::lanes::Points;
+use crate::mesh::MeshState;
 use crate::method::reference::ReferenceState;
 
 /// FNV-1a offset basis and prime (Fowler, Noll, Vo; 64 bits).
@@ -10,7 +12,17 @@ const FNV_PRIME: u64 = 0x0000_0100_0000_01b3;
 /// FNV-1a hash of all bits of all positions and velocities.
 #[must_use]
 pub fn state_hash(state: &ClothState) -> u64 {
-    let points = state.positions.iter().chain(&state.velocities);
+    points_hash(&state.positions, &state.velocities)
+}
+
+/// The same of a piece of any mesh.
+#[must_use]
+pub fn mesh_state_hash(state: &MeshState) -> u64 {
+    points_hash(&state.positions, &state.velocities)
+}
+
+fn points_hash(positions: &[Points], velocities: &[Points]) -> u64 {
+    let points = positions.iter().chain(velocities);
     let values = points
         .flat_map(|points| [points.x, points.y, points.z])
         .flatten();

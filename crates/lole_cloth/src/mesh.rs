@@ -1,0 +1,27 @@
+//! Cloth of any triangle mesh: pieces that are no rectangles.
+//!
+//! The method is that of the grid, small substeps with one projection of every constraint each,
+//! and the same fabric, pins, capsules and friction. Constraints differ: a triangle stretches along
+//! warp and weft and shears, wherever the yarns lie across it, and a particle and its neighbors
+//! bend as a plate. Sixteen constraints that share no particle are solved at a time.
+
+mod bend;
+mod build;
+pub mod diagnose;
+mod model;
+mod order;
+mod outcome;
+mod particles;
+mod spec;
+mod state;
+mod step;
+mod strain;
+mod stride;
+mod tether;
+mod topology;
+
+pub use model::MeshModel;
+pub use outcome::{Cause, Outcome, Phase};
+pub use spec::{MeshError, MeshSpec};
+pub use state::MeshState;
+pub use step::step;

@@ -1,0 +1,136 @@
+//! Bending: the orthotropic plate energy at every particle, by its neighbors.
+//!
+//! Every particle and its neighbors have at most three measures of bending, linear in the
+//! positions and orthogonal to each other (`fit`), so one solution of the three is exact for the
+//! star whatever the time step: `Δλ_k = -y_k / (μ_k + 1 / h²)`. Like the grid's, the constraint
+//! knows no direction: rotations leave it alone, and a flat piece has none of it.
+
+pub(crate) mod fit;
+
+use fearless_simd::{f32x16, prelude::*};
+
+use crate::lanes::{LANES, Vectors};
+use crate::mesh::order::Batch;
+use crate::mesh::particles::{Lanes, gather, scatter, window};
+use crate::mesh::strain::{self, Flat, Flats, Strain};
+
+/// Neighbors that a star can have: of most particles, of nearly all others, and of the rest.
+pub(crate) const STAR_SIZES: [usize; 3] = [6, 8, 14];
+
+/// One particle, its neighbors, and how they measure bending.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct StarSpec {
+    /// The slot in the middle, then those of the neighbors.
+    pub(crate) members: Vec<u32>,
+    /// By neighbor.
+    pub(crate) weights: Vec<[f32; 3]>,
+    pub(crate) masses: [f32; 3],
+    /// Triangles of the middle with its first and second, and its second and third neighbor.
+    pub(crate) triangles: [Flat; 2],
+}
+
+/// Sixteen stars that share no particle, of at most `N` neighbors each.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct StarBatch<const N: usize> {
+    base: u32,
+    middle: Lanes,
+    neighbors: [Lanes; N],
+    /// By neighbor and measure.
+    weights: [[[f32; LANES]; 3]; N],
+    /// `μ` by measure [1/s²].
+    masses: [[f32; LANES]; 3],
+    triangles: [Flats; 2],
+}
+
+impl<const N: usize> StarBatch<N> {
+    pub(crate) fn new(batch: &Batch, stars: &[&StarSpec]) -> Self {
+        let member = |place: usize| batch.lanes(|star| stars[star].members.get(place).copied());
+        let weight = |neighbor: usize, measure: usize| {
+            batch.column(0.0, |star| {
+                let weights = stars[star].weights.get(neighbor);
+                weights.map_or(0.0, |weights| weights[measure])
+            })
+        };
+        Self {
+            base: batch.base,
+            middle: member(0),
+            neighbors: std::array::from_fn(|neighbor| member(neighbor + 1)),
+            weights: std::array::from_fn(|neighbor| {
+                [0, 1, 2].map(|measure| weight(neighbor, measure))
+            }),
+            masses: [0, 1, 2].map(|measure| batch.column(0.0, |star| stars[star].masses[measure])),
+            triangles: [0, 1].map(|index| Flats::new(batch, |star| stars[star].triangles[index])),
+        }
+    }
+}
+
+/// Solves every star once; `inv_square` is one over the substep squared [1/s²].
+#[inline(always)]
+pub(crate) fn solve<S: Simd, const N: usize>(
+    simd: S,
+    particles: &mut [f32],
+    batches: &[StarBatch<N>],
+    (inv_square, strain): (f32, Strain),
+) {
+    for batch in batches {
+        solve_batch(simd, particles, batch, (inv_square, strain));
+    }
+}
+
+#[inline(always)]
+fn solve_batch<S: Simd, const N: usize>(
+    simd: S,
+    particles: &mut [f32],
+    batch: &StarBatch<N>,
+    (inv_square, strain): (f32, Strain),
+) {
+    let Some(particles) = window(particles, batch.base) else {
+        return;
+    };
+    let zero = f32x16::splat(simd, 0.0);
+    let one = f32x16::splat(simd, 1.0);
+    let mut middle = gather(simd, particles, &batch.middle);
+    let mut neighbors = [middle; N];
+    let none = Vectors {
+        x: zero,
+        y: zero,
+        z: zero,
+    };
+    let mut measures = [none; 3];
+    for (neighbor, (lanes, weights)) in
+        (neighbors.iter_mut()).zip(batch.neighbors.iter().zip(&batch.weights))
+    {
+        *neighbor = gather(simd, particles, lanes);
+        let offset = neighbor.place.sub(middle.place);
+        for (measure, weight) in measures.iter_mut().zip(weights) {
+            *measure = measure.add(offset.scale(f32x16::load_array_ref(simd, weight)));
+        }
+    }
+    for (measure, mass) in measures.iter_mut().zip(&batch.masses) {
+        let sum = f32x16::load_array_ref(simd, mass) + inv_square;
+        *measure = measure.scale(one / sum);
+    }
+    let mut sum = none;
+    for (neighbor, weights) in neighbors.iter_mut().zip(&batch.weights) {
+        let mut push = none;
+        for (measure, weight) in measures.iter().zip(weights) {
+            push = push.add(measure.scale(f32x16::load_array_ref(simd, weight)));
+        }
+        sum = sum.add(push);
+        neighbor.place = neighbor.place.sub(push.scale(neighbor.inv_mass));
+    }
+    middle.place = middle.place.add(sum.scale(middle.inv_mass));
+    let mut corners = [middle, neighbors[0], neighbors[1]];
+    strain::project(simd, &mut corners, &batch.triangles[0], strain);
+    let [middle, first, second] = corners;
+    neighbors[0] = first;
+    let mut corners = [middle, second, neighbors[2]];
+    strain::project(simd, &mut corners, &batch.triangles[1], strain);
+    let [middle, second, third] = corners;
+    neighbors[1] = second;
+    neighbors[2] = third;
+    for (neighbor, lanes) in neighbors.iter().zip(&batch.neighbors) {
+        scatter(*neighbor, particles, lanes);
+    }
+    scatter(middle, particles, &batch.middle);
+}

@@ -1,0 +1,270 @@
+//! Constraints of a piece in the engine's own order: triangles, stars, and which star solves which
+//! triangles.
+
+use glam::DVec2;
+
+use crate::mesh::bend::fit::{Star, measures};
+use crate::mesh::bend::{STAR_SIZES, StarBatch, StarSpec};
+use crate::mesh::order::{Slots, into_batches};
+use crate::mesh::spec::{MeshError, MeshSpec};
+use crate::mesh::strain::{Flat, StrainBatch};
+use crate::mesh::topology::Topology;
+
+/// Least share of the stiffest rigidity that the others are given: a fabric that bends for nothing
+/// one way is still measured.
+const RIGIDITY_FLOOR: f64 = 1.0e-6;
+
+/// Bending, by how many neighbors the particle in the middle has.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Stars {
+    pub(crate) few: Vec<StarBatch<{ STAR_SIZES[0] }>>,
+    pub(crate) more: Vec<StarBatch<{ STAR_SIZES[1] }>>,
+    pub(crate) many: Vec<StarBatch<{ STAR_SIZES[2] }>>,
+}
+
+/// Everything that is solved.
+pub(crate) struct Parts {
+    pub(crate) stars: Stars,
+    /// Triangles that no star solves.
+    pub(crate) other_triangles: Vec<StrainBatch>,
+    /// Every triangle.
+    pub(crate) triangles: Vec<StrainBatch>,
+}
+
+/// Cuts a piece into batches; `inv_masses` are by particle [1/kg].
+pub(crate) fn parts(
+    spec: &MeshSpec,
+    topology: &Topology,
+    (slots, inv_masses): (&Slots, &[f64]),
+) -> Result<Parts, MeshError> {
+    let is_free = |triangle: &[u32; 3]| !triangle.iter().all(|&p| spec.pinned[p as usize]);
+    let mut unassigned: Vec<bool> = topology.triangles.iter().map(is_free).collect();
+    let triangles = strain_batches(spec, topology, slots, &unassigned)?;
+    let mut stars = stars(spec, topology, inv_masses);
+    stars.sort_by_key(|star| slots.of_particle[star.members[0] as usize]);
+    assign_triangles(spec, topology, slots, (&mut stars, &mut unassigned));
+    for member in stars.iter_mut().flat_map(|star| &mut star.members) {
+        *member = slots.of_particle[*member as usize];
+    }
+    let [few, more, _] = STAR_SIZES;
+    Ok(Parts {
+        stars: Stars {
+            few: star_batches(&stars, 0..few + 1, slots.count)?,
+            more: star_batches(&stars, few + 1..more + 1, slots.count)?,
+            many: star_batches(&stars, more + 1..usize::MAX, slots.count)?,
+        },
+        other_triangles: strain_batches(spec, topology, slots, &unassigned)?,
+        triangles,
+    })
+}
+
+/// The chosen triangles in the order of their slots.
+fn strain_batches(
+    spec: &MeshSpec,
+    topology: &Topology,
+    slots: &Slots,
+    chosen: &[bool],
+) -> Result<Vec<StrainBatch>, MeshError> {
+    let chosen = topology.triangles.iter().zip(chosen);
+    let mut chosen: Vec<([u32; 3], Flat)> = chosen
+        .filter(|(_, chosen)| **chosen)
+        .map(|(&triangle, _)| (slots.of(triangle), flat_of(spec, triangle)))
+        .collect();
+    chosen.sort_by_key(|&(mut slots, _)| {
+        slots.sort_unstable();
+        slots
+    });
+    let (corners, flats): (Vec<_>, Vec<_>) = chosen.into_iter().unzip();
+    let lists: Vec<&[u32]> = corners
+        .iter()
+        .map(|corners: &[u32; 3]| &corners[..])
+        .collect();
+    let batches = into_batches(&lists, slots.count)?;
+    let batches = batches
+        .iter()
+        .map(|batch| StrainBatch::new(batch, &corners, &flats));
+    Ok(batches.collect())
+}
+
+fn flat_of(spec: &MeshSpec, triangle: [u32; 3]) -> Flat {
+    Flat::new(triangle.map(|particle| spec.flat_positions[particle as usize].as_dvec2()))
+}
+
+fn star_batches<const N: usize>(
+    stars: &[StarSpec],
+    sizes: std::ops::Range<usize>,
+    slot_count: usize,
+) -> Result<Vec<StarBatch<N>>, MeshError> {
+    let chosen = stars
+        .iter()
+        .filter(|star| sizes.contains(&star.weights.len()));
+    let chosen: Vec<&StarSpec> = chosen.collect();
+    let lists: Vec<&[u32]> = chosen.iter().map(|star| &star.members[..]).collect();
+    let batches = into_batches(&lists, slot_count)?;
+    Ok(batches
+        .iter()
+        .map(|batch| StarBatch::new(batch, &chosen))
+        .collect())
+}
+
+/// Bending at every particle, with particles for members.
+fn stars(spec: &MeshSpec, topology: &Topology, inv_masses: &[f64]) -> Vec<StarSpec> {
+    let fabric = &spec.fabric;
+    let rigidities = [fabric.bend[0], fabric.bend[1], 2.0 * fabric.twist].map(f64::from);
+    let stiffest = rigidities.into_iter().fold(0.0, f64::max);
+    if stiffest <= 0.0 {
+        return Vec::new();
+    }
+    let rigidities = rigidities.map(|rigidity| rigidity.max(stiffest * RIGIDITY_FLOOR));
+    (0..spec.pinned.len())
+        .filter_map(|middle| star_at(spec, topology, (middle, rigidities), inv_masses))
+        .collect()
+}
+
+/// Bending at one particle; `None` where nothing bends.
+fn star_at(
+    spec: &MeshSpec,
+    topology: &Topology,
+    (middle, rigidities): (usize, [f64; 3]),
+    inv_masses: &[f64],
+) -> Option<StarSpec> {
+    let flat = |particle: u32| spec.flat_positions[particle as usize].as_dvec2();
+    let center = spec.flat_positions[middle].as_dvec2();
+    let mut ring = topology.neighbors[middle].clone();
+    let pinned = |particle: &u32| spec.pinned[*particle as usize];
+    if spec.pinned[middle] && ring.iter().all(pinned) {
+        return None;
+    }
+    // Of a ring too large the nearest are kept.
+    let [.., most] = STAR_SIZES;
+    if most < ring.len() {
+        ring.sort_by(|&a, &b| {
+            let gaps = [a, b].map(|particle| flat(particle).distance_squared(center));
+            gaps[0].total_cmp(&gaps[1])
+        });
+        ring.truncate(most);
+    }
+    let offsets: Vec<DVec2> = ring
+        .iter()
+        .map(|&particle| flat(particle) - center)
+        .collect();
+    // At a clamp, a pinned particle with a pinned triangle on one side and cloth on the other, the
+    // arm that bends is half as long and the energy twice as large.
+    let is_clamp = spec.pinned[middle]
+        && topology.triangles.iter().any(|triangle| {
+            triangle.iter().any(|&p| p as usize == middle) && triangle.iter().all(pinned)
+        });
+    let ring_masses: Vec<f64> = ring.iter().map(|&p| inv_masses[p as usize]).collect();
+    let measures = measures(&Star {
+        offsets: &offsets,
+        inv_masses: &ring_masses,
+        inv_mass: inv_masses[middle],
+        area: f64::from(topology.areas[middle]) * if is_clamp { 2.0 } else { 1.0 },
+        rigidities,
+    })?;
+    let mut members = vec![narrow(middle)];
+    members.extend(ring);
+    Some(StarSpec {
+        members,
+        weights: measures
+            .weights
+            .into_iter()
+            .map(|row| row.map(narrow_float))
+            .collect(),
+        masses: measures.masses.map(narrow_float),
+        triangles: [Flat::NONE; 2],
+    })
+}
+
+/// Triangles of every particle: the corners right and left of it as they are walked around
+/// counterclockwise, and which triangle.
+type Fan = Vec<([u32; 2], usize)>;
+
+/// Triangles that a star may solve, and how many of their corners come later in memory.
+struct Choice {
+    score: u32,
+    corners: [u32; 3],
+    triangles: [Option<usize>; 2],
+}
+
+/// Gives every star at most two triangles side by side that no other has: the star's particles are
+/// at hand then, and fetching them is half of the work. Members come so that the triangles are
+/// those of the middle with the first two, and with the second and third.
+fn assign_triangles(
+    spec: &MeshSpec,
+    topology: &Topology,
+    slots: &Slots,
+    (stars, unassigned): (&mut [StarSpec], &mut [bool]),
+) {
+    let mut fans: Vec<Fan> = vec![Vec::new(); spec.pinned.len()];
+    for (index, &[a, b, c]) in topology.triangles.iter().enumerate() {
+        for [middle, right, left] in [[a, b, c], [b, c, a], [c, a, b]] {
+            fans[middle as usize].push(([right, left], index));
+        }
+    }
+    for star in stars {
+        let middle = star.members[0];
+        // A ring that was cut short may lack a corner.
+        if star.weights.len() < topology.neighbors[middle as usize].len() {
+            continue;
+        }
+        let Some(choice) = choose(middle, &fans[middle as usize], slots, unassigned) else {
+            continue;
+        };
+        for (place, corner) in choice.corners.into_iter().enumerate() {
+            let found = star.members.iter().position(|&member| member == corner);
+            if let Some(found) = found.filter(|&found| place + 1 < found) {
+                star.members.swap(place + 1, found);
+                star.weights.swap(place, found - 1);
+            }
+        }
+        let [a, b, c] = choice.corners;
+        let corners = [[middle, a, b], [middle, b, c]];
+        for ((flat, triangle), corners) in (star.triangles.iter_mut())
+            .zip(choice.triangles)
+            .zip(corners)
+        {
+            if let Some(triangle) = triangle {
+                unassigned[triangle] = false;
+                *flat = flat_of(spec, corners);
+            }
+        }
+    }
+}
+
+/// Of a particle's free triangles two side by side, else one; those that lie ahead in memory first,
+/// so that the particles before have left none behind.
+fn choose(middle: u32, fan: &Fan, slots: &Slots, unassigned: &[bool]) -> Option<Choice> {
+    let slot = |particle: u32| slots.of_particle[particle as usize];
+    let ahead = |particle: u32| u32::from(slot(middle) < slot(particle));
+    let free = fan.iter().filter(|&&(_, triangle)| unassigned[triangle]);
+    let choices = free.clone().map(|&([a, b], first)| {
+        let second = free.clone().find(|&&([right, _], _)| right == b);
+        match second {
+            Some(&([_, c], second)) => Choice {
+                score: 4 + ahead(a) + ahead(b) + ahead(c),
+                corners: [a, b, c],
+                triangles: [Some(first), Some(second)],
+            },
+            None => Choice {
+                score: ahead(a) + ahead(b),
+                corners: [a, b, b],
+                triangles: [Some(first), None],
+            },
+        }
+    });
+    choices.max_by_key(|choice| choice.score)
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "slots are checked to fit")]
+const fn narrow(value: usize) -> u32 {
+    value as u32
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "weights are worked out in f64 and used in f32"
+)]
+const fn narrow_float(value: f64) -> f32 {
+    value as f32
+}

@@ -1,0 +1,35 @@
+//! What a run of a piece is judged by.
+
+use glam::Vec3;
+
+use crate::diagnose::{StrainSummary, summarize};
+use crate::mesh::model::MeshModel;
+
+/// Absolute strain along warp and weft of every triangle at `positions` [m], triangles pinned all
+/// around left out.
+#[must_use]
+pub fn strain(model: &MeshModel, positions: &[Vec3]) -> StrainSummary {
+    let pinned = &model.spec().pinned;
+    let free = (model.triangles().iter())
+        .filter(|triangle| !triangle.iter().all(|&particle| pinned[particle as usize]));
+    let strains = free.flat_map(|&triangle| {
+        let [along_warp, along_weft] = deformation(model, triangle, positions);
+        [along_warp, along_weft].map(|column| (column.length() - 1.0).abs())
+    });
+    summarize(strains.collect())
+}
+
+/// What becomes of the unit vectors along warp and weft in one of the model's triangles, with its
+/// particles at `positions` [m]: the columns of the deformation gradient.
+#[must_use]
+pub fn deformation(model: &MeshModel, triangle: [u32; 3], positions: &[Vec3]) -> [Vec3; 2] {
+    let [origin, first, second] = triangle.map(|p| model.spec().flat_positions[p as usize]);
+    let (e1, e2) = (first - origin, second - origin);
+    let [x0, x1, x2] = triangle.map(|particle| positions[particle as usize]);
+    let (d1, d2) = (x1 - x0, x2 - x0);
+    let doubled_area = e1.perp_dot(e2);
+    [
+        (d1 * e2.y - d2 * e1.y) / doubled_area,
+        (d2 * e1.x - d1 * e2.x) / doubled_area,
+    ]
+}

@@ -1,0 +1,225 @@
+//! A piece of cloth prepared for the real-time method: what never changes from step to step.
+
+use glam::Vec3;
+
+use crate::lanes::{LANES, Points, Scalars};
+use crate::mesh::build::{self, Stars};
+use crate::mesh::order::Slots;
+use crate::mesh::particles::column_length;
+use crate::mesh::spec::{MeshError, MeshSpec};
+use crate::mesh::strain::StrainBatch;
+use crate::mesh::tether::{Tethers, tether_passes};
+use crate::mesh::topology::Topology;
+
+/// Vectors of particles that are tested against capsules together: a patch of 8 by 8.
+pub(crate) const PATCH_VECTORS: usize = 4;
+
+/// A piece of cloth prepared for the real-time method.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeshModel {
+    spec: MeshSpec,
+    topology: Topology,
+    pin_indices: Vec<u32>,
+    pub(crate) slots: Slots,
+    /// [1/kg], by slot; 0 for pinned particles and slots of nothing.
+    pub(crate) inv_masses: Vec<Scalars>,
+    /// Every triangle, for sweeps after the first.
+    pub(crate) triangles: Vec<StrainBatch>,
+    /// Those that no star solves.
+    pub(crate) other_triangles: Vec<StrainBatch>,
+    pub(crate) stars: Stars,
+    pub(crate) tethers: Vec<Tethers>,
+}
+
+impl MeshModel {
+    /// Prepares `spec`. Triangles may turn either way; they are all turned alike.
+    ///
+    /// # Errors
+    /// When the mesh is empty, no surface or not flat, a particle would weigh nothing, or a number
+    /// is not finite or out of range.
+    pub fn new(spec: &MeshSpec) -> Result<Self, MeshError> {
+        check_lengths(spec)?;
+        check_numbers(spec)?;
+        let topology = Topology::new(spec)?;
+        let area = topology.areas.iter().sum();
+        let slots = Slots::new(&spec.flat_positions, area, LANES * PATCH_VECTORS);
+        let vector_count = slots.count / LANES;
+        let mut inv_masses = vec![Scalars::default(); vector_count];
+        let density = spec.fabric.areal_density;
+        let particle_inv_mass = |particle: usize| {
+            if spec.pinned[particle] {
+                0.0
+            } else {
+                1.0 / (density * topology.areas[particle] * spec.layers[particle])
+            }
+        };
+        for (particle, &slot) in slots.of_particle.iter().enumerate() {
+            let (vector, lane) = (slot as usize / LANES, slot as usize % LANES);
+            inv_masses[vector].0[lane] = particle_inv_mass(particle);
+        }
+        let pin_indices: Vec<u32> = (0_u32..)
+            .zip(&spec.pinned)
+            .filter(|(_, pinned)| **pinned)
+            .map(|(particle, _)| particle)
+            .collect();
+        let tethers = tether_passes(&spec.flat_positions, &topology, &pin_indices);
+        let masses: Vec<f64> = (0..spec.pinned.len())
+            .map(|p| f64::from(particle_inv_mass(p)))
+            .collect();
+        let parts = build::parts(spec, &topology, (&slots, &masses))?;
+        Ok(Self {
+            triangles: parts.triangles,
+            other_triangles: parts.other_triangles,
+            stars: parts.stars,
+            tethers: tethers
+                .iter()
+                .map(|pass| Tethers::new(pass, &slots.of_particle, vector_count))
+                .collect(),
+            spec: spec.clone(),
+            topology,
+            pin_indices,
+            slots,
+            inv_masses,
+        })
+    }
+
+    /// What the piece was made from.
+    #[must_use]
+    pub const fn spec(&self) -> &MeshSpec {
+        &self.spec
+    }
+
+    /// The triangles, all turned counterclockwise in the flat piece.
+    #[must_use]
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.topology.triangles
+    }
+
+    /// Indices of the pinned particles, ascending.
+    #[must_use]
+    pub fn pin_indices(&self) -> &[u32] {
+        &self.pin_indices
+    }
+
+    /// Number of particles.
+    #[must_use]
+    pub const fn particle_count(&self) -> usize {
+        self.slots.of_particle.len()
+    }
+
+    /// Mass of every particle [kg], shape `[particle_count]`.
+    #[must_use]
+    pub fn particle_masses(&self) -> Vec<f32> {
+        let density = self.spec.fabric.areal_density;
+        let shares = self.topology.areas.iter().zip(&self.spec.layers);
+        shares
+            .map(|(area, layers)| density * area * layers)
+            .collect()
+    }
+
+    /// Edges and neighbors.
+    pub(crate) const fn topology(&self) -> &Topology {
+        &self.topology
+    }
+
+    /// Root of the area that a particle has [m]: the spacing of a square grid as fine.
+    #[expect(clippy::cast_precision_loss, reason = "an estimate")]
+    pub(crate) fn spacing(&self) -> f32 {
+        let area: f32 = self.topology.areas.iter().sum();
+        (area / self.topology.areas.len() as f32).sqrt()
+    }
+
+    /// Numbers in a column of particles.
+    pub(crate) const fn column_length(&self) -> usize {
+        column_length(self.slots.count)
+    }
+
+    /// Vectors of sixteen slots.
+    pub(crate) const fn vector_count(&self) -> usize {
+        self.inv_masses.len()
+    }
+
+    /// Brings points by particle into slots; slots of nothing hold the first.
+    pub(crate) fn scatter_points(&self, points: &[Vec3], filler: Vec3, vectors: &mut [Points]) {
+        for vector in vectors.iter_mut() {
+            for lane in 0..LANES {
+                vector.set(lane, filler);
+            }
+        }
+        for (&point, &slot) in points.iter().zip(&self.slots.of_particle) {
+            vectors[slot as usize / LANES].set(slot as usize % LANES, point);
+        }
+    }
+
+    /// Brings points back to the order of the particles.
+    pub(crate) fn gather_points(&self, vectors: &[Points], points: &mut Vec<Vec3>) {
+        points.clear();
+        let at = |&slot: &u32| vectors[slot as usize / LANES].get(slot as usize % LANES);
+        points.extend(self.slots.of_particle.iter().map(at));
+    }
+}
+
+fn check_lengths(spec: &MeshSpec) -> Result<(), MeshError> {
+    let particle_count = spec.flat_positions.len();
+    if particle_count == 0 || spec.triangles.is_empty() {
+        return Err(MeshError::Empty {
+            particle_count,
+            triangle_count: spec.triangles.len(),
+        });
+    }
+    if (u32::MAX / 2) as usize <= particle_count {
+        return Err(MeshError::TooLarge { particle_count });
+    }
+    let lengths = [("layers", spec.layers.len()), ("pinned", spec.pinned.len())];
+    match lengths
+        .into_iter()
+        .find(|&(_, actual)| actual != particle_count)
+    {
+        Some((field, actual)) => Err(MeshError::WrongLength {
+            field,
+            actual,
+            expected: particle_count,
+        }),
+        None => Ok(()),
+    }
+}
+
+/// A field of the fabric, its value, its range, and the range in words.
+type Rule = (&'static str, f32, [f32; 2], &'static str);
+
+fn check_numbers(spec: &MeshSpec) -> Result<(), MeshError> {
+    let fabric = &spec.fabric;
+    // The thinnest silk weighs 8 g/m², a rubber mat 10 kg/m²; a foil of steel 1 mm thick has
+    // 2e8 N/m and bends with 18 N·m.
+    const WEIGHT: &str = "between 1e-4 and 100 kg/m²";
+    const STRETCH: &str = "between 1 and 1e9 N/m";
+    const SHEAR: &str = "between 0 and 1e9 N/m";
+    const BEND: &str = "between 0 and 100 N·m";
+    const PLAIN: &str = "between 0 and 1000";
+    let rules: [Rule; 9] = [
+        (
+            "fabric.areal_density",
+            fabric.areal_density,
+            [1e-4, 100.0],
+            WEIGHT,
+        ),
+        ("fabric.stretch", fabric.stretch[0], [1.0, 1e9], STRETCH),
+        ("fabric.stretch", fabric.stretch[1], [1.0, 1e9], STRETCH),
+        ("fabric.shear", fabric.shear, [0.0, 1e9], SHEAR),
+        ("fabric.bend", fabric.bend[0], [0.0, 100.0], BEND),
+        ("fabric.bend", fabric.bend[1], [0.0, 100.0], BEND),
+        ("fabric.twist", fabric.twist, [0.0, 100.0], BEND),
+        ("fabric.friction", fabric.friction, [0.0, 1000.0], PLAIN),
+        ("fabric.drag_rate", fabric.drag_rate, [0.0, 1000.0], PLAIN),
+    ];
+    let layers = spec.layers.iter().map(|&layers| {
+        let rule: Rule = ("layers", layers, [1e-3, 1000.0], "between 0.001 and 1000");
+        rule
+    });
+    for (field, value, [low, high], rule) in rules.into_iter().chain(layers) {
+        if !(low <= value && value <= high) {
+            return Err(MeshError::OutOfRange { field, value, rule });
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,114 @@
+//! What moves of a piece: positions and velocities in the engine's own order.
+
+use glam::Vec3;
+use lole_geom::Capsule;
+
+use crate::collision::capsule::{MovingCapsule, RowContacts};
+use crate::lanes::Points;
+use crate::mesh::model::MeshModel;
+use crate::mesh::stride::Strides;
+
+/// Everything about one piece that changes from step to step.
+#[derive(Debug, Clone)]
+pub struct MeshState {
+    pub(crate) positions: Vec<Points>,
+    pub(crate) velocities: Vec<Points>,
+    /// Where the pinned particles were left, in the order of the model's pins.
+    pub(crate) pin_targets: Vec<Vec3>,
+    /// Where the capsules were left; empty before the first step.
+    pub(crate) capsules: Vec<Capsule>,
+    pub(crate) scratch: MeshScratch,
+}
+
+/// Room for one step, kept so that no step allocates. It carries nothing from step to step.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct MeshScratch {
+    /// Positions predicted at the start of the substep.
+    pub(crate) predicted: Vec<Points>,
+    /// Particles while constraints are solved.
+    pub(crate) particles: Vec<f32>,
+    pub(crate) contacts: RowContacts,
+    pub(crate) moving_capsules: Vec<MovingCapsule>,
+    pub(crate) strides: Strides,
+    /// Positions and velocities before the step.
+    kept: [Vec<Points>; 2],
+}
+
+impl MeshState {
+    /// A piece at rest at `positions` [m], shape `[particle_count]`.
+    ///
+    /// # Panics
+    /// When `positions` has another length than the model has particles.
+    #[must_use]
+    pub fn new(model: &MeshModel, positions: &[Vec3]) -> Self {
+        let count = model.vector_count();
+        let mut state = Self {
+            positions: vec![Points::default(); count],
+            velocities: vec![Points::default(); count],
+            pin_targets: Vec::new(),
+            capsules: Vec::new(),
+            scratch: MeshScratch {
+                predicted: vec![Points::default(); count],
+                particles: vec![0.0; model.column_length()],
+                ..MeshScratch::default()
+            },
+        };
+        state.set_positions(model, positions);
+        state
+    }
+
+    /// Writes every position [m] over `out`.
+    pub fn copy_positions(&self, model: &MeshModel, out: &mut Vec<Vec3>) {
+        model.gather_points(&self.positions, out);
+    }
+
+    /// Writes every velocity [m/s] over `out`.
+    pub fn copy_velocities(&self, model: &MeshModel, out: &mut Vec<Vec3>) {
+        model.gather_points(&self.velocities, out);
+    }
+
+    /// Moves every particle, pinned ones too, to `positions` [m]; velocities stay.
+    ///
+    /// # Panics
+    /// When `positions` has another length than the model has particles.
+    pub fn set_positions(&mut self, model: &MeshModel, positions: &[Vec3]) {
+        assert_eq!(
+            positions.len(),
+            model.particle_count(),
+            "one position a particle"
+        );
+        let filler = positions.first().copied().unwrap_or_default();
+        model.scatter_points(positions, filler, &mut self.positions);
+        self.pin_targets.clear();
+        let pins = model.pin_indices().iter();
+        self.pin_targets
+            .extend(pins.map(|&pin| positions[pin as usize]));
+    }
+
+    /// Gives every particle its velocity [m/s].
+    ///
+    /// # Panics
+    /// When `velocities` has another length than the model has particles.
+    pub fn set_velocities(&mut self, model: &MeshModel, velocities: &[Vec3]) {
+        assert_eq!(
+            velocities.len(),
+            model.particle_count(),
+            "one velocity a particle"
+        );
+        model.scatter_points(velocities, Vec3::ZERO, &mut self.velocities);
+    }
+
+    /// Remembers where everything is.
+    pub(crate) fn keep(&mut self) {
+        let [positions, velocities] = &mut self.scratch.kept;
+        positions.clone_from(&self.positions);
+        velocities.clone_from(&self.velocities);
+    }
+
+    /// Puts everything back.
+    pub(crate) fn restore(&mut self) {
+        let [positions, velocities] = &self.scratch.kept;
+        self.positions.clone_from(positions);
+        self.velocities.clone_from(velocities);
+    }
+}

@@ -1,0 +1,360 @@
+//! One call of the engine: a piece moves on by `dt`, in small substeps with one solution of every
+//! constraint each, as the grid does.
+
+use fearless_simd::{dispatch, f32x16, prelude::*};
+use glam::Vec3;
+use lole_geom::trig;
+
+use crate::collision::capsule::{ContactLaw, ContactRow, MovingCapsule, Range};
+use crate::lanes::{LANES, Vectors};
+use crate::mesh::bend;
+use crate::mesh::model::{MeshModel, PATCH_VECTORS};
+use crate::mesh::outcome::{self, Cause, Outcome, Phase, all_finite, cause_in_input, first_lost};
+use crate::mesh::particles::{self, Gathered, WIDTH};
+use crate::mesh::state::MeshState;
+use crate::mesh::strain::{self, Strain};
+use crate::mesh::stride;
+use crate::mesh::tether;
+use crate::{SolverConfig, StepInput};
+
+/// Far capsules are tested in every so manyth substep, and in the last of a step.
+const FAR_INTERVAL: u32 = 4;
+
+/// Numbers that hold for every substep of one step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Substep {
+    /// Duration [s].
+    h: f32,
+    count: u32,
+    sweep_count: u32,
+    /// What gravity adds to a velocity [m/s].
+    gravity_gain: Vec3,
+    air_velocity: Vec3,
+    /// What drag leaves of a velocity relative to the air: `exp(-drag_rate h)`.
+    drag_kept: f32,
+    strain: Strain,
+    /// One over the longest tether allowed, squared, in units of its length.
+    inv_tether_square: Option<f32>,
+    contact: ContactLaw,
+}
+
+impl Substep {
+    fn new(model: &MeshModel, config: &SolverConfig, air_velocity: Vec3, dt: f32) -> Self {
+        let count = config.substep_count.get();
+        let sweep_count = config.structural_sweep_count.get();
+        #[expect(clippy::cast_precision_loss, reason = "substeps and sweeps are few")]
+        let (h, sweeps) = (dt / count as f32, sweep_count as f32);
+        let fabric = &model.spec().fabric;
+        // A pass without `λ` adds its own stiffness to the passes before it, hence the sweeps.
+        let compliance = |modulus: f32| sweeps / (modulus * h * h);
+        Self {
+            h,
+            count,
+            sweep_count,
+            gravity_gain: config.gravity * h,
+            air_velocity,
+            drag_kept: trig::exp(-fabric.drag_rate * h),
+            strain: Strain {
+                stretch: fabric.stretch.map(compliance),
+                shear: compliance(fabric.shear),
+            },
+            inv_tether_square: config.tether_scale.map(|scale| 1.0 / (scale * scale)),
+            contact: ContactLaw {
+                friction: fabric.friction,
+                depenetration: config.depenetration_speed * h,
+            },
+        }
+    }
+}
+
+/// Moves the piece on by `dt` [s], or leaves it as it was and says why.
+///
+/// Pins and capsules move evenly from where the previous call left them to where `input` has them.
+/// Of `config` the held depth and self-collision are the grid's alone; strides along rows are along
+/// the warp here, those down columns along the weft, in distances of a square grid as fine.
+pub fn step(
+    model: &MeshModel,
+    config: &SolverConfig,
+    input: &StepInput<'_>,
+    state: &mut MeshState,
+    dt: f32,
+) -> Outcome {
+    if let Some(cause) = cause_in_input(model, config, input, dt) {
+        return Outcome::Held(cause);
+    }
+    let level = config.instruction_set.level();
+    state.keep();
+    dispatch!(level, simd => advance(simd, model, config, (input, dt), (state, &mut None)));
+    if !(all_finite(&state.positions) && all_finite(&state.velocities)) {
+        // The same again, looking at every particle after every phase.
+        state.restore();
+        let mut watch = Some(Watch::new(model, state));
+        dispatch!(level, simd => advance(simd, model, config, (input, dt), (state, &mut watch)));
+        state.restore();
+        if let Some(cause) = watch.and_then(|watch| watch.cause) {
+            return Outcome::Held(cause);
+        }
+    }
+    state.pin_targets.clear();
+    state.pin_targets.extend_from_slice(input.pin_targets);
+    state.capsules.clear();
+    state.capsules.extend_from_slice(input.capsules);
+    Outcome::Advanced
+}
+
+/// Looks for the first particle that goes nowhere.
+struct Watch {
+    substep: u32,
+    cause: Option<Cause>,
+}
+
+impl Watch {
+    fn new(model: &MeshModel, state: &MeshState) -> Self {
+        let velocity_of = |slot| outcome::at(&state.velocities, slot);
+        let lost = first_lost(model, |slot| {
+            outcome::at(&state.positions, slot) + 0.0 * velocity_of(slot)
+        });
+        let cause = lost.map(|(particle, _)| {
+            let slot = model.slots.of_particle[particle as usize] as usize;
+            Cause::Start {
+                particle,
+                position: outcome::at(&state.positions, slot),
+                velocity: velocity_of(slot),
+            }
+        });
+        Self { substep: 0, cause }
+    }
+
+    fn look(&mut self, model: &MeshModel, state: &MeshState, phase: Phase) {
+        if self.cause.is_some() {
+            return;
+        }
+        let lost = first_lost(model, |slot| {
+            if phase == Phase::Contact {
+                let velocity = outcome::at(&state.velocities, slot);
+                outcome::at(&state.positions, slot) + 0.0 * velocity
+            } else {
+                Vec3::from_slice(&state.scratch.particles[slot * WIDTH..])
+            }
+        });
+        self.cause = lost.map(|(particle, position)| Cause::Particle {
+            particle,
+            substep: self.substep,
+            phase,
+            position,
+        });
+    }
+}
+
+#[inline(always)]
+fn advance<S: Simd>(
+    simd: S,
+    model: &MeshModel,
+    config: &SolverConfig,
+    (input, dt): (&StepInput<'_>, f32),
+    (state, watch): (&mut MeshState, &mut Option<Watch>),
+) {
+    let substep = Substep::new(model, config, input.air_velocity, dt);
+    start(model, config, input, (state, dt));
+    find_contacts(simd, config, (input, dt), state);
+    for index in 0..substep.count {
+        let mut after = |state: &MeshState, phase: Phase| {
+            if let Some(watch) = watch {
+                watch.substep = index;
+                watch.look(model, state, phase);
+            }
+        };
+        move_capsules(config, input, (index, substep.count), state);
+        predict(simd, model, &substep, state);
+        after(state, Phase::Flight);
+        stride::solve(simd, &mut state.scratch.particles, &state.scratch.strides);
+        after(state, Phase::Strides);
+        solve_stars(simd, model, &substep, &mut state.scratch.particles);
+        after(state, Phase::Bending);
+        for _ in 1..substep.sweep_count {
+            let particles = &mut state.scratch.particles;
+            strain::solve(simd, particles, &model.triangles, substep.strain);
+        }
+        after(state, Phase::Strain);
+        finish(simd, model, (&substep, index), state);
+        after(state, Phase::Contact);
+    }
+    finish_pins(model, input.pin_targets, state);
+}
+
+/// Bending, and the first sweep over the triangles, most of which the stars solve.
+#[inline(always)]
+fn solve_stars<S: Simd>(simd: S, model: &MeshModel, substep: &Substep, particles: &mut [f32]) {
+    let numbers = (1.0 / (substep.h * substep.h), substep.strain);
+    bend::solve(simd, particles, &model.stars.few, numbers);
+    bend::solve(simd, particles, &model.stars.more, numbers);
+    bend::solve(simd, particles, &model.stars.many, numbers);
+    strain::solve(simd, particles, &model.other_triangles, substep.strain);
+}
+
+/// Pinned particles fly straight to their targets, so every substep finds them on the way.
+fn start(
+    model: &MeshModel,
+    config: &SolverConfig,
+    input: &StepInput<'_>,
+    (state, dt): (&mut MeshState, f32),
+) {
+    state.scratch.strides.set(model, config);
+    if state.capsules.len() != input.capsules.len() {
+        state.capsules.clear();
+        state.capsules.extend_from_slice(input.capsules);
+    }
+    let pins = model.pin_indices().iter().zip(input.pin_targets);
+    for ((&pin, &target), &start) in pins.zip(&state.pin_targets) {
+        let slot = model.slots.of_particle[pin as usize] as usize;
+        state.velocities[slot / LANES].set(slot % LANES, (target - start) / dt);
+    }
+}
+
+/// Rounding has moved the pins a little off their targets.
+fn finish_pins(model: &MeshModel, targets: &[Vec3], state: &mut MeshState) {
+    for (&pin, &target) in model.pin_indices().iter().zip(targets) {
+        let slot = model.slots.of_particle[pin as usize] as usize;
+        state.positions[slot / LANES].set(slot % LANES, target);
+    }
+}
+
+/// Which capsules each patch may touch in this step.
+#[inline(always)]
+fn find_contacts<S: Simd>(
+    simd: S,
+    config: &SolverConfig,
+    (input, dt): (&StepInput<'_>, f32),
+    state: &mut MeshState,
+) {
+    state.scratch.contacts.find(
+        simd,
+        (&state.positions, &state.velocities, PATCH_VECTORS),
+        [&state.capsules, input.capsules],
+        (config.contact_offset, config.gravity.length() * dt, dt),
+    );
+}
+
+fn move_capsules(
+    config: &SolverConfig,
+    input: &StepInput<'_>,
+    (index, count): (u32, u32),
+    state: &mut MeshState,
+) {
+    #[expect(clippy::cast_precision_loss, reason = "substeps are few")]
+    let (fraction, share) = ((index + 1) as f32 / count as f32, 1.0 / count as f32);
+    let pairs = state.capsules.iter().zip(input.capsules);
+    let moving = pairs.map(|(before, after)| {
+        MovingCapsule::new([before, after], fraction, share, config.contact_offset)
+    });
+    state.scratch.moving_capsules.clear();
+    state.scratch.moving_capsules.extend(moving);
+}
+
+/// Gravity, drag towards the air, a straight flight, and tethers.
+#[inline(always)]
+fn predict<S: Simd>(simd: S, model: &MeshModel, substep: &Substep, state: &mut MeshState) {
+    let zero = f32x16::splat(simd, 0.0);
+    let gravity = Vectors::splat(simd, substep.gravity_gain);
+    let air = Vectors::splat(simd, substep.air_velocity);
+    let kept = f32x16::splat(simd, substep.drag_kept);
+    let h = f32x16::splat(simd, substep.h);
+    let scratch = &mut state.scratch;
+    fly_pins(
+        model,
+        substep.h,
+        (&state.positions, &state.velocities),
+        &mut scratch.particles,
+    );
+    let columns = (state.positions.iter_mut())
+        .zip(&mut state.velocities)
+        .zip(&mut scratch.predicted)
+        .zip(&model.inv_masses)
+        .enumerate();
+    for (vector, (((position, velocity), predicted), inv_mass)) in columns {
+        let inv_mass = f32x16::load_array_ref(simd, &inv_mass.0);
+        let free = zero.simd_lt(inv_mass);
+        let before = Vectors::load(simd, velocity);
+        let after = before.add(gravity).sub(air).scale(kept).add(air);
+        let after = Vectors {
+            x: free.select(after.x, before.x),
+            y: free.select(after.y, before.y),
+            z: free.select(after.z, before.z),
+        };
+        let mut place = Vectors::load(simd, position).add(after.scale(h));
+        after.store(velocity);
+        place.store(predicted);
+        if let Some(inv_scale) = substep.inv_tether_square {
+            for tethers in &model.tethers {
+                let inv_square = f32x16::load_array_ref(simd, &tethers.inv_squares[vector].0);
+                let anchors = (&scratch.particles[..], &tethers.anchors[vector]);
+                place = tether::pulled(simd, place, inv_mass, anchors, inv_square * inv_scale);
+            }
+        }
+        if let Some(sixteen) = scratch.particles[vector * LANES * WIDTH..].first_chunk_mut() {
+            particles::store(Gathered { place, inv_mass }, sixteen);
+        }
+    }
+}
+
+/// Tethers pull to where the pins will be.
+fn fly_pins(
+    model: &MeshModel,
+    h: f32,
+    (positions, velocities): (&[crate::lanes::Points], &[crate::lanes::Points]),
+    particles: &mut [f32],
+) {
+    for &pin in model.pin_indices() {
+        let slot = model.slots.of_particle[pin as usize] as usize;
+        let (vector, lane) = (slot / LANES, slot % LANES);
+        let place = positions[vector].get(lane) + velocities[vector].get(lane) * h;
+        particles[slot * WIDTH..][..WIDTH].copy_from_slice(&[place.x, place.y, place.z, 0.0]);
+    }
+}
+
+/// Contact with the body; then what the projections changed becomes velocity.
+#[inline(always)]
+fn finish<S: Simd>(
+    simd: S,
+    model: &MeshModel,
+    (substep, index): (&Substep, u32),
+    state: &mut MeshState,
+) {
+    let is_last = index + 1 == substep.count;
+    let range = if is_last || (index + 1).is_multiple_of(FAR_INTERVAL) {
+        Range::All
+    } else {
+        Range::Near
+    };
+    let inv_h = f32x16::splat(simd, 1.0 / substep.h);
+    let scratch = &mut state.scratch;
+    for first in (0..model.vector_count()).step_by(PATCH_VECTORS) {
+        let patch = first..first + PATCH_VECTORS;
+        for vector in patch.clone() {
+            if let Some(sixteen) = scratch.particles[vector * LANES * WIDTH..].first_chunk() {
+                let place = particles::load(simd, sixteen).place;
+                place.store(&mut state.positions[vector]);
+            }
+        }
+        let indices = scratch.contacts.row(first / PATCH_VECTORS, range);
+        if !indices.is_empty() {
+            let mut row = ContactRow {
+                positions: &mut state.positions[patch.clone()],
+                predicted: &scratch.predicted[patch.clone()],
+                velocities: &state.velocities[patch.clone()],
+                inv_masses: &model.inv_masses[patch.clone()],
+                h: substep.h,
+                held: 0.0,
+            };
+            row.project(simd, &scratch.moving_capsules, indices, substep.contact);
+        }
+        let columns = (state.positions[patch.clone()].iter())
+            .zip(&scratch.predicted[patch.clone()])
+            .zip(&mut state.velocities[patch]);
+        for ((position, predicted), velocity) in columns {
+            let change = Vectors::load(simd, position).sub(Vectors::load(simd, predicted));
+            let gained = Vectors::load(simd, velocity).add(change.scale(inv_h));
+            gained.store(velocity);
+        }
+    }
+}
