@@ -84,7 +84,7 @@ fn compare(setup: &Setup, jitter: f32) -> Result<(), Box<dyn Error>> {
     let input = StepInput {
         pin_targets: &pins,
         capsules: &[],
-        air_velocity: Vec3::ZERO,
+        ..StepInput::default()
     };
     let mesh_config = SolverConfig {
         structural_sweep_count: NonZeroU32::MIN,

@@ -3,7 +3,8 @@
 use glam::Vec3;
 use lole_geom::Capsule;
 
-use crate::collision::capsule::{MovingCapsule, RowContacts};
+use crate::collision::capsule::MovingCapsule;
+use crate::collision::capsule::near::RowContacts;
 use crate::lanes::Points;
 use crate::mesh::model::MeshModel;
 use crate::mesh::stride::Strides;

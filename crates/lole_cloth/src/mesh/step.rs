@@ -5,7 +5,9 @@ use fearless_simd::{dispatch, f32x16, prelude::*};
 use glam::Vec3;
 use lole_geom::trig;
 
-use crate::collision::capsule::{ContactLaw, ContactRow, MovingCapsule, Range};
+use crate::collision::capsule::MovingCapsule;
+use crate::collision::capsule::near::Range;
+use crate::collision::response::{ContactLaw, ContactRow};
 use crate::lanes::{LANES, Vectors};
 use crate::mesh::bend;
 use crate::mesh::model::{MeshModel, PATCH_VECTORS};
@@ -340,7 +342,7 @@ fn finish<S: Simd>(
         if !indices.is_empty() {
             let mut row = ContactRow {
                 positions: &mut state.positions[patch.clone()],
-                predicted: &scratch.predicted[patch.clone()],
+                predicted: &mut scratch.predicted[patch.clone()],
                 velocities: &state.velocities[patch.clone()],
                 inv_masses: &model.inv_masses[patch.clone()],
                 h: substep.h,

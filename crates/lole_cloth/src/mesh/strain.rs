@@ -129,7 +129,7 @@ pub(crate) fn project<S: Simd>(
     flats: &Flats,
     strain: Strain,
 ) {
-    let pull = Pull::new(1.0, 1.0);
+    let pull = Pull::new(1.0);
     let one = f32x16::splat(simd, 1.0);
     // Gradients of f_u and f_v by the second and third corner; the first has minus their sums.
     let u1 = f32x16::load_array_ref(simd, &flats.inverse[0]);

@@ -192,7 +192,7 @@ impl<'a> Search<'a> {
 #[inline(always)]
 pub(crate) fn solve<S: Simd>(simd: S, particles: &mut [f32], strides: &Strides) {
     let one = f32x16::splat(simd, 1.0);
-    let pull = Pull::new(1.0, 1.0);
+    let pull = Pull::new(1.0);
     for batch in &strides.batches {
         let Some(particles) = window(particles, batch.base) else {
             continue;

@@ -210,7 +210,7 @@ pub(crate) fn pulled<S: Simd>(
 ) -> Vectors<S> {
     let zero = f32x16::splat(simd, 0.0);
     let one = f32x16::splat(simd, 1.0);
-    let pull = Pull::new(1.0, 1.0);
+    let pull = Pull::new(1.0);
     let anchor = gather_far(simd, particles, anchors);
     let offset = place.sub(anchor.place);
     let squared = offset.dot(offset) * inv_square;

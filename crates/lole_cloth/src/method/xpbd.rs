@@ -112,6 +112,15 @@ impl Substep {
     }
 }
 
+/// One step of one cloth, cut into substeps so that several cloths can take theirs in turn.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Plan {
+    substep: Substep,
+    /// Duration of the step [s].
+    dt: f32,
+    cloth_contact: Option<(ClothContactLaw, u32)>,
+}
+
 /// Moves the cloth on by `dt`.
 #[inline(always)]
 pub(crate) fn advance<S: Simd>(
@@ -121,6 +130,47 @@ pub(crate) fn advance<S: Simd>(
     (input, dt): (&StepInput<'_>, f32),
     state: &mut ClothState,
 ) {
+    let plan = begin(simd, model, config, (input, dt), state);
+    for index in 0..plan.substep.count {
+        if plan.law(index).is_some() {
+            predict_and_project(simd, (model, config, input), (&plan, index), state);
+            collide_and_finish(simd, (model, config), (&plan, index), state);
+        } else {
+            start_substep((model, config, input), (&plan, index), state);
+            let part = (Part::Whole, plan.range(index), index);
+            run(simd, (model, config, &plan.substep), part, state);
+        }
+    }
+    end(simd, (model, config), (input, dt), state);
+}
+
+impl Plan {
+    /// How the cloth meets itself in this substep, where it is due.
+    fn law(&self, index: u32) -> Option<ClothContactLaw> {
+        let (law, interval) = self.cloth_contact?;
+        index.is_multiple_of(interval).then_some(law)
+    }
+
+    /// Which capsules are tested in this substep.
+    fn range(&self, index: u32) -> Range {
+        let is_last = index + 1 == self.substep.count;
+        if is_last || (index + 1).is_multiple_of(FAR_INTERVAL) {
+            Range::All
+        } else {
+            Range::Near
+        }
+    }
+}
+
+/// What is done once, before the first substep.
+#[inline(always)]
+pub(crate) fn begin<S: Simd>(
+    simd: S,
+    model: &ClothModel,
+    config: &SolverConfig,
+    (input, dt): (&StepInput<'_>, f32),
+    state: &mut ClothState,
+) -> Plan {
     let substep = Substep::new(model, config, input.air_velocity, dt);
     if state.capsules.len() != input.capsules.len() {
         state.capsules.clear();
@@ -134,37 +184,69 @@ pub(crate) fn advance<S: Simd>(
     find_body_contacts(simd, model, config, (input, dt), state);
     let cloth_contact = find_cloth_contacts(model, config, substep.h, state);
     set_schedules(model, config, state);
-    for index in 0..substep.count {
-        move_capsules(config, input, index, &substep, state);
-        with_skin(
-            model,
-            config,
-            (input, dt),
-            state,
-            |contacts, cloth, skin| {
-                contacts.begin_substep((index, substep.count), cloth, skin);
-            },
-        );
-        let is_last = index + 1 == substep.count;
-        let range = if is_last || (index + 1) % FAR_INTERVAL == 0 {
-            Range::All
-        } else {
-            Range::Near
-        };
-        let law = cloth_contact.and_then(|(law, interval)| (index % interval == 0).then_some(law));
-        let parts: &[Part] = match law {
-            Some(_) => &[Part::BeforeContact, Part::AfterContact],
-            None => &[Part::Whole],
-        };
-        for &part in parts {
-            if part == Part::AfterContact
-                && let Some(law) = law
-            {
-                solve_cloth_contacts(law, state);
-            }
-            run(simd, (model, config, &substep), (part, range, index), state);
-        }
+    Plan {
+        substep,
+        dt,
+        cloth_contact,
     }
+}
+
+/// The first part of a substep: a straight flight, and all springs but the last sweep.
+#[inline(always)]
+pub(crate) fn predict_and_project<S: Simd>(
+    simd: S,
+    (model, config, input): (&ClothModel, &SolverConfig, &StepInput<'_>),
+    (plan, index): (&Plan, u32),
+    state: &mut ClothState,
+) {
+    start_substep((model, config, input), (plan, index), state);
+    let part = (Part::BeforeContact, plan.range(index), index);
+    run(simd, (model, config, &plan.substep), part, state);
+}
+
+/// The rest of a substep: contact of the cloth with itself, the last sweep, contact with the body,
+/// and velocities.
+#[inline(always)]
+pub(crate) fn collide_and_finish<S: Simd>(
+    simd: S,
+    (model, config): (&ClothModel, &SolverConfig),
+    (plan, index): (&Plan, u32),
+    state: &mut ClothState,
+) {
+    if let Some(law) = plan.law(index) {
+        solve_cloth_contacts(law, state);
+    }
+    let part = (Part::AfterContact, plan.range(index), index);
+    run(simd, (model, config, &plan.substep), part, state);
+}
+
+/// Where the body is in a substep.
+fn start_substep(
+    (model, config, input): (&ClothModel, &SolverConfig, &StepInput<'_>),
+    (plan, index): (&Plan, u32),
+    state: &mut ClothState,
+) {
+    move_capsules(config, input, index, &plan.substep, state);
+    let substeps = (index, plan.substep.count);
+    with_skin(
+        model,
+        config,
+        (input, plan.dt),
+        state,
+        |contacts, cloth, skin| {
+            contacts.begin_substep(substeps, cloth, skin);
+        },
+    );
+}
+
+/// What is done once, after the last substep.
+#[inline(always)]
+pub(crate) fn end<S: Simd>(
+    simd: S,
+    (model, config): (&ClothModel, &SolverConfig),
+    (input, dt): (&StepInput<'_>, f32),
+    state: &mut ClothState,
+) {
     finish_pins(model, input.pin_targets, state);
     repair_crossings(simd, (model, config), (input, dt), state);
 }
@@ -401,7 +483,7 @@ fn start_pins(model: &ClothModel, targets: &[Vec3], state: &mut ClothState, dt: 
 }
 
 /// Rounding has moved the pins a little off their targets.
-fn finish_pins(model: &ClothModel, targets: &[Vec3], state: &mut ClothState) {
+pub(crate) fn finish_pins(model: &ClothModel, targets: &[Vec3], state: &mut ClothState) {
     for (&pin, &target) in model.pin_indices().iter().zip(targets) {
         let (vector, lane) = model.layout.slot(pin as usize);
         state.positions[vector].set(lane, target);
