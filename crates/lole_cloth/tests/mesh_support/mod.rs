@@ -113,7 +113,7 @@ impl World {
         let input = StepInput {
             pin_targets: &self.pins,
             capsules,
-            air_velocity: Vec3::ZERO,
+            ..StepInput::default()
         };
         mesh::step(&self.model, &self.config, &input, &mut self.state, DT)
     }
