@@ -223,7 +223,7 @@ impl Run<'_> {
     ) -> Result<(), Failure> {
         let count = Performance::settle_frame_count();
         let bar = progress_bar(count, self.language.pick("布をなじませる", "settling"));
-        for _ in 0..count {
+        while performance.time() < 0.0 {
             self.check_stop()?;
             if let Err(divergence) = pool.install(|| performance.advance()) {
                 recording.divergence = Some(divergence);

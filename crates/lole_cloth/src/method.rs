@@ -3,4 +3,5 @@
 pub mod explicit;
 pub mod paper;
 pub mod reference;
+pub mod settle;
 pub mod xpbd;

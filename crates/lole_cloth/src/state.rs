@@ -126,4 +126,13 @@ impl ClothState {
             self.velocities[vector].set(lane, velocity);
         }
     }
+
+    /// Multiplies every velocity.
+    pub fn scale_velocities(&mut self, factor: f32) {
+        for velocity in &mut self.velocities {
+            for axis in [&mut velocity.x, &mut velocity.y, &mut velocity.z] {
+                axis.iter_mut().for_each(|value| *value *= factor);
+            }
+        }
+    }
 }

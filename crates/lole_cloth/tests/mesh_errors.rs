@@ -220,7 +220,7 @@ fn a_step_of_no_time_is_held() {
         let input = lole_cloth::StepInput {
             pin_targets: &world.pins,
             capsules: &[],
-            air_velocity: Vec3::ZERO,
+            ..lole_cloth::StepInput::default()
         };
         let outcome =
             lole_cloth::mesh::step(&world.model, &world.config, &input, &mut world.state, dt);

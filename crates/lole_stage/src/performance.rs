@@ -7,6 +7,7 @@ use lole_body::motion::Dance;
 use lole_body::{BodyCapsule, CapsuleLayout, Dancer, Measurements, Pose, SkinSurfels};
 use lole_cloth::method::explicit::ExplicitConfig;
 use lole_cloth::method::reference::ReferenceModel;
+use lole_cloth::method::settle::{SettleConfig, Settling};
 use lole_cloth::{Fabric, InstructionSet, diagnose};
 use lole_costume::document::{BodyShapes, Design};
 use lole_costume::sew::{self, SewSettings, SewnSkirt, SkirtMesh};
@@ -19,11 +20,11 @@ use crate::{FrameMetrics, StageError, skin_check};
 /// Steps of the simulation per second: one for every picture of an ordinary screen.
 pub const FRAMES_PER_SECOND: u32 = 60;
 
-/// Frames the cloth hangs down in the stance before the dance starts: three seconds, after which a
-/// skirt of any fabric on the shelf hangs still.
+/// Frames the cloth hangs down in the stance before the dance starts, at most: three seconds. The
+/// real-time method brings it to rest in about two thirds of them.
 const SETTLE_FRAMES: u32 = 3 * FRAMES_PER_SECOND;
-/// The first of them, in which the cloth is lowered by hand instead of dropped: a fall would lay
-/// its folds flat on each other.
+/// The first of them, in which cloth that the paper's methods move is lowered by hand instead of
+/// dropped: a fall would lay its folds flat on each other.
 const LOWERING_FRAMES: u32 = 100;
 /// Share of its velocity that the cloth keeps from frame to frame while it is lowered.
 const LOWERING: f32 = 0.6;
@@ -123,6 +124,9 @@ pub struct Performance {
     surfels: Vec<Surfel>,
     /// The skin below every pin.
     pin_skin: Vec<Surfel>,
+    /// Brings the cloth to rest before the dance; `None` once it is, and for the paper's methods,
+    /// whose experiments keep the damping they had.
+    settling: Option<Settling>,
     /// Frames danced; negative while settling.
     frame: i64,
 }
@@ -201,7 +205,7 @@ fn worn_measurements(design: &Design, dancer: &Dancer) -> PauMeasurements {
 
 impl Performance {
     /// Puts a production on stage: the dancer in her stance, the skirt where its drape starts,
-    /// [`Self::settle_frame_count`] frames before the dance.
+    /// at most [`Self::settle_frame_count`] frames before the dance.
     ///
     /// # Errors
     /// A skirt the chosen method cannot be prepared for.
@@ -211,7 +215,14 @@ impl Performance {
         let world_from_bind = skeleton.world_from_bind(&production.dance.pose_at(0.0));
         let start = production.skirt.start_positions(&world_from_bind);
         let solver = Solver::new(&production.design, &production.skirt.spec, &start)?;
+        let settle = SettleConfig {
+            dt: FRAME_SECONDS,
+            frame_limit: SETTLE_FRAMES,
+            ..SettleConfig::default()
+        };
+        let is_quick = solver.explicit().is_none();
         let mut performance = Self {
+            settling: is_quick.then(|| Settling::new(&production.skirt.spec, settle, &start)),
             body_capsules: production.dancer.capsules.clone(),
             meets_skin: production.design.contact_body() == BodyShapes::Skin,
             production,
@@ -245,7 +256,8 @@ impl Performance {
         Arc::clone(&self.production)
     }
 
-    /// Frames the cloth hangs down in the stance before the dance starts.
+    /// Frames the cloth hangs down in the stance before the dance starts, at most: once it is at
+    /// rest, [`Self::time`] goes to zero.
     #[must_use]
     pub const fn settle_frame_count() -> u32 {
         SETTLE_FRAMES
@@ -304,11 +316,27 @@ impl Performance {
             time: self.time(),
         };
         self.solver.step(&surroundings, FRAME_SECONDS);
-        if self.frame <= i64::from(LOWERING_FRAMES) - i64::from(SETTLE_FRAMES) {
-            self.solver.scale_velocities(LOWERING);
-        }
         self.solver.copy_positions(&mut self.cloth_positions);
+        self.settle();
         self.check_stage()
+    }
+
+    /// Damps the cloth before the dance, which begins when the cloth is at rest.
+    fn settle(&mut self) {
+        let Some(settling) = &mut self.settling else {
+            if self.frame <= i64::from(LOWERING_FRAMES) - i64::from(SETTLE_FRAMES) {
+                self.solver.scale_velocities(LOWERING);
+            }
+            return;
+        };
+        let verdict = settling.judge(&self.cloth_positions);
+        if let Some(kept) = verdict.kept {
+            self.solver.scale_velocities(kept);
+        }
+        if verdict.end.is_some() {
+            self.settling = None;
+            self.frame = 0;
+        }
     }
 
     fn pose_of_dance(&self) -> Pose {
@@ -538,5 +566,31 @@ impl Performance {
     #[must_use]
     pub fn substep_count(&self) -> u32 {
         self.solver.substep_count()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_film_s_skirt_is_at_rest_before_its_time_is_up_and_stays_there() {
+        let production = Production::new(&Design::default()).unwrap();
+        let mut performance = Performance::new(production).unwrap();
+        let mut frame_count = 0;
+        while performance.time() < 0.0 {
+            performance.advance().unwrap();
+            frame_count += 1;
+        }
+        assert!(frame_count < SETTLE_FRAMES, "{frame_count} frames");
+        let rest = performance.cloth_positions().to_vec();
+        let stance = performance.production.dance.pose_at(0.0);
+        for _ in 0..FRAMES_PER_SECOND {
+            performance.advance_in(stance.clone()).unwrap();
+        }
+        let squares =
+            (rest.iter().zip(performance.cloth_positions())).map(|(a, b)| a.distance_squared(*b));
+        let apart = (squares.sum::<f32>() / rest.len() as f32).sqrt();
+        assert!(apart < 0.003, "{apart} m in a second");
     }
 }

@@ -123,6 +123,7 @@ impl Solver {
                     pin_targets: surroundings.pin_targets,
                     capsules: surroundings.capsules,
                     air_velocity: xpbd.wind.force(f64::from(surroundings.time)).as_vec3(),
+                    ..StepInput::default()
                     surfels: surroundings.surfels,
                 };
                 xpbd.config.held_depth = if surroundings.surfels.is_empty() {
@@ -156,14 +157,7 @@ impl Solver {
     /// Multiplies every velocity.
     pub(crate) fn scale_velocities(&mut self, factor: f32) {
         match self {
-            Self::Xpbd(xpbd) => {
-                let mut velocities = Vec::new();
-                xpbd.state.copy_velocities(&xpbd.model, &mut velocities);
-                velocities
-                    .iter_mut()
-                    .for_each(|velocity| *velocity *= factor);
-                xpbd.state.set_velocities(&xpbd.model, &velocities);
-            }
+            Self::Xpbd(xpbd) => xpbd.state.scale_velocities(factor),
             Self::Explicit(reference) => {
                 let factor = f64::from(factor);
                 reference

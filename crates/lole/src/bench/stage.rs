@@ -29,17 +29,14 @@ pub(super) const SCENES: &[StageScene] = &[StageScene {
 pub(super) fn measure(scene: &StageScene, set: InstructionSet) -> Result<BenchRow, StageError> {
     let mut performance = Performance::new(Production::new(&(scene.design)())?)?;
     performance.set_instruction_set(set);
-    let settle_count = Performance::settle_frame_count();
     let (mut process, mut wall, mut metrics) = (Vec::new(), Vec::new(), Vec::new());
     let mut crossings = 0;
-    for frame in 0..settle_count + scene.frame_count {
+    // What stops short is seen in the figures of the frames.
+    while performance.time() < 0.0 && performance.advance().is_ok() {}
+    for _ in 0..scene.frame_count {
         let watch = Stopwatch::start();
-        // What stops short is seen in the figures of the frame.
         let went_on = performance.advance().is_ok();
         let timing = watch.read();
-        if frame < settle_count {
-            continue;
-        }
         process.push(1e3 * timing.process_seconds);
         wall.push(1e3 * timing.wall_seconds);
         performance.pose_body();

@@ -52,7 +52,7 @@ impl Runner<'_> {
     pub(crate) fn settled(&self, design: &Design) -> Result<Performance, Failure> {
         let production = Production::new(design).map_err(Failure::error)?;
         let mut performance = Performance::new(production).map_err(Failure::error)?;
-        for _ in 0..Performance::settle_frame_count() {
+        while performance.time() < 0.0 {
             self.check_stop()?;
             let advanced = self.pool.install(|| performance.advance());
             if advanced.is_err() {
