@@ -106,6 +106,9 @@ pub(crate) struct BenchArgs {
     /// One scene only.
     #[arg(long)]
     pub(crate) scene: Option<String>,
+    /// One method only: xpbd or explicit-rows.
+    #[arg(long)]
+    pub(crate) method: Option<String>,
     /// Threads of the simulation.
     #[arg(long, default_value_t = 1, value_parser = threads, allow_negative_numbers = true)]
     pub(crate) threads: u16,

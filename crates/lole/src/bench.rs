@@ -6,7 +6,7 @@ mod stage;
 use lole_cloth::InstructionSet;
 use lole_cloth::scenes::SCENES;
 use lole_export::report::{MeanPercentileMax, MedianPercentile, Worst};
-use lole_language::{Language, words};
+use lole_language::{Language, Words, words};
 use serde::Serialize;
 
 use crate::args::{BenchArgs, Vectors};
@@ -22,6 +22,7 @@ pub(crate) struct BenchRow {
     pub(crate) scene: &'static str,
     pub(crate) method: &'static str,
     pub(crate) particles: usize,
+    /// Substeps of a frame; the median where they follow the cloth.
     pub(crate) substeps: u32,
     pub(crate) threads: usize,
     /// Processor time of a frame, all threads [ms].
@@ -52,30 +53,67 @@ pub(crate) struct BenchRow {
 /// A scene of the table.
 type Measure = Box<dyn Fn(InstructionSet) -> Result<BenchRow, Failure> + Send + Sync>;
 
-/// Every scene by name: those of the engine, then those with a dancer.
-fn scenes() -> Vec<(&'static str, Measure)> {
-    let engine = SCENES.iter().map(|scene| {
-        let measure: Measure = Box::new(|set| engine::measure(scene, set).map_err(Failure::error));
-        (scene.name, measure)
+/// A row of the table that can be asked for.
+struct Entry {
+    scene: &'static str,
+    method: &'static str,
+    measure: Measure,
+}
+
+/// Every scene by every method that can run it: those of the engine, then those with a dancer.
+fn entries() -> Vec<Entry> {
+    let engine = SCENES.iter().flat_map(|scene| {
+        engine::Method::of(scene).into_iter().map(move |method| {
+            let measure: Measure =
+                Box::new(move |set| engine::measure(scene, method, set).map_err(Failure::error));
+            Entry {
+                scene: scene.name,
+                method: method.id(),
+                measure,
+            }
+        })
     });
     let stage = stage::SCENES.iter().map(|scene| {
         let measure: Measure = Box::new(|set| stage::measure(scene, set).map_err(Failure::error));
-        (scene.name, measure)
+        Entry {
+            scene: scene.name,
+            method: scene.method(),
+            measure,
+        }
     });
     engine.chain(stage).collect()
 }
 
+/// Keeps what has the name that was asked for, which must be one of them.
+fn choose(
+    entries: &mut Vec<Entry>,
+    (option, name): (&'static str, Option<&str>),
+    what: Words,
+    name_of: fn(&Entry) -> &'static str,
+) -> Result<(), Failure> {
+    let Some(name) = name else { return Ok(()) };
+    let mut names: Vec<&str> = entries.iter().map(name_of).collect();
+    names.dedup();
+    if !names.contains(&name) {
+        names.sort_unstable();
+        names.dedup();
+        return Err(crate::dance::unknown(option, name, what, &names));
+    }
+    entries.retain(|entry| name_of(entry) == name);
+    Ok(())
+}
+
 /// Runs every scene, or the one that was named.
 pub(crate) fn run(args: &BenchArgs, language: Language) -> Result<(), Failure> {
-    let mut chosen = scenes();
-    if let Some(name) = &args.scene {
-        let names: Vec<&str> = chosen.iter().map(|(name, _)| *name).collect();
-        if !names.contains(&name.as_str()) {
-            let what = words("場面", "scene");
-            return Err(crate::dance::unknown("--scene", name, what, &names));
-        }
-        chosen.retain(|(scene, _)| scene == name);
-    }
+    let mut chosen = entries();
+    let scene = ("--scene", args.scene.as_deref());
+    choose(&mut chosen, scene, words("場面", "scene"), |entry| {
+        entry.scene
+    })?;
+    let method = ("--method", args.method.as_deref());
+    choose(&mut chosen, method, words("方法", "method"), |entry| {
+        entry.method
+    })?;
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(usize::from(args.threads))
         .build()
@@ -89,8 +127,8 @@ pub(crate) fn run(args: &BenchArgs, language: Language) -> Result<(), Failure> {
     if !args.json {
         summary::print_bench_head(language);
     }
-    for (_, measure) in chosen {
-        let row = pool.install(|| measure(set))?;
+    for entry in chosen {
+        let row = pool.install(|| (entry.measure)(set))?;
         if !args.json {
             summary::print_bench_row(&row);
         }

@@ -134,8 +134,9 @@ pub(crate) fn print_check(method: &str, check: &Check, language: Language) {
 /// Column heads of the bench table.
 pub(crate) fn print_bench_head(language: Language) {
     say!(
-        "{:<14} {:>9} {:>8} {:>8} {:>8} {:>8} {:>6} {:>22} {:>15} {:>8} {:>7} {:>9} {:>7} {:>6}  hash",
+        "{:<14} {:<13} {:>9} {:>8} {:>8} {:>8} {:>8} {:>6} {:>22} {:>15} {:>8} {:>7} {:>9} {:>7} {:>6}  hash",
         language.pick("場面", "scene"),
+        language.pick("方法", "method"),
         language.pick("質点", "particles"),
         language.pick("分割", "substeps"),
         "CPU ms",
@@ -158,8 +159,9 @@ pub(crate) fn print_bench_row(row: &BenchRow) {
     let skin =
         (row.skin_penetration_mm).map_or("-".to_owned(), |skin| format!("{:.2}", skin.worst));
     say!(
-        "{:<14} {:>9} {:>8} {:>8.3} {:>8.3} {:>8.3} {:>6.2} {:>10.3} {:>5.2} {:>5.2} {:>9.2} {:>5.2} {:>8.3} {:>7} {:>9} {:>7.3} {:>6.0}  {}",
+        "{:<14} {:<13} {:>9} {:>8} {:>8.3} {:>8.3} {:>8.3} {:>6.2} {:>10.3} {:>5.2} {:>5.2} {:>9.2} {:>5.2} {:>8.3} {:>7} {:>9} {:>7.3} {:>6.0}  {}",
         row.scene,
+        row.method,
         row.particles,
         row.substeps,
         row.frame_ms.median,

@@ -104,6 +104,11 @@ const JAPANESE_HELP: &[(&str, &str, &str)] = &[
         "この機械での1コマの計算時間を、ひずみとめり込みとともに場面ごとに測ります",
     ),
     ("bench", "scene", "この場面だけを測ります"),
+    (
+        "bench",
+        "method",
+        "この方法だけで測ります: xpbd または explicit-rows",
+    ),
     ("bench", "threads", "計算に使うスレッド数"),
     (
         "bench",

@@ -6,10 +6,12 @@ use lole_geom::{Capsule, Surfel};
 use crate::ClothModel;
 use crate::collision::capsule::MovingCapsule;
 use crate::collision::capsule::near::RowContacts;
+use crate::collision::capsule::stop::TangentPlanes;
 use crate::collision::cloth_cloth::ClothContacts;
 use crate::collision::repair::CrossingRepair;
 use crate::collision::surfel::SurfelContacts;
 use crate::lanes::Points;
+use crate::method::explicit_rows::Form;
 use crate::method::xpbd::{RowStrides, Schedules};
 
 /// Everything about one cloth that changes from step to step.
@@ -33,6 +35,11 @@ pub struct ClothState {
 pub(crate) struct Scratch {
     /// Positions predicted at the start of the substep.
     pub(crate) predicted: Vec<Points>,
+    /// Forces on a row and those below it that it reaches [N].
+    pub(crate) forces: Vec<Points>,
+    /// Stiffness of a row's particles and of the next's.
+    pub(crate) forms: Vec<Form>,
+    pub(crate) tangent_planes: TangentPlanes,
     pub(crate) row_contacts: RowContacts,
     pub(crate) surfel_contacts: SurfelContacts,
     pub(crate) held_depths: Vec<f32>,
@@ -77,6 +84,7 @@ impl ClothState {
             + self.scratch.surfel_contacts.byte_count()
             + self.scratch.cloth_contacts.byte_count()
             + self.scratch.crossing_repair.byte_count()
+            + self.scratch.tangent_planes.byte_count()
     }
 
     /// Writes every position [m], row-major, over `out`.

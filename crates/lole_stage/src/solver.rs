@@ -123,7 +123,6 @@ impl Solver {
                     pin_targets: surroundings.pin_targets,
                     capsules: surroundings.capsules,
                     air_velocity: xpbd.wind.force(f64::from(surroundings.time)).as_vec3(),
-                    ..StepInput::default()
                     surfels: surroundings.surfels,
                 };
                 xpbd.config.held_depth = if surroundings.surfels.is_empty() {

@@ -17,6 +17,13 @@ pub(super) struct StageScene {
     design: fn() -> Design,
 }
 
+impl StageScene {
+    /// The method that moves its cloth.
+    pub(super) fn method(&self) -> &'static str {
+        (self.design)().method.name.id()
+    }
+}
+
 /// Every scene with a dancer.
 pub(super) const SCENES: &[StageScene] = &[StageScene {
     name: "pau-fine",

@@ -1,6 +1,7 @@
 //! Contact with a body of capsules: projection out of them as they move.
 
 pub(crate) mod near;
+pub(crate) mod stop;
 
 use fearless_simd::{Simd, f32x16, prelude::*};
 use glam::Vec3;

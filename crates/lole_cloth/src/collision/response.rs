@@ -5,7 +5,7 @@ use fearless_simd::{Select as _, Simd, f32x16, mask32x16, prelude::*};
 use crate::lanes::{Points, Scalars, Vectors, larger, smaller};
 
 /// Below this slip [m] in a substep friction has no direction; it keeps the quotient finite.
-const DEGENERATE_SLIP: f32 = 1.0e-12;
+pub(crate) const DEGENERATE_SLIP: f32 = 1.0e-12;
 
 /// What a contact needs to know besides where things are.
 #[derive(Debug, Clone, Copy, PartialEq)]

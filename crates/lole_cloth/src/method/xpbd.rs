@@ -103,15 +103,6 @@ impl Substep {
     }
 }
 
-impl Substep {
-    /// The share of the step that has passed at the end of a substep, and the substep's own.
-    fn passed(&self, index: u32) -> (f32, f32) {
-        #[expect(clippy::cast_precision_loss, reason = "substeps are few")]
-        let (end, count) = ((index + 1) as f32, self.count as f32);
-        (end / count, 1.0 / count)
-    }
-}
-
 /// One step of one cloth, cut into substeps so that several cloths can take theirs in turn.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Plan {
@@ -226,7 +217,7 @@ fn start_substep(
     (plan, index): (&Plan, u32),
     state: &mut ClothState,
 ) {
-    move_capsules(config, input, index, &plan.substep, state);
+    move_capsules(config, input, (index + 1, plan.substep.count), state);
     let substeps = (index, plan.substep.count);
     with_skin(
         model,
@@ -381,7 +372,7 @@ fn limit(cells: u32, spacing: f32) -> Pull {
 
 /// Where each row may touch the body in this step.
 #[inline(always)]
-fn find_body_contacts<S: Simd>(
+pub(super) fn find_body_contacts<S: Simd>(
     simd: S,
     model: &ClothModel,
     config: &SolverConfig,
@@ -470,7 +461,7 @@ fn solve_cloth_contacts(law: ClothContactLaw, state: &mut ClothState) {
 }
 
 /// Pinned particles fly straight to their targets, so every substep finds them on the way.
-fn start_pins(model: &ClothModel, targets: &[Vec3], state: &mut ClothState, dt: f32) {
+pub(super) fn start_pins(model: &ClothModel, targets: &[Vec3], state: &mut ClothState, dt: f32) {
     for ((&pin, &target), &start) in model
         .pin_indices()
         .iter()
@@ -490,14 +481,15 @@ pub(crate) fn finish_pins(model: &ClothModel, targets: &[Vec3], state: &mut Clot
     }
 }
 
-fn move_capsules(
+/// Moves the capsules to where they are after `done` of `count` parts of the step.
+pub(super) fn move_capsules(
     config: &SolverConfig,
     input: &StepInput<'_>,
-    index: u32,
-    substep: &Substep,
+    (done, count): (u32, u32),
     state: &mut ClothState,
 ) {
-    let (fraction, share) = substep.passed(index);
+    #[expect(clippy::cast_precision_loss, reason = "substeps are few")]
+    let (fraction, share) = (done as f32 / count as f32, 1.0 / count as f32);
     state.scratch.moving_capsules.clear();
     state
         .scratch
