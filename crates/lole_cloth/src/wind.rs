@@ -1,4 +1,11 @@
-//! The paper's wind: one force on every particle, turning and swelling with time.
+//! Moving air: the paper's wind, one force on every particle that turns and swells with time, and
+//! air that pushes every cell by its area and direction ([`blow`]), steady or in gusts.
+
+mod gust;
+mod plates;
+
+pub use gust::{GustyWind, WindNow};
+pub use plates::{Aerodynamics, blow};
 
 use glam::DVec3;
 
