@@ -245,6 +245,23 @@ pub struct WindDesign {
     pub speed_m_per_s: f64,
     /// How the wind's equation is read.
     pub law: WindLaw,
+    /// What the air acts on, under the real-time method.
+    pub model: WindModel,
+    /// [`WindModel::Triangles`]: root mean square of the gusts in each direction over
+    /// `speed_m_per_s`.
+    pub gust_ratio: f64,
+    /// What the gusts follow from.
+    pub seed: u64,
+}
+
+/// What moving air acts on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum WindModel {
+    /// Every particle alike, as in the paper.
+    #[default]
+    Uniform,
+    /// Triangles by their area and direction, so that cloth billows and flutters.
+    Triangles,
 }
 
 /// How the cloth is computed.

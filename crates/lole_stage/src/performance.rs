@@ -593,4 +593,39 @@ mod tests {
         let apart = (squares.sum::<f32>() / rest.len() as f32).sqrt();
         assert!(apart < 0.003, "{apart} m in a second");
     }
+
+    /// Hash of a coarse skirt after half a second in this wind, and how far its hem has swung [m].
+    fn blown(change: impl Fn(&mut Design)) -> (u64, f32) {
+        let mut design = Design::default();
+        (design.skirt.column_count, design.skirt.row_count) = (96, 24);
+        change(&mut design);
+        let mut performance = Performance::new(Production::new(&design).unwrap()).unwrap();
+        let start = performance.cloth_positions().to_vec();
+        for _ in 0..30 {
+            performance.advance().unwrap();
+        }
+        let hem = performance.cloth_positions().iter().zip(&start).rev();
+        let swing = hem
+            .take(96)
+            .map(|(now, then)| (*now - *then).x)
+            .sum::<f32>()
+            / 96.0;
+        (performance.state_hash(), swing.abs())
+    }
+
+    #[test]
+    fn wind_on_triangles_moves_the_skirt_and_its_gusts_follow_the_seed() {
+        let wind = |seed: u64, speed: f64| {
+            blown(move |design| {
+                design.wind.model = lole_costume::document::WindModel::Triangles;
+                design.wind.speed_m_per_s = speed;
+                design.wind.gust_ratio = 0.3;
+                design.wind.seed = seed;
+            })
+        };
+        let (calm, storm) = (wind(1, 0.0), wind(1, 8.0));
+        assert!(calm.1 + 0.005 < storm.1, "{} and {} m", calm.1, storm.1);
+        assert_eq!(storm, wind(1, 8.0));
+        assert!(storm.0 != wind(2, 8.0).0);
+    }
 }

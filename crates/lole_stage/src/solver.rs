@@ -8,12 +8,12 @@ use glam::{DVec3, Vec3};
 use lole_cloth::collision::penalty::Penalty;
 use lole_cloth::method::explicit::{self, ExplicitConfig, Integrator, Substeps};
 use lole_cloth::method::reference::{ReferenceModel, ReferenceState};
-use lole_cloth::wind::Wind;
+use lole_cloth::wind::{self, Aerodynamics, GustyWind, Wind};
 use lole_cloth::{
     ClothModel, ClothSpec, ClothState, InstructionSet, SelfCollision, SolverConfig, StepInput,
     diagnose,
 };
-use lole_costume::document::Design;
+use lole_costume::document::{Design, WindModel};
 use lole_geom::{Capsule, Surfel};
 
 use crate::{FRAME_SECONDS, StageError};
@@ -52,6 +52,38 @@ pub(crate) struct Xpbd {
     config: SolverConfig,
     /// The air's velocity [m/s] as (4) has its force.
     wind: Wind,
+    /// The gusts in it, where it acts on triangles; `None` where it acts on particles.
+    gusts: Option<GustyWind>,
+}
+
+impl Xpbd {
+    /// Moves the cloth on by `dt` [s] in the wind of `time` [s].
+    fn step(&mut self, surroundings: &Surroundings<'_>, dt: f32) {
+        let time = f64::from(surroundings.time);
+        let velocity = self.wind.force(time).as_vec3();
+        if let Some(gusts) = &self.gusts {
+            let now = gusts.at(time).with_mean(velocity);
+            let set = self.config.instruction_set;
+            let air = Aerodynamics::default();
+            wind::blow(&self.model, (&air, &now), set, &mut self.state, dt);
+        }
+        self.config.held_depth = if surroundings.surfels.is_empty() {
+            HELD_DEPTH
+        } else {
+            HELD_DEPTH_ON_SKIN
+        };
+        let input = StepInput {
+            pin_targets: surroundings.pin_targets,
+            capsules: surroundings.capsules,
+            surfels: surroundings.surfels,
+            air_velocity: if self.gusts.is_some() {
+                Vec3::ZERO
+            } else {
+                velocity
+            },
+        };
+        lole_cloth::step(&self.model, &self.config, &input, &mut self.state, dt);
+    }
 }
 
 #[derive(Clone)]
@@ -79,10 +111,17 @@ impl Solver {
     ) -> Result<Self, StageError> {
         let substeps = design.method.substep_count.and_then(NonZeroU32::new);
         let Some(integrator) = design.method.name.integrator() else {
-            let model = ClothModel::new(spec)?;
+            let gusts = gusts(design);
+            let mut spec = spec.clone();
+            if gusts.is_some() {
+                // What drags at particles alike stands for the air that acts on triangles now.
+                spec.fabric.drag_rate = 0.0;
+            }
+            let model = ClothModel::new(&spec)?;
             return Ok(Self::Xpbd(Box::new(Xpbd {
                 state: ClothState::new(&model, start),
-                config: xpbd_config(spec, substeps),
+                config: xpbd_config(&spec, substeps),
+                gusts,
                 wind: Wind {
                     amplitude: design.wind.speed_m_per_s,
                     law: design.wind.law,
@@ -119,18 +158,7 @@ impl Solver {
     pub(crate) fn step(&mut self, surroundings: &Surroundings<'_>, dt: f32) {
         match self {
             Self::Xpbd(xpbd) => {
-                let input = StepInput {
-                    pin_targets: surroundings.pin_targets,
-                    capsules: surroundings.capsules,
-                    air_velocity: xpbd.wind.force(f64::from(surroundings.time)).as_vec3(),
-                    surfels: surroundings.surfels,
-                };
-                xpbd.config.held_depth = if surroundings.surfels.is_empty() {
-                    HELD_DEPTH
-                } else {
-                    HELD_DEPTH_ON_SKIN
-                };
-                lole_cloth::step(&xpbd.model, &xpbd.config, &input, &mut xpbd.state, dt);
+                xpbd.step(surroundings, dt);
             }
             Self::Explicit(reference) => {
                 let pin_targets: Vec<DVec3> = surroundings
@@ -251,6 +279,18 @@ impl Solver {
             },
         }
     }
+}
+
+/// The gusts of the design's wind where it acts on triangles: they drift to the dancer's left.
+fn gusts(design: &Design) -> Option<GustyWind> {
+    let wind = &design.wind;
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "documents are f64, air is f32"
+    )]
+    let (speed, intensity) = (wind.speed_m_per_s as f32, wind.gust_ratio as f32);
+    (wind.model == WindModel::Triangles)
+        .then(|| GustyWind::new(Vec3::X * speed, intensity, wind.seed))
 }
 
 /// Settings of the paper's methods for this cloth.

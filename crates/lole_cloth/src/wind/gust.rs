@@ -113,6 +113,15 @@ impl WindNow {
         }
     }
 
+    /// The same gusts in another mean wind [m/s].
+    #[must_use]
+    pub fn with_mean(self, velocity: Vec3) -> Self {
+        Self {
+            mean: velocity,
+            ..self
+        }
+    }
+
     /// Velocity of the air at `position` [m/s].
     #[must_use]
     pub fn velocity(&self, position: Vec3) -> Vec3 {

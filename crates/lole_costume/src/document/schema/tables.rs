@@ -10,7 +10,7 @@ use lole_cloth::wind::WindLaw;
 use lole_language::words;
 
 use super::{Key, Kind, Table};
-use crate::document::{BodyShapes, MethodName};
+use crate::document::{BodyShapes, MethodName, WindModel};
 use crate::fabrics::{PRESETS, Preset};
 use crate::print::{PrintDesign, PrintMotif};
 
@@ -135,6 +135,10 @@ const ARM_STYLES: &[(&str, ArmStyle)] = &[
 const WIND_LAWS: &[(&str, WindLaw)] = &[
     ("spherical", WindLaw::Spherical),
     ("literal-scalar", WindLaw::LiteralScalar),
+];
+const WIND_MODELS: &[(&str, WindModel)] = &[
+    ("uniform", WindModel::Uniform),
+    ("triangles", WindModel::Triangles),
 ];
 const BODIES: &[(&str, BodyShapes)] = &[
     (BodyShapes::Skin.id(), BodyShapes::Skin),
@@ -565,6 +569,22 @@ const WIND: Table = Table {
             "風の式の読み方: 回るか、対角線を行き来するか",
             "reading of the equation: turning, or to and fro"
         ),
+        choice!(
+            "model",
+            words("風の当て方", "model of the wind"),
+            WIND_MODELS,
+            wind.model,
+            "xpbd の風: どの質点にも同じか、三角形の広さと向きによるか",
+            "xpbd: wind on every particle alike, or on triangles by area and direction"
+        ),
+        number!(
+            "gust_ratio",
+            0.0..=1.0,
+            wind.gust_ratio,
+            "triangles の突風の強さ。風の速さに対する比",
+            "gusts of triangles, over the wind's speed"
+        ),
+        seed!(wind, "突風を決める種", "what the gusts follow from"),
     ],
 };
 
