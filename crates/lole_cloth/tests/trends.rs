@@ -51,11 +51,14 @@ fn hem_folds(bend: f32) -> usize {
     // Gathered two to one in many small folds, of which the cloth keeps as many as it can.
     let girth = f64::from(COLUMNS) * f64::from(SPACING);
     let ring = waved_ring(0.5 * girth / std::f64::consts::TAU, girth, COLUMNS, 32.0);
+    let ring: Vec<Vec3> = ring
+        .iter()
+        .map(|&[x, z]| glam::DVec3::new(x, 0.0, z).as_vec3())
+        .collect();
     let positions: Vec<Vec3> = (0..ROWS)
         .flat_map(|row| {
-            let height = -(row as f32) * SPACING;
-            ring.iter()
-                .map(move |&[x, z]| Vec3::new(x as f32, height, z as f32))
+            let height = Vec3::NEG_Y * (row as f32 * SPACING);
+            ring.iter().map(move |&place| place + height)
         })
         .collect();
     let mut world = World::new(&tube(COLUMNS, ROWS, SPACING, fabric), &positions);
