@@ -121,14 +121,23 @@ pub(crate) fn print_check(method: &str, check: &Check, language: Language) {
         language.pick("不合格", "FAIL")
     };
     say!(
-        "  {method:<10} {:<18} {:>12.6} {:>12.6} {:<4} {:>9.3} % (± {:.3} %)  {verdict}",
+        "  {method:<10} {:<18} {:>12} {:>12} {:<4} {:>9.3} % (± {:.3} %)  {verdict}",
         check.case,
-        check.measured,
-        check.reference,
+        figure(check.measured),
+        figure(check.reference),
         check.unit,
         check.error_pct(),
         check.gate_pct,
     );
+}
+
+/// Six decimals, or a power of ten where they would show nothing.
+fn figure(value: f64) -> String {
+    if 0.0 < value.abs() && value.abs() < 1e-4 {
+        format!("{value:.3e}")
+    } else {
+        format!("{value:.6}")
+    }
 }
 
 /// Column heads of the bench table.

@@ -51,7 +51,7 @@ pub(super) fn run(subject: Subject) -> Result<Vec<Check>, BuildError> {
     for length in LENGTHS {
         let positions = draped(subject, length)?;
         let found = coefficient(&outline(&positions));
-        let name = format!("l = {} cm", 100.0 * length);
+        let name = format!("l = {:.1} cm", 100.0 * length);
         let estimate = estimated(length);
         checks.push(
             Check::new(name.clone(), [found, estimate], GATE)

@@ -78,8 +78,8 @@ pub const PROTOCOLS: &[Protocol] = &[
         limits: &[(
             Subject::Xpbd,
             words(
-                "1 % より伸びにくい布では、40本のばねを1分割で揃えきれず、余計に伸びます",
-                "strips that stretch less than 1 % stretch more than they should: a substep does not straighten forty springs",
+                "0.1 % より伸びにくい布では、40本のばねを1分割で揃えきれず、余計に伸びます",
+                "strips that should stretch less than 0.1 % stretch more: a substep does not straighten forty springs",
             ),
         )],
         curve: None,
