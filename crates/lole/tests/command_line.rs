@@ -201,6 +201,34 @@ fn a_run_that_diverges_says_so_and_still_reports() {
     assert!(!out.join("dance.mp4").exists());
 }
 
+#[test]
+fn a_validation_prints_its_rows_and_writes_its_page() {
+    let scratch = Scratch::new("validate");
+    let out = scratch.path("out");
+    let output = lole()
+        .args(["validate", "--only", "pendulum", "--json", "--out"])
+        .arg(&out)
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(0), "{}", sentence(&output));
+    let rows: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let rows = rows.as_array().unwrap();
+    assert_eq!(rows.len(), 8, "four amplitudes by two methods");
+    for row in rows {
+        assert_eq!(row["name"], "pendulum");
+        assert_eq!(row["pass"], true, "{row}");
+        let [error, gate] = ["error_pct", "gate_pct"].map(|key| row[key].as_f64().unwrap());
+        assert!(error.abs() <= gate, "{row}");
+        let [measured, reference] = ["measured", "reference"].map(|key| row[key].as_f64().unwrap());
+        assert!((100.0 * (measured / reference - 1.0) - error).abs() < 1e-9);
+    }
+    let page = fs::read_to_string(out.join("validation.html")).unwrap();
+    assert_eq!(page.matches("<circle").count(), 8);
+    let written = fs::read(out.join("validation.json")).unwrap();
+    let written: Value = serde_json::from_slice(&written).unwrap();
+    assert_eq!(&written, &Value::from(rows.clone()));
+}
+
 #[cfg(unix)]
 #[test]
 fn an_interrupted_run_leaves_no_file() {
