@@ -56,4 +56,25 @@ impl Grid {
             Topology::Sheet => None,
         }
     }
+
+    /// Two triangles for every cell, row by row, cut from upper left to lower right: upper left,
+    /// upper right and lower right, then upper left, lower right and lower left. In a tube whose
+    /// columns run from `+X` to `+Z` and whose rows run down they are counterclockwise seen from
+    /// outside.
+    #[must_use]
+    pub fn triangles(&self) -> Vec<[u32; 3]> {
+        let at = |row: u32, column: u32| row * self.column_count + column;
+        let mut triangles = Vec::with_capacity(2 * self.particle_count());
+        for row in 0..self.row_count.saturating_sub(1) {
+            for column in 0..self.column_count {
+                let Some(right) = self.column_right(column, 1) else {
+                    continue;
+                };
+                let (first, last) = (at(row, column), at(row + 1, right));
+                triangles.push([first, at(row, right), last]);
+                triangles.push([first, last, at(row + 1, column)]);
+            }
+        }
+        triangles
+    }
 }

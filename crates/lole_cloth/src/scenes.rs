@@ -74,7 +74,7 @@ pub const SCENES: &[Scene] = &[
             let mut setup = skirt();
             setup.config.self_collision = Some(SelfCollision {
                 radius: 0.006,
-                substep_interval: NonZeroU32::MIN,
+                substep_interval: NonZeroU32::MIN.saturating_add(1),
             });
             setup
         },

@@ -342,7 +342,7 @@ fn xpbd_config(spec: &ClothSpec, substeps: Option<NonZeroU32>) -> SolverConfig {
             // Strands of the gathers lie about a column's width apart: thinner than that, they
             // meet without fighting the band.
             radius: 0.45 * spec.grid.spacing[0],
-            substep_interval: NonZeroU32::MIN,
+            substep_interval: NonZeroU32::MIN.saturating_add(1),
         }),
         ..SolverConfig::default()
     }

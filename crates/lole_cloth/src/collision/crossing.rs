@@ -7,7 +7,7 @@
 use fearless_simd::{Simd, f32x16, prelude::*};
 use glam::Vec3;
 
-use crate::collision::grid::{CellGrid, Entry};
+use crate::collision::grid::{CellGrid, Entry, each_hit};
 use crate::collision::surface::{ABSENT, PATCH_EDGES, PATCH_TRIANGLES, Surface};
 use crate::lanes::LANES;
 
@@ -48,6 +48,8 @@ pub(crate) struct CrossingFinder {
     /// Half of the size of a cell [m]; what is larger stands in `large`, by entries.
     usual: f32,
     large: Vec<u32>,
+    /// Last patch of which every patch was found to be a neighbor.
+    stamps: Vec<u32>,
     /// Room for patches that have moved, and a mark for those not where they were sorted.
     moved: Vec<u32>,
     is_apart: Vec<bool>,
@@ -82,11 +84,20 @@ impl CrossingFinder {
     ) {
         self.find_boxes(surface, positions, margin);
         let Self {
-            cells, boxes, near, ..
+            cells,
+            boxes,
+            near,
+            stamps,
+            ..
         } = self;
         near.clear();
+        stamps.clear();
+        stamps.resize(surface.patches.len(), u32::MAX);
         for index in 0..cells.entries.len() {
             let first = cells.entries[index].particle;
+            for &neighbor in surface.neighbors(first) {
+                stamps[neighbor as usize] = first;
+            }
             let own = OwnBox::splat(simd, boxes, index);
             cells.following_runs(
                 index,
@@ -94,12 +105,14 @@ impl CrossingFinder {
                 |start, run| {
                     for from in (0..run.len()).step_by(LANES) {
                         let hits = own.overlaps(simd, boxes, start + from);
-                        push_hits(near, first, (&run[from..], hits));
+                        let rest = &run[from..];
+                        let strangers =
+                            hits_of(hits, rest).filter(|&patch| stamps[patch as usize] != first);
+                        near.extend(strangers.map(|patch| [first, patch]));
                     }
                 },
             );
         }
-        near.retain(|&pair| !surface.share_particle(pair));
         let large = self.large.clone();
         self.list_near(surface, &large, 0.0);
     }
@@ -279,16 +292,10 @@ impl CrossingFinder {
     }
 }
 
-/// Adds the pairs of `first` with the entries whose bits are set.
+/// Patches of the entries whose bits are set.
 #[inline(always)]
-fn push_hits(near: &mut Vec<[u32; 2]>, first: u32, (run, mut hits): (&[Entry], u64)) {
-    if run.len() < LANES {
-        hits &= (1 << run.len()) - 1;
-    }
-    while hits != 0 {
-        near.push([first, run[hits.trailing_zeros() as usize].particle]);
-        hits &= hits - 1;
-    }
+fn hits_of(hits: u64, run: &[Entry]) -> impl Iterator<Item = u32> {
+    each_hit(hits, run.len()).map(|place| run[place].particle)
 }
 
 /// The box of one patch in every lane.

@@ -2,6 +2,8 @@
 
 use glam::Vec3;
 
+use crate::lanes::LANES;
+
 /// Cells at most; a cloth spread wider gets larger cells, which costs time and loses nothing.
 const CELL_COUNT_MAX: f32 = 2_000_000.0;
 
@@ -28,6 +30,8 @@ pub(crate) struct CellGrid {
     /// First entry of every cell, and one more.
     starts: Vec<u32>,
     pub(crate) entries: Vec<Entry>,
+    /// The same positions by axis [m], and a vector beyond the last.
+    pub(crate) coordinates: [Vec<f32>; 3],
     cells: Vec<u32>,
 }
 
@@ -36,6 +40,7 @@ impl CellGrid {
     pub(crate) const fn byte_count(&self) -> usize {
         size_of_val(self.starts.as_slice())
             + size_of_val(self.entries.as_slice())
+            + 3 * size_of_val(self.coordinates[0].as_slice())
             + size_of_val(self.cells.as_slice())
     }
 
@@ -109,6 +114,11 @@ impl CellGrid {
         // Shift back: now starts[c + 1] begins cell c, and the last entry is the end of all.
         self.starts.remove(0);
         self.starts.push(count);
+        for (axis, column) in self.coordinates.iter_mut().enumerate() {
+            column.clear();
+            column.extend(self.entries.iter().map(|entry| entry.position[axis]));
+            column.resize(positions.len() + LANES, f32::INFINITY);
+        }
     }
 
     /// Calls `visit` with every run of entries in the cells that a box touches.
@@ -163,6 +173,24 @@ impl CellGrid {
             visit(start, &self.entries[start..end]);
         }
     }
+}
+
+/// Places of the first `count` bits of a word that are set, ascending.
+#[inline(always)]
+pub(crate) fn each_hit(word: u64, count: usize) -> impl Iterator<Item = usize> {
+    let mut hits = if count < LANES {
+        word & ((1 << count) - 1)
+    } else {
+        word
+    };
+    std::iter::from_fn(
+        #[inline(always)]
+        move || {
+            let place = hits.trailing_zeros() as usize;
+            hits &= hits.wrapping_sub(1);
+            (place < LANES).then_some(place)
+        },
+    )
 }
 
 #[expect(

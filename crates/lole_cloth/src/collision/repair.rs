@@ -22,7 +22,7 @@ use crate::lanes::{Layout, Points, Scalars};
 const PARTING_ROUNDS: u8 = 8;
 
 /// After those, rounds in which what still crosses is held together in zones.
-const ZONE_ROUNDS: usize = 8;
+const ZONE_ROUNDS: u8 = 24;
 
 /// Sweeps over all repairs in a round.
 const SWEEP_COUNT: usize = 4;

@@ -36,12 +36,15 @@ pub(crate) struct Surface {
     /// First entry of every particle in `star_patches`, and one more.
     star_starts: Vec<u32>,
     star_patches: Vec<u32>,
+    /// The same for the patches around every patch.
+    neighbor_starts: Vec<u32>,
+    neighbors: Vec<u32>,
 }
 
 impl Surface {
     /// The triangles of a grid, every cell cut from upper left to lower right.
     pub(crate) fn from_grid(grid: &Grid) -> Self {
-        Self::new(grid.particle_count(), &grid_triangles(grid))
+        Self::new(grid.particle_count(), &grid.triangles())
     }
 
     /// A surface over particles `0..particle_count`. An edge of more than two triangles remembers
@@ -55,6 +58,7 @@ impl Surface {
             ..Self::default()
         };
         surface.find_stars(particle_count);
+        surface.find_neighbors();
         surface
     }
 
@@ -62,6 +66,13 @@ impl Surface {
     pub(crate) fn star(&self, particle: usize) -> &[u32] {
         let [start, end] = [particle, particle + 1].map(|place| self.star_starts[place] as usize);
         &self.star_patches[start..end]
+    }
+
+    /// Patches that share a corner with a patch, ascending, the patch itself among them.
+    pub(crate) fn neighbors(&self, patch: u32) -> &[u32] {
+        let place = patch as usize;
+        let [start, end] = [place, place + 1].map(|place| self.neighbor_starts[place] as usize);
+        &self.neighbors[start..end]
     }
 
     /// Corners of the patches around a particle, some more than once, the particle among them.
@@ -90,6 +101,20 @@ impl Surface {
             + size_of_val(self.edges.as_slice())
             + size_of_val(self.star_starts.as_slice())
             + size_of_val(self.star_patches.as_slice())
+            + size_of_val(self.neighbor_starts.as_slice())
+            + size_of_val(self.neighbors.as_slice())
+    }
+
+    fn find_neighbors(&mut self) {
+        self.neighbor_starts.push(0);
+        for patch in &self.patches {
+            let stars = patch.corners.map(|corner| self.star(corner as usize));
+            let mut neighbors = stars.concat();
+            neighbors.sort_unstable();
+            neighbors.dedup();
+            self.neighbors.extend(neighbors);
+            self.neighbor_starts.push(narrow(self.neighbors.len()));
+        }
     }
 
     fn find_stars(&mut self, particle_count: usize) {
@@ -108,23 +133,6 @@ impl Surface {
         }
         self.star_patches = members.into_iter().map(|(_, patch)| patch).collect();
     }
-}
-
-/// Two triangles for every cell, row by row.
-fn grid_triangles(grid: &Grid) -> Vec<[u32; 3]> {
-    let mut triangles = Vec::with_capacity(2 * grid.particle_count());
-    for row in 0..grid.row_count - 1 {
-        for column in 0..grid.column_count {
-            let Some(right) = grid.column_right(column, 1) else {
-                continue;
-            };
-            let at = |row: u32, column: u32| narrow(grid.index(row, column));
-            let (first, last) = (at(row, column), at(row + 1, right));
-            triangles.push([first, at(row, right), last]);
-            triangles.push([first, last, at(row + 1, column)]);
-        }
-    }
-    triangles
 }
 
 /// Every edge once, ascending by its ends, and the three edges of every triangle: the one that
@@ -270,7 +278,7 @@ mod tests {
                 spacing: [0.01; 2],
             };
             let surface = Surface::from_grid(&grid);
-            let triangles = grid_triangles(&grid);
+            let triangles = grid.triangles();
             check(&surface, &triangles);
             // A grid is cut into its cells.
             assert_eq!(surface.patches.len() * 2, triangles.len());
@@ -292,6 +300,7 @@ mod tests {
         let surface = Surface::from_grid(&grid);
         assert_eq!(surface.star(grid.index(1, 1)), [0, 1, 3, 4]);
         assert_eq!(surface.star(grid.index(0, 0)), [0]);
+        assert_eq!(surface.neighbors(0), [0, 1, 3, 4]);
         assert!(surface.share_particle([0, 4]) && !surface.share_particle([0, 2]));
     }
 }

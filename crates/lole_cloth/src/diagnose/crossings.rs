@@ -17,7 +17,7 @@ pub fn self_crossings(grid: &Grid, positions: &[Vec3]) -> Option<usize> {
     if !positions.iter().all(|position| position.is_finite()) {
         return None;
     }
-    let triangles = triangles(grid);
+    let triangles = grid.triangles();
     let size = SEARCH_CELL * grid.spacing[0].max(grid.spacing[1]);
     let search = TriangleGrid::new(positions, &triangles, size);
     let mut count = 0;
@@ -32,16 +32,6 @@ pub fn self_crossings(grid: &Grid, positions: &[Vec3]) -> Option<usize> {
         count += crossed.iter().filter(apart).count();
     });
     Some(count)
-}
-
-/// Two triangles for every cell.
-fn triangles(grid: &Grid) -> Vec<[u32; 3]> {
-    let mut triangles = Vec::with_capacity(2 * grid.particle_count());
-    for_each_cell(grid, |[a, b, c, d]| {
-        triangles.push([a, b, d]);
-        triangles.push([a, d, c]);
-    });
-    triangles
 }
 
 fn for_each_edge(grid: &Grid, mut edge: impl FnMut([u32; 2])) {

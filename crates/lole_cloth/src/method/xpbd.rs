@@ -173,7 +173,7 @@ pub(crate) fn begin<S: Simd>(
     }
     start_pins(model, input.pin_targets, state, dt);
     find_body_contacts(simd, model, config, (input, dt), state);
-    let cloth_contact = find_cloth_contacts(model, config, substep.h, state);
+    let cloth_contact = find_cloth_contacts(simd, (model, config), substep.h, state);
     set_schedules(model, config, state);
     Plan {
         substep,
@@ -430,9 +430,10 @@ fn with_skin(
     act(&mut scratch.surfel_contacts, cloth, skin);
 }
 /// Where the cloth may touch itself in this step; the law of it, and the interval of substeps.
-fn find_cloth_contacts(
-    model: &ClothModel,
-    config: &SolverConfig,
+#[inline(always)]
+fn find_cloth_contacts<S: Simd>(
+    simd: S,
+    (model, config): (&ClothModel, &SolverConfig),
     h: f32,
     state: &mut ClothState,
 ) -> Option<(ClothContactLaw, u32)> {
@@ -447,7 +448,9 @@ fn find_cloth_contacts(
     };
     let friction = model.spec().fabric.friction;
     let law = ClothContactLaw::new(shape.grid, contact.radius, friction, h);
-    scratch.cloth_contacts.find(shape, &state.positions, law);
+    scratch
+        .cloth_contacts
+        .find(simd, shape, &state.positions, law);
     Some((law, contact.substep_interval.get()))
 }
 
