@@ -5,6 +5,7 @@ pub(crate) mod cloth_cloth;
 pub(crate) mod crossing;
 pub(crate) mod grid;
 pub(crate) mod impact_zone;
+pub mod layer;
 pub mod penalty;
 pub(crate) mod pinned_rows;
 pub(crate) mod repair;

@@ -1,8 +1,10 @@
 //! What a run is judged by: strain, penetration, the first number that is not one.
 
 mod crossings;
+mod layers;
 
 pub use crossings::self_crossings;
+pub use layers::layer_inversions;
 
 use glam::Vec3;
 use lole_geom::Capsule;

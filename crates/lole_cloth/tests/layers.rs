@@ -1,0 +1,135 @@
+//! Laws of layers: three skirts, one over the other, stay in their order while hips sway in them.
+
+mod xpbd_support;
+
+use std::f64::consts::TAU;
+
+use glam::Vec3;
+use lole_cloth::collision::layer::{Layer, LayerCloth, LayerLaw, keep_order};
+use lole_cloth::scenes::{swaying_hips, waved_ring};
+use lole_cloth::{ClothSpec, Fabric, Grid, MassLaw, Topology, diagnose};
+use xpbd_support::{DT, FABRIC, World};
+
+const LAW: LayerLaw = LayerLaw {
+    gap: 0.002,
+    reach: 0.04,
+    parting_speed: 1.0,
+};
+
+/// A tube of `radius` [m] with soft waves, pinned at its upper ring.
+fn tube(radius: f64, areal_density: f32) -> World {
+    let (column_count, row_count) = (64, 24);
+    let girth = 1.06 * TAU * radius;
+    let spacing = girth / f64::from(column_count);
+    let grid = Grid {
+        column_count,
+        row_count,
+        topology: Topology::Tube,
+        spacing: [glam::DVec2::splat(spacing).as_vec2().x, 0.018],
+    };
+    let ring = waved_ring(radius, girth, column_count, 8.0);
+    let positions: Vec<Vec3> = (0..row_count)
+        .flat_map(|row| {
+            let height = -0.08 - 0.018 * f64::from(row);
+            ring.iter()
+                .map(move |&[x, z]| glam::DVec3::new(x, height, z).as_vec3())
+        })
+        .collect();
+    let spec = ClothSpec {
+        grid,
+        fabric: Fabric {
+            areal_density,
+            friction: 0.2,
+            ..FABRIC
+        },
+        row_layers: vec![1.0; row_count as usize],
+        mass: MassLaw::Uniform,
+        pinned: (0..grid.particle_count())
+            .map(|particle| particle < column_count as usize)
+            .collect(),
+    };
+    World::new(&spec, &positions)
+}
+
+/// Inversions of all neighboring layers.
+fn inversions(layers: &[World]) -> usize {
+    let triangles = layers[0].model.spec().grid.triangles();
+    layers
+        .windows(2)
+        .map(|pair| {
+            let inner = Layer {
+                triangles: &triangles,
+                positions: &pair[0].positions(),
+            };
+            diagnose::layer_inversions(inner, &pair[1].positions(), LAW.reach)
+        })
+        .sum()
+}
+
+/// Moves all layers on by a frame, and brings them into order where there is a law.
+fn advance(layers: &mut [World], time: f64, law: Option<LayerLaw>) {
+    let capsules = swaying_hips(time);
+    for layer in layers.iter_mut() {
+        layer.step(&capsules);
+    }
+    let Some(law) = law else { return };
+    let triangles = layers[0].model.spec().grid.triangles();
+    for place in 1..layers.len() {
+        let [inner, outer] = &mut layers[place - 1..=place] else {
+            return;
+        };
+        let mut pair = [inner, outer].map(|world| LayerCloth {
+            model: &world.model,
+            state: &mut world.state,
+            triangles: &triangles,
+        });
+        let [inner, outer] = &mut pair;
+        keep_order(inner, outer, law, DT);
+    }
+}
+
+/// Worst number of inversions over two seconds of swaying.
+fn worst_inversions(law: Option<LayerLaw>) -> usize {
+    let mut layers = [(0.205, 0.12), (0.215, 0.2), (0.225, 0.1)].map(|(r, w)| tube(r, w));
+    assert_eq!(inversions(&layers), 0, "the start is in order");
+    let frames = 1..=120_u32;
+    let worst = frames.map(|frame| {
+        advance(&mut layers, f64::from(frame) / 60.0, law);
+        inversions(&layers)
+    });
+    worst.max().unwrap_or(0)
+}
+
+#[test]
+fn three_layers_stay_in_their_order_while_hips_sway() {
+    assert_eq!(worst_inversions(Some(LAW)), 0);
+}
+
+#[test]
+fn without_the_law_layers_pass_through_each_other() {
+    assert!(50 < worst_inversions(None));
+}
+
+#[test]
+fn a_start_in_the_wrong_order_comes_right_within_a_second_without_a_pop() {
+    let mut layers = [(0.215, 0.12), (0.209, 0.12)].map(|(r, w)| tube(r, w));
+    let wrong = inversions(&layers);
+    assert!(500 < wrong, "{wrong} particles start on the wrong side");
+    for frame in 0..60 {
+        advance(&mut layers, 0.0, Some(LAW));
+        for layer in &layers {
+            let speeds = layer.velocities();
+            let fastest = speeds.iter().map(|v| v.length()).fold(0.0, f32::max);
+            assert!(fastest < 4.0, "{fastest} m/s in frame {frame}");
+        }
+    }
+    let triangles = layers[0].model.spec().grid.triangles();
+    // The pinned rings cannot come right; what hangs freely does.
+    let inner = layers[0].positions();
+    let layer = Layer {
+        triangles: &triangles,
+        positions: &inner,
+    };
+    let free = &layers[1].positions()[3 * 64..];
+    assert_eq!(diagnose::layer_inversions(layer, free, LAW.reach), 0);
+}
