@@ -95,11 +95,7 @@ pub(super) fn measure(
     let prepared = method.prepare(&setup.spec)?;
     let model = prepared.cloth();
     let mut state = ClothState::new(model, &setup.positions);
-    let pins: Vec<glam::Vec3> = model
-        .pin_indices()
-        .iter()
-        .map(|&index| setup.positions[index as usize])
-        .collect();
+    let pins = pins(model, &setup.positions);
     let (mut process, mut wall) = (Vec::new(), Vec::new());
     let (mut positions, mut substeps) = (Vec::new(), Vec::new());
     let mut deepest = 0.0_f32;
@@ -165,4 +161,10 @@ pub(super) fn measure(
         bytes_per_particle: bytes / count,
         state_hash: format!("{:016x}", state_hash(&state)),
     })
+}
+
+/// Where the pinned particles are held [m].
+fn pins(model: &ClothModel, positions: &[glam::Vec3]) -> Vec<glam::Vec3> {
+    let pins = model.pin_indices().iter();
+    pins.map(|&index| positions[index as usize]).collect()
 }
