@@ -1,6 +1,5 @@
 //! One call of the engine: the cloth moves on by `dt`.
 
-use fearless_simd::dispatch;
 use glam::Vec3;
 use lole_geom::{Capsule, Surfel};
 
@@ -33,8 +32,7 @@ pub fn step(
     state: &mut ClothState,
     dt: f32,
 ) {
-    let level = config.instruction_set.level();
-    dispatch!(level, simd => xpbd::advance(simd, model, config, (input, dt), state));
+    xpbd::advance(model, config, (input, dt), state);
     state.pin_targets.clear();
     state.pin_targets.extend_from_slice(input.pin_targets);
     state.capsules.clear();

@@ -57,7 +57,7 @@ fn drape_coefficient(preset: &str) -> f32 {
         let input = StepInput {
             pin_targets: &pins,
             capsules: &[],
-            air_velocity: Vec3::ZERO,
+            ..StepInput::default()
         };
         step(&model, &config, &input, &mut state, 1.0 / 60.0);
     }

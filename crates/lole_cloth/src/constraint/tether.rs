@@ -106,7 +106,7 @@ fn spread_anchors(grid: &Grid, layout: &Layout, pin_indices: &[u32]) -> Vec<Anch
 }
 
 /// Distance [m] of two particles on the flat cloth; around a tube, the shorter way.
-fn flat_distance(grid: &Grid, first: usize, second: usize) -> f32 {
+pub(crate) fn flat_distance(grid: &Grid, first: usize, second: usize) -> f32 {
     let columns = grid.column_count as usize;
     let across = (first % columns).abs_diff(second % columns);
     let across = match grid.topology {

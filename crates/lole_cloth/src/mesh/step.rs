@@ -13,7 +13,7 @@ use crate::mesh::bend;
 use crate::mesh::model::{MeshModel, PATCH_VECTORS};
 use crate::mesh::outcome::{self, Cause, Outcome, Phase, all_finite, cause_in_input, first_lost};
 use crate::mesh::particles::{self, Gathered, WIDTH};
-use crate::mesh::state::MeshState;
+use crate::mesh::state::{MeshScratch, MeshState};
 use crate::mesh::strain::{self, Strain};
 use crate::mesh::stride;
 use crate::mesh::tether;
@@ -24,7 +24,7 @@ const FAR_INTERVAL: u32 = 4;
 
 /// Numbers that hold for every substep of one step.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Substep {
+pub(crate) struct Substep {
     /// Duration [s].
     h: f32,
     count: u32,
@@ -84,14 +84,13 @@ pub fn step(
     if let Some(cause) = cause_in_input(model, config, input, dt) {
         return Outcome::Held(cause);
     }
-    let level = config.instruction_set.level();
     state.keep();
-    dispatch!(level, simd => advance(simd, model, config, (input, dt), (state, &mut None)));
+    advance(model, config, (input, dt), (state, &mut None));
     if !(all_finite(&state.positions) && all_finite(&state.velocities)) {
         // The same again, looking at every particle after every phase.
         state.restore();
         let mut watch = Some(Watch::new(model, state));
-        dispatch!(level, simd => advance(simd, model, config, (input, dt), (state, &mut watch)));
+        advance(model, config, (input, dt), (state, &mut watch));
         state.restore();
         if let Some(cause) = watch.and_then(|watch| watch.cause) {
             return Outcome::Held(cause);
@@ -105,7 +104,7 @@ pub fn step(
 }
 
 /// Looks for the first particle that goes nowhere.
-struct Watch {
+pub(crate) struct Watch {
     substep: u32,
     cause: Option<Cause>,
 }
@@ -148,40 +147,63 @@ impl Watch {
     }
 }
 
-#[inline(always)]
-fn advance<S: Simd>(
-    simd: S,
+fn advance(
     model: &MeshModel,
     config: &SolverConfig,
     (input, dt): (&StepInput<'_>, f32),
     (state, watch): (&mut MeshState, &mut Option<Watch>),
 ) {
-    let substep = Substep::new(model, config, input.air_velocity, dt);
-    start(model, config, input, (state, dt));
-    find_contacts(simd, config, (input, dt), state);
+    let substep = begin(model, config, (input, dt), state);
     for index in 0..substep.count {
-        let mut after = |state: &MeshState, phase: Phase| {
-            if let Some(watch) = watch {
-                watch.substep = index;
-                watch.look(model, state, phase);
-            }
-        };
-        move_capsules(config, input, (index, substep.count), state);
-        predict(simd, model, &substep, state);
-        after(state, Phase::Flight);
-        stride::solve(simd, &mut state.scratch.particles, &state.scratch.strides);
-        after(state, Phase::Strides);
-        solve_stars(simd, model, &substep, &mut state.scratch.particles);
-        after(state, Phase::Bending);
-        for _ in 1..substep.sweep_count {
-            let particles = &mut state.scratch.particles;
-            strain::solve(simd, particles, &model.triangles, substep.strain);
+        if let Some(watch) = watch {
+            watch.substep = index;
         }
-        after(state, Phase::Strain);
-        finish(simd, model, (&substep, index), state);
-        after(state, Phase::Contact);
+        predict_and_project((model, config, input), (&substep, index), (state, watch));
+        finish((model, config), (&substep, index), state);
+        look(watch, model, state, Phase::Contact);
     }
     finish_pins(model, input.pin_targets, state);
+}
+
+fn look(watch: &mut Option<Watch>, model: &MeshModel, state: &MeshState, phase: Phase) {
+    if let Some(watch) = watch {
+        watch.look(model, state, phase);
+    }
+}
+
+/// What is done once, before the first substep.
+pub(crate) fn begin(
+    model: &MeshModel,
+    config: &SolverConfig,
+    (input, dt): (&StepInput<'_>, f32),
+    state: &mut MeshState,
+) -> Substep {
+    start(model, config, input, (state, dt));
+    find_contacts(config, (input, dt), state);
+    Substep::new(model, config, input.air_velocity, dt)
+}
+
+/// The first part of a substep: everything but contact.
+pub(crate) fn predict_and_project(
+    (model, config, input): (&MeshModel, &SolverConfig, &StepInput<'_>),
+    (substep, index): (&Substep, u32),
+    (state, watch): (&mut MeshState, &mut Option<Watch>),
+) {
+    move_capsules(config, input, (index, substep.count), state);
+    let level = config.instruction_set.level();
+    dispatch!(level, simd => predict(simd, model, substep, state));
+    look(watch, model, state, Phase::Flight);
+    let MeshScratch {
+        particles, strides, ..
+    } = &mut state.scratch;
+    dispatch!(level, simd => stride::solve(simd, particles, strides));
+    look(watch, model, state, Phase::Strides);
+    let particles = &mut state.scratch.particles;
+    dispatch!(level, simd => solve_stars(simd, model, substep, particles));
+    look(watch, model, state, Phase::Bending);
+    let particles = &mut state.scratch.particles;
+    dispatch!(level, simd => solve_triangles(simd, model, substep, particles));
+    look(watch, model, state, Phase::Strain);
 }
 
 /// Bending, and the first sweep over the triangles, most of which the stars solve.
@@ -191,7 +213,19 @@ fn solve_stars<S: Simd>(simd: S, model: &MeshModel, substep: &Substep, particles
     bend::solve(simd, particles, &model.stars.few, numbers);
     bend::solve(simd, particles, &model.stars.more, numbers);
     bend::solve(simd, particles, &model.stars.many, numbers);
-    strain::solve(simd, particles, &model.other_triangles, substep.strain);
+}
+
+/// The triangles that no star solves, and all of them in sweeps after the first.
+#[inline(always)]
+fn solve_triangles<S: Simd>(simd: S, model: &MeshModel, substep: &Substep, particles: &mut [f32]) {
+    for sweep in 0..substep.sweep_count {
+        let triangles = if sweep == 0 {
+            &model.other_triangles
+        } else {
+            &model.triangles
+        };
+        strain::solve(simd, particles, triangles, substep.strain);
+    }
 }
 
 /// Pinned particles fly straight to their targets, so every substep finds them on the way.
@@ -214,7 +248,7 @@ fn start(
 }
 
 /// Rounding has moved the pins a little off their targets.
-fn finish_pins(model: &MeshModel, targets: &[Vec3], state: &mut MeshState) {
+pub(crate) fn finish_pins(model: &MeshModel, targets: &[Vec3], state: &mut MeshState) {
     for (&pin, &target) in model.pin_indices().iter().zip(targets) {
         let slot = model.slots.of_particle[pin as usize] as usize;
         state.positions[slot / LANES].set(slot % LANES, target);
@@ -222,19 +256,16 @@ fn finish_pins(model: &MeshModel, targets: &[Vec3], state: &mut MeshState) {
 }
 
 /// Which capsules each patch may touch in this step.
-#[inline(always)]
-fn find_contacts<S: Simd>(
-    simd: S,
-    config: &SolverConfig,
-    (input, dt): (&StepInput<'_>, f32),
-    state: &mut MeshState,
-) {
-    state.scratch.contacts.find(
+fn find_contacts(config: &SolverConfig, (input, dt): (&StepInput<'_>, f32), state: &mut MeshState) {
+    let level = config.instruction_set.level();
+    let rows = (&state.positions[..], &state.velocities[..], PATCH_VECTORS);
+    let contacts = &mut state.scratch.contacts;
+    dispatch!(level, simd => contacts.find(
         simd,
-        (&state.positions, &state.velocities, PATCH_VECTORS),
+        rows,
         [&state.capsules, input.capsules],
         (config.contact_offset, config.gravity.length() * dt, dt),
-    );
+    ));
 }
 
 fn move_capsules(
@@ -315,8 +346,17 @@ fn fly_pins(
 }
 
 /// Contact with the body; then what the projections changed becomes velocity.
+pub(crate) fn finish(
+    (model, config): (&MeshModel, &SolverConfig),
+    (substep, index): (&Substep, u32),
+    state: &mut MeshState,
+) {
+    let level = config.instruction_set.level();
+    dispatch!(level, simd => finish_with(simd, model, (substep, index), state));
+}
+
 #[inline(always)]
-fn finish<S: Simd>(
+fn finish_with<S: Simd>(
     simd: S,
     model: &MeshModel,
     (substep, index): (&Substep, u32),

@@ -205,7 +205,7 @@ fn advance<S: Simd>(
     state.scratch.forces.clear();
     state.scratch.forces.resize(forces, Points::default());
     xpbd::start_pins(cloth, input.pin_targets, state, dt);
-    xpbd::find_body_contacts(simd, cloth, config, (input, dt), state);
+    xpbd::find_body_contacts(cloth, config, (input, dt), state);
     let law = StopLaw {
         friction: cloth.spec().fabric.friction,
         depenetration_speed: config.depenetration_speed,

@@ -8,7 +8,7 @@
 mod schedule;
 mod work;
 
-use fearless_simd::Simd;
+use fearless_simd::{Simd, dispatch};
 use glam::Vec3;
 use lole_geom::trig;
 
@@ -113,26 +113,24 @@ pub(crate) struct Plan {
 }
 
 /// Moves the cloth on by `dt`.
-#[inline(always)]
-pub(crate) fn advance<S: Simd>(
-    simd: S,
+pub(crate) fn advance(
     model: &ClothModel,
     config: &SolverConfig,
     (input, dt): (&StepInput<'_>, f32),
     state: &mut ClothState,
 ) {
-    let plan = begin(simd, model, config, (input, dt), state);
+    let plan = begin(model, config, (input, dt), state);
     for index in 0..plan.substep.count {
         if plan.law(index).is_some() {
-            predict_and_project(simd, (model, config, input), (&plan, index), state);
-            collide_and_finish(simd, (model, config), (&plan, index), state);
+            predict_and_project((model, config, input), (&plan, index), state);
+            collide_and_finish((model, config), (&plan, index), state);
         } else {
             start_substep((model, config, input), (&plan, index), state);
             let part = (Part::Whole, plan.range(index), index);
-            run(simd, (model, config, &plan.substep), part, state);
+            run((model, config, &plan.substep), part, state);
         }
     }
-    end(simd, (model, config), (input, dt), state);
+    end((model, config), (input, dt), state);
 }
 
 impl Plan {
@@ -154,9 +152,7 @@ impl Plan {
 }
 
 /// What is done once, before the first substep.
-#[inline(always)]
-pub(crate) fn begin<S: Simd>(
-    simd: S,
+pub(crate) fn begin(
     model: &ClothModel,
     config: &SolverConfig,
     (input, dt): (&StepInput<'_>, f32),
@@ -172,8 +168,10 @@ pub(crate) fn begin<S: Simd>(
         state.surfels.extend_from_slice(input.surfels);
     }
     start_pins(model, input.pin_targets, state, dt);
-    find_body_contacts(simd, model, config, (input, dt), state);
-    let cloth_contact = find_cloth_contacts(simd, (model, config), substep.h, state);
+    find_body_contacts(model, config, (input, dt), state);
+    let level = config.instruction_set.level();
+    let cloth_contact =
+        dispatch!(level, simd => find_cloth_contacts(simd, (model, config), substep.h, state));
     set_schedules(model, config, state);
     Plan {
         substep,
@@ -183,23 +181,19 @@ pub(crate) fn begin<S: Simd>(
 }
 
 /// The first part of a substep: a straight flight, and all springs but the last sweep.
-#[inline(always)]
-pub(crate) fn predict_and_project<S: Simd>(
-    simd: S,
+pub(crate) fn predict_and_project(
     (model, config, input): (&ClothModel, &SolverConfig, &StepInput<'_>),
     (plan, index): (&Plan, u32),
     state: &mut ClothState,
 ) {
     start_substep((model, config, input), (plan, index), state);
     let part = (Part::BeforeContact, plan.range(index), index);
-    run(simd, (model, config, &plan.substep), part, state);
+    run((model, config, &plan.substep), part, state);
 }
 
 /// The rest of a substep: contact of the cloth with itself, the last sweep, contact with the body,
 /// and velocities.
-#[inline(always)]
-pub(crate) fn collide_and_finish<S: Simd>(
-    simd: S,
+pub(crate) fn collide_and_finish(
     (model, config): (&ClothModel, &SolverConfig),
     (plan, index): (&Plan, u32),
     state: &mut ClothState,
@@ -208,7 +202,7 @@ pub(crate) fn collide_and_finish<S: Simd>(
         solve_cloth_contacts(law, state);
     }
     let part = (Part::AfterContact, plan.range(index), index);
-    run(simd, (model, config, &plan.substep), part, state);
+    run((model, config, &plan.substep), part, state);
 }
 
 /// Where the body is in a substep.
@@ -231,15 +225,14 @@ fn start_substep(
 }
 
 /// What is done once, after the last substep.
-#[inline(always)]
-pub(crate) fn end<S: Simd>(
-    simd: S,
+pub(crate) fn end(
     (model, config): (&ClothModel, &SolverConfig),
     (input, dt): (&StepInput<'_>, f32),
     state: &mut ClothState,
 ) {
     finish_pins(model, input.pin_targets, state);
-    repair_crossings(simd, (model, config), (input, dt), state);
+    let level = config.instruction_set.level();
+    dispatch!(level, simd => repair_crossings(simd, (model, config), (input, dt), state));
 }
 
 /// Takes back what came to cross in this step.
@@ -286,8 +279,19 @@ pub(crate) struct Schedules([Schedule; 3]);
 /// Far capsules are tested in every so manyth substep, and in the last of a step.
 const FAR_INTERVAL: u32 = 4;
 
+/// Vector instructions are chosen here and where contacts are found, and nowhere between: what calls
+/// them stays small for the compiler, however many ways lead here.
+fn run(
+    (model, config, substep): (&ClothModel, &SolverConfig, &Substep),
+    part: (Part, Range, u32),
+    state: &mut ClothState,
+) {
+    let level = config.instruction_set.level();
+    dispatch!(level, simd => run_with(simd, (model, config, substep), part, state));
+}
+
 #[inline(always)]
-fn run<S: Simd>(
+fn run_with<S: Simd>(
     simd: S,
     (model, config, substep): (&ClothModel, &SolverConfig, &Substep),
     (part, range, index): (Part, Range, u32),
@@ -371,9 +375,7 @@ fn limit(cells: u32, spacing: f32) -> Pull {
 }
 
 /// Where each row may touch the body in this step.
-#[inline(always)]
-pub(super) fn find_body_contacts<S: Simd>(
-    simd: S,
+pub(super) fn find_body_contacts(
     model: &ClothModel,
     config: &SolverConfig,
     (input, dt): (&StepInput<'_>, f32),
@@ -382,12 +384,13 @@ pub(super) fn find_body_contacts<S: Simd>(
     let (scratch, positions, velocities) =
         (&mut state.scratch, &state.positions, &state.velocities);
     let speed_gain = config.gravity.length() * dt;
-    scratch.row_contacts.find(
+    let level = config.instruction_set.level();
+    dispatch!(level, simd => scratch.row_contacts.find(
         simd,
         (positions, velocities, model.layout.group_count),
         [&state.capsules, input.capsules],
         (config.contact_offset, speed_gain, dt),
-    );
+    ));
     let spacing = model.spec().grid.spacing[1];
     model.pinned_rows.held_depths(
         (config.held_depth, model.spec().grid.row_count, spacing),
@@ -477,7 +480,7 @@ pub(super) fn start_pins(model: &ClothModel, targets: &[Vec3], state: &mut Cloth
 }
 
 /// Rounding has moved the pins a little off their targets.
-pub(crate) fn finish_pins(model: &ClothModel, targets: &[Vec3], state: &mut ClothState) {
+pub(super) fn finish_pins(model: &ClothModel, targets: &[Vec3], state: &mut ClothState) {
     for (&pin, &target) in model.pin_indices().iter().zip(targets) {
         let (vector, lane) = model.layout.slot(pin as usize);
         state.positions[vector].set(lane, target);

@@ -1,0 +1,25 @@
+//! Pieces of cloth, grids and triangles alike, sewn together and held by what a maker puts in.
+//!
+//! All pieces take their substeps in turn. Between the springs of a substep and its contacts come
+//! the joints, each kind in a file of its own: [`Seam`], [`Elastic`], [`Drawstring`], [`Pleat`] and
+//! [`Attachment`] to a bone. They are solved once a substep, like every constraint of the method.
+
+mod attachment;
+mod drawstring;
+mod elastic;
+mod joint;
+mod knot;
+mod piece;
+mod pleat;
+mod seam;
+mod step;
+
+pub use attachment::{Attachment, Frame};
+pub use drawstring::Drawstring;
+pub use elastic::Elastic;
+pub use joint::{Joint, JointError};
+pub use knot::{EdgePoint, Ends, Place};
+pub use piece::{Piece, PieceState};
+pub use pleat::Pleat;
+pub use seam::Seam;
+pub use step::{Assembly, AssemblyInput, AssemblyState, Lost, step};

@@ -1,0 +1,283 @@
+//! An assembly, and its step: all pieces substep by substep, with the joints in between.
+
+use std::num::NonZeroU32;
+
+use glam::Vec3;
+use lole_geom::Capsule;
+
+use crate::assembly::attachment::{Bones, Frame};
+use crate::assembly::joint::{Joint, JointError, Made};
+use crate::assembly::piece::{Piece, PieceState};
+use crate::lanes::Points;
+use crate::mesh::outcome::all_finite;
+use crate::method::xpbd;
+use crate::{StepInput, mesh};
+
+/// Pieces and what joins them: what never changes from step to step.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Assembly {
+    pieces: Vec<Piece>,
+    joints: Vec<Made>,
+    substep_count: u32,
+}
+
+/// What moves of an assembly.
+#[derive(Debug, Clone)]
+pub struct AssemblyState {
+    /// In the order of the pieces.
+    pub pieces: Vec<PieceState>,
+    /// Where the bones were left; empty before the first step.
+    frames: Vec<Frame>,
+    /// By piece, positions and velocities before the step.
+    kept: Vec<[Vec<Points>; 2]>,
+}
+
+/// What the world does during one step.
+#[derive(Debug, Clone, Copy)]
+pub struct AssemblyInput<'a> {
+    /// By piece, where its pinned particles are at the end of the step [m].
+    pub pin_targets: &'a [Vec<Vec3>],
+    /// Where the bones are at the end of the step; always the same ones in the same order.
+    pub frames: &'a [Frame],
+    /// Where the capsules are at the end of the step; always the same ones in the same order.
+    pub capsules: &'a [Capsule],
+    /// Velocity of the air [m/s].
+    pub air_velocity: Vec3,
+}
+
+/// The piece that a step would have sent nowhere.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error("a particle of piece {piece} went nowhere in substep {substep}; the step was not taken")]
+pub struct Lost {
+    /// The first piece with a particle at no place.
+    pub piece: usize,
+    /// After which substep, from 0.
+    pub substep: u32,
+}
+
+impl Assembly {
+    /// Joins pieces, which take `substep_count` substeps in every step whatever their own settings
+    /// say.
+    ///
+    /// # Errors
+    /// A joint of pieces or particles that do not exist, or with a number that is out of range.
+    pub fn new(
+        mut pieces: Vec<Piece>,
+        joints: &[Joint],
+        substep_count: NonZeroU32,
+    ) -> Result<Self, JointError> {
+        for piece in &mut pieces {
+            piece.config_mut().substep_count = substep_count;
+        }
+        let made = joints.iter().map(|joint| Made::new(&pieces, joint));
+        Ok(Self {
+            joints: made.collect::<Result<_, _>>()?,
+            pieces,
+            substep_count: substep_count.get(),
+        })
+    }
+
+    /// The pieces.
+    #[must_use]
+    pub fn pieces(&self) -> &[Piece] {
+        &self.pieces
+    }
+}
+
+impl AssemblyState {
+    /// Every piece at rest at its `positions` [m].
+    ///
+    /// # Panics
+    /// When there are more or fewer lists than pieces, or one has another length than its piece has
+    /// particles.
+    #[must_use]
+    pub fn new(assembly: &Assembly, positions: &[Vec<Vec3>]) -> Self {
+        assert_eq!(positions.len(), assembly.pieces.len(), "one list a piece");
+        let pairs = assembly.pieces.iter().zip(positions);
+        Self {
+            pieces: pairs
+                .map(|(piece, positions)| PieceState::new(piece, positions))
+                .collect(),
+            frames: Vec::new(),
+            kept: vec![[Vec::new(), Vec::new()]; positions.len()],
+        }
+    }
+
+    /// Remembers where everything is.
+    fn keep(&mut self) {
+        for (kept, piece) in self.kept.iter_mut().zip(&self.pieces) {
+            for (kept, column) in kept.iter_mut().zip(piece.columns()) {
+                kept.clone_from(column);
+            }
+        }
+    }
+
+    /// Puts everything back.
+    fn restore(&mut self) {
+        for (kept, piece) in self.kept.iter().zip(&mut self.pieces) {
+            for (kept, column) in kept.iter().zip(piece.columns_mut()) {
+                column.clone_from(kept);
+            }
+        }
+    }
+}
+
+/// Moves the assembly on by `dt` [s].
+///
+/// # Errors
+/// Where a particle would be at no place afterwards; the state is then as it was before.
+pub fn step(
+    assembly: &Assembly,
+    input: &AssemblyInput<'_>,
+    state: &mut AssemblyState,
+    dt: f32,
+) -> Result<(), Lost> {
+    if state.frames.len() != input.frames.len() {
+        state.frames = input.frames.to_vec();
+    }
+    state.keep();
+    advance(assembly, (input, dt), (state, &mut None));
+    if !state.pieces.iter().all(is_finite) {
+        // The same again, looking at every piece after every substep.
+        state.restore();
+        let mut lost = Some(Lost {
+            piece: usize::MAX,
+            substep: 0,
+        });
+        advance(assembly, (input, dt), (state, &mut lost));
+        state.restore();
+        if let Some(lost) = lost {
+            return Err(lost);
+        }
+    }
+    let pins = state.pieces.iter_mut().zip(input.pin_targets);
+    for (piece, targets) in pins {
+        let (pin_targets, capsules) = match piece {
+            PieceState::Grid(state) => (&mut state.pin_targets, &mut state.capsules),
+            PieceState::Mesh(state) => (&mut state.pin_targets, &mut state.capsules),
+        };
+        pin_targets.clone_from(targets);
+        capsules.clear();
+        capsules.extend_from_slice(input.capsules);
+    }
+    state.frames.clear();
+    state.frames.extend_from_slice(input.frames);
+    Ok(())
+}
+
+fn is_finite(piece: &PieceState) -> bool {
+    piece.columns().iter().all(|column| all_finite(column))
+}
+
+/// What holds for all substeps of a piece.
+enum Plan {
+    Grid(xpbd::Plan),
+    Mesh(mesh::step::Substep),
+}
+
+fn advance(
+    assembly: &Assembly,
+    (input, dt): (&AssemblyInput<'_>, f32),
+    (state, lost): (&mut AssemblyState, &mut Option<Lost>),
+) {
+    let none = Vec::new();
+    let inputs: Vec<StepInput<'_>> = (0..assembly.pieces.len())
+        .map(|piece| StepInput {
+            pin_targets: input.pin_targets.get(piece).unwrap_or(&none),
+            capsules: input.capsules,
+            air_velocity: input.air_velocity,
+            ..StepInput::default()
+        })
+        .collect();
+    let pieces = || assembly.pieces.iter().zip(&inputs);
+    let plans: Vec<Option<Plan>> = (pieces().zip(&mut state.pieces))
+        .map(|(piece, state)| begin(piece, dt, state))
+        .collect();
+    let count = assembly.substep_count;
+    #[expect(clippy::cast_precision_loss, reason = "substeps are few")]
+    let h = dt / count as f32;
+    for index in 0..count {
+        for ((piece, plan), state) in pieces().zip(&plans).zip(&mut state.pieces) {
+            predict_and_project(piece, (plan.as_ref(), index), state);
+        }
+        #[expect(clippy::cast_precision_loss, reason = "substeps are few")]
+        let bones = Bones {
+            before: &state.frames,
+            after: input.frames,
+            share: (index + 1) as f32 / count as f32,
+        };
+        for joint in &assembly.joints {
+            joint.solve(&mut state.pieces, &bones, h);
+        }
+        for ((piece, plan), state) in pieces().zip(&plans).zip(&mut state.pieces) {
+            finish(piece.0, (plan.as_ref(), index), state);
+        }
+        if let Some(lost) = lost.as_mut().filter(|lost| lost.piece == usize::MAX)
+            && let Some(piece) = state.pieces.iter().position(|piece| !is_finite(piece))
+        {
+            *lost = Lost {
+                piece,
+                substep: index,
+            };
+        }
+    }
+    for ((piece, input), state) in pieces().zip(&mut state.pieces) {
+        match (piece, state) {
+            (Piece::Grid(model, config), PieceState::Grid(state)) => {
+                xpbd::end((model, config), (input, dt), state);
+            }
+            (Piece::Mesh(model, _), PieceState::Mesh(state)) => {
+                mesh::step::finish_pins(model, input.pin_targets, state);
+            }
+            _ => {}
+        }
+    }
+}
+
+/// `None` where the state is another piece's.
+fn begin(
+    (piece, input): (&Piece, &StepInput<'_>),
+    dt: f32,
+    state: &mut PieceState,
+) -> Option<Plan> {
+    match (piece, state) {
+        (Piece::Grid(model, config), PieceState::Grid(state)) => {
+            let plan = xpbd::begin(model, config, (input, dt), state);
+            Some(Plan::Grid(plan))
+        }
+        (Piece::Mesh(model, config), PieceState::Mesh(state)) => {
+            let plan = mesh::step::begin(model, config, (input, dt), state);
+            Some(Plan::Mesh(plan))
+        }
+        _ => None,
+    }
+}
+
+fn predict_and_project(
+    (piece, input): (&Piece, &StepInput<'_>),
+    (plan, index): (Option<&Plan>, u32),
+    state: &mut PieceState,
+) {
+    match (piece, state, plan) {
+        (Piece::Grid(model, config), PieceState::Grid(state), Some(Plan::Grid(plan))) => {
+            xpbd::predict_and_project((model, config, input), (plan, index), state);
+        }
+        (Piece::Mesh(model, config), PieceState::Mesh(state), Some(Plan::Mesh(plan))) => {
+            let world = (&**model, &**config, input);
+            mesh::step::predict_and_project(world, (plan, index), (state, &mut None));
+        }
+        _ => {}
+    }
+}
+
+fn finish(piece: &Piece, (plan, index): (Option<&Plan>, u32), state: &mut PieceState) {
+    match (piece, state, plan) {
+        (Piece::Grid(model, config), PieceState::Grid(state), Some(Plan::Grid(plan))) => {
+            xpbd::collide_and_finish((model, config), (plan, index), state);
+        }
+        (Piece::Mesh(model, config), PieceState::Mesh(state), Some(Plan::Mesh(plan))) => {
+            mesh::step::finish((model, config), (plan, index), state);
+        }
+        _ => {}
+    }
+}
