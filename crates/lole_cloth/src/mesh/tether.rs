@@ -262,24 +262,24 @@ mod tests {
             .collect();
         // The lower lip of the slit, y = 1 and x < 1, gets particles of its own.
         let lip = |k: u32| k / side == 4 && k % side < 4;
-        let first_copy = flat.len() as u32;
+        let first_copy = side * side;
         let copies: Vec<Vec2> = (0..4).map(|x| Vec2::new(x as f32 * 0.25, 1.0)).collect();
         flat.extend(copies);
         let mut triangles = Vec::new();
-        for row in 0..side - 1 {
-            for column in 0..side - 1 {
-                let a = row * side + column;
-                let below = |k: u32| {
-                    if row == 4 && lip(k) {
-                        first_copy + k % side
-                    } else {
-                        k
-                    }
-                };
-                let corners = [a, a + 1, a + side, a + side + 1].map(below);
-                triangles.push([corners[0], corners[1], corners[3]]);
-                triangles.push([corners[0], corners[3], corners[2]]);
-            }
+        for cell in 0..(side - 1) * (side - 1) {
+            let (row, column) = (cell / (side - 1), cell % (side - 1));
+            let a = row * side + column;
+            let is_below = |k: u32| row == 4 && lip(k);
+            let below = |k: u32| {
+                if is_below(k) {
+                    first_copy + k % side
+                } else {
+                    k
+                }
+            };
+            let corners = [a, a + 1, a + side, a + side + 1].map(below);
+            triangles.push([corners[0], corners[1], corners[3]]);
+            triangles.push([corners[0], corners[3], corners[2]]);
         }
         MeshSpec::new(flat, triangles, FABRIC)
     }
