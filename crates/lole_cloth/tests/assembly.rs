@@ -228,7 +228,7 @@ fn a_grid_alone_moves_as_without_an_assembly() {
         let input = StepInput {
             pin_targets: &positions[..20],
             capsules: &[],
-            air_velocity: Vec3::ZERO,
+            ..StepInput::default()
         };
         lole_cloth::step(&model, &SolverConfig::default(), &input, &mut state, DT);
     }
