@@ -30,6 +30,39 @@ pub(crate) struct Crossing {
     pub(crate) weights: Vec3,
 }
 
+/// Some of the patches.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct Marked {
+    patches: Vec<u32>,
+    is_marked: Vec<bool>,
+}
+
+impl Marked {
+    /// Marks the patches around some particles, and no others.
+    pub(crate) fn set(&mut self, surface: &Surface, particles: &[u32]) {
+        self.is_marked.clear();
+        self.is_marked.resize(surface.patches.len(), false);
+        self.patches.clear();
+        for &particle in particles {
+            for &patch in surface.star(particle as usize) {
+                if !self.is_marked[patch as usize] {
+                    self.is_marked[patch as usize] = true;
+                    self.patches.push(patch);
+                }
+            }
+        }
+    }
+
+    fn has(&self, patch: u32) -> bool {
+        self.is_marked[patch as usize]
+    }
+
+    /// Memory that it holds [byte].
+    pub(crate) const fn byte_count(&self) -> usize {
+        self.is_marked.len() + size_of_val(self.patches.as_slice())
+    }
+}
+
 /// Boxes around patches in the order of the cells, and room for a vector beyond the last.
 #[derive(Debug, Clone, Default, PartialEq)]
 struct Boxes {
@@ -50,11 +83,11 @@ pub(crate) struct CrossingFinder {
     large: Vec<u32>,
     /// Last patch of which every patch was found to be a neighbor.
     stamps: Vec<u32>,
-    /// Room for patches that have moved, and a mark for those not where they were sorted.
-    moved: Vec<u32>,
+    /// Room for a mark for patches that are not where they were sorted, and for their order along x.
+    along_x: Vec<(f32, u32)>,
     is_apart: Vec<bool>,
-    /// Normals of both triangles of every patch, as long as twice their areas [m²].
-    normals: [Vec<Vec3>; 2],
+    /// Of both triangles of every patch.
+    normals: Vec<[Vec3; 2]>,
     /// Pairs of patches that share no particle and may come to cross.
     near: Vec<[u32; 2]>,
     /// Pairs of patches that share a particle around which the surface folds.
@@ -122,22 +155,18 @@ impl CrossingFinder {
         &mut self,
         surface: &Surface,
         (positions, margin): (&[Vec3], f32),
-        marks: &[bool],
+        marked: &Marked,
     ) {
-        let mut moved = std::mem::take(&mut self.moved);
-        moved.clear();
         let mut shift = 0.0_f32;
-        for (patch, _) in (0u32..).zip(marks).filter(|&(_, &marked)| marked) {
+        for &patch in &marked.patches {
             let place = patch as usize;
             let before = self.centers[place];
             self.set_box(surface, positions, (patch, margin));
             shift = shift.max((self.centers[place] - before).abs().max_element());
-            moved.push(patch);
         }
         self.near
-            .retain(|pair| !pair.iter().any(|&patch| marks[patch as usize]));
-        self.list_near(surface, &moved, shift);
-        self.moved = moved;
+            .retain(|pair| !pair.iter().any(|&patch| marked.has(patch)));
+        self.list_near(surface, &marked.patches, shift);
     }
 
     /// Lists what is near some patches, which are not where they were sorted: they and their
@@ -151,6 +180,7 @@ impl CrossingFinder {
             halves,
             cells,
             near,
+            along_x,
             is_apart,
             usual,
             large,
@@ -168,7 +198,7 @@ impl CrossingFinder {
                 near.push(pair);
             }
         };
-        for (place, &patch) in patches.iter().enumerate() {
+        for &patch in patches {
             let center = centers[patch as usize];
             let reach = halves[patch as usize] + Vec3::splat(*usual + shift);
             cells.runs_within([center - reach, center + reach], |run| {
@@ -182,7 +212,15 @@ impl CrossingFinder {
             for &other in large.iter().filter(|&&other| !is_apart[other as usize]) {
                 add([patch, other]);
             }
-            for &other in &patches[place + 1..] {
+        }
+        along_x.clear();
+        let low = |&patch: &u32| (centers[patch as usize].x - halves[patch as usize].x, patch);
+        along_x.extend(patches.iter().map(low));
+        along_x.sort_by(|one, other| one.0.total_cmp(&other.0).then(one.1.cmp(&other.1)));
+        for (place, &(_, patch)) in along_x.iter().enumerate() {
+            let high = centers[patch as usize].x + halves[patch as usize].x;
+            let beside = along_x[place + 1..].iter();
+            for &(_, other) in beside.take_while(|&&(low, _)| low <= high) {
                 add([patch, other]);
             }
         }
@@ -235,11 +273,11 @@ impl CrossingFinder {
     }
 
     /// Finds the crossings at `positions` among the patches that were near, `within` those marked.
-    pub(crate) fn find(&mut self, surface: &Surface, positions: &[Vec3], within: Option<&[bool]>) {
+    pub(crate) fn find(&mut self, surface: &Surface, positions: &[Vec3], within: Option<&Marked>) {
         self.crossings.clear();
         self.find_folded(surface, positions, within);
         for &pair in &self.near {
-            if within.is_none_or(|marks| pair.iter().any(|&patch| marks[patch as usize])) {
+            if within.is_none_or(|marked| pair.iter().any(|&patch| marked.has(patch))) {
                 let corners = pair.map(|patch| corners_of(surface, positions, patch));
                 if !are_parted(corners) {
                     cross(surface, pair, corners, &mut self.crossings);
@@ -253,43 +291,57 @@ impl CrossingFinder {
     }
 
     /// Lists the patches around every particle where normals do not lie in one half-space.
-    fn find_folded(&mut self, surface: &Surface, positions: &[Vec3], within: Option<&[bool]>) {
-        let folded = &mut self.folded;
-        folded.clear();
-        let normals = &mut self.normals;
-        normals.iter_mut().for_each(Vec::clear);
-        for patch in 0..narrow(surface.patches.len()) {
-            let [a, b, c, d] = corners_of(surface, positions, patch);
-            let diagonal = d - a;
-            normals[0].push((b - a).cross(diagonal));
-            normals[1].push(diagonal.cross(c - a));
-        }
-        for particle in 0..surface.particle_count() {
-            let star = surface.star(particle);
-            if within.is_some_and(|marks| !star.iter().any(|&patch| marks[patch as usize])) {
-                continue;
+    fn find_folded(&mut self, surface: &Surface, positions: &[Vec3], within: Option<&Marked>) {
+        self.folded.clear();
+        if let Some(marked) = within {
+            for &patch in &marked.patches {
+                self.normals[patch as usize] = normals_of(surface, positions, patch);
             }
-            let mut sum = Vec3::ZERO;
-            for &patch in star {
-                sum += normals[0][patch as usize] + normals[1][patch as usize];
+            let corners = |&patch: &u32| surface.patches[patch as usize].corners;
+            let mut particles: Vec<u32> = marked.patches.iter().flat_map(corners).collect();
+            particles.sort_unstable();
+            particles.dedup();
+            for particle in particles {
+                self.find_folded_at(surface.star(particle as usize));
             }
-            let limit = FLAT_COSINE * FLAT_COSINE * sum.length_squared();
-            let is_flat = star.iter().all(|&patch| {
-                normals.iter().all(|normals| {
-                    let normal = normals[patch as usize];
-                    let along = sum.dot(normal);
-                    0.0 <= along && limit * normal.length_squared() <= along * along
-                })
-            });
-            if !is_flat {
-                for (place, &one) in star.iter().enumerate() {
-                    folded.extend(star[place + 1..].iter().map(|&other| [one, other]));
-                }
+        } else {
+            self.normals.clear();
+            let patches = 0..narrow(surface.patches.len());
+            (self.normals).extend(patches.map(|patch| normals_of(surface, positions, patch)));
+            for particle in 0..surface.particle_count() {
+                self.find_folded_at(surface.star(particle));
             }
         }
-        folded.sort_unstable();
-        folded.dedup();
+        self.folded.sort_unstable();
+        self.folded.dedup();
     }
+
+    fn find_folded_at(&mut self, star: &[u32]) {
+        if !self.is_flat(star) {
+            for (place, &one) in star.iter().enumerate() {
+                let others = star[place + 1..].iter();
+                self.folded.extend(others.map(|&other| [one, other]));
+            }
+        }
+    }
+
+    /// Whether the normals of all patches lie in one half-space, and well within it.
+    fn is_flat(&self, star: &[u32]) -> bool {
+        let normals = || star.iter().flat_map(|&patch| self.normals[patch as usize]);
+        let sum: Vec3 = normals().sum();
+        let limit = FLAT_COSINE * FLAT_COSINE * sum.length_squared();
+        normals().all(|normal| {
+            let along = sum.dot(normal);
+            0.0 <= along && limit * normal.length_squared() <= along * along
+        })
+    }
+}
+
+/// Normals of both triangles of a patch, as long as twice their areas [m²].
+fn normals_of(surface: &Surface, positions: &[Vec3], patch: u32) -> [Vec3; 2] {
+    let [a, b, c, d] = corners_of(surface, positions, patch);
+    let diagonal = d - a;
+    [(b - a).cross(diagonal), diagonal.cross(c - a)]
 }
 
 /// Patches of the entries whose bits are set.
@@ -488,14 +540,13 @@ mod tests {
             let count = diagnose::self_crossings(&grid, &positions);
             assert_eq!(Some(finder.crossings.len()), count, "crumpled by {amount}");
             // One row is pulled across the tube.
-            let mut marks = vec![false; surface.patches.len()];
-            for column in 0..grid.column_count {
-                let particle = grid.index(7, column);
-                positions[particle].x += 0.03;
-                for &patch in surface.star(particle) {
-                    marks[patch as usize] = true;
-                }
+            let moved = (0..grid.column_count).map(|column| grid.index(7, column));
+            let moved: Vec<u32> = moved.map(narrow).collect();
+            for &particle in &moved {
+                positions[particle as usize].x += 0.03;
             }
+            let mut marks = Marked::default();
+            marks.set(&surface, &moved);
             finder.look_at(&surface, (&positions, 0.001), &marks);
             finder.find(&surface, &positions, Some(&marks));
             let moved = found(&finder);

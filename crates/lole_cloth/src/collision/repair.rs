@@ -11,7 +11,7 @@ use fearless_simd::Simd;
 use glam::Vec3;
 use lole_geom::Capsule;
 
-use crate::collision::crossing::{Crossing, CrossingFinder, crossing_point};
+use crate::collision::crossing::{Crossing, CrossingFinder, Marked, crossing_point};
 use crate::collision::impact_zone::ImpactZones;
 use crate::collision::separation::Separation;
 use crate::collision::surface::{ABSENT, Surface};
@@ -70,7 +70,7 @@ pub(crate) struct CrossingRepair {
     /// Particles that the repair has moved, and a mark for each.
     moved: Vec<u32>,
     is_moved: Vec<bool>,
-    is_patch_moved: Vec<bool>,
+    moved_patches: Marked,
     /// Particles near what still crosses at the end of a step; empty where nothing does.
     pub(crate) is_tangled: Vec<bool>,
 }
@@ -85,7 +85,7 @@ impl CrossingRepair {
             + self.zones.byte_count()
             + size_of_val(&self.moved[..])
             + size_of_val(&self.is_moved[..])
-            + size_of_val(&self.is_patch_moved[..])
+            + self.moved_patches.byte_count()
     }
 
     /// Repairs what came to cross since the particles were at `starts`, row-major [m].
@@ -184,18 +184,18 @@ impl CrossingRepair {
             let travel = self.positions[place] - self.looked_at[place];
             0.25 * MARGIN * MARGIN < travel.length_squared()
         });
-        self.mark_patches(fixed.surface);
+        self.moved_patches.set(fixed.surface, &self.moved);
         if went_far {
             self.looked_at.clear();
             self.looked_at.extend_from_slice(&self.positions);
             self.finder.look_at(
                 fixed.surface,
                 (&self.positions, MARGIN),
-                &self.is_patch_moved,
+                &self.moved_patches,
             );
         }
         self.finder
-            .find(fixed.surface, &self.positions, Some(&self.is_patch_moved));
+            .find(fixed.surface, &self.positions, Some(&self.moved_patches));
     }
 
     /// Makes a separation of every crossing that was none at the start.
@@ -297,16 +297,6 @@ impl CrossingRepair {
                 }
             }
             *position = fixed.skin.outside((vector, lane), *position);
-        }
-    }
-
-    fn mark_patches(&mut self, surface: &Surface) {
-        self.is_patch_moved.clear();
-        self.is_patch_moved.resize(surface.patches.len(), false);
-        for &particle in &self.moved {
-            for &patch in surface.star(particle as usize) {
-                self.is_patch_moved[patch as usize] = true;
-            }
         }
     }
 
