@@ -59,6 +59,19 @@ pub struct SelfCollision {
     pub radius: f32,
     /// Substeps from one solution of the contacts to the next: 1 is safest, 2 halves the work.
     pub substep_interval: NonZeroU32,
+    /// What is done where edges came to cross triangles all the same.
+    pub crossings: Crossings,
+}
+
+/// What the end of a step does about cloth that has gone through itself.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Crossings {
+    /// Takes back what came to cross in the step, and draws out what crossed before: about as much
+    /// work as all the rest.
+    #[default]
+    Repair,
+    /// Nothing.
+    Leave,
 }
 
 /// Vector instructions of the processor.

@@ -50,7 +50,7 @@ pub mod state;
 pub mod step;
 pub mod wind;
 
-pub use config::{InstructionSet, SelfCollision, SolverConfig};
+pub use config::{Crossings, InstructionSet, SelfCollision, SolverConfig};
 pub use fabric::Fabric;
 pub use grid::{Grid, Topology};
 pub use model::{BuildError, ClothModel};

@@ -75,6 +75,7 @@ pub const SCENES: &[Scene] = &[
             setup.config.self_collision = Some(SelfCollision {
                 radius: 0.006,
                 substep_interval: NonZeroU32::MIN.saturating_add(1),
+                crossings: crate::Crossings::Repair,
             });
             setup
         },
@@ -233,6 +234,7 @@ fn gathered() -> Setup {
             self_collision: Some(SelfCollision {
                 radius: 0.003,
                 substep_interval: NonZeroU32::MIN.saturating_add(1),
+                crossings: crate::Crossings::Repair,
             }),
             ..SolverConfig::default()
         },

@@ -185,6 +185,7 @@ fn coincident_particles_stay_finite() {
     world.config.self_collision = Some(lole_cloth::SelfCollision {
         radius: 0.01,
         substep_interval: std::num::NonZeroU32::MIN,
+        crossings: lole_cloth::Crossings::Repair,
     });
     for _ in 0..10 {
         world.step(&[]);

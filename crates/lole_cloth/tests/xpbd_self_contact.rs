@@ -14,6 +14,7 @@ fn with_self_contact(mut world: World) -> World {
     world.config.self_collision = Some(SelfCollision {
         radius: 0.004,
         substep_interval: NonZeroU32::MIN,
+        crossings: lole_cloth::Crossings::Repair,
     });
     world
 }

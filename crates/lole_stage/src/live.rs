@@ -10,7 +10,7 @@ use std::sync::Arc;
 use glam::{Affine3A, Vec3};
 use lole_body::motion::Dance;
 use lole_body::{Bone, Pose};
-use lole_cloth::{ClothSpec, diagnose, model::particle_masses};
+use lole_cloth::{ClothSpec, Crossings, diagnose, model::particle_masses};
 use lole_costume::document::Design;
 use lole_geom::Capsule;
 
@@ -114,7 +114,9 @@ impl Show {
             time: 0.0,
             age: EASE_SECONDS,
         };
-        let performance = Performance::new(Arc::clone(&production))?;
+        let mut performance = Performance::new(Arc::clone(&production))?;
+        // A window keeps pace; films take the time.
+        performance.set_crossings(Crossings::Leave);
         let positions = performance.cloth_positions().to_vec();
         Ok(Self {
             design: production.design.clone(),

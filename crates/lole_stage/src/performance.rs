@@ -8,7 +8,7 @@ use lole_body::{BodyCapsule, CapsuleLayout, Dancer, Measurements, Pose, SkinSurf
 use lole_cloth::method::explicit::ExplicitConfig;
 use lole_cloth::method::reference::ReferenceModel;
 use lole_cloth::method::settle::{SettleConfig, Settling};
-use lole_cloth::{Fabric, InstructionSet, diagnose};
+use lole_cloth::{Crossings, Fabric, InstructionSet, diagnose};
 use lole_costume::document::{BodyShapes, Design};
 use lole_costume::sew::{self, SewSettings, SewnSkirt, SkirtMesh};
 use lole_geom::{Capsule, Length, Surfel, mesh::vertex_normals};
@@ -114,6 +114,7 @@ pub struct Performance {
     body_capsules: Vec<BodyCapsule>,
     /// Whether it meets the skin instead.
     meets_skin: bool,
+    crossings: Crossings,
     capsules: Vec<Capsule>,
     pin_targets: Vec<Vec3>,
     /// Particles that a hand holds besides, ascending, and where it has them [m].
@@ -225,6 +226,7 @@ impl Performance {
             settling: is_quick.then(|| Settling::new(&production.skirt.spec, settle, &start)),
             body_capsules: production.dancer.capsules.clone(),
             meets_skin: production.design.contact_body() == BodyShapes::Skin,
+            crossings: Crossings::Repair,
             production,
             solver,
             pose: Pose::default(),
@@ -313,6 +315,7 @@ impl Performance {
             pin_targets: &self.pin_targets,
             capsules: if self.meets_skin { &[] } else { &self.capsules },
             surfels: &self.surfels,
+            crossings: self.crossings,
             time: self.time(),
         };
         self.solver.step(&surroundings, FRAME_SECONDS);
@@ -538,6 +541,11 @@ impl Performance {
     #[must_use]
     pub fn spring_count(&self) -> usize {
         self.solver.spring_count()
+    }
+
+    /// What is done about cloth of `xpbd` that has gone through itself, from the next frame on.
+    pub const fn set_crossings(&mut self, crossings: Crossings) {
+        self.crossings = crossings;
     }
 
     /// Vector instructions of `xpbd` from the next frame on; the bits are the same with all.

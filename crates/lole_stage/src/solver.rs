@@ -10,8 +10,8 @@ use lole_cloth::method::explicit::{self, ExplicitConfig, Integrator, Substeps};
 use lole_cloth::method::reference::{ReferenceModel, ReferenceState};
 use lole_cloth::wind::{self, Aerodynamics, GustyWind, Wind};
 use lole_cloth::{
-    ClothModel, ClothSpec, ClothState, InstructionSet, SelfCollision, SolverConfig, StepInput,
-    diagnose,
+    ClothModel, ClothSpec, ClothState, Crossings, InstructionSet, SelfCollision, SolverConfig,
+    StepInput, diagnose,
 };
 use lole_costume::document::{Design, WindModel};
 use lole_geom::{Capsule, Surfel};
@@ -67,6 +67,9 @@ impl Xpbd {
             let air = Aerodynamics::default();
             wind::blow(&self.model, (&air, &now), set, &mut self.state, dt);
         }
+        if let Some(contact) = &mut self.config.self_collision {
+            contact.crossings = surroundings.crossings;
+        }
         self.config.held_depth = if surroundings.surfels.is_empty() {
             HELD_DEPTH
         } else {
@@ -98,6 +101,7 @@ pub(crate) struct Surroundings<'a> {
     pub(crate) pin_targets: &'a [Vec3],
     pub(crate) capsules: &'a [Capsule],
     pub(crate) surfels: &'a [Surfel],
+    pub(crate) crossings: Crossings,
     /// Time at the start of the step [s].
     pub(crate) time: f32,
 }
@@ -343,6 +347,7 @@ fn xpbd_config(spec: &ClothSpec, substeps: Option<NonZeroU32>) -> SolverConfig {
             // meet without fighting the band.
             radius: 0.45 * spec.grid.spacing[0],
             substep_interval: NonZeroU32::MIN.saturating_add(1),
+            crossings: Crossings::Repair,
         }),
         ..SolverConfig::default()
     }

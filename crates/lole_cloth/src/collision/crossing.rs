@@ -6,17 +6,21 @@
 
 use fearless_simd::{Simd, f32x16, prelude::*};
 use glam::Vec3;
+use rayon::prelude::*;
 
 use crate::collision::grid::{CellGrid, Entry, each_hit};
 use crate::collision::surface::{ABSENT, PATCH_EDGES, PATCH_TRIANGLES, Surface};
 use crate::lanes::LANES;
 
 /// Half of the size of a cell over half of that of a patch on the mean: few patches are larger.
-const USUAL_SIZE: f32 = 1.5;
+const USUAL_SIZE: f32 = 2.0;
 
 /// Cosine of the angle with their sum within which all normals around a particle lie where the
 /// surface is flat enough not to cross there.
 const FLAT_COSINE: f32 = 0.2;
+
+/// Pairs that one thread looks at in one go.
+const PAIRS_TOGETHER: usize = 2048;
 
 /// An edge that crosses a triangle.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -276,13 +280,25 @@ impl CrossingFinder {
     pub(crate) fn find(&mut self, surface: &Surface, positions: &[Vec3], within: Option<&Marked>) {
         self.crossings.clear();
         self.find_folded(surface, positions, within);
-        for &pair in &self.near {
-            if within.is_none_or(|marked| pair.iter().any(|&patch| marked.has(patch))) {
-                let corners = pair.map(|patch| corners_of(surface, positions, patch));
-                if !are_parted(corners) {
-                    cross(surface, pair, corners, &mut self.crossings);
+        let look = |pairs: &[[u32; 2]], crossings: &mut Vec<Crossing>| {
+            for &pair in pairs {
+                if within.is_none_or(|marked| pair.iter().any(|&patch| marked.has(patch))) {
+                    look_at_pair(surface, positions, pair, crossings);
                 }
             }
+        };
+        if rayon::current_num_threads() == 1 {
+            look(&self.near, &mut self.crossings);
+        } else {
+            // Found in pieces and put together in the order of the pairs.
+            let pieces: Vec<_> = (self.near.par_chunks(PAIRS_TOGETHER))
+                .map(|pairs| {
+                    let mut crossings = Vec::new();
+                    look(pairs, &mut crossings);
+                    crossings
+                })
+                .collect();
+            self.crossings.extend(pieces.into_iter().flatten());
         }
         for &pair in &self.folded {
             let corners = pair.map(|patch| corners_of(surface, positions, patch));
@@ -415,6 +431,20 @@ fn is_beside([a, b, c, d]: [Vec3; 4], other: [Vec3; 4]) -> bool {
         0.0 < p.min(q).min(r.min(s)) || p.max(q).max(r.max(s)) < 0.0
     };
     is_one_sided((b - a).cross(diagonal)) && is_one_sided(diagonal.cross(c - a))
+}
+
+/// Adds every crossing of two patches that may be parted by a plane.
+#[inline(always)]
+fn look_at_pair(
+    surface: &Surface,
+    positions: &[Vec3],
+    pair: [u32; 2],
+    crossings: &mut Vec<Crossing>,
+) {
+    let corners = pair.map(|patch| corners_of(surface, positions, patch));
+    if !are_parted(corners) {
+        cross(surface, pair, corners, crossings);
+    }
 }
 
 /// Adds every crossing of two patches.

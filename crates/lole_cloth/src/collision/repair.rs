@@ -28,7 +28,7 @@ const ZONE_ROUNDS: u8 = 24;
 const SWEEP_COUNT: usize = 4;
 
 /// How far a repair may reach what was not near before [m].
-const MARGIN: f32 = 0.002;
+const MARGIN: f32 = 0.001;
 
 /// Kept between an edge and a triangle that were brought back to their sides [m].
 const CLEARANCE: f32 = 0.2e-3;

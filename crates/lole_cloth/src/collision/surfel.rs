@@ -250,18 +250,15 @@ impl SurfelContacts {
             let Some(place) = place else {
                 continue;
             };
-            let ends = |place| {
-                let surfel = cells.surfel(place);
-                [&skin.before[surfel], &skin.after[surfel]]
-            };
-            nearest.set(slot, ends(place), offset);
+            let ends = |surfel: usize| [&skin.before[surfel], &skin.after[surfel]];
+            nearest.set(slot, ends(cells.surfel(place)), offset);
             let (middle, _) = cloth.flight(slot, skin, cells);
             if PINCH_REACH < middle.distance(cells.position(place)) {
                 continue;
             }
             hint = cells.opposite(middle, (place, hint), skin.after);
             if let Some(place) = hint {
-                opposite.set(slot, ends(place), offset);
+                opposite.set(slot, ends(cells.surfel(place)), offset);
             }
         }
     }

@@ -10,7 +10,7 @@ mod work;
 
 use fearless_simd::{Simd, dispatch};
 use glam::Vec3;
-use lole_geom::trig;
+use lole_geom::{Surfel, trig};
 
 use crate::collision::capsule::MovingCapsule;
 use crate::collision::capsule::near::Range;
@@ -22,8 +22,9 @@ use crate::constraint::pull::Pull;
 use crate::constraint::shear::Cell;
 use crate::constraint::structural::Spring;
 use crate::constraint::tether::Tethers;
+use crate::lanes::Points;
 use crate::method::reference::SpringConstants;
-use crate::{ClothModel, ClothState, SolverConfig, StepInput};
+use crate::{ClothModel, ClothState, Crossings, SelfCollision, SolverConfig, StepInput};
 use schedule::Schedule;
 use schedule::Stage;
 pub(crate) use work::RowStrides;
@@ -169,9 +170,7 @@ pub(crate) fn begin(
     }
     start_pins(model, input.pin_targets, state, dt);
     find_body_contacts(model, config, (input, dt), state);
-    let level = config.instruction_set.level();
-    let cloth_contact =
-        dispatch!(level, simd => find_cloth_contacts(simd, (model, config), substep.h, state));
+    let cloth_contact = find_contacts((model, config), (input, dt), &substep, state);
     set_schedules(model, config, state);
     Plan {
         substep,
@@ -243,7 +242,8 @@ fn repair_crossings<S: Simd>(
     (input, dt): (&StepInput<'_>, f32),
     state: &mut ClothState,
 ) {
-    if config.self_collision.is_some() {
+    let repairs = |contact: SelfCollision| contact.crossings == Crossings::Repair;
+    if config.self_collision.is_some_and(repairs) {
         let scratch = &mut state.scratch;
         scratch.crossing_repair.repair(
             simd,
@@ -408,6 +408,35 @@ pub(super) fn find_body_contacts(
     );
 }
 
+fn cloth_of<'a>(
+    (model, config): (&'a ClothModel, &SolverConfig),
+    (positions, velocities): (&'a [Points], &'a [Points]),
+    held: &'a [f32],
+    dt: f32,
+) -> Cloth<'a> {
+    Cloth {
+        layout: &model.layout,
+        positions,
+        velocities,
+        held,
+        spacing: model.spec().grid.spacing[0],
+        speed_gain: config.gravity.length() * dt,
+        dt,
+    }
+}
+
+const fn skin_of<'a>(
+    config: &SolverConfig,
+    before: &'a [Surfel],
+    input: &StepInput<'a>,
+) -> Skin<'a> {
+    Skin {
+        before,
+        after: input.surfels,
+        offset: config.contact_offset,
+    }
+}
+
 fn with_skin(
     model: &ClothModel,
     config: &SolverConfig,
@@ -416,44 +445,50 @@ fn with_skin(
     act: impl FnOnce(&mut SurfelContacts, Cloth<'_>, Skin<'_>),
 ) {
     let scratch = &mut state.scratch;
-    let cloth = Cloth {
-        layout: &model.layout,
-        positions: &state.positions,
-        velocities: &state.velocities,
-        held: &scratch.held_depths,
-        spacing: model.spec().grid.spacing[0],
-        speed_gain: config.gravity.length() * dt,
-        dt,
-    };
-    let skin = Skin {
-        before: &state.surfels,
-        after: input.surfels,
-        offset: config.contact_offset,
-    };
+    let moving = (&state.positions[..], &state.velocities[..]);
+    let cloth = cloth_of((model, config), moving, &scratch.held_depths, dt);
+    let skin = skin_of(config, &state.surfels, input);
     act(&mut scratch.surfel_contacts, cloth, skin);
 }
-/// Where the cloth may touch itself in this step; the law of it, and the interval of substeps.
-#[inline(always)]
-fn find_cloth_contacts<S: Simd>(
-    simd: S,
+/// Where the cloth may touch the skin, and, at the same time, where it may touch itself in this
+/// step: the law of that, and the interval of substeps.
+fn find_contacts(
     (model, config): (&ClothModel, &SolverConfig),
-    h: f32,
+    (input, dt): (&StepInput<'_>, f32),
+    substep: &Substep,
     state: &mut ClothState,
 ) -> Option<(ClothContactLaw, u32)> {
-    let contact = config.self_collision?;
     let scratch = &mut state.scratch;
+    let (positions, velocities) = (&state.positions, &state.velocities);
+    let (cloth, skin) = (
+        cloth_of(
+            (model, config),
+            (positions, velocities),
+            &scratch.held_depths,
+            dt,
+        ),
+        skin_of(config, &state.surfels, input),
+    );
+    let surfel_contacts = &mut scratch.surfel_contacts;
+    let cloth_contacts = &mut scratch.cloth_contacts;
+    let is_tangled = &scratch.crossing_repair.is_tangled;
+    let mut find_skin = || surfel_contacts.begin_substep((0, substep.count), cloth, skin);
+    let Some(contact) = config.self_collision else {
+        find_skin();
+        return None;
+    };
     let shape = Shape {
         grid: &model.spec().grid,
         layout: &model.layout,
         pinned_rows: &model.pinned_rows,
         inv_masses: &model.inv_masses,
-        is_tangled: &scratch.crossing_repair.is_tangled,
+        is_tangled,
     };
     let friction = model.spec().fabric.friction;
-    let law = ClothContactLaw::new(shape.grid, contact.radius, friction, h);
-    scratch
-        .cloth_contacts
-        .find(simd, shape, &state.positions, law);
+    let law = ClothContactLaw::new(shape.grid, contact.radius, friction, substep.h);
+    let level = config.instruction_set.level();
+    let find_cloth = || dispatch!(level, simd => cloth_contacts.find(simd, shape, positions, law));
+    rayon::join(find_skin, find_cloth);
     Some((law, contact.substep_interval.get()))
 }
 

@@ -27,6 +27,18 @@ const FACING_AGAINST: f32 = -0.3;
 const FAR: f32 = 1024.0;
 const FAR_CELL: IVec3 = IVec3::splat(1024);
 
+/// Cosine of the angle with their mean within which surfels lie of which no two face against each
+/// other: twice the angle is less than [`FACING_AGAINST`] asks for.
+const ONE_WAY: f32 = 0.6;
+
+/// How the surfels around a cell face.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Facing {
+    Unknown,
+    OneWay,
+    Several,
+}
+
 /// The surfels near the cloth in the middle of a step.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct SurfelCells {
@@ -39,6 +51,8 @@ pub(super) struct SurfelCells {
     unsorted: Vec<(Vec3, u32)>,
     cells: Vec<u32>,
     nearness: Nearness,
+    /// By cell, as far as it was asked for.
+    facing: Vec<Facing>,
     mean_motion: Vec3,
     spread: f32,
 }
@@ -106,6 +120,8 @@ impl SurfelCells {
         self.starts.remove(0);
         self.starts.push(narrow(self.unsorted.len()));
         self.nearness.set(self.counts, &self.starts);
+        self.facing.clear();
+        self.facing.resize(self.starts.len() - 1, Facing::Unknown);
     }
 
     /// Takes those in the box, and how they move.
@@ -171,11 +187,14 @@ impl SurfelCells {
     /// The surfel nearest to `point` of those within [`PINCH_REACH`] that face against the one at
     /// `place`; `hint` as for [`Self::nearest`].
     pub(super) fn opposite(
-        &self,
+        &mut self,
         point: Vec3,
         (place, hint): (usize, Option<usize>),
         surfels: &[Surfel],
     ) -> Option<usize> {
+        if self.faces_one_way(point, surfels) {
+            return None;
+        }
         let normal = surfels[self.surfel(place)].normal;
         let faces_against =
             |other: usize| surfels[self.surfel(other)].normal.dot(normal) < FACING_AGAINST;
@@ -194,6 +213,38 @@ impl SurfelCells {
             }
         });
         best
+    }
+
+    /// Whether all surfels within [`PINCH_REACH`] of the points of a cell face one way, so that none
+    /// of them faces against another.
+    fn faces_one_way(&mut self, point: Vec3, surfels: &[Surfel]) -> bool {
+        let cell = self.cell_of(point);
+        if cell.cmplt(IVec3::ZERO).any() || cell.cmpge(self.counts).any() {
+            return true;
+        }
+        let index = self.index(cell);
+        if self.facing[index] == Facing::Unknown {
+            let middle = self.low + (cell.as_vec3() + 0.5) * CELL;
+            let radius = PINCH_REACH + 0.5 * CELL;
+            let mut sum = Vec3::ZERO;
+            self.for_each_run(middle, radius, |run| {
+                sum += run
+                    .map(|place| surfels[self.surfel(place)].normal)
+                    .sum::<Vec3>();
+            });
+            let mean = sum.normalize_or_zero();
+            let mut is_one_way = true;
+            self.for_each_run(middle, radius, |mut run| {
+                is_one_way &=
+                    run.all(|place| ONE_WAY < surfels[self.surfel(place)].normal.dot(mean));
+            });
+            self.facing[index] = if is_one_way {
+                Facing::OneWay
+            } else {
+                Facing::Several
+            };
+        }
+        self.facing[index] == Facing::OneWay
     }
 
     /// Calls with the places of all surfels in the cells within `radius` [m] of `point`, and of more.
