@@ -205,7 +205,7 @@ fn a_longer_line_is_gathered_evenly() {
     let (upper, lower) = (sewn.positions(0), sewn.positions(1));
     for k in 0..9 {
         let gap = lower[2 * k].distance(upper[72 + k]);
-        assert!(gap < 1.5e-3, "stitch {k}: {gap} m");
+        assert!(gap < 2.0e-3, "stitch {k}: {gap} m");
     }
 }
 

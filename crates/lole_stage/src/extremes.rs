@@ -138,6 +138,6 @@ fn turning_circling_crossing_and_pinching() {
             motion(time, &mut pose);
             performance.advance_in(pose).unwrap();
         });
-        check(name, found, (0.12, 0.5e-3));
+        check(name, found, (0.15, 0.5e-3));
     }
 }
