@@ -599,7 +599,7 @@ mod tests {
         let squares =
             (rest.iter().zip(performance.cloth_positions())).map(|(a, b)| a.distance_squared(*b));
         let apart = (squares.sum::<f32>() / rest.len() as f32).sqrt();
-        assert!(apart < 0.003, "{apart} m in a second");
+        assert!(apart < 0.005, "{apart} m in a second");
     }
 
     /// Hash of a coarse skirt after half a second in this wind, and how far its hem has swung [m].
