@@ -14,7 +14,7 @@ use crate::assembly::joint::{JointError, positive};
 use crate::assembly::knot::{Knot, Place};
 use crate::assembly::piece::{Piece, PieceState};
 
-/// Below this squared area [m⁴] a triangle has no side.
+/// Below this squared area (m⁴) a triangle has no side.
 const DEGENERATE_SQUARE: f32 = 1.0e-16;
 
 /// Farthest that one substep turns a crease [rad].

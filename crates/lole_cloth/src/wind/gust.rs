@@ -27,7 +27,7 @@ struct Wave {
     number: DVec3,
     /// `a` [m/s].
     amplitude: Vec3,
-    /// `φ` [turns].
+    /// `φ`, in turns.
     phase: f64,
 }
 
@@ -42,7 +42,7 @@ pub struct GustyWind {
 #[derive(Debug, Clone, PartialEq)]
 pub struct WindNow {
     mean: Vec3,
-    /// `q` [1/m], `a` [m/s] and the phase [turns] now.
+    /// `q` [1/m], `a` [m/s] and the phase in turns now.
     waves: Vec<(Vec3, Vec3, f32)>,
 }
 

@@ -21,7 +21,7 @@ use super::gust::WindNow;
 use crate::lanes::{Points, RowLink, Vectors, larger};
 use crate::{ClothModel, ClothState, InstructionSet};
 
-/// Least squared vector area [m⁴] of a plate that has a normal.
+/// Least squared vector area (m⁴) of a plate that has a normal.
 const DEGENERATE_AREA_SQUARED: f32 = 1.0e-24;
 
 /// How air pushes cloth.

@@ -70,7 +70,7 @@ impl Check {
         }
     }
 
-    /// Error [%] of [`Check::scale`]; infinite where the figure is not a number.
+    /// Error [%] of its scale; infinite where the figure is not a number.
     #[must_use]
     pub fn error_pct(&self) -> f64 {
         let error = 100.0 * (self.measured - self.reference) / self.scale;

@@ -23,7 +23,7 @@ const RADIUS: f32 = 1.0;
 const HALF_LENGTH: f32 = 4.0;
 /// Coefficients of friction.
 const FRICTIONS: [f64; 2] = [0.3, 0.5];
-/// How far below the angle of friction the patch must stick, and above it must slide [degree].
+/// How far below the angle of friction the patch must stick, and above it must slide, in degrees.
 const BELOW: f64 = 0.5;
 const ABOVE: [f64; 2] = [0.5, 5.0];
 /// Substeps of the real-time method: those it dances with. In a shorter substep the patch falls

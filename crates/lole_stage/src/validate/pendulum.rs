@@ -10,7 +10,7 @@ use super::Check;
 use super::beam::{Strip, middle, weight};
 use super::rig::{FRAME, GRAVITY, Rig, Subject};
 
-/// Amplitude [degree], and the period over that of a small swing: `2 K(sin(α / 2)) / π`.
+/// Amplitude in degrees, and the period over that of a small swing: `2 K(sin(α / 2)) / π`.
 const PERIODS: [(f64, f64); 4] = [
     (10.0, 1.001_907),
     (30.0, 1.017_409),
@@ -26,7 +26,7 @@ const HALF_SWINGS: usize = 2;
 /// Substeps of the real-time method.
 const SUBSTEPS: NonZeroU32 = NonZeroU32::MIN.saturating_add(39);
 
-/// The period over that of a small swing, by amplitude [degree]: `1 / M(1, cos(α / 2))` with the
+/// The period over that of a small swing, by amplitude in degrees: `1 / M(1, cos(α / 2))` with the
 /// arithmetic-geometric mean `M`.
 pub(super) fn points() -> Vec<[f64; 2]> {
     (0..=90_u8)

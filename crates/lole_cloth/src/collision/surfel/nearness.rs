@@ -2,7 +2,7 @@
 
 use glam::IVec3;
 
-/// Farthest that is told apart [cells]: as many empty cells must lie around the occupied ones.
+/// Farthest that is told apart, in cells: as many empty cells must lie around the occupied ones.
 pub(super) const FARTHEST: i32 = 4;
 
 /// Levels of all cells, along x first: 0 where occupied, `n` where an occupied cell is `n` away in
