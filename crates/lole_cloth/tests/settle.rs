@@ -171,10 +171,15 @@ fn the_drape_is_where_the_reference_comes_to_rest() {
         ("curtain", curtain(), 0.32),
     ] {
         let truth = reference_rest(&case);
-        // Folds leave more than one rest: what is asked is whether this is one for both.
-        let start = Case {
-            positions: truth.clone(),
-            ..case
+        // From its own start the curtain comes to other folds than the reference, 13 % of its length
+        // away: what is asked of it is only that the reference's rest is a rest here too.
+        let start = if name == "curtain" {
+            Case {
+                positions: truth.clone(),
+                ..case
+            }
+        } else {
+            case
         };
         let (drape, found, _) = settled(&start, (&config(40), &settle_config), &[]);
         assert!(matches!(drape, Drape::Settled { .. }), "{name}: {drape:?}");
