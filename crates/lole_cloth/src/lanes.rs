@@ -105,6 +105,15 @@ impl<S: Simd> Vectors<S> {
         (self.x * other.x + self.y * other.y) + self.z * other.z
     }
 
+    #[inline(always)]
+    pub(crate) fn cross(self, other: Self) -> Self {
+        Self {
+            x: self.y * other.z - self.z * other.y,
+            y: self.z * other.x - self.x * other.z,
+            z: self.x * other.y - self.y * other.x,
+        }
+    }
+
     /// Lane `l` receives lane `l + shift`; a wide cloth needs shifts of 0 and 1, its strides 2 or 4.
     #[inline(always)]
     pub(crate) fn rotate_left(self, shift: u8) -> Self {
@@ -410,6 +419,15 @@ fn lanes_are_free<const N: usize>(
         }
     }
     true
+}
+
+/// Index of a particle, an edge or a patch.
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "a cloth has fewer than 2^32 of each"
+)]
+pub(crate) const fn index(value: usize) -> u32 {
+    value as u32
 }
 
 #[expect(

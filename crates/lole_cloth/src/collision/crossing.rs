@@ -1,19 +1,17 @@
 //! Where a surface has gone through itself: edges that cross triangles.
 //!
-//! Patches near each other are found by their boxes, in vectors. What a plane between two patches
-//! or the plane of one of them parts is sorted out first; patches that share a particle are looked
-//! at only where the surface turns by more than a right angle around it.
+//! Patches near each other are found by a tree of boxes. What a plane between two patches or the
+//! plane of one of them parts is sorted out first; patches that share a particle are looked at only
+//! where the surface turns by more than a right angle around it.
 
 use fearless_simd::{Simd, f32x16, prelude::*};
 use glam::Vec3;
 use rayon::prelude::*;
 
-use crate::collision::grid::{CellGrid, Entry, each_hit};
+use crate::collision::grid::each_hit;
+use crate::collision::patch_tree::{PatchTree, Search};
 use crate::collision::surface::{ABSENT, PATCH_EDGES, PATCH_TRIANGLES, Surface};
-use crate::lanes::LANES;
-
-/// Half of the size of a cell over half of that of a patch on the mean: few patches are larger.
-const USUAL_SIZE: f32 = 2.0;
+use crate::lanes::{LANES, Points, Vectors, index};
 
 /// Cosine of the angle with their sum within which all normals around a particle lie where the
 /// surface is flat enough not to cross there.
@@ -39,6 +37,8 @@ pub(crate) struct Crossing {
 pub(crate) struct Marked {
     patches: Vec<u32>,
     is_marked: Vec<bool>,
+    /// Leaves in which they lie, ascending.
+    leaves: Vec<u32>,
 }
 
 impl Marked {
@@ -55,6 +55,11 @@ impl Marked {
                 }
             }
         }
+        self.leaves.clear();
+        let leaves = self.patches.iter().map(|patch| patch / index(LANES));
+        self.leaves.extend(leaves);
+        self.leaves.sort_unstable();
+        self.leaves.dedup();
     }
 
     fn has(&self, patch: u32) -> bool {
@@ -63,223 +68,98 @@ impl Marked {
 
     /// Memory that it holds [byte].
     pub(crate) const fn byte_count(&self) -> usize {
-        self.is_marked.len() + size_of_val(self.patches.as_slice())
+        self.is_marked.len()
+            + size_of_val(self.patches.as_slice())
+            + size_of_val(self.leaves.as_slice())
     }
-}
-
-/// Boxes around patches in the order of the cells, and room for a vector beyond the last.
-#[derive(Debug, Clone, Default, PartialEq)]
-struct Boxes {
-    centers: [Vec<f32>; 3],
-    /// Half of the extents [m].
-    halves: [Vec<f32>; 3],
 }
 
 /// Finds crossings, and keeps what it needs to look again.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct CrossingFinder {
-    centers: Vec<Vec3>,
-    halves: Vec<Vec3>,
-    cells: CellGrid,
-    boxes: Boxes,
-    /// Half of the size of a cell [m]; what is larger stands in `large`, by entries.
-    usual: f32,
-    large: Vec<u32>,
-    /// Last patch of which every patch was found to be a neighbor.
-    stamps: Vec<u32>,
-    /// Room for a mark for patches that are not where they were sorted, and for their order along x.
-    along_x: Vec<(f32, u32)>,
-    is_apart: Vec<bool>,
-    /// Of both triangles of every patch.
-    normals: Vec<[Vec3; 2]>,
-    /// Pairs of patches that share no particle and may come to cross.
+    tree: PatchTree,
+    search: Search,
+    /// Pairs of patches that share no particle and whose boxes meet.
     near: Vec<[u32; 2]>,
     /// Pairs of patches that share a particle around which the surface folds.
     folded: Vec<[u32; 2]>,
+    stars: Stars,
     pub(crate) crossings: Vec<Crossing>,
 }
 
 impl CrossingFinder {
     /// Memory that it holds [byte].
     pub(crate) fn byte_count(&self) -> usize {
-        size_of_val(&self.centers[..])
-            + size_of_val(&self.halves[..])
-            + self.cells.byte_count()
-            + 6 * size_of_val(&self.boxes.centers[0][..])
+        self.tree.byte_count()
             + size_of_val(&self.near[..])
             + size_of_val(&self.folded[..])
+            + size_of_val(&self.crossings[..])
     }
 
-    /// Lists the patches that come as near each other as `margin` [m]; `positions` are finite.
+    /// Finds every crossing at `positions`, which are finite.
     #[inline(always)]
-    pub(crate) fn look_around<S: Simd>(
+    pub(crate) fn find_all<S: Simd>(&mut self, simd: S, surface: &Surface, positions: &[Vec3]) {
+        self.tree.fit(simd, surface, positions);
+        self.near.clear();
+        self.tree.list_pairs(simd, surface, &mut self.near);
+        self.folded.clear();
+        let particles = 0..index(surface.particle_count());
+        for start in particles.clone().step_by(LANES) {
+            let mut some = [0; LANES];
+            let count = LANES.min((particles.end - start) as usize);
+            for (particle, place) in (start..).zip(&mut some[..count]) {
+                *place = particle;
+            }
+            let folds = self.stars.folds(simd, surface, &self.tree, &some[..count]);
+            self.list_folded(surface, &some[..count], folds);
+        }
+        self.look(surface, positions, None);
+    }
+
+    /// Finds every crossing of the marked patches, all that have moved since the last time.
+    #[inline(always)]
+    pub(crate) fn find_again<S: Simd>(
         &mut self,
         simd: S,
         surface: &Surface,
         positions: &[Vec3],
-        margin: f32,
-    ) {
-        self.find_boxes(surface, positions, margin);
-        let Self {
-            cells,
-            boxes,
-            near,
-            stamps,
-            ..
-        } = self;
-        near.clear();
-        stamps.clear();
-        stamps.resize(surface.patches.len(), u32::MAX);
-        for index in 0..cells.entries.len() {
-            let first = cells.entries[index].particle;
-            for &neighbor in surface.neighbors(first) {
-                stamps[neighbor as usize] = first;
-            }
-            let own = OwnBox::splat(simd, boxes, index);
-            cells.following_runs(
-                index,
-                #[inline(always)]
-                |start, run| {
-                    for from in (0..run.len()).step_by(LANES) {
-                        let hits = own.overlaps(simd, boxes, start + from);
-                        let rest = &run[from..];
-                        let strangers =
-                            hits_of(hits, rest).filter(|&patch| stamps[patch as usize] != first);
-                        near.extend(strangers.map(|patch| [first, patch]));
-                    }
-                },
-            );
-        }
-        let large = self.large.clone();
-        self.list_near(surface, &large, 0.0);
-    }
-
-    /// Looks anew for what is near the marked patches, which have moved.
-    pub(crate) fn look_at(
-        &mut self,
-        surface: &Surface,
-        (positions, margin): (&[Vec3], f32),
         marked: &Marked,
     ) {
-        let mut shift = 0.0_f32;
-        for &patch in &marked.patches {
-            let place = patch as usize;
-            let before = self.centers[place];
-            self.set_box(surface, positions, (patch, margin));
-            shift = shift.max((self.centers[place] - before).abs().max_element());
-        }
+        self.tree.fit_some(simd, surface, positions, &marked.leaves);
         self.near
             .retain(|pair| !pair.iter().any(|&patch| marked.has(patch)));
-        self.list_near(surface, &marked.patches, shift);
+        self.search.pairs.clear();
+        for &patch in &marked.patches {
+            self.tree.list_near(simd, surface, patch, &mut self.search);
+        }
+        let once = |pair: &&[u32; 2]| pair[0] < pair[1] || !marked.has(pair[1]);
+        self.near.extend(self.search.pairs.iter().filter(once));
+        self.folded.clear();
+        let corners = |&patch: &u32| surface.patches[patch as usize].corners;
+        let mut particles: Vec<u32> = marked.patches.iter().flat_map(corners).collect();
+        particles.sort_unstable();
+        particles.dedup();
+        for some in particles.chunks(LANES) {
+            let folds = self.stars.folds(simd, surface, &self.tree, some);
+            self.list_folded(surface, some, folds);
+        }
+        self.look(surface, positions, Some(marked));
     }
 
-    /// Lists what is near some patches, which are not where they were sorted: they and their
-    /// neighbors may have moved by `shift` [m] since, and be larger than cells.
-    fn list_near(&mut self, surface: &Surface, patches: &[u32], shift: f32) {
-        if patches.is_empty() {
-            return;
-        }
-        let Self {
-            centers,
-            halves,
-            cells,
-            near,
-            along_x,
-            is_apart,
-            usual,
-            large,
-            ..
-        } = self;
-        is_apart.clear();
-        is_apart.resize(centers.len(), false);
-        for &patch in patches {
-            is_apart[patch as usize] = true;
-        }
-        let mut add = |pair: [u32; 2]| {
-            let [one, other] = pair.map(|patch| patch as usize);
-            let apart = (centers[other] - centers[one]).abs();
-            if apart.cmple(halves[one] + halves[other]).all() && !surface.share_particle(pair) {
-                near.push(pair);
-            }
-        };
-        for &patch in patches {
-            let center = centers[patch as usize];
-            let reach = halves[patch as usize] + Vec3::splat(*usual + shift);
-            cells.runs_within([center - reach, center + reach], |run| {
-                for other in run
-                    .iter()
-                    .filter(|other| !is_apart[other.particle as usize])
-                {
-                    add([patch, other.particle]);
-                }
-            });
-            for &other in large.iter().filter(|&&other| !is_apart[other as usize]) {
-                add([patch, other]);
-            }
-        }
-        along_x.clear();
-        let low = |&patch: &u32| (centers[patch as usize].x - halves[patch as usize].x, patch);
-        along_x.extend(patches.iter().map(low));
-        along_x.sort_by(|one, other| one.0.total_cmp(&other.0).then(one.1.cmp(&other.1)));
-        for (place, &(_, patch)) in along_x.iter().enumerate() {
-            let high = centers[patch as usize].x + halves[patch as usize].x;
-            let beside = along_x[place + 1..].iter();
-            for &(_, other) in beside.take_while(|&&(low, _)| low <= high) {
-                add([patch, other]);
+    /// Lists the patches around those particles whose bits are set.
+    fn list_folded(&mut self, surface: &Surface, particles: &[u32], folds: u64) {
+        for lane in each_hit(folds, particles.len()) {
+            let star = surface.star(particles[lane] as usize);
+            for (place, &one) in star.iter().enumerate() {
+                let others = star[place + 1..].iter();
+                self.folded.extend(others.map(|&other| [one, other]));
             }
         }
     }
 
-    /// Sorts the boxes around all patches. The larger ones are told apart: `boxes` has nothing in
-    /// their place.
-    fn find_boxes(&mut self, surface: &Surface, positions: &[Vec3], margin: f32) {
-        let count = surface.patches.len();
-        self.centers.resize(count, Vec3::ZERO);
-        self.halves.resize(count, Vec3::ZERO);
-        let mut sum = 0.0;
-        for patch in 0..narrow(count) {
-            self.set_box(surface, positions, (patch, margin));
-            sum += self.halves[patch as usize].max_element();
-        }
-        #[expect(clippy::cast_precision_loss, reason = "patches are fewer than 2^24")]
-        let usual = USUAL_SIZE * sum / count.max(1) as f32;
-        self.usual = usual;
-        self.cells.sort(&self.centers, 1, 2.0 * usual);
-        let (entries, halves, boxes) = (&self.cells.entries, &self.halves, &mut self.boxes);
-        let columns = boxes.centers.iter_mut().zip(&mut boxes.halves);
-        for (axis, (center, half)) in columns.enumerate() {
-            center.clear();
-            center.extend(entries.iter().map(|entry| entry.position[axis]));
-            center.resize(count + LANES, f32::INFINITY);
-            half.clear();
-            half.extend(
-                entries
-                    .iter()
-                    .map(|entry| halves[entry.particle as usize][axis]),
-            );
-            half.resize(count + LANES, 0.0);
-        }
-        self.large.clear();
-        for (index, entry) in entries.iter().enumerate() {
-            if usual < halves[entry.particle as usize].max_element() {
-                self.large.push(entry.particle);
-                boxes.centers[0][index] = f32::INFINITY;
-            }
-        }
-    }
-
-    fn set_box(&mut self, surface: &Surface, positions: &[Vec3], (patch, margin): (u32, f32)) {
-        let [a, b, c, d] = corners_of(surface, positions, patch);
-        let low = a.min(b).min(c.min(d));
-        let high = a.max(b).max(c.max(d));
-        self.centers[patch as usize] = (low + high) * 0.5;
-        self.halves[patch as usize] = (high - low) * 0.5 + Vec3::splat(0.5 * margin);
-    }
-
-    /// Finds the crossings at `positions` among the patches that were near, `within` those marked.
-    pub(crate) fn find(&mut self, surface: &Surface, positions: &[Vec3], within: Option<&Marked>) {
+    /// Looks at the pairs that were listed, `within` those marked.
+    fn look(&mut self, surface: &Surface, positions: &[Vec3], within: Option<&Marked>) {
         self.crossings.clear();
-        self.find_folded(surface, positions, within);
         let look = |pairs: &[[u32; 2]], crossings: &mut Vec<Crossing>| {
             for &pair in pairs {
                 if within.is_none_or(|marked| pair.iter().any(|&patch| marked.has(patch))) {
@@ -300,108 +180,66 @@ impl CrossingFinder {
                 .collect();
             self.crossings.extend(pieces.into_iter().flatten());
         }
+        self.folded.sort_unstable();
+        self.folded.dedup();
         for &pair in &self.folded {
             let corners = pair.map(|patch| corners_of(surface, positions, patch));
             cross(surface, pair, corners, &mut self.crossings);
         }
     }
+}
 
-    /// Lists the patches around every particle where normals do not lie in one half-space.
-    fn find_folded(&mut self, surface: &Surface, positions: &[Vec3], within: Option<&Marked>) {
-        self.folded.clear();
-        if let Some(marked) = within {
-            for &patch in &marked.patches {
-                self.normals[patch as usize] = normals_of(surface, positions, patch);
-            }
-            let corners = |&patch: &u32| surface.patches[patch as usize].corners;
-            let mut particles: Vec<u32> = marked.patches.iter().flat_map(corners).collect();
-            particles.sort_unstable();
-            particles.dedup();
-            for particle in particles {
-                self.find_folded_at(surface.star(particle as usize));
-            }
-        } else {
-            self.normals.clear();
-            let patches = 0..narrow(surface.patches.len());
-            (self.normals).extend(patches.map(|patch| normals_of(surface, positions, patch)));
-            for particle in 0..surface.particle_count() {
-                self.find_folded_at(surface.star(particle));
-            }
+/// Room for the normals around sixteen particles.
+#[derive(Debug, Clone, Default, PartialEq)]
+struct Stars(Vec<[Points; 2]>);
+
+impl Stars {
+    /// Which of at most sixteen particles have normals around them that do not all lie in one
+    /// half-space, and well within it.
+    #[inline(always)]
+    fn folds<S: Simd>(
+        &mut self,
+        simd: S,
+        surface: &Surface,
+        tree: &PatchTree,
+        particles: &[u32],
+    ) -> u64 {
+        self.gather(surface, tree, particles);
+        let mut sum = Vectors::splat(simd, Vec3::ZERO);
+        for points in self.0.iter().flatten() {
+            sum = sum.add(Vectors::load(simd, points));
         }
-        self.folded.sort_unstable();
-        self.folded.dedup();
-    }
-
-    fn find_folded_at(&mut self, star: &[u32]) {
-        if !self.is_flat(star) {
-            for (place, &one) in star.iter().enumerate() {
-                let others = star[place + 1..].iter();
-                self.folded.extend(others.map(|&other| [one, other]));
-            }
-        }
-    }
-
-    /// Whether the normals of all patches lie in one half-space, and well within it.
-    fn is_flat(&self, star: &[u32]) -> bool {
-        let normals = || star.iter().flat_map(|&patch| self.normals[patch as usize]);
-        let sum: Vec3 = normals().sum();
-        let limit = FLAT_COSINE * FLAT_COSINE * sum.length_squared();
-        normals().all(|normal| {
+        let limit = sum.dot(sum) * f32x16::splat(simd, FLAT_COSINE * FLAT_COSINE);
+        let mut flat = u64::MAX;
+        for points in self.0.iter().flatten() {
+            let normal = Vectors::load(simd, points);
             let along = sum.dot(normal);
-            0.0 <= along && limit * normal.length_squared() <= along * along
-        })
-    }
-}
-
-/// Normals of both triangles of a patch, as long as twice their areas [m²].
-fn normals_of(surface: &Surface, positions: &[Vec3], patch: u32) -> [Vec3; 2] {
-    let [a, b, c, d] = corners_of(surface, positions, patch);
-    let diagonal = d - a;
-    [(b - a).cross(diagonal), diagonal.cross(c - a)]
-}
-
-/// Patches of the entries whose bits are set.
-#[inline(always)]
-fn hits_of(hits: u64, run: &[Entry]) -> impl Iterator<Item = u32> {
-    each_hit(hits, run.len()).map(|place| run[place].particle)
-}
-
-/// The box of one patch in every lane.
-struct OwnBox<S: Simd> {
-    center: [f32x16<S>; 3],
-    half: [f32x16<S>; 3],
-}
-
-impl<S: Simd> OwnBox<S> {
-    #[inline(always)]
-    fn splat(simd: S, boxes: &Boxes, index: usize) -> Self {
-        let [x, y, z] = &boxes.centers;
-        let [u, v, w] = &boxes.halves;
-        Self {
-            center: [
-                f32x16::splat(simd, x[index]),
-                f32x16::splat(simd, y[index]),
-                f32x16::splat(simd, z[index]),
-            ],
-            half: [
-                f32x16::splat(simd, u[index]),
-                f32x16::splat(simd, v[index]),
-                f32x16::splat(simd, w[index]),
-            ],
+            let is_ahead = f32x16::splat(simd, 0.0).simd_le(along);
+            let is_within = (limit * normal.dot(normal)).simd_le(along * along);
+            flat &= is_ahead.to_bitmask() & is_within.to_bitmask();
         }
+        !flat
     }
 
-    /// Which of the boxes from `start` on overlap with it, by bits.
-    #[inline(always)]
-    fn overlaps(&self, simd: S, boxes: &Boxes, start: usize) -> u64 {
-        let mut overlaps = u64::MAX;
-        for axis in 0..3 {
-            let center = f32x16::from_slice(simd, &boxes.centers[axis][start..start + LANES]);
-            let half = f32x16::from_slice(simd, &boxes.halves[axis][start..start + LANES]);
-            let apart = (center - self.center[axis]).abs();
-            overlaps &= apart.simd_le(half + self.half[axis]).to_bitmask();
+    /// Where a star has fewer patches than others, its last stands in their place.
+    #[inline(never)]
+    fn gather(&mut self, surface: &Surface, tree: &PatchTree, particles: &[u32]) {
+        self.0.clear();
+        for (lane, &particle) in particles.iter().enumerate() {
+            let star = surface.star(particle as usize);
+            let Some(&last) = star.last() else { continue };
+            while self.0.len() < star.len() {
+                // Earlier lanes have nothing to add here.
+                let repeated = self.0.last().copied().unwrap_or_default();
+                self.0.push(repeated);
+            }
+            for (place, points) in self.0.iter_mut().enumerate() {
+                let patch = star.get(place).copied().unwrap_or(last);
+                let normals = tree.normals(patch);
+                points[0].set(lane, normals[0]);
+                points[1].set(lane, normals[1]);
+            }
         }
-        overlaps
     }
 }
 
@@ -505,14 +343,6 @@ pub(crate) fn crossing_point([start, end]: [Vec3; 2], [a, b, c]: [Vec3; 3]) -> O
     is_inside.then(|| (along, Vec3::new(1.0 - u - v, u, v)))
 }
 
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "a surface has fewer than 2^32 patches"
-)]
-const fn narrow(value: usize) -> u32 {
-    value as u32
-}
-
 #[cfg(test)]
 mod tests {
     use fearless_simd::{Level, dispatch};
@@ -565,23 +395,20 @@ mod tests {
             let mut positions = crumpled(&grid, amount);
             let mut finder = CrossingFinder::default();
             let level = Level::new();
-            dispatch!(level, simd => finder.look_around(simd, &surface, &positions, 0.001));
-            finder.find(&surface, &positions, None);
+            dispatch!(level, simd => finder.find_all(simd, &surface, &positions));
             let count = diagnose::self_crossings(&grid, &positions);
             assert_eq!(Some(finder.crossings.len()), count, "crumpled by {amount}");
             // One row is pulled across the tube.
             let moved = (0..grid.column_count).map(|column| grid.index(7, column));
-            let moved: Vec<u32> = moved.map(narrow).collect();
+            let moved: Vec<u32> = moved.map(index).collect();
             for &particle in &moved {
                 positions[particle as usize].x += 0.03;
             }
             let mut marks = Marked::default();
             marks.set(&surface, &moved);
-            finder.look_at(&surface, (&positions, 0.001), &marks);
-            finder.find(&surface, &positions, Some(&marks));
+            dispatch!(level, simd => finder.find_again(simd, &surface, &positions, &marks));
             let moved = found(&finder);
-            dispatch!(level, simd => finder.look_around(simd, &surface, &positions, 0.001));
-            finder.find(&surface, &positions, None);
+            dispatch!(level, simd => finder.find_all(simd, &surface, &positions));
             let mut all = found(&finder);
             assert_eq!(Some(all.len()), diagnose::self_crossings(&grid, &positions));
             all.retain(|crossing| moved.contains(crossing));

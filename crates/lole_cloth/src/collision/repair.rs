@@ -7,7 +7,7 @@
 //! shorter (Volino and Magnenat-Thalmann 2006, "Resolving surface collisions through intersection
 //! contour minimization"), at a limited speed.
 
-use fearless_simd::Simd;
+use fearless_simd::{Level, dispatch};
 use glam::Vec3;
 use lole_geom::Capsule;
 
@@ -16,7 +16,7 @@ use crate::collision::impact_zone::ImpactZones;
 use crate::collision::separation::Separation;
 use crate::collision::surface::{ABSENT, Surface};
 use crate::collision::surfel::SurfelContacts;
-use crate::lanes::{Layout, Points, Scalars};
+use crate::lanes::{Layout, Points, Scalars, index};
 
 /// Rounds of looking and bringing apart at most: a repair may make something else cross.
 const PARTING_ROUNDS: u8 = 8;
@@ -26,9 +26,6 @@ const ZONE_ROUNDS: u8 = 24;
 
 /// Sweeps over all repairs in a round.
 const SWEEP_COUNT: usize = 4;
-
-/// How far a repair may reach what was not near before [m].
-const MARGIN: f32 = 0.001;
 
 /// Kept between an edge and a triangle that were brought back to their sides [m].
 const CLEARANCE: f32 = 0.2e-3;
@@ -42,6 +39,7 @@ const UNTANGLING_SPEED: f32 = 0.2;
 /// What never changes.
 #[derive(Clone, Copy)]
 pub(crate) struct Fixed<'a> {
+    pub(crate) level: Level,
     pub(crate) surface: &'a Surface,
     pub(crate) layout: &'a Layout,
     pub(crate) inv_masses: &'a [Scalars],
@@ -63,8 +61,6 @@ pub(crate) struct CrossingRepair {
     finder: CrossingFinder,
     /// Row-major.
     positions: Vec<Vec3>,
-    /// Where the particles were when what lies near was looked for.
-    looked_at: Vec<Vec3>,
     separations: Vec<Separation>,
     zones: ImpactZones,
     /// Particles that the repair has moved, and a mark for each.
@@ -81,7 +77,6 @@ impl CrossingRepair {
         self.finder.byte_count()
             + size_of_val(&self.positions[..])
             + size_of_val(&self.separations[..])
-            + size_of_val(&self.looked_at[..])
             + self.zones.byte_count()
             + size_of_val(&self.moved[..])
             + size_of_val(&self.is_moved[..])
@@ -89,10 +84,8 @@ impl CrossingRepair {
     }
 
     /// Repairs what came to cross since the particles were at `starts`, row-major [m].
-    #[inline(always)]
-    pub(crate) fn repair<S: Simd>(
+    pub(crate) fn repair(
         &mut self,
-        simd: S,
         fixed: Fixed<'_>,
         starts: &[Vec3],
         positions: &mut [Points],
@@ -102,9 +95,8 @@ impl CrossingRepair {
         if !self.positions.iter().all(|position| position.is_finite()) {
             return;
         }
-        self.finder
-            .look_around(simd, fixed.surface, &self.positions, MARGIN);
-        self.finder.find(fixed.surface, &self.positions, None);
+        let finder = &mut self.finder;
+        dispatch!(fixed.level, simd => finder.find_all(simd, fixed.surface, &self.positions));
         if !self.finder.crossings.is_empty() {
             self.work(fixed, starts);
             self.store(fixed, positions, velocities);
@@ -131,8 +123,6 @@ impl CrossingRepair {
 
     fn work(&mut self, fixed: Fixed<'_>, starts: &[Vec3]) {
         self.separations.clear();
-        self.looked_at.clear();
-        self.looked_at.extend_from_slice(&self.positions);
         self.moved.clear();
         self.is_moved.clear();
         self.is_moved.resize(starts.len(), false);
@@ -156,7 +146,7 @@ impl CrossingRepair {
                 return;
             }
         }
-        self.zones.clear(narrow(starts.len()));
+        self.zones.clear(index(starts.len()));
         for _ in 0..ZONE_ROUNDS {
             for crossing in &self.finder.crossings {
                 if !crossed_at(fixed.surface, starts, crossing) {
@@ -176,26 +166,12 @@ impl CrossingRepair {
         }
     }
 
-    /// Finds what crosses around the particles that were moved, or anywhere where they have come
-    /// farther than was looked.
+    /// Finds what crosses around the particles that were moved.
     fn look_again(&mut self, fixed: Fixed<'_>) {
-        let went_far = self.moved.iter().any(|&particle| {
-            let place = particle as usize;
-            let travel = self.positions[place] - self.looked_at[place];
-            0.25 * MARGIN * MARGIN < travel.length_squared()
-        });
-        self.moved_patches.set(fixed.surface, &self.moved);
-        if went_far {
-            self.looked_at.clear();
-            self.looked_at.extend_from_slice(&self.positions);
-            self.finder.look_at(
-                fixed.surface,
-                (&self.positions, MARGIN),
-                &self.moved_patches,
-            );
-        }
-        self.finder
-            .find(fixed.surface, &self.positions, Some(&self.moved_patches));
+        let (marked, finder) = (&mut self.moved_patches, &mut self.finder);
+        marked.set(fixed.surface, &self.moved);
+        let (surface, positions) = (fixed.surface, &self.positions);
+        dispatch!(fixed.level, simd => finder.find_again(simd, surface, positions, marked));
     }
 
     /// Makes a separation of every crossing that was none at the start.
@@ -363,12 +339,4 @@ fn contour_gradient(
     }
     let gradient = if steepness < 0.0 { -gradient } else { gradient };
     gradient.try_normalize()
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "a cloth has fewer than 2^32 particles"
-)]
-const fn narrow(value: usize) -> u32 {
-    value as u32
 }

@@ -2,6 +2,7 @@
 //! in, whether it is one grid of cloth, several layers or any other mesh.
 
 use crate::Grid;
+use crate::lanes::{LANES, index};
 
 /// Stands for a particle or an edge that is not there.
 pub(crate) const ABSENT: u32 = u32::MAX;
@@ -36,18 +37,38 @@ pub(crate) struct Surface {
     /// First entry of every particle in `star_patches`, and one more.
     star_starts: Vec<u32>,
     star_patches: Vec<u32>,
-    /// The same for the patches around every patch.
-    neighbor_starts: Vec<u32>,
-    neighbors: Vec<u32>,
+    /// The same for leaves: those it shares particles with.
+    adjacent_starts: Vec<u32>,
+    adjacent: Vec<Adjacent>,
+}
+
+/// A leaf, sixteen patches that follow each other, beside another or the same.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Adjacent {
+    leaf: u32,
+    /// By patch of the first leaf, which patches of this one share a particle with it.
+    shared: [u16; LANES],
 }
 
 impl Surface {
-    /// The triangles of a grid, every cell cut from upper left to lower right.
+    /// The triangles of a grid, every cell cut from upper left to lower right: sixteen columns of
+    /// it from top to bottom, then the next.
     pub(crate) fn from_grid(grid: &Grid) -> Self {
-        Self::new(grid.particle_count(), &grid.triangles())
+        let triangles = grid.triangles();
+        let (cells, rest) = triangles.as_chunks::<2>();
+        debug_assert!(rest.is_empty(), "every cell has two triangles");
+        let mut cells: Vec<_> = cells.iter().collect();
+        let place = |cell: &[[u32; 3]; 2]| {
+            let column = cell[0][0] % grid.column_count;
+            (column / index(LANES), cell[0][0])
+        };
+        cells.sort_by_key(|cell| place(cell));
+        let triangles: Vec<[u32; 3]> = cells.into_iter().flatten().copied().collect();
+        Self::new(grid.particle_count(), &triangles)
     }
 
-    /// A surface over particles `0..particle_count`. An edge of more than two triangles remembers
+    /// A surface over particles `0..particle_count`; triangles that follow each other are best
+    /// close to each other, in sixteens and in powers of sixteen. An edge of more than two triangles remembers
     /// two of them.
     pub(crate) fn new(particle_count: usize, triangles: &[[u32; 3]]) -> Self {
         let (edges, triangle_edges) = find_edges(triangles);
@@ -58,7 +79,7 @@ impl Surface {
             ..Self::default()
         };
         surface.find_stars(particle_count);
-        surface.find_neighbors();
+        surface.find_adjacent();
         surface
     }
 
@@ -68,11 +89,15 @@ impl Surface {
         &self.star_patches[start..end]
     }
 
-    /// Patches that share a corner with a patch, ascending, the patch itself among them.
-    pub(crate) fn neighbors(&self, patch: u32) -> &[u32] {
-        let place = patch as usize;
-        let [start, end] = [place, place + 1].map(|place| self.neighbor_starts[place] as usize);
-        &self.neighbors[start..end]
+    /// By patch of the first leaf, which patches of the second share a particle with it; `None`
+    /// where none does. The first is not the later of the two.
+    #[inline(always)]
+    pub(crate) fn adjacent(&self, [leaf, other]: [u32; 2]) -> Option<&[u16; LANES]> {
+        let place = leaf as usize;
+        let [start, end] = [place, place + 1].map(|place| self.adjacent_starts[place] as usize);
+        (self.adjacent[start..end].iter())
+            .find(|adjacent| adjacent.leaf == other)
+            .map(|adjacent| &adjacent.shared)
     }
 
     /// Corners of the patches around a particle, some more than once, the particle among them.
@@ -101,20 +126,40 @@ impl Surface {
             + size_of_val(self.edges.as_slice())
             + size_of_val(self.star_starts.as_slice())
             + size_of_val(self.star_patches.as_slice())
-            + size_of_val(self.neighbor_starts.as_slice())
-            + size_of_val(self.neighbors.as_slice())
+            + size_of_val(self.adjacent_starts.as_slice())
+            + size_of_val(self.adjacent.as_slice())
     }
 
-    fn find_neighbors(&mut self) {
-        self.neighbor_starts.push(0);
-        for patch in &self.patches {
-            let stars = patch.corners.map(|corner| self.star(corner as usize));
-            let mut neighbors = stars.concat();
-            neighbors.sort_unstable();
-            neighbors.dedup();
-            self.neighbors.extend(neighbors);
-            self.neighbor_starts.push(narrow(self.neighbors.len()));
+    fn find_adjacent(&mut self) {
+        let split = |patch: u32| (patch / index(LANES), patch % index(LANES));
+        let mut pairs = Vec::new();
+        for (patch, corners) in (0u32..).zip(self.patches.iter().map(|patch| patch.corners)) {
+            let (leaf, lane) = split(patch);
+            let stars = corners
+                .into_iter()
+                .flat_map(|corner| self.star(corner as usize));
+            let beside = stars.map(|&other| split(other));
+            let later = beside.filter(|&(other, _)| leaf <= other);
+            pairs.extend(later.map(|(other, bit)| (leaf, other, lane, bit)));
         }
+        pairs.sort_unstable();
+        self.adjacent_starts = vec![0];
+        for of_both in pairs.chunk_by(|one, next| (one.0, one.1) == (next.0, next.1)) {
+            let (leaf, other, ..) = of_both[0];
+            self.adjacent_starts
+                .resize(leaf as usize + 1, index(self.adjacent.len()));
+            let mut shared = [0; LANES];
+            for &(_, _, lane, bit) in of_both {
+                shared[lane as usize] |= 1 << bit;
+            }
+            self.adjacent.push(Adjacent {
+                leaf: other,
+                shared,
+            });
+        }
+        let leaf_count = self.patches.len().div_ceil(LANES);
+        self.adjacent_starts
+            .resize(leaf_count + 1, index(self.adjacent.len()));
     }
 
     fn find_stars(&mut self, particle_count: usize) {
@@ -156,7 +201,7 @@ fn find_edges(triangles: &[[u32; 3]]) -> (Vec<Edge>, Vec<[u32; 3]>) {
                 opposites: [opposite, ABSENT],
             }),
         }
-        triangle_edges[triangle][side] = narrow(edges.len() - 1);
+        triangle_edges[triangle][side] = index(edges.len() - 1);
     }
     (edges, triangle_edges)
 }
@@ -222,14 +267,6 @@ fn pair_triangles(
     patches
 }
 
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "a surface has fewer than 2^32 particles and edges"
-)]
-const fn narrow(value: usize) -> u32 {
-    value as u32
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -257,7 +294,7 @@ mod tests {
             }
         }
         owned.sort_unstable();
-        let all: Vec<u32> = (0..narrow(surface.edges.len())).collect();
+        let all: Vec<u32> = (0..index(surface.edges.len())).collect();
         assert_eq!(owned, all);
         let mut expected = triangles.to_vec();
         expected
@@ -300,7 +337,9 @@ mod tests {
         let surface = Surface::from_grid(&grid);
         assert_eq!(surface.star(grid.index(1, 1)), [0, 1, 3, 4]);
         assert_eq!(surface.star(grid.index(0, 0)), [0]);
-        assert_eq!(surface.neighbors(0), [0, 1, 3, 4]);
+        // Of the six patches the first shares particles with itself and these.
+        let adjacent = surface.adjacent([0, 0]).expect("a leaf is beside itself");
+        assert_eq!(adjacent[0], 0b01_1011);
         assert!(surface.share_particle([0, 4]) && !surface.share_particle([0, 2]));
     }
 }

@@ -230,14 +230,11 @@ pub(crate) fn end(
     state: &mut ClothState,
 ) {
     finish_pins(model, input.pin_targets, state);
-    let level = config.instruction_set.level();
-    dispatch!(level, simd => repair_crossings(simd, (model, config), (input, dt), state));
+    repair_crossings((model, config), (input, dt), state);
 }
 
 /// Takes back what came to cross in this step.
-#[inline(always)]
-fn repair_crossings<S: Simd>(
-    simd: S,
+fn repair_crossings(
     (model, config): (&ClothModel, &SolverConfig),
     (input, dt): (&StepInput<'_>, f32),
     state: &mut ClothState,
@@ -246,8 +243,8 @@ fn repair_crossings<S: Simd>(
     if config.self_collision.is_some_and(repairs) {
         let scratch = &mut state.scratch;
         scratch.crossing_repair.repair(
-            simd,
             Fixed {
+                level: config.instruction_set.level(),
                 surface: &model.surface,
                 layout: &model.layout,
                 inv_masses: &model.inv_masses,

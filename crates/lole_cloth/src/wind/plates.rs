@@ -155,7 +155,10 @@ impl Plates {
         let middle = |[a, b, c, d]: [Vectors<S>; 4]| a.add(d).add(b.add(c)).scale(quarter);
         let [x00, x01, x10, x11] = corners(positions);
         // The mean of both ways to cut the cell into two triangles.
-        let area = cross(x11.sub(x00), x10.sub(x01)).scale(f32x16::splat(simd, 0.5));
+        let area = x11
+            .sub(x00)
+            .cross(x10.sub(x01))
+            .scale(f32x16::splat(simd, 0.5));
         let center = middle([x00, x01, x10, x11]);
         let flow = wind
             .velocities(simd, center)
@@ -174,14 +177,5 @@ impl Plates {
             .scale(across / (across + 1.0))
             .add(tangential.scale(along / (along + 1.0)))
             .scale(mass)
-    }
-}
-
-#[inline(always)]
-fn cross<S: Simd>(a: Vectors<S>, b: Vectors<S>) -> Vectors<S> {
-    Vectors {
-        x: a.y * b.z - a.z * b.y,
-        y: a.z * b.x - a.x * b.z,
-        z: a.x * b.y - a.y * b.x,
     }
 }

@@ -1,0 +1,339 @@
+//! Boxes around the patches of a surface, sixteen to a node, and boxes around the nodes: which
+//! patches come near each other.
+//!
+//! The tree is that of the surface and never changes; only its boxes move with the cloth. Patches
+//! that follow each other in a surface lie beside each other on it, so boxes stay small however
+//! the cloth folds, and a large patch costs what it costs alone.
+
+use fearless_simd::{Simd, f32x16, prelude::*};
+use glam::Vec3;
+use rayon::prelude::*;
+
+use crate::collision::grid::each_hit;
+use crate::collision::surface::Surface;
+use crate::lanes::{LANES, Points, Scalars, Vectors, index, larger, smaller};
+
+/// Leaves of which one thread finds the neighbors in one go.
+const LEAVES_TOGETHER: usize = 64;
+
+/// Sixteen boxes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Boxes {
+    low: [Scalars; 3],
+    high: [Scalars; 3],
+}
+
+/// A box that nothing meets.
+const NOWHERE: Boxes = Boxes {
+    low: [Scalars([f32::INFINITY; LANES]); 3],
+    high: [Scalars([f32::NEG_INFINITY; LANES]); 3],
+};
+
+/// One box.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Bound {
+    low: Vec3,
+    high: Vec3,
+}
+
+impl Boxes {
+    fn get(&self, lane: usize) -> Bound {
+        let corner = |sides: &[Scalars; 3]| Vec3::from(sides.each_ref().map(|side| side.0[lane]));
+        Bound {
+            low: corner(&self.low),
+            high: corner(&self.high),
+        }
+    }
+
+    fn set(&mut self, lane: usize, bound: Bound) {
+        for axis in 0..3 {
+            self.low[axis].0[lane] = bound.low[axis];
+            self.high[axis].0[lane] = bound.high[axis];
+        }
+    }
+
+    /// The box around all.
+    fn bound(&self) -> Bound {
+        let [low, high]: [[f32; 3]; 2] = [
+            self.low
+                .each_ref()
+                .map(|side| side.0.into_iter().fold(f32::INFINITY, f32::min)),
+            self.high
+                .each_ref()
+                .map(|side| side.0.into_iter().fold(f32::NEG_INFINITY, f32::max)),
+        ];
+        Bound {
+            low: low.into(),
+            high: high.into(),
+        }
+    }
+
+    /// Which of them meet a box, by bits.
+    #[inline(always)]
+    fn meet<S: Simd>(&self, simd: S, bound: Bound) -> u64 {
+        let mut hits = u64::MAX;
+        for axis in 0..3 {
+            let low = f32x16::load_array_ref(simd, &self.low[axis].0);
+            let high = f32x16::load_array_ref(simd, &self.high[axis].0);
+            let begins = low.simd_le(f32x16::splat(simd, bound.high[axis]));
+            let ends = f32x16::splat(simd, bound.low[axis]).simd_le(high);
+            hits &= begins.to_bitmask() & ends.to_bitmask();
+        }
+        hits
+    }
+}
+
+/// The boxes of a surface at one moment.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct PatchTree {
+    /// From the patches up: node `n` of a level holds the nodes, or patches, `16 n` to `16 n + 15`
+    /// of the one below. The last level has one node.
+    levels: Vec<Vec<Boxes>>,
+    /// Both normals of every patch, as long as twice the areas of its triangles [m²].
+    normals: Vec<[Points; 2]>,
+}
+
+impl PatchTree {
+    /// Memory that it holds [byte].
+    pub(crate) fn byte_count(&self) -> usize {
+        let levels = self.levels.iter().map(|level| size_of_val(&level[..]));
+        levels.sum::<usize>() + size_of_val(&self.normals[..])
+    }
+
+    /// Normals of a patch, as long as twice the areas of its triangles [m²].
+    pub(crate) fn normals(&self, patch: u32) -> [Vec3; 2] {
+        let (leaf, lane) = (patch as usize / LANES, patch as usize % LANES);
+        self.normals[leaf].each_ref().map(|points| points.get(lane))
+    }
+
+    /// Fits all boxes.
+    #[inline(always)]
+    pub(crate) fn fit<S: Simd>(&mut self, simd: S, surface: &Surface, positions: &[Vec3]) {
+        let leaf_count = surface.patches.len().div_ceil(LANES);
+        self.levels.resize(level_count(leaf_count), Vec::new());
+        let mut count = leaf_count;
+        for level in &mut self.levels {
+            level.resize(count, NOWHERE);
+            count = count.div_ceil(LANES);
+        }
+        self.normals.resize(leaf_count, <[Points; 2]>::default());
+        for leaf in 0..leaf_count {
+            self.fit_leaf(simd, surface, positions, leaf);
+        }
+        for level in 1..self.levels.len() {
+            for node in 0..self.levels[level - 1].len() {
+                self.carry_up(level, node);
+            }
+        }
+    }
+
+    /// Fits the boxes of some leaves, ascending, and what is above them.
+    #[inline(always)]
+    pub(crate) fn fit_some<S: Simd>(
+        &mut self,
+        simd: S,
+        surface: &Surface,
+        positions: &[Vec3],
+        leaves: &[u32],
+    ) {
+        for &leaf in leaves {
+            self.fit_leaf(simd, surface, positions, leaf as usize);
+            let mut node = leaf as usize;
+            for level in 1..self.levels.len() {
+                self.carry_up(level, node);
+                node /= LANES;
+            }
+        }
+    }
+
+    /// Tells a level the box around a node of the one below.
+    fn carry_up(&mut self, level: usize, node: usize) {
+        let bound = self.levels[level - 1][node].bound();
+        self.levels[level][node / LANES].set(node % LANES, bound);
+    }
+
+    #[inline(always)]
+    fn fit_leaf<S: Simd>(&mut self, simd: S, surface: &Surface, positions: &[Vec3], leaf: usize) {
+        let corners = corners_of_leaf(surface, positions, leaf);
+        let [a, b, c, d] = corners.each_ref().map(|points| Vectors::load(simd, points));
+        let diagonal = d.sub(a);
+        b.sub(a).cross(diagonal).store(&mut self.normals[leaf][0]);
+        diagonal.cross(c.sub(a)).store(&mut self.normals[leaf][1]);
+        let boxes = &mut self.levels[0][leaf];
+        let sides = [
+            [a.x, b.x, c.x, d.x],
+            [a.y, b.y, c.y, d.y],
+            [a.z, b.z, c.z, d.z],
+        ];
+        for (axis, [a, b, c, d]) in sides.into_iter().enumerate() {
+            let low = smaller(smaller(a, b), smaller(c, d));
+            let high = larger(larger(a, b), larger(c, d));
+            low.store_array(&mut boxes.low[axis].0);
+            high.store_array(&mut boxes.high[axis].0);
+        }
+        for lane in surface.patches.len() - (leaf * LANES).min(surface.patches.len())..LANES {
+            boxes.set(lane, NOWHERE.get(lane));
+        }
+    }
+
+    /// Lists every pair of patches that share no particle and whose boxes meet.
+    #[inline(always)]
+    pub(crate) fn list_pairs<S: Simd>(
+        &self,
+        simd: S,
+        surface: &Surface,
+        pairs: &mut Vec<[u32; 2]>,
+    ) {
+        let leaves = 0..self.levels.first().map_or(0, Vec::len);
+        let mut search = Search::default();
+        if rayon::current_num_threads() == 1 {
+            for leaf in leaves {
+                self.list_pairs_of(simd, surface, leaf, &mut search);
+            }
+            pairs.append(&mut search.pairs);
+            return;
+        }
+        let level = simd.level();
+        let starts: Vec<usize> = leaves.clone().step_by(LEAVES_TOGETHER).collect();
+        let pieces: Vec<_> = (starts.into_par_iter())
+            .map(|start| {
+                let some = start..leaves.end.min(start + LEAVES_TOGETHER);
+                fearless_simd::dispatch!(level, simd => self.pairs_of_some(simd, surface, some))
+            })
+            .collect();
+        pairs.extend(pieces.into_iter().flatten());
+    }
+
+    #[inline(always)]
+    fn pairs_of_some<S: Simd>(
+        &self,
+        simd: S,
+        surface: &Surface,
+        leaves: std::ops::Range<usize>,
+    ) -> Vec<[u32; 2]> {
+        let mut search = Search::default();
+        for leaf in leaves {
+            self.list_pairs_of(simd, surface, leaf, &mut search);
+        }
+        search.pairs
+    }
+
+    /// Lists the pairs of the patches of a leaf with those of itself and of later leaves.
+    #[inline(always)]
+    fn list_pairs_of<S: Simd>(&self, simd: S, surface: &Surface, leaf: usize, search: &mut Search) {
+        let bound = self.levels[0][leaf].bound();
+        self.each_leaf(simd, (bound, leaf), &mut search.nodes, &mut search.leaves);
+        for index in 0..search.leaves.len() {
+            let other = search.leaves[index];
+            self.list_pairs_between(simd, surface, [leaf, other], &mut search.pairs);
+        }
+    }
+
+    /// Lists the leaves, from `first` on, that a box meets.
+    #[inline(always)]
+    fn each_leaf<S: Simd>(
+        &self,
+        simd: S,
+        (bound, first): (Bound, usize),
+        nodes: &mut Vec<(usize, usize)>,
+        leaves: &mut Vec<usize>,
+    ) {
+        leaves.clear();
+        nodes.clear();
+        nodes.push((self.levels.len() - 1, 0));
+        while let Some((level, node)) = nodes.pop() {
+            if level == 0 {
+                leaves.push(node);
+                continue;
+            }
+            let hits = self.levels[level][node].meet(simd, bound);
+            // Leaves below a child of this level.
+            let width = LANES.pow(index(level) - 1);
+            for lane in each_hit(hits, LANES) {
+                let child = LANES * node + lane;
+                if first < (child + 1) * width {
+                    nodes.push((level - 1, child));
+                }
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn list_pairs_between<S: Simd>(
+        &self,
+        simd: S,
+        surface: &Surface,
+        [leaf, other]: [usize; 2],
+        pairs: &mut Vec<[u32; 2]>,
+    ) {
+        let (own, others) = (&self.levels[0][leaf], &self.levels[0][other]);
+        let adjacent = surface.adjacent([index(leaf), index(other)]);
+        let first = index(leaf * LANES);
+        for lane in each_hit(own.meet(simd, others.bound()), LANES) {
+            let mut hits = others.meet(simd, own.get(lane));
+            if leaf == other {
+                hits &= u64::MAX << (lane + 1);
+            }
+            if let Some(adjacent) = adjacent {
+                hits &= !u64::from(adjacent[lane]);
+            }
+            for place in each_hit(hits, LANES) {
+                pairs.push([first + index(lane), index(other * LANES + place)]);
+            }
+        }
+    }
+
+    /// Lists what one patch is near to and shares no particle with.
+    #[inline(always)]
+    pub(crate) fn list_near<S: Simd>(
+        &self,
+        simd: S,
+        surface: &Surface,
+        patch: u32,
+        search: &mut Search,
+    ) {
+        let (leaf, lane) = (patch as usize / LANES, patch as usize % LANES);
+        let bound = self.levels[0][leaf].get(lane);
+        self.each_leaf(simd, (bound, 0), &mut search.nodes, &mut search.leaves);
+        for &other in &search.leaves {
+            let hits = self.levels[0][other].meet(simd, bound);
+            for place in each_hit(hits, LANES) {
+                let pair = [patch, index(other * LANES + place)];
+                if !surface.share_particle(pair) {
+                    search.pairs.push(pair);
+                }
+            }
+        }
+    }
+}
+
+/// Room for a search.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct Search {
+    nodes: Vec<(usize, usize)>,
+    leaves: Vec<usize>,
+    pub(crate) pairs: Vec<[u32; 2]>,
+}
+
+/// Levels of a tree of so many leaves.
+fn level_count(leaf_count: usize) -> usize {
+    let (mut levels, mut count) = (1, leaf_count);
+    while 1 < count {
+        count = count.div_ceil(LANES);
+        levels += 1;
+    }
+    levels
+}
+
+/// Corners of the patches of a leaf, those of the last patch where there are no more.
+fn corners_of_leaf(surface: &Surface, positions: &[Vec3], leaf: usize) -> [Points; 4] {
+    let mut corners = [Points::default(); 4];
+    let patches = &surface.patches[leaf * LANES..];
+    for lane in 0..LANES {
+        let patch = &patches[lane.min(patches.len() - 1)];
+        for (points, corner) in corners.iter_mut().zip(patch.corners) {
+            points.set(lane, positions[corner as usize]);
+        }
+    }
+    corners
+}
