@@ -72,6 +72,9 @@ pub const SCENES: &[Scene] = &[
         frame_count: 300,
         build: || {
             let mut setup = skirt();
+            // What is pressed together is strained more: it needs another substep and sweep.
+            setup.config.substep_count = NonZeroU32::MIN.saturating_add(9);
+            setup.config.structural_sweep_count = NonZeroU32::MIN.saturating_add(4);
             setup.config.self_collision = Some(SelfCollision {
                 radius: 0.006,
                 substep_interval: NonZeroU32::MIN.saturating_add(1),
@@ -185,8 +188,9 @@ fn skirt() -> Setup {
             pinned: pinned.collect(),
         },
         config: SolverConfig {
-            substep_count: NonZeroU32::MIN.saturating_add(9),
+            substep_count: NonZeroU32::MIN.saturating_add(8),
             structural_sweep_count: NonZeroU32::MIN.saturating_add(3),
+            column_strides: vec![16, 8, 4],
             ..SolverConfig::default()
         },
         positions,

@@ -30,6 +30,9 @@ const SWEEP_COUNT: usize = 4;
 /// Kept between an edge and a triangle that were brought back to their sides [m].
 const CLEARANCE: f32 = 0.2e-3;
 
+/// Rounds of bringing out of the body what can leave it without crossing.
+const LEAVING_ROUNDS: u8 = 8;
+
 /// Rounds in which tangles are drawn out.
 const UNTANGLING_ROUNDS: u8 = 4;
 
@@ -67,6 +70,9 @@ pub(crate) struct CrossingRepair {
     moved: Vec<u32>,
     is_moved: Vec<bool>,
     moved_patches: Marked,
+    /// Where the particles were before the last of them left the body [m], and which did.
+    before_leaving: Vec<Vec3>,
+    is_outside: Vec<bool>,
     /// Particles near what still crosses at the end of a step; empty where nothing does.
     pub(crate) is_tangled: Vec<bool>,
 }
@@ -99,6 +105,7 @@ impl CrossingRepair {
         dispatch!(fixed.level, simd => finder.find_all(simd, fixed.surface, &self.positions));
         if !self.finder.crossings.is_empty() {
             self.work(fixed, starts);
+            self.leave_body_at_last(fixed, starts);
             self.store(fixed, positions, velocities);
         }
         self.remember_tangles(fixed.surface);
@@ -196,6 +203,14 @@ impl CrossingRepair {
         }
     }
 
+    /// Inverse mass [1/kg]; 0 of what stays where it is.
+    fn mobility(&self, fixed: Fixed<'_>, particle: u32) -> f32 {
+        if self.is_outside.get(particle as usize) == Some(&true) {
+            return 0.0;
+        }
+        Self::inv_mass(fixed, particle)
+    }
+
     fn inv_mass(fixed: Fixed<'_>, particle: u32) -> f32 {
         let (vector, lane) = fixed.layout.slot(particle as usize);
         fixed.inv_masses[vector].0[lane]
@@ -213,7 +228,7 @@ impl CrossingRepair {
     fn part(&mut self, fixed: Fixed<'_>, separation: Separation) {
         for _ in 0..3 {
             let (end, corner, gap) = separation.closest(&self.positions);
-            let inv_masses = [end, corner].map(|particle| Self::inv_mass(fixed, particle));
+            let inv_masses = [end, corner].map(|particle| self.mobility(fixed, particle));
             let sum = inv_masses[0] + inv_masses[1];
             if CLEARANCE <= gap || sum <= 0.0 {
                 return;
@@ -256,23 +271,75 @@ impl CrossingRepair {
 
     fn leave_body(&mut self, fixed: Fixed<'_>) {
         for &particle in &self.moved {
-            let (vector, lane) = fixed.layout.slot(particle as usize);
-            if fixed.inv_masses[vector].0[lane] <= 0.0 {
-                continue;
-            }
-            let offset = fixed.contact_offset - fixed.held[vector / fixed.layout.group_count];
             let position = &mut self.positions[particle as usize];
-            for capsule in fixed.capsules {
-                let s = capsule.axis_parameter(*position);
-                let radius = capsule.radii[0] + (capsule.radii[1] - capsule.radii[0]) * s + offset;
-                let foot = capsule.ends[0] + (capsule.ends[1] - capsule.ends[0]) * s;
-                let from_axis = *position - foot;
-                let squared = from_axis.length_squared();
-                if 0.0 < radius && squared < radius * radius {
-                    *position = foot + from_axis.normalize_or(Vec3::Z) * radius;
+            *position = outside_body(fixed, particle, *position);
+        }
+    }
+
+    /// Brings out of the body what the repair has left in it, with what lies on it, as far as
+    /// nothing comes to cross by that.
+    fn leave_body_at_last(&mut self, fixed: Fixed<'_>, starts: &[Vec3]) {
+        let known = self.finder.crossings.len();
+        self.before_leaving.clone_from(&self.positions);
+        self.is_outside.clear();
+        self.is_outside.resize(starts.len(), false);
+        for round in 0..LEAVING_ROUNDS {
+            if !self.seat_outside(fixed) {
+                if round == 0 {
+                    return;
+                }
+                break;
+            }
+            for _ in 0..LEAVING_ROUNDS {
+                self.look_again(fixed);
+                if self.finder.crossings.len() <= known {
+                    break;
+                }
+                self.separate_new(fixed, starts);
+                for index in 0..self.separations.len() {
+                    self.part(fixed, self.separations[index]);
                 }
             }
-            *position = fixed.skin.outside((vector, lane), *position);
+        }
+        self.is_outside.clear();
+        for _ in 0..LEAVING_ROUNDS {
+            self.look_again(fixed);
+            if self.finder.crossings.len() <= known {
+                return;
+            }
+            self.take_back(fixed.surface);
+        }
+        self.positions.clone_from(&self.before_leaving);
+        self.look_again(fixed);
+    }
+
+    /// Brings what is in the body to its surface and lets it stay there; whether there was any.
+    fn seat_outside(&mut self, fixed: Fixed<'_>) -> bool {
+        let mut any = false;
+        for &particle in &self.moved {
+            let position = &mut self.positions[particle as usize];
+            let outside = outside_body(fixed, particle, *position);
+            if outside != *position {
+                *position = outside;
+                self.is_outside[particle as usize] = true;
+                any = true;
+            }
+        }
+        any
+    }
+
+    /// Brings what crosses and what is near that to where it was before the last of the body was
+    /// left.
+    fn take_back(&mut self, surface: &Surface) {
+        for crossing in &self.finder.crossings {
+            let [start, end] = surface.edges[crossing.edge as usize].ends;
+            let [a, b, c] = crossing.corners;
+            for corner in [start, end, a, b, c]
+                .into_iter()
+                .flat_map(|it| surface.ring(it))
+            {
+                self.positions[corner as usize] = self.before_leaving[corner as usize];
+            }
         }
     }
 
@@ -301,6 +368,26 @@ impl CrossingRepair {
             velocities[corner.0].set(corner.1, speeds[1] - change * inv_masses[1]);
         }
     }
+}
+
+/// Where the nearest point outside the body is [m], the particle's own if it is there.
+fn outside_body(fixed: Fixed<'_>, particle: u32, mut position: Vec3) -> Vec3 {
+    let (vector, lane) = fixed.layout.slot(particle as usize);
+    if fixed.inv_masses[vector].0[lane] <= 0.0 {
+        return position;
+    }
+    let offset = fixed.contact_offset - fixed.held[vector / fixed.layout.group_count];
+    for capsule in fixed.capsules {
+        let s = capsule.axis_parameter(position);
+        let radius = capsule.radii[0] + (capsule.radii[1] - capsule.radii[0]) * s + offset;
+        let foot = capsule.ends[0] + (capsule.ends[1] - capsule.ends[0]) * s;
+        let from_axis = position - foot;
+        let squared = from_axis.length_squared();
+        if 0.0 < radius && squared < radius * radius {
+            position = foot + from_axis.normalize_or(Vec3::Z) * radius;
+        }
+    }
+    fixed.skin.outside((vector, lane), position)
 }
 
 /// Whether what crosses now did so at `starts` [m].
