@@ -87,6 +87,27 @@ pub enum InstructionSet {
 }
 
 impl InstructionSet {
+    /// Every one, the widest first.
+    pub const ALL: [Self; 3] = [Self::Detected, Self::Wide, Self::Baseline];
+
+    /// What this processor has of it, by its usual name: two sets of the same name are the same.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self.level() {
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            Level::Avx512(_) => "AVX-512",
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            Level::Avx2(_) => "AVX2",
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            Level::Sse4_2(_) => "SSE4.2",
+            #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+            Level::Sse2(_) => "SSE2",
+            #[cfg(target_arch = "aarch64")]
+            Level::Neon(_) => "NEON",
+            _ => "as compiled",
+        }
+    }
+
     pub(crate) fn level(self) -> Level {
         match self {
             Self::Detected => Level::new(),

@@ -93,6 +93,25 @@ pub const SCENES: &[Scene] = &[
     },
 ];
 
+/// The hanging square at four sizes, from 4,096 to 262,144 particles, with the same settings: what
+/// the size of a cloth alone costs.
+pub const SIZES: &[Scene] = &[
+    size("size-64", || hang(64, 6, &[16, 4])),
+    size("size-128", || hang(128, 6, &[16, 4])),
+    size("size-256", || hang(256, 6, &[16, 4])),
+    size("size-512", || hang(512, 6, &[16, 4])),
+];
+
+const fn size(name: &'static str, build: fn() -> Setup) -> Scene {
+    Scene {
+        name,
+        about: "A square of 1.2 m, level at first, swings down from two corners.",
+        frame_count: 60,
+        build,
+        capsules: |_| Vec::new(),
+    }
+}
+
 /// A cotton for dresses; drag of still air.
 const FABRIC: Fabric = Fabric {
     areal_density: 0.15,

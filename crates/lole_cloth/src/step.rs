@@ -4,6 +4,7 @@ use glam::Vec3;
 use lole_geom::{Capsule, Surfel};
 
 use crate::method::xpbd;
+use crate::phase::Phase;
 use crate::{ClothModel, ClothState, SolverConfig};
 
 /// What the world does during one step; by default nothing is in it.
@@ -33,6 +34,25 @@ pub fn step(
     dt: f32,
 ) {
     xpbd::advance(model, config, (input, dt), state);
+    keep_surroundings(input, state);
+}
+
+/// The same, bit for bit, and `passed` is called whenever a [`Phase`] has ended: first of all for
+/// what the caller did before. A phase ends several times in a step.
+///
+/// Nothing is shared among threads then, so that no phase hides behind another.
+pub fn step_observed(
+    (model, config): (&ClothModel, &SolverConfig),
+    (input, dt): (&StepInput<'_>, f32),
+    state: &mut ClothState,
+    passed: &mut dyn FnMut(Phase),
+) {
+    xpbd::observed::advance((model, config), (input, dt), state, passed);
+    keep_surroundings(input, state);
+}
+
+/// From here pins, capsules and surfels move on in the next step.
+fn keep_surroundings(input: &StepInput<'_>, state: &mut ClothState) {
     state.pin_targets.clear();
     state.pin_targets.extend_from_slice(input.pin_targets);
     state.capsules.clear();

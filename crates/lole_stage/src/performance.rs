@@ -8,13 +8,13 @@ use lole_body::{BodyCapsule, CapsuleLayout, Dancer, Measurements, Pose, SkinSurf
 use lole_cloth::method::explicit::ExplicitConfig;
 use lole_cloth::method::reference::ReferenceModel;
 use lole_cloth::method::settle::{SettleConfig, Settling};
-use lole_cloth::{Crossings, Fabric, InstructionSet, diagnose};
+use lole_cloth::{Crossings, Fabric, InstructionSet, Phase, diagnose};
 use lole_costume::document::{BodyShapes, Design};
 use lole_costume::sew::{self, SewSettings, SewnSkirt, SkirtMesh};
 use lole_geom::{Capsule, Length, Surfel, mesh::vertex_normals};
 use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements, draft_pau_skirt};
 
-use crate::solver::{Solver, Surroundings};
+use crate::solver::{Observer, Solver, Surroundings};
 use crate::{FrameMetrics, StageError, skin_check};
 
 /// Steps of the simulation per second: one for every picture of an ordinary screen.
@@ -279,13 +279,24 @@ impl Performance {
     pub fn advance(&mut self) -> Result<(), Divergence> {
         self.frame += 1;
         let pose = self.pose_of_dance();
-        self.step_in(pose)
+        self.step_in(pose, None)
+    }
+
+    /// The same, bit for bit, and `passed` is called whenever a [`Phase`] of the real-time method
+    /// has ended; other methods have none.
+    ///
+    /// # Errors
+    /// As [`Self::advance`].
+    pub fn advance_observed(&mut self, passed: &mut dyn FnMut(Phase)) -> Result<(), Divergence> {
+        self.frame += 1;
+        let pose = self.pose_of_dance();
+        self.step_in(pose, Some(passed))
     }
 
     /// The same with the dancer in a pose of the caller's instead of her dance's.
     pub(crate) fn advance_in(&mut self, pose: Pose) -> Result<(), Divergence> {
         self.frame += 1;
-        self.step_in(pose)
+        self.step_in(pose, None)
     }
 
     /// Lets another method go on with the cloth as it is.
@@ -309,7 +320,7 @@ impl Performance {
         self.held = held;
     }
 
-    fn step_in(&mut self, pose: Pose) -> Result<(), Divergence> {
+    fn step_in(&mut self, pose: Pose, observer: Observer<'_>) -> Result<(), Divergence> {
         self.pose_dancer(pose);
         let surroundings = Surroundings {
             pin_targets: &self.pin_targets,
@@ -318,7 +329,7 @@ impl Performance {
             crossings: self.crossings,
             time: self.time(),
         };
-        self.solver.step(&surroundings, FRAME_SECONDS);
+        self.solver.step(&surroundings, FRAME_SECONDS, observer);
         self.solver.copy_positions(&mut self.cloth_positions);
         self.settle();
         self.check_stage()

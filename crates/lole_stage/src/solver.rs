@@ -10,8 +10,8 @@ use lole_cloth::method::explicit::{self, ExplicitConfig, Integrator, Substeps};
 use lole_cloth::method::reference::{ReferenceModel, ReferenceState};
 use lole_cloth::wind::{self, Aerodynamics, GustyWind, Wind};
 use lole_cloth::{
-    ClothModel, ClothSpec, ClothState, Crossings, InstructionSet, SelfCollision, SolverConfig,
-    StepInput, diagnose,
+    ClothModel, ClothSpec, ClothState, Crossings, InstructionSet, Phase, SelfCollision,
+    SolverConfig, StepInput, diagnose,
 };
 use lole_costume::document::{Design, WindModel};
 use lole_geom::{Capsule, Surfel};
@@ -58,7 +58,7 @@ pub(crate) struct Xpbd {
 
 impl Xpbd {
     /// Moves the cloth on by `dt` [s] in the wind of `time` [s].
-    fn step(&mut self, surroundings: &Surroundings<'_>, dt: f32) {
+    fn step(&mut self, surroundings: &Surroundings<'_>, dt: f32, observer: Observer<'_>) {
         let time = f64::from(surroundings.time);
         let velocity = self.wind.force(time).as_vec3();
         if let Some(gusts) = &self.gusts {
@@ -85,7 +85,13 @@ impl Xpbd {
                 velocity
             },
         };
-        lole_cloth::step(&self.model, &self.config, &input, &mut self.state, dt);
+        let (model, config, state) = (&self.model, &self.config, &mut self.state);
+        match observer {
+            None => lole_cloth::step(model, config, &input, state, dt),
+            Some(passed) => {
+                lole_cloth::step_observed((model, config), (&input, dt), state, passed);
+            }
+        }
     }
 }
 
@@ -95,6 +101,9 @@ pub(crate) struct Explicit {
     pub(crate) state: ReferenceState,
     pub(crate) config: ExplicitConfig,
 }
+
+/// Told of every phase of the real-time method that has just ended.
+pub(crate) type Observer<'a> = Option<&'a mut dyn FnMut(Phase)>;
 
 /// Where everything that touches the cloth is at the end of a step.
 pub(crate) struct Surroundings<'a> {
@@ -159,10 +168,15 @@ impl Solver {
     }
 
     /// Moves the cloth on by `dt` [s].
-    pub(crate) fn step(&mut self, surroundings: &Surroundings<'_>, dt: f32) {
+    pub(crate) fn step(
+        &mut self,
+        surroundings: &Surroundings<'_>,
+        dt: f32,
+        observer: Observer<'_>,
+    ) {
         match self {
             Self::Xpbd(xpbd) => {
-                xpbd.step(surroundings, dt);
+                xpbd.step(surroundings, dt, observer);
             }
             Self::Explicit(reference) => {
                 let pin_targets: Vec<DVec3> = surroundings

@@ -5,6 +5,7 @@
 //! contacts, and turns what the projections changed into velocity: `v += (x - prediction) / h`
 //! rather than `v = (x - x_before) / h`, because the second loses bits in `f32` at small `h`.
 
+pub(crate) mod observed;
 mod schedule;
 mod work;
 
@@ -24,6 +25,7 @@ use crate::constraint::structural::Spring;
 use crate::constraint::tether::Tethers;
 use crate::lanes::Points;
 use crate::method::reference::SpringConstants;
+use crate::phase::{Observer, Phase};
 use crate::{ClothModel, ClothState, Crossings, SelfCollision, SolverConfig, StepInput};
 use schedule::Schedule;
 use schedule::Stage;
@@ -159,6 +161,16 @@ pub(crate) fn begin(
     (input, dt): (&StepInput<'_>, f32),
     state: &mut ClothState,
 ) -> Plan {
+    begin_observed((model, config), (input, dt), state, None)
+}
+
+/// The same, with whoever wants to know how long each search takes.
+fn begin_observed(
+    (model, config): (&ClothModel, &SolverConfig),
+    (input, dt): (&StepInput<'_>, f32),
+    state: &mut ClothState,
+    observer: Observer<'_>,
+) -> Plan {
     let substep = Substep::new(model, config, input.air_velocity, dt);
     if state.capsules.len() != input.capsules.len() {
         state.capsules.clear();
@@ -170,7 +182,7 @@ pub(crate) fn begin(
     }
     start_pins(model, input.pin_targets, state, dt);
     find_body_contacts(model, config, (input, dt), state);
-    let cloth_contact = find_contacts((model, config), (input, dt), &substep, state);
+    let cloth_contact = find_contacts((model, config, &substep), (input, dt), state, observer);
     set_schedules(model, config, state);
     Plan {
         substep,
@@ -450,10 +462,10 @@ fn with_skin(
 /// Where the cloth may touch the skin, and, at the same time, where it may touch itself in this
 /// step: the law of that, and the interval of substeps.
 fn find_contacts(
-    (model, config): (&ClothModel, &SolverConfig),
+    (model, config, substep): (&ClothModel, &SolverConfig, &Substep),
     (input, dt): (&StepInput<'_>, f32),
-    substep: &Substep,
     state: &mut ClothState,
+    observer: Observer<'_>,
 ) -> Option<(ClothContactLaw, u32)> {
     let scratch = &mut state.scratch;
     let (positions, velocities) = (&state.positions, &state.velocities);
@@ -472,6 +484,9 @@ fn find_contacts(
     let mut find_skin = || surfel_contacts.begin_substep((0, substep.count), cloth, skin);
     let Some(contact) = config.self_collision else {
         find_skin();
+        if let Some(passed) = observer {
+            passed(Phase::FindBody);
+        }
         return None;
     };
     let shape = Shape {
@@ -484,8 +499,16 @@ fn find_contacts(
     let friction = model.spec().fabric.friction;
     let law = ClothContactLaw::new(shape.grid, contact.radius, friction, substep.h);
     let level = config.instruction_set.level();
-    let find_cloth = || dispatch!(level, simd => cloth_contacts.find(simd, shape, positions, law));
-    rayon::join(find_skin, find_cloth);
+    let mut find_cloth =
+        || dispatch!(level, simd => cloth_contacts.find(simd, shape, positions, law));
+    if let Some(passed) = observer {
+        find_skin();
+        passed(Phase::FindBody);
+        find_cloth();
+        passed(Phase::FindSelf);
+    } else {
+        rayon::join(find_skin, find_cloth);
+    }
     Some((law, contact.substep_interval.get()))
 }
 

@@ -65,6 +65,18 @@ pub(crate) struct Schedule {
 }
 
 impl Schedule {
+    /// A single stage.
+    pub(crate) fn of(stage: Stage) -> Self {
+        let mut schedule = Self::default();
+        schedule.push(stage);
+        schedule
+    }
+
+    /// The stages in their order.
+    pub(crate) fn stages(&self) -> impl Iterator<Item = Stage> {
+        self.stages.iter().map(|&(stage, _)| stage)
+    }
+
     /// Forgets every stage.
     pub(crate) fn clear(&mut self) {
         self.stages.clear();
