@@ -116,6 +116,28 @@ pub(crate) struct BenchArgs {
     /// state hash is the same with all of them.
     #[arg(long, value_enum, default_value_t = Vectors::Detected)]
     pub(crate) vectors: Vectors,
+    /// Also hold the structural springs against the best of this machine: the speed of the scene's
+    /// springs over that of a stream of springs that wait for nothing, with the same arithmetic, the
+    /// same bytes, and as many particles, so that they lie in the same cache.
+    #[arg(long)]
+    pub(crate) roofline: bool,
+    /// The same square from 4,096 to 262,144 particles by the same settings, instead of the scenes.
+    #[arg(long)]
+    pub(crate) sizes: bool,
+    /// Quality against time: every scene of the engine with coarser and finer settings, and which
+    /// of them no other beats.
+    #[arg(long)]
+    pub(crate) pareto: bool,
+    /// Folder for a page with the curves of --pareto; without one, nothing is written.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+    /// Move every scene of the engine at random for so many frames, and see that the cloth stays
+    /// finite, whole, and on its side of the body.
+    #[arg(long, value_name = "FRAMES", value_parser = frames, allow_negative_numbers = true)]
+    pub(crate) soak: Option<u32>,
+    /// Chance for the motion of --soak; 1 where it is left out. A seed repeats its run.
+    #[arg(long, value_parser = seed, allow_negative_numbers = true)]
+    pub(crate) seed: Option<u64>,
     /// Print the table as JSON.
     #[arg(long)]
     pub(crate) json: bool,
@@ -165,6 +187,20 @@ fn threads(text: &str) -> Result<u16, Sentence> {
     };
     let value = text.parse().map_err(|_| help())?;
     (1..=256).contains(&value).then_some(value).ok_or_else(help)
+}
+
+fn frames(text: &str) -> Result<u32, Sentence> {
+    let help = || {
+        Sentence::new(
+            "1 から 1000000000 までの整数を書いてください（例: 100000）",
+            "give a whole number from 1 to 1000000000, such as 100000",
+        )
+    };
+    let value = text.parse().map_err(|_| help())?;
+    (1..=1_000_000_000)
+        .contains(&value)
+        .then_some(value)
+        .ok_or_else(help)
 }
 
 fn seed(text: &str) -> Result<u64, Sentence> {

@@ -13,7 +13,6 @@ use lole_stage::StageError;
 use lole_stage::validate::{Check, Protocol};
 
 use crate::Failure;
-use crate::bench::BenchRow;
 
 /// Writes a line where the user looks. Nobody may be looking any more, as behind `| head`: that is
 /// no failure of the run.
@@ -22,6 +21,12 @@ macro_rules! say {
         drop(writeln!(std::io::stdout(), $($words)*))
     };
 }
+
+mod bench;
+
+pub(crate) use bench::{
+    print_bench_head, print_bench_row, print_pareto, print_size_costs, print_soak,
+};
 
 /// Exit code after Ctrl-C: 128 plus the signal's number, as shells have it.
 const INTERRUPTED: u8 = 130;
@@ -140,64 +145,13 @@ fn figure(value: f64) -> String {
     }
 }
 
-/// Column heads of the bench table.
-pub(crate) fn print_bench_head(language: Language) {
-    say!(
-        "{:<14} {:<13} {:>9} {:>8} {:>8} {:>8} {:>8} {:>6} {:>22} {:>15} {:>8} {:>7} {:>9} {:>7} {:>6}  hash",
-        language.pick("場面", "scene"),
-        language.pick("方法", "method"),
-        language.pick("質点", "particles"),
-        language.pick("分割", "substeps"),
-        "CPU ms",
-        "CPU p99",
-        "wall ms",
-        "ns",
-        "end mean p99 max %",
-        "worst p99 max %",
-        "depth mm",
-        "skin mm",
-        "crossings",
-        "rms m/s",
-        "bytes",
-    );
-}
-
-/// One row of the bench table.
-pub(crate) fn print_bench_row(row: &BenchRow) {
-    let crossings = (row.self_crossings).map_or("-".to_owned(), |count| count.to_string());
-    let skin =
-        (row.skin_penetration_mm).map_or("-".to_owned(), |skin| format!("{:.2}", skin.worst));
-    say!(
-        "{:<14} {:<13} {:>9} {:>8} {:>8.3} {:>8.3} {:>8.3} {:>6.2} {:>10.3} {:>5.2} {:>5.2} {:>9.2} {:>5.2} {:>8.3} {:>7} {:>9} {:>7.3} {:>6.0}  {}",
-        row.scene,
-        row.method,
-        row.particles,
-        row.substeps,
-        row.frame_ms.median,
-        row.frame_ms.p99,
-        row.frame_wall_ms.median,
-        row.particle_substep_ns,
-        row.strain_end_pct.mean,
-        row.strain_end_pct.p99,
-        row.strain_end_pct.max,
-        row.strain_worst_pct.p99,
-        row.strain_worst_pct.max,
-        row.penetration_mm.worst,
-        skin,
-        crossings,
-        row.rms_speed_m_per_s,
-        row.bytes_per_particle,
-        row.state_hash
-    );
-}
-
 fn open_hint(path: &std::path::Path, language: Language) -> &'static str {
     let name = path
         .file_name()
         .and_then(|name| name.to_str())
         .unwrap_or("");
     match name {
-        "report.html" | "study.html" | "validation.html" => {
+        "report.html" | "study.html" | "validation.html" | "bench.html" => {
             language.pick("ここから: ブラウザで開く", "start here: open in a browser")
         }
         "dance.mp4" => language.pick("動画プレーヤーで再生", "plays in any video player"),
@@ -210,7 +164,7 @@ fn open_hint(path: &std::path::Path, language: Language) -> &'static str {
             "lole dance design.lole repeats it",
         ),
         "study.csv" => language.pick("表計算で開く", "opens in a spreadsheet"),
-        "report.json" | "study.json" | "validation.json" => {
+        "report.json" | "study.json" | "validation.json" | "bench.json" => {
             language.pick("プログラム用の数値", "the numbers, for programs")
         }
         _ => language.pick("写真", "a still"),

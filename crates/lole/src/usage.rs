@@ -115,6 +115,36 @@ const JAPANESE_HELP: &[(&str, &str, &str)] = &[
         "vectors",
         "ベクトル命令: detected（この CPU で最も広いもの）、wide（AVX2 まで）、baseline（どの CPU にもあるもの）。ハッシュはどれでも同じです",
     ),
+    (
+        "bench",
+        "roofline",
+        "構造バネを、この機械の最良と比べます: 同じ演算・同じバイト数・同じ質点数（同じキャッシュ）で、何も待たないバネの列に対する速さの割合",
+    ),
+    (
+        "bench",
+        "sizes",
+        "場面のかわりに、同じ設定の正方形を 4,096 から 262,144 質点まで測ります",
+    ),
+    (
+        "bench",
+        "pareto",
+        "品質と時間: 各場面を粗い設定から細かい設定まで測り、ほかに負けないものを示します",
+    ),
+    (
+        "bench",
+        "out",
+        "--pareto の曲線のページを書き出すフォルダー。書かなければ何も書き出しません",
+    ),
+    (
+        "bench",
+        "soak",
+        "各場面をこのコマ数だけでたらめに動かし、布が有限で、伸びすぎず、体の正しい側にあることを確かめます",
+    ),
+    (
+        "bench",
+        "seed",
+        "--soak の動きの種。書かなければ 1。同じ種は同じ動きになります",
+    ),
     ("bench", "json", "表を JSON で書きます"),
 ];
 
@@ -397,6 +427,14 @@ mod tests {
             (
                 &["lole", "dans"],
                 "dans: there is no such command; did you mean dance?",
+            ),
+            (
+                &["lole", "bench", "--soak", "-5"],
+                "--soak -5: give a whole number from 1 to 1000000000, such as 100000",
+            ),
+            (
+                &["lole", "bench", "--soak", "9", "--seed", "dice"],
+                "--seed dice: give a whole number from 0 upward, such as 1",
             ),
             (
                 &["lole", "bench", "--vectors", "avx"],

@@ -229,6 +229,42 @@ fn a_validation_prints_its_rows_and_writes_its_page() {
     assert_eq!(&written, &Value::from(rows.clone()));
 }
 
+#[test]
+fn a_bench_refuses_what_does_not_go_together_and_prints_its_rows() {
+    for (words, part) in [
+        (["--scene", "hang-46"].as_slice(), "did you mean hang-64?"),
+        (&["--seed", "3"], "--soak"),
+        (&["--sizes", "--pareto"], "--sizes"),
+        (&["--soak", "many"], "whole number"),
+        (&["--soak", "9", "--scene", "pau-fine"], "choose one of"),
+    ] {
+        let output = lole().arg("bench").args(words).output().unwrap();
+        let found = sentence(&output);
+        assert_eq!(output.status.code(), Some(2), "{found}");
+        assert!(found.contains(part), "{found}");
+    }
+    let rows = |words: &[&str]| -> Value {
+        let output = lole()
+            .args(["bench", "--json", "--scene", "hang-64"])
+            .args(words)
+            .output()
+            .unwrap();
+        assert_eq!(output.status.code(), Some(0), "{words:?}");
+        serde_json::from_slice(&output.stdout).unwrap()
+    };
+    let table = rows(&["--method", "xpbd"]);
+    assert_eq!(table.as_array().unwrap().len(), 1);
+    assert_eq!(table[0]["scene"], "hang-64");
+    assert_eq!(table[0]["spring_roofline"], Value::Null);
+    let soaked = rows(&["--soak", "120", "--seed", "5"]);
+    assert_eq!(soaked[0]["frames"], 120);
+    assert_eq!(soaked[0]["violations"], Value::Array(Vec::new()));
+    assert_eq!(
+        soaked,
+        rows(&["--soak", "120", "--seed", "5", "--threads", "3"])
+    );
+}
+
 #[cfg(unix)]
 #[test]
 fn an_interrupted_run_leaves_no_file() {

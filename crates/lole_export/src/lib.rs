@@ -8,6 +8,7 @@
 //! | `report.json` | [`report::report_json`] |
 //! | `report.html` | [`report::report_html`]: one self-contained page in Japanese and English |
 //! | `study.json`, `.csv`, `.html` | [`study::study_json`], [`study::study_csv`], [`study::study_html`] |
+//! | `bench.html` | [`trade_off::trade_off_html`]: what more time for a frame buys |
 //! | `validation.html` | [`validation::validation_html`]: figures against closed forms, with curves |
 //!
 //! It opens no file, reads no clock, and draws no picture of the dancer: pictures come in as
@@ -19,6 +20,7 @@ mod page;
 pub mod report;
 pub mod still;
 pub mod study;
+pub mod trade_off;
 pub mod validation;
 pub mod video;
 

@@ -2,15 +2,16 @@
 
 use lole_cloth::diagnose::{self, StrainSummary};
 use lole_cloth::method::explicit_rows::{self, ExplicitModel};
-use lole_cloth::scenes::{FRAME_DT, Scene};
+use lole_cloth::scenes::{FRAME_DT, Scene, Setup};
 use lole_cloth::{
-    BuildError, ClothModel, ClothSpec, ClothState, InstructionSet, SolverConfig, StepInput,
-    state_hash, step,
+    BuildError, ClothModel, ClothSpec, ClothState, Phase, SolverConfig, StepInput, state_hash,
+    step, step_observed,
 };
-use lole_export::report::Worst;
 
-use super::{BenchRow, CROSSINGS_FROM};
-use crate::figures::{median_and_p99, percent};
+use super::Settings;
+use super::phases::PhaseClock;
+use super::roofline::SpringRoofline;
+use super::row::{BenchRow, Crossings, Run};
 use crate::stopwatch::Stopwatch;
 
 /// Frames whose worst strain does not count: the start pose of some scenes is stretched.
@@ -84,87 +85,122 @@ impl Prepared {
     }
 }
 
-/// Runs a scene of the engine.
-pub(super) fn measure(
-    scene: &Scene,
-    method: Method,
-    set: InstructionSet,
-) -> Result<BenchRow, BuildError> {
-    let mut setup = (scene.build)();
-    setup.config.instruction_set = set;
-    let prepared = method.prepare(&setup.spec)?;
-    let model = prepared.cloth();
-    let mut state = ClothState::new(model, &setup.positions);
-    let pins = pins(model, &setup.positions);
-    let (mut process, mut wall) = (Vec::new(), Vec::new());
-    let (mut positions, mut substeps) = (Vec::new(), Vec::new());
-    let mut deepest = 0.0_f32;
-    let mut crossings = setup.config.self_collision.is_some().then_some(0);
-    let (mut end, mut worst) = (StrainSummary::default(), StrainSummary::default());
-    for frame in 0..scene.frame_count {
-        let time = f64::from(frame + 1) * f64::from(FRAME_DT);
-        let capsules = (scene.capsules)(time);
+/// A scene while it runs.
+struct Running<'a> {
+    scene: &'a Scene,
+    setup: &'a Setup,
+    prepared: Prepared,
+    state: ClothState,
+    pins: Vec<glam::Vec3>,
+    clock: PhaseClock,
+}
+
+impl Running<'_> {
+    /// The next frame, timed unless it is observed; the number of its substeps.
+    fn advance(&mut self, frame: u32, timings: &mut Vec<crate::figures::Timing>) -> u32 {
+        let capsules = self.capsules(frame);
+        let (config, state) = (&self.setup.config, &mut self.state);
         let input = StepInput {
-            pin_targets: &pins,
+            pin_targets: &self.pins,
             capsules: &capsules,
             ..StepInput::default()
         };
+        if let Prepared::Xpbd(model) = &self.prepared
+            && PhaseClock::observes(frame)
+        {
+            let clock = &mut self.clock;
+            clock.begin_frame();
+            let mut passed = |phase| clock.passed(phase);
+            step_observed((model, config), (&input, FRAME_DT), state, &mut passed);
+            return config.substep_count.get();
+        }
         let watch = Stopwatch::start();
-        substeps.push(prepared.step(&setup.config, &input, &mut state));
-        let timing = watch.read();
-        process.push(1e3 * timing.process_seconds);
-        wall.push(1e3 * timing.wall_seconds);
-        state.copy_positions(model, &mut positions);
+        let substeps = self.prepared.step(config, &input, state);
+        timings.push(watch.read());
+        substeps
+    }
+
+    /// Where the capsules are at the end of a frame.
+    fn capsules(&self, frame: u32) -> Vec<lole_geom::Capsule> {
+        (self.scene.capsules)(f64::from(frame + 1) * f64::from(FRAME_DT))
+    }
+}
+
+/// Runs a scene of the engine from a start of the caller's.
+pub(super) fn measure(
+    (scene, method): (&Scene, Method),
+    mut setup: Setup,
+    settings: Settings,
+) -> Result<BenchRow, BuildError> {
+    setup.config.instruction_set = settings.instruction_set;
+    let prepared = method.prepare(&setup.spec)?;
+    let mut running = Running {
+        scene,
+        setup: &setup,
+        state: ClothState::new(prepared.cloth(), &setup.positions),
+        pins: pins(prepared.cloth(), &setup.positions),
+        prepared,
+        clock: PhaseClock::new(),
+    };
+    let (mut timings, mut positions, mut substeps) = (Vec::new(), Vec::new(), Vec::new());
+    let mut deepest = 0.0_f32;
+    let mut crossings = setup
+        .config
+        .self_collision
+        .is_some()
+        .then_some(Crossings::none());
+    let (mut end, mut worst) = (StrainSummary::default(), StrainSummary::default());
+    for frame in 0..scene.frame_count {
+        substeps.push(running.advance(frame, &mut timings));
+        let model = running.prepared.cloth();
+        running.state.copy_positions(model, &mut positions);
         end = diagnose::strain(&setup.spec, &positions);
         if START_FRAMES <= frame {
             worst.mean = worst.mean.max(end.mean);
             worst.p99 = worst.p99.max(end.p99);
             worst.max = worst.max.max(end.max);
         }
+        let capsules = running.capsules(frame);
         let depth = diagnose::worst_capsule_penetration(&setup.spec, &positions, &capsules);
         deepest = deepest.max(depth);
-        if let Some(most) = &mut crossings
-            && CROSSINGS_FROM <= frame
-        {
-            *most = diagnose::self_crossings(&setup.spec.grid, &positions)
-                .map_or(usize::MAX, |count| count.max(*most));
+        if let Some(crossings) = &mut crossings {
+            crossings.see(frame, || {
+                diagnose::self_crossings(&setup.spec.grid, &positions)
+            });
         }
     }
-    let frame_ms = median_and_p99(&process);
-    let particles = setup.spec.grid.particle_count();
     substeps.sort_unstable();
-    let substeps = substeps.get(substeps.len() / 2).copied().unwrap_or(0);
-    #[expect(clippy::cast_precision_loss, reason = "counts are far below 2^52")]
-    let (count, bytes) = (
-        particles as f64,
-        (prepared.byte_count() + state.byte_count()) as f64,
-    );
     let mut velocities = Vec::new();
+    let (model, state) = (running.prepared.cloth(), &running.state);
     state.copy_velocities(model, &mut velocities);
-    Ok(BenchRow {
+    let springs = running.clock.median(Phase::Springs);
+    let row = Run {
         scene: scene.name,
         method: method.id(),
-        particles,
-        substeps,
-        threads: rayon::current_num_threads(),
-        frame_ms,
-        frame_wall_ms: median_and_p99(&wall),
-        particle_substep_ns: 1e6 * frame_ms.median / (count * f64::from(substeps)),
-        strain_end_pct: percent(end),
-        strain_worst_pct: percent(worst),
-        penetration_mm: Worst {
-            worst: 1e3 * f64::from(deepest),
-        },
-        skin_penetration_mm: None,
-        self_crossings: crossings,
-        rms_speed_m_per_s: f64::from(diagnose::rms_speed(&velocities)),
-        bytes_per_particle: bytes / count,
-        state_hash: format!("{:016x}", state_hash(&state)),
-    })
+        particles: setup.spec.grid.particle_count(),
+        substeps: substeps.get(substeps.len() / 2).copied().unwrap_or(0),
+        timings,
+        phases: running.clock.times(),
+        spring_roofline: (settings.roofline && 0.0 < springs).then(|| {
+            let cloth = (&setup.spec, &setup.config);
+            SpringRoofline::measure(cloth, springs, settings.instruction_set)
+        }),
+        finite: diagnose::first_non_finite(&positions).is_none(),
+        strain_end: end,
+        strain_worst: worst,
+        penetration: deepest,
+        skin_penetration: None,
+        crossings,
+        layer_inversions: None,
+        rms_speed: diagnose::rms_speed(&velocities),
+        byte_count: running.prepared.byte_count() + state.byte_count(),
+        state_hash: state_hash(state),
+    };
+    Ok(row.row())
 }
 
 /// Where the pinned particles are held [m].
-fn pins(model: &ClothModel, positions: &[glam::Vec3]) -> Vec<glam::Vec3> {
+pub(super) fn pins(model: &ClothModel, positions: &[glam::Vec3]) -> Vec<glam::Vec3> {
     let pins = model.pin_indices().iter();
     pins.map(|&index| positions[index as usize]).collect()
 }

@@ -1,13 +1,12 @@
 //! Scenes with a dancer: what a whole frame of the product costs.
 
-use lole_cloth::InstructionSet;
-use lole_cloth::diagnose;
+use lole_cloth::{Phase, diagnose};
 use lole_costume::document::Design;
-use lole_export::report::Worst;
 use lole_stage::{Performance, Production, RunMetrics, StageError};
 
-use super::BenchRow;
-use crate::figures::{median_and_p99, percent};
+use super::Settings;
+use super::phases::PhaseClock;
+use super::row::{BenchRow, Crossings, Run};
 use crate::stopwatch::Stopwatch;
 
 /// One skirt on one dancer.
@@ -33,55 +32,55 @@ pub(super) const SCENES: &[StageScene] = &[StageScene {
 
 /// Dances a scene, settled beforehand. Measured is all that a frame needs before it can be drawn:
 /// pose, capsules, pins and cloth.
-pub(super) fn measure(scene: &StageScene, set: InstructionSet) -> Result<BenchRow, StageError> {
+pub(super) fn measure(scene: &StageScene, settings: Settings) -> Result<BenchRow, StageError> {
     let mut performance = Performance::new(Production::new(&(scene.design)())?)?;
-    performance.set_instruction_set(set);
-    let (mut process, mut wall, mut metrics) = (Vec::new(), Vec::new(), Vec::new());
-    let mut crossings = 0;
+    performance.set_instruction_set(settings.instruction_set);
+    let (mut timings, mut metrics) = (Vec::new(), Vec::new());
+    let (mut clock, mut crossings) = (PhaseClock::new(), Crossings::none());
     // What stops short is seen in the figures of the frames.
     while performance.time() < 0.0 && performance.advance().is_ok() {}
-    for _ in 0..scene.frame_count {
-        let watch = Stopwatch::start();
-        let went_on = performance.advance().is_ok();
-        let timing = watch.read();
-        process.push(1e3 * timing.process_seconds);
-        wall.push(1e3 * timing.wall_seconds);
+    for frame in 0..scene.frame_count {
+        let went_on = if PhaseClock::observes(frame) {
+            clock.begin_frame();
+            let advanced = performance.advance_observed(&mut |phase| clock.passed(phase));
+            clock.passed(Phase::Outside);
+            advanced.is_ok()
+        } else {
+            let watch = Stopwatch::start();
+            let advanced = performance.advance();
+            timings.push(watch.read());
+            advanced.is_ok()
+        };
         performance.pose_body();
         metrics.push(performance.measure());
-        let spec = &performance.production().skirt.spec;
-        let count = diagnose::self_crossings(&spec.grid, performance.cloth_positions());
-        crossings = count.map_or(usize::MAX, |count| count.max(crossings));
+        let grid = &performance.production().skirt.spec.grid;
+        // A skirt that has settled crosses itself no more than one that dances.
+        crossings.see(u32::MAX, || {
+            diagnose::self_crossings(grid, performance.cloth_positions())
+        });
         if !went_on {
             break;
         }
     }
-    let spec = &performance.production().skirt.spec;
-    let particles = spec.grid.particle_count();
-    let substeps = performance.substep_count();
-    let frame_ms = median_and_p99(&process);
     let worst = RunMetrics::of(&metrics);
-    #[expect(clippy::cast_precision_loss, reason = "counts are far below 2^52")]
-    let (count, bytes) = (particles as f64, performance.byte_count() as f64);
-    Ok(BenchRow {
+    let run = Run {
         scene: scene.name,
         method: performance.production().design.method.name.id(),
-        particles,
-        substeps,
-        threads: rayon::current_num_threads(),
-        frame_ms,
-        frame_wall_ms: median_and_p99(&wall),
-        particle_substep_ns: 1e6 * frame_ms.median / (count * f64::from(substeps)),
-        strain_end_pct: percent(worst.strain_end),
-        strain_worst_pct: percent(worst.strain),
-        penetration_mm: Worst {
-            worst: 1e3 * f64::from(worst.capsule_penetration.max(worst.skin.worst_depth)),
-        },
-        skin_penetration_mm: Some(Worst {
-            worst: 1e3 * f64::from(worst.skin.worst_depth),
-        }),
-        self_crossings: Some(crossings),
-        rms_speed_m_per_s: f64::from(performance.rms_speed()),
-        bytes_per_particle: bytes / count,
-        state_hash: format!("{:016x}", performance.state_hash()),
-    })
+        particles: performance.production().skirt.spec.grid.particle_count(),
+        substeps: performance.substep_count(),
+        timings,
+        phases: clock.times(),
+        spring_roofline: None,
+        finite: diagnose::first_non_finite(performance.cloth_positions()).is_none(),
+        strain_end: worst.strain_end,
+        strain_worst: worst.strain,
+        penetration: worst.capsule_penetration.max(worst.skin.worst_depth),
+        skin_penetration: Some(worst.skin.worst_depth),
+        crossings: Some(crossings),
+        layer_inversions: None,
+        rms_speed: performance.rms_speed(),
+        byte_count: performance.byte_count(),
+        state_hash: performance.state_hash(),
+    };
+    Ok(run.row())
 }

@@ -1,0 +1,110 @@
+//! Where the time of a frame goes.
+
+use lole_cloth::Phase;
+use serde::Serialize;
+
+use crate::figures::median_and_p99;
+use crate::stopwatch::Stopwatch;
+
+/// Every so manyth frame is observed, and its time does not count: one phase after the other takes
+/// a little longer than all of them staggered, with the same bits.
+const INTERVAL: u32 = 8;
+
+/// Time of one phase in a frame.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(crate) struct PhaseTime {
+    pub(crate) name: &'static str,
+    /// Wall time in a frame: the median of the observed ones.
+    pub(crate) ms: f64,
+    /// Of all phases together.
+    pub(crate) share_pct: f64,
+}
+
+/// Adds up the time of each phase, frame by frame.
+pub(super) struct PhaseClock {
+    watch: Stopwatch,
+    /// Of each phase, its time in every observed frame [s].
+    seconds: [Vec<f64>; Phase::ALL.len()],
+    /// When the last phase ended [s].
+    ended: f64,
+}
+
+impl PhaseClock {
+    /// No frame yet.
+    pub(super) fn new() -> Self {
+        Self {
+            watch: Stopwatch::start(),
+            seconds: Default::default(),
+            ended: 0.0,
+        }
+    }
+
+    /// Whether a frame is one of those to be observed.
+    pub(super) const fn observes(frame: u32) -> bool {
+        frame % INTERVAL == INTERVAL - 1
+    }
+
+    /// Starts a frame.
+    pub(super) fn begin_frame(&mut self) {
+        self.seconds.iter_mut().for_each(|frames| frames.push(0.0));
+        self.ended = self.watch.read_wall();
+    }
+
+    /// A phase has ended.
+    pub(super) fn passed(&mut self, phase: Phase) {
+        let now = self.watch.read_wall();
+        if let Some(seconds) = self.seconds[phase as usize].last_mut() {
+            *seconds += now - self.ended;
+        }
+        self.ended = now;
+    }
+
+    /// Median time of a phase in a frame [s].
+    pub(super) fn median(&self, phase: Phase) -> f64 {
+        median_and_p99(&self.seconds[phase as usize]).median
+    }
+
+    /// Every phase that took any time; `None` where none did.
+    pub(super) fn times(&self) -> Option<Vec<PhaseTime>> {
+        let sum: f64 = Phase::ALL.iter().map(|&phase| self.median(phase)).sum();
+        let time = |phase: Phase| PhaseTime {
+            name: phase.id(),
+            ms: 1e3 * self.median(phase),
+            share_pct: 100.0 * self.median(phase) / sum,
+        };
+        let taken = Phase::ALL
+            .into_iter()
+            .filter(|&phase| 0.0 < self.median(phase));
+        (0.0 < sum).then(|| taken.map(time).collect())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shares_of_the_phases_are_those_of_their_medians() {
+        let mut clock = PhaseClock::new();
+        assert_eq!(clock.times(), None);
+        clock.seconds[Phase::Springs as usize] = vec![3.0, 900.0, 3.0];
+        clock.seconds[Phase::Bend as usize] = vec![1.0, 1.0, 0.0];
+        let times = clock.times().unwrap();
+        let shares: Vec<_> = times
+            .iter()
+            .map(|time| (time.name, time.share_pct))
+            .collect();
+        assert_eq!(shares, [("bend", 25.0), ("springs", 75.0)]);
+    }
+
+    #[test]
+    fn a_frame_s_phases_take_no_longer_than_the_frame() {
+        let mut clock = PhaseClock::new();
+        let watch = Stopwatch::start();
+        clock.begin_frame();
+        Phase::ALL.into_iter().for_each(|phase| clock.passed(phase));
+        let whole = watch.read_wall();
+        let sum: f64 = Phase::ALL.iter().map(|&phase| clock.median(phase)).sum();
+        assert!(0.0 < sum && sum <= whole, "{sum} of {whole}");
+    }
+}
