@@ -30,6 +30,11 @@ impl Stopwatch {
         self.wall.elapsed().as_secs_f64()
     }
 
+    /// Processor time since the start, all threads [s].
+    pub(crate) fn read_process(&self) -> f64 {
+        self.process.elapsed().as_secs_f64()
+    }
+
     /// Time since the start.
     pub(crate) fn read(&self) -> Timing {
         // The processor's clock first: reading it costs more.
