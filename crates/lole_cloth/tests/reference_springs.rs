@@ -9,6 +9,7 @@ use lole_cloth::collision::penalty::{MovingCapsule, Penalty};
 use lole_cloth::method::explicit::{self, ExplicitConfig, HighestMode, StepInput, Substeps};
 use lole_cloth::method::reference::{ReferenceModel, ReferenceState, SpringConstants};
 use lole_cloth::{BuildError, ClothSpec, Fabric, MassLaw, Topology};
+use lole_geom::trig64;
 use reference_support::{
     FABRIC, Lcg, held_pins, lattice, model, pinned_net, rest_positions, spec, still,
 };
@@ -221,6 +222,36 @@ fn the_bound_is_never_below_the_highest_frequency_and_seldom_far_above() {
 }
 
 #[test]
+fn the_bound_follows_rows_and_columns_that_come_to_lie_along_one_line() {
+    // In gathers that open over the hips rows and columns meet at a narrow angle; and cloth is
+    // taut there. Both raise the frequency above that of the flat cloth.
+    for (angle, stretch) in [(90.0_f64, 1.2), (45.0, 1.0), (20.0, 1.0), (12.0, 1.1)] {
+        let (sin, cos) = trig64::sin_cos(angle.to_radians());
+        let spec = spec(24, 24, Topology::Sheet, [0.02; 2]);
+        let constants = SpringConstants {
+            structural_u: 40.0,
+            structural_v: 40.0,
+            ..SpringConstants::default()
+        };
+        let model = model(&spec, constants);
+        let leaning: Vec<DVec3> = (0..24 * 24_u32)
+            .map(|index| {
+                let [row, column] = [index / 24, index % 24].map(f64::from);
+                DVec3::new(column + cos * row, -sin * row, 0.0) * (0.02 * stretch)
+            })
+            .collect();
+        let mode = HighestMode::of(&model, &leaning, ITERATIONS);
+        let flat = model.largest_frequency_bound() / mode.frequency;
+        let here = model.largest_frequency_bound_at(&leaning) / mode.frequency;
+        assert!(
+            (0.9999..1.1).contains(&here),
+            "{angle} degrees, {stretch}: {here} of the frequency, {flat} when flat"
+        );
+        assert!(angle > 80.0 || flat < 0.95, "{angle} degrees: {flat}");
+    }
+}
+
+#[test]
 fn rectangular_cells_get_the_frequency_of_their_own_shape() {
     // Cells of 28 × 12 mm, structural and shear equal: 10.8 k/m, not the 8 of square cells.
     let model = model(
@@ -255,7 +286,11 @@ fn automatic_substeps_hold_a_stiff_cloth_with_contact() {
     for _ in 0..60 {
         count = explicit::step(&model, &config, &input, &mut state, 1.0 / 60.0);
     }
-    assert_eq!(count, model.stable_substeps(1.0 / 60.0, &config.penalty));
+    let flat = model.stable_substeps(1.0 / 60.0, &config.penalty);
+    assert!(
+        (flat..=flat + flat / 2).contains(&count),
+        "{count} of {flat}"
+    );
     let strain = (model.springs().iter())
         .flat_map(|family| family.ends.iter().map(|ends| (ends, family.rest_length)))
         .map(|([a, b], length)| {

@@ -285,15 +285,17 @@ impl Solver {
         }
     }
 
-    /// Substeps of one frame.
+    /// Substeps of one frame, of the cloth as it lies.
     pub(crate) fn substep_count(&self) -> u32 {
         match self {
             Self::Xpbd(xpbd) => xpbd.config.substep_count.get(),
             Self::Explicit(reference) => match reference.config.substeps {
                 Substeps::Fixed(count) => count.get(),
-                Substeps::Automatic => reference
-                    .model
-                    .stable_substeps(f64::from(FRAME_SECONDS), &reference.config.penalty),
+                Substeps::Automatic => reference.model.stable_substeps_at(
+                    &reference.state.positions,
+                    f64::from(FRAME_SECONDS),
+                    &reference.config.penalty,
+                ),
             },
         }
     }

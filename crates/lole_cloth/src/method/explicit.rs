@@ -65,7 +65,7 @@ pub enum ContactEvaluation {
 /// How a step is divided.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Substeps {
-    /// As many as [`ReferenceModel::stable_substeps`] asks for, which keep [`Integrator::FbEuler`]
+    /// As many as [`ReferenceModel::stable_substeps_at`] asks for, which keep [`Integrator::FbEuler`]
     /// stable whatever the integrator is.
     Automatic,
     /// A fixed number; too few and the cloth flies apart.
@@ -139,7 +139,7 @@ pub fn step(
     assert_eq!(state.positions.len(), model.masses().len(), "particles");
     assert_eq!(input.pin_targets.len(), model.pin_indices().len(), "pins");
     let substep_count = match config.substeps {
-        Substeps::Automatic => model.stable_substeps(dt, &config.penalty),
+        Substeps::Automatic => model.stable_substeps_at(&state.positions, dt, &config.penalty),
         Substeps::Fixed(count) => count.get(),
     };
     if state.capsules.len() != input.capsules.len() {

@@ -121,6 +121,17 @@ struct Kind {
     stiffness: f64,
 }
 
+/// One spring as one of its ends sees it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct SpringEnd {
+    /// The particle at the other end.
+    pub(super) other: usize,
+    /// `L` [m].
+    pub(super) rest_length: f64,
+    /// `k` [N/m].
+    pub(super) stiffness: f64,
+}
+
 /// The springs of every particle, side by side, in the order of the edge lists.
 #[derive(Debug, Clone)]
 pub(super) struct SpringGather {
@@ -152,6 +163,19 @@ impl SpringGather {
             starts,
             neighbors: lists.concat(),
         }
+    }
+
+    /// The springs of particle `index`.
+    pub(super) fn springs_of(&self, index: usize) -> impl Iterator<Item = SpringEnd> {
+        let range = self.starts[index] as usize..self.starts[index + 1] as usize;
+        self.neighbors[range].iter().map(|neighbor| {
+            let kind = self.kinds[neighbor.kind as usize];
+            SpringEnd {
+                other: neighbor.index as usize,
+                rest_length: kind.rest_length,
+                stiffness: kind.stiffness,
+            }
+        })
     }
 
     /// Equation (1) summed over the springs of particle `index` [N].
