@@ -29,7 +29,9 @@ fn main() -> Result<(), BuildError> {
             shear: 80.0,
             bend: [5.0e-6, 4.0e-6],
             twist: 3.0e-6,
+            hysteresis: lole_cloth::Hysteresis::NONE,
             friction: 0.3,
+            cloth_friction: 0.3,
             // A flag is dragged along by the air more than a skirt that hangs in its lee.
             drag_rate: 3.0,
         },

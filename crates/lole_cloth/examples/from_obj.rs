@@ -28,7 +28,9 @@ const FABRIC: Fabric = Fabric {
     shear: 90.0,
     bend: [9.0e-6, 6.0e-6],
     twist: 4.0e-6,
+    hysteresis: lole_cloth::Hysteresis::NONE,
     friction: 0.3,
+    cloth_friction: 0.3,
     drag_rate: 1.0,
 };
 

@@ -4,6 +4,7 @@
 //! 2016, "XPBD": `Δλ = -C / D`, with `D` from [`resistance`].
 
 pub(crate) mod bend;
+pub(crate) mod hysteresis;
 pub(crate) mod pull;
 pub(crate) mod shear;
 pub(crate) mod stride;

@@ -19,8 +19,35 @@ pub struct Fabric {
     pub bend: [f32; 2],
     /// Twist rigidity `B_t` [N·m] in `½ (B_u κ_uu² + B_v κ_vv² + 2 B_t κ_uv²)`.
     pub twist: f32,
+    /// Internal friction, apart from the drag of the air. Only the real-time method of grids,
+    /// [`step()`](crate::step()), has it; the others are elastic.
+    pub hysteresis: Hysteresis,
     /// Coulomb friction coefficient between cloth and body.
     pub friction: f32,
+    /// Coulomb friction coefficient of cloth on cloth.
+    pub cloth_friction: f32,
     /// Air drag as a rate [1/s]: equation (3) divided by mass.
     pub drag_rate: f32,
+}
+
+/// Friction between the yarns of a fabric: how far apart its curves of bending and of shear lie
+/// while it is deformed and while it goes back, as Kawabata's instruments (KES) measure it.
+///
+/// Half of the distance is a moment or a force of Coulomb's kind: it opposes the change, whatever
+/// its speed, and holds a residual curvature of up to `2HB / (2 B)` and a residual angle of shear
+/// of up to `2HG / (2 G)` in cloth that nothing else acts on.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Hysteresis {
+    /// `2HB` along `u` and `v`: moment per width [N·m/m].
+    pub bend: [f32; 2],
+    /// `2HG`: force per width [N/m].
+    pub shear: f32,
+}
+
+impl Hysteresis {
+    /// Cloth that gives back all that was put into it.
+    pub const NONE: Self = Self {
+        bend: [0.0; 2],
+        shear: 0.0,
+    };
 }

@@ -26,10 +26,10 @@
 //! | Method | For | Numbers | Cost | What it does not do |
 //! |---|---|---|---|---|
 //! | [`step()`], `xpbd` | dancing, windows, films | `f32`, the same bits on any thread count and instruction set | about 6 ns a particle and substep, 4 to 12 substeps a frame | stretch converges with substeps, not with passes; bends too deep beyond four cells a bending length with 12 substeps, beyond eight with 40 |
-//! | [`method::explicit_rows::step`] | truth in time to look at: the fabric's own modulus, contact with the body | `f32`, the same bits on any thread count and instruction set | about 3 ns a particle and substep, 150 to 700 substeps a frame | the cloth does not meet itself; what is stretched rings on, because only drag damps it |
+//! | [`method::explicit_rows::step`] | truth in time to look at: the fabric's own modulus, contact with the body | `f32`, the same bits on any thread count and instruction set | about 3 ns a particle and substep, 150 to 700 substeps a frame | the cloth does not meet itself; what is stretched rings on, because only drag damps it: no internal friction |
 //! | [`method::settle`] | static drape: how a cloth hangs at rest | those of [`step()`] | 100 to 200 frames of [`step()`] from a draft to rest | the stiffness is that of the substeps; friction and folds leave more than one rest |
-//! | [`mesh::step()`] | pieces of any triangles; [`assembly`] sews them to grids | the same | 19 to 27 ns a particle and substep with one sweep: twice to 2.7 times the grid with its default of six sweeps and nearly its strain, 3.6 to 4.4 times the grid with one | contact of the cloth with itself |
-//! | [`method::explicit::step`] with `fb-euler` | truth: static shapes, periods, energy | `f64` | substeps grow with the root of stiffness over mass and with the fineness of the grid: hundreds a frame | contact as a penalty, so cloth sinks in by weight over stiffness |
+//! | [`mesh::step()`] | pieces of any triangles; [`assembly`] sews them to grids | the same | 19 to 27 ns a particle and substep with one sweep: twice to 2.7 times the grid with its default of six sweeps and nearly its strain, 3.6 to 4.4 times the grid with one | contact of the cloth with itself, internal friction |
+//! | [`method::explicit::step`] with `fb-euler` | truth: static shapes, periods, energy | `f64` | substeps grow with the root of stiffness over mass and with the fineness of the grid: hundreds a frame | contact as a penalty, so cloth sinks in by weight over stiffness; internal friction |
 //! | the same with `euler`, `rk4`, `rk-as-printed`, `rk-double-counted` | the paper's experiment | `f64` | 1, 4, 4 and 4 forces a step | `euler` and the printed method are stable only with damping |
 
 pub mod assembly;
@@ -53,7 +53,7 @@ pub mod step;
 pub mod wind;
 
 pub use config::{Crossings, InstructionSet, SelfCollision, SolverConfig};
-pub use fabric::Fabric;
+pub use fabric::{Fabric, Hysteresis};
 pub use grid::{Grid, Topology};
 pub use model::{BuildError, ClothModel};
 pub use phase::Phase;

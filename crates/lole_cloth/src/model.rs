@@ -52,6 +52,8 @@ pub struct ClothModel {
     pub(crate) layout: Layout,
     /// [1/kg]; 0 for pinned particles and for lanes without a column.
     pub(crate) inv_masses: Vec<Scalars>,
+    /// That of the lightest free particle [1/kg].
+    pub(crate) largest_inv_mass: f32,
     /// By row, the inverse mass of every particle [1/kg] where all have the same.
     even_rows: Vec<Option<f32>>,
     /// Neighbors along a row.
@@ -90,6 +92,7 @@ impl ClothModel {
                 .chunks_exact(spec.grid.column_count as usize)
                 .map(even)
                 .collect(),
+            largest_inv_mass: inv_masses.iter().copied().fold(0.0, f32::max),
             inv_masses: layout.scatter(&inv_masses),
             row_pairs: row_links(&spec.grid, &layout, [0, 1]),
             row_triples: row_links(&spec.grid, &layout, [0, 1, 2]),
@@ -252,7 +255,11 @@ fn check_numbers(spec: &ClothSpec) -> Result<(), BuildError> {
         ("fabric.bend", fabric.bend[0]),
         ("fabric.bend", fabric.bend[1]),
         ("fabric.twist", fabric.twist),
+        ("fabric.hysteresis.bend", fabric.hysteresis.bend[0]),
+        ("fabric.hysteresis.bend", fabric.hysteresis.bend[1]),
+        ("fabric.hysteresis.shear", fabric.hysteresis.shear),
         ("fabric.friction", fabric.friction),
+        ("fabric.cloth_friction", fabric.cloth_friction),
         ("fabric.drag_rate", fabric.drag_rate),
     ];
     for (field, value) in not_negative {

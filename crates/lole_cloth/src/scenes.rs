@@ -120,7 +120,9 @@ const FABRIC: Fabric = Fabric {
     shear: 90.0,
     bend: [9.0e-6, 6.0e-6],
     twist: 4.0e-6,
+    hysteresis: crate::Hysteresis::NONE,
     friction: 0.3,
+    cloth_friction: 0.3,
     drag_rate: 1.0,
 };
 
@@ -247,6 +249,7 @@ fn gathered() -> Setup {
             fabric: Fabric {
                 areal_density: 0.11,
                 friction: 0.45,
+                cloth_friction: 0.45,
                 ..FABRIC
             },
             row_layers: vec![1.0; row_count as usize],

@@ -10,6 +10,7 @@ use crate::collision::capsule::stop::TangentPlanes;
 use crate::collision::cloth_cloth::ClothContacts;
 use crate::collision::repair::CrossingRepair;
 use crate::collision::surfel::SurfelContacts;
+use crate::constraint::hysteresis::Sets;
 use crate::lanes::Points;
 use crate::method::explicit_rows::Form;
 use crate::method::xpbd::{RowStrides, Schedules};
@@ -19,6 +20,8 @@ use crate::method::xpbd::{RowStrides, Schedules};
 pub struct ClothState {
     pub(crate) positions: Vec<Points>,
     pub(crate) velocities: Vec<Points>,
+    /// How the yarns were left.
+    pub(crate) yarn_sets: Sets,
     /// Where the pinned particles were left, in the order of the model's pins.
     pub(crate) pin_targets: Vec<Vec3>,
     /// Where the capsules were left; empty before the first step.
@@ -61,6 +64,7 @@ impl ClothState {
         let mut state = Self {
             positions: vec![Points::default(); vector_count],
             velocities: vec![Points::default(); vector_count],
+            yarn_sets: Sets::default(),
             pin_targets: Vec::new(),
             capsules: Vec::new(),
             surfels: Vec::new(),
@@ -78,6 +82,7 @@ impl ClothState {
     pub fn byte_count(&self) -> usize {
         size_of_val(&self.positions[..])
             + size_of_val(&self.velocities[..])
+            + self.yarn_sets.byte_count()
             + size_of_val(&self.scratch.predicted[..])
             + size_of_val(&self.pin_targets[..])
             + size_of_val(&self.surfels[..])
@@ -97,7 +102,8 @@ impl ClothState {
         model.layout.gather_points(&self.velocities, out);
     }
 
-    /// Moves every particle, pinned ones too, to `positions` [m], row-major; velocities stay.
+    /// Moves every particle, pinned ones too, to `positions` [m], row-major; velocities stay, and
+    /// the yarns forget how they were bent and sheared.
     ///
     /// # Panics
     /// When `positions` has another length than the model has particles.
@@ -109,6 +115,7 @@ impl ClothState {
         );
         model.layout.scatter_points(positions, &mut self.positions);
         self.scratch.crossing_repair.is_tangled.clear();
+        self.yarn_sets.clear();
         self.pin_targets.clear();
         self.pin_targets.extend(
             model

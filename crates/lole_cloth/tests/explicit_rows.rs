@@ -24,7 +24,9 @@ const FABRIC: Fabric = Fabric {
     shear: 60.0,
     bend: [4.0e-5, 3.0e-5],
     twist: 2.0e-5,
+    hysteresis: lole_cloth::Hysteresis::NONE,
     friction: 0.3,
+    cloth_friction: 0.3,
     drag_rate: 1.0,
 };
 

@@ -24,7 +24,9 @@ const FABRIC: Fabric = Fabric {
     shear: 40.0,
     bend: [2.0e-5; 2],
     twist: 1.5e-5,
+    hysteresis: lole_cloth::Hysteresis::NONE,
     friction: 0.3,
+    cloth_friction: 0.3,
     drag_rate: 0.0,
 };
 

@@ -138,8 +138,16 @@ pub struct FabricDesign {
     pub bend_weft_un_m: Option<f64>,
     /// Twist rigidity [µN·m]; follows the bending rigidities when `None`.
     pub twist_un_m: Option<f64>,
+    /// Bending hysteresis `2HB` along the warp [mN·m/m]; follows the bending rigidity when `None`.
+    pub bend_hysteresis_warp_mn: Option<f64>,
+    /// Bending hysteresis `2HB` along the weft [mN·m/m]; follows the bending rigidity when `None`.
+    pub bend_hysteresis_weft_mn: Option<f64>,
+    /// Shear hysteresis `2HG` [N/m]; follows the shear stiffness when `None`.
+    pub shear_hysteresis_n_per_m: Option<f64>,
     /// Friction coefficient on skin.
     pub friction_coefficient: Option<f64>,
+    /// Friction coefficient of the cloth on itself; that on skin when only that is given.
+    pub cloth_friction_coefficient: Option<f64>,
     /// Air drag as a rate [1/s].
     pub drag_per_s: Option<f64>,
 }
@@ -157,7 +165,11 @@ impl Default for FabricDesign {
             bend_warp_un_m: None,
             bend_weft_un_m: None,
             twist_un_m: None,
+            bend_hysteresis_warp_mn: None,
+            bend_hysteresis_weft_mn: None,
+            shear_hysteresis_n_per_m: None,
             friction_coefficient: None,
+            cloth_friction_coefficient: None,
             drag_per_s: None,
         }
     }

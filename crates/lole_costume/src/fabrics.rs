@@ -10,7 +10,7 @@
 
 mod shelf;
 
-use lole_cloth::Fabric;
+use lole_cloth::{Fabric, Hysteresis};
 
 pub use shelf::PRESETS;
 
@@ -55,8 +55,15 @@ pub struct Preset {
     pub bend: Figure<[f64; 2]>,
     /// Twist rigidity [µN·m].
     pub twist: Figure<f64>,
+    /// Bending hysteresis `2HB` along warp and weft [mN·m/m]: how far apart the moments of bending
+    /// and of bending back lie.
+    pub bend_hysteresis: Figure<[f64; 2]>,
+    /// Shear hysteresis `2HG` [N/m].
+    pub shear_hysteresis: Figure<f64>,
     /// Coulomb friction coefficient on skin.
     pub friction: Figure<f64>,
+    /// Coulomb friction coefficient of the cloth on itself.
+    pub cloth_friction: Figure<f64>,
     /// Where the measured figures come from.
     pub source: &'static str,
 }
@@ -89,7 +96,10 @@ impl Preset {
             shear: self.shear.value,
             bend: self.bend.value,
             twist: self.twist.value,
+            bend_hysteresis: self.bend_hysteresis.value,
+            shear_hysteresis: self.shear_hysteresis.value,
             friction: self.friction.value,
+            cloth_friction: self.cloth_friction.value,
             drag_rate: self.drag_rate(),
         })
     }
@@ -104,7 +114,10 @@ pub(crate) struct FabricFigures {
     pub(crate) shear: f64,
     pub(crate) bend: [f64; 2],
     pub(crate) twist: f64,
+    pub(crate) bend_hysteresis: [f64; 2],
+    pub(crate) shear_hysteresis: f64,
     pub(crate) friction: f64,
+    pub(crate) cloth_friction: f64,
     pub(crate) drag_rate: f64,
 }
 
@@ -117,7 +130,14 @@ pub(crate) fn si_fabric(figures: &FabricFigures) -> Fabric {
         shear: engine(figures.shear),
         bend: figures.bend.map(|rigidity| engine(rigidity * 1.0e-6)),
         twist: engine(figures.twist * 1.0e-6),
+        hysteresis: Hysteresis {
+            bend: figures
+                .bend_hysteresis
+                .map(|moment| engine(moment * 1.0e-3)),
+            shear: engine(figures.shear_hysteresis),
+        },
         friction: engine(figures.friction),
+        cloth_friction: engine(figures.cloth_friction),
         drag_rate: engine(figures.drag_rate),
     }
 }
@@ -174,7 +194,11 @@ mod tests {
                 fabric.bend[0],
                 fabric.bend[1],
                 fabric.twist,
+                fabric.hysteresis.bend[0],
+                fabric.hysteresis.bend[1],
+                fabric.hysteresis.shear,
                 fabric.friction,
+                fabric.cloth_friction,
                 fabric.drag_rate,
             ];
             assert!(positive.iter().all(|figure| 0.0 < *figure), "{}", preset.id);
@@ -190,6 +214,37 @@ mod tests {
             let ratio = fabric.twist / (fabric.bend[0] * fabric.bend[1]).sqrt();
             assert!((0.5..2.0).contains(&ratio), "{}: {ratio}", preset.id);
             assert_eq!(Preset::from_id(preset.id), Some(preset));
+        }
+    }
+
+    #[test]
+    fn yarns_hold_the_bend_that_was_measured_of_their_kind() {
+        // `2HB / B` of cotton broadcloth and polyester faille [1/cm]: gf·cm/cm over gf·cm²/cm.
+        let (cotton, polyester) = (0.124 / 0.118, 0.007 / 0.019);
+        for (id, ratio) in [
+            ("polycotton-broadcloth", cotton),
+            ("cotton-lawn", cotton),
+            ("polyester-satin", polyester),
+            ("light-polyester", polyester),
+        ] {
+            let preset = Preset::from_id(id).unwrap();
+            for (moment, rigidity) in preset.bend_hysteresis.value.iter().zip(preset.bend.value) {
+                // mN over µN·m is 1000/m, or 10/cm.
+                let found = 10.0 * moment / rigidity;
+                assert!(
+                    (found / ratio - 1.0).abs() < 0.02,
+                    "{id}: {found} of {ratio}"
+                );
+            }
+        }
+        // The residual angle of any woven cloth is a few degrees.
+        for preset in PRESETS {
+            let residual = 0.5 * preset.shear_hysteresis.value / preset.shear.value;
+            assert!(
+                (0.005..0.04).contains(&residual),
+                "{}: {residual}",
+                preset.id
+            );
         }
     }
 

@@ -295,6 +295,7 @@ fn every_key_ends_in_its_unit_or_says_that_it_has_none() {
         "_n_per_m",
         "_un_m",
         "_per_s",
+        "_mn",
     ];
     let bare = ["_ratio", "_coefficient", "_count"];
     for table in TABLES {
@@ -459,6 +460,43 @@ fn any_design() -> impl Strategy<Value = Design> {
             design
         },
     )
+}
+
+#[test]
+fn friction_on_cloth_is_its_own_key_and_old_documents_mean_both_by_one() {
+    let frictions = |keys: &str| {
+        let text = format!("lole = 1\n[fabric]\npreset = \"polyester-satin\"\n{keys}");
+        let fabric = parse(&text, "mine.lole").unwrap().fabric.fabric();
+        [fabric.friction, fabric.cloth_friction]
+    };
+    assert_eq!(frictions(""), [0.3, 0.25]);
+    assert_eq!(frictions("friction_coefficient = 0.4"), [0.4, 0.4]);
+    assert_eq!(frictions("cloth_friction_coefficient = 0.2"), [0.3, 0.2]);
+    let both = "friction_coefficient = 0.4\ncloth_friction_coefficient = 0.2";
+    assert_eq!(frictions(both), [0.4, 0.2]);
+}
+
+#[test]
+fn hysteresis_follows_the_stiffness_until_it_is_given() {
+    let hysteresis = |keys: &str| {
+        let text = format!("lole = 1\n[fabric]\npreset = \"barkcloth\"\n{keys}");
+        parse(&text, "mine.lole")
+            .unwrap()
+            .fabric
+            .fabric()
+            .hysteresis
+    };
+    let near = |found: f32, expected: f32| (found / expected - 1.0).abs() < 1e-5;
+    let preset = hysteresis("");
+    assert!(near(preset.bend[0], 10.0e-3) && near(preset.shear, 5.2));
+    let softer = hysteresis("bend_warp_un_m = 12.5\nshear_n_per_m = 10.5");
+    assert!(near(softer.bend[0], 1.0e-3) && near(softer.bend[1], 10.0e-3));
+    assert!(near(softer.shear, 0.52));
+    let given = hysteresis(
+        "bend_hysteresis_warp_mn = 2.0\nbend_hysteresis_weft_mn = 3.0\nshear_hysteresis_n_per_m = 0.0",
+    );
+    assert!(near(given.bend[0], 2.0e-3) && near(given.bend[1], 3.0e-3));
+    assert!(given.shear <= 0.0);
 }
 
 proptest! {

@@ -14,6 +14,7 @@
 
 use fearless_simd::{Simd, f32x16, prelude::*};
 
+use crate::constraint::hysteresis::BendFriction;
 use crate::constraint::{RowMasses, add_to_partner, load_partner, resistance, resistances, shared};
 use crate::lanes::{LANES, Layout, Points, RowLink, Scalars, Vectors, are_apart};
 use crate::{ClothSpec, Topology};
@@ -101,6 +102,11 @@ impl Bend {
         inv_mass / resistance(6.0 * inv_mass, self.scaled_compliance)
     }
 
+    /// How much of itself a term between equals of this inverse mass [1/kg] takes away.
+    pub(crate) fn own_share(&self, inv_mass: f32) -> f32 {
+        6.0 * self.share_of_equals(inv_mass)
+    }
+
     #[inline(always)]
     fn compliance<S: Simd>(&self, simd: S, border: Option<&Scalars>) -> f32x16<S> {
         let whole = f32x16::splat(simd, self.scaled_compliance);
@@ -134,27 +140,33 @@ pub(crate) fn solve_row<S: Simd>(
     row: &mut [Points],
     masses: RowMasses<'_>,
     links: &[RowLink<3>],
-    bend: Bend,
+    (bend, friction): (Bend, &mut impl BendFriction),
 ) {
     match masses.even {
         Some(inv_mass) if inv_mass <= 0.0 => {}
         Some(inv_mass) if are_apart(links) => {
-            solve_even_row(simd, row, links, bend.share_of_equals(inv_mass));
+            solve_even_row(simd, row, links, (bend.share_of_equals(inv_mass), friction));
         }
-        _ => solve_uneven_row(simd, row, masses, links, bend),
+        _ => solve_uneven_row(simd, row, masses, links, (bend, friction)),
     }
 }
 
 #[inline(always)]
-fn solve_even_row<S: Simd>(simd: S, row: &mut [Points], links: &[RowLink<3>], share: f32) {
-    for link in links {
+fn solve_even_row<S: Simd>(
+    simd: S,
+    row: &mut [Points],
+    links: &[RowLink<3>],
+    (share, friction): (f32, &mut impl BendFriction),
+) {
+    let share = f32x16::splat(simd, share);
+    for (index, link) in links.iter().enumerate() {
         let groups = link.groups.map(usize::from);
         let left = Vectors::load(simd, &row[groups[0]]);
         let middle = Vectors::load(simd, &row[groups[1]]);
         let right = Vectors::load(simd, &row[groups[2]]);
         if link.is_straight() {
             let curvature = left.add(right).sub(middle.add(middle));
-            let change = curvature.scale(f32x16::splat(simd, share));
+            let change = curvature.scale(friction.share(simd, index, curvature, share));
             left.sub(change).store(&mut row[groups[0]]);
             middle.add(change.add(change)).store(&mut row[groups[1]]);
             right.sub(change).store(&mut row[groups[2]]);
@@ -162,7 +174,7 @@ fn solve_even_row<S: Simd>(simd: S, row: &mut [Points], links: &[RowLink<3>], sh
         }
         let center = middle.rotate_left(link.shifts[1]);
         let curvature = (left.add(right.rotate_left(link.shifts[2]))).sub(center.add(center));
-        let mut factor = f32x16::splat(simd, share);
+        let mut factor = friction.share(simd, index, curvature, share);
         if let Some(mask) = &link.mask {
             factor *= f32x16::load_array_ref(simd, &mask.0);
         }
@@ -183,14 +195,15 @@ fn solve_uneven_row<S: Simd>(
     row: &mut [Points],
     masses: RowMasses<'_>,
     links: &[RowLink<3>],
-    bend: Bend,
+    (bend, friction): (Bend, &mut impl BendFriction),
 ) {
-    for link in links {
+    for (index, link) in links.iter().enumerate() {
         let (left, inv_left) = load_partner(simd, link, 0, row, masses.lanes);
         let (middle, inv_middle) = load_partner(simd, link, 1, row, masses.lanes);
         let (right, inv_right) = load_partner(simd, link, 2, row, masses.lanes);
         let curvature = left.add(right).sub(middle.add(middle));
-        let mut factor = bend.factor(simd, [inv_left, inv_middle, inv_right], None);
+        let elastic = bend.factor(simd, [inv_left, inv_middle, inv_right], None);
+        let mut factor = friction.share(simd, index, curvature, elastic);
         if let Some(mask) = &link.mask {
             factor *= f32x16::load_array_ref(simd, &mask.0);
         }
@@ -206,7 +219,7 @@ pub(crate) fn solve_triple<S: Simd>(
     simd: S,
     [upper, middle, lower]: [&mut [Points]; 3],
     masses: [RowMasses<'_>; 3],
-    bend: Bend,
+    (bend, friction): (Bend, &mut impl BendFriction),
     borders: &[Option<Box<Scalars>>],
 ) {
     let rows = upper.iter_mut().zip(middle).zip(lower).zip(borders);
@@ -215,7 +228,7 @@ pub(crate) fn solve_triple<S: Simd>(
             return;
         }
         let even = f32x16::splat(simd, bend.share_of_equals(inv_mass));
-        for (((upper, middle), lower), border) in rows {
+        for (group, (((upper, middle), lower), border)) in rows.enumerate() {
             let share = match border.as_deref() {
                 None => even,
                 border => {
@@ -227,7 +240,8 @@ pub(crate) fn solve_triple<S: Simd>(
             let first = Vectors::load(simd, upper);
             let center = Vectors::load(simd, middle);
             let last = Vectors::load(simd, lower);
-            let change = first.add(last).sub(center.add(center)).scale(share);
+            let curvature = first.add(last).sub(center.add(center));
+            let change = curvature.scale(friction.share(simd, group, curvature, share));
             first.sub(change).store(upper);
             center.add(change.add(change)).store(middle);
             last.sub(change).store(lower);
@@ -243,7 +257,8 @@ pub(crate) fn solve_triple<S: Simd>(
         let inv_upper = f32x16::load_array_ref(simd, &masses[0].lanes[group].0);
         let inv_middle = f32x16::load_array_ref(simd, &masses[1].lanes[group].0);
         let inv_lower = f32x16::load_array_ref(simd, &masses[2].lanes[group].0);
-        let factor = bend.factor(simd, [inv_upper, inv_middle, inv_lower], border);
+        let elastic = bend.factor(simd, [inv_upper, inv_middle, inv_lower], border);
+        let factor = friction.share(simd, group, curvature, elastic);
         first.sub(curvature.scale(factor * inv_upper)).store(upper);
         center
             .add(curvature.scale(factor * inv_middle * 2.0))

@@ -67,7 +67,9 @@ impl Strand {
             bend: [self.bend_stiffness / self.width; 2],
             // `GJ = 2 B_t width`.
             twist: 0.5 * self.twist_stiffness / self.width,
+            hysteresis: crate::Hysteresis::NONE,
             friction: self.friction,
+            cloth_friction: self.friction,
             drag_rate: self.drag_rate,
         }
     }

@@ -250,7 +250,9 @@ mod tests {
         shear: 50.0,
         bend: [1e-5, 1e-5],
         twist: 1e-5,
+        hysteresis: crate::Hysteresis::NONE,
         friction: 0.3,
+        cloth_friction: 0.3,
         drag_rate: 0.0,
     };
 

@@ -19,6 +19,8 @@ use crate::collision::cloth_cloth::{ClothContactLaw, Columns, Shape};
 use crate::collision::repair::Fixed;
 use crate::collision::response::ContactLaw;
 use crate::collision::surfel::{Cloth, Skin, SurfelContacts};
+use crate::constraint::bend::Bend;
+use crate::constraint::hysteresis::Friction;
 use crate::constraint::pull::Pull;
 use crate::constraint::shear::Cell;
 use crate::constraint::structural::Spring;
@@ -26,7 +28,9 @@ use crate::constraint::tether::Tethers;
 use crate::lanes::Points;
 use crate::method::reference::SpringConstants;
 use crate::phase::{Observer, Phase};
-use crate::{ClothModel, ClothState, Crossings, SelfCollision, SolverConfig, StepInput};
+use crate::{
+    ClothModel, ClothState, Crossings, Hysteresis, SelfCollision, SolverConfig, StepInput,
+};
 use schedule::Schedule;
 use schedule::Stage;
 pub(crate) use work::RowStrides;
@@ -52,7 +56,50 @@ struct Substep {
     cell: Cell,
     bend_across: f32,
     bend_down: f32,
+    friction: Frictions,
     contact: ContactLaw,
+}
+
+/// Internal friction of the cloth, by what it resists; see [`crate::constraint::hysteresis`].
+#[derive(Debug, Clone, PartialEq, Default)]
+struct Frictions {
+    /// Along rows and down columns.
+    bend: [Option<Friction>; 2],
+    shear: Option<Friction>,
+}
+
+impl Frictions {
+    /// `bends` along rows and down columns and `cell` are those of the substep.
+    fn new(model: &ClothModel, bends: [f32; 2], cell: &Cell) -> Self {
+        let spec = model.spec();
+        let fabric = &spec.fabric;
+        if fabric.hysteresis == Hysteresis::NONE {
+            return Self::default();
+        }
+        let inv_mass = model.largest_inv_mass;
+        let spacing = spec.grid.spacing;
+        let bend = [0, 1].map(|along| {
+            let residual = 0.5 * fabric.hysteresis.bend[along] / fabric.bend[along];
+            let term = Bend {
+                scaled_compliance: bends[along],
+                has_clamp: false,
+            };
+            // The second difference is the curvature times the squared spacing.
+            let second = residual * spacing[along] * spacing[along];
+            Friction::new(second, term.own_share(inv_mass))
+        });
+        let residual = 0.5 * fabric.hysteresis.shear / fabric.shear;
+        // An angle of shear stretches one diagonal by this share of it.
+        let strain = residual * spacing[0] * spacing[1] / cell.diagonal.rest_length_squared();
+        Self {
+            bend,
+            shear: Friction::new(strain, cell.own_share(inv_mass)),
+        }
+    }
+
+    const fn acts(&self) -> bool {
+        self.bend[0].is_some() || self.bend[1].is_some() || self.shear.is_some()
+    }
 }
 
 impl Substep {
@@ -83,6 +130,13 @@ impl Substep {
             constants.shear,
         ]
         .map(|constant| constant as f32);
+        let cell = Cell {
+            diagonal: Pull::new(u * u + v * v),
+            shear_compliance: scaled_compliance(shear),
+            twist_compliance: scaled_compliance(2.0 * fabric.twist / (u * v)),
+        };
+        let bend_across = scaled_compliance(fabric.bend[0] * v / (u * u * u));
+        let bend_down = scaled_compliance(fabric.bend[1] * u / (v * v * v));
         Self {
             h,
             count,
@@ -91,13 +145,10 @@ impl Substep {
             drag_kept: trig::exp(-fabric.drag_rate * h),
             across: spring(u, structural_u),
             down: spring(v, structural_v),
-            cell: Cell {
-                diagonal: Pull::new(u * u + v * v),
-                shear_compliance: scaled_compliance(shear),
-                twist_compliance: scaled_compliance(2.0 * fabric.twist / (u * v)),
-            },
-            bend_across: scaled_compliance(fabric.bend[0] * v / (u * u * u)),
-            bend_down: scaled_compliance(fabric.bend[1] * u / (v * v * v)),
+            friction: Frictions::new(model, [bend_across, bend_down], &cell),
+            cell,
+            bend_across,
+            bend_down,
             contact: ContactLaw {
                 friction: fabric.friction,
                 depenetration: config.depenetration_speed * h,
@@ -172,6 +223,12 @@ fn begin_observed(
     observer: Observer<'_>,
 ) -> Plan {
     let substep = Substep::new(model, config, input.air_velocity, dt);
+    if substep.friction.acts() {
+        let [rows, width] = [model.layout.row_count, model.layout.group_count];
+        let bend_counts = [rows * model.row_triples.len(), rows * width];
+        let shear_count = rows * model.row_pairs.len();
+        state.yarn_sets.prepare(bend_counts, shear_count);
+    }
     if state.capsules.len() != input.capsules.len() {
         state.capsules.clear();
         state.capsules.extend_from_slice(input.capsules);
@@ -314,6 +371,7 @@ fn run_with<S: Simd>(
         strides: &scratch.row_strides,
         positions: &mut state.positions,
         velocities: &mut state.velocities,
+        yarn_sets: &mut state.yarn_sets,
         predicted: &mut scratch.predicted,
         capsules: &scratch.moving_capsules,
         contacts: &scratch.row_contacts,
@@ -496,7 +554,7 @@ fn find_contacts(
         inv_masses: &model.inv_masses,
         is_tangled,
     };
-    let friction = model.spec().fabric.friction;
+    let friction = model.spec().fabric.cloth_friction;
     let law = ClothContactLaw::new(shape.grid, contact.radius, friction, substep.h);
     let level = config.instruction_set.level();
     let mut find_cloth =

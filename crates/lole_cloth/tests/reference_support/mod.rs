@@ -18,7 +18,9 @@ pub(crate) const FABRIC: Fabric = Fabric {
     shear: 0.0,
     bend: [0.0; 2],
     twist: 0.0,
+    hysteresis: lole_cloth::Hysteresis::NONE,
     friction: 0.0,
+    cloth_friction: 0.0,
     drag_rate: 0.0,
 };
 

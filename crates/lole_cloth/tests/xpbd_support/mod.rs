@@ -19,7 +19,9 @@ pub(crate) const FABRIC: Fabric = Fabric {
     shear: 50.0,
     bend: [5.0e-5, 5.0e-5],
     twist: 5.0e-5,
+    hysteresis: lole_cloth::Hysteresis::NONE,
     friction: 0.3,
+    cloth_friction: 0.3,
     drag_rate: 0.0,
 };
 

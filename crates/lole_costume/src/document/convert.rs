@@ -128,8 +128,10 @@ fn together(error: &impl Bilingual) -> Box<Problem> {
 impl FabricDesign {
     /// The fabric in the engine's SI units, warp along `u`: the preset where nothing else is given.
     ///
-    /// A twist that is not given keeps the preset's share of `√(B_warp B_weft)`; a drag that is not
-    /// given stays the same force on heavier or lighter cloth.
+    /// A twist that is not given keeps the preset's share of `√(B_warp B_weft)`, hysteresis its
+    /// share of the stiffness; a drag that is not given stays the same force on heavier or lighter
+    /// cloth. Friction that is given on skin alone is also that on cloth, as it was in documents
+    /// that knew only one.
     #[must_use]
     pub fn fabric(&self) -> Fabric {
         let preset = self.preset;
@@ -143,6 +145,7 @@ impl FabricDesign {
         let areal_density = self
             .areal_density_g_per_m2
             .unwrap_or(preset.areal_density.value);
+        let shear = self.shear_n_per_m.unwrap_or(preset.shear.value);
         let drag_rate = preset.drag_rate() * preset.areal_density.value / areal_density;
         si_fabric(&FabricFigures {
             areal_density,
@@ -151,12 +154,25 @@ impl FabricDesign {
                 self.stretch_warp_n_per_m.unwrap_or(stretch_warp),
                 self.stretch_weft_n_per_m.unwrap_or(stretch_weft),
             ],
-            shear: self.shear_n_per_m.unwrap_or(preset.shear.value),
+            shear,
             bend,
             twist: self
                 .twist_un_m
                 .unwrap_or(twist_share * (bend[0] * bend[1]).sqrt()),
+            bend_hysteresis: [
+                self.bend_hysteresis_warp_mn
+                    .unwrap_or(preset.bend_hysteresis.value[0] * bend[0] / bend_warp),
+                self.bend_hysteresis_weft_mn
+                    .unwrap_or(preset.bend_hysteresis.value[1] * bend[1] / bend_weft),
+            ],
+            shear_hysteresis: self
+                .shear_hysteresis_n_per_m
+                .unwrap_or(preset.shear_hysteresis.value * shear / preset.shear.value),
             friction: self.friction_coefficient.unwrap_or(preset.friction.value),
+            cloth_friction: self
+                .cloth_friction_coefficient
+                .or(self.friction_coefficient)
+                .unwrap_or(preset.cloth_friction.value),
             drag_rate: self.drag_per_s.unwrap_or(drag_rate),
         })
     }

@@ -100,7 +100,9 @@ fn spec(radius: f64) -> ClothSpec {
             shear: 0.0,
             bend: [0.0; 2],
             twist: 0.0,
+            hysteresis: lole_cloth::Hysteresis::NONE,
             friction: FRICTION as f32,
+            cloth_friction: FRICTION as f32,
             drag_rate: DRAG as f32,
         },
         // All rows weigh the same, whatever the mass law makes of borders.

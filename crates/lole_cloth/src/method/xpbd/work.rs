@@ -9,6 +9,7 @@ use crate::collision::capsule::near::{Range, RowContacts};
 use crate::collision::response::ContactRow;
 use crate::collision::surfel::SurfelContacts;
 use crate::constraint::bend::Bend;
+use crate::constraint::hysteresis::{BendSets, Frictionless, Sets, ShearSets};
 use crate::constraint::tether::Tethers;
 use crate::constraint::{bend, shear, stride, structural, tether};
 use crate::lanes::{Points, RowLink, Vectors, row_links};
@@ -33,6 +34,25 @@ impl RowStrides {
     }
 }
 
+/// Two rows of this width, the upper first.
+#[inline(always)]
+fn pair(positions: &mut [Points], [upper, lower]: [usize; 2], width: usize) -> [&mut [Points]; 2] {
+    let (above, below) = positions.split_at_mut(lower * width);
+    [
+        &mut above[upper * width..(upper + 1) * width],
+        &mut below[..width],
+    ]
+}
+
+/// A row of this width and the two below it.
+#[inline(always)]
+fn triple(positions: &mut [Points], row: usize, width: usize) -> [&mut [Points]; 3] {
+    let rows = &mut positions[row * width..(row + 3) * width];
+    let (upper, rest) = rows.split_at_mut(width);
+    let (middle, lower) = rest.split_at_mut(width);
+    [upper, middle, lower]
+}
+
 /// The cloth in a substep.
 pub(super) struct Work<'a> {
     pub(super) model: &'a ClothModel,
@@ -41,6 +61,7 @@ pub(super) struct Work<'a> {
     pub(super) strides: &'a RowStrides,
     pub(super) positions: &'a mut [Points],
     pub(super) velocities: &'a mut [Points],
+    pub(super) yarn_sets: &'a mut Sets,
     /// Positions predicted at the start of the substep.
     pub(super) predicted: &'a mut [Points],
     pub(super) capsules: &'a [MovingCapsule],
@@ -71,29 +92,9 @@ impl Work<'_> {
                 let (_, links) = &self.strides.0[index];
                 stride::solve_row(simd, self.row(row), masses, links, limit);
             }
-            Stage::BendAlong => {
-                // Half of a border row's cells is missing.
-                let is_border = row == 0 || row + 1 == model.layout.row_count;
-                let bend = Bend {
-                    scaled_compliance: substep.bend_across * if is_border { 2.0 } else { 1.0 },
-                    has_clamp: model.clamps.rows[row],
-                };
-                bend::solve_row(simd, self.row(row), masses, &model.row_triples, bend);
-            }
-            Stage::BendDown => {
-                let bend = Bend {
-                    scaled_compliance: substep.bend_down,
-                    has_clamp: model.clamps.columns[row],
-                };
-                let masses = [masses, model.row_masses(row + 1), model.row_masses(row + 2)];
-                let borders = &model.bend_borders;
-                bend::solve_triple(simd, self.row_triple(row), masses, bend, borders);
-            }
-            Stage::Cells => {
-                let masses = [masses, model.row_masses(row + 1)];
-                let rows = self.row_pair(row, 1);
-                shear::solve_pair(simd, rows, masses, &model.row_pairs, substep.cell);
-            }
+            Stage::BendAlong => self.bend_along(simd, row),
+            Stage::BendDown => self.bend_down(simd, row),
+            Stage::Cells => self.solve_cells(simd, row),
             Stage::SpringsAlong => {
                 let links = &model.row_pairs;
                 structural::solve_row(simd, self.row(row), masses, links, substep.across);
@@ -107,6 +108,71 @@ impl Work<'_> {
     }
 
     #[inline(always)]
+    fn bend_along<S: Simd>(&mut self, simd: S, row: usize) {
+        let model = self.model;
+        let (width, links) = (model.layout.group_count, &model.row_triples);
+        // Half of a border row's cells is missing.
+        let is_border = row == 0 || row + 1 == model.layout.row_count;
+        let bend = Bend {
+            scaled_compliance: self.substep.bend_across * if is_border { 2.0 } else { 1.0 },
+            has_clamp: model.clamps.rows[row],
+        };
+        let masses = model.row_masses(row);
+        let points = &mut self.positions[row * width..(row + 1) * width];
+        match self.substep.friction.bend[0] {
+            None => bend::solve_row(simd, points, masses, links, (bend, &mut Frictionless)),
+            Some(friction) => {
+                let first = row * links.len();
+                let sets = &mut self.yarn_sets.bend[0][first..first + links.len()];
+                let friction = &mut BendSets { sets, friction };
+                bend::solve_row(simd, points, masses, links, (bend, friction));
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn bend_down<S: Simd>(&mut self, simd: S, row: usize) {
+        let model = self.model;
+        let width = model.layout.group_count;
+        let bend = Bend {
+            scaled_compliance: self.substep.bend_down,
+            has_clamp: model.clamps.columns[row],
+        };
+        let masses = [row, row + 1, row + 2].map(|row| model.row_masses(row));
+        let borders = &model.bend_borders;
+        let rows = triple(self.positions, row, width);
+        match self.substep.friction.bend[1] {
+            None => bend::solve_triple(simd, rows, masses, (bend, &mut Frictionless), borders),
+            Some(friction) => {
+                let sets = &mut self.yarn_sets.bend[1][row * width..(row + 1) * width];
+                let friction = &mut BendSets { sets, friction };
+                bend::solve_triple(simd, rows, masses, (bend, friction), borders);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn solve_cells<S: Simd>(&mut self, simd: S, row: usize) {
+        let model = self.model;
+        let (width, links) = (model.layout.group_count, &model.row_pairs);
+        let masses = [model.row_masses(row), model.row_masses(row + 1)];
+        let cell = self.substep.cell;
+        let rows = pair(self.positions, [row, row + 1], width);
+        match self.substep.friction.shear {
+            None => shear::solve_pair(simd, rows, masses, links, (cell, &mut Frictionless)),
+            Some(friction) => {
+                let first = row * links.len();
+                let friction = &mut ShearSets {
+                    sets: &mut self.yarn_sets.shear[first..first + links.len()],
+                    friction,
+                    inv_four_squares: 0.25 / cell.diagonal.rest_length_squared(),
+                };
+                shear::solve_pair(simd, rows, masses, links, (cell, friction));
+            }
+        }
+    }
+
+    #[inline(always)]
     fn row(&mut self, row: usize) -> &mut [Points] {
         let width = self.model.layout.group_count;
         &mut self.positions[row * width..(row + 1) * width]
@@ -116,20 +182,7 @@ impl Work<'_> {
     #[inline(always)]
     fn row_pair(&mut self, row: usize, span: usize) -> [&mut [Points]; 2] {
         let width = self.model.layout.group_count;
-        let (above, below) = self.positions.split_at_mut((row + span) * width);
-        [
-            &mut above[row * width..(row + 1) * width],
-            &mut below[..width],
-        ]
-    }
-
-    #[inline(always)]
-    fn row_triple(&mut self, row: usize) -> [&mut [Points]; 3] {
-        let width = self.model.layout.group_count;
-        let rows = &mut self.positions[row * width..(row + 3) * width];
-        let (upper, rest) = rows.split_at_mut(width);
-        let (middle, lower) = rest.split_at_mut(width);
-        [upper, middle, lower]
+        pair(self.positions, [row, row + span], width)
     }
 
     #[inline(always)]

@@ -384,11 +384,39 @@ const FABRIC: Table = Table {
             "twisting"
         ),
         number_if_known!(
+            "bend_hysteresis_warp_mn",
+            0.0..=1000.0,
+            fabric.bend_hysteresis_warp_mn,
+            "横まわりの曲げの戻りにくさ（KES 2HB）",
+            "yarn friction in bending around (KES 2HB)"
+        ),
+        number_if_known!(
+            "bend_hysteresis_weft_mn",
+            0.0..=1000.0,
+            fabric.bend_hysteresis_weft_mn,
+            "丈の方向の曲げの戻りにくさ（KES 2HB）",
+            "yarn friction in bending down (KES 2HB)"
+        ),
+        number_if_known!(
+            "shear_hysteresis_n_per_m",
+            0.0..=1000.0,
+            fabric.shear_hysteresis_n_per_m,
+            "せん断の戻りにくさ（KES 2HG）",
+            "yarn friction in shear (KES 2HG)"
+        ),
+        number_if_known!(
             "friction_coefficient",
             0.0..=2.0,
             fabric.friction_coefficient,
             "肌との摩擦",
             "on skin"
+        ),
+        number_if_known!(
+            "cloth_friction_coefficient",
+            0.0..=2.0,
+            fabric.cloth_friction_coefficient,
+            "布どうしの摩擦",
+            "on cloth"
         ),
         number_if_known!(
             "drag_per_s",
