@@ -19,6 +19,7 @@ mod lateral;
 mod momentum;
 mod pendulum;
 mod protocols;
+mod residual;
 mod rig;
 mod skirt_weight;
 mod stick_slip;

@@ -4,7 +4,8 @@ use lole_language::words;
 
 use super::{
     Curve, Protocol, Subject, cantilever, capstan, catenary, chain, column, convergence, drape,
-    hanging_strip, incline, lateral, momentum, pendulum, skirt_weight, stick_slip, waistband, wave,
+    hanging_strip, incline, lateral, momentum, pendulum, residual, skirt_weight, stick_slip,
+    waistband, wave,
 };
 
 /// All protocols.
@@ -235,6 +236,22 @@ pub const PROTOCOLS: &[Protocol] = &[
         limits: &[],
         curve: None,
         run: skirt_weight::run,
+    },
+    Protocol {
+        name: "residual-curvature",
+        about: words(
+            "丸めた布を放したときに残る曲率（糸の摩擦 2HB / (2 B) と比べる）",
+            "curvature that a rolled strip keeps when it is let go, against 2HB / (2 B) of its yarns' friction",
+        ),
+        limits: &[(
+            Subject::FbEuler,
+            words(
+                "弾性だけで、内部の摩擦はありません。平らに戻ります",
+                "elastic, without internal friction: the strip unrolls until it is flat",
+            ),
+        )],
+        curve: None,
+        run: residual::run,
     },
     Protocol {
         name: "drape",
