@@ -250,7 +250,7 @@ mod tests {
             .collect();
         // Friction is ±0.2 where the path is far enough from its last turn, and 1.5 times the
         // way from the set before.
-        let expected = [0.25, 0.7, 1.2, 0.95, 0.4, 0.1, -0.5, -1.2, -0.55];
+        let expected = [0.25, 0.7, 1.2, 0.95, 0.4, 0.1, -0.5, -1.2, -0.5];
         for (found, expected) in moments.iter().zip(expected) {
             assert!((found - expected).abs() < 1e-4, "{moments:?}");
         }
