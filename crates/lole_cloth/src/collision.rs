@@ -9,6 +9,7 @@ pub mod layer;
 pub(crate) mod patch_tree;
 pub mod penalty;
 pub(crate) mod pinned_rows;
+pub(crate) mod placement;
 pub(crate) mod repair;
 pub(crate) mod response;
 pub(crate) mod separation;

@@ -1,12 +1,13 @@
 //! Cloth of any triangle mesh: pieces that are no rectangles.
 //!
 //! The method is that of the grid, small substeps with one projection of every constraint each,
-//! and the same fabric, pins, capsules and friction. Constraints differ: a triangle stretches along
+//! and the same fabric, pins, capsules, skin and friction. Constraints differ: a triangle stretches along
 //! warp and weft and shears, wherever the yarns lie across it, and a particle and its neighbors
 //! bend as a plate. Sixteen constraints that share no particle are solved at a time.
 
 mod bend;
 mod build;
+pub(crate) mod contact;
 pub mod diagnose;
 pub(crate) mod model;
 mod order;

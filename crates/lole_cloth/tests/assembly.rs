@@ -92,8 +92,7 @@ impl Sewn {
         let input = AssemblyInput {
             pin_targets: &self.pins,
             frames: &self.frames,
-            capsules: &[],
-            air_velocity: Vec3::ZERO,
+            ..AssemblyInput::default()
         };
         step(&self.assembly, &input, &mut self.state, DT).expect("nothing is lost");
     }
@@ -587,9 +586,7 @@ fn a_step_that_loses_a_particle_is_not_taken() {
     sewn.pins[0][3] = Vec3::NAN;
     let input = AssemblyInput {
         pin_targets: &sewn.pins,
-        frames: &[],
-        capsules: &[],
-        air_velocity: Vec3::ZERO,
+        ..AssemblyInput::default()
     };
     let lost = step(&sewn.assembly, &input, &mut sewn.state, DT).expect_err("it is lost");
     assert_eq!(

@@ -3,7 +3,7 @@
 use std::num::NonZeroU32;
 
 use glam::Vec3;
-use lole_geom::Capsule;
+use lole_geom::{Capsule, Surfel};
 
 use crate::assembly::attachment::{Bones, Frame};
 use crate::assembly::joint::{Joint, JointError, Made};
@@ -32,8 +32,8 @@ pub struct AssemblyState {
     kept: Vec<[Vec<Points>; 2]>,
 }
 
-/// What the world does during one step.
-#[derive(Debug, Clone, Copy)]
+/// What the world does during one step; by default nothing is in it.
+#[derive(Debug, Clone, Copy, Default)]
 pub struct AssemblyInput<'a> {
     /// By piece, where its pinned particles are at the end of the step [m].
     pub pin_targets: &'a [Vec<Vec3>],
@@ -41,6 +41,9 @@ pub struct AssemblyInput<'a> {
     pub frames: &'a [Frame],
     /// Where the capsules are at the end of the step; always the same ones in the same order.
     pub capsules: &'a [Capsule],
+    /// Where the surfels of a skinned body are at the end of the step; always the same ones in the
+    /// same order.
+    pub surfels: &'a [Surfel],
     /// Velocity of the air [m/s].
     pub air_velocity: Vec3,
 }
@@ -152,13 +155,29 @@ pub fn step(
     }
     let pins = state.pieces.iter_mut().zip(input.pin_targets);
     for (piece, targets) in pins {
-        let (pin_targets, capsules) = match piece {
-            PieceState::Grid(state) => (&mut state.pin_targets, &mut state.capsules),
-            PieceState::Mesh(state) => (&mut state.pin_targets, &mut state.capsules),
+        let (pin_targets, capsules, surfels) = match piece {
+            PieceState::Grid(state) => {
+                let state = &mut **state;
+                (
+                    &mut state.pin_targets,
+                    &mut state.capsules,
+                    &mut state.surfels,
+                )
+            }
+            PieceState::Mesh(state) => {
+                let state = &mut **state;
+                (
+                    &mut state.pin_targets,
+                    &mut state.capsules,
+                    &mut state.surfels,
+                )
+            }
         };
         pin_targets.clone_from(targets);
         capsules.clear();
         capsules.extend_from_slice(input.capsules);
+        surfels.clear();
+        surfels.extend_from_slice(input.surfels);
     }
     state.frames.clear();
     state.frames.extend_from_slice(input.frames);
@@ -185,8 +204,8 @@ fn advance(
         .map(|piece| StepInput {
             pin_targets: input.pin_targets.get(piece).unwrap_or(&none),
             capsules: input.capsules,
+            surfels: input.surfels,
             air_velocity: input.air_velocity,
-            ..StepInput::default()
         })
         .collect();
     let pieces = || assembly.pieces.iter().zip(&inputs);
@@ -276,7 +295,7 @@ fn finish(piece: &Piece, (plan, index): (Option<&Plan>, u32), state: &mut PieceS
             xpbd::collide_and_finish((model, config), (plan, index), state);
         }
         (Piece::Mesh(model, config), PieceState::Mesh(state), Some(Plan::Mesh(plan))) => {
-            mesh::step::finish((model, config), (plan, index), state);
+            mesh::contact::finish((model, config), (plan, index), state);
         }
         _ => {}
     }

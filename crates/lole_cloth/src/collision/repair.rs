@@ -13,10 +13,11 @@ use lole_geom::Capsule;
 
 use crate::collision::crossing::{Crossing, CrossingFinder, Marked, crossing_point};
 use crate::collision::impact_zone::ImpactZones;
+use crate::collision::placement::Placement;
 use crate::collision::separation::Separation;
 use crate::collision::surface::{ABSENT, Surface};
 use crate::collision::surfel::SurfelContacts;
-use crate::lanes::{Layout, Points, Scalars, index};
+use crate::lanes::{Points, Scalars, index};
 
 /// Rounds of looking and bringing apart at most: a repair may make something else cross.
 const PARTING_ROUNDS: u8 = 8;
@@ -44,7 +45,7 @@ const UNTANGLING_SPEED: f32 = 0.2;
 pub(crate) struct Fixed<'a> {
     pub(crate) level: Level,
     pub(crate) surface: &'a Surface,
-    pub(crate) layout: &'a Layout,
+    pub(crate) layout: &'a dyn Placement,
     pub(crate) inv_masses: &'a [Scalars],
     /// Where the capsules are at the end of the step.
     pub(crate) capsules: &'a [Capsule],
@@ -376,7 +377,7 @@ fn outside_body(fixed: Fixed<'_>, particle: u32, mut position: Vec3) -> Vec3 {
     if fixed.inv_masses[vector].0[lane] <= 0.0 {
         return position;
     }
-    let offset = fixed.contact_offset - fixed.held[vector / fixed.layout.group_count];
+    let offset = fixed.contact_offset - fixed.held[fixed.layout.row_of(vector)];
     for capsule in fixed.capsules {
         let s = capsule.axis_parameter(position);
         let radius = capsule.radii[0] + (capsule.radii[1] - capsule.radii[0]) * s + offset;

@@ -15,8 +15,9 @@ use fearless_simd::{Simd, f32x16, prelude::*};
 use glam::Vec3;
 use lole_geom::Surfel;
 
+use crate::collision::placement::Placement;
 use crate::collision::response::{Contact, ContactLaw, ContactRow};
-use crate::lanes::{LANES, Layout, Points, Vectors, smaller};
+use crate::lanes::{LANES, Points, Vectors, smaller};
 use cells::SurfelCells;
 use planes::PlaneField;
 
@@ -58,6 +59,7 @@ pub(crate) struct SurfelContacts {
     ends: [Vec<Surfel>; 2],
     cells: SurfelCells,
     /// Room for a row.
+    slots: Vec<(usize, usize)>,
     found: Vec<Found>,
 }
 
@@ -74,12 +76,12 @@ pub(crate) struct Skin<'a> {
 /// The cloth at the start of a step.
 #[derive(Clone, Copy)]
 pub(crate) struct Cloth<'a> {
-    pub(crate) layout: &'a Layout,
+    pub(crate) layout: &'a dyn Placement,
     pub(crate) positions: &'a [Points],
     pub(crate) velocities: &'a [Points],
     /// By row, how far inside the skin's offset its particles may stay [m].
     pub(crate) held: &'a [f32],
-    /// Of its columns [m].
+    /// Of its columns [m]; infinite where neighbors in a row are none on the cloth.
     pub(crate) spacing: f32,
     /// What gravity adds to a speed in the step [m/s], and the step [s].
     pub(crate) speed_gain: f32,
@@ -205,7 +207,7 @@ impl SurfelContacts {
     fn find(&mut self, cloth: Cloth<'_>, skin: Skin<'_>) {
         self.nearest.clear(cloth.positions.len());
         self.opposite.clear(cloth.positions.len());
-        for row in 0..cloth.layout.row_count {
+        for row in 0..cloth.layout.row_count() {
             self.find_row(row, cloth, skin);
         }
     }
@@ -215,19 +217,17 @@ impl SurfelContacts {
     fn find_row(&mut self, row: usize, cloth: Cloth<'_>, skin: Skin<'_>) {
         let Self {
             cells,
+            slots,
             found,
             nearest,
             opposite,
             ..
         } = self;
         let is_dense = cloth.spacing < CLOSE;
+        slots.clear();
+        cloth.layout.add_row_slots(row, slots);
         found.clear();
-        found.extend(
-            cloth
-                .layout
-                .row_slots(row)
-                .map(|slot| Found { slot, place: None }),
-        );
+        found.extend(slots.iter().map(|&slot| Found { slot, place: None }));
         // A neighbor's surfel is near, if not the nearest.
         let mut hint = None;
         for one in found.iter_mut().step_by(if is_dense { 2 } else { 1 }) {

@@ -11,9 +11,6 @@ use crate::mesh::strain::StrainBatch;
 use crate::mesh::tether::{Tethers, tether_passes};
 use crate::mesh::topology::Topology;
 
-/// Vectors of particles that are tested against capsules together: a patch of 8 by 8.
-pub(crate) const PATCH_VECTORS: usize = 4;
-
 /// A piece of cloth prepared for the real-time method.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeshModel {
@@ -42,7 +39,7 @@ impl MeshModel {
         check_numbers(spec)?;
         let topology = Topology::new(spec)?;
         let area = topology.areas.iter().sum();
-        let slots = Slots::new(&spec.flat_positions, area, LANES * PATCH_VECTORS);
+        let slots = Slots::new(&spec.flat_positions, area);
         let vector_count = slots.count / LANES;
         let mut inv_masses = vec![Scalars::default(); vector_count];
         let density = spec.fabric.areal_density;
@@ -149,13 +146,6 @@ impl MeshModel {
         for (&point, &slot) in points.iter().zip(&self.slots.of_particle) {
             vectors[slot as usize / LANES].set(slot as usize % LANES, point);
         }
-    }
-
-    /// Brings points back to the order of the particles.
-    pub(crate) fn gather_points(&self, vectors: &[Points], points: &mut Vec<Vec3>) {
-        points.clear();
-        let at = |&slot: &u32| vectors[slot as usize / LANES].get(slot as usize % LANES);
-        points.extend(self.slots.of_particle.iter().map(at));
     }
 }
 

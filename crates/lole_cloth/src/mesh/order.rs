@@ -1,9 +1,10 @@
 //! Orders: of particles, so that neighbors on the cloth are neighbors in memory, and of
 //! constraints, sixteen at a time that share no particle.
 
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 
-use crate::lanes::LANES;
+use crate::collision::placement::Placement;
+use crate::lanes::{LANES, Points};
 use crate::mesh::particles::{BASE_STEP, Lanes, WIDTH, WINDOW_SLOTS};
 use crate::mesh::spec::MeshError;
 
@@ -11,19 +12,24 @@ use crate::mesh::spec::MeshError;
 /// is what meets a capsule together.
 const TILE_SIDE: f32 = 8.0;
 
+/// Vectors of particles that meet the body together: a tile of 8 by 8.
+pub(crate) const PATCH_VECTORS: usize = 4;
+
 /// Where particles stand in the engine's own order.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Slots {
     /// By particle.
     pub(crate) of_particle: Vec<u32>,
-    /// Slots in all, those of nothing included: a multiple of what is asked for.
+    /// Slots in all, those of nothing included: whole patches.
     pub(crate) count: usize,
+    /// By vector, a bit for every lane with a particle.
+    occupied: Vec<u16>,
 }
 
 impl Slots {
     /// Orders particles tile by tile of the flat piece, along its shorter side first, so that
     /// neighbors stand at most about two strips of tiles apart. `area` is that of the piece [m²].
-    pub(crate) fn new(flat: &[Vec2], area: f32, multiple: usize) -> Self {
+    pub(crate) fn new(flat: &[Vec2], area: f32) -> Self {
         let low = flat.iter().copied().fold(Vec2::INFINITY, Vec2::min);
         let high = flat.iter().copied().fold(Vec2::NEG_INFINITY, Vec2::max);
         let extent = high - low;
@@ -51,10 +57,45 @@ impl Slots {
             of_particle[*particle as usize] = narrow(place + place / (BASE_STEP - 1));
         }
         let last = order.len() + order.len() / (BASE_STEP - 1);
+        let count = last.next_multiple_of(LANES * PATCH_VECTORS);
+        let mut occupied = vec![0; count / LANES];
+        for &slot in &of_particle {
+            occupied[slot as usize / LANES] |= 1 << (slot as usize % LANES);
+        }
         Self {
             of_particle,
-            count: last.next_multiple_of(multiple),
+            count,
+            occupied,
         }
+    }
+}
+
+impl Placement for Slots {
+    fn slot(&self, particle: usize) -> (usize, usize) {
+        let slot = self.of_particle[particle] as usize;
+        (slot / LANES, slot % LANES)
+    }
+
+    fn row_count(&self) -> usize {
+        self.occupied.len() / PATCH_VECTORS
+    }
+
+    fn row_of(&self, vector: usize) -> usize {
+        vector / PATCH_VECTORS
+    }
+
+    fn add_row_slots(&self, row: usize, slots: &mut Vec<(usize, usize)>) {
+        let first = row * PATCH_VECTORS;
+        for (vector, &lanes) in (first..).zip(&self.occupied[first..first + PATCH_VECTORS]) {
+            let occupied = (0..LANES).filter(|lane| lanes >> lane & 1 == 1);
+            slots.extend(occupied.map(|lane| (vector, lane)));
+        }
+    }
+
+    fn gather_points(&self, vectors: &[Points], points: &mut Vec<Vec3>) {
+        points.clear();
+        let at = |&slot: &u32| vectors[slot as usize / LANES].get(slot as usize % LANES);
+        points.extend(self.of_particle.iter().map(at));
     }
 }
 

@@ -1,6 +1,7 @@
 //! What became of a step, and the first cause where a piece could not go on.
 
 use glam::Vec3;
+use lole_geom::Surfel;
 
 use crate::lanes::{LANES, Points};
 use crate::mesh::model::MeshModel;
@@ -39,6 +40,12 @@ pub enum Cause {
     #[error("capsule {index} has an end or a radius that is no finite number")]
     Capsule {
         /// Position in the list of capsules.
+        index: usize,
+    },
+    /// A surfel is nowhere or faces nowhere.
+    #[error("surfel {index} has a position or a normal that is no finite number")]
+    Surfel {
+        /// Position in the list of surfels.
         index: usize,
     },
     /// A number that holds for all particles.
@@ -133,11 +140,13 @@ pub(crate) fn cause_in_input(
         capsule.ends.iter().all(|end| end.is_finite())
             && capsule.radii.iter().all(|radius| radius.is_finite())
     };
-    let index = input
-        .capsules
-        .iter()
-        .position(|capsule| !is_finite(capsule))?;
-    Some(Cause::Capsule { index })
+    let mut capsules = input.capsules.iter();
+    if let Some(index) = capsules.position(|capsule| !is_finite(capsule)) {
+        return Some(Cause::Capsule { index });
+    }
+    let is_nowhere = |surfel: &Surfel| !(surfel.position.is_finite() && surfel.normal.is_finite());
+    let index = input.surfels.iter().position(is_nowhere)?;
+    Some(Cause::Surfel { index })
 }
 
 /// The first particle with a place that is none, and that place.

@@ -1,10 +1,12 @@
 //! What moves of a piece: positions and velocities in the engine's own order.
 
 use glam::Vec3;
-use lole_geom::Capsule;
+use lole_geom::{Capsule, Surfel};
 
 use crate::collision::capsule::MovingCapsule;
 use crate::collision::capsule::near::RowContacts;
+use crate::collision::placement::Placement as _;
+use crate::collision::surfel::SurfelContacts;
 use crate::lanes::Points;
 use crate::mesh::model::MeshModel;
 use crate::mesh::stride::Strides;
@@ -18,6 +20,8 @@ pub struct MeshState {
     pub(crate) pin_targets: Vec<Vec3>,
     /// Where the capsules were left; empty before the first step.
     pub(crate) capsules: Vec<Capsule>,
+    /// Where the surfels were left; empty before the first step.
+    pub(crate) surfels: Vec<Surfel>,
     pub(crate) scratch: MeshScratch,
 }
 
@@ -30,6 +34,9 @@ pub(crate) struct MeshScratch {
     pub(crate) particles: Vec<f32>,
     pub(crate) contacts: RowContacts,
     pub(crate) moving_capsules: Vec<MovingCapsule>,
+    pub(crate) surfel_contacts: SurfelContacts,
+    /// By patch, how far inside the body its particles may stay [m]: nowhere.
+    pub(crate) held: Vec<f32>,
     pub(crate) strides: Strides,
     /// Positions and velocities before the step.
     kept: [Vec<Points>; 2],
@@ -48,9 +55,11 @@ impl MeshState {
             velocities: vec![Points::default(); count],
             pin_targets: Vec::new(),
             capsules: Vec::new(),
+            surfels: Vec::new(),
             scratch: MeshScratch {
                 predicted: vec![Points::default(); count],
                 particles: vec![0.0; model.column_length()],
+                held: vec![0.0; model.slots.row_count()],
                 ..MeshScratch::default()
             },
         };
@@ -60,12 +69,12 @@ impl MeshState {
 
     /// Writes every position [m] over `out`.
     pub fn copy_positions(&self, model: &MeshModel, out: &mut Vec<Vec3>) {
-        model.gather_points(&self.positions, out);
+        model.slots.gather_points(&self.positions, out);
     }
 
     /// Writes every velocity [m/s] over `out`.
     pub fn copy_velocities(&self, model: &MeshModel, out: &mut Vec<Vec3>) {
-        model.gather_points(&self.velocities, out);
+        model.slots.gather_points(&self.velocities, out);
     }
 
     /// Moves every particle, pinned ones too, to `positions` [m]; velocities stay.

@@ -5,12 +5,11 @@ use fearless_simd::{dispatch, f32x16, prelude::*};
 use glam::Vec3;
 use lole_geom::trig;
 
-use crate::collision::capsule::MovingCapsule;
-use crate::collision::capsule::near::Range;
-use crate::collision::response::{ContactLaw, ContactRow};
+use crate::collision::response::ContactLaw;
 use crate::lanes::{LANES, Vectors};
 use crate::mesh::bend;
-use crate::mesh::model::{MeshModel, PATCH_VECTORS};
+use crate::mesh::contact;
+use crate::mesh::model::MeshModel;
 use crate::mesh::outcome::{self, Cause, Outcome, Phase, all_finite, cause_in_input, first_lost};
 use crate::mesh::particles::{self, Gathered, WIDTH};
 use crate::mesh::state::{MeshScratch, MeshState};
@@ -19,29 +18,28 @@ use crate::mesh::stride;
 use crate::mesh::tether;
 use crate::{SolverConfig, StepInput};
 
-/// Far capsules are tested in every so manyth substep, and in the last of a step.
-const FAR_INTERVAL: u32 = 4;
-
 /// Numbers that hold for every substep of one step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Substep {
     /// Duration [s].
-    h: f32,
-    count: u32,
+    pub(crate) h: f32,
+    pub(crate) count: u32,
     sweep_count: u32,
     /// What gravity adds to a velocity [m/s].
     gravity_gain: Vec3,
     air_velocity: Vec3,
     /// What drag leaves of a velocity relative to the air: `exp(-drag_rate h)`.
     drag_kept: f32,
+    /// Duration of the step [s].
+    pub(crate) dt: f32,
     strain: Strain,
     /// One over the longest tether allowed, squared, in units of its length.
     inv_tether_square: Option<f32>,
-    contact: ContactLaw,
+    pub(crate) contact: ContactLaw,
 }
 
 impl Substep {
-    fn new(model: &MeshModel, config: &SolverConfig, air_velocity: Vec3, dt: f32) -> Self {
+    fn new(model: &MeshModel, config: &SolverConfig, (air_velocity, dt): (Vec3, f32)) -> Self {
         let count = config.substep_count.get();
         let sweep_count = config.structural_sweep_count.get();
         #[expect(clippy::cast_precision_loss, reason = "substeps and sweeps are few")]
@@ -51,6 +49,7 @@ impl Substep {
         let compliance = |modulus: f32| sweeps / (modulus * h * h);
         Self {
             h,
+            dt,
             count,
             sweep_count,
             gravity_gain: config.gravity * h,
@@ -71,8 +70,8 @@ impl Substep {
 
 /// Moves the piece on by `dt` [s], or leaves it as it was and says why.
 ///
-/// Pins and capsules move evenly from where the previous call left them to where `input` has them.
-/// Of `config` the held depth and self-collision are the grid's alone; strides along rows are along
+/// Pins, capsules and surfels move evenly from where the previous call left them to where `input` has them.
+/// Of `config` the held depth is the grid's alone; strides along rows are along
 /// the warp here, those down columns along the weft, in distances of a square grid as fine.
 pub fn step(
     model: &MeshModel,
@@ -100,6 +99,8 @@ pub fn step(
     state.pin_targets.extend_from_slice(input.pin_targets);
     state.capsules.clear();
     state.capsules.extend_from_slice(input.capsules);
+    state.surfels.clear();
+    state.surfels.extend_from_slice(input.surfels);
     Outcome::Advanced
 }
 
@@ -159,7 +160,7 @@ fn advance(
             watch.substep = index;
         }
         predict_and_project((model, config, input), (&substep, index), (state, watch));
-        finish((model, config), (&substep, index), state);
+        contact::finish((model, config), (&substep, index), state);
         look(watch, model, state, Phase::Contact);
     }
     finish_pins(model, input.pin_targets, state);
@@ -179,8 +180,8 @@ pub(crate) fn begin(
     state: &mut MeshState,
 ) -> Substep {
     start(model, config, input, (state, dt));
-    find_contacts(config, (input, dt), state);
-    Substep::new(model, config, input.air_velocity, dt)
+    contact::find((model, config), (input, dt), state);
+    Substep::new(model, config, (input.air_velocity, dt))
 }
 
 /// The first part of a substep: everything but contact.
@@ -189,7 +190,7 @@ pub(crate) fn predict_and_project(
     (substep, index): (&Substep, u32),
     (state, watch): (&mut MeshState, &mut Option<Watch>),
 ) {
-    move_capsules(config, input, (index, substep.count), state);
+    contact::begin_substep((model, config, input), (substep, index), state);
     let level = config.instruction_set.level();
     dispatch!(level, simd => predict(simd, model, substep, state));
     look(watch, model, state, Phase::Flight);
@@ -240,6 +241,10 @@ fn start(
         state.capsules.clear();
         state.capsules.extend_from_slice(input.capsules);
     }
+    if state.surfels.len() != input.surfels.len() {
+        state.surfels.clear();
+        state.surfels.extend_from_slice(input.surfels);
+    }
     let pins = model.pin_indices().iter().zip(input.pin_targets);
     for ((&pin, &target), &start) in pins.zip(&state.pin_targets) {
         let slot = model.slots.of_particle[pin as usize] as usize;
@@ -253,35 +258,6 @@ pub(crate) fn finish_pins(model: &MeshModel, targets: &[Vec3], state: &mut MeshS
         let slot = model.slots.of_particle[pin as usize] as usize;
         state.positions[slot / LANES].set(slot % LANES, target);
     }
-}
-
-/// Which capsules each patch may touch in this step.
-fn find_contacts(config: &SolverConfig, (input, dt): (&StepInput<'_>, f32), state: &mut MeshState) {
-    let level = config.instruction_set.level();
-    let rows = (&state.positions[..], &state.velocities[..], PATCH_VECTORS);
-    let contacts = &mut state.scratch.contacts;
-    dispatch!(level, simd => contacts.find(
-        simd,
-        rows,
-        [&state.capsules, input.capsules],
-        (config.contact_offset, config.gravity.length() * dt, dt),
-    ));
-}
-
-fn move_capsules(
-    config: &SolverConfig,
-    input: &StepInput<'_>,
-    (index, count): (u32, u32),
-    state: &mut MeshState,
-) {
-    #[expect(clippy::cast_precision_loss, reason = "substeps are few")]
-    let (fraction, share) = ((index + 1) as f32 / count as f32, 1.0 / count as f32);
-    let pairs = state.capsules.iter().zip(input.capsules);
-    let moving = pairs.map(|(before, after)| {
-        MovingCapsule::new([before, after], fraction, share, config.contact_offset)
-    });
-    state.scratch.moving_capsules.clear();
-    state.scratch.moving_capsules.extend(moving);
 }
 
 /// Gravity, drag towards the air, a straight flight, and tethers.
@@ -342,61 +318,5 @@ fn fly_pins(
         let (vector, lane) = (slot / LANES, slot % LANES);
         let place = positions[vector].get(lane) + velocities[vector].get(lane) * h;
         particles[slot * WIDTH..][..WIDTH].copy_from_slice(&[place.x, place.y, place.z, 0.0]);
-    }
-}
-
-/// Contact with the body; then what the projections changed becomes velocity.
-pub(crate) fn finish(
-    (model, config): (&MeshModel, &SolverConfig),
-    (substep, index): (&Substep, u32),
-    state: &mut MeshState,
-) {
-    let level = config.instruction_set.level();
-    dispatch!(level, simd => finish_with(simd, model, (substep, index), state));
-}
-
-#[inline(always)]
-fn finish_with<S: Simd>(
-    simd: S,
-    model: &MeshModel,
-    (substep, index): (&Substep, u32),
-    state: &mut MeshState,
-) {
-    let is_last = index + 1 == substep.count;
-    let range = if is_last || (index + 1).is_multiple_of(FAR_INTERVAL) {
-        Range::All
-    } else {
-        Range::Near
-    };
-    let inv_h = f32x16::splat(simd, 1.0 / substep.h);
-    let scratch = &mut state.scratch;
-    for first in (0..model.vector_count()).step_by(PATCH_VECTORS) {
-        let patch = first..first + PATCH_VECTORS;
-        for vector in patch.clone() {
-            if let Some(sixteen) = scratch.particles[vector * LANES * WIDTH..].first_chunk() {
-                let place = particles::load(simd, sixteen).place;
-                place.store(&mut state.positions[vector]);
-            }
-        }
-        let indices = scratch.contacts.row(first / PATCH_VECTORS, range);
-        if !indices.is_empty() {
-            let mut row = ContactRow {
-                positions: &mut state.positions[patch.clone()],
-                predicted: &mut scratch.predicted[patch.clone()],
-                velocities: &state.velocities[patch.clone()],
-                inv_masses: &model.inv_masses[patch.clone()],
-                h: substep.h,
-                held: 0.0,
-            };
-            row.project(simd, &scratch.moving_capsules, indices, substep.contact);
-        }
-        let columns = (state.positions[patch.clone()].iter())
-            .zip(&scratch.predicted[patch.clone()])
-            .zip(&mut state.velocities[patch]);
-        for ((position, predicted), velocity) in columns {
-            let change = Vectors::load(simd, position).sub(Vectors::load(simd, predicted));
-            let gained = Vectors::load(simd, velocity).add(change.scale(inv_h));
-            gained.store(velocity);
-        }
     }
 }
