@@ -6,6 +6,7 @@ pub(crate) mod crossing;
 pub(crate) mod grid;
 pub(crate) mod impact_zone;
 pub mod layer;
+pub(crate) mod parting;
 pub(crate) mod patch_tree;
 pub mod penalty;
 pub(crate) mod pinned_rows;

@@ -13,6 +13,7 @@ use glam::Vec3;
 use rayon::prelude::*;
 
 use crate::collision::grid::{CellGrid, Entry, each_hit};
+use crate::collision::parting::{DEGENERATE_SQUARED, Parting};
 use crate::collision::pinned_rows::PinnedRows;
 use crate::lanes::{LANES, Layout, Points, Scalars, Vectors};
 use crate::{Grid, Topology};
@@ -25,13 +26,6 @@ const MARGIN: f32 = 0.6;
 const NEIGHBOR_COLUMNS: u32 = 1;
 const NEIGHBOR_ROWS: u32 = 2;
 
-/// Fastest that overlapping folds part [m/s], beyond undoing their approach.
-const PARTING_SPEED: f32 = 2.0;
-
-/// Share of a shallow overlap that parts in one solution: springs that hold folds together answer
-/// a greater one with jitter.
-const PARTING_SHARE: f32 = 0.7;
-
 /// Where pins hold strands nearer together than a diameter, contact keeps this share of their gap,
 /// and what lies this much farther apart for every meter of cloth from the pins.
 const PINNED_SHARE: f32 = 0.9;
@@ -43,9 +37,6 @@ const SLAB_COUNT_MAX: usize = 16;
 /// Below this many pairs a solution is over before a second thread has woken up, which takes it
 /// about 50 µs.
 const PARALLEL_PAIRS_MIN: usize = 1 << 19;
-
-/// Below this squared length [m²] two particles have no direction between them.
-const DEGENERATE_SQUARED: f32 = 1.0e-14;
 
 /// A pair that may touch, by entries of the cell grid.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -109,8 +100,6 @@ pub(crate) struct Columns<'a> {
 pub(crate) struct ClothContactLaw {
     /// Kept between particles and threads [m].
     diameter: f32,
-    /// Farthest a pair is moved apart in a substep beyond undoing its approach [m].
-    parting: f32,
     /// Half of the part of a column that a particle stands for [m].
     half_thread: f32,
     /// Coulomb friction coefficient of cloth on cloth.
@@ -125,7 +114,6 @@ impl ClothContactLaw {
         let diameter = (2.0 * radius).min(grid.spacing[0]);
         Self {
             diameter,
-            parting: PARTING_SPEED * h,
             half_thread: (0.5 * grid.spacing[1]).max(diameter) - 0.5 * diameter,
             friction,
             h,
@@ -462,7 +450,7 @@ impl Slab<'_> {
         let gap = gap(one, other, law.half_thread);
         let squared = gap.length_squared();
         if squared < pair.diameter * pair.diameter {
-            self.part(ends, (pair, gap, squared), columns, law);
+            self.part(ends, (pair, gap), columns, law);
         }
     }
 
@@ -470,46 +458,23 @@ impl Slab<'_> {
     fn part(
         &mut self,
         ends: [usize; 2],
-        (pair, gap, squared): (&Pair, Vec3, f32),
+        (pair, gap): (&Pair, Vec3),
         columns: &Columns<'_>,
         law: ClothContactLaw,
     ) {
         for end in ends {
             self.touch(end, columns, law.h);
         }
-        let along_side = gap.dot(pair.side);
-        // Gone through: back along the side it came from.
-        let (normal, distance) = if along_side <= 0.0 || squared < DEGENERATE_SQUARED {
-            (pair.side, along_side)
-        } else {
-            let distance = squared.sqrt();
-            (gap / distance, distance)
-        };
         let travel = ends.map(|end| self.strands[end].position - self.touches[end].before);
         let slip = travel[1] - travel[0];
-        let separation = slip.dot(normal);
-        let overlap = pair.diameter - distance;
-        let parting = if along_side <= 0.0 {
-            law.parting
-        } else {
-            law.parting.min(PARTING_SHARE * overlap)
-        };
-        let depth = overlap.min(parting - separation);
-        if depth <= 0.0 {
+        let side = (pair.side, pair.diameter);
+        let Some(parting) = Parting::new((gap, slip), side, law.friction, law.h) else {
             return;
-        }
-        let tangential = slip - normal * separation;
-        let slip_squared = tangential.length_squared();
-        let limit = law.friction * depth;
-        let held = if slip_squared <= limit * limit {
-            1.0
-        } else {
-            limit / slip_squared.sqrt()
         };
         let inv_masses = ends.map(|end| self.strands[end].inv_mass);
         let inv_mass_sum = inv_masses[0] + inv_masses[1];
-        let change = (normal * depth - tangential * held) / inv_mass_sum;
-        let quiet = normal * ((depth - (-separation).max(0.0)).max(0.0) / inv_mass_sum);
+        let change = parting.change / inv_mass_sum;
+        let quiet = parting.normal * (parting.quiet / inv_mass_sum);
         self.strands[ends[0]].position -= change * inv_masses[0];
         self.touches[ends[0]].quiet -= quiet * inv_masses[0];
         self.strands[ends[1]].position += change * inv_masses[1];
