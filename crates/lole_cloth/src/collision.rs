@@ -3,6 +3,7 @@
 pub(crate) mod capsule;
 pub(crate) mod cloth_cloth;
 pub(crate) mod crossing;
+pub(crate) mod face_contact;
 pub(crate) mod grid;
 pub(crate) mod impact_zone;
 pub mod layer;

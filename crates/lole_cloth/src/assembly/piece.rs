@@ -106,6 +106,18 @@ impl PieceState {
         }
     }
 
+    /// Writes every velocity [m/s] over `out`.
+    ///
+    /// # Panics
+    /// When `piece` is not the one that this is the state of.
+    pub fn copy_velocities(&self, piece: &Piece, out: &mut Vec<Vec3>) {
+        match (self, piece) {
+            (Self::Grid(state), Piece::Grid(model, _)) => state.copy_velocities(model, out),
+            (Self::Mesh(state), Piece::Mesh(model, _)) => state.copy_velocities(model, out),
+            _ => panic!("the state of another piece"),
+        }
+    }
+
     /// Positions and velocities.
     pub(crate) fn columns(&self) -> [&Vec<Points>; 2] {
         match self {

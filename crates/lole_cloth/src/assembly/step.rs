@@ -6,8 +6,10 @@ use glam::Vec3;
 use lole_geom::{Capsule, Surfel};
 
 use crate::assembly::attachment::{Bones, Frame};
+use crate::assembly::contact;
 use crate::assembly::joint::{Joint, JointError, Made};
 use crate::assembly::piece::{Piece, PieceState};
+use crate::collision::face_contact::{FaceContacts, Faces};
 use crate::lanes::Points;
 use crate::mesh::outcome::all_finite;
 use crate::method::xpbd;
@@ -18,6 +20,8 @@ use crate::{StepInput, mesh};
 pub struct Assembly {
     pieces: Vec<Piece>,
     joints: Vec<Made>,
+    /// How the pieces meet each other.
+    faces: Faces,
     substep_count: u32,
 }
 
@@ -30,6 +34,8 @@ pub struct AssemblyState {
     frames: Vec<Frame>,
     /// By piece, positions and velocities before the step.
     kept: Vec<[Vec<Points>; 2]>,
+    /// Room for contacts between pieces.
+    contacts: FaceContacts,
 }
 
 /// What the world does during one step; by default nothing is in it.
@@ -75,6 +81,7 @@ impl Assembly {
         let made = joints.iter().map(|joint| Made::new(&pieces, joint));
         Ok(Self {
             joints: made.collect::<Result<_, _>>()?,
+            faces: contact::faces(&pieces, joints),
             pieces,
             substep_count: substep_count.get(),
         })
@@ -103,6 +110,7 @@ impl AssemblyState {
                 .collect(),
             frames: Vec::new(),
             kept: vec![[Vec::new(), Vec::new()]; positions.len()],
+            contacts: FaceContacts::default(),
         }
     }
 
@@ -212,6 +220,8 @@ fn advance(
     let plans: Vec<Option<Plan>> = (pieces().zip(&mut state.pieces))
         .map(|(piece, state)| begin(piece, dt, state))
         .collect();
+    let all = (&assembly.pieces[..], &assembly.faces);
+    let contact_interval = contact::find(all, (&state.pieces, &mut state.contacts), dt);
     let count = assembly.substep_count;
     #[expect(clippy::cast_precision_loss, reason = "substeps are few")]
     let h = dt / count as f32;
@@ -227,6 +237,9 @@ fn advance(
         };
         for joint in &assembly.joints {
             joint.solve(&mut state.pieces, &bones, h);
+        }
+        if contact_interval.is_some_and(|interval| index.is_multiple_of(interval)) {
+            state.contacts.solve(&mut state.pieces[..], h);
         }
         for ((piece, plan), state) in pieces().zip(&plans).zip(&mut state.pieces) {
             finish(piece.0, (plan.as_ref(), index), state);
@@ -245,8 +258,8 @@ fn advance(
             (Piece::Grid(model, config), PieceState::Grid(state)) => {
                 xpbd::end((model, config), (input, dt), state);
             }
-            (Piece::Mesh(model, _), PieceState::Mesh(state)) => {
-                mesh::step::finish_pins(model, input.pin_targets, state);
+            (Piece::Mesh(model, config), PieceState::Mesh(state)) => {
+                mesh::step::end((model, config), (input, dt), state);
             }
             _ => {}
         }

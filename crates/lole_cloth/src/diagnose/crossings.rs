@@ -14,15 +14,27 @@ const SEARCH_CELL: f32 = 1.5;
 /// Where `positions` [m] are not all finite there is no answer.
 #[must_use]
 pub fn self_crossings(grid: &Grid, positions: &[Vec3]) -> Option<usize> {
+    let triangles = grid.triangles();
+    let size = grid.spacing[0].max(grid.spacing[1]);
+    let mut edges = Vec::with_capacity(3 * positions.len());
+    for_each_edge(grid, |ends| edges.push(ends));
+    crossing_count((&triangles, edges.into_iter()), positions, size)
+}
+
+/// Pairs of an edge and a triangle that cross at `positions` [m] and share no particle; cells of the
+/// cloth are about `size` [m] large. `None` where not all positions are finite.
+pub(crate) fn crossing_count(
+    (triangles, edges): (&[[u32; 3]], impl Iterator<Item = [u32; 2]>),
+    positions: &[Vec3],
+    size: f32,
+) -> Option<usize> {
     if !positions.iter().all(|position| position.is_finite()) {
         return None;
     }
-    let triangles = grid.triangles();
-    let size = SEARCH_CELL * grid.spacing[0].max(grid.spacing[1]);
-    let search = TriangleGrid::new(positions, &triangles, size);
+    let search = TriangleGrid::new(positions, triangles, SEARCH_CELL * size);
     let mut count = 0;
     let mut crossed = Vec::new();
-    for_each_edge(grid, |ends| {
+    for ends in edges {
         let [start, end] = ends.map(|end| positions[end as usize]);
         search.crossed_by(start, end, &mut crossed);
         let apart = |triangle: &&u32| {
@@ -30,7 +42,7 @@ pub fn self_crossings(grid: &Grid, positions: &[Vec3]) -> Option<usize> {
             !ends.iter().any(|end| corners.contains(end))
         };
         count += crossed.iter().filter(apart).count();
-    });
+    }
     Some(count)
 }
 

@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 
-use crate::diagnose::{StrainSummary, summarize};
+use crate::diagnose::{StrainSummary, crossing_count, summarize};
 use crate::mesh::model::MeshModel;
 
 /// Absolute strain along warp and weft of every triangle at `positions` [m], triangles pinned all
@@ -17,6 +17,14 @@ pub fn strain(model: &MeshModel, positions: &[Vec3]) -> StrainSummary {
         [along_warp, along_weft].map(|column| (column.length() - 1.0).abs())
     });
     summarize(strains.collect())
+}
+
+/// Pairs of an edge and a triangle of the piece that cross at `positions` [m] and share no particle:
+/// 0 where no fold has gone through another. Where positions are not all finite there is no answer.
+#[must_use]
+pub fn self_crossings(model: &MeshModel, positions: &[Vec3]) -> Option<usize> {
+    let edges = model.topology().edges.iter().map(|edge| edge.ends);
+    crossing_count((model.triangles(), edges), positions, model.spacing())
 }
 
 /// What becomes of the unit vectors along warp and weft in one of the model's triangles, with its

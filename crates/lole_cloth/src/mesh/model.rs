@@ -2,6 +2,8 @@
 
 use glam::Vec3;
 
+use crate::collision::face_contact::{FacePiece, Faces};
+use crate::collision::surface::Surface;
 use crate::lanes::{LANES, Points, Scalars};
 use crate::mesh::build::{self, Stars};
 use crate::mesh::order::Slots;
@@ -26,6 +28,12 @@ pub struct MeshModel {
     pub(crate) other_triangles: Vec<StrainBatch>,
     pub(crate) stars: Stars,
     pub(crate) tethers: Vec<Tethers>,
+    /// By particle, the nearest pin and the cloth between [m]; empty where nothing is pinned.
+    nearest_pins: Vec<(u32, f32)>,
+    /// How the piece meets itself.
+    pub(crate) faces: Faces,
+    /// What may cross itself.
+    pub(crate) surface: Surface,
 }
 
 impl MeshModel {
@@ -64,7 +72,7 @@ impl MeshModel {
             .map(|p| f64::from(particle_inv_mass(p)))
             .collect();
         let parts = build::parts(spec, &topology, (&slots, &masses))?;
-        Ok(Self {
+        let mut model = Self {
             triangles: parts.triangles,
             other_triangles: parts.other_triangles,
             stars: parts.stars,
@@ -72,12 +80,35 @@ impl MeshModel {
                 .iter()
                 .map(|pass| Tethers::new(pass, &slots.of_particle, vector_count))
                 .collect(),
+            nearest_pins: nearest_pins(&tethers),
+            faces: Faces::default(),
+            surface: Surface::new(spec.pinned.len(), &topology.triangles),
             spec: spec.clone(),
             topology,
             pin_indices,
             slots,
             inv_masses,
-        })
+        };
+        let faces = Faces::new(&[model.face_piece(Vec::new())]);
+        model.faces = faces;
+        Ok(model)
+    }
+
+    /// What contact must know of the piece.
+    pub(crate) fn face_piece(&self, is_sewn: Vec<bool>) -> FacePiece<'_> {
+        let flat = &self.spec.flat_positions;
+        FacePiece {
+            triangles: self.topology.triangles.clone(),
+            flat_distance: Box::new(|[first, second]| {
+                flat[first as usize].distance(flat[second as usize])
+            }),
+            flat_positions: Some(flat),
+            placement: &self.slots,
+            inv_masses: &self.inv_masses,
+            pins: self.nearest_pins.clone(),
+            is_sewn,
+            particle_count: self.particle_count(),
+        }
     }
 
     /// What the piece was made from.
@@ -147,6 +178,22 @@ impl MeshModel {
             vectors[slot as usize / LANES].set(slot as usize % LANES, point);
         }
     }
+}
+
+/// By particle, the pin that is nearest of all passes.
+fn nearest_pins(passes: &[Vec<(u32, f32)>]) -> Vec<(u32, f32)> {
+    let Some((first, others)) = passes.split_first() else {
+        return Vec::new();
+    };
+    let mut nearest = first.clone();
+    for pass in others {
+        for (least, &other) in nearest.iter_mut().zip(pass) {
+            if other.1 < least.1 {
+                *least = other;
+            }
+        }
+    }
+    nearest
 }
 
 fn check_lengths(spec: &MeshSpec) -> Result<(), MeshError> {

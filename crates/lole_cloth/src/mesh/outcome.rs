@@ -90,6 +90,8 @@ pub enum Phase {
     Bending,
     /// Further sweeps over the triangles.
     Strain,
+    /// Contact of the piece with itself.
+    Cloth,
     /// Contact with the body, and velocities.
     Contact,
 }
@@ -101,6 +103,7 @@ impl std::fmt::Display for Phase {
             Self::Strides => "strides",
             Self::Bending => "bending",
             Self::Strain => "strain",
+            Self::Cloth => "contact with itself",
             Self::Contact => "contact",
         })
     }

@@ -5,7 +5,9 @@ use lole_geom::{Capsule, Surfel};
 
 use crate::collision::capsule::MovingCapsule;
 use crate::collision::capsule::near::RowContacts;
+use crate::collision::face_contact::FaceContacts;
 use crate::collision::placement::Placement as _;
+use crate::collision::repair::CrossingRepair;
 use crate::collision::surfel::SurfelContacts;
 use crate::lanes::Points;
 use crate::mesh::model::MeshModel;
@@ -25,7 +27,8 @@ pub struct MeshState {
     pub(crate) scratch: MeshScratch,
 }
 
-/// Room for one step, kept so that no step allocates. It carries nothing from step to step.
+/// Room for one step, kept so that no step allocates. Of what it holds only where the piece is
+/// tangled goes from step to step: that is what the end of the last one has found.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct MeshScratch {
     /// Positions predicted at the start of the substep.
@@ -37,6 +40,8 @@ pub(crate) struct MeshScratch {
     pub(crate) surfel_contacts: SurfelContacts,
     /// By patch, how far inside the body its particles may stay [m]: nowhere.
     pub(crate) held: Vec<f32>,
+    pub(crate) face_contacts: FaceContacts,
+    pub(crate) crossing_repair: CrossingRepair,
     pub(crate) strides: Strides,
     /// Positions and velocities before the step.
     kept: [Vec<Points>; 2],
@@ -89,6 +94,7 @@ impl MeshState {
         );
         let filler = positions.first().copied().unwrap_or_default();
         model.scatter_points(positions, filler, &mut self.positions);
+        self.scratch.crossing_repair.is_tangled.clear();
         self.pin_targets.clear();
         let pins = model.pin_indices().iter();
         self.pin_targets

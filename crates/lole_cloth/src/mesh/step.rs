@@ -12,6 +12,7 @@ use crate::mesh::contact;
 use crate::mesh::model::MeshModel;
 use crate::mesh::outcome::{self, Cause, Outcome, Phase, all_finite, cause_in_input, first_lost};
 use crate::mesh::particles::{self, Gathered, WIDTH};
+use crate::mesh::self_contact;
 use crate::mesh::state::{MeshScratch, MeshState};
 use crate::mesh::strain::{self, Strain};
 use crate::mesh::stride;
@@ -155,15 +156,28 @@ fn advance(
     (state, watch): (&mut MeshState, &mut Option<Watch>),
 ) {
     let substep = begin(model, config, (input, dt), state);
+    self_contact::find(model, config, state, dt);
     for index in 0..substep.count {
         if let Some(watch) = watch {
             watch.substep = index;
         }
         predict_and_project((model, config, input), (&substep, index), (state, watch));
+        self_contact::solve(config, (&substep, index), state);
+        look(watch, model, state, Phase::Cloth);
         contact::finish((model, config), (&substep, index), state);
         look(watch, model, state, Phase::Contact);
     }
+    end((model, config), (input, dt), state);
+}
+
+/// What is done once, after the last substep.
+pub(crate) fn end(
+    (model, config): (&MeshModel, &SolverConfig),
+    (input, dt): (&StepInput<'_>, f32),
+    state: &mut MeshState,
+) {
     finish_pins(model, input.pin_targets, state);
+    self_contact::repair((model, config), (input, dt), state);
 }
 
 fn look(watch: &mut Option<Watch>, model: &MeshModel, state: &MeshState, phase: Phase) {
@@ -181,6 +195,7 @@ pub(crate) fn begin(
 ) -> Substep {
     start(model, config, input, (state, dt));
     contact::find((model, config), (input, dt), state);
+    self_contact::keep_starts(model, config, state);
     Substep::new(model, config, (input.air_velocity, dt))
 }
 
@@ -253,7 +268,7 @@ fn start(
 }
 
 /// Rounding has moved the pins a little off their targets.
-pub(crate) fn finish_pins(model: &MeshModel, targets: &[Vec3], state: &mut MeshState) {
+fn finish_pins(model: &MeshModel, targets: &[Vec3], state: &mut MeshState) {
     for (&pin, &target) in model.pin_indices().iter().zip(targets) {
         let slot = model.slots.of_particle[pin as usize] as usize;
         state.positions[slot / LANES].set(slot % LANES, target);

@@ -1,0 +1,342 @@
+//! Which vertices and triangles may touch in a step.
+
+use glam::Vec3;
+use lole_geom::triangle_grid::{blend, nearest_barycentric};
+
+use super::faces::{FaceParticle, Faces};
+use super::{Body, FaceContacts, Meeting, Pair, is_beyond};
+use crate::collision::grid::CellGrid;
+use crate::collision::parting::DEGENERATE_SQUARED;
+use crate::collision::surface::ABSENT;
+
+/// How far beyond touching candidates are kept [diameters]: folds move together, so what one gains
+/// on another in a step is far less than its speed.
+const MARGIN: f32 = 0.6;
+
+/// Farthest that one piece is believed to come towards another in a step [m], besides.
+const CLOSING_MAX: f32 = 0.03;
+
+/// Of the triangles on one side of a vertex, those are kept that are as near as the nearest, or
+/// farther by less than this share of the diameter: what lies behind is kept away by what lies
+/// before it, and a vertex slides by less within a step.
+const SLACK: f32 = 0.4;
+
+/// Share of their distance in the flat cloth that two particles may always keep: cloth that is
+/// pressed together within its plane does not touch itself.
+const FLAT_SHARE: f32 = 0.8;
+
+/// Where pins hold cloth nearer together than a diameter, contact keeps this share of their gap,
+/// and what lies this much farther apart for every meter of cloth from the pins.
+const PINNED_SHARE: f32 = 0.9;
+const PINNED_OPENING: f32 = 0.06;
+
+/// Room for one search.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(super) struct Room {
+    candidates: Vec<Candidate>,
+    /// Last triangle that every particle was found to be near on the cloth.
+    stamps: Vec<u32>,
+    /// Sums of the normals of the triangles around every particle [m²].
+    normals: Vec<Vec3>,
+    /// Squared distance of the nearest triangle on each side of every particle [m²].
+    nearest: Vec<[f32; 2]>,
+    /// By particle, its body or [`ABSENT`].
+    body_of: Vec<u32>,
+}
+
+/// A vertex near a triangle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Candidate {
+    vertex: u32,
+    triangle: u32,
+    /// From the triangle to the vertex [m].
+    gap: Vec3,
+    squared: f32,
+    diameter: f32,
+    /// How far they may come towards each other in the step [m].
+    closing: f32,
+}
+
+impl FaceContacts {
+    /// Forgets all candidates.
+    pub(crate) fn clear(&mut self) {
+        self.pairs.clear();
+    }
+
+    /// Finds the candidates of a step of `dt` [s], by piece as `meetings` say, with every particle at
+    /// `positions`. Where cloth has blown up there are none.
+    pub(crate) fn find(&mut self, faces: &Faces, meetings: &[Meeting], dt: f32) {
+        self.clear();
+        let radii = meetings.iter().filter_map(|meeting| meeting.radius);
+        let widest = 2.0 * radii.fold(0.0, f32::max);
+        if widest <= 0.0 || !self.positions.iter().all(|position| position.is_finite()) {
+            return;
+        }
+        let reach = widest * (1.0 + MARGIN);
+        self.cells
+            .sort(&self.positions, 1, reach.max(faces.edge_length));
+        let search = Search {
+            faces,
+            meetings,
+            positions: &self.positions,
+            motions: Motions::new(&self.velocities, dt),
+            is_tangled: &self.is_tangled,
+            cells: &self.cells,
+        };
+        search.collect(&mut self.room);
+        self.keep_nearest(faces, meetings);
+    }
+
+    /// Makes pairs of the nearest candidates.
+    fn keep_nearest(&mut self, faces: &Faces, meetings: &[Meeting]) {
+        let Room {
+            candidates,
+            normals,
+            nearest,
+            body_of,
+            ..
+        } = &mut self.room;
+        let side_of = |candidate: &Candidate| {
+            usize::from(0.0 <= candidate.gap.dot(normals[candidate.vertex as usize]))
+        };
+        nearest.clear();
+        nearest.resize(faces.particles.len(), [f32::INFINITY; 2]);
+        for candidate in candidates.iter() {
+            let least = &mut nearest[candidate.vertex as usize][side_of(candidate)];
+            *least = least.min(candidate.squared);
+        }
+        body_of.clear();
+        body_of.resize(faces.particles.len(), ABSENT);
+        self.bodies.clear();
+        for candidate in candidates.iter() {
+            let least = nearest[candidate.vertex as usize][side_of(candidate)];
+            let limit = least.sqrt() + SLACK * (candidate.diameter + candidate.closing);
+            if limit * limit < candidate.squared {
+                continue;
+            }
+            let [a, b, c] = faces.triangles[candidate.triangle as usize];
+            let members = [candidate.vertex, a, b, c];
+            for member in members {
+                let place = &mut body_of[member as usize];
+                if *place == ABSENT {
+                    *place = narrow(self.bodies.len());
+                    self.bodies.push(body(&faces.particles[member as usize]));
+                }
+            }
+            let pieces = [candidate.vertex, a].map(|p| faces.particles[p as usize].piece);
+            let [one, other] = pieces.map(|piece| meetings[piece as usize].friction);
+            self.pairs.push(Pair {
+                bodies: members.map(|member| body_of[member as usize]),
+                diameter: candidate.diameter,
+                friction: 0.5 * (one + other),
+                side: candidate.gap / candidate.squared.sqrt(),
+            });
+        }
+    }
+}
+
+/// What a search looks at.
+struct Search<'a> {
+    faces: &'a Faces,
+    meetings: &'a [Meeting],
+    positions: &'a [Vec3],
+    motions: Motions<'a>,
+    is_tangled: &'a [bool],
+    cells: &'a CellGrid,
+}
+
+impl Search<'_> {
+    fn collect(&self, room: &mut Room) {
+        room.candidates.clear();
+        room.normals.clear();
+        room.normals.resize(self.positions.len(), Vec3::ZERO);
+        room.stamps.clear();
+        room.stamps.resize(self.positions.len(), ABSENT);
+        for (triangle, corners) in (0_u32..).zip(&self.faces.triangles) {
+            let [a, b, c] = corners.map(|corner| self.positions[corner as usize]);
+            let normal = (b - a).cross(c - a);
+            for &corner in corners {
+                room.normals[corner as usize] += normal;
+            }
+            self.look_around(triangle, [a, b, c], room);
+        }
+    }
+
+    /// Adds the vertices near a triangle.
+    fn look_around(&self, triangle: u32, places: [Vec3; 3], room: &mut Room) {
+        let corners = self.faces.triangles[triangle as usize];
+        let piece = self.faces.particles[corners[0] as usize].piece as usize;
+        let Some(radius) = self.meetings[piece].radius else {
+            return;
+        };
+        for corner in corners {
+            room.stamps[corner as usize] = triangle;
+            for &neighbor in self.faces.ring(corner) {
+                room.stamps[neighbor as usize] = triangle;
+            }
+        }
+        let widest =
+            (self.meetings.iter().filter_map(|meeting| meeting.radius)).fold(0.0, f32::max);
+        let reach = (radius + widest) * (1.0 + MARGIN) + self.motions.most_closing(corners);
+        let [a, b, c] = places;
+        let bounds = [a.min(b).min(c) - reach, a.max(b).max(c) + reach];
+        self.cells.runs_within(bounds, |run| {
+            for entry in run {
+                if room.stamps[entry.particle as usize] == triangle
+                    || is_beyond(entry.position, places, reach)
+                {
+                    continue;
+                }
+                let candidate = self.candidate((entry.particle, triangle), places, radius);
+                room.candidates.extend(candidate);
+            }
+        });
+    }
+
+    /// A vertex and a triangle, unless they are too far apart or do not meet.
+    fn candidate(
+        &self,
+        (vertex, triangle): (u32, u32),
+        places: [Vec3; 3],
+        radius: f32,
+    ) -> Option<Candidate> {
+        let position = self.positions[vertex as usize];
+        let gap = position - blend(places, nearest_barycentric(position, places));
+        let squared = gap.length_squared();
+        let particle = &self.faces.particles[vertex as usize];
+        let wide = radius + self.meetings[particle.piece as usize].radius?;
+        let corners = self.faces.triangles[triangle as usize];
+        let is_same = particle.piece == self.faces.particles[corners[0] as usize].piece;
+        let closing = if is_same {
+            0.0
+        } else {
+            self.motions.closing(vertex, corners, gap)
+        };
+        let margin = wide * MARGIN + closing;
+        let reach = wide + margin;
+        if reach * reach < squared || squared < DEGENERATE_SQUARED {
+            return None;
+        }
+        if !self.may_meet(vertex, corners) {
+            return None;
+        }
+        let diameter = self.allowed(vertex, corners, wide);
+        let reach = diameter + margin;
+        (squared <= reach * reach && 0.0 < diameter).then_some(Candidate {
+            vertex,
+            triangle,
+            gap,
+            squared,
+            diameter,
+            closing,
+        })
+    }
+
+    fn may_meet(&self, vertex: u32, corners: [u32; 3]) -> bool {
+        let particle = |index: u32| &self.faces.particles[index as usize];
+        let piece = particle(vertex).piece;
+        if piece == particle(corners[0]).piece && !self.faces.meets_itself[piece as usize] {
+            return false;
+        }
+        let [a, b, c] = corners;
+        let members = [vertex, a, b, c];
+        let is_tangled = |member: u32| self.is_tangled[member as usize];
+        let is_free = |member: u32| 0.0 < particle(member).inv_mass;
+        (self.is_tangled.is_empty() || !members.into_iter().all(is_tangled))
+            && members.into_iter().any(is_free)
+    }
+
+    /// How far a vertex and a triangle are kept apart [m]: `wide`, or less where they lie nearer to
+    /// each other on the cloth, across a seam, or in the pins that they hang from.
+    fn allowed(&self, vertex: u32, corners: [u32; 3], wide: f32) -> f32 {
+        let particle = |index: u32| &self.faces.particles[index as usize];
+        let (one, others) = (particle(vertex), corners.map(particle));
+        let mut allowed = wide;
+        if one.piece == others[0].piece {
+            let flat = others.map(|other| other.flat.extend(0.0));
+            let point = one.flat.extend(0.0);
+            let rest = point.distance(blend(flat, nearest_barycentric(point, flat)));
+            allowed = allowed.min(FLAT_SHARE * rest);
+        }
+        for other in others {
+            allowed = allowed.min(FLAT_SHARE * (one.from_seam + other.from_seam));
+            if one.pin != ABSENT && other.pin != ABSENT {
+                let [pin, other_pin] = [one, other].map(|p| self.positions[p.pin as usize]);
+                let kept = PINNED_SHARE * pin.distance(other_pin)
+                    + PINNED_OPENING * (one.from_pin + other.from_pin);
+                allowed = allowed.min(kept);
+            }
+        }
+        allowed
+    }
+}
+
+/// What particles do in a step if they fly on.
+struct Motions<'a> {
+    /// [m/s]; empty where nothing closes in on anything.
+    velocities: &'a [Vec3],
+    mean: Vec3,
+    /// Largest difference from the mean [m/s].
+    spread: f32,
+    /// Duration of the step [s].
+    dt: f32,
+}
+
+impl<'a> Motions<'a> {
+    fn new(velocities: &'a [Vec3], dt: f32) -> Self {
+        #[expect(clippy::cast_precision_loss, reason = "a mean velocity")]
+        let count = velocities.len().max(1) as f32;
+        let mean = velocities.iter().sum::<Vec3>() / count;
+        let squares = velocities.iter().map(|v| v.distance_squared(mean));
+        Self {
+            velocities,
+            mean,
+            spread: squares.fold(0.0, f32::max).sqrt(),
+            dt,
+        }
+    }
+
+    /// Farthest that anything may come towards a triangle [m].
+    fn most_closing(&self, corners: [u32; 3]) -> f32 {
+        if self.velocities.is_empty() {
+            return 0.0;
+        }
+        let squares = corners.map(|p| self.velocities[p as usize].distance_squared(self.mean));
+        let own = squares.into_iter().fold(0.0, f32::max).sqrt();
+        ((own + self.spread) * self.dt).min(CLOSING_MAX)
+    }
+
+    /// How far a vertex comes towards a triangle that is `gap` away [m].
+    fn closing(&self, vertex: u32, corners: [u32; 3], gap: Vec3) -> f32 {
+        if self.velocities.is_empty() {
+            return 0.0;
+        }
+        let [a, b, c] = corners.map(|corner| self.velocities[corner as usize]);
+        let relative = self.velocities[vertex as usize] - (a + b + c) / 3.0;
+        if 0.0 <= relative.dot(gap) {
+            return 0.0;
+        }
+        (relative.length() * self.dt).min(CLOSING_MAX)
+    }
+}
+
+const fn body(particle: &FaceParticle) -> Body {
+    Body {
+        position: Vec3::ZERO,
+        inv_mass: particle.inv_mass,
+        before: Vec3::ZERO,
+        is_touched: false,
+        quiet: Vec3::ZERO,
+        has_before: false,
+        piece: particle.piece,
+        slot: particle.slot,
+    }
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "an assembly has fewer than 2^32 particles"
+)]
+const fn narrow(value: usize) -> u32 {
+    value as u32
+}

@@ -1,0 +1,129 @@
+//! Contact of a piece with itself: vertices and triangles in the substeps, and at the end of a step
+//! the repair of what came to cross all the same.
+
+use fearless_simd::{dispatch, prelude::*};
+use glam::Vec3;
+
+use crate::collision::face_contact::{Meeting, Moving};
+use crate::collision::placement::Placement as _;
+use crate::collision::repair::Fixed;
+use crate::lanes::{LANES, Points};
+use crate::mesh::model::MeshModel;
+use crate::mesh::particles::WIDTH;
+use crate::mesh::state::MeshState;
+use crate::mesh::step::Substep;
+use crate::{Crossings, SolverConfig, StepInput};
+
+/// How a piece meets cloth.
+pub(crate) fn meeting(model: &MeshModel, config: &SolverConfig) -> Meeting {
+    Meeting {
+        radius: config.self_collision.map(|contact| contact.radius),
+        friction: model.spec().fabric.friction,
+    }
+}
+
+/// Remembers where the piece is at the start of a step.
+pub(crate) fn keep_starts(model: &MeshModel, config: &SolverConfig, state: &mut MeshState) {
+    if config.self_collision.is_some() {
+        let starts = &mut state.scratch.face_contacts.positions;
+        model.slots.gather_points(&state.positions, starts);
+    }
+}
+
+/// Finds where the piece may touch itself in a step.
+pub(crate) fn find(model: &MeshModel, config: &SolverConfig, state: &mut MeshState, dt: f32) {
+    let scratch = &mut state.scratch;
+    let contacts = &mut scratch.face_contacts;
+    if config.self_collision.is_none() {
+        contacts.clear();
+        return;
+    }
+    contacts
+        .is_tangled
+        .clone_from(&scratch.crossing_repair.is_tangled);
+    contacts.find(&model.faces, &[meeting(model, config)], dt);
+}
+
+/// Moves apart what touches in a substep, where that is due.
+pub(crate) fn solve(
+    config: &SolverConfig,
+    (substep, index): (&Substep, u32),
+    state: &mut MeshState,
+) {
+    let Some(contact) = config.self_collision else {
+        return;
+    };
+    if index.is_multiple_of(contact.substep_interval.get()) {
+        let mut contacts = std::mem::take(&mut state.scratch.face_contacts);
+        contacts.solve(state, substep.h);
+        state.scratch.face_contacts = contacts;
+    }
+}
+
+/// Takes back what came to cross in this step.
+pub(crate) fn repair(
+    (model, config): (&MeshModel, &SolverConfig),
+    (input, dt): (&StepInput<'_>, f32),
+    state: &mut MeshState,
+) {
+    let is_wanted =
+        (config.self_collision).is_some_and(|contact| contact.crossings == Crossings::Repair);
+    if !is_wanted {
+        return;
+    }
+    let level = config.instruction_set.level();
+    dispatch!(level, simd => repair_with(simd, (model, config), (input, dt), state));
+}
+
+#[inline(always)]
+fn repair_with<S: Simd>(
+    simd: S,
+    (model, config): (&MeshModel, &SolverConfig),
+    (input, dt): (&StepInput<'_>, f32),
+    state: &mut MeshState,
+) {
+    let scratch = &mut state.scratch;
+    scratch.crossing_repair.repair(
+        simd,
+        Fixed {
+            surface: &model.surface,
+            layout: &model.slots,
+            inv_masses: &model.inv_masses,
+            capsules: input.capsules,
+            contact_offset: config.contact_offset,
+            skin: &scratch.surfel_contacts,
+            held: &scratch.held,
+            dt,
+        },
+        &scratch.face_contacts.positions,
+        &mut state.positions,
+        &mut state.velocities,
+    );
+}
+
+impl Moving for MeshState {
+    fn place(&self, _piece: usize, slot: usize) -> Vec3 {
+        Vec3::from_slice(&self.scratch.particles[slot * WIDTH..])
+    }
+
+    fn start(&self, _piece: usize, slot: usize, h: f32) -> Vec3 {
+        began(&self.scratch.predicted, &self.velocities, (slot, h))
+    }
+
+    fn put(&mut self, _piece: usize, slot: usize, position: Vec3, quiet: Vec3) {
+        position.write_to_slice(&mut self.scratch.particles[slot * WIDTH..]);
+        shift(&mut self.scratch.predicted, slot, quiet);
+    }
+}
+
+/// Where a slot began a substep of `h` [s] in which it flew to where it was predicted.
+pub(crate) fn began(predicted: &[Points], velocities: &[Points], (slot, h): (usize, f32)) -> Vec3 {
+    let (vector, lane) = (slot / LANES, slot % LANES);
+    predicted[vector].get(lane) - velocities[vector].get(lane) * h
+}
+
+/// Moves a slot [m].
+pub(crate) fn shift(points: &mut [Points], slot: usize, change: Vec3) {
+    let points = &mut points[slot / LANES];
+    points.set(slot % LANES, points.get(slot % LANES) + change);
+}
