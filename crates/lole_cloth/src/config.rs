@@ -52,10 +52,11 @@ impl Default for SolverConfig {
     }
 }
 
-/// Contact of the cloth with itself: a sphere around every particle.
+/// Contact of the cloth with itself, and of the pieces of an assembly with each other: a sphere
+/// around every particle of a grid, vertices and triangles elsewhere.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SelfCollision {
-    /// Radius of a particle's sphere [m]; two particles keep `min(2 radius, rest distance)`.
+    /// Half of the distance that is kept [m]; two particles keep `min(2 radius, rest distance)`.
     pub radius: f32,
     /// Substeps from one solution of the contacts to the next: 1 is safest, 2 halves the work.
     pub substep_interval: NonZeroU32,

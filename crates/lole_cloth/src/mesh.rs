@@ -13,6 +13,7 @@ pub(crate) mod model;
 mod order;
 pub(crate) mod outcome;
 pub(crate) mod particles;
+mod resistance;
 pub(crate) mod self_contact;
 pub(crate) mod spec;
 pub(crate) mod state;

@@ -9,7 +9,7 @@ pub(crate) mod fit;
 
 use fearless_simd::{f32x16, prelude::*};
 
-use crate::lanes::{LANES, Vectors};
+use crate::lanes::{LANES, Scalars, Vectors};
 use crate::mesh::order::Batch;
 use crate::mesh::particles::{Lanes, gather, scatter, window};
 use crate::mesh::strain::{self, Flat, Flats, Strain};
@@ -30,15 +30,19 @@ pub(crate) struct StarSpec {
 }
 
 /// Sixteen stars that share no particle, of at most `N` neighbors each.
+///
+/// Laid out in the order in which it is read: the processor fetches ahead what follows.
 #[derive(Debug, Clone, PartialEq)]
+#[repr(C)]
 pub(crate) struct StarBatch<const N: usize> {
     base: u32,
     middle: Lanes,
     neighbors: [Lanes; N],
     /// By neighbor and measure.
     weights: [[[f32; LANES]; 3]; N],
-    /// `μ` by measure [1/s²].
-    masses: [[f32; LANES]; 3],
+    /// By measure `μ` [1/s²]; once that is worked out for substeps of one length (`resist`),
+    /// `1 / (μ + 1 / h²)` [s²].
+    shares: [[f32; LANES]; 3],
     triangles: [Flats; 2],
 }
 
@@ -58,37 +62,44 @@ impl<const N: usize> StarBatch<N> {
             weights: std::array::from_fn(|neighbor| {
                 [0, 1, 2].map(|measure| weight(neighbor, measure))
             }),
-            masses: [0, 1, 2].map(|measure| batch.column(0.0, |star| stars[star].masses[measure])),
+            shares: [0, 1, 2].map(|measure| batch.column(0.0, |star| stars[star].masses[measure])),
             triangles: [0, 1].map(|index| Flats::new(batch, |star| stars[star].triangles[index])),
         }
     }
 }
 
-/// Solves every star once; `inv_square` is one over the substep squared [1/s²].
+impl<const N: usize> StarBatch<N> {
+    /// Works out, once, what resists; `inv_square` is one over the substep squared [1/s²].
+    pub(crate) fn resist(&mut self, inv_masses: &[Scalars], (inv_square, strain): (f32, Strain)) {
+        for share in self.shares.iter_mut().flatten() {
+            *share = 1.0 / (*share + inv_square);
+        }
+        let of = |lanes: &Lanes| lanes.inv_masses(self.base, inv_masses);
+        let middle = of(&self.middle);
+        let [first, second, third] = [0, 1, 2].map(|place| of(&self.neighbors[place]));
+        self.triangles[0].resist([middle, first, second], strain);
+        self.triangles[1].resist([middle, second, third], strain);
+    }
+}
+
+/// Solves every star once.
 #[inline(always)]
 pub(crate) fn solve<S: Simd, const N: usize>(
     simd: S,
     particles: &mut [f32],
     batches: &[StarBatch<N>],
-    (inv_square, strain): (f32, Strain),
 ) {
     for batch in batches {
-        solve_batch(simd, particles, batch, (inv_square, strain));
+        solve_batch(simd, particles, batch);
     }
 }
 
 #[inline(always)]
-fn solve_batch<S: Simd, const N: usize>(
-    simd: S,
-    particles: &mut [f32],
-    batch: &StarBatch<N>,
-    (inv_square, strain): (f32, Strain),
-) {
+fn solve_batch<S: Simd, const N: usize>(simd: S, particles: &mut [f32], batch: &StarBatch<N>) {
     let Some(particles) = window(particles, batch.base) else {
         return;
     };
     let zero = f32x16::splat(simd, 0.0);
-    let one = f32x16::splat(simd, 1.0);
     let mut middle = gather(simd, particles, &batch.middle);
     let mut neighbors = [middle; N];
     let none = Vectors {
@@ -106,9 +117,8 @@ fn solve_batch<S: Simd, const N: usize>(
             *measure = measure.add(offset.scale(f32x16::load_array_ref(simd, weight)));
         }
     }
-    for (measure, mass) in measures.iter_mut().zip(&batch.masses) {
-        let sum = f32x16::load_array_ref(simd, mass) + inv_square;
-        *measure = measure.scale(one / sum);
+    for (measure, share) in measures.iter_mut().zip(&batch.shares) {
+        *measure = measure.scale(f32x16::load_array_ref(simd, share));
     }
     let mut sum = none;
     for (neighbor, weights) in neighbors.iter_mut().zip(&batch.weights) {
@@ -121,11 +131,11 @@ fn solve_batch<S: Simd, const N: usize>(
     }
     middle.place = middle.place.add(sum.scale(middle.inv_mass));
     let mut corners = [middle, neighbors[0], neighbors[1]];
-    strain::project(simd, &mut corners, &batch.triangles[0], strain);
+    strain::project(simd, &mut corners, &batch.triangles[0]);
     let [middle, first, second] = corners;
     neighbors[0] = first;
     let mut corners = [middle, second, neighbors[2]];
-    strain::project(simd, &mut corners, &batch.triangles[1], strain);
+    strain::project(simd, &mut corners, &batch.triangles[1]);
     let [middle, second, third] = corners;
     neighbors[1] = second;
     neighbors[2] = third;

@@ -116,6 +116,9 @@ fn interleave(x: u32, y: u32) -> u32 {
 /// Batches that are filled at the same time: as many as a word has bits.
 const OPEN_COUNT: usize = 64;
 
+/// Parts of a piece whose batches take turns.
+const PARTS_IN_TURN: usize = 4;
+
 /// Sixteen constraints that share no particle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Batch {
@@ -206,7 +209,15 @@ pub(crate) fn into_batches(lists: &[&[u32]], slot_count: usize) -> Result<Vec<Ba
     }
     let rest = open.into_iter().filter(|open| 0 < open.count);
     batches.extend(rest.map(|open| open.batch));
-    Ok(batches)
+    Ok(in_turn(&batches))
+}
+
+/// Batches that follow each other are from different parts of the piece, so that one need not wait
+/// for what the last has written, and the processor works on several at a time.
+fn in_turn(batches: &[Batch]) -> Vec<Batch> {
+    let part = batches.len().div_ceil(PARTS_IN_TURN).max(1);
+    let turns = (0..part).flat_map(|first| batches[first..].iter().step_by(part));
+    turns.copied().collect()
 }
 
 /// Lowest and highest slot of a constraint.

@@ -7,7 +7,7 @@
 
 use fearless_simd::{f32x4, f32x16, prelude::*};
 
-use crate::lanes::{LANES, Vectors};
+use crate::lanes::{LANES, Scalars, Vectors};
 
 /// Numbers of one particle.
 pub(crate) const WIDTH: usize = 4;
@@ -33,6 +33,19 @@ pub(crate) const fn column_length(slot_count: usize) -> usize {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(32))]
 pub(crate) struct Lanes(pub(crate) [u16; LANES]);
+
+impl Lanes {
+    /// Inverse masses of the particles in a window that starts at slot `base` [1/kg]; 0 for what is
+    /// none.
+    pub(crate) fn inv_masses(&self, base: u32, inv_masses: &[Scalars]) -> [f32; LANES] {
+        self.0.map(|offset| {
+            let slot = base as usize + usize::from(offset) / WIDTH;
+            inv_masses
+                .get(slot / LANES)
+                .map_or(0.0, |vector| vector.0[slot % LANES])
+        })
+    }
+}
 
 /// Sixteen particles: places, and inverse masses.
 #[derive(Clone, Copy)]

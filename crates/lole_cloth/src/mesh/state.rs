@@ -11,6 +11,7 @@ use crate::collision::repair::CrossingRepair;
 use crate::collision::surfel::SurfelContacts;
 use crate::lanes::Points;
 use crate::mesh::model::MeshModel;
+use crate::mesh::resistance::Resisting;
 use crate::mesh::stride::Strides;
 
 /// Everything about one piece that changes from step to step.
@@ -43,6 +44,7 @@ pub(crate) struct MeshScratch {
     pub(crate) face_contacts: FaceContacts,
     pub(crate) crossing_repair: CrossingRepair,
     pub(crate) strides: Strides,
+    pub(crate) resisting: Resisting,
     /// Positions and velocities before the step.
     kept: [Vec<Points>; 2],
 }

@@ -8,10 +8,12 @@ use lole_geom::trig;
 use crate::collision::response::ContactLaw;
 use crate::lanes::{LANES, Vectors};
 use crate::mesh::bend;
+use crate::mesh::build::Stars;
 use crate::mesh::contact;
 use crate::mesh::model::MeshModel;
 use crate::mesh::outcome::{self, Cause, Outcome, Phase, all_finite, cause_in_input, first_lost};
 use crate::mesh::particles::{self, Gathered, WIDTH};
+use crate::mesh::resistance::Resisting;
 use crate::mesh::self_contact;
 use crate::mesh::state::{MeshScratch, MeshState};
 use crate::mesh::strain::{self, Strain};
@@ -196,7 +198,9 @@ pub(crate) fn begin(
     start(model, config, input, (state, dt));
     contact::find((model, config), (input, dt), state);
     self_contact::keep_starts(model, config, state);
-    Substep::new(model, config, (input.air_velocity, dt))
+    let substep = Substep::new(model, config, (input.air_velocity, dt));
+    (state.scratch.resisting).set(model, substep.h, substep.strain);
+    substep
 }
 
 /// The first part of a substep: everything but contact.
@@ -214,33 +218,44 @@ pub(crate) fn predict_and_project(
     } = &mut state.scratch;
     dispatch!(level, simd => stride::solve(simd, particles, strides));
     look(watch, model, state, Phase::Strides);
-    let particles = &mut state.scratch.particles;
-    dispatch!(level, simd => solve_stars(simd, model, substep, particles));
+    let MeshScratch {
+        particles,
+        resisting,
+        ..
+    } = &mut state.scratch;
+    dispatch!(level, simd => solve_stars(simd, particles, &resisting.stars));
     look(watch, model, state, Phase::Bending);
-    let particles = &mut state.scratch.particles;
-    dispatch!(level, simd => solve_triangles(simd, model, substep, particles));
+    let MeshScratch {
+        particles,
+        resisting,
+        ..
+    } = &mut state.scratch;
+    dispatch!(level, simd => solve_triangles(simd, particles, (resisting, substep.sweep_count)));
     look(watch, model, state, Phase::Strain);
 }
 
 /// Bending, and the first sweep over the triangles, most of which the stars solve.
 #[inline(always)]
-fn solve_stars<S: Simd>(simd: S, model: &MeshModel, substep: &Substep, particles: &mut [f32]) {
-    let numbers = (1.0 / (substep.h * substep.h), substep.strain);
-    bend::solve(simd, particles, &model.stars.few, numbers);
-    bend::solve(simd, particles, &model.stars.more, numbers);
-    bend::solve(simd, particles, &model.stars.many, numbers);
+fn solve_stars<S: Simd>(simd: S, particles: &mut [f32], stars: &Stars) {
+    bend::solve(simd, particles, &stars.few);
+    bend::solve(simd, particles, &stars.more);
+    bend::solve(simd, particles, &stars.many);
 }
 
 /// The triangles that no star solves, and all of them in sweeps after the first.
 #[inline(always)]
-fn solve_triangles<S: Simd>(simd: S, model: &MeshModel, substep: &Substep, particles: &mut [f32]) {
-    for sweep in 0..substep.sweep_count {
+fn solve_triangles<S: Simd>(
+    simd: S,
+    particles: &mut [f32],
+    (resisting, sweep_count): (&Resisting, u32),
+) {
+    for sweep in 0..sweep_count {
         let triangles = if sweep == 0 {
-            &model.other_triangles
+            &resisting.other_triangles
         } else {
-            &model.triangles
+            &resisting.triangles
         };
-        strain::solve(simd, particles, triangles, substep.strain);
+        strain::solve(simd, particles, triangles);
     }
 }
 
@@ -299,7 +314,8 @@ fn predict<S: Simd>(simd: S, model: &MeshModel, substep: &Substep, state: &mut M
         let inv_mass = f32x16::load_array_ref(simd, &inv_mass.0);
         let free = zero.simd_lt(inv_mass);
         let before = Vectors::load(simd, velocity);
-        let after = before.add(gravity).sub(air).scale(kept).add(air);
+        // Drag slows what moves and leaves the whole weight to what hangs still.
+        let after = before.sub(air).scale(kept).add(air).add(gravity);
         let after = Vectors {
             x: free.select(after.x, before.x),
             y: free.select(after.y, before.y),
@@ -311,8 +327,8 @@ fn predict<S: Simd>(simd: S, model: &MeshModel, substep: &Substep, state: &mut M
         if let Some(inv_scale) = substep.inv_tether_square {
             for tethers in &model.tethers {
                 let inv_square = f32x16::load_array_ref(simd, &tethers.inv_squares[vector].0);
-                let anchors = (&scratch.particles[..], &tethers.anchors[vector]);
-                place = tether::pulled(simd, place, inv_mass, anchors, inv_square * inv_scale);
+                let anchor = tethers.anchor(simd, &scratch.particles, vector);
+                place = tether::pulled(simd, place, inv_mass, anchor, inv_square * inv_scale);
             }
         }
         if let Some(sixteen) = scratch.particles[vector * LANES * WIDTH..].first_chunk_mut() {

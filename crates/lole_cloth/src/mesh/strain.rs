@@ -10,7 +10,7 @@ use fearless_simd::{f32x16, prelude::*};
 use glam::DVec2;
 
 use crate::constraint::pull::Pull;
-use crate::lanes::{LANES, Vectors};
+use crate::lanes::{LANES, Scalars, Vectors};
 use crate::mesh::order::Batch;
 use crate::mesh::particles::{Gathered, Lanes, gather, scatter, window};
 
@@ -50,11 +50,19 @@ const fn narrow(value: f64) -> f32 {
     value as f32
 }
 
-/// Sixteen triangles in the flat piece.
+/// Sixteen triangles in the flat piece, and how they resist.
+///
+/// What resists is worked out for substeps of one length (`resist`): divisions are dear.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(C)]
 pub(crate) struct Flats {
     inverse: [[f32; LANES]; 4],
-    per_area: [f32; LANES],
+    /// One over what resists stretch along warp and weft, mass and compliance together [kg·m²];
+    /// 0 before that is known.
+    inv_sums: [[f32; LANES]; 2],
+    /// Compliance of shear over the substep squared [1/(kg·m²)]; before that is known one over the
+    /// area [1/m²].
+    shear: [f32; LANES],
 }
 
 impl Flats {
@@ -62,13 +70,32 @@ impl Flats {
     pub(crate) fn new(batch: &Batch, flat: impl Fn(usize) -> Flat) -> Self {
         Self {
             inverse: [0, 1, 2, 3].map(|entry| batch.column(0.0, |t| flat(t).inverse[entry])),
-            per_area: batch.column(Flat::NONE.per_area, |t| flat(t).per_area),
+            inv_sums: [[0.0; LANES]; 2],
+            shear: batch.column(Flat::NONE.per_area, |t| flat(t).per_area),
+        }
+    }
+
+    /// Works out, once, what resists with corners of these inverse masses [1/kg].
+    pub(crate) fn resist(&mut self, inv_masses: [[f32; LANES]; 3], strain: Strain) {
+        for lane in 0..LANES {
+            let [u1, u2, v1, v2] = self.inverse.map(|entry| entry[lane]);
+            let [w0, w1, w2] = inv_masses.map(|inv_mass| inv_mass[lane]);
+            let sum = |second: f32, third: f32| {
+                let first = second + third;
+                (first * first * w0 + second * second * w1) + third * third * w2
+            };
+            let per_area = self.shear[lane];
+            let [along_warp, along_weft] = strain.stretch;
+            self.inv_sums[0][lane] = 1.0 / (sum(u1, u2) + per_area * along_warp);
+            self.inv_sums[1][lane] = 1.0 / (sum(v1, v2) + per_area * along_weft);
+            self.shear[lane] = per_area * strain.shear;
         }
     }
 }
 
 /// Sixteen triangles that share no particle.
 #[derive(Debug, Clone, PartialEq)]
+#[repr(C)]
 pub(crate) struct StrainBatch {
     base: u32,
     corners: [Lanes; 3],
@@ -85,6 +112,13 @@ impl StrainBatch {
             flats: Flats::new(batch, |triangle| flats[triangle]),
         }
     }
+
+    /// Works out, once, what resists.
+    pub(crate) fn resist(&mut self, inv_masses: &[Scalars], strain: Strain) {
+        let of = |lanes: &Lanes| lanes.inv_masses(self.base, inv_masses);
+        let [a, b, c] = &self.corners;
+        self.flats.resist([of(a), of(b), of(c)], strain);
+    }
 }
 
 /// Moduli over the substep squared.
@@ -98,12 +132,7 @@ pub(crate) struct Strain {
 
 /// Solves every triangle once.
 #[inline(always)]
-pub(crate) fn solve<S: Simd>(
-    simd: S,
-    particles: &mut [f32],
-    batches: &[StrainBatch],
-    strain: Strain,
-) {
+pub(crate) fn solve<S: Simd>(simd: S, particles: &mut [f32], batches: &[StrainBatch]) {
     for batch in batches {
         let Some(particles) = window(particles, batch.base) else {
             continue;
@@ -114,7 +143,7 @@ pub(crate) fn solve<S: Simd>(
             gather(simd, particles, lanes_1),
             gather(simd, particles, lanes_2),
         ];
-        project(simd, &mut corners, &batch.flats, strain);
+        project(simd, &mut corners, &batch.flats);
         scatter(corners[0], particles, lanes_0);
         scatter(corners[1], particles, lanes_1);
         scatter(corners[2], particles, lanes_2);
@@ -123,12 +152,7 @@ pub(crate) fn solve<S: Simd>(
 
 /// Solves sixteen triangles with these corners.
 #[inline(always)]
-pub(crate) fn project<S: Simd>(
-    simd: S,
-    corners: &mut [Gathered<S>; 3],
-    flats: &Flats,
-    strain: Strain,
-) {
+pub(crate) fn project<S: Simd>(simd: S, corners: &mut [Gathered<S>; 3], flats: &Flats) {
     let pull = Pull::new(1.0);
     let one = f32x16::splat(simd, 1.0);
     // Gradients of f_u and f_v by the second and third corner; the first has minus their sums.
@@ -136,7 +160,9 @@ pub(crate) fn project<S: Simd>(
     let u2 = f32x16::load_array_ref(simd, &flats.inverse[1]);
     let v1 = f32x16::load_array_ref(simd, &flats.inverse[2]);
     let v2 = f32x16::load_array_ref(simd, &flats.inverse[3]);
-    let per_area = f32x16::load_array_ref(simd, &flats.per_area);
+    let inv_sum_u = f32x16::load_array_ref(simd, &flats.inv_sums[0]);
+    let inv_sum_v = f32x16::load_array_ref(simd, &flats.inv_sums[1]);
+    let shear = f32x16::load_array_ref(simd, &flats.shear);
     let (u0, v0) = (u1 + u2, v1 + v2);
     let [w0, w1, w2] = [
         corners[0].inv_mass,
@@ -148,9 +174,6 @@ pub(crate) fn project<S: Simd>(
     let s_uu = (u0 * u0w + u1 * u1w) + u2 * u2w;
     let s_uv = (v0 * u0w + v1 * u1w) + v2 * u2w;
     let s_vv = (v0 * v0w + v1 * v1w) + v2 * v2w;
-    let sum_u = s_uu + per_area * strain.stretch[0];
-    let sum_v = s_vv + per_area * strain.stretch[1];
-    let inverse = one / (sum_u * sum_v);
 
     let e1 = corners[1].place.sub(corners[0].place);
     let e2 = corners[2].place.sub(corners[0].place);
@@ -160,15 +183,15 @@ pub(crate) fn project<S: Simd>(
 
     // Stretch both ways at once: one hardly changes the other, for the yarns are nearly square to
     // each other. What is left of the columns is a f_u - b f_v and d f_v - e f_u.
-    let g_u = pull.factor(simd, q_u) * (sum_v * inverse);
-    let g_v = pull.factor(simd, q_v) * (sum_u * inverse);
+    let g_u = pull.factor(simd, q_u) * inv_sum_u;
+    let g_v = pull.factor(simd, q_v) * inv_sum_v;
     let (a, b) = (one - s_uu * g_u, s_uv * g_v);
     let (d, e) = (one - s_vv * g_v, s_uv * g_u);
     // Their products; of the squares what the other column adds is of second order.
     let angle_left = d * (a * angle - b * q_v) - e * (a * q_u - b * angle);
     let uv = s_uv * angle_left;
     let sum = (s_uu * (d * d * q_v) + s_vv * (a * a * q_u)) + (uv + uv);
-    let g = angle_left / (sum + per_area * strain.shear);
+    let g = angle_left / (sum + shear);
     let lambda_u = f_u.scale(g_u - g * e).add(f_v.scale(g * d));
     let lambda_v = f_v.scale(g_v - g * b).add(f_u.scale(g * a));
 

@@ -35,6 +35,7 @@ pub(crate) struct Strides {
 
 /// Sixteen pairs that share no particle.
 #[derive(Debug, Clone, PartialEq)]
+#[repr(C)]
 struct StrideBatch {
     base: u32,
     ends: [Lanes; 2],

@@ -7,11 +7,11 @@ use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use fearless_simd::{f32x16, prelude::*};
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 
 use crate::constraint::pull::Pull;
 use crate::lanes::{LANES, Scalars, Vectors};
-use crate::mesh::particles::{BASE_STEP, gather_far};
+use crate::mesh::particles::{BASE_STEP, WIDTH, gather_far};
 use crate::mesh::topology::Topology;
 
 /// Pins that every particle is tethered to; each costs one pass. Where there are more, every
@@ -25,10 +25,18 @@ const FILLER: u32 = BASE_STEP as u32 - 1;
 /// One tether for every particle.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Tethers {
-    /// By vector of sixteen particles, the slots they hang from.
-    pub(crate) anchors: Vec<[u32; LANES]>,
+    anchors: Anchors,
     /// Inverse squares of the lengths [1/m²]; 0 for what hangs from nothing.
     pub(crate) inv_squares: Vec<Scalars>,
+}
+
+/// What particles hang from, as slots.
+#[derive(Debug, Clone, PartialEq)]
+enum Anchors {
+    /// All from the same.
+    One(u32),
+    /// By vector of sixteen particles, each from its own.
+    Each(Vec<[u32; LANES]>),
 }
 
 /// The tethers of a piece, in terms of particles: for each pass, by particle, its pin and the
@@ -205,14 +213,13 @@ pub(crate) fn pulled<S: Simd>(
     simd: S,
     place: Vectors<S>,
     inv_mass: f32x16<S>,
-    (particles, anchors): (&[f32], &[u32; LANES]),
+    anchor: Vectors<S>,
     inv_square: f32x16<S>,
 ) -> Vectors<S> {
     let zero = f32x16::splat(simd, 0.0);
     let one = f32x16::splat(simd, 1.0);
     let pull = Pull::new(1.0);
-    let anchor = gather_far(simd, particles, anchors);
-    let offset = place.sub(anchor.place);
+    let offset = place.sub(anchor);
     let squared = offset.dot(offset) * inv_square;
     let taut = one.simd_lt(squared) & zero.simd_lt(inv_mass);
     let factor = taut.select(pull.taut_factor(simd, squared), zero);
@@ -222,18 +229,37 @@ pub(crate) fn pulled<S: Simd>(
 impl Tethers {
     /// Brings one pass into slots: `slots` by particle.
     pub(crate) fn new(pass: &[(u32, f32)], slots: &[u32], vector_count: usize) -> Self {
-        let mut tethers = Self {
-            anchors: vec![[FILLER; LANES]; vector_count],
-            inv_squares: vec![Scalars::default(); vector_count],
-        };
+        let mut anchors = vec![[FILLER; LANES]; vector_count];
+        let mut inv_squares = vec![Scalars::default(); vector_count];
         for (&(pin, length), &slot) in pass.iter().zip(slots) {
             let (vector, lane) = (slot as usize / LANES, slot as usize % LANES);
-            tethers.anchors[vector][lane] = slots[pin as usize];
+            anchors[vector][lane] = slots[pin as usize];
             if 0.0 < length && length.is_finite() {
-                tethers.inv_squares[vector].0[lane] = 1.0 / (length * length);
+                inv_squares[vector].0[lane] = 1.0 / (length * length);
             }
         }
-        tethers
+        let anchors = match pass.split_first() {
+            Some((&(pin, _), others)) if others.iter().all(|&(other, _)| other == pin) => {
+                Anchors::One(slots[pin as usize])
+            }
+            _ => Anchors::Each(anchors),
+        };
+        Self {
+            anchors,
+            inv_squares,
+        }
+    }
+
+    /// Where the particles of a vector hang.
+    #[inline(always)]
+    pub(crate) fn anchor<S: Simd>(&self, simd: S, particles: &[f32], vector: usize) -> Vectors<S> {
+        match &self.anchors {
+            Anchors::One(slot) => {
+                let place = Vec3::from_slice(&particles[*slot as usize * WIDTH..]);
+                Vectors::splat(simd, place)
+            }
+            Anchors::Each(anchors) => gather_far(simd, particles, &anchors[vector]).place,
+        }
     }
 }
 
