@@ -37,9 +37,15 @@ fn floor() -> Capsule {
 
 /// A limp square of particles thrown about that will fall on its lower edge and crumple.
 fn falling(crossings: Crossings) -> World {
-    let (flat, triangles) = rectangle(32, 32, 0.01, 0.4);
+    falling_from(32, crossings)
+}
+
+/// The same with so many rows.
+fn falling_from(row_count: u32, crossings: Crossings) -> World {
+    let (flat, triangles) = rectangle(32, row_count, 0.01, 0.4);
+    let height = flat[flat.len() - 1].y + 0.02;
     let positions: Vec<_> = (flat.iter())
-        .map(|p| Vec3::new(p.x, 0.33 - p.y, 0.02 * p.x + 0.05 * p.y * p.y))
+        .map(|p| Vec3::new(p.x, height - p.y, 0.02 * p.x + 0.05 * p.y * p.y))
         .collect();
     let fabric = Fabric {
         bend: [5.0e-6; 2],
@@ -79,6 +85,22 @@ fn contact_alone_leaves_few_crossings() {
     let (with, without) = (worst(falling(Crossings::Leave)), worst(without));
     assert!(1000 < without, "{without}");
     assert!(with * 20 < without, "{with} of {without}");
+}
+
+/// A tall sheet tangles where crossings are left. Contact that took sides there would draw it
+/// together.
+#[test]
+fn a_tangled_heap_keeps_its_width() {
+    let mut world = falling_from(64, Crossings::Leave);
+    for _ in 0..100 {
+        world.step(&[floor()]);
+    }
+    let xs: Vec<f32> = world.positions().iter().map(|p| p.x).collect();
+    let [low, high] = [
+        xs.iter().copied().fold(f32::MAX, f32::min),
+        xs.iter().copied().fold(f32::MIN, f32::max),
+    ];
+    assert!(0.28 < high - low, "{low} to {high} m");
 }
 
 /// A strip folded into two leaves 2 cm apart, whose upper leaf is pushed through the lower one

@@ -5,6 +5,7 @@ use lole_geom::triangle_grid::{blend, nearest_barycentric};
 
 use super::faces::{FaceParticle, Faces};
 use super::{Body, FaceContacts, Meeting, Pair, is_beyond};
+use crate::collision::crossing::crossing_point;
 use crate::collision::grid::CellGrid;
 use crate::collision::parting::DEGENERATE_SQUARED;
 use crate::collision::surface::ABSENT;
@@ -40,6 +41,8 @@ pub(super) struct Room {
     normals: Vec<Vec3>,
     /// Squared distance of the nearest triangle on each side of every particle [m²].
     nearest: Vec<[f32; 2]>,
+    /// Particles where cloth has gone through cloth.
+    is_tangled: Vec<bool>,
     /// By particle, its body or [`ABSENT`].
     body_of: Vec<u32>,
 }
@@ -84,6 +87,7 @@ impl FaceContacts {
             cells: &self.cells,
         };
         search.collect(&mut self.room);
+        search.leave_tangles(&mut self.room);
         self.keep_nearest(faces, meetings);
     }
 
@@ -160,6 +164,53 @@ impl Search<'_> {
             }
             self.look_around(triangle, [a, b, c], room);
         }
+    }
+
+    /// Drops candidates around edges that go through triangles: there nobody knows on which side he
+    /// belongs, and contact would draw the cloth together and tangle it more.
+    fn leave_tangles(&self, room: &mut Room) {
+        let Room {
+            candidates,
+            is_tangled,
+            ..
+        } = room;
+        is_tangled.clear();
+        for candidate in candidates.iter() {
+            let corners = self.faces.triangles[candidate.triangle as usize];
+            let Some(far) = self.edge_through(candidate.vertex, corners) else {
+                continue;
+            };
+            is_tangled.resize(self.positions.len(), false);
+            let [a, b, c] = corners;
+            for member in [candidate.vertex, far, a, b, c] {
+                is_tangled[member as usize] = true;
+                for &neighbor in self.faces.ring(member) {
+                    is_tangled[neighbor as usize] = true;
+                }
+            }
+        }
+        if !is_tangled.is_empty() {
+            candidates.retain(|candidate| {
+                let [a, b, c] = self.faces.triangles[candidate.triangle as usize];
+                let mut members = [candidate.vertex, a, b, c].into_iter();
+                members.any(|member| !is_tangled[member as usize])
+            });
+        }
+    }
+
+    /// The far end of an edge of a vertex that goes through a triangle, if there is one.
+    fn edge_through(&self, vertex: u32, corners: [u32; 3]) -> Option<u32> {
+        let [a, b, c] = corners.map(|corner| self.positions[corner as usize]);
+        let normal = (b - a).cross(c - a);
+        let start = self.positions[vertex as usize];
+        let height = normal.dot(start - a);
+        let ring = self.faces.ring(vertex).iter().copied();
+        ring.into_iter().find(|far| {
+            let end = self.positions[*far as usize];
+            normal.dot(end - a) * height <= 0.0
+                && !corners.contains(far)
+                && crossing_point([start, end], [a, b, c]).is_some()
+        })
     }
 
     /// Adds the vertices near a triangle.
