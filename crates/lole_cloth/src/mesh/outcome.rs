@@ -161,12 +161,16 @@ pub(crate) fn first_lost(model: &MeshModel, at: impl Fn(usize) -> Vec3) -> Optio
 
 /// Whether all of these are finite numbers.
 pub(crate) fn all_finite(points: &[Points]) -> bool {
-    let lanes = points
-        .iter()
-        .flat_map(|points| [&points.x, &points.y, &points.z]);
-    // A number that is none, or infinite, times zero is none.
-    let sum: f32 = lanes.flatten().map(|value| value * 0.0).sum();
-    sum == 0.0
+    // A number that is none, or infinite, times zero is none. Every lane has a sum of its own, so
+    // that none waits for another.
+    let mut sums = [0.0_f32; LANES];
+    for points in points {
+        for (lane, sum) in sums.iter_mut().enumerate() {
+            let [x, y, z] = [points.x[lane], points.y[lane], points.z[lane]];
+            *sum += (x * 0.0 + y * 0.0) + z * 0.0;
+        }
+    }
+    sums.into_iter().all(|sum| sum == 0.0)
 }
 
 /// What a slot holds.
