@@ -16,7 +16,7 @@ use glam::{Vec2, Vec3};
 use lole_cloth::mesh::{self, MeshModel, MeshSpec, MeshState};
 use lole_cloth::scenes::FRAME_DT;
 use lole_cloth::{
-    ClothModel, ClothSpec, ClothState, Crossings, Fabric, Grid, MassLaw, SelfCollision,
+    ClothModel, ClothSpec, ClothState, Crossings, Fabric, Grid, Hysteresis, MassLaw, SelfCollision,
     SolverConfig, StepInput, Topology, diagnose, step,
 };
 use lole_geom::Capsule;
@@ -33,6 +33,8 @@ const FABRIC: Fabric = Fabric {
     bend: [5.0e-6, 5.0e-6],
     twist: 5.0e-6,
     friction: 0.3,
+    cloth_friction: 0.3,
+    hysteresis: Hysteresis::NONE,
     drag_rate: 0.0,
 };
 

@@ -99,7 +99,7 @@ fn meeting_of(piece: &Piece) -> Meeting {
     match piece {
         Piece::Grid(model, config) => Meeting {
             radius: config.self_collision.map(|contact| contact.radius),
-            friction: model.spec().fabric.friction,
+            friction: model.spec().fabric.cloth_friction,
         },
         Piece::Mesh(model, config) => meeting(model, config),
     }

@@ -121,6 +121,28 @@ impl CellGrid {
         }
     }
 
+    /// Calls `visit` with every run of entries in the cells that a box touches.
+    #[inline(always)]
+    pub(crate) fn runs_within(&self, [low, high]: [Vec3; 2], mut visit: impl FnMut(&[Entry])) {
+        let [width, height, depth] = self.dimensions;
+        let cell_of = |position: Vec3| {
+            let last = Vec3::new(width as f32, height as f32, depth as f32) - Vec3::splat(3.0);
+            let cell = ((position - self.origin) * self.inv_size)
+                .max(Vec3::ZERO)
+                .min(last);
+            [cell.x, cell.y, cell.z].map(truncate)
+        };
+        let (first, last) = (cell_of(low), cell_of(high));
+        for z in first[2]..=last[2] {
+            for y in first[1]..=last[1] {
+                let row = ((z + 1) * height + y + 1) * width + 1;
+                let start = self.starts[(row + first[0]) as usize] as usize;
+                let end = self.starts[(row + last[0]) as usize + 1] as usize;
+                visit(&self.entries[start..end]);
+            }
+        }
+    }
+
     /// First entry of every layer of cells; a neighbor lies in the same layer or the next.
     pub(crate) fn layer_starts(&self) -> impl Iterator<Item = usize> {
         let [width, height, _] = self.dimensions;

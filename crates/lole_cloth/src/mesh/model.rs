@@ -82,7 +82,7 @@ impl MeshModel {
                 .collect(),
             nearest_pins: nearest_pins(&tethers),
             faces: Faces::default(),
-            surface: Surface::new(spec.pinned.len(), &topology.triangles),
+            surface: Surface::new(spec.pinned.len(), &side_by_side(&topology, &slots)),
             spec: spec.clone(),
             topology,
             pin_indices,
@@ -259,4 +259,12 @@ fn check_numbers(spec: &MeshSpec) -> Result<(), MeshError> {
         }
     }
     Ok(())
+}
+
+/// The triangles in the order in which their corners stand in memory, which is by patches.
+fn side_by_side(topology: &Topology, slots: &Slots) -> Vec<[u32; 3]> {
+    let mut triangles = topology.triangles.clone();
+    let slot = |corner: u32| slots.of_particle[corner as usize];
+    triangles.sort_by_key(|triangle| triangle.map(slot).into_iter().min());
+    triangles
 }

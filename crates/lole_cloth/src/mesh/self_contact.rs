@@ -1,7 +1,6 @@
 //! Contact of a piece with itself: vertices and triangles in the substeps, and at the end of a step
 //! the repair of what came to cross all the same.
 
-use fearless_simd::{dispatch, prelude::*};
 use glam::Vec3;
 
 use crate::collision::face_contact::{Meeting, Moving};
@@ -18,7 +17,7 @@ use crate::{Crossings, SolverConfig, StepInput};
 pub(crate) fn meeting(model: &MeshModel, config: &SolverConfig) -> Meeting {
     Meeting {
         radius: config.self_collision.map(|contact| contact.radius),
-        friction: model.spec().fabric.friction,
+        friction: model.spec().fabric.cloth_friction,
     }
 }
 
@@ -71,21 +70,10 @@ pub(crate) fn repair(
     if !is_wanted {
         return;
     }
-    let level = config.instruction_set.level();
-    dispatch!(level, simd => repair_with(simd, (model, config), (input, dt), state));
-}
-
-#[inline(always)]
-fn repair_with<S: Simd>(
-    simd: S,
-    (model, config): (&MeshModel, &SolverConfig),
-    (input, dt): (&StepInput<'_>, f32),
-    state: &mut MeshState,
-) {
     let scratch = &mut state.scratch;
     scratch.crossing_repair.repair(
-        simd,
         Fixed {
+            level: config.instruction_set.level(),
             surface: &model.surface,
             layout: &model.slots,
             inv_masses: &model.inv_masses,
