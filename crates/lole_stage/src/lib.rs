@@ -8,15 +8,15 @@ mod extremes;
 pub mod live;
 pub mod metrics;
 pub mod performance;
+pub mod production;
 pub mod skin_check;
 mod solver;
 pub mod validate;
 
 pub use live::{Pull, Show, Vitals, Wish};
 pub use metrics::{FrameMetrics, RunMetrics};
-pub use performance::{
-    Divergence, Energy, FRAME_SECONDS, FRAMES_PER_SECOND, Performance, Production,
-};
+pub use performance::{Divergence, Energy, FRAME_SECONDS, FRAMES_PER_SECOND, Performance};
+pub use production::{Garment, Production};
 
 use lole_language::Bilingual;
 

@@ -48,15 +48,12 @@ pub(super) fn measure(scene: &StageScene, set: InstructionSet) -> Result<BenchRo
         wall.push(1e3 * timing.wall_seconds);
         performance.pose_body();
         metrics.push(performance.measure());
-        let spec = &performance.production().skirt.spec;
-        let count = diagnose::self_crossings(&spec.grid, performance.cloth_positions());
-        crossings = count.map_or(usize::MAX, |count| count.max(crossings));
+        crossings = crossings.max(self_crossings(&performance));
         if !went_on {
             break;
         }
     }
-    let spec = &performance.production().skirt.spec;
-    let particles = spec.grid.particle_count();
+    let particles = performance.production().particle_count();
     let substeps = performance.substep_count();
     let frame_ms = median_and_p99(&process);
     let worst = RunMetrics::of(&metrics);
@@ -84,4 +81,14 @@ pub(super) fn measure(scene: &StageScene, set: InstructionSet) -> Result<BenchRo
         bytes_per_particle: bytes / count,
         state_hash: format!("{:016x}", performance.state_hash()),
     })
+}
+
+/// Edges of a garment that cross a triangle of the same one, of all garments.
+fn self_crossings(performance: &Performance) -> usize {
+    let crossings = performance.production().garments.iter().map(|garment| {
+        let grid = &garment.sewn.spec.grid;
+        diagnose::self_crossings(grid, performance.garment_positions(garment))
+    });
+    let sum = crossings.sum::<Option<usize>>();
+    sum.unwrap_or(usize::MAX)
 }

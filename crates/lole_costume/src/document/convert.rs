@@ -102,6 +102,18 @@ impl Design {
         })
     }
 
+    /// The fabrics of everything that is worn, from the skin outward.
+    #[must_use]
+    pub fn worn_fabrics(&self) -> Vec<Fabric> {
+        vec![self.fabric.fabric()]
+    }
+
+    /// What is printed on everything that is worn, from the skin outward.
+    #[must_use]
+    pub fn worn_prints(&self) -> Vec<&PrintChoice> {
+        vec![&self.print]
+    }
+
     /// What is danced, for [`lole_body::Dance`].
     #[must_use]
     pub fn motion_settings(&self) -> MotionSettings {
