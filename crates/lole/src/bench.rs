@@ -42,6 +42,9 @@ pub(crate) struct BenchRow {
     /// Edges of the cloth that cross one of its triangles, most of any frame from
     /// [`CROSSINGS_FROM`] on; left out where the cloth may pass through itself.
     pub(crate) self_crossings: Option<usize>,
+    /// Particles on the wrong side of the garment next to them, most of any frame; left out where
+    /// one garment is worn.
+    pub(crate) layer_inversions: Option<usize>,
     /// Root mean square of the particles' speeds at the end [m/s].
     pub(crate) rms_speed_m_per_s: f64,
     /// Memory of the prepared cloth and its state.

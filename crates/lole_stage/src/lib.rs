@@ -35,6 +35,14 @@ pub enum StageError {
     /// The skirt cannot be sewn.
     #[error(transparent)]
     Sew(#[from] lole_costume::sew::SewError),
+    /// A garment that is worn with the skirt cannot be made.
+    #[error("garment {place} of the list: {error}")]
+    Garment {
+        /// Its place in the list, counted from 1.
+        place: usize,
+        /// Why.
+        error: Box<Self>,
+    },
     /// The cloth cannot be built.
     #[error(transparent)]
     Build(#[from] lole_cloth::BuildError),
@@ -47,6 +55,9 @@ impl Bilingual for StageError {
             Self::Motion(error) => error.japanese(),
             Self::Draft(error) => error.japanese(),
             Self::Sew(error) => error.japanese(),
+            Self::Garment { place, error } => {
+                format!("{place} 枚目の服: {}", error.japanese())
+            }
             Self::Build(error) => format!("布を組み立てられません（{error}）"),
         }
     }

@@ -11,7 +11,7 @@ use glam::{Affine3A, Vec3};
 use lole_body::motion::Dance;
 use lole_body::{Bone, Pose};
 use lole_cloth::{ClothSpec, Crossings, diagnose, model::particle_masses};
-use lole_costume::document::Design;
+use lole_costume::document::{Design, FabricDesign, GarmentDesign, PrintChoice};
 use lole_geom::Capsule;
 
 use crate::performance::{FRAME_SECONDS, FRAMES_PER_SECOND};
@@ -182,7 +182,7 @@ impl Show {
         let dance = (self.design.motion != design.motion)
             .then(|| self.next_layer(design))
             .transpose()?;
-        let cloth_changes = self.design.fabric != design.fabric
+        let cloth_changes = self.design.worn_fabrics() != design.worn_fabrics()
             || self.design.method != design.method
             || self.design.wind != design.wind;
         if cloth_changes {
@@ -483,7 +483,28 @@ impl Show {
 
 /// Whether the skirt must be sewn anew on the way from one design to the other.
 fn needs_sewing(old: &Design, new: &Design) -> bool {
-    old.dancer != new.dancer || old.skirt != new.skirt || old.print.repeat_cm != new.print.repeat_cm
+    let cut = |design: &Design| {
+        // What is only drawn or woven otherwise needs no needle.
+        let mut garments = design.garments.clone();
+        for garment in &mut garments {
+            let (fabric, print) = match garment {
+                GarmentDesign::PauSkirt(worn) => (&mut worn.fabric, &mut worn.print),
+                GarmentDesign::PauTop(worn) => (&mut worn.fabric, &mut worn.print),
+            };
+            *fabric = FabricDesign::default();
+            *print = PrintChoice {
+                repeat_cm: print.repeat_cm,
+                ..PrintChoice::default()
+            };
+        }
+        (
+            design.dancer.clone(),
+            design.skirt.clone(),
+            design.print.repeat_cm,
+            garments,
+        )
+    };
+    cut(old) != cut(new)
 }
 
 /// A motion but for its tempo and length.

@@ -1,11 +1,13 @@
 //! A performance: one dancer, what she wears, one dance, moved on frame by frame.
 
+mod order;
 mod worn;
 
 use std::sync::Arc;
 
 use glam::{Affine3A, Vec3};
 use lole_body::{BodyCapsule, Pose};
+use lole_cloth::collision::layer::LayerOrder;
 use lole_cloth::method::explicit::ExplicitConfig;
 use lole_cloth::method::reference::ReferenceModel;
 use lole_cloth::{Crossings, InstructionSet, diagnose};
@@ -76,6 +78,8 @@ pub struct Performance {
     production: Arc<Production>,
     /// In the order of the production's garments.
     worn: Vec<Worn>,
+    /// Between every garment and the next one outward.
+    orders: Vec<LayerOrder>,
     pose: Pose,
     world_from_bind: Vec<Affine3A>,
     /// What the cloth meets as a body: the dancer's capsules, unless others were given.
@@ -113,6 +117,7 @@ impl Performance {
             meets_skin: production.design.contact_body() == BodyShapes::Skin,
             crossings: Crossings::Repair,
             production,
+            orders: vec![LayerOrder::default(); worn.len().saturating_sub(1)],
             worn,
             pose: Pose::default(),
             world_from_bind,
@@ -206,7 +211,10 @@ impl Performance {
         };
         match &mut self.worn[..] {
             [only] => only.step(&surroundings),
-            several => (several.par_iter_mut()).for_each(|worn| worn.step(&surroundings)),
+            several => {
+                (several.par_iter_mut()).for_each(|worn| worn.step(&surroundings));
+                order::keep(several, &self.production.garments, &mut self.orders);
+            }
         }
         self.look();
         self.settle();
@@ -372,6 +380,13 @@ impl Performance {
             metrics.capsule_penetration = metrics.capsule_penetration.max(depth);
         }
         metrics
+    }
+
+    /// Particles of a garment on the inward side of the next one inward, of all garments: 0 where
+    /// their order is kept.
+    #[must_use]
+    pub fn layer_inversions(&self) -> usize {
+        order::inversions(&self.production.garments, &self.cloth_positions)
     }
 
     /// Mean height of the skirt's hem above the floor [m].

@@ -2,13 +2,18 @@
 
 use std::ops::Range;
 
+use glam::Affine3A;
 use lole_body::motion::Dance;
-use lole_body::{CapsuleLayout, Dancer, Measurements, Pose, SkinSurfels};
+use lole_body::{Bone, CapsuleLayout, Dancer, Measurements, Pose, SkinSurfels};
 use lole_cloth::Fabric;
-use lole_costume::document::Design;
-use lole_costume::sew::{self, SewSettings, SewnSkirt, SkirtMesh};
+use lole_cloth::collision::layer::LayerShape;
+use lole_costume::document::{
+    Design, FabricDesign, GarmentDesign, GarmentLayer, PrintChoice, SkirtDesign, WornTop,
+};
+use lole_costume::sew::{self, Clothed, Cut, SewSettings, SewnSkirt, SkirtMesh, WornPlace};
 use lole_geom::Length;
 use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements, draft_pau_skirt};
+use lole_pattern::design::pau_top::{TopMeasurements, draft_pau_top};
 
 use crate::StageError;
 
@@ -51,6 +56,9 @@ pub struct Garment {
     pub sewn: SewnSkirt,
     /// The garment as it is drawn.
     pub mesh: SkirtMesh,
+    /// Its triangles below the lowest elastic, as a layer among others: above, what is sewn outside
+    /// stays outside by the elastics that hold it.
+    pub shape: LayerShape,
     /// The skin below every pin; `None` where one is too far from the body.
     pub pin_surfels: Option<SkinSurfels>,
     /// Its particles among those of all garments.
@@ -71,15 +79,29 @@ impl Production {
         }
         let dance = Dance::new(&dancer.skeleton, &design.motion_settings())?;
         let body_triangles = dancer.skin.body_triangles();
-        let skirt = Garment::skirt(design, &dancer, &dance, &body_triangles)?;
+        let mut wardrobe = Wardrobe {
+            dancer: &dancer,
+            stance: dancer.skeleton.world_from_bind(&dance.pose_at(0.0)),
+            bind: dancer.skeleton.world_from_bind(&Pose::default()),
+            body_triangles: &body_triangles,
+            skirt_top: skirt_top(design, &dancer),
+            clothed: Clothed::new(dancer.skeleton.joint(Bone::Hips)),
+            garments: Vec::new(),
+        };
+        wardrobe.put_on_layer(design, GarmentLayer::Under)?;
+        let skirt = wardrobe.garments.len();
+        let (cut, fabric, print) = (&design.skirt, &design.fabric, &design.print);
+        wardrobe.put_on_skirt(("pau_skirt", 0.0), (cut, fabric), print)?;
+        wardrobe.put_on_layer(design, GarmentLayer::Over)?;
+        let garments = wardrobe.garments;
         Ok(Self {
             design: design.clone(),
             dance,
-            garments: vec![skirt],
+            garments,
             body_surfels: SkinSurfels::new(&dancer.skin.positions, &body_triangles, SURFEL_SPACING),
             body_triangles,
             dancer,
-            skirt: 0,
+            skirt,
         })
     }
 
@@ -96,55 +118,226 @@ impl Production {
     }
 }
 
-impl Garment {
-    fn skirt(
-        design: &Design,
-        dancer: &Dancer,
-        dance: &Dance,
-        body_triangles: &[[u32; 3]],
-    ) -> Result<Self, StageError> {
-        let worn = worn_measurements(design, dancer);
-        let draft = draft_pau_skirt(&worn, &design.pau_options()?)?;
-        let fabric = design.fabric.fabric();
-        let settings = SewSettings {
-            column_count: design.skirt.column_count,
-            row_count: design.skirt.row_count,
-            seed: design.skirt.seed,
-            ..SewSettings::default()
+/// A dancer who is being dressed, from the skin outward.
+struct Wardrobe<'a> {
+    dancer: &'a Dancer,
+    stance: Vec<Affine3A>,
+    bind: Vec<Affine3A>,
+    body_triangles: &'a [[u32; 3]],
+    /// Upper edge of the design's skirt [m].
+    skirt_top: f32,
+    clothed: Clothed,
+    garments: Vec<Garment>,
+}
+
+/// Particles that a fold of a listed garment has at least: with fewer it is a cog that crosses the
+/// next one.
+const FOLD_COLUMNS: f32 = 9.0;
+
+/// How finely a garment is sewn, and by what chance.
+#[derive(Debug, Clone, Copy)]
+struct Fineness {
+    column_count: u32,
+    row_count: u32,
+    seed: u64,
+    /// Particles of a fold, at least; folds are laid wider where there are too few.
+    fold_columns: f32,
+}
+
+impl Wardrobe<'_> {
+    /// Puts on what the design lists for a layer.
+    fn put_on_layer(&mut self, design: &Design, layer: GarmentLayer) -> Result<(), StageError> {
+        for (place, garment) in design.garments_in(layer) {
+            let put_on = match garment {
+                GarmentDesign::PauSkirt(worn) => {
+                    let name = match layer {
+                        GarmentLayer::Under => "pau_underskirt",
+                        GarmentLayer::Over => "pau_overskirt",
+                    };
+                    let cut = (&worn.skirt, &worn.fabric);
+                    self.put_on_skirt((name, FOLD_COLUMNS), cut, &worn.print)
+                }
+                GarmentDesign::PauTop(worn) => self.put_on_top(worn),
+            };
+            put_on.map_err(|error| StageError::Garment {
+                place: place + 1,
+                error: Box::new(error),
+            })?;
+        }
+        Ok(())
+    }
+
+    fn put_on_skirt(
+        &mut self,
+        (name, fold_columns): (&str, f32),
+        (skirt, fabric): (&SkirtDesign, &FabricDesign),
+        print: &PrintChoice,
+    ) -> Result<(), StageError> {
+        let height = worn_height(skirt, self.dancer);
+        let worn = PauMeasurements {
+            hip_girth: self.dancer.measurements.hip_girth,
+            worn_girth: girth(self.dancer, height),
+            worn_height: Length::from_m(f64::from(height)),
         };
-        let stance = dancer.skeleton.world_from_bind(&dance.pose_at(0.0));
-        let sewn = sew::sew(&draft, &worn, &fabric, dancer, &stance, &settings)?;
-        let mesh = SkirtMesh::new(&sewn.spec.grid, design.print.print().repeat.to_m_f32());
-        let bind = dancer.skeleton.world_from_bind(&Pose::default());
+        let draft = draft_pau_skirt(&worn, &skirt.options(fabric)?)?;
+        let fineness = Fineness {
+            column_count: skirt.column_count,
+            row_count: skirt.row_count,
+            seed: skirt.seed,
+            fold_columns,
+        };
+        let parts = (draft, worn, fabric.fabric());
+        self.put_on((name, WornPlace::Hips), parts, fineness, print)
+    }
+
+    fn put_on_top(&mut self, worn: &WornTop) -> Result<(), StageError> {
+        let landmarks = &self.dancer.landmarks;
+        let top = &worn.top;
+        let height = |written: Option<f64>, usual: f32| {
+            written.map_or(usual, |cm| Length::from_cm(cm).to_m_f32())
+        };
+        let upper = height(top.upper_height_cm, landmarks.bust_height + ABOVE_BUST);
+        let lower = height(top.lower_height_cm, landmarks.bust_height - BELOW_BUST);
+        let trunk = (0 < top.lower_row_count).then(|| way_up(self.dancer, lower, upper));
+        // Further rows lie below the first.
+        let rows = f64::from(top.lower_row_count.max(1) - 1);
+        let below = Length::from_cm(rows * (top.casing_cm + top.casing_gap_cm)).to_m_f32();
+        let lowest = if trunk.is_some() {
+            lower - below
+        } else {
+            upper
+        };
+        let measurements = TopMeasurements {
+            bust_girth: self.dancer.measurements.bust_girth,
+            upper_girth: girth(self.dancer, upper),
+            lowest: (
+                girth(self.dancer, lowest),
+                Length::from_m(f64::from(lowest)),
+            ),
+            trunk,
+        };
+        let hem = Length::from_m(f64::from(
+            (self.skirt_top + ABOVE_SKIRT).min(lowest - LEAST_FRILL),
+        ));
+        let draft = draft_pau_top(&measurements, &worn.options(hem)?)?;
+        let fineness = Fineness {
+            column_count: top.column_count,
+            row_count: top.row_count,
+            seed: top.seed,
+            fold_columns: FOLD_COLUMNS,
+        };
+        let parts = (draft, measurements.worn(), worn.fabric.fabric());
+        self.put_on(("pau_top", WornPlace::Bust), parts, fineness, &worn.print)
+    }
+
+    /// Sews a garment over what is worn already.
+    fn put_on(
+        &mut self,
+        (name, place): (&str, WornPlace),
+        (draft, worn, fabric): (PauDraft, PauMeasurements, Fabric),
+        fineness: Fineness,
+        print: &PrintChoice,
+    ) -> Result<(), StageError> {
+        let usual = SewSettings::default();
+        let column_count = fineness.column_count;
+        let widest = worn.worn_girth.to_m_f32() * fineness.fold_columns / column_count as f32;
+        let settings = SewSettings {
+            column_count,
+            row_count: fineness.row_count,
+            seed: fineness.seed,
+            gather_pitch: usual.gather_pitch.max(widest),
+            ..usual
+        };
+        let cut = Cut {
+            draft: &draft,
+            worn: &worn,
+            fabric: &fabric,
+            place,
+        };
+        let body = (self.dancer, &self.clothed);
+        let sewn = sew::sew(&cut, body, &self.stance, &settings)?;
+        self.clothed.put_on(sewn.bind_positions());
+        let mesh = SkirtMesh::new(&sewn.spec.grid, print.print().repeat.to_m_f32());
         let pins = sewn.pins.iter();
+        let pin_surfels = SkinSurfels::nearest_to(
+            pins.map(|pin| pin.posed(&self.bind)),
+            (&self.dancer.skin.positions, self.body_triangles),
+            PIN_REACH,
+        );
+        let first = self.garments.last().map_or(0, |last| last.particles.end);
         let particle_count = sewn.spec.grid.particle_count();
-        Ok(Self {
-            name: "pau_skirt".to_owned(),
+        let held = sewn
+            .elastic_rows
+            .last()
+            .map_or(0, |&row| row * column_count);
+        let hanging = mesh.particle_triangles.iter().copied();
+        let hanging: Vec<[u32; 3]> = hanging
+            .filter(|corners| corners.iter().all(|&corner| held <= corner))
+            .collect();
+        let shape = LayerShape::new(&hanging, particle_count);
+        self.garments.push(Garment {
+            name: self.unique(name),
             draft,
             worn,
             fabric,
-            mesh,
-            pin_surfels: SkinSurfels::nearest_to(
-                pins.map(|pin| pin.posed(&bind)),
-                (&dancer.skin.positions, body_triangles),
-                PIN_REACH,
-            ),
             sewn,
-            particles: 0..particle_count,
-        })
+            mesh,
+            shape,
+            pin_surfels,
+            particles: first..first + particle_count,
+        });
+        Ok(())
+    }
+
+    /// The name, numbered where another garment has it.
+    fn unique(&self, name: &str) -> String {
+        let alike = self.garments.iter();
+        let alike = alike
+            .filter(|garment| garment.name.starts_with(name))
+            .count();
+        if alike == 0 {
+            name.to_owned()
+        } else {
+            format!("{name}_{}", alike + 1)
+        }
     }
 }
 
-/// Points of the tape that measures the girth where the skirt is worn.
-const TAPE_POINTS: usize = 360;
+/// Upper elastic of a top over the fullest bust [m], where nothing else is written: below the arms.
+const ABOVE_BUST: f32 = 0.015;
+/// Lower elastic of a top below it [m]: where the bust ends.
+const BELOW_BUST: f32 = 0.08;
 
-/// What the tape says where the lowest elastic row is worn: at the front points of the hip bones,
-/// unless the design says otherwise.
-fn worn_measurements(design: &Design, dancer: &Dancer) -> PauMeasurements {
-    let height = match design.skirt.worn_height_cm {
+/// Hem of a top over the upper edge of the skirt [m], where nothing else is written.
+const ABOVE_SKIRT: f32 = 0.005;
+/// And below its own lowest elastic, at least [m].
+const LEAST_FRILL: f32 = 0.06;
+
+/// Points of the tape that measures a girth.
+const TAPE_POINTS: usize = 360;
+/// Distance between the tapes along which a way up the trunk is measured [m].
+const WAY_STEP: f32 = 0.005;
+
+/// Where a skirt is worn [m]: its lowest elastic at the front points of the hip bones, unless the
+/// design says otherwise.
+fn worn_height(skirt: &SkirtDesign, dancer: &Dancer) -> f32 {
+    match skirt.worn_height_cm {
         Some(centimeters) => Length::from_cm(centimeters).to_m_f32(),
         None => dancer.landmarks.asis_height,
-    };
+    }
+}
+
+/// Upper edge of the design's skirt [m].
+fn skirt_top(design: &Design, dancer: &Dancer) -> f32 {
+    let skirt = &design.skirt;
+    let gaps = f64::from(skirt.elastic_row_count - 1);
+    let band_cm =
+        skirt.header_cm + 0.5 * skirt.casing_cm + gaps * (skirt.casing_cm + skirt.casing_gap_cm);
+    worn_height(skirt, dancer) + Length::from_cm(band_cm).to_m_f32()
+}
+
+/// What a tape says around the trunk at `height` [m].
+fn girth(dancer: &Dancer, height: f32) -> Length {
     let ring = dancer.tape_ring(height, TAPE_POINTS);
     let next = ring.iter().cycle().skip(1);
     let girth: f32 = ring
@@ -152,9 +345,23 @@ fn worn_measurements(design: &Design, dancer: &Dancer) -> PauMeasurements {
         .zip(next)
         .map(|(a, b)| a.bind_position.distance(b.bind_position))
         .sum();
-    PauMeasurements {
-        hip_girth: dancer.measurements.hip_girth,
-        worn_girth: Length::from_m(f64::from(girth)),
-        worn_height: Length::from_m(f64::from(height)),
+    Length::from_m(f64::from(girth))
+}
+
+/// Mean way along the trunk from one height [m] up to another.
+fn way_up(dancer: &Dancer, from: f32, to: f32) -> Length {
+    let mut way = 0.0;
+    let mut height = from;
+    let mut below = dancer.tape_ring(height, TAPE_POINTS);
+    while height < to {
+        height = (height + WAY_STEP).min(to);
+        let above = dancer.tape_ring(height, TAPE_POINTS);
+        let rises = below.iter().zip(&above);
+        let rise: f32 = rises
+            .map(|(low, high)| low.bind_position.distance(high.bind_position))
+            .sum();
+        way += rise / TAPE_POINTS as f32;
+        below = above;
     }
+    Length::from_m(f64::from(way))
 }

@@ -158,6 +158,14 @@ impl Solver {
         }
     }
 
+    /// Model and state of `xpbd`; `None` for the paper's methods.
+    pub(crate) fn xpbd_mut(&mut self) -> Option<(&ClothModel, &mut ClothState)> {
+        match self {
+            Self::Xpbd(xpbd) => Some((&xpbd.model, &mut xpbd.state)),
+            Self::Explicit(_) => None,
+        }
+    }
+
     /// Moves the cloth on by `dt` [s].
     pub(crate) fn step(&mut self, surroundings: &Surroundings<'_>, dt: f32) {
         match self {

@@ -157,6 +157,7 @@ pub(super) fn measure(
         },
         skin_penetration_mm: None,
         self_crossings: crossings,
+        layer_inversions: None,
         rms_speed_m_per_s: f64::from(diagnose::rms_speed(&velocities)),
         bytes_per_particle: bytes / count,
         state_hash: format!("{:016x}", state_hash(&state)),

@@ -2,7 +2,7 @@
 
 use lole_cloth::InstructionSet;
 use lole_cloth::diagnose;
-use lole_costume::document::Design;
+use lole_costume::document::{Design, GarmentDesign, WornSkirt, WornTop};
 use lole_export::report::Worst;
 use lole_stage::{Performance, Production, RunMetrics, StageError};
 
@@ -25,11 +25,32 @@ impl StageScene {
 }
 
 /// Every scene with a dancer.
-pub(super) const SCENES: &[StageScene] = &[StageScene {
-    name: "pau-fine",
-    frame_count: 300,
-    design: Design::default,
-}];
+pub(super) const SCENES: &[StageScene] = &[
+    StageScene {
+        name: "pau-fine",
+        frame_count: 300,
+        design: Design::default,
+    },
+    StageScene {
+        name: "pau-layers",
+        frame_count: 300,
+        design: double_pau,
+    },
+];
+
+/// A double pāʻū and a top, of 40,000 particles: a plain underskirt, the print skirt over it, shorter,
+/// and the top over its band.
+fn double_pau() -> Design {
+    let mut design = Design::default();
+    design.skirt.hem_height_cm = 34.0;
+    design.skirt.gather_ratio = 3.0;
+    (design.skirt.column_count, design.skirt.row_count) = (480, 36);
+    design.garments = vec![
+        GarmentDesign::PauSkirt(WornSkirt::default()),
+        GarmentDesign::PauTop(WornTop::default()),
+    ];
+    design
+}
 
 /// Dances a scene, settled beforehand. Measured is all that a frame needs before it can be drawn:
 /// pose, capsules, pins and cloth.
@@ -37,7 +58,7 @@ pub(super) fn measure(scene: &StageScene, set: InstructionSet) -> Result<BenchRo
     let mut performance = Performance::new(Production::new(&(scene.design)())?)?;
     performance.set_instruction_set(set);
     let (mut process, mut wall, mut metrics) = (Vec::new(), Vec::new(), Vec::new());
-    let mut crossings = 0;
+    let (mut crossings, mut inversions) = (0, 0);
     // What stops short is seen in the figures of the frames.
     while performance.time() < 0.0 && performance.advance().is_ok() {}
     for _ in 0..scene.frame_count {
@@ -49,6 +70,7 @@ pub(super) fn measure(scene: &StageScene, set: InstructionSet) -> Result<BenchRo
         performance.pose_body();
         metrics.push(performance.measure());
         crossings = crossings.max(self_crossings(&performance));
+        inversions = inversions.max(performance.layer_inversions());
         if !went_on {
             break;
         }
@@ -77,6 +99,7 @@ pub(super) fn measure(scene: &StageScene, set: InstructionSet) -> Result<BenchRo
             worst: 1e3 * f64::from(worst.skin.worst_depth),
         }),
         self_crossings: Some(crossings),
+        layer_inversions: (1 < performance.production().garments.len()).then_some(inversions),
         rms_speed_m_per_s: f64::from(performance.rms_speed()),
         bytes_per_particle: bytes / count,
         state_hash: format!("{:016x}", performance.state_hash()),
