@@ -662,7 +662,7 @@ mod tests {
         let (dancer, skirt) = sewn(&SewSettings::default());
         let skirt = skirt.unwrap();
         let mut pose = lole_body::Pose::default();
-        pose.rotations[lole_body::Bone::Spine as usize] = glam::Quat::from_rotation_z(0.3);
+        pose.rotations[Bone::Spine as usize] = glam::Quat::from_rotation_z(0.3);
         let mut targets = Vec::new();
         skirt.pose_pins(&dancer.skeleton.world_from_bind(&pose), &mut targets);
         let columns = skirt.spec.grid.column_count as usize;

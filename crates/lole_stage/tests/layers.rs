@@ -20,7 +20,7 @@ fn design() -> Design {
 }
 
 static PRODUCTION: LazyLock<Arc<Production>> =
-    LazyLock::new(|| Arc::new(Production::new(&design()).unwrap()));
+    LazyLock::new(|| Arc::new(Production::new(&design()).expect("can be sewn")));
 
 #[test]
 fn garments_are_sewn_from_the_skin_outward() {
