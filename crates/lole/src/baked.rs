@@ -3,7 +3,8 @@
 use anyhow::Result;
 use glam::Vec3;
 use lole_body::{BodyPicture, PartKind, Pose, appearance};
-use lole_cloth::Topology;
+use lole_cloth::{Grid, Topology};
+use lole_costume::print::PrintImage;
 use lole_export::Image;
 use lole_export::glb::{
     BakedCloth, GlbMaterial, GlbScene, GridMesh, GridRing, GridSheet, MeshPart, Sides, SkinnedMesh,
@@ -25,7 +26,8 @@ const ROW_STRIDE: u32 = 1;
 pub(crate) struct Keys {
     pub(crate) times: Vec<f32>,
     pub(crate) poses: Vec<Pose>,
-    pub(crate) cloth: Vec<Vec<Vec3>>,
+    /// By garment, then by time.
+    pub(crate) cloths: Vec<Vec<Vec<Vec3>>>,
 }
 
 impl Keys {
@@ -33,11 +35,15 @@ impl Keys {
     pub(crate) fn keep(&mut self, performance: &Performance) {
         self.times.push(performance.time());
         self.poses.push(performance.pose().clone());
-        self.cloth.push(performance.cloth_positions().to_vec());
+        let garments = &performance.production().garments;
+        self.cloths.resize_with(garments.len(), Vec::new);
+        for (frames, garment) in self.cloths.iter_mut().zip(garments) {
+            frames.push(performance.garment_positions(garment).to_vec());
+        }
     }
 }
 
-/// The file's bytes: dancer with skeleton and motion, skirt with its baked motion and print.
+/// The file's bytes: dancer with skeleton and motion, garments with their baked motion and print.
 pub(crate) fn dancer_glb(
     performance: &Performance,
     keys: &Keys,
@@ -55,8 +61,16 @@ pub(crate) fn dancer_glb(
         png(appearance::face_texture())?,
         png(appearance::hair_texture())?,
     ];
-    let print = studio.print();
-    let print_png = encode_png(Image::new(print.width, print.height, &print.pixels)?)?;
+    let prints = studio.prints().iter();
+    let prints_png = prints
+        .map(|print| {
+            Ok(encode_png(Image::new(
+                print.width,
+                print.height,
+                &print.pixels,
+            )?)?)
+        })
+        .collect::<Result<Vec<_>>>()?;
     let skin = &production.dancer.skin;
     let parts: Vec<MeshPart<'_>> = skin
         .parts
@@ -75,7 +89,38 @@ pub(crate) fn dancer_glb(
         weights: &skin.weights,
         parts: &parts,
     };
-    let grid = &production.skirt.spec.grid;
+    let worn = production.garments.iter().zip(studio.prints());
+    let meshes: Vec<GridMesh> = worn
+        .map(|(garment, print)| grid_mesh(&garment.sewn.spec.grid, print))
+        .collect();
+    let worn = production.garments.iter().zip(&meshes);
+    let baked = worn.zip(prints_png.iter().zip(&keys.cloths));
+    let cloths: Vec<BakedCloth<'_>> = baked
+        .map(|((garment, mesh), (png, frames))| BakedCloth {
+            name: &garment.name,
+            mesh,
+            material: GlbMaterial {
+                name: "print",
+                base_color: [1.0; 3],
+                roughness: 0.85,
+                texture_png: Some(png),
+                sides: Sides::Both,
+            },
+            key_times: &keys.times,
+            frames,
+        })
+        .collect();
+    Ok(write_glb(&GlbScene {
+        skeleton: &production.dancer.skeleton,
+        pose_times: &keys.times,
+        poses: &keys.poses,
+        skinned: &[body],
+        cloths: &cloths,
+    })?)
+}
+
+/// The mesh of a garment's grid in the file.
+fn grid_mesh(grid: &Grid, print: &PrintImage) -> GridMesh {
     let sheet = GridSheet {
         column_count: grid.column_count,
         row_count: grid.row_count,
@@ -86,27 +131,7 @@ pub(crate) fn dancer_glb(
         spacing: grid.spacing,
         print_repeat: [print.repeat.to_m_f32(); 2],
     };
-    let mesh = GridMesh::new(&sheet, [COLUMN_STRIDE, ROW_STRIDE]);
-    let cloth = BakedCloth {
-        name: "pau_skirt",
-        mesh: &mesh,
-        material: GlbMaterial {
-            name: "print",
-            base_color: [1.0; 3],
-            roughness: 0.85,
-            texture_png: Some(&print_png),
-            sides: Sides::Both,
-        },
-        key_times: &keys.times,
-        frames: &keys.cloth,
-    };
-    Ok(write_glb(&GlbScene {
-        skeleton: &production.dancer.skeleton,
-        pose_times: &keys.times,
-        poses: &keys.poses,
-        skinned: &[body],
-        cloths: &[cloth],
-    })?)
+    GridMesh::new(&sheet, [COLUMN_STRIDE, ROW_STRIDE])
 }
 
 fn material<'a>(kind: PartKind, [face, hair]: [&'a [u8]; 2]) -> GlbMaterial<'a> {

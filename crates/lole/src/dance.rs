@@ -75,6 +75,7 @@ const fn place_of(error: &StageError) -> Place<'static> {
         StageError::Body(_) => "dancer",
         StageError::Motion(_) => "motion",
         StageError::Draft(_) | StageError::Sew(_) => "skirt",
+        StageError::Garment { .. } => "garment",
         StageError::Build(_) => "fabric",
     };
     Place { table, key: "" }

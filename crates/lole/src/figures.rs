@@ -6,7 +6,9 @@ use lole_export::report::{
     Remark, ReportFile, RunReport, RunSeries, SkirtFacts, Still as PageStill, Worst, report_html,
 };
 use lole_language::{Bilingual, words};
-use lole_stage::{Divergence, FRAMES_PER_SECOND, FrameMetrics, Performance, RunMetrics};
+use lole_stage::{
+    Divergence, FRAMES_PER_SECOND, FrameMetrics, Performance, Production, RunMetrics,
+};
 
 use crate::studio::STILLS;
 
@@ -33,7 +35,7 @@ pub(crate) struct RunFigures<'a> {
 /// The report of a run.
 pub(crate) fn report(performance: &Performance, run: RunFigures<'_>) -> RunReport {
     let worst = RunMetrics::of(run.metrics);
-    let spec = &performance.production().skirt.spec;
+    let production = performance.production();
     let process: Vec<f64> = run
         .timings
         .iter()
@@ -42,10 +44,9 @@ pub(crate) fn report(performance: &Performance, run: RunFigures<'_>) -> RunRepor
     let wall: Vec<f64> = run.timings.iter().map(|t| 1e3 * t.wall_seconds).collect();
     let seconds = run.timings.len() as f64 / f64::from(FRAMES_PER_SECOND);
     let skin_vertices = worst.skin.sunken_cloth_vertices + worst.skin.showing_body_vertices;
-    let columns = spec.grid.column_count;
     RunReport {
         lole: env!("CARGO_PKG_VERSION").to_owned(),
-        particles: spec.grid.particle_count(),
+        particles: production.particle_count(),
         springs: performance.spring_count(),
         method: run.design.method.name.id().to_owned(),
         substeps: performance.substep_count(),
@@ -79,7 +80,7 @@ pub(crate) fn report(performance: &Performance, run: RunFigures<'_>) -> RunRepor
         finite: run.divergence.is_none(),
         divergence: run
             .divergence
-            .map(|found| explain(&found, columns, run.design)),
+            .map(|found| explain(&found, production, run.design)),
         state_hash: format!("{:016x}", performance.state_hash()),
         files: run.files,
         skirt: skirt_facts(performance),
@@ -87,7 +88,7 @@ pub(crate) fn report(performance: &Performance, run: RunFigures<'_>) -> RunRepor
     }
 }
 
-fn explain(found: &Divergence, columns: u32, design: &Design) -> ReportDivergence {
+fn explain(found: &Divergence, production: &Production, design: &Design) -> ReportDivergence {
     let remedy = match design.method.name.id() {
         "xpbd" => words(
             "[method] substep_count を増やすか、[motion] tempo_bpm を下げてください",
@@ -102,8 +103,12 @@ fn explain(found: &Divergence, columns: u32, design: &Design) -> ReportDivergenc
             "this method needs far smaller steps: raise [method] substep_count, or choose fb-euler",
         ),
     };
-    let Divergence { time, row, column } = found;
-    let particle = row * columns + column;
+    let Divergence {
+        time, row, column, ..
+    } = found;
+    let garment = &production.garments[found.garment];
+    let columns = garment.sewn.spec.grid.column_count;
+    let particle = garment.particles.start + (row * columns + column) as usize;
     let sentence = format!(
         "the cloth diverged at {time:.2} s at row {row} column {column} (particle {particle}); {}",
         remedy.english
@@ -114,7 +119,7 @@ fn explain(found: &Divergence, columns: u32, design: &Design) -> ReportDivergenc
     );
     ReportDivergence {
         time_s: f64::from(found.time),
-        particle: particle as usize,
+        particle,
         sentence,
         sentence_ja,
     }
@@ -122,7 +127,8 @@ fn explain(found: &Divergence, columns: u32, design: &Design) -> ReportDivergenc
 
 fn skirt_facts(performance: &Performance) -> SkirtFacts {
     let production = performance.production();
-    let (draft, skirt) = (&production.draft, &production.design.skirt);
+    let (worn, skirt) = (production.skirt(), &production.design.skirt);
+    let draft = &worn.draft;
     SkirtFacts {
         design_name: design_name(performance),
         cloth_needed_m: draft.yardage.metric.to_m(),
@@ -137,7 +143,7 @@ fn skirt_facts(performance: &Performance) -> SkirtFacts {
             .iter()
             .map(|row| row.cut_length.to_cm())
             .collect(),
-        hip_girth_cm: production.worn.hip_girth.to_cm(),
+        hip_girth_cm: worn.worn.hip_girth.to_cm(),
         warnings: draft.warnings.iter().map(remark).collect(),
     }
 }

@@ -5,7 +5,7 @@ use glam::Vec3;
 use lole_body::Bone;
 use lole_costume::print::PrintImage;
 use lole_geom::trig;
-use lole_picture::{Figure, Looks};
+use lole_picture::{Draped, Figure, Looks};
 use lole_render::{Bounds, Camera, Image, LightRig, Renderer, Size, View};
 use lole_stage::Performance;
 
@@ -59,9 +59,9 @@ impl Studio {
         })
     }
 
-    /// The print, for files that carry it.
-    pub(crate) const fn print(&self) -> &PrintImage {
-        &self.looks.print
+    /// The print of every garment, for files that carry it.
+    pub(crate) fn prints(&self) -> &[PrintImage] {
+        &self.looks.prints
     }
 
     /// The picture of the performance's current frame; its body must be posed.
@@ -73,14 +73,25 @@ impl Studio {
         renderer: &mut Renderer,
     ) -> Result<Image> {
         let production = performance.production();
-        let mesh = &production.skirt_mesh;
-        let (mut positions, mut normals) = (Vec::new(), Vec::new());
-        mesh.spread(performance.cloth_positions(), &mut positions);
-        mesh.spread(&performance.cloth_normals(), &mut normals);
+        let vertices: Vec<[Vec<Vec3>; 2]> = (production.garments.iter())
+            .map(|garment| {
+                let mut vertices = [Vec::new(), Vec::new()];
+                let [positions, normals] = &mut vertices;
+                let mesh = &garment.mesh;
+                mesh.spread(performance.garment_positions(garment), positions);
+                mesh.spread(&performance.garment_normals(garment), normals);
+                vertices
+            })
+            .collect();
+        let cloths: Vec<Draped<'_>> = (vertices.iter())
+            .map(|[positions, normals]| Draped {
+                positions,
+                normals,
+                colors: &[],
+            })
+            .collect();
         let figure = Figure {
-            cloth_positions: &positions,
-            cloth_normals: &normals,
-            cloth_colors: &[],
+            cloths: &cloths,
             body_positions: performance.body_positions(),
             body_normals: performance.body_normals(),
         };
@@ -89,7 +100,7 @@ impl Studio {
     }
 }
 
-/// The cameras of the stills, in their order: the whole dancer with her skirt, in all at the same
+/// The cameras of the stills, in their order: the whole dancer with what she wears, in all at the same
 /// scale, so that lengths can be compared from picture to picture.
 pub(crate) fn still_cameras(performance: &Performance, size: Size) -> Vec<Camera> {
     let mut points = performance.body_positions().to_vec();

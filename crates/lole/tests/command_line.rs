@@ -109,6 +109,33 @@ fn a_wrong_document_is_one_sentence_with_its_line_and_writes_nothing() {
     }
 }
 
+/// A coarse double skirt with a top.
+const LAYERS: &str = "lole = 1\n[skirt]\ncolumn_count = 96\nrow_count = 40\nhem_height_cm = 34\ngather_ratio = 2\n\
+    [[garment]]\nkind = \"pau-skirt\"\ncolumn_count = 96\nrow_count = 40\n\
+    [[garment]]\nkind = \"pau-top\"\ncolumn_count = 96\nrow_count = 24\n";
+
+#[test]
+fn a_double_skirt_and_a_top_are_three_named_meshes_in_the_file() {
+    let scratch = Scratch::new("layers");
+    let design = scratch.write("layers.lole", LAYERS);
+    let out = scratch.path("out");
+    let output = dance(&design, &out, &[]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let report: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(report["particles"], 2 * 96 * 40 + 96 * 24);
+    let glb = fs::read(out.join("dancer.glb")).unwrap();
+    // Header of 12 bytes, then the length and the kind of the chunk of JSON.
+    let length = u32::from_le_bytes(glb[12..16].try_into().unwrap()) as usize;
+    let scene: Value = serde_json::from_slice(&glb[20..20 + length]).unwrap();
+    let names: Vec<&str> = (scene["meshes"].as_array().unwrap().iter())
+        .filter_map(|mesh| mesh["name"].as_str())
+        .filter(|name| name.starts_with("pau_"))
+        .collect();
+    assert_eq!(names, ["pau_underskirt", "pau_skirt", "pau_top"]);
+    let again = fs::read_to_string(out.join("design.lole")).unwrap();
+    assert_eq!(again.matches("[[garment]]").count(), 2);
+}
+
 #[test]
 fn wrong_usage_is_refused_before_anything_is_computed() {
     let scratch = Scratch::new("usage");

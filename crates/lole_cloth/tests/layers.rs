@@ -5,7 +5,7 @@ mod xpbd_support;
 use std::f64::consts::TAU;
 
 use glam::Vec3;
-use lole_cloth::collision::layer::{Layer, LayerCloth, LayerLaw, keep_order};
+use lole_cloth::collision::layer::{Layer, LayerCloth, LayerLaw, LayerOrder, LayerShape};
 use lole_cloth::scenes::{swaying_hips, waved_ring};
 use lole_cloth::{ClothSpec, Fabric, Grid, MassLaw, Topology, diagnose};
 use xpbd_support::{DT, FABRIC, World};
@@ -18,8 +18,13 @@ const LAW: LayerLaw = LayerLaw {
 
 /// A tube of `radius` [m] with soft waves, pinned at its upper ring.
 fn tube(radius: f64, areal_density: f32) -> World {
+    full_tube((radius, 1.06), areal_density)
+}
+
+/// The same with this `fullness`: cloth over the circle that it is laid on.
+fn full_tube((radius, fullness): (f64, f64), areal_density: f32) -> World {
     let (column_count, row_count) = (64, 24);
-    let girth = 1.06 * TAU * radius;
+    let girth = fullness * TAU * radius;
     let spacing = girth / f64::from(column_count);
     let grid = Grid {
         column_count,
@@ -73,18 +78,19 @@ fn advance(layers: &mut [World], time: f64, law: Option<LayerLaw>) {
         layer.step(&capsules);
     }
     let Some(law) = law else { return };
-    let triangles = layers[0].model.spec().grid.triangles();
+    let grid = &layers[0].model.spec().grid;
+    let shape = LayerShape::new(&grid.triangles(), grid.particle_count());
+    let mut order = LayerOrder::default();
     for place in 1..layers.len() {
         let [inner, outer] = &mut layers[place - 1..=place] else {
             return;
         };
-        let mut pair = [inner, outer].map(|world| LayerCloth {
+        let [inner, mut outer] = [inner, outer].map(|world| LayerCloth {
             model: &world.model,
             state: &mut world.state,
-            triangles: &triangles,
+            shape: &shape,
         });
-        let [inner, outer] = &mut pair;
-        keep_order(inner, outer, law, DT);
+        order.keep((&inner, &mut outer), law, DT);
     }
 }
 
@@ -112,7 +118,8 @@ fn without_the_law_layers_pass_through_each_other() {
 
 #[test]
 fn a_start_in_the_wrong_order_comes_right_soon_and_without_a_pop() {
-    let mut layers = [(0.215, 0.12), (0.209, 0.12)].map(|(r, w)| tube(r, w));
+    // The outer one has the cloth to go around the inner one.
+    let mut layers = [(0.215, 1.03), (0.209, 1.1)].map(|ring| full_tube(ring, 0.12));
     let wrong = inversions(&layers);
     assert!(500 < wrong, "{wrong} particles start on the wrong side");
     for frame in 0..90 {
@@ -124,12 +131,12 @@ fn a_start_in_the_wrong_order_comes_right_soon_and_without_a_pop() {
         }
     }
     let triangles = layers[0].model.spec().grid.triangles();
-    // The pinned rings cannot come right; what hangs freely does.
+    // The pinned rings cannot come right, nor what they hold; what hangs freely does.
     let inner = layers[0].positions();
     let layer = Layer {
         triangles: &triangles,
         positions: &inner,
     };
-    let free = &layers[1].positions()[3 * 64..];
+    let free = &layers[1].positions()[5 * 64..];
     assert_eq!(diagnose::layer_inversions(layer, free, LAW.reach), 0);
 }

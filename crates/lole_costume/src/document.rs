@@ -4,11 +4,14 @@
 //! The first key is `lole = 1`, the version of the format. Every key that has a dimension ends in
 //! its unit; one that has none ends in `_ratio`, `_coefficient` or `_count`, or is a name, a color
 //! or a seed. Anything may be left out: the built-in pāʻū skirt dancing kāholo fills it in.
+//! What is worn with the skirt follows as a list, `[[garment]]`, each with its `kind`, and under it
+//! `[garment.fabric]` and `[garment.print]`.
 //! Every key, with its range and meaning, is one row of [`schema`]; reading, checking and writing
 //! all walk that table.
 
 mod convert;
 mod error;
+mod garment;
 mod nearest;
 mod parse;
 pub mod schema;
@@ -23,6 +26,7 @@ use crate::fabrics::Preset;
 use crate::print::PrintMotif;
 
 pub use error::{DesignError, Problem};
+pub use garment::{GarmentDesign, GarmentLayer, TopDesign, WornSkirt, WornTop};
 pub use nearest::{likely, nearest};
 pub use parse::{Place, locate, parse, parse_bytes};
 pub use write::to_toml;
@@ -50,6 +54,8 @@ pub struct Design {
     pub wind: WindDesign,
     /// How the cloth is computed.
     pub method: MethodDesign,
+    /// What is worn with the skirt, in each layer from the skin outward.
+    pub garments: Vec<GarmentDesign>,
 }
 
 /// The dancer's tape; what was not measured follows from the rest.

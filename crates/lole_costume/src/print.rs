@@ -16,6 +16,8 @@ pub enum PrintMotif {
     Hibiscus,
     /// Breadfruit (ʻulu) leaves and fruit, as on a Hawaiian quilt.
     Ulu,
+    /// Nothing: the ground alone.
+    Plain,
 }
 
 /// A print before it is drawn. Colors are sRGB bytes.
@@ -134,7 +136,7 @@ mod tests {
     #[test]
     fn the_repeat_has_no_seam() {
         for name in PrintDesign::COLORWAYS {
-            for motif in [PrintMotif::Hibiscus, PrintMotif::Ulu] {
+            for motif in [PrintMotif::Hibiscus, PrintMotif::Ulu, PrintMotif::Plain] {
                 let design = PrintDesign {
                     motif,
                     ..PrintDesign::colorway(name).unwrap()

@@ -1,16 +1,18 @@
-//! Sews the drafted pāʻū skirt to a dancer: flat rectangle → gathered tube of particles around the
-//! hips, its elastic rows carried by the skin.
+//! Sews a drafted pāʻū skirt or top to a dancer: flat rectangle → gathered tube of particles around
+//! hips or bust, its elastic rows carried by the skin, outside of what she wears already.
 
+mod clothed;
 mod fold_curve;
 mod ring;
 
 use glam::{Affine3A, Vec2, Vec3};
-use lole_body::{Dancer, TapePoint};
+use lole_body::{Bone, Dancer, TapePoint};
 use lole_cloth::{ClothSpec, Fabric, Grid, MassLaw, Topology};
 use lole_geom::trig;
 use lole_language::Bilingual;
 use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements};
 
+pub use clothed::Clothed;
 use ring::{Flare, Gathers, Ring};
 
 /// How the skirt is divided into particles and laid around the dancer.
@@ -48,7 +50,7 @@ impl Default for SewSettings {
 pub enum SewError {
     /// The flat cloth does not reach around the body.
     #[error(
-        "the skirt's cloth is {flat_cm:.1} cm around but the band sits on {ring_cm:.1} cm; raise gather_ratio"
+        "the cloth is {flat_cm:.1} cm around but the band sits on {ring_cm:.1} cm; raise gather_ratio"
     )]
     TooNarrow {
         /// Length of the cloth around [cm].
@@ -73,6 +75,16 @@ pub enum SewError {
         top_cm: f64,
         /// The bust above the floor [cm].
         bust_cm: f64,
+    },
+    /// The top would reach up to the shoulders.
+    #[error(
+        "the top would reach {top_cm:.0} cm above the floor and the shoulders are at {shoulder_cm:.0} cm; lower upper_height_cm or header_cm"
+    )]
+    TopTooTall {
+        /// Upper edge above the floor [cm].
+        top_cm: f64,
+        /// The shoulder joints above the floor [cm].
+        shoulder_cm: f64,
     },
     /// The skirt would be worn around the legs.
     #[error(
@@ -114,7 +126,7 @@ impl Bilingual for SewError {
     fn japanese(&self) -> String {
         match self {
             Self::TooNarrow { flat_cm, ring_cm } => format!(
-                "スカートの布は一周 {flat_cm:.1} cm ですが、腰まわりは {ring_cm:.1} cm です。gather_ratio を大きくしてください"
+                "布は一周 {flat_cm:.1} cm ですが、ゴムの位置のまわりは {ring_cm:.1} cm です。gather_ratio を大きくしてください"
             ),
             Self::NoSection { height_cm } => format!(
                 "ゴムが来る高さ {height_cm:.1} cm に胴がありません。ゴムの段を減らしてください"
@@ -129,6 +141,13 @@ impl Bilingual for SewError {
             Self::BandTooTall { top_cm, bust_cm } => format!(
                 "ゴムの部分が床から {top_cm:.0} cm まで届きますが、バストは {bust_cm:.0} cm です。\
                  casing_cm か casing_gap_cm か elastic_row_count を小さくするか、低い位置ではいてください"
+            ),
+            Self::TopTooTall {
+                top_cm,
+                shoulder_cm,
+            } => format!(
+                "トップの上端が床から {top_cm:.0} cm になりますが、肩は {shoulder_cm:.0} cm です。\
+                 upper_height_cm か header_cm を小さくしてください"
             ),
             Self::WornTooLow { worn_cm, least_cm } => format!(
                 "worn_height_cm が {worn_cm:.0} cm ですが、そこはもう脚です。{least_cm:.0} cm より上ではいてください"
@@ -161,7 +180,29 @@ impl SkinPin {
     }
 }
 
-/// A skirt on a dancer, ready to be simulated and drawn.
+/// A garment on paper, to be sewn.
+#[derive(Debug, Clone, Copy)]
+pub struct Cut<'a> {
+    /// Its pieces.
+    pub draft: &'a PauDraft,
+    /// Where it is worn.
+    pub worn: &'a PauMeasurements,
+    /// Its cloth.
+    pub fabric: &'a Fabric,
+    /// What carries it.
+    pub place: WornPlace,
+}
+
+/// Where a garment is worn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum WornPlace {
+    /// On the hips: the band ends below the bust.
+    Hips,
+    /// Around the bust, up to the arms.
+    Bust,
+}
+
+/// A garment on a dancer, ready to be simulated and drawn.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SewnSkirt {
     /// What the engine needs to know.
@@ -184,6 +225,11 @@ impl SewnSkirt {
             .collect()
     }
 
+    /// Where every particle starts in the bind pose [m], row-major.
+    pub fn bind_positions(&self) -> impl Iterator<Item = Vec3> {
+        self.start.iter().map(|point| point.bind_position)
+    }
+
     /// Where the pins are in the pose `world_from_bind` [m], in the order of [`Self::pins`]: on the
     /// skin that carries them, but where she stretches more than cloth does, the upper elastics
     /// slide down with the cloth below them.
@@ -202,31 +248,34 @@ impl SewnSkirt {
     }
 }
 
-/// Sews the drafted skirt onto the dancer, who holds still in the pose `stance` (world from bind, by
-/// bone) while it is put on.
+/// Sews a garment onto the dancer, who holds still in the pose `stance` (world from bind, by bone)
+/// while it is put on over what she wears already.
 ///
 /// # Errors
 /// A draft that does not fit the body or the grid.
 pub fn sew(
-    draft: &PauDraft,
-    worn: &PauMeasurements,
-    fabric: &Fabric,
-    dancer: &Dancer,
+    cut: &Cut<'_>,
+    (dancer, clothed): (&Dancer, &Clothed),
     stance: &[Affine3A],
     settings: &SewSettings,
 ) -> Result<SewnSkirt, SewError> {
-    let layout = Layout::new(draft, worn, settings)?;
-    check_place(draft, worn, dancer)?;
+    let Cut { draft, worn, .. } = cut;
+    let mut layout = Layout::new(draft, worn, settings)?;
+    check_place(cut, dancer)?;
     let mut start = Vec::with_capacity(layout.grid.particle_count());
     let lowest = *layout.elastic_rows.last().unwrap_or(&0);
+    let worn_height = worn.worn_height.to_m_f32();
+    let bare = layout.band_rings(dancer, worn_height, lowest)?;
+    let least_gap = bare.iter().map(|ring| ring.gap_over(clothed));
+    layout.band_gap = least_gap.fold(layout.band_gap, f32::max);
     let gathers = layout.gathers();
-    let rings = layout.band_rings(dancer, worn.worn_height.to_m_f32(), lowest)?;
+    let rings = layout.band_rings(dancer, worn_height, lowest)?;
     for ring in &rings {
         ring.lay(gathers, &Flare::none(), 0.0, &mut start);
     }
     let last = &rings[lowest as usize];
     let hanging = (layout.grid.row_count - 1 - lowest) as f32 * layout.grid.spacing[1];
-    let flare = Flare::around(last, dancer, stance, [layout.band_gap, hanging]);
+    let flare = Flare::around(last, (dancer, clothed), stance, [layout.band_gap, hanging]);
     for row in 1..layout.grid.row_count - lowest {
         let below = row as f32 * layout.grid.spacing[1];
         last.lay(gathers, &flare, below, &mut start);
@@ -246,7 +295,7 @@ pub fn sew(
     }
     let spec = ClothSpec {
         grid: layout.grid,
-        fabric: *fabric,
+        fabric: *cut.fabric,
         row_layers: layout.row_layers,
         mass: MassLaw::AreaWeighted,
         pinned,
@@ -259,8 +308,10 @@ pub fn sew(
     })
 }
 
-/// Refuses a skirt worn around the legs, or one whose band covers the bust.
-fn check_place(draft: &PauDraft, worn: &PauMeasurements, dancer: &Dancer) -> Result<(), SewError> {
+/// Refuses a garment worn around the legs, and one that reaches up too far: a skirt's band over the
+/// bust, a top over the shoulders.
+fn check_place(cut: &Cut<'_>, dancer: &Dancer) -> Result<(), SewError> {
+    let Cut { draft, worn, .. } = cut;
     let worn_cm = worn.worn_height.to_cm();
     let least_cm = f64::from(dancer.landmarks.crotch_height) * 100.0 + LEAST_ABOVE_CROTCH_CM;
     if worn_cm < least_cm {
@@ -270,14 +321,17 @@ fn check_place(draft: &PauDraft, worn: &PauMeasurements, dancer: &Dancer) -> Res
         .elastic_rows
         .last()
         .map_or(0.0, |row| row.from_fold.to_cm());
-    let (top_cm, bust_cm) = (
-        worn_cm + lowest_cm,
-        f64::from(dancer.landmarks.bust_height) * 100.0,
-    );
-    if bust_cm < top_cm {
-        return Err(SewError::BandTooTall { top_cm, bust_cm });
+    let top_cm = worn_cm + lowest_cm;
+    let bust_cm = f64::from(dancer.landmarks.bust_height) * 100.0;
+    let shoulder_cm = f64::from(dancer.skeleton.joint(Bone::LeftUpperArm).y) * 100.0;
+    match cut.place {
+        WornPlace::Hips if bust_cm < top_cm => Err(SewError::BandTooTall { top_cm, bust_cm }),
+        WornPlace::Bust if shoulder_cm < top_cm => Err(SewError::TopTooTall {
+            top_cm,
+            shoulder_cm,
+        }),
+        WornPlace::Hips | WornPlace::Bust => Ok(()),
     }
-    Ok(())
 }
 
 /// Lowest elastic above the crotch [cm], at least: below, nothing carries a skirt.
@@ -555,7 +609,13 @@ mod tests {
         };
         let draft = draft_pau_skirt(&worn, &PauOptions::default()).unwrap();
         let fabric = crate::fabrics::PRESETS[0].fabric();
-        sew(&draft, &worn, &fabric, dancer, stance, settings)
+        let cut = Cut {
+            draft: &draft,
+            worn: &worn,
+            fabric: &fabric,
+            place: WornPlace::Hips,
+        };
+        sew(&cut, (dancer, &Clothed::new(Vec3::ZERO)), stance, settings)
     }
 
     #[test]
@@ -602,7 +662,7 @@ mod tests {
         let (dancer, skirt) = sewn(&SewSettings::default());
         let skirt = skirt.unwrap();
         let mut pose = lole_body::Pose::default();
-        pose.rotations[lole_body::Bone::Spine as usize] = glam::Quat::from_rotation_z(0.3);
+        pose.rotations[Bone::Spine as usize] = glam::Quat::from_rotation_z(0.3);
         let mut targets = Vec::new();
         skirt.pose_pins(&dancer.skeleton.world_from_bind(&pose), &mut targets);
         let columns = skirt.spec.grid.column_count as usize;

@@ -1,6 +1,7 @@
 //! The table of designs: one file and one row for each garment that can be drafted.
 
 pub mod pau_skirt;
+pub mod pau_top;
 
 /// One garment that can be drafted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -14,8 +15,15 @@ pub struct DesignRow {
 }
 
 /// Every design, in the order a menu shows them.
-pub const DESIGNS: &[DesignRow] = &[DesignRow {
-    id: "pau_skirt",
-    name: "pāʻū skirt",
-    about: "One rectangle of cloth, gathered onto rows of elastic and worn on the hips.",
-}];
+pub const DESIGNS: &[DesignRow] = &[
+    DesignRow {
+        id: "pau_skirt",
+        name: "pāʻū skirt",
+        about: "One rectangle of cloth, gathered onto rows of elastic and worn on the hips.",
+    },
+    DesignRow {
+        id: "pau_top",
+        name: "pāʻū top",
+        about: "A tube of cloth, held over the bust by elastic.",
+    },
+];

@@ -1,4 +1,4 @@
-//! What the camera sees of a performance: the materials of dancer and skirt, and the meshes of one
+//! What the camera sees of a performance: the materials of dancer and garments, and the meshes of one
 //! moment as a scene. Films, stills and the live window show the same.
 //!
 //! It opens nothing and draws nothing: [`lole_render`] does.
@@ -18,24 +18,31 @@ const PRINT_SIDE: u32 = 1024;
 
 /// The materials of one production.
 pub struct Looks {
-    /// The skirt's cloth.
-    pub cloth: Material,
+    /// The cloth of every garment, in the production's order.
+    pub cloths: Vec<Material>,
     /// The dancer's parts, in the order of her skin's.
     pub parts: Vec<(PartKind, Material)>,
-    /// The print, for files that carry it.
-    pub print: PrintImage,
+    /// The print of every garment, for files that carry it.
+    pub prints: Vec<PrintImage>,
 }
 
-/// Dancer and skirt in one moment, as they are drawn.
+/// A garment in one moment, as it is drawn.
+#[derive(Debug, Clone, Copy)]
+pub struct Draped<'a> {
+    /// Vertices [m], the seam's column twice (see
+    /// [`SkirtMesh::spread`](lole_costume::sew::SkirtMesh::spread)).
+    pub positions: &'a [Vec3],
+    /// Their outward normals.
+    pub normals: &'a [Vec3],
+    /// Linear color factors of the vertices; may be empty.
+    pub colors: &'a [Vec3],
+}
+
+/// Dancer and garments in one moment, as they are drawn.
 #[derive(Debug, Clone, Copy)]
 pub struct Figure<'a> {
-    /// Vertices of the skirt [m], the seam's column twice (see
-    /// [`SkirtMesh::spread`](lole_costume::sew::SkirtMesh::spread)).
-    pub cloth_positions: &'a [Vec3],
-    /// Their outward normals.
-    pub cloth_normals: &'a [Vec3],
-    /// Linear color factors of the skirt's vertices; may be empty.
-    pub cloth_colors: &'a [Vec3],
+    /// The garments, in the production's order.
+    pub cloths: &'a [Draped<'a>],
     /// Posed vertices of the body [m].
     pub body_positions: &'a [Vec3],
     /// Their normals.
@@ -43,30 +50,31 @@ pub struct Figure<'a> {
 }
 
 impl Looks {
-    /// Draws print, face and hair once.
+    /// Draws prints, face and hair once.
     ///
     /// # Errors
     /// A picture that cannot be a texture.
     pub fn new(design: &Design, production: &Production) -> Result<Self, RenderError> {
-        let print = print::draw(&design.print.print(), PRINT_SIDE);
-        let texture = Arc::new(Texture::new(
-            print.width,
-            print.height,
-            print.pixels.clone(),
-        )?);
+        let prints: Vec<PrintImage> = (design.worn_prints().into_iter())
+            .map(|choice| print::draw(&choice.print(), PRINT_SIDE))
+            .collect();
+        let cloths = prints.iter().map(|print| {
+            let texture = Texture::new(print.width, print.height, print.pixels.clone())?;
+            Ok(Material::printed_cloth(Arc::new(texture)))
+        });
         let paint = Paint::new()?;
         let kinds = (production.dancer.skin.parts.iter()).map(|part| part.kind);
         let parts = kinds
             .map(|kind| (kind, part_material(kind, &paint)))
             .collect();
         Ok(Self {
-            cloth: Material::printed_cloth(texture),
+            cloths: cloths.collect::<Result<_, RenderError>>()?,
             parts,
-            print,
+            prints,
         })
     }
 
-    /// The scene of one moment in the studio.
+    /// The scene of one moment in the studio: first the garments, then the parts of the dancer.
     #[must_use]
     pub fn scene<'a>(
         &'a self,
@@ -79,15 +87,17 @@ impl Looks {
             lights,
             ..Scene::studio(camera)
         };
-        let mesh = &production.skirt_mesh;
-        scene.meshes.push(SceneMesh {
-            positions: figure.cloth_positions,
-            normals: figure.cloth_normals,
-            uvs: &mesh.uvs,
-            colors: figure.cloth_colors,
-            triangles: &mesh.triangles,
-            material: &self.cloth,
-        });
+        let worn = production.garments.iter().zip(figure.cloths);
+        for ((garment, draped), material) in worn.zip(&self.cloths) {
+            scene.meshes.push(SceneMesh {
+                positions: draped.positions,
+                normals: draped.normals,
+                uvs: &garment.mesh.uvs,
+                colors: draped.colors,
+                triangles: &garment.mesh.triangles,
+                material,
+            });
+        }
         let skin = &production.dancer.skin;
         for (part, (_, material)) in skin.parts.iter().zip(&self.parts) {
             scene.meshes.push(SceneMesh {

@@ -8,15 +8,15 @@ mod extremes;
 pub mod live;
 pub mod metrics;
 pub mod performance;
+pub mod production;
 pub mod skin_check;
 mod solver;
 pub mod validate;
 
 pub use live::{Pull, Show, Vitals, Wish};
 pub use metrics::{FrameMetrics, RunMetrics};
-pub use performance::{
-    Divergence, Energy, FRAME_SECONDS, FRAMES_PER_SECOND, Performance, Production,
-};
+pub use performance::{Divergence, Energy, FRAME_SECONDS, FRAMES_PER_SECOND, Performance};
+pub use production::{Garment, Production};
 
 use lole_language::Bilingual;
 
@@ -35,6 +35,14 @@ pub enum StageError {
     /// The skirt cannot be sewn.
     #[error(transparent)]
     Sew(#[from] lole_costume::sew::SewError),
+    /// A garment that is worn with the skirt cannot be made.
+    #[error("garment {place} of the list: {error}")]
+    Garment {
+        /// Its place in the list, counted from 1.
+        place: usize,
+        /// Why.
+        error: Box<Self>,
+    },
     /// The cloth cannot be built.
     #[error(transparent)]
     Build(#[from] lole_cloth::BuildError),
@@ -47,6 +55,9 @@ impl Bilingual for StageError {
             Self::Motion(error) => error.japanese(),
             Self::Draft(error) => error.japanese(),
             Self::Sew(error) => error.japanese(),
+            Self::Garment { place, error } => {
+                format!("{place} 枚目の服: {}", error.japanese())
+            }
             Self::Build(error) => format!("布を組み立てられません（{error}）"),
         }
     }

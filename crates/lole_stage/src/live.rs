@@ -11,13 +11,13 @@ use glam::{Affine3A, Vec3};
 use lole_body::motion::Dance;
 use lole_body::{Bone, Pose};
 use lole_cloth::{ClothSpec, Crossings, diagnose, model::particle_masses};
-use lole_costume::document::Design;
+use lole_costume::document::{Design, FabricDesign, GarmentDesign, PrintChoice};
 use lole_geom::Capsule;
 
 use crate::performance::{FRAME_SECONDS, FRAMES_PER_SECOND};
 use crate::skin_check::{self, Surface};
 use crate::solver::Solver;
-use crate::{Divergence, Performance, Production, StageError};
+use crate::{Divergence, Garment, Performance, Production, StageError};
 
 /// Time in which one dance step is eased into the next [s]: about one count.
 const EASE_SECONDS: f64 = 0.9;
@@ -31,8 +31,9 @@ const HAND_SPEED: f32 = 1.6;
 pub struct Show {
     performance: Performance,
     design: Design,
-    /// The cloth as it is computed now: the production's, in the present fabric.
-    spec: ClothSpec,
+    /// The garments as they are computed now: the production's, in the present fabrics.
+    specs: Vec<ClothSpec>,
+    /// Of the particles of all garments [kg].
     masses: Vec<f32>,
     layers: Vec<Layer>,
     hold: Option<Hold>,
@@ -54,7 +55,7 @@ struct Layer {
 /// A hand that holds the cloth.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pull {
-    /// Particle that is held.
+    /// Particle that is held, by its number among those of all garments.
     pub particle: u32,
     /// Where the hand is [m].
     pub hand: Vec3,
@@ -108,7 +109,8 @@ impl Show {
     /// A skirt the chosen method cannot be prepared for.
     pub fn of(production: impl Into<Arc<Production>>) -> Result<Self, StageError> {
         let production = production.into();
-        let spec = production.skirt.spec.clone();
+        let specs = production.garments.iter();
+        let specs: Vec<ClothSpec> = specs.map(|garment| garment.sewn.spec.clone()).collect();
         let layer = Layer {
             dance: production.dance.clone(),
             time: 0.0,
@@ -120,11 +122,11 @@ impl Show {
         let positions = performance.cloth_positions().to_vec();
         Ok(Self {
             design: production.design.clone(),
-            masses: particle_masses(&spec),
+            masses: specs.iter().flat_map(particle_masses).collect(),
             velocities: vec![Vec3::ZERO; positions.len()],
             positions,
             performance,
-            spec,
+            specs,
             layers: vec![layer],
             hold: None,
             stopped: None,
@@ -180,7 +182,7 @@ impl Show {
         let dance = (self.design.motion != design.motion)
             .then(|| self.next_layer(design))
             .transpose()?;
-        let cloth_changes = self.design.fabric != design.fabric
+        let cloth_changes = self.design.worn_fabrics() != design.worn_fabrics()
             || self.design.method != design.method
             || self.design.wind != design.wind;
         if cloth_changes {
@@ -249,8 +251,9 @@ impl Show {
         let Some(&place) = self.positions.get(pull.particle as usize) else {
             return Ok(());
         };
+        let pinned = self.specs.iter().flat_map(|spec| &spec.pinned);
         let patch: Vec<(u32, Vec3)> = (0..)
-            .zip(self.positions.iter().zip(&self.spec.pinned))
+            .zip(self.positions.iter().zip(pinned))
             .filter(|(_, (position, pinned))| !**pinned && position.distance(place) < HAND_RADIUS)
             .map(|(particle, (&position, _))| (particle, position - place))
             .collect();
@@ -269,17 +272,27 @@ impl Show {
     /// Prepares the cloth anew for the method of `design`: as it hangs and moves, in its fabric, with
     /// what is held.
     fn prepare(&mut self, design: &Design) -> Result<(), StageError> {
-        let mut spec = self.spec.clone();
-        spec.fabric = design.fabric.fabric();
-        let mut held = spec.clone();
-        for &(particle, _) in self.hold.iter().flat_map(|hold| &hold.patch) {
-            held.pinned[particle as usize] = true;
+        let production = self.performance.shared_production();
+        let mut specs = self.specs.clone();
+        for (spec, fabric) in specs.iter_mut().zip(design.worn_fabrics()) {
+            spec.fabric = fabric;
         }
-        let mut solver = Solver::new(design, &held, &self.positions)?;
-        solver.edit_velocities(|velocities| velocities.copy_from_slice(&self.velocities));
-        self.performance.replace_solver(solver);
-        self.masses = particle_masses(&spec);
-        self.spec = spec;
+        let held = self.hold.iter().flat_map(|hold| &hold.patch);
+        let held: Vec<usize> = held.map(|&(particle, _)| particle as usize).collect();
+        let mut solvers = Vec::with_capacity(specs.len());
+        for (spec, garment) in specs.iter().zip(&production.garments) {
+            let own = garment.particles.clone();
+            let mut pinned = spec.clone();
+            for particle in held.iter().filter(|&particle| own.contains(particle)) {
+                pinned.pinned[particle - own.start] = true;
+            }
+            let mut solver = Solver::new(design, &pinned, &self.positions[own.clone()])?;
+            solver.edit_velocities(|kept| kept.copy_from_slice(&self.velocities[own]));
+            solvers.push(solver);
+        }
+        self.performance.replace_solvers(solvers);
+        self.masses = specs.iter().flat_map(particle_masses).collect();
+        self.specs = specs;
         Ok(())
     }
 
@@ -361,16 +374,10 @@ impl Show {
         pose
     }
 
-    /// The last good positions of the cloth [m], row-major.
+    /// The last good positions of the cloth [m], row-major, of one garment after the other.
     #[must_use]
     pub fn cloth_positions(&self) -> &[Vec3] {
         &self.positions
-    }
-
-    /// The cloth as it is computed now.
-    #[must_use]
-    pub const fn spec(&self) -> &ClothSpec {
-        &self.spec
     }
 
     /// The capsules now.
@@ -401,8 +408,10 @@ impl Show {
     #[must_use]
     #[expect(clippy::cast_precision_loss, reason = "a skirt has 512 columns")]
     pub fn vitals(&self) -> Vitals {
-        let columns = self.spec.grid.column_count as usize;
-        let hem = &self.positions[self.positions.len().saturating_sub(columns)..];
+        let skirt = self.performance.production().skirt();
+        let columns = skirt.sewn.spec.grid.column_count as usize;
+        let positions = &self.positions[skirt.particles.clone()];
+        let hem = &positions[positions.len().saturating_sub(columns)..];
         let middle = hem.iter().sum::<Vec3>() / hem.len().max(1) as f32;
         let gravity = self.performance.gravity();
         let (mut kinetic, mut potential) = (0.0, 0.0);
@@ -426,7 +435,11 @@ impl Show {
     /// where the cloth is stretched.
     #[must_use]
     pub fn strain(&self) -> Vec<f32> {
-        diagnose::strain_by_particle(&self.spec, &self.positions)
+        let garments = &self.performance.production().garments;
+        let strains = self.specs.iter().zip(garments).flat_map(|(spec, garment)| {
+            diagnose::strain_by_particle(spec, &self.positions[garment.particles.clone()])
+        });
+        strains.collect()
     }
 
     /// Particles below the drawn skin, given its posed vertices and normals.
@@ -438,14 +451,19 @@ impl Show {
             normals: body_normals,
             triangles: &production.body_triangles,
         };
-        let cloth = Surface {
-            positions: &self.positions,
-            normals: &[],
-            triangles: &production.skirt_mesh.particle_triangles,
+        let of_garment = |garment: &Garment| {
+            let positions = &self.positions[garment.particles.clone()];
+            let cloth = Surface {
+                positions,
+                normals: &[],
+                triangles: &garment.mesh.particle_triangles,
+            };
+            let sunken = skin_check::sunken(body, cloth).into_iter();
+            sunken.map(|vertex| positions[vertex as usize]).collect()
         };
-        skin_check::sunken(body, cloth)
-            .into_iter()
-            .map(|vertex| self.positions[vertex as usize])
+        let garments = production.garments.iter();
+        garments
+            .flat_map(|garment| -> Vec<Vec3> { of_garment(garment) })
             .collect()
     }
 
@@ -465,7 +483,28 @@ impl Show {
 
 /// Whether the skirt must be sewn anew on the way from one design to the other.
 fn needs_sewing(old: &Design, new: &Design) -> bool {
-    old.dancer != new.dancer || old.skirt != new.skirt || old.print.repeat_cm != new.print.repeat_cm
+    let cut = |design: &Design| {
+        // What is only drawn or woven otherwise needs no needle.
+        let mut garments = design.garments.clone();
+        for garment in &mut garments {
+            let (fabric, print) = match garment {
+                GarmentDesign::PauSkirt(worn) => (&mut worn.fabric, &mut worn.print),
+                GarmentDesign::PauTop(worn) => (&mut worn.fabric, &mut worn.print),
+            };
+            *fabric = FabricDesign::default();
+            *print = PrintChoice {
+                repeat_cm: print.repeat_cm,
+                ..PrintChoice::default()
+            };
+        }
+        (
+            design.dancer.clone(),
+            design.skirt.clone(),
+            design.print.repeat_cm,
+            garments,
+        )
+    };
+    cut(old) != cut(new)
 }
 
 /// A motion but for its tempo and length.
@@ -598,7 +637,8 @@ mod tests {
     fn cloth_follows_the_hand_that_holds_it_and_hangs_again_when_let_go() {
         let mut show = fresh();
         show.settle().unwrap();
-        let particle = show.spec().grid.index(show.spec().grid.row_count - 1, 48);
+        let grid = show.production().skirt().sewn.spec.grid;
+        let particle = grid.index(grid.row_count - 1, 48);
         let at = |show: &Show| show.cloth_positions()[particle];
         let rest = at(&show);
         let hand = rest + Vec3::new(0.0, 0.15, 0.10);

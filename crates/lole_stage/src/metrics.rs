@@ -5,7 +5,7 @@ use lole_cloth::diagnose::StrainSummary;
 use crate::skin_check::SkinCheck;
 
 /// One frame in numbers.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct FrameMetrics {
     /// Time of the dance [s].
     pub time: f32,
@@ -15,8 +15,20 @@ pub struct FrameMetrics {
     pub capsule_penetration: f32,
     /// Cloth against the drawn body.
     pub skin: SkinCheck,
-    /// Mean height of the hem above the floor [m].
+    /// Mean height of the skirt's hem above the floor [m].
     pub hem_height: f32,
+}
+
+impl FrameMetrics {
+    /// Adds a garment that has this `share` of the particles: means are weighted, of the others the
+    /// worst counts.
+    pub(crate) fn add_strain(&mut self, strain: StrainSummary, share: f32) {
+        self.strain = StrainSummary {
+            mean: self.strain.mean + share * strain.mean,
+            p99: self.strain.p99.max(strain.p99),
+            max: self.strain.max.max(strain.max),
+        };
+    }
 }
 
 /// The worst of many frames.

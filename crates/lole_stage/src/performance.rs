@@ -1,21 +1,24 @@
-//! A performance: one dancer, one skirt, one dance, moved on frame by frame.
+//! A performance: one dancer, what she wears, one dance, moved on frame by frame.
+
+mod order;
+mod worn;
 
 use std::sync::Arc;
 
 use glam::{Affine3A, Vec3};
-use lole_body::motion::Dance;
-use lole_body::{BodyCapsule, CapsuleLayout, Dancer, Measurements, Pose, SkinSurfels};
+use lole_body::{BodyCapsule, Pose};
+use lole_cloth::collision::layer::LayerOrder;
 use lole_cloth::method::explicit::ExplicitConfig;
 use lole_cloth::method::reference::ReferenceModel;
-use lole_cloth::method::settle::{SettleConfig, Settling};
-use lole_cloth::{Crossings, Fabric, InstructionSet, Phase, diagnose};
+use lole_cloth::{Crossings, InstructionSet, Phase, diagnose};
 use lole_costume::document::{BodyShapes, Design};
-use lole_costume::sew::{self, SewSettings, SewnSkirt, SkirtMesh};
-use lole_geom::{Capsule, Length, Surfel, mesh::vertex_normals};
-use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements, draft_pau_skirt};
+use lole_geom::{Capsule, Surfel, mesh::vertex_normals};
+use rayon::prelude::*;
 
+use crate::production::{Garment, Production};
 use crate::solver::{Observer, Solver, Surroundings};
 use crate::{FrameMetrics, StageError, skin_check};
+use worn::{Carrier, Worn};
 
 /// Steps of the simulation per second: one for every picture of an ordinary screen.
 pub const FRAMES_PER_SECOND: u32 = 60;
@@ -35,48 +38,14 @@ pub const FRAME_SECONDS: f32 = 1.0 / FRAMES_PER_SECOND as f32;
 /// Cloth that is further than this from the origin [m] has left the stage: the run has diverged.
 const STAGE_RADIUS: f32 = 100.0;
 
-/// Farthest that the tape of an elastic row is from the skin below it [m]: across the small of the
-/// back and between the buttocks.
-const PIN_REACH: f32 = 0.08;
-
-/// Least distance of an elastic row from the skin [m]: half the thickness of what is sewn there.
-const PIN_CLEARANCE: f32 = 0.001;
-
-/// Farthest that surfels of the skin lie apart [m].
-const SURFEL_SPACING: f32 = 0.016;
-
-/// Everything about one performance that does not change from frame to frame.
-pub struct Production {
-    /// What is performed.
-    pub design: Design,
-    /// The dancer.
-    pub dancer: Dancer,
-    /// What she dances.
-    pub dance: Dance,
-    /// The skirt on paper, and what was measured for it.
-    pub draft: PauDraft,
-    /// Where the skirt is worn.
-    pub worn: PauMeasurements,
-    /// The skirt in SI units.
-    pub fabric: Fabric,
-    /// The skirt on the dancer.
-    pub skirt: SewnSkirt,
-    /// The skirt as it is drawn.
-    pub skirt_mesh: SkirtMesh,
-    /// Triangles of the closed body surface.
-    pub body_triangles: Vec<[u32; 3]>,
-    /// The body surface as cloth meets it that meets the skin.
-    pub body_surfels: SkinSurfels,
-    /// The skin below every pin of the skirt; `None` where one is too far from the body.
-    pub pin_surfels: Option<SkinSurfels>,
-}
-
 /// Where and when the cloth stopped being cloth.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Divergence {
     /// Time of the dance [s]; negative while settling.
     pub time: f32,
-    /// Row and column of the first particle that left.
+    /// Place of the garment among those of the production.
+    pub garment: usize,
+    /// Row and column, there, of the first particle that left.
     pub row: u32,
     /// See `row`.
     pub column: u32,
@@ -107,7 +76,10 @@ impl Energy {
 #[derive(Clone)]
 pub struct Performance {
     production: Arc<Production>,
-    solver: Solver,
+    /// In the order of the production's garments.
+    worn: Vec<Worn>,
+    /// Between every garment and the next one outward.
+    orders: Vec<LayerOrder>,
     pose: Pose,
     world_from_bind: Vec<Affine3A>,
     /// What the cloth meets as a body: the dancer's capsules, unless others were given.
@@ -116,92 +88,15 @@ pub struct Performance {
     meets_skin: bool,
     crossings: Crossings,
     capsules: Vec<Capsule>,
-    pin_targets: Vec<Vec3>,
     /// Particles that a hand holds besides, ascending, and where it has them [m].
     held: Vec<(u32, Vec3)>,
+    /// Of all garments.
     cloth_positions: Vec<Vec3>,
     body_positions: Vec<Vec3>,
     body_normals: Vec<Vec3>,
     surfels: Vec<Surfel>,
-    /// The skin below every pin.
-    pin_skin: Vec<Surfel>,
-    /// Brings the cloth to rest before the dance; `None` once it is, and for the paper's methods,
-    /// whose experiments keep the damping they had.
-    settling: Option<Settling>,
     /// Frames danced; negative while settling.
     frame: i64,
-}
-
-impl Production {
-    /// Measures, drafts and sews a design.
-    ///
-    /// # Errors
-    /// A design whose parts do not fit together.
-    pub fn new(design: &Design) -> Result<Self, StageError> {
-        let measurements = Measurements::from_tape(&design.tape())?;
-        let mut dancer = Dancer::new(&measurements)?;
-        let layout = design.capsule_layout();
-        if layout != CapsuleLayout::default() {
-            dancer.capsules = dancer.fit_capsules(layout);
-        }
-        let dance = Dance::new(&dancer.skeleton, &design.motion_settings())?;
-        let worn = worn_measurements(design, &dancer);
-        let draft = draft_pau_skirt(&worn, &design.pau_options()?)?;
-        let fabric = design.fabric.fabric();
-        let settings = SewSettings {
-            column_count: design.skirt.column_count,
-            row_count: design.skirt.row_count,
-            seed: design.skirt.seed,
-            ..SewSettings::default()
-        };
-        let stance = dancer.skeleton.world_from_bind(&dance.pose_at(0.0));
-        let skirt = sew::sew(&draft, &worn, &fabric, &dancer, &stance, &settings)?;
-        let skirt_mesh = SkirtMesh::new(&skirt.spec.grid, design.print.print().repeat.to_m_f32());
-        let body_triangles = dancer.skin.body_triangles();
-        let bind = dancer.skeleton.world_from_bind(&Pose::default());
-        let pins = skirt.pins.iter();
-        Ok(Self {
-            design: design.clone(),
-            dance,
-            draft,
-            worn,
-            fabric,
-            skirt_mesh,
-            body_surfels: SkinSurfels::new(&dancer.skin.positions, &body_triangles, SURFEL_SPACING),
-            pin_surfels: SkinSurfels::nearest_to(
-                pins.map(|pin| pin.posed(&bind)),
-                (&dancer.skin.positions, &body_triangles),
-                PIN_REACH,
-            ),
-            body_triangles,
-            dancer,
-            skirt,
-        })
-    }
-}
-
-/// Points of the tape that measures the girth where the skirt is worn.
-const TAPE_POINTS: usize = 360;
-
-/// What the tape says where the lowest elastic row is worn: at the front points of the hip bones,
-/// unless the design says otherwise.
-fn worn_measurements(design: &Design, dancer: &Dancer) -> PauMeasurements {
-    let height = match design.skirt.worn_height_cm {
-        Some(centimeters) => Length::from_cm(centimeters).to_m_f32(),
-        None => dancer.landmarks.asis_height,
-    };
-    let ring = dancer.tape_ring(height, TAPE_POINTS);
-    let next = ring.iter().cycle().skip(1);
-    let girth: f32 = ring
-        .iter()
-        .zip(next)
-        .map(|(a, b)| a.bind_position.distance(b.bind_position))
-        .sum();
-    PauMeasurements {
-        hip_girth: dancer.measurements.hip_girth,
-        worn_girth: Length::from_m(f64::from(girth)),
-        worn_height: Length::from_m(f64::from(height)),
-    }
 }
 
 impl Performance {
@@ -214,33 +109,27 @@ impl Performance {
         let production = production.into();
         let skeleton = &production.dancer.skeleton;
         let world_from_bind = skeleton.world_from_bind(&production.dance.pose_at(0.0));
-        let start = production.skirt.start_positions(&world_from_bind);
-        let solver = Solver::new(&production.design, &production.skirt.spec, &start)?;
-        let settle = SettleConfig {
-            dt: FRAME_SECONDS,
-            frame_limit: SETTLE_FRAMES,
-            ..SettleConfig::default()
-        };
-        let is_quick = solver.explicit().is_none();
+        let worn = (production.garments.iter())
+            .map(|garment| Worn::new(&production.design, garment, &world_from_bind))
+            .collect::<Result<Vec<_>, _>>()?;
         let mut performance = Self {
-            settling: is_quick.then(|| Settling::new(&production.skirt.spec, settle, &start)),
             body_capsules: production.dancer.capsules.clone(),
             meets_skin: production.design.contact_body() == BodyShapes::Skin,
             crossings: Crossings::Repair,
             production,
-            solver,
+            orders: vec![LayerOrder::default(); worn.len().saturating_sub(1)],
+            worn,
             pose: Pose::default(),
             world_from_bind,
             capsules: Vec::new(),
-            pin_targets: Vec::new(),
             held: Vec::new(),
-            cloth_positions: start,
+            cloth_positions: Vec::new(),
             body_positions: Vec::new(),
             body_normals: Vec::new(),
             surfels: Vec::new(),
-            pin_skin: Vec::new(),
             frame: -i64::from(SETTLE_FRAMES),
         };
+        performance.look();
         let pose = performance.pose_of_dance();
         performance.pose_dancer(pose);
         Ok(performance)
@@ -299,9 +188,11 @@ impl Performance {
         self.step_in(pose, None)
     }
 
-    /// Lets another method go on with the cloth as it is.
-    pub(crate) fn replace_solver(&mut self, solver: Solver) {
-        self.solver = solver;
+    /// Lets other methods go on with the cloth as it is: one for each garment.
+    pub(crate) fn replace_solvers(&mut self, solvers: Vec<Solver>) {
+        for (worn, solver) in self.worn.iter_mut().zip(solvers) {
+            worn.solver = solver;
+        }
     }
 
     /// Lets the cloth meet other capsules from the next frame on.
@@ -323,32 +214,55 @@ impl Performance {
     fn step_in(&mut self, pose: Pose, observer: Observer<'_>) -> Result<(), Divergence> {
         self.pose_dancer(pose);
         let surroundings = Surroundings {
-            pin_targets: &self.pin_targets,
+            pin_targets: &[],
             capsules: if self.meets_skin { &[] } else { &self.capsules },
             surfels: &self.surfels,
             crossings: self.crossings,
             time: self.time(),
         };
-        self.solver.step(&surroundings, FRAME_SECONDS, observer);
-        self.solver.copy_positions(&mut self.cloth_positions);
+        match (&mut self.worn[..], observer) {
+            ([only], observer) => only.step(&surroundings, observer),
+            (several, Some(passed)) => {
+                for worn in several {
+                    worn.step(&surroundings, Some(passed));
+                }
+            }
+            (several, None) => {
+                (several.par_iter_mut()).for_each(|worn| worn.step(&surroundings, None));
+            }
+        }
+        if 1 < self.worn.len() {
+            order::keep(&mut self.worn, &self.production.garments, &mut self.orders);
+        }
+        self.look();
         self.settle();
         self.check_stage()
     }
 
-    /// Damps the cloth before the dance, which begins when the cloth is at rest.
+    /// Reads the positions of all garments.
+    fn look(&mut self) {
+        self.cloth_positions.clear();
+        for worn in &mut self.worn {
+            self.cloth_positions.extend_from_slice(worn.look());
+        }
+    }
+
+    /// Damps the cloth before the dance, which begins when all of it is at rest.
     fn settle(&mut self) {
-        let Some(settling) = &mut self.settling else {
+        if !self.worn.iter().any(Worn::is_settling) {
             if self.frame <= i64::from(LOWERING_FRAMES) - i64::from(SETTLE_FRAMES) {
-                self.solver.scale_velocities(LOWERING);
+                for worn in &mut self.worn {
+                    worn.solver.scale_velocities(LOWERING);
+                }
             }
             return;
-        };
-        let verdict = settling.judge(&self.cloth_positions);
-        if let Some(kept) = verdict.kept {
-            self.solver.scale_velocities(kept);
         }
-        if verdict.end.is_some() {
-            self.settling = None;
+        let mut all_rest = true;
+        for worn in &mut self.worn {
+            all_rest &= worn.settle();
+        }
+        if all_rest {
+            self.worn.iter_mut().for_each(Worn::let_go);
             self.frame = 0;
         }
     }
@@ -376,32 +290,13 @@ impl Performance {
                 &mut self.surfels,
             );
         }
-        self.production
-            .skirt
-            .pose_pins(&self.world_from_bind, &mut self.pin_targets);
-        if self.meets_skin {
-            self.lift_pins();
-        }
-        if !self.held.is_empty() {
-            let pins = self.production.skirt.pins.iter().map(|pin| pin.particle);
-            let mut all: Vec<(u32, Vec3)> = pins.zip(self.pin_targets.drain(..)).collect();
-            all.extend(&self.held);
-            all.sort_by_key(|&(particle, _)| particle);
-            self.pin_targets
-                .extend(all.iter().map(|&(_, target)| target));
-        }
-    }
-
-    /// Skin that folds would swallow the tape, which runs straight between the points that carry it.
-    fn lift_pins(&mut self) {
-        let Some(skin) = &self.production.pin_surfels else {
-            return;
+        let skin = (&self.body_positions[..], &self.body_normals[..]);
+        let carrier = Carrier {
+            world_from_bind: &self.world_from_bind,
+            skin: self.meets_skin.then_some(skin),
         };
-        let (positions, normals) = (&self.body_positions, &self.body_normals);
-        skin.pose(positions, normals, &mut self.pin_skin);
-        for (target, skin) in self.pin_targets.iter_mut().zip(&self.pin_skin) {
-            let gap = (*target - skin.position).dot(skin.normal);
-            *target += skin.normal * (PIN_CLEARANCE - gap).max(0.0);
+        for (worn, garment) in self.worn.iter_mut().zip(&self.production.garments) {
+            worn.place_pins(garment, &carrier, &held_in(garment, &self.held));
         }
     }
 
@@ -409,14 +304,19 @@ impl Performance {
         let left = |position: &Vec3| {
             !position.is_finite() || STAGE_RADIUS * STAGE_RADIUS < position.length_squared()
         };
-        let Some(particle) = self.cloth_positions.iter().position(left) else {
+        let Some(first) = self.cloth_positions.iter().position(left) else {
             return Ok(());
         };
-        let columns = self.production.skirt.spec.grid.column_count as usize;
+        let garments = &self.production.garments;
+        let holds = |garment: &Garment| garment.particles.contains(&first);
+        let index = garments.iter().position(holds).unwrap_or(0);
+        let particle = first - garments[index].particles.start;
+        let columns = garments[index].sewn.spec.grid.column_count as usize;
         let place = |value: usize| u32::try_from(value).unwrap_or(u32::MAX);
         let (row, column) = (place(particle / columns), place(particle % columns));
         Err(Divergence {
             time: self.time(),
+            garment: index,
             row,
             column,
         })
@@ -432,19 +332,23 @@ impl Performance {
         );
     }
 
-    /// Positions of the particles [m], row-major.
+    /// Positions of the particles [m], row-major, of one garment after the other.
     #[must_use]
     pub fn cloth_positions(&self) -> &[Vec3] {
         &self.cloth_positions
     }
 
-    /// Unit normals of the particles, outward; the seam is smooth.
+    /// Positions of the particles of one garment [m], row-major.
     #[must_use]
-    pub fn cloth_normals(&self) -> Vec<Vec3> {
-        vertex_normals(
-            &self.cloth_positions,
-            &self.production.skirt_mesh.particle_triangles,
-        )
+    pub fn garment_positions(&self, garment: &Garment) -> &[Vec3] {
+        &self.cloth_positions[garment.particles.clone()]
+    }
+
+    /// Unit normals of the particles of one garment, outward; the seam is smooth.
+    #[must_use]
+    pub fn garment_normals(&self, garment: &Garment) -> Vec<Vec3> {
+        let triangles = &garment.mesh.particle_triangles;
+        vertex_normals(self.garment_positions(garment), triangles)
     }
 
     /// Posed vertices of the drawn body [m]; call [`Self::pose_body`] first.
@@ -474,30 +378,42 @@ impl Performance {
     /// Measures the current frame; call [`Self::pose_body`] first.
     #[must_use]
     pub fn measure(&self) -> FrameMetrics {
-        let spec = &self.production.skirt.spec;
         let body = skin_check::Surface {
             positions: &self.body_positions,
             normals: &self.body_normals,
             triangles: &self.production.body_triangles,
         };
-        let cloth = skin_check::Surface {
-            positions: &self.cloth_positions,
-            normals: &[],
-            triangles: &self.production.skirt_mesh.particle_triangles,
-        };
-        let columns = spec.grid.column_count as usize;
-        let hem = &self.cloth_positions[self.cloth_positions.len() - columns..];
-        FrameMetrics {
+        let mut metrics = FrameMetrics {
             time: self.time(),
-            strain: diagnose::strain(spec, &self.cloth_positions),
-            capsule_penetration: diagnose::worst_capsule_penetration(
-                spec,
-                &self.cloth_positions,
-                self.met_capsules(),
-            ),
-            skin: skin_check::check(body, cloth),
-            hem_height: hem.iter().map(|p| p.y).sum::<f32>() / columns as f32,
+            hem_height: self.hem_height(),
+            ..FrameMetrics::default()
+        };
+        for garment in &self.production.garments {
+            let (spec, positions) = (&garment.sewn.spec, self.garment_positions(garment));
+            let share = positions.len() as f32 / self.cloth_positions.len() as f32;
+            let (strain, skin) = Worn::measure(garment, positions, body);
+            metrics.add_strain(strain, share);
+            metrics.skin.add(skin);
+            let depth = diagnose::worst_capsule_penetration(spec, positions, self.met_capsules());
+            metrics.capsule_penetration = metrics.capsule_penetration.max(depth);
         }
+        metrics
+    }
+
+    /// Particles of a garment on the inward side of the next one inward, of all garments: 0 where
+    /// their order is kept.
+    #[must_use]
+    pub fn layer_inversions(&self) -> usize {
+        order::inversions(&self.production.garments, &self.cloth_positions)
+    }
+
+    /// Mean height of the skirt's hem above the floor [m].
+    fn hem_height(&self) -> f32 {
+        let skirt = self.production.skirt();
+        let positions = self.garment_positions(skirt);
+        let columns = skirt.sewn.spec.grid.column_count as usize;
+        let hem = &positions[positions.len() - columns..];
+        hem.iter().map(|p| p.y).sum::<f32>() / columns as f32
     }
 
     /// The capsules that the cloth meets: none where it meets the skin.
@@ -511,24 +427,26 @@ impl Performance {
         &self.capsules
     }
 
-    /// Model and settings of the paper's methods; `None` for `xpbd`.
+    /// Model and settings of the paper's methods, which move one garment; `None` for `xpbd`.
     #[must_use]
     pub fn explicit(&self) -> Option<(&ReferenceModel, &ExplicitConfig)> {
-        let explicit = self.solver.explicit()?;
+        let explicit = self.worn.first()?.solver.explicit()?;
         Some((&explicit.model, &explicit.config))
     }
 
     /// Changes the settings of the paper's methods from the next frame on; nothing for `xpbd`.
-    pub fn tune_explicit(&mut self, change: impl FnOnce(&ReferenceModel, &mut ExplicitConfig)) {
-        if let Some(explicit) = self.solver.explicit_mut() {
-            change(&explicit.model, &mut explicit.config);
+    pub fn tune_explicit(&mut self, mut change: impl FnMut(&ReferenceModel, &mut ExplicitConfig)) {
+        for worn in &mut self.worn {
+            if let Some(explicit) = worn.solver.explicit_mut() {
+                change(&explicit.model, &mut explicit.config);
+            }
         }
     }
 
     /// Energy of the cloth under the paper's methods; `None` for `xpbd`.
     #[must_use]
     pub fn energy(&self) -> Option<Energy> {
-        let explicit = self.solver.explicit()?;
+        let explicit = self.worn.first()?.solver.explicit()?;
         let (model, state) = (&explicit.model, &explicit.state);
         let gravity = explicit.config.gravity;
         let weights = model.masses().iter().zip(&state.positions);
@@ -542,16 +460,20 @@ impl Performance {
         })
     }
 
-    /// All bits of the cloth's state as one number.
+    /// All bits of the cloth's state as one number: that of the only garment, or one of them all.
     #[must_use]
     pub fn state_hash(&self) -> u64 {
-        self.solver.state_hash()
+        /// Of the hash `FNV-1a` for 64 bits (Fowler, Noll and Vo).
+        const PRIME: u64 = 0x0000_0100_0000_01b3;
+        let mut hashes = self.worn.iter().map(|worn| worn.solver.state_hash());
+        let first = hashes.next().unwrap_or(0);
+        hashes.fold(first, |all, next| all.wrapping_mul(PRIME) ^ next)
     }
 
     /// Springs of the prepared cloth.
     #[must_use]
     pub fn spring_count(&self) -> usize {
-        self.solver.spring_count()
+        self.solvers().map(Solver::spring_count).sum()
     }
 
     /// What is done about cloth of `xpbd` that has gone through itself, from the next frame on.
@@ -561,31 +483,61 @@ impl Performance {
 
     /// Vector instructions of `xpbd` from the next frame on; the bits are the same with all.
     pub fn set_instruction_set(&mut self, set: InstructionSet) {
-        self.solver.set_instruction_set(set);
+        for worn in &mut self.worn {
+            worn.solver.set_instruction_set(set);
+        }
     }
 
     /// Memory of the prepared cloth and its state [byte].
     #[must_use]
     pub fn byte_count(&self) -> usize {
-        self.solver.byte_count()
+        self.solvers().map(Solver::byte_count).sum()
     }
 
     /// Root mean square of the particles' speeds [m/s].
     #[must_use]
     pub fn rms_speed(&self) -> f32 {
-        self.solver.rms_speed()
+        if let [only] = &self.worn[..] {
+            return only.solver.rms_speed();
+        }
+        let count = self.cloth_positions.len().max(1) as f32;
+        let squares = self.worn.iter().zip(&self.production.garments);
+        let squares = squares.map(|(worn, garment)| {
+            let speed = worn.solver.rms_speed();
+            speed * speed * garment.particles.len() as f32 / count
+        });
+        squares.sum::<f32>().sqrt()
     }
 
     /// Acceleration of free fall [m/s²].
     pub(crate) fn gravity(&self) -> Vec3 {
-        self.solver.gravity()
+        self.solvers().next().map_or(Vec3::ZERO, Solver::gravity)
     }
 
-    /// Substeps of one frame.
+    /// Substeps of one frame, most of any garment.
     #[must_use]
     pub fn substep_count(&self) -> u32 {
-        self.solver.substep_count()
+        self.solvers().map(Solver::substep_count).max().unwrap_or(0)
     }
+
+    fn solvers(&self) -> impl Iterator<Item = &Solver> {
+        self.worn.iter().map(|worn| &worn.solver)
+    }
+}
+
+/// What a hand holds of a garment, by its numbers in that garment.
+fn held_in(garment: &Garment, held: &[(u32, Vec3)]) -> Vec<(u32, Vec3)> {
+    let own = held.iter().filter_map(|&(particle, place)| {
+        let particle = particle as usize;
+        let inside = garment.particles.contains(&particle);
+        inside.then(|| {
+            Some((
+                u32::try_from(particle - garment.particles.start).ok()?,
+                place,
+            ))
+        })?
+    });
+    own.collect()
 }
 
 #[cfg(test)]

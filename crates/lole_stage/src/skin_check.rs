@@ -36,6 +36,15 @@ pub struct SkinCheck {
     pub showing_body_vertices: u32,
 }
 
+impl SkinCheck {
+    /// Adds what another garment shows.
+    pub(crate) fn add(&mut self, other: Self) {
+        self.worst_depth = self.worst_depth.max(other.worst_depth);
+        self.sunken_cloth_vertices += other.sunken_cloth_vertices;
+        self.showing_body_vertices += other.showing_body_vertices;
+    }
+}
+
 /// Compares one frame's cloth with one frame's drawn body.
 ///
 /// A cloth vertex is inside when it lies behind the nearest point of the skin. A body vertex shows

@@ -91,17 +91,18 @@ fn work(jobs: &Receiver<Job>, results: &Mutex<Option<(u64, AmbientLight)>>, free
     {
         let clock = Clock::start();
         let wardrobe = &snapshot.wardrobe;
+        let cloths = snapshot.draped(&[]);
         let figure = Figure {
-            cloth_positions: &snapshot.cloth[0],
-            cloth_normals: &snapshot.cloth[1],
-            cloth_colors: &[],
+            cloths: &cloths,
             body_positions: &snapshot.body[0],
             body_normals: &snapshot.body[1],
         };
         let lights = LightRig::seen_from(&camera);
         let mut scene = (wardrobe.looks).scene(&wardrobe.production, &figure, camera, lights);
-        if let (true, Some(cloth)) = (is_coarse, scene.meshes.first_mut()) {
-            cloth.triangles = &wardrobe.coarse_triangles;
+        if is_coarse {
+            for (cloth, triangles) in scene.meshes.iter_mut().zip(&wardrobe.coarse_triangles) {
+                cloth.triangles = triangles;
+            }
         }
         if let Ok(light) = AmbientLight::of(&scene) {
             *results.lock().unwrap_or_else(PoisonError::into_inner) = Some((wardrobe.id, light));

@@ -40,10 +40,13 @@ impl Strokes {
             }
         };
         if shows.springs {
-            let grid = &snapshot.wardrobe.production.skirt.spec.grid;
-            let stride = spring_stride(grid, meters_per_pixel * scale);
-            let springs = springs(grid, &snapshot.particles, stride);
-            strokes.on_surfaces.extend(springs.map(line(SPRING, 1.0)));
+            for garment in &snapshot.wardrobe.production.garments {
+                let grid = &garment.sewn.spec.grid;
+                let stride = spring_stride(grid, meters_per_pixel * scale);
+                let particles = snapshot.particles.get(garment.particles.clone());
+                let springs = springs(grid, particles.unwrap_or_default(), stride);
+                strokes.on_surfaces.extend(springs.map(line(SPRING, 1.0)));
+            }
         }
         if shows.capsules {
             for capsule in &snapshot.capsules {

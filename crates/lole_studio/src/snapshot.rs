@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use glam::Vec3;
 use lole_cloth::Grid;
 use lole_geom::Capsule;
-use lole_picture::Looks;
+use lole_picture::{Draped, Looks};
 use lole_stage::{Divergence, Production};
 
 use crate::history::Sample;
@@ -15,12 +15,12 @@ use crate::history::Sample;
 pub struct Wardrobe {
     /// Tells wardrobes apart.
     pub id: u64,
-    /// Dancer, dance and skirt.
+    /// Dancer, dance and garments.
     pub production: Arc<Production>,
     /// Materials.
     pub looks: Looks,
-    /// The skirt in triangles of two cells each way, for adapters that compute on the processor.
-    pub(crate) coarse_triangles: Vec<[u32; 3]>,
+    /// The garments in triangles of two cells each way, for adapters that compute on the processor.
+    pub(crate) coarse_triangles: Vec<Vec<[u32; 3]>>,
 }
 
 impl Wardrobe {
@@ -29,7 +29,9 @@ impl Wardrobe {
         static NEXT: AtomicU64 = AtomicU64::new(1);
         Self {
             id: NEXT.fetch_add(1, Ordering::Relaxed),
-            coarse_triangles: coarse_triangles(&production.skirt.spec.grid),
+            coarse_triangles: (production.garments.iter())
+                .map(|garment| coarse_triangles(&garment.sewn.spec.grid))
+                .collect(),
             production,
             looks,
         }
@@ -65,17 +67,17 @@ pub struct Snapshot {
     pub wardrobe: Arc<Wardrobe>,
     /// Time of the dance [s]; negative while the skirt settles.
     pub time: f32,
-    /// Particles of the cloth [m], row-major.
+    /// Particles of the cloth [m], row-major, of one garment after the other.
     pub particles: Vec<Vec3>,
-    /// The skirt as it is drawn: positions and normals, the seam's column twice.
-    pub cloth: [Vec<Vec3>; 2],
+    /// The garments as they are drawn: positions and normals, the seam's column twice.
+    pub cloths: Vec<[Vec<Vec3>; 2]>,
     /// The body as it is drawn: positions and normals.
     pub body: [Vec<Vec3>; 2],
     /// What the cloth meets.
     pub capsules: Vec<Capsule>,
     /// Ends of each bone [m].
     pub bones: Vec<[Vec3; 2]>,
-    /// Mean strain at every particle; empty where it is not watched.
+    /// Mean strain at every particle of all garments; empty where it is not watched.
     pub strain: Vec<f32>,
     /// Particles below the drawn skin [m]; empty where they are not watched.
     pub sunken: Vec<Vec3>,
@@ -87,4 +89,16 @@ pub struct Snapshot {
     pub substep_count: u32,
     /// Where and when the cloth flew apart.
     pub stopped: Option<Divergence>,
+}
+
+impl Snapshot {
+    /// The garments for the picture, with the colors of their vertices where there are any.
+    pub(crate) fn draped<'a>(&'a self, colors: &'a [Vec<Vec3>]) -> Vec<Draped<'a>> {
+        let draped = |(garment, [positions, normals]): (usize, &'a [Vec<Vec3>; 2])| Draped {
+            positions,
+            normals,
+            colors: colors.get(garment).map_or(&[], Vec::as_slice),
+        };
+        self.cloths.iter().enumerate().map(draped).collect()
+    }
 }

@@ -340,10 +340,9 @@ impl Viewport {
             through: &strokes.through,
         };
         let colors = cloth_colors(snapshot, studio.shows);
+        let cloths = snapshot.draped(&colors);
         let figure = Figure {
-            cloth_positions: &snapshot.cloth[0],
-            cloth_normals: &snapshot.cloth[1],
-            cloth_colors: &colors,
+            cloths: &cloths,
             body_positions: &snapshot.body[0],
             body_normals: &snapshot.body[1],
         };
@@ -351,12 +350,12 @@ impl Viewport {
         let camera = orbit.camera();
         let lights = LightRig::seen_from(&camera);
         let mut scene = (wardrobe.looks).scene(&wardrobe.production, &figure, camera, lights);
-        if let Some(cloth) = scene.meshes.first_mut() {
-            if !colors.is_empty() {
+        for (cloth, triangles) in scene.meshes.iter_mut().zip(&wardrobe.coarse_triangles) {
+            if !cloth.colors.is_empty() {
                 cloth.material = &self.strain_cloth;
             }
             if is_coarse {
-                cloth.triangles = &wardrobe.coarse_triangles;
+                cloth.triangles = triangles;
             }
         }
         live.view.draw(&scene, overlay)?;
@@ -453,19 +452,26 @@ fn stage_of(snapshot: &Snapshot) -> Bounds {
     }
 }
 
-/// Colors of the skirt's vertices by strain, or plain under its springs; empty where it shows its
+/// Colors of every garment's vertices by strain, or plain under its springs; empty where it shows its
 /// print.
-fn cloth_colors(snapshot: &Snapshot, shows: Shows) -> Vec<Vec3> {
-    let mut colors = Vec::new();
-    if shows.springs {
-        colors.resize(snapshot.cloth[0].len(), strain_color(0.0));
-    }
-    if shows.strain && snapshot.strain.len() == snapshot.particles.len() {
-        let by_particle: Vec<Vec3> = snapshot.strain.iter().map(|&s| strain_color(s)).collect();
-        let mesh = &snapshot.wardrobe.production.skirt_mesh;
-        mesh.spread(&by_particle, &mut colors);
-    }
-    colors
+fn cloth_colors(snapshot: &Snapshot, shows: Shows) -> Vec<Vec<Vec3>> {
+    let garments = snapshot.wardrobe.production.garments.iter();
+    let colors = garments
+        .zip(&snapshot.cloths)
+        .map(|(garment, [positions, _])| {
+            let mut colors = Vec::new();
+            if shows.springs {
+                colors.resize(positions.len(), strain_color(0.0));
+            }
+            if let (true, Some(strain)) =
+                (shows.strain, snapshot.strain.get(garment.particles.clone()))
+            {
+                let by_particle: Vec<Vec3> = strain.iter().map(|&s| strain_color(s)).collect();
+                garment.mesh.spread(&by_particle, &mut colors);
+            }
+            colors
+        });
+    colors.collect()
 }
 
 #[expect(

@@ -1,7 +1,7 @@
 //! Scenes with a dancer: what a whole frame of the product costs.
 
 use lole_cloth::{Phase, diagnose};
-use lole_costume::document::Design;
+use lole_costume::document::{Design, GarmentDesign, WornSkirt, WornTop};
 use lole_stage::{Performance, Production, RunMetrics, StageError};
 
 use super::Settings;
@@ -24,11 +24,32 @@ impl StageScene {
 }
 
 /// Every scene with a dancer.
-pub(super) const SCENES: &[StageScene] = &[StageScene {
-    name: "pau-fine",
-    frame_count: 300,
-    design: Design::default,
-}];
+pub(super) const SCENES: &[StageScene] = &[
+    StageScene {
+        name: "pau-fine",
+        frame_count: 300,
+        design: Design::default,
+    },
+    StageScene {
+        name: "pau-layers",
+        frame_count: 300,
+        design: double_pau,
+    },
+];
+
+/// A double pāʻū and a top, of 40,000 particles: a plain underskirt, the print skirt over it, shorter,
+/// and the top over its band.
+fn double_pau() -> Design {
+    let mut design = Design::default();
+    design.skirt.hem_height_cm = 34.0;
+    design.skirt.gather_ratio = 3.0;
+    (design.skirt.column_count, design.skirt.row_count) = (480, 36);
+    design.garments = vec![
+        GarmentDesign::PauSkirt(WornSkirt::default()),
+        GarmentDesign::PauTop(WornTop::default()),
+    ];
+    design
+}
 
 /// Dances a scene, settled beforehand. Measured is all that a frame needs before it can be drawn:
 /// pose, capsules, pins and cloth.
@@ -37,6 +58,7 @@ pub(super) fn measure(scene: &StageScene, settings: Settings) -> Result<BenchRow
     performance.set_instruction_set(settings.instruction_set);
     let (mut timings, mut metrics) = (Vec::new(), Vec::new());
     let (mut clock, mut crossings) = (PhaseClock::new(), Crossings::none());
+    let mut inversions = 0;
     // What stops short is seen in the figures of the frames.
     while performance.time() < 0.0 && performance.advance().is_ok() {}
     for frame in 0..scene.frame_count {
@@ -53,11 +75,9 @@ pub(super) fn measure(scene: &StageScene, settings: Settings) -> Result<BenchRow
         };
         performance.pose_body();
         metrics.push(performance.measure());
-        let grid = &performance.production().skirt.spec.grid;
         // A skirt that has settled crosses itself no more than one that dances.
-        crossings.see(u32::MAX, || {
-            diagnose::self_crossings(grid, performance.cloth_positions())
-        });
+        crossings.see(u32::MAX, || self_crossings(&performance));
+        inversions = inversions.max(performance.layer_inversions());
         if !went_on {
             break;
         }
@@ -66,7 +86,7 @@ pub(super) fn measure(scene: &StageScene, settings: Settings) -> Result<BenchRow
     let run = Run {
         scene: scene.name,
         method: performance.production().design.method.name.id(),
-        particles: performance.production().skirt.spec.grid.particle_count(),
+        particles: performance.production().particle_count(),
         substeps: performance.substep_count(),
         timings,
         phases: clock.times(),
@@ -77,10 +97,19 @@ pub(super) fn measure(scene: &StageScene, settings: Settings) -> Result<BenchRow
         penetration: worst.capsule_penetration.max(worst.skin.worst_depth),
         skin_penetration: Some(worst.skin.worst_depth),
         crossings: Some(crossings),
-        layer_inversions: None,
+        layer_inversions: (1 < performance.production().garments.len()).then_some(inversions),
         rms_speed: performance.rms_speed(),
         byte_count: performance.byte_count(),
         state_hash: performance.state_hash(),
     };
     Ok(run.row())
+}
+
+/// Edges of a garment that cross a triangle of the same one, of all garments.
+fn self_crossings(performance: &Performance) -> Option<usize> {
+    let crossings = performance.production().garments.iter().map(|garment| {
+        let grid = &garment.sewn.spec.grid;
+        diagnose::self_crossings(grid, performance.garment_positions(garment))
+    });
+    crossings.sum()
 }

@@ -5,10 +5,13 @@ use lole_cloth::Fabric;
 use lole_geom::Length;
 use lole_language::{Bilingual, Sentence};
 use lole_pattern::design::pau_skirt::PauOptions;
+use lole_pattern::design::pau_top::TopOptions;
 use lole_pattern::{DraftError, ElasticRatio, GatherRatio};
 
+use super::schema::Table;
 use super::{
-    BodyShapes, Design, DesignError, FabricDesign, PrintChoice, Problem, WindDesign, schema,
+    BodyShapes, Design, DesignError, FabricDesign, GarmentDesign, GarmentLayer, PrintChoice,
+    Problem, SkirtDesign, WindDesign, WornTop, schema,
 };
 use crate::fabrics::{FabricFigures, si_fabric};
 use crate::print::PrintDesign;
@@ -34,6 +37,12 @@ impl Design {
                 })?;
             }
         }
+        for garment in &self.garments {
+            match garment {
+                GarmentDesign::PauSkirt(worn) => check_keys(schema::WORN_SKIRT, worn, source)?,
+                GarmentDesign::PauTop(worn) => check_keys(schema::WORN_TOP, worn, source)?,
+            }
+        }
         self.check_together()
             .map_err(|(table, problem)| DesignError {
                 file_name: source.to_owned(),
@@ -48,6 +57,29 @@ impl Design {
         Measurements::from_tape(&self.tape()).map_err(|error| ("dancer", together(&error)))?;
         self.pau_options()
             .map_err(|error| ("skirt", together(&error)))?;
+        for garment in &self.garments {
+            let sewable = match garment {
+                GarmentDesign::PauSkirt(worn) => worn.skirt.options(&worn.fabric).map(|_| ()),
+                GarmentDesign::PauTop(worn) => worn.options(Length::ZERO).map(|_| ()),
+            };
+            sewable.map_err(|error| (schema::LIST, together(&error)))?;
+        }
+        if MOST_GARMENTS < self.garments.len() {
+            let sentence = Sentence::new(
+                format!("服は {MOST_GARMENTS} 枚まで重ねられます。減らしてください"),
+                format!("at most {MOST_GARMENTS} garments are worn with the skirt; leave some out"),
+            );
+            return Err((schema::LIST, Box::new(Problem::Together { sentence })));
+        }
+        if !self.garments.is_empty() && self.method.name.integrator().is_some() {
+            let sentence = Sentence::new(
+                "論文の方法は服 1 枚だけを動かします。name = \"xpbd\" にするか、[[garment]] を消してください"
+                    .to_owned(),
+                "the paper's methods move one garment alone; write name = \"xpbd\", or leave out [[garment]]"
+                    .to_owned(),
+            );
+            return Err(("method", Box::new(Problem::Together { sentence })));
+        }
         Ok(())
     }
 
@@ -88,18 +120,45 @@ impl Design {
     /// # Errors
     /// Ratios that cannot be sewn; [`Design::check`] finds them first.
     pub fn pau_options(&self) -> Result<PauOptions, DraftError> {
-        Ok(PauOptions {
-            gather_ratio: GatherRatio::new(self.skirt.gather_ratio)?,
-            hem_height: Length::from_cm(self.skirt.hem_height_cm),
-            elastic_row_count: self.skirt.elastic_row_count,
-            elastic_ratio: ElasticRatio::new(self.skirt.elastic_ratio)?,
-            header: Length::from_cm(self.skirt.header_cm),
-            casing: Length::from_cm(self.skirt.casing_cm),
-            gap: Length::from_cm(self.skirt.casing_gap_cm),
-            hem: Length::from_cm(self.skirt.hem_allowance_cm),
-            fabric_width: Length::from_cm(self.fabric.width_cm),
-            ..PauOptions::default()
-        })
+        self.skirt.options(&self.fabric)
+    }
+
+    /// What is worn in one layer, from the skin outward, each with its place in the list.
+    pub fn garments_in(
+        &self,
+        layer: GarmentLayer,
+    ) -> impl Iterator<Item = (usize, &GarmentDesign)> {
+        let listed = self.garments.iter().enumerate();
+        listed.filter(move |(_, garment)| garment.layer() == layer)
+    }
+
+    /// The fabrics of everything that is worn, from the skin outward.
+    #[must_use]
+    pub fn worn_fabrics(&self) -> Vec<Fabric> {
+        self.worn(&self.fabric, GarmentDesign::fabric)
+            .map(FabricDesign::fabric)
+            .collect()
+    }
+
+    /// What is printed on everything that is worn, from the skin outward.
+    #[must_use]
+    pub fn worn_prints(&self) -> Vec<&PrintChoice> {
+        self.worn(&self.print, GarmentDesign::print).collect()
+    }
+
+    /// A part of everything that is worn, from the skin outward: `skirt` of the skirt.
+    fn worn<'a, P>(
+        &'a self,
+        skirt: &'a P,
+        part: impl Fn(&'a GarmentDesign) -> &'a P + Copy,
+    ) -> impl Iterator<Item = &'a P> {
+        let layer = move |layer| {
+            self.garments_in(layer)
+                .map(move |(_, garment)| part(garment))
+        };
+        layer(GarmentLayer::Under)
+            .chain([skirt])
+            .chain(layer(GarmentLayer::Over))
     }
 
     /// What is danced, for [`lole_body::Dance`].
@@ -116,6 +175,75 @@ impl Design {
             ami_turn: self.motion.ami_turn,
             ..MotionSettings::default()
         }
+    }
+}
+
+/// Garments that are worn with the skirt, at most.
+const MOST_GARMENTS: usize = 4;
+
+/// Checks what a garment holds against its rows of the schema.
+fn check_keys<T>(tables: &[Table<T>], worn: &T, source: &str) -> Result<(), DesignError> {
+    for table in tables {
+        for key in table.keys {
+            key.kind.check(worn).map_err(|problem| DesignError {
+                file_name: source.to_owned(),
+                line: None,
+                place: if table.name == schema::LIST {
+                    format!("[[{}]] {}", schema::LIST, key.name)
+                } else {
+                    format!("[{}.{}] {}", schema::LIST, table.name, key.name)
+                },
+                problem: Box::new(problem),
+            })?;
+        }
+    }
+    Ok(())
+}
+
+impl SkirtDesign {
+    /// What the maker decides about a skirt of this cloth.
+    ///
+    /// # Errors
+    /// Ratios that cannot be sewn.
+    pub fn options(&self, fabric: &FabricDesign) -> Result<PauOptions, DraftError> {
+        Ok(PauOptions {
+            gather_ratio: GatherRatio::new(self.gather_ratio)?,
+            hem_height: Length::from_cm(self.hem_height_cm),
+            elastic_row_count: self.elastic_row_count,
+            elastic_ratio: ElasticRatio::new(self.elastic_ratio)?,
+            header: Length::from_cm(self.header_cm),
+            casing: Length::from_cm(self.casing_cm),
+            gap: Length::from_cm(self.casing_gap_cm),
+            hem: Length::from_cm(self.hem_allowance_cm),
+            fabric_width: Length::from_cm(fabric.width_cm),
+            ..PauOptions::default()
+        })
+    }
+}
+
+impl WornTop {
+    /// What the maker decides about the top, whose hem is `hem_height` above the floor unless the
+    /// design says otherwise.
+    ///
+    /// # Errors
+    /// Ratios that cannot be sewn.
+    pub fn options(&self, hem_height: Length) -> Result<TopOptions, DraftError> {
+        let top = &self.top;
+        Ok(TopOptions {
+            cut: PauOptions {
+                gather_ratio: GatherRatio::new(top.gather_ratio)?,
+                hem_height: top.hem_height_cm.map_or(hem_height, Length::from_cm),
+                elastic_row_count: top.upper_row_count,
+                elastic_ratio: ElasticRatio::new(top.elastic_ratio)?,
+                header: Length::from_cm(top.header_cm),
+                casing: Length::from_cm(top.casing_cm),
+                gap: Length::from_cm(top.casing_gap_cm),
+                hem: Length::from_cm(top.hem_allowance_cm),
+                fabric_width: Length::from_cm(self.fabric.width_cm),
+                ..PauOptions::default()
+            },
+            lower_row_count: top.lower_row_count,
+        })
     }
 }
 

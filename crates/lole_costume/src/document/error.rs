@@ -84,6 +84,14 @@ pub enum Problem {
         /// The nearest, or all there are.
         remedy: Sentence,
     },
+    /// Something that cannot be left out.
+    #[error("the {} is missing; {remedy}", what.english)]
+    Missing {
+        /// "kind of garment".
+        what: Words,
+        /// What to write.
+        remedy: Sentence,
+    },
     /// A value of another type.
     #[error("{found} is {}; write {wanted}", found_type.english)]
     WrongType {
@@ -173,6 +181,9 @@ impl Bilingual for Problem {
                     "このような{}はありません。{}",
                     what.japanese, remedy.japanese
                 )
+            }
+            Self::Missing { what, remedy } => {
+                format!("{}がありません。{}", what.japanese, remedy.japanese)
             }
             Self::WrongType {
                 found,

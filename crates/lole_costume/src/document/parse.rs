@@ -7,7 +7,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::schema::{self, Key, Kind, Table, shortened};
-use super::{Design, DesignError, Problem, VERSION, likely};
+use super::{Design, DesignError, GarmentDesign, Problem, VERSION, likely, nearest};
 
 /// Largest text that is read [bytes]; a whole design is under two thousand.
 const SIZE_LIMIT: usize = 1 << 20;
@@ -60,8 +60,10 @@ pub fn parse(text: &str, file_name: &str) -> Result<Design, DesignError> {
 
     let mut design = Design::default();
     for (name, value) in in_text_order(document.get_ref()) {
-        if name.get_ref() != "lole" {
-            reader.read_table(name, value, &mut design)?;
+        match name.get_ref().as_ref() {
+            "lole" => {}
+            schema::LIST => reader.read_garments(name, value, &mut design)?,
+            _ => reader.read_table(name, value, &mut design)?,
         }
     }
     design.check_together().map_err(|(table, problem)| {
@@ -160,44 +162,185 @@ impl Reader<'_> {
         value: &Spanned<DeValue<'_>>,
         design: &mut Design,
     ) -> Result<(), DesignError> {
-        let place = format!("[{}]", shortened(name.get_ref()));
         let Some(table) = schema::TABLES
             .iter()
             .find(|table| table.name == name.get_ref())
         else {
-            let names: Vec<_> = schema::TABLES.iter().map(|table| table.name).collect();
-            let problem = unknown(
-                words("表", "table"),
-                name.get_ref(),
-                &names,
-                words("使える表は ", "the tables are"),
-            );
-            return Err(self.error(name.span().start, place, problem));
+            let mut names: Vec<_> = schema::TABLES.iter().map(|table| table.name).collect();
+            names.push(schema::LIST);
+            return Err(self.unknown_table(name, &names));
         };
-        let Some(entries) = value.get_ref().as_table() else {
-            let problem = Problem::WrongType {
-                found: self.found(value.span()),
-                found_type: type_name(value.get_ref()),
-                wanted: Sentence::new(
-                    format!("[{}] で始まる表", table.name),
-                    format!("a table that begins with [{}]", table.name),
-                ),
-            };
-            return Err(self.error(value.span().start, place, problem));
-        };
-        in_text_order(entries)
+        let place = format!("[{}]", table.name);
+        in_text_order(self.entries(value, &place)?)
             .into_iter()
-            .try_for_each(|(key, value)| self.read_key(table, key, value, design))
+            .try_for_each(|(key, value)| self.read_key((table, &place), (key, value), design))
     }
 
-    fn read_key(
+    fn unknown_table(&self, name: &Spanned<toml::de::DeString<'_>>, names: &[&str]) -> DesignError {
+        let problem = unknown(
+            words("表", "table"),
+            name.get_ref(),
+            names,
+            words("使える表は ", "the tables are"),
+        );
+        let place = format!("[{}]", shortened(name.get_ref()));
+        self.error(name.span().start, place, problem)
+    }
+
+    /// The entries of what must be a table.
+    fn entries<'d, 'i>(
         &self,
-        table: &Table,
+        value: &'d Spanned<DeValue<'i>>,
+        place: &str,
+    ) -> Result<&'d DeTable<'i>, DesignError> {
+        value.get_ref().as_table().ok_or_else(|| {
+            let wanted = Sentence::new(
+                format!("{place} で始まる表"),
+                format!("a table that begins with {place}"),
+            );
+            self.wrong_type(value, place, wanted)
+        })
+    }
+
+    fn wrong_type(
+        &self,
+        value: &Spanned<DeValue<'_>>,
+        place: &str,
+        wanted: Sentence,
+    ) -> DesignError {
+        let problem = Problem::WrongType {
+            found: self.found(value.span()),
+            found_type: type_name(value.get_ref()),
+            wanted,
+        };
+        self.error(value.span().start, place.to_owned(), problem)
+    }
+
+    /// Reads the list of garments.
+    fn read_garments(
+        &self,
         name: &Spanned<toml::de::DeString<'_>>,
         value: &Spanned<DeValue<'_>>,
         design: &mut Design,
     ) -> Result<(), DesignError> {
-        let place = format!("[{}] {}", table.name, shortened(name.get_ref()));
+        let place = format!("[[{}]]", schema::LIST);
+        let wanted = || {
+            Sentence::new(
+                format!("服ごとに {place} で始まる表"),
+                format!("a table that begins with {place} for each garment"),
+            )
+        };
+        let Some(list) = value.get_ref().as_array() else {
+            return Err(self.error(
+                name.span().start,
+                format!("[{}]", schema::LIST),
+                Problem::WrongType {
+                    found: format!("[{}]", schema::LIST),
+                    found_type: type_name(value.get_ref()),
+                    wanted: wanted(),
+                },
+            ));
+        };
+        for garment in list {
+            let Some(entries) = garment.get_ref().as_table() else {
+                return Err(self.wrong_type(garment, &place, wanted()));
+            };
+            let start = if entries.is_empty() {
+                name.span().start
+            } else {
+                garment.span().start
+            };
+            let mut read = self.garment_kind(entries, (start, &place))?;
+            match &mut read {
+                GarmentDesign::PauSkirt(worn) => {
+                    self.read_garment(entries, schema::WORN_SKIRT, worn)?;
+                }
+                GarmentDesign::PauTop(worn) => {
+                    self.read_garment(entries, schema::WORN_TOP, worn)?;
+                }
+            }
+            design.garments.push(read);
+        }
+        Ok(())
+    }
+
+    /// A garment of the kind that its entries name, as the program would make it.
+    fn garment_kind(
+        &self,
+        entries: &DeTable<'_>,
+        (start, place): (usize, &str),
+    ) -> Result<GarmentDesign, DesignError> {
+        const WHAT: Words = words("服の種類", "kind of garment");
+        let ids: Vec<&str> = schema::KINDS.iter().map(|kind| kind.id).collect();
+        let choices = ids.join(", ");
+        let named = entries.iter().find(|(name, _)| name.get_ref() == "kind");
+        let Some((_, value)) = named else {
+            let remedy = Sentence::new(
+                format!(
+                    "kind = \"{}\" のように書いてください（選べるのは {choices}）",
+                    ids[0]
+                ),
+                format!("write kind = \"{}\" (the choices are {choices})", ids[0]),
+            );
+            let problem = Problem::Missing { what: WHAT, remedy };
+            return Err(self.error(start, place.to_owned(), problem));
+        };
+        let place = format!("{place} kind");
+        let Some(id) = value.get_ref().as_str() else {
+            let wanted = Sentence::new(
+                format!("{}の名前を引用符で囲んだもの（{choices}）", WHAT.japanese),
+                format!("the name of a {} in quotes: {choices}", WHAT.english),
+            );
+            return Err(self.wrong_type(value, &place, wanted));
+        };
+        match schema::KINDS.iter().find(|kind| kind.id == id) {
+            Some(kind) => Ok((kind.make)()),
+            None => {
+                let problem = Problem::UnknownName {
+                    found: format!("\"{}\"", shortened(id)),
+                    what: WHAT,
+                    nearest: nearest(id, &ids).unwrap_or_default().to_owned(),
+                    choices,
+                };
+                Err(self.error(value.span().start, place, problem))
+            }
+        }
+    }
+
+    /// Fills a garment from its entries and from the tables of its parts.
+    fn read_garment<T>(
+        &self,
+        entries: &DeTable<'_>,
+        tables: &[Table<T>],
+        garment: &mut T,
+    ) -> Result<(), DesignError> {
+        let place = format!("[[{}]]", schema::LIST);
+        let [own, parts @ ..] = tables else {
+            return Ok(());
+        };
+        for (name, value) in in_text_order(entries) {
+            if name.get_ref() == "kind" {
+                continue;
+            }
+            let Some(part) = parts.iter().find(|part| part.name == name.get_ref()) else {
+                self.read_key((own, &place), (name, value), garment)?;
+                continue;
+            };
+            let place = format!("[{}.{}]", schema::LIST, part.name);
+            for entry in in_text_order(self.entries(value, &place)?) {
+                self.read_key((part, &place), entry, garment)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn read_key<T>(
+        &self,
+        (table, place): (&Table<T>, &str),
+        (name, value): Entry<'_, '_>,
+        into: &mut T,
+    ) -> Result<(), DesignError> {
+        let place = format!("{place} {}", shortened(name.get_ref()));
         let Some(key) = table.keys.iter().find(|key| key.name == name.get_ref()) else {
             let names: Vec<_> = table.keys.iter().map(|key| key.name).collect();
             let problem = unknown(
@@ -208,13 +351,13 @@ impl Reader<'_> {
             );
             return Err(self.error(name.span().start, place, problem));
         };
-        fill(key, value.get_ref(), &self.found(value.span()), design)
+        fill(key, value.get_ref(), &self.found(value.span()), into)
             .map_err(|problem| self.error(value.span().start, place, problem))
     }
 }
 
 /// Puts a value, written as `found`, where its key belongs.
-fn fill(key: &Key, value: &DeValue<'_>, found: &str, design: &mut Design) -> Result<(), Problem> {
+fn fill<T>(key: &Key<T>, value: &DeValue<'_>, found: &str, design: &mut T) -> Result<(), Problem> {
     let wrong_type = || Problem::WrongType {
         found: found.to_owned(),
         found_type: type_name(value),

@@ -4,40 +4,44 @@
 //! Reading, checking, writing and the messages all walk this table, so a key that is added here is
 //! read, refused, written and explained.
 
+#[macro_use]
+mod rows;
+mod garments;
 mod tables;
 
 use lole_language::{Sentence, Words};
 
 use super::{Design, Problem, nearest};
 
+pub use garments::{GarmentKind, KINDS, LIST, WORN_SKIRT, WORN_TOP};
 pub use tables::TABLES;
 
-/// One table of the document.
+/// One table of the document, filling a `T`.
 #[derive(Debug)]
-pub struct Table {
+pub struct Table<T: 'static = Design> {
     /// Name between the brackets.
     pub name: &'static str,
     /// What it holds, in a few words, written as a comment above it.
     pub about: Words,
     /// Its keys, in the order they are written.
-    pub keys: &'static [Key],
+    pub keys: &'static [Key<T>],
 }
 
 /// One key.
 #[derive(Debug)]
-pub struct Key {
+pub struct Key<T: 'static = Design> {
     /// Name, ending in its unit where it has one.
     pub name: &'static str,
     /// What it means, in a few words.
     pub about: Words,
     /// What it takes and where it goes.
-    pub kind: Kind,
+    pub kind: Kind<T>,
 }
 
-/// What a key takes, with its way into and out of a [`Design`]. A `get` that returns `None` leaves
+/// What a key takes, with its way into and out of a `T`. A `get` that returns `None` leaves
 /// the key out of the document.
 #[derive(Debug)]
-pub enum Kind {
+pub enum Kind<T: 'static = Design> {
     /// A finite number from `min` to `max`.
     Number {
         /// Smallest accepted number.
@@ -45,9 +49,9 @@ pub enum Kind {
         /// Largest accepted number.
         max: f64,
         /// Reads the field.
-        get: fn(&Design) -> Option<f64>,
+        get: fn(&T) -> Option<f64>,
         /// Fills the field.
-        set: fn(&mut Design, f64),
+        set: fn(&mut T, f64),
     },
     /// A whole number from `min` to `max`.
     Count {
@@ -56,9 +60,9 @@ pub enum Kind {
         /// Largest accepted number.
         max: u64,
         /// Reads the field.
-        get: fn(&Design) -> Option<u64>,
+        get: fn(&T) -> Option<u64>,
         /// Fills the field.
-        set: fn(&mut Design, u64),
+        set: fn(&mut T, u64),
     },
     /// A name from a list.
     Name {
@@ -67,20 +71,20 @@ pub enum Kind {
         /// The list.
         choices: fn() -> Vec<&'static str>,
         /// Reads the field.
-        get: fn(&Design) -> &'static str,
+        get: fn(&T) -> &'static str,
         /// Fills the field; names that are not on the list change nothing.
-        set: fn(&mut Design, &str),
+        set: fn(&mut T, &str),
     },
     /// A color as `"#rrggbb"` in sRGB.
     Color {
         /// Reads the field.
-        get: fn(&Design) -> Option<[u8; 3]>,
+        get: fn(&T) -> Option<[u8; 3]>,
         /// Fills the field.
-        set: fn(&mut Design, [u8; 3]),
+        set: fn(&mut T, [u8; 3]),
     },
 }
 
-impl Kind {
+impl<T> Kind<T> {
     /// What should be written, with its range: "a number from 0 to 100".
     #[must_use]
     pub fn wanted(&self) -> Sentence {
@@ -150,7 +154,7 @@ impl Kind {
     }
 
     /// Whether what a design holds fits.
-    pub(super) fn check(&self, design: &Design) -> Result<(), Problem> {
+    pub(super) fn check(&self, design: &T) -> Result<(), Problem> {
         match self {
             Self::Number { get, .. } => {
                 get(design).map_or(Ok(()), |value| self.check_number(value, &value.to_string()))

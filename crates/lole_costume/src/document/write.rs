@@ -1,9 +1,10 @@
-//! Writes a design as text: every value, in the order of the schema, one key to a line.
+//! Writes a design as text: every value, in the order of the schema, one key to a line, then the
+//! garments that are worn with the skirt.
 
 use std::fmt::Write as _;
 
-use super::schema::{Kind, TABLES};
-use super::{Design, VERSION};
+use super::schema::{Kind, LIST, TABLES, Table, WORN_SKIRT, WORN_TOP};
+use super::{Design, GarmentDesign, VERSION};
 
 /// The canonical text of a design. Reading it back gives the same design, to the last bit.
 ///
@@ -13,33 +14,60 @@ use super::{Design, VERSION};
 pub fn to_toml(design: &Design) -> String {
     let mut text = format!("lole = {VERSION}\n");
     for table in TABLES {
-        let lines: Vec<String> = table
-            .keys
-            .iter()
-            .filter_map(|key| {
-                let value = value_text(&key.kind, design)?;
-                Some(format!(
-                    "{} = {value}  # {}; {}\n",
-                    key.name, key.about.japanese, key.about.english
-                ))
-            })
-            .collect();
-        if !lines.is_empty() {
-            // Writing to a string cannot fail.
-            let about = table.about;
-            let _ignored = write!(
-                text,
-                "\n# {}\n# {}\n[{}]\n",
-                about.japanese, about.english, table.name
-            );
-            text.extend(lines);
+        write_table(&mut text, table, format!("[{}]", table.name), "", design);
+    }
+    for garment in &design.garments {
+        match garment {
+            GarmentDesign::PauSkirt(worn) => write_garment(&mut text, garment, WORN_SKIRT, worn),
+            GarmentDesign::PauTop(worn) => write_garment(&mut text, garment, WORN_TOP, worn),
         }
     }
     text
 }
 
+/// A garment: its own keys, then the tables of its parts.
+fn write_garment<T>(text: &mut String, garment: &GarmentDesign, tables: &[Table<T>], worn: &T) {
+    let kind = format!(
+        "kind = \"{}\"  # 服の種類; kind of garment\n",
+        garment.kind().id
+    );
+    for table in tables {
+        let (head, first) = if table.name == LIST {
+            (format!("[[{LIST}]]"), kind.as_str())
+        } else {
+            (format!("[{LIST}.{}]", table.name), "")
+        };
+        write_table(text, table, head, first, worn);
+    }
+}
+
+/// A table with its comment: the line `first`, then every key that has a value.
+fn write_table<T>(text: &mut String, table: &Table<T>, head: String, first: &str, from: &T) {
+    let lines: Vec<String> = table
+        .keys
+        .iter()
+        .filter_map(|key| {
+            let value = value_text(&key.kind, from)?;
+            Some(format!(
+                "{} = {value}  # {}; {}\n",
+                key.name, key.about.japanese, key.about.english
+            ))
+        })
+        .collect();
+    if !lines.is_empty() {
+        let about = table.about;
+        // Writing to a string cannot fail.
+        let _ignored = write!(
+            text,
+            "\n# {}\n# {}\n{head}\n{first}",
+            about.japanese, about.english
+        );
+        text.extend(lines);
+    }
+}
+
 /// The value as TOML; `None` leaves the key out.
-fn value_text(kind: &Kind, design: &Design) -> Option<String> {
+fn value_text<T>(kind: &Kind<T>, design: &T) -> Option<String> {
     match kind {
         Kind::Number { get, .. } => get(design).map(number_text),
         Kind::Count { get, .. } => get(design).map(|value| value.to_string()),

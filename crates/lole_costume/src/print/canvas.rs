@@ -111,6 +111,7 @@ impl<'a> Canvas<'a> {
 fn layers(motif: PrintMotif, placement: &Placement) -> Vec<Layer> {
     let whim = placement.whim;
     match (placement.shape, motif) {
+        (_, PrintMotif::Plain) => Vec::new(),
         (Shape::Leaf | Shape::Shadow, PrintMotif::Hibiscus) => motif::monstera(whim),
         (Shape::Leaf | Shape::Shadow, PrintMotif::Ulu) => motif::breadfruit_leaf(whim),
         (Shape::Flower, PrintMotif::Hibiscus) => motif::hibiscus(whim),

@@ -54,6 +54,11 @@ const TRIES: usize = 220;
 
 /// The motifs of one repeat, in drawing order.
 pub(super) fn place(motif: PrintMotif, seed: u64) -> Vec<Placement> {
+    let fill = match motif {
+        PrintMotif::Hibiscus => [(Shape::Fern, 0.34, 0.18), (Shape::Blossom, 0.062, 0.032)],
+        PrintMotif::Ulu => [(Shape::Leaf, 0.30, 0.15), (Shape::Blossom, 0.055, 0.032)],
+        PrintMotif::Plain => return Vec::new(),
+    };
     let mut dice = Dice(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ 0x10_1e);
     let mut taken: Vec<Disc> = Vec::new();
     let flowers = place_flowers(&mut dice, &mut taken);
@@ -67,10 +72,6 @@ pub(super) fn place(motif: PrintMotif, seed: u64) -> Vec<Placement> {
         }
     }
     let mut small = Vec::new();
-    let fill = match motif {
-        PrintMotif::Hibiscus => [(Shape::Fern, 0.34, 0.18), (Shape::Blossom, 0.062, 0.032)],
-        PrintMotif::Ulu => [(Shape::Leaf, 0.30, 0.15), (Shape::Blossom, 0.055, 0.032)],
-    };
     for (shape, largest, smallest) in fill {
         fill_gaps(
             shape,

@@ -5,6 +5,7 @@ use lole_body::{Dancer, TapePoint};
 use lole_geom::trig;
 
 use super::SewError;
+use super::clothed::Clothed;
 use super::fold_curve::{SHARPEST, direction};
 
 /// Points of a tape that rows are laid along.
@@ -135,11 +136,11 @@ impl Flare {
     }
 
     /// The least that keeps `length` [m] of cloth, hung `gap` [m] outside `ring`, outside what the
-    /// dancer's `stance` puts in its way, but never less than [`LEAST_FLARE`]; it changes slowly
+    /// dancer's `stance` and what she wears puts in its way, but never less than [`LEAST_FLARE`]; it changes slowly
     /// around the ring.
     pub(super) fn around(
         ring: &Ring,
-        dancer: &Dancer,
+        (dancer, clothed): (&Dancer, &Clothed),
         stance: &[Affine3A],
         [gap, length]: [f32; 2],
     ) -> Self {
@@ -153,10 +154,11 @@ impl Flare {
                         - Vec3::Y * (below * cos),
                     ..*point
                 };
-                let place = place.posed(stance);
-                capsules
+                let posed = place.posed(stance);
+                let is_outside = capsules
                     .iter()
-                    .all(|capsule| -START_DEPTH < capsule.signed_distance(place))
+                    .all(|capsule| -START_DEPTH < capsule.signed_distance(posed));
+                is_outside && 0.0 < clothed.clearance(place.bind_position)
             })
         };
         let least = |point: &TapePoint| {
@@ -223,6 +225,16 @@ impl Ring {
             .map(|(a, b)| a.bind_position.distance(b.bind_position))
             .sum();
         Self { points, girth }
+    }
+
+    /// Gap [m] at which inner turns lie outside of all that is worn; less than nothing, or negative
+    /// infinity, where nothing is in the way.
+    pub(super) fn gap_over(&self, clothed: &Clothed) -> f32 {
+        let gap = |point: &TapePoint| -clothed.clearance(point.bind_position);
+        self.points
+            .iter()
+            .map(gap)
+            .fold(f32::NEG_INFINITY, f32::max)
     }
 
     /// `count` rings above `height`, from the tape there, each `spacing` [m] further up, measured

@@ -143,7 +143,7 @@ pub struct MarkedLine {
     pub from_edge: Length,
 }
 
-/// A pāʻū skirt ready to cut.
+/// A pāʻū skirt or top ready to cut: a rectangle gathered onto rows of elastic.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PauDraft {
     /// Circumference of the sewn, flat cloth: `r·H`, along the warp.
@@ -303,7 +303,7 @@ pub fn longest_finished_length(options: &PauOptions) -> Length {
 }
 
 /// `F = header + n·casing + (n-1)·gap`.
-fn fold_depth(options: &PauOptions) -> Length {
+pub(super) fn fold_depth(options: &PauOptions) -> Length {
     let rows = f64::from(options.elastic_row_count);
     options.header + options.casing * rows + options.gap * (rows - 1.0)
 }
@@ -341,7 +341,7 @@ fn marked_lines(finished_length: Length, options: &PauOptions) -> Vec<MarkedLine
 }
 
 /// Two rows of stitches for each casing, two to neaten the edges, one for the hem, and the seam.
-fn thread(row_count: u32, cut_length: Length, cut_height: Length) -> Length {
+pub(super) fn thread(row_count: u32, cut_length: Length, cut_height: Length) -> Length {
     let rounds = f64::from(2 * row_count + 3);
     (cut_length * rounds + cut_height) * THREAD_PER_STITCH
 }
@@ -397,7 +397,7 @@ fn check_measurements(measurements: &PauMeasurements) -> Result<(), DraftError> 
     )
 }
 
-fn check_options(options: &PauOptions) -> Result<(), DraftError> {
+pub(super) fn check_options(options: &PauOptions) -> Result<(), DraftError> {
     if !(1..=6).contains(&options.elastic_row_count) {
         return Err(DraftError::ElasticRowCount {
             count: options.elastic_row_count,
@@ -454,7 +454,12 @@ fn check_options(options: &PauOptions) -> Result<(), DraftError> {
     )
 }
 
-fn check_length(what: Words, length: Length, min_cm: f64, max_cm: f64) -> Result<(), DraftError> {
+pub(super) fn check_length(
+    what: Words,
+    length: Length,
+    min_cm: f64,
+    max_cm: f64,
+) -> Result<(), DraftError> {
     let cm = length.to_cm();
     // Tolerance for the conversion to meters and back, far below a tape's millimeter.
     if (min_cm - 1e-9..=max_cm + 1e-9).contains(&cm) {

@@ -58,7 +58,9 @@ fn card(ui: &mut Ui, fill: Color32, contents: impl FnOnce(&mut Ui)) {
 }
 
 fn flew_apart(studio: &Studio, divergence: &Divergence) -> String {
-    let Divergence { time, row, column } = divergence;
+    let Divergence {
+        time, row, column, ..
+    } = divergence;
     let method = studio.design().method.name.id();
     let japanese = format!(
         "{time:.2} 秒に、{row} 行 {column} 列から布が飛び散りました（{method}）。「最初から」を押すか、計算方法を変えてください。"

@@ -114,6 +114,7 @@ fn cloth_that_flew_apart_says_when_and_where_and_offers_a_reset() {
         let mut studio = studio(language);
         studio.stopped = Some(Divergence {
             time: 1.25,
+            garment: 0,
             row: 7,
             column: 30,
         });

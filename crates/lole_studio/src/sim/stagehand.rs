@@ -8,7 +8,7 @@ use glam::Vec3;
 use lole_costume::document::Design;
 use lole_geom::mesh::vertex_normals;
 use lole_language::Sentence;
-use lole_stage::{Show, Wish};
+use lole_stage::{Garment, Show, Wish};
 
 use super::pace::Pace;
 use super::sewing::{Entrance, Sewing, Sewn, wardrobe};
@@ -347,14 +347,16 @@ impl Stagehand {
 /// The show as it stands.
 fn photograph(show: &Show, clothes: &Arc<Wardrobe>, watch: Watch) -> Snapshot {
     let production = &clothes.production;
-    let mesh = &production.skirt_mesh;
     let particles = show.cloth_positions().to_vec();
-    let (mut positions, mut normals) = (Vec::new(), Vec::new());
-    mesh.spread(&particles, &mut positions);
-    mesh.spread(
-        &vertex_normals(&particles, &mesh.particle_triangles),
-        &mut normals,
-    );
+    let draped = |garment: &Garment| {
+        let (mesh, own) = (&garment.mesh, &particles[garment.particles.clone()]);
+        let mut vertices = [Vec::new(), Vec::new()];
+        let [positions, normals] = &mut vertices;
+        mesh.spread(own, positions);
+        mesh.spread(&vertex_normals(own, &mesh.particle_triangles), normals);
+        vertices
+    };
+    let cloths = production.garments.iter().map(draped).collect();
     let (mut body_positions, mut body_normals) = (Vec::new(), Vec::new());
     (production.dancer.skin).pose(
         show.world_from_bind(),
@@ -365,7 +367,7 @@ fn photograph(show: &Show, clothes: &Arc<Wardrobe>, watch: Watch) -> Snapshot {
         wardrobe: Arc::clone(clothes),
         time: show.time(),
         particles,
-        cloth: [positions, normals],
+        cloths,
         body: [body_positions, body_normals],
         capsules: show.capsules().to_vec(),
         bones: show.bones(),

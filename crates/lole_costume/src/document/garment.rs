@@ -1,0 +1,192 @@
+//! Garments that are worn with the skirt, in the units of the document.
+
+use super::schema::{GarmentKind, KINDS};
+use super::{FabricDesign, PrintChoice, SkirtDesign};
+use crate::fabrics::Preset;
+use crate::print::PrintMotif;
+
+/// A garment beside the skirt, by kind.
+#[derive(Debug, Clone, PartialEq)]
+pub enum GarmentDesign {
+    /// A second pāʻū skirt.
+    PauSkirt(WornSkirt),
+    /// A pāʻū top.
+    PauTop(WornTop),
+}
+
+impl GarmentDesign {
+    /// Its row in the table of kinds.
+    #[must_use]
+    pub fn kind(&self) -> &'static GarmentKind {
+        &KINDS[match self {
+            Self::PauSkirt(_) => 0,
+            Self::PauTop(_) => 1,
+        }]
+    }
+
+    /// Where it is worn.
+    #[must_use]
+    pub const fn layer(&self) -> GarmentLayer {
+        match self {
+            Self::PauSkirt(worn) => worn.layer,
+            Self::PauTop(worn) => worn.layer,
+        }
+    }
+
+    /// What it is cut from.
+    #[must_use]
+    pub const fn fabric(&self) -> &FabricDesign {
+        match self {
+            Self::PauSkirt(worn) => &worn.fabric,
+            Self::PauTop(worn) => &worn.fabric,
+        }
+    }
+
+    /// What is printed on it.
+    #[must_use]
+    pub const fn print(&self) -> &PrintChoice {
+        match self {
+            Self::PauSkirt(worn) => &worn.print,
+            Self::PauTop(worn) => &worn.print,
+        }
+    }
+}
+
+/// Where a garment is worn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum GarmentLayer {
+    /// Between the skin and the skirt.
+    Under,
+    /// Outside the skirt.
+    Over,
+}
+
+/// A skirt that is worn with the other, such as the plain underskirt of a double pāʻū.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WornSkirt {
+    /// Where it is worn.
+    pub layer: GarmentLayer,
+    /// Its cut.
+    pub skirt: SkirtDesign,
+    /// What it is cut from.
+    pub fabric: FabricDesign,
+    /// What is printed on it.
+    pub print: PrintChoice,
+}
+
+impl Default for WornSkirt {
+    /// A plain underskirt with less cloth, whose hem shows below the skirt's.
+    fn default() -> Self {
+        Self {
+            layer: GarmentLayer::Under,
+            skirt: SkirtDesign {
+                hem_height_cm: 14.0,
+                gather_ratio: 2.5,
+                column_count: 352,
+                row_count: 44,
+                seed: 2,
+                ..SkirtDesign::default()
+            },
+            fabric: lawn(),
+            print: plain([246, 236, 214]),
+        }
+    }
+}
+
+/// A top that is worn with the skirt.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WornTop {
+    /// Where its lower edge is worn.
+    pub layer: GarmentLayer,
+    /// Its cut.
+    pub top: TopDesign,
+    /// What it is cut from.
+    pub fabric: FabricDesign,
+    /// What is printed on it.
+    pub print: PrintChoice,
+}
+
+impl Default for WornTop {
+    /// A plain top that ends above the skirt.
+    fn default() -> Self {
+        Self {
+            layer: GarmentLayer::Over,
+            top: TopDesign::default(),
+            fabric: FabricDesign::default(),
+            print: plain([158, 16, 38]),
+        }
+    }
+}
+
+/// The pāʻū top: a tube held above the bust by elastic, and below it where there are rows for it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TopDesign {
+    /// Height of the lowest upper elastic above the floor [cm]; a little above the fullest bust when
+    /// `None`.
+    pub upper_height_cm: Option<f64>,
+    /// Height of the lowest lower elastic above the floor [cm]; below the bust when `None`.
+    pub lower_height_cm: Option<f64>,
+    /// Height of the hem above the floor [cm]; just above the skirt's upper edge when `None`.
+    pub hem_height_cm: Option<f64>,
+    /// Flat length over bust girth, 1 to 5.
+    pub gather_ratio: f64,
+    /// Rows of elastic above the bust, 1 to 3.
+    pub upper_row_count: u32,
+    /// Rows of elastic below it, 0 to 3.
+    pub lower_row_count: u32,
+    /// Relaxed elastic over the girth where it is worn, 0.8 to 0.9.
+    pub elastic_ratio: f64,
+    /// Ruffle above the top elastic [cm].
+    pub header_cm: f64,
+    /// Height of one casing [cm].
+    pub casing_cm: f64,
+    /// Height between two casings [cm].
+    pub casing_gap_cm: f64,
+    /// Cloth for the hem [cm].
+    pub hem_allowance_cm: f64,
+    /// Particles around.
+    pub column_count: u32,
+    /// Particles from top fold to hem.
+    pub row_count: u32,
+    /// Chance for how unevenly the gathers are pushed together.
+    pub seed: u64,
+}
+
+impl Default for TopDesign {
+    /// Twice the bust in cloth, as makers of tube tops buy it; ruffle and casing of an inch.
+    fn default() -> Self {
+        Self {
+            upper_height_cm: None,
+            lower_height_cm: None,
+            hem_height_cm: None,
+            gather_ratio: 2.0,
+            upper_row_count: 1,
+            lower_row_count: 1,
+            elastic_ratio: 0.85,
+            header_cm: 2.5,
+            casing_cm: 2.5,
+            casing_gap_cm: 1.5,
+            hem_allowance_cm: 2.0,
+            column_count: 240,
+            row_count: 30,
+            seed: 3,
+        }
+    }
+}
+
+/// Light cloth for what lies between.
+fn lawn() -> FabricDesign {
+    FabricDesign {
+        preset: Preset::from_id("cotton-lawn").unwrap_or(FabricDesign::default().preset),
+        ..FabricDesign::default()
+    }
+}
+
+/// One color, sRGB.
+fn plain(ground: [u8; 3]) -> PrintChoice {
+    PrintChoice {
+        motif: PrintMotif::Plain,
+        ground: Some(ground),
+        ..PrintChoice::default()
+    }
+}

@@ -1,0 +1,382 @@
+//! How rows of the schema are written, and the rows that garments share: a macro for each part of a
+//! design, because a skirt's rows fill a [`Design`](crate::document::Design) as they fill a
+//! [`WornSkirt`](crate::document::WornSkirt).
+
+macro_rules! number {
+    ($name:literal, $min:literal..=$max:literal, $table:ident.$field:ident, $japanese:literal, $about:literal) => {
+        Key {
+            name: $name,
+            about: words($japanese, $about),
+            kind: Kind::Number {
+                min: $min,
+                max: $max,
+                get: |design| Some(design.$table.$field),
+                set: |design, value| design.$table.$field = value,
+            },
+        }
+    };
+}
+
+macro_rules! number_if_known {
+    ($name:literal, $min:literal..=$max:literal, $table:ident.$field:ident, $japanese:literal, $about:literal) => {
+        Key {
+            name: $name,
+            about: words($japanese, $about),
+            kind: Kind::Number {
+                min: $min,
+                max: $max,
+                get: |design| design.$table.$field,
+                set: |design, value| design.$table.$field = Some(value),
+            },
+        }
+    };
+}
+
+macro_rules! count {
+    ($name:literal, $min:literal..=$max:literal, $table:ident.$field:ident, $japanese:literal, $about:literal) => {
+        Key {
+            name: $name,
+            about: words($japanese, $about),
+            kind: Kind::Count {
+                min: $min,
+                max: $max,
+                get: |design| Some(u64::from(design.$table.$field)),
+                set: |design, value| {
+                    design.$table.$field = u32::try_from(value).unwrap_or(u32::MAX);
+                },
+            },
+        }
+    };
+}
+
+macro_rules! seed {
+    ($table:ident, $japanese:literal, $about:literal) => {
+        Key {
+            name: "seed",
+            about: words($japanese, $about),
+            kind: Kind::Count {
+                min: 0,
+                max: MAX_SEED,
+                get: |design| Some(design.$table.seed),
+                set: |design, value| design.$table.seed = value,
+            },
+        }
+    };
+}
+
+macro_rules! color {
+    ($name:literal, $field:ident, $japanese:literal, $about:literal) => {
+        Key {
+            name: $name,
+            about: words($japanese, $about),
+            kind: Kind::Color {
+                get: |design| design.print.$field,
+                set: |design, value| design.print.$field = Some(value),
+            },
+        }
+    };
+}
+
+/// A choice among `(id, value)` pairs that this file names.
+macro_rules! choice {
+    ($name:literal, $what:expr, $list:ident, $table:ident.$field:ident, $japanese:literal, $about:literal) => {
+        Key {
+            name: $name,
+            about: words($japanese, $about),
+            kind: Kind::Name {
+                what: $what,
+                choices: || $list.iter().map(|(id, _)| *id).collect(),
+                get: |design| {
+                    let found = $list
+                        .iter()
+                        .find(|(_, value)| *value == design.$table.$field);
+                    found.map_or($list[0].0, |(id, _)| id)
+                },
+                set: |design, name| {
+                    if let Some((_, value)) = $list.iter().find(|(id, _)| *id == name) {
+                        design.$table.$field = *value;
+                    }
+                },
+            },
+        }
+    };
+}
+
+/// Rows of a cut skirt, after others.
+macro_rules! skirt_keys {
+    ($($first:expr),*) => { &[
+        $($first,)*
+        number!(
+            "hem_height_cm",
+            0.0..=100.0,
+            skirt.hem_height_cm,
+            "床から裾まで",
+            "hem above the floor"
+        ),
+        number_if_known!(
+            "worn_height_cm",
+            40.0..=130.0,
+            skirt.worn_height_cm,
+            "床からいちばん下のゴムまで。書かなければ腰骨の前",
+            "lowest elastic above the floor; left out: the front hip bones"
+        ),
+        number!(
+            "gather_ratio",
+            1.0..=5.0,
+            skirt.gather_ratio,
+            "布の長さ÷ヒップ",
+            "flat length over hip girth"
+        ),
+        count!(
+            "elastic_row_count",
+            1..=6,
+            skirt.elastic_row_count,
+            "ゴムの段数",
+            "rows of elastic"
+        ),
+        number!(
+            "elastic_ratio",
+            0.8..=0.9,
+            skirt.elastic_ratio,
+            "縮んだゴムの長さ÷はく位置の胴回り",
+            "relaxed elastic over the girth where it is worn"
+        ),
+        number!(
+            "header_cm",
+            0.0..=15.0,
+            skirt.header_cm,
+            "いちばん上のゴムより上のフリル",
+            "ruffle above the top elastic"
+        ),
+        number!(
+            "casing_cm",
+            0.5..=10.0,
+            skirt.casing_cm,
+            "ゴム通しの幅",
+            "height of one casing"
+        ),
+        number!(
+            "casing_gap_cm",
+            0.0..=15.0,
+            skirt.casing_gap_cm,
+            "ゴム通しの間隔",
+            "between two casings"
+        ),
+        number!(
+            "hem_allowance_cm",
+            0.0..=30.0,
+            skirt.hem_allowance_cm,
+            "裾上げの分",
+            "cloth for the hem"
+        ),
+        count!(
+            "column_count",
+            32..=4096,
+            skirt.column_count,
+            "横まわりの質点の数",
+            "particles around"
+        ),
+        count!(
+            "row_count",
+            8..=512,
+            skirt.row_count,
+            "上から裾までの質点の数",
+            "particles from top to hem"
+        ),
+        seed!(
+            skirt,
+            "ギャザーの寄り方（乱数の種）",
+            "chance of the gathers"
+        ),
+    ] };
+}
+
+/// Rows of a fabric.
+macro_rules! fabric_keys {
+    () => {
+        &[
+            Key {
+                name: "preset",
+                about: words("棚の布", "fabric from the shelf"),
+                kind: Kind::Name {
+                    what: words("布", "fabric"),
+                    choices: || PRESETS.iter().map(|preset| preset.id).collect(),
+                    get: |design| design.fabric.preset.id,
+                    set: |design, name| {
+                        if let Some(preset) = Preset::from_id(name) {
+                            design.fabric.preset = preset;
+                        }
+                    },
+                },
+            },
+            number!(
+                "width_cm",
+                30.0..=400.0,
+                fabric.width_cm,
+                "布の耳から耳まで",
+                "selvage to selvage"
+            ),
+            number_if_known!(
+                "areal_density_g_per_m2",
+                10.0..=1000.0,
+                fabric.areal_density_g_per_m2,
+                "布の重さ",
+                "weight"
+            ),
+            number_if_known!(
+                "thickness_mm",
+                0.02..=5.0,
+                fabric.thickness_mm,
+                "厚さ",
+                "thickness"
+            ),
+            number_if_known!(
+                "stretch_warp_n_per_m",
+                1.0..=1e6,
+                fabric.stretch_warp_n_per_m,
+                "横まわりの伸びにくさ",
+                "around the skirt"
+            ),
+            number_if_known!(
+                "stretch_weft_n_per_m",
+                1.0..=1e6,
+                fabric.stretch_weft_n_per_m,
+                "丈の方向の伸びにくさ",
+                "down the skirt"
+            ),
+            number_if_known!(
+                "shear_n_per_m",
+                0.1..=1e6,
+                fabric.shear_n_per_m,
+                "バイアスの伸びにくさ",
+                "across the bias"
+            ),
+            number_if_known!(
+                "bend_warp_un_m",
+                0.01..=1e5,
+                fabric.bend_warp_un_m,
+                "横まわりの曲げにくさ",
+                "bending around"
+            ),
+            number_if_known!(
+                "bend_weft_un_m",
+                0.01..=1e5,
+                fabric.bend_weft_un_m,
+                "丈の方向の曲げにくさ",
+                "bending down"
+            ),
+            number_if_known!(
+                "twist_un_m",
+                0.01..=1e5,
+                fabric.twist_un_m,
+                "ねじりにくさ",
+                "twisting"
+            ),
+            number_if_known!(
+                "bend_hysteresis_warp_mn",
+                0.0..=1000.0,
+                fabric.bend_hysteresis_warp_mn,
+                "横まわりの曲げの戻りにくさ（KES 2HB）",
+                "yarn friction in bending around (KES 2HB)"
+            ),
+            number_if_known!(
+                "bend_hysteresis_weft_mn",
+                0.0..=1000.0,
+                fabric.bend_hysteresis_weft_mn,
+                "丈の方向の曲げの戻りにくさ（KES 2HB）",
+                "yarn friction in bending down (KES 2HB)"
+            ),
+            number_if_known!(
+                "shear_hysteresis_n_per_m",
+                0.0..=1000.0,
+                fabric.shear_hysteresis_n_per_m,
+                "せん断の戻りにくさ（KES 2HG）",
+                "yarn friction in shear (KES 2HG)"
+            ),
+            number_if_known!(
+                "friction_coefficient",
+                0.0..=2.0,
+                fabric.friction_coefficient,
+                "肌との摩擦",
+                "on skin"
+            ),
+            number_if_known!(
+                "cloth_friction_coefficient",
+                0.0..=2.0,
+                fabric.cloth_friction_coefficient,
+                "布どうしの摩擦",
+                "on cloth"
+            ),
+            number_if_known!(
+                "drag_per_s",
+                0.0..=50.0,
+                fabric.drag_per_s,
+                "空気の抵抗",
+                "air drag"
+            ),
+        ]
+    };
+}
+
+/// Rows of a print.
+macro_rules! print_keys {
+    () => {
+        &[
+            choice!(
+                "motif",
+                words("柄", "motif"),
+                MOTIFS,
+                print.motif,
+                "描くもの",
+                "what is drawn"
+            ),
+            Key {
+                name: "colorway",
+                about: words("色の組み合わせ", "ready set of colors"),
+                kind: Kind::Name {
+                    what: words("配色", "colorway"),
+                    choices: || PrintDesign::COLORWAYS.to_vec(),
+                    get: |design| design.print.colorway,
+                    set: |design, name| {
+                        let found = PrintDesign::COLORWAYS
+                            .iter()
+                            .find(|choice| **choice == name);
+                        design.print.colorway = found.unwrap_or(&design.print.colorway);
+                    },
+                },
+            },
+            color!(
+                "ground",
+                ground,
+                "地の色を変えるとき",
+                "instead of the colorway's ground"
+            ),
+            color!(
+                "flower",
+                flower,
+                "花の色を変えるとき",
+                "instead of the colorway's flowers"
+            ),
+            color!(
+                "leaf",
+                leaf,
+                "葉の色を変えるとき",
+                "instead of the colorway's leaves"
+            ),
+            color!(
+                "shadow",
+                shadow,
+                "奥の柄の色を変えるとき",
+                "instead of the colorway's second layer"
+            ),
+            number!(
+                "repeat_cm",
+                5.0..=200.0,
+                print.repeat_cm,
+                "柄のひと送り",
+                "one repeat on the cloth"
+            ),
+            seed!(print, "柄の置き方（乱数の種）", "chance of the places"),
+        ]
+    };
+}

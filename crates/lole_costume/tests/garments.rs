@@ -1,0 +1,223 @@
+//! Laws of the list of garments in a design document: it reads back, today's documents mean what they
+//! meant, and what is wrong is said with file, line, key and remedy in both languages.
+
+use lole_costume::document::schema::{KINDS, Kind, Table, WORN_SKIRT, WORN_TOP};
+use lole_costume::document::{
+    Design, GarmentDesign, GarmentLayer, MethodName, WornSkirt, WornTop, parse, to_toml,
+};
+use lole_language::Bilingual;
+
+/// One garment of every kind.
+fn dressed() -> Design {
+    Design {
+        garments: KINDS.iter().map(|kind| (kind.make)()).collect(),
+        ..Design::default()
+    }
+}
+
+#[test]
+fn a_document_without_garments_wears_the_skirt_alone() {
+    let design = parse("lole = 1\n[skirt]\nhem_height_cm = 25\n", "mine.lole").unwrap();
+    assert!(design.garments.is_empty());
+    assert_eq!(design.worn_fabrics(), [design.fabric.fabric()]);
+    assert_eq!(design.worn_prints(), [&design.print]);
+    assert!(!to_toml(&design).contains("garment"));
+}
+
+#[test]
+fn every_kind_reads_back_to_the_last_bit() {
+    let design = dressed();
+    design.check("built-in").unwrap();
+    let text = to_toml(&design);
+    assert_eq!(parse(&text, "again").unwrap(), design);
+    assert_eq!(to_toml(&parse(&text, "again").unwrap()), text);
+    for kind in KINDS {
+        assert!(text.contains(&format!("[[garment]]\nkind = \"{}\"", kind.id)));
+    }
+}
+
+#[test]
+fn a_kind_alone_is_the_garment_that_the_program_would_make() {
+    for kind in KINDS {
+        let text = format!("lole = 1\n[[garment]]\nkind = \"{}\"\n", kind.id);
+        let design = parse(&text, "mine.lole").unwrap();
+        assert_eq!(design.garments, [(kind.make)()]);
+    }
+}
+
+#[test]
+fn layers_lie_from_the_skin_outward_in_the_order_of_the_list() {
+    let layers = ["over", "under", "over", "under"];
+    let mut text = "lole = 1\n[print]\nground = \"#000063\"\n".to_owned();
+    for (place, layer) in layers.iter().enumerate() {
+        text += &format!(
+            "[[garment]]\nkind = \"pau-skirt\"\nlayer = \"{layer}\"\n[garment.print]\nground = \"#00000{place}\"\n"
+        );
+    }
+    let design = parse(&text, "mine.lole").unwrap();
+    let grounds = design.worn_prints().into_iter().map(|print| print.ground);
+    let blues: Vec<u8> = grounds.flatten().map(|[_, _, blue]| blue).collect();
+    assert_eq!(blues, [1, 3, 0x63, 0, 2]);
+}
+
+/// Every key of a kind's tables at both ends of its range reads back.
+fn check_ends<T: Clone>(tables: &[Table<T>], fresh: &T, put: impl Fn(T) -> GarmentDesign) -> usize {
+    let mut count = 0;
+    for key in tables.iter().flat_map(|table| table.keys) {
+        let mut ends = Vec::new();
+        match &key.kind {
+            Kind::Number { min, max, set, .. } => ends.extend([*min, *max].map(|value| {
+                let mut garment = fresh.clone();
+                set(&mut garment, value);
+                garment
+            })),
+            Kind::Count { min, max, set, .. } => ends.extend([*min, *max].map(|value| {
+                let mut garment = fresh.clone();
+                set(&mut garment, value);
+                garment
+            })),
+            Kind::Name { choices, set, .. } => ends.extend(choices().into_iter().map(|name| {
+                let mut garment = fresh.clone();
+                set(&mut garment, name);
+                garment
+            })),
+            Kind::Color { set, .. } => {
+                let mut garment = fresh.clone();
+                set(&mut garment, [0, 255, 122]);
+                ends.push(garment);
+            }
+        }
+        for garment in ends {
+            let design = Design {
+                garments: vec![put(garment)],
+                ..Design::default()
+            };
+            design.check("mine").expect("in range");
+            assert_eq!(
+                parse(&to_toml(&design), "again").expect("in range"),
+                design,
+                "{}",
+                key.name
+            );
+            count += 1;
+        }
+    }
+    count
+}
+
+#[test]
+fn every_key_of_every_kind_reads_back_at_both_ends_of_its_range() {
+    assert!(60 < check_ends(WORN_SKIRT, &WornSkirt::default(), GarmentDesign::PauSkirt));
+    assert!(60 < check_ends(WORN_TOP, &WornTop::default(), GarmentDesign::PauTop));
+}
+
+/// What follows `lole = 1`, start of what is said, and the remedy in both languages.
+const MISTAKES: &[(&str, &str, [&str; 2])] = &[
+    (
+        "[[garment]]\nlayer = \"under\"\n",
+        "mine.lole:2: [[garment]]: the kind of garment is missing",
+        [
+            "write kind = \"pau-skirt\"",
+            "kind = \"pau-skirt\" のように",
+        ],
+    ),
+    (
+        "[[garment]]\nkind = \"pau-tops\"\n",
+        "mine.lole:3: [[garment]] kind: \"pau-tops\" is not a kind of garment",
+        ["did you mean \"pau-top\"?", "\"pau-top\" のことですか"],
+    ),
+    (
+        "[[garment]]\nkind = 3\n",
+        "mine.lole:3: [[garment]] kind: 3 is a whole number",
+        ["pau-skirt, pau-top", "pau-skirt, pau-top"],
+    ),
+    (
+        "[garment]\nkind = \"pau-top\"\n",
+        "mine.lole:2: [garment]: [garment] is a table",
+        ["begins with [[garment]]", "[[garment]] で始まる"],
+    ),
+    (
+        "[[garment]]\nkind = \"pau-top\"\nhem_hight_cm = 90\n",
+        "mine.lole:4: [[garment]] hem_hight_cm: there is no such key",
+        ["did you mean hem_height_cm?", "hem_height_cm のことですか"],
+    ),
+    (
+        "[[garment]]\nkind = \"pau-skirt\"\nzzz = 90\n",
+        "mine.lole:4: [[garment]] zzz: there is no such key",
+        [
+            "the keys of this table are layer, hem_height_cm",
+            "この表の項目は layer, hem_height_cm",
+        ],
+    ),
+    (
+        "[[garment]]\nkind = \"pau-skirt\"\nlayer = \"between\"\n",
+        "mine.lole:4: [[garment]] layer: \"between\" is not a layer",
+        ["under, over", "under, over"],
+    ),
+    (
+        "[[garment]]\nkind = \"pau-skirt\"\n[garment.fabric]\npreset = \"silk\"\n",
+        "mine.lole:5: [garment.fabric] preset: \"silk\" is not a fabric",
+        ["the choices are", "選べるのは"],
+    ),
+    (
+        "[[garment]]\nkind = \"pau-skirt\"\n[garment.print]\nrepeat_cm = 0\n",
+        "mine.lole:5: [garment.print] repeat_cm: 0 is out of range",
+        ["a number from 5 to 200", "5 から 200 までの数"],
+    ),
+    (
+        "[[garment]]\nkind = \"pau-top\"\nlower_row_count = 9\n",
+        "mine.lole:4: [[garment]] lower_row_count: 9 is out of range",
+        ["a whole number from 0 to 3", "0 から 3 までの整数"],
+    ),
+    (
+        "[[garmnet]]\nkind = \"pau-top\"\n",
+        "mine.lole:2: [garmnet]: there is no such table",
+        ["did you mean garment?", "garment のことですか"],
+    ),
+    (
+        "[method]\nname = \"fb-euler\"\n[[garment]]\nkind = \"pau-top\"\n",
+        "mine.lole:2: [method]: the paper's methods move one garment alone",
+        ["leave out [[garment]]", "[[garment]] を消して"],
+    ),
+    (
+        "[[garment]]\nkind = \"pau-top\"\n[[garment]]\nkind = \"pau-top\"\n[[garment]]\nkind = \"pau-top\"\n[[garment]]\nkind = \"pau-top\"\n[[garment]]\nkind = \"pau-top\"\n",
+        "mine.lole:2: [garment]: at most 4 garments",
+        ["leave some out", "減らしてください"],
+    ),
+];
+
+#[test]
+fn a_mistake_in_a_garment_is_said_with_file_line_key_and_remedy_in_both_languages() {
+    for (text, start, [english, japanese]) in MISTAKES {
+        let error = parse(&format!("lole = 1\n{text}"), "mine.lole").expect_err(text);
+        let sentence = error.to_string();
+        assert!(sentence.starts_with(start), "{sentence}");
+        assert!(sentence.contains(english), "{sentence}");
+        assert!(error.japanese().contains(japanese), "{}", error.japanese());
+    }
+}
+
+#[test]
+fn a_garment_changed_by_the_program_is_held_to_the_same_ranges() {
+    let mut design = dressed();
+    if let Some(GarmentDesign::PauTop(worn)) = design.garments.last_mut() {
+        worn.top.gather_ratio = f64::NAN;
+        worn.layer = GarmentLayer::Under;
+    }
+    let sentence = design.check("command line").unwrap_err().to_string();
+    assert_eq!(
+        sentence,
+        "command line: [[garment]] gather_ratio: NaN is out of range; write a number from 1 to 5"
+    );
+    let mut design = dressed();
+    design.method.name = MethodName::Rk4;
+    assert!(design.check("command line").is_err());
+}
+
+#[test]
+fn the_double_pau_of_the_documents_can_be_read() {
+    let text = include_str!("../../../docs/double-pau.lole");
+    let design = parse(text, "double-pau.lole").unwrap();
+    assert_eq!(design.garments.len(), 2);
+    assert_eq!(design.worn_fabrics().len(), 3);
+}

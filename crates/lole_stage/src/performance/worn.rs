@@ -1,0 +1,148 @@
+//! One garment on stage: its solver, what carries it, and how it comes to rest.
+
+use glam::{Affine3A, Vec3};
+use lole_cloth::diagnose::{self, StrainSummary};
+use lole_cloth::method::settle::{SettleConfig, Settling};
+use lole_costume::document::Design;
+use lole_geom::Surfel;
+
+use super::{FRAME_SECONDS, SETTLE_FRAMES};
+use crate::production::Garment;
+use crate::solver::{Observer, Solver, Surroundings};
+use crate::{StageError, skin_check};
+
+/// Least distance of an elastic row from the skin [m]: half the thickness of what is sewn there.
+const PIN_CLEARANCE: f32 = 0.001;
+
+/// The moving part of a garment.
+#[derive(Clone)]
+pub(super) struct Worn {
+    pub(super) solver: Solver,
+    pin_targets: Vec<Vec3>,
+    /// The skin below every pin.
+    pin_skin: Vec<Surfel>,
+    /// Brings the cloth to rest before the dance; `None` once it is, and for the paper's methods,
+    /// whose experiments keep the damping they had.
+    settling: Option<Settling>,
+    positions: Vec<Vec3>,
+}
+
+/// The body in the present pose, as pins need it.
+pub(super) struct Carrier<'a> {
+    pub(super) world_from_bind: &'a [Affine3A],
+    /// Vertices of the skin and their normals; `None` where capsules are met.
+    pub(super) skin: Option<(&'a [Vec3], &'a [Vec3])>,
+}
+
+impl Worn {
+    /// A garment where its drape starts.
+    pub(super) fn new(
+        design: &Design,
+        garment: &Garment,
+        world_from_bind: &[Affine3A],
+    ) -> Result<Self, StageError> {
+        let start = garment.sewn.start_positions(world_from_bind);
+        let spec = &garment.sewn.spec;
+        let solver = Solver::new(design, spec, &start)?;
+        let settle = SettleConfig {
+            dt: FRAME_SECONDS,
+            frame_limit: SETTLE_FRAMES,
+            ..SettleConfig::default()
+        };
+        let is_quick = solver.explicit().is_none();
+        Ok(Self {
+            settling: is_quick.then(|| Settling::new(spec, settle, &start)),
+            solver,
+            pin_targets: Vec::new(),
+            pin_skin: Vec::new(),
+            positions: start,
+        })
+    }
+
+    /// Places the pins on the body, and those of the particles that a hand holds (ascending, by
+    /// their numbers in this garment).
+    pub(super) fn place_pins(
+        &mut self,
+        garment: &Garment,
+        body: &Carrier<'_>,
+        held: &[(u32, Vec3)],
+    ) {
+        garment
+            .sewn
+            .pose_pins(body.world_from_bind, &mut self.pin_targets);
+        if let (Some(skin), Some(surfels)) = (body.skin, &garment.pin_surfels) {
+            surfels.pose(skin.0, skin.1, &mut self.pin_skin);
+            self.lift_pins();
+        }
+        if !held.is_empty() {
+            let pins = garment.sewn.pins.iter().map(|pin| pin.particle);
+            let mut all: Vec<(u32, Vec3)> = pins.zip(self.pin_targets.drain(..)).collect();
+            all.extend(held);
+            all.sort_by_key(|&(particle, _)| particle);
+            self.pin_targets
+                .extend(all.iter().map(|&(_, target)| target));
+        }
+    }
+
+    /// Skin that folds would swallow the tape, which runs straight between the points that carry it.
+    fn lift_pins(&mut self) {
+        for (target, skin) in self.pin_targets.iter_mut().zip(&self.pin_skin) {
+            let gap = (*target - skin.position).dot(skin.normal);
+            *target += skin.normal * (PIN_CLEARANCE - gap).max(0.0);
+        }
+    }
+
+    /// Moves the cloth on by a frame among what touches it.
+    pub(super) fn step(&mut self, surroundings: &Surroundings<'_>, observer: Observer<'_>) {
+        let surroundings = Surroundings {
+            pin_targets: &self.pin_targets,
+            ..*surroundings
+        };
+        self.solver.step(&surroundings, FRAME_SECONDS, observer);
+    }
+
+    /// Reads the positions of the solver [m], row-major.
+    pub(super) fn look(&mut self) -> &[Vec3] {
+        self.solver.copy_positions(&mut self.positions);
+        &self.positions
+    }
+
+    /// Damps the cloth on its way to rest; whether it is there.
+    pub(super) fn settle(&mut self) -> bool {
+        let Some(settling) = &mut self.settling else {
+            return true;
+        };
+        let verdict = settling.judge(&self.positions);
+        if let Some(kept) = verdict.kept {
+            self.solver.scale_velocities(kept);
+        }
+        verdict.end.is_some()
+    }
+
+    /// Whether it is brought to rest by [`Self::settle`].
+    pub(super) const fn is_settling(&self) -> bool {
+        self.settling.is_some()
+    }
+
+    /// Lets the dance begin.
+    pub(super) fn let_go(&mut self) {
+        self.settling = None;
+    }
+
+    /// How much the cloth at `positions` [m] is stretched, and how much of it is in the skin.
+    pub(super) fn measure(
+        garment: &Garment,
+        positions: &[Vec3],
+        body: skin_check::Surface<'_>,
+    ) -> (StrainSummary, skin_check::SkinCheck) {
+        let cloth = skin_check::Surface {
+            positions,
+            normals: &[],
+            triangles: &garment.mesh.particle_triangles,
+        };
+        (
+            diagnose::strain(&garment.sewn.spec, positions),
+            skin_check::check(body, cloth),
+        )
+    }
+}

@@ -1,0 +1,103 @@
+//! Laws of garments in layers on one dancer: sewing puts each outside of the one below, dancing keeps
+//! the order and leaves the skin outside, and the bits are the same on any number of threads.
+
+use lole_costume::document::{Design, GarmentDesign, WornSkirt, WornTop};
+use lole_stage::{Performance, Production};
+use std::sync::{Arc, LazyLock};
+
+/// A double skirt and a top, coarse enough that the laws are quick.
+fn design() -> Design {
+    let mut under = WornSkirt::default();
+    (under.skirt.column_count, under.skirt.row_count) = (160, 40);
+    let mut top = WornTop::default();
+    (top.top.column_count, top.top.row_count) = (160, 24);
+    let mut design = Design::default();
+    design.skirt.hem_height_cm = 34.0;
+    design.skirt.gather_ratio = 2.0;
+    (design.skirt.column_count, design.skirt.row_count) = (176, 32);
+    design.garments = vec![GarmentDesign::PauSkirt(under), GarmentDesign::PauTop(top)];
+    design
+}
+
+static PRODUCTION: LazyLock<Arc<Production>> =
+    LazyLock::new(|| Arc::new(Production::new(&design()).expect("can be sewn")));
+
+#[test]
+fn garments_are_sewn_from_the_skin_outward() {
+    let names: Vec<&str> = (PRODUCTION.garments.iter())
+        .map(|garment| garment.name.as_str())
+        .collect();
+    assert_eq!(names, ["pau_underskirt", "pau_skirt", "pau_top"]);
+    assert_eq!(PRODUCTION.skirt().name, "pau_skirt");
+    let mut end = 0;
+    for garment in &PRODUCTION.garments {
+        assert_eq!(garment.particles.start, end);
+        end = garment.particles.end;
+        assert_eq!(
+            garment.particles.len(),
+            garment.sewn.spec.grid.particle_count()
+        );
+    }
+    assert_eq!(PRODUCTION.particle_count(), end);
+    let start = Performance::new(Arc::clone(&PRODUCTION)).unwrap();
+    assert_eq!(start.layer_inversions(), 0);
+}
+
+#[test]
+fn a_dance_keeps_the_order_and_the_skin_covered() {
+    let mut performance = Performance::new(Arc::clone(&PRODUCTION)).unwrap();
+    while performance.time() < 0.0 {
+        performance.advance().unwrap();
+    }
+    let (mut worst, mut deepest) = (0, 0.0_f32);
+    for frame in 0..30 {
+        performance.advance().unwrap();
+        if frame % 10 == 0 {
+            worst = worst.max(performance.layer_inversions());
+            performance.pose_body();
+            deepest = deepest.max(performance.measure().skin.worst_depth);
+        }
+    }
+    assert!(
+        worst <= PRODUCTION.particle_count() / 50,
+        "{worst} particles"
+    );
+    assert!(deepest < 0.003, "{deepest} m");
+}
+
+#[test]
+fn three_garments_have_the_same_bits_on_one_two_and_three_threads() {
+    let hash = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .unwrap();
+        let mut performance = Performance::new(Arc::clone(&PRODUCTION)).unwrap();
+        pool.install(|| {
+            for _ in 0..20 {
+                performance.advance().unwrap();
+            }
+        });
+        performance.state_hash()
+    };
+    let once = hash(1);
+    assert_eq!(once, hash(2));
+    assert_eq!(once, hash(3));
+}
+
+#[test]
+fn a_mistake_in_a_garment_says_which_one() {
+    let mut design = design();
+    if let Some(GarmentDesign::PauTop(worn)) = design.garments.last_mut() {
+        worn.top.upper_height_cm = Some(150.0);
+    }
+    let error = Production::new(&design).err().unwrap();
+    let sentence = error.to_string();
+    assert!(
+        sentence.starts_with("garment 2 of the list: the top would reach"),
+        "{sentence}"
+    );
+    assert!(sentence.contains("lower upper_height_cm"), "{sentence}");
+    let japanese = lole_language::Bilingual::japanese(&error);
+    assert!(japanese.starts_with("2 枚目の服"), "{japanese}");
+}
