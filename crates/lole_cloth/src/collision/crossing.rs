@@ -10,7 +10,7 @@ use rayon::prelude::*;
 
 use crate::collision::grid::each_hit;
 use crate::collision::patch_tree::{PatchTree, Search};
-use crate::collision::surface::{ABSENT, PATCH_EDGES, PATCH_TRIANGLES, Surface};
+use crate::collision::surface::{PATCH_TRIANGLES, Surface};
 use crate::lanes::{LANES, Points, Vectors, index};
 
 /// Cosine of the angle with their sum within which all normals around a particle lie where the
@@ -23,8 +23,8 @@ const PAIRS_TOGETHER: usize = 2048;
 /// An edge that crosses a triangle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Crossing {
-    /// Edge of the surface.
-    pub(crate) edge: u32,
+    /// Ends of the edge.
+    pub(crate) ends: [u32; 2],
     /// Share of the edge up to the crossing, from its first end.
     pub(crate) along: f32,
     /// Corners of the triangle, and their weights at the crossing.
@@ -79,8 +79,11 @@ impl Marked {
 pub(crate) struct CrossingFinder {
     tree: PatchTree,
     search: Search,
-    /// Pairs of patches that share no particle and whose boxes meet.
+    /// Pairs of patches that share no particle and whose boxes meet; those of marked patches last.
     near: Vec<[u32; 2]>,
+    /// How many of them are of patches that are not marked, and how many patches are.
+    resting_count: usize,
+    marked_count: usize,
     /// Pairs of patches that share a particle around which the surface folds.
     folded: Vec<[u32; 2]>,
     stars: Stars,
@@ -102,6 +105,7 @@ impl CrossingFinder {
         self.tree.fit(simd, surface, positions);
         self.near.clear();
         self.tree.list_pairs(simd, surface, &mut self.near);
+        (self.resting_count, self.marked_count) = (self.near.len(), 0);
         self.folded.clear();
         let particles = 0..index(surface.particle_count());
         for start in particles.clone().step_by(LANES) {
@@ -113,10 +117,10 @@ impl CrossingFinder {
             let folds = self.stars.folds(simd, surface, &self.tree, &some[..count]);
             self.list_folded(surface, &some[..count], folds);
         }
-        self.look(surface, positions, None);
+        self.look(surface, positions, 0);
     }
 
-    /// Finds every crossing of the marked patches, all that have moved since the last time.
+    /// Finds every crossing of the marked patches: all that have moved since all were found.
     #[inline(always)]
     pub(crate) fn find_again<S: Simd>(
         &mut self,
@@ -126,8 +130,13 @@ impl CrossingFinder {
         marked: &Marked,
     ) {
         self.tree.fit_some(simd, surface, positions, &marked.leaves);
-        self.near
-            .retain(|pair| !pair.iter().any(|&patch| marked.has(patch)));
+        self.near.truncate(self.resting_count);
+        if self.marked_count != marked.patches.len() {
+            self.near
+                .retain(|&[one, other]| !marked.has(one) && !marked.has(other));
+            self.resting_count = self.near.len();
+            self.marked_count = marked.patches.len();
+        }
         self.search.pairs.clear();
         for &patch in &marked.patches {
             self.tree.list_near(simd, surface, patch, &mut self.search);
@@ -143,7 +152,7 @@ impl CrossingFinder {
             let folds = self.stars.folds(simd, surface, &self.tree, some);
             self.list_folded(surface, some, folds);
         }
-        self.look(surface, positions, Some(marked));
+        self.look(surface, positions, self.resting_count);
     }
 
     /// Lists the patches around those particles whose bits are set.
@@ -157,21 +166,20 @@ impl CrossingFinder {
         }
     }
 
-    /// Looks at the pairs that were listed, `within` those marked.
-    fn look(&mut self, surface: &Surface, positions: &[Vec3], within: Option<&Marked>) {
+    /// Looks at the pairs that were listed from `first` on, and at the folds.
+    fn look(&mut self, surface: &Surface, positions: &[Vec3], first: usize) {
         self.crossings.clear();
         let look = |pairs: &[[u32; 2]], crossings: &mut Vec<Crossing>| {
             for &pair in pairs {
-                if within.is_none_or(|marked| pair.iter().any(|&patch| marked.has(patch))) {
-                    look_at_pair(surface, positions, pair, crossings);
-                }
+                look_at_pair(surface, positions, pair, crossings);
             }
         };
-        if rayon::current_num_threads() == 1 {
-            look(&self.near, &mut self.crossings);
+        let pairs = &self.near[first..];
+        if rayon::current_num_threads() == 1 || pairs.len() <= PAIRS_TOGETHER {
+            look(pairs, &mut self.crossings);
         } else {
             // Found in pieces and put together in the order of the pairs.
-            let pieces: Vec<_> = (self.near.par_chunks(PAIRS_TOGETHER))
+            let pieces: Vec<_> = (pairs.par_chunks(PAIRS_TOGETHER))
                 .map(|pairs| {
                     let mut crossings = Vec::new();
                     look(pairs, &mut crossings);
@@ -245,9 +253,13 @@ impl Stars {
 
 #[inline(always)]
 fn corners_of(surface: &Surface, positions: &[Vec3], patch: u32) -> [Vec3; 4] {
-    surface.patches[patch as usize]
-        .corners
-        .map(|corner| positions[corner as usize])
+    let [a, b, c, d] = surface.patches[patch as usize].corners;
+    [
+        positions[a as usize],
+        positions[b as usize],
+        positions[c as usize],
+        positions[d as usize],
+    ]
 }
 
 /// Whether a plane across the line between the middles, or a plane of the first, parts them.
@@ -279,7 +291,10 @@ fn look_at_pair(
     pair: [u32; 2],
     crossings: &mut Vec<Crossing>,
 ) {
-    let corners = pair.map(|patch| corners_of(surface, positions, patch));
+    let corners = [
+        corners_of(surface, positions, pair[0]),
+        corners_of(surface, positions, pair[1]),
+    ];
     if !are_parted(corners) {
         cross(surface, pair, corners, crossings);
     }
@@ -299,13 +314,9 @@ fn cross(
             &surface.patches[pair[side] as usize],
             &surface.patches[pair[1 - side] as usize],
         );
-        for (ends, &edge) in PATCH_EDGES.iter().zip(&cut.edges) {
-            if edge == ABSENT {
-                continue;
-            }
+        for ends in cut.edges() {
             let particles = ends.map(|corner| cut.corners[corner]);
             let segment = ends.map(|corner| corners[side][corner]);
-            let is_turned = surface.edges[edge as usize].ends != particles;
             crossings.extend(PATCH_TRIANGLES.into_iter().filter_map(|triangle| {
                 let cut_corners = triangle.map(|corner| cutter.corners[corner]);
                 if particles.iter().any(|end| cut_corners.contains(end)) {
@@ -314,8 +325,8 @@ fn cross(
                 let places = triangle.map(|corner| corners[1 - side][corner]);
                 let (along, weights) = crossing_point(segment, places)?;
                 Some(Crossing {
-                    edge,
-                    along: if is_turned { 1.0 - along } else { along },
+                    ends: particles,
+                    along,
                     corners: cut_corners,
                     weights,
                 })
@@ -370,12 +381,12 @@ mod tests {
         positions
     }
 
-    fn found(finder: &CrossingFinder) -> Vec<(u32, [u32; 3])> {
+    fn found(finder: &CrossingFinder) -> Vec<([u32; 2], [u32; 3])> {
         let mut found: Vec<_> = (finder.crossings.iter())
             .map(|crossing| {
                 let mut corners = crossing.corners;
                 corners.sort_unstable();
-                (crossing.edge, corners)
+                (crossing.ends, corners)
             })
             .collect();
         found.sort_unstable();

@@ -44,7 +44,7 @@ impl ImpactZones {
     /// Joins what crosses and the patches around it, with the zones in which they are already:
     /// with what crosses alone, the zone would next cross its neighbors.
     pub(crate) fn join(&mut self, surface: &Surface, crossing: &Crossing) {
-        let [start, end] = surface.edges[crossing.edge as usize].ends;
+        let [start, end] = crossing.ends;
         let [a, b, c] = crossing.corners;
         for particle in [start, end, a, b, c] {
             for corner in surface.ring(particle) {

@@ -37,11 +37,12 @@ struct Bound {
 }
 
 impl Boxes {
+    #[inline(always)]
     fn get(&self, lane: usize) -> Bound {
-        let corner = |sides: &[Scalars; 3]| Vec3::from(sides.each_ref().map(|side| side.0[lane]));
+        let ([x, y, z], [u, v, w]) = (&self.low, &self.high);
         Bound {
-            low: corner(&self.low),
-            high: corner(&self.high),
+            low: Vec3::new(x.0[lane], y.0[lane], z.0[lane]),
+            high: Vec3::new(u.0[lane], v.0[lane], w.0[lane]),
         }
     }
 
@@ -53,19 +54,19 @@ impl Boxes {
     }
 
     /// The box around all.
+    #[inline(always)]
     fn bound(&self) -> Bound {
-        let [low, high]: [[f32; 3]; 2] = [
-            self.low
-                .each_ref()
-                .map(|side| side.0.into_iter().fold(f32::INFINITY, f32::min)),
-            self.high
-                .each_ref()
-                .map(|side| side.0.into_iter().fold(f32::NEG_INFINITY, f32::max)),
-        ];
-        Bound {
-            low: low.into(),
-            high: high.into(),
+        let mut bound = Bound {
+            low: Vec3::INFINITY,
+            high: Vec3::NEG_INFINITY,
+        };
+        for axis in 0..3 {
+            for lane in 0..LANES {
+                bound.low[axis] = bound.low[axis].min(self.low[axis].0[lane]);
+                bound.high[axis] = bound.high[axis].max(self.high[axis].0[lane]);
+            }
         }
+        bound
     }
 
     /// Which of them meet a box, by bits.
@@ -103,7 +104,8 @@ impl PatchTree {
     /// Normals of a patch, as long as twice the areas of its triangles [m²].
     pub(crate) fn normals(&self, patch: u32) -> [Vec3; 2] {
         let (leaf, lane) = (patch as usize / LANES, patch as usize % LANES);
-        self.normals[leaf].each_ref().map(|points| points.get(lane))
+        let [first, second] = &self.normals[leaf];
+        [first.get(lane), second.get(lane)]
     }
 
     /// Fits all boxes.
@@ -154,8 +156,9 @@ impl PatchTree {
 
     #[inline(always)]
     fn fit_leaf<S: Simd>(&mut self, simd: S, surface: &Surface, positions: &[Vec3], leaf: usize) {
-        let corners = corners_of_leaf(surface, positions, leaf);
-        let [a, b, c, d] = corners.each_ref().map(|points| Vectors::load(simd, points));
+        let [a, b, c, d] = &corners_of_leaf(surface, positions, leaf);
+        let (a, b) = (Vectors::load(simd, a), Vectors::load(simd, b));
+        let (c, d) = (Vectors::load(simd, c), Vectors::load(simd, d));
         let diagonal = d.sub(a);
         b.sub(a).cross(diagonal).store(&mut self.normals[leaf][0]);
         diagonal.cross(c.sub(a)).store(&mut self.normals[leaf][1]);

@@ -15,7 +15,7 @@ use crate::collision::crossing::{Crossing, CrossingFinder, Marked, crossing_poin
 use crate::collision::impact_zone::ImpactZones;
 use crate::collision::placement::Placement;
 use crate::collision::separation::Separation;
-use crate::collision::surface::{ABSENT, Surface};
+use crate::collision::surface::Surface;
 use crate::collision::surfel::SurfelContacts;
 use crate::lanes::{Points, Scalars, index};
 
@@ -120,8 +120,7 @@ impl CrossingRepair {
         }
         self.is_tangled.resize(surface.particle_count(), false);
         for crossing in &self.finder.crossings {
-            let ends = surface.edges[crossing.edge as usize].ends;
-            for particle in ends.into_iter().chain(crossing.corners) {
+            for particle in crossing.ends.into_iter().chain(crossing.corners) {
                 for corner in surface.ring(particle) {
                     self.is_tangled[corner as usize] = true;
                 }
@@ -136,7 +135,7 @@ impl CrossingRepair {
         self.is_moved.resize(starts.len(), false);
         for round in 0..PARTING_ROUNDS {
             let known = self.separations.len();
-            self.separate_new(fixed, starts);
+            self.separate_new(starts);
             if round < UNTANGLING_ROUNDS {
                 self.draw_out_tangles(fixed, starts);
             }
@@ -157,7 +156,7 @@ impl CrossingRepair {
         self.zones.clear(index(starts.len()));
         for _ in 0..ZONE_ROUNDS {
             for crossing in &self.finder.crossings {
-                if !crossed_at(fixed.surface, starts, crossing) {
+                if !crossed_at(starts, crossing) {
                     self.zones.join(fixed.surface, crossing);
                 }
             }
@@ -183,13 +182,12 @@ impl CrossingRepair {
     }
 
     /// Makes a separation of every crossing that was none at the start.
-    fn separate_new(&mut self, fixed: Fixed<'_>, starts: &[Vec3]) {
+    fn separate_new(&mut self, starts: &[Vec3]) {
         let new = self.finder.crossings.iter().filter_map(|crossing| {
-            let ends = fixed.surface.edges[crossing.edge as usize].ends;
-            if crossed_at(fixed.surface, starts, crossing) {
+            if crossed_at(starts, crossing) {
                 return None;
             }
-            Separation::between(ends, crossing.corners, starts)
+            Separation::between(crossing.ends, crossing.corners, starts)
         });
         self.separations.extend(new);
     }
@@ -198,7 +196,7 @@ impl CrossingRepair {
     fn draw_out_tangles(&mut self, fixed: Fixed<'_>, starts: &[Vec3]) {
         for index in 0..self.finder.crossings.len() {
             let crossing = self.finder.crossings[index];
-            if crossed_at(fixed.surface, starts, &crossing) {
+            if crossed_at(starts, &crossing) {
                 self.draw_out(fixed, &crossing);
             }
         }
@@ -241,10 +239,8 @@ impl CrossingRepair {
     }
 
     fn draw_out(&mut self, fixed: Fixed<'_>, crossing: &Crossing) {
-        let edge = fixed.surface.edges[crossing.edge as usize];
-        let Some(direction) =
-            contour_gradient(&self.positions, crossing, edge.ends, edge.opposites)
-        else {
+        let opposites = fixed.surface.opposites(crossing.ends);
+        let Some(direction) = contour_gradient(&self.positions, crossing, opposites) else {
             return;
         };
         let weights = [
@@ -255,7 +251,7 @@ impl CrossingRepair {
             -crossing.weights.z,
         ];
         let [a, b, c] = crossing.corners;
-        let particles = [edge.ends[0], edge.ends[1], a, b, c];
+        let particles = [crossing.ends[0], crossing.ends[1], a, b, c];
         let inv_masses = particles.map(|particle| Self::inv_mass(fixed, particle));
         let mut sum = 0.0;
         for (weight, inv_mass) in weights.iter().zip(inv_masses) {
@@ -296,7 +292,7 @@ impl CrossingRepair {
                 if self.finder.crossings.len() <= known {
                     break;
                 }
-                self.separate_new(fixed, starts);
+                self.separate_new(starts);
                 for index in 0..self.separations.len() {
                     self.part(fixed, self.separations[index]);
                 }
@@ -333,7 +329,7 @@ impl CrossingRepair {
     /// left.
     fn take_back(&mut self, surface: &Surface) {
         for crossing in &self.finder.crossings {
-            let [start, end] = surface.edges[crossing.edge as usize].ends;
+            let [start, end] = crossing.ends;
             let [a, b, c] = crossing.corners;
             for corner in [start, end, a, b, c]
                 .into_iter()
@@ -392,9 +388,8 @@ fn outside_body(fixed: Fixed<'_>, particle: u32, mut position: Vec3) -> Vec3 {
 }
 
 /// Whether what crosses now did so at `starts` [m].
-fn crossed_at(surface: &Surface, starts: &[Vec3], crossing: &Crossing) -> bool {
-    let ends = surface.edges[crossing.edge as usize].ends;
-    let segment = ends.map(|end| starts[end as usize]);
+fn crossed_at(starts: &[Vec3], crossing: &Crossing) -> bool {
+    let segment = crossing.ends.map(|end| starts[end as usize]);
     let triangle = crossing.corners.map(|corner| starts[corner as usize]);
     crossing_point(segment, triangle).is_some()
 }
@@ -406,16 +401,15 @@ fn crossed_at(surface: &Surface, starts: &[Vec3], crossing: &Crossing) -> bool {
 fn contour_gradient(
     positions: &[Vec3],
     crossing: &Crossing,
-    ends: [u32; 2],
-    opposites: [u32; 2],
+    opposites: [Option<u32>; 2],
 ) -> Option<Vec3> {
-    let [start, end] = ends.map(|end| positions[end as usize]);
+    let [start, end] = crossing.ends.map(|end| positions[end as usize]);
     let [a, b, c] = crossing.corners.map(|corner| positions[corner as usize]);
     let edge = (end - start).normalize_or_zero();
     let normal = (b - a).cross(c - a).normalize_or_zero();
     let steepness = edge.dot(normal);
     let mut gradient = Vec3::ZERO;
-    for opposite in opposites.into_iter().filter(|&opposite| opposite != ABSENT) {
+    for opposite in opposites.into_iter().flatten() {
         let into_face = positions[opposite as usize] - start;
         let face_normal = edge.cross(into_face);
         let mut contour = face_normal.cross(normal).normalize_or_zero();

@@ -4,9 +4,6 @@
 use crate::Grid;
 use crate::lanes::{LANES, index};
 
-/// Stands for a particle or an edge that is not there.
-pub(crate) const ABSENT: u32 = u32::MAX;
-
 /// Both triangles of a patch, by corners.
 pub(crate) const PATCH_TRIANGLES: [[usize; 3]; 2] = [[0, 1, 3], [0, 3, 2]];
 
@@ -17,23 +14,24 @@ pub(crate) const PATCH_EDGES: [[usize; 2]; 5] = [[0, 1], [0, 2], [0, 3], [1, 3],
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Patch {
     pub(crate) corners: [u32; 4],
-    /// Edge of the surface at each of [`PATCH_EDGES`]; [`ABSENT`] where another patch has it.
-    pub(crate) edges: [u32; 5],
+    /// Which of [`PATCH_EDGES`] are its own, by bits: every edge belongs to one patch.
+    owned: u8,
 }
 
-/// An edge and what lies opposite of it in its triangles.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Edge {
-    pub(crate) ends: [u32; 2],
-    /// Third corner of each triangle; [`ABSENT`] on a border.
-    pub(crate) opposites: [u32; 2],
+impl Patch {
+    /// Its own edges, by corners.
+    pub(crate) fn edges(&self) -> impl Iterator<Item = [usize; 2]> {
+        let owned = self.owned;
+        let each = PATCH_EDGES.into_iter().enumerate();
+        each.filter(move |(place, _)| owned & (1 << place) != 0)
+            .map(|(_, ends)| ends)
+    }
 }
 
 /// Topology of a surface; it never changes.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub(crate) struct Surface {
     pub(crate) patches: Vec<Patch>,
-    pub(crate) edges: Vec<Edge>,
     /// First entry of every particle in `star_patches`, and one more.
     star_starts: Vec<u32>,
     star_patches: Vec<u32>,
@@ -68,14 +66,11 @@ impl Surface {
     }
 
     /// A surface over particles `0..particle_count`; triangles that follow each other are best
-    /// close to each other, in sixteens and in powers of sixteen. An edge of more than two triangles remembers
-    /// two of them.
+    /// close to each other, in sixteens and in powers of sixteen.
     pub(crate) fn new(particle_count: usize, triangles: &[[u32; 3]]) -> Self {
         let (edges, triangle_edges) = find_edges(triangles);
-        let patches = pair_triangles(triangles, &triangle_edges, &edges);
         let mut surface = Self {
-            patches,
-            edges,
+            patches: pair_triangles(triangles, &triangle_edges, &edges),
             ..Self::default()
         };
         surface.find_stars(particle_count);
@@ -98,6 +93,19 @@ impl Surface {
         (self.adjacent[start..end].iter())
             .find(|adjacent| adjacent.leaf == other)
             .map(|adjacent| &adjacent.shared)
+    }
+
+    /// Third corner of each triangle at an edge, of two at most.
+    pub(crate) fn opposites(&self, ends: [u32; 2]) -> [Option<u32>; 2] {
+        let star = self.star(ends[0] as usize).iter();
+        let triangles = star.flat_map(|&patch| {
+            let corners = self.patches[patch as usize].corners;
+            PATCH_TRIANGLES.map(|triangle| triangle.map(|corner| corners[corner]))
+        });
+        let at_edge = triangles.filter(|triangle| ends.iter().all(|end| triangle.contains(end)));
+        let mut opposites = at_edge
+            .filter_map(|triangle| triangle.into_iter().find(|corner| !ends.contains(corner)));
+        [opposites.next(), opposites.next()]
     }
 
     /// Corners of the patches around a particle, some more than once, the particle among them.
@@ -123,7 +131,6 @@ impl Surface {
     /// Memory that it holds [byte].
     pub(crate) const fn byte_count(&self) -> usize {
         size_of_val(self.patches.as_slice())
-            + size_of_val(self.edges.as_slice())
             + size_of_val(self.star_starts.as_slice())
             + size_of_val(self.star_patches.as_slice())
             + size_of_val(self.adjacent_starts.as_slice())
@@ -182,24 +189,20 @@ impl Surface {
 
 /// Every edge once, ascending by its ends, and the three edges of every triangle: the one that
 /// starts at each corner.
-fn find_edges(triangles: &[[u32; 3]]) -> (Vec<Edge>, Vec<[u32; 3]>) {
+fn find_edges(triangles: &[[u32; 3]]) -> (Vec<[u32; 2]>, Vec<[u32; 3]>) {
     let mut sides = Vec::with_capacity(3 * triangles.len());
     for (index, triangle) in triangles.iter().enumerate() {
         for side in 0..3 {
-            let [one, other, opposite] = [0, 1, 2].map(|step| triangle[(side + step) % 3]);
-            sides.push(([one.min(other), one.max(other)], index, side, opposite));
+            let [one, other] = [0, 1].map(|step| triangle[(side + step) % 3]);
+            sides.push(([one.min(other), one.max(other)], index, side));
         }
     }
     sides.sort_unstable();
-    let mut edges: Vec<Edge> = Vec::new();
-    let mut triangle_edges = vec![[ABSENT; 3]; triangles.len()];
-    for (ends, triangle, side, opposite) in sides {
-        match edges.last_mut() {
-            Some(edge) if edge.ends == ends => edge.opposites[1] = opposite,
-            _ => edges.push(Edge {
-                ends,
-                opposites: [opposite, ABSENT],
-            }),
+    let mut edges: Vec<[u32; 2]> = Vec::new();
+    let mut triangle_edges = vec![[0; 3]; triangles.len()];
+    for (ends, triangle, side) in sides {
+        if edges.last() != Some(&ends) {
+            edges.push(ends);
         }
         triangle_edges[triangle][side] = index(edges.len() - 1);
     }
@@ -210,7 +213,7 @@ fn find_edges(triangles: &[[u32; 3]]) -> (Vec<Edge>, Vec<[u32; 3]>) {
 fn pair_triangles(
     triangles: &[[u32; 3]],
     triangle_edges: &[[u32; 3]],
-    edges: &[Edge],
+    edges: &[[u32; 2]],
 ) -> Vec<Patch> {
     let mut owners = vec![[usize::MAX; 2]; edges.len()];
     for (index, sides) in triangle_edges.iter().enumerate() {
@@ -246,23 +249,20 @@ fn pair_triangles(
         });
         let corners = [first, middle, far, last];
         let known = [index].into_iter().chain(partner.map(|(other, _)| other));
-        let mut owned = [ABSENT; 5];
+        let mut owned = 0;
         for side in known.flat_map(|triangle| triangle_edges[triangle]) {
             let place = PATCH_EDGES.iter().position(|pair| {
                 let [one, other] = pair.map(|corner| corners[corner]);
-                [one.min(other), one.max(other)] == edges[side as usize].ends
+                [one.min(other), one.max(other)] == edges[side as usize]
             });
             if let Some(place) = place
                 && !has_owner[side as usize]
             {
                 has_owner[side as usize] = true;
-                owned[place] = side;
+                owned |= 1 << place;
             }
         }
-        patches.push(Patch {
-            corners,
-            edges: owned,
-        });
+        patches.push(Patch { corners, owned });
     }
     patches
 }
@@ -277,14 +277,11 @@ mod tests {
         let mut owned = Vec::new();
         let mut covered = Vec::new();
         for patch in &surface.patches {
-            for (pair, &edge) in PATCH_EDGES.iter().zip(&patch.edges) {
-                if edge != ABSENT {
-                    let mut ends = pair.map(|corner| patch.corners[corner]);
-                    ends.sort_unstable();
-                    assert_eq!(surface.edges[edge as usize].ends, ends);
-                    owned.push(edge);
-                }
-            }
+            owned.extend(patch.edges().map(|pair| {
+                let mut ends = pair.map(|corner| patch.corners[corner]);
+                ends.sort_unstable();
+                ends
+            }));
             for triangle in PATCH_TRIANGLES {
                 let mut corners = triangle.map(|corner| patch.corners[corner]);
                 corners.sort_unstable();
@@ -294,8 +291,20 @@ mod tests {
             }
         }
         owned.sort_unstable();
-        let all: Vec<u32> = (0..index(surface.edges.len())).collect();
-        assert_eq!(owned, all);
+        assert_eq!(owned, find_edges(triangles).0);
+        for ends in owned {
+            let mut opposites = triangles
+                .iter()
+                .filter(|triangle| ends.iter().all(|end| triangle.contains(end)))
+                .flatten()
+                .copied()
+                .filter(|corner| !ends.contains(corner))
+                .collect::<Vec<_>>();
+            opposites.sort_unstable();
+            let mut found: Vec<u32> = surface.opposites(ends).into_iter().flatten().collect();
+            found.sort_unstable();
+            assert_eq!(found, opposites);
+        }
         let mut expected = triangles.to_vec();
         expected
             .iter_mut()

@@ -7,8 +7,10 @@ use std::collections::BinaryHeap;
 use glam::Vec2;
 
 use crate::collision::placement::Placement;
-use crate::collision::surface::ABSENT;
 use crate::lanes::{LANES, Scalars};
+
+/// Stands for what is not there.
+pub(super) const ABSENT: u32 = u32::MAX;
 
 /// One piece of cloth.
 pub(crate) struct FacePiece<'a> {

@@ -6,9 +6,9 @@ use lole_geom::triangle_grid::{blend, nearest_barycentric};
 use super::faces::{FaceParticle, Faces};
 use super::{Body, FaceContacts, Meeting, Pair, is_beyond};
 use crate::collision::crossing::crossing_point;
+use crate::collision::face_contact::faces::ABSENT;
 use crate::collision::grid::CellGrid;
 use crate::collision::parting::DEGENERATE_SQUARED;
-use crate::collision::surface::ABSENT;
 
 /// How far beyond touching candidates are kept [diameters]: folds move together, so what one gains
 /// on another in a step is far less than its speed.
