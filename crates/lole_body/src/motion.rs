@@ -124,6 +124,18 @@ impl Dance {
         Some(self.tempo.time_of(counts))
     }
 
+    /// Beats since the dance began to be counted, lead-in included, at `time` [s].
+    #[must_use]
+    pub fn beat_at(&self, time: f64) -> f64 {
+        self.tempo.count_at(time)
+    }
+
+    /// Time [s] of a beat, as [`Dance::beat_at`] counts them.
+    #[must_use]
+    pub fn time_of_beat(&self, beat: f64) -> f64 {
+        self.tempo.time_of(beat)
+    }
+
     /// When every count up to `until` [s] falls, the lead-in and the ending included.
     ///
     /// A part's count 1 is the beat after the one on which the part before ends.

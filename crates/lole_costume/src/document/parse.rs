@@ -2,12 +2,14 @@
 
 use std::ops::Range;
 
+use lole_body::MotionError;
 use lole_language::{Sentence, Words, words};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::schema::{self, Key, Kind, Table, shortened};
-use super::{Design, DesignError, Problem, VERSION, likely};
+use super::convert::part_place;
+use super::schema::{self, Key, Kind, shortened};
+use super::{Design, DesignError, PartDesign, Problem, VERSION, likely};
 
 /// Largest text that is read [bytes]; a whole design is under two thousand.
 const SIZE_LIMIT: usize = 1 << 20;
@@ -185,21 +187,81 @@ impl Reader<'_> {
             };
             return Err(self.error(value.span().start, place, problem));
         };
-        in_text_order(entries)
-            .into_iter()
-            .try_for_each(|(key, value)| self.read_key(table, key, value, design))
+        let mut entries = in_text_order(entries);
+        // A school sets what is left out, so it comes first.
+        entries.sort_by_key(|(name, _)| name.get_ref() != "school");
+        entries.into_iter().try_for_each(|(key, value)| {
+            if table.name == "motion" && key.get_ref() == schema::MOTION_PARTS {
+                return self.read_parts(key, value, design);
+            }
+            let place = |name: &str| format!("[{}] {name}", table.name);
+            self.read_key(table.keys, &place, (key, value), design)
+        })
     }
 
-    fn read_key(
+    /// Reads the list of the parts of a choreography.
+    fn read_parts(
         &self,
-        table: &Table,
         name: &Spanned<toml::de::DeString<'_>>,
         value: &Spanned<DeValue<'_>>,
         design: &mut Design,
     ) -> Result<(), DesignError> {
-        let place = format!("[{}] {}", table.name, shortened(name.get_ref()));
-        let Some(key) = table.keys.iter().find(|key| key.name == name.get_ref()) else {
-            let names: Vec<_> = table.keys.iter().map(|key| key.name).collect();
+        let wrong_type = |value: &Spanned<DeValue<'_>>, number| {
+            let problem = Problem::WrongType {
+                found: self.found(value.span()),
+                found_type: type_name(value.get_ref()),
+                wanted: Sentence::new(
+                    "[[motion.part]] で始まる部分",
+                    "parts that begin with [[motion.part]] each",
+                ),
+            };
+            self.error(name.span().start, part_place(number, ""), problem)
+        };
+        let Some(parts) = value.get_ref().as_array() else {
+            return Err(wrong_type(value, 1));
+        };
+        for (number, value) in (1..).zip(parts.iter()) {
+            let Some(entries) = value.get_ref().as_table() else {
+                return Err(wrong_type(value, number));
+            };
+            let mut part = PartDesign::default();
+            let entries = in_text_order(entries);
+            let place = |key: &str| part_place(number, key);
+            for &entry in &entries {
+                self.read_key(schema::PART_KEYS, &place, entry, &mut part)?;
+            }
+            design.motion.parts.push(part);
+            design.motion_settings().check().map_err(|error| {
+                let start = |key: &str| {
+                    let found = entries.iter().find(|(name, _)| name.get_ref() == key);
+                    found.map(|(name, _)| name.span().start)
+                };
+                let key = match error {
+                    MotionError::Turn { .. } => "facing_deg",
+                    _ => "beat_count",
+                };
+                let top = entries.first().map_or(0, |(name, _)| name.span().start);
+                let sentence = Sentence::of(&error);
+                self.error(
+                    start(key).unwrap_or(top),
+                    part_place(number, key),
+                    Problem::Together { sentence },
+                )
+            })?;
+        }
+        Ok(())
+    }
+
+    fn read_key<D>(
+        &self,
+        keys: &[Key<D>],
+        place: &dyn Fn(&str) -> String,
+        (name, value): Entry<'_, '_>,
+        design: &mut D,
+    ) -> Result<(), DesignError> {
+        let place = place(&shortened(name.get_ref()));
+        let Some(key) = keys.iter().find(|key| key.name == name.get_ref()) else {
+            let names: Vec<_> = keys.iter().map(|key| key.name).collect();
             let problem = unknown(
                 words("項目", "key"),
                 name.get_ref(),
@@ -214,7 +276,7 @@ impl Reader<'_> {
 }
 
 /// Puts a value, written as `found`, where its key belongs.
-fn fill(key: &Key, value: &DeValue<'_>, found: &str, design: &mut Design) -> Result<(), Problem> {
+fn fill<D>(key: &Key<D>, value: &DeValue<'_>, found: &str, design: &mut D) -> Result<(), Problem> {
     let wrong_type = || Problem::WrongType {
         found: found.to_owned(),
         found_type: type_name(value),

@@ -4,12 +4,14 @@
 //! Reading, checking, writing and the messages all walk this table, so a key that is added here is
 //! read, refused, written and explained.
 
+mod motion;
 mod tables;
 
 use lole_language::{Sentence, Words};
 
 use super::{Design, Problem, nearest};
 
+pub use motion::{MOTION_PARTS, PART_KEYS};
 pub use tables::TABLES;
 
 /// One table of the document.
@@ -23,21 +25,21 @@ pub struct Table {
     pub keys: &'static [Key],
 }
 
-/// One key.
+/// One key of a table, or of the parts of a list: it fills a field of `D`.
 #[derive(Debug)]
-pub struct Key {
+pub struct Key<D: 'static = Design> {
     /// Name, ending in its unit where it has one.
     pub name: &'static str,
     /// What it means, in a few words.
     pub about: Words,
     /// What it takes and where it goes.
-    pub kind: Kind,
+    pub kind: Kind<D>,
 }
 
-/// What a key takes, with its way into and out of a [`Design`]. A `get` that returns `None` leaves
+/// What a key takes, with its way into and out of a [`Design`] or a part `D` of one. A `get` that returns `None` leaves
 /// the key out of the document.
 #[derive(Debug)]
-pub enum Kind {
+pub enum Kind<D = Design> {
     /// A finite number from `min` to `max`.
     Number {
         /// Smallest accepted number.
@@ -45,9 +47,9 @@ pub enum Kind {
         /// Largest accepted number.
         max: f64,
         /// Reads the field.
-        get: fn(&Design) -> Option<f64>,
+        get: fn(&D) -> Option<f64>,
         /// Fills the field.
-        set: fn(&mut Design, f64),
+        set: fn(&mut D, f64),
     },
     /// A whole number from `min` to `max`.
     Count {
@@ -56,9 +58,9 @@ pub enum Kind {
         /// Largest accepted number.
         max: u64,
         /// Reads the field.
-        get: fn(&Design) -> Option<u64>,
+        get: fn(&D) -> Option<u64>,
         /// Fills the field.
-        set: fn(&mut Design, u64),
+        set: fn(&mut D, u64),
     },
     /// A name from a list.
     Name {
@@ -67,20 +69,20 @@ pub enum Kind {
         /// The list.
         choices: fn() -> Vec<&'static str>,
         /// Reads the field.
-        get: fn(&Design) -> &'static str,
+        get: fn(&D) -> &'static str,
         /// Fills the field; names that are not on the list change nothing.
-        set: fn(&mut Design, &str),
+        set: fn(&mut D, &str),
     },
     /// A color as `"#rrggbb"` in sRGB.
     Color {
         /// Reads the field.
-        get: fn(&Design) -> Option<[u8; 3]>,
+        get: fn(&D) -> Option<[u8; 3]>,
         /// Fills the field.
-        set: fn(&mut Design, [u8; 3]),
+        set: fn(&mut D, [u8; 3]),
     },
 }
 
-impl Kind {
+impl<D> Kind<D> {
     /// What should be written, with its range: "a number from 0 to 100".
     #[must_use]
     pub fn wanted(&self) -> Sentence {
@@ -150,7 +152,7 @@ impl Kind {
     }
 
     /// Whether what a design holds fits.
-    pub(super) fn check(&self, design: &Design) -> Result<(), Problem> {
+    pub(super) fn check(&self, design: &D) -> Result<(), Problem> {
         match self {
             Self::Number { get, .. } => {
                 get(design).map_or(Ok(()), |value| self.check_number(value, &value.to_string()))

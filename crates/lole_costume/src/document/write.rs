@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::schema::{Kind, TABLES};
+use super::schema::{Key, Kind, MOTION_PARTS, PART_KEYS, TABLES};
 use super::{Design, VERSION};
 
 /// The canonical text of a design. Reading it back gives the same design, to the last bit.
@@ -13,17 +13,7 @@ use super::{Design, VERSION};
 pub fn to_toml(design: &Design) -> String {
     let mut text = format!("lole = {VERSION}\n");
     for table in TABLES {
-        let lines: Vec<String> = table
-            .keys
-            .iter()
-            .filter_map(|key| {
-                let value = value_text(&key.kind, design)?;
-                Some(format!(
-                    "{} = {value}  # {}; {}\n",
-                    key.name, key.about.japanese, key.about.english
-                ))
-            })
-            .collect();
+        let lines = lines(table.keys, design);
         if !lines.is_empty() {
             // Writing to a string cannot fail.
             let about = table.about;
@@ -34,12 +24,31 @@ pub fn to_toml(design: &Design) -> String {
             );
             text.extend(lines);
         }
+        if table.name == "motion" {
+            for part in &design.motion.parts {
+                let _ignored = write!(text, "\n[[motion.{MOTION_PARTS}]]\n");
+                text.extend(self::lines(PART_KEYS, part));
+            }
+        }
     }
     text
 }
 
+/// A line for each key that has a value.
+fn lines<D>(keys: &[Key<D>], design: &D) -> Vec<String> {
+    let line = |key: &Key<D>| {
+        let value = value_text(&key.kind, design)?;
+        let about = key.about;
+        Some(format!(
+            "{} = {value}  # {}; {}\n",
+            key.name, about.japanese, about.english
+        ))
+    };
+    keys.iter().filter_map(line).collect()
+}
+
 /// The value as TOML; `None` leaves the key out.
-fn value_text(kind: &Kind, design: &Design) -> Option<String> {
+fn value_text<D>(kind: &Kind<D>, design: &D) -> Option<String> {
     match kind {
         Kind::Number { get, .. } => get(design).map(number_text),
         Kind::Count { get, .. } => get(design).map(|value| value.to_string()),

@@ -12,16 +12,16 @@ use crate::motion::score::{
 pub(super) const KALAKAUA: Score = Score {
     id: "kalakaua",
     name: "kalākaua",
-    title: words("カラーカウア（かかと）", "heel beats"),
+    title: words("カラカウア（かかと）", "heel beats"),
     facts: &[fact(
         words(
-            "辞書のカーヴェルの英語名。同じステップ",
+            "辞書のカヴェルの英語名。同じステップ",
             "the English name of the dictionary's kāwelu: the same step",
         ),
         &["27"],
     )],
     questions: &[words(
-        "カーヴェルと区別するか",
+        "カヴェルと区別するか",
         "is it told apart from kāwelu?",
     )],
     ..KAWELU
@@ -30,7 +30,7 @@ pub(super) const KALAKAUA: Score = Score {
 pub(super) const KALAKAUA_SWAY: Score = Score {
     id: "kalakaua-sway",
     name: "kalākaua (kaʻo)",
-    title: words("カラーカウア（カオ）", "kaʻo with feet"),
+    title: words("カラカウア（カオ）", "kaʻo with feet"),
     about: words(
         "カオをしながら片足を前に出して戻す",
         "A kaʻo whose foot goes to the front and back.",
@@ -97,7 +97,7 @@ const TURN: &[Change] = &[Change(0.25, 1.05, -90.0), Change(1.4, 2.8, 90.0)];
 pub(super) const KALAKAUA_TURN: Score = Score {
     id: "kalakaua-turn",
     name: "kalākaua (turn)",
-    title: words("カラーカウア（ターン）", "turning kāholo"),
+    title: words("カラカウア（ターン）", "turning kāholo"),
     about: words(
         "左足を軸に右へ四分の一開き、戻る",
         "The body opens a quarter turn to the right about the left foot, and comes back.",

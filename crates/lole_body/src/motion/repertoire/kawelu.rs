@@ -51,7 +51,7 @@ pub(super) const KAWELU: Score = Score {
     facts: &[
         fact(
             words(
-                "つま先を床につけたまま、かかとで拍を打つ。英語ではカラーカウア・ステップ",
+                "つま先を床につけたまま、かかとで拍を打つ。英語ではカラカウア・ステップ",
                 "the heel beats time with the toes fixed; called the Kalākaua step in English",
             ),
             &["4", "27"],
