@@ -303,6 +303,23 @@ impl Run<'_> {
         }
     }
 
+    /// Writes when every count falls.
+    fn write_counts(
+        &self,
+        performance: &Performance,
+        output: &mut OutputFolder,
+        files: &mut Files,
+    ) -> Result<(), Failure> {
+        let dance = &performance.production().dance;
+        let counts = counts_csv(&dance.counts(self.design.duration_s(dance)));
+        files.add(
+            output,
+            "counts.csv",
+            counts.as_bytes(),
+            "When every count falls, in seconds of the film: a metronome for the music.",
+        )
+    }
+
     fn write(
         &self,
         finished: Finished<'_>,
@@ -338,14 +355,7 @@ impl Run<'_> {
             files.add(&mut output, "dancer.glb", &glb, "The dancer with her skeleton and dance, and the skirt with its baked motion: opens in Blender and 3D viewers.")?;
         }
         bar.inc(1);
-        let dance = &performance.production().dance;
-        let counts = counts_csv(&dance.counts(self.design.duration_s(dance)));
-        files.add(
-            &mut output,
-            "counts.csv",
-            counts.as_bytes(),
-            "When every count falls, in seconds of the film: a metronome for the music.",
-        )?;
+        self.write_counts(performance, &mut output, &mut files)?;
         let text = document::to_toml(&self.design);
         files.add(
             &mut output,

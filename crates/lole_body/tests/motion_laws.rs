@@ -469,12 +469,7 @@ fn kao_sways_fourteen_centimetres_at_two_thirds_hertz() {
 #[test]
 fn hands_keep_clear_of_trunk_and_skirt() {
     for settings in many_settings() {
-        // These are danced with the hands on the hips.
-        let on_hips = [DanceStep::Kui, DanceStep::Nee, DanceStep::Hue];
-        let of_step = settings.arms == ArmStyle::OfStep;
-        if settings.arms == ArmStyle::HandsOnHips
-            || of_step && on_hips.contains(&settings.dance_step)
-        {
+        if settings.arms == ArmStyle::HandsOnHips {
             continue;
         }
         // The hand of ʻaui goes down to the toes.

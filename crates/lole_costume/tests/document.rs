@@ -403,6 +403,7 @@ fn designs_in_the_readmes_can_be_read() {
     for (name, text) in [
         ("README.md", include_str!("../../../README.md")),
         ("README.ja.md", include_str!("../../../README.ja.md")),
+        ("hula.md", include_str!("../../../docs/hula.md")),
     ] {
         let samples: Vec<&str> = text
             .split("```toml\n")

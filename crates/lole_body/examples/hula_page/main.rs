@@ -32,6 +32,52 @@ Lower row: the floor as she sees it from above, forward up; a full print is on t
 Small numbers are counts, and a dot is the half beat after one.
 ";
 
+const CHOREOGRAPHY: &str = "
+## A dance of several steps
+
+振付は `[[motion.part]]` を並べて書きます。
+前の部分は最後の拍で終わり、次の部分の「1」はその次の拍です。
+切り替えの一拍のあいだ、片足は床についたまま動きません。
+`lole dance` は拍の時刻を `counts.csv` に書くので、曲に合わせられます。
+
+A choreography is a list of `[[motion.part]]`.
+A part ends on its last count, and the next one's \"1\" is the beat after it.
+In that beat the body goes over from one step into the other while one foot stays on the floor.
+`lole dance` writes the time of every count to `counts.csv`, so that music can be matched.
+
+```toml
+lole = 1
+
+[motion]
+school = \"auana\"
+tempo_bpm = 76
+
+[[motion.part]]
+step = \"kaholo\"
+beat_count = 16
+
+[[motion.part]]
+step = \"hela\"
+beat_count = 8
+facing_deg = 45
+
+[[motion.part]]
+step = \"ami\"
+side = \"left\"
+beat_count = 8
+arms = \"hands-on-hips\"
+tempo_bpm = 96
+
+[[motion.part]]
+step = \"lele-uwehe\"
+beat_count = 8
+```
+
+`beat_count` is a multiple of the step's phrase, `side` says which foot begins (for ʻami, which way round), and `facing_deg` turns her to her left of the front.
+`arms` may be `of-step`, `open`, `hands-on-hips`, `ready`, `open-up`, `low-front` or `rounded`.
+A new tempo is reached within two counts.
+";
+
 fn main() -> io::Result<()> {
     let folder = PathBuf::from(std::env::args().nth(1).unwrap_or_else(|| "docs".into()));
     fs::create_dir_all(folder.join("hula"))?;
@@ -45,6 +91,7 @@ fn main() -> io::Result<()> {
             format_args!("- [{}](#{link}): {}", step.name(), step.title().english),
         );
     }
+    page.push_str(CHOREOGRAPHY);
     for step in DanceStep::ALL {
         let settings = MotionSettings {
             dance_step: step,
@@ -80,6 +127,11 @@ fn line(page: &mut String, text: std::fmt::Arguments<'_>) {
     page.push('\n');
 }
 
+/// One sentence to a line, each but the first after `indent`.
+fn lines(text: &str, indent: &str) -> String {
+    text.replace('。', &format!("。\n{indent}"))
+}
+
 fn describe(page: &mut String, step: DanceStep) {
     let (title, about) = (step.title(), step.about());
     line(page, format_args!("\n## {}\n", step.id()));
@@ -94,7 +146,7 @@ fn describe(page: &mut String, step: DanceStep) {
     );
     line(
         page,
-        format_args!("{}。\n{}\n", about.japanese, about.english),
+        format_args!("{}。\n{}\n", lines(about.japanese, ""), about.english),
     );
     line(
         page,
@@ -111,7 +163,8 @@ fn describe(page: &mut String, step: DanceStep) {
     line(
         page,
         format_args!(
-            "\n{} counts in all, {slow} to {fast} a minute (estimate).\n",
+            "\nPhrases of {} counts, {} in all, {slow} to {fast} a minute (estimate).\n",
+            step.phrase(),
             step.counts()
         ),
     );
@@ -124,14 +177,22 @@ fn describe(page: &mut String, step: DanceStep) {
         let what = statement.what;
         line(
             page,
-            format_args!("- {}。 {} [{basis}]", what.japanese, what.english),
+            format_args!(
+                "- {}\n  {} [{basis}]",
+                lines(what.japanese, "  "),
+                what.english
+            ),
         );
     }
     page.push_str("\nクムに聞きたいこと / open questions:\n\n");
     for question in step.questions() {
         line(
             page,
-            format_args!("- {} / {}", question.japanese, question.english),
+            format_args!(
+                "- {}\n  {}",
+                lines(question.japanese, "  "),
+                question.english
+            ),
         );
     }
 }

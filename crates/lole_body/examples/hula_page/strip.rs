@@ -12,7 +12,7 @@ const COUNTS: usize = 10;
 /// Pixels of the drawing for each of the strip, each way.
 const FINE: usize = 3;
 const PIXELS_PER_METER: f32 = 68.0;
-const FLOOR_PIXELS_PER_METER: f32 = 90.0;
+const FLOOR_PIXELS_PER_METER: f32 = 60.0;
 /// Pictures of a strip, at most.
 const MOST_PICTURES: u32 = 8;
 /// Levels of each color: fewer make smaller files.
@@ -37,6 +37,9 @@ const DIGITS: [[u8; 5]; 10] = [
     [0b111, 0b101, 0b111, 0b101, 0b111],
     [0b000, 0b000, 0b000, 0b000, 0b010],
 ];
+
+/// The half beat in [`DIGITS`].
+const HALF: usize = 9;
 
 /// An image with depth.
 struct Canvas {
@@ -186,7 +189,9 @@ pub(crate) fn of(dancer: &Dancer, settings: &MotionSettings) -> io::Result<Vec<u
         let left = (picture as usize * CELL[0] * FINE) as f32;
         draw_dancer(&mut canvas, left, dancer, &skin);
         draw_floor(&mut canvas, left, (dancer, &skin), middle);
-        draw_count(&mut canvas, left, picture / parts + 1, picture % parts == 1);
+        let half_beat = picture % parts == 1;
+        let number = (picture / parts + 1).min(8) as usize;
+        draw_digit(&mut canvas, left, if half_beat { HALF } else { number });
     }
     canvas.png()
 }
@@ -253,7 +258,7 @@ fn draw_floor(
     canvas.fill(frame, LINE, |point| {
         let place = (point - corner - 0.5 * size + middle * scale) / line;
         let off = (place - place.round()).abs() * line;
-        off.min_element() < 0.34 * fine
+        off.min_element() < 0.25 * fine
     });
     for [foot, toes] in [
         [Bone::LeftFoot, Bone::LeftToes],
@@ -268,16 +273,15 @@ fn draw_floor(
             skin[toes.index()].transform_point3(ball + Vec3::Z * 0.05),
         ];
         let color = |height: f32| if height < 0.006 { STANDING } else { FLYING };
-        canvas.bar(project(heel), project(ball), 2.2 * fine, FLYING);
-        canvas.disk(project(heel), 2.8 * fine, color(heel.y));
-        canvas.bar(project(ball), project(tip), 3.6 * fine, color(ball.y));
+        canvas.bar(project(heel), project(ball), 1.6 * fine, FLYING);
+        canvas.disk(project(heel), 2.1 * fine, color(heel.y));
+        canvas.bar(project(ball), project(tip), 2.6 * fine, color(ball.y));
     }
     let hips = skin[Bone::Hips.index()].transform_point3(dancer.skeleton.joint(Bone::Hips));
-    canvas.ring(project(hips), 4.0 * fine, 1.3 * fine, INK);
+    canvas.ring(project(hips), 3.4 * fine, 1.2 * fine, INK);
 }
 
-fn draw_count(canvas: &mut Canvas, left: f32, number: u32, half: bool) {
-    let digit = if half { 9 } else { number.min(8) as usize };
+fn draw_digit(canvas: &mut Canvas, left: f32, digit: usize) {
     let scale = (2 * FINE) as f32;
     let corner = Vec2::new(
         left + 0.5 * (CELL[0] * FINE) as f32 - 1.5 * scale,

@@ -260,6 +260,5 @@ pub(super) const HUE: Score = Score {
         front: None,
     },
     sink: 0.010,
-    arms: ArmPlan::HandsOnHips,
     ..AMI
 };

@@ -4,16 +4,16 @@ use lole_language::words;
 
 use crate::motion::arms::ArmPlan;
 use crate::motion::score::{
-    Answer, Change, Curve, Hips, LEFT, RIGHT, STILL, Score, Spot, Stand, Sway, Travel, derived,
-    estimate, fact, land, spot, standing,
+    Answer, Change, Curve, Hips, LEFT, RIGHT, STILL, Score, Spot, Stand, Stride, Sway, Travel,
+    derived, estimate, fact, land, spot, standing,
 };
 
 /// A quarter turn to the left with each step of the right foot.
 const QUARTERS: &[Change] = &[
-    Change(0.3, 1.2, 90.0),
-    Change(2.3, 3.2, 90.0),
-    Change(4.3, 5.2, 90.0),
-    Change(6.3, 7.2, 90.0),
+    Change(0.2, 1.8, 90.0),
+    Change(2.2, 3.8, 90.0),
+    Change(4.2, 5.8, 90.0),
+    Change(6.2, 7.8, 90.0),
 ];
 
 /// The right foot beside the ball of the left one after a turn: `base` half stances to the left of
@@ -100,7 +100,11 @@ pub(super) const KAAPUNI: Score = Score {
     },
     travel: Travel::RoundLeftBall,
     heading: Curve::from_zero(QUARTERS),
-    sink: 0.012,
+    sink: 0.014,
+    stride: Stride {
+        step: 0.0,
+        more: 0.10,
+    },
     arms: ArmPlan::Open,
     ..STILL
 };

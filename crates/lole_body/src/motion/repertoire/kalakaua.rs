@@ -92,7 +92,7 @@ pub(super) const KALAKAUA_SWAY: Score = Score {
 };
 
 /// A quarter turn to the right and back.
-const TURN: &[Change] = &[Change(0.25, 1.05, -90.0), Change(1.4, 2.8, 90.0)];
+const TURN: &[Change] = &[Change(0.05, 1.25, -90.0), Change(1.3, 2.8, 90.0)];
 
 pub(super) const KALAKAUA_TURN: Score = Score {
     id: "kalakaua-turn",
@@ -127,7 +127,7 @@ pub(super) const KALAKAUA_TURN: Score = Score {
     )],
     feet: [
         standing(LEFT)
-            .twisting(&[Change(0.3, 1.0, -90.0), Change(1.5, 2.6, 90.0)])
+            .twisting(&[Change(0.15, 1.15, -90.0), Change(1.4, 2.7, 90.0)])
             .landing(&[land(4.0, Stand::tap(MIDDLE)).closing()]),
         standing(MIDDLE).from(Stand::tap(MIDDLE)).landing(&[
             land(1.0, Stand::flat(MIDDLE.by(0.05, -0.11)).facing(-90.0)).flying(0.6),

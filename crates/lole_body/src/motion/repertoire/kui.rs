@@ -70,6 +70,6 @@ pub(super) const KUI: Score = Score {
         holds: &[0.5, 4.5],
     },
     sink: 0.030,
-    arms: ArmPlan::HandsOnHips,
+    arms: ArmPlan::Open,
     ..STILL
 };

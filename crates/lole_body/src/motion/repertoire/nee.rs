@@ -61,6 +61,6 @@ pub(super) const NEE: Score = Score {
         step: 0.0,
         more: CREEP,
     },
-    arms: ArmPlan::HandsOnHips,
+    arms: ArmPlan::Open,
     ..STILL
 };
