@@ -14,6 +14,7 @@ const FILES: &[(&str, usize, &[u8])] = &[
     ("side.png", 0, b"\x89PNG"),
     ("back.png", 0, b"\x89PNG"),
     ("three-quarter.png", 0, b"\x89PNG"),
+    ("counts.csv", 0, b"time_s,"),
     ("design.lole", 0, b"lole = 1"),
     ("report.html", 0, b"<!"),
     ("report.json", 0, b"{"),

@@ -43,7 +43,7 @@ pub(crate) struct DanceArgs {
     /// Length of the dance [s], 0.5 to 600; otherwise the design's, 12 without one.
     #[arg(long, value_parser = seconds, allow_negative_numbers = true)]
     pub(crate) seconds: Option<f64>,
-    /// Dance step: kao, kaholo, ami or uwehe; otherwise the design's.
+    /// Dance step, such as kao, kaholo, hela or ami-kuu, instead of what the design dances.
     #[arg(long)]
     pub(crate) step: Option<String>,
     /// Tempo in counts per minute; otherwise the design's.

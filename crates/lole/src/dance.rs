@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use anyhow::Result;
-use lole_body::DanceStep;
+use lole_body::{Count, DanceStep, Side};
 use lole_costume::document::{self, Design, MethodName, Place};
 use lole_export::report::ReportFile;
 use lole_export::video::{Mp4Writer, VideoSettings};
@@ -115,6 +115,8 @@ fn load(args: &DanceArgs) -> Result<Source, Failure> {
         let ids = DanceStep::ALL.map(DanceStep::id);
         design.motion.step = DanceStep::from_id(step)
             .ok_or_else(|| unknown("--step", step, words("ステップ", "dance step"), &ids))?;
+        // A choreography would be danced instead.
+        design.motion.parts.clear();
     }
     if let Some(method) = &args.method {
         let ids = MethodName::ALL.map(MethodName::id);
@@ -122,7 +124,7 @@ fn load(args: &DanceArgs) -> Result<Source, Failure> {
             .ok_or_else(|| unknown("--method", method, words("方法", "method"), &ids))?;
     }
     design.motion.tempo_bpm = args.bpm.unwrap_or(design.motion.tempo_bpm);
-    design.motion.duration_s = args.seconds.unwrap_or(design.motion.duration_s);
+    design.motion.duration_s = args.seconds.or(design.motion.duration_s);
     design.skirt.seed = args.seed.unwrap_or(design.skirt.seed);
     design.check("command line").map_err(|mut error| {
         // The document was sound before the command line was laid over it.
@@ -244,7 +246,8 @@ impl Run<'_> {
         shoot: &mut Shoot,
         recording: &mut Recording,
     ) -> Result<(), Failure> {
-        let frame_count = frame_count(self.design.motion.duration_s);
+        let dance = &performance.production().dance;
+        let frame_count = frame_count(self.design.duration_s(dance));
         let still_frame = self.still_frame(frame_count);
         let bar = progress_bar(frame_count, self.language.pick("踊る", "dancing"));
         performance.pose_body();
@@ -301,6 +304,23 @@ impl Run<'_> {
         }
     }
 
+    /// Writes when every count falls.
+    fn write_counts(
+        &self,
+        performance: &Performance,
+        output: &mut OutputFolder,
+        files: &mut Files,
+    ) -> Result<(), Failure> {
+        let dance = &performance.production().dance;
+        let counts = counts_csv(&dance.counts(self.design.duration_s(dance)));
+        files.add(
+            output,
+            "counts.csv",
+            counts.as_bytes(),
+            "When every count falls, in seconds of the film: a metronome for the music.",
+        )
+    }
+
     fn write(
         &self,
         finished: Finished<'_>,
@@ -336,6 +356,7 @@ impl Run<'_> {
             files.add(&mut output, "dancer.glb", &glb, "The dancer with her skeleton and dance, and the skirt with its baked motion: opens in Blender and 3D viewers.")?;
         }
         bar.inc(1);
+        self.write_counts(performance, &mut output, &mut files)?;
         let text = document::to_toml(&self.design);
         files.add(
             &mut output,
@@ -456,6 +477,26 @@ impl Files {
     }
 }
 
+/// A line for each count: when it falls, what is danced, how fast.
+fn counts_csv(counts: &[Count]) -> String {
+    let mut text = String::from("time_s,count,part,step,name,side,tempo_bpm\n");
+    for count in counts {
+        let part = count.part.map_or_else(String::new, |part| part.to_string());
+        let (step, name) = count.step.map_or(("", ""), |step| (step.id(), step.name()));
+        let side = match (count.step, count.side) {
+            (None, _) => "",
+            (_, Side::Right) => "right",
+            (_, Side::Left) => "left",
+        };
+        // No name has a comma but "kāholo i mua, i hope".
+        text.push_str(&format!(
+            "{:.3},{},{part},{step},\"{name}\",{side},{:.2}\n",
+            count.time, count.number, count.beats_per_minute
+        ));
+    }
+    text
+}
+
 /// Simulated frames of a dance of `seconds`.
 #[expect(
     clippy::cast_possible_truncation,
@@ -464,4 +505,28 @@ impl Files {
 )]
 fn frame_count(seconds: f64) -> u32 {
     (seconds * f64::from(FRAMES_PER_SECOND)).round() as u32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counts_are_lines_with_their_times() {
+        let count = |part, number, time| Count {
+            time,
+            part,
+            number,
+            step: part.map(|_| DanceStep::KaholoForward),
+            side: Side::Left,
+            beats_per_minute: 80.0,
+        };
+        let text = counts_csv(&[count(None, 1, 0.0), count(Some(1), 1, 2.25)]);
+        assert_eq!(
+            text,
+            "time_s,count,part,step,name,side,tempo_bpm\n\
+             0.000,1,,,\"\",,80.00\n\
+             2.250,1,1,kaholo-forward,\"kāholo i mua, i hope\",left,80.00\n"
+        );
+    }
 }

@@ -163,6 +163,10 @@ fn open_hint(path: &std::path::Path, language: Language) -> &'static str {
             "lole dance design.lole で同じ踊り",
             "lole dance design.lole repeats it",
         ),
+        "counts.csv" => language.pick(
+            "拍の時刻。曲を合わせるときに",
+            "when the counts fall, to match music",
+        ),
         "study.csv" => language.pick("表計算で開く", "opens in a spreadsheet"),
         "report.json" | "study.json" | "validation.json" | "bench.json" => {
             language.pick("プログラム用の数値", "the numbers, for programs")

@@ -187,6 +187,7 @@ fn a_run_writes_every_file_and_the_same_bits_on_any_number_of_threads() {
         "back.png",
         "three-quarter.png",
         "dancer.glb",
+        "counts.csv",
         "design.lole",
         "report.html",
         "report.json",
@@ -194,7 +195,7 @@ fn a_run_writes_every_file_and_the_same_bits_on_any_number_of_threads() {
         let size = fs::metadata(scratch.path("one").join(name)).unwrap().len();
         assert!(100 < size, "{name} has {size} bytes");
     }
-    assert_eq!(fs::read_dir(scratch.path("one")).unwrap().count(), 9);
+    assert_eq!(fs::read_dir(scratch.path("one")).unwrap().count(), 10);
     assert_eq!(one["finite"], true);
     assert_eq!(one["particles"], 96 * 40);
     assert_eq!(one["frames"], 30);

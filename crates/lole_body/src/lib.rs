@@ -25,7 +25,8 @@ pub use dancer::{Dancer, Landmarks};
 pub use error::BodyError;
 pub use measurements::{Measurements, Tape};
 pub use motion::{
-    AmiTurn, ArmStyle, Dance, DanceStep, HipLead, HipLift, MotionError, MotionSettings,
+    AmiTurn, ArmManner, ArmStyle, Count, Dance, DanceStep, Hands, HipLead, HipLift, MotionError,
+    MotionSettings, Part, School, Side,
 };
 pub use skeleton::{Bone, Pose, Skeleton};
 pub use skin::{MeshPart, PartKind, SkinnedMesh};

@@ -17,7 +17,8 @@ mod parse;
 pub mod schema;
 mod write;
 
-use lole_body::{AmiTurn, ArmStyle, DanceStep, HipLead, HipLift};
+use lole_body::motion::SCHOOLS;
+use lole_body::{AmiTurn, ArmManner, ArmStyle, DanceStep, Hands, HipLead, HipLift, School, Side};
 use lole_cloth::collision::penalty::{CapsuleShape, Response};
 use lole_cloth::method::explicit::{ContactEvaluation, Integrator, RungeKutta};
 use lole_cloth::wind::WindLaw;
@@ -220,39 +221,98 @@ impl Default for PrintChoice {
 /// What is danced, and in whose manner.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionDesign {
-    /// The step.
+    /// The manner that sets what the document leaves out.
+    pub school: &'static School,
+    /// The step, where there are no parts.
     pub step: DanceStep,
     /// Counts per minute.
     pub tempo_bpm: f64,
-    /// How long is danced [s].
-    pub duration_s: f64,
+    /// How long is danced [s]; as long as the parts, or 12 s without parts, when `None`.
+    pub duration_s: Option<f64>,
     /// Factor on the sway of the hips.
     pub sway_ratio: f64,
     /// Bend of both knees while standing even [°].
     pub knee_deg: f64,
+    /// Height of the free foot's heel over the stature.
+    pub heel_ratio: f64,
+    /// A step to the side over the stature.
+    pub step_ratio: f64,
+    /// Distance of the ankles while standing over the stature.
+    pub stance_ratio: f64,
+    /// Turn-out of each foot [°].
+    pub toe_out_deg: f64,
+    /// Depth of the hips' figure of eight over the stature.
+    pub eight_ratio: f64,
     /// Which side of the pelvis is higher while it sways.
     pub hip_lift: HipLift,
     /// Where the hips are on the count.
     pub hip_lead: HipLead,
     /// What the arms do.
     pub arms: ArmStyle,
-    /// Direction of the ʻami circle.
+    /// How the arms move.
+    pub arm_manner: ArmManner,
+    /// What the hands are like.
+    pub hands: Hands,
+    /// Direction of the ʻami circle, where there are no parts.
     pub ami_turn: AmiTurn,
+    /// A choreography: danced once, part after part, instead of the step.
+    pub parts: Vec<PartDesign>,
+}
+
+/// One part of a choreography.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PartDesign {
+    /// The step.
+    pub step: DanceStep,
+    /// Which side begins.
+    pub side: Side,
+    /// Counts: whole phrases of the step.
+    pub beat_count: u32,
+    /// Where the dancer faces, to her left of the front [°].
+    pub facing_deg: f64,
+    /// What the arms do; as in the rest of the dance when `None`.
+    pub arms: Option<ArmStyle>,
+    /// Counts per minute from here on; as before when `None`.
+    pub tempo_bpm: Option<f64>,
+}
+
+impl Default for PartDesign {
+    fn default() -> Self {
+        Self {
+            step: DanceStep::Kaholo,
+            side: Side::Right,
+            beat_count: 8,
+            facing_deg: 0.0,
+            arms: None,
+            tempo_bpm: None,
+        }
+    }
 }
 
 impl Default for MotionDesign {
     fn default() -> Self {
-        Self {
+        let mut motion = Self {
+            school: &SCHOOLS[0],
             step: DanceStep::Kaholo,
             tempo_bpm: 80.0,
-            duration_s: 12.0,
+            duration_s: None,
             sway_ratio: 1.0,
-            knee_deg: 32.0,
+            knee_deg: 0.0,
+            heel_ratio: 0.0,
+            step_ratio: 0.0,
+            stance_ratio: 0.0,
+            toe_out_deg: 0.0,
+            eight_ratio: 0.0,
             hip_lift: HipLift::default(),
             hip_lead: HipLead::default(),
             arms: ArmStyle::default(),
+            arm_manner: ArmManner::default(),
+            hands: Hands::default(),
             ami_turn: AmiTurn::default(),
-        }
+            parts: Vec::new(),
+        };
+        motion.follow(&SCHOOLS[0]);
+        motion
     }
 }
 

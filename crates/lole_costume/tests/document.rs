@@ -404,6 +404,7 @@ fn designs_in_the_readmes_can_be_read() {
     for (name, text) in [
         ("README.md", include_str!("../../../README.md")),
         ("README.ja.md", include_str!("../../../README.ja.md")),
+        ("hula.md", include_str!("../../../docs/hula.md")),
     ] {
         let samples: Vec<&str> = text
             .split("```toml\n")
@@ -552,4 +553,118 @@ proptest! {
             }
         }
     }
+}
+
+#[test]
+fn a_school_sets_what_is_left_out_wherever_it_stands() {
+    let design = parse(
+        "lole = 1\n[motion]\nknee_deg = 50\nschool = \"kahiko-kane\"\n",
+        "mine.lole",
+    )
+    .unwrap();
+    assert_eq!(design.motion.school.id, "kahiko-kane");
+    assert!((design.motion.knee_deg - 50.0).abs() < f64::EPSILON);
+    assert!((design.motion.stance_ratio - 0.22).abs() < f64::EPSILON);
+    assert_eq!(parse(&to_toml(&design), "again").unwrap(), design);
+}
+
+#[test]
+fn the_built_in_dance_is_that_of_the_first_school() {
+    let settings = Design::default().motion_settings();
+    assert_eq!(settings, lole_body::MotionSettings::default());
+}
+
+const CHOREOGRAPHY: &str = "lole = 1
+
+[motion]
+tempo_bpm = 72
+
+[[motion.part]]
+step = \"kaholo\"
+beat_count = 16
+
+[[motion.part]]
+step = \"ami\"
+side = \"left\"
+beat_count = 8
+facing_deg = 45
+arms = \"hands-on-hips\"
+tempo_bpm = 96.5
+";
+
+#[test]
+fn a_choreography_reads_back() {
+    let design = parse(CHOREOGRAPHY, "mine.lole").unwrap();
+    let parts = &design.motion.parts;
+    assert_eq!(parts.len(), 2);
+    assert_eq!(parts[0].beat_count, 16);
+    assert_eq!(parts[1].tempo_bpm, Some(96.5));
+    assert_eq!(parse(&to_toml(&design), "again").unwrap(), design);
+    design.check("mine").unwrap();
+    let settings = design.motion_settings();
+    assert_eq!(settings.parts[1].beats_per_minute, Some(96.5));
+}
+
+#[test]
+fn mistakes_in_a_choreography_are_said_with_their_part() {
+    for (from, to, expected) in [
+        (
+            "beat_count = 16",
+            "beat_cout = 16",
+            "mine.lole:8: [[motion.part]] 1 beat_cout: there is no such key; did you mean beat_count?",
+        ),
+        (
+            "beat_count = 16",
+            "beat_count = 6",
+            "mine.lole:8: [[motion.part]] 1 beat_count: part 1 dances kaholo for 6 counts, and its phrases have 4; write a multiple of 4, up to 256",
+        ),
+        (
+            "beat_count = 16",
+            "beat_count = 0",
+            "mine.lole:8: [[motion.part]] 1 beat_count: 0 is out of range; write a whole number from 1 to 256",
+        ),
+        (
+            "\"ami\"",
+            "\"amy\"",
+            "mine.lole:11: [[motion.part]] 2 step: \"amy\" is not a dance step; did you mean \"ami\"?",
+        ),
+        (
+            "facing_deg = 45",
+            "facing_deg = 300",
+            "mine.lole:14: [[motion.part]] 2 facing_deg: part 2 faces 300° away",
+        ),
+        (
+            "side = \"left\"",
+            "side = \"lft\"",
+            "did you mean \"left\"?",
+        ),
+        (
+            "tempo_bpm = 96.5",
+            "tempo_bpm = 9",
+            "[[motion.part]] 2 tempo_bpm: 9 is out of range; write a number from 30 to 240",
+        ),
+        (
+            "[[motion.part]]\nstep = \"kaholo\"\nbeat_count = 16\n\n[[motion.part]]",
+            "part = 3\n[motion.parts]",
+            "[[motion.part]] 1: 3 is a whole number; write parts that begin with [[motion.part]] each",
+        ),
+    ] {
+        let text = CHOREOGRAPHY.replacen(from, to, 1);
+        let said = sentence(&text);
+        assert!(said.contains(expected), "{said}\n{text}");
+    }
+}
+
+#[test]
+fn a_choreography_is_as_long_as_its_parts() {
+    let design = parse(CHOREOGRAPHY, "mine.lole").unwrap();
+    let measurements = lole_body::Measurements::woman();
+    let skeleton = lole_body::Dancer::new(&measurements).unwrap().skeleton;
+    let dance = lole_body::Dance::new(&skeleton, &design.motion_settings()).unwrap();
+    // 18 beats of 5/6 s, two that shrink, eight of 60/96.5 s.
+    let truth = 18.0 * 60.0 / 72.0 + 60.0 / 72.0 + 60.0 / 96.5 + 8.0 * 60.0 / 96.5;
+    assert!((design.duration_s(&dance) - truth).abs() < 1e-6);
+    let mut short = design.clone();
+    short.motion.duration_s = Some(5.0);
+    assert!((short.duration_s(&dance) - 5.0).abs() < f64::EPSILON);
 }

@@ -208,13 +208,14 @@ impl Show {
         let skeleton = &self.performance.production().dancer.skeleton;
         let dance = Dance::new(skeleton, &design.motion_settings())?;
         let (old, new) = (&self.design.motion, &design.motion);
-        let time = self.layers.last().map_or(0.0, |layer| layer.time);
+        let last = self.layers.last();
+        let time = last.map_or(0.0, |layer| layer.time);
         let same_figure = MotionOfTempo(old) == MotionOfTempo(new);
         // The same step goes on from the same count; another one starts on the same beat.
-        let counts = time * old.tempo_bpm / 60.0;
+        let counts = last.map_or(0.0, |layer| layer.dance.beat_at(time));
         let lead_in = f64::from(dance.lead_in());
         let time = if same_figure {
-            counts * 60.0 / new.tempo_bpm
+            dance.time_of_beat(counts)
         } else if time <= 0.0 {
             0.0
         } else {

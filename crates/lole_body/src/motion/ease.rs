@@ -32,6 +32,11 @@ pub(super) fn rounded_abs(x: f32) -> f32 {
     0.375 + square * (0.75 - 0.125 * square)
 }
 
+/// 0 up to about `0` and `x` from there, with its corner rounded between −`width` and `width`.
+pub(super) fn hinge(x: f32, width: f32) -> f32 {
+    0.5 * (x + width * rounded_abs(x / width))
+}
+
 /// Integral over −1 to `x` of the raised-cosine dip `(1 + cos πu)/2`, whose whole area is 1.
 pub(super) fn dip_area(x: f32) -> f32 {
     let u = x.clamp(-1.0, 1.0);
@@ -75,6 +80,12 @@ mod tests {
         let inner = (rounded_abs(1.0) - rounded_abs(1.0 - step)) / step;
         assert!((inner - 1.0).abs() < 1e-3, "{inner}");
         assert_eq!(rounded_abs(-3.0), 3.0);
+    }
+
+    #[test]
+    fn the_hinge_opens_with_slope_one() {
+        assert_eq!((hinge(-3.0, 0.5), hinge(3.0, 0.5)), (0.0, 3.0));
+        assert!((hinge(0.0, 0.5) - 0.09375).abs() < 1e-6);
     }
 
     #[test]

@@ -7,10 +7,10 @@ use glam::{Quat, Vec2, Vec3};
 use lole_geom::trig;
 
 use super::ease::{soft_max, soft_min};
-use super::figure::{Figure, Foot, Pelvis};
+use super::figure::{Figure, Foot, Pelvis, Place};
 use super::limbs::{ArmRig, LegRig};
+use super::score::Score;
 use super::settings::{MotionError, MotionSettings};
-use super::steps::{sink, widest_feet};
 use crate::{Bone, Pose, Skeleton};
 
 /// Legs (hip joint to ankle) of the fitted woman [statures]: thigh 0.225 and shank 0.236.
@@ -64,7 +64,7 @@ impl Rig {
 
     /// Height of the middle between the hip joints [m] while standing even as `settings` say; low
     /// enough for both legs to reach in the widest step.
-    pub(super) fn standing_height(&self, settings: &MotionSettings) -> f32 {
+    pub(super) fn standing_height(&self, settings: &MotionSettings, score: &Score) -> f32 {
         let leg = &self.legs[0];
         let behind = HIPS_BEHIND_ANKLES * self.stature;
         let height = |knee_degrees: f32, feet_apart: f32, shift: f32| {
@@ -75,19 +75,58 @@ impl Rig {
                     .max(0.0)
                     .sqrt()
         };
-        let standing = height(settings.knee_degrees, settings.stance_width, 0.0)
-            - sink(settings.dance_step) * self.stature;
-        let stride = widest_feet(settings);
+        let standing =
+            height(settings.knee_degrees, settings.stance_width, 0.0) - score.sink * self.stature;
+        let stride = score.stride.length(settings);
         standing.min(height(LEAST_KNEE_DEGREES + 4.0, stride, SHIFT_IN_STRIDE))
     }
 
+    /// From the ankle to the ball of each foot, flat [statures], `[x, z]`.
+    pub(super) fn to_balls(&self) -> [[f32; 2]; 2] {
+        [0, 1].map(|side| {
+            let to_ball = (self.legs[side].ball - self.legs[side].ankle) / self.stature;
+            [to_ball.x, to_ball.z]
+        })
+    }
+
     /// Pose of `figure` for a pelvis that stands `standing_height` [m] high.
+    ///
+    /// The body is solved as if it faced the front, and turned to its heading at the end.
     pub(super) fn pose(&self, figure: &Figure, standing_height: f32) -> Pose {
+        let heading = figure.pelvis.heading;
+        if heading == 0.0 {
+            return self.pose_facing_front(figure, standing_height);
+        }
+        let front = Place {
+            heading: -heading,
+            ..Place::default()
+        };
+        let mut ahead = figure.placed(&front);
+        ahead.feet = figure.feet.map(|foot| front.foot(foot));
+        let mut pose = self.pose_facing_front(&ahead, standing_height);
+        // The floor turns about the middle between the ankles of the bind pose.
+        let turn = quat_y(heading.to_radians());
+        let middle = Vec3::new(self.hip_middle.x, 0.0, self.ankle_line());
+        let hips = pose.hips_translation + self.hips - middle;
+        pose.hips_translation = turn * hips + middle - self.hips;
+        pose.rotate(Bone::Hips, turn * pose.rotation(Bone::Hips));
+        pose
+    }
+
+    /// Where the ankles stand in the bind pose, along `+Z` [m].
+    fn ankle_line(&self) -> f32 {
+        0.5 * (self.legs[0].ankle + self.legs[1].ankle).z
+    }
+
+    fn pose_facing_front(&self, figure: &Figure, standing_height: f32) -> Pose {
         let mut pose = Pose::default();
         let pelvis_turn = pelvis_turn(&figure.pelvis);
         let feet = [0, 1].map(|side| self.legs[side].place_foot(&figure.feet[side], self.stature));
         let pelvis = self.within_reach(&figure.pelvis, &feet, pelvis_turn, standing_height);
         let (spine_turn, chest_turn) = self.spine_turns(&pelvis, pelvis_turn);
+        let lean = |share: f32| quat_z(-(share * pelvis.lean).to_radians());
+        let (spine_turn, chest_turn) = (lean(0.4) * spine_turn, lean(0.75) * chest_turn);
+        let upper_turn = lean(1.0);
 
         // The head keeps its height; the pelvis takes what the bent spine lost.
         let straight = self.upper_chest - self.hip_middle;
@@ -107,9 +146,15 @@ impl Rig {
         pose.rotate(Bone::Hips, pelvis_turn);
         pose.rotate(Bone::Spine, pelvis_turn.inverse() * spine_turn);
         pose.rotate(Bone::Chest, spine_turn.inverse() * chest_turn);
-        pose.rotate(Bone::UpperChest, chest_turn.inverse());
-        pose.rotate(Bone::Neck, quat_y((0.35 * figure.gaze).to_radians()));
-        pose.rotate(Bone::Head, quat_y((0.65 * figure.gaze).to_radians()));
+        pose.rotate(Bone::UpperChest, chest_turn.inverse() * upper_turn);
+        // The head rights itself by half of what the body leans.
+        let look = |share: f32| {
+            quat_z((0.25 * pelvis.lean).to_radians())
+                * quat_y((share * figure.gaze).to_radians())
+                * quat_x((share * figure.nod).to_radians())
+        };
+        pose.rotate(Bone::Neck, look(0.35));
+        pose.rotate(Bone::Head, look(0.65));
         for (leg, foot) in self.legs.iter().zip(&feet) {
             let hip = middle + pelvis_turn * (leg.hip - self.hip_middle);
             leg.solve(hip, foot, pelvis_turn, &mut pose);
@@ -157,7 +202,7 @@ impl Rig {
         Vec3::new(
             self.hip_middle.x + (pelvis.travel + pelvis.x) * self.stature,
             0.0,
-            ankles.z + (pelvis.z - HIPS_BEHIND_ANKLES) * self.stature,
+            ankles.z + (pelvis.ahead + pelvis.z - HIPS_BEHIND_ANKLES) * self.stature,
         )
     }
 
@@ -206,11 +251,13 @@ pub(super) struct PlacedFoot {
 impl LegRig {
     /// Where the foot bone goes: it turns about the ball, which stays where it is with a flat sole.
     fn place_foot(&self, foot: &Foot, stature: f32) -> PlacedFoot {
-        let yaw = self.side * foot.turn_out.to_radians();
+        let set_down = self.side * foot.turn_out.to_radians() + foot.heading.to_radians();
+        let yaw = set_down + foot.twist.to_radians();
         let to_ball = self.ball - self.ankle;
-        let flat_ankle = Vec3::new(foot.x * stature, self.ankle.y, self.ankle.z);
+        let [x, z] = [foot.x * stature, self.ankle.z + foot.z * stature];
+        let flat_ankle = Vec3::new(x, self.ankle.y, z);
+        let ball = flat_ankle + quat_y(set_down) * to_ball + Vec3::Y * (foot.lift * stature);
         let turn_flat = quat_y(yaw);
-        let ball = flat_ankle + turn_flat * to_ball + Vec3::Y * (foot.lift * stature);
         let pitch = trig::asin(foot.heel * stature / self.heel_arm());
         let turn = turn_flat * quat_x(pitch);
         let knee_yaw = yaw + self.side * foot.knee_out.to_radians();

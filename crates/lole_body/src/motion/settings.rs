@@ -3,61 +3,8 @@
 use lole_language::Bilingual;
 use thiserror::Error;
 
-/// A basic step of hula.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum DanceStep {
-    /// Sway in place, 2 counts: the hips go from side to side over standing feet.
-    Kao,
-    /// Two sliding steps to the right with a tap, two to the left, 8 counts.
-    Kaholo,
-    /// The hips draw a circle over standing feet, 2 counts.
-    Ami,
-    /// A foot is lifted and put down, then both heels snap up; right and left, 4 counts.
-    Uwehe,
-}
-
-impl DanceStep {
-    /// All steps, in the order they are taught.
-    pub const ALL: [Self; 4] = [Self::Kao, Self::Kaholo, Self::Ami, Self::Uwehe];
-
-    /// Name in documents and on the command line: ASCII, lower case.
-    #[must_use]
-    pub const fn id(self) -> &'static str {
-        match self {
-            Self::Kao => "kao",
-            Self::Kaholo => "kaholo",
-            Self::Ami => "ami",
-            Self::Uwehe => "uwehe",
-        }
-    }
-
-    /// Name as it is written in Hawaiian, with ʻokina and kahakō.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Kao => "kaʻo",
-            Self::Kaholo => "kāholo",
-            Self::Ami => "ʻami",
-            Self::Uwehe => "ʻuwehe",
-        }
-    }
-
-    /// The step whose [`id`](Self::id) is `id`.
-    #[must_use]
-    pub fn from_id(id: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|step| step.id() == id)
-    }
-
-    /// Counts (beats) of one whole loop, right and left halves together.
-    #[must_use]
-    pub const fn counts(self) -> u32 {
-        match self {
-            Self::Kao | Self::Ami => 2,
-            Self::Kaholo => 8,
-            Self::Uwehe => 4,
-        }
-    }
-}
+use super::choreography::Part;
+use super::repertoire::DanceStep;
 
 /// Which side of the pelvis is higher while it sways; the schools differ.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -91,6 +38,16 @@ pub enum AmiTurn {
     Hema,
 }
 
+impl AmiTurn {
+    /// +1 for ʻākau, −1 for hema.
+    pub(super) const fn sign(self) -> f32 {
+        match self {
+            Self::Akau => 1.0,
+            Self::Hema => -1.0,
+        }
+    }
+}
+
 /// What the arms do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum ArmStyle {
@@ -102,6 +59,37 @@ pub enum ArmStyle {
     Open,
     /// Both hands on the waist above the skirt's band, as the basics are practiced.
     HandsOnHips,
+    /// Makaʻukau: the left arm out at shoulder height with its palm down, the right hand before
+    /// the chest.
+    Ready,
+    /// Both arms up, open in a "U".
+    OpenUp,
+    /// Both arms low in front with their palms up.
+    LowFront,
+    /// Both arms rounded in front at the height of the lower ribs.
+    Rounded,
+}
+
+/// How the arms move.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum ArmManner {
+    /// ʻAuana: curved and always in motion.
+    #[default]
+    Curved,
+    /// Kahiko: straighter; they arrive on the count and stop.
+    Crisp,
+}
+
+/// What the hands are like.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Hands {
+    /// Fingers softly together, following the wrist.
+    #[default]
+    Soft,
+    /// Open and stretched, as women dance kahiko.
+    Flat,
+    /// Closed, as men dance kahiko.
+    Fist,
 }
 
 /// Settings of a dance. Lengths are fractions of the stature that fits the dancer's legs, so that
@@ -134,8 +122,18 @@ pub struct MotionSettings {
     pub toe_out_degrees: f32,
     /// What the arms do.
     pub arms: ArmStyle,
+    /// How the arms move.
+    pub arm_manner: ArmManner,
+    /// What the hands are like.
+    pub hands: Hands,
     /// Direction of the ʻami circle.
     pub ami_turn: AmiTurn,
+    /// How far the hips go back at both ends of a sway [statures], 0 to 0.02: the figure of eight
+    /// behind the navel that some schools teach. 0.008 is 1.3 cm.
+    pub figure_eight: f32,
+    /// A choreography. Where it has parts they are danced, once, instead of `dance_step`, and the
+    /// dancer stands still afterwards.
+    pub parts: Vec<Part>,
 }
 
 impl Default for MotionSettings {
@@ -152,7 +150,11 @@ impl Default for MotionSettings {
             stance_width: 0.124,
             toe_out_degrees: 7.0,
             arms: ArmStyle::default(),
+            arm_manner: ArmManner::default(),
+            hands: Hands::default(),
             ami_turn: AmiTurn::default(),
+            figure_eight: 0.0,
+            parts: Vec::new(),
         }
     }
 }
@@ -173,6 +175,36 @@ pub enum MotionError {
         /// Largest accepted value.
         highest: f32,
     },
+    /// A part of a choreography ends in the middle of a phrase.
+    #[error(
+        "part {part} dances {step} for {counts} counts, and its phrases have {phrase}; write a \
+         multiple of {phrase}, up to {most}"
+    )]
+    Phrase {
+        /// Number of the part, counted from 1.
+        part: usize,
+        /// Document name of the step.
+        step: &'static str,
+        /// What was given.
+        counts: u32,
+        /// Counts of one phrase.
+        phrase: u32,
+        /// Most counts of one part.
+        most: u32,
+    },
+    /// The dancer would have to spin from one part to the next.
+    #[error(
+        "part {part} faces {degrees}° away from the one before; turn at most {most}° from part to \
+         part, or dance a turning step"
+    )]
+    Turn {
+        /// Number of the part, counted from 1.
+        part: usize,
+        /// The turn that was asked for [°].
+        degrees: f32,
+        /// The most [°].
+        most: f32,
+    },
     /// Two joints that span a limb coincide or are not finite.
     #[error("the bone {bone} of the skeleton has no length; give its joints different places")]
     BoneWithoutLength {
@@ -191,6 +223,24 @@ impl Bilingual for MotionError {
                 highest,
             } => format!(
                 "踊りの {setting} が {value} です。{lowest} から {highest} までの数にしてください"
+            ),
+            Self::Phrase {
+                part,
+                step,
+                counts,
+                phrase,
+                most,
+            } => format!(
+                "{part} 番目の部分は {step} が {counts} 拍ですが、ひと区切りは {phrase} 拍です。\
+                 {most} までの {phrase} の倍数にしてください"
+            ),
+            Self::Turn {
+                part,
+                degrees,
+                most,
+            } => format!(
+                "{part} 番目の部分の向きが前から {degrees}° 変わります。一度に {most}° までにするか、\
+                 回るステップを入れてください"
             ),
             Self::BoneWithoutLength { bone } => {
                 format!("骨格の {bone} の長さがありません。関節を別の位置に置いてください")
@@ -214,6 +264,7 @@ impl MotionSettings {
             ("step_width", self.step_width, 0.0, 0.26),
             ("stance_width", self.stance_width, 0.1, 0.3),
             ("toe_out_degrees", self.toe_out_degrees, 0.0, 30.0),
+            ("figure_eight", self.figure_eight, 0.0, 0.02),
         ];
         for (setting, value, lowest, highest) in ranges {
             if !(lowest..=highest).contains(&value) {
@@ -225,6 +276,6 @@ impl MotionSettings {
                 });
             }
         }
-        Ok(())
+        super::choreography::check(&self.parts)
     }
 }

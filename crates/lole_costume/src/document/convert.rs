@@ -1,6 +1,6 @@
 //! From the document's units to what the other crates work with.
 
-use lole_body::{CapsuleLayout, Measurements, MotionSettings, Tape};
+use lole_body::{CapsuleLayout, Dance, Measurements, MotionSettings, Part, School, Tape};
 use lole_cloth::Fabric;
 use lole_geom::Length;
 use lole_language::{Bilingual, Sentence};
@@ -10,8 +10,8 @@ use lole_pattern::{DraftError, ElasticRatio, GatherRatio};
 
 use super::schema::Table;
 use super::{
-    BodyShapes, Design, DesignError, FabricDesign, GarmentDesign, GarmentLayer, PrintChoice,
-    Problem, SkirtDesign, WindDesign, WornTop, schema,
+    BodyShapes, Design, DesignError, FabricDesign, GarmentDesign, GarmentLayer, MotionDesign,
+    PartDesign, PrintChoice, Problem, SkirtDesign, WindDesign, WornTop, schema,
 };
 use crate::fabrics::{FabricFigures, si_fabric};
 use crate::print::PrintDesign;
@@ -43,6 +43,16 @@ impl Design {
                 GarmentDesign::PauTop(worn) => check_keys(schema::WORN_TOP, worn, source)?,
             }
         }
+        for (number, part) in (1..).zip(&self.motion.parts) {
+            for key in schema::PART_KEYS {
+                key.kind.check(part).map_err(|problem| DesignError {
+                    file_name: source.to_owned(),
+                    line: None,
+                    place: part_place(number, key.name),
+                    problem: Box::new(problem),
+                })?;
+            }
+        }
         self.check_together()
             .map_err(|(table, problem)| DesignError {
                 file_name: source.to_owned(),
@@ -57,6 +67,7 @@ impl Design {
         Measurements::from_tape(&self.tape()).map_err(|error| ("dancer", together(&error)))?;
         self.pau_options()
             .map_err(|error| ("skirt", together(&error)))?;
+        (self.motion_settings().check()).map_err(|error| ("motion", together(&error)))?;
         for garment in &self.garments {
             let sewable = match garment {
                 GarmentDesign::PauSkirt(worn) => worn.skirt.options(&worn.fabric).map(|_| ()),
@@ -164,18 +175,80 @@ impl Design {
     /// What is danced, for [`lole_body::Dance`].
     #[must_use]
     pub fn motion_settings(&self) -> MotionSettings {
+        let motion = &self.motion;
         MotionSettings {
-            dance_step: self.motion.step,
-            beats_per_minute: motion_value(self.motion.tempo_bpm),
-            sway: motion_value(self.motion.sway_ratio),
-            knee_degrees: motion_value(self.motion.knee_deg),
-            hip_lift: self.motion.hip_lift,
-            hip_lead: self.motion.hip_lead,
-            arms: self.motion.arms,
-            ami_turn: self.motion.ami_turn,
-            ..MotionSettings::default()
+            dance_step: motion.step,
+            beats_per_minute: motion_value(motion.tempo_bpm),
+            sway: motion_value(motion.sway_ratio),
+            knee_degrees: motion_value(motion.knee_deg),
+            hip_lift: motion.hip_lift,
+            hip_lead: motion.hip_lead,
+            heel_lift: motion_value(motion.heel_ratio),
+            step_width: motion_value(motion.step_ratio),
+            stance_width: motion_value(motion.stance_ratio),
+            toe_out_degrees: motion_value(motion.toe_out_deg),
+            arms: motion.arms,
+            arm_manner: motion.arm_manner,
+            hands: motion.hands,
+            ami_turn: motion.ami_turn,
+            figure_eight: motion_value(motion.eight_ratio),
+            parts: motion.parts.iter().map(PartDesign::part).collect(),
         }
     }
+
+    /// How long `dance`, made of [`Design::motion_settings`], is danced [s].
+    #[must_use]
+    pub fn duration_s(&self, dance: &Dance) -> f64 {
+        let whole = || dance.duration().map(|seconds| seconds.min(LONGEST_S));
+        (self.motion.duration_s.or_else(whole)).unwrap_or(REPEATED_S)
+    }
+}
+
+/// How long a step is repeated where the design does not say [s].
+const REPEATED_S: f64 = 12.0;
+/// The longest dance [s].
+const LONGEST_S: f64 = 600.0;
+
+/// Where a key of a part stands.
+pub(super) fn part_place(number: usize, key: &str) -> String {
+    let place = format!("[[motion.{}]] {number} {key}", schema::MOTION_PARTS);
+    place.trim_end().to_owned()
+}
+
+impl PartDesign {
+    fn part(&self) -> Part {
+        Part {
+            step: self.step,
+            side: self.side,
+            counts: self.beat_count,
+            facing_degrees: motion_value(self.facing_deg),
+            arms: self.arms,
+            beats_per_minute: self.tempo_bpm.map(motion_value),
+        }
+    }
+}
+
+impl MotionDesign {
+    /// Dances in the manner of `school`; what is danced stays as it is.
+    pub fn follow(&mut self, school: &'static School) {
+        self.school = school;
+        self.sway_ratio = decimal(school.sway);
+        self.knee_deg = decimal(school.knee_degrees);
+        self.heel_ratio = decimal(school.heel_lift);
+        self.step_ratio = decimal(school.step_width);
+        self.stance_ratio = decimal(school.stance_width);
+        self.toe_out_deg = decimal(school.toe_out_degrees);
+        self.eight_ratio = decimal(school.figure_eight);
+        self.hip_lift = school.hip_lift;
+        self.hip_lead = school.hip_lead;
+        self.arm_manner = school.arm_manner;
+        self.hands = school.hands;
+    }
+}
+
+/// The number that people would write: 0.18, not 0.18000000715.
+fn decimal(value: f32) -> f64 {
+    value.to_string().parse().unwrap_or(f64::from(value))
 }
 
 /// Garments that are worn with the skirt, at most.

@@ -2,12 +2,14 @@
 
 use std::ops::Range;
 
+use lole_body::MotionError;
 use lole_language::{Sentence, Words, words};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use super::convert::part_place;
 use super::schema::{self, Key, Kind, Table, shortened};
-use super::{Design, DesignError, GarmentDesign, Problem, VERSION, likely, nearest};
+use super::{Design, DesignError, GarmentDesign, PartDesign, Problem, VERSION, likely, nearest};
 
 /// Largest text that is read [bytes]; a whole design is under two thousand.
 const SIZE_LIMIT: usize = 1 << 20;
@@ -171,9 +173,15 @@ impl Reader<'_> {
             return Err(self.unknown_table(name, &names));
         };
         let place = format!("[{}]", table.name);
-        in_text_order(self.entries(value, &place)?)
-            .into_iter()
-            .try_for_each(|(key, value)| self.read_key((table, &place), (key, value), design))
+        let mut entries = in_text_order(self.entries(value, &place)?);
+        // A school sets what is left out, so it comes first.
+        entries.sort_by_key(|(name, _)| name.get_ref() != "school");
+        entries.into_iter().try_for_each(|(key, value)| {
+            if table.name == "motion" && key.get_ref() == schema::MOTION_PARTS {
+                return self.read_parts(key, value, design);
+            }
+            self.read_key((table.keys, &place), (key, value), design)
+        })
     }
 
     fn unknown_table(&self, name: &Spanned<toml::de::DeString<'_>>, names: &[&str]) -> DesignError {
@@ -214,6 +222,59 @@ impl Reader<'_> {
             wanted,
         };
         self.error(value.span().start, place.to_owned(), problem)
+    }
+
+    /// Reads the list of the parts of a choreography.
+    fn read_parts(
+        &self,
+        name: &Spanned<toml::de::DeString<'_>>,
+        value: &Spanned<DeValue<'_>>,
+        design: &mut Design,
+    ) -> Result<(), DesignError> {
+        let wrong_type = |value: &Spanned<DeValue<'_>>, number| {
+            let problem = Problem::WrongType {
+                found: self.found(value.span()),
+                found_type: type_name(value.get_ref()),
+                wanted: Sentence::new(
+                    "[[motion.part]] で始まる部分",
+                    "parts that begin with [[motion.part]] each",
+                ),
+            };
+            self.error(name.span().start, part_place(number, ""), problem)
+        };
+        let Some(parts) = value.get_ref().as_array() else {
+            return Err(wrong_type(value, 1));
+        };
+        for (number, value) in (1..).zip(parts.iter()) {
+            let Some(entries) = value.get_ref().as_table() else {
+                return Err(wrong_type(value, number));
+            };
+            let mut part = PartDesign::default();
+            let entries = in_text_order(entries);
+            let place = part_place(number, "");
+            for &entry in &entries {
+                self.read_key((schema::PART_KEYS, &place), entry, &mut part)?;
+            }
+            design.motion.parts.push(part);
+            design.motion_settings().check().map_err(|error| {
+                let start = |key: &str| {
+                    let found = entries.iter().find(|(name, _)| name.get_ref() == key);
+                    found.map(|(name, _)| name.span().start)
+                };
+                let key = match error {
+                    MotionError::Turn { .. } => "facing_deg",
+                    _ => "beat_count",
+                };
+                let top = entries.first().map_or(0, |(name, _)| name.span().start);
+                let sentence = Sentence::of(&error);
+                self.error(
+                    start(key).unwrap_or(top),
+                    part_place(number, key),
+                    Problem::Together { sentence },
+                )
+            })?;
+        }
+        Ok(())
     }
 
     /// Reads the list of garments.
@@ -323,12 +384,12 @@ impl Reader<'_> {
                 continue;
             }
             let Some(part) = parts.iter().find(|part| part.name == name.get_ref()) else {
-                self.read_key((own, &place), (name, value), garment)?;
+                self.read_key((own.keys, &place), (name, value), garment)?;
                 continue;
             };
             let place = format!("[{}.{}]", schema::LIST, part.name);
             for entry in in_text_order(self.entries(value, &place)?) {
-                self.read_key((part, &place), entry, garment)?;
+                self.read_key((part.keys, &place), entry, garment)?;
             }
         }
         Ok(())
@@ -336,13 +397,13 @@ impl Reader<'_> {
 
     fn read_key<T>(
         &self,
-        (table, place): (&Table<T>, &str),
+        (keys, place): (&[Key<T>], &str),
         (name, value): Entry<'_, '_>,
         into: &mut T,
     ) -> Result<(), DesignError> {
         let place = format!("{place} {}", shortened(name.get_ref()));
-        let Some(key) = table.keys.iter().find(|key| key.name == name.get_ref()) else {
-            let names: Vec<_> = table.keys.iter().map(|key| key.name).collect();
+        let Some(key) = keys.iter().find(|key| key.name == name.get_ref()) else {
+            let names: Vec<_> = keys.iter().map(|key| key.name).collect();
             let problem = unknown(
                 words("項目", "key"),
                 name.get_ref(),

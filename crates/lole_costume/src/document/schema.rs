@@ -7,6 +7,7 @@
 #[macro_use]
 mod rows;
 mod garments;
+mod motion;
 mod tables;
 
 use lole_language::{Sentence, Words};
@@ -14,6 +15,7 @@ use lole_language::{Sentence, Words};
 use super::{Design, Problem, nearest};
 
 pub use garments::{GarmentKind, KINDS, LIST, WORN_SKIRT, WORN_TOP};
+pub use motion::{MOTION_PARTS, PART_KEYS};
 pub use tables::TABLES;
 
 /// One table of the document, filling a `T`.
@@ -27,7 +29,7 @@ pub struct Table<T: 'static = Design> {
     pub keys: &'static [Key<T>],
 }
 
-/// One key.
+/// One key of a table, or of the parts of a list: it fills a field of `D`.
 #[derive(Debug)]
 pub struct Key<T: 'static = Design> {
     /// Name, ending in its unit where it has one.

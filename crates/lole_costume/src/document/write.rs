@@ -3,7 +3,9 @@
 
 use std::fmt::Write as _;
 
-use super::schema::{Kind, LIST, TABLES, Table, WORN_SKIRT, WORN_TOP};
+use super::schema::{
+    Key, Kind, LIST, MOTION_PARTS, PART_KEYS, TABLES, Table, WORN_SKIRT, WORN_TOP,
+};
 use super::{Design, GarmentDesign, VERSION};
 
 /// The canonical text of a design. Reading it back gives the same design, to the last bit.
@@ -15,6 +17,13 @@ pub fn to_toml(design: &Design) -> String {
     let mut text = format!("lole = {VERSION}\n");
     for table in TABLES {
         write_table(&mut text, table, format!("[{}]", table.name), "", design);
+        if table.name == "motion" {
+            for part in &design.motion.parts {
+                // Writing to a string cannot fail.
+                let _ignored = write!(text, "\n[[motion.{MOTION_PARTS}]]\n");
+                text.extend(lines(PART_KEYS, part));
+            }
+        }
     }
     for garment in &design.garments {
         match garment {
@@ -43,17 +52,7 @@ fn write_garment<T>(text: &mut String, garment: &GarmentDesign, tables: &[Table<
 
 /// A table with its comment: the line `first`, then every key that has a value.
 fn write_table<T>(text: &mut String, table: &Table<T>, head: String, first: &str, from: &T) {
-    let lines: Vec<String> = table
-        .keys
-        .iter()
-        .filter_map(|key| {
-            let value = value_text(&key.kind, from)?;
-            Some(format!(
-                "{} = {value}  # {}; {}\n",
-                key.name, key.about.japanese, key.about.english
-            ))
-        })
-        .collect();
+    let lines = lines(table.keys, from);
     if !lines.is_empty() {
         let about = table.about;
         // Writing to a string cannot fail.
@@ -64,6 +63,19 @@ fn write_table<T>(text: &mut String, table: &Table<T>, head: String, first: &str
         );
         text.extend(lines);
     }
+}
+
+/// A line for each key that has a value.
+fn lines<T>(keys: &[Key<T>], from: &T) -> Vec<String> {
+    let line = |key: &Key<T>| {
+        let value = value_text(&key.kind, from)?;
+        let about = key.about;
+        Some(format!(
+            "{} = {value}  # {}; {}\n",
+            key.name, about.japanese, about.english
+        ))
+    };
+    keys.iter().filter_map(line).collect()
 }
 
 /// The value as TOML; `None` leaves the key out.

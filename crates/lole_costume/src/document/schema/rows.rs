@@ -3,46 +3,46 @@
 //! [`WornSkirt`](crate::document::WornSkirt).
 
 macro_rules! number {
-    ($name:literal, $min:literal..=$max:literal, $table:ident.$field:ident, $japanese:literal, $about:literal) => {
+    ($name:literal, $min:literal..=$max:literal, $($field:ident).+, $japanese:literal, $about:literal) => {
         Key {
             name: $name,
             about: words($japanese, $about),
             kind: Kind::Number {
                 min: $min,
                 max: $max,
-                get: |design| Some(design.$table.$field),
-                set: |design, value| design.$table.$field = value,
+                get: |design| Some(design.$($field).+),
+                set: |design, value| design.$($field).+ = value,
             },
         }
     };
 }
 
 macro_rules! number_if_known {
-    ($name:literal, $min:literal..=$max:literal, $table:ident.$field:ident, $japanese:literal, $about:literal) => {
+    ($name:literal, $min:literal..=$max:literal, $($field:ident).+, $japanese:literal, $about:literal) => {
         Key {
             name: $name,
             about: words($japanese, $about),
             kind: Kind::Number {
                 min: $min,
                 max: $max,
-                get: |design| design.$table.$field,
-                set: |design, value| design.$table.$field = Some(value),
+                get: |design| design.$($field).+,
+                set: |design, value| design.$($field).+ = Some(value),
             },
         }
     };
 }
 
 macro_rules! count {
-    ($name:literal, $min:literal..=$max:literal, $table:ident.$field:ident, $japanese:literal, $about:literal) => {
+    ($name:literal, $min:literal..=$max:literal, $($field:ident).+, $japanese:literal, $about:literal) => {
         Key {
             name: $name,
             about: words($japanese, $about),
             kind: Kind::Count {
                 min: $min,
                 max: $max,
-                get: |design| Some(u64::from(design.$table.$field)),
+                get: |design| Some(u64::from(design.$($field).+)),
                 set: |design, value| {
-                    design.$table.$field = u32::try_from(value).unwrap_or(u32::MAX);
+                    design.$($field).+ = u32::try_from(value).unwrap_or(u32::MAX);
                 },
             },
         }
@@ -79,7 +79,7 @@ macro_rules! color {
 
 /// A choice among `(id, value)` pairs that this file names.
 macro_rules! choice {
-    ($name:literal, $what:expr, $list:ident, $table:ident.$field:ident, $japanese:literal, $about:literal) => {
+    ($name:literal, $what:expr, $list:ident, $($field:ident).+, $japanese:literal, $about:literal) => {
         Key {
             name: $name,
             about: words($japanese, $about),
@@ -89,12 +89,12 @@ macro_rules! choice {
                 get: |design| {
                     let found = $list
                         .iter()
-                        .find(|(_, value)| *value == design.$table.$field);
+                        .find(|(_, value)| *value == design.$($field).+);
                     found.map_or($list[0].0, |(id, _)| id)
                 },
                 set: |design, name| {
                     if let Some((_, value)) = $list.iter().find(|(id, _)| *id == name) {
-                        design.$table.$field = *value;
+                        design.$($field).+ = *value;
                     }
                 },
             },

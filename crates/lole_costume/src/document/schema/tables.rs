@@ -3,12 +3,12 @@
 //! Reading, checking, writing and the messages all walk this table, so a key that is added here is
 //! read, refused, written and explained.
 
-use lole_body::{AmiTurn, ArmStyle, DanceStep, HipLead, HipLift};
 use lole_cloth::collision::penalty::{CapsuleShape, Response};
 use lole_cloth::method::explicit::ContactEvaluation;
 use lole_cloth::wind::WindLaw;
 use lole_language::words;
 
+use super::motion::MOTION;
 use super::{Key, Kind, Table};
 use crate::document::{BodyShapes, MethodName, WindModel};
 use crate::fabrics::{PRESETS, Preset};
@@ -21,19 +21,6 @@ pub(super) const MOTIFS: &[(&str, PrintMotif)] = &[
     ("hibiscus", PrintMotif::Hibiscus),
     ("ulu", PrintMotif::Ulu),
     ("plain", PrintMotif::Plain),
-];
-const HIP_LIFTS: &[(&str, HipLift)] = &[
-    ("weighted-side", HipLift::WeightedSide),
-    ("free-side", HipLift::FreeSide),
-];
-const HIP_LEADS: &[(&str, HipLead)] = &[
-    ("other-foot", HipLead::OtherFoot),
-    ("stepping-foot", HipLead::SteppingFoot),
-];
-const ARM_STYLES: &[(&str, ArmStyle)] = &[
-    ("of-step", ArmStyle::OfStep),
-    ("open", ArmStyle::Open),
-    ("hands-on-hips", ArmStyle::HandsOnHips),
 ];
 const WIND_LAWS: &[(&str, WindLaw)] = &[
     ("spherical", WindLaw::Spherical),
@@ -63,7 +50,6 @@ const CAPSULE_SHAPES: &[(&str, CapsuleShape)] = &[
         CapsuleShape::LiteralInfiniteCylinder,
     ),
 ];
-const AMI_TURNS: &[(&str, AmiTurn)] = &[("akau", AmiTurn::Akau), ("hema", AmiTurn::Hema)];
 
 /// The tables in the order they are written.
 pub const TABLES: &[Table] = &[DANCER, SKIRT, FABRIC, PRINT, MOTION, WIND, METHOD];
@@ -135,88 +121,6 @@ const PRINT: Table = Table {
         "what is printed on the cloth; colors as \"#rrggbb\"",
     ),
     keys: print_keys!(),
-};
-
-const MOTION: Table = Table {
-    name: "motion",
-    about: words(
-        "踊り。ハーラウごとに違い、クムの教えが先",
-        "what is danced; hālau differ, and a kumu's rule comes first",
-    ),
-    keys: &[
-        Key {
-            name: "step",
-            about: words("ステップ", "dance step"),
-            kind: Kind::Name {
-                what: words("ステップ", "dance step"),
-                choices: || DanceStep::ALL.iter().map(|step| step.id()).collect(),
-                get: |design| design.motion.step.id(),
-                set: |design, name| {
-                    design.motion.step = DanceStep::from_id(name).unwrap_or(design.motion.step);
-                },
-            },
-        },
-        number!(
-            "tempo_bpm",
-            30.0..=240.0,
-            motion.tempo_bpm,
-            "1分間の拍数",
-            "counts per minute"
-        ),
-        number!(
-            "duration_s",
-            0.5..=600.0,
-            motion.duration_s,
-            "踊りの長さ",
-            "length of the dance"
-        ),
-        number!(
-            "sway_ratio",
-            0.0..=1.6,
-            motion.sway_ratio,
-            "腰の揺れの倍率",
-            "factor on the sway of the hips"
-        ),
-        number!(
-            "knee_deg",
-            10.0..=65.0,
-            motion.knee_deg,
-            "ひざの曲げ",
-            "bend of the knees"
-        ),
-        choice!(
-            "hip_lift",
-            words("腰の上げ方", "hip lift"),
-            HIP_LIFTS,
-            motion.hip_lift,
-            "どちらの腰が上がるか",
-            "which hip is higher"
-        ),
-        choice!(
-            "hip_lead",
-            words("腰の出し方", "hip lead"),
-            HIP_LEADS,
-            motion.hip_lead,
-            "拍で腰がどちらにあるか",
-            "hips on the count"
-        ),
-        choice!(
-            "arms",
-            words("腕の形", "arm style"),
-            ARM_STYLES,
-            motion.arms,
-            "腕の動き",
-            "what the arms do"
-        ),
-        choice!(
-            "ami_turn",
-            words("アミの回り方", "turn of the ʻami"),
-            AMI_TURNS,
-            motion.ami_turn,
-            "回る向き",
-            "way round"
-        ),
-    ],
 };
 
 const WIND: Table = Table {
