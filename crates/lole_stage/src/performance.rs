@@ -7,17 +7,16 @@ use std::sync::Arc;
 
 use glam::{Affine3A, Vec3};
 use lole_body::{BodyCapsule, Pose};
-use lole_cloth::collision::layer::LayerOrder;
 use lole_cloth::method::explicit::ExplicitConfig;
 use lole_cloth::method::reference::ReferenceModel;
 use lole_cloth::{Crossings, InstructionSet, Phase, diagnose};
 use lole_costume::document::{BodyShapes, Design};
 use lole_geom::{Capsule, Surfel, mesh::vertex_normals};
-use rayon::prelude::*;
 
 use crate::production::{Garment, Production};
 use crate::solver::{Observer, Solver, Surroundings};
 use crate::{FrameMetrics, StageError, skin_check};
+use order::Order;
 use worn::{Carrier, Worn};
 
 /// Steps of the simulation per second: one for every picture of an ordinary screen.
@@ -78,8 +77,7 @@ pub struct Performance {
     production: Arc<Production>,
     /// In the order of the production's garments.
     worn: Vec<Worn>,
-    /// Between every garment and the next one outward.
-    orders: Vec<LayerOrder>,
+    order: Order,
     pose: Pose,
     world_from_bind: Vec<Affine3A>,
     /// What the cloth meets as a body: the dancer's capsules, unless others were given.
@@ -117,7 +115,7 @@ impl Performance {
             meets_skin: production.design.contact_body() == BodyShapes::Skin,
             crossings: Crossings::Repair,
             production,
-            orders: vec![LayerOrder::default(); worn.len().saturating_sub(1)],
+            order: Order::default(),
             worn,
             pose: Pose::default(),
             world_from_bind,
@@ -220,19 +218,13 @@ impl Performance {
             crossings: self.crossings,
             time: self.time(),
         };
-        match (&mut self.worn[..], observer) {
-            ([only], observer) => only.step(&surroundings, observer),
-            (several, Some(passed)) => {
-                for worn in several {
-                    worn.step(&surroundings, Some(passed));
-                }
-            }
-            (several, None) => {
-                (several.par_iter_mut()).for_each(|worn| worn.step(&surroundings, None));
-            }
-        }
-        if 1 < self.worn.len() {
-            order::keep(&mut self.worn, &self.production.garments, &mut self.orders);
+        if let [only] = &mut self.worn[..] {
+            only.step(&surroundings, observer);
+        } else {
+            let garments = &self.production.garments;
+            let trunk = order::trunk(&self.production.dancer.skeleton, &self.world_from_bind);
+            let worn = (&mut self.worn[..], &garments[..]);
+            self.order.step(trunk, worn, &surroundings, observer);
         }
         self.look();
         self.settle();

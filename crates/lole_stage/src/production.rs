@@ -6,7 +6,6 @@ use glam::Affine3A;
 use lole_body::motion::Dance;
 use lole_body::{Bone, CapsuleLayout, Dancer, Measurements, Pose, SkinSurfels};
 use lole_cloth::Fabric;
-use lole_cloth::collision::layer::LayerShape;
 use lole_costume::document::{
     Design, FabricDesign, GarmentDesign, GarmentLayer, PrintChoice, SkirtDesign, WornTop,
 };
@@ -56,9 +55,6 @@ pub struct Garment {
     pub sewn: SewnSkirt,
     /// The garment as it is drawn.
     pub mesh: SkirtMesh,
-    /// Its triangles below the lowest elastic, as a layer among others: above, what is sewn outside
-    /// stays outside by the elastics that hold it.
-    pub shape: LayerShape,
     /// The skin below every pin; `None` where one is too far from the body.
     pub pin_surfels: Option<SkinSurfels>,
     /// Its particles among those of all garments.
@@ -266,15 +262,6 @@ impl Wardrobe<'_> {
         );
         let first = self.garments.last().map_or(0, |last| last.particles.end);
         let particle_count = sewn.spec.grid.particle_count();
-        let held = sewn
-            .elastic_rows
-            .last()
-            .map_or(0, |&row| row * column_count);
-        let hanging = mesh.particle_triangles.iter().copied();
-        let hanging: Vec<[u32; 3]> = hanging
-            .filter(|corners| corners.iter().all(|&corner| held <= corner))
-            .collect();
-        let shape = LayerShape::new(&hanging, particle_count);
         self.garments.push(Garment {
             name: self.unique(name),
             draft,
@@ -282,7 +269,6 @@ impl Wardrobe<'_> {
             fabric,
             sewn,
             mesh,
-            shape,
             pin_surfels,
             particles: first..first + particle_count,
         });

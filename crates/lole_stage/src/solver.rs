@@ -19,7 +19,7 @@ use lole_geom::{Capsule, Surfel};
 use crate::{FRAME_SECONDS, StageError};
 
 /// Gap kept between capsules and cloth [m]: half the thickness of a gathered double layer.
-const CONTACT_OFFSET: f32 = 0.004;
+pub(crate) const CONTACT_OFFSET: f32 = 0.004;
 
 /// Fastest that cloth inside a capsule is pushed out [m/s]: what two moving capsules pinch between
 /// them slips out instead of being shot through the next fold.
@@ -70,10 +70,10 @@ impl Xpbd {
         if let Some(contact) = &mut self.config.self_collision {
             contact.crossings = surroundings.crossings;
         }
-        self.config.held_depth = if surroundings.surfels.is_empty() {
-            HELD_DEPTH
-        } else {
+        self.config.held_depth = if surroundings.capsules.is_empty() {
             HELD_DEPTH_ON_SKIN
+        } else {
+            HELD_DEPTH
         };
         let input = StepInput {
             pin_targets: surroundings.pin_targets,
@@ -164,14 +164,6 @@ impl Solver {
         match self {
             Self::Xpbd(_) => None,
             Self::Explicit(explicit) => Some(explicit),
-        }
-    }
-
-    /// Model and state of `xpbd`; `None` for the paper's methods.
-    pub(crate) fn xpbd_mut(&mut self) -> Option<(&ClothModel, &mut ClothState)> {
-        match self {
-            Self::Xpbd(xpbd) => Some((&xpbd.model, &mut xpbd.state)),
-            Self::Explicit(_) => None,
         }
     }
 

@@ -1,6 +1,7 @@
 //! Laws of garments in layers on one dancer: sewing puts each outside of the one below, dancing keeps
 //! the order and leaves the skin outside, and the bits are the same on any number of threads.
 
+use lole_cloth::diagnose;
 use lole_costume::document::{Design, GarmentDesign, WornSkirt, WornTop};
 use lole_stage::{Performance, Production};
 use std::sync::{Arc, LazyLock};
@@ -49,20 +50,24 @@ fn a_dance_keeps_the_order_and_the_skin_covered() {
     while performance.time() < 0.0 {
         performance.advance().unwrap();
     }
-    let (mut worst, mut deepest) = (0, 0.0_f32);
-    for frame in 0..30 {
+    let (mut worst, mut deepest, mut most, mut crossed) = (0, 0.0_f32, 0.0_f32, 0);
+    for frame in 0..90 {
         performance.advance().unwrap();
-        if frame % 10 == 0 {
+        if frame % 6 == 0 {
             worst = worst.max(performance.layer_inversions());
             performance.pose_body();
             deepest = deepest.max(performance.measure().skin.worst_depth);
+            let skirt = PRODUCTION.skirt();
+            let (spec, positions) = (&skirt.sewn.spec, performance.garment_positions(skirt));
+            most = most.max(diagnose::strain(spec, positions).p99);
+            crossed = crossed.max(diagnose::self_crossings(&spec.grid, positions).unwrap());
         }
     }
-    assert!(
-        worst <= PRODUCTION.particle_count() / 50,
-        "{worst} particles"
-    );
+    let limit = PRODUCTION.particle_count() / 1000;
+    assert!(worst <= limit, "{worst} particles in the wrong order");
     assert!(deepest < 0.003, "{deepest} m");
+    assert!(most < 0.06, "{most} strain of the skirt");
+    assert_eq!(crossed, 0, "crossings of the skirt");
 }
 
 #[test]

@@ -1,22 +1,18 @@
 //! Layers of cloth whose order the garment knows: an underskirt stays under the skirt.
 //!
-//! What lies in another layer's way is not asked for but known, so contact is one-sided: a particle
-//! of the outer layer stays on the outward side of the nearest triangle of the inner one, and a
-//! particle of the inner layer on the inward side of the nearest triangle of the outer one. A start
-//! in the wrong order comes right by itself, at a limited speed.
+//! What lies in another layer's way is not asked for but known, so contact is one-sided: the inner
+//! garment leads, and the outer one meets its [`Envelope`] as it meets skin, within every substep.
 //!
-//! [`Orientation`] answers exactly and is what layers are measured by; [`LayerOrder`] keeps the order
-//! in every frame and looks for the nearest particle first, then at the triangles around it.
+//! [`Orientation`] answers exactly on which side of a layer a point lies, and is what layers are
+//! measured by.
 
-mod order;
-mod points;
+mod envelope;
 mod shape;
 
 use glam::Vec3;
 use lole_geom::triangle_grid::{Nearest, TriangleGrid, blend};
 
-pub use order::{LayerCloth, LayerOrder};
-pub use shape::LayerShape;
+pub use envelope::{Envelope, Trunk};
 
 /// Weight of a corner below which the nearest point lies on the opposite side of its triangle.
 const ON_SIDE: f32 = 1.0e-4;
@@ -31,18 +27,6 @@ pub struct Layer<'a> {
     pub triangles: &'a [[u32; 3]],
     /// Particles [m], shape `[particle_count]`.
     pub positions: &'a [Vec3],
-}
-
-/// How two layers meet.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LayerLaw {
-    /// Distance kept between them [m].
-    pub gap: f32,
-    /// How far a particle may be on the wrong side and still be brought back [m]. More finds more,
-    /// takes longer, and must stay below half of the way through the garment.
-    pub reach: f32,
-    /// Fastest that the outer layer is moved away [m/s]; a slow push does not pop.
-    pub parting_speed: f32,
 }
 
 /// Outward normals of a layer, found once for many questions.

@@ -8,7 +8,7 @@ use lole_cloth::{
     ClothModel, ClothSpec, ClothState, Fabric, Grid, MassLaw, SolverConfig, StepInput, Topology,
     step,
 };
-use lole_geom::Capsule;
+use lole_geom::{Capsule, Surfel};
 
 pub(crate) const DT: f32 = 1.0 / 60.0;
 
@@ -79,9 +79,15 @@ impl World {
     }
 
     pub(crate) fn step(&mut self, capsules: &[Capsule]) {
+        self.step_over(capsules, &[]);
+    }
+
+    /// The same over a surface too.
+    pub(crate) fn step_over(&mut self, capsules: &[Capsule], surfels: &[Surfel]) {
         let input = StepInput {
             pin_targets: &self.pins,
             capsules,
+            surfels,
             ..StepInput::default()
         };
         step(&self.model, &self.config, &input, &mut self.state, DT);

@@ -1,39 +1,77 @@
 //! The order of garments: what is worn under another one stays under it.
 
-use glam::Vec3;
-use lole_cloth::collision::layer::{Layer, LayerCloth, LayerLaw, LayerOrder};
+use glam::{Affine3A, Vec3};
+use lole_body::{Bone, Skeleton};
+use lole_cloth::collision::layer::{Envelope, Layer, Trunk};
 use lole_cloth::diagnose;
+use lole_geom::Surfel;
 
-use super::FRAME_SECONDS;
 use super::worn::Worn;
 use crate::production::Garment;
+use crate::solver::{CONTACT_OFFSET, Observer, Surroundings};
 
-/// How garments meet. A reach of a deep fold: what is farther on the wrong side is the other side of
-/// the dancer. They part by a few millimeters a frame: gathers that lie in one another's way are led
-/// past each other, where a faster push would tear folds open.
-const LAW: LayerLaw = LayerLaw {
-    gap: 0.0015,
-    reach: 0.04,
-    parting_speed: 0.2,
-};
+/// Distance kept between garments [m]: the thickness of two fabrics and of the air between them.
+const GAP: f32 = 0.0015;
 
-/// Brings garments that have moved on by a frame back into their order, from the skin outward.
-/// Cloth that the paper's methods move keeps none.
-pub(super) fn keep(worn: &mut [Worn], garments: &[Garment], orders: &mut [LayerOrder]) {
-    for (inner, order) in orders.iter_mut().enumerate() {
-        let [low, high] = &mut worn[inner..inner + 2] else {
-            return;
-        };
-        let (Some(low), Some(high)) = (low.solver.xpbd_mut(), high.solver.xpbd_mut()) else {
-            return;
-        };
-        let pair = [(low, inner), (high, inner + 1)].map(|((model, state), garment)| LayerCloth {
-            model,
-            state,
-            shape: &garments[garment].shape,
-        });
-        let [low, mut high] = pair;
-        order.keep((&low, &mut high), LAW, FRAME_SECONDS);
+/// How far inside a layer its particles are looked for [m]: what is farther on the wrong side is the
+/// other side of the dancer.
+const REACH: f32 = 0.04;
+
+/// What garments meet that move on one after the other, from the skin outward: the skin, and the
+/// envelope of what is worn already, which they meet in the same way. It is room: every frame is
+/// looked at anew, so that states say all there is to know.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Order {
+    envelope: Envelope,
+    surfels: Vec<Surfel>,
+}
+
+impl Order {
+    /// Moves garments on by a frame, from the skin outward: each meets what is worn inside of it
+    /// where that is at the end of the frame. Cloth that the paper's methods move does not.
+    pub(super) fn step(
+        &mut self,
+        trunk: Trunk,
+        (worn, garments): (&mut [Worn], &[Garment]),
+        surroundings: &Surroundings<'_>,
+        mut observer: Observer<'_>,
+    ) {
+        self.envelope.begin(trunk);
+        self.surfels.clear();
+        self.surfels.extend_from_slice(surroundings.surfels);
+        let skin_count = self.surfels.len();
+        for (place, (worn, garment)) in worn.iter_mut().zip(garments).enumerate() {
+            let surroundings = Surroundings {
+                surfels: &self.surfels,
+                ..*surroundings
+            };
+            match &mut observer {
+                None => worn.step(&surroundings, None),
+                Some(passed) => worn.step(&surroundings, Some(&mut **passed)),
+            }
+            if place + 1 < garments.len() {
+                self.put_on(garment, worn.look(), skin_count);
+            }
+        }
+    }
+
+    /// Puts on a garment that lies at `positions` [m] over the skin of so many surfels.
+    fn put_on(&mut self, garment: &Garment, positions: &[Vec3], skin_count: usize) {
+        let triangles = &garment.mesh.particle_triangles;
+        self.envelope.put_on(triangles, positions);
+        self.surfels.truncate(skin_count);
+        self.envelope
+            .add_surfels(CONTACT_OFFSET - GAP, &mut self.surfels);
+    }
+}
+
+/// The trunk in a pose: what is worn hangs around it.
+pub(super) fn trunk(skeleton: &Skeleton, world_from_bind: &[Affine3A]) -> Trunk {
+    let hips = world_from_bind[Bone::Hips.index()];
+    let forward = hips.transform_vector3(Vec3::Z).with_y(0.0);
+    Trunk {
+        axis: hips.transform_point3(skeleton.joint(Bone::Hips)),
+        forward: forward.try_normalize().unwrap_or(Vec3::Z),
     }
 }
 
@@ -44,7 +82,7 @@ pub(super) fn inversions(garments: &[Garment], positions: &[Vec3]) -> usize {
             triangles: &pair[0].mesh.particle_triangles,
             positions: &positions[pair[0].particles.clone()],
         };
-        diagnose::layer_inversions(inner, &positions[pair[1].particles.clone()], LAW.reach)
+        diagnose::layer_inversions(inner, &positions[pair[1].particles.clone()], REACH)
     });
     pairs.sum()
 }
