@@ -131,6 +131,9 @@ struct Collapser {
     fans: Vec<Vec<u32>>,
     versions: Vec<u32>,
     heap: BinaryHeap<Collapse>,
+    /// Cost of the cheapest collapse of each vertex when a sweep last looked; negative once it or
+    /// its surroundings have changed.
+    cheapest: Vec<f64>,
 }
 
 /// What is simplified: equal-length vertex columns and triangles with their region.
@@ -200,6 +203,7 @@ impl Collapser {
             fans: vec![Vec::new(); count],
             versions: vec![0; count],
             heap: BinaryHeap::new(),
+            cheapest: vec![-1.0; count],
         };
         for (index, triangle) in fine.triangles.iter().enumerate() {
             let [a, b, c] = triangle.map(|vertex| collapser.points[vertex as usize]);
@@ -266,17 +270,25 @@ impl Collapser {
     fn sweep(&mut self, threshold: f64) {
         let mut ring = Vec::new();
         for from in 0..self.points.len() {
-            if self.fans[from].is_empty() {
+            if self.fans[from].is_empty() || threshold <= self.cheapest[from] {
                 continue;
             }
             let from = u32::try_from(from).unwrap_or(u32::MAX);
             self.ring_into(from, &mut ring);
             let best = (ring.iter())
                 .map(|&onto| (self.cost(from, onto), onto))
-                .filter(|&(cost, _)| cost < threshold)
                 .min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-            if let Some((_, onto)) = best.filter(|&(_, onto)| self.is_allowed(from, onto)) {
+            self.cheapest[from as usize] = best.map_or(f64::INFINITY, |(cost, _)| cost);
+            if let Some((_, onto)) = best
+                && self.cheapest[from as usize] < threshold
+                && self.is_allowed(from, onto)
+            {
                 self.apply(from, onto);
+                self.ring_into(onto, &mut ring);
+                self.cheapest[onto as usize] = -1.0;
+                for &other in &ring {
+                    self.cheapest[other as usize] = -1.0;
+                }
             }
         }
     }

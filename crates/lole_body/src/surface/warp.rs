@@ -205,18 +205,23 @@ impl Girths {
         triangles: &[[u32; 3]],
         arms: &[f32],
     ) -> Result<Vec<Vec3>, BodyError> {
-        let body: Vec<[u32; 3]> = (triangles.iter().copied())
-            .filter(|triangle| triangle.iter().all(|&vertex| arms[vertex as usize] < 0.5))
+        let bands: Vec<(usize, f32, Band)> = (0..TAPES.len())
+            .filter_map(|tape| {
+                let band = || Band::new(self.levels[tape], positions, triangles, arms);
+                self.targets[tape].map(|target| (tape, target, band()))
+            })
             .collect();
         let mut worst = (0, f32::INFINITY);
         for _ in 0..PASS_LIMIT {
-            let warped = self.warp(positions, arms);
             worst = (0, 0.0);
-            for tape in 0..TAPES.len() {
-                let Some(target) = self.targets[tape] else {
-                    continue;
-                };
-                let girth = self.girth(&warped, &body, tape);
+            let scales = self.scales;
+            let girths: Vec<f32> = (bands.iter())
+                .map(|(tape, _, band)| {
+                    let warped = self.warp(&band.positions, &band.arms);
+                    girth(&warped, &band.triangles, *tape, self.levels[*tape])
+                })
+                .collect();
+            for (&(tape, target, _), girth) in bands.iter().zip(girths) {
                 let error = (girth - target).abs();
                 if error > worst.1 {
                     worst = (tape, error);
@@ -226,6 +231,9 @@ impl Girths {
                 }
             }
             if worst.1 < GIRTH_TOLERANCE {
+                let better = std::mem::replace(&mut self.scales, scales);
+                let warped = self.warp(positions, arms);
+                self.scales = better;
                 return Ok(warped);
             }
         }
@@ -239,19 +247,6 @@ impl Girths {
             check: tape,
             against: against.words(),
         })
-    }
-
-    fn girth(&self, positions: &[Vec3], triangles: &[[u32; 3]], tape: usize) -> f32 {
-        let height = self.levels[tape];
-        let mut cuts = cut_points(positions, triangles.iter().copied(), height);
-        if is_of_trunk(tape) {
-            for index in 0..cuts.len() {
-                let mut mirrored = cuts[index];
-                mirrored.point.x = -mirrored.point.x;
-                cuts.push(mirrored);
-            }
-        }
-        perimeter(&convex_hull(cuts))
     }
 
     /// Warped positions at the present scales; vertices on the mirror plane stay there.
@@ -333,6 +328,50 @@ impl Girths {
         );
         point + (by_leg + (by_trunk - by_leg) * trunk_share) * (1.0 - arm)
     }
+}
+
+/// The triangles that one tape cuts, with their own vertices: the warp is horizontal, so they stay
+/// the same whatever the scales, and each pass warps only them.
+struct Band {
+    positions: Vec<Vec3>,
+    arms: Vec<f32>,
+    triangles: Vec<[u32; 3]>,
+}
+
+impl Band {
+    fn new(height: f32, positions: &[Vec3], triangles: &[[u32; 3]], arms: &[f32]) -> Self {
+        let is_under = |vertex: u32| positions[vertex as usize].y < height;
+        let mut band = Self {
+            positions: Vec::new(),
+            arms: Vec::new(),
+            triangles: Vec::new(),
+        };
+        for &triangle in triangles {
+            let under = triangle.map(is_under);
+            let is_cut = under[0] != under[1] || under[0] != under[2];
+            if is_cut && triangle.iter().all(|&vertex| arms[vertex as usize] < 0.5) {
+                band.triangles.push(triangle.map(|vertex| {
+                    band.positions.push(positions[vertex as usize]);
+                    band.arms.push(arms[vertex as usize]);
+                    u32::try_from(band.positions.len() - 1).unwrap_or(u32::MAX)
+                }));
+            }
+        }
+        band
+    }
+}
+
+/// Girth [m] of a cut of the left half: of the trunk with its mirror image, or of the left leg.
+fn girth(positions: &[Vec3], triangles: &[[u32; 3]], tape: usize, height: f32) -> f32 {
+    let mut cuts = cut_points(positions, triangles.iter().copied(), height);
+    if is_of_trunk(tape) {
+        for index in 0..cuts.len() {
+            let mut mirrored = cuts[index];
+            mirrored.point.x = -mirrored.point.x;
+            cuts.push(mirrored);
+        }
+    }
+    perimeter(&convex_hull(cuts))
 }
 
 /// Level of the hip bones' front points before lengths are carried [m].
