@@ -8,6 +8,7 @@ use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use glam::{DVec3, Vec3};
+use rayon::prelude::*;
 
 use super::half::is_on_plane;
 
@@ -151,6 +152,7 @@ pub(crate) struct Fine<'a> {
 pub(crate) fn simplify(fine: &Fine<'_>, target: usize) -> Vec<([u32; 3], u8)> {
     let mut collapser = Collapser::new(fine);
     let mut threshold = SWEEP_START;
+    collapser.find_cheapest();
     while collapser.count > SWEEP_UNTIL * target && threshold < SWEEP_END {
         collapser.sweep(threshold);
         threshold *= SWEEP_GROWTH;
@@ -274,10 +276,7 @@ impl Collapser {
                 continue;
             }
             let from = u32::try_from(from).unwrap_or(u32::MAX);
-            self.ring_into(from, &mut ring);
-            let best = (ring.iter())
-                .map(|&onto| (self.cost(from, onto), onto))
-                .min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+            let best = self.cheapest_from(from, &mut ring);
             self.cheapest[from as usize] = best.map_or(f64::INFINITY, |(cost, _)| cost);
             if let Some((_, onto)) = best
                 && self.cheapest[from as usize] < threshold
@@ -346,18 +345,34 @@ impl Collapser {
         }
     }
 
-    /// Vertices around `vertex`, sorted.
+    /// Vertices around `vertex`, each once: about six, so looking through them beats sorting them.
     fn ring_into(&self, vertex: u32, ring: &mut Vec<u32>) {
         ring.clear();
         for &triangle in &self.fans[vertex as usize] {
-            ring.extend(
-                self.triangles[triangle as usize]
-                    .iter()
-                    .filter(|&&other| other != vertex),
-            );
+            for other in self.triangles[triangle as usize] {
+                if other != vertex && !ring.contains(&other) {
+                    ring.push(other);
+                }
+            }
         }
-        ring.sort_unstable();
-        ring.dedup();
+    }
+
+    /// The cheapest collapse of `from` and its cost; ties go to the lower index.
+    fn cheapest_from(&self, from: u32, ring: &mut Vec<u32>) -> Option<(f64, u32)> {
+        self.ring_into(from, ring);
+        (ring.iter().map(|&onto| (self.cost(from, onto), onto)))
+            .min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)))
+    }
+
+    /// Looks at every vertex on all threads, so that the first sweep need not.
+    fn find_cheapest(&mut self) {
+        self.cheapest = (0..self.points.len())
+            .into_par_iter()
+            .map_init(Vec::new, |ring, from| {
+                let from = u32::try_from(from).unwrap_or(u32::MAX);
+                (self.cheapest_from(from, ring)).map_or(f64::INFINITY, |(cost, _)| cost)
+            })
+            .collect();
     }
 
     fn is_around(&self, vertex: u32, other: u32) -> bool {
