@@ -6,10 +6,13 @@ use std::collections::BTreeMap;
 use glam::DVec2;
 use lole_geom::Length;
 
-use crate::{Bone, Dancer, Measure, Tape};
+use crate::{Bone, Dancer, Figure, Measure, Tape};
 
 /// From the shoulder joint out to the shoulder point [m] at a stature of 158.5 cm.
-pub(crate) const SHOULDER_POINT_OUT: f32 = 0.03;
+const SHOULDER_POINT_OUT: f32 = 0.03;
+/// The same of a man: 40 cm from point to point at 171 cm (AIST), 19.6 cm from the middle to the
+/// joint of the measured body.
+const SHOULDER_POINT_OUT_OF_MAN: f32 = 0.004;
 
 /// One line of the tape: what was given and what the body has.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,15 +65,19 @@ impl Dancer {
             Measure::ShoulderBreadth => {
                 let side = |bone| f64::from(self.skeleton.joint(bone).x);
                 let joints = side(Bone::LeftUpperArm) - side(Bone::RightUpperArm);
-                joints + 2.0 * f64::from(shoulder_point_out(levels.crown_height))
+                joints + 2.0 * f64::from(self.shoulder_point_out())
             }
             Measure::UpperArmLength => {
                 let joint = self.skeleton.joint(Bone::LeftUpperArm);
-                let x = joint.x + shoulder_point_out(levels.crown_height);
+                let x = joint.x + self.shoulder_point_out();
                 let point = glam::Vec3::new(x, self.skin_above(triangles, x, joint.z), joint.z);
                 f64::from(point.distance(self.skeleton.joint(Bone::LeftLowerArm)))
             }
         }
+    }
+
+    fn shoulder_point_out(&self) -> f32 {
+        shoulder_point_out(self.measurements.figure, self.landmarks.crown_height)
     }
 
     /// Height of the highest skin over a point of the floor [m].
@@ -95,8 +102,12 @@ impl Dancer {
 }
 
 /// How far outside the shoulder joint the shoulder point lies [m].
-pub(crate) fn shoulder_point_out(stature: f32) -> f32 {
-    SHOULDER_POINT_OUT * stature / 1.585
+pub(crate) fn shoulder_point_out(figure: Figure, stature: f32) -> f32 {
+    let out = match figure {
+        Figure::Man => SHOULDER_POINT_OUT_OF_MAN,
+        Figure::OfStature | Figure::Woman | Figure::Child => SHOULDER_POINT_OUT,
+    };
+    out * stature / 1.585
 }
 
 /// Height of the highest triangle over a point of the floor; 0 where there is none.
@@ -182,8 +193,7 @@ fn root(parent: &mut [usize], mut index: usize) -> usize {
     index
 }
 
-/// Length of the convex hull of points: gift wrapping by sorted angle is not needed, two monotone
-/// chains are.
+/// Length of the convex hull of points, by its two monotone chains.
 fn hull_length(mut points: Vec<DVec2>) -> f64 {
     points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
     let chain = |points: &mut dyn Iterator<Item = DVec2>| {

@@ -210,6 +210,33 @@ fn one_measure_alone_is_never_refused_for_an_estimate() {
     }
 }
 
+/// The means of the surveys stand in the body even where nobody measured them.
+#[test]
+fn what_is_estimated_is_near_the_means_of_the_surveys() {
+    for (figure, shoulders_cm, waist_height_cm) in
+        [(Figure::OfStature, 36.0, 97.5), (Figure::Man, 40.0, 103.0)]
+    {
+        let tape = Tape {
+            figure,
+            ..Tape::default()
+        };
+        let measurements = Measurements::from_tape(&tape).unwrap();
+        let taped = Dancer::new(&measurements).unwrap().taped(&tape);
+        let on_body = |wanted| {
+            let line = taped.iter().find(|line| line.measure == wanted).unwrap();
+            assert_eq!(line.given, None);
+            line.on_body.to_cm()
+        };
+        let shoulders = on_body(Measure::ShoulderBreadth);
+        assert!(
+            (shoulders - shoulders_cm).abs() < 1.0,
+            "{figure:?} {shoulders}"
+        );
+        let waist = on_body(Measure::WaistHeight);
+        assert!((waist - waist_height_cm).abs() < 0.5, "{figure:?} {waist}");
+    }
+}
+
 #[test]
 fn a_child_is_no_shrunk_adult() {
     let built = |figure, stature| {

@@ -43,7 +43,7 @@ impl Shoulders {
         let meters = |length: lole_geom::Length| length.to_m() as f32;
         let joint = body.joint("leftUpperArm");
         let elbow = body.joint("leftLowerArm");
-        let out = shoulder_point_out(body.height);
+        let out = shoulder_point_out(tape.figure, body.height);
         let shift =
             (tape.shoulder_breadth).map_or(0.0, |breadth| 0.5 * meters(breadth) - (joint.x + out));
         let arm = elbow - joint;
