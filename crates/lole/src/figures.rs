@@ -2,8 +2,9 @@
 
 use lole_costume::document::Design;
 use lole_export::report::{
-    Divergence as ReportDivergence, MeanPercentileMax, MedianPercentile, MinMeanMax, PageMedia,
-    Remark, ReportFile, RunReport, RunSeries, SkirtFacts, Still as PageStill, Worst, report_html,
+    DancerMeasure, Divergence as ReportDivergence, MeanPercentileMax, MedianPercentile, MinMeanMax,
+    PageMedia, Remark, ReportFile, RunReport, RunSeries, SkirtFacts, Still as PageStill, Worst,
+    report_html,
 };
 use lole_language::{Bilingual, words};
 use lole_stage::{
@@ -83,6 +84,7 @@ pub(crate) fn report(performance: &Performance, run: RunFigures<'_>) -> RunRepor
             .map(|found| explain(&found, production, run.design)),
         state_hash: format!("{:016x}", performance.state_hash()),
         files: run.files,
+        dancer: dancer_measures(production),
         skirt: skirt_facts(performance),
         series: series(run.metrics, &process),
     }
@@ -123,6 +125,19 @@ fn explain(found: &Divergence, production: &Production, design: &Design) -> Repo
         sentence,
         sentence_ja,
     }
+}
+
+fn dancer_measures(production: &Production) -> Vec<DancerMeasure> {
+    let taped = production.dancer.taped(&production.design.tape());
+    let measures = taped.into_iter().map(|taped| DancerMeasure {
+        key: taped.measure.key().to_owned(),
+        name: taped.measure.words().english.to_owned(),
+        name_ja: taped.measure.words().japanese.to_owned(),
+        on_body_cm: taped.on_body.to_cm(),
+        given_cm: taped.given.map(lole_geom::Length::to_cm),
+        is_estimated: taped.given.is_none(),
+    });
+    measures.collect()
 }
 
 fn skirt_facts(performance: &Performance) -> SkirtFacts {

@@ -47,6 +47,19 @@ pub(crate) fn print_run(report: &RunReport, paths: &[PathBuf], seconds: f64, lan
     for remark in &report.skirt.warnings {
         say!("  ! {}", pick_remark(remark, language));
     }
+    let estimated: Vec<String> = (report.dancer.iter().filter(|measure| measure.is_estimated))
+        .map(|measure| {
+            let name = language.pick(&measure.name_ja, &measure.name);
+            format!("{name} {:.1}", measure.on_body_cm)
+        })
+        .collect();
+    if !estimated.is_empty() {
+        say!(
+            "  {}: {} cm",
+            pick("採寸されていないので推定", "estimated, not measured"),
+            estimated.join(pick("、", ", ")),
+        );
+    }
     if report.frames == 0 {
         return;
     }

@@ -14,12 +14,24 @@ use crate::{surface, tape};
 pub struct Landmarks {
     /// Where the bust tape runs.
     pub bust_height: f32,
+    /// Where the tape under the bust runs.
+    pub underbust_height: f32,
     /// Where the waist tape runs: the narrowest trunk.
     pub waist_height: f32,
+    /// Where the high hip tape runs.
+    pub high_hip_height: f32,
     /// Front points of the hip bones (anterior superior iliac spines): the lowest elastic row.
     pub asis_height: f32,
     /// Where the hip tape runs: the fullest hips.
     pub hip_height: f32,
+    /// Where the thigh tape runs: just below the crotch.
+    pub thigh_height: f32,
+    /// Where the knee tape runs: the middle of the kneecap.
+    pub knee_tape_height: f32,
+    /// Where the calf tape runs: the fullest calf.
+    pub calf_height: f32,
+    /// Where the ankle tape runs: the narrowest ankle.
+    pub ankle_tape_height: f32,
     /// Crotch; the inseam.
     pub crotch_height: f32,
     /// Hip joints.
@@ -77,9 +89,15 @@ impl Dancer {
         let height = |bone: Bone| skeleton.joint(bone).y;
         let landmarks = Landmarks {
             bust_height: shape.body.tape_level("bust"),
+            underbust_height: shape.body.tape_level("underbust"),
             waist_height: shape.body.tape_level("waist"),
+            high_hip_height: shape.body.tape_level("high_hip"),
             asis_height: shape.asis,
             hip_height: shape.body.tape_level("hip"),
+            thigh_height: shape.body.tape_level("thigh"),
+            knee_tape_height: shape.body.tape_level("knee"),
+            calf_height: shape.body.tape_level("calf"),
+            ankle_tape_height: shape.body.tape_level("ankle"),
             crotch_height: shape.crotch,
             hip_joint_height: height(Bone::LeftUpperLeg),
             knee_height: height(Bone::LeftLowerLeg),

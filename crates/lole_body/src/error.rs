@@ -22,16 +22,38 @@ pub enum BodyError {
         /// Upper end of the band [cm].
         most_cm: f64,
     },
+    /// Two measurements that exclude each other.
+    #[error(
+        "{} {first_cm:.1} cm and {} {second_cm:.1} cm exclude each other: beside the second, the \
+         first lies between {least_cm:.1} and {most_cm:.1} cm; measure both again",
+        first.english, second.english
+    )]
+    Conflict {
+        /// Name of one.
+        first: Words,
+        /// What it is [cm].
+        first_cm: f64,
+        /// Name of the other.
+        second: Words,
+        /// What it is [cm].
+        second_cm: f64,
+        /// Least that the first can be beside the second [cm].
+        least_cm: f64,
+        /// Most that the first can be beside the second [cm].
+        most_cm: f64,
+    },
     /// The measurements do not go together: no closed body has them all.
     #[error(
-        "the measurements do not make one body: {reason}; check {} against the others",
-        check.english
+        "the measurements do not make one body: {reason}; check {} against {}",
+        check.english, against.english
     )]
     Unbuildable {
         /// What failed.
         reason: Sentence,
         /// The measurement to check first.
         check: Words,
+        /// The measurement it goes least well with.
+        against: Words,
     },
     /// The built-in table of sections is damaged.
     #[error(
@@ -56,9 +78,25 @@ impl Bilingual for BodyError {
                  測り直すか、単位を確かめてください",
                 name.japanese
             ),
-            Self::Unbuildable { reason, check } => format!(
-                "この採寸では一つの体になりません（{}）。{}をほかの寸法と比べて確かめてください",
-                reason.japanese, check.japanese
+            Self::Conflict {
+                first,
+                first_cm,
+                second,
+                second_cm,
+                least_cm,
+                most_cm,
+            } => format!(
+                "{} {first_cm:.1} cm と{} {second_cm:.1} cm は両立しません（後者に対して前者は \
+                 {least_cm:.1}～{most_cm:.1} cm のはずです）。両方を測り直してください",
+                first.japanese, second.japanese
+            ),
+            Self::Unbuildable {
+                reason,
+                check,
+                against,
+            } => format!(
+                "この採寸では一つの体になりません（{}）。{}を{}と比べて確かめてください",
+                reason.japanese, check.japanese, against.japanese
             ),
             Self::Sections { reason } => format!(
                 "体の断面の表が読めません（{reason}）。data/body_sections.json を元に戻してください"

@@ -8,6 +8,7 @@ pub mod capsules;
 pub mod dancer;
 pub mod error;
 pub mod ik;
+pub mod measured;
 pub mod measurements;
 pub mod motion;
 mod sections;
@@ -23,7 +24,8 @@ pub use appearance::{BodyPicture, face_texture, hair_texture};
 pub use capsules::{BodyCapsule, CapsuleLayout};
 pub use dancer::{Dancer, Landmarks};
 pub use error::BodyError;
-pub use measurements::{Measurements, Tape};
+pub use measured::Taped;
+pub use measurements::{Figure, Measure, Measurements, Tape};
 pub use motion::{
     AmiTurn, ArmManner, ArmStyle, Count, Dance, DanceStep, Hands, HipLead, HipLift, MotionError,
     MotionSettings, Part, School, Side,

@@ -1,30 +1,82 @@
 //! The tape: measurements of a dancer, the rules that fill what was not measured, and the bands
-//! outside which a number is taken for a mistake.
-//!
-//! Default woman and rules: means of Japanese women (AIST 1997–98, size-JPN 2004–06, JIS L 4005
-//! size 9AR) for the tape a costume maker takes.
+//! outside which a number, or two together, are taken for a mistake.
 
-use lole_geom::{Length, trig64};
-use lole_language::{Words, words};
+mod estimate;
+mod measure;
+mod plausible;
 
-/// Names that sentences use.
-pub(crate) const STATURE: Words = words("身長", "stature");
-/// See [`STATURE`].
-pub(crate) const HIP_GIRTH: Words = words("ヒップ", "hip girth");
+use lole_geom::Length;
 
 use crate::BodyError;
 
+pub use measure::Measure;
+
+/// Whose proportions a dancer has: what her tape does not say.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Figure {
+    /// A child below [`Figure::CHILD_BELOW_CM`] of stature, else the women and children of the
+    /// table nearest to the tape.
+    #[default]
+    OfStature,
+    /// A grown woman.
+    Woman,
+    /// A grown man.
+    Man,
+    /// A girl or a boy, by stature.
+    Child,
+}
+
+impl Figure {
+    /// All figures, the default first.
+    pub const ALL: [Self; 4] = [Self::OfStature, Self::Woman, Self::Man, Self::Child];
+
+    /// A stature [cm] below which a figure that was not said is a child's.
+    pub const CHILD_BELOW_CM: f64 = 140.0;
+
+    /// Name in documents.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::OfStature => "of-stature",
+            Self::Woman => "woman",
+            Self::Man => "man",
+            Self::Child => "child",
+        }
+    }
+
+    /// [`Figure::Child`] where the stature says so, else itself.
+    #[must_use]
+    pub fn resolved(self, stature: Option<Length>) -> Self {
+        let small = stature.is_some_and(|stature| stature.to_cm() < Self::CHILD_BELOW_CM);
+        if self == Self::OfStature && small {
+            Self::Child
+        } else {
+            self
+        }
+    }
+}
+
 /// Everything the dancer is built from. Girths are convex: a tape spans hollows.
 ///
-/// Invariant through [`Measurements::from_tape`]: every value lies in its band.
+/// A value that is `None` was not measured and follows from the measured sections: what it became
+/// is read from the finished dancer, see [`Dancer::taped`](crate::Dancer::taped).
+///
+/// Invariant through [`Measurements::from_tape`]: every value is plausible, alone and beside the
+/// others.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Measurements {
+    /// Whose proportions.
+    pub figure: Figure,
     /// Height of the crown above the floor.
     pub stature: Length,
     /// Around the fullest part of the bust.
     pub bust_girth: Length,
+    /// Around the trunk under the bust.
+    pub underbust_girth: Option<Length>,
     /// Around the narrowest part of the trunk.
     pub waist_girth: Length,
+    /// Around the trunk over the front points of the hip bones.
+    pub high_hip_girth: Option<Length>,
     /// Around the fullest part of the hips.
     pub hip_girth: Length,
     /// From the crotch to the floor.
@@ -37,161 +89,92 @@ pub struct Measurements {
     pub calf_girth: Length,
     /// Around one ankle at its narrowest.
     pub ankle_girth: Length,
+    /// From the waist tape to the floor.
+    pub waist_height: Option<Length>,
+    /// From shoulder point to shoulder point.
+    pub shoulder_breadth: Option<Length>,
+    /// From shoulder point to elbow.
+    pub upper_arm_length: Option<Length>,
 }
 
 /// What a tailor wrote down: any value may be missing.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Tape {
+    /// See [`Measurements::figure`].
+    pub figure: Figure,
     /// See [`Measurements::stature`].
     pub stature: Option<Length>,
     /// See [`Measurements::bust_girth`].
     pub bust_girth: Option<Length>,
+    /// See [`Measurements::underbust_girth`].
+    pub underbust_girth: Option<Length>,
     /// See [`Measurements::waist_girth`].
     pub waist_girth: Option<Length>,
+    /// See [`Measurements::high_hip_girth`].
+    pub high_hip_girth: Option<Length>,
     /// See [`Measurements::hip_girth`].
     pub hip_girth: Option<Length>,
+    /// See [`Measurements::thigh_girth`].
+    pub thigh_girth: Option<Length>,
+    /// See [`Measurements::knee_girth`].
+    pub knee_girth: Option<Length>,
+    /// See [`Measurements::calf_girth`].
+    pub calf_girth: Option<Length>,
+    /// See [`Measurements::ankle_girth`].
+    pub ankle_girth: Option<Length>,
     /// See [`Measurements::inseam_length`].
     pub inseam_length: Option<Length>,
+    /// See [`Measurements::waist_height`].
+    pub waist_height: Option<Length>,
+    /// See [`Measurements::shoulder_breadth`].
+    pub shoulder_breadth: Option<Length>,
+    /// See [`Measurements::upper_arm_length`].
+    pub upper_arm_length: Option<Length>,
 }
-
-/// Tape of the default woman [cm]: stature, bust, waist, hip, inseam.
-const WOMAN_CM: [f64; 5] = [158.0, 83.5, 66.0, 91.0, 71.0];
-/// Leg girths of the default woman [cm]: thigh, knee, calf, ankle.
-const WOMAN_LEG_CM: [f64; 4] = [52.0, 34.5, 34.5, 20.5];
-/// How far each leg girth follows the hip rather than the stature (exponent).
-const LEG_FOLLOWS_HIP: [f64; 4] = [0.85, 0.6, 0.6, 0.35];
-/// How far a trunk girth that was not measured follows those that were (exponent).
-const TRUNK_FOLLOWS_TRUNK: f64 = 0.85;
-
-/// Girths that a dancer can have [cm].
-const BUST_BAND_CM: [f64; 2] = [60.0, 140.0];
-const WAIST_BAND_CM: [f64; 2] = [50.0, 130.0];
-const HIP_BAND_CM: [f64; 2] = [70.0, 150.0];
 
 impl Measurements {
     /// The default woman: 158 / 83.5 / 66 / 91, inseam 71 cm.
     #[must_use]
     pub fn woman() -> Self {
-        Self::fill(&Tape::default())
+        estimate::fill(&Tape::default())
     }
 
-    /// Fills what is missing and checks every value against its band.
+    /// Fills what is missing and checks that the whole is plausible.
     ///
     /// # Errors
-    /// The first value outside its band, with the band.
+    /// The first value outside its band, or the first two that exclude each other.
     pub fn from_tape(tape: &Tape) -> Result<Self, BodyError> {
-        let measurements = Self::fill(tape);
+        let measurements = estimate::fill(tape);
         measurements.check()?;
         Ok(measurements)
     }
 
-    /// Checks every value against its band.
+    /// Checks that every value is plausible, alone and beside the others.
     ///
     /// # Errors
-    /// The first value outside its band, with the band.
+    /// The first value outside its band, or the first two that exclude each other.
     pub fn check(&self) -> Result<(), BodyError> {
-        let stature_cm = self.stature.to_cm();
-        let hip_cm = self.hip_girth.to_cm();
-        let bands = [
-            (STATURE, self.stature, 130.0, 195.0),
-            (
-                words("ウエスト", "waist girth"),
-                self.waist_girth,
-                WAIST_BAND_CM[0],
-                WAIST_BAND_CM[1],
-            ),
-            (HIP_GIRTH, self.hip_girth, HIP_BAND_CM[0], HIP_BAND_CM[1]),
-            (
-                words("バスト", "bust girth"),
-                self.bust_girth,
-                BUST_BAND_CM[0],
-                BUST_BAND_CM[1],
-            ),
-            (
-                words("この身長での股下", "inseam length at this stature"),
-                self.inseam_length,
-                0.40 * stature_cm,
-                0.50 * stature_cm,
-            ),
-            (
-                words("太もも回り", "thigh girth"),
-                self.thigh_girth,
-                0.40 * hip_cm,
-                0.70 * hip_cm,
-            ),
-            (words("ひざ回り", "knee girth"), self.knee_girth, 24.0, 60.0),
-            (
-                words("ふくらはぎ回り", "calf girth"),
-                self.calf_girth,
-                24.0,
-                60.0,
-            ),
-            (
-                words("足首回り", "ankle girth"),
-                self.ankle_girth,
-                14.0,
-                36.0,
-            ),
-        ];
-        for (name, value, least_cm, most_cm) in bands {
-            let value_cm = value.to_cm();
-            if !(least_cm..=most_cm).contains(&value_cm) {
-                return Err(BodyError::OutOfBand {
-                    name,
-                    value_cm,
-                    least_cm,
-                    most_cm,
-                });
-            }
-        }
-        Ok(())
+        plausible::check(self)
     }
 
-    /// Missing girths follow the mean ratio of those measured, and the stature for the rest;
-    /// a missing inseam keeps the default share of the stature.
-    fn fill(tape: &Tape) -> Self {
-        let [stature_0, bust_0, waist_0, hip_0, inseam_0] = WOMAN_CM;
-        let stature = tape.stature.map_or(stature_0, Length::to_cm);
-        let tall = trig64::ln(stature / stature_0);
-        let measured = [
-            (tape.bust_girth, bust_0),
-            (tape.waist_girth, waist_0),
-            (tape.hip_girth, hip_0),
-        ];
-        let mut count = 0.0;
-        let mut wide = 0.0;
-        for (girth, default) in measured {
-            if let Some(girth) = girth {
-                wide += trig64::ln(girth.to_cm() / default);
-                count += 1.0;
-            }
-        }
-        let wide = if count > 0.0 { wide / count } else { tall };
-        let trunk = trig64::exp(TRUNK_FOLLOWS_TRUNK * wide + (1.0 - TRUNK_FOLLOWS_TRUNK) * tall);
-        let mut bands = [BUST_BAND_CM, WAIST_BAND_CM, HIP_BAND_CM].into_iter();
-        let [bust, waist, hip] = measured.map(|(girth, default)| {
-            // What is guessed never leaves the band: nobody could mend it.
-            let [least, most] = bands.next().unwrap_or([0.0, f64::INFINITY]);
-            girth.map_or((default * trunk).clamp(least, most), Length::to_cm)
-        });
-        let inseam = tape
-            .inseam_length
-            .map_or(inseam_0 * stature / stature_0, Length::to_cm);
-        let leg = |index: usize| {
-            let follow = LEG_FOLLOWS_HIP[index];
-            let ratio = follow * trig64::ln(hip / hip_0) + (1.0 - follow) * tall;
-            Length::from_cm(WOMAN_LEG_CM[index] * trig64::exp(ratio))
-        };
-        Self {
-            stature: Length::from_cm(stature),
-            bust_girth: Length::from_cm(bust),
-            waist_girth: Length::from_cm(waist),
-            hip_girth: Length::from_cm(hip),
-            inseam_length: Length::from_cm(inseam),
-            thigh_girth: leg(0),
-            knee_girth: leg(1),
-            calf_girth: leg(2),
-            ankle_girth: leg(3),
+    /// One value; `None` where it follows from the measured sections.
+    #[must_use]
+    pub const fn get(&self, measure: Measure) -> Option<Length> {
+        match measure {
+            Measure::Stature => Some(self.stature),
+            Measure::Bust => Some(self.bust_girth),
+            Measure::Underbust => self.underbust_girth,
+            Measure::Waist => Some(self.waist_girth),
+            Measure::HighHip => self.high_hip_girth,
+            Measure::Hip => Some(self.hip_girth),
+            Measure::Thigh => Some(self.thigh_girth),
+            Measure::Knee => Some(self.knee_girth),
+            Measure::Calf => Some(self.calf_girth),
+            Measure::Ankle => Some(self.ankle_girth),
+            Measure::Inseam => Some(self.inseam_length),
+            Measure::WaistHeight => self.waist_height,
+            Measure::ShoulderBreadth => self.shoulder_breadth,
+            Measure::UpperArmLength => self.upper_arm_length,
         }
     }
 }

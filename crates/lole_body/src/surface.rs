@@ -10,6 +10,7 @@ mod march;
 pub(crate) mod pchip;
 pub(crate) mod regions;
 pub(crate) mod section;
+mod shoulders;
 mod simplify;
 mod slice;
 pub(crate) mod warp;
@@ -20,11 +21,12 @@ use glam::Vec3;
 use lole_language::Sentence;
 
 use crate::sections::{Sections, Tube, read_bodies};
-use crate::{BodyError, Measurements, PartKind, measurements};
+use crate::{BodyError, Figure, Measure, Measurements, PartKind};
 pub(crate) use field::Field;
 use fine::Fine;
 use half::{HalfMesh, Neighbors, is_on_plane};
 use regions::Regions;
+use shoulders::Shoulders;
 use warp::{Girths, Heights, arm_share, asis_level, smooth_step};
 
 /// Lattice steps [m], tried until the surface has no handle: fingers that nearly touch grow
@@ -72,6 +74,13 @@ pub(crate) fn build(tape: &Measurements) -> Result<Shape, BodyError> {
     let mut body = heights.carry_sections(&body);
     #[expect(clippy::cast_possible_truncation, reason = "a length to 0.1 µm")]
     let crotch = tape.inseam_length.to_m() as f32;
+    let shoulders = Shoulders::new(&body, tape, &mesh.positions, &mesh.triangles);
+    if let Some(shoulders) = &shoulders {
+        for (position, &arm) in mesh.positions.iter_mut().zip(&arms) {
+            *position = shoulders.carry(*position, arm);
+        }
+        shoulders.carry_sections(&mut body);
+    }
     let mut girths = Girths::new(&body, crotch, tape);
 
     let mut fine = Fine {
@@ -93,7 +102,10 @@ pub(crate) fn build(tape: &Measurements) -> Result<Shape, BodyError> {
     fine.simplify(&body);
     let positions = girths.fit(&fine.base, &fine.triangles, &fine.arms)?;
     for (name, joint) in &mut body.joints {
-        *joint = girths.warp_point(*joint, arm_share(name));
+        // A measured shoulder lies where the tape says, whatever the bust's scale does around it.
+        let is_held = shoulders.is_some() && name == "leftUpperArm";
+        let arm = if is_held { 1.0 } else { arm_share(name) };
+        *joint = girths.warp_point(*joint, arm);
     }
     Ok(Shape {
         positions,
@@ -120,19 +132,18 @@ fn closed_half(field: &Field) -> Result<HalfMesh, BodyError> {
     }
     Err(BodyError::Unbuildable {
         reason: Sentence::new("手足がつながってしまいます", "its limbs grow together"),
-        check: measurements::STATURE,
+        check: Measure::Stature.words(),
+        against: Measure::Hip.words(),
     })
 }
 
-/// The convex blend of measured women and children nearest to the tape, at her stature.
-///
-/// Nearest in girths over stature, with a little pull of stature itself, by projected gradient
-/// descent from the mean woman; the tape warp removes the rest.
+/// The measured body, or blend of bodies, whose proportions this dancer has, at her stature.
 fn nearest_body(
     bodies: &BTreeMap<String, Sections>,
     tape: &Measurements,
 ) -> Result<Sections, BodyError> {
-    const NAMES: [&str; 6] = [
+    const WOMEN: [&str; 4] = ["woman_mean", "woman_60s", "woman_small", "woman_large"];
+    const WOMEN_AND_CHILDREN: [&str; 6] = [
         "woman_mean",
         "woman_60s",
         "woman_small",
@@ -140,6 +151,44 @@ fn nearest_body(
         "child_8",
         "child_12",
     ];
+    match tape.figure {
+        Figure::OfStature => nearest_blend(bodies, &WOMEN_AND_CHILDREN, tape),
+        Figure::Woman => nearest_blend(bodies, &WOMEN, tape),
+        Figure::Man => nearest_blend(bodies, &["man_mean"], tape),
+        Figure::Child => child(bodies, tape),
+    }
+}
+
+/// A child's proportions by stature: on the line through the two measured children, carried on
+/// beyond the younger one, whose head is larger and whose legs are shorter.
+fn child(bodies: &BTreeMap<String, Sections>, tape: &Measurements) -> Result<Sections, BodyError> {
+    /// How far beyond the younger child the line is carried on: to 100 cm.
+    const YOUNGEST: f32 = -1.22;
+    let named = |name: &str| {
+        bodies.get(name).ok_or_else(|| BodyError::Sections {
+            reason: format!("{name} is missing"),
+        })
+    };
+    let (younger, older) = (named("child_8")?, named("child_12")?);
+    #[expect(clippy::cast_possible_truncation, reason = "a length to 0.1 µm")]
+    let stature = tape.stature.to_m() as f32;
+    let share = (stature - younger.height) / (older.height - younger.height);
+    let share = share.clamp(YOUNGEST, 1.0);
+    let [low, high] = [younger, older].map(|body| body.scaled(stature / body.height));
+    Sections::blended(&[(1.0 - share, &low), (share, &high)]).ok_or_else(|| BodyError::Sections {
+        reason: "no child in the table".to_owned(),
+    })
+}
+
+/// The convex blend of the named bodies nearest to the tape, at her stature.
+///
+/// Nearest in girths over stature, with a little pull of stature itself, by projected gradient
+/// descent from the first name; the tape warp removes the rest.
+fn nearest_blend(
+    bodies: &BTreeMap<String, Sections>,
+    names: &[&str],
+    tape: &Measurements,
+) -> Result<Sections, BodyError> {
     const STATURE_WEIGHT: f64 = 0.25;
     const STEPS: usize = 600;
     let stature = tape.stature.to_m();
@@ -147,7 +196,7 @@ fn nearest_body(
         let [bust, waist, hip] = girths.map(|girth| girth / height);
         [bust, waist, hip, STATURE_WEIGHT * height]
     };
-    let found: Vec<&Sections> = NAMES.iter().filter_map(|&name| bodies.get(name)).collect();
+    let found: Vec<&Sections> = names.iter().filter_map(|&name| bodies.get(name)).collect();
     let wanted = feature(
         stature,
         [tape.bust_girth, tape.waist_girth, tape.hip_girth].map(lole_geom::Length::to_m),
@@ -190,7 +239,7 @@ fn nearest_body(
         .collect();
     let blend: Vec<(f32, &Sections)> = scaled.iter().map(|(share, body)| (*share, body)).collect();
     Sections::blended(&blend).ok_or_else(|| BodyError::Sections {
-        reason: "no woman in the table".to_owned(),
+        reason: "no such body in the table".to_owned(),
     })
 }
 
@@ -262,7 +311,8 @@ fn extent(mesh: &HalfMesh) -> Result<(f32, f32, f32), BodyError> {
     if crotch - floor < 0.3 * (crown - floor) || !crotch.is_finite() {
         return Err(BodyError::Unbuildable {
             reason: Sentence::new("脚がつながってしまいます", "its legs grow together"),
-            check: measurements::HIP_GIRTH,
+            check: Measure::Hip.words(),
+            against: Measure::Inseam.words(),
         });
     }
     Ok((floor, crotch, crown))

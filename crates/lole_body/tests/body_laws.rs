@@ -26,6 +26,7 @@ fn dancer([stature, bust, waist, hip, inseam]: [f64; 5]) -> Dancer {
         waist_girth: cm(waist),
         hip_girth: cm(hip),
         inseam_length: cm(inseam),
+        ..Tape::default()
     };
     Dancer::new(&Measurements::from_tape(&tape).unwrap()).unwrap()
 }
@@ -468,7 +469,7 @@ fn a_measurement_outside_its_band_is_named() {
     let error = Measurements::from_tape(&tape).unwrap_err().to_string();
     assert_eq!(
         error,
-        "waist girth is 660.0 cm, but a dancer's lies between 50.0 and 130.0 cm; \
+        "waist girth is 660.0 cm, but a dancer's lies between 45.0 and 130.0 cm; \
          measure again or correct the unit"
     );
 }

@@ -30,7 +30,7 @@ static SKELETONS: LazyLock<Vec<Skeleton>> = LazyLock::new(|| {
             bust_girth: cm(bust),
             waist_girth: cm(waist),
             hip_girth: cm(hip),
-            inseam_length: None,
+            ..Tape::default()
         };
         let measurements = Measurements::from_tape(&tape).expect("a dancer's tape");
         Dancer::new(&measurements).expect("a body").skeleton

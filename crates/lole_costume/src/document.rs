@@ -18,7 +18,9 @@ pub mod schema;
 mod write;
 
 use lole_body::motion::SCHOOLS;
-use lole_body::{AmiTurn, ArmManner, ArmStyle, DanceStep, Hands, HipLead, HipLift, School, Side};
+use lole_body::{
+    AmiTurn, ArmManner, ArmStyle, DanceStep, Figure, Hands, HipLead, HipLift, School, Side,
+};
 use lole_cloth::collision::penalty::{CapsuleShape, Response};
 use lole_cloth::method::explicit::{ContactEvaluation, Integrator, RungeKutta};
 use lole_cloth::wind::WindLaw;
@@ -62,16 +64,36 @@ pub struct Design {
 /// The dancer's tape; what was not measured follows from the rest.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct DancerDesign {
+    /// Whose proportions she has.
+    pub figure: Figure,
     /// Height of the crown above the floor [cm].
     pub stature_cm: Option<f64>,
     /// Around the fullest part of the bust [cm].
     pub bust_cm: Option<f64>,
+    /// Around the trunk under the bust [cm].
+    pub underbust_cm: Option<f64>,
     /// Around the narrowest part of the trunk [cm].
     pub waist_cm: Option<f64>,
+    /// Around the trunk over the front points of the hip bones [cm].
+    pub high_hip_cm: Option<f64>,
     /// Around the fullest part of the hips [cm].
     pub hip_cm: Option<f64>,
+    /// Around one thigh just below the crotch [cm].
+    pub thigh_cm: Option<f64>,
+    /// Around one knee at the middle of the kneecap [cm].
+    pub knee_cm: Option<f64>,
+    /// Around the fullest part of one calf [cm].
+    pub calf_cm: Option<f64>,
+    /// Around one ankle at its narrowest [cm].
+    pub ankle_cm: Option<f64>,
     /// Crotch to floor [cm].
     pub inseam_cm: Option<f64>,
+    /// Waist tape to floor [cm].
+    pub waist_height_cm: Option<f64>,
+    /// Shoulder point to shoulder point [cm].
+    pub shoulder_breadth_cm: Option<f64>,
+    /// Shoulder point to elbow [cm].
+    pub upper_arm_length_cm: Option<f64>,
 }
 
 /// The pāʻū skirt and how finely it is computed.

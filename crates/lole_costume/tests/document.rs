@@ -183,13 +183,25 @@ const MISTAKES: &[(&str, &str, &str, &str)] = &[
         "dancer",
         "hip_cm = 910",
         ":4: [dancer] hip_cm: 910 is",
-        "from 70 to 150",
+        "from 55 to 150",
     ),
     (
         "dancer",
         "stature_cm = 190\ninseam_cm = 55",
         ":3: [dancer]: ",
-        "measure again",
+        "measure both again",
+    ),
+    (
+        "dancer",
+        "hip_cm = 90\nthigh_cm = 80",
+        ":3: [dancer]: thigh girth 80.0 cm and hip girth 90.0 cm exclude each other",
+        "measure both again",
+    ),
+    (
+        "dancer",
+        "figure = \"boy\"",
+        ":4: [dancer] figure: \"boy\" is not a figure",
+        "the choices are of-stature, woman, man, child",
     ),
     (
         "dancer",

@@ -6,8 +6,8 @@ mod html;
 mod model;
 
 pub use model::{
-    Divergence, MeanPercentileMax, MedianPercentile, MinMeanMax, Remark, ReportFile, RunReport,
-    RunSeries, SkirtFacts, Still, Worst,
+    DancerMeasure, Divergence, MeanPercentileMax, MedianPercentile, MinMeanMax, Remark, ReportFile,
+    RunReport, RunSeries, SkirtFacts, Still, Worst,
 };
 
 use crate::ExportError;

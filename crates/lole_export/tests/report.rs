@@ -7,7 +7,8 @@
 )]
 
 use lole_export::report::{
-    Divergence, PageMedia, ReportFile, RunReport, RunSeries, Still, report_html, report_json,
+    DancerMeasure, Divergence, PageMedia, ReportFile, RunReport, RunSeries, Still, report_html,
+    report_json,
 };
 use serde_json::Value;
 
@@ -80,6 +81,30 @@ fn every_promised_key_is_in_the_json() {
     ] {
         assert!(json.pointer(path).is_some(), "{path}");
     }
+}
+
+#[test]
+fn what_was_not_measured_is_shown_as_estimated() {
+    let mut report = report();
+    let measure = |key: &str, given_cm: Option<f64>| DancerMeasure {
+        key: key.into(),
+        name: "bust girth".into(),
+        name_ja: "バスト".into(),
+        on_body_cm: 83.5,
+        given_cm,
+        is_estimated: given_cm.is_none(),
+    };
+    report.dancer = vec![measure("bust_cm", Some(83.5))];
+    let page = |report: &RunReport| report_html(report, PageMedia::default());
+    assert!(page(&report).contains("83.5") && !page(&report).contains("Estimated"));
+    report.dancer.push(measure("waist_cm", None));
+    let html = page(&report);
+    assert_eq!(html.matches("Estimated").count(), 1);
+    assert_eq!(html.matches("推定した値").count(), 1);
+    let json: Value = serde_json::from_str(&report_json(&report).unwrap()).unwrap();
+    assert_eq!(json["dancer"][0]["is_estimated"], false);
+    assert_eq!(json["dancer"][1]["is_estimated"], true);
+    assert!(json["dancer"][1]["given_cm"].is_null());
 }
 
 #[test]

@@ -26,26 +26,39 @@ pub(crate) struct Neighbors {
 
 impl Neighbors {
     pub(crate) fn new(vertex_count: usize, triangles: &[[u32; 3]]) -> Self {
-        let mut edges: Vec<[u32; 2]> = Vec::with_capacity(triangles.len() * 6);
-        for &[a, b, c] in triangles {
-            for [from, to] in [[a, b], [b, c], [c, a]] {
-                edges.push([from, to]);
-                edges.push([to, from]);
-            }
-        }
-        edges.sort_unstable();
-        edges.dedup();
-        let mut starts = vec![0; vertex_count + 1];
-        for edge in &edges {
-            starts[edge[0] as usize + 1] += 1;
+        // Every edge of a closed surface comes twice: room for both, then each list is sorted and
+        // thinned where it lies, which one sort of all edges would take five times as long for.
+        let ends = |&[a, b, c]: &[u32; 3]| [[a, b], [a, c], [b, a], [b, c], [c, a], [c, b]];
+        let mut room = vec![0_u32; vertex_count + 1];
+        for [from, _] in triangles.iter().flat_map(ends) {
+            room[from as usize + 1] += 1;
         }
         for index in 0..vertex_count {
-            starts[index + 1] += starts[index];
+            room[index + 1] += room[index];
         }
-        Self {
-            starts,
-            vertices: edges.into_iter().map(|edge| edge[1]).collect(),
+        let mut filled = room.clone();
+        let mut all = vec![0_u32; triangles.len() * 6];
+        for [from, to] in triangles.iter().flat_map(ends) {
+            let slot = &mut filled[from as usize];
+            all[*slot as usize] = to;
+            *slot += 1;
         }
+        let mut starts = Vec::with_capacity(vertex_count + 1);
+        let mut vertices = Vec::with_capacity(triangles.len() * 3);
+        for vertex in 0..vertex_count {
+            starts.push(u32::try_from(vertices.len()).unwrap_or(u32::MAX));
+            let list = &mut all[room[vertex] as usize..room[vertex + 1] as usize];
+            list.sort_unstable();
+            let mut last = u32::MAX;
+            for &mut other in list {
+                if other != last {
+                    vertices.push(other);
+                    last = other;
+                }
+            }
+        }
+        starts.push(u32::try_from(vertices.len()).unwrap_or(u32::MAX));
+        Self { starts, vertices }
     }
 
     pub(crate) fn of(&self, vertex: usize) -> &[u32] {

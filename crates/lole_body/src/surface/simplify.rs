@@ -8,6 +8,7 @@ use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use glam::{DVec3, Vec3};
+use rayon::prelude::*;
 
 use super::half::is_on_plane;
 
@@ -131,6 +132,9 @@ struct Collapser {
     fans: Vec<Vec<u32>>,
     versions: Vec<u32>,
     heap: BinaryHeap<Collapse>,
+    /// Cost of the cheapest collapse of each vertex when a sweep last looked; negative once it or
+    /// its surroundings have changed.
+    cheapest: Vec<f64>,
 }
 
 /// What is simplified: equal-length vertex columns and triangles with their region.
@@ -148,6 +152,7 @@ pub(crate) struct Fine<'a> {
 pub(crate) fn simplify(fine: &Fine<'_>, target: usize) -> Vec<([u32; 3], u8)> {
     let mut collapser = Collapser::new(fine);
     let mut threshold = SWEEP_START;
+    collapser.find_cheapest();
     while collapser.count > SWEEP_UNTIL * target && threshold < SWEEP_END {
         collapser.sweep(threshold);
         threshold *= SWEEP_GROWTH;
@@ -200,6 +205,7 @@ impl Collapser {
             fans: vec![Vec::new(); count],
             versions: vec![0; count],
             heap: BinaryHeap::new(),
+            cheapest: vec![-1.0; count],
         };
         for (index, triangle) in fine.triangles.iter().enumerate() {
             let [a, b, c] = triangle.map(|vertex| collapser.points[vertex as usize]);
@@ -266,17 +272,22 @@ impl Collapser {
     fn sweep(&mut self, threshold: f64) {
         let mut ring = Vec::new();
         for from in 0..self.points.len() {
-            if self.fans[from].is_empty() {
+            if self.fans[from].is_empty() || threshold <= self.cheapest[from] {
                 continue;
             }
             let from = u32::try_from(from).unwrap_or(u32::MAX);
-            self.ring_into(from, &mut ring);
-            let best = (ring.iter())
-                .map(|&onto| (self.cost(from, onto), onto))
-                .filter(|&(cost, _)| cost < threshold)
-                .min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-            if let Some((_, onto)) = best.filter(|&(_, onto)| self.is_allowed(from, onto)) {
+            let best = self.cheapest_from(from, &mut ring);
+            self.cheapest[from as usize] = best.map_or(f64::INFINITY, |(cost, _)| cost);
+            if let Some((_, onto)) = best
+                && self.cheapest[from as usize] < threshold
+                && self.is_allowed(from, onto)
+            {
                 self.apply(from, onto);
+                self.ring_into(onto, &mut ring);
+                self.cheapest[onto as usize] = -1.0;
+                for &other in &ring {
+                    self.cheapest[other as usize] = -1.0;
+                }
             }
         }
     }
@@ -334,18 +345,34 @@ impl Collapser {
         }
     }
 
-    /// Vertices around `vertex`, sorted.
+    /// Vertices around `vertex`, each once: about six, so looking through them beats sorting them.
     fn ring_into(&self, vertex: u32, ring: &mut Vec<u32>) {
         ring.clear();
         for &triangle in &self.fans[vertex as usize] {
-            ring.extend(
-                self.triangles[triangle as usize]
-                    .iter()
-                    .filter(|&&other| other != vertex),
-            );
+            for other in self.triangles[triangle as usize] {
+                if other != vertex && !ring.contains(&other) {
+                    ring.push(other);
+                }
+            }
         }
-        ring.sort_unstable();
-        ring.dedup();
+    }
+
+    /// The cheapest collapse of `from` and its cost; ties go to the lower index.
+    fn cheapest_from(&self, from: u32, ring: &mut Vec<u32>) -> Option<(f64, u32)> {
+        self.ring_into(from, ring);
+        (ring.iter().map(|&onto| (self.cost(from, onto), onto)))
+            .min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)))
+    }
+
+    /// Looks at every vertex on all threads, so that the first sweep need not.
+    fn find_cheapest(&mut self) {
+        self.cheapest = (0..self.points.len())
+            .into_par_iter()
+            .map_init(Vec::new, |ring, from| {
+                let from = u32::try_from(from).unwrap_or(u32::MAX);
+                (self.cheapest_from(from, ring)).map_or(f64::INFINITY, |(cost, _)| cost)
+            })
+            .collect();
     }
 
     fn is_around(&self, vertex: u32, other: u32) -> bool {

@@ -11,13 +11,15 @@ use lole_geom::trig;
 use super::half::is_on_plane;
 use super::pchip::Pchip;
 use super::section::{convex_hull, cut_points, perimeter};
-use lole_language::{Sentence, Words, words};
+use lole_language::Sentence;
 
 use crate::sections::{Sections, Tube};
-use crate::{BodyError, Measurements};
+use crate::{BodyError, Figure, Measure, Measurements};
 
-/// Share of the way from crotch to crown where the waist lies (97.5 of 158 with inseam 71 cm).
+/// Share of the way from crotch to crown where a woman's waist lies (97.5 of 158 with inseam 71 cm).
 const WAIST_SHARE: f32 = 0.3046;
+/// The same of a man (103 of 171 with inseam 78.4 cm).
+const WAIST_SHARE_OF_MAN: f32 = 0.2657;
 /// Share of the stature where the front points of the hip bones lie (ASIS .537 H).
 const ASIS_SHARE: f32 = 0.537;
 /// Sections may differ from the tape by this much [m]; half of what the tape itself repeats to.
@@ -32,17 +34,18 @@ pub(crate) fn smooth_step(x: f32) -> f32 {
     x * x * (3.0 - 2.0 * x)
 }
 
-/// Tape levels in the order of [`Girths`].
-const TAPES: [&str; 7] = ["bust", "waist", "hip", "thigh", "knee", "calf", "ankle"];
-/// What sentences call them.
-const TAPE_WORDS: [Words; 7] = [
-    words("バスト", "bust girth"),
-    words("ウエスト", "waist girth"),
-    words("ヒップ", "hip girth"),
-    words("太もも回り", "thigh girth"),
-    words("ひざ回り", "knee girth"),
-    words("ふくらはぎ回り", "calf girth"),
-    words("足首回り", "ankle girth"),
+/// Girths in the order of [`Girths`], each with the level of the sections where its tape runs and
+/// the girth it goes least well with.
+const TAPES: [(Measure, &str, Measure); 9] = [
+    (Measure::Bust, "bust", Measure::Underbust),
+    (Measure::Waist, "waist", Measure::HighHip),
+    (Measure::Hip, "hip", Measure::Thigh),
+    (Measure::Thigh, "thigh", Measure::Hip),
+    (Measure::Knee, "knee", Measure::Calf),
+    (Measure::Calf, "calf", Measure::Knee),
+    (Measure::Ankle, "ankle", Measure::Calf),
+    (Measure::Underbust, "underbust", Measure::Bust),
+    (Measure::HighHip, "high_hip", Measure::Hip),
 ];
 const BUST: usize = 0;
 const WAIST: usize = 1;
@@ -51,6 +54,13 @@ const THIGH: usize = 3;
 const KNEE: usize = 4;
 const CALF: usize = 5;
 const ANKLE: usize = 6;
+const UNDERBUST: usize = 7;
+const HIGH_HIP: usize = 8;
+
+/// Whether a tape runs around the trunk rather than one leg.
+const fn is_of_trunk(tape: usize) -> bool {
+    !matches!(tape, THIGH | KNEE | CALF | ANKLE)
+}
 
 /// Moves heights: floor, ankle, crotch, waist, neck base and crown.
 pub(crate) struct Heights {
@@ -65,15 +75,23 @@ impl Heights {
         let [stature, inseam] = [tape.stature, tape.inseam_length].map(|x| x.to_m() as f32);
         let foot = body.joint("leftFoot").y;
         let neck = body.level("neckbase");
+        let waist = body.tape_level("waist");
+        let waist_share = match tape.figure {
+            Figure::Child => (waist - crotch) / (crown - crotch),
+            Figure::Man => WAIST_SHARE_OF_MAN,
+            Figure::OfStature | Figure::Woman => WAIST_SHARE,
+        };
+        #[expect(clippy::cast_possible_truncation, reason = "a body to 0.1 µm")]
+        let waist_height = (tape.waist_height).map_or_else(
+            || inseam + waist_share * (stature - inseam),
+            |height| height.to_m() as f32,
+        );
         let curve = Pchip::new(&[
             [0.0, 0.0],
             [0.5 * foot, 0.5 * foot],
             [foot, foot],
             [crotch, inseam],
-            [
-                body.tape_level("waist"),
-                inseam + WAIST_SHARE * (stature - inseam),
-            ],
+            [waist, waist_height],
             [neck, neck + stature - crown],
             [crown, stature],
         ]);
@@ -134,11 +152,10 @@ pub(crate) fn arm_share(joint: &str) -> f32 {
 
 /// Scales at the tape levels and what they act on.
 pub(crate) struct Girths {
-    targets: [f32; 7],
-    scales: [f32; 7],
-    levels: [f32; 7],
-    high_hip: f32,
-    underbust: f32,
+    /// `None` where the sections decide.
+    targets: [Option<f32>; 9],
+    scales: [f32; 9],
+    levels: [f32; 9],
     armpit: f32,
     shoulder: f32,
     crotch: f32,
@@ -164,23 +181,12 @@ impl Girths {
                 .collect();
             Pchip::new(&knots)
         };
-        let targets = [
-            tape.bust_girth,
-            tape.waist_girth,
-            tape.hip_girth,
-            tape.thigh_girth,
-            tape.knee_girth,
-            tape.calf_girth,
-            tape.ankle_girth,
-        ];
         #[expect(clippy::cast_possible_truncation, reason = "a girth to 0.1 µm")]
-        let targets = targets.map(|girth| girth.to_m() as f32);
+        let targets = TAPES.map(|(measure, ..)| Some(tape.get(measure)?.to_m() as f32));
         Self {
             targets,
-            scales: [1.0; 7],
-            levels: TAPES.map(|name| body.tape_level(name)),
-            high_hip: body.tape_level("high_hip"),
-            underbust: body.tape_level("underbust"),
+            scales: [1.0; 9],
+            levels: TAPES.map(|(_, level, _)| body.tape_level(level)),
             armpit: body.level("armpit"),
             shoulder: body.level("shoulder"),
             crotch,
@@ -199,48 +205,48 @@ impl Girths {
         triangles: &[[u32; 3]],
         arms: &[f32],
     ) -> Result<Vec<Vec3>, BodyError> {
-        let body: Vec<[u32; 3]> = (triangles.iter().copied())
-            .filter(|triangle| triangle.iter().all(|&vertex| arms[vertex as usize] < 0.5))
+        let bands: Vec<(usize, f32, Band)> = (0..TAPES.len())
+            .filter_map(|tape| {
+                let band = || Band::new(self.levels[tape], positions, triangles, arms);
+                self.targets[tape].map(|target| (tape, target, band()))
+            })
             .collect();
         let mut worst = (0, f32::INFINITY);
         for _ in 0..PASS_LIMIT {
-            let warped = self.warp(positions, arms);
             worst = (0, 0.0);
-            for tape in 0..TAPES.len() {
-                let girth = self.girth(&warped, &body, tape);
-                let error = (girth - self.targets[tape]).abs();
+            let scales = self.scales;
+            let girths: Vec<f32> = (bands.iter())
+                .map(|(tape, _, band)| {
+                    let warped = self.warp(&band.positions, &band.arms);
+                    girth(&warped, &band.triangles, *tape, self.levels[*tape])
+                })
+                .collect();
+            for (&(tape, target, _), girth) in bands.iter().zip(girths) {
+                let error = (girth - target).abs();
                 if error > worst.1 {
                     worst = (tape, error);
                 }
                 if girth > 0.0 {
-                    self.scales[tape] *= self.targets[tape] / girth;
+                    self.scales[tape] *= target / girth;
                 }
             }
             if worst.1 < GIRTH_TOLERANCE {
+                let better = std::mem::replace(&mut self.scales, scales);
+                let warped = self.warp(positions, arms);
+                self.scales = better;
                 return Ok(warped);
             }
         }
-        let (tape, off_cm) = (TAPE_WORDS[worst.0], worst.1 * 100.0);
+        let (measure, _, against) = TAPES[worst.0];
+        let (tape, off_cm) = (measure.words(), worst.1 * 100.0);
         Err(BodyError::Unbuildable {
             reason: Sentence::new(
                 format!("{}が {off_cm:.1} cm 合いません", tape.japanese),
                 format!("the {} stays {off_cm:.1} cm off", tape.english),
             ),
             check: tape,
+            against: against.words(),
         })
-    }
-
-    fn girth(&self, positions: &[Vec3], triangles: &[[u32; 3]], tape: usize) -> f32 {
-        let height = self.levels[tape];
-        let mut cuts = cut_points(positions, triangles.iter().copied(), height);
-        if tape < THIGH {
-            for index in 0..cuts.len() {
-                let mut mirrored = cuts[index];
-                mirrored.point.x = -mirrored.point.x;
-                cuts.push(mirrored);
-            }
-        }
-        perimeter(&convex_hull(cuts))
     }
 
     /// Warped positions at the present scales; vertices on the mirror plane stay there.
@@ -266,16 +272,20 @@ impl Girths {
 
     fn curves(&self) -> Scales {
         let s = &self.scales;
-        let between = |a: usize, b: usize| (s[a] * s[b]).sqrt();
+        // What was not measured lies between its neighbors.
+        let or_between = |tape: usize, a: usize, b: usize| match self.targets[tape] {
+            Some(_) => s[tape],
+            None => (s[a] * s[b]).sqrt(),
+        };
         let logarithms = |knots: &[[f32; 2]]| {
             let knots: Vec<[f32; 2]> = knots.iter().map(|&[y, g]| [y, trig::ln(g)]).collect();
             Pchip::new(&knots)
         };
         let trunk = logarithms(&[
             [self.levels[HIP], s[HIP]],
-            [self.high_hip, between(HIP, WAIST)],
+            [self.levels[HIGH_HIP], or_between(HIGH_HIP, HIP, WAIST)],
             [self.levels[WAIST], s[WAIST]],
-            [self.underbust, between(WAIST, BUST)],
+            [self.levels[UNDERBUST], or_between(UNDERBUST, WAIST, BUST)],
             [self.levels[BUST], s[BUST]],
             [
                 self.armpit + 0.02 * self.stature,
@@ -318,6 +328,50 @@ impl Girths {
         );
         point + (by_leg + (by_trunk - by_leg) * trunk_share) * (1.0 - arm)
     }
+}
+
+/// The triangles that one tape cuts, with their own vertices: the warp is horizontal, so they stay
+/// the same whatever the scales, and each pass warps only them.
+struct Band {
+    positions: Vec<Vec3>,
+    arms: Vec<f32>,
+    triangles: Vec<[u32; 3]>,
+}
+
+impl Band {
+    fn new(height: f32, positions: &[Vec3], triangles: &[[u32; 3]], arms: &[f32]) -> Self {
+        let is_under = |vertex: u32| positions[vertex as usize].y < height;
+        let mut band = Self {
+            positions: Vec::new(),
+            arms: Vec::new(),
+            triangles: Vec::new(),
+        };
+        for &triangle in triangles {
+            let under = triangle.map(is_under);
+            let is_cut = under[0] != under[1] || under[0] != under[2];
+            if is_cut && triangle.iter().all(|&vertex| arms[vertex as usize] < 0.5) {
+                band.triangles.push(triangle.map(|vertex| {
+                    band.positions.push(positions[vertex as usize]);
+                    band.arms.push(arms[vertex as usize]);
+                    u32::try_from(band.positions.len() - 1).unwrap_or(u32::MAX)
+                }));
+            }
+        }
+        band
+    }
+}
+
+/// Girth [m] of a cut of the left half: of the trunk with its mirror image, or of the left leg.
+fn girth(positions: &[Vec3], triangles: &[[u32; 3]], tape: usize, height: f32) -> f32 {
+    let mut cuts = cut_points(positions, triangles.iter().copied(), height);
+    if is_of_trunk(tape) {
+        for index in 0..cuts.len() {
+            let mut mirrored = cuts[index];
+            mirrored.point.x = -mirrored.point.x;
+            cuts.push(mirrored);
+        }
+    }
+    perimeter(&convex_hull(cuts))
 }
 
 /// Level of the hip bones' front points before lengths are carried [m].

@@ -117,12 +117,24 @@ impl Design {
     /// What was measured of the dancer.
     #[must_use]
     pub fn tape(&self) -> Tape {
+        let dancer = &self.dancer;
+        let cm = |value: Option<f64>| value.map(Length::from_cm);
         Tape {
-            stature: self.dancer.stature_cm.map(Length::from_cm),
-            bust_girth: self.dancer.bust_cm.map(Length::from_cm),
-            waist_girth: self.dancer.waist_cm.map(Length::from_cm),
-            hip_girth: self.dancer.hip_cm.map(Length::from_cm),
-            inseam_length: self.dancer.inseam_cm.map(Length::from_cm),
+            figure: dancer.figure,
+            stature: cm(dancer.stature_cm),
+            bust_girth: cm(dancer.bust_cm),
+            underbust_girth: cm(dancer.underbust_cm),
+            waist_girth: cm(dancer.waist_cm),
+            high_hip_girth: cm(dancer.high_hip_cm),
+            hip_girth: cm(dancer.hip_cm),
+            thigh_girth: cm(dancer.thigh_cm),
+            knee_girth: cm(dancer.knee_cm),
+            calf_girth: cm(dancer.calf_cm),
+            ankle_girth: cm(dancer.ankle_cm),
+            inseam_length: cm(dancer.inseam_cm),
+            waist_height: cm(dancer.waist_height_cm),
+            shoulder_breadth: cm(dancer.shoulder_breadth_cm),
+            upper_arm_length: cm(dancer.upper_arm_length_cm),
         }
     }
 

@@ -18,6 +18,7 @@ pub(super) fn page(report: &RunReport, media: PageMedia<'_>) -> String {
         film(media),
         stills(media),
         skirt(report),
+        dancer(report),
         motion(report),
         speed(report),
         plots(report),
@@ -129,6 +130,37 @@ fn stills(media: PageMedia<'_>) -> String {
     format!(
         "<h2>{}</h2>\n<div class=\"stills\">\n{figures}</div>\n",
         both("From all sides", "いろいろな角度から")
+    )
+}
+
+/// The dancer's measures; nothing where none were taken down.
+fn dancer(report: &RunReport) -> String {
+    if report.dancer.is_empty() {
+        return String::new();
+    }
+    let rows: Vec<_> = (report.dancer.iter())
+        .map(|measure| {
+            let notes = match measure.given_cm {
+                Some(_) => ["", ""],
+                None => [
+                    "Estimated: nobody measured it.",
+                    "推定した値です（採寸されていません）。",
+                ],
+            };
+            row(
+                [&escape(&measure.name), &escape(&measure.name_ja)],
+                format!("{} <i>cm</i>", number(measure.on_body_cm, 1)),
+                notes,
+            )
+        })
+        .collect();
+    section(
+        ["The dancer", "踊り手の寸法"],
+        [
+            "Measured on the finished body, as a tape measures.",
+            "できあがった体を、巻き尺と同じ測り方で測った値です。",
+        ],
+        &rows,
     )
 }
 

@@ -100,6 +100,23 @@ pub struct SkirtFacts {
     pub warnings: Vec<Remark>,
 }
 
+/// One measure of the dancer as the finished body has it.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+pub struct DancerMeasure {
+    /// Key of the design, such as `bust_cm`.
+    pub key: String,
+    /// Name in English.
+    pub name: String,
+    /// Name in Japanese.
+    pub name_ja: String,
+    /// What the surface has, measured as a tape measures [cm].
+    pub on_body_cm: f64,
+    /// What the design gave [cm]; `None` where it was estimated.
+    pub given_cm: Option<f64>,
+    /// Whether nobody measured it.
+    pub is_estimated: bool,
+}
+
 /// Columns over the frames of the run; equally long, or empty where not measured.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct RunSeries {
@@ -171,6 +188,8 @@ pub struct RunReport {
     pub state_hash: String,
     /// Files the run wrote.
     pub files: Vec<ReportFile>,
+    /// The dancer's measures, given and estimated.
+    pub dancer: Vec<DancerMeasure>,
     /// Facts of the skirt for its maker.
     pub skirt: SkirtFacts,
     /// Columns over frames.

@@ -3,6 +3,7 @@
 //! Reading, checking, writing and the messages all walk this table, so a key that is added here is
 //! read, refused, written and explained.
 
+use lole_body::Figure;
 use lole_cloth::collision::penalty::{CapsuleShape, Response};
 use lole_cloth::method::explicit::ContactEvaluation;
 use lole_cloth::wind::WindLaw;
@@ -21,6 +22,12 @@ pub(super) const MOTIFS: &[(&str, PrintMotif)] = &[
     ("hibiscus", PrintMotif::Hibiscus),
     ("ulu", PrintMotif::Ulu),
     ("plain", PrintMotif::Plain),
+];
+const FIGURES: &[(&str, Figure)] = &[
+    (Figure::OfStature.id(), Figure::OfStature),
+    (Figure::Woman.id(), Figure::Woman),
+    (Figure::Man.id(), Figure::Man),
+    (Figure::Child.id(), Figure::Child),
 ];
 const WIND_LAWS: &[(&str, WindLaw)] = &[
     ("spherical", WindLaw::Spherical),
@@ -61,40 +68,111 @@ const DANCER: Table = Table {
         "the tape, in cm; leave out what was not measured",
     ),
     keys: &[
+        choice!(
+            "figure",
+            words("体つき", "figure"),
+            FIGURES,
+            dancer.figure,
+            "だれの体つきか。of-stature は身長から",
+            "whose proportions; of-stature goes by the stature"
+        ),
         number_if_known!(
             "stature_cm",
-            130.0..=195.0,
+            100.0..=195.0,
             dancer.stature_cm,
             "頭のてっぺんから床まで",
             "crown to floor"
         ),
         number_if_known!(
             "bust_cm",
-            60.0..=140.0,
+            48.0..=150.0,
             dancer.bust_cm,
             "胸のいちばん太いところ",
             "fullest part of the bust"
         ),
         number_if_known!(
+            "underbust_cm",
+            45.0..=130.0,
+            dancer.underbust_cm,
+            "胸のすぐ下",
+            "under the bust"
+        ),
+        number_if_known!(
             "waist_cm",
-            50.0..=130.0,
+            45.0..=130.0,
             dancer.waist_cm,
             "胴のいちばん細いところ",
             "narrowest part of the trunk"
         ),
         number_if_known!(
+            "high_hip_cm",
+            48.0..=150.0,
+            dancer.high_hip_cm,
+            "腰骨の前の出っぱりを通る一周",
+            "over the front points of the hip bones"
+        ),
+        number_if_known!(
             "hip_cm",
-            70.0..=150.0,
+            55.0..=150.0,
             dancer.hip_cm,
             "腰のいちばん太いところ",
             "fullest part of the hips"
         ),
         number_if_known!(
+            "thigh_cm",
+            28.0..=90.0,
+            dancer.thigh_cm,
+            "股のすぐ下の片脚",
+            "one thigh just below the crotch"
+        ),
+        number_if_known!(
+            "knee_cm",
+            20.0..=60.0,
+            dancer.knee_cm,
+            "ひざの皿の真ん中",
+            "one knee at the middle of the kneecap"
+        ),
+        number_if_known!(
+            "calf_cm",
+            20.0..=60.0,
+            dancer.calf_cm,
+            "ふくらはぎのいちばん太いところ",
+            "fullest part of one calf"
+        ),
+        number_if_known!(
+            "ankle_cm",
+            13.0..=36.0,
+            dancer.ankle_cm,
+            "足首のいちばん細いところ",
+            "one ankle at its narrowest"
+        ),
+        number_if_known!(
             "inseam_cm",
-            52.0..=97.5,
+            38.0..=97.5,
             dancer.inseam_cm,
             "股から床まで",
             "crotch to floor"
+        ),
+        number_if_known!(
+            "waist_height_cm",
+            55.0..=130.0,
+            dancer.waist_height_cm,
+            "ウエストの巻き尺から床まで",
+            "waist tape to floor"
+        ),
+        number_if_known!(
+            "shoulder_breadth_cm",
+            22.0..=52.0,
+            dancer.shoulder_breadth_cm,
+            "肩先から肩先まで",
+            "shoulder point to shoulder point"
+        ),
+        number_if_known!(
+            "upper_arm_length_cm",
+            16.0..=42.0,
+            dancer.upper_arm_length_cm,
+            "肩先からひじまで",
+            "shoulder point to elbow"
         ),
     ],
 };
