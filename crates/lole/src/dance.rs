@@ -73,7 +73,9 @@ pub(crate) fn run(args: &DanceArgs, language: Language) -> Result<(), Failure> {
 const fn place_of(error: &StageError) -> Place<'static> {
     let table = match error {
         StageError::Body(_) => "dancer",
-        StageError::Motion(_) => "motion",
+        StageError::Motion(_)
+        | StageError::Recording { .. }
+        | StageError::RecordingNotRead { .. } => "motion",
         StageError::Draft(_) | StageError::Sew(_) => "skirt",
         StageError::Garment { .. } => "garment",
         StageError::Build(_) => "fabric",
@@ -101,8 +103,9 @@ fn load(args: &DanceArgs) -> Result<Source, Failure> {
         Some(path) => {
             let name = path.display().to_string();
             let bytes = lole_studio::read_document(path).map_err(Failure::usage)?;
-            let design = document::parse_bytes(&bytes, &name)
+            let mut design = document::parse_bytes(&bytes, &name)
                 .map_err(|error| Failure::Usage(error.into()))?;
+            lole_studio::read_recording(&mut design, path).map_err(Failure::usage)?;
             (name, String::from_utf8_lossy(&bytes).into_owned(), design)
         }
         None => (

@@ -17,6 +17,8 @@ mod parse;
 pub mod schema;
 mod write;
 
+use std::sync::Arc;
+
 use lole_body::{AmiTurn, ArmStyle, DanceStep, HipLead, HipLift};
 use lole_cloth::collision::penalty::{CapsuleShape, Response};
 use lole_cloth::method::explicit::{ContactEvaluation, Integrator, RungeKutta};
@@ -217,6 +219,47 @@ impl Default for PrintChoice {
     }
 }
 
+/// A recording that a document names. Whoever opens the document reads the file: the bytes are not
+/// part of the text.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct MotionFile {
+    /// Its place from the document.
+    pub name: String,
+    /// What it holds; `None` until it is read.
+    pub bytes: Option<Arc<[u8]>>,
+}
+
+impl MotionFile {
+    /// A file that is not read yet.
+    #[must_use]
+    pub fn named(name: &str) -> Self {
+        Self {
+            name: name.to_owned(),
+            bytes: None,
+        }
+    }
+}
+
+/// What follows the end of a recording.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum MotionRepeat {
+    /// She stands in its last pose.
+    #[default]
+    Once,
+    /// The part that comes back best to where it began, over and over.
+    Loop,
+}
+
+/// What becomes of the way that is gone in a recording.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum MotionDrift {
+    /// She goes it.
+    #[default]
+    Keep,
+    /// The straight line from the first place to the last is taken away.
+    Remove,
+}
+
 /// What is danced, and in whose manner.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionDesign {
@@ -238,6 +281,12 @@ pub struct MotionDesign {
     pub arms: ArmStyle,
     /// Direction of the ʻami circle.
     pub ami_turn: AmiTurn,
+    /// A recording that is danced instead of the step.
+    pub file: Option<MotionFile>,
+    /// What follows the recording's end.
+    pub repeat: MotionRepeat,
+    /// What becomes of its way.
+    pub drift: MotionDrift,
 }
 
 impl Default for MotionDesign {
@@ -252,6 +301,9 @@ impl Default for MotionDesign {
             hip_lead: HipLead::default(),
             arms: ArmStyle::default(),
             ami_turn: AmiTurn::default(),
+            file: None,
+            repeat: MotionRepeat::default(),
+            drift: MotionDrift::default(),
         }
     }
 }

@@ -325,6 +325,7 @@ fn every_key_reads_back_alone_at_both_ends_of_its_range() {
                 Kind::Name { choices, .. } => {
                     choices().iter().map(|name| format!("{name:?}")).collect()
                 }
+                Kind::Text { .. } => vec!["\"踊り 1.bvh\"".to_owned(), r#"'a\b"c'"#.to_owned()],
                 Kind::Color { .. } => vec!["\"#00ff7A\"".to_owned()],
             };
             for value in values {
@@ -451,6 +452,7 @@ fn any_design() -> impl Strategy<Value = Design> {
                             names[usize::try_from(index).expect("a list's index")],
                         );
                     }
+                    Kind::Text { set, .. } => set(&mut design, &format!("\"{bits}\\.bvh")),
                     Kind::Color { set, .. } => {
                         let [red, green, blue, ..] = bits.to_le_bytes();
                         set(&mut design, [red, green, blue]);

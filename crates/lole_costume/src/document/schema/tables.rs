@@ -10,7 +10,7 @@ use lole_cloth::wind::WindLaw;
 use lole_language::words;
 
 use super::{Key, Kind, Table};
-use crate::document::{BodyShapes, MethodName, WindModel};
+use crate::document::{BodyShapes, MethodName, MotionDrift, MotionFile, MotionRepeat, WindModel};
 use crate::fabrics::{PRESETS, Preset};
 use crate::print::{PrintDesign, PrintMotif};
 
@@ -64,6 +64,10 @@ const CAPSULE_SHAPES: &[(&str, CapsuleShape)] = &[
     ),
 ];
 const AMI_TURNS: &[(&str, AmiTurn)] = &[("akau", AmiTurn::Akau), ("hema", AmiTurn::Hema)];
+const REPEATS: &[(&str, MotionRepeat)] =
+    &[("once", MotionRepeat::Once), ("loop", MotionRepeat::Loop)];
+const DRIFTS: &[(&str, MotionDrift)] =
+    &[("keep", MotionDrift::Keep), ("remove", MotionDrift::Remove)];
 
 /// The tables in the order they are written.
 pub const TABLES: &[Table] = &[DANCER, SKIRT, FABRIC, PRINT, MOTION, WIND, METHOD];
@@ -215,6 +219,34 @@ const MOTION: Table = Table {
             motion.ami_turn,
             "回る向き",
             "way round"
+        ),
+        Key {
+            name: "file",
+            about: words(
+                "ステップのかわりに踊る記録（BVH）。この文書から見た場所",
+                "recording (BVH) that is danced instead of a step; its place from this document",
+            ),
+            kind: Kind::Text {
+                what: words("ファイルの名前", "the name of a file"),
+                get: |design| design.motion.file.as_ref().map(|file| file.name.as_str()),
+                set: |design, name| design.motion.file = Some(MotionFile::named(name)),
+            },
+        },
+        choice!(
+            "repeat",
+            words("くり返し方", "way of repeating"),
+            REPEATS,
+            motion.repeat,
+            "記録の終わりのあと",
+            "what follows the end of a recording"
+        ),
+        choice!(
+            "drift",
+            words("移動の扱い", "treatment of drift"),
+            DRIFTS,
+            motion.drift,
+            "記録の中で進んだ道のり",
+            "the way that is gone in a recording"
         ),
     ],
 };
