@@ -30,6 +30,21 @@ pub(crate) enum Command {
     Validate(ValidateArgs),
     /// Frame time by scene on this machine, with strain and penetration.
     Bench(BenchArgs),
+    /// What is in a recording: joints, unit, axes, length, and what a dancer can make of it.
+    Inspect(InspectArgs),
+}
+
+/// `lole inspect`.
+#[derive(Debug, Args)]
+pub(crate) struct InspectArgs {
+    /// The file: a recorded motion (.bvh).
+    pub(crate) file: PathBuf,
+    /// List that says which joint is which bone, one `joint = bone` on a line.
+    #[arg(long, value_name = "LIST")]
+    pub(crate) bones: Option<PathBuf>,
+    /// Print it as JSON.
+    #[arg(long)]
+    pub(crate) json: bool,
 }
 
 /// `lole dance`.

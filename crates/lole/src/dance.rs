@@ -12,7 +12,8 @@ use lole_export::{Image, still};
 use lole_language::{Language, Sentence, Words, words};
 use lole_render::{Backend, LightRig, Renderer, Size};
 use lole_stage::{
-    Divergence, FRAME_SECONDS, FRAMES_PER_SECOND, FrameMetrics, Performance, Production, StageError,
+    Danced, Divergence, FRAME_SECONDS, FRAMES_PER_SECOND, FrameMetrics, Performance, Production,
+    StageError,
 };
 
 use crate::args::DanceArgs;
@@ -73,7 +74,9 @@ pub(crate) fn run(args: &DanceArgs, language: Language) -> Result<(), Failure> {
 const fn place_of(error: &StageError) -> Place<'static> {
     let table = match error {
         StageError::Body(_) => "dancer",
-        StageError::Motion(_) => "motion",
+        StageError::Motion(_)
+        | StageError::Recording { .. }
+        | StageError::RecordingNotRead { .. } => "motion",
         StageError::Draft(_) | StageError::Sew(_) => "skirt",
         StageError::Garment { .. } => "garment",
         StageError::Build(_) => "fabric",
@@ -101,8 +104,9 @@ fn load(args: &DanceArgs) -> Result<Source, Failure> {
         Some(path) => {
             let name = path.display().to_string();
             let bytes = lole_studio::read_document(path).map_err(Failure::usage)?;
-            let design = document::parse_bytes(&bytes, &name)
+            let mut design = document::parse_bytes(&bytes, &name)
                 .map_err(|error| Failure::Usage(error.into()))?;
+            lole_studio::read_recording(&mut design, path).map_err(Failure::usage)?;
             (name, String::from_utf8_lossy(&bytes).into_owned(), design)
         }
         None => (
@@ -247,7 +251,8 @@ impl Run<'_> {
         recording: &mut Recording,
     ) -> Result<(), Failure> {
         let dance = &performance.production().dance;
-        let frame_count = frame_count(self.design.duration_s(dance));
+        let whole = dance.whole(self.design.motion.repeat);
+        let frame_count = frame_count(self.design.duration_s(whole));
         let still_frame = self.still_frame(frame_count);
         let bar = progress_bar(frame_count, self.language.pick("踊る", "dancing"));
         performance.pose_body();
@@ -304,15 +309,17 @@ impl Run<'_> {
         }
     }
 
-    /// Writes when every count falls.
+    /// Writes when every count falls; a recording has none.
     fn write_counts(
         &self,
         performance: &Performance,
         output: &mut OutputFolder,
         files: &mut Files,
     ) -> Result<(), Failure> {
-        let dance = &performance.production().dance;
-        let counts = counts_csv(&dance.counts(self.design.duration_s(dance)));
+        let Danced::Step(dance) = &performance.production().dance else {
+            return Ok(());
+        };
+        let counts = counts_csv(&dance.counts(self.design.duration_s(dance.duration())));
         files.add(
             output,
             "counts.csv",

@@ -5,6 +5,7 @@ mod baked;
 mod bench;
 mod dance;
 mod figures;
+mod inspect;
 mod output;
 mod patience;
 mod stopwatch;
@@ -58,6 +59,7 @@ fn main() -> ExitCode {
         Asked::Command(Command::Study(args)) => study::run(&args, language),
         Asked::Command(Command::Validate(args)) => validate::run(&args, language),
         Asked::Command(Command::Bench(args)) => bench::run(&args, language),
+        Asked::Command(Command::Inspect(args)) => inspect::run(&args, language),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

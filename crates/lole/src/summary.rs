@@ -2,7 +2,7 @@
 #![expect(clippy::print_stderr, reason = "this is the terminal's voice")]
 
 use std::io::Write as _;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use lole_costume::document::DesignError;
@@ -34,6 +34,14 @@ const INTERRUPTED: u8 = 130;
 /// Prints the report as JSON.
 pub(crate) fn print_json(json: &str) {
     say!("{json}");
+}
+
+/// Says what a file holds.
+pub(crate) fn print_inspection(path: &Path, lines: &[Sentence], language: Language) {
+    say!("{}", path.display());
+    for line in lines {
+        say!("  {}", line.text(language));
+    }
 }
 
 /// Says what a run wrote and how it went.
@@ -158,7 +166,7 @@ fn figure(value: f64) -> String {
     }
 }
 
-fn open_hint(path: &std::path::Path, language: Language) -> &'static str {
+fn open_hint(path: &Path, language: Language) -> &'static str {
     let name = path
         .file_name()
         .and_then(|name| name.to_str())

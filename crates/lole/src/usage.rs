@@ -146,6 +146,18 @@ const JAPANESE_HELP: &[(&str, &str, &str)] = &[
         "--soak の動きの種。書かなければ 1。同じ種は同じ動きになります",
     ),
     ("bench", "json", "表を JSON で書きます"),
+    (
+        "inspect",
+        "",
+        "踊りの記録の中身: 関節、単位、向き、長さ、踊れるかどうか",
+    ),
+    ("inspect", "file", "調べるファイル: 踊りの記録（.bvh）"),
+    (
+        "inspect",
+        "bones",
+        "どの関節がどの骨かの表。一行に一つ「関節 = 骨」",
+    ),
+    ("inspect", "json", "JSON で書きます"),
 ];
 
 /// What was asked for.

@@ -17,6 +17,8 @@ mod parse;
 pub mod schema;
 mod write;
 
+use std::sync::Arc;
+
 use lole_body::motion::SCHOOLS;
 use lole_body::{
     AmiTurn, ArmManner, ArmStyle, DanceStep, Figure, Hands, HipLead, HipLift, School, Side,
@@ -240,6 +242,47 @@ impl Default for PrintChoice {
     }
 }
 
+/// A recording that a document names. Whoever opens the document reads the file: the bytes are not
+/// part of the text.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct MotionFile {
+    /// Its place from the document.
+    pub name: String,
+    /// What it holds; `None` until it is read.
+    pub bytes: Option<Arc<[u8]>>,
+}
+
+impl MotionFile {
+    /// A file that is not read yet.
+    #[must_use]
+    pub fn named(name: &str) -> Self {
+        Self {
+            name: name.to_owned(),
+            bytes: None,
+        }
+    }
+}
+
+/// What follows the end of a recording.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum MotionRepeat {
+    /// She stands in its last pose.
+    #[default]
+    Once,
+    /// The part that comes back best to where it began, over and over.
+    Loop,
+}
+
+/// What becomes of the way that is gone in a recording.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum MotionDrift {
+    /// She goes it.
+    #[default]
+    Keep,
+    /// The straight line from the first place to the last is taken away.
+    Remove,
+}
+
 /// What is danced, and in whose manner.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionDesign {
@@ -277,6 +320,12 @@ pub struct MotionDesign {
     pub hands: Hands,
     /// Direction of the ʻami circle, where there are no parts.
     pub ami_turn: AmiTurn,
+    /// A recording that is danced instead of the step.
+    pub file: Option<MotionFile>,
+    /// What follows the recording's end.
+    pub repeat: MotionRepeat,
+    /// What becomes of its way.
+    pub drift: MotionDrift,
     /// A choreography: danced once, part after part, instead of the step.
     pub parts: Vec<PartDesign>,
 }
@@ -332,6 +381,9 @@ impl Default for MotionDesign {
             hands: Hands::default(),
             ami_turn: AmiTurn::default(),
             parts: Vec::new(),
+            file: None,
+            repeat: MotionRepeat::default(),
+            drift: MotionDrift::default(),
         };
         motion.follow(&SCHOOLS[0]);
         motion

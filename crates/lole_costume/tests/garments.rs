@@ -81,6 +81,11 @@ fn check_ends<T: Clone>(tables: &[Table<T>], fresh: &T, put: impl Fn(T) -> Garme
                 set(&mut garment, name);
                 garment
             })),
+            Kind::Text { set, .. } => {
+                let mut garment = fresh.clone();
+                set(&mut garment, "踊り \"1\".bvh");
+                ends.push(garment);
+            }
             Kind::Color { set, .. } => {
                 let mut garment = fresh.clone();
                 set(&mut garment, [0, 255, 122]);

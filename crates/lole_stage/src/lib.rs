@@ -3,6 +3,7 @@
 //! It opens no file, reads no clock and draws nothing: whoever calls [`Performance::advance`] times
 //! it, draws what it holds and writes it down.
 
+pub mod danced;
 #[cfg(test)]
 mod extremes;
 pub mod live;
@@ -13,6 +14,7 @@ pub mod skin_check;
 mod solver;
 pub mod validate;
 
+pub use danced::Danced;
 pub use live::{Pull, Show, Vitals, Wish};
 pub use metrics::{FrameMetrics, RunMetrics};
 pub use performance::{Divergence, Energy, FRAME_SECONDS, FRAMES_PER_SECOND, Performance};
@@ -29,6 +31,20 @@ pub enum StageError {
     /// The dance cannot be danced.
     #[error(transparent)]
     Motion(#[from] lole_body::motion::MotionError),
+    /// The recording that is to be danced cannot be.
+    #[error("{file}: {error}")]
+    Recording {
+        /// Its name in the document.
+        file: String,
+        /// Why.
+        error: lole_motion::RecordingError,
+    },
+    /// The recording's bytes were not given with the design.
+    #[error("the recording {file} was not read")]
+    RecordingNotRead {
+        /// Its name in the document.
+        file: String,
+    },
     /// The skirt cannot be drafted.
     #[error(transparent)]
     Draft(#[from] lole_pattern::DraftError),
@@ -53,6 +69,8 @@ impl Bilingual for StageError {
         match self {
             Self::Body(error) => error.japanese(),
             Self::Motion(error) => error.japanese(),
+            Self::Recording { file, error } => format!("{file}: {}", error.japanese()),
+            Self::RecordingNotRead { file } => format!("記録 {file} が読み込まれていません"),
             Self::Draft(error) => error.japanese(),
             Self::Sew(error) => error.japanese(),
             Self::Garment { place, error } => {

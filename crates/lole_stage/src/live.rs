@@ -8,7 +8,6 @@
 use std::sync::Arc;
 
 use glam::{Affine3A, Vec3};
-use lole_body::motion::Dance;
 use lole_body::{Bone, Pose};
 use lole_cloth::{ClothSpec, Crossings, diagnose, model::particle_masses};
 use lole_costume::document::{Design, FabricDesign, GarmentDesign, PrintChoice};
@@ -17,7 +16,7 @@ use lole_geom::Capsule;
 use crate::performance::{FRAME_SECONDS, FRAMES_PER_SECOND};
 use crate::skin_check::{self, Surface};
 use crate::solver::Solver;
-use crate::{Divergence, Garment, Performance, Production, StageError};
+use crate::{Danced, Divergence, Garment, Performance, Production, StageError};
 
 /// Time in which one dance step is eased into the next [s]: about one count.
 const EASE_SECONDS: f64 = 0.9;
@@ -45,7 +44,7 @@ pub struct Show {
 
 /// One dance of those that are being eased into each other, the last on top.
 struct Layer {
-    dance: Dance,
+    dance: Danced,
     /// Its own time [s].
     time: f64,
     /// Time since it began to cover what is below [s].
@@ -206,20 +205,22 @@ impl Show {
     /// The dance of `design`, on the count of the present one.
     fn next_layer(&self, design: &Design) -> Result<Layer, StageError> {
         let skeleton = &self.performance.production().dancer.skeleton;
-        let dance = Dance::new(skeleton, &design.motion_settings())?;
+        let dance = Danced::new(design, skeleton)?;
         let (old, new) = (&self.design.motion, &design.motion);
         let last = self.layers.last();
         let time = last.map_or(0.0, |layer| layer.time);
         let same_figure = MotionOfTempo(old) == MotionOfTempo(new);
         // The same step goes on from the same count; another one starts on the same beat.
-        let counts = last.map_or(0.0, |layer| layer.dance.beat_at(time));
+        let counts = last.and_then(|layer| layer.dance.beat_at(time));
+        let counts = counts.unwrap_or(0.0);
         let lead_in = f64::from(dance.lead_in());
-        let time = if same_figure {
-            dance.time_of_beat(counts)
-        } else if time <= 0.0 {
-            0.0
-        } else {
-            lead_in + counts.fract() * 60.0 / new.tempo_bpm
+        let time = match &dance {
+            // The same recording goes on from where it is; another one begins.
+            Danced::Recording(_) if same_figure => time,
+            Danced::Recording(_) => 0.0,
+            Danced::Step(step) if same_figure => step.time_of_beat(counts),
+            Danced::Step(_) if time <= 0.0 => 0.0,
+            Danced::Step(_) => lead_in + counts.fract() * 60.0 / new.tempo_bpm,
         };
         let age = if same_figure { EASE_SECONDS } else { 0.0 };
         Ok(Layer { dance, time, age })

@@ -3,7 +3,6 @@
 use std::ops::Range;
 
 use glam::Affine3A;
-use lole_body::motion::Dance;
 use lole_body::{Bone, CapsuleLayout, Dancer, Measurements, Pose, SkinSurfels};
 use lole_cloth::Fabric;
 use lole_costume::document::{
@@ -14,7 +13,7 @@ use lole_geom::Length;
 use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements, draft_pau_skirt};
 use lole_pattern::design::pau_top::{TopMeasurements, draft_pau_top};
 
-use crate::StageError;
+use crate::{Danced, StageError};
 
 /// Farthest that the tape of an elastic row is from the skin below it [m]: across the small of the
 /// back and between the buttocks.
@@ -30,7 +29,7 @@ pub struct Production {
     /// The dancer.
     pub dancer: Dancer,
     /// What she dances.
-    pub dance: Dance,
+    pub dance: Danced,
     /// What she wears, from the skin outward; particles are numbered through all of it.
     pub garments: Vec<Garment>,
     /// Triangles of the closed body surface.
@@ -73,7 +72,7 @@ impl Production {
         if layout != CapsuleLayout::default() {
             dancer.capsules = dancer.fit_capsules(layout);
         }
-        let dance = Dance::new(&dancer.skeleton, &design.motion_settings())?;
+        let dance = Danced::new(design, &dancer.skeleton)?;
         let body_triangles = dancer.skin.body_triangles();
         let mut wardrobe = Wardrobe {
             dancer: &dancer,

@@ -1,6 +1,6 @@
 //! From the document's units to what the other crates work with.
 
-use lole_body::{CapsuleLayout, Dance, Measurements, MotionSettings, Part, School, Tape};
+use lole_body::{CapsuleLayout, Measurements, MotionSettings, Part, School, Tape};
 use lole_cloth::Fabric;
 use lole_geom::Length;
 use lole_language::{Bilingual, Sentence};
@@ -208,10 +208,10 @@ impl Design {
         }
     }
 
-    /// How long `dance`, made of [`Design::motion_settings`], is danced [s].
+    /// How long is danced what ends after `whole` [s], or is repeated for ever [s].
     #[must_use]
-    pub fn duration_s(&self, dance: &Dance) -> f64 {
-        let whole = || dance.duration().map(|seconds| seconds.min(LONGEST_S));
+    pub fn duration_s(&self, whole: Option<f64>) -> f64 {
+        let whole = || whole.map(|seconds| seconds.min(LONGEST_S));
         (self.motion.duration_s.or_else(whole)).unwrap_or(REPEATED_S)
     }
 }

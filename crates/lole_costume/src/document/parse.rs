@@ -441,6 +441,11 @@ fn fill<T>(key: &Key<T>, value: &DeValue<'_>, found: &str, design: &mut T) -> Re
             key.kind.check_name(name)?;
             set(design, name);
         }
+        Kind::Text { set, .. } => {
+            let text = value.as_str().ok_or_else(wrong_type)?;
+            key.kind.check_text(text)?;
+            set(design, text);
+        }
         Kind::Color { set, .. } => {
             let text = value.as_str().ok_or_else(wrong_type)?;
             set(

@@ -18,6 +18,9 @@ pub use garments::{GarmentKind, KINDS, LIST, WORN_SKIRT, WORN_TOP};
 pub use motion::{MOTION_PARTS, PART_KEYS};
 pub use tables::TABLES;
 
+/// Longest text of a key [letters].
+const MOST_LETTERS: usize = 1000;
+
 /// One table of the document, filling a `T`.
 #[derive(Debug)]
 pub struct Table<T: 'static = Design> {
@@ -77,6 +80,15 @@ pub enum Kind<T: 'static = Design> {
         /// Fills the field; names that are not on the list change nothing.
         set: fn(&mut T, &str),
     },
+    /// A text on one line, such as the name of a file.
+    Text {
+        /// What it is.
+        what: Words,
+        /// Reads the field.
+        get: fn(&T) -> Option<&str>,
+        /// Fills the field.
+        set: fn(&mut T, &str),
+    },
     /// A color as `"#rrggbb"` in sRGB.
     Color {
         /// Reads the field.
@@ -106,6 +118,16 @@ impl<T> Kind<T> {
                     format!("the name of a {} in quotes: {choices}", what.english),
                 )
             }
+            Self::Text { what, .. } => Sentence::new(
+                format!(
+                    "{}を引用符で囲んだもの（一行、{MOST_LETTERS} 文字まで）",
+                    what.japanese
+                ),
+                format!(
+                    "{} in quotes, on one line and of at most {MOST_LETTERS} letters",
+                    what.english
+                ),
+            ),
             Self::Color { .. } => {
                 Sentence::new("\"#9e1026\" のような色", "a color such as \"#9e1026\"")
             }
@@ -155,6 +177,16 @@ impl<T> Kind<T> {
         })
     }
 
+    /// Whether a text is one, and on one line.
+    pub(super) fn check_text(&self, text: &str) -> Result<(), Problem> {
+        let short = text.chars().nth(MOST_LETTERS).is_none();
+        if short && !text.trim().is_empty() && !text.chars().any(char::is_control) {
+            Ok(())
+        } else {
+            Err(self.out_of_range(text))
+        }
+    }
+
     /// Whether what a design holds fits.
     pub(super) fn check(&self, design: &T) -> Result<(), Problem> {
         match self {
@@ -165,6 +197,7 @@ impl<T> Kind<T> {
                 get(design).map_or(Ok(()), |value| self.check_count(value, &value.to_string()))
             }
             Self::Name { get, .. } => self.check_name(get(design)),
+            Self::Text { get, .. } => get(design).map_or(Ok(()), |text| self.check_text(text)),
             Self::Color { .. } => Ok(()),
         }
     }

@@ -84,6 +84,7 @@ fn value_text<T>(kind: &Kind<T>, design: &T) -> Option<String> {
         Kind::Number { get, .. } => get(design).map(number_text),
         Kind::Count { get, .. } => get(design).map(|value| value.to_string()),
         Kind::Name { get, .. } => Some(format!("\"{}\"", get(design))),
+        Kind::Text { get, .. } => get(design).map(|text| toml::Value::from(text).to_string()),
         Kind::Color { get, .. } => {
             get(design).map(|[red, green, blue]| format!("\"#{red:02x}{green:02x}{blue:02x}\""))
         }

@@ -5,10 +5,15 @@ use lole_body::{AmiTurn, ArmManner, ArmStyle, DanceStep, Hands, HipLead, HipLift
 use lole_language::{Words, words};
 
 use super::{Key, Kind, Table};
-use crate::document::PartDesign;
+use crate::document::{MotionDrift, MotionFile, MotionRepeat, PartDesign};
 
 /// Name of the list of parts in `[motion]`.
 pub const MOTION_PARTS: &str = "part";
+
+const REPEATS: &[(&str, MotionRepeat)] =
+    &[("once", MotionRepeat::Once), ("loop", MotionRepeat::Loop)];
+const DRIFTS: &[(&str, MotionDrift)] =
+    &[("keep", MotionDrift::Keep), ("remove", MotionDrift::Remove)];
 
 macro_rules! step {
     ($($field:ident).+) => {
@@ -203,6 +208,34 @@ pub(super) const MOTION: Table = Table {
             motion.ami_turn,
             "回る向き",
             "way round"
+        ),
+        Key {
+            name: "file",
+            about: words(
+                "ステップのかわりに踊る記録（BVH）。この文書から見た場所",
+                "recording (BVH) that is danced instead of a step; its place from this document",
+            ),
+            kind: Kind::Text {
+                what: words("ファイルの名前", "the name of a file"),
+                get: |design| design.motion.file.as_ref().map(|file| file.name.as_str()),
+                set: |design, name| design.motion.file = Some(MotionFile::named(name)),
+            },
+        },
+        choice!(
+            "repeat",
+            words("くり返し方", "way of repeating"),
+            REPEATS,
+            motion.repeat,
+            "記録の終わりのあと",
+            "what follows the end of a recording"
+        ),
+        choice!(
+            "drift",
+            words("移動の扱い", "treatment of drift"),
+            DRIFTS,
+            motion.drift,
+            "記録の中で進んだ道のり",
+            "the way that is gone in a recording"
         ),
     ],
 };

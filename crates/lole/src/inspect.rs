@@ -1,0 +1,71 @@
+//! `lole inspect`: what is in a recording.
+
+use std::path::Path;
+
+use lole_language::{Language, Sentence};
+use lole_motion::{Inspection, bvh};
+
+use crate::args::InspectArgs;
+use crate::{Failure, summary};
+
+/// Largest file that is looked into [byte].
+const LARGEST_FILE: u64 = 512 << 20;
+
+/// Runs the command.
+pub(crate) fn run(args: &InspectArgs, language: Language) -> Result<(), Failure> {
+    let name = args.file.display();
+    let bytes = read(&args.file)?;
+    if !is_bvh(&bytes) {
+        return Err(Failure::usage(Sentence::new(
+            format!("{name}: 踊りの記録（BVH）ではありません"),
+            format!("{name}: the file is no recorded motion (BVH)"),
+        )));
+    }
+    let recording = bvh::parse(&bytes).map_err(|error| {
+        let sentence = Sentence::of(&error);
+        Failure::usage(Sentence::new(
+            format!("{name}: {}", sentence.japanese),
+            format!("{name}: {}", sentence.english),
+        ))
+    })?;
+    let list = args.bones.as_deref().map(read).transpose()?;
+    let list = list.map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
+    let inspection = Inspection::new("BVH", &recording, list.as_deref());
+    if args.json {
+        let json = serde_json::to_string_pretty(&inspection).map_err(Failure::error)?;
+        summary::print_json(&json);
+    } else {
+        summary::print_inspection(&args.file, &inspection.lines(), language);
+    }
+    Ok(())
+}
+
+/// Whether a file begins as BVH does.
+fn is_bvh(bytes: &[u8]) -> bool {
+    let text = bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(bytes);
+    let text = text.trim_ascii_start();
+    let comment = text.starts_with(b"#") || text.starts_with(b"//");
+    comment
+        || text
+            .get(..9)
+            .is_some_and(|word| word.eq_ignore_ascii_case(b"HIERARCHY"))
+}
+
+fn read(path: &Path) -> Result<Vec<u8>, Failure> {
+    let name = path.display();
+    let unreadable = |_| {
+        Failure::usage(Sentence::new(
+            format!("{name}: ファイルが読めません。場所と名前を確かめてください"),
+            format!("{name}: the file cannot be read; check the path"),
+        ))
+    };
+    let size = std::fs::metadata(path).map_err(unreadable)?.len();
+    if LARGEST_FILE < size {
+        let (megabytes, limit) = (size >> 20, LARGEST_FILE >> 20);
+        return Err(Failure::usage(Sentence::new(
+            format!("{name}: {megabytes} MB あり、{limit} MB までしか読みません"),
+            format!("{name}: the file has {megabytes} MB, and {limit} MB are read at most"),
+        )));
+    }
+    std::fs::read(path).map_err(unreadable)
+}

@@ -1,0 +1,31 @@
+//! Recorded motion: somebody's dance, read from the bytes of a file and danced by any body.
+//!
+//! | Step | Where |
+//! |---|---|
+//! | text of a BVH file to joints and frames | [`bvh::parse`] |
+//! | which joint is which bone | [`BoneMap`]: by names, by the hierarchy, by a list |
+//! | up, front, unit | [`Axes`], [`Unit`] |
+//! | the dancer's poses, sixty a second | [`Clip::retarget`] |
+//! | what a file holds, in words | [`Inspection`] |
+//!
+//! It opens no file, and knows no cloth.
+
+mod axes;
+pub mod bvh;
+mod clip;
+mod error;
+mod feet;
+mod hierarchy;
+mod inspect;
+mod names;
+mod recording;
+mod repeat;
+mod retarget;
+mod skeleton_map;
+
+pub use axes::{Axes, Unit};
+pub use clip::{Clip, ClipSettings, Drift, Repeat};
+pub use error::RecordingError;
+pub use inspect::Inspection;
+pub use recording::{Joint, Place, Recording};
+pub use skeleton_map::{BoneMap, MapSource};

@@ -1,0 +1,133 @@
+//! What is danced: a step of hula, or a recording.
+
+use std::sync::Arc;
+
+use lole_body::motion::Dance;
+use lole_body::{Pose, Skeleton};
+use lole_costume::document::{Design, MotionDrift, MotionRepeat};
+use lole_motion::{BoneMap, Clip, ClipSettings, Drift, Repeat, bvh};
+
+use crate::StageError;
+
+/// A dance on one skeleton, ready to be asked for poses.
+#[derive(Debug, Clone)]
+pub enum Danced {
+    /// A step of hula, over and over.
+    Step(Box<Dance>),
+    /// Somebody's recording.
+    Recording(Arc<Clip>),
+}
+
+impl Danced {
+    /// The dance of a design.
+    ///
+    /// # Errors
+    /// A step that cannot be danced; a recording that was not read, is broken, or is no person's.
+    pub fn new(design: &Design, skeleton: &Skeleton) -> Result<Self, StageError> {
+        let motion = &design.motion;
+        let Some(file) = &motion.file else {
+            let dance = Dance::new(skeleton, &design.motion_settings())?;
+            return Ok(Self::Step(Box::new(dance)));
+        };
+        let named = |error| StageError::Recording {
+            file: file.name.clone(),
+            error,
+        };
+        let bytes = file
+            .bytes
+            .as_ref()
+            .ok_or_else(|| StageError::RecordingNotRead {
+                file: file.name.clone(),
+            })?;
+        let recording = bvh::parse(bytes).map_err(named)?;
+        let map = BoneMap::recognize(&recording).map_err(named)?;
+        let settings = ClipSettings {
+            repeat: match motion.repeat {
+                MotionRepeat::Once => Repeat::Once,
+                MotionRepeat::Loop => Repeat::Loop,
+            },
+            drift: match motion.drift {
+                MotionDrift::Keep => Drift::Keep,
+                MotionDrift::Remove => Drift::Remove,
+            },
+        };
+        let clip = Clip::retarget(&recording, &map, skeleton, settings).map_err(named)?;
+        Ok(Self::Recording(Arc::new(clip)))
+    }
+
+    /// Pose at `time` [s]; the first one up to 0.
+    #[must_use]
+    pub fn pose_at(&self, time: f32) -> Pose {
+        match self {
+            Self::Step(dance) => dance.pose_at(time),
+            Self::Recording(clip) => clip.pose_at(time),
+        }
+    }
+
+    /// Duration of the whole dance [s]; `None` for what is repeated for ever.
+    #[must_use]
+    pub fn whole(&self, repeat: MotionRepeat) -> Option<f64> {
+        match self {
+            Self::Step(dance) => dance.duration(),
+            Self::Recording(clip) => {
+                (repeat == MotionRepeat::Once).then(|| f64::from(clip.duration()))
+            }
+        }
+    }
+
+    /// Counts of the music at `time` [s]; a recording has none.
+    #[must_use]
+    pub fn beat_at(&self, time: f64) -> Option<f64> {
+        match self {
+            Self::Step(dance) => Some(dance.beat_at(time)),
+            Self::Recording(_) => None,
+        }
+    }
+
+    /// Time until the dance is at its own speed [s].
+    #[must_use]
+    pub fn lead_in(&self) -> f32 {
+        match self {
+            Self::Step(dance) => dance.lead_in(),
+            Self::Recording(clip) => clip.lead_in(),
+        }
+    }
+
+    /// Duration of one round of the step, or of the recording [s].
+    #[must_use]
+    pub fn period(&self) -> f32 {
+        match self {
+            Self::Step(dance) => dance.period(),
+            Self::Recording(clip) => clip.duration(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use lole_body::{Dancer, Measurements};
+    use lole_costume::document::MotionFile;
+
+    #[test]
+    fn a_recording_that_is_missing_or_broken_is_refused_by_name() {
+        let dancer = Dancer::new(&Measurements::woman()).unwrap();
+        let mut design = Design::default();
+        let said = |design: &Design| {
+            Danced::new(design, &dancer.skeleton)
+                .unwrap_err()
+                .to_string()
+        };
+        design.motion.file = Some(MotionFile::named("a.bvh"));
+        assert_eq!(said(&design), "the recording a.bvh was not read");
+        let bytes: &[u8] = b"HIERARCHY\nROOT a\n{\nOFFSET 0 0";
+        design.motion.file = Some(MotionFile {
+            bytes: Some(bytes.into()),
+            ..MotionFile::named("a.bvh")
+        });
+        assert_eq!(
+            said(&design),
+            "a.bvh: line 4: OFFSET takes three numbers, and here are 2"
+        );
+    }
+}
