@@ -88,7 +88,7 @@ fn a_wrong_document_is_one_sentence_with_its_line_and_writes_nothing() {
             ":3",
             "number",
         ),
-        ("lole = 1\n[dancer]\n\nhip_cm = -91\n", ":4", "70"),
+        ("lole = 1\n[dancer]\n\nhip_cm = -91\n", ":4", "55"),
         ("lole = 1\n[dancer]\nstature_cm = 1e99\n", ":3", "195"),
         ("lole = 1\n[motion]\nstep = \"kaholoo\"\n", ":3", "kaholo"),
         ("lole = 2\n", ":1", "lole"),
