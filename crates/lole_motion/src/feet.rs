@@ -15,7 +15,7 @@ use crate::clip::POSES_PER_SECOND;
 const SLOW: f32 = 0.3;
 /// Highest ball of a foot that stands [m], over its lowest of the dance.
 const LOW: f32 = 0.05;
-/// Shortest stand [poses], and shortest break between two: 0.1 s.
+/// Shortest stand in poses, and shortest break between two: 0.1 s.
 const SHORTEST: usize = 6;
 /// How far a ball may creep while it stands [m], before it is held elsewhere.
 const CREEP: f32 = 0.05;
@@ -24,7 +24,7 @@ const CREEP: f32 = 0.05;
 const TREADMILL: f32 = 0.08;
 /// Part of the leg's length that it stretches to at most.
 const STRETCH: f32 = 0.995;
-/// Radius over which the hips give way where a leg is too short [poses].
+/// Poses over which the hips give way where a leg is too short.
 const GIVE: usize = 8;
 /// The heel is about 1.35 times as far behind the ball as the ankle is; toes are half of that.
 const HEEL_BEYOND_ANKLE: f32 = 1.35;

@@ -7,7 +7,7 @@ use crate::clip::{POSES_PER_SECOND, mixed};
 
 /// Poses over which the end of a loop goes over into its beginning: 0.4 s.
 const SEAM: usize = 24;
-/// Shortest loop [poses]: 1.5 s, two counts of a slow dance.
+/// Shortest loop in poses: 1.5 s, two counts of a slow dance.
 const SHORTEST: usize = 90;
 /// Moments that are compared at most; longer dances are compared at fewer.
 const MOST_MOMENTS: usize = 1500;

@@ -41,7 +41,7 @@ pub(crate) struct StarBatch<const N: usize> {
     /// By neighbor and measure.
     weights: [[[f32; LANES]; 3]; N],
     /// By measure `μ` [1/s²]; once that is worked out for substeps of one length (`resist`),
-    /// `1 / (μ + 1 / h²)` [s²].
+    /// `1 / (μ + 1 / h²)` in s².
     shares: [[f32; LANES]; 3],
     triangles: [Flats; 2],
 }

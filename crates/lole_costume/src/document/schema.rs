@@ -18,7 +18,7 @@ pub use garments::{GarmentKind, KINDS, LIST, WORN_SKIRT, WORN_TOP};
 pub use motion::{MOTION_PARTS, PART_KEYS};
 pub use tables::TABLES;
 
-/// Longest text of a key [letters].
+/// Longest text of a key, in letters.
 const MOST_LETTERS: usize = 1000;
 
 /// One table of the document, filling a `T`.

@@ -29,7 +29,7 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     }
 }
 
-/// Height of the list of steps [points]: about five rows.
+/// Height in points of the list of steps: about five rows.
 const LIST_HEIGHT: f32 = 150.0;
 
 /// All steps by their names in rows; the one that was picked, if one was.
