@@ -144,6 +144,8 @@ impl Measurements {
     /// # Errors
     /// The first value outside its band, or the first two that exclude each other.
     pub fn from_tape(tape: &Tape) -> Result<Self, BodyError> {
+        // Before the estimates, which follow what was given wherever it leads.
+        plausible::check_bands(|measure| measure.of(tape).map(Length::to_cm))?;
         let measurements = estimate::fill(tape);
         measurements.check()?;
         Ok(measurements)

@@ -72,11 +72,11 @@ pub(super) fn room_cm(measure: Measure, known: impl Fn(Measure) -> Option<f64>) 
     [least, most.max(least)]
 }
 
-/// The first measure outside its band, then the first two that exclude each other.
-pub(super) fn check(measurements: &Measurements) -> Result<(), BodyError> {
-    // An estimate lies on a bound to the last bit only.
-    const SLACK: f64 = 1.0e-9;
-    let value = |measure: Measure| measurements.get(measure).map(lole_geom::Length::to_cm);
+/// An estimate lies on a bound to the last bit only.
+const SLACK: f64 = 1.0e-9;
+
+/// The first measure outside its band.
+pub(super) fn check_bands(value: impl Fn(Measure) -> Option<f64>) -> Result<(), BodyError> {
     for measure in Measure::ALL {
         let [least_cm, most_cm] = band_cm(measure);
         if let Some(value_cm) = value(measure)
@@ -90,6 +90,13 @@ pub(super) fn check(measurements: &Measurements) -> Result<(), BodyError> {
             });
         }
     }
+    Ok(())
+}
+
+/// The first measure outside its band, then the first two that exclude each other.
+pub(super) fn check(measurements: &Measurements) -> Result<(), BodyError> {
+    let value = |measure: Measure| measurements.get(measure).map(lole_geom::Length::to_cm);
+    check_bands(value)?;
     for (first, second, [low, high]) in PAIRS {
         let (Some(first_cm), Some(second_cm)) = (value(first), value(second)) else {
             continue;
