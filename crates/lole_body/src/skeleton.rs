@@ -91,6 +91,22 @@ impl Bone {
     /// Number of bones.
     pub const COUNT: usize = Self::ALL.len();
 
+    /// Upper leg, lower leg, foot and toes: the left leg, then the right.
+    pub const LEGS: [[Self; 4]; 2] = [
+        [
+            Self::LeftUpperLeg,
+            Self::LeftLowerLeg,
+            Self::LeftFoot,
+            Self::LeftToes,
+        ],
+        [
+            Self::RightUpperLeg,
+            Self::RightLowerLeg,
+            Self::RightFoot,
+            Self::RightToes,
+        ],
+    ];
+
     /// Position in [`Bone::ALL`] and in every column indexed by bone.
     #[must_use]
     pub const fn index(self) -> usize {

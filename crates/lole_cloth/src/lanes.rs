@@ -421,12 +421,12 @@ fn lanes_are_free<const N: usize>(
     true
 }
 
-/// Index of a particle, an edge or a patch.
+/// An index or a count of particles, patches, rows or cells, as the engine keeps it.
 #[expect(
     clippy::cast_possible_truncation,
     reason = "a cloth has fewer than 2^32 of each"
 )]
-pub(crate) const fn index(value: usize) -> u32 {
+pub(crate) const fn narrow(value: usize) -> u32 {
     value as u32
 }
 

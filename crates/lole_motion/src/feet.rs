@@ -30,22 +30,6 @@ const GIVE: usize = 8;
 const HEEL_BEYOND_ANKLE: f32 = 1.35;
 const TOES_BEYOND_BALL: f32 = 0.45;
 
-/// Thigh, shank, foot and toes.
-const LEGS: [[Bone; 4]; 2] = [
-    [
-        Bone::LeftUpperLeg,
-        Bone::LeftLowerLeg,
-        Bone::LeftFoot,
-        Bone::LeftToes,
-    ],
-    [
-        Bone::RightUpperLeg,
-        Bone::RightLowerLeg,
-        Bone::RightFoot,
-        Bone::RightToes,
-    ],
-];
-
 /// Whose feet, and on what floor.
 pub(crate) struct Planting<'a> {
     pub(crate) skeleton: &'a Skeleton,
@@ -99,7 +83,7 @@ pub(crate) fn plant(poses: &mut Vec<Pose>, planting: &Planting<'_>) {
 }
 
 fn sole(skeleton: &Skeleton, pose: &Pose, side: usize) -> Sole {
-    let [.., foot, toes] = LEGS[side];
+    let [.., foot, toes] = Bone::LEGS[side];
     let (ankle, ball) = (skeleton.joint(foot), skeleton.joint(toes));
     let arm = ball - ankle;
     let on_floor = |point: Vec3| point.with_y(0.0);
@@ -229,7 +213,7 @@ struct Leg {
 
 impl Leg {
     fn of(skeleton: &Skeleton, pose: &Pose, side: usize) -> Self {
-        let [upper, lower, foot, _] = LEGS[side];
+        let [upper, lower, foot, _] = Bone::LEGS[side];
         let world_from_bind = skeleton.world_from_bind(pose);
         let at = |bone: Bone| world_from_bind[bone.index()].transform_point3(skeleton.joint(bone));
         let above = pose.rotation(Bone::Hips);
@@ -284,7 +268,7 @@ fn bend_legs(skeleton: &Skeleton, pose: &mut Pose, drop: f32, shifts: [Vec3; 2])
     let recorded = [0, 1].map(|side| Leg::of(skeleton, pose, side));
     pose.hips_translation.y -= drop;
     for (side, (leg, shift)) in recorded.into_iter().zip(shifts).enumerate() {
-        let [upper, lower, foot, _] = LEGS[side];
+        let [upper, lower, foot, _] = Bone::LEGS[side];
         let hip = leg.hip - Vec3::Y * drop;
         let ankle = leg.ankle + shift;
         let [thigh, shank, sole] = leg.turns;

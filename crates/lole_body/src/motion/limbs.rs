@@ -31,21 +31,6 @@ const GATHERED: f32 = 0.85;
 /// Part of the bind pose's opening of the thumb that each of its bones takes away.
 const THUMB_CLOSED: [f32; 3] = [0.25, 0.2, 0.1];
 
-/// Bones of one leg: upper leg, lower leg, foot, toes.
-const LEGS: [[Bone; 4]; 2] = [
-    [
-        Bone::LeftUpperLeg,
-        Bone::LeftLowerLeg,
-        Bone::LeftFoot,
-        Bone::LeftToes,
-    ],
-    [
-        Bone::RightUpperLeg,
-        Bone::RightLowerLeg,
-        Bone::RightFoot,
-        Bone::RightToes,
-    ],
-];
 /// Bones of one arm: clavicle, upper arm, forearm, hand.
 const ARMS: [[Bone; 4]; 2] = [
     [
@@ -164,7 +149,7 @@ pub(super) struct LegRig {
 
 impl LegRig {
     pub(super) fn new(skeleton: &Skeleton, side: f32) -> Result<Self, MotionError> {
-        let [upper, lower, foot, toes] = LEGS[index_of(side)];
+        let [upper, lower, foot, toes] = Bone::LEGS[index_of(side)];
         let thigh = direction(skeleton, upper, lower)?;
         let shank = direction(skeleton, lower, foot)?;
         direction(skeleton, foot, toes)?;
@@ -224,7 +209,7 @@ impl LegRig {
 
     /// Turns the bones so that the leg goes from `hip` [m] to the foot.
     pub(super) fn solve(&self, hip: Vec3, foot: &PlacedFoot, pelvis: Quat, pose: &mut Pose) {
-        let [upper, lower, foot_bone, toes] = LEGS[index_of(self.side)];
+        let [upper, lower, foot_bone, toes] = Bone::LEGS[index_of(self.side)];
         let limb = two_bone(hip, foot.ankle, self.lengths, foot.knee);
         let thigh = turn_between(self.thigh, frame(limb.upper, limb.hinge));
         let shank = turn_between(self.shank, frame(limb.lower, limb.hinge));

@@ -15,7 +15,7 @@ use rayon::prelude::*;
 use crate::collision::grid::{CellGrid, Entry, each_hit};
 use crate::collision::parting::{DEGENERATE_SQUARED, Parting};
 use crate::collision::pinned_rows::PinnedRows;
-use crate::lanes::{LANES, Layout, Points, Scalars, Vectors};
+use crate::lanes::{LANES, Layout, Points, Scalars, Vectors, narrow};
 use crate::{Grid, Topology};
 
 /// How far beyond touching candidates are kept [diameters]: folds move together, so what one
@@ -496,12 +496,4 @@ impl Slab<'_> {
             quiet: Vec3::ZERO,
         };
     }
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "a cloth has fewer than 2^32 particles"
-)]
-const fn narrow(value: usize) -> u32 {
-    value as u32
 }

@@ -11,7 +11,7 @@ use rayon::prelude::*;
 use crate::collision::grid::each_hit;
 use crate::collision::patch_tree::{PatchTree, Search};
 use crate::collision::surface::{PATCH_TRIANGLES, Surface};
-use crate::lanes::{LANES, Points, Vectors, index};
+use crate::lanes::{LANES, Points, Vectors, narrow};
 
 /// Cosine of the angle with their sum within which all normals around a particle lie where the
 /// surface is flat enough not to cross there.
@@ -56,7 +56,7 @@ impl Marked {
             }
         }
         self.leaves.clear();
-        let leaves = self.patches.iter().map(|patch| patch / index(LANES));
+        let leaves = self.patches.iter().map(|patch| patch / narrow(LANES));
         self.leaves.extend(leaves);
         self.leaves.sort_unstable();
         self.leaves.dedup();
@@ -107,7 +107,7 @@ impl CrossingFinder {
         self.tree.list_pairs(simd, surface, &mut self.near);
         (self.resting_count, self.marked_count) = (self.near.len(), 0);
         self.folded.clear();
-        let particles = 0..index(surface.particle_count());
+        let particles = 0..narrow(surface.particle_count());
         for start in particles.clone().step_by(LANES) {
             let mut some = [0; LANES];
             let count = LANES.min((particles.end - start) as usize);
@@ -411,7 +411,7 @@ mod tests {
             assert_eq!(Some(finder.crossings.len()), count, "crumpled by {amount}");
             // One row is pulled across the tube.
             let moved = (0..grid.column_count).map(|column| grid.index(7, column));
-            let moved: Vec<u32> = moved.map(index).collect();
+            let moved: Vec<u32> = moved.map(narrow).collect();
             for &particle in &moved {
                 positions[particle as usize].x += 0.03;
             }

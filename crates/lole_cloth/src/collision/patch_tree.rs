@@ -11,7 +11,7 @@ use rayon::prelude::*;
 
 use crate::collision::grid::each_hit;
 use crate::collision::surface::Surface;
-use crate::lanes::{LANES, Points, Scalars, Vectors, index, larger, smaller};
+use crate::lanes::{LANES, Points, Scalars, Vectors, larger, narrow, smaller};
 
 /// Leaves of which one thread finds the neighbors in one go.
 const LEAVES_TOGETHER: usize = 64;
@@ -251,7 +251,7 @@ impl PatchTree {
             }
             let hits = self.levels[level][node].meet(simd, bound);
             // Leaves below a child of this level.
-            let width = LANES.pow(index(level) - 1);
+            let width = LANES.pow(narrow(level) - 1);
             for lane in each_hit(hits, LANES) {
                 let child = LANES * node + lane;
                 if first < (child + 1) * width {
@@ -270,8 +270,8 @@ impl PatchTree {
         pairs: &mut Vec<[u32; 2]>,
     ) {
         let (own, others) = (&self.levels[0][leaf], &self.levels[0][other]);
-        let adjacent = surface.adjacent([index(leaf), index(other)]);
-        let first = index(leaf * LANES);
+        let adjacent = surface.adjacent([narrow(leaf), narrow(other)]);
+        let first = narrow(leaf * LANES);
         for lane in each_hit(own.meet(simd, others.bound()), LANES) {
             let mut hits = others.meet(simd, own.get(lane));
             if leaf == other {
@@ -281,7 +281,7 @@ impl PatchTree {
                 hits &= !u64::from(adjacent[lane]);
             }
             for place in each_hit(hits, LANES) {
-                pairs.push([first + index(lane), index(other * LANES + place)]);
+                pairs.push([first + narrow(lane), narrow(other * LANES + place)]);
             }
         }
     }
@@ -301,7 +301,7 @@ impl PatchTree {
         for &other in &search.leaves {
             let hits = self.levels[0][other].meet(simd, bound);
             for place in each_hit(hits, LANES) {
-                let pair = [patch, index(other * LANES + place)];
+                let pair = [patch, narrow(other * LANES + place)];
                 if !surface.share_particle(pair) {
                     search.pairs.push(pair);
                 }

@@ -17,7 +17,7 @@ use crate::collision::placement::Placement;
 use crate::collision::separation::Separation;
 use crate::collision::surface::Surface;
 use crate::collision::surfel::SurfelContacts;
-use crate::lanes::{Points, Scalars, index};
+use crate::lanes::{Points, Scalars, narrow};
 
 /// Rounds of looking and bringing apart at most: a repair may make something else cross.
 const PARTING_ROUNDS: u8 = 8;
@@ -87,6 +87,9 @@ impl CrossingRepair {
             + self.zones.byte_count()
             + size_of_val(&self.moved[..])
             + size_of_val(&self.is_moved[..])
+            + size_of_val(&self.before_leaving[..])
+            + size_of_val(&self.is_outside[..])
+            + size_of_val(&self.is_tangled[..])
             + self.moved_patches.byte_count()
     }
 
@@ -153,7 +156,7 @@ impl CrossingRepair {
                 return;
             }
         }
-        self.zones.clear(index(starts.len()));
+        self.zones.clear(narrow(starts.len()));
         for _ in 0..ZONE_ROUNDS {
             for crossing in &self.finder.crossings {
                 if !crossed_at(starts, crossing) {

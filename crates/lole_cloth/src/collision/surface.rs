@@ -2,7 +2,7 @@
 //! in, whether it is one grid of cloth, several layers or any other mesh.
 
 use crate::Grid;
-use crate::lanes::{LANES, index};
+use crate::lanes::{LANES, narrow};
 
 /// Both triangles of a patch, by corners.
 pub(crate) const PATCH_TRIANGLES: [[usize; 3]; 2] = [[0, 1, 3], [0, 3, 2]];
@@ -58,7 +58,7 @@ impl Surface {
         let mut cells: Vec<_> = cells.iter().collect();
         let place = |cell: &[[u32; 3]; 2]| {
             let column = cell[0][0] % grid.column_count;
-            (column / index(LANES), cell[0][0])
+            (column / narrow(LANES), cell[0][0])
         };
         cells.sort_by_key(|cell| place(cell));
         let triangles: Vec<[u32; 3]> = cells.into_iter().flatten().copied().collect();
@@ -138,7 +138,7 @@ impl Surface {
     }
 
     fn find_adjacent(&mut self) {
-        let split = |patch: u32| (patch / index(LANES), patch % index(LANES));
+        let split = |patch: u32| (patch / narrow(LANES), patch % narrow(LANES));
         let mut pairs = Vec::new();
         for (patch, corners) in (0u32..).zip(self.patches.iter().map(|patch| patch.corners)) {
             let (leaf, lane) = split(patch);
@@ -154,7 +154,7 @@ impl Surface {
         for of_both in pairs.chunk_by(|one, next| (one.0, one.1) == (next.0, next.1)) {
             let (leaf, other, ..) = of_both[0];
             self.adjacent_starts
-                .resize(leaf as usize + 1, index(self.adjacent.len()));
+                .resize(leaf as usize + 1, narrow(self.adjacent.len()));
             let mut shared = [0; LANES];
             for &(_, _, lane, bit) in of_both {
                 shared[lane as usize] |= 1 << bit;
@@ -166,7 +166,7 @@ impl Surface {
         }
         let leaf_count = self.patches.len().div_ceil(LANES);
         self.adjacent_starts
-            .resize(leaf_count + 1, index(self.adjacent.len()));
+            .resize(leaf_count + 1, narrow(self.adjacent.len()));
     }
 
     fn find_stars(&mut self, particle_count: usize) {
@@ -204,7 +204,7 @@ fn find_edges(triangles: &[[u32; 3]]) -> (Vec<[u32; 2]>, Vec<[u32; 3]>) {
         if edges.last() != Some(&ends) {
             edges.push(ends);
         }
-        triangle_edges[triangle][side] = index(edges.len() - 1);
+        triangle_edges[triangle][side] = narrow(edges.len() - 1);
     }
     (edges, triangle_edges)
 }

@@ -4,6 +4,7 @@ use glam::Vec3;
 use lole_geom::triangle_grid::TriangleGrid;
 
 use crate::Grid;
+use crate::lanes::narrow;
 
 /// Cells of the search over the longer side of a cell of the cloth.
 const SEARCH_CELL: f32 = 1.5;
@@ -76,14 +77,6 @@ fn for_each_cell(grid: &Grid, mut cell: impl FnMut([u32; 4])) {
             }
         }
     }
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "a cloth has fewer than 2^32 particles"
-)]
-const fn narrow(value: usize) -> u32 {
-    value as u32
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 
 use glam::DVec2;
 
+use crate::lanes::narrow;
 use crate::mesh::bend::fit::{Star, measures};
 use crate::mesh::bend::{STAR_SIZES, StarBatch, StarSpec};
 use crate::mesh::order::{Slots, into_batches};
@@ -254,11 +255,6 @@ fn choose(middle: u32, fan: &Fan, slots: &Slots, unassigned: &[bool]) -> Option<
         }
     });
     choices.max_by_key(|choice| choice.score)
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "slots are checked to fit")]
-const fn narrow(value: usize) -> u32 {
-    value as u32
 }
 
 #[expect(

@@ -4,7 +4,7 @@
 use glam::{Vec2, Vec3};
 
 use crate::collision::placement::Placement;
-use crate::lanes::{LANES, Points};
+use crate::lanes::{LANES, Points, narrow};
 use crate::mesh::particles::{BASE_STEP, Lanes, WIDTH, WINDOW_SLOTS};
 use crate::mesh::spec::MeshError;
 
@@ -245,9 +245,4 @@ fn close(open: &mut [Open], place: usize, lists: &[&[u32]], marks: &mut [u64]) -
     }
     open[place] = Open::EMPTY;
     batch
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "slots are checked to fit")]
-const fn narrow(value: usize) -> u32 {
-    value as u32
 }

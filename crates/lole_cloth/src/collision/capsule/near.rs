@@ -5,7 +5,7 @@ use glam::Vec3;
 use lole_geom::Capsule;
 
 use super::MovingCapsule;
-use crate::lanes::{Points, Vectors, larger, smaller};
+use crate::lanes::{Points, Vectors, larger, narrow, smaller};
 
 /// A row nearer to a capsule than this [m] is tested against it in every substep of the step,
 /// whatever its speed: 3 cm let cloth through in the first frames of the skirt scene.
@@ -147,11 +147,6 @@ impl RowContacts {
             self.starts.push(narrow(self.capsule_indices.len()));
         }
     }
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "rows and capsules are few")]
-const fn narrow(value: usize) -> u32 {
-    value as u32
 }
 
 /// Box around a row.

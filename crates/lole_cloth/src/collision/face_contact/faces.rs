@@ -7,7 +7,7 @@ use std::collections::BinaryHeap;
 use glam::Vec2;
 
 use crate::collision::placement::Placement;
-use crate::lanes::{LANES, Scalars};
+use crate::lanes::{LANES, Scalars, narrow};
 
 /// Stands for what is not there.
 pub(super) const ABSENT: u32 = u32::MAX;
@@ -150,12 +150,4 @@ fn from_seam(piece: &FacePiece<'_>, neighbors: &[Vec<u32>]) -> Vec<f32> {
         }
     }
     lengths
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "an assembly has fewer than 2^32 particles"
-)]
-const fn narrow(value: usize) -> u32 {
-    value as u32
 }

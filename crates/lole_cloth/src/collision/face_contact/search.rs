@@ -9,6 +9,7 @@ use crate::collision::crossing::crossing_point;
 use crate::collision::face_contact::faces::ABSENT;
 use crate::collision::grid::CellGrid;
 use crate::collision::parting::DEGENERATE_SQUARED;
+use crate::lanes::narrow;
 
 /// How far beyond touching candidates are kept [diameters]: folds move together, so what one gains
 /// on another in a step is far less than its speed.
@@ -382,12 +383,4 @@ const fn body(particle: &FaceParticle) -> Body {
         piece: particle.piece,
         slot: particle.slot,
     }
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "an assembly has fewer than 2^32 particles"
-)]
-const fn narrow(value: usize) -> u32 {
-    value as u32
 }

@@ -7,6 +7,7 @@ use lole_geom::Surfel;
 
 use super::nearness::{FARTHEST, Nearness};
 use super::{PINCH_REACH, REACH_MAX, Skin};
+use crate::lanes::narrow;
 
 /// Edge of a cell [m]: a few surfels' spacing.
 const CELL: f32 = 0.02;
@@ -310,12 +311,4 @@ impl SurfelCells {
     pub(super) fn surfel(&self, place: usize) -> usize {
         self.entries[place].1 as usize
     }
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "cells and surfels are fewer than 2^32"
-)]
-const fn narrow(value: usize) -> u32 {
-    value as u32
 }

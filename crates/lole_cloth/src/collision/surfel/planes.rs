@@ -4,7 +4,7 @@ use fearless_simd::{Simd, f32x16, prelude::*};
 use glam::Vec3;
 use lole_geom::Surfel;
 
-use crate::lanes::{LANES, Points, Scalars, Vectors};
+use crate::lanes::{LANES, Points, Scalars, Vectors, narrow};
 
 /// Planes that the particles of a vector may touch in a step: inside is where
 /// `normal · x < level`. Lanes without one have a zero normal and a negative level.
@@ -127,12 +127,4 @@ impl PlaneField {
     pub(super) fn motion<S: Simd>(&self, simd: S, slot: usize, share: f32) -> Vectors<S> {
         Vectors::load(simd, &self.motions[slot]).scale(f32x16::splat(simd, share))
     }
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "a cloth has fewer than 2^32 particles"
-)]
-const fn narrow(value: usize) -> u32 {
-    value as u32
 }
