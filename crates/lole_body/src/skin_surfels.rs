@@ -83,6 +83,20 @@ impl SkinSurfels {
         self.points.is_empty()
     }
 
+    /// The vertex that has most of each.
+    pub fn carriers(&self) -> impl Iterator<Item = u32> {
+        self.points.iter().map(|&(corners, shares)| {
+            let most = (1..3).fold(0, |most, next| {
+                if shares[most] < shares[next] {
+                    next
+                } else {
+                    most
+                }
+            });
+            corners[most]
+        })
+    }
+
     /// Where they are on the posed mesh; `surfels` is cleared and filled.
     pub fn pose(&self, positions: &[Vec3], normals: &[Vec3], surfels: &mut Vec<Surfel>) {
         surfels.clear();

@@ -152,3 +152,45 @@ fn turning_circling_crossing_and_pinching() {
         check(name, found, (0.15, 0.5e-3));
     }
 }
+
+/// Recorded dancers wear no skirt: their arms hang where its folds are, and in the hips of another
+/// body.
+#[test]
+fn hands_pressed_into_the_hips_neither_tear_nor_carry_away_the_skirt() {
+    let mut stance = settled(&design());
+    let base = stance.pose().clone();
+    let skeleton = stance.production().dancer.skeleton.clone();
+    let arms = [
+        (1.0, Bone::LeftUpperArm, Bone::LeftLowerArm, Bone::LeftHand),
+        (
+            -1.0,
+            Bone::RightUpperArm,
+            Bone::RightLowerArm,
+            Bone::RightHand,
+        ),
+    ];
+    let mut deepest_hand = f32::INFINITY;
+    let mut worst_strain = 0.0_f32;
+    let mut time = 0.0;
+    while time < 3.0 {
+        time += FRAME_SECONDS;
+        let (sin, _) = trig::sin_cos(std::f32::consts::TAU * 0.7 * time);
+        let mut pose = base.clone();
+        for (side, upper, lower, hand) in arms {
+            let along = (skeleton.joint(lower) - skeleton.joint(upper)).normalize();
+            let hanging = Vec3::new(side * (0.1 - 0.35 * sin), -1.0, 0.0).normalize();
+            pose.rotations[upper.index()] = Quat::from_rotation_arc(along, hanging);
+            pose.rotations[lower.index()] = Quat::IDENTITY;
+            pose.rotations[hand.index()] = Quat::IDENTITY;
+        }
+        stance.advance_in(pose).unwrap();
+        let hand = stance.world_from_bind()[Bone::LeftHand.index()];
+        deepest_hand = deepest_hand.min(hand.transform_point3(skeleton.joint(Bone::LeftHand)).x);
+        worst_strain = worst_strain.max(stance.measure().strain.p99);
+    }
+    assert!(worst_strain < 0.15, "{worst_strain}");
+    assert!(deepest_hand < 0.15, "the hands press: {deepest_hand}");
+    let grid = &stance.production().skirt().sewn.spec.grid;
+    let crossings = lole_cloth::diagnose::self_crossings(grid, stance.cloth_positions());
+    assert_eq!(crossings, Some(0));
+}

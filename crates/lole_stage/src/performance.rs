@@ -1,7 +1,10 @@
 //! A performance: one dancer, what she wears, one dance, moved on frame by frame.
 
+mod arms;
 mod order;
 mod worn;
+
+pub(crate) use arms::Arms;
 
 use std::sync::Arc;
 
@@ -281,6 +284,8 @@ impl Performance {
                 &self.body_normals,
                 &mut self.surfels,
             );
+            let dancer = &self.production.dancer;
+            (self.production.arms).withdraw(dancer, &self.world_from_bind, &mut self.surfels);
         }
         let skin = (&self.body_positions[..], &self.body_normals[..]);
         let carrier = Carrier {

@@ -13,6 +13,7 @@ use lole_geom::Length;
 use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements, draft_pau_skirt};
 use lole_pattern::design::pau_top::{TopMeasurements, draft_pau_top};
 
+use crate::performance::Arms;
 use crate::{Danced, StageError};
 
 /// Farthest that the tape of an elastic row is from the skin below it [m]: across the small of the
@@ -36,6 +37,8 @@ pub struct Production {
     pub body_triangles: Vec<[u32; 3]>,
     /// The body surface as cloth meets it that meets the skin.
     pub body_surfels: SkinSurfels,
+    /// Which of them are on the arms.
+    pub(crate) arms: Arms,
     /// Place of the design's skirt among the garments.
     skirt: usize,
 }
@@ -89,11 +92,14 @@ impl Production {
         wardrobe.put_on_skirt(("pau_skirt", 0.0), (cut, fabric), print)?;
         wardrobe.put_on_layer(design, GarmentLayer::Over)?;
         let garments = wardrobe.garments;
+        let body_surfels =
+            SkinSurfels::new(&dancer.skin.positions, &body_triangles, SURFEL_SPACING);
         Ok(Self {
             design: design.clone(),
             dance,
             garments,
-            body_surfels: SkinSurfels::new(&dancer.skin.positions, &body_triangles, SURFEL_SPACING),
+            arms: Arms::new(&dancer, &body_surfels),
+            body_surfels,
             body_triangles,
             dancer,
             skirt,

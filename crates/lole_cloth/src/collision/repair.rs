@@ -31,6 +31,10 @@ const SWEEP_COUNT: usize = 4;
 /// Kept between an edge and a triangle that were brought back to their sides [m].
 const CLEARANCE: f32 = 0.2e-3;
 
+/// Farthest that a repair takes a particle [m], beside what it travelled in the step: planes that
+/// nearly face each other would pass it along the wedge between them for meters.
+const REPAIR_REACH: f32 = 0.004;
+
 /// Rounds of bringing out of the body what can leave it without crossing.
 const LEAVING_ROUNDS: u8 = 8;
 
@@ -71,8 +75,9 @@ pub(crate) struct CrossingRepair {
     moved: Vec<u32>,
     is_moved: Vec<bool>,
     moved_patches: Marked,
-    /// Where the particles were before the last of them left the body [m], and which did.
-    before_leaving: Vec<Vec3>,
+    /// Where the particles were before the repair, then before the last of them left the body [m],
+    /// and which did.
+    before: Vec<Vec3>,
     is_outside: Vec<bool>,
     /// Particles near what still crosses at the end of a step; empty where nothing does.
     pub(crate) is_tangled: Vec<bool>,
@@ -87,7 +92,7 @@ impl CrossingRepair {
             + self.zones.byte_count()
             + size_of_val(&self.moved[..])
             + size_of_val(&self.is_moved[..])
-            + size_of_val(&self.before_leaving[..])
+            + size_of_val(&self.before[..])
             + size_of_val(&self.is_outside[..])
             + size_of_val(&self.is_tangled[..])
             + self.moved_patches.byte_count()
@@ -136,6 +141,7 @@ impl CrossingRepair {
         self.moved.clear();
         self.is_moved.clear();
         self.is_moved.resize(starts.len(), false);
+        self.before.clone_from(&self.positions);
         for round in 0..PARTING_ROUNDS {
             let known = self.separations.len();
             self.separate_new(starts);
@@ -149,6 +155,7 @@ impl CrossingRepair {
                 for index in 0..self.separations.len() {
                     self.part(fixed, self.separations[index]);
                 }
+                self.restrain(starts);
                 self.leave_body(fixed);
             }
             self.look_again(fixed);
@@ -241,6 +248,19 @@ impl CrossingRepair {
         }
     }
 
+    /// Keeps what was moved within [`REPAIR_REACH`].
+    fn restrain(&mut self, starts: &[Vec3]) {
+        for &particle in &self.moved {
+            let place = particle as usize;
+            let (position, before) = (self.positions[place], self.before[place]);
+            let reach = REPAIR_REACH + before.distance(starts[place]);
+            let moved = position - before;
+            if reach * reach < moved.length_squared() {
+                self.positions[place] = before + moved.clamp_length_max(reach);
+            }
+        }
+    }
+
     fn draw_out(&mut self, fixed: Fixed<'_>, crossing: &Crossing) {
         let opposites = fixed.surface.opposites(crossing.ends);
         let Some(direction) = contour_gradient(&self.positions, crossing, opposites) else {
@@ -280,7 +300,7 @@ impl CrossingRepair {
     /// nothing comes to cross by that.
     fn leave_body_at_last(&mut self, fixed: Fixed<'_>, starts: &[Vec3]) {
         let known = self.finder.crossings.len();
-        self.before_leaving.clone_from(&self.positions);
+        self.before.clone_from(&self.positions);
         self.is_outside.clear();
         self.is_outside.resize(starts.len(), false);
         for round in 0..LEAVING_ROUNDS {
@@ -309,7 +329,7 @@ impl CrossingRepair {
             }
             self.take_back(fixed.surface);
         }
-        self.positions.clone_from(&self.before_leaving);
+        self.positions.clone_from(&self.before);
         self.look_again(fixed);
     }
 
@@ -338,7 +358,7 @@ impl CrossingRepair {
                 .into_iter()
                 .flat_map(|it| surface.ring(it))
             {
-                self.positions[corner as usize] = self.before_leaving[corner as usize];
+                self.positions[corner as usize] = self.before[corner as usize];
             }
         }
     }

@@ -168,14 +168,8 @@ impl SurfelContacts {
         let shares = [self.part.start, self.part.end].map(|end| ratio(end, substep_count));
         for (end, share) in ends.iter_mut().zip(shares) {
             end.clear();
-            end.extend(
-                (skin.before.iter())
-                    .zip(skin.after)
-                    .map(|(before, after)| Surfel {
-                        position: before.position.lerp(after.position, share),
-                        normal: before.normal.lerp(after.normal, share),
-                    }),
-            );
+            let pairs = skin.before.iter().zip(skin.after);
+            end.extend(pairs.map(|(before, after)| before.lerp(after, share)));
         }
         let cloth = Cloth {
             dt: cloth.dt * (shares[1] - shares[0]),

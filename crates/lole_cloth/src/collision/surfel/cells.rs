@@ -130,6 +130,9 @@ impl SurfelCells {
         self.unsorted.clear();
         let mut sum = Vec3::ZERO;
         for ((index, before), after) in (0u32..).zip(skin.before).zip(skin.after) {
+            if before.is_withdrawn() || after.is_withdrawn() {
+                continue;
+            }
             let middle = (before.position + after.position) * 0.5;
             if middle.cmpge(low).all() && middle.cmple(high).all() {
                 self.unsorted.push((middle, index));
