@@ -362,7 +362,14 @@ impl PairFinder<'_> {
                     .sub(position);
                     let hits = offset.dot(offset).simd_lt(reach).to_bitmask();
                     for place in each_hit(hits, run.len() - from) {
-                        pairs.extend(self.pair(index, start + from + place));
+                        let Some(pair) = self.pair(index, start + from + place) else {
+                            continue;
+                        };
+                        // Grows by less than a vector does by itself: pairs are most of the memory.
+                        if pairs.len() == pairs.capacity() {
+                            pairs.reserve_exact((pairs.len() / 8).max(64));
+                        }
+                        pairs.push(pair);
                     }
                 }
             },

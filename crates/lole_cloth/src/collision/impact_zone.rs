@@ -19,8 +19,6 @@ pub(crate) struct ImpactZones {
     /// Particles of zones.
     pub(crate) members: Vec<u32>,
     is_member: Vec<bool>,
-    /// By the first particle of a zone, mass [kg] and mass times displacement [kg·m].
-    sums: Vec<(f32, Vec3)>,
 }
 
 impl ImpactZones {
@@ -29,7 +27,6 @@ impl ImpactZones {
         size_of_val(self.parents.as_slice())
             + size_of_val(self.members.as_slice())
             + size_of_val(self.is_member.as_slice())
-            + size_of_val(self.sums.as_slice())
     }
 
     /// Lets every one of so many particles move by itself.
@@ -58,17 +55,8 @@ impl ImpactZones {
             self.is_member[other as usize] = true;
             self.members.push(other);
         }
-        let (one, other) = (self.first_of(one), self.first_of(other));
+        let [one, other] = [one, other].map(|particle| first_of(&mut self.parents, particle));
         self.parents[one.max(other) as usize] = one.min(other);
-    }
-
-    fn first_of(&mut self, mut particle: u32) -> u32 {
-        while self.parents[particle as usize] != particle {
-            let above = self.parents[self.parents[particle as usize] as usize];
-            self.parents[particle as usize] = above;
-            particle = above;
-        }
-        particle
     }
 
     /// Gives all particles of a zone the mean displacement from `starts` [m].
@@ -78,29 +66,42 @@ impl ImpactZones {
         positions: &mut [Vec3],
         inv_mass: impl Fn(u32) -> f32,
     ) {
-        self.sums.clear();
-        self.sums.resize(starts.len(), (0.0, Vec3::ZERO));
-        for index in 0..self.members.len() {
-            let member = self.members[index];
-            let inv_mass = inv_mass(member);
-            let mass = if 0.0 < inv_mass {
-                1.0 / inv_mass
-            } else {
-                PINNED_MASS
-            };
-            let travel = positions[member as usize] - starts[member as usize];
-            let first = self.first_of(member);
-            let sum = &mut self.sums[first as usize];
-            sum.0 += mass;
-            sum.1 += travel * mass;
-        }
-        for index in 0..self.members.len() {
-            let member = self.members[index];
-            if 0.0 < inv_mass(member) {
-                let first = self.first_of(member);
-                let (mass, travel) = self.sums[first as usize];
-                positions[member as usize] = starts[member as usize] + travel / mass;
+        let Self {
+            parents, members, ..
+        } = self;
+        members.sort_unstable_by_key(|&member| (first_of(parents, member), member));
+        let zones =
+            members.chunk_by(|&one, &other| parents[one as usize] == parents[other as usize]);
+        for zone in zones {
+            let mut mass = 0.0;
+            let mut travel = Vec3::ZERO;
+            for &member in zone {
+                let inv_mass = inv_mass(member);
+                let one = if 0.0 < inv_mass {
+                    1.0 / inv_mass
+                } else {
+                    PINNED_MASS
+                };
+                mass += one;
+                travel += (positions[member as usize] - starts[member as usize]) * one;
+            }
+            for &member in zone {
+                if 0.0 < inv_mass(member) {
+                    positions[member as usize] = starts[member as usize] + travel / mass;
+                }
             }
         }
     }
+}
+
+/// The first particle of a zone, which becomes the parent of `particle`.
+fn first_of(parents: &mut [u32], particle: u32) -> u32 {
+    let mut first = particle;
+    while parents[first as usize] != first {
+        let above = parents[parents[first as usize] as usize];
+        parents[first as usize] = above;
+        first = above;
+    }
+    parents[particle as usize] = first;
+    first
 }
