@@ -1,6 +1,6 @@
 //! From measured sections to the dancer's surface: a half mesh in the bind pose with her tape.
 //!
-//! Sections, blended and scaled → hard minimum of tubes → marching tetrahedra → smoothing →
+//! Sections, blended and scaled → hard minimum of tubes → marching cubes → smoothing →
 //! heights and girths → simplification → regions. All on the left half; the mirror image closes it.
 
 pub(crate) mod field;
@@ -32,9 +32,9 @@ use warp::{Girths, Heights, arm_share, asis_level, smooth_step};
 /// Lattice steps [m], tried until the surface has no handle: fingers that nearly touch grow
 /// together on a coarse lattice.
 const LATTICE_STEPS: [f32; 4] = [0.004, 0.0034, 0.0029, 0.0025];
-const TAUBIN_PASSES: usize = 4;
-const FAIRING_PASSES: usize = 120;
-const FACE_PASSES: usize = 24;
+const TAUBIN_PASSES: usize = 2;
+const FAIRING_PASSES: usize = 50;
+const FACE_PASSES: usize = 10;
 
 /// The left half of the finished surface and what was measured on the way.
 pub(crate) struct Shape {
@@ -57,8 +57,7 @@ pub(crate) struct Shape {
 pub(crate) fn build(tape: &Measurements) -> Result<Shape, BodyError> {
     let body = nearest_body(&read_bodies()?, tape)?;
     let field = Field::new(&body);
-    let mut mesh = closed_half(&field)?;
-    let neighbors = mesh.neighbors();
+    let (mut mesh, neighbors) = closed_half(&field)?;
     mesh.smooth(&neighbors, TAUBIN_PASSES);
     mesh.fair(&neighbors, &fairing_balls(&body), FAIRING_PASSES);
     let (floor, crotch, crown) = extent(&mesh)?;
@@ -121,13 +120,14 @@ pub(crate) fn build(tape: &Measurements) -> Result<Shape, BodyError> {
     })
 }
 
-/// The left half of the body's surface: one disk, so that it and its mirror image make a sphere.
-fn closed_half(field: &Field) -> Result<HalfMesh, BodyError> {
+/// The left half of the body's surface, with its neighbors: one disk, so that it and its mirror
+/// image make a sphere.
+fn closed_half(field: &Field) -> Result<(HalfMesh, Neighbors), BodyError> {
     for step in LATTICE_STEPS {
         let mut mesh = march::march(&field.sample(step));
-        mesh.keep_largest();
+        let neighbors = mesh.keep_largest();
         if mesh.euler_characteristic() == 1 {
-            return Ok(mesh);
+            return Ok((mesh, neighbors));
         }
     }
     Err(BodyError::Unbuildable {
@@ -320,7 +320,7 @@ fn extent(mesh: &HalfMesh) -> Result<(f32, f32, f32), BodyError> {
 
 /// Share of each vertex that belongs to the arm, fading over the shoulder.
 fn arm_shares(mesh: &HalfMesh, neighbors: &Neighbors, body: &Sections) -> Vec<f32> {
-    const PASSES: usize = 24;
+    const PASSES: usize = 18;
     let k = body.height / 1.585;
     let shoulder = body.joint("leftUpperArm");
     let along = (body.joint("leftLowerArm") - shoulder).normalize_or_zero();
