@@ -1,6 +1,6 @@
 //! The dancer, built from a tape: skin, skeleton, capsules and landmarks.
 
-use glam::Affine3A;
+use glam::{Affine3A, Vec3};
 use lole_geom::Capsule;
 
 use crate::appearance::add_hair;
@@ -83,6 +83,7 @@ impl Dancer {
             joints: (Bone::ALL.iter())
                 .map(|bone| shape.body.joint(bone.name()))
                 .collect(),
+            waist_side: widest_at(&shape, shape.body.tape_level("waist")),
         };
         let mut skin = build_skin(&shape);
         add_hair(&mut skin, &shape);
@@ -138,4 +139,18 @@ impl Dancer {
     pub fn tape_ring(&self, height: f32, point_count: usize) -> Vec<TapePoint> {
         tape::ring(&self.skin, height, point_count)
     }
+}
+
+/// The point of the trunk farthest to the left at a height of the bind pose [m].
+fn widest_at(shape: &surface::Shape, height: f32) -> Vec3 {
+    let is_trunk = |&vertex: &u32| !shape.labels[vertex as usize].is_arm();
+    let trunk = (shape.triangles.iter().copied()).filter(|triangle| triangle.iter().all(is_trunk));
+    (surface::section::cut_points(&shape.positions, trunk, height).iter())
+        .map(|cut| Vec3::new(cut.point.x, height, cut.point.y))
+        .fold(
+            Vec3::ZERO,
+            |widest, point| {
+                if widest.x < point.x { point } else { widest }
+            },
+        )
 }
