@@ -6,7 +6,9 @@ use lole_geom::Capsule;
 use crate::appearance::add_hair;
 use crate::capsules::{CapsuleLayout, fit_capsules};
 use crate::skin_build::build_skin;
-use crate::{BodyCapsule, BodyError, Bone, Measurements, Skeleton, SkinnedMesh, TapePoint};
+use crate::{
+    Appearance, BodyCapsule, BodyError, Bone, Measurements, Skeleton, SkinnedMesh, TapePoint,
+};
 use crate::{surface, tape};
 
 /// Heights of the standing bind pose above the floor [m].
@@ -61,6 +63,8 @@ pub struct Landmarks {
 pub struct Dancer {
     /// What she was built from.
     pub measurements: Measurements,
+    /// Hair and colors.
+    pub appearance: Appearance,
     /// Joints of the bind pose.
     pub skeleton: Skeleton,
     /// The drawn body.
@@ -72,11 +76,23 @@ pub struct Dancer {
 }
 
 impl Dancer {
-    /// Builds the dancer of these measurements. Same measurements, same bits.
+    /// Builds the dancer of these measurements, with the hair of her figure. Same measurements, same
+    /// bits.
     ///
     /// # Errors
     /// A measurement outside its band, or measurements that make no closed body.
     pub fn new(measurements: &Measurements) -> Result<Self, BodyError> {
+        Self::with_appearance(measurements, &Appearance::default())
+    }
+
+    /// The same with other hair and colors; the body is the same to the bit.
+    ///
+    /// # Errors
+    /// As [`Dancer::new`].
+    pub fn with_appearance(
+        measurements: &Measurements,
+        appearance: &Appearance,
+    ) -> Result<Self, BodyError> {
         measurements.check()?;
         let shape = surface::build(measurements)?;
         let skeleton = Skeleton {
@@ -86,7 +102,8 @@ impl Dancer {
             waist_side: widest_at(&shape, shape.body.tape_level("waist")),
         };
         let mut skin = build_skin(&shape);
-        add_hair(&mut skin, &shape);
+        let style = appearance.hair.worn_by(measurements.figure);
+        add_hair(&mut skin, &shape, style);
         let height = |bone: Bone| skeleton.joint(bone).y;
         let landmarks = Landmarks {
             bust_height: shape.body.tape_level("bust"),
@@ -108,6 +125,7 @@ impl Dancer {
         let capsules = fit_capsules(&skin, &skeleton, &landmarks, CapsuleLayout::default());
         Ok(Self {
             measurements: *measurements,
+            appearance: *appearance,
             skeleton,
             skin,
             capsules,

@@ -9,9 +9,9 @@ pub enum PartKind {
     Skin,
     /// The plain leotard, always worn.
     Leotard,
-    /// The front of the head, with painted eyes, brows and lips (see [`crate::face_texture`]).
+    /// The front of the head, with painted eyes, brows and lips (see [`crate::Dancer::face_picture`]).
     Face,
-    /// The hair with its bun, with painted strands (see [`crate::hair_texture`]).
+    /// The hair, with painted strands (see [`crate::Dancer::hair_picture`]).
     Hair,
     /// Petals of the flower in the hair.
     Flower,

@@ -6,6 +6,7 @@
 pub(crate) mod field;
 mod fine;
 pub(crate) mod half;
+mod head;
 mod march;
 pub(crate) mod pchip;
 pub(crate) mod regions;
@@ -51,11 +52,17 @@ pub(crate) struct Shape {
     /// The head's field before heights were carried; `body.head.center` is where it ended.
     pub(crate) head: Field,
     pub(crate) asis: f32,
+    /// Size of the head over the mean woman's.
+    pub(crate) head_size: f32,
 }
 
 /// Builds the left half of the dancer's surface.
 pub(crate) fn build(tape: &Measurements) -> Result<Shape, BodyError> {
-    let body = nearest_body(&read_bodies()?, tape)?;
+    let mut body = nearest_body(&read_bodies()?, tape)?;
+    if tape.figure == Figure::Child {
+        head::grow(&mut body);
+    }
+    let head_size = head::size(&body.head);
     let field = Field::new(&body);
     let (mut mesh, neighbors) = closed_half(&field)?;
     mesh.smooth(&neighbors, TAUBIN_PASSES);
@@ -89,13 +96,13 @@ pub(crate) fn build(tape: &Measurements) -> Result<Shape, BodyError> {
     };
     mesh.positions.clone_from(&fine.warped);
     fine.normals = mesh.normals(&neighbors);
-    let face = face_balls(&body);
+    let face = face_balls(&body, head_size);
     mesh.soften_normals(&mut fine.normals, &neighbors, &face, FACE_PASSES);
     fine.kinds = vec![PartKind::Skin; mesh.triangles.len()];
     fine.triangles = mesh.triangles;
     fine.labels = mesh.labels;
     fine.arms = arms;
-    let regions = Regions::new(&body, crotch);
+    let regions = Regions::new(&body, crotch, head_size);
     fine.cut(PartKind::Leotard, |point, arm| regions.leotard(point, arm));
     fine.cut(PartKind::Face, |point, _| regions.face(point));
     fine.simplify(&body);
@@ -117,6 +124,7 @@ pub(crate) fn build(tape: &Measurements) -> Result<Shape, BodyError> {
         regions,
         head: field,
         asis,
+        head_size,
     })
 }
 
@@ -164,6 +172,8 @@ fn nearest_body(
 fn child(bodies: &BTreeMap<String, Sections>, tape: &Measurements) -> Result<Sections, BodyError> {
     /// How far beyond the younger child the line is carried on: to 100 cm.
     const YOUNGEST: f32 = -1.22;
+    /// The same for the head, whose size is a survey's.
+    const LEAST_FACE: f32 = 0.0;
     let named = |name: &str| {
         bodies.get(name).ok_or_else(|| BodyError::Sections {
             reason: format!("{name} is missing"),
@@ -175,9 +185,17 @@ fn child(bodies: &BTreeMap<String, Sections>, tape: &Measurements) -> Result<Sec
     let share = (stature - younger.height) / (older.height - younger.height);
     let share = share.clamp(YOUNGEST, 1.0);
     let [low, high] = [younger, older].map(|body| body.scaled(stature / body.height));
-    Sections::blended(&[(1.0 - share, &low), (share, &high)]).ok_or_else(|| BodyError::Sections {
-        reason: "no child in the table".to_owned(),
-    })
+    let blended = |share: f32| {
+        let blend = Sections::blended(&[(1.0 - share, &low), (share, &high)]);
+        blend.ok_or_else(|| BodyError::Sections {
+            reason: "no child in the table".to_owned(),
+        })
+    };
+    let mut body = blended(share)?;
+    // A face does not bear it: beyond the younger child it keeps its features.
+    let face = blended(share.max(LEAST_FACE))?.head;
+    (body.head.radii, body.head.face) = (face.radii, face.face);
+    Ok(body)
 }
 
 /// The convex blend of the named bodies nearest to the tape, at her stature.
@@ -285,8 +303,7 @@ fn fairing_balls(body: &Sections) -> [(Vec3, f32); 3] {
 }
 
 /// Where the face's light is evened out: eye, mouth with chin, and cheek.
-fn face_balls(body: &Sections) -> [(Vec3, f32); 4] {
-    let k = body.height / 1.585;
+fn face_balls(body: &Sections, k: f32) -> [(Vec3, f32); 4] {
     let at = |x: f32, y: f32, z: f32| body.head.center + Vec3::new(x, y, z) * k;
     [
         (at(0.031, -0.006, 0.085), 0.030 * k),
