@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 use glam::Vec3;
-use lole_body::{BodyPicture, PartKind, Pose, appearance};
+use lole_body::{Appearance, BodyPicture, PartKind, Pose, appearance};
 use lole_cloth::{Grid, Topology};
 use lole_costume::print::PrintImage;
 use lole_export::Image;
@@ -58,8 +58,8 @@ pub(crate) fn dancer_glb(
         )?)?)
     };
     let [face, hair] = [
-        png(appearance::face_texture())?,
-        png(appearance::hair_texture())?,
+        png(production.dancer.face_picture())?,
+        png(production.dancer.hair_picture())?,
     ];
     let prints = studio.prints().iter();
     let prints_png = prints
@@ -77,7 +77,7 @@ pub(crate) fn dancer_glb(
         .iter()
         .map(|part| MeshPart {
             triangles: &part.triangles,
-            material: material(part.kind, [&face, &hair]),
+            material: material(part.kind, &production.dancer.appearance, [&face, &hair]),
         })
         .collect();
     let body = SkinnedMesh {
@@ -134,11 +134,11 @@ fn grid_mesh(grid: &Grid, print: &PrintImage) -> GridMesh {
     GridMesh::new(&sheet, [COLUMN_STRIDE, ROW_STRIDE])
 }
 
-fn material<'a>(kind: PartKind, [face, hair]: [&'a [u8]; 2]) -> GlbMaterial<'a> {
+fn material<'a>(kind: PartKind, look: &Appearance, [face, hair]: [&'a [u8]; 2]) -> GlbMaterial<'a> {
     let (name, color, roughness, texture_png) = match kind {
-        PartKind::Skin => ("skin", appearance::SKIN_SRGB, 0.6, None),
+        PartKind::Skin => ("skin", look.skin_srgb, 0.6, None),
         PartKind::Face => ("face", [255; 3], 0.6, Some(face)),
-        PartKind::Leotard => ("leotard", appearance::LEOTARD_SRGB, 0.8, None),
+        PartKind::Leotard => ("leotard", look.leotard_srgb, 0.8, None),
         PartKind::Hair => ("hair", [255; 3], 0.75, Some(hair)),
         PartKind::Flower => ("flower", appearance::FLOWER_SRGB, 0.8, None),
         PartKind::FlowerHeart => ("flower_heart", appearance::FLOWER_HEART_SRGB, 0.8, None),

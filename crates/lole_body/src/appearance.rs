@@ -1,23 +1,88 @@
-//! Colors of the dancer, her painted face, her hair and the flower in it.
+//! How a dancer looks: her hair, its color, her skin's and her leotard's, and her painted face.
 
 mod face;
 mod hair;
 mod hair_paint;
 
-pub use face::face_texture;
 pub(crate) use hair::add_hair;
-pub use hair_paint::hair_texture;
 
-/// Color of bare skin, sRGB-encoded bytes.
+use crate::{Dancer, Figure};
+
+/// Color of bare skin unless another is chosen, sRGB-encoded bytes.
 pub const SKIN_SRGB: [u8; 3] = [222, 178, 148];
-/// Color of the leotard, sRGB-encoded bytes.
+/// Color of the leotard unless another is chosen, sRGB-encoded bytes.
 pub const LEOTARD_SRGB: [u8; 3] = [38, 36, 44];
-/// Color of the hair without its strands, sRGB-encoded bytes.
+/// Color of the hair without its strands unless another is chosen, sRGB-encoded bytes.
 pub const HAIR_SRGB: [u8; 3] = [36, 27, 24];
 /// Color of the flower's petals, sRGB-encoded bytes.
 pub const FLOWER_SRGB: [u8; 3] = [250, 244, 234];
 /// Color of the flower's heart, sRGB-encoded bytes.
 pub const FLOWER_HEART_SRGB: [u8; 3] = [246, 196, 84];
+
+/// How the hair is worn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum HairStyle {
+    /// A bun for a woman, short for a man, a bob for a child.
+    #[default]
+    OfFigure,
+    /// Combed back into a wound bun, with a plumeria behind the left ear.
+    Bun,
+    /// Open down the back to below the shoulder blades, with the plumeria.
+    Long,
+    /// Cut short, ears and nape free.
+    Short,
+    /// A child's bob with a fringe, over the ears to the jaw.
+    Bob,
+}
+
+impl HairStyle {
+    /// Name in the document.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::OfFigure => "of-figure",
+            Self::Bun => "bun",
+            Self::Long => "long",
+            Self::Short => "short",
+            Self::Bob => "bob",
+        }
+    }
+
+    /// What is worn by a dancer of this figure.
+    #[must_use]
+    pub const fn worn_by(self, figure: Figure) -> Self {
+        match (self, figure) {
+            (Self::OfFigure, Figure::Man) => Self::Short,
+            (Self::OfFigure, Figure::Child) => Self::Bob,
+            (Self::OfFigure, Figure::OfStature | Figure::Woman) => Self::Bun,
+            (style, _) => style,
+        }
+    }
+}
+
+/// Hair and colors of a dancer; no measure depends on them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Appearance {
+    /// How the hair is worn.
+    pub hair: HairStyle,
+    /// Color of bare skin, sRGB-encoded bytes.
+    pub skin_srgb: [u8; 3],
+    /// Color of the hair without its strands, sRGB-encoded bytes.
+    pub hair_srgb: [u8; 3],
+    /// Color of the leotard, sRGB-encoded bytes.
+    pub leotard_srgb: [u8; 3],
+}
+
+impl Default for Appearance {
+    fn default() -> Self {
+        Self {
+            hair: HairStyle::OfFigure,
+            skin_srgb: SKIN_SRGB,
+            hair_srgb: HAIR_SRGB,
+            leotard_srgb: LEOTARD_SRGB,
+        }
+    }
+}
 
 /// A square picture that lies on a part of the body, with its side in pixels.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -26,4 +91,19 @@ pub struct BodyPicture {
     pub side: u32,
     /// Rows from the top, RGBA, sRGB-encoded, opaque, shape `[side, side, 4]`.
     pub pixels: Vec<u8>,
+}
+
+impl Dancer {
+    /// The picture of [`crate::PartKind::Face`]: made up for the stage on a woman, plain on a man and
+    /// on a child.
+    #[must_use]
+    pub fn face_picture(&self) -> BodyPicture {
+        face::face_texture(&self.appearance, self.measurements.figure)
+    }
+
+    /// The picture of [`crate::PartKind::Hair`].
+    #[must_use]
+    pub fn hair_picture(&self) -> BodyPicture {
+        hair_paint::hair_texture(&self.appearance)
+    }
 }

@@ -1,12 +1,14 @@
 //! The dancer, built from a tape: skin, skeleton, capsules and landmarks.
 
-use glam::Affine3A;
+use glam::{Affine3A, Vec3};
 use lole_geom::Capsule;
 
 use crate::appearance::add_hair;
 use crate::capsules::{CapsuleLayout, fit_capsules};
 use crate::skin_build::build_skin;
-use crate::{BodyCapsule, BodyError, Bone, Measurements, Skeleton, SkinnedMesh, TapePoint};
+use crate::{
+    Appearance, BodyCapsule, BodyError, Bone, Measurements, Skeleton, SkinnedMesh, TapePoint,
+};
 use crate::{surface, tape};
 
 /// Heights of the standing bind pose above the floor [m].
@@ -61,6 +63,8 @@ pub struct Landmarks {
 pub struct Dancer {
     /// What she was built from.
     pub measurements: Measurements,
+    /// Hair and colors.
+    pub appearance: Appearance,
     /// Joints of the bind pose.
     pub skeleton: Skeleton,
     /// The drawn body.
@@ -72,20 +76,34 @@ pub struct Dancer {
 }
 
 impl Dancer {
-    /// Builds the dancer of these measurements. Same measurements, same bits.
+    /// Builds the dancer of these measurements, with the hair of her figure. Same measurements, same
+    /// bits.
     ///
     /// # Errors
     /// A measurement outside its band, or measurements that make no closed body.
     pub fn new(measurements: &Measurements) -> Result<Self, BodyError> {
+        Self::with_appearance(measurements, &Appearance::default())
+    }
+
+    /// The same with other hair and colors; the body is the same to the bit.
+    ///
+    /// # Errors
+    /// As [`Dancer::new`].
+    pub fn with_appearance(
+        measurements: &Measurements,
+        appearance: &Appearance,
+    ) -> Result<Self, BodyError> {
         measurements.check()?;
         let shape = surface::build(measurements)?;
         let skeleton = Skeleton {
             joints: (Bone::ALL.iter())
                 .map(|bone| shape.body.joint(bone.name()))
                 .collect(),
+            waist_side: widest_at(&shape, shape.body.tape_level("waist")),
         };
         let mut skin = build_skin(&shape);
-        add_hair(&mut skin, &shape);
+        let style = appearance.hair.worn_by(measurements.figure);
+        add_hair(&mut skin, &shape, style);
         let height = |bone: Bone| skeleton.joint(bone).y;
         let landmarks = Landmarks {
             bust_height: shape.body.tape_level("bust"),
@@ -107,6 +125,7 @@ impl Dancer {
         let capsules = fit_capsules(&skin, &skeleton, &landmarks, CapsuleLayout::default());
         Ok(Self {
             measurements: *measurements,
+            appearance: *appearance,
             skeleton,
             skin,
             capsules,
@@ -138,4 +157,18 @@ impl Dancer {
     pub fn tape_ring(&self, height: f32, point_count: usize) -> Vec<TapePoint> {
         tape::ring(&self.skin, height, point_count)
     }
+}
+
+/// The point of the trunk farthest to the left at a height of the bind pose [m].
+fn widest_at(shape: &surface::Shape, height: f32) -> Vec3 {
+    let is_trunk = |&vertex: &u32| !shape.labels[vertex as usize].is_arm();
+    let trunk = (shape.triangles.iter().copied()).filter(|triangle| triangle.iter().all(is_trunk));
+    (surface::section::cut_points(&shape.positions, trunk, height).iter())
+        .map(|cut| Vec3::new(cut.point.x, height, cut.point.y))
+        .fold(
+            Vec3::ZERO,
+            |widest, point| {
+                if widest.x < point.x { point } else { widest }
+            },
+        )
 }

@@ -20,7 +20,7 @@ mod skin_weights;
 mod surface;
 pub mod tape;
 
-pub use appearance::{BodyPicture, face_texture, hair_texture};
+pub use appearance::{Appearance, BodyPicture, HairStyle};
 pub use capsules::{BodyCapsule, CapsuleLayout};
 pub use dancer::{Dancer, Landmarks};
 pub use error::BodyError;

@@ -119,6 +119,9 @@ impl Bone {
 pub struct Skeleton {
     /// Joint of each bone in body space [m], shape `[Bone::COUNT, 3]`.
     pub joints: Vec<Vec3>,
+    /// Where a hand rests on the left side of the waist: a point of the skin [m], carried by the
+    /// spine.
+    pub waist_side: Vec3,
 }
 
 /// One position of a skeleton.
@@ -197,7 +200,10 @@ mod tests {
     fn a_turned_upper_leg_carries_the_ankle() {
         let mut joints = vec![Vec3::ZERO; Bone::COUNT];
         joints[Bone::LeftUpperLeg.index()] = Vec3::Y;
-        let skeleton = Skeleton { joints };
+        let skeleton = Skeleton {
+            joints,
+            waist_side: Vec3::ZERO,
+        };
         let mut pose = Pose::default();
         pose.rotate(
             Bone::LeftUpperLeg,

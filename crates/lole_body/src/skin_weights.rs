@@ -56,6 +56,9 @@ fn ease_armpit(rows: &mut [Row], positions: &[Vec3], joints: &Joints<'_>) {
             for (&other, row) in near.iter().zip(&before) {
                 let apart = positions[vertex].distance(positions[other]) / (SPREAD * k);
                 let bell = (1.0 - apart * apart).max(0.0);
+                if bell == 0.0 {
+                    continue;
+                }
                 add(&mut sum, &row.map(|weight| weight * bell * bell));
                 total += bell * bell;
             }

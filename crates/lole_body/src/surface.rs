@@ -1,11 +1,12 @@
 //! From measured sections to the dancer's surface: a half mesh in the bind pose with her tape.
 //!
-//! Sections, blended and scaled → hard minimum of tubes → marching tetrahedra → smoothing →
+//! Sections, blended and scaled → hard minimum of tubes → marching cubes → smoothing →
 //! heights and girths → simplification → regions. All on the left half; the mirror image closes it.
 
 pub(crate) mod field;
 mod fine;
 pub(crate) mod half;
+mod head;
 mod march;
 pub(crate) mod pchip;
 pub(crate) mod regions;
@@ -32,9 +33,9 @@ use warp::{Girths, Heights, arm_share, asis_level, smooth_step};
 /// Lattice steps [m], tried until the surface has no handle: fingers that nearly touch grow
 /// together on a coarse lattice.
 const LATTICE_STEPS: [f32; 4] = [0.004, 0.0034, 0.0029, 0.0025];
-const TAUBIN_PASSES: usize = 4;
-const FAIRING_PASSES: usize = 120;
-const FACE_PASSES: usize = 24;
+const TAUBIN_PASSES: usize = 2;
+const FAIRING_PASSES: usize = 50;
+const FACE_PASSES: usize = 10;
 
 /// The left half of the finished surface and what was measured on the way.
 pub(crate) struct Shape {
@@ -51,14 +52,19 @@ pub(crate) struct Shape {
     /// The head's field before heights were carried; `body.head.center` is where it ended.
     pub(crate) head: Field,
     pub(crate) asis: f32,
+    /// Size of the head over the mean woman's.
+    pub(crate) head_size: f32,
 }
 
 /// Builds the left half of the dancer's surface.
 pub(crate) fn build(tape: &Measurements) -> Result<Shape, BodyError> {
-    let body = nearest_body(&read_bodies()?, tape)?;
+    let mut body = nearest_body(&read_bodies()?, tape)?;
+    if tape.figure == Figure::Child {
+        head::grow(&mut body);
+    }
+    let head_size = head::size(&body.head);
     let field = Field::new(&body);
-    let mut mesh = closed_half(&field)?;
-    let neighbors = mesh.neighbors();
+    let (mut mesh, neighbors) = closed_half(&field)?;
     mesh.smooth(&neighbors, TAUBIN_PASSES);
     mesh.fair(&neighbors, &fairing_balls(&body), FAIRING_PASSES);
     let (floor, crotch, crown) = extent(&mesh)?;
@@ -90,13 +96,13 @@ pub(crate) fn build(tape: &Measurements) -> Result<Shape, BodyError> {
     };
     mesh.positions.clone_from(&fine.warped);
     fine.normals = mesh.normals(&neighbors);
-    let face = face_balls(&body);
+    let face = face_balls(&body, head_size);
     mesh.soften_normals(&mut fine.normals, &neighbors, &face, FACE_PASSES);
     fine.kinds = vec![PartKind::Skin; mesh.triangles.len()];
     fine.triangles = mesh.triangles;
     fine.labels = mesh.labels;
     fine.arms = arms;
-    let regions = Regions::new(&body, crotch);
+    let regions = Regions::new(&body, crotch, head_size);
     fine.cut(PartKind::Leotard, |point, arm| regions.leotard(point, arm));
     fine.cut(PartKind::Face, |point, _| regions.face(point));
     fine.simplify(&body);
@@ -118,16 +124,18 @@ pub(crate) fn build(tape: &Measurements) -> Result<Shape, BodyError> {
         regions,
         head: field,
         asis,
+        head_size,
     })
 }
 
-/// The left half of the body's surface: one disk, so that it and its mirror image make a sphere.
-fn closed_half(field: &Field) -> Result<HalfMesh, BodyError> {
+/// The left half of the body's surface, with its neighbors: one disk, so that it and its mirror
+/// image make a sphere.
+fn closed_half(field: &Field) -> Result<(HalfMesh, Neighbors), BodyError> {
     for step in LATTICE_STEPS {
         let mut mesh = march::march(&field.sample(step));
-        mesh.keep_largest();
+        let neighbors = mesh.keep_largest();
         if mesh.euler_characteristic() == 1 {
-            return Ok(mesh);
+            return Ok((mesh, neighbors));
         }
     }
     Err(BodyError::Unbuildable {
@@ -164,6 +172,8 @@ fn nearest_body(
 fn child(bodies: &BTreeMap<String, Sections>, tape: &Measurements) -> Result<Sections, BodyError> {
     /// How far beyond the younger child the line is carried on: to 100 cm.
     const YOUNGEST: f32 = -1.22;
+    /// The same for the head, whose size is a survey's.
+    const LEAST_FACE: f32 = 0.0;
     let named = |name: &str| {
         bodies.get(name).ok_or_else(|| BodyError::Sections {
             reason: format!("{name} is missing"),
@@ -175,9 +185,17 @@ fn child(bodies: &BTreeMap<String, Sections>, tape: &Measurements) -> Result<Sec
     let share = (stature - younger.height) / (older.height - younger.height);
     let share = share.clamp(YOUNGEST, 1.0);
     let [low, high] = [younger, older].map(|body| body.scaled(stature / body.height));
-    Sections::blended(&[(1.0 - share, &low), (share, &high)]).ok_or_else(|| BodyError::Sections {
-        reason: "no child in the table".to_owned(),
-    })
+    let blended = |share: f32| {
+        let blend = Sections::blended(&[(1.0 - share, &low), (share, &high)]);
+        blend.ok_or_else(|| BodyError::Sections {
+            reason: "no child in the table".to_owned(),
+        })
+    };
+    let mut body = blended(share)?;
+    // A face does not bear it: beyond the younger child it keeps its features.
+    let face = blended(share.max(LEAST_FACE))?.head;
+    (body.head.radii, body.head.face) = (face.radii, face.face);
+    Ok(body)
 }
 
 /// The convex blend of the named bodies nearest to the tape, at her stature.
@@ -285,8 +303,7 @@ fn fairing_balls(body: &Sections) -> [(Vec3, f32); 3] {
 }
 
 /// Where the face's light is evened out: eye, mouth with chin, and cheek.
-fn face_balls(body: &Sections) -> [(Vec3, f32); 4] {
-    let k = body.height / 1.585;
+fn face_balls(body: &Sections, k: f32) -> [(Vec3, f32); 4] {
     let at = |x: f32, y: f32, z: f32| body.head.center + Vec3::new(x, y, z) * k;
     [
         (at(0.031, -0.006, 0.085), 0.030 * k),
@@ -320,7 +337,7 @@ fn extent(mesh: &HalfMesh) -> Result<(f32, f32, f32), BodyError> {
 
 /// Share of each vertex that belongs to the arm, fading over the shoulder.
 fn arm_shares(mesh: &HalfMesh, neighbors: &Neighbors, body: &Sections) -> Vec<f32> {
-    const PASSES: usize = 24;
+    const PASSES: usize = 18;
     let k = body.height / 1.585;
     let shoulder = body.joint("leftUpperArm");
     let along = (body.joint("leftLowerArm") - shoulder).normalize_or_zero();

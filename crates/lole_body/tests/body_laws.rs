@@ -10,7 +10,9 @@ use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
 use glam::{Quat, Vec2, Vec3};
-use lole_body::{Bone, CapsuleLayout, Dancer, Measurements, PartKind, Pose, Tape};
+use lole_body::{
+    Appearance, Bone, CapsuleLayout, Dancer, HairStyle, Measurements, PartKind, Pose, Tape,
+};
 use lole_geom::{Capsule, Length};
 
 fn woman() -> &'static Dancer {
@@ -169,6 +171,35 @@ fn the_surface_is_closed_and_of_genus_zero() {
             (b - a).cross(c - a).length() > 1.0e-9,
             "a triangle has no area"
         );
+    }
+}
+
+#[test]
+fn hair_is_closed_in_every_style_and_leaves_the_body_as_it_is() {
+    for (hair, solids) in [
+        (HairStyle::Bun, 2),
+        (HairStyle::Long, 2),
+        (HairStyle::Short, 1),
+        (HairStyle::Bob, 1),
+    ] {
+        let appearance = Appearance {
+            hair,
+            ..Appearance::default()
+        };
+        let dancer = Dancer::with_appearance(&Measurements::woman(), &appearance).unwrap();
+        let body = dancer.skin.body_triangles();
+        assert_eq!(body, woman().skin.body_triangles());
+        let count = body
+            .iter()
+            .flatten()
+            .max()
+            .map_or(0, |&last| last as usize + 1);
+        assert_eq!(
+            dancer.skin.positions[..count],
+            woman().skin.positions[..count]
+        );
+        let part = (dancer.skin.parts.iter()).find(|part| part.kind == PartKind::Hair);
+        assert_closed(&part.unwrap().triangles, 2 * solids);
     }
 }
 

@@ -21,7 +21,8 @@ use std::sync::Arc;
 
 use lole_body::motion::SCHOOLS;
 use lole_body::{
-    AmiTurn, ArmManner, ArmStyle, DanceStep, Figure, Hands, HipLead, HipLift, School, Side,
+    AmiTurn, ArmManner, ArmStyle, DanceStep, Figure, HairStyle, Hands, HipLead, HipLift, School,
+    Side,
 };
 use lole_cloth::collision::penalty::{CapsuleShape, Response};
 use lole_cloth::method::explicit::{ContactEvaluation, Integrator, RungeKutta};
@@ -96,6 +97,14 @@ pub struct DancerDesign {
     pub shoulder_breadth_cm: Option<f64>,
     /// Shoulder point to elbow [cm].
     pub upper_arm_length_cm: Option<f64>,
+    /// How the hair is worn.
+    pub hair: HairStyle,
+    /// Color of bare skin instead of the usual one, sRGB bytes.
+    pub skin_color: Option<[u8; 3]>,
+    /// Color of the hair instead of the usual one, sRGB bytes.
+    pub hair_color: Option<[u8; 3]>,
+    /// Color of the leotard instead of the usual one, sRGB bytes.
+    pub leotard_color: Option<[u8; 3]>,
 }
 
 /// The pāʻū skirt and how finely it is computed.

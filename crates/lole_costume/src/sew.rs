@@ -654,7 +654,8 @@ mod tests {
         let start = skirt.start_positions(&stance);
         let capsules = dancer.posed_capsules(&stance);
         let depth = lole_cloth::diagnose::worst_capsule_penetration(&skirt.spec, &start, &capsules);
-        assert!(depth < 0.007, "{depth} m inside");
+        // Pins lie on the skin, and capsules stand out of it by up to 12 mm.
+        assert!(depth < 0.010, "{depth} m inside");
     }
 
     #[test]

@@ -6,7 +6,7 @@
 use std::sync::Arc;
 
 use glam::Vec3;
-use lole_body::{BodyPicture, PartKind, appearance};
+use lole_body::{Appearance, BodyPicture, Dancer, PartKind, appearance};
 use lole_costume::document::Design;
 use lole_costume::print::{self, PrintImage};
 use lole_render::srgb::linear_from_srgb;
@@ -62,14 +62,9 @@ impl Looks {
             let texture = Texture::new(print.width, print.height, print.pixels.clone())?;
             Ok(Material::printed_cloth(Arc::new(texture)))
         });
-        let paint = Paint::new()?;
-        let kinds = (production.dancer.skin.parts.iter()).map(|part| part.kind);
-        let parts = kinds
-            .map(|kind| (kind, part_material(kind, &paint)))
-            .collect();
         Ok(Self {
             cloths: cloths.collect::<Result<_, RenderError>>()?,
-            parts,
+            parts: dancer_materials(&production.dancer)?,
             prints,
         })
     }
@@ -113,27 +108,35 @@ impl Looks {
     }
 }
 
-/// The pictures on the body.
-struct Paint {
+/// The materials of a dancer's parts, in the order of her skin's.
+///
+/// # Errors
+/// A picture that cannot be a texture.
+pub fn dancer_materials(dancer: &Dancer) -> Result<Vec<(PartKind, Material)>, RenderError> {
+    let texture = |picture: BodyPicture| {
+        Texture::new(picture.side, picture.side, picture.pixels).map(Arc::new)
+    };
+    let paint = Paint {
+        appearance: &dancer.appearance,
+        face: texture(dancer.face_picture())?,
+        hair: texture(dancer.hair_picture())?,
+    };
+    let kinds = dancer.skin.parts.iter().map(|part| part.kind);
+    Ok(kinds
+        .map(|kind| (kind, part_material(kind, &paint)))
+        .collect())
+}
+
+/// The colors and pictures on the body.
+struct Paint<'a> {
+    appearance: &'a Appearance,
     face: Arc<Texture>,
     hair: Arc<Texture>,
 }
 
-impl Paint {
-    fn new() -> Result<Self, RenderError> {
-        let texture = |picture: BodyPicture| {
-            Texture::new(picture.side, picture.side, picture.pixels).map(Arc::new)
-        };
-        Ok(Self {
-            face: texture(appearance::face_texture())?,
-            hair: texture(appearance::hair_texture())?,
-        })
-    }
-}
-
-fn part_material(kind: PartKind, paint: &Paint) -> Material {
+fn part_material(kind: PartKind, paint: &Paint<'_>) -> Material {
     match kind {
-        PartKind::Skin => Material::skin(linear(appearance::SKIN_SRGB)),
+        PartKind::Skin => Material::skin(linear(paint.appearance.skin_srgb)),
         PartKind::Face => Material {
             texture: Some(Arc::clone(&paint.face)),
             ..Material::skin([1.0; 3])
@@ -141,7 +144,7 @@ fn part_material(kind: PartKind, paint: &Paint) -> Material {
         PartKind::Leotard => Material {
             roughness: 0.75,
             sheen: 0.15,
-            ..Material::cloth(linear(appearance::LEOTARD_SRGB))
+            ..Material::cloth(linear(paint.appearance.leotard_srgb))
         },
         // Lit as skin is: at the hairline it shows skin.
         PartKind::Hair => Material {

@@ -70,7 +70,7 @@ impl Production {
     /// A design whose parts do not fit together.
     pub fn new(design: &Design) -> Result<Self, StageError> {
         let measurements = Measurements::from_tape(&design.tape())?;
-        let mut dancer = Dancer::new(&measurements)?;
+        let mut dancer = Dancer::with_appearance(&measurements, &design.appearance())?;
         let layout = design.capsule_layout();
         if layout != CapsuleLayout::default() {
             dancer.capsules = dancer.fit_capsules(layout);

@@ -9,7 +9,8 @@ use tiny_skia::{
     RadialGradient, SpreadMode, Stroke, Transform,
 };
 
-use super::{BodyPicture, SKIN_SRGB};
+use super::{Appearance, BodyPicture, HAIR_SRGB, SKIN_SRGB};
+use crate::Figure;
 
 /// Side of the picture [pixel].
 const SIDE: u32 = 1024;
@@ -34,11 +35,57 @@ const BLUSH: [u8; 3] = [226, 116, 98];
 const SHADE: [u8; 3] = [150, 98, 78];
 const LIGHT: [u8; 3] = [255, 240, 224];
 
-/// The face on a ground of exactly [`SKIN_SRGB`].
-#[must_use]
-pub fn face_texture() -> BodyPicture {
+/// What is painted on a face besides its features.
+#[derive(Debug, Clone, Copy)]
+struct MakeUp {
+    /// Whether lashes are long, with a small wing.
+    has_lashes: bool,
+    /// Opacity of the blush.
+    blush: u8,
+    /// Opacity of the lips' color.
+    lips: u8,
+    /// How much thicker the brows are [pixel].
+    brow: f32,
+    /// How much higher nose and mouth lie [pixel].
+    nose_up: f32,
+    mouth_up: f32,
+}
+
+impl MakeUp {
+    const fn of(figure: Figure) -> Self {
+        match figure {
+            Figure::OfStature | Figure::Woman => Self {
+                has_lashes: true,
+                blush: 64,
+                lips: 190,
+                brow: 0.0,
+                nose_up: 0.0,
+                mouth_up: 0.0,
+            },
+            Figure::Man => Self {
+                has_lashes: false,
+                blush: 16,
+                lips: 84,
+                brow: 9.0,
+                nose_up: 42.0,
+                mouth_up: 22.0,
+            },
+            Figure::Child => Self {
+                has_lashes: false,
+                blush: 44,
+                lips: 104,
+                brow: 0.0,
+                nose_up: 0.0,
+                mouth_up: 0.0,
+            },
+        }
+    }
+}
+
+/// The face of a figure on a ground of exactly its skin.
+pub(super) fn face_texture(appearance: &Appearance, figure: Figure) -> BodyPicture {
     let ground: Vec<u8> = {
-        let [r, g, b] = SKIN_SRGB;
+        let [r, g, b] = appearance.skin_srgb;
         [r, g, b, 255].repeat((SIDE * SIDE) as usize)
     };
     let Some(mut canvas) = Pixmap::new(SIDE, SIDE) else {
@@ -52,19 +99,29 @@ pub fn face_texture() -> BodyPicture {
         let mut half = Half {
             canvas: &mut canvas,
             transform: Transform::from_row(side, 0.0, 0.0, 1.0, MIDDLE, 0.0),
+            appearance,
+            make_up: MakeUp::of(figure),
         };
         half.cheek();
-        half.nose();
+        let MakeUp {
+            nose_up, mouth_up, ..
+        } = half.make_up;
+        half.raised(nose_up).nose();
         half.eye();
         half.brow();
-        half.mouth_corner();
+        half.raised(mouth_up).mouth_corner();
     }
     let mut whole = Half {
         canvas: &mut canvas,
         transform: Transform::from_translate(MIDDLE, 0.0),
+        appearance,
+        make_up: MakeUp::of(figure),
     };
-    whole.nose_ridge();
-    whole.lips();
+    let MakeUp {
+        nose_up, mouth_up, ..
+    } = whole.make_up;
+    whole.raised(nose_up).nose_ridge();
+    whole.raised(mouth_up).lips();
     BodyPicture {
         side: SIDE,
         // Opaque pixels are the same premultiplied or not.
@@ -76,6 +133,8 @@ pub fn face_texture() -> BodyPicture {
 struct Half<'a> {
     canvas: &'a mut Pixmap,
     transform: Transform,
+    appearance: &'a Appearance,
+    make_up: MakeUp,
 }
 
 /// A place in the half face.
@@ -119,7 +178,35 @@ fn mirrored(start: At, cubics: &[[At; 3]]) -> Option<Path> {
     builder.finish()
 }
 
+/// A color that was chosen for `known`, carried over to `other`, channel by channel.
+fn toned(rgb: [u8; 3], known: [u8; 3], other: [u8; 3]) -> [u8; 3] {
+    std::array::from_fn(|k| {
+        let scaled = u32::from(rgb[k]) * u32::from(other[k]) / u32::from(known[k]).max(1);
+        u8::try_from(scaled.min(255)).unwrap_or(u8::MAX)
+    })
+}
+
 impl Half<'_> {
+    /// The same half with everything this much higher [pixel].
+    fn raised(&mut self, up: f32) -> Half<'_> {
+        Half {
+            canvas: &mut *self.canvas,
+            transform: self.transform.post_translate(0.0, -up),
+            appearance: self.appearance,
+            make_up: self.make_up,
+        }
+    }
+
+    /// A color of the flesh on this skin.
+    fn flesh(&self, rgb: [u8; 3]) -> [u8; 3] {
+        toned(rgb, SKIN_SRGB, self.appearance.skin_srgb)
+    }
+
+    /// The brows: as dark as the hair is.
+    fn brow_color(&self) -> [u8; 3] {
+        toned(BROW, HAIR_SRGB, self.appearance.hair_srgb)
+    }
+
     fn fill(&mut self, path: Option<Path>, paint: &Paint<'_>, mask: Option<&Mask>) {
         if let Some(path) = path {
             self.canvas
@@ -141,6 +228,7 @@ impl Half<'_> {
 
     /// A soft spot: full at the center, nothing at the radius.
     fn spot(&mut self, center: At, radii: At, rgb: [u8; 3], alpha: u8) {
+        let rgb = self.flesh(rgb);
         let faint = |share: f32| {
             let mut color = color(rgb, alpha);
             color.apply_opacity(share);
@@ -178,7 +266,7 @@ impl Half<'_> {
     }
 
     fn cheek(&mut self) {
-        self.spot([222.0, 596.0], [160.0, 112.0], BLUSH, 64);
+        self.spot([222.0, 596.0], [160.0, 112.0], BLUSH, self.make_up.blush);
         // A smile lifts the cheek: light on it, a breath of shade under it.
         self.spot([206.0, 560.0], [84.0, 44.0], LIGHT, 34);
     }
@@ -273,11 +361,15 @@ impl Half<'_> {
         );
         self.fill(lash.clone(), &paint(LASH, 235), None);
         self.line(lash, &paint(LASH, 50), 5.0);
+        let lashes = if self.make_up.has_lashes { 3 } else { 0 };
         for (dx, dy, length) in [
             (40.0, -37.0, 12.0),
             (58.0, -32.0, 15.0),
             (76.0, -25.0, 17.0),
-        ] {
+        ]
+        .into_iter()
+        .take(lashes)
+        {
             let hair = curve(
                 at(dx, dy),
                 &[[
@@ -295,19 +387,20 @@ impl Half<'_> {
                 [at(48.0, -56.0), at(74.0, -43.0), at(94.0, -31.0)],
             ],
         );
-        self.line(crease.clone(), &paint(LID, 50), 10.0);
-        self.line(crease, &paint(LID, 150), 3.5);
+        self.line(crease.clone(), &paint(self.flesh(LID), 50), 10.0);
+        self.line(crease, &paint(self.flesh(LID), 150), 3.5);
         let below = curve(
             at(84.0, -2.0),
             &[[at(62.0, 20.0), at(30.0, 30.0), at(-10.0, 30.0)]],
         );
-        self.line(below.clone(), &paint(LID, 46), 9.0);
+        self.line(below.clone(), &paint(self.flesh(LID), 46), 9.0);
         self.line(below, &paint(LASH, 110), 3.0);
     }
 
     /// A soft arch: a faint body, and hairs that lean outwards.
     fn brow(&mut self) {
         const HAIRS: u8 = 34;
+        let more = self.make_up.brow;
         let brow = |thick: f32| {
             curve(
                 [88.0, 352.0 - 0.5 * thick],
@@ -332,13 +425,13 @@ impl Half<'_> {
                 ],
             )
         };
-        self.line(brow(10.0), &paint(BROW, 26), 12.0);
-        self.fill(brow(12.0), &paint(BROW, 104), None);
+        self.line(brow(10.0 + more), &paint(self.brow_color(), 26), 12.0);
+        self.fill(brow(12.0 + more), &paint(self.brow_color(), 104), None);
         for hair in 0..HAIRS {
             let along = f32::from(hair) / f32::from(HAIRS - 1);
             let x = 90.0 + 196.0 * along;
             let arch = 340.0 - 24.0 * along * (2.3 - 1.55 * along * along);
-            let thick = 18.0 * (1.0 - 0.55 * along) * (0.5 + 1.6 * along).min(1.0);
+            let thick = (18.0 + more) * (1.0 - 0.55 * along) * (0.5 + 1.6 * along).min(1.0);
             let lean = 8.0 + 16.0 * along;
             let path = curve(
                 [x, arch + 0.6 * thick + 6.0],
@@ -349,7 +442,7 @@ impl Half<'_> {
                 ]],
             );
             let faint = if hair < 4 { 60 } else { 96 };
-            self.line(path, &paint(BROW, faint), 3.2);
+            self.line(path, &paint(self.brow_color(), faint), 3.2);
         }
     }
 
@@ -372,8 +465,12 @@ impl Half<'_> {
                 [[86.0, y - 8.0], [44.0, y + 5.0], [0.0, y + 5.0]],
             ],
         );
-        self.line(upper.clone(), &paint(LIP_UPPER, 60), 7.0);
-        self.fill(upper, &paint(LIP_UPPER, 190), None);
+        self.line(upper.clone(), &paint(self.flesh(LIP_UPPER), 60), 7.0);
+        self.fill(
+            upper,
+            &paint(self.flesh(LIP_UPPER), self.make_up.lips),
+            None,
+        );
         let lower = mirrored(
             [0.0, y + 3.0],
             &[
@@ -381,8 +478,12 @@ impl Half<'_> {
                 [[104.0, y + 18.0], [64.0, y + 55.0], [0.0, y + 55.0]],
             ],
         );
-        self.line(lower.clone(), &paint(LIP_LOWER, 60), 7.0);
-        self.fill(lower, &paint(LIP_LOWER, 190), None);
+        self.line(lower.clone(), &paint(self.flesh(LIP_LOWER), 60), 7.0);
+        self.fill(
+            lower,
+            &paint(self.flesh(LIP_LOWER), self.make_up.lips),
+            None,
+        );
         for side in [-1.0, 1.0] {
             let between = curve(
                 [0.0, y + 4.0],
@@ -392,8 +493,8 @@ impl Half<'_> {
                     [side * 130.0, y - 31.0],
                 ]],
             );
-            self.line(between.clone(), &paint(LIP_LINE, 60), 8.0);
-            self.line(between, &paint(LIP_LINE, 150), 3.5);
+            self.line(between.clone(), &paint(self.flesh(LIP_LINE), 60), 8.0);
+            self.line(between, &paint(self.flesh(LIP_LINE), 150), 3.5);
         }
         self.spot([0.0, y + 30.0], [62.0, 14.0], LIGHT, 74);
         self.spot([0.0, y - 24.0], [40.0, 8.0], LIGHT, 36);
@@ -406,7 +507,7 @@ mod tests {
 
     #[test]
     fn the_border_of_the_face_is_exactly_skin() {
-        let face = face_texture();
+        let face = face_texture(&Appearance::default(), Figure::Woman);
         let middle = f64::from(SIDE) / 2.0;
         for (index, pixel) in face.pixels.chunks_exact(4).enumerate() {
             let index = u32::try_from(index).unwrap();

@@ -1,4 +1,5 @@
-//! Her hair: combed back into a wound bun, and a plumeria behind the left ear.
+//! The hair: combed back into a wound bun or open down the back, with a plumeria behind the left ear;
+//! short; or a child's bob.
 //!
 //! The cap is a closed surface around the head whose distance from the skin falls gently to below
 //! zero across the hairline: where it dives under the skin, hair ends. There it is painted as
@@ -10,42 +11,18 @@ use glam::{Vec2, Vec3};
 use lole_geom::mesh::vertex_normals;
 use lole_geom::trig;
 
+mod cut;
+mod fall;
+
+use super::HairStyle;
 use super::hair_paint::hairline_v;
 use crate::surface::Shape;
 use crate::surface::field::Head;
 use crate::surface::pchip::Pchip;
 use crate::surface::warp::smooth_step;
 use crate::{Bone, MeshPart, PartKind, SkinnedMesh};
+use cut::Cut;
 
-/// Latitude of the hairline [°] by longitude from the front [°]: forehead, temple, over the ear,
-/// nape.
-const HAIRLINE: [[f32; 2]; 12] = [
-    [0.0, 39.0],
-    [16.0, 38.0],
-    [34.0, 33.0],
-    [50.0, 23.0],
-    [62.0, 12.0],
-    [72.0, 3.0],
-    [84.0, 1.0],
-    [97.0, 3.0],
-    [108.0, -9.0],
-    [120.0, -27.0],
-    [142.0, -39.0],
-    [180.0, -43.0],
-];
-/// Height of the hair above the skin [mm] by the distance inside the hairline [°]: it rises gently
-/// and stands fullest over the crown.
-const COVER: [[f32; 2]; 9] = [
-    [-12.0, -8.0],
-    [-5.0, -1.8],
-    [-1.0, -0.1],
-    [2.0, 0.7],
-    [6.0, 2.6],
-    [12.0, 5.4],
-    [22.0, 9.4],
-    [38.0, 12.5],
-    [70.0, 13.0],
-];
 /// Direction of the bun: straight back, this much up [°].
 const BUN_LATITUDE: f32 = 24.0;
 /// Radius of the bun [m] at a stature of 158.5 cm.
@@ -54,35 +31,52 @@ const BUN_RADIUS: f32 = 0.043;
 const FLOWER: [f32; 2] = [72.0, 16.0];
 /// Radius of the flower [m].
 const FLOWER_RADIUS: f32 = 0.034;
-/// Appends hair and flower to the skin, all carried by the head.
-pub(crate) fn add_hair(skin: &mut SkinnedMesh, shape: &Shape) {
+
+/// Appends hair and, where it is worn, the flower to the skin.
+pub(crate) fn add_hair(skin: &mut SkinnedMesh, shape: &Shape, style: HairStyle) {
+    let cut = Cut::of(style);
     let scalp = Scalp {
         head: shape.head.head(),
         center: shape.body.head.center,
-        k: shape.body.height / 1.585,
-        hairline: Pchip::new(&HAIRLINE),
-        cover: Pchip::new(&COVER),
+        k: shape.head_size,
+        hairline: Pchip::new(cut.hairline),
+        cover: Pchip::new(cut.cover),
+        crown: direction(180.0, cut.crown_latitude),
+        hangs: cut.hangs,
+        dense: if cut.hangs.is_some() { 9.0 } else { 0.0 },
     };
     let mut hair = scalp.cap();
-    hair.append(&scalp.bun());
-    let (petals, heart) = scalp.flower();
-    for (kind, solid) in [
-        (PartKind::Hair, hair),
-        (PartKind::Flower, petals),
-        (PartKind::FlowerHeart, heart),
-    ] {
-        solid.add_to(skin, kind);
+    let has_flower = matches!(style, HairStyle::Bun | HairStyle::Long);
+    match style {
+        HairStyle::Long => hair.append(&fall::fall(shape, &scalp, &hair)),
+        HairStyle::Short | HairStyle::Bob => {}
+        HairStyle::OfFigure | HairStyle::Bun => hair.append(&scalp.bun()),
+    }
+    hair.add_to(skin, PartKind::Hair);
+    if has_flower {
+        let (petals, heart) = scalp.flower();
+        petals.add_to(skin, PartKind::Flower);
+        heart.add_to(skin, PartKind::FlowerHeart);
     }
 }
 
 struct Scalp<'a> {
     head: &'a Head,
     center: Vec3,
-    /// Stature over 1.585 m.
+    /// Size of the head over the mean woman's.
     k: f32,
     hairline: Pchip,
     cover: Pchip,
+    /// Where the locks come together.
+    crown: Vec3,
+    /// Latitude [°] below which hair hangs straight instead of following the skin.
+    hangs: Option<f32>,
+    /// How far inside the hairline [°] the picture begins: cut ends are dense at once.
+    dense: f32,
 }
+
+/// What the head alone carries.
+const HEAD_ALONE: ([u16; 4], [f32; 4]) = ([Bone::Head as u16, 0, 0, 0], [1.0, 0.0, 0.0, 0.0]);
 
 /// A closed surface, triangles counter-clockwise seen from outside.
 #[derive(Default)]
@@ -91,6 +85,8 @@ struct Solid {
     /// Places in the hair's picture, as many as positions, or none.
     uvs: Vec<Vec2>,
     triangles: Vec<[u32; 3]>,
+    /// Bones and their shares, as many as positions or fewer: the head carries the rest.
+    carried: Vec<([u16; 4], [f32; 4])>,
 }
 
 /// Unit vector at a longitude from the front towards the left and a latitude [°].
@@ -171,15 +167,32 @@ impl Scalp<'_> {
         let skin = self.head.radius(longitude, latitude);
         let inside = self.inside(towards);
         let buried = smooth_step((-inside - 9.0) / 18.0);
-        let visible = skin + self.cover.at(inside) * 0.001 * self.k;
+        let mut visible = skin + self.cover.at(inside) * 0.001 * self.k;
+        if let Some(from) = self.hangs {
+            // Over the ears hair does not follow the skin.
+            let share = smooth_step((from - latitude) / 10.0) * smooth_step((inside + 1.0) / 3.0);
+            visible += (self.hanging(longitude, latitude, from) - visible) * share;
+        }
         visible + (BURIED * self.k - visible).min(0.0) * buried
     }
 
-    /// The cap: rings around the bun's axis, so that combed locks run to the bun.
+    /// Distance [m] from the center to hair that hangs straight down `from` a latitude and turns in
+    /// at its ends.
+    fn hanging(&self, longitude: f32, latitude: f32, from: f32) -> f32 {
+        let (sin, cos) = trig::sin_cos(from.to_radians());
+        let top = self.head.radius(longitude, from) + 0.017 * self.k;
+        let (sin_low, cos_low) = trig::sin_cos(latitude.to_radians());
+        // The same distance from the vertical axis, less and less of it towards the ends.
+        let straight = top * cos / cos_low.max(0.2);
+        let drop = (straight * sin_low - top * sin).abs() / self.k;
+        straight * (1.0 - 9.0 * drop * drop)
+    }
+
+    /// The cap: rings around the crown, so that combed locks run to it.
     fn cap(&self) -> Solid {
         const RINGS: usize = 52;
         const AROUND: usize = 144;
-        let axis = direction(180.0, BUN_LATITUDE);
+        let axis = self.crown;
         let towards = |spot: &Spot| axis * spot.cos_polar + spot.around * spot.sin_polar;
         let rings_of = rings([RINGS, AROUND], axis, |spot| {
             let towards = towards(&spot);
@@ -190,7 +203,7 @@ impl Scalp<'_> {
         let mut solid = Solid::from_rings(&rings_of, [pole(axis), pole(-axis)]);
         // Mirrored across the middle, so that the picture has no seam.
         let places = rings([RINGS, AROUND], axis, |spot| {
-            let v = hairline_v(self.inside(towards(&spot)));
+            let v = hairline_v(self.inside(towards(&spot)) + self.dense);
             Vec3::new(from_top(spot.azimuth), v, 0.0)
         });
         solid.uvs = (places.iter().flatten().map(|place| place.truncate()))
@@ -297,8 +310,7 @@ impl Solid {
         let index = |value: usize| u32::try_from(value).unwrap_or(u32::MAX);
         let mut solid = Self {
             positions: rings.iter().flatten().copied().collect(),
-            uvs: Vec::new(),
-            triangles: Vec::new(),
+            ..Self::default()
         };
         let first_pole = solid.positions.len();
         solid.positions.extend(poles);
@@ -339,6 +351,8 @@ impl Solid {
 
     fn append(&mut self, other: &Self) {
         let start = u32::try_from(self.positions.len()).unwrap_or(u32::MAX);
+        self.carried.resize(self.positions.len(), HEAD_ALONE);
+        self.carried.extend(&other.carried);
         self.positions.extend(&other.positions);
         self.uvs.extend(&other.uvs);
         let moved = other
@@ -348,20 +362,20 @@ impl Solid {
         self.triangles.extend(moved);
     }
 
-    /// Adds the solid as a part of the skin, carried by the head alone.
+    /// Adds the solid as a part of the skin.
     fn add_to(&self, skin: &mut SkinnedMesh, kind: PartKind) {
         let start = u32::try_from(skin.positions.len()).unwrap_or(u32::MAX);
         let count = self.positions.len();
-        let head = u16::try_from(Bone::Head.index()).unwrap_or(0);
         skin.positions.extend(&self.positions);
         skin.normals
             .extend(vertex_normals(&self.positions, &self.triangles));
         skin.uvs.extend(&self.uvs);
         skin.uvs.resize(skin.positions.len(), Vec2::ZERO);
-        skin.joints
-            .extend(std::iter::repeat_n([head, 0, 0, 0], count));
-        skin.weights
-            .extend(std::iter::repeat_n([1.0, 0.0, 0.0, 0.0], count));
+        let head_alone = std::iter::repeat(&HEAD_ALONE);
+        for &(joints, weights) in self.carried.iter().chain(head_alone).take(count) {
+            skin.joints.push(joints);
+            skin.weights.push(weights);
+        }
         skin.parts.push(MeshPart {
             kind,
             triangles: (self.triangles.iter())

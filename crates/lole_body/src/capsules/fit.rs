@@ -104,14 +104,15 @@ fn is_lower_body(bone: usize) -> bool {
 fn improve(parts: &mut [Part], samples: &[Sample]) {
     let mut systems = vec![System::default(); parts.len()];
     for sample in samples {
-        let mut nearest = (0, Contact::FAR);
+        let mut nearest = (0, f64::INFINITY);
         for (index, part) in parts.iter().enumerate() {
-            let contact = part.contact(sample.point);
-            if contact.distance < nearest.1.distance {
-                nearest = (index, contact);
+            let distance = part.distance(sample.point);
+            if distance < nearest.1 {
+                nearest = (index, distance);
             }
         }
-        let (index, contact) = nearest;
+        let index = nearest.0;
+        let contact = parts[index].contact(sample.point);
         let error = contact.distance + COVER;
         let outside = (error / OUTSIDE_RAMP).clamp(0.0, 1.0);
         let weight = sample.area * (1.0 + (OUTSIDE_WEIGHT - 1.0) * outside);
@@ -132,22 +133,28 @@ struct Contact {
     normal: DVec3,
 }
 
-impl Contact {
-    const FAR: Self = Self {
-        distance: f64::INFINITY,
-        share: 0.0,
-        normal: DVec3::ZERO,
-    };
-}
-
 impl Part {
-    fn contact(&self, point: DVec3) -> Contact {
+    /// Share of the way along the axis next to a point, and the way from there to it.
+    fn foot(&self, point: DVec3) -> (f64, DVec3) {
         let axis = self.ends[1] - self.ends[0];
         let share =
             ((point - self.ends[0]).dot(axis) / axis.length_squared().max(1.0e-9)).clamp(0.0, 1.0);
-        let offset = point - (self.ends[0] + axis * share);
+        (share, point - (self.ends[0] + axis * share))
+    }
+
+    fn radius(&self, share: f64) -> f64 {
+        self.radii[0] + (self.radii[1] - self.radii[0]) * share
+    }
+
+    fn distance(&self, point: DVec3) -> f64 {
+        let (share, offset) = self.foot(point);
+        offset.length() - self.radius(share)
+    }
+
+    fn contact(&self, point: DVec3) -> Contact {
+        let (share, offset) = self.foot(point);
         Contact {
-            distance: offset.length() - (self.radii[0] + (self.radii[1] - self.radii[0]) * share),
+            distance: offset.length() - self.radius(share),
             share,
             normal: offset.normalize_or_zero(),
         }
@@ -222,7 +229,7 @@ impl Part {
     }
 }
 
-/// Normal equations of one capsule.
+/// Normal equations of one capsule; of the symmetric matrix only the upper half is summed.
 #[derive(Debug, Clone, Copy, Default)]
 struct System {
     matrix: [[f64; UNKNOWNS]; UNKNOWNS],
@@ -233,7 +240,7 @@ struct System {
 impl System {
     fn add(&mut self, slope: &[f64; UNKNOWNS], error: f64, weight: f64) {
         for row in 0..UNKNOWNS {
-            for column in 0..UNKNOWNS {
+            for column in row..UNKNOWNS {
                 self.matrix[row][column] += weight * slope[row] * slope[column];
             }
             self.right[row] -= weight * slope[row] * error;
@@ -248,6 +255,9 @@ impl System {
         }
         for unknown in 0..UNKNOWNS {
             self.matrix[unknown][unknown] += DAMPING * self.weight;
+            for column in 0..unknown {
+                self.matrix[unknown][column] = self.matrix[column][unknown];
+            }
         }
         for pivot in 0..UNKNOWNS {
             for row in pivot + 1..UNKNOWNS {

@@ -57,6 +57,7 @@ const OUT: Arm = Arm {
     palm: 0.0,
     wrist: 0.0,
     fingers: 0.0,
+    on_waist: 0.0,
 };
 /// Hand at the center of the chest, elbow at chest height, palm down.
 const AT_CHEST: Arm = Arm {
@@ -67,6 +68,7 @@ const AT_CHEST: Arm = Arm {
     palm: 0.0,
     wrist: 0.0,
     fingers: 4.0,
+    on_waist: 0.0,
 };
 /// Arm open to the side, below shoulder height.
 const OPEN: Arm = Arm {
@@ -77,6 +79,7 @@ const OPEN: Arm = Arm {
     palm: 12.0,
     wrist: 0.0,
     fingers: 0.0,
+    on_waist: 0.0,
 };
 /// Arm rounded in front at the height of the lower ribs.
 const ROUNDED: Arm = Arm {
@@ -87,6 +90,7 @@ const ROUNDED: Arm = Arm {
     palm: 14.0,
     wrist: -4.0,
     fingers: 2.0,
+    on_waist: 0.0,
 };
 /// Arm raised in the "U" above.
 const HIGH: Arm = Arm {
@@ -97,6 +101,7 @@ const HIGH: Arm = Arm {
     palm: 60.0,
     wrist: -8.0,
     fingers: 0.0,
+    on_waist: 0.0,
 };
 /// Arm low in front, well above the skirt.
 const LOW: Arm = Arm {
@@ -107,8 +112,10 @@ const LOW: Arm = Arm {
     palm: 30.0,
     wrist: -6.0,
     fingers: 0.0,
+    on_waist: 0.0,
 };
-/// Hand on the waist above the band.
+/// Hand on the waist above the band; the rig finds the waist, and these are the angles on the way
+/// there.
 const ON_WAIST: Arm = Arm {
     azimuth: 2.0,
     elevation: -40.0,
@@ -117,6 +124,7 @@ const ON_WAIST: Arm = Arm {
     palm: 72.0,
     wrist: -48.0,
     fingers: 8.0,
+    on_waist: 1.0,
 };
 
 /// Arm raised well above the shoulder, elbow soft, palm inward: one half of the "U".
@@ -128,6 +136,7 @@ const UP: Arm = Arm {
     palm: 78.0,
     wrist: -8.0,
     fingers: 0.0,
+    on_waist: 0.0,
 };
 /// Arm low in front, palm up, as if offering.
 const OFFERING: Arm = Arm {
@@ -138,6 +147,7 @@ const OFFERING: Arm = Arm {
     palm: 150.0,
     wrist: 6.0,
     fingers: 4.0,
+    on_waist: 0.0,
 };
 /// Arm stretched down toward the pointing toes, well clear of the skirt.
 const TO_TOES: Arm = Arm {
@@ -148,6 +158,7 @@ const TO_TOES: Arm = Arm {
     palm: 8.0,
     wrist: -4.0,
     fingers: 0.0,
+    on_waist: 0.0,
 };
 /// Arm high behind the side.
 const HIGH_BEHIND: Arm = Arm {
@@ -158,6 +169,7 @@ const HIGH_BEHIND: Arm = Arm {
     palm: 30.0,
     wrist: -6.0,
     fingers: 0.0,
+    on_waist: 0.0,
 };
 
 /// Counts by which the fingers follow the wrist: 60 ms at 80 beats per minute.

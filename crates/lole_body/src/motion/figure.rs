@@ -86,6 +86,8 @@ pub(super) struct Arm {
     pub wrist: f32,
     /// Curl of the fingers beyond their relaxed shape [°] per joint.
     pub fingers: f32,
+    /// How far the arm leaves all that and puts its hand on the waist, 0 to 1.
+    pub on_waist: f32,
 }
 
 /// A place on the floor and where a body faces there.
@@ -237,6 +239,7 @@ impl Arm {
             palm: mix(self.palm, other.palm, weight),
             wrist: mix(self.wrist, other.wrist, weight),
             fingers: mix(self.fingers, other.fingers, weight),
+            on_waist: mix(self.on_waist, other.on_waist, weight),
         }
     }
 }

@@ -1,5 +1,7 @@
 //! One leg and one arm: from targets to joint rotations.
 
+mod waist;
+
 use glam::{Mat3, Quat, Vec3};
 use lole_geom::trig;
 
@@ -7,6 +9,8 @@ use super::ease::soft_max;
 use super::figure::Arm;
 use super::rig::{PlacedFoot, quat_about, quat_x, quat_y, quat_z};
 use super::settings::MotionError;
+use waist::WaistRig;
+
 use crate::ik::two_bone;
 use crate::{Bone, Pose, Skeleton};
 
@@ -237,6 +241,7 @@ pub(super) struct ArmRig {
     /// Azimuth and elevation of the upper arm [°], as in [`Arm`].
     azimuth: f32,
     elevation: f32,
+    waist: WaistRig,
 }
 
 impl ArmRig {
@@ -266,6 +271,7 @@ impl ArmRig {
             fingers: FINGERS[i].map(|finger| FingerRig::new(skeleton, finger, frame(along, palm))),
             azimuth: trig::atan2(upper_direction.z, upper_direction.x * side).to_degrees(),
             elevation: trig::atan2(upper_direction.y, horizontal).to_degrees(),
+            waist: WaistRig::new(skeleton, side),
         })
     }
 
@@ -276,14 +282,35 @@ impl ArmRig {
         Vec3::new(self.side * cos_a * cos_e, sin_e, sin_a * cos_e)
     }
 
-    /// Turns the bones of the arm and the fingers.
-    pub(super) fn solve(&self, arm: &Arm, pose: &mut Pose) {
-        let i = index_of(self.side);
-        let [clavicle_bone, upper_bone, lower_bone, hand_bone] = ARMS[i];
+    /// Turn of the clavicle that goes with an upper arm.
+    fn turn_clavicle(&self, arm: &Arm) -> Quat {
         let above = ABOVE_HORIZONTAL * soft_max(arm.elevation, 0.0, 20.0);
         let raise = (CLAVICLE_RAISE * (arm.elevation - self.elevation) + above).to_radians();
         let forward = (CLAVICLE_FORWARD * (arm.azimuth - self.azimuth)).to_radians();
-        let clavicle = quat_y(-self.side * forward) * quat_z(self.side * raise);
+        quat_y(-self.side * forward) * quat_z(self.side * raise)
+    }
+
+    /// The arm as it is asked for, or with its hand on the waist where the trunk of `pose` has it.
+    fn reached(&self, arm: &Arm, pose: &Pose) -> Arm {
+        const PASSES: usize = 3;
+        if arm.on_waist <= 0.0 {
+            return *arm;
+        }
+        // The shoulder follows the arm that starts from it.
+        let waist = self.waist.in_chest(pose);
+        let mut resting = *arm;
+        for _ in 0..PASSES {
+            resting = self.waist.arm(waist, self.turn_clavicle(&resting));
+        }
+        arm.mixed(&resting, arm.on_waist)
+    }
+
+    /// Turns the bones of the arm and the fingers; the trunk is already in `pose`.
+    pub(super) fn solve(&self, arm: &Arm, pose: &mut Pose) {
+        let arm = &self.reached(arm, pose);
+        let i = index_of(self.side);
+        let [clavicle_bone, upper_bone, lower_bone, hand_bone] = ARMS[i];
+        let clavicle = self.turn_clavicle(arm);
 
         let upper_direction = self.direction(arm.azimuth, arm.elevation);
         let fore_direction = self.direction(arm.fore_azimuth, arm.fore_elevation);

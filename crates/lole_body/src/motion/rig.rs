@@ -260,7 +260,8 @@ impl LegRig {
         let turn_flat = quat_y(yaw);
         let pitch = trig::asin(foot.heel * stature / self.heel_arm());
         let turn = turn_flat * quat_x(pitch);
-        let knee_yaw = yaw + self.side * foot.knee_out.to_radians();
+        let inward = (-self.side * yaw).to_degrees();
+        let knee_yaw = yaw + self.side * (foot.knee_out + knee_lag(inward)).to_radians();
         PlacedFoot {
             ankle: ball - turn * to_ball,
             turn,
@@ -268,6 +269,16 @@ impl LegRig {
             knee: quat_y(knee_yaw) * Vec3::Z,
         }
     }
+}
+
+/// By how much a knee stays behind toes that point `inward` of the body [°]: nothing up to a few
+/// degrees, then more and more of it. The shank and the foot take the rest, and the thighs stay out
+/// of each other.
+fn knee_lag(inward: f32) -> f32 {
+    const FOLLOWS: f32 = 8.0;
+    const MOST: f32 = 0.9;
+    let beyond = (inward - FOLLOWS).max(0.0);
+    MOST * beyond * beyond / (beyond + FOLLOWS)
 }
 
 /// Rotation about +X by `angle` [rad].

@@ -43,6 +43,8 @@ struct Station {
     across: Vec3,
     up: Vec3,
     radii: Vec<f32>,
+    /// Least and largest radius.
+    least: f32,
     reach: f32,
 }
 
@@ -54,6 +56,8 @@ pub(crate) struct Lattice {
     pub(crate) values: Vec<f32>,
     /// The tube that is deepest at each sample.
     pub(crate) labels: Vec<Tube>,
+    /// Whether a row of `z` has a sample inside.
+    pub(crate) is_row_inside: Vec<bool>,
 }
 
 impl Lattice {
@@ -97,14 +101,17 @@ impl Field {
             size,
             values: vec![FAR; size[0] * slice],
             labels: vec![Tube::Torso; size[0] * slice],
+            is_row_inside: vec![false; size[0] * size[1]],
         };
         let values = lattice.values.par_chunks_mut(slice);
         let labels = lattice.labels.par_chunks_mut(slice);
+        let rows = lattice.is_row_inside.par_chunks_mut(size[1]);
         let frame = LatticeFrame { origin, step, size };
         values
             .zip(labels)
+            .zip(rows)
             .enumerate()
-            .for_each(|(x, (values, labels))| {
+            .for_each(|(x, ((values, labels), rows))| {
                 let mut slice = Slice {
                     frame: &frame,
                     x: (x as f32 * step).max(OFF_PLANE * step),
@@ -115,6 +122,9 @@ impl Field {
                     solid.fill(&mut slice);
                 }
                 self.head.fill(&mut slice);
+                for (row, values) in rows.iter_mut().zip(slice.values.chunks(size[2])) {
+                    *row = values.iter().any(|&value| value < 0.0);
+                }
             });
         lattice
     }
@@ -124,9 +134,9 @@ impl Field {
         let mut low = self.head.center - reach;
         let mut high = self.head.center + reach;
         for station in self.tubes.iter().flat_map(|solid| &solid.stations) {
-            let reach = Vec3::splat(station.reach);
-            low = low.min(station.center - reach);
-            high = high.max(station.center + reach);
+            let (station_low, station_high) = station.disc(0.0);
+            low = low.min(station_low);
+            high = high.max(station_high);
         }
         // Nothing lies under the floor.
         low.y = low.y.max(0.0);
@@ -149,8 +159,15 @@ struct Slice<'a> {
 }
 
 impl Slice<'_> {
-    /// Lowers the samples in a box to `field`, where that is lower.
-    fn lower(&mut self, low: Vec3, high: Vec3, tube: Tube, field: impl Fn(Vec3) -> Option<f32>) {
+    /// Lowers the samples in a box to `field`, where that is lower. Of the row through a point only
+    /// what lies between the two `z` of `within`, give or take a sample, is looked at.
+    fn lower(
+        &mut self,
+        [low, high]: [Vec3; 2],
+        tube: Tube,
+        within: impl Fn(Vec3) -> [f32; 2],
+        field: impl Fn(Vec3) -> Option<f32>,
+    ) {
         if self.x < low.x || self.x > high.x {
             return;
         }
@@ -165,12 +182,14 @@ impl Slice<'_> {
             index(((low - origin) / step).floor())..index(((high - origin) / step).ceil() + 1.0)
         };
         for y in range(low.y, high.y, origin.y, size[1]) {
-            for z in range(low.z, high.z, origin.z, size[2]) {
-                let point = Vec3::new(
-                    self.x,
-                    origin.y + y as f32 * step,
-                    origin.z + z as f32 * step,
-                );
+            let height = origin.y + y as f32 * step;
+            let [from, to] = within(Vec3::new(self.x, height, 0.0));
+            let [from, to] = [low.z.max(from - step), high.z.min(to + step)];
+            if to < from {
+                continue;
+            }
+            for z in range(from, to, origin.z, size[2]) {
+                let point = Vec3::new(self.x, height, origin.z + z as f32 * step);
                 let index = y * size[2] + z;
                 if let Some(value) = field(point).filter(|value| *value < self.values[index]) {
                     self.values[index] = value;
@@ -232,31 +251,48 @@ impl Solid {
             let low = a.center.min(b.center) - reach;
             let high = a.center.max(b.center) + reach;
             // A ring is flat: along its own axis it reaches nowhere.
-            let (low, high) = tighten(low, high, a, b);
-            slice.lower(low, high, self.tube, |point| between(a, b, point));
+            let near = tighten(low, high, a, b);
+            let steps = slice.frame.step;
+            slice.lower(
+                near,
+                self.tube,
+                |row| slab(a, b, row),
+                |point| between(a, b, point, steps),
+            );
         }
     }
 }
 
 /// Shrinks the box of two rings to the discs they span plus two lattice steps.
-fn tighten(low: Vec3, high: Vec3, a: &Station, b: &Station) -> (Vec3, Vec3) {
+fn tighten(low: Vec3, high: Vec3, a: &Station, b: &Station) -> [Vec3; 2] {
     const MARGIN: f32 = 0.009;
-    let disc = |station: &Station| {
-        let share = Vec3::ONE - station.axis * station.axis;
-        let reach = (station.reach + MARGIN)
-            * Vec3::new(
-                share.x.max(0.0).sqrt(),
-                share.y.max(0.0).sqrt(),
-                share.z.max(0.0).sqrt(),
-            );
-        (station.center - reach, station.center + reach)
-    };
-    let ((low_a, high_a), (low_b, high_b)) = (disc(a), disc(b));
-    (low.max(low_a.min(low_b)), high.min(high_a.max(high_b)))
+    let ((low_a, high_a), (low_b, high_b)) = (a.disc(MARGIN), b.disc(MARGIN));
+    [low.max(low_a.min(low_b)), high.min(high_a.max(high_b))]
 }
 
-/// Field between two rings, or nothing outside their slab.
-fn between(a: &Station, b: &Station, point: Vec3) -> Option<f32> {
+/// Where a row of `z` through a point lies between two rings: from and to, empty if turned round.
+fn slab(a: &Station, b: &Station, row: Vec3) -> [f32; 2] {
+    const LEVEL: f32 = 1.0e-4;
+    let mut within = [f32::NEG_INFINITY, f32::INFINITY];
+    for (center, inward) in [(a.center, a.axis), (b.center, -b.axis)] {
+        let depth = (row - center).dot(inward);
+        if inward.z > LEVEL {
+            within[0] = within[0].max(-depth / inward.z);
+        } else if inward.z < -LEVEL {
+            within[1] = within[1].min(-depth / inward.z);
+        } else if depth < -LEVEL {
+            return [1.0, -1.0];
+        }
+    }
+    within
+}
+
+/// Lattice steps from the skin beyond which only the sign of the field counts.
+const CLEAR: f32 = 4.0;
+
+/// Field between two rings, or nothing outside their slab. Clear of the skin by many a `step` it
+/// only has the right sign.
+fn between(a: &Station, b: &Station, point: Vec3, step: f32) -> Option<f32> {
     let from_a = point - a.center;
     let s0 = from_a.dot(a.axis);
     let s1 = (point - b.center).dot(b.axis);
@@ -268,8 +304,12 @@ fn between(a: &Station, b: &Station, point: Vec3) -> Option<f32> {
     let u = offset.dot(a.across + (b.across - a.across) * t);
     let v = offset.dot(a.up + (b.up - a.up) * t);
     let distance = (u * u + v * v).sqrt();
-    if distance > a.reach.max(b.reach) + FAR {
+    if distance > a.reach.max(b.reach) + CLEAR * step {
         return None;
+    }
+    let depth = distance - a.least.min(b.least);
+    if depth < -CLEAR * step {
+        return Some(depth);
     }
     let turn = trig::atan2(v, u) / TAU;
     let slot = (turn - turn.floor()) * AROUND as f32;
@@ -295,9 +335,22 @@ impl Station {
             axis,
             across,
             up: axis.cross(across),
+            least: ring.radii.iter().copied().fold(f32::INFINITY, f32::min),
             reach: ring.radii.iter().copied().fold(0.0, f32::max),
             radii: ring.radii,
         }
+    }
+
+    /// Box of the flat disc that the ring spans, `margin` wider.
+    fn disc(&self, margin: f32) -> (Vec3, Vec3) {
+        let share = Vec3::ONE - self.axis * self.axis;
+        let reach = (self.reach + margin)
+            * Vec3::new(
+                share.x.max(0.0).sqrt(),
+                share.y.max(0.0).sqrt(),
+                share.z.max(0.0).sqrt(),
+            );
+        (self.center - reach, self.center + reach)
     }
 }
 
@@ -335,29 +388,37 @@ pub(crate) struct Head {
     pub(crate) center: Vec3,
     /// `[longitude][latitude]`, longitude 0..=180°, latitude -75..=90°.
     radii: Vec<Vec<f32>>,
+    /// Least and largest radius.
+    least: f32,
     reach: f32,
 }
 
 impl Head {
     fn new(table: &HeadTable) -> Self {
         let radii = merge_face(table);
-        let reach = radii.iter().flatten().copied().fold(0.0, f32::max);
+        let all = || radii.iter().flatten().copied();
         Self {
             center: table.center,
+            least: all().fold(f32::INFINITY, f32::min),
+            reach: all().fold(0.0, f32::max),
             radii,
-            reach,
         }
     }
 
     fn fill(&self, slice: &mut Slice<'_>) {
-        let reach = Vec3::splat(self.reach + 2.0 * slice.frame.step);
+        let step = slice.frame.step;
+        let reach = Vec3::splat(self.reach + 2.0 * step);
         slice.lower(
-            self.center - reach,
-            self.center + reach,
+            [self.center - reach, self.center + reach],
             Tube::Head,
+            |_| [f32::NEG_INFINITY, f32::INFINITY],
             |point| {
                 let offset = point - self.center;
                 let distance = offset.length();
+                let depth = distance - self.least;
+                if depth < -CLEAR * step || distance > self.reach + CLEAR * step {
+                    return Some(depth);
+                }
                 let latitude = trig::asin(offset.y / (distance + 1.0e-9)).to_degrees();
                 let longitude = trig::atan2(offset.x.abs(), offset.z).to_degrees();
                 Some(distance - self.radius(longitude, latitude))

@@ -118,8 +118,8 @@ impl HalfMesh {
         Neighbors::new(self.positions.len(), &self.triangles)
     }
 
-    /// Keeps the largest connected piece.
-    pub(crate) fn keep_largest(&mut self) {
+    /// Keeps the largest connected piece, and returns its neighbors.
+    pub(crate) fn keep_largest(&mut self) -> Neighbors {
         let neighbors = self.neighbors();
         let mut piece_of = vec![usize::MAX; self.positions.len()];
         let mut sizes = Vec::new();
@@ -133,25 +133,25 @@ impl HalfMesh {
             piece_of[seed] = piece;
             while let Some(vertex) = open.pop() {
                 size += 1;
-                let unseen = |&&next: &&u32| piece_of[next as usize] == usize::MAX;
-                let found: Vec<u32> = neighbors
-                    .of(vertex)
-                    .iter()
-                    .filter(unseen)
-                    .copied()
-                    .collect();
-                for next in found {
-                    piece_of[next as usize] = piece;
-                    open.push(next as usize);
-                }
+                let around = neighbors.of(vertex).iter().map(|&next| next as usize);
+                // Marked as they are found, so that none is found twice.
+                open.extend(
+                    around.filter(|&next| {
+                        std::mem::replace(&mut piece_of[next], piece) == usize::MAX
+                    }),
+                );
             }
             sizes.push(size);
+        }
+        if sizes.len() < 2 {
+            return neighbors;
         }
         let largest = (0..sizes.len())
             .max_by_key(|&piece| sizes[piece])
             .unwrap_or(0);
         let kept: Vec<bool> = piece_of.iter().map(|&piece| piece == largest).collect();
         self.retain(&kept);
+        self.neighbors()
     }
 
     /// Vertices minus edges plus triangles: 1 for a disk, 2 less for every handle.

@@ -30,7 +30,7 @@ pub(crate) struct Regions {
 }
 
 impl Regions {
-    pub(crate) fn new(body: &Sections, crotch: f32) -> Self {
+    pub(crate) fn new(body: &Sections, crotch: f32, head_size: f32) -> Self {
         let k = body.height / 1.585;
         let head = body.head.center;
         Self {
@@ -39,8 +39,8 @@ impl Regions {
             armpit: body.level("armpit"),
             armpit_x: body.level("armpit_x"),
             shoulder: body.level("shoulder"),
-            face_center: head + Vec3::new(0.0, -0.022, 0.085) * k,
-            face_radius: 0.088 * k,
+            face_center: head + Vec3::new(0.0, -0.022, 0.085) * head_size,
+            face_radius: 0.088 * head_size,
         }
     }
 

@@ -48,7 +48,8 @@ pub(crate) fn slice(triangles: &[[u32; 3]], values: &[f32]) -> Sliced {
         parents: Vec::with_capacity(triangles.len()),
     };
     for (parent, &triangle) in triangles.iter().enumerate() {
-        for piece in slicer.pieces(triangle) {
+        let (pieces, count) = slicer.pieces(triangle);
+        for &piece in &pieces[..count] {
             let sum: f32 = piece.iter().map(|&vertex| slicer.value(vertex)).sum();
             sliced.triangles.push(piece);
             sliced
@@ -85,22 +86,22 @@ impl Slicer {
         self.values.get(vertex as usize).copied().unwrap_or(0.0)
     }
 
-    /// One to three triangles that cover `triangle`, none of which crosses the line.
-    fn pieces(&mut self, triangle: [u32; 3]) -> Vec<[u32; 3]> {
+    /// One to three triangles that cover `triangle`, none of which crosses the line, and how many.
+    fn pieces(&mut self, triangle: [u32; 3]) -> ([[u32; 3]; 3], usize) {
         for turn in 0..3 {
             // `a` alone on its side: both its edges may be cut.
             let [a, b, c] = [0, 1, 2].map(|corner| triangle[(corner + turn) % 3]);
             let [va, vb, vc] = [a, b, c].map(|vertex| self.value(vertex));
             if va * vb < 0.0 && va * vc < 0.0 {
                 let (ab, ca) = (self.crossing(a, b), self.crossing(c, a));
-                return vec![[a, ab, ca], [ab, b, c], [ab, c, ca]];
+                return ([[a, ab, ca], [ab, b, c], [ab, c, ca]], 3);
             }
             if va == 0.0 && vb * vc < 0.0 {
                 let bc = self.crossing(b, c);
-                return vec![[a, b, bc], [a, bc, c]];
+                return ([[a, b, bc], [a, bc, c], [0; 3]], 2);
             }
         }
-        vec![triangle]
+        ([triangle, [0; 3], [0; 3]], 1)
     }
 
     fn crossing(&mut self, a: u32, b: u32) -> u32 {

@@ -53,5 +53,6 @@ pub(crate) fn woman() -> Skeleton {
     });
     Skeleton {
         joints: joints.collect(),
+        waist_side: Vec3::new(0.115, 0.975, 0.02),
     }
 }

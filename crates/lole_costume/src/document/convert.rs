@@ -1,6 +1,6 @@
 //! From the document's units to what the other crates work with.
 
-use lole_body::{CapsuleLayout, Measurements, MotionSettings, Part, School, Tape};
+use lole_body::{Appearance, CapsuleLayout, Measurements, MotionSettings, Part, School, Tape};
 use lole_cloth::Fabric;
 use lole_geom::Length;
 use lole_language::{Bilingual, Sentence};
@@ -111,6 +111,18 @@ impl Design {
                 CapsuleLayout::Fitted(self.method.capsule_count)
             }
             BodyShapes::TwoCylinders => CapsuleLayout::TwoCylinders,
+        }
+    }
+
+    /// The dancer's hair and colors.
+    #[must_use]
+    pub fn appearance(&self) -> Appearance {
+        let (dancer, usual) = (&self.dancer, Appearance::default());
+        Appearance {
+            hair: dancer.hair,
+            skin_srgb: dancer.skin_color.unwrap_or(usual.skin_srgb),
+            hair_srgb: dancer.hair_color.unwrap_or(usual.hair_srgb),
+            leotard_srgb: dancer.leotard_color.unwrap_or(usual.leotard_srgb),
         }
     }
 

@@ -65,13 +65,13 @@ macro_rules! seed {
 }
 
 macro_rules! color {
-    ($name:literal, $field:ident, $japanese:literal, $about:literal) => {
+    ($name:literal, $($field:ident).+, $japanese:literal, $about:literal) => {
         Key {
             name: $name,
             about: words($japanese, $about),
             kind: Kind::Color {
-                get: |design| design.print.$field,
-                set: |design, value| design.print.$field = Some(value),
+                get: |design| design.$($field).+,
+                set: |design, value| design.$($field).+ = Some(value),
             },
         }
     };
@@ -347,25 +347,25 @@ macro_rules! print_keys {
             },
             color!(
                 "ground",
-                ground,
+                print.ground,
                 "地の色を変えるとき",
                 "instead of the colorway's ground"
             ),
             color!(
                 "flower",
-                flower,
+                print.flower,
                 "花の色を変えるとき",
                 "instead of the colorway's flowers"
             ),
             color!(
                 "leaf",
-                leaf,
+                print.leaf,
                 "葉の色を変えるとき",
                 "instead of the colorway's leaves"
             ),
             color!(
                 "shadow",
-                shadow,
+                print.shadow,
                 "奥の柄の色を変えるとき",
                 "instead of the colorway's second layer"
             ),

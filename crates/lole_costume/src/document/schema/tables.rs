@@ -3,7 +3,7 @@
 //! Reading, checking, writing and the messages all walk this table, so a key that is added here is
 //! read, refused, written and explained.
 
-use lole_body::Figure;
+use lole_body::{Figure, HairStyle};
 use lole_cloth::collision::penalty::{CapsuleShape, Response};
 use lole_cloth::method::explicit::ContactEvaluation;
 use lole_cloth::wind::WindLaw;
@@ -28,6 +28,13 @@ const FIGURES: &[(&str, Figure)] = &[
     (Figure::Woman.id(), Figure::Woman),
     (Figure::Man.id(), Figure::Man),
     (Figure::Child.id(), Figure::Child),
+];
+const HAIR_STYLES: &[(&str, HairStyle)] = &[
+    (HairStyle::OfFigure.id(), HairStyle::OfFigure),
+    (HairStyle::Bun.id(), HairStyle::Bun),
+    (HairStyle::Long.id(), HairStyle::Long),
+    (HairStyle::Short.id(), HairStyle::Short),
+    (HairStyle::Bob.id(), HairStyle::Bob),
 ];
 const WIND_LAWS: &[(&str, WindLaw)] = &[
     ("spherical", WindLaw::Spherical),
@@ -173,6 +180,32 @@ const DANCER: Table = Table {
             dancer.upper_arm_length_cm,
             "肩先からひじまで",
             "shoulder point to elbow"
+        ),
+        choice!(
+            "hair",
+            words("髪型", "hair style"),
+            HAIR_STYLES,
+            dancer.hair,
+            "髪型。of-figure は女性がお団子、男性が短髪、子どもがおかっぱ",
+            "how the hair is worn; of-figure: a woman's bun, a man's short cut, a child's bob"
+        ),
+        color!(
+            "skin_color",
+            dancer.skin_color,
+            "肌の色を変えるとき",
+            "instead of the usual skin"
+        ),
+        color!(
+            "hair_color",
+            dancer.hair_color,
+            "髪の色を変えるとき",
+            "instead of the usual hair"
+        ),
+        color!(
+            "leotard_color",
+            dancer.leotard_color,
+            "レオタードの色を変えるとき",
+            "instead of the usual leotard"
         ),
     ],
 };

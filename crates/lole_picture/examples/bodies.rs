@@ -1,0 +1,190 @@
+//! Six bodies side by side, and their faces, each from its tape: the pictures of `docs/body.md`.
+//!
+//! `cargo run --release -p lole_picture --example bodies -- docs` writes `bodies.png`, `faces.png`
+//! and `backs.png` there.
+
+use std::error::Error;
+use std::path::{Path, PathBuf};
+
+use glam::{Affine3A, Mat3A, Quat, Vec3};
+use lole_body::{Appearance, Bone, Dancer, Figure, HairStyle, Measurements, PartKind, Pose, Tape};
+use lole_geom::{Length, trig};
+use lole_picture::dancer_materials;
+use lole_render::{Backend, Camera, Material, Renderer, Scene, SceneMesh, Size};
+
+/// How far the dancers stand apart [m].
+const APART: f32 = 0.74;
+/// Size of the pictures [pixel].
+const BODIES: Size = Size::new(1200, 600);
+const FACES: Size = Size::new(1200, 310);
+
+/// Who stands there: figure, stature, bust, waist and hip [cm] as far as they are given, and hair.
+type Who = (Figure, [Option<f64>; 4], HairStyle);
+
+const fn all(cm: [f64; 4]) -> [Option<f64>; 4] {
+    [Some(cm[0]), Some(cm[1]), Some(cm[2]), Some(cm[3])]
+}
+
+const SIX: [Who; 6] = [
+    (Figure::Woman, [None; 4], HairStyle::OfFigure),
+    (
+        Figure::Woman,
+        all([150.0, 80.0, 62.0, 86.0]),
+        HairStyle::Long,
+    ),
+    (
+        Figure::Woman,
+        all([163.0, 102.0, 90.0, 106.0]),
+        HairStyle::OfFigure,
+    ),
+    (Figure::Man, [None; 4], HairStyle::OfFigure),
+    (
+        Figure::Child,
+        [Some(128.0), None, None, None],
+        HairStyle::OfFigure,
+    ),
+    (
+        Figure::Child,
+        [Some(100.0), None, None, None],
+        HairStyle::OfFigure,
+    ),
+];
+
+/// Positions and normals where a dancer stands.
+type Placed = (Vec<Vec3>, Vec<Vec3>);
+
+/// One dancer as she is drawn: posed vertices and the materials of her parts.
+struct Drawn {
+    dancer: Dancer,
+    positions: Vec<Vec3>,
+    normals: Vec<Vec3>,
+    materials: Vec<(PartKind, Material)>,
+    /// Middle of the head [m].
+    head: Vec3,
+}
+
+impl Drawn {
+    fn new((figure, measures, hair): Who) -> Result<Self, Box<dyn Error>> {
+        let [stature, bust_girth, waist_girth, hip_girth] =
+            measures.map(|cm| cm.map(Length::from_cm));
+        let tape = Tape {
+            figure,
+            stature,
+            bust_girth,
+            waist_girth,
+            hip_girth,
+            ..Tape::default()
+        };
+        let appearance = Appearance {
+            hair,
+            ..Appearance::default()
+        };
+        let dancer = Dancer::with_appearance(&Measurements::from_tape(&tape)?, &appearance)?;
+        let world_from_bind = dancer.skeleton.world_from_bind(&standing());
+        let (mut positions, mut normals) = (Vec::new(), Vec::new());
+        (dancer.skin).pose(&world_from_bind, &mut positions, &mut normals);
+        let head = dancer.skeleton.joint(Bone::Head);
+        let crown = dancer.landmarks.crown_height;
+        Ok(Self {
+            materials: dancer_materials(&dancer)?,
+            head: world_from_bind[Bone::Head.index()].transform_point3(Vec3::new(
+                0.0,
+                0.5 * (head.y + crown),
+                head.z,
+            )),
+            dancer,
+            positions,
+            normals,
+        })
+    }
+
+    /// Turned about the vertical by an angle [rad] and moved.
+    fn placed(&self, turn: f32, to: Vec3) -> Placed {
+        let (sin, cos) = trig::sin_cos(0.5 * turn);
+        let quat = Quat::from_xyzw(0.0, sin, 0.0, cos);
+        let place = Affine3A {
+            matrix3: Mat3A::from_quat(quat),
+            translation: to.into(),
+        };
+        let positions = (self.positions.iter()).map(|&p| place.transform_point3(p));
+        let normals = (self.normals.iter()).map(|&n| place.transform_vector3(n));
+        (positions.collect(), normals.collect())
+    }
+}
+
+/// Arms lowered a little from the bind pose, so that six fit side by side.
+fn standing() -> Pose {
+    let mut pose = Pose::default();
+    for (bone, side) in [(Bone::LeftUpperArm, 1.0), (Bone::RightUpperArm, -1.0)] {
+        let (sin, cos) = trig::sin_cos(-0.5 * side * 20.0_f32.to_radians());
+        pose.rotate(bone, Quat::from_xyzw(0.0, 0.0, sin, cos));
+    }
+    pose
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let folder = PathBuf::from(std::env::args().nth(1).unwrap_or_else(|| "docs".into()));
+    let six = (SIX.into_iter().map(Drawn::new)).collect::<Result<Vec<_>, _>>()?;
+    let middle = 0.5 * APART * (six.len() - 1) as f32;
+    let place = |index: usize| Vec3::X * (APART * index as f32 - middle);
+    let bodies: Vec<_> = (six.iter().enumerate())
+        .map(|(index, drawn)| (drawn, drawn.placed(0.0, place(index))))
+        .collect();
+    let camera = |height: f32, opening: f32, distance: f32| Camera {
+        eye: Vec3::new(0.0, height, distance),
+        target: Vec3::new(0.0, height, 0.0),
+        vertical_fov: 2.0 * trig::atan2(0.5 * opening, distance),
+    };
+    let whole = camera(0.84, 2.36, 14.0);
+    draw(&folder.join("bodies.png"), BODIES, whole, &bodies)?;
+    let backs: Vec<_> = (six.iter().enumerate())
+        .map(|(index, drawn)| (drawn, drawn.placed(2.5, place(index))))
+        .collect();
+    draw(&folder.join("backs.png"), BODIES, whole, &backs)?;
+    // All heads at one height, as near as they fill the picture.
+    let heads: Vec<_> = (six.iter().enumerate())
+        .map(|(index, drawn)| {
+            let turn = if index % 2 == 0 { 0.0 } else { -0.55 };
+            let to = Vec3::X * (0.27 * (index as f32 - 2.5)) - Vec3::Y * drawn.head.y;
+            (drawn, drawn.placed(turn, to))
+        })
+        .collect();
+    draw(
+        &folder.join("faces.png"),
+        FACES,
+        camera(-0.015, 0.4, 4.0),
+        &heads,
+    )
+}
+
+fn draw(
+    path: &Path,
+    size: Size,
+    camera: Camera,
+    bodies: &[(&Drawn, Placed)],
+) -> Result<(), Box<dyn Error>> {
+    let mut scene = Scene::studio(camera);
+    for (drawn, (positions, normals)) in bodies {
+        let skin = &drawn.dancer.skin;
+        for (part, (_, material)) in skin.parts.iter().zip(&drawn.materials) {
+            scene.meshes.push(SceneMesh {
+                positions,
+                normals,
+                uvs: &skin.uvs,
+                colors: &[],
+                triangles: &part.triangles,
+                material,
+            });
+        }
+    }
+    let image = Renderer::new(Backend::Cpu, size)?.render(&scene)?;
+    let mut encoder = png::Encoder::new(std::fs::File::create(path)?, size.width, size.height);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_compression(png::Compression::High);
+    let pixels: Vec<u8> = (image.pixels.chunks_exact(4))
+        .flat_map(|pixel| [pixel[0], pixel[1], pixel[2]])
+        .collect();
+    encoder.write_header()?.write_image_data(&pixels)?;
+    Ok(())
+}
