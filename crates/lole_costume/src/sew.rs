@@ -211,6 +211,8 @@ pub struct SewnSkirt {
     pub pins: Vec<SkinPin>,
     /// Grid rows that carry elastic, from the top.
     pub elastic_rows: Vec<u32>,
+    /// Particles of a gather, at most.
+    pub fold_columns: usize,
     /// Every particle carried by the nearest skin: the start of the drape.
     start: Vec<TapePoint>,
 }
@@ -303,6 +305,7 @@ pub fn sew(
     Ok(SewnSkirt {
         spec,
         pins,
+        fold_columns: (layout.grid.column_count as usize).div_ceil(layout.fold_starts.len()),
         elastic_rows: layout.elastic_rows,
         start,
     })
