@@ -77,6 +77,9 @@ impl Worn {
             surfels.pose(skin.0, skin.1, &mut self.pin_skin);
             let column_count = garment.sewn.spec.grid.column_count as usize;
             self.lift_pins(column_count, garment.sewn.fold_columns);
+            // What was lifted is farther from the next elastic.
+            garment.sewn.slide_elastics(&mut self.pin_targets);
+            self.lift_pins(column_count, garment.sewn.fold_columns);
         }
         if !held.is_empty() {
             let pins = garment.sewn.pins.iter().map(|pin| pin.particle);
