@@ -37,8 +37,21 @@ impl TapePoint {
     }
 }
 
+#[expect(clippy::cast_possible_truncation, reason = "a body has few bones")]
+const UPPER_CHEST: u16 = Bone::UpperChest.index() as u16;
+
 /// Triangles carried by the arm this far are no part of the trunk.
 const LEAST_ARM_SHARE: f32 = 0.7;
+
+/// The bone that carries a tape where this one carries the skin: an arm that is raised draws the skin
+/// at its pit up and out, and a tape below it stays on the trunk.
+fn carrier(joint: u16) -> u16 {
+    let index = usize::from(joint);
+    let is_between = |first: Bone, last: Bone| (first.index()..=last.index()).contains(&index);
+    let is_arm = is_between(Bone::LeftShoulder, Bone::LeftLittleDistal)
+        || is_between(Bone::RightShoulder, Bone::RightLittleDistal);
+    if is_arm { UPPER_CHEST } else { joint }
+}
 
 /// A corner of the taut tape.
 #[derive(Debug, Clone)]
@@ -130,7 +143,7 @@ fn corners(skin: &SkinnedMesh, hull: &[CutPoint]) -> Vec<Corner> {
                 let vertex = vertex as usize;
                 for (joint, weight) in skin.joints[vertex].into_iter().zip(skin.weights[vertex]) {
                     if weight > 0.0 {
-                        *weights.entry(joint).or_insert(0.0) += weight * part;
+                        *weights.entry(carrier(joint)).or_insert(0.0) += weight * part;
                     }
                 }
             }

@@ -479,6 +479,22 @@ fn a_tape_ring_runs_from_the_back_over_the_left_at_equal_steps() {
 }
 
 #[test]
+fn a_tape_below_the_arms_stays_on_the_trunk_when_they_are_raised() {
+    let woman = woman();
+    let rest = woman.skeleton.world_from_bind(&Pose::default());
+    let mut raised = Pose::default();
+    for (arm, turn) in [(Bone::LeftUpperArm, 0.9), (Bone::RightUpperArm, -0.9)] {
+        raised.rotations[arm.index()] = Quat::from_rotation_z(turn);
+    }
+    let raised = woman.skeleton.world_from_bind(&raised);
+    for above_bust in [0.0, 0.02, 0.05] {
+        for point in woman.tape_ring(woman.landmarks.bust_height + above_bust, 360) {
+            assert_eq!(point.posed(&raised), point.posed(&rest), "{above_bust} m");
+        }
+    }
+}
+
+#[test]
 fn missing_measurements_follow_those_taken() {
     let woman = Measurements::woman();
     assert!((woman.hip_girth.to_cm() - 91.0).abs() < 1e-9);

@@ -130,6 +130,35 @@ fn distance(a: &Pose, b: &Pose) -> f32 {
 }
 
 #[test]
+fn room_before_the_chest_keeps_that_hand_away_and_moves_nothing_else() {
+    let plain = dance_of(&settings_of(DanceStep::Kaholo));
+    let roomy = dance_of(&MotionSettings {
+        chest_room_degrees: 10.0,
+        ..settings_of(DanceStep::Kaholo)
+    });
+    let (mut across, mut out) = (0, 0);
+    for time in times(&plain, &settings_of(DanceStep::Kaholo)) {
+        let [plain, roomy] = [&plain, &roomy].map(|dance| Moment::of(&dance.pose_at(time)));
+        assert_eq!(
+            plain.at(Bone::LeftFoot),
+            roomy.at(Bone::LeftFoot),
+            "{time} s"
+        );
+        let chest = plain.skin[Bone::UpperChest.index()].inverse();
+        let tip = |moment: &Moment| chest.transform_point3(moment.at(Bone::LeftMiddleDistal));
+        let farther = tip(&roomy).z - tip(&plain).z;
+        if tip(&plain).x < 0.02 {
+            across += 1;
+            assert!((0.03..0.1).contains(&farther), "{farther} m at {time} s");
+        } else if 0.5 < tip(&plain).x {
+            out += 1;
+            assert!(farther.abs() < 1e-6, "{farther} m at {time} s");
+        }
+    }
+    assert!(20 < across && 20 < out, "{across} across, {out} out");
+}
+
+#[test]
 fn a_standing_foot_slides_less_than_a_millimetre() {
     for settings in many_settings() {
         let dance = dance_of(&settings);

@@ -211,6 +211,10 @@ pub struct SewnSkirt {
     pub pins: Vec<SkinPin>,
     /// Grid rows that carry elastic, from the top.
     pub elastic_rows: Vec<u32>,
+    /// Particles of a gather, at most.
+    pub fold_columns: usize,
+    /// How far apart two elastics may be, over the cloth between them.
+    taut: f32,
     /// Every particle carried by the nearest skin: the start of the drape.
     start: Vec<TapePoint>,
 }
@@ -236,10 +240,16 @@ impl SewnSkirt {
     pub fn pose_pins(&self, world_from_bind: &[Affine3A], targets: &mut Vec<Vec3>) {
         targets.clear();
         targets.extend(self.pins.iter().map(|pin| pin.posed(world_from_bind)));
+        self.slide_elastics(targets);
+    }
+
+    /// Lets every upper elastic slide down until the cloth below it reaches to the next one; `targets`
+    /// [m] are where pins are, in the order of [`Self::pins`].
+    pub fn slide_elastics(&self, targets: &mut [Vec3]) {
         let columns = self.spec.grid.column_count as usize;
         for upper in (0..self.elastic_rows.len().saturating_sub(1)).rev() {
             let rows = self.elastic_rows[upper + 1] - self.elastic_rows[upper];
-            let longest = TAUT * rows as f32 * self.spec.grid.spacing[1];
+            let longest = self.taut * rows as f32 * self.spec.grid.spacing[1];
             let (above, below) = targets[upper * columns..].split_at_mut(columns);
             for (above, &below) in above.iter_mut().zip(&*below) {
                 *above = below + (*above - below).clamp_length_max(longest);
@@ -303,7 +313,12 @@ pub fn sew(
     Ok(SewnSkirt {
         spec,
         pins,
+        fold_columns: (layout.grid.column_count as usize).div_ceil(layout.fold_starts.len()),
         elastic_rows: layout.elastic_rows,
+        taut: match cut.place {
+            WornPlace::Hips => TAUT,
+            WornPlace::Bust => TAUT_OVER_BUST,
+        },
         start,
     })
 }
@@ -348,6 +363,9 @@ const BLOUSING: f32 = 0.96;
 /// Elastic rows are at most this much of the cloth between them apart: weaving is never pulled
 /// straight by an elastic, which slides first.
 const TAUT: f32 = 0.98;
+
+/// The same where cloth goes over the bust and the folds of the back: its way is longer than straight.
+const TAUT_OVER_BUST: f32 = 0.93;
 
 /// The grid and what its rows and columns mean.
 struct Layout {

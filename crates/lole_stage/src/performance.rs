@@ -221,14 +221,9 @@ impl Performance {
             crossings: self.crossings,
             time: self.time(),
         };
-        if let [only] = &mut self.worn[..] {
-            only.step(&surroundings, observer);
-        } else {
-            let garments = &self.production.garments;
-            let trunk = order::trunk(&self.production.dancer.skeleton, &self.world_from_bind);
-            let worn = (&mut self.worn[..], &garments[..]);
-            self.order.step(trunk, worn, &surroundings, observer);
-        }
+        let trunk = order::trunk(&self.production.dancer.skeleton, &self.world_from_bind);
+        let worn = (&mut self.worn[..], &self.production.garments[..]);
+        self.order.step(trunk, worn, &surroundings, observer);
         self.look();
         self.settle();
         self.check_stage()

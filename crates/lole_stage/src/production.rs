@@ -61,6 +61,9 @@ pub struct Garment {
     pub pin_surfels: Option<SkinSurfels>,
     /// Its particles among those of all garments.
     pub particles: Range<usize>,
+    /// Place of the first garment that it is worn over or under, directly or by way of others; its own
+    /// where that is none. Garments of different chains never meet.
+    pub chain: usize,
 }
 
 impl Production {
@@ -91,7 +94,8 @@ impl Production {
         let (cut, fabric, print) = (&design.skirt, &design.fabric, &design.print);
         wardrobe.put_on_skirt(("pau_skirt", 0.0), (cut, fabric), print)?;
         wardrobe.put_on_layer(design, GarmentLayer::Over)?;
-        let garments = wardrobe.garments;
+        let mut garments = wardrobe.garments;
+        link_chains(&mut garments);
         let body_surfels =
             SkinSurfels::new(&dancer.skin.positions, &body_triangles, SURFEL_SPACING);
         Ok(Self {
@@ -276,6 +280,7 @@ impl Wardrobe<'_> {
             mesh,
             pin_surfels,
             particles: first..first + particle_count,
+            chain: self.garments.len(),
         });
         Ok(())
     }
@@ -290,6 +295,28 @@ impl Wardrobe<'_> {
             name.to_owned()
         } else {
             format!("{name}_{}", alike + 1)
+        }
+    }
+}
+
+/// Links garments that share a height of the body into chains.
+fn link_chains(garments: &mut [Garment]) {
+    let heights = |garment: &Garment| {
+        let heights = garment.sewn.bind_positions().map(|place| place.y);
+        heights.fold([f32::INFINITY, f32::NEG_INFINITY], |[low, high], y| {
+            [low.min(y), high.max(y)]
+        })
+    };
+    let heights: Vec<[f32; 2]> = garments.iter().map(heights).collect();
+    for outer in 1..garments.len() {
+        for inner in 0..outer {
+            let [one, other] = [heights[outer], heights[inner]];
+            if one[0] <= other[1] && other[0] <= one[1] {
+                let chains = [garments[inner].chain, garments[outer].chain];
+                let [first, last] = [chains[0].min(chains[1]), chains[0].max(chains[1])];
+                let linked = garments.iter_mut().filter(|garment| garment.chain == last);
+                linked.for_each(|garment| garment.chain = first);
+            }
         }
     }
 }

@@ -36,6 +36,11 @@ const HELD_DEPTH_ON_SKIN: f32 = 0.006;
 /// 4.4 %.
 const SUBSTEP_COUNT: NonZeroU32 = NonZeroU32::MIN.saturating_add(13);
 
+/// The same where several garments are worn: they are divided more coarsely, and a row that lies alone
+/// between two elastics is compressed. In the first 90 frames of a double pāʻū the worst of the 99th
+/// percentiles is 4.0 % with 14, 3.4 % with 16.
+const LAYERED_SUBSTEP_COUNT: NonZeroU32 = NonZeroU32::MIN.saturating_add(15);
+
 /// A prepared cloth and its moving state, by method.
 #[derive(Clone)]
 pub(crate) enum Solver {
@@ -122,6 +127,11 @@ impl Solver {
         spec: &ClothSpec,
         start: &[Vec3],
     ) -> Result<Self, StageError> {
+        let usual = if design.garments.is_empty() {
+            SUBSTEP_COUNT
+        } else {
+            LAYERED_SUBSTEP_COUNT
+        };
         let substeps = design.method.substep_count.and_then(NonZeroU32::new);
         let Some(integrator) = design.method.name.integrator() else {
             let gusts = gusts(design);
@@ -133,7 +143,7 @@ impl Solver {
             let model = ClothModel::new(&spec)?;
             return Ok(Self::Xpbd(Box::new(Xpbd {
                 state: ClothState::new(&model, start),
-                config: xpbd_config(&spec, substeps),
+                config: xpbd_config(&spec, substeps.unwrap_or(usual)),
                 gusts,
                 wind: Wind {
                     amplitude: design.wind.speed_m_per_s,
@@ -352,9 +362,9 @@ fn wind_per_particle(design: &Design, spec: &ClothSpec) -> Option<Wind> {
 }
 
 /// Settings of the film's skirt.
-fn xpbd_config(spec: &ClothSpec, substeps: Option<NonZeroU32>) -> SolverConfig {
+fn xpbd_config(spec: &ClothSpec, substep_count: NonZeroU32) -> SolverConfig {
     SolverConfig {
-        substep_count: substeps.unwrap_or(SUBSTEP_COUNT),
+        substep_count,
         contact_offset: CONTACT_OFFSET,
         depenetration_speed: DEPENETRATION_SPEED,
         held_depth: HELD_DEPTH,

@@ -257,6 +257,7 @@ fn arriving(count: f32) -> f32 {
 
 /// The arm with the elbow and the hand of the settings' manner.
 fn mannered(arm: Arm, settings: &MotionSettings) -> Arm {
+    let arm = roomy(arm, settings.chest_room_degrees);
     let arm = match settings.arm_manner {
         ArmManner::Curved => arm,
         ArmManner::Crisp => straighter(arm),
@@ -272,6 +273,17 @@ fn mannered(arm: Arm, settings: &MotionSettings) -> Arm {
             wrist: 0.3 * arm.wrist,
             ..arm
         },
+    }
+}
+
+/// A forearm that lies before the chest, its elbow opened by as much as `degrees`. Hands on the waist
+/// stay there.
+fn roomy(arm: Arm, degrees: f32) -> Arm {
+    let is_across = ramp_between(arm.fore_azimuth, 90.0, 160.0);
+    let is_level = ramp_between(arm.fore_elevation, -28.0, -12.0);
+    Arm {
+        fore_azimuth: arm.fore_azimuth - degrees * is_across * is_level,
+        ..arm
     }
 }
 

@@ -126,6 +126,9 @@ pub struct MotionSettings {
     pub arm_manner: ArmManner,
     /// What the hands are like.
     pub hands: Hands,
+    /// How much farther an elbow is opened than the step asks for where the hand lies before the chest
+    /// [°], 0 to 30: room for what she wears there. 10 keeps the hand 4 cm farther away.
+    pub chest_room_degrees: f32,
     /// Direction of the ʻami circle.
     pub ami_turn: AmiTurn,
     /// How far the hips go back at both ends of a sway [statures], 0 to 0.02: the figure of eight
@@ -152,6 +155,7 @@ impl Default for MotionSettings {
             arms: ArmStyle::default(),
             arm_manner: ArmManner::default(),
             hands: Hands::default(),
+            chest_room_degrees: 0.0,
             ami_turn: AmiTurn::default(),
             figure_eight: 0.0,
             parts: Vec::new(),
@@ -264,6 +268,7 @@ impl MotionSettings {
             ("step_width", self.step_width, 0.0, 0.26),
             ("stance_width", self.stance_width, 0.1, 0.3),
             ("toe_out_degrees", self.toe_out_degrees, 0.0, 30.0),
+            ("chest_room_degrees", self.chest_room_degrees, 0.0, 30.0),
             ("figure_eight", self.figure_eight, 0.0, 0.02),
         ];
         for (setting, value, lowest, highest) in ranges {

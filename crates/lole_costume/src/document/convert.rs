@@ -214,10 +214,16 @@ impl Design {
             arms: motion.arms,
             arm_manner: motion.arm_manner,
             hands: motion.hands,
+            chest_room_degrees: if self.has_top() { CHEST_ROOM } else { 0.0 },
             ami_turn: motion.ami_turn,
             figure_eight: motion_value(motion.eight_ratio),
             parts: motion.parts.iter().map(PartDesign::part).collect(),
         }
+    }
+
+    fn has_top(&self) -> bool {
+        let mut garments = self.garments.iter();
+        garments.any(|garment| matches!(garment, GarmentDesign::PauTop(_)))
     }
 
     /// How long is danced what ends after `whole` [s], or is repeated for ever [s].
@@ -228,6 +234,8 @@ impl Design {
     }
 }
 
+/// Opening of an elbow whose hand would lie on the gathers of a top [°].
+const CHEST_ROOM: f32 = 10.0;
 /// How long a step is repeated where the design does not say [s].
 const REPEATED_S: f64 = 12.0;
 /// The longest dance [s].

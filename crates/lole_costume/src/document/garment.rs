@@ -167,7 +167,7 @@ impl Default for TopDesign {
             casing_cm: 2.5,
             casing_gap_cm: 1.5,
             hem_allowance_cm: 2.0,
-            column_count: 240,
+            column_count: 288,
             row_count: 30,
             seed: 3,
         }

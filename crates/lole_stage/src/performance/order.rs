@@ -5,6 +5,7 @@ use lole_body::{Bone, Skeleton};
 use lole_cloth::collision::layer::{Envelope, Layer, Trunk};
 use lole_cloth::diagnose;
 use lole_geom::Surfel;
+use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 
 use super::worn::Worn;
 use crate::production::Garment;
@@ -17,18 +18,28 @@ const GAP: f32 = 0.0015;
 /// other side of the dancer.
 const REACH: f32 = 0.04;
 
+/// The garments of a performance, chain by chain.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Order {
+    chains: Vec<Chain>,
+}
+
 /// What garments meet that move on one after the other, from the skin outward: the skin, and the
 /// envelope of what is worn already, which they meet in the same way. It is room: every frame is
 /// looked at anew, so that states say all there is to know.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Order {
+struct Chain {
     envelope: Envelope,
     surfels: Vec<Surfel>,
 }
 
+/// Garments of one chain, from the skin outward.
+type Dressed<'a> = Vec<(&'a mut Worn, &'a Garment)>;
+
 impl Order {
     /// Moves garments on by a frame, from the skin outward: each meets what is worn inside of it
-    /// where that is at the end of the frame. Cloth that the paper's methods move does not.
+    /// where that is at the end of the frame. Cloth that the paper's methods move does not. Chains do
+    /// not meet each other, so they move on at the same time.
     pub(super) fn step(
         &mut self,
         trunk: Trunk,
@@ -36,20 +47,49 @@ impl Order {
         surroundings: &Surroundings<'_>,
         mut observer: Observer<'_>,
     ) {
+        let mut dressed: Vec<Dressed<'_>> = garments.iter().map(|_| Vec::new()).collect();
+        for pair in worn.iter_mut().zip(garments) {
+            dressed[pair.1.chain].push(pair);
+        }
+        dressed.retain(|chain| !chain.is_empty());
+        self.chains.resize_with(dressed.len(), Chain::default);
+        let chains = self.chains.iter_mut().zip(dressed);
+        if observer.is_some() || rayon::current_num_threads() == 1 {
+            for (chain, dressed) in chains {
+                chain.step(trunk, dressed, surroundings, &mut observer);
+            }
+        } else {
+            let chains: Vec<_> = chains.collect();
+            chains.into_par_iter().for_each(|(chain, dressed)| {
+                chain.step(trunk, dressed, surroundings, &mut None);
+            });
+        }
+    }
+}
+
+impl Chain {
+    fn step(
+        &mut self,
+        trunk: Trunk,
+        dressed: Dressed<'_>,
+        surroundings: &Surroundings<'_>,
+        observer: &mut Observer<'_>,
+    ) {
         self.envelope.begin(trunk);
         self.surfels.clear();
         self.surfels.extend_from_slice(surroundings.surfels);
         let skin_count = self.surfels.len();
-        for (place, (worn, garment)) in worn.iter_mut().zip(garments).enumerate() {
+        let count = dressed.len();
+        for (place, (worn, garment)) in dressed.into_iter().enumerate() {
             let surroundings = Surroundings {
                 surfels: &self.surfels,
                 ..*surroundings
             };
-            match &mut observer {
+            match observer {
                 None => worn.step(&surroundings, None),
                 Some(passed) => worn.step(&surroundings, Some(&mut **passed)),
             }
-            if place + 1 < garments.len() {
+            if place + 1 < count {
                 self.put_on(garment, worn.look(), skin_count);
             }
         }

@@ -25,6 +25,8 @@ pub(super) struct Worn {
     /// whose experiments keep the damping they had.
     settling: Option<Settling>,
     positions: Vec<Vec3>,
+    /// Room for a row of pins.
+    lifts: Vec<f32>,
 }
 
 /// The body in the present pose, as pins need it.
@@ -56,6 +58,7 @@ impl Worn {
             pin_targets: Vec::new(),
             pin_skin: Vec::new(),
             positions: start,
+            lifts: Vec::new(),
         })
     }
 
@@ -72,7 +75,11 @@ impl Worn {
             .pose_pins(body.world_from_bind, &mut self.pin_targets);
         if let (Some(skin), Some(surfels)) = (body.skin, &garment.pin_surfels) {
             surfels.pose(skin.0, skin.1, &mut self.pin_skin);
-            self.lift_pins();
+            let column_count = garment.sewn.spec.grid.column_count as usize;
+            self.lift_pins(column_count, garment.sewn.fold_columns);
+            // What was lifted is farther from the next elastic.
+            garment.sewn.slide_elastics(&mut self.pin_targets);
+            self.lift_pins(column_count, garment.sewn.fold_columns);
         }
         if !held.is_empty() {
             let pins = garment.sewn.pins.iter().map(|pin| pin.particle);
@@ -85,10 +92,24 @@ impl Worn {
     }
 
     /// Skin that folds would swallow the tape, which runs straight between the points that carry it.
-    fn lift_pins(&mut self) {
-        for (target, skin) in self.pin_targets.iter_mut().zip(&self.pin_skin) {
-            let gap = (*target - skin.position).dot(skin.normal);
-            *target += skin.normal * (PIN_CLEARANCE - gap).max(0.0);
+    /// What lifts one turn of a gather of `fold_columns` pins lifts the whole of it, and its neighbors
+    /// in part: a gather that is pressed flat from inside has more cloth than room.
+    fn lift_pins(&mut self, column_count: usize, fold_columns: usize) {
+        let rows = self.pin_targets.chunks_mut(column_count);
+        for (targets, skin) in rows.zip(self.pin_skin.chunks(column_count)) {
+            self.lifts.clear();
+            self.lifts
+                .extend(targets.iter().zip(skin).map(|(target, skin)| {
+                    let gap = (*target - skin.position).dot(skin.normal);
+                    (PIN_CLEARANCE - gap).max(0.0)
+                }));
+            if self.lifts.iter().all(|&lift| lift == 0.0) {
+                continue;
+            }
+            let lifts = spread(&self.lifts, fold_columns);
+            for ((target, skin), lift) in targets.iter_mut().zip(skin).zip(lifts) {
+                *target += skin.normal * lift;
+            }
         }
     }
 
@@ -144,5 +165,43 @@ impl Worn {
             diagnose::strain(&garment.sewn.spec, positions),
             skin_check::check(body, cloth),
         )
+    }
+}
+
+/// The mean, over `reach` places to either side on a closed line, of the largest values as far around
+/// each of them: nowhere less than the value itself.
+fn spread(values: &[f32], reach: usize) -> Vec<f32> {
+    let reach = reach.min(values.len());
+    let width = 2 * reach + 1;
+    let wrapped =
+        |values: &[f32]| [&values[values.len() - reach..], values, &values[..reach]].concat();
+    let largest = |near: &[f32]| near.iter().copied().fold(0.0, f32::max);
+    let largest: Vec<f32> = wrapped(values).windows(width).map(largest).collect();
+    let mean = |near: &[f32]| near.iter().sum::<f32>() / width as f32;
+    wrapped(&largest).windows(width).map(mean).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_spread_lies_over_the_values_evenly_and_closes() {
+        let mut values = [0.0_f32; 40];
+        values[1] = 3.0;
+        values[20] = 1.0;
+        let over = spread(&values, 4);
+        assert_eq!(over.len(), values.len());
+        for (place, (&over, &value)) in over.iter().zip(&values).enumerate() {
+            assert!(value <= over + 1e-6, "{place}: {over}");
+            let next = spread(&values, 4)[(place + 1) % 40];
+            assert!(
+                (over - next).abs() <= 3.0 / 9.0 + 1e-6,
+                "{place}: {over} and {next}"
+            );
+        }
+        assert!(0.0 < over[39], "around the seam");
+        assert_eq!(over[30], 0.0, "no farther than twice the reach");
+        assert_eq!(spread(&[2.0; 9], 4), [2.0; 9]);
     }
 }

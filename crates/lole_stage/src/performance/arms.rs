@@ -1,0 +1,130 @@
+//! Arms beside what is worn: they press cloth towards the dancer, and never away from her.
+//!
+//! What hangs on the trunk lies between it and the arms. An arm that hangs down, or a hand on the
+//! hip, meets it from outside only: the faces that look away from the trunk touch nothing, or a skirt
+//! that came to lie around a hand would be dragged along by it. Where an arm comes so near to the
+//! trunk that folded cloth finds no room in between, which recorded dancers in tight clothes and
+//! bodies of other proportions do all the time, it touches nothing at all: what is worn keeps to
+//! the trunk, and the arm lies in its folds.
+
+use std::collections::BTreeMap;
+
+use glam::{Affine3A, Vec3};
+use lole_body::{Bone, Dancer, SkinSurfels};
+use lole_geom::{Capsule, Surfel};
+
+/// Room that folded cloth takes between an arm and the trunk [m].
+const FOLDS: f32 = 0.03;
+
+/// An arm nearer than this to the trunk [m] may have cloth of the trunk around it.
+const NEAR: f32 = 0.25;
+
+/// Length of a slice of an arm [m], all of which touches cloth or does not.
+const SLICE: f32 = 0.025;
+
+/// Which surfels of the skin are the arms'.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct Arms {
+    /// Surfels of every slice.
+    slices: Vec<Vec<u32>>,
+    /// Places of the capsules of trunk, head and legs.
+    trunk: Vec<usize>,
+}
+
+impl Arms {
+    /// Cuts the arms of a dancer, whose skin is given as surfels, into slices.
+    pub(crate) fn new(dancer: &Dancer, surfels: &SkinSurfels) -> Self {
+        let mut slices = BTreeMap::<(Bone, u32), Vec<u32>>::new();
+        for (surfel, corner) in (0..).zip(surfels.carriers()) {
+            let corner = corner as usize;
+            let bone = Bone::ALL[usize::from(dancer.skin.joints[corner][0])];
+            let Some(upper_arm) = upper_arm_of(bone) else {
+                continue;
+            };
+            let from_shoulder =
+                dancer.skin.positions[corner].distance(dancer.skeleton.joint(upper_arm));
+            let key = (upper_arm, whole_slices(from_shoulder));
+            slices.entry(key).or_default().push(surfel);
+        }
+        let is_of_trunk =
+            |ends: &[(Bone, Vec3); 2]| ends.iter().all(|&(bone, _)| upper_arm_of(bone).is_none());
+        let trunk = (dancer.capsules.iter().enumerate())
+            .filter(|(_, capsule)| is_of_trunk(&capsule.ends))
+            .map(|(place, _)| place);
+        Self {
+            trunk: trunk.collect(),
+            slices: slices.into_values().collect(),
+        }
+    }
+
+    /// Takes the normals of those surfels that touch nothing in a pose of the dancer.
+    pub(crate) fn withdraw(
+        &self,
+        dancer: &Dancer,
+        world_from_bind: &[Affine3A],
+        surfels: &mut [Surfel],
+    ) {
+        let trunk: Vec<Capsule> = (self.trunk.iter())
+            .map(|&place| dancer.capsules[place].posed(world_from_bind))
+            .collect();
+        for slice in &self.slices {
+            withdraw_slice(slice, &trunk, surfels);
+        }
+    }
+}
+
+fn withdraw_slice(slice: &[u32], trunk: &[Capsule], surfels: &mut [Surfel]) {
+    let mut gap = f32::INFINITY;
+    let mut low = Vec3::INFINITY;
+    let mut high = Vec3::NEG_INFINITY;
+    for &surfel in slice {
+        let position = surfels[surfel as usize].position;
+        (low, high) = (low.min(position), high.max(position));
+        for capsule in trunk {
+            gap = gap.min(capsule.signed_distance(position));
+        }
+    }
+    if NEAR < gap {
+        return;
+    }
+    let outward = away_from(trunk, (low + high) * 0.5);
+    for &surfel in slice {
+        let surfel = &mut surfels[surfel as usize];
+        if gap < FOLDS || 0.0 < surfel.normal.dot(outward) {
+            surfel.normal = Vec3::ZERO;
+        }
+    }
+}
+
+/// Direction from the axis of the nearest capsule to a point.
+fn away_from(capsules: &[Capsule], point: Vec3) -> Vec3 {
+    let nearest = capsules
+        .iter()
+        .min_by(|a, b| (a.signed_distance(point)).total_cmp(&b.signed_distance(point)));
+    let Some(capsule) = nearest else {
+        return Vec3::ZERO;
+    };
+    let s = capsule.axis_parameter(point);
+    (point - capsule.ends[0].lerp(capsule.ends[1], s)).normalize_or_zero()
+}
+
+/// The upper arm that carries a bone, if it is an arm's.
+fn upper_arm_of(bone: Bone) -> Option<Bone> {
+    let mut bone = Some(bone);
+    while let Some(one) = bone {
+        if matches!(one, Bone::LeftUpperArm | Bone::RightUpperArm) {
+            return Some(one);
+        }
+        bone = one.parent();
+    }
+    None
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "an arm is some dozens of slices long"
+)]
+fn whole_slices(length: f32) -> u32 {
+    (length / SLICE) as u32
+}
