@@ -207,7 +207,7 @@ impl Stagehand {
             self.sew(design);
             return;
         };
-        let prints_anew = show.design().print != design.print;
+        let prints_anew = show.design().worn_prints() != design.worn_prints();
         let before = show.design().clone();
         match show.wish(&design) {
             Ok(Wish::Resew) => self.sew(design),
@@ -379,6 +379,8 @@ fn photograph(show: &Show, clothes: &Arc<Wardrobe>, watch: Watch) -> Snapshot {
         sunken: Vec::new(),
         samples: Vec::new(),
         pace: None,
+        part: show.part(),
+        recording_seconds: show.recording_seconds(),
         substep_count: show.substep_count(),
         stopped: show.stopped(),
     }
