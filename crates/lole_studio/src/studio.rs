@@ -451,8 +451,15 @@ impl Studio {
         }
     }
 
-    /// Goes on with work that was found.
-    pub fn resume(&mut self, work: Work) {
+    /// Goes on with work that was found; what was done meanwhile is one step back.
+    pub fn resume(&mut self, mut work: Work) {
+        let meanwhile = self.work();
+        if meanwhile.is_unsaved() {
+            let mut before = meanwhile.present;
+            before.file += work.files.len();
+            work.files.extend(meanwhile.files);
+            work.past.push(before);
+        }
         self.undo = Undo::of(work.past, work.future);
         self.files = work.files;
         self.go_to(work.present);
@@ -567,6 +574,23 @@ mod tests {
             studio.design().skirt.hem_height_cm.to_bits(),
             30.0_f64.to_bits()
         );
+    }
+
+    #[test]
+    fn work_that_is_resumed_keeps_what_was_done_meanwhile_one_step_back() {
+        let mut left = studio();
+        left.change(|design| design.skirt.hem_height_cm = 30.0);
+        left.rest();
+        let mut studio = studio();
+        studio.change(|design| design.motion.tempo_bpm = 90.0);
+        studio.rest();
+        let meanwhile = studio.design().clone();
+        studio.resume(left.work());
+        assert_eq!(studio.design(), left.design());
+        studio.undo();
+        assert_eq!(*studio.design(), meanwhile);
+        studio.undo();
+        assert_eq!(*studio.design(), Design::default());
     }
 
     #[test]

@@ -38,6 +38,7 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
             .corner_radius(7)
             .inner_margin(6)
             .show(ui, |ui| {
+                ui.set_width(ui.available_width());
                 if let Some(done) = part_ui(ui, studio, (index, parts.len()), part) {
                     edit = Some(done);
                 }
@@ -95,7 +96,7 @@ fn part_ui(
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         ui.label(RichText::new(number.to_string()).strong());
-        let width = ui.available_width() - 3.0 * 38.0;
+        let width = ui.available_width() - 3.0 * (knob::SIGN.x + 4.0);
         if let Some(step) = steps::drop_down(ui, studio, (number, width), part.step) {
             changed.step = step;
             changed.beat_count = whole_phrases(part.beat_count, step.phrase());

@@ -79,11 +79,18 @@ pub(super) fn wide_button(ui: &mut Ui, name: &str) -> bool {
     ui.add(egui::Button::new(name).min_size(size)).clicked()
 }
 
+/// Size of a button with a sign [point].
+pub(super) const SIGN: egui::Vec2 = egui::vec2(34.0, 30.0);
+
 /// A small button with a sign that is read out as `name`; whether it was clicked.
 pub(super) fn sign_button(ui: &mut Ui, sign: &str, name: &str) -> bool {
     let enabled = ui.is_enabled();
-    let button = egui::Button::new(sign).min_size(egui::vec2(34.0, 30.0));
-    let response = ui.add(button).on_hover_text(name);
+    let button = egui::Button::new(sign).min_size(SIGN);
+    let slim = |ui: &mut Ui| {
+        ui.spacing_mut().button_padding.x = 2.0;
+        ui.add(button)
+    };
+    let response = ui.scope(slim).inner.on_hover_text(name);
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, enabled, name));
     response.clicked()
 }
