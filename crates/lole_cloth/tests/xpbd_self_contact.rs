@@ -6,7 +6,7 @@ mod xpbd_support;
 use std::num::NonZeroU32;
 
 use glam::Vec3;
-use lole_cloth::{Fabric, SelfCollision, diagnose};
+use lole_cloth::{Crossings, Fabric, SelfCollision, diagnose, state_hash};
 use lole_geom::{Capsule, trig};
 use xpbd_support::{FABRIC, World, flat_positions, sheet_spec};
 
@@ -14,7 +14,7 @@ fn with_self_contact(mut world: World) -> World {
     world.config.self_collision = Some(SelfCollision {
         radius: 0.004,
         substep_interval: NonZeroU32::MIN,
-        crossings: lole_cloth::Crossings::Repair,
+        crossings: Crossings::Repair,
     });
     world
 }
@@ -104,4 +104,25 @@ fn a_fold_pushed_through_itself_comes_out_within_two_seconds_and_does_not_burst(
         assert_eq!(crossings(&world), 0);
     }
     assert!(diagnose::strain(world.model.spec(), &world.positions()).max < 0.1);
+}
+
+#[test]
+fn once_crossings_are_left_no_cloth_stays_without_contact() {
+    let mut world = pushed_through();
+    world.step(&[]);
+    assert!(0 < crossings(&world), "it is still tangled");
+    let leave = |world: &mut World| {
+        let contact = world.config.self_collision.as_mut();
+        contact.expect("it meets itself").crossings = Crossings::Leave;
+    };
+    leave(&mut world);
+    world.step(&[]);
+    // The same cloth, and nothing known of what it did before.
+    let mut fresh = pushed_through();
+    leave(&mut fresh);
+    fresh.state = world.state.clone();
+    (fresh.state).set_positions(&fresh.model, &world.positions());
+    world.step(&[]);
+    fresh.step(&[]);
+    assert_eq!(state_hash(&world.state), state_hash(&fresh.state));
 }

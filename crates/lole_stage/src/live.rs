@@ -10,7 +10,7 @@ use std::sync::Arc;
 use glam::{Affine3A, Vec3};
 use lole_body::{Bone, Pose};
 use lole_cloth::{ClothSpec, Crossings, diagnose, model::particle_masses};
-use lole_costume::document::{Design, FabricDesign, GarmentDesign, PrintChoice};
+use lole_costume::document::{Design, FabricDesign, GarmentDesign, PartDesign, PrintChoice};
 use lole_geom::Capsule;
 
 use crate::performance::{FRAME_SECONDS, FRAMES_PER_SECOND};
@@ -218,12 +218,28 @@ impl Show {
             // The same recording goes on from where it is; another one begins.
             Danced::Recording(_) if same_figure => time,
             Danced::Recording(_) => 0.0,
-            Danced::Step(step) if same_figure => step.time_of_beat(counts),
+            Danced::Step(step) if same_figure || self.has_danced_alike(design) => {
+                step.time_of_beat(counts)
+            }
             Danced::Step(_) if time <= 0.0 => 0.0,
             Danced::Step(_) => lead_in + counts.fract() * 60.0 / new.tempo_bpm,
         };
         let age = if same_figure { EASE_SECONDS } else { 0.0 };
         Ok(Layer { dance, time, age })
+    }
+
+    /// Whether `design` has the same choreography up to the part that is danced now, and the same
+    /// manner: it goes on from the same count.
+    fn has_danced_alike(&self, design: &Design) -> bool {
+        let (old, new) = (&self.design.motion, &design.motion);
+        let now = self.part();
+        let alike = |now: usize| {
+            let upto = |parts: &[PartDesign]| parts.get(..=now).map(<[_]>::to_vec);
+            upto(&old.parts) == upto(&new.parts)
+        };
+        let mut manner = old.clone();
+        manner.parts.clone_from(&new.parts);
+        now.is_some_and(alike) && MotionOfTempo(&manner) == MotionOfTempo(new)
     }
 
     /// Holds the cloth, moves the hand, or lets go.
@@ -376,6 +392,12 @@ impl Show {
         pose
     }
 
+    /// What is done about cloth that has gone through itself, from the next frame on; nothing unless
+    /// it is said.
+    pub const fn set_crossings(&mut self, crossings: Crossings) {
+        self.performance.set_crossings(crossings);
+    }
+
     /// The last good positions of the cloth [m], row-major, of one garment after the other.
     #[must_use]
     pub fn cloth_positions(&self) -> &[Vec3] {
@@ -398,6 +420,23 @@ impl Show {
     #[must_use]
     pub fn substep_count(&self) -> u32 {
         self.performance.substep_count()
+    }
+
+    /// Place of the part of the choreography that is danced now; `None` before the first and after
+    /// the last one, and where there are none.
+    #[must_use]
+    pub fn part(&self) -> Option<usize> {
+        let layer = self.layers.last()?;
+        part_at(&layer.dance, &self.design.motion.parts, layer.time)
+    }
+
+    /// How long the recording is that is danced [s], if it is one.
+    #[must_use]
+    pub fn recording_seconds(&self) -> Option<f32> {
+        match &self.layers.last()?.dance {
+            Danced::Step(_) => None,
+            recording @ Danced::Recording(_) => Some(recording.period()),
+        }
     }
 
     /// Springs of all families.
@@ -507,6 +546,19 @@ fn needs_sewing(old: &Design, new: &Design) -> bool {
         )
     };
     cut(old) != cut(new)
+}
+
+/// Place of the part of a choreography that is danced at `time` [s].
+fn part_at(dance: &Danced, parts: &[PartDesign], time: f64) -> Option<usize> {
+    let begun = dance.beat_at(f64::from(dance.lead_in()))?;
+    let mut left = dance.beat_at(time)? - begun;
+    if left < 0.0 {
+        return None;
+    }
+    parts.iter().position(|part| {
+        left -= f64::from(part.beat_count);
+        left < 0.0
+    })
 }
 
 /// A motion but for its tempo and length.
@@ -621,6 +673,53 @@ mod tests {
             .map(|(a, b)| 1.0 - a.dot(*b).abs())
             .fold(0.0, f32::max);
         assert!(apart < 1e-5, "{apart}");
+    }
+
+    #[test]
+    fn a_choreography_goes_on_when_what_comes_later_changes_and_begins_anew_else() {
+        let part = |step, beat_count| PartDesign {
+            step,
+            beat_count,
+            ..PartDesign::default()
+        };
+        let mut show = fresh();
+        let mut wished = show.design().clone();
+        wished.motion.parts = vec![part(DanceStep::Kaholo, 8), part(DanceStep::Ami, 8)];
+        show.wish(&wished).unwrap();
+        show.settle().unwrap();
+        assert_eq!(show.part(), None);
+        // Two counts of lead-in, then two of the first part.
+        for _ in 0..180 {
+            show.advance().unwrap();
+        }
+        assert_eq!(show.part(), Some(0));
+        let time = |show: &Show| show.layers.last().map_or(0.0, |layer| layer.time);
+        let before = time(&show);
+        wished.motion.parts[1].step = DanceStep::Kao;
+        show.wish(&wished).unwrap();
+        assert!((time(&show) - before).abs() < 1e-6);
+        wished.motion.parts[0].facing_deg = 45.0;
+        show.wish(&wished).unwrap();
+        // After the lead-in, at most a count late: the beat goes on.
+        assert!(time(&show) < 3.01 * 60.0 / 80.0, "{}", time(&show));
+    }
+
+    #[test]
+    fn parts_follow_each_other_by_their_counts_and_end() {
+        let mut design = design();
+        design.motion.parts = [8, 16]
+            .map(|beat_count| PartDesign {
+                beat_count,
+                ..PartDesign::default()
+            })
+            .to_vec();
+        design.motion.tempo_bpm = 60.0;
+        let dance = Danced::new(&design, &PRODUCTION.dancer.skeleton).unwrap();
+        let part = |time| part_at(&dance, &design.motion.parts, time);
+        assert_eq!(
+            [1.9, 2.1, 9.9, 10.1, 25.9, 26.1].map(part),
+            [None, Some(0), Some(0), Some(1), Some(1), None]
+        );
     }
 
     #[test]

@@ -9,22 +9,23 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use eframe::egui::{self, Context, Ui};
 use eframe::egui_wgpu::{WgpuConfiguration, WgpuSetup, WgpuSetupCreateNew};
-use lole_costume::document::Design;
+use lole_costume::document::{Design, MotionFile};
 use lole_language::{Language, Sentence, words};
 use lole_render::wgpu;
 
+use crate::journal::{self, Journal, Leftover};
 use crate::message::Message;
 use crate::sim::{News, Sim};
 use crate::studio::{Purpose, Question, Request};
 use crate::viewport::Viewport;
-use crate::{Studio, files, look, panel};
+use crate::{Studio, Work, files, look, panel};
 
 /// Size of a new window [point].
 const WINDOW: [f32; 2] = [1280.0, 720.0];
 /// Smallest size of the window [point].
 const SMALLEST: [f32; 2] = [360.0, 260.0];
 /// Width of the left and of the right column [point].
-const COLUMNS: [f32; 2] = [286.0, 300.0];
+const COLUMNS: [f32; 2] = [330.0, 272.0];
 /// Narrower windows have one column [point].
 const WIDE: f32 = 980.0;
 /// And still narrower ones none beside the picture, but below it [point].
@@ -63,13 +64,17 @@ pub fn open(opening: &Opening) -> Result<(), Refusal> {
         Some(path) => files::read_design(path).map_err(Refusal::Document)?,
         None => Design::default(),
     };
-    let mut studio = Studio::new(opening.language, design, opening.document.clone());
+    let mut work = Rescued {
+        studio: Studio::new(opening.language, design, opening.document.clone()),
+        keeping: Keeping::begin(),
+    };
+    work.studio.found = work.keeping.found();
     for _ in 0..=MOST_REOPENINGS {
-        match show(studio).map_err(Refusal::Window)? {
-            Some(lost) => studio = lost,
+        match show(work).map_err(Refusal::Window)? {
+            Some(lost) => work = lost,
             None => return Ok(()),
         }
-        studio.message = Some(Message::trouble(&Sentence::new(
+        work.studio.message = Some(Message::trouble(&Sentence::new(
             "グラフィックス装置がとぎれたので、窓を開き直しました。",
             "The graphics adapter was lost; the window was opened anew.",
         )));
@@ -81,7 +86,7 @@ pub fn open(opening: &Opening) -> Result<(), Refusal> {
 }
 
 /// Shows the window until it is closed; gives the studio back where the graphics adapter was lost.
-fn show(studio: Studio) -> Result<Option<Studio>, Sentence> {
+fn show(work: Rescued) -> Result<Option<Rescued>, Sentence> {
     let rescued = Arc::new(Mutex::new(None));
     let shelf = Arc::clone(&rescued);
     let options = eframe::NativeOptions {
@@ -108,17 +113,17 @@ fn show(studio: Studio) -> Result<Option<Studio>, Sentence> {
         eframe::run_native(
             "lole",
             options,
-            Box::new(move |creation| Ok(Box::new(App::new(studio, creation, watched, shelf)))),
+            Box::new(move |creation| Ok(Box::new(App::new(work, creation, watched, shelf)))),
         )
     };
     // Where the adapter is lost in the middle of a picture, egui's painter panics before the device
     // has told of its loss.
     let is_gone = Arc::new(AtomicBool::new(false));
     let result = quietly(&is_lost, &is_gone, run);
-    let studio = (rescued.lock().unwrap_or_else(PoisonError::into_inner)).take();
+    let work = (rescued.lock().unwrap_or_else(PoisonError::into_inner)).take();
     match result {
-        Ok(result) => result.map(|()| studio).map_err(|error| no_window(&error)),
-        Err(_) if studio.is_some() => Err(no_window(&eframe::Error::AppCreation(LOST.into()))),
+        Ok(result) => result.map(|()| work).map_err(|error| no_window(&error)),
+        Err(_) if work.is_some() => Err(no_window(&eframe::Error::AppCreation(LOST.into()))),
         Err(panic) if is_gone.load(Ordering::Relaxed) => Err(taken_away(&*panic)),
         Err(panic) => std::panic::resume_unwind(panic),
     }
@@ -165,10 +170,10 @@ fn taken_away(panic: &(dyn Any + Send)) -> Sentence {
         .unwrap_or("");
     Sentence::new(
         format!(
-            "窓が外から閉じられました（{reason}）。保存していない変更は失われました。もう一度 lole で開けます"
+            "窓が外から閉じられました（{reason}）。もう一度 lole で開くと、保存していない変更から続けられます"
         ),
         format!(
-            "the window was taken away ({reason}); changes that were not saved are lost. Run lole to open it again"
+            "the window was taken away ({reason}); run lole to open it again and go on with what was not saved"
         ),
     )
 }
@@ -200,6 +205,7 @@ struct App {
     viewport: Viewport,
     /// Answers of the system's file dialog.
     answers: Option<Receiver<Option<PathBuf>>>,
+    keeping: Keeping,
     context: Context,
     /// Whether the graphics adapter was lost, and where the studio is put then.
     is_lost: Arc<AtomicBool>,
@@ -207,11 +213,38 @@ struct App {
 }
 
 /// What outlives a window.
-type Shelf = Arc<Mutex<Option<Studio>>>;
+struct Rescued {
+    studio: Studio,
+    keeping: Keeping,
+}
+
+/// Where it is put.
+type Shelf = Arc<Mutex<Option<Rescued>>>;
+
+/// The copy of the work that outlives a crash, and the one that another window left.
+#[derive(Default)]
+struct Keeping {
+    journal: Option<Journal>,
+    leftover: Option<Leftover>,
+}
+
+impl Keeping {
+    fn begin() -> Self {
+        let folder = journal::folder(|name| std::env::var_os(name));
+        let (journal, leftover) = folder
+            .and_then(|folder| Journal::open(&folder))
+            .map_or((None, None), |(journal, left)| (Some(journal), left));
+        Self { journal, leftover }
+    }
+
+    fn found(&self) -> Option<Work> {
+        self.leftover.as_ref().map(|leftover| leftover.work.clone())
+    }
+}
 
 impl App {
     fn new(
-        studio: Studio,
+        work: Rescued,
         creation: &eframe::CreationContext<'_>,
         is_lost: Arc<AtomicBool>,
         shelf: Shelf,
@@ -221,8 +254,10 @@ impl App {
         if let Some(gpu) = &creation.wgpu_render_state {
             watch_device(&gpu.device, &is_lost, context);
         }
+        let Rescued { studio, keeping } = work;
         let sim = start(studio.design().clone(), context);
         Self {
+            keeping,
             studio,
             sim,
             viewport: Viewport::new(),
@@ -286,7 +321,13 @@ impl App {
             files.first().map(|file| file.path().to_owned())
         });
         if let Some(path) = dropped {
-            self.studio.request(Request::Open(path));
+            let is_recording =
+                (path.extension()).is_some_and(|extension| extension.eq_ignore_ascii_case("bvh"));
+            self.studio.request(if is_recording {
+                Request::OpenRecording(path)
+            } else {
+                Request::Open(path)
+            });
         }
     }
 
@@ -295,12 +336,17 @@ impl App {
             match request {
                 Request::AskOpen => self.ask(Purpose::Open),
                 Request::AskSave => self.ask(Purpose::Save),
+                Request::AskRecording => self.ask(Purpose::Record),
                 Request::Browse => self.browse(),
                 Request::Open(path) => self.open(&path),
                 Request::Save(path) => self.save(&path),
+                Request::OpenRecording(path) => self.open_recording(&path),
+                Request::Resume => self.resume(),
+                Request::Discard => self.discard(),
                 Request::Picture => self.take_picture(),
             }
         }
+        self.keep();
         for command in self.studio.take_commands() {
             self.sim.send(command);
         }
@@ -308,9 +354,10 @@ impl App {
 
     fn ask(&mut self, purpose: Purpose) {
         let folder = std::env::current_dir().unwrap_or_default();
-        let path = match (&self.studio.path, purpose) {
-            (Some(path), _) => path.clone(),
-            (None, Purpose::Open) => folder.join(""),
+        let path = match (self.studio.path(), purpose) {
+            (Some(path), Purpose::Record) => path.with_file_name(""),
+            (Some(path), _) => path.to_owned(),
+            (None, Purpose::Open | Purpose::Record) => folder.join(""),
             (None, Purpose::Save) => folder.join("design.lole"),
         };
         self.studio.question = Some(Question {
@@ -331,10 +378,12 @@ impl App {
         let (sender, answers) = mpsc::channel();
         let context = self.context.clone();
         let ask = move || {
-            let dialog = rfd::FileDialog::new().add_filter("Lole", &["lole"]);
+            let dialog = rfd::FileDialog::new();
+            let designs = |dialog: rfd::FileDialog| dialog.add_filter("Lole", &["lole"]);
             let path = match purpose {
-                Purpose::Open => dialog.pick_file(),
-                Purpose::Save => dialog.set_file_name("design.lole").save_file(),
+                Purpose::Open => designs(dialog).pick_file(),
+                Purpose::Save => designs(dialog).set_file_name("design.lole").save_file(),
+                Purpose::Record => dialog.add_filter("BVH", &["bvh", "BVH"]).pick_file(),
             };
             // The window may have been closed meanwhile.
             drop(sender.send(path));
@@ -363,8 +412,62 @@ impl App {
         }
     }
 
+    /// Dances a recording instead of the steps.
+    fn open_recording(&mut self, path: &Path) {
+        let name = files::recording_name(path, self.studio.path());
+        match files::read_recording_bytes(path) {
+            Ok(bytes) => {
+                self.studio.message = None;
+                let bytes = Some(bytes);
+                self.studio.change(|design| {
+                    design.motion.file = Some(MotionFile { name, bytes });
+                });
+                self.studio.rest();
+            }
+            Err(sentence) => self.studio.message = Some(Message::trouble(&sentence)),
+        }
+    }
+
+    fn resume(&mut self) {
+        self.studio.found = None;
+        if let Some(leftover) = self.keeping.leftover.take() {
+            self.studio.resume(leftover.work.clone());
+            leftover.discard();
+        }
+    }
+
+    fn discard(&mut self) {
+        self.studio.found = None;
+        if let Some(leftover) = self.keeping.leftover.take() {
+            leftover.discard();
+        }
+    }
+
+    /// Keeps a copy of the work where it is in no file.
+    fn keep(&mut self) {
+        let Some(journal) = &self.keeping.journal else {
+            return;
+        };
+        if let Some(sentence) = journal.trouble() {
+            self.studio.message = Some(Message::trouble(&sentence));
+        }
+        if let Some(work) = self.studio.take_work() {
+            if work.is_unsaved() {
+                journal.keep(work);
+            } else {
+                journal.clear();
+            }
+        }
+    }
+
     fn save(&mut self, path: &Path) {
         let path = path.with_extension("lole");
+        if let Err(error) = self.studio.check() {
+            // It could not be opened again.
+            self.studio.message = Some(Message::trouble(&error));
+            return;
+        }
+        self.rename_recording(&path);
         match files::write_design(&path, self.studio.design()) {
             Ok(()) => {
                 let path = std::fs::canonicalize(&path).unwrap_or(path);
@@ -376,6 +479,17 @@ impl App {
                 self.studio.saved_at(path);
             }
             Err(sentence) => self.studio.message = Some(Message::trouble(&sentence)),
+        }
+    }
+
+    /// Names the recording as it is found from where the design is saved.
+    fn rename_recording(&mut self, saved: &Path) {
+        let file = self.studio.design().motion.file.as_ref();
+        if let Some(file) = file {
+            let from = self.studio.path().unwrap_or(Path::new(""));
+            let place = from.with_file_name(&file.name);
+            let name = files::recording_name(&place, Some(saved));
+            self.studio.rename_recording(name);
         }
     }
 
@@ -403,11 +517,56 @@ impl App {
         });
     }
 
-    /// Sends a change that waited until the hand left the slider.
-    fn send_late(&mut self) {
-        let is_busy = self.context.input(|input| input.pointer.any_down());
-        if self.studio.has_unsent() && !is_busy {
-            self.studio.send_design();
+    /// Takes steps back and does other things that have keys, unless something is being typed.
+    fn follow_keys(&mut self) {
+        if self.context.egui_wants_keyboard_input() {
+            return;
+        }
+        let pressed =
+            |modifiers, key| (self.context).input_mut(|input| input.consume_key(modifiers, key));
+        let shifted = egui::Modifiers::COMMAND | egui::Modifiers::SHIFT;
+        // The one with more keys first: it would also pass for the other.
+        if pressed(shifted, egui::Key::Z) || pressed(egui::Modifiers::COMMAND, egui::Key::Y) {
+            self.studio.redo();
+        } else if pressed(egui::Modifiers::COMMAND, egui::Key::Z) {
+            self.studio.undo();
+        } else if pressed(egui::Modifiers::COMMAND, egui::Key::S) {
+            self.studio.request_saving();
+        } else if pressed(egui::Modifiers::COMMAND, egui::Key::O) {
+            self.studio.request(Request::AskOpen);
+        }
+    }
+
+    /// Sends what waited until the hand left the slider.
+    fn rest(&mut self) {
+        if !self.context.input(|input| input.pointer.any_down()) {
+            self.studio.rest();
+        }
+    }
+
+    fn columns(&mut self, ui: &mut Ui) {
+        let width = ui.available_width();
+        let side = egui::Frame::new().fill(look::PAPER).inner_margin(12);
+        if width < NARROW {
+            let height = 0.45 * ui.available_height();
+            egui::Panel::bottom("all")
+                .frame(side)
+                .exact_size(height)
+                .show(ui, |ui| panel::one_column(ui, &mut self.studio));
+        } else if width < WIDE {
+            egui::Panel::left("all")
+                .frame(side)
+                .exact_size(COLUMNS[0])
+                .show(ui, |ui| panel::one_column(ui, &mut self.studio));
+        } else {
+            egui::Panel::left("left")
+                .frame(side)
+                .exact_size(COLUMNS[0])
+                .show(ui, |ui| panel::left_column(ui, &mut self.studio));
+            egui::Panel::right("right")
+                .frame(side)
+                .exact_size(COLUMNS[1])
+                .show(ui, |ui| panel::right_column(ui, &mut self.studio));
         }
     }
 
@@ -422,10 +581,16 @@ impl App {
 
 impl Drop for App {
     fn drop(&mut self) {
+        // Closed without saving is not lost: the next window offers it.
+        self.studio.rest();
+        self.keep();
         if self.is_lost.load(Ordering::Relaxed) {
             let empty = Studio::new(self.studio.language, Design::default(), None);
-            let studio = std::mem::replace(&mut self.studio, empty);
-            *self.shelf.lock().unwrap_or_else(PoisonError::into_inner) = Some(studio.anew());
+            let rescued = Rescued {
+                studio: std::mem::replace(&mut self.studio, empty).anew(),
+                keeping: std::mem::take(&mut self.keeping),
+            };
+            *self.shelf.lock().unwrap_or_else(PoisonError::into_inner) = Some(rescued);
         }
     }
 }
@@ -442,7 +607,7 @@ impl eframe::App for App {
             return;
         }
         self.open_dropped();
-        let width = ui.available_width();
+        self.follow_keys();
         let bar = egui::Frame::new().fill(look::CARD).inner_margin(8);
         egui::Panel::top("document")
             .frame(bar)
@@ -450,36 +615,12 @@ impl eframe::App for App {
         egui::Panel::bottom("status")
             .frame(bar.inner_margin(egui::Margin::symmetric(10, 4)))
             .show(ui, |ui| panel::status_bar(ui, &mut self.studio));
-        let side = egui::Frame::new().fill(look::PAPER).inner_margin(12);
-        let all: Vec<&panel::Panel> = panel::LEFT.iter().chain(panel::RIGHT).collect();
-        if width < NARROW {
-            let height = 0.45 * ui.available_height();
-            egui::Panel::bottom("all")
-                .frame(side)
-                .exact_size(height)
-                .show(ui, |ui| panel::column(ui, &mut self.studio, &all));
-        } else if width < WIDE {
-            egui::Panel::left("all")
-                .frame(side)
-                .exact_size(COLUMNS[0])
-                .show(ui, |ui| panel::column(ui, &mut self.studio, &all));
-        } else {
-            let [left, right] =
-                [panel::LEFT, panel::RIGHT].map(|side| side.iter().collect::<Vec<_>>());
-            egui::Panel::left("left")
-                .frame(side)
-                .exact_size(COLUMNS[0])
-                .show(ui, |ui| panel::column(ui, &mut self.studio, &left));
-            egui::Panel::right("right")
-                .frame(side)
-                .exact_size(COLUMNS[1])
-                .show(ui, |ui| panel::column(ui, &mut self.studio, &right));
-        }
+        self.columns(ui);
         egui::CentralPanel::default()
             .frame(egui::Frame::NONE)
             .show(ui, |ui| self.picture(ui, frame));
         panel::question(ui, &mut self.studio);
-        self.send_late();
+        self.rest();
         self.serve();
     }
 

@@ -3,6 +3,7 @@
 use std::fs::{self, File};
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use lole_costume::document::{self, Design};
 use lole_export::{Image, still};
@@ -60,7 +61,15 @@ pub fn read_recording(design: &mut Design, document: &Path) -> Result<(), Senten
     let Some(file) = &mut design.motion.file else {
         return Ok(());
     };
-    let path = document.with_file_name(&file.name);
+    file.bytes = Some(read_recording_bytes(&document.with_file_name(&file.name))?);
+    Ok(())
+}
+
+/// Reads the bytes of a recording.
+///
+/// # Errors
+/// One sentence that names the file.
+pub(crate) fn read_recording_bytes(path: &Path) -> Result<Arc<[u8]>, Sentence> {
     let name = path.display();
     let unreadable = |_| {
         Sentence::new(
@@ -68,7 +77,7 @@ pub fn read_recording(design: &mut Design, document: &Path) -> Result<(), Senten
             format!("{name}: the recording cannot be read; check the place in [motion] file"),
         )
     };
-    let size = fs::metadata(&path).map_err(unreadable)?.len();
+    let size = fs::metadata(path).map_err(unreadable)?.len();
     if LARGEST_RECORDING < size {
         let (megabytes, limit) = (size >> 20, LARGEST_RECORDING >> 20);
         return Err(Sentence::new(
@@ -76,8 +85,20 @@ pub fn read_recording(design: &mut Design, document: &Path) -> Result<(), Senten
             format!("{name}: the file has {megabytes} MB; cut it to {limit} MB at most"),
         ));
     }
-    file.bytes = Some(fs::read(&path).map_err(unreadable)?.into());
-    Ok(())
+    Ok(fs::read(path).map_err(unreadable)?.into())
+}
+
+/// How a recording is named in a design at `document`: from there where it lies beside or below it,
+/// else by its whole path.
+pub(crate) fn recording_name(recording: &Path, document: Option<&Path>) -> String {
+    let whole = fs::canonicalize(recording).unwrap_or_else(|_| recording.to_owned());
+    let folder = document.and_then(|path| {
+        let folder = path.parent()?;
+        let here = folder.as_os_str().is_empty();
+        fs::canonicalize(if here { Path::new(".") } else { folder }).ok()
+    });
+    let near = folder.and_then(|folder| whole.strip_prefix(folder).ok().map(Path::to_owned));
+    near.unwrap_or(whole).to_string_lossy().into_owned()
 }
 
 /// Writes a design; until all of it is safe, the file stays as it was.
@@ -110,7 +131,7 @@ pub(crate) fn write_picture(
 }
 
 /// Writes beside the file, then takes its place in one move.
-fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Sentence> {
+pub(crate) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Sentence> {
     let beside = beside(path);
     let written = write_and_move(&beside, path, bytes);
     if written.is_err() {

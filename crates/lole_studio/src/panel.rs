@@ -1,23 +1,33 @@
 //! The panels, a file each; these tables say where they stand.
 
+mod body;
+mod choreography;
 mod cloth;
 mod dance;
+mod dancer;
 mod document;
+mod garment;
+mod garments;
 mod graphs;
+mod hindrance;
 mod knob;
 mod notice;
 mod overlays;
 mod playback;
 mod question;
+mod recording;
 mod skirt;
 mod status;
+mod steps;
 #[cfg(test)]
 mod tests;
 mod view;
+mod wind;
 
 use eframe::egui::{self, RichText, Ui};
 use lole_language::Words;
 
+use crate::studio::Tab;
 use crate::{Studio, look, text};
 
 pub use document::show as document_bar;
@@ -29,27 +39,106 @@ pub use status::show as status_bar;
 pub struct Panel {
     /// Its heading.
     pub title: Words,
+    /// Whether it has something to say now.
+    pub is_shown: fn(&Studio) -> bool,
     /// Shows it and takes in what is done with it.
     pub show: fn(&mut Ui, &mut Studio),
 }
 
-/// What is danced, in which cloth.
-pub const LEFT: &[Panel] = &[
-    Panel {
-        title: text::PLAYBACK,
-        show: playback::show,
-    },
-    Panel {
+/// Panels of the left column that are shown together.
+pub struct Drawer {
+    /// When they are shown.
+    pub tab: Tab,
+    /// What is written on the button.
+    pub title: Words,
+    /// Them.
+    pub panels: &'static [Panel],
+}
+
+const fn always(_: &Studio) -> bool {
+    true
+}
+
+/// What is always at hand.
+const PLAYBACK: Panel = Panel {
+    title: text::PLAYBACK,
+    is_shown: always,
+    show: playback::show,
+};
+
+/// What is danced, worn, who dances, and in which air.
+pub const DRAWERS: &[Drawer] = &[
+    Drawer {
+        tab: Tab::Dance,
         title: text::DANCE,
-        show: dance::show,
+        panels: &[
+            Panel {
+                title: text::DANCE,
+                is_shown: always,
+                show: dance::show,
+            },
+            Panel {
+                title: text::DANCE_STEP,
+                is_shown: dance::is_step,
+                show: steps::show,
+            },
+            Panel {
+                title: text::CHOREOGRAPHY,
+                is_shown: dance::is_choreography,
+                show: choreography::show,
+            },
+            Panel {
+                title: text::RECORDING,
+                is_shown: dance::is_recording,
+                show: recording::show,
+            },
+        ],
     },
-    Panel {
-        title: text::CLOTH,
-        show: cloth::show,
+    Drawer {
+        tab: Tab::Costume,
+        title: text::COSTUME,
+        panels: &[
+            Panel {
+                title: text::SKIRT,
+                is_shown: always,
+                show: skirt::show,
+            },
+            Panel {
+                title: text::GARMENTS,
+                is_shown: always,
+                show: garments::show,
+            },
+        ],
     },
-    Panel {
-        title: text::SKIRT,
-        show: skirt::show,
+    Drawer {
+        tab: Tab::Dancer,
+        title: text::DANCER,
+        panels: &[Panel {
+            title: text::TAPE,
+            is_shown: always,
+            show: dancer::show,
+        }],
+    },
+    Drawer {
+        tab: Tab::Cloth,
+        title: text::AIR_AND_CLOTH,
+        panels: &[
+            Panel {
+                title: text::WIND,
+                is_shown: always,
+                show: wind::show,
+            },
+            Panel {
+                title: text::CLOTH,
+                is_shown: always,
+                show: cloth::show,
+            },
+            Panel {
+                title: text::BODY,
+                is_shown: always,
+                show: body::show,
+            },
+        ],
     },
 ];
 
@@ -57,34 +146,89 @@ pub const LEFT: &[Panel] = &[
 pub const RIGHT: &[Panel] = &[
     Panel {
         title: text::VIEW,
+        is_shown: always,
         show: view::show,
     },
     Panel {
         title: text::SHOWS,
+        is_shown: always,
         show: overlays::show,
     },
     Panel {
         title: text::GRAPHS,
+        is_shown: always,
         show: graphs::show,
     },
 ];
 
-/// Shows a column of panels, scrolling where it is too long.
-pub fn column(ui: &mut Ui, studio: &mut Studio, panels: &[&Panel]) {
+/// Shows what the design can be changed by.
+pub fn left_column(ui: &mut Ui, studio: &mut Studio) {
+    column(ui, studio, &[]);
+}
+
+/// Shows how it is looked at.
+pub fn right_column(ui: &mut Ui, studio: &mut Studio) {
+    scrolled(ui, "right", |ui| panels(ui, studio, RIGHT, None));
+}
+
+/// Shows everything, for narrow windows.
+pub fn one_column(ui: &mut Ui, studio: &mut Studio) {
+    column(ui, studio, RIGHT);
+}
+
+fn column(ui: &mut Ui, studio: &mut Studio, below: &[Panel]) {
+    (PLAYBACK.show)(ui, studio);
+    ui.add_space(4.0);
+    tabs(ui, studio);
+    ui.add_space(2.0);
+    let drawer = (DRAWERS.iter()).find(|drawer| drawer.tab == studio.tab);
+    let own = drawer.map_or(&[][..], |drawer| drawer.panels);
+    // The tab says it already.
+    let title = drawer.map(|drawer| drawer.title);
+    // Each drawer is as far scrolled as it was left.
+    scrolled(ui, (studio.tab as usize, "left"), |ui| {
+        panels(ui, studio, own, title);
+        if !below.is_empty() {
+            ui.separator();
+            panels(ui, studio, below, None);
+        }
+    });
+}
+
+fn tabs(ui: &mut Ui, studio: &mut Studio) {
+    let names: Vec<(Tab, &str)> = (DRAWERS.iter())
+        .map(|drawer| (drawer.tab, studio.say(drawer.title)))
+        .collect();
+    if let Some(tab) = knob::choice(ui, Some(studio.tab), &names) {
+        studio.tab = tab;
+    }
+}
+
+fn scrolled(ui: &mut Ui, salt: impl egui::AsIdSalt, contents: impl FnOnce(&mut Ui)) {
     egui::ScrollArea::vertical()
+        .id_salt(salt)
         .auto_shrink([false, false])
         .show(ui, |ui| {
-            for (index, panel) in panels.iter().enumerate() {
-                if 0 < index {
-                    ui.add_space(5.0);
-                    ui.separator();
-                }
-                let title = RichText::new(studio.say(panel.title))
-                    .heading()
-                    .color(look::RED);
-                ui.label(title);
-                (panel.show)(ui, studio);
-            }
+            contents(ui);
             ui.add_space(8.0);
         });
+}
+
+/// Panels below each other; one that is called `said` needs no heading.
+fn panels(ui: &mut Ui, studio: &mut Studio, panels: &[Panel], said: Option<Words>) {
+    let mut is_first = true;
+    for panel in panels {
+        if !(panel.is_shown)(studio) {
+            continue;
+        }
+        if !std::mem::take(&mut is_first) {
+            ui.add_space(5.0);
+            ui.separator();
+        }
+        if said != Some(panel.title) {
+            let title = RichText::new(studio.say(panel.title)).heading();
+            ui.label(title.color(look::RED));
+        }
+        (panel.show)(ui, studio);
+    }
 }

@@ -2,6 +2,7 @@
 //! snapshots. Whoever shows them never waits for it, and it never waits for them.
 
 mod pace;
+mod repair;
 mod sewing;
 mod stagehand;
 

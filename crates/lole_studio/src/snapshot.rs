@@ -4,6 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use glam::Vec3;
+use lole_body::Taped;
 use lole_cloth::Grid;
 use lole_geom::Capsule;
 use lole_picture::{Draped, Looks};
@@ -19,6 +20,8 @@ pub struct Wardrobe {
     pub production: Arc<Production>,
     /// Materials.
     pub looks: Looks,
+    /// What a tape says around the dancer.
+    pub taped: [Taped; 14],
     /// The garments in triangles of two cells each way, for adapters that compute on the processor.
     pub(crate) coarse_triangles: Vec<Vec<[u32; 3]>>,
 }
@@ -32,6 +35,7 @@ impl Wardrobe {
             coarse_triangles: (production.garments.iter())
                 .map(|garment| coarse_triangles(&garment.sewn.spec.grid))
                 .collect(),
+            taped: production.dancer.taped(&production.design.tape()),
             production,
             looks,
         }
@@ -85,6 +89,10 @@ pub struct Snapshot {
     pub samples: Vec<Sample>,
     /// Seconds of the dance in one second on the wall, measured; `None` while it stands still.
     pub pace: Option<f64>,
+    /// Place of the part of the choreography that is danced.
+    pub part: Option<usize>,
+    /// How long the recording is that is danced [s].
+    pub recording_seconds: Option<f32>,
     /// Substeps of one frame.
     pub substep_count: u32,
     /// Where and when the cloth flew apart.

@@ -1,10 +1,10 @@
 //! What the window shows and what was asked for: the state behind all panels.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use lole_costume::document::schema::{self, Kind};
-use lole_costume::document::{Design, FabricDesign};
+use lole_costume::document::{Design, DesignError, FabricDesign, MotionFile, PartDesign, Problem};
 use lole_language::{Bilingual as _, Language, Sentence, Words};
 use lole_render::View;
 use lole_stage::Divergence;
@@ -13,10 +13,10 @@ use crate::command::Watch;
 use crate::history::History;
 use crate::message::Message;
 use crate::orbit::Orbit;
+use crate::undo::Undo;
+use crate::wished::Wished;
+use crate::work::Work;
 use crate::{Command, Snapshot};
-
-/// Factors of the stiffness slider.
-pub(crate) const STIFFNESSES: [f64; 2] = [0.1, 10.0];
 
 /// What is drawn over the picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -48,6 +48,8 @@ pub enum Tool {
 pub enum Request {
     /// Ask which design to open.
     AskOpen,
+    /// Ask which recording to dance.
+    AskRecording,
     /// Ask where to save.
     AskSave,
     /// Let the system's own dialog ask instead.
@@ -56,6 +58,12 @@ pub enum Request {
     Open(PathBuf),
     /// Save there.
     Save(PathBuf),
+    /// Dance this recording.
+    OpenRecording(PathBuf),
+    /// Go on with the work that was found.
+    Resume,
+    /// Throw it away.
+    Discard,
     /// Write the picture to a file.
     Picture,
 }
@@ -76,6 +84,59 @@ pub enum Purpose {
     Open,
     /// To write the design.
     Save,
+    /// To dance a recording.
+    Record,
+}
+
+/// A design's file.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct OpenFile {
+    /// Where it is; `None` for what was never saved.
+    pub(crate) path: Option<PathBuf>,
+    /// What it holds.
+    pub(crate) saved: Design,
+}
+
+/// What keeps the design from being danced, and where.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Hindrance {
+    /// Table and key, such as `[dancer] hip_cm`.
+    pub place: String,
+    /// What is wrong and what to do.
+    pub sentence: Sentence,
+}
+
+impl Hindrance {
+    fn of(error: &DesignError) -> Self {
+        let problem: &Problem = &error.problem;
+        Self {
+            place: error.place.clone(),
+            sentence: Sentence::of(problem),
+        }
+    }
+}
+
+/// Which panels the left column shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Tab {
+    /// What is danced.
+    #[default]
+    Dance,
+    /// What is worn.
+    Costume,
+    /// Who dances.
+    Dancer,
+    /// Air, and how the cloth is computed.
+    Cloth,
+}
+
+/// What was danced before something else was chosen, so that it comes back when it is chosen again.
+#[derive(Debug, Clone, Default)]
+pub struct DanceShelf {
+    /// A choreography.
+    pub parts: Vec<PartDesign>,
+    /// A recording.
+    pub file: Option<MotionFile>,
 }
 
 /// Everything behind the panels.
@@ -83,16 +144,23 @@ pub struct Studio {
     /// Language of every word.
     pub language: Language,
     /// What is wished.
-    design: Design,
-    /// The fabric as it was opened: the stiffness is a factor on it.
-    base_fabric: FabricDesign,
-    stiffness: f64,
+    wished: Wished,
+    /// What was wished before.
+    undo: Undo<Wished>,
+    /// The files of this session.
+    files: Vec<OpenFile>,
     /// Whether a change waits until the hand leaves the slider.
     unsent: bool,
-    /// The design as it was last opened or saved.
-    saved: Design,
-    /// Where it was.
-    pub path: Option<PathBuf>,
+    /// Whether something changed since [`Studio::take_work`].
+    is_unkept: bool,
+    /// Why the design is not on its way to the stage.
+    pub hindrance: Option<Hindrance>,
+    /// Which panels the left column shows.
+    pub tab: Tab,
+    /// What was danced before something else was chosen.
+    pub shelf: DanceShelf,
+    /// Work of a session that ended without saving, to be offered.
+    pub found: Option<Work>,
     /// Whether it dances.
     pub plays: bool,
     /// Seconds of the dance in one second on the wall, as wished.
@@ -129,12 +197,18 @@ impl Studio {
     pub fn new(language: Language, design: Design, path: Option<PathBuf>) -> Self {
         Self {
             language,
-            base_fabric: design.fabric.clone(),
-            saved: design.clone(),
-            design,
-            stiffness: 1.0,
+            files: vec![OpenFile {
+                path,
+                saved: design.clone(),
+            }],
+            wished: Wished::new(design, 0),
+            undo: Undo::default(),
             unsent: false,
-            path,
+            is_unkept: false,
+            hindrance: None,
+            tab: Tab::default(),
+            shelf: DanceShelf::default(),
+            found: None,
             plays: true,
             speed: 1.0,
             shows: Shows::default(),
@@ -184,13 +258,19 @@ impl Studio {
     /// What is wished.
     #[must_use]
     pub const fn design(&self) -> &Design {
-        &self.design
+        &self.wished.design
+    }
+
+    /// Where the design was opened or saved.
+    #[must_use]
+    pub fn path(&self) -> Option<&Path> {
+        self.files[self.wished.file].path.as_deref()
     }
 
     /// Whether the design differs from its file.
     #[must_use]
     pub fn is_changed(&self) -> bool {
-        self.design != self.saved
+        self.wished.design != self.files[self.wished.file].saved
     }
 
     /// Sends a command to the simulation.
@@ -201,6 +281,12 @@ impl Studio {
     /// Asks the program for something.
     pub fn request(&mut self, request: Request) {
         self.requests.push(request);
+    }
+
+    /// Asks for the design to be saved: where it was, or wherever the answer is.
+    pub fn request_saving(&mut self) {
+        let known = self.path().map(|path| Request::Save(path.to_owned()));
+        self.request(known.unwrap_or(Request::AskSave));
     }
 
     /// The commands since the last time.
@@ -221,81 +307,162 @@ impl Studio {
 
     /// Changes the design, to be sent when the hand leaves the slider: sewing takes a while.
     pub fn change_later(&mut self, edit: impl FnOnce(&mut Design)) {
-        edit(&mut self.design);
+        self.undo.begin(|| self.wished.clone());
+        edit(&mut self.wished.design);
         self.unsent = true;
     }
 
-    /// Whether a change waits to be sent.
-    #[must_use]
-    pub const fn has_unsent(&self) -> bool {
-        self.unsent
+    /// Notes that no hand is at work: what waited is sent, and the next change is another step to
+    /// take back.
+    pub fn rest(&mut self) {
+        if self.unsent {
+            self.send_design();
+        }
+        self.is_unkept |= self.undo.end();
     }
 
-    /// Sends the design, unless it is none.
-    pub fn send_design(&mut self) {
+    /// Sends the design, or says what keeps it from being danced.
+    fn send_design(&mut self) {
         self.unsent = false;
-        match self
-            .design
-            .check(self.language.pick("この窓", "this window"))
-        {
-            Ok(()) => self.command(Command::Wish(Box::new(self.design.clone()))),
-            Err(error) => self.message = Some(Message::trouble(&error)),
+        match self.check() {
+            Ok(()) => {
+                self.hindrance = None;
+                self.command(Command::Wish(Box::new(self.wished.design.clone())));
+            }
+            Err(error) => self.hindrance = Some(Hindrance::of(&error)),
         }
+    }
+
+    /// Whether the design can be danced and saved.
+    ///
+    /// # Errors
+    /// The first thing that is wrong with it.
+    pub fn check(&self) -> Result<(), DesignError> {
+        let source = self.language.pick("この窓", "this window");
+        self.wished.design.check(source)
+    }
+
+    /// Whether there is a step to take back.
+    #[must_use]
+    pub fn has_past(&self) -> bool {
+        !self.undo.past().is_empty()
+    }
+
+    /// Whether a step was taken back.
+    #[must_use]
+    pub fn has_future(&self) -> bool {
+        !self.undo.future().is_empty()
+    }
+
+    /// Takes the last step back.
+    pub fn undo(&mut self) {
+        if let Some(before) = self.undo.back(self.wished.clone()) {
+            self.go_to(before);
+        }
+    }
+
+    /// Does again what was taken back.
+    pub fn redo(&mut self) {
+        if let Some(after) = self.undo.forward(self.wished.clone()) {
+            self.go_to(after);
+        }
+    }
+
+    fn go_to(&mut self, wished: Wished) {
+        self.wished = wished;
+        self.is_unkept = true;
+        self.send_design();
     }
 
     /// Factor on the fabric's stiffness.
     #[must_use]
     pub const fn stiffness(&self) -> f64 {
-        self.stiffness
+        self.wished.stiffness()
     }
 
-    /// Makes the fabric as many times as stiff as it was opened: in stretch, shear and bending.
+    /// Makes the fabric as many times as stiff as it was chosen: in stretch, shear and bending.
     pub fn set_stiffness(&mut self, factor: f64) {
-        self.stiffness = factor.clamp(STIFFNESSES[0], STIFFNESSES[1]);
-        let fabric = stiffened(&self.base_fabric, self.stiffness);
-        self.change(|design| {
-            let drag = design.fabric.drag_per_s;
-            design.fabric = FabricDesign {
-                drag_per_s: drag,
-                ..fabric
-            };
-        });
-    }
-
-    /// Shows another design: it was opened, or a wish could not be granted.
-    pub fn adopt(&mut self, design: Design) {
-        self.base_fabric = design.fabric.clone();
-        self.stiffness = 1.0;
-        self.unsent = false;
-        self.design = design;
-    }
-
-    /// Goes on with a design from a file.
-    pub fn opened(&mut self, design: Design, path: Option<PathBuf>) {
-        self.adopt(design.clone());
-        self.saved = design;
-        self.path = path;
+        self.undo.begin(|| self.wished.clone());
+        self.wished.stiffen(factor);
         self.send_design();
+    }
+
+    /// Cuts the skirt from another fabric.
+    pub fn choose_fabric(&mut self, fabric: FabricDesign) {
+        self.undo.begin(|| self.wished.clone());
+        self.wished.choose_fabric(fabric);
+        self.send_design();
+    }
+
+    /// Goes on with a design from a file; what was there before can be taken back.
+    pub fn opened(&mut self, design: Design, path: Option<PathBuf>) {
+        self.undo.end();
+        self.undo.begin(|| self.wished.clone());
+        self.undo.end();
+        self.files.push(OpenFile {
+            path,
+            saved: design.clone(),
+        });
+        self.shelf = DanceShelf::default();
+        self.go_to(Wished::new(design, self.files.len() - 1));
     }
 
     /// Notes that the design is safe in a file.
     pub fn saved_at(&mut self, path: PathBuf) {
-        self.saved = self.design.clone();
-        self.path = Some(path);
+        let file = &mut self.files[self.wished.file];
+        file.saved = self.wished.design.clone();
+        file.path = Some(path);
+        self.is_unkept = true;
+    }
+
+    /// Names the recording as it is found from another place, without a step to take back.
+    pub(crate) fn rename_recording(&mut self, name: String) {
+        if let Some(file) = &mut self.wished.design.motion.file {
+            file.name = name;
+        }
     }
 
     /// Goes back to the design that is on stage, because a wish was refused.
     pub fn refused(&mut self, sentence: Sentence, kept: Design) {
         self.sews = false;
         self.message = Some(Message::trouble(&sentence));
-        if kept != self.design {
-            let same_fabric = kept.fabric == self.design.fabric;
-            let (base, stiffness) = (self.base_fabric.clone(), self.stiffness);
-            self.adopt(kept);
-            if same_fabric {
-                (self.base_fabric, self.stiffness) = (base, stiffness);
-            }
+        if kept == self.wished.design {
+            return;
         }
+        self.unsent = false;
+        self.is_unkept = true;
+        self.hindrance = None;
+        let before = self.undo.forget(|before| before.design == kept);
+        self.wished = before.unwrap_or_else(|| Wished::new(kept, self.wished.file));
+    }
+
+    /// The work to be kept from a crash, if it changed since the last time.
+    pub fn take_work(&mut self) -> Option<Work> {
+        std::mem::take(&mut self.is_unkept).then(|| self.work())
+    }
+
+    /// The whole work.
+    pub(crate) fn work(&self) -> Work {
+        Work {
+            files: self.files.clone(),
+            past: self.undo.past().iter().cloned().collect(),
+            present: self.wished.clone(),
+            future: self.undo.future().to_vec(),
+        }
+    }
+
+    /// Goes on with work that was found; what was done meanwhile is one step back.
+    pub fn resume(&mut self, mut work: Work) {
+        let meanwhile = self.work();
+        if meanwhile.is_unsaved() {
+            let mut before = meanwhile.present;
+            before.file += work.files.len();
+            work.files.extend(meanwhile.files);
+            work.past.push(before);
+        }
+        self.undo = Undo::of(work.past, work.future);
+        self.files = work.files;
+        self.go_to(work.present);
     }
 
     /// Takes in a new moment of the show.
@@ -342,42 +509,6 @@ impl Studio {
     }
 }
 
-/// A fabric whose every stiffness is multiplied, within what the document takes.
-fn stiffened(base: &FabricDesign, factor: f64) -> FabricDesign {
-    #[expect(clippy::float_cmp, reason = "the slider's middle is exactly 1")]
-    if factor == 1.0 {
-        return base.clone();
-    }
-    let preset = base.preset;
-    let times = |name: &str, value: f64| {
-        let scaled = value * factor;
-        let (low, high) = range("fabric", name);
-        Some(scaled.clamp(low, high))
-    };
-    let [stretch_warp, stretch_weft] = preset.stretch.value;
-    let [bend_warp, bend_weft] = preset.bend.value;
-    let twist = base.twist_un_m;
-    FabricDesign {
-        stretch_warp_n_per_m: times(
-            "stretch_warp_n_per_m",
-            base.stretch_warp_n_per_m.unwrap_or(stretch_warp),
-        ),
-        stretch_weft_n_per_m: times(
-            "stretch_weft_n_per_m",
-            base.stretch_weft_n_per_m.unwrap_or(stretch_weft),
-        ),
-        shear_n_per_m: times(
-            "shear_n_per_m",
-            base.shear_n_per_m.unwrap_or(preset.shear.value),
-        ),
-        bend_warp_un_m: times("bend_warp_un_m", base.bend_warp_un_m.unwrap_or(bend_warp)),
-        bend_weft_un_m: times("bend_weft_un_m", base.bend_weft_un_m.unwrap_or(bend_weft)),
-        // Left out, it follows the bending.
-        twist_un_m: twist.and_then(|twist| times("twist_un_m", twist)),
-        ..base.clone()
-    }
-}
-
 /// Smallest and largest number that a key of the document takes.
 pub(crate) fn range(table: &str, name: &str) -> (f64, f64) {
     #[expect(clippy::cast_precision_loss, reason = "counts of a slider are small")]
@@ -397,31 +528,15 @@ mod tests {
     }
 
     #[test]
-    fn twice_the_stiffness_is_twice_every_modulus_and_once_is_the_document_as_it_was() {
-        let mut studio = studio();
-        let before = studio.design().fabric.fabric();
-        studio.set_stiffness(2.0);
-        let after = studio.design().fabric.fabric();
-        let close = |a: f32, b: f32| (a - 2.0 * b).abs() < 1e-5 * a.abs();
-        assert!(close(after.stretch[0], before.stretch[0]));
-        assert!(close(after.stretch[1], before.stretch[1]));
-        assert!(close(after.shear, before.shear) && close(after.twist, before.twist));
-        assert!(close(after.bend[0], before.bend[0]) && close(after.bend[1], before.bend[1]));
-        assert!(matches!(studio.take_commands()[..], [Command::Wish(_)]));
-        studio.set_stiffness(1.0);
-        assert!(!studio.is_changed());
-    }
-
-    #[test]
     fn a_design_that_is_none_is_not_sent_but_explained() {
         let mut studio = studio();
         studio.change(|design| design.motion.tempo_bpm = 1e9);
         assert!(studio.take_commands().is_empty());
-        let message = studio.message.unwrap();
-        assert!(
-            message.sentence.english.contains("tempo_bpm"),
-            "{message:?}"
-        );
+        let hindrance = studio.hindrance.clone().unwrap();
+        assert_eq!(hindrance.place, "[motion] tempo_bpm");
+        assert!(hindrance.sentence.english.contains("out of range"));
+        studio.undo();
+        assert!(studio.hindrance.is_none());
     }
 
     #[test]
@@ -432,6 +547,68 @@ mod tests {
         studio.refused(sentence, Design::default());
         assert_eq!(*studio.design(), Design::default());
         assert!(studio.message.is_some() && !studio.sews);
+        assert!(!studio.has_past());
+    }
+
+    #[test]
+    fn a_drag_is_one_step_back_and_sent_when_the_hand_rests() {
+        let mut studio = studio();
+        for height in [23.0, 26.0, 30.0] {
+            studio.change_later(|design| design.skirt.hem_height_cm = height);
+        }
+        assert!(studio.take_commands().is_empty());
+        studio.rest();
+        assert!(matches!(studio.take_commands()[..], [Command::Wish(_)]));
+        assert!(studio.take_work().is_some() && studio.take_work().is_none());
+        studio.set_stiffness(3.0);
+        studio.rest();
+        studio.undo();
+        #[expect(clippy::float_cmp, reason = "taken back to the bit")]
+        let is_soft = studio.stiffness() == 1.0;
+        assert!(is_soft);
+        studio.undo();
+        assert_eq!(*studio.design(), Design::default());
+        assert!(!studio.has_past() && !studio.is_changed());
+        studio.redo();
+        assert_eq!(
+            studio.design().skirt.hem_height_cm.to_bits(),
+            30.0_f64.to_bits()
+        );
+    }
+
+    #[test]
+    fn work_that_is_resumed_keeps_what_was_done_meanwhile_one_step_back() {
+        let mut left = studio();
+        left.change(|design| design.skirt.hem_height_cm = 30.0);
+        left.rest();
+        let mut studio = studio();
+        studio.change(|design| design.motion.tempo_bpm = 90.0);
+        studio.rest();
+        let meanwhile = studio.design().clone();
+        studio.resume(left.work());
+        assert_eq!(studio.design(), left.design());
+        studio.undo();
+        assert_eq!(*studio.design(), meanwhile);
+        studio.undo();
+        assert_eq!(*studio.design(), Design::default());
+    }
+
+    #[test]
+    fn another_file_is_a_step_that_can_be_taken_back_with_its_name() {
+        let mut studio = studio();
+        studio.change(|design| design.skirt.hem_height_cm = 30.0);
+        studio.rest();
+        let mut other = Design::default();
+        other.motion.tempo_bpm = 100.0;
+        studio.opened(other, Some(PathBuf::from("b.lole")));
+        assert_eq!(studio.path(), Some(Path::new("b.lole")));
+        assert!(!studio.is_changed());
+        studio.undo();
+        assert!(studio.path().is_none() && studio.is_changed());
+        studio.redo();
+        studio.saved_at(PathBuf::from("c.lole"));
+        studio.undo();
+        assert!(studio.path().is_none());
     }
 
     #[test]

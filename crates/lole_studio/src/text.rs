@@ -11,11 +11,15 @@ pub(crate) const BROWSE: Words = words("探す…", "Browse…");
 pub(crate) const CANCEL: Words = words("やめる", "Cancel");
 pub(crate) const CLOSE: Words = words("閉じる", "Close");
 pub(crate) const FILE: Words = words("ファイル", "File");
+pub(crate) const UNDO: Words = words("元に戻す", "Undo");
+pub(crate) const REDO: Words = words("やり直す", "Redo");
+pub(crate) const RESUME: Words = words("続きから", "Go on with it");
+pub(crate) const DISCARD: Words = words("捨てる", "Throw it away");
 pub(crate) const UNNAMED: Words = words("名前のないデザイン", "Untitled design");
 pub(crate) const CHANGED: Words = words("（未保存）", "(not saved)");
 
 pub(crate) const PLAYBACK: Words = words("再生", "Playback");
-pub(crate) const PLAY: Words = words("踊る", "Dance");
+pub(crate) const PLAY: Words = words("踊る", "Play");
 pub(crate) const PAUSE: Words = words("止める", "Pause");
 pub(crate) const STEP: Words = words("1コマ進む", "One frame");
 pub(crate) const RESET: Words = words("最初から", "Reset");
@@ -24,6 +28,43 @@ pub(crate) const REAL_TIME: Words = words("実時間", "Real time");
 
 pub(crate) const DANCE: Words = words("踊り", "Dance");
 pub(crate) const DANCE_STEP: Words = words("ステップ", "Step");
+pub(crate) const CHOREOGRAPHY: Words = words("振付", "Choreography");
+pub(crate) const RECORDING: Words = words("踊りの記録（BVH）", "Recorded dance (BVH)");
+pub(crate) const RECORDING_SHORT: Words = words("記録", "Recording");
+pub(crate) const SCHOOL: Words = words("流儀（ハーラウ）", "Manner (hālau)");
+pub(crate) const ADD_PART: Words = words("＋ 部分を足す", "+ Add a part");
+pub(crate) const MOVE_UP: Words = words("上へ", "up");
+pub(crate) const MOVE_DOWN: Words = words("下へ", "down");
+pub(crate) const REMOVE: Words = words("消す", "remove");
+pub(crate) const FEWER_COUNTS: Words = words("拍を減らす", "fewer counts");
+pub(crate) const MORE_COUNTS: Words = words("拍を増やす", "more counts");
+pub(crate) const COUNTS: Words = words("拍", "counts");
+pub(crate) const FIRST_SIDE: Words = words("どちらから始めるか", "which side begins");
+pub(crate) const FROM_RIGHT: Words = words("右から", "right");
+pub(crate) const FROM_LEFT: Words = words("左から", "left");
+pub(crate) const FACING: Words = words("体の向き", "facing");
+/// In the order of the choreography's directions, as the dancer has them.
+pub(crate) const DIRECTIONS: [Words; 8] = [
+    words("右後ろ向き", "right back"),
+    words("右向き", "right"),
+    words("右前向き", "right front"),
+    words("正面", "front"),
+    words("左前向き", "left front"),
+    words("左向き", "left"),
+    words("左後ろ向き", "left back"),
+    words("後ろ向き", "back"),
+];
+pub(crate) const OPEN_RECORDING: Words = words("ほかの記録を開く…", "Open another recording…");
+pub(crate) const AFTER_ITS_END: Words = words("終わったら", "At its end she");
+pub(crate) const STANDS_STILL: Words = words("止まる", "stands still");
+pub(crate) const BEGINS_AGAIN: Words = words("くり返す", "begins again");
+pub(crate) const WAY: Words = words("場所", "Over the floor she");
+pub(crate) const WALKS: Words = words("進む", "goes her way");
+pub(crate) const STAYS: Words = words("その場にいる", "stays");
+pub(crate) const DROP_RECORDING: Words = words(
+    "BVH ファイルを窓に落としても踊れます。",
+    "A BVH file dropped on the window is danced, too.",
+);
 pub(crate) const TEMPO: Words = words("テンポ", "Tempo (counts)");
 pub(crate) const TEMPO_UNIT: Words = words(" 拍/分", " /min");
 
@@ -31,9 +72,57 @@ pub(crate) const CLOTH: Words = words("布", "Cloth");
 pub(crate) const METHOD: Words = words("計算方法", "Method");
 pub(crate) const STIFFNESS: Words = words("かたさ（倍）", "Stiffness (times)");
 pub(crate) const DAMPING: Words = words("空気の抵抗", "Damping by air");
+pub(crate) const AIR_AND_CLOTH: Words = words("風と布", "Air");
+pub(crate) const BODY: Words = words("体", "Body");
 pub(crate) const WIND: Words = words("風", "Wind");
+pub(crate) const STILL_AIR: Words = words("無風", "still");
+pub(crate) const BREEZE: Words = words("そよ風", "breeze");
+pub(crate) const STRONG_WIND: Words = words("強い風", "strong");
+pub(crate) const WIND_SPEED: Words = words("風の速さ", "Speed of the wind");
+pub(crate) const WIND_ACTS_ON: Words = words("風の当たり方", "The wind acts on");
+pub(crate) const WIND_ON_FACES: Words = words("布の面に", "faces of the cloth");
+pub(crate) const WIND_ON_ALL: Words = words("どこも同じ", "all alike");
+pub(crate) const WIND_DIRECTION: Words = words("風の向き", "Direction");
+pub(crate) const WIND_TURNS: Words = words("回る", "turns round");
+pub(crate) const WIND_TO_AND_FRO: Words = words("行き来する", "to and fro");
+pub(crate) const GUSTS: Words = words("風のむら", "Gusts");
+pub(crate) const OTHER_GUSTS: Words = words("ちがうむらにする", "Other gusts");
 pub(crate) const MEETS_SKIN: Words = words("布を肌そのものに当てる", "Cloth meets the skin itself");
 pub(crate) const CAPSULES_COUNT: Words = words("体のカプセルの数", "Capsules of the body");
+
+pub(crate) const COSTUME: Words = words("衣装", "Costume");
+pub(crate) const FABRIC: Words = words("布", "Fabric");
+pub(crate) const PRINT: Words = words("柄", "Print");
+pub(crate) const HIBISCUS: Words = words("ハイビスカス", "hibiscus");
+pub(crate) const ULU: Words = words("ウル（パンの木）", "ʻulu (breadfruit)");
+pub(crate) const PLAIN: Words = words("無地", "plain");
+pub(crate) const COLORWAY: Words = words("配色", "Colors");
+pub(crate) const GROUND: Words = words("地の色", "Ground color");
+pub(crate) const GARMENTS: Words = words("重ねる服", "Worn with it");
+pub(crate) const UNDERSKIRT: Words = words("下のスカート", "Underskirt");
+pub(crate) const OVERSKIRT: Words = words("上のスカート", "Overskirt");
+pub(crate) const TOP: Words = words("トップ", "Top");
+pub(crate) const TAKE_OFF: Words = words("脱ぐ:", "Take off:");
+pub(crate) const UNDER_SKIRT: Words = words("スカートの下", "under the skirt");
+pub(crate) const OVER_SKIRT: Words = words("スカートの上", "over it");
+pub(crate) const HEM_BY_SKIRT: Words =
+    words("すそはスカートに合わせる", "Hem just above the skirt");
+pub(crate) const ADD_UNDERSKIRT: Words = words("＋ 下のスカートを足す", "+ Add an underskirt");
+pub(crate) const ADD_OVERSKIRT: Words = words("＋ 上のスカートを足す", "+ Add an overskirt");
+pub(crate) const ADD_TOP: Words = words("＋ トップを足す", "+ Add a top");
+
+pub(crate) const DANCER: Words = words("踊り手", "Dancer");
+pub(crate) const TAPE: Words = words("採寸", "Measures");
+pub(crate) const TAPE_HINT: Words = words(
+    "数字を押して書きます。薄い字は推定です。",
+    "Click a number to write it. Pale ones are estimated.",
+);
+pub(crate) const FIGURE_BY_STATURE: Words = words("身長から", "by height");
+pub(crate) const WOMAN: Words = words("女性", "woman");
+pub(crate) const MAN: Words = words("男性", "man");
+pub(crate) const CHILD: Words = words("子ども", "child");
+pub(crate) const ESTIMATED: Words = words("推定", "estimated");
+pub(crate) const LEAVE_OUT: Words = words("推定に戻す", "estimate it");
 
 pub(crate) const SKIRT: Words = words("スカート", "Skirt");
 pub(crate) const GATHER: Words = words("ギャザー（倍）", "Gathers (times)");

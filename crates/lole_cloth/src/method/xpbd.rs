@@ -327,6 +327,9 @@ fn repair_crossings(
             &mut state.positions,
             &mut state.velocities,
         );
+    } else {
+        // What a repair has left without contact, for the next one to draw out, would stay so.
+        state.scratch.crossing_repair.is_tangled.clear();
     }
 }
 

@@ -1,19 +1,20 @@
-//! Method, stiffness, damping and wind: changed without stopping the dance.
+//! Method, stiffness and damping: changed without stopping the dance.
 
 use eframe::egui::{ComboBox, Ui};
 use lole_costume::document::MethodName;
 
+use super::hindrance;
 use super::knob::{Knob, Scale};
-use crate::studio::{STIFFNESSES, range};
+use crate::studio::range;
+use crate::wished::STIFFNESSES;
 use crate::{Studio, text};
 
 /// The damping slider ends here [1/s]: stronger drag looks like honey.
 const MOST_DAMPING: f64 = 10.0;
-/// The wind slider ends here [m/s]: a strong breeze.
-const MOST_WIND: f64 = 8.0;
 
 pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     method(ui, studio);
+    hindrance::show(ui, studio, &["[method]", "[fabric]"]);
     let stiffness = Knob {
         name: studio.say(text::STIFFNESS),
         range: STIFFNESSES[0]..=STIFFNESSES[1],
@@ -35,17 +36,6 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     let now = f64::from(studio.design().fabric.fabric().drag_rate);
     if let (_, Some(drag)) = damping.show(ui, now) {
         studio.change(|design| design.fabric.drag_per_s = Some(drag));
-    }
-    let (low, high) = range("wind", "speed_m_per_s");
-    let wind = Knob {
-        name: studio.say(text::WIND),
-        range: low..=high.min(MOST_WIND),
-        decimals: 1,
-        unit: " m/s",
-        scale: Scale::Even,
-    };
-    if let (_, Some(speed)) = wind.show(ui, studio.design().wind.speed_m_per_s) {
-        studio.change(|design| design.wind.speed_m_per_s = speed);
     }
 }
 

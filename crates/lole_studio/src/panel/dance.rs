@@ -1,21 +1,58 @@
-//! The step and its tempo; a change is eased into while she dances.
+//! What is danced: a step, a choreography or a recording; its manner and tempo.
 
-use eframe::egui::{Button, ScrollArea, Ui};
-use lole_body::DanceStep;
+use eframe::egui::{RichText, Ui};
+use lole_body::motion::SCHOOLS;
+use lole_costume::document::{Design, PartDesign};
 
-use super::knob::{Knob, Scale};
-use crate::studio::range;
+use super::hindrance;
+use super::knob::{Knob, Scale, choice, list};
+use crate::studio::{Request, range};
 use crate::{Studio, text};
 
-pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
-    ui.label(studio.say(text::DANCE_STEP));
-    if let Some(step) = step_ui(ui, studio.design().motion.step) {
-        studio.change(|design| {
-            design.motion.step = step;
-            // A choreography would go on instead.
-            design.motion.parts.clear();
-        });
+/// Where the dance comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Source {
+    Step,
+    Choreography,
+    Recording,
+}
+
+fn source(design: &Design) -> Source {
+    match &design.motion {
+        motion if motion.file.is_some() => Source::Recording,
+        motion if motion.parts.is_empty() => Source::Step,
+        _ => Source::Choreography,
     }
+}
+
+pub(super) fn is_step(studio: &Studio) -> bool {
+    source(studio.design()) == Source::Step
+}
+
+pub(super) fn is_choreography(studio: &Studio) -> bool {
+    source(studio.design()) == Source::Choreography
+}
+
+pub(super) fn is_recording(studio: &Studio) -> bool {
+    source(studio.design()) == Source::Recording
+}
+
+pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
+    let now = source(studio.design());
+    let sources = [
+        (Source::Step, studio.say(text::DANCE_STEP)),
+        (Source::Choreography, studio.say(text::CHOREOGRAPHY)),
+        (Source::Recording, studio.say(text::RECORDING_SHORT)),
+    ];
+    if let Some(wanted) = choice(ui, Some(now), &sources)
+        && wanted != now
+    {
+        change_source(studio, wanted);
+    }
+    if now == Source::Recording {
+        return;
+    }
+    school(ui, studio);
     let (low, high) = range("motion", "tempo_bpm");
     let knob = Knob {
         name: studio.say(text::TEMPO),
@@ -25,28 +62,57 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
         scale: Scale::Even,
     };
     if let (_, Some(tempo)) = knob.show(ui, studio.design().motion.tempo_bpm) {
-        studio.change(|design| design.motion.tempo_bpm = tempo);
+        studio.change(|design| design.motion.tempo_bpm = tempo.round());
+    }
+    hindrance::show(ui, studio, &["[motion]"]);
+}
+
+/// Goes over to another kind of dance; the one before is put on the shelf.
+fn change_source(studio: &mut Studio, wanted: Source) {
+    let motion = studio.design().motion.clone();
+    if !motion.parts.is_empty() {
+        studio.shelf.parts = motion.parts;
+    }
+    if motion.file.is_some() {
+        studio.shelf.file = motion.file;
+    }
+    let shelf = studio.shelf.clone();
+    match wanted {
+        Source::Step => studio.change(|design| {
+            design.motion.parts.clear();
+            design.motion.file = None;
+        }),
+        Source::Choreography => studio.change(|design| {
+            let step = design.motion.step;
+            let first = PartDesign {
+                step,
+                beat_count: step.counts(),
+                ..PartDesign::default()
+            };
+            design.motion.file = None;
+            design.motion.parts = shelf.parts;
+            if design.motion.parts.is_empty() {
+                design.motion.parts.push(first);
+            }
+        }),
+        Source::Recording if shelf.file.is_some() => {
+            studio.change(|design| design.motion.file = shelf.file);
+        }
+        Source::Recording => studio.request(Request::AskRecording),
     }
 }
 
-/// Height in points of the list of steps: about five rows.
-const LIST_HEIGHT: f32 = 150.0;
-
-/// All steps by their names in rows; the one that was picked, if one was.
-fn step_ui(ui: &mut Ui, chosen: DanceStep) -> Option<DanceStep> {
-    let rows = |ui: &mut Ui| {
-        ui.spacing_mut().item_spacing = [4.0, 4.0].into();
-        let picked = |step: &DanceStep| {
-            let button = Button::selectable(chosen == *step, step.name())
-                .frame_when_inactive(true)
-                .min_size([30.0, 24.0].into());
-            ui.add(button).clicked()
-        };
-        // Every button is drawn, also those after one that was clicked.
-        let mut steps: Vec<DanceStep> = DanceStep::ALL.to_vec();
-        steps.retain(picked);
-        steps.first().copied()
-    };
-    let list = ScrollArea::vertical().max_height(LIST_HEIGHT);
-    list.show(ui, |ui| ui.horizontal_wrapped(rows).inner).inner
+/// The manner of a hālau.
+fn school(ui: &mut Ui, studio: &mut Studio) {
+    let options: Vec<_> = (0..)
+        .zip(SCHOOLS)
+        .map(|(index, school)| (index, studio.say(school.about).to_owned()))
+        .collect();
+    let now = (SCHOOLS.iter()).position(|school| school.id == studio.design().motion.school.id);
+    let name = studio.say(text::SCHOOL);
+    if let Some(index) = list(ui, ("school", name), now.unwrap_or(0), &options) {
+        studio.change(|design| design.motion.follow(&SCHOOLS[index]));
+    }
+    let about = studio.say(studio.design().motion.school.about);
+    ui.label(RichText::new(about).small().weak());
 }

@@ -1,5 +1,7 @@
 //! The bar above: the design's file, the picture, the language.
 
+use std::path::Path;
+
 use eframe::egui::{Align, Button, Label, Layout, RichText, Ui};
 use lole_language::Language;
 
@@ -7,7 +9,7 @@ use crate::studio::Request;
 use crate::{Studio, text};
 
 /// Narrower bars take two lines [point].
-const ONE_LINE: f32 = 660.0;
+const ONE_LINE: f32 = 860.0;
 
 /// Shows it.
 pub fn show(ui: &mut Ui, studio: &mut Studio) {
@@ -27,11 +29,18 @@ fn files(ui: &mut Ui, studio: &mut Studio) {
         studio.request(Request::AskOpen);
     }
     if ui.button(studio.say(text::SAVE)).clicked() {
-        let request = studio.path.clone().map_or(Request::AskSave, Request::Save);
-        studio.request(request);
+        studio.request_saving();
     }
     if ui.button(studio.say(text::SAVE_AS)).clicked() {
         studio.request(Request::AskSave);
+    }
+    let undo = Button::new(studio.say(text::UNDO));
+    if ui.add_enabled(studio.has_past(), undo).clicked() {
+        studio.undo();
+    }
+    let redo = Button::new(studio.say(text::REDO));
+    if ui.add_enabled(studio.has_future(), redo).clicked() {
+        studio.redo();
     }
     if ui.button(studio.say(text::PICTURE)).clicked() {
         studio.request(Request::Picture);
@@ -42,7 +51,7 @@ fn files(ui: &mut Ui, studio: &mut Studio) {
 fn rest(ui: &mut Ui, studio: &mut Studio) {
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
         languages(ui, studio);
-        let name = studio.path.as_ref().and_then(|path| path.file_name());
+        let name = studio.path().and_then(Path::file_name);
         let name = name.map_or_else(
             || studio.say(text::UNNAMED).to_owned(),
             |name| name.to_string_lossy().into_owned(),

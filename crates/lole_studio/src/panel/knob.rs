@@ -38,7 +38,9 @@ impl Knob<'_> {
         let slider = Slider::new(&mut moved, self.range)
             .logarithmic(self.scale == Scale::Factors)
             .fixed_decimals(self.decimals)
-            .suffix(self.unit);
+            .suffix(self.unit)
+            // Half a number is none.
+            .update_while_editing(false);
         let response = ui.add(slider).labelled_by(label.id);
         let is_moved = response.changed() && moved.is_finite();
         (response, is_moved.then_some(moved))
@@ -69,4 +71,50 @@ pub(super) fn choice<T: PartialEq + Copy>(
         }
     });
     picked
+}
+
+/// A button as wide as the panel; whether it was clicked.
+pub(super) fn wide_button(ui: &mut Ui, name: &str) -> bool {
+    let size = egui::vec2(ui.available_width(), 32.0);
+    ui.add(egui::Button::new(name).min_size(size)).clicked()
+}
+
+/// Size of a button with a sign [point].
+pub(super) const SIGN: egui::Vec2 = egui::vec2(34.0, 30.0);
+
+/// A small button with a sign that is read out as `name`; whether it was clicked.
+pub(super) fn sign_button(ui: &mut Ui, sign: &str, name: &str) -> bool {
+    let enabled = ui.is_enabled();
+    let button = egui::Button::new(sign).min_size(SIGN);
+    let slim = |ui: &mut Ui| {
+        ui.spacing_mut().button_padding.x = 2.0;
+        ui.add(button)
+    };
+    let response = ui.scope(slim).inner.on_hover_text(name);
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, enabled, name));
+    response.clicked()
+}
+
+/// A list that drops down below its name, as wide as the panel; the new choice.
+pub(super) fn list<T: PartialEq + Copy>(
+    ui: &mut Ui,
+    (salt, name): (impl egui::AsIdSalt, &str),
+    chosen: T,
+    options: &[(T, String)],
+) -> Option<T> {
+    let label = ui.label(name);
+    let mut picked = chosen;
+    let known = options.iter().find(|(option, _)| *option == chosen);
+    egui::ComboBox::from_id_salt(salt)
+        .width(ui.available_width())
+        .truncate()
+        .selected_text(known.map_or("", |(_, name)| name))
+        .show_ui(ui, |ui| {
+            for (option, name) in options {
+                ui.selectable_value(&mut picked, *option, name);
+            }
+        })
+        .response
+        .labelled_by(label.id);
+    (picked != chosen).then_some(picked)
 }

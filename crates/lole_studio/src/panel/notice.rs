@@ -4,6 +4,7 @@ use eframe::egui::{self, Color32, RichText, Ui};
 use lole_stage::Divergence;
 
 use crate::message::Tone;
+use crate::studio::Request;
 use crate::{Studio, look, text};
 
 /// Shows what there is to say; `ui` is the picture's place.
@@ -22,6 +23,7 @@ pub fn show(ui: &mut Ui, studio: &mut Studio) {
             }
         });
     }
+    found(ui, studio);
     if let Some(message) = studio.message.clone() {
         let fill = match message.tone {
             Tone::News => look::CARD,
@@ -42,6 +44,33 @@ pub fn show(ui: &mut Ui, studio: &mut Studio) {
             });
         });
     }
+}
+
+/// Offers what a window left behind that ended without saving.
+fn found(ui: &mut Ui, studio: &mut Studio) {
+    let Some(work) = &studio.found else { return };
+    let name = work.name();
+    let japanese = format!(
+        "前回、保存しないまま終わったデザインがあります（{}）。続きから始めますか？",
+        name.as_deref().unwrap_or(text::UNNAMED.japanese)
+    );
+    let english = format!(
+        "A design was left without saving ({}); go on with it?",
+        name.as_deref().unwrap_or(text::UNNAMED.english)
+    );
+    let sentence = studio.language.pick(&japanese, &english).to_owned();
+    card(ui, look::CARD, |ui| {
+        ui.label(sentence);
+        ui.horizontal(|ui| {
+            let resume = RichText::new(studio.say(text::RESUME)).color(Color32::WHITE);
+            if ui.add(egui::Button::new(resume).fill(look::RED)).clicked() {
+                studio.request(Request::Resume);
+            }
+            if ui.button(studio.say(text::DISCARD)).clicked() {
+                studio.request(Request::Discard);
+            }
+        });
+    });
 }
 
 fn card(ui: &mut Ui, fill: Color32, contents: impl FnOnce(&mut Ui)) {

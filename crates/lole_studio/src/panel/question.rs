@@ -15,6 +15,7 @@ pub fn show(ui: &mut Ui, studio: &mut Studio) {
     let title = match question.purpose {
         Purpose::Open => studio.say(text::OPEN),
         Purpose::Save => studio.say(text::SAVE_AS),
+        Purpose::Record => studio.say(text::RECORDING),
     };
     let (mut answered, mut given_up) = (false, false);
     egui::Window::new(title)
@@ -32,7 +33,7 @@ pub fn show(ui: &mut Ui, studio: &mut Studio) {
             ui.add_space(4.0);
             ui.horizontal(|ui| {
                 let go = match question.purpose {
-                    Purpose::Open => text::OPEN_IT,
+                    Purpose::Open | Purpose::Record => text::OPEN_IT,
                     Purpose::Save => text::SAVE,
                 };
                 answered |= ui.button(studio.say(go)).clicked();
@@ -49,6 +50,7 @@ pub fn show(ui: &mut Ui, studio: &mut Studio) {
         studio.request(match question.purpose {
             Purpose::Open => Request::Open(path),
             Purpose::Save => Request::Save(path),
+            Purpose::Record => Request::OpenRecording(path),
         });
     } else if !given_up {
         studio.question = Some(question);

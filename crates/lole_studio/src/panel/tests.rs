@@ -5,14 +5,18 @@ use std::path::PathBuf;
 use eframe::egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use lole_body::DanceStep;
-use lole_costume::document::{Design, MethodName};
+use lole_body::motion::SCHOOLS;
+use lole_body::{DanceStep, Figure, Side};
+use lole_cloth::wind::WindLaw;
+use lole_costume::document::{
+    Design, GarmentDesign, MethodName, MotionDrift, MotionFile, MotionRepeat, WindModel,
+};
+use lole_costume::fabrics::PRESETS;
 use lole_language::{Language, Sentence};
 use lole_stage::Divergence;
 
-use super::{LEFT, RIGHT};
 use crate::message::Message;
-use crate::studio::{Purpose, Question, Request};
+use crate::studio::{Purpose, Question, Request, Tab};
 use crate::{Command, Studio, panel};
 
 /// All panels above each other, tall enough that nothing scrolls away.
@@ -21,12 +25,14 @@ fn window(studio: Studio) -> Harness<'static, Studio> {
         panel::document_bar(ui, studio);
         panel::status_bar(ui, studio);
         panel::notices(ui, studio);
-        let all: Vec<_> = LEFT.iter().chain(RIGHT).collect();
-        panel::column(ui, studio, &all);
+        panel::one_column(ui, studio);
         panel::question(ui, studio);
+        if !ui.input(|input| input.pointer.any_down()) {
+            studio.rest();
+        }
     };
     let mut harness = Harness::builder()
-        .with_size([420.0, 2000.0])
+        .with_size([420.0, 3200.0])
         .allow_missing_glyphs()
         .build_ui_state(show, studio);
     harness.run_steps(3);
@@ -39,6 +45,13 @@ fn studio(language: Language) -> Studio {
     studio
 }
 
+/// The panels of a tab.
+fn tab(tab: Tab) -> Harness<'static, Studio> {
+    let mut studio = studio(Language::English);
+    studio.tab = tab;
+    window(studio)
+}
+
 fn click(harness: &mut Harness<'static, Studio>, label: &str) {
     harness.get_by_role_and_label(Role::Button, label).click();
     harness.run_steps(3);
@@ -46,6 +59,22 @@ fn click(harness: &mut Harness<'static, Studio>, label: &str) {
 
 fn commands(harness: &mut Harness<'static, Studio>) -> Vec<Command> {
     harness.state_mut().take_commands()
+}
+
+/// The last design that was sent.
+fn wished(harness: &mut Harness<'static, Studio>) -> Design {
+    let sent = commands(harness);
+    match sent.last() {
+        Some(Command::Wish(design)) => (**design).clone(),
+        _ => panic!("{sent:?}"),
+    }
+}
+
+/// Drops a list down and picks one of its rows.
+fn pick(harness: &mut Harness<'static, Studio>, list: &str, row: &str) {
+    harness.get_by_role_and_label(Role::ComboBox, list).click();
+    harness.run_steps(3);
+    click(harness, row);
 }
 
 #[test]
@@ -57,7 +86,7 @@ fn pausing_stepping_slowing_and_resetting_are_sent() {
     assert_eq!(commands(&mut window), [Command::Step]);
     click(&mut window, "×¼");
     assert_eq!(commands(&mut window), [Command::Speed(0.25)]);
-    click(&mut window, "Dance");
+    click(&mut window, "Play");
     assert_eq!(commands(&mut window), [Command::Play]);
     click(&mut window, "Reset");
     assert_eq!(commands(&mut window), [Command::Reset, Command::Play]);
@@ -67,17 +96,16 @@ fn pausing_stepping_slowing_and_resetting_are_sent() {
 fn another_step_is_wished_at_once() {
     let mut window = window(studio(Language::English));
     click(&mut window, DanceStep::Ami.name());
-    let [Command::Wish(design)] = &commands(&mut window)[..] else {
-        panic!("no wish was sent");
-    };
-    assert_eq!(design.motion.step, DanceStep::Ami);
+    assert_eq!(wished(&mut window).motion.step, DanceStep::Ami);
 }
 
 #[test]
 fn every_method_of_the_document_can_be_chosen() {
     for method in MethodName::ALL {
-        let mut window = window(studio(Language::English));
-        window.get_by_role(Role::ComboBox).click();
+        let mut window = tab(Tab::Cloth);
+        window
+            .get_by_role_and_label(Role::ComboBox, "Method")
+            .click();
         window.run_steps(3);
         let label = format!("{}  {}", method.id(), crate::text::method(method).english);
         click(&mut window, &label);
@@ -194,16 +222,187 @@ fn a_message_stays_until_it_is_closed() {
 
 #[test]
 fn a_slider_moved_by_keys_changes_the_design_within_its_range() {
-    let mut window = window(studio(Language::English));
-    let slider = window.get_by_role_and_label(Role::Slider, "Wind");
+    let mut window = tab(Tab::Cloth);
+    let slider = window.get_by_role_and_label(Role::Slider, "Speed of the wind");
     assert_eq!(slider.accesskit_node().numeric_value(), Some(0.0));
     slider.focus();
     window.run_steps(2);
     window.key_press(eframe::egui::Key::ArrowRight);
     window.run_steps(3);
-    let sent = commands(&mut window);
-    let Some(Command::Wish(design)) = sent.last() else {
-        panic!("{sent:?}");
-    };
+    let design = wished(&mut window);
     assert!(0.0 < design.wind.speed_m_per_s && design.wind.speed_m_per_s <= 8.0);
+}
+
+#[test]
+fn every_step_back_comes_from_the_bar_and_is_sent() {
+    let mut window = tab(Tab::Cloth);
+    click(&mut window, "breeze");
+    let blown = wished(&mut window);
+    assert_eq!(blown.wind.model, WindModel::Triangles);
+    click(&mut window, "strong");
+    assert!(blown.wind.speed_m_per_s < wished(&mut window).wind.speed_m_per_s);
+    click(&mut window, "Undo");
+    assert_eq!(wished(&mut window), blown);
+    click(&mut window, "Undo");
+    assert_eq!(wished(&mut window), Design::default());
+    click(&mut window, "Redo");
+    assert_eq!(wished(&mut window), blown);
+}
+
+#[test]
+fn wind_is_still_or_blows_as_one_likes_with_other_gusts() {
+    let mut window = tab(Tab::Cloth);
+    assert!(window.query_by_label("turns round").is_none());
+    click(&mut window, "breeze");
+    click(&mut window, "to and fro");
+    assert_eq!(wished(&mut window).wind.law, WindLaw::LiteralScalar);
+    let before = window.state().design().wind.seed;
+    let label = format!("Other gusts ({before})");
+    click(&mut window, &label);
+    assert_ne!(wished(&mut window).wind.seed, before);
+    click(&mut window, "all alike");
+    assert_eq!(wished(&mut window).wind.model, WindModel::Uniform);
+    assert!(window.query_by_label("Gusts").is_none());
+    click(&mut window, "still");
+    assert!(wished(&mut window).wind.speed_m_per_s <= 0.0);
+}
+
+#[test]
+fn a_choreography_is_put_together_part_by_part() {
+    let mut window = tab(Tab::Dance);
+    click(&mut window, "Choreography");
+    let counts = DanceStep::Kaholo.counts();
+    assert_eq!(wished(&mut window).motion.parts[0].beat_count, counts);
+    click(&mut window, "+ Add a part");
+    let added = wished(&mut window).motion.parts;
+    assert_eq!((added.len(), added[1].side), (2, Side::Left));
+    pick(&mut window, "2 Step", DanceStep::Kao.name());
+    click(&mut window, "2 more counts");
+    pick(&mut window, "2 facing", "left");
+    click(&mut window, "2 left");
+    let parts = wished(&mut window).motion.parts;
+    assert_eq!(
+        (parts[1].step, parts[1].side),
+        (DanceStep::Kao, Side::Right)
+    );
+    assert_eq!(parts[1].facing_deg.to_bits(), 90.0_f64.to_bits());
+    assert_eq!(parts[1].beat_count, counts + DanceStep::Kao.phrase());
+    click(&mut window, "2 up");
+    assert_eq!(wished(&mut window).motion.parts[0].step, DanceStep::Kao);
+    click(&mut window, "2 remove");
+    assert_eq!(wished(&mut window).motion.parts.len(), 1);
+    // Another source puts it on the shelf, and back.
+    click(&mut window, "Step");
+    assert!(wished(&mut window).motion.parts.is_empty());
+    click(&mut window, "Choreography");
+    assert_eq!(wished(&mut window).motion.parts[0].step, DanceStep::Kao);
+}
+
+#[test]
+fn a_hālau_s_manner_sets_the_whole_posture() {
+    let mut window = tab(Tab::Dance);
+    let school = &SCHOOLS[4];
+    pick(&mut window, "Manner (hālau)", school.about.english);
+    let motion = wished(&mut window).motion;
+    assert_eq!(motion.school.id, school.id);
+    assert!((motion.knee_deg - f64::from(school.knee_degrees)).abs() < 1e-4);
+}
+
+#[test]
+fn a_recording_is_asked_for_and_can_go_round_on_the_spot() {
+    let mut window = tab(Tab::Dance);
+    click(&mut window, "Recording");
+    assert_eq!(window.state_mut().take_requests(), [Request::AskRecording]);
+    let file = MotionFile {
+        bytes: Some(b"HIERARCHY".as_slice().into()),
+        ..MotionFile::named("dances/hula.bvh")
+    };
+    (window.state_mut()).change(|design| design.motion.file = Some(file.clone()));
+    window.run_steps(3);
+    window.get_by_label("hula.bvh");
+    click(&mut window, "begins again");
+    click(&mut window, "stays");
+    let motion = wished(&mut window).motion;
+    assert_eq!(
+        (motion.repeat, motion.drift),
+        (MotionRepeat::Loop, MotionDrift::Remove)
+    );
+    click(&mut window, "Step");
+    assert!(wished(&mut window).motion.file.is_none());
+    click(&mut window, "Recording");
+    assert_eq!(wished(&mut window).motion.file, Some(file));
+}
+
+#[test]
+fn garments_are_put_on_cut_from_another_fabric_and_taken_off() {
+    let mut window = tab(Tab::Costume);
+    pick(&mut window, "Fabric", PRESETS[5].name);
+    assert_eq!(wished(&mut window).fabric.preset.id, PRESETS[5].id);
+    click(&mut window, "+ Add an underskirt");
+    click(&mut window, "+ Add a top");
+    let garments = wished(&mut window).garments;
+    assert!(matches!(garments[0], GarmentDesign::PauSkirt(_)));
+    assert!(matches!(garments[1], GarmentDesign::PauTop(_)));
+    click(&mut window, "Take off: Underskirt 1");
+    let design = wished(&mut window);
+    assert_eq!(design.garments.len(), 1);
+    let hem = "Hem just above the skirt";
+    window.get_by_role_and_label(Role::CheckBox, hem).click();
+    window.run_steps(3);
+    let design = wished(&mut window);
+    let GarmentDesign::PauTop(worn) = &design.garments[0] else {
+        panic!("{design:?}");
+    };
+    assert!(worn.top.hem_height_cm.is_some());
+}
+
+#[test]
+fn garments_that_a_method_cannot_move_are_explained_where_they_are_added() {
+    let mut studio = studio(Language::English);
+    studio.tab = Tab::Costume;
+    studio.change(|design| design.method.name = MethodName::FbEuler);
+    let mut window = window(studio);
+    commands(&mut window);
+    click(&mut window, "+ Add a top");
+    assert!(commands(&mut window).is_empty());
+    window.get_by_label_contains("move one garment alone");
+    click(&mut window, "Undo");
+    assert!(
+        window
+            .query_by_label_contains("move one garment alone")
+            .is_none()
+    );
+}
+
+#[test]
+fn measures_that_exclude_each_other_are_explained_below_them_and_can_be_left_out() {
+    let mut studio = studio(Language::Japanese);
+    studio.tab = Tab::Dancer;
+    studio.change(|design| {
+        design.dancer.waist_cm = Some(130.0);
+        design.dancer.hip_cm = Some(80.0);
+    });
+    let mut window = window(studio);
+    assert!(commands(&mut window).is_empty());
+    window.get_by_label_contains("両立しません");
+    click(&mut window, "ウエスト: 推定に戻す");
+    assert_eq!(wished(&mut window).dancer.waist_cm, None);
+    assert!(window.query_by_label_contains("両立しません").is_none());
+    click(&mut window, "男性");
+    assert_eq!(wished(&mut window).dancer.figure, Figure::Man);
+}
+
+#[test]
+fn work_that_was_found_is_offered_once_in_a_sentence() {
+    for (button, request) in [("続きから", Request::Resume), ("捨てる", Request::Discard)] {
+        let mut left = studio(Language::Japanese);
+        left.change(|design| design.skirt.hem_height_cm = 30.0);
+        left.rest();
+        let mut studio = studio(Language::Japanese);
+        studio.found = left.take_work();
+        let mut window = window(studio);
+        window.get_by_label_contains("保存しないまま終わったデザイン");
+        click(&mut window, button);
+        assert_eq!(window.state_mut().take_requests(), [request]);
+    }
 }

@@ -31,6 +31,11 @@ impl Pace {
         }
     }
 
+    /// Time from one frame to the next [s].
+    pub(crate) fn period(&self) -> f64 {
+        1.0 / (f64::from(FRAMES_PER_SECOND) * self.speed)
+    }
+
     /// Time until the next frame may be worked out [s]; 0 when it is due.
     pub(crate) const fn wait(&self, now: f64) -> f64 {
         (self.next_due - now).max(0.0)
@@ -38,7 +43,7 @@ impl Pace {
 
     /// Notes that a frame was begun at `now`.
     pub(crate) fn begin(&mut self, now: f64) {
-        let period = 1.0 / (f64::from(FRAMES_PER_SECOND) * self.speed);
+        let period = self.period();
         let oldest = now - DEBT * period;
         self.next_due = (self.next_due + period).max(oldest);
         self.frames += 1;

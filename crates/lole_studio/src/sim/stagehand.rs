@@ -5,12 +5,14 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, TryRecvError};
 use std::time::Duration;
 
 use glam::Vec3;
+use lole_cloth::Crossings;
 use lole_costume::document::Design;
 use lole_geom::mesh::vertex_normals;
 use lole_language::Sentence;
 use lole_stage::{Garment, Show, Wish};
 
 use super::pace::Pace;
+use super::repair::Repair;
 use super::sewing::{Entrance, Sewing, Sewn, wardrobe};
 use super::{Input, News, Outbox};
 use crate::clock::Clock;
@@ -33,6 +35,7 @@ pub(super) struct Stagehand {
     outbox: Outbox,
     clock: Clock,
     pace: Pace,
+    repair: Repair,
     pool: Option<rayon::ThreadPool>,
     stage: Option<(Show, Arc<Wardrobe>)>,
     sewing: Option<Sewing>,
@@ -64,6 +67,7 @@ impl Stagehand {
             outbox,
             clock,
             pace: Pace::new(clock.seconds(), 1.0),
+            repair: Repair::default(),
             pool,
             stage: None,
             sewing: None,
@@ -207,7 +211,7 @@ impl Stagehand {
             self.sew(design);
             return;
         };
-        let prints_anew = show.design().print != design.print;
+        let prints_anew = show.design().worn_prints() != design.worn_prints();
         let before = show.design().clone();
         match show.wish(&design) {
             Ok(Wish::Resew) => self.sew(design),
@@ -256,6 +260,7 @@ impl Stagehand {
         match sewn.show {
             Ok(Some(stage)) => {
                 self.stage = Some(stage);
+                self.repair = Repair::default();
                 self.samples.clear();
                 self.outbox.say(News::Sewn);
             }
@@ -291,6 +296,13 @@ impl Stagehand {
         let Some((show, _)) = &mut self.stage else {
             return;
         };
+        // A single frame takes the time that it needs.
+        let repairs = 0 < self.steps || self.repair.is_on();
+        show.set_crossings(if repairs {
+            Crossings::Repair
+        } else {
+            Crossings::Leave
+        });
         let started = self.clock.seconds();
         self.pace.begin(started);
         self.steps = self.steps.saturating_sub(1);
@@ -301,11 +313,15 @@ impl Stagehand {
         if result.is_err() {
             self.steps = 0;
         }
+        let cost = self.clock.seconds() - started;
+        if repairs == self.repair.is_on() {
+            self.repair.note(cost, self.pace.period());
+        }
         #[expect(
             clippy::cast_possible_truncation,
             reason = "seven digits of a millisecond are enough"
         )]
-        let milliseconds = ((self.clock.seconds() - started) * 1e3) as f32;
+        let milliseconds = (cost * 1e3) as f32;
         if self.samples.len() < MOST_SAMPLES {
             self.samples.push(Sample {
                 time: show.time(),
@@ -379,6 +395,8 @@ fn photograph(show: &Show, clothes: &Arc<Wardrobe>, watch: Watch) -> Snapshot {
         sunken: Vec::new(),
         samples: Vec::new(),
         pace: None,
+        part: show.part(),
+        recording_seconds: show.recording_seconds(),
         substep_count: show.substep_count(),
         stopped: show.stopped(),
     }

@@ -1,0 +1,225 @@
+//! The dancer's tape: fourteen measures, of which those that nobody took are estimated.
+
+use eframe::egui::{self, DragValue, Label, RichText, Ui};
+use lole_body::{BodyError, Figure, Measure, Measurements};
+use lole_costume::document::Design;
+use lole_costume::document::schema::{self, Kind};
+use lole_language::Sentence;
+
+use super::hindrance;
+use super::knob::{choice, sign_button};
+use crate::studio::range;
+use crate::{Studio, look, text};
+
+/// Sizes of a measure's name and of its number [point].
+const SIZES: [egui::Vec2; 2] = [egui::vec2(128.0, 30.0), egui::vec2(92.0, 30.0)];
+/// Centimeters for each point that a number is dragged.
+const CM_PER_POINT: f64 = 0.1;
+
+pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
+    figure(ui, studio);
+    ui.label(RichText::new(studio.say(text::TAPE_HINT)).small().weak());
+    let conflict = Conflict::of(studio.design());
+    let estimates = estimates(studio);
+    for measure in Measure::ALL {
+        let is_wrong = conflict
+            .as_ref()
+            .is_some_and(|found| found.is_about(measure));
+        row(ui, studio, measure, (estimates[measure as usize], is_wrong));
+        if let Some(conflict) = &conflict
+            && conflict.stands_at(measure)
+        {
+            hindrance::sentence(ui, studio, &conflict.sentence);
+        }
+    }
+    if conflict.is_none() {
+        hindrance::show(ui, studio, &["[dancer]"]);
+    }
+}
+
+/// Two measures that exclude each other, or one that nobody has.
+struct Conflict {
+    sentence: Sentence,
+    /// Names as the sentence has them.
+    names: Vec<lole_language::Words>,
+}
+
+impl Conflict {
+    fn of(design: &Design) -> Option<Self> {
+        let error = Measurements::from_tape(&design.tape()).err()?;
+        let names = match &error {
+            BodyError::OutOfBand { name, .. } => vec![*name],
+            BodyError::Conflict { first, second, .. } => vec![*first, *second],
+            BodyError::Unbuildable { check, against, .. } => vec![*check, *against],
+            _ => Vec::new(),
+        };
+        Some(Self {
+            sentence: Sentence::of(&error),
+            names,
+        })
+    }
+
+    fn is_about(&self, measure: Measure) -> bool {
+        self.names.contains(&measure.words())
+    }
+
+    /// Whether the sentence stands below this one: below the later of the two.
+    fn stands_at(&self, measure: Measure) -> bool {
+        let last = Measure::ALL.into_iter().rfind(|m| self.is_about(*m));
+        last.unwrap_or(Measure::UpperArmLength) == measure
+    }
+}
+
+fn figure(ui: &mut Ui, studio: &mut Studio) {
+    let names = [
+        (Figure::OfStature, studio.say(text::FIGURE_BY_STATURE)),
+        (Figure::Woman, studio.say(text::WOMAN)),
+        (Figure::Man, studio.say(text::MAN)),
+        (Figure::Child, studio.say(text::CHILD)),
+    ];
+    let now = studio.design().dancer.figure;
+    if let Some(figure) = choice(ui, Some(now), &names) {
+        studio.change(|design| design.dancer.figure = figure);
+    }
+}
+
+/// What the dancer on stage measures [cm], in the order of the tape.
+fn estimates(studio: &Studio) -> [Option<f64>; 14] {
+    let taped = studio.snapshot.as_ref().map(|now| &now.wardrobe.taped);
+    Measure::ALL.map(|measure| {
+        let line = taped?.iter().find(|line| line.measure == measure)?;
+        Some(line.on_body.to_cm())
+    })
+}
+
+/// One measure: its name, its number and, where it was taken, a button to leave it out again.
+fn row(
+    ui: &mut Ui,
+    studio: &mut Studio,
+    measure: Measure,
+    (estimate, is_wrong): (Option<f64>, bool),
+) {
+    let given = given(studio.design(), measure);
+    let name = studio.say(measure.words());
+    let color = match (is_wrong, given) {
+        (true, _) => look::RED,
+        (false, Some(_)) => look::INK,
+        (false, None) => look::PALE_INK,
+    };
+    ui.spacing_mut().item_spacing.y = 4.0;
+    ui.horizontal(|ui| {
+        let label = Label::new(RichText::new(name).color(color)).truncate();
+        let place = egui::Layout::left_to_right(egui::Align::Center);
+        let named = |ui: &mut Ui| ui.add(label);
+        let label = ui.allocate_ui_with_layout(SIZES[0], place, |ui| {
+            ui.set_min_size(SIZES[0]);
+            named(ui)
+        });
+        let label = label.inner;
+        let about = schema::key("dancer", measure.key()).map(|key| studio.say(key.about));
+        let label = label.on_hover_text(about.unwrap_or(name));
+        if let Some(centimeters) = number(ui, measure, (given, estimate), label.id) {
+            studio.change_later(|design| set(design, measure, Some(centimeters)));
+        }
+        if given.is_some() {
+            let name = format!("{name}: {}", studio.say(text::LEAVE_OUT));
+            if sign_button(ui, "✖", &name) {
+                studio.change(|design| set(design, measure, None));
+            }
+        } else {
+            ui.label(RichText::new(studio.say(text::ESTIMATED)).small().weak());
+        }
+    });
+}
+
+/// The number of a measure, pale where it is estimated; what was typed or dragged.
+fn number(
+    ui: &mut Ui,
+    measure: Measure,
+    (given, estimate): (Option<f64>, Option<f64>),
+    label: egui::Id,
+) -> Option<f64> {
+    let (low, high) = range("dancer", measure.key());
+    let mut centimeters = given.or(estimate).unwrap_or(low);
+    let is_known = given.is_some() || estimate.is_some();
+    let response = ui.scope(|ui| {
+        if given.is_none() {
+            ui.visuals_mut().override_text_color = Some(look::PALE_INK);
+            ui.visuals_mut().widgets.inactive.weak_bg_fill = look::PAPER;
+        }
+        let field = DragValue::new(&mut centimeters)
+            .range(low..=high)
+            .clamp_existing_to_range(false)
+            .speed(CM_PER_POINT)
+            .fixed_decimals(1)
+            .suffix(" cm")
+            .update_while_editing(false);
+        ui.add_enabled_ui(is_known, |ui| ui.add_sized(SIZES[1], field))
+            .inner
+    });
+    let response = response.inner.labelled_by(label);
+    let rounded = (centimeters * 10.0).round() / 10.0;
+    (response.changed() && rounded.is_finite()).then_some(rounded)
+}
+
+/// What the tape says [cm].
+fn given(design: &Design, measure: Measure) -> Option<f64> {
+    match schema::key("dancer", measure.key()).map(|key| &key.kind) {
+        Some(Kind::Number { get, .. }) => get(design),
+        _ => None,
+    }
+}
+
+/// Writes a measure down, or strikes it out.
+fn set(design: &mut Design, measure: Measure, centimeters: Option<f64>) {
+    let dancer = &mut design.dancer;
+    let field = match measure {
+        Measure::Stature => &mut dancer.stature_cm,
+        Measure::Bust => &mut dancer.bust_cm,
+        Measure::Underbust => &mut dancer.underbust_cm,
+        Measure::Waist => &mut dancer.waist_cm,
+        Measure::HighHip => &mut dancer.high_hip_cm,
+        Measure::Hip => &mut dancer.hip_cm,
+        Measure::Thigh => &mut dancer.thigh_cm,
+        Measure::Knee => &mut dancer.knee_cm,
+        Measure::Calf => &mut dancer.calf_cm,
+        Measure::Ankle => &mut dancer.ankle_cm,
+        Measure::Inseam => &mut dancer.inseam_cm,
+        Measure::WaistHeight => &mut dancer.waist_height_cm,
+        Measure::ShoulderBreadth => &mut dancer.shoulder_breadth_cm,
+        Measure::UpperArmLength => &mut dancer.upper_arm_length_cm,
+    };
+    *field = centimeters;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_measure_is_written_where_the_document_reads_it() {
+        for measure in Measure::ALL {
+            let mut design = Design::default();
+            assert_eq!(given(&design, measure), None);
+            set(&mut design, measure, Some(77.7));
+            assert_eq!(given(&design, measure), Some(77.7), "{measure:?}");
+        }
+    }
+
+    #[test]
+    fn of_two_measures_that_exclude_each_other_the_later_has_the_sentence() {
+        let mut design = Design::default();
+        set(&mut design, Measure::Waist, Some(130.0));
+        set(&mut design, Measure::Hip, Some(80.0));
+        let conflict = Conflict::of(&design).unwrap();
+        let marked: Vec<_> = (Measure::ALL.into_iter())
+            .filter(|m| conflict.is_about(*m))
+            .collect();
+        let places: Vec<_> = (Measure::ALL.into_iter())
+            .filter(|m| conflict.stands_at(*m))
+            .collect();
+        assert_eq!(marked.len(), 2);
+        assert_eq!(places, marked[1..]);
+        assert!(Conflict::of(&Design::default()).is_none());
+    }
+}

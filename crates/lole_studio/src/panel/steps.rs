@@ -1,0 +1,153 @@
+//! The steps of hula in families, to be danced over and over or to be put into a choreography.
+
+use eframe::egui::{Button, ComboBox, RichText, Ui, WidgetInfo, accesskit::Role};
+use lole_body::DanceStep;
+use lole_language::{Language, Words, words};
+
+use crate::{Studio, text};
+
+/// Steps that go together.
+struct Family {
+    name: Words,
+    steps: &'static [DanceStep],
+}
+
+/// Every step, once.
+const FAMILIES: &[Family] = &[
+    Family {
+        name: words("カホロの仲間", "Kāholo"),
+        steps: &[
+            DanceStep::Kaholo,
+            DanceStep::KaholoDip,
+            DanceStep::KaholoDouble,
+            DanceStep::KaholoForward,
+            DanceStep::KaholoDiagonal,
+        ],
+    },
+    Family {
+        name: words("腰を揺らす", "Swaying"),
+        steps: &[DanceStep::Kao, DanceStep::Nee, DanceStep::KalakauaSway],
+    },
+    Family {
+        name: words("アミ（腰を回す）", "ʻAmi"),
+        steps: &[
+            DanceStep::Ami,
+            DanceStep::AmiKahela,
+            DanceStep::AmiKuu,
+            DanceStep::AmiOniu,
+            DanceStep::AmiHalfMoon,
+            DanceStep::Hue,
+        ],
+    },
+    Family {
+        name: words("足を出す・上げる", "Pointing and lifting"),
+        steps: &[
+            DanceStep::Hela,
+            DanceStep::Uwehe,
+            DanceStep::LeleUwehe,
+            DanceStep::AiKawele,
+            DanceStep::Kui,
+            DanceStep::Aui,
+        ],
+    },
+    Family {
+        name: words("進む", "Travelling"),
+        steps: &[
+            DanceStep::Lele,
+            DanceStep::Holo,
+            DanceStep::Kawelu,
+            DanceStep::KaweluZigzag,
+            DanceStep::Kalakaua,
+        ],
+    },
+    Family {
+        name: words("回る", "Turning"),
+        steps: &[DanceStep::KalakauaTurn, DanceStep::Kaapuni],
+    },
+];
+
+/// Height of the list that drops down [point]: a dozen steps.
+const LIST_HEIGHT: f32 = 480.0;
+
+pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
+    let chosen = studio.design().motion.step;
+    if let Some(step) = rows(ui, studio.language, chosen) {
+        studio.change(|design| design.motion.step = step);
+    }
+    let chosen = studio.design().motion.step;
+    ui.label(RichText::new(studio.say(chosen.about())).small().weak());
+}
+
+/// Name of a step: in Hawaiian, and for Japanese eyes as it is said.
+pub(super) fn name(step: DanceStep, language: Language) -> &'static str {
+    match language {
+        Language::Japanese => step.title().japanese,
+        Language::English => step.name(),
+    }
+}
+
+/// All steps in rows; the one that was picked, if one was.
+fn rows(ui: &mut Ui, language: Language, chosen: DanceStep) -> Option<DanceStep> {
+    let mut picked = None;
+    for family in FAMILIES {
+        ui.label(RichText::new(family.name.text(language)).small().weak());
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing = [4.0, 4.0].into();
+            for &step in family.steps {
+                let button = Button::selectable(chosen == step, name(step, language))
+                    .frame_when_inactive(true)
+                    .min_size([30.0, 28.0].into());
+                if ui.add(button).on_hover_text(step.name()).clicked() {
+                    picked = Some(step);
+                }
+            }
+        });
+    }
+    picked
+}
+
+/// A list of the steps that drops down.
+pub(super) fn drop_down(
+    ui: &mut Ui,
+    studio: &Studio,
+    (number, width): (usize, f32),
+    chosen: DanceStep,
+) -> Option<DanceStep> {
+    let language = studio.language;
+    let mut picked = chosen;
+    let response = ComboBox::from_id_salt(("step of part", number))
+        .width(width)
+        .height(LIST_HEIGHT)
+        .truncate()
+        .selected_text(name(chosen, language))
+        .show_ui(ui, |ui| {
+            for family in FAMILIES {
+                ui.label(RichText::new(family.name.text(language)).small().weak());
+                for &step in family.steps {
+                    ui.selectable_value(&mut picked, step, name(step, language));
+                }
+            }
+        })
+        .response;
+    response.widget_info(|| {
+        let what = format!("{number} {}", studio.say(text::DANCE_STEP));
+        let mut info = WidgetInfo::labeled(Role::ComboBox, true, what);
+        info.current_text_value = Some(name(chosen, language).to_owned());
+        info
+    });
+    (picked != chosen).then_some(picked)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_step_is_in_one_family() {
+        let mut all: Vec<DanceStep> = FAMILIES.iter().flat_map(|f| f.steps).copied().collect();
+        all.sort();
+        let mut known = DanceStep::ALL.to_vec();
+        known.sort();
+        assert_eq!(all, known);
+    }
+}
