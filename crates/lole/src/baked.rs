@@ -136,7 +136,7 @@ fn grid_mesh(grid: &Grid, print: &PrintImage) -> GridMesh {
 
 fn material<'a>(kind: PartKind, [face, hair]: [&'a [u8]; 2]) -> GlbMaterial<'a> {
     let (name, color, roughness, texture_png) = match kind {
-        PartKind::Skin => ("skin", appearance::SKIN_SRGB, 0.6, None),
+        PartKind::Skin | PartKind::Given => ("skin", appearance::SKIN_SRGB, 0.6, None),
         PartKind::Face => ("face", [255; 3], 0.6, Some(face)),
         PartKind::Leotard => ("leotard", appearance::LEOTARD_SRGB, 0.8, None),
         PartKind::Hair => ("hair", [255; 3], 0.75, Some(hair)),
