@@ -135,7 +135,7 @@ fn dancer_measures(production: &Production) -> Vec<DancerMeasure> {
         name_ja: taped.measure.words().japanese.to_owned(),
         on_body_cm: taped.on_body.to_cm(),
         given_cm: taped.given.map(lole_geom::Length::to_cm),
-        is_estimated: taped.given.is_none(),
+        is_estimated: taped.given.is_none() && production.license.is_none(),
     });
     measures.collect()
 }
