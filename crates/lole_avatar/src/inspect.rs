@@ -2,13 +2,14 @@
 
 use std::collections::BTreeSet;
 
-use lole_body::Bone;
+use lole_body::{Bone, Tape};
 use lole_language::Sentence;
 use lole_motion::{MapSource, axis_name};
 use serde::Serialize;
 
 use crate::AvatarError;
 use crate::animation::{AnimationSummary, summaries};
+use crate::avatar::Avatar;
 use crate::container::{File, visible};
 use crate::geometry::Geometry;
 use crate::license::License;
@@ -28,6 +29,8 @@ pub struct Inspection {
     pub refused: Option<[String; 2]>,
     /// Its meshes, if it has any on its bones.
     pub meshes: Option<MeshSummary>,
+    /// What a tape reads on its body, if it can be dressed.
+    pub body: Option<BodySummary>,
     /// Its animations.
     pub animations: Vec<AnimationSummary>,
     /// Facial expressions.
@@ -56,6 +59,24 @@ pub struct Humanoid {
     pub unit: &'static str,
     /// Thigh and shank [m].
     pub leg_length_m: f32,
+}
+
+/// The body of an avatar, as it is dressed.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct BodySummary {
+    /// Key of each measure with what the tape reads [cm].
+    pub tape_cm: Vec<(&'static str, f64)>,
+    /// The same by name, Japanese and English.
+    #[serde(skip)]
+    named: Vec<[String; 2]>,
+    /// Capsules that stand for the lower body.
+    pub capsule_count: usize,
+    /// Share of the skin from ankle to waist that lies close to them.
+    pub capsule_close_share: f32,
+    /// Share that lies outside them.
+    pub capsule_outside_share: f32,
+    /// Farthest that skin lies outside them [mm].
+    pub capsule_farthest_mm: f32,
 }
 
 /// The meshes of a file.
@@ -108,9 +129,17 @@ impl Inspection {
             Ok(rig) => summaries(&file, rig)?,
             Err(_) => Vec::new(),
         };
+        let body = meshes.as_ref().map(|_| BodySummary::of(&file, list));
+        let (body, unmeasured) = match body {
+            Some(Ok(body)) => (Some(body), None),
+            Some(Err(error @ AvatarError::Body(_))) => (None, Some(Sentence::of(&error))),
+            Some(Err(error)) => return Err(error),
+            None => (None, None),
+        };
         let refused = rig
             .as_ref()
             .err()
+            .or(unmeasured.as_ref())
             .map(|said| [said.japanese.clone(), said.english.clone()]);
         Ok(Self {
             format: format.name(),
@@ -118,6 +147,7 @@ impl Inspection {
             humanoid: rig.ok().map(|rig| Humanoid::of(&file, &rig)),
             refused,
             meshes,
+            body,
             animations,
             expression_count: expression_count(&file, format),
             license: License::of(&file, format),
@@ -152,6 +182,9 @@ impl Inspection {
         if let Some(meshes) = &self.meshes {
             lines.push(meshes.line(self.expression_count));
         }
+        if let Some(body) = &self.body {
+            lines.extend(body.lines());
+        }
         lines.extend(self.animations.iter().map(AnimationSummary::line));
         lines.extend(self.license.lines());
         lines
@@ -172,6 +205,56 @@ impl AnimationSummary {
                 "animation \"{name}\": {duration_s:.2} s, {key_count} keys, {bone_count} bones"
             ),
         )
+    }
+}
+
+impl BodySummary {
+    fn of(file: &File<'_>, list: Option<&str>) -> Result<Self, AvatarError> {
+        let dancer = Avatar::of_file(file, list)?.dancer;
+        let taped = dancer.taped(&Tape::default());
+        let coverage = dancer.capsule_coverage();
+        Ok(Self {
+            tape_cm: (taped.iter())
+                .map(|taped| (taped.measure.key(), taped.on_body.to_cm()))
+                .collect(),
+            named: (taped.iter())
+                .map(|taped| {
+                    let (words, cm) = (taped.measure.words(), taped.on_body.to_cm());
+                    [words.japanese, words.english].map(|name| format!("{name} {cm:.1}"))
+                })
+                .collect(),
+            capsule_count: dancer.capsules.len(),
+            capsule_close_share: coverage.close,
+            capsule_outside_share: coverage.outside,
+            capsule_farthest_mm: 1e3 * coverage.farthest,
+        })
+    }
+
+    fn lines(&self) -> [Sentence; 2] {
+        let all = |language: usize| {
+            let named: Vec<&str> = (self.named.iter())
+                .map(|names| names[language].as_str())
+                .collect();
+            named.join(", ")
+        };
+        let [close, outside] =
+            [self.capsule_close_share, self.capsule_outside_share].map(|share| 100.0 * share);
+        let (count, farthest) = (self.capsule_count, self.capsule_farthest_mm);
+        [
+            Sentence::new(
+                format!("採寸 [cm]: {}", all(0)),
+                format!("tape [cm]: {}", all(1)),
+            ),
+            Sentence::new(
+                format!(
+                    "カプセル {count} 個: 足首からウエストの肌の {close:.0} % が近く、{outside:.0} % が外（最大 {farthest:.0} mm）"
+                ),
+                format!(
+                    "{count} capsules: {close:.0} % of the skin from ankle to waist is close to them, \
+                     {outside:.0} % outside, {farthest:.0} mm at most"
+                ),
+            ),
+        ]
     }
 }
 

@@ -34,7 +34,7 @@ pub use avatar::Avatar;
 pub use container::is_gltf;
 pub use dance::{ReadDance, read_dance};
 pub use error::AvatarError;
-pub use inspect::{Inspection, MeshSummary};
+pub use inspect::{BodySummary, Humanoid, Inspection, MeshSummary};
 pub use license::{License, Permission};
 pub use rig::RestPose;
 pub use vrm::Format;

@@ -1,13 +1,13 @@
 //! Whatever is done to a file: one sentence, or something finite.
 
-use lole_avatar::{AvatarError, Inspection, read_dance};
+use lole_avatar::{Avatar, AvatarError, Inspection, read_dance};
 use lole_body::Pose;
 use lole_language::Bilingual as _;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
 use serde_json::{Value, json};
 
-use crate::support::{Kind, Manner, dancer, glb, write_dance};
+use crate::support::{Kind, Manner, dancer, glb, write_avatar, write_dance};
 
 fn seed() -> &'static [u8] {
     static SEED: std::sync::LazyLock<Vec<u8>> = std::sync::LazyLock::new(|| {
@@ -21,9 +21,19 @@ fn seed() -> &'static [u8] {
     &SEED
 }
 
+/// The same of an avatar.
+fn avatar_seed() -> &'static [u8] {
+    static SEED: std::sync::LazyLock<Vec<u8>> =
+        std::sync::LazyLock::new(|| write_avatar(&Manner::default()));
+    &SEED
+}
+
 /// The text and the bytes of the seed.
 fn parts() -> (Value, &'static [u8]) {
-    let seed = seed();
+    parts_of(seed())
+}
+
+fn parts_of(seed: &'static [u8]) -> (Value, &'static [u8]) {
     let length = u32::from_le_bytes(seed[12..16].try_into().expect("four bytes")) as usize;
     let text = serde_json::from_slice(&seed[20..20 + length]).expect("what was written");
     (text, &seed[28 + length..])
@@ -175,6 +185,39 @@ proptest! {
             let recording = &read.recording;
             prop_assert!(recording.translations.iter().all(|place| place.is_finite()));
             prop_assert!(recording.rotations.iter().all(|turn| turn.is_finite()));
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(Config {
+        cases: 48,
+        rng_seed: RngSeed::Fixed(13),
+        failure_persistence: None,
+        ..Config::default()
+    })]
+
+    #[test]
+    fn broken_avatars_are_refused_or_finite(
+        edits in prop::collection::vec((0_usize..2400, strange()), 1..4),
+        flips in prop::collection::vec((0_usize..1_000_000, 0_u8..=255), 0..40),
+    ) {
+        let (mut text, data) = parts_of(avatar_seed());
+        for (place, value) in &edits {
+            replace(&mut text, &mut place.clone(), value);
+        }
+        let mut data = data.to_vec();
+        for (at, byte) in flips {
+            let at = at % data.len();
+            data[at] = byte;
+        }
+        match Avatar::read(&glb(&text.to_string(), &data)) {
+            Ok(avatar) => {
+                let skin = &avatar.dancer.skin;
+                let places = skin.positions.iter().chain(&avatar.dancer.skeleton.joints);
+                prop_assert!(places.chain(&skin.normals).all(|place| place.is_finite()));
+            }
+            Err(error) => prop_assert!(!error.to_string().contains('\n')),
         }
     }
 }

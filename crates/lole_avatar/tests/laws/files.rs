@@ -109,6 +109,12 @@ fn a_ball_with_bones_is_described() {
     };
     let meshes = found.meshes.unwrap();
     assert!((meshes.height_m - 1.0).abs() < 1e-3);
+    assert!(found.body.is_none());
+    let [_, english] = found.refused.unwrap();
+    assert!(
+        english.starts_with("the avatar cannot be dressed"),
+        "{english}"
+    );
     assert_eq!(found.license.fields.last().unwrap().1, "CC0");
 }
 
