@@ -30,14 +30,14 @@ pub(crate) enum Command {
     Validate(ValidateArgs),
     /// Frame time by scene on this machine, with strain and penetration.
     Bench(BenchArgs),
-    /// What is in a recording: joints, unit, axes, length, and what a dancer can make of it.
+    /// What is in an avatar or a recording: bones, unit, axes, pose, meshes, motion, license.
     Inspect(InspectArgs),
 }
 
 /// `lole inspect`.
 #[derive(Debug, Args)]
 pub(crate) struct InspectArgs {
-    /// The file: a recorded motion (.bvh).
+    /// The file: an avatar or a recorded motion (.vrm, .glb, .gltf, .vrma, .bvh).
     pub(crate) file: PathBuf,
     /// List that says which joint is which bone, one `joint = bone` on a line.
     #[arg(long, value_name = "LIST")]

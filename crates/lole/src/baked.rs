@@ -2,7 +2,7 @@
 
 use anyhow::Result;
 use glam::Vec3;
-use lole_body::{Appearance, BodyPicture, PartKind, Pose, appearance};
+use lole_body::{Appearance, BodyPicture, Look, PartKind, Pose, appearance};
 use lole_cloth::{Grid, Topology};
 use lole_costume::print::PrintImage;
 use lole_export::Image;
@@ -72,15 +72,18 @@ pub(crate) fn dancer_glb(
         })
         .collect::<Result<Vec<_>>>()?;
     let skin = &production.dancer.skin;
-    let parts: Vec<MeshPart<'_>> = skin
-        .parts
-        .iter()
-        .map(|part| MeshPart {
+    let pictures = skin.looks.iter().map(look_png);
+    let pictures = pictures.collect::<Result<Vec<_>>>()?;
+    let parts: Vec<MeshPart<'_>> = (skin.parts.iter().enumerate())
+        .map(|(place, part)| MeshPart {
             triangles: &part.triangles,
-            material: material(part.kind, &production.dancer.appearance, [&face, &hair]),
+            material: match (skin.looks.get(place), pictures.get(place)) {
+                (Some(look), Some(png)) => look_material(look, png.as_deref()),
+                _ => material(part.kind, &production.dancer.appearance, [&face, &hair]),
+            },
         })
         .collect();
-    let body = SkinnedMesh {
+    let bodies = [SkinnedMesh {
         name: "dancer",
         positions: &skin.positions,
         normals: &skin.normals,
@@ -88,7 +91,7 @@ pub(crate) fn dancer_glb(
         joints: &skin.joints,
         weights: &skin.weights,
         parts: &parts,
-    };
+    }];
     let worn = production.garments.iter().zip(studio.prints());
     let meshes: Vec<GridMesh> = worn
         .map(|(garment, print)| grid_mesh(&garment.sewn.spec.grid, print))
@@ -114,9 +117,42 @@ pub(crate) fn dancer_glb(
         skeleton: &production.dancer.skeleton,
         pose_times: &keys.times,
         poses: &keys.poses,
-        skinned: &[body],
+        skinned: if leaves_body_out(performance) {
+            &[]
+        } else {
+            &bodies
+        },
         cloths: &cloths,
     })?)
+}
+
+/// Whether the dancer is an avatar whose license keeps it out of files.
+pub(crate) fn leaves_body_out(performance: &Performance) -> bool {
+    let license = performance.production().license.as_ref();
+    license.is_some_and(|license| license.export_refusal().is_some())
+}
+
+/// The picture of a part of an avatar.
+fn look_png(look: &Look) -> Result<Option<Vec<u8>>> {
+    let Some(picture) = &look.picture else {
+        return Ok(None);
+    };
+    let image = Image::new(picture.width, picture.height, &picture.pixels)?;
+    Ok(Some(encode_png(image)?))
+}
+
+fn look_material<'a>(look: &'a Look, png: Option<&'a [u8]>) -> GlbMaterial<'a> {
+    GlbMaterial {
+        name: &look.name,
+        base_color: look.base_color,
+        roughness: look.roughness,
+        texture_png: png,
+        sides: if look.is_two_sided {
+            Sides::Both
+        } else {
+            Sides::Front
+        },
+    }
 }
 
 /// The mesh of a garment's grid in the file.
@@ -136,7 +172,7 @@ fn grid_mesh(grid: &Grid, print: &PrintImage) -> GridMesh {
 
 fn material<'a>(kind: PartKind, look: &Appearance, [face, hair]: [&'a [u8]; 2]) -> GlbMaterial<'a> {
     let (name, color, roughness, texture_png) = match kind {
-        PartKind::Skin => ("skin", look.skin_srgb, 0.6, None),
+        PartKind::Skin | PartKind::Given => ("skin", look.skin_srgb, 0.6, None),
         PartKind::Face => ("face", [255; 3], 0.6, Some(face)),
         PartKind::Leotard => ("leotard", look.leotard_srgb, 0.8, None),
         PartKind::Hair => ("hair", [255; 3], 0.75, Some(hair)),

@@ -73,7 +73,9 @@ pub(crate) fn run(args: &DanceArgs, language: Language) -> Result<(), Failure> {
 /// Table of the document where a mistake that only measuring, drafting or sewing finds is mended.
 const fn place_of(error: &StageError) -> Place<'static> {
     let table = match error {
-        StageError::Body(_) => "dancer",
+        StageError::Body(_) | StageError::Avatar { .. } | StageError::AvatarNotRead { .. } => {
+            "dancer"
+        }
         StageError::Motion(_)
         | StageError::Recording { .. }
         | StageError::RecordingNotRead { .. } => "motion",
@@ -106,7 +108,7 @@ fn load(args: &DanceArgs) -> Result<Source, Failure> {
             let bytes = lole_studio::read_document(path).map_err(Failure::usage)?;
             let mut design = document::parse_bytes(&bytes, &name)
                 .map_err(|error| Failure::Usage(error.into()))?;
-            lole_studio::read_recording(&mut design, path).map_err(Failure::usage)?;
+            lole_studio::read_linked_files(&mut design, path).map_err(Failure::usage)?;
             (name, String::from_utf8_lossy(&bytes).into_owned(), design)
         }
         None => (

@@ -1,5 +1,6 @@
 //! From a recorded run to the numbers of its report.
 
+use lole_avatar::License;
 use lole_costume::document::Design;
 use lole_export::report::{
     DancerMeasure, Divergence as ReportDivergence, MeanPercentileMax, MedianPercentile, MinMeanMax,
@@ -135,7 +136,7 @@ fn dancer_measures(production: &Production) -> Vec<DancerMeasure> {
         name_ja: taped.measure.words().japanese.to_owned(),
         on_body_cm: taped.on_body.to_cm(),
         given_cm: taped.given.map(lole_geom::Length::to_cm),
-        is_estimated: taped.given.is_none(),
+        is_estimated: taped.given.is_none() && production.license.is_none(),
     });
     measures.collect()
 }
@@ -159,7 +160,12 @@ fn skirt_facts(performance: &Performance) -> SkirtFacts {
             .map(|row| row.cut_length.to_cm())
             .collect(),
         hip_girth_cm: worn.worn.hip_girth.to_cm(),
-        warnings: draft.warnings.iter().map(remark).collect(),
+        warnings: {
+            let license = production.license.as_ref();
+            let refusal = license.and_then(License::export_refusal);
+            let said = refusal.iter().map(remark);
+            said.chain(draft.warnings.iter().map(remark)).collect()
+        },
     }
 }
 

@@ -1,4 +1,4 @@
-//! `lole inspect`: what is in a recording.
+//! `lole inspect`: what is in a recording or an avatar.
 
 use std::path::Path;
 
@@ -13,29 +13,30 @@ const LARGEST_FILE: u64 = 512 << 20;
 
 /// Runs the command.
 pub(crate) fn run(args: &InspectArgs, language: Language) -> Result<(), Failure> {
-    let name = args.file.display();
     let bytes = read(&args.file)?;
-    if !is_bvh(&bytes) {
-        return Err(Failure::usage(Sentence::new(
-            format!("{name}: 踊りの記録（BVH）ではありません"),
-            format!("{name}: the file is no recorded motion (BVH)"),
-        )));
-    }
-    let recording = bvh::parse(&bytes).map_err(|error| {
-        let sentence = Sentence::of(&error);
+    let list = args.bones.as_deref().map(read).transpose()?;
+    let list = list.map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
+    let list = list.as_deref();
+    let named = |sentence: Sentence| {
+        let name = args.file.display();
         Failure::usage(Sentence::new(
             format!("{name}: {}", sentence.japanese),
             format!("{name}: {}", sentence.english),
         ))
-    })?;
-    let list = args.bones.as_deref().map(read).transpose()?;
-    let list = list.map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
-    let inspection = Inspection::new("BVH", &recording, list.as_deref());
-    if args.json {
-        let json = serde_json::to_string_pretty(&inspection).map_err(Failure::error)?;
-        summary::print_json(&json);
+    };
+    let (lines, json) = if is_bvh(&bytes) {
+        let recording = bvh::parse(&bytes).map_err(|error| named(Sentence::of(&error)))?;
+        let found = Inspection::new("BVH", &recording, list);
+        (found.lines(), serde_json::to_string_pretty(&found))
     } else {
-        summary::print_inspection(&args.file, &inspection.lines(), language);
+        let found = lole_avatar::Inspection::new(&bytes, list);
+        let found = found.map_err(|error| named(Sentence::of(&error)))?;
+        (found.lines(), serde_json::to_string_pretty(&found))
+    };
+    if args.json {
+        summary::print_json(&json.map_err(Failure::error)?);
+    } else {
+        summary::print_inspection(&args.file, &lines, language);
     }
     Ok(())
 }

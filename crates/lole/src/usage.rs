@@ -149,9 +149,13 @@ const JAPANESE_HELP: &[(&str, &str, &str)] = &[
     (
         "inspect",
         "",
-        "踊りの記録の中身: 関節、単位、向き、長さ、踊れるかどうか",
+        "アバターや踊りの記録の中身: 骨、単位、向き、姿勢、メッシュ、動き、ライセンス",
     ),
-    ("inspect", "file", "調べるファイル: 踊りの記録（.bvh）"),
+    (
+        "inspect",
+        "file",
+        "調べるファイル: アバターか踊りの記録（.vrm .glb .gltf .vrma .bvh）",
+    ),
     (
         "inspect",
         "bones",

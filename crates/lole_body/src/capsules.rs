@@ -10,7 +10,7 @@ mod fit;
 use glam::{Affine3A, Vec3};
 use lole_geom::Capsule;
 
-use crate::Bone;
+use crate::{Bone, Dancer};
 pub(crate) use fit::fit_capsules;
 
 /// How many capsules stand for the lower body, and how.
@@ -55,6 +55,63 @@ impl BodyCapsule {
                 .ends
                 .map(|(bone, end)| world_from_bind[bone.index()].transform_point3(end)),
             radii: self.radii,
+        }
+    }
+}
+
+/// How well capsules stand for the skin between ankle and waist.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Coverage {
+    /// Share of the skin's area that lies from 8 mm inside to 3 mm outside a capsule.
+    pub close: f32,
+    /// Share that lies farther outside: what cloth could sink into.
+    pub outside: f32,
+    /// Farthest that skin lies outside [m].
+    pub farthest: f32,
+}
+
+/// Skin that lies this far inside a capsule [m] is still close to it.
+const CLOSE_INSIDE: f32 = 0.008;
+/// The same outside [m].
+const CLOSE_OUTSIDE: f32 = 0.003;
+
+impl Dancer {
+    /// How well her capsules stand for her skin in the bind pose.
+    #[must_use]
+    pub fn capsule_coverage(&self) -> Coverage {
+        let capsules: Vec<Capsule> = (self.capsules.iter())
+            .map(|capsule| Capsule {
+                ends: capsule.ends.map(|(_, end)| end),
+                radii: capsule.radii,
+            })
+            .collect();
+        let levels = self.landmarks.ankle_height..=self.landmarks.waist_height;
+        let (mut area, mut close, mut outside, mut farthest) = (0.0, 0.0, 0.0, 0.0_f32);
+        for triangle in self.skin.body_triangles() {
+            let [a, b, c] = triangle.map(|vertex| self.skin.positions[vertex as usize]);
+            let middle = (a + b + c) / 3.0;
+            let bone = usize::from(self.skin.joints[triangle[0] as usize][0]);
+            if !(levels.contains(&middle.y) && fit::is_lower_body(bone)) {
+                continue;
+            }
+            let share = (b - a).cross(c - a).length();
+            let distances = capsules
+                .iter()
+                .map(|capsule| capsule.signed_distance(middle));
+            let distance = distances.fold(f32::INFINITY, f32::min);
+            area += share;
+            if CLOSE_OUTSIDE < distance {
+                outside += share;
+            } else if -CLOSE_INSIDE <= distance {
+                close += share;
+            }
+            farthest = farthest.max(distance);
+        }
+        let area = area.max(f32::MIN_POSITIVE);
+        Coverage {
+            close: close / area,
+            outside: outside / area,
+            farthest,
         }
     }
 }

@@ -55,6 +55,12 @@ pub enum BodyError {
         /// The measurement it goes least well with.
         against: Words,
     },
+    /// A given body on which a tape finds no place.
+    #[error("{}", what.english)]
+    Unmeasurable {
+        /// What cannot be measured, and why.
+        what: Words,
+    },
     /// The built-in table of sections is damaged.
     #[error(
         "the table of body sections cannot be read ({reason}); restore data/body_sections.json"
@@ -98,6 +104,7 @@ impl Bilingual for BodyError {
                 "この採寸では一つの体になりません（{}）。{}を{}と比べて確かめてください",
                 reason.japanese, check.japanese, against.japanese
             ),
+            Self::Unmeasurable { what } => what.japanese.to_owned(),
             Self::Sections { reason } => format!(
                 "体の断面の表が読めません（{reason}）。data/body_sections.json を元に戻してください"
             ),

@@ -7,6 +7,7 @@ pub mod appearance;
 pub mod capsules;
 pub mod dancer;
 pub mod error;
+mod given;
 pub mod ik;
 pub mod measured;
 pub mod measurements;
@@ -21,7 +22,7 @@ mod surface;
 pub mod tape;
 
 pub use appearance::{Appearance, BodyPicture, HairStyle};
-pub use capsules::{BodyCapsule, CapsuleLayout};
+pub use capsules::{BodyCapsule, CapsuleLayout, Coverage};
 pub use dancer::{Dancer, Landmarks};
 pub use error::BodyError;
 pub use measured::Taped;
@@ -31,6 +32,6 @@ pub use motion::{
     MotionSettings, Part, School, Side,
 };
 pub use skeleton::{Bone, Pose, Skeleton};
-pub use skin::{MeshPart, PartKind, SkinnedMesh};
+pub use skin::{Look, MeshPart, PartKind, SkinPicture, SkinnedMesh};
 pub use skin_surfels::SkinSurfels;
 pub use tape::TapePoint;

@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use glam::DVec2;
 use lole_geom::Length;
 
+use crate::given::Tapes;
 use crate::{Bone, Dancer, Figure, Measure, Tape};
 
 /// From the shoulder joint out to the shoulder point [m] at a stature of 158.5 cm.
@@ -40,8 +41,16 @@ impl Dancer {
     /// One measure of the finished body [m].
     fn measure(&self, measure: Measure, triangles: &[[u32; 3]]) -> f64 {
         let levels = &self.landmarks;
-        let trunk = |height: f32| self.girth(triangles, height, Loop::Trunk);
-        let leg = |height: f32| self.girth(triangles, height, Loop::LeftLeg);
+        let given = (self.skin.is_given()).then(|| Tapes::new(&self.skeleton, &self.skin));
+        // The cuts of a given skin are not closed: its tape runs around all of them.
+        let trunk = |height: f32| match &given {
+            Some(tapes) => f64::from(tapes.trunk(height)),
+            None => self.girth(triangles, height, Loop::Trunk),
+        };
+        let leg = |height: f32| match &given {
+            Some(tapes) => f64::from(tapes.leg(height)),
+            None => self.girth(triangles, height, Loop::LeftLeg),
+        };
         let points = || {
             let vertices = triangles.iter().flatten();
             vertices.map(|&vertex| self.skin.positions[vertex as usize])
@@ -57,6 +66,7 @@ impl Dancer {
             Measure::Knee => leg(levels.knee_tape_height),
             Measure::Calf => leg(levels.calf_height),
             Measure::Ankle => leg(levels.ankle_tape_height),
+            Measure::Inseam if given.is_some() => f64::from(levels.crotch_height),
             Measure::Inseam => {
                 let middle = points().filter(|p| p.x == 0.0);
                 f64::from(middle.map(|p| p.y).fold(f32::INFINITY, f32::min))
@@ -82,7 +92,14 @@ impl Dancer {
 
     /// Height of the highest skin over a point of the floor [m].
     fn skin_above(&self, triangles: &[[u32; 3]], x: f32, z: f32) -> f32 {
-        highest_above(&self.skin.positions, triangles.iter().copied(), x, z)
+        // A large head of an avatar reaches over its shoulders.
+        let is_head = |vertex: u32| {
+            let joint = self.skin.joints[vertex as usize][0];
+            usize::from(joint) == Bone::Head.index()
+        };
+        let shoulders = triangles.iter().copied();
+        let shoulders = shoulders.filter(|&[a, b, c]| !(is_head(a) && is_head(b) && is_head(c)));
+        highest_above(&self.skin.positions, shoulders, x, z)
     }
 
     /// Convex girth [m] of the closed cut at `height` that is the trunk or the left leg; 0 where

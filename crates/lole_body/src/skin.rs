@@ -5,6 +5,8 @@
 //! own, which is blended (Le and Hodgins 2016, "Real-time skeletal skinning with optimized centers
 //! of rotation"). A file that knows linear blending alone shows the thinner knee.
 
+use std::sync::Arc;
+
 use glam::{Affine3A, Mat3A, Vec2, Vec3, Vec3A};
 
 /// What a part of the skin shows; one plain material each.
@@ -22,6 +24,34 @@ pub enum PartKind {
     Flower,
     /// Heart of the flower in the hair.
     FlowerHeart,
+    /// A part of a given body, with a look of its own: see [`SkinnedMesh::looks`].
+    Given,
+}
+
+/// What a part of a given body looks like.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Look {
+    /// Name of its material; may be empty.
+    pub name: String,
+    /// Color without a picture, and a factor on one, linear.
+    pub base_color: [f32; 3],
+    /// Picture that lies on it by texture coordinates.
+    pub picture: Option<Arc<SkinPicture>>,
+    /// 0 is a mirror, 1 is chalk.
+    pub roughness: f32,
+    /// Whether its back is drawn.
+    pub is_two_sided: bool,
+}
+
+/// A picture on a given body.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SkinPicture {
+    /// Columns.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+    /// Rows from the top, RGBA, sRGB-encoded, shape `[height, width, 4]`.
+    pub pixels: Vec<u8>,
 }
 
 /// Triangles of one material.
@@ -54,6 +84,11 @@ pub struct SkinnedMesh {
     pub parts: Vec<MeshPart>,
     /// Vertices about the knees, in order, and the centers they turn about.
     pub turning: Vec<Turning>,
+    /// Looks of a given body, one for each part; empty for a built one.
+    pub looks: Vec<Look>,
+    /// What cloth meets and a tape measures on a given body, which may be drawn with its seams
+    /// apart, in layers and with hair; empty for a built one, where the closed parts are that.
+    pub surface: Vec<[u32; 3]>,
 }
 
 /// A vertex that two bones of a hinge share.
@@ -95,9 +130,27 @@ impl SkinnedMesh {
         }
     }
 
-    /// All triangles of the closed body surface: skin, leotard and face, without hair.
+    /// Whether it was given and not built.
+    #[must_use]
+    pub const fn is_given(&self) -> bool {
+        !self.surface.is_empty()
+    }
+
+    /// Height of the highest vertex of the body's surface [m].
+    pub(crate) fn surface_height(&self) -> f32 {
+        let triangles = self.body_triangles();
+        let vertices = triangles.iter().flatten();
+        let heights = vertices.map(|&vertex| self.positions[vertex as usize].y);
+        heights.fold(0.0, f32::max)
+    }
+
+    /// All triangles of the body's surface: of a built one skin, leotard and face, without hair,
+    /// which together are closed.
     #[must_use]
     pub fn body_triangles(&self) -> Vec<[u32; 3]> {
+        if self.is_given() {
+            return self.surface.clone();
+        }
         self.parts
             .iter()
             .filter(|part| {

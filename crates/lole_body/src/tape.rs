@@ -100,19 +100,26 @@ impl Corner {
 /// `count` points at equal arc length on the hull of the cut at `height`, from the back middle
 /// over the left side.
 pub(crate) fn ring(skin: &SkinnedMesh, height: f32, count: usize) -> Vec<TapePoint> {
-    let arms: Vec<f32> = (skin.joints.iter().zip(&skin.weights))
-        .map(|(joints, weights)| arm_share(*joints, *weights))
-        .collect();
-    let trunk = (skin.body_triangles().into_iter()).filter(|triangle| {
-        let sum: f32 = triangle.iter().map(|&vertex| arms[vertex as usize]).sum();
-        sum < 3.0 * LEAST_ARM_SHARE
-    });
+    let trunk = trunk(skin).into_iter();
     let hull = convex_hull(cut_points(&skin.positions, trunk, height));
     let corners = from_back(&corners(skin, &hull));
     resample(&corners, count)
         .iter()
         .map(|corner| corner.on_tape(height))
         .collect()
+}
+
+/// Triangles of the body without those of the arms.
+pub(crate) fn trunk(skin: &SkinnedMesh) -> Vec<[u32; 3]> {
+    let arms: Vec<f32> = (skin.joints.iter().zip(&skin.weights))
+        .map(|(joints, weights)| arm_share(*joints, *weights))
+        .collect();
+    let mut triangles = skin.body_triangles();
+    triangles.retain(|triangle| {
+        let sum: f32 = triangle.iter().map(|&vertex| arms[vertex as usize]).sum();
+        sum < 3.0 * LEAST_ARM_SHARE
+    });
+    triangles
 }
 
 /// How far a vertex is carried by the arm below the shoulder joint.

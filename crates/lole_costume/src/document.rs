@@ -67,6 +67,8 @@ pub struct Design {
 /// The dancer's tape; what was not measured follows from the rest.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct DancerDesign {
+    /// An avatar that is dressed instead; its tape is its own.
+    pub file: Option<LinkedFile>,
     /// Whose proportions she has.
     pub figure: Figure,
     /// Height of the crown above the floor [cm].
@@ -251,17 +253,17 @@ impl Default for PrintChoice {
     }
 }
 
-/// A recording that a document names. Whoever opens the document reads the file: the bytes are not
+/// A recording or an avatar that a document names. Whoever opens the document reads the file: the bytes are not
 /// part of the text.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct MotionFile {
+pub struct LinkedFile {
     /// Its place from the document.
     pub name: String,
     /// What it holds; `None` until it is read.
     pub bytes: Option<Arc<[u8]>>,
 }
 
-impl MotionFile {
+impl LinkedFile {
     /// A file that is not read yet.
     #[must_use]
     pub fn named(name: &str) -> Self {
@@ -330,7 +332,7 @@ pub struct MotionDesign {
     /// Direction of the ʻami circle, where there are no parts.
     pub ami_turn: AmiTurn,
     /// A recording that is danced instead of the step.
-    pub file: Option<MotionFile>,
+    pub file: Option<LinkedFile>,
     /// What follows the recording's end.
     pub repeat: MotionRepeat,
     /// What becomes of its way.

@@ -213,7 +213,10 @@ impl Sample {
             joints: (0..bone_count).map(|index| [index, 0, 7, 9]).collect(),
             weights: vec![[1.5, 0.5, 0.0, 0.0]; Bone::COUNT],
             triangles: vec![[0, 1, 2], [2, 3, 4]],
-            skeleton: Skeleton { joints },
+            skeleton: Skeleton {
+                joints,
+                waist_side: Vec3::ZERO,
+            },
             poses: poses.collect(),
             times,
             mesh: GridMesh::new(&sheet, [2, 3]).facing_outward(&frames[0]),

@@ -35,7 +35,8 @@ impl Axes {
     }
 
     /// Axes of a body whose joints lie at `places`.
-    pub(crate) fn of(map: &BoneMap, places: &[Place]) -> Self {
+    #[must_use]
+    pub fn of(map: &BoneMap, places: &[Place]) -> Self {
         let up = upright(map, places);
         let axis = snapped(up);
         // The head of one who stands upright is a little before or behind the hips.
@@ -83,8 +84,9 @@ fn snapped(direction: Vec3) -> Vec3 {
     axis * direction.dot(axis).signum()
 }
 
-/// Name of a direction along an axis, such as `+Y`.
-pub(crate) fn axis_name(direction: Vec3) -> &'static str {
+/// Name of the axis nearest to a direction, such as `+Y`.
+#[must_use]
+pub fn axis_name(direction: Vec3) -> &'static str {
     const NAMES: [(&str, Vec3); 6] = [
         ("+Y", Vec3::Y),
         ("+Z", Vec3::Z),

@@ -223,6 +223,7 @@ fn person(recording: &Recording, map: &BoneMap) -> Result<Person, crate::Recordi
             MapSource::Names(program) => program.to_owned(),
             MapSource::Hierarchy => "hierarchy".to_owned(),
             MapSource::List => "list".to_owned(),
+            MapSource::File(kind) => kind.to_owned(),
         },
         leg_length,
         unit: unit.map(|unit| unit.name),

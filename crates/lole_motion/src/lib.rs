@@ -23,9 +23,9 @@ mod repeat;
 mod retarget;
 mod skeleton_map;
 
-pub use axes::{Axes, Unit};
+pub use axes::{Axes, Unit, axis_name};
 pub use clip::{Clip, ClipSettings, Drift, Repeat};
 pub use error::RecordingError;
-pub use inspect::Inspection;
+pub use inspect::{Inspection, Person};
 pub use recording::{Joint, Place, Recording};
 pub use skeleton_map::{BoneMap, MapSource};

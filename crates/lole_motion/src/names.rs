@@ -61,7 +61,7 @@ const NUMBERED_FROM_1: Fingers = Fingers {
     joints: [["1", "2", "3"], ["1", "2", "3"]],
 };
 
-const CONVENTIONS: [Convention; 9] = [
+const CONVENTIONS: [Convention; 13] = [
     Convention {
         name: "MotionBuilder, Mixamo, CMU",
         prefixes: &["", "mixamorig", "character1"],
@@ -238,6 +238,81 @@ const CONVENTIONS: [Convention; 9] = [
             names: ["thumb", "findex", "fmiddle", "fring", "fpinky"],
             joints: [["01", "02", "03"], ["01", "02", "03"]],
         },
+    },
+    Convention {
+        name: "VRM add-on of Blender",
+        prefixes: &[""],
+        side: Side::After(["l", "r"]),
+        hips: &["hips"],
+        head: &["head"],
+        limbs: [
+            &["shoulder"],
+            &["upperarm"],
+            &["lowerarm"],
+            &["hand"],
+            &["upperleg"],
+            &["lowerleg"],
+            &["foot"],
+            &["toes"],
+        ],
+        fingers: NUMBERED_FROM_1,
+    },
+    Convention {
+        name: "VRChat",
+        prefixes: &[""],
+        side: Side::Before(["left", "right"]),
+        hips: &["hips"],
+        head: &["head"],
+        limbs: [
+            &["shoulder"],
+            &["arm"],
+            &["elbow"],
+            &["wrist"],
+            &["leg"],
+            &["knee"],
+            &["ankle"],
+            &["toe"],
+        ],
+        fingers: NUMBERED_FROM_1,
+    },
+    Convention {
+        name: "MakeHuman",
+        prefixes: &[""],
+        side: Side::After(["l", "r"]),
+        hips: &["root"],
+        head: &["head"],
+        limbs: [
+            &["clavicle"],
+            &["upperarm01"],
+            &["lowerarm01"],
+            &["wrist"],
+            &["upperleg01"],
+            &["lowerleg01"],
+            &["foot"],
+            &["toe11"],
+        ],
+        fingers: Fingers {
+            names: ["finger1", "finger2", "finger3", "finger4", "finger5"],
+            joints: [["1", "2", "3"], ["1", "2", "3"]],
+        },
+    },
+    Convention {
+        name: "MikuMikuDance",
+        prefixes: &[""],
+        side: Side::Before(["左", "右"]),
+        hips: &["下半身", "センター"],
+        head: &["頭"],
+        limbs: [
+            &["肩"],
+            &["腕"],
+            &["ひじ"],
+            &["手首"],
+            &["足"],
+            &["ひざ"],
+            &["足首"],
+            &["つま先"],
+        ],
+        fingers: NUMBERED_FROM_1,
     },
 ];
 

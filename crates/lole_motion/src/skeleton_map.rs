@@ -32,6 +32,8 @@ pub enum MapSource {
     Hierarchy,
     /// By a list that was given.
     List,
+    /// The file itself says it; the kind of file.
+    File(&'static str),
 }
 
 /// Which joint is which bone.
@@ -90,6 +92,23 @@ impl BoneMap {
             joints[bone.index()] = Some(joint);
         }
         Self::checked(recording, MapSource::List, joints)
+    }
+
+    /// Takes the joint of each bone as it is given, shape `[Bone::COUNT]`, by `source`.
+    ///
+    /// # Errors
+    /// [`RecordingError::NotHumanoid`].
+    pub fn given(
+        recording: &Recording,
+        source: MapSource,
+        joints: Vec<Option<usize>>,
+    ) -> Result<Self, RecordingError> {
+        let mut joints = joints;
+        joints.resize(Bone::COUNT, None);
+        for joint in &mut joints {
+            *joint = joint.filter(|&joint| joint < recording.joints.len());
+        }
+        Self::checked(recording, source, joints)
     }
 
     fn checked(

@@ -6,11 +6,11 @@
 use std::sync::Arc;
 
 use glam::Vec3;
-use lole_body::{Appearance, BodyPicture, Dancer, PartKind, appearance};
+use lole_body::{Appearance, BodyPicture, Dancer, Look, PartKind, appearance};
 use lole_costume::document::Design;
 use lole_costume::print::{self, PrintImage};
 use lole_render::srgb::linear_from_srgb;
-use lole_render::{Camera, LightRig, Material, RenderError, Scene, SceneMesh, Texture};
+use lole_render::{Camera, LightRig, Material, RenderError, Scene, SceneMesh, Sides, Texture};
 use lole_stage::Production;
 
 /// Pixels of one print repeat: a repeat of 45 cm shows every petal from two meters.
@@ -121,10 +121,14 @@ pub fn dancer_materials(dancer: &Dancer) -> Result<Vec<(PartKind, Material)>, Re
         face: texture(dancer.face_picture())?,
         hair: texture(dancer.hair_picture())?,
     };
-    let kinds = dancer.skin.parts.iter().map(|part| part.kind);
-    Ok(kinds
-        .map(|kind| (kind, part_material(kind, &paint)))
-        .collect())
+    let parts = dancer.skin.parts.iter().enumerate().map(|(place, part)| {
+        let material = match dancer.skin.looks.get(place) {
+            Some(look) => look_material(look)?,
+            None => part_material(part.kind, &paint),
+        };
+        Ok((part.kind, material))
+    });
+    parts.collect()
 }
 
 /// The colors and pictures on the body.
@@ -134,9 +138,29 @@ struct Paint<'a> {
     hair: Arc<Texture>,
 }
 
+/// A part of a given body: its base color and picture, lit softly as skin is.
+fn look_material(look: &Look) -> Result<Material, RenderError> {
+    let texture = |picture: &lole_body::SkinPicture| {
+        Texture::new(picture.width, picture.height, picture.pixels.clone()).map(Arc::new)
+    };
+    Ok(Material {
+        base_color: look.base_color,
+        texture: look.picture.as_deref().map(texture).transpose()?,
+        roughness: look.roughness.max(0.45),
+        specular: 0.03,
+        wrap: 0.2,
+        sides: if look.is_two_sided {
+            Sides::Both
+        } else {
+            Sides::Outward
+        },
+        ..Material::default()
+    })
+}
+
 fn part_material(kind: PartKind, paint: &Paint<'_>) -> Material {
     match kind {
-        PartKind::Skin => Material::skin(linear(paint.appearance.skin_srgb)),
+        PartKind::Skin | PartKind::Given => Material::skin(linear(paint.appearance.skin_srgb)),
         PartKind::Face => Material {
             texture: Some(Arc::clone(&paint.face)),
             ..Material::skin([1.0; 3])

@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
+use lole_avatar::{AvatarError, ReadDance, read_dance};
 use lole_body::motion::Dance;
 use lole_body::{Pose, Skeleton};
 use lole_costume::document::{Design, MotionDrift, MotionRepeat};
-use lole_motion::{BoneMap, Clip, ClipSettings, Drift, Repeat, bvh};
+use lole_motion::{Clip, ClipSettings, Drift, Repeat};
 
 use crate::StageError;
 
@@ -31,7 +32,7 @@ impl Danced {
         };
         let named = |error| StageError::Recording {
             file: file.name.clone(),
-            error,
+            error: Box::new(error),
         };
         let bytes = file
             .bytes
@@ -39,8 +40,7 @@ impl Danced {
             .ok_or_else(|| StageError::RecordingNotRead {
                 file: file.name.clone(),
             })?;
-        let recording = bvh::parse(bytes).map_err(named)?;
-        let map = BoneMap::recognize(&recording).map_err(named)?;
+        let ReadDance { recording, map } = read_dance(bytes).map_err(named)?;
         let settings = ClipSettings {
             repeat: match motion.repeat {
                 MotionRepeat::Once => Repeat::Once,
@@ -51,7 +51,8 @@ impl Danced {
                 MotionDrift::Remove => Drift::Remove,
             },
         };
-        let clip = Clip::retarget(&recording, &map, skeleton, settings).map_err(named)?;
+        let clip = Clip::retarget(&recording, &map, skeleton, settings);
+        let clip = clip.map_err(|error| named(AvatarError::Recording(error)))?;
         Ok(Self::Recording(Arc::new(clip)))
     }
 
@@ -107,7 +108,7 @@ impl Danced {
 mod tests {
     use super::*;
     use lole_body::{Dancer, Measurements};
-    use lole_costume::document::MotionFile;
+    use lole_costume::document::LinkedFile;
 
     #[test]
     fn a_recording_that_is_missing_or_broken_is_refused_by_name() {
@@ -118,12 +119,12 @@ mod tests {
                 .unwrap_err()
                 .to_string()
         };
-        design.motion.file = Some(MotionFile::named("a.bvh"));
+        design.motion.file = Some(LinkedFile::named("a.bvh"));
         assert_eq!(said(&design), "the recording a.bvh was not read");
         let bytes: &[u8] = b"HIERARCHY\nROOT a\n{\nOFFSET 0 0";
-        design.motion.file = Some(MotionFile {
+        design.motion.file = Some(LinkedFile {
             bytes: Some(bytes.into()),
-            ..MotionFile::named("a.bvh")
+            ..LinkedFile::named("a.bvh")
         });
         assert_eq!(
             said(&design),

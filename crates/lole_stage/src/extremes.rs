@@ -5,7 +5,7 @@ use std::thread;
 
 use glam::{Quat, Vec3};
 use lole_body::{Bone, DanceStep, Pose};
-use lole_costume::document::{Design, MotionFile};
+use lole_costume::document::{Design, LinkedFile};
 use lole_geom::trig;
 
 use crate::{FRAME_SECONDS, Performance, Production, RunMetrics};
@@ -189,8 +189,8 @@ fn hands_pressed_into_the_hips_neither_tear_nor_carry_away_the_skirt() {
         let (sin, _) = trig::sin_cos(std::f32::consts::TAU * 0.7 * time);
         let mut pose = base.clone();
         for (side, upper, lower, hand) in arms {
-            let along = (skeleton.joint(lower) - skeleton.joint(upper)).normalize();
-            let hanging = Vec3::new(side * (0.1 - 0.35 * sin), -1.0, 0.0).normalize();
+            let along = (skeleton.joint(lower) - skeleton.joint(upper)).normalize_or_zero();
+            let hanging = Vec3::new(side * (0.1 - 0.35 * sin), -1.0, 0.0).normalize_or_zero();
             pose.rotations[upper.index()] = Quat::from_rotation_arc(along, hanging);
             pose.rotations[lower.index()] = Quat::IDENTITY;
             pose.rotations[hand.index()] = Quat::IDENTITY;
@@ -222,7 +222,7 @@ fn a_recorded_leap_leaves_the_skirt_whole() {
         }
     };
     let mut design = design();
-    design.motion.file = Some(MotionFile {
+    design.motion.file = Some(LinkedFile {
         name: name.to_owned(),
         bytes: Some(bytes.into()),
     });

@@ -28,6 +28,20 @@ pub enum StageError {
     /// The dancer cannot be built.
     #[error(transparent)]
     Body(#[from] lole_body::BodyError),
+    /// The avatar that is to be dressed cannot be.
+    #[error("{file}: {error}")]
+    Avatar {
+        /// Its name in the document.
+        file: String,
+        /// Why.
+        error: Box<lole_avatar::AvatarError>,
+    },
+    /// The bytes of the avatar were not given with the design.
+    #[error("the avatar {file} was not read")]
+    AvatarNotRead {
+        /// Its name in the document.
+        file: String,
+    },
     /// The dance cannot be danced.
     #[error(transparent)]
     Motion(#[from] lole_body::motion::MotionError),
@@ -37,7 +51,7 @@ pub enum StageError {
         /// Its name in the document.
         file: String,
         /// Why.
-        error: lole_motion::RecordingError,
+        error: Box<lole_avatar::AvatarError>,
     },
     /// The recording's bytes were not given with the design.
     #[error("the recording {file} was not read")]
@@ -68,6 +82,10 @@ impl Bilingual for StageError {
     fn japanese(&self) -> String {
         match self {
             Self::Body(error) => error.japanese(),
+            Self::Avatar { file, error } => format!("{file}: {}", error.japanese()),
+            Self::AvatarNotRead { file } => {
+                format!("アバター {file} が読み込まれていません")
+            }
             Self::Motion(error) => error.japanese(),
             Self::Recording { file, error } => format!("{file}: {}", error.japanese()),
             Self::RecordingNotRead { file } => format!("記録 {file} が読み込まれていません"),

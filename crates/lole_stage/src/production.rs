@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use glam::Affine3A;
+use lole_avatar::{Avatar, License};
 use lole_body::{Bone, CapsuleLayout, Dancer, Measurements, Pose, SkinSurfels};
 use lole_cloth::Fabric;
 use lole_costume::document::{
@@ -29,6 +30,8 @@ pub struct Production {
     pub design: Design,
     /// The dancer.
     pub dancer: Dancer,
+    /// What may be done with the avatar that she is, if she is one.
+    pub license: Option<License>,
     /// What she dances.
     pub dance: Danced,
     /// What she wears, from the skin outward; particles are numbered through all of it.
@@ -72,8 +75,7 @@ impl Production {
     /// # Errors
     /// A design whose parts do not fit together.
     pub fn new(design: &Design) -> Result<Self, StageError> {
-        let measurements = Measurements::from_tape(&design.tape())?;
-        let mut dancer = Dancer::with_appearance(&measurements, &design.appearance())?;
+        let (mut dancer, license) = dancer(design)?;
         let layout = design.capsule_layout();
         if layout != CapsuleLayout::default() {
             dancer.capsules = dancer.fit_capsules(layout);
@@ -106,6 +108,7 @@ impl Production {
             body_surfels,
             body_triangles,
             dancer,
+            license,
             skirt,
         })
     }
@@ -121,6 +124,23 @@ impl Production {
     pub fn particle_count(&self) -> usize {
         self.garments.last().map_or(0, |last| last.particles.end)
     }
+}
+
+/// The dancer of a design: built to its tape, or its avatar.
+fn dancer(design: &Design) -> Result<(Dancer, Option<License>), StageError> {
+    let Some(file) = &design.dancer.file else {
+        let measurements = Measurements::from_tape(&design.tape())?;
+        let dancer = Dancer::with_appearance(&measurements, &design.appearance())?;
+        return Ok((dancer, None));
+    };
+    let name = || file.name.clone();
+    let bytes = file.bytes.as_ref();
+    let bytes = bytes.ok_or_else(|| StageError::AvatarNotRead { file: name() })?;
+    let avatar = Avatar::read(bytes).map_err(|error| StageError::Avatar {
+        file: name(),
+        error: Box::new(error),
+    })?;
+    Ok((avatar.dancer, Some(avatar.license)))
 }
 
 /// A dancer who is being dressed, from the skin outward.

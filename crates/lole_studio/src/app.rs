@@ -9,7 +9,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use eframe::egui::{self, Context, Ui};
 use eframe::egui_wgpu::{WgpuConfiguration, WgpuSetup, WgpuSetupCreateNew};
-use lole_costume::document::{Design, MotionFile};
+use lole_costume::document::{Design, LinkedFile};
 use lole_language::{Language, Sentence, words};
 use lole_render::wgpu;
 
@@ -415,12 +415,12 @@ impl App {
     /// Dances a recording instead of the steps.
     fn open_recording(&mut self, path: &Path) {
         let name = files::recording_name(path, self.studio.path());
-        match files::read_recording_bytes(path) {
+        match files::read_linked(path, "[motion] file") {
             Ok(bytes) => {
                 self.studio.message = None;
                 let bytes = Some(bytes);
                 self.studio.change(|design| {
-                    design.motion.file = Some(MotionFile { name, bytes });
+                    design.motion.file = Some(LinkedFile { name, bytes });
                 });
                 self.studio.rest();
             }

@@ -11,8 +11,9 @@ use lole_language::Sentence;
 
 /// A design larger than this [byte] is some other file; it is not even read.
 const LARGEST_FILE: u64 = 16 << 20;
-/// A recording larger than this [byte] is not read: half an hour of a hundred joints has a third.
-const LARGEST_RECORDING: u64 = 512 << 20;
+/// A recording or an avatar larger than this [byte] is not read: half an hour of a hundred joints
+/// has a third.
+const LARGEST_LINKED: u64 = 512 << 20;
 /// Pictures of one folder that are counted before giving up.
 const MOST_PICTURES: u32 = 10_000;
 
@@ -49,40 +50,44 @@ pub(crate) fn read_design(path: &Path) -> Result<Design, Sentence> {
     let bytes = read_document(path)?;
     let name = path.display().to_string();
     let mut design = document::parse_bytes(&bytes, &name).map_err(|error| Sentence::of(&error))?;
-    read_recording(&mut design, path)?;
+    read_linked_files(&mut design, path)?;
     Ok(design)
 }
 
-/// Reads the recording that a design names, if it names one; its place is from `document` on.
+/// Reads the avatar and the recording that a design names, if it names any; their places are from
+/// `document` on.
 ///
 /// # Errors
 /// One sentence that names the file.
-pub fn read_recording(design: &mut Design, document: &Path) -> Result<(), Sentence> {
-    let Some(file) = &mut design.motion.file else {
-        return Ok(());
-    };
-    file.bytes = Some(read_recording_bytes(&document.with_file_name(&file.name))?);
+pub fn read_linked_files(design: &mut Design, document: &Path) -> Result<(), Sentence> {
+    let avatar = (&mut design.dancer.file, "[dancer] file");
+    let recording = (&mut design.motion.file, "[motion] file");
+    for (file, key) in [avatar, recording] {
+        if let Some(file) = file {
+            file.bytes = Some(read_linked(&document.with_file_name(&file.name), key)?);
+        }
+    }
     Ok(())
 }
 
-/// Reads the bytes of a recording.
+/// Reads the bytes of a file that a design names under `key`.
 ///
 /// # Errors
 /// One sentence that names the file.
-pub(crate) fn read_recording_bytes(path: &Path) -> Result<Arc<[u8]>, Sentence> {
+pub(crate) fn read_linked(path: &Path, key: &str) -> Result<Arc<[u8]>, Sentence> {
     let name = path.display();
     let unreadable = |_| {
         Sentence::new(
-            format!("{name}: 踊りの記録が読めません。[motion] file の場所と名前を確かめてください"),
-            format!("{name}: the recording cannot be read; check the place in [motion] file"),
+            format!("{name}: ファイルが読めません。{key} の場所と名前を確かめてください"),
+            format!("{name}: the file cannot be read; check the place in {key}"),
         )
     };
     let size = fs::metadata(path).map_err(unreadable)?.len();
-    if LARGEST_RECORDING < size {
-        let (megabytes, limit) = (size >> 20, LARGEST_RECORDING >> 20);
+    if LARGEST_LINKED < size {
+        let (megabytes, limit) = (size >> 20, LARGEST_LINKED >> 20);
         return Err(Sentence::new(
-            format!("{name}: {megabytes} MB あります。{limit} MB までの記録に切ってください"),
-            format!("{name}: the file has {megabytes} MB; cut it to {limit} MB at most"),
+            format!("{name}: {megabytes} MB あります。{limit} MB までにしてください"),
+            format!("{name}: the file has {megabytes} MB; make it {limit} MB at most"),
         ));
     }
     Ok(fs::read(path).map_err(unreadable)?.into())

@@ -152,7 +152,7 @@ fn newest_leftover(folder: &Path) -> Option<Leftover> {
     });
     while let Some(slot) = slots.pop() {
         let bytes = fs::read(&slot.path).unwrap_or_default();
-        let read = |path: &Path| files::read_recording_bytes(path).ok();
+        let read = |path: &Path| files::read_linked(path, "[motion] file").ok();
         match Work::parse(&bytes, read) {
             Some(work) => return Some(Leftover { slot, work }),
             // Nobody can read it, and its slot is wanted.

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use lole_costume::document::schema::{self, Kind};
-use lole_costume::document::{Design, DesignError, FabricDesign, MotionFile, PartDesign, Problem};
+use lole_costume::document::{Design, DesignError, FabricDesign, LinkedFile, PartDesign, Problem};
 use lole_language::{Bilingual as _, Language, Sentence, Words};
 use lole_render::View;
 use lole_stage::Divergence;
@@ -136,7 +136,7 @@ pub struct DanceShelf {
     /// A choreography.
     pub parts: Vec<PartDesign>,
     /// A recording.
-    pub file: Option<MotionFile>,
+    pub file: Option<LinkedFile>,
 }
 
 /// Everything behind the panels.

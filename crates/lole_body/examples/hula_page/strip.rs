@@ -159,7 +159,7 @@ fn pixels_between(low: f32, high: f32, count: usize) -> std::ops::Range<usize> {
 
 fn color_of(kind: PartKind) -> [f32; 3] {
     match kind {
-        PartKind::Skin => [0.82, 0.60, 0.46],
+        PartKind::Skin | PartKind::Given => [0.82, 0.60, 0.46],
         PartKind::Leotard => [0.62, 0.16, 0.20],
         PartKind::Face => [0.86, 0.63, 0.49],
         _ => [0.22, 0.16, 0.13],

@@ -90,7 +90,7 @@ fn samples(skin: &SkinnedMesh, landmarks: &Landmarks) -> Vec<Sample> {
 }
 
 /// Trunk, thigh or shank, by the bone that carries a point most; hands and feet are left out.
-fn is_lower_body(bone: usize) -> bool {
+pub(super) fn is_lower_body(bone: usize) -> bool {
     const LEGS: [Bone; 4] = [
         Bone::LeftUpperLeg,
         Bone::LeftLowerLeg,

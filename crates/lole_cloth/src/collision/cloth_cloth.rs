@@ -341,6 +341,18 @@ struct PairFinder<'a> {
     positions: &'a [Vec3],
 }
 
+/// Adds a pair to room that grows by less than a vector does by itself: pairs are most of the memory.
+#[inline(always)]
+fn push_sparingly(pairs: &mut Vec<Pair>, pair: Option<Pair>) {
+    let Some(pair) = pair else {
+        return;
+    };
+    if pairs.len() == pairs.capacity() {
+        pairs.reserve_exact((pairs.len() / 8).max(64));
+    }
+    pairs.push(pair);
+}
+
 impl PairFinder<'_> {
     #[inline(always)]
     fn collect<S: Simd>(&self, simd: S, index: usize, pairs: &mut Vec<Pair>) {
@@ -362,14 +374,7 @@ impl PairFinder<'_> {
                     .sub(position);
                     let hits = offset.dot(offset).simd_lt(reach).to_bitmask();
                     for place in each_hit(hits, run.len() - from) {
-                        let Some(pair) = self.pair(index, start + from + place) else {
-                            continue;
-                        };
-                        // Grows by less than a vector does by itself: pairs are most of the memory.
-                        if pairs.len() == pairs.capacity() {
-                            pairs.reserve_exact((pairs.len() / 8).max(64));
-                        }
-                        pairs.push(pair);
+                        push_sparingly(pairs, self.pair(index, start + from + place));
                     }
                 }
             },

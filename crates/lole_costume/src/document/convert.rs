@@ -1,6 +1,8 @@
 //! From the document's units to what the other crates work with.
 
-use lole_body::{Appearance, CapsuleLayout, Measurements, MotionSettings, Part, School, Tape};
+use lole_body::{
+    Appearance, CapsuleLayout, Measure, Measurements, MotionSettings, Part, School, Tape,
+};
 use lole_cloth::Fabric;
 use lole_geom::Length;
 use lole_language::{Bilingual, Sentence};
@@ -65,6 +67,7 @@ impl Design {
     /// What only several values together can get wrong, with the table to look at.
     pub(super) fn check_together(&self) -> Result<(), (&'static str, Box<Problem>)> {
         Measurements::from_tape(&self.tape()).map_err(|error| ("dancer", together(&error)))?;
+        self.check_avatar().map_err(|problem| ("dancer", problem))?;
         self.pau_options()
             .map_err(|error| ("skirt", together(&error)))?;
         (self.motion_settings().check()).map_err(|error| ("motion", together(&error)))?;
@@ -92,6 +95,23 @@ impl Design {
             return Err(("method", Box::new(Problem::Together { sentence })));
         }
         Ok(())
+    }
+
+    /// An avatar has its own tape.
+    fn check_avatar(&self) -> Result<(), Box<Problem>> {
+        let tape = self.tape();
+        let measured = Measure::ALL
+            .into_iter()
+            .find(|measure| measure.of(&tape).is_some());
+        let (Some(file), Some(measure)) = (&self.dancer.file, measured) else {
+            return Ok(());
+        };
+        let (name, key) = (&file.name, measure.key());
+        let sentence = Sentence::new(
+            format!("アバター {name} は自分の寸法で着ます。{key} か file を消してください"),
+            format!("the avatar {name} is dressed to its own tape; leave out {key} or file"),
+        );
+        Err(Box::new(Problem::Together { sentence }))
     }
 
     /// What the cloth meets as a body: capsules where the method knows no skin.

@@ -131,10 +131,13 @@ fn a_dance_comes_back_whatever_axes_units_channels_and_rest_pose_it_was_written_
 fn joints_are_found_by_the_names_of_many_programs() {
     let poses = &ami()[..3];
     type Namer = fn(Bone) -> String;
-    let cases: [(&str, Namer); 3] = [
+    let cases: [(&str, Namer); 6] = [
         ("VRM, Unity", |bone| bone.name().to_owned()),
         ("3ds Max Biped", |bone| biped(bone)),
         ("MotionBuilder, Mixamo, CMU", |bone| mixamo(bone)),
+        ("VRChat", |bone| vr_chat(bone)),
+        ("MakeHuman", |bone| make_human(bone)),
+        ("MikuMikuDance", |bone| miku_miku_dance(bone)),
     ];
     let plain = BoneMap::recognize(&recording(poses, &Manner::default())).unwrap();
     for (program, name) in cases {
@@ -182,6 +185,51 @@ fn biped(bone: Bone) -> String {
                 .next()
                 .map(|letter| format!("{} ", letter.to_ascii_uppercase()));
             format!("Bip01 {}{part}", side.unwrap_or_default())
+        }),
+    }
+}
+
+fn vr_chat(bone: Bone) -> String {
+    let parts = [
+        "shoulder", "arm", "elbow", "wrist", "leg", "knee", "ankle", "toe",
+    ];
+    told(bone, parts, |side, part| match side {
+        "left" => format!("Left {part}"),
+        "right" => format!("Right {part}"),
+        _ => part.to_owned(),
+    })
+}
+
+fn make_human(bone: Bone) -> String {
+    let parts = [
+        "clavicle",
+        "upperarm01",
+        "lowerarm01",
+        "wrist",
+        "upperleg01",
+        "lowerleg01",
+        "foot",
+        "toe1-1",
+    ];
+    match bone {
+        Bone::Hips => "root".to_owned(),
+        _ => told(bone, parts, |side, part| match side {
+            "left" => format!("{part}.L"),
+            "right" => format!("{part}.R"),
+            _ => part.to_owned(),
+        }),
+    }
+}
+
+fn miku_miku_dance(bone: Bone) -> String {
+    let parts = ["肩", "腕", "ひじ", "手首", "足", "ひざ", "足首", "つま先"];
+    match bone {
+        Bone::Hips => "センター".to_owned(),
+        Bone::Head => "頭".to_owned(),
+        _ => told(bone, parts, |side, part| match side {
+            "left" => format!("左{part}"),
+            "right" => format!("右{part}"),
+            _ => part.to_owned(),
         }),
     }
 }

@@ -9,7 +9,7 @@ use lole_body::motion::SCHOOLS;
 use lole_body::{DanceStep, Figure, Side};
 use lole_cloth::wind::WindLaw;
 use lole_costume::document::{
-    Design, GarmentDesign, MethodName, MotionDrift, MotionFile, MotionRepeat, WindModel,
+    Design, GarmentDesign, LinkedFile, MethodName, MotionDrift, MotionRepeat, WindModel,
 };
 use lole_costume::fabrics::PRESETS;
 use lole_language::{Language, Sentence};
@@ -313,9 +313,9 @@ fn a_recording_is_asked_for_and_can_go_round_on_the_spot() {
     let mut window = tab(Tab::Dance);
     click(&mut window, "Recording");
     assert_eq!(window.state_mut().take_requests(), [Request::AskRecording]);
-    let file = MotionFile {
+    let file = LinkedFile {
         bytes: Some(b"HIERARCHY".as_slice().into()),
-        ..MotionFile::named("dances/hula.bvh")
+        ..LinkedFile::named("dances/hula.bvh")
     };
     (window.state_mut()).change(|design| design.motion.file = Some(file.clone()));
     window.run_steps(3);

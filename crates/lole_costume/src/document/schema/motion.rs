@@ -5,7 +5,7 @@ use lole_body::{AmiTurn, ArmManner, ArmStyle, DanceStep, Hands, HipLead, HipLift
 use lole_language::{Words, words};
 
 use super::{Key, Kind, Table};
-use crate::document::{MotionDrift, MotionFile, MotionRepeat, PartDesign};
+use crate::document::{LinkedFile, MotionDrift, MotionRepeat, PartDesign};
 
 /// Name of the list of parts in `[motion]`.
 pub const MOTION_PARTS: &str = "part";
@@ -212,13 +212,13 @@ pub(super) const MOTION: Table = Table {
         Key {
             name: "file",
             about: words(
-                "ステップのかわりに踊る記録（BVH）。この文書から見た場所",
-                "recording (BVH) that is danced instead of a step; its place from this document",
+                "ステップのかわりに踊る記録（BVH・VRMA・glTF）。この文書から見た場所",
+                "recording (BVH, VRMA, glTF) that is danced instead of a step; its place from this document",
             ),
             kind: Kind::Text {
                 what: words("ファイルの名前", "the name of a file"),
                 get: |design| design.motion.file.as_ref().map(|file| file.name.as_str()),
-                set: |design, name| design.motion.file = Some(MotionFile::named(name)),
+                set: |design, name| design.motion.file = Some(LinkedFile::named(name)),
             },
         },
         choice!(

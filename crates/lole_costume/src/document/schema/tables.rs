@@ -11,7 +11,7 @@ use lole_language::words;
 
 use super::motion::MOTION;
 use super::{Key, Kind, Table};
-use crate::document::{BodyShapes, MethodName, WindModel};
+use crate::document::{BodyShapes, LinkedFile, MethodName, WindModel};
 use crate::fabrics::{PRESETS, Preset};
 use crate::print::{PrintDesign, PrintMotif};
 
@@ -75,6 +75,18 @@ const DANCER: Table = Table {
         "the tape, in cm; leave out what was not measured",
     ),
     keys: &[
+        Key {
+            name: "file",
+            about: words(
+                "採寸した踊り手のかわりに着るアバター（VRM・glTF）。この文書から見た場所",
+                "avatar (VRM, glTF) that is dressed instead; its place from this document",
+            ),
+            kind: Kind::Text {
+                what: words("ファイルの名前", "the name of a file"),
+                get: |design| design.dancer.file.as_ref().map(|file| file.name.as_str()),
+                set: |design, name| design.dancer.file = Some(LinkedFile::named(name)),
+            },
+        },
         choice!(
             "figure",
             words("体つき", "figure"),
