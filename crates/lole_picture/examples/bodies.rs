@@ -7,8 +7,8 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use glam::{Affine3A, Mat3A, Quat, Vec3};
-use lole_body::{Appearance, Bone, Dancer, Figure, HairStyle, Measurements, PartKind, Pose, Tape};
-use lole_geom::{Length, trig};
+use lole_body::{Bone, Dancer, Figure, HairStyle, Measurements, PartKind, Pose};
+use lole_costume::document::{DancerDesign, Design};
 use lole_picture::dancer_materials;
 use lole_render::{Backend, Camera, Material, Renderer, Scene, SceneMesh, Size};
 
@@ -65,21 +65,21 @@ struct Drawn {
 
 impl Drawn {
     fn new((figure, measures, hair): Who) -> Result<Self, Box<dyn Error>> {
-        let [stature, bust_girth, waist_girth, hip_girth] =
-            measures.map(|cm| cm.map(Length::from_cm));
-        let tape = Tape {
-            figure,
-            stature,
-            bust_girth,
-            waist_girth,
-            hip_girth,
-            ..Tape::default()
+        let [stature_cm, bust_cm, waist_cm, hip_cm] = measures;
+        let design = Design {
+            dancer: DancerDesign {
+                figure,
+                stature_cm,
+                bust_cm,
+                waist_cm,
+                hip_cm,
+                hair,
+                ..DancerDesign::default()
+            },
+            ..Design::default()
         };
-        let appearance = Appearance {
-            hair,
-            ..Appearance::default()
-        };
-        let dancer = Dancer::with_appearance(&Measurements::from_tape(&tape)?, &appearance)?;
+        let measurements = Measurements::from_tape(&design.tape())?;
+        let dancer = Dancer::with_appearance(&measurements, &design.appearance())?;
         let world_from_bind = dancer.skeleton.world_from_bind(&standing());
         let (mut positions, mut normals) = (Vec::new(), Vec::new());
         (dancer.skin).pose(&world_from_bind, &mut positions, &mut normals);
@@ -100,10 +100,8 @@ impl Drawn {
 
     /// Turned about the vertical by an angle [rad] and moved.
     fn placed(&self, turn: f32, to: Vec3) -> Placed {
-        let (sin, cos) = trig::sin_cos(0.5 * turn);
-        let quat = Quat::from_xyzw(0.0, sin, 0.0, cos);
         let place = Affine3A {
-            matrix3: Mat3A::from_quat(quat),
+            matrix3: Mat3A::from_quat(Quat::from_rotation_y(turn)),
             translation: to.into(),
         };
         let positions = (self.positions.iter()).map(|&p| place.transform_point3(p));
@@ -116,8 +114,8 @@ impl Drawn {
 fn standing() -> Pose {
     let mut pose = Pose::default();
     for (bone, side) in [(Bone::LeftUpperArm, 1.0), (Bone::RightUpperArm, -1.0)] {
-        let (sin, cos) = trig::sin_cos(-0.5 * side * 20.0_f32.to_radians());
-        pose.rotate(bone, Quat::from_xyzw(0.0, 0.0, sin, cos));
+        let down = -side * 20.0_f32.to_radians();
+        pose.rotate(bone, Quat::from_rotation_z(down));
     }
     pose
 }
@@ -133,7 +131,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let camera = |height: f32, opening: f32, distance: f32| Camera {
         eye: Vec3::new(0.0, height, distance),
         target: Vec3::new(0.0, height, 0.0),
-        vertical_fov: 2.0 * trig::atan2(0.5 * opening, distance),
+        // Far away an angle is its tangent.
+        vertical_fov: opening / distance,
     };
     let whole = camera(0.84, 2.36, 14.0);
     draw(&folder.join("bodies.png"), BODIES, whole, &bodies)?;
