@@ -2,8 +2,8 @@
 //!
 //! ```text
 //! lole-work 1
-//! file 14            path of a file, empty where there is none yet
-//! /home/a/a.lole
+//! file 15            path of a file, empty where there is none yet
+//! skirts/hau.lole
 //! saved 812          what that file holds
 //! …
 //! past 0 812         a state, with the number of its file
