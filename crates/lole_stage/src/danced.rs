@@ -30,9 +30,9 @@ impl Danced {
             let dance = Dance::new(skeleton, &design.motion_settings())?;
             return Ok(Self::Step(Box::new(dance)));
         };
-        let named = |error| StageError::Recording {
+        let named = |error: AvatarError| StageError::Recording {
             file: file.name.clone(),
-            error,
+            error: Box::new(error),
         };
         let bytes = file
             .bytes

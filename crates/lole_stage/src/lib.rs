@@ -34,7 +34,7 @@ pub enum StageError {
         /// Its name in the document.
         file: String,
         /// Why.
-        error: lole_avatar::AvatarError,
+        error: Box<lole_avatar::AvatarError>,
     },
     /// The bytes of the avatar were not given with the design.
     #[error("the avatar {file} was not read")]
@@ -51,7 +51,7 @@ pub enum StageError {
         /// Its name in the document.
         file: String,
         /// Why.
-        error: lole_avatar::AvatarError,
+        error: Box<lole_avatar::AvatarError>,
     },
     /// The recording's bytes were not given with the design.
     #[error("the recording {file} was not read")]

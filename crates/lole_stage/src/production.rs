@@ -127,7 +127,7 @@ fn dancer(design: &Design) -> Result<(Dancer, Option<License>), StageError> {
     let bytes = bytes.ok_or_else(|| StageError::AvatarNotRead { file: name() })?;
     let avatar = Avatar::read(bytes).map_err(|error| StageError::Avatar {
         file: name(),
-        error,
+        error: Box::new(error),
     })?;
     Ok((avatar.dancer, Some(avatar.license)))
 }
