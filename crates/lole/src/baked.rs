@@ -43,6 +43,11 @@ impl Keys {
     }
 }
 
+fn body_png(picture: &BodyPicture) -> Result<Vec<u8>> {
+    let image = Image::new(picture.side, picture.side, &picture.pixels)?;
+    Ok(encode_png(image)?)
+}
+
 /// The file's bytes: dancer with skeleton and motion, garments with their baked motion and print.
 pub(crate) fn dancer_glb(
     performance: &Performance,
@@ -50,16 +55,9 @@ pub(crate) fn dancer_glb(
     studio: &Studio,
 ) -> Result<Vec<u8>> {
     let production = performance.production();
-    let png = |picture: BodyPicture| -> Result<Vec<u8>> {
-        Ok(encode_png(Image::new(
-            picture.side,
-            picture.side,
-            &picture.pixels,
-        )?)?)
-    };
     let [face, hair] = [
-        png(production.dancer.face_picture())?,
-        png(production.dancer.hair_picture())?,
+        body_png(&production.dancer.face_picture())?,
+        body_png(&production.dancer.hair_picture())?,
     ];
     let prints = studio.prints().iter();
     let prints_png = prints

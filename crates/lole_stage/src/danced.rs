@@ -30,7 +30,7 @@ impl Danced {
             let dance = Dance::new(skeleton, &design.motion_settings())?;
             return Ok(Self::Step(Box::new(dance)));
         };
-        let named = |error| StageError::Recording {
+        let named = |error: AvatarError| StageError::Recording {
             file: file.name.clone(),
             error: Box::new(error),
         };
