@@ -102,19 +102,27 @@ impl Dancer {
         highest_above(&self.skin.positions, shoulders, x, z)
     }
 
-    /// Convex girth [m] of the closed cut at `height` that is the trunk or the left leg; 0 where
-    /// there is none.
+    /// Convex girth [m] of what is cut at `height` of the trunk or of the left leg; 0 where there
+    /// is nothing.
     fn girth(&self, triangles: &[[u32; 3]], height: f32, wanted: Loop) -> f64 {
         let loops = cut_loops(&self.skin.positions, triangles, f64::from(height));
-        let girths = loops.iter().filter_map(|points| {
-            let middle = points.iter().sum::<DVec2>() / points.len().max(1) as f64;
-            let side = match wanted {
-                Loop::Trunk => middle.x.abs() < 0.01,
-                Loop::LeftLeg => middle.x > 0.01,
-            };
-            side.then(|| hull_length(points.clone()))
-        });
-        girths.fold(0.0, f64::max)
+        match wanted {
+            // The surface is mirrored, and a cut may fall apart into its halves.
+            Loop::Trunk => {
+                let touches_middle =
+                    |points: &Vec<DVec2>| points.iter().any(|point| point.x.abs() < SEAM);
+                let of_trunk = loops.into_iter().filter(touches_middle);
+                hull_length(of_trunk.flatten().collect())
+            }
+            Loop::LeftLeg => {
+                let is_left = |points: &Vec<DVec2>| {
+                    let sum: f64 = points.iter().map(|point| point.x).sum();
+                    0.01 < sum / points.len().max(1) as f64
+                };
+                let girths = loops.into_iter().filter(is_left).map(hull_length);
+                girths.fold(0.0, f64::max)
+            }
+        }
     }
 }
 
@@ -153,6 +161,9 @@ pub(crate) fn highest_above(
     }
     highest
 }
+
+/// A cut that comes nearer than this to the middle plane [m] is of the trunk.
+const SEAM: f64 = 0.001;
 
 /// Which closed cut is measured.
 #[derive(Debug, Clone, Copy)]

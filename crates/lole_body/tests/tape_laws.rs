@@ -159,9 +159,7 @@ fn two_dozen_random_dancers_have_every_given_measure() {
 #[test]
 #[ignore = "minutes; run in release"]
 fn five_hundred_random_dancers_have_every_given_measure() {
-    for first in (0..500).step_by(20) {
-        assert_no_faults(first..first + 20);
-    }
+    assert_no_faults(0..500);
 }
 
 #[test]

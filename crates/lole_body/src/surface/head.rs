@@ -1,8 +1,8 @@
-//! How large a head is, and a child's: its girth by stature, from surveys.
+//! How large a head is, and a child's: its girth by stature.
 //!
 //! The measured children of the table have heads that are small for their statures, and a line
-//! through them does not reach a child of four. Girths: WHO Child Growth Standards (2007), girls, at
-//! the ages whose median statures these are; above 110 cm Nellhaus 1968.
+//! through them does not reach a child of four. The girths are rounded estimates near the medians that
+//! growth charts give girls of the ages whose median statures these are.
 
 use glam::Vec3;
 use lole_geom::trig;
@@ -11,7 +11,7 @@ use super::pchip::Pchip;
 use super::warp::smooth_step;
 use crate::sections::{HeadTable, Sections, Tube};
 
-/// Girth of the head [cm] by stature [cm], medians of girls: 3 years 8 months, 5 years, 8 years, 12
+/// Girth of the head [cm] by stature [cm], about the medians of girls: 3 years 8 months, 5 years, 8 years, 12
 /// years.
 const GIRTH: [[f32; 2]; 4] = [[100.0, 49.1], [110.0, 50.1], [128.0, 51.8], [151.0, 53.6]];
 /// How far above the head's center its girth is taken, of the crown's height over it: over the

@@ -1,11 +1,12 @@
 //! Arms beside what is worn: they press cloth towards the dancer, and never away from her.
 //!
-//! What hangs on the trunk lies between it and the arms. An arm that hangs down, or a hand on the
+//! What hangs on the trunk lies between it and the arms. A forearm that hangs down, or a hand on the
 //! hip, meets it from outside only: the faces that look away from the trunk touch nothing, or a skirt
 //! that came to lie around a hand would be dragged along by it. Where an arm comes so near to the
 //! trunk that folded cloth finds no room in between, which recorded dancers in tight clothes and
 //! bodies of other proportions do all the time, it touches nothing at all: what is worn keeps to
-//! the trunk, and the arm lies in its folds.
+//! the trunk, and the arm lies in its folds. Upper arms are a body like the trunk: a top lies against
+//! them.
 
 use std::collections::BTreeMap;
 
@@ -22,7 +23,7 @@ const NEAR: f32 = 0.25;
 /// Length of a slice of an arm [m], all of which touches cloth or does not.
 const SLICE: f32 = 0.025;
 
-/// Which surfels of the skin are the arms'.
+/// Which surfels of the skin are the forearms' and hands'.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Arms {
     /// Surfels of every slice.
@@ -32,22 +33,21 @@ pub(crate) struct Arms {
 }
 
 impl Arms {
-    /// Cuts the arms of a dancer, whose skin is given as surfels, into slices.
+    /// Cuts the forearms and hands of a dancer, whose skin is given as surfels, into slices.
     pub(crate) fn new(dancer: &Dancer, surfels: &SkinSurfels) -> Self {
         let mut slices = BTreeMap::<(Bone, u32), Vec<u32>>::new();
         for (surfel, corner) in (0..).zip(surfels.carriers()) {
             let corner = corner as usize;
             let bone = Bone::ALL[usize::from(dancer.skin.joints[corner][0])];
-            let Some(upper_arm) = upper_arm_of(bone) else {
+            let Some(forearm) = forearm_of(bone) else {
                 continue;
             };
-            let from_shoulder =
-                dancer.skin.positions[corner].distance(dancer.skeleton.joint(upper_arm));
-            let key = (upper_arm, whole_slices(from_shoulder));
+            let from_elbow = dancer.skin.positions[corner].distance(dancer.skeleton.joint(forearm));
+            let key = (forearm, whole_slices(from_elbow));
             slices.entry(key).or_default().push(surfel);
         }
         let is_of_trunk =
-            |ends: &[(Bone, Vec3); 2]| ends.iter().all(|&(bone, _)| upper_arm_of(bone).is_none());
+            |ends: &[(Bone, Vec3); 2]| ends.iter().all(|&(bone, _)| forearm_of(bone).is_none());
         let trunk = (dancer.capsules.iter().enumerate())
             .filter(|(_, capsule)| is_of_trunk(&capsule.ends))
             .map(|(place, _)| place);
@@ -108,11 +108,11 @@ fn away_from(capsules: &[Capsule], point: Vec3) -> Vec3 {
     (point - capsule.ends[0].lerp(capsule.ends[1], s)).normalize_or_zero()
 }
 
-/// The upper arm that carries a bone, if it is an arm's.
-fn upper_arm_of(bone: Bone) -> Option<Bone> {
+/// The forearm that carries a bone, if one does.
+fn forearm_of(bone: Bone) -> Option<Bone> {
     let mut bone = Some(bone);
     while let Some(one) = bone {
-        if matches!(one, Bone::LeftUpperArm | Bone::RightUpperArm) {
+        if matches!(one, Bone::LeftLowerArm | Bone::RightLowerArm) {
             return Some(one);
         }
         bone = one.parent();
