@@ -67,8 +67,8 @@ pub struct SelfCollision {
 /// What the end of a step does about cloth that has gone through itself.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Crossings {
-    /// Takes back what came to cross in the step, and draws out what crossed before: about as much
-    /// work as all the rest.
+    /// Takes back what came to cross in the step, and draws out what crossed before: a quarter to a
+    /// third of a step in gathers.
     #[default]
     Repair,
     /// Nothing.

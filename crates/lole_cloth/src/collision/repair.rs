@@ -33,7 +33,7 @@ const CLEARANCE: f32 = 0.2e-3;
 
 /// Farthest that a repair takes a particle [m], beside what it travelled in the step: planes that
 /// nearly face each other would pass it along the wedge between them for meters.
-const REPAIR_REACH: f32 = 0.004;
+const REPAIR_REACH: f32 = 0.03;
 
 /// Rounds of bringing out of the body what can leave it without crossing.
 const LEAVING_ROUNDS: u8 = 8;
