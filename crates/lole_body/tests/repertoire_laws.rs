@@ -1,14 +1,17 @@
 //! Laws of the whole repertoire, for six dancers, from the slowest to the fastest tempo of each
 //! step, and for every way from one step into another.
 
+mod posed_support;
+
 use std::sync::LazyLock;
 
-use glam::{Affine3A, Quat, Vec3};
+use glam::{Quat, Vec3};
 use lole_body::motion::SCHOOLS;
 use lole_body::{
-    Bone, Dance, DanceStep, Dancer, Measurements, MotionSettings, Part, Pose, Side, Skeleton, Tape,
+    Bone, Dance, DanceStep, Dancer, Measurements, MotionSettings, Part, Side, Skeleton, Tape,
 };
 use lole_geom::Length;
+use posed_support::{LEGS, Moment};
 
 const SAMPLES_PER_COUNT: f32 = 40.0;
 
@@ -53,53 +56,6 @@ const FEET: [[Bone; 2]; 2] = [
     [Bone::LeftFoot, Bone::LeftToes],
     [Bone::RightFoot, Bone::RightToes],
 ];
-const LEGS: [[Bone; 3]; 2] = [
-    [Bone::LeftUpperLeg, Bone::LeftLowerLeg, Bone::LeftFoot],
-    [Bone::RightUpperLeg, Bone::RightLowerLeg, Bone::RightFoot],
-];
-
-struct Moment<'a> {
-    skeleton: &'a Skeleton,
-    pose: Pose,
-    skin: Vec<Affine3A>,
-}
-
-impl<'a> Moment<'a> {
-    fn of(skeleton: &'a Skeleton, pose: Pose) -> Self {
-        let skin = skeleton.world_from_bind(&pose);
-        Self {
-            skeleton,
-            pose,
-            skin,
-        }
-    }
-
-    fn at(&self, bone: Bone) -> Vec3 {
-        self.carried(bone, self.skeleton.joint(bone))
-    }
-
-    fn carried(&self, bone: Bone, point: Vec3) -> Vec3 {
-        self.skin[bone.index()].transform_point3(point)
-    }
-
-    fn turn(&self, bone: Bone) -> Quat {
-        Quat::from_mat3a(&self.skin[bone.index()].matrix3)
-    }
-
-    fn knee_degrees(&self, leg: [Bone; 3]) -> f32 {
-        let [hip, knee, ankle] = leg.map(|bone| self.at(bone));
-        (knee - hip).angle_between(ankle - knee).to_degrees()
-    }
-
-    /// Adduction of a hip [°]: how far the thigh leans inward in the pelvis.
-    fn adduction(&self, side: usize) -> f32 {
-        let inward = [-1.0, 1.0][side];
-        let [hip, knee, _] = LEGS[side].map(|bone| self.at(bone));
-        let thigh = self.turn(Bone::Hips).inverse() * (knee - hip);
-        lole_geom::trig::atan2(inward * thigh.x, -thigh.y).to_degrees()
-    }
-}
-
 /// What the floor has to bear, from moment to moment.
 #[derive(Default)]
 struct Floor {
@@ -199,12 +155,7 @@ fn feet_are_locked_to_the_floor_for_six_dancers_at_every_tempo() {
                 let mut floor = Floor::default();
                 for (time, moment) in moments(skeleton, &settings) {
                     let said = format!("{step:?} at {beats_per_minute}, {time} s");
-                    let finite = moment
-                        .pose
-                        .rotations
-                        .iter()
-                        .all(|r| (r.length() - 1.0).abs() < 1e-4);
-                    assert!(finite && moment.pose.hips_translation.is_finite(), "{said}");
+                    assert!(moment.is_whole(), "{said}");
                     let slide = floor.slide(&moment, &said);
                     assert!(slide < 0.005, "{said}: slides {slide} m");
                 }

@@ -1,10 +1,10 @@
 //! A performance: one dancer, what she wears, one dance, moved on frame by frame.
 
-mod arms;
+mod forearms;
 mod order;
 mod worn;
 
-pub(crate) use arms::Arms;
+pub(crate) use forearms::Forearms;
 
 use std::sync::Arc;
 
@@ -279,8 +279,7 @@ impl Performance {
                 &self.body_normals,
                 &mut self.surfels,
             );
-            let dancer = &self.production.dancer;
-            (self.production.arms).withdraw(dancer, &self.world_from_bind, &mut self.surfels);
+            (self.production.forearms).withdraw(&self.capsules, &mut self.surfels);
         }
         let skin = (&self.body_positions[..], &self.body_normals[..]);
         let carrier = Carrier {

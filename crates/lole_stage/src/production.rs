@@ -14,7 +14,7 @@ use lole_geom::Length;
 use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements, draft_pau_skirt};
 use lole_pattern::design::pau_top::{TopMeasurements, draft_pau_top};
 
-use crate::performance::Arms;
+use crate::performance::Forearms;
 use crate::{Danced, StageError};
 
 /// Farthest that the tape of an elastic row is from the skin below it [m]: across the small of the
@@ -40,8 +40,8 @@ pub struct Production {
     pub body_triangles: Vec<[u32; 3]>,
     /// The body surface as cloth meets it that meets the skin.
     pub body_surfels: SkinSurfels,
-    /// Which of them are on the arms.
-    pub(crate) arms: Arms,
+    /// Which of them are on the forearms.
+    pub(crate) forearms: Forearms,
     /// Place of the design's skirt among the garments.
     skirt: usize,
 }
@@ -104,7 +104,7 @@ impl Production {
             design: design.clone(),
             dance,
             garments,
-            arms: Arms::new(&dancer, &body_surfels),
+            forearms: Forearms::new(&dancer, &body_surfels),
             body_surfels,
             body_triangles,
             dancer,

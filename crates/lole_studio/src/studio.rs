@@ -147,7 +147,7 @@ pub struct Studio {
     wished: Wished,
     /// What was wished before.
     undo: Undo<Wished>,
-    /// The files of this session.
+    /// The files that were open in this window.
     files: Vec<OpenFile>,
     /// Whether a change waits until the hand leaves the slider.
     unsent: bool,
@@ -159,7 +159,7 @@ pub struct Studio {
     pub tab: Tab,
     /// What was danced before something else was chosen.
     pub shelf: DanceShelf,
-    /// Work of a session that ended without saving, to be offered.
+    /// Work of a window that ended without saving, to be offered.
     pub found: Option<Work>,
     /// Whether it dances.
     pub plays: bool,

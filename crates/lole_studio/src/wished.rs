@@ -16,7 +16,7 @@ pub(crate) struct Wished {
     /// The fabric as it was chosen: the stiffness is a factor on it.
     base_fabric: FabricDesign,
     stiffness: f64,
-    /// Which of the files of this session it belongs to.
+    /// Which of the window's files it belongs to.
     pub(crate) file: usize,
 }
 

@@ -1,4 +1,4 @@
-//! The work of a session as text: every state that can be gone back to, and the files it is from.
+//! The work of a window as text: every state that can be gone back to, and the files it is from.
 //!
 //! ```text
 //! lole-work 1
@@ -29,7 +29,7 @@ use crate::wished::Wished;
 /// First line of the text.
 const HEAD: &str = "lole-work 1";
 
-/// The work of a session.
+/// The work done in a window.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Work {
     pub(crate) files: Vec<OpenFile>,

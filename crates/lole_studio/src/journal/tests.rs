@@ -21,7 +21,7 @@ fn fresh(name: &str) -> PathBuf {
     folder
 }
 
-/// A session of three changes, of which one was taken back.
+/// Work of three changes, of which one was taken back.
 fn worked() -> Studio {
     let mut studio = Studio::new(Language::Japanese, Design::default(), None);
     for height in [25.0, 30.0, 35.0] {

@@ -1,23 +1,23 @@
-//! Arms beside what is worn: they press cloth towards the dancer, and never away from her.
+//! Forearms beside a skirt: they press it towards the dancer, and never away from her.
 //!
-//! What hangs on the trunk lies between it and the arms. A forearm that hangs down, or a hand on the
-//! hip, meets it from outside only: the faces that look away from the trunk touch nothing, or a skirt
-//! that came to lie around a hand would be dragged along by it. Where an arm comes so near to the
-//! trunk that folded cloth finds no room in between, which recorded dancers in tight clothes and
-//! bodies of other proportions do all the time, it touches nothing at all: what is worn keeps to
-//! the trunk, and the arm lies in its folds. Upper arms are a body like the trunk: a top lies against
+//! What hangs on hips and legs lies between them and the hands. A forearm that hangs down, or a hand
+//! on the hip, meets it from outside only: the faces that look away from the body touch nothing, or a
+//! skirt that came to lie around a hand would be dragged along by it. Where an arm comes so near to
+//! the body that folded cloth finds no room in between, which recorded dancers in tight clothes and
+//! bodies of other proportions do all the time, it touches nothing at all: the skirt keeps to the
+//! body, and the arm lies in its folds. Upper arms are a body like the trunk: a top lies against
 //! them.
 
 use std::collections::BTreeMap;
 
-use glam::{Affine3A, Vec3};
+use glam::Vec3;
 use lole_body::{Bone, Dancer, SkinSurfels};
 use lole_geom::{Capsule, Surfel};
 
-/// Room that folded cloth takes between an arm and the trunk [m].
+/// Room that folded cloth takes between an arm and the body [m].
 const FOLDS: f32 = 0.03;
 
-/// An arm nearer than this to the trunk [m] may have cloth of the trunk around it.
+/// An arm nearer than this to the body [m] may have the body's cloth around it.
 const NEAR: f32 = 0.25;
 
 /// Length of a slice of an arm [m], all of which touches cloth or does not.
@@ -25,14 +25,12 @@ const SLICE: f32 = 0.025;
 
 /// Which surfels of the skin are the forearms' and hands'.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(crate) struct Arms {
+pub(crate) struct Forearms {
     /// Surfels of every slice.
     slices: Vec<Vec<u32>>,
-    /// Places of the capsules of trunk, head and legs.
-    trunk: Vec<usize>,
 }
 
-impl Arms {
+impl Forearms {
     /// Cuts the forearms and hands of a dancer, whose skin is given as surfels, into slices.
     pub(crate) fn new(dancer: &Dancer, surfels: &SkinSurfels) -> Self {
         let mut slices = BTreeMap::<(Bone, u32), Vec<u32>>::new();
@@ -46,48 +44,35 @@ impl Arms {
             let key = (forearm, whole_slices(from_elbow));
             slices.entry(key).or_default().push(surfel);
         }
-        let is_of_trunk =
-            |ends: &[(Bone, Vec3); 2]| ends.iter().all(|&(bone, _)| forearm_of(bone).is_none());
-        let trunk = (dancer.capsules.iter().enumerate())
-            .filter(|(_, capsule)| is_of_trunk(&capsule.ends))
-            .map(|(place, _)| place);
         Self {
-            trunk: trunk.collect(),
             slices: slices.into_values().collect(),
         }
     }
 
-    /// Takes the normals of those surfels that touch nothing in a pose of the dancer.
-    pub(crate) fn withdraw(
-        &self,
-        dancer: &Dancer,
-        world_from_bind: &[Affine3A],
-        surfels: &mut [Surfel],
-    ) {
-        let trunk: Vec<Capsule> = (self.trunk.iter())
-            .map(|&place| dancer.capsules[place].posed(world_from_bind))
-            .collect();
+    /// Takes the normals of those surfels that touch nothing beside a body, whose capsules from waist
+    /// to ankle are given.
+    pub(crate) fn withdraw(&self, body: &[Capsule], surfels: &mut [Surfel]) {
         for slice in &self.slices {
-            withdraw_slice(slice, &trunk, surfels);
+            withdraw_slice(slice, body, surfels);
         }
     }
 }
 
-fn withdraw_slice(slice: &[u32], trunk: &[Capsule], surfels: &mut [Surfel]) {
+fn withdraw_slice(slice: &[u32], body: &[Capsule], surfels: &mut [Surfel]) {
     let mut gap = f32::INFINITY;
     let mut low = Vec3::INFINITY;
     let mut high = Vec3::NEG_INFINITY;
     for &surfel in slice {
         let position = surfels[surfel as usize].position;
         (low, high) = (low.min(position), high.max(position));
-        for capsule in trunk {
+        for capsule in body {
             gap = gap.min(capsule.signed_distance(position));
         }
     }
     if NEAR < gap {
         return;
     }
-    let outward = away_from(trunk, (low + high) * 0.5);
+    let outward = away_from(body, (low + high) * 0.5);
     for &surfel in slice {
         let surfel = &mut surfels[surfel as usize];
         if gap < FOLDS || 0.0 < surfel.normal.dot(outward) {
