@@ -2,6 +2,7 @@
 
 pub mod pau_skirt;
 pub mod pau_top;
+mod rectangle;
 
 /// One garment that can be drafted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

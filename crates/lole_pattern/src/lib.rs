@@ -28,9 +28,17 @@
 
 pub mod design;
 pub mod error;
+pub mod measures;
+pub mod pattern;
+pub mod piece;
 pub mod ratio;
+pub mod template;
 pub mod yardage;
 
 pub use error::DraftError;
+pub use measures::Measures;
+pub use pattern::Pattern;
+pub use piece::Piece;
 pub use ratio::{ElasticRatio, GatherRatio};
+pub use template::{TEMPLATES, Template};
 pub use yardage::Yardage;

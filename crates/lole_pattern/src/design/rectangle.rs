@@ -1,0 +1,138 @@
+//! A gathered rectangle as a pattern: its one piece, the seam that closes it, elastic and thread.
+
+use kurbo::{BezPath, Point, Vec2};
+use lole_language::{Sentence, Words, words};
+
+use super::pau_skirt::{LineKind as PauLine, PauDraft};
+use crate::pattern::{Amount, Notion, NotionKind, Pattern, Seam, SeamKind, SeamSide};
+use crate::piece::{ClothRole, CutCount, Edge, Finish, LineKind, Mark, Piece};
+
+/// Edges of the piece, in their order.
+const LEFT_END: usize = 1;
+const RIGHT_END: usize = 3;
+
+impl PauDraft {
+    /// The draft as a pattern. The piece lies as it is worn, its flat length along `x` from 0, its
+    /// hem fold at `y = 0`; the warp runs around the body.
+    #[must_use]
+    pub fn pattern(&self, name: Words) -> Pattern {
+        Pattern {
+            pieces: vec![self.piece(name)],
+            seams: vec![closing_seam()],
+            notions: self.notions(),
+            steps: Vec::new(),
+            warnings: self.warnings.iter().map(Sentence::of).collect(),
+        }
+    }
+
+    fn piece(&self, name: Words) -> Piece {
+        let (width, height) = (self.flat_length.to_m(), self.finished_length.to_m());
+        let [a, b, c, d] = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)];
+        let seam_allowance = (self.cut_length - self.flat_length) * 0.5;
+        let fold = self.cut_height - self.finished_length - self.hem_depth;
+        let edge = |id, from: (f64, f64), to: (f64, f64), finish, allowance| {
+            Edge::straight(id, from.into(), to.into(), finish).with_allowance(allowance)
+        };
+        Piece {
+            id: "panel",
+            name,
+            edges: vec![
+                edge("hem", a, b, Finish::Hem, self.hem_depth),
+                edge("left_end", b, c, Finish::Seam, seam_allowance),
+                edge("top", c, d, Finish::Hem, fold),
+                edge("right_end", d, a, Finish::Seam, seam_allowance),
+            ],
+            grain: Vec2::new(1.0, 0.0),
+            marks: self.marks(height + fold.to_m()),
+            cloth: ClothRole::Main,
+            cut: CutCount::Alike(1),
+        }
+    }
+
+    /// Lines across the cloth, whose raw upper edge lies at `raw_edge` [m].
+    fn marks(&self, raw_edge: f64) -> Vec<Mark> {
+        let width = self.flat_length.to_m();
+        (self.lines.iter())
+            .map(|line| {
+                let y = raw_edge - line.from_edge.to_m();
+                let mut path = BezPath::new();
+                path.move_to(Point::new(0.0, y));
+                path.line_to(Point::new(width, y));
+                let kind = match line.kind {
+                    PauLine::TurnUnder => LineKind::TurnUnder,
+                    PauLine::TopFold => LineKind::TopFold,
+                    PauLine::CasingTop => LineKind::CasingTop,
+                    PauLine::CasingBottom => LineKind::CasingBottom,
+                    PauLine::HemFold => LineKind::HemFold,
+                };
+                Mark::Line { kind, path }
+            })
+            .collect()
+    }
+
+    fn notions(&self) -> Vec<Notion> {
+        let elastic = (self.elastic_rows.iter()).map(|row| Notion {
+            kind: NotionKind::Elastic,
+            name: words("平ゴム（コールゴム）", "flat braided elastic"),
+            amount: Amount::Length(row.cut_length),
+            note: None,
+        });
+        let thread = Notion {
+            kind: NotionKind::Thread,
+            name: words("ミシン糸", "sewing thread"),
+            amount: Amount::Length(self.thread),
+            note: None,
+        };
+        elastic.chain([thread]).collect()
+    }
+}
+
+fn closing_seam() -> Seam {
+    let side = |edge, between| SeamSide {
+        piece: 0,
+        copy: 0,
+        edge,
+        between,
+    };
+    Seam {
+        flat: side(LEFT_END, [0.0, 1.0]),
+        full: side(RIGHT_END, [1.0, 0.0]),
+        kind: SeamKind::Plain,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use lole_geom::Length;
+
+    use super::*;
+    use crate::design::pau_skirt::{PauMeasurements, PauOptions, draft_pau_skirt};
+
+    #[test]
+    fn the_piece_has_the_sizes_of_the_draft() {
+        let measurements = PauMeasurements {
+            hip_girth: Length::from_cm(91.4),
+            worn_girth: Length::from_cm(83.0),
+            worn_height: Length::from_cm(85.0),
+        };
+        let draft = draft_pau_skirt(&measurements, &PauOptions::default());
+        let draft = draft.unwrap_or_else(|error| panic!("{error}"));
+        let pattern = draft.pattern(words("パウスカート", "pāʻū skirt"));
+        let piece = &pattern.pieces[0];
+        let across: f64 = ["left_end", "top", "hem"]
+            .map(|id| piece.edge(id))
+            .into_iter()
+            .flatten()
+            .map(|edge| match edge.finish {
+                Finish::Hem => edge.allowance.to_m(),
+                _ => edge.length(),
+            })
+            .sum();
+        assert!((across - draft.cut_height.to_m()).abs() < 1e-9);
+        assert_eq!(
+            piece.edges[LEFT_END].length(),
+            piece.edges[RIGHT_END].length()
+        );
+        assert_eq!(piece.marks.len(), draft.lines.len());
+    }
+}

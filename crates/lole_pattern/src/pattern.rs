@@ -1,0 +1,137 @@
+//! A pattern: the flat pieces of one garment, how they are joined, what else it takes, and the steps
+//! of its making.
+
+use lole_geom::Length;
+use lole_language::{Sentence, Words};
+
+use crate::Piece;
+
+/// Everything that is needed to cut and sew one garment.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pattern {
+    /// Its pieces, the largest ones first.
+    pub pieces: Vec<Piece>,
+    /// How they are joined, in the order of sewing.
+    pub seams: Vec<Seam>,
+    /// What it takes beside cloth.
+    pub notions: Vec<Notion>,
+    /// What is done, in order.
+    pub steps: Vec<Step>,
+    /// What the maker should know before cutting.
+    pub warnings: Vec<Sentence>,
+}
+
+/// Two edges that are sewn together.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Seam {
+    /// One side; it lies flat where the other one is gathered or eased.
+    pub flat: SeamSide,
+    /// The other side, which is at least as long.
+    pub full: SeamSide,
+    /// What becomes of the difference in length.
+    pub kind: SeamKind,
+}
+
+/// A stretch of an edge.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SeamSide {
+    /// Index into [`Pattern::pieces`].
+    pub piece: usize,
+    /// Which of the cut pieces, from 0. Odd ones of pairs are the wearer's right, mirrored.
+    pub copy: u32,
+    /// Index into [`Piece::edges`].
+    pub edge: usize,
+    /// Where it begins and ends along the edge's stitching line, 0 to 1; from the end backwards when
+    /// the first is the larger one. Both sides of a seam are walked together.
+    pub between: [f64; 2],
+}
+
+/// How edges of different length are joined.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SeamKind {
+    /// Both are equally long.
+    Plain,
+    /// The fuller one is worked in without folds, a few percent at most.
+    Eased,
+    /// The fuller one is gathered by rows of long stitches.
+    Gathered,
+}
+
+/// What a garment takes beside cloth.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Notion {
+    /// What sort of thing it is; costs are given by it.
+    pub kind: NotionKind,
+    /// What to ask for in a shop.
+    pub name: Words,
+    /// How much of it.
+    pub amount: Amount,
+    /// How it is cut or used, where that is not plain: "3 pieces of 76.1 cm".
+    pub note: Option<Sentence>,
+}
+
+/// Sorts of notions.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum NotionKind {
+    /// Elastic in casings.
+    Elastic,
+    /// Cord, tape or ribbon.
+    Cord,
+    /// Sewing thread, both threads of a machine.
+    Thread,
+    /// Buttons, hooks, zips.
+    Fastener,
+    /// Leaves, strands, film, flowers, shells.
+    Material,
+}
+
+/// How much.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Amount {
+    /// By length.
+    Length(Length),
+    /// By number.
+    Count(u32),
+    /// By mass [kg].
+    Mass(f64),
+}
+
+/// One thing to do.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Step {
+    /// A few words for its head.
+    pub title: Words,
+    /// What to do with a sewing machine, in whole sentences with this design's own numbers.
+    pub by_machine: Sentence,
+    /// What to do instead by hand, where that differs.
+    pub by_hand: Option<Sentence>,
+    /// What its drawing shows.
+    pub figure: Figure,
+    /// Time with a machine, and by hand [min]. Estimates.
+    pub minutes: [f64; 2],
+}
+
+/// What the drawing of a step shows, taken from the pieces themselves.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Figure {
+    /// Nothing that a drawing would make clearer.
+    None,
+    /// A piece with some of its edges and marks brought out.
+    Piece {
+        /// Index into [`Pattern::pieces`].
+        piece: usize,
+        /// Indices into [`Piece::edges`].
+        edges: Vec<usize>,
+        /// Indices into [`Piece::marks`].
+        marks: Vec<usize>,
+    },
+    /// Two edges brought together: indices into [`Pattern::seams`].
+    Seams(Vec<usize>),
+    /// Cloth in section, layer on layer: a fold, a casing or a hem, drawn from the marks of a piece.
+    Section {
+        /// Index into [`Pattern::pieces`].
+        piece: usize,
+        /// Indices into [`Piece::marks`] of the lines across, from the raw edge on.
+        marks: Vec<usize>,
+    },
+}

@@ -1,0 +1,121 @@
+//! The table of templates: one file and one row for each garment that can be drafted from measures
+//! and options.
+//!
+//! The options of a template are rows too. The document's keys, the forms of the window and the
+//! messages all read them, so that an option is written once.
+
+use lole_language::Words;
+
+use crate::{DraftError, Measures, Pattern};
+
+/// A garment that can be drafted.
+#[derive(Debug)]
+pub struct Template {
+    /// Identifier without diacritics, as typed in a document.
+    pub id: &'static str,
+    /// What it is called.
+    pub name: Words,
+    /// What it is, in one sentence.
+    pub about: Words,
+    /// What the maker decides, in the order a form shows it.
+    pub options: &'static [OptionRow],
+    /// Drafts it.
+    pub draft: fn(&Measures, &Options) -> Result<Pattern, DraftError>,
+}
+
+/// One thing the maker decides.
+#[derive(Debug)]
+pub struct OptionRow {
+    /// Key in a document, ending in its unit where it has one: `hem_height_cm`.
+    pub key: &'static str,
+    /// What it means.
+    pub about: Words,
+    /// What it takes.
+    pub kind: OptionKind,
+}
+
+/// What an option takes.
+#[derive(Debug)]
+pub enum OptionKind {
+    /// A number, in the unit of its key.
+    Number {
+        /// Smallest accepted number.
+        min: f64,
+        /// Largest accepted number.
+        max: f64,
+        /// What it is when nothing is said; `None` when that follows from the measures.
+        default: Option<f64>,
+    },
+    /// A whole number.
+    Count {
+        /// Smallest accepted number.
+        min: u32,
+        /// Largest accepted number.
+        max: u32,
+        /// What it is when nothing is said.
+        default: u32,
+    },
+    /// One of several; the first when nothing is said.
+    Choice(&'static [Choice]),
+}
+
+/// One of several ways.
+#[derive(Debug)]
+pub struct Choice {
+    /// Identifier in a document.
+    pub id: &'static str,
+    /// What it is called.
+    pub name: Words,
+}
+
+/// What was decided for one garment, one value for each option of its template.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Options {
+    values: Vec<Option<f64>>,
+}
+
+impl Template {
+    /// The template of this name.
+    #[must_use]
+    pub fn of_id(id: &str) -> Option<&'static Self> {
+        TEMPLATES.iter().find(|template| template.id == id)
+    }
+
+    /// Where an option of this key stands among [`Template::options`].
+    #[must_use]
+    pub fn position(&self, key: &str) -> Option<usize> {
+        self.options.iter().position(|row| row.key == key)
+    }
+}
+
+impl Options {
+    /// Everything as the template has it.
+    #[must_use]
+    pub fn of(template: &Template) -> Self {
+        let default = |row: &OptionRow| match row.kind {
+            OptionKind::Number { default, .. } => default,
+            OptionKind::Count { default, .. } => Some(f64::from(default)),
+            OptionKind::Choice(_) => Some(0.0),
+        };
+        Self {
+            values: template.options.iter().map(default).collect(),
+        }
+    }
+
+    /// The value of an option: a number in its key's unit, a count, or the index of a choice. `None`
+    /// where it follows from the measures.
+    #[must_use]
+    pub fn get(&self, position: usize) -> Option<f64> {
+        self.values.get(position).copied().flatten()
+    }
+
+    /// Decides an option; positions beyond the last one change nothing.
+    pub fn set(&mut self, position: usize, value: Option<f64>) {
+        if let Some(slot) = self.values.get_mut(position) {
+            *slot = value;
+        }
+    }
+}
+
+/// Every template, in the order a menu shows them.
+pub const TEMPLATES: &[Template] = &[];
