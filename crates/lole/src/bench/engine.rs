@@ -95,7 +95,63 @@ struct Running<'a> {
     clock: PhaseClock,
 }
 
-impl Running<'_> {
+/// What the frames of a scene show.
+struct Seen {
+    is_finite: bool,
+    strain_end: StrainSummary,
+    strain_worst: StrainSummary,
+    /// [m]
+    penetration: f32,
+    crossings: Option<Crossings>,
+}
+
+impl<'a> Running<'a> {
+    fn start((scene, method): (&'a Scene, Method), setup: &'a Setup) -> Result<Self, BuildError> {
+        let prepared = method.prepare(&setup.spec)?;
+        Ok(Self {
+            scene,
+            setup,
+            state: ClothState::new(prepared.cloth(), &setup.positions),
+            pins: pins(prepared.cloth(), &setup.positions),
+            prepared,
+            clock: PhaseClock::new(),
+        })
+    }
+
+    /// Runs the scene and looks at every frame.
+    fn seen(&mut self) -> Seen {
+        let spec = &self.setup.spec;
+        let contact = self.setup.config.self_collision;
+        let mut seen = Seen {
+            is_finite: true,
+            strain_end: StrainSummary::default(),
+            strain_worst: StrainSummary::default(),
+            penetration: 0.0,
+            crossings: contact.is_some().then_some(Crossings::none()),
+        };
+        let mut positions = Vec::new();
+        for frame in 0..self.scene.frame_count {
+            self.advance(frame, &mut Vec::new());
+            (self.state).copy_positions(self.prepared.cloth(), &mut positions);
+            let strain = diagnose::strain(spec, &positions);
+            if START_FRAMES <= frame {
+                let worst = &mut seen.strain_worst;
+                worst.mean = worst.mean.max(strain.mean);
+                worst.p99 = worst.p99.max(strain.p99);
+                worst.max = worst.max.max(strain.max);
+            }
+            seen.strain_end = strain;
+            let capsules = self.capsules(frame);
+            let depth = diagnose::worst_capsule_penetration(spec, &positions, &capsules);
+            seen.penetration = seen.penetration.max(depth);
+            if let Some(crossings) = &mut seen.crossings {
+                crossings.see(frame, || diagnose::self_crossings(&spec.grid, &positions));
+            }
+        }
+        seen.is_finite = diagnose::first_non_finite(&positions).is_none();
+        seen
+    }
+
     /// The next frame, timed unless it is observed; the number of its substeps.
     fn advance(&mut self, frame: u32, timings: &mut Vec<crate::figures::Timing>) -> u32 {
         let capsules = self.capsules(frame);
@@ -126,75 +182,50 @@ impl Running<'_> {
     }
 }
 
-/// Runs a scene of the engine from a start of the caller's.
+/// Runs a scene of the engine from a start of the caller's, twice with the same bits: once for its
+/// times, with nothing between the frames that would empty the caches, and once for what the cloth
+/// does in every frame.
 pub(super) fn measure(
     (scene, method): (&Scene, Method),
     mut setup: Setup,
     settings: Settings,
 ) -> Result<BenchRow, BuildError> {
     setup.config.instruction_set = settings.instruction_set;
-    let prepared = method.prepare(&setup.spec)?;
-    let mut running = Running {
-        scene,
-        setup: &setup,
-        state: ClothState::new(prepared.cloth(), &setup.positions),
-        pins: pins(prepared.cloth(), &setup.positions),
-        prepared,
-        clock: PhaseClock::new(),
-    };
-    let (mut timings, mut positions, mut substeps) = (Vec::new(), Vec::new(), Vec::new());
-    let mut deepest = 0.0_f32;
-    let mut crossings = setup
-        .config
-        .self_collision
-        .is_some()
-        .then_some(Crossings::none());
-    let (mut end, mut worst) = (StrainSummary::default(), StrainSummary::default());
-    for frame in 0..scene.frame_count {
-        substeps.push(running.advance(frame, &mut timings));
-        let model = running.prepared.cloth();
-        running.state.copy_positions(model, &mut positions);
-        end = diagnose::strain(&setup.spec, &positions);
-        if START_FRAMES <= frame {
-            worst.mean = worst.mean.max(end.mean);
-            worst.p99 = worst.p99.max(end.p99);
-            worst.max = worst.max.max(end.max);
-        }
-        let capsules = running.capsules(frame);
-        let depth = diagnose::worst_capsule_penetration(&setup.spec, &positions, &capsules);
-        deepest = deepest.max(depth);
-        if let Some(crossings) = &mut crossings {
-            crossings.see(frame, || {
-                diagnose::self_crossings(&setup.spec.grid, &positions)
-            });
-        }
-    }
+    let mut timed = Running::start((scene, method), &setup)?;
+    let mut timings = Vec::new();
+    let mut substeps: Vec<u32> = (0..scene.frame_count)
+        .map(|frame| timed.advance(frame, &mut timings))
+        .collect();
     substeps.sort_unstable();
+
+    let mut judged = Running::start((scene, method), &setup)?;
+    let seen = judged.seen();
+    let state_hash = state_hash(&judged.state);
+    debug_assert_eq!(state_hash, self::state_hash(&timed.state), "{}", scene.name);
     let mut velocities = Vec::new();
-    let (model, state) = (running.prepared.cloth(), &running.state);
-    state.copy_velocities(model, &mut velocities);
-    let springs = running.clock.median(Phase::Springs);
+    (judged.state).copy_velocities(judged.prepared.cloth(), &mut velocities);
+    let springs = timed.clock.median(Phase::Springs);
     let row = Run {
         scene: scene.name,
         method: method.id(),
         particles: setup.spec.grid.particle_count(),
         substeps: substeps.get(substeps.len() / 2).copied().unwrap_or(0),
         timings,
-        phases: running.clock.times(),
+        phases: timed.clock.times(),
         spring_roofline: (settings.roofline && 0.0 < springs).then(|| {
             let cloth = (&setup.spec, &setup.config);
             SpringRoofline::measure(cloth, springs, settings.instruction_set)
         }),
-        finite: diagnose::first_non_finite(&positions).is_none(),
-        strain_end: end,
-        strain_worst: worst,
-        penetration: deepest,
+        finite: seen.is_finite,
+        strain_end: seen.strain_end,
+        strain_worst: seen.strain_worst,
+        penetration: seen.penetration,
         skin_penetration: None,
-        crossings,
+        crossings: seen.crossings,
         layer_inversions: None,
         rms_speed: diagnose::rms_speed(&velocities),
-        byte_count: running.prepared.byte_count() + state.byte_count(),
-        state_hash: state_hash(state),
+        byte_count: timed.prepared.byte_count() + timed.state.byte_count(),
+        state_hash,
     };
     Ok(row.row())
 }

@@ -51,58 +51,82 @@ fn double_pau() -> Design {
     design
 }
 
-/// Dances a scene, settled beforehand. Measured is all that a frame needs before it can be drawn:
-/// pose, capsules, pins and cloth.
-pub(super) fn measure(scene: &StageScene, settings: Settings) -> Result<BenchRow, StageError> {
+/// A scene's dancer, settled and about to dance.
+fn settled(scene: &StageScene, settings: Settings) -> Result<Performance, StageError> {
     let mut performance = Performance::new(Production::new(&(scene.design)())?)?;
     performance.set_instruction_set(settings.instruction_set);
-    let (mut timings, mut metrics) = (Vec::new(), Vec::new());
-    let (mut clock, mut crossings) = (PhaseClock::new(), Crossings::none());
-    let mut inversions = 0;
     // What stops short is seen in the figures of the frames.
     while performance.time() < 0.0 && performance.advance().is_ok() {}
+    Ok(performance)
+}
+
+/// Dances a scene twice with the same bits: once for its times, with nothing between the frames that
+/// would empty the caches, and once for what the cloth does in every frame. Timed is all that a
+/// frame needs before it can be drawn: pose, capsules, pins and cloth.
+pub(super) fn measure(scene: &StageScene, settings: Settings) -> Result<BenchRow, StageError> {
+    let mut timed = settled(scene, settings)?;
+    let (mut timings, mut clock) = (Vec::new(), PhaseClock::new());
     for frame in 0..scene.frame_count {
-        let went_on = if PhaseClock::observes(frame) {
-            clock.begin_frame();
-            let advanced = performance.advance_observed(&mut |phase| clock.passed(phase));
-            clock.passed(Phase::Outside);
-            advanced.is_ok()
-        } else {
-            let watch = Stopwatch::start();
-            let advanced = performance.advance();
-            timings.push(watch.read());
-            advanced.is_ok()
-        };
-        performance.pose_body();
-        metrics.push(performance.measure());
+        if !advance(&mut timed, frame, &mut timings, &mut clock) {
+            break;
+        }
+    }
+
+    let mut judged = settled(scene, settings)?;
+    let (mut metrics, mut crossings) = (Vec::new(), Crossings::none());
+    let mut inversions = 0;
+    for _ in 0..scene.frame_count {
+        let went_on = judged.advance().is_ok();
+        judged.pose_body();
+        metrics.push(judged.measure());
         // A skirt that has settled crosses itself no more than one that dances.
-        crossings.see(u32::MAX, || self_crossings(&performance));
-        inversions = inversions.max(performance.layer_inversions());
+        crossings.see(u32::MAX, || self_crossings(&judged));
+        inversions = inversions.max(judged.layer_inversions());
         if !went_on {
             break;
         }
     }
+    debug_assert_eq!(judged.state_hash(), timed.state_hash(), "{}", scene.name);
     let worst = RunMetrics::of(&metrics);
     let run = Run {
         scene: scene.name,
-        method: performance.production().design.method.name.id(),
-        particles: performance.production().particle_count(),
-        substeps: performance.substep_count(),
+        method: judged.production().design.method.name.id(),
+        particles: judged.production().particle_count(),
+        substeps: judged.substep_count(),
         timings,
         phases: clock.times(),
         spring_roofline: None,
-        finite: diagnose::first_non_finite(performance.cloth_positions()).is_none(),
+        finite: diagnose::first_non_finite(judged.cloth_positions()).is_none(),
         strain_end: worst.strain_end,
         strain_worst: worst.strain,
         penetration: worst.capsule_penetration.max(worst.skin.worst_depth),
         skin_penetration: Some(worst.skin.worst_depth),
         crossings: Some(crossings),
-        layer_inversions: (1 < performance.production().garments.len()).then_some(inversions),
-        rms_speed: performance.rms_speed(),
-        byte_count: performance.byte_count(),
-        state_hash: performance.state_hash(),
+        layer_inversions: (1 < judged.production().garments.len()).then_some(inversions),
+        rms_speed: judged.rms_speed(),
+        byte_count: judged.byte_count(),
+        state_hash: judged.state_hash(),
     };
     Ok(run.row())
+}
+
+/// The next frame, timed or observed; whether the dance goes on.
+fn advance(
+    performance: &mut Performance,
+    frame: u32,
+    timings: &mut Vec<crate::figures::Timing>,
+    clock: &mut PhaseClock,
+) -> bool {
+    if PhaseClock::observes(frame) {
+        clock.begin_frame();
+        let advanced = performance.advance_observed(&mut |phase| clock.passed(phase));
+        clock.passed(Phase::Outside);
+        return advanced.is_ok();
+    }
+    let watch = Stopwatch::start();
+    let advanced = performance.advance();
+    timings.push(watch.read());
+    advanced.is_ok()
 }
 
 /// Edges of a garment that cross a triangle of the same one, of all garments.
