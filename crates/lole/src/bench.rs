@@ -54,8 +54,9 @@ fn entries() -> Vec<Entry> {
         methods.map(move |method| entry(scene, method))
     });
     let stage = stage::SCENES.iter().map(|scene| {
-        let measure: Measure =
-            Box::new(|settings| stage::measure(scene, settings).map_err(Failure::error));
+        let measure: Measure = Box::new(|settings| {
+            stage::measure(scene, &(scene.design)(), settings).map_err(Failure::error)
+        });
         Entry {
             scene: scene.name,
             method: scene.method(),

@@ -14,6 +14,7 @@ use serde::Serialize;
 
 use super::engine::{self, Method};
 use super::row::BenchRow;
+use super::stage::{self, StageScene};
 use super::{Settings, choose};
 use crate::args::BenchArgs;
 use crate::output::OutputFolder;
@@ -23,6 +24,24 @@ use crate::{Failure, summary};
 /// Substeps and sweeps over the structural springs that are tried with each other.
 const SUBSTEP_COUNTS: [u32; 6] = [2, 4, 8, 12, 16, 24];
 const SWEEP_COUNTS: [u32; 4] = [1, 2, 4, 6];
+
+/// Substeps that are tried on a dancer, beside the design's own.
+const STAGE_SUBSTEP_COUNTS: [u32; 5] = [6, 8, 11, 18, 24];
+
+/// A scene and a method, with every setting that is tried.
+struct Case {
+    scene: &'static str,
+    about: &'static str,
+    method: &'static str,
+    variants: Vec<Variant>,
+}
+
+/// One setting.
+struct Variant {
+    sweeps: Option<u32>,
+    is_own: bool,
+    run: Box<dyn Fn(Settings) -> Result<BenchRow, Failure>>,
+}
 
 /// A setting of a method for a scene, and what it gives.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -55,20 +74,14 @@ impl ParetoPoint {
 
 /// Measures every setting of every scene, or of the one that was named.
 pub(super) fn run(args: &BenchArgs, settings: Settings, language: Language) -> Result<(), Failure> {
-    let mut cases: Vec<(&Scene, Method)> = (SCENES.iter())
-        .flat_map(|scene| {
-            Method::of(scene)
-                .into_iter()
-                .map(move |method| (scene, method))
-        })
-        .collect();
+    let mut cases = cases();
     let scene = ("--scene", args.scene.as_deref());
     choose(&mut cases, scene, words("場面", "scene"), |case| {
-        case.0.name
+        case.scene
     })?;
     let method = ("--method", args.method.as_deref());
     choose(&mut cases, method, words("方法", "method"), |case| {
-        case.1.id()
+        case.method
     })?;
     let mut output = (args.out.as_deref())
         .map(OutputFolder::create)
@@ -76,17 +89,19 @@ pub(super) fn run(args: &BenchArgs, settings: Settings, language: Language) -> R
         .map_err(Failure::Usage)?;
     let stop = stop_flag().map_err(Failure::Run)?;
     let mut points: Vec<ParetoPoint> = Vec::new();
-    for of_scene in cases.chunk_by(|one, next| one.0.name == next.0.name) {
+    let abouts: Vec<_> = (cases.iter())
+        .map(|case| (case.scene, case.about))
+        .collect();
+    for of_scene in cases.chunk_by(|one, next| one.scene == next.scene) {
         let mut found = Vec::new();
-        for (case, (setup, is_own)) in of_scene.iter().flat_map(variants) {
+        for variant in of_scene.iter().flat_map(|case| &case.variants) {
             if stop.load(std::sync::atomic::Ordering::Relaxed) {
                 return Err(Failure::Interrupted);
             }
-            let sweeps = setup.config.structural_sweep_count.get();
-            let row = engine::measure(*case, setup, settings).map_err(Failure::error)?;
+            let row = (variant.run)(settings)?;
             found.push(ParetoPoint {
-                sweeps: (case.1 == Method::Xpbd).then_some(sweeps),
-                is_own,
+                sweeps: variant.sweeps,
+                is_own: variant.is_own,
                 on_front: false,
                 longest_phase: row.longest_phase(),
                 row,
@@ -103,7 +118,7 @@ pub(super) fn run(args: &BenchArgs, settings: Settings, language: Language) -> R
         summary::print_json(&json);
     }
     if let Some(output) = &mut output {
-        let page = trade_off_html(&report(&points));
+        let page = trade_off_html(&report(&points, &abouts));
         (output.write("bench.html", page.as_bytes()))
             .and_then(|()| output.write("bench.json", json.as_bytes()))
             .map_err(Failure::Run)?;
@@ -117,33 +132,67 @@ pub(super) fn run(args: &BenchArgs, settings: Settings, language: Language) -> R
     Ok(())
 }
 
-/// A case with every setting of its method, and whether it is the scene's own.
-fn variants<'a>(
-    case: &'a (&'a Scene, Method),
-) -> impl Iterator<Item = (&'a (&'a Scene, Method), (Setup, bool))> {
-    let own = (case.0.build)();
-    let counts = |setup: &Setup| {
-        let config = &setup.config;
-        [config.substep_count, config.structural_sweep_count].map(NonZeroU32::get)
-    };
-    let mut pairs: Vec<[u32; 2]> = match case.1 {
+/// Every scene, each with the methods that can run it.
+fn cases() -> Vec<Case> {
+    let engine = (SCENES.iter()).flat_map(|scene| {
+        let methods = Method::of(scene).into_iter();
+        methods.map(move |method| Case {
+            scene: scene.name,
+            about: scene.about,
+            method: method.id(),
+            variants: engine_variants(scene, method),
+        })
+    });
+    let stage = (stage::SCENES.iter()).map(|scene| Case {
+        scene: scene.name,
+        about: scene.about,
+        method: scene.method(),
+        variants: stage_variants(scene),
+    });
+    engine.chain(stage).collect()
+}
+
+/// Every setting of a method for a scene of the engine.
+fn engine_variants(scene: &'static Scene, method: Method) -> Vec<Variant> {
+    let own = (scene.build)().config;
+    let own = [own.substep_count, own.structural_sweep_count].map(NonZeroU32::get);
+    let mut pairs: Vec<[u32; 2]> = match method {
         Method::ExplicitRows => Vec::new(),
         Method::Xpbd => (SUBSTEP_COUNTS.into_iter())
             .flat_map(|substeps| SWEEP_COUNTS.map(|sweeps| [substeps, sweeps]))
             .collect(),
     };
-    if !pairs.contains(&counts(&own)) {
-        pairs.push(counts(&own));
+    if !pairs.contains(&own) {
+        pairs.push(own);
     }
-    pairs.into_iter().map(move |pair| {
-        let mut setup = own.clone();
-        let [substeps, sweeps] =
-            pair.map(|count| NonZeroU32::new(count).unwrap_or(NonZeroU32::MIN));
-        setup.config.substep_count = substeps;
-        setup.config.structural_sweep_count = sweeps;
-        let is_own = pair == counts(&own);
-        (case, (setup, is_own))
-    })
+    let variant = |pair: [u32; 2]| Variant {
+        sweeps: (method == Method::Xpbd).then_some(pair[1]),
+        is_own: pair == own,
+        run: Box::new(move |settings| {
+            let mut setup: Setup = (scene.build)();
+            let [substeps, sweeps] =
+                pair.map(|count| NonZeroU32::new(count).unwrap_or(NonZeroU32::MIN));
+            setup.config.substep_count = substeps;
+            setup.config.structural_sweep_count = sweeps;
+            engine::measure((scene, method), setup, settings).map_err(Failure::error)
+        }),
+    };
+    pairs.into_iter().map(variant).collect()
+}
+
+/// Every setting for a scene with a dancer.
+fn stage_variants(scene: &'static StageScene) -> Vec<Variant> {
+    let counts = STAGE_SUBSTEP_COUNTS.map(Some).into_iter().chain([None]);
+    let variant = |count: Option<u32>| Variant {
+        sweeps: None,
+        is_own: count.is_none(),
+        run: Box::new(move |settings| {
+            let mut design = (scene.design)();
+            design.method.substep_count = count.or(design.method.substep_count);
+            stage::measure(scene, &design, settings).map_err(Failure::error)
+        }),
+    };
+    counts.map(variant).collect()
 }
 
 /// Marks the points that no other beats in one of time and strain without losing in the other.
@@ -161,15 +210,14 @@ fn beats(one: [f64; 2], other: [f64; 2]) -> bool {
 }
 
 /// What the page shows.
-fn report(points: &[ParetoPoint]) -> TradeOffReport {
+fn report(points: &[ParetoPoint], abouts: &[(&str, &str)]) -> TradeOffReport {
     let of_scene = points.chunk_by(|one, next| one.row.scene == next.row.scene);
     let scene = |points: &[ParetoPoint]| {
-        let scene = SCENES
-            .iter()
-            .find(|scene| scene.name == points[0].row.scene);
+        let name = points[0].row.scene;
+        let about = abouts.iter().find(|(scene, _)| *scene == name);
         TradeOff {
-            scene: points[0].row.scene.to_owned(),
-            about: scene.map_or_else(String::new, |scene| scene.about.to_owned()),
+            scene: name.to_owned(),
+            about: about.map_or_else(String::new, |(_, about)| (*about).to_owned()),
             points: points.iter().map(entry).collect(),
         }
     };
@@ -218,14 +266,15 @@ mod tests {
 
     #[test]
     fn every_setting_is_tried_once_and_the_scene_s_own_is_among_them() {
-        for scene in SCENES {
-            let case = (scene, Method::Xpbd);
-            let tried: Vec<_> = variants(&case).collect();
-            assert_eq!(tried.iter().filter(|(_, (_, is_own))| *is_own).count(), 1);
-            assert!(SUBSTEP_COUNTS.len() * SWEEP_COUNTS.len() <= tried.len());
+        for case in cases() {
+            let own = case.variants.iter().filter(|variant| variant.is_own);
+            assert_eq!(own.count(), 1, "{} {}", case.scene, case.method);
         }
-        let case = (&SCENES[0], Method::ExplicitRows);
-        assert_eq!(variants(&case).count(), 1);
+        for scene in SCENES {
+            let tried = engine_variants(scene, Method::Xpbd).len();
+            assert!(SUBSTEP_COUNTS.len() * SWEEP_COUNTS.len() <= tried);
+            assert_eq!(engine_variants(scene, Method::ExplicitRows).len(), 1);
+        }
     }
 
     #[test]

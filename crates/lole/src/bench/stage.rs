@@ -12,8 +12,10 @@ use crate::stopwatch::Stopwatch;
 /// One skirt on one dancer.
 pub(super) struct StageScene {
     pub(super) name: &'static str,
+    /// What is in it.
+    pub(super) about: &'static str,
     frame_count: u32,
-    design: fn() -> Design,
+    pub(super) design: fn() -> Design,
 }
 
 impl StageScene {
@@ -27,11 +29,13 @@ impl StageScene {
 pub(super) const SCENES: &[StageScene] = &[
     StageScene {
         name: "pau-fine",
+        about: "a pāʻū skirt of 28,160 particles on a dancer",
         frame_count: 300,
         design: Design::default,
     },
     StageScene {
         name: "pau-layers",
+        about: "a double pāʻū and a top, 41,408 particles on a dancer",
         frame_count: 300,
         design: double_pau,
     },
@@ -52,8 +56,8 @@ fn double_pau() -> Design {
 }
 
 /// A scene's dancer, settled and about to dance.
-fn settled(scene: &StageScene, settings: Settings) -> Result<Performance, StageError> {
-    let mut performance = Performance::new(Production::new(&(scene.design)())?)?;
+fn settled(design: &Design, settings: Settings) -> Result<Performance, StageError> {
+    let mut performance = Performance::new(Production::new(design)?)?;
     performance.set_instruction_set(settings.instruction_set);
     // What stops short is seen in the figures of the frames.
     while performance.time() < 0.0 && performance.advance().is_ok() {}
@@ -63,8 +67,12 @@ fn settled(scene: &StageScene, settings: Settings) -> Result<Performance, StageE
 /// Dances a scene twice with the same bits: once for its times, with nothing between the frames that
 /// would empty the caches, and once for what the cloth does in every frame. Timed is all that a
 /// frame needs before it can be drawn: pose, capsules, pins and cloth.
-pub(super) fn measure(scene: &StageScene, settings: Settings) -> Result<BenchRow, StageError> {
-    let mut timed = settled(scene, settings)?;
+pub(super) fn measure(
+    scene: &StageScene,
+    design: &Design,
+    settings: Settings,
+) -> Result<BenchRow, StageError> {
+    let mut timed = settled(design, settings)?;
     let (mut timings, mut clock) = (Vec::new(), PhaseClock::new());
     for frame in 0..scene.frame_count {
         if !advance(&mut timed, frame, &mut timings, &mut clock) {
@@ -72,7 +80,7 @@ pub(super) fn measure(scene: &StageScene, settings: Settings) -> Result<BenchRow
         }
     }
 
-    let mut judged = settled(scene, settings)?;
+    let mut judged = settled(design, settings)?;
     let (mut metrics, mut crossings) = (Vec::new(), Crossings::none());
     let mut inversions = 0;
     for _ in 0..scene.frame_count {
