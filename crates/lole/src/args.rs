@@ -30,8 +30,29 @@ pub(crate) enum Command {
     Validate(ValidateArgs),
     /// Frame time by scene on this machine, with strain and penetration.
     Bench(BenchArgs),
+    /// The dancer alone: pictures from four sides, the tape on her body, capsules, 3D file.
+    Dancer(DancerArgs),
     /// What is in an avatar or a recording: bones, unit, axes, pose, meshes, motion, license.
     Inspect(InspectArgs),
+}
+
+/// `lole dancer`.
+#[derive(Debug, Args)]
+pub(crate) struct DancerArgs {
+    /// Design document; without one, the built-in dancer.
+    pub(crate) design: Option<PathBuf>,
+    /// Folder for the results.
+    #[arg(long, value_name = "DIR", default_value = "lole-dancer")]
+    pub(crate) out: PathBuf,
+    /// Avatar instead of the design's dancer (.vrm, .glb, .gltf).
+    #[arg(long, value_name = "FILE")]
+    pub(crate) avatar: Option<PathBuf>,
+    /// Draw with the processor even where there is a graphics device.
+    #[arg(long)]
+    pub(crate) cpu: bool,
+    /// Print the figures as JSON on standard output, and nothing else there.
+    #[arg(long)]
+    pub(crate) json: bool,
 }
 
 /// `lole inspect`.
@@ -67,6 +88,12 @@ pub(crate) struct DanceArgs {
     /// Method: xpbd (real time) or fb-euler (the reference, slow); otherwise the design's.
     #[arg(long)]
     pub(crate) method: Option<String>,
+    /// Avatar who dances instead of the design's dancer (.vrm, .glb, .gltf).
+    #[arg(long, value_name = "FILE")]
+    pub(crate) avatar: Option<PathBuf>,
+    /// Recorded motion that is danced instead of the design's (.bvh, .vrma, .glb, .vrm).
+    #[arg(long, value_name = "FILE", conflicts_with = "step")]
+    pub(crate) motion: Option<PathBuf>,
     /// Size of the film in pixels, both even.
     #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1280x720", value_parser = size)]
     pub(crate) size: (u32, u32),

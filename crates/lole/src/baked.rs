@@ -2,7 +2,8 @@
 
 use anyhow::Result;
 use glam::Vec3;
-use lole_body::{Appearance, BodyPicture, Look, PartKind, Pose, appearance};
+use lole_avatar::License;
+use lole_body::{Appearance, BodyPicture, Dancer, Look, PartKind, Pose, appearance};
 use lole_cloth::{Grid, Topology};
 use lole_costume::print::PrintImage;
 use lole_export::Image;
@@ -48,6 +49,66 @@ fn body_png(picture: &BodyPicture) -> Result<Vec<u8>> {
     Ok(encode_png(image)?)
 }
 
+/// Pictures on the dancer, as a file carries them.
+struct BodyPictures {
+    face: Vec<u8>,
+    hair: Vec<u8>,
+    /// Of each part of a given skin.
+    looks: Vec<Option<Vec<u8>>>,
+}
+
+impl BodyPictures {
+    fn of(dancer: &Dancer) -> Result<Self> {
+        let looks = dancer.skin.looks.iter().map(look_png);
+        Ok(Self {
+            face: body_png(&dancer.face_picture())?,
+            hair: body_png(&dancer.hair_picture())?,
+            looks: looks.collect::<Result<_>>()?,
+        })
+    }
+
+    /// The parts of her skin with their materials.
+    fn parts<'a>(&'a self, dancer: &'a Dancer) -> Vec<MeshPart<'a>> {
+        let skin = &dancer.skin;
+        let parts = skin.parts.iter().enumerate();
+        parts
+            .map(|(place, part)| MeshPart {
+                triangles: &part.triangles,
+                material: match (skin.looks.get(place), self.looks.get(place)) {
+                    (Some(look), Some(png)) => look_material(look, png.as_deref()),
+                    _ => material(part.kind, &dancer.appearance, [&self.face, &self.hair]),
+                },
+            })
+            .collect()
+    }
+}
+
+fn skinned<'a>(dancer: &'a Dancer, parts: &'a [MeshPart<'a>]) -> SkinnedMesh<'a> {
+    let skin = &dancer.skin;
+    SkinnedMesh {
+        name: "dancer",
+        positions: &skin.positions,
+        normals: &skin.normals,
+        uvs: &skin.uvs,
+        joints: &skin.joints,
+        weights: &skin.weights,
+        parts,
+    }
+}
+
+/// The dancer alone, standing in her bind pose.
+pub(crate) fn body_glb(dancer: &Dancer) -> Result<Vec<u8>> {
+    let pictures = BodyPictures::of(dancer)?;
+    let parts = pictures.parts(dancer);
+    Ok(write_glb(&GlbScene {
+        skeleton: &dancer.skeleton,
+        pose_times: &[],
+        poses: &[],
+        skinned: &[skinned(dancer, &parts)],
+        cloths: &[],
+    })?)
+}
+
 /// The file's bytes: dancer with skeleton and motion, garments with their baked motion and print.
 pub(crate) fn dancer_glb(
     performance: &Performance,
@@ -55,10 +116,6 @@ pub(crate) fn dancer_glb(
     studio: &Studio,
 ) -> Result<Vec<u8>> {
     let production = performance.production();
-    let [face, hair] = [
-        body_png(&production.dancer.face_picture())?,
-        body_png(&production.dancer.hair_picture())?,
-    ];
     let prints = studio.prints().iter();
     let prints_png = prints
         .map(|print| {
@@ -69,27 +126,9 @@ pub(crate) fn dancer_glb(
             )?)?)
         })
         .collect::<Result<Vec<_>>>()?;
-    let skin = &production.dancer.skin;
-    let pictures = skin.looks.iter().map(look_png);
-    let pictures = pictures.collect::<Result<Vec<_>>>()?;
-    let parts: Vec<MeshPart<'_>> = (skin.parts.iter().enumerate())
-        .map(|(place, part)| MeshPart {
-            triangles: &part.triangles,
-            material: match (skin.looks.get(place), pictures.get(place)) {
-                (Some(look), Some(png)) => look_material(look, png.as_deref()),
-                _ => material(part.kind, &production.dancer.appearance, [&face, &hair]),
-            },
-        })
-        .collect();
-    let bodies = [SkinnedMesh {
-        name: "dancer",
-        positions: &skin.positions,
-        normals: &skin.normals,
-        uvs: &skin.uvs,
-        joints: &skin.joints,
-        weights: &skin.weights,
-        parts: &parts,
-    }];
+    let pictures = BodyPictures::of(&production.dancer)?;
+    let parts = pictures.parts(&production.dancer);
+    let bodies = [skinned(&production.dancer, &parts)];
     let worn = production.garments.iter().zip(studio.prints());
     let meshes: Vec<GridMesh> = worn
         .map(|(garment, print)| grid_mesh(&garment.sewn.spec.grid, print))
@@ -126,7 +165,11 @@ pub(crate) fn dancer_glb(
 
 /// Whether the dancer is an avatar whose license keeps it out of files.
 pub(crate) fn leaves_body_out(performance: &Performance) -> bool {
-    let license = performance.production().license.as_ref();
+    is_kept_here(performance.production().license.as_ref())
+}
+
+/// Whether a license keeps an avatar out of files.
+pub(crate) fn is_kept_here(license: Option<&License>) -> bool {
     license.is_some_and(|license| license.export_refusal().is_some())
 }
 

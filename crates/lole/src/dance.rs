@@ -21,6 +21,7 @@ use crate::baked::{self, Keys};
 use crate::figures::{self, RunFigures, Timing};
 use crate::output::OutputFolder;
 use crate::patience::{progress_bar, stop_flag};
+use crate::source::Source;
 use crate::stopwatch::Stopwatch;
 use crate::studio::{FilmCamera, STILLS, Studio, still_cameras};
 use crate::{Failure, summary};
@@ -51,12 +52,9 @@ struct Recording {
 /// Runs the command.
 pub(crate) fn run(args: &DanceArgs, language: Language) -> Result<(), Failure> {
     let stop = stop_flag().map_err(Failure::Run)?;
-    let Source { name, text, design } = load(args)?;
-    let production = Production::new(&design).map_err(|error| {
-        let place = place_of(&error);
-        let sentence = document::locate(&text, &name, place, Sentence::of(&error));
-        Failure::Usage(sentence.into())
-    })?;
+    let source = load(args)?;
+    let production = Production::new(&source.design)
+        .map_err(|error| source.located(place_of(&error), Sentence::of(&error)))?;
     if stop.load(Ordering::Relaxed) {
         return Err(Failure::Interrupted);
     }
@@ -65,7 +63,7 @@ pub(crate) fn run(args: &DanceArgs, language: Language) -> Result<(), Failure> {
         args,
         language,
         stop,
-        design,
+        design: source.design,
     };
     run.perform(production, output)
 }
@@ -86,13 +84,6 @@ const fn place_of(error: &StageError) -> Place<'static> {
     Place { table, key: "" }
 }
 
-/// A design and where it came from.
-struct Source {
-    name: String,
-    text: String,
-    design: Design,
-}
-
 struct Run<'a> {
     args: &'a DanceArgs,
     language: Language,
@@ -102,27 +93,18 @@ struct Run<'a> {
 
 /// Reads the design and lays the command line's wishes over it.
 fn load(args: &DanceArgs) -> Result<Source, Failure> {
-    let (name, text, mut design) = match &args.design {
-        Some(path) => {
-            let name = path.display().to_string();
-            let bytes = lole_studio::read_document(path).map_err(Failure::usage)?;
-            let mut design = document::parse_bytes(&bytes, &name)
-                .map_err(|error| Failure::Usage(error.into()))?;
-            lole_studio::read_linked_files(&mut design, path).map_err(Failure::usage)?;
-            (name, String::from_utf8_lossy(&bytes).into_owned(), design)
-        }
-        None => (
-            "the built-in design".to_owned(),
-            String::new(),
-            Design::default(),
-        ),
-    };
+    let mut source = Source::read(args.design.as_deref())?;
+    source.put(args.avatar.as_deref(), args.motion.as_deref())?;
+    let design = &mut source.design;
     if let Some(step) = &args.step {
         let ids = DanceStep::ALL.map(DanceStep::id);
         design.motion.step = DanceStep::from_id(step)
             .ok_or_else(|| unknown("--step", step, words("ステップ", "dance step"), &ids))?;
-        // A choreography would be danced instead.
+        // A choreography or a recording would be danced instead.
         design.motion.parts.clear();
+        if args.motion.is_none() {
+            design.motion.file = None;
+        }
     }
     if let Some(method) = &args.method {
         let ids = MethodName::ALL.map(MethodName::id);
@@ -141,7 +123,7 @@ fn load(args: &DanceArgs) -> Result<Source, Failure> {
         }
         Failure::Usage(error.into())
     })?;
-    Ok(Source { name, text, design })
+    Ok(source)
 }
 
 pub(crate) fn unknown(option: &str, word: &str, what: Words, choices: &[&str]) -> Failure {

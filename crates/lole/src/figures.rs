@@ -1,6 +1,7 @@
 //! From a recorded run to the numbers of its report.
 
 use lole_avatar::License;
+use lole_body::{Dancer, Tape};
 use lole_costume::document::Design;
 use lole_export::report::{
     DancerMeasure, Divergence as ReportDivergence, MeanPercentileMax, MedianPercentile, MinMeanMax,
@@ -85,7 +86,11 @@ pub(crate) fn report(performance: &Performance, run: RunFigures<'_>) -> RunRepor
             .map(|found| explain(&found, production, run.design)),
         state_hash: format!("{:016x}", performance.state_hash()),
         files: run.files,
-        dancer: dancer_measures(production),
+        dancer: dancer_measures(
+            &production.dancer,
+            &production.design.tape(),
+            production.license.as_ref(),
+        ),
         skirt: skirt_facts(performance),
         series: series(run.metrics, &process),
     }
@@ -128,15 +133,20 @@ fn explain(found: &Divergence, production: &Production, design: &Design) -> Repo
     }
 }
 
-fn dancer_measures(production: &Production) -> Vec<DancerMeasure> {
-    let taped = production.dancer.taped(&production.design.tape());
+/// The tape of a dancer, and of an avatar what is measured on it.
+pub(crate) fn dancer_measures(
+    dancer: &Dancer,
+    tape: &Tape,
+    license: Option<&License>,
+) -> Vec<DancerMeasure> {
+    let taped = dancer.taped(tape);
     let measures = taped.into_iter().map(|taped| DancerMeasure {
         key: taped.measure.key().to_owned(),
         name: taped.measure.words().english.to_owned(),
         name_ja: taped.measure.words().japanese.to_owned(),
         on_body_cm: taped.on_body.to_cm(),
         given_cm: taped.given.map(lole_geom::Length::to_cm),
-        is_estimated: taped.given.is_none() && production.license.is_none(),
+        is_estimated: taped.given.is_none() && license.is_none(),
     });
     measures.collect()
 }

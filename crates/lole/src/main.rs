@@ -4,10 +4,12 @@ mod args;
 mod baked;
 mod bench;
 mod dance;
+mod dancer;
 mod figures;
 mod inspect;
 mod output;
 mod patience;
+mod source;
 mod stopwatch;
 mod studio;
 mod study;
@@ -59,6 +61,7 @@ fn main() -> ExitCode {
         Asked::Command(Command::Study(args)) => study::run(&args, language),
         Asked::Command(Command::Validate(args)) => validate::run(&args, language),
         Asked::Command(Command::Bench(args)) => bench::run(&args, language),
+        Asked::Command(Command::Dancer(args)) => dancer::run(&args, language),
         Asked::Command(Command::Inspect(args)) => inspect::run(&args, language),
     };
     match result {

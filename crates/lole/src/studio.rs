@@ -105,9 +105,14 @@ impl Studio {
 pub(crate) fn still_cameras(performance: &Performance, size: Size) -> Vec<Camera> {
     let mut points = performance.body_positions().to_vec();
     points.extend(performance.cloth_positions());
+    cameras_around(&points, size)
+}
+
+/// A camera for each still that has all the points in view, all at the same distance.
+pub(crate) fn cameras_around(points: &[Vec3], size: Size) -> Vec<Camera> {
     let cameras: Vec<Camera> = STILLS
         .iter()
-        .map(|still| Camera::framing_points(&points, still.view, size.aspect()))
+        .map(|still| Camera::framing_points(points, still.view, size.aspect()))
         .collect();
     let farthest = cameras.iter().map(Camera::distance).fold(0.0, f32::max);
     cameras

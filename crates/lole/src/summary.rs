@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use lole_costume::document::DesignError;
+use lole_export::dancer_sheet::DancerSheet;
 use lole_export::report::{Remark, RunReport};
 use lole_export::study::StudyReport;
 use lole_language::{Bilingual, Language, Sentence, Words};
@@ -42,6 +43,36 @@ pub(crate) fn print_inspection(path: &Path, lines: &[Sentence], language: Langua
     for line in lines {
         say!("  {}", line.text(language));
     }
+}
+
+/// Says what there is to say, line by line.
+pub(crate) fn print_lines(lines: &[Sentence], language: Language) {
+    for line in lines {
+        say!("  {}", line.text(language));
+    }
+}
+
+/// Says what a dancer measures, and how well her capsules stand for her.
+pub(crate) fn print_dancer(sheet: &DancerSheet, language: Language) {
+    say!();
+    for measure in &sheet.measures {
+        let name = language.pick(&measure.name_ja, &measure.name);
+        let given = match measure.given_cm {
+            Some(given) => format!("{} {given:.1} cm", language.pick("採寸", "given")),
+            None if measure.is_estimated => language.pick("推定", "estimated").to_owned(),
+            None => String::new(),
+        };
+        say!("  {:>7.1} cm  {name}  {given}", measure.on_body_cm);
+    }
+    let coverage = &sheet.capsule_coverage;
+    say!(
+        "  {} {} {:.1} % · {} {:.1} mm",
+        sheet.capsules.len(),
+        language.pick("本のカプセル: 肌を覆う割合", "capsules: close to the skin"),
+        coverage.close_pct,
+        language.pick("肌が外に出るのは最大", "skin outside by at most"),
+        coverage.farthest_mm,
+    );
 }
 
 /// Says what a run wrote and how it went.
@@ -189,7 +220,7 @@ fn open_hint(path: &Path, language: Language) -> &'static str {
             "when the counts fall, to match music",
         ),
         "study.csv" => language.pick("表計算で開く", "opens in a spreadsheet"),
-        "report.json" | "study.json" | "validation.json" | "bench.json" => {
+        "report.json" | "study.json" | "validation.json" | "bench.json" | "dancer.json" => {
             language.pick("プログラム用の数値", "the numbers, for programs")
         }
         _ => language.pick("写真", "a still"),

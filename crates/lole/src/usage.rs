@@ -48,6 +48,16 @@ const JAPANESE_HELP: &[(&str, &str, &str)] = &[
         "method",
         "計算方法: xpbd（実時間）または fb-euler（基準、遅い）。書かなければデザインのとおり",
     ),
+    (
+        "dance",
+        "avatar",
+        "デザインの踊り手のかわりに踊るアバター（.vrm .glb .gltf）",
+    ),
+    (
+        "dance",
+        "motion",
+        "デザインの踊りのかわりに踊る記録（.bvh .vrma .glb .vrm）",
+    ),
     ("dance", "size", "動画の大きさ [画素]。どちらも偶数"),
     (
         "dance",
@@ -146,6 +156,32 @@ const JAPANESE_HELP: &[(&str, &str, &str)] = &[
         "--soak の動きの種。書かなければ 1。同じ種は同じ動きになります",
     ),
     ("bench", "json", "表を JSON で書きます"),
+    (
+        "dancer",
+        "",
+        "踊り手だけ: 四方からの写真、体の寸法、カプセル、3Dファイル",
+    ),
+    (
+        "dancer",
+        "design",
+        "デザインの文書。書かなければ、内蔵の踊り手です",
+    ),
+    ("dancer", "out", "書き出すフォルダー"),
+    (
+        "dancer",
+        "avatar",
+        "デザインの踊り手のかわりのアバター（.vrm .glb .gltf）",
+    ),
+    (
+        "dancer",
+        "cpu",
+        "グラフィックス装置があっても CPU で描きます",
+    ),
+    (
+        "dancer",
+        "json",
+        "数値を JSON で標準出力に書きます（ほかには何も書きません）",
+    ),
     (
         "inspect",
         "",

@@ -325,3 +325,42 @@ fn an_interrupted_run_leaves_no_file() {
     assert_eq!(status.code(), Some(130));
     assert!(!out.exists());
 }
+
+#[test]
+fn a_dancer_is_shown_from_four_sides_with_the_tape_on_her_body() {
+    let scratch = Scratch::new("dancer");
+    let tape = "lole = 1\n[dancer]\nstature_cm = 165\nhip_cm = 104\nwaist_cm = 84\n";
+    let design = scratch.write("her.lole", tape);
+    let out = scratch.path("out");
+    let run = |design: &Path, more: &[&str]| {
+        let mut command = lole();
+        command.arg("dancer").arg(design).args(["--cpu", "--json"]);
+        command.arg("--out").arg(&out).args(more).output().unwrap()
+    };
+    let output = run(&design, &[]);
+    assert!(output.status.success(), "{}", sentence(&output));
+    let sheet: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert!(
+        sheet["worst_difference_cm"].as_f64().unwrap() < 0.3,
+        "{sheet}"
+    );
+    let given = |measure: &&Value| measure["given_cm"].is_f64();
+    let measures = sheet["measures"].as_array().unwrap();
+    assert_eq!(measures.iter().filter(given).count(), 3);
+    assert_eq!(sheet["capsules"].as_array().unwrap().len(), 13);
+    for file in ["front.png", "side.png", "back.png", "three-quarter.png"] {
+        assert!(out.join(file).exists(), "{file}");
+    }
+    let glb = fs::read(out.join("dancer.glb")).unwrap();
+    assert_eq!(&glb[..4], b"glTF");
+
+    // What the command line names is not looked for in the document.
+    let nobody = scratch.write("nobody.vrm", "not an avatar");
+    let refused = run(&design, &["--avatar", nobody.to_str().unwrap()]);
+    assert_eq!(refused.status.code(), Some(2));
+    let said = sentence(&refused);
+    assert!(
+        said.contains("nobody.vrm") && !said.contains("her.lole"),
+        "{said}"
+    );
+}

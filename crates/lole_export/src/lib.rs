@@ -5,6 +5,7 @@
 //! | `dance.mp4` | [`video::Mp4Writer`]: H.264, one picture at a time |
 //! | stills | [`still::encode_png`], [`still::encode_jpeg`] |
 //! | `dancer.glb` | [`glb::write_glb`]: skinned dancer and cloth with baked motion |
+//! | `dancer.json` | [`dancer_sheet::dancer_json`]: a dancer's tape and capsules |
 //! | `report.json` | [`report::report_json`] |
 //! | `report.html` | [`report::report_html`]: one self-contained page in Japanese and English |
 //! | `study.json`, `.csv`, `.html` | [`study::study_json`], [`study::study_csv`], [`study::study_html`] |
@@ -14,6 +15,7 @@
 //! It opens no file, reads no clock, and draws no picture of the dancer: pictures come in as
 //! pixels.
 
+pub mod dancer_sheet;
 pub mod error;
 pub mod glb;
 mod page;

@@ -75,11 +75,7 @@ impl Production {
     /// # Errors
     /// A design whose parts do not fit together.
     pub fn new(design: &Design) -> Result<Self, StageError> {
-        let (mut dancer, license) = dancer(design)?;
-        let layout = design.capsule_layout();
-        if layout != CapsuleLayout::default() {
-            dancer.capsules = dancer.fit_capsules(layout);
-        }
+        let (dancer, license) = dancer_of(design)?;
         let dance = Danced::new(design, &dancer.skeleton)?;
         let body_triangles = dancer.skin.body_triangles();
         let mut wardrobe = Wardrobe {
@@ -126,8 +122,20 @@ impl Production {
     }
 }
 
-/// The dancer of a design: built to its tape, or its avatar.
-fn dancer(design: &Design) -> Result<(Dancer, Option<License>), StageError> {
+/// The dancer of a design: built to its tape, or its avatar with what may be done with it.
+///
+/// # Errors
+/// A tape that no body has, or an avatar that is none.
+pub fn dancer_of(design: &Design) -> Result<(Dancer, Option<License>), StageError> {
+    let (mut dancer, license) = built(design)?;
+    let layout = design.capsule_layout();
+    if layout != CapsuleLayout::default() {
+        dancer.capsules = dancer.fit_capsules(layout);
+    }
+    Ok((dancer, license))
+}
+
+fn built(design: &Design) -> Result<(Dancer, Option<License>), StageError> {
     let Some(file) = &design.dancer.file else {
         let measurements = Measurements::from_tape(&design.tape())?;
         let dancer = Dancer::with_appearance(&measurements, &design.appearance())?;

@@ -5,7 +5,7 @@ use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use lole_costume::document::{self, Design};
+use lole_costume::document::{self, Design, LinkedFile};
 use lole_export::{Image, still};
 use lole_language::Sentence;
 
@@ -68,6 +68,18 @@ pub fn read_linked_files(design: &mut Design, document: &Path) -> Result<(), Sen
         }
     }
     Ok(())
+}
+
+/// A file for a design, named by its whole path, so that a design that is written elsewhere finds it
+/// too; sentences say that `key` named it.
+///
+/// # Errors
+/// One sentence that names the file.
+pub fn linked_file(path: &Path, key: &str) -> Result<LinkedFile, Sentence> {
+    Ok(LinkedFile {
+        bytes: Some(read_linked(path, key)?),
+        name: recording_name(path, None),
+    })
 }
 
 /// Reads the bytes of a file that a design names under `key`.

@@ -1,0 +1,143 @@
+//! `lole dancer`: the dancer alone, in pictures, figures and a 3D file.
+
+use anyhow::Result;
+use lole_avatar::License;
+use lole_body::{Dancer, Pose};
+use lole_costume::document::Place;
+use lole_export::dancer_sheet::{CapsuleFacts, CoverageFacts, DancerSheet, dancer_json};
+use lole_export::{Image, still};
+use lole_language::{Bilingual as _, Language, Sentence};
+use lole_render::{Backend, LightRig, Renderer, Scene, SceneMesh, Size};
+
+use crate::args::DancerArgs;
+use crate::output::OutputFolder;
+use crate::patience::progress_bar;
+use crate::source::Source;
+use crate::studio::{STILLS, cameras_around};
+use crate::{Failure, baked, figures, summary};
+
+/// Size of the pictures: upright, as a person is.
+const PICTURE_SIZE: Size = Size {
+    width: 900,
+    height: 1200,
+};
+
+/// Runs the command.
+pub(crate) fn run(args: &DancerArgs, language: Language) -> Result<(), Failure> {
+    let mut source = Source::read(args.design.as_deref())?;
+    source.put(args.avatar.as_deref(), None)?;
+    let (dancer, license) = lole_stage::dancer_of(&source.design).map_err(|error| {
+        let place = Place {
+            table: "dancer",
+            key: "",
+        };
+        source.located(place, Sentence::of(&error))
+    })?;
+    let avatar = source.design.dancer.file.as_ref();
+    let sheet = DancerSheet {
+        avatar: avatar.map(|file| file.name.clone()),
+        ..sheet(&dancer, license.as_ref(), &source)
+    };
+    let mut output = OutputFolder::create(&args.out).map_err(Failure::Usage)?;
+    let count = STILLS.iter().map(|_| 1_u32).sum();
+    let bar = progress_bar(count, language.pick("写真をとる", "taking pictures"));
+    let backend = if args.cpu {
+        Backend::Cpu
+    } else {
+        Backend::Auto
+    };
+    for (name, picture) in pictures(&dancer, backend, || bar.inc(1)).map_err(Failure::Run)? {
+        output.write(name, &picture).map_err(Failure::Run)?;
+    }
+    bar.finish_and_clear();
+    if !baked::is_kept_here(license.as_ref()) {
+        let glb = baked::body_glb(&dancer).map_err(Failure::Run)?;
+        output.write("dancer.glb", &glb).map_err(Failure::Run)?;
+    }
+    let json = dancer_json(&sheet).map_err(Failure::error)?;
+    output
+        .write("dancer.json", json.as_bytes())
+        .map_err(Failure::Run)?;
+    let paths = output.finish().map_err(Failure::Run)?;
+    if args.json {
+        summary::print_json(&json);
+        return Ok(());
+    }
+    summary::print_files(&paths, language);
+    summary::print_dancer(&sheet, language);
+    if let Some(license) = &license {
+        summary::print_lines(&license.lines(), language);
+    }
+    Ok(())
+}
+
+/// The dancer from all sides as PNG, by file name.
+fn pictures(
+    dancer: &Dancer,
+    backend: Backend,
+    taken: impl Fn(),
+) -> Result<Vec<(&'static str, Vec<u8>)>> {
+    let world_from_bind = dancer.skeleton.world_from_bind(&Pose::default());
+    let (mut positions, mut normals) = (Vec::new(), Vec::new());
+    let skin = &dancer.skin;
+    skin.pose(&world_from_bind, &mut positions, &mut normals);
+    let materials = lole_picture::dancer_materials(dancer)?;
+    let mut renderer = Renderer::new(backend, PICTURE_SIZE)?;
+    let cameras = cameras_around(&positions, PICTURE_SIZE);
+    let mut pictures = Vec::new();
+    for (still, camera) in STILLS.iter().zip(cameras) {
+        let mut scene = Scene {
+            lights: LightRig::seen_from(&camera),
+            ..Scene::studio(camera)
+        };
+        for (part, (_, material)) in skin.parts.iter().zip(&materials) {
+            scene.meshes.push(SceneMesh {
+                positions: &positions,
+                normals: &normals,
+                uvs: &skin.uvs,
+                colors: &[],
+                triangles: &part.triangles,
+                material,
+            });
+        }
+        let image = renderer.render(&scene)?;
+        let image = Image::new(image.width, image.height, &image.pixels)?;
+        pictures.push((still.file, still::encode_png(image)?));
+        taken();
+    }
+    Ok(pictures)
+}
+
+/// Everything about a dancer that can be counted.
+fn sheet(dancer: &Dancer, license: Option<&License>, source: &Source) -> DancerSheet {
+    let measures = figures::dancer_measures(dancer, &source.design.tape(), license);
+    let differences = (measures.iter())
+        .filter_map(|measure| Some((measure.on_body_cm - measure.given_cm?).abs()));
+    let coverage = dancer.capsule_coverage();
+    let percent = |share: f32| 100.0 * f64::from(share);
+    let lines = license.map(License::lines).unwrap_or_default();
+    let capsules = dancer.capsules.iter().map(|capsule| CapsuleFacts {
+        name: capsule.name.to_owned(),
+        bones: capsule.ends.map(|(bone, _)| bone.name().to_owned()),
+        ends_m: capsule.ends.map(|(_, end)| end.to_array()),
+        radii_m: capsule.radii,
+    });
+    DancerSheet {
+        lole: env!("CARGO_PKG_VERSION").to_owned(),
+        avatar: None,
+        license: lines
+            .iter()
+            .map(|line| line.text(Language::English))
+            .collect(),
+        worst_difference_cm: differences.reduce(f64::max),
+        measures,
+        capsules: capsules.collect(),
+        capsule_coverage: CoverageFacts {
+            close_pct: percent(coverage.close),
+            outside_pct: percent(coverage.outside),
+            farthest_mm: 1e3 * f64::from(coverage.farthest),
+        },
+        vertices: dancer.skin.positions.len(),
+        triangles: dancer.skin.body_triangles().len(),
+    }
+}

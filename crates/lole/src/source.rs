@@ -1,0 +1,82 @@
+//! A design as a command reads it.
+
+use std::path::Path;
+
+use lole_costume::document::{self, Design, Place};
+use lole_language::Sentence;
+
+use crate::Failure;
+
+/// A design and where it came from. Files that it names are read, and named by their whole paths.
+pub(crate) struct Source {
+    /// What sentences call it: its path.
+    pub(crate) name: String,
+    /// The document; empty for the built-in design.
+    pub(crate) text: String,
+    pub(crate) design: Design,
+    /// Files that the command line puts in place of the design's, by the tables that name them.
+    put: Vec<&'static str>,
+}
+
+impl Source {
+    /// Reads a document and the files it names; the built-in design without one.
+    pub(crate) fn read(path: Option<&Path>) -> Result<Self, Failure> {
+        let Some(path) = path else {
+            return Ok(Self {
+                name: "the built-in design".to_owned(),
+                text: String::new(),
+                design: Design::default(),
+                put: Vec::new(),
+            });
+        };
+        let name = path.display().to_string();
+        let bytes = lole_studio::read_document(path).map_err(Failure::usage)?;
+        let mut design =
+            document::parse_bytes(&bytes, &name).map_err(|error| Failure::Usage(error.into()))?;
+        let linked = [
+            (&mut design.dancer.file, "[dancer] file"),
+            (&mut design.motion.file, "[motion] file"),
+        ];
+        for (file, key) in linked {
+            if let Some(file) = file {
+                let place = path.with_file_name(&file.name);
+                *file = lole_studio::linked_file(&place, key).map_err(Failure::usage)?;
+            }
+        }
+        let text = String::from_utf8_lossy(&bytes).into_owned();
+        Ok(Self {
+            name,
+            text,
+            design,
+            put: Vec::new(),
+        })
+    }
+
+    /// Lays files of the command line over those of the design: an avatar, a recorded motion.
+    pub(crate) fn put(
+        &mut self,
+        avatar: Option<&Path>,
+        motion: Option<&Path>,
+    ) -> Result<(), Failure> {
+        let files = [
+            (&mut self.design.dancer.file, avatar, "dancer", "--avatar"),
+            (&mut self.design.motion.file, motion, "motion", "--motion"),
+        ];
+        for (file, path, table, option) in files {
+            if let Some(path) = path {
+                *file = Some(lole_studio::linked_file(path, option).map_err(Failure::usage)?);
+                self.put.push(table);
+            }
+        }
+        Ok(())
+    }
+
+    /// A mistake that only measuring, drafting or sewing finds, with the line where it is mended; a
+    /// file of the command line has none.
+    pub(crate) fn located(&self, place: Place<'_>, sentence: Sentence) -> Failure {
+        if self.put.contains(&place.table) {
+            return Failure::usage(sentence);
+        }
+        Failure::Usage(document::locate(&self.text, &self.name, place, sentence).into())
+    }
+}
