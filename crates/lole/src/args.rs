@@ -94,6 +94,9 @@ pub(crate) struct DanceArgs {
     /// Recorded motion that is danced instead of the design's (.bvh, .vrma, .glb, .vrm).
     #[arg(long, value_name = "FILE", conflicts_with = "step")]
     pub(crate) motion: Option<PathBuf>,
+    /// Song under the film: AAC or Opus in an MP4 file (.m4a); it begins with the dance.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) audio: Option<PathBuf>,
     /// Size of the film in pixels, both even.
     #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1280x720", value_parser = size)]
     pub(crate) size: (u32, u32),

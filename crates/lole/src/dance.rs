@@ -1,5 +1,6 @@
 //! `lole dance`: drape, dance, draw, write.
 
+use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -7,9 +8,9 @@ use anyhow::Result;
 use lole_body::{Count, DanceStep, Side};
 use lole_costume::document::{self, Design, MethodName, Place};
 use lole_export::report::ReportFile;
-use lole_export::video::{Mp4Writer, VideoSettings};
+use lole_export::video::{Mp4Writer, Song, VideoSettings};
 use lole_export::{Image, still};
-use lole_language::{Language, Sentence, Words, words};
+use lole_language::{Bilingual as _, Language, Sentence, Words, words};
 use lole_render::{Backend, LightRig, Renderer, Size};
 use lole_stage::{
     Danced, Divergence, FRAME_SECONDS, FRAMES_PER_SECOND, FrameMetrics, Performance, Production,
@@ -58,14 +59,28 @@ pub(crate) fn run(args: &DanceArgs, language: Language) -> Result<(), Failure> {
     if stop.load(Ordering::Relaxed) {
         return Err(Failure::Interrupted);
     }
+    let song = args.audio.as_deref().map(song).transpose()?;
     let output = OutputFolder::create(&args.out).map_err(Failure::Usage)?;
     let run = Run {
+        song,
         args,
         language,
         stop,
         design: source.design,
     };
     run.perform(production, output)
+}
+
+/// Reads the song of the command line.
+fn song(path: &Path) -> Result<Song, Failure> {
+    let file = lole_studio::linked_file(path, "--audio").map_err(Failure::usage)?;
+    Song::read(file.bytes.as_deref().unwrap_or_default()).map_err(|error| {
+        let name = path.display();
+        Failure::usage(Sentence::new(
+            format!("{name}: {}", error.japanese()),
+            format!("{name}: {error}"),
+        ))
+    })
 }
 
 /// Table of the document where a mistake that only measuring, drafting or sewing finds is mended.
@@ -89,6 +104,8 @@ struct Run<'a> {
     language: Language,
     stop: Arc<AtomicBool>,
     design: Design,
+    /// What is heard under the film.
+    song: Option<Song>,
 }
 
 /// Reads the design and lays the command line's wishes over it.
@@ -196,10 +213,14 @@ impl Run<'_> {
         } else {
             Backend::Auto
         };
+        let mut film = Mp4Writer::new([width, height], FILM_RATE, VideoSettings::default())?;
+        if let Some(song) = &self.song {
+            film.set_song(song.clone());
+        }
         Ok(Shoot {
             studio: Studio::new(performance)?,
             renderer: Renderer::new(backend, size)?,
-            film: Mp4Writer::new([width, height], FILM_RATE, VideoSettings::default())?,
+            film,
             size,
             stills: Vec::new(),
         })

@@ -57,12 +57,14 @@ fn main() -> ExitCode {
     };
     let result = match asked {
         Asked::Window(document) => open_window(document, language),
-        Asked::Command(Command::Dance(args)) => dance::run(&args, language),
-        Asked::Command(Command::Study(args)) => study::run(&args, language),
-        Asked::Command(Command::Validate(args)) => validate::run(&args, language),
-        Asked::Command(Command::Bench(args)) => bench::run(&args, language),
-        Asked::Command(Command::Dancer(args)) => dancer::run(&args, language),
-        Asked::Command(Command::Inspect(args)) => inspect::run(&args, language),
+        Asked::Command(command) => match *command {
+            Command::Dance(args) => dance::run(&args, language),
+            Command::Study(args) => study::run(&args, language),
+            Command::Validate(args) => validate::run(&args, language),
+            Command::Bench(args) => bench::run(&args, language),
+            Command::Dancer(args) => dancer::run(&args, language),
+            Command::Inspect(args) => inspect::run(&args, language),
+        },
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

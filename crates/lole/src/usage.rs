@@ -58,6 +58,11 @@ const JAPANESE_HELP: &[(&str, &str, &str)] = &[
         "motion",
         "デザインの踊りのかわりに踊る記録（.bvh .vrma .glb .vrm）",
     ),
+    (
+        "dance",
+        "audio",
+        "動画に入れる曲: MP4 の AAC か Opus（.m4a）。踊りと同時に始まります",
+    ),
     ("dance", "size", "動画の大きさ [画素]。どちらも偶数"),
     (
         "dance",
@@ -205,7 +210,7 @@ pub(crate) enum Asked {
     /// The live window, with this document.
     Window(Option<PathBuf>),
     /// A command.
-    Command(args::Command),
+    Command(Box<args::Command>),
 }
 
 /// Reads the command line; where that ends the program (help, version, a mistake), the exit code.
@@ -217,7 +222,7 @@ pub(crate) fn read(language: Language) -> Result<Asked, ExitCode> {
     command(language)
         .try_get_matches()
         .and_then(|matches| Cli::from_arg_matches(&matches))
-        .map(|cli| Asked::Command(cli.command))
+        .map(|cli| Asked::Command(Box::new(cli.command)))
         .map_err(|error| match error.kind() {
             ErrorKind::DisplayHelp
             | ErrorKind::DisplayVersion

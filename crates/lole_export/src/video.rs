@@ -4,8 +4,11 @@
 //! Colors are BT.709 in the limited range and say so twice, in the H.264 stream and in the MP4,
 //! because players believe one or the other.
 
+mod audio;
 mod mp4;
 mod yuv;
+
+pub use audio::{AudioError, Song};
 
 use openh264::OpenH264API;
 use openh264::encoder::{
@@ -60,6 +63,7 @@ pub struct Mp4Writer {
     samples: Vec<u8>,
     sample_sizes: Vec<u32>,
     keyframes: Vec<u32>,
+    song: Option<Song>,
 }
 
 impl std::fmt::Debug for Mp4Writer {
@@ -100,6 +104,7 @@ impl Mp4Writer {
             samples: Vec::new(),
             sample_sizes: Vec::new(),
             keyframes: Vec::new(),
+            song: None,
         })
     }
 
@@ -137,6 +142,12 @@ impl Mp4Writer {
         Ok(())
     }
 
+    /// Puts a song under the film; it begins with the first picture and ends with the last at the
+    /// latest.
+    pub fn set_song(&mut self, song: Song) {
+        self.song = Some(song);
+    }
+
     /// Pictures pushed so far.
     #[must_use]
     pub const fn frame_count(&self) -> usize {
@@ -148,13 +159,18 @@ impl Mp4Writer {
     /// # Errors
     /// [`ExportError::FilmEmpty`] when no picture was pushed, [`ExportError::Encoding`] for a film
     /// beyond 4 GiB.
-    pub fn finish(self) -> Result<Vec<u8>, ExportError> {
+    pub fn finish(mut self) -> Result<Vec<u8>, ExportError> {
         if self.sample_sizes.is_empty() {
             return Err(ExportError::FilmEmpty);
         }
         let [width, height] = self
             .size
             .map(|side| u16::try_from(side).unwrap_or(u16::MAX));
+        if let Some(song) = &mut self.song {
+            #[expect(clippy::cast_precision_loss, reason = "a film has far fewer pictures")]
+            let seconds = self.sample_sizes.len() as f64 / f64::from(self.fps);
+            song.cut(seconds);
+        }
         let track = mp4::Track {
             size: [width, height],
             fps: self.fps,
@@ -162,6 +178,7 @@ impl Mp4Writer {
             picture_parameters: &self.parameters[1],
             sample_sizes: &self.sample_sizes,
             keyframes: &self.keyframes,
+            song: self.song.as_ref(),
         };
         mp4::write_mp4(&track, &self.samples).map_err(|error| ExportError::Encoding {
             file: "MP4",

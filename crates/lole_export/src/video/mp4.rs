@@ -1,10 +1,13 @@
-//! The MP4 around the H.264 pictures: index first, one video track, one chunk.
+//! The MP4 around the H.264 pictures: index first, one track of pictures in one chunk,
+//! and behind it one of sound.
 
 use mp4_atom::{
-    Atom as _, Avc1, Avcc, Codec, Colr, Dinf, Dref, DrefEntry, Encode as _, FixedPoint, Ftyp, Hdlr,
-    Mdhd, Mdia, Minf, Moov, Mvhd, Stbl, Stco, Stsc, StscEntry, Stsd, Stss, Stsz, StszSamples, Stts,
-    SttsEntry, Tkhd, Trak, Url, Visual, Vmhd,
+    Atom as _, Avc1, Avcc, Codec, Colr, Dinf, Dref, DrefEntry, Edts, Elst, ElstEntry, Encode as _,
+    FixedPoint, Ftyp, Hdlr, Mdhd, Mdia, Minf, Moov, Mvhd, Smhd, Stbl, Stco, Stsc, StscEntry, Stsd,
+    Stss, Stsz, StszSamples, Stts, SttsEntry, Tkhd, Trak, Url, Visual, Vmhd,
 };
+
+use super::audio::Song;
 
 /// Media time units per picture. A film's time unit is then `1 / (fps × 1000)` s, which holds
 /// every picture's time exactly.
@@ -27,6 +30,8 @@ pub(super) struct Track<'a> {
     pub sample_sizes: &'a [u32],
     /// Indices of the pictures that stand alone, from 0.
     pub keyframes: &'a [u32],
+    /// The song, no longer than the film.
+    pub song: Option<&'a Song>,
 }
 
 /// Bytes of the file: `ftyp`, `moov`, then `samples` as `mdat`.
@@ -43,71 +48,165 @@ pub(super) fn write_mp4(track: &Track<'_>, samples: &[u8]) -> Result<Vec<u8>, mp
     // The index holds the place of the pictures, which stand behind the index: its length does
     // not depend on the number it holds, so it is written once to be measured.
     let mut measured = Vec::new();
-    movie(track, 0).encode(&mut measured)?;
+    movie(track, [0; 2]).encode(&mut measured)?;
     let header_len = 8;
     let offset = bytes.len() + measured.len() + header_len;
-    let (Ok(offset), Ok(mdat_len)) = (
-        u32::try_from(offset),
-        u32::try_from(samples.len() + header_len),
-    ) else {
+    let sound = track.song.map_or(&[][..], |song| &song.data);
+    let mdat_len = samples.len() + sound.len() + header_len;
+    let lengths = [offset, offset + samples.len(), mdat_len].map(u32::try_from);
+    let [Ok(pictures_at), Ok(sound_at), Ok(mdat_len)] = lengths else {
         return Err(mp4_atom::Error::TooLarge(mp4_atom::Mdat::KIND));
     };
-    movie(track, offset).encode(&mut bytes)?;
+    movie(track, [pictures_at, sound_at]).encode(&mut bytes)?;
     bytes.extend_from_slice(&mdat_len.to_be_bytes());
     bytes.extend_from_slice(b"mdat");
     bytes.extend_from_slice(samples);
+    bytes.extend_from_slice(sound);
     Ok(bytes)
 }
 
-/// The index of the film, whose first picture stands at `offset` [byte].
-fn movie(track: &Track<'_>, offset: u32) -> Moov {
+/// The index of the film, whose first picture and first sound stand at these places [byte].
+fn movie(track: &Track<'_>, [pictures_at, sound_at]: [u32; 2]) -> Moov {
     let timescale = track.fps * TICKS_PER_PICTURE;
     let duration = track.sample_sizes.len() as u64 * u64::from(TICKS_PER_PICTURE);
-    let [width, height] = track.size;
+    let pictures = picture_track(track, (timescale, duration), pictures_at);
+    let song = track
+        .song
+        .map(|song| sound_track(song, (timescale, duration), sound_at));
     Moov {
         mvhd: Mvhd {
             timescale,
             duration,
             rate: FixedPoint::from(1),
             volume: FixedPoint::from(1),
-            next_track_id: 2,
+            next_track_id: 3,
             ..Mvhd::default()
         },
-        trak: vec![Trak {
-            tkhd: Tkhd {
-                track_id: 1,
+        trak: [Some(pictures), song].into_iter().flatten().collect(),
+        ..Moov::default()
+    }
+}
+
+/// The pictures: `duration` ticks of `timescale` a second, the first at `offset` [byte].
+fn picture_track(track: &Track<'_>, (timescale, duration): (u32, u64), offset: u32) -> Trak {
+    let [width, height] = track.size;
+    Trak {
+        tkhd: Tkhd {
+            track_id: 1,
+            duration,
+            enabled: true,
+            in_movie: true,
+            width: FixedPoint::from(width),
+            height: FixedPoint::from(height),
+            ..Tkhd::default()
+        },
+        mdia: Mdia {
+            mdhd: Mdhd {
+                timescale,
                 duration,
-                enabled: true,
-                in_movie: true,
-                width: FixedPoint::from(width),
-                height: FixedPoint::from(height),
-                ..Tkhd::default()
+                language: "und".into(),
+                ..Mdhd::default()
             },
-            mdia: Mdia {
-                mdhd: Mdhd {
-                    timescale,
-                    duration,
-                    language: "und".into(),
-                    ..Mdhd::default()
-                },
-                hdlr: Hdlr {
-                    handler: b"vide".into(),
-                    name: "Lole".into(),
-                },
-                minf: Minf {
-                    vmhd: Some(Vmhd::default()),
-                    dinf: Dinf {
-                        dref: Dref {
-                            entries: vec![DrefEntry::Url(Url::default())],
+            hdlr: Hdlr {
+                handler: b"vide".into(),
+                name: "Lole".into(),
+            },
+            minf: Minf {
+                vmhd: Some(Vmhd::default()),
+                dinf: here(),
+                stbl: sample_table(track, offset),
+                ..Minf::default()
+            },
+        },
+        ..Trak::default()
+    }
+}
+
+/// The sound under `duration` ticks of a film, `timescale` a second; the first at `offset` [byte].
+fn sound_track(song: &Song, (timescale, duration): (u32, u64), offset: u32) -> Trak {
+    let of_film = song.seconds() * f64::from(timescale);
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "positive, and no longer than the film"
+    )]
+    let heard = duration.min(of_film as u64);
+    let sample_count = u32::try_from(song.sizes.len()).unwrap_or(u32::MAX);
+    Trak {
+        tkhd: Tkhd {
+            track_id: 2,
+            duration: heard,
+            enabled: true,
+            in_movie: true,
+            volume: FixedPoint::from(1),
+            alternate_group: 1,
+            ..Tkhd::default()
+        },
+        edts: Some(Edts {
+            elst: Some(Elst {
+                entries: vec![ElstEntry {
+                    segment_duration: heard,
+                    media_time: Some(song.priming),
+                    media_rate: FixedPoint::from(1),
+                }],
+            }),
+        }),
+        mdia: Mdia {
+            mdhd: Mdhd {
+                timescale: song.timescale,
+                duration: song.durations.iter().copied().map(u64::from).sum(),
+                language: "und".into(),
+                ..Mdhd::default()
+            },
+            hdlr: Hdlr {
+                handler: b"soun".into(),
+                name: "Lole".into(),
+            },
+            minf: Minf {
+                smhd: Some(Smhd::default()),
+                dinf: here(),
+                stbl: Stbl {
+                    stsd: Stsd {
+                        codecs: vec![song.codec.clone()],
+                    },
+                    stts: Stts {
+                        entries: song.duration_runs(),
+                    },
+                    stsc: one_chunk(sample_count),
+                    stsz: Stsz {
+                        samples: StszSamples::Different {
+                            sizes: song.sizes.clone(),
                         },
                     },
-                    stbl: sample_table(track, offset),
-                    ..Minf::default()
+                    stco: Some(Stco {
+                        entries: vec![offset],
+                    }),
+                    ..Stbl::default()
                 },
+                ..Minf::default()
             },
-            ..Trak::default()
+        },
+        ..Trak::default()
+    }
+}
+
+/// Samples lie in this file.
+fn here() -> Dinf {
+    Dinf {
+        dref: Dref {
+            entries: vec![DrefEntry::Url(Url::default())],
+        },
+    }
+}
+
+/// All samples lie one after the other.
+fn one_chunk(sample_count: u32) -> Stsc {
+    Stsc {
+        entries: vec![StscEntry {
+            first_chunk: 1,
+            samples_per_chunk: sample_count,
+            sample_description_index: 1,
         }],
-        ..Moov::default()
     }
 }
 
@@ -127,13 +226,7 @@ fn sample_table(track: &Track<'_>, offset: u32) -> Stbl {
         stss: Some(Stss {
             entries: track.keyframes.iter().map(|index| index + 1).collect(),
         }),
-        stsc: Stsc {
-            entries: vec![StscEntry {
-                first_chunk: 1,
-                samples_per_chunk: sample_count,
-                sample_description_index: 1,
-            }],
-        },
+        stsc: one_chunk(sample_count),
         stsz: Stsz {
             samples: StszSamples::Different {
                 sizes: track.sample_sizes.to_vec(),
