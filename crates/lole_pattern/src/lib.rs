@@ -31,6 +31,7 @@ pub mod error;
 pub mod measures;
 pub mod pattern;
 pub mod piece;
+pub mod polygon;
 pub mod ratio;
 pub mod template;
 pub mod yardage;
