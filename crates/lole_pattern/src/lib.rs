@@ -28,6 +28,7 @@
 
 pub mod design;
 pub mod error;
+pub mod marker;
 pub mod measures;
 pub mod pattern;
 pub mod piece;
@@ -37,6 +38,7 @@ pub mod template;
 pub mod yardage;
 
 pub use error::DraftError;
+pub use marker::Marker;
 pub use measures::Measures;
 pub use pattern::Pattern;
 pub use piece::Piece;
