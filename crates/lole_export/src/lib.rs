@@ -3,6 +3,7 @@
 //! | File | Function |
 //! |---|---|
 //! | `dance.mp4` | [`video::Mp4Writer`]: H.264, one picture at a time |
+//! | printed pages | [`pdf::Document`]: text, lines and pictures at true size |
 //! | stills | [`still::encode_png`], [`still::encode_jpeg`] |
 //! | `dancer.glb` | [`glb::write_glb`]: skinned dancer and cloth with baked motion |
 //! | `report.json` | [`report::report_json`] |
@@ -17,6 +18,7 @@
 pub mod error;
 pub mod glb;
 mod page;
+pub mod pdf;
 pub mod report;
 pub mod still;
 pub mod study;
