@@ -16,3 +16,4 @@ pub mod document;
 pub mod fabrics;
 pub mod print;
 pub mod sew;
+pub mod tailoring;
