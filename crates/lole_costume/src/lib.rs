@@ -15,5 +15,6 @@
 pub mod document;
 pub mod fabrics;
 pub mod print;
+pub mod roster;
 pub mod sew;
 pub mod tailoring;
