@@ -12,8 +12,10 @@
 //! # Ok::<(), document::DesignError>(())
 //! ```
 
+pub mod cost;
 pub mod document;
 pub mod fabrics;
+pub mod order;
 pub mod print;
 pub mod roster;
 pub mod sew;

@@ -94,18 +94,16 @@ impl PauDraft {
         notions
     }
 
-    /// Elastics, those of equal length together.
+    /// One notion for each elastic, from the top down.
     fn elastics(&self) -> Vec<Notion> {
-        let alike = (self.elastic_rows)
-            .chunk_by(|one, next| (one.cut_length - next.cut_length).to_cm().abs() < 0.05);
-        alike
-            .map(|rows| Notion {
-                kind: NotionKind::Elastic,
-                name: words("平ゴム（コールゴム）", "flat braided elastic"),
-                amount: Amount::Length(rows[0].cut_length * rows.len() as f64),
-                note: Some(pieces_of(rows.len(), rows[0].cut_length)),
-            })
-            .collect()
+        let rows = self.elastic_rows.iter();
+        rows.map(|row| Notion {
+            kind: NotionKind::Elastic,
+            name: words("平ゴム（コールゴム）", "flat braided elastic"),
+            amount: Amount::Length(row.cut_length),
+            note: None,
+        })
+        .collect()
     }
 }
 
