@@ -21,6 +21,7 @@ use crate::baked::{self, Keys};
 use crate::figures::{self, RunFigures, Timing};
 use crate::output::OutputFolder;
 use crate::patience::{progress_bar, stop_flag};
+use crate::source::{self, Source};
 use crate::stopwatch::Stopwatch;
 use crate::studio::{FilmCamera, STILLS, Studio, still_cameras};
 use crate::{Failure, summary};
@@ -71,7 +72,7 @@ pub(crate) fn run(args: &DanceArgs, language: Language) -> Result<(), Failure> {
 }
 
 /// Table of the document where a mistake that only measuring, drafting or sewing finds is mended.
-const fn place_of(error: &StageError) -> Place<'static> {
+pub(crate) const fn place_of(error: &StageError) -> Place<'static> {
     let table = match error {
         StageError::Body(_) | StageError::Avatar { .. } | StageError::AvatarNotRead { .. } => {
             "dancer"
@@ -86,13 +87,6 @@ const fn place_of(error: &StageError) -> Place<'static> {
     Place { table, key: "" }
 }
 
-/// A design and where it came from.
-struct Source {
-    name: String,
-    text: String,
-    design: Design,
-}
-
 struct Run<'a> {
     args: &'a DanceArgs,
     language: Language,
@@ -102,21 +96,11 @@ struct Run<'a> {
 
 /// Reads the design and lays the command line's wishes over it.
 fn load(args: &DanceArgs) -> Result<Source, Failure> {
-    let (name, text, mut design) = match &args.design {
-        Some(path) => {
-            let name = path.display().to_string();
-            let bytes = lole_studio::read_document(path).map_err(Failure::usage)?;
-            let mut design = document::parse_bytes(&bytes, &name)
-                .map_err(|error| Failure::Usage(error.into()))?;
-            lole_studio::read_linked_files(&mut design, path).map_err(Failure::usage)?;
-            (name, String::from_utf8_lossy(&bytes).into_owned(), design)
-        }
-        None => (
-            "the built-in design".to_owned(),
-            String::new(),
-            Design::default(),
-        ),
-    };
+    let Source {
+        name,
+        text,
+        mut design,
+    } = source::read(args.design.as_deref())?;
     if let Some(step) = &args.step {
         let ids = DanceStep::ALL.map(DanceStep::id);
         design.motion.step = DanceStep::from_id(step)

@@ -8,6 +8,8 @@ mod figures;
 mod inspect;
 mod output;
 mod patience;
+mod pattern;
+mod source;
 mod stopwatch;
 mod studio;
 mod study;
@@ -56,6 +58,7 @@ fn main() -> ExitCode {
     let result = match asked {
         Asked::Window(document) => open_window(document, language),
         Asked::Command(Command::Dance(args)) => dance::run(&args, language),
+        Asked::Command(Command::Pattern(args)) => pattern::run(&args, language),
         Asked::Command(Command::Study(args)) => study::run(&args, language),
         Asked::Command(Command::Validate(args)) => validate::run(&args, language),
         Asked::Command(Command::Bench(args)) => bench::run(&args, language),

@@ -4,13 +4,12 @@ use lole_body::{BodyError, Dancer, Measure, Measurements};
 use lole_geom::Length;
 use lole_language::{Bilingual, Words};
 use lole_pattern::Yardage;
-use lole_pattern::marker::{Lay, Marker, lay_out};
+use lole_pattern::marker::Lay;
 use lole_pattern::pattern::{Amount, NotionKind};
-use lole_pattern::piece::ClothRole;
 
 use crate::document::{Design, FabricDesign, GarmentLayer, PrintChoice};
 use crate::roster::RosterDancer;
-use crate::tailoring::{GarmentPattern, TailoringError, patterns_of};
+use crate::tailoring::{ClothPlan, GarmentPattern, TailoringError, patterns_of};
 
 /// What the buyer decides.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -49,15 +48,19 @@ pub struct DancerPlan {
 pub struct PlannedGarment {
     /// Pieces, notions, steps and cloth.
     pub tailored: GarmentPattern,
-    /// The pieces of the garment's own cloth laid out.
-    pub marker: Marker,
+    /// The pieces of each of its cloths laid out, its own cloth first.
+    pub plans: Vec<ClothPlan>,
 }
 
 impl PlannedGarment {
-    /// Cloth to buy.
+    /// Its own cloth to buy; none where no piece is cut from it.
     #[must_use]
-    pub const fn bought(&self) -> Yardage {
-        self.marker.yardage
+    pub fn bought(&self) -> Yardage {
+        let own = self.plans.first();
+        own.map_or_else(
+            || Yardage::for_length(Length::ZERO),
+            |plan| plan.marker.yardage,
+        )
     }
 
     /// Pieces that are cut as rectangles: along the selvage and across, as often as they are cut.
@@ -153,9 +156,8 @@ pub fn plan_dancer(name: &str, design: &Design, dancer: &Dancer) -> Result<Dance
     let garments = patterns_of(design, dancer)?
         .into_iter()
         .map(|tailored| {
-            let cloth = tailored.cloth.on_table(Lay::Single, None);
-            let marker = lay_out(&tailored.pattern, ClothRole::Main, &cloth);
-            PlannedGarment { tailored, marker }
+            let plans = tailored.cloth_plans(Lay::Single, None);
+            PlannedGarment { tailored, plans }
         })
         .collect();
     Ok(DancerPlan {

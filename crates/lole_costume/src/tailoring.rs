@@ -6,8 +6,9 @@ use lole_geom::Length;
 use lole_language::{Bilingual, Words, words};
 use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements, draft_pau_skirt};
 use lole_pattern::design::pau_top::{TopMeasurements, draft_pau_top};
-use lole_pattern::marker::{Lay, Nap, TableCloth};
-use lole_pattern::{DraftError, Pattern};
+use lole_pattern::marker::{Lay, Nap, TableCloth, lay_out};
+use lole_pattern::piece::ClothRole;
+use lole_pattern::{DraftError, Marker, Pattern};
 
 use crate::document::{
     Design, FabricDesign, GarmentDesign, GarmentLayer, PrintChoice, SkirtDesign, WornTop,
@@ -47,6 +48,51 @@ pub struct Cloth {
     pub has_border: bool,
     /// Repeat of the print along the warp; `None` of plain cloth.
     pub repeat: Option<Length>,
+}
+
+/// One cloth of a garment with all pieces that are cut from it laid out.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ClothPlan {
+    /// Which of the garment's cloths it is.
+    pub role: ClothRole,
+    /// Where the pieces lie, how much to buy, what to decide before cutting.
+    pub marker: Marker,
+    /// Mass of the cloth that the pieces need, offcuts included [kg].
+    pub mass: f64,
+}
+
+impl GarmentPattern {
+    /// The cut plans of its cloths. Lining and other cloths beside the garment's own are taken as wide
+    /// and as heavy as it is, and plain. `matched_repeat` makes the print meet at the seams.
+    #[must_use]
+    pub fn cloth_plans(&self, lay: Lay, matched_repeat: Option<Length>) -> Vec<ClothPlan> {
+        const ROLES: [ClothRole; 4] = [
+            ClothRole::Main,
+            ClothRole::Contrast,
+            ClothRole::Lining,
+            ClothRole::Interfacing,
+        ];
+        let is_cut =
+            |role: &ClothRole| self.pattern.pieces.iter().any(|piece| piece.cloth == *role);
+        let plan = |role| {
+            let cloth = if role == ClothRole::Main {
+                self.cloth.on_table(lay, matched_repeat)
+            } else {
+                TableCloth {
+                    nap: Nap::TwoWay,
+                    has_border: false,
+                    ..self.cloth.on_table(lay, None)
+                }
+            };
+            let marker = lay_out(&self.pattern, role, &cloth);
+            ClothPlan {
+                role,
+                mass: self.cloth.mass(marker.yardage.needed),
+                marker,
+            }
+        };
+        ROLES.into_iter().filter(is_cut).map(plan).collect()
+    }
 }
 
 /// A gathered rectangle drafted to the dancer, with where it is worn.

@@ -4,6 +4,8 @@
 //! |---|---|
 //! | `dance.mp4` | [`video::Mp4Writer`]: H.264, one picture at a time |
 //! | printed pages | [`pdf::Document`]: text, lines and pictures at true size |
+//! | cut plans, full-size patterns | [`cutting`]: PDF, SVG, JSON |
+//! | `pattern.dxf` | [`dxf::pattern_dxf`]: pieces for pattern software |
 //! | stills | [`still::encode_png`], [`still::encode_jpeg`] |
 //! | `dancer.glb` | [`glb::write_glb`]: skinned dancer and cloth with baked motion |
 //! | `report.json` | [`report::report_json`] |
@@ -15,6 +17,8 @@
 //! It opens no file, reads no clock, and draws no picture of the dancer: pictures come in as
 //! pixels.
 
+pub mod cutting;
+pub mod dxf;
 pub mod error;
 pub mod glb;
 mod page;
@@ -22,6 +26,7 @@ pub mod pdf;
 pub mod report;
 pub mod still;
 pub mod study;
+pub mod svg;
 pub mod trade_off;
 pub mod validation;
 pub mod video;

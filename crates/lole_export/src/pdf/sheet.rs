@@ -210,6 +210,19 @@ impl Picture {
         Ok(Self::new(image, bytes, Encoding::Png))
     }
 
+    /// The encoded bytes.
+    pub(crate) fn bytes(&self) -> &[u8] {
+        &self.bytes
+    }
+
+    /// How the bytes are encoded, as browsers say it.
+    pub(crate) const fn media_type(&self) -> &'static str {
+        match self.encoding {
+            Encoding::Jpeg => "image/jpeg",
+            Encoding::Png => "image/png",
+        }
+    }
+
     const fn new(image: Image<'_>, bytes: Arc<Vec<u8>>, encoding: Encoding) -> Self {
         Self {
             width: image.width,
