@@ -24,6 +24,8 @@ pub(crate) struct Cli {
 pub(crate) enum Command {
     /// Drape and dance a design; write film, stills, 3D file and report.
     Dance(DanceArgs),
+    /// Cut plans and patterns of a design: on paper at full size, as SVG and as DXF.
+    Pattern(PatternArgs),
     /// The paper's experiment with numbers: its integrators, their limits, its 13 capsules.
     Study(StudyArgs),
     /// The engine against closed forms: measured, reference, error, gate.
@@ -112,6 +114,39 @@ pub(crate) struct DanceArgs {
     /// Print the report as JSON on standard output, and nothing else there.
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+/// `lole pattern`.
+#[derive(Debug, Args)]
+pub(crate) struct PatternArgs {
+    /// Design document; without one, the built-in pāʻū skirt.
+    pub(crate) design: Option<PathBuf>,
+    /// Folder for the results.
+    #[arg(long, value_name = "DIR", default_value = "lole-pattern")]
+    pub(crate) out: PathBuf,
+    /// Paper of the printer: a4, a3 or letter.
+    #[arg(long, value_enum, default_value_t = PaperSize::A4)]
+    pub(crate) paper: PaperSize,
+    /// Lay the cloth doubled, folded lengthwise, and cut pairs at once.
+    #[arg(long)]
+    pub(crate) folded: bool,
+    /// Lay the pieces so that the print meets at the seams: takes more cloth.
+    #[arg(long)]
+    pub(crate) match_print: bool,
+    /// Print the pattern as JSON on standard output, and nothing else there.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// Paper of `lole pattern`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum PaperSize {
+    /// 210 × 297 mm.
+    A4,
+    /// 297 × 420 mm.
+    A3,
+    /// 8½ × 11 inches.
+    Letter,
 }
 
 /// `lole study`.

@@ -22,7 +22,7 @@ use crate::baked::{self, Keys};
 use crate::figures::{self, RunFigures, Timing};
 use crate::output::OutputFolder;
 use crate::patience::{progress_bar, stop_flag};
-use crate::source::Source;
+use crate::source::{self, Source};
 use crate::stopwatch::Stopwatch;
 use crate::studio::{FilmCamera, STILLS, Studio, still_cameras};
 use crate::{Failure, summary};
@@ -84,7 +84,7 @@ fn song(path: &Path) -> Result<Song, Failure> {
 }
 
 /// Table of the document where a mistake that only measuring, drafting or sewing finds is mended.
-const fn place_of(error: &StageError) -> Place<'static> {
+pub(crate) const fn place_of(error: &StageError) -> Place<'static> {
     let table = match error {
         StageError::Body(_) | StageError::Avatar { .. } | StageError::AvatarNotRead { .. } => {
             "dancer"
@@ -110,7 +110,7 @@ struct Run<'a> {
 
 /// Reads the design and lays the command line's wishes over it.
 fn load(args: &DanceArgs) -> Result<Source, Failure> {
-    let mut source = Source::read(args.design.as_deref())?;
+    let mut source = source::read(args.design.as_deref())?;
     source.put(args.avatar.as_deref(), args.motion.as_deref())?;
     let design = &mut source.design;
     if let Some(step) = &args.step {

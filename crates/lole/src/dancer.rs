@@ -12,7 +12,7 @@ use lole_render::{Backend, LightRig, Renderer, Scene, SceneMesh, Size};
 use crate::args::DancerArgs;
 use crate::output::OutputFolder;
 use crate::patience::progress_bar;
-use crate::source::Source;
+use crate::source::{self, Source};
 use crate::studio::{STILLS, cameras_around};
 use crate::{Failure, baked, figures, summary};
 
@@ -24,9 +24,9 @@ const PICTURE_SIZE: Size = Size {
 
 /// Runs the command.
 pub(crate) fn run(args: &DancerArgs, language: Language) -> Result<(), Failure> {
-    let mut source = Source::read(args.design.as_deref())?;
+    let mut source = source::read(args.design.as_deref())?;
     source.put(args.avatar.as_deref(), None)?;
-    let (dancer, license) = lole_stage::dancer_of(&source.design).map_err(|error| {
+    let (dancer, license) = lole_stage::dancer(&source.design).map_err(|error| {
         let place = Place {
             table: "dancer",
             key: "",

@@ -9,6 +9,7 @@ mod figures;
 mod inspect;
 mod output;
 mod patience;
+mod pattern;
 mod source;
 mod stopwatch;
 mod studio;
@@ -59,6 +60,7 @@ fn main() -> ExitCode {
         Asked::Window(document) => open_window(document, language),
         Asked::Command(command) => match *command {
             Command::Dance(args) => dance::run(&args, language),
+            Command::Pattern(args) => pattern::run(&args, language),
             Command::Study(args) => study::run(&args, language),
             Command::Validate(args) => validate::run(&args, language),
             Command::Bench(args) => bench::run(&args, language),

@@ -18,40 +18,40 @@ pub(crate) struct Source {
     put: Vec<&'static str>,
 }
 
-impl Source {
-    /// Reads a document and the files it names; the built-in design without one.
-    pub(crate) fn read(path: Option<&Path>) -> Result<Self, Failure> {
-        let Some(path) = path else {
-            return Ok(Self {
-                name: "the built-in design".to_owned(),
-                text: String::new(),
-                design: Design::default(),
-                put: Vec::new(),
-            });
-        };
-        let name = path.display().to_string();
-        let bytes = lole_studio::read_document(path).map_err(Failure::usage)?;
-        let mut design =
-            document::parse_bytes(&bytes, &name).map_err(|error| Failure::Usage(error.into()))?;
-        let linked = [
-            (&mut design.dancer.file, "[dancer] file"),
-            (&mut design.motion.file, "[motion] file"),
-        ];
-        for (file, key) in linked {
-            if let Some(file) = file {
-                let place = path.with_file_name(&file.name);
-                *file = lole_studio::linked_file(&place, key).map_err(Failure::usage)?;
-            }
-        }
-        let text = String::from_utf8_lossy(&bytes).into_owned();
-        Ok(Self {
-            name,
-            text,
-            design,
+/// Reads a document and the files it names; the built-in design without one.
+pub(crate) fn read(path: Option<&Path>) -> Result<Source, Failure> {
+    let Some(path) = path else {
+        return Ok(Source {
+            name: "the built-in design".to_owned(),
+            text: String::new(),
+            design: Design::default(),
             put: Vec::new(),
-        })
+        });
+    };
+    let name = path.display().to_string();
+    let bytes = lole_studio::read_document(path).map_err(Failure::usage)?;
+    let mut design =
+        document::parse_bytes(&bytes, &name).map_err(|error| Failure::Usage(error.into()))?;
+    let linked = [
+        (&mut design.dancer.file, "[dancer] file"),
+        (&mut design.motion.file, "[motion] file"),
+    ];
+    for (file, key) in linked {
+        if let Some(file) = file {
+            let place = path.with_file_name(&file.name);
+            *file = lole_studio::linked_file(&place, key).map_err(Failure::usage)?;
+        }
     }
+    let text = String::from_utf8_lossy(&bytes).into_owned();
+    Ok(Source {
+        name,
+        text,
+        design,
+        put: Vec::new(),
+    })
+}
 
+impl Source {
     /// Lays files of the command line over those of the design: an avatar, a recorded motion.
     pub(crate) fn put(
         &mut self,

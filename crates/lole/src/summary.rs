@@ -151,6 +151,23 @@ pub(crate) fn print_study(report: &StudyReport, paths: &[PathBuf], language: Lan
     say!("\n  {:.0} s", report.seconds);
 }
 
+/// Says what a pattern wrote, what to buy and what to decide before cutting.
+pub(crate) fn print_pattern(
+    paths: &[PathBuf],
+    purchases: &[Sentence],
+    warnings: &[Sentence],
+    language: Language,
+) {
+    print_files(paths, language);
+    say!();
+    for purchase in purchases {
+        say!("  {}", purchase.text(language));
+    }
+    for warning in warnings {
+        say!("  ! {}", warning.text(language));
+    }
+}
+
 /// Says what a protocol compares.
 pub(crate) fn print_protocol(protocol: &Protocol, language: Language) {
     let about = protocol.about.text(language);
@@ -219,12 +236,35 @@ fn open_hint(path: &Path, language: Language) -> &'static str {
             "拍の時刻。曲を合わせるときに",
             "when the counts fall, to match music",
         ),
+        "cut-plan.pdf" => language.pick(
+            "ここから: 布の置き方と買う長さ",
+            "start here: where the pieces lie, what to buy",
+        ),
+        "ruler.pdf" => language.pick(
+            "定規とチャコで引く線",
+            "rectangles to draw with ruler and chalk",
+        ),
         "study.csv" => language.pick("表計算で開く", "opens in a spreadsheet"),
-        "report.json" | "study.json" | "validation.json" | "bench.json" | "dancer.json" => {
-            language.pick("プログラム用の数値", "the numbers, for programs")
-        }
+        "report.json" | "study.json" | "validation.json" | "bench.json" | "dancer.json"
+        | "pattern.json" => language.pick("プログラム用の数値", "the numbers, for programs"),
+        _ if has_end(path, "dxf") => language.pick(
+            "型紙ソフトで開く（AAMA/ASTM）",
+            "opens in pattern software (AAMA/ASTM)",
+        ),
+        _ if has_end(path, "svg") => language.pick(
+            "ブラウザーや Inkscape で開く（原寸 mm）",
+            "opens in browsers and Inkscape, in mm",
+        ),
+        _ if has_end(path, "pdf") => language.pick(
+            "倍率 100 % で印刷して貼り合わせる",
+            "print at 100 %, join the sheets",
+        ),
         _ => language.pick("写真", "a still"),
     }
+}
+
+fn has_end(path: &Path, end: &str) -> bool {
+    path.extension().is_some_and(|found| found == end)
 }
 
 /// Says what went wrong, in one sentence, and gives the exit code.

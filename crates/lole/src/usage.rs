@@ -85,6 +85,37 @@ const JAPANESE_HELP: &[(&str, &str, &str)] = &[
         "レポートを JSON で標準出力に書きます（ほかには何も書きません）",
     ),
     (
+        "pattern",
+        "",
+        "裁ち方図と型紙を書き出します: 実物大の PDF、SVG、DXF",
+    ),
+    (
+        "pattern",
+        "design",
+        "デザインの文書。書かなければ、内蔵のパウスカート",
+    ),
+    ("pattern", "out", "書き出すフォルダー"),
+    (
+        "pattern",
+        "paper",
+        "印刷する紙: a4、a3、letter。書かなければ a4",
+    ),
+    (
+        "pattern",
+        "folded",
+        "布を縦に二つ折り（わ）にして、左右を一度に裁ちます",
+    ),
+    (
+        "pattern",
+        "match_print",
+        "縫い目で柄が合うように置きます（布が多く要ります）",
+    ),
+    (
+        "pattern",
+        "json",
+        "型紙を JSON で標準出力に書きます（ほかには何も書きません）",
+    ),
+    (
         "study",
         "",
         "論文の実験を数値で: 積分法とその限界、13本のカプセル",
@@ -496,6 +527,10 @@ mod tests {
             (
                 &["lole", "bench", "--vectors", "avx"],
                 "--vectors avx: choose one of detected, wide, baseline",
+            ),
+            (
+                &["lole", "pattern", "--paper", "b5"],
+                "--paper b5: choose one of a4, a3, letter",
             ),
             (
                 &["lole", "dance", "--step"],

@@ -10,6 +10,7 @@
 //! all walk that table.
 
 mod convert;
+mod cost;
 mod error;
 mod garment;
 mod nearest;
@@ -31,6 +32,7 @@ use lole_cloth::wind::WindLaw;
 use crate::fabrics::Preset;
 use crate::print::PrintMotif;
 
+pub use cost::{CostDesign, Currency};
 pub use error::{DesignError, Problem};
 pub use garment::{GarmentDesign, GarmentLayer, TopDesign, WornSkirt, WornTop};
 pub use nearest::{likely, nearest};
@@ -60,6 +62,8 @@ pub struct Design {
     pub wind: WindDesign,
     /// How the cloth is computed.
     pub method: MethodDesign,
+    /// Prices.
+    pub cost: CostDesign,
     /// What is worn with the skirt, in each layer from the skin outward.
     pub garments: Vec<GarmentDesign>,
 }
@@ -192,6 +196,10 @@ pub struct FabricDesign {
     pub cloth_friction_coefficient: Option<f64>,
     /// Air drag as a rate [1/s].
     pub drag_per_s: Option<f64>,
+    /// Price of a meter, in the currency of [`CostDesign`].
+    pub price_per_m: Option<f64>,
+    /// Price of a yard; that of a meter comes first.
+    pub price_per_yd: Option<f64>,
 }
 
 impl Default for FabricDesign {
@@ -213,6 +221,8 @@ impl Default for FabricDesign {
             friction_coefficient: None,
             cloth_friction_coefficient: None,
             drag_per_s: None,
+            price_per_m: None,
+            price_per_yd: None,
         }
     }
 }

@@ -12,7 +12,11 @@
 //! # Ok::<(), document::DesignError>(())
 //! ```
 
+pub mod cost;
 pub mod document;
 pub mod fabrics;
+pub mod order;
 pub mod print;
+pub mod roster;
 pub mod sew;
+pub mod tailoring;

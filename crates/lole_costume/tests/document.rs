@@ -308,6 +308,14 @@ fn every_key_ends_in_its_unit_or_says_that_it_has_none() {
         "_un_m",
         "_per_s",
         "_mn",
+        "_m",
+        // Prices, in the document's currency.
+        "_price",
+        "_price_per_m",
+        "_price_per_spool",
+        "price_per_m",
+        "price_per_yd",
+        "_per_h",
     ];
     let bare = ["_ratio", "_coefficient", "_count"];
     for table in TABLES {

@@ -3,6 +3,9 @@
 //! | File | Function |
 //! |---|---|
 //! | `dance.mp4` | [`video::Mp4Writer`]: H.264, one picture at a time |
+//! | printed pages | [`pdf::Document`]: text, lines and pictures at true size |
+//! | cut plans, full-size patterns | [`cutting`]: PDF, SVG, JSON |
+//! | `pattern.dxf` | [`dxf::pattern_dxf`]: pieces for pattern software |
 //! | stills | [`still::encode_png`], [`still::encode_jpeg`] |
 //! | `dancer.glb` | [`glb::write_glb`]: skinned dancer and cloth with baked motion |
 //! | `dancer.json` | [`dancer_sheet::dancer_json`]: a dancer's tape and capsules |
@@ -15,13 +18,17 @@
 //! It opens no file, reads no clock, and draws no picture of the dancer: pictures come in as
 //! pixels.
 
+pub mod cutting;
 pub mod dancer_sheet;
+pub mod dxf;
 pub mod error;
 pub mod glb;
 mod page;
+pub mod pdf;
 pub mod report;
 pub mod still;
 pub mod study;
+pub mod svg;
 pub mod trade_off;
 pub mod validation;
 pub mod video;

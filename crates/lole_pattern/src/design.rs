@@ -3,6 +3,7 @@
 pub mod pau_skirt;
 pub mod pau_top;
 mod rectangle;
+mod steps;
 
 /// One garment that can be drafted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

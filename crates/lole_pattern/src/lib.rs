@@ -28,14 +28,17 @@
 
 pub mod design;
 pub mod error;
+pub mod marker;
 pub mod measures;
 pub mod pattern;
 pub mod piece;
+pub mod polygon;
 pub mod ratio;
 pub mod template;
 pub mod yardage;
 
 pub use error::DraftError;
+pub use marker::Marker;
 pub use measures::Measures;
 pub use pattern::Pattern;
 pub use piece::Piece;

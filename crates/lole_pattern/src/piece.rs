@@ -4,9 +4,15 @@
 //! Its edges run counterclockwise around it, so that the cloth is always on their left; the cut line
 //! lies outside of them by each edge's allowance.
 
+mod cut_line;
+mod drawing;
+mod unfold;
+
 use kurbo::{BezPath, PathSeg, Point, Vec2};
 use lole_geom::Length;
 use lole_language::Words;
+
+pub use drawing::{Drawing, DrawnLine, DrawnNotch, DrawnStitches};
 
 /// A flat piece of a garment.
 #[derive(Debug, Clone, PartialEq)]

@@ -18,7 +18,7 @@ pub use danced::Danced;
 pub use live::{Pull, Show, Vitals, Wish};
 pub use metrics::{FrameMetrics, RunMetrics};
 pub use performance::{Divergence, Energy, FRAME_SECONDS, FRAMES_PER_SECOND, Performance};
-pub use production::{Garment, Production, dancer_of};
+pub use production::{Garment, Production, dancer};
 
 use lole_language::Bilingual;
 

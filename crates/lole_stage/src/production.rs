@@ -10,9 +10,8 @@ use lole_costume::document::{
     Design, FabricDesign, GarmentDesign, GarmentLayer, PrintChoice, SkirtDesign, WornTop,
 };
 use lole_costume::sew::{self, Clothed, Cut, SewSettings, SewnSkirt, SkirtMesh, WornPlace};
-use lole_geom::Length;
-use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements, draft_pau_skirt};
-use lole_pattern::design::pau_top::{TopMeasurements, draft_pau_top};
+use lole_costume::tailoring::{self, Drafted};
+use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements};
 
 use crate::performance::Forearms;
 use crate::{Danced, StageError};
@@ -75,7 +74,7 @@ impl Production {
     /// # Errors
     /// A design whose parts do not fit together.
     pub fn new(design: &Design) -> Result<Self, StageError> {
-        let (dancer, license) = dancer_of(design)?;
+        let (dancer, license) = dancer(design)?;
         let dance = Danced::new(design, &dancer.skeleton)?;
         let body_triangles = dancer.skin.body_triangles();
         let mut wardrobe = Wardrobe {
@@ -83,14 +82,14 @@ impl Production {
             stance: dancer.skeleton.world_from_bind(&dance.pose_at(0.0)),
             bind: dancer.skeleton.world_from_bind(&Pose::default()),
             body_triangles: &body_triangles,
-            skirt_top: skirt_top(design, &dancer),
+            skirt: &design.skirt,
             clothed: Clothed::new(dancer.skeleton.joint(Bone::Hips)),
             garments: Vec::new(),
         };
         wardrobe.put_on_layer(design, GarmentLayer::Under)?;
         let skirt = wardrobe.garments.len();
         let (cut, fabric, print) = (&design.skirt, &design.fabric, &design.print);
-        wardrobe.put_on_skirt(("pau_skirt", 0.0), (cut, fabric), print)?;
+        wardrobe.put_on_skirt((tailoring::SKIRT, 0.0), (cut, fabric), print)?;
         wardrobe.put_on_layer(design, GarmentLayer::Over)?;
         let mut garments = wardrobe.garments;
         link_chains(&mut garments);
@@ -126,7 +125,7 @@ impl Production {
 ///
 /// # Errors
 /// A tape that no body has, or an avatar that is none.
-pub fn dancer_of(design: &Design) -> Result<(Dancer, Option<License>), StageError> {
+pub fn dancer(design: &Design) -> Result<(Dancer, Option<License>), StageError> {
     let (mut dancer, license) = built(design)?;
     let layout = design.capsule_layout();
     if layout != CapsuleLayout::default() {
@@ -157,8 +156,8 @@ struct Wardrobe<'a> {
     stance: Vec<Affine3A>,
     bind: Vec<Affine3A>,
     body_triangles: &'a [[u32; 3]],
-    /// Upper edge of the design's skirt [m].
-    skirt_top: f32,
+    /// The design's skirt, which a top ends above.
+    skirt: &'a SkirtDesign,
     clothed: Clothed,
     garments: Vec<Garment>,
 }
@@ -183,10 +182,7 @@ impl Wardrobe<'_> {
         for (place, garment) in design.garments_in(layer) {
             let put_on = match garment {
                 GarmentDesign::PauSkirt(worn) => {
-                    let name = match layer {
-                        GarmentLayer::Under => "pau_underskirt",
-                        GarmentLayer::Over => "pau_overskirt",
-                    };
+                    let name = tailoring::file_name(garment);
                     let cut = (&worn.skirt, &worn.fabric);
                     self.put_on_skirt((name, FOLD_COLUMNS), cut, &worn.print)
                 }
@@ -206,13 +202,7 @@ impl Wardrobe<'_> {
         (skirt, fabric): (&SkirtDesign, &FabricDesign),
         print: &PrintChoice,
     ) -> Result<(), StageError> {
-        let height = worn_height(skirt, self.dancer);
-        let worn = PauMeasurements {
-            hip_girth: self.dancer.measurements.hip_girth,
-            worn_girth: girth(self.dancer, height),
-            worn_height: Length::from_m(f64::from(height)),
-        };
-        let draft = draft_pau_skirt(&worn, &skirt.options(fabric)?)?;
+        let Drafted { draft, worn } = tailoring::draft_skirt(skirt, fabric, self.dancer)?;
         let fineness = Fineness {
             column_count: skirt.column_count,
             row_count: skirt.row_count,
@@ -224,43 +214,17 @@ impl Wardrobe<'_> {
     }
 
     fn put_on_top(&mut self, worn: &WornTop) -> Result<(), StageError> {
-        let landmarks = &self.dancer.landmarks;
         let top = &worn.top;
-        let height = |written: Option<f64>, usual: f32| {
-            written.map_or(usual, |cm| Length::from_cm(cm).to_m_f32())
-        };
-        let upper = height(top.upper_height_cm, landmarks.bust_height + ABOVE_BUST);
-        let lower = height(top.lower_height_cm, landmarks.bust_height - BELOW_BUST);
-        let trunk = (0 < top.lower_row_count).then(|| way_up(self.dancer, lower, upper));
-        // Further rows lie below the first.
-        let rows = f64::from(top.lower_row_count.max(1) - 1);
-        let below = Length::from_cm(rows * (top.casing_cm + top.casing_gap_cm)).to_m_f32();
-        let lowest = if trunk.is_some() {
-            lower - below
-        } else {
-            upper
-        };
-        let measurements = TopMeasurements {
-            bust_girth: self.dancer.measurements.bust_girth,
-            upper_girth: girth(self.dancer, upper),
-            lowest: (
-                girth(self.dancer, lowest),
-                Length::from_m(f64::from(lowest)),
-            ),
-            trunk,
-        };
-        let hem = Length::from_m(f64::from(
-            (self.skirt_top + ABOVE_SKIRT).min(lowest - LEAST_FRILL),
-        ));
-        let draft = draft_pau_top(&measurements, &worn.options(hem)?)?;
+        let drafted = tailoring::draft_top(worn, self.skirt, self.dancer)?;
         let fineness = Fineness {
             column_count: top.column_count,
             row_count: top.row_count,
             seed: top.seed,
             fold_columns: FOLD_COLUMNS,
         };
-        let parts = (draft, measurements.worn(), worn.fabric.fabric());
-        self.put_on(("pau_top", WornPlace::Bust), parts, fineness, &worn.print)
+        let parts = (drafted.draft, drafted.worn, worn.fabric.fabric());
+        let name = tailoring::TOP;
+        self.put_on((name, WornPlace::Bust), parts, fineness, &worn.print)
     }
 
     /// Sews a garment over what is worn already.
@@ -300,7 +264,10 @@ impl Wardrobe<'_> {
         let first = self.garments.last().map_or(0, |last| last.particles.end);
         let particle_count = sewn.spec.grid.particle_count();
         self.garments.push(Garment {
-            name: self.unique(name),
+            name: tailoring::numbered(
+                name,
+                self.garments.iter().map(|garment| garment.name.as_str()),
+            ),
             draft,
             worn,
             fabric,
@@ -311,19 +278,6 @@ impl Wardrobe<'_> {
             chain: self.garments.len(),
         });
         Ok(())
-    }
-
-    /// The name, numbered where another garment has it.
-    fn unique(&self, name: &str) -> String {
-        let alike = self.garments.iter();
-        let alike = alike
-            .filter(|garment| garment.name.starts_with(name))
-            .count();
-        if alike == 0 {
-            name.to_owned()
-        } else {
-            format!("{name}_{}", alike + 1)
-        }
     }
 }
 
@@ -347,67 +301,4 @@ fn link_chains(garments: &mut [Garment]) {
             }
         }
     }
-}
-
-/// Upper elastic of a top over the fullest bust [m], where nothing else is written: below the arms.
-const ABOVE_BUST: f32 = 0.015;
-/// Lower elastic of a top below it [m]: where the bust ends.
-const BELOW_BUST: f32 = 0.08;
-
-/// Hem of a top over the upper edge of the skirt [m], where nothing else is written.
-const ABOVE_SKIRT: f32 = 0.005;
-/// And below its own lowest elastic, at least [m].
-const LEAST_FRILL: f32 = 0.06;
-
-/// Points of the tape that measures a girth.
-const TAPE_POINTS: usize = 360;
-/// Distance between the tapes along which a way up the trunk is measured [m].
-const WAY_STEP: f32 = 0.005;
-
-/// Where a skirt is worn [m]: its lowest elastic at the front points of the hip bones, unless the
-/// design says otherwise.
-fn worn_height(skirt: &SkirtDesign, dancer: &Dancer) -> f32 {
-    match skirt.worn_height_cm {
-        Some(centimeters) => Length::from_cm(centimeters).to_m_f32(),
-        None => dancer.landmarks.asis_height,
-    }
-}
-
-/// Upper edge of the design's skirt [m].
-fn skirt_top(design: &Design, dancer: &Dancer) -> f32 {
-    let skirt = &design.skirt;
-    let gaps = f64::from(skirt.elastic_row_count - 1);
-    let band_cm =
-        skirt.header_cm + 0.5 * skirt.casing_cm + gaps * (skirt.casing_cm + skirt.casing_gap_cm);
-    worn_height(skirt, dancer) + Length::from_cm(band_cm).to_m_f32()
-}
-
-/// What a tape says around the trunk at `height` [m].
-fn girth(dancer: &Dancer, height: f32) -> Length {
-    let ring = dancer.tape_ring(height, TAPE_POINTS);
-    let next = ring.iter().cycle().skip(1);
-    let girth: f32 = ring
-        .iter()
-        .zip(next)
-        .map(|(a, b)| a.bind_position.distance(b.bind_position))
-        .sum();
-    Length::from_m(f64::from(girth))
-}
-
-/// Mean way along the trunk from one height [m] up to another.
-fn way_up(dancer: &Dancer, from: f32, to: f32) -> Length {
-    let mut way = 0.0;
-    let mut height = from;
-    let mut below = dancer.tape_ring(height, TAPE_POINTS);
-    while height < to {
-        height = (height + WAY_STEP).min(to);
-        let above = dancer.tape_ring(height, TAPE_POINTS);
-        let rises = below.iter().zip(&above);
-        let rise: f32 = rises
-            .map(|(low, high)| low.bind_position.distance(high.bind_position))
-            .sum();
-        way += rise / TAPE_POINTS as f32;
-        below = above;
-    }
-    Length::from_m(f64::from(way))
 }

@@ -99,6 +99,12 @@ impl Measure {
         }
     }
 
+    /// Least and most of it that a dancer has [cm]; wide enough for every body.
+    #[must_use]
+    pub const fn band_cm(self) -> [f64; 2] {
+        super::plausible::band_cm(self)
+    }
+
     /// What the tailor wrote down for it.
     #[must_use]
     pub const fn of(self, tape: &Tape) -> Option<Length> {

@@ -6,6 +6,7 @@
 
 #[macro_use]
 mod rows;
+mod cost;
 mod garments;
 mod motion;
 mod tables;

@@ -160,6 +160,9 @@ pub struct PauDraft {
     pub hem_depth: Length,
     /// Elastics from the top down; the last is worn at the worn height.
     pub elastic_rows: Vec<ElasticRow>,
+    /// How many of them, from the top, run in casings of the folded band; the others run in tapes
+    /// that are sewn on inside.
+    pub band_row_count: usize,
     /// All elastics together.
     pub elastic_total: Length,
     /// Lines across the cloth, from the raw top edge down.
@@ -287,9 +290,10 @@ pub fn draft_pau_skirt(
         cut_height,
         fold_depth,
         hem_depth: options.hem,
+        band_row_count: elastic_rows.len(),
+        lines: marked_lines(&elastic_rows, finished_length, options),
         elastic_rows,
         elastic_total,
-        lines: marked_lines(finished_length, options),
         yardage: Yardage::for_length(cut_length),
         thread: thread(options.elastic_row_count, cut_length, cut_height),
         warnings: warnings(measurements, options, cut_height),
@@ -324,17 +328,22 @@ fn elastic_rows(worn_girth: Length, options: &PauOptions) -> Vec<ElasticRow> {
         .collect()
 }
 
-fn marked_lines(finished_length: Length, options: &PauOptions) -> Vec<MarkedLine> {
+/// Lines across the cloth, from the raw top edge down, around these elastics.
+pub(super) fn marked_lines(
+    elastic_rows: &[ElasticRow],
+    finished_length: Length,
+    options: &PauOptions,
+) -> Vec<MarkedLine> {
     let fold = options.turn_under + fold_depth(options);
     let line = |kind, from_edge| MarkedLine { kind, from_edge };
     let mut lines = vec![
         line(LineKind::TurnUnder, options.turn_under),
         line(LineKind::TopFold, fold),
     ];
-    for row in 0..options.elastic_row_count {
-        let top = fold + casing_top(row, options);
-        lines.push(line(LineKind::CasingTop, top));
-        lines.push(line(LineKind::CasingBottom, top + options.casing));
+    for row in elastic_rows {
+        let middle = fold + row.from_fold;
+        lines.push(line(LineKind::CasingTop, middle - options.casing * 0.5));
+        lines.push(line(LineKind::CasingBottom, middle + options.casing * 0.5));
     }
     lines.push(line(LineKind::HemFold, fold + finished_length));
     lines

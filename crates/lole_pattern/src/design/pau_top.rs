@@ -29,7 +29,7 @@ use lole_geom::Length;
 
 use super::pau_skirt::{
     ElasticRow, PauDraft, PauMeasurements, PauOptions, check_length, check_options, fold_depth,
-    thread,
+    marked_lines, thread,
 };
 use crate::{DraftError, Yardage};
 use lole_language::words;
@@ -122,9 +122,10 @@ pub fn draft_pau_top(
         cut_height,
         fold_depth,
         hem_depth: cut.hem,
+        band_row_count: elastic_rows.len().min(cut.elastic_row_count as usize),
+        lines: marked_lines(&elastic_rows, finished_length, cut),
         elastic_rows,
         elastic_total,
-        lines: Vec::new(),
         yardage: Yardage::for_length(cut_length),
         thread: thread(row_count, cut_length, cut_height),
         warnings: Vec::new(),

@@ -1,9 +1,11 @@
 //! A gathered rectangle as a pattern: its one piece, the seam that closes it, elastic and thread.
 
 use kurbo::{BezPath, Point, Vec2};
+use lole_geom::Length;
 use lole_language::{Sentence, Words, words};
 
 use super::pau_skirt::{LineKind as PauLine, PauDraft};
+use super::steps::steps;
 use crate::pattern::{Amount, Notion, NotionKind, Pattern, Seam, SeamKind, SeamSide};
 use crate::piece::{ClothRole, CutCount, Edge, Finish, LineKind, Mark, Piece};
 
@@ -20,7 +22,7 @@ impl PauDraft {
             pieces: vec![self.piece(name)],
             seams: vec![closing_seam()],
             notions: self.notions(),
-            steps: Vec::new(),
+            steps: steps(self),
             warnings: self.warnings.iter().map(Sentence::of).collect(),
         }
     }
@@ -71,20 +73,50 @@ impl PauDraft {
     }
 
     fn notions(&self) -> Vec<Notion> {
-        let elastic = (self.elastic_rows.iter()).map(|row| Notion {
-            kind: NotionKind::Elastic,
-            name: words("平ゴム（コールゴム）", "flat braided elastic"),
-            amount: Amount::Length(row.cut_length),
-            note: None,
-        });
-        let thread = Notion {
+        let mut notions = self.elastics();
+        let tape_count = self.elastic_rows.len() - self.band_row_count;
+        if 0 < tape_count {
+            // Two centimeters more are turned under at the ends.
+            let length = self.flat_length + Length::from_cm(2.0);
+            notions.push(Notion {
+                kind: NotionKind::Cord,
+                name: words("ゴム通し用テープ", "casing tape"),
+                amount: Amount::Length(length * tape_count as f64),
+                note: Some(pieces_of(tape_count, length)),
+            });
+        }
+        notions.push(Notion {
             kind: NotionKind::Thread,
             name: words("ミシン糸", "sewing thread"),
             amount: Amount::Length(self.thread),
             note: None,
-        };
-        elastic.chain([thread]).collect()
+        });
+        notions
     }
+
+    /// One notion for each elastic, from the top down.
+    fn elastics(&self) -> Vec<Notion> {
+        let rows = self.elastic_rows.iter();
+        rows.map(|row| Notion {
+            kind: NotionKind::Elastic,
+            name: words("平ゴム（コールゴム）", "flat braided elastic"),
+            amount: Amount::Length(row.cut_length),
+            note: None,
+        })
+        .collect()
+    }
+}
+
+/// "3 pieces of 76.1 cm".
+fn pieces_of(count: usize, length: Length) -> Sentence {
+    let cm = length.to_cm();
+    Sentence::new(
+        format!("{cm:.1} cm を {count} 本"),
+        match count {
+            1 => format!("1 piece of {cm:.1} cm"),
+            _ => format!("{count} pieces of {cm:.1} cm"),
+        },
+    )
 }
 
 fn closing_seam() -> Seam {
@@ -103,8 +135,6 @@ fn closing_seam() -> Seam {
 
 #[cfg(test)]
 mod tests {
-    use lole_geom::Length;
-
     use super::*;
     use crate::design::pau_skirt::{PauMeasurements, PauOptions, draft_pau_skirt};
 

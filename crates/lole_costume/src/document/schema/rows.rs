@@ -314,6 +314,20 @@ macro_rules! fabric_keys {
                 "空気の抵抗",
                 "air drag"
             ),
+            number_if_known!(
+                "price_per_m",
+                0.0..=1_000_000.0,
+                fabric.price_per_m,
+                "1 m の値段",
+                "price of a meter"
+            ),
+            number_if_known!(
+                "price_per_yd",
+                0.0..=1_000_000.0,
+                fabric.price_per_yd,
+                "1 ヤードの値段。1 m の値段があればそちらを使う",
+                "price of a yard; that of a meter comes first"
+            ),
         ]
     };
 }

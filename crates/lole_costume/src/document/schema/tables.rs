@@ -9,6 +9,7 @@ use lole_cloth::method::explicit::ContactEvaluation;
 use lole_cloth::wind::WindLaw;
 use lole_language::words;
 
+use super::cost::COST;
 use super::motion::MOTION;
 use super::{Key, Kind, Table};
 use crate::document::{BodyShapes, LinkedFile, MethodName, WindModel};
@@ -66,7 +67,7 @@ const CAPSULE_SHAPES: &[(&str, CapsuleShape)] = &[
 ];
 
 /// The tables in the order they are written.
-pub const TABLES: &[Table] = &[DANCER, SKIRT, FABRIC, PRINT, MOTION, WIND, METHOD];
+pub const TABLES: &[Table] = &[DANCER, SKIRT, FABRIC, PRINT, COST, MOTION, WIND, METHOD];
 
 const DANCER: Table = Table {
     name: "dancer",

@@ -1,0 +1,200 @@
+//! `lole pattern`: cut plans and patterns of everything that a design has.
+
+use std::sync::atomic::Ordering;
+
+use lole_costume::document::{self, Place};
+use lole_costume::tailoring::{self, ClothPlan, GarmentPattern};
+use lole_export::cutting::{
+    CutGarment, cut_plan_sheets, cut_plan_svg, pattern_json, pieces_svg, ruler_sheets, tiled_sheets,
+};
+use lole_export::dxf::pattern_dxf;
+use lole_export::pdf::{Document, Paper, Sheet};
+use lole_language::{Bilingual as _, Language, Sentence};
+use lole_pattern::marker::Lay;
+
+use crate::args::{PaperSize, PatternArgs};
+use crate::dance::place_of;
+use crate::output::OutputFolder;
+use crate::patience::{progress_bar, stop_flag};
+use crate::source::{self, Source};
+use crate::{Failure, summary};
+
+impl PaperSize {
+    const fn paper(self) -> Paper {
+        match self {
+            Self::A4 => Paper::A4,
+            Self::A3 => Paper::A3,
+            Self::Letter => Paper::Letter,
+        }
+    }
+}
+
+/// Runs the command.
+pub(crate) fn run(args: &PatternArgs, language: Language) -> Result<(), Failure> {
+    let stop = stop_flag().map_err(Failure::Run)?;
+    let source = source::read(args.design.as_deref())?;
+    let garments = draft(&source)?;
+    let mut output = OutputFolder::create(&args.out).map_err(Failure::Usage)?;
+    let count = u32::try_from(garments.len()).unwrap_or(u32::MAX);
+    let bar = progress_bar(2 * count + 1, language.pick("型紙", "pattern"));
+    let paper = args.paper.paper();
+    let mut cuts = Vec::new();
+    for garment in garments {
+        if stop.load(Ordering::Relaxed) {
+            return Err(Failure::Interrupted);
+        }
+        cuts.push(plan(garment, args));
+        bar.inc(1);
+    }
+    write_plans(&mut output, &cuts, paper, language)?;
+    bar.inc(1);
+    let size = args
+        .design
+        .as_deref()
+        .and_then(|path| path.file_stem())
+        .map_or_else(|| "LOLE".into(), |stem| stem.to_string_lossy());
+    for cut in &cuts {
+        if stop.load(Ordering::Relaxed) {
+            return Err(Failure::Interrupted);
+        }
+        write_garment(&mut output, cut, (paper, &size), language)?;
+        bar.inc(1);
+    }
+    let json = pattern_json(&cuts, env!("CARGO_PKG_VERSION")).map_err(Failure::error)?;
+    output
+        .write("pattern.json", json.as_bytes())
+        .map_err(Failure::Run)?;
+    bar.finish_and_clear();
+    let paths = output.finish().map_err(Failure::Run)?;
+    if args.json {
+        summary::print_json(&json);
+    } else {
+        let purchases: Vec<Sentence> = cuts.iter().flat_map(purchases).collect();
+        let warnings: Vec<Sentence> = cuts.iter().flat_map(warnings).collect();
+        summary::print_pattern(&paths, &purchases, &warnings, language);
+    }
+    Ok(())
+}
+
+/// Drafts everything that the design has to its dancer.
+fn draft(source: &Source) -> Result<Vec<GarmentPattern>, Failure> {
+    let located = |place: Place<'_>, sentence: Sentence| {
+        Failure::Usage(document::locate(&source.text, &source.name, place, sentence).into())
+    };
+    let (dancer, _) = lole_stage::dancer(&source.design)
+        .map_err(|error| located(place_of(&error), Sentence::of(&error)))?;
+    tailoring::patterns_of(&source.design, &dancer).map_err(|error| {
+        let table = if error.place.is_some() {
+            "garment"
+        } else {
+            "skirt"
+        };
+        located(Place { table, key: "" }, Sentence::of(&error))
+    })
+}
+
+fn plan(garment: GarmentPattern, args: &PatternArgs) -> CutGarment {
+    let lay = if args.folded {
+        Lay::Folded
+    } else {
+        Lay::Single
+    };
+    let repeat = garment.cloth.repeat.filter(|_| args.match_print);
+    CutGarment {
+        plans: garment.cloth_plans(lay, repeat),
+        garment,
+    }
+}
+
+/// What all garments share: cut plans, and the sheets for ruler and chalk.
+fn write_plans(
+    output: &mut OutputFolder,
+    cuts: &[CutGarment],
+    paper: Paper,
+    language: Language,
+) -> Result<(), Failure> {
+    let sheets = cut_plan_sheets(cuts, paper, language);
+    let title = language.pick("裁ち方図", "cut plan");
+    write_pdf(output, "cut-plan.pdf", (title, sheets), language)?;
+    output
+        .write("cut-plan.svg", &cut_plan_svg(cuts, language))
+        .map_err(Failure::Run)?;
+    let ruler = ruler_sheets(cuts, paper, language);
+    if ruler.is_empty() {
+        return Ok(());
+    }
+    let title = language.pick("定規で引く線", "rectangles by ruler");
+    write_pdf(output, "ruler.pdf", (title, ruler), language)
+}
+
+/// The pieces of one garment at full size.
+fn write_garment(
+    output: &mut OutputFolder,
+    cut: &CutGarment,
+    (paper, size): (Paper, &str),
+    language: Language,
+) -> Result<(), Failure> {
+    let id = &cut.garment.id;
+    if let Some(tiled) = tiled_sheets(cut, paper, language) {
+        let name = format!("{id}-{}.pdf", paper.name().to_ascii_lowercase());
+        let title = cut.garment.name.text(language);
+        write_pdf(output, &name, (title, tiled.sheets), language)?;
+    }
+    output
+        .write(&format!("{id}.svg"), &pieces_svg(cut, language))
+        .and_then(|()| output.write(&format!("{id}.dxf"), &pattern_dxf(cut, size)))
+        .map_err(Failure::Run)
+}
+
+fn write_pdf(
+    output: &mut OutputFolder,
+    name: &str,
+    (title, sheets): (&str, Vec<Sheet>),
+    language: Language,
+) -> Result<(), Failure> {
+    let document = Document {
+        title: title.to_owned(),
+        language: language.pick("ja", "en"),
+        sheets,
+    };
+    let bytes = document.to_bytes().map_err(Failure::error)?;
+    output.write(name, &bytes).map_err(Failure::Run)
+}
+
+/// What to buy for each cloth of a garment.
+fn purchases(cut: &CutGarment) -> Vec<Sentence> {
+    let purchase = |plan: &ClothPlan| {
+        let name = cut.garment.name;
+        let marker = &plan.marker;
+        let (needed, metric) = (marker.yardage.needed.to_cm(), marker.yardage.metric.to_m());
+        let (yards, width) = (marker.yardage.imperial.to_yd(), marker.cloth.width.to_cm());
+        let (used, mass) = (100.0 * marker.efficiency, plan.mass);
+        Sentence::new(
+            format!(
+                "{}: 幅 {width:.0} cm の布 {metric:.1} m（{yards:.1} ヤード）、用尺 {needed:.1} cm、{mass:.2} kg、使用率 {used:.0} %",
+                name.japanese
+            ),
+            format!(
+                "{}: buy {metric:.1} m ({yards:.1} yd) of {width:.0} cm cloth; {needed:.1} cm are needed, {mass:.2} kg, {used:.0} % used",
+                name.english
+            ),
+        )
+    };
+    cut.plans.iter().map(purchase).collect()
+}
+
+/// What the maker should decide before cutting.
+fn warnings(cut: &CutGarment) -> Vec<Sentence> {
+    let drafted = cut.garment.pattern.warnings.iter().cloned();
+    let laid = cut.plans.iter().flat_map(|plan| &plan.marker.warnings);
+    let name = cut.garment.name;
+    drafted
+        .chain(laid.map(Sentence::of))
+        .map(|sentence| {
+            Sentence::new(
+                format!("{}: {}", name.japanese, sentence.japanese()),
+                format!("{}: {sentence}", name.english),
+            )
+        })
+        .collect()
+}

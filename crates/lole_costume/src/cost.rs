@@ -1,0 +1,258 @@
+//! What a costume costs: cloth and notions by the prices of the design, work by its wage.
+//!
+//! Nothing is assumed: an amount without a price stands on the bill without a sum, and the bill says
+//! which price is asked for. Shops sell cloth by 10 cm or by half a yard, elastic and tape by 10 cm,
+//! thread by the spool.
+
+use lole_geom::Length;
+use lole_language::{Sentence, Words, words};
+use lole_pattern::pattern::{Amount, NotionKind};
+
+use crate::document::{CostDesign, Currency, Design, FabricDesign};
+use crate::order::{DancerPlan, PlannedGarment};
+
+/// What is paid for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BillLine {
+    /// What it is.
+    pub name: Words,
+    /// How much of it, as a shop sells it.
+    pub amount: Sentence,
+    /// What it costs; `None` where no price is known.
+    pub sum: Option<f64>,
+    /// Key of the document that would tell the price, where it is not known.
+    pub asks: Option<&'static str>,
+}
+
+/// A bill.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bill {
+    /// Of all sums.
+    pub currency: Currency,
+    /// What is paid for.
+    pub lines: Vec<BillLine>,
+    /// All known sums together.
+    pub total: f64,
+    /// Hours of sewing with a machine. An estimate.
+    pub hours: f64,
+    /// What the same costs ready made, where the design says so.
+    pub bought: Option<f64>,
+}
+
+impl Bill {
+    fn new(cost: &CostDesign, hours: f64) -> Self {
+        Self {
+            currency: cost.currency,
+            lines: Vec::new(),
+            total: 0.0,
+            hours,
+            bought: cost.bought_price,
+        }
+    }
+
+    fn add(&mut self, name: Words, amount: Sentence, price: Result<f64, &'static str>) {
+        self.total += price.unwrap_or(0.0);
+        self.lines.push(BillLine {
+            name,
+            amount,
+            sum: price.ok(),
+            asks: price.err(),
+        });
+    }
+
+    /// Keys of the document without which the total is not all of it, each once.
+    #[must_use]
+    pub fn asked_for(&self) -> Vec<&'static str> {
+        let mut keys: Vec<&'static str> = self.lines.iter().filter_map(|line| line.asks).collect();
+        keys.sort_unstable();
+        keys.dedup();
+        keys
+    }
+
+    /// Whether every price is known.
+    #[must_use]
+    pub fn is_complete(&self) -> bool {
+        self.lines.iter().all(|line| line.sum.is_some())
+    }
+
+    /// What sewing saves against buying; negative where it costs more. `None` unless all prices are
+    /// known.
+    #[must_use]
+    pub fn saving(&self) -> Option<f64> {
+        let bought = self.bought.filter(|_| self.is_complete())?;
+        Some(bought - self.total)
+    }
+}
+
+/// The bill of one dancer's costume.
+#[must_use]
+pub fn bill(design: &Design, plan: &DancerPlan) -> Bill {
+    let cost = &design.cost;
+    let minutes: f64 = (plan.garments.iter())
+        .flat_map(|garment| &garment.tailored.pattern.steps)
+        .map(|step| step.minutes[0])
+        .sum();
+    let hours = minutes / 60.0;
+    let mut bill = Bill::new(cost, hours);
+    for (garment, fabric) in plan.garments.iter().zip(design.fabrics()) {
+        let (amount, price) = cloth(garment, fabric);
+        bill.add(garment.tailored.name, amount, price);
+    }
+    let elastic = notion_length(plan, NotionKind::Elastic);
+    if let Some(length) = elastic {
+        let (amount, price) = by_meter(
+            length,
+            cost.elastic_price_per_m,
+            "[cost] elastic_price_per_m",
+        );
+        bill.add(words("ゴム", "elastic"), amount, price);
+    }
+    if let Some(length) = notion_length(plan, NotionKind::Cord) {
+        let (amount, price) = by_meter(length, cost.tape_price_per_m, "[cost] tape_price_per_m");
+        bill.add(words("テープ・ひも", "tape and cord"), amount, price);
+    }
+    if let Some(length) = notion_length(plan, NotionKind::Thread) {
+        let spools = (length.to_m() / cost.thread_spool_m).ceil();
+        let amount = Sentence::new(format!("{spools} 巻き"), format!("{spools} spool(s)"));
+        let price = cost.thread_price_per_spool.map(|price| price * spools);
+        bill.add(
+            words("糸", "thread"),
+            amount,
+            price.ok_or("[cost] thread_price_per_spool"),
+        );
+    }
+    if let Some(price) = cost.other_price {
+        bill.add(words("そのほか", "other"), Sentence::new("", ""), Ok(price));
+    }
+    if let Some(wage) = cost.wage_per_h {
+        let amount = Sentence::new(
+            format!("{hours:.1} 時間（目安）"),
+            format!("{hours:.1} h (estimate)"),
+        );
+        bill.add(words("縫い手間", "sewing"), amount, Ok(wage * hours));
+    }
+    bill
+}
+
+/// The bills of a group as one.
+#[must_use]
+pub fn sum(bills: &[Bill], cost: &CostDesign) -> Bill {
+    let mut all = Bill::new(cost, bills.iter().map(|bill| bill.hours).sum());
+    all.bought = cost.bought_price.map(|price| price * bills.len() as f64);
+    for line in bills.iter().flat_map(|bill| &bill.lines) {
+        all.total += line.sum.unwrap_or(0.0);
+        let same = all.lines.iter_mut().find(|other| other.name == line.name);
+        let Some(same) = same else {
+            let count = bills.len();
+            all.lines.push(BillLine {
+                amount: Sentence::new(format!("{count} 人分"), format!("for {count}")),
+                ..line.clone()
+            });
+            continue;
+        };
+        same.sum = same.sum.zip(line.sum).map(|(one, other)| one + other);
+        same.asks = same.asks.or(line.asks);
+    }
+    all
+}
+
+/// Cloth of one garment as a shop sells it, and its price.
+fn cloth(garment: &PlannedGarment, fabric: &FabricDesign) -> (Sentence, Result<f64, &'static str>) {
+    let bought = garment.bought();
+    let metric = format!("{:.1} m", bought.metric.to_m());
+    let imperial = format!("{:.1} yd", bought.imperial.to_yd());
+    match (fabric.price_per_m, fabric.price_per_yd) {
+        (Some(price), _) => (
+            Sentence::new(metric.clone(), metric),
+            Ok(price * bought.metric.to_m()),
+        ),
+        (None, Some(price)) => (
+            Sentence::new(imperial.clone(), imperial),
+            Ok(price * bought.imperial.to_yd()),
+        ),
+        (None, None) => (
+            Sentence::new(metric.clone(), metric),
+            Err("[fabric] price_per_m"),
+        ),
+    }
+}
+
+/// A length sold by 10 cm, and its price.
+fn by_meter(
+    length: Length,
+    price_per_m: Option<f64>,
+    key: &'static str,
+) -> (Sentence, Result<f64, &'static str>) {
+    // Rounding noise buys no further 10 cm.
+    let meters = (length.to_m() * 10.0 - 1e-9).ceil() / 10.0;
+    let amount = format!("{meters:.1} m");
+    let price = price_per_m.map(|price| price * meters).ok_or(key);
+    (Sentence::new(amount.clone(), amount), price)
+}
+
+/// Length of all notions of a kind; `None` where there are none.
+fn notion_length(plan: &DancerPlan, kind: NotionKind) -> Option<Length> {
+    let garments = plan.garments.iter();
+    let notions = garments.flat_map(|garment| &garment.tailored.pattern.notions);
+    let lengths = notions.filter(|notion| notion.kind == kind);
+    let lengths = lengths.filter_map(|notion| match notion.amount {
+        Amount::Length(length) => Some(length),
+        Amount::Count(_) | Amount::Mass(_) => None,
+    });
+    lengths.fold(None, |sum, length| {
+        Some(sum.map_or(length, |sum: Length| sum + length))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::order::{self, tests::plan_of};
+
+    fn design() -> Design {
+        let mut design = Design::default();
+        design.dancer.hip_cm = Some(91.4);
+        design
+    }
+
+    #[test]
+    fn nothing_is_assumed() {
+        let design = design();
+        let bill = bill(&design, &plan_of(&design));
+        assert_eq!(bill.total, 0.0);
+        let keys = [
+            "[cost] elastic_price_per_m",
+            "[cost] thread_price_per_spool",
+            "[fabric] price_per_m",
+        ];
+        assert_eq!(bill.asked_for(), keys);
+        assert_eq!(bill.saving(), None);
+    }
+
+    /// 366 to 368 cm of cloth are 3.7 m in Japan and 4 yd in Hawaiʻi.
+    #[test]
+    fn cloth_costs_what_a_shop_cuts() {
+        let mut design = design();
+        design.fabric.price_per_yd = Some(6.0);
+        assert_eq!(bill(&design, &plan_of(&design)).total, 24.0);
+        design.fabric.price_per_m = Some(1000.0);
+        assert!((bill(&design, &plan_of(&design)).total - 3700.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn a_group_costs_the_sum_of_its_dancers() {
+        let mut design = design();
+        design.fabric.price_per_m = Some(1200.0);
+        design.cost.elastic_price_per_m = Some(60.0);
+        design.cost.thread_price_per_spool = Some(250.0);
+        design.cost.wage_per_h = Some(1000.0);
+        design.cost.bought_price = Some(15_000.0);
+        let one = bill(&design, &plan_of(&design));
+        assert!(one.is_complete());
+        let all = sum(&[one.clone(), one.clone(), one.clone()], &design.cost);
+        assert!((all.total - 3.0 * one.total).abs() < 1e-6);
+        assert!((all.saving().unwrap() - 3.0 * one.saving().unwrap()).abs() < 1e-6);
+        assert_eq!(all.lines.len(), one.lines.len());
+        let _ = order::Settings::default();
+    }
+}

@@ -1,0 +1,79 @@
+//! Keys of `[cost]`: prices as a shop told them. The price of a cloth stands with the cloth.
+
+use lole_language::words;
+
+use super::{Key, Kind, Table};
+use crate::document::Currency;
+
+const CURRENCIES: &[(&str, Currency)] = &[
+    (Currency::Yen.id(), Currency::Yen),
+    (Currency::Dollar.id(), Currency::Dollar),
+];
+
+/// The table.
+pub(super) const COST: Table = Table {
+    name: "cost",
+    about: words(
+        "費用。値段は店で見たものを書く。書かないものは数えず、たずねる",
+        "prices as a shop told them; what is not written is not counted but asked for",
+    ),
+    keys: &[
+        choice!(
+            "currency",
+            words("通貨", "currency"),
+            CURRENCIES,
+            cost.currency,
+            "通貨",
+            "currency"
+        ),
+        number_if_known!(
+            "elastic_price_per_m",
+            0.0..=100_000.0,
+            cost.elastic_price_per_m,
+            "ゴム 1 m の値段",
+            "one meter of elastic"
+        ),
+        number_if_known!(
+            "tape_price_per_m",
+            0.0..=100_000.0,
+            cost.tape_price_per_m,
+            "テープやひも 1 m の値段",
+            "one meter of tape or cord"
+        ),
+        number_if_known!(
+            "thread_price_per_spool",
+            0.0..=100_000.0,
+            cost.thread_price_per_spool,
+            "糸 1 巻きの値段",
+            "one spool of thread"
+        ),
+        number!(
+            "thread_spool_m",
+            10.0..=10_000.0,
+            cost.thread_spool_m,
+            "糸 1 巻きの長さ",
+            "thread on one spool"
+        ),
+        number_if_known!(
+            "other_price",
+            0.0..=10_000_000.0,
+            cost.other_price,
+            "ほかにかかるもの（1 着）",
+            "all else, for one costume"
+        ),
+        number_if_known!(
+            "wage_per_h",
+            0.0..=1_000_000.0,
+            cost.wage_per_h,
+            "縫う人への 1 時間の礼。書かなければ数えない",
+            "an hour of sewing; not counted when left out"
+        ),
+        number_if_known!(
+            "bought_price",
+            0.0..=10_000_000.0,
+            cost.bought_price,
+            "同じものを買うときの値段",
+            "the same costume bought ready"
+        ),
+    ],
+};

@@ -1,0 +1,417 @@
+//! A group's costumes: one design cut for every dancer of a list, and what the group buys.
+
+use lole_body::{BodyError, Dancer, Measure, Measurements};
+use lole_geom::Length;
+use lole_language::{Bilingual, Words};
+use lole_pattern::Yardage;
+use lole_pattern::marker::Lay;
+use lole_pattern::pattern::{Amount, NotionKind};
+
+use crate::document::{Design, FabricDesign, GarmentLayer, PrintChoice};
+use crate::roster::RosterDancer;
+use crate::tailoring::{ClothPlan, GarmentPattern, TailoringError, patterns_of};
+
+/// What the buyer decides.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Settings {
+    /// Cloth bought over what is needed, over it: prints are seldom printed again.
+    pub spare_ratio: f64,
+    /// Cloth on one bolt, where it is known.
+    pub bolt_length: Option<Length>,
+}
+
+impl Default for Settings {
+    /// One skirt in twenty may go wrong.
+    fn default() -> Self {
+        Self {
+            spare_ratio: 0.05,
+            bolt_length: None,
+        }
+    }
+}
+
+/// Everything one dancer's costume is cut from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DancerPlan {
+    /// Who.
+    pub name: String,
+    /// Her tape with what was not measured filled in [cm], in the order of [`Measure::ALL`].
+    pub tape_cm: Vec<(Measure, f64)>,
+    /// What of it was not measured.
+    pub estimated: Vec<Measure>,
+    /// Her garments, from the skin outward.
+    pub garments: Vec<PlannedGarment>,
+}
+
+/// One garment with where its pieces lie on its cloth.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlannedGarment {
+    /// Pieces, notions, steps and cloth.
+    pub tailored: GarmentPattern,
+    /// The pieces of each of its cloths laid out, its own cloth first.
+    pub plans: Vec<ClothPlan>,
+}
+
+impl PlannedGarment {
+    /// Its own cloth to buy; none where no piece is cut from it.
+    #[must_use]
+    pub fn bought(&self) -> Yardage {
+        let own = self.plans.first();
+        own.map_or_else(
+            || Yardage::for_length(Length::ZERO),
+            |plan| plan.marker.yardage,
+        )
+    }
+
+    /// Pieces that are cut as rectangles: along the selvage and across, as often as they are cut.
+    #[must_use]
+    pub fn rectangles(&self) -> Vec<(Words, [Length; 2], u32)> {
+        let pieces = self.tailored.pattern.pieces.iter();
+        pieces
+            .filter_map(|piece| {
+                let [width, height] = piece.drawing(CURVE_TOLERANCE).rectangle?;
+                let sizes = if piece.grain.y.abs() < piece.grain.x.abs() {
+                    [width, height]
+                } else {
+                    [height, width]
+                };
+                Some((piece.name, sizes, piece.cut.pieces()))
+            })
+            .collect()
+    }
+
+    /// Lengths of its elastics to cut, with how many of each.
+    #[must_use]
+    pub fn elastics(&self) -> Vec<(Length, u32)> {
+        let notions = self.tailored.pattern.notions.iter();
+        notions
+            .filter(|notion| notion.kind == NotionKind::Elastic)
+            .fold(Vec::new(), |mut elastics: Vec<(Length, u32)>, notion| {
+                if let Amount::Length(length) = notion.amount {
+                    match elastics.last_mut() {
+                        Some((last, count)) if is_same(*last, length) => *count += 1,
+                        _ => elastics.push((length, 1)),
+                    }
+                }
+                elastics
+            })
+    }
+}
+
+/// Elastics are cut to the millimeter.
+fn is_same(one: Length, other: Length) -> bool {
+    (one - other).to_cm().abs() < 0.05
+}
+
+/// Farthest that drawn lines are from their curves [m].
+const CURVE_TOLERANCE: f64 = 1e-4;
+
+/// Why a dancer's costume cannot be cut.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum PlanError {
+    /// Her tape makes no body.
+    #[error("{0}")]
+    Body(#[from] BodyError),
+    /// A garment cannot be drafted to it.
+    #[error("{0}")]
+    Tailoring(#[from] TailoringError),
+}
+
+impl Bilingual for PlanError {
+    fn japanese(&self) -> String {
+        match self {
+            Self::Body(error) => error.japanese(),
+            Self::Tailoring(error) => error.japanese(),
+        }
+    }
+}
+
+/// Cuts a design for one dancer of a list.
+///
+/// # Errors
+/// A tape that makes no body, or a garment that cannot be drafted to it.
+pub fn plan(dancer: &RosterDancer, design: &Design) -> Result<DancerPlan, PlanError> {
+    plan_design(&dancer.name, &dancer.design(design))
+}
+
+/// Cuts a design for its own dancer.
+///
+/// # Errors
+/// As [`plan`].
+pub fn plan_design(name: &str, design: &Design) -> Result<DancerPlan, PlanError> {
+    let tape = design.tape();
+    let measurements = Measurements::from_tape(&tape)?;
+    let dancer = Dancer::with_appearance(&measurements, &design.appearance())?;
+    plan_dancer(name, design, &dancer)
+}
+
+/// Cuts a design for a dancer who stands there already.
+///
+/// # Errors
+/// A garment that cannot be drafted to her.
+pub fn plan_dancer(name: &str, design: &Design, dancer: &Dancer) -> Result<DancerPlan, PlanError> {
+    let tape = design.tape();
+    let taped = dancer.taped(&tape);
+    let garments = patterns_of(design, dancer)?
+        .into_iter()
+        .map(|tailored| {
+            let plans = tailored.cloth_plans(Lay::Single, None);
+            PlannedGarment { tailored, plans }
+        })
+        .collect();
+    Ok(DancerPlan {
+        name: name.to_owned(),
+        tape_cm: (taped.iter())
+            .map(|taped| (taped.measure, taped.on_body.to_cm()))
+            .collect(),
+        estimated: (Measure::ALL.into_iter())
+            .filter(|measure| measure.of(&tape).is_none())
+            .collect(),
+        garments,
+    })
+}
+
+impl Design {
+    /// Cloth and print of every garment, in the order of [`patterns_of`].
+    fn cloths(&self) -> Vec<(&FabricDesign, &PrintChoice)> {
+        let of_layer = |layer| {
+            let garments = self.garments_in(layer);
+            garments.map(|(_, garment)| (garment.fabric(), garment.print()))
+        };
+        of_layer(GarmentLayer::Under)
+            .chain([(&self.fabric, &self.print)])
+            .chain(of_layer(GarmentLayer::Over))
+            .collect()
+    }
+
+    /// Cloth of every garment, in the order of [`patterns_of`].
+    pub(crate) fn fabrics(&self) -> impl Iterator<Item = &FabricDesign> {
+        self.cloths().into_iter().map(|(fabric, _)| fabric)
+    }
+}
+
+/// What a group buys of one print.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PrintTotal {
+    /// The garments that are cut from it.
+    pub garments: Vec<Words>,
+    /// The cloth.
+    pub cloth: Words,
+    /// What is printed on it.
+    pub print: PrintChoice,
+    /// Width of the cloth.
+    pub width: Length,
+    /// What the pieces need, each dancer's rounded up by herself.
+    pub needed: Length,
+    /// To ask for, with what is spare.
+    pub bought: Yardage,
+    /// Where the bolt's length is known: what is cut from each bolt, as places among the dancers with
+    /// lengths, longest first.
+    pub bolts: Vec<Vec<(usize, Length)>>,
+    /// Dancers whose piece is longer than a bolt.
+    pub longer_than_bolt: Vec<usize>,
+}
+
+/// What a group buys of each print.
+#[must_use]
+pub fn prints(plans: &[DancerPlan], design: &Design, settings: &Settings) -> Vec<PrintTotal> {
+    let cloths = design.cloths();
+    let mut kinds: Vec<Vec<usize>> = Vec::new();
+    for (index, cloth) in cloths.iter().enumerate() {
+        match kinds.iter_mut().find(|kind| cloths[kind[0]] == *cloth) {
+            Some(kind) => kind.push(index),
+            None => kinds.push(vec![index]),
+        }
+    }
+    let total = |kind: &Vec<usize>| {
+        let (fabric, print) = cloths[kind[0]];
+        let mut cuts = Vec::new();
+        let mut garments = Vec::new();
+        for (dancer, plan) in plans.iter().enumerate() {
+            for garment in kind.iter().filter_map(|&index| plan.garments.get(index)) {
+                cuts.push((dancer, garment.bought().needed));
+                if !garments.contains(&garment.tailored.name) {
+                    garments.push(garment.tailored.name);
+                }
+            }
+        }
+        let needed = cuts
+            .iter()
+            .fold(Length::ZERO, |sum, &(_, length)| sum + length);
+        let (bolts, longer_than_bolt) = match settings.bolt_length {
+            Some(length) => bolts(&cuts, length),
+            None => (Vec::new(), Vec::new()),
+        };
+        PrintTotal {
+            garments,
+            cloth: Words {
+                japanese: fabric.preset.name_ja,
+                english: fabric.preset.name,
+            },
+            print: print.clone(),
+            width: Length::from_cm(fabric.width_cm),
+            needed,
+            bought: Yardage::for_length(needed * (1.0 + settings.spare_ratio)),
+            bolts,
+            longer_than_bolt,
+        }
+    };
+    kinds.iter().map(total).collect()
+}
+
+/// What is cut from each bolt, so that no piece spans the end of one: the longest piece first, each
+/// from the first bolt that still holds it (first fit, decreasing: at most 11/9 of the fewest bolts,
+/// Johnson 1973).
+fn bolts(cuts: &[(usize, Length)], bolt: Length) -> (Vec<Vec<(usize, Length)>>, Vec<usize>) {
+    let mut sorted = cuts.to_vec();
+    // Equal lengths stay in the order of the list.
+    sorted.sort_by(|(_, one), (_, other)| other.to_m().total_cmp(&one.to_m()));
+    let mut bolts: Vec<(Length, Vec<(usize, Length)>)> = Vec::new();
+    let mut too_long = Vec::new();
+    for (dancer, length) in sorted {
+        if bolt < length {
+            too_long.push(dancer);
+            continue;
+        }
+        let room = bolts.iter_mut().find(|(left, _)| length <= *left);
+        match room {
+            Some((left, cut)) => {
+                *left = *left - length;
+                cut.push((dancer, length));
+            }
+            None => bolts.push((bolt - length, vec![(dancer, length)])),
+        }
+    }
+    let bolts = bolts.into_iter().map(|(_, cut)| cut).collect();
+    (bolts, too_long)
+}
+
+/// A group's notions of one kind.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NotionTotal {
+    /// What to ask for.
+    pub name: Words,
+    /// How much of it.
+    pub amount: Amount,
+}
+
+/// Everything a group buys beside cloth, equal things together.
+#[must_use]
+pub fn notions(plans: &[DancerPlan]) -> Vec<NotionTotal> {
+    let mut totals: Vec<NotionTotal> = Vec::new();
+    let garments = plans.iter().flat_map(|plan| &plan.garments);
+    for notion in garments.flat_map(|garment| &garment.tailored.pattern.notions) {
+        let same = totals.iter_mut().find(|total| total.name == notion.name);
+        let Some(total) = same else {
+            totals.push(NotionTotal {
+                name: notion.name,
+                amount: notion.amount,
+            });
+            continue;
+        };
+        total.amount = match (total.amount, notion.amount) {
+            (Amount::Length(one), Amount::Length(other)) => Amount::Length(one + other),
+            (Amount::Count(one), Amount::Count(other)) => Amount::Count(one + other),
+            (Amount::Mass(one), Amount::Mass(other)) => Amount::Mass(one + other),
+            (kept, _) => kept,
+        };
+    }
+    totals
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+    use crate::document::{GarmentDesign, WornTop};
+    use crate::roster;
+
+    /// The design cut for its own dancer.
+    pub(crate) fn plan_of(design: &Design) -> DancerPlan {
+        plan_design("花子", design).unwrap_or_else(|error| panic!("{error}"))
+    }
+
+    fn plans(design: &Design) -> Vec<DancerPlan> {
+        let list = "name,stature,hip\na,150,85\nb,158,91.4\nc,171,101\n";
+        let roster = roster::read(list.as_bytes()).unwrap();
+        let plans = roster.dancers.iter().map(|dancer| plan(dancer, design));
+        plans.collect::<Result<_, _>>().unwrap()
+    }
+
+    /// Four times the hips and two seam allowances, for each of them.
+    #[test]
+    fn every_dancer_gets_her_own_cut() {
+        let plans = plans(&Design::default());
+        for (plan, hip) in plans.iter().zip([85.0, 91.4, 101.0]) {
+            let (_, [along, across], count) = plan.garments[0].rectangles()[0];
+            assert!(
+                (along.to_cm() - (4.0 * hip + 2.0)).abs() < 1e-6,
+                "{along:?}"
+            );
+            assert!((50.0..130.0).contains(&across.to_cm()) && count == 1);
+            assert_eq!(plan.garments[0].elastics()[0].1, 3);
+            assert_eq!(plan.estimated.len(), 12);
+        }
+        let height = |index: usize| plans[index].garments[0].rectangles()[0].1[1].to_cm();
+        // One hem above the floor: taller dancers wear longer skirts.
+        assert!(height(0) < height(1) && height(1) < height(2));
+    }
+
+    #[test]
+    fn garments_of_one_print_are_bought_together() {
+        let mut design = Design::default();
+        design.garments = vec![GarmentDesign::PauTop(WornTop {
+            fabric: design.fabric.clone(),
+            print: design.print.clone(),
+            ..WornTop::default()
+        })];
+        let cut = plans(&design);
+        let settings = Settings::default();
+        let together = prints(&cut, &design, &settings);
+        assert_eq!(together.len(), 1);
+        assert_eq!(together[0].garments.len(), 2);
+        design.print.colorway = "blue";
+        let apart = prints(&cut, &design, &settings);
+        assert_eq!(apart.len(), 2);
+        let sum = apart[0].needed + apart[1].needed;
+        assert!((sum - together[0].needed).to_m().abs() < 1e-9);
+        let with_spare = together[0].needed * 1.05;
+        let over = (together[0].bought.metric - with_spare).to_cm();
+        assert!((-2.0..10.0).contains(&over), "{over} cm");
+    }
+
+    #[test]
+    fn no_piece_spans_two_bolts() {
+        let cuts: Vec<(usize, Length)> = [3.7, 3.9, 2.5, 4.1, 1.2, 3.3, 25.0]
+            .into_iter()
+            .enumerate()
+            .map(|(index, meters)| (index, Length::from_m(meters)))
+            .collect();
+        let (bolts, too_long) = bolts(&cuts, Length::from_m(8.0));
+        assert_eq!(too_long, [6]);
+        let mut seen: Vec<usize> = Vec::new();
+        for bolt in &bolts {
+            let length: f64 = bolt.iter().map(|(_, length)| length.to_m()).sum();
+            assert!(length <= 8.0 + 1e-9, "{length}");
+            seen.extend(bolt.iter().map(|&(dancer, _)| dancer));
+        }
+        seen.sort_unstable();
+        assert_eq!(seen, [0, 1, 2, 3, 4, 5]);
+        // 18.7 m need at least three bolts of 8 m.
+        assert_eq!(bolts.len(), 3);
+    }
+
+    #[test]
+    fn elastic_of_a_group_is_the_sum() {
+        let plans = plans(&Design::default());
+        let elastics = plans.iter().flat_map(|plan| plan.garments[0].elastics());
+        let sum: f64 = elastics
+            .map(|(length, count)| length.to_m() * f64::from(count))
+            .sum();
+        let total = notions(&plans);
+        let Amount::Length(length) = total[0].amount else {
+            panic!("elastic is sold by length")
+        };
+        assert!((length.to_m() - sum).abs() < 1e-9);
+    }
+}

@@ -1,0 +1,427 @@
+//! A list of dancers as a spreadsheet saves it: one row a dancer, names and tape measures.
+//!
+//! Heads are Japanese or English and stand in any order; text is UTF-8 with or without a byte-order
+//! mark, UTF-16 with one, or `Shift_JIS`; columns are parted by commas, semicolons or tabs. A length is
+//! in centimeters unless its head or its cell says inches. One bad row is told with its line and
+//! column and leaves the others as they are; a file that is no list is refused whole.
+//!
+//! ```
+//! use lole_costume::roster;
+//!
+//! let list = roster::read("名前,身長,ヒップ\n花子,158,91\nʻIolana,\"5'4\"\"\",38 in\n".as_bytes())?;
+//! assert_eq!(list.dancers.len(), 2);
+//! assert!((list.dancers[1].hip_cm() - 96.52).abs() < 1e-9);
+//! # Ok::<(), roster::RosterError>(())
+//! ```
+
+mod cells;
+mod columns;
+mod lengths;
+
+use lole_body::{Figure, Measure};
+use lole_language::{Bilingual, Sentence, Words};
+
+use crate::document::Design;
+use cells::{Record, Separator};
+use columns::{Column, Meaning};
+use lengths::{Reading, Unit};
+
+/// Most dancers of a list: more than any hālau, and what one run can hold.
+pub const MOST_DANCERS: usize = 1000;
+/// Largest file [byte].
+const MOST_BYTES: usize = 8 << 20;
+/// Longest name [letter]: it becomes the name of files.
+const MOST_LETTERS: usize = 80;
+
+/// What a file says.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Roster {
+    /// Everybody whose row can be used, in the order of the file.
+    pub dancers: Vec<RosterDancer>,
+    /// Rows that cannot, and why.
+    pub problems: Vec<RowProblem>,
+    /// What was taken for granted, such as columns that were not read.
+    pub notes: Vec<Sentence>,
+}
+
+/// One dancer of a list.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RosterDancer {
+    /// Line of the file, from 1.
+    pub line: u32,
+    /// As written; no two are alike.
+    pub name: String,
+    /// Whose proportions, where a column says so.
+    pub figure: Option<Figure>,
+    /// What the tape said [cm], in the order of [`Measure::ALL`]. The hip is among them.
+    pub tape_cm: Vec<(Measure, f64)>,
+}
+
+/// A row that cannot be used.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct RowProblem {
+    /// Line of the file, from 1.
+    pub line: u32,
+    /// Column from 1 with its head, where it is about one.
+    pub column: Option<(usize, String)>,
+    /// What is wrong and what to do.
+    pub what: Sentence,
+}
+
+impl RowProblem {
+    /// The problem with its place.
+    #[must_use]
+    pub fn sentence(&self) -> Sentence {
+        let Self { line, column, what } = self;
+        match column {
+            Some((number, head)) => Sentence::new(
+                format!("{line} 行目、{number} 列目（{head}）: {}", what.japanese),
+                format!("line {line}, column {number} ({head}): {}", what.english),
+            ),
+            None => Sentence::new(
+                format!("{line} 行目: {}", what.japanese),
+                format!("line {line}: {}", what.english),
+            ),
+        }
+    }
+}
+
+/// Why a file is no list of dancers.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum RosterError {
+    /// It is larger than any list.
+    #[error("the file has {bytes} bytes, more than a list of dancers has; save only the list")]
+    TooLarge {
+        /// Its size.
+        bytes: usize,
+    },
+    /// It is not text.
+    #[error(
+        "the file is no text in UTF-8 or Shift_JIS; in the spreadsheet choose \"CSV UTF-8\" when saving"
+    )]
+    NoText,
+    /// It is a spreadsheet's own file.
+    #[error("the file is a workbook, not CSV; in the spreadsheet choose \"CSV UTF-8\" when saving")]
+    Workbook,
+    /// A quotation mark is never closed.
+    #[error("line {line}: a quotation mark opens here and is never closed; close or remove it")]
+    OpenQuote {
+        /// Where it opens.
+        line: u32,
+    },
+    /// Nothing but empty lines.
+    #[error(
+        "the list is empty; write a first row of heads such as name, stature, bust, waist, hip"
+    )]
+    Empty,
+    /// A column without which nothing can be sized.
+    #[error(
+        "line {line}: no column is called {}; the first row must name the columns, such as name, \
+         stature, bust, waist, hip",
+        column.english
+    )]
+    MissingColumn {
+        /// Line of the heads.
+        line: u32,
+        /// What is missing.
+        column: Words,
+    },
+    /// Two columns of one meaning.
+    #[error(
+        "line {line}: columns {first} and {second} are both {}; rename or remove one",
+        column.english
+    )]
+    TwiceColumn {
+        /// Line of the heads.
+        line: u32,
+        /// What both are.
+        column: Words,
+        /// Number of one, from 1.
+        first: usize,
+        /// Number of the other.
+        second: usize,
+    },
+    /// More rows than one run takes.
+    #[error("the list has {count} dancers; at most {MOST_DANCERS} are cut at once, so split it")]
+    TooMany {
+        /// How many.
+        count: usize,
+    },
+}
+
+impl Bilingual for RosterError {
+    fn japanese(&self) -> String {
+        match self {
+            Self::TooLarge { bytes } => format!(
+                "ファイルが {bytes} バイトあり、名簿としては大きすぎます。名簿だけを保存してください"
+            ),
+            Self::NoText => "UTF-8 でも Shift_JIS でもないファイルです。表計算ソフトで「CSV UTF-8」を選んで保存してください".to_owned(),
+            Self::Workbook => "CSV ではなく表計算ソフトのファイルです。「CSV UTF-8」を選んで保存してください".to_owned(),
+            Self::OpenQuote { line } => format!(
+                "{line} 行目: ここで始まる引用符が閉じていません。閉じるか、消してください"
+            ),
+            Self::Empty => "名簿が空です。最初の行に 名前、身長、バスト、ウエスト、ヒップ などの見出しを書いてください".to_owned(),
+            Self::MissingColumn { line, column } => format!(
+                "{line} 行目: 「{}」の列がありません。最初の行に 名前、身長、バスト、ウエスト、ヒップ などの見出しを書いてください",
+                column.japanese
+            ),
+            Self::TwiceColumn {
+                line,
+                column,
+                first,
+                second,
+            } => format!(
+                "{line} 行目: {first} 列目と {second} 列目がどちらも「{}」です。片方の見出しを変えるか、消してください",
+                column.japanese
+            ),
+            Self::TooMany { count } => format!(
+                "名簿に {count} 人います。一度に {MOST_DANCERS} 人までです。分けてください"
+            ),
+        }
+    }
+}
+
+impl RosterDancer {
+    /// Girth of the hips [cm].
+    #[must_use]
+    pub fn hip_cm(&self) -> f64 {
+        let mut tape = self.tape_cm.iter();
+        let hip = tape.find(|(measure, _)| *measure == Measure::Hip);
+        hip.map_or(0.0, |&(_, cm)| cm)
+    }
+
+    /// The design as this dancer wears it: her tape, all else as it is. Heights that the design
+    /// gives for its own dancer's body follow the statures; the hem stays where it is above the
+    /// floor, so that a group is level.
+    #[must_use]
+    pub fn design(&self, design: &Design) -> Design {
+        let mut worn = design.clone();
+        worn.dancer.file = None;
+        if let Some(figure) = self.figure {
+            worn.dancer.figure = figure;
+        }
+        for measure in Measure::ALL {
+            let mut tape = self.tape_cm.iter();
+            let given = tape.find(|(known, _)| *known == measure);
+            *columns::field(&mut worn.dancer, measure) = given.map(|&(_, cm)| cm);
+        }
+        worn
+    }
+}
+
+/// Reads a list of dancers.
+///
+/// # Errors
+/// A file that is no list, see [`RosterError`]. Single rows that cannot be used are part of the
+/// [`Roster`].
+pub fn read(bytes: &[u8]) -> Result<Roster, RosterError> {
+    let text = cells::decode(bytes)?;
+    let separator = Separator::of(&text);
+    let records = cells::records(&text, separator)?;
+    let mut rows = records.into_iter().filter(|row| !row.is_blank());
+    let head = rows.next().ok_or(RosterError::Empty)?;
+    let rows: Vec<Record> = rows.collect();
+    if MOST_DANCERS < rows.len() {
+        return Err(RosterError::TooMany { count: rows.len() });
+    }
+    let (mut columns, mut notes) = columns::read(&head)?;
+    notes.extend(settle_units(&mut columns, &rows, separator));
+    let mut roster = Roster {
+        dancers: Vec::new(),
+        problems: Vec::new(),
+        notes,
+    };
+    for row in &rows {
+        match dancer(row, &columns, separator, &roster.dancers) {
+            Ok(dancer) => roster.dancers.push(dancer),
+            Err(problems) => roster.problems.extend(problems),
+        }
+    }
+    Ok(roster)
+}
+
+/// Columns without a unit whose numbers can all be inches and none centimeters are inches.
+fn settle_units(columns: &mut [Column], rows: &[Record], separator: Separator) -> Vec<Sentence> {
+    let mut notes = Vec::new();
+    for column in columns.iter_mut() {
+        let Meaning::Measure(measure) = column.meaning else {
+            continue;
+        };
+        if column.unit.is_some() {
+            continue;
+        }
+        let cells = rows.iter().map(|row| row.cell(column.index));
+        let plain: Vec<f64> = cells
+            .filter_map(|cell| match lengths::read(cell, separator) {
+                Reading::Plain(number) => Some(number),
+                _ => None,
+            })
+            .collect();
+        let fits = |unit: Unit| move |number: &f64| lengths::fits(measure, unit.to_cm(*number));
+        let are_inches = !plain.is_empty()
+            && plain.iter().all(fits(Unit::Inch))
+            && !plain.iter().any(fits(Unit::Centimeter));
+        if are_inches {
+            column.unit = Some(Unit::Inch);
+            let head = &column.head;
+            notes.push(Sentence::new(
+                format!("「{head}」の列は、数の大きさからインチとして読みました。cm のときは見出しを「{head}(cm)」にしてください。"),
+                format!("The column \"{head}\" was read as inches, because its numbers fit no body in centimeters. Write \"{head} (cm)\" if they are centimeters."),
+            ));
+        }
+    }
+    notes
+}
+
+/// One row; every problem of it at once.
+fn dancer(
+    row: &Record,
+    columns: &[Column],
+    separator: Separator,
+    others: &[RosterDancer],
+) -> Result<RosterDancer, Vec<RowProblem>> {
+    let mut dancer = RosterDancer {
+        line: row.line,
+        name: String::new(),
+        figure: None,
+        tape_cm: Vec::new(),
+    };
+    let mut problems = Vec::new();
+    for column in columns {
+        let cell = row.cell(column.index);
+        let read = match column.meaning {
+            _ if cells::is_formula(cell) => Err(formula(cell)),
+            Meaning::Name => name(cell, others).map(|name| dancer.name = name),
+            Meaning::Figure => figure(cell).map(|figure| dancer.figure = figure),
+            Meaning::Measure(measure) => length(cell, measure, column.unit, separator)
+                .map(|cm| dancer.tape_cm.extend(cm.map(|cm| (measure, cm)))),
+        };
+        if let Err(what) = read {
+            problems.push(RowProblem {
+                line: row.line,
+                column: Some((column.index + 1, column.head.clone())),
+                what,
+            });
+        }
+    }
+    dancer.tape_cm.sort_by_key(|&(measure, _)| measure);
+    if problems.is_empty() {
+        Ok(dancer)
+    } else {
+        Err(problems)
+    }
+}
+
+fn formula(cell: &str) -> Sentence {
+    let cell: String = cell.chars().take(40).collect();
+    Sentence::new(
+        format!("「{cell}」は計算式です。表計算ソフトで値だけを貼り付けて保存してください"),
+        format!("\"{cell}\" is a formula; paste the values alone and save again"),
+    )
+}
+
+fn name(cell: &str, others: &[RosterDancer]) -> Result<String, Sentence> {
+    let name = cell.split_whitespace().collect::<Vec<_>>().join(" ");
+    if name.is_empty() {
+        return Err(Sentence::new(
+            "名前がありません。名前を書いてください",
+            "there is no name; write one",
+        ));
+    }
+    if MOST_LETTERS < name.chars().count() {
+        return Err(Sentence::new(
+            format!("名前が {MOST_LETTERS} 文字より長くなっています。短くしてください"),
+            format!("the name is longer than {MOST_LETTERS} letters; shorten it"),
+        ));
+    }
+    match others.iter().find(|other| other.name == name) {
+        None => Ok(name),
+        Some(other) => Err(Sentence::new(
+            format!(
+                "「{name}」は {} 行目にもあります。同じ人なら片方を消し、別の人なら区別できる名前にしてください",
+                other.line
+            ),
+            format!(
+                "\"{name}\" is on line {} too; remove one, or tell the two apart by their names",
+                other.line
+            ),
+        )),
+    }
+}
+
+fn figure(cell: &str) -> Result<Option<Figure>, Sentence> {
+    columns::figure(cell).map_err(|()| {
+        Sentence::new(
+            format!("「{cell}」は読めません。女性、男性、子ども のどれかを書くか、空けてください"),
+            format!("\"{cell}\" cannot be read; write woman, man or child, or leave it empty"),
+        )
+    })
+}
+
+/// A length in centimeters; `None` of an empty cell that can be estimated.
+fn length(
+    cell: &str,
+    measure: Measure,
+    unit: Option<Unit>,
+    separator: Separator,
+) -> Result<Option<f64>, Sentence> {
+    let words = measure.words();
+    let [least, most] = measure.band_cm();
+    let cm = match lengths::read(cell, separator) {
+        Reading::Empty if measure == Measure::Hip => {
+            return Err(Sentence::new(
+                "空です。ヒップはかならず測ってください",
+                "it is empty; the hip must be measured",
+            ));
+        }
+        Reading::Empty => return Ok(None),
+        Reading::NoNumber => {
+            return Err(Sentence::new(
+                format!("「{cell}」は長さではありません。91.4 や 36 in のように書いてください"),
+                format!("\"{cell}\" is no length; write it like 91.4 or 36 in"),
+            ));
+        }
+        Reading::Length(cm) => cm,
+        Reading::Plain(number) => {
+            let cm = unit.unwrap_or(Unit::Centimeter).to_cm(number);
+            let other = match unit {
+                None => Some(Unit::Inch),
+                Some(Unit::Inch) => Some(Unit::Centimeter),
+                Some(_) => None,
+            };
+            let other = other.filter(|other| lengths::fits(measure, other.to_cm(number)));
+            if let (false, Some(other)) = (lengths::fits(measure, cm), other) {
+                let (unit, name) = (other.abbreviation(), other.name());
+                return Err(Sentence::new(
+                    format!(
+                        "{}が {cell} では体に合いません。{}なら「{cell} {unit}」と書いてください",
+                        words.japanese, name.japanese
+                    ),
+                    format!(
+                        "a {} of {cell} fits nobody; if it is in {}, write \"{cell} {unit}\"",
+                        words.english, name.english
+                    ),
+                ));
+            }
+            cm
+        }
+    };
+    if lengths::fits(measure, cm) {
+        Ok(Some(cm))
+    } else {
+        Err(Sentence::new(
+            format!(
+                "{}が {cm:.1} cm です。{least}～{most} cm のはずです。測りなおすか、単位をたしかめてください",
+                words.japanese
+            ),
+            format!(
+                "the {} is {cm:.1} cm, but a dancer's lies between {least} and {most} cm; measure again or check the unit",
+                words.english
+            ),
+        ))
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,267 @@
+//! Heads of columns, in Japanese and English.
+
+use lole_body::{Figure, Measure};
+use lole_language::{Sentence, Words, words};
+
+use super::RosterError;
+use super::cells::Record;
+use super::lengths::{Unit, narrow};
+use crate::document::DancerDesign;
+
+/// A column that is read.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Column {
+    /// Its place, from 0.
+    pub(super) index: usize,
+    /// As it is written.
+    pub(super) head: String,
+    pub(super) meaning: Meaning,
+    /// Of its numbers, where the head says so.
+    pub(super) unit: Option<Unit>,
+}
+
+/// What a column holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Meaning {
+    Name,
+    Figure,
+    Measure(Measure),
+}
+
+impl Meaning {
+    const fn words(self) -> Words {
+        match self {
+            Self::Name => words("名前", "name"),
+            Self::Figure => words("体型", "figure"),
+            Self::Measure(measure) => measure.words(),
+        }
+    }
+}
+
+/// Heads that people write, without spaces, units and case.
+const HEADS: &[(Meaning, &[&str])] = &[
+    (
+        Meaning::Name,
+        &[
+            "名前",
+            "氏名",
+            "お名前",
+            "なまえ",
+            "姓名",
+            "踊り手",
+            "name",
+            "fullname",
+            "dancer",
+        ],
+    ),
+    (
+        Meaning::Figure,
+        &["体型", "体形", "性別", "figure", "sex", "gender"],
+    ),
+    (
+        Meaning::Measure(Measure::Stature),
+        &["身長", "背丈", "stature", "height", "bodyheight"],
+    ),
+    (
+        Meaning::Measure(Measure::Bust),
+        &[
+            "バスト",
+            "胸囲",
+            "胸回り",
+            "胸まわり",
+            "bust",
+            "chest",
+            "bustgirth",
+        ],
+    ),
+    (
+        Meaning::Measure(Measure::Underbust),
+        &["アンダーバスト", "アンダー", "underbust", "underbustgirth"],
+    ),
+    (
+        Meaning::Measure(Measure::Waist),
+        &[
+            "ウエスト",
+            "ウェスト",
+            "胴囲",
+            "胴回り",
+            "胴まわり",
+            "waist",
+            "waistgirth",
+        ],
+    ),
+    (
+        Meaning::Measure(Measure::HighHip),
+        &[
+            "腰骨回り",
+            "腰骨まわり",
+            "ミドルヒップ",
+            "中ヒップ",
+            "highhip",
+            "middlehip",
+            "highhipgirth",
+        ],
+    ),
+    (
+        Meaning::Measure(Measure::Hip),
+        &[
+            "ヒップ",
+            "腰囲",
+            "腰回り",
+            "腰まわり",
+            "尻囲",
+            "hip",
+            "hips",
+            "hipgirth",
+        ],
+    ),
+    (
+        Meaning::Measure(Measure::Thigh),
+        &[
+            "太もも回り",
+            "太ももまわり",
+            "太もも",
+            "わたり",
+            "thigh",
+            "thighgirth",
+        ],
+    ),
+    (
+        Meaning::Measure(Measure::Knee),
+        &["ひざ回り", "ひざまわり", "膝回り", "knee", "kneegirth"],
+    ),
+    (
+        Meaning::Measure(Measure::Calf),
+        &[
+            "ふくらはぎ回り",
+            "ふくらはぎまわり",
+            "ふくらはぎ",
+            "calf",
+            "calfgirth",
+        ],
+    ),
+    (
+        Meaning::Measure(Measure::Ankle),
+        &["足首回り", "足首まわり", "足首", "ankle", "anklegirth"],
+    ),
+    (
+        Meaning::Measure(Measure::Inseam),
+        &["股下", "またした", "inseam", "inseamlength", "insideleg"],
+    ),
+    (
+        Meaning::Measure(Measure::WaistHeight),
+        &["ウエストの高さ", "ウエスト高", "waistheight"],
+    ),
+    (
+        Meaning::Measure(Measure::ShoulderBreadth),
+        &[
+            "肩幅",
+            "shoulderbreadth",
+            "shoulderwidth",
+            "shoulder",
+            "shoulders",
+        ],
+    ),
+    (
+        Meaning::Measure(Measure::UpperArmLength),
+        &["上腕の長さ", "上腕長", "upperarmlength", "upperarm"],
+    ),
+];
+
+/// Without these nothing can be sized or told apart.
+const NEEDED: [Meaning; 2] = [Meaning::Name, Meaning::Measure(Measure::Hip)];
+
+/// The columns of a row of heads, and notes on those that are not read.
+pub(super) fn read(head: &Record) -> Result<(Vec<Column>, Vec<Sentence>), RosterError> {
+    let mut columns: Vec<Column> = Vec::new();
+    let mut unknown = Vec::new();
+    for index in 0..head.cells.len() {
+        let written = head.cell(index);
+        if written.is_empty() {
+            continue;
+        }
+        let (name, unit) = name_and_unit(written);
+        let row = HEADS
+            .iter()
+            .find(|(_, names)| names.contains(&name.as_str()));
+        let Some(&(meaning, _)) = row else {
+            unknown.push(written.to_owned());
+            continue;
+        };
+        if let Some(first) = columns.iter().find(|column| column.meaning == meaning) {
+            return Err(RosterError::TwiceColumn {
+                line: head.line,
+                column: meaning.words(),
+                first: first.index + 1,
+                second: index + 1,
+            });
+        }
+        columns.push(Column {
+            index,
+            head: written.to_owned(),
+            meaning,
+            unit,
+        });
+    }
+    let has = |meaning: Meaning| columns.iter().any(|column| column.meaning == meaning);
+    if let Some(missing) = NEEDED.into_iter().find(|&meaning| !has(meaning)) {
+        return Err(RosterError::MissingColumn {
+            line: head.line,
+            column: missing.words(),
+        });
+    }
+    Ok((columns, notes(&unknown)))
+}
+
+fn notes(unknown: &[String]) -> Vec<Sentence> {
+    if unknown.is_empty() {
+        return Vec::new();
+    }
+    vec![Sentence::new(
+        format!("次の列は読みませんでした: {}", unknown.join("、")),
+        format!("These columns were not read: {}", unknown.join(", ")),
+    )]
+}
+
+/// `ヒップ（cm）`, `hip_cm`, `Hip [in]`, `hip inches` without its unit.
+fn name_and_unit(head: &str) -> (String, Option<Unit>) {
+    let head = narrow(head);
+    let words = head.split(|letter: char| " _()[]:/・-".contains(letter));
+    let mut words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
+    let unit = words.last().and_then(|last| Unit::of(last));
+    if unit.is_some() && 1 < words.len() {
+        words.pop();
+    }
+    (words.concat(), unit)
+}
+
+/// Whose proportions a cell names; `None` of an empty one.
+pub(super) fn figure(cell: &str) -> Result<Option<Figure>, ()> {
+    Ok(Some(match narrow(cell).trim() {
+        "" => return Ok(None),
+        "女性" | "女" | "woman" | "female" | "f" | "w" => Figure::Woman,
+        "男性" | "男" | "man" | "male" | "m" => Figure::Man,
+        "子ども" | "子供" | "こども" | "ケイキ" | "child" | "keiki" => Figure::Child,
+        _ => return Err(()),
+    }))
+}
+
+/// The document's field of a measure.
+pub(super) const fn field(dancer: &mut DancerDesign, measure: Measure) -> &mut Option<f64> {
+    match measure {
+        Measure::Stature => &mut dancer.stature_cm,
+        Measure::Bust => &mut dancer.bust_cm,
+        Measure::Underbust => &mut dancer.underbust_cm,
+        Measure::Waist => &mut dancer.waist_cm,
+        Measure::HighHip => &mut dancer.high_hip_cm,
+        Measure::Hip => &mut dancer.hip_cm,
+        Measure::Thigh => &mut dancer.thigh_cm,
+        Measure::Knee => &mut dancer.knee_cm,
+        Measure::Calf => &mut dancer.calf_cm,
+        Measure::Ankle => &mut dancer.ankle_cm,
+        Measure::Inseam => &mut dancer.inseam_cm,
+        Measure::WaistHeight => &mut dancer.waist_height_cm,
+        Measure::ShoulderBreadth => &mut dancer.shoulder_breadth_cm,
+        Measure::UpperArmLength => &mut dancer.upper_arm_length_cm,
+    }
+}

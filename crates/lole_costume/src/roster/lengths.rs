@@ -1,0 +1,138 @@
+//! A length as people write it in a cell: `91.4`, `９１．４cm`, `36 in`, `36"`, `5'4"`, `1.58 m`.
+
+use lole_body::Measure;
+use lole_language::{Words, words};
+
+use super::cells::Separator;
+
+/// A unit of length.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Unit {
+    Millimeter,
+    Centimeter,
+    Meter,
+    Inch,
+}
+
+impl Unit {
+    pub(super) const fn to_cm(self, number: f64) -> f64 {
+        number
+            * match self {
+                Self::Millimeter => 0.1,
+                Self::Centimeter => 1.0,
+                Self::Meter => 100.0,
+                Self::Inch => 2.54,
+            }
+    }
+
+    pub(super) const fn abbreviation(self) -> &'static str {
+        match self {
+            Self::Millimeter => "mm",
+            Self::Centimeter => "cm",
+            Self::Meter => "m",
+            Self::Inch => "in",
+        }
+    }
+
+    pub(super) const fn name(self) -> Words {
+        match self {
+            Self::Millimeter => words("ミリ", "millimeters"),
+            Self::Centimeter => words("センチ", "centimeters"),
+            Self::Meter => words("メートル", "meters"),
+            Self::Inch => words("インチ", "inches"),
+        }
+    }
+
+    /// The unit of this name, in lower case.
+    pub(super) fn of(name: &str) -> Option<Self> {
+        Some(match name.trim_end_matches('.') {
+            "mm" | "ミリ" => Self::Millimeter,
+            "cm" | "㎝" | "センチ" | "センチメートル" | "centimeter" | "centimeters" => {
+                Self::Centimeter
+            }
+            "m" | "メートル" => Self::Meter,
+            "in" | "inch" | "inches" | "インチ" | "\"" | "”" | "″" | "''" => Self::Inch,
+            _ => return None,
+        })
+    }
+}
+
+/// What a cell says.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Reading {
+    Empty,
+    /// A number without a unit.
+    Plain(f64),
+    /// A number with its unit [cm].
+    Length(f64),
+    NoNumber,
+}
+
+/// Whether a dancer can have this [cm].
+pub(super) fn fits(measure: Measure, cm: f64) -> bool {
+    let [least, most] = measure.band_cm();
+    (least..=most).contains(&cm)
+}
+
+/// Reads a cell.
+pub(super) fn read(cell: &str, separator: Separator) -> Reading {
+    let cell = narrow(cell);
+    let cell = cell.trim();
+    if cell.is_empty() || matches!(cell, "-" | "–" | "—" | "?" | "n/a" | "なし" | "未測定")
+    {
+        return Reading::Empty;
+    }
+    if let Some(cm) = feet(cell) {
+        return Reading::Length(cm);
+    }
+    let end = cell
+        .find(|letter: char| !letter.is_ascii_digit() && !".,+".contains(letter))
+        .unwrap_or(cell.len());
+    let (number, unit) = cell.split_at(end);
+    let Some(number) = decimal(number, separator) else {
+        return Reading::NoNumber;
+    };
+    match unit.trim() {
+        "" => Reading::Plain(number),
+        unit => Unit::of(unit).map_or(Reading::NoNumber, |unit| {
+            Reading::Length(unit.to_cm(number))
+        }),
+    }
+}
+
+/// Feet and inches: `5'4"`, `5 ft 4 in`.
+fn feet(cell: &str) -> Option<f64> {
+    let (feet, rest) = cell
+        .split_once("ft")
+        .or_else(|| cell.split_once(['\'', '’', '′']))?;
+    let feet: f64 = feet.trim().parse().ok()?;
+    let inches = rest
+        .trim()
+        .trim_end_matches(|letter: char| !letter.is_ascii_digit());
+    let inches: f64 = match inches {
+        "" => 0.0,
+        inches => inches.parse().ok()?,
+    };
+    let is_length = (0.0..10.0).contains(&feet) && (0.0..12.0).contains(&inches);
+    is_length.then_some((12.0 * feet + inches) * 2.54)
+}
+
+/// A finite positive number; its decimals may follow a comma where commas part no columns.
+fn decimal(number: &str, separator: Separator) -> Option<f64> {
+    let number = match separator {
+        Separator::Comma => number.to_owned(),
+        Separator::Semicolon | Separator::Tab => number.replace(',', "."),
+    };
+    let number: f64 = number.parse().ok()?;
+    (number.is_finite() && 0.0 <= number).then_some(number)
+}
+
+/// Full-width letters as narrow ones, in lower case.
+pub(super) fn narrow(text: &str) -> String {
+    let letter = |letter: char| match letter {
+        '\u{ff01}'..='\u{ff5e}' => char::from_u32(u32::from(letter) - 0xfee0).unwrap_or(letter),
+        '\u{3000}' | '\u{a0}' => ' ',
+        _ => letter,
+    };
+    text.chars().map(letter).collect::<String>().to_lowercase()
+}

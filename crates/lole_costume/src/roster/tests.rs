@@ -1,0 +1,185 @@
+//! Lists as people save them, and lists that nobody should.
+
+use proptest::prelude::*;
+
+use super::*;
+
+fn read_text(text: &str) -> Roster {
+    read(text.as_bytes()).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn refused(text: &str) -> String {
+    read(text.as_bytes()).unwrap_err().to_string()
+}
+
+/// The one problem of a list, in English.
+fn problem(text: &str) -> String {
+    let roster = read_text(text);
+    assert_eq!(roster.problems.len(), 1, "{:?}", roster.problems);
+    roster.problems[0].sentence().english
+}
+
+fn hips(roster: &Roster) -> Vec<f64> {
+    let hips = roster.dancers.iter().map(RosterDancer::hip_cm);
+    hips.map(|cm| (cm * 100.0).round() / 100.0).collect()
+}
+
+#[test]
+fn encodings_and_separators_say_the_same() {
+    let text = "氏名,身長(cm),ヒップ,備考\n高橋 花子,158.5,91.4,\"午前, 火曜\"\n";
+    let wanted = read_text(text);
+    assert_eq!(hips(&wanted), [91.4]);
+    let (sjis, _, _) = encoding_rs::SHIFT_JIS.encode(text);
+    let with_mark = [b"\xef\xbb\xbf", text.as_bytes()].concat();
+    let utf16: Vec<u8> = "\u{feff}"
+        .encode_utf16()
+        .chain(text.encode_utf16())
+        .flat_map(u16::to_le_bytes)
+        .collect();
+    for bytes in [sjis.as_ref(), &with_mark, &utf16] {
+        assert_eq!(read(bytes).unwrap(), wanted);
+    }
+    for (separator, hip) in [("\t", "91.4"), (";", "91,4")] {
+        let text = [
+            "氏名",
+            "身長(cm)",
+            "ヒップ",
+            "備考\r\n高橋 花子",
+            "158.5",
+            hip,
+            "x\r\n",
+        ];
+        assert_eq!(read_text(&text.join(separator)).dancers, wanted.dancers);
+    }
+}
+
+#[test]
+fn lengths_are_read_as_people_write_them() {
+    let text = "name,hip,stature\na,91.4,158\nb,９１．４ｃｍ,1.58 m\nc,36 in,5'2\"\nd,\"36\"\"\",5 ft 2 in\ne,914 mm,-\n";
+    let roster = read_text(text);
+    assert!(roster.problems.is_empty(), "{:?}", roster.problems);
+    assert_eq!(hips(&roster), [91.4, 91.4, 91.44, 91.44, 91.4]);
+    let stature = |index: usize| {
+        let tape = roster.dancers[index].tape_cm.first().copied();
+        tape.filter(|(measure, _)| *measure == Measure::Stature)
+    };
+    for (index, wanted) in [Some(158.0), Some(158.0), Some(157.48), Some(157.48), None]
+        .into_iter()
+        .enumerate()
+    {
+        let found = stature(index).map(|(_, cm)| (cm * 100.0).round() / 100.0);
+        assert_eq!(found, wanted);
+    }
+}
+
+#[test]
+fn heads_say_units_in_many_ways() {
+    for head in [
+        "hip (in)",
+        "Hip [inches]",
+        "hip_in",
+        "HIPS inch",
+        "ヒップ（インチ）",
+    ] {
+        assert_eq!(
+            hips(&read_text(&format!("name,{head}\na,36\n"))),
+            [91.44],
+            "{head}"
+        );
+    }
+}
+
+#[test]
+fn a_hip_of_36_among_centimeters_is_a_mistake_and_alone_is_inches() {
+    let told = problem("name,hip\na,91\nb,36\nc,88\n");
+    assert_eq!(
+        told,
+        "line 3, column 2 (hip): a hip girth of 36 fits nobody; if it is in inches, write \"36 in\""
+    );
+    let roster = read_text("name,hip\na,38\nb,36\n");
+    assert_eq!(hips(&roster), [96.52, 91.44]);
+    assert!(roster.notes[0].english.contains("as inches"));
+}
+
+#[test]
+fn one_bad_row_leaves_the_others() {
+    for (bad, told) in [
+        ("b,=B2,158", "line 3, column 2 (hip): \"=B2\" is a formula"),
+        ("b,,158", "line 3, column 2 (hip): it is empty"),
+        ("a,90,158", "\"a\" is on line 2 too"),
+        (",90,158", "line 3, column 1 (name): there is no name"),
+        ("b,wide,158", "\"wide\" is no length"),
+        ("b,-5,158", "\"-5\" is no length"),
+        ("b,nan,158", "\"nan\" is no length"),
+        ("b,90,1e9", "\"1e9\" is no length"),
+        ("b,90,15.8", "the stature is 15.8 cm"),
+    ] {
+        let text = format!("name,hip,stature\na,91,160\n{bad}\nc,88,150\n");
+        let found = problem(&text);
+        assert!(found.contains(told), "{bad}: {found}");
+        assert_eq!(read_text(&text).dancers.len(), 2);
+    }
+}
+
+#[test]
+fn files_that_are_no_lists_are_refused_whole() {
+    for (text, told) in [
+        ("", "the list is empty"),
+        ("\n ,\n", "the list is empty"),
+        ("name,bust\na,80\n", "no column is called hip girth"),
+        ("dancer?,hip\na,80\n", "no column is called name"),
+        (
+            "name,hip,腰囲\na,80,80\n",
+            "columns 2 and 3 are both hip girth",
+        ),
+        (
+            "name,hip\n\"a,80\nb,90\n",
+            "line 2: a quotation mark opens here",
+        ),
+        ("PK\u{3}\u{4}etc", "a workbook"),
+        ("name,\0", "no text"),
+    ] {
+        assert!(refused(text).contains(told), "{text}: {}", refused(text));
+    }
+    assert_eq!(read(&[0xff, 0x80, 0x00, 0xfd]), Err(RosterError::NoText));
+    let many = format!("name,hip\n{}", "a,90\n".repeat(MOST_DANCERS + 1));
+    assert!(refused(&many).contains("1001 dancers"));
+}
+
+#[test]
+fn quoted_cells_keep_lines_and_their_numbers() {
+    let told = problem("name,hip\n\"two\nlines\",91\nb,x\n");
+    assert!(told.starts_with("line 4, column 2"), "{told}");
+    assert_eq!(
+        read_text("name,hip\n\"two\nlines\",91\n").dancers[0].name,
+        "two lines"
+    );
+}
+
+#[test]
+fn a_design_is_worn_by_another_dancer_with_the_same_hem() {
+    let roster = read_text("name,hip,stature,figure\na,101,171,woman\n");
+    let mut design = Design::default();
+    design.dancer.waist_cm = Some(60.0);
+    let worn = roster.dancers[0].design(&design);
+    assert_eq!(worn.dancer.hip_cm, Some(101.0));
+    assert_eq!(worn.dancer.waist_cm, None);
+    assert_eq!(worn.dancer.figure, Figure::Woman);
+    assert_eq!(worn.skirt, design.skirt);
+}
+
+proptest! {
+    #[test]
+    fn no_bytes_make_it_panic(bytes in prop::collection::vec(any::<u8>(), 0..400)) {
+        drop(read(&bytes));
+    }
+
+    #[test]
+    fn no_list_makes_it_panic(text in "name,hip,身長\n([a-c=+@\"',;\t\r\n0-9.\\-ヒ ]{0,12},){0,40}") {
+        if let Ok(roster) = read(text.as_bytes()) {
+            for dancer in &roster.dancers {
+                prop_assert!(lengths::fits(Measure::Hip, dancer.hip_cm()));
+            }
+        }
+    }
+}

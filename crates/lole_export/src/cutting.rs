@@ -1,0 +1,107 @@
+//! Everything on paper that cloth is cut by: cut plans, patterns at full size, sheets for ruler and
+//! chalk, and the same as SVG, DXF and JSON.
+//!
+//! | File | Function |
+//! |---|---|
+//! | `cut-plan.pdf` | [`cut_plan_sheets`]: where each piece lies on the cloth |
+//! | `cut-plan.svg` | [`cut_plan_svg`] |
+//! | `pattern-a4.pdf` | [`tiled_sheets`]: pieces at full size over sheets to join |
+//! | `ruler.pdf` | [`ruler_sheets`]: rectangles to draw with ruler and chalk |
+//! | `pattern.svg` | [`pieces_svg`]: pieces at full size, a group for each |
+//! | `pattern.dxf` | [`crate::dxf::pattern_dxf`] |
+//! | `pattern.json` | [`pattern_json`] |
+//!
+//! Pieces are drawn as they are worn, `+y` up; pages have `y` down and are in millimeters.
+
+mod draw;
+mod json;
+mod pieces_svg;
+mod plan;
+mod ruler;
+mod tiles;
+
+use lole_costume::tailoring::{ClothPlan, GarmentPattern};
+use lole_geom::Length;
+use lole_language::{Language, Words, words};
+use lole_pattern::piece::{ClothRole, CutCount, Piece};
+
+pub use json::pattern_json;
+pub use pieces_svg::pieces_svg;
+pub use plan::{cut_plan_sheets, cut_plan_svg};
+pub use ruler::ruler_sheets;
+pub use tiles::{TiledPattern, tiled_sheets};
+
+/// One garment with its cut plans.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CutGarment {
+    /// The garment.
+    pub garment: GarmentPattern,
+    /// One for each of its cloths.
+    pub plans: Vec<ClothPlan>,
+}
+
+/// Lines of full-size patterns stay this close to their curves [m]: half the width of a fine pencil.
+const TOLERANCE: f64 = 1.0e-4;
+
+/// Millimeters of a meter.
+const MM: f64 = 1000.0;
+
+/// What a cloth of a garment is called.
+const fn role_name(role: ClothRole) -> Words {
+    match role {
+        ClothRole::Main => words("表布", "main cloth"),
+        ClothRole::Contrast => words("別布", "contrast cloth"),
+        ClothRole::Lining => words("裏布", "lining"),
+        ClothRole::Interfacing => words("芯地", "interfacing"),
+    }
+}
+
+/// How often a piece is cut, in words: "cut 2", "1 pair".
+fn cut_words(piece: &Piece, language: Language) -> String {
+    match (piece.cut, language) {
+        (CutCount::Alike(count), Language::Japanese) => format!("{count} 枚"),
+        (CutCount::Alike(count), Language::English) => format!("cut {count}"),
+        (CutCount::Pairs(count), Language::Japanese) => format!("左右 {count} 組"),
+        (CutCount::Pairs(1), Language::English) => "cut 1 pair".to_owned(),
+        (CutCount::Pairs(count), Language::English) => format!("cut {count} pairs"),
+    }
+}
+
+/// A length in centimeters with a millimeter's digit: "92.5 cm".
+fn cm(length: Length) -> String {
+    format!("{:.1} cm", length.to_cm())
+}
+
+/// A length in inches, as rulers in Hawaiʻi have it: "36 3/8 in".
+fn inches(length: Length) -> String {
+    let eighths = (length.to_cm() / 2.54 * 8.0).round();
+    let whole = (eighths / 8.0).floor();
+    let part = match eighths - whole * 8.0 {
+        part if part < 0.5 => return format!("{whole:.0} in"),
+        part if part < 1.5 => "1/8",
+        part if part < 2.5 => "1/4",
+        part if part < 3.5 => "3/8",
+        part if part < 4.5 => "1/2",
+        part if part < 5.5 => "5/8",
+        part if part < 6.5 => "3/4",
+        _ => "7/8",
+    };
+    format!("{whole:.0} {part} in")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn inches_are_said_in_eighths() {
+        for (cm, said) in [
+            (2.54, "1 in"),
+            (92.5, "36 3/8 in"),
+            (1.0, "0 3/8 in"),
+            (2.5, "1 in"),
+        ] {
+            assert_eq!(inches(Length::from_cm(cm)), said);
+        }
+    }
+}

@@ -1,0 +1,120 @@
+//! All pieces of a garment at full size as one SVG: one unit is a millimeter.
+//!
+//! Each piece is a group with its name; what is cut, stitched, marked and notched are groups of
+//! classes of their own, so that a plotter or a drawing program takes what it needs.
+
+use kurbo::{Affine, Point};
+use lole_language::Language;
+use lole_pattern::piece::{Drawing, Piece};
+
+use super::draw::{line, outline};
+use super::{CutGarment, MM, TOLERANCE, cut_words};
+use crate::svg::{escape, head, number, path_data};
+
+/// Space around and between pieces [mm].
+const GAP: f64 = 20.0;
+/// Pieces begin a new row where one would be longer than this [mm].
+const ROW: f64 = 4000.0;
+/// Length of a notch [mm].
+const NOTCH: f64 = 5.0;
+
+const STYLE: &str = "<style>path{fill:none;stroke:#000;stroke-width:.3}.cut path{stroke-width:.5}\
+.stitch path{stroke-dasharray:3 3}.grain path{stroke-width:.4}text{font-size:8px}</style>\n";
+
+/// Pieces whole, not folded; of pairs the wearer's left.
+#[must_use]
+pub fn pieces_svg(cut: &CutGarment, language: Language) -> Vec<u8> {
+    let mut groups = String::new();
+    let (mut x, mut y, mut row_height) = (GAP, GAP, 0.0_f64);
+    let mut width = 0.0_f64;
+    for piece in &cut.garment.pattern.pieces {
+        let whole = piece.unfolded();
+        let drawing = whole.drawing(TOLERANCE);
+        let bounds = drawing.cut.bounds();
+        let size = [bounds.width() * MM, bounds.height() * MM];
+        if GAP < x && ROW < x + size[0] {
+            x = GAP;
+            y += row_height + GAP;
+            row_height = 0.0;
+        }
+        let page = Affine::translate((x, y))
+            * Affine::scale_non_uniform(MM, -MM)
+            * Affine::translate((-bounds.x0, -bounds.y1));
+        write_piece(&mut groups, piece, &drawing, page, language);
+        x += size[0] + GAP;
+        row_height = row_height.max(size[1]);
+        width = width.max(x);
+    }
+    let mut svg = head(width.max(2.0 * GAP), y + row_height + GAP);
+    svg.push_str(STYLE);
+    let name = escape(cut.garment.name.text(language));
+    svg.push_str(&format!("<title>{name}</title>\n"));
+    svg.push_str(&groups);
+    svg.push_str("</svg>\n");
+    svg.into_bytes()
+}
+
+fn write_piece(
+    svg: &mut String,
+    piece: &Piece,
+    drawing: &Drawing,
+    page: Affine,
+    language: Language,
+) {
+    let paths = |class: &str, paths: &mut dyn Iterator<Item = kurbo::BezPath>| -> String {
+        let data: String = paths
+            .map(|path| format!("<path d=\"{}\"/>", path_data(&path)))
+            .collect();
+        format!("<g class=\"{class}\">{data}</g>\n")
+    };
+    let stitches = drawing.stitches.iter();
+    let stitches = stitches.filter(|stitches| 0.0 < stitches.allowance.to_m());
+    let notches = drawing.notches.iter().flat_map(|notch| {
+        let inward = notch.inward * (NOTCH / MM);
+        let side = notch.inward.turn_90() * 0.002;
+        let places: &[f64] = if notch.is_double {
+            &[-1.0, 1.0]
+        } else {
+            &[0.0]
+        };
+        places.iter().map(move |place| {
+            let from = notch.at + side * *place;
+            line(&[from, from + inward], page)
+        })
+    });
+    let points = drawing.points.iter().flat_map(|(_, at)| {
+        let arm = 0.004;
+        [kurbo::Vec2::new(arm, 0.0), kurbo::Vec2::new(0.0, arm)]
+            .map(|arm| line(&[*at - arm, *at + arm], page))
+    });
+    let label = page * drawing.label;
+    let name = escape(piece.name.text(language));
+    let count = escape(&cut_words(piece, language));
+    let texts = [
+        format!("<g id=\"{}\">\n", escape(piece.id)),
+        paths("cut", &mut [outline(&drawing.cut, page)].into_iter()),
+        paths(
+            "stitch",
+            &mut stitches.map(|stitches| line(&stitches.points, page)),
+        ),
+        paths(
+            "mark",
+            &mut drawing
+                .lines
+                .iter()
+                .map(|marked| line(&marked.points, page)),
+        ),
+        paths("notch", &mut notches.into_iter()),
+        paths("point", &mut points.into_iter()),
+        paths(
+            "grain",
+            &mut [line(&drawing.grain as &[Point], page)].into_iter(),
+        ),
+        format!(
+            "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{name} · {count}</text>\n</g>\n",
+            number(label.x),
+            number(label.y - 4.0)
+        ),
+    ];
+    svg.push_str(&texts.concat());
+}

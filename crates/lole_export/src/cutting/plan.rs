@@ -1,0 +1,361 @@
+//! The cut plan on a page: cloth, pieces, how much to buy, and what to cut.
+
+use kurbo::{Affine, Point};
+use lole_costume::tailoring::ClothPlan;
+use lole_geom::Length;
+use lole_language::{Bilingual as _, Language};
+use lole_pattern::marker::{Lay, Marker, Nap};
+
+use super::draw::{arrow, fitting, line, outline};
+use super::{CutGarment, MM, TOLERANCE, cm, cut_words, role_name};
+use crate::pdf::{
+    Align, Cell, Color, Column, Flow, Margins, Paper, Rect, Sheet, Stroke, Table, TextStyle,
+};
+use crate::svg::sheet_svg;
+
+/// Color of the cloth that is bought, and of pieces on it.
+const CLOTH: Color = Color(246, 243, 236);
+const PIECE: Color = Color(255, 255, 255);
+const DOUBLED: Color = Color(226, 236, 246);
+/// Of a piece that reaches over the selvage.
+const TOO_WIDE: Color = Color(250, 220, 214);
+
+/// Height of the drawing on a page [mm].
+const DRAWING: f64 = 96.0;
+/// Room around the cloth for its measures [mm].
+const BORDER: f64 = 12.0;
+
+/// The cut plans of garments, one cloth after the other, on landscape pages.
+#[must_use]
+pub fn cut_plan_sheets(garments: &[CutGarment], paper: Paper, language: Language) -> Vec<Sheet> {
+    let [short, long] = paper.size_mm();
+    let mut flow = Flow::new(
+        [long, short],
+        Margins {
+            side: 14.0,
+            top: 14.0,
+            bottom: 14.0,
+        },
+    );
+    for cut in garments {
+        for plan in &cut.plans {
+            flow.new_page();
+            write_plan(&mut flow, cut, plan, language);
+        }
+    }
+    flow.finish(|sheet, number, count| {
+        let [width, height] = sheet.size;
+        let at = [width - 14.0, height - 7.0];
+        sheet.text(
+            at,
+            &format!("{number} / {count}"),
+            &TextStyle::regular(9.0),
+            Align::Right,
+        );
+    })
+}
+
+/// The same drawings as one SVG in millimeters, one below the other.
+#[must_use]
+pub fn cut_plan_svg(garments: &[CutGarment], language: Language) -> Vec<u8> {
+    let plans = garments.iter().map(|cut| cut.plans.len()).sum::<usize>();
+    let height = DRAWING + 34.0;
+    let count = f64::from(u32::try_from(plans).unwrap_or(1));
+    let mut sheet = Sheet::new([297.0, height * count + 10.0]);
+    let mut top = 8.0;
+    for cut in garments {
+        for plan in &cut.plans {
+            let style = TextStyle::bold(14.0);
+            sheet.text(
+                [14.0, top + 6.0],
+                &title(cut, plan, language),
+                &style,
+                Align::Left,
+            );
+            let about = about(cut, plan, language);
+            let facts = TextStyle::regular(9.0);
+            sheet.text([14.0, top + 12.0], &about, &facts, Align::Left);
+            let rect = Rect {
+                x: 14.0,
+                y: top + 16.0,
+                width: 269.0,
+                height: DRAWING,
+            };
+            draw_marker(&mut sheet, rect, cut, &plan.marker, language);
+            top += height;
+        }
+    }
+    sheet_svg(&sheet)
+}
+
+fn write_plan(flow: &mut Flow, cut: &CutGarment, plan: &ClothPlan, language: Language) {
+    flow.paragraph(&title(cut, plan, language), &TextStyle::bold(17.0));
+    flow.paragraph(&about(cut, plan, language), &TextStyle::regular(11.0));
+    flow.space(2.0);
+    flow.block(DRAWING, |sheet, rect| {
+        draw_marker(sheet, rect, cut, &plan.marker, language)
+    });
+    flow.space(3.0);
+    for warning in &plan.marker.warnings {
+        let text = format!("! {}", warning.text(language));
+        flow.paragraph(&text, &TextStyle::bold(10.5));
+    }
+    pieces_table(cut, plan, language).draw(flow);
+}
+
+fn title(cut: &CutGarment, plan: &ClothPlan, language: Language) -> String {
+    let name = cut.garment.name.text(language);
+    let role = role_name(plan.role).text(language);
+    match language {
+        Language::Japanese => format!("{name}　裁ち方図（{role}）"),
+        Language::English => format!("{name}: cut plan, {role}"),
+    }
+}
+
+/// Cloth, what to buy, what it weighs and how well it is used.
+fn about(cut: &CutGarment, plan: &ClothPlan, language: Language) -> String {
+    let Marker {
+        cloth,
+        yardage,
+        efficiency,
+        ..
+    } = &plan.marker;
+    let name = cut.garment.cloth.name.text(language);
+    let width = cm(cloth.width);
+    let needed = cm(yardage.needed);
+    let (metric, imperial) = (yardage.metric.to_m(), yardage.imperial.to_yd());
+    let (mass, used) = (plan.mass, 100.0 * efficiency);
+    let direction = match cloth.nap {
+        Nap::OneWay => language.pick("・一方向に裁つ", "; all pieces one way"),
+        Nap::TwoWay => "",
+    };
+    match language {
+        Language::Japanese => format!(
+            "{name}　幅 {width}　用尺 {needed} → {metric:.1} m（または {imperial:.1} ヤード）を買う \
+             重さ {mass:.2} kg　使用率 {used:.0} %{direction}"
+        ),
+        Language::English => format!(
+            "{name}, {width} wide. Needs {needed}: buy {imperial:.1} yd or {metric:.1} m. \
+             Weighs {mass:.2} kg; {used:.0} % of the cloth is used{direction}."
+        ),
+    }
+}
+
+/// The cloth with its pieces, as large as fits into `rect`.
+fn draw_marker(
+    sheet: &mut Sheet,
+    rect: Rect,
+    cut: &CutGarment,
+    marker: &Marker,
+    language: Language,
+) {
+    let length = marker.yardage.needed.to_m().max(1e-3);
+    let width = marker.cloth.width.to_m();
+    let bounds = marker
+        .placed
+        .iter()
+        .map(|placed| placed.outline.bounds().y1);
+    let across = bounds.fold(width, f64::max);
+    let scale = ((rect.width - 2.0 * BORDER) / length).min((rect.height - 2.0 * BORDER) / across);
+    let [left, top] = [rect.x + BORDER, rect.y + BORDER];
+    // Doubled cloth shows its fold below and one selvage above.
+    let bottom = top + across * scale;
+    let page = Affine::translate((left, bottom)) * Affine::scale_non_uniform(scale, -scale);
+    let folded = marker.folded_length.to_m();
+    let mut cloth = |from: f64, to: f64, height: f64| {
+        let path = line(
+            &[
+                (from, 0.0),
+                (to, 0.0),
+                (to, height),
+                (from, height),
+                (from, 0.0),
+            ]
+            .map(Point::from),
+            page,
+        );
+        sheet.path(
+            path,
+            Some(CLOTH),
+            Some(Stroke::solid(0.2).with_color(Color::GRAY)),
+        );
+    };
+    if 0.0 < folded {
+        cloth(0.0, folded, 0.5 * width);
+    }
+    if folded < length {
+        cloth(folded, length, width);
+    }
+    for placed in &marker.placed {
+        let is_wide = width + 1e-4 < placed.outline.bounds().y1;
+        let fill = match placed.layers {
+            _ if is_wide => TOO_WIDE,
+            1 => PIECE,
+            _ => DOUBLED,
+        };
+        let path = outline(&placed.outline, page);
+        sheet.path(path, Some(fill), Some(Stroke::solid(0.35)));
+        draw_inside(sheet, cut, placed, page, language);
+    }
+    draw_edges(sheet, marker, page, [length, folded], language);
+    draw_measures(sheet, marker, page, [length, across], language);
+}
+
+/// Stitching line, grain and name of a laid piece.
+fn draw_inside(
+    sheet: &mut Sheet,
+    cut: &CutGarment,
+    placed: &lole_pattern::marker::Placed,
+    page: Affine,
+    language: Language,
+) {
+    let piece = &cut.garment.pattern.pieces[placed.piece];
+    let shown = if placed.is_on_fold {
+        piece.clone()
+    } else {
+        piece.unfolded()
+    };
+    let drawing = shown.drawing(TOLERANCE);
+    let to_page = page * placed.cloth_from_piece;
+    let gray = Stroke::solid(0.15).with_color(Color::GRAY);
+    for stitches in &drawing.stitches {
+        sheet.path(line(&stitches.points, to_page), None, Some(gray.clone()));
+    }
+    for marked in &drawing.lines {
+        sheet.path(line(&marked.points, to_page), None, Some(gray.clone()));
+    }
+    let grain = drawing.grain.map(|end| to_page * end);
+    arrow(
+        sheet,
+        grain,
+        &Stroke::solid(0.2).with_color(Color::GRAY),
+        true,
+    );
+    let name = piece.name.text(language);
+    let at = to_page * drawing.label;
+    let bounds = outline(&placed.outline, page).control_box();
+    if let Some(style) = fitting(name, 0.9 * bounds.width(), 12.0) {
+        let clear = style.em() * 0.35;
+        sheet.text([at.x, at.y - clear], name, &style, Align::Center);
+    }
+}
+
+/// Selvages and fold, said along them.
+fn draw_edges(
+    sheet: &mut Sheet,
+    marker: &Marker,
+    page: Affine,
+    [length, folded]: [f64; 2],
+    language: Language,
+) {
+    let width = marker.cloth.width.to_m();
+    let style = TextStyle::regular(8.0).with_color(Color::GRAY);
+    let selvage = language.pick("耳", "selvage");
+    let bold = Stroke::solid(0.6).with_color(Color::GRAY);
+    let mut edge = |from: f64, to: f64, y: f64, name: &str, is_above: bool| {
+        let [a, b] = [(from, y), (to, y)].map(|end| page * Point::from(end));
+        sheet.line([a.x, a.y], [b.x, b.y], bold.clone());
+        let lift = if is_above { -1.5 } else { 3.8 };
+        sheet.text([a.x, a.y + lift], name, &style, Align::Left);
+    };
+    let lower = match (marker.cloth.lay, marker.cloth.has_border) {
+        (Lay::Folded, _) => language.pick("わ", "fold"),
+        (Lay::Single, true) => language.pick("耳・ボーダー柄", "selvage with the border"),
+        (Lay::Single, false) => selvage,
+    };
+    if 0.0 < folded {
+        edge(0.0, folded, 0.0, lower, false);
+        edge(0.0, folded, 0.5 * width, selvage, true);
+    }
+    if folded < length {
+        let lower = if 0.0 < folded { selvage } else { lower };
+        edge(folded, length, 0.0, lower, false);
+        edge(folded, length, width, selvage, true);
+    }
+}
+
+/// Length and width of the cloth.
+fn draw_measures(
+    sheet: &mut Sheet,
+    marker: &Marker,
+    page: Affine,
+    [length, across]: [f64; 2],
+    language: Language,
+) {
+    let style = TextStyle::bold(10.0);
+    let fine = Stroke::solid(0.2);
+    let [from, to] = [(0.0, 0.0), (length, 0.0)].map(|end| page * Point::from(end));
+    let below = kurbo::Vec2::new(0.0, 6.0);
+    arrow(sheet, [from + below, to + below], &fine, true);
+    let middle = from.midpoint(to);
+    let along = match language {
+        Language::Japanese => format!("{}（縦地 ↔）", cm(marker.yardage.needed)),
+        Language::English => format!("{} along the warp", cm(marker.yardage.needed)),
+    };
+    sheet.text([middle.x, middle.y + 10.5], &along, &style, Align::Center);
+    let width = marker.cloth.width.to_m();
+    let [low, high] = [(0.0, 0.0), (0.0, width)].map(|end| page * Point::from(end));
+    let aside = kurbo::Vec2::new(-3.5, 0.0);
+    arrow(sheet, [low + aside, high + aside], &fine, true);
+    let at = low.midpoint(high) + aside;
+    let quarter = core::f64::consts::FRAC_PI_2;
+    sheet.turned_text(
+        [at.x - 1.5, at.y],
+        quarter,
+        &cm(marker.cloth.width),
+        &style,
+        Align::Center,
+    );
+    if width + 1e-4 < across {
+        let end = page * Point::new(0.0, across);
+        let said = cm(Length::from_m(across));
+        sheet.text([end.x, end.y - 1.5], &said, &style, Align::Left);
+    }
+}
+
+/// Every piece of a cloth: how often it is cut, how large it is.
+fn pieces_table(cut: &CutGarment, plan: &ClothPlan, language: Language) -> Table {
+    let pick = |japanese: &'static str, english: &'static str| language.pick(japanese, english);
+    let pieces = cut.garment.pattern.pieces.iter();
+    let rows = pieces
+        .filter(|piece| piece.cloth == plan.role)
+        .map(|piece| {
+            let whole = piece.unfolded().cut_polygon(TOLERANCE);
+            let bounds = whole.bounds();
+            let size = format!(
+                "{:.1} × {:.1} cm",
+                0.1 * MM * bounds.width(),
+                0.1 * MM * bounds.height()
+            );
+            let how = if piece.drawing(TOLERANCE).rectangle.is_some() {
+                pick(
+                    "定規とチャコで（ruler.pdf）",
+                    "by ruler and chalk (ruler.pdf)",
+                )
+            } else {
+                pick("型紙で", "by the paper pattern")
+            };
+            let area = 1e4 * whole.signed_area() * f64::from(piece.cut.pieces());
+            vec![
+                Cell::bold(piece.name.text(language)),
+                Cell::from(cut_words(piece, language)),
+                Cell::from(size),
+                Cell::from(format!("{area:.0} cm²")),
+                Cell::from(how),
+            ]
+        });
+    Table {
+        columns: vec![
+            Column::text(pick("パーツ", "piece"), 0.26),
+            Column::text(pick("枚数", "count"), 0.14),
+            Column::text(
+                pick("裁ち切り寸法（横 × 縦）", "cut size, across × up"),
+                0.22,
+            ),
+            Column::number(pick("面積（全部）", "area in all"), 0.14),
+            Column::text(pick("写し方", "how to draw it"), 0.24),
+        ],
+        rows: rows.collect(),
+        size_pt: 10.0,
+    }
+}

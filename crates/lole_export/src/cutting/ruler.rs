@@ -1,0 +1,294 @@
+//! Rectangles by ruler and chalk: their size, and every line across them from one edge.
+
+use kurbo::{Affine, Point};
+use lole_geom::Length;
+use lole_language::{Language, Words, words};
+use lole_pattern::piece::{Drawing, Finish, Piece};
+
+use super::draw::{arrow, line, outline};
+use super::{CutGarment, TOLERANCE, cm, cut_words, inches, role_name};
+use crate::pdf::{
+    Align, Cell, Color, Column, Flow, Margins, Paper, Rect, Sheet, Stroke, Table, TextStyle,
+};
+
+/// Height of a drawing [mm].
+const DRAWING: f64 = 92.0;
+/// Numbers beside the drawing stand at least this far apart [mm].
+const LEADING: f64 = 4.6;
+/// What is straight beside a ruler [m].
+const STRAIGHT: f64 = 1.0e-4;
+
+const STITCHING_LINE: Words = words("縫い線", "stitching line");
+const FINISHED_EDGE: Words = words("でき上がりの端", "finished edge");
+
+/// A line across a rectangle.
+struct Ruled {
+    name: Words,
+    /// From the upper raw edge, or from the left one [m].
+    from_edge: f64,
+    is_level: bool,
+}
+
+/// One part for each rectangle of the garments; empty where there is none.
+#[must_use]
+pub fn ruler_sheets(garments: &[CutGarment], paper: Paper, language: Language) -> Vec<Sheet> {
+    let mut flow = Flow::new(
+        paper.size_mm(),
+        Margins {
+            side: 16.0,
+            top: 16.0,
+            bottom: 16.0,
+        },
+    );
+    let mut is_empty = true;
+    for cut in garments {
+        for piece in &cut.garment.pattern.pieces {
+            let piece = piece.unfolded();
+            let drawing = piece.drawing(TOLERANCE);
+            if let Some(size) = drawing.rectangle {
+                flow.new_page();
+                write_rectangle(&mut flow, cut, &piece, (&drawing, size), language);
+                is_empty = false;
+            }
+        }
+    }
+    if is_empty {
+        return Vec::new();
+    }
+    flow.finish(|sheet, number, count| {
+        let [width, height] = sheet.size;
+        let at = [width - 16.0, height - 8.0];
+        sheet.text(
+            at,
+            &format!("{number} / {count}"),
+            &TextStyle::regular(9.0),
+            Align::Right,
+        );
+    })
+}
+
+fn write_rectangle(
+    flow: &mut Flow,
+    cut: &CutGarment,
+    piece: &Piece,
+    (drawing, size): (&Drawing, [Length; 2]),
+    language: Language,
+) {
+    let garment = cut.garment.name.text(language);
+    let name = piece.name.text(language);
+    let title = if garment == name {
+        name.to_owned()
+    } else {
+        format!("{garment}: {name}")
+    };
+    flow.paragraph(&title, &TextStyle::bold(19.0));
+    let [width, height] = size;
+    let warp = if piece.grain.y.abs() < piece.grain.x.abs() {
+        language.pick(
+            "横に縦地（耳と平行）",
+            "the warp (selvage) runs across the drawing",
+        )
+    } else {
+        language.pick(
+            "縦に縦地（耳と平行）",
+            "the warp (selvage) runs up the drawing",
+        )
+    };
+    let cloth = role_name(piece.cloth).text(language);
+    let count = cut_words(piece, language);
+    let facts = match language {
+        Language::Japanese => format!(
+            "横 {} × 縦 {}（縫い代込み）、{cloth} {count}。{warp}。型紙はいりません。布に定規とチャコで線を引きます。",
+            cm(width),
+            cm(height)
+        ),
+        Language::English => format!(
+            "{} across × {} up ({} × {}), allowances included; {cloth}, {count}; {warp}. No paper is \
+             needed: draw the lines on the cloth with ruler and chalk.",
+            cm(width),
+            cm(height),
+            inches(width),
+            inches(height)
+        ),
+    };
+    flow.paragraph(&facts, &TextStyle::regular(12.0));
+    flow.space(4.0);
+    let ruled = ruled_lines(drawing, language);
+    flow.block(DRAWING, |sheet, rect| {
+        draw(sheet, rect, drawing, &ruled, language)
+    });
+    flow.space(5.0);
+    table(&ruled, language).draw(flow);
+}
+
+/// Marked lines and stitching lines that run straight across, from the top down and from the left on.
+fn ruled_lines(drawing: &Drawing, language: Language) -> Vec<Ruled> {
+    let _ = language;
+    let bounds = drawing.cut.bounds();
+    let mut ruled: Vec<Ruled> = Vec::new();
+    let mut add = |name: Words, points: &[Point]| {
+        let spread = |of: fn(&Point) -> f64| {
+            let values = points.iter().map(of);
+            let [low, high] = values
+                .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
+                    [low.min(value), high.max(value)]
+                });
+            (high - low < STRAIGHT).then_some(0.5 * (low + high))
+        };
+        let line = match (spread(|point| point.y), spread(|point| point.x)) {
+            (Some(y), None) => Some((bounds.y1 - y, true)),
+            (None, Some(x)) => Some((x - bounds.x0, false)),
+            _ => None,
+        };
+        let Some((from_edge, is_level)) = line else {
+            return;
+        };
+        let is_there = ruled.iter().any(|other| {
+            other.is_level == is_level && (other.from_edge - from_edge).abs() < STRAIGHT
+        });
+        if !is_there && STRAIGHT < from_edge {
+            ruled.push(Ruled {
+                name,
+                from_edge,
+                is_level,
+            });
+        }
+    };
+    for marked in &drawing.lines {
+        add(marked.kind.name(), &marked.points);
+    }
+    for stitches in &drawing.stitches {
+        if STRAIGHT < stitches.allowance.to_m() {
+            let name = if stitches.finish == Finish::Hem {
+                FINISHED_EDGE
+            } else {
+                STITCHING_LINE
+            };
+            add(name, &stitches.points);
+        }
+    }
+    ruled.sort_by(|a, b| (b.is_level.cmp(&a.is_level)).then(a.from_edge.total_cmp(&b.from_edge)));
+    ruled
+}
+
+/// The rectangle with its lines, numbered; not to scale in both directions alike where it is long.
+fn draw(sheet: &mut Sheet, rect: Rect, drawing: &Drawing, ruled: &[Ruled], language: Language) {
+    let bounds = drawing.cut.bounds();
+    let place = Rect {
+        x: rect.x + 16.0,
+        y: rect.y + 4.0,
+        width: rect.width - 62.0,
+        height: rect.height - 18.0,
+    };
+    // A skirt is four times as long as it is high: the long way is drawn shorter where it must be.
+    let scale_y = place.height / bounds.height();
+    let scale_x = (place.width / bounds.width()).min(scale_y);
+    let scale_y = scale_y.min(3.0 * scale_x);
+    let size = [bounds.width() * scale_x, bounds.height() * scale_y];
+    let page = Affine::translate((place.x, place.y))
+        * Affine::scale_non_uniform(scale_x, -scale_y)
+        * Affine::translate((-bounds.x0, -bounds.y1));
+    sheet.path(
+        outline(&drawing.cut, page),
+        Some(Color(250, 248, 244)),
+        Some(Stroke::solid(0.5)),
+    );
+    for stitches in &drawing.stitches {
+        if STRAIGHT < stitches.allowance.to_m() {
+            let stroke = Stroke::dashed(0.25, 2.0);
+            sheet.path(line(&stitches.points, page), None, Some(stroke));
+        }
+    }
+    for marked in &drawing.lines {
+        sheet.path(line(&marked.points, page), None, Some(Stroke::solid(0.25)));
+    }
+    let grain = drawing.grain.map(|end| page * end);
+    arrow(
+        sheet,
+        grain,
+        &Stroke::solid(0.3).with_color(Color::GRAY),
+        true,
+    );
+    write_numbers(sheet, ruled, page, [place.x + size[0], place.y]);
+    let style = TextStyle::bold(11.0);
+    let below = place.y + size[1] + 5.0;
+    let [from, to] = [
+        Point::new(place.x, below),
+        Point::new(place.x + size[0], below),
+    ];
+    arrow(sheet, [from, to], &Stroke::solid(0.2), true);
+    let width = cm(Length::from_m(bounds.width()));
+    sheet.text(
+        [from.midpoint(to).x, below + 5.0],
+        &width,
+        &style,
+        Align::Center,
+    );
+    let aside = place.x - 5.0;
+    let [low, high] = [
+        Point::new(aside, place.y + size[1]),
+        Point::new(aside, place.y),
+    ];
+    arrow(sheet, [low, high], &Stroke::solid(0.2), true);
+    let height = cm(Length::from_m(bounds.height()));
+    let at = [aside - 1.5, low.midpoint(high).y];
+    sheet.turned_text(
+        at,
+        core::f64::consts::FRAC_PI_2,
+        &height,
+        &style,
+        Align::Center,
+    );
+    if (scale_x - scale_y).abs() > 1e-6 {
+        let said = language.pick("図の横は縮めてあります", "drawn shorter across than it is");
+        let at = [place.x + size[0], below + 5.0];
+        sheet.text(at, said, &TextStyle::regular(8.0), Align::Right);
+    }
+}
+
+/// Numbers of the level lines at the right, apart from each other, with what they measure.
+fn write_numbers(sheet: &mut Sheet, ruled: &[Ruled], page: Affine, [right, top]: [f64; 2]) {
+    let style = TextStyle::regular(9.0);
+    let scale = page.as_coeffs()[3].abs();
+    let mut last = top - LEADING;
+    for (number, ruled) in (1..).zip(ruled).filter(|(_, ruled)| ruled.is_level) {
+        let y = top + ruled.from_edge * scale;
+        let label = y.max(last + LEADING);
+        last = label;
+        let fine = Stroke::solid(0.12).with_color(Color::GRAY);
+        sheet.line([right, y], [right + 4.0, y], fine.clone());
+        sheet.line([right + 4.0, y], [right + 8.0, label], fine);
+        let said = format!("{number}: {}", cm(Length::from_m(ruled.from_edge)));
+        sheet.text([right + 9.0, label + 1.2], &said, &style, Align::Left);
+    }
+}
+
+/// Every line with its distance from the edge.
+fn table(ruled: &[Ruled], language: Language) -> Table {
+    let rows = (1..).zip(ruled).map(|(number, ruled)| {
+        let distance = Length::from_m(ruled.from_edge);
+        let edge = if ruled.is_level {
+            language.pick("上の端から", "from the upper raw edge")
+        } else {
+            language.pick("左の端から", "from the left raw edge")
+        };
+        vec![
+            Cell::from(number.to_string()),
+            Cell::bold(ruled.name.text(language)),
+            Cell::from(edge),
+            Cell::bold(cm(distance)),
+            Cell::from(inches(distance)),
+        ]
+    });
+    Table {
+        columns: vec![
+            Column::text("", 0.07),
+            Column::text(language.pick("引く線", "line to draw"), 0.36),
+            Column::text("", 0.27),
+            Column::number("cm", 0.15),
+            Column::number(language.pick("インチ", "inch"), 0.15),
+        ],
+        rows: rows.collect(),
+        size_pt: 11.5,
+    }
+}

@@ -1,0 +1,583 @@
+//! Pieces at full size over sheets of paper that are joined.
+//!
+//! Each sheet shows a window of the whole drawing, a centimeter wider than its step, so that sheets
+//! overlap. The left and the upper edge of a window are cut, and laid on the broken line of the sheet
+//! before; numbered diamonds meet there.
+
+use std::sync::Arc;
+
+use kurbo::{Affine, BezPath, Point, Vec2};
+use lole_geom::Length;
+use lole_language::Language;
+use lole_pattern::Pattern;
+use lole_pattern::marker::{Lay, Marker, Nap, TableCloth, lay_out};
+use lole_pattern::piece::{ClothRole, CutCount, Finish, Piece};
+use lole_pattern::polygon::Polygon;
+
+use super::draw::{fitting, full_size, outline};
+use super::{CutGarment, MM, TOLERANCE, cut_words, role_name};
+use crate::pdf::{Align, Color, Item, Paper, Rect, Sheet, Stroke, TextStyle};
+
+/// What no home printer needs to print on [mm].
+const MARGIN: f64 = 10.0;
+/// Sheets overlap by this [mm].
+const OVERLAP: f64 = 10.0;
+/// Half the diagonal of a diamond [mm].
+const DIAMOND: f64 = 3.0;
+/// Side of the square by which a print is checked [mm].
+const TEST_SQUARE: f64 = 100.0;
+/// Pieces keep this distance from the border of the drawing [mm].
+const BORDER: f64 = 4.0;
+
+const PALE: Color = Color(170, 170, 170);
+
+/// A pattern over many sheets.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TiledPattern {
+    /// A page of instructions with the map, and the sheets in its order.
+    pub sheets: Vec<Sheet>,
+    /// Columns and rows of the map.
+    pub grid: [u32; 2],
+    /// Pieces that are drawn here; rectangles are not.
+    pub piece_count: usize,
+}
+
+/// The pieces of a garment that no ruler draws, at full size; `None` where there are none. Pieces on a
+/// fold are drawn to it, pairs once.
+#[must_use]
+pub fn tiled_sheets(cut: &CutGarment, paper: Paper, language: Language) -> Option<TiledPattern> {
+    let free = cut.garment.pattern.pieces.iter().filter(|piece| {
+        let is_ruled = piece.drawing(TOLERANCE).rectangle.is_some();
+        !is_ruled
+    });
+    let free: Vec<&Piece> = free.collect();
+    if free.is_empty() {
+        return None;
+    }
+    let layout = Layout::new(&free, paper);
+    let drawing = Arc::new(draw_pieces(cut, &free, &layout, language));
+    let tiles = layout.used_tiles();
+    let mut sheets = vec![cover(cut, &layout, tiles.len(), language)];
+    for (number, tile) in (1_usize..).zip(&tiles) {
+        let mut sheet = layout.tile_sheet(*tile, &tiles, &drawing, language);
+        write_foot(&mut sheet, cut, number, tiles.len(), language);
+        sheets.push(sheet);
+    }
+    Some(TiledPattern {
+        sheets,
+        grid: [layout.columns, layout.rows],
+        piece_count: free.len(),
+    })
+}
+
+/// All pieces laid on one large sheet, and how paper covers it.
+struct Layout {
+    paper: Paper,
+    marker: Marker,
+    columns: u32,
+    rows: u32,
+}
+
+impl Layout {
+    /// The sheet that takes the fewest papers, over some widths.
+    fn new(free: &[&Piece], paper: Paper) -> Self {
+        let on_paper = |piece: &&Piece| {
+            let mut piece = (*piece).clone();
+            piece.cut = CutCount::Alike(1);
+            piece.cloth = ClothRole::Main;
+            for edge in &mut piece.edges {
+                // Drawn to its fold only.
+                if edge.finish == Finish::Fold {
+                    edge.finish = Finish::Selvage;
+                }
+            }
+            piece
+        };
+        let pattern = Pattern {
+            pieces: free.iter().map(on_paper).collect(),
+            seams: Vec::new(),
+            notions: Vec::new(),
+            steps: Vec::new(),
+            warnings: Vec::new(),
+        };
+        let [_, step] = step(paper);
+        let mut best: Option<Self> = None;
+        for rows in 1..=MOST_ROWS {
+            let width = f64::from(rows) * step + OVERLAP - 2.0 * BORDER;
+            let cloth = TableCloth {
+                width: Length::from_m(width / MM),
+                nap: Nap::TwoWay,
+                has_border: false,
+                matched_repeat: None,
+                lay: Lay::Single,
+            };
+            let marker = lay_out(&pattern, ClothRole::Main, &cloth);
+            let is_too_narrow = !marker.warnings.is_empty();
+            if is_too_narrow && rows < MOST_ROWS {
+                continue;
+            }
+            let layout = Self::around(marker, paper);
+            let count = layout.used_tiles().len();
+            let is_better = (best.as_ref()).is_none_or(|best| count < best.used_tiles().len());
+            let is_last = best.is_some();
+            if is_better {
+                best = Some(layout);
+            }
+            if is_last {
+                break;
+            }
+        }
+        best.unwrap_or_else(|| Self::around(lay_out(&pattern, ClothRole::Main, &FALLBACK), paper))
+    }
+
+    fn around(marker: Marker, paper: Paper) -> Self {
+        let bounds = marker.placed.iter().map(|placed| placed.outline.bounds());
+        let [x, y] = bounds.fold([0.0, 0.0], |[x, y]: [f64; 2], bounds| {
+            [x.max(bounds.x1), y.max(bounds.y1)]
+        });
+        let [step_x, step_y] = step(paper);
+        let columns = tiles_for(x * MM + 2.0 * BORDER, step_x);
+        let rows = tiles_for(y * MM + 2.0 * BORDER, step_y);
+        Self {
+            paper,
+            marker,
+            columns,
+            rows,
+        }
+    }
+
+    /// Height of the whole drawing [mm].
+    fn height(&self) -> f64 {
+        f64::from(self.rows) * step(self.paper)[1] + OVERLAP
+    }
+
+    /// From meters of the laid pieces to millimeters of the whole drawing, `y` down.
+    fn drawing_from_marker(&self) -> Affine {
+        Affine::translate((BORDER, self.height() - BORDER)) * Affine::scale_non_uniform(MM, -MM)
+    }
+
+    /// Window of a tile in the whole drawing [mm].
+    fn window(&self, [column, row]: [u32; 2]) -> kurbo::Rect {
+        let [x, y] = step(self.paper);
+        let origin = Point::new(f64::from(column) * x, f64::from(row) * y);
+        kurbo::Rect::from_origin_size(origin, (x + OVERLAP, y + OVERLAP))
+    }
+
+    /// Tiles that hold a part of a piece, row by row.
+    fn used_tiles(&self) -> Vec<[u32; 2]> {
+        let to_drawing = self.drawing_from_marker();
+        let outlines: Vec<Polygon> = (self.marker.placed.iter())
+            .map(|placed| placed.outline.transformed(to_drawing))
+            .collect();
+        let all = (0..self.rows).flat_map(|row| (0..self.columns).map(move |column| [column, row]));
+        all.filter(|tile| {
+            let window = self.window(*tile);
+            outlines.iter().any(|outline| touches(outline, window))
+        })
+        .collect()
+    }
+
+    /// One sheet of the pattern.
+    fn tile_sheet(
+        &self,
+        tile: [u32; 2],
+        tiles: &[[u32; 2]],
+        drawing: &Arc<Vec<Item>>,
+        language: Language,
+    ) -> Sheet {
+        let window = self.window(tile);
+        let frame = Rect {
+            x: MARGIN,
+            y: MARGIN,
+            width: window.width(),
+            height: window.height(),
+        };
+        let mut sheet = Sheet::new(self.paper.size_mm());
+        let shift = Vec2::new(MARGIN, MARGIN) - window.origin().to_vec2();
+        let name = TextStyle::bold(22.0).with_color(PALE);
+        sheet.text(
+            [frame.x + 14.0, frame.y + 14.0],
+            &tile_name(tile),
+            &name,
+            Align::Left,
+        );
+        sheet.items.push(Item::Group {
+            page_from_group: Affine::translate(shift),
+            clip: Some(frame),
+            items: Arc::clone(drawing),
+        });
+        sheet.rect(frame, None, Some(Stroke::solid(0.15).with_color(PALE)));
+        let [column, row] = tile;
+        let neighbor = |tile: Option<[u32; 2]>| tile.filter(|tile| tiles.contains(tile));
+        let left = neighbor(column.checked_sub(1).map(|column| [column, row]));
+        let above = neighbor(row.checked_sub(1).map(|row| [column, row]));
+        let right = neighbor(Some([column + 1, row]));
+        let below = neighbor(Some([column, row + 1]));
+        let middle = [frame.x + 0.5 * frame.width, frame.y + 0.5 * frame.height];
+        let ends = [frame.x + frame.width, frame.y + frame.height];
+        let joints = [
+            left.map(|_| (true, frame.x, tile, None)),
+            right.map(|other| (true, ends[0] - OVERLAP, other, Some(other))),
+            above.map(|_| (false, frame.y, tile, None)),
+            below.map(|other| (false, ends[1] - OVERLAP, other, Some(other))),
+        ];
+        for (is_upright, at, later, other) in joints.into_iter().flatten() {
+            let joint = Joint {
+                is_upright,
+                at,
+                number: self.joint_number(later, is_upright),
+                other,
+            };
+            joint.draw(&mut sheet, frame, middle, language);
+        }
+        sheet
+    }
+
+    /// Number of the joint at the left or at the upper edge of a tile: the same on both of its sheets.
+    fn joint_number(&self, [column, row]: [u32; 2], is_upright: bool) -> u32 {
+        2 * (row * self.columns + column) + u32::from(!is_upright)
+    }
+}
+
+/// More rows of paper than this go over no table.
+const MOST_ROWS: u32 = 8;
+
+/// A table that any piece lies on, if only by hanging over.
+const FALLBACK: TableCloth = TableCloth {
+    width: Length::from_m(2.0),
+    nap: Nap::TwoWay,
+    has_border: false,
+    matched_repeat: None,
+    lay: Lay::Single,
+};
+
+/// From one window to the next [mm].
+fn step(paper: Paper) -> [f64; 2] {
+    paper.size_mm().map(|side| side - 2.0 * MARGIN - OVERLAP)
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "no drawing is a thousand sheets wide"
+)]
+fn tiles_for(size: f64, step: f64) -> u32 {
+    (((size - OVERLAP) / step) - 1e-9).ceil().max(1.0) as u32
+}
+
+/// Row by letter, column by number: `B3`.
+fn tile_name([column, row]: [u32; 2]) -> String {
+    let letter = char::from_u32(u32::from('A') + row % 26).unwrap_or('A');
+    let again = if 26 <= row {
+        letter.to_string()
+    } else {
+        String::new()
+    };
+    format!("{again}{letter}{}", column + 1)
+}
+
+/// Whether any of an outline lies in a window.
+fn touches(outline: &Polygon, window: kurbo::Rect) -> bool {
+    let bounds = outline.bounds();
+    let is_apart = bounds.x1 < window.x0
+        || window.x1 < bounds.x0
+        || bounds.y1 < window.y0
+        || window.y1 < bounds.y0;
+    if is_apart {
+        return false;
+    }
+    let corners = [
+        Point::new(window.x0, window.y0),
+        Point::new(window.x1, window.y0),
+        Point::new(window.x1, window.y1),
+        Point::new(window.x0, window.y1),
+    ];
+    let frame = Polygon::new(corners);
+    outline.points.iter().any(|point| window.contains(*point))
+        || corners.iter().any(|corner| outline.contains(*corner))
+        || outline
+            .sides()
+            .any(|side| frame.sides().any(|edge| cross(side, edge)))
+}
+
+fn cross([a, b]: [Point; 2], [c, d]: [Point; 2]) -> bool {
+    let turn = |p: Point, q: Point, r: Point| (q - p).cross(r - p);
+    turn(a, b, c) * turn(a, b, d) < 0.0 && turn(c, d, a) * turn(c, d, b) < 0.0
+}
+
+/// Where a sheet meets another one.
+struct Joint {
+    is_upright: bool,
+    /// Where its line runs on the page [mm].
+    at: f64,
+    number: u32,
+    /// The sheet that is laid there; `None` where this one is cut.
+    other: Option<[u32; 2]>,
+}
+
+impl Joint {
+    /// The line, a numbered diamond on it, and what to do there.
+    fn draw(&self, sheet: &mut Sheet, frame: Rect, middle: [f64; 2], language: Language) {
+        let stroke = match self.other {
+            Some(_) => Stroke::dashed(0.2, 2.0),
+            None => Stroke::solid(0.2),
+        };
+        let on_page = |along: f64, aside: f64| {
+            if self.is_upright {
+                [self.at + aside, along]
+            } else {
+                [along, self.at + aside]
+            }
+        };
+        let (from, size, center) = if self.is_upright {
+            (frame.y, frame.height, middle[1])
+        } else {
+            (frame.x, frame.width, middle[0])
+        };
+        sheet.line(on_page(from, 0.0), on_page(from + size, 0.0), stroke);
+        let mut diamond = BezPath::new();
+        let corners = [
+            (-DIAMOND, 0.0),
+            (0.0, -DIAMOND),
+            (DIAMOND, 0.0),
+            (0.0, DIAMOND),
+        ];
+        for (index, (along, aside)) in corners.into_iter().enumerate() {
+            let [x, y] = on_page(center + along, aside);
+            if index == 0 {
+                diamond.move_to((x, y));
+            } else {
+                diamond.line_to((x, y));
+            }
+        }
+        diamond.close_path();
+        sheet.path(diamond, Some(Color::WHITE), Some(Stroke::solid(0.25)));
+        let small = TextStyle::regular(7.0);
+        let [x, y] = on_page(center, 0.0);
+        sheet.text(
+            [x, y + 0.9],
+            &self.number.to_string(),
+            &small,
+            Align::Center,
+        );
+        let words = match (self.other.map(tile_name), language) {
+            (Some(name), Language::Japanese) => format!("ここに {name} を重ねて貼る"),
+            (Some(name), Language::English) => format!("lay {name} here"),
+            (None, Language::Japanese) => "この線で切る".to_owned(),
+            (None, Language::English) => "cut along this line".to_owned(),
+        };
+        let aside = if self.other.is_some() { 4.0 } else { -1.5 };
+        let at = on_page(center - 35.0, aside);
+        let quarter = core::f64::consts::FRAC_PI_2;
+        let angle = if self.is_upright { quarter } else { 0.0 };
+        sheet.turned_text(at, angle, &words, &small, Align::Center);
+    }
+}
+
+/// All pieces at full size in the space of the whole drawing.
+fn draw_pieces(
+    cut: &CutGarment,
+    free: &[&Piece],
+    layout: &Layout,
+    language: Language,
+) -> Vec<Item> {
+    let mut sheet = Sheet::new([0.0, 0.0]);
+    for placed in &layout.marker.placed {
+        let piece = free[placed.piece];
+        let to_drawing = layout.drawing_from_marker() * placed.cloth_from_piece;
+        let drawing = piece.drawing(TOLERANCE);
+        full_size(
+            &mut sheet,
+            &drawing,
+            &label(cut, piece, language),
+            to_drawing,
+            language,
+        );
+    }
+    sheet.items
+}
+
+/// What stands on a piece: its name, its garment, how often and from what it is cut.
+fn label(cut: &CutGarment, piece: &Piece, language: Language) -> Vec<String> {
+    let cloth = role_name(piece.cloth).text(language);
+    let on_fold = piece.edges.iter().any(|edge| edge.finish == Finish::Fold);
+    let fold = if on_fold {
+        language.pick("（わ）", " on fold")
+    } else {
+        ""
+    };
+    vec![
+        piece.name.text(language).to_owned(),
+        cut.garment.name.text(language).to_owned(),
+        format!("{cloth}　{}{fold}", cut_words(piece, language)),
+    ]
+}
+
+/// The line at the foot of a sheet.
+fn write_foot(
+    sheet: &mut Sheet,
+    cut: &CutGarment,
+    number: usize,
+    count: usize,
+    language: Language,
+) {
+    let name = cut.garment.name.text(language);
+    let text = match language {
+        Language::Japanese => format!("{name}　{number} / {count}　倍率100 %で印刷"),
+        Language::English => format!("{name}, sheet {number} of {count}. Print at 100 %."),
+    };
+    let at = [0.5 * sheet.size[0], sheet.size[1] - 4.5];
+    sheet.text(at, &text, &TextStyle::regular(8.0), Align::Center);
+}
+
+/// The first page: how to print and join, a square to measure, the map, the lines.
+fn cover(cut: &CutGarment, layout: &Layout, count: usize, language: Language) -> Sheet {
+    let mut sheet = Sheet::new(layout.paper.size_mm());
+    let [width, height] = sheet.size;
+    let left = 15.0;
+    let room = width - 2.0 * left;
+    let name = cut.garment.name.text(language);
+    let title = match language {
+        Language::Japanese => format!("{name}　実物大型紙"),
+        Language::English => format!("{name}: full-size pattern"),
+    };
+    sheet.text([left, 22.0], &title, &TextStyle::bold(20.0), Align::Left);
+    let paper = layout.paper.name();
+    let [columns, rows] = [layout.columns, layout.rows];
+    let steps = match language {
+        Language::Japanese => format!(
+            "{paper} 用紙 {count} 枚（横 {columns} × 縦 {rows}）。「実際のサイズ」「倍率100 %」で印刷し、下の四角を             定規で測ってから始めます。各ページの左と上の実線を切り、前のページの破線に重ね、同じ番号の◇を合わせて貼ります。"
+        ),
+        Language::English => format!(
+            "{count} sheets of {paper}, {columns} across and {rows} down. Print at actual size (100 %) and              measure the square below before you go on. On each sheet cut the solid line at the left and at              the top, lay it on the broken line of the sheet before so that diamonds of one number meet, and              glue."
+        ),
+    };
+    let used = sheet.paragraph([left, 27.0], room, &steps, &TextStyle::regular(11.0));
+    let top = 32.0 + used;
+    let square = Rect {
+        x: left,
+        y: top,
+        width: TEST_SQUARE,
+        height: TEST_SQUARE,
+    };
+    sheet.rect(square, None, Some(Stroke::solid(0.3)));
+    let said = language.pick("この四角は 10 cm × 10 cm", "this square is 10 cm × 10 cm");
+    let center = [left + 0.5 * TEST_SQUARE, top + 0.5 * TEST_SQUARE];
+    sheet.text(center, said, &TextStyle::bold(12.0), Align::Center);
+    draw_legend(&mut sheet, [left + TEST_SQUARE + 10.0, top], language);
+    let map = Rect {
+        x: left,
+        y: top + TEST_SQUARE + 14.0,
+        width: room,
+        height: height - top - TEST_SQUARE - 14.0 - 14.0,
+    };
+    let heading = language.pick("ページの並べ方", "map of the sheets");
+    sheet.text(
+        [left, map.y - 3.0],
+        heading,
+        &TextStyle::bold(11.0),
+        Align::Left,
+    );
+    draw_map(&mut sheet, map, layout, cut, language);
+    sheet
+}
+
+/// What each kind of line means.
+fn draw_legend(sheet: &mut Sheet, [x, y]: [f64; 2], language: Language) {
+    let rows: [(Stroke, &str, &str); 5] = [
+        (
+            Stroke::solid(0.5),
+            "裁ち切り線（ここを切る）",
+            "cutting line",
+        ),
+        (
+            Stroke::dashed(0.3, 3.0),
+            "縫い線（でき上がり線）",
+            "stitching line",
+        ),
+        (
+            Stroke {
+                dashes: vec![12.0, 3.0, 2.0, 3.0],
+                ..Stroke::solid(0.7)
+            },
+            "わ（布の折り山に置く）",
+            "place on fold",
+        ),
+        (
+            Stroke::solid(0.25),
+            "折り線・付け位置など",
+            "folds, placements",
+        ),
+        (
+            Stroke::solid(0.35),
+            "↔ 布目（耳と平行）",
+            "↔ grain, along the selvage",
+        ),
+    ];
+    let style = TextStyle::regular(9.5);
+    let mut y = y + 6.0;
+    for (stroke, japanese, english) in rows {
+        sheet.line([x, y], [x + 18.0, y], stroke);
+        sheet.text(
+            [x + 21.0, y + 1.2],
+            language.pick(japanese, english),
+            &style,
+            Align::Left,
+        );
+        y += 11.0;
+    }
+    sheet.line([x + 9.0, y - 2.5], [x + 9.0, y + 2.5], Stroke::solid(0.5));
+    let notch = language.pick("合印（切り込み 5 mm）", "notch, 5 mm into the edge");
+    sheet.text([x + 21.0, y + 1.2], notch, &style, Align::Left);
+    let allowance = language.pick("縫い代は入っています。", "Seam allowances are included.");
+    sheet.text(
+        [x, y + 13.0],
+        allowance,
+        &TextStyle::bold(10.0),
+        Align::Left,
+    );
+}
+
+/// All sheets small, with the pieces on them.
+fn draw_map(sheet: &mut Sheet, rect: Rect, layout: &Layout, cut: &CutGarment, language: Language) {
+    let whole = layout.window([layout.columns - 1, layout.rows - 1]);
+    let fitted = rect.fitting(whole.x1, whole.y1);
+    let scale = fitted.width / whole.x1;
+    let map = Affine::translate((fitted.x, fitted.y)) * Affine::scale(scale);
+    let [step_x, step_y] = step(layout.paper);
+    for tile in layout.used_tiles() {
+        let window = layout.window(tile);
+        let corner = map * window.origin();
+        let cell = Rect {
+            x: corner.x,
+            y: corner.y,
+            width: step_x * scale,
+            height: step_y * scale,
+        };
+        sheet.rect(cell, None, Some(Stroke::solid(0.2).with_color(PALE)));
+        let style = TextStyle::bold((cell.height * 0.8).clamp(7.0, 16.0)).with_color(PALE);
+        let at = [cell.x + 1.5, cell.y + style.em()];
+        sheet.text(at, &tile_name(tile), &style, Align::Left);
+    }
+    let free = cut.garment.pattern.pieces.iter();
+    let free: Vec<&Piece> = free
+        .filter(|piece| piece.drawing(TOLERANCE).rectangle.is_none())
+        .collect();
+    for placed in &layout.marker.placed {
+        let to_map = map * layout.drawing_from_marker();
+        let path = outline(&placed.outline, to_map);
+        let bounds = path.control_box();
+        sheet.path(path, None, Some(Stroke::solid(0.35)));
+        let name = free[placed.piece].name.text(language);
+        if let Some(style) = fitting(name, 0.9 * bounds.width(), 10.0) {
+            let (label, _) = placed.outline.roomiest_point();
+            let at = to_map * label;
+            sheet.text(
+                [at.x, at.y + 0.35 * style.em()],
+                name,
+                &style,
+                Align::Center,
+            );
+        }
+    }
+}

@@ -1,0 +1,159 @@
+//! The built-in typeface: characters to glyphs, and how wide they are.
+
+use std::sync::LazyLock;
+
+use rustybuzz::{Direction, Face, UnicodeBuffer};
+
+/// Millimeters of a typographic point.
+pub(super) const MM_PER_PT: f64 = 25.4 / 72.0;
+
+/// Stands for a character that the typeface lacks, as Japanese printers have always done.
+const GETA: char = '〓';
+
+/// Thickness of the strokes of letters.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Weight {
+    /// For reading.
+    Regular,
+    /// For heads and what must not be overlooked.
+    Bold,
+}
+
+/// Font files, see `data/fonts/README.md`.
+const REGULAR: &[u8] = include_bytes!("../../data/fonts/NotoSansJP-Regular.otf");
+const BOLD: &[u8] = include_bytes!("../../data/fonts/NotoSansJP-Bold.otf");
+
+// The tables of a font are found once: pages measure thousands of words.
+static FACES: LazyLock<Option<[Face<'static>; 2]>> =
+    LazyLock::new(|| Some([Face::from_slice(REGULAR, 0)?, Face::from_slice(BOLD, 0)?]));
+
+impl Weight {
+    /// The font file.
+    pub(super) const fn bytes(self) -> &'static [u8] {
+        match self {
+            Self::Regular => REGULAR,
+            Self::Bold => BOLD,
+        }
+    }
+
+    fn face(self) -> Option<&'static Face<'static>> {
+        let faces = FACES.as_ref()?;
+        Some(match self {
+            Self::Regular => &faces[0],
+            Self::Bold => &faces[1],
+        })
+    }
+}
+
+/// One glyph of a run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Glyph {
+    /// Number within the font.
+    pub(super) id: u32,
+    /// First byte of its cluster in the text.
+    pub(super) cluster: usize,
+    /// Advance to the right, and offset right and up [em].
+    pub(super) advance: f64,
+    pub(super) offset: [f64; 2],
+}
+
+/// Glyphs of one line of text, from left to right.
+pub(super) fn shape(text: &str, weight: Weight) -> Vec<Glyph> {
+    let Some(face) = weight.face() else {
+        return Vec::new();
+    };
+    let mut buffer = UnicodeBuffer::new();
+    buffer.push_str(text);
+    buffer.guess_segment_properties();
+    buffer.set_direction(Direction::LeftToRight);
+    let shaped = rustybuzz::shape(face, &[], buffer);
+    let em = f64::from(face.units_per_em());
+    let positions = shaped.glyph_positions().iter();
+    (shaped.glyph_infos().iter().zip(positions))
+        .map(|(glyph, position)| Glyph {
+            id: glyph.glyph_id,
+            cluster: glyph.cluster as usize,
+            advance: f64::from(position.x_advance) / em,
+            offset: [
+                f64::from(position.x_offset) / em,
+                f64::from(position.y_offset) / em,
+            ],
+        })
+        .collect()
+}
+
+/// Width of one line of text at `size_pt` [mm].
+#[must_use]
+pub fn text_width(text: &str, weight: Weight, size_pt: f64) -> f64 {
+    let advance: f64 = shape(text, weight).iter().map(|glyph| glyph.advance).sum();
+    advance * size_pt * MM_PER_PT
+}
+
+/// Characters of `text` that cannot be printed, each once, in order of appearance.
+#[must_use]
+pub fn missing_glyphs(text: &str) -> Vec<char> {
+    let mut missing = Vec::new();
+    for letter in text.chars().filter(|&letter| !is_drawable(letter)) {
+        if !missing.contains(&letter) {
+            missing.push(letter);
+        }
+    }
+    missing
+}
+
+/// `text` with a geta mark (〓) for each character that cannot be printed: names from a list may hold
+/// any character at all.
+#[must_use]
+pub fn printable(text: &str) -> String {
+    let letter = |letter: char| match letter {
+        _ if is_drawable(letter) => letter,
+        '\t' | '\r' | '\n' => ' ',
+        _ => GETA,
+    };
+    text.chars().map(letter).collect()
+}
+
+fn is_drawable(letter: char) -> bool {
+    let glyph = Weight::Regular
+        .face()
+        .and_then(|face| face.glyph_index(letter));
+    glyph.is_some_and(|glyph| glyph.0 != 0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn both_weights_hold_hawaiian_and_japanese() {
+        for weight in [Weight::Regular, Weight::Bold] {
+            for letter in "āēīōūĀĒĪŌŪʻぁ゛ヴ丶熙髙﨑①㎝℃×÷°→½".chars()
+            {
+                let face = weight.face().unwrap();
+                assert!(face.glyph_index(letter).is_some(), "{letter} {weight:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn full_width_letters_are_one_em() {
+        for size in [6.0, 12.0, 30.0] {
+            let width = text_width("腰回り", Weight::Regular, size);
+            assert!((width - 3.0 * size * MM_PER_PT).abs() < 1e-9, "{width}");
+        }
+    }
+
+    #[test]
+    fn width_of_a_line_is_the_sum_of_its_words() {
+        let whole = text_width("elastic rows", Weight::Bold, 10.0);
+        let parts = ["elastic", " ", "rows"].map(|part| text_width(part, Weight::Bold, 10.0));
+        assert!((whole - parts.iter().sum::<f64>()).abs() < 0.05);
+    }
+
+    #[test]
+    fn strangers_become_geta() {
+        assert_eq!(missing_glyphs("김수 김"), ['김', '수']);
+        assert_eq!(printable("김 Aloha\n"), "〓 Aloha ");
+        assert!(missing_glyphs(&printable("🌺김\u{0}")).is_empty());
+    }
+}

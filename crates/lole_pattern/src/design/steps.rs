@@ -1,0 +1,422 @@
+//! How a gathered rectangle is sewn: the steps of a pāʻū skirt or top, with the draft's own numbers.
+//!
+//! Makers' published notes agree on the order: cut, mark, close the ring, fold and stitch the band,
+//! hem, thread the elastics. Times are estimates, by the length of stitching: 34 m of it make a
+//! machine-sewn skirt of two to three hours and a hand-sewn one of ten to fifteen.
+
+use lole_geom::Length;
+use lole_language::{Sentence, words};
+
+use super::pau_skirt::{LineKind, PauDraft};
+use crate::pattern::{Figure, Step};
+
+/// Pinning and sewing a meter of straight seam with a machine, and by hand [min/m]. Estimates: makers
+/// sew 1.5 to 4 m an hour by hand.
+const MINUTES_PER_METER: [f64; 2] = [2.5, 24.0];
+
+/// Turned under at the raw edge of the hem.
+const HEM_TURN: Length = Length::from_cm(1.0);
+
+/// Indices of the piece and of its one seam in the pattern.
+const PANEL: usize = 0;
+const CLOSING: usize = 0;
+
+/// The steps of a draft, in order.
+pub(super) fn steps(draft: &PauDraft) -> Vec<Step> {
+    let mut steps = vec![
+        press(),
+        cut(draft),
+        mark(draft),
+        close(draft),
+        fold_band(draft),
+        stitch_casings(draft),
+    ];
+    steps.extend(tape(draft));
+    steps.extend([hem(draft), thread_elastic(draft), finish(draft)]);
+    steps
+}
+
+fn cm(length: Length) -> String {
+    format!("{:.1}", length.to_cm())
+}
+
+/// Times of `fixed` minutes and of stitching `length`.
+fn minutes(fixed: f64, length: Length) -> [f64; 2] {
+    MINUTES_PER_METER.map(|rate| fixed + rate * length.to_m())
+}
+
+fn press() -> Step {
+    Step {
+        title: words("布を整える", "Prepare the cloth"),
+        by_machine: Sentence::new(
+            "綿やレーヨンの布は、先に一度水に通して縮ませます。布目をまっすぐにして、裏からアイロンをかけます。",
+            "Wash cotton and rayon once before cutting, so that they shrink now and not later. Pull the weave straight and press the cloth from the wrong side.",
+        ),
+        by_hand: None,
+        figure: Figure::None,
+        minutes: [20.0, 20.0],
+    }
+}
+
+fn cut(draft: &PauDraft) -> Step {
+    let (length, height) = (cm(draft.cut_length), cm(draft.cut_height));
+    let [across, up] = [draft.cut_length, draft.cut_height];
+    Step {
+        title: words("裁つ", "Cut"),
+        by_machine: Sentence::new(
+            format!(
+                "みみに沿って長さ {length} cm、みみと直角に高さ {height} cm の長方形を1枚裁ちます。みみに沿う方向が体をまわる方向、布幅の方向が丈になります。柄に上下があるときは、裾になる側をたしかめてから裁ちます。"
+            ),
+            format!(
+                "Cut one rectangle, {length} cm along the selvage and {height} cm across the cloth. The direction along the selvage goes around the body, the width of the cloth becomes the height. If the print has a right way up, make sure which side becomes the hem before you cut."
+            ),
+        ),
+        by_hand: None,
+        figure: Figure::Piece {
+            piece: PANEL,
+            edges: vec![0, 1, 2, 3],
+            marks: Vec::new(),
+        },
+        // Measuring and cutting go along the edge about as fast.
+        minutes: [10.0 + 2.0 * (across + up).to_m(); 2],
+    }
+}
+
+fn mark(draft: &PauDraft) -> Step {
+    let lines = |separator: &str| {
+        let distances = draft.lines.iter().map(|line| cm(line.from_edge));
+        distances.collect::<Vec<_>>().join(separator)
+    };
+    Step {
+        title: words("しるしをつける", "Mark"),
+        by_machine: Sentence::new(
+            format!(
+                "布の裏に、上の切り口から {} cm のところへ、チャコで線を引きます。順に、折り代、上の折り山、ゴム通しの縫い線、裾の折り線です。",
+                lines("、")
+            ),
+            format!(
+                "On the wrong side, draw chalk lines at {} cm from the upper raw edge. In this order they are the turned edge, the top fold, the stitches of the casings, and the hem fold.",
+                lines(", ")
+            ),
+        ),
+        by_hand: None,
+        figure: Figure::Piece {
+            piece: PANEL,
+            edges: Vec::new(),
+            marks: (0..draft.lines.len()).collect(),
+        },
+        minutes: [20.0, 20.0],
+    }
+}
+
+fn close(draft: &PauDraft) -> Step {
+    let allowance = (draft.cut_length - draft.flat_length) * 0.5;
+    let openings = openings(draft);
+    let list = |separator: &str| {
+        let ranges = openings
+            .iter()
+            .map(|&[from, to]| format!("{}–{}", cm(from), cm(to)));
+        ranges.collect::<Vec<_>>().join(separator)
+    };
+    Step {
+        title: words("輪に縫う", "Close the ring"),
+        by_machine: Sentence::new(
+            format!(
+                "中表に合わせて両端をそろえ、縫い代 {} cm で縫います。ゴムを通す口として、上の切り口から {} cm の間は縫わずにあけ、前後を返し縫いします。縫い代の端をジグザグミシンで始末し、アイロンで割ります。",
+                cm(allowance),
+                list("、")
+            ),
+            format!(
+                "Put the two ends together, right sides facing, and sew them with a seam allowance of {} cm. Leave the seam open at {} cm from the upper raw edge, for the elastic, and stitch back and forth at both ends of each gap. Neaten the allowances with a zigzag stitch and press them open.",
+                cm(allowance),
+                list(", ")
+            ),
+        ),
+        by_hand: Some(Sentence::new(
+            "半返し縫いで縫い、縫い代の端はかがり縫いで始末します。",
+            "Sew the seam with half backstitches and overcast the raw edges.",
+        )),
+        figure: Figure::Seams(vec![CLOSING]),
+        // The seam, and both of its edges neatened.
+        minutes: minutes(10.0, draft.cut_height * 3.0),
+    }
+}
+
+/// Stretches of the closing seam that stay open, from the raw upper edge: where the casings of the
+/// band are on its inside, mirrored at the top fold.
+fn openings(draft: &PauDraft) -> Vec<[Length; 2]> {
+    let fold = from_edge(draft, LineKind::TopFold);
+    let below = |kind| {
+        let lines = draft.lines.iter().filter(move |line| line.kind == kind);
+        lines.map(move |line| line.from_edge - fold)
+    };
+    below(LineKind::CasingTop)
+        .zip(below(LineKind::CasingBottom))
+        .take(draft.band_row_count)
+        .map(|(top, bottom)| [fold - bottom, fold - top])
+        .collect()
+}
+
+fn from_edge(draft: &PauDraft, kind: LineKind) -> Length {
+    let line = draft.lines.iter().find(|line| line.kind == kind);
+    line.map_or(Length::ZERO, |line| line.from_edge)
+}
+
+fn fold_band(draft: &PauDraft) -> Step {
+    let (turn, depth) = (
+        cm(from_edge(draft, LineKind::TurnUnder)),
+        cm(draft.fold_depth),
+    );
+    Step {
+        title: words("上を折る", "Fold the band"),
+        by_machine: Sentence::new(
+            format!(
+                "上の切り口を裏へ {turn} cm 折ってアイロンをかけます。つぎに折り山で裏へ {depth} cm 折り、アイロンで折り目をつけ、まち針でとめます。"
+            ),
+            format!(
+                "Press {turn} cm of the upper raw edge to the wrong side. Then fold {depth} cm to the wrong side at the top fold, press, and pin."
+            ),
+        ),
+        by_hand: None,
+        figure: Figure::Section {
+            piece: PANEL,
+            marks: vec![0, 1],
+        },
+        minutes: [20.0, 20.0],
+    }
+}
+
+fn stitch_casings(draft: &PauDraft) -> Step {
+    let count = draft.band_row_count;
+    Step {
+        title: words("ゴム通しを縫う", "Stitch the casings"),
+        by_machine: Sentence::new(
+            format!(
+                "しるしの線にそって、ゴム通し {count} 段の上と下をぐるりと縫います（{} 周）。いちばん下の線は、折った端から 0.2 cm 内側を縫います。縫い始めと終わりは返し縫いします。",
+                2 * count
+            ),
+            format!(
+                "Sew all around along the marked lines, above and below each of the {count} casings: {} rounds. Sew the lowest one 0.2 cm inside the folded edge. Stitch back and forth where each round begins and ends.",
+                2 * count
+            ),
+        ),
+        by_hand: Some(Sentence::new(
+            "細かいぐし縫いで縫い、20 cm ごとに一針返します。",
+            "Sew small running stitches, with one backstitch every 20 cm.",
+        )),
+        figure: Figure::Section {
+            piece: PANEL,
+            marks: (0..2 + 2 * count).collect(),
+        },
+        minutes: minutes(5.0, draft.flat_length * rounds(count)),
+    }
+}
+
+fn rounds(row_count: usize) -> f64 {
+    2.0 * f64::from(u32::try_from(row_count).unwrap_or(u32::MAX))
+}
+
+/// Casings below the band are tapes.
+fn tape(draft: &PauDraft) -> Option<Step> {
+    let count = draft.elastic_rows.len() - draft.band_row_count;
+    if count == 0 {
+        return None;
+    }
+    let first = 2 + 2 * draft.band_row_count;
+    Some(Step {
+        title: words("テープをつける", "Sew on the tape"),
+        by_machine: Sentence::new(
+            format!(
+                "バストの下の線に、ゴム通しのテープ {count} 本を裏から当て、上下の端を縫います。端は 1 cm ずつ折って突き合わせ、ゴムを通す口にします。"
+            ),
+            format!(
+                "Pin {count} casing tape(s) to the wrong side along the lines below the bust and sew both edges. Turn the ends under by 1 cm and let them meet: the elastic goes in there."
+            ),
+        ),
+        by_hand: Some(Sentence::new(
+            "テープの上下をまつり縫いします。",
+            "Slip-stitch both edges of the tape.",
+        )),
+        figure: Figure::Piece {
+            piece: PANEL,
+            edges: Vec::new(),
+            marks: (first..first + 2 * count).collect(),
+        },
+        minutes: minutes(10.0, draft.flat_length * rounds(count)),
+    })
+}
+
+fn hem(draft: &PauDraft) -> Step {
+    let turn = if draft.hem_depth <= HEM_TURN * 2.0 {
+        draft.hem_depth * 0.5
+    } else {
+        HEM_TURN
+    };
+    let (turn, rest) = (cm(turn), cm(draft.hem_depth - turn));
+    Step {
+        title: words("裾を上げる", "Hem"),
+        by_machine: Sentence::new(
+            format!(
+                "裾を裏へ {turn} cm、さらに {rest} cm 折り、折った端から 0.2 cm のところをぐるりと縫います。"
+            ),
+            format!(
+                "Fold the lower edge to the wrong side by {turn} cm and again by {rest} cm, and sew all around 0.2 cm from the folded edge."
+            ),
+        ),
+        by_hand: Some(Sentence::new(
+            "0.7 cm おきに、表に小さな針目が出るようにまつり縫いします。",
+            "Slip-stitch every 0.7 cm, picking up only a thread or two of the right side.",
+        )),
+        figure: Figure::Section {
+            piece: PANEL,
+            marks: vec![draft.lines.len() - 1],
+        },
+        minutes: minutes(15.0, draft.flat_length),
+    }
+}
+
+fn thread_elastic(draft: &PauDraft) -> Step {
+    let rows = draft.elastic_rows.iter();
+    let lengths: Vec<String> = rows.map(|row| cm(row.cut_length)).collect();
+    let overlap = draft.elastic_rows.first();
+    let overlap = overlap.map_or(Length::ZERO, |row| row.cut_length - row.ring_length);
+    let (count, overlap) = (lengths.len(), cm(overlap));
+    Step {
+        title: words("ゴムを通す", "Thread the elastic"),
+        by_machine: Sentence::new(
+            format!(
+                "ゴムを上の段から順に {} cm に切ります（{count} 本）。ゴム通しで1本ずつ通し、端を {overlap} cm 重ねて、ジグザグに二度縫います。ねじれていないか、縫う前にたしかめます。口をコの字とじで閉じます。",
+                lengths.join("、")
+            ),
+            format!(
+                "Cut {count} elastic(s), from the top row down {} cm long. Thread each with a bodkin, make sure that it is not twisted, overlap its ends by {overlap} cm and sew them together twice with a zigzag stitch. Close the gaps with ladder stitches.",
+                lengths.join(", ")
+            ),
+        ),
+        by_hand: Some(Sentence::new(
+            "重ねたゴムは、四角に返し縫いしてとめます。",
+            "Sew the overlapped ends together in a square of backstitches.",
+        )),
+        figure: Figure::Section {
+            piece: PANEL,
+            marks: (1..draft.lines.len() - 1).collect(),
+        },
+        minutes: [
+            5.0 + 6.0 * rounds(count) * 0.5,
+            5.0 + 12.0 * rounds(count) * 0.5,
+        ],
+    }
+}
+
+fn finish(draft: &PauDraft) -> Step {
+    let length = cm(draft.finished_length);
+    Step {
+        title: words("仕上げる", "Finish"),
+        by_machine: Sentence::new(
+            format!(
+                "ギャザーを均等に寄せ、縫い目のところで各段のゴムを縫いとめて、回らないようにします。着てみて、裾が床と平行かを見ます。上の折り山から裾まで {length} cm です。"
+            ),
+            format!(
+                "Spread the gathers evenly. Stitch through each elastic in the seam, so that it cannot turn. Put it on and look whether the hem is level. It is {length} cm from the top fold to the hem."
+            ),
+        ),
+        by_hand: None,
+        figure: Figure::None,
+        minutes: [15.0, 15.0],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::pau_skirt::{PauMeasurements, PauOptions, draft_pau_skirt};
+    use super::super::pau_top::{TopMeasurements, TopOptions, draft_pau_top};
+    use super::*;
+
+    fn skirt() -> PauDraft {
+        let measurements = PauMeasurements {
+            hip_girth: Length::from_cm(91.4),
+            worn_girth: Length::from_cm(83.0),
+            worn_height: Length::from_cm(85.0),
+        };
+        draft_pau_skirt(&measurements, &PauOptions::default()).unwrap()
+    }
+
+    fn top(lower_row_count: u32) -> PauDraft {
+        let measurements = TopMeasurements {
+            bust_girth: Length::from_cm(84.0),
+            upper_girth: Length::from_cm(82.0),
+            lowest: (Length::from_cm(72.0), Length::from_cm(108.0)),
+            trunk: (0 < lower_row_count).then(|| Length::from_cm(11.0)),
+        };
+        let cut = PauOptions {
+            hem_height: Length::from_cm(95.0),
+            elastic_row_count: 1,
+            ..PauOptions::default()
+        };
+        let options = TopOptions {
+            cut,
+            lower_row_count,
+        };
+        draft_pau_top(&measurements, &options).unwrap()
+    }
+
+    #[test]
+    fn every_number_of_a_figure_exists() {
+        for draft in [skirt(), top(0), top(2)] {
+            let pattern = draft.pattern(words("パウ", "pāʻū"));
+            assert!(8 < pattern.steps.len());
+            for step in &pattern.steps {
+                let (piece, edges, marks) = match &step.figure {
+                    Figure::Piece {
+                        piece,
+                        edges,
+                        marks,
+                    } => (*piece, edges.clone(), marks.clone()),
+                    Figure::Section { piece, marks } => (*piece, Vec::new(), marks.clone()),
+                    Figure::Seams(seams) => {
+                        assert!(seams.iter().all(|&seam| seam < pattern.seams.len()));
+                        continue;
+                    }
+                    Figure::None => continue,
+                };
+                let piece = &pattern.pieces[piece];
+                assert!(edges.iter().all(|&edge| edge < piece.edges.len()));
+                assert!(marks.iter().all(|&mark| mark < piece.marks.len()));
+            }
+        }
+    }
+
+    #[test]
+    fn gaps_for_the_elastic_lie_inside_the_band_and_face_their_casings() {
+        let draft = skirt();
+        let (fold, turn) = (12.5, 1.0);
+        let gaps = openings(&draft);
+        assert_eq!(gaps.len(), 3);
+        for (gap, row) in gaps.iter().zip(&draft.elastic_rows) {
+            let middle = 0.5 * (gap[0] + gap[1]).to_cm();
+            assert!((fold - middle - row.from_fold.to_cm()).abs() < 1e-9);
+            assert!(turn - 1e-9 <= gap[0].to_cm() && gap[1].to_cm() < fold);
+        }
+    }
+
+    #[test]
+    fn times_are_those_that_makers_tell() {
+        let steps = steps(&skirt());
+        let hours = |which: usize| steps.iter().map(|step| step.minutes[which]).sum::<f64>() / 60.0;
+        assert!((2.0..4.5).contains(&hours(0)), "{}", hours(0));
+        assert!((9.0..23.0).contains(&hours(1)), "{}", hours(1));
+    }
+
+    #[test]
+    fn only_a_top_with_lower_rows_needs_tape() {
+        let titles = |draft: &PauDraft| {
+            let steps = steps(draft);
+            let has_tape = |step: &Step| step.title.english.contains("tape");
+            steps.iter().filter(|step| has_tape(step)).count()
+        };
+        assert_eq!(
+            [titles(&skirt()), titles(&top(0)), titles(&top(2))],
+            [0, 0, 1]
+        );
+    }
+}
