@@ -7,7 +7,7 @@ use lole_avatar::{Avatar, License};
 use lole_body::{Bone, CapsuleLayout, Dancer, Measurements, Pose, SkinSurfels};
 use lole_cloth::Fabric;
 use lole_costume::document::{
-    Design, FabricDesign, GarmentDesign, GarmentLayer, PrintChoice, SkirtDesign, WornTop,
+    Design, FabricDesign, GarmentDesign, GarmentLayer, SkirtDesign, WornTop,
 };
 use lole_costume::sew::{self, Clothed, Cut, SewSettings, SewnSkirt, SkirtMesh, WornPlace};
 use lole_geom::Length;
@@ -93,8 +93,7 @@ impl Production {
         };
         wardrobe.put_on_layer(design, GarmentLayer::Under)?;
         let skirt = wardrobe.garments.len();
-        let (cut, fabric, print) = (&design.skirt, &design.fabric, &design.print);
-        wardrobe.put_on_skirt(("pau_skirt", 0.0), (cut, fabric), print)?;
+        wardrobe.put_on_skirt(("pau_skirt", 0.0), (&design.skirt, &design.fabric))?;
         wardrobe.put_on_layer(design, GarmentLayer::Over)?;
         let mut garments = wardrobe.garments;
         link_chains(&mut garments);
@@ -180,7 +179,7 @@ impl Wardrobe<'_> {
                         GarmentLayer::Over => "pau_overskirt",
                     };
                     let cut = (&worn.skirt, &worn.fabric);
-                    self.put_on_skirt((name, FOLD_COLUMNS), cut, &worn.print)
+                    self.put_on_skirt((name, FOLD_COLUMNS), cut)
                 }
                 GarmentDesign::PauTop(worn) => self.put_on_top(worn),
             };
@@ -196,7 +195,6 @@ impl Wardrobe<'_> {
         &mut self,
         (name, fold_columns): (&str, f32),
         (skirt, fabric): (&SkirtDesign, &FabricDesign),
-        print: &PrintChoice,
     ) -> Result<(), StageError> {
         let height = worn_height(skirt, self.dancer);
         let worn = PauMeasurements {
@@ -212,7 +210,7 @@ impl Wardrobe<'_> {
             fold_columns,
         };
         let parts = (draft, worn, fabric.fabric());
-        self.put_on((name, WornPlace::Hips), parts, fineness, print)
+        self.put_on((name, WornPlace::Hips), parts, fineness)
     }
 
     fn put_on_top(&mut self, worn: &WornTop) -> Result<(), StageError> {
@@ -252,7 +250,7 @@ impl Wardrobe<'_> {
             fold_columns: FOLD_COLUMNS,
         };
         let parts = (draft, measurements.worn(), worn.fabric.fabric());
-        self.put_on(("pau_top", WornPlace::Bust), parts, fineness, &worn.print)
+        self.put_on(("pau_top", WornPlace::Bust), parts, fineness)
     }
 
     /// Sews a garment over what is worn already.
@@ -261,7 +259,6 @@ impl Wardrobe<'_> {
         (name, place): (&str, WornPlace),
         (draft, worn, fabric): (PauDraft, PauMeasurements, Fabric),
         fineness: Fineness,
-        print: &PrintChoice,
     ) -> Result<(), StageError> {
         let usual = SewSettings::default();
         let column_count = fineness.column_count;
@@ -282,7 +279,7 @@ impl Wardrobe<'_> {
         let body = (self.dancer, &self.clothed);
         let sewn = sew::sew(&cut, body, &self.stance, &settings)?;
         self.clothed.put_on(sewn.bind_positions());
-        let mesh = SkirtMesh::new(&sewn.spec.grid, print.print().repeat.to_m_f32());
+        let mesh = SkirtMesh::new(&sewn.spec.grid);
         let pins = sewn.pins.iter();
         let pin_surfels = SkinSurfels::nearest_to(
             pins.map(|pin| pin.posed(&self.bind)),
