@@ -32,16 +32,8 @@ pub(crate) fn read(path: Option<&Path>) -> Result<Source, Failure> {
     let bytes = lole_studio::read_document(path).map_err(Failure::usage)?;
     let mut design =
         document::parse_bytes(&bytes, &name).map_err(|error| Failure::Usage(error.into()))?;
-    let linked = [
-        (&mut design.dancer.file, "[dancer] file"),
-        (&mut design.motion.file, "[motion] file"),
-    ];
-    for (file, key) in linked {
-        if let Some(file) = file {
-            let place = path.with_file_name(&file.name);
-            *file = lole_studio::linked_file(&place, key).map_err(Failure::usage)?;
-        }
-    }
+    lole_studio::read_linked_files(&mut design, path).map_err(Failure::usage)?;
+    lole_studio::name_linked_files(&mut design, path);
     let text = String::from_utf8_lossy(&bytes).into_owned();
     Ok(Source {
         name,
