@@ -11,8 +11,9 @@ use crate::pdf::{
     Align, Cell, Color, Column, Flow, Margins, Paper, Rect, Sheet, Stroke, Table, TextStyle,
 };
 
-/// Height of a drawing [mm].
-const DRAWING: f64 = 92.0;
+/// Largest height of a drawing, and what stands around it [mm].
+const DRAWING: f64 = 74.0;
+const AROUND: f64 = 20.0;
 /// Numbers beside the drawing stand at least this far apart [mm].
 const LEADING: f64 = 4.6;
 /// What is straight beside a ruler [m].
@@ -113,17 +114,18 @@ fn write_rectangle(
     };
     flow.paragraph(&facts, &TextStyle::regular(12.0));
     flow.space(4.0);
-    let ruled = ruled_lines(drawing, language);
-    flow.block(DRAWING, |sheet, rect| {
-        draw(sheet, rect, drawing, &ruled, language)
+    let ruled = ruled_lines(drawing);
+    let scales = scales(drawing, flow.width());
+    let height = drawing.cut.bounds().height() * scales[1] + AROUND;
+    flow.block(height, |sheet, rect| {
+        draw(sheet, rect, drawing, (&ruled, scales), language)
     });
     flow.space(5.0);
     table(&ruled, language).draw(flow);
 }
 
 /// Marked lines and stitching lines that run straight across, from the top down and from the left on.
-fn ruled_lines(drawing: &Drawing, language: Language) -> Vec<Ruled> {
-    let _ = language;
+fn ruled_lines(drawing: &Drawing) -> Vec<Ruled> {
     let bounds = drawing.cut.bounds();
     let mut ruled: Vec<Ruled> = Vec::new();
     let mut add = |name: Words, points: &[Point]| {
@@ -171,19 +173,25 @@ fn ruled_lines(drawing: &Drawing, language: Language) -> Vec<Ruled> {
     ruled
 }
 
-/// The rectangle with its lines, numbered; not to scale in both directions alike where it is long.
-fn draw(sheet: &mut Sheet, rect: Rect, drawing: &Drawing, ruled: &[Ruled], language: Language) {
+/// Page millimeters of a meter, across and up. A skirt is four times as long as it is high: the long
+/// way is drawn shorter where it must be.
+fn scales(drawing: &Drawing, width: f64) -> [f64; 2] {
     let bounds = drawing.cut.bounds();
-    let place = Rect {
-        x: rect.x + 16.0,
-        y: rect.y + 4.0,
-        width: rect.width - 62.0,
-        height: rect.height - 18.0,
-    };
-    // A skirt is four times as long as it is high: the long way is drawn shorter where it must be.
-    let scale_y = place.height / bounds.height();
-    let scale_x = (place.width / bounds.width()).min(scale_y);
-    let scale_y = scale_y.min(3.0 * scale_x);
+    let up = DRAWING / bounds.height();
+    let across = ((width - 62.0) / bounds.width()).min(up);
+    [across, up.min(3.0 * across)]
+}
+
+/// The rectangle with its lines, numbered.
+fn draw(
+    sheet: &mut Sheet,
+    rect: Rect,
+    drawing: &Drawing,
+    (ruled, [scale_x, scale_y]): (&[Ruled], [f64; 2]),
+    language: Language,
+) {
+    let bounds = drawing.cut.bounds();
+    let place = kurbo::Point::new(rect.x + 16.0, rect.y + 4.0);
     let size = [bounds.width() * scale_x, bounds.height() * scale_y];
     let page = Affine::translate((place.x, place.y))
         * Affine::scale_non_uniform(scale_x, -scale_y)

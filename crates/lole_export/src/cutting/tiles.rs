@@ -29,6 +29,9 @@ const TEST_SQUARE: f64 = 100.0;
 /// Pieces keep this distance from the border of the drawing [mm].
 const BORDER: f64 = 4.0;
 
+/// Half the space between two pieces on paper [mm].
+const SPACE: f64 = 3.0;
+
 const PALE: Color = Color(170, 170, 170);
 
 /// A pattern over many sheets.
@@ -86,6 +89,8 @@ impl Layout {
             piece.cut = CutCount::Alike(1);
             piece.cloth = ClothRole::Main;
             for edge in &mut piece.edges {
+                // Room for scissors between the pieces.
+                edge.allowance = edge.allowance + Length::from_m(SPACE / MM);
                 // Drawn to its fold only.
                 if edge.finish == Finish::Fold {
                     edge.finish = Finish::Selvage;
@@ -446,10 +451,14 @@ fn cover(cut: &CutGarment, layout: &Layout, count: usize, language: Language) ->
     let [columns, rows] = [layout.columns, layout.rows];
     let steps = match language {
         Language::Japanese => format!(
-            "{paper} 用紙 {count} 枚（横 {columns} × 縦 {rows}）。「実際のサイズ」「倍率100 %」で印刷し、下の四角を             定規で測ってから始めます。各ページの左と上の実線を切り、前のページの破線に重ね、同じ番号の◇を合わせて貼ります。"
+            "{paper} 用紙 {count} 枚（横 {columns} × 縦 {rows}）。「実際のサイズ」「倍率100 %」で印刷し、下の四角を\
+             定規で測ってから始めます。各ページの左と上の実線を切り、前のページの破線に重ね、同じ番号の◇を合わせて貼ります。"
         ),
         Language::English => format!(
-            "{count} sheets of {paper}, {columns} across and {rows} down. Print at actual size (100 %) and              measure the square below before you go on. On each sheet cut the solid line at the left and at              the top, lay it on the broken line of the sheet before so that diamonds of one number meet, and              glue."
+            "{count} sheets of {paper}, {columns} across and {rows} down. Print at actual size (100 %) and \
+             measure the square below before you go on. On each sheet cut the solid line at the left and at \
+             the top, lay it on the broken line of the sheet before so that diamonds of one number meet, and \
+             glue."
         ),
     };
     let used = sheet.paragraph([left, 27.0], room, &steps, &TextStyle::regular(11.0));
@@ -510,8 +519,8 @@ fn draw_legend(sheet: &mut Sheet, [x, y]: [f64; 2], language: Language) {
         ),
         (
             Stroke::solid(0.35),
-            "↔ 布目（耳と平行）",
-            "↔ grain, along the selvage",
+            "布目の矢印（耳と平行）",
+            "grain arrow, along the selvage",
         ),
     ];
     let style = TextStyle::regular(9.5);

@@ -11,11 +11,11 @@ use super::slide::free_way;
 use crate::polygon::Polygon;
 
 /// Pixels while orders are tried [m].
-const COARSE: f64 = 0.005;
+const COARSE: f64 = 0.008;
 /// Pixels of the plan itself [m].
 const FINE: f64 = 0.002;
 /// Orders that are tried beyond the usual ones, for each piece, and in all.
-const TRIES: [usize; 2] = [4, 48];
+const TRIES: [usize; 2] = [3, 36];
 /// Plans that are laid again with fine pixels.
 const KEPT: usize = 3;
 /// Passes of pushing together.
