@@ -3,7 +3,7 @@
 use anyhow::Result;
 use glam::Vec3;
 use lole_body::{Appearance, BodyPicture, Look, PartKind, Pose, appearance};
-use lole_cloth::{Grid, Topology};
+use lole_cloth::Topology;
 use lole_costume::print::PrintImage;
 use lole_export::Image;
 use lole_export::glb::{
@@ -12,7 +12,7 @@ use lole_export::glb::{
 };
 use lole_export::still::encode_png;
 use lole_picture::linear;
-use lole_stage::Performance;
+use lole_stage::{Garment, Performance};
 
 use crate::studio::Studio;
 
@@ -92,7 +92,7 @@ pub(crate) fn dancer_glb(
     }];
     let worn = production.garments.iter().zip(studio.prints());
     let meshes: Vec<GridMesh> = worn
-        .map(|(garment, print)| grid_mesh(&garment.sewn.spec.grid, print))
+        .map(|(garment, print)| grid_mesh(garment, print))
         .collect();
     let worn = production.garments.iter().zip(&meshes);
     let baked = worn.zip(prints_png.iter().zip(&keys.cloths));
@@ -154,7 +154,8 @@ fn look_material<'a>(look: &'a Look, png: Option<&'a [u8]>) -> GlbMaterial<'a> {
 }
 
 /// The mesh of a garment's grid in the file.
-fn grid_mesh(grid: &Grid, print: &PrintImage) -> GridMesh {
+fn grid_mesh(garment: &Garment, print: &PrintImage) -> GridMesh {
+    let grid = &garment.sewn.spec.grid;
     let sheet = GridSheet {
         column_count: grid.column_count,
         row_count: grid.row_count,
@@ -163,7 +164,7 @@ fn grid_mesh(grid: &Grid, print: &PrintImage) -> GridMesh {
             Topology::Sheet => GridRing::Open,
         },
         spacing: grid.spacing,
-        print_repeat: [print.repeat.to_m_f32(); 2],
+        uv_from_flat: print.uv_from_panel(&garment.draft),
     };
     GridMesh::new(&sheet, [COLUMN_STRIDE, ROW_STRIDE])
 }

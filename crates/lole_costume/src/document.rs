@@ -14,6 +14,7 @@ mod error;
 mod garment;
 mod nearest;
 mod parse;
+mod print;
 pub mod schema;
 mod write;
 
@@ -29,12 +30,13 @@ use lole_cloth::method::explicit::{ContactEvaluation, Integrator, RungeKutta};
 use lole_cloth::wind::WindLaw;
 
 use crate::fabrics::Preset;
-use crate::print::PrintMotif;
+use crate::print::{PrintLay, PrintMotif};
 
 pub use error::{DesignError, Problem};
 pub use garment::{GarmentDesign, GarmentLayer, TopDesign, WornSkirt, WornTop};
 pub use nearest::{likely, nearest};
 pub use parse::{Place, locate, parse, parse_bytes};
+pub use print::{LinkedPicture, PhotoMarks, PrintError};
 pub use write::to_toml;
 
 /// Version of the format that this program writes, and the newest it reads.
@@ -222,7 +224,7 @@ impl Default for FabricDesign {
 pub struct PrintChoice {
     /// What is scattered over the ground.
     pub motif: PrintMotif,
-    /// Name of a ready set of colors, one of [`PrintDesign::COLORWAYS`](crate::print::PrintDesign::COLORWAYS).
+    /// Name of a ready set of colors, one of [`COLORWAYS`](crate::print::COLORWAYS).
     pub colorway: &'static str,
     /// Color of the ground, sRGB.
     pub ground: Option<[u8; 3]>,
@@ -232,10 +234,17 @@ pub struct PrintChoice {
     pub leaf: Option<[u8; 3]>,
     /// Color of the quiet second layer, sRGB.
     pub shadow: Option<[u8; 3]>,
-    /// Width and height of one repeat on the cloth [cm].
+    /// Width of one repeat on the cloth, before it is turned [cm]; one that the program draws is as
+    /// high.
     pub repeat_cm: f64,
     /// Chooses places and turns.
     pub seed: u64,
+    /// A picture that is printed instead of the motif.
+    pub file: Option<LinkedPicture>,
+    /// What is known of that picture.
+    pub marks: PhotoMarks,
+    /// How the print lies on the cloth.
+    pub lay: PrintLay,
 }
 
 impl Default for PrintChoice {
@@ -249,6 +258,9 @@ impl Default for PrintChoice {
             shadow: None,
             repeat_cm: 42.0,
             seed: 1,
+            file: None,
+            marks: PhotoMarks::default(),
+            lay: PrintLay::default(),
         }
     }
 }

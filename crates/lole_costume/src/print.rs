@@ -1,24 +1,26 @@
-//! A Hawaiian-style print drawn by the program: hibiscus, fern and breadfruit leaves cut from two
-//! or three colors on a saturated ground, in one repeat that tiles without a seam.
+//! What is printed on cloth: a Hawaiian-style print drawn by the program, in one repeat that tiles
+//! without a seam, or a [`Picture`] of someone's own; and how it lies on the cloth.
 
 mod canvas;
+pub mod colorway;
+mod geometry;
+mod lay;
 mod layout;
 mod motif;
+pub mod picture;
+mod shape;
+pub(crate) mod tile;
 
 use lole_geom::Length;
 
 use canvas::Canvas;
+use geometry::Geometry;
+use motif::{Recipe, Shadow};
 
-/// What is scattered over the ground.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum PrintMotif {
-    /// Large hibiscus with monstera leaves and ferns.
-    Hibiscus,
-    /// Breadfruit (ʻulu) leaves and fruit, as on a Hawaiian quilt.
-    Ulu,
-    /// Nothing: the ground alone.
-    Plain,
-}
+pub use colorway::{COLORWAYS, Colorway};
+pub use lay::{PrintBorder, PrintDirection, PrintFlip, PrintLay, PrintTiling};
+pub use motif::{MOTIFS, MotifRow, PrintMotif};
+pub use picture::{Picture, PictureError};
 
 /// A print before it is drawn. Colors are sRGB bytes.
 #[derive(Debug, Clone, PartialEq)]
@@ -48,45 +50,33 @@ pub struct PrintImage {
     pub height: u32,
     /// RGBA8 in sRGB, rows from the top, opaque, shape `[height, width, 4]`.
     pub pixels: Vec<u8>,
-    /// Width and height of the picture on the cloth.
-    pub repeat: Length,
+    /// Length along the cloth and height across it of the picture.
+    pub repeat: [Length; 2],
+    /// Where its lower left corner lies from the lower left corner of the cloth.
+    pub offset: [Length; 2],
+    /// Which selvage it lies along, where it does not cover the cloth.
+    pub border: PrintBorder,
 }
 
 impl PrintDesign {
-    /// Names of the colorways of [`PrintDesign::colorway`].
-    pub const COLORWAYS: &'static [&'static str] = &["red", "pink", "blue", "green"];
-
-    /// A ready design by the name of its ground, `None` for a name not in
-    /// [`PrintDesign::COLORWAYS`].
+    /// Hibiscus in the colorway of this name; `None` for a name not in [`COLORWAYS`].
     #[must_use]
     pub fn colorway(name: &str) -> Option<Self> {
-        let (ground, flower, leaf, shadow) = match name {
-            "red" => ([158, 16, 38], [252, 240, 222], [238, 178, 70], [126, 8, 30]),
-            "pink" => (
-                [206, 40, 110],
-                [255, 246, 240],
-                [250, 190, 205],
-                [176, 24, 92],
-            ),
-            "blue" => (
-                [14, 62, 134],
-                [250, 250, 245],
-                [120, 190, 215],
-                [8, 46, 108],
-            ),
-            "green" => ([8, 92, 66], [252, 244, 220], [150, 200, 120], [4, 72, 52]),
-            _ => return None,
-        };
-        let (motif, repeat, seed) = (PrintMotif::Hibiscus, Length::from_cm(42.0), 1);
-        Some(Self {
-            ground,
-            flower,
-            leaf,
-            shadow,
-            motif,
-            repeat,
-            seed,
-        })
+        Colorway::from_id(name).map(Self::in_colors)
+    }
+
+    /// Hibiscus in these colors.
+    #[must_use]
+    pub fn in_colors(colors: &Colorway) -> Self {
+        Self {
+            ground: colors.ground,
+            flower: colors.flower,
+            leaf: colors.leaf,
+            shadow: colors.shadow,
+            motif: PrintMotif::Hibiscus,
+            repeat: Length::from_cm(42.0),
+            seed: 1,
+        }
     }
 }
 
@@ -94,16 +84,32 @@ impl PrintDesign {
 #[must_use]
 pub fn draw(design: &PrintDesign, size: u32) -> PrintImage {
     let size = size.clamp(1, SIZE_MAX);
-    let placements = layout::place(design.motif, design.seed);
     let mut canvas = Canvas::new(design, size);
-    for placement in &placements {
-        canvas.stamp(placement);
+    match &design.motif.row().recipe {
+        Recipe::Bare => {}
+        Recipe::Geometry(geometry) => {
+            for part in &geometry.parts(design.seed) {
+                canvas.draw(part);
+            }
+        }
+        Recipe::Scatter(scatter) => {
+            if matches!(scatter.shadow, Shadow::Surf) {
+                for part in &Geometry::Surf.parts(design.seed) {
+                    canvas.draw(part);
+                }
+            }
+            for placement in &layout::place(scatter, design.seed) {
+                canvas.stamp(placement);
+            }
+        }
     }
     PrintImage {
         width: size,
         height: size,
         pixels: canvas.into_pixels(),
-        repeat: design.repeat,
+        repeat: [design.repeat; 2],
+        offset: [Length::ZERO; 2],
+        border: PrintBorder::None,
     }
 }
 
@@ -135,10 +141,11 @@ mod tests {
 
     #[test]
     fn the_repeat_has_no_seam() {
-        for name in PrintDesign::COLORWAYS {
-            for motif in [PrintMotif::Hibiscus, PrintMotif::Ulu, PrintMotif::Plain] {
+        for (name, seed) in [("red", 1), ("niihau", 5)] {
+            for motif in MOTIFS.iter().map(|row| row.motif) {
                 let design = PrintDesign {
                     motif,
+                    seed,
                     ..PrintDesign::colorway(name).unwrap()
                 };
                 let image = draw(&design, 256);

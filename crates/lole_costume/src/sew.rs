@@ -542,8 +542,9 @@ fn unit_random(state: &mut u64) -> f32 {
 pub struct SkirtMesh {
     /// Particle behind each vertex, shape `[vertex_count]`.
     pub particles: Vec<u32>,
-    /// Texture coordinates in repeats of the print, `v` down, shape `[vertex_count, 2]`.
-    pub uvs: Vec<Vec2>,
+    /// Place of each vertex on the flat cloth [m]: `x` around the body, to the left as it is seen from
+    /// outside, and `y` down from the top fold, shape `[vertex_count, 2]`.
+    pub flat: Vec<Vec2>,
     /// Vertex indices, facing outward, shape `[triangle_count, 3]`.
     pub triangles: Vec<[u32; 3]>,
     /// The same triangles by particle, without the seam.
@@ -551,16 +552,15 @@ pub struct SkirtMesh {
 }
 
 impl SkirtMesh {
-    /// The mesh of a grid whose print repeats every `print_repeat` [m].
+    /// The mesh of a grid.
     #[must_use]
-    pub fn new(grid: &Grid, print_repeat: f32) -> Self {
+    pub fn new(grid: &Grid) -> Self {
         let columns = grid.cell_columns() + 1;
-        let (mut particles, mut uvs) = (Vec::new(), Vec::new());
+        let (mut particles, mut flat) = (Vec::new(), Vec::new());
         for row in 0..grid.row_count {
             for column in 0..columns {
                 particles.push(row * grid.column_count + column % grid.column_count);
-                let flat = Vec2::new(column as f32, row as f32) * Vec2::from(grid.spacing);
-                uvs.push(flat / print_repeat);
+                flat.push(Vec2::new(column as f32, row as f32) * Vec2::from(grid.spacing));
             }
         }
         let mut triangles = Vec::new();
@@ -582,7 +582,7 @@ impl SkirtMesh {
             .collect();
         Self {
             particles,
-            uvs,
+            flat,
             triangles,
             particle_triangles,
         }

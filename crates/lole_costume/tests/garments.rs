@@ -64,6 +64,10 @@ fn layers_lie_from_the_skin_outward_in_the_order_of_the_list() {
 fn check_ends<T: Clone>(tables: &[Table<T>], fresh: &T, put: impl Fn(T) -> GarmentDesign) -> usize {
     let mut count = 0;
     for key in tables.iter().flat_map(|table| table.keys) {
+        // Marks on a photo go together, and with a photo; their own tests vary them.
+        if key.name.starts_with("known_") || key.name.starts_with("crop_") {
+            continue;
+        }
         let mut ends = Vec::new();
         match &key.kind {
             Kind::Number { min, max, set, .. } => ends.extend([*min, *max].map(|value| {

@@ -30,7 +30,7 @@ fn cut(pattern: Pattern) -> CutGarment {
             width: Length::from_cm(110.0),
             areal_density: 0.12,
             nap: Nap::TwoWay,
-            has_border: false,
+            border: None,
             repeat: None,
         },
     };

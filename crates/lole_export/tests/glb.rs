@@ -6,7 +6,7 @@
     reason = "a test that meets anything unexpected should stop"
 )]
 
-use glam::{Affine3A, Mat4, Quat, Vec2, Vec3, Vec4};
+use glam::{Affine2, Affine3A, Mat4, Quat, Vec2, Vec3, Vec4};
 use lole_body::skeleton::{Bone, Pose, Skeleton};
 use lole_export::ExportError;
 use lole_export::glb::{
@@ -188,7 +188,7 @@ impl Sample {
             row_count: ROWS,
             ring: GridRing::Closed,
             spacing: [0.05, 0.1],
-            print_repeat: [0.4, 0.4],
+            uv_from_flat: Affine2::from_scale(Vec2::splat(1.0 / 0.4)),
         };
         let frames: Vec<Vec<Vec3>> = (0..6_u8)
             .map(|key| {

@@ -5,10 +5,11 @@
 
 use std::sync::Arc;
 
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 use lole_body::{Appearance, BodyPicture, Dancer, Look, PartKind, appearance};
 use lole_costume::document::Design;
-use lole_costume::print::{self, PrintImage};
+use lole_costume::document::PrintError;
+use lole_costume::print::PrintImage;
 use lole_render::srgb::linear_from_srgb;
 use lole_render::{Camera, LightRig, Material, RenderError, Scene, SceneMesh, Sides, Texture};
 use lole_stage::Production;
@@ -24,6 +25,19 @@ pub struct Looks {
     pub parts: Vec<(PartKind, Material)>,
     /// The print of every garment, for files that carry it.
     pub prints: Vec<PrintImage>,
+    /// Where its vertices lie on the print, in repeats.
+    print_uvs: Vec<Vec<Vec2>>,
+}
+
+/// Why there is no picture.
+#[derive(Debug, thiserror::Error)]
+pub enum LookError {
+    /// The print cannot be made.
+    #[error(transparent)]
+    Print(#[from] PrintError),
+    /// A picture cannot be a texture.
+    #[error(transparent)]
+    Render(#[from] RenderError),
 }
 
 /// A garment in one moment, as it is drawn.
@@ -53,11 +67,9 @@ impl Looks {
     /// Draws prints, face and hair once.
     ///
     /// # Errors
-    /// A picture that cannot be a texture.
-    pub fn new(design: &Design, production: &Production) -> Result<Self, RenderError> {
-        let prints: Vec<PrintImage> = (design.worn_prints().into_iter())
-            .map(|choice| print::draw(&choice.print(), PRINT_SIDE))
-            .collect();
+    /// A picture that was not read or cannot be a texture.
+    pub fn new(design: &Design, production: &Production) -> Result<Self, LookError> {
+        let prints = design.worn_print_images(PRINT_SIDE)?;
         let cloths = prints.iter().map(|print| {
             let texture = Texture::new(print.width, print.height, print.pixels.clone())?;
             Ok(Material::printed_cloth(Arc::new(texture)))
@@ -65,6 +77,13 @@ impl Looks {
         Ok(Self {
             cloths: cloths.collect::<Result<_, RenderError>>()?,
             parts: dancer_materials(&production.dancer)?,
+            print_uvs: (production.garments.iter().zip(&prints))
+                .map(|(garment, print)| {
+                    let uv_from_flat = print.uv_from_panel(&garment.draft);
+                    let flat = garment.mesh.flat.iter();
+                    flat.map(|&at| uv_from_flat.transform_point2(at)).collect()
+                })
+                .collect(),
             prints,
         })
     }
@@ -83,11 +102,12 @@ impl Looks {
             ..Scene::studio(camera)
         };
         let worn = production.garments.iter().zip(figure.cloths);
-        for ((garment, draped), material) in worn.zip(&self.cloths) {
+        let looks = self.cloths.iter().zip(&self.print_uvs);
+        for ((garment, draped), (material, uvs)) in worn.zip(looks) {
             scene.meshes.push(SceneMesh {
                 positions: draped.positions,
                 normals: draped.normals,
-                uvs: &garment.mesh.uvs,
+                uvs,
                 colors: draped.colors,
                 triangles: &garment.mesh.triangles,
                 material,

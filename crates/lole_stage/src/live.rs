@@ -533,17 +533,9 @@ fn needs_sewing(old: &Design, new: &Design) -> bool {
                 GarmentDesign::PauTop(worn) => (&mut worn.fabric, &mut worn.print),
             };
             *fabric = FabricDesign::default();
-            *print = PrintChoice {
-                repeat_cm: print.repeat_cm,
-                ..PrintChoice::default()
-            };
+            *print = PrintChoice::default();
         }
-        (
-            design.dancer.clone(),
-            design.skirt.clone(),
-            design.print.repeat_cm,
-            garments,
-        )
+        (design.dancer.clone(), design.skirt.clone(), garments)
     };
     cut(old) != cut(new)
 }

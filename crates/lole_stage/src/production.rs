@@ -7,7 +7,7 @@ use lole_avatar::{Avatar, License};
 use lole_body::{Bone, CapsuleLayout, Dancer, Measurements, Pose, SkinSurfels};
 use lole_cloth::Fabric;
 use lole_costume::document::{
-    Design, FabricDesign, GarmentDesign, GarmentLayer, PrintChoice, SkirtDesign, WornTop,
+    Design, FabricDesign, GarmentDesign, GarmentLayer, SkirtDesign, WornTop,
 };
 use lole_costume::sew::{self, Clothed, Cut, SewSettings, SewnSkirt, SkirtMesh, WornPlace};
 use lole_costume::tailoring::{self, Drafted};
@@ -92,8 +92,8 @@ impl Production {
         };
         wardrobe.put_on_layer(design, GarmentLayer::Under)?;
         let skirt = wardrobe.garments.len();
-        let (cut, fabric, print) = (&design.skirt, &design.fabric, &design.print);
-        wardrobe.put_on_skirt((tailoring::SKIRT, 0.0), (cut, fabric), print)?;
+        let cut = (&design.skirt, &design.fabric);
+        wardrobe.put_on_skirt((tailoring::SKIRT, 0.0), cut)?;
         wardrobe.put_on_layer(design, GarmentLayer::Over)?;
         let mut garments = wardrobe.garments;
         link_chains(&mut garments);
@@ -179,7 +179,7 @@ impl Wardrobe<'_> {
                 GarmentDesign::PauSkirt(worn) => {
                     let name = tailoring::file_name(garment);
                     let cut = (&worn.skirt, &worn.fabric);
-                    self.put_on_skirt((name, FOLD_COLUMNS), cut, &worn.print)
+                    self.put_on_skirt((name, FOLD_COLUMNS), cut)
                 }
                 GarmentDesign::PauTop(worn) => self.put_on_top(worn),
             };
@@ -195,7 +195,6 @@ impl Wardrobe<'_> {
         &mut self,
         (name, fold_columns): (&str, f32),
         (skirt, fabric): (&SkirtDesign, &FabricDesign),
-        print: &PrintChoice,
     ) -> Result<(), StageError> {
         let Drafted { draft, worn } = tailoring::draft_skirt(skirt, fabric, self.dancer)?;
         let fineness = Fineness {
@@ -205,7 +204,7 @@ impl Wardrobe<'_> {
             fold_columns,
         };
         let parts = (draft, worn, fabric.fabric());
-        self.put_on((name, WornPlace::Hips), parts, fineness, print)
+        self.put_on((name, WornPlace::Hips), parts, fineness)
     }
 
     fn put_on_top(&mut self, worn: &WornTop) -> Result<(), StageError> {
@@ -218,8 +217,7 @@ impl Wardrobe<'_> {
             fold_columns: FOLD_COLUMNS,
         };
         let parts = (drafted.draft, drafted.worn, worn.fabric.fabric());
-        let name = tailoring::TOP;
-        self.put_on((name, WornPlace::Bust), parts, fineness, &worn.print)
+        self.put_on((tailoring::TOP, WornPlace::Bust), parts, fineness)
     }
 
     /// Sews a garment over what is worn already.
@@ -228,7 +226,6 @@ impl Wardrobe<'_> {
         (name, place): (&str, WornPlace),
         (draft, worn, fabric): (PauDraft, PauMeasurements, Fabric),
         fineness: Fineness,
-        print: &PrintChoice,
     ) -> Result<(), StageError> {
         let usual = SewSettings::default();
         let column_count = fineness.column_count;
@@ -249,7 +246,7 @@ impl Wardrobe<'_> {
         let body = (self.dancer, &self.clothed);
         let sewn = sew::sew(&cut, body, &self.stance, &settings)?;
         self.clothed.put_on(sewn.bind_positions());
-        let mesh = SkirtMesh::new(&sewn.spec.grid, print.print().repeat.to_m_f32());
+        let mesh = SkirtMesh::new(&sewn.spec.grid);
         let pins = sewn.pins.iter();
         let pin_surfels = SkinSurfels::nearest_to(
             pins.map(|pin| pin.posed(&self.bind)),

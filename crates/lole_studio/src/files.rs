@@ -6,8 +6,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use lole_costume::document::{self, Design};
+use lole_costume::print::Picture;
 use lole_export::{Image, still};
-use lole_language::Sentence;
+use lole_language::{Bilingual as _, Sentence};
 
 /// A design larger than this [byte] is some other file; it is not even read.
 const LARGEST_FILE: u64 = 16 << 20;
@@ -54,8 +55,8 @@ pub(crate) fn read_design(path: &Path) -> Result<Design, Sentence> {
     Ok(design)
 }
 
-/// Reads the avatar and the recording that a design names, if it names any; their places are from
-/// `document` on.
+/// Reads the avatar, the recording and the pictures of prints that a design names, if it names any;
+/// their places are from `document` on.
 ///
 /// # Errors
 /// One sentence that names the file.
@@ -67,7 +68,34 @@ pub fn read_linked_files(design: &mut Design, document: &Path) -> Result<(), Sen
             file.bytes = Some(read_linked(&document.with_file_name(&file.name), key)?);
         }
     }
+    for (number, print) in design.prints_mut().enumerate() {
+        let key = if number == 0 {
+            "[print] file"
+        } else {
+            "[garment.print] file"
+        };
+        if let Some(file) = &mut print.file {
+            let path = document.with_file_name(&file.name);
+            file.picture = Some(read_picture(&path, key)?);
+        }
+    }
     Ok(())
+}
+
+/// Reads a picture that a design names under `key`.
+///
+/// # Errors
+/// One sentence that names the file.
+pub(crate) fn read_picture(path: &Path, key: &str) -> Result<Arc<Picture>, Sentence> {
+    let bytes = read_linked(path, key)?;
+    let picture = Picture::read(&bytes).map_err(|error| {
+        let name = path.display();
+        Sentence::new(
+            format!("{name}: {}", error.japanese()),
+            format!("{name}: {error}"),
+        )
+    })?;
+    Ok(Arc::new(picture))
 }
 
 /// Reads the bytes of a file that a design names under `key`.

@@ -16,7 +16,6 @@ use super::{
     PartDesign, PrintChoice, Problem, SkirtDesign, WindDesign, WornTop, schema,
 };
 use crate::fabrics::{FabricFigures, si_fabric};
-use crate::print::PrintDesign;
 
 /// Density of air at 20 °C and sea level [kg/m³].
 const AIR_DENSITY: f64 = 1.204;
@@ -78,6 +77,7 @@ impl Design {
             };
             sewable.map_err(|error| (schema::LIST, together(&error)))?;
         }
+        self.check_prints()?;
         if MOST_GARMENTS < self.garments.len() {
             let sentence = Sentence::new(
                 format!("服は {MOST_GARMENTS} 枚まで重ねられます。減らしてください"),
@@ -202,7 +202,7 @@ impl Design {
     }
 
     /// A part of everything that is worn, from the skin outward: `skirt` of the skirt.
-    fn worn<'a, P>(
+    pub(super) fn worn<'a, P>(
         &'a self,
         skirt: &'a P,
         part: impl Fn(&'a GarmentDesign) -> &'a P + Copy,
@@ -428,36 +428,6 @@ impl FabricDesign {
                 .unwrap_or(preset.cloth_friction.value),
             drag_rate: self.drag_per_s.unwrap_or(drag_rate),
         })
-    }
-}
-
-impl PrintChoice {
-    /// The print to draw.
-    #[must_use]
-    pub fn print(&self) -> PrintDesign {
-        let ready = PrintDesign::colorway(self.colorway).unwrap_or_else(fallback_colorway);
-        PrintDesign {
-            ground: self.ground.unwrap_or(ready.ground),
-            flower: self.flower.unwrap_or(ready.flower),
-            leaf: self.leaf.unwrap_or(ready.leaf),
-            shadow: self.shadow.unwrap_or(ready.shadow),
-            motif: self.motif,
-            repeat: Length::from_cm(self.repeat_cm),
-            seed: self.seed,
-        }
-    }
-}
-
-/// Broadcloth in two tones, for a colorway name set by a program and not on the list.
-fn fallback_colorway() -> PrintDesign {
-    PrintDesign {
-        ground: [158, 16, 38],
-        flower: [252, 240, 222],
-        leaf: [238, 178, 70],
-        shadow: [126, 8, 30],
-        motif: crate::print::PrintMotif::Hibiscus,
-        repeat: Length::from_cm(42.0),
-        seed: 1,
     }
 }
 

@@ -6,6 +6,8 @@
 
 #[macro_use]
 mod rows;
+#[macro_use]
+mod print_rows;
 mod garments;
 mod motion;
 mod tables;

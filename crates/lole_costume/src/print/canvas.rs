@@ -3,9 +3,11 @@
 use glam::{Vec2, vec2};
 use tiny_skia::{Color, FillRule, LineJoin, Paint, PixmapMut, Stroke, Transform};
 
-use super::layout::{Placement, Shape};
-use super::motif::{self, Ink, Layer};
-use super::{PrintDesign, PrintMotif};
+use super::PrintDesign;
+use super::geometry::{Part, Tint};
+use super::layout::Placement;
+use super::motif::Role;
+use super::shape::{Ink, Layer};
 
 /// Width of the gap of ground around a motif that lies on others. Repeat units.
 const HALO: f32 = 0.0075;
@@ -31,7 +33,7 @@ impl<'a> Canvas<'a> {
 
     /// Draws one motif, and again wherever it crosses an edge of the repeat.
     pub(super) fn stamp(&mut self, placement: &Placement) {
-        let layers = layers(self.design.motif, placement);
+        let layers = (placement.shape.draw)(placement.whim);
         let reach = 1.25 * placement.size;
         for shift in (-1..=1_i8).flat_map(|x| (-1..=1_i8).map(move |y| (x, y))) {
             let shift = vec2(f32::from(shift.0), f32::from(shift.1));
@@ -52,7 +54,7 @@ impl<'a> Canvas<'a> {
         let transform = Transform::from_translate(at.x, at.y)
             .pre_concat(Transform::from_rotate(placement.angle.to_degrees()))
             .pre_scale(placement.size * scale, placement.size * scale);
-        let colors = self.colors(placement.shape);
+        let colors = self.colors(placement.role);
         let Some(mut pixmap) = PixmapMut::from_bytes(&mut self.pixels, side, side) else {
             return;
         };
@@ -76,8 +78,12 @@ impl<'a> Canvas<'a> {
         }
     }
 
-    /// Which color each ink is for a motif.
-    fn colors(&self, shape: Shape) -> impl Fn(Ink) -> Color + use<> {
+    /// Draws a part of an ordered print, and again wherever it crosses an edge of the repeat.
+    pub(super) fn draw(&mut self, part: &Part) {
+        let Some(path) = &part.path else { return };
+        let side = self.size;
+        #[expect(clippy::cast_precision_loss, reason = "at most 8192")]
+        let scale = side as f32;
         let PrintDesign {
             ground,
             flower,
@@ -85,17 +91,64 @@ impl<'a> Canvas<'a> {
             shadow,
             ..
         } = *self.design;
-        let (own, other) = match shape {
-            Shape::Shadow => (shadow, shadow),
-            Shape::Leaf | Shape::Fern => (leaf, flower),
-            Shape::Flower | Shape::Blossom => (flower, leaf),
+        let mut paint = Paint {
+            anti_alias: true,
+            ..Paint::default()
+        };
+        paint.set_color(opaque(match part.tint {
+            Tint::Ground => ground,
+            Tint::Flower => flower,
+            Tint::Leaf => leaf,
+            Tint::Shadow => shadow,
+        }));
+        let Some(mut pixmap) = PixmapMut::from_bytes(&mut self.pixels, side, side) else {
+            return;
+        };
+        let reach = part.pen.unwrap_or(0.0);
+        let bounds = path.bounds();
+        for shift in (-1..=1_i8).flat_map(|x| (-1..=1_i8).map(move |y| (x, y))) {
+            let (x, y) = (f32::from(shift.0), f32::from(shift.1));
+            let inside = bounds.left() + x - reach < 1.0
+                && 0.0 < bounds.right() + x + reach
+                && bounds.top() + y - reach < 1.0
+                && 0.0 < bounds.bottom() + y + reach;
+            if !inside {
+                continue;
+            }
+            let transform = Transform::from_scale(scale, scale).pre_translate(x, y);
+            if let Some(width) = part.pen {
+                let stroke = Stroke {
+                    width,
+                    line_join: LineJoin::Round,
+                    ..Stroke::default()
+                };
+                pixmap.stroke_path(path, &paint, &stroke, transform, None);
+            } else {
+                pixmap.fill_path(path, &paint, FillRule::Winding, transform, None);
+            }
+        }
+    }
+
+    /// Which color each ink is for a motif.
+    fn colors(&self, role: Role) -> impl Fn(Ink) -> Color + use<> {
+        let PrintDesign {
+            ground,
+            flower,
+            leaf,
+            shadow,
+            ..
+        } = *self.design;
+        let (own, other) = match role {
+            Role::Shadow => (shadow, shadow),
+            Role::Leaf => (leaf, flower),
+            Role::Flower => (flower, leaf),
         };
         move |ink| match ink {
             Ink::Motif => opaque(own),
             Ink::Accent => opaque(other),
             Ink::Ground | Ink::Halo => opaque(ground),
-            Ink::Vein => match shape {
-                Shape::Flower => opaque(mix(own, other, 0.62)),
+            Ink::Vein => match role {
+                Role::Flower => opaque(mix(own, other, 0.62)),
                 _ => opaque(mix(own, ground, 0.55)),
             },
         }
@@ -104,20 +157,6 @@ impl<'a> Canvas<'a> {
     /// The pixels, opaque.
     pub(super) fn into_pixels(self) -> Vec<u8> {
         self.pixels
-    }
-}
-
-/// The paths of a motif.
-fn layers(motif: PrintMotif, placement: &Placement) -> Vec<Layer> {
-    let whim = placement.whim;
-    match (placement.shape, motif) {
-        (_, PrintMotif::Plain) => Vec::new(),
-        (Shape::Leaf | Shape::Shadow, PrintMotif::Hibiscus) => motif::monstera(whim),
-        (Shape::Leaf | Shape::Shadow, PrintMotif::Ulu) => motif::breadfruit_leaf(whim),
-        (Shape::Flower, PrintMotif::Hibiscus) => motif::hibiscus(whim),
-        (Shape::Flower, PrintMotif::Ulu) => motif::breadfruit(whim),
-        (Shape::Fern, _) => motif::fern(whim),
-        (Shape::Blossom, _) => motif::plumeria(whim),
     }
 }
 

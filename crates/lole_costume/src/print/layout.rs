@@ -6,30 +6,17 @@
 //! because nothing is placed on one.
 
 use glam::Vec2;
-use lole_geom::trig;
 
-use super::PrintMotif;
-
-/// A thing that is drawn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Shape {
-    /// A leaf of the quiet layer below, in the ground's darker shade.
-    Shadow,
-    /// Monstera or breadfruit leaf.
-    Leaf,
-    /// Frond of palapalai fern.
-    Fern,
-    /// Hibiscus flower, or breadfruit.
-    Flower,
-    /// Plumeria blossom.
-    Blossom,
-}
+use super::motif::{Fill, Role, Scatter, Shadow, Stand};
+use super::shape::{Shape, at_angle};
 
 /// One motif on the repeat.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Placement {
     /// What it is.
     pub shape: Shape,
+    /// Which colors it takes.
+    pub role: Role,
     /// Its origin: a flower's middle, a leaf's stalk. Repeat units, 0 to 1, y down.
     pub origin: Vec2,
     /// Direction its tip points to [rad], clockwise from +x as y is down.
@@ -47,51 +34,42 @@ struct Disc {
     radius: f32,
 }
 
-/// Radii of the flowers.
-const FLOWERS: [f32; 4] = [0.168, 0.148, 0.132, 0.118];
 /// Places tried for each motif; more pack denser.
 const TRIES: usize = 220;
+/// Straight up, as y is down [rad].
+const UP: f32 = -std::f32::consts::FRAC_PI_2;
 
 /// The motifs of one repeat, in drawing order.
-pub(super) fn place(motif: PrintMotif, seed: u64) -> Vec<Placement> {
-    let fill = match motif {
-        PrintMotif::Hibiscus => [(Shape::Fern, 0.34, 0.18), (Shape::Blossom, 0.062, 0.032)],
-        PrintMotif::Ulu => [(Shape::Leaf, 0.30, 0.15), (Shape::Blossom, 0.055, 0.032)],
-        PrintMotif::Plain => return Vec::new(),
-    };
-    let mut dice = Dice(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ 0x10_1e);
+pub(super) fn place(scatter: &Scatter, seed: u64) -> Vec<Placement> {
+    let mut dice = Dice::new(seed);
     let mut taken: Vec<Disc> = Vec::new();
-    let flowers = place_flowers(&mut dice, &mut taken);
+    let heroes = place_heroes(scatter, &mut dice, &mut taken);
     let mut leaves = Vec::new();
-    for flower in &flowers {
-        for shape in [Shape::Leaf, Shape::Leaf, Shape::Fern] {
-            leaves.extend(tuck_under(flower, shape, &taken, &mut dice));
-            if let Some(leaf) = leaves.last() {
-                taken.extend(discs(leaf));
-            }
+    for hero in &heroes {
+        for (shape, lengths) in scatter.tucked {
+            let leaf = tuck_under(hero, (*shape, *lengths), &taken, &mut dice);
+            taken.extend(leaf.iter().flat_map(discs));
+            leaves.extend(leaf);
         }
     }
     let mut small = Vec::new();
-    for (shape, largest, smallest) in fill {
-        fill_gaps(
-            shape,
-            [largest, smallest],
-            &mut taken,
-            &mut small,
-            &mut dice,
-        );
+    for fill in scatter.fill {
+        fill_gaps(fill, scatter.stand, &mut taken, &mut small, &mut dice);
     }
-    let mut placements = place_shadows(&mut dice);
+    let mut placements = match scatter.shadow {
+        Shadow::Leaves(shape, count, sizes) => place_shadows((shape, count, sizes), &mut dice),
+        Shadow::Surf => Vec::new(),
+    };
     placements.extend(leaves);
     placements.extend(small);
-    placements.extend(flowers);
+    placements.extend(heroes);
     placements
 }
 
-/// Flowers, each at the roomiest of many places.
-fn place_flowers(dice: &mut Dice, taken: &mut Vec<Disc>) -> Vec<Placement> {
-    let mut flowers = Vec::new();
-    for radius in FLOWERS {
+/// Heroes, each at the roomiest of many places.
+fn place_heroes(scatter: &Scatter, dice: &mut Dice, taken: &mut Vec<Disc>) -> Vec<Placement> {
+    let mut heroes = Vec::new();
+    for &(shape, radius) in scatter.heroes {
         let middle = (0..TRIES)
             .map(|_| Vec2::new(dice.unit(), dice.unit()))
             .map(|middle| (middle, clearance(&[Disc { middle, radius }], taken)))
@@ -100,42 +78,39 @@ fn place_flowers(dice: &mut Dice, taken: &mut Vec<Disc>) -> Vec<Placement> {
             })
             .0;
         taken.push(Disc { middle, radius });
-        flowers.push(Placement {
-            shape: Shape::Flower,
+        heroes.push(Placement {
+            shape,
+            role: Role::Flower,
             origin: middle,
             angle: dice.turn(),
             size: radius,
             whim: dice.unit(),
         });
     }
-    flowers
+    heroes
 }
 
-/// A leaf whose stalk is hidden by `flower`, at the angle with most room; none where all angles
-/// run into something.
+/// A leaf whose stalk is hidden by `hero`, at the angle with most room; none where all angles run
+/// into something.
 fn tuck_under(
-    flower: &Placement,
-    shape: Shape,
+    hero: &Placement,
+    (shape, [shortest, longest]): (Shape, [f32; 2]),
     taken: &[Disc],
     dice: &mut Dice,
 ) -> Option<Placement> {
     let mut best = (None, -0.012);
     for _ in 0..TRIES {
         let angle = dice.turn();
-        let away = direction(angle);
-        let length = match shape {
-            Shape::Fern => 0.27 + 0.10 * dice.unit(),
-            _ => 0.23 + 0.08 * dice.unit(),
-        };
         let leaf = Placement {
             shape,
-            origin: wrap(flower.origin + away * flower.size * 0.62),
+            role: Role::Leaf,
+            origin: wrap(hero.origin + at_angle(angle) * hero.size * 0.62),
+            size: shortest + (longest - shortest) * dice.unit(),
             angle: angle + 0.5 * (dice.unit() - 0.5),
-            size: length,
             whim: dice.unit(),
         };
         // The first half of the leaf may lie below its own flower.
-        let own = |disc: &Disc| torus_distance(disc.middle, flower.origin) < 0.01;
+        let own = |disc: &Disc| torus_distance(disc.middle, hero.origin) < 0.01;
         let others: Vec<Disc> = taken.iter().copied().filter(|disc| !own(disc)).collect();
         let room = clearance(&discs(&leaf), &others);
         if best.1 < room {
@@ -147,19 +122,24 @@ fn tuck_under(
 
 /// Fills what is open with one kind of motif, from the largest to the smallest that fits.
 fn fill_gaps(
-    shape: Shape,
-    [largest, smallest]: [f32; 2],
+    fill: &Fill,
+    stand: Stand,
     taken: &mut Vec<Disc>,
     placements: &mut Vec<Placement>,
     dice: &mut Dice,
 ) {
-    let mut size = largest;
-    while smallest < size {
+    let [mut size, smallest] = fill.sizes;
+    let mut left = fill.most;
+    while smallest < size && 0 < left {
         let found = (0..TRIES).find_map(|_| {
             let placement = Placement {
-                shape,
+                shape: fill.shape,
+                role: fill.role,
                 origin: Vec2::new(dice.unit(), dice.unit()),
-                angle: dice.turn(),
+                angle: match (stand, fill.role) {
+                    (Stand::Upright(lean), Role::Flower) => UP + lean * (2.0 * dice.unit() - 1.0),
+                    _ => dice.turn(),
+                },
                 size,
                 whim: dice.unit(),
             };
@@ -170,6 +150,7 @@ fn fill_gaps(
             Some(placement) => {
                 taken.extend(discs(&placement));
                 placements.push(placement);
+                left -= 1;
             }
             None => size *= 0.92,
         }
@@ -177,15 +158,19 @@ fn fill_gaps(
 }
 
 /// Large leaves of the quiet layer: they only keep apart from each other.
-fn place_shadows(dice: &mut Dice) -> Vec<Placement> {
+fn place_shadows(
+    (shape, count, [shortest, longest]): (Shape, usize, [f32; 2]),
+    dice: &mut Dice,
+) -> Vec<Placement> {
     let mut taken = Vec::new();
     let mut shadows = Vec::new();
-    for _ in 0..9 {
+    for _ in 0..count {
         let tried = (0..TRIES).map(|_| Placement {
-            shape: Shape::Shadow,
+            shape,
+            role: Role::Shadow,
             origin: Vec2::new(dice.unit(), dice.unit()),
             angle: dice.turn(),
-            size: 0.26 + 0.08 * dice.unit(),
+            size: shortest + (longest - shortest) * dice.unit(),
             whim: dice.unit(),
         });
         let tried: Vec<Placement> = tried.collect();
@@ -203,24 +188,12 @@ fn place_shadows(dice: &mut Dice) -> Vec<Placement> {
 
 /// Discs that cover a motif.
 fn discs(placement: &Placement) -> Vec<Disc> {
-    let along = direction(placement.angle);
-    let disc = |far: f32, radius: f32| Disc {
+    let along = at_angle(placement.angle);
+    let disc = |&(far, radius): &(f32, f32)| Disc {
         middle: wrap(placement.origin + along * far * placement.size),
         radius: radius * placement.size,
     };
-    match placement.shape {
-        Shape::Flower | Shape::Blossom => vec![disc(0.0, 1.0)],
-        Shape::Leaf | Shape::Shadow => vec![disc(0.36, 0.36), disc(0.70, 0.27)],
-        Shape::Fern => {
-            vec![
-                disc(0.16, 0.14),
-                disc(0.36, 0.19),
-                disc(0.58, 0.16),
-                disc(0.78, 0.11),
-                disc(0.94, 0.05),
-            ]
-        }
-    }
+    placement.shape.discs.iter().map(disc).collect()
 }
 
 /// Least gap between two sets of discs; negative where they overlap.
@@ -246,19 +219,18 @@ fn wrap(point: Vec2) -> Vec2 {
     point - point.floor()
 }
 
-/// Unit vector at an angle [rad].
-pub(super) fn direction(angle: f32) -> Vec2 {
-    let (sin, cos) = trig::sin_cos(angle);
-    Vec2::new(cos, sin)
-}
-
 /// A stream of numbers that looks random and is the same for the same seed: `SplitMix64` of
 /// Steele, Lea and Flood 2014, "Fast splittable pseudorandom number generators".
-struct Dice(u64);
+pub(super) struct Dice(u64);
 
 impl Dice {
+    /// The stream of a seed.
+    pub(super) fn new(seed: u64) -> Self {
+        Self(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ 0x10_1e)
+    }
+
     /// At least 0, less than 1.
-    fn unit(&mut self) -> f32 {
+    pub(super) fn unit(&mut self) -> f32 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut bits = self.0;
         bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -269,7 +241,7 @@ impl Dice {
     }
 
     /// An angle [rad].
-    fn turn(&mut self) -> f32 {
+    pub(super) fn turn(&mut self) -> f32 {
         self.unit() * std::f32::consts::TAU
     }
 }

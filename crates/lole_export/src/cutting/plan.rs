@@ -273,7 +273,7 @@ fn draw_edges(
         let lift = if is_above { -1.5 } else { 3.8 };
         sheet.text([a.x, a.y + lift], name, &style, Align::Left);
     };
-    let lower = match (marker.cloth.lay, marker.cloth.has_border) {
+    let lower = match (marker.cloth.lay, marker.cloth.border.is_some()) {
         (Lay::Folded, _) => language.pick("わ", "fold"),
         (Lay::Single, true) => language.pick("耳・ボーダー柄", "selvage with the border"),
         (Lay::Single, false) => selvage,

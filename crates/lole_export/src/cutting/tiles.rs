@@ -112,7 +112,7 @@ impl Layout {
             let cloth = TableCloth {
                 width: Length::from_m(width / MM),
                 nap: Nap::TwoWay,
-                has_border: false,
+                border: None,
                 matched_repeat: None,
                 lay: Lay::Single,
             };
@@ -251,7 +251,7 @@ const MOST_ROWS: u32 = 8;
 const FALLBACK: TableCloth = TableCloth {
     width: Length::from_m(2.0),
     nap: Nap::TwoWay,
-    has_border: false,
+    border: None,
     matched_repeat: None,
     lay: Lay::Single,
 };

@@ -1,6 +1,6 @@
 //! The vertices and triangles of a grid of particles, thinned for a file.
 
-use glam::{Vec2, Vec3};
+use glam::{Affine2, Vec2, Vec3};
 
 /// Whether the last column of a grid is sewn to the first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -22,8 +22,8 @@ pub struct GridSheet {
     pub ring: GridRing,
     /// Flat distance between neighbors along a row and down a column [m].
     pub spacing: [f32; 2],
-    /// Flat width and height of one print repeat [m].
-    pub print_repeat: [f32; 2],
+    /// From the flat sheet [m], columns to the right and rows down, to the print in repeats, v down.
+    pub uv_from_flat: Affine2,
 }
 
 /// Which particles are vertices of a file, and how they are joined.
@@ -57,7 +57,7 @@ impl GridMesh {
                 mesh.particles
                     .push(row * sheet.column_count + column % sheet.column_count);
                 let flat = Vec2::new(count(*column), count(*row)) * Vec2::from(sheet.spacing);
-                mesh.uvs.push(flat / Vec2::from(sheet.print_repeat));
+                mesh.uvs.push(sheet.uv_from_flat.transform_point2(flat));
             }
         }
         let (width, height) = (columns.len(), rows.len());

@@ -5,7 +5,7 @@ use std::ops::RangeInclusive;
 use eframe::egui::{RichText, Ui};
 use lole_costume::document::{FabricDesign, PrintChoice};
 use lole_costume::fabrics::PRESETS;
-use lole_costume::print::{PrintDesign, PrintMotif};
+use lole_costume::print::{COLORWAYS, MOTIFS};
 use lole_language::Language;
 use lole_stage::Garment;
 
@@ -50,26 +50,25 @@ pub(super) fn print_ui(
     print: &PrintChoice,
 ) -> Option<PrintChoice> {
     let mut changed = print.clone();
-    let motifs = [
-        (PrintMotif::Hibiscus, studio.say(text::HIBISCUS).to_owned()),
-        (PrintMotif::Ulu, studio.say(text::ULU).to_owned()),
-        (PrintMotif::Plain, studio.say(text::PLAIN).to_owned()),
-    ];
+    let motifs: Vec<_> = (MOTIFS.iter())
+        .map(|row| (row.motif, row.name.text(studio.language).to_owned()))
+        .collect();
     let name = studio.say(text::PRINT);
     if let Some(motif) = list(ui, (("motif", place), name), print.motif, &motifs) {
         changed.motif = motif;
     }
-    let ways: Vec<_> = (PrintDesign::COLORWAYS.iter())
-        .map(|&way| (way, colorway(studio.language, way)))
+    let ways: Vec<_> = (COLORWAYS.iter())
+        .map(|way| (way.id, way.name.text(studio.language).to_owned()))
         .collect();
     let name = studio.say(text::COLORWAY);
     if let Some(way) = list(ui, (("colorway", place), name), print.colorway, &ways) {
         changed = PrintChoice {
-            motif: print.motif,
             colorway: way,
-            repeat_cm: print.repeat_cm,
-            seed: print.seed,
-            ..PrintChoice::default()
+            ground: None,
+            flower: None,
+            leaf: None,
+            shadow: None,
+            ..print.clone()
         };
     }
     ui.horizontal(|ui| {
@@ -81,17 +80,6 @@ pub(super) fn print_ui(
         }
     });
     (changed != *print).then_some(changed)
-}
-
-fn colorway(language: Language, id: &str) -> String {
-    let japanese = match id {
-        "red" => "赤",
-        "pink" => "ピンク",
-        "blue" => "青",
-        "green" => "緑",
-        other => other,
-    };
-    language.pick(japanese, id).to_owned()
 }
 
 /// A slider of gathers, with tenths; the ratio that was chosen.

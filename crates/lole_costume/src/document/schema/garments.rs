@@ -2,11 +2,10 @@
 
 use lole_language::{Words, words};
 
-use super::tables::{MAX_SEED, MOTIFS};
+use super::tables::MAX_SEED;
 use super::{Key, Kind, Table};
 use crate::document::{GarmentDesign, GarmentLayer, WornSkirt, WornTop};
 use crate::fabrics::{PRESETS, Preset};
-use crate::print::PrintDesign;
 
 /// A kind of garment.
 #[derive(Debug)]

@@ -13,16 +13,10 @@ use super::motion::MOTION;
 use super::{Key, Kind, Table};
 use crate::document::{BodyShapes, LinkedFile, MethodName, WindModel};
 use crate::fabrics::{PRESETS, Preset};
-use crate::print::{PrintDesign, PrintMotif};
 
 /// Largest seed: what fits the integers of TOML.
 pub(super) const MAX_SEED: u64 = i64::MAX as u64;
 
-pub(super) const MOTIFS: &[(&str, PrintMotif)] = &[
-    ("hibiscus", PrintMotif::Hibiscus),
-    ("ulu", PrintMotif::Ulu),
-    ("plain", PrintMotif::Plain),
-];
 const FIGURES: &[(&str, Figure)] = &[
     (Figure::OfStature.id(), Figure::OfStature),
     (Figure::Woman.id(), Figure::Woman),
