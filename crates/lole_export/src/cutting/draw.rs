@@ -41,8 +41,8 @@ pub(super) fn line(points: &[Point], page_from_piece: Affine) -> BezPath {
     path
 }
 
-/// A straight line with a head at one end, or at both.
-pub(super) fn arrow(sheet: &mut Sheet, [tail, head]: [Point; 2], stroke: &Stroke, is_double: bool) {
+/// A straight line with a head at both ends.
+pub(super) fn arrow(sheet: &mut Sheet, [tail, head]: [Point; 2], stroke: &Stroke) {
     let mut path = BezPath::new();
     path.move_to(tail);
     path.line_to(head);
@@ -55,9 +55,7 @@ pub(super) fn arrow(sheet: &mut Sheet, [tail, head]: [Point; 2], stroke: &Stroke
         path.line_to(at - along * size - side * (0.35 * size));
     };
     tip(head, along);
-    if is_double {
-        tip(tail, -along);
-    }
+    tip(tail, -along);
     sheet.path(path, None, Some(stroke.clone()));
 }
 
@@ -109,7 +107,7 @@ pub(super) fn full_size(
         draw_notch(sheet, notch, page_from_piece);
     }
     let grain = drawing.grain.map(|end| page_from_piece * end);
-    arrow(sheet, grain, &Stroke::solid(0.35), true);
+    arrow(sheet, grain, &Stroke::solid(0.35));
     draw_label(sheet, drawing, label, page_from_piece);
 }
 

@@ -95,7 +95,7 @@ fn write_plan(flow: &mut Flow, cut: &CutGarment, plan: &ClothPlan, language: Lan
     flow.paragraph(&about(cut, plan, language), &TextStyle::regular(11.0));
     flow.space(2.0);
     flow.block(DRAWING, |sheet, rect| {
-        draw_marker(sheet, rect, cut, &plan.marker, language)
+        draw_marker(sheet, rect, cut, &plan.marker, language);
     });
     flow.space(3.0);
     for warning in &plan.marker.warnings {
@@ -238,12 +238,7 @@ fn draw_inside(
         sheet.path(line(&marked.points, to_page), None, Some(gray.clone()));
     }
     let grain = drawing.grain.map(|end| to_page * end);
-    arrow(
-        sheet,
-        grain,
-        &Stroke::solid(0.2).with_color(Color::GRAY),
-        true,
-    );
+    arrow(sheet, grain, &Stroke::solid(0.2).with_color(Color::GRAY));
     let name = piece.name.text(language);
     let at = to_page * drawing.label;
     let bounds = outline(&placed.outline, page).control_box();
@@ -301,7 +296,7 @@ fn draw_measures(
     let fine = Stroke::solid(0.2);
     let [from, to] = [(0.0, 0.0), (length, 0.0)].map(|end| page * Point::from(end));
     let below = kurbo::Vec2::new(0.0, 6.0);
-    arrow(sheet, [from + below, to + below], &fine, true);
+    arrow(sheet, [from + below, to + below], &fine);
     let middle = from.midpoint(to);
     let along = match language {
         Language::Japanese => format!("{}（縦地の方向）", cm(marker.yardage.needed)),
@@ -311,7 +306,7 @@ fn draw_measures(
     let width = lying_width(marker);
     let [low, high] = [(0.0, 0.0), (0.0, width)].map(|end| page * Point::from(end));
     let aside = kurbo::Vec2::new(-3.5, 0.0);
-    arrow(sheet, [low + aside, high + aside], &fine, true);
+    arrow(sheet, [low + aside, high + aside], &fine);
     let at = low.midpoint(high) + aside;
     let quarter = core::f64::consts::FRAC_PI_2;
     let said = cm(Length::from_m(width));

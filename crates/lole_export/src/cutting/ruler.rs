@@ -118,7 +118,7 @@ fn write_rectangle(
     let scales = scales(drawing, flow.width());
     let height = drawing.cut.bounds().height() * scales[1] + AROUND;
     flow.block(height, |sheet, rect| {
-        draw(sheet, rect, drawing, (&ruled, scales), language)
+        draw(sheet, rect, drawing, (&ruled, scales), language);
     });
     flow.space(5.0);
     table(&ruled, language).draw(flow);
@@ -191,7 +191,7 @@ fn draw(
     language: Language,
 ) {
     let bounds = drawing.cut.bounds();
-    let place = kurbo::Point::new(rect.x + 16.0, rect.y + 4.0);
+    let place = Point::new(rect.x + 16.0, rect.y + 4.0);
     let size = [bounds.width() * scale_x, bounds.height() * scale_y];
     let page = Affine::translate((place.x, place.y))
         * Affine::scale_non_uniform(scale_x, -scale_y)
@@ -211,12 +211,7 @@ fn draw(
         sheet.path(line(&marked.points, page), None, Some(Stroke::solid(0.25)));
     }
     let grain = drawing.grain.map(|end| page * end);
-    arrow(
-        sheet,
-        grain,
-        &Stroke::solid(0.3).with_color(Color::GRAY),
-        true,
-    );
+    arrow(sheet, grain, &Stroke::solid(0.3).with_color(Color::GRAY));
     write_numbers(sheet, ruled, page, [place.x + size[0], place.y]);
     let style = TextStyle::bold(11.0);
     let below = place.y + size[1] + 5.0;
@@ -224,7 +219,7 @@ fn draw(
         Point::new(place.x, below),
         Point::new(place.x + size[0], below),
     ];
-    arrow(sheet, [from, to], &Stroke::solid(0.2), true);
+    arrow(sheet, [from, to], &Stroke::solid(0.2));
     let width = cm(Length::from_m(bounds.width()));
     sheet.text(
         [from.midpoint(to).x, below + 5.0],
@@ -237,7 +232,7 @@ fn draw(
         Point::new(aside, place.y + size[1]),
         Point::new(aside, place.y),
     ];
-    arrow(sheet, [low, high], &Stroke::solid(0.2), true);
+    arrow(sheet, [low, high], &Stroke::solid(0.2));
     let height = cm(Length::from_m(bounds.height()));
     let at = [aside - 1.5, low.midpoint(high).y];
     sheet.turned_text(
@@ -276,9 +271,9 @@ fn table(ruled: &[Ruled], language: Language) -> Table {
     let rows = (1..).zip(ruled).map(|(number, ruled)| {
         let distance = Length::from_m(ruled.from_edge);
         let edge = if ruled.is_level {
-            language.pick("上の端から", "from the upper raw edge")
+            language.pick("上の端から", "from the upper edge")
         } else {
-            language.pick("左の端から", "from the left raw edge")
+            language.pick("左の端から", "from the left edge")
         };
         vec![
             Cell::from(number.to_string()),
@@ -290,13 +285,13 @@ fn table(ruled: &[Ruled], language: Language) -> Table {
     });
     Table {
         columns: vec![
-            Column::text("", 0.07),
-            Column::text(language.pick("引く線", "line to draw"), 0.36),
-            Column::text("", 0.27),
-            Column::number("cm", 0.15),
-            Column::number(language.pick("インチ", "inch"), 0.15),
+            Column::text("", 0.06),
+            Column::text(language.pick("引く線", "line to draw"), 0.38),
+            Column::text("", 0.28),
+            Column::number("cm", 0.14),
+            Column::number(language.pick("インチ", "inch"), 0.14),
         ],
         rows: rows.collect(),
-        size_pt: 11.5,
+        size_pt: 11.0,
     }
 }

@@ -221,16 +221,16 @@ impl Layout {
         let middle = [frame.x + 0.5 * frame.width, frame.y + 0.5 * frame.height];
         let ends = [frame.x + frame.width, frame.y + frame.height];
         let joints = [
-            left.map(|_| (true, frame.x, tile, None)),
-            right.map(|other| (true, ends[0] - OVERLAP, other, Some(other))),
-            above.map(|_| (false, frame.y, tile, None)),
-            below.map(|other| (false, ends[1] - OVERLAP, other, Some(other))),
+            left.map(|_| (Run::Upright, frame.x, tile, None)),
+            right.map(|other| (Run::Upright, ends[0] - OVERLAP, other, Some(other))),
+            above.map(|_| (Run::Level, frame.y, tile, None)),
+            below.map(|other| (Run::Level, ends[1] - OVERLAP, other, Some(other))),
         ];
-        for (is_upright, at, later, other) in joints.into_iter().flatten() {
+        for (run, at, later, other) in joints.into_iter().flatten() {
             let joint = Joint {
-                is_upright,
+                run,
                 at,
-                number: self.joint_number(later, is_upright),
+                number: self.joint_number(later, run),
                 other,
             };
             joint.draw(&mut sheet, frame, middle, language);
@@ -239,8 +239,8 @@ impl Layout {
     }
 
     /// Number of the joint at the left or at the upper edge of a tile: the same on both of its sheets.
-    fn joint_number(&self, [column, row]: [u32; 2], is_upright: bool) -> u32 {
-        2 * (row * self.columns + column) + u32::from(!is_upright)
+    fn joint_number(&self, [column, row]: [u32; 2], run: Run) -> u32 {
+        2 * (row * self.columns + column) + u32::from(run == Run::Level)
     }
 }
 
@@ -310,9 +310,16 @@ fn cross([a, b]: [Point; 2], [c, d]: [Point; 2]) -> bool {
     turn(a, b, c) * turn(a, b, d) < 0.0 && turn(c, d, a) * turn(c, d, b) < 0.0
 }
 
+/// How a joint runs over the page.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Run {
+    Upright,
+    Level,
+}
+
 /// Where a sheet meets another one.
 struct Joint {
-    is_upright: bool,
+    run: Run,
     /// Where its line runs on the page [mm].
     at: f64,
     number: u32,
@@ -328,13 +335,13 @@ impl Joint {
             None => Stroke::solid(0.2),
         };
         let on_page = |along: f64, aside: f64| {
-            if self.is_upright {
+            if self.run == Run::Upright {
                 [self.at + aside, along]
             } else {
                 [along, self.at + aside]
             }
         };
-        let (from, size, center) = if self.is_upright {
+        let (from, size, center) = if self.run == Run::Upright {
             (frame.y, frame.height, middle[1])
         } else {
             (frame.x, frame.width, middle[0])
@@ -374,7 +381,11 @@ impl Joint {
         let aside = if self.other.is_some() { 4.0 } else { -1.5 };
         let at = on_page(center - 35.0, aside);
         let quarter = core::f64::consts::FRAC_PI_2;
-        let angle = if self.is_upright { quarter } else { 0.0 };
+        let angle = if self.run == Run::Upright {
+            quarter
+        } else {
+            0.0
+        };
         sheet.turned_text(at, angle, &words, &small, Align::Center);
     }
 }
