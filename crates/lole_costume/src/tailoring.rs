@@ -6,14 +6,14 @@ use lole_geom::Length;
 use lole_language::{Bilingual, Words, words};
 use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements, draft_pau_skirt};
 use lole_pattern::design::pau_top::{TopMeasurements, draft_pau_top};
-use lole_pattern::marker::{Lay, Nap, TableCloth, lay_out};
+use lole_pattern::marker::{Border, Lay, Nap, TableCloth, lay_out};
 use lole_pattern::piece::ClothRole;
 use lole_pattern::{DraftError, Marker, Pattern};
 
 use crate::document::{
     Design, FabricDesign, GarmentDesign, GarmentLayer, PrintChoice, SkirtDesign, WornTop,
 };
-use crate::print::PrintMotif;
+use crate::print::{PrintBorder, PrintMotif};
 
 /// Name in files of the design's skirt.
 pub const SKIRT: &str = "pau_skirt";
@@ -44,8 +44,8 @@ pub struct Cloth {
     pub areal_density: f64,
     /// Whether cloth and print look the same from both ends.
     pub nap: Nap,
-    /// Whether a border is printed along a selvage.
-    pub has_border: bool,
+    /// What of a piece lies along a selvage that is printed with a border.
+    pub border: Option<Border>,
     /// Repeat of the print along the warp; `None` of plain cloth.
     pub repeat: Option<Length>,
 }
@@ -80,7 +80,7 @@ impl GarmentPattern {
             } else {
                 TableCloth {
                     nap: Nap::TwoWay,
-                    has_border: false,
+                    border: None,
                     ..self.cloth.on_table(lay, None)
                 }
             };
@@ -216,7 +216,12 @@ impl Cloth {
     pub fn of(fabric: &FabricDesign, print: &PrintChoice) -> Self {
         let density = fabric.areal_density_g_per_m2;
         let density = density.unwrap_or(fabric.preset.areal_density.value);
-        let is_printed = print.motif != PrintMotif::Plain;
+        let is_printed = print.motif != PrintMotif::Plain || print.file.is_some();
+        let border = match print.lay.border {
+            PrintBorder::None => None,
+            PrintBorder::Hem => Some(Border::Hem),
+            PrintBorder::Hip => Some(Border::Hip),
+        };
         Self {
             name: Words {
                 japanese: fabric.preset.name_ja,
@@ -224,10 +229,15 @@ impl Cloth {
             },
             width: Length::from_cm(fabric.width_cm),
             areal_density: density * 1.0e-3,
-            // The motifs of the built-in prints are strewn in all directions.
-            nap: Nap::TwoWay,
-            has_border: false,
-            repeat: is_printed.then(|| Length::from_cm(print.repeat_cm)),
+            // The motifs of the built-in prints look alike from both ends. A picture has a top, and so
+            // has a border.
+            nap: if print.file.is_some() || border.is_some() {
+                Nap::OneWay
+            } else {
+                Nap::TwoWay
+            },
+            border,
+            repeat: is_printed.then(|| Length::from_cm(print.repeat_cm * print.lay.scale_ratio)),
         }
     }
 
@@ -237,7 +247,7 @@ impl Cloth {
         TableCloth {
             width: self.width,
             nap: self.nap,
-            has_border: self.has_border,
+            border: self.border,
             matched_repeat,
             lay,
         }

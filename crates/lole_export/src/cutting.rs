@@ -86,7 +86,11 @@ fn inches(length: Length) -> String {
         part if part < 6.5 => "3/4",
         _ => "7/8",
     };
-    format!("{whole:.0} {part} in")
+    if whole < 0.5 {
+        format!("{part} in")
+    } else {
+        format!("{whole:.0} {part} in")
+    }
 }
 
 #[cfg(test)]
@@ -98,7 +102,7 @@ mod tests {
         for (cm, said) in [
             (2.54, "1 in"),
             (92.5, "36 3/8 in"),
-            (1.0, "0 3/8 in"),
+            (1.0, "3/8 in"),
             (2.5, "1 in"),
         ] {
             assert_eq!(inches(Length::from_cm(cm)), said);

@@ -30,13 +30,22 @@ pub struct TableCloth {
     pub width: Length,
     /// Whether it looks the same from both ends.
     pub nap: Nap,
-    /// A border print runs along the selvage at `y = 0`: straight hems are laid there.
-    pub has_border: bool,
+    /// What of a piece lies along the selvage at `y = 0`, where that is printed with a border.
+    pub border: Option<Border>,
     /// Repeat of the print along the warp, where it is to meet at the seams: pieces are laid whole
     /// repeats apart, measured from the lower ends of their stitching lines.
     pub matched_repeat: Option<Length>,
     /// Single, or doubled lengthwise.
     pub lay: Lay,
+}
+
+/// What of a piece lies on a printed border.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Border {
+    /// Its straight hem.
+    Hem,
+    /// The side opposite its straight hem: the border shows at the hips.
+    Hip,
 }
 
 /// Whether cloth looks the same from both ends.

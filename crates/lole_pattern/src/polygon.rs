@@ -135,7 +135,16 @@ impl Polygon {
     #[must_use]
     pub fn roomiest_point(&self) -> (Point, f64) {
         let bounds = self.bounds();
-        let mut best = (bounds.center(), 0.0);
+        let middle = bounds.center();
+        let is_inside = self.contains(middle);
+        let mut best = (
+            middle,
+            if is_inside {
+                self.distance(middle)
+            } else {
+                0.0
+            },
+        );
         let mut window = bounds;
         // A grid, then a finer one around its best point: labels need no more.
         for _ in 0..3 {
@@ -145,7 +154,8 @@ impl Polygon {
                 let away = Vec2::new(step.x * f64::from(column), step.y * f64::from(row));
                 let point = window.origin() + away;
                 let room = self.distance(point);
-                if best.1 < room && self.contains(point) {
+                // The middle of a strip is as good as its ends, and better to look at.
+                if (1.0 + ROUNDING) * best.1 < room && self.contains(point) {
                     best = (point, room);
                 }
             }
@@ -159,6 +169,9 @@ impl Polygon {
 /// A corner that sticks out less is rounding [m]. Far below the bow of any flattened curve, because
 /// all corners of a curve would go.
 const STRAIGHT: f64 = 1.0e-9;
+
+/// Room that is larger by less is no larger.
+const ROUNDING: f64 = 1.0e-3;
 
 /// Cells of the grid on which the roomiest point is looked for, along each side.
 const GRID: u32 = 16;

@@ -5,7 +5,7 @@ mod shapes;
 use kurbo::{Affine, Point, Vec2};
 use lole_geom::Length;
 use lole_language::Bilingual as _;
-use lole_pattern::marker::{Lay, Marker, Nap, Placed, TableCloth, lay_out};
+use lole_pattern::marker::{Border, Lay, Marker, Nap, Placed, TableCloth, lay_out};
 use lole_pattern::piece::{ClothRole, CutCount, Finish};
 use lole_pattern::{Pattern, Piece};
 use proptest::prelude::*;
@@ -14,7 +14,7 @@ fn cloth(width_cm: f64) -> TableCloth {
     TableCloth {
         width: Length::from_cm(width_cm),
         nap: Nap::TwoWay,
-        has_border: false,
+        border: None,
         matched_repeat: None,
         lay: Lay::Single,
     }
@@ -71,7 +71,7 @@ fn check_placed(piece: &Piece, placed: &Placed, marker: &Marker) {
     if marker.warnings.is_empty() {
         assert!(bounds.y1 <= width + 1e-5, "{}: {bounds:?}", piece.id);
         let along = linear(placed) * piece.grain.to_point();
-        let is_border = marker.cloth.has_border;
+        let is_border = marker.cloth.border.is_some();
         assert!(is_border || along.y.abs() < 1e-9, "{}: {along:?}", piece.id);
     }
 }
@@ -220,7 +220,7 @@ fn doubled_cloth_has_a_fold() {
 #[test]
 fn hems_lie_on_the_border() {
     let border = TableCloth {
-        has_border: true,
+        border: Some(Border::Hem),
         ..cloth(110.0)
     };
     let marker = plan(&garment(vec![shapes::gore(0.2, 0.34, 0.6, 4.0)]), &border);
@@ -229,6 +229,14 @@ fn hems_lie_on_the_border() {
         assert!((hem.y + 1.0).abs() < 1e-9, "{hem:?}");
         assert!(placed.outline.bounds().y0.abs() < 1e-9);
     }
+    // At the hips it is turned: the hem then lies highest.
+    let hip = TableCloth {
+        border: Some(Border::Hip),
+        ..border
+    };
+    let turned = plan(&garment(vec![shapes::gore(0.2, 0.34, 0.6, 4.0)]), &hip);
+    let hem = linear(&turned.placed[0]) * Vec2::new(0.0, -1.0).to_point();
+    assert!((hem.y - 1.0).abs() < 1e-9, "{hem:?}");
     // Too long for the width: along the warp, and said.
     let long = plan(&garment(vec![shapes::gore(0.2, 0.34, 1.2, 4.0)]), &border);
     let said = long.warnings[0].to_string();

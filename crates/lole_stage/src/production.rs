@@ -88,7 +88,8 @@ impl Production {
         };
         wardrobe.put_on_layer(design, GarmentLayer::Under)?;
         let skirt = wardrobe.garments.len();
-        wardrobe.put_on_skirt((tailoring::SKIRT, 0.0), (&design.skirt, &design.fabric))?;
+        let cut = (&design.skirt, &design.fabric);
+        wardrobe.put_on_skirt((tailoring::SKIRT, 0.0), cut)?;
         wardrobe.put_on_layer(design, GarmentLayer::Over)?;
         let mut garments = wardrobe.garments;
         link_chains(&mut garments);
@@ -221,8 +222,7 @@ impl Wardrobe<'_> {
             fold_columns: FOLD_COLUMNS,
         };
         let parts = (drafted.draft, drafted.worn, worn.fabric.fabric());
-        let name = tailoring::TOP;
-        self.put_on((name, WornPlace::Bust), parts, fineness)
+        self.put_on((tailoring::TOP, WornPlace::Bust), parts, fineness)
     }
 
     /// Sews a garment over what is worn already.

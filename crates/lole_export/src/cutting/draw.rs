@@ -14,7 +14,10 @@ const NOTCH_PITCH: f64 = 4.0;
 /// Length of an arrow's head [mm].
 const HEAD: f64 = 5.0;
 
-/// Where a piece is marked beside its lines.
+/// Points nearer to a line than this are on it [m].
+const ON_LINE: f64 = 1.0e-5;
+
+/// Color of stitching lines.
 const STITCH: Color = Color(60, 60, 60);
 
 /// A closed outline on the page.
@@ -38,8 +41,8 @@ pub(super) fn line(points: &[Point], page_from_piece: Affine) -> BezPath {
     path
 }
 
-/// A straight line with a head at one end, or at both.
-pub(super) fn arrow(sheet: &mut Sheet, [tail, head]: [Point; 2], stroke: &Stroke, is_double: bool) {
+/// A straight line with a head at both ends.
+pub(super) fn arrow(sheet: &mut Sheet, [tail, head]: [Point; 2], stroke: &Stroke) {
     let mut path = BezPath::new();
     path.move_to(tail);
     path.line_to(head);
@@ -52,9 +55,7 @@ pub(super) fn arrow(sheet: &mut Sheet, [tail, head]: [Point; 2], stroke: &Stroke
         path.line_to(at - along * size - side * (0.35 * size));
     };
     tip(head, along);
-    if is_double {
-        tip(tail, -along);
-    }
+    tip(tail, -along);
     sheet.path(path, None, Some(stroke.clone()));
 }
 
@@ -100,17 +101,41 @@ pub(super) fn full_size(
             Align::Left,
         );
     }
-    sheet.path(
-        outline(&drawing.cut, page_from_piece),
-        None,
-        Some(Stroke::solid(0.5)),
-    );
+    let cut = cut_path(drawing, page_from_piece);
+    sheet.path(cut, None, Some(Stroke::solid(0.5)));
     for notch in &drawing.notches {
         draw_notch(sheet, notch, page_from_piece);
     }
     let grain = drawing.grain.map(|end| page_from_piece * end);
-    arrow(sheet, grain, &Stroke::solid(0.35), true);
+    arrow(sheet, grain, &Stroke::solid(0.35));
     draw_label(sheet, drawing, label, page_from_piece);
+}
+
+/// The cut line without what lies on a fold, where nothing is cut.
+fn cut_path(drawing: &Drawing, page_from_piece: Affine) -> BezPath {
+    let folds: Vec<Polygon> = (drawing.stitches.iter())
+        .filter(|stitches| stitches.finish == Finish::Fold)
+        .map(|stitches| Polygon::new(stitches.points.iter().copied()))
+        .collect();
+    if folds.is_empty() {
+        return outline(&drawing.cut, page_from_piece);
+    }
+    let is_on_fold = |point: Point| folds.iter().any(|fold| fold.distance(point) < ON_LINE);
+    let mut path = BezPath::new();
+    let mut end = None;
+    for [from, to] in drawing.cut.sides() {
+        // The allowances at both ends of the fold lie on it too, beyond its stitching line.
+        let is_fold = is_on_fold(from.midpoint(to));
+        if is_fold {
+            continue;
+        }
+        if end != Some(from) {
+            path.move_to(page_from_piece * from);
+        }
+        path.line_to(page_from_piece * to);
+        end = Some(to);
+    }
+    path
 }
 
 /// The stitching line of an edge: broken where it is sewn, and said where it lies on a fold.
@@ -134,12 +159,15 @@ fn draw_edge(
             let [from, to] = [*first, *last].map(|end| page_from_piece * end);
             let at = from.midpoint(to);
             let along = to - from;
-            let angle = -lole_geom::trig64::atan2(along.y, along.x);
+            // Words that would stand on their head are turned over.
+            let upright = if along.x < 0.0 { -along } else { along };
+            let angle = -lole_geom::trig64::atan2(upright.y, upright.x);
             let style = TextStyle::bold(12.0);
             // Edges run counterclockwise: on the page the piece is on the right, and the words stand
             // on it.
             let inward = Vec2::new(along.y, -along.x) / along.hypot().max(1e-9);
-            let at = at + inward * 3.0;
+            let letters = if along.x < 0.0 { 6.0 } else { 2.5 };
+            let at = at + inward * letters;
             let words = words("わ（布の折り山に置く）", "place on fold").text(language);
             sheet.turned_text([at.x, at.y], angle, words, &style, Align::Center);
         }
@@ -179,23 +207,24 @@ fn draw_label(sheet: &mut Sheet, drawing: &Drawing, label: &[String], page_from_
             .map(|text| TextStyle::bold(size_pt).width_of(text));
         widths.fold(0.0, f64::max)
     };
+    let count = f64::from(u32::try_from(label.len()).unwrap_or(1));
+    // It stands above the grain arrow, which runs through the same place.
     let fits = |size_pt: &f64| {
-        let style = TextStyle::bold(*size_pt);
-        let height = style.line_height() * f64::from(u32::try_from(label.len()).unwrap_or(1));
-        let half = 0.5 * (widest(*size_pt).powi(2) + height.powi(2)).sqrt();
-        half <= room
+        let height = TextStyle::bold(*size_pt).line_height() * count + CLEAR;
+        let half = 0.5 * widest(*size_pt);
+        (half * half + height * height).sqrt() <= room
     };
     let sizes = [18.0, 16.0, 14.0, 12.0, 10.0, 8.0, 7.0];
     let size_pt = sizes.into_iter().find(fits).unwrap_or(6.0);
     let style = TextStyle::bold(size_pt);
-    let height = style.line_height();
-    let count = f64::from(u32::try_from(label.len()).unwrap_or(1));
     for (row, text) in (0_u32..).zip(label) {
-        let y = at.y + height * (f64::from(row) - 0.5 * count + 0.75);
-        // Beside the grain arrow, which runs through the same place.
-        sheet.text([at.x + 2.0, y], text, &style, Align::Center);
+        let y = at.y - CLEAR - style.line_height() * (count - 1.0 - f64::from(row));
+        sheet.text([at.x, y], text, &style, Align::Center);
     }
 }
+
+/// Space between a label and the grain arrow below it [mm].
+const CLEAR: f64 = 3.0;
 
 /// The largest size of bold letters, at most `most` [pt], in which a line is no wider than `width`
 /// [mm]; `None` where it would be too small to read.

@@ -18,8 +18,15 @@ const ROW: f64 = 4000.0;
 /// Length of a notch [mm].
 const NOTCH: f64 = 5.0;
 
-const STYLE: &str = "<style>path{fill:none;stroke:#000;stroke-width:.3}.cut path{stroke-width:.5}\
-.stitch path{stroke-dasharray:3 3}.grain path{stroke-width:.4}text{font-size:8px}</style>\n";
+/// How each class is drawn, written at every group: cutters and small readers know no style sheets.
+const LOOKS: [(&str, &str); 6] = [
+    ("cut", "stroke-width=\"0.5\""),
+    ("stitch", "stroke-width=\"0.3\" stroke-dasharray=\"3 3\""),
+    ("mark", "stroke-width=\"0.3\""),
+    ("notch", "stroke-width=\"0.5\""),
+    ("point", "stroke-width=\"0.3\""),
+    ("grain", "stroke-width=\"0.4\""),
+];
 
 /// Pieces whole, not folded; of pairs the wearer's left.
 #[must_use]
@@ -46,7 +53,6 @@ pub fn pieces_svg(cut: &CutGarment, language: Language) -> Vec<u8> {
         width = width.max(x);
     }
     let mut svg = head(width.max(2.0 * GAP), y + row_height + GAP);
-    svg.push_str(STYLE);
     let name = escape(cut.garment.name.text(language));
     svg.push_str(&format!("<title>{name}</title>\n"));
     svg.push_str(&groups);
@@ -62,10 +68,12 @@ fn write_piece(
     language: Language,
 ) {
     let paths = |class: &str, paths: &mut dyn Iterator<Item = kurbo::BezPath>| -> String {
+        let look = LOOKS.iter().find(|(name, _)| *name == class);
+        let look = look.map_or("", |(_, look)| look);
         let data: String = paths
             .map(|path| format!("<path d=\"{}\"/>", path_data(&path)))
             .collect();
-        format!("<g class=\"{class}\">{data}</g>\n")
+        format!("<g class=\"{class}\" fill=\"none\" stroke=\"#000000\" {look}>{data}</g>\n")
     };
     let stitches = drawing.stitches.iter();
     let stitches = stitches.filter(|stitches| 0.0 < stitches.allowance.to_m());
@@ -111,7 +119,7 @@ fn write_piece(
             &mut [line(&drawing.grain as &[Point], page)].into_iter(),
         ),
         format!(
-            "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{name} · {count}</text>\n</g>\n",
+            "<text x=\"{}\" y=\"{}\" font-size=\"8\" text-anchor=\"middle\">{name} · {count}</text>\n</g>\n",
             number(label.x),
             number(label.y - 4.0)
         ),

@@ -6,7 +6,7 @@ use lole_geom::Length;
 use lole_language::{Bilingual as _, Language};
 use lole_pattern::marker::{Lay, Marker, Nap};
 
-use super::draw::{arrow, fitting, line, outline};
+use super::draw::{arrow, fitting, line, outline, scale_of};
 use super::{CutGarment, MM, TOLERANCE, cm, cut_words, role_name};
 use crate::pdf::{
     Align, Cell, Color, Column, Flow, Margins, Paper, Rect, Sheet, Stroke, Table, TextStyle,
@@ -22,6 +22,8 @@ const TOO_WIDE: Color = Color(250, 220, 214);
 
 /// Height of the drawing on a page [mm].
 const DRAWING: f64 = 96.0;
+/// Millimeters of a typographic point.
+const MM_PER_PT: f64 = 25.4 / 72.0;
 /// Room around the cloth for its measures [mm].
 const BORDER: f64 = 12.0;
 
@@ -93,7 +95,7 @@ fn write_plan(flow: &mut Flow, cut: &CutGarment, plan: &ClothPlan, language: Lan
     flow.paragraph(&about(cut, plan, language), &TextStyle::regular(11.0));
     flow.space(2.0);
     flow.block(DRAWING, |sheet, rect| {
-        draw_marker(sheet, rect, cut, &plan.marker, language)
+        draw_marker(sheet, rect, cut, &plan.marker, language);
     });
     flow.space(3.0);
     for warning in &plan.marker.warnings {
@@ -155,7 +157,7 @@ fn draw_marker(
         .placed
         .iter()
         .map(|placed| placed.outline.bounds().y1);
-    let across = bounds.fold(width, f64::max);
+    let across = bounds.fold(lying_width(marker), f64::max);
     let scale = ((rect.width - 2.0 * BORDER) / length).min((rect.height - 2.0 * BORDER) / across);
     let [left, top] = [rect.x + BORDER, rect.y + BORDER];
     // Doubled cloth shows its fold below and one selvage above.
@@ -201,6 +203,17 @@ fn draw_marker(
     draw_measures(sheet, marker, page, [length, across], language);
 }
 
+/// Width of the cloth as it lies on the table [m]: half of it where all of it is doubled.
+fn lying_width(marker: &Marker) -> f64 {
+    let width = marker.cloth.width.to_m();
+    let is_single_somewhere = marker.folded_length < marker.yardage.needed;
+    if is_single_somewhere {
+        width
+    } else {
+        0.5 * width
+    }
+}
+
 /// Stitching line, grain and name of a laid piece.
 fn draw_inside(
     sheet: &mut Sheet,
@@ -225,18 +238,15 @@ fn draw_inside(
         sheet.path(line(&marked.points, to_page), None, Some(gray.clone()));
     }
     let grain = drawing.grain.map(|end| to_page * end);
-    arrow(
-        sheet,
-        grain,
-        &Stroke::solid(0.2).with_color(Color::GRAY),
-        true,
-    );
+    arrow(sheet, grain, &Stroke::solid(0.2).with_color(Color::GRAY));
     let name = piece.name.text(language);
     let at = to_page * drawing.label;
     let bounds = outline(&placed.outline, page).control_box();
-    if let Some(style) = fitting(name, 0.9 * bounds.width(), 12.0) {
-        let clear = style.em() * 0.35;
-        sheet.text([at.x, at.y - clear], name, &style, Align::Center);
+    // Above the grain arrow, where there is room for both.
+    let room = scale_of(to_page) * drawing.label_room;
+    let most = (0.8 * room / MM_PER_PT).clamp(5.0, 12.0);
+    if let Some(style) = fitting(name, 0.9 * bounds.width(), most) {
+        sheet.text([at.x, at.y - 0.3 * style.em()], name, &style, Align::Center);
     }
 }
 
@@ -258,7 +268,7 @@ fn draw_edges(
         let lift = if is_above { -1.5 } else { 3.8 };
         sheet.text([a.x, a.y + lift], name, &style, Align::Left);
     };
-    let lower = match (marker.cloth.lay, marker.cloth.has_border) {
+    let lower = match (marker.cloth.lay, marker.cloth.border.is_some()) {
         (Lay::Folded, _) => language.pick("わ", "fold"),
         (Lay::Single, true) => language.pick("耳・ボーダー柄", "selvage with the border"),
         (Lay::Single, false) => selvage,
@@ -286,26 +296,21 @@ fn draw_measures(
     let fine = Stroke::solid(0.2);
     let [from, to] = [(0.0, 0.0), (length, 0.0)].map(|end| page * Point::from(end));
     let below = kurbo::Vec2::new(0.0, 6.0);
-    arrow(sheet, [from + below, to + below], &fine, true);
+    arrow(sheet, [from + below, to + below], &fine);
     let middle = from.midpoint(to);
     let along = match language {
-        Language::Japanese => format!("{}（縦地 ↔）", cm(marker.yardage.needed)),
+        Language::Japanese => format!("{}（縦地の方向）", cm(marker.yardage.needed)),
         Language::English => format!("{} along the warp", cm(marker.yardage.needed)),
     };
     sheet.text([middle.x, middle.y + 10.5], &along, &style, Align::Center);
-    let width = marker.cloth.width.to_m();
+    let width = lying_width(marker);
     let [low, high] = [(0.0, 0.0), (0.0, width)].map(|end| page * Point::from(end));
     let aside = kurbo::Vec2::new(-3.5, 0.0);
-    arrow(sheet, [low + aside, high + aside], &fine, true);
+    arrow(sheet, [low + aside, high + aside], &fine);
     let at = low.midpoint(high) + aside;
     let quarter = core::f64::consts::FRAC_PI_2;
-    sheet.turned_text(
-        [at.x - 1.5, at.y],
-        quarter,
-        &cm(marker.cloth.width),
-        &style,
-        Align::Center,
-    );
+    let said = cm(Length::from_m(width));
+    sheet.turned_text([at.x - 1.5, at.y], quarter, &said, &style, Align::Center);
     if width + 1e-4 < across {
         let end = page * Point::new(0.0, across);
         let said = cm(Length::from_m(across));

@@ -11,8 +11,9 @@ use crate::pdf::{
     Align, Cell, Color, Column, Flow, Margins, Paper, Rect, Sheet, Stroke, Table, TextStyle,
 };
 
-/// Height of a drawing [mm].
-const DRAWING: f64 = 92.0;
+/// Largest height of a drawing, and what stands around it [mm].
+const DRAWING: f64 = 74.0;
+const AROUND: f64 = 20.0;
 /// Numbers beside the drawing stand at least this far apart [mm].
 const LEADING: f64 = 4.6;
 /// What is straight beside a ruler [m].
@@ -113,17 +114,18 @@ fn write_rectangle(
     };
     flow.paragraph(&facts, &TextStyle::regular(12.0));
     flow.space(4.0);
-    let ruled = ruled_lines(drawing, language);
-    flow.block(DRAWING, |sheet, rect| {
-        draw(sheet, rect, drawing, &ruled, language)
+    let ruled = ruled_lines(drawing);
+    let scales = scales(drawing, flow.width());
+    let height = drawing.cut.bounds().height() * scales[1] + AROUND;
+    flow.block(height, |sheet, rect| {
+        draw(sheet, rect, drawing, (&ruled, scales), language);
     });
     flow.space(5.0);
     table(&ruled, language).draw(flow);
 }
 
 /// Marked lines and stitching lines that run straight across, from the top down and from the left on.
-fn ruled_lines(drawing: &Drawing, language: Language) -> Vec<Ruled> {
-    let _ = language;
+fn ruled_lines(drawing: &Drawing) -> Vec<Ruled> {
     let bounds = drawing.cut.bounds();
     let mut ruled: Vec<Ruled> = Vec::new();
     let mut add = |name: Words, points: &[Point]| {
@@ -171,19 +173,25 @@ fn ruled_lines(drawing: &Drawing, language: Language) -> Vec<Ruled> {
     ruled
 }
 
-/// The rectangle with its lines, numbered; not to scale in both directions alike where it is long.
-fn draw(sheet: &mut Sheet, rect: Rect, drawing: &Drawing, ruled: &[Ruled], language: Language) {
+/// Page millimeters of a meter, across and up. A skirt is four times as long as it is high: the long
+/// way is drawn shorter where it must be.
+fn scales(drawing: &Drawing, width: f64) -> [f64; 2] {
     let bounds = drawing.cut.bounds();
-    let place = Rect {
-        x: rect.x + 16.0,
-        y: rect.y + 4.0,
-        width: rect.width - 62.0,
-        height: rect.height - 18.0,
-    };
-    // A skirt is four times as long as it is high: the long way is drawn shorter where it must be.
-    let scale_y = place.height / bounds.height();
-    let scale_x = (place.width / bounds.width()).min(scale_y);
-    let scale_y = scale_y.min(3.0 * scale_x);
+    let up = DRAWING / bounds.height();
+    let across = ((width - 62.0) / bounds.width()).min(up);
+    [across, up.min(3.0 * across)]
+}
+
+/// The rectangle with its lines, numbered.
+fn draw(
+    sheet: &mut Sheet,
+    rect: Rect,
+    drawing: &Drawing,
+    (ruled, [scale_x, scale_y]): (&[Ruled], [f64; 2]),
+    language: Language,
+) {
+    let bounds = drawing.cut.bounds();
+    let place = Point::new(rect.x + 16.0, rect.y + 4.0);
     let size = [bounds.width() * scale_x, bounds.height() * scale_y];
     let page = Affine::translate((place.x, place.y))
         * Affine::scale_non_uniform(scale_x, -scale_y)
@@ -203,12 +211,7 @@ fn draw(sheet: &mut Sheet, rect: Rect, drawing: &Drawing, ruled: &[Ruled], langu
         sheet.path(line(&marked.points, page), None, Some(Stroke::solid(0.25)));
     }
     let grain = drawing.grain.map(|end| page * end);
-    arrow(
-        sheet,
-        grain,
-        &Stroke::solid(0.3).with_color(Color::GRAY),
-        true,
-    );
+    arrow(sheet, grain, &Stroke::solid(0.3).with_color(Color::GRAY));
     write_numbers(sheet, ruled, page, [place.x + size[0], place.y]);
     let style = TextStyle::bold(11.0);
     let below = place.y + size[1] + 5.0;
@@ -216,7 +219,7 @@ fn draw(sheet: &mut Sheet, rect: Rect, drawing: &Drawing, ruled: &[Ruled], langu
         Point::new(place.x, below),
         Point::new(place.x + size[0], below),
     ];
-    arrow(sheet, [from, to], &Stroke::solid(0.2), true);
+    arrow(sheet, [from, to], &Stroke::solid(0.2));
     let width = cm(Length::from_m(bounds.width()));
     sheet.text(
         [from.midpoint(to).x, below + 5.0],
@@ -229,7 +232,7 @@ fn draw(sheet: &mut Sheet, rect: Rect, drawing: &Drawing, ruled: &[Ruled], langu
         Point::new(aside, place.y + size[1]),
         Point::new(aside, place.y),
     ];
-    arrow(sheet, [low, high], &Stroke::solid(0.2), true);
+    arrow(sheet, [low, high], &Stroke::solid(0.2));
     let height = cm(Length::from_m(bounds.height()));
     let at = [aside - 1.5, low.midpoint(high).y];
     sheet.turned_text(
@@ -268,9 +271,9 @@ fn table(ruled: &[Ruled], language: Language) -> Table {
     let rows = (1..).zip(ruled).map(|(number, ruled)| {
         let distance = Length::from_m(ruled.from_edge);
         let edge = if ruled.is_level {
-            language.pick("上の端から", "from the upper raw edge")
+            language.pick("上の端から", "from the upper edge")
         } else {
-            language.pick("左の端から", "from the left raw edge")
+            language.pick("左の端から", "from the left edge")
         };
         vec![
             Cell::from(number.to_string()),
@@ -282,13 +285,13 @@ fn table(ruled: &[Ruled], language: Language) -> Table {
     });
     Table {
         columns: vec![
-            Column::text("", 0.07),
-            Column::text(language.pick("引く線", "line to draw"), 0.36),
-            Column::text("", 0.27),
-            Column::number("cm", 0.15),
-            Column::number(language.pick("インチ", "inch"), 0.15),
+            Column::text("", 0.06),
+            Column::text(language.pick("引く線", "line to draw"), 0.38),
+            Column::text("", 0.28),
+            Column::number("cm", 0.14),
+            Column::number(language.pick("インチ", "inch"), 0.14),
         ],
         rows: rows.collect(),
-        size_pt: 11.5,
+        size_pt: 11.0,
     }
 }

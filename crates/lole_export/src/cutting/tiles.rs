@@ -29,6 +29,9 @@ const TEST_SQUARE: f64 = 100.0;
 /// Pieces keep this distance from the border of the drawing [mm].
 const BORDER: f64 = 4.0;
 
+/// Half the space between two pieces on paper [mm].
+const SPACE: f64 = 3.0;
+
 const PALE: Color = Color(170, 170, 170);
 
 /// A pattern over many sheets.
@@ -86,6 +89,8 @@ impl Layout {
             piece.cut = CutCount::Alike(1);
             piece.cloth = ClothRole::Main;
             for edge in &mut piece.edges {
+                // Room for scissors between the pieces.
+                edge.allowance = edge.allowance + Length::from_m(SPACE / MM);
                 // Drawn to its fold only.
                 if edge.finish == Finish::Fold {
                     edge.finish = Finish::Selvage;
@@ -107,7 +112,7 @@ impl Layout {
             let cloth = TableCloth {
                 width: Length::from_m(width / MM),
                 nap: Nap::TwoWay,
-                has_border: false,
+                border: None,
                 matched_repeat: None,
                 lay: Lay::Single,
             };
@@ -216,16 +221,16 @@ impl Layout {
         let middle = [frame.x + 0.5 * frame.width, frame.y + 0.5 * frame.height];
         let ends = [frame.x + frame.width, frame.y + frame.height];
         let joints = [
-            left.map(|_| (true, frame.x, tile, None)),
-            right.map(|other| (true, ends[0] - OVERLAP, other, Some(other))),
-            above.map(|_| (false, frame.y, tile, None)),
-            below.map(|other| (false, ends[1] - OVERLAP, other, Some(other))),
+            left.map(|_| (Run::Upright, frame.x, tile, None)),
+            right.map(|other| (Run::Upright, ends[0] - OVERLAP, other, Some(other))),
+            above.map(|_| (Run::Level, frame.y, tile, None)),
+            below.map(|other| (Run::Level, ends[1] - OVERLAP, other, Some(other))),
         ];
-        for (is_upright, at, later, other) in joints.into_iter().flatten() {
+        for (run, at, later, other) in joints.into_iter().flatten() {
             let joint = Joint {
-                is_upright,
+                run,
                 at,
-                number: self.joint_number(later, is_upright),
+                number: self.joint_number(later, run),
                 other,
             };
             joint.draw(&mut sheet, frame, middle, language);
@@ -234,8 +239,8 @@ impl Layout {
     }
 
     /// Number of the joint at the left or at the upper edge of a tile: the same on both of its sheets.
-    fn joint_number(&self, [column, row]: [u32; 2], is_upright: bool) -> u32 {
-        2 * (row * self.columns + column) + u32::from(!is_upright)
+    fn joint_number(&self, [column, row]: [u32; 2], run: Run) -> u32 {
+        2 * (row * self.columns + column) + u32::from(run == Run::Level)
     }
 }
 
@@ -246,7 +251,7 @@ const MOST_ROWS: u32 = 8;
 const FALLBACK: TableCloth = TableCloth {
     width: Length::from_m(2.0),
     nap: Nap::TwoWay,
-    has_border: false,
+    border: None,
     matched_repeat: None,
     lay: Lay::Single,
 };
@@ -305,9 +310,16 @@ fn cross([a, b]: [Point; 2], [c, d]: [Point; 2]) -> bool {
     turn(a, b, c) * turn(a, b, d) < 0.0 && turn(c, d, a) * turn(c, d, b) < 0.0
 }
 
+/// How a joint runs over the page.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Run {
+    Upright,
+    Level,
+}
+
 /// Where a sheet meets another one.
 struct Joint {
-    is_upright: bool,
+    run: Run,
     /// Where its line runs on the page [mm].
     at: f64,
     number: u32,
@@ -323,13 +335,13 @@ impl Joint {
             None => Stroke::solid(0.2),
         };
         let on_page = |along: f64, aside: f64| {
-            if self.is_upright {
+            if self.run == Run::Upright {
                 [self.at + aside, along]
             } else {
                 [along, self.at + aside]
             }
         };
-        let (from, size, center) = if self.is_upright {
+        let (from, size, center) = if self.run == Run::Upright {
             (frame.y, frame.height, middle[1])
         } else {
             (frame.x, frame.width, middle[0])
@@ -369,7 +381,11 @@ impl Joint {
         let aside = if self.other.is_some() { 4.0 } else { -1.5 };
         let at = on_page(center - 35.0, aside);
         let quarter = core::f64::consts::FRAC_PI_2;
-        let angle = if self.is_upright { quarter } else { 0.0 };
+        let angle = if self.run == Run::Upright {
+            quarter
+        } else {
+            0.0
+        };
         sheet.turned_text(at, angle, &words, &small, Align::Center);
     }
 }
@@ -446,10 +462,14 @@ fn cover(cut: &CutGarment, layout: &Layout, count: usize, language: Language) ->
     let [columns, rows] = [layout.columns, layout.rows];
     let steps = match language {
         Language::Japanese => format!(
-            "{paper} 用紙 {count} 枚（横 {columns} × 縦 {rows}）。「実際のサイズ」「倍率100 %」で印刷し、下の四角を             定規で測ってから始めます。各ページの左と上の実線を切り、前のページの破線に重ね、同じ番号の◇を合わせて貼ります。"
+            "{paper} 用紙 {count} 枚（横 {columns} × 縦 {rows}）。「実際のサイズ」「倍率100 %」で印刷し、下の四角を\
+             定規で測ってから始めます。各ページの左と上の実線を切り、前のページの破線に重ね、同じ番号の◇を合わせて貼ります。"
         ),
         Language::English => format!(
-            "{count} sheets of {paper}, {columns} across and {rows} down. Print at actual size (100 %) and              measure the square below before you go on. On each sheet cut the solid line at the left and at              the top, lay it on the broken line of the sheet before so that diamonds of one number meet, and              glue."
+            "{count} sheets of {paper}, {columns} across and {rows} down. Print at actual size (100 %) and \
+             measure the square below before you go on. On each sheet cut the solid line at the left and at \
+             the top, lay it on the broken line of the sheet before so that diamonds of one number meet, and \
+             glue."
         ),
     };
     let used = sheet.paragraph([left, 27.0], room, &steps, &TextStyle::regular(11.0));
@@ -510,8 +530,8 @@ fn draw_legend(sheet: &mut Sheet, [x, y]: [f64; 2], language: Language) {
         ),
         (
             Stroke::solid(0.35),
-            "↔ 布目（耳と平行）",
-            "↔ grain, along the selvage",
+            "布目の矢印（耳と平行）",
+            "grain arrow, along the selvage",
         ),
     ];
     let style = TextStyle::regular(9.5);

@@ -3,7 +3,7 @@
 use kurbo::{Affine, Point, Vec2};
 use lole_geom::trig64;
 
-use super::{Lay, MarkerWarning, Nap, TableCloth};
+use super::{Border, Lay, MarkerWarning, Nap, TableCloth};
 use crate::Piece;
 use crate::piece::{CutCount, Finish};
 use crate::polygon::Polygon;
@@ -113,8 +113,9 @@ fn single_ways(
 ) -> Vec<Way> {
     let width = cloth.width.to_m();
     let centimeters = |meters: f64| 100.0 * meters;
-    if cloth.has_border
-        && let Some(way) = on_border(piece, turned)
+    if let Some(way) = cloth
+        .border
+        .and_then(|border| on_border(piece, border, turned))
     {
         let across = way.outline.bounds().y1;
         if across <= width + FITS {
@@ -179,8 +180,8 @@ fn on_fold(piece: &Piece) -> Option<Way> {
     Some(way)
 }
 
-/// With its longest straight hem at `y = 0`.
-fn on_border(piece: &Piece, turned: Affine) -> Option<Way> {
+/// With its longest straight hem at `y = 0`, or farthest from it.
+fn on_border(piece: &Piece, border: Border, turned: Affine) -> Option<Way> {
     let hems = piece.edges.iter().filter(|edge| {
         let is_line = |segment: &kurbo::PathSeg| matches!(segment, kurbo::PathSeg::Line(_));
         edge.finish == Finish::Hem && edge.segments.len() == 1 && edge.segments.iter().all(is_line)
@@ -193,7 +194,10 @@ fn on_border(piece: &Piece, turned: Affine) -> Option<Way> {
             longest
         }
     })?;
-    let rotation = facing_edge(hem, turned)?;
+    let rotation = match border {
+        Border::Hem => facing_edge(hem, turned)?,
+        Border::Hip => Affine::scale(-1.0) * facing_edge(hem, turned)?,
+    };
     let mut way = Way::new(piece, rotation * turned, Vec2::new(1.0, 0.0));
     way.is_at_edge = true;
     Some(way)

@@ -11,13 +11,15 @@ use super::slide::free_way;
 use crate::polygon::Polygon;
 
 /// Pixels while orders are tried [m].
-const COARSE: f64 = 0.005;
+const COARSE: f64 = 0.008;
 /// Pixels of the plan itself [m].
-const FINE: f64 = 0.002;
-/// Orders that are tried beyond the usual ones, for each piece, and in all.
-const TRIES: [usize; 2] = [4, 48];
+const FINE: f64 = 0.004;
+/// Orders that are tried beyond the usual ones, at least and at most.
+const TRIES: [usize; 2] = [12, 160];
+/// Rows of pixels that are smeared while orders are tried, in all: about a second of work.
+const ROWS: usize = 6_000_000;
 /// Plans that are laid again with fine pixels.
-const KEPT: usize = 3;
+const KEPT: usize = 4;
 /// Passes of pushing together.
 const PASSES: u32 = 4;
 
@@ -137,7 +139,7 @@ impl Table<'_> {
         }
         tried.sort_by(|a, b| a.0.total_cmp(&b.0));
         let mut chance = 0x9e37_79b9_7f4a_7c15_u64;
-        let tries = (TRIES[0] * indices.len()).min(TRIES[1]);
+        let tries = self.tries(indices);
         for _ in 0..if indices.len() < 2 { 0 } else { tries } {
             let mut order = tried[0].1.clone();
             let [one, other] = [(); 2].map(|()| random(&mut chance) % order.len());
@@ -150,6 +152,20 @@ impl Table<'_> {
             tried.sort_by(|a, b| a.0.total_cmp(&b.0));
         }
         tried
+    }
+
+    /// Orders that are worth trying: fewer where each takes longer.
+    fn tries(&self, indices: &[usize]) -> usize {
+        let rows = |index: &usize| -> usize {
+            let ways = self.items[*index].ways.iter();
+            ways.map(|way| {
+                let height = way.outline.bounds().y1;
+                whole(height / COARSE) * whole((self.width - height) / COARSE).max(1)
+            })
+            .sum()
+        };
+        let cost: usize = indices.iter().map(rows).sum();
+        (ROWS / cost.max(1)).clamp(TRIES[0], TRIES[1])
     }
 
     fn lay_rectangles(&self, order: &[usize]) -> Plan {

@@ -34,14 +34,27 @@ impl Bits {
         let (words, bits) = (by / WORD, by % WORD);
         let source = other.0.get(words..).unwrap_or_default();
         for (index, word) in self.0.iter_mut().enumerate() {
-            let low = source.get(index).copied().unwrap_or(0) >> bits;
-            let high = if bits == 0 {
-                0
-            } else {
-                source.get(index + 1).copied().unwrap_or(0) << (WORD - bits)
-            };
-            *word |= low | high;
+            *word |= shifted(source, index, bits);
         }
+    }
+
+    /// `self[x] |= self[x + by]`: what is read lies ahead of what is written.
+    fn smear(&mut self, by: usize) {
+        let (words, bits) = (by / WORD, by % WORD);
+        for index in 0..self.0.len() {
+            let source = self.0.get(words..).unwrap_or_default();
+            let ahead = shifted(source, index, bits);
+            self.0[index] |= ahead;
+        }
+    }
+
+    fn copy_from(&mut self, other: &Self) {
+        self.0.clear();
+        self.0.extend_from_slice(&other.0);
+    }
+
+    fn is_empty(&self) -> bool {
+        self.0.iter().all(|word| *word == 0)
     }
 
     /// The first bit from `from` on that is zero; beyond the end all are.
@@ -59,6 +72,16 @@ impl Bits {
 
     fn is_zero(&self, at: usize) -> bool {
         (self.0.get(at / WORD)).is_none_or(|word| word >> (at % WORD) & 1 == 0)
+    }
+}
+
+/// 64 bits of a row from `index` words and some bits on.
+fn shifted(row: &[u64], index: usize, bits: usize) -> u64 {
+    let low = row.get(index).copied().unwrap_or(0) >> bits;
+    if bits == 0 {
+        low
+    } else {
+        low | row.get(index + 1).copied().unwrap_or(0) << (WORD - bits)
     }
 }
 
@@ -200,8 +223,12 @@ impl Field {
         columns: &Columns<'_>,
     ) -> Option<[usize; 2]> {
         let mut best: Option<[usize; 2]> = None;
+        let mut smeared = Bits::default();
         for row in 0..=last_row {
-            let taken = self.taken(shape, row);
+            if best.is_some_and(|[column, _]| column == 0) {
+                break;
+            }
+            let taken = self.taken(shape, row, &mut smeared);
             let column = match columns {
                 Columns::All => Some(taken.first_zero(0)),
                 Columns::Only(list) => {
@@ -221,21 +248,24 @@ impl Field {
         best
     }
 
-    /// All columns at which a shape whose lowest row lies at `row` would meet something.
-    fn taken(&self, shape: &Shape, row: usize) -> Bits {
+    /// All columns at which a shape whose lowest row lies at `row` would meet something. `smeared` is
+    /// room to work in.
+    fn taken(&self, shape: &Shape, row: usize, smeared: &mut Bits) -> Bits {
         let mut taken = Bits::zeros(self.end);
         for (runs, cloth) in shape.rows.iter().zip(&self.rows[row..]) {
+            if cloth.is_empty() {
+                continue;
+            }
             for [from, to] in runs {
                 // The row smeared by the run's length, doubling it each time.
-                let mut smeared = cloth.clone();
+                smeared.copy_from(cloth);
                 let mut length = 1;
                 while length < to - from {
                     let by = length.min(to - from - length);
-                    let copy = smeared.clone();
-                    smeared.or_shifted(&copy, by);
+                    smeared.smear(by);
                     length += by;
                 }
-                taken.or_shifted(&smeared, *from);
+                taken.or_shifted(smeared, *from);
             }
         }
         taken

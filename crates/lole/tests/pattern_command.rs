@@ -1,0 +1,99 @@
+//! `lole pattern` as a user meets it: its files, its sentences, its exit codes.
+#![expect(
+    clippy::unwrap_used,
+    reason = "a test that cannot be set up has failed"
+)]
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// A scratch folder that is removed when the test ends.
+struct Scratch(PathBuf);
+
+impl Scratch {
+    fn new(name: &str) -> Self {
+        let folder = std::env::temp_dir().join(format!("lole-{name}-{}", std::process::id()));
+        drop(fs::remove_dir_all(&folder));
+        fs::create_dir_all(&folder).unwrap();
+        Self(folder)
+    }
+}
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        drop(fs::remove_dir_all(&self.0));
+    }
+}
+
+fn pattern(design: &Path, out: &Path, more: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_lole"))
+        .env("LANG", "en_US.UTF-8")
+        .env_remove("LC_ALL")
+        .env_remove("LC_MESSAGES")
+        .arg("pattern")
+        .arg(design)
+        .arg("--out")
+        .arg(out)
+        .args(more)
+        .output()
+        .unwrap()
+}
+
+#[test]
+fn a_double_skirt_is_written_with_plans_sheets_and_files_for_programs() {
+    let scratch = Scratch::new("pattern-files");
+    let design = scratch.0.join("double.lole");
+    fs::write(&design, "lole = 1\n[[garment]]\nkind = \"pau-skirt\"\n").unwrap();
+    let names = [
+        "cut-plan.pdf",
+        "cut-plan.svg",
+        "pattern.json",
+        "pau_skirt.dxf",
+        "pau_skirt.svg",
+        "pau_underskirt.dxf",
+        "pau_underskirt.svg",
+        "ruler.pdf",
+    ];
+    let read = |out: &Path| -> Vec<(String, Vec<u8>)> {
+        let mut files: Vec<(String, Vec<u8>)> = (fs::read_dir(out).unwrap())
+            .map(|entry| {
+                let path = entry.unwrap().path();
+                let name = path.file_name().unwrap().to_string_lossy().into_owned();
+                (name, fs::read(path).unwrap())
+            })
+            .collect();
+        files.sort();
+        files
+    };
+    let [first, second] = ["one", "two"].map(|name| scratch.0.join(name));
+    let output = pattern(&design, &first, &[]);
+    let said = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert_eq!(output.status.code(), Some(0), "{said}");
+    assert!(said.contains("buy") && said.contains("yd"), "{said}");
+    let files = read(&first);
+    let found: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
+    assert_eq!(found, names);
+    let json = pattern(&design, &second, &["--json", "--paper", "a4"]);
+    assert_eq!(read(&second), files, "the same design gives the same bytes");
+    let value: serde_json::Value = serde_json::from_slice(&json.stdout).unwrap();
+    assert_eq!(value["garments"].as_array().unwrap().len(), 2);
+}
+
+#[test]
+fn what_cannot_be_drafted_is_one_sentence_with_its_place_and_writes_nothing() {
+    let scratch = Scratch::new("pattern-wrong");
+    let out = scratch.0.join("out");
+    for (text, part) in [
+        ("lole = 1\n[skirt]\nhem_hight_cm = 20\n", "hem_height_cm"),
+        ("lole = 1\n\n[skirt]\nhem_height_cm = 88\n", "wrong.lole:3"),
+    ] {
+        let design = scratch.0.join("wrong.lole");
+        fs::write(&design, text).unwrap();
+        let output = pattern(&design, &out, &[]);
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{said}");
+        assert!(said.contains(part), "{said}");
+        assert!(!out.exists(), "{said}");
+    }
+}
