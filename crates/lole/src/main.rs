@@ -4,6 +4,7 @@ mod args;
 mod baked;
 mod bench;
 mod dance;
+mod fabric;
 mod figures;
 mod inspect;
 mod output;
@@ -60,6 +61,7 @@ fn main() -> ExitCode {
         Asked::Command(Command::Validate(args)) => validate::run(&args, language),
         Asked::Command(Command::Bench(args)) => bench::run(&args, language),
         Asked::Command(Command::Inspect(args)) => inspect::run(&args, language),
+        Asked::Command(Command::Fabric(args)) => fabric::run(&args, language),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
