@@ -5,6 +5,7 @@ mod baked;
 mod bench;
 mod dance;
 mod dancer;
+mod fabric;
 mod figures;
 mod inspect;
 mod output;
@@ -65,6 +66,7 @@ fn main() -> ExitCode {
             Command::Validate(args) => validate::run(&args, language),
             Command::Bench(args) => bench::run(&args, language),
             Command::Dancer(args) => dancer::run(&args, language),
+            Command::Fabric(args) => fabric::run(&args, language),
             Command::Inspect(args) => inspect::run(&args, language),
         },
     };

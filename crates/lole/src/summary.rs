@@ -37,6 +37,13 @@ pub(crate) fn print_json(json: &str) {
     say!("{json}");
 }
 
+/// Says some sentences, a line each.
+pub(crate) fn print_lines(lines: &[Sentence], language: Language) {
+    for line in lines {
+        say!("{}", line.text(language));
+    }
+}
+
 /// Says what a file holds.
 pub(crate) fn print_inspection(path: &Path, lines: &[Sentence], language: Language) {
     say!("{}", path.display());

@@ -234,6 +234,41 @@ const JAPANESE_HELP: &[(&str, &str, &str)] = &[
         "どの関節がどの骨かの表。一行に一つ「関節 = 骨」",
     ),
     ("inspect", "json", "JSON で書きます"),
+    (
+        "fabric",
+        "",
+        "棚の布とその数値。自分の布を物差しとはかりで測ることもできます",
+    ),
+    (
+        "fabric",
+        "task",
+        "list: 棚の布。measure: 自分の布。数を書かなければ測り方を説明します",
+    ),
+    ("fabric", "length_cm", "布切れの、耳に沿った長さ [cm]"),
+    ("fabric", "width_cm", "布切れの幅 [cm]"),
+    ("fabric", "mass_g", "布切れの重さ [g]"),
+    (
+        "fabric",
+        "overhang_warp_cm",
+        "耳に沿って切った細い布が、机の端からはみ出した長さ [cm]",
+    ),
+    (
+        "fabric",
+        "drop_warp_cm",
+        "その先が机の面から下がった長さ [cm]。書かなければ --slope-deg の斜面に触れたときとします",
+    ),
+    (
+        "fabric",
+        "overhang_weft_cm",
+        "耳から耳の方向に切った布のはみ出した長さ [cm]。書かなければ同じとみなします",
+    ),
+    ("fabric", "drop_weft_cm", "その先が下がった長さ [cm]"),
+    (
+        "fabric",
+        "slope_deg",
+        "先が触れる斜面の角度 [度]。多くの試験所は 41.5、JIS L 1096 は 45",
+    ),
+    ("fabric", "json", "JSON で書きます"),
 ];
 
 /// What was asked for.

@@ -1,37 +1,71 @@
-//! Draws every print that the program makes, three repeats each way, to look at:
-//! `cargo run -p lole_costume --example print_sheet -- FOLDER [COLORWAY] [SEED] [MOTIF]`.
+//! Draws the prints that the program makes, to look at.
+//!
+//! `cargo run -p lole_costume --example print_sheet -- FOLDER` writes `prints.png`, one repeat of every
+//! motif in a colorway of its own; with `COLORWAY SEED` it writes three repeats each way of every motif,
+//! one file each.
 
 #![allow(
     clippy::unwrap_used,
     reason = "an example stops at what it did not expect"
 )]
 
-use image::RgbaImage;
-use lole_costume::print::{MOTIFS, PrintDesign, draw};
+use std::path::Path;
+
+use image::{RgbaImage, imageops};
+use lole_costume::print::{COLORWAYS, Colorway, MOTIFS, PrintDesign, draw};
 
 /// Pixels of one repeat.
 const SIDE: u32 = 400;
+/// Pixels between two prints of the overview, and prints in its rows.
+const GAP: u32 = 12;
+const COLUMNS: u32 = 5;
 
 fn main() {
     let words: Vec<String> = std::env::args().skip(1).collect();
-    let word = |place: usize| words.get(place).map(String::as_str);
-    let folder = std::path::Path::new(word(0).unwrap_or("."));
-    let colors = PrintDesign::colorway(word(1).unwrap_or("red")).unwrap();
-    let seed = word(2).map_or(1, |seed| seed.parse().unwrap());
-    let wanted = MOTIFS
-        .iter()
-        .filter(|row| word(3).is_none_or(|id| id == row.id));
-    for row in wanted {
-        let design = PrintDesign {
+    let folder = Path::new(words.first().map_or(".", String::as_str));
+    match words.get(1..) {
+        Some([colorway, seed]) => {
+            let colors = Colorway::from_id(colorway).unwrap();
+            sheets(folder, colors, seed.parse().unwrap());
+        }
+        _ => overview(&folder.join("prints.png")),
+    }
+}
+
+fn repeat(design: &PrintDesign) -> RgbaImage {
+    let drawn = draw(design, SIDE);
+    RgbaImage::from_raw(drawn.width, drawn.height, drawn.pixels).unwrap()
+}
+
+fn sheets(folder: &Path, colors: &Colorway, seed: u64) {
+    for row in MOTIFS {
+        let repeat = repeat(&PrintDesign {
             motif: row.motif,
             seed,
-            ..colors.clone()
-        };
-        let repeat = draw(&design, SIDE);
-        let sheet = RgbaImage::from_fn(3 * SIDE, 3 * SIDE, |x, y| {
-            let start = 4 * ((y % SIDE) * SIDE + x % SIDE) as usize;
-            image::Rgba([0, 1, 2, 3].map(|channel| repeat.pixels[start + channel]))
+            ..PrintDesign::in_colors(colors)
         });
+        let mut sheet = RgbaImage::new(3 * SIDE, 3 * SIDE);
+        imageops::tile(&mut sheet, &repeat);
         sheet.save(folder.join(format!("{}.png", row.id))).unwrap();
     }
+}
+
+fn overview(file: &Path) {
+    let place = |index: usize| {
+        let index = u32::try_from(index).unwrap();
+        [index % COLUMNS, index / COLUMNS].map(|cell| GAP + cell * (SIDE + GAP))
+    };
+    let [_, last] = place(MOTIFS.len() - 1);
+    let size = [GAP + COLUMNS * (SIDE + GAP), last + SIDE + GAP];
+    let mut sheet = RgbaImage::from_pixel(size[0], size[1], image::Rgba([255; 4]));
+    for (index, row) in MOTIFS.iter().enumerate() {
+        let colors = &COLORWAYS[(7 * index + 2) % COLORWAYS.len()];
+        let drawn = repeat(&PrintDesign {
+            motif: row.motif,
+            ..PrintDesign::in_colors(colors)
+        });
+        let [x, y] = place(index).map(i64::from);
+        imageops::replace(&mut sheet, &drawn, x, y);
+    }
+    sheet.save(file).unwrap();
 }

@@ -166,6 +166,8 @@ impl Default for SkirtDesign {
 /// A fabric from the shelf, with the figures that were measured on the real cloth instead.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FabricDesign {
+    /// What its owner calls it; the preset's name when `None`.
+    pub name: Option<String>,
     /// Fabric from the shelf.
     pub preset: &'static Preset,
     /// Width of the bolt, selvage to selvage [cm].
@@ -207,6 +209,7 @@ pub struct FabricDesign {
 impl Default for FabricDesign {
     fn default() -> Self {
         Self {
+            name: None,
             preset: &crate::fabrics::PRESETS[0],
             width_cm: 110.0,
             areal_density_g_per_m2: None,

@@ -8,11 +8,15 @@
 //! was measured. Over the ten fabrics of Wang, O'Brien and Ramamoorthi 2011 that value is
 //! `√(B_u B_v)` on the mean (a test holds the figures), so that is the estimate for the others.
 
+pub mod measure;
 mod shelf;
+pub mod touch;
 
 use lole_cloth::{Fabric, Hysteresis};
 
+pub use measure::{MeasureError, Measured, Overhang, Swatch};
 pub use shelf::PRESETS;
+pub use touch::Touch;
 
 /// How a figure came about. An estimate is never shown as measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -80,6 +84,28 @@ impl Preset {
         PRESETS.iter().find(|preset| preset.id == id)
     }
 
+    /// The fabric of this mass per area [g/m²] and bending rigidity [µN·m] that comes nearest, by
+    /// the ratios of weight and of bending length: what was not measured is taken from it.
+    #[must_use]
+    pub fn nearest(areal_density: f64, bend: [f64; 2]) -> &'static Self {
+        let own = touch::bending_length_cm((bend[0] * bend[1]).sqrt(), areal_density);
+        let distance = |preset: &Self| {
+            let [warp, weft] = preset.bend.value;
+            let weight = preset.areal_density.value;
+            let length = touch::bending_length_cm((warp * weft).sqrt(), weight);
+            let [weight, length] =
+                [areal_density / weight, own / length].map(lole_geom::trig64::ln);
+            weight * weight + 4.0 * length * length
+        };
+        let mut nearest = &PRESETS[0];
+        for preset in PRESETS {
+            if distance(preset) < distance(nearest) {
+                nearest = preset;
+            }
+        }
+        nearest
+    }
+
     /// Air drag as a rate [1/s], `force / (mass · speed)`: light cloth is slowed more. Estimated.
     #[must_use]
     pub fn drag_rate(&self) -> f64 {
@@ -89,7 +115,19 @@ impl Preset {
     /// The fabric in the engine's SI units, warp along `u`.
     #[must_use]
     pub fn fabric(&self) -> Fabric {
-        si_fabric(&FabricFigures {
+        si_fabric(&self.figures())
+    }
+
+    /// How it feels, by its figures.
+    #[must_use]
+    pub fn touch(&self) -> Touch {
+        Touch::of(&self.figures())
+    }
+
+    /// The figures without their provenance.
+    #[must_use]
+    pub fn figures(&self) -> FabricFigures {
+        FabricFigures {
             areal_density: self.areal_density.value,
             thickness: self.thickness.value,
             stretch: self.stretch.value,
@@ -101,24 +139,35 @@ impl Preset {
             friction: self.friction.value,
             cloth_friction: self.cloth_friction.value,
             drag_rate: self.drag_rate(),
-        })
+        }
     }
 }
 
 /// Figures of one fabric in the units of [`Preset`].
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct FabricFigures {
-    pub(crate) areal_density: f64,
-    pub(crate) thickness: f64,
-    pub(crate) stretch: [f64; 2],
-    pub(crate) shear: f64,
-    pub(crate) bend: [f64; 2],
-    pub(crate) twist: f64,
-    pub(crate) bend_hysteresis: [f64; 2],
-    pub(crate) shear_hysteresis: f64,
-    pub(crate) friction: f64,
-    pub(crate) cloth_friction: f64,
-    pub(crate) drag_rate: f64,
+pub struct FabricFigures {
+    /// Mass per area [g/m²].
+    pub areal_density: f64,
+    /// Thickness [mm].
+    pub thickness: f64,
+    /// Membrane stiffness along warp and weft [N/m].
+    pub stretch: [f64; 2],
+    /// Membrane shear stiffness [N/m per rad].
+    pub shear: f64,
+    /// Bending rigidity along warp and weft [µN·m].
+    pub bend: [f64; 2],
+    /// Twist rigidity [µN·m].
+    pub twist: f64,
+    /// Bending hysteresis `2HB` along warp and weft [mN·m/m].
+    pub bend_hysteresis: [f64; 2],
+    /// Shear hysteresis `2HG` [N/m].
+    pub shear_hysteresis: f64,
+    /// Friction coefficient on skin.
+    pub friction: f64,
+    /// Friction coefficient of the cloth on itself.
+    pub cloth_friction: f64,
+    /// Air drag as a rate [1/s].
+    pub drag_rate: f64,
 }
 
 /// From laboratory units to SI.

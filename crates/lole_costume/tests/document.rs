@@ -432,6 +432,7 @@ fn designs_in_the_readmes_can_be_read() {
         ("README.md", include_str!("../../../README.md")),
         ("README.ja.md", include_str!("../../../README.ja.md")),
         ("hula.md", include_str!("../../../docs/hula.md")),
+        ("cloth.md", include_str!("../../../docs/cloth.md")),
     ] {
         let samples: Vec<&str> = text
             .split("```toml\n")

@@ -467,7 +467,7 @@ impl App {
             self.studio.message = Some(Message::trouble(&error));
             return;
         }
-        self.rename_recording(&path);
+        self.rename_linked(&path);
         match files::write_design(&path, self.studio.design()) {
             Ok(()) => {
                 let path = std::fs::canonicalize(&path).unwrap_or(path);
@@ -482,15 +482,13 @@ impl App {
         }
     }
 
-    /// Names the recording as it is found from where the design is saved.
-    fn rename_recording(&mut self, saved: &Path) {
-        let file = self.studio.design().motion.file.as_ref();
-        if let Some(file) = file {
-            let from = self.studio.path().unwrap_or(Path::new(""));
-            let place = from.with_file_name(&file.name);
-            let name = files::recording_name(&place, Some(saved));
-            self.studio.rename_recording(name);
-        }
+    /// Names recording and pictures as they are found from where the design is saved.
+    fn rename_linked(&mut self, saved: &Path) {
+        let from = self.studio.path().unwrap_or(Path::new("")).to_owned();
+        self.studio.rename_linked(|name| {
+            let place = from.with_file_name(name);
+            files::recording_name(&place, Some(saved))
+        });
     }
 
     fn take_picture(&mut self) {

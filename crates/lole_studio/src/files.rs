@@ -249,6 +249,31 @@ mod tests {
     }
 
     #[test]
+    fn pictures_of_prints_are_read_from_beside_the_design_or_refused_by_name() {
+        let folder = folder("print");
+        let path = folder.join("mine.lole");
+        let text = "lole = 1\n[print]\nfile = \"cloth.svg\"\n[[garment]]\nkind = \"pau-top\"\n\
+                    [garment.print]\nfile = \"top.svg\"\n";
+        fs::write(&path, text).unwrap();
+        let sentence = read_design(&path).unwrap_err();
+        assert!(sentence.english.contains("cloth.svg"), "{sentence}");
+        assert!(sentence.english.contains("[print] file"), "{sentence}");
+        let svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"4\" height=\"2\"/>";
+        fs::write(folder.join("cloth.svg"), svg).unwrap();
+        fs::write(folder.join("top.svg"), "GIF89a").unwrap();
+        let sentence = read_design(&path).unwrap_err();
+        assert!(
+            sentence.english.contains("top.svg: this is GIF"),
+            "{sentence}"
+        );
+        fs::write(folder.join("top.svg"), svg).unwrap();
+        let mut design = read_design(&path).unwrap();
+        let read = design.prints_mut().filter_map(|print| print.file.as_ref());
+        assert_eq!(read.filter(|file| file.picture.is_some()).count(), 2);
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
     fn what_cannot_be_written_leaves_what_was_there() {
         let folder = folder("keep");
         // A folder of that name cannot be replaced by a file.

@@ -415,10 +415,14 @@ impl Studio {
         self.is_unkept = true;
     }
 
-    /// Names the recording as it is found from another place, without a step to take back.
-    pub(crate) fn rename_recording(&mut self, name: String) {
-        if let Some(file) = &mut self.wished.design.motion.file {
-            file.name = name;
+    /// Names recording and pictures as they are found from another place, without a step to take back.
+    pub(crate) fn rename_linked(&mut self, name_from_there: impl Fn(&str) -> String) {
+        let design = &mut self.wished.design;
+        if let Some(file) = &mut design.motion.file {
+            file.name = name_from_there(&file.name);
+        }
+        for file in design.prints_mut().filter_map(|print| print.file.as_mut()) {
+            file.name = name_from_there(&file.name);
         }
     }
 

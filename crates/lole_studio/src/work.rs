@@ -22,6 +22,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use lole_costume::document::{self, Design};
+use lole_costume::print::Picture;
 
 use crate::studio::OpenFile;
 use crate::wished::Wished;
@@ -92,7 +93,7 @@ impl Work {
         let mut rest = bytes.strip_prefix(HEAD.as_bytes())?.strip_prefix(b"\n")?;
         let mut files: Vec<OpenFile> = Vec::new();
         let (mut past, mut future, mut present) = (Vec::new(), Vec::new(), None);
-        let mut recordings = BTreeMap::new();
+        let (mut recordings, mut pictures) = (BTreeMap::new(), BTreeMap::new());
         while let Some((head, body, after)) = record(rest) {
             rest = after;
             let mut words = head.split(' ');
@@ -112,11 +113,19 @@ impl Work {
                 _ => number?,
             };
             let path = files.get(file)?.path.clone();
+            let from = path.unwrap_or_default();
             if let Some(recording) = &mut design.motion.file {
-                let place = path.unwrap_or_default().with_file_name(&recording.name);
-                let bytes = recordings.entry(place);
+                let bytes = recordings.entry(from.with_file_name(&recording.name));
                 let bytes = bytes.or_insert_with_key(|place| read(place));
                 recording.bytes.clone_from(bytes);
+            }
+            for file in design.prints_mut().filter_map(|print| print.file.as_mut()) {
+                let picture = pictures.entry(from.with_file_name(&file.name));
+                let picture = picture.or_insert_with_key(|place| {
+                    let picture = Picture::read(&read(place)?).ok()?;
+                    Some(Arc::new(picture))
+                });
+                file.picture.clone_from(picture);
             }
             match kind {
                 "saved" => files[file].saved = design,

@@ -387,6 +387,12 @@ impl FabricDesign {
     /// that knew only one.
     #[must_use]
     pub fn fabric(&self) -> Fabric {
+        si_fabric(&self.figures())
+    }
+
+    /// The same in the units of a textile laboratory.
+    #[must_use]
+    pub fn figures(&self) -> FabricFigures {
         let preset = self.preset;
         let [stretch_warp, stretch_weft] = preset.stretch.value;
         let [bend_warp, bend_weft] = preset.bend.value;
@@ -400,7 +406,7 @@ impl FabricDesign {
             .unwrap_or(preset.areal_density.value);
         let shear = self.shear_n_per_m.unwrap_or(preset.shear.value);
         let drag_rate = preset.drag_rate() * preset.areal_density.value / areal_density;
-        si_fabric(&FabricFigures {
+        FabricFigures {
             areal_density,
             thickness: self.thickness_mm.unwrap_or(preset.thickness.value),
             stretch: [
@@ -427,7 +433,7 @@ impl FabricDesign {
                 .or(self.friction_coefficient)
                 .unwrap_or(preset.cloth_friction.value),
             drag_rate: self.drag_per_s.unwrap_or(drag_rate),
-        })
+        }
     }
 }
 

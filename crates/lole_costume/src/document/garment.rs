@@ -88,7 +88,7 @@ impl Default for WornSkirt {
                 ..SkirtDesign::default()
             },
             fabric: lawn(),
-            print: plain([246, 236, 214]),
+            print: plain("cream"),
         }
     }
 }
@@ -113,7 +113,7 @@ impl Default for WornTop {
             layer: GarmentLayer::Over,
             top: TopDesign::default(),
             fabric: FabricDesign::default(),
-            print: plain([158, 16, 38]),
+            print: plain("red"),
         }
     }
 }
@@ -182,11 +182,11 @@ fn lawn() -> FabricDesign {
     }
 }
 
-/// One color, sRGB.
-fn plain(ground: [u8; 3]) -> PrintChoice {
+/// One color: the ground of a colorway.
+fn plain(colorway: &'static str) -> PrintChoice {
     PrintChoice {
         motif: PrintMotif::Plain,
-        ground: Some(ground),
+        colorway,
         ..PrintChoice::default()
     }
 }

@@ -73,7 +73,7 @@ pub const COLORWAYS: &[Colorway] = &[
     colorway(
         "cream",
         words("生成り", "cream"),
-        [0xf3e9d2, 0xb23a2e, 0x3f6b4a, 0xe6d8ba],
+        [0xf6ecd6, 0xb23a2e, 0x3f6b4a, 0xe6d8ba],
     ),
     colorway(
         "teal",

@@ -196,6 +196,15 @@ macro_rules! fabric_keys {
     () => {
         &[
             Key {
+                name: "name",
+                about: words("自分の布の名前", "what the cloth's owner calls it"),
+                kind: Kind::Text {
+                    what: words("布の名前", "the name of a cloth"),
+                    get: |design| design.fabric.name.as_deref(),
+                    set: |design, name| design.fabric.name = Some(name.to_owned()),
+                },
+            },
+            Key {
                 name: "preset",
                 about: words("棚の布", "fabric from the shelf"),
                 kind: Kind::Name {
