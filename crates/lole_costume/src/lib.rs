@@ -14,5 +14,8 @@
 
 pub mod document;
 pub mod fabrics;
+pub mod measures;
 pub mod print;
 pub mod sew;
+
+pub use measures::measures;

@@ -36,9 +36,9 @@ pub mod template;
 pub mod yardage;
 
 pub use error::DraftError;
-pub use measures::Measures;
+pub use measures::{Measure, Measures};
 pub use pattern::Pattern;
 pub use piece::Piece;
 pub use ratio::{ElasticRatio, GatherRatio};
-pub use template::{TEMPLATES, Template};
+pub use template::{Options, TEMPLATES, Template};
 pub use yardage::Yardage;

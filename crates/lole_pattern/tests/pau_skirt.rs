@@ -82,7 +82,7 @@ fn yardage_follows_the_table_of_hips() {
         );
         let shortfall = yardage.needed.to_cm() - yardage.metric.to_cm();
         assert!(
-            (-10.0..=1.0 + 1e-9).contains(&shortfall),
+            (-10.0..=2.0 + 1e-9).contains(&shortfall),
             "hip {hip_cm} × {ratio}: {shortfall}"
         );
     }

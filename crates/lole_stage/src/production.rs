@@ -183,6 +183,8 @@ impl Wardrobe<'_> {
                     self.put_on_skirt((name, FOLD_COLUMNS), cut, &worn.print)
                 }
                 GarmentDesign::PauTop(worn) => self.put_on_top(worn),
+                // It is drafted and not danced: `Design::not_danced` says so.
+                GarmentDesign::Template(_) => Ok(()),
             };
             put_on.map_err(|error| StageError::Garment {
                 place: place + 1,
