@@ -4,14 +4,20 @@
 //! The options of a template are rows too. The document's keys, the forms of the window and the
 //! messages all read them, so that an option is written once.
 
+mod accessory;
 mod block;
 mod blouse;
 mod cellophane_skirt;
 mod chosen;
 mod fitted;
+mod hair_flower;
 mod holoku;
+mod ipu;
 mod kihei;
 mod kikepa;
+mod kupee;
+mod lei;
+mod lei_poo;
 mod making;
 mod malo;
 mod muumuu;
@@ -19,11 +25,13 @@ mod pau_kahiko;
 mod pau_ruffle;
 mod pau_skirt;
 mod pau_top;
+mod puili;
 mod raffia_skirt;
 mod shape;
 mod sleeve;
 mod strands;
 mod ti_leaf_skirt;
+mod uliuli;
 mod yoke;
 
 use lole_language::Words;
@@ -162,4 +170,11 @@ pub const TEMPLATES: &[Template] = &[
     ti_leaf_skirt::TEMPLATE,
     raffia_skirt::TEMPLATE,
     cellophane_skirt::TEMPLATE,
+    lei::TEMPLATE,
+    lei_poo::TEMPLATE,
+    kupee::TEMPLATE,
+    hair_flower::TEMPLATE,
+    uliuli::TEMPLATE,
+    puili::TEMPLATE,
+    ipu::TEMPLATE,
 ];

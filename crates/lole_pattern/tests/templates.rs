@@ -380,6 +380,14 @@ fn templates_have_the_pieces_that_their_garments_have() {
         ("back_yoke", 2),
     ];
     assert_eq!(cut("holoku", &[]), [&dress[..], &rest[..2]].concat());
+    assert_eq!(
+        cut("hair-flower", &[("flower_count", 2.0)]),
+        [("petal", 10)]
+    );
+    assert_eq!(cut("uliuli", &[]), [("disc", 4)]);
+    for id in ["lei", "lei-poo", "kupee", "puili", "ipu"] {
+        assert_eq!(cut(id, &[]), []);
+    }
 }
 
 #[test]
@@ -438,6 +446,31 @@ fn the_cap_of_a_sleeve_is_as_full_as_was_asked() {
             assert!((edge("sleeve", "cap") - ratio * armhole).abs() < WALK);
         }
     }
+}
+
+/// The numbers that makers give: 50 plumeria to a meter of lei, 100 leaves and a cord of the girth and ten
+/// inches to a skirt, a kīkepa of about two yards, a malo of three to six.
+#[test]
+fn materials_are_those_that_makers_give() {
+    let measures = of_row(&BODIES[2].1);
+    let drafted = |id: &str, options: &[(&str, f64)]| {
+        draft(id, &measures, options).unwrap_or_else(|error| panic!("{id}: {error}"))
+    };
+    let lei = drafted("lei", &[("length_cm", 101.6)]);
+    assert_eq!(lei.notions[0].amount, Amount::Count(51));
+    let skirt = drafted("ti-leaf-skirt", &[]);
+    let Amount::Count(leaves) = skirt.notions[0].amount else {
+        panic!("{:?}", skirt.notions[0]);
+    };
+    assert!((85..=110).contains(&leaves), "{leaves}");
+    let long = |pattern: &Pattern| {
+        let bounds = pattern.pieces[0].stitching_line().bounding_box();
+        Length::from_m(bounds.width()).to_yd()
+    };
+    let kikepa = long(&drafted("kikepa", &[]));
+    assert!((kikepa - 2.0).abs() < 0.05, "{kikepa}");
+    let malo = long(&drafted("malo", &[]));
+    assert!((3.0..6.0).contains(&malo), "{malo}");
 }
 
 #[test]

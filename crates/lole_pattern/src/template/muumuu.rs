@@ -76,7 +76,10 @@ const OPTIONS: &[OptionRow] = &[
         "ruffle_cm",
         [0.0, 60.0],
         22.0,
-        words("裾のフリルの丈。0 ならなし", "ruffle at the hem; 0: none"),
+        words(
+            "裾のフリルの丈。2 より短ければなし",
+            "ruffle at the hem; none where it is under 2",
+        ),
     ),
     number(
         "ruffle_ratio",
@@ -157,8 +160,7 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
         sleeve.piece.clone(),
         binding(neckline, ends),
     ];
-    let ruffle = chosen.m("ruffle_cm");
-    if 0.0 < ruffle {
+    if 0.0 < skirt.ruffle {
         pieces.push(skirt.ruffle(&pieces));
     }
     Ok(finish(pieces, (measures, &skirt), (&sleeve, &yokes, slit)))
@@ -202,12 +204,15 @@ struct Skirt {
 
 /// Allowance of seams within the dress [m].
 const SEAM: f64 = 1.0 * CM;
+/// A shorter ruffle is none [m].
+const LEAST_RUFFLE: f64 = 2.0 * CM;
 /// A skirt from underarm to hem, at least [m].
 const LEAST_SKIRT: f64 = 20.0 * CM;
 
 impl Skirt {
     fn new(measures: &Measures, block: &Block, chosen: &Chosen<'_>) -> Result<Self, DraftError> {
-        let ruffle = chosen.m("ruffle_cm");
+        let asked = chosen.m("ruffle_cm");
+        let ruffle = if asked < LEAST_RUFFLE { 0.0 } else { asked };
         let hem_height = chosen.m("hem_height_cm");
         let hem_y = hem_height - measures.waist_height.to_m() + ruffle;
         if block.bust_line < hem_y + LEAST_SKIRT {
