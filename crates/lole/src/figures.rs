@@ -174,6 +174,8 @@ fn skirt_facts(performance: &Performance) -> SkirtFacts {
             let license = production.license.as_ref();
             let refusal = license.and_then(License::export_refusal);
             let said = refusal.iter().map(remark);
+            let not_danced = production.design.not_danced();
+            let said = said.chain(not_danced.iter().map(remark));
             said.chain(draft.warnings.iter().map(remark)).collect()
         },
     }

@@ -5,7 +5,8 @@
 //! its unit; one that has none ends in `_ratio`, `_coefficient` or `_count`, or is a name, a color
 //! or a seed. Anything may be left out: the built-in pāʻū skirt dancing kāholo fills it in.
 //! What is worn with the skirt follows as a list, `[[garment]]`, each with its `kind`, and under it
-//! `[garment.fabric]` and `[garment.print]`.
+//! `[garment.fabric]` and `[garment.print]`. Kinds that are danced have their keys in [`schema`]; all others
+//! are templates of [`lole_pattern`], whose options are the keys.
 //! Every key, with its range and meaning, is one row of [`schema`]; reading, checking and writing
 //! all walk that table.
 
@@ -17,6 +18,7 @@ mod nearest;
 mod parse;
 mod print;
 pub mod schema;
+mod template;
 mod write;
 
 use std::sync::Arc;
@@ -35,7 +37,7 @@ use crate::print::{PrintLay, PrintMotif};
 
 pub use cost::{CostDesign, Currency};
 pub use error::{DesignError, Problem};
-pub use garment::{GarmentDesign, GarmentLayer, TopDesign, WornSkirt, WornTop};
+pub use garment::{GarmentDesign, GarmentLayer, TopDesign, WornSkirt, WornTemplate, WornTop};
 pub use nearest::{likely, nearest};
 pub use parse::{Place, locate, parse, parse_bytes};
 pub use print::{LinkedPicture, PhotoMarks, PrintError};

@@ -15,8 +15,11 @@
 pub mod cost;
 pub mod document;
 pub mod fabrics;
+pub mod measures;
 pub mod order;
 pub mod print;
 pub mod roster;
 pub mod sew;
 pub mod tailoring;
+
+pub use measures::measures;

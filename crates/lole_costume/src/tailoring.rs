@@ -1,6 +1,8 @@
 //! Everything that a design has to be cut and sewn from: each garment drafted to the dancer, with the
 //! cloth that it is cut from.
 
+use std::cell::LazyCell;
+
 use lole_body::Dancer;
 use lole_geom::Length;
 use lole_language::{Bilingual, Words, words};
@@ -13,6 +15,7 @@ use lole_pattern::{DraftError, Marker, Pattern};
 use crate::document::{
     Design, FabricDesign, GarmentDesign, GarmentLayer, PrintChoice, SkirtDesign, WornTop,
 };
+use crate::measures;
 use crate::print::{PrintBorder, PrintMotif};
 
 /// Name in files of the design's skirt.
@@ -140,26 +143,27 @@ pub fn patterns_of(
             cloth,
         });
     };
+    let measures = LazyCell::new(|| measures(dancer));
     for layer in [GarmentLayer::Under, GarmentLayer::Over] {
-        for (index, garment) in design.garments_in(layer) {
+        let listed = design.garments.iter().enumerate();
+        for (index, garment) in listed.filter(|(_, garment)| garment.layer() == layer) {
             let name = garment_name(garment);
-            let drafted = match garment {
-                GarmentDesign::PauSkirt(worn) => draft_skirt(&worn.skirt, &worn.fabric, dancer),
-                GarmentDesign::PauTop(worn) => draft_top(worn, &design.skirt, dancer),
-                // A garment of a template is drafted here: its pattern comes from the template.
+            let pattern = match garment {
+                GarmentDesign::PauSkirt(worn) => {
+                    draft_skirt(&worn.skirt, &worn.fabric, dancer).map(|it| it.draft.pattern(name))
+                }
+                GarmentDesign::PauTop(worn) => {
+                    draft_top(worn, &design.skirt, dancer).map(|it| it.draft.pattern(name))
+                }
+                GarmentDesign::Template(worn) => worn.pattern(&measures),
             };
-            let drafted = drafted.map_err(|error| TailoringError {
+            let pattern = pattern.map_err(|error| TailoringError {
                 garment: name,
                 place: Some(index + 1),
                 error,
             })?;
-            let pattern = drafted.draft.pattern(name);
-            add(
-                file_name(garment),
-                name,
-                pattern,
-                Cloth::of(garment.fabric(), garment.print()),
-            );
+            let cloth = Cloth::of(garment.fabric(), garment.print());
+            add(&file_name(garment), name, pattern, cloth);
         }
         if layer == GarmentLayer::Under {
             let name = words("パウスカート", "pāʻū skirt");
@@ -178,11 +182,12 @@ pub fn patterns_of(
 
 /// Name in files of a garment of a design's list, before it is numbered.
 #[must_use]
-pub const fn file_name(garment: &GarmentDesign) -> &'static str {
+pub fn file_name(garment: &GarmentDesign) -> String {
     match (garment, garment.layer()) {
-        (GarmentDesign::PauSkirt(_), GarmentLayer::Under) => "pau_underskirt",
-        (GarmentDesign::PauSkirt(_), GarmentLayer::Over) => "pau_overskirt",
-        (GarmentDesign::PauTop(_), _) => TOP,
+        (GarmentDesign::PauSkirt(_), GarmentLayer::Under) => "pau_underskirt".to_owned(),
+        (GarmentDesign::PauSkirt(_), GarmentLayer::Over) => "pau_overskirt".to_owned(),
+        (GarmentDesign::PauTop(_), _) => TOP.to_owned(),
+        (GarmentDesign::Template(worn), _) => worn.template.id.replace('-', "_"),
     }
 }
 
@@ -196,6 +201,7 @@ const fn garment_name(garment: &GarmentDesign) -> Words {
             words("上に重ねるパウスカート", "pāʻū overskirt")
         }
         (GarmentDesign::PauTop(_), _) => words("パウトップ", "pāʻū top"),
+        (GarmentDesign::Template(worn), _) => worn.template.name,
     }
 }
 

@@ -1,11 +1,15 @@
 //! Laws of the list of garments in a design document: it reads back, today's documents mean what they
 //! meant, and what is wrong is said with file, line, key and remedy in both languages.
 
-use lole_costume::document::schema::{KINDS, Kind, Table, WORN_SKIRT, WORN_TOP};
+use lole_costume::document::schema::{
+    KINDS, Kind, Table, WORN_SKIRT, WORN_TEMPLATE, WORN_TOP, kind_ids,
+};
 use lole_costume::document::{
-    Design, GarmentDesign, GarmentLayer, MethodName, WornSkirt, WornTop, parse, to_toml,
+    Design, GarmentDesign, GarmentLayer, MethodName, WornSkirt, WornTemplate, WornTop, parse,
+    to_toml,
 };
 use lole_language::Bilingual;
+use lole_pattern::template::{OptionKind, TEMPLATES};
 
 /// One garment of every kind.
 fn dressed() -> Design {
@@ -118,6 +122,72 @@ fn check_ends<T: Clone>(tables: &[Table<T>], fresh: &T, put: impl Fn(T) -> Garme
 fn every_key_of_every_kind_reads_back_at_both_ends_of_its_range() {
     assert!(60 < check_ends(WORN_SKIRT, &WornSkirt::default(), GarmentDesign::PauSkirt));
     assert!(60 < check_ends(WORN_TOP, &WornTop::default(), GarmentDesign::PauTop));
+    let worn = WornTemplate::new(&TEMPLATES[1]);
+    assert!(40 < check_ends(WORN_TEMPLATE, &worn, GarmentDesign::Template));
+}
+
+/// Templates that are only drafted.
+fn drafted() -> impl Iterator<Item = WornTemplate> {
+    let danced = |id| KINDS.iter().any(|kind| kind.id == id);
+    let templates = TEMPLATES
+        .iter()
+        .filter(move |template| !danced(template.id));
+    templates.map(WornTemplate::new)
+}
+
+#[test]
+fn every_option_of_every_template_reads_back_at_both_ends_of_its_range() {
+    let mut count = 0;
+    for worn in drafted() {
+        for (position, row) in worn.template.options.iter().enumerate() {
+            let ends = match row.kind {
+                OptionKind::Number { min, max, .. } => vec![Some(min), Some(max)],
+                OptionKind::Count { min, max, .. } => {
+                    vec![Some(f64::from(min)), Some(f64::from(max))]
+                }
+                OptionKind::Choice(choices) => {
+                    (0..choices.len()).map(|one| Some(one as f64)).collect()
+                }
+            };
+            for end in ends {
+                let mut garment = worn.clone();
+                garment.options.set(position, end);
+                let design = Design {
+                    garments: vec![GarmentDesign::Template(garment)],
+                    ..Design::default()
+                };
+                design.check("mine").expect("in range");
+                let text = to_toml(&design);
+                assert_eq!(parse(&text, "again").expect("in range"), design, "{text}");
+                count += 1;
+            }
+        }
+    }
+    assert!(100 < count, "{count}");
+}
+
+#[test]
+fn every_template_is_a_kind_of_garment_and_says_that_it_is_not_danced() {
+    let ids = kind_ids();
+    for worn in drafted() {
+        assert!(ids.contains(&worn.template.id));
+        let text = format!("lole = 1\n[[garment]]\nkind = \"{}\"\n", worn.template.id);
+        let design = parse(&text, "mine.lole").unwrap();
+        let name = worn.template.name;
+        assert_eq!(design.garments, [GarmentDesign::Template(worn)]);
+        assert_eq!(parse(&to_toml(&design), "again").unwrap(), design);
+        let said = design.not_danced().unwrap();
+        assert!(said.english.contains(name.english) && said.english.contains("not danced yet"));
+        assert!(said.japanese.contains(name.japanese));
+        // It is nowhere among what is danced, and every method takes it.
+        assert_eq!(design.worn_fabrics().len(), 1);
+    }
+    assert!(dressed().not_danced().is_none());
+    parse(
+        "lole = 1\n[method]\nname = \"fb-euler\"\n[[garment]]\nkind = \"kihei\"\n",
+        "mine.lole",
+    )
+    .unwrap();
 }
 
 /// What follows `lole = 1`, start of what is said, and the remedy in both languages.
@@ -179,6 +249,36 @@ const MISTAKES: &[(&str, &str, [&str; 2])] = &[
         ["a whole number from 0 to 3", "0 から 3 までの整数"],
     ),
     (
+        "[[garment]]\nkind = \"muumu\"\n",
+        "mine.lole:3: [[garment]] kind: \"muumu\" is not a kind of garment",
+        ["did you mean \"muumuu\"?", "\"muumuu\" のことですか"],
+    ),
+    (
+        "[[garment]]\nkind = \"blouse\"\npuf_ratio = 1.5\n",
+        "mine.lole:4: [[garment]] puf_ratio: there is no such key",
+        ["did you mean puff_ratio?", "puff_ratio のことですか"],
+    ),
+    (
+        "[[garment]]\nkind = \"blouse\"\npuff_ratio = 9\n",
+        "mine.lole:4: [[garment]] puff_ratio: 9 is out of range",
+        ["a number from 1.1 to 2.2", "1.1 から 2.2 までの数"],
+    ),
+    (
+        "[[garment]]\nkind = \"muumuu\"\nsleeve = \"pufff\"\n",
+        "mine.lole:4: [[garment]] sleeve: \"pufff\" is not a choice",
+        ["did you mean \"puff\"?", "\"puff\" のことですか"],
+    ),
+    (
+        "[[garment]]\nkind = \"pau-kahiko\"\ncord_row_count = 2.5\n",
+        "mine.lole:4: [[garment]] cord_row_count: 2.5 is a number with a point",
+        ["a whole number from 1 to 6", "1 から 6 までの整数"],
+    ),
+    (
+        "[[garment]]\nkind = \"kihei\"\nzzz = 1\n",
+        "mine.lole:4: [[garment]] zzz: there is no such key",
+        ["layer, length_cm, height_cm", "layer, length_cm, height_cm"],
+    ),
+    (
         "[[garmnet]]\nkind = \"pau-top\"\n",
         "mine.lole:2: [garmnet]: there is no such table",
         ["did you mean garment?", "garment のことですか"],
@@ -221,6 +321,15 @@ fn a_garment_changed_by_the_program_is_held_to_the_same_ranges() {
     let mut design = dressed();
     design.method.name = MethodName::Rk4;
     assert!(design.check("command line").is_err());
+    let mut design = Design::default();
+    let mut worn = WornTemplate::new(&TEMPLATES[1]);
+    let position = worn.template.position("ruffle_ratio");
+    worn.options.set(position.unwrap(), Some(7.0));
+    design.garments.push(GarmentDesign::Template(worn));
+    assert_eq!(
+        design.check("command line").unwrap_err().to_string(),
+        "command line: [[garment]] ruffle_ratio: 7 is out of range; write a number from 1 to 3"
+    );
 }
 
 #[test]

@@ -67,6 +67,39 @@ pub enum DraftError {
         /// Gather ratio that would just reach.
         ratio: f64,
     },
+    /// An option of a template is not a number in its range.
+    #[error("{key} is {value}; give a number from {min} to {max} ({})", about.english)]
+    Option {
+        /// Key of the option.
+        key: &'static str,
+        /// What it means.
+        about: Words,
+        /// The refused number.
+        value: f64,
+        /// Smallest accepted number.
+        min: f64,
+        /// Largest accepted number.
+        max: f64,
+    },
+    /// A garment cannot be drafted to a measure beside the others.
+    #[error(
+        "{} is {cm:.1} cm, and this garment can be drafted from {least_cm:.1} cm to {most_cm:.1} cm \
+         beside the other measures; measure it again{}",
+        what.english,
+        remedy.english
+    )]
+    Measure {
+        /// The measure that is the cause.
+        what: Words,
+        /// Its value [cm].
+        cm: f64,
+        /// Smallest value that fits [cm].
+        least_cm: f64,
+        /// Largest value that fits [cm].
+        most_cm: f64,
+        /// What else can be done, beginning with a comma; may be empty.
+        remedy: Words,
+    },
 }
 
 impl Bilingual for DraftError {
@@ -105,6 +138,27 @@ impl Bilingual for DraftError {
             } => format!(
                 "布の長さ {flat_cm:.1} cm では、はく位置の {worn_cm:.1} cm を回りません。\
                  ギャザーの倍率を {ratio:.2} より大きくしてください"
+            ),
+            Self::Option {
+                key,
+                about,
+                value,
+                min,
+                max,
+            } => format!(
+                "{key}（{}）が {value} です。{min} から {max} までの数にしてください",
+                about.japanese
+            ),
+            Self::Measure {
+                what,
+                cm,
+                least_cm,
+                most_cm,
+                remedy,
+            } => format!(
+                "{}が {cm:.1} cm です。ほかの寸法のもとでこの服を製図できるのは \
+                 {least_cm:.1}～{most_cm:.1} cm です。測り直してください{}",
+                what.japanese, remedy.japanese
             ),
         }
     }

@@ -39,9 +39,9 @@ pub mod yardage;
 
 pub use error::DraftError;
 pub use marker::Marker;
-pub use measures::Measures;
+pub use measures::{Measure, Measures};
 pub use pattern::Pattern;
 pub use piece::Piece;
 pub use ratio::{ElasticRatio, GatherRatio};
-pub use template::{TEMPLATES, Template};
+pub use template::{Options, TEMPLATES, Template};
 pub use yardage::Yardage;

@@ -37,7 +37,8 @@ pub struct Seam {
 pub struct SeamSide {
     /// Index into [`Pattern::pieces`].
     pub piece: usize,
-    /// Which of the cut pieces, from 0. Odd ones of pairs are the wearer's right, mirrored.
+    /// Which of the cut pieces, from 0. Odd ones of pairs are the wearer's right, mirrored; of a piece
+    /// with an edge on the fold, 0 is the drawn half and 1 its mirror image.
     pub copy: u32,
     /// Index into [`Piece::edges`].
     pub edge: usize,

@@ -1,6 +1,8 @@
 //! A flat piece: its stitching line edge by edge, what is added around it, and what is marked on it.
 //!
-//! A piece lies as it is worn and seen from outside: `+x` to the wearer's left, `+y` up, in meters.
+//! A piece lies as it is worn and seen from the front: `+x` to the wearer's left, `+y` up, in meters.
+//! So backs are seen through the body, and a pair's left piece lies where it is worn. Left sleeves are
+//! seen from outside, their front towards `-x`.
 //! Its edges run counterclockwise around it, so that the cloth is always on their left; the cut line
 //! lies outside of them by each edge's allowance.
 
@@ -203,8 +205,15 @@ impl Piece {
     /// The stitching line as one closed path [m].
     #[must_use]
     pub fn stitching_line(&self) -> BezPath {
+        use kurbo::ParamCurve as _;
         let segments = self.edges.iter().flat_map(|edge| edge.segments.iter());
-        let mut path = BezPath::from_path_segments(segments.copied());
+        let mut path = BezPath::new();
+        for (index, segment) in segments.enumerate() {
+            if index == 0 {
+                path.move_to(segment.start());
+            }
+            path.push(segment.as_path_el());
+        }
         path.close_path();
         path
     }

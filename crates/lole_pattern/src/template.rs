@@ -4,11 +4,41 @@
 //! The options of a template are rows too. The document's keys, the forms of the window and the
 //! messages all read them, so that an option is written once.
 
+mod accessory;
+mod block;
+mod blouse;
+mod cellophane_skirt;
+mod chosen;
+mod fitted;
+mod hair_flower;
+mod holoku;
+mod ipu;
+mod kihei;
+mod kikepa;
+mod kupee;
+mod lei;
+mod lei_poo;
+mod making;
+mod malo;
+mod muumuu;
+mod pau_kahiko;
+mod pau_ruffle;
+mod pau_skirt;
+mod pau_top;
+mod puili;
+mod raffia_skirt;
+mod shape;
+mod sleeve;
+mod strands;
+mod ti_leaf_skirt;
+mod uliuli;
+mod yoke;
+
 use lole_language::Words;
 
 use crate::{DraftError, Measures, Pattern};
 
-/// A garment that can be drafted.
+/// A garment that can be drafted. Two are equal when their identifiers are.
 #[derive(Debug)]
 pub struct Template {
     /// Identifier without diacritics, as typed in a document.
@@ -74,6 +104,14 @@ pub struct Options {
     values: Vec<Option<f64>>,
 }
 
+impl PartialEq for Template {
+    fn eq(&self, other: &Self) -> bool {
+        self.id == other.id
+    }
+}
+
+impl Eq for Template {}
+
 impl Template {
     /// The template of this name.
     #[must_use]
@@ -118,4 +156,25 @@ impl Options {
 }
 
 /// Every template, in the order a menu shows them.
-pub const TEMPLATES: &[Template] = &[];
+pub const TEMPLATES: &[Template] = &[
+    pau_skirt::TEMPLATE,
+    pau_ruffle::TEMPLATE,
+    pau_kahiko::TEMPLATE,
+    pau_top::TEMPLATE,
+    blouse::TEMPLATE,
+    kikepa::TEMPLATE,
+    kihei::TEMPLATE,
+    malo::TEMPLATE,
+    muumuu::TEMPLATE,
+    holoku::TEMPLATE,
+    ti_leaf_skirt::TEMPLATE,
+    raffia_skirt::TEMPLATE,
+    cellophane_skirt::TEMPLATE,
+    lei::TEMPLATE,
+    lei_poo::TEMPLATE,
+    kupee::TEMPLATE,
+    hair_flower::TEMPLATE,
+    uliuli::TEMPLATE,
+    puili::TEMPLATE,
+    ipu::TEMPLATE,
+];

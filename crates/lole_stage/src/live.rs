@@ -527,11 +527,10 @@ fn needs_sewing(old: &Design, new: &Design) -> bool {
     let cut = |design: &Design| {
         // What is only drawn or woven otherwise needs no needle.
         let mut garments = design.garments.clone();
+        // What is only drafted needs none either.
+        garments.retain(GarmentDesign::is_danced);
         for garment in &mut garments {
-            let (fabric, print) = match garment {
-                GarmentDesign::PauSkirt(worn) => (&mut worn.fabric, &mut worn.print),
-                GarmentDesign::PauTop(worn) => (&mut worn.fabric, &mut worn.print),
-            };
+            let (fabric, print) = garment.cloth_mut();
             *fabric = FabricDesign::default();
             *print = PrintChoice::default();
         }

@@ -184,9 +184,11 @@ impl Wardrobe<'_> {
                 GarmentDesign::PauSkirt(worn) => {
                     let name = tailoring::file_name(garment);
                     let cut = (&worn.skirt, &worn.fabric);
-                    self.put_on_skirt((name, FOLD_COLUMNS), cut)
+                    self.put_on_skirt((&name, FOLD_COLUMNS), cut)
                 }
                 GarmentDesign::PauTop(worn) => self.put_on_top(worn),
+                // It is drafted and not danced: `Design::not_danced` says so.
+                GarmentDesign::Template(_) => Ok(()),
             };
             put_on.map_err(|error| StageError::Garment {
                 place: place + 1,

@@ -13,7 +13,7 @@ use lole_pattern::{DraftError, ElasticRatio, GatherRatio};
 use super::schema::Table;
 use super::{
     BodyShapes, Design, DesignError, FabricDesign, GarmentDesign, GarmentLayer, MotionDesign,
-    PartDesign, PrintChoice, Problem, SkirtDesign, WindDesign, WornTop, schema,
+    PartDesign, PrintChoice, Problem, SkirtDesign, WindDesign, WornTop, schema, template,
 };
 use crate::fabrics::{FabricFigures, si_fabric};
 
@@ -42,6 +42,10 @@ impl Design {
             match garment {
                 GarmentDesign::PauSkirt(worn) => check_keys(schema::WORN_SKIRT, worn, source)?,
                 GarmentDesign::PauTop(worn) => check_keys(schema::WORN_TOP, worn, source)?,
+                GarmentDesign::Template(worn) => {
+                    check_keys(schema::WORN_TEMPLATE, worn, source)?;
+                    template::check(worn, source)?;
+                }
             }
         }
         for (number, part) in (1..).zip(&self.motion.parts) {
@@ -74,18 +78,30 @@ impl Design {
             let sewable = match garment {
                 GarmentDesign::PauSkirt(worn) => worn.skirt.options(&worn.fabric).map(|_| ()),
                 GarmentDesign::PauTop(worn) => worn.options(Length::ZERO).map(|_| ()),
+                GarmentDesign::Template(_) => Ok(()),
             };
             sewable.map_err(|error| (schema::LIST, together(&error)))?;
         }
         self.check_prints()?;
-        if MOST_GARMENTS < self.garments.len() {
+        let danced = self.garments.iter().filter(|garment| garment.is_danced());
+        let danced_count = danced.count();
+        if MOST_LISTED < self.garments.len() {
+            let sentence = Sentence::new(
+                format!("服と小物は {MOST_LISTED} 点まで並べられます。減らしてください"),
+                format!(
+                    "at most {MOST_LISTED} garments and accessories are listed; leave some out"
+                ),
+            );
+            return Err((schema::LIST, Box::new(Problem::Together { sentence })));
+        }
+        if MOST_GARMENTS < danced_count {
             let sentence = Sentence::new(
                 format!("服は {MOST_GARMENTS} 枚まで重ねられます。減らしてください"),
                 format!("at most {MOST_GARMENTS} garments are worn with the skirt; leave some out"),
             );
             return Err((schema::LIST, Box::new(Problem::Together { sentence })));
         }
-        if !self.garments.is_empty() && self.method.name.integrator().is_some() {
+        if 0 < danced_count && self.method.name.integrator().is_some() {
             let sentence = Sentence::new(
                 "論文の方法は服 1 枚だけを動かします。name = \"xpbd\" にするか、[[garment]] を消してください"
                     .to_owned(),
@@ -178,16 +194,16 @@ impl Design {
         self.skirt.options(&self.fabric)
     }
 
-    /// What is worn in one layer, from the skin outward, each with its place in the list.
+    /// What is danced in one layer, from the skin outward, each with its place in the list.
     pub fn garments_in(
         &self,
         layer: GarmentLayer,
     ) -> impl Iterator<Item = (usize, &GarmentDesign)> {
         let listed = self.garments.iter().enumerate();
-        listed.filter(move |(_, garment)| garment.layer() == layer)
+        listed.filter(move |(_, garment)| garment.is_danced() && garment.layer() == layer)
     }
 
-    /// The fabrics of everything that is worn, from the skin outward.
+    /// The fabrics of everything that is danced, from the skin outward.
     #[must_use]
     pub fn worn_fabrics(&self) -> Vec<Fabric> {
         self.worn(&self.fabric, GarmentDesign::fabric)
@@ -195,7 +211,7 @@ impl Design {
             .collect()
     }
 
-    /// What is printed on everything that is worn, from the skin outward.
+    /// What is printed on everything that is danced, from the skin outward.
     #[must_use]
     pub fn worn_prints(&self) -> Vec<&PrintChoice> {
         self.worn(&self.print, GarmentDesign::print).collect()
@@ -303,8 +319,10 @@ fn decimal(value: f32) -> f64 {
     value.to_string().parse().unwrap_or(f64::from(value))
 }
 
-/// Garments that are worn with the skirt, at most.
+/// Garments that are danced with the skirt, at most.
 const MOST_GARMENTS: usize = 4;
+/// Garments and accessories that are listed, at most.
+const MOST_LISTED: usize = 24;
 
 /// Checks what a garment holds against its rows of the schema.
 fn check_keys<T>(tables: &[Table<T>], worn: &T, source: &str) -> Result<(), DesignError> {

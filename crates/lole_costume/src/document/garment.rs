@@ -1,7 +1,11 @@
 //! Garments that are worn with the skirt, in the units of the document.
 
-use super::schema::{GarmentKind, KINDS};
-use super::{FabricDesign, PrintChoice, SkirtDesign};
+use lole_language::{Sentence, Words};
+use lole_pattern::template::Template;
+use lole_pattern::{DraftError, Measures, Options, Pattern};
+
+use super::schema::KINDS;
+use super::{Design, FabricDesign, PrintChoice, SkirtDesign};
 use crate::fabrics::Preset;
 use crate::print::PrintMotif;
 
@@ -12,16 +16,35 @@ pub enum GarmentDesign {
     PauSkirt(WornSkirt),
     /// A pāʻū top.
     PauTop(WornTop),
+    /// A garment of the table of templates, which is drafted and not danced.
+    Template(WornTemplate),
 }
 
 impl GarmentDesign {
-    /// Its row in the table of kinds.
+    /// A garment of this kind, as the program would make it; `None` where there is no such kind.
     #[must_use]
-    pub fn kind(&self) -> &'static GarmentKind {
-        &KINDS[match self {
-            Self::PauSkirt(_) => 0,
-            Self::PauTop(_) => 1,
-        }]
+    pub fn of_kind(id: &str) -> Option<Self> {
+        let danced = KINDS.iter().find(|kind| kind.id == id);
+        danced.map(|kind| (kind.make)()).or_else(|| {
+            let template = Template::of_id(id)?;
+            Some(Self::Template(WornTemplate::new(template)))
+        })
+    }
+
+    /// Name of its kind in documents.
+    #[must_use]
+    pub fn kind_id(&self) -> &'static str {
+        match self {
+            Self::PauSkirt(_) => KINDS[0].id,
+            Self::PauTop(_) => KINDS[1].id,
+            Self::Template(worn) => worn.template.id,
+        }
+    }
+
+    /// Whether it is sewn and danced, and not only drafted.
+    #[must_use]
+    pub const fn is_danced(&self) -> bool {
+        !matches!(self, Self::Template(_))
     }
 
     /// Where it is worn.
@@ -30,6 +53,7 @@ impl GarmentDesign {
         match self {
             Self::PauSkirt(worn) => worn.layer,
             Self::PauTop(worn) => worn.layer,
+            Self::Template(worn) => worn.layer,
         }
     }
 
@@ -39,6 +63,7 @@ impl GarmentDesign {
         match self {
             Self::PauSkirt(worn) => &worn.fabric,
             Self::PauTop(worn) => &worn.fabric,
+            Self::Template(worn) => &worn.fabric,
         }
     }
 
@@ -48,7 +73,54 @@ impl GarmentDesign {
         match self {
             Self::PauSkirt(worn) => &worn.print,
             Self::PauTop(worn) => &worn.print,
+            Self::Template(worn) => &worn.print,
         }
+    }
+
+    /// Where it is worn, to be changed.
+    pub const fn layer_mut(&mut self) -> &mut GarmentLayer {
+        match self {
+            Self::PauSkirt(worn) => &mut worn.layer,
+            Self::PauTop(worn) => &mut worn.layer,
+            Self::Template(worn) => &mut worn.layer,
+        }
+    }
+
+    /// Its fabric and print, to be changed.
+    pub const fn cloth_mut(&mut self) -> (&mut FabricDesign, &mut PrintChoice) {
+        match self {
+            Self::PauSkirt(worn) => (&mut worn.fabric, &mut worn.print),
+            Self::PauTop(worn) => (&mut worn.fabric, &mut worn.print),
+            Self::Template(worn) => (&mut worn.fabric, &mut worn.print),
+        }
+    }
+}
+
+impl Design {
+    /// What is said of garments that are drafted and not danced; `None` where there are none.
+    #[must_use]
+    pub fn not_danced(&self) -> Option<Sentence> {
+        let mut names: Vec<Words> = Vec::new();
+        for garment in &self.garments {
+            if let GarmentDesign::Template(worn) = garment
+                && !names.contains(&worn.template.name)
+            {
+                names.push(worn.template.name);
+            }
+        }
+        let list = |name: fn(&Words) -> &'static str, comma: &str| {
+            names.iter().map(name).collect::<Vec<_>>().join(comma)
+        };
+        let (japanese, english) = (
+            list(|name| name.japanese, "、"),
+            list(|name| name.english, ", "),
+        );
+        (!names.is_empty()).then(|| {
+            Sentence::new(
+                format!("製図だけで、まだ踊りには出ない服や小物: {japanese}"),
+                format!("drafted for sewing and not danced yet: {english}"),
+            )
+        })
     }
 }
 
@@ -115,6 +187,43 @@ impl Default for WornTop {
             fabric: FabricDesign::default(),
             print: plain("red"),
         }
+    }
+}
+
+/// A garment of the table of templates.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WornTemplate {
+    /// Where it is worn.
+    pub layer: GarmentLayer,
+    /// What it is drafted by.
+    pub template: &'static Template,
+    /// What was decided, one value for each option of the template.
+    pub options: Options,
+    /// What it is cut from.
+    pub fabric: FabricDesign,
+    /// What is printed on it.
+    pub print: PrintChoice,
+}
+
+impl WornTemplate {
+    /// The garment as its template has it, in one color over the skirt.
+    #[must_use]
+    pub fn new(template: &'static Template) -> Self {
+        Self {
+            layer: GarmentLayer::Over,
+            template,
+            options: Options::of(template),
+            fabric: FabricDesign::default(),
+            print: plain([158, 16, 38]),
+        }
+    }
+
+    /// Drafts it.
+    ///
+    /// # Errors
+    /// Measures or options that it cannot be drafted from.
+    pub fn pattern(&self, measures: &Measures) -> Result<Pattern, DraftError> {
+        (self.template.draft)(measures, &self.options)
     }
 }
 

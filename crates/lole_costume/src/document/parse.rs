@@ -9,7 +9,10 @@ use toml::de::{DeTable, DeValue};
 
 use super::convert::part_place;
 use super::schema::{self, Key, Kind, Table, shortened};
-use super::{Design, DesignError, GarmentDesign, PartDesign, Problem, VERSION, likely, nearest};
+use super::{
+    Design, DesignError, GarmentDesign, PartDesign, Problem, VERSION, WornTemplate, likely,
+    nearest, template,
+};
 
 /// Largest text that is read [bytes]; a whole design is under two thousand.
 const SIZE_LIMIT: usize = 1 << 20;
@@ -319,6 +322,7 @@ impl Reader<'_> {
                 GarmentDesign::PauTop(worn) => {
                     self.read_garment(entries, schema::WORN_TOP, worn)?;
                 }
+                GarmentDesign::Template(worn) => self.read_template(entries, worn)?,
             }
             design.garments.push(read);
         }
@@ -332,7 +336,7 @@ impl Reader<'_> {
         (start, place): (usize, &str),
     ) -> Result<GarmentDesign, DesignError> {
         const WHAT: Words = words("服の種類", "kind of garment");
-        let ids: Vec<&str> = schema::KINDS.iter().map(|kind| kind.id).collect();
+        let ids = schema::kind_ids();
         let choices = ids.join(", ");
         let named = entries.iter().find(|(name, _)| name.get_ref() == "kind");
         let Some((_, value)) = named else {
@@ -354,8 +358,8 @@ impl Reader<'_> {
             );
             return Err(self.wrong_type(value, &place, wanted));
         };
-        match schema::KINDS.iter().find(|kind| kind.id == id) {
-            Some(kind) => Ok((kind.make)()),
+        match GarmentDesign::of_kind(id) {
+            Some(garment) => Ok(garment),
             None => {
                 let problem = Problem::UnknownName {
                     found: format!("\"{}\"", shortened(id)),
@@ -395,23 +399,71 @@ impl Reader<'_> {
         Ok(())
     }
 
+    /// Fills a garment of a template: its options by their rows, everything else as of any garment.
+    fn read_template(
+        &self,
+        entries: &DeTable<'_>,
+        worn: &mut WornTemplate,
+    ) -> Result<(), DesignError> {
+        let place = format!("[[{}]]", schema::LIST);
+        let [own, parts @ ..] = schema::WORN_TEMPLATE else {
+            return Ok(());
+        };
+        for (name, value) in in_text_order(entries) {
+            let key = name.get_ref().as_ref();
+            if key == "kind" {
+                continue;
+            }
+            if let Some(position) = worn.template.position(key) {
+                let row = &worn.template.options[position];
+                let read = template::read(row, value.get_ref(), &self.found(value.span()));
+                let read = read.map_err(|problem| {
+                    self.error(value.span().start, format!("{place} {key}"), problem)
+                })?;
+                worn.options.set(position, Some(read));
+            } else if let Some(part) = parts.iter().find(|part| part.name == key) {
+                let place = format!("[{}.{}]", schema::LIST, part.name);
+                for entry in in_text_order(self.entries(value, &place)?) {
+                    self.read_key((part.keys, &place), entry, worn)?;
+                }
+            } else if own.keys.iter().any(|row| row.name == key) {
+                self.read_key((own.keys, &place), (name, value), worn)?;
+            } else {
+                let own = own.keys.iter().map(|row| row.name);
+                let options = worn.template.options.iter().map(|row| row.key);
+                let names: Vec<_> = own.chain(options).collect();
+                return Err(self.unknown_key((name, &place), &names));
+            }
+        }
+        Ok(())
+    }
+
+    fn unknown_key(
+        &self,
+        (name, place): (&Spanned<toml::de::DeString<'_>>, &str),
+        names: &[&str],
+    ) -> DesignError {
+        let problem = unknown(
+            words("項目", "key"),
+            name.get_ref(),
+            names,
+            words("この表の項目は ", "the keys of this table are"),
+        );
+        let place = format!("{place} {}", shortened(name.get_ref()));
+        self.error(name.span().start, place, problem)
+    }
+
     fn read_key<T>(
         &self,
         (keys, place): (&[Key<T>], &str),
         (name, value): Entry<'_, '_>,
         into: &mut T,
     ) -> Result<(), DesignError> {
-        let place = format!("{place} {}", shortened(name.get_ref()));
         let Some(key) = keys.iter().find(|key| key.name == name.get_ref()) else {
             let names: Vec<_> = keys.iter().map(|key| key.name).collect();
-            let problem = unknown(
-                words("項目", "key"),
-                name.get_ref(),
-                &names,
-                words("この表の項目は ", "the keys of this table are"),
-            );
-            return Err(self.error(name.span().start, place, problem));
+            return Err(self.unknown_key((name, place), &names));
         };
+        let place = format!("{place} {}", shortened(name.get_ref()));
         fill(key, value.get_ref(), &self.found(value.span()), into)
             .map_err(|problem| self.error(value.span().start, place, problem))
     }
@@ -461,7 +513,7 @@ fn fill<T>(key: &Key<T>, value: &DeValue<'_>, found: &str, design: &mut T) -> Re
 }
 
 /// A number, whole or not; what no `f64` can hold becomes infinite and is then out of range.
-fn number(value: &DeValue<'_>) -> Option<f64> {
+pub(super) fn number(value: &DeValue<'_>) -> Option<f64> {
     match value {
         DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse().ok(),
         DeValue::Integer(integer) => {
@@ -474,7 +526,7 @@ fn number(value: &DeValue<'_>) -> Option<f64> {
 }
 
 /// A whole number that is not negative and fits.
-fn whole_number(integer: &toml::de::DeInteger<'_>) -> Option<u64> {
+pub(super) fn whole_number(integer: &toml::de::DeInteger<'_>) -> Option<u64> {
     u64::from_str_radix(integer.as_str(), integer.radix()).ok()
 }
 
@@ -502,7 +554,7 @@ fn unknown(what: Words, name: &str, names: &[&str], all: Words) -> Problem {
     Problem::Unknown { what, remedy }
 }
 
-const fn type_name(value: &DeValue<'_>) -> Words {
+pub(super) const fn type_name(value: &DeValue<'_>) -> Words {
     match value {
         DeValue::String(_) => words("文字", "a text"),
         DeValue::Integer(_) => words("整数", "a whole number"),

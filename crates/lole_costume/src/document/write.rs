@@ -4,9 +4,9 @@
 use std::fmt::Write as _;
 
 use super::schema::{
-    Key, Kind, LIST, MOTION_PARTS, PART_KEYS, TABLES, Table, WORN_SKIRT, WORN_TOP,
+    Key, Kind, LIST, MOTION_PARTS, PART_KEYS, TABLES, Table, WORN_SKIRT, WORN_TEMPLATE, WORN_TOP,
 };
-use super::{Design, GarmentDesign, VERSION};
+use super::{Design, GarmentDesign, VERSION, template};
 
 /// The canonical text of a design. Reading it back gives the same design, to the last bit.
 ///
@@ -27,18 +27,31 @@ pub fn to_toml(design: &Design) -> String {
     }
     for garment in &design.garments {
         match garment {
-            GarmentDesign::PauSkirt(worn) => write_garment(&mut text, garment, WORN_SKIRT, worn),
-            GarmentDesign::PauTop(worn) => write_garment(&mut text, garment, WORN_TOP, worn),
+            GarmentDesign::PauSkirt(worn) => {
+                write_garment(&mut text, (garment, Vec::new()), WORN_SKIRT, worn);
+            }
+            GarmentDesign::PauTop(worn) => {
+                write_garment(&mut text, (garment, Vec::new()), WORN_TOP, worn);
+            }
+            GarmentDesign::Template(worn) => {
+                let options = template::lines(worn.template, &worn.options);
+                write_garment(&mut text, (garment, options.collect()), WORN_TEMPLATE, worn);
+            }
         }
     }
     text
 }
 
-/// A garment: its own keys, then the tables of its parts.
-fn write_garment<T>(text: &mut String, garment: &GarmentDesign, tables: &[Table<T>], worn: &T) {
+/// A garment: its own keys and the lines of its options, then the tables of its parts.
+fn write_garment<T>(
+    text: &mut String,
+    (garment, options): (&GarmentDesign, Vec<String>),
+    tables: &[Table<T>],
+    worn: &T,
+) {
     let kind = format!(
         "kind = \"{}\"  # 服の種類; kind of garment\n",
-        garment.kind().id
+        garment.kind_id()
     );
     for table in tables {
         let (head, first) = if table.name == LIST {
@@ -47,6 +60,9 @@ fn write_garment<T>(text: &mut String, garment: &GarmentDesign, tables: &[Table<
             (format!("[{LIST}.{}]", table.name), "")
         };
         write_table(text, table, head, first, worn);
+        if table.name == LIST {
+            text.extend(options.iter().map(String::as_str));
+        }
     }
 }
 
@@ -93,7 +109,7 @@ fn value_text<T>(kind: &Kind<T>, design: &T) -> Option<String> {
 
 /// The shortest text that reads back as the same bits: whole numbers as people write them, others
 /// as Rust prints them (`{:?}` round-trips and is valid TOML).
-fn number_text(value: f64) -> String {
+pub(super) fn number_text(value: f64) -> String {
     let whole =
         value.fract() == 0.0 && value.abs() < 1.0e15 && !(value == 0.0 && value.is_sign_negative());
     if whole {

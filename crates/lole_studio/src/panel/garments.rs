@@ -10,7 +10,7 @@ use super::hindrance;
 use super::knob::{choice, sign_button, wide_button};
 use crate::{Studio, look, text};
 
-/// Garments beside the skirt that the document takes.
+/// Garments beside the skirt that are danced.
 const MOST: usize = 4;
 
 /// When a change of a garment is sent.
@@ -44,7 +44,11 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
             design.garments.remove(place);
         });
     }
-    if garments.len() < MOST {
+    if let Some(sentence) = studio.design().not_danced() {
+        ui.label(studio.tell(&sentence));
+    }
+    let danced = garments.iter().filter(|garment| garment.is_danced());
+    if danced.count() < MOST {
         add(ui, studio);
     }
 }
@@ -68,6 +72,7 @@ const fn name_of(garment: &GarmentDesign) -> Words {
         (GarmentDesign::PauSkirt(_), GarmentLayer::Under) => text::UNDERSKIRT,
         (GarmentDesign::PauSkirt(_), GarmentLayer::Over) => text::OVERSKIRT,
         (GarmentDesign::PauTop(_), _) => text::TOP,
+        (GarmentDesign::Template(worn), _) => worn.template.name,
     }
 }
 
@@ -78,15 +83,9 @@ fn garment_ui(ui: &mut Ui, studio: &mut Studio, place: usize, garment: &GarmentD
         (GarmentLayer::Over, studio.say(text::OVER_SKIRT)),
     ];
     if let Some(layer) = choice(ui, Some(garment.layer()), &layers) {
-        match &mut changed {
-            GarmentDesign::PauSkirt(worn) => worn.layer = layer,
-            GarmentDesign::PauTop(worn) => worn.layer = layer,
-        }
+        *changed.layer_mut() = layer;
     }
-    let (fabric, print) = match &mut changed {
-        GarmentDesign::PauSkirt(worn) => (&mut worn.fabric, &mut worn.print),
-        GarmentDesign::PauTop(worn) => (&mut worn.fabric, &mut worn.print),
-    };
+    let (fabric, print) = changed.cloth_mut();
     if let Some(chosen) = fabric_ui(ui, studio, place, fabric) {
         *fabric = chosen;
     }
@@ -140,6 +139,7 @@ fn cut_ui(ui: &mut Ui, studio: &Studio, garment: &mut GarmentDesign) -> bool {
                 top.hem_height_cm = Some(height);
             }
         }
+        GarmentDesign::Template(_) => {}
     }
     *garment != before
 }
@@ -164,6 +164,7 @@ fn is_kind(sewn: &Garment, garment: &GarmentDesign) -> bool {
         (GarmentDesign::PauSkirt(_), GarmentLayer::Under) => "pau_underskirt",
         (GarmentDesign::PauSkirt(_), GarmentLayer::Over) => "pau_overskirt",
         (GarmentDesign::PauTop(_), _) => "pau_top",
+        (GarmentDesign::Template(_), _) => return false,
     };
     sewn.name.starts_with(start)
 }

@@ -1,13 +1,14 @@
 //! The keys of garments that are worn with the skirt, by kind: a row of [`KINDS`] for each.
 
 use lole_language::{Words, words};
+use lole_pattern::TEMPLATES;
 
 use super::tables::MAX_SEED;
 use super::{Key, Kind, Table};
-use crate::document::{GarmentDesign, GarmentLayer, WornSkirt, WornTop};
+use crate::document::{GarmentDesign, GarmentLayer, WornSkirt, WornTemplate, WornTop};
 use crate::fabrics::{PRESETS, Preset};
 
-/// A kind of garment.
+/// A kind of garment that is danced.
 #[derive(Debug)]
 pub struct GarmentKind {
     /// Name in documents.
@@ -18,7 +19,7 @@ pub struct GarmentKind {
     pub make: fn() -> GarmentDesign,
 }
 
-/// Every kind of garment.
+/// Every kind of garment that is danced.
 pub const KINDS: &[GarmentKind] = &[
     GarmentKind {
         id: "pau-skirt",
@@ -34,6 +35,18 @@ pub const KINDS: &[GarmentKind] = &[
         make: || GarmentDesign::PauTop(WornTop::default()),
     },
 ];
+
+/// Names of every kind of garment: those that are danced, then the templates that are only drafted.
+#[must_use]
+pub fn kind_ids() -> Vec<&'static str> {
+    let mut ids: Vec<_> = KINDS.iter().map(|kind| kind.id).collect();
+    for template in TEMPLATES {
+        if !ids.contains(&template.id) {
+            ids.push(template.id);
+        }
+    }
+    ids
+}
 
 /// Name of the list of garments; their parts are named after it.
 pub const LIST: &str = "garment";
@@ -188,6 +201,28 @@ pub const WORN_TOP: &[Table<WornTop>] = &[
             ),
             seed!(top, "ギャザーの寄り方（乱数の種）", "chance of the gathers"),
         ],
+    },
+    Table {
+        name: "fabric",
+        about: FABRIC,
+        keys: fabric_keys!(),
+    },
+    Table {
+        name: "print",
+        about: PRINT,
+        keys: print_keys!(),
+    },
+];
+
+/// Tables of a garment of the table of templates, whose options stand in the first one after its keys.
+pub const WORN_TEMPLATE: &[Table<WornTemplate>] = &[
+    Table {
+        name: LIST,
+        about: words(
+            "型紙だけを作る服や小物",
+            "a garment or accessory that is drafted for sewing",
+        ),
+        keys: &[layer!()],
     },
     Table {
         name: "fabric",

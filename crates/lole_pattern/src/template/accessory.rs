@@ -1,0 +1,36 @@
+//! What accessories share: they take materials and hours rather than cloth.
+
+use lole_language::{Sentence, Words};
+
+use super::making::pattern;
+use crate::pattern::{Amount, Notion, NotionKind, Step};
+use crate::{Pattern, Piece};
+
+/// A pattern of these pieces, which may be none, whose figures are estimates.
+pub(super) fn accessory(
+    pieces: Vec<Piece>,
+    notions: Vec<Notion>,
+    steps: Vec<Step>,
+    estimate: Sentence,
+) -> Pattern {
+    pattern(pieces, Vec::new(), notions, steps).warn(estimate)
+}
+
+/// Something counted, with a sentence on it.
+pub(super) fn counted(name: Words, count: u32, note: Sentence) -> Notion {
+    Notion {
+        kind: NotionKind::Material,
+        name,
+        amount: Amount::Count(count),
+        note: Some(note),
+    }
+}
+
+/// A length of cord or ribbon.
+pub(super) fn cord(name: Words, meters: f64) -> Notion {
+    super::making::notion(
+        NotionKind::Cord,
+        name,
+        Amount::Length(lole_geom::Length::from_m(meters)),
+    )
+}

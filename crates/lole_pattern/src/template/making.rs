@@ -1,0 +1,207 @@
+//! Steps, seams, notions and times that garments share.
+//!
+//! Times are estimates: 3.5 minutes for each meter with a machine, pins and iron included, and two and
+//! a half meters an hour by hand, the middle of what makers of pāʻū skirts report.
+
+use lole_geom::Length;
+use lole_language::{Sentence, Words, words};
+
+use crate::pattern::{Amount, Figure, Notion, NotionKind, Pattern, Seam, SeamKind, SeamSide, Step};
+use crate::piece::{Finish, Piece};
+
+/// Minutes for a meter of stitches, with a machine and by hand.
+const MINUTES_PER_METER: [f64; 2] = [3.5, 24.0];
+/// Minutes that any step takes: reading, laying out, pressing.
+const MINUTES_OF_STEP: f64 = 3.0;
+/// Sewing thread over stitched length of a lockstitch, both threads and waste included.
+const THREAD_PER_STITCH: f64 = 3.0;
+
+/// A sentence in both languages from two format strings, Japanese first.
+macro_rules! say {
+    ($japanese:literal, $english:literal) => {
+        lole_language::Sentence::new(format!($japanese), format!($english))
+    };
+}
+pub(super) use say;
+
+/// Meters as centimeters, for a sentence.
+pub(super) fn cm(meters: f64) -> String {
+    let tenths = (meters * 1000.0).round() / 10.0;
+    format!("{tenths}")
+}
+
+/// Time for stitches of this length [m].
+pub(super) fn stitching(meters: f64) -> [f64; 2] {
+    MINUTES_PER_METER.map(|rate| MINUTES_OF_STEP + rate * meters)
+}
+
+/// A step.
+pub(super) const fn step(title: Words, by_machine: Sentence, minutes: [f64; 2]) -> Step {
+    Step {
+        title,
+        by_machine,
+        by_hand: None,
+        figure: Figure::None,
+        minutes,
+    }
+}
+
+impl Step {
+    pub(super) fn or_by_hand(mut self, sentence: Sentence) -> Self {
+        self.by_hand = Some(sentence);
+        self
+    }
+
+    pub(super) fn shown(mut self, figure: Figure) -> Self {
+        self.figure = figure;
+        self
+    }
+}
+
+/// A piece with some edges brought out.
+pub(super) fn edges_of(piece: usize, edges: &[usize]) -> Figure {
+    Figure::Piece {
+        piece,
+        edges: edges.to_vec(),
+        marks: Vec::new(),
+    }
+}
+
+/// A whole edge of a piece, walked as it is drawn.
+pub(super) const fn side(piece: usize, copy: u32, edge: usize) -> SeamSide {
+    SeamSide {
+        piece,
+        copy,
+        edge,
+        between: [0.0, 1.0],
+    }
+}
+
+impl SeamSide {
+    pub(super) const fn between(self, from: f64, to: f64) -> Self {
+        Self {
+            between: [from, to],
+            ..self
+        }
+    }
+
+    /// The same walked from its other end.
+    pub(super) const fn back(self) -> Self {
+        let [from, to] = self.between;
+        self.between(to, from)
+    }
+
+    const fn of_copy(self, copy: u32) -> Self {
+        Self { copy, ..self }
+    }
+
+    /// Its length along the stitching line [m].
+    pub(super) fn length(&self, pieces: &[Piece]) -> f64 {
+        let edge = &pieces[self.piece].edges[self.edge];
+        edge.length() * (self.between[1] - self.between[0]).abs()
+    }
+}
+
+pub(super) const fn plain(flat: SeamSide, full: SeamSide) -> Seam {
+    let kind = SeamKind::Plain;
+    Seam { flat, full, kind }
+}
+
+pub(super) const fn gathered(flat: SeamSide, full: SeamSide) -> Seam {
+    let kind = SeamKind::Gathered;
+    Seam { flat, full, kind }
+}
+
+pub(super) const fn eased(flat: SeamSide, full: SeamSide) -> Seam {
+    let kind = SeamKind::Eased;
+    Seam { flat, full, kind }
+}
+
+/// The seam on the wearer's left and the same one on her right.
+pub(super) fn both_sides(seam: Seam) -> [Seam; 2] {
+    [0, 1].map(|copy| Seam {
+        flat: seam.flat.of_copy(copy),
+        full: seam.full.of_copy(copy),
+        kind: seam.kind,
+    })
+}
+
+/// A notion.
+pub(super) const fn notion(kind: NotionKind, name: Words, amount: Amount) -> Notion {
+    Notion {
+        kind,
+        name,
+        amount,
+        note: None,
+    }
+}
+
+/// Elastic of `count` pieces of `cut` [m] each.
+pub(super) fn elastic(name: Words, count: u32, cut: f64) -> Notion {
+    let each = cm(cut);
+    Notion {
+        note: Some(say!("{each} cm を {count} 本", "{count} of {each} cm")),
+        ..notion(
+            NotionKind::Elastic,
+            name,
+            Amount::Length(Length::from_m(cut * f64::from(count))),
+        )
+    }
+}
+
+/// Edges of a piece that are sewn, as often as they are cut: once for stitching, and their allowance
+/// folded or neatened once more.
+fn stitched(piece: &Piece) -> f64 {
+    let halves = if piece.edges.iter().any(|edge| edge.finish == Finish::Fold) {
+        2.0
+    } else {
+        1.0
+    };
+    let edges = piece.edges.iter().map(|edge| match edge.finish {
+        // Half of the seam's own stitches, and neatening.
+        Finish::Seam => edge.length() * 1.5,
+        Finish::Hem => edge.length(),
+        Finish::Fold | Finish::Selvage | Finish::Raw => 0.0,
+    });
+    edges.sum::<f64>() * halves * f64::from(piece.cut.pieces())
+}
+
+/// Length of all stitches of these pieces [m], with two more rows along every gathered edge.
+pub(super) fn stitches(pieces: &[Piece], seams: &[Seam]) -> f64 {
+    let gathers = (seams.iter())
+        .filter(|seam| seam.kind == SeamKind::Gathered)
+        .map(|seam| 2.0 * seam.full.length(pieces));
+    pieces.iter().map(stitched).sum::<f64>() + gathers.sum::<f64>()
+}
+
+/// A pattern, its thread counted from its own edges and seams.
+pub(super) fn pattern(
+    pieces: Vec<Piece>,
+    seams: Vec<Seam>,
+    notions: Vec<Notion>,
+    steps: Vec<Step>,
+) -> Pattern {
+    let thread = stitches(&pieces, &seams) * THREAD_PER_STITCH;
+    let mut notions = notions;
+    if 0.0 < thread {
+        notions.push(notion(
+            NotionKind::Thread,
+            words("ミシン糸", "sewing thread"),
+            Amount::Length(Length::from_m(thread)),
+        ));
+    }
+    Pattern {
+        pieces,
+        seams,
+        notions,
+        steps,
+        warnings: Vec::new(),
+    }
+}
+
+impl Pattern {
+    pub(super) fn warn(mut self, sentence: Sentence) -> Self {
+        self.warnings.push(sentence);
+        self
+    }
+}

@@ -1,0 +1,305 @@
+//! The pāʻū skirt with a ruffle: a deep one above the elastic, a flounce at the hem, or a short second
+//! layer that falls from the band.
+//!
+//! Makers describe "a ruffle on top" and "a second, larger ruffle layer"; how deep and how full these are
+//! is an estimate and an option.
+
+use lole_geom::Length;
+use lole_language::words;
+
+use super::chosen::{Chosen, by_measure, choice, count, number};
+use super::making::{cm, edges_of, gathered, pattern, plain, say, side, step, stitching};
+use super::pau_skirt::{GATHERS, HEM, HEM_HEIGHT, UNKNOWN_WIDTH, WORN_HEIGHT, worn};
+use super::shape::{AROUND, CM, Label, across, beside, rectangle};
+use super::{Choice, OptionRow, Options, Template};
+use crate::design::pau_skirt::{PauDraft, PauOptions, draft_pau_skirt};
+use crate::pattern::{Figure, NotionKind, Seam, Step};
+use crate::piece::{CutCount, Finish, LineKind, Mark, Piece};
+use crate::{DraftError, GatherRatio, Measures, Pattern};
+
+pub(super) const TEMPLATE: Template = Template {
+    id: "pau-ruffle",
+    name: words("フリルのパウスカート", "pāʻū skirt with a ruffle"),
+    about: words(
+        "上、裾、または重ねのフリルが付いたパウスカート",
+        "a pāʻū skirt with a ruffle above the band, at the hem, or as a second layer",
+    ),
+    options: OPTIONS,
+    draft,
+};
+
+const PLACES: &[Choice] = &[
+    Choice {
+        id: "hem",
+        name: words("裾のフリル", "flounce at the hem"),
+    },
+    Choice {
+        id: "layer",
+        name: words("上に重なる短いフリル", "second layer from the band"),
+    },
+    Choice {
+        id: "header",
+        name: words("ゴムの上の深いフリル", "deep ruffle above the elastic"),
+    },
+];
+
+const OPTIONS: &[OptionRow] = &[
+    choice(
+        "ruffle",
+        PLACES,
+        words("フリルの場所", "where the ruffle is"),
+    ),
+    by_measure(
+        "ruffle_depth_cm",
+        [2.0, 60.0],
+        words(
+            "フリルの丈。書かなければ裾は 15、重ねは 25、上は 6",
+            "depth of the ruffle; left out: 15 at the hem, 25 as a layer, 6 above",
+        ),
+    ),
+    number(
+        "ruffle_ratio",
+        [1.0, 3.0],
+        1.5,
+        words(
+            "フリルの長さ÷付ける所の長さ",
+            "ruffle over what it is sewn to",
+        ),
+    ),
+    number("hem_height_cm", [0.0, 100.0], 22.0, HEM_HEIGHT),
+    by_measure("worn_height_cm", [40.0, 130.0], WORN_HEIGHT),
+    number("gather_ratio", [1.0, 5.0], 3.0, GATHERS),
+    count(
+        "elastic_row_count",
+        [1, 6],
+        3,
+        words("ゴムの段数", "rows of elastic"),
+    ),
+    number("hem_allowance_cm", [0.0, 30.0], 3.0, HEM),
+];
+
+/// Allowance of the seams [m].
+const SEAM: f64 = 1.0 * CM;
+/// Gathers are run this far inside the stitching line, in the allowance [m].
+const GATHER_INSET: f64 = -0.3 * CM;
+
+fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> {
+    let chosen = Chosen::new(OPTIONS, options)?;
+    let place = chosen.choice("ruffle");
+    let usual_depth = match place {
+        "hem" => 15.0,
+        "layer" => 25.0,
+        _ => 6.0,
+    };
+    let depth = chosen.m_or("ruffle_depth_cm", usual_depth * CM);
+    let m = |key| Length::from_m(chosen.m(key));
+    let usual = PauOptions::default();
+    let flounce = place == "hem";
+    let cut = PauOptions {
+        gather_ratio: GatherRatio::new(chosen.number("gather_ratio"))?,
+        hem_height: m("hem_height_cm") + Length::from_m(if flounce { depth } else { 0.0 }),
+        elastic_row_count: chosen.count("elastic_row_count"),
+        header: if place == "header" {
+            Length::from_m(depth)
+        } else {
+            usual.header
+        },
+        hem: if flounce {
+            Length::from_m(SEAM)
+        } else {
+            m("hem_allowance_cm")
+        },
+        fabric_width: UNKNOWN_WIDTH,
+        ..usual
+    };
+    let skirt = draft_pau_skirt(&worn(measures, &chosen)?, &cut)?;
+    let base = skirt.pattern(TEMPLATE.name);
+    if place == "header" {
+        return Ok(base);
+    }
+    let hem = chosen.m("hem_allowance_cm");
+    let ruffle = Ruffle::new(&skirt, (depth, chosen.number("ruffle_ratio"), hem), place);
+    let Pattern {
+        mut pieces,
+        seams: mut joined,
+        notions,
+        mut steps,
+        warnings,
+    } = base;
+    let notions = notions
+        .into_iter()
+        .filter(|one| one.kind != NotionKind::Thread);
+    joined.extend(ruffle.ring(1));
+    if flounce {
+        let panel = &mut pieces[0];
+        panel.edges[0].finish = Finish::Seam;
+        panel.marks.retain(|mark| {
+            !matches!(
+                mark,
+                Mark::Line {
+                    kind: LineKind::HemFold,
+                    ..
+                }
+            )
+        });
+        joined.extend(ruffle.on_hem(1));
+    } else {
+        let panel = &mut pieces[0];
+        // Just under the lowest elastic, so that the band stays smooth above it.
+        let lowest = skirt
+            .elastic_rows
+            .last()
+            .map_or(0.0, |row| row.from_fold.to_m());
+        let y = skirt.finished_length.to_m() - lowest - cut.casing.to_m();
+        panel.marks.push(across(
+            LineKind::Placement,
+            y,
+            [0.0, skirt.flat_length.to_m()],
+        ));
+    }
+    pieces.push(ruffle.piece());
+    steps.extend(ruffle.steps(place));
+    let mut pattern = pattern(pieces, joined, notions.collect(), steps);
+    pattern.warnings = warnings;
+    Ok(pattern.warn(say!(
+        "フリルの丈と寄せ方は目安です",
+        "depth and fullness of the ruffle are estimates"
+    )))
+}
+
+/// The ruffle: strips that are joined to a ring.
+#[derive(Debug, Clone, Copy)]
+struct Ruffle {
+    /// Strips.
+    count: u32,
+    /// Length of one strip and of the whole ring [m].
+    strip: f64,
+    ring: f64,
+    /// What it is sewn to [m].
+    flat: f64,
+    depth: f64,
+    hem: f64,
+    /// What becomes of its upper edge: a layer's is turned under and stitched onto the skirt.
+    top: Finish,
+}
+
+impl Ruffle {
+    /// Strips that are no longer than the skirt's own piece, so that the same cloth takes them.
+    fn new(skirt: &PauDraft, (depth, ratio, hem): (f64, f64, f64), place: &str) -> Self {
+        let flounce = place == "hem";
+        let flat = skirt.flat_length.to_m();
+        let mut count = 1;
+        while f64::from(count) < ratio - 1.0e-9 {
+            count += 1;
+        }
+        Self {
+            count,
+            strip: flat * ratio / f64::from(count),
+            ring: flat * ratio,
+            flat,
+            depth,
+            hem,
+            top: if flounce { Finish::Seam } else { Finish::Hem },
+        }
+    }
+
+    fn piece(&self) -> Piece {
+        let sides = [
+            ("hem", Finish::Hem, self.hem),
+            ("left_end", Finish::Seam, SEAM),
+            ("top", self.top, SEAM),
+            ("right_end", Finish::Seam, SEAM),
+        ];
+        let label = Label::main(
+            "ruffle",
+            words("フリル", "ruffle"),
+            CutCount::Alike(self.count),
+        );
+        let mut piece = rectangle(label, [self.strip, self.depth], sides, AROUND);
+        let top = &piece.edges[2];
+        let gathers = beside(LineKind::Gather, top, GATHER_INSET, [0.0, self.strip]);
+        piece.marks.push(gathers);
+        piece
+    }
+
+    /// Strip to strip, and the last one to the first.
+    fn ring(&self, piece: usize) -> Vec<Seam> {
+        (0..self.count)
+            .map(|copy| {
+                let next = (copy + 1) % self.count;
+                plain(side(piece, copy, 1), side(piece, next, 3).back())
+            })
+            .collect()
+    }
+
+    /// The upper edges to the lower edge of the skirt. That runs to the wearer's left, theirs back.
+    fn on_hem(&self, piece: usize) -> Vec<Seam> {
+        let share = 1.0 / f64::from(self.count);
+        (0..self.count)
+            .map(|copy| {
+                let from = f64::from(copy) * share;
+                let flat = side(0, 0, 0).between(from, (from + share).min(1.0));
+                let full = side(piece, copy, 2).back();
+                if self.ring <= self.flat * (1.0 + 1.0e-9) {
+                    plain(flat, full)
+                } else {
+                    gathered(flat, full)
+                }
+            })
+            .collect()
+    }
+
+    fn steps(&self, place: &str) -> Vec<Step> {
+        let [strip_cm, ring_cm, flat_cm, hem_cm] =
+            [self.strip + 2.0 * SEAM, self.ring, self.flat, self.hem].map(cm);
+        let height_cm = cm(self.depth + self.hem + SEAM);
+        let count = self.count;
+        let flounce = place == "hem";
+        let onto = if flounce {
+            say!(
+                "フリルの上端を {flat_cm} cm まで寄せ、スカートの下端と中表に合わせて縫います。縫い代は上へ倒します。",
+                "Gather the ruffle's upper edge to {flat_cm} cm and sew it to the skirt's lower edge, right sides together. Press the allowances up."
+            )
+        } else {
+            say!(
+                "フリルの上端の縫い代を裏へ折り、{flat_cm} cm まで寄せて、ゴムを通す前のスカートの付け位置に縫い付けます。",
+                "Fold the ruffle's upper allowance under, gather it to {flat_cm} cm and stitch it onto the placement line before the elastic is drawn in."
+            )
+        };
+        let figure = if flounce {
+            Figure::Seams(vec![1 + count as usize])
+        } else {
+            edges_of(1, &[2])
+        };
+        vec![
+            step(
+                words("フリルを裁って輪にする", "Cut the ruffle and close it"),
+                say!(
+                    "{strip_cm} cm × {height_cm} cm の布を {count} 枚裁ち、端どうしを縫って {ring_cm} cm の輪にします。",
+                    "Cut {count} of {strip_cm} cm by {height_cm} cm and join their ends to a ring of {ring_cm} cm."
+                ),
+                stitching(f64::from(self.count) * self.depth),
+            )
+            .shown(edges_of(1, &[1, 3])),
+            step(
+                words("フリルの裾を上げる", "Hem the ruffle"),
+                say!(
+                    "下端を {hem_cm} cm 折り上げて縫います。",
+                    "Turn up {hem_cm} cm at the lower edge and stitch."
+                ),
+                stitching(self.ring),
+            )
+            .shown(edges_of(1, &[0])),
+            step(
+                words("フリルを寄せて付ける", "Gather the ruffle and sew it on"),
+                onto,
+                stitching(2.0 * self.ring + self.flat),
+            )
+            .or_by_hand(say!(
+                "上端をぐし縫いで 2 本縫って寄せ、半返し縫いで付けます。",
+                "Run two rows of small stitches, pull them up, and sew with half back stitches."
+            ))
+            .shown(figure),
+        ]
+    }
+}
