@@ -121,13 +121,20 @@ impl Polygon {
     /// The same shape without corners that lie on the straight line between their neighbors.
     #[must_use]
     pub fn without_straight_corners(&self) -> Self {
-        let count = self.points.len();
-        let kept = (0..count).filter(|&index| {
-            let [before, at, after] =
-                [index + count - 1, index, index + 1].map(|neighbor| self.points[neighbor % count]);
-            STRAIGHT < distance_to_side([before, after], at)
-        });
-        Self::new(kept.map(|index| self.points[index]))
+        let Some(last) = self.points.last() else {
+            return self.clone();
+        };
+        let mut kept: Vec<Point> = Vec::new();
+        let after = self.points.iter().cycle().skip(1);
+        for (at, after) in self.points.iter().zip(after) {
+            // Seen from the last corner that stays: seen from its neighbor, a bend of many small
+            // corners would go corner by corner.
+            let before = kept.last().unwrap_or(last);
+            if STRAIGHT < distance_to_side([*before, *after], *at) {
+                kept.push(*at);
+            }
+        }
+        Self::new(kept)
     }
 
     /// The point inside that is farthest from all sides, to about a fiftieth of the smaller size: where a
@@ -166,8 +173,7 @@ impl Polygon {
     }
 }
 
-/// A corner that sticks out less is rounding [m]. Far below the bow of any flattened curve, because
-/// all corners of a curve would go.
+/// A corner that sticks out less is rounding [m].
 const STRAIGHT: f64 = 1.0e-9;
 
 /// Room that is larger by less is no larger.
