@@ -52,13 +52,6 @@ pub(crate) fn print_inspection(path: &Path, lines: &[Sentence], language: Langua
     }
 }
 
-/// Says what there is to say, line by line.
-pub(crate) fn print_lines(lines: &[Sentence], language: Language) {
-    for line in lines {
-        say!("  {}", line.text(language));
-    }
-}
-
 /// Says what a dancer measures, and how well her capsules stand for her.
 pub(crate) fn print_dancer(sheet: &DancerSheet, language: Language) {
     say!();

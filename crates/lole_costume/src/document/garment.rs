@@ -214,7 +214,7 @@ impl WornTemplate {
             template,
             options: Options::of(template),
             fabric: FabricDesign::default(),
-            print: plain([158, 16, 38]),
+            print: plain("red"),
         }
     }
 

@@ -256,6 +256,7 @@ impl GarmentDesign {
         match self {
             Self::PauSkirt(worn) => &mut worn.print,
             Self::PauTop(worn) => &mut worn.print,
+            Self::Template(worn) => &mut worn.print,
         }
     }
 }
