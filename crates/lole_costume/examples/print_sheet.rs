@@ -11,11 +11,13 @@
 
 use std::path::Path;
 
-use image::{RgbaImage, imageops};
+use image::codecs::png::{CompressionType, FilterType, PngEncoder};
+use image::{DynamicImage, RgbaImage, imageops};
 use lole_costume::print::{COLORWAYS, Colorway, MOTIFS, PrintDesign, draw};
 
-/// Pixels of one repeat.
+/// Pixels of one repeat, alone and in the overview.
 const SIDE: u32 = 400;
+const SMALL_SIDE: u32 = 220;
 /// Pixels between two prints of the overview, and prints in its rows.
 const GAP: u32 = 12;
 const COLUMNS: u32 = 5;
@@ -32,18 +34,19 @@ fn main() {
     }
 }
 
-fn repeat(design: &PrintDesign) -> RgbaImage {
-    let drawn = draw(design, SIDE);
+fn repeat(design: &PrintDesign, side: u32) -> RgbaImage {
+    let drawn = draw(design, side);
     RgbaImage::from_raw(drawn.width, drawn.height, drawn.pixels).unwrap()
 }
 
 fn sheets(folder: &Path, colors: &Colorway, seed: u64) {
     for row in MOTIFS {
-        let repeat = repeat(&PrintDesign {
+        let design = PrintDesign {
             motif: row.motif,
             seed,
             ..PrintDesign::in_colors(colors)
-        });
+        };
+        let repeat = repeat(&design, SIDE);
         let mut sheet = RgbaImage::new(3 * SIDE, 3 * SIDE);
         imageops::tile(&mut sheet, &repeat);
         sheet.save(folder.join(format!("{}.png", row.id))).unwrap();
@@ -53,19 +56,25 @@ fn sheets(folder: &Path, colors: &Colorway, seed: u64) {
 fn overview(file: &Path) {
     let place = |index: usize| {
         let index = u32::try_from(index).unwrap();
-        [index % COLUMNS, index / COLUMNS].map(|cell| GAP + cell * (SIDE + GAP))
+        [index % COLUMNS, index / COLUMNS].map(|cell| GAP + cell * (SMALL_SIDE + GAP))
     };
     let [_, last] = place(MOTIFS.len() - 1);
-    let size = [GAP + COLUMNS * (SIDE + GAP), last + SIDE + GAP];
+    let size = [GAP + COLUMNS * (SMALL_SIDE + GAP), last + SMALL_SIDE + GAP];
     let mut sheet = RgbaImage::from_pixel(size[0], size[1], image::Rgba([255; 4]));
     for (index, row) in MOTIFS.iter().enumerate() {
         let colors = &COLORWAYS[(7 * index + 2) % COLORWAYS.len()];
-        let drawn = repeat(&PrintDesign {
+        let design = PrintDesign {
             motif: row.motif,
             ..PrintDesign::in_colors(colors)
-        });
+        };
+        let drawn = repeat(&design, SMALL_SIDE);
         let [x, y] = place(index).map(i64::from);
         imageops::replace(&mut sheet, &drawn, x, y);
     }
-    sheet.save(file).unwrap();
+    let bytes = std::fs::File::create(file).unwrap();
+    let encoder = PngEncoder::new_with_quality(bytes, CompressionType::Best, FilterType::NoFilter);
+    DynamicImage::ImageRgba8(sheet)
+        .into_rgb8()
+        .write_with_encoder(encoder)
+        .unwrap();
 }
