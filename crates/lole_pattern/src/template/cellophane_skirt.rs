@@ -6,10 +6,9 @@ use lole_geom::Length;
 use lole_language::words;
 
 use super::chosen::{Chosen, by_measure, count, number};
-use super::making::{cm, notion, pattern, say};
+use super::making::{cm, notion, pattern, say, whole};
 use super::pau_skirt::WORN_HEIGHT;
 use super::strands::{Band, STRANDS_HEM, Worn};
-use super::ti_leaf_skirt::whole;
 use super::{OptionRow, Options, Template};
 use crate::pattern::{Amount, NotionKind};
 use crate::{DraftError, Measures, Pattern};

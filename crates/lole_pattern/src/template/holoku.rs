@@ -433,18 +433,7 @@ fn finish(
 
     let yoke_back = pieces[BACK_YOKE].edges[of(BACK_YOKE, "center_back")].length();
     let zip = yoke_back + (yokes[1].level - body.hip_y - ZIP_OVER_HIPS).max(10.0 * CM);
-    let notions = vec![
-        notion(
-            NotionKind::Fastener,
-            words("コンシールファスナー", "invisible zip"),
-            Amount::Length(Length::from_m(zip)),
-        ),
-        notion(
-            NotionKind::Fastener,
-            words("スプリングホック", "hook and eye"),
-            Amount::Count(1),
-        ),
-    ];
+    let notions = fasteners(zip);
     let hems = 2.0 * (pieces[FRONT].edges[0].length() + pieces[BACK].edges[0].length());
     let mut steps = vec![cutting_step(&pieces)];
     steps.extend(dart_step(FRONT, front_side, [0, 1]));
@@ -532,4 +521,19 @@ fn sleeve_step(sleeve: &Sleeve, seams: Vec<usize>) -> Step {
         stitching(2.0 * (sleeve.piece.edges[CAP].length() + 0.6)),
     )
     .shown(Figure::Seams(seams))
+}
+
+fn fasteners(zip: f64) -> Vec<crate::pattern::Notion> {
+    vec![
+        notion(
+            NotionKind::Fastener,
+            words("コンシールファスナー", "invisible zip"),
+            Amount::Length(Length::from_m(zip)),
+        ),
+        notion(
+            NotionKind::Fastener,
+            words("スプリングホック", "hook and eye"),
+            Amount::Count(1),
+        ),
+    ]
 }

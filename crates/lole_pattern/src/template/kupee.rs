@@ -7,9 +7,8 @@ use lole_language::words;
 
 use super::accessory::{accessory, cord, counted};
 use super::chosen::{Chosen, choice, number};
-use super::making::{cm, say, step};
+use super::making::{cm, say, step, whole};
 use super::shape::CM;
-use super::ti_leaf_skirt::whole;
 use super::{Choice, OptionRow, Options, Template};
 use crate::{DraftError, Measure, Measures, Pattern};
 

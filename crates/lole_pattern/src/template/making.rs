@@ -30,6 +30,16 @@ pub(super) fn cm(meters: f64) -> String {
     format!("{tenths}")
 }
 
+/// The next whole number.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "counts of things on a body: hundreds"
+)]
+pub(super) fn whole(count: f64) -> u32 {
+    (count - 1.0e-9).ceil().clamp(0.0, 1.0e6) as u32
+}
+
 /// Time for stitches of this length [m].
 pub(super) fn stitching(meters: f64) -> [f64; 2] {
     MINUTES_PER_METER.map(|rate| MINUTES_OF_STEP + rate * meters)

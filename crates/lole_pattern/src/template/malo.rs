@@ -78,7 +78,7 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
     let piece = rectangle(label, [length, width], sides, AROUND);
     let [cut_length, cut_width] = [length, width].map(|side| cm(side + 2.0 * hem));
     let [hem_cm, flap_cm, waist_cm] = [hem, flap, waist].map(cm);
-    let yards = (measures_yards(length) * 10.0).round() / 10.0;
+    let yards = (lole_geom::Length::from_m(length).to_yd() * 10.0).round() / 10.0;
     let steps = vec![
         step(
             words("布を裁つ", "Cut the strip"),
@@ -117,9 +117,4 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
             "the width of the malo is an estimate; learn from your kumu how it is girded"
         )),
     )
-}
-
-/// Meters as yards.
-fn measures_yards(meters: f64) -> f64 {
-    lole_geom::Length::from_m(meters).to_yd()
 }

@@ -397,15 +397,7 @@ fn finish(
         seams.extend(ruffle_seams(&pieces));
     }
     let arm = measures.upper_arm_girth.to_m() * ARM_ELASTIC;
-    let mut notions = vec![elastic(
-        words(
-            "6～8 mm 幅の平ゴム（袖口）",
-            "flat elastic of 6 to 8 mm, for the sleeves",
-        ),
-        2,
-        arm + 2.0 * CM,
-    )];
-    notions.extend((0.0 < slit).then(button));
+    let notions = notions(arm, slit);
     let mut steps = vec![cutting_step(&pieces)];
     steps.push(yoke_step(&pieces, of_yokes));
     let meters = 2.0 * pieces[FRONT].edges[1].length() + 4.0 * 0.12;
@@ -512,4 +504,17 @@ fn ruffle_step(pieces: &[Piece]) -> Step {
         stitching(4.0 * long + around),
     )
     .shown(shown(pieces, RUFFLE, &["top"]))
+}
+
+fn notions(arm: f64, slit: f64) -> Vec<Notion> {
+    let mut notions = vec![elastic(
+        words(
+            "6～8 mm 幅の平ゴム（袖口）",
+            "flat elastic of 6 to 8 mm, for the sleeves",
+        ),
+        2,
+        arm + 2.0 * CM,
+    )];
+    notions.extend((0.0 < slit).then(button));
+    notions
 }

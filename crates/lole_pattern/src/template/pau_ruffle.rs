@@ -86,11 +86,7 @@ const GATHER_INSET: f64 = -0.3 * CM;
 fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> {
     let chosen = Chosen::new(OPTIONS, options)?;
     let place = chosen.choice("ruffle");
-    let usual_depth = match place {
-        "hem" => 15.0,
-        "layer" => 25.0,
-        _ => 6.0,
-    };
+    let usual_depth = usual_depth_cm(place);
     let depth = chosen.m_or("ruffle_depth_cm", usual_depth * CM);
     let m = |key| Length::from_m(chosen.m(key));
     let usual = PauOptions::default();
@@ -301,5 +297,14 @@ impl Ruffle {
             ))
             .shown(figure),
         ]
+    }
+}
+
+/// Depth of a ruffle that was not decided [cm].
+fn usual_depth_cm(place: &str) -> f64 {
+    match place {
+        "hem" => 15.0,
+        "layer" => 25.0,
+        _ => 6.0,
     }
 }

@@ -7,8 +7,7 @@ use lole_language::words;
 
 use super::accessory::{accessory, counted};
 use super::chosen::{Chosen, count, number};
-use super::making::{cm, say, step};
-use super::ti_leaf_skirt::whole;
+use super::making::{cm, say, step, whole};
 use super::{OptionRow, Options, Template};
 use crate::{DraftError, Measures, Pattern};
 

@@ -6,11 +6,10 @@
 use lole_language::words;
 
 use super::chosen::{Chosen, by_measure, number};
-use super::making::{cm, notion, pattern, say};
+use super::making::{cm, notion, pattern, say, whole};
 use super::pau_skirt::WORN_HEIGHT;
 use super::shape::CM;
 use super::strands::{Band, STRANDS_HEM, Worn};
-use super::ti_leaf_skirt::whole;
 use super::{OptionRow, Options, Template};
 use crate::pattern::{Amount, NotionKind};
 use crate::{DraftError, Measures, Pattern};

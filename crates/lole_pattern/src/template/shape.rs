@@ -33,7 +33,7 @@ pub(super) fn length(segments: &[PathSeg]) -> f64 {
     segments.iter().map(|one| one.arclen(ACCURACY)).sum()
 }
 
-/// The point of a way at a distance from its beginning, and the direction there, of unit length.
+/// The point of a way at a distance from its beginning [m]; its end where it is shorter.
 pub(super) fn point_along(segments: &[PathSeg], distance: f64) -> Point {
     let mut left = distance;
     for segment in segments {

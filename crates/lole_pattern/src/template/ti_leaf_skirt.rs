@@ -8,7 +8,7 @@ use lole_geom::Length;
 use lole_language::words;
 
 use super::chosen::{Chosen, by_measure, number};
-use super::making::{cm, notion, pattern, say, step};
+use super::making::{cm, notion, pattern, say, step, whole};
 use super::pau_skirt::WORN_HEIGHT;
 use super::shape::CM;
 use super::strands::{STRANDS_HEM, Worn};
@@ -135,13 +135,3 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
 
 /// Cord that a braid of three takes up over its own length. Estimated.
 const BRAID_TAKE_UP: f64 = 1.3;
-
-/// The next whole number.
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "counts of things on a body: hundreds"
-)]
-pub(super) fn whole(count: f64) -> u32 {
-    (count - 1.0e-9).ceil().clamp(0.0, 1.0e6) as u32
-}

@@ -8,9 +8,8 @@ use lole_language::words;
 
 use super::accessory::{accessory, counted};
 use super::chosen::{Chosen, count, number};
-use super::making::{cm, edges_of, say, step, stitching};
+use super::making::{cm, edges_of, say, step, stitching, whole};
 use super::shape::{CM, DOWN, Label, at, curve, edge};
-use super::ti_leaf_skirt::whole;
 use super::{OptionRow, Options, Template};
 use crate::piece::{CutCount, Finish, Mark, Piece};
 use crate::{DraftError, Measures, Pattern};
