@@ -6,9 +6,11 @@ mod bench;
 mod dance;
 mod figures;
 mod inspect;
+mod order;
 mod output;
 mod patience;
 mod pattern;
+mod portrait;
 mod source;
 mod stopwatch;
 mod studio;
@@ -59,6 +61,10 @@ fn main() -> ExitCode {
         Asked::Window(document) => open_window(document, language),
         Asked::Command(Command::Dance(args)) => dance::run(&args, language),
         Asked::Command(Command::Pattern(args)) => pattern::run(&args, language),
+        Asked::Command(Command::Order(args)) => order::run_order(&args, language),
+        Asked::Command(Command::Booklet(args)) => order::run_booklet(&args, language),
+        Asked::Command(Command::Cost(args)) => order::run_cost(&args, language),
+        Asked::Command(Command::Form(args)) => order::run_form(&args, language),
         Asked::Command(Command::Study(args)) => study::run(&args, language),
         Asked::Command(Command::Validate(args)) => validate::run(&args, language),
         Asked::Command(Command::Bench(args)) => bench::run(&args, language),

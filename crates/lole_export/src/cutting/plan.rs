@@ -142,7 +142,7 @@ fn about(cut: &CutGarment, plan: &ClothPlan, language: Language) -> String {
 }
 
 /// The cloth with its pieces, as large as fits into `rect`.
-fn draw_marker(
+pub(crate) fn draw_marker(
     sheet: &mut Sheet,
     rect: Rect,
     cut: &CutGarment,
@@ -289,7 +289,7 @@ fn draw_measures(
     arrow(sheet, [from + below, to + below], &fine, true);
     let middle = from.midpoint(to);
     let along = match language {
-        Language::Japanese => format!("{}（縦地 ↔）", cm(marker.yardage.needed)),
+        Language::Japanese => format!("{}（縦地の向き）", cm(marker.yardage.needed)),
         Language::English => format!("{} along the warp", cm(marker.yardage.needed)),
     };
     sheet.text([middle.x, middle.y + 10.5], &along, &style, Align::Center);

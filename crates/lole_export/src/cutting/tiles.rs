@@ -510,8 +510,8 @@ fn draw_legend(sheet: &mut Sheet, [x, y]: [f64; 2], language: Language) {
         ),
         (
             Stroke::solid(0.35),
-            "↔ 布目（耳と平行）",
-            "↔ grain, along the selvage",
+            "←→ 布目（耳と平行）",
+            "←→ grain, along the selvage",
         ),
     ];
     let style = TextStyle::regular(9.5);
