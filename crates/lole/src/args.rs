@@ -26,6 +26,14 @@ pub(crate) enum Command {
     Dance(DanceArgs),
     /// Cut plans and patterns of a design: on paper at full size, as SVG and as DXF.
     Pattern(PatternArgs),
+    /// One design for a list of dancers: cut sizes, elastics, cloth to buy, cost, booklet, summary.
+    Order(OrderArgs),
+    /// The sewing booklet of a design as PDF: materials, cut plan, steps with drawings, cost.
+    Booklet(BookletArgs),
+    /// What a design costs by the prices in it, and which prices are missing.
+    Cost(CostArgs),
+    /// A form to write measurements on, as PDF.
+    Form(FormArgs),
     /// The paper's experiment with numbers: its integrators, their limits, its 13 capsules.
     Study(StudyArgs),
     /// The engine against closed forms: measured, reference, error, gate.
@@ -186,7 +194,91 @@ pub(crate) struct PatternArgs {
     pub(crate) json: bool,
 }
 
-/// Paper of `lole pattern`.
+/// `lole order`.
+#[derive(Debug, Args)]
+pub(crate) struct OrderArgs {
+    /// List of dancers from a spreadsheet (CSV): names and measurements.
+    pub(crate) roster: PathBuf,
+    /// Design document that all of them wear.
+    pub(crate) design: PathBuf,
+    /// Folder for the results; pictures of a stopped run are kept in it and used again.
+    #[arg(long, value_name = "DIR", default_value = "lole-order")]
+    pub(crate) out: PathBuf,
+    /// Spare cloth in percent of what is needed, 0 to 100.
+    #[arg(long, value_name = "PERCENT", default_value_t = 5.0, value_parser = percent, allow_negative_numbers = true)]
+    pub(crate) spare: f64,
+    /// Cloth on one bolt in meters, to see where one bolt ends and the next begins.
+    #[arg(long, value_name = "METERS", value_parser = bolt, allow_negative_numbers = true)]
+    pub(crate) bolt: Option<f64>,
+    /// Language of the pages: ja or en; otherwise the system's.
+    #[arg(long, value_enum)]
+    pub(crate) language: Option<PageLanguage>,
+    /// Paper of the printer: a4, a3 or letter.
+    #[arg(long, value_enum, default_value_t = PaperSize::A4)]
+    pub(crate) paper: PaperSize,
+    /// Leave out the pictures of the dancers: seconds instead of a minute.
+    #[arg(long)]
+    pub(crate) no_pictures: bool,
+    /// Print the order as JSON on standard output, and nothing else there.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// `lole booklet`.
+#[derive(Debug, Args)]
+pub(crate) struct BookletArgs {
+    /// Design document; without one, the built-in pāʻū skirt.
+    pub(crate) design: Option<PathBuf>,
+    /// File to write.
+    #[arg(long, value_name = "FILE", default_value = "booklet.pdf")]
+    pub(crate) out: PathBuf,
+    /// Language of the pages: ja or en; otherwise the system's.
+    #[arg(long, value_enum)]
+    pub(crate) language: Option<PageLanguage>,
+    /// Paper of the printer: a4, a3 or letter.
+    #[arg(long, value_enum, default_value_t = PaperSize::A4)]
+    pub(crate) paper: PaperSize,
+    /// Leave out the picture on the cover.
+    #[arg(long)]
+    pub(crate) no_pictures: bool,
+}
+
+/// `lole cost`.
+#[derive(Debug, Args)]
+pub(crate) struct CostArgs {
+    /// Design document; without one, the built-in pāʻū skirt.
+    pub(crate) design: Option<PathBuf>,
+    /// Print the bill as JSON.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// `lole form`.
+#[derive(Debug, Args)]
+pub(crate) struct FormArgs {
+    /// List of dancers (CSV) whose names are written in, one page each; an empty form without one.
+    pub(crate) roster: Option<PathBuf>,
+    /// File to write.
+    #[arg(long, value_name = "FILE", default_value = "form.pdf")]
+    pub(crate) out: PathBuf,
+    /// Language of the page: ja or en; otherwise the system's.
+    #[arg(long, value_enum)]
+    pub(crate) language: Option<PageLanguage>,
+    /// Paper of the printer: a4, a3 or letter.
+    #[arg(long, value_enum, default_value_t = PaperSize::A4)]
+    pub(crate) paper: PaperSize,
+}
+
+/// Language of pages.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum PageLanguage {
+    /// 日本語
+    Ja,
+    /// English
+    En,
+}
+
+/// Paper of printed pages.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum PaperSize {
     /// 210 × 297 mm.
@@ -314,6 +406,26 @@ fn tempo(text: &str) -> Result<f64, Sentence> {
             "give a number of counts per minute, such as 80",
         )
     })
+}
+
+fn percent(text: &str) -> Result<f64, Sentence> {
+    number(text, [0.0, 100.0], "5")
+}
+
+fn bolt(text: &str) -> Result<f64, Sentence> {
+    number(text, [1.0, 1000.0], "50")
+}
+
+fn number(text: &str, [min, max]: [f64; 2], such_as: &str) -> Result<f64, Sentence> {
+    let value = text.parse::<f64>().ok();
+    value
+        .filter(|value| (min..=max).contains(value))
+        .ok_or_else(|| {
+            Sentence::new(
+                format!("{min} から {max} までの数を書いてください（例: {such_as}）"),
+                format!("give a number from {min} to {max}, such as {such_as}"),
+            )
+        })
 }
 
 fn threads(text: &str) -> Result<u16, Sentence> {

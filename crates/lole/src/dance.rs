@@ -143,27 +143,6 @@ fn load(args: &DanceArgs) -> Result<Source, Failure> {
     Ok(source)
 }
 
-/// The design with the whole paths of the files that it names from `document`: it is written elsewhere.
-fn found_from_anywhere(design: &Design, document: Option<&Path>) -> Design {
-    let mut design = design.clone();
-    let Some(document) = document else {
-        return design;
-    };
-    let whole = |name: &mut String| {
-        if let Ok(path) = std::fs::canonicalize(document.with_file_name(name.as_str())) {
-            *name = path.to_string_lossy().into_owned();
-        }
-    };
-    let files = [&mut design.dancer.file, &mut design.motion.file];
-    for file in files.into_iter().flatten() {
-        whole(&mut file.name);
-    }
-    for file in design.prints_mut().filter_map(|print| print.file.as_mut()) {
-        whole(&mut file.name);
-    }
-    design
-}
-
 pub(crate) fn unknown(option: &str, word: &str, what: Words, choices: &[&str]) -> Failure {
     let list = choices.join(", ");
     let hint = match document::likely(word, choices) {
@@ -390,10 +369,7 @@ impl Run<'_> {
         }
         bar.inc(1);
         self.write_counts(performance, &mut output, &mut files)?;
-        let text = document::to_toml(&found_from_anywhere(
-            &self.design,
-            self.args.design.as_deref(),
-        ));
+        let text = document::to_toml(&self.design);
         files.add(
             &mut output,
             "design.lole",

@@ -8,9 +8,11 @@ mod dancer;
 mod fabric;
 mod figures;
 mod inspect;
+mod order;
 mod output;
 mod patience;
 mod pattern;
+mod portrait;
 mod source;
 mod stopwatch;
 mod studio;
@@ -62,6 +64,10 @@ fn main() -> ExitCode {
         Asked::Command(command) => match *command {
             Command::Dance(args) => dance::run(&args, language),
             Command::Pattern(args) => pattern::run(&args, language),
+            Command::Order(args) => order::run_order(&args, language),
+            Command::Booklet(args) => order::run_booklet(&args, language),
+            Command::Cost(args) => order::run_cost(&args, language),
+            Command::Form(args) => order::run_form(&args, language),
             Command::Study(args) => study::run(&args, language),
             Command::Validate(args) => validate::run(&args, language),
             Command::Bench(args) => bench::run(&args, language),

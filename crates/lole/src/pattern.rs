@@ -20,7 +20,7 @@ use crate::source::{self, Source};
 use crate::{Failure, summary};
 
 impl PaperSize {
-    const fn paper(self) -> Paper {
+    pub(crate) const fn paper(self) -> Paper {
         match self {
             Self::A4 => Paper::A4,
             Self::A3 => Paper::A3,

@@ -5,6 +5,7 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use lole_costume::cost::Bill;
 use lole_costume::document::DesignError;
 use lole_export::dancer_sheet::DancerSheet;
 use lole_export::report::{Remark, RunReport};
@@ -165,6 +166,23 @@ pub(crate) fn print_pattern(
     }
     for warning in warnings {
         say!("  ! {}", warning.text(language));
+    }
+}
+
+/// Says what a costume costs.
+pub(crate) fn print_bill(bill: &Bill, remarks: &[String], language: Language) {
+    for line in &bill.lines {
+        let sum = line.sum.map_or_else(
+            || language.pick("値段は?", "price?").to_owned(),
+            |sum| bill.currency.write(sum),
+        );
+        let (name, amount) = (line.name.text(language), line.amount.text(language));
+        say!("  {sum:>12}  {name}  {amount}");
+    }
+    let total = bill.currency.write(bill.total);
+    say!("  {total:>12}  {}", language.pick("合計", "total"));
+    for remark in remarks {
+        say!("  {remark}");
     }
 }
 

@@ -18,10 +18,10 @@ mod cells;
 mod columns;
 mod lengths;
 
-use lole_body::{Figure, Measure};
+use lole_body::{Figure, Measure, Measurements};
 use lole_language::{Bilingual, Sentence, Words};
 
-use crate::document::Design;
+use crate::document::{Design, GarmentDesign};
 use cells::{Record, Separator};
 use columns::{Column, Meaning};
 use lengths::{Reading, Unit};
@@ -206,7 +206,30 @@ impl RosterDancer {
             let given = tape.find(|(known, _)| *known == measure);
             *columns::field(&mut worn.dancer, measure) = given.map(|&(_, cm)| cm);
         }
+        let stature = |design: &Design| Some(Measurements::from_tape(&design.tape()).ok()?.stature);
+        if let (Some(own), Some(hers)) = (stature(design), stature(&worn)) {
+            follow_stature(&mut worn, hers.to_cm() / own.to_cm());
+        }
         worn
+    }
+}
+
+/// Moves the places where garments are worn up or down by a ratio of statures; hems stay.
+fn follow_stature(design: &mut Design, ratio: f64) {
+    let follow = |height: &mut Option<f64>| {
+        if let Some(cm) = height {
+            *cm *= ratio;
+        }
+    };
+    follow(&mut design.skirt.worn_height_cm);
+    for garment in &mut design.garments {
+        if let GarmentDesign::PauSkirt(worn) = garment {
+            follow(&mut worn.skirt.worn_height_cm);
+        }
+        if let GarmentDesign::PauTop(worn) = garment {
+            follow(&mut worn.top.upper_height_cm);
+            follow(&mut worn.top.lower_height_cm);
+        }
     }
 }
 

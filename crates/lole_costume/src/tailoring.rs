@@ -116,7 +116,7 @@ pub struct TailoringError {
     /// Its place in the design's list, from 1; `None` of the skirt that has no place there.
     pub place: Option<usize>,
     /// What is wrong.
-    pub error: DraftError,
+    pub error: Box<DraftError>,
 }
 
 impl Bilingual for TailoringError {
@@ -160,7 +160,7 @@ pub fn patterns_of(
             let pattern = pattern.map_err(|error| TailoringError {
                 garment: name,
                 place: Some(index + 1),
-                error,
+                error: Box::new(error),
             })?;
             let cloth = Cloth::of(garment.fabric(), garment.print());
             add(&file_name(garment), name, pattern, cloth);
@@ -171,7 +171,7 @@ pub fn patterns_of(
             let drafted = drafted.map_err(|error| TailoringError {
                 garment: name,
                 place: None,
-                error,
+                error: Box::new(error),
             })?;
             let cloth = Cloth::of(&design.fabric, &design.print);
             add(SKIRT, name, drafted.draft.pattern(name), cloth);

@@ -13,7 +13,7 @@
 //!
 //! Pieces are drawn as they are worn, `+y` up; pages have `y` down and are in millimeters.
 
-mod draw;
+pub(crate) mod draw;
 mod json;
 mod pieces_svg;
 mod plan;
@@ -27,6 +27,7 @@ use lole_pattern::piece::{ClothRole, CutCount, Piece};
 
 pub use json::pattern_json;
 pub use pieces_svg::pieces_svg;
+pub(crate) use plan::draw_marker;
 pub use plan::{cut_plan_sheets, cut_plan_svg};
 pub use ruler::ruler_sheets;
 pub use tiles::{TiledPattern, tiled_sheets};

@@ -3,6 +3,9 @@
 //! | File | Function |
 //! |---|---|
 //! | `dance.mp4` | [`video::Mp4Writer`]: H.264, one picture at a time |
+//! | `booklet.pdf` | [`booklet::booklet_sheets`]: how a costume is sewn, with drawings and cost |
+//! | `order.pdf`, `order.json` | [`order::order_sheets`], [`order::order_json`]: a group's costumes |
+//! | `form.pdf` | [`form::form_sheet`]: where to measure |
 //! | printed pages | [`pdf::Document`]: text, lines and pictures at true size |
 //! | cut plans, full-size patterns | [`cutting`]: PDF, SVG, JSON |
 //! | `pattern.dxf` | [`dxf::pattern_dxf`]: pieces for pattern software |
@@ -18,11 +21,14 @@
 //! It opens no file, reads no clock, and draws no picture of the dancer: pictures come in as
 //! pixels.
 
+pub mod booklet;
 pub mod cutting;
 pub mod dancer_sheet;
 pub mod dxf;
 pub mod error;
+pub mod form;
 pub mod glb;
+pub mod order;
 mod page;
 pub mod pdf;
 pub mod report;

@@ -168,6 +168,19 @@ fn a_design_is_worn_by_another_dancer_with_the_same_hem() {
     assert_eq!(worn.skirt, design.skirt);
 }
 
+/// A skirt worn at 88 cm by a dancer of 160 cm is worn at 96.8 cm by one of 176 cm; the hem stays.
+#[test]
+fn heights_on_the_body_follow_the_stature() {
+    let roster = read_text("name,hip,stature\na,96,176\n");
+    let mut design = Design::default();
+    design.dancer.stature_cm = Some(160.0);
+    design.skirt.worn_height_cm = Some(88.0);
+    let worn = roster.dancers[0].design(&design);
+    let height = worn.skirt.worn_height_cm.unwrap();
+    assert!((height - 96.8).abs() < 1e-9, "{height}");
+    assert_eq!(worn.skirt.hem_height_cm, design.skirt.hem_height_cm);
+}
+
 proptest! {
     #[test]
     fn no_bytes_make_it_panic(bytes in prop::collection::vec(any::<u8>(), 0..400)) {

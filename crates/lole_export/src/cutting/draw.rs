@@ -21,14 +21,14 @@ const ON_LINE: f64 = 1.0e-5;
 const STITCH: Color = Color(60, 60, 60);
 
 /// A closed outline on the page.
-pub(super) fn outline(polygon: &Polygon, page_from_piece: Affine) -> BezPath {
+pub(crate) fn outline(polygon: &Polygon, page_from_piece: Affine) -> BezPath {
     let mut path = line(&polygon.points, page_from_piece);
     path.close_path();
     path
 }
 
 /// A line through points on the page.
-pub(super) fn line(points: &[Point], page_from_piece: Affine) -> BezPath {
+pub(crate) fn line(points: &[Point], page_from_piece: Affine) -> BezPath {
     let mut path = BezPath::new();
     for (index, point) in points.iter().enumerate() {
         let at = page_from_piece * *point;
@@ -42,7 +42,7 @@ pub(super) fn line(points: &[Point], page_from_piece: Affine) -> BezPath {
 }
 
 /// A straight line with a head at both ends.
-pub(super) fn arrow(sheet: &mut Sheet, [tail, head]: [Point; 2], stroke: &Stroke) {
+pub(crate) fn arrow(sheet: &mut Sheet, [tail, head]: [Point; 2], stroke: &Stroke) {
     let mut path = BezPath::new();
     path.move_to(tail);
     path.line_to(head);

@@ -144,7 +144,7 @@ fn about(cut: &CutGarment, plan: &ClothPlan, language: Language) -> String {
 }
 
 /// The cloth with its pieces, as large as fits into `rect`.
-fn draw_marker(
+pub(crate) fn draw_marker(
     sheet: &mut Sheet,
     rect: Rect,
     cut: &CutGarment,

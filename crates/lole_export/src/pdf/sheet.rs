@@ -223,6 +223,18 @@ impl Picture {
         }
     }
 
+    /// A picture that is a JPEG already, of this width and height [pixel]; `None` of other bytes.
+    #[must_use]
+    pub fn of_jpeg(bytes: Vec<u8>, [width, height]: [u32; 2]) -> Option<Self> {
+        let is_jpeg = bytes.starts_with(&[0xff, 0xd8]) && bytes.ends_with(&[0xff, 0xd9]);
+        is_jpeg.then(|| Self {
+            width,
+            height,
+            bytes: Arc::new(bytes),
+            encoding: Encoding::Jpeg,
+        })
+    }
+
     const fn new(image: Image<'_>, bytes: Arc<Vec<u8>>, encoding: Encoding) -> Self {
         Self {
             width: image.width,

@@ -1,0 +1,319 @@
+//! `lole order`, `lole cost`, `lole booklet` and `lole form`: costumes for one dancer or a group, on
+//! paper.
+
+use std::path::Path;
+
+use lole_body::{Dancer, Measurements};
+use lole_costume::cost::{self, Bill};
+use lole_costume::document::{self, Design, Place};
+use lole_costume::order::{self, DancerPlan, Settings};
+use lole_costume::roster::{self, Roster, RowProblem};
+use lole_export::booklet::{Booklet, bill_remarks, booklet_sheets};
+use lole_export::form::form_sheet;
+use lole_export::order::{Order, bill_json, order_json, order_sheets};
+use lole_export::pdf::{Document, Paper, Sheet, printable};
+use lole_geom::Length;
+use lole_language::{Bilingual as _, Language, Sentence};
+use rayon::prelude::*;
+
+use crate::args::{BookletArgs, CostArgs, FormArgs, OrderArgs, PageLanguage};
+use crate::output::OutputFolder;
+use crate::patience::{progress_bar, stop_flag};
+use crate::portrait;
+use crate::source::{self, Source};
+use crate::{Failure, summary};
+
+impl PageLanguage {
+    /// The language that was asked for, else the system's.
+    fn of(asked: Option<Self>, system: Language) -> Language {
+        match asked {
+            None => system,
+            Some(Self::Ja) => Language::Japanese,
+            Some(Self::En) => Language::English,
+        }
+    }
+}
+
+/// Runs `lole order`.
+pub(crate) fn run_order(args: &OrderArgs, language: Language) -> Result<(), Failure> {
+    let stop = stop_flag().map_err(Failure::Run)?;
+    let pages = PageLanguage::of(args.language, language);
+    let source = source::read(Some(&args.design))?;
+    let list = read_roster(&args.roster)?;
+    let settings = Settings {
+        spare_ratio: args.spare / 100.0,
+        bolt_length: args.bolt.map(Length::from_m),
+    };
+    let mut output = OutputFolder::create(&args.out).map_err(Failure::Usage)?;
+    let group = Group::cut(&list, &source.design);
+    if group.plans.is_empty() {
+        let sentence =
+            group.problems.first().cloned().unwrap_or_else(|| {
+                Sentence::new("名簿に踊り手がいません", "the list has no dancers")
+            });
+        return Err(Failure::error(sentence));
+    }
+    let count = u32::try_from(group.plans.len()).unwrap_or(u32::MAX);
+    let bar = progress_bar(count, language.pick("着せる", "dressing"));
+    let pictures = if args.no_pictures {
+        vec![None; group.plans.len()]
+    } else {
+        portrait::group(&group.designs, &args.out, &stop, &bar)?
+    };
+    bar.finish_and_clear();
+    let bills: Vec<Bill> = (group.plans.iter())
+        .map(|plan| cost::bill(&source.design, plan))
+        .collect();
+    let prints = order::prints(&group.plans, &source.design, &settings);
+    let order = Order {
+        title: title(&source),
+        hem_height_cm: source.design.skirt.hem_height_cm,
+        plans: &group.plans,
+        pictures: &pictures,
+        prints: &prints,
+        notions: &order::notions(&group.plans),
+        bills: &bills,
+        total: &cost::sum(&bills, &source.design.cost),
+        problems: &group.problems,
+        settings: &settings,
+    };
+    let booklet = Booklet {
+        title: order.title.clone(),
+        plan: &group.plans[0],
+        bill: &bills[0],
+        cover: pictures.first().cloned().flatten(),
+        hem_height_cm: order.hem_height_cm,
+    };
+    let paper = args.paper.paper();
+    let sheets = order_sheets(&order, paper, pages);
+    write_pdf(&mut output, "order.pdf", (&order.title, sheets), pages)?;
+    let sheets = booklet_sheets(&booklet, paper, pages);
+    write_pdf(&mut output, "booklet.pdf", (&order.title, sheets), pages)?;
+    let json = order_json(&order, env!("CARGO_PKG_VERSION")).map_err(Failure::error)?;
+    output
+        .write("order.json", json.as_bytes())
+        .map_err(Failure::Run)?;
+    let paths = output.finish().map_err(Failure::Run)?;
+    if args.json {
+        summary::print_json(&json);
+    } else {
+        let mut lines = prints_lines(&order);
+        lines.extend(list.notes.iter().cloned());
+        summary::print_pattern(&paths, &lines, &[], language);
+    }
+    group.verdict(language)
+}
+
+/// A list of dancers, cut.
+struct Group {
+    plans: Vec<DancerPlan>,
+    designs: Vec<Design>,
+    problems: Vec<Sentence>,
+}
+
+impl Group {
+    /// Cuts the design for every dancer; whoever cannot be cut for is told and left out.
+    fn cut(list: &Roster, design: &Design) -> Self {
+        let cut: Vec<_> = (list.dancers.par_iter())
+            .map(|dancer| (dancer, order::plan(dancer, design)))
+            .collect();
+        let mut group = Self {
+            plans: Vec::new(),
+            designs: Vec::new(),
+            problems: list.problems.iter().map(RowProblem::sentence).collect(),
+        };
+        for (dancer, plan) in cut {
+            match plan {
+                Ok(plan) => {
+                    group.plans.push(plan);
+                    group.designs.push(dancer.design(design));
+                }
+                Err(error) => {
+                    let problem = RowProblem {
+                        line: dancer.line,
+                        column: None,
+                        what: Sentence::new(
+                            format!("{}: {}", dancer.name, error.japanese()),
+                            format!("{}: {error}", dancer.name),
+                        ),
+                    };
+                    group.problems.push(problem.sentence());
+                }
+            }
+        }
+        group
+    }
+
+    /// Done, or a failure that names the rows that were left out.
+    fn verdict(&self, language: Language) -> Result<(), Failure> {
+        if self.problems.is_empty() {
+            return Ok(());
+        }
+        let texts: Vec<String> = (self.problems.iter())
+            .map(|problem| problem.text(language))
+            .collect();
+        let count = texts.len();
+        let list = texts.join(" / ");
+        Err(Failure::error(Sentence::new(
+            format!("ほかの人の分は書き出しました。使えない行が {count} 件あります: {list}"),
+            format!("everybody else's files are written; {count} rows cannot be used: {list}"),
+        )))
+    }
+}
+
+fn read_roster(path: &Path) -> Result<Roster, Failure> {
+    let name = path.display();
+    let bytes = std::fs::read(path).map_err(|_| {
+        Failure::usage(Sentence::new(
+            format!("{name}: ファイルが読めません。場所と名前を確かめてください"),
+            format!("{name}: the file cannot be read; check the path"),
+        ))
+    })?;
+    roster::read(&bytes).map_err(|error| {
+        Failure::usage(Sentence::new(
+            format!("{name}: {}", error.japanese()),
+            format!("{name}: {error}"),
+        ))
+    })
+}
+
+/// What to buy of each print, in a line.
+fn prints_lines(order: &Order<'_>) -> Vec<Sentence> {
+    let prints = order.prints.iter();
+    prints
+        .map(|print| {
+            let (cloth, width) = (print.cloth, print.width.to_cm());
+            let (metric, yards) = (print.bought.metric.to_m(), print.bought.imperial.to_yd());
+            let count = order.plans.len();
+            Sentence::new(
+                format!("{count} 人分: {}、幅 {width:.0} cm、{metric:.1} m（{yards:.1} ヤード、予備を含む）", cloth.japanese),
+                format!("for {count}: {} of {width:.0} cm, {metric:.1} m ({yards:.1} yd), spare included", cloth.english),
+            )
+        })
+        .collect()
+}
+
+/// Name of the costume: that of its document.
+fn title(source: &Source) -> String {
+    let stem = Path::new(&source.name).file_stem();
+    let is_document = !source.text.is_empty();
+    match stem.filter(|_| is_document) {
+        Some(stem) => printable(&stem.to_string_lossy()),
+        None => "Pāʻū".to_owned(),
+    }
+}
+
+/// The plan of a design for its own dancer.
+fn own_plan(source: &Source) -> Result<DancerPlan, Failure> {
+    let located = |table, sentence| {
+        let place = Place { table, key: "" };
+        Failure::Usage(document::locate(&source.text, &source.name, place, sentence).into())
+    };
+    let design = &source.design;
+    let dancer = match &design.dancer.file {
+        Some(_) => lole_stage::dancer(design)
+            .map(|(dancer, _)| dancer)
+            .map_err(|error| located("dancer", Sentence::of(&error)))?,
+        None => Measurements::from_tape(&design.tape())
+            .and_then(|tape| Dancer::with_appearance(&tape, &design.appearance()))
+            .map_err(|error| located("dancer", Sentence::of(&error)))?,
+    };
+    order::plan_dancer("", design, &dancer).map_err(|error| located("skirt", Sentence::of(&error)))
+}
+
+/// Runs `lole cost`.
+pub(crate) fn run_cost(args: &CostArgs, language: Language) -> Result<(), Failure> {
+    let source = source::read(args.design.as_deref())?;
+    let plan = own_plan(&source)?;
+    let bill = cost::bill(&source.design, &plan);
+    if args.json {
+        summary::print_json(&bill_json(&bill).map_err(Failure::error)?);
+    } else {
+        summary::print_bill(&bill, &bill_remarks(&bill, language), language);
+    }
+    Ok(())
+}
+
+/// Runs `lole booklet`.
+pub(crate) fn run_booklet(args: &BookletArgs, language: Language) -> Result<(), Failure> {
+    let stop = stop_flag().map_err(Failure::Run)?;
+    let pages = PageLanguage::of(args.language, language);
+    let source = source::read(args.design.as_deref())?;
+    let plan = own_plan(&source)?;
+    let bill = cost::bill(&source.design, &plan);
+    let cover = if args.no_pictures {
+        None
+    } else {
+        Some(portrait::cover(&source.design, &stop)?)
+    };
+    let booklet = Booklet {
+        title: title(&source),
+        plan: &plan,
+        bill: &bill,
+        cover,
+        hem_height_cm: source.design.skirt.hem_height_cm,
+    };
+    let sheets = booklet_sheets(&booklet, args.paper.paper(), pages);
+    write_file(&args.out, (&booklet.title, sheets), pages, language)
+}
+
+/// Runs `lole form`.
+pub(crate) fn run_form(args: &FormArgs, language: Language) -> Result<(), Failure> {
+    let pages = PageLanguage::of(args.language, language);
+    let paper: Paper = args.paper.paper();
+    let sheets = match &args.roster {
+        None => vec![form_sheet(None, paper, pages)],
+        Some(path) => (read_roster(path)?.dancers.iter())
+            .map(|dancer| form_sheet(Some(&dancer.name), paper, pages))
+            .collect(),
+    };
+    let title = pages.pick("採寸表", "Measurement form");
+    write_file(&args.out, (title, sheets), pages, language)
+}
+
+fn pdf((title, sheets): (&str, Vec<Sheet>), pages: Language) -> Result<Vec<u8>, Failure> {
+    let document = Document {
+        title: title.to_owned(),
+        language: pages.pick("ja", "en"),
+        sheets,
+    };
+    document.to_bytes().map_err(Failure::error)
+}
+
+fn write_pdf(
+    output: &mut OutputFolder,
+    name: &str,
+    what: (&str, Vec<Sheet>),
+    pages: Language,
+) -> Result<(), Failure> {
+    let bytes = pdf(what, pages)?;
+    output.write(name, &bytes).map_err(Failure::Run)
+}
+
+/// Writes one file, whole or not at all.
+fn write_file(
+    path: &Path,
+    what: (&str, Vec<Sheet>),
+    pages: Language,
+    language: Language,
+) -> Result<(), Failure> {
+    let bytes = pdf(what, pages)?;
+    let folder = match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    let name = path
+        .file_name()
+        .map(|name| name.to_string_lossy().into_owned());
+    let name = name.ok_or_else(|| {
+        Failure::usage(Sentence::new(
+            "--out にはファイルの名前を書いてください（例: booklet.pdf）",
+            "--out needs the name of a file, such as booklet.pdf",
+        ))
+    })?;
+    let mut output = OutputFolder::create(folder).map_err(Failure::Usage)?;
+    output.write(&name, &bytes).map_err(Failure::Run)?;
+    let paths = output.finish().map_err(Failure::Run)?;
+    summary::print_pattern(&paths, &[], &[], language);
+    Ok(())
+}

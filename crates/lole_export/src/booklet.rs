@@ -1,0 +1,511 @@
+//! The sewing booklet: a costume on its dancer, what it takes, how it is cut and sewn, what it costs.
+//!
+//! Everything comes from the design itself: amounts from the patterns, drawings from the pieces,
+//! times and prices as they stand there. Letters are large, because those who sew are not all young.
+
+mod figures;
+mod style;
+
+use lole_body::Measure;
+use lole_costume::cost::Bill;
+use lole_costume::order::{DancerPlan, PlannedGarment};
+use lole_language::{Bilingual as _, Language};
+use lole_pattern::pattern::{Amount, Step};
+use lole_pattern::piece::ClothRole;
+
+use crate::cutting::{CutGarment, draw_marker};
+use crate::pdf::{
+    Align, Cell, Column, Flow, Margins, Paper, Picture, Rect, Sheet, Stroke, Table, TextStyle,
+};
+pub(crate) use style::{ACCENT, foot, head, rule, subhead};
+
+/// What a booklet is made of.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Booklet<'a> {
+    /// What the costume is called.
+    pub title: String,
+    /// Patterns and cut plans of the dancer on the cover.
+    pub plan: &'a DancerPlan,
+    /// What it costs.
+    pub bill: &'a Bill,
+    /// The costume on its dancer.
+    pub cover: Option<Picture>,
+    /// Height of the hem above the floor [cm].
+    pub hem_height_cm: f64,
+}
+
+/// The pages of a booklet, in one language.
+#[must_use]
+pub fn booklet_sheets(booklet: &Booklet<'_>, paper: Paper, language: Language) -> Vec<Sheet> {
+    let mut flow = Flow::new(paper.size_mm(), Margins::default());
+    cover(&mut flow, booklet, language);
+    flow.new_page();
+    materials(&mut flow, booklet.plan, language);
+    measures(&mut flow, booklet.plan, language);
+    for garment in &booklet.plan.garments {
+        flow.new_page();
+        cut_plans(&mut flow, garment, language);
+    }
+    for garment in &booklet.plan.garments {
+        flow.new_page();
+        steps(&mut flow, garment, language);
+    }
+    care(&mut flow, language);
+    costs(&mut flow, booklet.bill, language);
+    let title = booklet.title.clone();
+    flow.finish(|sheet, number, count| {
+        // The cover has no number.
+        if 1 < number {
+            foot(sheet, &title, number, count);
+        }
+    })
+}
+
+fn cover(flow: &mut Flow, booklet: &Booklet<'_>, language: Language) {
+    let width = flow.width();
+    flow.block(30.0, |sheet, rect| {
+        let middle = rect.x + 0.5 * rect.width;
+        let title = TextStyle::bold(30.0).with_color(ACCENT);
+        sheet.text(
+            [middle, rect.y + 16.0],
+            &booklet.title,
+            &title,
+            Align::Center,
+        );
+        let under = language.pick("縫い方の本", "A sewing booklet");
+        sheet.text(
+            [middle, rect.y + 27.0],
+            under,
+            &TextStyle::regular(16.0),
+            Align::Center,
+        );
+    });
+    flow.space(4.0);
+    let names: Vec<&str> = (booklet.plan.garments.iter())
+        .map(|garment| garment.tailored.name.text(language))
+        .collect();
+    let about = [
+        names.join(language.pick("・", ", ")),
+        format!(
+            "{}{}",
+            language.pick("踊り手: ", "Dancer: "),
+            booklet.plan.name
+        ),
+        format!(
+            "{}{:.0} cm",
+            language.pick("床から裾まで: ", "Hem above the floor: "),
+            booklet.hem_height_cm
+        ),
+        time_words(booklet, language),
+    ];
+    let text_height = 4.0 * TextStyle::regular(14.0).line_height() + 4.0;
+    let height = flow.left_over() - text_height - 2.0;
+    flow.block(height, |sheet, rect| match &booklet.cover {
+        Some(picture) => {
+            let shown = sheet.picture(rect, picture);
+            sheet.rect(shown, None, Some(Stroke::solid(0.3).with_color(ACCENT)));
+        }
+        None => rule(sheet, [rect.x, rect.y], width),
+    });
+    flow.space(4.0);
+    for line in about {
+        flow.block(TextStyle::regular(14.0).line_height(), |sheet, rect| {
+            let at = [rect.x + 0.5 * rect.width, rect.y + 6.0];
+            sheet.text(at, &line, &TextStyle::regular(14.0), Align::Center);
+        });
+    }
+}
+
+fn time_words(booklet: &Booklet<'_>, language: Language) -> String {
+    let minutes = |which: usize| -> f64 {
+        let garments = booklet.plan.garments.iter();
+        let steps = garments.flat_map(|garment| &garment.tailored.pattern.steps);
+        steps.map(|step| step.minutes[which]).sum()
+    };
+    let [machine, hand] = [0, 1].map(|which| hours(minutes(which), language));
+    match language {
+        Language::Japanese => format!("ミシンで約 {machine}、手縫いで約 {hand}（目安）"),
+        Language::English => format!("About {machine} with a machine, {hand} by hand (estimates)"),
+    }
+}
+
+/// "2.5 h", "40 min".
+fn hours(minutes: f64, language: Language) -> String {
+    if minutes < 60.0 {
+        let minutes = (minutes / 5.0).round() * 5.0;
+        return format!("{minutes:.0} {}", language.pick("分", "min"));
+    }
+    let hours = (minutes / 30.0).round() / 2.0;
+    format!("{hours} {}", language.pick("時間", "h"))
+}
+
+/// An amount as it is asked for in a shop.
+pub(crate) fn amount_words(amount: Amount, language: Language) -> String {
+    match amount {
+        Amount::Length(length) if length.to_m() < 3.0 => format!("{:.0} cm", length.to_cm().ceil()),
+        Amount::Length(length) => format!("{:.1} m", (length.to_m() * 10.0).ceil() / 10.0),
+        Amount::Count(count) => format!("{count} {}", language.pick("個", "pc")),
+        Amount::Mass(mass) => format!("{:.0} g", 1000.0 * mass),
+    }
+}
+
+fn materials(flow: &mut Flow, plan: &DancerPlan, language: Language) {
+    head(flow, language.pick("用意するもの", "What you need"));
+    for garment in &plan.garments {
+        subhead(flow, garment.tailored.name.text(language));
+        Table {
+            columns: vec![
+                Column::text("", 3.0),
+                Column::text("", 2.6),
+                Column::text("", 4.4),
+            ],
+            rows: material_rows(garment, language),
+            size_pt: 12.5,
+        }
+        .draw(flow);
+        flow.space(4.0);
+    }
+    let tools = language.pick(
+        "道具: ミシン（または手縫い針）、アイロン、長い定規、チャコ、布用のはさみ、まち針、ゴム通し。",
+        "Tools: a sewing machine (or hand needles), an iron, a long ruler, chalk, fabric scissors, pins, a bodkin.",
+    );
+    flow.paragraph(tools, &TextStyle::body());
+    flow.space(6.0);
+}
+
+fn material_rows(garment: &PlannedGarment, language: Language) -> Vec<Vec<Cell>> {
+    let tailored = &garment.tailored;
+    let mut rows: Vec<Vec<Cell>> = Vec::new();
+    for plan in &garment.plans {
+        let bought = plan.marker.yardage;
+        let (width, metric) = (plan.marker.cloth.width.to_cm(), bought.metric.to_m());
+        let (yards, mass) = (bought.imperial.to_yd(), plan.mass);
+        let name = match plan.role {
+            ClothRole::Main => tailored.cloth.name.text(language),
+            ClothRole::Contrast => language.pick("無地の布", "plain cloth"),
+            ClothRole::Lining => language.pick("裏布", "lining"),
+            ClothRole::Interfacing => language.pick("芯地", "interfacing"),
+        };
+        rows.push(vec![
+            Cell::bold(name),
+            match language {
+                Language::Japanese => format!("{metric:.1} m（{yards:.1} ヤード）").into(),
+                Language::English => format!("{yards:.1} yd or {metric:.1} m").into(),
+            },
+            match language {
+                Language::Japanese => format!("布幅 {width:.0} cm、およそ {mass:.2} kg").into(),
+                Language::English => format!("{width:.0} cm wide, about {mass:.2} kg").into(),
+            },
+        ]);
+    }
+    let elastics = garment.elastics();
+    for (length, count) in &elastics {
+        let (each, all) = (length.to_cm(), length.to_m() * f64::from(*count));
+        rows.push(vec![
+            Cell::bold(language.pick("平ゴム（8～10 mm 幅）", "Flat elastic, 8 to 10 mm")),
+            format!("{all:.2} m").into(),
+            match language {
+                Language::Japanese => format!("{each:.1} cm を {count} 本（重なりを含む）").into(),
+                Language::English => format!("{count} × {each:.1} cm, overlap included").into(),
+            },
+        ]);
+    }
+    for notion in &tailored.pattern.notions {
+        if notion.kind == lole_pattern::pattern::NotionKind::Elastic {
+            continue;
+        }
+        let note = notion.note.as_ref();
+        rows.push(vec![
+            Cell::bold(notion.name.text(language)),
+            amount_words(notion.amount, language).into(),
+            note.map_or_else(String::new, |note| note.text(language))
+                .into(),
+        ]);
+    }
+    rows
+}
+
+fn measures(flow: &mut Flow, plan: &DancerPlan, language: Language) {
+    let table = measure_table(plan, language);
+    flow.keep(table.height(flow.width()) + 26.0);
+    head(flow, language.pick("寸法", "Measurements"));
+    table.draw(flow);
+    flow.space(2.0);
+    flow.paragraph(
+        language.pick(
+            "「推定」は測っていない寸法です。縫う前に測れるものは測ってください。",
+            "Measurements marked as estimated were not taken; take them if you can before you sew.",
+        ),
+        &TextStyle::regular(11.5),
+    );
+}
+
+/// The tape in centimeters and inches.
+fn measure_table(plan: &DancerPlan, language: Language) -> Table {
+    let wanted = [
+        Measure::Stature,
+        Measure::Bust,
+        Measure::Waist,
+        Measure::HighHip,
+        Measure::Hip,
+        Measure::Inseam,
+        Measure::WaistHeight,
+    ];
+    let taped = plan
+        .tape_cm
+        .iter()
+        .filter(|(measure, _)| wanted.contains(measure));
+    let rows = taped
+        .map(|&(measure, cm)| {
+            let is_estimated = plan.estimated.contains(&measure);
+            let how = if is_estimated {
+                language.pick("推定", "estimated")
+            } else {
+                language.pick("実測", "measured")
+            };
+            vec![
+                Cell::bold(measure.words().text(language)),
+                format!("{cm:.1} cm").into(),
+                format!("{:.1} in", cm / 2.54).into(),
+                how.into(),
+            ]
+        })
+        .collect();
+    Table {
+        columns: vec![
+            Column::text("", 4.0),
+            Column::number("", 2.0),
+            Column::number("", 2.0),
+            Column::text("", 2.0),
+        ],
+        rows,
+        size_pt: 12.5,
+    }
+}
+
+fn cut_plans(flow: &mut Flow, garment: &PlannedGarment, language: Language) {
+    let name = garment.tailored.name.text(language);
+    let title = match language {
+        Language::Japanese => format!("裁ち方: {name}"),
+        Language::English => format!("Cutting: {name}"),
+    };
+    head(flow, &title);
+    let cut = CutGarment {
+        garment: garment.tailored.clone(),
+        plans: garment.plans.clone(),
+    };
+    for plan in &garment.plans {
+        let aspect = plan.marker.cloth.width.to_m() / plan.marker.yardage.needed.to_m().max(0.01);
+        let height = (aspect * flow.width() + 34.0).clamp(60.0, 130.0);
+        flow.block(height, |sheet, rect| {
+            draw_marker(sheet, rect, &cut, &plan.marker, language);
+        });
+        for warning in &plan.marker.warnings {
+            flow.paragraph(
+                &format!("! {}", warning.text(language)),
+                &TextStyle::bold(12.5),
+            );
+        }
+    }
+    for warning in &garment.tailored.pattern.warnings {
+        flow.paragraph(
+            &format!("! {}", warning.text(language)),
+            &TextStyle::bold(12.5),
+        );
+    }
+    for (piece, [along, across], count) in garment.rectangles() {
+        let (along, across) = (along.to_cm(), across.to_cm());
+        let text = match language {
+            Language::Japanese => format!(
+                "{}: みみに沿って {along:.1} cm × みみと直角に {across:.1} cm を {count} 枚（縫い代を含む）。",
+                piece.japanese
+            ),
+            Language::English => format!(
+                "{}: {along:.1} cm along the selvage by {across:.1} cm across, cut {count} (seam allowances included).",
+                piece.english
+            ),
+        };
+        flow.paragraph(&text, &TextStyle::body());
+    }
+    flow.space(6.0);
+}
+
+fn steps(flow: &mut Flow, garment: &PlannedGarment, language: Language) {
+    let pattern = &garment.tailored.pattern;
+    if pattern.steps.is_empty() {
+        return;
+    }
+    let name = garment.tailored.name.text(language);
+    let title = match language {
+        Language::Japanese => format!("縫い方: {name}"),
+        Language::English => format!("Sewing: {name}"),
+    };
+    head(flow, &title);
+    for (number, step) in (1..).zip(&pattern.steps) {
+        let figure = figures::height(&step.figure);
+        flow.keep(figure + step_height(step, flow.width(), language));
+        step_title(flow, number, step, language);
+        if 0.0 < figure {
+            flow.block(figure, |sheet, rect| {
+                figures::draw(sheet, rect, pattern, &step.figure, language);
+            });
+            flow.space(2.0);
+        }
+        flow.indented(11.0, &step.by_machine.text(language), &TextStyle::body());
+        if let Some(by_hand) = &step.by_hand {
+            let label = language.pick("手縫いなら: ", "By hand: ");
+            let text = format!("{label}{}", by_hand.text(language));
+            flow.indented(11.0, &text, &TextStyle::body().with_color(ACCENT));
+        }
+        flow.space(7.0);
+    }
+}
+
+/// Height of a step without its drawing [mm].
+fn step_height(step: &Step, width: f64, language: Language) -> f64 {
+    let style = TextStyle::body();
+    let lines = |text: &str| {
+        let count = style.wrap(text, width - 11.0).len();
+        f64::from(u32::try_from(count).unwrap_or(u32::MAX)) * style.line_height()
+    };
+    let by_hand = step.by_hand.as_ref();
+    let by_hand = by_hand.map_or(0.0, |text| {
+        lines(&text.text(language)) + style.line_height()
+    });
+    12.0 + lines(&step.by_machine.text(language)) + by_hand
+}
+
+fn step_title(flow: &mut Flow, number: u32, step: &Step, language: Language) {
+    let [machine, hand] = step.minutes.map(|minutes| hours(minutes, language));
+    let time = if machine == hand {
+        machine
+    } else {
+        match language {
+            Language::Japanese => format!("{machine}（手縫い {hand}）"),
+            Language::English => format!("{machine} ({hand} by hand)"),
+        }
+    };
+    flow.block(10.0, |sheet, rect| {
+        style::number(sheet, [rect.x + 4.0, rect.y + 4.5], number);
+        let style = TextStyle::bold(15.0);
+        sheet.text(
+            [rect.x + 11.0, rect.y + 6.4],
+            step.title.text(language),
+            &style,
+            Align::Left,
+        );
+        let small = TextStyle::regular(11.0);
+        sheet.text(
+            [rect.x + rect.width, rect.y + 6.2],
+            &time,
+            &small,
+            Align::Right,
+        );
+    });
+}
+
+fn care(flow: &mut Flow, language: Language) {
+    flow.keep(60.0);
+    flow.space(4.0);
+    head(flow, language.pick("手入れ", "Care"));
+    let lines = language.pick(
+        "ネットに入れて、ぬるま湯か水で手洗い、または洗濯機の弱いコースで洗います。濃い色は分けて洗います。\nギャザーをのばさないように、ゴムのところを持ってつるし、日陰に干します。\nアイロンは布の表示にしたがい、ゴムの上は避けます。\nゴムは伸びたら、縫い目の口をほどいて取り替えます。",
+        "Wash in a net, by hand or on a gentle cycle, in cool or lukewarm water. Wash dark colors apart.\nHang by the elastics in the shade, so that the gathers keep their shape.\nIron as the cloth's label says, and not over the elastic.\nWhen an elastic gets loose, open its gap in the seam and replace it.",
+    );
+    for line in lines.split('\n') {
+        flow.item("•", 6.0, line, &TextStyle::body());
+    }
+}
+
+fn costs(flow: &mut Flow, bill: &Bill, language: Language) {
+    let table = bill_table(bill, language);
+    flow.keep(table.height(flow.width()) + 40.0);
+    flow.space(6.0);
+    head(flow, language.pick("費用", "Cost"));
+    table.draw(flow);
+    flow.space(3.0);
+    for line in bill_remarks(bill, language) {
+        flow.paragraph(&line, &TextStyle::body());
+    }
+}
+
+/// A bill with its total.
+pub(crate) fn bill_table(bill: &Bill, language: Language) -> Table {
+    let currency = bill.currency;
+    let unknown = || language.pick("値段は?", "price?").to_owned();
+    let mut rows: Vec<Vec<Cell>> = (bill.lines.iter())
+        .map(|line| {
+            let sum = line.sum.map_or_else(unknown, |sum| currency.write(sum));
+            vec![
+                Cell::bold(line.name.text(language)),
+                line.amount.text(language).into(),
+                sum.into(),
+            ]
+        })
+        .collect();
+    let total = if bill.is_complete() {
+        language.pick("合計", "Total")
+    } else {
+        language.pick("わかっている分の合計", "Total of what is known")
+    };
+    rows.push(vec![
+        Cell::bold(total),
+        "".into(),
+        Cell::bold(currency.write(bill.total)),
+    ]);
+    Table {
+        columns: vec![
+            Column::text("", 4.5),
+            Column::text("", 3.0),
+            Column::number("", 2.5),
+        ],
+        rows,
+        size_pt: 12.5,
+    }
+}
+
+/// What is to be said below a bill: prices that are asked for, and the comparison with buying.
+#[must_use]
+pub fn bill_remarks(bill: &Bill, language: Language) -> Vec<String> {
+    let mut remarks = Vec::new();
+    let keys = bill.asked_for();
+    if !keys.is_empty() {
+        let keys = keys.join(language.pick("、", ", "));
+        remarks.push(match language {
+            Language::Japanese => format!("店で値段を見て、デザインの文書に書いてください: {keys}"),
+            Language::English => {
+                format!("Ask for these prices in a shop and write them into the design: {keys}")
+            }
+        });
+    }
+    if let (Some(bought), Some(saving)) = (bill.bought, bill.saving()) {
+        let (bought, difference) = (
+            bill.currency.write(bought),
+            bill.currency.write(saving.abs()),
+        );
+        remarks.push(match (language, 0.0 <= saving) {
+            (Language::Japanese, true) => {
+                format!("買うと {bought}。縫うと {difference} 安くなります。")
+            }
+            (Language::Japanese, false) => {
+                format!("買うと {bought}。縫うほうが {difference} 高くなります。")
+            }
+            (Language::English, true) => {
+                format!("Bought ready it costs {bought}: sewing saves {difference}.")
+            }
+            (Language::English, false) => {
+                format!("Bought ready it costs {bought}: sewing costs {difference} more.")
+            }
+        });
+    }
+    remarks
+}
+
+/// A place for the figures of steps, in the middle of a page.
+pub(crate) const fn middle(rect: Rect, width: f64) -> Rect {
+    Rect {
+        x: rect.x + 0.5 * (rect.width - width),
+        width,
+        ..rect
+    }
+}

@@ -1,0 +1,491 @@
+//! Drawings of the sewing steps, from the pieces themselves.
+//!
+//! Long pieces are drawn shorter than they are, so that what matters can be seen; sections show cloth
+//! layer on layer with gaps between the layers.
+
+use kurbo::{Affine, BezPath, Point, Shape as _};
+use lole_language::Language;
+use lole_pattern::pattern::{Figure, Pattern, Seam};
+use lole_pattern::piece::{Finish, LineKind, Mark, Piece};
+
+use super::middle;
+use super::style::{ACCENT, CLOTH, INSIDE, SEWN};
+use crate::cutting::draw::{arrow, line, outline};
+use crate::pdf::{Align, Color, Rect, Sheet, Stroke, TextStyle};
+
+/// Letters in drawings.
+const LABEL: TextStyle = TextStyle::regular(11.0);
+
+/// Height of the drawing of a step [mm]; 0 for none.
+pub(super) const fn height(figure: &Figure) -> f64 {
+    match figure {
+        Figure::None => 0.0,
+        Figure::Piece { .. } => 62.0,
+        Figure::Seams(_) => 52.0,
+        Figure::Section { .. } => 66.0,
+    }
+}
+
+/// Draws a figure into its place.
+pub(super) fn draw(
+    sheet: &mut Sheet,
+    rect: Rect,
+    pattern: &Pattern,
+    figure: &Figure,
+    language: Language,
+) {
+    match figure {
+        Figure::None => {}
+        Figure::Piece {
+            piece,
+            edges,
+            marks,
+        } => {
+            if let Some(piece) = pattern.pieces.get(*piece) {
+                draw_piece(sheet, rect, piece, (edges, marks), language);
+            }
+        }
+        Figure::Seams(seams) => {
+            let seams = seams.iter().filter_map(|&seam| pattern.seams.get(seam));
+            if let Some(seam) = seams.into_iter().next() {
+                draw_seam(sheet, rect, pattern, seam, language);
+            }
+        }
+        Figure::Section { piece, marks } => {
+            if let Some(piece) = pattern.pieces.get(*piece) {
+                draw_section(sheet, rect, piece, marks, language);
+            }
+        }
+    }
+}
+
+/// Page from piece: upright, as large as fits, and at most three times shorter across than true.
+fn placement(piece: &Piece, rect: Rect) -> Affine {
+    let bounds = piece.cut_polygon(1e-3).bounds();
+    let scale_y = rect.height / bounds.height();
+    let scale_x = (rect.width / bounds.width()).min(scale_y);
+    let scale_y = scale_y.min(3.0 * scale_x);
+    let left = rect.x + 0.5 * (rect.width - bounds.width() * scale_x);
+    Affine::translate((left, rect.y))
+        * Affine::scale_non_uniform(scale_x, -scale_y)
+        * Affine::translate((-bounds.x0, -bounds.y1))
+}
+
+fn path_of(points: &[Point], page: Affine) -> BezPath {
+    line(points, page)
+}
+
+fn draw_piece(
+    sheet: &mut Sheet,
+    rect: Rect,
+    piece: &Piece,
+    (edges, marks): (&[usize], &[usize]),
+    language: Language,
+) {
+    let place = middle(
+        Rect {
+            y: rect.y + 3.0,
+            height: rect.height - 14.0,
+            ..rect
+        },
+        rect.width - 76.0,
+    );
+    let place = Rect {
+        x: rect.x + 16.0,
+        ..place
+    };
+    let page = placement(piece, place);
+    let cut = piece.cut_polygon(1e-3);
+    sheet.path(outline(&cut, page), Some(CLOTH), Some(Stroke::solid(0.5)));
+    let drawing = piece.drawing(1e-3);
+    for stitches in &drawing.stitches {
+        let stroke = Stroke::dashed(0.2, 1.5).with_color(Color::GRAY);
+        sheet.path(path_of(&stitches.points, page), None, Some(stroke));
+    }
+    let grain = drawing.grain.map(|end| page * end);
+    if marks.is_empty() {
+        arrow(sheet, grain, &Stroke::solid(0.3).with_color(Color::GRAY));
+    }
+    let bounds = cut.bounds();
+    if !edges.is_empty() {
+        draw_sizes(sheet, page, bounds);
+    }
+    let right = (page * Point::new(bounds.x1, 0.0)).x;
+    let mut free = f64::NEG_INFINITY;
+    for mark in marks.iter().filter_map(|&mark| piece.marks.get(mark)) {
+        let Mark::Line { kind, path } = mark else {
+            continue;
+        };
+        let stroke = Stroke::solid(0.45).with_color(SEWN);
+        sheet.path(page * path.clone(), None, Some(stroke));
+        let on_piece = path.bounding_box().center();
+        let at = page * on_piece;
+        // Labels keep a line's distance, so that close lines can be told apart.
+        let level = at.y.max(free + 4.6);
+        free = level;
+        let leader = Stroke::solid(0.15).with_color(Color::GRAY);
+        sheet.line([right, at.y], [right + 6.0, level], leader);
+        let below = 100.0 * (bounds.y1 - on_piece.y);
+        let text = format!("{below:.1} cm  {}", short_name(*kind, language));
+        sheet.text(
+            [right + 7.0, level + 1.3],
+            &text,
+            &TextStyle::regular(9.5),
+            Align::Left,
+        );
+    }
+}
+
+/// Names that fit beside a drawing.
+const fn short_name(kind: LineKind, language: Language) -> &'static str {
+    let (japanese, english) = match kind {
+        LineKind::TurnUnder => ("折り代", "turn under"),
+        LineKind::TopFold => ("上の折り山", "top fold"),
+        LineKind::CasingTop => ("ゴム通し 上", "casing, top"),
+        LineKind::CasingBottom => ("ゴム通し 下", "casing, bottom"),
+        LineKind::HemFold => ("裾の折り線", "hem fold"),
+        LineKind::Gather => ("ギャザー", "gathers"),
+        LineKind::Dart => ("ダーツ・タック", "dart, pleat"),
+        LineKind::Placement => ("付け位置", "placement"),
+        LineKind::Slit => ("切り込み", "slit"),
+    };
+    language.pick(japanese, english)
+}
+
+/// Width below the piece, height at its left.
+fn draw_sizes(sheet: &mut Sheet, page: Affine, bounds: kurbo::Rect) {
+    let corner = page * Point::new(bounds.x0, bounds.y0);
+    let far = page * Point::new(bounds.x1, bounds.y1);
+    let stroke = Stroke::solid(0.25);
+    let style = TextStyle::bold(12.0);
+    let below = corner.y + 3.5;
+    arrow(
+        sheet,
+        [Point::new(corner.x, below), Point::new(far.x, below)],
+        &stroke,
+    );
+    let width = format!("{:.1} cm", 100.0 * bounds.width());
+    sheet.text(
+        [0.5 * (corner.x + far.x), below + 5.5],
+        &width,
+        &style,
+        Align::Center,
+    );
+    let aside = corner.x - 3.5;
+    arrow(
+        sheet,
+        [Point::new(aside, corner.y), Point::new(aside, far.y)],
+        &stroke,
+    );
+    let height = format!("{:.1} cm", 100.0 * bounds.height());
+    let at = [aside - 2.0, 0.5 * (corner.y + far.y)];
+    sheet.turned_text(
+        at,
+        core::f64::consts::FRAC_PI_2,
+        &height,
+        &style,
+        Align::Center,
+    );
+}
+
+/// Two edges brought together: a piece closed to a ring is folded in half, others lie side by side.
+fn draw_seam(sheet: &mut Sheet, rect: Rect, pattern: &Pattern, seam: &Seam, language: Language) {
+    let sides = [seam.flat, seam.full];
+    let [Some(one), Some(other)] = sides.map(|side| pattern.pieces.get(side.piece)) else {
+        return;
+    };
+    if seam.flat.piece == seam.full.piece && seam.flat.copy == seam.full.copy {
+        draw_ring(sheet, rect, one, seam.flat.edge, language);
+        return;
+    }
+    let half = 0.5 * rect.width - 10.0;
+    for (index, (piece, side)) in [one, other].into_iter().zip(sides).enumerate() {
+        let left = if index == 0 {
+            rect.x
+        } else {
+            rect.x + half + 20.0
+        };
+        let place = Rect {
+            x: left,
+            y: rect.y + 2.0,
+            width: half,
+            height: rect.height - 10.0,
+        };
+        let page = placement(piece, place);
+        sheet.path(
+            outline(&piece.cut_polygon(1e-3), page),
+            Some(CLOTH),
+            Some(Stroke::solid(0.4)),
+        );
+        if let Some(edge) = piece.edges.get(side.edge) {
+            let stroke = Stroke::solid(0.9).with_color(SEWN);
+            sheet.path(path_of(&edge.points(1e-3), page), None, Some(stroke));
+        }
+        let at = [left + 0.5 * half, rect.y + rect.height - 2.0];
+        sheet.text(at, piece.name.text(language), &LABEL, Align::Center);
+    }
+    let y = rect.y + 0.5 * rect.height;
+    let middle = rect.x + 0.5 * rect.width;
+    let ends = [Point::new(middle - 7.0, y), Point::new(middle + 7.0, y)];
+    arrow(sheet, ends, &Stroke::solid(0.5).with_color(ACCENT));
+}
+
+/// A piece folded right sides together, its ends sewn, with gaps where casings will be.
+fn draw_ring(sheet: &mut Sheet, rect: Rect, piece: &Piece, edge: usize, language: Language) {
+    let bounds = piece.cut_polygon(1e-3).bounds();
+    let height = rect.height - 12.0;
+    let scale = height / bounds.height();
+    let width = (0.5 * bounds.width() * scale).min(0.52 * rect.width);
+    let [left, top] = [rect.x + 30.0, rect.y + 4.0];
+    let [right, bottom] = [left + width, top + height];
+    // The layer behind shows at the fold and below.
+    let behind = Rect {
+        x: left - 1.5,
+        y: top + 1.5,
+        width,
+        height,
+    };
+    sheet.rect(behind, Some(CLOTH), Some(Stroke::solid(0.3)));
+    let front = Rect {
+        x: left,
+        y: top,
+        width,
+        height,
+    };
+    sheet.rect(front, Some(INSIDE), Some(Stroke::solid(0.5)));
+    let seam = piece.edges.get(edge);
+    let allowance = seam.map_or(0.0, |edge| edge.allowance.to_m());
+    let x = right - (allowance * scale).clamp(2.5, 8.0);
+    let stroke = Stroke::dashed(0.7, 2.0).with_color(SEWN);
+    let mut y = top;
+    for [from, to] in gaps(piece) {
+        let [from, to] = [from, to].map(|along| top + along * scale);
+        sheet.line([x, y], [x, from], stroke.clone());
+        let tick = Stroke::solid(0.5).with_color(SEWN);
+        sheet.line([x - 1.5, from], [x + 1.5, from], tick.clone());
+        sheet.line([x - 1.5, to], [x + 1.5, to], tick);
+        y = to;
+    }
+    sheet.line([x, y], [x, bottom], stroke);
+    let text = |sheet: &mut Sheet, at: [f64; 2], text: &str| {
+        sheet.text(at, text, &LABEL, Align::Left);
+    };
+    let said = right + 5.0;
+    if !gaps(piece).is_empty() {
+        text(
+            sheet,
+            [said, top + 8.0],
+            language.pick("あけておく（ゴムの口）", "leave open for the elastic"),
+        );
+    }
+    text(
+        sheet,
+        [said, top + 0.6 * height],
+        language.pick("縫う", "sew"),
+    );
+    let inside = language.pick("裏", "wrong side");
+    sheet.text(
+        [left + 0.5 * width, top + 0.5 * height],
+        inside,
+        &LABEL,
+        Align::Center,
+    );
+    let fold = language.pick("わ", "fold");
+    sheet.text([left - 4.0, top + 0.5 * height], fold, &LABEL, Align::Right);
+}
+
+/// Gaps of the closing seam, from the raw upper edge down [m]: the casings mirrored at the top fold,
+/// as far as they lie in the folded band.
+fn gaps(piece: &Piece) -> Vec<[f64; 2]> {
+    let lines = levels(piece);
+    let of = |wanted: LineKind| lines.iter().filter(move |(kind, _)| *kind == wanted);
+    let Some(&(_, fold)) = of(LineKind::TopFold).next() else {
+        return Vec::new();
+    };
+    let turn = of(LineKind::TurnUnder)
+        .next()
+        .map_or(0.0, |&(_, level)| level);
+    let mut gaps: Vec<[f64; 2]> = of(LineKind::CasingTop)
+        .zip(of(LineKind::CasingBottom))
+        .map(|(&(_, from), &(_, to))| [2.0 * fold - to, 2.0 * fold - from])
+        .filter(|gap| turn - 1e-6 <= gap[0])
+        .collect();
+    gaps.sort_by(|one, other| one[0].total_cmp(&other[0]));
+    gaps
+}
+
+/// Marked level lines: what for, and how far below the raw upper edge [m].
+fn levels(piece: &Piece) -> Vec<(LineKind, f64)> {
+    let top = piece.cut_polygon(1e-3).bounds().y1;
+    let marks = piece.marks.iter();
+    marks
+        .filter_map(|mark| match mark {
+            Mark::Line { kind, path } => Some((*kind, top - path.bounding_box().center().y)),
+            Mark::Notch { .. } | Mark::Point { .. } => None,
+        })
+        .collect()
+}
+
+/// Cloth in section: a band that is folded at the top, or a hem.
+fn draw_section(sheet: &mut Sheet, rect: Rect, piece: &Piece, marks: &[usize], language: Language) {
+    let all = levels(piece);
+    let marks: Vec<(LineKind, f64)> = marks
+        .iter()
+        .filter_map(|&mark| all.get(mark).copied())
+        .collect();
+    let is_hem = marks.iter().all(|(kind, _)| *kind == LineKind::HemFold);
+    if is_hem {
+        draw_hem(sheet, rect, piece, language);
+        return;
+    }
+    let level = |wanted: LineKind| {
+        all.iter()
+            .find(|(kind, _)| *kind == wanted)
+            .map(|&(_, at)| at)
+    };
+    let Some(fold) = level(LineKind::TopFold) else {
+        return;
+    };
+    let turn = level(LineKind::TurnUnder).unwrap_or(0.0);
+    let depth = fold - turn;
+    let scale = (rect.height - 14.0) / (1.25 * depth);
+    let [outer, inner, top] = [rect.x + 60.0, rect.x + 68.0, rect.y + 6.0];
+    let bottom = rect.y + rect.height - 2.0;
+    let end = top + depth * scale;
+    let turned = turn * scale;
+    let layer = Stroke::solid(0.9);
+    // Outside up, over the fold, inside down, and the turned edge between the layers.
+    let mut path = BezPath::new();
+    path.move_to((outer, bottom));
+    path.line_to((outer, top + 2.0));
+    path.curve_to((outer, top - 1.0), (inner, top - 1.0), (inner, top + 2.0));
+    path.line_to((inner, end));
+    path.curve_to(
+        (inner, end + 1.5),
+        (inner - 3.0, end + 1.5),
+        (inner - 3.0, end),
+    );
+    path.line_to((inner - 3.0, end - turned));
+    sheet.path(path, None, Some(layer));
+    let said = [outer - 6.0, inner + 6.0];
+    let casings = |wanted: LineKind| {
+        let lines = marks.iter().filter(move |(kind, _)| *kind == wanted);
+        lines.map(move |&(_, at)| top + (at - fold) * scale)
+    };
+    let in_band = |y: &f64| *y <= end + 0.5;
+    let stitched = casings(LineKind::CasingTop).chain(casings(LineKind::CasingBottom));
+    for y in stitched.filter(in_band) {
+        let stroke = Stroke::dashed(0.6, 1.2).with_color(SEWN);
+        sheet.line([outer - 3.0, y], [inner + 3.0, y], stroke);
+    }
+    let is_threaded = marks
+        .first()
+        .is_some_and(|(kind, _)| *kind == LineKind::TopFold);
+    let mut number = 0;
+    for (from, to) in casings(LineKind::CasingTop).zip(casings(LineKind::CasingBottom)) {
+        number += 1;
+        let y = 0.5 * (from + to);
+        if is_threaded && y <= end {
+            let elastic = kurbo::Rect::new(outer + 2.4, from + 0.8, inner - 2.4, to - 0.8);
+            sheet.path(
+                elastic.to_rounded_rect(1.0).to_path(0.01),
+                Some(ACCENT),
+                None,
+            );
+        }
+        if y <= end {
+            let text = match language {
+                Language::Japanese => format!("ゴム通し {number} 段目"),
+                Language::English => format!("casing {number}"),
+            };
+            sheet.text([said[1], y + 1.3], &text, &LABEL, Align::Left);
+        }
+    }
+    section_labels(sheet, [outer, inner, top, end], (said, depth), language);
+}
+
+/// Names of the layers, and the depth of the band.
+fn section_labels(
+    sheet: &mut Sheet,
+    [outer, inner, top, end]: [f64; 4],
+    (said, depth): ([f64; 2], f64),
+    language: Language,
+) {
+    let aside = outer - 12.0;
+    let ends = [Point::new(aside, top), Point::new(aside, end)];
+    arrow(sheet, ends, &Stroke::solid(0.25));
+    let at = [aside - 2.0, 0.5 * (top + end)];
+    let text = format!("{:.1} cm", 100.0 * depth);
+    sheet.text(at, &text, &TextStyle::bold(12.0), Align::Right);
+    let words = language.pick("上の折り山", "top fold");
+    sheet.text([said[1], top + 0.5], words, &LABEL, Align::Left);
+    let words = language.pick("表", "right side");
+    sheet.text([said[0] - 8.0, end + 5.0], words, &LABEL, Align::Right);
+    let words = language.pick(
+        "裏（体の側）・折り代を中へ",
+        "inside, raw edge turned under",
+    );
+    sheet.text([inner + 6.0, end + 5.0], words, &LABEL, Align::Left);
+}
+
+fn draw_hem(sheet: &mut Sheet, rect: Rect, piece: &Piece, language: Language) {
+    let hem = piece.edges.iter().filter(|edge| edge.finish == Finish::Hem);
+    // The lowest hem of the piece: the band has its own drawing.
+    let lowest = |edge: &&lole_pattern::piece::Edge| {
+        edge.segments
+            .iter()
+            .map(|segment| segment.bounding_box().y0)
+            .fold(f64::INFINITY, f64::min)
+    };
+    let hem = hem.min_by(|one, other| lowest(one).total_cmp(&lowest(other)));
+    let depth = hem.map_or(0.0, |edge| edge.allowance.to_m());
+    if depth <= 0.0 {
+        return;
+    }
+    let turn = if depth <= 0.02 { 0.5 * depth } else { 0.01 };
+    let folded = depth - turn;
+    let [outer, inner] = [rect.x + 60.0, rect.x + 68.0];
+    let [top, bottom] = [rect.y + 2.0, rect.y + rect.height - 8.0];
+    let scale = 0.7 * (bottom - top) / folded;
+    let end = bottom - folded * scale;
+    let mut path = BezPath::new();
+    path.move_to((outer, top));
+    path.line_to((outer, bottom - 2.0));
+    path.curve_to(
+        (outer, bottom + 1.0),
+        (inner, bottom + 1.0),
+        (inner, bottom - 2.0),
+    );
+    path.line_to((inner, end));
+    path.curve_to(
+        (inner, end - 1.5),
+        (inner - 3.0, end - 1.5),
+        (inner - 3.0, end),
+    );
+    path.line_to((inner - 3.0, end + turn * scale));
+    sheet.path(path, None, Some(Stroke::solid(0.9)));
+    let stitch = end + 1.8;
+    let stroke = Stroke::dashed(0.6, 1.2).with_color(SEWN);
+    sheet.line([outer - 3.0, stitch], [inner + 3.0, stitch], stroke);
+    let aside = outer - 12.0;
+    let ends = [Point::new(aside, end), Point::new(aside, bottom)];
+    arrow(sheet, ends, &Stroke::solid(0.25));
+    let text = format!("{:.1} cm", 100.0 * folded);
+    let at = [aside - 2.0, 0.5 * (end + bottom)];
+    sheet.text(at, &text, &TextStyle::bold(12.0), Align::Right);
+    let said = inner + 6.0;
+    let label = |sheet: &mut Sheet, y: f64, text: &str| {
+        sheet.text([said, y], text, &LABEL, Align::Left);
+    };
+    label(
+        sheet,
+        stitch + 1.0,
+        language.pick("ぐるりと縫う", "sew all around"),
+    );
+    let turned = match language {
+        Language::Japanese => format!("中へ {:.1} cm 折る", 100.0 * turn),
+        Language::English => format!("{:.1} cm turned under", 100.0 * turn),
+    };
+    label(sheet, end + 9.0, &turned);
+    label(sheet, bottom + 1.0, language.pick("裾の折り線", "hem fold"));
+}

@@ -1,0 +1,55 @@
+//! How pages that people read look: heads, rules, numbers, the foot.
+
+use crate::pdf::{Align, Color, Flow, Sheet, Stroke, TextStyle};
+
+/// Heads and what is brought out: the green of ti leaves.
+pub(crate) const ACCENT: Color = Color(20, 98, 90);
+/// What is sewn now: the red of hibiscus.
+pub(crate) const SEWN: Color = Color(196, 56, 48);
+/// The right side of cloth in drawings.
+pub(crate) const CLOTH: Color = Color(250, 240, 226);
+/// Its wrong side.
+pub(crate) const INSIDE: Color = Color(228, 222, 214);
+
+/// A head over the whole width.
+pub(crate) fn head(flow: &mut Flow, text: &str) {
+    flow.space(3.0);
+    flow.keep(30.0);
+    flow.block(14.0, |sheet, rect| {
+        let style = TextStyle::bold(19.0).with_color(ACCENT);
+        sheet.text([rect.x, rect.y + 8.0], text, &style, Align::Left);
+        rule(sheet, [rect.x, rect.y + 11.0], rect.width);
+    });
+    flow.space(1.0);
+}
+
+/// A smaller head.
+pub(crate) fn subhead(flow: &mut Flow, text: &str) {
+    flow.keep(24.0);
+    flow.paragraph(text, &TextStyle::bold(14.5));
+}
+
+/// A line below a head.
+pub(crate) fn rule(sheet: &mut Sheet, [x, y]: [f64; 2], width: f64) {
+    let stroke = Stroke::solid(0.6).with_color(ACCENT);
+    sheet.line([x, y], [x + width, y], stroke);
+}
+
+/// A step's number in a disk around `center`.
+pub(crate) fn number(sheet: &mut Sheet, center: [f64; 2], number: u32) {
+    use kurbo::Shape as _;
+    let disk = kurbo::Circle::new((center[0], center[1]), 4.0).to_path(0.01);
+    sheet.path(disk, Some(ACCENT), None);
+    let style = TextStyle::bold(14.0).with_color(Color::WHITE);
+    let at = [center[0], center[1] + 1.8];
+    sheet.text(at, &number.to_string(), &style, Align::Center);
+}
+
+/// Title and number at the foot of a page.
+pub(crate) fn foot(sheet: &mut Sheet, title: &str, number: usize, count: usize) {
+    let [width, height] = sheet.size;
+    let style = TextStyle::regular(10.0).with_color(Color::GRAY);
+    sheet.text([20.0, height - 10.0], title, &style, Align::Left);
+    let page = format!("{number} / {count}");
+    sheet.text([width - 20.0, height - 10.0], &page, &style, Align::Right);
+}

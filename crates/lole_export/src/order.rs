@@ -1,0 +1,469 @@
+//! A group order on paper and as data: the line of dancers, what to buy, a label for each bundle of
+//! cut cloth.
+
+use lole_body::Measure;
+use lole_costume::cost::Bill;
+use lole_costume::order::{DancerPlan, NotionTotal, PlannedGarment, PrintTotal, Settings};
+use lole_language::{Bilingual as _, Language, Sentence};
+use serde::Serialize;
+
+use crate::ExportError;
+use crate::booklet::{ACCENT, amount_words, bill_remarks, bill_table, foot, head};
+use crate::pdf::{
+    Align, Cell, Column, Flow, Margins, Paper, Picture, Rect, Sheet, Stroke, Table, TextStyle,
+};
+
+/// Everything about a group order.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Order<'a> {
+    /// What the costume is called.
+    pub title: String,
+    /// Height of every hem above the floor [cm].
+    pub hem_height_cm: f64,
+    /// The dancers, in the order of the list.
+    pub plans: &'a [DancerPlan],
+    /// Each dancer's picture, where there is one; all at one scale.
+    pub pictures: &'a [Option<Picture>],
+    /// What is bought of each print.
+    pub prints: &'a [PrintTotal],
+    /// What is bought beside cloth.
+    pub notions: &'a [NotionTotal],
+    /// What each dancer's costume costs.
+    pub bills: &'a [Bill],
+    /// What all cost together.
+    pub total: &'a Bill,
+    /// Rows of the list that could not be used.
+    pub problems: &'a [Sentence],
+    /// Spare cloth and bolts.
+    pub settings: &'a Settings,
+}
+
+/// The summary, the shopping list and the labels.
+#[must_use]
+pub fn order_sheets(order: &Order<'_>, paper: Paper, language: Language) -> Vec<Sheet> {
+    let mut flow = Flow::new(paper.size_mm(), Margins::default());
+    summary(&mut flow, order, language);
+    flow.new_page();
+    shopping(&mut flow, order, language);
+    flow.new_page();
+    labels(&mut flow, order, language);
+    let title = order.title.clone();
+    flow.finish(|sheet, number, count| foot(sheet, &title, number, count))
+}
+
+fn summary(flow: &mut Flow, order: &Order<'_>, language: Language) {
+    let title = TextStyle::bold(24.0).with_color(ACCENT);
+    flow.paragraph(&order.title, &title);
+    let (count, hem) = (order.plans.len(), order.hem_height_cm);
+    let about = match language {
+        Language::Japanese => format!("{count} 人。裾は全員、床から {hem:.0} cm。"),
+        Language::English => format!("{count} dancers. Every hem is {hem:.0} cm above the floor."),
+    };
+    flow.paragraph(&about, &TextStyle::regular(14.0));
+    for problem in order.problems {
+        flow.paragraph(
+            &format!("! {}", problem.text(language)),
+            &TextStyle::bold(12.0),
+        );
+    }
+    line_up(flow, order.pictures);
+    head(flow, language.pick("一覧", "All dancers"));
+    dancer_table(order, language).draw(flow);
+}
+
+/// Dancers side by side on a floor, in rows.
+fn line_up(flow: &mut Flow, pictures: &[Option<Picture>]) {
+    /// Dancers of a row: more would be too small to know.
+    const ROW: usize = 10;
+    let shown: Vec<&Picture> = pictures.iter().flatten().collect();
+    for row in shown.chunks(ROW) {
+        let width = flow.width() / ROW as f64;
+        let aspect = |picture: &&Picture| f64::from(picture.height) / f64::from(picture.width);
+        let height = row
+            .iter()
+            .map(|picture| aspect(picture) * width)
+            .fold(0.0, f64::max);
+        flow.space(3.0);
+        flow.block(height, |sheet, rect| {
+            for (index, picture) in row.iter().enumerate() {
+                let place = Rect {
+                    x: rect.x + width * index as f64,
+                    width,
+                    ..rect
+                };
+                sheet.picture(place, picture);
+            }
+            let floor = rect.y + rect.height;
+            let stroke = Stroke::solid(0.4).with_color(ACCENT);
+            sheet.line([rect.x, floor], [rect.x + rect.width, floor], stroke);
+        });
+    }
+    flow.space(4.0);
+}
+
+fn dancer_table(order: &Order<'_>, language: Language) -> Table {
+    let mut rows = Vec::new();
+    for (index, plan) in order.plans.iter().enumerate() {
+        for (place, garment) in plan.garments.iter().enumerate() {
+            let name = if place == 0 { plan.name.as_str() } else { "" };
+            let cost = order.bills.get(index).filter(|_| place == 0);
+            let cost = cost.map_or_else(String::new, |bill| {
+                let known = if bill.is_complete() { "" } else { "+?" };
+                format!("{}{known}", bill.currency.write(bill.total))
+            });
+            rows.push(vec![
+                Cell::bold(name),
+                garment.tailored.name.text(language).into(),
+                cut_words(garment).into(),
+                elastic_words(garment, language).into(),
+                format!("{:.1} m", garment.bought().metric.to_m()).into(),
+                cost.into(),
+            ]);
+        }
+    }
+    Table {
+        columns: vec![
+            Column::text(language.pick("名前", "Name"), 3.0),
+            Column::text(language.pick("服", "Garment"), 2.4),
+            Column::text(language.pick("裁つ寸法 cm", "Cut, cm"), 3.0),
+            Column::text(language.pick("ゴム cm", "Elastic, cm"), 2.6),
+            Column::number(language.pick("布", "Cloth"), 1.5),
+            Column::number(language.pick("費用", "Cost"), 2.1),
+        ],
+        rows,
+        size_pt: 10.5,
+    }
+}
+
+/// "367.6 × 92.5" of every rectangle; other pieces have patterns.
+fn cut_words(garment: &PlannedGarment) -> String {
+    let rectangles = garment.rectangles();
+    let sizes = rectangles.iter().map(|(_, [along, across], count)| {
+        let often = if *count == 1 {
+            String::new()
+        } else {
+            format!(" ({count})")
+        };
+        format!("{:.1} × {:.1}{often}", along.to_cm(), across.to_cm())
+    });
+    sizes.collect::<Vec<_>>().join("\n")
+}
+
+fn elastic_words(garment: &PlannedGarment, language: Language) -> String {
+    let elastics = garment.elastics();
+    let lengths = elastics.iter().map(|(length, count)| match language {
+        Language::Japanese => format!("{:.1} を {count} 本", length.to_cm()),
+        Language::English => format!("{count} × {:.1}", length.to_cm()),
+    });
+    lengths.collect::<Vec<_>>().join("\n")
+}
+
+fn shopping(flow: &mut Flow, order: &Order<'_>, language: Language) {
+    head(flow, language.pick("買い物", "Shopping list"));
+    let percent = 100.0 * order.settings.spare_ratio;
+    for print in order.prints {
+        let garments: Vec<&str> = print
+            .garments
+            .iter()
+            .map(|name| name.text(language))
+            .collect();
+        let garments = garments.join(language.pick("・", ", "));
+        let (cloth, width) = (print.cloth.text(language), print.width.to_cm());
+        let (metric, yards) = (print.bought.metric.to_m(), print.bought.imperial.to_yd());
+        let needed = print.needed.to_m();
+        let text = match language {
+            Language::Japanese => format!(
+                "{garments}: {cloth}、布幅 {width:.0} cm、{metric:.1} m（{yards:.1} ヤード）。用尺 {needed:.2} m に予備 {percent:.0} % を足しました。"
+            ),
+            Language::English => format!(
+                "{garments}: {cloth}, {width:.0} cm wide, {yards:.1} yd or {metric:.1} m. {needed:.2} m are needed, and {percent:.0} % are spare."
+            ),
+        };
+        flow.item("□", 7.0, &text, &TextStyle::body());
+        bolts(flow, order, print, language);
+        flow.space(2.0);
+    }
+    for notion in order.notions {
+        let amount = amount_words(notion.amount, language);
+        let text = format!("{}: {amount}", notion.name.text(language));
+        flow.item("□", 7.0, &text, &TextStyle::body());
+    }
+    flow.space(6.0);
+    head(flow, language.pick("全員の費用", "Cost of all"));
+    bill_table(order.total, language).draw(flow);
+    flow.space(3.0);
+    for line in bill_remarks(order.total, language) {
+        flow.paragraph(&line, &TextStyle::body());
+    }
+}
+
+/// Who is cut from which bolt, where its length is known.
+fn bolts(flow: &mut Flow, order: &Order<'_>, print: &PrintTotal, language: Language) {
+    let name = |dancer: usize| {
+        order
+            .plans
+            .get(dancer)
+            .map_or("", |plan| plan.name.as_str())
+    };
+    let comma = language.pick("、", ", ");
+    for (number, bolt) in (1..).zip(&print.bolts) {
+        let names: Vec<&str> = bolt.iter().map(|&(dancer, _)| name(dancer)).collect();
+        let cut: f64 = bolt.iter().map(|(_, length)| length.to_m()).sum();
+        let names = names.join(comma);
+        let text = match language {
+            Language::Japanese => format!("{number} 反目から {cut:.2} m: {names}"),
+            Language::English => format!("bolt {number}, {cut:.2} m: {names}"),
+        };
+        flow.indented(12.0, &text, &TextStyle::regular(11.0));
+    }
+    if !print.longer_than_bolt.is_empty() {
+        let names: Vec<&str> = print
+            .longer_than_bolt
+            .iter()
+            .map(|&dancer| name(dancer))
+            .collect();
+        let names = names.join(comma);
+        let text = match language {
+            Language::Japanese => format!(
+                "! 一反では足りない人: {names}。はぎ合わせるか、長い反物をさがしてください。"
+            ),
+            Language::English => format!(
+                "! One bolt is too short for {names}: join two lengths, or find a longer bolt."
+            ),
+        };
+        flow.indented(12.0, &text, &TextStyle::bold(12.0));
+    }
+}
+
+/// One label for each dancer, to cut out and pin to her cloth.
+fn labels(flow: &mut Flow, order: &Order<'_>, language: Language) {
+    head(flow, language.pick("名札", "Labels"));
+    for pair in order.plans.chunks(2) {
+        let lines = pair
+            .iter()
+            .map(|plan| label_lines(plan, language).len())
+            .max();
+        let count = f64::from(u32::try_from(lines.unwrap_or(0)).unwrap_or(0));
+        let line_height = TextStyle::regular(11.0).line_height();
+        let height = 15.0 + count * line_height;
+        flow.block(height + 4.0, |sheet, rect| {
+            let width = 0.5 * (rect.width - 4.0);
+            for (index, plan) in pair.iter().enumerate() {
+                let place = Rect {
+                    x: rect.x + (width + 4.0) * index as f64,
+                    width,
+                    height,
+                    ..rect
+                };
+                draw_label(sheet, place, plan, language);
+            }
+        });
+    }
+}
+
+fn label_lines(plan: &DancerPlan, language: Language) -> Vec<String> {
+    let cm = |wanted: Measure| {
+        let mut tape = plan.tape_cm.iter();
+        let found = tape.find(|(measure, _)| *measure == wanted);
+        found.map_or(0.0, |&(_, cm)| cm)
+    };
+    let (stature, hip) = (cm(Measure::Stature), cm(Measure::Hip));
+    let mut lines = vec![match language {
+        Language::Japanese => format!("身長 {stature:.0}　ヒップ {hip:.1} cm"),
+        Language::English => format!("stature {stature:.0}, hip {hip:.1} cm"),
+    }];
+    for garment in &plan.garments {
+        lines.push(garment.tailored.name.text(language).to_owned());
+        let cuts = cut_words(garment);
+        let cut = language.pick("裁つ", "cut");
+        lines.extend(cuts.lines().map(|line| format!("  {cut} {line} cm")));
+        let elastics = elastic_words(garment, language);
+        let elastic = language.pick("ゴム", "elastic");
+        lines.extend(
+            elastics
+                .lines()
+                .map(|line| format!("  {elastic} {line} cm")),
+        );
+    }
+    lines
+}
+
+fn draw_label(sheet: &mut Sheet, rect: Rect, plan: &DancerPlan, language: Language) {
+    let border = Stroke::dashed(0.25, 1.5);
+    sheet.rect(rect, None, Some(border));
+    // A long name is set smaller rather than cut off.
+    let room = rect.width - 8.0;
+    let natural = TextStyle::bold(16.0);
+    let size = (16.0 * room / natural.width_of(&plan.name).max(1.0)).clamp(7.0, 16.0);
+    let at = [rect.x + 4.0, rect.y + 8.0];
+    sheet.text(at, &plan.name, &TextStyle::bold(size), Align::Left);
+    let style = TextStyle::regular(11.0);
+    let mut y = rect.y + 14.5;
+    for line in label_lines(plan, language) {
+        sheet.text([rect.x + 4.0, y], &line, &style, Align::Left);
+        y += style.line_height();
+    }
+}
+
+#[derive(Serialize)]
+struct File {
+    lole: &'static str,
+    hem_height_cm: f64,
+    dancers: Vec<DancerRow>,
+    prints: Vec<PrintRow>,
+    cost: CostRow,
+    problems: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct DancerRow {
+    name: String,
+    measures_cm: Vec<(&'static str, f64)>,
+    estimated: Vec<&'static str>,
+    garments: Vec<GarmentRow>,
+    cost: CostRow,
+}
+
+#[derive(Serialize)]
+struct GarmentRow {
+    id: String,
+    cut_cm: Vec<[f64; 2]>,
+    elastic_cm: Vec<(f64, u32)>,
+    cloth_needed_m: f64,
+    cloth_bought_m: f64,
+    cloth_bought_yd: f64,
+}
+
+#[derive(Serialize)]
+struct PrintRow {
+    cloth: &'static str,
+    width_cm: f64,
+    needed_m: f64,
+    bought_m: f64,
+    bought_yd: f64,
+    bolts: Vec<Vec<String>>,
+}
+
+#[derive(Serialize)]
+struct CostRow {
+    currency: &'static str,
+    total: f64,
+    is_complete: bool,
+    asked_for: Vec<&'static str>,
+    hours: f64,
+    saving: Option<f64>,
+}
+
+/// A tenth of a millimeter is finer than cloth can be cut.
+fn rounded(value: f64) -> f64 {
+    (value * 100.0).round() / 100.0
+}
+
+fn cost_row(bill: &Bill) -> CostRow {
+    CostRow {
+        currency: bill.currency.id(),
+        total: rounded(bill.total),
+        is_complete: bill.is_complete(),
+        asked_for: bill.asked_for(),
+        hours: rounded(bill.hours),
+        saving: bill.saving().map(rounded),
+    }
+}
+
+fn garment_row(garment: &PlannedGarment) -> GarmentRow {
+    let bought = garment.bought();
+    let rectangles = garment.rectangles().into_iter();
+    let elastics = garment.elastics().into_iter();
+    GarmentRow {
+        id: garment.tailored.id.clone(),
+        cut_cm: rectangles
+            .map(|(_, sizes, _)| sizes.map(|size| rounded(size.to_cm())))
+            .collect(),
+        elastic_cm: elastics
+            .map(|(length, count)| (rounded(length.to_cm()), count))
+            .collect(),
+        cloth_needed_m: rounded(bought.needed.to_m()),
+        cloth_bought_m: rounded(bought.metric.to_m()),
+        cloth_bought_yd: rounded(bought.imperial.to_yd()),
+    }
+}
+
+/// The order as JSON, lengths in the unit of their key.
+///
+/// # Errors
+/// [`ExportError::Encoding`] from the encoder.
+pub fn order_json(order: &Order<'_>, version: &'static str) -> Result<String, ExportError> {
+    let dancers = order.plans.iter().zip(order.bills);
+    let name = |dancer: usize| order.plans.get(dancer).map(|plan| plan.name.clone());
+    let file = File {
+        lole: version,
+        hem_height_cm: order.hem_height_cm,
+        dancers: dancers
+            .map(|(plan, bill)| DancerRow {
+                name: plan.name.clone(),
+                measures_cm: (plan.tape_cm.iter())
+                    .map(|&(measure, cm)| (measure.key(), rounded(cm)))
+                    .collect(),
+                estimated: plan.estimated.iter().map(|measure| measure.key()).collect(),
+                garments: plan.garments.iter().map(garment_row).collect(),
+                cost: cost_row(bill),
+            })
+            .collect(),
+        prints: (order.prints.iter())
+            .map(|print| PrintRow {
+                cloth: print.cloth.english,
+                width_cm: rounded(print.width.to_cm()),
+                needed_m: rounded(print.needed.to_m()),
+                bought_m: rounded(print.bought.metric.to_m()),
+                bought_yd: rounded(print.bought.imperial.to_yd()),
+                bolts: (print.bolts.iter())
+                    .map(|bolt| {
+                        bolt.iter()
+                            .filter_map(|&(dancer, _)| name(dancer))
+                            .collect()
+                    })
+                    .collect(),
+            })
+            .collect(),
+        cost: cost_row(order.total),
+        problems: order.problems.iter().map(ToString::to_string).collect(),
+    };
+    serde_json::to_string_pretty(&file).map_err(|error| ExportError::Encoding {
+        file: "JSON",
+        cause: error.to_string(),
+    })
+}
+
+/// A bill as JSON.
+///
+/// # Errors
+/// [`ExportError::Encoding`] from the encoder.
+pub fn bill_json(bill: &Bill) -> Result<String, ExportError> {
+    #[derive(Serialize)]
+    struct Line {
+        name: &'static str,
+        amount: String,
+        sum: Option<f64>,
+        asks: Option<&'static str>,
+    }
+    #[derive(Serialize)]
+    struct Whole {
+        lines: Vec<Line>,
+        #[serde(flatten)]
+        cost: CostRow,
+    }
+    let lines = bill.lines.iter().map(|line| Line {
+        name: line.name.english,
+        amount: line.amount.to_string(),
+        sum: line.sum.map(rounded),
+        asks: line.asks,
+    });
+    let whole = Whole {
+        lines: lines.collect(),
+        cost: cost_row(bill),
+    };
+    serde_json::to_string_pretty(&whole).map_err(|error| ExportError::Encoding {
+        file: "JSON",
+        cause: error.to_string(),
+    })
+}

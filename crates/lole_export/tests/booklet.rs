@@ -1,0 +1,163 @@
+//! Booklets and orders as they are printed: every letter has a glyph, nothing leaves its page, equal
+//! designs give equal bytes.
+
+use lole_costume::cost;
+use lole_costume::document::{Design, GarmentDesign, WornSkirt, WornTop};
+use lole_costume::order::{self, DancerPlan, Settings};
+use lole_costume::roster;
+use lole_export::booklet::{Booklet, booklet_sheets};
+use lole_export::order::{Order, order_json, order_sheets};
+use lole_export::pdf::{Document, Item, Paper, Sheet, missing_glyphs};
+use lole_language::{Language, Sentence};
+
+const LANGUAGES: [Language; 2] = [Language::Japanese, Language::English];
+
+/// A double pāʻū with a top, and prices for all but the thread.
+fn design() -> Design {
+    let mut design = Design::default();
+    design.dancer.hip_cm = Some(91.4);
+    design.garments = vec![
+        GarmentDesign::PauSkirt(WornSkirt::default()),
+        GarmentDesign::PauTop(WornTop::default()),
+    ];
+    design.fabric.price_per_m = Some(1480.0);
+    design.cost.elastic_price_per_m = Some(60.0);
+    design.cost.wage_per_h = Some(1000.0);
+    design.cost.bought_price = Some(18_000.0);
+    design
+}
+
+fn plan(design: &Design) -> DancerPlan {
+    order::plan_design("ʻIolana 高橋", design).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn pages(design: &Design, plan: &DancerPlan, language: Language) -> Vec<Sheet> {
+    let bill = cost::bill(design, plan);
+    let booklet = Booklet {
+        title: "Pāʻū".to_owned(),
+        plan,
+        bill: &bill,
+        cover: None,
+        hem_height_cm: design.skirt.hem_height_cm,
+    };
+    booklet_sheets(&booklet, Paper::A4, language)
+}
+
+/// The group order of a short list.
+fn group_pages(language: Language) -> Vec<Sheet> {
+    let design = design();
+    let list =
+        "名前,身長,ヒップ\n高橋 花子,158,91.4\nʻIolana Kealoha-Nakamura,171,104\nみどり,149,84\n";
+    let roster = roster::read(list.as_bytes()).unwrap_or_else(|error| panic!("{error}"));
+    let plans: Vec<DancerPlan> = (roster.dancers.iter())
+        .filter_map(|dancer| order::plan(dancer, &design).ok())
+        .collect();
+    assert_eq!(plans.len(), 3);
+    let settings = Settings {
+        bolt_length: Some(lole_geom::Length::from_m(8.0)),
+        ..Settings::default()
+    };
+    let bills: Vec<cost::Bill> = plans.iter().map(|plan| cost::bill(&design, plan)).collect();
+    let problems = [Sentence::new("5 行目: 空です", "line 5: it is empty")];
+    let order = Order {
+        title: "Pāʻū".to_owned(),
+        hem_height_cm: 22.0,
+        plans: &plans,
+        pictures: &[],
+        prints: &order::prints(&plans, &design, &settings),
+        notions: &order::notions(&plans),
+        bills: &bills,
+        total: &cost::sum(&bills, &design.cost),
+        problems: &problems,
+        settings: &settings,
+    };
+    let json = order_json(&order, "test").unwrap_or_else(|error| panic!("{error}"));
+    let json: serde_json::Value = serde_json::from_str(&json).unwrap_or_default();
+    assert_eq!(json["dancers"][0]["garments"][1]["cut_cm"][0][0], 367.6);
+    order_sheets(&order, Paper::A4, language)
+}
+
+/// Texts lie between the edges of their page; returns how many there are.
+fn check(sheets: &[Sheet]) -> usize {
+    let mut count = 0;
+    for (number, sheet) in sheets.iter().enumerate() {
+        for text in sheet.texts() {
+            assert!(
+                missing_glyphs(text).is_empty(),
+                "{text}: {:?}",
+                missing_glyphs(text)
+            );
+            count += 1;
+        }
+        for item in &sheet.items {
+            let Item::Text { at, text, style } = item else {
+                continue;
+            };
+            let end = at[0] + style.width_of(text);
+            let is_inside = 8.0 <= at[0] && end <= sheet.size[0] - 8.0;
+            assert!(
+                is_inside,
+                "page {}: {text} from {} to {end}",
+                number + 1,
+                at[0]
+            );
+            assert!(0.0 < at[1] && at[1] < sheet.size[1] - 4.0, "{text}");
+        }
+    }
+    count
+}
+
+#[test]
+fn everything_that_is_printed_has_glyphs_and_stays_on_its_page() {
+    let design = design();
+    let plan = plan(&design);
+    for language in LANGUAGES {
+        assert!(200 < check(&pages(&design, &plan, language)));
+        assert!(50 < check(&group_pages(language)));
+    }
+}
+
+#[test]
+fn body_text_is_large_enough_for_old_eyes() {
+    let design = design();
+    for language in LANGUAGES {
+        let sheets = pages(&design, &plan(&design), language);
+        let steps = design_steps(&design, language);
+        for item in sheets.iter().flat_map(|sheet| &sheet.items) {
+            if let Item::Text { text, style, .. } = item {
+                let is_body = 20 < text.chars().count()
+                    && steps.iter().any(|step| step.contains(text.as_str()));
+                assert!(
+                    !is_body || 12.0 <= style.size_pt,
+                    "{text}: {} pt",
+                    style.size_pt
+                );
+            }
+        }
+    }
+}
+
+fn design_steps(design: &Design, language: Language) -> Vec<String> {
+    use lole_language::Bilingual as _;
+    let garments = plan(design).garments;
+    let steps = garments
+        .iter()
+        .flat_map(|garment| &garment.tailored.pattern.steps);
+    steps.map(|step| step.by_machine.text(language)).collect()
+}
+
+#[test]
+fn equal_designs_give_equal_bytes() {
+    let design = design();
+    let bytes = || {
+        let document = Document {
+            title: "Pāʻū".to_owned(),
+            language: "ja",
+            sheets: pages(&design, &plan(&design), Language::Japanese),
+        };
+        document
+            .to_bytes()
+            .unwrap_or_else(|error| panic!("{error}"))
+    };
+    assert_eq!(bytes(), bytes());
+}
