@@ -140,6 +140,10 @@ fn write_garment(
         let title = cut.garment.name.text(language);
         write_pdf(output, &name, (title, tiled.sheets), language)?;
     }
+    // Leaves and flowers are tied, not cut.
+    if cut.garment.pattern.pieces.is_empty() {
+        return Ok(());
+    }
     output
         .write(&format!("{id}.svg"), &pieces_svg(cut, language))
         .and_then(|()| output.write(&format!("{id}.dxf"), &pattern_dxf(cut, size)))

@@ -26,16 +26,20 @@ const COVER: Size = Size {
     height: 1200,
 };
 
-/// Size of one picture of a group: as wide as folded hands and skirt need, as tall as the tallest.
+/// Size of one picture of a group: as wide as her arms and skirt need, as tall as the tallest.
 const STANDING: Size = Size {
-    width: 260,
+    width: 340,
     height: 520,
 };
 /// What it shows to either side, and from the floor up [m].
-const STANDING_REACH: [f32; 2] = [0.5, 2.0];
+const STANDING_REACH: [f32; 2] = [0.65, 2.0];
 
 /// Particles of cloth that hangs still in a small picture, around and down: more would not be seen.
-const COARSE: [u32; 2] = [256, 36];
+const COARSE: [u32; 2] = [224, 32];
+
+/// Frames in which cloth of a small picture comes to hang: what still sways after them would not be
+/// seen.
+const HANGING_FRAMES: u32 = 75;
 
 /// Quality of stored pictures.
 const QUALITY: u8 = 90;
@@ -45,7 +49,7 @@ const QUALITY: u8 = 90;
 /// # Errors
 /// A costume that cannot be put on, or an interruption.
 pub(crate) fn cover(design: &Design, stop: &AtomicBool) -> Result<Picture, Failure> {
-    let performance = stand(design, stop)?;
+    let performance = stand(design, stop, u32::MAX)?;
     let cameras = still_cameras(&performance, COVER);
     let camera = cameras.into_iter().next();
     let camera = camera.unwrap_or_else(|| standing_camera(COVER));
@@ -95,7 +99,7 @@ fn kept(
         return Ok(picture);
     }
     let coarse = coarse(design);
-    let performance = stand(&coarse, stop)?;
+    let performance = stand(&coarse, stop, HANGING_FRAMES)?;
     let image = shoot(&performance, standing_camera(STANDING), STANDING)?;
     let (width, height) = (image.width, image.height);
     let image = Image::new(width, height, &image.pixels).map_err(Failure::error)?;
@@ -123,11 +127,13 @@ fn coarse(design: &Design) -> Design {
     coarse
 }
 
-/// Puts the costume on and lets it come to rest.
-fn stand(design: &Design, stop: &AtomicBool) -> Result<Performance, Failure> {
+/// Puts the costume on and lets it come to rest, for so many frames at most.
+fn stand(design: &Design, stop: &AtomicBool, most_frames: u32) -> Result<Performance, Failure> {
     let production = Production::new(design).map_err(Failure::error)?;
     let mut performance = Performance::new(production).map_err(Failure::error)?;
-    while performance.time() < 0.0 {
+    let mut frames = 0;
+    while performance.time() < 0.0 && frames < most_frames {
+        frames += 1;
         if stop.load(Ordering::Relaxed) {
             return Err(Failure::Interrupted);
         }

@@ -262,9 +262,10 @@ fn open_hint(path: &Path, language: Language) -> &'static str {
             "定規とチャコで引く線",
             "rectangles to draw with ruler and chalk",
         ),
-        "study.csv" => language.pick("表計算で開く", "opens in a spreadsheet"),
-        "report.json" | "study.json" | "validation.json" | "bench.json" | "dancer.json"
-        | "pattern.json" => language.pick("プログラム用の数値", "the numbers, for programs"),
+        _ if has_end(path, "csv") => language.pick("表計算で開く", "opens in a spreadsheet"),
+        _ if has_end(path, "json") => {
+            language.pick("プログラム用の数値", "the numbers, for programs")
+        }
         _ if has_end(path, "dxf") => language.pick(
             "型紙ソフトで開く（AAMA/ASTM）",
             "opens in pattern software (AAMA/ASTM)",
@@ -273,10 +274,16 @@ fn open_hint(path: &Path, language: Language) -> &'static str {
             "ブラウザーや Inkscape で開く（原寸 mm）",
             "opens in browsers and Inkscape, in mm",
         ),
-        _ if has_end(path, "pdf") => language.pick(
-            "倍率 100 % で印刷して貼り合わせる",
-            "print at 100 %, join the sheets",
-        ),
+        _ if ["-a4.pdf", "-a3.pdf", "-letter.pdf"]
+            .iter()
+            .any(|end| name.ends_with(end)) =>
+        {
+            language.pick(
+                "倍率 100 % で印刷して貼り合わせる",
+                "print at 100 %, join the sheets",
+            )
+        }
+        _ if has_end(path, "pdf") => language.pick("印刷して読む", "to print and read"),
         _ => language.pick("写真", "a still"),
     }
 }
@@ -304,8 +311,8 @@ pub(crate) fn explain(failure: &Failure, language: Language) -> ExitCode {
             eprintln!(
                 "lole: {}",
                 language.pick(
-                    "中止しました。何も書き出していません。",
-                    "stopped; nothing was written."
+                    "中止しました。書きかけのファイルは残っていません。",
+                    "stopped; nothing half-written was left."
                 )
             );
             ExitCode::from(INTERRUPTED)

@@ -10,6 +10,7 @@ use lole_pattern::pattern::{Amount, NotionKind};
 
 use crate::document::{CostDesign, Currency, Design, FabricDesign};
 use crate::order::{DancerPlan, PlannedGarment};
+use crate::tailoring::SKIRT;
 
 /// What is paid for.
 #[derive(Debug, Clone, PartialEq)]
@@ -95,6 +96,10 @@ pub fn bill(design: &Design, plan: &DancerPlan) -> Bill {
     let hours = minutes / 60.0;
     let mut bill = Bill::new(cost, hours);
     for (garment, fabric) in plan.garments.iter().zip(design.fabrics()) {
+        // Leaves and flowers need no cloth.
+        if garment.plans.is_empty() {
+            continue;
+        }
         let (amount, price) = cloth(garment, fabric);
         bill.add(garment.tailored.name, amount, price);
     }
@@ -172,7 +177,11 @@ fn cloth(garment: &PlannedGarment, fabric: &FabricDesign) -> (Sentence, Result<f
         ),
         (None, None) => (
             Sentence::new(metric.clone(), metric),
-            Err("[fabric] price_per_m"),
+            Err(if garment.tailored.id == SKIRT {
+                "[fabric] price_per_m"
+            } else {
+                "[garment.fabric] price_per_m"
+            }),
         ),
     }
 }

@@ -176,7 +176,7 @@ impl Design {
     /// Cloth and print of every garment, in the order of [`patterns_of`].
     fn cloths(&self) -> Vec<(&FabricDesign, &PrintChoice)> {
         let of_layer = |layer| {
-            let garments = self.garments_in(layer);
+            let garments = self.listed_in(layer);
             garments.map(|(_, garment)| (garment.fabric(), garment.print()))
         };
         of_layer(GarmentLayer::Under)
@@ -229,7 +229,9 @@ pub fn prints(plans: &[DancerPlan], design: &Design, settings: &Settings) -> Vec
         let mut cuts = Vec::new();
         let mut garments = Vec::new();
         for (dancer, plan) in plans.iter().enumerate() {
-            for garment in kind.iter().filter_map(|&index| plan.garments.get(index)) {
+            let of_kind = kind.iter().filter_map(|&index| plan.garments.get(index));
+            // Leaves and flowers need no cloth.
+            for garment in of_kind.filter(|garment| !garment.plans.is_empty()) {
                 cuts.push((dancer, garment.bought().needed));
                 if !garments.contains(&garment.tailored.name) {
                     garments.push(garment.tailored.name);
@@ -257,7 +259,8 @@ pub fn prints(plans: &[DancerPlan], design: &Design, settings: &Settings) -> Vec
             longer_than_bolt,
         }
     };
-    kinds.iter().map(total).collect()
+    let totals = kinds.iter().map(total);
+    totals.filter(|total| Length::ZERO < total.needed).collect()
 }
 
 /// What is cut from each bolt, so that no piece spans the end of one: the longest piece first, each
@@ -355,6 +358,24 @@ pub(crate) mod tests {
         let height = |index: usize| plans[index].garments[0].rectangles()[0].1[1].to_cm();
         // One hem above the floor: taller dancers wear longer skirts.
         assert!(height(0) < height(1) && height(1) < height(2));
+    }
+
+    #[test]
+    fn garments_that_are_only_drafted_are_bought_too() {
+        let mut design = Design::default();
+        let listed = ["pau-top", "ti-leaf-skirt", "kikepa"];
+        design.garments = listed.map(|id| GarmentDesign::of_kind(id).unwrap()).into();
+        let cut = plans(&design);
+        let totals = prints(&cut, &design, &Settings::default());
+        // The top and the wrap are of one plain cloth; leaves are no cloth.
+        let names: Vec<usize> = totals.iter().map(|total| total.garments.len()).collect();
+        assert_eq!(names, [1, 2]);
+        let needed = totals
+            .iter()
+            .fold(0.0, |sum, total| sum + total.needed.to_m());
+        let garments = cut.iter().flat_map(|plan| &plan.garments);
+        let cut: f64 = garments.map(|garment| garment.bought().needed.to_m()).sum();
+        assert!((needed - cut).abs() < 1e-9, "{needed} of {cut} m");
     }
 
     #[test]

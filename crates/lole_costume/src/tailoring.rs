@@ -145,8 +145,7 @@ pub fn patterns_of(
     };
     let measures = LazyCell::new(|| measures(dancer));
     for layer in [GarmentLayer::Under, GarmentLayer::Over] {
-        let listed = design.garments.iter().enumerate();
-        for (index, garment) in listed.filter(|(_, garment)| garment.layer() == layer) {
+        for (index, garment) in design.listed_in(layer) {
             let name = garment_name(garment);
             let pattern = match garment {
                 GarmentDesign::PauSkirt(worn) => {

@@ -84,19 +84,18 @@ fn cover(flow: &mut Flow, booklet: &Booklet<'_>, language: Language) {
     let names: Vec<&str> = (booklet.plan.garments.iter())
         .map(|garment| garment.tailored.name.text(language))
         .collect();
+    let name = booklet.plan.name.trim();
+    let dancer =
+        (!name.is_empty()).then(|| format!("{}{name}", language.pick("踊り手: ", "Dancer: ")));
     let about = [
-        names.join(language.pick("・", ", ")),
-        format!(
-            "{}{}",
-            language.pick("踊り手: ", "Dancer: "),
-            booklet.plan.name
-        ),
-        format!(
+        Some(names.join(language.pick("・", ", "))),
+        dancer,
+        Some(format!(
             "{}{:.0} cm",
             language.pick("床から裾まで: ", "Hem above the floor: "),
             booklet.hem_height_cm
-        ),
-        time_words(booklet, language),
+        )),
+        Some(time_words(booklet, language)),
     ];
     let text_height = 4.0 * TextStyle::regular(14.0).line_height() + 4.0;
     let height = flow.left_over() - text_height - 2.0;
@@ -108,7 +107,7 @@ fn cover(flow: &mut Flow, booklet: &Booklet<'_>, language: Language) {
         None => rule(sheet, [rect.x, rect.y], width),
     });
     flow.space(4.0);
-    for line in about {
+    for line in about.into_iter().flatten() {
         flow.block(TextStyle::regular(14.0).line_height(), |sheet, rect| {
             let at = [rect.x + 0.5 * rect.width, rect.y + 6.0];
             sheet.text(at, &line, &TextStyle::regular(14.0), Align::Center);

@@ -73,11 +73,13 @@ fn summary(flow: &mut Flow, order: &Order<'_>, language: Language) {
 
 /// Dancers side by side on a floor, in rows.
 fn line_up(flow: &mut Flow, pictures: &[Option<Picture>]) {
-    /// Dancers of a row: more would be too small to know.
-    const ROW: usize = 10;
+    /// Dancers of a row: more would be too small to know, fewer taller than half the page.
+    const ROW: std::ops::RangeInclusive<usize> = 4..=10;
     let shown: Vec<&Picture> = pictures.iter().flatten().collect();
-    for row in shown.chunks(ROW) {
-        let width = flow.width() / ROW as f64;
+    let row_count = shown.len().div_ceil(*ROW.end()).max(1);
+    let per_row = shown.len().div_ceil(row_count).max(*ROW.start());
+    for row in shown.chunks(per_row) {
+        let width = flow.width() / per_row as f64;
         let aspect = |picture: &&Picture| f64::from(picture.height) / f64::from(picture.width);
         let height = row
             .iter()

@@ -203,6 +203,13 @@ impl Design {
         listed.filter(move |(_, garment)| garment.is_danced() && garment.layer() == layer)
     }
 
+    /// Everything that is listed for a layer, danced or only drafted, with its place in the list, from
+    /// the skin outward.
+    pub fn listed_in(&self, layer: GarmentLayer) -> impl Iterator<Item = (usize, &GarmentDesign)> {
+        let listed = self.garments.iter().enumerate();
+        listed.filter(move |(_, garment)| garment.layer() == layer)
+    }
+
     /// The fabrics of everything that is danced, from the skin outward.
     #[must_use]
     pub fn worn_fabrics(&self) -> Vec<Fabric> {
