@@ -7,7 +7,7 @@
 //! | `cut-plan.svg` | [`cut_plan_svg`] |
 //! | `pattern-a4.pdf` | [`tiled_sheets`]: pieces at full size over sheets to join |
 //! | `ruler.pdf` | [`ruler_sheets`]: rectangles to draw with ruler and chalk |
-//! | `pattern.svg` | [`pieces_svg`]: pieces at full size, a group for each |
+//! | `pattern.svg` | [`pieces_svg()`]: pieces at full size, a group for each |
 //! | `pattern.dxf` | [`crate::dxf::pattern_dxf`] |
 //! | `pattern.json` | [`pattern_json`] |
 //!
