@@ -216,7 +216,7 @@ pub(crate) struct OrderArgs {
     /// Paper of the printer: a4, a3 or letter.
     #[arg(long, value_enum, default_value_t = PaperSize::A4)]
     pub(crate) paper: PaperSize,
-    /// Leave out the pictures of the dancers: seconds instead of a minute.
+    /// Leave out the pictures of the dancers, which take most of the time.
     #[arg(long)]
     pub(crate) no_pictures: bool,
     /// Print the order as JSON on standard output, and nothing else there.

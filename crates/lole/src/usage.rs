@@ -146,7 +146,7 @@ const JAPANESE_HELP: &[(&str, &str, &str)] = &[
     (
         "order",
         "no_pictures",
-        "踊り手の写真を省きます（一分ほどのかわりに数秒）",
+        "踊り手の写真を省きます（時間の大半は写真です）",
     ),
     (
         "order",

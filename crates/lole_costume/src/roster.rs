@@ -204,7 +204,7 @@ impl RosterDancer {
         for measure in Measure::ALL {
             let mut tape = self.tape_cm.iter();
             let given = tape.find(|(known, _)| *known == measure);
-            *columns::field(&mut worn.dancer, measure) = given.map(|&(_, cm)| cm);
+            *worn.dancer.measure_mut(measure) = given.map(|&(_, cm)| cm);
         }
         let stature = |design: &Design| Some(Measurements::from_tape(&design.tape()).ok()?.stature);
         if let (Some(own), Some(hers)) = (stature(design), stature(&worn)) {

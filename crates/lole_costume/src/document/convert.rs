@@ -12,13 +12,36 @@ use lole_pattern::{DraftError, ElasticRatio, GatherRatio};
 
 use super::schema::Table;
 use super::{
-    BodyShapes, Design, DesignError, FabricDesign, GarmentDesign, GarmentLayer, MotionDesign,
-    PartDesign, PrintChoice, Problem, SkirtDesign, WindDesign, WornTop, schema, template,
+    BodyShapes, DancerDesign, Design, DesignError, FabricDesign, GarmentDesign, GarmentLayer,
+    MotionDesign, PartDesign, PrintChoice, Problem, SkirtDesign, WindDesign, WornTop, schema,
+    template,
 };
 use crate::fabrics::{FabricFigures, si_fabric};
 
 /// Density of air at 20 °C and sea level [kg/m³].
 const AIR_DENSITY: f64 = 1.204;
+
+impl DancerDesign {
+    /// What is written of a measure [cm], to change it; `None` where it is estimated.
+    pub const fn measure_mut(&mut self, measure: Measure) -> &mut Option<f64> {
+        match measure {
+            Measure::Stature => &mut self.stature_cm,
+            Measure::Bust => &mut self.bust_cm,
+            Measure::Underbust => &mut self.underbust_cm,
+            Measure::Waist => &mut self.waist_cm,
+            Measure::HighHip => &mut self.high_hip_cm,
+            Measure::Hip => &mut self.hip_cm,
+            Measure::Thigh => &mut self.thigh_cm,
+            Measure::Knee => &mut self.knee_cm,
+            Measure::Calf => &mut self.calf_cm,
+            Measure::Ankle => &mut self.ankle_cm,
+            Measure::Inseam => &mut self.inseam_cm,
+            Measure::WaistHeight => &mut self.waist_height_cm,
+            Measure::ShoulderBreadth => &mut self.shoulder_breadth_cm,
+            Measure::UpperArmLength => &mut self.upper_arm_length_cm,
+        }
+    }
+}
 
 impl Design {
     /// Checks every value against its row of the schema, and the tape as a whole.

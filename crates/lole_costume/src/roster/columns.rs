@@ -6,7 +6,6 @@ use lole_language::{Sentence, Words, words};
 use super::RosterError;
 use super::cells::Record;
 use super::lengths::{Unit, narrow};
-use crate::document::DancerDesign;
 
 /// A column that is read.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -244,24 +243,4 @@ pub(super) fn figure(cell: &str) -> Result<Option<Figure>, ()> {
         "子ども" | "子供" | "こども" | "ケイキ" | "child" | "keiki" => Figure::Child,
         _ => return Err(()),
     }))
-}
-
-/// The document's field of a measure.
-pub(super) const fn field(dancer: &mut DancerDesign, measure: Measure) -> &mut Option<f64> {
-    match measure {
-        Measure::Stature => &mut dancer.stature_cm,
-        Measure::Bust => &mut dancer.bust_cm,
-        Measure::Underbust => &mut dancer.underbust_cm,
-        Measure::Waist => &mut dancer.waist_cm,
-        Measure::HighHip => &mut dancer.high_hip_cm,
-        Measure::Hip => &mut dancer.hip_cm,
-        Measure::Thigh => &mut dancer.thigh_cm,
-        Measure::Knee => &mut dancer.knee_cm,
-        Measure::Calf => &mut dancer.calf_cm,
-        Measure::Ankle => &mut dancer.ankle_cm,
-        Measure::Inseam => &mut dancer.inseam_cm,
-        Measure::WaistHeight => &mut dancer.waist_height_cm,
-        Measure::ShoulderBreadth => &mut dancer.shoulder_breadth_cm,
-        Measure::UpperArmLength => &mut dancer.upper_arm_length_cm,
-    }
 }

@@ -172,24 +172,7 @@ fn given(design: &Design, measure: Measure) -> Option<f64> {
 
 /// Writes a measure down, or strikes it out.
 fn set(design: &mut Design, measure: Measure, centimeters: Option<f64>) {
-    let dancer = &mut design.dancer;
-    let field = match measure {
-        Measure::Stature => &mut dancer.stature_cm,
-        Measure::Bust => &mut dancer.bust_cm,
-        Measure::Underbust => &mut dancer.underbust_cm,
-        Measure::Waist => &mut dancer.waist_cm,
-        Measure::HighHip => &mut dancer.high_hip_cm,
-        Measure::Hip => &mut dancer.hip_cm,
-        Measure::Thigh => &mut dancer.thigh_cm,
-        Measure::Knee => &mut dancer.knee_cm,
-        Measure::Calf => &mut dancer.calf_cm,
-        Measure::Ankle => &mut dancer.ankle_cm,
-        Measure::Inseam => &mut dancer.inseam_cm,
-        Measure::WaistHeight => &mut dancer.waist_height_cm,
-        Measure::ShoulderBreadth => &mut dancer.shoulder_breadth_cm,
-        Measure::UpperArmLength => &mut dancer.upper_arm_length_cm,
-    };
-    *field = centimeters;
+    *design.dancer.measure_mut(measure) = centimeters;
 }
 
 #[cfg(test)]
