@@ -8,6 +8,10 @@
 use std::sync::Arc;
 
 use glam::{Affine3A, Mat3A, Vec2, Vec3, Vec3A};
+use rayon::prelude::*;
+
+/// Vertices that one thread carries in one go.
+const VERTICES_TOGETHER: usize = 1024;
 
 /// What a part of the skin shows; one plain material each.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -113,12 +117,24 @@ impl SkinnedMesh {
         positions: &mut Vec<Vec3>,
         normals: &mut Vec<Vec3>,
     ) {
-        positions.clear();
-        normals.clear();
-        for (index, (&position, &normal)) in self.positions.iter().zip(&self.normals).enumerate() {
-            let blended = blend(world_from_bind, self.joints[index], self.weights[index]);
-            positions.push(blended.transform_point3(position));
-            normals.push(blended.transform_vector3(normal).normalize_or_zero());
+        positions.resize(self.positions.len(), Vec3::ZERO);
+        normals.resize(self.positions.len(), Vec3::ZERO);
+        let pose = |(start, (positions, normals)): (usize, (&mut [Vec3], &mut [Vec3]))| {
+            for ((index, position), normal) in (start..).zip(positions).zip(normals) {
+                let blended = blend(world_from_bind, self.joints[index], self.weights[index]);
+                *position = blended.transform_point3(self.positions[index]);
+                *normal = blended
+                    .transform_vector3(self.normals[index])
+                    .normalize_or_zero();
+            }
+        };
+        if rayon::current_num_threads() == 1 {
+            pose((0, (&mut positions[..], &mut normals[..])));
+        } else {
+            let starts = (0..self.positions.len()).into_par_iter();
+            let parts = positions.par_chunks_mut(VERTICES_TOGETHER);
+            let parts = parts.zip(normals.par_chunks_mut(VERTICES_TOGETHER));
+            starts.step_by(VERTICES_TOGETHER).zip(parts).for_each(pose);
         }
         for &Turning { vertex, center } in &self.turning {
             let vertex = vertex as usize;

@@ -8,6 +8,8 @@
 //! Particles are sorted by cells into slabs. A pair reaches from its slab into the next at most:
 //! every other slab can be solved at the same time, and the order never depends on threads.
 
+use std::ops::Range;
+
 use fearless_simd::{Simd, f32x16, prelude::*};
 use glam::Vec3;
 use rayon::prelude::*;
@@ -15,7 +17,7 @@ use rayon::prelude::*;
 use crate::collision::grid::{CellGrid, Entry, each_hit};
 use crate::collision::parting::{DEGENERATE_SQUARED, Parting};
 use crate::collision::pinned_rows::PinnedRows;
-use crate::lanes::{LANES, Layout, Points, Scalars, Vectors, narrow};
+use crate::lanes::{LANES, Layout, Points, Scalars, Vectors, narrow, smaller};
 use crate::{Grid, Topology};
 
 /// How far beyond touching candidates are kept [diameters]: folds move together, so what one
@@ -23,8 +25,8 @@ use crate::{Grid, Topology};
 const MARGIN: f32 = 0.6;
 
 /// Columns and rows within which particles are held apart by their springs alone.
-const NEIGHBOR_COLUMNS: u32 = 1;
-const NEIGHBOR_ROWS: u32 = 2;
+const NEIGHBOR_COLUMNS: f32 = 1.0;
+const NEIGHBOR_ROWS: f32 = 2.0;
 
 /// Where pins hold strands nearer together than a diameter, contact keeps this share of their gap,
 /// and what lies this much farther apart for every meter of cloth from the pins.
@@ -69,12 +71,27 @@ struct Touch {
     quiet: Vec3,
 }
 
+/// Vector and lane of a particle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Slot(u32);
+
+impl Slot {
+    fn new(vector: usize, lane: usize) -> Self {
+        Self(narrow(vector * LANES + lane))
+    }
+
+    #[inline(always)]
+    const fn get(self) -> (usize, usize) {
+        let place = self.0 as usize;
+        (place / LANES, place % LANES)
+    }
+}
+
 /// Candidates and room to solve them.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct ClothContacts {
     grid: CellGrid,
     positions: Vec<Vec3>,
-    threads: Vec<Vec3>,
     /// First entry of every slab, and one more.
     slabs: Vec<usize>,
     /// Pairs whose first entry lies in a slab, slab by slab.
@@ -85,7 +102,9 @@ pub(crate) struct ClothContacts {
     /// Entries that are in a pair, ascending.
     paired: Vec<u32>,
     /// Vector and lane of every entry.
-    slots: Vec<(u32, u32)>,
+    slots: Vec<Slot>,
+    /// Column and row of every entry, and a vector beyond the last.
+    places: [Vec<f32>; 2],
 }
 
 /// Particles in the engine's layout, as a substep has them.
@@ -143,11 +162,11 @@ impl ClothContacts {
         let pairs: usize = self.pairs.iter().map(Vec::capacity).sum();
         self.grid.byte_count()
             + size_of_val(&self.positions[..])
-            + size_of_val(&self.threads[..])
             + size_of_val(&self.strands[..])
             + size_of_val(&self.touches[..])
             + size_of_val(&self.paired[..])
             + size_of_val(&self.slots[..])
+            + 2 * size_of_val(&self.places[0][..])
             + pairs * size_of::<Pair>()
     }
 
@@ -166,13 +185,12 @@ impl ClothContacts {
             self.slabs.clear();
             return;
         }
-        find_threads(shape.grid, &self.positions, &mut self.threads);
         let across = law.diameter * (1.0 + MARGIN);
         let reach = (law.half_thread * law.half_thread + across * across).sqrt();
-        self.grid
-            .sort(&self.positions, shape.grid.column_count, reach);
+        self.grid.sort(&self.positions, reach);
         self.cut_slabs();
         self.find_strands(shape);
+        self.find_places(shape.grid);
         let (slabs, finder) = (
             &self.slabs,
             PairFinder {
@@ -181,7 +199,12 @@ impl ClothContacts {
                 reach_squared: reach * reach,
                 across_squared: across * across,
                 cells: &self.grid,
+                columns_around: match shape.grid.topology {
+                    Topology::Sheet => f32::INFINITY,
+                    Topology::Tube => shape.grid.column_count as f32,
+                },
                 strands: &self.strands,
+                places: &self.places,
                 positions: &self.positions,
             },
         );
@@ -190,7 +213,7 @@ impl ClothContacts {
             let range = slabs[slab]..slabs[slab + 1];
             simd.vectorize(
                 #[inline(always)]
-                || range.for_each(|index| finder.collect(simd, index, pairs)),
+                || finder.collect(simd, range, pairs),
             );
         };
         if rayon::current_num_threads() == 1 {
@@ -232,20 +255,35 @@ impl ClothContacts {
     }
 
     fn find_strands(&mut self, shape: Shape<'_>) {
+        let columns = shape.grid.column_count as usize;
         self.strands.clear();
         self.slots.clear();
         for entry in &self.grid.entries {
             let particle = entry.particle as usize;
             let (vector, lane) = shape.layout.slot(particle);
-            self.slots.push((narrow(vector), narrow(lane)));
+            self.slots.push(Slot::new(vector, lane));
             self.strands.push(Strand {
                 position: entry.position,
                 inv_mass: shape.inv_masses[vector].0[lane],
-                thread: self.threads[particle],
+                thread: thread(columns, &self.positions, particle),
                 is_touched: false,
             });
         }
         self.touches.resize(self.strands.len(), Touch::default());
+    }
+
+    fn find_places(&mut self, grid: &Grid) {
+        let [columns, rows] = &mut self.places;
+        columns.clear();
+        rows.clear();
+        for entry in &self.grid.entries {
+            let [row, column] = place_of(grid, entry);
+            columns.push(column as f32);
+            rows.push(row as f32);
+        }
+        for places in [columns, rows] {
+            places.resize(self.grid.entries.len() + LANES, 0.0);
+        }
     }
 
     /// Moves apart what is nearer than the law allows. What undoes an approach in this substep
@@ -256,9 +294,9 @@ impl ClothContacts {
             return;
         }
         for &entry in &self.paired {
-            let (vector, lane) = self.slots[entry as usize];
+            let (vector, lane) = self.slots[entry as usize].get();
             let strand = &mut self.strands[entry as usize];
-            strand.position = columns.positions[vector as usize].get(lane as usize);
+            strand.position = columns.positions[vector].get(lane);
             strand.is_touched = false;
         }
         for parity in [0, 1] {
@@ -304,8 +342,7 @@ impl ClothContacts {
             if !strand.is_touched {
                 continue;
             }
-            let (vector, lane) = self.slots[entry as usize];
-            let (vector, lane) = (vector as usize, lane as usize);
+            let (vector, lane) = self.slots[entry as usize].get();
             columns.positions[vector].set(lane, strand.position);
             let start = columns.predicted[vector].get(lane);
             let quiet = self.touches[entry as usize].quiet;
@@ -314,19 +351,16 @@ impl ClothContacts {
     }
 }
 
-/// Unit vectors along the columns, row-major.
-fn find_threads(grid: &Grid, positions: &[Vec3], threads: &mut Vec<Vec3>) {
-    let (columns, count) = (grid.column_count as usize, positions.len());
-    threads.clear();
-    threads.extend((0..count).map(|particle| {
-        let above = particle.checked_sub(columns).unwrap_or(particle);
-        let below = if particle + columns < count {
-            particle + columns
-        } else {
-            particle
-        };
-        (positions[below] - positions[above]).normalize_or_zero()
-    }));
+/// Unit vector along the column of a particle.
+fn thread(columns: usize, positions: &[Vec3], particle: usize) -> Vec3 {
+    let above = particle.checked_sub(columns).unwrap_or(particle);
+    let below = particle + columns;
+    let below = if below < positions.len() {
+        below
+    } else {
+        particle
+    };
+    (positions[below] - positions[above]).normalize_or_zero()
 }
 
 /// What a search for pairs looks at.
@@ -336,7 +370,11 @@ struct PairFinder<'a> {
     reach_squared: f32,
     across_squared: f32,
     cells: &'a CellGrid,
+    /// Columns around a tube; infinite of a sheet.
+    columns_around: f32,
     strands: &'a [Strand],
+    /// Column and row of every entry.
+    places: &'a [Vec<f32>; 2],
     /// Row-major.
     positions: &'a [Vec3],
 }
@@ -354,41 +392,66 @@ fn push_sparingly(pairs: &mut Vec<Pair>, pair: Option<Pair>) {
 }
 
 impl PairFinder<'_> {
+    /// Adds the pairs of the entries of a range with those that follow them.
     #[inline(always)]
-    fn collect<S: Simd>(&self, simd: S, index: usize, pairs: &mut Vec<Pair>) {
-        let first = self.cells.entries[index];
-        let position = Vectors::splat(simd, first.position);
-        let reach = f32x16::splat(simd, self.reach_squared);
-        let [x, y, z] = &self.cells.coordinates;
-        self.cells.following_runs(
-            index,
-            #[inline(always)]
-            |start, run| {
-                for from in (0..run.len()).step_by(LANES) {
-                    let lanes = start + from..start + from + LANES;
-                    let offset = Vectors {
-                        x: f32x16::from_slice(simd, &x[lanes.clone()]),
-                        y: f32x16::from_slice(simd, &y[lanes.clone()]),
-                        z: f32x16::from_slice(simd, &z[lanes]),
-                    }
-                    .sub(position);
-                    let hits = offset.dot(offset).simd_lt(reach).to_bitmask();
-                    for place in each_hit(hits, run.len() - from) {
-                        push_sparingly(pairs, self.pair(index, start + from + place));
-                    }
+    fn collect<S: Simd>(&self, simd: S, range: Range<usize>, pairs: &mut Vec<Pair>) {
+        let entries = &self.cells.entries[range.clone()];
+        let mut start = range.start;
+        for own in entries.chunk_by(|one, next| one.cell == next.cell) {
+            let end = start + own.len();
+            let [mut rest, below @ ..] = self.cells.following_runs(own[0].cell);
+            for index in start..end {
+                rest.start = index + 1;
+                self.collect_run(simd, index, rest.clone(), pairs);
+                for run in &below {
+                    self.collect_run(simd, index, run.clone(), pairs);
                 }
-            },
-        );
+            }
+            start = end;
+        }
     }
 
-    /// The pair of two entries, unless they are neighbors or too far apart.
+    /// Adds the pairs of an entry with those of a run.
     #[inline(always)]
-    fn pair(&self, first: usize, second: usize) -> Option<Pair> {
-        let entries = [first, second].map(|index| &self.cells.entries[index]);
-        if are_neighbors(self.shape.grid, entries) {
-            return None;
+    fn collect_run<S: Simd>(
+        &self,
+        simd: S,
+        index: usize,
+        run: Range<usize>,
+        pairs: &mut Vec<Pair>,
+    ) {
+        let [x, y, z] = &self.cells.coordinates;
+        let position = Vectors::splat(simd, self.cells.entries[index].position);
+        let reach = f32x16::splat(simd, self.reach_squared);
+        for from in run.clone().step_by(LANES) {
+            let lanes = from..from + LANES;
+            let offset = Vectors {
+                x: f32x16::from_slice(simd, &x[lanes.clone()]),
+                y: f32x16::from_slice(simd, &y[lanes.clone()]),
+                z: f32x16::from_slice(simd, &z[lanes.clone()]),
+            }
+            .sub(position);
+            let near = offset.dot(offset).simd_lt(reach).to_bitmask();
+            let hits = near & !self.neighbors(simd, index, lanes);
+            for place in each_hit(hits, run.end - from) {
+                push_sparingly(pairs, self.distant_pair([index, from + place]));
+            }
         }
-        self.distant_pair([first, second])
+    }
+
+    /// Which of sixteen entries are neighbors of one in the cloth, by bits.
+    #[inline(always)]
+    fn neighbors<S: Simd>(&self, simd: S, index: usize, lanes: Range<usize>) -> u64 {
+        let [columns, rows] = self.places;
+        let apart = |places: &[f32]| {
+            let own = f32x16::splat(simd, places[index]);
+            (f32x16::from_slice(simd, &places[lanes.clone()]) - own).abs()
+        };
+        let across = apart(columns);
+        let around = f32x16::splat(simd, self.columns_around) - across;
+        let is_beside = smaller(across, around).simd_le(f32x16::splat(simd, NEIGHBOR_COLUMNS));
+        let is_along = apart(rows).simd_le(f32x16::splat(simd, NEIGHBOR_ROWS));
+        is_beside.to_bitmask() & is_along.to_bitmask()
     }
 
     #[inline(never)]
@@ -409,11 +472,12 @@ impl PairFinder<'_> {
         if self.across_squared < squared || squared < DEGENERATE_SQUARED {
             return None;
         }
-        let entries = [first, second].map(|index| &self.cells.entries[index]);
+        let places =
+            [first, second].map(|index| place_of(self.shape.grid, &self.cells.entries[index]));
         let pinned_gap = self
             .shape
             .pinned_rows
-            .gap(self.shape.grid, self.positions, entries);
+            .gap(self.shape.grid, self.positions, places);
         let diameter = pinned_gap.map_or(self.law.diameter, |(gap, cloth)| {
             (PINNED_SHARE * gap + PINNED_OPENING * cloth).min(self.law.diameter)
         });
@@ -426,14 +490,13 @@ impl PairFinder<'_> {
     }
 }
 
+/// Row and column of an entry.
 #[inline(always)]
-fn are_neighbors(grid: &Grid, [first, second]: [&Entry; 2]) -> bool {
-    let across = first.column.abs_diff(second.column);
-    let across = match grid.topology {
-        Topology::Sheet => across,
-        Topology::Tube => across.min(grid.column_count - across),
-    };
-    across <= NEIGHBOR_COLUMNS && first.row.abs_diff(second.row) <= NEIGHBOR_ROWS
+fn place_of(grid: &Grid, entry: &Entry) -> [u32; 2] {
+    [
+        entry.particle / grid.column_count,
+        entry.particle % grid.column_count,
+    ]
 }
 
 /// From `one` to the nearest point of the part of a column that `other` stands for.
@@ -449,7 +512,7 @@ struct Slab<'a> {
     strands: &'a mut [Strand],
     touches: &'a mut [Touch],
     /// Vector and lane of each.
-    slots: &'a [(u32, u32)],
+    slots: &'a [Slot],
     /// The first entry.
     first: usize,
 }
@@ -499,8 +562,7 @@ impl Slab<'_> {
         if self.strands[end].is_touched {
             return;
         }
-        let (vector, lane) = self.slots[end];
-        let (vector, lane) = (vector as usize, lane as usize);
+        let (vector, lane) = self.slots[end].get();
         let flown = columns.velocities[vector].get(lane) * h;
         self.strands[end].is_touched = true;
         self.touches[end] = Touch {

@@ -4,13 +4,15 @@
 //! plane of one of them parts is sorted out first; patches that share a particle are looked at only
 //! where the surface turns by more than a right angle around it.
 
-use fearless_simd::{Simd, f32x16, prelude::*};
+use std::ops::Range;
+
+use fearless_simd::{Simd, dispatch, f32x16, prelude::*};
 use glam::Vec3;
 use rayon::prelude::*;
 
 use crate::collision::grid::each_hit;
 use crate::collision::patch_tree::{PatchTree, Search};
-use crate::collision::surface::{PATCH_TRIANGLES, Surface};
+use crate::collision::surface::{PATCH_EDGES, PATCH_TRIANGLES, Surface};
 use crate::lanes::{LANES, Points, Vectors, narrow};
 
 /// Cosine of the angle with their sum within which all normals around a particle lie where the
@@ -19,6 +21,9 @@ const FLAT_COSINE: f32 = 0.2;
 
 /// Pairs that one thread looks at in one go.
 const PAIRS_TOGETHER: usize = 2048;
+
+/// Particles around which one thread looks for folds in one go.
+const PARTICLES_TOGETHER: usize = 2048;
 
 /// An edge that crosses a triangle.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -106,18 +111,32 @@ impl CrossingFinder {
         self.near.clear();
         self.tree.list_pairs(simd, surface, &mut self.near);
         (self.resting_count, self.marked_count) = (self.near.len(), 0);
-        self.folded.clear();
-        let particles = 0..narrow(surface.particle_count());
-        for start in particles.clone().step_by(LANES) {
-            let mut some = [0; LANES];
-            let count = LANES.min((particles.end - start) as usize);
-            for (particle, place) in (start..).zip(&mut some[..count]) {
-                *place = particle;
-            }
-            let folds = self.stars.folds(simd, surface, &self.tree, &some[..count]);
-            self.list_folded(surface, &some[..count], folds);
-        }
+        self.fold_all(simd, surface);
         self.look(surface, positions, 0);
+    }
+
+    /// Lists the patches around all particles where the surface folds.
+    #[inline(always)]
+    fn fold_all<S: Simd>(&mut self, simd: S, surface: &Surface) {
+        self.folded.clear();
+        let count = surface.particle_count();
+        if rayon::current_num_threads() == 1 {
+            let stars = &mut self.stars;
+            stars.fold(simd, (surface, &self.tree), 0..count, &mut self.folded);
+            return;
+        }
+        let level = simd.level();
+        let starts: Vec<usize> = (0..count).step_by(PARTICLES_TOGETHER).collect();
+        let tree = &self.tree;
+        let pieces: Vec<_> = (starts.into_par_iter())
+            .map(|start| {
+                let (mut stars, mut folded) = (Stars::default(), Vec::new());
+                let some = start..count.min(start + PARTICLES_TOGETHER);
+                dispatch!(level, simd => stars.fold(simd, (surface, tree), some, &mut folded));
+                folded
+            })
+            .collect();
+        self.folded.extend(pieces.into_iter().flatten());
     }
 
     /// Finds every crossing of the marked patches: all that have moved since all were found.
@@ -150,20 +169,9 @@ impl CrossingFinder {
         particles.dedup();
         for some in particles.chunks(LANES) {
             let folds = self.stars.folds(simd, surface, &self.tree, some);
-            self.list_folded(surface, some, folds);
+            list_folded(surface, some, folds, &mut self.folded);
         }
         self.look(surface, positions, self.resting_count);
-    }
-
-    /// Lists the patches around those particles whose bits are set.
-    fn list_folded(&mut self, surface: &Surface, particles: &[u32], folds: u64) {
-        for lane in each_hit(folds, particles.len()) {
-            let star = surface.star(particles[lane] as usize);
-            for (place, &one) in star.iter().enumerate() {
-                let others = star[place + 1..].iter();
-                self.folded.extend(others.map(|&other| [one, other]));
-            }
-        }
     }
 
     /// Looks at the pairs that were listed from `first` on, and at the folds.
@@ -197,11 +205,42 @@ impl CrossingFinder {
     }
 }
 
+/// Lists the patches around those particles whose bits are set.
+fn list_folded(surface: &Surface, particles: &[u32], folds: u64, folded: &mut Vec<[u32; 2]>) {
+    for lane in each_hit(folds, particles.len()) {
+        let star = surface.star(particles[lane] as usize);
+        for (place, &one) in star.iter().enumerate() {
+            let others = star[place + 1..].iter();
+            folded.extend(others.map(|&other| [one, other]));
+        }
+    }
+}
+
 /// Room for the normals around sixteen particles.
 #[derive(Debug, Clone, Default, PartialEq)]
 struct Stars(Vec<[Points; 2]>);
 
 impl Stars {
+    /// Lists the patches around those particles of a range where the surface folds.
+    #[inline(always)]
+    fn fold<S: Simd>(
+        &mut self,
+        simd: S,
+        (surface, tree): (&Surface, &PatchTree),
+        particles: Range<usize>,
+        folded: &mut Vec<[u32; 2]>,
+    ) {
+        for start in particles.clone().step_by(LANES) {
+            let mut some = [0; LANES];
+            let count = LANES.min(particles.end - start);
+            for (particle, place) in (start..).zip(&mut some[..count]) {
+                *place = narrow(particle);
+            }
+            let folds = self.folds(simd, surface, tree, &some[..count]);
+            list_folded(surface, &some[..count], folds, folded);
+        }
+    }
+
     /// Which of at most sixteen particles have normals around them that do not all lie in one
     /// half-space, and well within it.
     #[inline(always)]
@@ -314,25 +353,65 @@ fn cross(
             &surface.patches[pair[side] as usize],
             &surface.patches[pair[1 - side] as usize],
         );
-        for ends in cut.edges() {
-            let particles = ends.map(|corner| cut.corners[corner]);
-            let segment = ends.map(|corner| corners[side][corner]);
-            crossings.extend(PATCH_TRIANGLES.into_iter().filter_map(|triangle| {
-                let cut_corners = triangle.map(|corner| cutter.corners[corner]);
-                if particles.iter().any(|end| cut_corners.contains(end)) {
-                    return None;
-                }
-                let places = triangle.map(|corner| corners[1 - side][corner]);
-                let (along, weights) = crossing_point(segment, places)?;
-                Some(Crossing {
-                    ends: particles,
+        for triangle in PATCH_TRIANGLES {
+            let places = triangle.map(|corner| corners[1 - side][corner]);
+            let cut_corners = triangle.map(|corner| cutter.corners[corner]);
+            let shared = bits(cut.corners, |corner| cut_corners.contains(&corner));
+            let above = bits_above(places, corners[side]);
+            let edges = cut.owned_edges() & BETWEEN[above] & !TOUCHING[shared];
+            for edge in each_hit(u64::from(edges), PATCH_EDGES.len()) {
+                let ends = PATCH_EDGES[edge];
+                let segment = ends.map(|corner| corners[side][corner]);
+                let point = crossing_point(segment, places);
+                crossings.extend(point.map(|(along, weights)| Crossing {
+                    ends: ends.map(|corner| cut.corners[corner]),
                     along,
                     corners: cut_corners,
                     weights,
-                })
-            }));
+                }));
+            }
         }
     }
+}
+
+/// By corners of a patch, as bits: its edges from one of them to one that is none of them.
+const BETWEEN: [u8; 16] = edges_where(1);
+
+/// And the edges that end at one of them.
+const TOUCHING: [u8; 16] = edges_where(2);
+
+/// By corners of a patch, as bits: its edges of which an end is among them, one end alone where
+/// `most` is 1.
+const fn edges_where(most: usize) -> [u8; 16] {
+    let mut table = [0; 16];
+    let mut corners = 0;
+    while corners < 16 {
+        let mut edge = 0;
+        while edge < PATCH_EDGES.len() {
+            let [start, end] = PATCH_EDGES[edge];
+            let count = ((corners >> start) & 1) + ((corners >> end) & 1);
+            if 0 < count && count <= most {
+                table[corners] |= 1 << edge;
+            }
+            edge += 1;
+        }
+        corners += 1;
+    }
+    table
+}
+
+/// For which of four corners something holds, by bits.
+#[inline(always)]
+fn bits<T>(corners: [T; 4], holds: impl Fn(T) -> bool) -> usize {
+    let [a, b, c, d] = corners.map(|corner| usize::from(holds(corner)));
+    a | b << 1 | c << 2 | d << 3
+}
+
+/// Which corners lie above the plane of a triangle, by bits.
+#[inline(always)]
+fn bits_above([a, b, c]: [Vec3; 3], corners: [Vec3; 4]) -> usize {
+    let normal = (b - a).cross(c - a);
+    bits(corners, |corner| 0.0 < (corner - a).dot(normal))
 }
 
 /// Share of a segment and weights of a triangle's corners where they cross (Möller and Trumbore
@@ -356,7 +435,7 @@ pub(crate) fn crossing_point([start, end]: [Vec3; 2], [a, b, c]: [Vec3; 3]) -> O
 
 #[cfg(test)]
 mod tests {
-    use fearless_simd::{Level, dispatch};
+    use fearless_simd::Level;
     use glam::DVec3;
 
     use super::*;

@@ -1,5 +1,7 @@
 //! Particles sorted into cubic cells, so that neighbors lie close together in memory.
 
+use std::ops::Range;
+
 use glam::Vec3;
 
 use crate::lanes::LANES;
@@ -13,9 +15,7 @@ pub(crate) struct Entry {
     pub(crate) position: Vec3,
     /// Row-major index.
     pub(crate) particle: u32,
-    pub(crate) row: u32,
-    pub(crate) column: u32,
-    cell: u32,
+    pub(crate) cell: u32,
 }
 
 /// Particles sorted by cell, cells along x first.
@@ -44,9 +44,8 @@ impl CellGrid {
             + size_of_val(self.cells.as_slice())
     }
 
-    /// Sorts `positions`, all finite, rows of `column_count`, into cells of at least `cell_size`
-    /// [m].
-    pub(crate) fn sort(&mut self, positions: &[Vec3], column_count: u32, cell_size: f32) {
+    /// Sorts `positions`, all finite, into cells of at least `cell_size` [m].
+    pub(crate) fn sort(&mut self, positions: &[Vec3], cell_size: f32) {
         let low = positions.iter().copied().fold(Vec3::INFINITY, Vec3::min);
         let high = positions
             .iter()
@@ -84,16 +83,14 @@ impl CellGrid {
             sum += *start;
             *start = sum;
         }
-        self.fill(positions, column_count);
+        self.fill(positions);
     }
 
     /// Backwards, so that every start ends where its cell begins and equal cells keep their order.
-    fn fill(&mut self, positions: &[Vec3], column_count: u32) {
+    fn fill(&mut self, positions: &[Vec3]) {
         let blank = Entry {
             position: Vec3::ZERO,
             particle: 0,
-            row: 0,
-            column: 0,
             cell: 0,
         };
         self.entries.clear();
@@ -106,8 +103,6 @@ impl CellGrid {
             self.entries[*end as usize] = Entry {
                 position,
                 particle,
-                row: particle / column_count,
-                column: particle % column_count,
                 cell,
             };
         }
@@ -153,25 +148,23 @@ impl CellGrid {
             .map(|&start| start as usize)
     }
 
-    /// Calls `visit` with where it starts and every run of entries that follows `index` in the half neighborhood:
-    /// the rest of its own cell and the cell right of it, then four runs of three cells.
+    /// The half neighborhood of a cell, five runs of entries: its own and the cell right of it, then
+    /// four runs of three cells.
     #[inline(always)]
-    pub(crate) fn following_runs(&self, index: usize, mut visit: impl FnMut(usize, &[Entry])) {
+    pub(crate) fn following_runs(&self, cell: u32) -> [Range<usize>; 5] {
         let [width, height, _] = self.dimensions;
-        let cell = self.entries[index].cell;
         let layer = width * height;
-        let end = self.starts[cell as usize + 2] as usize;
-        visit(index + 1, &self.entries[index + 1..end]);
-        for middle in [
-            cell + width,
-            cell + layer - width,
-            cell + layer,
-            cell + layer + width,
-        ] {
-            let start = self.starts[middle as usize - 1] as usize;
-            let end = self.starts[middle as usize + 2] as usize;
-            visit(start, &self.entries[start..end]);
-        }
+        let run = |first: u32, end: u32| {
+            self.starts[first as usize] as usize..self.starts[end as usize] as usize
+        };
+        let three = |middle: u32| run(middle - 1, middle + 2);
+        [
+            run(cell, cell + 2),
+            three(cell + width),
+            three(cell + layer - width),
+            three(cell + layer),
+            three(cell + layer + width),
+        ]
     }
 }
 
@@ -216,12 +209,13 @@ mod tests {
             .collect();
         let reach = 0.012;
         let mut grid = CellGrid::default();
-        grid.sort(&positions, 20, reach);
+        grid.sort(&positions, reach);
         let mut found = Vec::new();
         for index in 0..positions.len() {
             let first = grid.entries[index];
-            grid.following_runs(index, |_, run| {
-                let near = run
+            let [own, others @ ..] = grid.following_runs(first.cell);
+            for run in std::iter::once(index + 1..own.end).chain(others) {
+                let near = grid.entries[run]
                     .iter()
                     .filter(|other| first.position.distance(other.position) < reach);
                 found.extend(near.map(|other| {
@@ -230,7 +224,7 @@ mod tests {
                         first.particle.max(other.particle),
                     )
                 }));
-            });
+            }
         }
         found.sort_unstable();
         let mut expected = Vec::new();

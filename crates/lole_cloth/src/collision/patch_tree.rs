@@ -56,17 +56,12 @@ impl Boxes {
     /// The box around all.
     #[inline(always)]
     fn bound(&self) -> Bound {
-        let mut bound = Bound {
-            low: Vec3::INFINITY,
-            high: Vec3::NEG_INFINITY,
-        };
-        for axis in 0..3 {
-            for lane in 0..LANES {
-                bound.low[axis] = bound.low[axis].min(self.low[axis].0[lane]);
-                bound.high[axis] = bound.high[axis].max(self.high[axis].0[lane]);
-            }
+        let lower = |one: f32, other: f32| if other < one { other } else { one };
+        let upper = |one: f32, other: f32| if one < other { other } else { one };
+        Bound {
+            low: Vec3::from_array(self.low.map(|sides| folded(sides.0, lower))),
+            high: Vec3::from_array(self.high.map(|sides| folded(sides.0, upper))),
         }
-        bound
     }
 
     /// Which of them meet a box, by bits.
@@ -82,6 +77,19 @@ impl Boxes {
         }
         hits
     }
+}
+
+/// One of sixteen values, half and half, so that it takes four vector instructions.
+#[inline(always)]
+fn folded(mut values: [f32; LANES], choose: impl Fn(f32, f32) -> f32) -> f32 {
+    let mut width = LANES / 2;
+    while 0 < width {
+        for lane in 0..width {
+            values[lane] = choose(values[lane], values[lane + width]);
+        }
+        width /= 2;
+    }
+    values[0]
 }
 
 /// The boxes of a surface at one moment.
@@ -119,9 +127,7 @@ impl PatchTree {
             count = count.div_ceil(LANES);
         }
         self.normals.resize(leaf_count, <[Points; 2]>::default());
-        for leaf in 0..leaf_count {
-            self.fit_leaf(simd, surface, positions, leaf);
-        }
+        self.fit_leaves(simd, surface, positions);
         for level in 1..self.levels.len() {
             for node in 0..self.levels[level - 1].len() {
                 self.carry_up(level, node);
@@ -139,7 +145,9 @@ impl PatchTree {
         leaves: &[u32],
     ) {
         for &leaf in leaves {
-            self.fit_leaf(simd, surface, positions, leaf as usize);
+            let place = leaf as usize;
+            let room = (&mut self.levels[0][place], &mut self.normals[place]);
+            fit_leaf(simd, (surface, positions), place, room);
             let mut node = leaf as usize;
             for level in 1..self.levels.len() {
                 self.carry_up(level, node);
@@ -155,28 +163,22 @@ impl PatchTree {
     }
 
     #[inline(always)]
-    fn fit_leaf<S: Simd>(&mut self, simd: S, surface: &Surface, positions: &[Vec3], leaf: usize) {
-        let [a, b, c, d] = &corners_of_leaf(surface, positions, leaf);
-        let (a, b) = (Vectors::load(simd, a), Vectors::load(simd, b));
-        let (c, d) = (Vectors::load(simd, c), Vectors::load(simd, d));
-        let diagonal = d.sub(a);
-        b.sub(a).cross(diagonal).store(&mut self.normals[leaf][0]);
-        diagonal.cross(c.sub(a)).store(&mut self.normals[leaf][1]);
-        let boxes = &mut self.levels[0][leaf];
-        let sides = [
-            [a.x, b.x, c.x, d.x],
-            [a.y, b.y, c.y, d.y],
-            [a.z, b.z, c.z, d.z],
-        ];
-        for (axis, [a, b, c, d]) in sides.into_iter().enumerate() {
-            let low = smaller(smaller(a, b), smaller(c, d));
-            let high = larger(larger(a, b), larger(c, d));
-            low.store_array(&mut boxes.low[axis].0);
-            high.store_array(&mut boxes.high[axis].0);
+    fn fit_leaves<S: Simd>(&mut self, simd: S, surface: &Surface, positions: &[Vec3]) {
+        let room = (&mut self.levels[0][..], &mut self.normals[..]);
+        if rayon::current_num_threads() == 1 {
+            fit_leaves_from(simd, (surface, positions), 0, room);
+            return;
         }
-        for lane in surface.patches.len() - (leaf * LANES).min(surface.patches.len())..LANES {
-            boxes.set(lane, NOWHERE.get(lane));
-        }
+        let level = simd.level();
+        let starts = (0..).step_by(LEAVES_TOGETHER);
+        let boxes = room.0.chunks_mut(LEAVES_TOGETHER);
+        let parts = boxes.zip(room.1.chunks_mut(LEAVES_TOGETHER)).zip(starts);
+        let parts: Vec<_> = parts.collect();
+        parts.into_par_iter().for_each(|(room, start)| {
+            fearless_simd::dispatch!(level, simd => {
+                fit_leaves_from(simd, (surface, positions), start, room);
+            });
+        });
     }
 
     /// Lists every pair of patches that share no particle and whose boxes meet.
@@ -224,7 +226,7 @@ impl PatchTree {
     /// Lists the pairs of the patches of a leaf with those of itself and of later leaves.
     #[inline(always)]
     fn list_pairs_of<S: Simd>(&self, simd: S, surface: &Surface, leaf: usize, search: &mut Search) {
-        let bound = self.levels[0][leaf].bound();
+        let bound = self.leaf_bound(leaf);
         self.each_leaf(simd, (bound, leaf), &mut search.nodes, &mut search.leaves);
         for index in 0..search.leaves.len() {
             let other = search.leaves[index];
@@ -261,6 +263,15 @@ impl PatchTree {
         }
     }
 
+    /// The box around a leaf, which the level above it has.
+    #[inline(always)]
+    fn leaf_bound(&self, leaf: usize) -> Bound {
+        match self.levels.get(1) {
+            Some(above) => above[leaf / LANES].get(leaf % LANES),
+            None => self.levels[0][leaf].bound(),
+        }
+    }
+
     #[inline(always)]
     fn list_pairs_between<S: Simd>(
         &self,
@@ -272,7 +283,7 @@ impl PatchTree {
         let (own, others) = (&self.levels[0][leaf], &self.levels[0][other]);
         let adjacent = surface.adjacent([narrow(leaf), narrow(other)]);
         let first = narrow(leaf * LANES);
-        for lane in each_hit(own.meet(simd, others.bound()), LANES) {
+        for lane in each_hit(own.meet(simd, self.leaf_bound(other)), LANES) {
             let mut hits = others.meet(simd, own.get(lane));
             if leaf == other {
                 hits &= u64::MAX << (lane + 1);
@@ -307,6 +318,48 @@ impl PatchTree {
                 }
             }
         }
+    }
+}
+
+/// Fits leaves that follow each other, and works out their normals.
+#[inline(always)]
+fn fit_leaves_from<S: Simd>(
+    simd: S,
+    (surface, positions): (&Surface, &[Vec3]),
+    start: usize,
+    (boxes, normals): (&mut [Boxes], &mut [[Points; 2]]),
+) {
+    for ((leaf, boxes), normals) in (start..).zip(boxes).zip(normals) {
+        fit_leaf(simd, (surface, positions), leaf, (boxes, normals));
+    }
+}
+
+#[inline(always)]
+fn fit_leaf<S: Simd>(
+    simd: S,
+    (surface, positions): (&Surface, &[Vec3]),
+    leaf: usize,
+    (boxes, normals): (&mut Boxes, &mut [Points; 2]),
+) {
+    let [a, b, c, d] = &corners_of_leaf(surface, positions, leaf);
+    let (a, b) = (Vectors::load(simd, a), Vectors::load(simd, b));
+    let (c, d) = (Vectors::load(simd, c), Vectors::load(simd, d));
+    let diagonal = d.sub(a);
+    b.sub(a).cross(diagonal).store(&mut normals[0]);
+    diagonal.cross(c.sub(a)).store(&mut normals[1]);
+    let sides = [
+        [a.x, b.x, c.x, d.x],
+        [a.y, b.y, c.y, d.y],
+        [a.z, b.z, c.z, d.z],
+    ];
+    for (axis, [a, b, c, d]) in sides.into_iter().enumerate() {
+        let low = smaller(smaller(a, b), smaller(c, d));
+        let high = larger(larger(a, b), larger(c, d));
+        low.store_array(&mut boxes.low[axis].0);
+        high.store_array(&mut boxes.high[axis].0);
+    }
+    for lane in surface.patches.len() - (leaf * LANES).min(surface.patches.len())..LANES {
+        boxes.set(lane, NOWHERE.get(lane));
     }
 }
 

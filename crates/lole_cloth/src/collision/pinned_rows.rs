@@ -2,7 +2,6 @@
 
 use glam::Vec3;
 
-use crate::collision::grid::Entry;
 use crate::{ClothSpec, Grid};
 
 /// Share of the cloth between a pin and a particle by which the particle has come out of a capsule
@@ -57,22 +56,22 @@ impl PinnedRows {
         depths.resize(row_count as usize, 0.0);
     }
 
-    /// Distance of the pins from which two particles hang, and the cloth between the particles
-    /// and their pins [m].
+    /// Distance of the pins from which two particles, by row and column, hang, and the cloth between
+    /// the particles and their pins [m].
     pub(crate) fn gap(
         &self,
         grid: &Grid,
         positions: &[Vec3],
-        entries: [&Entry; 2],
+        places: [[u32; 2]; 2],
     ) -> Option<(f32, f32)> {
         let mut cloth = 0.0;
         let mut pins = [Vec3::ZERO; 2];
-        for (pin, entry) in pins.iter_mut().zip(entries) {
-            let row = *self.nearest.get(entry.row as usize)?;
+        for (pin, [own_row, column]) in pins.iter_mut().zip(places) {
+            let row = *self.nearest.get(own_row as usize)?;
             #[expect(clippy::cast_precision_loss, reason = "rows are fewer than 2^24")]
-            let rows = row.abs_diff(entry.row) as f32;
+            let rows = row.abs_diff(own_row) as f32;
             cloth += rows * grid.spacing[1];
-            *pin = positions[grid.index(row, entry.column)];
+            *pin = positions[grid.index(row, column)];
         }
         Some((pins[0].distance(pins[1]), cloth))
     }

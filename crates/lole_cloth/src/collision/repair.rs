@@ -310,8 +310,8 @@ impl CrossingRepair {
                 }
                 break;
             }
+            self.look_again(fixed);
             for _ in 0..LEAVING_ROUNDS {
-                self.look_again(fixed);
                 if self.finder.crossings.len() <= known {
                     break;
                 }
@@ -319,18 +319,21 @@ impl CrossingRepair {
                 for index in 0..self.separations.len() {
                     self.part(fixed, self.separations[index]);
                 }
+                self.look_again(fixed);
             }
         }
         self.is_outside.clear();
         for _ in 0..LEAVING_ROUNDS {
-            self.look_again(fixed);
             if self.finder.crossings.len() <= known {
                 return;
             }
             self.take_back(fixed.surface);
+            self.look_again(fixed);
         }
-        self.positions.clone_from(&self.before);
-        self.look_again(fixed);
+        if known < self.finder.crossings.len() {
+            self.positions.clone_from(&self.before);
+            self.look_again(fixed);
+        }
     }
 
     /// Brings what is in the body to its surface and lets it stay there; whether there was any.

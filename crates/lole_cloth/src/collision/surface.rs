@@ -19,12 +19,9 @@ pub(crate) struct Patch {
 }
 
 impl Patch {
-    /// Its own edges, by corners.
-    pub(crate) fn edges(&self) -> impl Iterator<Item = [usize; 2]> {
-        let owned = self.owned;
-        let each = PATCH_EDGES.into_iter().enumerate();
-        each.filter(move |(place, _)| owned & (1 << place) != 0)
-            .map(|(_, ends)| ends)
+    /// Which of [`PATCH_EDGES`] are its own, by bits.
+    pub(crate) const fn owned_edges(&self) -> u8 {
+        self.owned
     }
 }
 
@@ -271,14 +268,16 @@ fn pair_triangles(
 mod tests {
     use super::*;
     use crate::Topology;
+    use crate::collision::grid::each_hit;
 
     /// Every edge is owned by one patch, and there as long as the patch's corners say.
     fn check(surface: &Surface, triangles: &[[u32; 3]]) {
         let mut owned = Vec::new();
         let mut covered = Vec::new();
         for patch in &surface.patches {
-            owned.extend(patch.edges().map(|pair| {
-                let mut ends = pair.map(|corner| patch.corners[corner]);
+            let edges = each_hit(u64::from(patch.owned_edges()), PATCH_EDGES.len());
+            owned.extend(edges.map(|edge| {
+                let mut ends = PATCH_EDGES[edge].map(|corner| patch.corners[corner]);
                 ends.sort_unstable();
                 ends
             }));

@@ -8,10 +8,11 @@
 mod cells;
 mod nearness;
 mod planes;
+mod search;
 
 use std::ops::Range;
 
-use fearless_simd::{Simd, f32x16, prelude::*};
+use fearless_simd::{Level, Simd, f32x16, prelude::*};
 use glam::Vec3;
 use lole_geom::Surfel;
 
@@ -20,6 +21,7 @@ use crate::collision::response::{Contact, ContactLaw, ContactRow};
 use crate::lanes::{LANES, Points, Vectors, smaller};
 use cells::SurfelCells;
 use planes::PlaneField;
+use search::SurfelSearch;
 
 /// A particle that comes nearer to a surfel than this [m], besides what both may travel, takes its
 /// plane.
@@ -58,9 +60,7 @@ pub(crate) struct SurfelContacts {
     /// The skin at the ends of a part, where there are several.
     ends: [Vec<Surfel>; 2],
     cells: SurfelCells,
-    /// Room for a row.
-    slots: Vec<(usize, usize)>,
-    found: Vec<Found>,
+    search: SurfelSearch,
 }
 
 /// The skin during one step.
@@ -88,13 +88,6 @@ pub(crate) struct Cloth<'a> {
     pub(crate) dt: f32,
 }
 
-/// A particle of a row, and the place of its surfel.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Found {
-    slot: (usize, usize),
-    place: Option<usize>,
-}
-
 impl Cloth<'_> {
     /// Where a particle is in the middle of the step if it flies on, and how far from there it may
     /// come to touch the skin [m].
@@ -116,8 +109,11 @@ impl Cloth<'_> {
 
 impl SurfelContacts {
     /// Memory that it holds [byte].
-    pub(crate) const fn byte_count(&self) -> usize {
-        self.nearest.byte_count() + self.opposite.byte_count() + self.cells.byte_count()
+    pub(crate) fn byte_count(&self) -> usize {
+        self.nearest.byte_count()
+            + self.opposite.byte_count()
+            + self.cells.byte_count()
+            + self.search.byte_count()
     }
 
     /// Plans a step of so many substeps: where something is fast, the nearest surfels are looked for
@@ -150,6 +146,7 @@ impl SurfelContacts {
     /// Finds the planes anew if a part of the step begins with a substep.
     pub(crate) fn begin_substep(
         &mut self,
+        level: Level,
         (index, substep_count): (u32, u32),
         cloth: Cloth<'_>,
         skin: Skin<'_>,
@@ -161,7 +158,7 @@ impl SurfelContacts {
         let start_of = |part: u32| (part * substep_count).div_ceil(self.part_count);
         self.part = start_of(part)..start_of(part + 1);
         if self.part_count == 1 {
-            self.find(cloth, skin);
+            self.find(level, cloth, skin);
             return;
         }
         let mut ends = std::mem::take(&mut self.ends);
@@ -182,7 +179,7 @@ impl SurfelContacts {
         };
         self.cells
             .sort(skin, bounds(cloth.positions), REACH_MAX + skin.offset);
-        self.find(cloth, skin);
+        self.find(level, cloth, skin);
         self.ends = ends;
     }
 
@@ -198,63 +195,28 @@ impl SurfelContacts {
     /// Finds the planes anew, the cells being sorted. Not inlined into vector code: it would change
     /// kinds of instructions.
     #[inline(never)]
-    fn find(&mut self, cloth: Cloth<'_>, skin: Skin<'_>) {
-        self.nearest.clear(cloth.positions.len());
-        self.opposite.clear(cloth.positions.len());
-        for row in 0..cloth.layout.row_count() {
-            self.find_row(row, cloth, skin);
-        }
-    }
-
-    /// Searches for every particle of a row, or, where they lie close together, for every second one:
-    /// the others take the nearer one of their neighbors' surfels.
-    fn find_row(&mut self, row: usize, cloth: Cloth<'_>, skin: Skin<'_>) {
+    fn find(&mut self, level: Level, cloth: Cloth<'_>, skin: Skin<'_>) {
         let Self {
             cells,
-            slots,
-            found,
+            search,
             nearest,
             opposite,
             ..
         } = self;
-        let is_dense = cloth.spacing < CLOSE;
-        slots.clear();
-        cloth.layout.add_row_slots(row, slots);
-        found.clear();
-        found.extend(slots.iter().map(|&slot| Found { slot, place: None }));
-        // A neighbor's surfel is near, if not the nearest.
-        let mut hint = None;
-        for one in found.iter_mut().step_by(if is_dense { 2 } else { 1 }) {
-            let (middle, reach) = cloth.flight(one.slot, skin, cells);
-            hint = cells.nearest(middle, reach, hint);
-            one.place = hint;
-        }
-        if is_dense {
-            for left in (0..found.len() - 1).step_by(2) {
-                let right = (left + 2) % found.len();
-                let candidates = [found[left].place, found[right].place];
-                let one = &mut found[left + 1];
-                let (middle, reach) = cloth.flight(one.slot, skin, cells);
-                one.place = cells.nearer(middle, reach, candidates);
+        nearest.clear(cloth.positions.len());
+        opposite.clear(cloth.positions.len());
+        search.find(level, cells, (cloth, skin));
+        let ends = |place: usize| {
+            let surfel = cells.surfel(place);
+            [&skin.before[surfel], &skin.after[surfel]]
+        };
+        search.each(cloth, |slot, row, place, against| {
+            let offset = skin.offset - cloth.held[row];
+            nearest.set(slot, ends(place), offset);
+            if let Some(place) = against {
+                opposite.set(slot, ends(place), offset);
             }
-        }
-        let offset = skin.offset - cloth.held[row];
-        let mut hint = None;
-        for &Found { slot, place } in found.iter() {
-            let Some(place) = place else {
-                continue;
-            };
-            let ends = |surfel: usize| [&skin.before[surfel], &skin.after[surfel]];
-            nearest.set(slot, ends(cells.surfel(place)), offset);
-            let (middle, _) = cloth.flight(slot, skin, cells);
-            if PINCH_REACH < middle.distance(cells.position(place)) {
-                continue;
-            }
-            hint = cells.opposite(middle, (place, hint), skin.after);
-            if let Some(place) = hint {
-                opposite.set(slot, ends(cells.surfel(place)), offset);
-            }
-        }
+        });
     }
 
     /// Where the particle of a vector and lane is that was at `position` [m] at the end of the step and

@@ -52,12 +52,13 @@ pub(crate) fn begin_substep(
 ) {
     move_capsules(config, input, (index, substep.count), state);
     let (substeps, dt) = ((index, substep.count), substep.dt);
+    let level = config.instruction_set.level();
     with_skin(
         (model, config),
         (input, dt),
         state,
         |contacts, cloth, skin| {
-            contacts.begin_substep(substeps, cloth, skin);
+            contacts.begin_substep(level, substeps, cloth, skin);
         },
     );
 }

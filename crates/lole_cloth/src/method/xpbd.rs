@@ -281,13 +281,14 @@ fn start_substep(
 ) {
     move_capsules(config, input, (index + 1, plan.substep.count), state);
     let substeps = (index, plan.substep.count);
+    let level = config.instruction_set.level();
     with_skin(
         model,
         config,
         (input, plan.dt),
         state,
         |contacts, cloth, skin| {
-            contacts.begin_substep(substeps, cloth, skin);
+            contacts.begin_substep(level, substeps, cloth, skin);
         },
     );
 }
@@ -542,7 +543,8 @@ fn find_contacts(
     let surfel_contacts = &mut scratch.surfel_contacts;
     let cloth_contacts = &mut scratch.cloth_contacts;
     let is_tangled = &scratch.crossing_repair.is_tangled;
-    let mut find_skin = || surfel_contacts.begin_substep((0, substep.count), cloth, skin);
+    let level = config.instruction_set.level();
+    let mut find_skin = || surfel_contacts.begin_substep(level, (0, substep.count), cloth, skin);
     let Some(contact) = config.self_collision else {
         find_skin();
         if let Some(passed) = observer {
@@ -559,7 +561,6 @@ fn find_contacts(
     };
     let friction = model.spec().fabric.cloth_friction;
     let law = ClothContactLaw::new(shape.grid, contact.radius, friction, substep.h);
-    let level = config.instruction_set.level();
     let mut find_cloth =
         || dispatch!(level, simd => cloth_contacts.find(simd, shape, positions, law));
     if let Some(passed) = observer {

@@ -59,26 +59,48 @@ impl Forearms {
 }
 
 fn withdraw_slice(slice: &[u32], body: &[Capsule], surfels: &mut [Surfel]) {
-    let mut gap = f32::INFINITY;
     let mut low = Vec3::INFINITY;
     let mut high = Vec3::NEG_INFINITY;
     for &surfel in slice {
         let position = surfels[surfel as usize].position;
         (low, high) = (low.min(position), high.max(position));
-        for capsule in body {
-            gap = gap.min(capsule.signed_distance(position));
-        }
     }
+    let around = ((low + high) * 0.5, 0.5 * low.distance(high));
+    let positions = slice
+        .iter()
+        .map(|&surfel| surfels[surfel as usize].position);
+    let gap = gap(around, positions, body);
     if NEAR < gap {
         return;
     }
-    let outward = away_from(body, (low + high) * 0.5);
+    let outward = away_from(body, around.0);
     for &surfel in slice {
         let surfel = &mut surfels[surfel as usize];
         if gap < FOLDS || 0.0 < surfel.normal.dot(outward) {
             surfel.normal = Vec3::ZERO;
         }
     }
+}
+
+/// Distance from points, all in a ball, to a body [m]: right where it is less than [`FOLDS`], and
+/// on the right side of [`NEAR`]. The ball alone says that of most capsules.
+fn gap(
+    (center, radius): (Vec3, f32),
+    points: impl Iterator<Item = Vec3> + Clone,
+    body: &[Capsule],
+) -> f32 {
+    let mut gap = f32::INFINITY;
+    for capsule in body {
+        let least = capsule.signed_distance(center) - radius;
+        let is_told = NEAR < least || (FOLDS <= least && least + 2.0 * radius <= NEAR);
+        if is_told {
+            gap = gap.min(least);
+        } else {
+            let distances = points.clone().map(|point| capsule.signed_distance(point));
+            gap = distances.fold(gap, f32::min);
+        }
+    }
+    gap
 }
 
 /// Direction from the axis of the nearest capsule to a point.

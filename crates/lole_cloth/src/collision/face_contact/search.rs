@@ -78,7 +78,7 @@ impl FaceContacts {
         }
         let reach = widest * (1.0 + MARGIN);
         self.cells
-            .sort(&self.positions, 1, reach.max(faces.edge_length));
+            .sort(&self.positions, reach.max(faces.edge_length));
         let search = Search {
             faces,
             meetings,

@@ -2,12 +2,14 @@
 
 use std::ops::Range;
 
+use fearless_simd::{Simd, f32x16, prelude::*};
 use glam::{IVec3, Vec3};
 use lole_geom::Surfel;
 
 use super::nearness::{FARTHEST, Nearness};
 use super::{PINCH_REACH, REACH_MAX, Skin};
-use crate::lanes::narrow;
+use crate::collision::grid::each_hit;
+use crate::lanes::{LANES, Vectors, narrow};
 
 /// Edge of a cell [m]: a few surfels' spacing.
 const CELL: f32 = 0.02;
@@ -40,6 +42,22 @@ enum Facing {
     Several,
 }
 
+/// How the surfels around the cells face, as far as it was asked for.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(super) struct Facings(Vec<Facing>);
+
+impl Facings {
+    /// Memory that it holds [byte].
+    pub(super) const fn byte_count(&self) -> usize {
+        size_of_val(self.0.as_slice())
+    }
+
+    /// Forgets all.
+    pub(super) fn clear(&mut self) {
+        self.0.clear();
+    }
+}
+
 /// The surfels near the cloth in the middle of a step.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct SurfelCells {
@@ -51,9 +69,9 @@ pub(super) struct SurfelCells {
     entries: Vec<(Vec3, u32)>,
     unsorted: Vec<(Vec3, u32)>,
     cells: Vec<u32>,
+    /// The same positions by axis [m], and a vector beyond the last.
+    coordinates: [Vec<f32>; 3],
     nearness: Nearness,
-    /// By cell, as far as it was asked for.
-    facing: Vec<Facing>,
     mean_motion: Vec3,
     spread: f32,
 }
@@ -65,6 +83,7 @@ impl SurfelCells {
             + size_of_val(self.entries.as_slice())
             + size_of_val(self.unsorted.as_slice())
             + size_of_val(self.cells.as_slice())
+            + 3 * size_of_val(self.coordinates[0].as_slice())
             + self.nearness.byte_count()
     }
 
@@ -121,8 +140,11 @@ impl SurfelCells {
         self.starts.remove(0);
         self.starts.push(narrow(self.unsorted.len()));
         self.nearness.set(self.counts, &self.starts);
-        self.facing.clear();
-        self.facing.resize(self.starts.len() - 1, Facing::Unknown);
+        for (axis, column) in self.coordinates.iter_mut().enumerate() {
+            column.clear();
+            column.extend(self.entries.iter().map(|(middle, _)| middle[axis]));
+            column.resize(self.entries.len() + LANES, f32::INFINITY);
+        }
     }
 
     /// Takes those in the box, and how they move.
@@ -173,7 +195,14 @@ impl SurfelCells {
 
     /// The surfel nearest to `point` within `reach` [m], by its place among the entries; of equals
     /// the first. `hint` is one that may be it: a near one saves work and changes nothing.
-    pub(super) fn nearest(&self, point: Vec3, reach: f32, hint: Option<usize>) -> Option<usize> {
+    #[inline(always)]
+    pub(super) fn nearest<S: Simd>(
+        &self,
+        simd: S,
+        point: Vec3,
+        reach: f32,
+        hint: Option<usize>,
+    ) -> Option<usize> {
         if !self.may_reach(point, reach) {
             return None;
         }
@@ -183,7 +212,7 @@ impl SurfelCells {
             least = point.distance_squared(self.entries[place].0);
         }
         self.for_each_run(point, least.sqrt(), |run| {
-            (least, best) = self.nearest_of(run, point, (least, best));
+            (least, best) = self.nearest_of(simd, run, point, (least, best));
         });
         best
     }
@@ -191,12 +220,13 @@ impl SurfelCells {
     /// The surfel nearest to `point` of those within [`PINCH_REACH`] that face against the one at
     /// `place`; `hint` as for [`Self::nearest`].
     pub(super) fn opposite(
-        &mut self,
+        &self,
         point: Vec3,
         (place, hint): (usize, Option<usize>),
         surfels: &[Surfel],
+        facings: &mut Facings,
     ) -> Option<usize> {
-        if self.faces_one_way(point, surfels) {
+        if self.faces_one_way(point, surfels, facings) {
             return None;
         }
         let normal = surfels[self.surfel(place)].normal;
@@ -221,13 +251,17 @@ impl SurfelCells {
 
     /// Whether all surfels within [`PINCH_REACH`] of the points of a cell face one way, so that none
     /// of them faces against another.
-    fn faces_one_way(&mut self, point: Vec3, surfels: &[Surfel]) -> bool {
+    fn faces_one_way(&self, point: Vec3, surfels: &[Surfel], facings: &mut Facings) -> bool {
         let cell = self.cell_of(point);
         if cell.cmplt(IVec3::ZERO).any() || cell.cmpge(self.counts).any() {
             return true;
         }
         let index = self.index(cell);
-        if self.facing[index] == Facing::Unknown {
+        let facings = &mut facings.0;
+        if facings.is_empty() {
+            facings.resize(self.starts.len() - 1, Facing::Unknown);
+        }
+        if facings[index] == Facing::Unknown {
             let middle = self.low + (cell.as_vec3() + 0.5) * CELL;
             let radius = PINCH_REACH + 0.5 * CELL;
             let mut sum = Vec3::ZERO;
@@ -242,13 +276,13 @@ impl SurfelCells {
                 is_one_way &=
                     run.all(|place| ONE_WAY < surfels[self.surfel(place)].normal.dot(mean));
             });
-            self.facing[index] = if is_one_way {
+            facings[index] = if is_one_way {
                 Facing::OneWay
             } else {
                 Facing::Several
             };
         }
-        self.facing[index] == Facing::OneWay
+        facings[index] == Facing::OneWay
     }
 
     /// Calls with the places of all surfels in the cells within `radius` [m] of `point`, and of more.
@@ -271,17 +305,30 @@ impl SurfelCells {
     /// The nearest to `point` of some places and the best so far, with its squared distance [m²]; of
     /// equals the first.
     #[inline(always)]
-    fn nearest_of(
+    fn nearest_of<S: Simd>(
         &self,
+        simd: S,
         places: Range<usize>,
         point: Vec3,
         (mut least, mut best): (f32, Option<usize>),
     ) -> (f32, Option<usize>) {
-        for (place, &(position, _)) in places.clone().zip(&self.entries[places]) {
-            let squared = point.distance_squared(position);
-            let ties = squared <= least && best.is_some_and(|other| place < other);
-            if squared < least || ties {
-                (least, best) = (squared, Some(place));
+        let [x, y, z] = &self.coordinates;
+        let own = Vectors::splat(simd, point);
+        for from in places.clone().step_by(LANES) {
+            let lanes = from..from + LANES;
+            let offset = own.sub(Vectors {
+                x: f32x16::from_slice(simd, &x[lanes.clone()]),
+                y: f32x16::from_slice(simd, &y[lanes.clone()]),
+                z: f32x16::from_slice(simd, &z[lanes]),
+            });
+            let near = offset.dot(offset).simd_le(f32x16::splat(simd, least));
+            for lane in each_hit(near.to_bitmask(), places.end - from) {
+                let place = from + lane;
+                let squared = point.distance_squared(self.entries[place].0);
+                let ties = squared <= least && best.is_some_and(|other| place < other);
+                if squared < least || ties {
+                    (least, best) = (squared, Some(place));
+                }
             }
         }
         (least, best)

@@ -1,0 +1,172 @@
+//! Which surfels the particles may touch: rows of them, shared among threads.
+
+use std::num::NonZeroU32;
+use std::ops::Range;
+
+use fearless_simd::{Level, Simd, dispatch};
+use rayon::prelude::*;
+
+use super::cells::{Facings, SurfelCells};
+use super::{CLOSE, Cloth, PINCH_REACH, Skin};
+use crate::lanes::narrow;
+
+/// Parts into which the rows are cut where several threads share them.
+const PART_COUNT: usize = 8;
+
+/// A place among the sorted surfels, counted from 1.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+struct Place(Option<NonZeroU32>);
+
+impl Place {
+    fn new(place: Option<usize>) -> Self {
+        Self(place.and_then(|place| NonZeroU32::new(narrow(place + 1))))
+    }
+
+    fn get(self) -> Option<usize> {
+        self.0.map(|place| place.get() as usize - 1)
+    }
+}
+
+/// The surfels that a particle may touch: the nearest, and the nearest that faces against it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+struct Near {
+    nearest: Place,
+    opposite: Place,
+}
+
+/// Rows that one thread looks at.
+#[derive(Debug, Clone, Default, PartialEq)]
+struct Part {
+    rows: Range<usize>,
+    /// In the order of the rows.
+    near: Vec<Near>,
+    facings: Facings,
+    slots: Vec<(usize, usize)>,
+}
+
+/// The surfels near all particles.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(super) struct SurfelSearch {
+    parts: Vec<Part>,
+}
+
+impl SurfelSearch {
+    /// Memory that it holds [byte].
+    pub(super) fn byte_count(&self) -> usize {
+        let parts = self.parts.iter();
+        let sizes = parts.map(|part| size_of_val(&part.near[..]) + part.facings.byte_count());
+        sizes.sum()
+    }
+
+    /// Looks for the surfels near every particle: the same for any number of threads.
+    pub(super) fn find(
+        &mut self,
+        level: Level,
+        cells: &SurfelCells,
+        (cloth, skin): (Cloth<'_>, Skin<'_>),
+    ) {
+        let row_count = cloth.layout.row_count();
+        let is_alone = rayon::current_num_threads() == 1;
+        let count = if is_alone { 1 } else { PART_COUNT };
+        self.parts.resize_with(count, Part::default);
+        for (index, part) in self.parts.iter_mut().enumerate() {
+            part.rows = row_count * index / count..row_count * (index + 1) / count;
+        }
+        let find = |part: &mut Part| {
+            dispatch!(level, simd => part.find(simd, cells, cloth, skin));
+        };
+        if is_alone {
+            self.parts.iter_mut().for_each(find);
+        } else {
+            self.parts.par_iter_mut().for_each(find);
+        }
+    }
+
+    /// Calls with vector and lane of every particle that may touch the skin, its row, and the places
+    /// of its surfels.
+    pub(super) fn each(
+        &mut self,
+        cloth: Cloth<'_>,
+        mut visit: impl FnMut((usize, usize), usize, usize, Option<usize>),
+    ) {
+        for part in &mut self.parts {
+            let mut near = part.near.iter();
+            for row in part.rows.clone() {
+                part.slots.clear();
+                cloth.layout.add_row_slots(row, &mut part.slots);
+                for (&slot, near) in part.slots.iter().zip(near.by_ref()) {
+                    if let Some(nearest) = near.nearest.get() {
+                        visit(slot, row, nearest, near.opposite.get());
+                    }
+                }
+            }
+        }
+    }
+}
+
+impl Part {
+    #[inline(always)]
+    fn find<S: Simd>(&mut self, simd: S, cells: &SurfelCells, cloth: Cloth<'_>, skin: Skin<'_>) {
+        self.near.clear();
+        self.facings.clear();
+        for row in self.rows.clone() {
+            self.slots.clear();
+            cloth.layout.add_row_slots(row, &mut self.slots);
+            let start = self.near.len();
+            self.near.resize(start + self.slots.len(), Near::default());
+            self.find_nearest(simd, start, cells, (cloth, skin));
+            self.find_opposite(start, cells, (cloth, skin));
+        }
+    }
+
+    /// Searches for every particle of a row, or, where they lie close together, for every second one:
+    /// the others take the nearer one of their neighbors' surfels.
+    #[inline(always)]
+    fn find_nearest<S: Simd>(
+        &mut self,
+        simd: S,
+        start: usize,
+        cells: &SurfelCells,
+        (cloth, skin): (Cloth<'_>, Skin<'_>),
+    ) {
+        let is_dense = cloth.spacing < CLOSE;
+        let row = &mut self.near[start..];
+        // A neighbor's surfel is near, if not the nearest.
+        let mut hint = None;
+        let slots = self.slots.iter().zip(row.iter_mut());
+        for (&slot, near) in slots.step_by(if is_dense { 2 } else { 1 }) {
+            let (middle, reach) = cloth.flight(slot, skin, cells);
+            hint = cells.nearest(simd, middle, reach, hint);
+            near.nearest = Place::new(hint);
+        }
+        if !is_dense {
+            return;
+        }
+        for left in (0..row.len().saturating_sub(1)).step_by(2) {
+            let right = (left + 2) % row.len();
+            let candidates = [row[left].nearest.get(), row[right].nearest.get()];
+            let (middle, reach) = cloth.flight(self.slots[left + 1], skin, cells);
+            row[left + 1].nearest = Place::new(cells.nearer(middle, reach, candidates));
+        }
+    }
+
+    fn find_opposite(
+        &mut self,
+        start: usize,
+        cells: &SurfelCells,
+        (cloth, skin): (Cloth<'_>, Skin<'_>),
+    ) {
+        let mut hint = None;
+        for (&slot, near) in self.slots.iter().zip(&mut self.near[start..]) {
+            let Some(place) = near.nearest.get() else {
+                continue;
+            };
+            let (middle, _) = cloth.flight(slot, skin, cells);
+            if PINCH_REACH < middle.distance(cells.position(place)) {
+                continue;
+            }
+            hint = cells.opposite(middle, (place, hint), skin.after, &mut self.facings);
+            near.opposite = Place::new(hint);
+        }
+    }
+}
