@@ -90,8 +90,19 @@ impl Studio {
                 colors: &[],
             })
             .collect();
+        let dressed: Vec<[Vec<Vec3>; 2]> = (0..production.dressed.len())
+            .map(|place| performance.dressed_vertices(place))
+            .collect();
+        let dressed: Vec<Draped<'_>> = (dressed.iter())
+            .map(|[positions, normals]| Draped {
+                positions,
+                normals,
+                colors: &[],
+            })
+            .collect();
         let figure = Figure {
             cloths: &cloths,
+            dressed: &dressed,
             body_positions: performance.body_positions(),
             body_normals: performance.body_normals(),
         };
