@@ -22,7 +22,7 @@ use lole_cloth::assembly::{
 use lole_cloth::diagnose::StrainSummary;
 use lole_cloth::mesh::{MeshError, MeshModel, MeshSpec, diagnose};
 use lole_cloth::{Fabric, SolverConfig, mesh_state_hash};
-use lole_geom::Surfel;
+use lole_geom::{Capsule, Surfel};
 use lole_geom::mesh::vertex_normals;
 use lole_language::Bilingual;
 use lole_pattern::{DraftError, Pattern};
@@ -36,6 +36,11 @@ pub use garment::is_worn;
 const CONTACT_OFFSET: f32 = 0.004;
 /// Fastest that cloth found inside the skin is pushed out [m/s].
 const DEPENETRATION_SPEED: f32 = 1.0;
+/// The floor: a ball so large that it is flat to 2 mm over a train.
+const FLOOR: Capsule = Capsule {
+    ends: [Vec3::new(-1.0, -500.0, 0.0), Vec3::new(1.0, -500.0, 0.0)],
+    radii: [500.0; 2],
+};
 /// Substeps of a frame.
 const SUBSTEP_COUNT: NonZeroU32 = NonZeroU32::MIN.saturating_add(11);
 /// Tension of flat elastic of 6 to 8 mm at twice its length [N]. Estimated.
@@ -61,7 +66,9 @@ pub struct Dressed {
     pub on_cloth: Vec<Vec2>,
     /// By particle, the first of those that it is sewn to: they are drawn as one.
     welded: Vec<u32>,
-    /// Whether a triangle's particles cover the trunk, and not the arms.
+    /// Particles of gathered edges that are drawn in the seam, between two others.
+    puckers: Vec<(u32, [u32; 2], f32)>,
+    /// The triangles that cover the trunk, and not the arms.
     pub trunk_triangles: Vec<[u32; 3]>,
 }
 
@@ -221,6 +228,7 @@ impl Dressed {
             triangles,
             on_cloth: on_cloth.collect(),
             welded: welded(&mesh),
+            puckers: mesh.puckers,
         })
     }
 
@@ -247,7 +255,12 @@ impl Dressed {
             *sum = (sum.0 + position, sum.1 + 1.0);
         }
         let groups = self.welded.iter().map(|&group| sums[group as usize]);
-        groups.map(|(sum, count)| sum / count.max(1.0)).collect()
+        let mut drawn: Vec<Vec3> = groups.map(|(sum, count)| sum / count.max(1.0)).collect();
+        for &(particle, ends, share) in &self.puckers {
+            let [first, last] = ends.map(|end| drawn[end as usize]);
+            drawn[particle as usize] = first.lerp(last, share);
+        }
+        drawn
     }
 
     /// Unit normals of drawn places, outward; seams are smooth.
@@ -260,12 +273,25 @@ impl Dressed {
         groups.collect()
     }
 
-    /// Absolute strain along warp and weft at `positions` [m].
+    /// Stretch along warp and weft at `positions` [m], 0 where the cloth is pushed together: folds finer
+    /// than its triangles are no strain.
     #[must_use]
     pub fn strain(&self, positions: &[Vec3]) -> StrainSummary {
-        self.model()
-            .map(|model| diagnose::strain(model, positions))
-            .unwrap_or_default()
+        let Some(model) = self.model() else {
+            return StrainSummary::default();
+        };
+        let stretches = model.triangles().iter().flat_map(|&triangle| {
+            let along = diagnose::deformation(model, triangle, positions);
+            along.map(|column| (column.length() - 1.0).max(0.0))
+        });
+        let mut stretches: Vec<f32> = stretches.collect();
+        stretches.sort_by(f32::total_cmp);
+        let count = stretches.len().max(1);
+        StrainSummary {
+            mean: stretches.iter().sum::<f32>() / count as f32,
+            p99: stretches.get(count * 99 / 100).copied().unwrap_or(0.0),
+            max: stretches.last().copied().unwrap_or(0.0),
+        }
     }
 
     /// The garment at rest where it starts.
@@ -292,6 +318,7 @@ impl DressedState {
         let input = AssemblyInput {
             pin_targets: &[Vec::new()],
             surfels,
+            capsules: &[FLOOR],
             air_velocity,
             ..AssemblyInput::default()
         };

@@ -23,6 +23,8 @@ const FARTHEST: f32 = 0.05;
 /// and at the shoulder point.
 const FOLD_OF_ARM: f64 = 0.80;
 const SHOULDER_POINT: f64 = 0.97;
+/// Cloth that trails is laid this far above the floor [m].
+const OVER_FLOOR: f32 = 0.02;
 /// Cloth over the shoulder is laid this far above it [m].
 const OVER_SHOULDER: f32 = 0.012;
 
@@ -213,8 +215,11 @@ impl<'a> Bodice<'a> {
             1.0
         };
         let share = ((point.x - low) / width).clamp(-0.2, 1.2) * reach;
-        let height = narrow(half.levels.height(point.y));
+        let level = narrow(half.levels.height(point.y));
+        let height = level.max(OVER_FLOOR);
         let (place, outward) = form.on_trunk(height, face, narrow(share))?;
+        // What is longer than she is tall lies on the floor behind her.
+        let place = place + outward * (height - level);
         let below = point.y.min(half.underarm);
         let girth = form.girth(narrow(half.levels.height(below)));
         let excess = (narrow(self.girth(below)) - girth) / std::f32::consts::TAU;

@@ -4,6 +4,7 @@ use glam::{DVec2, Vec2};
 use lole_pattern::Pattern;
 use spade::{ConstrainedDelaunayTriangulation, HasPosition, Point2, Triangulation as _};
 
+use super::bodice::narrow;
 use super::panel::Panels;
 
 /// Points of the lattice keep this share of the spacing from the border.
@@ -28,6 +29,8 @@ pub(super) struct FlatMesh {
     pub(super) triangles: Vec<[u32; 3]>,
     /// Particles that are sewn to each other.
     pub(super) stitches: Vec<[u32; 2]>,
+    /// Particles that pucker between two stitches, the particles there, and the share of the way.
+    pub(super) puckers: Vec<(u32, [u32; 2], f32)>,
     /// Lines asked for.
     pub(super) lines: Vec<Vec<u32>>,
     /// Particles of borders that nothing is sewn to: hems and bound edges.
@@ -80,6 +83,9 @@ pub(super) fn mesh(pattern: &Pattern, panels: &Panels, spacing: f64) -> Option<F
     let place = |(panel, at): (usize, usize)| number(starts[panel] + at);
     let stitches = panels.stitches.iter().map(|pair| pair.map(place));
     mesh.stitches = stitches.filter(|[a, b]| a != b).collect();
+    let puckers = panels.puckers.iter();
+    let puckers = puckers.map(|&(at, ends, share)| (place(at), ends.map(place), narrow(share)));
+    mesh.puckers = puckers.collect();
     let mut is_sewn = vec![false; mesh.flat.len()];
     for &particle in mesh.stitches.iter().flatten() {
         is_sewn[particle as usize] = true;

@@ -83,7 +83,12 @@ impl<'a> Form<'a> {
         let (tapes, part) = self.between(height)?;
         let [below, above] = tapes.map(|tape| tape.at(face, share));
         let outward = below.1.lerp(above.1, part).normalize_or_zero();
-        Some((below.0.lerp(above.0, part), outward))
+        Some((self.lowered(below.0.lerp(above.0, part), height), outward))
+    }
+
+    /// A place that lies below the lowest tape.
+    fn lowered(&self, place: Vec3, height: f32) -> Vec3 {
+        place - Vec3::Y * (self.lowest - height).max(0.0)
     }
 
     /// Around the trunk from the middle of the back over her left side: `turn` 1 is once around.
@@ -91,7 +96,7 @@ impl<'a> Form<'a> {
         let (tapes, part) = self.between(height)?;
         let [below, above] = tapes.map(|tape| tape.around(turn));
         let outward = below.1.lerp(above.1, part).normalize_or_zero();
-        Some((below.0.lerp(above.0, part), outward))
+        Some((self.lowered(below.0.lerp(above.0, part), height), outward))
     }
 
     /// Length of the tape at a height of the bind pose [m].

@@ -1,6 +1,8 @@
 //! The table of garments that can be put on: a file each that says where the pieces of its template lie.
 
 mod blouse;
+mod holoku;
+mod muumuu;
 
 use glam::{DVec2, Vec3};
 use lole_body::{Bone, Dancer, Pose};
@@ -25,7 +27,7 @@ pub(super) struct Worn {
 }
 
 /// Everything that can be put on.
-const WORN: &[Worn] = &[blouse::WORN];
+const WORN: &[Worn] = &[blouse::WORN, muumuu::WORN, holoku::WORN];
 
 /// Finest and coarsest edges of triangles [m].
 const SPACING: [f64; 2] = [0.010, 0.030];
@@ -117,7 +119,9 @@ fn places(
     let mut places: Vec<Vec3> = particles
         .map(|(&point, &panel)| {
             let panel = &panels.panels[panel];
-            if panel.is_mirrored {
+            if panel.copy == 1 && !panel.is_mirrored {
+                place(panel.piece, point).map(mirrored)
+            } else if panel.is_mirrored {
                 place(panel.piece, DVec2::new(-point.x, point.y)).map(mirrored)
             } else {
                 place(panel.piece, point)

@@ -41,9 +41,15 @@ pub(super) struct Panel {
 pub(super) struct Panels {
     pub(super) panels: Vec<Panel>,
     pub(super) stitches: Vec<[(usize, usize); 2]>,
+    /// Points of fuller sides between two that are sewn, and where they lie in the seam.
+    pub(super) puckers: Vec<Pucker>,
     /// By line asked for, its points in order.
     pub(super) lines: Vec<Vec<(usize, usize)>>,
 }
+
+/// A point of a gathered edge, the two points of the other side between which it lies, and its share of
+/// the way between them.
+pub(super) type Pucker = ((usize, usize), [(usize, usize); 2], f64);
 
 /// What becomes of a stretch of an edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -375,6 +381,7 @@ impl Cutter<'_> {
     /// Pairs the points of seams and darts.
     fn sew(&mut self, is_kept: &[bool]) {
         let mut stitches = Vec::new();
+        let mut puckers = Vec::new();
         for seam in &self.pattern.seams {
             if ![seam.flat, seam.full].iter().all(|side| is_kept[side.piece]) {
                 continue;
@@ -388,6 +395,14 @@ impl Cutter<'_> {
             for step in 0..=least {
                 stitches.push([flat[step * flat_step], full[step * full_step]]);
             }
+            for step in 0..least {
+                let ends = [flat[step * flat_step], flat[(step + 1) * flat_step]];
+                let between = (1..full_step).map(|part| {
+                    let share = ratio(part, full_step);
+                    (full[step * full_step + part], ends, share)
+                });
+                puckers.extend(between);
+            }
         }
         for (key, stretches) in &self.stretches {
             for (number, stretch) in stretches.iter().enumerate() {
@@ -400,6 +415,7 @@ impl Cutter<'_> {
             }
         }
         self.out.stitches = stitches;
+        self.out.puckers = puckers;
     }
 
     /// Points of a stretch of an edge in the order in which it is walked.
