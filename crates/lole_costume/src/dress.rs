@@ -21,7 +21,7 @@ use lole_cloth::assembly::{
 };
 use lole_cloth::diagnose::StrainSummary;
 use lole_cloth::mesh::{MeshError, MeshModel, MeshSpec, diagnose};
-use lole_cloth::{Fabric, SolverConfig, mesh_state_hash};
+use lole_cloth::{Crossings, Fabric, SelfCollision, SolverConfig, mesh_state_hash};
 use lole_geom::{Capsule, Surfel};
 use lole_geom::mesh::vertex_normals;
 use lole_language::Bilingual;
@@ -34,6 +34,10 @@ pub use garment::is_worn;
 /// Distance kept between skin and cloth [m]: with edges of two centimeters the middle of a triangle on
 /// an arm lies 1.5 mm below its corners.
 const CONTACT_OFFSET: f32 = 0.004;
+/// Half of the distance that folds keep [m].
+const HALF_GAP: f32 = 0.003;
+/// Friction of cloth that is pulled into place.
+const SLIPPING: f32 = 0.05;
 /// Fastest that cloth found inside the skin is pushed out [m/s].
 const DEPENETRATION_SPEED: f32 = 1.0;
 /// The floor: a ball so large that it is flat to 2 mm over a train.
@@ -53,6 +57,8 @@ const EDGE_LAYERS: f32 = 2.0;
 pub struct Dressed {
     /// Pieces, seams and elastics as the engine knows them: one mesh.
     assembly: Assembly,
+    /// The same while it is fitted.
+    basted: Option<Assembly>,
     /// What it is drafted as.
     pub pattern: Pattern,
     /// Its cloth in SI units.
@@ -190,19 +196,8 @@ impl Dressed {
         for &edge in mesh.hems.iter() {
             spec.layers[edge as usize] = EDGE_LAYERS;
         }
-        let model = MeshModel::new(&spec).map_err(|error| DressError::Mesh { template, error })?;
-        let config = SolverConfig {
-            contact_offset: CONTACT_OFFSET,
-            depenetration_speed: DEPENETRATION_SPEED,
-            structural_sweep_count: NonZeroU32::MIN,
-            column_strides: Vec::new(),
-            tether_scale: None,
-            ..SolverConfig::default()
-        };
-        let pieces = vec![Piece::Mesh(Box::new(model), Box::new(config))];
-        let joints = joints(&mesh, &elastics);
-        let assembly = Assembly::new(pieces, &joints, SUBSTEP_COUNT)
-            .map_err(|error| DressError::Joint { template, error })?;
+        let make = |ease: Ease| assembly(template, (&spec, ease), &joints(&mesh, &elastics));
+        let [assembly, basted] = [make(Ease::Worn)?, make(Ease::Fitted)?];
         let turned = |&[a, b, c]: &[u32; 3]| {
             if facing[mesh.panel_of[a as usize]] {
                 [a, b, c]
@@ -221,6 +216,7 @@ impl Dressed {
         });
         Ok(Self {
             assembly,
+            basted: Some(basted),
             pattern,
             fabric,
             start: places,
@@ -355,6 +351,46 @@ impl DressedState {
             _ => 0,
         }
     }
+}
+
+/// What a garment is prepared for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Ease {
+    /// To be fitted: it slips over the skin, and its folds pass through each other until they lie well.
+    Fitted,
+    /// To be worn.
+    Worn,
+}
+
+/// One mesh with its seams.
+fn assembly(
+    template: &'static str,
+    (spec, ease): (&MeshSpec, Ease),
+    joints: &[Joint],
+) -> Result<Assembly, DressError> {
+    let mut spec = spec.clone();
+    let mut config = SolverConfig {
+        contact_offset: CONTACT_OFFSET,
+        depenetration_speed: DEPENETRATION_SPEED,
+        structural_sweep_count: NonZeroU32::MIN,
+        column_strides: Vec::new(),
+        tether_scale: None,
+        ..SolverConfig::default()
+    };
+    match ease {
+        Ease::Fitted => spec.fabric.friction = SLIPPING,
+        Ease::Worn => {
+            config.self_collision = Some(SelfCollision {
+                radius: HALF_GAP,
+                substep_interval: NonZeroU32::MIN.saturating_add(2),
+                crossings: Crossings::Leave,
+            });
+        }
+    }
+    let model = MeshModel::new(&spec).map_err(|error| DressError::Mesh { template, error })?;
+    let pieces = vec![Piece::Mesh(Box::new(model), Box::new(config))];
+    Assembly::new(pieces, joints, SUBSTEP_COUNT)
+        .map_err(|error| DressError::Joint { template, error })
 }
 
 /// Seams point by point, and elastics.

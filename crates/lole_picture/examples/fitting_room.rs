@@ -12,7 +12,7 @@ use std::time::Instant;
 use glam::Vec3;
 use lole_body::Figure;
 use lole_costume::document::{
-    DancerDesign, Design, GarmentDesign, GarmentLayer, WornTemplate, parse,
+    DancerDesign, Design, GarmentDesign, GarmentLayer, SkirtWorn, WornTemplate, parse,
 };
 use lole_costume::dress;
 use lole_pattern::{TEMPLATES, Template};
@@ -126,6 +126,9 @@ fn fitting(
         garments: vec![GarmentDesign::Template(worn)],
         ..Design::default()
     };
+    if !asked.has_skirt {
+        design.skirt.worn = SkirtWorn::No;
+    }
     (design.skirt.column_count, design.skirt.row_count) = (256, 32);
     let begun = Instant::now();
     let production = Production::new(&design)?;
@@ -134,8 +137,7 @@ fn fitting(
     while performance.time() < 0.0 {
         performance.advance().map_err(|_| "the cloth flew away")?;
     }
-    let begun = Instant::now();
-    let mut frames = 0_u16;
+    let (mut frames, mut moving) = (0_u16, 0.0);
     let mut worst = (0.0_f32, 0.0_f32, 0);
     loop {
         performance.pose_body();
@@ -148,10 +150,12 @@ fn fitting(
         if asked.seconds <= performance.time() {
             break;
         }
+        let begun = Instant::now();
         performance.advance().map_err(|_| "the cloth flew away")?;
+        moving += begun.elapsed().as_secs_f32();
         frames += 1;
     }
-    let each = begun.elapsed().as_secs_f32() / f32::from(frames.max(1));
+    let each = moving / f32::from(frames.max(1));
     let row = shoot(asked, &performance)?;
     let count = performance.production().dressed[0].dressed.particle_count();
     let said = format!(
@@ -218,10 +222,7 @@ fn shoot(asked: &Asked, performance: &Performance) -> Result<Vec<u8>, Box<dyn Er
     for (place, view) in VIEWS.into_iter().enumerate() {
         let camera = Camera::framing_points(&points, view, CELL.aspect());
         let lights = LightRig::seen_from(&camera);
-        let mut scene = looks.scene(production, &shown, camera, lights);
-        if !asked.has_skirt {
-            scene.meshes.drain(..production.garments.len());
-        }
+        let scene = looks.scene(production, &shown, camera, lights);
         let image = renderer.render(&scene)?;
         let width = CELL.width as usize * 4;
         for line in 0..CELL.height as usize {

@@ -121,6 +121,9 @@ impl Looks {
         let worn = production.garments.iter().zip(figure.cloths);
         let looks = self.cloths.iter().zip(&self.print_uvs);
         for ((garment, draped), (material, uvs)) in worn.zip(looks) {
+            if !garment.is_worn {
+                continue;
+            }
             scene.meshes.push(SceneMesh {
                 positions: draped.positions,
                 normals: draped.normals,

@@ -33,6 +33,8 @@ const SETTLE_FRAMES: u32 = 3 * FRAMES_PER_SECOND;
 /// The first of them, in which cloth that the paper's methods move is lowered by hand instead of
 /// dropped: a fall would lay its folds flat on each other.
 const LOWERING_FRAMES: u32 = 100;
+/// Least frames that dressed garments hang before the dance, where there are some.
+const DRESSED_FRAMES: i64 = 30;
 /// Share of its velocity that the cloth keeps from frame to frame while it is lowered.
 const LOWERING: f32 = 0.6;
 
@@ -47,7 +49,7 @@ const STAGE_RADIUS: f32 = 100.0;
 pub struct Divergence {
     /// Time of the dance [s]; negative while settling.
     pub time: f32,
-    /// Place of the garment among those of the production.
+    /// Place of the garment among those of the production; dressed ones come after the others.
     pub garment: usize,
     /// Row and column, there, of the first particle that left.
     pub row: u32,
@@ -285,9 +287,11 @@ impl Performance {
             }
             return;
         }
-        let mut all_rest = true;
-        for worn in &mut self.worn {
-            all_rest &= worn.settle();
+        // Dressed garments have come to rest on her already; with the skirt they take as long as that.
+        let mut all_rest = self.dressed.is_empty()
+            || DRESSED_FRAMES <= self.frame + i64::from(SETTLE_FRAMES);
+        for (worn, garment) in self.worn.iter_mut().zip(&self.production.garments) {
+            all_rest &= !garment.is_worn || worn.settle();
         }
         if all_rest {
             self.worn.iter_mut().for_each(Worn::let_go);
@@ -334,6 +338,14 @@ impl Performance {
     }
 
     fn check_stage(&self) -> Result<(), Divergence> {
+        if let Some(place) = self.dressed.iter().position(Dressed::is_lost) {
+            return Err(Divergence {
+                time: self.time(),
+                garment: self.production.garments.len() + place,
+                row: 0,
+                column: 0,
+            });
+        }
         let left = |position: &Vec3| {
             !position.is_finite() || STAGE_RADIUS * STAGE_RADIUS < position.length_squared()
         };
@@ -417,7 +429,7 @@ impl Performance {
             hem_height: self.hem_height(),
             ..FrameMetrics::default()
         };
-        for garment in &self.production.garments {
+        for garment in self.production.garments.iter().filter(|it| it.is_worn) {
             let (spec, positions) = (&garment.sewn.spec, self.garment_positions(garment));
             let share = positions.len() as f32 / self.cloth_positions.len() as f32;
             let (strain, skin) = Worn::measure(garment, positions, body);
@@ -450,9 +462,14 @@ impl Performance {
         order::inversions(&self.production.garments, &self.cloth_positions)
     }
 
-    /// Mean height of the skirt's hem above the floor [m].
+    /// Mean height of the skirt's hem above the floor [m]; without the skirt, of the lowest cloth.
     fn hem_height(&self) -> f32 {
         let skirt = self.production.skirt();
+        if !skirt.is_worn {
+            let dressed = self.dressed.iter().flat_map(Dressed::positions);
+            let lowest = dressed.fold(f32::INFINITY, |low, place| low.min(place.y));
+            return if lowest.is_finite() { lowest } else { 0.0 };
+        }
         let positions = self.garment_positions(skirt);
         let columns = skirt.sewn.spec.grid.column_count as usize;
         let hem = &positions[positions.len() - columns..];

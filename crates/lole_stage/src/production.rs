@@ -7,7 +7,7 @@ use lole_avatar::{Avatar, License};
 use lole_body::{Bone, CapsuleLayout, Dancer, Measurements, Pose, SkinSurfels};
 use lole_cloth::Fabric;
 use lole_costume::document::{
-    Design, FabricDesign, GarmentDesign, GarmentLayer, SkirtDesign, WornTop,
+    Design, FabricDesign, GarmentDesign, GarmentLayer, SkirtDesign, SkirtWorn, WornTop,
 };
 use lole_costume::dress::{self, Dressed};
 use lole_costume::sew::{self, Clothed, Cut, SewSettings, SewnSkirt, SkirtMesh, WornPlace};
@@ -66,6 +66,8 @@ pub struct Garment {
     pub pin_surfels: Option<SkinSurfels>,
     /// Its particles among those of all garments.
     pub particles: Range<usize>,
+    /// Whether she has it on: a skirt that the design leaves out is neither moved nor shown.
+    pub is_worn: bool,
     /// Place of the first garment that it is worn over or under, directly or by way of others; its own
     /// where that is none. Garments of different chains never meet.
     pub chain: usize,
@@ -110,6 +112,7 @@ impl Production {
         wardrobe.put_on_skirt((tailoring::SKIRT, 0.0), cut)?;
         wardrobe.put_on_layer(design, GarmentLayer::Over)?;
         let mut garments = wardrobe.garments;
+        garments[skirt].is_worn = design.skirt.worn == SkirtWorn::Yes;
         link_chains(&mut garments);
         let dressed = dressed(design, (&dancer, &body_surfels), (&stance, &garments))?;
         Ok(Self {
@@ -292,6 +295,7 @@ impl Wardrobe<'_> {
             mesh,
             pin_surfels,
             particles: first..first + particle_count,
+            is_worn: true,
             chain: self.garments.len(),
         });
         Ok(())

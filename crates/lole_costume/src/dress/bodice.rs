@@ -18,13 +18,17 @@ const FINE: u32 = 48;
 /// Gap between skin and cloth that lies close [m].
 const CLOSE: f32 = 0.010;
 /// Farthest that wide cloth is laid from the trunk [m]: what is too much lies in folds.
-const FARTHEST: f32 = 0.05;
+const FARTHEST: f32 = 0.10;
+/// How much farther than that it may be for each meter below the arms [m/m].
+const FLARING: f32 = 0.3;
 /// Where the arm's fold lies between the middle and the side of the trunk's tape, half way up the armhole,
 /// and at the shoulder point.
 const FOLD_OF_ARM: f64 = 0.80;
 const SHOULDER_POINT: f64 = 0.97;
 /// Cloth that trails is laid this far above the floor [m].
 const OVER_FLOOR: f32 = 0.02;
+/// Length of train over which it is spread [m].
+const SPREAD: f32 = 0.25;
 /// Cloth over the shoulder is laid this far above it [m].
 const OVER_SHOULDER: f32 = 0.012;
 
@@ -219,11 +223,16 @@ impl<'a> Bodice<'a> {
         let height = level.max(OVER_FLOOR);
         let (place, outward) = form.on_trunk(height, face, narrow(share))?;
         // What is longer than she is tall lies on the floor behind her.
-        let place = place + outward * (height - level);
+        let mut place = place + outward * (height - level);
+        if level < height {
+            // A train is spread as wide as it is cut.
+            let share = ((height - level) / SPREAD).min(1.0);
+            place.x += (narrow(point.x - low) - place.x) * share;
+        }
         let below = point.y.min(half.underarm);
         let girth = form.girth(narrow(half.levels.height(below)));
         let excess = (narrow(self.girth(below)) - girth) / std::f32::consts::TAU;
-        let wide = excess.clamp(CLOSE, FARTHEST);
+        let wide = excess.clamp(CLOSE, FARTHEST + FLARING * narrow(half.underarm - below));
         let up = narrow(up.clamp(0.0, 1.0));
         let gap = wide + (CLOSE - wide) * up;
         let lift = Vec3::Y * (OVER_SHOULDER * up * up);

@@ -10,7 +10,7 @@ use super::form::Form;
 use super::{Dressed, garment};
 
 /// How far she lifts her arms to be dressed from where they are built, 47° below the level [rad].
-const RAISED: f32 = 0.5;
+const RAISED: f32 = 0.75;
 /// Passes in which pieces are drawn together and out of the skin before anything moves.
 const CLOSING_PASSES: u32 = 3;
 /// Passes in which what is drawn at the seams is spread over the pieces.
@@ -83,6 +83,9 @@ pub(super) fn fit(
     (dancer, skin): (&Dancer, &SkinSurfels),
     stance: &Pose,
 ) -> Result<Dressed, Lost> {
+    if let Some(basted) = garment.basted.take() {
+        std::mem::swap(&mut garment.assembly, &mut garment.basted.insert(basted));
+    }
     let mut state = garment.state();
     let (mut positions, mut normals, mut surfels) = (Vec::new(), Vec::new(), Vec::new());
     let start = fitting_pose();
@@ -106,6 +109,9 @@ pub(super) fn fit(
     let mut rest = Vec::new();
     state.copy_positions(&garment, &mut rest);
     garment.start = rest;
+    if let Some(worn) = garment.basted.take() {
+        garment.assembly = worn;
+    }
     Ok(garment)
 }
 
