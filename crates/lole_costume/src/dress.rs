@@ -10,6 +10,7 @@ mod flat;
 mod form;
 mod garment;
 mod panel;
+mod wrap;
 
 use std::num::NonZeroU32;
 
@@ -63,6 +64,8 @@ pub struct Dressed {
     pub pattern: Pattern,
     /// Its cloth in SI units.
     pub fabric: Fabric,
+    /// Skin that carries the pinned particles, in their order, and how far they lie over it [m].
+    pins: (SkinSurfels, Vec<f32>),
     /// Where it rests on the standing dancer [m], shape `[particle_count]`.
     pub start: Vec<Vec3>,
     /// Its triangles, counterclockwise seen from outside.
@@ -82,6 +85,17 @@ pub struct Dressed {
 #[derive(Debug, Clone)]
 pub struct DressedState {
     state: AssemblyState,
+}
+
+/// What a dressed garment meets in a step.
+#[derive(Debug, Clone, Copy)]
+pub struct World<'a> {
+    /// Vertices of the skin and their normals at the end of the step: what is pinned goes with them.
+    pub skin: (&'a [Vec3], &'a [Vec3]),
+    /// What the cloth meets, always the same ones in the same order.
+    pub surfels: &'a [Surfel],
+    /// Velocity of the air [m/s].
+    pub air_velocity: Vec3,
 }
 
 /// Why a garment could not be put on.
@@ -190,12 +204,15 @@ impl Dressed {
             facing,
             is_on_arm,
             elastics,
+            pinned,
+            pins,
         } = laid;
         let fabric = worn.fabric.fabric();
         let mut spec = MeshSpec::new(mesh.flat.clone(), mesh.triangles.clone(), fabric);
         for &edge in mesh.hems.iter() {
             spec.layers[edge as usize] = EDGE_LAYERS;
         }
+        spec.pinned = pinned;
         let make = |ease: Ease| assembly(template, (&spec, ease), &joints(&mesh, &elastics));
         let [assembly, basted] = [make(Ease::Worn)?, make(Ease::Fitted)?];
         let turned = |&[a, b, c]: &[u32; 3]| {
@@ -219,6 +236,7 @@ impl Dressed {
             basted: Some(basted),
             pattern,
             fabric,
+            pins,
             start: places,
             trunk_triangles: triangles.iter().filter(on_trunk).copied().collect(),
             triangles,
@@ -300,22 +318,26 @@ impl Dressed {
 }
 
 impl DressedState {
-    /// Moves the garment on by `dt` [s] among surfels, always the same ones in the same order, in air of
-    /// this velocity [m/s].
+    /// Moves the garment on by `dt` [s] in a world.
     ///
     /// # Errors
     /// Where a particle would go nowhere; nothing has moved then.
     pub fn step(
         &mut self,
         garment: &Dressed,
-        (surfels, air_velocity): (&[Surfel], Vec3),
+        world: &World<'_>,
         dt: f32,
     ) -> Result<(), Lost> {
+        let (carriers, gaps) = &garment.pins;
+        let mut carried = Vec::new();
+        carriers.pose(world.skin.0, world.skin.1, &mut carried);
+        let targets = carried.iter().zip(gaps);
+        let targets = targets.map(|(skin, gap)| skin.position + skin.normal * *gap);
         let input = AssemblyInput {
-            pin_targets: &[Vec::new()],
-            surfels,
+            pin_targets: &[targets.collect()],
+            surfels: world.surfels,
             capsules: &[FLOOR],
-            air_velocity,
+            air_velocity: world.air_velocity,
             ..AssemblyInput::default()
         };
         step(&garment.assembly, &input, &mut self.state, dt)
@@ -356,7 +378,7 @@ impl DressedState {
 /// What a garment is prepared for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Ease {
-    /// To be fitted: it slips over the skin, and its folds pass through each other until they lie well.
+    /// To be fitted: it slips over the skin.
     Fitted,
     /// To be worn.
     Worn,
@@ -369,7 +391,12 @@ fn assembly(
     joints: &[Joint],
 ) -> Result<Assembly, DressError> {
     let mut spec = spec.clone();
-    let mut config = SolverConfig {
+    let config = SolverConfig {
+        self_collision: Some(SelfCollision {
+            radius: HALF_GAP,
+            substep_interval: NonZeroU32::MIN.saturating_add(2),
+            crossings: Crossings::Leave,
+        }),
         contact_offset: CONTACT_OFFSET,
         depenetration_speed: DEPENETRATION_SPEED,
         structural_sweep_count: NonZeroU32::MIN,
@@ -377,15 +404,8 @@ fn assembly(
         tether_scale: None,
         ..SolverConfig::default()
     };
-    match ease {
-        Ease::Fitted => spec.fabric.friction = SLIPPING,
-        Ease::Worn => {
-            config.self_collision = Some(SelfCollision {
-                radius: HALF_GAP,
-                substep_interval: NonZeroU32::MIN.saturating_add(2),
-                crossings: Crossings::Leave,
-            });
-        }
+    if ease == Ease::Fitted {
+        spec.fabric.friction = SLIPPING;
     }
     let model = MeshModel::new(&spec).map_err(|error| DressError::Mesh { template, error })?;
     let pieces = vec![Piece::Mesh(Box::new(model), Box::new(config))];

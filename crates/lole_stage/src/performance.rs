@@ -234,6 +234,7 @@ impl Performance {
         let trunk = order::trunk(&self.production.dancer.skeleton, &self.world_from_bind);
         let around = Around {
             trunk,
+            body: (&self.body_positions, &self.body_normals),
             skin: &self.whole_skin,
             air_velocity: Vec3::ZERO,
             is_settling: self.frame <= 0,

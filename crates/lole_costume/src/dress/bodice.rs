@@ -18,7 +18,7 @@ const FINE: u32 = 48;
 /// Gap between skin and cloth that lies close [m].
 const CLOSE: f32 = 0.010;
 /// Farthest that wide cloth is laid from the trunk [m]: what is too much lies in folds.
-const FARTHEST: f32 = 0.10;
+const FARTHEST: f32 = 0.05;
 /// How much farther than that it may be for each meter below the arms [m/m].
 const FLARING: f32 = 0.3;
 /// Where the arm's fold lies between the middle and the side of the trunk's tape, half way up the armhole,
@@ -27,6 +27,10 @@ const FOLD_OF_ARM: f64 = 0.80;
 const SHOULDER_POINT: f64 = 0.97;
 /// Cloth that trails is laid this far above the floor [m].
 const OVER_FLOOR: f32 = 0.02;
+/// Cloth of one fold where there is more than room [m].
+const FOLD: f32 = 0.14;
+/// Below a gathered edge folds reach their depth within this [m].
+const FOLD_BEGINS: f32 = 0.10;
 /// Length of train over which it is spread [m].
 const SPREAD: f32 = 0.25;
 /// Cloth over the shoulder is laid this far above it [m].
@@ -41,6 +45,8 @@ pub(super) enum Part {
     Back,
     /// An arm; the drawn one is the left.
     Sleeve,
+    /// Whatever one cloth is wrapped around.
+    Wrap,
     /// The legs below the hem of front and back, half of it each.
     Ruffle,
 }
@@ -152,6 +158,7 @@ impl<'a> Bodice<'a> {
             Part::Back => self.on_trunk(form, (piece, Face::Back), drawn),
             Part::Sleeve => Some(self.on_arm(form, piece, point)),
             Part::Ruffle => self.below_hem(form, piece, point),
+            Part::Wrap => None,
         }?;
         Some(if is_right { mirrored(place) } else { place })
     }
@@ -234,7 +241,12 @@ impl<'a> Bodice<'a> {
         let excess = (narrow(self.girth(below)) - girth) / std::f32::consts::TAU;
         let wide = excess.clamp(CLOSE, FARTHEST + FLARING * narrow(half.underarm - below));
         let up = narrow(up.clamp(0.0, 1.0));
-        let gap = wide + (CLOSE - wide) * up;
+        let room = girth + std::f32::consts::TAU * wide;
+        let top = self.outlines[piece].iter().fold(f64::NEG_INFINITY, |top, p| top.max(p.y));
+        let begun = (narrow(top - point.y) / FOLD_BEGINS).clamp(0.0, 1.0) * (1.0 - up);
+        let fullness = narrow(self.girth(below)) / room.max(1.0e-3);
+        let fold = begun * folds(fullness, narrow(width), narrow((point.x - low) / width));
+        let gap = wide + (CLOSE - wide) * up + fold;
         let lift = Vec3::Y * (OVER_SHOULDER * up * up);
         Some(place + outward * gap + lift)
     }
@@ -280,8 +292,26 @@ impl<'a> Bodice<'a> {
         let height = narrow(self.front.levels.height(hem));
         let turn = narrow(point.x / width.max(1.0e-3));
         let (place, outward) = form.around_trunk(height, 0.5 - 0.5 * turn)?;
-        Some(place + outward * FARTHEST - Vec3::Y * narrow(top - point.y))
+        let below = narrow(top - point.y);
+        let girth = form.girth(height);
+        let hem = narrow(self.girth(hem + 0.02));
+        let wide = ((hem - girth) / std::f32::consts::TAU).clamp(CLOSE, 0.3);
+        let begun = (below / FOLD_BEGINS).clamp(0.0, 1.0);
+        let fullness = 2.0 * narrow(width) / (girth + std::f32::consts::TAU * wide);
+        let fold = begun * folds(fullness, narrow(width), turn);
+        Some(place + outward * (wide + fold) - Vec3::Y * below)
     }
+}
+
+/// How far cloth stands out in folds [m], at a share of its `width` [m]: `fullness` is its length over the
+/// room there is. A wave of depth `a` and length `l` is longer by `(π a / l)²`.
+fn folds(fullness: f32, width: f32, share: f32) -> f32 {
+    if fullness <= 1.0 {
+        return 0.0;
+    }
+    let count = (width / FOLD).round().max(1.0);
+    let depth = width / (count * fullness) / std::f32::consts::PI * (fullness - 1.0).sqrt();
+    depth * (1.0 - trig::cos(std::f32::consts::TAU * count * share))
 }
 
 fn smooth(share: f64) -> f64 {

@@ -7,7 +7,7 @@ use lole_cloth::assembly::Lost;
 
 use super::flat::FlatMesh;
 use super::form::Form;
-use super::{Dressed, garment};
+use super::{Dressed, World, garment};
 
 /// How far she lifts her arms to be dressed from where they are built, 47° below the level [rad].
 const RAISED: f32 = 0.75;
@@ -96,7 +96,12 @@ pub(super) fn fit(
         let world_from_bind = dancer.skeleton.world_from_bind(&pose);
         dancer.skin.pose(&world_from_bind, &mut positions, &mut normals);
         skin.pose(&positions, &normals, &mut surfels);
-        state.step(&garment, (&surfels, Vec3::ZERO), FRAME)?;
+        let world = World {
+            skin: (&positions, &normals),
+            surfels: &surfels,
+            air_velocity: Vec3::ZERO,
+        };
+        state.step(&garment, &world, FRAME)?;
         let kept = if frame < SEWING_FRAMES {
             0.0
         } else if moved < MOVING_FRAMES {

@@ -37,6 +37,16 @@ pub(super) struct FlatMesh {
     pub(super) hems: Vec<u32>,
 }
 
+impl FlatMesh {
+    /// The particle nearest to a point of the piece [m].
+    pub(super) fn nearest(&self, point: DVec2) -> u32 {
+        let far = |at: &DVec2| at.distance_squared(point);
+        let all = self.in_piece.iter().enumerate();
+        let nearest = all.min_by(|a, b| far(a.1).total_cmp(&far(b.1)));
+        nearest.map_or(0, |(index, _)| number(index))
+    }
+}
+
 /// A point of the triangulation that knows its number.
 #[derive(Debug, Clone, Copy)]
 struct Numbered {

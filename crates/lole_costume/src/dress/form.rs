@@ -1,7 +1,7 @@
 //! The dancer as a dressmaker's form: her skin in one pose, and tapes around her trunk.
 
 use glam::{Affine3A, Vec3};
-use lole_body::{Bone, Dancer, Pose, TapePoint};
+use lole_body::{Bone, Dancer, Pose, SkinSurfels, TapePoint};
 use lole_geom::TriangleGrid;
 
 /// Points of a tape around the trunk.
@@ -28,6 +28,9 @@ struct Tape {
     left: usize,
     girth: f32,
 }
+
+/// Least distance of pinned cloth from the skin [m].
+const LEAST_GAP: f32 = 0.004;
 
 /// Half of the trunk that a place is on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -109,6 +112,22 @@ impl<'a> Form<'a> {
     pub(super) fn joint(&self, bone: Bone) -> Vec3 {
         let joint = self.dancer.skeleton.joint(bone);
         self.world_from_bind[bone.index()].transform_point3(joint)
+    }
+
+    /// The skin below places that it carries, and how far they lie over it [m]; `None` where one is far
+    /// from all skin.
+    pub(super) fn carry(&self, places: &[Vec3]) -> Option<(SkinSurfels, Vec<f32>)> {
+        let skin = &self.dancer.skin;
+        let (mut positions, mut normals) = (Vec::new(), Vec::new());
+        skin.pose(&self.world_from_bind, &mut positions, &mut normals);
+        let triangles = skin.body_triangles();
+        let carriers =
+            SkinSurfels::nearest_to(places.iter().copied(), (&positions, &triangles), REACH)?;
+        let mut surfels = Vec::new();
+        carriers.pose(&positions, &normals, &mut surfels);
+        let gaps = places.iter().zip(&surfels);
+        let gaps = gaps.map(|(place, skin)| (*place - skin.position).dot(skin.normal).max(LEAST_GAP));
+        Some((carriers, gaps.collect()))
     }
 
     /// Moves places out of the skin until they keep `gap` [m] from it.

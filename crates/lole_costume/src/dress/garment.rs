@@ -2,10 +2,13 @@
 
 mod blouse;
 mod holoku;
+mod kihei;
+mod kikepa;
+mod malo;
 mod muumuu;
 
 use glam::{DVec2, Vec3};
-use lole_body::{Bone, Dancer, Pose};
+use lole_body::{Bone, Dancer, Pose, SkinSurfels};
 use lole_pattern::pattern::SeamSide;
 use lole_pattern::piece::Piece;
 use lole_pattern::{Measures, Pattern};
@@ -14,20 +17,37 @@ use super::bodice::{Bodice, Part, mirrored, narrow};
 use super::flat::{self, FlatMesh};
 use super::form::Form;
 use super::panel::{self, Panels};
+use super::wrap::{Cloth, Wrap};
 use super::{DressError, fit};
 
 /// How one template is worn.
 pub(super) struct Worn {
     /// Identifier of its template.
     pub(super) template: &'static str,
-    /// What each piece covers, by the piece's identifier; others are left out of the picture.
-    pub(super) parts: &'static [(&'static str, Part)],
+    /// How its pieces lie.
+    pub(super) way: Way,
     /// Particles it is divided into, about.
     pub(super) particle_count: f64,
 }
 
+/// How the pieces of a garment lie.
+pub(super) enum Way {
+    /// Around trunk and arms. What each piece covers, by the piece's identifier; others are left out of
+    /// the picture.
+    Fitted(&'static [(&'static str, Part)]),
+    /// One rectangle, laid by a rule.
+    Wrapped(Wrap),
+}
+
 /// Everything that can be put on.
-const WORN: &[Worn] = &[blouse::WORN, muumuu::WORN, holoku::WORN];
+const WORN: &[Worn] = &[
+    blouse::WORN,
+    kikepa::WORN,
+    kihei::WORN,
+    malo::WORN,
+    muumuu::WORN,
+    holoku::WORN,
+];
 
 /// Finest and coarsest edges of triangles [m].
 const SPACING: [f64; 2] = [0.010, 0.030];
@@ -46,6 +66,10 @@ pub(super) struct Laid {
     pub(super) is_on_arm: Vec<bool>,
     /// Lengths of elastic in the mesh's lines [m].
     pub(super) elastics: Vec<f32>,
+    /// Particles that the skin carries.
+    pub(super) pinned: Vec<bool>,
+    /// The skin below them, and how far they lie over it [m].
+    pub(super) pins: (SkinSurfels, Vec<f32>),
 }
 
 /// Whether garments of this template can be put on.
@@ -61,9 +85,12 @@ pub(super) fn lay(
 ) -> Result<Laid, DressError> {
     let worn = WORN.iter().find(|worn| worn.template == template);
     let worn = worn.ok_or(DressError::NotWorn { template })?;
-    let part_of = |piece: &Piece| {
-        let rows = worn.parts.iter();
-        rows.clone().find(|(id, _)| *id == piece.id).map(|(_, part)| *part)
+    let part_of = |piece: &Piece| match &worn.way {
+        Way::Fitted(parts) => {
+            let mut rows = parts.iter();
+            rows.find(|(id, _)| *id == piece.id).map(|(_, part)| *part)
+        }
+        Way::Wrapped(_) => Some(Part::Wrap),
     };
     let parts: Vec<Option<Part>> = pattern.pieces.iter().map(part_of).collect();
     let area: f64 = (pattern.pieces.iter().zip(&parts))
@@ -81,14 +108,36 @@ pub(super) fn lay(
         template,
         measure: "the bust girth and the back length",
     };
-    let mesh = flat::mesh(&pattern, &panels, spacing).ok_or(crossed)?;
+    let mut mesh = flat::mesh(&pattern, &panels, spacing).ok_or(crossed)?;
     let form = Form::new(dancer, &fit::fitting_pose(), LOWEST_TAPE);
-    let bodice = Bodice::new(&pattern, parts.clone(), measures);
-    let bodice = bodice.ok_or(DressError::NotWorn { template })?;
-    let places = places(&panels, &mesh, &form, |piece, point| {
-        bodice.place(&form, piece, point)
-    });
-    let places = places.ok_or(DressError::NoTrunk { template })?;
+    let no_trunk = || DressError::NoTrunk { template };
+    let mut pinned = vec![false; mesh.flat.len()];
+    let places = match &worn.way {
+        Way::Fitted(_) => {
+            let bodice = Bodice::new(&pattern, parts.clone(), measures);
+            let bodice = bodice.ok_or(DressError::NotWorn { template })?;
+            places(&panels, &mesh, &form, |piece, point| {
+                bodice.place(&form, piece, point)
+            })
+        }
+        Way::Wrapped(wrap) => {
+            let cloth = Cloth::new(&form, (&pattern, measures));
+            for [first, second] in (wrap.knots)(&cloth) {
+                let knot = [first, second].map(|point| mesh.nearest(point));
+                mesh.stitches.push(knot);
+            }
+            for (pin, &point) in pinned.iter_mut().zip(&mesh.in_piece) {
+                *pin = (wrap.is_pinned)(&cloth, point, spacing);
+            }
+            places(&panels, &mesh, &form, |_, point| (wrap.place)(&cloth, point))
+        }
+    };
+    let places = places.ok_or_else(no_trunk)?;
+    let held: Vec<Vec3> = (places.iter().zip(&pinned))
+        .filter(|(_, pinned)| **pinned)
+        .map(|(place, _)| *place)
+        .collect();
+    let pins = form.carry(&held).ok_or_else(no_trunk)?;
     let facing = (0..panels.panels.len()).map(|panel| faces_out(panel, &mesh, &places, &form));
     let facing = facing.collect();
     let is_on_arm = panels.panels.iter().map(|panel| parts[panel.piece] == Some(Part::Sleeve));
@@ -101,6 +150,8 @@ pub(super) fn lay(
         facing,
         is_on_arm,
         elastics,
+        pinned,
+        pins,
         pattern,
     })
 }

@@ -6,7 +6,7 @@
 use glam::Vec3;
 use lole_cloth::collision::layer::{Envelope, Trunk};
 use lole_costume::document::GarmentLayer;
-use lole_costume::dress::DressedState;
+use lole_costume::dress::{DressedState, World};
 use lole_geom::Surfel;
 
 use super::order::GAP;
@@ -34,6 +34,8 @@ pub(super) struct Dressed {
 /// What a dressed garment meets in a frame.
 pub(super) struct Around<'a> {
     pub(super) trunk: Trunk,
+    /// Vertices of the skin and their normals.
+    pub(super) body: (&'a [Vec3], &'a [Vec3]),
     /// The skin, arms and all.
     pub(super) skin: &'a [Surfel],
     pub(super) air_velocity: Vec3,
@@ -68,8 +70,12 @@ impl Dressed {
             let inset = CONTACT_OFFSET - GAP;
             self.envelope.add_surfels(inset, &mut self.surfels);
         }
-        let world = (&self.surfels[..], around.air_velocity);
-        let moved = self.state.step(&garment.dressed, world, FRAME_SECONDS);
+        let world = World {
+            skin: around.body,
+            surfels: &self.surfels,
+            air_velocity: around.air_velocity,
+        };
+        let moved = self.state.step(&garment.dressed, &world, FRAME_SECONDS);
         self.is_lost |= moved.is_err();
         if around.is_settling {
             self.state.scale_velocities(&garment.dressed, SETTLING);
