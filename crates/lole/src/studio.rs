@@ -5,7 +5,7 @@ use glam::Vec3;
 use lole_body::Bone;
 use lole_costume::print::PrintImage;
 use lole_geom::trig;
-use lole_picture::{Draped, Figure, Looks};
+use lole_picture::{Draped, DressedLook, Figure, Looks};
 use lole_render::{Bounds, Camera, Image, LightRig, Renderer, Size, View};
 use lole_stage::Performance;
 
@@ -62,6 +62,11 @@ impl Studio {
     /// The print of every garment, for files that carry it.
     pub(crate) fn prints(&self) -> &[PrintImage] {
         &self.looks.prints
+    }
+
+    /// The cloth of every dressed garment.
+    pub(crate) fn dressed(&self) -> &[DressedLook] {
+        &self.looks.dressed
     }
 
     /// The picture of the performance's current frame; its body must be posed.

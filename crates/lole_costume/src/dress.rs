@@ -246,6 +246,12 @@ impl Dressed {
         })
     }
 
+    /// Prepares it to be sewn, and gives back how it is prepared to be worn.
+    fn baste(&mut self) -> Option<Assembly> {
+        let basted = self.basted.take()?;
+        Some(std::mem::replace(&mut self.assembly, basted))
+    }
+
     /// The mesh as the engine knows it.
     fn model(&self) -> Option<&MeshModel> {
         match self.assembly.pieces() {
@@ -378,7 +384,7 @@ impl DressedState {
 /// What a garment is prepared for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Ease {
-    /// To be fitted: it slips over the skin.
+    /// To be sewn: it slips over the skin, and folds pass through each other.
     Fitted,
     /// To be worn.
     Worn,
@@ -391,12 +397,17 @@ fn assembly(
     joints: &[Joint],
 ) -> Result<Assembly, DressError> {
     let mut spec = spec.clone();
+    let mut contact = Some(SelfCollision {
+        radius: HALF_GAP,
+        substep_interval: NonZeroU32::MIN.saturating_add(2),
+        crossings: Crossings::Repair,
+    });
+    if ease == Ease::Fitted {
+        spec.fabric.friction = SLIPPING;
+        contact = None;
+    }
     let config = SolverConfig {
-        self_collision: Some(SelfCollision {
-            radius: HALF_GAP,
-            substep_interval: NonZeroU32::MIN.saturating_add(2),
-            crossings: Crossings::Leave,
-        }),
+        self_collision: contact,
         contact_offset: CONTACT_OFFSET,
         depenetration_speed: DEPENETRATION_SPEED,
         structural_sweep_count: NonZeroU32::MIN,
@@ -404,9 +415,6 @@ fn assembly(
         tether_scale: None,
         ..SolverConfig::default()
     };
-    if ease == Ease::Fitted {
-        spec.fabric.friction = SLIPPING;
-    }
     let model = MeshModel::new(&spec).map_err(|error| DressError::Mesh { template, error })?;
     let pieces = vec![Piece::Mesh(Box::new(model), Box::new(config))];
     Assembly::new(pieces, joints, SUBSTEP_COUNT)

@@ -254,6 +254,13 @@ impl Design {
         self.worn(&self.print, GarmentDesign::print).collect()
     }
 
+    /// What is printed on everything that is dressed, in the order of the list.
+    #[must_use]
+    pub fn dressed_prints(&self) -> Vec<&PrintChoice> {
+        let dressed = self.garments.iter().filter(|garment| garment.is_dressed());
+        dressed.map(GarmentDesign::print).collect()
+    }
+
     /// A part of everything that is worn, from the skin outward: `skirt` of the skirt.
     pub(super) fn worn<'a, P>(
         &'a self,

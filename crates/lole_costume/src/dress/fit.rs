@@ -83,13 +83,16 @@ pub(super) fn fit(
     (dancer, skin): (&Dancer, &SkinSurfels),
     stance: &Pose,
 ) -> Result<Dressed, Lost> {
-    if let Some(basted) = garment.basted.take() {
-        std::mem::swap(&mut garment.assembly, &mut garment.basted.insert(basted));
-    }
+    let worn = garment.baste();
     let mut state = garment.state();
     let (mut positions, mut normals, mut surfels) = (Vec::new(), Vec::new(), Vec::new());
     let start = fitting_pose();
     for frame in 0..SEWING_FRAMES + MOVING_FRAMES + RESTING_FRAMES {
+        if frame == SEWING_FRAMES
+            && let Some(worn) = &worn
+        {
+            garment.assembly = worn.clone();
+        }
         let moved = frame.saturating_sub(SEWING_FRAMES).min(MOVING_FRAMES);
         let share = moved as f32 / MOVING_FRAMES as f32;
         let pose = between(&start, stance, share * share * (3.0 - 2.0 * share));
@@ -114,9 +117,6 @@ pub(super) fn fit(
     let mut rest = Vec::new();
     state.copy_positions(&garment, &mut rest);
     garment.start = rest;
-    if let Some(worn) = garment.basted.take() {
-        garment.assembly = worn;
-    }
     Ok(garment)
 }
 

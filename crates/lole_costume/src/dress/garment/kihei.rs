@@ -13,7 +13,7 @@ pub(super) const WORN: Worn = Worn {
     way: Way::Wrapped(Wrap {
         place,
         knots,
-        is_pinned: |_, _, _| false,
+        is_pinned,
     }),
     particle_count: 3500.0,
 };
@@ -30,6 +30,9 @@ const OVER_SHOULDER: f32 = 0.02;
 /// Share of a turn around the arm in which the cloth hangs straight, in front of it or behind it.
 const BESIDE_ARM: f32 = 0.13;
 
+/// Cloth beside the arm is laid out to this share of its width.
+const SPREAD: f32 = 0.45;
+
 fn knots(cloth: &Cloth<'_>) -> Vec<[DVec2; 2]> {
     let ends = |off: f64| {
         let right = DVec2::new(KNOT + off, cloth.size.y);
@@ -37,6 +40,12 @@ fn knots(cloth: &Cloth<'_>) -> Vec<[DVec2; 2]> {
         [right, left]
     };
     TIED.map(ends).to_vec()
+}
+
+/// The knot sits on the shoulder.
+fn is_pinned(cloth: &Cloth<'_>, point: DVec2, spacing: f64) -> bool {
+    let near = |at: &DVec2| at.distance(point) < 0.6 * spacing;
+    knots(cloth).iter().flatten().any(near)
 }
 
 fn place(cloth: &Cloth<'_>, point: DVec2) -> Option<Vec3> {
@@ -67,7 +76,7 @@ fn place(cloth: &Cloth<'_>, point: DVec2) -> Option<Vec3> {
     place.y = height;
     if 0.0 < beyond {
         // As wide as it is, or it would cut into the arm.
-        place += Vec3::X * (0.8 * beyond);
+        place += Vec3::X * (SPREAD * beyond);
         let in_front = if is_front { 1.0 } else { -1.0 };
         place.z += in_front * (0.2 * beyond).min(0.03);
     }

@@ -22,13 +22,13 @@ pub(super) const WORN: Worn = Worn {
 const TURNS: f64 = 2.0;
 /// Height of the girded band, and width between the legs, over the width of the strip.
 const BAND: f32 = 0.34;
-const BETWEEN_LEGS: f32 = 0.30;
+const BETWEEN_LEGS: f32 = 0.32;
 /// Gap to the skin, what each layer adds, and of the flaps over the band [m].
 const GAP: f32 = 0.006;
 const LAYER: f32 = 0.005;
-const FLAP: f32 = 0.024;
+const FLAP: f32 = 0.028;
 /// Cloth of a flap nearer to the band than this is still held by it [m].
-const HELD: f64 = 0.03;
+const HELD: f64 = 0.09;
 
 /// Lengths of the strip up to which it is front flap, crotch and turns [m].
 fn stops(cloth: &Cloth<'_>) -> [f64; 3] {
@@ -49,19 +49,16 @@ fn place(cloth: &Cloth<'_>, point: DVec2) -> Option<Vec3> {
     let [front, crotch, back] = stops(cloth);
     if point.x < front {
         let down = narrow(front - point.x);
-        return hanging(cloth, Face::Front, waist, [down, across]);
+        return hanging(cloth, Face::Front, waist, [down, -across]);
     }
     if point.x < crotch {
         let share = narrow((point.x - front) / (crotch - front));
         let way = between_legs(cloth, waist)?;
-        // Narrow between the legs, the whole width at the waist.
-        let near = (2.0 * share - 1.0).abs();
-        let width = BETWEEN_LEGS + (1.0 - BETWEEN_LEGS) * near * near * near * 0.6;
-        return Some(along(&way, share) + Vec3::X * (-across * width));
+        return Some(along(&way, share) + Vec3::X * (-across * BETWEEN_LEGS));
     }
     if point.x < back {
         let turned = narrow((point.x - crotch) / (back - crotch) * TURNS);
-        let height = waist + across * BAND;
+        let height = waist - across * BAND;
         let (place, outward) = cloth.form.around_trunk(height, turned)?;
         return Some(place + outward * (GAP + LAYER * (1.0 + turned)));
     }
@@ -72,7 +69,9 @@ fn place(cloth: &Cloth<'_>, point: DVec2) -> Option<Vec3> {
 /// A flap in front or at the back, hanging from the band.
 fn hanging(cloth: &Cloth<'_>, face: Face, waist: f32, [down, across]: [f32; 2]) -> Option<Vec3> {
     // It spreads below the band.
-    let spread = BAND + (1.0 - BAND) * (down / 0.12).min(1.0);
+    let below = down - narrow(HELD);
+    let spread = BAND + (1.0 - BAND) * (below / 0.12).clamp(0.0, 1.0);
+    let waist = waist + 0.5 * BAND * narrow(cloth.size.y);
     let (top, _) = cloth.form.on_trunk(waist, face, 0.0)?;
     let lowest = (waist - down).max(0.15);
     // No nearer to the axis than anything above.
