@@ -157,16 +157,16 @@ pub(crate) fn dancer_glb(
     };
     let mut cloths: Vec<BakedCloth<'_>> = baked
         .filter(|((garment, _), _)| garment.is_worn)
-        .map(|((garment, mesh), (png, frames))| {
-            cloth(&garment.name, mesh, &png[..], &frames[..])
-        })
+        .map(|((garment, mesh), (png, frames))| cloth(&garment.name, mesh, &png[..], &frames[..]))
         .collect();
     let dressed_meshes = dressed_meshes(performance, studio);
     let dressed = production.dressed.iter().zip(&dressed_meshes);
     let dressed = dressed.zip(dressed_png.iter().zip(&keys.dressed));
-    cloths.extend(dressed.map(|((garment, mesh), (png, frames))| {
-        cloth(&garment.name, mesh, &png[..], &frames[..])
-    }));
+    cloths.extend(
+        dressed.map(|((garment, mesh), (png, frames))| {
+            cloth(&garment.name, mesh, &png[..], &frames[..])
+        }),
+    );
     Ok(write_glb(&GlbScene {
         skeleton: &production.dancer.skeleton,
         pose_times: &keys.times,
@@ -216,11 +216,13 @@ fn look_material<'a>(look: &'a Look, png: Option<&'a [u8]>) -> GlbMaterial<'a> {
 /// The meshes of dressed garments in the file: as they are drawn.
 fn dressed_meshes(performance: &Performance, studio: &Studio) -> Vec<GridMesh> {
     let dressed = performance.production().dressed.iter();
-    let meshes = dressed.zip(studio.dressed()).map(|(garment, look)| GridMesh {
-        particles: (0_u32..).take(look.uvs.len()).collect(),
-        uvs: look.uvs.clone(),
-        triangles: garment.dressed.triangles.clone(),
-    });
+    let meshes = dressed
+        .zip(studio.dressed())
+        .map(|(garment, look)| GridMesh {
+            particles: (0_u32..).take(look.uvs.len()).collect(),
+            uvs: look.uvs.clone(),
+            triangles: garment.dressed.triangles.clone(),
+        });
     meshes.collect()
 }
 

@@ -10,6 +10,8 @@ mod flat;
 mod form;
 mod garment;
 mod panel;
+#[cfg(test)]
+mod tests;
 mod wrap;
 
 use std::num::NonZeroU32;
@@ -23,8 +25,8 @@ use lole_cloth::assembly::{
 use lole_cloth::diagnose::StrainSummary;
 use lole_cloth::mesh::{MeshError, MeshModel, MeshSpec, diagnose};
 use lole_cloth::{Crossings, Fabric, SelfCollision, SolverConfig, mesh_state_hash};
-use lole_geom::{Capsule, Surfel};
 use lole_geom::mesh::vertex_normals;
+use lole_geom::{Capsule, Surfel};
 use lole_language::Bilingual;
 use lole_pattern::{DraftError, Pattern};
 
@@ -58,8 +60,8 @@ const EDGE_LAYERS: f32 = 2.0;
 pub struct Dressed {
     /// Pieces, seams and elastics as the engine knows them: one mesh.
     assembly: Assembly,
-    /// The same while it is fitted.
-    basted: Option<Assembly>,
+    /// The same while it is sewn and while it is tried on; `None` afterwards.
+    before: Option<[Assembly; 2]>,
     /// What it is drafted as.
     pub pattern: Pattern,
     /// Its cloth in SI units.
@@ -158,7 +160,9 @@ impl Bilingual for DressError {
                 format!("{template} は製図だけの服で、着せ方が決まっていません")
             }
             Self::CrossedPiece { template, .. } => {
-                format!("この採寸では {template} の型紙の線が交わります。バストと背丈を測り直してください")
+                format!(
+                    "この採寸では {template} の型紙の線が交わります。バストと背丈を測り直してください"
+                )
             }
             Self::NoTrunk { template } => {
                 format!("{template} の来る所に胴がありません。丈を短くしてください")
@@ -213,8 +217,10 @@ impl Dressed {
             spec.layers[edge as usize] = EDGE_LAYERS;
         }
         spec.pinned = pinned;
-        let make = |ease: Ease| assembly(template, (&spec, ease), &joints(&mesh, &elastics));
-        let [assembly, basted] = [make(Ease::Worn)?, make(Ease::Fitted)?];
+        let joints = joints(&mesh, &elastics);
+        let make = |ease: Ease| assembly(template, (&spec, ease), &joints);
+        let [assembly, basted, tried] =
+            [make(Ease::Worn)?, make(Ease::Basted)?, make(Ease::Tried)?];
         let turned = |&[a, b, c]: &[u32; 3]| {
             if facing[mesh.panel_of[a as usize]] {
                 [a, b, c]
@@ -233,7 +239,7 @@ impl Dressed {
         });
         Ok(Self {
             assembly,
-            basted: Some(basted),
+            before: Some([basted, tried]),
             pattern,
             fabric,
             pins,
@@ -244,12 +250,6 @@ impl Dressed {
             welded: welded(&mesh),
             puckers: mesh.puckers,
         })
-    }
-
-    /// Prepares it to be sewn, and gives back how it is prepared to be worn.
-    fn baste(&mut self) -> Option<Assembly> {
-        let basted = self.basted.take()?;
-        Some(std::mem::replace(&mut self.assembly, basted))
     }
 
     /// The mesh as the engine knows it.
@@ -328,11 +328,15 @@ impl DressedState {
     ///
     /// # Errors
     /// Where a particle would go nowhere; nothing has moved then.
-    pub fn step(
+    pub fn step(&mut self, garment: &Dressed, world: &World<'_>, dt: f32) -> Result<(), Lost> {
+        self.step_as(garment, &garment.assembly, (world, dt))
+    }
+
+    fn step_as(
         &mut self,
         garment: &Dressed,
-        world: &World<'_>,
-        dt: f32,
+        assembly: &Assembly,
+        (world, dt): (&World<'_>, f32),
     ) -> Result<(), Lost> {
         let (carriers, gaps) = &garment.pins;
         let mut carried = Vec::new();
@@ -346,7 +350,7 @@ impl DressedState {
             air_velocity: world.air_velocity,
             ..AssemblyInput::default()
         };
-        step(&garment.assembly, &input, &mut self.state, dt)
+        step(assembly, &input, &mut self.state, dt)
     }
 
     /// Writes every position [m] over `out`.
@@ -365,7 +369,9 @@ impl DressedState {
             if let PieceState::Mesh(state) = state {
                 let mut velocities = Vec::new();
                 state.copy_velocities(model, &mut velocities);
-                velocities.iter_mut().for_each(|velocity| *velocity *= factor);
+                velocities
+                    .iter_mut()
+                    .for_each(|velocity| *velocity *= factor);
                 state.set_velocities(model, &velocities);
             }
         }
@@ -385,8 +391,10 @@ impl DressedState {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Ease {
     /// To be sewn: it slips over the skin, and folds pass through each other.
-    Fitted,
-    /// To be worn.
+    Basted,
+    /// To be tried on: folds that went through each other are drawn out, which takes its time.
+    Tried,
+    /// To be worn: folds keep apart.
     Worn,
 }
 
@@ -400,9 +408,13 @@ fn assembly(
     let mut contact = Some(SelfCollision {
         radius: HALF_GAP,
         substep_interval: NonZeroU32::MIN.saturating_add(2),
-        crossings: Crossings::Repair,
+        crossings: if ease == Ease::Tried {
+            Crossings::Repair
+        } else {
+            Crossings::Leave
+        },
     });
-    if ease == Ease::Fitted {
+    if ease == Ease::Basted {
         spec.fabric.friction = SLIPPING;
         contact = None;
     }

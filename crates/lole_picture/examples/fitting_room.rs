@@ -27,10 +27,22 @@ const VIEWS: [View; 3] = [View::Front, View::Side, View::Back];
 /// Who is dressed: name, figure, stature, bust, waist and hip [cm].
 const DANCERS: [(&str, Figure, [Option<f64>; 4]); 6] = [
     ("child", Figure::Child, [Some(120.0), None, None, None]),
-    ("small", Figure::Woman, [Some(150.0), Some(80.0), Some(62.0), Some(86.0)]),
+    (
+        "small",
+        Figure::Woman,
+        [Some(150.0), Some(80.0), Some(62.0), Some(86.0)],
+    ),
     ("mean", Figure::Woman, [None; 4]),
-    ("tall", Figure::Woman, [Some(173.0), Some(90.0), Some(70.0), Some(97.0)]),
-    ("large", Figure::Woman, [Some(163.0), Some(102.0), Some(90.0), Some(106.0)]),
+    (
+        "tall",
+        Figure::Woman,
+        [Some(173.0), Some(90.0), Some(70.0), Some(97.0)],
+    ),
+    (
+        "large",
+        Figure::Woman,
+        [Some(163.0), Some(102.0), Some(90.0), Some(106.0)],
+    ),
     ("man", Figure::Man, [None; 4]),
 ];
 
@@ -70,11 +82,16 @@ fn asked() -> Result<Asked, Box<dyn Error>> {
             "--close" => asked.is_close = true,
             "--skirt" => asked.has_skirt = true,
             "--print" => asked.print = arguments.next(),
-            id => asked.templates.push(Template::of_id(id).ok_or("no such template")?),
+            id => asked
+                .templates
+                .push(Template::of_id(id).ok_or("no such template")?),
         }
     }
     if asked.templates.is_empty() {
-        asked.templates = TEMPLATES.iter().filter(|one| dress::is_worn(one.id)).collect();
+        asked.templates = TEMPLATES
+            .iter()
+            .filter(|one| dress::is_worn(one.id))
+            .collect();
     }
     Ok(asked)
 }
@@ -176,8 +193,12 @@ fn shoot(asked: &Asked, performance: &Performance) -> Result<Vec<u8>, Box<dyn Er
             let mut vertices = [Vec::new(), Vec::new()];
             let [positions, normals] = &mut vertices;
             if asked.has_skirt {
-                garment.mesh.spread(performance.garment_positions(garment), positions);
-                garment.mesh.spread(&performance.garment_normals(garment), normals);
+                garment
+                    .mesh
+                    .spread(performance.garment_positions(garment), positions);
+                garment
+                    .mesh
+                    .spread(&performance.garment_normals(garment), normals);
             }
             vertices
         })
@@ -212,10 +233,14 @@ fn shoot(asked: &Asked, performance: &Performance) -> Result<Vec<u8>, Box<dyn Er
         body_normals: performance.body_normals(),
     };
     let points: Vec<Vec3> = if asked.is_close {
-        dressed.iter().flat_map(|vertices| vertices[0].clone()).collect()
+        dressed
+            .iter()
+            .flat_map(|vertices| vertices[0].clone())
+            .collect()
     } else {
         let body = performance.body_positions().iter().copied();
-        body.chain(dressed.iter().flat_map(|vertices| vertices[0].clone())).collect()
+        body.chain(dressed.iter().flat_map(|vertices| vertices[0].clone()))
+            .collect()
     };
     let mut renderer = Renderer::new(Backend::Cpu, CELL)?;
     let mut row = vec![0; (CELL.width * CELL.height * 3 * 4) as usize];

@@ -289,8 +289,8 @@ impl Performance {
             return;
         }
         // Dressed garments have come to rest on her already; with the skirt they take as long as that.
-        let mut all_rest = self.dressed.is_empty()
-            || DRESSED_FRAMES <= self.frame + i64::from(SETTLE_FRAMES);
+        let mut all_rest =
+            self.dressed.is_empty() || DRESSED_FRAMES <= self.frame + i64::from(SETTLE_FRAMES);
         for (worn, garment) in self.worn.iter_mut().zip(&self.production.garments) {
             all_rest &= !garment.is_worn || worn.settle();
         }

@@ -12,9 +12,9 @@ use lole_pattern::{DraftError, ElasticRatio, GatherRatio};
 
 use super::schema::Table;
 use super::{
-    BodyShapes, DancerDesign, Design, DesignError, FabricDesign, GarmentDesign, GarmentLayer, SkirtWorn,
-    MotionDesign, PartDesign, PrintChoice, Problem, SkirtDesign, WindDesign, WornTop, schema,
-    template,
+    BodyShapes, DancerDesign, Design, DesignError, FabricDesign, GarmentDesign, GarmentLayer,
+    MotionDesign, PartDesign, PrintChoice, Problem, SkirtDesign, SkirtWorn, WindDesign, WornTop,
+    schema, template,
 };
 use crate::fabrics::{FabricFigures, si_fabric};
 

@@ -58,7 +58,9 @@ struct Levels(Vec<[f64; 2]>);
 impl Levels {
     fn height(&self, y: f64) -> f64 {
         let knots = &self.0;
-        let after = knots.partition_point(|knot| knot[0] < y).clamp(1, knots.len() - 1);
+        let after = knots
+            .partition_point(|knot| knot[0] < y)
+            .clamp(1, knots.len() - 1);
         let [a, b] = [knots[after - 1], knots[after]];
         let rise = b[0] - a[0];
         if rise < 1.0e-6 {
@@ -114,7 +116,9 @@ impl<'a> Bodice<'a> {
     ) -> Option<Self> {
         let of = |part: Part| {
             let pieces = pattern.pieces.iter().zip(&parts);
-            pieces.filter(move |(_, found)| **found == Some(part)).map(|(piece, _)| piece)
+            pieces
+                .filter(move |(_, found)| **found == Some(part))
+                .map(|(piece, _)| piece)
         };
         let half = |part: Part| {
             // From the lowest piece to the highest: a yoke goes on above what hangs from it.
@@ -152,7 +156,11 @@ impl<'a> Bodice<'a> {
     /// Where a point of a piece lies [m]; the right of a pair is given mirrored, as it was drawn.
     pub(super) fn place(&self, form: &Form<'_>, piece: usize, point: DVec2) -> Option<Vec3> {
         let is_right = point.x < 0.0 && self.has_fold(piece);
-        let drawn = if is_right { DVec2::new(-point.x, point.y) } else { point };
+        let drawn = if is_right {
+            DVec2::new(-point.x, point.y)
+        } else {
+            point
+        };
         let place = match self.parts[piece]? {
             Part::Front => self.on_trunk(form, (piece, Face::Front), drawn),
             Part::Back => self.on_trunk(form, (piece, Face::Back), drawn),
@@ -186,8 +194,12 @@ impl<'a> Bodice<'a> {
     fn across_near(&self, piece: usize, y: f64) -> [f64; 2] {
         let outline = &self.outlines[piece];
         let low = outline.iter().fold(f64::INFINITY, |low, p| low.min(p.y)) + 1.0e-4;
-        let high = outline.iter().fold(f64::NEG_INFINITY, |high, p| high.max(p.y)) - 1.0e-4;
-        self.across(piece, y.clamp(low, high.max(low))).unwrap_or([0.0, 1.0])
+        let high = outline
+            .iter()
+            .fold(f64::NEG_INFINITY, |high, p| high.max(p.y))
+            - 1.0e-4;
+        self.across(piece, y.clamp(low, high.max(low)))
+            .unwrap_or([0.0, 1.0])
     }
 
     /// Cloth around the trunk at a level below the arms [m].
@@ -211,7 +223,12 @@ impl<'a> Bodice<'a> {
         }
     }
 
-    fn on_trunk(&self, form: &Form<'_>, (piece, face): (usize, Face), point: DVec2) -> Option<Vec3> {
+    fn on_trunk(
+        &self,
+        form: &Form<'_>,
+        (piece, face): (usize, Face),
+        point: DVec2,
+    ) -> Option<Vec3> {
         let half = self.half(face);
         let [low, high] = self.across_near(piece, point.y);
         let width = (high - low).max(1.0e-3);
@@ -242,7 +259,9 @@ impl<'a> Bodice<'a> {
         let wide = excess.clamp(CLOSE, FARTHEST + FLARING * narrow(half.underarm - below));
         let up = narrow(up.clamp(0.0, 1.0));
         let room = girth + std::f32::consts::TAU * wide;
-        let top = self.outlines[piece].iter().fold(f64::NEG_INFINITY, |top, p| top.max(p.y));
+        let top = self.outlines[piece]
+            .iter()
+            .fold(f64::NEG_INFINITY, |top, p| top.max(p.y));
         let begun = (narrow(top - point.y) / FOLD_BEGINS).clamp(0.0, 1.0) * (1.0 - up);
         let fullness = narrow(self.girth(below)) / room.max(1.0e-3);
         let fold = begun * folds(fullness, narrow(width), narrow((point.x - low) / width));
@@ -256,7 +275,9 @@ impl<'a> Bodice<'a> {
         let [shoulder, elbow, hand] =
             [Bone::LeftUpperArm, Bone::LeftLowerArm, Bone::LeftHand].map(|bone| form.joint(bone));
         let outline = &self.outlines[piece];
-        let crown = outline.iter().fold(f64::NEG_INFINITY, |high, p| high.max(p.y));
+        let crown = outline
+            .iter()
+            .fold(f64::NEG_INFINITY, |high, p| high.max(p.y));
         let [back, front] = {
             let [low, high] = self.across_near(piece, point.y.min(0.0));
             [high, -low]
@@ -287,8 +308,13 @@ impl<'a> Bodice<'a> {
         let [width, top] = outline.iter().fold([0.0_f64; 2], |[width, top], p| {
             [width.max(p.x), top.max(p.y)]
         });
-        let front = self.parts.iter().position(|part| *part == Some(Part::Front))?;
-        let hem = self.outlines[front].iter().fold(f64::INFINITY, |low, p| low.min(p.y));
+        let front = self
+            .parts
+            .iter()
+            .position(|part| *part == Some(Part::Front))?;
+        let hem = self.outlines[front]
+            .iter()
+            .fold(f64::INFINITY, |low, p| low.min(p.y));
         let height = narrow(self.front.levels.height(hem));
         let turn = narrow(point.x / width.max(1.0e-3));
         let (place, outward) = form.around_trunk(height, 0.5 - 0.5 * turn)?;

@@ -65,7 +65,9 @@ pub(super) fn close_seams(mesh: &FlatMesh, form: &Form<'_>, places: &mut [Vec3])
         for _ in 0..SPREADING_PASSES {
             for particle in 0..count {
                 if !is_sewn[particle] && !neighbors[particle].is_empty() {
-                    let near = neighbors[particle].iter().map(|&other| moves[other as usize]);
+                    let near = neighbors[particle]
+                        .iter()
+                        .map(|&other| moves[other as usize]);
                     moves[particle] = near.sum::<Vec3>() / neighbors[particle].len() as f32;
                 }
             }
@@ -83,28 +85,30 @@ pub(super) fn fit(
     (dancer, skin): (&Dancer, &SkinSurfels),
     stance: &Pose,
 ) -> Result<Dressed, Lost> {
-    let worn = garment.baste();
+    let before = garment.before.take();
     let mut state = garment.state();
     let (mut positions, mut normals, mut surfels) = (Vec::new(), Vec::new(), Vec::new());
     let start = fitting_pose();
     for frame in 0..SEWING_FRAMES + MOVING_FRAMES + RESTING_FRAMES {
-        if frame == SEWING_FRAMES
-            && let Some(worn) = &worn
-        {
-            garment.assembly = worn.clone();
-        }
         let moved = frame.saturating_sub(SEWING_FRAMES).min(MOVING_FRAMES);
         let share = moved as f32 / MOVING_FRAMES as f32;
         let pose = between(&start, stance, share * share * (3.0 - 2.0 * share));
         let world_from_bind = dancer.skeleton.world_from_bind(&pose);
-        dancer.skin.pose(&world_from_bind, &mut positions, &mut normals);
+        dancer
+            .skin
+            .pose(&world_from_bind, &mut positions, &mut normals);
         skin.pose(&positions, &normals, &mut surfels);
         let world = World {
             skin: (&positions, &normals),
             surfels: &surfels,
             air_velocity: Vec3::ZERO,
         };
-        state.step(&garment, &world, FRAME)?;
+        let assembly = match &before {
+            Some([basted, _]) if frame < SEWING_FRAMES => basted,
+            Some([_, tried]) => tried,
+            None => &garment.assembly,
+        };
+        state.step_as(&garment, assembly, (&world, FRAME))?;
         let kept = if frame < SEWING_FRAMES {
             0.0
         } else if moved < MOVING_FRAMES {

@@ -87,8 +87,11 @@ pub(super) fn mesh(pattern: &Pattern, panels: &Panels, spacing: f64) -> Option<F
             mesh.panel_of.push(index);
         }
         let offset = number(start);
-        mesh.triangles
-            .extend(triangles.iter().map(|corners| corners.map(|corner| corner + offset)));
+        mesh.triangles.extend(
+            triangles
+                .iter()
+                .map(|corners| corners.map(|corner| corner + offset)),
+        );
     }
     let place = |(panel, at): (usize, usize)| number(starts[panel] + at);
     let stitches = panels.stitches.iter().map(|pair| pair.map(place));
@@ -102,7 +105,8 @@ pub(super) fn mesh(pattern: &Pattern, panels: &Panels, spacing: f64) -> Option<F
     }
     for (panel, &start) in panels.panels.iter().zip(&starts) {
         let border = start..start + panel.border.len();
-        mesh.hems.extend(border.filter(|&at| !is_sewn[at]).map(number));
+        mesh.hems
+            .extend(border.filter(|&at| !is_sewn[at]).map(number));
     }
     let lines = panels.lines.iter();
     mesh.lines = lines
@@ -118,7 +122,9 @@ pub(super) fn number(index: usize) -> u32 {
 /// Corners of equal triangles within a border.
 fn lattice(border: &[DVec2], spacing: f64) -> Vec<DVec2> {
     let low = border.iter().fold(DVec2::INFINITY, |low, p| low.min(*p));
-    let high = border.iter().fold(DVec2::NEG_INFINITY, |high, p| high.max(*p));
+    let high = border
+        .iter()
+        .fold(DVec2::NEG_INFINITY, |high, p| high.max(*p));
     let mut points = Vec::new();
     let mut row = 0_u32;
     loop {
@@ -176,11 +182,10 @@ fn triangulate(points: &[DVec2], border_count: usize, spacing: f64) -> Option<Ve
         .map(|from| [from, (from + 1) % border_count])
         .collect();
     let mut crosses = false;
-    let found = ConstrainedDelaunayTriangulation::<Numbered>::try_bulk_load_cdt(
-        numbered,
-        sides,
-        |_| crosses = true,
-    );
+    let found =
+        ConstrainedDelaunayTriangulation::<Numbered>::try_bulk_load_cdt(numbered, sides, |_| {
+            crosses = true
+        });
     let found = found.ok()?;
     if crosses || found.num_vertices() != points.len() {
         return None;

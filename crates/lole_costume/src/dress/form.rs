@@ -77,7 +77,10 @@ impl<'a> Form<'a> {
         let level = ((height - self.lowest) / TAPE_STEP).clamp(0.0, last as f32);
         let below = level as usize;
         let above = (below + 1).min(last);
-        Some(([&self.tapes[below], &self.tapes[above]], level - below as f32))
+        Some((
+            [&self.tapes[below], &self.tapes[above]],
+            level - below as f32,
+        ))
     }
 
     /// A place on the tape at a height of the bind pose [m], and the way out of the body there: `share` 0
@@ -126,7 +129,8 @@ impl<'a> Form<'a> {
         let mut surfels = Vec::new();
         carriers.pose(&positions, &normals, &mut surfels);
         let gaps = places.iter().zip(&surfels);
-        let gaps = gaps.map(|(place, skin)| (*place - skin.position).dot(skin.normal).max(LEAST_GAP));
+        let gaps =
+            gaps.map(|(place, skin)| (*place - skin.position).dot(skin.normal).max(LEAST_GAP));
         Some((carriers, gaps.collect()))
     }
 
@@ -167,7 +171,11 @@ impl Tape {
             })
             .collect();
         let next = places.iter().cycle().skip(1);
-        let girth = places.iter().zip(next).map(|(a, b)| a.0.distance(b.0)).sum();
+        let girth = places
+            .iter()
+            .zip(next)
+            .map(|(a, b)| a.0.distance(b.0))
+            .sum();
         Some(Self {
             places,
             left,

@@ -96,7 +96,11 @@ pub(super) fn lay(
     let area: f64 = (pattern.pieces.iter().zip(&parts))
         .filter(|(_, part)| part.is_some())
         .map(|(piece, _)| {
-            let area = piece.unfolded().stitching_polygon(1.0e-3).signed_area().abs();
+            let area = piece
+                .unfolded()
+                .stitching_polygon(1.0e-3)
+                .signed_area()
+                .abs();
             area * f64::from(piece.cut.pieces())
         })
         .sum();
@@ -129,7 +133,9 @@ pub(super) fn lay(
             for (pin, &point) in pinned.iter_mut().zip(&mesh.in_piece) {
                 *pin = (wrap.is_pinned)(&cloth, point, spacing);
             }
-            places(&panels, &mesh, &form, |_, point| (wrap.place)(&cloth, point))
+            places(&panels, &mesh, &form, |_, point| {
+                (wrap.place)(&cloth, point)
+            })
         }
     };
     let places = places.ok_or_else(no_trunk)?;
@@ -140,9 +146,15 @@ pub(super) fn lay(
     let pins = form.carry(&held).ok_or_else(no_trunk)?;
     let facing = (0..panels.panels.len()).map(|panel| faces_out(panel, &mesh, &places, &form));
     let facing = facing.collect();
-    let is_on_arm = panels.panels.iter().map(|panel| parts[panel.piece] == Some(Part::Sleeve));
+    let is_on_arm = panels
+        .panels
+        .iter()
+        .map(|panel| parts[panel.piece] == Some(Part::Sleeve));
     let is_on_arm = is_on_arm.collect();
-    let elastics = pattern.drawn_in.iter().map(|drawn| narrow(drawn.length.to_m()));
+    let elastics = pattern
+        .drawn_in
+        .iter()
+        .map(|drawn| narrow(drawn.length.to_m()));
     let elastics = elastics.collect();
     Ok(Laid {
         mesh,
@@ -198,7 +210,9 @@ fn faces_out(panel: usize, mesh: &FlatMesh, places: &[Vec3], form: &Form<'_>) ->
             let share = (place - from).dot(axis) / axis.length_squared().max(1.0e-6);
             place - from - axis * share.clamp(0.0, 1.0)
         });
-        let nearest = from_arms.into_iter().min_by(|a, b| a.length().total_cmp(&b.length()));
+        let nearest = from_arms
+            .into_iter()
+            .min_by(|a, b| a.length().total_cmp(&b.length()));
         match nearest {
             Some(arm) if arm.length() < from_trunk.length() => arm,
             _ => from_trunk,

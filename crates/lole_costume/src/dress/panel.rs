@@ -206,10 +206,7 @@ impl Cutter<'_> {
                     count(length / other.max(SAME), 1.0).max(2)
                 }
             };
-            let counts = [
-                flat_count * more(flat, full),
-                flat_count * more(full, flat),
-            ];
+            let counts = [flat_count * more(flat, full), flat_count * more(full, flat)];
             for (side, segment_count) in sides.iter().zip(counts) {
                 let [from, to] = side.between;
                 let stretch = Stretch {
@@ -231,7 +228,12 @@ impl Cutter<'_> {
                 let length = self.ways[piece][edge].length();
                 let spacing = self.spacing;
                 let stretches = self.stretches.entry((piece, copy, edge)).or_default();
-                stretches.extend(darts.iter().filter(|dart| dart.0 == edge).map(|dart| dart.1));
+                stretches.extend(
+                    darts
+                        .iter()
+                        .filter(|dart| dart.0 == edge)
+                        .map(|dart| dart.1),
+                );
                 stretches.sort_by(|a, b| a.between[0].total_cmp(&b.between[0]));
                 let mut filled: Vec<Stretch> = Vec::new();
                 let mut passed = 0.0;
@@ -299,7 +301,9 @@ impl Cutter<'_> {
         if let Some(fold) = fold {
             let way = &self.ways[piece][fold];
             let axis = [way.at(0.0), way.at(1.0)];
-            let half: Vec<usize> = (1..edge_count).map(|step| (fold + step) % edge_count).collect();
+            let half: Vec<usize> = (1..edge_count)
+                .map(|step| (fold + step) % edge_count)
+                .collect();
             let mut border = Vec::new();
             for &edge in &half {
                 self.walk((piece, 0, edge), None, &mut border);
@@ -316,7 +320,11 @@ impl Cutter<'_> {
             let mut border = Vec::new();
             for step in 0..edge_count {
                 if is_mirrored {
-                    self.walk((piece, copy, edge_count - 1 - step), Some(upright), &mut border);
+                    self.walk(
+                        (piece, copy, edge_count - 1 - step),
+                        Some(upright),
+                        &mut border,
+                    );
                 } else {
                     self.walk((piece, copy, step), None, &mut border);
                 }
@@ -370,7 +378,8 @@ impl Cutter<'_> {
             let first = border.len();
             let len = along.len();
             border.extend(along[..len - 1].iter().map(|&point| place(point)));
-            let mut points: Vec<(usize, usize)> = (first..first + len).map(|at| (panel, at)).collect();
+            let mut points: Vec<(usize, usize)> =
+                (first..first + len).map(|at| (panel, at)).collect();
             if mirror.is_some() {
                 points.reverse();
             }
@@ -383,7 +392,10 @@ impl Cutter<'_> {
         let mut stitches = Vec::new();
         let mut puckers = Vec::new();
         for seam in &self.pattern.seams {
-            if ![seam.flat, seam.full].iter().all(|side| is_kept[side.piece]) {
+            if ![seam.flat, seam.full]
+                .iter()
+                .all(|side| is_kept[side.piece])
+            {
                 continue;
             }
             let [flat, full] = [seam.flat, seam.full].map(|side| self.line(&side));

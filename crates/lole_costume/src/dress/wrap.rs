@@ -27,7 +27,10 @@ pub(super) struct Cloth<'a> {
 
 impl<'a> Cloth<'a> {
     pub(super) fn new(form: &'a Form<'a>, (pattern, measures): (&Pattern, &'a Measures)) -> Self {
-        let drawn = pattern.pieces.first().map(|piece| piece.stitching_polygon(1.0e-3));
+        let drawn = pattern
+            .pieces
+            .first()
+            .map(|piece| piece.stitching_polygon(1.0e-3));
         let size = drawn.map_or(DVec2::ZERO, |polygon| {
             let bounds = polygon.bounds();
             DVec2::new(bounds.width(), bounds.height())
@@ -46,7 +49,10 @@ impl<'a> Cloth<'a> {
 
     /// Widest girth that is wrapped [m].
     pub(super) fn widest(&self) -> f64 {
-        self.measures.bust_girth.to_m().max(self.measures.hip_girth.to_m())
+        self.measures
+            .bust_girth
+            .to_m()
+            .max(self.measures.hip_girth.to_m())
     }
 
     /// A place around the trunk, from the middle of the back over her left, with cloth that hangs around

@@ -6,7 +6,9 @@
 use lole_geom::Length;
 use lole_language::{Sentence, Words, words};
 
-use crate::pattern::{Amount, DrawnIn, Figure, Notion, NotionKind, Pattern, Seam, SeamKind, SeamSide, Step};
+use crate::pattern::{
+    Amount, DrawnIn, Figure, Notion, NotionKind, Pattern, Seam, SeamKind, SeamSide, Step,
+};
 use crate::piece::{Finish, Piece};
 
 /// Minutes for a meter of stitches, with a machine and by hand.

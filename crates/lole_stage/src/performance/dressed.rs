@@ -80,7 +80,8 @@ impl Dressed {
         if around.is_settling {
             self.state.scale_velocities(&garment.dressed, SETTLING);
         }
-        self.state.copy_positions(&garment.dressed, &mut self.positions);
+        self.state
+            .copy_positions(&garment.dressed, &mut self.positions);
     }
 
     pub(super) fn positions(&self) -> &[Vec3] {
@@ -116,10 +117,13 @@ pub(super) fn grids<'a>(
     garments: &'a [Garment],
     positions: &'a [Vec3],
 ) -> impl Iterator<Item = (&'a [[u32; 3]], &'a [Vec3])> {
-    garments.iter().filter(|garment| garment.is_worn).map(|garment| {
-        let own = &positions[garment.particles.clone()];
-        (&garment.mesh.particle_triangles[..], own)
-    })
+    garments
+        .iter()
+        .filter(|garment| garment.is_worn)
+        .map(|garment| {
+            let own = &positions[garment.particles.clone()];
+            (&garment.mesh.particle_triangles[..], own)
+        })
 }
 
 impl Performance {

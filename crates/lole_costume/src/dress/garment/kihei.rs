@@ -32,6 +32,9 @@ const BESIDE_ARM: f32 = 0.13;
 
 /// Cloth beside the arm is laid out to this share of its width.
 const SPREAD: f32 = 0.45;
+/// The same of the ends beyond the knot, and this far below the upper edge [m].
+const LOW_SPREAD: f32 = 0.9;
+const DEEP: f32 = 0.30;
 
 fn knots(cloth: &Cloth<'_>) -> Vec<[DVec2; 2]> {
     let ends = |off: f64| {
@@ -76,7 +79,10 @@ fn place(cloth: &Cloth<'_>, point: DVec2) -> Option<Vec3> {
     place.y = height;
     if 0.0 < beyond {
         // As wide as it is, or it would cut into the arm.
-        place += Vec3::X * (SPREAD * beyond);
+        let depth = narrow(cloth.size.y - point.y);
+        let spread = SPREAD + (LOW_SPREAD - SPREAD) * (depth / DEEP).min(1.0);
+        let end = (-from_knot).max(0.0) * narrow(loop_length);
+        place += Vec3::X * (spread * (beyond - end) + LOW_SPREAD * end);
         let in_front = if is_front { 1.0 } else { -1.0 };
         place.z += in_front * (0.2 * beyond).min(0.03);
     }
