@@ -29,6 +29,8 @@ pub(crate) struct Keys {
     pub(crate) poses: Vec<Pose>,
     /// By garment, then by time.
     pub(crate) cloths: Vec<Vec<Vec<Vec3>>>,
+    /// By dressed garment, then by time.
+    dressed: Vec<Vec<Vec<Vec3>>>,
 }
 
 impl Keys {
@@ -40,6 +42,12 @@ impl Keys {
         self.cloths.resize_with(garments.len(), Vec::new);
         for (frames, garment) in self.cloths.iter_mut().zip(garments) {
             frames.push(performance.garment_positions(garment).to_vec());
+        }
+        let count = performance.production().dressed.len();
+        self.dressed.resize_with(count, Vec::new);
+        for (place, frames) in self.dressed.iter_mut().enumerate() {
+            let [positions, _] = performance.dressed_vertices(place);
+            frames.push(positions);
         }
     }
 }
@@ -116,16 +124,15 @@ pub(crate) fn dancer_glb(
     studio: &Studio,
 ) -> Result<Vec<u8>> {
     let production = performance.production();
-    let prints = studio.prints().iter();
-    let prints_png = prints
-        .map(|print| {
-            Ok(encode_png(Image::new(
-                print.width,
-                print.height,
-                &print.pixels,
-            )?)?)
-        })
-        .collect::<Result<Vec<_>>>()?;
+    let pngs = |prints: &mut dyn Iterator<Item = &PrintImage>| -> Result<Vec<Vec<u8>>> {
+        let png = |print: &PrintImage| {
+            let image = Image::new(print.width, print.height, &print.pixels)?;
+            Ok(encode_png(image)?)
+        };
+        prints.map(png).collect()
+    };
+    let prints_png = pngs(&mut studio.prints().iter())?;
+    let dressed_png = pngs(&mut studio.dressed().iter().map(|look| &look.print))?;
     let pictures = BodyPictures::of(&production.dancer)?;
     let parts = pictures.parts(&production.dancer);
     let bodies = [skinned(&production.dancer, &parts)];
@@ -135,21 +142,31 @@ pub(crate) fn dancer_glb(
         .collect();
     let worn = production.garments.iter().zip(&meshes);
     let baked = worn.zip(prints_png.iter().zip(&keys.cloths));
-    let cloths: Vec<BakedCloth<'_>> = baked
-        .map(|((garment, mesh), (png, frames))| BakedCloth {
-            name: &garment.name,
-            mesh,
-            material: GlbMaterial {
-                name: "print",
-                base_color: [1.0; 3],
-                roughness: 0.85,
-                texture_png: Some(png),
-                sides: Sides::Both,
-            },
-            key_times: &keys.times,
-            frames,
-        })
+    let cloth = |name, mesh, png, frames| BakedCloth {
+        name,
+        mesh,
+        material: GlbMaterial {
+            name: "print",
+            base_color: [1.0; 3],
+            roughness: 0.85,
+            texture_png: Some(png),
+            sides: Sides::Both,
+        },
+        key_times: &keys.times,
+        frames,
+    };
+    let mut cloths: Vec<BakedCloth<'_>> = baked
+        .filter(|((garment, _), _)| garment.is_worn)
+        .map(|((garment, mesh), (png, frames))| cloth(&garment.name, mesh, &png[..], &frames[..]))
         .collect();
+    let dressed_meshes = dressed_meshes(performance, studio);
+    let dressed = production.dressed.iter().zip(&dressed_meshes);
+    let dressed = dressed.zip(dressed_png.iter().zip(&keys.dressed));
+    cloths.extend(
+        dressed.map(|((garment, mesh), (png, frames))| {
+            cloth(&garment.name, mesh, &png[..], &frames[..])
+        }),
+    );
     Ok(write_glb(&GlbScene {
         skeleton: &production.dancer.skeleton,
         pose_times: &keys.times,
@@ -194,6 +211,19 @@ fn look_material<'a>(look: &'a Look, png: Option<&'a [u8]>) -> GlbMaterial<'a> {
             Sides::Front
         },
     }
+}
+
+/// The meshes of dressed garments in the file: as they are drawn.
+fn dressed_meshes(performance: &Performance, studio: &Studio) -> Vec<GridMesh> {
+    let dressed = performance.production().dressed.iter();
+    let meshes = dressed
+        .zip(studio.dressed())
+        .map(|(garment, look)| GridMesh {
+            particles: (0_u32..).take(look.uvs.len()).collect(),
+            uvs: look.uvs.clone(),
+            triangles: garment.dressed.triangles.clone(),
+        });
+    meshes.collect()
 }
 
 /// The mesh of a garment's grid in the file.

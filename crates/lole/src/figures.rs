@@ -114,9 +114,11 @@ fn explain(found: &Divergence, production: &Production, design: &Design) -> Repo
     let Divergence {
         time, row, column, ..
     } = found;
-    let garment = &production.garments[found.garment];
-    let columns = garment.sewn.spec.grid.column_count;
-    let particle = garment.particles.start + (row * columns + column) as usize;
+    let garment = production.garments.get(found.garment);
+    let particle = garment.map_or(0, |garment| {
+        let columns = garment.sewn.spec.grid.column_count;
+        garment.particles.start + (row * columns + column) as usize
+    });
     let sentence = format!(
         "the cloth diverged at {time:.2} s at row {row} column {column} (particle {particle}); {}",
         remedy.english

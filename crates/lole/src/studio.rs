@@ -5,7 +5,7 @@ use glam::Vec3;
 use lole_body::Bone;
 use lole_costume::print::PrintImage;
 use lole_geom::trig;
-use lole_picture::{Draped, Figure, Looks};
+use lole_picture::{Draped, DressedLook, Figure, Looks};
 use lole_render::{Bounds, Camera, Image, LightRig, Renderer, Size, View};
 use lole_stage::Performance;
 
@@ -64,6 +64,11 @@ impl Studio {
         &self.looks.prints
     }
 
+    /// The cloth of every dressed garment.
+    pub(crate) fn dressed(&self) -> &[DressedLook] {
+        &self.looks.dressed
+    }
+
     /// The picture of the performance's current frame; its body must be posed.
     pub(crate) fn shoot(
         &self,
@@ -90,8 +95,19 @@ impl Studio {
                 colors: &[],
             })
             .collect();
+        let dressed: Vec<[Vec<Vec3>; 2]> = (0..production.dressed.len())
+            .map(|place| performance.dressed_vertices(place))
+            .collect();
+        let dressed: Vec<Draped<'_>> = (dressed.iter())
+            .map(|[positions, normals]| Draped {
+                positions,
+                normals,
+                colors: &[],
+            })
+            .collect();
         let figure = Figure {
             cloths: &cloths,
+            dressed: &dressed,
             body_positions: performance.body_positions(),
             body_normals: performance.body_normals(),
         };

@@ -14,6 +14,7 @@
 
 pub mod cost;
 pub mod document;
+pub mod dress;
 pub mod fabrics;
 pub mod measures;
 pub mod order;

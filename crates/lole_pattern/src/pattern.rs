@@ -13,6 +13,8 @@ pub struct Pattern {
     pub pieces: Vec<Piece>,
     /// How they are joined, in the order of sewing.
     pub seams: Vec<Seam>,
+    /// Edges that elastic draws together.
+    pub drawn_in: Vec<DrawnIn>,
     /// What it takes beside cloth.
     pub notions: Vec<Notion>,
     /// What is done, in order.
@@ -45,6 +47,15 @@ pub struct SeamSide {
     /// Where it begins and ends along the edge's stitching line, 0 to 1; from the end backwards when
     /// the first is the larger one. Both sides of a seam are walked together.
     pub between: [f64; 2],
+}
+
+/// An edge that elastic or cord draws together.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DrawnIn {
+    /// The edge, as far as it is drawn in.
+    pub line: SeamSide,
+    /// Length of the elastic there, without what its ends overlap.
+    pub length: Length,
 }
 
 /// How edges of different length are joined.

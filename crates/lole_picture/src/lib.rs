@@ -12,7 +12,7 @@ use lole_costume::document::PrintError;
 use lole_costume::print::PrintImage;
 use lole_render::srgb::linear_from_srgb;
 use lole_render::{Camera, LightRig, Material, RenderError, Scene, SceneMesh, Sides, Texture};
-use lole_stage::Production;
+use lole_stage::{DressedGarment, Production};
 
 /// Pixels of one print repeat: a repeat of 45 cm shows every petal from two meters.
 const PRINT_SIDE: u32 = 1024;
@@ -27,6 +27,18 @@ pub struct Looks {
     pub prints: Vec<PrintImage>,
     /// Where its vertices lie on the print, in repeats.
     print_uvs: Vec<Vec<Vec2>>,
+    /// The same of the dressed garments.
+    pub dressed: Vec<DressedLook>,
+}
+
+/// The cloth of a dressed garment.
+pub struct DressedLook {
+    /// The cloth.
+    pub cloth: Material,
+    /// The print, for files that carry it.
+    pub print: PrintImage,
+    /// Where its vertices lie on the print, in repeats.
+    pub uvs: Vec<Vec2>,
 }
 
 /// Why there is no picture.
@@ -57,6 +69,8 @@ pub struct Draped<'a> {
 pub struct Figure<'a> {
     /// The garments, in the production's order.
     pub cloths: &'a [Draped<'a>],
+    /// The dressed garments, in the production's order.
+    pub dressed: &'a [Draped<'a>],
     /// Posed vertices of the body [m].
     pub body_positions: &'a [Vec3],
     /// Their normals.
@@ -84,6 +98,9 @@ impl Looks {
                     flat.map(|&at| uv_from_flat.transform_point2(at)).collect()
                 })
                 .collect(),
+            dressed: (production.dressed.iter())
+                .map(|garment| dressed_look(design, garment))
+                .collect::<Result<_, LookError>>()?,
             prints,
         })
     }
@@ -104,6 +121,9 @@ impl Looks {
         let worn = production.garments.iter().zip(figure.cloths);
         let looks = self.cloths.iter().zip(&self.print_uvs);
         for ((garment, draped), (material, uvs)) in worn.zip(looks) {
+            if !garment.is_worn {
+                continue;
+            }
             scene.meshes.push(SceneMesh {
                 positions: draped.positions,
                 normals: draped.normals,
@@ -111,6 +131,17 @@ impl Looks {
                 colors: draped.colors,
                 triangles: &garment.mesh.triangles,
                 material,
+            });
+        }
+        let dressed = production.dressed.iter().zip(figure.dressed);
+        for ((garment, draped), look) in dressed.zip(&self.dressed) {
+            scene.meshes.push(SceneMesh {
+                positions: draped.positions,
+                normals: draped.normals,
+                uvs: &look.uvs,
+                colors: draped.colors,
+                triangles: &garment.dressed.triangles,
+                material: &look.cloth,
             });
         }
         let skin = &production.dancer.skin;
@@ -126,6 +157,20 @@ impl Looks {
         }
         scene
     }
+}
+
+/// The cloth of a dressed garment, cut from its print.
+fn dressed_look(design: &Design, garment: &DressedGarment) -> Result<DressedLook, LookError> {
+    let listed = &design.garments[garment.listed];
+    let print = listed.print().image(PRINT_SIDE, listed.fabric().width())?;
+    let texture = Texture::new(print.width, print.height, print.pixels.clone())?;
+    let uv_from_cloth = print.uv_from_cloth();
+    let uvs = garment.dressed.on_cloth.iter();
+    Ok(DressedLook {
+        cloth: Material::printed_cloth(Arc::new(texture)),
+        uvs: uvs.map(|&at| uv_from_cloth.transform_point2(at)).collect(),
+        print,
+    })
 }
 
 /// The materials of a dancer's parts, in the order of her skin's.

@@ -18,7 +18,7 @@ pub use danced::Danced;
 pub use live::{Pull, Show, Vitals, Wish};
 pub use metrics::{FrameMetrics, RunMetrics};
 pub use performance::{Divergence, Energy, FRAME_SECONDS, FRAMES_PER_SECOND, Performance};
-pub use production::{Garment, Production, dancer};
+pub use production::{DressedGarment, Garment, Production, dancer};
 
 use lole_language::Bilingual;
 
@@ -65,6 +65,9 @@ pub enum StageError {
     /// The skirt cannot be sewn.
     #[error(transparent)]
     Sew(#[from] lole_costume::sew::SewError),
+    /// A garment of a template cannot be put on.
+    #[error(transparent)]
+    Dress(#[from] lole_costume::dress::DressError),
     /// A garment that is worn with the skirt cannot be made.
     #[error("garment {place} of the list: {error}")]
     Garment {
@@ -91,6 +94,7 @@ impl Bilingual for StageError {
             Self::RecordingNotRead { file } => format!("記録 {file} が読み込まれていません"),
             Self::Draft(error) => error.japanese(),
             Self::Sew(error) => error.japanese(),
+            Self::Dress(error) => error.japanese(),
             Self::Garment { place, error } => {
                 format!("{place} 枚目の服: {}", error.japanese())
             }

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use glam::{Affine3A, Vec3};
 use lole_body::{Bone, Pose};
 use lole_cloth::{ClothSpec, Crossings, diagnose, model::particle_masses};
-use lole_costume::document::{Design, FabricDesign, GarmentDesign, PartDesign, PrintChoice};
+use lole_costume::document::{Design, FabricDesign, PartDesign, PrintChoice};
 use lole_geom::Capsule;
 
 use crate::performance::{FRAME_SECONDS, FRAMES_PER_SECOND};
@@ -404,6 +404,16 @@ impl Show {
         &self.positions
     }
 
+    /// The dressed garments as they are drawn, in the production's order: vertices [m] and outward
+    /// normals.
+    #[must_use]
+    pub fn dressed_vertices(&self) -> Vec<[Vec<Vec3>; 2]> {
+        let count = self.performance.production().dressed.len();
+        (0..count)
+            .map(|place| self.performance.dressed_vertices(place))
+            .collect()
+    }
+
     /// The capsules now.
     #[must_use]
     pub fn capsules(&self) -> &[Capsule] {
@@ -528,11 +538,15 @@ fn needs_sewing(old: &Design, new: &Design) -> bool {
         // What is only drawn or woven otherwise needs no needle.
         let mut garments = design.garments.clone();
         // What is only drafted needs none either.
-        garments.retain(GarmentDesign::is_danced);
-        for garment in &mut garments {
+        garments.retain(|garment| garment.is_danced() || garment.is_dressed());
+        for garment in garments.iter_mut().filter(|it| it.is_danced()) {
             let (fabric, print) = garment.cloth_mut();
             *fabric = FabricDesign::default();
             *print = PrintChoice::default();
+        }
+        // What is dressed is fitted in its own fabric.
+        for garment in garments.iter_mut().filter(|it| it.is_dressed()) {
+            *garment.cloth_mut().1 = PrintChoice::default();
         }
         (design.dancer.clone(), design.skirt.clone(), garments)
     };

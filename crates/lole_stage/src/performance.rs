@@ -1,5 +1,6 @@
 //! A performance: one dancer, what she wears, one dance, moved on frame by frame.
 
+mod dressed;
 mod forearms;
 mod order;
 mod worn;
@@ -13,12 +14,13 @@ use lole_body::{BodyCapsule, Pose};
 use lole_cloth::method::explicit::ExplicitConfig;
 use lole_cloth::method::reference::ReferenceModel;
 use lole_cloth::{Crossings, InstructionSet, Phase, diagnose};
-use lole_costume::document::{BodyShapes, Design};
+use lole_costume::document::{BodyShapes, Design, GarmentLayer};
 use lole_geom::{Capsule, Surfel, mesh::vertex_normals};
 
-use crate::production::{Garment, Production};
+use crate::production::{DressedGarment, Garment, Production};
 use crate::solver::{Observer, Solver, Surroundings};
 use crate::{FrameMetrics, StageError, skin_check};
+use dressed::{Around, Dressed};
 use order::Order;
 use worn::{Carrier, Worn};
 
@@ -31,6 +33,8 @@ const SETTLE_FRAMES: u32 = 3 * FRAMES_PER_SECOND;
 /// The first of them, in which cloth that the paper's methods move is lowered by hand instead of
 /// dropped: a fall would lay its folds flat on each other.
 const LOWERING_FRAMES: u32 = 100;
+/// Least frames that dressed garments hang before the dance, where there are some.
+const DRESSED_FRAMES: i64 = 30;
 /// Share of its velocity that the cloth keeps from frame to frame while it is lowered.
 const LOWERING: f32 = 0.6;
 
@@ -45,7 +49,7 @@ const STAGE_RADIUS: f32 = 100.0;
 pub struct Divergence {
     /// Time of the dance [s]; negative while settling.
     pub time: f32,
-    /// Place of the garment among those of the production.
+    /// Place of the garment among those of the production; dressed ones come after the others.
     pub garment: usize,
     /// Row and column, there, of the first particle that left.
     pub row: u32,
@@ -81,6 +85,10 @@ pub struct Performance {
     /// In the order of the production's garments.
     worn: Vec<Worn>,
     order: Order,
+    /// In the order of the production's dressed garments.
+    dressed: Vec<Dressed>,
+    /// The skin with all of the arms, which sleeves meet; empty where nothing is dressed.
+    whole_skin: Vec<Surfel>,
     pose: Pose,
     world_from_bind: Vec<Affine3A>,
     /// What the cloth meets as a body: the dancer's capsules, unless others were given.
@@ -117,8 +125,10 @@ impl Performance {
             body_capsules: production.dancer.capsules.clone(),
             meets_skin: production.design.contact_body() == BodyShapes::Skin,
             crossings: Crossings::Repair,
+            dressed: production.dressed.iter().map(Dressed::new).collect(),
             production,
             order: Order::default(),
+            whole_skin: Vec::new(),
             worn,
             pose: Pose::default(),
             world_from_bind,
@@ -222,9 +232,40 @@ impl Performance {
             time: self.time(),
         };
         let trunk = order::trunk(&self.production.dancer.skeleton, &self.world_from_bind);
+        let around = Around {
+            trunk,
+            body: (&self.body_positions, &self.body_normals),
+            skin: &self.whole_skin,
+            air_velocity: Vec3::ZERO,
+            is_settling: self.frame <= 0,
+        };
+        let pairs = || self.production.dressed.iter();
+        let is_under = |garment: &DressedGarment| garment.layer == GarmentLayer::Under;
+        for (dressed, garment) in self.dressed.iter_mut().zip(pairs()) {
+            if is_under(garment) {
+                dressed.step(garment, &around, std::iter::empty());
+            }
+        }
+        let inner: Vec<order::Inner<'_>> = (self.dressed.iter().zip(pairs()))
+            .filter(|(_, garment)| is_under(garment))
+            .map(|(dressed, garment)| {
+                let triangles = &garment.dressed.trunk_triangles[..];
+                (triangles, dressed.positions())
+            })
+            .collect();
         let worn = (&mut self.worn[..], &self.production.garments[..]);
-        self.order.step(trunk, worn, &surroundings, observer);
-        self.look();
+        self.order
+            .step((trunk, &inner), worn, &surroundings, observer);
+        self.cloth_positions.clear();
+        for worn in &mut self.worn {
+            self.cloth_positions.extend_from_slice(worn.look());
+        }
+        for (dressed, garment) in self.dressed.iter_mut().zip(pairs()) {
+            if !is_under(garment) {
+                let inside = dressed::grids(&self.production.garments, &self.cloth_positions);
+                dressed.step(garment, &around, inside);
+            }
+        }
         self.settle();
         self.check_stage()
     }
@@ -247,9 +288,11 @@ impl Performance {
             }
             return;
         }
-        let mut all_rest = true;
-        for worn in &mut self.worn {
-            all_rest &= worn.settle();
+        // Dressed garments have come to rest on her already; with the skirt they take as long as that.
+        let mut all_rest =
+            self.dressed.is_empty() || DRESSED_FRAMES <= self.frame + i64::from(SETTLE_FRAMES);
+        for (worn, garment) in self.worn.iter_mut().zip(&self.production.garments) {
+            all_rest &= !garment.is_worn || worn.settle();
         }
         if all_rest {
             self.worn.iter_mut().for_each(Worn::let_go);
@@ -268,7 +311,7 @@ impl Performance {
             .map(|capsule| capsule.posed(&self.world_from_bind))
             .collect();
         self.surfels.clear();
-        if self.meets_skin {
+        if self.meets_skin || !self.dressed.is_empty() {
             self.production.dancer.skin.pose(
                 &self.world_from_bind,
                 &mut self.body_positions,
@@ -279,7 +322,11 @@ impl Performance {
                 &self.body_normals,
                 &mut self.surfels,
             );
+            self.whole_skin.clone_from(&self.surfels);
             (self.production.forearms).withdraw(&self.capsules, &mut self.surfels);
+            if !self.meets_skin {
+                self.surfels.clear();
+            }
         }
         let skin = (&self.body_positions[..], &self.body_normals[..]);
         let carrier = Carrier {
@@ -292,6 +339,14 @@ impl Performance {
     }
 
     fn check_stage(&self) -> Result<(), Divergence> {
+        if let Some(place) = self.dressed.iter().position(Dressed::is_lost) {
+            return Err(Divergence {
+                time: self.time(),
+                garment: self.production.garments.len() + place,
+                row: 0,
+                column: 0,
+            });
+        }
         let left = |position: &Vec3| {
             !position.is_finite() || STAGE_RADIUS * STAGE_RADIUS < position.length_squared()
         };
@@ -369,17 +424,13 @@ impl Performance {
     /// Measures the current frame; call [`Self::pose_body`] first.
     #[must_use]
     pub fn measure(&self) -> FrameMetrics {
-        let body = skin_check::Surface {
-            positions: &self.body_positions,
-            normals: &self.body_normals,
-            triangles: &self.production.body_triangles,
-        };
+        let body = self.body_surface();
         let mut metrics = FrameMetrics {
             time: self.time(),
             hem_height: self.hem_height(),
             ..FrameMetrics::default()
         };
-        for garment in &self.production.garments {
+        for garment in self.production.garments.iter().filter(|it| it.is_worn) {
             let (spec, positions) = (&garment.sewn.spec, self.garment_positions(garment));
             let share = positions.len() as f32 / self.cloth_positions.len() as f32;
             let (strain, skin) = Worn::measure(garment, positions, body);
@@ -388,7 +439,21 @@ impl Performance {
             let depth = diagnose::worst_capsule_penetration(spec, positions, self.met_capsules());
             metrics.capsule_penetration = metrics.capsule_penetration.max(depth);
         }
+        for place in 0..self.dressed.len() {
+            let (strain, skin) = self.measure_dressed(place);
+            metrics.add_strain(strain, 0.0);
+            metrics.skin.add(skin);
+        }
         metrics
+    }
+
+    /// The drawn body in the current frame.
+    fn body_surface(&self) -> skin_check::Surface<'_> {
+        skin_check::Surface {
+            positions: &self.body_positions,
+            normals: &self.body_normals,
+            triangles: &self.production.body_triangles,
+        }
     }
 
     /// Particles of a garment on the inward side of the next one inward, of all garments: 0 where
@@ -398,9 +463,14 @@ impl Performance {
         order::inversions(&self.production.garments, &self.cloth_positions)
     }
 
-    /// Mean height of the skirt's hem above the floor [m].
+    /// Mean height of the skirt's hem above the floor [m]; without the skirt, of the lowest cloth.
     fn hem_height(&self) -> f32 {
         let skirt = self.production.skirt();
+        if !skirt.is_worn {
+            let dressed = self.dressed.iter().flat_map(Dressed::positions);
+            let lowest = dressed.fold(f32::INFINITY, |low, place| low.min(place.y));
+            return if lowest.is_finite() { lowest } else { 0.0 };
+        }
         let positions = self.garment_positions(skirt);
         let columns = skirt.sewn.spec.grid.column_count as usize;
         let hem = &positions[positions.len() - columns..];
@@ -456,7 +526,8 @@ impl Performance {
     pub fn state_hash(&self) -> u64 {
         /// Of the hash `FNV-1a` for 64 bits (Fowler, Noll and Vo).
         const PRIME: u64 = 0x0000_0100_0000_01b3;
-        let mut hashes = self.worn.iter().map(|worn| worn.solver.state_hash());
+        let dressed = self.dressed.iter().map(Dressed::hash);
+        let mut hashes = (self.worn.iter().map(|worn| worn.solver.state_hash())).chain(dressed);
         let first = hashes.next().unwrap_or(0);
         hashes.fold(first, |all, next| all.wrapping_mul(PRIME) ^ next)
     }

@@ -7,8 +7,9 @@ use lole_avatar::{Avatar, License};
 use lole_body::{Bone, CapsuleLayout, Dancer, Measurements, Pose, SkinSurfels};
 use lole_cloth::Fabric;
 use lole_costume::document::{
-    Design, FabricDesign, GarmentDesign, GarmentLayer, SkirtDesign, WornTop,
+    Design, FabricDesign, GarmentDesign, GarmentLayer, SkirtDesign, SkirtWorn, WornTop,
 };
+use lole_costume::dress::{self, Dressed};
 use lole_costume::sew::{self, Clothed, Cut, SewSettings, SewnSkirt, SkirtMesh, WornPlace};
 use lole_costume::tailoring::{self, Drafted};
 use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements};
@@ -35,6 +36,8 @@ pub struct Production {
     pub dance: Danced,
     /// What she wears, from the skin outward; particles are numbered through all of it.
     pub garments: Vec<Garment>,
+    /// Garments of the templates that she wears besides, in the order of the design's list.
+    pub dressed: Vec<DressedGarment>,
     /// Triangles of the closed body surface.
     pub body_triangles: Vec<[u32; 3]>,
     /// The body surface as cloth meets it that meets the skin.
@@ -63,9 +66,23 @@ pub struct Garment {
     pub pin_surfels: Option<SkinSurfels>,
     /// Its particles among those of all garments.
     pub particles: Range<usize>,
+    /// Whether she has it on: a skirt that the design leaves out is neither moved nor shown.
+    pub is_worn: bool,
     /// Place of the first garment that it is worn over or under, directly or by way of others; its own
     /// where that is none. Garments of different chains never meet.
     pub chain: usize,
+}
+
+/// A garment of a template on the dancer.
+pub struct DressedGarment {
+    /// Name in files, such as `blouse`; no two garments of a production share one.
+    pub name: String,
+    /// Place in the design's list.
+    pub listed: usize,
+    /// Whether it lies under the skirts or over them.
+    pub layer: GarmentLayer,
+    /// Its cloth, sewn.
+    pub dressed: Dressed,
 }
 
 impl Production {
@@ -77,9 +94,12 @@ impl Production {
         let (dancer, license) = dancer(design)?;
         let dance = Danced::new(design, &dancer.skeleton)?;
         let body_triangles = dancer.skin.body_triangles();
+        let body_surfels =
+            SkinSurfels::new(&dancer.skin.positions, &body_triangles, SURFEL_SPACING);
+        let stance = dance.pose_at(0.0);
         let mut wardrobe = Wardrobe {
             dancer: &dancer,
-            stance: dancer.skeleton.world_from_bind(&dance.pose_at(0.0)),
+            stance: dancer.skeleton.world_from_bind(&stance),
             bind: dancer.skeleton.world_from_bind(&Pose::default()),
             body_triangles: &body_triangles,
             skirt: &design.skirt,
@@ -92,13 +112,14 @@ impl Production {
         wardrobe.put_on_skirt((tailoring::SKIRT, 0.0), cut)?;
         wardrobe.put_on_layer(design, GarmentLayer::Over)?;
         let mut garments = wardrobe.garments;
+        garments[skirt].is_worn = design.skirt.worn == SkirtWorn::Yes;
         link_chains(&mut garments);
-        let body_surfels =
-            SkinSurfels::new(&dancer.skin.positions, &body_triangles, SURFEL_SPACING);
+        let dressed = dressed(design, (&dancer, &body_surfels), (&stance, &garments))?;
         Ok(Self {
             design: design.clone(),
             dance,
             garments,
+            dressed,
             forearms: Forearms::new(&dancer, &body_surfels),
             body_surfels,
             body_triangles,
@@ -187,7 +208,7 @@ impl Wardrobe<'_> {
                     self.put_on_skirt((&name, FOLD_COLUMNS), cut)
                 }
                 GarmentDesign::PauTop(worn) => self.put_on_top(worn),
-                // It is drafted and not danced: `Design::not_danced` says so.
+                // It is no grid: it is dressed, or said to be drafted only.
                 GarmentDesign::Template(_) => Ok(()),
             };
             put_on.map_err(|error| StageError::Garment {
@@ -274,10 +295,41 @@ impl Wardrobe<'_> {
             mesh,
             pin_surfels,
             particles: first..first + particle_count,
+            is_worn: true,
             chain: self.garments.len(),
         });
         Ok(())
     }
+}
+
+/// Sews what the design lists of the templates that can be put on.
+fn dressed(
+    design: &Design,
+    body: (&Dancer, &SkinSurfels),
+    (stance, garments): (&Pose, &[Garment]),
+) -> Result<Vec<DressedGarment>, StageError> {
+    let mut dressed: Vec<DressedGarment> = Vec::new();
+    for (listed, garment) in design.garments.iter().enumerate() {
+        let GarmentDesign::Template(worn) = garment else {
+            continue;
+        };
+        if !dress::is_worn(worn.template.id) {
+            continue;
+        }
+        let sewn = dress::dress(worn, body, stance).map_err(|error| StageError::Garment {
+            place: listed + 1,
+            error: Box::new(error.into()),
+        })?;
+        let others = garments.iter().map(|garment| garment.name.as_str());
+        let others = others.chain(dressed.iter().map(|garment| garment.name.as_str()));
+        dressed.push(DressedGarment {
+            name: tailoring::numbered(&tailoring::file_name(garment), others),
+            listed,
+            layer: garment.layer(),
+            dressed: sewn,
+        });
+    }
+    Ok(dressed)
 }
 
 /// Links garments that share a height of the body into chains.

@@ -92,8 +92,10 @@ fn work(jobs: &Receiver<Job>, results: &Mutex<Option<(u64, AmbientLight)>>, free
         let clock = Clock::start();
         let wardrobe = &snapshot.wardrobe;
         let cloths = snapshot.draped(&[]);
+        let dressed = snapshot.draped_dresses();
         let figure = Figure {
             cloths: &cloths,
+            dressed: &dressed,
             body_positions: &snapshot.body[0],
             body_normals: &snapshot.body[1],
         };

@@ -33,6 +33,7 @@ impl Wardrobe {
         Self {
             id: NEXT.fetch_add(1, Ordering::Relaxed),
             coarse_triangles: (production.garments.iter())
+                .filter(|garment| garment.is_worn)
                 .map(|garment| coarse_triangles(&garment.sewn.spec.grid))
                 .collect(),
             taped: production.dancer.taped(&production.design.tape()),
@@ -75,6 +76,8 @@ pub struct Snapshot {
     pub particles: Vec<Vec3>,
     /// The garments as they are drawn: positions and normals, the seam's column twice.
     pub cloths: Vec<[Vec<Vec3>; 2]>,
+    /// The dressed garments as they are drawn: positions and normals.
+    pub dressed: Vec<[Vec<Vec3>; 2]>,
     /// The body as it is drawn: positions and normals.
     pub body: [Vec<Vec3>; 2],
     /// What the cloth meets.
@@ -100,6 +103,17 @@ pub struct Snapshot {
 }
 
 impl Snapshot {
+    /// The dressed garments for the picture.
+    pub(crate) fn draped_dresses(&self) -> Vec<Draped<'_>> {
+        (self.dressed.iter())
+            .map(|[positions, normals]| Draped {
+                positions,
+                normals,
+                colors: &[],
+            })
+            .collect()
+    }
+
     /// The garments for the picture, with the colors of their vertices where there are any.
     pub(crate) fn draped<'a>(&'a self, colors: &'a [Vec<Vec3>]) -> Vec<Draped<'a>> {
         let draped = |(garment, [positions, normals]): (usize, &'a [Vec<Vec3>; 2])| Draped {

@@ -341,8 +341,10 @@ impl Viewport {
         };
         let colors = cloth_colors(snapshot, studio.shows);
         let cloths = snapshot.draped(&colors);
+        let dressed = snapshot.draped_dresses();
         let figure = Figure {
             cloths: &cloths,
+            dressed: &dressed,
             body_positions: &snapshot.body[0],
             body_normals: &snapshot.body[1],
         };

@@ -13,8 +13,8 @@ use lole_pattern::{DraftError, ElasticRatio, GatherRatio};
 use super::schema::Table;
 use super::{
     BodyShapes, DancerDesign, Design, DesignError, FabricDesign, GarmentDesign, GarmentLayer,
-    MotionDesign, PartDesign, PrintChoice, Problem, SkirtDesign, WindDesign, WornTop, schema,
-    template,
+    MotionDesign, PartDesign, PrintChoice, Problem, SkirtDesign, SkirtWorn, WindDesign, WornTop,
+    schema, template,
 };
 use crate::fabrics::{FabricFigures, si_fabric};
 
@@ -106,6 +106,13 @@ impl Design {
             sewable.map_err(|error| (schema::LIST, together(&error)))?;
         }
         self.check_prints()?;
+        if self.skirt.worn == SkirtWorn::No && self.garments.is_empty() {
+            let sentence = Sentence::new(
+                "スカートをはかないなら、着る服を [[garment]] に書いてください".to_owned(),
+                "without the skirt, list what is worn instead as a [[garment]]".to_owned(),
+            );
+            return Err(("skirt", Box::new(Problem::Together { sentence })));
+        }
         let danced = self.garments.iter().filter(|garment| garment.is_danced());
         let danced_count = danced.count();
         if MOST_LISTED < self.garments.len() {
@@ -245,6 +252,13 @@ impl Design {
     #[must_use]
     pub fn worn_prints(&self) -> Vec<&PrintChoice> {
         self.worn(&self.print, GarmentDesign::print).collect()
+    }
+
+    /// What is printed on everything that is dressed, in the order of the list.
+    #[must_use]
+    pub fn dressed_prints(&self) -> Vec<&PrintChoice> {
+        let dressed = self.garments.iter().filter(|garment| garment.is_dressed());
+        dressed.map(GarmentDesign::print).collect()
     }
 
     /// A part of everything that is worn, from the skin outward: `skirt` of the skirt.

@@ -16,7 +16,7 @@ pub enum GarmentDesign {
     PauSkirt(WornSkirt),
     /// A pāʻū top.
     PauTop(WornTop),
-    /// A garment of the table of templates, which is drafted and not danced.
+    /// A garment of the table of templates: drafted, and danced where it can be put on.
     Template(WornTemplate),
 }
 
@@ -41,7 +41,13 @@ impl GarmentDesign {
         }
     }
 
-    /// Whether it is sewn and danced, and not only drafted.
+    /// Whether it is sewn from its template and put on as it is, and danced.
+    #[must_use]
+    pub fn is_dressed(&self) -> bool {
+        matches!(self, Self::Template(worn) if crate::dress::is_worn(worn.template.id))
+    }
+
+    /// Whether it is a gathered rectangle, sewn in rows and columns and danced.
     #[must_use]
     pub const fn is_danced(&self) -> bool {
         !matches!(self, Self::Template(_))
@@ -103,6 +109,7 @@ impl Design {
         let mut names: Vec<Words> = Vec::new();
         for garment in &self.garments {
             if let GarmentDesign::Template(worn) = garment
+                && !garment.is_dressed()
                 && !names.contains(&worn.template.name)
             {
                 names.push(worn.template.name);

@@ -101,6 +101,7 @@ impl Layout {
         let pattern = Pattern {
             pieces: free.iter().map(on_paper).collect(),
             seams: Vec::new(),
+            drawn_in: Vec::new(),
             notions: Vec::new(),
             steps: Vec::new(),
             warnings: Vec::new(),

@@ -21,6 +21,7 @@ impl PauDraft {
         Pattern {
             pieces: vec![self.piece(name)],
             seams: vec![closing_seam()],
+            drawn_in: Vec::new(),
             notions: self.notions(),
             steps: steps(self),
             warnings: self.warnings.iter().map(Sentence::of).collect(),

@@ -325,7 +325,7 @@ fn finish(
         hem_around,
         shown(&pieces, FRONT, &["hem"]),
     ));
-    pattern(pieces, seams, notions, steps)
+    pattern(pieces, seams, notions, steps).drawn_in(SLEEVE, super::sleeve::HEM, arm)
 }
 
 /// How the back is closed.

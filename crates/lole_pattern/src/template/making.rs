@@ -6,7 +6,9 @@
 use lole_geom::Length;
 use lole_language::{Sentence, Words, words};
 
-use crate::pattern::{Amount, Figure, Notion, NotionKind, Pattern, Seam, SeamKind, SeamSide, Step};
+use crate::pattern::{
+    Amount, DrawnIn, Figure, Notion, NotionKind, Pattern, Seam, SeamKind, SeamSide, Step,
+};
 use crate::piece::{Finish, Piece};
 
 /// Minutes for a meter of stitches, with a machine and by hand.
@@ -203,6 +205,7 @@ pub(super) fn pattern(
     Pattern {
         pieces,
         seams,
+        drawn_in: Vec::new(),
         notions,
         steps,
         warnings: Vec::new(),
@@ -210,6 +213,16 @@ pub(super) fn pattern(
 }
 
 impl Pattern {
+    /// Both copies of an edge drawn in by elastic of this length [m] each.
+    pub(super) fn drawn_in(mut self, piece: usize, edge: usize, length: f64) -> Self {
+        let length = Length::from_m(length);
+        self.drawn_in.extend([0, 1].map(|copy| DrawnIn {
+            line: side(piece, copy, edge),
+            length,
+        }));
+        self
+    }
+
     pub(super) fn warn(mut self, sentence: Sentence) -> Self {
         self.warnings.push(sentence);
         self

@@ -426,7 +426,7 @@ fn finish(
         (FRONT, skirt.hem)
     };
     steps.push(hem_step(depth, hem, shown(&pieces, last, &["hem"])));
-    pattern(pieces, seams, notions, steps)
+    pattern(pieces, seams, notions, steps).drawn_in(SLEEVE, super::sleeve::HEM, arm)
 }
 
 /// Strips to a ring, and their upper edges to the hem: the first from the middle of the front over the

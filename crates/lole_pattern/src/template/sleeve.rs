@@ -16,7 +16,8 @@ use crate::piece::{CutCount, Edge, Finish, LineKind, Piece};
 use crate::template::making::{both_sides, eased, gathered, plain, side};
 use crate::{DraftError, Measure, Measures};
 
-/// Edges of a sleeve after its hem, in their order.
+/// Edges of a sleeve, in their order.
+pub(super) const HEM: usize = 0;
 pub(super) const BACK_SIDE: usize = 1;
 pub(super) const CAP: usize = 2;
 pub(super) const FRONT_SIDE: usize = 3;

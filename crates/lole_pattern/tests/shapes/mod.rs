@@ -233,6 +233,7 @@ pub(crate) fn pattern() -> Pattern {
             full: side(0, 1, 3),
             kind: SeamKind::Plain,
         }],
+        drawn_in: Vec::new(),
         notions: Vec::new(),
         steps: Vec::new(),
         warnings: Vec::new(),

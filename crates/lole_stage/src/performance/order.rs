@@ -12,7 +12,7 @@ use crate::production::Garment;
 use crate::solver::{CONTACT_OFFSET, Observer, Surroundings};
 
 /// Distance kept between garments [m]: the thickness of two fabrics and of the air between them.
-const GAP: f32 = 0.0015;
+pub(super) const GAP: f32 = 0.0015;
 
 /// How far inside a layer its particles are looked for [m]: what is farther on the wrong side is the
 /// other side of the dancer.
@@ -33,6 +33,9 @@ struct Chain {
     surfels: Vec<Surfel>,
 }
 
+/// Triangles on the trunk of what is worn inside of all chains, and where they are [m].
+pub(super) type Inner<'a> = (&'a [[u32; 3]], &'a [Vec3]);
+
 /// Garments of one chain, from the skin outward.
 type Dressed<'a> = Vec<(&'a mut Worn, &'a Garment)>;
 
@@ -42,13 +45,16 @@ impl Order {
     /// not meet each other, so they move on at the same time.
     pub(super) fn step(
         &mut self,
-        trunk: Trunk,
+        (trunk, inner): (Trunk, &[Inner<'_>]),
         (worn, garments): (&mut [Worn], &[Garment]),
         surroundings: &Surroundings<'_>,
         mut observer: Observer<'_>,
     ) {
         let mut dressed: Vec<Dressed<'_>> = garments.iter().map(|_| Vec::new()).collect();
         for pair in worn.iter_mut().zip(garments) {
+            if !pair.1.is_worn {
+                continue;
+            }
             dressed[pair.1.chain].push(pair);
         }
         dressed.retain(|chain| !chain.is_empty());
@@ -56,12 +62,12 @@ impl Order {
         let chains = self.chains.iter_mut().zip(dressed);
         if observer.is_some() || rayon::current_num_threads() == 1 {
             for (chain, dressed) in chains {
-                chain.step(trunk, dressed, surroundings, &mut observer);
+                chain.step((trunk, inner), dressed, surroundings, &mut observer);
             }
         } else {
             let chains: Vec<_> = chains.collect();
             chains.into_par_iter().for_each(|(chain, dressed)| {
-                chain.step(trunk, dressed, surroundings, &mut None);
+                chain.step((trunk, inner), dressed, surroundings, &mut None);
             });
         }
     }
@@ -70,7 +76,7 @@ impl Order {
 impl Chain {
     fn step(
         &mut self,
-        trunk: Trunk,
+        (trunk, inner): (Trunk, &[Inner<'_>]),
         dressed: Dressed<'_>,
         surroundings: &Surroundings<'_>,
         observer: &mut Observer<'_>,
@@ -79,6 +85,13 @@ impl Chain {
         self.surfels.clear();
         self.surfels.extend_from_slice(surroundings.surfels);
         let skin_count = self.surfels.len();
+        if !inner.is_empty() {
+            for (triangles, positions) in inner {
+                self.envelope.put_on(triangles, positions);
+            }
+            self.envelope
+                .add_surfels(CONTACT_OFFSET - GAP, &mut self.surfels);
+        }
         let count = dressed.len();
         for (place, (worn, garment)) in dressed.into_iter().enumerate() {
             let surroundings = Surroundings {

@@ -211,7 +211,8 @@ impl Stagehand {
             self.sew(design);
             return;
         };
-        let prints_anew = show.design().worn_prints() != design.worn_prints();
+        let prints_anew = show.design().worn_prints() != design.worn_prints()
+            || show.design().dressed_prints() != design.dressed_prints();
         let before = show.design().clone();
         match show.wish(&design) {
             Ok(Wish::Resew) => self.sew(design),
@@ -384,6 +385,7 @@ fn photograph(show: &Show, clothes: &Arc<Wardrobe>, watch: Watch) -> Snapshot {
         time: show.time(),
         particles,
         cloths,
+        dressed: show.dressed_vertices(),
         body: [body_positions, body_normals],
         capsules: show.capsules().to_vec(),
         bones: show.bones(),

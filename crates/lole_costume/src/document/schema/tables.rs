@@ -12,7 +12,7 @@ use lole_language::words;
 use super::cost::COST;
 use super::motion::MOTION;
 use super::{Key, Kind, Table};
-use crate::document::{BodyShapes, LinkedFile, MethodName, WindModel};
+use crate::document::{BodyShapes, LinkedFile, MethodName, SkirtWorn, WindModel};
 use crate::fabrics::{PRESETS, Preset};
 
 /// Largest seed: what fits the integers of TOML.
@@ -31,6 +31,7 @@ const HAIR_STYLES: &[(&str, HairStyle)] = &[
     (HairStyle::Short.id(), HairStyle::Short),
     (HairStyle::Bob.id(), HairStyle::Bob),
 ];
+const SKIRT_WORN: &[(&str, SkirtWorn)] = &[("yes", SkirtWorn::Yes), ("no", SkirtWorn::No)];
 const WIND_LAWS: &[(&str, WindLaw)] = &[
     ("spherical", WindLaw::Spherical),
     ("literal-scalar", WindLaw::LiteralScalar),
@@ -220,7 +221,14 @@ const DANCER: Table = Table {
 const SKIRT: Table = Table {
     name: "skirt",
     about: words("パウスカート", "the pāʻū skirt"),
-    keys: skirt_keys!(),
+    keys: skirt_keys!(choice!(
+        "worn",
+        words("パウスカート", "way to wear the skirt"),
+        SKIRT_WORN,
+        skirt.worn,
+        "no なら、ムームーや巻き布だけでパウスカートははかない",
+        "no: a dress or a wrap is worn without the skirt"
+    )),
 };
 
 const FABRIC: Table = Table {

@@ -1,0 +1,481 @@
+//! Garments of the templates, sewn on the dancer: pieces cut out, divided into triangles, laid around
+//! her, sewn by their seams and brought to rest on the skin.
+//!
+//! A garment is one mesh whose pieces lie beside each other on the cloth, and an [`Assembly`] whose
+//! seams hold them together; nothing of it is pinned but what a row in `garment/` says.
+
+mod bodice;
+mod fit;
+mod flat;
+mod form;
+mod garment;
+mod panel;
+#[cfg(test)]
+mod tests;
+mod wrap;
+
+use std::num::NonZeroU32;
+
+use glam::{Vec2, Vec3};
+use lole_body::{Dancer, Pose, SkinSurfels};
+use lole_cloth::assembly::{
+    Assembly, AssemblyInput, AssemblyState, Elastic, Ends, Joint, JointError, Lost, Piece,
+    PieceState, Place, Seam, step,
+};
+use lole_cloth::diagnose::StrainSummary;
+use lole_cloth::mesh::{MeshError, MeshModel, MeshSpec, diagnose};
+use lole_cloth::{Crossings, Fabric, SelfCollision, SolverConfig, mesh_state_hash};
+use lole_geom::mesh::vertex_normals;
+use lole_geom::{Capsule, Surfel};
+use lole_language::Bilingual;
+use lole_pattern::{DraftError, Pattern};
+
+use crate::document::WornTemplate;
+
+pub use garment::is_worn;
+
+/// Distance kept between skin and cloth [m]: with edges of two centimeters the middle of a triangle on
+/// an arm lies 1.5 mm below its corners.
+const CONTACT_OFFSET: f32 = 0.004;
+/// Half of the distance that folds keep [m].
+const HALF_GAP: f32 = 0.003;
+/// Friction of cloth that is pulled into place.
+const SLIPPING: f32 = 0.05;
+/// Fastest that cloth found inside the skin is pushed out [m/s].
+const DEPENETRATION_SPEED: f32 = 1.0;
+/// The floor: a ball so large that it is flat to 2 mm over a train.
+const FLOOR: Capsule = Capsule {
+    ends: [Vec3::new(-1.0, -500.0, 0.0), Vec3::new(1.0, -500.0, 0.0)],
+    radii: [500.0; 2],
+};
+/// Substeps of a frame.
+const SUBSTEP_COUNT: NonZeroU32 = NonZeroU32::MIN.saturating_add(11);
+/// Tension of flat elastic of 6 to 8 mm at twice its length [N]. Estimated.
+const ELASTIC_STIFFNESS: f32 = 15.0;
+/// Layers of cloth at an edge that is bound or hemmed.
+const EDGE_LAYERS: f32 = 2.0;
+
+/// A garment on a dancer, ready to be simulated and drawn.
+#[derive(Debug, Clone)]
+pub struct Dressed {
+    /// Pieces, seams and elastics as the engine knows them: one mesh.
+    assembly: Assembly,
+    /// The same while it is sewn and while it is tried on; `None` afterwards.
+    before: Option<[Assembly; 2]>,
+    /// What it is drafted as.
+    pub pattern: Pattern,
+    /// Its cloth in SI units.
+    pub fabric: Fabric,
+    /// Skin that carries the pinned particles, in their order, and how far they lie over it [m].
+    pins: (SkinSurfels, Vec<f32>),
+    /// Where it rests on the standing dancer [m], shape `[particle_count]`.
+    pub start: Vec<Vec3>,
+    /// Its triangles, counterclockwise seen from outside.
+    pub triangles: Vec<[u32; 3]>,
+    /// Where every particle lies on the cloth as it comes from the bolt [m]: along the warp, and across
+    /// it, seen from the right side.
+    pub on_cloth: Vec<Vec2>,
+    /// By particle, the first of those that it is sewn to: they are drawn as one.
+    welded: Vec<u32>,
+    /// Particles of gathered edges that are drawn in the seam, between two others.
+    puckers: Vec<(u32, [u32; 2], f32)>,
+    /// The triangles that cover the trunk, and not the arms.
+    pub trunk_triangles: Vec<[u32; 3]>,
+}
+
+/// What moves of a dressed garment.
+#[derive(Debug, Clone)]
+pub struct DressedState {
+    state: AssemblyState,
+}
+
+/// What a dressed garment meets in a step.
+#[derive(Debug, Clone, Copy)]
+pub struct World<'a> {
+    /// Vertices of the skin and their normals at the end of the step: what is pinned goes with them.
+    pub skin: (&'a [Vec3], &'a [Vec3]),
+    /// What the cloth meets, always the same ones in the same order.
+    pub surfels: &'a [Surfel],
+    /// Velocity of the air [m/s].
+    pub air_velocity: Vec3,
+}
+
+/// Why a garment could not be put on.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum DressError {
+    /// It cannot be drafted to these measures.
+    #[error(transparent)]
+    Draft(#[from] DraftError),
+    /// Nobody has said how it is worn.
+    #[error("the garment {template} is drafted and not worn; nothing says where its pieces lie")]
+    NotWorn {
+        /// Its template.
+        template: &'static str,
+    },
+    /// A piece's border crosses itself, so that it cannot be cut.
+    #[error("the pieces of {template} cross themselves with these measures; check {measure}")]
+    CrossedPiece {
+        /// Its template.
+        template: &'static str,
+        /// What to measure again.
+        measure: &'static str,
+    },
+    /// The dancer has no trunk where the garment lies.
+    #[error("the dancer has no trunk where {template} should lie; make it shorter")]
+    NoTrunk {
+        /// Its template.
+        template: &'static str,
+    },
+    /// The mesh cannot be built.
+    #[error("the cloth of {template} cannot be divided into triangles: {error}")]
+    Mesh {
+        /// Its template.
+        template: &'static str,
+        /// Why.
+        error: MeshError,
+    },
+    /// A seam or elastic cannot be made.
+    #[error("{template} cannot be sewn: {error}")]
+    Joint {
+        /// Its template.
+        template: &'static str,
+        /// Why.
+        error: JointError,
+    },
+    /// The cloth flew away while it was put on.
+    #[error("{template} did not come to rest on the dancer: {lost}")]
+    Lost {
+        /// Its template.
+        template: &'static str,
+        /// Where.
+        lost: Lost,
+    },
+}
+
+impl Bilingual for DressError {
+    fn japanese(&self) -> String {
+        match self {
+            Self::Draft(error) => error.japanese(),
+            Self::NotWorn { template } => {
+                format!("{template} は製図だけの服で、着せ方が決まっていません")
+            }
+            Self::CrossedPiece { template, .. } => {
+                format!(
+                    "この採寸では {template} の型紙の線が交わります。バストと背丈を測り直してください"
+                )
+            }
+            Self::NoTrunk { template } => {
+                format!("{template} の来る所に胴がありません。丈を短くしてください")
+            }
+            Self::Mesh { template, error } => {
+                format!("{template} の布を三角形に分けられません（{error}）")
+            }
+            Self::Joint { template, error } => format!("{template} を縫えません（{error}）"),
+            Self::Lost { template, lost } => {
+                format!("{template} を着せる途中で布が飛びました（{lost}）")
+            }
+        }
+    }
+}
+
+/// Puts a garment on a dancer who comes to stand in the pose `stance`; `surfels` are her skin's.
+///
+/// # Errors
+/// Measures that it cannot be drafted from, and pieces that cannot be cut or sewn.
+pub fn dress(
+    worn: &WornTemplate,
+    (dancer, surfels): (&Dancer, &SkinSurfels),
+    stance: &Pose,
+) -> Result<Dressed, DressError> {
+    let measures = crate::measures(dancer);
+    let pattern = worn.pattern(&measures)?;
+    let laid = garment::lay((worn.template.id, pattern), (dancer, &measures))?;
+    let dressed = Dressed::sew(worn, laid)?;
+    fit::fit(dressed, (dancer, surfels), stance).map_err(|lost| DressError::Lost {
+        template: worn.template.id,
+        lost,
+    })
+}
+
+impl Dressed {
+    /// Prepares seams and elastics of a garment that is laid around the dancer.
+    fn sew(worn: &WornTemplate, laid: garment::Laid) -> Result<Self, DressError> {
+        let template = worn.template.id;
+        let garment::Laid {
+            pattern,
+            mesh,
+            places,
+            facing,
+            is_on_arm,
+            elastics,
+            pinned,
+            pins,
+        } = laid;
+        let fabric = worn.fabric.fabric();
+        let mut spec = MeshSpec::new(mesh.flat.clone(), mesh.triangles.clone(), fabric);
+        for &edge in mesh.hems.iter() {
+            spec.layers[edge as usize] = EDGE_LAYERS;
+        }
+        spec.pinned = pinned;
+        let joints = joints(&mesh, &elastics);
+        let make = |ease: Ease| assembly(template, (&spec, ease), &joints);
+        let [assembly, basted, tried] =
+            [make(Ease::Worn)?, make(Ease::Basted)?, make(Ease::Tried)?];
+        let turned = |&[a, b, c]: &[u32; 3]| {
+            if facing[mesh.panel_of[a as usize]] {
+                [a, b, c]
+            } else {
+                [a, c, b]
+            }
+        };
+        let triangles: Vec<[u32; 3]> = mesh.triangles.iter().map(turned).collect();
+        let on_trunk = |triangle: &&[u32; 3]| !is_on_arm[mesh.panel_of[triangle[0] as usize]];
+        let on_cloth = mesh.flat.iter().zip(&mesh.panel_of).map(|(flat, &panel)| {
+            if facing[panel] {
+                *flat
+            } else {
+                Vec2::new(flat.x, -flat.y)
+            }
+        });
+        Ok(Self {
+            assembly,
+            before: Some([basted, tried]),
+            pattern,
+            fabric,
+            pins,
+            start: places,
+            trunk_triangles: triangles.iter().filter(on_trunk).copied().collect(),
+            triangles,
+            on_cloth: on_cloth.collect(),
+            welded: welded(&mesh),
+            puckers: mesh.puckers,
+        })
+    }
+
+    /// The mesh as the engine knows it.
+    fn model(&self) -> Option<&MeshModel> {
+        match self.assembly.pieces() {
+            [Piece::Mesh(model, _)] => Some(model),
+            _ => None,
+        }
+    }
+
+    /// Number of particles.
+    #[must_use]
+    pub const fn particle_count(&self) -> usize {
+        self.start.len()
+    }
+
+    /// Places as they are drawn: what is sewn together is one point [m].
+    #[must_use]
+    pub fn drawn(&self, positions: &[Vec3]) -> Vec<Vec3> {
+        let mut sums = vec![(Vec3::ZERO, 0.0_f32); positions.len()];
+        for (&group, &position) in self.welded.iter().zip(positions) {
+            let sum = &mut sums[group as usize];
+            *sum = (sum.0 + position, sum.1 + 1.0);
+        }
+        let groups = self.welded.iter().map(|&group| sums[group as usize]);
+        let mut drawn: Vec<Vec3> = groups.map(|(sum, count)| sum / count.max(1.0)).collect();
+        for &(particle, ends, share) in &self.puckers {
+            let [first, last] = ends.map(|end| drawn[end as usize]);
+            drawn[particle as usize] = first.lerp(last, share);
+        }
+        drawn
+    }
+
+    /// Unit normals of drawn places, outward; seams are smooth.
+    #[must_use]
+    pub fn normals(&self, drawn: &[Vec3]) -> Vec<Vec3> {
+        let weld = |corners: &[u32; 3]| corners.map(|corner| self.welded[corner as usize]);
+        let triangles: Vec<[u32; 3]> = self.triangles.iter().map(weld).collect();
+        let normals = vertex_normals(drawn, &triangles);
+        let groups = self.welded.iter().map(|&group| normals[group as usize]);
+        groups.collect()
+    }
+
+    /// Stretch along warp and weft at `positions` [m], 0 where the cloth is pushed together: folds finer
+    /// than its triangles are no strain.
+    #[must_use]
+    pub fn strain(&self, positions: &[Vec3]) -> StrainSummary {
+        let Some(model) = self.model() else {
+            return StrainSummary::default();
+        };
+        let stretches = model.triangles().iter().flat_map(|&triangle| {
+            let along = diagnose::deformation(model, triangle, positions);
+            along.map(|column| (column.length() - 1.0).max(0.0))
+        });
+        let mut stretches: Vec<f32> = stretches.collect();
+        stretches.sort_by(f32::total_cmp);
+        let count = stretches.len().max(1);
+        StrainSummary {
+            mean: stretches.iter().sum::<f32>() / count as f32,
+            p99: stretches.get(count * 99 / 100).copied().unwrap_or(0.0),
+            max: stretches.last().copied().unwrap_or(0.0),
+        }
+    }
+
+    /// The garment at rest where it starts.
+    #[must_use]
+    pub fn state(&self) -> DressedState {
+        DressedState {
+            state: AssemblyState::new(&self.assembly, std::slice::from_ref(&self.start)),
+        }
+    }
+}
+
+impl DressedState {
+    /// Moves the garment on by `dt` [s] in a world.
+    ///
+    /// # Errors
+    /// Where a particle would go nowhere; nothing has moved then.
+    pub fn step(&mut self, garment: &Dressed, world: &World<'_>, dt: f32) -> Result<(), Lost> {
+        self.step_as(garment, &garment.assembly, (world, dt))
+    }
+
+    fn step_as(
+        &mut self,
+        garment: &Dressed,
+        assembly: &Assembly,
+        (world, dt): (&World<'_>, f32),
+    ) -> Result<(), Lost> {
+        let (carriers, gaps) = &garment.pins;
+        let mut carried = Vec::new();
+        carriers.pose(world.skin.0, world.skin.1, &mut carried);
+        let targets = carried.iter().zip(gaps);
+        let targets = targets.map(|(skin, gap)| skin.position + skin.normal * *gap);
+        let input = AssemblyInput {
+            pin_targets: &[targets.collect()],
+            surfels: world.surfels,
+            capsules: &[FLOOR],
+            air_velocity: world.air_velocity,
+            ..AssemblyInput::default()
+        };
+        step(assembly, &input, &mut self.state, dt)
+    }
+
+    /// Writes every position [m] over `out`.
+    pub fn copy_positions(&self, garment: &Dressed, out: &mut Vec<Vec3>) {
+        for (state, piece) in self.state.pieces.iter().zip(garment.assembly.pieces()) {
+            state.copy_positions(piece, out);
+        }
+    }
+
+    /// Multiplies every velocity.
+    pub fn scale_velocities(&mut self, garment: &Dressed, factor: f32) {
+        let Some(model) = garment.model() else {
+            return;
+        };
+        for state in &mut self.state.pieces {
+            if let PieceState::Mesh(state) = state {
+                let mut velocities = Vec::new();
+                state.copy_velocities(model, &mut velocities);
+                velocities
+                    .iter_mut()
+                    .for_each(|velocity| *velocity *= factor);
+                state.set_velocities(model, &velocities);
+            }
+        }
+    }
+
+    /// All bits of positions and velocities as one number.
+    #[must_use]
+    pub fn hash(&self) -> u64 {
+        match &self.state.pieces[..] {
+            [PieceState::Mesh(state)] => mesh_state_hash(state),
+            _ => 0,
+        }
+    }
+}
+
+/// What a garment is prepared for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Ease {
+    /// To be sewn: it slips over the skin, and folds pass through each other.
+    Basted,
+    /// To be tried on: folds that went through each other are drawn out, which takes its time.
+    Tried,
+    /// To be worn: folds keep apart.
+    Worn,
+}
+
+/// One mesh with its seams.
+fn assembly(
+    template: &'static str,
+    (spec, ease): (&MeshSpec, Ease),
+    joints: &[Joint],
+) -> Result<Assembly, DressError> {
+    let mut spec = spec.clone();
+    let mut contact = Some(SelfCollision {
+        radius: HALF_GAP,
+        substep_interval: NonZeroU32::MIN.saturating_add(2),
+        crossings: if ease == Ease::Tried {
+            Crossings::Repair
+        } else {
+            Crossings::Leave
+        },
+    });
+    if ease == Ease::Basted {
+        spec.fabric.friction = SLIPPING;
+        contact = None;
+    }
+    let config = SolverConfig {
+        self_collision: contact,
+        contact_offset: CONTACT_OFFSET,
+        depenetration_speed: DEPENETRATION_SPEED,
+        structural_sweep_count: NonZeroU32::MIN,
+        column_strides: Vec::new(),
+        tether_scale: None,
+        ..SolverConfig::default()
+    };
+    let model = MeshModel::new(&spec).map_err(|error| DressError::Mesh { template, error })?;
+    let pieces = vec![Piece::Mesh(Box::new(model), Box::new(config))];
+    Assembly::new(pieces, joints, SUBSTEP_COUNT)
+        .map_err(|error| DressError::Joint { template, error })
+}
+
+/// Seams point by point, and elastics.
+fn joints(mesh: &flat::FlatMesh, elastics: &[f32]) -> Vec<Joint> {
+    let place = |particle: u32| Place { piece: 0, particle };
+    let stitches = mesh.stitches.iter();
+    let stitches = stitches.map(|pair| pair.map(|particle| place(particle).into()));
+    let mut joints = vec![Joint::Seam(Seam {
+        stitches: stitches.collect(),
+    })];
+    for (line, &length) in mesh.lines.iter().zip(elastics) {
+        let flat: f32 = (line.windows(2))
+            .map(|pair| {
+                let [a, b] = [pair[0], pair[1]].map(|particle| mesh.flat[particle as usize]);
+                a.distance(b)
+            })
+            .sum();
+        if line.len() < 2 || flat <= 0.0 {
+            continue;
+        }
+        joints.push(Joint::Elastic(Elastic {
+            line: line.iter().map(|&particle| place(particle)).collect(),
+            ends: Ends::Apart,
+            rest_share: length / flat,
+            stretch_stiffness: ELASTIC_STIFFNESS,
+        }));
+    }
+    joints
+}
+
+/// By particle, the first one that it is sewn to, directly or by way of others.
+fn welded(mesh: &flat::FlatMesh) -> Vec<u32> {
+    let mut first: Vec<u32> = (0..flat::number(mesh.flat.len())).collect();
+    fn root(first: &mut [u32], mut particle: u32) -> u32 {
+        while first[particle as usize] != particle {
+            first[particle as usize] = first[first[particle as usize] as usize];
+            particle = first[particle as usize];
+        }
+        particle
+    }
+    for &[a, b] in &mesh.stitches {
+        let [a, b] = [a, b].map(|particle| root(&mut first, particle));
+        first[a.max(b) as usize] = a.min(b);
+    }
+    (0..flat::number(mesh.flat.len()))
+        .map(|particle| root(&mut first, particle))
+        .collect()
+}

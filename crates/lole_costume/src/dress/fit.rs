@@ -1,0 +1,137 @@
+//! Sewing on the dancer: seams are closed, then the cloth comes to rest on her skin while she goes from
+//! the pose in which she is dressed to the one in which she stands.
+
+use glam::Vec3;
+use lole_body::{Bone, Dancer, Pose, SkinSurfels};
+use lole_cloth::assembly::Lost;
+
+use super::flat::FlatMesh;
+use super::form::Form;
+use super::{Dressed, World, garment};
+
+/// How far she lifts her arms to be dressed from where they are built, 47° below the level [rad].
+const RAISED: f32 = 0.75;
+/// Passes in which pieces are drawn together and out of the skin before anything moves.
+const CLOSING_PASSES: u32 = 3;
+/// Passes in which what is drawn at the seams is spread over the pieces.
+const SPREADING_PASSES: u32 = 120;
+/// Least distance from the skin at the start [m].
+const START_GAP: f32 = 0.006;
+
+/// Frames in which the seams come together, in which she takes her stance, and in which cloth comes to
+/// rest.
+const SEWING_FRAMES: u32 = 24;
+const MOVING_FRAMES: u32 = 45;
+const RESTING_FRAMES: u32 = 30;
+/// Duration of a frame [s].
+const FRAME: f32 = 1.0 / 60.0;
+/// Velocity kept from frame to frame while she moves, and while it comes to rest.
+const KEPT: [f32; 2] = [0.6, 0.85];
+
+/// The pose in which she is dressed: arms away from the sides.
+pub(super) fn fitting_pose() -> Pose {
+    garment::arms_raised(RAISED)
+}
+
+/// Draws what is sewn together to one place and spreads the way over the pieces, so that nothing is
+/// torn when the seams are tight; keeps all of it out of the skin.
+pub(super) fn close_seams(mesh: &FlatMesh, form: &Form<'_>, places: &mut [Vec3]) {
+    let count = places.len();
+    let groups = super::welded(mesh);
+    let mut is_sewn = vec![false; count];
+    for &particle in mesh.stitches.iter().flatten() {
+        is_sewn[particle as usize] = true;
+    }
+    let mut neighbors: Vec<Vec<u32>> = vec![Vec::new(); count];
+    for &[a, b, c] in &mesh.triangles {
+        for [one, other] in [[a, b], [b, c], [c, a], [b, a], [c, b], [a, c]] {
+            neighbors[one as usize].push(other);
+        }
+    }
+    for _ in 0..CLOSING_PASSES {
+        form.push_out(places, START_GAP);
+        let mut sums = vec![(Vec3::ZERO, 0.0_f32); count];
+        for (&group, &place) in groups.iter().zip(&*places) {
+            let sum = &mut sums[group as usize];
+            *sum = (sum.0 + place, sum.1 + 1.0);
+        }
+        let mut moves = vec![Vec3::ZERO; count];
+        for particle in 0..count {
+            if is_sewn[particle] {
+                let (sum, members) = sums[groups[particle] as usize];
+                moves[particle] = sum / members - places[particle];
+            }
+        }
+        for _ in 0..SPREADING_PASSES {
+            for particle in 0..count {
+                if !is_sewn[particle] && !neighbors[particle].is_empty() {
+                    let near = neighbors[particle]
+                        .iter()
+                        .map(|&other| moves[other as usize]);
+                    moves[particle] = near.sum::<Vec3>() / neighbors[particle].len() as f32;
+                }
+            }
+        }
+        for (place, change) in places.iter_mut().zip(&moves) {
+            *place += *change;
+        }
+    }
+    form.push_out(places, START_GAP);
+}
+
+/// Sews the garment tight and lets it come to rest.
+pub(super) fn fit(
+    mut garment: Dressed,
+    (dancer, skin): (&Dancer, &SkinSurfels),
+    stance: &Pose,
+) -> Result<Dressed, Lost> {
+    let before = garment.before.take();
+    let mut state = garment.state();
+    let (mut positions, mut normals, mut surfels) = (Vec::new(), Vec::new(), Vec::new());
+    let start = fitting_pose();
+    for frame in 0..SEWING_FRAMES + MOVING_FRAMES + RESTING_FRAMES {
+        let moved = frame.saturating_sub(SEWING_FRAMES).min(MOVING_FRAMES);
+        let share = moved as f32 / MOVING_FRAMES as f32;
+        let pose = between(&start, stance, share * share * (3.0 - 2.0 * share));
+        let world_from_bind = dancer.skeleton.world_from_bind(&pose);
+        dancer
+            .skin
+            .pose(&world_from_bind, &mut positions, &mut normals);
+        skin.pose(&positions, &normals, &mut surfels);
+        let world = World {
+            skin: (&positions, &normals),
+            surfels: &surfels,
+            air_velocity: Vec3::ZERO,
+        };
+        let assembly = match &before {
+            Some([basted, _]) if frame < SEWING_FRAMES => basted,
+            Some([_, tried]) => tried,
+            None => &garment.assembly,
+        };
+        state.step_as(&garment, assembly, (&world, FRAME))?;
+        let kept = if frame < SEWING_FRAMES {
+            0.0
+        } else if moved < MOVING_FRAMES {
+            KEPT[0]
+        } else {
+            KEPT[1]
+        };
+        state.scale_velocities(&garment, kept);
+    }
+    let mut rest = Vec::new();
+    state.copy_positions(&garment, &mut rest);
+    garment.start = rest;
+    Ok(garment)
+}
+
+/// A pose on the way from one to another.
+fn between(from: &Pose, to: &Pose, share: f32) -> Pose {
+    let mut pose = Pose {
+        hips_translation: from.hips_translation.lerp(to.hips_translation, share),
+        ..Pose::default()
+    };
+    for &bone in Bone::ALL {
+        pose.rotate(bone, from.rotation(bone).slerp(to.rotation(bone), share));
+    }
+    pose
+}

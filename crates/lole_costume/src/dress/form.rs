@@ -1,0 +1,213 @@
+//! The dancer as a dressmaker's form: her skin in one pose, and tapes around her trunk.
+
+use glam::{Affine3A, Vec3};
+use lole_body::{Bone, Dancer, Pose, SkinSurfels, TapePoint};
+use lole_geom::TriangleGrid;
+
+/// Points of a tape around the trunk.
+const TAPE_POINTS: usize = 144;
+/// Distance between tapes [m].
+const TAPE_STEP: f32 = 0.01;
+/// Cells of the search for the nearest skin [m].
+const CELL: f32 = 0.03;
+/// How far the nearest skin is looked for [m].
+const REACH: f32 = 0.12;
+
+/// A dancer in one pose.
+pub(super) struct Form<'a> {
+    pub(super) dancer: &'a Dancer,
+    pub(super) world_from_bind: Vec<Affine3A>,
+    tapes: Vec<Tape>,
+    lowest: f32,
+}
+
+/// A tape around the trunk, posed.
+struct Tape {
+    places: Vec<(Vec3, Vec3)>,
+    /// Index of the point farthest to the left.
+    left: usize,
+    girth: f32,
+}
+
+/// Least distance of pinned cloth from the skin [m].
+const LEAST_GAP: f32 = 0.004;
+
+/// Half of the trunk that a place is on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Face {
+    Front,
+    Back,
+}
+
+impl<'a> Form<'a> {
+    /// The form in a pose, with tapes from `lowest` [m] up to the neck.
+    pub(super) fn new(dancer: &'a Dancer, pose: &Pose, lowest: f32) -> Self {
+        let world_from_bind = dancer.skeleton.world_from_bind(pose);
+        let top = dancer.skeleton.joint(Bone::Neck).y + 0.04;
+        let mut tapes: Vec<Tape> = Vec::new();
+        let mut level = 0_u16;
+        loop {
+            let height = lowest + f32::from(level) * TAPE_STEP;
+            if top < height {
+                break;
+            }
+            level += 1;
+            let ring = dancer.tape_ring(height, TAPE_POINTS);
+            match Tape::new(&ring, &world_from_bind) {
+                Some(tape) => tapes.push(tape),
+                None => break,
+            }
+        }
+        Self {
+            dancer,
+            world_from_bind,
+            tapes,
+            lowest,
+        }
+    }
+
+    /// The tapes below and above a height, and the share between them.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "clamped to the tapes"
+    )]
+    fn between(&self, height: f32) -> Option<([&Tape; 2], f32)> {
+        let last = self.tapes.len().checked_sub(1)?;
+        let level = ((height - self.lowest) / TAPE_STEP).clamp(0.0, last as f32);
+        let below = level as usize;
+        let above = (below + 1).min(last);
+        Some((
+            [&self.tapes[below], &self.tapes[above]],
+            level - below as f32,
+        ))
+    }
+
+    /// A place on the tape at a height of the bind pose [m], and the way out of the body there: `share` 0
+    /// is the middle of front or back, 1 her left side. `None` where there is no trunk.
+    pub(super) fn on_trunk(&self, height: f32, face: Face, share: f32) -> Option<(Vec3, Vec3)> {
+        let (tapes, part) = self.between(height)?;
+        let [below, above] = tapes.map(|tape| tape.at(face, share));
+        let outward = below.1.lerp(above.1, part).normalize_or_zero();
+        Some((self.lowered(below.0.lerp(above.0, part), height), outward))
+    }
+
+    /// A place that lies below the lowest tape.
+    fn lowered(&self, place: Vec3, height: f32) -> Vec3 {
+        place - Vec3::Y * (self.lowest - height).max(0.0)
+    }
+
+    /// Around the trunk from the middle of the back over her left side: `turn` 1 is once around.
+    pub(super) fn around_trunk(&self, height: f32, turn: f32) -> Option<(Vec3, Vec3)> {
+        let (tapes, part) = self.between(height)?;
+        let [below, above] = tapes.map(|tape| tape.around(turn));
+        let outward = below.1.lerp(above.1, part).normalize_or_zero();
+        Some((self.lowered(below.0.lerp(above.0, part), height), outward))
+    }
+
+    /// Length of the tape at a height of the bind pose [m].
+    pub(super) fn girth(&self, height: f32) -> f32 {
+        self.between(height)
+            .map_or(0.0, |([a, b], part)| a.girth + (b.girth - a.girth) * part)
+    }
+
+    /// A joint of the skeleton in the pose [m].
+    pub(super) fn joint(&self, bone: Bone) -> Vec3 {
+        let joint = self.dancer.skeleton.joint(bone);
+        self.world_from_bind[bone.index()].transform_point3(joint)
+    }
+
+    /// The skin below places that it carries, and how far they lie over it [m]; `None` where one is far
+    /// from all skin.
+    pub(super) fn carry(&self, places: &[Vec3]) -> Option<(SkinSurfels, Vec<f32>)> {
+        let skin = &self.dancer.skin;
+        let (mut positions, mut normals) = (Vec::new(), Vec::new());
+        skin.pose(&self.world_from_bind, &mut positions, &mut normals);
+        let triangles = skin.body_triangles();
+        let carriers =
+            SkinSurfels::nearest_to(places.iter().copied(), (&positions, &triangles), REACH)?;
+        let mut surfels = Vec::new();
+        carriers.pose(&positions, &normals, &mut surfels);
+        let gaps = places.iter().zip(&surfels);
+        let gaps =
+            gaps.map(|(place, skin)| (*place - skin.position).dot(skin.normal).max(LEAST_GAP));
+        Some((carriers, gaps.collect()))
+    }
+
+    /// Moves places out of the skin until they keep `gap` [m] from it.
+    pub(super) fn push_out(&self, places: &mut [Vec3], gap: f32) {
+        let skin = &self.dancer.skin;
+        let (mut positions, mut normals) = (Vec::new(), Vec::new());
+        skin.pose(&self.world_from_bind, &mut positions, &mut normals);
+        let triangles = skin.body_triangles();
+        let grid = TriangleGrid::new(&positions, &triangles, CELL);
+        for place in places {
+            let Some(nearest) = grid.nearest(*place, REACH) else {
+                continue;
+            };
+            let corners = triangles[nearest.triangle as usize];
+            let normals = corners.map(|corner| normals[corner as usize]);
+            let outward = lole_geom::triangle_grid::blend(normals, nearest.barycentric);
+            let height = (*place - nearest.point).dot(outward);
+            if height < gap {
+                *place = nearest.point + outward.normalize_or_zero() * gap;
+            }
+        }
+    }
+}
+
+impl Tape {
+    fn new(ring: &[TapePoint], world_from_bind: &[Affine3A]) -> Option<Self> {
+        let (left, _) = (ring.iter().enumerate()).max_by(|a, b| {
+            let x = |point: &TapePoint| point.bind_position.x;
+            x(a.1).total_cmp(&x(b.1))
+        })?;
+        let places: Vec<(Vec3, Vec3)> = (ring.iter())
+            .map(|point| {
+                (
+                    point.posed(world_from_bind),
+                    point.posed_outward(world_from_bind),
+                )
+            })
+            .collect();
+        let next = places.iter().cycle().skip(1);
+        let girth = places
+            .iter()
+            .zip(next)
+            .map(|(a, b)| a.0.distance(b.0))
+            .sum();
+        Some(Self {
+            places,
+            left,
+            girth,
+        })
+    }
+
+    fn at(&self, face: Face, share: f32) -> (Vec3, Vec3) {
+        let from = match face {
+            Face::Front => 0.5 * self.places.len() as f32,
+            Face::Back => 0.0,
+        };
+        self.of_index(from + (self.left as f32 - from) * share)
+    }
+
+    fn around(&self, turn: f32) -> (Vec3, Vec3) {
+        let turn = turn - turn.floor();
+        self.of_index(turn * self.places.len() as f32)
+    }
+
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "wrapped into the ring"
+    )]
+    fn of_index(&self, index: f32) -> (Vec3, Vec3) {
+        let count = self.places.len();
+        let index = index.rem_euclid(count as f32);
+        let before = index as usize % count;
+        let after = (before + 1) % count;
+        let part = index - index.floor();
+        let [a, b] = [before, after].map(|at| self.places[at]);
+        (a.0.lerp(b.0, part), a.1.lerp(b.1, part).normalize_or_zero())
+    }
+}

@@ -1,0 +1,89 @@
+//! The kīkepa: wrapped one and a half times around under the arms from the middle of the back over her
+//! right, its upper corner brought over the left shoulder and tied to the edge at the back.
+
+use glam::{DVec2, Vec3};
+
+use super::{Way, Worn};
+use crate::dress::bodice::narrow;
+use crate::dress::form::Face;
+use crate::dress::wrap::{Cloth, Wrap, along};
+
+pub(super) const WORN: Worn = Worn {
+    template: "kikepa",
+    way: Way::Wrapped(Wrap {
+        place,
+        knots: |_| Vec::new(),
+        is_pinned,
+    }),
+    particle_count: 4000.0,
+};
+
+/// The wrapped part is this many turns, as the template's instructions say; the rest is for the knot.
+const TURNS: f64 = 1.5;
+/// The upper edge lies this far below the armpits [m].
+const BELOW_ARMPIT: f32 = 0.012;
+/// Gap to the skin, and what each turn adds [m].
+const GAP: f32 = 0.008;
+const TURN_GAP: f32 = 0.008;
+/// Depth below the upper edge down to which the corner is drawn over the shoulder [m].
+const DRAWN: f32 = 0.28;
+/// Length of the corner that the knot takes [m].
+const KNOT: f64 = 0.06;
+/// Cloth that is drawn up lies over the skin by this [m].
+const OVER_SKIN: f32 = 0.016;
+/// Share of its length that the front end goes on around her; the rest of it is bunched.
+const GOES_ON: f32 = 0.4;
+
+/// Length that is wrapped [m]: the template adds what is asked for the knot.
+fn wrapped(cloth: &Cloth<'_>) -> f64 {
+    (TURNS * cloth.widest()).min(cloth.size.x - KNOT)
+}
+
+/// What is tucked in: the upper edge, and the corner in the knot.
+fn is_pinned(cloth: &Cloth<'_>, point: DVec2, spacing: f64) -> bool {
+    let is_top = cloth.size.y - 0.5 * spacing < point.y;
+    is_top && (point.x <= wrapped(cloth) || cloth.size.x - KNOT <= point.x)
+}
+
+fn place(cloth: &Cloth<'_>, point: DVec2) -> Option<Vec3> {
+    let top = cloth.armpit() - BELOW_ARMPIT;
+    let depth = narrow(cloth.size.y - point.y);
+    let end = wrapped(cloth);
+    let turn_of = |x: f64| 2.0 - narrow(x / end * TURNS);
+    let gap_of = |turn: f32| GAP + TURN_GAP * (2.0 - turn);
+    let hanging = |turn: f32, below: f32| cloth.around(top - below, turn, gap_of(turn));
+    if point.x <= end {
+        return hanging(turn_of(point.x), depth);
+    }
+    let beyond = narrow(point.x - end);
+    let tie = narrow(cloth.size.x - end);
+    let drawn = (1.0 - depth / DRAWN).max(0.0);
+    let girth = narrow(cloth.widest());
+    let goes_on = 0.5 - GOES_ON * (1.0 - drawn) * beyond / girth;
+    let base = hanging(goes_on, depth)?;
+    let start = hanging(0.5, 0.0)?;
+    let way = over_shoulder(cloth, start)?;
+    let up = along(&way, drawn * beyond / tie) - start;
+    Some(base + up)
+}
+
+/// From the middle of the front over the left shoulder to the upper edge at the back.
+fn over_shoulder(cloth: &Cloth<'_>, start: Vec3) -> Option<[Vec3; 7]> {
+    let top = cloth.armpit() - BELOW_ARMPIT;
+    let [neck, drop] = [cloth.measures.neck_height, cloth.measures.shoulder_drop];
+    let shoulder = neck.to_m_f32() - 0.5 * drop.to_m_f32();
+    let on = |share: f32, face: Face, side: f32| {
+        let height = top + (shoulder - top) * share;
+        let (place, outward) = cloth.form.on_trunk(height, face, side)?;
+        Some(place + (outward + Vec3::Y * share).normalize_or_zero() * OVER_SKIN)
+    };
+    Some([
+        start,
+        on(0.4, Face::Front, 0.3)?,
+        on(0.8, Face::Front, 0.6)?,
+        on(1.0, Face::Front, 1.0)? + Vec3::Y * 0.01,
+        on(0.8, Face::Back, 0.7)?,
+        on(0.4, Face::Back, 0.6)?,
+        on(0.0, Face::Back, 0.55)?,
+    ])
+}

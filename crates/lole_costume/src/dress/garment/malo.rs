@@ -1,0 +1,118 @@
+//! The malo: its front flap, the way between the legs, the turns about the waist, and the flap at the
+//! back. Girded as tightly as it is, all but the flaps goes with the skin.
+
+use glam::{DVec2, Vec3};
+
+use super::{Way, Worn};
+use crate::dress::bodice::narrow;
+use crate::dress::form::Face;
+use crate::dress::wrap::{Cloth, Wrap, along};
+
+pub(super) const WORN: Worn = Worn {
+    template: "malo",
+    way: Way::Wrapped(Wrap {
+        place,
+        knots: |_| Vec::new(),
+        is_pinned,
+    }),
+    particle_count: 3000.0,
+};
+
+/// The flaps are a share of what is left of the strip without crotch and turns: half each.
+const TURNS: f64 = 2.0;
+/// Height of the girded band, and width between the legs, over the width of the strip.
+const BAND: f32 = 0.34;
+const BETWEEN_LEGS: f32 = 0.32;
+/// Gap to the skin, what each layer adds, and of the flaps over the band [m].
+const GAP: f32 = 0.006;
+const LAYER: f32 = 0.005;
+const FLAP: f32 = 0.028;
+/// Cloth of a flap nearer to the band than this is still held by it [m].
+const HELD: f64 = 0.09;
+
+/// Lengths of the strip up to which it is front flap, crotch and turns [m].
+fn stops(cloth: &Cloth<'_>) -> [f64; 3] {
+    let waist = cloth.measures.waist_girth.to_m();
+    let crotch = cloth.measures.crotch_length.to_m();
+    let flap = (0.5 * (cloth.size.x - crotch - TURNS * waist)).max(0.05);
+    [flap, flap + crotch, cloth.size.x - flap]
+}
+
+fn is_pinned(cloth: &Cloth<'_>, point: DVec2, _: f64) -> bool {
+    let [front, _, back] = stops(cloth);
+    (front - HELD..=back + HELD).contains(&point.x)
+}
+
+fn place(cloth: &Cloth<'_>, point: DVec2) -> Option<Vec3> {
+    let waist = cloth.measures.waist_height.to_m_f32() - 0.03;
+    let across = narrow(point.y - 0.5 * cloth.size.y);
+    let [front, crotch, back] = stops(cloth);
+    if point.x < front {
+        let down = narrow(front - point.x);
+        return hanging(cloth, Face::Front, waist, [down, -across]);
+    }
+    if point.x < crotch {
+        let share = narrow((point.x - front) / (crotch - front));
+        let way = between_legs(cloth, waist)?;
+        return Some(along(&way, share) + Vec3::X * (-across * BETWEEN_LEGS));
+    }
+    if point.x < back {
+        let turned = narrow((point.x - crotch) / (back - crotch) * TURNS);
+        let height = waist - across * BAND;
+        let (place, outward) = cloth.form.around_trunk(height, turned)?;
+        return Some(place + outward * (GAP + LAYER * (1.0 + turned)));
+    }
+    let down = narrow(point.x - back);
+    hanging(cloth, Face::Back, waist, [down, -across])
+}
+
+/// A flap in front or at the back, hanging from the band.
+fn hanging(cloth: &Cloth<'_>, face: Face, waist: f32, [down, across]: [f32; 2]) -> Option<Vec3> {
+    // It spreads below the band.
+    let below = down - narrow(HELD);
+    let spread = BAND + (1.0 - BAND) * (below / 0.12).clamp(0.0, 1.0);
+    let waist = waist + 0.5 * BAND * narrow(cloth.size.y);
+    let (top, _) = cloth.form.on_trunk(waist, face, 0.0)?;
+    let lowest = (waist - down).max(0.15);
+    // No nearer to the axis than anything above.
+    let mut depth = top.z;
+    let mut height = waist;
+    while lowest < height {
+        let (place, _) = cloth.form.on_trunk(height, face, 0.0)?;
+        depth = match face {
+            Face::Front => depth.max(place.z),
+            Face::Back => depth.min(place.z),
+        };
+        height -= 0.02;
+    }
+    let out = match face {
+        Face::Front => FLAP,
+        Face::Back => -FLAP,
+    };
+    Some(Vec3::new(across * spread, waist - down, depth + out))
+}
+
+/// Down the front, between the legs and up the back, in the middle of the trunk.
+fn between_legs(cloth: &Cloth<'_>, waist: f32) -> Option<Vec<Vec3>> {
+    let crotch = cloth.form.dancer.landmarks.crotch_height;
+    let mut way = Vec::new();
+    let steps = 10_u8;
+    let heights = (0..=steps).map(|step| {
+        let share = f32::from(step) / f32::from(steps);
+        waist + (crotch + 0.05 - waist) * share
+    });
+    for height in heights.clone() {
+        let (place, outward) = cloth.form.on_trunk(height, Face::Front, 0.0)?;
+        way.push(place + outward * GAP);
+    }
+    let middle = way.last().map_or(0.0, |place| place.z);
+    let mut back = Vec::new();
+    for height in heights {
+        let (place, outward) = cloth.form.on_trunk(height, Face::Back, 0.0)?;
+        back.push(place + outward * GAP);
+    }
+    let behind = back.last().map_or(0.0, |place| place.z);
+    way.push(Vec3::new(0.0, crotch - GAP, 0.5 * (middle + behind)));
+    way.extend(back.into_iter().rev());
+    Some(way)
+}

@@ -1,0 +1,141 @@
+//! Laws of what is cut, laid and sewn.
+
+use lole_body::Measurements;
+use lole_pattern::Template;
+
+use super::*;
+use crate::document::WornTemplate;
+
+/// Surfels of the skin lie about this far apart [m].
+const SPACING: f32 = 0.016;
+
+fn woman() -> Dancer {
+    Dancer::new(&Measurements::woman()).unwrap()
+}
+
+fn worn(template: &str) -> WornTemplate {
+    WornTemplate::new(Template::of_id(template).unwrap())
+}
+
+fn laid(template: &str, dancer: &Dancer) -> garment::Laid {
+    let worn = worn(template);
+    let measures = crate::measures(dancer);
+    let pattern = worn.pattern(&measures).unwrap();
+    garment::lay((worn.template.id, pattern), (dancer, &measures)).unwrap()
+}
+
+fn put_on(template: &str, dancer: &Dancer) -> Dressed {
+    let triangles = dancer.skin.body_triangles();
+    let surfels = SkinSurfels::new(&dancer.skin.positions, &triangles, SPACING);
+    dress(&worn(template), (dancer, &surfels), &Pose::default()).unwrap()
+}
+
+const ALL: [&str; 6] = ["blouse", "kikepa", "kihei", "malo", "muumuu", "holoku"];
+
+#[test]
+fn triangles_cover_the_pieces_that_are_cut_but_for_darts() {
+    let dancer = woman();
+    for template in ALL {
+        assert!(is_worn(template));
+        let laid = laid(template, &dancer);
+        let area = |corners: &[u32; 3]| {
+            let [a, b, c] = corners.map(|corner| corner as usize);
+            let flat = &laid.mesh.in_piece;
+            0.5 * (flat[b] - flat[a]).perp_dot(flat[c] - flat[a])
+        };
+        let meshed: f64 = laid.mesh.triangles.iter().map(area).sum();
+        let pieces = laid
+            .pattern
+            .pieces
+            .iter()
+            .filter(|piece| piece.id != "binding");
+        let cut: f64 = pieces
+            .map(|piece| {
+                let area = piece.unfolded().stitching_polygon(1.0e-3).signed_area();
+                area * f64::from(piece.cut.pieces())
+            })
+            .sum();
+        let share = meshed / cut;
+        assert!((0.97..1.003).contains(&share), "{template}: {share}");
+    }
+}
+
+#[test]
+fn every_particle_is_laid_outside_of_the_skin_at_a_place() {
+    let dancer = woman();
+    for template in ALL {
+        let laid = laid(template, &dancer);
+        assert_eq!(laid.places.len(), laid.mesh.flat.len());
+        assert!(
+            laid.places.iter().all(|place| place.is_finite()),
+            "{template}"
+        );
+        let form = form::Form::new(&dancer, &fit::fitting_pose(), 0.12);
+        let mut pushed = laid.places.clone();
+        form.push_out(&mut pushed, 0.002);
+        let moved = pushed
+            .iter()
+            .zip(&laid.places)
+            .filter(|(a, b)| 1.0e-4 < a.distance(**b));
+        let share = moved.count() as f32 / pushed.len() as f32;
+        assert!(share < 0.01, "{template}: {share}");
+    }
+}
+
+#[test]
+fn both_sides_of_a_gathered_seam_are_sewn_from_end_to_end() {
+    let dancer = woman();
+    let laid = laid("muumuu", &dancer);
+    // The ruffle is one and a half times as long as the hem: two of its points to one of the hem's.
+    let ruffle = laid
+        .pattern
+        .pieces
+        .iter()
+        .position(|piece| piece.id == "ruffle")
+        .unwrap();
+    let is_ruffle = |particle: u32| {
+        let panel = laid.mesh.panel_of[particle as usize];
+        panel + 2 >= laid.is_on_arm.len() && 0 < ruffle
+    };
+    let puckers = laid
+        .mesh
+        .puckers
+        .iter()
+        .filter(|pucker| is_ruffle(pucker.0))
+        .count();
+    assert!(40 < puckers, "{puckers}");
+}
+
+#[test]
+fn what_is_sewn_stays_sewn_and_the_same_dressing_gives_the_same_bits() {
+    let dancer = woman();
+    let blouse = put_on("blouse", &dancer);
+    let again = put_on("blouse", &dancer);
+    assert_eq!(blouse.state().hash(), again.state().hash());
+    let mut sewn = 0;
+    for (particle, &group) in blouse.welded.iter().enumerate() {
+        if group as usize != particle {
+            let apart = blouse.start[particle].distance(blouse.start[group as usize]);
+            assert!(apart < 0.006, "{apart} m");
+            sewn += 1;
+        }
+    }
+    assert!(200 < sewn, "{sewn}");
+    // It hangs on the shoulders: no lower than its hem was drafted, no higher than the neck.
+    let heights = blouse.start.iter().map(|place| place.y);
+    let [low, high] = heights.fold([9.0_f32, 0.0], |[low, high], y| [low.min(y), high.max(y)]);
+    let waist = dancer.landmarks.waist_height;
+    assert!((waist - 0.24..waist - 0.08).contains(&low), "{low}");
+    assert!(waist + 0.3 < high, "{high}");
+}
+
+#[test]
+fn what_nobody_wears_is_refused_by_name() {
+    let dancer = woman();
+    let measures = crate::measures(&dancer);
+    let worn = worn("lei");
+    let pattern = worn.pattern(&measures).unwrap();
+    let refused = garment::lay((worn.template.id, pattern), (&dancer, &measures));
+    let error = refused.err().unwrap();
+    assert!(error.to_string().contains("lei") && error.japanese().contains("lei"));
+}

@@ -1,0 +1,79 @@
+//! One cloth that is wrapped and tied: rules that say where its points lie.
+
+use glam::{DVec2, Vec3};
+use lole_pattern::{Measures, Pattern};
+
+use super::bodice::narrow;
+use super::form::Form;
+
+/// A rule for one rectangle.
+pub(super) struct Wrap {
+    /// Where a point of the cloth lies before it comes to rest [m].
+    pub(super) place: fn(&Cloth<'_>, DVec2) -> Option<Vec3>,
+    /// Points of the cloth that are knotted to each other.
+    pub(super) knots: fn(&Cloth<'_>) -> Vec<[DVec2; 2]>,
+    /// Whether a point is tied or tucked so firmly that it goes with the skin; the last number is the
+    /// distance of particles [m].
+    pub(super) is_pinned: fn(&Cloth<'_>, DVec2, f64) -> bool,
+}
+
+/// A rectangle and whom it is wrapped around. `x` runs along it from 0, `y` up from 0.
+pub(super) struct Cloth<'a> {
+    pub(super) form: &'a Form<'a>,
+    pub(super) measures: &'a Measures,
+    /// Length and height [m].
+    pub(super) size: DVec2,
+}
+
+impl<'a> Cloth<'a> {
+    pub(super) fn new(form: &'a Form<'a>, (pattern, measures): (&Pattern, &'a Measures)) -> Self {
+        let drawn = pattern
+            .pieces
+            .first()
+            .map(|piece| piece.stitching_polygon(1.0e-3));
+        let size = drawn.map_or(DVec2::ZERO, |polygon| {
+            let bounds = polygon.bounds();
+            DVec2::new(bounds.width(), bounds.height())
+        });
+        Self {
+            form,
+            measures,
+            size,
+        }
+    }
+
+    /// Height of the armpits above the floor [m].
+    pub(super) fn armpit(&self) -> f32 {
+        self.measures.armpit_height.to_m_f32()
+    }
+
+    /// Widest girth that is wrapped [m].
+    pub(super) fn widest(&self) -> f64 {
+        self.measures
+            .bust_girth
+            .to_m()
+            .max(self.measures.hip_girth.to_m())
+    }
+
+    /// A place around the trunk, from the middle of the back over her left, with cloth that hangs around
+    /// `widest` [m] and further `gap` [m] out.
+    pub(super) fn around(&self, height: f32, turn: f32, gap: f32) -> Option<Vec3> {
+        let (place, outward) = self.form.around_trunk(height, turn)?;
+        let room = narrow(self.widest()) - self.form.girth(height);
+        Some(place + outward * (gap + room.max(0.0) / std::f32::consts::TAU))
+    }
+}
+
+/// A point at a share of the length of a way.
+pub(super) fn along(way: &[Vec3], share: f32) -> Vec3 {
+    let lengths = way.windows(2).map(|pair| pair[0].distance(pair[1]));
+    let total: f32 = lengths.clone().sum();
+    let mut left = share.clamp(0.0, 1.0) * total;
+    for (pair, length) in way.windows(2).zip(lengths) {
+        if left <= length {
+            return pair[0].lerp(pair[1], left / length.max(1.0e-6));
+        }
+        left -= length;
+    }
+    way.last().copied().unwrap_or(Vec3::ZERO)
+}

@@ -1,0 +1,146 @@
+//! Garments of the templates on stage: meshes beside the grids of skirts and tops.
+//!
+//! What is worn under the skirt moves first and meets the skin; skirts lie over its outline. What is worn
+//! over it moves last and meets the outline of the skirts. So every garment leads those outside of it.
+
+use glam::Vec3;
+use lole_cloth::collision::layer::{Envelope, Trunk};
+use lole_costume::document::GarmentLayer;
+use lole_costume::dress::{DressedState, World};
+use lole_geom::Surfel;
+
+use super::order::GAP;
+use super::{FRAME_SECONDS, Performance};
+use crate::production::{DressedGarment, Garment};
+use crate::skin_check::{self, SkinCheck};
+use crate::solver::CONTACT_OFFSET;
+use lole_cloth::diagnose::StrainSummary;
+
+/// Share of its velocity that cloth keeps from frame to frame until the dance begins.
+const SETTLING: f32 = 0.9;
+
+/// The moving part of a dressed garment.
+#[derive(Clone)]
+pub(super) struct Dressed {
+    state: DressedState,
+    positions: Vec<Vec3>,
+    /// What lies inside of it, looked at anew in every frame.
+    envelope: Envelope,
+    surfels: Vec<Surfel>,
+    /// Whether it has flown away: it stays where it was.
+    is_lost: bool,
+}
+
+/// What a dressed garment meets in a frame.
+pub(super) struct Around<'a> {
+    pub(super) trunk: Trunk,
+    /// Vertices of the skin and their normals.
+    pub(super) body: (&'a [Vec3], &'a [Vec3]),
+    /// The skin, arms and all.
+    pub(super) skin: &'a [Surfel],
+    pub(super) air_velocity: Vec3,
+    pub(super) is_settling: bool,
+}
+
+impl Dressed {
+    pub(super) fn new(garment: &DressedGarment) -> Self {
+        Self {
+            state: garment.dressed.state(),
+            positions: garment.dressed.start.clone(),
+            envelope: Envelope::default(),
+            surfels: Vec::new(),
+            is_lost: false,
+        }
+    }
+
+    /// Moves it on by a frame over what is worn inside of it: triangles and where they are.
+    pub(super) fn step<'a>(
+        &mut self,
+        garment: &DressedGarment,
+        around: &Around<'_>,
+        inside: impl Iterator<Item = (&'a [[u32; 3]], &'a [Vec3])>,
+    ) {
+        self.surfels.clear();
+        self.surfels.extend_from_slice(around.skin);
+        if garment.layer == GarmentLayer::Over {
+            self.envelope.begin(around.trunk);
+            for (triangles, positions) in inside {
+                self.envelope.put_on(triangles, positions);
+            }
+            let inset = CONTACT_OFFSET - GAP;
+            self.envelope.add_surfels(inset, &mut self.surfels);
+        }
+        let world = World {
+            skin: around.body,
+            surfels: &self.surfels,
+            air_velocity: around.air_velocity,
+        };
+        let moved = self.state.step(&garment.dressed, &world, FRAME_SECONDS);
+        self.is_lost |= moved.is_err();
+        if around.is_settling {
+            self.state.scale_velocities(&garment.dressed, SETTLING);
+        }
+        self.state
+            .copy_positions(&garment.dressed, &mut self.positions);
+    }
+
+    pub(super) fn positions(&self) -> &[Vec3] {
+        &self.positions
+    }
+
+    pub(super) const fn is_lost(&self) -> bool {
+        self.is_lost
+    }
+
+    pub(super) fn hash(&self) -> u64 {
+        self.state.hash()
+    }
+
+    /// How much the cloth is stretched, and how much of it is in the skin.
+    pub(super) fn measure(
+        &self,
+        garment: &DressedGarment,
+        body: skin_check::Surface<'_>,
+    ) -> (StrainSummary, SkinCheck) {
+        let cloth = skin_check::Surface {
+            positions: &self.positions,
+            normals: &[],
+            triangles: &garment.dressed.triangles,
+        };
+        let strain = garment.dressed.strain(&self.positions);
+        (strain, skin_check::check(body, cloth))
+    }
+}
+
+/// Triangles and places of skirts and tops.
+pub(super) fn grids<'a>(
+    garments: &'a [Garment],
+    positions: &'a [Vec3],
+) -> impl Iterator<Item = (&'a [[u32; 3]], &'a [Vec3])> {
+    garments
+        .iter()
+        .filter(|garment| garment.is_worn)
+        .map(|garment| {
+            let own = &positions[garment.particles.clone()];
+            (&garment.mesh.particle_triangles[..], own)
+        })
+}
+
+impl Performance {
+    /// Vertices of a dressed garment as it is drawn [m], by its place among those of the production, and
+    /// their outward normals.
+    #[must_use]
+    pub fn dressed_vertices(&self, place: usize) -> [Vec<Vec3>; 2] {
+        let garment = &self.production.dressed[place].dressed;
+        let drawn = garment.drawn(self.dressed[place].positions());
+        let normals = garment.normals(&drawn);
+        [drawn, normals]
+    }
+
+    /// How much a dressed garment is stretched in the current frame, and how much of it is in the drawn
+    /// skin; call [`Self::pose_body`] first.
+    #[must_use]
+    pub fn measure_dressed(&self, place: usize) -> (StrainSummary, SkinCheck) {
+        self.dressed[place].measure(&self.production.dressed[place], self.body_surface())
+    }
+}
