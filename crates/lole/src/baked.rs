@@ -1,5 +1,7 @@
 //! `dancer.glb`: the recorded run as a file for other programs.
 
+mod adornment;
+
 use anyhow::Result;
 use glam::Vec3;
 use lole_avatar::License;
@@ -29,6 +31,8 @@ pub(crate) struct Keys {
     pub(crate) poses: Vec<Pose>,
     /// By garment, then by time.
     pub(crate) cloths: Vec<Vec<Vec<Vec3>>>,
+    /// Surfaces of adornments that strands carry, by surface, then by time.
+    pub(crate) strands: Vec<Vec<Vec<Vec3>>>,
 }
 
 impl Keys {
@@ -40,6 +44,15 @@ impl Keys {
         self.cloths.resize_with(garments.len(), Vec::new);
         for (frames, garment) in self.cloths.iter_mut().zip(garments) {
             frames.push(performance.garment_positions(garment).to_vec());
+        }
+        let posed = performance.posed_adornments().into_iter();
+        let surfaces = performance.production().adornments.iter();
+        let posed = posed.zip(surfaces.flat_map(|one| &one.surfaces));
+        let moving = posed.filter(|(_, surface)| adornment::is_baked(surface));
+        let moving: Vec<Vec<Vec3>> = moving.map(|([positions, _], _)| positions).collect();
+        self.strands.resize_with(moving.len(), Vec::new);
+        for (frames, positions) in self.strands.iter_mut().zip(moving) {
+            frames.push(positions);
         }
     }
 }
@@ -90,6 +103,7 @@ fn skinned<'a>(dancer: &'a Dancer, parts: &'a [MeshPart<'a>]) -> SkinnedMesh<'a>
         positions: &skin.positions,
         normals: &skin.normals,
         uvs: &skin.uvs,
+        colors: &[],
         joints: &skin.joints,
         weights: &skin.weights,
         parts,
@@ -128,17 +142,24 @@ pub(crate) fn dancer_glb(
         .collect::<Result<Vec<_>>>()?;
     let pictures = BodyPictures::of(&production.dancer)?;
     let parts = pictures.parts(&production.dancer);
-    let bodies = [skinned(&production.dancer, &parts)];
+    let adorned = adornment::Worn::of(&production.adornments);
+    let ridden = adorned.ridden();
+    let mut bodies = Vec::new();
+    if !leaves_body_out(performance) {
+        bodies.push(skinned(&production.dancer, &parts));
+    }
+    bodies.extend(adorned.skinned(&ridden));
     let worn = production.garments.iter().zip(studio.prints());
     let meshes: Vec<GridMesh> = worn
         .map(|(garment, print)| grid_mesh(garment, print))
         .collect();
     let worn = production.garments.iter().zip(&meshes);
     let baked = worn.zip(prints_png.iter().zip(&keys.cloths));
-    let cloths: Vec<BakedCloth<'_>> = baked
+    let mut cloths: Vec<BakedCloth<'_>> = baked
         .map(|((garment, mesh), (png, frames))| BakedCloth {
             name: &garment.name,
             mesh,
+            colors: &[],
             material: GlbMaterial {
                 name: "print",
                 base_color: [1.0; 3],
@@ -150,15 +171,12 @@ pub(crate) fn dancer_glb(
             frames,
         })
         .collect();
+    cloths.extend(adorned.baked(&keys.times, &keys.strands));
     Ok(write_glb(&GlbScene {
         skeleton: &production.dancer.skeleton,
         pose_times: &keys.times,
         poses: &keys.poses,
-        skinned: if leaves_body_out(performance) {
-            &[]
-        } else {
-            &bodies
-        },
+        skinned: &bodies,
         cloths: &cloths,
     })?)
 }

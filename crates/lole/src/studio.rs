@@ -90,8 +90,10 @@ impl Studio {
                 colors: &[],
             })
             .collect();
+        let adornments = performance.posed_adornments();
         let figure = Figure {
             cloths: &cloths,
+            adornments: &adornments,
             body_positions: performance.body_positions(),
             body_normals: performance.body_normals(),
         };

@@ -120,6 +120,8 @@ pub struct DancerDesign {
 /// The pāʻū skirt and how finely it is computed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SkirtDesign {
+    /// Whether it is worn; a skirt of strands or a dress may be worn instead.
+    pub is_worn: bool,
     /// Height of the hem above the floor [cm].
     pub hem_height_cm: f64,
     /// Height of the lowest elastic row above the floor [cm]; the front hip bones when `None`.
@@ -149,6 +151,7 @@ pub struct SkirtDesign {
 impl Default for SkirtDesign {
     fn default() -> Self {
         Self {
+            is_worn: true,
             hem_height_cm: 22.0,
             worn_height_cm: None,
             gather_ratio: 4.0,

@@ -164,7 +164,7 @@ pub fn patterns_of(
             let cloth = Cloth::of(garment.fabric(), garment.print());
             add(&file_name(garment), name, pattern, cloth);
         }
-        if layer == GarmentLayer::Under {
+        if layer == GarmentLayer::Under && design.skirt.is_worn {
             let name = words("パウスカート", "pāʻū skirt");
             let drafted = draft_skirt(&design.skirt, &design.fabric, dancer);
             let drafted = drafted.map_err(|error| TailoringError {

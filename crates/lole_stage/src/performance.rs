@@ -1,5 +1,6 @@
 //! A performance: one dancer, what she wears, one dance, moved on frame by frame.
 
+mod adornment;
 mod forearms;
 mod order;
 mod worn;
@@ -12,6 +13,7 @@ use glam::{Affine3A, Vec3};
 use lole_body::{BodyCapsule, Pose};
 use lole_cloth::method::explicit::ExplicitConfig;
 use lole_cloth::method::reference::ReferenceModel;
+use lole_cloth::wind::Wind;
 use lole_cloth::{Crossings, InstructionSet, Phase, diagnose};
 use lole_costume::document::{BodyShapes, Design};
 use lole_geom::{Capsule, Surfel, mesh::vertex_normals};
@@ -19,6 +21,7 @@ use lole_geom::{Capsule, Surfel, mesh::vertex_normals};
 use crate::production::{Garment, Production};
 use crate::solver::{Observer, Solver, Surroundings};
 use crate::{FrameMetrics, StageError, skin_check};
+use adornment::{Adorned, Around};
 use order::Order;
 use worn::{Carrier, Worn};
 
@@ -80,6 +83,8 @@ pub struct Performance {
     production: Arc<Production>,
     /// In the order of the production's garments.
     worn: Vec<Worn>,
+    /// What moves of the production's adornments.
+    adorned: Adorned,
     order: Order,
     pose: Pose,
     world_from_bind: Vec<Affine3A>,
@@ -117,6 +122,7 @@ impl Performance {
             body_capsules: production.dancer.capsules.clone(),
             meets_skin: production.design.contact_body() == BodyShapes::Skin,
             crossings: Crossings::Repair,
+            adorned: Adorned::new(&production, &world_from_bind)?,
             production,
             order: Order::default(),
             worn,
@@ -217,7 +223,7 @@ impl Performance {
         let surroundings = Surroundings {
             pin_targets: &[],
             capsules: if self.meets_skin { &[] } else { &self.capsules },
-            surfels: &self.surfels,
+            surfels: if self.meets_skin { &self.surfels } else { &[] },
             crossings: self.crossings,
             time: self.time(),
         };
@@ -225,8 +231,27 @@ impl Performance {
         let worn = (&mut self.worn[..], &self.production.garments[..]);
         self.order.step(trunk, worn, &surroundings, observer);
         self.look();
+        self.step_adornments();
         self.settle();
         self.check_stage()
+    }
+
+    fn step_adornments(&mut self) {
+        if !self.adorned.has_strands() {
+            return;
+        }
+        let design = &self.production.design;
+        let wind = Wind {
+            amplitude: design.wind.speed_m_per_s,
+            law: design.wind.law,
+        };
+        let around = Around {
+            world_from_bind: &self.world_from_bind,
+            surfels: &self.surfels,
+            cloth: &self.cloth_positions,
+            air_velocity: wind.force(f64::from(self.time())).as_vec3(),
+        };
+        self.adorned.step(&self.production, &around);
     }
 
     /// Reads the positions of all garments.
@@ -261,14 +286,15 @@ impl Performance {
         self.production.dance.pose_at(self.time().max(0.0))
     }
 
-    fn pose_dancer(&mut self, pose: Pose) {
+    fn pose_dancer(&mut self, mut pose: Pose) {
+        adornment::grip(&self.production, &mut pose);
         self.pose = pose;
         self.world_from_bind = self.production.dancer.skeleton.world_from_bind(&self.pose);
         self.capsules = (self.body_capsules.iter())
             .map(|capsule| capsule.posed(&self.world_from_bind))
             .collect();
         self.surfels.clear();
-        if self.meets_skin {
+        if self.meets_skin || self.adorned.has_strands() {
             self.production.dancer.skin.pose(
                 &self.world_from_bind,
                 &mut self.body_positions,
@@ -354,6 +380,13 @@ impl Performance {
         &self.body_normals
     }
 
+    /// Vertices [m] and unit normals of every surface of every adornment of the production, in their
+    /// order.
+    #[must_use]
+    pub fn posed_adornments(&self) -> Vec<[Vec<Vec3>; 2]> {
+        self.adorned.posed(&self.production, &self.world_from_bind)
+    }
+
     /// The dancer's current pose.
     #[must_use]
     pub const fn pose(&self) -> &Pose {
@@ -398,9 +431,12 @@ impl Performance {
         order::inversions(&self.production.garments, &self.cloth_positions)
     }
 
-    /// Mean height of the skirt's hem above the floor [m].
-    fn hem_height(&self) -> f32 {
-        let skirt = self.production.skirt();
+    /// Mean height above the floor [m] of the skirt's hem, or of the ends of one of strands; 0 where
+    /// neither is worn.
+    pub(crate) fn hem_height(&self) -> f32 {
+        let Some(skirt) = self.production.skirt() else {
+            return self.adorned.hem_height(&self.production).unwrap_or(0.0);
+        };
         let positions = self.garment_positions(skirt);
         let columns = skirt.sewn.spec.grid.column_count as usize;
         let hem = &positions[positions.len() - columns..];
@@ -451,14 +487,16 @@ impl Performance {
         })
     }
 
-    /// All bits of the cloth's state as one number: that of the only garment, or one of them all.
+    /// All bits of the state of cloth and strands as one number: that of the only garment, or one of them
+    /// all.
     #[must_use]
     pub fn state_hash(&self) -> u64 {
         /// Of the hash `FNV-1a` for 64 bits (Fowler, Noll and Vo).
         const PRIME: u64 = 0x0000_0100_0000_01b3;
         let mut hashes = self.worn.iter().map(|worn| worn.solver.state_hash());
         let first = hashes.next().unwrap_or(0);
-        hashes.fold(first, |all, next| all.wrapping_mul(PRIME) ^ next)
+        self.adorned
+            .hashed(hashes.fold(first, |all, next| all.wrapping_mul(PRIME) ^ next))
     }
 
     /// Springs of the prepared cloth.

@@ -6,6 +6,7 @@ use glam::Affine3A;
 use lole_avatar::{Avatar, License};
 use lole_body::{Bone, CapsuleLayout, Dancer, Measurements, Pose, SkinSurfels};
 use lole_cloth::Fabric;
+use lole_costume::adorn::{self, Adornment};
 use lole_costume::document::{
     Design, FabricDesign, GarmentDesign, GarmentLayer, SkirtDesign, WornTop,
 };
@@ -35,14 +36,16 @@ pub struct Production {
     pub dance: Danced,
     /// What she wears, from the skin outward; particles are numbered through all of it.
     pub garments: Vec<Garment>,
+    /// What she wears or holds beside the cloth.
+    pub adornments: Vec<Adornment>,
     /// Triangles of the closed body surface.
     pub body_triangles: Vec<[u32; 3]>,
     /// The body surface as cloth meets it that meets the skin.
     pub body_surfels: SkinSurfels,
     /// Which of them are on the forearms.
     pub(crate) forearms: Forearms,
-    /// Place of the design's skirt among the garments.
-    skirt: usize,
+    /// Place of the design's skirt among the garments; `None` where it is not worn.
+    skirt: Option<usize>,
 }
 
 /// One garment, from paper to particles.
@@ -74,7 +77,8 @@ impl Production {
     /// # Errors
     /// A design whose parts do not fit together.
     pub fn new(design: &Design) -> Result<Self, StageError> {
-        let (dancer, license) = dancer(design)?;
+        let (mut dancer, license) = dancer(design)?;
+        (dancer.skin.parts).retain(|part| !adorn::replaces_part(design, part.kind));
         let dance = Danced::new(design, &dancer.skeleton)?;
         let body_triangles = dancer.skin.body_triangles();
         let mut wardrobe = Wardrobe {
@@ -87,11 +91,19 @@ impl Production {
             garments: Vec::new(),
         };
         wardrobe.put_on_layer(design, GarmentLayer::Under)?;
-        let skirt = wardrobe.garments.len();
-        let cut = (&design.skirt, &design.fabric);
-        wardrobe.put_on_skirt((tailoring::SKIRT, 0.0), cut)?;
+        let skirt = (design.skirt.is_worn).then_some(wardrobe.garments.len());
+        if design.skirt.is_worn {
+            let cut = (&design.skirt, &design.fabric);
+            wardrobe.put_on_skirt((tailoring::SKIRT, 0.0), cut)?;
+        }
         wardrobe.put_on_layer(design, GarmentLayer::Over)?;
-        let mut garments = wardrobe.garments;
+        let (mut garments, stance) = (wardrobe.garments, wardrobe.stance);
+        let adornments = adorn::adorn(design, &dancer, &stance).map_err(|(place, error)| {
+            StageError::Garment {
+                place: place + 1,
+                error: Box::new(error.into()),
+            }
+        })?;
         link_chains(&mut garments);
         let body_surfels =
             SkinSurfels::new(&dancer.skin.positions, &body_triangles, SURFEL_SPACING);
@@ -99,6 +111,7 @@ impl Production {
             design: design.clone(),
             dance,
             garments,
+            adornments,
             forearms: Forearms::new(&dancer, &body_surfels),
             body_surfels,
             body_triangles,
@@ -108,10 +121,10 @@ impl Production {
         })
     }
 
-    /// The skirt that the design is about, among what is worn with it.
+    /// The skirt that the design is about, among what is worn with it; `None` where it is not worn.
     #[must_use]
-    pub fn skirt(&self) -> &Garment {
-        &self.garments[self.skirt]
+    pub fn skirt(&self) -> Option<&Garment> {
+        self.garments.get(self.skirt?)
     }
 
     /// Particles of all garments.
@@ -187,7 +200,7 @@ impl Wardrobe<'_> {
                     self.put_on_skirt((&name, FOLD_COLUMNS), cut)
                 }
                 GarmentDesign::PauTop(worn) => self.put_on_top(worn),
-                // It is drafted and not danced: `Design::not_danced` says so.
+                // It is an adornment, or drafted and not danced: `Design::not_danced` says so.
                 GarmentDesign::Template(_) => Ok(()),
             };
             put_on.map_err(|error| StageError::Garment {

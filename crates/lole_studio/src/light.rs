@@ -94,6 +94,7 @@ fn work(jobs: &Receiver<Job>, results: &Mutex<Option<(u64, AmbientLight)>>, free
         let cloths = snapshot.draped(&[]);
         let figure = Figure {
             cloths: &cloths,
+            adornments: &snapshot.adornments,
             body_positions: &snapshot.body[0],
             body_normals: &snapshot.body[1],
         };

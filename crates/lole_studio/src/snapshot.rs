@@ -75,6 +75,8 @@ pub struct Snapshot {
     pub particles: Vec<Vec3>,
     /// The garments as they are drawn: positions and normals, the seam's column twice.
     pub cloths: Vec<[Vec<Vec3>; 2]>,
+    /// The surfaces of the adornments as they are drawn: positions and normals.
+    pub adornments: Vec<[Vec<Vec3>; 2]>,
     /// The body as it is drawn: positions and normals.
     pub body: [Vec<Vec3>; 2],
     /// What the cloth meets.

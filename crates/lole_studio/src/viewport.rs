@@ -343,6 +343,7 @@ impl Viewport {
         let cloths = snapshot.draped(&colors);
         let figure = Figure {
             cloths: &cloths,
+            adornments: &snapshot.adornments,
             body_positions: &snapshot.body[0],
             body_normals: &snapshot.body[1],
         };

@@ -258,7 +258,7 @@ impl Design {
                 .map(move |(_, garment)| part(garment))
         };
         layer(GarmentLayer::Under)
-            .chain([skirt])
+            .chain(self.skirt.is_worn.then_some(skirt))
             .chain(layer(GarmentLayer::Over))
     }
 

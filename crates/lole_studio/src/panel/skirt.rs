@@ -20,7 +20,8 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
         studio.change_later(|design| design.skirt.hem_height_cm = height);
     }
     let snapshot = studio.snapshot.clone();
-    let garment = snapshot.as_ref().map(|now| now.wardrobe.production.skirt());
+    let garment = snapshot.as_ref();
+    let garment = garment.and_then(|now| now.wardrobe.production.skirt());
     paper_ui(ui, studio, garment);
     hindrance::show(ui, studio, &["[skirt]", "[print]"]);
     if let Some(print) = print_ui(ui, studio, PLACE, &studio.design().print) {

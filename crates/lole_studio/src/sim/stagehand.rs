@@ -384,6 +384,7 @@ fn photograph(show: &Show, clothes: &Arc<Wardrobe>, watch: Watch) -> Snapshot {
         time: show.time(),
         particles,
         cloths,
+        adornments: show.posed_adornments(),
         body: [body_positions, body_normals],
         capsules: show.capsules().to_vec(),
         bones: show.bones(),

@@ -220,8 +220,24 @@ const DANCER: Table = Table {
 const SKIRT: Table = Table {
     name: "skirt",
     about: words("パウスカート", "the pāʻū skirt"),
-    keys: skirt_keys!(),
+    keys: skirt_keys!(Key {
+        name: "worn",
+        about: words(
+            "着るか（yes）、代わりに別のスカートや服だけを着るか（no）",
+            "yes, or no where another skirt or a dress is worn instead",
+        ),
+        kind: Kind::Name {
+            what: words("答え", "yes or no"),
+            choices: || vec![YES, NO],
+            get: |design| if design.skirt.is_worn { YES } else { NO },
+            set: |design, name| design.skirt.is_worn = name != NO,
+        },
+    }),
 };
+
+/// Whether the skirt is worn.
+const YES: &str = "yes";
+const NO: &str = "no";
 
 const FABRIC: Table = Table {
     name: "fabric",
