@@ -122,7 +122,7 @@ fn shoot(
         .filter(|place| low * crown < place.y && place.y < high * crown)
         .filter(|place| part == "all" || place.x.abs() < 0.3)
         .collect();
-    let camera = Camera::framing_points(&framed, view, renderer.size().aspect());
+    let camera = Camera::framing_points(&framed, view, 480.0 / 640.0);
     let lights = LightRig::seen_from(&camera);
     let scene = looks.scene(production, &figure, camera, lights);
     Ok(renderer.render(&scene)?.pixels)
