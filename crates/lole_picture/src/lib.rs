@@ -200,8 +200,8 @@ fn finish_material(finish: Finish) -> Material {
             ..thin
         },
         Finish::Film => Material {
-            roughness: 0.14,
-            specular: 0.14,
+            roughness: 0.20,
+            specular: 0.20,
             translucency: 0.35,
             wrap: 0.10,
             ..thin

@@ -122,7 +122,7 @@ impl Performance {
             body_capsules: production.dancer.capsules.clone(),
             meets_skin: production.design.contact_body() == BodyShapes::Skin,
             crossings: Crossings::Repair,
-            adorned: Adorned::new(&production, &world_from_bind)?,
+            adorned: Adorned::default(),
             production,
             order: Order::default(),
             worn,
@@ -137,6 +137,11 @@ impl Performance {
             frame: -i64::from(SETTLE_FRAMES),
         };
         performance.look();
+        performance.adorned = Adorned::new(
+            &performance.production,
+            &performance.world_from_bind,
+            &performance.cloth_positions,
+        )?;
         let pose = performance.pose_of_dance();
         performance.pose_dancer(pose);
         Ok(performance)
@@ -385,6 +390,11 @@ impl Performance {
     #[must_use]
     pub fn posed_adornments(&self) -> Vec<[Vec<Vec3>; 2]> {
         self.adorned.posed(&self.production, &self.world_from_bind)
+    }
+
+    /// Particles [m] of the strands of each adornment that has some, one strand after the other.
+    pub fn strand_positions(&self) -> impl Iterator<Item = &[Vec3]> {
+        self.adorned.positions()
     }
 
     /// The dancer's current pose.

@@ -22,8 +22,8 @@ fn whorl(petal: &Shape, count: usize, turn: f32) -> Shape {
 pub(super) fn plumeria(radius: f32, flower: Vec3, heart: Vec3) -> Shape {
     let petal = Petal {
         length: radius,
-        width: 0.92 * radius,
-        cup: 0.30,
+        width: 1.18 * radius,
+        cup: 0.50,
         lean: 0.35,
         ruffle: 0.0,
         colors: [heart, flower.lerp(heart, 0.18), flower],

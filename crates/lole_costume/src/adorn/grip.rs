@@ -11,6 +11,9 @@ pub struct Grip {
     pub side: Side,
     /// Thickness of what it holds [m].
     pub thickness: f32,
+    /// Where the thumb's side of the fist is turned, in the world, as far as a forearm turns; the dance has
+    /// it where this is `None`.
+    pub facing: Option<Vec3>,
     /// Where upper arm and forearm point while it is held at the side of the body, in the directions
     /// of the chest; the dance has the arm where this is `None`.
     pub arm: Option<[Vec3; 2]>,
@@ -170,7 +173,46 @@ impl Grip {
             }
         }
         close_thumb(skeleton, arm, frame, share, pose);
+        if let Some(facing) = self.facing {
+            turn_fist(skeleton, arm, facing, pose);
+        }
     }
+}
+
+/// Farthest that forearm and wrist turn about themselves [rad].
+const MOST_TURN: f32 = 2.3;
+
+/// Turns forearm and hand about themselves until the thumb's side looks in a direction of the world.
+fn turn_fist(skeleton: &Skeleton, arm: &Arm, facing: Vec3, pose: &mut Pose) {
+    let joint = |bone: Bone| skeleton.joint(bone);
+    let frame = hand_frame(skeleton, arm);
+    let to_thumb = joint(arm.fingers[0][0]) - joint(arm.fingers[3][0]);
+    let lower = turned(pose, arm.lower);
+    let hand = lower * pose.rotation(arm.hand);
+    let along = (hand * frame.x_axis).normalize_or(Vec3::X);
+    let square = |v: Vec3| v - along * v.dot(along);
+    let (from, to) = (square(hand * to_thumb), square(facing));
+    let turn = trig::atan2(from.cross(to).dot(along), from.dot(to));
+    // Where it looks nearly along the arm, no turn brings it nearer.
+    let worth = (to.length() / 0.4).min(1.0);
+    let turn = turn.clamp(-MOST_TURN, MOST_TURN) * worth;
+    let fore = (lower * (joint(arm.hand) - joint(arm.lower))).normalize_or(along);
+    let lower_after = Quat::from_axis_angle(fore, 0.55 * turn) * lower;
+    let hand_after = Quat::from_axis_angle(along, turn) * hand;
+    let upper = turned(pose, arm.upper);
+    pose.rotate(arm.lower, upper.inverse() * lower_after);
+    pose.rotate(arm.hand, lower_after.inverse() * hand_after);
+}
+
+/// How a bone of a pose is turned in the world.
+fn turned(pose: &Pose, bone: Bone) -> Quat {
+    let mut turn = pose.rotation(bone);
+    let mut above = bone.parent();
+    while let Some(bone) = above {
+        turn = pose.rotation(bone) * turn;
+        above = bone.parent();
+    }
+    turn
 }
 
 /// Lays the thumb over the fingers.

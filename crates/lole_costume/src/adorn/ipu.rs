@@ -38,6 +38,7 @@ pub(super) fn make(worn: &WornTemplate, wearer: &Wearer<'_>) -> Result<Made, Dra
     let grip = Grip {
         side,
         thickness: 2.0 * neck.x,
+        facing: None,
         arm: Some([UPPER_ARM, FOREARM]),
     };
     // Upright in the world while the arm is held: the hand turns as the grip turns it.

@@ -15,7 +15,7 @@ use crate::document::WornTemplate;
 /// Where the band of a wrist lies, from elbow to wrist.
 const WRIST: f32 = 0.93;
 /// Leaf of the mean woman's band [m], and radius of its base.
-const LEAF: [f32; 2] = [0.050, 0.016];
+const LEAF: [f32; 2] = [0.036, 0.014];
 const BASE: f32 = 0.005;
 const SKIN: &[PartKind] = &[PartKind::Skin, PartKind::Leotard];
 

@@ -22,7 +22,7 @@ const OPEN: f64 = 1.0;
 /// Distance of particles [m].
 const SPACING: f32 = 0.016;
 /// Radius of a plumeria, and how far the string keeps from skin [m]: petals give.
-const FLOWER: f32 = 0.026;
+const FLOWER: f32 = 0.028;
 const FLOWER_OFFSET: f32 = 0.011;
 /// The same of leaves twisted on a vine.
 const LEAF: [f32; 2] = [0.052, 0.019];
@@ -58,13 +58,15 @@ impl Neck {
         let neck = dancer.skeleton.joint(Bone::Neck);
         let arm = dancer.skeleton.joint(Bone::LeftUpperArm);
         let x = BESIDE_NECK * arm.x;
+        let root = wearer.measures.neck_height.to_m_f32();
         let on_shoulder = |side: f32| {
+            // Jaw and ears are above it.
             let height = vertices(dancer, TRUNK)
                 .filter(|v| (v.x - side * x).abs() < 0.016 && (v.z - neck.z).abs() < 0.025)
-                .filter(|v| (v.y - neck.y).abs() < 0.12)
+                .filter(|v| root - 0.08 < v.y && v.y < root + 0.012)
                 .map(|v| v.y)
                 .fold(f32::NEG_INFINITY, f32::max);
-            let height = if height.is_finite() { height } else { neck.y };
+            let height = if height.is_finite() { height } else { root };
             Self::rider(wearer, Vec3::new(side * x, height + offset, neck.z))
         };
         let behind = vertices(dancer, TRUNK)

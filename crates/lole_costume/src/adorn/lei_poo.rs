@@ -13,12 +13,12 @@ use super::{Finish, Made, Wearer, flower};
 use crate::document::WornTemplate;
 
 /// Where it lies on the forehead, from the head's joint to the crown.
-const FOREHEAD: f32 = 0.66;
+const FOREHEAD: f32 = 0.72;
 /// How far it is lower behind, over its depth: it rests on the back of the head.
 const FALL: f32 = 0.16;
 /// Fern and flower of the mean woman's wreath [m].
-const LEAF: [f32; 2] = [0.062, 0.020];
-const FLOWER: f32 = 0.019;
+const LEAF: [f32; 2] = [0.052, 0.019];
+const FLOWER: f32 = 0.024;
 /// Radius of the base [m].
 const BASE: f32 = 0.006;
 /// Farthest that hair reaches from the middle of the head [m]: what is knotted behind lies farther out.

@@ -47,6 +47,7 @@ pub(super) fn make(worn: &WornTemplate, wearer: &Wearer<'_>) -> Result<Made, Dra
         made.grips.push(Grip {
             side,
             thickness,
+            facing: None,
             arm: None,
         });
     }

@@ -26,7 +26,7 @@ const PARTICLES: usize = 10;
 const BAND_POINTS: usize = 96;
 /// Gap between skin and the innermost layer, and from layer to layer [m].
 const SKIN_GAP: f32 = 0.005;
-const LAYER_GAP: f32 = 0.004;
+const LAYER_GAP: f32 = 0.0022;
 /// Slope with which strands are let down, out over down: outside of hips and thighs.
 const FLARE: f32 = 0.85;
 
@@ -97,19 +97,22 @@ pub(super) fn ti_leaf(worn: &WornTemplate, wearer: &Wearer<'_>) -> Result<Made, 
     let leaf = chosen.leaf();
     let mut made = hang(wearer, &hung, &stuff, |on, (one, strand), spacing| {
         let length = spacing * real(PARTICLES - 1);
-        let light = 1.0 + 0.20 * chance(one, 91);
-        let color = leaf * Vec3::new(light * (1.0 + 0.12 * chance(one, 92)), light, light);
-        let ends = 1.0 + 0.07 * chance(one, 93);
+        // Both halves of a leaf are alike; leaves differ.
+        let whole_leaf = one / 2;
+        let light = 1.0 + 0.38 * chance(whole_leaf, 91);
+        let ripe = 1.0 + 0.35 * chance(whole_leaf, 92);
+        let color = leaf * Vec3::new(light * ripe, light, light * (1.4 - 0.4 * ripe));
+        let ends = 1.0 + 0.10 * chance(whole_leaf, 96) + 0.05 * chance(one, 93);
         // One half has its rib on the left, the other on the right.
         let rib = if one.is_multiple_of(2) { 1.0 } else { -1.0 };
         let width = stuff.width * (1.0 + 0.15 * chance(one, 94));
-        let twist = 0.35 * chance(one, 95);
+        let twist = 0.75 * chance(one, 95);
         let half = Shape::sheet([14, 2], |along, across| {
             // The stem is whole for a sixth of the length, then the blade widens.
             let blade = half_width((0.10 + 0.90 * along).min(1.0)).max(0.10);
             let side = rib * (across - if rib < 0.0 { 1.0 } else { 0.0 });
             let (sin, cos) = trig::sin_cos(twist * along);
-            let (x, y) = (width * blade * side, 0.006 * trig::sin(3.0 * across) * blade);
+            let (x, y) = (width * blade * side, 0.009 * trig::sin(3.0 * across) * blade);
             let place = Vec3::new(x * cos - y * sin, y * cos + x * sin, length * along * ends);
             let shade = 0.72 + 0.30 * along + 0.12 * (1.0 - side.abs());
             let dry = Vec3::new(1.25, 1.05, 0.7).lerp(Vec3::ONE, (6.0 * (1.0 - along)).min(1.0));
@@ -142,8 +145,8 @@ pub(super) fn raffia(worn: &WornTemplate, wearer: &Wearer<'_>) -> Result<Made, D
     let mut made = hang(wearer, &hung, &stuff, |on, (one, strand), spacing| {
         let length = spacing * real(PARTICLES - 1);
         // Each is folded: two halves, torn into fibers.
-        for fiber in 0..5 {
-            let number = 5 * one + fiber;
+        for fiber in 0..6 {
+            let number = 6 * one + fiber;
             let light = 1.0 + 0.22 * chance(number, 101);
             let color = straw * Vec3::new(light, light * (1.0 + 0.05 * chance(number, 102)), light);
             let ends = 1.0 + 0.06 * chance(number, 103);
@@ -152,10 +155,10 @@ pub(super) fn raffia(worn: &WornTemplate, wearer: &Wearer<'_>) -> Result<Made, D
             let width = stuff.width * (0.75 + 0.35 * chance(number, 108));
             let fan = Shape::sheet([11, 1], |along, across| {
                 let wave = curl * trig::sin(9.0 * along + phase) * along;
-                let open = 0.25 + 0.75 * along;
+                let open = 0.40 + 0.60 * along;
                 let side = across - 0.5;
                 let place = Vec3::new(
-                    0.011 * aside * open + width * side * (1.0 - 0.6 * along) + wave,
+                    0.017 * aside * open + width * side * (1.0 - 0.6 * along) + wave,
                     0.007 * out * open + 0.5 * wave + 0.15 * width * side * aside,
                     length * along * ends,
                 );
@@ -344,15 +347,15 @@ fn links(hung: &Hung, stuff: &Stuff, moved: usize) -> Vec<Link> {
 
 /// A band of cloth that hides the upper ends.
 fn band(wearer: &Wearer<'_>, hung: &Hung, stuff: &Stuff, color: Vec3) -> Surface {
-    let out = SKIN_GAP + LAYER_GAP * real(stuff.layers) + 0.003;
+    let out = SKIN_GAP + LAYER_GAP * real(stuff.layers);
     let rows = [1.0, 0.75, 0.25, 0.0].map(|share| {
         let height = hung.height - stuff.band * (1.0 - share);
         let bulge = if share == 0.0 || share == 1.0 { 0.7 } else { 1.0 };
         (height, out * bulge)
     });
     let (shape, carriers) = around(wearer, &rows, |across| {
-        let fold = 0.88 + 0.12 * trig::sin(TAU * 60.0 * across);
-        (color * fold, 1.0 + 0.10 * trig::sin(TAU * 60.0 * across))
+        let fold = trig::sin(TAU * 72.0 * across);
+        (color * (0.90 + 0.10 * fold), 1.0 + 0.06 * fold)
     });
     shape.ridden_by(Finish::Fiber, carriers)
 }
@@ -361,11 +364,11 @@ fn band(wearer: &Wearer<'_>, hung: &Hung, stuff: &Stuff, color: Vec3) -> Surface
 fn braid(wearer: &Wearer<'_>, hung: &Hung, color: Vec3) -> Surface {
     let out = SKIN_GAP + LAYER_GAP * 4.0;
     let rows = [
-        (hung.height + 0.004, out * 0.5),
-        (hung.height, out + 0.004),
-        (hung.height - 0.008, out + 0.007),
-        (hung.height - 0.016, out + 0.006),
-        (hung.height - 0.024, out),
+        (hung.height + 0.003, out * 0.6),
+        (hung.height, out),
+        (hung.height - 0.007, out + 0.003),
+        (hung.height - 0.014, out + 0.003),
+        (hung.height - 0.021, out - 0.001),
     ];
     let (shape, carriers) = around(wearer, &rows, |across| {
         let turn = trig::sin(TAU * 80.0 * across);

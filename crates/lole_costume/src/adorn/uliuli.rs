@@ -19,8 +19,11 @@ const HALF_PALM: f32 = 0.014;
 const HANDLE: f32 = 0.026;
 const FIST: f32 = 0.095;
 /// Length of a feather over the disc's radius, and feathers to a ring.
-const FEATHER: f32 = 0.55;
-const FEATHERS: usize = 30;
+const FEATHER: f32 = 0.50;
+const FEATHERS: usize = 38;
+
+/// Where the feathers look: to whoever watches, and a little up.
+const FEATHERS_FACE: Vec3 = Vec3::new(0.0, 0.5, 0.85);
 
 pub(super) fn make(worn: &WornTemplate, wearer: &Wearer<'_>) -> Result<Made, DraftError> {
     let chosen = Chosen(worn);
@@ -48,6 +51,7 @@ pub(super) fn make(worn: &WornTemplate, wearer: &Wearer<'_>) -> Result<Made, Dra
         made.grips.push(Grip {
             side,
             thickness: HANDLE * size,
+            facing: Some(FEATHERS_FACE),
             arm: None,
         });
     }
@@ -82,18 +86,19 @@ fn rattle(chosen: &Chosen<'_>, size: f32) -> [Shape; 2] {
     let length = FEATHER * disc;
     // From the rim inwards: each ring lies on the one outside it, its color in turn.
     for (ring, (seat, color)) in [
-        (0.82, chosen.flower()),
-        (0.52, chosen.ground()),
-        (0.20, chosen.flower()),
+        (0.86, chosen.flower()),
+        (0.58, chosen.ground()),
+        (0.30, chosen.flower()),
+        (0.06, chosen.ground()),
     ]
     .into_iter()
     .enumerate()
     {
-        let count = FEATHERS - 7 * ring;
+        let count = FEATHERS - 8 * ring;
         for one in 0..count {
             let feather = Petal {
                 length: length * (1.0 + 0.10 * chance(one, 50 + ring)),
-                width: TAU * disc * (seat + 0.3) / real(count) * 0.85,
+                width: TAU * disc * (seat + 0.45) / real(count) * 1.25,
                 cup: 0.20 + 0.06 * chance(one, 60 + ring),
                 lean: 0.25,
                 ruffle: 0.02,

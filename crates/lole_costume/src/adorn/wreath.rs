@@ -33,9 +33,9 @@ pub(super) fn wind(girdle: &Girdle, wound: &Wound) -> [Shape; 2] {
         let around = [-1.05_f32, 0.35, -0.35, 1.05][one % 4] + 0.25 * chance(one, 12);
         let (sin, cos) = trig::sin_cos(around);
         let out = outward * cos + girdle.axis * sin;
-        let seat = point + outward * base + out * (0.8 * base);
+        let seat = point + outward * (0.6 * base) + out * (0.8 * base);
         // They lie back along the wreath, the tips a little out.
-        let slope = 0.42 + 0.18 * chance(one, 13);
+        let slope = 0.30 + 0.15 * chance(one, 13);
         let along = (along + out * slope + girdle.axis * (0.30 * sin)).normalize_or_zero();
         let leaf = wound.leaf.varied(one).shape(3);
         leaves.add(&leaf, &affine(facing(along, out), seat));
@@ -46,7 +46,7 @@ pub(super) fn wind(girdle: &Girdle, wound: &Wound) -> [Shape; 2] {
         let [point, outward, along] = girdle.at(share);
         let (sin, cos) = trig::sin_cos(0.55 * chance(one, 22));
         let out = outward * cos + girdle.axis * sin;
-        let seat = point + outward * base + out * (1.5 * base);
+        let seat = point + outward * base + out * (2.9 * base);
         let [x, y, z] = facing(along, out);
         let spin = Quat::from_axis_angle(Vec3::Y, TAU * chance(one, 23));
         let place = affine([x, y, z], seat) * Affine3A::from_quat(spin);

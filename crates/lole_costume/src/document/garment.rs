@@ -320,7 +320,7 @@ const NATURAL: &[(&str, [u32; 4])] = &[
     ("hair-flower", [0xf4d35e, 0xd8263c, 0x2f6a34, 0x6d0f20]),
     ("uliuli", [0xc8102e, 0xf2c230, 0x3e7a2c, 0x7a4a22]),
     ("puili", [0xd8b878, 0xf2dfae, 0x3e7a2c, 0x8a6a3a]),
-    ("ipu", [0xb5762f, 0xe0b060, 0x3e7a2c, 0x5c3616]),
+    ("ipu", [0x9c6a3a, 0xe0b060, 0x3e7a2c, 0x5c3616]),
 ];
 
 /// What a template is made in as the program has it.

@@ -42,16 +42,18 @@ pub(super) struct Around<'a> {
     pub(super) world_from_bind: &'a [Affine3A],
     /// The skin.
     pub(super) surfels: &'a [Surfel],
-    /// Positions of the cloth of all garments, and all their normals [m].
+    /// Positions of the cloth of all garments [m].
     pub(super) cloth: &'a [Vec3],
     pub(super) air_velocity: Vec3,
 }
 
 impl Adorned {
-    /// Strands on a dancer as she stands, come down to rest on her skin.
+    /// Strands on a dancer as she stands, come down to rest on her skin and the cloth of her garments
+    /// [m].
     pub(super) fn new(
         production: &Production,
         world_from_bind: &[Affine3A],
+        cloth: &[Vec3],
     ) -> Result<Self, StageError> {
         let hanging = production.adornments.iter().map(|adornment| {
             let hung = adornment.strands.as_ref();
@@ -70,7 +72,7 @@ impl Adorned {
             let around = Around {
                 world_from_bind,
                 surfels: &surfels,
-                cloth: &[],
+                cloth,
                 air_velocity: Vec3::ZERO,
             };
             for _ in 0..LOWERING_FRAMES {
@@ -81,6 +83,12 @@ impl Adorned {
             }
         }
         Ok(adorned)
+    }
+
+    /// Particles [m] of each adornment that has strands.
+    pub(super) fn positions(&self) -> impl Iterator<Item = &[Vec3]> {
+        let hanging = self.hanging.iter().flatten();
+        hanging.map(|hanging| &hanging.state.positions[..])
     }
 
     /// Whether anything moves by itself.
