@@ -135,6 +135,8 @@ pub(super) fn make(worn: &WornTemplate, wearer: &Wearer<'_>) -> Result<Made, Dra
             config: StrandConfig {
                 drag_rate: 1.6,
                 friction: FRICTION,
+                // One long line of many particles: half a percent of stretch.
+                substep_count: 24,
                 ..StrandConfig::default()
             },
             passes_arms: true,

@@ -228,6 +228,24 @@ pub(super) fn grip(production: &Production, pose: &mut Pose) {
     }
 }
 
+/// What comes down on the skin above a garment slides over its upper edge, not in behind it: a ramp from
+/// the skin to the edge.
+fn ramp(edge: Vec3, outward: Vec3, surfels: &mut Vec<Surfel>) {
+    /// Ways from the edge towards the skin [m], and the rise over them.
+    const WAYS: [f32; 4] = [0.0, 0.012, 0.024, 0.036];
+    const RISE: f32 = 0.9;
+    let outward = outward.with_y(0.0).normalize_or_zero();
+    let normal = (outward * RISE + Vec3::Y).normalize_or_zero();
+    surfels.extend(WAYS.map(|way| Surfel {
+        position: edge - outward * way + Vec3::Y * (RISE * way),
+        normal: if outward == Vec3::ZERO {
+            Vec3::ZERO
+        } else {
+            normal
+        },
+    }));
+}
+
 /// The outside of a garment's folds as surfels: of each patch of cloth its mean normal, and the
 /// outermost of it in that direction.
 fn cover(garment: &Garment, positions: &[Vec3], surfels: &mut Vec<Surfel>) {
@@ -251,10 +269,12 @@ fn cover(garment: &Garment, positions: &[Vec3], surfels: &mut Vec<Surfel>) {
             let out = patch()
                 .map(|k| (positions[k] - middle).dot(normal))
                 .fold(0.0, f32::max);
-            surfels.push(Surfel {
-                position: middle + normal * out,
-                normal,
-            });
+            let position = middle + normal * out;
+            surfels.push(Surfel { position, normal });
+            if row == 0 {
+                let top = patch().map(|k| positions[k].y).fold(f32::MIN, f32::max);
+                ramp(position.with_y(top), normal, surfels);
+            }
         }
     }
 }

@@ -10,6 +10,17 @@ use crate::{Studio, text};
 const PLACE: usize = usize::MAX;
 
 pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
+    let mut is_worn = studio.design().skirt.is_worn;
+    if ui
+        .checkbox(&mut is_worn, studio.say(text::WEAR_SKIRT))
+        .changed()
+    {
+        studio.change(|design| design.skirt.is_worn = is_worn);
+    }
+    if !is_worn {
+        sewing(ui, studio);
+        return;
+    }
     if let Some(fabric) = fabric_ui(ui, studio, PLACE, &studio.design().fabric) {
         studio.choose_fabric(fabric);
     }
