@@ -54,7 +54,10 @@ fn a_mass_on_a_thread_has_the_period_of_a_pendulum() {
     }
     let period = (crossings[4] - crossings[0]) / 2.0;
     let wanted = std::f32::consts::TAU * (length / 9.81).sqrt() * (1.0 + swing * swing / 16.0);
-    assert!((period / wanted - 1.0).abs() < 0.01, "{period} s, {wanted} s");
+    assert!(
+        (period / wanted - 1.0).abs() < 0.01,
+        "{period} s, {wanted} s"
+    );
 }
 
 #[test]
@@ -76,7 +79,8 @@ fn a_thread_between_two_pins_hangs_as_a_catenary() {
         let is_long = length < 2.0 * a * sinh(span / (2.0 * a));
         bounds[usize::from(!is_long)] = a;
     }
-    let sag = a * (trig64::exp(span / (2.0 * a)) * 0.5 + trig64::exp(-span / (2.0 * a)) * 0.5 - 1.0);
+    let sag =
+        a * (trig64::exp(span / (2.0 * a)) * 0.5 + trig64::exp(-span / (2.0 * a)) * 0.5 - 1.0);
     let spacing = 0.8 / f32::from(count - 1);
     let strand = Strand {
         positions: line(count, 0.6 / f32::from(count - 1), Vec3::X),
@@ -252,15 +256,18 @@ fn what_cannot_be_prepared_is_refused() {
         ..Strand::default()
     };
     let error = StrandModel::new(&[ring], &[], &[]).unwrap_err();
-    assert_eq!(
-        error.to_string(),
-        "strand 0 has 2 particles; it needs 3"
-    );
+    assert_eq!(error.to_string(), "strand 0 has 2 particles; it needs 3");
     let weightless = Strand {
         positions: line(2, 0.1, Vec3::X),
         spacing: 0.1,
         ..Strand::default()
     };
     let error = StrandModel::new(&[weightless], &[], &[]).unwrap_err();
-    assert!(matches!(error, StrandError::OutOfRange { field: "linear_density", .. }));
+    assert!(matches!(
+        error,
+        StrandError::OutOfRange {
+            field: "linear_density",
+            ..
+        }
+    ));
 }

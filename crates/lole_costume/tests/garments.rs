@@ -178,7 +178,12 @@ fn every_template_is_a_kind_of_garment_and_says_if_it_is_not_danced() {
         assert_eq!(parse(&to_toml(&design), "again").unwrap(), design);
         // What is worn beside the cloth is seen on the dancer.
         let said = design.not_danced();
-        assert_eq!(said.is_none(), design.garments[0].is_adornment(), "{}", name.english);
+        assert_eq!(
+            said.is_none(),
+            design.garments[0].is_adornment(),
+            "{}",
+            name.english
+        );
         if let Some(said) = said {
             assert!(said.english.contains(name.english) && said.english.contains("not danced yet"));
             assert!(said.japanese.contains(name.japanese));

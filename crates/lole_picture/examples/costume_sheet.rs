@@ -24,10 +24,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let text = std::fs::read_to_string(argument(0, "design.lole"))?;
     let design = document::parse(&text, "design.lole")?;
     let times = argument(2, "0,1.5");
-    let times: Vec<f32> = times
-        .split(',')
-        .map(str::parse)
-        .collect::<Result<_, _>>()?;
+    let times: Vec<f32> = times.split(',').map(str::parse).collect::<Result<_, _>>()?;
     // Part of the height that is shown, from the top: "all", "upper", "lower" or "head".
     let part = argument(3, "all");
     let size = Size::new(480, 640);
@@ -57,10 +54,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     let mut out = std::io::stdout().lock();
     let mean = 1e3 * spent / f64::from(frames.max(1));
-    writeln!(out, "{mean:.2} ms a frame, {:016x}", performance.state_hash())?;
+    writeln!(
+        out,
+        "{mean:.2} ms a frame, {:016x}",
+        performance.state_hash()
+    )?;
     let file = std::fs::File::create(argument(1, "sheet.png"))?;
     let side = |count: usize| u32::try_from(count).unwrap_or(0);
-    let mut encoder = png::Encoder::new(file, side(VIEWS.len() * width), side(times.len() * height));
+    let mut encoder =
+        png::Encoder::new(file, side(VIEWS.len() * width), side(times.len() * height));
     encoder.set_color(png::ColorType::Rgba);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.write_header()?.write_image_data(&sheet)?;

@@ -31,7 +31,9 @@ fn worst(performance: &mut Performance, look_every: u32) -> (f32, f32) {
         .filter_map(|adornment| adornment.strands.as_ref())
         .map(|hung| {
             let strands = hung.strands.iter();
-            strands.map(|one| (one.positions.len(), one.spacing)).collect()
+            strands
+                .map(|one| (one.positions.len(), one.spacing))
+                .collect()
         })
         .collect();
     let (mut deepest, mut longest) = (0.0_f32, 0.0_f32);
@@ -102,7 +104,10 @@ fn lei_stay_around_the_neck_and_outside_the_skin() {
             for (tie, rider) in hung.ties.iter().zip(&hung.tie_riders) {
                 let place = rider.posed(performance.world_from_bind())[0];
                 let apart = positions[tie.particle as usize].distance(place);
-                assert!(apart < 0.05, "{form}, {dancer}: {apart} m from its shoulder");
+                assert!(
+                    apart < 0.05,
+                    "{form}, {dancer}: {apart} m from its shoulder"
+                );
             }
         }
     }

@@ -99,12 +99,7 @@ pub(super) fn link(model: &StrandModel, state: &mut StrandState, h: f32) {
 }
 
 /// Ties: with `C = x - p`, `Δλ = -C / (w + compliance / h²)`.
-pub(super) fn tie(
-    model: &StrandModel,
-    input: &StrandInput<'_>,
-    state: &mut StrandState,
-    h: f32,
-) {
+pub(super) fn tie(model: &StrandModel, input: &StrandInput<'_>, state: &mut StrandState, h: f32) {
     for (tie, &place) in model.ties.iter().zip(input.ties) {
         let particle = tie.particle as usize;
         let inv_mass = model.inv_masses[particle];

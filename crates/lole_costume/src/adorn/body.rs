@@ -94,7 +94,11 @@ impl Girdle {
     /// Its length [m].
     pub(super) fn length(&self) -> f32 {
         let next = self.points.iter().cycle().skip(1);
-        self.points.iter().zip(next).map(|(a, b)| a.distance(*b)).sum()
+        self.points
+            .iter()
+            .zip(next)
+            .map(|(a, b)| a.distance(*b))
+            .sum()
     }
 
     /// The point at a share of the way around, the direction out of the body and that of the line.
@@ -127,10 +131,7 @@ fn smoothed(values: &[f32], reach: usize) -> Vec<f32> {
 }
 
 /// Vertices of some parts of a skin in the bind pose; of all where none of them is there.
-pub(super) fn vertices(
-    dancer: &Dancer,
-    parts: &'static [PartKind],
-) -> impl Iterator<Item = Vec3> {
+pub(super) fn vertices(dancer: &Dancer, parts: &'static [PartKind]) -> impl Iterator<Item = Vec3> {
     let skin = &dancer.skin;
     let has_any = skin.parts.iter().any(|part| parts.contains(&part.kind));
     let chosen = (skin.parts.iter()).filter(move |part| !has_any || parts.contains(&part.kind));

@@ -221,13 +221,16 @@ fn close_thumb(skeleton: &Skeleton, arm: &Arm, frame: Mat3, share: f32, pose: &m
     let thumb = (last - root).normalize_or(frame.x_axis);
     let little = skeleton.joint(arm.fingers[3][0]) - skeleton.joint(arm.fingers[0][0]);
     // In front of the palm, over what is held, the tip towards the little finger.
-    let wanted = (frame.x_axis * 0.55 + frame.y_axis * (0.75 + 0.2 * share)
+    let wanted = (frame.x_axis * 0.55
+        + frame.y_axis * (0.75 + 0.2 * share)
         + little.normalize_or_zero() * 0.25)
         .normalize_or(thumb);
     let whole = Quat::from_rotation_arc(thumb, wanted);
     pose.rotate(arm.thumb[0], Quat::IDENTITY.slerp(whole, 0.55));
     pose.rotate(arm.thumb[1], Quat::IDENTITY.slerp(whole, 0.35));
-    let bend = (middle - root).cross(frame.y_axis).normalize_or(frame.z_axis);
+    let bend = (middle - root)
+        .cross(frame.y_axis)
+        .normalize_or(frame.z_axis);
     pose.rotate(arm.thumb[2], Quat::from_axis_angle(bend, 0.5 - 0.3 * share));
 }
 

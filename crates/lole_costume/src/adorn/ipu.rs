@@ -32,7 +32,7 @@ pub(super) fn make(worn: &WornTemplate, wearer: &Wearer<'_>) -> Result<Made, Dra
     let radius = 0.5 * height * wide as f32;
     let size = (wearer.dancer.landmarks.crown_height / 1.58).clamp(0.6, 1.25);
     let (profile, neck) = profile(&chosen, is_heke, height, radius);
-    let gourd = Shape::turned(28, &profile);
+    let gourd = Shape::turned(32, &rounded(&profile));
     let side = Side::Left;
     let palm = Palm::new(skeleton, side, HALF_PALM * size);
     let grip = Grip {
@@ -57,6 +57,33 @@ pub(super) fn make(worn: &WornTemplate, wearer: &Wearer<'_>) -> Result<Made, Dra
         grips: vec![grip],
         ..Made::default()
     })
+}
+
+/// A curve through the points of an outline (Catmull and Rom 1974), three pieces for each of theirs.
+fn rounded(profile: &[([f32; 2], Vec3)]) -> Vec<([f32; 2], Vec3)> {
+    let last = profile.len() - 1;
+    let mut curve = Vec::with_capacity(3 * last + 1);
+    for from in 0..last {
+        let at = |k: usize| glam::Vec2::from(profile[k.min(last)].0);
+        let [before, a, b, after] = [
+            at(from.saturating_sub(1)),
+            at(from),
+            at(from + 1),
+            at(from + 2),
+        ];
+        for part in 0..3_u8 {
+            let t = f32::from(part) / 3.0;
+            let place = (a * 2.0
+                + (b - before) * t
+                + (before * 2.0 - a * 5.0 + b * 4.0 - after) * (t * t)
+                + (a * 3.0 - before - b * 3.0 + after) * (t * t * t))
+                * 0.5;
+            let color = profile[from].1.lerp(profile[from + 1].1, t);
+            curve.push(([place.x.max(0.0), place.y], color));
+        }
+    }
+    curve.push(profile[last]);
+    curve
 }
 
 /// The gourd's outline from below to above, and radius and height of the place where a hand holds it.

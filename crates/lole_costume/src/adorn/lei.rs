@@ -122,7 +122,11 @@ pub(super) fn make(worn: &WornTemplate, wearer: &Wearer<'_>) -> Result<Made, Dra
     let (ties, tie_riders) = ties(wearer, &neck, &strand);
     let surfaces = if is_closed {
         let per_cm = chosen.number("flowers_per_cm_ratio", 0.5);
-        vec![flowers(&chosen, &strand, whole(f64::from(length) * 100.0 * per_cm))]
+        vec![flowers(
+            &chosen,
+            &strand,
+            whole(f64::from(length) * 100.0 * per_cm),
+        )]
     } else {
         vec![leaves(&chosen, &strand)]
     };
@@ -174,7 +178,12 @@ fn open_path(wearer: &Wearer<'_>, neck: &Neck, length: f32) -> Vec<Vec3> {
         let aside = (shoulder - nape).with_y(0.0);
         let round = nape + aside * Vec3::new(0.75, 0.0, 0.1);
         let ahead = Vec3::new(shoulder.x, shoulder.y, neck.front + 0.05);
-        vec![round, shoulder, ahead, ahead.with_y(neck.chest_height - length)]
+        vec![
+            round,
+            shoulder,
+            ahead,
+            ahead.with_y(neck.chest_height - length),
+        ]
     };
     let mut path = half(left);
     path.reverse();
@@ -196,7 +205,9 @@ fn spread(path: &[Vec3], count: usize, is_closed: bool, length: f32) -> (Vec<Vec
     }
     let whole = ways[ways.len() - 1];
     let at = |way: f32| {
-        let next = ways.partition_point(|&known| known < way).clamp(1, line.len() - 1);
+        let next = ways
+            .partition_point(|&known| known < way)
+            .clamp(1, line.len() - 1);
         let step = (ways[next] - ways[next - 1]).max(1e-6);
         line[next - 1].lerp(line[next], ((way - ways[next - 1]) / step).clamp(0.0, 1.0))
     };
@@ -260,7 +271,11 @@ fn leaves(chosen: &Chosen<'_>, strand: &Strand) -> super::Surface {
     let last = strand.positions.len() - 1;
     let vine = Shape::sheet([4 * last, 4], |along, across| {
         let (sin, cos) = trig::sin_cos(-TAU * across);
-        let place = Vec3::new(0.003 * sin, 0.003 * cos, along * real(last) * strand.spacing);
+        let place = Vec3::new(
+            0.003 * sin,
+            0.003 * cos,
+            along * real(last) * strand.spacing,
+        );
         (place, leaf.color * 0.5)
     });
     on.add_bent(&vine, (0, strand.spacing));
@@ -271,9 +286,7 @@ fn leaves(chosen: &Chosen<'_>, strand: &Strand) -> super::Surface {
             let one = 2 * particle + side;
             let around = PI * real(side) + 2.1 * real(particle) + 0.3 * chance(one, 41);
             let open = Quat::from_rotation_x(-0.62 - 0.2 * chance(one, 42));
-            let turn = Quat::from_rotation_z(around)
-                * Quat::from_rotation_y(towards_end)
-                * open;
+            let turn = Quat::from_rotation_z(around) * Quat::from_rotation_y(towards_end) * open;
             let mut placed = Shape::default();
             placed.add(&leaf.varied(one).shape(3), &Affine3A::from_quat(turn));
             on.add_whole(&placed, (0, real(particle)));

@@ -40,7 +40,11 @@ pub(super) fn make(worn: &WornTemplate, wearer: &Wearer<'_>) -> Result<Made, Dra
         .fold([f32::INFINITY, f32::NEG_INFINITY], |[low, high], vertex| {
             [low.min(vertex.z), high.max(vertex.z)]
         });
-    let middle = if low < high { 0.5 * (low + high) } else { joint.z };
+    let middle = if low < high {
+        0.5 * (low + high)
+    } else {
+        joint.z
+    };
     let axis = Vec3::new(0.0, 1.0, -FALL).normalize_or(Vec3::Y);
     let girdle = Girdle::new(
         dancer,

@@ -56,8 +56,8 @@ pub(super) fn make(worn: &WornTemplate, wearer: &Wearer<'_>) -> Result<Made, Dra
 
 /// The stick, upright about the middle of its handle.
 fn stick(chosen: &Chosen<'_>, thickness: f32) -> Shape {
-    let [length, handle] = [("length_cm", 0.508), ("handle_cm", 0.127)]
-        .map(|(key, usual)| chosen.m(key, usual));
+    let [length, handle] =
+        [("length_cm", 0.508), ("handle_cm", 0.127)].map(|(key, usual)| chosen.m(key, usual));
     let radius = 0.5 * thickness;
     let around = f64::from(TAU * radius);
     let strips = whole(around / f64::from(chosen.m("strip_cm", 0.006).max(1e-3))).clamp(5, 60);
@@ -86,7 +86,11 @@ fn stick(chosen: &Chosen<'_>, thickness: f32) -> Shape {
         // A strip with its two narrow sides, bent outwards towards its end.
         let strip = Shape::sheet([5, 3], |along, across| {
             let out = 1.0 + splay * along * along;
-            let inside = if across < 0.1 || 0.9 < across { 0.82 } else { 1.0 };
+            let inside = if across < 0.1 || 0.9 < across {
+                0.82
+            } else {
+                1.0
+            };
             let side = if across < 0.5 { -half } else { half };
             let (sin, cos) = trig::sin_cos(angle + side + sway * along * along);
             let reach = radius * out * inside;

@@ -80,9 +80,8 @@ impl Shape {
         self.positions
             .extend(places.map(|&place| move_by.transform_point3(place)));
         let normals = other.normals.iter();
-        self.normals.extend(
-            normals.map(|&normal| move_by.transform_vector3(normal).normalize_or_zero()),
-        );
+        self.normals
+            .extend(normals.map(|&normal| move_by.transform_vector3(normal).normalize_or_zero()));
         self.colors.extend(&other.colors);
         let triangles = other.triangles.iter();
         self.triangles

@@ -112,7 +112,10 @@ pub(super) fn ti_leaf(worn: &WornTemplate, wearer: &Wearer<'_>) -> Result<Made, 
             let blade = half_width((0.10 + 0.90 * along).min(1.0)).max(0.10);
             let side = rib * (across - if rib < 0.0 { 1.0 } else { 0.0 });
             let (sin, cos) = trig::sin_cos(twist * along);
-            let (x, y) = (width * blade * side, 0.009 * trig::sin(3.0 * across) * blade);
+            let (x, y) = (
+                width * blade * side,
+                0.009 * trig::sin(3.0 * across) * blade,
+            );
             let place = Vec3::new(x * cos - y * sin, y * cos + x * sin, length * along * ends);
             let shade = 0.72 + 0.30 * along + 0.12 * (1.0 - side.abs());
             let dry = Vec3::new(1.25, 1.05, 0.7).lerp(Vec3::ONE, (6.0 * (1.0 - along)).min(1.0));
@@ -168,7 +171,8 @@ pub(super) fn raffia(worn: &WornTemplate, wearer: &Wearer<'_>) -> Result<Made, D
             on.add_bent(&fan, (strand, spacing));
         }
     });
-    made.surfaces.insert(0, band(wearer, &hung, &stuff, chosen.ground()));
+    made.surfaces
+        .insert(0, band(wearer, &hung, &stuff, chosen.ground()));
     Ok(named(made, Finish::Fiber))
 }
 
@@ -209,7 +213,8 @@ pub(super) fn cellophane(worn: &WornTemplate, wearer: &Wearer<'_>) -> Result<Mad
         });
         on.add_bent(&strip, (strand, spacing));
     });
-    made.surfaces.insert(0, band(wearer, &hung, &stuff, chosen.ground()));
+    made.surfaces
+        .insert(0, band(wearer, &hung, &stuff, chosen.ground()));
     Ok(named(made, Finish::Film))
 }
 
@@ -231,8 +236,12 @@ fn hang(
 ) -> Made {
     let moved = stuff.count.min(MOST_STRANDS);
     let spacing = hung.length / real(PARTICLES - 1);
-    let ring = wearer.dancer.tape_ring(hung.height - 0.5 * stuff.band, moved);
-    let lower = wearer.dancer.tape_ring(hung.height - 0.5 * stuff.band - spacing, 4 * moved);
+    let ring = wearer
+        .dancer
+        .tape_ring(hung.height - 0.5 * stuff.band, moved);
+    let lower = wearer
+        .dancer
+        .tape_ring(hung.height - 0.5 * stuff.band - spacing, 4 * moved);
     let mut hanging = HangingStrands {
         config: StrandConfig {
             drag_rate: stuff.drag_rate,
@@ -308,7 +317,9 @@ fn let_down(riders: &[Rider], wearer: &Wearer<'_>, spacing: f32) -> Vec<Vec3> {
     let mut places: Vec<Vec3> = (riders.iter())
         .map(|rider| rider.posed(wearer.stance)[0])
         .collect();
-    let outward = riders.first().map_or(Vec3::Z, |rider| rider.posed(wearer.stance)[1]);
+    let outward = riders
+        .first()
+        .map_or(Vec3::Z, |rider| rider.posed(wearer.stance)[1]);
     let towards = (outward.with_y(0.0) * FLARE + Vec3::NEG_Y).normalize_or(Vec3::NEG_Y);
     while places.len() < PARTICLES {
         let last = places[places.len() - 1];
@@ -329,9 +340,8 @@ fn links(hung: &Hung, stuff: &Stuff, moved: usize) -> Vec<Link> {
         }
         for particle in 2..PARTICLES {
             let down = real(particle) / real(PARTICLES - 1);
-            let number = |strand: usize| {
-                u32::try_from(strand * PARTICLES + particle).unwrap_or(u32::MAX)
-            };
+            let number =
+                |strand: usize| u32::try_from(strand * PARTICLES + particle).unwrap_or(u32::MAX);
             links.push(Link {
                 particles: [number(strand), number(next)],
                 range: [
@@ -350,7 +360,11 @@ fn band(wearer: &Wearer<'_>, hung: &Hung, stuff: &Stuff, color: Vec3) -> Surface
     let out = SKIN_GAP + LAYER_GAP * real(stuff.layers);
     let rows = [1.0, 0.75, 0.25, 0.0].map(|share| {
         let height = hung.height - stuff.band * (1.0 - share);
-        let bulge = if share == 0.0 || share == 1.0 { 0.7 } else { 1.0 };
+        let bulge = if share == 0.0 || share == 1.0 {
+            0.7
+        } else {
+            1.0
+        };
         (height, out * bulge)
     });
     let (shape, carriers) = around(wearer, &rows, |across| {
@@ -395,7 +409,10 @@ fn around(
     let mut carriers = Vec::new();
     for ring in &rings {
         for column in 0..=count {
-            carriers.push(ring.get(column % count.max(1)).map_or(Carrier::default(), |r| r.carrier));
+            carriers.push(
+                ring.get(column % count.max(1))
+                    .map_or(Carrier::default(), |r| r.carrier),
+            );
         }
     }
     if count == 0 {
@@ -407,7 +424,10 @@ fn around(
         let (row, column) = (index(along, last), index(across, count) % count);
         let rider = &rings[row][column];
         let (color, bulge) = look(across);
-        (rider.position + rider.outward * (rows[row].1 * bulge), color)
+        (
+            rider.position + rider.outward * (rows[row].1 * bulge),
+            color,
+        )
     });
     (shape, carriers)
 }

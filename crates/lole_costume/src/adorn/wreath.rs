@@ -25,7 +25,10 @@ pub(super) struct Wound {
 pub(super) fn wind(girdle: &Girdle, wound: &Wound) -> [Shape; 2] {
     let mut leaves = Shape::default();
     let base = wound.base;
-    leaves.add(&ring(girdle, base, wound.leaf.color * 0.55), &Affine3A::IDENTITY);
+    leaves.add(
+        &ring(girdle, base, wound.leaf.color * 0.55),
+        &Affine3A::IDENTITY,
+    );
     for one in 0..wound.leaf_count {
         let share = (real(one) + 0.4 * chance(one, 11)) / real(wound.leaf_count.max(1));
         let [point, outward, along] = girdle.at(share);
@@ -51,7 +54,10 @@ pub(super) fn wind(girdle: &Girdle, wound: &Wound) -> [Shape; 2] {
         let spin = Quat::from_axis_angle(Vec3::Y, TAU * chance(one, 23));
         let place = affine([x, y, z], seat) * Affine3A::from_quat(spin);
         let size = 1.0 + 0.12 * chance(one, 24);
-        flowers.add(&wound.flower, &(place * Affine3A::from_scale(Vec3::splat(size))));
+        flowers.add(
+            &wound.flower,
+            &(place * Affine3A::from_scale(Vec3::splat(size))),
+        );
     }
     [leaves, flowers]
 }

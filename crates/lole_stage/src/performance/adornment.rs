@@ -151,9 +151,7 @@ impl Adorned {
         worn.find_map(|(adornment, hanging)| {
             let (hung, hanging) = (adornment.strands.as_ref()?, hanging.as_ref()?);
             let ends = hanging.model.strands().map(|strand| strand.end - 1);
-            let heights: Vec<f32> = ends
-                .map(|end| hanging.state.positions[end].y)
-                .collect();
+            let heights: Vec<f32> = ends.map(|end| hanging.state.positions[end].y).collect();
             let mean = heights.iter().sum::<f32>() / heights.len().max(1) as f32;
             (!hung.roots.is_empty()).then_some(mean)
         })
@@ -196,7 +194,11 @@ impl Hanging {
             (&mut self.ties, &hung.tie_riders),
         ] {
             places.clear();
-            places.extend(riders.iter().map(|rider| rider.posed(around.world_from_bind)[0]));
+            places.extend(
+                riders
+                    .iter()
+                    .map(|rider| rider.posed(around.world_from_bind)[0]),
+            );
         }
         let input = StrandInput {
             pins: &self.pins,
@@ -265,7 +267,10 @@ fn cover(garment: &Garment, positions: &[Vec3], surfels: &mut Vec<Surfel>) {
             };
             let count = patch().count().max(1) as f32;
             let middle = patch().map(|k| positions[k]).sum::<Vec3>() / count;
-            let normal = patch().map(|k| normals[k]).sum::<Vec3>().normalize_or_zero();
+            let normal = patch()
+                .map(|k| normals[k])
+                .sum::<Vec3>()
+                .normalize_or_zero();
             let out = patch()
                 .map(|k| (positions[k] - middle).dot(normal))
                 .fold(0.0, f32::max);
