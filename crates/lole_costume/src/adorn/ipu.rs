@@ -22,16 +22,29 @@ const HALF_PALM: f32 = 0.014;
 const UPPER_ARM: Vec3 = Vec3::new(0.42, -0.88, -0.10);
 const FOREARM: Vec3 = Vec3::new(0.30, -0.62, 0.72);
 
+/// One gourd or two.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Form {
+    Single,
+    Heke,
+}
+
 pub(super) fn make(worn: &WornTemplate, wearer: &Wearer<'_>) -> Result<Made, DraftError> {
     let chosen = Chosen(worn);
     let skeleton = &wearer.dancer.skeleton;
-    let is_heke = chosen.choice("form") == "heke";
-    let [share, wide] = if is_heke { HEKE } else { SINGLE };
+    let form = match chosen.choice("form") {
+        "heke" => Form::Heke,
+        _ => Form::Single,
+    };
+    let [share, wide] = match form {
+        Form::Single => SINGLE,
+        Form::Heke => HEKE,
+    };
     let height = chosen.m("height_cm", share * wearer.measures.arm_length.to_m());
     #[expect(clippy::cast_possible_truncation, reason = "a share")]
     let radius = 0.5 * height * wide as f32;
     let size = (wearer.dancer.landmarks.crown_height / 1.58).clamp(0.6, 1.25);
-    let (profile, neck) = profile(&chosen, is_heke, height, radius);
+    let (profile, neck) = profile(&chosen, form, height, radius);
     let gourd = Shape::turned(32, &rounded(&profile));
     let side = Side::Left;
     let palm = Palm::new(skeleton, side, HALF_PALM * size);
@@ -89,7 +102,7 @@ fn rounded(profile: &[([f32; 2], Vec3)]) -> Vec<([f32; 2], Vec3)> {
 /// The gourd's outline from below to above, and radius and height of the place where a hand holds it.
 fn profile(
     chosen: &Chosen<'_>,
-    is_heke: bool,
+    form: Form,
     height: f32,
     radius: f32,
 ) -> (Vec<([f32; 2], Vec3)>, glam::Vec2) {
@@ -98,7 +111,7 @@ fn profile(
         let shade = 0.9 + 0.1 * lole_geom::trig::sin(9.0 * share);
         ([radius * wide, height * share], skin * shade)
     };
-    if !is_heke {
+    if form == Form::Single {
         let shares = [
             (0.0, 0.0),
             (0.01, 0.30),

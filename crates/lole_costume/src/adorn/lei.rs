@@ -108,11 +108,12 @@ pub(super) fn make(worn: &WornTemplate, wearer: &Wearer<'_>) -> Result<Made, Dra
     } else {
         open_path(wearer, &neck, length)
     };
+    let ring = if is_closed { Ring::Closed } else { Ring::Open };
     let count = whole(f64::from(length / SPACING)).max(12);
-    let (positions, spacing) = spread(&path, count, is_closed, length);
+    let (positions, spacing) = spread(&path, count, ring, length);
     let strand = Strand {
         spacing,
-        ring: if is_closed { Ring::Closed } else { Ring::Open },
+        ring,
         pinned: Vec::new(),
         linear_density: DENSITIES[kind],
         bend_stiffness: STIFFNESSES[kind],
@@ -194,9 +195,9 @@ fn open_path(wearer: &Wearer<'_>, neck: &Neck, length: f32) -> Vec<Vec3> {
 
 /// Particles at even distances along a path, and that distance [m]: an open one is cut to `length` about
 /// its middle, a closed one is drawn out to it by the solver.
-fn spread(path: &[Vec3], count: usize, is_closed: bool, length: f32) -> (Vec<Vec3>, f32) {
+fn spread(path: &[Vec3], count: usize, ring: Ring, length: f32) -> (Vec<Vec3>, f32) {
     let mut line = path.to_vec();
-    if is_closed {
+    if ring == Ring::Closed {
         line.extend(path.first());
     }
     let mut ways = vec![0.0];
@@ -211,7 +212,7 @@ fn spread(path: &[Vec3], count: usize, is_closed: bool, length: f32) -> (Vec<Vec
         let step = (ways[next] - ways[next - 1]).max(1e-6);
         line[next - 1].lerp(line[next], ((way - ways[next - 1]) / step).clamp(0.0, 1.0))
     };
-    if is_closed {
+    if ring == Ring::Closed {
         let places = (0..count).map(|k| at(whole * real(k) / real(count)));
         return (places.collect(), length / real(count));
     }

@@ -86,7 +86,7 @@ fn stick(chosen: &Chosen<'_>, thickness: f32) -> Shape {
         // A strip with its two narrow sides, bent outwards towards its end.
         let strip = Shape::sheet([5, 3], |along, across| {
             let out = 1.0 + splay * along * along;
-            let inside = if across < 0.1 || 0.9 < across {
+            let inside = if !(0.1..=0.9).contains(&across) {
                 0.82
             } else {
                 1.0
