@@ -24,6 +24,22 @@ const DANCERS: &[&str] = &[
     "[dancer]\nfigure = \"man\"\nstature_cm = 182\nhip_cm = 112\nwaist_cm = 104\n",
 ];
 
+/// How deep a place is inside the skin [m]; negative outside, and far from it.
+fn depth(
+    place: Vec3,
+    grid: &TriangleGrid<'_>,
+    (normals, triangles): (&[Vec3], &[[u32; 3]]),
+) -> f32 {
+    assert!(place.is_finite());
+    grid.nearest(place, 0.05).map_or(-1.0, |nearest| {
+        let corners = triangles[nearest.triangle as usize];
+        let normal: Vec3 = (corners.iter())
+            .map(|&corner| normals[corner as usize])
+            .sum();
+        -(place - nearest.point).dot(normal.normalize_or_zero())
+    })
+}
+
 /// Dances, and the deepest that a free particle of strands came into the skin [m], with the longest
 /// stretch of a strand's spacing over what it should be.
 fn worst(performance: &mut Performance, look_every: u32) -> (f32, f32) {
@@ -43,10 +59,9 @@ fn worst(performance: &mut Performance, look_every: u32) -> (f32, f32) {
             continue;
         }
         performance.pose_body();
-        let body = performance.body_positions();
-        let normals = performance.body_normals();
-        let triangles = &performance.production().body_triangles;
-        let grid = TriangleGrid::new(body, triangles, 0.03);
+        let triangles = &performance.production().body_triangles[..];
+        let grid = TriangleGrid::new(performance.body_positions(), triangles, 0.03);
+        let body = (performance.body_normals(), triangles);
         for (positions, strands) in performance.strand_positions().zip(&spacings) {
             let mut first = 0;
             for &(count, spacing) in strands {
@@ -55,18 +70,8 @@ fn worst(performance: &mut Performance, look_every: u32) -> (f32, f32) {
                 for pair in strand.windows(2) {
                     longest = longest.max(pair[0].distance(pair[1]) / spacing);
                 }
-                for &place in &strand[2..] {
-                    assert!(place.is_finite());
-                    let Some(nearest) = grid.nearest(place, 0.05) else {
-                        continue;
-                    };
-                    let corners = triangles[nearest.triangle as usize];
-                    let normal: Vec3 = (corners.iter())
-                        .map(|&corner| normals[corner as usize])
-                        .sum();
-                    let outside = (place - nearest.point).dot(normal.normalize_or_zero());
-                    deepest = deepest.max(-outside);
-                }
+                let depths = strand[2..].iter().map(|&place| depth(place, &grid, body));
+                deepest = depths.fold(deepest, f32::max);
             }
         }
     }
