@@ -1,5 +1,7 @@
 //! `dancer.glb`: the recorded run as a file for other programs.
 
+mod adornment;
+
 use anyhow::Result;
 use glam::Vec3;
 use lole_avatar::License;
@@ -31,6 +33,8 @@ pub(crate) struct Keys {
     pub(crate) cloths: Vec<Vec<Vec<Vec3>>>,
     /// By dressed garment, then by time.
     dressed: Vec<Vec<Vec<Vec3>>>,
+    /// Surfaces of adornments that strands carry, by surface, then by time.
+    pub(crate) strands: Vec<Vec<Vec<Vec3>>>,
 }
 
 impl Keys {
@@ -47,6 +51,15 @@ impl Keys {
         self.dressed.resize_with(count, Vec::new);
         for (place, frames) in self.dressed.iter_mut().enumerate() {
             let [positions, _] = performance.dressed_vertices(place);
+            frames.push(positions);
+        }
+        let posed = performance.posed_adornments().into_iter();
+        let surfaces = performance.production().adornments.iter();
+        let posed = posed.zip(surfaces.flat_map(|one| &one.surfaces));
+        let moving = posed.filter(|(_, surface)| adornment::is_baked(surface));
+        let moving: Vec<Vec<Vec3>> = moving.map(|([positions, _], _)| positions).collect();
+        self.strands.resize_with(moving.len(), Vec::new);
+        for (frames, positions) in self.strands.iter_mut().zip(moving) {
             frames.push(positions);
         }
     }
@@ -98,6 +111,7 @@ fn skinned<'a>(dancer: &'a Dancer, parts: &'a [MeshPart<'a>]) -> SkinnedMesh<'a>
         positions: &skin.positions,
         normals: &skin.normals,
         uvs: &skin.uvs,
+        colors: &[],
         joints: &skin.joints,
         weights: &skin.weights,
         parts,
@@ -135,7 +149,13 @@ pub(crate) fn dancer_glb(
     let dressed_png = pngs(&mut studio.dressed().iter().map(|look| &look.print))?;
     let pictures = BodyPictures::of(&production.dancer)?;
     let parts = pictures.parts(&production.dancer);
-    let bodies = [skinned(&production.dancer, &parts)];
+    let adorned = adornment::Worn::of(&production.adornments);
+    let ridden = adorned.ridden();
+    let mut bodies = Vec::new();
+    if !leaves_body_out(performance) {
+        bodies.push(skinned(&production.dancer, &parts));
+    }
+    bodies.extend(adorned.skinned(&ridden));
     let worn = production.garments.iter().zip(studio.prints());
     let meshes: Vec<GridMesh> = worn
         .map(|(garment, print)| grid_mesh(garment, print))
@@ -145,6 +165,7 @@ pub(crate) fn dancer_glb(
     let cloth = |name, mesh, png, frames| BakedCloth {
         name,
         mesh,
+        colors: &[],
         material: GlbMaterial {
             name: "print",
             base_color: [1.0; 3],
@@ -156,7 +177,6 @@ pub(crate) fn dancer_glb(
         frames,
     };
     let mut cloths: Vec<BakedCloth<'_>> = baked
-        .filter(|((garment, _), _)| garment.is_worn)
         .map(|((garment, mesh), (png, frames))| cloth(&garment.name, mesh, &png[..], &frames[..]))
         .collect();
     let dressed_meshes = dressed_meshes(performance, studio);
@@ -167,15 +187,12 @@ pub(crate) fn dancer_glb(
             cloth(&garment.name, mesh, &png[..], &frames[..])
         }),
     );
+    cloths.extend(adorned.baked(&keys.times, &keys.strands));
     Ok(write_glb(&GlbScene {
         skeleton: &production.dancer.skeleton,
         pose_times: &keys.times,
         poses: &keys.poses,
-        skinned: if leaves_body_out(performance) {
-            &[]
-        } else {
-            &bodies
-        },
+        skinned: &bodies,
         cloths: &cloths,
     })?)
 }

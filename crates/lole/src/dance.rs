@@ -93,7 +93,7 @@ pub(crate) const fn place_of(error: &StageError) -> Place<'static> {
         | StageError::Recording { .. }
         | StageError::RecordingNotRead { .. } => "motion",
         StageError::Draft(_) | StageError::Sew(_) => "skirt",
-        StageError::Garment { .. } | StageError::Dress(_) => "garment",
+        StageError::Garment { .. } | StageError::Dress(_) | StageError::Strands(_) => "garment",
         StageError::Build(_) => "fabric",
     };
     Place { table, key: "" }

@@ -2,7 +2,7 @@
 
 use lole_avatar::License;
 use lole_body::{Dancer, Tape};
-use lole_costume::document::Design;
+use lole_costume::document::{Design, GarmentDesign};
 use lole_export::report::{
     DancerMeasure, Divergence as ReportDivergence, MeanPercentileMax, MedianPercentile, MinMeanMax,
     PageMedia, Remark, ReportFile, RunReport, RunSeries, SkirtFacts, Still as PageStill, Worst,
@@ -155,9 +155,22 @@ pub(crate) fn dancer_measures(
 
 fn skirt_facts(performance: &Performance) -> SkirtFacts {
     let production = performance.production();
-    let (worn, skirt) = (production.skirt(), &production.design.skirt);
-    let draft = &worn.draft;
+    let license = production.license.as_ref();
+    let refusal = license.and_then(License::export_refusal);
+    let not_danced = production.design.not_danced();
+    let mut warnings: Vec<Remark> = refusal.iter().map(remark).collect();
+    warnings.extend(not_danced.iter().map(remark));
+    let Some(worn) = production.skirt() else {
+        return SkirtFacts {
+            design_name: design_name(performance),
+            warnings,
+            ..SkirtFacts::default()
+        };
+    };
+    let (draft, skirt) = (&worn.draft, &production.design.skirt);
+    warnings.extend(draft.warnings.iter().map(remark));
     SkirtFacts {
+        is_worn: true,
         design_name: design_name(performance),
         cloth_needed_m: draft.yardage.metric.to_m(),
         cloth_needed_yd: draft.yardage.imperial.to_yd(),
@@ -172,14 +185,7 @@ fn skirt_facts(performance: &Performance) -> SkirtFacts {
             .map(|row| row.cut_length.to_cm())
             .collect(),
         hip_girth_cm: worn.worn.hip_girth.to_cm(),
-        warnings: {
-            let license = production.license.as_ref();
-            let refusal = license.and_then(License::export_refusal);
-            let said = refusal.iter().map(remark);
-            let not_danced = production.design.not_danced();
-            let said = said.chain(not_danced.iter().map(remark));
-            said.chain(draft.warnings.iter().map(remark)).collect()
-        },
+        warnings,
     }
 }
 
@@ -193,6 +199,18 @@ fn remark(said: &impl Bilingual) -> Remark {
 /// Step and cloth in a few words, since a design has no name of its own.
 fn design_name(performance: &Performance) -> String {
     let design = &performance.production().design;
+    if !design.skirt.is_worn {
+        let worn = performance.production().adornments.first();
+        let worn = worn.and_then(|worn| match design.garments.get(worn.place) {
+            Some(GarmentDesign::Template(worn)) => Some(worn.template.name.english),
+            _ => None,
+        });
+        return format!(
+            "{} · {}",
+            worn.unwrap_or("costume"),
+            design.motion.step.name()
+        );
+    }
     format!(
         "pāʻū · {} · {}",
         design.motion.step.name(),

@@ -105,9 +105,11 @@ impl Studio {
                 colors: &[],
             })
             .collect();
+        let adornments = performance.posed_adornments();
         let figure = Figure {
             cloths: &cloths,
             dressed: &dressed,
+            adornments: &adornments,
             body_positions: performance.body_positions(),
             body_normals: performance.body_normals(),
         };

@@ -453,7 +453,8 @@ fn own_limit(method: &Method, skirt: &SkirtOfStudy) -> Option<f64> {
 /// The film's skirt, of which only its size and its frequency are needed.
 fn film_skirt() -> anyhow::Result<SkirtOfStudy> {
     let production = Production::new(&Design::default())?;
-    let model = ReferenceModel::new(&production.skirt().sewn.spec)?;
+    let skirt = (production.skirt()).ok_or_else(|| anyhow::anyhow!("no skirt is worn"))?;
+    let model = ReferenceModel::new(&skirt.sewn.spec)?;
     Ok(SkirtOfStudy {
         particles: model.masses().len(),
         springs: model.spring_count(),

@@ -50,6 +50,7 @@ pub mod snapshot;
 pub mod spec;
 pub mod state;
 pub mod step;
+pub mod strands;
 pub mod wind;
 
 pub use config::{Crossings, InstructionSet, SelfCollision, SolverConfig};

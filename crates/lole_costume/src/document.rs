@@ -117,20 +117,11 @@ pub struct DancerDesign {
     pub leotard_color: Option<[u8; 3]>,
 }
 
-/// Whether the design's own skirt is worn: dresses and wraps go without.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum SkirtWorn {
-    /// It is worn.
-    Yes,
-    /// It is neither drafted nor danced.
-    No,
-}
-
 /// The pāʻū skirt and how finely it is computed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SkirtDesign {
-    /// Whether the design has it.
-    pub worn: SkirtWorn,
+    /// Whether it is worn; a skirt of strands or a dress may be worn instead.
+    pub is_worn: bool,
     /// Height of the hem above the floor [cm].
     pub hem_height_cm: f64,
     /// Height of the lowest elastic row above the floor [cm]; the front hip bones when `None`.
@@ -160,7 +151,7 @@ pub struct SkirtDesign {
 impl Default for SkirtDesign {
     fn default() -> Self {
         Self {
-            worn: SkirtWorn::Yes,
+            is_worn: true,
             hem_height_cm: 22.0,
             worn_height_cm: None,
             gather_ratio: 4.0,

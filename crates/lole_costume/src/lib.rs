@@ -12,6 +12,7 @@
 //! # Ok::<(), document::DesignError>(())
 //! ```
 
+pub mod adorn;
 pub mod cost;
 pub mod document;
 pub mod dress;

@@ -180,7 +180,7 @@ impl Design {
             garments.map(|(_, garment)| (garment.fabric(), garment.print()))
         };
         of_layer(GarmentLayer::Under)
-            .chain([(&self.fabric, &self.print)])
+            .chain(self.skirt.is_worn.then_some((&self.fabric, &self.print)))
             .chain(of_layer(GarmentLayer::Over))
             .collect()
     }

@@ -13,7 +13,7 @@ use lole_pattern::piece::ClothRole;
 use lole_pattern::{DraftError, Marker, Pattern};
 
 use crate::document::{
-    Design, FabricDesign, GarmentDesign, GarmentLayer, PrintChoice, SkirtDesign, SkirtWorn, WornTop,
+    Design, FabricDesign, GarmentDesign, GarmentLayer, PrintChoice, SkirtDesign, WornTop,
 };
 use crate::measures;
 use crate::print::{PrintBorder, PrintMotif};
@@ -164,7 +164,7 @@ pub fn patterns_of(
             let cloth = Cloth::of(garment.fabric(), garment.print());
             add(&file_name(garment), name, pattern, cloth);
         }
-        if layer == GarmentLayer::Under && design.skirt.worn == SkirtWorn::Yes {
+        if layer == GarmentLayer::Under && design.skirt.is_worn {
             let name = words("パウスカート", "pāʻū skirt");
             let drafted = draft_skirt(&design.skirt, &design.fabric, dancer);
             let drafted = drafted.map_err(|error| TailoringError {

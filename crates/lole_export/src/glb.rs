@@ -38,6 +38,8 @@ pub struct SkinnedMesh<'a> {
     pub normals: &'a [Vec3],
     /// Texture coordinates, v down, shape of `positions` or empty.
     pub uvs: &'a [Vec2],
+    /// Linear colors of the vertices, shape of `positions` or empty; they multiply the material's.
+    pub colors: &'a [Vec3],
     /// Bones of each vertex, as positions in `Bone::ALL`.
     pub joints: &'a [[u16; 4]],
     /// Their weights; brought to a sum of 1 here.
@@ -86,6 +88,8 @@ pub struct BakedCloth<'a> {
     pub name: &'a str,
     /// Which particles become vertices, and how they are joined.
     pub mesh: &'a GridMesh,
+    /// Linear colors of the vertices of `mesh`; may be empty. They multiply the material's.
+    pub colors: &'a [Vec3],
     /// What it is made of.
     pub material: GlbMaterial<'a>,
     /// Time of each frame [s], growing.

@@ -241,6 +241,7 @@ impl Sample {
             name: "body",
             positions: &self.positions,
             normals: &normals,
+            colors: &[],
             uvs: &[],
             joints: &self.joints,
             weights: &self.weights,
@@ -249,6 +250,7 @@ impl Sample {
         let cloths = [BakedCloth {
             name: "pau_skirt",
             mesh: &self.mesh,
+            colors: &[],
             material: GlbMaterial {
                 name: "print",
                 sides: Sides::Both,

@@ -12,7 +12,7 @@ use std::time::Instant;
 use glam::Vec3;
 use lole_body::Figure;
 use lole_costume::document::{
-    DancerDesign, Design, GarmentDesign, GarmentLayer, SkirtWorn, WornTemplate, parse,
+    DancerDesign, Design, GarmentDesign, GarmentLayer, WornTemplate, parse,
 };
 use lole_costume::dress;
 use lole_pattern::{TEMPLATES, Template};
@@ -144,7 +144,7 @@ fn fitting(
         ..Design::default()
     };
     if !asked.has_skirt {
-        design.skirt.worn = SkirtWorn::No;
+        design.skirt.is_worn = false;
     }
     (design.skirt.column_count, design.skirt.row_count) = (256, 32);
     let begun = Instant::now();

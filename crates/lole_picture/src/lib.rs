@@ -7,6 +7,7 @@ use std::sync::Arc;
 
 use glam::{Vec2, Vec3};
 use lole_body::{Appearance, BodyPicture, Dancer, Look, PartKind, appearance};
+use lole_costume::adorn::{Adornment, Finish};
 use lole_costume::document::Design;
 use lole_costume::document::PrintError;
 use lole_costume::print::PrintImage;
@@ -23,6 +24,8 @@ pub struct Looks {
     pub cloths: Vec<Material>,
     /// The dancer's parts, in the order of her skin's.
     pub parts: Vec<(PartKind, Material)>,
+    /// The surfaces of the adornments, one after the other in the production's order.
+    pub adornments: Vec<Material>,
     /// The print of every garment, for files that carry it.
     pub prints: Vec<PrintImage>,
     /// Where its vertices lie on the print, in repeats.
@@ -71,6 +74,9 @@ pub struct Figure<'a> {
     pub cloths: &'a [Draped<'a>],
     /// The dressed garments, in the production's order.
     pub dressed: &'a [Draped<'a>],
+    /// Vertices [m] and normals of the surfaces of the adornments, one after the other in the production's
+    /// order.
+    pub adornments: &'a [[Vec<Vec3>; 2]],
     /// Posed vertices of the body [m].
     pub body_positions: &'a [Vec3],
     /// Their normals.
@@ -91,6 +97,7 @@ impl Looks {
         Ok(Self {
             cloths: cloths.collect::<Result<_, RenderError>>()?,
             parts: dancer_materials(&production.dancer)?,
+            adornments: adornment_materials(&production.adornments),
             print_uvs: (production.garments.iter().zip(&prints))
                 .map(|(garment, print)| {
                     let uv_from_flat = print.uv_from_panel(&garment.draft);
@@ -105,7 +112,8 @@ impl Looks {
         })
     }
 
-    /// The scene of one moment in the studio: first the garments, then the parts of the dancer.
+    /// The scene of one moment in the studio: first the garments, then the parts of the dancer,
+    /// then the adornments.
     #[must_use]
     pub fn scene<'a>(
         &'a self,
@@ -121,9 +129,6 @@ impl Looks {
         let worn = production.garments.iter().zip(figure.cloths);
         let looks = self.cloths.iter().zip(&self.print_uvs);
         for ((garment, draped), (material, uvs)) in worn.zip(looks) {
-            if !garment.is_worn {
-                continue;
-            }
             scene.meshes.push(SceneMesh {
                 positions: draped.positions,
                 normals: draped.normals,
@@ -155,6 +160,18 @@ impl Looks {
                 material,
             });
         }
+        let surfaces = production.adornments.iter().flat_map(|one| &one.surfaces);
+        let posed = figure.adornments.iter().zip(&self.adornments);
+        for (surface, ([positions, normals], material)) in surfaces.zip(posed) {
+            scene.meshes.push(SceneMesh {
+                positions,
+                normals,
+                uvs: &[],
+                colors: &surface.colors,
+                triangles: &surface.triangles,
+                material,
+            });
+        }
         scene
     }
 }
@@ -171,6 +188,67 @@ fn dressed_look(design: &Design, garment: &DressedGarment) -> Result<DressedLook
         uvs: uvs.map(|&at| uv_from_cloth.transform_point2(at)).collect(),
         print,
     })
+}
+
+/// The materials of all surfaces of adornments, one after the other; their colors are the vertices'.
+#[must_use]
+pub fn adornment_materials(adornments: &[Adornment]) -> Vec<Material> {
+    let surfaces = adornments.iter().flat_map(|one| &one.surfaces);
+    surfaces
+        .map(|surface| finish_material(surface.finish))
+        .collect()
+}
+
+fn finish_material(finish: Finish) -> Material {
+    let thin = Material {
+        base_color: [1.0; 3],
+        sides: Sides::Both,
+        ..Material::default()
+    };
+    match finish {
+        Finish::Leaf => Material {
+            roughness: 0.52,
+            specular: 0.035,
+            translucency: 0.22,
+            wrap: 0.15,
+            ..thin
+        },
+        Finish::Petal => Material {
+            roughness: 0.80,
+            specular: 0.02,
+            sheen: 0.15,
+            translucency: 0.30,
+            wrap: 0.25,
+            ..thin
+        },
+        Finish::Feather => Material {
+            roughness: 0.90,
+            specular: 0.02,
+            sheen: 0.35,
+            translucency: 0.18,
+            wrap: 0.20,
+            ..thin
+        },
+        Finish::Fiber => Material {
+            roughness: 0.85,
+            specular: 0.02,
+            sheen: 0.10,
+            wrap: 0.12,
+            ..thin
+        },
+        Finish::Wood => Material {
+            roughness: 0.36,
+            specular: 0.045,
+            ..thin
+        },
+        Finish::Film => Material {
+            roughness: 0.20,
+            specular: 0.20,
+            translucency: 0.35,
+            wrap: 0.10,
+            ..thin
+        },
+    }
 }
 
 /// The materials of a dancer's parts, in the order of her skin's.

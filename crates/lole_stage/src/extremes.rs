@@ -202,7 +202,7 @@ fn hands_pressed_into_the_hips_neither_tear_nor_carry_away_the_skirt() {
     }
     assert!(worst_strain < 0.15, "{worst_strain}");
     assert!(deepest_hand < 0.15, "the hands press: {deepest_hand}");
-    let grid = &stance.production().skirt().sewn.spec.grid;
+    let grid = &stance.production().skirt().unwrap().sewn.spec.grid;
     let crossings = lole_cloth::diagnose::self_crossings(grid, stance.cloth_positions());
     assert_eq!(crossings, Some(0));
 }

@@ -76,6 +76,9 @@ pub enum StageError {
         /// Why.
         error: Box<Self>,
     },
+    /// What hangs beside the cloth cannot be prepared.
+    #[error(transparent)]
+    Strands(#[from] lole_cloth::strands::StrandError),
     /// The cloth cannot be built.
     #[error(transparent)]
     Build(#[from] lole_cloth::BuildError),
@@ -98,6 +101,7 @@ impl Bilingual for StageError {
             Self::Garment { place, error } => {
                 format!("{place} 枚目の服: {}", error.japanese())
             }
+            Self::Strands(error) => format!("ひも状の飾りを組み立てられません（{error}）"),
             Self::Build(error) => format!("布を組み立てられません（{error}）"),
         }
     }

@@ -414,6 +414,12 @@ impl Show {
             .collect()
     }
 
+    /// Vertices [m] and unit normals of every surface of every adornment, in the production's order.
+    #[must_use]
+    pub fn posed_adornments(&self) -> Vec<[Vec<Vec3>; 2]> {
+        self.performance.posed_adornments()
+    }
+
     /// The capsules now.
     #[must_use]
     pub fn capsules(&self) -> &[Capsule] {
@@ -459,10 +465,11 @@ impl Show {
     #[must_use]
     #[expect(clippy::cast_precision_loss, reason = "a skirt has 512 columns")]
     pub fn vitals(&self) -> Vitals {
-        let skirt = self.performance.production().skirt();
-        let columns = skirt.sewn.spec.grid.column_count as usize;
-        let positions = &self.positions[skirt.particles.clone()];
-        let hem = &positions[positions.len().saturating_sub(columns)..];
+        let hem = (self.performance.production().skirt()).map_or(&[][..], |skirt| {
+            let columns = skirt.sewn.spec.grid.column_count as usize;
+            let positions = &self.positions[skirt.particles.clone()];
+            &positions[positions.len().saturating_sub(columns)..]
+        });
         let middle = hem.iter().sum::<Vec3>() / hem.len().max(1) as f32;
         let gravity = self.performance.gravity();
         let (mut kinetic, mut potential) = (0.0, 0.0);
@@ -477,7 +484,7 @@ impl Show {
             potential_energy: potential,
             elastic_energy: (self.performance.energy())
                 .map(|energy| single(energy.springs + energy.bending)),
-            hem_height: middle.y,
+            hem_height: self.performance.hem_height(),
             hem_middle: [middle.x, middle.z],
         }
     }
@@ -538,7 +545,8 @@ fn needs_sewing(old: &Design, new: &Design) -> bool {
         // What is only drawn or woven otherwise needs no needle.
         let mut garments = design.garments.clone();
         // What is only drafted needs none either.
-        garments.retain(|garment| garment.is_danced() || garment.is_dressed());
+        garments.retain(|it| it.is_danced() || it.is_dressed() || it.is_adornment());
+        // An adornment is made in its colors.
         for garment in garments.iter_mut().filter(|it| it.is_danced()) {
             let (fabric, print) = garment.cloth_mut();
             *fabric = FabricDesign::default();
@@ -743,7 +751,7 @@ mod tests {
     fn cloth_follows_the_hand_that_holds_it_and_hangs_again_when_let_go() {
         let mut show = fresh();
         show.settle().unwrap();
-        let grid = show.production().skirt().sewn.spec.grid;
+        let grid = show.production().skirt().unwrap().sewn.spec.grid;
         let particle = grid.index(grid.row_count - 1, 48);
         let at = |show: &Show| show.cloth_positions()[particle];
         let rest = at(&show);

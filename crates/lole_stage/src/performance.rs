@@ -1,5 +1,6 @@
 //! A performance: one dancer, what she wears, one dance, moved on frame by frame.
 
+mod adornment;
 mod dressed;
 mod forearms;
 mod order;
@@ -13,6 +14,7 @@ use glam::{Affine3A, Vec3};
 use lole_body::{BodyCapsule, Pose};
 use lole_cloth::method::explicit::ExplicitConfig;
 use lole_cloth::method::reference::ReferenceModel;
+use lole_cloth::wind::Wind;
 use lole_cloth::{Crossings, InstructionSet, Phase, diagnose};
 use lole_costume::document::{BodyShapes, Design, GarmentLayer};
 use lole_geom::{Capsule, Surfel, mesh::vertex_normals};
@@ -20,6 +22,7 @@ use lole_geom::{Capsule, Surfel, mesh::vertex_normals};
 use crate::production::{DressedGarment, Garment, Production};
 use crate::solver::{Observer, Solver, Surroundings};
 use crate::{FrameMetrics, StageError, skin_check};
+use adornment::{Adorned, AroundStrands};
 use dressed::{Around, Dressed};
 use order::Order;
 use worn::{Carrier, Worn};
@@ -84,6 +87,8 @@ pub struct Performance {
     production: Arc<Production>,
     /// In the order of the production's garments.
     worn: Vec<Worn>,
+    /// What moves of the production's adornments.
+    adorned: Adorned,
     order: Order,
     /// In the order of the production's dressed garments.
     dressed: Vec<Dressed>,
@@ -126,6 +131,7 @@ impl Performance {
             meets_skin: production.design.contact_body() == BodyShapes::Skin,
             crossings: Crossings::Repair,
             dressed: production.dressed.iter().map(Dressed::new).collect(),
+            adorned: Adorned::default(),
             production,
             order: Order::default(),
             whole_skin: Vec::new(),
@@ -141,6 +147,11 @@ impl Performance {
             frame: -i64::from(SETTLE_FRAMES),
         };
         performance.look();
+        performance.adorned = Adorned::new(
+            &performance.production,
+            &performance.world_from_bind,
+            &performance.cloth_positions,
+        )?;
         let pose = performance.pose_of_dance();
         performance.pose_dancer(pose);
         Ok(performance)
@@ -227,7 +238,7 @@ impl Performance {
         let surroundings = Surroundings {
             pin_targets: &[],
             capsules: if self.meets_skin { &[] } else { &self.capsules },
-            surfels: &self.surfels,
+            surfels: if self.meets_skin { &self.surfels } else { &[] },
             crossings: self.crossings,
             time: self.time(),
         };
@@ -266,8 +277,27 @@ impl Performance {
                 dressed.step(garment, &around, inside);
             }
         }
+        self.step_adornments();
         self.settle();
         self.check_stage()
+    }
+
+    fn step_adornments(&mut self) {
+        if !self.adorned.has_strands() {
+            return;
+        }
+        let design = &self.production.design;
+        let wind = Wind {
+            amplitude: design.wind.speed_m_per_s,
+            law: design.wind.law,
+        };
+        let around = AroundStrands {
+            world_from_bind: &self.world_from_bind,
+            surfels: &self.surfels,
+            cloth: &self.cloth_positions,
+            air_velocity: wind.force(f64::from(self.time())).as_vec3(),
+        };
+        self.adorned.step(&self.production, &around);
     }
 
     /// Reads the positions of all garments.
@@ -280,7 +310,9 @@ impl Performance {
 
     /// Damps the cloth before the dance, which begins when all of it is at rest.
     fn settle(&mut self) {
-        if !self.worn.iter().any(Worn::is_settling) {
+        let is_dressed_alone =
+            self.worn.is_empty() && !self.dressed.is_empty() && !self.adorned.has_strands();
+        if !is_dressed_alone && !self.worn.iter().any(Worn::is_settling) {
             if self.frame <= i64::from(LOWERING_FRAMES) - i64::from(SETTLE_FRAMES) {
                 for worn in &mut self.worn {
                     worn.solver.scale_velocities(LOWERING);
@@ -291,8 +323,8 @@ impl Performance {
         // Dressed garments have come to rest on her already; with the skirt they take as long as that.
         let mut all_rest =
             self.dressed.is_empty() || DRESSED_FRAMES <= self.frame + i64::from(SETTLE_FRAMES);
-        for (worn, garment) in self.worn.iter_mut().zip(&self.production.garments) {
-            all_rest &= !garment.is_worn || worn.settle();
+        for worn in &mut self.worn {
+            all_rest &= worn.settle();
         }
         if all_rest {
             self.worn.iter_mut().for_each(Worn::let_go);
@@ -304,14 +336,15 @@ impl Performance {
         self.production.dance.pose_at(self.time().max(0.0))
     }
 
-    fn pose_dancer(&mut self, pose: Pose) {
+    fn pose_dancer(&mut self, mut pose: Pose) {
+        adornment::grip(&self.production, &mut pose);
         self.pose = pose;
         self.world_from_bind = self.production.dancer.skeleton.world_from_bind(&self.pose);
         self.capsules = (self.body_capsules.iter())
             .map(|capsule| capsule.posed(&self.world_from_bind))
             .collect();
         self.surfels.clear();
-        if self.meets_skin || !self.dressed.is_empty() {
+        if self.meets_skin || !self.dressed.is_empty() || self.adorned.has_strands() {
             self.production.dancer.skin.pose(
                 &self.world_from_bind,
                 &mut self.body_positions,
@@ -324,9 +357,6 @@ impl Performance {
             );
             self.whole_skin.clone_from(&self.surfels);
             (self.production.forearms).withdraw(&self.capsules, &mut self.surfels);
-            if !self.meets_skin {
-                self.surfels.clear();
-            }
         }
         let skin = (&self.body_positions[..], &self.body_normals[..]);
         let carrier = Carrier {
@@ -409,6 +439,18 @@ impl Performance {
         &self.body_normals
     }
 
+    /// Vertices [m] and unit normals of every surface of every adornment of the production, in their
+    /// order.
+    #[must_use]
+    pub fn posed_adornments(&self) -> Vec<[Vec<Vec3>; 2]> {
+        self.adorned.posed(&self.production, &self.world_from_bind)
+    }
+
+    /// Particles [m] of the strands of each adornment that has some, one strand after the other.
+    pub fn strand_positions(&self) -> impl Iterator<Item = &[Vec3]> {
+        self.adorned.positions()
+    }
+
     /// The dancer's current pose.
     #[must_use]
     pub const fn pose(&self) -> &Pose {
@@ -430,7 +472,7 @@ impl Performance {
             hem_height: self.hem_height(),
             ..FrameMetrics::default()
         };
-        for garment in self.production.garments.iter().filter(|it| it.is_worn) {
+        for garment in self.production.garments {
             let (spec, positions) = (&garment.sewn.spec, self.garment_positions(garment));
             let share = positions.len() as f32 / self.cloth_positions.len() as f32;
             let (strain, skin) = Worn::measure(garment, positions, body);
@@ -463,14 +505,15 @@ impl Performance {
         order::inversions(&self.production.garments, &self.cloth_positions)
     }
 
-    /// Mean height of the skirt's hem above the floor [m]; without the skirt, of the lowest cloth.
-    fn hem_height(&self) -> f32 {
-        let skirt = self.production.skirt();
-        if !skirt.is_worn {
+    /// Mean height above the floor [m] of the skirt's hem, or of the ends of one of strands; without
+    /// either that of the lowest cloth, and 0 where there is none.
+    pub(crate) fn hem_height(&self) -> f32 {
+        let Some(skirt) = self.production.skirt() else {
             let dressed = self.dressed.iter().flat_map(Dressed::positions);
-            let lowest = dressed.fold(f32::INFINITY, |low, place| low.min(place.y));
-            return if lowest.is_finite() { lowest } else { 0.0 };
-        }
+            let lowest = dressed.map(|place| place.y).min_by(f32::total_cmp);
+            let strands = self.adorned.hem_height(&self.production);
+            return strands.or(lowest).unwrap_or(0.0);
+        };
         let positions = self.garment_positions(skirt);
         let columns = skirt.sewn.spec.grid.column_count as usize;
         let hem = &positions[positions.len() - columns..];
@@ -521,7 +564,8 @@ impl Performance {
         })
     }
 
-    /// All bits of the cloth's state as one number: that of the only garment, or one of them all.
+    /// All bits of the state of cloth and strands as one number: that of the only garment, or one of them
+    /// all.
     #[must_use]
     pub fn state_hash(&self) -> u64 {
         /// Of the hash `FNV-1a` for 64 bits (Fowler, Noll and Vo).
@@ -529,7 +573,8 @@ impl Performance {
         let dressed = self.dressed.iter().map(Dressed::hash);
         let mut hashes = (self.worn.iter().map(|worn| worn.solver.state_hash())).chain(dressed);
         let first = hashes.next().unwrap_or(0);
-        hashes.fold(first, |all, next| all.wrapping_mul(PRIME) ^ next)
+        self.adorned
+            .hashed(hashes.fold(first, |all, next| all.wrapping_mul(PRIME) ^ next))
     }
 
     /// Springs of the prepared cloth.

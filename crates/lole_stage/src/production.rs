@@ -6,8 +6,9 @@ use glam::Affine3A;
 use lole_avatar::{Avatar, License};
 use lole_body::{Bone, CapsuleLayout, Dancer, Measurements, Pose, SkinSurfels};
 use lole_cloth::Fabric;
+use lole_costume::adorn::{self, Adornment};
 use lole_costume::document::{
-    Design, FabricDesign, GarmentDesign, GarmentLayer, SkirtDesign, SkirtWorn, WornTop,
+    Design, FabricDesign, GarmentDesign, GarmentLayer, SkirtDesign, WornTop,
 };
 use lole_costume::dress::{self, Dressed};
 use lole_costume::sew::{self, Clothed, Cut, SewSettings, SewnSkirt, SkirtMesh, WornPlace};
@@ -38,14 +39,16 @@ pub struct Production {
     pub garments: Vec<Garment>,
     /// Garments of the templates that she wears besides, in the order of the design's list.
     pub dressed: Vec<DressedGarment>,
+    /// What she wears or holds beside the cloth.
+    pub adornments: Vec<Adornment>,
     /// Triangles of the closed body surface.
     pub body_triangles: Vec<[u32; 3]>,
     /// The body surface as cloth meets it that meets the skin.
     pub body_surfels: SkinSurfels,
     /// Which of them are on the forearms.
     pub(crate) forearms: Forearms,
-    /// Place of the design's skirt among the garments.
-    skirt: usize,
+    /// Place of the design's skirt among the garments; `None` where it is not worn.
+    skirt: Option<usize>,
 }
 
 /// One garment, from paper to particles.
@@ -66,8 +69,6 @@ pub struct Garment {
     pub pin_surfels: Option<SkinSurfels>,
     /// Its particles among those of all garments.
     pub particles: Range<usize>,
-    /// Whether she has it on: a skirt that the design leaves out is neither moved nor shown.
-    pub is_worn: bool,
     /// Place of the first garment that it is worn over or under, directly or by way of others; its own
     /// where that is none. Garments of different chains never meet.
     pub chain: usize,
@@ -91,7 +92,8 @@ impl Production {
     /// # Errors
     /// A design whose parts do not fit together.
     pub fn new(design: &Design) -> Result<Self, StageError> {
-        let (dancer, license) = dancer(design)?;
+        let (mut dancer, license) = dancer(design)?;
+        (dancer.skin.parts).retain(|part| !adorn::replaces_part(design, part.kind));
         let dance = Danced::new(design, &dancer.skeleton)?;
         let body_triangles = dancer.skin.body_triangles();
         let body_surfels =
@@ -107,12 +109,19 @@ impl Production {
             garments: Vec::new(),
         };
         wardrobe.put_on_layer(design, GarmentLayer::Under)?;
-        let skirt = wardrobe.garments.len();
-        let cut = (&design.skirt, &design.fabric);
-        wardrobe.put_on_skirt((tailoring::SKIRT, 0.0), cut)?;
+        let skirt = (design.skirt.is_worn).then_some(wardrobe.garments.len());
+        if design.skirt.is_worn {
+            let cut = (&design.skirt, &design.fabric);
+            wardrobe.put_on_skirt((tailoring::SKIRT, 0.0), cut)?;
+        }
         wardrobe.put_on_layer(design, GarmentLayer::Over)?;
-        let mut garments = wardrobe.garments;
-        garments[skirt].is_worn = design.skirt.worn == SkirtWorn::Yes;
+        let (mut garments, posed) = (wardrobe.garments, wardrobe.stance);
+        let adornments = adorn::adorn(design, &dancer, &posed).map_err(|(place, error)| {
+            StageError::Garment {
+                place: place + 1,
+                error: Box::new(error.into()),
+            }
+        })?;
         link_chains(&mut garments);
         let dressed = dressed(design, (&dancer, &body_surfels), (&stance, &garments))?;
         Ok(Self {
@@ -120,6 +129,7 @@ impl Production {
             dance,
             garments,
             dressed,
+            adornments,
             forearms: Forearms::new(&dancer, &body_surfels),
             body_surfels,
             body_triangles,
@@ -129,10 +139,10 @@ impl Production {
         })
     }
 
-    /// The skirt that the design is about, among what is worn with it.
+    /// The skirt that the design is about, among what is worn with it; `None` where it is not worn.
     #[must_use]
-    pub fn skirt(&self) -> &Garment {
-        &self.garments[self.skirt]
+    pub fn skirt(&self) -> Option<&Garment> {
+        self.garments.get(self.skirt?)
     }
 
     /// Particles of all garments.
@@ -208,7 +218,8 @@ impl Wardrobe<'_> {
                     self.put_on_skirt((&name, FOLD_COLUMNS), cut)
                 }
                 GarmentDesign::PauTop(worn) => self.put_on_top(worn),
-                // It is no grid: it is dressed, or said to be drafted only.
+                // It is no grid: it is dressed, an adornment, or drafted and not danced, which
+                // `Design::not_danced` says.
                 GarmentDesign::Template(_) => Ok(()),
             };
             put_on.map_err(|error| StageError::Garment {
@@ -295,7 +306,6 @@ impl Wardrobe<'_> {
             mesh,
             pin_surfels,
             particles: first..first + particle_count,
-            is_worn: true,
             chain: self.garments.len(),
         });
         Ok(())

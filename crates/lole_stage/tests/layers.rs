@@ -50,7 +50,7 @@ fn garments_are_sewn_from_the_skin_outward() {
         .map(|garment| garment.name.as_str())
         .collect();
     assert_eq!(names, ["pau_underskirt", "pau_skirt", "pau_top"]);
-    assert_eq!(PRODUCTION.skirt().name, "pau_skirt");
+    assert_eq!(PRODUCTION.skirt().unwrap().name, "pau_skirt");
     let chains: Vec<usize> = (PRODUCTION.garments.iter())
         .map(|garment| garment.chain)
         .collect();

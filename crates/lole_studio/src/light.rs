@@ -96,6 +96,7 @@ fn work(jobs: &Receiver<Job>, results: &Mutex<Option<(u64, AmbientLight)>>, free
         let figure = Figure {
             cloths: &cloths,
             dressed: &dressed,
+            adornments: &snapshot.adornments,
             body_positions: &snapshot.body[0],
             body_normals: &snapshot.body[1],
         };

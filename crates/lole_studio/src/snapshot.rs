@@ -33,7 +33,6 @@ impl Wardrobe {
         Self {
             id: NEXT.fetch_add(1, Ordering::Relaxed),
             coarse_triangles: (production.garments.iter())
-                .filter(|garment| garment.is_worn)
                 .map(|garment| coarse_triangles(&garment.sewn.spec.grid))
                 .collect(),
             taped: production.dancer.taped(&production.design.tape()),
@@ -78,6 +77,8 @@ pub struct Snapshot {
     pub cloths: Vec<[Vec<Vec3>; 2]>,
     /// The dressed garments as they are drawn: positions and normals.
     pub dressed: Vec<[Vec<Vec3>; 2]>,
+    /// The surfaces of the adornments as they are drawn: positions and normals.
+    pub adornments: Vec<[Vec<Vec3>; 2]>,
     /// The body as it is drawn: positions and normals.
     pub body: [Vec<Vec3>; 2],
     /// What the cloth meets.

@@ -96,6 +96,7 @@ pub(crate) const PRINT: Words = words("柄", "Print");
 pub(crate) const COLORWAY: Words = words("配色", "Colors");
 pub(crate) const GROUND: Words = words("地の色", "Ground color");
 pub(crate) const GARMENTS: Words = words("重ねる服", "Worn with it");
+pub(crate) const WEAR_SKIRT: Words = words("パウスカートを着る", "Wear the pāʻū skirt");
 pub(crate) const UNDERSKIRT: Words = words("下のスカート", "Underskirt");
 pub(crate) const OVERSKIRT: Words = words("上のスカート", "Overskirt");
 pub(crate) const TOP: Words = words("トップ", "Top");

@@ -345,6 +345,7 @@ impl Viewport {
         let figure = Figure {
             cloths: &cloths,
             dressed: &dressed,
+            adornments: &snapshot.adornments,
             body_positions: &snapshot.body[0],
             body_normals: &snapshot.body[1],
         };

@@ -76,11 +76,13 @@ pub(super) fn measure(
         wrong_vertices,
         frame_ms: median_and_p99(&frame_ms),
     };
-    let model = ReferenceModel::new(&production.skirt().sewn.spec).map_err(Failure::error)?;
+    let worn = production.skirt();
+    let worn = worn.ok_or_else(|| Failure::Run(anyhow::anyhow!("no skirt is worn")))?;
+    let model = ReferenceModel::new(&worn.sewn.spec).map_err(Failure::error)?;
     let skirt = SkirtOfStudy {
-        particles: production.skirt().sewn.spec.grid.particle_count(),
+        particles: worn.sewn.spec.grid.particle_count(),
         springs: performance.spring_count(),
-        damping_per_s: f64::from(production.skirt().fabric.drag_rate),
+        damping_per_s: f64::from(worn.fabric.drag_rate),
         highest_frequency_rad_per_s: model.largest_frequency_bound(),
     };
     Ok((entry, skirt))

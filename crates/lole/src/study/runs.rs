@@ -88,7 +88,11 @@ impl Runner<'_> {
             log.frame_ms.push(1e3 * watch.read().process_seconds);
             let time = (frame + 1) as f64 * f64::from(FRAME_SECONDS);
             if let Err(divergence) = advanced {
-                let columns = performance.production().skirt().sewn.spec.grid.column_count;
+                let columns = performance.production().garments[0]
+                    .sewn
+                    .spec
+                    .grid
+                    .column_count;
                 let particle = divergence.row * columns + divergence.column;
                 log.entry.diverged_at_s = Some(time);
                 log.entry.diverged_particle = Some(particle as usize);
@@ -151,7 +155,7 @@ impl Log {
     fn look(&mut self, performance: &mut Performance, time: f64) {
         performance.pose_body();
         let metrics = performance.measure();
-        let spec = &performance.production().skirt().sewn.spec;
+        let spec = &performance.production().garments[0].sewn.spec;
         let count = diagnose::penetrating_count(
             spec,
             performance.cloth_positions(),

@@ -26,7 +26,7 @@ const DISPLACEMENT: f64 = 1.0e-9;
 /// The skirt's cloth lying flat, its seam open, with another damping [1/s]: a tube bends, and would
 /// not lie still.
 fn flat_model(settled: &Performance, drag_rate: f64) -> Result<ReferenceModel> {
-    let mut spec = settled.production().skirt().sewn.spec.clone();
+    let mut spec = settled.production().garments[0].sewn.spec.clone();
     spec.grid.topology = Topology::Sheet;
     #[expect(clippy::cast_possible_truncation, reason = "fabrics hold drag in f32")]
     let drag = drag_rate as f32;

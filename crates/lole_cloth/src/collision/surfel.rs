@@ -19,7 +19,7 @@ use lole_geom::Surfel;
 use crate::collision::placement::Placement;
 use crate::collision::response::{Contact, ContactLaw, ContactRow};
 use crate::lanes::{LANES, Points, Vectors, smaller};
-use cells::SurfelCells;
+pub(crate) use cells::SurfelCells;
 use planes::PlaneField;
 use search::SurfelSearch;
 
@@ -28,7 +28,7 @@ use search::SurfelSearch;
 const REACH: f32 = 0.012;
 
 /// Farthest surfel that is looked for [m], whatever the speeds.
-const REACH_MAX: f32 = 0.06;
+pub(crate) const REACH_MAX: f32 = 0.06;
 
 /// Farthest that a particle is believed to fly on in a step, beside what the body does [m]: what
 /// trembles between elastics does not.

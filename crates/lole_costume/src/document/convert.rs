@@ -13,8 +13,8 @@ use lole_pattern::{DraftError, ElasticRatio, GatherRatio};
 use super::schema::Table;
 use super::{
     BodyShapes, DancerDesign, Design, DesignError, FabricDesign, GarmentDesign, GarmentLayer,
-    MotionDesign, PartDesign, PrintChoice, Problem, SkirtDesign, SkirtWorn, WindDesign, WornTop,
-    schema, template,
+    MotionDesign, PartDesign, PrintChoice, Problem, SkirtDesign, WindDesign, WornTop, schema,
+    template,
 };
 use crate::fabrics::{FabricFigures, si_fabric};
 
@@ -106,7 +106,7 @@ impl Design {
             sewable.map_err(|error| (schema::LIST, together(&error)))?;
         }
         self.check_prints()?;
-        if self.skirt.worn == SkirtWorn::No && self.garments.is_empty() {
+        if !self.skirt.is_worn && self.garments.is_empty() {
             let sentence = Sentence::new(
                 "スカートをはかないなら、着る服を [[garment]] に書いてください".to_owned(),
                 "without the skirt, list what is worn instead as a [[garment]]".to_owned(),
@@ -272,7 +272,7 @@ impl Design {
                 .map(move |(_, garment)| part(garment))
         };
         layer(GarmentLayer::Under)
-            .chain([skirt])
+            .chain(self.skirt.is_worn.then_some(skirt))
             .chain(layer(GarmentLayer::Over))
     }
 

@@ -6,6 +6,7 @@ use lole_pattern::{DraftError, Measures, Options, Pattern};
 
 use super::schema::KINDS;
 use super::{Design, FabricDesign, PrintChoice, SkirtDesign};
+use crate::adorn;
 use crate::fabrics::Preset;
 use crate::print::PrintMotif;
 
@@ -51,6 +52,12 @@ impl GarmentDesign {
     #[must_use]
     pub const fn is_danced(&self) -> bool {
         !matches!(self, Self::Template(_))
+    }
+
+    /// Whether it is worn or held beside the cloth, and seen on the dancer: see [`crate::adorn`].
+    #[must_use]
+    pub fn is_adornment(&self) -> bool {
+        matches!(self, Self::Template(worn) if adorn::is_adornment(worn.template.id))
     }
 
     /// Where it is worn.
@@ -111,6 +118,7 @@ impl Design {
             if let GarmentDesign::Template(worn) = garment
                 && !garment.is_dressed()
                 && !names.contains(&worn.template.name)
+                && !garment.is_adornment()
             {
                 names.push(worn.template.name);
             }
@@ -221,7 +229,7 @@ impl WornTemplate {
             template,
             options: Options::of(template),
             fabric: FabricDesign::default(),
-            print: plain("red"),
+            print: natural(template.id),
         }
     }
 
@@ -304,5 +312,39 @@ fn plain(colorway: &'static str) -> PrintChoice {
         motif: PrintMotif::Plain,
         colorway,
         ..PrintChoice::default()
+    }
+}
+
+/// Colors of ground, flower, leaf and shadow of what is made of leaves, flowers, feathers and wood: what
+/// each of them means is said where it is drawn.
+const NATURAL: &[(&str, [u32; 4])] = &[
+    ("ti-leaf-skirt", [0x8a7a4c, 0xf6e7c8, 0x3e7a2c, 0x2c5a20]),
+    ("raffia-skirt", [0xb99a5c, 0xf2dfae, 0xd9bd82, 0xa9894e]),
+    ("cellophane-skirt", [0x8c1d3a, 0xf4d9e0, 0xc92a55, 0x6e1030]),
+    ("lei", [0xf7f1e3, 0xfbf3e4, 0x2f6a34, 0xf2c14e]),
+    ("lei-poo", [0x7b5a34, 0xe2574c, 0x46803a, 0xf4d35e]),
+    ("kupee", [0x7b5a34, 0xe2574c, 0x46803a, 0xf4d35e]),
+    ("hair-flower", [0xf4d35e, 0xd8263c, 0x2f6a34, 0x6d0f20]),
+    ("uliuli", [0xc8102e, 0xf2c230, 0x3e7a2c, 0x7a4a22]),
+    ("puili", [0xd8b878, 0xf2dfae, 0x3e7a2c, 0x8a6a3a]),
+    ("ipu", [0x9c6a3a, 0xe0b060, 0x3e7a2c, 0x5c3616]),
+];
+
+/// What a template is made in as the program has it.
+fn natural(id: &str) -> PrintChoice {
+    let usual = plain("red");
+    let Some((_, colors)) = NATURAL.iter().find(|(named, _)| *named == id) else {
+        return usual;
+    };
+    let [ground, flower, leaf, shadow] = colors.map(|hex| {
+        let [_, red, green, blue] = hex.to_be_bytes();
+        Some([red, green, blue])
+    });
+    PrintChoice {
+        ground,
+        flower,
+        leaf,
+        shadow,
+        ..usual
     }
 }

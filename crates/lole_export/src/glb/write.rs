@@ -190,6 +190,9 @@ fn write_skinned(document: &mut Document, mesh: &SkinnedMesh<'_>) {
         .iter()
         .any(|part| part.material.texture_png.is_some());
     let uvs = (textured && !mesh.uvs.is_empty()).then(|| buffer.uvs(mesh.uvs));
+    if !mesh.colors.is_empty() {
+        attributes.insert("COLOR_0".into(), json!(buffer.vectors(mesh.colors)));
+    }
     attributes.insert("JOINTS_0".into(), json!(buffer.joints(&joints)));
     attributes.insert("WEIGHTS_0".into(), json!(buffer.weights(&weights)));
     let mut primitives = Vec::new();
@@ -232,11 +235,14 @@ fn write_cloth(document: &mut Document, cloth: &BakedCloth<'_>, samplers: &mut V
     let scale = displacement_scale(cloth);
     let buffer = &mut document.buffer;
     let scaled: Vec<Vec3> = rest.iter().map(|point| *point / scale).collect();
-    let attributes = json!({
+    let mut attributes = json!({
         "POSITION": buffer.positions(&scaled),
         "NORMAL": buffer.vectors(&rest_normals),
         "TEXCOORD_0": buffer.uvs(&cloth.mesh.uvs),
     });
+    if !cloth.colors.is_empty() {
+        attributes["COLOR_0"] = json!(buffer.vectors(cloth.colors));
+    }
     let mut targets = Vec::new();
     for frame in &cloth.frames[1..] {
         let moved: Vec<Vec3> = vertices_of(frame)

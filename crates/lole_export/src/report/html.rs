@@ -5,7 +5,7 @@
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 
-use super::{PageMedia, ReportFile, RunReport};
+use super::{PageMedia, ReportFile, RunReport, SkirtFacts};
 use crate::page::plot::{Floor, Plot, svg};
 use crate::page::text::{both, dance_step, escape, file_size, grouped, link, number};
 use crate::page::{Page, Row, row, section};
@@ -166,6 +166,29 @@ fn dancer(report: &RunReport) -> String {
 
 fn skirt(report: &RunReport) -> String {
     let skirt = &report.skirt;
+    let mut rows = if skirt.is_worn {
+        skirt_rows(skirt)
+    } else {
+        Vec::new()
+    };
+    for remark in &skirt.warnings {
+        rows.push(row(
+            ["Worth a thought", "ご確認ください"],
+            "<i>!</i>".to_owned(),
+            [&escape(&remark.sentence), &escape(&remark.sentence_ja)],
+        ));
+    }
+    if rows.is_empty() {
+        return String::new();
+    }
+    section(
+        ["The skirt", "スカートの寸法"],
+        ["What to sew it from.", "縫うときに必要な寸法です。"],
+        &rows,
+    )
+}
+
+fn skirt_rows(skirt: &SkirtFacts) -> Vec<Row> {
     let cm = |value: f64| format!("{} <i>cm</i>", number(value, 1));
     let mut rows = vec![
         row(
@@ -231,18 +254,7 @@ fn skirt(report: &RunReport) -> String {
             },
         ));
     }
-    for remark in &skirt.warnings {
-        rows.push(row(
-            ["Worth a thought", "ご確認ください"],
-            "<i>!</i>".to_owned(),
-            [&escape(&remark.sentence), &escape(&remark.sentence_ja)],
-        ));
-    }
-    section(
-        ["The skirt", "スカートの寸法"],
-        ["What to sew it from.", "縫うときに必要な寸法です。"],
-        &rows,
-    )
+    rows
 }
 
 fn motion(report: &RunReport) -> String {

@@ -76,6 +76,8 @@ pub struct Remark {
 /// What a tailor wants to know of the skirt.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct SkirtFacts {
+    /// Whether it is worn; without it, only the name and the warnings below say anything.
+    pub is_worn: bool,
     /// Name of the design as its maker wrote it.
     pub design_name: String,
     /// Cloth to buy, along the bolt [m].

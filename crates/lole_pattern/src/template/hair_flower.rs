@@ -6,10 +6,10 @@ use kurbo::Vec2;
 use lole_language::words;
 
 use super::accessory::{accessory, counted};
-use super::chosen::{Chosen, count, number};
+use super::chosen::{Chosen, choice, count, number};
 use super::making::{cm, edges_of, say, step, stitching};
 use super::shape::{CM, DOWN, Label, at, curve, edge, line};
-use super::{OptionRow, Options, Template};
+use super::{Choice, OptionRow, Options, Template};
 use crate::piece::{CutCount, Finish, LineKind, Piece};
 use crate::{DraftError, Measures, Pattern};
 
@@ -33,6 +33,22 @@ const OPTIONS: &[OptionRow] = &[
     ),
     count("petal_count", [3, 12], 5, words("花びらの枚数", "petals")),
     count("flower_count", [1, 5], 1, words("花の数", "flowers")),
+    choice(
+        "side",
+        SIDES,
+        words("着ける側（その人から見て）", "side of the head, hers"),
+    ),
+];
+
+const SIDES: &[Choice] = &[
+    Choice {
+        id: "left",
+        name: words("左", "left"),
+    },
+    Choice {
+        id: "right",
+        name: words("右", "right"),
+    },
 ];
 
 /// Length of a petal over the flower's radius: the middle is drawn together.

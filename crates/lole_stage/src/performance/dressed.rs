@@ -117,13 +117,10 @@ pub(super) fn grids<'a>(
     garments: &'a [Garment],
     positions: &'a [Vec3],
 ) -> impl Iterator<Item = (&'a [[u32; 3]], &'a [Vec3])> {
-    garments
-        .iter()
-        .filter(|garment| garment.is_worn)
-        .map(|garment| {
-            let own = &positions[garment.particles.clone()];
-            (&garment.mesh.particle_triangles[..], own)
-        })
+    garments.iter().map(|garment| {
+        let own = &positions[garment.particles.clone()];
+        (&garment.mesh.particle_triangles[..], own)
+    })
 }
 
 impl Performance {

@@ -49,6 +49,13 @@ impl Forearms {
         }
     }
 
+    /// Takes the normals of all of them.
+    pub(crate) fn withdraw_all(&self, surfels: &mut [Surfel]) {
+        for &surfel in self.slices.iter().flatten() {
+            surfels[surfel as usize].normal = Vec3::ZERO;
+        }
+    }
+
     /// Takes the normals of those surfels that touch nothing beside a body, whose capsules from waist
     /// to ankle are given.
     pub(crate) fn withdraw(&self, body: &[Capsule], surfels: &mut [Surfel]) {

@@ -52,9 +52,6 @@ impl Order {
     ) {
         let mut dressed: Vec<Dressed<'_>> = garments.iter().map(|_| Vec::new()).collect();
         for pair in worn.iter_mut().zip(garments) {
-            if !pair.1.is_worn {
-                continue;
-            }
             dressed[pair.1.chain].push(pair);
         }
         dressed.retain(|chain| !chain.is_empty());

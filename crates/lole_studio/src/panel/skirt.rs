@@ -10,6 +10,17 @@ use crate::{Studio, text};
 const PLACE: usize = usize::MAX;
 
 pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
+    let mut is_worn = studio.design().skirt.is_worn;
+    if ui
+        .checkbox(&mut is_worn, studio.say(text::WEAR_SKIRT))
+        .changed()
+    {
+        studio.change(|design| design.skirt.is_worn = is_worn);
+    }
+    if !is_worn {
+        sewing(ui, studio);
+        return;
+    }
     if let Some(fabric) = fabric_ui(ui, studio, PLACE, &studio.design().fabric) {
         studio.choose_fabric(fabric);
     }
@@ -20,7 +31,8 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
         studio.change_later(|design| design.skirt.hem_height_cm = height);
     }
     let snapshot = studio.snapshot.clone();
-    let garment = snapshot.as_ref().map(|now| now.wardrobe.production.skirt());
+    let garment = snapshot.as_ref();
+    let garment = garment.and_then(|now| now.wardrobe.production.skirt());
     paper_ui(ui, studio, garment);
     hindrance::show(ui, studio, &["[skirt]", "[print]"]);
     if let Some(print) = print_ui(ui, studio, PLACE, &studio.design().print) {

@@ -386,6 +386,7 @@ fn photograph(show: &Show, clothes: &Arc<Wardrobe>, watch: Watch) -> Snapshot {
         particles,
         cloths,
         dressed: show.dressed_vertices(),
+        adornments: show.posed_adornments(),
         body: [body_positions, body_normals],
         capsules: show.capsules().to_vec(),
         bones: show.bones(),

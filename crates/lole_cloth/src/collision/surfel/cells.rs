@@ -44,7 +44,7 @@ enum Facing {
 
 /// How the surfels around the cells face, as far as it was asked for.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(super) struct Facings(Vec<Facing>);
+pub(crate) struct Facings(Vec<Facing>);
 
 impl Facings {
     /// Memory that it holds [byte].
@@ -60,7 +60,7 @@ impl Facings {
 
 /// The surfels near the cloth in the middle of a step.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(super) struct SurfelCells {
+pub(crate) struct SurfelCells {
     low: Vec3,
     counts: IVec3,
     /// First entry of every cell, and one more; along x first.
@@ -78,7 +78,7 @@ pub(super) struct SurfelCells {
 
 impl SurfelCells {
     /// Memory that it holds [byte].
-    pub(super) const fn byte_count(&self) -> usize {
+    pub(crate) const fn byte_count(&self) -> usize {
         size_of_val(self.starts.as_slice())
             + size_of_val(self.entries.as_slice())
             + size_of_val(self.unsorted.as_slice())
@@ -88,19 +88,19 @@ impl SurfelCells {
     }
 
     /// What the surfels do in the step on the mean [m].
-    pub(super) const fn mean_motion(&self) -> Vec3 {
+    pub(crate) const fn mean_motion(&self) -> Vec3 {
         self.mean_motion
     }
 
     /// Farthest that one of them moves besides [m].
-    pub(super) const fn spread(&self) -> f32 {
+    pub(crate) const fn spread(&self) -> f32 {
         self.spread
     }
 
     /// Sorts those that come within `reach` [m] of the box `bounds`. Not inlined into vector code:
     /// it would change kinds of instructions.
     #[inline(never)]
-    pub(super) fn sort(&mut self, skin: Skin<'_>, [low, high]: [Vec3; 2], reach: f32) {
+    pub(crate) fn sort(&mut self, skin: Skin<'_>, [low, high]: [Vec3; 2], reach: f32) {
         self.choose(skin, [low - reach, high + reach]);
         let start = (Vec3::INFINITY, Vec3::NEG_INFINITY);
         let (low, high) = (self.unsorted.iter()).fold(start, |(low, high), &(middle, _)| {
@@ -196,7 +196,7 @@ impl SurfelCells {
     /// The surfel nearest to `point` within `reach` [m], by its place among the entries; of equals
     /// the first. `hint` is one that may be it: a near one saves work and changes nothing.
     #[inline(always)]
-    pub(super) fn nearest<S: Simd>(
+    pub(crate) fn nearest<S: Simd>(
         &self,
         simd: S,
         point: Vec3,
@@ -219,7 +219,7 @@ impl SurfelCells {
 
     /// The surfel nearest to `point` of those within [`PINCH_REACH`] that face against the one at
     /// `place`; `hint` as for [`Self::nearest`].
-    pub(super) fn opposite(
+    pub(crate) fn opposite(
         &self,
         point: Vec3,
         (place, hint): (usize, Option<usize>),
@@ -335,7 +335,7 @@ impl SurfelCells {
     }
 
     /// The nearer to `point` of two places, if it is within `reach` [m].
-    pub(super) fn nearer(
+    pub(crate) fn nearer(
         &self,
         point: Vec3,
         reach: f32,
@@ -353,12 +353,12 @@ impl SurfelCells {
     }
 
     /// Where the surfel at a place is in the middle of the step [m].
-    pub(super) fn position(&self, place: usize) -> Vec3 {
+    pub(crate) fn position(&self, place: usize) -> Vec3 {
         self.entries[place].0
     }
 
     /// Which surfel is at a place among the entries.
-    pub(super) fn surfel(&self, place: usize) -> usize {
+    pub(crate) fn surfel(&self, place: usize) -> usize {
         self.entries[place].1 as usize
     }
 }

@@ -12,7 +12,7 @@ use lole_language::words;
 use super::cost::COST;
 use super::motion::MOTION;
 use super::{Key, Kind, Table};
-use crate::document::{BodyShapes, LinkedFile, MethodName, SkirtWorn, WindModel};
+use crate::document::{BodyShapes, LinkedFile, MethodName, WindModel};
 use crate::fabrics::{PRESETS, Preset};
 
 /// Largest seed: what fits the integers of TOML.
@@ -31,7 +31,6 @@ const HAIR_STYLES: &[(&str, HairStyle)] = &[
     (HairStyle::Short.id(), HairStyle::Short),
     (HairStyle::Bob.id(), HairStyle::Bob),
 ];
-const SKIRT_WORN: &[(&str, SkirtWorn)] = &[("yes", SkirtWorn::Yes), ("no", SkirtWorn::No)];
 const WIND_LAWS: &[(&str, WindLaw)] = &[
     ("spherical", WindLaw::Spherical),
     ("literal-scalar", WindLaw::LiteralScalar),
@@ -221,15 +220,24 @@ const DANCER: Table = Table {
 const SKIRT: Table = Table {
     name: "skirt",
     about: words("パウスカート", "the pāʻū skirt"),
-    keys: skirt_keys!(choice!(
-        "worn",
-        words("パウスカート", "way to wear the skirt"),
-        SKIRT_WORN,
-        skirt.worn,
-        "no なら、ムームーや巻き布だけでパウスカートははかない",
-        "no: a dress or a wrap is worn without the skirt"
-    )),
+    keys: skirt_keys!(Key {
+        name: "worn",
+        about: words(
+            "着るか（yes）、代わりに別のスカートや服だけを着るか（no）",
+            "yes, or no where another skirt or a dress is worn instead",
+        ),
+        kind: Kind::Name {
+            what: words("答え", "yes or no"),
+            choices: || vec![YES, NO],
+            get: |design| if design.skirt.is_worn { YES } else { NO },
+            set: |design, name| design.skirt.is_worn = name != NO,
+        },
+    }),
 };
+
+/// Whether the skirt is worn.
+const YES: &str = "yes";
+const NO: &str = "no";
 
 const FABRIC: Table = Table {
     name: "fabric",
