@@ -6,14 +6,19 @@
 mod figures;
 mod style;
 
+use std::sync::Arc;
+
 use lole_body::Measure;
 use lole_costume::cost::Bill;
 use lole_costume::order::{DancerPlan, PlannedGarment};
+use lole_costume::print::PrintImage;
+use lole_costume::tailoring::{ClothPlan, role_name};
 use lole_language::{Bilingual as _, Language};
 use lole_pattern::pattern::{Amount, Step};
 use lole_pattern::piece::ClothRole;
 
 use crate::cutting::{CutGarment, draw_marker};
+use crate::order::lengths_table;
 use crate::pdf::{
     Align, Cell, Column, Flow, Margins, Paper, Picture, Rect, Sheet, Stroke, Table, TextStyle,
 };
@@ -26,6 +31,10 @@ pub struct Booklet<'a> {
     pub title: String,
     /// Patterns and cut plans of the dancer on the cover.
     pub plan: &'a DancerPlan,
+    /// Everybody who sews by this booklet, where that are several: each has her own lengths.
+    pub group: &'a [DancerPlan],
+    /// What is printed on each garment, in their order; none where it is not to be shown.
+    pub prints: &'a [Arc<PrintImage>],
     /// What it costs.
     pub bill: &'a Bill,
     /// The costume on its dancer.
@@ -42,12 +51,16 @@ pub fn booklet_sheets(booklet: &Booklet<'_>, paper: Paper, language: Language) -
     flow.new_page();
     materials(&mut flow, booklet.plan, language);
     measures(&mut flow, booklet.plan, language);
-    for garment in &booklet.plan.garments {
+    if 1 < booklet.group.len() {
         flow.new_page();
-        cut_plans(&mut flow, garment, language);
+        everybody(&mut flow, booklet, language);
     }
+    for (index, garment) in booklet.plan.garments.iter().enumerate() {
+        cut_plans(&mut flow, garment, booklet.prints.get(index), language);
+    }
+    // Those who sew begin with a fresh page; what follows begins where there is room for it.
+    flow.new_page();
     for garment in &booklet.plan.garments {
-        flow.new_page();
         steps(&mut flow, garment, language);
     }
     care(&mut flow, language);
@@ -181,9 +194,7 @@ fn material_rows(garment: &PlannedGarment, language: Language) -> Vec<Vec<Cell>>
         let (yards, mass) = (bought.imperial.to_yd(), plan.mass);
         let name = match plan.role {
             ClothRole::Main => tailored.cloth.name.text(language),
-            ClothRole::Contrast => language.pick("無地の布", "plain cloth"),
-            ClothRole::Lining => language.pick("裏布", "lining"),
-            ClothRole::Interfacing => language.pick("芯地", "interfacing"),
+            role => role_name(role).text(language),
         };
         rows.push(vec![
             Cell::bold(name),
@@ -282,7 +293,34 @@ fn measure_table(plan: &DancerPlan, language: Language) -> Table {
     }
 }
 
-fn cut_plans(flow: &mut Flow, garment: &PlannedGarment, language: Language) {
+/// Everybody's lengths, where the rest of the booklet has those of one.
+fn everybody(flow: &mut Flow, booklet: &Booklet<'_>, language: Language) {
+    head(flow, language.pick("全員の寸法", "Everybody’s lengths"));
+    let name = booklet.plan.name.as_str();
+    let text = match language {
+        Language::Japanese => format!(
+            "この本の図と手順の数字は {name} さんの寸法です。ほかの人は、裁つ寸法とゴムの長さをこの表から取ってください。そのほかは同じです。"
+        ),
+        Language::English => format!(
+            "The drawings and steps of this booklet have the lengths of {name}. For everybody else take the lengths of cloth and elastic from this table; all the rest is the same."
+        ),
+    };
+    flow.paragraph(&text, &TextStyle::body());
+    flow.space(3.0);
+    lengths_table(booklet.group, language).draw(flow);
+}
+
+fn cut_plans(
+    flow: &mut Flow,
+    garment: &PlannedGarment,
+    print: Option<&Arc<PrintImage>>,
+    language: Language,
+) {
+    // Leaves and flowers are tied, not cut.
+    let Some(first) = garment.plans.first() else {
+        return;
+    };
+    flow.keep(plan_height(first, flow.width()) + 24.0);
     let name = garment.tailored.name.text(language);
     let title = match language {
         Language::Japanese => format!("裁ち方: {name}"),
@@ -292,12 +330,16 @@ fn cut_plans(flow: &mut Flow, garment: &PlannedGarment, language: Language) {
     let cut = CutGarment {
         garment: garment.tailored.clone(),
         plans: garment.plans.clone(),
+        print: print.cloned(),
     };
     for plan in &garment.plans {
-        let aspect = plan.marker.cloth.width.to_m() / plan.marker.yardage.needed.to_m().max(0.01);
-        let height = (aspect * flow.width() + 34.0).clamp(60.0, 130.0);
+        let height = plan_height(plan, flow.width());
+        flow.keep(height + 10.0);
+        if plan.role != ClothRole::Main {
+            subhead(flow, role_name(plan.role).text(language));
+        }
         flow.block(height, |sheet, rect| {
-            draw_marker(sheet, rect, &cut, &plan.marker, language);
+            draw_marker(sheet, rect, &cut, plan, language);
         });
         for warning in &plan.marker.warnings {
             flow.paragraph(
@@ -305,12 +347,6 @@ fn cut_plans(flow: &mut Flow, garment: &PlannedGarment, language: Language) {
                 &TextStyle::bold(12.5),
             );
         }
-    }
-    for warning in &garment.tailored.pattern.warnings {
-        flow.paragraph(
-            &format!("! {}", warning.text(language)),
-            &TextStyle::bold(12.5),
-        );
     }
     for (piece, [along, across], count) in garment.rectangles() {
         let (along, across) = (along.to_cm(), across.to_cm());
@@ -329,17 +365,30 @@ fn cut_plans(flow: &mut Flow, garment: &PlannedGarment, language: Language) {
     flow.space(6.0);
 }
 
+/// Height of a cut plan over this width [mm].
+fn plan_height(plan: &ClothPlan, width: f64) -> f64 {
+    let aspect = plan.marker.cloth.width.to_m() / plan.marker.yardage.needed.to_m().max(0.01);
+    (aspect * width + 34.0).clamp(60.0, 130.0)
+}
+
 fn steps(flow: &mut Flow, garment: &PlannedGarment, language: Language) {
     let pattern = &garment.tailored.pattern;
-    if pattern.steps.is_empty() {
+    let Some(first) = pattern.steps.first() else {
         return;
-    }
+    };
+    flow.keep(figures::height(&first.figure) + step_height(first, flow.width(), language) + 16.0);
     let name = garment.tailored.name.text(language);
     let title = match language {
         Language::Japanese => format!("縫い方: {name}"),
         Language::English => format!("Sewing: {name}"),
     };
     head(flow, &title);
+    for warning in &pattern.warnings {
+        flow.paragraph(
+            &format!("! {}", warning.text(language)),
+            &TextStyle::bold(12.5),
+        );
+    }
     for (number, step) in (1..).zip(&pattern.steps) {
         let figure = figures::height(&step.figure);
         flow.keep(figure + step_height(step, flow.width(), language));
@@ -431,7 +480,7 @@ fn costs(flow: &mut Flow, bill: &Bill, language: Language) {
 /// A bill with its total.
 pub(crate) fn bill_table(bill: &Bill, language: Language) -> Table {
     let currency = bill.currency;
-    let unknown = || language.pick("値段は?", "price?").to_owned();
+    let unknown = || language.pick("値段を確認", "ask the price").to_owned();
     let mut rows: Vec<Vec<Cell>> = (bill.lines.iter())
         .map(|line| {
             let sum = line.sum.map_or_else(unknown, |sum| currency.write(sum));
@@ -447,11 +496,14 @@ pub(crate) fn bill_table(bill: &Bill, language: Language) -> Table {
     } else {
         language.pick("わかっている分の合計", "Total of what is known")
     };
-    rows.push(vec![
-        Cell::bold(total),
-        "".into(),
-        Cell::bold(currency.write(bill.total)),
-    ]);
+    // Where nothing is known yet there is nothing to sum up.
+    if bill.knows_something() {
+        rows.push(vec![
+            Cell::bold(total),
+            "".into(),
+            Cell::bold(currency.write(bill.total)),
+        ]);
+    }
     Table {
         columns: vec![
             Column::text("", 4.5),

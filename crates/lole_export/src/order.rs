@@ -1,6 +1,8 @@
 //! A group order on paper and as data: the line of dancers, what to buy, a label for each bundle of
 //! cut cloth.
 
+mod folder;
+
 use lole_body::Measure;
 use lole_costume::cost::Bill;
 use lole_costume::order::{DancerPlan, NotionTotal, PlannedGarment, PrintTotal, Settings};
@@ -12,6 +14,8 @@ use crate::booklet::{ACCENT, amount_words, bill_remarks, bill_table, foot, head}
 use crate::pdf::{
     Align, Cell, Column, Flow, Margins, Paper, Picture, Rect, Sheet, Stroke, Table, TextStyle,
 };
+
+pub use folder::{OrderFolder, OrderParts, order_folder};
 
 /// Everything about a group order.
 #[derive(Debug, Clone, PartialEq)]
@@ -109,16 +113,13 @@ fn dancer_table(order: &Order<'_>, language: Language) -> Table {
         for (place, garment) in plan.garments.iter().enumerate() {
             let name = if place == 0 { plan.name.as_str() } else { "" };
             let cost = order.bills.get(index).filter(|_| place == 0);
-            let cost = cost.map_or_else(String::new, |bill| {
-                let known = if bill.is_complete() { "" } else { "+?" };
-                format!("{}{known}", bill.currency.write(bill.total))
-            });
+            let cost = cost.map_or_else(String::new, |bill| cost_words(bill, language));
             rows.push(vec![
                 Cell::bold(name),
                 garment.tailored.name.text(language).into(),
                 cut_words(garment).into(),
                 elastic_words(garment, language).into(),
-                format!("{:.1} m", garment.bought().metric.to_m()).into(),
+                cloth_words(garment).into(),
                 cost.into(),
             ]);
         }
@@ -134,6 +135,51 @@ fn dancer_table(order: &Order<'_>, language: Language) -> Table {
         ],
         rows,
         size_pt: 10.5,
+    }
+}
+
+/// What a costume costs, or that its prices are still to be asked for.
+fn cost_words(bill: &Bill, language: Language) -> String {
+    match (bill.knows_something(), bill.is_complete()) {
+        (_, true) => bill.currency.write(bill.total),
+        (true, false) => {
+            let total = bill.currency.write(bill.total);
+            format!("{total}{}", language.pick("＋未定", " + ?"))
+        }
+        (false, false) => language.pick("値段を確認", "ask prices").to_owned(),
+    }
+}
+
+/// Cloth to buy for a garment; nothing for one that is tied of leaves.
+fn cloth_words(garment: &PlannedGarment) -> String {
+    if garment.plans.is_empty() {
+        return "–".to_owned();
+    }
+    format!("{:.1} m", garment.bought().metric.to_m())
+}
+
+/// What is cut for each dancer: cloth and elastic, in centimeters.
+pub(crate) fn lengths_table(plans: &[DancerPlan], language: Language) -> Table {
+    let mut rows = Vec::new();
+    for plan in plans {
+        for (place, garment) in plan.garments.iter().enumerate() {
+            rows.push(vec![
+                Cell::bold(if place == 0 { plan.name.as_str() } else { "" }),
+                garment.tailored.name.text(language).into(),
+                cut_words(garment).into(),
+                elastic_words(garment, language).into(),
+            ]);
+        }
+    }
+    Table {
+        columns: vec![
+            Column::text(language.pick("名前", "Name"), 3.0),
+            Column::text(language.pick("服", "Garment"), 2.6),
+            Column::text(language.pick("裁つ寸法 cm", "Cut, cm"), 3.2),
+            Column::text(language.pick("ゴム cm", "Elastic, cm"), 2.8),
+        ],
+        rows,
+        size_pt: 11.5,
     }
 }
 

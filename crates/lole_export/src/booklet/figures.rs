@@ -10,7 +10,7 @@ use lole_pattern::piece::{Finish, LineKind, Mark, Piece};
 
 use super::middle;
 use super::style::{ACCENT, CLOTH, INSIDE, SEWN};
-use crate::cutting::draw::{arrow, line, outline};
+use crate::cutting::draw::{arrow, fitting, line, outline};
 use crate::pdf::{Align, Color, Rect, Sheet, Stroke, TextStyle};
 
 /// Letters in drawings.
@@ -45,12 +45,7 @@ pub(super) fn draw(
                 draw_piece(sheet, rect, piece, (edges, marks), language);
             }
         }
-        Figure::Seams(seams) => {
-            let seams = seams.iter().filter_map(|&seam| pattern.seams.get(seam));
-            if let Some(seam) = seams.into_iter().next() {
-                draw_seam(sheet, rect, pattern, seam, language);
-            }
-        }
+        Figure::Seams(seams) => draw_seams(sheet, rect, pattern, seams, language),
         Figure::Section { piece, marks } => {
             if let Some(piece) = pattern.pieces.get(*piece) {
                 draw_section(sheet, rect, piece, marks, language);
@@ -189,6 +184,37 @@ fn draw_sizes(sheet: &mut Sheet, page: Affine, bounds: kurbo::Rect) {
 }
 
 /// Two edges brought together: a piece closed to a ring is folded in half, others lie side by side.
+/// Seams side by side; those of the other side of the body look alike and are drawn once.
+fn draw_seams(
+    sheet: &mut Sheet,
+    rect: Rect,
+    pattern: &Pattern,
+    seams: &[usize],
+    language: Language,
+) {
+    /// More would be too small to know.
+    const MOST: usize = 3;
+    let mut shown: Vec<&Seam> = Vec::new();
+    for seam in seams.iter().filter_map(|&seam| pattern.seams.get(seam)) {
+        let edges = |seam: &Seam| [seam.flat, seam.full].map(|side| (side.piece, side.edge));
+        if !shown.iter().any(|other| edges(other) == edges(seam)) {
+            shown.push(seam);
+        }
+    }
+    shown.truncate(MOST);
+    let gap = 8.0;
+    let count = f64::from(u32::try_from(shown.len().max(1)).unwrap_or(1));
+    let width = (rect.width - gap * (count - 1.0)) / count;
+    for (index, seam) in (0_u32..).zip(shown) {
+        let place = Rect {
+            x: rect.x + f64::from(index) * (width + gap),
+            width,
+            ..rect
+        };
+        draw_seam(sheet, place, pattern, seam, language);
+    }
+}
+
 fn draw_seam(sheet: &mut Sheet, rect: Rect, pattern: &Pattern, seam: &Seam, language: Language) {
     let sides = [seam.flat, seam.full];
     let [Some(one), Some(other)] = sides.map(|side| pattern.pieces.get(side.piece)) else {
@@ -198,12 +224,14 @@ fn draw_seam(sheet: &mut Sheet, rect: Rect, pattern: &Pattern, seam: &Seam, lang
         draw_ring(sheet, rect, one, seam.flat.edge, language);
         return;
     }
-    let half = 0.5 * rect.width - 10.0;
+    // The arrow between them, with room at its ends.
+    let between = (0.12 * rect.width).clamp(9.0, 20.0);
+    let half = 0.5 * (rect.width - between);
     for (index, (piece, side)) in [one, other].into_iter().zip(sides).enumerate() {
         let left = if index == 0 {
             rect.x
         } else {
-            rect.x + half + 20.0
+            rect.x + half + between
         };
         let place = Rect {
             x: left,
@@ -222,11 +250,18 @@ fn draw_seam(sheet: &mut Sheet, rect: Rect, pattern: &Pattern, seam: &Seam, lang
             sheet.path(path_of(&edge.points(1e-3), page), None, Some(stroke));
         }
         let at = [left + 0.5 * half, rect.y + rect.height - 2.0];
-        sheet.text(at, piece.name.text(language), &LABEL, Align::Center);
+        let name = piece.name.text(language);
+        let fitted = fitting(name, half + 0.4 * between, LABEL.size_pt).unwrap_or(LABEL);
+        let label = TextStyle {
+            size_pt: fitted.size_pt,
+            ..LABEL
+        };
+        sheet.text(at, name, &label, Align::Center);
     }
     let y = rect.y + 0.5 * rect.height;
     let middle = rect.x + 0.5 * rect.width;
-    let ends = [Point::new(middle - 7.0, y), Point::new(middle + 7.0, y)];
+    let reach = 0.35 * between;
+    let ends = [Point::new(middle - reach, y), Point::new(middle + reach, y)];
     arrow(sheet, ends, &Stroke::solid(0.5).with_color(ACCENT));
 }
 
