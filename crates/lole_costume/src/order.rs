@@ -9,8 +9,8 @@ use lole_pattern::pattern::{Amount, NotionKind};
 use lole_pattern::piece::ClothRole;
 
 use crate::document::{Design, FabricDesign, GarmentLayer, PrintChoice};
-use crate::roster::{Roster, RosterDancer, RowProblem};
 use crate::print::PrintMotif;
+use crate::roster::{Roster, RosterDancer, RowProblem};
 use crate::tailoring::{ClothPlan, GarmentPattern, TailoringError, patterns_of, role_name};
 
 /// What the buyer decides.
@@ -327,8 +327,9 @@ fn beside(plans: &[DancerPlan], settings: &Settings) -> Vec<PrintTotal> {
         let beside = garment.plans.iter();
         for plan in beside.filter(|plan| plan.role != ClothRole::Main) {
             let (width, needed) = (plan.marker.cloth.width, plan.marker.yardage.needed);
-            let is_same =
-                |(role, total): &&mut (ClothRole, PrintTotal)| *role == plan.role && total.width == width;
+            let is_same = |(role, total): &&mut (ClothRole, PrintTotal)| {
+                *role == plan.role && total.width == width
+            };
             if let Some((_, total)) = totals.iter_mut().find(is_same) {
                 total.needed = total.needed + needed;
                 if !total.garments.contains(&name) {

@@ -121,27 +121,32 @@ impl Paper {
         };
         let wanted: Vec<_> = drafts.iter().map(|(place, _)| cloth(*place)).collect();
         let images = prints.draw(&wanted);
-        let garments = drafts.into_iter().zip(images).map(|((place, draft), image)| {
-            let listed = place.and_then(|at| design.garments.get(at));
-            let cut = draft.map_err(|error| DraftTrouble::of(&error)).map(|tailored| {
-                let repeat = tailored.cloth.repeat.filter(|_| cutting.matches_print);
-                let plans = tailored.cloth_plans(cutting.lay, repeat);
-                PlannedGarment { tailored, plans }
+        let garments = drafts
+            .into_iter()
+            .zip(images)
+            .map(|((place, draft), image)| {
+                let listed = place.and_then(|at| design.garments.get(at));
+                let cut = draft
+                    .map_err(|error| DraftTrouble::of(&error))
+                    .map(|tailored| {
+                        let repeat = tailored.cloth.repeat.filter(|_| cutting.matches_print);
+                        let plans = tailored.cloth_plans(cutting.lay, repeat);
+                        PlannedGarment { tailored, plans }
+                    });
+                let plans = cut.as_ref().map_or(&[][..], |cut| &cut.plans);
+                let picture = |role, marker: &Marker| {
+                    let image = image.as_ref().filter(|_| role == ClothRole::Main)?;
+                    Some(cloth_picture(image, marker, lying_width(marker)))
+                };
+                PaperGarment {
+                    place,
+                    name: listed.map_or(SKIRT_NAME, garment_name),
+                    pictures: (plans.iter())
+                        .map(|plan| picture(plan.role, &plan.marker))
+                        .collect(),
+                    cut,
+                }
             });
-            let plans = cut.as_ref().map_or(&[][..], |cut| &cut.plans);
-            let picture = |role, marker: &Marker| {
-                let image = image.as_ref().filter(|_| role == ClothRole::Main)?;
-                Some(cloth_picture(image, marker, lying_width(marker)))
-            };
-            PaperGarment {
-                place,
-                name: listed.map_or(SKIRT_NAME, garment_name),
-                pictures: (plans.iter())
-                    .map(|plan| picture(plan.role, &plan.marker))
-                    .collect(),
-                cut,
-            }
-        });
         let garments: Vec<PaperGarment> = garments.collect();
         Self {
             bill: bill(design, &garments),
@@ -155,14 +160,17 @@ impl Paper {
     #[must_use]
     pub fn garment(&self, place: Option<usize>, design: &Design) -> Option<&PaperGarment> {
         let kind = |design: &Design| Some(design.garments.get(place?)?.kind_id());
-        let found = self.garments.iter().find(|garment| garment.place == place)?;
+        let found = self
+            .garments
+            .iter()
+            .find(|garment| garment.place == place)?;
         (kind(design) == kind(&self.design)).then_some(found)
     }
 }
 
 /// Width of the cloth as it lies on the table: half of it where all of it is doubled.
 #[must_use]
-pub fn lying_width(marker: &Marker) -> Length {
+pub(crate) fn lying_width(marker: &Marker) -> Length {
     if marker.folded_length < marker.yardage.needed {
         marker.cloth.width
     } else {
@@ -241,7 +249,10 @@ pub(crate) mod tests {
         fabric_width(&mut design, 110.0);
         let narrower = paper_of(&design);
         let needed = |paper: &Paper| {
-            let garment = paper.garments.iter().find(|garment| garment.place == Some(0));
+            let garment = paper
+                .garments
+                .iter()
+                .find(|garment| garment.place == Some(0));
             garment.unwrap().cut.as_ref().unwrap().bought().needed
         };
         assert!(needed(&wide) < needed(&narrower));

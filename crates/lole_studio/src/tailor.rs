@@ -37,8 +37,8 @@ impl Tailor {
 
     /// Asks for the paper of a design, unless it was asked for already.
     pub(crate) fn ask(&mut self, design: &Design, cutting: Cutting) {
-        let is_asked = (self.asked.as_ref())
-            .is_some_and(|(asked, how)| asked == design && *how == cutting);
+        let is_asked =
+            (self.asked.as_ref()).is_some_and(|(asked, how)| asked == design && *how == cutting);
         if let (false, Some(wishes)) = (is_asked, &self.wishes) {
             self.asked = Some((design.clone(), cutting));
             // The thread lives until the sender goes.
@@ -61,11 +61,7 @@ impl Drop for Tailor {
     }
 }
 
-fn work(
-    wishes: &Receiver<(Box<Design>, Cutting)>,
-    papers: &Sender<Arc<Paper>>,
-    wake: impl Fn(),
-) {
+fn work(wishes: &Receiver<(Box<Design>, Cutting)>, papers: &Sender<Arc<Paper>>, wake: impl Fn()) {
     let mut measured: Option<(DancerDesign, Option<Dancer>)> = None;
     let mut prints = DrawnPrints::default();
     let mut number = 0;

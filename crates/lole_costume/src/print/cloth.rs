@@ -114,7 +114,8 @@ mod tests {
 
     /// Half of the cloth is a piece; the print is black below 0.5 m and white above.
     fn picture() -> ClothPicture {
-        let outline = Polygon::new([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(Into::into));
+        let outline =
+            Polygon::new([(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(Into::into));
         let marker = Marker {
             cloth: TableCloth {
                 width: Length::from_m(1.0),

@@ -11,7 +11,8 @@ use lole_pattern::piece::ClothRole;
 use super::draw::{arrow, fitting, line, outline, scale_of};
 use super::{CutGarment, MM, TOLERANCE, cm, cut_words};
 use crate::pdf::{
-    Align, Cell, Color, Column, Flow, Item, Margins, Paper, Picture, Rect, Sheet, Stroke, Table, TextStyle,
+    Align, Cell, Color, Column, Flow, Item, Margins, Paper, Picture, Rect, Sheet, Stroke, Table,
+    TextStyle,
 };
 use crate::still::Image;
 use crate::svg::sheet_svg;

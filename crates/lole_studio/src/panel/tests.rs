@@ -77,6 +77,12 @@ fn pick(harness: &mut Harness<'static, Studio>, list: &str, row: &str) {
     click(harness, row);
 }
 
+/// Takes a garment from the shelf.
+fn put_on(harness: &mut Harness<'static, Studio>, name: &str) {
+    click(harness, "+ Add a garment ▼");
+    click(harness, name);
+}
+
 #[test]
 fn pausing_stepping_slowing_and_resetting_are_sent() {
     let mut window = window(studio(Language::English));
@@ -338,8 +344,8 @@ fn garments_are_put_on_cut_from_another_fabric_and_taken_off() {
     let mut window = tab(Tab::Costume);
     pick(&mut window, "Fabric", PRESETS[5].name);
     assert_eq!(wished(&mut window).fabric.preset.id, PRESETS[5].id);
-    click(&mut window, "+ Add an underskirt");
-    click(&mut window, "+ Add a top");
+    put_on(&mut window, "Underskirt");
+    put_on(&mut window, "Top");
     let garments = wished(&mut window).garments;
     assert!(matches!(garments[0], GarmentDesign::PauSkirt(_)));
     assert!(matches!(garments[1], GarmentDesign::PauTop(_)));
@@ -363,7 +369,7 @@ fn garments_that_a_method_cannot_move_are_explained_where_they_are_added() {
     studio.change(|design| design.method.name = MethodName::FbEuler);
     let mut window = window(studio);
     commands(&mut window);
-    click(&mut window, "+ Add a top");
+    put_on(&mut window, "Top");
     assert!(commands(&mut window).is_empty());
     window.get_by_label_contains("move one garment alone");
     click(&mut window, "Undo");
