@@ -1,6 +1,8 @@
 //! The panels, a file each; these tables say where they stand.
 
 mod body;
+#[cfg(test)]
+mod cad_tests;
 mod choreography;
 mod cloth;
 mod cost;

@@ -11,6 +11,7 @@ use super::garment::{
     SKIRT_HEMS, TOP_HEMS, fabric_ui, gather_ui, hem_ui, paper_ui, print_ui, width_ui,
 };
 use super::knob::{choice, sign_button, wide_button};
+use super::options::capitalized;
 use super::{hindrance, options, placement, sketch, swatch};
 use crate::{Studio, look, text};
 
@@ -246,7 +247,7 @@ fn entry(ui: &mut Ui, studio: &Studio, template: &Template, name: Words) -> bool
         sketch::draw(ui.painter(), rect, template.id);
         ui.vertical(|ui| {
             ui.spacing_mut().item_spacing.y = 2.0;
-            let clicked = wide_button(ui, studio.say(name));
+            let clicked = wide_button(ui, &capitalized(studio.say(name)));
             let (other, about) = match studio.language {
                 Language::Japanese => (name.english, template.about.japanese),
                 Language::English => (name.japanese, template.about.english),

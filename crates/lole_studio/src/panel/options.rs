@@ -133,7 +133,7 @@ fn unit_of(key: &str) -> (&'static str, usize, f64) {
 }
 
 /// Rows speak in the middle of a line; a field begins one.
-fn capitalized(words: &str) -> String {
+pub(super) fn capitalized(words: &str) -> String {
     let mut letters = words.chars();
     let first = letters
         .next()

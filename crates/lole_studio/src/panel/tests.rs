@@ -20,7 +20,7 @@ use crate::studio::{Purpose, Question, Request, Tab};
 use crate::{Command, Studio, panel};
 
 /// All panels above each other, tall enough that nothing scrolls away.
-fn window(studio: Studio) -> Harness<'static, Studio> {
+pub(super) fn window(studio: Studio) -> Harness<'static, Studio> {
     let show = |ui: &mut eframe::egui::Ui, studio: &mut Studio| {
         panel::document_bar(ui, studio);
         panel::status_bar(ui, studio);
@@ -52,7 +52,7 @@ fn tab(tab: Tab) -> Harness<'static, Studio> {
     window(studio)
 }
 
-fn click(harness: &mut Harness<'static, Studio>, label: &str) {
+pub(super) fn click(harness: &mut Harness<'static, Studio>, label: &str) {
     harness.get_by_role_and_label(Role::Button, label).click();
     harness.run_steps(3);
 }
@@ -62,7 +62,7 @@ fn commands(harness: &mut Harness<'static, Studio>) -> Vec<Command> {
 }
 
 /// The last design that was sent.
-fn wished(harness: &mut Harness<'static, Studio>) -> Design {
+pub(super) fn wished(harness: &mut Harness<'static, Studio>) -> Design {
     let sent = commands(harness);
     match sent.last() {
         Some(Command::Wish(design)) => (**design).clone(),
@@ -71,14 +71,14 @@ fn wished(harness: &mut Harness<'static, Studio>) -> Design {
 }
 
 /// Drops a list down and picks one of its rows.
-fn pick(harness: &mut Harness<'static, Studio>, list: &str, row: &str) {
+pub(super) fn pick(harness: &mut Harness<'static, Studio>, list: &str, row: &str) {
     harness.get_by_role_and_label(Role::ComboBox, list).click();
     harness.run_steps(3);
     click(harness, row);
 }
 
 /// Takes a garment from the shelf.
-fn put_on(harness: &mut Harness<'static, Studio>, name: &str) {
+pub(super) fn put_on(harness: &mut Harness<'static, Studio>, name: &str) {
     click(harness, "+ Add a garment ▼");
     click(harness, name);
 }
