@@ -52,7 +52,8 @@ pub fn booklet_sheets(booklet: &Booklet<'_>, paper: Paper, language: Language) -
     materials(&mut flow, booklet.plan, language);
     measures(&mut flow, booklet.plan, language);
     if 1 < booklet.group.len() {
-        flow.new_page();
+        flow.space(6.0);
+        flow.keep(70.0);
         everybody(&mut flow, booklet, language);
     }
     for (index, garment) in booklet.plan.garments.iter().enumerate() {
@@ -156,7 +157,10 @@ pub(crate) fn amount_words(amount: Amount, language: Language) -> String {
     match amount {
         Amount::Length(length) if length.to_m() < 3.0 => format!("{:.0} cm", length.to_cm().ceil()),
         Amount::Length(length) => format!("{:.1} m", (length.to_m() * 10.0).ceil() / 10.0),
-        Amount::Count(count) => format!("{count} {}", language.pick("個", "pc")),
+        Amount::Count(count) => match language {
+            Language::Japanese => format!("{count} 個"),
+            Language::English => format!("{count} piece(s)"),
+        },
         Amount::Mass(mass) => format!("{:.0} g", 1000.0 * mass),
     }
 }
@@ -167,9 +171,9 @@ fn materials(flow: &mut Flow, plan: &DancerPlan, language: Language) {
         subhead(flow, garment.tailored.name.text(language));
         Table {
             columns: vec![
-                Column::text("", 3.0),
+                Column::text("", 3.9),
                 Column::text("", 2.6),
-                Column::text("", 4.4),
+                Column::text("", 3.5),
             ],
             rows: material_rows(garment, language),
             size_pt: 12.5,
@@ -299,10 +303,10 @@ fn everybody(flow: &mut Flow, booklet: &Booklet<'_>, language: Language) {
     let name = booklet.plan.name.as_str();
     let text = match language {
         Language::Japanese => format!(
-            "この本の図と手順の数字は {name} さんの寸法です。ほかの人は、裁つ寸法とゴムの長さをこの表から取ってください。そのほかは同じです。"
+            "この本の図と手順の数字は {name} さんの寸法です。ほかの人は、裁つ寸法とゴムの長さをこの表から取ってください。「型紙」とある服は、その人の採寸で作った型紙で裁ちます。そのほかは同じです。"
         ),
         Language::English => format!(
-            "The drawings and steps of this booklet have the lengths of {name}. For everybody else take the lengths of cloth and elastic from this table; all the rest is the same."
+            "The drawings and steps of this booklet have the lengths of {name}. For everybody else take the lengths of cloth and elastic from this table, and where it says “pattern”, cut by the paper pattern of her own measures; all the rest is the same."
         ),
     };
     flow.paragraph(&text, &TextStyle::body());
@@ -384,10 +388,9 @@ fn steps(flow: &mut Flow, garment: &PlannedGarment, language: Language) {
     };
     head(flow, &title);
     for warning in &pattern.warnings {
-        flow.paragraph(
-            &format!("! {}", warning.text(language)),
-            &TextStyle::bold(12.5),
-        );
+        let text = format!("! {}", warning.text(language));
+        flow.paragraph(&text, &TextStyle::bold(12.5));
+        flow.space(3.0);
     }
     for (number, step) in (1..).zip(&pattern.steps) {
         let figure = figures::height(&step.figure);

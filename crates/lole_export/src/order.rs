@@ -117,7 +117,7 @@ fn dancer_table(order: &Order<'_>, language: Language) -> Table {
             rows.push(vec![
                 Cell::bold(name),
                 garment.tailored.name.text(language).into(),
-                cut_words(garment).into(),
+                cut_words(garment, language).into(),
                 elastic_words(garment, language).into(),
                 cloth_words(garment).into(),
                 cost.into(),
@@ -126,12 +126,12 @@ fn dancer_table(order: &Order<'_>, language: Language) -> Table {
     }
     Table {
         columns: vec![
-            Column::text(language.pick("名前", "Name"), 3.0),
-            Column::text(language.pick("服", "Garment"), 2.4),
-            Column::text(language.pick("裁つ寸法 cm", "Cut, cm"), 3.0),
-            Column::text(language.pick("ゴム cm", "Elastic, cm"), 2.6),
-            Column::number(language.pick("布", "Cloth"), 1.5),
-            Column::number(language.pick("費用", "Cost"), 2.1),
+            Column::text(language.pick("名前", "Name"), 2.4),
+            Column::text(language.pick("服", "Garment"), 3.0),
+            Column::text(language.pick("裁つ寸法 cm", "Cut, cm"), 2.6),
+            Column::text(language.pick("ゴム cm", "Elastic, cm"), 2.4),
+            Column::number(language.pick("布", "Cloth"), 1.4),
+            Column::number(language.pick("費用", "Cost"), 2.9),
         ],
         rows,
         size_pt: 10.5,
@@ -162,11 +162,13 @@ fn cloth_words(garment: &PlannedGarment) -> String {
 pub(crate) fn lengths_table(plans: &[DancerPlan], language: Language) -> Table {
     let mut rows = Vec::new();
     for plan in plans {
-        for (place, garment) in plan.garments.iter().enumerate() {
+        // Leaves and flowers have no lengths to cut.
+        let cut = plan.garments.iter().filter(|it| !it.plans.is_empty());
+        for (place, garment) in cut.enumerate() {
             rows.push(vec![
                 Cell::bold(if place == 0 { plan.name.as_str() } else { "" }),
                 garment.tailored.name.text(language).into(),
-                cut_words(garment).into(),
+                cut_words(garment, language).into(),
                 elastic_words(garment, language).into(),
             ]);
         }
@@ -184,8 +186,9 @@ pub(crate) fn lengths_table(plans: &[DancerPlan], language: Language) -> Table {
 }
 
 /// "367.6 × 92.5" of every rectangle; other pieces have patterns.
-fn cut_words(garment: &PlannedGarment) -> String {
+fn cut_words(garment: &PlannedGarment, language: Language) -> String {
     let rectangles = garment.rectangles();
+    let by_pattern = garment.tailored.pattern.pieces.len() - rectangles.len();
     let sizes = rectangles.iter().map(|(_, [along, across], count)| {
         let often = if *count == 1 {
             String::new()
@@ -194,7 +197,13 @@ fn cut_words(garment: &PlannedGarment) -> String {
         };
         format!("{:.1} × {:.1}{often}", along.to_cm(), across.to_cm())
     });
-    sizes.collect::<Vec<_>>().join("\n")
+    let patterns = language.pick("型紙", "pattern").to_owned();
+    let patterns = (0 < by_pattern).then_some(patterns);
+    patterns
+        .into_iter()
+        .chain(sizes)
+        .collect::<Vec<_>>()
+        .join("\n")
 }
 
 fn elastic_words(garment: &PlannedGarment, language: Language) -> String {
@@ -322,9 +331,13 @@ fn label_lines(plan: &DancerPlan, language: Language) -> Vec<String> {
     }];
     for garment in &plan.garments {
         lines.push(garment.tailored.name.text(language).to_owned());
-        let cuts = cut_words(garment);
+        let cuts = cut_words(garment, language);
         let cut = language.pick("裁つ", "cut");
-        lines.extend(cuts.lines().map(|line| format!("  {cut} {line} cm")));
+        let patterns = language.pick("型紙", "pattern");
+        lines.extend(cuts.lines().map(|line| {
+            let unit = if line == patterns { "" } else { " cm" };
+            format!("  {cut} {line}{unit}")
+        }));
         let elastics = elastic_words(garment, language);
         let elastic = language.pick("ゴム", "elastic");
         lines.extend(

@@ -96,6 +96,7 @@ pub(crate) const PRINT: Words = words("柄", "Print");
 pub(crate) const COLORWAY: Words = words("配色", "Colors");
 pub(crate) const GROUND: Words = words("地の色", "Ground color");
 pub(crate) const ADD_GARMENT: Words = words("＋ 服や小物を足す", "+ Add a garment");
+pub(crate) const ORDER_OF_LAYERS: Words = words("重ねる順（上が内側）", "Order (inner first)");
 pub(crate) const MOVE_IN: Words = words("内側へ:", "Move inward:");
 pub(crate) const MOVE_OUT: Words = words("外側へ:", "Move outward:");
 pub(crate) const NO_MORE_DANCED: Words = words(
@@ -183,6 +184,7 @@ pub(crate) const ALL_ELSE: Words = words("そのほか", "All else");
 pub(crate) const WAGE: Words = words("縫い手間", "Sewing");
 pub(crate) const BOUGHT: Words = words("買うときの値段", "Bought ready");
 pub(crate) const PRICE_HINT: Words = words("値段は？", "price?");
+pub(crate) const OPTIONAL: Words = words("なくても可", "optional");
 pub(crate) const NO_PRICE: Words = words(
     "数字で書いてください（例: 1200）。",
     "Write a number, such as 12.50.",

@@ -20,9 +20,9 @@ const LABEL: TextStyle = TextStyle::regular(11.0);
 pub(super) const fn height(figure: &Figure) -> f64 {
     match figure {
         Figure::None => 0.0,
-        Figure::Piece { .. } => 62.0,
-        Figure::Seams(_) => 52.0,
-        Figure::Section { .. } => 66.0,
+        Figure::Piece { .. } => 52.0,
+        Figure::Seams(_) => 46.0,
+        Figure::Section { .. } => 60.0,
     }
 }
 
@@ -221,7 +221,12 @@ fn draw_seam(sheet: &mut Sheet, rect: Rect, pattern: &Pattern, seam: &Seam, lang
         return;
     };
     if seam.flat.piece == seam.full.piece && seam.flat.copy == seam.full.copy {
-        draw_ring(sheet, rect, one, seam.flat.edge, language);
+        if one.drawing(1e-3).rectangle.is_some() {
+            draw_ring(sheet, rect, one, seam.flat.edge, language);
+        } else {
+            let edges = [seam.flat.edge, seam.full.edge];
+            draw_side(sheet, rect, (one, &edges, rect.width), language);
+        }
         return;
     }
     // The arrow between them, with room at its ends.
@@ -235,34 +240,54 @@ fn draw_seam(sheet: &mut Sheet, rect: Rect, pattern: &Pattern, seam: &Seam, lang
         };
         let place = Rect {
             x: left,
-            y: rect.y + 2.0,
             width: half,
-            height: rect.height - 10.0,
+            ..rect
         };
-        let page = placement(piece, place);
-        sheet.path(
-            outline(&piece.cut_polygon(1e-3), page),
-            Some(CLOTH),
-            Some(Stroke::solid(0.4)),
+        let edges = [side.edge];
+        draw_side(
+            sheet,
+            place,
+            (piece, &edges, half + 0.4 * between),
+            language,
         );
-        if let Some(edge) = piece.edges.get(side.edge) {
-            let stroke = Stroke::solid(0.9).with_color(SEWN);
-            sheet.path(path_of(&edge.points(1e-3), page), None, Some(stroke));
-        }
-        let at = [left + 0.5 * half, rect.y + rect.height - 2.0];
-        let name = piece.name.text(language);
-        let fitted = fitting(name, half + 0.4 * between, LABEL.size_pt).unwrap_or(LABEL);
-        let label = TextStyle {
-            size_pt: fitted.size_pt,
-            ..LABEL
-        };
-        sheet.text(at, name, &label, Align::Center);
     }
     let y = rect.y + 0.5 * rect.height;
     let middle = rect.x + 0.5 * rect.width;
     let reach = 0.35 * between;
     let ends = [Point::new(middle - reach, y), Point::new(middle + reach, y)];
     arrow(sheet, ends, &Stroke::solid(0.5).with_color(ACCENT));
+}
+
+/// A piece with the edges that are sewn, and its name no wider than `most` [mm].
+fn draw_side(
+    sheet: &mut Sheet,
+    rect: Rect,
+    (piece, edges, most): (&Piece, &[usize], f64),
+    language: Language,
+) {
+    let place = Rect {
+        y: rect.y + 2.0,
+        height: rect.height - 10.0,
+        ..rect
+    };
+    let page = placement(piece, place);
+    sheet.path(
+        outline(&piece.cut_polygon(1e-3), page),
+        Some(CLOTH),
+        Some(Stroke::solid(0.4)),
+    );
+    for edge in edges.iter().filter_map(|&edge| piece.edges.get(edge)) {
+        let stroke = Stroke::solid(0.9).with_color(SEWN);
+        sheet.path(path_of(&edge.points(1e-3), page), None, Some(stroke));
+    }
+    let at = [rect.x + 0.5 * rect.width, rect.y + rect.height - 2.0];
+    let name = piece.name.text(language);
+    let fitted = fitting(name, most, LABEL.size_pt).unwrap_or(LABEL);
+    let label = TextStyle {
+        size_pt: fitted.size_pt,
+        ..LABEL
+    };
+    sheet.text(at, name, &label, Align::Center);
 }
 
 /// A piece folded right sides together, its ends sewn, with gaps where casings will be.

@@ -100,13 +100,18 @@ fn a_price_is_asked_for_and_makes_the_bill() {
     let design = wished(&mut window);
     assert_eq!(design.fabric.price_per_m, Some(1200.0));
     draft_anew(&mut window);
-    let bought = window.state().paper.as_ref().unwrap().garments[0].cut.clone();
+    let bought = window.state().paper.as_ref().unwrap().garments[0]
+        .cut
+        .clone();
     let meters = bought.unwrap().bought().metric.to_m();
     let sum = design.cost.currency.write(1200.0 * meters);
     assert!(window.get_all_by_label(&sum).count() >= 1, "{sum}");
     click(&mut window, "Price per yard");
     let fabric = wished(&mut window).fabric;
-    assert_eq!((fabric.price_per_m, fabric.price_per_yd), (None, Some(1200.0)));
+    assert_eq!(
+        (fabric.price_per_m, fabric.price_per_yd),
+        (None, Some(1200.0))
+    );
 }
 
 #[test]
@@ -114,8 +119,17 @@ fn narrow_cloth_is_warned_of_once_with_a_remedy() {
     let mut design = Design::default();
     design.fabric.width_cm = 70.0;
     let mut window = drafted(design, Language::English, Tab::Cutting);
-    assert_eq!(window.get_all_by_label_contains("use cloth at least").count(), 1);
-    assert!(window.query_by_label_contains("cm tall and the cloth").is_none());
+    assert_eq!(
+        window
+            .get_all_by_label_contains("use cloth at least")
+            .count(),
+        1
+    );
+    assert!(
+        window
+            .query_by_label_contains("cm tall and the cloth")
+            .is_none()
+    );
     click(&mut window, "Folded");
     assert_eq!(window.state().cutting.lay, Lay::Folded);
 }
@@ -126,7 +140,10 @@ fn a_print_is_turned_made_a_border_and_replaced_by_a_picture() {
     click(&mut window, "Size and place of the print");
     window.run_steps(20);
     click(&mut window, "➡");
-    assert_eq!(wished(&mut window).print.lay.direction, PrintDirection::Right);
+    assert_eq!(
+        wished(&mut window).print.lay.direction,
+        PrintDirection::Right
+    );
     pick(&mut window, "Border print", "border at the hem");
     assert_eq!(wished(&mut window).print.lay.border, PrintBorder::Hem);
     click(&mut window, "Use a photo or picture…");

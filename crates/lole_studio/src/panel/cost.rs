@@ -1,6 +1,6 @@
 //! What the costume costs: prices as a shop told them, and the bill that comes of them.
 
-use eframe::egui::{Align, Grid, Layout, RichText, TextEdit, Ui};
+use eframe::egui::{self, Align, Layout, RichText, TextEdit, Ui};
 use lole_costume::cost::Bill;
 use lole_costume::document::{CostDesign, Currency, Design, FabricDesign};
 use lole_costume::tailoring::role_name;
@@ -8,13 +8,14 @@ use lole_language::{Sentence, Words};
 use lole_pattern::piece::ClothRole;
 
 use super::hindrance;
-use super::knob::choice;
+use super::knob::{choice, left_label};
 use crate::paper::PaperGarment;
 use crate::studio::range;
 use crate::{Studio, look, text};
 
-/// Width of a field for a price [point].
-const FIELD: f32 = 92.0;
+/// Widths of a field for a price and of its unit [point].
+const FIELD: f32 = 104.0;
+const UNIT: f32 = 62.0;
 
 pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     let now = studio.design().cost.currency;
@@ -80,6 +81,7 @@ fn cloth_prices(ui: &mut Ui, studio: &mut Studio, garment: &PaperGarment) {
             let row = PriceRow {
                 name: &format!("{name}: {role}"),
                 unit: studio.say(text::PER_METER),
+                hint: text::PRICE_HINT,
                 key: ("fabric", "beside_price_per_m"),
             };
             if let Some(price) = row.show(ui, studio, fabric.beside_price_per_m) {
@@ -111,6 +113,7 @@ fn own_cloth(
             Sold::ByMeter => text::PER_METER,
             Sold::ByYard => text::PER_YARD,
         }),
+        hint: text::PRICE_HINT,
         key: ("fabric", "price_per_m"),
     };
     if let Some(price) = row.show(ui, studio, price) {
@@ -185,6 +188,11 @@ fn notions(ui: &mut Ui, studio: &mut Studio, bill: Option<&Bill>) {
         let row = PriceRow {
             name: studio.say(name),
             unit: studio.say(unit),
+            // Without these the bill is whole all the same.
+            hint: match key {
+                "other_price" | "wage_per_h" | "bought_price" => text::OPTIONAL,
+                _ => text::PRICE_HINT,
+            },
             key: ("cost", key),
         };
         if let Some(price) = row.show(ui, studio, price) {
@@ -197,6 +205,8 @@ fn notions(ui: &mut Ui, studio: &mut Studio, bill: Option<&Bill>) {
 struct PriceRow<'a> {
     name: &'a str,
     unit: &'a str,
+    /// What is said in an empty field.
+    hint: Words,
     /// Table and name of its key, for its range.
     key: (&'a str, &'a str),
 }
@@ -212,14 +222,15 @@ impl PriceRow<'_> {
         let mut chosen = None;
         let (low, high) = range(self.key.0, self.key.1);
         ui.horizontal(|ui| {
-            let label = ui.add_sized(
-                [ui.available_width() - FIELD - 84.0, 30.0],
-                eframe::egui::Label::new(self.name).truncate(),
-            );
-            let hint = RichText::new(studio.say(text::PRICE_HINT)).color(look::RED);
+            let name = egui::vec2(ui.available_width() - FIELD - UNIT - 16.0, 30.0);
+            let label = left_label(ui, name, self.name);
+            let hint = RichText::new(studio.say(self.hint)).color(match self.hint {
+                text::OPTIONAL => look::PALE_INK,
+                _ => look::RED,
+            });
             let field = TextEdit::singleline(&mut line)
                 .hint_text(hint)
-                .desired_width(FIELD - 12.0);
+                .desired_width(FIELD - 22.0);
             let response = ui.add(field).labelled_by(label.id);
             ui.label(RichText::new(self.unit).small().weak());
             if response.changed() {
@@ -260,40 +271,35 @@ fn parse(line: &str, [low, high]: [f64; 2]) -> Option<Option<f64>> {
 }
 
 fn bill_ui(ui: &mut Ui, studio: &Studio, bill: &Bill) {
-    let right = |ui: &mut Ui, words: RichText| {
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| ui.label(words));
-    };
-    Grid::new("bill")
-        .num_columns(3)
-        .striped(true)
-        .show(ui, |ui| {
-            for line in &bill.lines {
-                let name = eframe::egui::Label::new(studio.say(line.name)).truncate();
-                ui.add_sized([112.0, 24.0], name);
-                ui.label(RichText::new(studio.tell(&line.amount)).small());
-                match line.sum {
-                    Some(sum) => right(ui, RichText::new(bill.currency.write(sum))),
-                    None => right(
-                        ui,
-                        RichText::new(studio.say(text::PRICE_ASKED))
-                            .small()
-                            .color(look::RED),
-                    ),
-                }
-                ui.end_row();
-            }
-            if bill.knows_something() {
-                let said = if bill.is_complete() {
-                    text::TOTAL
-                } else {
-                    text::TOTAL_KNOWN
-                };
-                ui.label(RichText::new(studio.say(said)).strong());
-                ui.label("");
-                right(ui, RichText::new(bill.currency.write(bill.total)).strong());
-                ui.end_row();
-            }
+    let row = |ui: &mut Ui, name: RichText, amount: RichText, sum: RichText| {
+        ui.horizontal(|ui| {
+            left_label(ui, egui::vec2(136.0, 24.0), name);
+            left_label(ui, egui::vec2(60.0, 24.0), amount);
+            let place = Layout::right_to_left(Align::Center);
+            ui.with_layout(place, |ui| ui.label(sum));
         });
+    };
+    for line in &bill.lines {
+        let asked = || {
+            RichText::new(studio.say(text::PRICE_ASKED))
+                .small()
+                .color(look::RED)
+        };
+        let sum = (line.sum).map_or_else(asked, |sum| RichText::new(bill.currency.write(sum)));
+        let amount = RichText::new(studio.tell(&line.amount)).small();
+        row(ui, RichText::new(studio.say(line.name)), amount, sum);
+    }
+    if bill.knows_something() {
+        let said = if bill.is_complete() {
+            text::TOTAL
+        } else {
+            text::TOTAL_KNOWN
+        };
+        ui.separator();
+        let total = RichText::new(bill.currency.write(bill.total)).strong();
+        let name = RichText::new(studio.say(said)).strong();
+        row(ui, name, RichText::new(""), total);
+    }
     let hours = bill.hours;
     let mut said = vec![Sentence::new(
         format!("縫う時間の目安は {hours:.1} 時間です。"),

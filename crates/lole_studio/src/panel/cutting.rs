@@ -4,11 +4,13 @@ use eframe::egui::{
     self, Align2, Color32, ColorImage, FontId, Painter, Pos2, Rect, RichText, Sense, Shape, Stroke,
     StrokeKind, TextureHandle, TextureOptions, Ui, Vec2, pos2, vec2,
 };
+use kurbo::Point;
 use lole_costume::order::PlannedGarment;
 use lole_costume::print::ClothPicture;
 use lole_costume::tailoring::{ClothPlan, role_name};
 use lole_language::Sentence;
-use lole_pattern::marker::Lay;
+use lole_pattern::Pattern;
+use lole_pattern::marker::{Lay, Placed};
 use lole_pattern::piece::ClothRole;
 
 use super::garment::width_ui;
@@ -21,6 +23,8 @@ use crate::{Studio, look, text};
 const HEIGHT: f32 = 220.0;
 /// Room around the cloth for its measures [point].
 const BORDER: f32 = 20.0;
+/// Points of a meter from which on stitching lines are shown, too.
+const DETAILED: f32 = 180.0;
 /// Smallest letters that name a piece on its plan [point].
 const SMALLEST: f32 = 10.0;
 
@@ -75,7 +79,11 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     };
     for (index, garment) in paper.garments.iter().enumerate() {
         ui.add_space(4.0);
-        ui.label(RichText::new(studio.say(garment.name)).strong());
+        if 0 < index {
+            ui.separator();
+        }
+        let name = RichText::new(studio.say(garment.name)).strong();
+        ui.label(name.color(look::TEAL));
         match &garment.cut {
             Ok(cut) if cut.plans.is_empty() => {
                 ui.label(studio.say(text::NO_CLOTH));
@@ -263,6 +271,10 @@ impl Drawing<'_> {
                 Stroke::new(1.4, look::INK)
             };
             painter.add(Shape::closed_line(outline, stroke));
+            if DETAILED <= scale {
+                let page = |point: Point| at(point.x, point.y);
+                inner_lines(painter, &self.cut.tailored.pattern, placed, page);
+            }
             let bounds = placed.outline.bounds();
             let middle = at(0.5 * (bounds.x0 + bounds.x1), 0.5 * (bounds.y0 + bounds.y1));
             let room = meters(bounds.x1 - bounds.x0) * scale;
@@ -306,6 +318,35 @@ impl Drawing<'_> {
         painter.text(at, Align2::LEFT_CENTER, lower, small, look::PALE_INK);
     }
 }
+
+/// Stitching lines, marks and the grain of a laid piece.
+fn inner_lines(
+    painter: &Painter,
+    pattern: &Pattern,
+    placed: &Placed,
+    page: impl Fn(Point) -> Pos2,
+) {
+    let piece = &pattern.pieces[placed.piece];
+    let shown = if placed.is_on_fold {
+        piece.clone()
+    } else {
+        piece.unfolded()
+    };
+    let drawing = shown.drawing(TOLERANCE);
+    let thin = Stroke::new(0.8, look::INK);
+    let on_page = |point: &Point| page(placed.cloth_from_piece * *point);
+    let stitches = drawing.stitches.iter().map(|stitches| &stitches.points);
+    let marks = drawing.lines.iter().map(|marked| &marked.points);
+    for points in stitches.chain(marks) {
+        let points = points.iter().map(on_page).collect();
+        painter.add(Shape::line(points, thin));
+    }
+    let [tail, head] = drawing.grain.map(|end| on_page(&end));
+    painter.arrow(tail, head - tail, Stroke::new(1.2, look::INK));
+}
+
+/// Curves are drawn this finely [m].
+const TOLERANCE: f64 = 1e-3;
 
 /// The name of a piece on a white plate, as large as fits; none where it could not be read.
 fn name_piece(painter: &Painter, middle: Pos2, room: f32, name: &str) {

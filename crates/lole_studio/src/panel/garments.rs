@@ -10,7 +10,7 @@ use lole_pattern::template::SHELVES;
 use super::garment::{
     SKIRT_HEMS, TOP_HEMS, fabric_ui, gather_ui, hem_ui, paper_ui, print_ui, width_ui,
 };
-use super::knob::{choice, sign_button, wide_button};
+use super::knob::{choice, left_label, sign_button, wide_button};
 use super::options::capitalized;
 use super::{hindrance, options, placement, sketch, swatch};
 use crate::{Studio, look, text};
@@ -82,29 +82,30 @@ fn title(
     garment: &GarmentDesign,
 ) -> Option<Move> {
     let name = studio.say(name_of(garment));
+    let of = |words: Words| format!("{} {name} {}", studio.say(words), place + 1);
     let mut done = None;
     ui.horizontal(|ui| {
-        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            let of = |words: Words| format!("{} {name} {}", studio.say(words), place + 1);
-            if sign_button(ui, "✖", &of(text::TAKE_OFF)) {
-                done = Some(Move::Remove);
-            }
-            let last = place + 1 == count;
-            ui.add_enabled_ui(!last, |ui| {
-                if sign_button(ui, "▼", &of(text::MOVE_OUT)) {
-                    done = Some(Move::Down);
-                }
-            });
+        let room = egui::vec2(ui.available_width() - 42.0, 30.0);
+        left_label(ui, room, RichText::new(name).strong());
+        if sign_button(ui, "✖", &of(text::TAKE_OFF)) {
+            done = Some(Move::Remove);
+        }
+    });
+    if 1 < count {
+        ui.horizontal(|ui| {
+            ui.label(RichText::new(studio.say(text::ORDER_OF_LAYERS)).small());
             ui.add_enabled_ui(0 < place, |ui| {
                 if sign_button(ui, "▲", &of(text::MOVE_IN)) {
                     done = Some(Move::Up);
                 }
             });
-            ui.with_layout(egui::Layout::left_to_right(egui::Align::Center), |ui| {
-                ui.add(egui::Label::new(RichText::new(name).strong()).truncate());
+            ui.add_enabled_ui(place + 1 < count, |ui| {
+                if sign_button(ui, "▼", &of(text::MOVE_OUT)) {
+                    done = Some(Move::Down);
+                }
             });
         });
-    });
+    }
     done
 }
 

@@ -45,17 +45,18 @@ fn option(
     row: &OptionRow,
     value: Option<f64>,
 ) -> Option<Option<f64>> {
-    let name = capitalized(studio.say(row.about));
+    let (name, usual) = parts(studio.say(row.about));
+    let name = capitalized(name);
     match row.kind {
         OptionKind::Number { min, max, default } => {
             let Some(number) = value else {
                 ui.label(&name);
-                return by_measures(ui, studio, value, [min, max]);
+                return by_measures(ui, studio, (value, usual), [min, max]);
             };
             let moved = slider(ui, &name, row.key, [min, max], number);
             let follows = match default {
                 Some(_) => None,
-                None => by_measures(ui, studio, value, [min, max]),
+                None => by_measures(ui, studio, (value, usual), [min, max]),
             };
             follows.or(moved.map(Some))
         }
@@ -95,11 +96,17 @@ fn option(
 fn by_measures(
     ui: &mut Ui,
     studio: &Studio,
-    value: Option<f64>,
+    (value, usual): (Option<f64>, &str),
     [min, max]: [f64; 2],
 ) -> Option<Option<f64>> {
     let mut follows = value.is_none();
-    let words = RichText::new(studio.say(text::BY_MEASURES)).small();
+    let words = studio.say(text::BY_MEASURES);
+    let words = if usual.is_empty() {
+        words.to_owned()
+    } else {
+        format!("{words}: {usual}")
+    };
+    let words = RichText::new(words).small();
     let changed = ui.checkbox(&mut follows, words).changed();
     changed.then(|| (!follows).then(|| (0.5 * (min + max)).round().clamp(min, max)))
 }
@@ -132,6 +139,15 @@ fn unit_of(key: &str) -> (&'static str, usize, f64) {
     found.map_or(("", 1, 10.0), |(_, unit)| *unit)
 }
 
+/// What an option is, and what it comes to when nothing is said: rows of documents tell both in one
+/// sentence.
+fn parts(about: &str) -> (&str, &str) {
+    let found = ["。書かなければ", "; left out: "]
+        .iter()
+        .find_map(|words| about.split_once(words));
+    found.unwrap_or((about, ""))
+}
+
 /// Rows speak in the middle of a line; a field begins one.
 pub(super) fn capitalized(words: &str) -> String {
     let mut letters = words.chars();
@@ -157,5 +173,7 @@ mod tests {
         assert_eq!(unit_of("hem_height_cm"), (" cm", 1, 10.0));
         assert_eq!(unit_of("gather_ratio"), (" ×", 2, 100.0));
         assert_eq!(capitalized("depth of it"), "Depth of it");
+        assert_eq!(parts("depth; left out: 15"), ("depth", "15"));
+        assert_eq!(parts("丈。書かなければ 15"), ("丈", " 15"));
     }
 }

@@ -1,13 +1,15 @@
 //! A group's order: the list of dancers with what is wrong in it, what all need together, and the
 //! folder with everything on paper.
 
+use std::sync::Arc;
+
 use eframe::egui::{self, Grid, ProgressBar, RichText, Ui};
 use lole_body::Measure;
 use lole_language::Sentence;
 use lole_pattern::pattern::Amount;
 
 use super::hindrance;
-use super::knob::{Knob, Scale, wide_button};
+use super::knob::{Knob, Scale, left_label, wide_button};
 use crate::ordering::{Progress, Totals};
 use crate::studio::Request;
 use crate::{Studio, look, text};
@@ -74,8 +76,7 @@ fn dancers(ui: &mut Ui, studio: &Studio, dancers: &[lole_costume::roster::Roster
             }
             ui.end_row();
             for dancer in dancers {
-                let name = egui::Label::new(&dancer.name).truncate();
-                ui.add_sized([150.0, 22.0], name);
+                left_label(ui, egui::vec2(150.0, 22.0), &dancer.name);
                 for wanted in [Measure::Stature, Measure::Hip] {
                     let found = dancer
                         .tape_cm
@@ -140,7 +141,10 @@ fn totals_ui(ui: &mut Ui, studio: &Studio, totals: &Totals) {
     let count = totals.group.plans.len();
     let said = Sentence::new(format!("{count} 人分"), format!("For {count} dancers"));
     ui.label(RichText::new(studio.tell(&said)).strong());
-    for problem in &totals.group.problems {
+    // Rows that cannot be read stand above already.
+    let list = studio.order.list.as_ref().map(|(_, list)| Arc::clone(list));
+    let known = list.map_or(0, |list| list.problems.len());
+    for problem in totals.group.problems.iter().skip(known) {
         hindrance::sentence(ui, studio, problem);
     }
     for print in &totals.prints {

@@ -26,7 +26,7 @@ impl Pen<'_> {
 
     fn line(&self, points: &[[f32; 2]]) {
         let points = points.iter().map(|point| self.at(*point)).collect();
-        let stroke = Stroke::new(1.2, look::INK);
+        let stroke = Stroke::new(0.9, look::PALE_INK);
         self.painter.add(Shape::line(points, stroke));
     }
 
@@ -195,9 +195,16 @@ pub(super) fn draw(painter: &Painter, rect: Rect, id: &str) {
                 CLOTH,
             );
         }
-        "ti-leaf-skirt" => pen.strands(LEAF, 10),
-        "raffia-skirt" => pen.strands(Color32::from_rgb(240, 226, 190), 18),
-        "cellophane-skirt" => pen.strands(Color32::from_rgb(214, 230, 240), 14),
+        _ => draw_adornment(&pen, id),
+    }
+}
+
+/// What is tied of leaves and strung of flowers, and what is played.
+fn draw_adornment(pen: &Pen<'_>, id: &str) {
+    match id {
+        "ti-leaf-skirt" => pen.strands(LEAF, 8),
+        "raffia-skirt" => pen.strands(Color32::from_rgb(240, 226, 190), 11),
+        "cellophane-skirt" => pen.strands(Color32::from_rgb(214, 230, 240), 9),
         "lei" => pen.ring([0.5, 0.5], [0.26, 0.36], [20.0, 0.05]),
         "lei-poo" => pen.ring([0.5, 0.5], [0.36, 0.17], [18.0, 0.06]),
         "kupee" => {
