@@ -127,7 +127,8 @@ pub fn bill(design: &Design, plan: &DancerPlan) -> Bill {
     }
     if let Some(length) = notion_length(plan, NotionKind::Thread) {
         let spools = (length.to_m() / cost.thread_spool_m).ceil();
-        let amount = Sentence::new(format!("{spools} 巻き"), format!("{spools} spool(s)"));
+        let plural = if 1.0 < spools { "s" } else { "" };
+        let amount = Sentence::new(format!("{spools} 巻き"), format!("{spools} spool{plural}"));
         let price = cost.thread_price_per_spool.map(|price| price * spools);
         bill.add(
             words("糸", "thread"),

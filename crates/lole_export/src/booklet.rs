@@ -159,7 +159,8 @@ pub(crate) fn amount_words(amount: Amount, language: Language) -> String {
         Amount::Length(length) => format!("{:.1} m", (length.to_m() * 10.0).ceil() / 10.0),
         Amount::Count(count) => match language {
             Language::Japanese => format!("{count} 個"),
-            Language::English => format!("{count} piece(s)"),
+            Language::English if count == 1 => "1 piece".to_owned(),
+            Language::English => format!("{count} pieces"),
         },
         Amount::Mass(mass) => format!("{:.0} g", 1000.0 * mass),
     }
@@ -168,7 +169,7 @@ pub(crate) fn amount_words(amount: Amount, language: Language) -> String {
 fn materials(flow: &mut Flow, plan: &DancerPlan, language: Language) {
     head(flow, language.pick("用意するもの", "What you need"));
     for garment in &plan.garments {
-        subhead(flow, garment.tailored.name.text(language));
+        subhead(flow, &capitalized(garment.tailored.name.text(language)));
         Table {
             columns: vec![
                 Column::text("", 3.9),
@@ -230,7 +231,7 @@ fn material_rows(garment: &PlannedGarment, language: Language) -> Vec<Vec<Cell>>
         }
         let note = notion.note.as_ref();
         rows.push(vec![
-            Cell::bold(notion.name.text(language)),
+            Cell::bold(&capitalized(notion.name.text(language))),
             amount_words(notion.amount, language).into(),
             note.map_or_else(String::new, |note| note.text(language))
                 .into(),
@@ -278,7 +279,7 @@ fn measure_table(plan: &DancerPlan, language: Language) -> Table {
                 language.pick("実測", "measured")
             };
             vec![
-                Cell::bold(measure.words().text(language)),
+                Cell::bold(&capitalized(measure.words().text(language))),
                 format!("{cm:.1} cm").into(),
                 format!("{:.1} in", cm / 2.54).into(),
                 how.into(),
@@ -369,6 +370,15 @@ fn cut_plans(
     flow.space(6.0);
 }
 
+/// Names stand in sentences; a row of a table begins one.
+pub(crate) fn capitalized(words: &str) -> String {
+    let mut letters = words.chars();
+    let first = letters
+        .next()
+        .map(|letter| letter.to_uppercase().to_string());
+    first.unwrap_or_default() + letters.as_str()
+}
+
 /// Height of a cut plan over this width [mm].
 fn plan_height(plan: &ClothPlan, width: f64) -> f64 {
     let aspect = plan.marker.cloth.width.to_m() / plan.marker.yardage.needed.to_m().max(0.01);
@@ -388,7 +398,7 @@ fn steps(flow: &mut Flow, garment: &PlannedGarment, language: Language) {
     };
     head(flow, &title);
     for warning in &pattern.warnings {
-        let text = format!("! {}", warning.text(language));
+        let text = format!("! {}", capitalized(&warning.text(language)));
         flow.paragraph(&text, &TextStyle::bold(12.5));
         flow.space(3.0);
     }
@@ -488,7 +498,7 @@ pub(crate) fn bill_table(bill: &Bill, language: Language) -> Table {
         .map(|line| {
             let sum = line.sum.map_or_else(unknown, |sum| currency.write(sum));
             vec![
-                Cell::bold(line.name.text(language)),
+                Cell::bold(&capitalized(line.name.text(language))),
                 line.amount.text(language).into(),
                 sum.into(),
             ]
@@ -524,12 +534,17 @@ pub fn bill_remarks(bill: &Bill, language: Language) -> Vec<String> {
     let mut remarks = Vec::new();
     let keys = bill.asked_for();
     if !keys.is_empty() {
-        let keys = keys.join(language.pick("、", ", "));
+        let comma = language.pick("、", ", ");
+        let unpriced = bill.lines.iter().filter(|line| line.asks.is_some());
+        let names: Vec<&str> = unpriced.map(|line| line.name.text(language)).collect();
+        let (names, keys) = (names.join(comma), keys.join(comma));
         remarks.push(match language {
-            Language::Japanese => format!("店で値段を見て、デザインの文書に書いてください: {keys}"),
-            Language::English => {
-                format!("Ask for these prices in a shop and write them into the design: {keys}")
-            }
+            Language::Japanese => format!(
+                "まだ値段のないもの: {names}。店で見て、窓の「裁断・費用」か、デザインの文書（{keys}）に書いてください。"
+            ),
+            Language::English => format!(
+                "Still without a price: {names}. Ask in a shop and write it in the window under “Cut, cost”, or into the design ({keys})."
+            ),
         });
     }
     if let (Some(bought), Some(saving)) = (bill.bought, bill.saving()) {

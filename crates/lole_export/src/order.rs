@@ -10,7 +10,7 @@ use lole_language::{Bilingual as _, Language, Sentence};
 use serde::Serialize;
 
 use crate::ExportError;
-use crate::booklet::{ACCENT, amount_words, bill_remarks, bill_table, foot, head};
+use crate::booklet::{ACCENT, amount_words, bill_remarks, bill_table, capitalized, foot, head};
 use crate::pdf::{
     Align, Cell, Column, Flow, Margins, Paper, Picture, Rect, Sheet, Stroke, Table, TextStyle,
 };
@@ -242,7 +242,7 @@ fn shopping(flow: &mut Flow, order: &Order<'_>, language: Language) {
     }
     for notion in order.notions {
         let amount = amount_words(notion.amount, language);
-        let text = format!("{}: {amount}", notion.name.text(language));
+        let text = format!("{}: {amount}", capitalized(notion.name.text(language)));
         flow.item("□", 7.0, &text, &TextStyle::body());
     }
     flow.space(6.0);

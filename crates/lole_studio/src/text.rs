@@ -138,7 +138,7 @@ pub(crate) const OFFSET_ALONG: Words = words("柄を右へずらす", "Print mov
 pub(crate) const OFFSET_ACROSS: Words = words("柄を上へずらす", "Print moved up");
 
 pub(crate) const OWN_FABRIC: Words = words("布幅・自分の布を測る", "Width; test your own cloth");
-pub(crate) const OWN_FABRIC_NOW: Words = words("いまの布: ", "Now: ");
+pub(crate) const OWN_FABRIC_NOW: Words = words("自分の布: ", "Your own cloth: ");
 pub(crate) const SWATCH_HOW: Words = words(
     "四角い布の大きさと重さを測ります。次に、幅 3 cm の細い布を机の端から物差しごと押し出し、はみ出した長さの半分ほど下がったところで、はみ出した長さと、先が下がった長さを測ります。",
     "Measure and weigh a rectangle of the cloth. Then push a strip 3 cm wide over a table’s edge, a ruler on top, until its tip has come down by about half of what hangs over; measure how much hangs over and how far the tip is below the table.",
@@ -183,8 +183,8 @@ pub(crate) const THREAD: Words = words("糸", "Thread");
 pub(crate) const ALL_ELSE: Words = words("そのほか", "All else");
 pub(crate) const WAGE: Words = words("縫い手間", "Sewing");
 pub(crate) const BOUGHT: Words = words("買うときの値段", "Bought ready");
-pub(crate) const PRICE_HINT: Words = words("値段は？", "price?");
-pub(crate) const OPTIONAL: Words = words("なくても可", "optional");
+pub(crate) const PRICE_HINT: Words = words("値段", "price?");
+pub(crate) const OPTIONAL: Words = words("任意", "optional");
 pub(crate) const NO_PRICE: Words = words(
     "数字で書いてください（例: 1200）。",
     "Write a number, such as 12.50.",

@@ -221,9 +221,22 @@ impl PriceRow<'_> {
         let mut line = typed.unwrap_or_else(|| known.clone());
         let mut chosen = None;
         let (low, high) = range(self.key.0, self.key.1);
+        // A long name has a line of its own.
+        let beside = ui.available_width() - FIELD - UNIT - 16.0;
+        let font = egui::TextStyle::Body.resolve(ui.style());
+        let color = ui.visuals().text_color();
+        let galley = ui
+            .painter()
+            .layout_no_wrap(self.name.to_owned(), font, color);
+        let above = (beside < galley.size().x).then(|| ui.label(self.name));
         ui.horizontal(|ui| {
-            let name = egui::vec2(ui.available_width() - FIELD - UNIT - 16.0, 30.0);
-            let label = left_label(ui, name, self.name);
+            let label = match above {
+                Some(label) => {
+                    ui.add_space(beside + 8.0);
+                    label
+                }
+                None => left_label(ui, egui::vec2(beside, 30.0), self.name),
+            };
             let hint = RichText::new(studio.say(self.hint)).color(match self.hint {
                 text::OPTIONAL => look::PALE_INK,
                 _ => look::RED,

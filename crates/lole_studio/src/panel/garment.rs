@@ -34,7 +34,12 @@ pub(super) fn fabric_ui(
         .collect();
     let now = (PRESETS.iter()).position(|preset| preset.id == fabric.preset.id);
     let name = studio.say(text::FABRIC);
-    let index: usize = list(ui, (("fabric", place), name), now.unwrap_or(0), &options)?;
+    let chosen = list(ui, (("fabric", place), name), now.unwrap_or(0), &options);
+    if let Some(own) = &fabric.name {
+        let said = format!("{}{own}", studio.say(text::OWN_FABRIC_NOW));
+        ui.label(RichText::new(said).small());
+    }
+    let index: usize = chosen?;
     // What was measured on the other cloth does not hold for this one; the bolt is as wide.
     Some(FabricDesign {
         preset: &PRESETS[index],

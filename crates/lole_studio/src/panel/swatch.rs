@@ -76,10 +76,6 @@ pub(super) fn show(
     studio: &mut Studio,
     before: &FabricDesign,
 ) -> Option<FabricDesign> {
-    if let Some(name) = &before.name {
-        let said = format!("{}{name}", studio.say(text::OWN_FABRIC_NOW));
-        ui.label(RichText::new(said).strong());
-    }
     let mut form = studio.swatch.clone();
     ui.label(RichText::new(studio.say(text::SWATCH_HOW)).small().weak());
     ui.horizontal(|ui| {
