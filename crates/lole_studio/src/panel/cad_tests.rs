@@ -34,6 +34,12 @@ fn with_garment(id: &str) -> Design {
     }
 }
 
+/// Opens what is folded up, and waits until it stands open.
+fn unfold(window: &mut Harness<'static, Studio>, label: &str) {
+    window.get_by_label(label).click();
+    window.run_steps(20);
+}
+
 fn draft_anew(window: &mut Harness<'static, Studio>) {
     let paper = paper_of(window.state().design());
     window.state_mut().paper = Some(Arc::new(paper));
@@ -137,8 +143,7 @@ fn narrow_cloth_is_warned_of_once_with_a_remedy() {
 #[test]
 fn a_print_is_turned_made_a_border_and_replaced_by_a_picture() {
     let mut window = drafted(Design::default(), Language::English, Tab::Costume);
-    click(&mut window, "Size and place of the print");
-    window.run_steps(20);
+    unfold(&mut window, "Size and place of the print");
     click(&mut window, "➡");
     assert_eq!(
         wished(&mut window).print.lay.direction,
@@ -154,8 +159,7 @@ fn a_print_is_turned_made_a_border_and_replaced_by_a_picture() {
 #[test]
 fn one_s_own_cloth_is_measured_and_sewn_from() {
     let mut window = drafted(Design::default(), Language::English, Tab::Costume);
-    click(&mut window, "Width; test your own cloth");
-    window.run_steps(20);
+    unfold(&mut window, "Width; test your own cloth");
     click(&mut window, "Sew from this cloth");
     let fabric = wished(&mut window).fabric;
     assert_eq!(fabric.areal_density_g_per_m2, Some(110.0));
