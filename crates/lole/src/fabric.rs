@@ -1,6 +1,5 @@
 //! `lole fabric`: the shelf of fabrics, and one's own cloth measured with ruler and scale.
 
-use lole_costume::document::FabricDesign;
 use lole_costume::fabrics::{
     Figure, Measured, Overhang, PRESETS, Preset, Provenance, Swatch, Touch,
 };
@@ -175,7 +174,7 @@ const fn strip(length_cm: f64, drop_cm: Option<f64>, slope_deg: f64) -> Overhang
 
 /// What to write into the document, and how such a cloth feels.
 fn result(measured: &Measured) -> (Vec<Sentence>, Value) {
-    let design = own_fabric(measured);
+    let design = measured.fabric();
     let touch = Touch::of(&design.figures());
     let [words_ja, words_en] = words(&touch);
     let [warp_cm, weft_cm] = measured.bending_length;
@@ -227,17 +226,6 @@ fn result(measured: &Measured) -> (Vec<Sentence>, Value) {
         "document": toml,
     });
     (lines, value)
-}
-
-/// The measured cloth, with the rest of its figures from the fabric that hangs most like it.
-fn own_fabric(measured: &Measured) -> FabricDesign {
-    FabricDesign {
-        preset: Preset::nearest(measured.areal_density, measured.bend),
-        areal_density_g_per_m2: Some(measured.areal_density),
-        bend_warp_un_m: Some(measured.bend[0]),
-        bend_weft_un_m: Some(measured.bend[1]),
-        ..FabricDesign::default()
-    }
 }
 
 /// How the test is done at home.

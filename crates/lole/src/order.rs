@@ -2,15 +2,16 @@
 //! paper.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use lole_body::{Dancer, Measurements};
-use lole_costume::cost::{self, Bill};
+use lole_costume::cost;
 use lole_costume::document::{self, Design, Place};
-use lole_costume::order::{self, DancerPlan, Settings};
-use lole_costume::roster::{self, Roster, RowProblem};
+use lole_costume::order::{self, DancerPlan, Group, PrintTotal, Settings};
+use lole_costume::roster::{self, Roster};
 use lole_export::booklet::{Booklet, bill_remarks, booklet_sheets};
 use lole_export::form::form_sheet;
-use lole_export::order::{Order, bill_json, order_json, order_sheets};
+use lole_export::order::{OrderParts, bill_json, order_folder};
 use lole_export::pdf::{Document, Paper, Sheet, printable};
 use lole_geom::Length;
 use lole_language::{Bilingual as _, Language, Sentence};
@@ -22,6 +23,9 @@ use crate::patience::{progress_bar, stop_flag};
 use crate::portrait;
 use crate::source::{self, Source};
 use crate::{Failure, summary};
+
+/// Repeats on cut plans are drawn with so many pixels on a side.
+pub(crate) const PRINT_SIDE: u32 = 512;
 
 impl PageLanguage {
     /// The language that was asked for, else the system's.
@@ -45,7 +49,7 @@ pub(crate) fn run_order(args: &OrderArgs, language: Language) -> Result<(), Fail
         bolt_length: args.bolt.map(Length::from_m),
     };
     let mut output = OutputFolder::create(&args.out).map_err(Failure::Usage)?;
-    let group = Group::cut(&list, &source.design);
+    let group = cut(&list, &source.design);
     if group.plans.is_empty() {
         let sentence =
             group.problems.first().cloned().unwrap_or_else(|| {
@@ -61,104 +65,57 @@ pub(crate) fn run_order(args: &OrderArgs, language: Language) -> Result<(), Fail
         portrait::group(&group.designs, &args.out, &stop, &bar)?
     };
     bar.finish_and_clear();
-    let bills: Vec<Bill> = (group.plans.iter())
-        .map(|plan| cost::bill(&source.design, plan))
-        .collect();
-    let prints = order::prints(&group.plans, &source.design, &settings);
-    let order = Order {
+    let parts = OrderParts {
         title: title(&source),
-        hem_height_cm: source.design.skirt.hem_height_cm,
-        plans: &group.plans,
+        design: &source.design,
+        group: &group,
         pictures: &pictures,
-        prints: &prints,
-        notions: &order::notions(&group.plans),
-        bills: &bills,
-        total: &cost::sum(&bills, &source.design.cost),
-        problems: &group.problems,
         settings: &settings,
+        paper: args.paper.paper(),
+        language: pages,
+        version: env!("CARGO_PKG_VERSION"),
     };
-    let booklet = Booklet {
-        title: order.title.clone(),
-        plan: &group.plans[0],
-        bill: &bills[0],
-        cover: pictures.first().cloned().flatten(),
-        hem_height_cm: order.hem_height_cm,
-    };
-    let paper = args.paper.paper();
-    let sheets = order_sheets(&order, paper, pages);
-    write_pdf(&mut output, "order.pdf", (&order.title, sheets), pages)?;
-    let sheets = booklet_sheets(&booklet, paper, pages);
-    write_pdf(&mut output, "booklet.pdf", (&order.title, sheets), pages)?;
-    let json = order_json(&order, env!("CARGO_PKG_VERSION")).map_err(Failure::error)?;
-    output
-        .write("order.json", json.as_bytes())
-        .map_err(Failure::Run)?;
+    let folder = order_folder(&parts).map_err(Failure::error)?;
+    for (name, bytes) in &folder.files {
+        output.write(name, bytes).map_err(Failure::Run)?;
+    }
     let paths = output.finish().map_err(Failure::Run)?;
     if args.json {
-        summary::print_json(&json);
+        summary::print_json(&folder.json);
     } else {
-        let mut lines = prints_lines(&order);
+        let mut lines = prints_lines(&folder.prints, group.plans.len());
         lines.extend(list.notes.iter().cloned());
         summary::print_pattern(&paths, &lines, &[], language);
     }
-    group.verdict(language)
+    verdict(&group.problems, language)
 }
 
-/// A list of dancers, cut.
-struct Group {
-    plans: Vec<DancerPlan>,
-    designs: Vec<Design>,
-    problems: Vec<Sentence>,
+/// Cuts the design for every dancer; whoever cannot be cut for is told and left out.
+fn cut(list: &Roster, design: &Design) -> Group {
+    let cut: Vec<_> = (list.dancers.par_iter())
+        .map(|dancer| (dancer, order::plan(dancer, design)))
+        .collect();
+    let mut group = Group::of(list);
+    for (dancer, plan) in cut {
+        group.add(dancer, design, plan);
+    }
+    group
 }
 
-impl Group {
-    /// Cuts the design for every dancer; whoever cannot be cut for is told and left out.
-    fn cut(list: &Roster, design: &Design) -> Self {
-        let cut: Vec<_> = (list.dancers.par_iter())
-            .map(|dancer| (dancer, order::plan(dancer, design)))
-            .collect();
-        let mut group = Self {
-            plans: Vec::new(),
-            designs: Vec::new(),
-            problems: list.problems.iter().map(RowProblem::sentence).collect(),
-        };
-        for (dancer, plan) in cut {
-            match plan {
-                Ok(plan) => {
-                    group.plans.push(plan);
-                    group.designs.push(dancer.design(design));
-                }
-                Err(error) => {
-                    let problem = RowProblem {
-                        line: dancer.line,
-                        column: None,
-                        what: Sentence::new(
-                            format!("{}: {}", dancer.name, error.japanese()),
-                            format!("{}: {error}", dancer.name),
-                        ),
-                    };
-                    group.problems.push(problem.sentence());
-                }
-            }
-        }
-        group
+/// Done, or a failure that names the rows that were left out.
+fn verdict(problems: &[Sentence], language: Language) -> Result<(), Failure> {
+    if problems.is_empty() {
+        return Ok(());
     }
-
-    /// Done, or a failure that names the rows that were left out.
-    fn verdict(&self, language: Language) -> Result<(), Failure> {
-        if self.problems.is_empty() {
-            return Ok(());
-        }
-        let texts: Vec<String> = (self.problems.iter())
-            .map(|problem| problem.text(language))
-            .collect();
-        let count = texts.len();
-        let list = texts.join(" / ");
-        Err(Failure::error(Sentence::new(
-            format!("ほかの人の分は書き出しました。使えない行が {count} 件あります: {list}"),
-            format!("everybody else's files are written; {count} rows cannot be used: {list}"),
-        )))
-    }
+    let texts: Vec<String> = (problems.iter())
+        .map(|problem| problem.text(language))
+        .collect();
+    let count = texts.len();
+    let list = texts.join(" / ");
+    Err(Failure::error(Sentence::new(
+        format!("ほかの人の分は書き出しました。使えない行が {count} 件あります: {list}"),
+        format!("everybody else's files are written; {count} rows cannot be used: {list}"),
+    )))
 }
 
 fn read_roster(path: &Path) -> Result<Roster, Failure> {
@@ -178,13 +135,12 @@ fn read_roster(path: &Path) -> Result<Roster, Failure> {
 }
 
 /// What to buy of each print, in a line.
-fn prints_lines(order: &Order<'_>) -> Vec<Sentence> {
-    let prints = order.prints.iter();
+fn prints_lines(prints: &[PrintTotal], count: usize) -> Vec<Sentence> {
     prints
+        .iter()
         .map(|print| {
             let (cloth, width) = (print.cloth, print.width.to_cm());
             let (metric, yards) = (print.bought.metric.to_m(), print.bought.imperial.to_yd());
-            let count = order.plans.len();
             Sentence::new(
                 format!("{count} 人分: {}、幅 {width:.0} cm、{metric:.1} m（{yards:.1} ヤード、予備を含む）", cloth.japanese),
                 format!("for {count}: {} of {width:.0} cm, {metric:.1} m ({yards:.1} yd), spare included", cloth.english),
@@ -246,9 +202,14 @@ pub(crate) fn run_booklet(args: &BookletArgs, language: Language) -> Result<(), 
     } else {
         Some(portrait::cover(&source.design, &stop)?)
     };
+    let prints = source.design.cut_print_images(PRINT_SIDE);
+    let prints = prints.map_err(|error| Failure::usage(Sentence::of(&error)))?;
+    let prints: Vec<_> = prints.into_iter().map(Arc::new).collect();
     let booklet = Booklet {
         title: title(&source),
         plan: &plan,
+        group: &[],
+        prints: &prints,
         bill: &bill,
         cover,
         hem_height_cm: source.design.skirt.hem_height_cm,
@@ -278,16 +239,6 @@ fn pdf((title, sheets): (&str, Vec<Sheet>), pages: Language) -> Result<Vec<u8>, 
         sheets,
     };
     document.to_bytes().map_err(Failure::error)
-}
-
-fn write_pdf(
-    output: &mut OutputFolder,
-    name: &str,
-    what: (&str, Vec<Sheet>),
-    pages: Language,
-) -> Result<(), Failure> {
-    let bytes = pdf(what, pages)?;
-    output.write(name, &bytes).map_err(Failure::Run)
 }
 
 /// Writes one file, whole or not at all.

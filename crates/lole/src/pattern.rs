@@ -1,8 +1,10 @@
 //! `lole pattern`: cut plans and patterns of everything that a design has.
 
+use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
 use lole_costume::document::{self, Place};
+use lole_costume::print::PrintImage;
 use lole_costume::tailoring::{self, ClothPlan, GarmentPattern};
 use lole_export::cutting::{
     CutGarment, cut_plan_sheets, cut_plan_svg, pattern_json, pieces_svg, ruler_sheets, tiled_sheets,
@@ -14,6 +16,7 @@ use lole_pattern::marker::Lay;
 
 use crate::args::{PaperSize, PatternArgs};
 use crate::dance::place_of;
+use crate::order::PRINT_SIDE;
 use crate::output::OutputFolder;
 use crate::patience::{progress_bar, stop_flag};
 use crate::source::{self, Source};
@@ -39,11 +42,13 @@ pub(crate) fn run(args: &PatternArgs, language: Language) -> Result<(), Failure>
     let bar = progress_bar(2 * count + 1, language.pick("型紙", "pattern"));
     let paper = args.paper.paper();
     let mut cuts = Vec::new();
-    for garment in garments {
+    let prints = source.design.cut_print_images(PRINT_SIDE);
+    let prints = prints.map_err(|error| Failure::usage(Sentence::of(&error)))?;
+    for (garment, print) in garments.into_iter().zip(prints) {
         if stop.load(Ordering::Relaxed) {
             return Err(Failure::Interrupted);
         }
-        cuts.push(plan(garment, args));
+        cuts.push(plan(garment, print, args));
         bar.inc(1);
     }
     write_plans(&mut output, &cuts, paper, language)?;
@@ -93,7 +98,7 @@ fn draft(source: &Source) -> Result<Vec<GarmentPattern>, Failure> {
     })
 }
 
-fn plan(garment: GarmentPattern, args: &PatternArgs) -> CutGarment {
+fn plan(garment: GarmentPattern, print: PrintImage, args: &PatternArgs) -> CutGarment {
     let lay = if args.folded {
         Lay::Folded
     } else {
@@ -103,6 +108,7 @@ fn plan(garment: GarmentPattern, args: &PatternArgs) -> CutGarment {
     CutGarment {
         plans: garment.cloth_plans(lay, repeat),
         garment,
+        print: Some(Arc::new(print)),
     }
 }
 

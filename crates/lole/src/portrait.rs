@@ -28,11 +28,11 @@ const COVER: Size = Size {
 
 /// Size of one picture of a group: as wide as her arms and skirt need, as tall as the tallest.
 const STANDING: Size = Size {
-    width: 340,
+    width: 478,
     height: 520,
 };
-/// What it shows to either side, and from the floor up [m].
-const STANDING_REACH: [f32; 2] = [0.65, 2.0];
+/// What it shows to either side, and from the floor up [m]: outstretched arms of a tall dancer.
+const STANDING_REACH: [f32; 2] = [0.92, 2.0];
 
 /// Particles of cloth that hangs still in a small picture, around and down: more would not be seen.
 const COARSE: [u32; 2] = [224, 32];
@@ -89,9 +89,10 @@ fn kept(
     folder: &Path,
     stop: &AtomicBool,
 ) -> Result<Picture, Failure> {
-    let key = fingerprint(&(to_toml(design) + env!("CARGO_PKG_VERSION")));
-    let path = folder.join(format!("{:03}-{key:016x}.jpg", index + 1));
     let size = [STANDING.width, STANDING.height];
+    let version = env!("CARGO_PKG_VERSION");
+    let key = fingerprint(&format!("{} {version} {size:?}", to_toml(design)));
+    let path = folder.join(format!("{:03}-{key:016x}.jpg", index + 1));
     if let Some(picture) = fs::read(&path)
         .ok()
         .and_then(|bytes| Picture::of_jpeg(bytes, size))

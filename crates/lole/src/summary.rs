@@ -173,14 +173,21 @@ pub(crate) fn print_pattern(
 pub(crate) fn print_bill(bill: &Bill, remarks: &[String], language: Language) {
     for line in &bill.lines {
         let sum = line.sum.map_or_else(
-            || language.pick("値段は?", "price?").to_owned(),
+            || language.pick("値段を確認", "ask the price").to_owned(),
             |sum| bill.currency.write(sum),
         );
         let (name, amount) = (line.name.text(language), line.amount.text(language));
         say!("  {sum:>12}  {name}  {amount}");
     }
-    let total = bill.currency.write(bill.total);
-    say!("  {total:>12}  {}", language.pick("合計", "total"));
+    if bill.knows_something() {
+        let total = bill.currency.write(bill.total);
+        let said = if bill.is_complete() {
+            language.pick("合計", "total")
+        } else {
+            language.pick("わかっている分の合計", "total of what is known")
+        };
+        say!("  {total:>12}  {said}");
+    }
     for remark in remarks {
         say!("  {remark}");
     }

@@ -532,11 +532,19 @@ fn unknown(typed: &str, japanese: &str, english: &str, names: &[String]) -> Sent
     )
 }
 
-/// Every option of every command, as typed.
+/// Every option of the command that was typed, else of all of them.
 fn long_options() -> Vec<String> {
     let command = Cli::command();
-    command
-        .get_subcommands()
+    let typed: Vec<String> = std::env::args().skip(1).collect();
+    let named = |sub: &&Command| typed.iter().any(|word| word == sub.get_name());
+    let own: Vec<&Command> = command.get_subcommands().filter(named).take(1).collect();
+    let commands = if own.is_empty() {
+        command.get_subcommands().collect()
+    } else {
+        own
+    };
+    commands
+        .into_iter()
         .flat_map(Command::get_arguments)
         .filter_map(|argument| Some(format!("--{}", argument.get_long()?)))
         .collect()

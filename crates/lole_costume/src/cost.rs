@@ -7,10 +7,11 @@
 use lole_geom::Length;
 use lole_language::{Sentence, Words, words};
 use lole_pattern::pattern::{Amount, NotionKind};
+use lole_pattern::piece::ClothRole;
 
 use crate::document::{CostDesign, Currency, Design, FabricDesign};
 use crate::order::{DancerPlan, PlannedGarment};
-use crate::tailoring::SKIRT;
+use crate::tailoring::{ClothPlan, SKIRT, role_name};
 
 /// What is paid for.
 #[derive(Debug, Clone, PartialEq)]
@@ -76,6 +77,12 @@ impl Bill {
         self.lines.iter().all(|line| line.sum.is_some())
     }
 
+    /// Whether any price is known.
+    #[must_use]
+    pub fn knows_something(&self) -> bool {
+        self.lines.iter().any(|line| line.sum.is_some())
+    }
+
     /// What sewing saves against buying; negative where it costs more. `None` unless all prices are
     /// known.
     #[must_use]
@@ -96,12 +103,14 @@ pub fn bill(design: &Design, plan: &DancerPlan) -> Bill {
     let hours = minutes / 60.0;
     let mut bill = Bill::new(cost, hours);
     for (garment, fabric) in plan.garments.iter().zip(design.fabrics()) {
-        // Leaves and flowers need no cloth.
-        if garment.plans.is_empty() {
-            continue;
+        for plan in &garment.plans {
+            let (amount, price) = cloth(garment, plan, fabric);
+            let name = match plan.role {
+                ClothRole::Main => garment.tailored.name,
+                role => role_name(role),
+            };
+            bill.add(name, amount, price);
         }
-        let (amount, price) = cloth(garment, fabric);
-        bill.add(garment.tailored.name, amount, price);
     }
     let elastic = notion_length(plan, NotionKind::Elastic);
     if let Some(length) = elastic {
@@ -118,7 +127,8 @@ pub fn bill(design: &Design, plan: &DancerPlan) -> Bill {
     }
     if let Some(length) = notion_length(plan, NotionKind::Thread) {
         let spools = (length.to_m() / cost.thread_spool_m).ceil();
-        let amount = Sentence::new(format!("{spools} 巻き"), format!("{spools} spool(s)"));
+        let plural = if 1.0 < spools { "s" } else { "" };
+        let amount = Sentence::new(format!("{spools} 巻き"), format!("{spools} spool{plural}"));
         let price = cost.thread_price_per_spool.map(|price| price * spools);
         bill.add(
             words("糸", "thread"),
@@ -161,12 +171,20 @@ pub fn sum(bills: &[Bill], cost: &CostDesign) -> Bill {
     all
 }
 
-/// Cloth of one garment as a shop sells it, and its price.
-fn cloth(garment: &PlannedGarment, fabric: &FabricDesign) -> (Sentence, Result<f64, &'static str>) {
-    let bought = garment.bought();
+/// One cloth of a garment as a shop sells it, and its price.
+fn cloth(
+    garment: &PlannedGarment,
+    plan: &ClothPlan,
+    fabric: &FabricDesign,
+) -> (Sentence, Result<f64, &'static str>) {
+    let bought = plan.marker.yardage;
     let metric = format!("{:.1} m", bought.metric.to_m());
     let imperial = format!("{:.1} yd", bought.imperial.to_yd());
-    match (fabric.price_per_m, fabric.price_per_yd) {
+    let [price_per_m, price_per_yd] = match plan.role {
+        ClothRole::Main => [fabric.price_per_m, fabric.price_per_yd],
+        _ => [fabric.beside_price_per_m, None],
+    };
+    match (price_per_m, price_per_yd) {
         (Some(price), _) => (
             Sentence::new(metric.clone(), metric),
             Ok(price * bought.metric.to_m()),
@@ -175,14 +193,15 @@ fn cloth(garment: &PlannedGarment, fabric: &FabricDesign) -> (Sentence, Result<f
             Sentence::new(imperial.clone(), imperial),
             Ok(price * bought.imperial.to_yd()),
         ),
-        (None, None) => (
-            Sentence::new(metric.clone(), metric),
-            Err(if garment.tailored.id == SKIRT {
-                "[fabric] price_per_m"
-            } else {
-                "[garment.fabric] price_per_m"
-            }),
-        ),
+        (None, None) => {
+            let asked = match (plan.role, garment.tailored.id == SKIRT) {
+                (ClothRole::Main, true) => "[fabric] price_per_m",
+                (ClothRole::Main, false) => "[garment.fabric] price_per_m",
+                (_, true) => "[fabric] beside_price_per_m",
+                (_, false) => "[garment.fabric] beside_price_per_m",
+            };
+            (Sentence::new(metric.clone(), metric), Err(asked))
+        }
     }
 }
 

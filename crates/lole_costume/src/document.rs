@@ -209,6 +209,11 @@ pub struct FabricDesign {
     pub price_per_m: Option<f64>,
     /// Price of a yard; that of a meter comes first.
     pub price_per_yd: Option<f64>,
+    /// Width of what lies beside it in the garment: lining, contrast cloth, interfacing [cm]; as wide
+    /// as the cloth when `None`.
+    pub beside_width_cm: Option<f64>,
+    /// Price of a meter of that.
+    pub beside_price_per_m: Option<f64>,
 }
 
 impl Default for FabricDesign {
@@ -233,6 +238,8 @@ impl Default for FabricDesign {
             drag_per_s: None,
             price_per_m: None,
             price_per_yd: None,
+            beside_width_cm: None,
+            beside_price_per_m: None,
         }
     }
 }

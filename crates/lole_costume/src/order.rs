@@ -2,14 +2,16 @@
 
 use lole_body::{BodyError, Dancer, Measure, Measurements};
 use lole_geom::Length;
-use lole_language::{Bilingual, Words};
+use lole_language::{Bilingual, Sentence, Words};
 use lole_pattern::Yardage;
 use lole_pattern::marker::Lay;
 use lole_pattern::pattern::{Amount, NotionKind};
+use lole_pattern::piece::ClothRole;
 
 use crate::document::{Design, FabricDesign, GarmentLayer, PrintChoice};
-use crate::roster::RosterDancer;
-use crate::tailoring::{ClothPlan, GarmentPattern, TailoringError, patterns_of};
+use crate::print::PrintMotif;
+use crate::roster::{Roster, RosterDancer, RowProblem};
+use crate::tailoring::{ClothPlan, GarmentPattern, TailoringError, patterns_of, role_name};
 
 /// What the buyer decides.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -56,11 +58,16 @@ impl PlannedGarment {
     /// Its own cloth to buy; none where no piece is cut from it.
     #[must_use]
     pub fn bought(&self) -> Yardage {
-        let own = self.plans.first();
-        own.map_or_else(
+        self.own_plan().map_or_else(
             || Yardage::for_length(Length::ZERO),
             |plan| plan.marker.yardage,
         )
+    }
+
+    /// What is cut from its own cloth; `None` where nothing is.
+    #[must_use]
+    pub fn own_plan(&self) -> Option<&ClothPlan> {
+        self.plans.iter().find(|plan| plan.role == ClothRole::Main)
     }
 
     /// Pieces that are cut as rectangles: along the selvage and across, as often as they are cut.
@@ -172,9 +179,58 @@ pub fn plan_dancer(name: &str, design: &Design, dancer: &Dancer) -> Result<Dance
     })
 }
 
+/// A list of dancers, cut.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Group {
+    /// Everybody who can be cut for, in the order of the list.
+    pub plans: Vec<DancerPlan>,
+    /// What each of them wears, to her measures.
+    pub designs: Vec<Design>,
+    /// Rows that cannot be used, with line and column.
+    pub problems: Vec<Sentence>,
+}
+
+impl Group {
+    /// Nobody yet.
+    #[must_use]
+    pub fn of(list: &Roster) -> Self {
+        Self {
+            plans: Vec::new(),
+            designs: Vec::new(),
+            problems: list.problems.iter().map(RowProblem::sentence).collect(),
+        }
+    }
+
+    /// Takes in what was cut for a dancer of the list; whoever cannot be cut for is told and left out.
+    pub fn add(
+        &mut self,
+        dancer: &RosterDancer,
+        design: &Design,
+        cut: Result<DancerPlan, PlanError>,
+    ) {
+        match cut {
+            Ok(plan) => {
+                self.plans.push(plan);
+                self.designs.push(dancer.design(design));
+            }
+            Err(error) => {
+                let problem = RowProblem {
+                    line: dancer.line,
+                    column: None,
+                    what: Sentence::new(
+                        format!("{}: {}", dancer.name, error.japanese()),
+                        format!("{}: {error}", dancer.name),
+                    ),
+                };
+                self.problems.push(problem.sentence());
+            }
+        }
+    }
+}
+
 impl Design {
     /// Cloth and print of every garment, in the order of [`patterns_of`].
-    fn cloths(&self) -> Vec<(&FabricDesign, &PrintChoice)> {
+    pub(crate) fn cloths(&self) -> Vec<(&FabricDesign, &PrintChoice)> {
         let of_layer = |layer| {
             let garments = self.listed_in(layer);
             garments.map(|(_, garment)| (garment.fabric(), garment.print()))
@@ -231,7 +287,7 @@ pub fn prints(plans: &[DancerPlan], design: &Design, settings: &Settings) -> Vec
         for (dancer, plan) in plans.iter().enumerate() {
             let of_kind = kind.iter().filter_map(|&index| plan.garments.get(index));
             // Leaves and flowers need no cloth.
-            for garment in of_kind.filter(|garment| !garment.plans.is_empty()) {
+            for garment in of_kind.filter(|garment| garment.own_plan().is_some()) {
                 cuts.push((dancer, garment.bought().needed));
                 if !garments.contains(&garment.tailored.name) {
                     garments.push(garment.tailored.name);
@@ -259,8 +315,49 @@ pub fn prints(plans: &[DancerPlan], design: &Design, settings: &Settings) -> Vec
             longer_than_bolt,
         }
     };
-    let totals = kinds.iter().map(total);
+    let totals = kinds.iter().map(total).chain(beside(plans, settings));
     totals.filter(|total| Length::ZERO < total.needed).collect()
+}
+
+/// Lining, contrast cloth and interfacing of a group, each of one width together.
+fn beside(plans: &[DancerPlan], settings: &Settings) -> Vec<PrintTotal> {
+    let mut totals: Vec<(ClothRole, PrintTotal)> = Vec::new();
+    for garment in plans.iter().flat_map(|plan| &plan.garments) {
+        let name = garment.tailored.name;
+        let beside = garment.plans.iter();
+        for plan in beside.filter(|plan| plan.role != ClothRole::Main) {
+            let (width, needed) = (plan.marker.cloth.width, plan.marker.yardage.needed);
+            let is_same = |(role, total): &&mut (ClothRole, PrintTotal)| {
+                *role == plan.role && total.width == width
+            };
+            if let Some((_, total)) = totals.iter_mut().find(is_same) {
+                total.needed = total.needed + needed;
+                if !total.garments.contains(&name) {
+                    total.garments.push(name);
+                }
+                continue;
+            }
+            let total = PrintTotal {
+                garments: vec![name],
+                cloth: role_name(plan.role),
+                print: PrintChoice {
+                    motif: PrintMotif::Plain,
+                    ..PrintChoice::default()
+                },
+                width,
+                needed,
+                bought: plan.marker.yardage,
+                bolts: Vec::new(),
+                longer_than_bolt: Vec::new(),
+            };
+            totals.push((plan.role, total));
+        }
+    }
+    let with_spare = |(_, total): (ClothRole, PrintTotal)| PrintTotal {
+        bought: Yardage::for_length(total.needed * (1.0 + settings.spare_ratio)),
+        ..total
+    };
+    totals.into_iter().map(with_spare).collect()
 }
 
 /// What is cut from each bolt, so that no piece spans the end of one: the longest piece first, each

@@ -2,6 +2,7 @@
 //! without a seam, or a [`Picture`] of someone's own; and how it lies on the cloth.
 
 mod canvas;
+mod cloth;
 pub mod colorway;
 mod geometry;
 mod lay;
@@ -17,6 +18,7 @@ use canvas::Canvas;
 use geometry::Geometry;
 use motif::{Recipe, Shadow};
 
+pub use cloth::{ClothPicture, cloth_picture};
 pub use colorway::{COLORWAYS, Colorway};
 pub use lay::{PrintBorder, PrintDirection, PrintFlip, PrintLay, PrintTiling};
 pub use motif::{MOTIFS, MotifRow, PrintMotif};

@@ -20,6 +20,8 @@ use crate::print::{PrintBorder, PrintMotif};
 
 /// Name in files of the design's skirt.
 pub const SKIRT: &str = "pau_skirt";
+/// What the design's skirt is called.
+pub const SKIRT_NAME: Words = words("パウスカート", "pāʻū skirt");
 /// Name in files of a top.
 pub const TOP: &str = "pau_top";
 
@@ -43,6 +45,8 @@ pub struct Cloth {
     pub name: Words,
     /// From selvage to selvage.
     pub width: Length,
+    /// Width of lining, contrast cloth and interfacing.
+    pub beside_width: Length,
     /// Mass per area [kg/m²].
     pub areal_density: f64,
     /// Whether cloth and print look the same from both ends.
@@ -64,9 +68,20 @@ pub struct ClothPlan {
     pub mass: f64,
 }
 
+/// What a cloth of a garment is called.
+#[must_use]
+pub const fn role_name(role: ClothRole) -> Words {
+    match role {
+        ClothRole::Main => words("表布", "main cloth"),
+        ClothRole::Contrast => words("別布", "contrast cloth"),
+        ClothRole::Lining => words("裏布", "lining"),
+        ClothRole::Interfacing => words("芯地", "interfacing"),
+    }
+}
+
 impl GarmentPattern {
-    /// The cut plans of its cloths. Lining and other cloths beside the garment's own are taken as wide
-    /// and as heavy as it is, and plain. `matched_repeat` makes the print meet at the seams.
+    /// The cut plans of its cloths. Lining and other cloths beside the garment's own are taken to be as
+    /// heavy as it is, and plain. `matched_repeat` makes the print meet at the seams.
     #[must_use]
     pub fn cloth_plans(&self, lay: Lay, matched_repeat: Option<Length>) -> Vec<ClothPlan> {
         const ROLES: [ClothRole; 4] = [
@@ -82,6 +97,7 @@ impl GarmentPattern {
                 self.cloth.on_table(lay, matched_repeat)
             } else {
                 TableCloth {
+                    width: self.cloth.beside_width,
                     nap: Nap::TwoWay,
                     border: None,
                     ..self.cloth.on_table(lay, None)
@@ -90,7 +106,7 @@ impl GarmentPattern {
             let marker = lay_out(&self.pattern, role, &cloth);
             ClothPlan {
                 role,
-                mass: self.cloth.mass(marker.yardage.needed),
+                mass: self.cloth.mass(marker.yardage.needed, cloth.width),
                 marker,
             }
         };
@@ -133,15 +149,37 @@ pub fn patterns_of(
     design: &Design,
     dancer: &Dancer,
 ) -> Result<Vec<GarmentPattern>, TailoringError> {
-    let mut patterns: Vec<GarmentPattern> = Vec::new();
-    let mut add = |name: &str, words: Words, pattern: Pattern, cloth: Cloth| {
-        let id = numbered(name, patterns.iter().map(|other| other.id.as_str()));
-        patterns.push(GarmentPattern {
-            id,
-            name: words,
-            pattern,
-            cloth,
-        });
+    let drafts = drafts_of(design, dancer).into_iter();
+    drafts.map(|(_, draft)| draft).collect()
+}
+
+/// What became of drafting each garment of a design, from the skin outward, with its place in the
+/// design's list, from 0; the skirt has none. One that cannot be drafted leaves the others as they are.
+#[must_use]
+pub fn drafts_of(
+    design: &Design,
+    dancer: &Dancer,
+) -> Vec<(Option<usize>, Result<GarmentPattern, TailoringError>)> {
+    let mut drafts = Vec::new();
+    let mut ids: Vec<String> = Vec::new();
+    let mut add = |place: Option<usize>, named: (&str, Words), pattern, cloth| {
+        let (file_name, name) = named;
+        let id = numbered(file_name, ids.iter().map(String::as_str));
+        ids.push(id.clone());
+        let draft = match pattern {
+            Ok(pattern) => Ok(GarmentPattern {
+                id,
+                name,
+                pattern,
+                cloth,
+            }),
+            Err(error) => Err(TailoringError {
+                garment: name,
+                place: place.map(|index| index + 1),
+                error: Box::new(error),
+            }),
+        };
+        drafts.push((place, draft));
     };
     let measures = LazyCell::new(|| measures(dancer));
     for layer in [GarmentLayer::Under, GarmentLayer::Over] {
@@ -156,27 +194,18 @@ pub fn patterns_of(
                 }
                 GarmentDesign::Template(worn) => worn.pattern(&measures),
             };
-            let pattern = pattern.map_err(|error| TailoringError {
-                garment: name,
-                place: Some(index + 1),
-                error: Box::new(error),
-            })?;
             let cloth = Cloth::of(garment.fabric(), garment.print());
-            add(&file_name(garment), name, pattern, cloth);
+            add(Some(index), (&file_name(garment), name), pattern, cloth);
         }
         if layer == GarmentLayer::Under && design.skirt.is_worn {
-            let name = words("パウスカート", "pāʻū skirt");
+            let name = SKIRT_NAME;
             let drafted = draft_skirt(&design.skirt, &design.fabric, dancer);
-            let drafted = drafted.map_err(|error| TailoringError {
-                garment: name,
-                place: None,
-                error: Box::new(error),
-            })?;
+            let pattern = drafted.map(|it| it.draft.pattern(name));
             let cloth = Cloth::of(&design.fabric, &design.print);
-            add(SKIRT, name, drafted.draft.pattern(name), cloth);
+            add(None, (SKIRT, name), pattern, cloth);
         }
     }
-    Ok(patterns)
+    drafts
 }
 
 /// Name in files of a garment of a design's list, before it is numbered.
@@ -191,7 +220,8 @@ pub fn file_name(garment: &GarmentDesign) -> String {
 }
 
 /// What a garment of a design's list is called.
-const fn garment_name(garment: &GarmentDesign) -> Words {
+#[must_use]
+pub const fn garment_name(garment: &GarmentDesign) -> Words {
     match (garment, garment.layer()) {
         (GarmentDesign::PauSkirt(_), GarmentLayer::Under) => {
             words("下に重ねるパウスカート", "pāʻū underskirt")
@@ -232,7 +262,10 @@ impl Cloth {
                 japanese: fabric.preset.name_ja,
                 english: fabric.preset.name,
             },
-            width: Length::from_cm(fabric.width_cm),
+            width: fabric.width(),
+            beside_width: fabric
+                .beside_width_cm
+                .map_or_else(|| fabric.width(), Length::from_cm),
             areal_density: density * 1.0e-3,
             // The motifs of the built-in prints look alike from both ends. A picture has a top, and so
             // has a border.
@@ -258,10 +291,10 @@ impl Cloth {
         }
     }
 
-    /// Mass of a length of it [kg].
+    /// Mass of a length of it, or of cloth as heavy, of this width [kg].
     #[must_use]
-    pub const fn mass(&self, length: Length) -> f64 {
-        length.to_m() * self.width.to_m() * self.areal_density
+    pub const fn mass(&self, length: Length, width: Length) -> f64 {
+        length.to_m() * width.to_m() * self.areal_density
     }
 }
 
@@ -436,7 +469,8 @@ mod tests {
             (cut[0].to_cm() - (4.0 * 91.4 + 2.0)).abs() < 0.05,
             "{cut:?}"
         );
-        let mass = patterns[0].cloth.mass(Length::from_yd(4.0));
+        let cloth = &patterns[0].cloth;
+        let mass = cloth.mass(Length::from_yd(4.0), cloth.width);
         assert!((0.40..0.48).contains(&mass), "{mass}");
     }
 }

@@ -6,14 +6,19 @@
 mod figures;
 mod style;
 
+use std::sync::Arc;
+
 use lole_body::Measure;
 use lole_costume::cost::Bill;
 use lole_costume::order::{DancerPlan, PlannedGarment};
+use lole_costume::print::PrintImage;
+use lole_costume::tailoring::{ClothPlan, role_name};
 use lole_language::{Bilingual as _, Language};
 use lole_pattern::pattern::{Amount, Step};
 use lole_pattern::piece::ClothRole;
 
 use crate::cutting::{CutGarment, draw_marker};
+use crate::order::lengths_table;
 use crate::pdf::{
     Align, Cell, Column, Flow, Margins, Paper, Picture, Rect, Sheet, Stroke, Table, TextStyle,
 };
@@ -26,6 +31,10 @@ pub struct Booklet<'a> {
     pub title: String,
     /// Patterns and cut plans of the dancer on the cover.
     pub plan: &'a DancerPlan,
+    /// Everybody who sews by this booklet, where that are several: each has her own lengths.
+    pub group: &'a [DancerPlan],
+    /// What is printed on each garment, in their order; none where it is not to be shown.
+    pub prints: &'a [Arc<PrintImage>],
     /// What it costs.
     pub bill: &'a Bill,
     /// The costume on its dancer.
@@ -42,12 +51,17 @@ pub fn booklet_sheets(booklet: &Booklet<'_>, paper: Paper, language: Language) -
     flow.new_page();
     materials(&mut flow, booklet.plan, language);
     measures(&mut flow, booklet.plan, language);
-    for garment in &booklet.plan.garments {
-        flow.new_page();
-        cut_plans(&mut flow, garment, language);
+    if 1 < booklet.group.len() {
+        flow.space(6.0);
+        flow.keep(70.0);
+        everybody(&mut flow, booklet, language);
     }
+    for (index, garment) in booklet.plan.garments.iter().enumerate() {
+        cut_plans(&mut flow, garment, booklet.prints.get(index), language);
+    }
+    // Those who sew begin with a fresh page; what follows begins where there is room for it.
+    flow.new_page();
     for garment in &booklet.plan.garments {
-        flow.new_page();
         steps(&mut flow, garment, language);
     }
     care(&mut flow, language);
@@ -143,7 +157,11 @@ pub(crate) fn amount_words(amount: Amount, language: Language) -> String {
     match amount {
         Amount::Length(length) if length.to_m() < 3.0 => format!("{:.0} cm", length.to_cm().ceil()),
         Amount::Length(length) => format!("{:.1} m", (length.to_m() * 10.0).ceil() / 10.0),
-        Amount::Count(count) => format!("{count} {}", language.pick("個", "pc")),
+        Amount::Count(count) => match language {
+            Language::Japanese => format!("{count} 個"),
+            Language::English if count == 1 => "1 piece".to_owned(),
+            Language::English => format!("{count} pieces"),
+        },
         Amount::Mass(mass) => format!("{:.0} g", 1000.0 * mass),
     }
 }
@@ -151,12 +169,12 @@ pub(crate) fn amount_words(amount: Amount, language: Language) -> String {
 fn materials(flow: &mut Flow, plan: &DancerPlan, language: Language) {
     head(flow, language.pick("用意するもの", "What you need"));
     for garment in &plan.garments {
-        subhead(flow, garment.tailored.name.text(language));
+        subhead(flow, &capitalized(garment.tailored.name.text(language)));
         Table {
             columns: vec![
-                Column::text("", 3.0),
+                Column::text("", 3.9),
                 Column::text("", 2.6),
-                Column::text("", 4.4),
+                Column::text("", 3.5),
             ],
             rows: material_rows(garment, language),
             size_pt: 12.5,
@@ -181,9 +199,7 @@ fn material_rows(garment: &PlannedGarment, language: Language) -> Vec<Vec<Cell>>
         let (yards, mass) = (bought.imperial.to_yd(), plan.mass);
         let name = match plan.role {
             ClothRole::Main => tailored.cloth.name.text(language),
-            ClothRole::Contrast => language.pick("無地の布", "plain cloth"),
-            ClothRole::Lining => language.pick("裏布", "lining"),
-            ClothRole::Interfacing => language.pick("芯地", "interfacing"),
+            role => role_name(role).text(language),
         };
         rows.push(vec![
             Cell::bold(name),
@@ -215,7 +231,7 @@ fn material_rows(garment: &PlannedGarment, language: Language) -> Vec<Vec<Cell>>
         }
         let note = notion.note.as_ref();
         rows.push(vec![
-            Cell::bold(notion.name.text(language)),
+            Cell::bold(&capitalized(notion.name.text(language))),
             amount_words(notion.amount, language).into(),
             note.map_or_else(String::new, |note| note.text(language))
                 .into(),
@@ -263,7 +279,7 @@ fn measure_table(plan: &DancerPlan, language: Language) -> Table {
                 language.pick("実測", "measured")
             };
             vec![
-                Cell::bold(measure.words().text(language)),
+                Cell::bold(&capitalized(measure.words().text(language))),
                 format!("{cm:.1} cm").into(),
                 format!("{:.1} in", cm / 2.54).into(),
                 how.into(),
@@ -282,7 +298,34 @@ fn measure_table(plan: &DancerPlan, language: Language) -> Table {
     }
 }
 
-fn cut_plans(flow: &mut Flow, garment: &PlannedGarment, language: Language) {
+/// Everybody's lengths, where the rest of the booklet has those of one.
+fn everybody(flow: &mut Flow, booklet: &Booklet<'_>, language: Language) {
+    head(flow, language.pick("全員の寸法", "Everybody’s lengths"));
+    let name = booklet.plan.name.as_str();
+    let text = match language {
+        Language::Japanese => format!(
+            "この本の図と手順の数字は {name} さんの寸法です。ほかの人は、裁つ寸法とゴムの長さをこの表から取ってください。「型紙」とある服は、その人の採寸で作った型紙で裁ちます。そのほかは同じです。"
+        ),
+        Language::English => format!(
+            "The drawings and steps of this booklet have the lengths of {name}. For everybody else take the lengths of cloth and elastic from this table, and where it says “pattern”, cut by the paper pattern of her own measures; all the rest is the same."
+        ),
+    };
+    flow.paragraph(&text, &TextStyle::body());
+    flow.space(3.0);
+    lengths_table(booklet.group, language).draw(flow);
+}
+
+fn cut_plans(
+    flow: &mut Flow,
+    garment: &PlannedGarment,
+    print: Option<&Arc<PrintImage>>,
+    language: Language,
+) {
+    // Leaves and flowers are tied, not cut.
+    let Some(first) = garment.plans.first() else {
+        return;
+    };
+    flow.keep(plan_height(first, flow.width()) + 24.0);
     let name = garment.tailored.name.text(language);
     let title = match language {
         Language::Japanese => format!("裁ち方: {name}"),
@@ -292,12 +335,16 @@ fn cut_plans(flow: &mut Flow, garment: &PlannedGarment, language: Language) {
     let cut = CutGarment {
         garment: garment.tailored.clone(),
         plans: garment.plans.clone(),
+        print: print.cloned(),
     };
     for plan in &garment.plans {
-        let aspect = plan.marker.cloth.width.to_m() / plan.marker.yardage.needed.to_m().max(0.01);
-        let height = (aspect * flow.width() + 34.0).clamp(60.0, 130.0);
+        let height = plan_height(plan, flow.width());
+        flow.keep(height + 10.0);
+        if plan.role != ClothRole::Main {
+            subhead(flow, role_name(plan.role).text(language));
+        }
         flow.block(height, |sheet, rect| {
-            draw_marker(sheet, rect, &cut, &plan.marker, language);
+            draw_marker(sheet, rect, &cut, plan, language);
         });
         for warning in &plan.marker.warnings {
             flow.paragraph(
@@ -305,12 +352,6 @@ fn cut_plans(flow: &mut Flow, garment: &PlannedGarment, language: Language) {
                 &TextStyle::bold(12.5),
             );
         }
-    }
-    for warning in &garment.tailored.pattern.warnings {
-        flow.paragraph(
-            &format!("! {}", warning.text(language)),
-            &TextStyle::bold(12.5),
-        );
     }
     for (piece, [along, across], count) in garment.rectangles() {
         let (along, across) = (along.to_cm(), across.to_cm());
@@ -329,17 +370,38 @@ fn cut_plans(flow: &mut Flow, garment: &PlannedGarment, language: Language) {
     flow.space(6.0);
 }
 
+/// Names stand in sentences; a row of a table begins one.
+pub(crate) fn capitalized(words: &str) -> String {
+    let mut letters = words.chars();
+    let first = letters
+        .next()
+        .map(|letter| letter.to_uppercase().to_string());
+    first.unwrap_or_default() + letters.as_str()
+}
+
+/// Height of a cut plan over this width [mm].
+fn plan_height(plan: &ClothPlan, width: f64) -> f64 {
+    let aspect = plan.marker.cloth.width.to_m() / plan.marker.yardage.needed.to_m().max(0.01);
+    (aspect * width + 34.0).clamp(60.0, 130.0)
+}
+
 fn steps(flow: &mut Flow, garment: &PlannedGarment, language: Language) {
     let pattern = &garment.tailored.pattern;
-    if pattern.steps.is_empty() {
+    let Some(first) = pattern.steps.first() else {
         return;
-    }
+    };
+    flow.keep(figures::height(&first.figure) + step_height(first, flow.width(), language) + 16.0);
     let name = garment.tailored.name.text(language);
     let title = match language {
         Language::Japanese => format!("縫い方: {name}"),
         Language::English => format!("Sewing: {name}"),
     };
     head(flow, &title);
+    for warning in &pattern.warnings {
+        let text = format!("! {}", capitalized(&warning.text(language)));
+        flow.paragraph(&text, &TextStyle::bold(12.5));
+        flow.space(3.0);
+    }
     for (number, step) in (1..).zip(&pattern.steps) {
         let figure = figures::height(&step.figure);
         flow.keep(figure + step_height(step, flow.width(), language));
@@ -431,12 +493,12 @@ fn costs(flow: &mut Flow, bill: &Bill, language: Language) {
 /// A bill with its total.
 pub(crate) fn bill_table(bill: &Bill, language: Language) -> Table {
     let currency = bill.currency;
-    let unknown = || language.pick("値段は?", "price?").to_owned();
+    let unknown = || language.pick("値段を確認", "ask the price").to_owned();
     let mut rows: Vec<Vec<Cell>> = (bill.lines.iter())
         .map(|line| {
             let sum = line.sum.map_or_else(unknown, |sum| currency.write(sum));
             vec![
-                Cell::bold(line.name.text(language)),
+                Cell::bold(&capitalized(line.name.text(language))),
                 line.amount.text(language).into(),
                 sum.into(),
             ]
@@ -447,11 +509,14 @@ pub(crate) fn bill_table(bill: &Bill, language: Language) -> Table {
     } else {
         language.pick("わかっている分の合計", "Total of what is known")
     };
-    rows.push(vec![
-        Cell::bold(total),
-        "".into(),
-        Cell::bold(currency.write(bill.total)),
-    ]);
+    // Where nothing is known yet there is nothing to sum up.
+    if bill.knows_something() {
+        rows.push(vec![
+            Cell::bold(total),
+            "".into(),
+            Cell::bold(currency.write(bill.total)),
+        ]);
+    }
     Table {
         columns: vec![
             Column::text("", 4.5),
@@ -469,12 +534,17 @@ pub fn bill_remarks(bill: &Bill, language: Language) -> Vec<String> {
     let mut remarks = Vec::new();
     let keys = bill.asked_for();
     if !keys.is_empty() {
-        let keys = keys.join(language.pick("、", ", "));
+        let comma = language.pick("、", ", ");
+        let unpriced = bill.lines.iter().filter(|line| line.asks.is_some());
+        let names: Vec<&str> = unpriced.map(|line| line.name.text(language)).collect();
+        let (names, keys) = (names.join(comma), keys.join(comma));
         remarks.push(match language {
-            Language::Japanese => format!("店で値段を見て、デザインの文書に書いてください: {keys}"),
-            Language::English => {
-                format!("Ask for these prices in a shop and write them into the design: {keys}")
-            }
+            Language::Japanese => format!(
+                "まだ値段のないもの: {names}。店で見て、窓の「裁断・費用」か、デザインの文書（{keys}）に書いてください。"
+            ),
+            Language::English => format!(
+                "Still without a price: {names}. Ask in a shop and write it in the window under “Cut, cost”, or into the design ({keys})."
+            ),
         });
     }
     if let (Some(bought), Some(saving)) = (bill.bought, bill.saving()) {

@@ -20,10 +20,13 @@ mod plan;
 mod ruler;
 mod tiles;
 
+use std::sync::Arc;
+
+use lole_costume::print::PrintImage;
 use lole_costume::tailoring::{ClothPlan, GarmentPattern};
 use lole_geom::Length;
-use lole_language::{Language, Words, words};
-use lole_pattern::piece::{ClothRole, CutCount, Piece};
+use lole_language::Language;
+use lole_pattern::piece::{CutCount, Piece};
 
 pub use json::pattern_json;
 pub use pieces_svg::pieces_svg;
@@ -39,6 +42,8 @@ pub struct CutGarment {
     pub garment: GarmentPattern,
     /// One for each of its cloths.
     pub plans: Vec<ClothPlan>,
+    /// What is printed on its own cloth, to be shown on the cut plan.
+    pub print: Option<Arc<PrintImage>>,
 }
 
 /// Lines of full-size patterns stay this close to their curves [m]: half the width of a fine pencil.
@@ -46,16 +51,6 @@ const TOLERANCE: f64 = 1.0e-4;
 
 /// Millimeters of a meter.
 const MM: f64 = 1000.0;
-
-/// What a cloth of a garment is called.
-const fn role_name(role: ClothRole) -> Words {
-    match role {
-        ClothRole::Main => words("表布", "main cloth"),
-        ClothRole::Contrast => words("別布", "contrast cloth"),
-        ClothRole::Lining => words("裏布", "lining"),
-        ClothRole::Interfacing => words("芯地", "interfacing"),
-    }
-}
 
 /// How often a piece is cut, in words: "cut 2", "1 pair".
 fn cut_words(piece: &Piece, language: Language) -> String {

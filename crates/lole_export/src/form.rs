@@ -5,7 +5,7 @@ use kurbo::{Affine, BezPath, Shape as _};
 use lole_body::Measure;
 use lole_language::{Language, Words, words};
 
-use crate::booklet::ACCENT;
+use crate::booklet::{ACCENT, capitalized};
 use crate::pdf::{Align, Color, Paper, Rect, Sheet, Stroke, TextStyle};
 
 /// What is measured, where the tape lies, and how to lay it.
@@ -257,7 +257,7 @@ fn write_rows(
     for (number, row) in (1_u32..).zip(ROWS) {
         let y = top + pitch * f64::from(number - 1);
         disk(sheet, [left + 3.5, y + 5.0], number);
-        let name = row.measure.words().text(language);
+        let name = &capitalized(row.measure.words().text(language));
         sheet.text(
             [left + 10.0, y + 6.6],
             name,
@@ -313,7 +313,7 @@ mod tests {
     fn heads_of_the_form_are_read_by_the_order() {
         for language in [Language::Japanese, Language::English] {
             let names = ROWS.iter().map(|row| row.measure.words().text(language));
-            let heads: Vec<&str> = names.collect();
+            let heads: Vec<String> = names.map(capitalized).collect();
             let name = language.pick("名前", "Name");
             let list = format!("{name},{}\n", heads.join(","));
             let roster = lole_costume::roster::read(list.as_bytes());

@@ -1,6 +1,8 @@
 //! A group order on paper and as data: the line of dancers, what to buy, a label for each bundle of
 //! cut cloth.
 
+mod folder;
+
 use lole_body::Measure;
 use lole_costume::cost::Bill;
 use lole_costume::order::{DancerPlan, NotionTotal, PlannedGarment, PrintTotal, Settings};
@@ -8,10 +10,12 @@ use lole_language::{Bilingual as _, Language, Sentence};
 use serde::Serialize;
 
 use crate::ExportError;
-use crate::booklet::{ACCENT, amount_words, bill_remarks, bill_table, foot, head};
+use crate::booklet::{ACCENT, amount_words, bill_remarks, bill_table, capitalized, foot, head};
 use crate::pdf::{
     Align, Cell, Column, Flow, Margins, Paper, Picture, Rect, Sheet, Stroke, Table, TextStyle,
 };
+
+pub use folder::{OrderFolder, OrderParts, order_folder};
 
 /// Everything about a group order.
 #[derive(Debug, Clone, PartialEq)]
@@ -109,37 +113,82 @@ fn dancer_table(order: &Order<'_>, language: Language) -> Table {
         for (place, garment) in plan.garments.iter().enumerate() {
             let name = if place == 0 { plan.name.as_str() } else { "" };
             let cost = order.bills.get(index).filter(|_| place == 0);
-            let cost = cost.map_or_else(String::new, |bill| {
-                let known = if bill.is_complete() { "" } else { "+?" };
-                format!("{}{known}", bill.currency.write(bill.total))
-            });
+            let cost = cost.map_or_else(String::new, |bill| cost_words(bill, language));
             rows.push(vec![
                 Cell::bold(name),
                 garment.tailored.name.text(language).into(),
-                cut_words(garment).into(),
+                cut_words(garment, language).into(),
                 elastic_words(garment, language).into(),
-                format!("{:.1} m", garment.bought().metric.to_m()).into(),
+                cloth_words(garment).into(),
                 cost.into(),
             ]);
         }
     }
     Table {
         columns: vec![
-            Column::text(language.pick("名前", "Name"), 3.0),
-            Column::text(language.pick("服", "Garment"), 2.4),
-            Column::text(language.pick("裁つ寸法 cm", "Cut, cm"), 3.0),
-            Column::text(language.pick("ゴム cm", "Elastic, cm"), 2.6),
-            Column::number(language.pick("布", "Cloth"), 1.5),
-            Column::number(language.pick("費用", "Cost"), 2.1),
+            Column::text(language.pick("名前", "Name"), 2.4),
+            Column::text(language.pick("服", "Garment"), 3.0),
+            Column::text(language.pick("裁つ寸法 cm", "Cut, cm"), 2.6),
+            Column::text(language.pick("ゴム cm", "Elastic, cm"), 2.4),
+            Column::number(language.pick("布", "Cloth"), 1.4),
+            Column::number(language.pick("費用", "Cost"), 2.9),
         ],
         rows,
         size_pt: 10.5,
     }
 }
 
+/// What a costume costs, or that its prices are still to be asked for.
+fn cost_words(bill: &Bill, language: Language) -> String {
+    match (bill.knows_something(), bill.is_complete()) {
+        (_, true) => bill.currency.write(bill.total),
+        (true, false) => {
+            let total = bill.currency.write(bill.total);
+            format!("{total}{}", language.pick("＋未定", " + ?"))
+        }
+        (false, false) => language.pick("値段を確認", "ask prices").to_owned(),
+    }
+}
+
+/// Cloth to buy for a garment; nothing for one that is tied of leaves.
+fn cloth_words(garment: &PlannedGarment) -> String {
+    if garment.plans.is_empty() {
+        return "–".to_owned();
+    }
+    format!("{:.1} m", garment.bought().metric.to_m())
+}
+
+/// What is cut for each dancer: cloth and elastic, in centimeters.
+pub(crate) fn lengths_table(plans: &[DancerPlan], language: Language) -> Table {
+    let mut rows = Vec::new();
+    for plan in plans {
+        // Leaves and flowers have no lengths to cut.
+        let cut = plan.garments.iter().filter(|it| !it.plans.is_empty());
+        for (place, garment) in cut.enumerate() {
+            rows.push(vec![
+                Cell::bold(if place == 0 { plan.name.as_str() } else { "" }),
+                garment.tailored.name.text(language).into(),
+                cut_words(garment, language).into(),
+                elastic_words(garment, language).into(),
+            ]);
+        }
+    }
+    Table {
+        columns: vec![
+            Column::text(language.pick("名前", "Name"), 3.0),
+            Column::text(language.pick("服", "Garment"), 2.6),
+            Column::text(language.pick("裁つ寸法 cm", "Cut, cm"), 3.2),
+            Column::text(language.pick("ゴム cm", "Elastic, cm"), 2.8),
+        ],
+        rows,
+        size_pt: 11.5,
+    }
+}
+
 /// "367.6 × 92.5" of every rectangle; other pieces have patterns.
-fn cut_words(garment: &PlannedGarment) -> String {
+fn cut_words(garment: &PlannedGarment, language: Language) -> String {
     let rectangles = garment.rectangles();
+    let by_pattern = garment.tailored.pattern.pieces.len() - rectangles.len();
     let sizes = rectangles.iter().map(|(_, [along, across], count)| {
         let often = if *count == 1 {
             String::new()
@@ -148,7 +197,13 @@ fn cut_words(garment: &PlannedGarment) -> String {
         };
         format!("{:.1} × {:.1}{often}", along.to_cm(), across.to_cm())
     });
-    sizes.collect::<Vec<_>>().join("\n")
+    let patterns = language.pick("型紙", "pattern").to_owned();
+    let patterns = (0 < by_pattern).then_some(patterns);
+    patterns
+        .into_iter()
+        .chain(sizes)
+        .collect::<Vec<_>>()
+        .join("\n")
 }
 
 fn elastic_words(garment: &PlannedGarment, language: Language) -> String {
@@ -187,7 +242,7 @@ fn shopping(flow: &mut Flow, order: &Order<'_>, language: Language) {
     }
     for notion in order.notions {
         let amount = amount_words(notion.amount, language);
-        let text = format!("{}: {amount}", notion.name.text(language));
+        let text = format!("{}: {amount}", capitalized(notion.name.text(language)));
         flow.item("□", 7.0, &text, &TextStyle::body());
     }
     flow.space(6.0);
@@ -276,9 +331,13 @@ fn label_lines(plan: &DancerPlan, language: Language) -> Vec<String> {
     }];
     for garment in &plan.garments {
         lines.push(garment.tailored.name.text(language).to_owned());
-        let cuts = cut_words(garment);
+        let cuts = cut_words(garment, language);
         let cut = language.pick("裁つ", "cut");
-        lines.extend(cuts.lines().map(|line| format!("  {cut} {line} cm")));
+        let patterns = language.pick("型紙", "pattern");
+        lines.extend(cuts.lines().map(|line| {
+            let unit = if line == patterns { "" } else { " cm" };
+            format!("  {cut} {line}{unit}")
+        }));
         let elastics = elastic_words(garment, language);
         let elastic = language.pick("ゴム", "elastic");
         lines.extend(

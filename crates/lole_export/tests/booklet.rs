@@ -36,6 +36,8 @@ fn pages(design: &Design, plan: &DancerPlan, language: Language) -> Vec<Sheet> {
     let booklet = Booklet {
         title: "Pāʻū".to_owned(),
         plan,
+        group: &[],
+        prints: &[],
         bill: &bill,
         cover: None,
         hem_height_cm: design.skirt.hem_height_cm,

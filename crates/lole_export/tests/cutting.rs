@@ -32,6 +32,7 @@ fn cut(pattern: Pattern) -> CutGarment {
         cloth: Cloth {
             name: words("木綿", "cotton"),
             width: Length::from_cm(110.0),
+            beside_width: Length::from_cm(110.0),
             areal_density: 0.12,
             nap: Nap::TwoWay,
             border: None,
@@ -41,6 +42,7 @@ fn cut(pattern: Pattern) -> CutGarment {
     CutGarment {
         plans: garment.cloth_plans(Lay::Single, None),
         garment,
+        print: None,
     }
 }
 

@@ -34,7 +34,7 @@ mod ti_leaf_skirt;
 mod uliuli;
 mod yoke;
 
-use lole_language::Words;
+use lole_language::{Words, words};
 
 use crate::{DraftError, Measures, Pattern};
 
@@ -154,6 +154,50 @@ impl Options {
         }
     }
 }
+
+/// Templates that stand together on a shelf.
+#[derive(Debug)]
+pub struct Shelf {
+    /// What they are.
+    pub name: Words,
+    /// Their identifiers, in the order a menu shows them.
+    pub ids: &'static [&'static str],
+}
+
+/// Every template by what it is for; a law keeps it whole.
+pub const SHELVES: &[Shelf] = &[
+    Shelf {
+        name: words("スカート", "Skirts"),
+        ids: &[
+            "pau-skirt",
+            "pau-ruffle",
+            "pau-kahiko",
+            "ti-leaf-skirt",
+            "raffia-skirt",
+            "cellophane-skirt",
+        ],
+    },
+    Shelf {
+        name: words("トップス", "Tops"),
+        ids: &["pau-top", "blouse"],
+    },
+    Shelf {
+        name: words("ドレス", "Dresses"),
+        ids: &["muumuu", "holoku"],
+    },
+    Shelf {
+        name: words("巻く布・掛ける布", "Wraps"),
+        ids: &["kikepa", "kihei", "malo"],
+    },
+    Shelf {
+        name: words("レイと飾り", "Lei and adornments"),
+        ids: &["lei", "lei-poo", "kupee", "hair-flower"],
+    },
+    Shelf {
+        name: words("楽器", "Implements"),
+        ids: &["uliuli", "puili", "ipu"],
+    },
+];
 
 /// Every template, in the order a menu shows them.
 pub const TEMPLATES: &[Template] = &[

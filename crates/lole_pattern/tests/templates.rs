@@ -8,7 +8,7 @@ use lole_geom::Length;
 use lole_language::{Bilingual as _, Sentence};
 use lole_pattern::pattern::{Amount, SeamKind, SeamSide};
 use lole_pattern::piece::{CutCount, Finish, Mark};
-use lole_pattern::template::{OptionKind, Options, TEMPLATES, Template};
+use lole_pattern::template::{OptionKind, Options, SHELVES, TEMPLATES, Template};
 use lole_pattern::{DraftError, Measure, Measures, Pattern, Piece, Yardage};
 use proptest::prelude::*;
 
@@ -306,6 +306,17 @@ fn keys_say_their_unit_and_stand_once() {
         }
         let alike = TEMPLATES.iter().filter(|other| other.id == template.id);
         assert_eq!(alike.count(), 1, "{}", template.id);
+    }
+}
+
+#[test]
+fn every_template_stands_on_one_shelf() {
+    let ids: Vec<&str> = (SHELVES.iter())
+        .flat_map(|shelf| shelf.ids.iter().copied())
+        .collect();
+    assert_eq!(ids.len(), TEMPLATES.len());
+    for template in TEMPLATES {
+        assert!(ids.contains(&template.id), "{}", template.id);
     }
 }
 

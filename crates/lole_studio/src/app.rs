@@ -9,14 +9,16 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use eframe::egui::{self, Context, Ui};
 use eframe::egui_wgpu::{WgpuConfiguration, WgpuSetup, WgpuSetupCreateNew};
-use lole_costume::document::{Design, LinkedFile};
+use lole_costume::document::{Design, LinkedFile, LinkedPicture, PhotoMarks};
 use lole_language::{Language, Sentence, words};
 use lole_render::wgpu;
 
 use crate::journal::{self, Journal, Leftover};
 use crate::message::Message;
+use crate::ordering::{self, Job, OrderNews, OrderWork};
 use crate::sim::{News, Sim};
 use crate::studio::{Purpose, Question, Request};
+use crate::tailor::Tailor;
 use crate::viewport::Viewport;
 use crate::{Studio, Work, files, look, panel};
 
@@ -202,6 +204,8 @@ fn no_window(error: &eframe::Error) -> Sentence {
 struct App {
     studio: Studio,
     sim: Sim,
+    tailor: Tailor,
+    order: Option<OrderWork>,
     viewport: Viewport,
     /// Answers of the system's file dialog.
     answers: Option<Receiver<Option<PathBuf>>>,
@@ -256,10 +260,13 @@ impl App {
         }
         let Rescued { studio, keeping } = work;
         let sim = start(studio.design().clone(), context);
+        let repaint = context.clone();
         Self {
             keeping,
             studio,
             sim,
+            tailor: Tailor::start(move || repaint.request_repaint()),
+            order: None,
             viewport: Viewport::new(),
             answers: None,
             context: context.clone(),
@@ -298,6 +305,10 @@ impl App {
             self.sim = start(Design::default(), &self.context);
             self.studio.opened(Design::default(), None);
         }
+        if let Some(paper) = self.tailor.take() {
+            self.studio.paper = Some(paper);
+        }
+        self.receive_order();
         let answer = self.answers.as_ref().map(Receiver::try_recv);
         match answer {
             Some(Ok(path)) => {
@@ -344,9 +355,22 @@ impl App {
                 Request::Resume => self.resume(),
                 Request::Discard => self.discard(),
                 Request::Picture => self.take_picture(),
+                Request::AskPicture(place) => self.ask(Purpose::Print(place)),
+                Request::OpenPicture(place, path) => self.open_picture(place, &path),
+                Request::AskRoster => self.ask(Purpose::Roster),
+                Request::OpenRoster(path) => self.open_roster(&path),
+                Request::WorkOutOrder => self.begin_order(None),
+                Request::AskOrderFolder => self.ask(Purpose::Order),
+                Request::MakeOrder(path) => self.begin_order(Some(path)),
+                Request::CallOffOrder => {
+                    if let Some(order) = &self.order {
+                        order.call_off();
+                    }
+                }
             }
         }
         self.keep();
+        self.tailor.ask(self.studio.design(), self.studio.cutting);
         for command in self.studio.take_commands() {
             self.sim.send(command);
         }
@@ -355,10 +379,12 @@ impl App {
     fn ask(&mut self, purpose: Purpose) {
         let folder = std::env::current_dir().unwrap_or_default();
         let path = match (self.studio.path(), purpose) {
-            (Some(path), Purpose::Record) => path.with_file_name(""),
-            (Some(path), _) => path.to_owned(),
-            (None, Purpose::Open | Purpose::Record) => folder.join(""),
+            (Some(path), Purpose::Open | Purpose::Save) => path.to_owned(),
+            (Some(path), Purpose::Order) => path.with_extension("").with_file_name("order"),
+            (Some(path), _) => path.with_file_name(""),
             (None, Purpose::Save) => folder.join("design.lole"),
+            (None, Purpose::Order) => folder.join("order"),
+            (None, _) => folder.join(""),
         };
         self.studio.question = Some(Question {
             purpose,
@@ -384,6 +410,14 @@ impl App {
                 Purpose::Open => designs(dialog).pick_file(),
                 Purpose::Save => designs(dialog).set_file_name("design.lole").save_file(),
                 Purpose::Record => dialog.add_filter("BVH", &["bvh", "BVH"]).pick_file(),
+                Purpose::Print(_) => {
+                    let kinds = ["png", "jpg", "jpeg", "svg", "PNG", "JPG", "JPEG", "SVG"];
+                    dialog.add_filter("PNG, JPEG, SVG", &kinds).pick_file()
+                }
+                Purpose::Roster => dialog
+                    .add_filter("CSV", &["csv", "CSV", "tsv", "txt"])
+                    .pick_file(),
+                Purpose::Order => dialog.pick_folder(),
             };
             // The window may have been closed meanwhile.
             drop(sender.send(path));
@@ -425,6 +459,108 @@ impl App {
                 self.studio.rest();
             }
             Err(sentence) => self.studio.message = Some(Message::trouble(&sentence)),
+        }
+    }
+
+    /// Prints a picture on the skirt or on a garment of the list.
+    fn open_picture(&mut self, place: Option<usize>, path: &Path) {
+        let name = files::recording_name(path, self.studio.path());
+        match files::read_picture(path, "[print] file") {
+            Ok(picture) => {
+                self.studio.message = None;
+                let file = LinkedPicture {
+                    name,
+                    picture: Some(picture),
+                };
+                self.studio.change(|design| {
+                    let print = match place {
+                        Some(place) => design.garments.get_mut(place).map(|it| it.print_mut()),
+                        None => Some(&mut design.print),
+                    };
+                    if let Some(print) = print {
+                        print.file = Some(file);
+                        print.marks = PhotoMarks::default();
+                    }
+                });
+                self.studio.rest();
+            }
+            Err(sentence) => self.studio.message = Some(Message::trouble(&sentence)),
+        }
+    }
+
+    fn open_roster(&mut self, path: &Path) {
+        match ordering::read_list(path) {
+            Ok(list) => {
+                self.studio.message = None;
+                self.studio.order.list = Some((path.to_owned(), Arc::new(list)));
+                self.studio.order.totals = None;
+                self.begin_order(None);
+            }
+            Err(sentence) => self.studio.message = Some(Message::trouble(&sentence)),
+        }
+    }
+
+    /// Cuts the design for everybody on the list, and writes the order where there is a folder.
+    fn begin_order(&mut self, folder: Option<PathBuf>) {
+        let Some((_, list)) = &self.studio.order.list else {
+            return;
+        };
+        if let Err(error) = self.studio.check() {
+            self.studio.message = Some(Message::trouble(&error));
+            return;
+        }
+        let stem = self.studio.path().and_then(Path::file_stem);
+        let title = stem.map_or_else(
+            || "Pāʻū".to_owned(),
+            |stem| lole_export::pdf::printable(&stem.to_string_lossy()),
+        );
+        let job = Job {
+            design: self.studio.design().clone(),
+            list: Arc::clone(list),
+            wishes: self.studio.order.wishes,
+            folder,
+            title,
+            language: self.studio.language,
+        };
+        let context = self.context.clone();
+        // One that is still at work is called off and waited for, a moment at most.
+        self.order = None;
+        self.order = Some(OrderWork::begin(job, move || context.request_repaint()));
+    }
+
+    fn receive_order(&mut self) {
+        let news: Vec<OrderNews> = self.order.iter().flat_map(OrderWork::news).collect();
+        for news in news {
+            let ends = !matches!(news, OrderNews::Progress(_));
+            match news {
+                OrderNews::Progress(progress) => self.studio.order.progress = Some(progress),
+                OrderNews::Done(totals, folder) => {
+                    self.studio.order.totals = Some(totals);
+                    if let Some(folder) = folder {
+                        let folder = std::fs::canonicalize(&folder).unwrap_or(folder);
+                        let name = folder.display();
+                        self.studio.message = Some(Message::news(
+                            format!(
+                                "注文書を書きました: {name}（order.pdf を開いて印刷してください）"
+                            ),
+                            format!("The order is in {name}; open order.pdf to print it"),
+                        ));
+                    }
+                }
+                OrderNews::Failed(sentence) => {
+                    self.studio.message = Some(Message::trouble(&sentence));
+                }
+                OrderNews::CalledOff => {
+                    self.studio.message = Some(Message::news(
+                        "注文をやめました。何も書いていません。",
+                        "The order was called off; nothing was written.",
+                    ));
+                }
+            }
+            if ends {
+                self.studio.order.progress = None;
+                self.order = None;
+            }
         }
     }
 
@@ -617,6 +753,7 @@ impl eframe::App for App {
         egui::CentralPanel::default()
             .frame(egui::Frame::NONE)
             .show(ui, |ui| self.picture(ui, frame));
+        panel::enlarged(ui, &mut self.studio);
         panel::question(ui, &mut self.studio);
         self.rest();
         self.serve();

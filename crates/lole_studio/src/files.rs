@@ -200,13 +200,63 @@ pub(crate) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Sentence> {
         // It may never have come to be.
         drop(fs::remove_file(&beside));
     }
-    written.map_err(|error| {
-        let name = path.display();
+    written.map_err(|error| cannot_write(path, &error))
+}
+
+/// Fills a folder, all of it or nothing; files of an earlier run are replaced.
+///
+/// # Errors
+/// One sentence that names the file.
+pub(crate) fn write_folder(folder: &Path, files: &[(&str, Vec<u8>)]) -> Result<(), Sentence> {
+    let is_new = !folder.exists();
+    let name = folder.display();
+    fs::create_dir_all(folder).map_err(|_| {
         Sentence::new(
-            format!("{name}: 書き込めません（{error}）。場所と空きを確かめてください"),
-            format!("{name}: cannot be written ({error}); check the folder and the free space"),
+            format!("{name}: このフォルダーには書けません。別のフォルダーを選んでください"),
+            format!("{name}: the folder cannot be written; choose another"),
         )
-    })
+    })?;
+    let unfinished = |name: &str| beside(&folder.join(name));
+    let mut failed = None;
+    for (name, bytes) in files {
+        let path = folder.join(name);
+        let written = File::create(unfinished(name)).and_then(|mut file| {
+            file.write_all(bytes)?;
+            file.sync_all()
+        });
+        if let Err(error) = written {
+            failed = Some(cannot_write(&path, &error));
+            break;
+        }
+    }
+    if failed.is_none() {
+        for (name, _) in files {
+            let path = folder.join(name);
+            if let Err(error) = fs::rename(unfinished(name), &path) {
+                failed = Some(cannot_write(&path, &error));
+                break;
+            }
+        }
+    }
+    let Some(sentence) = failed else {
+        return Ok(());
+    };
+    for (name, _) in files {
+        // It may never have come to be.
+        drop(fs::remove_file(unfinished(name)));
+    }
+    if is_new {
+        drop(fs::remove_dir(folder));
+    }
+    Err(sentence)
+}
+
+fn cannot_write(path: &Path, error: &io::Error) -> Sentence {
+    let name = path.display();
+    Sentence::new(
+        format!("{name}: 書き込めません（{error}）。場所と空きを確かめてください"),
+        format!("{name}: cannot be written ({error}); check the folder and the free space"),
+    )
 }
 
 fn write_and_move(beside: &Path, path: &Path, bytes: &[u8]) -> io::Result<()> {

@@ -1,8 +1,12 @@
 //! The panels, a file each; these tables say where they stand.
 
 mod body;
+#[cfg(test)]
+mod cad_tests;
 mod choreography;
 mod cloth;
+mod cost;
+mod cutting;
 mod dance;
 mod dancer;
 mod document;
@@ -12,13 +16,18 @@ mod graphs;
 mod hindrance;
 mod knob;
 mod notice;
+mod options;
+mod order;
 mod overlays;
+mod placement;
 mod playback;
 mod question;
 mod recording;
+mod sketch;
 mod skirt;
 mod status;
 mod steps;
+mod swatch;
 #[cfg(test)]
 mod tests;
 mod view;
@@ -30,10 +39,13 @@ use lole_language::Words;
 use crate::studio::Tab;
 use crate::{Studio, look, text};
 
+pub(crate) use cutting::ClothTextures;
+pub use cutting::enlarged;
 pub use document::show as document_bar;
 pub use notice::show as notices;
 pub use question::show as question;
 pub use status::show as status_bar;
+pub(crate) use swatch::SwatchForm;
 
 /// One panel of a column.
 pub struct Panel {
@@ -58,6 +70,9 @@ pub struct Drawer {
 const fn always(_: &Studio) -> bool {
     true
 }
+
+/// Tabs side by side.
+const TABS_OF_ROW: usize = 3;
 
 /// What is always at hand.
 const PLAYBACK: Panel = Panel {
@@ -111,12 +126,37 @@ pub const DRAWERS: &[Drawer] = &[
         ],
     },
     Drawer {
+        tab: Tab::Cutting,
+        title: text::CUT_AND_COST,
+        panels: &[
+            Panel {
+                title: text::CUT_PLAN,
+                is_shown: always,
+                show: cutting::show,
+            },
+            Panel {
+                title: text::COST,
+                is_shown: always,
+                show: cost::show,
+            },
+        ],
+    },
+    Drawer {
         tab: Tab::Dancer,
         title: text::DANCER,
         panels: &[Panel {
             title: text::TAPE,
             is_shown: always,
             show: dancer::show,
+        }],
+    },
+    Drawer {
+        tab: Tab::Order,
+        title: text::GROUP_ORDER,
+        panels: &[Panel {
+            title: text::GROUP_ORDER,
+            is_shown: always,
+            show: order::show,
         }],
     },
     Drawer {
@@ -199,8 +239,11 @@ fn tabs(ui: &mut Ui, studio: &mut Studio) {
     let names: Vec<(Tab, &str)> = (DRAWERS.iter())
         .map(|drawer| (drawer.tab, studio.say(drawer.title)))
         .collect();
-    if let Some(tab) = knob::choice(ui, Some(studio.tab), &names) {
-        studio.tab = tab;
+    // Three in a row: words of two lines or small letters would be hard to read.
+    for row in names.chunks(TABS_OF_ROW) {
+        if let Some(tab) = knob::choice(ui, Some(studio.tab), row) {
+            studio.tab = tab;
+        }
     }
 }
 

@@ -13,6 +13,9 @@ use crate::command::Watch;
 use crate::history::History;
 use crate::message::Message;
 use crate::orbit::Orbit;
+use crate::ordering::OrderDesk;
+use crate::panel::{ClothTextures, SwatchForm};
+use crate::paper::{Cutting, Paper};
 use crate::undo::Undo;
 use crate::wished::Wished;
 use crate::work::Work;
@@ -60,6 +63,22 @@ pub enum Request {
     Save(PathBuf),
     /// Dance this recording.
     OpenRecording(PathBuf),
+    /// Ask which picture is printed on a garment of the list, from 0; `None` is the skirt.
+    AskPicture(Option<usize>),
+    /// Print it.
+    OpenPicture(Option<usize>, PathBuf),
+    /// Ask for the list of a group's dancers.
+    AskRoster,
+    /// Read it.
+    OpenRoster(PathBuf),
+    /// Work out what the group needs.
+    WorkOutOrder,
+    /// Ask where the order is to be written.
+    AskOrderFolder,
+    /// Write it there.
+    MakeOrder(PathBuf),
+    /// Stop working on it.
+    CallOffOrder,
     /// Go on with the work that was found.
     Resume,
     /// Throw it away.
@@ -86,6 +105,12 @@ pub enum Purpose {
     Save,
     /// To dance a recording.
     Record,
+    /// To print a picture on a garment of the list, from 0; `None` is the skirt.
+    Print(Option<usize>),
+    /// To read a list of dancers.
+    Roster,
+    /// To write an order.
+    Order,
 }
 
 /// A design's file.
@@ -124,8 +149,12 @@ pub enum Tab {
     Dance,
     /// What is worn.
     Costume,
+    /// How it is cut and what it costs.
+    Cutting,
     /// Who dances.
     Dancer,
+    /// A group's order.
+    Order,
     /// Air, and how the cloth is computed.
     Cloth,
 }
@@ -187,6 +216,20 @@ pub struct Studio {
     pub question: Option<Question>,
     /// Pictures in the last second.
     pub pictures_per_second: Option<f64>,
+    /// The newest draft on paper.
+    pub paper: Option<Arc<Paper>>,
+    /// How cloth is laid to be cut.
+    pub cutting: Cutting,
+    /// Whether the shelf of garments is open.
+    pub shelf_is_open: bool,
+    /// Garment and plan of the paper that are shown large.
+    pub enlarged: Option<(usize, usize)>,
+    /// The test of one's own cloth.
+    pub(crate) swatch: SwatchForm,
+    /// Cloth on the cut plans.
+    pub(crate) textures: ClothTextures,
+    /// A group's order.
+    pub order: OrderDesk,
     commands: Vec<Command>,
     requests: Vec<Request>,
 }
@@ -222,6 +265,13 @@ impl Studio {
             message: None,
             question: None,
             pictures_per_second: None,
+            paper: None,
+            cutting: Cutting::default(),
+            shelf_is_open: false,
+            enlarged: None,
+            swatch: SwatchForm::default(),
+            textures: ClothTextures::default(),
+            order: OrderDesk::default(),
             commands: Vec::new(),
             requests: Vec::new(),
         }
@@ -238,6 +288,8 @@ impl Studio {
             speed: 1.0,
             shows: Shows::default(),
             sews: true,
+            // Textures went with their adapter.
+            textures: ClothTextures::default(),
             commands: Vec::new(),
             ..self
         }

@@ -95,8 +95,132 @@ pub(crate) const FABRIC: Words = words("布", "Fabric");
 pub(crate) const PRINT: Words = words("柄", "Print");
 pub(crate) const COLORWAY: Words = words("配色", "Colors");
 pub(crate) const GROUND: Words = words("地の色", "Ground color");
-pub(crate) const GARMENTS: Words = words("重ねる服", "Worn with it");
 pub(crate) const WEAR_SKIRT: Words = words("パウスカートを着る", "Wear the pāʻū skirt");
+pub(crate) const ADD_GARMENT: Words = words("＋ 服や小物を足す", "+ Add a garment");
+pub(crate) const ORDER_OF_LAYERS: Words = words("重ねる順（上が内側）", "Order (inner first)");
+pub(crate) const MOVE_IN: Words = words("内側へ:", "Move inward:");
+pub(crate) const MOVE_OUT: Words = words("外側へ:", "Move outward:");
+pub(crate) const NO_MORE_DANCED: Words = words(
+    "踊らせる服は 4 着までです。ほかの服は足せます。",
+    "Four garments dance at most; others can still be added.",
+);
+pub(crate) const SHAPE: Words = words("形と寸法", "Shape and measures");
+pub(crate) const BY_MEASURES: Words = words("採寸に合わせる", "by the measures");
+pub(crate) const CLOTH_WIDTH: Words = words("布幅（耳から耳まで）", "Width, selvage to selvage");
+
+pub(crate) const PLACEMENT: Words = words("柄の大きさと置き方", "Size and place of the print");
+pub(crate) const OWN_PICTURE: Words = words("自分の布の写真や絵を使う…", "Use a photo or picture…");
+pub(crate) const DROP_PICTURE: Words = words("絵をやめる", "leave the picture out");
+pub(crate) const PICTURE_NOT_READ: Words = words(
+    "この絵はまだ読めていません。",
+    "This picture could not be read.",
+);
+pub(crate) const REPEAT: Words = words("柄のひと送りの幅", "Width of one repeat");
+pub(crate) const PRINT_SCALE: Words = words("柄の大きさ（倍）", "Size of the print (times)");
+pub(crate) const PRINT_DIRECTION: Words = words(
+    "柄の上が向くほう（布を横に置いて）",
+    "Top of the print, the bolt lying sideways",
+);
+pub(crate) const BORDER: Words = words("ボーダー柄", "Border print");
+pub(crate) const ALL_OVER: Words = words("ない（総柄）", "none: all over");
+pub(crate) const BORDER_HEM: Words = words("ボーダーをすそに", "border at the hem");
+pub(crate) const BORDER_HIP: Words = words("ボーダーを腰に", "border at the hips");
+pub(crate) const FLIP: Words = words("裏返し", "Mirror image");
+pub(crate) const NOT_FLIPPED: Words = words("しない", "no");
+pub(crate) const FLIP_SIDEWAYS: Words = words("左右に", "left and right");
+pub(crate) const FLIP_OVER: Words = words("上下に", "top and bottom");
+pub(crate) const TILING: Words = words("並べ方", "Repeat");
+pub(crate) const STRAIGHT: Words = words("まっすぐ", "straight");
+pub(crate) const HALF_DROP: Words = words("1 列おきに半分下げる", "half drop");
+pub(crate) const BRICK: Words = words("1 段おきに半分ずらす", "brick");
+pub(crate) const MIRROR: Words =
+    words("裏返して並べる（つなぎ目を隠す）", "mirrored (hides edges)");
+pub(crate) const OFFSET_ALONG: Words = words("柄を右へずらす", "Print moved to the right");
+pub(crate) const OFFSET_ACROSS: Words = words("柄を上へずらす", "Print moved up");
+
+pub(crate) const OWN_FABRIC: Words = words("布幅・自分の布を測る", "Width; test your own cloth");
+pub(crate) const OWN_FABRIC_NOW: Words = words("自分の布: ", "Your own cloth: ");
+pub(crate) const SWATCH_HOW: Words = words(
+    "四角い布の大きさと重さを測ります。次に、幅 3 cm の細い布を机の端から物差しごと押し出し、はみ出した長さの半分ほど下がったところで、はみ出した長さと、先が下がった長さを測ります。",
+    "Measure and weigh a rectangle of the cloth. Then push a strip 3 cm wide over a table’s edge, a ruler on top, until its tip has come down by about half of what hangs over; measure how much hangs over and how far the tip is below the table.",
+);
+pub(crate) const SWATCH_NAME: Words = words("布の名前", "Its name");
+pub(crate) const SWATCH_LENGTH: Words = words("耳に沿った長さ", "Length along the selvage");
+pub(crate) const SWATCH_WIDTH: Words = words("幅", "Width");
+pub(crate) const SWATCH_MASS: Words = words("重さ", "Weight");
+pub(crate) const OVERHANG: Words = words("たて: はみ出した長さ", "Along: overhang");
+pub(crate) const DROP: Words = words("たて: 下がった長さ", "Along: drop of the tip");
+pub(crate) const ALSO_ACROSS: Words = words("よこの布でも測った", "Also tried across");
+pub(crate) const OVERHANG_ACROSS: Words = words("よこ: はみ出した長さ", "Across: overhang");
+pub(crate) const DROP_ACROSS: Words = words("よこ: 下がった長さ", "Across: drop of the tip");
+pub(crate) const TAKE_FABRIC: Words = words("この布で縫う", "Sew from this cloth");
+
+pub(crate) const CUT_AND_COST: Words = words("裁断・費用", "Cut, cost");
+pub(crate) const CUT_PLAN: Words = words("裁ち方図", "Cut plan");
+pub(crate) const DRAFTING: Words = words("製図しています…", "Drafting…");
+pub(crate) const SINGLE: Words = words("布を一重に", "Cloth single");
+pub(crate) const FOLDED: Words = words("二つ折りに", "Folded");
+pub(crate) const MATCH_PRINT: Words = words("縫い目で柄を合わせる", "Match the print at seams");
+pub(crate) const NO_CLOTH: Words = words("布は使いません。", "No cloth is needed.");
+pub(crate) const LARGER: Words = words("大きく見る", "Show it large");
+pub(crate) const SELVAGE: Words = words("耳", "selvage");
+pub(crate) const FOLD_OF_CLOTH: Words = words("わ", "fold");
+pub(crate) const BORDER_SELVAGE: Words = words("耳・ボーダー柄", "selvage with the border");
+
+pub(crate) const COST: Words = words("費用", "Cost");
+pub(crate) const YEN: Words = words("円（¥）", "Yen (¥)");
+pub(crate) const DOLLAR: Words = words("ドル（$）", "Dollars ($)");
+pub(crate) const CLOTH_OF: Words = words("の布", ": cloth");
+pub(crate) const PER_METER: Words = words("/ 1 m", "per m");
+pub(crate) const PER_YARD: Words = words("/ ヤード", "per yd");
+pub(crate) const BY_METER: Words = words("1 m の値段", "Price per meter");
+pub(crate) const BY_YARD: Words = words("1 ヤードの値段", "Price per yard");
+pub(crate) const PER_SPOOL: Words = words("/ 1 巻き", "per spool");
+pub(crate) const PER_COSTUME: Words = words("/ 1 着", "per costume");
+pub(crate) const PER_HOUR: Words = words("/ 1 時間", "per hour");
+pub(crate) const ELASTIC: Words = words("ゴム", "Elastic");
+pub(crate) const TAPE_AND_CORD: Words = words("テープ・ひも", "Tape and cord");
+pub(crate) const THREAD: Words = words("糸", "Thread");
+pub(crate) const ALL_ELSE: Words = words("そのほか", "All else");
+pub(crate) const WAGE: Words = words("縫い手間", "Sewing");
+pub(crate) const BOUGHT: Words = words("買うときの値段", "Bought ready");
+pub(crate) const PRICE_HINT: Words = words("値段", "price?");
+pub(crate) const OPTIONAL: Words = words("任意", "optional");
+pub(crate) const NO_PRICE: Words = words(
+    "数字で書いてください（例: 1200）。",
+    "Write a number, such as 12.50.",
+);
+pub(crate) const PRICE_ASKED: Words = words("値段を確認", "ask the price");
+pub(crate) const TOTAL: Words = words("合計", "Total");
+pub(crate) const TOTAL_KNOWN: Words = words("わかっている分", "Known so far");
+
+pub(crate) const GROUP_ORDER: Words = words("名簿・注文", "Group order");
+pub(crate) const CHOOSE_LIST: Words = words("名簿（CSV）を選ぶ…", "Choose a list (CSV)…");
+pub(crate) const LIST_HOW: Words = words(
+    "表計算で 1 行に 1 人、名前・身長・ヒップなどを書き、CSV で保存した名簿を選びます。",
+    "Choose a list saved as CSV by a spreadsheet: one dancer a row, with name, stature, hip and so on.",
+);
+pub(crate) const NAME: Words = words("名前", "Name");
+pub(crate) const SPARE: Words = words("予備の布", "Spare cloth");
+pub(crate) const KNOWS_BOLT: Words = words("一反の長さで分ける", "Divide among bolts");
+pub(crate) const BOLT: Words = words("一反の長さ", "Length of a bolt");
+pub(crate) const WORK_OUT: Words = words("全員分を計算する", "Work out what all need");
+pub(crate) const MAKE_ORDER: Words = words("注文書のフォルダーを作る…", "Make the order’s folder…");
+pub(crate) const ORDER_HOW: Words = words(
+    "一覧・買い物・名札（order.pdf）、縫い方の本（booklet.pdf）、データ（order.json）ができます。踊り手の絵は入りません。",
+    "Writes the summary, shopping list and labels (order.pdf), the sewing booklet (booklet.pdf) and the data (order.json), without pictures of the dancers.",
+);
+pub(crate) const TOTALS_ARE_OLD: Words = words(
+    "そのあとデザインが変わりました。もう一度計算してください。",
+    "The design has changed since; work it out again.",
+);
+pub(crate) const NO_PRICES_YET: Words = words(
+    "値段がまだありません。「裁断・費用」に書いてください。",
+    "No prices yet: write them under “Cut, cost”.",
+);
+pub(crate) const FOLDER: Words = words("フォルダー", "Folder");
+
+pub(crate) const GARMENTS: Words = words("重ねる服や小物", "Worn with it");
 pub(crate) const UNDERSKIRT: Words = words("下のスカート", "Underskirt");
 pub(crate) const OVERSKIRT: Words = words("上のスカート", "Overskirt");
 pub(crate) const TOP: Words = words("トップ", "Top");
@@ -105,9 +229,6 @@ pub(crate) const UNDER_SKIRT: Words = words("スカートの下", "under the ski
 pub(crate) const OVER_SKIRT: Words = words("スカートの上", "over it");
 pub(crate) const HEM_BY_SKIRT: Words =
     words("すそはスカートに合わせる", "Hem just above the skirt");
-pub(crate) const ADD_UNDERSKIRT: Words = words("＋ 下のスカートを足す", "+ Add an underskirt");
-pub(crate) const ADD_OVERSKIRT: Words = words("＋ 上のスカートを足す", "+ Add an overskirt");
-pub(crate) const ADD_TOP: Words = words("＋ トップを足す", "+ Add a top");
 
 pub(crate) const DANCER: Words = words("踊り手", "Dancer");
 pub(crate) const TAPE: Words = words("採寸", "Measures");

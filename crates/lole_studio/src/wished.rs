@@ -39,8 +39,16 @@ impl Wished {
     /// Makes the fabric as many times as stiff as it was chosen: in stretch, shear and bending.
     pub(crate) fn stiffen(&mut self, factor: f64) {
         self.stiffness = factor.clamp(STIFFNESSES[0], STIFFNESSES[1]);
+        let fabric = self.design.fabric.clone();
+        // What has nothing to do with stiffness stays as it is now.
         self.design.fabric = FabricDesign {
-            drag_per_s: self.design.fabric.drag_per_s,
+            name: fabric.name,
+            width_cm: fabric.width_cm,
+            drag_per_s: fabric.drag_per_s,
+            price_per_m: fabric.price_per_m,
+            price_per_yd: fabric.price_per_yd,
+            beside_width_cm: fabric.beside_width_cm,
+            beside_price_per_m: fabric.beside_price_per_m,
             ..stiffened(&self.base_fabric, self.stiffness)
         };
     }

@@ -226,6 +226,18 @@ impl Design {
             .collect()
     }
 
+    /// One repeat of everything that is cut, in the order of
+    /// [`drafts_of`](crate::tailoring::drafts_of) (see [`PrintChoice::image`]).
+    ///
+    /// # Errors
+    /// A picture that was not read.
+    pub fn cut_print_images(&self, side: u32) -> Result<Vec<PrintImage>, PrintError> {
+        let cloths = self.cloths().into_iter();
+        cloths
+            .map(|(fabric, print)| print.image(side, fabric.width()))
+            .collect()
+    }
+
     /// The print of everything in the document: of the skirt, then of what is listed.
     pub fn prints_mut(&mut self) -> impl Iterator<Item = &mut PrintChoice> {
         let listed = self.garments.iter_mut().map(GarmentDesign::print_mut);

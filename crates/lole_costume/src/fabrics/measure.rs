@@ -12,6 +12,9 @@
 use lole_geom::trig64;
 use lole_language::Bilingual;
 
+use super::Preset;
+use crate::document::FabricDesign;
+
 /// Standard gravity [m/s²].
 pub const STANDARD_GRAVITY: f64 = 9.806_65;
 
@@ -161,6 +164,21 @@ impl Swatch {
             density_error,
             bend_error: density_error + 3.0 * RULER_ERROR / shortest,
         })
+    }
+}
+
+impl Measured {
+    /// The measured cloth, with the rest of its figures from the fabric of the shelf that hangs most
+    /// like it.
+    #[must_use]
+    pub fn fabric(&self) -> FabricDesign {
+        FabricDesign {
+            preset: Preset::nearest(self.areal_density, self.bend),
+            areal_density_g_per_m2: Some(self.areal_density),
+            bend_warp_un_m: Some(self.bend[0]),
+            bend_weft_un_m: Some(self.bend[1]),
+            ..FabricDesign::default()
+        }
     }
 }
 

@@ -10,7 +10,7 @@ use lole_pattern::piece::{Finish, LineKind, Mark, Piece};
 
 use super::middle;
 use super::style::{ACCENT, CLOTH, INSIDE, SEWN};
-use crate::cutting::draw::{arrow, line, outline};
+use crate::cutting::draw::{arrow, fitting, line, outline};
 use crate::pdf::{Align, Color, Rect, Sheet, Stroke, TextStyle};
 
 /// Letters in drawings.
@@ -20,9 +20,9 @@ const LABEL: TextStyle = TextStyle::regular(11.0);
 pub(super) const fn height(figure: &Figure) -> f64 {
     match figure {
         Figure::None => 0.0,
-        Figure::Piece { .. } => 62.0,
-        Figure::Seams(_) => 52.0,
-        Figure::Section { .. } => 66.0,
+        Figure::Piece { .. } => 52.0,
+        Figure::Seams(_) => 46.0,
+        Figure::Section { .. } => 60.0,
     }
 }
 
@@ -45,12 +45,7 @@ pub(super) fn draw(
                 draw_piece(sheet, rect, piece, (edges, marks), language);
             }
         }
-        Figure::Seams(seams) => {
-            let seams = seams.iter().filter_map(|&seam| pattern.seams.get(seam));
-            if let Some(seam) = seams.into_iter().next() {
-                draw_seam(sheet, rect, pattern, seam, language);
-            }
-        }
+        Figure::Seams(seams) => draw_seams(sheet, rect, pattern, seams, language),
         Figure::Section { piece, marks } => {
             if let Some(piece) = pattern.pieces.get(*piece) {
                 draw_section(sheet, rect, piece, marks, language);
@@ -189,45 +184,110 @@ fn draw_sizes(sheet: &mut Sheet, page: Affine, bounds: kurbo::Rect) {
 }
 
 /// Two edges brought together: a piece closed to a ring is folded in half, others lie side by side.
+/// Seams side by side; those of the other side of the body look alike and are drawn once.
+fn draw_seams(
+    sheet: &mut Sheet,
+    rect: Rect,
+    pattern: &Pattern,
+    seams: &[usize],
+    language: Language,
+) {
+    /// More would be too small to know.
+    const MOST: usize = 3;
+    let mut shown: Vec<&Seam> = Vec::new();
+    for seam in seams.iter().filter_map(|&seam| pattern.seams.get(seam)) {
+        let edges = |seam: &Seam| [seam.flat, seam.full].map(|side| (side.piece, side.edge));
+        if !shown.iter().any(|other| edges(other) == edges(seam)) {
+            shown.push(seam);
+        }
+    }
+    shown.truncate(MOST);
+    let gap = 8.0;
+    let count = f64::from(u32::try_from(shown.len().max(1)).unwrap_or(1));
+    let width = (rect.width - gap * (count - 1.0)) / count;
+    for (index, seam) in (0_u32..).zip(shown) {
+        let place = Rect {
+            x: rect.x + f64::from(index) * (width + gap),
+            width,
+            ..rect
+        };
+        draw_seam(sheet, place, pattern, seam, language);
+    }
+}
+
 fn draw_seam(sheet: &mut Sheet, rect: Rect, pattern: &Pattern, seam: &Seam, language: Language) {
     let sides = [seam.flat, seam.full];
     let [Some(one), Some(other)] = sides.map(|side| pattern.pieces.get(side.piece)) else {
         return;
     };
     if seam.flat.piece == seam.full.piece && seam.flat.copy == seam.full.copy {
-        draw_ring(sheet, rect, one, seam.flat.edge, language);
+        if one.drawing(1e-3).rectangle.is_some() {
+            draw_ring(sheet, rect, one, seam.flat.edge, language);
+        } else {
+            let edges = [seam.flat.edge, seam.full.edge];
+            draw_side(sheet, rect, (one, &edges, rect.width), language);
+        }
         return;
     }
-    let half = 0.5 * rect.width - 10.0;
+    // The arrow between them, with room at its ends.
+    let between = (0.12 * rect.width).clamp(9.0, 20.0);
+    let half = 0.5 * (rect.width - between);
     for (index, (piece, side)) in [one, other].into_iter().zip(sides).enumerate() {
         let left = if index == 0 {
             rect.x
         } else {
-            rect.x + half + 20.0
+            rect.x + half + between
         };
         let place = Rect {
             x: left,
-            y: rect.y + 2.0,
             width: half,
-            height: rect.height - 10.0,
+            ..rect
         };
-        let page = placement(piece, place);
-        sheet.path(
-            outline(&piece.cut_polygon(1e-3), page),
-            Some(CLOTH),
-            Some(Stroke::solid(0.4)),
+        let edges = [side.edge];
+        draw_side(
+            sheet,
+            place,
+            (piece, &edges, half + 0.4 * between),
+            language,
         );
-        if let Some(edge) = piece.edges.get(side.edge) {
-            let stroke = Stroke::solid(0.9).with_color(SEWN);
-            sheet.path(path_of(&edge.points(1e-3), page), None, Some(stroke));
-        }
-        let at = [left + 0.5 * half, rect.y + rect.height - 2.0];
-        sheet.text(at, piece.name.text(language), &LABEL, Align::Center);
     }
     let y = rect.y + 0.5 * rect.height;
     let middle = rect.x + 0.5 * rect.width;
-    let ends = [Point::new(middle - 7.0, y), Point::new(middle + 7.0, y)];
+    let reach = 0.35 * between;
+    let ends = [Point::new(middle - reach, y), Point::new(middle + reach, y)];
     arrow(sheet, ends, &Stroke::solid(0.5).with_color(ACCENT));
+}
+
+/// A piece with the edges that are sewn, and its name no wider than `most` [mm].
+fn draw_side(
+    sheet: &mut Sheet,
+    rect: Rect,
+    (piece, edges, most): (&Piece, &[usize], f64),
+    language: Language,
+) {
+    let place = Rect {
+        y: rect.y + 2.0,
+        height: rect.height - 10.0,
+        ..rect
+    };
+    let page = placement(piece, place);
+    sheet.path(
+        outline(&piece.cut_polygon(1e-3), page),
+        Some(CLOTH),
+        Some(Stroke::solid(0.4)),
+    );
+    for edge in edges.iter().filter_map(|&edge| piece.edges.get(edge)) {
+        let stroke = Stroke::solid(0.9).with_color(SEWN);
+        sheet.path(path_of(&edge.points(1e-3), page), None, Some(stroke));
+    }
+    let at = [rect.x + 0.5 * rect.width, rect.y + rect.height - 2.0];
+    let name = piece.name.text(language);
+    let fitted = fitting(name, most, LABEL.size_pt).unwrap_or(LABEL);
+    let label = TextStyle {
+        size_pt: fitted.size_pt,
+        ..LABEL
+    };
+    sheet.text(at, name, &label, Align::Center);
 }
 
 /// A piece folded right sides together, its ends sewn, with gaps where casings will be.

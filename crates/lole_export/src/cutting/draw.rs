@@ -228,7 +228,7 @@ const CLEAR: f64 = 3.0;
 
 /// The largest size of bold letters, at most `most` [pt], in which a line is no wider than `width`
 /// [mm]; `None` where it would be too small to read.
-pub(super) fn fitting(text: &str, width: f64, most: f64) -> Option<TextStyle> {
+pub(crate) fn fitting(text: &str, width: f64, most: f64) -> Option<TextStyle> {
     let natural = TextStyle::bold(most).width_of(text);
     let size_pt = if natural <= width {
         most

@@ -1,16 +1,20 @@
 //! The cut plan on a page: cloth, pieces, how much to buy, and what to cut.
 
 use kurbo::{Affine, Point};
-use lole_costume::tailoring::ClothPlan;
+use lole_costume::print::cloth_picture;
+use lole_costume::tailoring::{ClothPlan, role_name};
 use lole_geom::Length;
 use lole_language::{Bilingual as _, Language};
 use lole_pattern::marker::{Lay, Marker, Nap};
+use lole_pattern::piece::ClothRole;
 
 use super::draw::{arrow, fitting, line, outline, scale_of};
-use super::{CutGarment, MM, TOLERANCE, cm, cut_words, role_name};
+use super::{CutGarment, MM, TOLERANCE, cm, cut_words};
 use crate::pdf::{
-    Align, Cell, Color, Column, Flow, Margins, Paper, Rect, Sheet, Stroke, Table, TextStyle,
+    Align, Cell, Color, Column, Flow, Item, Margins, Paper, Picture, Rect, Sheet, Stroke, Table,
+    TextStyle,
 };
+use crate::still::Image;
 use crate::svg::sheet_svg;
 
 /// Color of the cloth that is bought, and of pieces on it.
@@ -19,6 +23,8 @@ const PIECE: Color = Color(255, 255, 255);
 const DOUBLED: Color = Color(226, 236, 246);
 /// Of a piece that reaches over the selvage.
 const TOO_WIDE: Color = Color(250, 220, 214);
+/// Its line where the cloth shows its print.
+const OVER_SELVAGE: Color = Color(200, 0, 20);
 
 /// Height of the drawing on a page [mm].
 const DRAWING: f64 = 96.0;
@@ -83,7 +89,7 @@ pub fn cut_plan_svg(garments: &[CutGarment], language: Language) -> Vec<u8> {
                 width: 269.0,
                 height: DRAWING,
             };
-            draw_marker(&mut sheet, rect, cut, &plan.marker, language);
+            draw_marker(&mut sheet, rect, cut, plan, language);
             top += height;
         }
     }
@@ -95,7 +101,7 @@ fn write_plan(flow: &mut Flow, cut: &CutGarment, plan: &ClothPlan, language: Lan
     flow.paragraph(&about(cut, plan, language), &TextStyle::regular(11.0));
     flow.space(2.0);
     flow.block(DRAWING, |sheet, rect| {
-        draw_marker(sheet, rect, cut, &plan.marker, language);
+        draw_marker(sheet, rect, cut, plan, language);
     });
     flow.space(3.0);
     for warning in &plan.marker.warnings {
@@ -148,9 +154,10 @@ pub(crate) fn draw_marker(
     sheet: &mut Sheet,
     rect: Rect,
     cut: &CutGarment,
-    marker: &Marker,
+    plan: &ClothPlan,
     language: Language,
 ) {
+    let marker = &plan.marker;
     let length = marker.yardage.needed.to_m().max(1e-3);
     let width = marker.cloth.width.to_m();
     let bounds = marker
@@ -164,6 +171,7 @@ pub(crate) fn draw_marker(
     let bottom = top + across * scale;
     let page = Affine::translate((left, bottom)) * Affine::scale_non_uniform(scale, -scale);
     let folded = marker.folded_length.to_m();
+    let is_printed = draw_print(sheet, cut, plan, page);
     let mut cloth = |from: f64, to: f64, height: f64| {
         let path = line(
             &[
@@ -178,7 +186,7 @@ pub(crate) fn draw_marker(
         );
         sheet.path(
             path,
-            Some(CLOTH),
+            (!is_printed).then_some(CLOTH),
             Some(Stroke::solid(0.2).with_color(Color::GRAY)),
         );
     };
@@ -191,16 +199,45 @@ pub(crate) fn draw_marker(
     for placed in &marker.placed {
         let is_wide = width + 1e-4 < placed.outline.bounds().y1;
         let fill = match placed.layers {
-            _ if is_wide => TOO_WIDE,
-            1 => PIECE,
-            _ => DOUBLED,
+            _ if is_printed => None,
+            _ if is_wide => Some(TOO_WIDE),
+            1 => Some(PIECE),
+            _ => Some(DOUBLED),
         };
-        let path = outline(&placed.outline, page);
-        sheet.path(path, Some(fill), Some(Stroke::solid(0.35)));
-        draw_inside(sheet, cut, placed, page, language);
+        let line = if is_printed && is_wide {
+            Stroke::solid(0.7).with_color(OVER_SELVAGE)
+        } else {
+            Stroke::solid(0.35)
+        };
+        sheet.path(outline(&placed.outline, page), fill, Some(line));
+        draw_inside(sheet, (cut, is_printed), placed, page, language);
     }
     draw_edges(sheet, marker, page, [length, folded], language);
     draw_measures(sheet, marker, page, [length, across], language);
+}
+
+/// The print on the cloth as its pieces will have it; whether there is one to show.
+fn draw_print(sheet: &mut Sheet, cut: &CutGarment, plan: &ClothPlan, page: Affine) -> bool {
+    let marker = &plan.marker;
+    let print = (cut.print.as_ref()).filter(|_| plan.role == ClothRole::Main);
+    let Some(print) = print else { return false };
+    let across = lying_width(marker);
+    let shown = cloth_picture(print, marker, Length::from_m(across));
+    let image = Image::new(shown.width, shown.height, &shown.pixels);
+    // A picture that cannot be encoded leaves the plan as it is without one.
+    let Ok(picture) = image.and_then(Picture::photo) else {
+        return false;
+    };
+    let [low, high] = [(0.0, 0.0), (marker.yardage.needed.to_m(), across)]
+        .map(|corner| page * Point::from(corner));
+    let rect = Rect {
+        x: low.x,
+        y: high.y,
+        width: high.x - low.x,
+        height: low.y - high.y,
+    };
+    sheet.items.push(Item::Picture { rect, picture });
+    true
 }
 
 /// Width of the cloth as it lies on the table [m]: half of it where all of it is doubled.
@@ -217,7 +254,7 @@ fn lying_width(marker: &Marker) -> f64 {
 /// Stitching line, grain and name of a laid piece.
 fn draw_inside(
     sheet: &mut Sheet,
-    cut: &CutGarment,
+    (cut, is_printed): (&CutGarment, bool),
     placed: &lole_pattern::marker::Placed,
     page: Affine,
     language: Language,
@@ -230,7 +267,12 @@ fn draw_inside(
     };
     let drawing = shown.drawing(TOLERANCE);
     let to_page = page * placed.cloth_from_piece;
-    let gray = Stroke::solid(0.15).with_color(Color::GRAY);
+    let color = if is_printed {
+        Color::BLACK
+    } else {
+        Color::GRAY
+    };
+    let gray = Stroke::solid(0.15).with_color(color);
     for stitches in &drawing.stitches {
         sheet.path(line(&stitches.points, to_page), None, Some(gray.clone()));
     }
@@ -238,7 +280,7 @@ fn draw_inside(
         sheet.path(line(&marked.points, to_page), None, Some(gray.clone()));
     }
     let grain = drawing.grain.map(|end| to_page * end);
-    arrow(sheet, grain, &Stroke::solid(0.2).with_color(Color::GRAY));
+    arrow(sheet, grain, &Stroke::solid(0.2).with_color(color));
     let name = piece.name.text(language);
     let at = to_page * drawing.label;
     let bounds = outline(&placed.outline, page).control_box();
@@ -246,6 +288,17 @@ fn draw_inside(
     let room = scale_of(to_page) * drawing.label_room;
     let most = (0.8 * room / MM_PER_PT).clamp(5.0, 12.0);
     if let Some(style) = fitting(name, 0.9 * bounds.width(), most) {
+        if is_printed {
+            // Letters are read on white, not on flowers.
+            let width = style.width_of(name) + style.em();
+            let plate = Rect {
+                x: at.x - 0.5 * width,
+                y: at.y - 1.35 * style.em(),
+                width,
+                height: 1.5 * style.em(),
+            };
+            sheet.rect(plate, Some(Color::WHITE), None);
+        }
         sheet.text([at.x, at.y - 0.3 * style.em()], name, &style, Align::Center);
     }
 }

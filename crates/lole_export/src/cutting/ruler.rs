@@ -1,12 +1,13 @@
 //! Rectangles by ruler and chalk: their size, and every line across them from one edge.
 
 use kurbo::{Affine, Point};
+use lole_costume::tailoring::role_name;
 use lole_geom::Length;
 use lole_language::{Language, Words, words};
 use lole_pattern::piece::{Drawing, Finish, Piece};
 
 use super::draw::{arrow, line, outline};
-use super::{CutGarment, TOLERANCE, cm, cut_words, inches, role_name};
+use super::{CutGarment, TOLERANCE, cm, cut_words, inches};
 use crate::pdf::{
     Align, Cell, Color, Column, Flow, Margins, Paper, Rect, Sheet, Stroke, Table, TextStyle,
 };

@@ -7,6 +7,7 @@
 use std::sync::Arc;
 
 use kurbo::{Affine, BezPath, Point, Vec2};
+use lole_costume::tailoring::role_name;
 use lole_geom::Length;
 use lole_language::Language;
 use lole_pattern::Pattern;
@@ -15,7 +16,7 @@ use lole_pattern::piece::{ClothRole, CutCount, Finish, Piece};
 use lole_pattern::polygon::Polygon;
 
 use super::draw::{fitting, full_size, outline};
-use super::{CutGarment, MM, TOLERANCE, cut_words, role_name};
+use super::{CutGarment, MM, TOLERANCE, cut_words};
 use crate::pdf::{Align, Color, Item, Paper, Rect, Sheet, Stroke, TextStyle};
 
 /// What no home printer needs to print on [mm].

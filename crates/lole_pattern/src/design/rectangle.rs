@@ -4,7 +4,7 @@ use kurbo::{BezPath, Point, Vec2};
 use lole_geom::Length;
 use lole_language::{Sentence, Words, words};
 
-use super::pau_skirt::{LineKind as PauLine, PauDraft};
+use super::pau_skirt::{LineKind as PauLine, PauDraft, PauWarning};
 use super::steps::steps;
 use crate::pattern::{Amount, Notion, NotionKind, Pattern, Seam, SeamKind, SeamSide};
 use crate::piece::{ClothRole, CutCount, Edge, Finish, LineKind, Mark, Piece};
@@ -24,7 +24,11 @@ impl PauDraft {
             drawn_in: Vec::new(),
             notions: self.notions(),
             steps: steps(self),
-            warnings: self.warnings.iter().map(Sentence::of).collect(),
+            // What is wider than the cloth is told by the cut plan, for whatever cloth that has.
+            warnings: (self.warnings.iter())
+                .filter(|warning| !matches!(warning, PauWarning::TallerThanCloth { .. }))
+                .map(Sentence::of)
+                .collect(),
         }
     }
 

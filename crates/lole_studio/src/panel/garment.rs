@@ -7,9 +7,10 @@ use lole_costume::document::{FabricDesign, PrintChoice};
 use lole_costume::fabrics::PRESETS;
 use lole_costume::print::{COLORWAYS, MOTIFS};
 use lole_language::Language;
-use lole_stage::Garment;
 
 use super::knob::{Knob, Scale, list};
+use crate::paper::PaperGarment;
+use crate::studio::range;
 use crate::{Studio, text};
 
 /// The hem slider's ends [cm]: ankle and knee, and a little more.
@@ -33,13 +34,29 @@ pub(super) fn fabric_ui(
         .collect();
     let now = (PRESETS.iter()).position(|preset| preset.id == fabric.preset.id);
     let name = studio.say(text::FABRIC);
-    let index: usize = list(ui, (("fabric", place), name), now.unwrap_or(0), &options)?;
+    let chosen = list(ui, (("fabric", place), name), now.unwrap_or(0), &options);
+    if let Some(own) = &fabric.name {
+        let said = format!("{}{own}", studio.say(text::OWN_FABRIC_NOW));
+        ui.label(RichText::new(said).small());
+    }
+    let index: usize = chosen?;
     // What was measured on the other cloth does not hold for this one; the bolt is as wide.
     Some(FabricDesign {
         preset: &PRESETS[index],
-        width_cm: fabric.width_cm,
-        ..FabricDesign::default()
+        ..kept(fabric)
     })
+}
+
+/// What does not change with the cloth: how wide it is and what it costs.
+pub(super) fn kept(fabric: &FabricDesign) -> FabricDesign {
+    FabricDesign {
+        width_cm: fabric.width_cm,
+        price_per_m: fabric.price_per_m,
+        price_per_yd: fabric.price_per_yd,
+        beside_width_cm: fabric.beside_width_cm,
+        beside_price_per_m: fabric.beside_price_per_m,
+        ..FabricDesign::default()
+    }
 }
 
 /// Motif, colorway and ground; the print that was chosen.
@@ -113,18 +130,37 @@ pub(super) fn hem_ui(
     moved.map(f64::round)
 }
 
-/// What the garment on stage comes to on paper.
-pub(super) fn paper_ui(ui: &mut Ui, studio: &Studio, garment: Option<&Garment>) {
-    let Some(garment) = garment else { return };
-    let draft = &garment.draft;
-    let length = draft.finished_length.to_cm();
-    let (metric, yards) = (draft.yardage.metric.to_m(), draft.yardage.imperial.to_yd());
+/// A slider of the cloth's width; the whole centimeters that were chosen.
+pub(super) fn width_ui(ui: &mut Ui, studio: &Studio, width_cm: f64) -> Option<f64> {
+    let (low, high) = range("fabric", "width_cm");
+    let knob = Knob {
+        name: studio.say(text::CLOTH_WIDTH),
+        range: low.max(WIDTHS[0])..=high.min(WIDTHS[1]),
+        decimals: 0,
+        unit: " cm",
+        scale: Scale::Even,
+    };
+    let (_, moved) = knob.show(ui, width_cm);
+    moved.map(f64::round)
+}
+
+/// Cloth as shops have it [cm].
+const WIDTHS: [f64; 2] = [36.0, 300.0];
+
+/// How much cloth a garment takes.
+pub(super) fn paper_ui(ui: &mut Ui, studio: &Studio, garment: Option<&PaperGarment>) {
+    let cut = garment.and_then(|garment| garment.cut.as_ref().ok());
+    let Some(plan) = cut.and_then(|cut| cut.own_plan()) else {
+        return;
+    };
+    let (bought, mass) = (plan.marker.yardage, plan.mass);
+    let (metric, yards) = (bought.metric.to_m(), bought.imperial.to_yd());
     let sentence = match studio.language {
         Language::Japanese => {
-            format!("仕上がり丈 {length:.0} cm、布は {metric:.1} m（{yards} ヤード）")
+            format!("布は {metric:.1} m（{yards:.1} ヤード）、{mass:.2} kg")
         }
         Language::English => {
-            format!("finished length {length:.0} cm; buy {metric:.1} m ({yards} yd)")
+            format!("Buy {metric:.1} m ({yards:.1} yd) of cloth, {mass:.2} kg")
         }
     };
     ui.label(RichText::new(sentence).small().weak());

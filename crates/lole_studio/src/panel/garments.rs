@@ -1,17 +1,24 @@
-//! What is worn with the skirt: a second skirt below or above it, a top.
+//! What is worn with the skirt: a second skirt below or above it, a top, and everything else on the
+//! shelf of templates.
 
 use eframe::egui::{self, RichText, Ui};
 use lole_costume::document::{Design, GarmentDesign, GarmentLayer, WornSkirt, WornTop};
-use lole_language::Words;
-use lole_stage::Garment;
+use lole_language::{Language, Words};
+use lole_pattern::Template;
+use lole_pattern::template::SHELVES;
 
-use super::garment::{SKIRT_HEMS, TOP_HEMS, fabric_ui, gather_ui, hem_ui, paper_ui, print_ui};
-use super::hindrance;
-use super::knob::{choice, sign_button, wide_button};
+use super::garment::{
+    SKIRT_HEMS, TOP_HEMS, fabric_ui, gather_ui, hem_ui, paper_ui, print_ui, width_ui,
+};
+use super::knob::{choice, left_label, sign_button, wide_button};
+use super::options::capitalized;
+use super::{hindrance, options, placement, sketch, swatch};
 use crate::{Studio, look, text};
 
 /// Garments beside the skirt that are danced.
 const MOST: usize = 4;
+/// Side of a sketch [point].
+const SKETCH: f32 = 54.0;
 
 /// When a change of a garment is sent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -21,9 +28,17 @@ enum When {
     Later,
 }
 
+/// What is done with a garment as a whole.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Move {
+    Remove,
+    Up,
+    Down,
+}
+
 pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     let garments = studio.design().garments.clone();
-    let mut removed = None;
+    let mut moved = None;
     for (place, garment) in garments.iter().enumerate() {
         let frame = egui::Frame::new()
             .fill(look::CARD)
@@ -32,39 +47,66 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
             .inner_margin(8);
         frame.show(ui, |ui| {
             ui.set_width(ui.available_width());
-            if title(ui, studio, place, garment) {
-                removed = Some(place);
+            if let Some(done) = title(ui, studio, (place, garments.len()), garment) {
+                moved = Some((place, done));
             }
             ui.push_id(place, |ui| garment_ui(ui, studio, place, garment));
         });
     }
     hindrance::show(ui, studio, &["[garment", "[[garment", "[method]"]);
-    if let Some(place) = removed {
-        studio.change(|design| {
-            design.garments.remove(place);
+    if let Some((place, done)) = moved {
+        studio.change(|design| match done {
+            Move::Remove => drop(design.garments.remove(place)),
+            Move::Up => design.garments.swap(place, place - 1),
+            Move::Down => design.garments.swap(place, place + 1),
         });
     }
     if let Some(sentence) = studio.design().not_danced() {
-        ui.label(studio.tell(&sentence));
+        ui.label(RichText::new(studio.tell(&sentence)).small());
     }
-    let danced = garments.iter().filter(|garment| garment.is_danced());
-    if danced.count() < MOST {
-        add(ui, studio);
+    let mark = if studio.shelf_is_open { "▲" } else { "▼" };
+    let name = studio.say(text::ADD_GARMENT).to_owned();
+    if wide_button(ui, &format!("{name} {mark}")) {
+        studio.shelf_is_open = !studio.shelf_is_open;
+    }
+    if studio.shelf_is_open {
+        shelf(ui, studio);
     }
 }
 
-/// What it is, with the button that takes it off; whether that was clicked.
-fn title(ui: &mut Ui, studio: &Studio, place: usize, garment: &GarmentDesign) -> bool {
+/// What it is, with the buttons that move it in the list and take it off.
+fn title(
+    ui: &mut Ui,
+    studio: &Studio,
+    (place, count): (usize, usize),
+    garment: &GarmentDesign,
+) -> Option<Move> {
     let name = studio.say(name_of(garment));
+    let of = |words: Words| format!("{} {name} {}", studio.say(words), place + 1);
+    let mut done = None;
     ui.horizontal(|ui| {
-        ui.label(RichText::new(name).strong());
-        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            let name = format!("{} {name} {}", studio.say(text::TAKE_OFF), place + 1);
-            sign_button(ui, "✖", &name)
-        })
-        .inner
-    })
-    .inner
+        let room = egui::vec2(ui.available_width() - 42.0, 30.0);
+        left_label(ui, room, RichText::new(name).strong());
+        if sign_button(ui, "✖", &of(text::TAKE_OFF)) {
+            done = Some(Move::Remove);
+        }
+    });
+    if 1 < count {
+        ui.horizontal(|ui| {
+            ui.label(RichText::new(studio.say(text::ORDER_OF_LAYERS)).small());
+            ui.add_enabled_ui(0 < place, |ui| {
+                if sign_button(ui, "▲", &of(text::MOVE_IN)) {
+                    done = Some(Move::Up);
+                }
+            });
+            ui.add_enabled_ui(place + 1 < count, |ui| {
+                if sign_button(ui, "▼", &of(text::MOVE_OUT)) {
+                    done = Some(Move::Down);
+                }
+            });
+        });
+    }
+    done
 }
 
 const fn name_of(garment: &GarmentDesign) -> Words {
@@ -85,23 +127,50 @@ fn garment_ui(ui: &mut Ui, studio: &mut Studio, place: usize, garment: &GarmentD
     if let Some(layer) = choice(ui, Some(garment.layer()), &layers) {
         *changed.layer_mut() = layer;
     }
-    let (fabric, print) = changed.cloth_mut();
-    if let Some(chosen) = fabric_ui(ui, studio, place, fabric) {
-        *fabric = chosen;
-    }
-    if let Some(chosen) = print_ui(ui, studio, place, print) {
-        *print = chosen;
+    let paper = studio.paper.clone();
+    let on_paper = (paper.as_ref()).and_then(|paper| paper.garment(Some(place), studio.design()));
+    let trouble = on_paper.and_then(|garment| garment.cut.as_ref().err());
+    // Leaves and flowers are not cut from cloth.
+    let is_cloth = on_paper.is_none_or(|garment| {
+        let cut = garment.cut.as_ref();
+        cut.map_or(true, |cut| !cut.plans.is_empty())
+    });
+    if is_cloth {
+        let (fabric, print) = changed.cloth_mut();
+        if let Some(chosen) = fabric_ui(ui, studio, place, fabric) {
+            *fabric = chosen;
+        }
+        if let Some(chosen) = print_ui(ui, studio, place, print) {
+            *print = chosen;
+        }
+        if let Some(chosen) = placement::show(ui, studio, Some(place), print) {
+            *print = chosen;
+            when = When::Later;
+        }
+        ui.collapsing(studio.say(text::OWN_FABRIC), |ui| {
+            if let Some(width) = width_ui(ui, studio, fabric.width_cm) {
+                fabric.width_cm = width;
+                when = When::Later;
+            }
+            if let Some(own) = swatch::show(ui, studio, fabric) {
+                *fabric = own;
+            }
+        });
     }
     if cut_ui(ui, studio, &mut changed) {
         when = When::Later;
     }
-    let snapshot = studio.snapshot.clone();
-    let sewn = snapshot.as_ref();
-    let sewn = sewn.and_then(|now| {
-        let garments = &now.wardrobe.production.garments;
-        garments.get(place_on_stage(studio.design(), place))
-    });
-    paper_ui(ui, studio, sewn.filter(|sewn| is_kind(sewn, garment)));
+    if let GarmentDesign::Template(worn) = &mut changed {
+        let shape = egui::CollapsingHeader::new(studio.say(text::SHAPE)).default_open(true);
+        let moved = shape.show(ui, |ui| options::show(ui, studio, worn, trouble));
+        if moved.body_returned == Some(true) {
+            when = When::Later;
+        }
+    }
+    if let Some(trouble) = trouble.filter(|trouble| trouble.key.is_none()) {
+        hindrance::sentence(ui, studio, &trouble.sentence);
+    }
+    paper_ui(ui, studio, on_paper);
     if changed == *garment {
         return;
     }
@@ -144,38 +213,75 @@ fn cut_ui(ui: &mut Ui, studio: &Studio, garment: &mut GarmentDesign) -> bool {
     *garment != before
 }
 
-/// Where a garment of the list is among what is worn, from the skin outward.
-fn place_on_stage(design: &Design, place: usize) -> usize {
-    let below = |layer| {
-        design
-            .garments_in(layer)
-            .take_while(move |(at, _)| *at != place)
-    };
-    let under = below(GarmentLayer::Under).count();
-    match design.garments.get(place).map(GarmentDesign::layer) {
-        Some(GarmentLayer::Over) => under + 1 + below(GarmentLayer::Over).count(),
-        _ => under,
+/// Everything that can be put on, by what it is for.
+fn shelf(ui: &mut Ui, studio: &mut Studio) {
+    let danced = (studio.design().garments.iter()).filter(|garment| garment.is_danced());
+    let is_full = MOST <= danced.count();
+    let mut chosen = None;
+    for shelf in SHELVES {
+        let name = RichText::new(studio.say(shelf.name)).strong();
+        ui.label(name.color(look::RED));
+        let templates = shelf.ids.iter().filter_map(|id| Template::of_id(id));
+        for (template, name, garment) in templates.flat_map(|it| entries(studio.design(), it)) {
+            let is_open = !(is_full && garment.is_danced());
+            let clicked = ui
+                .add_enabled_ui(is_open, |ui| entry(ui, studio, template, name))
+                .inner;
+            if clicked {
+                chosen = Some(garment);
+            }
+        }
+    }
+    if is_full {
+        ui.label(RichText::new(studio.say(text::NO_MORE_DANCED)).small());
+    }
+    if let Some(garment) = chosen {
+        studio.shelf_is_open = false;
+        studio.change(|design| design.garments.push(garment));
     }
 }
 
-/// Whether what is on stage is this one, and not yet or still another.
-fn is_kind(sewn: &Garment, garment: &GarmentDesign) -> bool {
-    let start = match (garment, garment.layer()) {
-        (GarmentDesign::PauSkirt(_), GarmentLayer::Under) => "pau_underskirt",
-        (GarmentDesign::PauSkirt(_), GarmentLayer::Over) => "pau_overskirt",
-        (GarmentDesign::PauTop(_), _) => "pau_top",
-        (GarmentDesign::Template(_), _) => return false,
-    };
-    sewn.name.starts_with(start)
+/// A sketch, what it is called in both languages and what it is; whether it was chosen.
+fn entry(ui: &mut Ui, studio: &Studio, template: &Template, name: Words) -> bool {
+    ui.horizontal(|ui| {
+        let (_, rect) = ui.allocate_space(egui::Vec2::splat(SKETCH));
+        sketch::draw(ui.painter(), rect, template.id);
+        ui.vertical(|ui| {
+            ui.spacing_mut().item_spacing.y = 2.0;
+            let clicked = wide_button(ui, &capitalized(studio.say(name)));
+            let (other, about) = match studio.language {
+                Language::Japanese => (name.english, template.about.japanese),
+                Language::English => (name.japanese, template.about.english),
+            };
+            ui.label(RichText::new(format!("{other}: {about}")).small().weak());
+            clicked
+        })
+        .inner
+    })
+    .inner
 }
 
-fn add(ui: &mut Ui, studio: &mut Studio) {
+/// What a template puts on: skirts below and above the other one, everything else as it is.
+fn entries(
+    design: &Design,
+    template: &'static Template,
+) -> Vec<(&'static Template, Words, GarmentDesign)> {
+    let Some(garment) = GarmentDesign::of_kind(template.id) else {
+        return Vec::new();
+    };
+    if !matches!(garment, GarmentDesign::PauSkirt(_)) {
+        let name = match garment {
+            GarmentDesign::PauTop(_) => text::TOP,
+            _ => template.name,
+        };
+        return vec![(template, name, garment)];
+    }
     let over = WornSkirt {
         layer: GarmentLayer::Over,
         ..WornSkirt::default()
     };
     // Shorter than the skirt, so that both are seen.
-    let above = studio.design().skirt.hem_height_cm + 12.0;
+    let above = design.skirt.hem_height_cm + 12.0;
     let over = WornSkirt {
         skirt: lole_costume::document::SkirtDesign {
             hem_height_cm: above.min(*SKIRT_HEMS.end()),
@@ -184,40 +290,8 @@ fn add(ui: &mut Ui, studio: &mut Studio) {
         },
         ..over
     };
-    let choices = [
-        (
-            text::ADD_UNDERSKIRT,
-            GarmentDesign::PauSkirt(WornSkirt::default()),
-        ),
-        (text::ADD_OVERSKIRT, GarmentDesign::PauSkirt(over)),
-        (text::ADD_TOP, GarmentDesign::PauTop(WornTop::default())),
-    ];
-    for (name, garment) in choices {
-        if wide_button(ui, studio.say(name)) {
-            studio.change(|design| design.garments.push(garment));
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn garments_of_the_list_are_found_among_what_is_worn() {
-        let skirt = |layer| {
-            GarmentDesign::PauSkirt(WornSkirt {
-                layer,
-                ..WornSkirt::default()
-            })
-        };
-        let mut design = Design::default();
-        let layers = [GarmentLayer::Over, GarmentLayer::Under, GarmentLayer::Under];
-        design.garments = layers.map(skirt).to_vec();
-        // Under 1, under 2, the skirt, over 0.
-        assert_eq!(
-            [0, 1, 2].map(|place| place_on_stage(&design, place)),
-            [3, 0, 1]
-        );
-    }
+    vec![
+        (template, text::UNDERSKIRT, garment),
+        (template, text::OVERSKIRT, GarmentDesign::PauSkirt(over)),
+    ]
 }

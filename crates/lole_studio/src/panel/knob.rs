@@ -73,6 +73,22 @@ pub(super) fn choice<T: PartialEq + Copy>(
     picked
 }
 
+/// Words that begin at the left of a place of this size, cut off where they are longer.
+pub(super) fn left_label(
+    ui: &mut Ui,
+    size: egui::Vec2,
+    words: impl Into<egui::WidgetText>,
+) -> Response {
+    let words = words.into();
+    let about = words.text().to_owned();
+    let place = egui::Layout::left_to_right(egui::Align::Center);
+    let label = ui.allocate_ui_with_layout(size, place, |ui| {
+        ui.set_min_size(size);
+        ui.add(egui::Label::new(words).truncate())
+    });
+    label.inner.on_hover_text(about)
+}
+
 /// A button as wide as the panel; whether it was clicked.
 pub(super) fn wide_button(ui: &mut Ui, name: &str) -> bool {
     let size = egui::vec2(ui.available_width(), 32.0);

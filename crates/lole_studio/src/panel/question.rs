@@ -16,6 +16,9 @@ pub fn show(ui: &mut Ui, studio: &mut Studio) {
         Purpose::Open => studio.say(text::OPEN),
         Purpose::Save => studio.say(text::SAVE_AS),
         Purpose::Record => studio.say(text::RECORDING),
+        Purpose::Print(_) => studio.say(text::OWN_PICTURE),
+        Purpose::Roster => studio.say(text::CHOOSE_LIST),
+        Purpose::Order => studio.say(text::MAKE_ORDER),
     };
     let (mut answered, mut given_up) = (false, false);
     egui::Window::new(title)
@@ -23,7 +26,11 @@ pub fn show(ui: &mut Ui, studio: &mut Studio) {
         .resizable(false)
         .anchor(Align2::CENTER_CENTER, [0.0, 0.0])
         .show(ui.ctx(), |ui| {
-            let label = ui.label(studio.say(text::FILE));
+            let what = match question.purpose {
+                Purpose::Order => text::FOLDER,
+                _ => text::FILE,
+            };
+            let label = ui.label(studio.say(what));
             let field = TextEdit::singleline(&mut question.path).desired_width(360.0);
             let response = ui.add(field).labelled_by(label.id);
             answered = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
@@ -33,8 +40,10 @@ pub fn show(ui: &mut Ui, studio: &mut Studio) {
             ui.add_space(4.0);
             ui.horizontal(|ui| {
                 let go = match question.purpose {
-                    Purpose::Open | Purpose::Record => text::OPEN_IT,
-                    Purpose::Save => text::SAVE,
+                    Purpose::Open | Purpose::Record | Purpose::Print(_) | Purpose::Roster => {
+                        text::OPEN_IT
+                    }
+                    Purpose::Save | Purpose::Order => text::SAVE,
                 };
                 answered |= ui.button(studio.say(go)).clicked();
                 if ui.button(studio.say(text::BROWSE)).clicked() {
@@ -51,6 +60,9 @@ pub fn show(ui: &mut Ui, studio: &mut Studio) {
             Purpose::Open => Request::Open(path),
             Purpose::Save => Request::Save(path),
             Purpose::Record => Request::OpenRecording(path),
+            Purpose::Print(place) => Request::OpenPicture(place, path),
+            Purpose::Roster => Request::OpenRoster(path),
+            Purpose::Order => Request::MakeOrder(path),
         });
     } else if !given_up {
         studio.question = Some(question);

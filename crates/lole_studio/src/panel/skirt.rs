@@ -2,8 +2,8 @@
 
 use eframe::egui::{RichText, Ui};
 
-use super::garment::{SKIRT_HEMS, fabric_ui, gather_ui, hem_ui, paper_ui, print_ui};
-use super::hindrance;
+use super::garment::{SKIRT_HEMS, fabric_ui, gather_ui, hem_ui, paper_ui, print_ui, width_ui};
+use super::{hindrance, placement, swatch};
 use crate::{Studio, text};
 
 /// Place of the skirt among what is worn, for the lists; garments are counted from 0.
@@ -30,14 +30,29 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     if let Some(height) = hem_ui(ui, studio, SKIRT_HEMS, studio.design().skirt.hem_height_cm) {
         studio.change_later(|design| design.skirt.hem_height_cm = height);
     }
-    let snapshot = studio.snapshot.clone();
-    let garment = snapshot.as_ref();
-    let garment = garment.and_then(|now| now.wardrobe.production.skirt());
+    let paper = studio.paper.clone();
+    let garment = (paper.as_ref()).and_then(|paper| paper.garment(None, studio.design()));
+    if let Some(trouble) = garment.and_then(|garment| garment.cut.as_ref().err()) {
+        hindrance::sentence(ui, studio, &trouble.sentence);
+    }
     paper_ui(ui, studio, garment);
     hindrance::show(ui, studio, &["[skirt]", "[print]"]);
     if let Some(print) = print_ui(ui, studio, PLACE, &studio.design().print) {
         studio.change(|design| design.print = print);
     }
+    let print = studio.design().print.clone();
+    if let Some(print) = placement::show(ui, studio, None, &print) {
+        studio.change_later(|design| design.print = print);
+    }
+    ui.collapsing(studio.say(text::OWN_FABRIC), |ui| {
+        let fabric = studio.design().fabric.clone();
+        if let Some(width) = width_ui(ui, studio, fabric.width_cm) {
+            studio.change_later(|design| design.fabric.width_cm = width);
+        }
+        if let Some(own) = swatch::show(ui, studio, &fabric) {
+            studio.choose_fabric(own);
+        }
+    });
     sewing(ui, studio);
 }
 

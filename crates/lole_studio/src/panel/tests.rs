@@ -20,7 +20,7 @@ use crate::studio::{Purpose, Question, Request, Tab};
 use crate::{Command, Studio, panel};
 
 /// All panels above each other, tall enough that nothing scrolls away.
-fn window(studio: Studio) -> Harness<'static, Studio> {
+pub(super) fn window(studio: Studio) -> Harness<'static, Studio> {
     let show = |ui: &mut eframe::egui::Ui, studio: &mut Studio| {
         panel::document_bar(ui, studio);
         panel::status_bar(ui, studio);
@@ -52,7 +52,7 @@ fn tab(tab: Tab) -> Harness<'static, Studio> {
     window(studio)
 }
 
-fn click(harness: &mut Harness<'static, Studio>, label: &str) {
+pub(super) fn click(harness: &mut Harness<'static, Studio>, label: &str) {
     harness.get_by_role_and_label(Role::Button, label).click();
     harness.run_steps(3);
 }
@@ -62,7 +62,7 @@ fn commands(harness: &mut Harness<'static, Studio>) -> Vec<Command> {
 }
 
 /// The last design that was sent.
-fn wished(harness: &mut Harness<'static, Studio>) -> Design {
+pub(super) fn wished(harness: &mut Harness<'static, Studio>) -> Design {
     let sent = commands(harness);
     match sent.last() {
         Some(Command::Wish(design)) => (**design).clone(),
@@ -71,10 +71,16 @@ fn wished(harness: &mut Harness<'static, Studio>) -> Design {
 }
 
 /// Drops a list down and picks one of its rows.
-fn pick(harness: &mut Harness<'static, Studio>, list: &str, row: &str) {
+pub(super) fn pick(harness: &mut Harness<'static, Studio>, list: &str, row: &str) {
     harness.get_by_role_and_label(Role::ComboBox, list).click();
     harness.run_steps(3);
     click(harness, row);
+}
+
+/// Takes a garment from the shelf.
+pub(super) fn put_on(harness: &mut Harness<'static, Studio>, name: &str) {
+    click(harness, "+ Add a garment ▼");
+    click(harness, name);
 }
 
 #[test]
@@ -338,8 +344,8 @@ fn garments_are_put_on_cut_from_another_fabric_and_taken_off() {
     let mut window = tab(Tab::Costume);
     pick(&mut window, "Fabric", PRESETS[5].name);
     assert_eq!(wished(&mut window).fabric.preset.id, PRESETS[5].id);
-    click(&mut window, "+ Add an underskirt");
-    click(&mut window, "+ Add a top");
+    put_on(&mut window, "Underskirt");
+    put_on(&mut window, "Top");
     let garments = wished(&mut window).garments;
     assert!(matches!(garments[0], GarmentDesign::PauSkirt(_)));
     assert!(matches!(garments[1], GarmentDesign::PauTop(_)));
@@ -363,7 +369,7 @@ fn garments_that_a_method_cannot_move_are_explained_where_they_are_added() {
     studio.change(|design| design.method.name = MethodName::FbEuler);
     let mut window = window(studio);
     commands(&mut window);
-    click(&mut window, "+ Add a top");
+    put_on(&mut window, "Top");
     assert!(commands(&mut window).is_empty());
     window.get_by_label_contains("move one garment alone");
     click(&mut window, "Undo");

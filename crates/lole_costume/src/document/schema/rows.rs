@@ -337,6 +337,20 @@ macro_rules! fabric_keys {
                 "1 ヤードの値段。1 m の値段があればそちらを使う",
                 "price of a yard; that of a meter comes first"
             ),
+            number_if_known!(
+                "beside_width_cm",
+                20.0..=400.0,
+                fabric.beside_width_cm,
+                "裏布・別布・芯地の布幅。書かなければ表布と同じ",
+                "width of lining, contrast cloth and interfacing; as the cloth when left out"
+            ),
+            number_if_known!(
+                "beside_price_per_m",
+                0.0..=1_000_000.0,
+                fabric.beside_price_per_m,
+                "裏布・別布・芯地 1 m の値段",
+                "price of a meter of lining, contrast cloth or interfacing"
+            ),
         ]
     };
 }

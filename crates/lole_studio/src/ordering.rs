@@ -1,0 +1,296 @@
+//! A group's order: the list of dancers, and the thread that cuts the costume for each of them.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{self, Receiver};
+use std::thread::{self, JoinHandle};
+
+use lole_costume::cost;
+use lole_costume::document::Design;
+use lole_costume::order::{self, Group, NotionTotal, PrintTotal, Settings};
+use lole_costume::roster::{self, Roster};
+use lole_export::order::{OrderParts, order_folder};
+use lole_export::pdf::Paper;
+use lole_geom::Length;
+use lole_language::{Bilingual as _, Language, Sentence};
+
+use crate::files;
+
+/// Everything behind the panel of orders.
+#[derive(Debug, Clone, Default)]
+pub struct OrderDesk {
+    /// The list, with the file it was read from.
+    pub list: Option<(PathBuf, Arc<Roster>)>,
+    /// What the buyer decides.
+    pub wishes: BuyerWishes,
+    /// What is being done.
+    pub progress: Option<Progress>,
+    /// What everybody needs, once it was worked out, with the design and wishes it is of.
+    pub totals: Option<Arc<Totals>>,
+}
+
+/// What the buyer decides.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BuyerWishes {
+    /// Spare cloth [%].
+    pub spare_percent: f64,
+    /// Cloth on one bolt [m], where it is known.
+    pub bolt_m: Option<f64>,
+}
+
+impl Default for BuyerWishes {
+    fn default() -> Self {
+        Self {
+            spare_percent: 100.0 * Settings::default().spare_ratio,
+            bolt_m: None,
+        }
+    }
+}
+
+impl BuyerWishes {
+    fn settings(&self) -> Settings {
+        Settings {
+            spare_ratio: self.spare_percent / 100.0,
+            bolt_length: self.bolt_m.map(Length::from_m),
+        }
+    }
+}
+
+/// How far an order has come.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Progress {
+    /// Dancers who are cut for.
+    pub done: usize,
+    /// Of so many.
+    pub of: usize,
+}
+
+/// What a group needs in all.
+#[derive(Debug, Clone)]
+pub struct Totals {
+    /// The design that was cut.
+    pub design: Design,
+    /// What was decided.
+    pub wishes: BuyerWishes,
+    /// Everybody who can be cut for, and rows that cannot be used.
+    pub group: Group,
+    /// What is bought of each print.
+    pub prints: Vec<PrintTotal>,
+    /// What is bought beside cloth.
+    pub notions: Vec<NotionTotal>,
+    /// What all cost together.
+    pub bill: cost::Bill,
+}
+
+/// What is to be done.
+pub(crate) struct Job {
+    pub(crate) design: Design,
+    pub(crate) list: Arc<Roster>,
+    pub(crate) wishes: BuyerWishes,
+    /// Where the order is written; only worked out where there is none.
+    pub(crate) folder: Option<PathBuf>,
+    /// What the costume is called.
+    pub(crate) title: String,
+    pub(crate) language: Language,
+}
+
+/// What the thread tells.
+pub(crate) enum OrderNews {
+    Progress(Progress),
+    /// It is done; with the folder where one was written.
+    Done(Arc<Totals>, Option<PathBuf>),
+    Failed(Sentence),
+    CalledOff,
+}
+
+/// The thread of one order. Dropped, it is called off and waited for.
+pub(crate) struct OrderWork {
+    stop: Arc<AtomicBool>,
+    news: Receiver<OrderNews>,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl OrderWork {
+    /// Begins; `wake` is called when there is news.
+    pub(crate) fn begin(job: Job, wake: impl Fn() + Send + 'static) -> Self {
+        let stop = Arc::new(AtomicBool::new(false));
+        let (sender, news) = mpsc::channel();
+        let called_off = Arc::clone(&stop);
+        let thread = thread::Builder::new()
+            .name("order".to_owned())
+            .spawn(move || {
+                let tell = |news| {
+                    // Nobody listens only while the window closes.
+                    drop(sender.send(news));
+                    wake();
+                };
+                let end = run(&job, &called_off, &tell);
+                tell(end.unwrap_or_else(OrderNews::Failed));
+            })
+            .ok();
+        Self { stop, news, thread }
+    }
+
+    /// Calls it off; what was written is taken away again.
+    pub(crate) fn call_off(&self) {
+        self.stop.store(true, Ordering::Relaxed);
+    }
+
+    /// What was told since the last time.
+    pub(crate) fn news(&self) -> impl Iterator<Item = OrderNews> + '_ {
+        self.news.try_iter()
+    }
+}
+
+impl Drop for OrderWork {
+    fn drop(&mut self) {
+        self.call_off();
+        if let Some(thread) = self.thread.take() {
+            drop(thread.join());
+        }
+    }
+}
+
+/// Reads a list of dancers.
+///
+/// # Errors
+/// One sentence that names the file.
+pub(crate) fn read_list(path: &Path) -> Result<Roster, Sentence> {
+    let bytes = files::read_linked(path, "roster")?;
+    let name = path.display();
+    roster::read(&bytes).map_err(|error| {
+        Sentence::new(
+            format!("{name}: {}", error.japanese()),
+            format!("{name}: {error}"),
+        )
+    })
+}
+
+fn run(job: &Job, stop: &AtomicBool, tell: &impl Fn(OrderNews)) -> Result<OrderNews, Sentence> {
+    let is_stopped = || stop.load(Ordering::Relaxed);
+    let mut group = Group::of(&job.list);
+    let of = job.list.dancers.len();
+    for (done, dancer) in job.list.dancers.iter().enumerate() {
+        tell(OrderNews::Progress(Progress { done, of }));
+        if is_stopped() {
+            return Ok(OrderNews::CalledOff);
+        }
+        group.add(dancer, &job.design, order::plan(dancer, &job.design));
+    }
+    if group.plans.is_empty() {
+        let first = group.problems.first().cloned();
+        return Err(first.unwrap_or_else(|| {
+            Sentence::new("名簿に踊り手がいません", "the list has no dancers")
+        }));
+    }
+    let folder = match &job.folder {
+        Some(folder) => Some(write(job, &group, folder, &is_stopped)?),
+        None => None,
+    };
+    if is_stopped() && folder.is_none() && job.folder.is_some() {
+        return Ok(OrderNews::CalledOff);
+    }
+    let bills: Vec<_> = (group.plans.iter())
+        .map(|plan| cost::bill(&job.design, plan))
+        .collect();
+    let totals = Totals {
+        design: job.design.clone(),
+        wishes: job.wishes,
+        prints: order::prints(&group.plans, &job.design, &job.wishes.settings()),
+        notions: order::notions(&group.plans),
+        bill: cost::sum(&bills, &job.design.cost),
+        group,
+    };
+    Ok(match folder {
+        Some(None) => OrderNews::CalledOff,
+        Some(folder) => OrderNews::Done(Arc::new(totals), folder),
+        None => OrderNews::Done(Arc::new(totals), None),
+    })
+}
+
+/// Writes the order's files; `None` where it was called off, which leaves nothing behind.
+fn write(
+    job: &Job,
+    group: &Group,
+    folder: &Path,
+    is_stopped: &impl Fn() -> bool,
+) -> Result<Option<PathBuf>, Sentence> {
+    let pictures = vec![None; group.plans.len()];
+    let parts = OrderParts {
+        title: job.title.clone(),
+        design: &job.design,
+        group,
+        pictures: &pictures,
+        settings: &job.wishes.settings(),
+        paper: Paper::A4,
+        language: job.language,
+        version: env!("CARGO_PKG_VERSION"),
+    };
+    let made = order_folder(&parts).map_err(|error| {
+        Sentence::new(format!("注文書を作れません（{error}）"), error.to_string())
+    })?;
+    if is_stopped() {
+        return Ok(None);
+    }
+    files::write_folder(folder, &made.files)?;
+    Ok(Some(folder.to_owned()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn job(list: &str, folder: Option<PathBuf>) -> Job {
+        Job {
+            design: Design::default(),
+            list: Arc::new(roster::read(list.as_bytes()).unwrap()),
+            wishes: BuyerWishes::default(),
+            folder,
+            title: "Hau".to_owned(),
+            language: Language::English,
+        }
+    }
+
+    fn end(work: &OrderWork) -> OrderNews {
+        loop {
+            match work.news.recv().unwrap() {
+                OrderNews::Progress(progress) => assert!(progress.done < progress.of),
+                end => return end,
+            }
+        }
+    }
+
+    const LIST: &str = "name,stature,hip\nKeola,171,101\nʻIolana,158,oops\nNani,150,85\n";
+
+    #[test]
+    fn an_order_is_written_whole_with_the_rows_that_cannot_be_used() {
+        let folder = std::env::temp_dir().join(format!("lole-order-{}", std::process::id()));
+        let work = OrderWork::begin(job(LIST, Some(folder.clone())), || {});
+        let OrderNews::Done(totals, Some(written)) = end(&work) else {
+            panic!("the order was not written")
+        };
+        assert_eq!(totals.group.plans.len(), 2);
+        assert!(
+            totals.group.problems[0]
+                .english
+                .contains("line 3, column 3")
+        );
+        let sum: f64 = totals.prints.iter().map(|print| print.needed.to_m()).sum();
+        assert!((5.0..12.0).contains(&sum), "{sum} m");
+        for name in ["order.pdf", "booklet.pdf", "order.json"] {
+            assert!(written.join(name).exists(), "{name}");
+        }
+        assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 3);
+        std::fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn an_order_that_is_called_off_leaves_nothing() {
+        let folder = std::env::temp_dir().join(format!("lole-off-{}", std::process::id()));
+        let work = OrderWork::begin(job(LIST, Some(folder.clone())), || {});
+        work.call_off();
+        assert!(matches!(end(&work), OrderNews::CalledOff));
+        assert!(!folder.exists());
+    }
+}

@@ -1,0 +1,367 @@
+//! Where each piece lies on its cloth, with the print, how much to buy, and what to decide first.
+
+use eframe::egui::{
+    self, Align2, Color32, ColorImage, FontId, Painter, Pos2, Rect, RichText, Sense, Shape, Stroke,
+    StrokeKind, TextureHandle, TextureOptions, Ui, Vec2, pos2, vec2,
+};
+use kurbo::Point;
+use lole_costume::order::PlannedGarment;
+use lole_costume::print::ClothPicture;
+use lole_costume::tailoring::{ClothPlan, role_name};
+use lole_language::Sentence;
+use lole_pattern::Pattern;
+use lole_pattern::marker::{Lay, Placed};
+use lole_pattern::piece::ClothRole;
+
+use super::garment::width_ui;
+use super::hindrance;
+use super::knob::{choice, wide_button};
+use crate::paper::{PaperGarment, lying_width};
+use crate::{Studio, look, text};
+
+/// Height of a plan in the column at most [point].
+const HEIGHT: f32 = 220.0;
+/// Room around the cloth for its measures [point].
+const BORDER: f32 = 20.0;
+/// Points of a meter from which on stitching lines are shown, too.
+const DETAILED: f32 = 180.0;
+/// Smallest letters that name a piece on its plan [point].
+const SMALLEST: f32 = 10.0;
+
+/// Pictures of cloth that the graphics adapter has, with the paper they are of.
+#[derive(Default)]
+pub(crate) struct ClothTextures {
+    paper: u64,
+    kept: Vec<((usize, usize), TextureHandle)>,
+}
+
+impl ClothTextures {
+    /// The texture of a plan's cloth, made when it is first shown.
+    fn of(
+        &mut self,
+        context: &egui::Context,
+        (paper, garment, plan): (u64, usize, usize),
+        picture: &ClothPicture,
+    ) -> TextureHandle {
+        if self.paper != paper {
+            self.paper = paper;
+            self.kept.clear();
+        }
+        let key = (garment, plan);
+        if let Some((_, texture)) = self.kept.iter().find(|(kept, _)| *kept == key) {
+            return texture.clone();
+        }
+        let size = [picture.width as usize, picture.height as usize];
+        let image = ColorImage::from_rgba_unmultiplied(size, &picture.pixels);
+        let name = format!("cloth {garment} {plan}");
+        let texture = context.load_texture(name, image, TextureOptions::LINEAR);
+        self.kept.push((key, texture.clone()));
+        texture
+    }
+}
+
+pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
+    let lays = [
+        (Lay::Single, studio.say(text::SINGLE)),
+        (Lay::Folded, studio.say(text::FOLDED)),
+    ];
+    if let Some(lay) = choice(ui, Some(studio.cutting.lay), &lays) {
+        studio.cutting.lay = lay;
+    }
+    let words = studio.say(text::MATCH_PRINT);
+    ui.checkbox(&mut studio.cutting.matches_print, words);
+    let Some(paper) = studio.paper.clone() else {
+        ui.horizontal(|ui| {
+            ui.spinner();
+            ui.label(studio.say(text::DRAFTING));
+        });
+        return;
+    };
+    for (index, garment) in paper.garments.iter().enumerate() {
+        ui.add_space(4.0);
+        if 0 < index {
+            ui.separator();
+        }
+        let name = RichText::new(studio.say(garment.name)).strong();
+        ui.label(name.color(look::TEAL));
+        match &garment.cut {
+            Ok(cut) if cut.plans.is_empty() => {
+                ui.label(studio.say(text::NO_CLOTH));
+            }
+            Ok(cut) => {
+                ui.push_id(("cut", index), |ui| {
+                    plans_ui(ui, studio, (paper.number, index), garment, cut);
+                })
+                .inner
+            }
+            Err(trouble) => hindrance::sentence(ui, studio, &trouble.sentence),
+        }
+    }
+}
+
+fn plans_ui(
+    ui: &mut Ui,
+    studio: &mut Studio,
+    (paper, index): (u64, usize),
+    garment: &PaperGarment,
+    cut: &PlannedGarment,
+) {
+    let place = garment.place;
+    let fabric = match place {
+        Some(at) => studio
+            .design()
+            .garments
+            .get(at)
+            .map(|it| it.fabric().clone()),
+        None => Some(studio.design().fabric.clone()),
+    };
+    if let Some(fabric) = fabric
+        && let Some(width) = width_ui(ui, studio, fabric.width_cm)
+    {
+        studio.change_later(|design| match place {
+            Some(at) => design.garments[at].cloth_mut().0.width_cm = width,
+            None => design.fabric.width_cm = width,
+        });
+    }
+    for (number, plan) in cut.plans.iter().enumerate() {
+        if plan.role != ClothRole::Main {
+            ui.label(studio.say(role_name(plan.role)));
+        }
+        let picture = garment.pictures.get(number).and_then(Option::as_ref);
+        let key = (paper, index, number);
+        let texture = picture.map(|it| studio.textures.of(ui.ctx(), key, it));
+        let drawing = Drawing { cut, plan, texture };
+        let size = drawing.size(vec2(ui.available_width(), HEIGHT));
+        let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+        drawing.paint(ui.painter(), rect, studio);
+        if response.on_hover_text(studio.say(text::LARGER)).clicked()
+            || wide_button(ui, studio.say(text::LARGER))
+        {
+            studio.enlarged = Some((index, number));
+        }
+        ui.label(RichText::new(studio.tell(&facts(plan))).small());
+        for warning in &plan.marker.warnings {
+            hindrance::sentence(ui, studio, &Sentence::of(warning));
+        }
+    }
+    for warning in &cut.tailored.pattern.warnings {
+        hindrance::sentence(ui, studio, warning);
+    }
+}
+
+/// What to buy, what it weighs and how well it is used.
+fn facts(plan: &ClothPlan) -> Sentence {
+    let marker = &plan.marker;
+    let needed = marker.yardage.needed.to_cm();
+    let (metric, yards) = (
+        marker.yardage.metric.to_m(),
+        marker.yardage.imperial.to_yd(),
+    );
+    let (mass, used) = (plan.mass, 100.0 * marker.efficiency);
+    Sentence::new(
+        format!(
+            "用尺 {needed:.1} cm → {metric:.1} m（{yards:.1} ヤード）を買う。重さ {mass:.2} kg、使用率 {used:.0} %。"
+        ),
+        format!(
+            "Needs {needed:.1} cm: buy {metric:.1} m ({yards:.1} yd). Weighs {mass:.2} kg; {used:.0} % of the cloth is used."
+        ),
+    )
+}
+
+/// A plan over the dance, as large as there is room.
+pub fn enlarged(ui: &mut Ui, studio: &mut Studio) {
+    let (Some((index, number)), Some(paper)) = (studio.enlarged, studio.paper.clone()) else {
+        return;
+    };
+    let garment = paper.garments.get(index);
+    let cut = garment.and_then(|garment| garment.cut.as_ref().ok());
+    let (Some(garment), Some(cut)) = (garment, cut) else {
+        studio.enlarged = None;
+        return;
+    };
+    let Some(plan) = cut.plans.get(number) else {
+        studio.enlarged = None;
+        return;
+    };
+    let picture = garment.pictures.get(number).and_then(Option::as_ref);
+    let key = (paper.number, index, number);
+    let texture = picture.map(|it| studio.textures.of(ui.ctx(), key, it));
+    let drawing = Drawing { cut, plan, texture };
+    let screen = ui.ctx().content_rect();
+    let room = vec2(screen.width() - 80.0, screen.height() - 190.0);
+    let mut is_open = true;
+    let title = format!(
+        "{}: {}",
+        studio.say(text::CUT_PLAN),
+        studio.say(garment.name)
+    );
+    egui::Window::new(title)
+        .id(egui::Id::unique("cut plan"))
+        .collapsible(false)
+        .resizable(false)
+        .anchor(Align2::CENTER_CENTER, [0.0, 0.0])
+        .show(ui.ctx(), |ui| {
+            let size = drawing.size(room);
+            let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
+            drawing.paint(ui.painter(), rect, studio);
+            ui.label(studio.tell(&facts(plan)));
+            if ui.button(studio.say(text::CLOSE)).clicked() {
+                is_open = false;
+            }
+        });
+    if ui.input(|input| input.key_pressed(egui::Key::Escape)) {
+        is_open = false;
+    }
+    if !is_open {
+        studio.enlarged = None;
+    }
+}
+
+/// A plan to be drawn.
+struct Drawing<'a> {
+    cut: &'a PlannedGarment,
+    plan: &'a ClothPlan,
+    texture: Option<TextureHandle>,
+}
+
+impl Drawing<'_> {
+    /// Length and width of what is drawn [m]: pieces may reach over the selvage.
+    fn extent(&self) -> [f32; 2] {
+        let marker = &self.plan.marker;
+        let reach = (marker.placed.iter()).map(|placed| placed.outline.bounds().y1);
+        let across = reach.fold(lying_width(marker).to_m(), f64::max);
+        [marker.yardage.needed.to_m().max(0.01), across].map(meters)
+    }
+
+    /// As large as fits.
+    fn size(&self, room: Vec2) -> Vec2 {
+        let [length, across] = self.extent();
+        let inner = room - Vec2::splat(2.0 * BORDER);
+        let scale = (inner.x / length).min(inner.y / across);
+        vec2(length, across) * scale + Vec2::splat(2.0 * BORDER)
+    }
+
+    fn paint(&self, painter: &Painter, rect: Rect, studio: &Studio) {
+        let marker = &self.plan.marker;
+        let [length, across] = self.extent();
+        let scale = (rect.width() - 2.0 * BORDER) / length;
+        let origin = pos2(rect.left() + BORDER, rect.top() + BORDER + across * scale);
+        let at = |x: f64, y: f64| origin + vec2(meters(x), -meters(y)) * scale;
+        let width = lying_width(marker).to_m();
+        let cloth = Rect::from_two_pos(at(0.0, 0.0), at(marker.yardage.needed.to_m(), width));
+        match &self.texture {
+            Some(texture) => {
+                let whole = Rect::from_min_max(Pos2::ZERO, pos2(1.0, 1.0));
+                painter.image(texture.id(), cloth, whole, Color32::WHITE);
+            }
+            None => {
+                painter.rect_filled(cloth, 0.0, Color32::from_rgb(246, 243, 236));
+            }
+        }
+        let selvage = Stroke::new(1.5, look::PALE_INK);
+        painter.rect_stroke(cloth, 0.0, selvage, StrokeKind::Middle);
+        for placed in &marker.placed {
+            let outline: Vec<Pos2> = (placed.outline.points.iter())
+                .map(|point| at(point.x, point.y))
+                .collect();
+            let is_wide = width + 1e-4 < placed.outline.bounds().y1;
+            let stroke = if is_wide {
+                Stroke::new(2.5, look::RED)
+            } else {
+                Stroke::new(1.4, look::INK)
+            };
+            painter.add(Shape::closed_line(outline, stroke));
+            if DETAILED <= scale {
+                let page = |point: Point| at(point.x, point.y);
+                inner_lines(painter, &self.cut.tailored.pattern, placed, page);
+            }
+            let bounds = placed.outline.bounds();
+            let middle = at(0.5 * (bounds.x0 + bounds.x1), 0.5 * (bounds.y0 + bounds.y1));
+            let room = meters(bounds.x1 - bounds.x0) * scale;
+            let piece = &self.cut.tailored.pattern.pieces[placed.piece];
+            name_piece(painter, middle, room, studio.say(piece.name));
+        }
+        self.measures(painter, cloth, studio);
+    }
+
+    /// Length below and width beside the cloth.
+    fn measures(&self, painter: &Painter, cloth: Rect, studio: &Studio) {
+        let marker = &self.plan.marker;
+        let font = FontId::proportional(13.0);
+        let length = format!("{:.1} cm", marker.yardage.needed.to_cm());
+        let below = cloth.center_bottom() + vec2(0.0, 10.0);
+        painter.text(
+            below,
+            Align2::CENTER_CENTER,
+            length,
+            font.clone(),
+            look::INK,
+        );
+        let across = format!("{:.0} cm", lying_width(marker).to_cm());
+        let galley = painter.layout_no_wrap(across, font.clone(), look::INK);
+        let beside = pos2(
+            cloth.left() - 4.0 - galley.size().y,
+            cloth.center().y + 0.5 * galley.size().x,
+        );
+        painter.add(egui::epaint::TextShape {
+            angle: -std::f32::consts::FRAC_PI_2,
+            ..egui::epaint::TextShape::new(beside, galley, look::INK)
+        });
+        let lower = match (marker.cloth.lay, marker.cloth.border.is_some()) {
+            (Lay::Folded, _) => text::FOLD_OF_CLOTH,
+            (Lay::Single, true) => text::BORDER_SELVAGE,
+            (Lay::Single, false) => text::SELVAGE,
+        };
+        let at = cloth.left_bottom() + vec2(0.0, 10.0);
+        let small = FontId::proportional(11.0);
+        let lower = studio.say(lower);
+        painter.text(at, Align2::LEFT_CENTER, lower, small, look::PALE_INK);
+    }
+}
+
+/// Stitching lines, marks and the grain of a laid piece.
+fn inner_lines(
+    painter: &Painter,
+    pattern: &Pattern,
+    placed: &Placed,
+    page: impl Fn(Point) -> Pos2,
+) {
+    let piece = &pattern.pieces[placed.piece];
+    let shown = if placed.is_on_fold {
+        piece.clone()
+    } else {
+        piece.unfolded()
+    };
+    let drawing = shown.drawing(TOLERANCE);
+    let thin = Stroke::new(0.8, look::INK);
+    let on_page = |point: &Point| page(placed.cloth_from_piece * *point);
+    let stitches = drawing.stitches.iter().map(|stitches| &stitches.points);
+    let marks = drawing.lines.iter().map(|marked| &marked.points);
+    for points in stitches.chain(marks) {
+        let points = points.iter().map(on_page).collect();
+        painter.add(Shape::line(points, thin));
+    }
+    let [tail, head] = drawing.grain.map(|end| on_page(&end));
+    painter.arrow(tail, head - tail, Stroke::new(1.2, look::INK));
+}
+
+/// Curves are drawn this finely [m].
+const TOLERANCE: f64 = 1e-3;
+
+/// The name of a piece on a white plate, as large as fits; none where it could not be read.
+fn name_piece(painter: &Painter, middle: Pos2, room: f32, name: &str) {
+    let natural = painter.layout_no_wrap(name.to_owned(), FontId::proportional(14.0), look::INK);
+    let size = (14.0 * 0.9 * room / natural.size().x.max(1.0)).min(14.0);
+    if size < SMALLEST {
+        return;
+    }
+    let galley = painter.layout_no_wrap(name.to_owned(), FontId::proportional(size), look::INK);
+    let plate = Rect::from_center_size(middle, galley.size() + vec2(8.0, 4.0));
+    painter.rect_filled(plate, 4.0, Color32::from_white_alpha(230));
+    painter.galley(plate.min + vec2(4.0, 2.0), galley, look::INK);
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "points on a screen")]
+const fn meters(value: f64) -> f32 {
+    value as f32
+}

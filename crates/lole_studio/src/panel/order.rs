@@ -1,0 +1,192 @@
+//! A group's order: the list of dancers with what is wrong in it, what all need together, and the
+//! folder with everything on paper.
+
+use std::sync::Arc;
+
+use eframe::egui::{self, Grid, ProgressBar, RichText, Ui};
+use lole_body::Measure;
+use lole_language::Sentence;
+use lole_pattern::pattern::Amount;
+
+use super::hindrance;
+use super::knob::{Knob, Scale, left_label, wide_button};
+use crate::ordering::{Progress, Totals};
+use crate::studio::Request;
+use crate::{Studio, look, text};
+
+/// Rows that are shown before the list scrolls on its own [point].
+const LIST_HEIGHT: f32 = 220.0;
+
+pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
+    if wide_button(ui, studio.say(text::CHOOSE_LIST)) {
+        studio.request(Request::AskRoster);
+    }
+    let Some((path, list)) = studio.order.list.clone() else {
+        ui.label(RichText::new(studio.say(text::LIST_HOW)).small().weak());
+        return;
+    };
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let (count, wrong) = (list.dancers.len(), list.problems.len());
+    let said = Sentence::new(
+        format!("{name}: {count} 人、使えない行 {wrong} 件"),
+        format!("{name}: {count} dancers, {wrong} rows that cannot be used"),
+    );
+    ui.label(RichText::new(studio.tell(&said)).strong());
+    for problem in &list.problems {
+        hindrance::sentence(ui, studio, &problem.sentence());
+    }
+    for note in &list.notes {
+        ui.label(RichText::new(studio.tell(note)).small().weak());
+    }
+    egui::ScrollArea::vertical()
+        .id_salt("roster")
+        .max_height(LIST_HEIGHT)
+        .show(ui, |ui| dancers(ui, studio, &list.dancers));
+    wishes(ui, studio);
+    let totals = studio.order.totals.clone();
+    match studio.order.progress {
+        Some(progress) => under_way(ui, studio, progress),
+        None => {
+            if wide_button(ui, studio.say(text::WORK_OUT)) {
+                studio.request(Request::WorkOutOrder);
+            }
+            let make = RichText::new(studio.say(text::MAKE_ORDER)).color(egui::Color32::WHITE);
+            let size = egui::vec2(ui.available_width(), 36.0);
+            let button = egui::Button::new(make).fill(look::RED).min_size(size);
+            if ui.add(button).clicked() {
+                studio.request(Request::AskOrderFolder);
+            }
+            ui.label(RichText::new(studio.say(text::ORDER_HOW)).small().weak());
+        }
+    }
+    if let Some(totals) = totals {
+        totals_ui(ui, studio, &totals);
+    }
+}
+
+/// Name, stature and hip of everybody.
+fn dancers(ui: &mut Ui, studio: &Studio, dancers: &[lole_costume::roster::RosterDancer]) {
+    Grid::new("dancers")
+        .num_columns(3)
+        .striped(true)
+        .show(ui, |ui| {
+            for measure in [None, Some(Measure::Stature), Some(Measure::Hip)] {
+                let words = measure.map_or(text::NAME, Measure::words);
+                ui.label(RichText::new(studio.say(words)).small().weak());
+            }
+            ui.end_row();
+            for dancer in dancers {
+                left_label(ui, egui::vec2(150.0, 22.0), &dancer.name);
+                for wanted in [Measure::Stature, Measure::Hip] {
+                    let found = dancer
+                        .tape_cm
+                        .iter()
+                        .find(|(measure, _)| *measure == wanted);
+                    let said = found.map_or_else(|| "–".to_owned(), |(_, cm)| format!("{cm:.1}"));
+                    ui.label(said);
+                }
+                ui.end_row();
+            }
+        });
+}
+
+fn wishes(ui: &mut Ui, studio: &mut Studio) {
+    let knob = Knob {
+        name: studio.say(text::SPARE),
+        range: 0.0..=30.0,
+        decimals: 0,
+        unit: " %",
+        scale: Scale::Even,
+    };
+    if let (_, Some(moved)) = knob.show(ui, studio.order.wishes.spare_percent) {
+        studio.order.wishes.spare_percent = moved.round();
+    }
+    let mut knows_bolt = studio.order.wishes.bolt_m.is_some();
+    let words = studio.say(text::KNOWS_BOLT);
+    if ui.checkbox(&mut knows_bolt, words).changed() {
+        studio.order.wishes.bolt_m = knows_bolt.then_some(50.0);
+    }
+    if let Some(bolt) = studio.order.wishes.bolt_m {
+        let knob = Knob {
+            name: studio.say(text::BOLT),
+            range: 5.0..=100.0,
+            decimals: 0,
+            unit: " m",
+            scale: Scale::Even,
+        };
+        if let (_, Some(moved)) = knob.show(ui, bolt) {
+            studio.order.wishes.bolt_m = Some(moved.round());
+        }
+    }
+}
+
+fn under_way(ui: &mut Ui, studio: &mut Studio, progress: Progress) {
+    let Progress { done, of } = progress;
+    #[expect(clippy::cast_precision_loss, reason = "a thousand dancers at most")]
+    let share = done as f32 / of.max(1) as f32;
+    ui.add(ProgressBar::new(share).text(format!("{done} / {of}")));
+    if wide_button(ui, studio.say(text::CANCEL)) {
+        studio.request(Request::CallOffOrder);
+    }
+}
+
+/// What all need together; where the design has changed since, that is said.
+fn totals_ui(ui: &mut Ui, studio: &Studio, totals: &Totals) {
+    ui.separator();
+    let is_old = totals.design != *studio.design() || totals.wishes != studio.order.wishes;
+    if is_old {
+        let words = RichText::new(studio.say(text::TOTALS_ARE_OLD)).small();
+        ui.label(words.color(look::RED));
+    }
+    let count = totals.group.plans.len();
+    let said = Sentence::new(format!("{count} 人分"), format!("For {count} dancers"));
+    ui.label(RichText::new(studio.tell(&said)).strong());
+    // Rows that cannot be read stand above already.
+    let list = studio.order.list.as_ref().map(|(_, list)| Arc::clone(list));
+    let known = list.map_or(0, |list| list.problems.len());
+    for problem in totals.group.problems.iter().skip(known) {
+        hindrance::sentence(ui, studio, problem);
+    }
+    for print in &totals.prints {
+        let names: Vec<&str> = print
+            .garments
+            .iter()
+            .map(|name| studio.say(*name))
+            .collect();
+        let names = names.join(studio.language.pick("・", ", "));
+        let (metric, yards) = (print.bought.metric.to_m(), print.bought.imperial.to_yd());
+        let (cloth, width) = (print.cloth, print.width.to_cm());
+        let said = Sentence::new(
+            format!(
+                "{names}: {}（幅 {width:.0} cm）{metric:.1} m、{yards:.1} ヤード",
+                cloth.japanese
+            ),
+            format!(
+                "{names}: {} ({width:.0} cm wide), {metric:.1} m or {yards:.1} yd",
+                cloth.english
+            ),
+        );
+        ui.label(studio.tell(&said));
+    }
+    for notion in &totals.notions {
+        let amount = match notion.amount {
+            Amount::Length(length) => format!("{:.1} m", (length.to_m() * 10.0).ceil() / 10.0),
+            Amount::Count(count) => format!("× {count}"),
+            Amount::Mass(mass) => format!("{:.0} g", 1000.0 * mass),
+        };
+        ui.label(RichText::new(format!("{} {amount}", studio.say(notion.name))).small());
+    }
+    let bill = &totals.bill;
+    let total = if bill.knows_something() {
+        let sum = bill.currency.write(bill.total);
+        let said = if bill.is_complete() {
+            text::TOTAL
+        } else {
+            text::TOTAL_KNOWN
+        };
+        format!("{}: {sum}", studio.say(said))
+    } else {
+        studio.say(text::NO_PRICES_YET).to_owned()
+    };
+    ui.label(RichText::new(total).strong());
+}
