@@ -472,7 +472,7 @@ impl Performance {
             hem_height: self.hem_height(),
             ..FrameMetrics::default()
         };
-        for garment in self.production.garments {
+        for garment in &self.production.garments {
             let (spec, positions) = (&garment.sewn.spec, self.garment_positions(garment));
             let share = positions.len() as f32 / self.cloth_positions.len() as f32;
             let (strain, skin) = Worn::measure(garment, positions, body);
