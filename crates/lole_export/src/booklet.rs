@@ -231,7 +231,7 @@ fn material_rows(garment: &PlannedGarment, language: Language) -> Vec<Vec<Cell>>
         }
         let note = notion.note.as_ref();
         rows.push(vec![
-            Cell::bold(&capitalized(notion.name.text(language))),
+            Cell::bold(capitalized(notion.name.text(language))),
             amount_words(notion.amount, language).into(),
             note.map_or_else(String::new, |note| note.text(language))
                 .into(),
@@ -279,7 +279,7 @@ fn measure_table(plan: &DancerPlan, language: Language) -> Table {
                 language.pick("実測", "measured")
             };
             vec![
-                Cell::bold(&capitalized(measure.words().text(language))),
+                Cell::bold(capitalized(measure.words().text(language))),
                 format!("{cm:.1} cm").into(),
                 format!("{:.1} in", cm / 2.54).into(),
                 how.into(),
@@ -498,7 +498,7 @@ pub(crate) fn bill_table(bill: &Bill, language: Language) -> Table {
         .map(|line| {
             let sum = line.sum.map_or_else(unknown, |sum| currency.write(sum));
             vec![
-                Cell::bold(&capitalized(line.name.text(language))),
+                Cell::bold(capitalized(line.name.text(language))),
                 line.amount.text(language).into(),
                 sum.into(),
             ]

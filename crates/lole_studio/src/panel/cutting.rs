@@ -91,8 +91,7 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
             Ok(cut) => {
                 ui.push_id(("cut", index), |ui| {
                     plans_ui(ui, studio, (paper.number, index), garment, cut);
-                })
-                .inner
+                });
             }
             Err(trouble) => hindrance::sentence(ui, studio, &trouble.sentence),
         }
