@@ -66,6 +66,8 @@ pub struct Dressed {
     pub pattern: Pattern,
     /// Its cloth in SI units.
     pub fabric: Fabric,
+    /// Whether it is one cloth, wrapped.
+    is_wrapped: bool,
     /// Skin that carries the pinned particles, in their order, and how far they lie over it [m].
     pins: (SkinSurfels, Vec<f32>),
     /// Where it rests on the standing dancer [m], shape `[particle_count]`.
@@ -208,6 +210,7 @@ impl Dressed {
             facing,
             is_on_arm,
             elastics,
+            is_wrapped,
             pinned,
             pins,
         } = laid;
@@ -242,6 +245,7 @@ impl Dressed {
             before: Some([basted, tried]),
             pattern,
             fabric,
+            is_wrapped,
             pins,
             start: places,
             trunk_triangles: triangles.iter().filter(on_trunk).copied().collect(),

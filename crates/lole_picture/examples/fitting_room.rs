@@ -5,6 +5,12 @@
 //! [--seconds S] [--layer under] [--close]` writes a picture for each template there and prints figures for
 //! each dancer. Without a template, all that can be put on.
 
+#![expect(
+    clippy::print_stdout,
+    clippy::disallowed_methods,
+    reason = "a tool prints figures, times among them"
+)]
+
 use std::error::Error;
 use std::path::PathBuf;
 use std::time::Instant;
@@ -206,26 +212,7 @@ fn shoot(asked: &Asked, performance: &Performance) -> Result<Vec<u8>, Box<dyn Er
     let dressed: Vec<[Vec<Vec3>; 2]> = (0..production.dressed.len())
         .map(|place| performance.dressed_vertices(place))
         .collect();
-    let draped = |vertices: &'_ [Vec<Vec3>; 2]| -> [Vec<Vec3>; 2] { vertices.clone() };
-    let (grids, dressed) = (
-        grids.iter().map(draped).collect::<Vec<_>>(),
-        dressed.iter().map(draped).collect::<Vec<_>>(),
-    );
-    let drape = |vertices: &[[Vec<Vec3>; 2]]| -> Vec<usize> { (0..vertices.len()).collect() };
-    let cloths: Vec<Draped<'_>> = (drape(&grids).iter())
-        .map(|&at| Draped {
-            positions: &grids[at][0],
-            normals: &grids[at][1],
-            colors: &[],
-        })
-        .collect();
-    let dresses: Vec<Draped<'_>> = (drape(&dressed).iter())
-        .map(|&at| Draped {
-            positions: &dressed[at][0],
-            normals: &dressed[at][1],
-            colors: &[],
-        })
-        .collect();
+    let (cloths, dresses) = (drapes(&grids), drapes(&dressed));
     let shown = Shown {
         cloths: &cloths,
         dressed: &dresses,
@@ -256,6 +243,16 @@ fn shoot(asked: &Asked, performance: &Performance) -> Result<Vec<u8>, Box<dyn Er
         }
     }
     Ok(row)
+}
+
+/// Vertices as they are drawn.
+fn drapes(vertices: &[[Vec<Vec3>; 2]]) -> Vec<Draped<'_>> {
+    let draped = vertices.iter().map(|[positions, normals]| Draped {
+        positions,
+        normals,
+        colors: &[],
+    });
+    draped.collect()
 }
 
 fn write_sheet(file: &std::path::Path, rows: &[Vec<u8>]) -> Result<(), Box<dyn Error>> {

@@ -105,8 +105,11 @@ pub(super) fn fit(
         };
         let assembly = match &before {
             Some([basted, _]) if frame < SEWING_FRAMES => basted,
-            Some([_, tried]) => tried,
-            None => &garment.assembly,
+            // What is wrapped in layers has too much to be drawn out, and lies well without.
+            Some([_, tried]) if !garment.is_wrapped && SEWING_FRAMES + MOVING_FRAMES <= frame => {
+                tried
+            }
+            _ => &garment.assembly,
         };
         state.step_as(&garment, assembly, (&world, FRAME))?;
         let kept = if frame < SEWING_FRAMES {

@@ -134,7 +134,7 @@ fn lattice(border: &[DVec2], spacing: f64) -> Vec<DVec2> {
         }
         let mut column = 0_u32;
         loop {
-            let half = if row % 2 == 0 { 0.0 } else { 0.5 };
+            let half = if row.is_multiple_of(2) { 0.0 } else { 0.5 };
             let x = low.x + (f64::from(column) + half) * spacing;
             if high.x < x {
                 break;
@@ -184,7 +184,7 @@ fn triangulate(points: &[DVec2], border_count: usize, spacing: f64) -> Option<Ve
     let mut crosses = false;
     let found =
         ConstrainedDelaunayTriangulation::<Numbered>::try_bulk_load_cdt(numbered, sides, |_| {
-            crosses = true
+            crosses = true;
         });
     let found = found.ok()?;
     if crosses || found.num_vertices() != points.len() {

@@ -66,6 +66,8 @@ pub(super) struct Laid {
     pub(super) is_on_arm: Vec<bool>,
     /// Lengths of elastic in the mesh's lines [m].
     pub(super) elastics: Vec<f32>,
+    /// Whether it is one cloth, wrapped.
+    pub(super) is_wrapped: bool,
     /// Particles that the skin carries.
     pub(super) pinned: Vec<bool>,
     /// The skin below them, and how far they lie over it [m].
@@ -93,19 +95,7 @@ pub(super) fn lay(
         Way::Wrapped(_) => Some(Part::Wrap),
     };
     let parts: Vec<Option<Part>> = pattern.pieces.iter().map(part_of).collect();
-    let area: f64 = (pattern.pieces.iter().zip(&parts))
-        .filter(|(_, part)| part.is_some())
-        .map(|(piece, _)| {
-            let area = piece
-                .unfolded()
-                .stitching_polygon(1.0e-3)
-                .signed_area()
-                .abs();
-            area * f64::from(piece.cut.pieces())
-        })
-        .sum();
-    let spacing = (area / (AREA_SHARE * worn.particle_count)).sqrt();
-    let spacing = spacing.clamp(SPACING[0], SPACING[1]);
+    let spacing = spacing(&pattern, &parts, worn.particle_count);
     let lines: Vec<SeamSide> = pattern.drawn_in.iter().map(|drawn| drawn.line).collect();
     let panels = panel::panels(&pattern, spacing, |piece| part_of(piece).is_none(), &lines);
     let crossed = DressError::CrossedPiece {
@@ -162,10 +152,22 @@ pub(super) fn lay(
         facing,
         is_on_arm,
         elastics,
+        is_wrapped: matches!(worn.way, Way::Wrapped(_)),
         pinned,
         pins,
         pattern,
     })
+}
+
+/// Edges of triangles [m] that divide the pieces that are worn into so many particles.
+fn spacing(pattern: &Pattern, parts: &[Option<Part>], particle_count: f64) -> f64 {
+    let worn = pattern.pieces.iter().zip(parts);
+    let areas = worn.filter(|(_, part)| part.is_some()).map(|(piece, _)| {
+        let outline = piece.unfolded().stitching_polygon(1.0e-3);
+        outline.signed_area().abs() * f64::from(piece.cut.pieces())
+    });
+    let spacing = (areas.sum::<f64>() / (AREA_SHARE * particle_count)).sqrt();
+    spacing.clamp(SPACING[0], SPACING[1])
 }
 
 /// Lowest tape around trunk and legs [m].

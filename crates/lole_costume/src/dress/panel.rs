@@ -159,11 +159,9 @@ pub(super) fn panels(
         out: Panels::default(),
     };
     cutter.plan_seams(&is_kept);
-    for piece in 0..pattern.pieces.len() {
-        if is_kept[piece] {
-            cutter.plan_rest(piece);
-            cutter.cut(piece);
-        }
+    for (piece, _) in is_kept.iter().enumerate().filter(|(_, kept)| **kept) {
+        cutter.plan_rest(piece);
+        cutter.cut(piece);
     }
     cutter.sew(&is_kept);
     let found = lines.iter().map(|line| cutter.line(line));
@@ -226,41 +224,11 @@ impl Cutter<'_> {
         for copy in 0..copies(&self.pattern.pieces[piece]) {
             for edge in 0..self.pattern.pieces[piece].edges.len() {
                 let length = self.ways[piece][edge].length();
-                let spacing = self.spacing;
                 let stretches = self.stretches.entry((piece, copy, edge)).or_default();
-                stretches.extend(
-                    darts
-                        .iter()
-                        .filter(|dart| dart.0 == edge)
-                        .map(|dart| dart.1),
-                );
+                let own = darts.iter().filter(|dart| dart.0 == edge);
+                stretches.extend(own.map(|dart| dart.1));
                 stretches.sort_by(|a, b| a.between[0].total_cmp(&b.between[0]));
-                let mut filled: Vec<Stretch> = Vec::new();
-                let mut passed = 0.0;
-                let end = Stretch {
-                    between: [1.0, 1.0],
-                    segment_count: 0,
-                    fate: Fate::Free,
-                };
-                for &stretch in stretches.iter().chain([&end]) {
-                    let [from, to] = stretch.between;
-                    // What overlaps a stretch before it cannot be sewn twice.
-                    if from + 1.0e-4 < passed {
-                        continue;
-                    }
-                    if passed + 1.0e-4 < from {
-                        filled.push(Stretch {
-                            between: [passed, from],
-                            segment_count: count((from - passed) * length, spacing),
-                            fate: Fate::Free,
-                        });
-                    }
-                    if 0 < stretch.segment_count {
-                        filled.push(stretch);
-                        passed = to;
-                    }
-                }
-                *stretches = filled;
+                *stretches = filled(stretches, (length, self.spacing));
             }
         }
     }
@@ -311,12 +279,12 @@ impl Cutter<'_> {
             for &edge in half.iter().rev() {
                 self.walk((piece, 1, edge), Some(axis), &mut border);
             }
-            self.close((piece, 0), false, border);
+            self.close((piece, 0), border);
             return;
         }
         let upright = [DVec2::ZERO, DVec2::Y];
         for copy in 0..copies(drawn) {
-            let is_mirrored = matches!(drawn.cut, CutCount::Pairs(_)) && copy % 2 == 1;
+            let is_mirrored = is_mirrored(drawn, copy);
             let mut border = Vec::new();
             for step in 0..edge_count {
                 if is_mirrored {
@@ -329,11 +297,11 @@ impl Cutter<'_> {
                     self.walk((piece, copy, step), None, &mut border);
                 }
             }
-            self.close((piece, copy), is_mirrored, border);
+            self.close((piece, copy), border);
         }
     }
 
-    fn close(&mut self, (piece, copy): (usize, u32), is_mirrored: bool, border: Vec<DVec2>) {
+    fn close(&mut self, (piece, copy): (usize, u32), border: Vec<DVec2>) {
         let panel = self.out.panels.len();
         let len = border.len();
         for points in self.points.values_mut() {
@@ -344,7 +312,7 @@ impl Cutter<'_> {
         self.out.panels.push(Panel {
             piece,
             copy,
-            is_mirrored,
+            is_mirrored: is_mirrored(&self.pattern.pieces[piece], copy),
             border,
         });
     }
@@ -454,6 +422,36 @@ impl Cutter<'_> {
     }
 }
 
+/// Stretches of an edge of this length [m], in order, with free ones between them.
+fn filled(stretches: &[Stretch], (length, spacing): (f64, f64)) -> Vec<Stretch> {
+    let mut filled: Vec<Stretch> = Vec::new();
+    let mut passed = 0.0;
+    let end = Stretch {
+        between: [1.0, 1.0],
+        segment_count: 0,
+        fate: Fate::Free,
+    };
+    for &stretch in stretches.iter().chain([&end]) {
+        let [from, to] = stretch.between;
+        // What overlaps a stretch before it cannot be sewn twice.
+        if from + 1.0e-4 < passed {
+            continue;
+        }
+        if passed + 1.0e-4 < from {
+            filled.push(Stretch {
+                between: [passed, from],
+                segment_count: count((from - passed) * length, spacing),
+                fate: Fate::Free,
+            });
+        }
+        if 0 < stretch.segment_count {
+            filled.push(stretch);
+            passed = to;
+        }
+    }
+    filled
+}
+
 /// Copies that seams tell apart.
 fn copies(piece: &Piece) -> u32 {
     if piece.edges.iter().any(|edge| edge.finish == Finish::Fold) {
@@ -461,6 +459,11 @@ fn copies(piece: &Piece) -> u32 {
     } else {
         piece.cut.pieces()
     }
+}
+
+/// Whether a piece of cloth is the right one of a pair.
+const fn is_mirrored(piece: &Piece, copy: u32) -> bool {
+    matches!(piece.cut, CutCount::Pairs(_)) && !copy.is_multiple_of(2)
 }
 
 /// Points of a stretch from its beginning to its end; those of a dart run along its legs.
