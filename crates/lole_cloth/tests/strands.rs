@@ -179,7 +179,7 @@ fn slid(rise: f32, friction: f32) -> (f32, f32) {
         ..Strand::default()
     };
     let strands = [strand];
-    let model = StrandModel::new(&strands, &[], &[]).unwrap();
+    let model = StrandModel::new(&strands, &[], &[]).expect("a strand of four points");
     let mut state = StrandState::new(&strands);
     let input = StrandInput {
         surfels: &surfels,

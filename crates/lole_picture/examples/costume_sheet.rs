@@ -106,9 +106,20 @@ fn shoot(
             colors: &[],
         })
         .collect();
+    let dressed: Vec<_> = (0..production.dressed.len())
+        .map(|place| performance.dressed_vertices(place))
+        .collect();
+    let dressed: Vec<Draped<'_>> = (dressed.iter())
+        .map(|[positions, normals]| Draped {
+            positions,
+            normals,
+            colors: &[],
+        })
+        .collect();
     let adornments = performance.posed_adornments();
     let figure = Figure {
         cloths: &cloths,
+        dressed: &dressed,
         adornments: &adornments,
         body_positions: performance.body_positions(),
         body_normals: performance.body_normals(),

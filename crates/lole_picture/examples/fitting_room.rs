@@ -213,9 +213,11 @@ fn shoot(asked: &Asked, performance: &Performance) -> Result<Vec<u8>, Box<dyn Er
         .map(|place| performance.dressed_vertices(place))
         .collect();
     let (cloths, dresses) = (drapes(&grids), drapes(&dressed));
+    let adornments = performance.posed_adornments();
     let shown = Shown {
         cloths: &cloths,
         dressed: &dresses,
+        adornments: &adornments,
         body_positions: performance.body_positions(),
         body_normals: performance.body_normals(),
     };

@@ -94,11 +94,12 @@ impl SurfelSearch {
             for row in part.rows.clone() {
                 part.slots.clear();
                 cloth.layout.add_row_slots(row, &mut part.slots);
-                for (&slot, near) in part.slots.iter().zip(near.by_ref()) {
-                    if let Some(nearest) = near.nearest.get() {
-                        visit(slot, row, nearest, near.opposite.get());
-                    }
-                }
+                let touching = part.slots.iter().zip(near.by_ref());
+                let touching = touching
+                    .filter_map(|(&slot, near)| Some((slot, near.nearest.get()?, near.opposite)));
+                touching.for_each(|(slot, nearest, opposite)| {
+                    visit(slot, row, nearest, opposite.get());
+                });
             }
         }
     }
