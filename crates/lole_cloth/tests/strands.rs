@@ -34,7 +34,7 @@ fn a_mass_on_a_thread_has_the_period_of_a_pendulum() {
         ..Strand::default()
     };
     let strands = [strand];
-    let model = StrandModel::new(&strands, &[], &[]).unwrap();
+    let model = StrandModel::new(&strands, &[], &[]).expect("strands");
     let mut state = StrandState::new(&strands);
     let input = StrandInput {
         pins: &[Vec3::ZERO],
@@ -90,7 +90,7 @@ fn a_thread_between_two_pins_hangs_as_a_catenary() {
         ..Strand::default()
     };
     let strands = [strand];
-    let model = StrandModel::new(&strands, &[], &[]).unwrap();
+    let model = StrandModel::new(&strands, &[], &[]).expect("strands");
     let mut state = StrandState::new(&strands);
     let input = StrandInput {
         pins: &[Vec3::ZERO, Vec3::X * 0.6],
@@ -131,7 +131,7 @@ fn a_clamped_leaf_bends_as_a_cantilever() {
         ..Strand::default()
     };
     let strands = [strand];
-    let model = StrandModel::new(&strands, &[], &[]).unwrap();
+    let model = StrandModel::new(&strands, &[], &[]).expect("strands");
     let mut state = StrandState::new(&strands);
     let input = StrandInput {
         pins: &[Vec3::ZERO, Vec3::X * spacing],
@@ -230,7 +230,7 @@ fn links_and_ties_hold_what_they_hold() {
         particle: 2,
         compliance: 0.0,
     };
-    let model = StrandModel::new(&strands, &[link], &[tie]).unwrap();
+    let model = StrandModel::new(&strands, &[link], &[tie]).expect("strands");
     let mut state = StrandState::new(&strands);
     let input = StrandInput {
         pins: &[Vec3::ZERO, Vec3::X * 0.1],
@@ -255,14 +255,14 @@ fn what_cannot_be_prepared_is_refused() {
         linear_density: 0.1,
         ..Strand::default()
     };
-    let error = StrandModel::new(&[ring], &[], &[]).unwrap_err();
+    let error = StrandModel::new(&[ring], &[], &[]).expect_err("refused");
     assert_eq!(error.to_string(), "strand 0 has 2 particles; it needs 3");
     let weightless = Strand {
         positions: line(2, 0.1, Vec3::X),
         spacing: 0.1,
         ..Strand::default()
     };
-    let error = StrandModel::new(&[weightless], &[], &[]).unwrap_err();
+    let error = StrandModel::new(&[weightless], &[], &[]).expect_err("refused");
     assert!(matches!(
         error,
         StrandError::OutOfRange {
