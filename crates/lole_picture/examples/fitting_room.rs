@@ -17,11 +17,9 @@ use std::time::Instant;
 
 use glam::Vec3;
 use lole_body::Figure;
-use lole_costume::document::{
-    DancerDesign, Design, GarmentDesign, GarmentLayer, WornTemplate, parse,
-};
+use lole_costume::document::schema::kind_ids;
+use lole_costume::document::{DancerDesign, Design, GarmentDesign, GarmentLayer, parse};
 use lole_costume::dress;
-use lole_pattern::{TEMPLATES, Template};
 use lole_picture::{Draped, Figure as Shown, Looks};
 use lole_render::{Backend, Camera, LightRig, Renderer, Size, View};
 use lole_stage::{Performance, Production};
@@ -54,7 +52,7 @@ const DANCERS: [(&str, Figure, [Option<f64>; 4]); 6] = [
 
 struct Asked {
     out: PathBuf,
-    templates: Vec<&'static Template>,
+    templates: Vec<String>,
     only: Option<String>,
     seconds: f32,
     layer: GarmentLayer,
@@ -88,16 +86,12 @@ fn asked() -> Result<Asked, Box<dyn Error>> {
             "--close" => asked.is_close = true,
             "--skirt" => asked.has_skirt = true,
             "--print" => asked.print = arguments.next(),
-            id => asked
-                .templates
-                .push(Template::of_id(id).ok_or("no such template")?),
+            id => asked.templates.push(id.to_owned()),
         }
     }
     if asked.templates.is_empty() {
-        asked.templates = TEMPLATES
-            .iter()
-            .filter(|one| dress::is_worn(one.id))
-            .collect();
+        let ids = kind_ids().into_iter().filter(|id| dress::is_worn(id));
+        asked.templates = ids.map(str::to_owned).collect();
     }
     Ok(asked)
 }
@@ -113,13 +107,13 @@ fn main() -> Result<(), Box<dyn Error>> {
             }
             match fitting(&asked, template, (figure, cm)) {
                 Ok((row, said)) => {
-                    println!("{:12} {name:6} {said}", template.id);
+                    println!("{template:12} {name:6} {said}");
                     rows.push(row);
                 }
-                Err(error) => println!("{:12} {name:6} refused: {error}", template.id),
+                Err(error) => println!("{template:12} {name:6} refused: {error}"),
             }
         }
-        let file = asked.out.join(format!("{}.png", template.id));
+        let file = asked.out.join(format!("{template}.png"));
         write_sheet(&file, &rows)?;
     }
     Ok(())
@@ -128,14 +122,14 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// One dancer from all sides, side by side, and what is to be said of her.
 fn fitting(
     asked: &Asked,
-    template: &'static Template,
+    template: &str,
     (figure, [stature_cm, bust_cm, waist_cm, hip_cm]): (Figure, [Option<f64>; 4]),
 ) -> Result<(Vec<u8>, String), Box<dyn Error>> {
-    let mut worn = WornTemplate::new(template);
-    worn.layer = asked.layer;
+    let mut worn = GarmentDesign::of_kind(template).ok_or("no such garment")?;
+    *worn.layer_mut() = asked.layer;
     if let Some(print) = &asked.print {
         let text = format!("lole = 1\n[print]\n{print}\n");
-        worn.print = parse(&text, "print")?.print;
+        *worn.print_mut() = parse(&text, "print")?.print;
     }
     let mut design = Design {
         dancer: DancerDesign {
@@ -146,7 +140,7 @@ fn fitting(
             hip_cm,
             ..DancerDesign::default()
         },
-        garments: vec![GarmentDesign::Template(worn)],
+        garments: vec![worn],
         ..Design::default()
     };
     if !asked.has_skirt {

@@ -150,7 +150,7 @@ impl Performance {
         performance.adorned = Adorned::new(
             &performance.production,
             &performance.world_from_bind,
-            &performance.cloth_positions,
+            (&performance.cloth_positions, &performance.dressed_cloth()),
         )?;
         let pose = performance.pose_of_dance();
         performance.pose_dancer(pose);
@@ -295,9 +295,20 @@ impl Performance {
             world_from_bind: &self.world_from_bind,
             surfels: &self.surfels,
             cloth: &self.cloth_positions,
+            dressed: &self.dressed_cloth(),
             air_velocity: wind.force(f64::from(self.time())).as_vec3(),
         };
-        self.adorned.step(&self.production, &around);
+        let mut adorned = std::mem::take(&mut self.adorned);
+        adorned.step(&self.production, &around);
+        self.adorned = adorned;
+    }
+
+    /// Triangles of the garments sewn from shaped pieces, and where they are [m].
+    fn dressed_cloth(&self) -> Vec<(&[[u32; 3]], &[Vec3])> {
+        let garments = self.production.dressed.iter().zip(&self.dressed);
+        garments
+            .map(|(garment, moving)| (&garment.dressed.triangles[..], moving.positions()))
+            .collect()
     }
 
     /// Reads the positions of all garments.

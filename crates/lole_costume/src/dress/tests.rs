@@ -119,7 +119,7 @@ fn what_is_sewn_stays_sewn_and_the_same_dressing_gives_the_same_bits() {
         .collect();
     apart.sort_by(f32::total_cmp);
     let count = apart.len();
-    assert!(200 < count, "{count}");
+    assert!(150 < count, "{count}");
     // Where folds press on a seam from both sides it gives a little; it is drawn closed.
     let [nearly_all, most] = [apart[count * 19 / 20], apart[count - 1]];
     assert!(

@@ -118,7 +118,7 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
     let Pattern {
         mut pieces,
         seams: mut joined,
-        drawn_in,
+        drawn_in: _,
         notions,
         mut steps,
         warnings,
@@ -157,7 +157,6 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
     pieces.push(ruffle.piece());
     steps.extend(ruffle.steps(place));
     let mut pattern = pattern(pieces, joined, notions.collect(), steps);
-    pattern.drawn_in = drawn_in;
     pattern.warnings = warnings;
     Ok(pattern.warn(say!(
         "フリルの丈と寄せ方は目安です",

@@ -7,6 +7,7 @@ use lole_body::Pose;
 use lole_cloth::strands::{self, Ring, StrandConfig, StrandInput, StrandModel, StrandState};
 use lole_costume::adorn::{self, Frame, HangingStrands};
 use lole_geom::Surfel;
+use lole_geom::mesh::vertex_normals;
 
 use super::FRAME_SECONDS;
 use crate::StageError;
@@ -42,8 +43,10 @@ pub(super) struct AroundStrands<'a> {
     pub(super) world_from_bind: &'a [Affine3A],
     /// The skin.
     pub(super) surfels: &'a [Surfel],
-    /// Positions of the cloth of all garments [m].
+    /// Positions of the cloth of all gathered garments [m].
     pub(super) cloth: &'a [Vec3],
+    /// Triangles of the garments sewn from shaped pieces, and where they are [m].
+    pub(super) dressed: &'a [(&'a [[u32; 3]], &'a [Vec3])],
     pub(super) air_velocity: Vec3,
 }
 
@@ -53,7 +56,7 @@ impl Adorned {
     pub(super) fn new(
         production: &Production,
         world_from_bind: &[Affine3A],
-        cloth: &[Vec3],
+        (cloth, dressed): (&[Vec3], &[(&[[u32; 3]], &[Vec3])]),
     ) -> Result<Self, StageError> {
         let hanging = production.adornments.iter().map(|adornment| {
             let hung = adornment.strands.as_ref();
@@ -73,6 +76,7 @@ impl Adorned {
                 world_from_bind,
                 surfels: &surfels,
                 cloth,
+                dressed,
                 air_velocity: Vec3::ZERO,
             };
             for _ in 0..LOWERING_FRAMES {
@@ -121,6 +125,12 @@ impl Adorned {
                     let positions = &around.cloth[garment.particles.clone()];
                     cover(garment, positions, &mut self.met);
                 }
+            }
+            for &(triangles, positions) in around.dressed {
+                let normals = vertex_normals(positions, triangles);
+                let outside = positions.iter().zip(normals);
+                let surfels = outside.map(|(&position, normal)| Surfel { position, normal });
+                self.met.extend(surfels);
             }
             hanging.step(hung, around, &self.met, &change(hung.config));
         }
@@ -253,7 +263,7 @@ fn ramp(edge: Vec3, outward: Vec3, surfels: &mut Vec<Surfel>) {
 fn cover(garment: &Garment, positions: &[Vec3], surfels: &mut Vec<Surfel>) {
     let grid = &garment.sewn.spec.grid;
     let columns = grid.column_count as usize;
-    let normals = lole_geom::mesh::vertex_normals(positions, &garment.mesh.particle_triangles);
+    let normals = vertex_normals(positions, &garment.mesh.particle_triangles);
     let rows = positions.len() / columns.max(1);
     let starts = |count: usize, step: usize| (0..count).step_by(step);
     for row in starts(rows, COVER[1]) {
