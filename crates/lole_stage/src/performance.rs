@@ -291,6 +291,7 @@ impl Performance {
             amplitude: design.wind.speed_m_per_s,
             law: design.wind.law,
         };
+        let mut adorned = std::mem::take(&mut self.adorned);
         let around = AroundStrands {
             world_from_bind: &self.world_from_bind,
             surfels: &self.surfels,
@@ -298,13 +299,12 @@ impl Performance {
             dressed: &self.dressed_cloth(),
             air_velocity: wind.force(f64::from(self.time())).as_vec3(),
         };
-        let mut adorned = std::mem::take(&mut self.adorned);
         adorned.step(&self.production, &around);
         self.adorned = adorned;
     }
 
     /// Triangles of the garments sewn from shaped pieces, and where they are [m].
-    fn dressed_cloth(&self) -> Vec<(&[[u32; 3]], &[Vec3])> {
+    fn dressed_cloth(&self) -> Vec<order::Inner<'_>> {
         let garments = self.production.dressed.iter().zip(&self.dressed);
         garments
             .map(|(garment, moving)| (&garment.dressed.triangles[..], moving.positions()))

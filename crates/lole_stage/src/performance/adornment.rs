@@ -10,6 +10,7 @@ use lole_geom::Surfel;
 use lole_geom::mesh::vertex_normals;
 
 use super::FRAME_SECONDS;
+use super::order::Inner;
 use crate::StageError;
 use crate::production::{Garment, Production};
 
@@ -46,7 +47,7 @@ pub(super) struct AroundStrands<'a> {
     /// Positions of the cloth of all gathered garments [m].
     pub(super) cloth: &'a [Vec3],
     /// Triangles of the garments sewn from shaped pieces, and where they are [m].
-    pub(super) dressed: &'a [(&'a [[u32; 3]], &'a [Vec3])],
+    pub(super) dressed: &'a [Inner<'a>],
     pub(super) air_velocity: Vec3,
 }
 
@@ -56,7 +57,7 @@ impl Adorned {
     pub(super) fn new(
         production: &Production,
         world_from_bind: &[Affine3A],
-        (cloth, dressed): (&[Vec3], &[(&[[u32; 3]], &[Vec3])]),
+        (cloth, dressed): (&[Vec3], &[Inner<'_>]),
     ) -> Result<Self, StageError> {
         let hanging = production.adornments.iter().map(|adornment| {
             let hung = adornment.strands.as_ref();
