@@ -51,7 +51,7 @@ const MISTAKES: &[(&str, &str, &str, &str)] = &[
         "skirt",
         "zzz = 1",
         ":4: [skirt] zzz: ",
-        "the keys of this table are hem_height_cm, ",
+        "the keys of this table are worn, hem_height_cm, ",
     ),
     (
         "skrit",
