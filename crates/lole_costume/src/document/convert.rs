@@ -106,13 +106,6 @@ impl Design {
             sewable.map_err(|error| (schema::LIST, together(&error)))?;
         }
         self.check_prints()?;
-        if !self.skirt.is_worn && self.garments.is_empty() {
-            let sentence = Sentence::new(
-                "スカートをはかないなら、着る服を [[garment]] に書いてください".to_owned(),
-                "without the skirt, list what is worn instead as a [[garment]]".to_owned(),
-            );
-            return Err(("skirt", Box::new(Problem::Together { sentence })));
-        }
         let danced = self.garments.iter().filter(|garment| garment.is_danced());
         let danced_count = danced.count();
         if MOST_LISTED < self.garments.len() {
