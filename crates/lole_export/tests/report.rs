@@ -164,6 +164,7 @@ fn the_page_needs_nothing_from_outside() {
 fn everything_is_said_in_both_languages() {
     let mut report = report();
     report.divergence = Some(Divergence::default());
+    report.skirt.is_worn = true;
     let page = report_html(&report, PageMedia::default());
     let (english, japanese) = (page.matches("lang=\"en\">"), page.matches("lang=\"ja\">"));
     // The page itself declares Japanese once more.
