@@ -2,7 +2,7 @@
 //! instruments. Their shapes are made from the template's options and the dancer's measures, low in
 //! triangles, and each vertex knows what carries it: bones, or a strand that moves.
 //!
-//! One file for each thing; [`KINDS`] is the table of contents.
+//! One file for each thing; `KINDS` is the table of contents.
 
 mod blade;
 mod body;
