@@ -7,9 +7,44 @@ use crate::polygon::{Polygon, SAME_POINT};
 /// A moving outline is taken this much smaller, so that it slides along what it touches.
 const SHRINK: f64 = 1.0e-6;
 
+/// Outlines that lie over each other by less than this touch [m].
+const TOUCHING: f64 = 5.0e-6;
+
 /// How far an outline can move along a unit direction before it meets one of the others, at most
 /// `limit` [m].
+///
+/// The smaller outline of a scooped piece may begin across a side that it touches and not see it: what
+/// would come to lie over another does not move.
 pub(super) fn free_way(moving: &Polygon, others: &[&Polygon], direction: Vec2, limit: f64) -> f64 {
+    let way = seen_way(moving, others, direction, limit);
+    let moved = moving.transformed(Affine::translate(direction * way));
+    if others.iter().any(|other| lie_over(&moved, other)) {
+        0.0
+    } else {
+        way
+    }
+}
+
+/// Whether sides of two outlines cross with all ends farther than [`TOUCHING`] from the other's line.
+fn lie_over(one: &Polygon, other: &Polygon) -> bool {
+    let (bounds, reach) = (one.bounds(), other.bounds());
+    if bounds.x1 < reach.x0 || reach.x1 < bounds.x0 || bounds.y1 < reach.y0 || reach.y1 < bounds.y0
+    {
+        return false;
+    }
+    let parts = |[a, b]: [Point; 2], ends: [Point; 2]| {
+        let heights = ends.map(|end| (b - a).cross(end - a) / a.distance(b));
+        heights[0] * heights[1] < 0.0 && heights.iter().all(|height| TOUCHING < height.abs())
+    };
+    one.sides().any(|first| {
+        other
+            .sides()
+            .any(|second| parts(first, second) && parts(second, first))
+    })
+}
+
+/// The way until the smaller outline meets a side that lies before it.
+fn seen_way(moving: &Polygon, others: &[&Polygon], direction: Vec2, limit: f64) -> f64 {
     let center = moving.bounds().center().to_vec2();
     let smaller =
         Affine::translate(center) * Affine::scale(1.0 - SHRINK) * Affine::translate(-center);
