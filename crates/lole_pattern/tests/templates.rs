@@ -439,6 +439,20 @@ fn a_wrong_option_is_named_with_its_range() {
     }
 }
 
+/// On a small body a low neckline reaches the yoke's line; the largest that is named can be cut.
+#[test]
+fn a_neckline_below_the_yoke_is_refused_with_one_that_fits() {
+    let measures = of_row(&BODIES[0].1);
+    let error = draft("muumuu", &measures, &[("neck_lower_cm", 9.9)]).err();
+    let Some(DraftError::Option { key, max, .. }) = error else {
+        panic!("{error:?}");
+    };
+    assert_eq!(key, "neck_lower_cm");
+    let pattern = draft("muumuu", &measures, &[("neck_lower_cm", max)]);
+    let pattern = pattern.unwrap_or_else(|error| panic!("{max}: {error}"));
+    assert!(check(&pattern).is_ok());
+}
+
 /// A cap is as long as the armhole, times what was asked.
 #[test]
 fn the_cap_of_a_sleeve_is_as_full_as_was_asked() {

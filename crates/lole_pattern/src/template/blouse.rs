@@ -60,7 +60,7 @@ const OPTIONS: &[OptionRow] = &[
         words("ウエストから裾まで", "from the waist to the hem"),
     ),
     number("neck_wider_cm", [0.0, 8.0], 2.5, NECK_WIDER),
-    number("neck_lower_cm", [0.0, 14.0], 5.0, NECK_LOWER),
+    number(NECK_LOWER_KEY, [0.0, 14.0], 5.0, NECK_LOWER),
     by_measure(
         "sleeve_length_cm",
         [8.0, 45.0],
@@ -90,6 +90,8 @@ pub(super) const NECK_WIDER: lole_language::Words = words(
     "衿ぐりを首の横から肩の方へ広げる分",
     "neckline from the side of the neck along the shoulder",
 );
+/// Key of the option that lowers the neckline in front.
+pub(super) const NECK_LOWER_KEY: &str = "neck_lower_cm";
 pub(super) const NECK_LOWER: lole_language::Words = words(
     "前の衿ぐりを下げる分",
     "front neckline below the pit of the neck",
@@ -119,7 +121,7 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
         &Fit {
             bust_ease: chosen.m("bust_ease_cm"),
             neck_widened: chosen.m("neck_wider_cm"),
-            neck_dropped: [chosen.m("neck_lower_cm"), 0.25 * chosen.m("neck_lower_cm")],
+            neck_dropped: [chosen.m(NECK_LOWER_KEY), 0.25 * chosen.m(NECK_LOWER_KEY)],
             armhole_dropped: 0.0,
         },
     )?;

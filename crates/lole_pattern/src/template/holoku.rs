@@ -10,7 +10,9 @@ use lole_geom::Length;
 use lole_language::words;
 
 use super::block::{Block, Fit, NO_REMEDY, unfit};
-use super::blouse::{ARMHOLE_NOTCH, BUST_EASE, NECK_LOWER, NECK_WIDER, PUFF, flat_front, zip_step};
+use super::blouse::{
+    ARMHOLE_NOTCH, BUST_EASE, NECK_LOWER, NECK_LOWER_KEY, NECK_WIDER, PUFF, flat_front, zip_step,
+};
 use super::chosen::{Chosen, by_measure, choice, number};
 use super::fitted::{
     FITTED_SEAM, SEAM, SideLine, binding, binding_seams, binding_step, closing_step, cutting_step,
@@ -85,7 +87,7 @@ const OPTIONS: &[OptionRow] = &[
         ),
     ),
     number("neck_wider_cm", [0.0, 6.0], 1.5, NECK_WIDER),
-    number("neck_lower_cm", [0.0, 8.0], 2.0, NECK_LOWER),
+    number(NECK_LOWER_KEY, [0.0, 8.0], 2.0, NECK_LOWER),
     choice("sleeve", SLEEVES, words("袖の形", "shape of the sleeves")),
     number("puff_ratio", [1.1, 1.8], 1.25, PUFF),
     number(
@@ -127,7 +129,7 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
         Measure::HipHeight,
         Measure::WristGirth,
     ])?;
-    let lower = chosen.m("neck_lower_cm");
+    let lower = chosen.m(NECK_LOWER_KEY);
     let block = Block::new(
         measures,
         &Fit {
@@ -139,7 +141,7 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
     )?;
     let sleeve = sleeve(measures, &block, &chosen)?;
     let body = Body::new(measures, &block, &chosen)?;
-    let yokes = [Yoked::new(&block.front), Yoked::new(&block.back)];
+    let yokes = Yoked::both(&block, &chosen)?;
     let front_side = SideLine::with_dart(&body.side(body.front), &block, DART_BELOW);
     let back_side = SideLine::plain(body.side(body.back));
     let front_label = Label::main(

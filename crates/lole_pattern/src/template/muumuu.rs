@@ -9,7 +9,8 @@ use lole_language::words;
 
 use super::block::{Block, Fit};
 use super::blouse::{
-    ARM_EASE, BUST_EASE, NECK_LOWER, NECK_WIDER, PUFF, SLEEVE_CASING, flat_front, sleeve_steps,
+    ARM_EASE, BUST_EASE, NECK_LOWER, NECK_LOWER_KEY, NECK_WIDER, PUFF, SLEEVE_CASING, flat_front,
+    sleeve_steps,
 };
 use super::chosen::{Chosen, choice, number};
 use super::fitted::{
@@ -69,7 +70,7 @@ const OPTIONS: &[OptionRow] = &[
         words("脇の裾の広がり", "how far each side goes out to the hem"),
     ),
     number("neck_wider_cm", [0.0, 8.0], 2.5, NECK_WIDER),
-    number("neck_lower_cm", [0.0, 10.0], 3.0, NECK_LOWER),
+    number(NECK_LOWER_KEY, [0.0, 10.0], 3.0, NECK_LOWER),
     choice("sleeve", SLEEVES, words("袖の形", "shape of the sleeves")),
     number("puff_ratio", [1.1, 2.2], 1.4, PUFF),
     number(
@@ -114,7 +115,7 @@ const RUFFLE: usize = 6;
 fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> {
     let chosen = Chosen::new(OPTIONS, options)?;
     measures.check(&[Measure::HeadGirth, Measure::UpperArmLength])?;
-    let lower = chosen.m("neck_lower_cm");
+    let lower = chosen.m(NECK_LOWER_KEY);
     let block = Block::new(
         measures,
         &Fit {
@@ -125,7 +126,7 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
         },
     )?;
     let sleeve = sleeve(measures, &block, &chosen)?;
-    let yokes = [Yoked::new(&block.front), Yoked::new(&block.back)];
+    let yokes = Yoked::both(&block, &chosen)?;
     let skirt = Skirt::new(measures, &block, &chosen)?;
     let neckline = block.neckline_length();
     let slit = 0.5 * (measures.head_girth.to_m() + OVER_HEAD - neckline).max(0.0);

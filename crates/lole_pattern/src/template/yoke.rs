@@ -3,8 +3,11 @@
 use kurbo::{Affine, ParamCurve as _, PathSeg, Point};
 
 use super::block::{Block, Half};
+use super::blouse::{NECK_LOWER, NECK_LOWER_KEY};
+use super::chosen::Chosen;
 use super::fitted::{SEAM, center_edge};
-use super::shape::{Label, at, edge, length, line};
+use super::shape::{CM, Label, at, edge, length, line};
+use crate::error::DraftError;
 use crate::piece::{Edge, Finish, Piece};
 
 /// A half cut along a level line.
@@ -20,12 +23,36 @@ pub(super) struct Yoked {
     pub(super) end: Point,
 }
 
+/// How far below the neckline's middle a yoke ends, where the armhole has room for it [m].
+const BELOW_NECK: f64 = 3.0 * CM;
 /// How far below the neckline's middle a yoke ends, at least [m].
-const BELOW_NECK: f64 = 3.0 * super::shape::CM;
+const LEAST_BELOW_NECK: f64 = 1.5 * CM;
 
 impl Yoked {
+    /// Cuts the front and the back.
+    ///
+    /// # Errors
+    ///
+    /// [`DraftError::Option`] for `neck_lower_cm` where the neckline reaches the yoke's line.
+    pub(super) fn both(block: &Block, chosen: &Chosen<'_>) -> Result<[Self; 2], DraftError> {
+        let yokes = [Self::new(&block.front), Self::new(&block.back)];
+        let room = block.front.center.y - yokes[0].level - LEAST_BELOW_NECK;
+        if room < 0.0 {
+            let value = chosen.number(NECK_LOWER_KEY);
+            return Err(DraftError::Option {
+                key: NECK_LOWER_KEY,
+                about: NECK_LOWER,
+                value,
+                min: 0.0,
+                // To a whole millimetre that certainly fits.
+                max: ((10.0 * (value + room / CM)).floor() / 10.0).max(0.0),
+            });
+        }
+        Ok(yokes)
+    }
+
     /// Cuts a half at the level where its armhole runs upright, or lower where the neckline asks for it.
-    pub(super) fn new(half: &Half) -> Self {
+    fn new(half: &Half) -> Self {
         let level = half.narrowest.y.min(half.center.y - BELOW_NECK);
         let underarm = half.underarm.y;
         let level = level.max(underarm + 0.06 * (half.shoulder[0].y - underarm));
