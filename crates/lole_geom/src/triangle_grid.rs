@@ -27,6 +27,42 @@ pub struct TriangleGrid<'a> {
     starts: Vec<u32>,
     /// Triangle indices, ascending within a cell.
     members: Vec<u32>,
+    /// Box of each triangle [m]: most queries end here.
+    boxes: Vec<Bounds>,
+}
+
+/// A box [m]; what is not finite has none that anything is near.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Bounds {
+    low: Vec3,
+    high: Vec3,
+}
+
+/// Distances are compared after rounding, so a box is left out only if it is this much farther away.
+const ROUNDING: f32 = 1.0 - 1.0e-5;
+
+impl Bounds {
+    /// Around points.
+    fn around<const N: usize>(points: [Vec3; N]) -> Self {
+        let start = Self {
+            low: Vec3::INFINITY,
+            high: Vec3::NEG_INFINITY,
+        };
+        points.into_iter().fold(start, |all, point| Self {
+            low: all.low.min(point),
+            high: all.high.max(point),
+        })
+    }
+
+    /// Whether it certainly lies farther than `limit` [m] from a point.
+    fn is_beyond(&self, point: Vec3, limit: f32) -> bool {
+        let gap = (self.low - point).max(point - self.high).max(Vec3::ZERO);
+        limit * limit < gap.length_squared() * ROUNDING
+    }
+
+    fn meets(&self, other: &Self) -> bool {
+        self.low.cmple(other.high).all() && other.low.cmple(self.high).all()
+    }
 }
 
 /// Point of a mesh that lies nearest to a query point.
@@ -76,6 +112,9 @@ impl<'a> TriangleGrid<'a> {
             cell_counts,
             starts: vec![0; cell_count + 1],
             members: Vec::new(),
+            boxes: (triangles.iter())
+                .map(|triangle| Bounds::around(triangle.map(|corner| positions[corner as usize])))
+                .collect(),
         };
         grid.sort_triangles();
         grid
@@ -98,12 +137,13 @@ impl<'a> TriangleGrid<'a> {
     }
 
     fn for_each_membership(&self, mut visit: impl FnMut(usize, u32)) {
-        for (triangle, index) in self.triangles.iter().zip(0_u32..) {
+        let boxes = self.triangles.iter().zip(&self.boxes);
+        for ((triangle, bounds), index) in boxes.zip(0_u32..) {
             let [a, b, c] = triangle.map(|corner| self.positions[corner as usize]);
             if !(a.is_finite() && b.is_finite() && c.is_finite()) {
                 continue;
             }
-            self.for_each_cell(a.min(b).min(c), a.max(b).max(c), |cell| visit(cell, index));
+            self.for_each_cell(bounds.low, bounds.high, |cell| visit(cell, index));
         }
     }
 
@@ -150,6 +190,9 @@ impl<'a> TriangleGrid<'a> {
         let reach = Vec3::splat(reach);
         self.for_each_cell(point - reach, point + reach, |cell| {
             for &triangle in self.members_of(cell) {
+                if self.boxes[triangle as usize].is_beyond(point, limit) {
+                    continue;
+                }
                 let corners =
                     self.triangles[triangle as usize].map(|corner| self.positions[corner as usize]);
                 let barycentric = nearest_barycentric(point, corners);
@@ -175,8 +218,12 @@ impl<'a> TriangleGrid<'a> {
     /// Writes over `crossed` the triangles that the segment `start → end` crosses, ascending.
     pub fn crossed_by(&self, start: Vec3, end: Vec3, crossed: &mut Vec<u32>) {
         crossed.clear();
-        self.for_each_cell(start.min(end), start.max(end), |cell| {
+        let segment = Bounds::around([start, end]);
+        self.for_each_cell(segment.low, segment.high, |cell| {
             for &triangle in self.members_of(cell) {
+                if !self.boxes[triangle as usize].meets(&segment) {
+                    continue;
+                }
                 let corners =
                     self.triangles[triangle as usize].map(|corner| self.positions[corner as usize]);
                 if segment_crossing(start, end, corners).is_some() {
@@ -192,8 +239,12 @@ impl<'a> TriangleGrid<'a> {
     #[must_use]
     pub fn first_crossing(&self, start: Vec3, end: Vec3) -> Option<f32> {
         let mut first: Option<f32> = None;
-        self.for_each_cell(start.min(end), start.max(end), |cell| {
+        let segment = Bounds::around([start, end]);
+        self.for_each_cell(segment.low, segment.high, |cell| {
             for &triangle in self.members_of(cell) {
+                if !self.boxes[triangle as usize].meets(&segment) {
+                    continue;
+                }
                 let corners =
                     self.triangles[triangle as usize].map(|corner| self.positions[corner as usize]);
                 if let Some(t) = segment_crossing(start, end, corners)
