@@ -5,7 +5,7 @@ use glam::Vec3;
 use lole_body::Bone;
 use lole_costume::print::PrintImage;
 use lole_geom::trig;
-use lole_picture::{Draped, DressedLook, Figure, Looks};
+use lole_picture::{DressedLook, Looks, Moment};
 use lole_render::{Bounds, Camera, Image, LightRig, Renderer, Size, View};
 use lole_stage::Performance;
 
@@ -78,42 +78,10 @@ impl Studio {
         renderer: &mut Renderer,
     ) -> Result<Image> {
         let production = performance.production();
-        let vertices: Vec<[Vec<Vec3>; 2]> = (production.garments.iter())
-            .map(|garment| {
-                let mut vertices = [Vec::new(), Vec::new()];
-                let [positions, normals] = &mut vertices;
-                let mesh = &garment.mesh;
-                mesh.spread(performance.garment_positions(garment), positions);
-                mesh.spread(&performance.garment_normals(garment), normals);
-                vertices
-            })
-            .collect();
-        let cloths: Vec<Draped<'_>> = (vertices.iter())
-            .map(|[positions, normals]| Draped {
-                positions,
-                normals,
-                colors: &[],
-            })
-            .collect();
-        let dressed: Vec<[Vec<Vec3>; 2]> = (0..production.dressed.len())
-            .map(|place| performance.dressed_vertices(place))
-            .collect();
-        let dressed: Vec<Draped<'_>> = (dressed.iter())
-            .map(|[positions, normals]| Draped {
-                positions,
-                normals,
-                colors: &[],
-            })
-            .collect();
-        let adornments = performance.posed_adornments();
-        let figure = Figure {
-            cloths: &cloths,
-            dressed: &dressed,
-            adornments: &adornments,
-            body_positions: performance.body_positions(),
-            body_normals: performance.body_normals(),
-        };
-        let scene = self.looks.scene(production, &figure, camera, lights);
+        let moment = Moment::of(performance);
+        let scene = self
+            .looks
+            .scene(production, &moment.figure(), camera, lights);
         Ok(renderer.render(&scene)?)
     }
 }

@@ -107,6 +107,85 @@ impl Bone {
         ],
     ];
 
+    /// Clavicle, upper arm, forearm and hand: the left arm, then the right.
+    pub const ARMS: [[Self; 4]; 2] = [
+        [
+            Self::LeftShoulder,
+            Self::LeftUpperArm,
+            Self::LeftLowerArm,
+            Self::LeftHand,
+        ],
+        [
+            Self::RightShoulder,
+            Self::RightUpperArm,
+            Self::RightLowerArm,
+            Self::RightHand,
+        ],
+    ];
+
+    /// Proximal, intermediate and distal bones of the four fingers, index to little: the left
+    /// hand, then the right.
+    pub const FINGERS: [[[Self; 3]; 4]; 2] = [
+        [
+            [
+                Self::LeftIndexProximal,
+                Self::LeftIndexIntermediate,
+                Self::LeftIndexDistal,
+            ],
+            [
+                Self::LeftMiddleProximal,
+                Self::LeftMiddleIntermediate,
+                Self::LeftMiddleDistal,
+            ],
+            [
+                Self::LeftRingProximal,
+                Self::LeftRingIntermediate,
+                Self::LeftRingDistal,
+            ],
+            [
+                Self::LeftLittleProximal,
+                Self::LeftLittleIntermediate,
+                Self::LeftLittleDistal,
+            ],
+        ],
+        [
+            [
+                Self::RightIndexProximal,
+                Self::RightIndexIntermediate,
+                Self::RightIndexDistal,
+            ],
+            [
+                Self::RightMiddleProximal,
+                Self::RightMiddleIntermediate,
+                Self::RightMiddleDistal,
+            ],
+            [
+                Self::RightRingProximal,
+                Self::RightRingIntermediate,
+                Self::RightRingDistal,
+            ],
+            [
+                Self::RightLittleProximal,
+                Self::RightLittleIntermediate,
+                Self::RightLittleDistal,
+            ],
+        ],
+    ];
+
+    /// Metacarpal, proximal and distal bones of the thumbs: the left, then the right.
+    pub const THUMBS: [[Self; 3]; 2] = [
+        [
+            Self::LeftThumbMetacarpal,
+            Self::LeftThumbProximal,
+            Self::LeftThumbDistal,
+        ],
+        [
+            Self::RightThumbMetacarpal,
+            Self::RightThumbProximal,
+            Self::RightThumbDistal,
+        ],
+    ];
+
     /// Position in [`Bone::ALL`] and in every column indexed by bone.
     #[must_use]
     pub const fn index(self) -> usize {

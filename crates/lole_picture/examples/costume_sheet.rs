@@ -8,7 +8,7 @@ use std::io::Write;
 
 use glam::Vec3;
 use lole_costume::document;
-use lole_picture::{Draped, Figure, Looks};
+use lole_picture::{Looks, Moment};
 use lole_render::{Backend, Camera, LightRig, Renderer, Size, View};
 use lole_stage::{FRAME_SECONDS, Performance, Production};
 
@@ -86,44 +86,7 @@ fn shoot(
     renderer: &mut Renderer,
 ) -> Result<Vec<u8>, Box<dyn Error>> {
     let production = performance.production();
-    let vertices: Vec<[Vec<Vec3>; 2]> = (production.garments.iter())
-        .map(|garment| {
-            let mut vertices = [Vec::new(), Vec::new()];
-            let [positions, normals] = &mut vertices;
-            garment
-                .mesh
-                .spread(performance.garment_positions(garment), positions);
-            garment
-                .mesh
-                .spread(&performance.garment_normals(garment), normals);
-            vertices
-        })
-        .collect();
-    let cloths: Vec<Draped<'_>> = (vertices.iter())
-        .map(|[positions, normals]| Draped {
-            positions,
-            normals,
-            colors: &[],
-        })
-        .collect();
-    let dressed: Vec<_> = (0..production.dressed.len())
-        .map(|place| performance.dressed_vertices(place))
-        .collect();
-    let dressed: Vec<Draped<'_>> = (dressed.iter())
-        .map(|[positions, normals]| Draped {
-            positions,
-            normals,
-            colors: &[],
-        })
-        .collect();
-    let adornments = performance.posed_adornments();
-    let figure = Figure {
-        cloths: &cloths,
-        dressed: &dressed,
-        adornments: &adornments,
-        body_positions: performance.body_positions(),
-        body_normals: performance.body_normals(),
-    };
+    let moment = Moment::of(performance);
     let crown = production.dancer.landmarks.crown_height;
     let [low, high] = match part {
         "upper" => [0.52, 1.0],
@@ -137,6 +100,6 @@ fn shoot(
         .collect();
     let camera = Camera::framing_points(&framed, view, 480.0 / 640.0);
     let lights = LightRig::seen_from(&camera);
-    let scene = looks.scene(production, &figure, camera, lights);
+    let scene = looks.scene(production, &moment.figure(), camera, lights);
     Ok(renderer.render(&scene)?.pixels)
 }

@@ -20,7 +20,7 @@ use lole_body::Figure;
 use lole_costume::document::schema::kind_ids;
 use lole_costume::document::{DancerDesign, Design, GarmentDesign, GarmentLayer, parse};
 use lole_costume::dress;
-use lole_picture::{Draped, Figure as Shown, Looks};
+use lole_picture::{Figure as Shown, Looks};
 use lole_render::{Backend, Camera, LightRig, Renderer, Size, View};
 use lole_stage::{Performance, Production};
 
@@ -206,14 +206,13 @@ fn shoot(asked: &Asked, performance: &Performance) -> Result<Vec<u8>, Box<dyn Er
     let dressed: Vec<[Vec<Vec3>; 2]> = (0..production.dressed.len())
         .map(|place| performance.dressed_vertices(place))
         .collect();
-    let (cloths, dresses) = (drapes(&grids), drapes(&dressed));
     let adornments = performance.posed_adornments();
     let shown = Shown {
-        cloths: &cloths,
-        dressed: &dresses,
+        cloths: &grids,
+        cloth_colors: &[],
+        dressed: &dressed,
         adornments: &adornments,
-        body_positions: performance.body_positions(),
-        body_normals: performance.body_normals(),
+        body: [performance.body_positions(), performance.body_normals()],
     };
     let points: Vec<Vec3> = if asked.is_close {
         dressed
@@ -239,16 +238,6 @@ fn shoot(asked: &Asked, performance: &Performance) -> Result<Vec<u8>, Box<dyn Er
         }
     }
     Ok(row)
-}
-
-/// Vertices as they are drawn.
-fn drapes(vertices: &[[Vec<Vec3>; 2]]) -> Vec<Draped<'_>> {
-    let draped = vertices.iter().map(|[positions, normals]| Draped {
-        positions,
-        normals,
-        colors: &[],
-    });
-    draped.collect()
 }
 
 fn write_sheet(file: &std::path::Path, rows: &[Vec<u8>]) -> Result<(), Box<dyn Error>> {

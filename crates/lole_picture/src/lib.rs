@@ -3,9 +3,11 @@
 //!
 //! It opens nothing and draws nothing: [`lole_render`] does.
 
+mod moment;
+
 use std::sync::Arc;
 
-use glam::{Vec2, Vec3};
+use glam::Vec2;
 use lole_body::{Appearance, BodyPicture, Dancer, Look, PartKind, appearance};
 use lole_costume::adorn::{Adornment, Finish};
 use lole_costume::document::Design;
@@ -14,6 +16,7 @@ use lole_costume::print::PrintImage;
 use lole_render::srgb::linear_from_srgb;
 use lole_render::{Camera, LightRig, Material, RenderError, Scene, SceneMesh, Sides, Texture};
 use lole_stage::{DressedGarment, Production};
+pub use moment::{Figure, Moment, Vertices};
 
 /// Pixels of one print repeat: a repeat of 45 cm shows every petal from two meters.
 const PRINT_SIDE: u32 = 1024;
@@ -53,34 +56,6 @@ pub enum LookError {
     /// A picture cannot be a texture.
     #[error(transparent)]
     Render(#[from] RenderError),
-}
-
-/// A garment in one moment, as it is drawn.
-#[derive(Debug, Clone, Copy)]
-pub struct Draped<'a> {
-    /// Vertices [m], the seam's column twice (see
-    /// [`SkirtMesh::spread`](lole_costume::sew::SkirtMesh::spread)).
-    pub positions: &'a [Vec3],
-    /// Their outward normals.
-    pub normals: &'a [Vec3],
-    /// Linear color factors of the vertices; may be empty.
-    pub colors: &'a [Vec3],
-}
-
-/// Dancer and garments in one moment, as they are drawn.
-#[derive(Debug, Clone, Copy)]
-pub struct Figure<'a> {
-    /// The garments, in the production's order.
-    pub cloths: &'a [Draped<'a>],
-    /// The dressed garments, in the production's order.
-    pub dressed: &'a [Draped<'a>],
-    /// Vertices [m] and normals of the surfaces of the adornments, one after the other in the production's
-    /// order.
-    pub adornments: &'a [[Vec<Vec3>; 2]],
-    /// Posed vertices of the body [m].
-    pub body_positions: &'a [Vec3],
-    /// Their normals.
-    pub body_normals: &'a [Vec3],
 }
 
 impl Looks {
@@ -126,34 +101,35 @@ impl Looks {
             lights,
             ..Scene::studio(camera)
         };
-        let worn = production.garments.iter().zip(figure.cloths);
+        let worn = production.garments.iter().zip(figure.cloths).enumerate();
         let looks = self.cloths.iter().zip(&self.print_uvs);
-        for ((garment, draped), (material, uvs)) in worn.zip(looks) {
+        for ((place, (garment, [positions, normals])), (material, uvs)) in worn.zip(looks) {
             scene.meshes.push(SceneMesh {
-                positions: draped.positions,
-                normals: draped.normals,
+                positions,
+                normals,
                 uvs,
-                colors: draped.colors,
+                colors: figure.cloth_colors.get(place).map_or(&[], Vec::as_slice),
                 triangles: &garment.mesh.triangles,
                 material,
             });
         }
         let dressed = production.dressed.iter().zip(figure.dressed);
-        for ((garment, draped), look) in dressed.zip(&self.dressed) {
+        for ((garment, [positions, normals]), look) in dressed.zip(&self.dressed) {
             scene.meshes.push(SceneMesh {
-                positions: draped.positions,
-                normals: draped.normals,
+                positions,
+                normals,
                 uvs: &look.uvs,
-                colors: draped.colors,
+                colors: &[],
                 triangles: &garment.dressed.triangles,
                 material: &look.cloth,
             });
         }
         let skin = &production.dancer.skin;
+        let [positions, normals] = figure.body;
         for (part, (_, material)) in skin.parts.iter().zip(&self.parts) {
             scene.meshes.push(SceneMesh {
-                positions: figure.body_positions,
-                normals: figure.body_normals,
+                positions,
+                normals,
                 uvs: &skin.uvs,
                 colors: &[],
                 triangles: &part.triangles,

@@ -6,7 +6,6 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
-use lole_picture::Figure;
 use lole_render::{AmbientLight, Camera, LightRig};
 
 use crate::Snapshot;
@@ -91,17 +90,13 @@ fn work(jobs: &Receiver<Job>, results: &Mutex<Option<(u64, AmbientLight)>>, free
     {
         let clock = Clock::start();
         let wardrobe = &snapshot.wardrobe;
-        let cloths = snapshot.draped(&[]);
-        let dressed = snapshot.draped_dresses();
-        let figure = Figure {
-            cloths: &cloths,
-            dressed: &dressed,
-            adornments: &snapshot.adornments,
-            body_positions: &snapshot.body[0],
-            body_normals: &snapshot.body[1],
-        };
         let lights = LightRig::seen_from(&camera);
-        let mut scene = (wardrobe.looks).scene(&wardrobe.production, &figure, camera, lights);
+        let mut scene = (wardrobe.looks).scene(
+            &wardrobe.production,
+            &snapshot.moment.figure(),
+            camera,
+            lights,
+        );
         if is_coarse {
             for (cloth, triangles) in scene.meshes.iter_mut().zip(&wardrobe.coarse_triangles) {
                 cloth.triangles = triangles;

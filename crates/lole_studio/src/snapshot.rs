@@ -7,7 +7,7 @@ use glam::Vec3;
 use lole_body::Taped;
 use lole_cloth::Grid;
 use lole_geom::Capsule;
-use lole_picture::{Draped, Looks};
+use lole_picture::{Looks, Moment};
 use lole_stage::{Divergence, Production};
 
 use crate::history::Sample;
@@ -73,14 +73,8 @@ pub struct Snapshot {
     pub time: f32,
     /// Particles of the cloth [m], row-major, of one garment after the other.
     pub particles: Vec<Vec3>,
-    /// The garments as they are drawn: positions and normals, the seam's column twice.
-    pub cloths: Vec<[Vec<Vec3>; 2]>,
-    /// The dressed garments as they are drawn: positions and normals.
-    pub dressed: Vec<[Vec<Vec3>; 2]>,
-    /// The surfaces of the adornments as they are drawn: positions and normals.
-    pub adornments: Vec<[Vec<Vec3>; 2]>,
-    /// The body as it is drawn: positions and normals.
-    pub body: [Vec<Vec3>; 2],
+    /// Everything as it is drawn.
+    pub moment: Moment,
     /// What the cloth meets.
     pub capsules: Vec<Capsule>,
     /// Ends of each bone [m].
@@ -101,27 +95,4 @@ pub struct Snapshot {
     pub substep_count: u32,
     /// Where and when the cloth flew apart.
     pub stopped: Option<Divergence>,
-}
-
-impl Snapshot {
-    /// The dressed garments for the picture.
-    pub(crate) fn draped_dresses(&self) -> Vec<Draped<'_>> {
-        (self.dressed.iter())
-            .map(|[positions, normals]| Draped {
-                positions,
-                normals,
-                colors: &[],
-            })
-            .collect()
-    }
-
-    /// The garments for the picture, with the colors of their vertices where there are any.
-    pub(crate) fn draped<'a>(&'a self, colors: &'a [Vec<Vec3>]) -> Vec<Draped<'a>> {
-        let draped = |(garment, [positions, normals]): (usize, &'a [Vec<Vec3>; 2])| Draped {
-            positions,
-            normals,
-            colors: colors.get(garment).map_or(&[], Vec::as_slice),
-        };
-        self.cloths.iter().enumerate().map(draped).collect()
-    }
 }

@@ -340,14 +340,9 @@ impl Viewport {
             through: &strokes.through,
         };
         let colors = cloth_colors(snapshot, studio.shows);
-        let cloths = snapshot.draped(&colors);
-        let dressed = snapshot.draped_dresses();
         let figure = Figure {
-            cloths: &cloths,
-            dressed: &dressed,
-            adornments: &snapshot.adornments,
-            body_positions: &snapshot.body[0],
-            body_normals: &snapshot.body[1],
+            cloth_colors: &colors,
+            ..snapshot.moment.figure()
         };
         let wardrobe = &snapshot.wardrobe;
         let camera = orbit.camera();
@@ -460,7 +455,7 @@ fn stage_of(snapshot: &Snapshot) -> Bounds {
 fn cloth_colors(snapshot: &Snapshot, shows: Shows) -> Vec<Vec<Vec3>> {
     let garments = snapshot.wardrobe.production.garments.iter();
     let colors = garments
-        .zip(&snapshot.cloths)
+        .zip(&snapshot.moment.cloths)
         .map(|(garment, [positions, _])| {
             let mut colors = Vec::new();
             if shows.springs {

@@ -35,83 +35,6 @@ const GATHERED: f32 = 0.85;
 /// Part of the bind pose's opening of the thumb that each of its bones takes away.
 const THUMB_CLOSED: [f32; 3] = [0.25, 0.2, 0.1];
 
-/// Bones of one arm: clavicle, upper arm, forearm, hand.
-const ARMS: [[Bone; 4]; 2] = [
-    [
-        Bone::LeftShoulder,
-        Bone::LeftUpperArm,
-        Bone::LeftLowerArm,
-        Bone::LeftHand,
-    ],
-    [
-        Bone::RightShoulder,
-        Bone::RightUpperArm,
-        Bone::RightLowerArm,
-        Bone::RightHand,
-    ],
-];
-/// Joints of the four fingers of one hand, index to little; each with its three bones.
-const FINGERS: [[[Bone; 3]; 4]; 2] = [
-    [
-        [
-            Bone::LeftIndexProximal,
-            Bone::LeftIndexIntermediate,
-            Bone::LeftIndexDistal,
-        ],
-        [
-            Bone::LeftMiddleProximal,
-            Bone::LeftMiddleIntermediate,
-            Bone::LeftMiddleDistal,
-        ],
-        [
-            Bone::LeftRingProximal,
-            Bone::LeftRingIntermediate,
-            Bone::LeftRingDistal,
-        ],
-        [
-            Bone::LeftLittleProximal,
-            Bone::LeftLittleIntermediate,
-            Bone::LeftLittleDistal,
-        ],
-    ],
-    [
-        [
-            Bone::RightIndexProximal,
-            Bone::RightIndexIntermediate,
-            Bone::RightIndexDistal,
-        ],
-        [
-            Bone::RightMiddleProximal,
-            Bone::RightMiddleIntermediate,
-            Bone::RightMiddleDistal,
-        ],
-        [
-            Bone::RightRingProximal,
-            Bone::RightRingIntermediate,
-            Bone::RightRingDistal,
-        ],
-        [
-            Bone::RightLittleProximal,
-            Bone::RightLittleIntermediate,
-            Bone::RightLittleDistal,
-        ],
-    ],
-];
-
-/// Bones of the thumbs.
-const THUMBS: [[Bone; 3]; 2] = [
-    [
-        Bone::LeftThumbMetacarpal,
-        Bone::LeftThumbProximal,
-        Bone::LeftThumbDistal,
-    ],
-    [
-        Bone::RightThumbMetacarpal,
-        Bone::RightThumbProximal,
-        Bone::RightThumbDistal,
-    ],
-];
-
 /// Position of a side in `[left, right]` tables; `side` is +1 left, −1 right.
 fn index_of(side: f32) -> usize {
     usize::from(side < 0.0)
@@ -247,8 +170,8 @@ pub(super) struct ArmRig {
 impl ArmRig {
     pub(super) fn new(skeleton: &Skeleton, side: f32) -> Result<Self, MotionError> {
         let i = index_of(side);
-        let [clavicle, upper, lower, hand] = ARMS[i];
-        let [index, middle, _, little] = FINGERS[i].map(|finger| finger[0]);
+        let [clavicle, upper, lower, hand] = Bone::ARMS[i];
+        let [index, middle, _, little] = Bone::FINGERS[i].map(|finger| finger[0]);
         direction(skeleton, clavicle, upper)?;
         let upper_direction = direction(skeleton, upper, lower)?;
         let fore = direction(skeleton, lower, hand)?;
@@ -263,12 +186,13 @@ impl ArmRig {
             fore,
             hand: frame(along, palm),
             thumb: {
-                let [root, _, end] = THUMBS[i].map(|bone| skeleton.joint(bone));
+                let [root, _, end] = Bone::THUMBS[i].map(|bone| skeleton.joint(bone));
                 let thumb = (end - root).normalize_or_zero();
                 let axis = thumb.cross(along).normalize_or_zero();
                 (axis, trig::acos(thumb.dot(along)))
             },
-            fingers: FINGERS[i].map(|finger| FingerRig::new(skeleton, finger, frame(along, palm))),
+            fingers: Bone::FINGERS[i]
+                .map(|finger| FingerRig::new(skeleton, finger, frame(along, palm))),
             azimuth: trig::atan2(upper_direction.z, upper_direction.x * side).to_degrees(),
             elevation: trig::atan2(upper_direction.y, horizontal).to_degrees(),
             waist: WaistRig::new(skeleton, side),
@@ -309,7 +233,7 @@ impl ArmRig {
     pub(super) fn solve(&self, arm: &Arm, pose: &mut Pose) {
         let arm = &self.reached(arm, pose);
         let i = index_of(self.side);
-        let [clavicle_bone, upper_bone, lower_bone, hand_bone] = ARMS[i];
+        let [clavicle_bone, upper_bone, lower_bone, hand_bone] = Bone::ARMS[i];
         let clavicle = self.turn_clavicle(arm);
 
         let upper_direction = self.direction(arm.azimuth, arm.elevation);
@@ -352,10 +276,13 @@ impl ArmRig {
 
     fn curl_fingers(&self, degrees: f32, pose: &mut Pose) {
         let (axis, open) = self.thumb;
-        for (bone, share) in THUMBS[index_of(self.side)].into_iter().zip(THUMB_CLOSED) {
+        for (bone, share) in Bone::THUMBS[index_of(self.side)]
+            .into_iter()
+            .zip(THUMB_CLOSED)
+        {
             pose.rotate(bone, quat_about(axis, share * open));
         }
-        for (finger, bones) in self.fingers.iter().zip(FINGERS[index_of(self.side)]) {
+        for (finger, bones) in self.fingers.iter().zip(Bone::FINGERS[index_of(self.side)]) {
             for (i, bone) in bones.into_iter().enumerate() {
                 let wanted = RELAXED_FINGER[i] + WAVE_OF_JOINTS[i] * degrees;
                 let curl = quat_about(finger.curl, wanted.to_radians() - finger.bent[i]);

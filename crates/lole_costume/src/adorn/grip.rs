@@ -30,78 +30,19 @@ struct Arm {
     sign: f32,
 }
 
-const LEFT: Arm = Arm {
-    upper: Bone::LeftUpperArm,
-    lower: Bone::LeftLowerArm,
-    hand: Bone::LeftHand,
-    thumb: [
-        Bone::LeftThumbMetacarpal,
-        Bone::LeftThumbProximal,
-        Bone::LeftThumbDistal,
-    ],
-    fingers: [
-        [
-            Bone::LeftIndexProximal,
-            Bone::LeftIndexIntermediate,
-            Bone::LeftIndexDistal,
-        ],
-        [
-            Bone::LeftMiddleProximal,
-            Bone::LeftMiddleIntermediate,
-            Bone::LeftMiddleDistal,
-        ],
-        [
-            Bone::LeftRingProximal,
-            Bone::LeftRingIntermediate,
-            Bone::LeftRingDistal,
-        ],
-        [
-            Bone::LeftLittleProximal,
-            Bone::LeftLittleIntermediate,
-            Bone::LeftLittleDistal,
-        ],
-    ],
-    sign: 1.0,
-};
-
-const RIGHT: Arm = Arm {
-    upper: Bone::RightUpperArm,
-    lower: Bone::RightLowerArm,
-    hand: Bone::RightHand,
-    thumb: [
-        Bone::RightThumbMetacarpal,
-        Bone::RightThumbProximal,
-        Bone::RightThumbDistal,
-    ],
-    fingers: [
-        [
-            Bone::RightIndexProximal,
-            Bone::RightIndexIntermediate,
-            Bone::RightIndexDistal,
-        ],
-        [
-            Bone::RightMiddleProximal,
-            Bone::RightMiddleIntermediate,
-            Bone::RightMiddleDistal,
-        ],
-        [
-            Bone::RightRingProximal,
-            Bone::RightRingIntermediate,
-            Bone::RightRingDistal,
-        ],
-        [
-            Bone::RightLittleProximal,
-            Bone::RightLittleIntermediate,
-            Bone::RightLittleDistal,
-        ],
-    ],
-    sign: -1.0,
-};
-
-const fn arm(side: Side) -> &'static Arm {
-    match side {
-        Side::Left => &LEFT,
-        Side::Right => &RIGHT,
+fn arm(side: Side) -> Arm {
+    let (place, sign) = match side {
+        Side::Left => (0, 1.0),
+        Side::Right => (1, -1.0),
+    };
+    let [_, upper, lower, hand] = Bone::ARMS[place];
+    Arm {
+        upper,
+        lower,
+        hand,
+        thumb: Bone::THUMBS[place],
+        fingers: Bone::FINGERS[place],
+        sign,
     }
 }
 
@@ -125,7 +66,7 @@ pub(super) struct Palm {
 impl Palm {
     /// The palm of one hand, `half` [m] being half the thickness of the flesh there.
     pub(super) fn new(skeleton: &Skeleton, side: Side, half: f32) -> Self {
-        let arm = arm(side);
+        let arm = &arm(side);
         let joint = |bone: Bone| skeleton.joint(bone);
         let [index, middle, _, little] = arm.fingers.map(|finger| joint(finger[0]));
         let frame = hand_frame(skeleton, arm);
@@ -154,7 +95,7 @@ fn hand_frame(skeleton: &Skeleton, arm: &Arm) -> Mat3 {
 impl Grip {
     /// Closes the hand of a pose, and brings its arm to the side if it is held there.
     pub fn apply(&self, skeleton: &Skeleton, pose: &mut Pose) {
-        let arm = arm(self.side);
+        let arm = &arm(self.side);
         if let Some([upper, fore]) = self.arm {
             hold_at_side(skeleton, arm, [upper, fore], pose);
         }

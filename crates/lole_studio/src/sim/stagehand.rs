@@ -9,6 +9,7 @@ use lole_cloth::Crossings;
 use lole_costume::document::Design;
 use lole_geom::mesh::vertex_normals;
 use lole_language::Sentence;
+use lole_picture::{Moment, Vertices};
 use lole_stage::{Garment, Show, Wish};
 
 use super::pace::Pace;
@@ -350,7 +351,7 @@ impl Stagehand {
             if self.watch.sunken {
                 let now = self.clock.seconds();
                 if SUNKEN_INTERVAL < now - self.sunken.0 || !self.plays {
-                    let [positions, normals] = &snapshot.body;
+                    let [positions, normals] = &snapshot.moment.body;
                     self.sunken = (now, show.sunken(positions, normals));
                 }
                 snapshot.sunken.clone_from(&self.sunken.1);
@@ -367,7 +368,7 @@ fn photograph(show: &Show, clothes: &Arc<Wardrobe>, watch: Watch) -> Snapshot {
     let particles = show.cloth_positions().to_vec();
     let draped = |garment: &Garment| {
         let (mesh, own) = (&garment.mesh, &particles[garment.particles.clone()]);
-        let mut vertices = [Vec::new(), Vec::new()];
+        let mut vertices = Vertices::default();
         let [positions, normals] = &mut vertices;
         mesh.spread(own, positions);
         mesh.spread(&vertex_normals(own, &mesh.particle_triangles), normals);
@@ -384,10 +385,12 @@ fn photograph(show: &Show, clothes: &Arc<Wardrobe>, watch: Watch) -> Snapshot {
         wardrobe: Arc::clone(clothes),
         time: show.time(),
         particles,
-        cloths,
-        dressed: show.dressed_vertices(),
-        adornments: show.posed_adornments(),
-        body: [body_positions, body_normals],
+        moment: Moment {
+            cloths,
+            dressed: show.dressed_vertices(),
+            adornments: show.posed_adornments(),
+            body: [body_positions, body_normals],
+        },
         capsules: show.capsules().to_vec(),
         bones: show.bones(),
         strain: if watch.strain {

@@ -4,7 +4,7 @@ use glam::{Quat, Vec3};
 use lole_geom::trig;
 
 use super::super::figure::Arm;
-use super::{ARMS, index_of};
+use super::index_of;
 use crate::ik::two_bone;
 use crate::{Bone, Pose, Skeleton};
 
@@ -37,7 +37,8 @@ pub(super) struct WaistRig {
 
 impl WaistRig {
     pub(super) fn new(skeleton: &Skeleton, side: f32) -> Self {
-        let [clavicle, upper, lower, hand] = ARMS[index_of(side)].map(|bone| skeleton.joint(bone));
+        let [clavicle, upper, lower, hand] =
+            Bone::ARMS[index_of(side)].map(|bone| skeleton.joint(bone));
         let mirror = Vec3::new(side, 1.0, 1.0);
         let out = Vec3::X * (WRIST_OFF_SKIN * upper.distance(lower));
         Self {
