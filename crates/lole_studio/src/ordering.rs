@@ -37,6 +37,8 @@ pub struct BuyerWishes {
     pub spare_percent: f64,
     /// Cloth on one bolt [m], where it is known.
     pub bolt_m: Option<f64>,
+    /// What it is printed on.
+    pub paper: Paper,
 }
 
 impl Default for BuyerWishes {
@@ -44,6 +46,7 @@ impl Default for BuyerWishes {
         Self {
             spare_percent: 100.0 * Settings::default().spare_ratio,
             bolt_m: None,
+            paper: Paper::A4,
         }
     }
 }
@@ -223,7 +226,7 @@ fn write(
         group,
         pictures: &pictures,
         settings: &job.wishes.settings(),
-        paper: Paper::A4,
+        paper: job.wishes.paper,
         language: job.language,
         version: env!("CARGO_PKG_VERSION"),
     };

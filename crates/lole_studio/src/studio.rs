@@ -14,7 +14,7 @@ use crate::history::History;
 use crate::message::Message;
 use crate::orbit::Orbit;
 use crate::ordering::OrderDesk;
-use crate::panel::{ClothTextures, SwatchForm};
+use crate::panel::{ClothTextures, PhotoDesk, SwatchForm};
 use crate::paper::{Cutting, Paper};
 use crate::undo::Undo;
 use crate::wished::Wished;
@@ -226,6 +226,8 @@ pub struct Studio {
     pub enlarged: Option<(usize, usize)>,
     /// The test of one's own cloth.
     pub(crate) swatch: SwatchForm,
+    /// The picture of the own cloth that is being marked.
+    pub(crate) photo: PhotoDesk,
     /// Cloth on the cut plans.
     pub(crate) textures: ClothTextures,
     /// A group's order.
@@ -270,6 +272,7 @@ impl Studio {
             shelf_is_open: false,
             enlarged: None,
             swatch: SwatchForm::default(),
+            photo: PhotoDesk::default(),
             textures: ClothTextures::default(),
             order: OrderDesk::default(),
             commands: Vec::new(),

@@ -111,6 +111,19 @@ pub(crate) const CLOTH_WIDTH: Words = words("布幅（耳から耳まで）", "W
 pub(crate) const PLACEMENT: Words = words("柄の大きさと置き方", "Size and place of the print");
 pub(crate) const OWN_PICTURE: Words = words("自分の布の写真や絵を使う…", "Use a photo or picture…");
 pub(crate) const DROP_PICTURE: Words = words("絵をやめる", "leave the picture out");
+pub(crate) const OWN_PICTURE_MARKS: Words = words("自分の布の写真と印", "Photo with its marks");
+pub(crate) const MARK_REPEAT: Words = words("ひと送りを囲む", "Frame the repeat");
+pub(crate) const MARK_LENGTH: Words = words("長さを測る", "Mark a length");
+pub(crate) const MARK_REPEAT_HOW: Words = words(
+    "写真の上で、くり返す柄ひとつ分を斜めになぞって囲みます。",
+    "Drag over one repeat of the print, from corner to corner.",
+);
+pub(crate) const MARK_LENGTH_HOW: Words = words(
+    "定規など長さのわかるものを端から端までなぞり、下に長さを入れます。",
+    "Drag along something whose length you know, such as a ruler, and give its length below.",
+);
+pub(crate) const KNOWN_LENGTH: Words = words("なぞった長さ", "Length of the line");
+pub(crate) const FORGET_MARKS: Words = words("印を消す", "Forget the marks");
 pub(crate) const PICTURE_NOT_READ: Words = words(
     "この絵はまだ読めていません。",
     "This picture could not be read.",
@@ -202,6 +215,7 @@ pub(crate) const LIST_HOW: Words = words(
 );
 pub(crate) const NAME: Words = words("名前", "Name");
 pub(crate) const SPARE: Words = words("予備の布", "Spare cloth");
+pub(crate) const PAPER: Words = words("印刷する紙", "Paper");
 pub(crate) const KNOWS_BOLT: Words = words("一反の長さで分ける", "Divide among bolts");
 pub(crate) const BOLT: Words = words("一反の長さ", "Length of a bolt");
 pub(crate) const WORK_OUT: Words = words("全員分を計算する", "Work out what all need");

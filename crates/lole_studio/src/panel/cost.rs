@@ -49,7 +49,7 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
 }
 
 /// The fabric of a garment to change it: `None` stands for the skirt.
-fn fabric_mut(design: &mut Design, place: Option<usize>) -> &mut FabricDesign {
+pub(super) fn fabric_mut(design: &mut Design, place: Option<usize>) -> &mut FabricDesign {
     match place {
         Some(place) => design.garments[place].cloth_mut().0,
         None => &mut design.fabric,

@@ -13,6 +13,7 @@ use lole_pattern::Pattern;
 use lole_pattern::marker::{Lay, Placed};
 use lole_pattern::piece::ClothRole;
 
+use super::cost::fabric_mut;
 use super::garment::width_ui;
 use super::hindrance;
 use super::knob::{choice, wide_button};
@@ -114,17 +115,25 @@ fn plans_ui(
             .map(|it| it.fabric().clone()),
         None => Some(studio.design().fabric.clone()),
     };
-    if let Some(fabric) = fabric
-        && let Some(width) = width_ui(ui, studio, fabric.width_cm)
+    let widths = fabric.map(|fabric| (fabric.width_cm, fabric.beside_width_cm));
+    if let Some((own, _)) = widths
+        && let Some(width) = width_ui(ui, studio, own)
     {
-        studio.change_later(|design| match place {
-            Some(at) => design.garments[at].cloth_mut().0.width_cm = width,
-            None => design.fabric.width_cm = width,
-        });
+        studio.change_later(|design| fabric_mut(design, place).width_cm = width);
     }
+    let mut has_asked = false;
     for (number, plan) in cut.plans.iter().enumerate() {
         if plan.role != ClothRole::Main {
             ui.label(studio.say(role_name(plan.role)));
+            // All cloths beside the garment's own have one width.
+            if let Some((own, beside)) = widths
+                && !std::mem::replace(&mut has_asked, true)
+                && let Some(width) = width_ui(ui, studio, beside.unwrap_or(own))
+            {
+                studio.change_later(|design| {
+                    fabric_mut(design, place).beside_width_cm = Some(width);
+                });
+            }
         }
         let picture = garment.pictures.get(number).and_then(Option::as_ref);
         let key = (paper, index, number);

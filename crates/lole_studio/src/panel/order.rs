@@ -5,11 +5,12 @@ use std::sync::Arc;
 
 use eframe::egui::{self, Grid, ProgressBar, RichText, Ui};
 use lole_body::Measure;
+use lole_export::pdf::Paper;
 use lole_language::Sentence;
 use lole_pattern::pattern::Amount;
 
 use super::hindrance;
-use super::knob::{Knob, Scale, left_label, wide_button};
+use super::knob::{Knob, Scale, choice, left_label, wide_button};
 use crate::ordering::{Progress, Totals};
 use crate::studio::Request;
 use crate::{Studio, look, text};
@@ -100,6 +101,10 @@ fn wishes(ui: &mut Ui, studio: &mut Studio) {
     };
     if let (_, Some(moved)) = knob.show(ui, studio.order.wishes.spare_percent) {
         studio.order.wishes.spare_percent = moved.round();
+    }
+    ui.label(studio.say(text::PAPER));
+    if let Some(paper) = choice(ui, Some(studio.order.wishes.paper), &Paper::ALL) {
+        studio.order.wishes.paper = paper;
     }
     let mut knows_bolt = studio.order.wishes.bolt_m.is_some();
     let words = studio.say(text::KNOWS_BOLT);

@@ -6,6 +6,7 @@ use lole_costume::document::{PhotoMarks, PrintChoice};
 use lole_costume::print::{PrintBorder, PrintDirection, PrintFlip, PrintTiling};
 
 use super::knob::{Knob, Scale, choice, list, sign_button, wide_button};
+use super::photo;
 use crate::studio::{Request, range};
 use crate::{Studio, text};
 
@@ -66,16 +67,23 @@ fn own_picture(ui: &mut Ui, studio: &mut Studio, place: Option<usize>, print: &m
         let name = name.map_or_else(|| file.name.clone(), |name| name.to_string_lossy().into());
         ui.label(RichText::new(name).strong());
     });
-    if file.picture.is_none() {
-        ui.label(studio.say(text::PICTURE_NOT_READ));
+    match &file.picture {
+        Some(picture) if print.file.is_some() => photo::show(ui, studio, picture, &mut print.marks),
+        Some(_) => {}
+        None => {
+            ui.label(studio.say(text::PICTURE_NOT_READ));
+        }
     }
 }
 
 fn sizes(ui: &mut Ui, studio: &Studio, print: &mut PrintChoice) {
-    let unit = (0, " cm", Scale::Factors);
-    let knob_of_repeat = knob(studio.say(text::REPEAT), "repeat_cm", REPEATS, unit);
-    if let (_, Some(moved)) = knob_of_repeat.show(ui, print.repeat_cm) {
-        print.repeat_cm = moved.round();
+    // A length that is known on the picture says how large the repeat is.
+    if print.marks.known_length_cm.is_none() {
+        let unit = (0, " cm", Scale::Factors);
+        let knob_of_repeat = knob(studio.say(text::REPEAT), "repeat_cm", REPEATS, unit);
+        if let (_, Some(moved)) = knob_of_repeat.show(ui, print.repeat_cm) {
+            print.repeat_cm = moved.round();
+        }
     }
     let unit = (2, " ×", Scale::Factors);
     let knob_of_scale = knob(studio.say(text::PRINT_SCALE), "scale_ratio", SCALES, unit);
