@@ -12,6 +12,7 @@ mod garment;
 mod panel;
 #[cfg(test)]
 mod tests;
+mod tuck;
 mod wrap;
 
 use std::num::NonZeroU32;
@@ -26,13 +27,15 @@ use lole_cloth::diagnose::StrainSummary;
 use lole_cloth::mesh::{MeshError, MeshModel, MeshSpec, diagnose};
 use lole_cloth::{Crossings, Fabric, SelfCollision, SolverConfig, mesh_state_hash};
 use lole_geom::mesh::vertex_normals;
-use lole_geom::{Capsule, Surfel};
+use lole_geom::{Capsule, Surfel, TriangleGrid};
 use lole_language::Bilingual;
 use lole_pattern::{DraftError, Pattern};
 
 use crate::document::WornTemplate;
+use form::Form;
 
 pub use garment::is_worn;
+pub use tuck::Bands;
 
 /// Distance kept between skin and cloth [m]: with edges of two centimeters the middle of a triangle on
 /// an arm lies 1.5 mm below its corners.
@@ -52,6 +55,8 @@ const FLOOR: Capsule = Capsule {
 const SUBSTEP_COUNT: NonZeroU32 = NonZeroU32::MIN.saturating_add(11);
 /// Tension of flat elastic of 6 to 8 mm at twice its length [N]. Estimated.
 const ELASTIC_STIFFNESS: f32 = 15.0;
+/// Cells of the search for crossings [m].
+const CROSSING_CELL: f32 = 0.03;
 /// Layers of cloth at an edge that is bound or hemmed.
 const EDGE_LAYERS: f32 = 2.0;
 
@@ -60,8 +65,6 @@ const EDGE_LAYERS: f32 = 2.0;
 pub struct Dressed {
     /// Pieces, seams and elastics as the engine knows them: one mesh.
     assembly: Assembly,
-    /// The same while it is sewn and while it is tried on; `None` afterwards.
-    before: Option<[Assembly; 2]>,
     /// What it is drafted as.
     pub pattern: Pattern,
     /// Its cloth in SI units.
@@ -81,8 +84,18 @@ pub struct Dressed {
     welded: Vec<u32>,
     /// Particles of gathered edges that are drawn in the seam, between two others.
     puckers: Vec<(u32, [u32; 2], f32)>,
-    /// The triangles that cover the trunk, and not the arms.
+    /// The triangles that cover the trunk, and not the arms: what is worn over it meets them.
     pub trunk_triangles: Vec<[u32; 3]>,
+    /// The triangles that are not tucked under a skirt.
+    pub open_triangles: Vec<[u32; 3]>,
+}
+
+/// What a garment is sewn of.
+#[derive(Debug, Clone)]
+struct Kit {
+    template: &'static str,
+    spec: MeshSpec,
+    joints: Vec<Joint>,
 }
 
 /// What moves of a dressed garment.
@@ -180,7 +193,8 @@ impl Bilingual for DressError {
     }
 }
 
-/// Puts a garment on a dancer who comes to stand in the pose `stance`; `surfels` are her skin's.
+/// Puts a garment on a dancer who comes to stand in the pose `stance`; `surfels` are her skin's. What lies
+/// below `bands` is tucked in.
 ///
 /// # Errors
 /// Measures that it cannot be drafted from, and pieces that cannot be cut or sewn.
@@ -188,20 +202,27 @@ pub fn dress(
     worn: &WornTemplate,
     (dancer, surfels): (&Dancer, &SkinSurfels),
     stance: &Pose,
+    bands: Option<Bands<'_>>,
 ) -> Result<Dressed, DressError> {
     let measures = crate::measures(dancer);
     let pattern = worn.pattern(&measures)?;
     let laid = garment::lay((worn.template.id, pattern), (dancer, &measures))?;
-    let dressed = Dressed::sew(worn, laid)?;
-    fit::fit(dressed, (dancer, surfels), stance).map_err(|lost| DressError::Lost {
-        template: worn.template.id,
-        lost,
-    })
+    let (mut dressed, mut kit) = Dressed::sew(worn, laid)?;
+    let template = kit.template;
+    let lost = |lost| DressError::Lost { template, lost };
+    fit::fit(&mut dressed, &kit, (dancer, surfels), stance)?;
+    if let Some(bands) = bands {
+        let form = Form::new(dancer, stance, dancer.landmarks.crotch_height);
+        if tuck::tuck(&mut dressed, &mut kit, (&form, bands))? {
+            fit::rest(&mut dressed, (dancer, surfels), stance).map_err(lost)?;
+        }
+    }
+    Ok(dressed)
 }
 
 impl Dressed {
     /// Prepares seams and elastics of a garment that is laid around the dancer.
-    fn sew(worn: &WornTemplate, laid: garment::Laid) -> Result<Self, DressError> {
+    fn sew(worn: &WornTemplate, laid: garment::Laid) -> Result<(Self, Kit), DressError> {
         let template = worn.template.id;
         let garment::Laid {
             pattern,
@@ -221,9 +242,7 @@ impl Dressed {
         }
         spec.pinned = pinned;
         let joints = joints(&mesh, &elastics);
-        let make = |ease: Ease| assembly(template, (&spec, ease), &joints);
-        let [assembly, basted, tried] =
-            [make(Ease::Worn)?, make(Ease::Basted)?, make(Ease::Tried)?];
+        let assembly = assembly(template, (&spec, Ease::Worn), &joints)?;
         let turned = |&[a, b, c]: &[u32; 3]| {
             if facing[mesh.panel_of[a as usize]] {
                 [a, b, c]
@@ -240,20 +259,26 @@ impl Dressed {
                 Vec2::new(flat.x, -flat.y)
             }
         });
-        Ok(Self {
+        let dressed = Self {
             assembly,
-            before: Some([basted, tried]),
             pattern,
             fabric,
             is_wrapped,
             pins,
             start: places,
             trunk_triangles: triangles.iter().filter(on_trunk).copied().collect(),
+            open_triangles: triangles.clone(),
             triangles,
             on_cloth: on_cloth.collect(),
             welded: welded(&mesh),
             puckers: mesh.puckers,
-        })
+        };
+        let kit = Kit {
+            template,
+            spec,
+            joints,
+        };
+        Ok((dressed, kit))
     }
 
     /// The mesh as the engine knows it.
@@ -301,14 +326,7 @@ impl Dressed {
     /// than its triangles are no strain.
     #[must_use]
     pub fn strain(&self, positions: &[Vec3]) -> StrainSummary {
-        let Some(model) = self.model() else {
-            return StrainSummary::default();
-        };
-        let stretches = model.triangles().iter().flat_map(|&triangle| {
-            let along = diagnose::deformation(model, triangle, positions);
-            along.map(|column| (column.length() - 1.0).max(0.0))
-        });
-        let mut stretches: Vec<f32> = stretches.collect();
+        let mut stretches = self.stretches(positions).into_flattened();
         stretches.sort_by(f32::total_cmp);
         let count = stretches.len().max(1);
         StrainSummary {
@@ -316,6 +334,51 @@ impl Dressed {
             p99: stretches.get(count * 99 / 100).copied().unwrap_or(0.0),
             max: stretches.last().copied().unwrap_or(0.0),
         }
+    }
+
+    /// The same of every triangle, along the warp and along the weft; 0 where it is held all around.
+    #[must_use]
+    pub fn stretches(&self, positions: &[Vec3]) -> Vec<[f32; 2]> {
+        let Some(model) = self.model() else {
+            return Vec::new();
+        };
+        let pinned = &model.spec().pinned;
+        let stretches = self.triangles.iter().map(|&triangle| {
+            if triangle.iter().all(|&corner| pinned[corner as usize]) {
+                return [0.0; 2];
+            }
+            let along = diagnose::deformation(model, triangle, positions);
+            along.map(|column| (column.length() - 1.0).max(0.0))
+        });
+        stretches.collect()
+    }
+
+    /// Edges of the garment that go through one of its triangles, with its seams closed: 0 where no fold
+    /// has gone through another.
+    #[must_use]
+    pub fn crossings(&self, positions: &[Vec3]) -> usize {
+        let drawn = self.drawn(positions);
+        let weld = |corners: &[u32; 3]| corners.map(|corner| self.welded[corner as usize]);
+        let triangles: Vec<[u32; 3]> = self.triangles.iter().map(weld).collect();
+        let mut edges: Vec<[u32; 2]> = (triangles.iter())
+            .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]])
+            .map(|[a, b]| [a.min(b), a.max(b)])
+            .collect();
+        edges.sort_unstable();
+        edges.dedup();
+        let search = TriangleGrid::new(&drawn, &triangles, CROSSING_CELL);
+        let mut crossed = Vec::new();
+        let mut count = 0;
+        for ends in edges {
+            let [start, end] = ends.map(|end| drawn[end as usize]);
+            search.crossed_by(start, end, &mut crossed);
+            let apart = |triangle: &&u32| {
+                let corners = triangles[**triangle as usize];
+                !ends.iter().any(|end| corners.contains(end))
+            };
+            count += crossed.iter().filter(apart).count();
+        }
+        count
     }
 
     /// The garment at rest where it starts.

@@ -263,6 +263,7 @@ impl Performance {
                 let triangles = &garment.dressed.trunk_triangles[..];
                 (triangles, dressed.positions())
             })
+            .filter(|(triangles, _)| !triangles.is_empty())
             .collect();
         let worn = (&mut self.worn[..], &self.production.garments[..]);
         self.order
@@ -321,8 +322,10 @@ impl Performance {
 
     /// Damps the cloth before the dance, which begins when all of it is at rest.
     fn settle(&mut self) {
-        let is_dressed_alone =
-            self.worn.is_empty() && !self.dressed.is_empty() && !self.adorned.has_strands();
+        let is_dressed_alone = self.frame < 0
+            && self.worn.is_empty()
+            && !self.dressed.is_empty()
+            && !self.adorned.has_strands();
         if !is_dressed_alone && !self.worn.iter().any(Worn::is_settling) {
             if self.frame <= i64::from(LOWERING_FRAMES) - i64::from(SETTLE_FRAMES) {
                 for worn in &mut self.worn {
@@ -366,7 +369,9 @@ impl Performance {
                 &self.body_normals,
                 &mut self.surfels,
             );
-            self.whole_skin.clone_from(&self.surfels);
+            if !self.dressed.is_empty() {
+                self.whole_skin.clone_from(&self.surfels);
+            }
             (self.production.forearms).withdraw(&self.capsules, &mut self.surfels);
         }
         let skin = (&self.body_positions[..], &self.body_normals[..]);

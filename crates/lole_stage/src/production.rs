@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use glam::Affine3A;
+use glam::{Affine3A, Vec3};
 use lole_avatar::{Avatar, License};
 use lole_body::{Bone, CapsuleLayout, Dancer, Measurements, Pose, SkinSurfels};
 use lole_cloth::Fabric;
@@ -10,7 +10,7 @@ use lole_costume::adorn::{self, Adornment};
 use lole_costume::document::{
     Design, FabricDesign, GarmentDesign, GarmentLayer, SkirtDesign, WornTop,
 };
-use lole_costume::dress::{self, Dressed};
+use lole_costume::dress::{self, Bands, Dressed};
 use lole_costume::sew::{self, Clothed, Cut, SewSettings, SewnSkirt, SkirtMesh, WornPlace};
 use lole_costume::tailoring::{self, Drafted};
 use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements};
@@ -61,6 +61,8 @@ pub struct Garment {
     pub worn: PauMeasurements,
     /// Its cloth in SI units.
     pub fabric: Fabric,
+    /// What carries it.
+    pub place: WornPlace,
     /// The garment on the dancer.
     pub sewn: SewnSkirt,
     /// The garment as it is drawn.
@@ -302,6 +304,7 @@ impl Wardrobe<'_> {
             draft,
             worn,
             fabric,
+            place,
             sewn,
             mesh,
             pin_surfels,
@@ -318,6 +321,8 @@ fn dressed(
     body: (&Dancer, &SkinSurfels),
     (stance, garments): (&Pose, &[Garment]),
 ) -> Result<Vec<DressedGarment>, StageError> {
+    let posed = body.0.skeleton.world_from_bind(stance);
+    let edge = upper_edges(garments, &posed);
     let mut dressed: Vec<DressedGarment> = Vec::new();
     for (listed, garment) in design.garments.iter().enumerate() {
         let GarmentDesign::Template(worn) = garment else {
@@ -326,7 +331,10 @@ fn dressed(
         if !dress::is_worn(worn.template.id) {
             continue;
         }
-        let sewn = dress::dress(worn, body, stance).map_err(|error| StageError::Garment {
+        let is_under = garment.layer() == GarmentLayer::Under;
+        let bands = (is_under && !edge.is_empty()).then_some(Bands { edge: &edge });
+        let sewn = dress::dress(worn, body, stance, bands);
+        let sewn = sewn.map_err(|error| StageError::Garment {
             place: listed + 1,
             error: Box::new(error.into()),
         })?;
@@ -340,6 +348,19 @@ fn dressed(
         });
     }
     Ok(dressed)
+}
+
+/// The upper edges of skirts as they are worn [m].
+fn upper_edges(garments: &[Garment], posed: &[Affine3A]) -> Vec<Vec3> {
+    let skirts = garments
+        .iter()
+        .filter(|garment| garment.place == WornPlace::Hips);
+    let edges = skirts.flat_map(|garment| {
+        let mut places = garment.sewn.start_positions(posed);
+        places.truncate(garment.sewn.spec.grid.column_count as usize);
+        places
+    });
+    edges.collect()
 }
 
 /// Links garments that share a height of the body into chains.

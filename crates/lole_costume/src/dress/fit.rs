@@ -4,10 +4,11 @@
 use glam::Vec3;
 use lole_body::{Bone, Dancer, Pose, SkinSurfels};
 use lole_cloth::assembly::Lost;
+use lole_geom::Surfel;
 
 use super::flat::FlatMesh;
 use super::form::Form;
-use super::{Dressed, World, garment};
+use super::{DressError, Dressed, Ease, Kit, World, assembly, garment};
 
 /// How far she lifts her arms to be dressed from where they are built, 47° below the level [rad].
 const RAISED: f32 = 0.75;
@@ -81,37 +82,34 @@ pub(super) fn close_seams(mesh: &FlatMesh, form: &Form<'_>, places: &mut [Vec3])
 
 /// Sews the garment tight and lets it come to rest.
 pub(super) fn fit(
-    mut garment: Dressed,
-    (dancer, skin): (&Dancer, &SkinSurfels),
+    garment: &mut Dressed,
+    kit: &Kit,
+    body: (&Dancer, &SkinSurfels),
     stance: &Pose,
-) -> Result<Dressed, Lost> {
-    let before = garment.before.take();
+) -> Result<(), DressError> {
+    let make = |ease: Ease| assembly(kit.template, (&kit.spec, ease), &kit.joints);
+    let [basted, tried] = [make(Ease::Basted)?, make(Ease::Tried)?];
     let mut state = garment.state();
-    let (mut positions, mut normals, mut surfels) = (Vec::new(), Vec::new(), Vec::new());
+    let mut room = Room::default();
     let start = fitting_pose();
     for frame in 0..SEWING_FRAMES + MOVING_FRAMES + RESTING_FRAMES {
         let moved = frame.saturating_sub(SEWING_FRAMES).min(MOVING_FRAMES);
         let share = moved as f32 / MOVING_FRAMES as f32;
         let pose = between(&start, stance, share * share * (3.0 - 2.0 * share));
-        let world_from_bind = dancer.skeleton.world_from_bind(&pose);
-        dancer
-            .skin
-            .pose(&world_from_bind, &mut positions, &mut normals);
-        skin.pose(&positions, &normals, &mut surfels);
-        let world = World {
-            skin: (&positions, &normals),
-            surfels: &surfels,
-            air_velocity: Vec3::ZERO,
-        };
-        let assembly = match &before {
-            Some([basted, _]) if frame < SEWING_FRAMES => basted,
+        let assembly = if frame < SEWING_FRAMES {
+            &basted
+        } else if !garment.is_wrapped && SEWING_FRAMES + MOVING_FRAMES <= frame {
             // What is wrapped in layers has too much to be drawn out, and lies well without.
-            Some([_, tried]) if !garment.is_wrapped && SEWING_FRAMES + MOVING_FRAMES <= frame => {
-                tried
-            }
-            _ => &garment.assembly,
+            &tried
+        } else {
+            &garment.assembly
         };
-        state.step_as(&garment, assembly, (&world, FRAME))?;
+        let world = room.world(body, &pose);
+        let moved_on = state.step_as(garment, assembly, (&world, FRAME));
+        moved_on.map_err(|lost| DressError::Lost {
+            template: kit.template,
+            lost,
+        })?;
         let kept = if frame < SEWING_FRAMES {
             0.0
         } else if moved < MOVING_FRAMES {
@@ -119,12 +117,53 @@ pub(super) fn fit(
         } else {
             KEPT[1]
         };
-        state.scale_velocities(&garment, kept);
+        state.scale_velocities(garment, kept);
     }
     let mut rest = Vec::new();
-    state.copy_positions(&garment, &mut rest);
+    state.copy_positions(garment, &mut rest);
     garment.start = rest;
-    Ok(garment)
+    Ok(())
+}
+
+/// Lets a garment come to rest again on a dancer in her stance.
+pub(super) fn rest(
+    garment: &mut Dressed,
+    body: (&Dancer, &SkinSurfels),
+    stance: &Pose,
+) -> Result<(), Lost> {
+    let mut state = garment.state();
+    let mut room = Room::default();
+    let world = room.world(body, stance);
+    for _ in 0..RESTING_FRAMES {
+        state.step(garment, &world, FRAME)?;
+        state.scale_velocities(garment, KEPT[1]);
+    }
+    let mut rest = Vec::new();
+    state.copy_positions(garment, &mut rest);
+    garment.start = rest;
+    Ok(())
+}
+
+/// Room for the dancer in a pose.
+#[derive(Default)]
+struct Room {
+    positions: Vec<Vec3>,
+    normals: Vec<Vec3>,
+    surfels: Vec<Surfel>,
+}
+
+impl Room {
+    /// The dancer in a pose, as cloth meets her.
+    fn world(&mut self, (dancer, skin): (&Dancer, &SkinSurfels), pose: &Pose) -> World<'_> {
+        let world_from_bind = dancer.skeleton.world_from_bind(pose);
+        (dancer.skin).pose(&world_from_bind, &mut self.positions, &mut self.normals);
+        skin.pose(&self.positions, &self.normals, &mut self.surfels);
+        World {
+            skin: (&self.positions, &self.normals),
+            surfels: &self.surfels,
+            air_velocity: Vec3::ZERO,
+        }
+    }
 }
 
 /// A pose on the way from one to another.

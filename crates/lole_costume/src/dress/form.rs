@@ -2,7 +2,7 @@
 
 use glam::{Affine3A, Vec3};
 use lole_body::{Bone, Dancer, Pose, SkinSurfels, TapePoint};
-use lole_geom::TriangleGrid;
+use lole_geom::{Surfel, TriangleGrid};
 
 /// Points of a tape around the trunk.
 const TAPE_POINTS: usize = 144;
@@ -117,21 +117,44 @@ impl<'a> Form<'a> {
         self.world_from_bind[bone.index()].transform_point3(joint)
     }
 
-    /// The skin below places that it carries, and how far they lie over it [m]; `None` where one is far
-    /// from all skin.
+    /// The skin of the trunk below places that it carries, and how far they lie over it [m]; `None` where
+    /// one is far from all of it.
     pub(super) fn carry(&self, places: &[Vec3]) -> Option<(SkinSurfels, Vec<f32>)> {
-        let skin = &self.dancer.skin;
-        let (mut positions, mut normals) = (Vec::new(), Vec::new());
-        skin.pose(&self.world_from_bind, &mut positions, &mut normals);
-        let triangles = skin.body_triangles();
-        let carriers =
-            SkinSurfels::nearest_to(places.iter().copied(), (&positions, &triangles), REACH)?;
-        let mut surfels = Vec::new();
-        carriers.pose(&positions, &normals, &mut surfels);
+        let (carriers, surfels) = self.nearest_skin(places)?;
         let gaps = places.iter().zip(&surfels);
         let gaps =
             gaps.map(|(place, skin)| (*place - skin.position).dot(skin.normal).max(LEAST_GAP));
         Some((carriers, gaps.collect()))
+    }
+
+    /// The same where they come to lie so far over it: what carries them, and where they are then [m].
+    pub(super) fn carried(
+        &self,
+        places: &[Vec3],
+        gaps: &[f32],
+    ) -> Option<(SkinSurfels, Vec<Vec3>)> {
+        let (carriers, surfels) = self.nearest_skin(places)?;
+        let over = surfels.iter().zip(gaps);
+        let over = over.map(|(skin, gap)| skin.position + skin.normal * *gap);
+        Some((carriers, over.collect()))
+    }
+
+    /// The points of the trunk's skin nearest to places. Arms hang beside it and go their own way.
+    fn nearest_skin(&self, places: &[Vec3]) -> Option<(SkinSurfels, Vec<Surfel>)> {
+        let skin = &self.dancer.skin;
+        let (mut positions, mut normals) = (Vec::new(), Vec::new());
+        skin.pose(&self.world_from_bind, &mut positions, &mut normals);
+        let mut triangles = skin.body_triangles();
+        let is_of_trunk = |corner: &u32| {
+            let bone = Bone::ALL[usize::from(skin.joints[*corner as usize][0])];
+            !is_of_arm(bone)
+        };
+        triangles.retain(|corners| corners.iter().all(is_of_trunk));
+        let places = places.iter().copied();
+        let carriers = SkinSurfels::nearest_to(places, (&positions, &triangles), REACH)?;
+        let mut surfels = Vec::new();
+        carriers.pose(&positions, &normals, &mut surfels);
+        Some((carriers, surfels))
     }
 
     /// Moves places out of the skin until they keep `gap` [m] from it.
@@ -210,4 +233,16 @@ impl Tape {
         let [a, b] = [before, after].map(|at| self.places[at]);
         (a.0.lerp(b.0, part), a.1.lerp(b.1, part).normalize_or_zero())
     }
+}
+
+/// Whether a bone is an arm's.
+fn is_of_arm(bone: Bone) -> bool {
+    let mut bone = Some(bone);
+    while let Some(one) = bone {
+        if matches!(one, Bone::LeftUpperArm | Bone::RightUpperArm) {
+            return true;
+        }
+        bone = one.parent();
+    }
+    false
 }

@@ -105,7 +105,7 @@ impl Dressed {
         let cloth = skin_check::Surface {
             positions: &self.positions,
             normals: &[],
-            triangles: &garment.dressed.triangles,
+            triangles: &garment.dressed.open_triangles,
         };
         let strain = garment.dressed.strain(&self.positions);
         (strain, skin_check::check(body, cloth))
@@ -124,6 +124,12 @@ pub(super) fn grids<'a>(
 }
 
 impl Performance {
+    /// Particles of a dressed garment [m], by its place among those of the production.
+    #[must_use]
+    pub fn dressed_positions(&self, place: usize) -> &[Vec3] {
+        self.dressed[place].positions()
+    }
+
     /// Vertices of a dressed garment as it is drawn [m], by its place among those of the production, and
     /// their outward normals.
     #[must_use]
