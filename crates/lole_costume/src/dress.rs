@@ -17,8 +17,8 @@ mod wrap;
 
 use std::num::NonZeroU32;
 
-use glam::{Vec2, Vec3};
-use lole_body::{Dancer, Pose, SkinSurfels};
+use glam::{Affine3A, Vec2, Vec3};
+use lole_body::{Dancer, Pose, SkinSurfels, TapePoint};
 use lole_cloth::assembly::{
     Assembly, AssemblyInput, AssemblyState, Elastic, Ends, Joint, JointError, Lost, Piece,
     PieceState, Place, Seam, step,
@@ -69,10 +69,8 @@ pub struct Dressed {
     pub pattern: Pattern,
     /// Its cloth in SI units.
     pub fabric: Fabric,
-    /// Whether it is one cloth, wrapped.
-    is_wrapped: bool,
     /// Skin that carries the pinned particles, in their order, and how far they lie over it [m].
-    pins: (SkinSurfels, Vec<f32>),
+    pins: Pins,
     /// Where it rests on the standing dancer [m], shape `[particle_count]`.
     pub start: Vec<Vec3>,
     /// Its triangles, counterclockwise seen from outside.
@@ -88,6 +86,32 @@ pub struct Dressed {
     pub trunk_triangles: Vec<[u32; 3]>,
     /// The triangles that are not tucked under a skirt.
     pub open_triangles: Vec<[u32; 3]>,
+}
+
+/// What carries the pinned particles of a garment, in their order.
+#[derive(Debug, Clone, Default)]
+struct Pins {
+    /// The skin below each, and how far it lies over it [m].
+    skin: SkinSurfels,
+    gaps: Vec<f32>,
+    /// What is tied around the trunk goes with it, and not with the skin that an arm draws up.
+    tied: Vec<Option<TapePoint>>,
+}
+
+impl Pins {
+    /// Where they are [m].
+    fn places(&self, world: &World<'_>) -> Vec<Vec3> {
+        let mut carried = Vec::new();
+        (self.skin).pose(world.skin.0, world.skin.1, &mut carried);
+        let over_skin = carried.iter().zip(&self.gaps);
+        let over_skin = over_skin.map(|(skin, gap)| skin.position + skin.normal * *gap);
+        let tied = over_skin.zip(&self.tied);
+        tied.map(|(place, tied)| {
+            tied.as_ref()
+                .map_or(place, |tied| tied.posed(world.world_from_bind))
+        })
+        .collect()
+    }
 }
 
 /// What a garment is sewn of.
@@ -111,8 +135,12 @@ pub struct World<'a> {
     pub skin: (&'a [Vec3], &'a [Vec3]),
     /// What the cloth meets, always the same ones in the same order.
     pub surfels: &'a [Surfel],
+    /// How bones move from the bind pose: what is tied around the trunk goes with them.
+    pub world_from_bind: &'a [Affine3A],
     /// Velocity of the air [m/s].
     pub air_velocity: Vec3,
+    /// How far the floor is from where it was laid [m].
+    pub floor: Vec3,
 }
 
 /// Why a garment could not be put on.
@@ -231,7 +259,6 @@ impl Dressed {
             facing,
             is_on_arm,
             elastics,
-            is_wrapped,
             pinned,
             pins,
         } = laid;
@@ -263,7 +290,6 @@ impl Dressed {
             assembly,
             pattern,
             fabric,
-            is_wrapped,
             pins,
             start: places,
             trunk_triangles: triangles.iter().filter(on_trunk).copied().collect(),
@@ -405,15 +431,13 @@ impl DressedState {
         assembly: &Assembly,
         (world, dt): (&World<'_>, f32),
     ) -> Result<(), Lost> {
-        let (carriers, gaps) = &garment.pins;
-        let mut carried = Vec::new();
-        carriers.pose(world.skin.0, world.skin.1, &mut carried);
-        let targets = carried.iter().zip(gaps);
-        let targets = targets.map(|(skin, gap)| skin.position + skin.normal * *gap);
         let input = AssemblyInput {
-            pin_targets: &[targets.collect()],
+            pin_targets: &[garment.pins.places(world)],
             surfels: world.surfels,
-            capsules: &[FLOOR],
+            capsules: &[Capsule {
+                ends: FLOOR.ends.map(|end| end + world.floor),
+                ..FLOOR
+            }],
             air_velocity: world.air_velocity,
             ..AssemblyInput::default()
         };
@@ -457,11 +481,9 @@ impl DressedState {
 /// What a garment is prepared for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Ease {
-    /// To be sewn: it slips over the skin, and folds pass through each other.
+    /// To be sewn: it slips over the skin.
     Basted,
-    /// To be tried on: folds that went through each other are drawn out, which takes its time.
-    Tried,
-    /// To be worn: folds keep apart.
+    /// To be worn.
     Worn,
 }
 
@@ -472,18 +494,13 @@ fn assembly(
     joints: &[Joint],
 ) -> Result<Assembly, DressError> {
     let mut spec = spec.clone();
-    let mut contact = Some(SelfCollision {
+    let contact = Some(SelfCollision {
         radius: HALF_GAP,
         substep_interval: NonZeroU32::MIN.saturating_add(2),
-        crossings: if ease == Ease::Tried {
-            Crossings::Repair
-        } else {
-            Crossings::Leave
-        },
+        crossings: Crossings::Repair,
     });
     if ease == Ease::Basted {
         spec.fabric.friction = SLIPPING;
-        contact = None;
     }
     let config = SolverConfig {
         self_collision: contact,

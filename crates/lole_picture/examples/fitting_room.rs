@@ -245,22 +245,27 @@ fn say_where(performance: &Performance, place: usize, said: &mut String) -> std:
     let garment = &performance.production().dressed[place].dressed;
     let positions = performance.dressed_positions(place);
     let stretches = garment.stretches(positions);
-    let mut worst: Vec<(f32, usize, Vec3)> = (stretches.iter().zip(&garment.triangles))
+    let mut worst: Vec<(f32, usize, Vec3, f32)> = (stretches.iter().zip(&garment.triangles))
         .map(|([warp, weft], corners)| {
             let middle = corners.map(|corner| positions[corner as usize]);
             let middle = middle.iter().sum::<Vec3>() / 3.0;
-            (warp.max(*weft), usize::from(warp < weft), middle)
+            let [a, b, c] = corners.map(|corner| garment.on_cloth[corner as usize]);
+            let sides = [a.distance(b), b.distance(c), c.distance(a)];
+            let longest = sides.into_iter().fold(0.0, f32::max);
+            let height = (b - a).perp_dot(c - a).abs() / longest;
+            (warp.max(*weft), usize::from(warp < weft), middle, height)
         })
         .collect();
     worst.sort_by(|a, b| b.0.total_cmp(&a.0));
     let mut told: Vec<Vec3> = Vec::new();
-    for (stretch, along, middle) in worst {
+    for (stretch, along, middle, height) in worst {
         if told.iter().all(|other| 0.06 < other.distance(middle)) {
             let yarn = ["warp", "weft"][along];
             write!(
                 said,
-                "\n        {:5.1} % along the {yarn} at {middle:.2}",
-                100.0 * stretch
+                "\n        {:5.1} % along the {yarn} at {middle:.2}, a triangle {:.1} mm high",
+                100.0 * stretch,
+                1000.0 * height
             )?;
             told.push(middle);
         }

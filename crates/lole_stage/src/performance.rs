@@ -245,9 +245,10 @@ impl Performance {
         let trunk = order::trunk(&self.production.dancer.skeleton, &self.world_from_bind);
         let around = Around {
             trunk,
+            world_from_bind: &self.world_from_bind,
             body: (&self.body_positions, &self.body_normals),
             skin: &self.whole_skin,
-            air_velocity: Vec3::ZERO,
+            air_velocity: self.air_velocity(),
             is_settling: self.frame <= 0,
         };
         let pairs = || self.production.dressed.iter();
@@ -287,21 +288,27 @@ impl Performance {
         if !self.adorned.has_strands() {
             return;
         }
-        let design = &self.production.design;
-        let wind = Wind {
-            amplitude: design.wind.speed_m_per_s,
-            law: design.wind.law,
-        };
         let mut adorned = std::mem::take(&mut self.adorned);
         let around = AroundStrands {
             world_from_bind: &self.world_from_bind,
             surfels: &self.surfels,
             cloth: &self.cloth_positions,
             dressed: &self.dressed_cloth(),
-            air_velocity: wind.force(f64::from(self.time())).as_vec3(),
+            air_velocity: self.air_velocity(),
         };
         adorned.step(&self.production, &around);
         self.adorned = adorned;
+    }
+
+    /// Velocity of the air around strands and garments sewn from shaped pieces [m/s]: the wind's, without
+    /// gusts.
+    fn air_velocity(&self) -> Vec3 {
+        let design = &self.production.design;
+        let wind = Wind {
+            amplitude: design.wind.speed_m_per_s,
+            law: design.wind.law,
+        };
+        wind.force(f64::from(self.time())).as_vec3()
     }
 
     /// Triangles of the garments sewn from shaped pieces, and where they are [m].

@@ -1,7 +1,7 @@
 //! Sewing on the dancer: seams are closed, then the cloth comes to rest on her skin while she goes from
 //! the pose in which she is dressed to the one in which she stands.
 
-use glam::Vec3;
+use glam::{Affine3A, Vec3};
 use lole_body::{Bone, Dancer, Pose, SkinSurfels};
 use lole_cloth::assembly::Lost;
 use lole_geom::Surfel;
@@ -12,6 +12,8 @@ use super::{DressError, Dressed, Ease, Kit, World, assembly, garment};
 
 /// How far she lifts her arms to be dressed from where they are built, 47° below the level [rad].
 const RAISED: f32 = 0.75;
+/// How far the floor draws a train back while it rises, over how far it rises.
+const TRAILING: f32 = 1.0;
 /// Passes in which pieces are drawn together and out of the skin before anything moves.
 const CLOSING_PASSES: u32 = 3;
 /// Passes in which what is drawn at the seams is spread over the pieces.
@@ -43,6 +45,10 @@ pub(super) fn close_seams(mesh: &FlatMesh, form: &Form<'_>, places: &mut [Vec3])
     for &particle in mesh.stitches.iter().flatten() {
         is_sewn[particle as usize] = true;
     }
+    let mut is_led = is_sewn.clone();
+    for &(particle, ..) in &mesh.puckers {
+        is_led[particle as usize] = true;
+    }
     let mut neighbors: Vec<Vec<u32>> = vec![Vec::new(); count];
     for &[a, b, c] in &mesh.triangles {
         for [one, other] in [[a, b], [b, c], [c, a], [b, a], [c, b], [a, c]] {
@@ -56,16 +62,24 @@ pub(super) fn close_seams(mesh: &FlatMesh, form: &Form<'_>, places: &mut [Vec3])
             let sum = &mut sums[group as usize];
             *sum = (sum.0 + place, sum.1 + 1.0);
         }
+        let middle = |particle: u32| {
+            let (sum, members) = sums[groups[particle as usize] as usize];
+            sum / members
+        };
         let mut moves = vec![Vec3::ZERO; count];
-        for particle in 0..count {
-            if is_sewn[particle] {
-                let (sum, members) = sums[groups[particle] as usize];
-                moves[particle] = sum / members - places[particle];
+        for (particle, place) in (0..).zip(&*places) {
+            if is_sewn[particle as usize] {
+                moves[particle as usize] = middle(particle) - *place;
             }
+        }
+        // What is gathered in between lies in the seam too.
+        for &(particle, ends, share) in &mesh.puckers {
+            let [first, last] = ends.map(middle);
+            moves[particle as usize] = first.lerp(last, share) - places[particle as usize];
         }
         for _ in 0..SPREADING_PASSES {
             for particle in 0..count {
-                if !is_sewn[particle] && !neighbors[particle].is_empty() {
+                if !is_led[particle] && !neighbors[particle].is_empty() {
                     let near = neighbors[particle]
                         .iter()
                         .map(|&other| moves[other as usize]);
@@ -87,24 +101,26 @@ pub(super) fn fit(
     body: (&Dancer, &SkinSurfels),
     stance: &Pose,
 ) -> Result<(), DressError> {
-    let make = |ease: Ease| assembly(kit.template, (&kit.spec, ease), &kit.joints);
-    let [basted, tried] = [make(Ease::Basted)?, make(Ease::Tried)?];
+    let basted = assembly(kit.template, (&kit.spec, Ease::Basted), &kit.joints)?;
     let mut state = garment.state();
     let mut room = Room::default();
     let start = fitting_pose();
+    let lowest = garment.start.iter().map(|place| place.y);
+    let trailing = (START_GAP - lowest.fold(f32::INFINITY, f32::min)).max(0.0);
     for frame in 0..SEWING_FRAMES + MOVING_FRAMES + RESTING_FRAMES {
         let moved = frame.saturating_sub(SEWING_FRAMES).min(MOVING_FRAMES);
         let share = moved as f32 / MOVING_FRAMES as f32;
         let pose = between(&start, stance, share * share * (3.0 - 2.0 * share));
         let assembly = if frame < SEWING_FRAMES {
             &basted
-        } else if !garment.is_wrapped && SEWING_FRAMES + MOVING_FRAMES <= frame {
-            // What is wrapped in layers has too much to be drawn out, and lies well without.
-            &tried
         } else {
             &garment.assembly
         };
-        let world = room.world(body, &pose);
+        let world = World {
+            // What hangs deeper than the floor is taken up by it, and drawn out behind her.
+            floor: Vec3::new(0.0, share - 1.0, -TRAILING * share) * trailing,
+            ..room.world(body, &pose)
+        };
         let moved_on = state.step_as(garment, assembly, (&world, FRAME));
         moved_on.map_err(|lost| DressError::Lost {
             template: kit.template,
@@ -147,6 +163,7 @@ pub(super) fn rest(
 /// Room for the dancer in a pose.
 #[derive(Default)]
 struct Room {
+    world_from_bind: Vec<Affine3A>,
     positions: Vec<Vec3>,
     normals: Vec<Vec3>,
     surfels: Vec<Surfel>,
@@ -155,13 +172,19 @@ struct Room {
 impl Room {
     /// The dancer in a pose, as cloth meets her.
     fn world(&mut self, (dancer, skin): (&Dancer, &SkinSurfels), pose: &Pose) -> World<'_> {
-        let world_from_bind = dancer.skeleton.world_from_bind(pose);
-        (dancer.skin).pose(&world_from_bind, &mut self.positions, &mut self.normals);
+        self.world_from_bind = dancer.skeleton.world_from_bind(pose);
+        (dancer.skin).pose(
+            &self.world_from_bind,
+            &mut self.positions,
+            &mut self.normals,
+        );
         skin.pose(&self.positions, &self.normals, &mut self.surfels);
         World {
             skin: (&self.positions, &self.normals),
             surfels: &self.surfels,
+            world_from_bind: &self.world_from_bind,
             air_velocity: Vec3::ZERO,
+            floor: Vec3::ZERO,
         }
     }
 }

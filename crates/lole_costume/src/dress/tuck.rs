@@ -7,7 +7,7 @@
 use glam::Vec3;
 
 use super::form::Form;
-use super::{DressError, Dressed, Ease, Kit, assembly};
+use super::{DressError, Dressed, Ease, Kit, Pins, assembly};
 
 /// The upper edges of the skirts that a garment is worn under, around the dancer in her stance [m].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -73,18 +73,20 @@ pub(super) fn tuck(
 ) -> Result<bool, DressError> {
     let lowest = form.dancer.landmarks.crotch_height + ABOVE_CROTCH;
     let depths = depths(garment, bands, lowest);
-    let mut held = garment.pins.1.iter();
-    let (mut particles, mut places, mut gaps) = (Vec::new(), Vec::new(), Vec::new());
+    let mut held = garment.pins.gaps.iter().zip(&garment.pins.tied);
+    let (mut particles, mut places) = (Vec::new(), Vec::new());
+    let (mut gaps, mut tied) = (Vec::new(), Vec::new());
     for (particle, (depth, is_pinned)) in depths.iter().zip(&kit.spec.pinned).enumerate() {
         let was_held = is_pinned.then(|| held.next()).flatten();
-        let (lift, gap) = match (depth, was_held) {
+        let (lift, gap, tie) = match (depth, was_held) {
             (Some(above), _) => {
                 let share = (above / ABOVE_EDGE).clamp(0.0, 1.0);
-                (BLOUSING, GAPS[1] + (GAPS[0] - GAPS[1]) * share)
+                (BLOUSING, GAPS[1] + (GAPS[0] - GAPS[1]) * share, None)
             }
-            (None, Some(gap)) => (0.0, *gap),
+            (None, Some((gap, tie))) => (0.0, *gap, tie.clone()),
             (None, None) => continue,
         };
+        tied.push(tie);
         particles.push(particle);
         places.push(garment.start[particle] + Vec3::Y * lift);
         gaps.push(gap);
@@ -93,14 +95,14 @@ pub(super) fn tuck(
         return Ok(false);
     }
     let carried = form.carried(&places, &gaps);
-    let (carriers, places) = carried.ok_or(DressError::NoTrunk {
+    let (skin, places) = carried.ok_or(DressError::NoTrunk {
         template: kit.template,
     })?;
     for (&particle, place) in particles.iter().zip(places) {
         kit.spec.pinned[particle] = true;
         garment.start[particle] = place;
     }
-    garment.pins = (carriers, gaps);
+    garment.pins = Pins { skin, gaps, tied };
     garment.assembly = assembly(kit.template, (&kit.spec, Ease::Worn), &kit.joints)?;
     let is_tucked = |corner: &u32| depths[*corner as usize].is_some();
     let is_open = |corners: &&[u32; 3]| !corners.iter().all(is_tucked);

@@ -3,7 +3,7 @@
 //! What is worn under the skirt moves first and meets the skin; skirts lie over its outline. What is worn
 //! over it moves last and meets the outline of the skirts. So every garment leads those outside of it.
 
-use glam::Vec3;
+use glam::{Affine3A, Vec3};
 use lole_cloth::collision::layer::{Envelope, Trunk};
 use lole_costume::document::GarmentLayer;
 use lole_costume::dress::{DressedState, World};
@@ -34,6 +34,8 @@ pub(super) struct Dressed {
 /// What a dressed garment meets in a frame.
 pub(super) struct Around<'a> {
     pub(super) trunk: Trunk,
+    /// How bones move from the bind pose.
+    pub(super) world_from_bind: &'a [Affine3A],
     /// Vertices of the skin and their normals.
     pub(super) body: (&'a [Vec3], &'a [Vec3]),
     /// The skin, arms and all.
@@ -73,7 +75,9 @@ impl Dressed {
         let world = World {
             skin: around.body,
             surfels: &self.surfels,
+            world_from_bind: around.world_from_bind,
             air_velocity: around.air_velocity,
+            floor: Vec3::ZERO,
         };
         let moved = self.state.step(&garment.dressed, &world, FRAME_SECONDS);
         self.is_lost |= moved.is_err();
