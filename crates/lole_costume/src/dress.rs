@@ -13,6 +13,7 @@ mod panel;
 #[cfg(test)]
 mod tests;
 mod tuck;
+mod under;
 mod wrap;
 
 use std::num::NonZeroU32;
@@ -33,10 +34,13 @@ use lole_pattern::{DraftError, Pattern};
 
 use crate::document::WornTemplate;
 use form::Form;
+use under::Under;
 
 pub use garment::is_worn;
 pub use tuck::Bands;
 
+/// Distance kept between garments [m]: the thickness of two fabrics and of the air between them.
+pub const LAYER_GAP: f32 = 0.0015;
 /// Distance kept between skin and cloth [m]: with edges of two centimeters the middle of a triangle on
 /// an arm lies 1.5 mm below its corners.
 const CONTACT_OFFSET: f32 = 0.004;
@@ -82,8 +86,10 @@ pub struct Dressed {
     welded: Vec<u32>,
     /// Particles of gathered edges that are drawn in the seam, between two others.
     puckers: Vec<(u32, [u32; 2], f32)>,
-    /// The triangles that cover the trunk, and not the arms: what is worn over it meets them.
+    /// The triangles that cover the trunk, and not the arms: garments worn over it meet them.
     pub trunk_triangles: Vec<[u32; 3]>,
+    /// Those of them that hang below what is tucked in: skirts worn over it meet them.
+    pub hanging_triangles: Vec<[u32; 3]>,
     /// The triangles that are not tucked under a skirt.
     pub open_triangles: Vec<[u32; 3]>,
 }
@@ -120,6 +126,15 @@ struct Kit {
     template: &'static str,
     spec: MeshSpec,
     joints: Vec<Joint>,
+}
+
+/// What a garment is put on among.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Among<'a> {
+    /// Upper edges of skirts: what lies below them is tucked in.
+    pub bands: Option<Bands<'a>>,
+    /// Triangles on the trunk of garments that are worn under it, and where they lie in the stance [m].
+    pub inside: &'a [(&'a [[u32; 3]], &'a [Vec3])],
 }
 
 /// What moves of a dressed garment.
@@ -221,8 +236,7 @@ impl Bilingual for DressError {
     }
 }
 
-/// Puts a garment on a dancer who comes to stand in the pose `stance`; `surfels` are her skin's. What lies
-/// below `bands` is tucked in.
+/// Puts a garment on a dancer who comes to stand in the pose `stance`; `surfels` are her skin's.
 ///
 /// # Errors
 /// Measures that it cannot be drafted from, and pieces that cannot be cut or sewn.
@@ -230,19 +244,25 @@ pub fn dress(
     worn: &WornTemplate,
     (dancer, surfels): (&Dancer, &SkinSurfels),
     stance: &Pose,
-    bands: Option<Bands<'_>>,
+    among: &Among<'_>,
 ) -> Result<Dressed, DressError> {
     let measures = crate::measures(dancer);
     let pattern = worn.pattern(&measures)?;
     let laid = garment::lay((worn.template.id, pattern), (dancer, &measures))?;
+    let mut under = Under::new(dancer, stance, among.inside);
     let (mut dressed, mut kit) = Dressed::sew(worn, laid)?;
     let template = kit.template;
     let lost = |lost| DressError::Lost { template, lost };
-    fit::fit(&mut dressed, &kit, (dancer, surfels), stance)?;
-    if let Some(bands) = bands {
+    under.lay_over(dancer, &mut dressed);
+    fit::fit(
+        (&mut dressed, &kit),
+        (dancer, surfels),
+        (stance, &mut under),
+    )?;
+    if let Some(bands) = among.bands {
         let form = Form::new(dancer, stance, dancer.landmarks.crotch_height);
         if tuck::tuck(&mut dressed, &mut kit, (&form, bands))? {
-            fit::rest(&mut dressed, (dancer, surfels), stance).map_err(lost)?;
+            fit::rest(&mut dressed, (dancer, surfels), (stance, &mut under)).map_err(lost)?;
         }
     }
     Ok(dressed)
@@ -293,6 +313,7 @@ impl Dressed {
             pins,
             start: places,
             trunk_triangles: triangles.iter().filter(on_trunk).copied().collect(),
+            hanging_triangles: triangles.iter().filter(on_trunk).copied().collect(),
             open_triangles: triangles.clone(),
             triangles,
             on_cloth: on_cloth.collect(),

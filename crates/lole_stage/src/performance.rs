@@ -253,15 +253,12 @@ impl Performance {
         };
         let pairs = || self.production.dressed.iter();
         let is_under = |garment: &DressedGarment| garment.layer == GarmentLayer::Under;
-        for (dressed, garment) in self.dressed.iter_mut().zip(pairs()) {
-            if is_under(garment) {
-                dressed.step(garment, &around, std::iter::empty());
-            }
-        }
+        let all = (&mut self.dressed[..], &self.production.dressed[..]);
+        dressed::step_layer(all, GarmentLayer::Under, &around, &[]);
         let inner: Vec<order::Inner<'_>> = (self.dressed.iter().zip(pairs()))
             .filter(|(_, garment)| is_under(garment))
             .map(|(dressed, garment)| {
-                let triangles = &garment.dressed.trunk_triangles[..];
+                let triangles = &garment.dressed.hanging_triangles[..];
                 (triangles, dressed.positions())
             })
             .filter(|(triangles, _)| !triangles.is_empty())
@@ -273,12 +270,10 @@ impl Performance {
         for worn in &mut self.worn {
             self.cloth_positions.extend_from_slice(worn.look());
         }
-        for (dressed, garment) in self.dressed.iter_mut().zip(pairs()) {
-            if !is_under(garment) {
-                let inside = dressed::grids(&self.production.garments, &self.cloth_positions);
-                dressed.step(garment, &around, inside);
-            }
-        }
+        let grids = dressed::grids(&self.production.garments, &self.cloth_positions);
+        let grids: Vec<order::Inner<'_>> = grids.collect();
+        let all = (&mut self.dressed[..], &self.production.dressed[..]);
+        dressed::step_layer(all, GarmentLayer::Over, &around, &grids);
         self.step_adornments();
         self.settle();
         self.check_stage()

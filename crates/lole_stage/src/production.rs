@@ -10,7 +10,7 @@ use lole_costume::adorn::{self, Adornment};
 use lole_costume::document::{
     Design, FabricDesign, GarmentDesign, GarmentLayer, SkirtDesign, WornTop,
 };
-use lole_costume::dress::{self, Bands, Dressed};
+use lole_costume::dress::{self, Among, Bands, Dressed};
 use lole_costume::sew::{self, Clothed, Cut, SewSettings, SewnSkirt, SkirtMesh, WornPlace};
 use lole_costume::tailoring::{self, Drafted};
 use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements};
@@ -86,6 +86,13 @@ pub struct DressedGarment {
     pub layer: GarmentLayer,
     /// Its cloth, sewn.
     pub dressed: Dressed,
+}
+
+impl DressedGarment {
+    /// Whether one that is listed after it, in a layer, is worn over it.
+    pub(crate) fn is_inside(&self, layer: GarmentLayer) -> bool {
+        self.layer == layer || self.layer == GarmentLayer::Under
+    }
 }
 
 impl Production {
@@ -324,7 +331,10 @@ fn dressed(
     let posed = body.0.skeleton.world_from_bind(stance);
     let edge = upper_edges(garments, &posed);
     let mut dressed: Vec<DressedGarment> = Vec::new();
-    for (listed, garment) in design.garments.iter().enumerate() {
+    let listed = design.garments.iter().enumerate();
+    let (under, over): (Vec<_>, Vec<_>) =
+        listed.partition(|(_, garment)| garment.layer() == GarmentLayer::Under);
+    for (listed, garment) in under.into_iter().chain(over) {
         let GarmentDesign::Template(worn) = garment else {
             continue;
         };
@@ -333,7 +343,19 @@ fn dressed(
         }
         let is_under = garment.layer() == GarmentLayer::Under;
         let bands = (is_under && !edge.is_empty()).then_some(Bands { edge: &edge });
-        let sewn = dress::dress(worn, body, stance, bands);
+        let inside = dressed
+            .iter()
+            .filter(|other| other.is_inside(garment.layer()));
+        let inside = inside.map(|other| {
+            let triangles = &other.dressed.trunk_triangles[..];
+            (triangles, &other.dressed.start[..])
+        });
+        let inside: Vec<_> = inside.collect();
+        let among = Among {
+            bands,
+            inside: &inside,
+        };
+        let sewn = dress::dress(worn, body, stance, &among);
         let sewn = sewn.map_err(|error| StageError::Garment {
             place: listed + 1,
             error: Box::new(error.into()),

@@ -8,6 +8,7 @@ use lole_geom::Surfel;
 
 use super::flat::FlatMesh;
 use super::form::Form;
+use super::under::Under;
 use super::{DressError, Dressed, Ease, Kit, World, assembly, garment};
 
 /// How far she lifts her arms to be dressed from where they are built, 47° below the level [rad].
@@ -96,10 +97,9 @@ pub(super) fn close_seams(mesh: &FlatMesh, form: &Form<'_>, places: &mut [Vec3])
 
 /// Sews the garment tight and lets it come to rest.
 pub(super) fn fit(
-    garment: &mut Dressed,
-    kit: &Kit,
+    (garment, kit): (&mut Dressed, &Kit),
     body: (&Dancer, &SkinSurfels),
-    stance: &Pose,
+    (stance, under): (&Pose, &mut Under<'_>),
 ) -> Result<(), DressError> {
     let basted = assembly(kit.template, (&kit.spec, Ease::Basted), &kit.joints)?;
     let mut state = garment.state();
@@ -119,7 +119,7 @@ pub(super) fn fit(
         let world = World {
             // What hangs deeper than the floor is taken up by it, and drawn out behind her.
             floor: Vec3::new(0.0, share - 1.0, -TRAILING * share) * trailing,
-            ..room.world(body, &pose)
+            ..room.world(body, (&pose, under))
         };
         let moved_on = state.step_as(garment, assembly, (&world, FRAME));
         moved_on.map_err(|lost| DressError::Lost {
@@ -145,11 +145,11 @@ pub(super) fn fit(
 pub(super) fn rest(
     garment: &mut Dressed,
     body: (&Dancer, &SkinSurfels),
-    stance: &Pose,
+    (stance, under): (&Pose, &mut Under<'_>),
 ) -> Result<(), Lost> {
     let mut state = garment.state();
     let mut room = Room::default();
-    let world = room.world(body, stance);
+    let world = room.world(body, (stance, under));
     for _ in 0..RESTING_FRAMES {
         state.step(garment, &world, FRAME)?;
         state.scale_velocities(garment, KEPT[1]);
@@ -171,7 +171,11 @@ struct Room {
 
 impl Room {
     /// The dancer in a pose, as cloth meets her.
-    fn world(&mut self, (dancer, skin): (&Dancer, &SkinSurfels), pose: &Pose) -> World<'_> {
+    fn world(
+        &mut self,
+        (dancer, skin): (&Dancer, &SkinSurfels),
+        (pose, under): (&Pose, &mut Under<'_>),
+    ) -> World<'_> {
         self.world_from_bind = dancer.skeleton.world_from_bind(pose);
         (dancer.skin).pose(
             &self.world_from_bind,
@@ -179,6 +183,7 @@ impl Room {
             &mut self.normals,
         );
         skin.pose(&self.positions, &self.normals, &mut self.surfels);
+        under.add(&self.world_from_bind, &mut self.surfels);
         World {
             skin: (&self.positions, &self.normals),
             surfels: &self.surfels,

@@ -27,7 +27,13 @@ fn laid(template: &str, dancer: &Dancer) -> garment::Laid {
 fn put_on(template: &str, dancer: &Dancer) -> Dressed {
     let triangles = dancer.skin.body_triangles();
     let surfels = SkinSurfels::new(&dancer.skin.positions, &triangles, SPACING);
-    dress(&worn(template), (dancer, &surfels), &Pose::default(), None).unwrap()
+    dress(
+        &worn(template),
+        (dancer, &surfels),
+        &Pose::default(),
+        &Among::default(),
+    )
+    .unwrap()
 }
 
 const ALL: [&str; 6] = ["blouse", "kikepa", "kihei", "malo", "muumuu", "holoku"];

@@ -115,6 +115,7 @@ pub(super) fn tuck(
             .height(center, place)
             .is_none_or(|edge| place.y < edge)
     };
-    (garment.trunk_triangles).retain(|corners| is_open(&corners) && corners.iter().all(hangs));
+    (garment.hanging_triangles).retain(|corners| is_open(&corners) && corners.iter().all(hangs));
+    garment.trunk_triangles.retain(|corners| is_open(&corners));
     Ok(true)
 }

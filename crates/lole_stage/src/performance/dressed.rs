@@ -9,7 +9,7 @@ use lole_costume::document::GarmentLayer;
 use lole_costume::dress::{DressedState, World};
 use lole_geom::Surfel;
 
-use super::order::GAP;
+use super::order::{self, GAP};
 use super::{FRAME_SECONDS, Performance};
 use crate::production::{DressedGarment, Garment};
 use crate::skin_check::{self, SkinCheck};
@@ -60,11 +60,11 @@ impl Dressed {
         &mut self,
         garment: &DressedGarment,
         around: &Around<'_>,
-        inside: impl Iterator<Item = (&'a [[u32; 3]], &'a [Vec3])>,
+        inside: &[(&'a [[u32; 3]], &'a [Vec3])],
     ) {
         self.surfels.clear();
         self.surfels.extend_from_slice(around.skin);
-        if garment.layer == GarmentLayer::Over {
+        if !inside.is_empty() {
             self.envelope.begin(around.trunk);
             for (triangles, positions) in inside {
                 self.envelope.put_on(triangles, positions);
@@ -113,6 +113,32 @@ impl Dressed {
         };
         let strain = garment.dressed.strain(&self.positions);
         (strain, skin_check::check(body, cloth))
+    }
+}
+
+/// Moves the garments of a layer on by a frame, each over those inside of it and over `grids`.
+pub(super) fn step_layer(
+    (moving, garments): (&mut [Dressed], &[DressedGarment]),
+    layer: GarmentLayer,
+    around: &Around<'_>,
+    grids: &[order::Inner<'_>],
+) {
+    for place in 0..moving.len() {
+        let (before, rest) = moving.split_at_mut(place);
+        let (Some(own), garment) = (rest.first_mut(), &garments[place]) else {
+            continue;
+        };
+        if garment.layer != layer {
+            continue;
+        }
+        let worn = before.iter().zip(garments);
+        let worn = worn.filter(|(_, other)| other.is_inside(layer));
+        let inside = worn.map(|(moving, other)| {
+            let triangles = &other.dressed.trunk_triangles[..];
+            (triangles, moving.positions())
+        });
+        let inside: Vec<order::Inner<'_>> = inside.chain(grids.iter().copied()).collect();
+        own.step(garment, around, &inside);
     }
 }
 
