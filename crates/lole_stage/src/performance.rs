@@ -710,6 +710,30 @@ mod tests {
     }
 
     #[test]
+    fn a_dancer_without_skirt_rests_and_then_dances_in_the_wind() {
+        let kihei = lole_costume::document::GarmentDesign::of_kind("kihei").unwrap();
+        let danced = |speed: f64| {
+            let mut design = Design::default();
+            design.skirt.is_worn = false;
+            design.garments.push(kihei.clone());
+            design.wind.speed_m_per_s = speed;
+            let mut performance = Performance::new(Production::new(&design).unwrap()).unwrap();
+            while performance.time() < 0.0 {
+                performance.advance().unwrap();
+            }
+            for frame in 1..=12_u8 {
+                performance.advance().unwrap();
+                let time = f32::from(frame) * FRAME_SECONDS;
+                assert!((performance.time() - time).abs() < 1e-5, "{frame}");
+            }
+            performance.dressed_positions(0).to_vec()
+        };
+        let (calm, storm) = (danced(0.0), danced(8.0));
+        let apart = calm.iter().zip(&storm).map(|(a, b)| a.distance(*b));
+        assert!(0.01 < apart.fold(0.0, f32::max));
+    }
+
+    #[test]
     fn wind_on_triangles_moves_the_skirt_and_its_gusts_follow_the_seed() {
         let wind = |seed: u64, speed: f64| {
             blown(move |design| {

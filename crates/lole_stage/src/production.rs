@@ -37,7 +37,7 @@ pub struct Production {
     pub dance: Danced,
     /// What she wears, from the skin outward; particles are numbered through all of it.
     pub garments: Vec<Garment>,
-    /// Garments of the templates that she wears besides, in the order of the design's list.
+    /// Garments of the templates that she wears besides, from the skin outward.
     pub dressed: Vec<DressedGarment>,
     /// What she wears or holds beside the cloth.
     pub adornments: Vec<Adornment>,

@@ -59,6 +59,12 @@ impl<'a> Under<'a> {
             .add_surfels(CONTACT_OFFSET - LAYER_GAP, surfels);
     }
 
+    /// How far a place is outside of them where they were added last [m].
+    #[cfg(test)]
+    pub(super) fn clearance(&self, place: Vec3) -> Option<f32> {
+        Some(self.envelope.clearance(place)?.0)
+    }
+
     /// Lays what is about to be sewn over them.
     pub(super) fn lay_over(&mut self, dancer: &Dancer, garment: &mut Dressed) {
         if self.inside.is_empty() {
