@@ -31,13 +31,7 @@ fn put_on(template: &str, dancer: &Dancer) -> Dressed {
 fn put_on_among(template: &str, dancer: &Dancer, among: &Among<'_>) -> Dressed {
     let triangles = dancer.skin.body_triangles();
     let surfels = SkinSurfels::new(&dancer.skin.positions, &triangles, SPACING);
-    dress(
-        &worn(template),
-        (dancer, &surfels),
-        &Pose::default(),
-        &Among::default(),
-    )
-    .unwrap()
+    dress(&worn(template), (dancer, &surfels), &Pose::default(), among).unwrap()
 }
 
 const ALL: [&str; 6] = ["blouse", "kikepa", "kihei", "malo", "muumuu", "holoku"];
@@ -80,7 +74,7 @@ fn every_particle_is_laid_outside_of_the_skin_at_a_place() {
             laid.places.iter().all(|place| place.is_finite()),
             "{template}"
         );
-        let form = form::Form::new(&dancer, &fit::fitting_pose(), 0.12);
+        let form = Form::new(&dancer, &fit::fitting_pose(), 0.12);
         let mut pushed = laid.places.clone();
         form.push_out(&mut pushed, 0.002);
         let moved = pushed
