@@ -146,7 +146,7 @@ impl<'a> Form<'a> {
         let moved = |bind_position: Vec3| {
             let point = TapePoint {
                 bind_position,
-                ..nearest.clone()
+                ..*nearest
             };
             point.posed(&self.world_from_bind)
         };
@@ -155,7 +155,7 @@ impl<'a> Form<'a> {
         let world_from_bind = Affine3A::from_mat3_translation(Mat3::from_cols(x, y, z), origin);
         Some(TapePoint {
             bind_position: world_from_bind.inverse().transform_point3(place),
-            ..nearest.clone()
+            ..*nearest
         })
     }
 

@@ -83,7 +83,7 @@ pub(super) fn tuck(
                 let share = (above / ABOVE_EDGE).clamp(0.0, 1.0);
                 (BLOUSING, GAPS[1] + (GAPS[0] - GAPS[1]) * share, None)
             }
-            (None, Some((gap, tie))) => (0.0, *gap, tie.clone()),
+            (None, Some((gap, tie))) => (0.0, *gap, *tie),
             (None, None) => continue,
         };
         tied.push(tie);
