@@ -12,12 +12,14 @@ mod garment;
 mod panel;
 #[cfg(test)]
 mod tests;
+mod tuck;
+mod under;
 mod wrap;
 
 use std::num::NonZeroU32;
 
-use glam::{Vec2, Vec3};
-use lole_body::{Dancer, Pose, SkinSurfels};
+use glam::{Affine3A, Vec2, Vec3};
+use lole_body::{Dancer, Pose, SkinSurfels, TapePoint};
 use lole_cloth::assembly::{
     Assembly, AssemblyInput, AssemblyState, Elastic, Ends, Joint, JointError, Lost, Piece,
     PieceState, Place, Seam, step,
@@ -26,14 +28,19 @@ use lole_cloth::diagnose::StrainSummary;
 use lole_cloth::mesh::{MeshError, MeshModel, MeshSpec, diagnose};
 use lole_cloth::{Crossings, Fabric, SelfCollision, SolverConfig, mesh_state_hash};
 use lole_geom::mesh::vertex_normals;
-use lole_geom::{Capsule, Surfel};
+use lole_geom::{Capsule, Surfel, TriangleGrid};
 use lole_language::Bilingual;
 use lole_pattern::{DraftError, Pattern};
 
 use crate::document::WornTemplate;
+use form::Form;
+use under::Under;
 
 pub use garment::is_worn;
+pub use tuck::Bands;
 
+/// Distance kept between garments [m]: the thickness of two fabrics and of the air between them.
+pub const LAYER_GAP: f32 = 0.0015;
 /// Distance kept between skin and cloth [m]: with edges of two centimeters the middle of a triangle on
 /// an arm lies 1.5 mm below its corners.
 const CONTACT_OFFSET: f32 = 0.004;
@@ -52,6 +59,8 @@ const FLOOR: Capsule = Capsule {
 const SUBSTEP_COUNT: NonZeroU32 = NonZeroU32::MIN.saturating_add(11);
 /// Tension of flat elastic of 6 to 8 mm at twice its length [N]. Estimated.
 const ELASTIC_STIFFNESS: f32 = 15.0;
+/// Cells of the search for crossings [m].
+const CROSSING_CELL: f32 = 0.03;
 /// Layers of cloth at an edge that is bound or hemmed.
 const EDGE_LAYERS: f32 = 2.0;
 
@@ -60,16 +69,12 @@ const EDGE_LAYERS: f32 = 2.0;
 pub struct Dressed {
     /// Pieces, seams and elastics as the engine knows them: one mesh.
     assembly: Assembly,
-    /// The same while it is sewn and while it is tried on; `None` afterwards.
-    before: Option<[Assembly; 2]>,
     /// What it is drafted as.
     pub pattern: Pattern,
     /// Its cloth in SI units.
     pub fabric: Fabric,
-    /// Whether it is one cloth, wrapped.
-    is_wrapped: bool,
     /// Skin that carries the pinned particles, in their order, and how far they lie over it [m].
-    pins: (SkinSurfels, Vec<f32>),
+    pins: Pins,
     /// Where it rests on the standing dancer [m], shape `[particle_count]`.
     pub start: Vec<Vec3>,
     /// Its triangles, counterclockwise seen from outside.
@@ -81,8 +86,55 @@ pub struct Dressed {
     welded: Vec<u32>,
     /// Particles of gathered edges that are drawn in the seam, between two others.
     puckers: Vec<(u32, [u32; 2], f32)>,
-    /// The triangles that cover the trunk, and not the arms.
+    /// The triangles that cover the trunk, and not the arms: garments worn over it meet them.
     pub trunk_triangles: Vec<[u32; 3]>,
+    /// Those of them that hang below what is tucked in: skirts worn over it meet them.
+    pub hanging_triangles: Vec<[u32; 3]>,
+    /// The triangles that are not tucked under a skirt.
+    pub open_triangles: Vec<[u32; 3]>,
+}
+
+/// What carries the pinned particles of a garment, in their order.
+#[derive(Debug, Clone, Default)]
+struct Pins {
+    /// The skin below each, and how far it lies over it [m].
+    skin: SkinSurfels,
+    gaps: Vec<f32>,
+    /// What is tied around the trunk goes with it, and not with the skin that an arm draws up.
+    tied: Vec<Option<TapePoint>>,
+}
+
+impl Pins {
+    /// Where they are [m].
+    fn places(&self, world: &World<'_>) -> Vec<Vec3> {
+        let mut carried = Vec::new();
+        (self.skin).pose(world.skin.0, world.skin.1, &mut carried);
+        let over_skin = carried.iter().zip(&self.gaps);
+        let over_skin = over_skin.map(|(skin, gap)| skin.position + skin.normal * *gap);
+        let tied = over_skin.zip(&self.tied);
+        tied.map(|(place, tied)| {
+            tied.as_ref()
+                .map_or(place, |tied| tied.posed(world.world_from_bind))
+        })
+        .collect()
+    }
+}
+
+/// What a garment is sewn of.
+#[derive(Debug, Clone)]
+struct Kit {
+    template: &'static str,
+    spec: MeshSpec,
+    joints: Vec<Joint>,
+}
+
+/// What a garment is put on among.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Among<'a> {
+    /// Upper edges of skirts: what lies below them is tucked in.
+    pub bands: Option<Bands<'a>>,
+    /// Triangles on the trunk of garments that are worn under it, and where they lie in the stance [m].
+    pub inside: &'a [(&'a [[u32; 3]], &'a [Vec3])],
 }
 
 /// What moves of a dressed garment.
@@ -98,8 +150,12 @@ pub struct World<'a> {
     pub skin: (&'a [Vec3], &'a [Vec3]),
     /// What the cloth meets, always the same ones in the same order.
     pub surfels: &'a [Surfel],
+    /// How bones move from the bind pose: what is tied around the trunk goes with them.
+    pub world_from_bind: &'a [Affine3A],
     /// Velocity of the air [m/s].
     pub air_velocity: Vec3,
+    /// How far the floor is from where it was laid [m].
+    pub floor: Vec3,
 }
 
 /// Why a garment could not be put on.
@@ -188,20 +244,33 @@ pub fn dress(
     worn: &WornTemplate,
     (dancer, surfels): (&Dancer, &SkinSurfels),
     stance: &Pose,
+    among: &Among<'_>,
 ) -> Result<Dressed, DressError> {
     let measures = crate::measures(dancer);
     let pattern = worn.pattern(&measures)?;
     let laid = garment::lay((worn.template.id, pattern), (dancer, &measures))?;
-    let dressed = Dressed::sew(worn, laid)?;
-    fit::fit(dressed, (dancer, surfels), stance).map_err(|lost| DressError::Lost {
-        template: worn.template.id,
-        lost,
-    })
+    let mut under = Under::new(dancer, stance, among.inside);
+    let (mut dressed, mut kit) = Dressed::sew(worn, laid)?;
+    let template = kit.template;
+    let lost = |lost| DressError::Lost { template, lost };
+    under.lay_over(dancer, &mut dressed);
+    fit::fit(
+        (&mut dressed, &kit),
+        (dancer, surfels),
+        (stance, &mut under),
+    )?;
+    if let Some(bands) = among.bands {
+        let form = Form::new(dancer, stance, dancer.landmarks.crotch_height);
+        if tuck::tuck(&mut dressed, &mut kit, (&form, bands))? {
+            fit::rest(&mut dressed, (dancer, surfels), (stance, &mut under)).map_err(lost)?;
+        }
+    }
+    Ok(dressed)
 }
 
 impl Dressed {
     /// Prepares seams and elastics of a garment that is laid around the dancer.
-    fn sew(worn: &WornTemplate, laid: garment::Laid) -> Result<Self, DressError> {
+    fn sew(worn: &WornTemplate, laid: garment::Laid) -> Result<(Self, Kit), DressError> {
         let template = worn.template.id;
         let garment::Laid {
             pattern,
@@ -210,7 +279,6 @@ impl Dressed {
             facing,
             is_on_arm,
             elastics,
-            is_wrapped,
             pinned,
             pins,
         } = laid;
@@ -221,9 +289,7 @@ impl Dressed {
         }
         spec.pinned = pinned;
         let joints = joints(&mesh, &elastics);
-        let make = |ease: Ease| assembly(template, (&spec, ease), &joints);
-        let [assembly, basted, tried] =
-            [make(Ease::Worn)?, make(Ease::Basted)?, make(Ease::Tried)?];
+        let assembly = assembly(template, (&spec, Ease::Worn), &joints)?;
         let turned = |&[a, b, c]: &[u32; 3]| {
             if facing[mesh.panel_of[a as usize]] {
                 [a, b, c]
@@ -240,20 +306,26 @@ impl Dressed {
                 Vec2::new(flat.x, -flat.y)
             }
         });
-        Ok(Self {
+        let dressed = Self {
             assembly,
-            before: Some([basted, tried]),
             pattern,
             fabric,
-            is_wrapped,
             pins,
             start: places,
             trunk_triangles: triangles.iter().filter(on_trunk).copied().collect(),
+            hanging_triangles: triangles.iter().filter(on_trunk).copied().collect(),
+            open_triangles: triangles.clone(),
             triangles,
             on_cloth: on_cloth.collect(),
             welded: welded(&mesh),
             puckers: mesh.puckers,
-        })
+        };
+        let kit = Kit {
+            template,
+            spec,
+            joints,
+        };
+        Ok((dressed, kit))
     }
 
     /// The mesh as the engine knows it.
@@ -301,14 +373,7 @@ impl Dressed {
     /// than its triangles are no strain.
     #[must_use]
     pub fn strain(&self, positions: &[Vec3]) -> StrainSummary {
-        let Some(model) = self.model() else {
-            return StrainSummary::default();
-        };
-        let stretches = model.triangles().iter().flat_map(|&triangle| {
-            let along = diagnose::deformation(model, triangle, positions);
-            along.map(|column| (column.length() - 1.0).max(0.0))
-        });
-        let mut stretches: Vec<f32> = stretches.collect();
+        let mut stretches = self.stretches(positions).into_flattened();
         stretches.sort_by(f32::total_cmp);
         let count = stretches.len().max(1);
         StrainSummary {
@@ -316,6 +381,51 @@ impl Dressed {
             p99: stretches.get(count * 99 / 100).copied().unwrap_or(0.0),
             max: stretches.last().copied().unwrap_or(0.0),
         }
+    }
+
+    /// The same of every triangle, along the warp and along the weft; 0 where it is held all around.
+    #[must_use]
+    pub fn stretches(&self, positions: &[Vec3]) -> Vec<[f32; 2]> {
+        let Some(model) = self.model() else {
+            return Vec::new();
+        };
+        let pinned = &model.spec().pinned;
+        let stretches = self.triangles.iter().map(|&triangle| {
+            if triangle.iter().all(|&corner| pinned[corner as usize]) {
+                return [0.0; 2];
+            }
+            let along = diagnose::deformation(model, triangle, positions);
+            along.map(|column| (column.length() - 1.0).max(0.0))
+        });
+        stretches.collect()
+    }
+
+    /// Edges of the garment that go through one of its triangles, with its seams closed: 0 where no fold
+    /// has gone through another.
+    #[must_use]
+    pub fn crossings(&self, positions: &[Vec3]) -> usize {
+        let drawn = self.drawn(positions);
+        let weld = |corners: &[u32; 3]| corners.map(|corner| self.welded[corner as usize]);
+        let triangles: Vec<[u32; 3]> = self.triangles.iter().map(weld).collect();
+        let mut edges: Vec<[u32; 2]> = (triangles.iter())
+            .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]])
+            .map(|[a, b]| [a.min(b), a.max(b)])
+            .collect();
+        edges.sort_unstable();
+        edges.dedup();
+        let search = TriangleGrid::new(&drawn, &triangles, CROSSING_CELL);
+        let mut crossed = Vec::new();
+        let mut count = 0;
+        for ends in edges {
+            let [start, end] = ends.map(|end| drawn[end as usize]);
+            search.crossed_by(start, end, &mut crossed);
+            let apart = |triangle: &&u32| {
+                let corners = triangles[**triangle as usize];
+                !ends.iter().any(|end| corners.contains(end))
+            };
+            count += crossed.iter().filter(apart).count();
+        }
+        count
     }
 
     /// The garment at rest where it starts.
@@ -342,15 +452,13 @@ impl DressedState {
         assembly: &Assembly,
         (world, dt): (&World<'_>, f32),
     ) -> Result<(), Lost> {
-        let (carriers, gaps) = &garment.pins;
-        let mut carried = Vec::new();
-        carriers.pose(world.skin.0, world.skin.1, &mut carried);
-        let targets = carried.iter().zip(gaps);
-        let targets = targets.map(|(skin, gap)| skin.position + skin.normal * *gap);
         let input = AssemblyInput {
-            pin_targets: &[targets.collect()],
+            pin_targets: &[garment.pins.places(world)],
             surfels: world.surfels,
-            capsules: &[FLOOR],
+            capsules: &[Capsule {
+                ends: FLOOR.ends.map(|end| end + world.floor),
+                ..FLOOR
+            }],
             air_velocity: world.air_velocity,
             ..AssemblyInput::default()
         };
@@ -394,11 +502,9 @@ impl DressedState {
 /// What a garment is prepared for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Ease {
-    /// To be sewn: it slips over the skin, and folds pass through each other.
+    /// To be sewn: it slips over the skin.
     Basted,
-    /// To be tried on: folds that went through each other are drawn out, which takes its time.
-    Tried,
-    /// To be worn: folds keep apart.
+    /// To be worn.
     Worn,
 }
 
@@ -409,18 +515,13 @@ fn assembly(
     joints: &[Joint],
 ) -> Result<Assembly, DressError> {
     let mut spec = spec.clone();
-    let mut contact = Some(SelfCollision {
+    let contact = Some(SelfCollision {
         radius: HALF_GAP,
         substep_interval: NonZeroU32::MIN.saturating_add(2),
-        crossings: if ease == Ease::Tried {
-            Crossings::Repair
-        } else {
-            Crossings::Leave
-        },
+        crossings: Crossings::Repair,
     });
     if ease == Ease::Basted {
         spec.fabric.friction = SLIPPING;
-        contact = None;
     }
     let config = SolverConfig {
         self_collision: contact,

@@ -1,9 +1,11 @@
 //! Garments of the templates on six dancers, each from the front, the side and the back: what a fitting
 //! shows before a dance.
 //!
-//! `cargo run --release -p lole_picture --example fitting_room -- OUT [TEMPLATE ...] [--only DANCER]
-//! [--seconds S] [--layer under] [--close]` writes a picture for each template there and prints figures for
-//! each dancer. Without a template, all that can be put on.
+//! `cargo run --release -p lole_picture --example fitting_room -- OUT [TEMPLATE ...] [--only DANCER,DANCER]
+//! [--seconds S] [--dance STEP] [--layer under] [--skirt] [--close] [--where] [--print LINE]` writes a
+//! picture for each template there, as she stands and after so many seconds of her dance, and prints
+//! figures for each dancer. Without a template, all that can be put on; `kihei+muumuu` puts on both, from
+//! the skin outward. `--where` says where cloth is stretched most.
 
 #![expect(
     clippy::print_stdout,
@@ -12,9 +14,11 @@
 )]
 
 use std::error::Error;
+use std::fmt::Write as _;
 use std::path::PathBuf;
 use std::time::Instant;
 
+use cpu_time::ProcessTime;
 use glam::Vec3;
 use lole_body::Figure;
 use lole_costume::document::schema::kind_ids;
@@ -59,6 +63,8 @@ struct Asked {
     is_close: bool,
     has_skirt: bool,
     print: Option<String>,
+    dance: Option<String>,
+    says_where: bool,
 }
 
 fn asked() -> Result<Asked, Box<dyn Error>> {
@@ -72,6 +78,8 @@ fn asked() -> Result<Asked, Box<dyn Error>> {
         is_close: false,
         has_skirt: false,
         print: None,
+        dance: None,
+        says_where: false,
     };
     while let Some(argument) = arguments.next() {
         match argument.as_str() {
@@ -85,6 +93,8 @@ fn asked() -> Result<Asked, Box<dyn Error>> {
             }
             "--close" => asked.is_close = true,
             "--skirt" => asked.has_skirt = true,
+            "--where" => asked.says_where = true,
+            "--dance" => asked.dance = arguments.next(),
             "--print" => asked.print = arguments.next(),
             id => asked.templates.push(id.to_owned()),
         }
@@ -102,12 +112,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     for template in &asked.templates {
         let mut rows = Vec::new();
         for (name, figure, cm) in DANCERS {
-            if asked.only.as_ref().is_some_and(|only| only != name) {
+            let is_asked = |only: &String| only.split(',').any(|only| only == name);
+            if !asked.only.as_ref().is_none_or(is_asked) {
                 continue;
             }
             match fitting(&asked, template, (figure, cm)) {
                 Ok((row, said)) => {
-                    println!("{template:12} {name:6} {said}");
+                    println!("{template} {name}: {said}");
                     rows.push(row);
                 }
                 Err(error) => println!("{template:12} {name:6} refused: {error}"),
@@ -125,11 +136,15 @@ fn fitting(
     template: &str,
     (figure, [stature_cm, bust_cm, waist_cm, hip_cm]): (Figure, [Option<f64>; 4]),
 ) -> Result<(Vec<u8>, String), Box<dyn Error>> {
-    let mut worn = GarmentDesign::of_kind(template).ok_or("no such garment")?;
-    *worn.layer_mut() = asked.layer;
-    if let Some(print) = &asked.print {
-        let text = format!("lole = 1\n[print]\n{print}\n");
-        *worn.print_mut() = parse(&text, "print")?.print;
+    let mut garments = Vec::new();
+    for id in template.split('+') {
+        let mut worn = GarmentDesign::of_kind(id).ok_or("no such garment")?;
+        *worn.layer_mut() = asked.layer;
+        if let Some(print) = &asked.print {
+            let text = format!("lole = 1\n[print]\n{print}\n");
+            *worn.print_mut() = parse(&text, "print")?.print;
+        }
+        garments.push(worn);
     }
     let mut design = Design {
         dancer: DancerDesign {
@@ -140,9 +155,13 @@ fn fitting(
             hip_cm,
             ..DancerDesign::default()
         },
-        garments: vec![worn],
+        garments,
         ..Design::default()
     };
+    if let Some(dance) = &asked.dance {
+        let text = format!("lole = 1\n[motion]\nstep = \"{dance}\"\n");
+        design.motion = parse(&text, "dance")?.motion;
+    }
     if !asked.has_skirt {
         design.skirt.is_worn = false;
     }
@@ -154,38 +173,111 @@ fn fitting(
     while performance.time() < 0.0 {
         performance.advance().map_err(|_| "the cloth flew away")?;
     }
+    performance.pose_body();
+    let mut cells = shoot(asked, &performance)?;
+    let said = danced(asked, &mut performance)?;
+    if 0.0 < asked.seconds {
+        cells.extend(shoot(asked, &performance)?);
+    }
+    Ok((beside(&cells), format!("sewn in {sewn:.1} s{said}")))
+}
+
+/// Dances, and says what the cloth did meanwhile.
+fn danced(asked: &Asked, performance: &mut Performance) -> Result<String, Box<dyn Error>> {
+    let count = performance.production().dressed.len();
+    let mut seen = vec![Seen::default(); count];
     let (mut frames, mut moving) = (0_u16, 0.0);
-    let mut worst = (0.0_f32, 0.0_f32, 0);
     loop {
         performance.pose_body();
-        let (strain, skin) = performance.measure_dressed(0);
-        worst = (
-            worst.0.max(strain.p99),
-            worst.1.max(skin.worst_depth),
-            worst.2.max(skin.showing_body_vertices),
-        );
+        for (place, seen) in seen.iter_mut().enumerate() {
+            let (strain, skin) = performance.measure_dressed(place);
+            seen.strain = [seen.strain[0].max(strain.p99), strain.p99];
+            seen.deepest = seen.deepest.max(skin.worst_depth);
+            seen.showing = seen.showing.max(skin.showing_body_vertices);
+            if frames.is_multiple_of(10) {
+                let garment = &performance.production().dressed[place].dressed;
+                let crossings = garment.crossings(performance.dressed_positions(place));
+                seen.crossings = [seen.crossings[0].max(crossings), crossings];
+            }
+        }
         if asked.seconds <= performance.time() {
             break;
         }
-        let begun = Instant::now();
+        let begun = ProcessTime::now();
         performance.advance().map_err(|_| "the cloth flew away")?;
         moving += begun.elapsed().as_secs_f32();
         frames += 1;
     }
-    let each = moving / f32::from(frames.max(1));
-    let row = shoot(asked, &performance)?;
-    let count = performance.production().dressed[0].dressed.particle_count();
-    let said = format!(
-        "{count} particles, sewn in {sewn:.1} s, p99 strain {:.1} %, deepest {:.1} mm, showing {}, {:.1} ms a frame with all",
-        100.0 * worst.0,
-        1000.0 * worst.1,
-        worst.2,
-        1000.0 * each,
-    );
-    Ok((row, said))
+    let each = 1000.0 * moving / f32::from(frames.max(1));
+    let mut said = format!(", {each:.1} ms of processor a frame");
+    for (place, seen) in seen.iter().enumerate() {
+        let garment = &performance.production().dressed[place];
+        write!(
+            said,
+            "\n    {:10} {} particles, p99 strain {:.1} % at worst and {:.1} % at the end, deepest {:.1} mm, showing {}, crossings {} at worst and {} at the end",
+            garment.name,
+            garment.dressed.particle_count(),
+            100.0 * seen.strain[0],
+            100.0 * seen.strain[1],
+            1000.0 * seen.deepest,
+            seen.showing,
+            seen.crossings[0],
+            seen.crossings[1],
+        )?;
+        if asked.says_where {
+            say_where(performance, place, &mut said)?;
+        }
+    }
+    Ok(said)
 }
 
-fn shoot(asked: &Asked, performance: &Performance) -> Result<Vec<u8>, Box<dyn Error>> {
+/// Worst of a garment, and what it was at last.
+#[derive(Debug, Clone, Copy, Default)]
+struct Seen {
+    strain: [f32; 2],
+    deepest: f32,
+    showing: u32,
+    crossings: [usize; 2],
+}
+
+/// The places of the cloth that are stretched most, by decimeters of the flat pieces.
+fn say_where(performance: &Performance, place: usize, said: &mut String) -> std::fmt::Result {
+    let garment = &performance.production().dressed[place].dressed;
+    let positions = performance.dressed_positions(place);
+    let stretches = garment.stretches(positions);
+    let mut worst: Vec<(f32, usize, Vec3, f32)> = (stretches.iter().zip(&garment.triangles))
+        .map(|([warp, weft], corners)| {
+            let middle = corners.map(|corner| positions[corner as usize]);
+            let middle = middle.iter().sum::<Vec3>() / 3.0;
+            let [a, b, c] = corners.map(|corner| garment.on_cloth[corner as usize]);
+            let sides = [a.distance(b), b.distance(c), c.distance(a)];
+            let longest = sides.into_iter().fold(0.0, f32::max);
+            let height = (b - a).perp_dot(c - a).abs() / longest;
+            (warp.max(*weft), usize::from(warp < weft), middle, height)
+        })
+        .collect();
+    worst.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let mut told: Vec<Vec3> = Vec::new();
+    for (stretch, along, middle, height) in worst {
+        if told.iter().all(|other| 0.06 < other.distance(middle)) {
+            let yarn = ["warp", "weft"][along];
+            write!(
+                said,
+                "\n        {:5.1} % along the {yarn} at {middle:.2}, a triangle {:.1} mm high",
+                100.0 * stretch,
+                1000.0 * height
+            )?;
+            told.push(middle);
+        }
+        if 12 <= told.len() {
+            break;
+        }
+    }
+    Ok(())
+}
+
+/// A dancer from all sides.
+fn shoot(asked: &Asked, performance: &Performance) -> Result<Vec<Vec<u8>>, Box<dyn Error>> {
     let production = performance.production();
     let looks = Looks::new(&production.design, production)?;
     let grids: Vec<[Vec<Vec3>; 2]> = (production.garments.iter())
@@ -225,19 +317,24 @@ fn shoot(asked: &Asked, performance: &Performance) -> Result<Vec<u8>, Box<dyn Er
             .collect()
     };
     let mut renderer = Renderer::new(Backend::Cpu, CELL)?;
-    let mut row = vec![0; (CELL.width * CELL.height * 3 * 4) as usize];
-    for (place, view) in VIEWS.into_iter().enumerate() {
+    let mut cells = Vec::new();
+    for view in VIEWS {
         let camera = Camera::framing_points(&points, view, CELL.aspect());
         let lights = LightRig::seen_from(&camera);
         let scene = looks.scene(production, &shown, camera, lights);
-        let image = renderer.render(&scene)?;
-        let width = CELL.width as usize * 4;
-        for line in 0..CELL.height as usize {
-            let to = (line * 3 + place) * width;
-            row[to..to + width].copy_from_slice(&image.pixels[line * width..][..width]);
-        }
+        cells.push(renderer.render(&scene)?.pixels);
     }
-    Ok(row)
+    Ok(cells)
+}
+
+/// Pictures side by side.
+fn beside(cells: &[Vec<u8>]) -> Vec<u8> {
+    let width = CELL.width as usize * 4;
+    let lines = (0..CELL.height as usize).flat_map(|line| {
+        let parts = cells.iter().map(move |cell| &cell[line * width..][..width]);
+        parts.collect::<Vec<_>>().concat()
+    });
+    lines.collect()
 }
 
 fn write_sheet(file: &std::path::Path, rows: &[Vec<u8>]) -> Result<(), Box<dyn Error>> {
@@ -245,8 +342,9 @@ fn write_sheet(file: &std::path::Path, rows: &[Vec<u8>]) -> Result<(), Box<dyn E
         return Ok(());
     }
     let height = CELL.height * u32::try_from(rows.len())?;
+    let width = u32::try_from(rows[0].len())? / (4 * CELL.height);
     let out = std::io::BufWriter::new(std::fs::File::create(file)?);
-    let mut encoder = png::Encoder::new(out, CELL.width * 3, height);
+    let mut encoder = png::Encoder::new(out, width, height);
     encoder.set_color(png::ColorType::Rgba);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.write_header()?.write_image_data(&rows.concat())?;

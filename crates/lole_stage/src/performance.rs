@@ -245,24 +245,23 @@ impl Performance {
         let trunk = order::trunk(&self.production.dancer.skeleton, &self.world_from_bind);
         let around = Around {
             trunk,
+            world_from_bind: &self.world_from_bind,
             body: (&self.body_positions, &self.body_normals),
             skin: &self.whole_skin,
-            air_velocity: Vec3::ZERO,
+            air_velocity: self.air_velocity(),
             is_settling: self.frame <= 0,
         };
         let pairs = || self.production.dressed.iter();
         let is_under = |garment: &DressedGarment| garment.layer == GarmentLayer::Under;
-        for (dressed, garment) in self.dressed.iter_mut().zip(pairs()) {
-            if is_under(garment) {
-                dressed.step(garment, &around, std::iter::empty());
-            }
-        }
+        let all = (&mut self.dressed[..], &self.production.dressed[..]);
+        dressed::step_layer(all, GarmentLayer::Under, &around, &[]);
         let inner: Vec<order::Inner<'_>> = (self.dressed.iter().zip(pairs()))
             .filter(|(_, garment)| is_under(garment))
             .map(|(dressed, garment)| {
-                let triangles = &garment.dressed.trunk_triangles[..];
+                let triangles = &garment.dressed.hanging_triangles[..];
                 (triangles, dressed.positions())
             })
+            .filter(|(triangles, _)| !triangles.is_empty())
             .collect();
         let worn = (&mut self.worn[..], &self.production.garments[..]);
         self.order
@@ -271,12 +270,10 @@ impl Performance {
         for worn in &mut self.worn {
             self.cloth_positions.extend_from_slice(worn.look());
         }
-        for (dressed, garment) in self.dressed.iter_mut().zip(pairs()) {
-            if !is_under(garment) {
-                let inside = dressed::grids(&self.production.garments, &self.cloth_positions);
-                dressed.step(garment, &around, inside);
-            }
-        }
+        let grids = dressed::grids(&self.production.garments, &self.cloth_positions);
+        let grids: Vec<order::Inner<'_>> = grids.collect();
+        let all = (&mut self.dressed[..], &self.production.dressed[..]);
+        dressed::step_layer(all, GarmentLayer::Over, &around, &grids);
         self.step_adornments();
         self.settle();
         self.check_stage()
@@ -286,21 +283,27 @@ impl Performance {
         if !self.adorned.has_strands() {
             return;
         }
-        let design = &self.production.design;
-        let wind = Wind {
-            amplitude: design.wind.speed_m_per_s,
-            law: design.wind.law,
-        };
         let mut adorned = std::mem::take(&mut self.adorned);
         let around = AroundStrands {
             world_from_bind: &self.world_from_bind,
             surfels: &self.surfels,
             cloth: &self.cloth_positions,
             dressed: &self.dressed_cloth(),
-            air_velocity: wind.force(f64::from(self.time())).as_vec3(),
+            air_velocity: self.air_velocity(),
         };
         adorned.step(&self.production, &around);
         self.adorned = adorned;
+    }
+
+    /// Velocity of the air around strands and garments sewn from shaped pieces [m/s]: the wind's, without
+    /// gusts.
+    fn air_velocity(&self) -> Vec3 {
+        let design = &self.production.design;
+        let wind = Wind {
+            amplitude: design.wind.speed_m_per_s,
+            law: design.wind.law,
+        };
+        wind.force(f64::from(self.time())).as_vec3()
     }
 
     /// Triangles of the garments sewn from shaped pieces, and where they are [m].
@@ -321,8 +324,10 @@ impl Performance {
 
     /// Damps the cloth before the dance, which begins when all of it is at rest.
     fn settle(&mut self) {
-        let is_dressed_alone =
-            self.worn.is_empty() && !self.dressed.is_empty() && !self.adorned.has_strands();
+        let is_dressed_alone = self.frame < 0
+            && self.worn.is_empty()
+            && !self.dressed.is_empty()
+            && !self.adorned.has_strands();
         if !is_dressed_alone && !self.worn.iter().any(Worn::is_settling) {
             if self.frame <= i64::from(LOWERING_FRAMES) - i64::from(SETTLE_FRAMES) {
                 for worn in &mut self.worn {
@@ -366,7 +371,9 @@ impl Performance {
                 &self.body_normals,
                 &mut self.surfels,
             );
-            self.whole_skin.clone_from(&self.surfels);
+            if !self.dressed.is_empty() {
+                self.whole_skin.clone_from(&self.surfels);
+            }
             (self.production.forearms).withdraw(&self.capsules, &mut self.surfels);
         }
         let skin = (&self.body_positions[..], &self.body_normals[..]);
@@ -700,6 +707,30 @@ mod tests {
             .sum::<f32>()
             / 96.0;
         (performance.state_hash(), swing.abs())
+    }
+
+    #[test]
+    fn a_dancer_without_skirt_rests_and_then_dances_in_the_wind() {
+        let kihei = lole_costume::document::GarmentDesign::of_kind("kihei").unwrap();
+        let danced = |speed: f64| {
+            let mut design = Design::default();
+            design.skirt.is_worn = false;
+            design.garments.push(kihei.clone());
+            design.wind.speed_m_per_s = speed;
+            let mut performance = Performance::new(Production::new(&design).unwrap()).unwrap();
+            while performance.time() < 0.0 {
+                performance.advance().unwrap();
+            }
+            for frame in 1..=12_u8 {
+                performance.advance().unwrap();
+                let time = f32::from(frame) * FRAME_SECONDS;
+                assert!((performance.time() - time).abs() < 1e-5, "{frame}");
+            }
+            performance.dressed_positions(0).to_vec()
+        };
+        let (calm, storm) = (danced(0.0), danced(8.0));
+        let apart = calm.iter().zip(&storm).map(|(a, b)| a.distance(*b));
+        assert!(0.01 < apart.fold(0.0, f32::max));
     }
 
     #[test]

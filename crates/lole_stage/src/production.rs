@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use glam::Affine3A;
+use glam::{Affine3A, Vec3};
 use lole_avatar::{Avatar, License};
 use lole_body::{Bone, CapsuleLayout, Dancer, Measurements, Pose, SkinSurfels};
 use lole_cloth::Fabric;
@@ -10,7 +10,7 @@ use lole_costume::adorn::{self, Adornment};
 use lole_costume::document::{
     Design, FabricDesign, GarmentDesign, GarmentLayer, SkirtDesign, WornTop,
 };
-use lole_costume::dress::{self, Dressed};
+use lole_costume::dress::{self, Among, Bands, Dressed};
 use lole_costume::sew::{self, Clothed, Cut, SewSettings, SewnSkirt, SkirtMesh, WornPlace};
 use lole_costume::tailoring::{self, Drafted};
 use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements};
@@ -37,7 +37,7 @@ pub struct Production {
     pub dance: Danced,
     /// What she wears, from the skin outward; particles are numbered through all of it.
     pub garments: Vec<Garment>,
-    /// Garments of the templates that she wears besides, in the order of the design's list.
+    /// Garments of the templates that she wears besides, from the skin outward.
     pub dressed: Vec<DressedGarment>,
     /// What she wears or holds beside the cloth.
     pub adornments: Vec<Adornment>,
@@ -61,6 +61,8 @@ pub struct Garment {
     pub worn: PauMeasurements,
     /// Its cloth in SI units.
     pub fabric: Fabric,
+    /// What carries it.
+    pub place: WornPlace,
     /// The garment on the dancer.
     pub sewn: SewnSkirt,
     /// The garment as it is drawn.
@@ -84,6 +86,13 @@ pub struct DressedGarment {
     pub layer: GarmentLayer,
     /// Its cloth, sewn.
     pub dressed: Dressed,
+}
+
+impl DressedGarment {
+    /// Whether one that is listed after it, in a layer, is worn over it.
+    pub(crate) fn is_inside(&self, layer: GarmentLayer) -> bool {
+        self.layer == layer || self.layer == GarmentLayer::Under
+    }
 }
 
 impl Production {
@@ -302,6 +311,7 @@ impl Wardrobe<'_> {
             draft,
             worn,
             fabric,
+            place,
             sewn,
             mesh,
             pin_surfels,
@@ -318,15 +328,35 @@ fn dressed(
     body: (&Dancer, &SkinSurfels),
     (stance, garments): (&Pose, &[Garment]),
 ) -> Result<Vec<DressedGarment>, StageError> {
+    let posed = body.0.skeleton.world_from_bind(stance);
+    let edge = upper_edges(garments, &posed);
     let mut dressed: Vec<DressedGarment> = Vec::new();
-    for (listed, garment) in design.garments.iter().enumerate() {
+    let listed = design.garments.iter().enumerate();
+    let (under, over): (Vec<_>, Vec<_>) =
+        listed.partition(|(_, garment)| garment.layer() == GarmentLayer::Under);
+    for (listed, garment) in under.into_iter().chain(over) {
         let GarmentDesign::Template(worn) = garment else {
             continue;
         };
         if !dress::is_worn(worn.template.id) {
             continue;
         }
-        let sewn = dress::dress(worn, body, stance).map_err(|error| StageError::Garment {
+        let is_under = garment.layer() == GarmentLayer::Under;
+        let bands = (is_under && !edge.is_empty()).then_some(Bands { edge: &edge });
+        let inside = dressed
+            .iter()
+            .filter(|other| other.is_inside(garment.layer()));
+        let inside = inside.map(|other| {
+            let triangles = &other.dressed.trunk_triangles[..];
+            (triangles, &other.dressed.start[..])
+        });
+        let inside: Vec<_> = inside.collect();
+        let among = Among {
+            bands,
+            inside: &inside,
+        };
+        let sewn = dress::dress(worn, body, stance, &among);
+        let sewn = sewn.map_err(|error| StageError::Garment {
             place: listed + 1,
             error: Box::new(error.into()),
         })?;
@@ -340,6 +370,19 @@ fn dressed(
         });
     }
     Ok(dressed)
+}
+
+/// The upper edges of skirts as they are worn [m].
+fn upper_edges(garments: &[Garment], posed: &[Affine3A]) -> Vec<Vec3> {
+    let skirts = garments
+        .iter()
+        .filter(|garment| garment.place == WornPlace::Hips);
+    let edges = skirts.flat_map(|garment| {
+        let mut places = garment.sewn.start_positions(posed);
+        places.truncate(garment.sewn.spec.grid.column_count as usize);
+        places
+    });
+    edges.collect()
 }
 
 /// Links garments that share a height of the body into chains.

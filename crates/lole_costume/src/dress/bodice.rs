@@ -25,14 +25,10 @@ const FLARING: f32 = 0.3;
 /// and at the shoulder point.
 const FOLD_OF_ARM: f64 = 0.80;
 const SHOULDER_POINT: f64 = 0.97;
-/// Cloth that trails is laid this far above the floor [m].
-const OVER_FLOOR: f32 = 0.02;
 /// Cloth of one fold where there is more than room [m].
 const FOLD: f32 = 0.14;
 /// Below a gathered edge folds reach their depth within this [m].
 const FOLD_BEGINS: f32 = 0.10;
-/// Length of train over which it is spread [m].
-const SPREAD: f32 = 0.25;
 /// Cloth over the shoulder is laid this far above it [m].
 const OVER_SHOULDER: f32 = 0.012;
 
@@ -202,6 +198,12 @@ impl<'a> Bodice<'a> {
             .unwrap_or([0.0, 1.0])
     }
 
+    /// Level at which the side seam of a piece ends; below all levels where it has none.
+    fn end_of_sides(&self, piece: usize) -> f64 {
+        let ends = ends(&self.pattern.pieces[piece], "side");
+        ends.map_or(f64::NEG_INFINITY, |[first, last]| first.y.min(last.y))
+    }
+
     /// Cloth around the trunk at a level below the arms [m].
     fn girth(&self, y: f64) -> f64 {
         let faces = [Part::Front, Part::Back];
@@ -230,8 +232,10 @@ impl<'a> Bodice<'a> {
         point: DVec2,
     ) -> Option<Vec3> {
         let half = self.half(face);
-        let [low, high] = self.across_near(piece, point.y);
-        let width = (high - low).max(1.0e-3);
+        // Below the sides a hem is cut round, and cloth hangs down from where it is whole.
+        let whole = self.across_near(piece, point.y.max(self.end_of_sides(piece)));
+        let width = (whole[1] - whole[0]).max(1.0e-3);
+        let [low, _] = self.across_near(piece, point.y);
         let up = (point.y - half.underarm) / (half.tip - half.underarm).max(1.0e-3);
         let reach = if up <= 0.0 {
             1.0
@@ -243,17 +247,9 @@ impl<'a> Bodice<'a> {
             1.0
         };
         let share = ((point.x - low) / width).clamp(-0.2, 1.2) * reach;
-        let level = narrow(half.levels.height(point.y));
-        let height = level.max(OVER_FLOOR);
+        let height = narrow(half.levels.height(point.y));
         let (place, outward) = form.on_trunk(height, face, narrow(share))?;
-        // What is longer than she is tall lies on the floor behind her.
-        let mut place = place + outward * (height - level);
-        if level < height {
-            // A train is spread as wide as it is cut.
-            let share = ((height - level) / SPREAD).min(1.0);
-            place.x += (narrow(point.x - low) - place.x) * share;
-        }
-        let below = point.y.min(half.underarm);
+        let below = point.y.min(half.underarm).max(self.end_of_sides(piece));
         let girth = form.girth(narrow(half.levels.height(below)));
         let excess = (narrow(self.girth(below)) - girth) / std::f32::consts::TAU;
         let wide = excess.clamp(CLOSE, FARTHEST + FLARING * narrow(half.underarm - below));

@@ -1,16 +1,20 @@
 //! Sewing on the dancer: seams are closed, then the cloth comes to rest on her skin while she goes from
 //! the pose in which she is dressed to the one in which she stands.
 
-use glam::Vec3;
+use glam::{Affine3A, Vec3};
 use lole_body::{Bone, Dancer, Pose, SkinSurfels};
 use lole_cloth::assembly::Lost;
+use lole_geom::Surfel;
 
 use super::flat::FlatMesh;
 use super::form::Form;
-use super::{Dressed, World, garment};
+use super::under::Under;
+use super::{DressError, Dressed, Ease, Kit, World, assembly, garment};
 
 /// How far she lifts her arms to be dressed from where they are built, 47° below the level [rad].
 const RAISED: f32 = 0.75;
+/// How far the floor draws a train back while it rises, over how far it rises.
+const TRAILING: f32 = 1.0;
 /// Passes in which pieces are drawn together and out of the skin before anything moves.
 const CLOSING_PASSES: u32 = 3;
 /// Passes in which what is drawn at the seams is spread over the pieces.
@@ -42,6 +46,10 @@ pub(super) fn close_seams(mesh: &FlatMesh, form: &Form<'_>, places: &mut [Vec3])
     for &particle in mesh.stitches.iter().flatten() {
         is_sewn[particle as usize] = true;
     }
+    let mut is_led = is_sewn.clone();
+    for &(particle, ..) in &mesh.puckers {
+        is_led[particle as usize] = true;
+    }
     let mut neighbors: Vec<Vec<u32>> = vec![Vec::new(); count];
     for &[a, b, c] in &mesh.triangles {
         for [one, other] in [[a, b], [b, c], [c, a], [b, a], [c, b], [a, c]] {
@@ -55,16 +63,24 @@ pub(super) fn close_seams(mesh: &FlatMesh, form: &Form<'_>, places: &mut [Vec3])
             let sum = &mut sums[group as usize];
             *sum = (sum.0 + place, sum.1 + 1.0);
         }
+        let middle = |particle: u32| {
+            let (sum, members) = sums[groups[particle as usize] as usize];
+            sum / members
+        };
         let mut moves = vec![Vec3::ZERO; count];
-        for particle in 0..count {
-            if is_sewn[particle] {
-                let (sum, members) = sums[groups[particle] as usize];
-                moves[particle] = sum / members - places[particle];
+        for (particle, place) in (0..).zip(&*places) {
+            if is_sewn[particle as usize] {
+                moves[particle as usize] = middle(particle) - *place;
             }
+        }
+        // What is gathered in between lies in the seam too.
+        for &(particle, ends, share) in &mesh.puckers {
+            let [first, last] = ends.map(middle);
+            moves[particle as usize] = first.lerp(last, share) - places[particle as usize];
         }
         for _ in 0..SPREADING_PASSES {
             for particle in 0..count {
-                if !is_sewn[particle] && !neighbors[particle].is_empty() {
+                if !is_led[particle] && !neighbors[particle].is_empty() {
                     let near = neighbors[particle]
                         .iter()
                         .map(|&other| moves[other as usize]);
@@ -81,37 +97,35 @@ pub(super) fn close_seams(mesh: &FlatMesh, form: &Form<'_>, places: &mut [Vec3])
 
 /// Sews the garment tight and lets it come to rest.
 pub(super) fn fit(
-    mut garment: Dressed,
-    (dancer, skin): (&Dancer, &SkinSurfels),
-    stance: &Pose,
-) -> Result<Dressed, Lost> {
-    let before = garment.before.take();
+    (garment, kit): (&mut Dressed, &Kit),
+    body: (&Dancer, &SkinSurfels),
+    (stance, under): (&Pose, &mut Under<'_>),
+) -> Result<(), DressError> {
+    let basted = assembly(kit.template, (&kit.spec, Ease::Basted), &kit.joints)?;
     let mut state = garment.state();
-    let (mut positions, mut normals, mut surfels) = (Vec::new(), Vec::new(), Vec::new());
+    let mut room = Room::default();
     let start = fitting_pose();
+    let lowest = garment.start.iter().map(|place| place.y);
+    let trailing = (START_GAP - lowest.fold(f32::INFINITY, f32::min)).max(0.0);
     for frame in 0..SEWING_FRAMES + MOVING_FRAMES + RESTING_FRAMES {
         let moved = frame.saturating_sub(SEWING_FRAMES).min(MOVING_FRAMES);
         let share = moved as f32 / MOVING_FRAMES as f32;
         let pose = between(&start, stance, share * share * (3.0 - 2.0 * share));
-        let world_from_bind = dancer.skeleton.world_from_bind(&pose);
-        dancer
-            .skin
-            .pose(&world_from_bind, &mut positions, &mut normals);
-        skin.pose(&positions, &normals, &mut surfels);
+        let assembly = if frame < SEWING_FRAMES {
+            &basted
+        } else {
+            &garment.assembly
+        };
         let world = World {
-            skin: (&positions, &normals),
-            surfels: &surfels,
-            air_velocity: Vec3::ZERO,
+            // What hangs deeper than the floor is taken up by it, and drawn out behind her.
+            floor: Vec3::new(0.0, share - 1.0, -TRAILING * share) * trailing,
+            ..room.world(body, (&pose, under))
         };
-        let assembly = match &before {
-            Some([basted, _]) if frame < SEWING_FRAMES => basted,
-            // What is wrapped in layers has too much to be drawn out, and lies well without.
-            Some([_, tried]) if !garment.is_wrapped && SEWING_FRAMES + MOVING_FRAMES <= frame => {
-                tried
-            }
-            _ => &garment.assembly,
-        };
-        state.step_as(&garment, assembly, (&world, FRAME))?;
+        let moved_on = state.step_as(garment, assembly, (&world, FRAME));
+        moved_on.map_err(|lost| DressError::Lost {
+            template: kit.template,
+            lost,
+        })?;
         let kept = if frame < SEWING_FRAMES {
             0.0
         } else if moved < MOVING_FRAMES {
@@ -119,12 +133,65 @@ pub(super) fn fit(
         } else {
             KEPT[1]
         };
-        state.scale_velocities(&garment, kept);
+        state.scale_velocities(garment, kept);
     }
     let mut rest = Vec::new();
-    state.copy_positions(&garment, &mut rest);
+    state.copy_positions(garment, &mut rest);
     garment.start = rest;
-    Ok(garment)
+    Ok(())
+}
+
+/// Lets a garment come to rest again on a dancer in her stance.
+pub(super) fn rest(
+    garment: &mut Dressed,
+    body: (&Dancer, &SkinSurfels),
+    (stance, under): (&Pose, &mut Under<'_>),
+) -> Result<(), Lost> {
+    let mut state = garment.state();
+    let mut room = Room::default();
+    let world = room.world(body, (stance, under));
+    for _ in 0..RESTING_FRAMES {
+        state.step(garment, &world, FRAME)?;
+        state.scale_velocities(garment, KEPT[1]);
+    }
+    let mut rest = Vec::new();
+    state.copy_positions(garment, &mut rest);
+    garment.start = rest;
+    Ok(())
+}
+
+/// Room for the dancer in a pose.
+#[derive(Default)]
+struct Room {
+    world_from_bind: Vec<Affine3A>,
+    positions: Vec<Vec3>,
+    normals: Vec<Vec3>,
+    surfels: Vec<Surfel>,
+}
+
+impl Room {
+    /// The dancer in a pose, as cloth meets her.
+    fn world(
+        &mut self,
+        (dancer, skin): (&Dancer, &SkinSurfels),
+        (pose, under): (&Pose, &mut Under<'_>),
+    ) -> World<'_> {
+        self.world_from_bind = dancer.skeleton.world_from_bind(pose);
+        (dancer.skin).pose(
+            &self.world_from_bind,
+            &mut self.positions,
+            &mut self.normals,
+        );
+        skin.pose(&self.positions, &self.normals, &mut self.surfels);
+        under.add(&self.world_from_bind, &mut self.surfels);
+        World {
+            skin: (&self.positions, &self.normals),
+            surfels: &self.surfels,
+            world_from_bind: &self.world_from_bind,
+            air_velocity: Vec3::ZERO,
+            floor: Vec3::ZERO,
+        }
+    }
 }
 
 /// A pose on the way from one to another.

@@ -1,8 +1,10 @@
 //! The dancer as a dressmaker's form: her skin in one pose, and tapes around her trunk.
 
-use glam::{Affine3A, Vec3};
+use glam::{Affine3A, Mat3, Vec3};
 use lole_body::{Bone, Dancer, Pose, SkinSurfels, TapePoint};
-use lole_geom::TriangleGrid;
+use lole_geom::{Surfel, TriangleGrid};
+
+use super::Pins;
 
 /// Points of a tape around the trunk.
 const TAPE_POINTS: usize = 144;
@@ -23,6 +25,7 @@ pub(super) struct Form<'a> {
 
 /// A tape around the trunk, posed.
 struct Tape {
+    points: Vec<TapePoint>,
     places: Vec<(Vec3, Vec3)>,
     /// Index of the point farthest to the left.
     left: usize,
@@ -117,21 +120,73 @@ impl<'a> Form<'a> {
         self.world_from_bind[bone.index()].transform_point3(joint)
     }
 
-    /// The skin below places that it carries, and how far they lie over it [m]; `None` where one is far
-    /// from all skin.
-    pub(super) fn carry(&self, places: &[Vec3]) -> Option<(SkinSurfels, Vec<f32>)> {
-        let skin = &self.dancer.skin;
-        let (mut positions, mut normals) = (Vec::new(), Vec::new());
-        skin.pose(&self.world_from_bind, &mut positions, &mut normals);
-        let triangles = skin.body_triangles();
-        let carriers =
-            SkinSurfels::nearest_to(places.iter().copied(), (&positions, &triangles), REACH)?;
-        let mut surfels = Vec::new();
-        carriers.pose(&positions, &normals, &mut surfels);
+    /// The skin of the trunk below places that it carries, and how far they lie over it [m]; `None` where
+    /// one is far from all of it.
+    pub(super) fn carry(&self, places: &[Vec3]) -> Option<Pins> {
+        let (skin, surfels) = self.nearest_skin(places)?;
         let gaps = places.iter().zip(&surfels);
         let gaps =
             gaps.map(|(place, skin)| (*place - skin.position).dot(skin.normal).max(LEAST_GAP));
-        Some((carriers, gaps.collect()))
+        Some(Pins {
+            skin,
+            gaps: gaps.collect(),
+            tied: vec![None; places.len()],
+        })
+    }
+
+    /// A place as the trunk carries it where it is nearest to a tape; `None` where there is no tape.
+    pub(super) fn tied(&self, place: Vec3) -> Option<TapePoint> {
+        let points = self.tapes.iter().flat_map(|tape| &tape.points);
+        let posed = points.map(|point| (point, point.posed(&self.world_from_bind)));
+        let (nearest, _) = posed.min_by(|a, b| {
+            let [a, b] = [a.1, b.1].map(|at| at.distance_squared(place));
+            a.total_cmp(&b)
+        })?;
+        // The point's own motion, read off four places of its bind pose.
+        let moved = |bind_position: Vec3| {
+            let point = TapePoint {
+                bind_position,
+                ..*nearest
+            };
+            point.posed(&self.world_from_bind)
+        };
+        let origin = moved(Vec3::ZERO);
+        let [x, y, z] = Vec3::AXES.map(|axis| moved(axis) - origin);
+        let world_from_bind = Affine3A::from_mat3_translation(Mat3::from_cols(x, y, z), origin);
+        Some(TapePoint {
+            bind_position: world_from_bind.inverse().transform_point3(place),
+            ..*nearest
+        })
+    }
+
+    /// The same where they come to lie so far over it: what carries them, and where they are then [m].
+    pub(super) fn carried(
+        &self,
+        places: &[Vec3],
+        gaps: &[f32],
+    ) -> Option<(SkinSurfels, Vec<Vec3>)> {
+        let (carriers, surfels) = self.nearest_skin(places)?;
+        let over = surfels.iter().zip(gaps);
+        let over = over.map(|(skin, gap)| skin.position + skin.normal * *gap);
+        Some((carriers, over.collect()))
+    }
+
+    /// The points of the trunk's skin nearest to places. Arms hang beside it and go their own way.
+    fn nearest_skin(&self, places: &[Vec3]) -> Option<(SkinSurfels, Vec<Surfel>)> {
+        let skin = &self.dancer.skin;
+        let (mut positions, mut normals) = (Vec::new(), Vec::new());
+        skin.pose(&self.world_from_bind, &mut positions, &mut normals);
+        let mut triangles = skin.body_triangles();
+        let is_of_trunk = |corner: &u32| {
+            let bone = Bone::ALL[usize::from(skin.joints[*corner as usize][0])];
+            !is_of_arm(bone)
+        };
+        triangles.retain(|corners| corners.iter().all(is_of_trunk));
+        let places = places.iter().copied();
+        let carriers = SkinSurfels::nearest_to(places, (&positions, &triangles), REACH)?;
+        let mut surfels = Vec::new();
+        carriers.pose(&positions, &normals, &mut surfels);
+        Some((carriers, surfels))
     }
 
     /// Moves places out of the skin until they keep `gap` [m] from it.
@@ -177,6 +232,7 @@ impl Tape {
             .map(|(a, b)| a.0.distance(b.0))
             .sum();
         Some(Self {
+            points: ring.to_vec(),
             places,
             left,
             girth,
@@ -210,4 +266,16 @@ impl Tape {
         let [a, b] = [before, after].map(|at| self.places[at]);
         (a.0.lerp(b.0, part), a.1.lerp(b.1, part).normalize_or_zero())
     }
+}
+
+/// Whether a bone is an arm's.
+fn is_of_arm(bone: Bone) -> bool {
+    let mut bone = Some(bone);
+    while let Some(one) = bone {
+        if matches!(one, Bone::LeftUpperArm | Bone::RightUpperArm) {
+            return true;
+        }
+        bone = one.parent();
+    }
+    false
 }

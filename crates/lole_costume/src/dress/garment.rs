@@ -8,7 +8,7 @@ mod malo;
 mod muumuu;
 
 use glam::{DVec2, Vec3};
-use lole_body::{Bone, Dancer, Pose, SkinSurfels};
+use lole_body::{Bone, Dancer, Pose};
 use lole_pattern::pattern::SeamSide;
 use lole_pattern::piece::Piece;
 use lole_pattern::{Measures, Pattern};
@@ -18,7 +18,7 @@ use super::flat::{self, FlatMesh};
 use super::form::Form;
 use super::panel::{self, Panels};
 use super::wrap::{Cloth, Wrap};
-use super::{DressError, fit};
+use super::{DressError, Pins, fit};
 
 /// How one template is worn.
 pub(super) struct Worn {
@@ -66,12 +66,10 @@ pub(super) struct Laid {
     pub(super) is_on_arm: Vec<bool>,
     /// Lengths of elastic in the mesh's lines [m].
     pub(super) elastics: Vec<f32>,
-    /// Whether it is one cloth, wrapped.
-    pub(super) is_wrapped: bool,
     /// Particles that the skin carries.
     pub(super) pinned: Vec<bool>,
-    /// The skin below them, and how far they lie over it [m].
-    pub(super) pins: (SkinSurfels, Vec<f32>),
+    /// What carries them.
+    pub(super) pins: Pins,
 }
 
 /// Whether garments of this template can be put on.
@@ -133,7 +131,10 @@ pub(super) fn lay(
         .filter(|(_, pinned)| **pinned)
         .map(|(place, _)| *place)
         .collect();
-    let pins = form.carry(&held).ok_or_else(no_trunk)?;
+    let mut pins = form.carry(&held).ok_or_else(no_trunk)?;
+    if matches!(&worn.way, Way::Wrapped(wrap) if wrap.is_tied) {
+        pins.tied = held.iter().map(|&place| form.tied(place)).collect();
+    }
     let facing = (0..panels.panels.len()).map(|panel| faces_out(panel, &mesh, &places, &form));
     let facing = facing.collect();
     let is_on_arm = panels
@@ -152,7 +153,6 @@ pub(super) fn lay(
         facing,
         is_on_arm,
         elastics,
-        is_wrapped: matches!(worn.way, Way::Wrapped(_)),
         pinned,
         pins,
         pattern,

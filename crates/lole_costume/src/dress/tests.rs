@@ -25,9 +25,13 @@ fn laid(template: &str, dancer: &Dancer) -> garment::Laid {
 }
 
 fn put_on(template: &str, dancer: &Dancer) -> Dressed {
+    put_on_among(template, dancer, &Among::default())
+}
+
+fn put_on_among(template: &str, dancer: &Dancer, among: &Among<'_>) -> Dressed {
     let triangles = dancer.skin.body_triangles();
     let surfels = SkinSurfels::new(&dancer.skin.positions, &triangles, SPACING);
-    dress(&worn(template), (dancer, &surfels), &Pose::default()).unwrap()
+    dress(&worn(template), (dancer, &surfels), &Pose::default(), among).unwrap()
 }
 
 const ALL: [&str; 6] = ["blouse", "kikepa", "kihei", "malo", "muumuu", "holoku"];
@@ -70,7 +74,7 @@ fn every_particle_is_laid_outside_of_the_skin_at_a_place() {
             laid.places.iter().all(|place| place.is_finite()),
             "{template}"
         );
-        let form = form::Form::new(&dancer, &fit::fitting_pose(), 0.12);
+        let form = Form::new(&dancer, &fit::fitting_pose(), 0.12);
         let mut pushed = laid.places.clone();
         form.push_out(&mut pushed, 0.002);
         let moved = pushed
@@ -132,6 +136,85 @@ fn what_is_sewn_stays_sewn_and_the_same_dressing_gives_the_same_bits() {
     let waist = dancer.landmarks.waist_height;
     assert!((waist - 0.24..waist - 0.08).contains(&low), "{low}");
     assert!(waist + 0.3 < high, "{high}");
+}
+
+#[test]
+fn what_is_below_a_band_lies_thin_on_the_skin_and_all_else_is_free() {
+    let dancer = woman();
+    let edge: Vec<Vec3> = dancer
+        .tape_ring(dancer.landmarks.waist_height, 64)
+        .iter()
+        .map(|point| point.bind_position)
+        .collect();
+    let among = Among {
+        bands: Some(Bands { edge: &edge }),
+        ..Among::default()
+    };
+    let blouse = put_on_among("blouse", &dancer, &among);
+    let model = blouse.model().unwrap();
+    let (mut positions, mut normals) = (Vec::new(), Vec::new());
+    let world_from_bind = dancer.skeleton.world_from_bind(&Pose::default());
+    (dancer.skin).pose(&world_from_bind, &mut positions, &mut normals);
+    let triangles = dancer.skin.body_triangles();
+    let skin = TriangleGrid::new(&positions, &triangles, 0.03);
+    let pinned = &model.spec().pinned;
+    let tucked = pinned.iter().filter(|pinned| **pinned).count();
+    assert!(
+        500 < tucked && tucked < blouse.particle_count() / 2,
+        "{tucked}"
+    );
+    for (place, pinned) in blouse.start.iter().zip(pinned) {
+        let below = dancer.landmarks.waist_height - place.y;
+        if *pinned {
+            let nearest = skin.nearest(*place, 0.05).unwrap();
+            assert!(nearest.distance < 0.004, "{} m", nearest.distance);
+            assert!(-0.04 < below, "{below}");
+        } else {
+            assert!(below < 0.01, "{below} m below the edge and free");
+        }
+    }
+    // Nothing of it is in the way of the skirt.
+    assert!(blouse.hanging_triangles.is_empty());
+    assert!(blouse.open_triangles.len() < blouse.triangles.len() - tucked);
+}
+
+#[test]
+fn no_fold_of_one_cloth_goes_through_another() {
+    let dancer = woman();
+    let kihei = put_on("kihei", &dancer);
+    assert_eq!(kihei.crossings(&kihei.start), 0);
+    // Cloth turned about itself does: the law can fail.
+    let turned = kihei.start.iter().enumerate().map(|(particle, place)| {
+        let inside_out = if particle % 2 == 0 { -0.02 } else { 0.02 };
+        *place + Vec3::Z * inside_out
+    });
+    let turned: Vec<Vec3> = turned.collect();
+    assert!(0 < kihei.crossings(&turned));
+}
+
+#[test]
+fn what_is_put_on_last_lies_outside() {
+    let dancer = woman();
+    let dress = put_on("muumuu", &dancer);
+    let inside = [(&dress.trunk_triangles[..], &dress.start[..])];
+    let among = Among {
+        inside: &inside,
+        ..Among::default()
+    };
+    let kihei = put_on_among("kihei", &dancer, &among);
+    let stance = Pose::default();
+    let mut under = Under::new(&dancer, &stance, &inside);
+    under.add(&dancer.skeleton.world_from_bind(&stance), &mut Vec::new());
+    let clearances = kihei
+        .start
+        .iter()
+        .filter_map(|place| under.clearance(*place));
+    let mut clearances: Vec<f32> = clearances.collect();
+    clearances.sort_by(f32::total_cmp);
+    let count = clearances.len();
+    assert!(2000 < count, "{count}");
+    let low = clearances[count / 50];
+    assert!(-0.01 < low, "{low} m");
 }
 
 #[test]

@@ -15,6 +15,8 @@ pub(super) struct Wrap {
     /// Whether a point is tied or tucked so firmly that it goes with the skin; the last number is the
     /// distance of particles [m].
     pub(super) is_pinned: fn(&Cloth<'_>, DVec2, f64) -> bool,
+    /// Whether what is pinned goes around the trunk, below the arms.
+    pub(super) is_tied: bool,
 }
 
 /// A rectangle and whom it is wrapped around. `x` runs along it from 0, `y` up from 0.

@@ -26,8 +26,9 @@ const COVER: [usize; 2] = [8, 3];
 pub(super) struct Adorned {
     /// In the order of the production's adornments.
     hanging: Vec<Option<Hanging>>,
-    /// Room for the body as strands meet it.
+    /// Room for the body as strands meet it, and for the cloth over it.
     met: Vec<Surfel>,
+    worn: Vec<Surfel>,
 }
 
 /// Strands of one adornment.
@@ -66,6 +67,7 @@ impl Adorned {
         let mut adorned = Self {
             hanging: hanging.collect::<Result<_, _>>()?,
             met: Vec::new(),
+            worn: Vec::new(),
         };
         if adorned.has_strands() {
             let skin = &production.dancer.skin;
@@ -80,6 +82,7 @@ impl Adorned {
                 dressed,
                 air_velocity: Vec3::ZERO,
             };
+            adorned.look(production, &around);
             for _ in 0..LOWERING_FRAMES {
                 adorned.step_by(production, &around, |config| StrandConfig {
                     drag_rate: config.drag_rate.max(LOWERING_DRAG),
@@ -103,9 +106,28 @@ impl Adorned {
 
     /// Moves all strands on by a frame.
     pub(super) fn step(&mut self, production: &Production, around: &AroundStrands<'_>) {
+        self.look(production, around);
         self.step_by(production, around, |config| config);
     }
 
+    /// Looks at the cloth that strands lie on: the same for all of them.
+    fn look(&mut self, production: &Production, around: &AroundStrands<'_>) {
+        self.worn.clear();
+        if !around.cloth.is_empty() {
+            for garment in &production.garments {
+                let positions = &around.cloth[garment.particles.clone()];
+                cover(garment, positions, &mut self.worn);
+            }
+        }
+        for &(triangles, positions) in around.dressed {
+            let normals = vertex_normals(positions, triangles);
+            let outside = positions.iter().zip(normals);
+            let surfels = outside.map(|(&position, normal)| Surfel { position, normal });
+            self.worn.extend(surfels);
+        }
+    }
+
+    /// Moves all strands on by a frame over the cloth that was looked at last.
     fn step_by(
         &mut self,
         production: &Production,
@@ -121,18 +143,7 @@ impl Adorned {
             if hung.passes_arms {
                 production.forearms.withdraw_all(&mut self.met);
             }
-            if !around.cloth.is_empty() {
-                for garment in &production.garments {
-                    let positions = &around.cloth[garment.particles.clone()];
-                    cover(garment, positions, &mut self.met);
-                }
-            }
-            for &(triangles, positions) in around.dressed {
-                let normals = vertex_normals(positions, triangles);
-                let outside = positions.iter().zip(normals);
-                let surfels = outside.map(|(&position, normal)| Surfel { position, normal });
-                self.met.extend(surfels);
-            }
+            self.met.extend_from_slice(&self.worn);
             hanging.step(hung, around, &self.met, &change(hung.config));
         }
     }

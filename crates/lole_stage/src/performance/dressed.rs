@@ -3,13 +3,13 @@
 //! What is worn under the skirt moves first and meets the skin; skirts lie over its outline. What is worn
 //! over it moves last and meets the outline of the skirts. So every garment leads those outside of it.
 
-use glam::Vec3;
+use glam::{Affine3A, Vec3};
 use lole_cloth::collision::layer::{Envelope, Trunk};
 use lole_costume::document::GarmentLayer;
 use lole_costume::dress::{DressedState, World};
 use lole_geom::Surfel;
 
-use super::order::GAP;
+use super::order::{self, GAP};
 use super::{FRAME_SECONDS, Performance};
 use crate::production::{DressedGarment, Garment};
 use crate::skin_check::{self, SkinCheck};
@@ -34,6 +34,8 @@ pub(super) struct Dressed {
 /// What a dressed garment meets in a frame.
 pub(super) struct Around<'a> {
     pub(super) trunk: Trunk,
+    /// How bones move from the bind pose.
+    pub(super) world_from_bind: &'a [Affine3A],
     /// Vertices of the skin and their normals.
     pub(super) body: (&'a [Vec3], &'a [Vec3]),
     /// The skin, arms and all.
@@ -58,11 +60,11 @@ impl Dressed {
         &mut self,
         garment: &DressedGarment,
         around: &Around<'_>,
-        inside: impl Iterator<Item = (&'a [[u32; 3]], &'a [Vec3])>,
+        inside: &[(&'a [[u32; 3]], &'a [Vec3])],
     ) {
         self.surfels.clear();
         self.surfels.extend_from_slice(around.skin);
-        if garment.layer == GarmentLayer::Over {
+        if !inside.is_empty() {
             self.envelope.begin(around.trunk);
             for (triangles, positions) in inside {
                 self.envelope.put_on(triangles, positions);
@@ -73,7 +75,9 @@ impl Dressed {
         let world = World {
             skin: around.body,
             surfels: &self.surfels,
+            world_from_bind: around.world_from_bind,
             air_velocity: around.air_velocity,
+            floor: Vec3::ZERO,
         };
         let moved = self.state.step(&garment.dressed, &world, FRAME_SECONDS);
         self.is_lost |= moved.is_err();
@@ -105,10 +109,36 @@ impl Dressed {
         let cloth = skin_check::Surface {
             positions: &self.positions,
             normals: &[],
-            triangles: &garment.dressed.triangles,
+            triangles: &garment.dressed.open_triangles,
         };
         let strain = garment.dressed.strain(&self.positions);
         (strain, skin_check::check(body, cloth))
+    }
+}
+
+/// Moves the garments of a layer on by a frame, each over those inside of it and over `grids`.
+pub(super) fn step_layer(
+    (moving, garments): (&mut [Dressed], &[DressedGarment]),
+    layer: GarmentLayer,
+    around: &Around<'_>,
+    grids: &[order::Inner<'_>],
+) {
+    for place in 0..moving.len() {
+        let (before, rest) = moving.split_at_mut(place);
+        let (Some(own), garment) = (rest.first_mut(), &garments[place]) else {
+            continue;
+        };
+        if garment.layer != layer {
+            continue;
+        }
+        let worn = before.iter().zip(garments);
+        let worn = worn.filter(|(_, other)| other.is_inside(layer));
+        let inside = worn.map(|(moving, other)| {
+            let triangles = &other.dressed.trunk_triangles[..];
+            (triangles, moving.positions())
+        });
+        let inside: Vec<order::Inner<'_>> = inside.chain(grids.iter().copied()).collect();
+        own.step(garment, around, &inside);
     }
 }
 
@@ -124,6 +154,12 @@ pub(super) fn grids<'a>(
 }
 
 impl Performance {
+    /// Particles of a dressed garment [m], by its place among those of the production.
+    #[must_use]
+    pub fn dressed_positions(&self, place: usize) -> &[Vec3] {
+        self.dressed[place].positions()
+    }
+
     /// Vertices of a dressed garment as it is drawn [m], by its place among those of the production, and
     /// their outward normals.
     #[must_use]

@@ -130,6 +130,18 @@ impl Envelope {
         }
     }
 
+    /// How far a place is outside of what is worn, after [`Self::add_surfels`], and the way out [m];
+    /// `None` where nothing is worn.
+    #[must_use]
+    pub fn clearance(&self, place: Vec3) -> Option<(f32, Vec3)> {
+        let side = Vec3::Y.cross(self.trunk.forward);
+        let arm = place - self.trunk.axis;
+        let local = Vec3::new(arm.dot(side), arm.y, arm.dot(self.trunk.forward));
+        let radius = *self.bridged.get(bin(local)?)?;
+        let outward = arm.with_y(0.0).try_normalize()?;
+        (0.0 < radius).then(|| (from_axis(local) - radius, outward))
+    }
+
     /// Spans what lies between crests, outside of everything worn: the mean of as many farthest
     /// places as each of them looked at.
     fn bridge(&mut self) {
@@ -269,6 +281,28 @@ mod tests {
             assert!(place.distance(moved.position) < 1e-3, "{place}");
             assert!(0.999 < turned(still.normal).dot(moved.normal));
         }
+    }
+
+    #[test]
+    fn a_place_is_as_far_outside_as_it_is_from_the_crests() {
+        let trunk = Trunk {
+            axis: Vec3::new(0.1, 0.9, -0.2),
+            forward: Vec3::X,
+        };
+        let (triangles, positions) = pleats(trunk);
+        let mut envelope = Envelope::default();
+        envelope.begin(trunk);
+        envelope.put_on(&triangles, &positions);
+        assert_eq!(envelope.clearance(trunk.axis + Vec3::X * 0.3), None);
+        envelope.add_surfels(0.0, &mut Vec::new());
+        for (radius, height) in [(0.3, 0.0), (0.2, -0.2), (0.35, -0.4)] {
+            let place = trunk.axis + Vec3::new(0.6, 0.0, 0.8) * radius + Vec3::Y * height;
+            let (clearance, outward) = envelope.clearance(place).unwrap();
+            assert!((clearance - (radius - 0.27)).abs() < 0.003, "{clearance}");
+            assert!(outward.distance(Vec3::new(0.6, 0.0, 0.8)) < 1e-5);
+        }
+        let above = trunk.axis + Vec3::new(0.3, 0.3, 0.0);
+        assert_eq!(envelope.clearance(above), None);
     }
 
     #[test]

@@ -14,6 +14,7 @@ pub(super) const WORN: Worn = Worn {
         place,
         knots,
         is_pinned,
+        is_tied: false,
     }),
     particle_count: 3500.0,
 };

@@ -14,6 +14,7 @@ pub(super) const WORN: Worn = Worn {
         place,
         knots: |_| Vec::new(),
         is_pinned,
+        is_tied: true,
     }),
     particle_count: 4000.0,
 };

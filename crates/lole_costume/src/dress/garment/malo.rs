@@ -14,6 +14,7 @@ pub(super) const WORN: Worn = Worn {
         place,
         knots: |_| Vec::new(),
         is_pinned,
+        is_tied: false,
     }),
     particle_count: 3000.0,
 };
@@ -101,7 +102,9 @@ fn between_legs(cloth: &Cloth<'_>, waist: f32) -> Option<Vec<Vec3>> {
         let share = f32::from(step) / f32::from(steps);
         waist + (crotch + 0.05 - waist) * share
     });
-    for height in heights.clone() {
+    // The flap in front comes over the upper edge of the band.
+    let edge = waist + 0.5 * BAND * narrow(cloth.size.y);
+    for height in std::iter::once(edge).chain(heights.clone()) {
         let (place, outward) = cloth.form.on_trunk(height, Face::Front, 0.0)?;
         way.push(place + outward * GAP);
     }
