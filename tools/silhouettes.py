@@ -44,7 +44,7 @@ CASES = [
     ("female", 0.1875, 0.5, 0.5, 0.5),
     ("female", 0.1875, 0.5, 0.9, 0.5),
     ("male", 0.1875, 0.5, 0.5, 0.5),
-    ("female", 0.10, 0.5, 0.5, 0.5),
+    ("female", 0.13, 0.5, 0.5, 0.5),
 ]
 # A stature [m] below which nobody is a woman or a man of the tables: the command says child.
 CHILD_BELOW = 1.40
@@ -151,7 +151,8 @@ def tape(places, source):
         "calf_cm": legs[(heights > 0.15 * stature) & (heights < 0.26 * stature)].max(),
         "ankle_cm": legs[heights < 0.1 * stature].min(),
         "inseam_cm": crotch,
-        "waist_height_cm": levels[waist],
+        # The heaviest have no waist between bust and hip, and nothing is said of its height.
+        **({"waist_height_cm": levels[waist]} if levels[waist] < 0.655 * stature else {}),
     }
 
 
@@ -195,7 +196,8 @@ def difference(one, other):
 
 def main():
     source, lole, out = Source(Path(sys.argv[1])), sys.argv[2], Path(sys.argv[3])
-    for number, case in list(enumerate(CASES))[int(sys.argv[4]) if len(sys.argv) > 4 else 0 :]:
+    first = int(sys.argv[4]) if len(sys.argv) > 4 else 0
+    for number, case in list(enumerate(CASES))[first:]:
         places = source.body(*case)
         measures = tape(places, source)
         folder = out / str(number)

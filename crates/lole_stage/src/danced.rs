@@ -52,7 +52,10 @@ impl Danced {
             },
         };
         let clip = Clip::retarget(&recording, &map, skeleton, settings);
-        let clip = clip.map_err(|error| named(AvatarError::Recording(error)))?;
+        let mut clip = clip.map_err(|error| named(AvatarError::Recording(error)))?;
+        if design.skirt.is_worn {
+            clip = clip.clear_of_skirt(skeleton);
+        }
         Ok(Self::Recording(Arc::new(clip)))
     }
 
