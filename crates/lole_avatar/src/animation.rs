@@ -72,15 +72,41 @@ pub(crate) fn summaries(file: &File<'_>, rig: &Rig) -> Result<Vec<AnimationSumma
         .collect()
 }
 
-/// The first animation that moves bones, as a recording.
+/// Animations that a sentence names at most.
+const MOST_NAMED: usize = 12;
+
+/// Number of the animation that is asked for: by its name, by its number, counted from 1, or, where
+/// nothing is said, the first that moves bones.
+fn chosen(found: &[AnimationSummary], clip: &str) -> Result<usize, AvatarError> {
+    let moving: Vec<(usize, &str)> = (found.iter().enumerate())
+        .filter(|(_, animation)| animation.bone_count > 0 && animation.key_count > 1)
+        .map(|(index, animation)| (index, animation.name.as_str()))
+        .collect();
+    let first = moving.first().ok_or(AvatarError::NoAnimation)?.0;
+    if clip.is_empty() {
+        return Ok(first);
+    }
+    let named = moving.iter().find(|(_, name)| *name == clip);
+    let number = clip.parse::<usize>().ok();
+    let numbered = || (moving.iter()).find(|(index, _)| number == index.checked_add(1));
+    named
+        .or_else(numbered)
+        .map(|&(index, _)| index)
+        .ok_or_else(|| AvatarError::UnknownClip {
+            clip: visible(clip),
+            known: (moving.iter().take(MOST_NAMED))
+                .map(|(index, name)| format!("{} \"{name}\"", index + 1))
+                .collect::<Vec<_>>()
+                .join(", "),
+        })
+}
+
+/// One animation as a recording: see [`chosen`].
 ///
 /// # Errors
-/// None that does; one that is damaged or too long.
-pub(crate) fn recording(file: &File<'_>, rig: &Rig) -> Result<Recording, AvatarError> {
-    let moving = summaries(file, rig)?
-        .iter()
-        .position(|animation| animation.bone_count > 0 && animation.key_count > 1);
-    let tracks = tracks(file, moving.ok_or(AvatarError::NoAnimation)?)?;
+/// None that moves bones; one that is not there, is damaged or too long.
+pub(crate) fn recording(file: &File<'_>, rig: &Rig, clip: &str) -> Result<Recording, AvatarError> {
+    let tracks = tracks(file, chosen(&summaries(file, rig)?, clip)?)?;
     let [first, last] = span(&tracks).ok_or(AvatarError::NoAnimation)?;
     #[expect(
         clippy::cast_possible_truncation,
@@ -305,5 +331,42 @@ mod tests {
                 "{time}"
             );
         }
+    }
+
+    #[test]
+    fn an_animation_is_chosen_by_name_or_number() {
+        let animation = |name: &str, bone_count| AnimationSummary {
+            name: name.to_owned(),
+            duration_s: 1.0,
+            key_count: 2,
+            bone_count,
+        };
+        let found = [
+            animation("Blink", 0),
+            animation("Wave", 9),
+            animation("3", 9),
+        ];
+        let mut found = found.to_vec();
+        found.push(animation("Hula", 9));
+        for (clip, expected) in [
+            ("", 1),
+            ("Wave", 1),
+            ("2", 1),
+            ("3", 2),
+            ("4", 3),
+            ("Hula", 3),
+        ] {
+            assert_eq!(chosen(&found, clip), Ok(expected), "{clip}");
+        }
+        // The first moves no bone.
+        for clip in ["Blink", "1", "0", "5", "hula"] {
+            let said = chosen(&found, clip).map_err(|error| error.to_string());
+            let expected = format!(
+                "the file has no animation \"{clip}\"; it has 2 \"Wave\", 3 \"3\", 4 \"Hula\": write \
+                 a name or a number"
+            );
+            assert_eq!(said, Err(expected));
+        }
+        assert_eq!(chosen(&found[..1], ""), Err(AvatarError::NoAnimation));
     }
 }

@@ -2,7 +2,7 @@
 
 use lole_motion::{BoneMap, Recording, bvh};
 
-use crate::container::{File, is_gltf};
+use crate::container::{File, is_gltf, visible};
 use crate::rig::Rig;
 use crate::{AvatarError, animation};
 
@@ -15,12 +15,27 @@ pub struct ReadDance {
     pub map: BoneMap,
 }
 
-/// Reads the bytes of a file that holds a dance.
+/// Reads the bytes of a file that holds a dance: its first animation.
 ///
 /// # Errors
 /// A damaged file, one that is no person's, or one without motion.
 pub fn read_dance(bytes: &[u8]) -> Result<ReadDance, AvatarError> {
+    read_clip(bytes, "")
+}
+
+/// Reads one of several animations: by its name, or by its number, counted from 1; the first that
+/// moves bones where `clip` is empty. A BVH file has one, `1`.
+///
+/// # Errors
+/// As [`read_dance`], and [`AvatarError::UnknownClip`].
+pub fn read_clip(bytes: &[u8], clip: &str) -> Result<ReadDance, AvatarError> {
     if !is_gltf(bytes) {
+        if !matches!(clip, "" | "1") {
+            return Err(AvatarError::UnknownClip {
+                clip: visible(clip),
+                known: "1".to_owned(),
+            });
+        }
         let recording = bvh::parse(bytes)?;
         let map = BoneMap::recognize(&recording)?;
         return Ok(ReadDance { recording, map });
@@ -28,7 +43,7 @@ pub fn read_dance(bytes: &[u8]) -> Result<ReadDance, AvatarError> {
     let file = File::read(bytes)?;
     let rig = Rig::new(&file, None)?;
     Ok(ReadDance {
-        recording: animation::recording(&file, &rig)?,
+        recording: animation::recording(&file, &rig, clip)?,
         map: rig.map,
     })
 }

@@ -88,6 +88,14 @@ pub enum AvatarError {
     /// It holds no dance.
     #[error("the file has no animation of its bones; it can be dressed, and does not dance")]
     NoAnimation,
+    /// It holds dances, and not the one that is asked for.
+    #[error("the file has no animation \"{clip}\"; it has {known}: write a name or a number")]
+    UnknownClip {
+        /// What was asked for.
+        clip: String,
+        /// Numbers and names of what is there.
+        known: String,
+    },
     /// The dance cannot be read.
     #[error("{0}")]
     Recording(#[from] RecordingError),
@@ -149,6 +157,9 @@ impl Bilingual for AvatarError {
                 "骨のアニメーションがありません。着せることはできますが、踊りは入っていません"
                     .to_owned()
             }
+            Self::UnknownClip { clip, known } => format!(
+                "アニメーション「{clip}」はありません。あるのは {known} です。名前か番号を書いてください"
+            ),
             Self::Recording(error) => error.japanese(),
         }
     }

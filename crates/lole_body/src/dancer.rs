@@ -101,7 +101,7 @@ impl Dancer {
                 .collect(),
             waist_side: widest_at(&shape, shape.body.tape_level("waist")),
         };
-        let mut skin = build_skin(&shape);
+        let mut skin = build_skin(&shape, &skeleton);
         let style = appearance.hair.worn_by(measurements.figure);
         add_hair(&mut skin, &shape, style);
         let height = |bone: Bone| skeleton.joint(bone).y;

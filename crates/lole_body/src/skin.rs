@@ -1,9 +1,10 @@
 //! The drawn body: a mesh in the bind pose with joints and weights, and how a pose carries it.
 //!
 //! Linear blending draws a bent limb in towards its axis, by the cosine of half the bend where two
-//! bones share it evenly. About the knees a vertex therefore turns rigidly about a center of its
+//! bones share it evenly. About knees and elbows a vertex therefore turns rigidly about a center of its
 //! own, which is blended (Le and Hodgins 2016, "Real-time skeletal skinning with optimized centers
-//! of rotation"). A file that knows linear blending alone shows the thinner knee.
+//! of rotation"); blended centers cut the corner, so they are led around it, and what flesh the crease
+//! takes goes to the sides. A file that knows linear blending alone shows the thinner joints.
 
 use std::sync::Arc;
 
@@ -86,7 +87,9 @@ pub struct SkinnedMesh {
     pub weights: Vec<[f32; 4]>,
     /// Triangles by material, in the order of [`PartKind`].
     pub parts: Vec<MeshPart>,
-    /// Vertices about the knees, in order, and the centers they turn about.
+    /// Knees and elbows.
+    pub hinges: Vec<Hinge>,
+    /// Vertices about the hinges, in order, and the centers they turn about.
     pub turning: Vec<Turning>,
     /// Looks of a given body, one for each part; empty for a built one.
     pub looks: Vec<Look>,
@@ -95,19 +98,70 @@ pub struct SkinnedMesh {
     pub surface: Vec<[u32; 3]>,
 }
 
+/// A joint of two bones about which flesh keeps its volume.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hinge {
+    /// Bones above and below ([`crate::Bone::index`]).
+    pub bones: [u16; 2],
+    /// Unit directions down these bones, in the bind pose.
+    pub directions: [Vec3; 2],
+    /// How far centers are led around the corner, were the limb folded up [m].
+    pub outward: f32,
+    /// By what part the limb is wider along the hinge's axis, were it folded up.
+    pub widening: f32,
+}
+
 /// A vertex that two bones of a hinge share.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Turning {
     /// The vertex.
     pub vertex: u32,
+    /// Number of its hinge.
+    pub hinge: u32,
+    /// Share of the bone below the hinge.
+    pub share: f32,
     /// What it turns about, in the bind pose [m]: the middle of the limb where the bones' shares are
     /// as they are here.
     pub center: Vec3,
 }
 
+/// A hinge in a pose.
+struct Bend {
+    /// Unit direction out of the outer side of the bend.
+    outward: Vec3,
+    /// Unit direction of the axis.
+    axis: Vec3,
+    /// Cosine of the angle.
+    cos: f32,
+}
+
+impl Hinge {
+    fn bend(&self, world_from_bind: &[Affine3A]) -> Bend {
+        let [above, below] = [0, 1].map(|end| {
+            let bone = &world_from_bind[usize::from(self.bones[end])];
+            bone.transform_vector3(self.directions[end])
+        });
+        Bend {
+            outward: (above - below).normalize_or_zero(),
+            axis: above.cross(below).normalize_or_zero(),
+            cos: above.dot(below).clamp(-1.0, 1.0),
+        }
+    }
+}
+
+impl Bend {
+    /// How much shorter than the directions of the two bones their blend is: 0 where one bone carries
+    /// all, and at most 1.
+    fn lost(&self, share: f32) -> f32 {
+        let squared = 1.0 - 2.0 * share * (1.0 - share) * (1.0 - self.cos);
+        1.0 - squared.max(0.0).sqrt()
+    }
+}
+
 impl SkinnedMesh {
     /// Posed positions and unit normals by linear blending, `x' = B x` with `B = Σ w_i M_i`, and about
-    /// the knees `x' = R (x - c) + B c` with the rotation `R` nearest to `B`.
+    /// the hinges `x' = W R (x - c) + B c + o` with the rotation `R` nearest to `B`, the widening `W`
+    /// along the axis, and `o` around the corner; both grow with what the blend has lost.
     ///
     /// Both vectors are cleared and filled; `world_from_bind` comes from
     /// [`crate::Skeleton::world_from_bind`].
@@ -136,13 +190,25 @@ impl SkinnedMesh {
             let parts = parts.zip(normals.par_chunks_mut(VERTICES_TOGETHER));
             starts.step_by(VERTICES_TOGETHER).zip(parts).for_each(pose);
         }
-        for &Turning { vertex, center } in &self.turning {
-            let vertex = vertex as usize;
+        let bends: Vec<Bend> = (self.hinges.iter())
+            .map(|hinge| hinge.bend(world_from_bind))
+            .collect();
+        for turning in &self.turning {
+            let (vertex, center) = (turning.vertex as usize, turning.center);
+            let index = turning.hinge as usize;
+            let (hinge, bend) = (&self.hinges[index], &bends[index]);
+            let lost = bend.lost(turning.share);
             let blended = blend(world_from_bind, self.joints[vertex], self.weights[vertex]);
             let turn = nearest_rotation(blended.matrix3);
-            positions[vertex] =
-                turn * (self.positions[vertex] - center) + blended.transform_point3(center);
-            normals[vertex] = (turn * self.normals[vertex]).normalize_or_zero();
+            let wider = 1.0 + hinge.widening * lost;
+            let stretched = |place: Vec3, factor: f32| {
+                place + bend.axis * (bend.axis.dot(place) * (factor - 1.0))
+            };
+            positions[vertex] = stretched(turn * (self.positions[vertex] - center), wider)
+                + blended.transform_point3(center)
+                + bend.outward * (hinge.outward * lost);
+            let normal = stretched(turn * self.normals[vertex], wider.recip());
+            normals[vertex] = normal.normalize_or_zero();
         }
     }
 

@@ -278,7 +278,7 @@ impl<'a> Joints<'a> {
                 position,
                 lower,
                 bisector(upper, lower, hand),
-                [0.03 * k, 0.06 * k],
+                [0.045 * k, 0.09 * k],
             )
         } else {
             0.0

@@ -138,7 +138,24 @@ fn faults(seed: u64) -> Vec<String> {
             format!("seed {seed} {figure:?}: {key} {given:.1} is {error:+.2} cm off")
         })
     });
-    off.collect()
+    off.chain(open_edges(&dancer).map(|edges| format!("seed {seed}: {edges} open edges")))
+        .collect()
+}
+
+/// Edges of the body's surface that do not have one triangle on either side, if there are any: the
+/// mirrored halves meet in the middle plane.
+fn open_edges(dancer: &Dancer) -> Option<usize> {
+    let mut edges: Vec<[u32; 2]> = (dancer.skin.body_triangles().into_iter())
+        .flat_map(|[a, b, c]| [[a, b], [b, c], [c, a]])
+        .collect();
+    edges.sort_unstable();
+    let is_lone = |&[a, b]: &[u32; 2]| {
+        let twins = edges.partition_point(|edge| *edge <= [b, a])
+            - edges.partition_point(|edge| *edge < [b, a]);
+        twins != 1
+    };
+    let lone = edges.iter().filter(|edge| is_lone(edge)).count();
+    (lone > 0).then_some(lone)
 }
 
 fn assert_no_faults(seeds: std::ops::Range<u64>) {

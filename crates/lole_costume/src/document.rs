@@ -370,6 +370,8 @@ pub struct MotionDesign {
     pub ami_turn: AmiTurn,
     /// A recording that is danced instead of the step.
     pub file: Option<LinkedFile>,
+    /// Which animation of that file: a name, or a number, counted from 1; the first where it is empty.
+    pub clip: String,
     /// What follows the recording's end.
     pub repeat: MotionRepeat,
     /// What becomes of its way.
@@ -430,6 +432,7 @@ impl Default for MotionDesign {
             ami_turn: AmiTurn::default(),
             parts: Vec::new(),
             file: None,
+            clip: String::new(),
             repeat: MotionRepeat::default(),
             drift: MotionDrift::default(),
         };

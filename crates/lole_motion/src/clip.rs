@@ -5,6 +5,7 @@ use lole_body::{Pose, Skeleton};
 use crate::feet::{Planting, plant};
 use crate::repeat::{self, Loop};
 use crate::retarget::Retarget;
+use crate::room::Room;
 use crate::{BoneMap, Recording, RecordingError};
 
 /// Poses per second of a clip, the rate of the product's frames.
@@ -94,6 +95,17 @@ impl Clip {
         };
         plant(&mut poses, &planting);
         Ok(Self { poses, found })
+    }
+
+    /// The same dance with hands that would hang in a skirt's folds brought out of them.
+    #[must_use]
+    pub fn clear_of_skirt(mut self, skeleton: &Skeleton) -> Self {
+        if let Some(room) = Room::of(skeleton) {
+            for pose in &mut self.poses {
+                room.clear(skeleton, pose);
+            }
+        }
+        self
     }
 
     /// Pose at `time` [s]: the first one up to 0, then the recording, which takes

@@ -21,6 +21,7 @@ mod names;
 mod recording;
 mod repeat;
 mod retarget;
+mod room;
 mod skeleton_map;
 
 pub use axes::{Axes, Unit, axis_name};

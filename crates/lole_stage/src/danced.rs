@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use lole_avatar::{AvatarError, ReadDance, read_dance};
+use lole_avatar::{AvatarError, ReadDance, read_clip};
 use lole_body::motion::Dance;
 use lole_body::{Pose, Skeleton};
 use lole_costume::document::{Design, MotionDrift, MotionRepeat};
@@ -40,7 +40,7 @@ impl Danced {
             .ok_or_else(|| StageError::RecordingNotRead {
                 file: file.name.clone(),
             })?;
-        let ReadDance { recording, map } = read_dance(bytes).map_err(named)?;
+        let ReadDance { recording, map } = read_clip(bytes, &motion.clip).map_err(named)?;
         let settings = ClipSettings {
             repeat: match motion.repeat {
                 MotionRepeat::Once => Repeat::Once,
@@ -52,7 +52,10 @@ impl Danced {
             },
         };
         let clip = Clip::retarget(&recording, &map, skeleton, settings);
-        let clip = clip.map_err(|error| named(AvatarError::Recording(error)))?;
+        let mut clip = clip.map_err(|error| named(AvatarError::Recording(error)))?;
+        if design.skirt.is_worn {
+            clip = clip.clear_of_skirt(skeleton);
+        }
         Ok(Self::Recording(Arc::new(clip)))
     }
 

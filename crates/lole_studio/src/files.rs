@@ -1,5 +1,6 @@
 //! Files: designs in and out, pictures out. Nothing half-written takes a file's place.
 
+use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
@@ -132,6 +133,47 @@ pub(crate) fn read_picture(path: &Path, key: &str) -> Result<Arc<Picture>, Sente
 /// # Errors
 /// One sentence that names the file.
 pub(crate) fn read_linked(path: &Path, key: &str) -> Result<Arc<[u8]>, Sentence> {
+    let bytes = read_alone(path, key)?;
+    Ok(with_neighbors(bytes, path)?.into())
+}
+
+/// A `.gltf` with the data and pictures that lie in files beside it, as one file; any other file as it
+/// is. A picture that is missing leaves its plain color; missing data is what the reader complains of.
+///
+/// # Errors
+/// One sentence: an address outside the folder, or a file that is too large.
+pub fn with_neighbors(bytes: Vec<u8>, path: &Path) -> Result<Vec<u8>, Sentence> {
+    let said = |sentence: Sentence| {
+        let name = path.display();
+        Sentence::new(
+            format!("{name}: {}", sentence.japanese),
+            format!("{name}: {}", sentence.english),
+        )
+    };
+    let names = lole_avatar::neighbors(&bytes).map_err(|error| said(Sentence::of(&error)))?;
+    let mut found = BTreeMap::new();
+    for name in names {
+        let beside = path.with_file_name(&name);
+        if is_inside(&beside, path) {
+            found.insert(name, read_alone(&beside, "uri")?);
+        }
+    }
+    let gathered = lole_avatar::gathered(&bytes, |name| found.get(name).cloned());
+    Ok(gathered.unwrap_or(bytes))
+}
+
+/// Whether a file is there, in the folder of another or below it: links that lead out of it count as
+/// missing.
+fn is_inside(file: &Path, other: &Path) -> bool {
+    let whole = |path: &Path| fs::canonicalize(path).ok();
+    let folder = whole(other).and_then(|path| path.parent().map(Path::to_owned));
+    match (whole(file), folder) {
+        (Some(file), Some(folder)) => file.starts_with(folder) && file.is_file(),
+        _ => false,
+    }
+}
+
+fn read_alone(path: &Path, key: &str) -> Result<Vec<u8>, Sentence> {
     let name = path.display();
     let unreadable = |_| {
         Sentence::new(
@@ -147,7 +189,7 @@ pub(crate) fn read_linked(path: &Path, key: &str) -> Result<Arc<[u8]>, Sentence>
             format!("{name}: the file has {megabytes} MB; make it {limit} MB at most"),
         ));
     }
-    Ok(fs::read(path).map_err(unreadable)?.into())
+    fs::read(path).map_err(unreadable)
 }
 
 /// How a recording is named in a design at `document`: from there where it lies beside or below it,

@@ -30,7 +30,7 @@ mod work;
 
 pub use app::{Opening, Refusal, open};
 pub use command::Command;
-pub use files::{linked_file, name_linked_files, read_document, read_linked_files};
+pub use files::{linked_file, name_linked_files, read_document, read_linked_files, with_neighbors};
 pub use message::Message;
 pub use snapshot::Snapshot;
 pub use studio::Studio;

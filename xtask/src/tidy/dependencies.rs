@@ -70,6 +70,7 @@ const TABLE: &[(&str, &[&str])] = &[
             "lole_geom",
             "lole_cloth",
             "lole_body",
+            "lole_avatar",
             "lole_pattern",
             "lole_render",
             "lole_costume",

@@ -3,6 +3,7 @@
 
 use glam::Vec3;
 
+use super::half::is_on_plane;
 use super::warp::{arm_share, smooth_step};
 use crate::Measurements;
 use crate::measured::{highest_above, shoulder_point_out};
@@ -70,12 +71,17 @@ impl Shoulders {
         })
     }
 
-    /// A point of the left half; `arm` in `0..=1` is the share that belongs to the arm.
+    /// A point of the left half; `arm` in `0..=1` is the share that belongs to the arm. A point of the
+    /// mirror plane stays there, or the halves would come apart: averaged shares reach it as traces.
     pub(crate) fn carry(&self, point: Vec3, arm: f32) -> Vec3 {
         let [low, high] = self.fade;
         let across = smooth_step((point.x - self.neck_x) / (self.joint.x - self.neck_x));
         let up = smooth_step((point.y - low) / (high - low));
-        let follows = arm.max(across * up);
+        let follows = if is_on_plane(point) {
+            0.0
+        } else {
+            arm.max(across * up)
+        };
         let along = ((point - self.joint).dot(self.axis) / self.length).clamp(0.0, 1.0);
         point + Vec3::X * (self.shift * follows) + self.axis * (self.longer * along * arm)
     }

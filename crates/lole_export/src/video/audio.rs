@@ -87,7 +87,7 @@ impl Song {
             .find(|(_, track)| is_sound(track));
         let (_, track) = sound.ok_or(AudioError::NoSound)?;
         let table = path(track, &[b"mdia", b"minf", b"stbl"]).ok_or(DAMAGED_TABLE)?;
-        let codecs = read::<Stsd>(table, b"stsd")?.codecs;
+        let codecs = list::<Stsd>(table, b"stsd", 8)?.codecs;
         let codec = codecs.into_iter().next().ok_or(DAMAGED_TABLE)?;
         if !matches!(codec, Codec::Mp4a(_) | Codec::Opus(_)) {
             return Err(AudioError::Codec);
@@ -173,6 +173,19 @@ fn path<'a>(body: &'a [u8], kinds: &[&[u8; 4]]) -> Option<&'a [u8]> {
     kinds.iter().try_fold(body, |body, kind| child(body, kind))
 }
 
+/// A box of a known kind that is a list. Its entries have `least` bytes or more, which bounds how many
+/// there are before any is made: the count alone is not to be trusted.
+fn list<A: Atom>(body: &[u8], kind: &[u8; 4], least: usize) -> Result<A, AudioError> {
+    let inside = child(body, kind).ok_or(DAMAGED_TABLE)?;
+    // Version and flags stand before it.
+    let count = inside.get(4..8).and_then(|count| count.try_into().ok());
+    let count = count.map_or(u32::MAX, u32::from_be_bytes);
+    if inside.len() / least < count as usize {
+        return Err(DAMAGED_TABLE);
+    }
+    read(body, kind)
+}
+
 /// A box of a known kind.
 fn read<A: Atom>(body: &[u8], kind: &[u8; 4]) -> Result<A, AudioError> {
     let mut inside = child(body, kind).ok_or(DAMAGED_TABLE)?;
@@ -187,7 +200,7 @@ fn is_sound(track: &[u8]) -> bool {
 
 /// Where in the sound the song begins [tick].
 fn priming(track: &[u8]) -> u64 {
-    let edits = path(track, &[b"edts"]).and_then(|edits| read::<Elst>(edits, b"elst").ok());
+    let edits = path(track, &[b"edts"]).and_then(|edits| list::<Elst>(edits, b"elst", 12).ok());
     let entries = edits.map(|edits| edits.entries).unwrap_or_default();
     let first = entries.iter().find_map(|entry| entry.media_time);
     first.unwrap_or(0)
@@ -209,7 +222,7 @@ fn sizes(table: &[u8], file_len: usize) -> Result<Vec<u32>, AudioError> {
 /// Duration of each of `count` samples [tick].
 fn durations(table: &[u8], count: usize) -> Result<Vec<u32>, AudioError> {
     let mut durations = Vec::new();
-    for entry in read::<Stts>(table, b"stts")?.entries {
+    for entry in list::<Stts>(table, b"stts", 8)?.entries {
         let room = count - durations.len();
         let run = (entry.sample_count as usize).min(room);
         durations.extend(std::iter::repeat_n(entry.sample_delta, run));
@@ -223,11 +236,11 @@ fn durations(table: &[u8], count: usize) -> Result<Vec<u32>, AudioError> {
 
 /// The samples, from where their chunks lie in the file.
 fn gather(file: &[u8], table: &[u8], sizes: &[u32]) -> Result<Vec<u8>, AudioError> {
-    let offsets: Vec<u64> = match read::<Stco>(table, b"stco") {
+    let offsets: Vec<u64> = match list::<Stco>(table, b"stco", 4) {
         Ok(chunks) => chunks.entries.into_iter().map(u64::from).collect(),
-        Err(_) => read::<Co64>(table, b"co64")?.entries,
+        Err(_) => list::<Co64>(table, b"co64", 8)?.entries,
     };
-    let runs = read::<Stsc>(table, b"stsc")?.entries;
+    let runs = list::<Stsc>(table, b"stsc", 12)?.entries;
     let mut run = 0;
     let (mut sizes, mut data) = (sizes.iter(), Vec::new());
     for (number, &offset) in (1_u32..).zip(&offsets) {
@@ -362,5 +375,16 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// Found by fuzzing: a list of a billion codecs of no length took all memory.
+    #[test]
+    fn a_list_is_no_longer_than_its_box() {
+        let mut file = film(&song());
+        let at = file.windows(4).rposition(|kind| kind == b"stsd").unwrap();
+        // The count, and after it a codec whose kind nobody knows.
+        file[at + 8..at + 12].copy_from_slice(&0x6d64_6961_u32.to_be_bytes());
+        file[at + 12..at + 20].copy_from_slice(b"\0\0\0\x14stco");
+        assert_eq!(Song::read(&file), Err(DAMAGED_TABLE));
     }
 }

@@ -221,6 +221,24 @@ pub(super) const MOTION: Table = Table {
                 set: |design, name| design.motion.file = Some(LinkedFile::named(name)),
             },
         },
+        Key {
+            name: "clip",
+            about: words(
+                "記録の中のどのアニメーションか。名前か、1 から数えた番号",
+                "which animation of the recording: its name, or its number, counted from 1",
+            ),
+            kind: Kind::Text {
+                what: words(
+                    "アニメーションの名前か番号",
+                    "the name or number of an animation",
+                ),
+                get: |design| {
+                    let clip = design.motion.clip.as_str();
+                    (!clip.is_empty()).then_some(clip)
+                },
+                set: |design, clip| clip.clone_into(&mut design.motion.clip),
+            },
+        },
         choice!(
             "repeat",
             words("くり返し方", "way of repeating"),
