@@ -5,7 +5,7 @@
 
 use lole_language::Bilingual;
 use mp4_atom::{
-    Atom, Co64, Codec, Elst, Hdlr, Header, Mdhd, Stco, Stsc, Stsd, Stsz, StszSamples, Stts,
+    Atom, Co64, Codec, Elst, Hdlr, Header, Mdhd, Mp4a, Opus, Stco, Stsc, Stsz, StszSamples, Stts,
     SttsEntry,
 };
 
@@ -87,11 +87,7 @@ impl Song {
             .find(|(_, track)| is_sound(track));
         let (_, track) = sound.ok_or(AudioError::NoSound)?;
         let table = path(track, &[b"mdia", b"minf", b"stbl"]).ok_or(DAMAGED_TABLE)?;
-        let codecs = list::<Stsd>(table, b"stsd", 8)?.codecs;
-        let codec = codecs.into_iter().next().ok_or(DAMAGED_TABLE)?;
-        if !matches!(codec, Codec::Mp4a(_) | Codec::Opus(_)) {
-            return Err(AudioError::Codec);
-        }
+        let codec = codec(table)?;
         let media = child(track, b"mdia").ok_or(DAMAGED_TABLE)?;
         let timescale = read::<Mdhd>(media, b"mdhd")?.timescale;
         if timescale == 0 {
@@ -206,6 +202,44 @@ fn priming(track: &[u8]) -> u64 {
     first.unwrap_or(0)
 }
 
+/// How the sound is coded: the first entry of the list of codecs.
+///
+/// Only the boxes that belong there are read: in others, which nobody needs, the reader takes counts of
+/// billions on trust.
+fn codec(table: &[u8]) -> Result<Codec, AudioError> {
+    const KNOWN: [&[u8; 4]; 5] = [b"esds", b"dOps", b"btrt", b"taic", b"wave"];
+    let listed = child(table, b"stsd").and_then(|list| list.get(8..));
+    let (kind, entry) = listed
+        .and_then(|entries| children(entries).next())
+        .ok_or(DAMAGED_TABLE)?;
+    if !matches!(&kind, b"mp4a" | b"Opus") {
+        return Err(AudioError::Codec);
+    }
+    // QuickTime's later versions say more before the boxes begin.
+    let begin = match entry.get(8..10) {
+        Some([0, 0]) => 28,
+        Some([0, 1]) => 28 + 16,
+        Some([0, 2]) => 28 + 36,
+        _ => return Err(DAMAGED_TABLE),
+    };
+    let mut plain = entry.get(..begin).ok_or(DAMAGED_TABLE)?.to_vec();
+    for (kind, inside) in children(&entry[begin..]) {
+        if KNOWN.contains(&&kind) {
+            let size = u32::try_from(8 + inside.len()).map_err(|_| DAMAGED_TABLE)?;
+            plain.extend_from_slice(&size.to_be_bytes());
+            plain.extend_from_slice(&kind);
+            plain.extend_from_slice(inside);
+        }
+    }
+    let mut plain = plain.as_slice();
+    let codec = if &kind == b"mp4a" {
+        Mp4a::decode_body(&mut plain).map(Codec::Mp4a)
+    } else {
+        Opus::decode_body(&mut plain).map(Codec::Opus)
+    };
+    codec.map_err(|_| DAMAGED_TABLE)
+}
+
 /// Bytes of each sample.
 fn sizes(table: &[u8], file_len: usize) -> Result<Vec<u32>, AudioError> {
     // Every sample has a byte at least, and the list of equal ones is not written out in the file.
@@ -276,7 +310,7 @@ fn gather(file: &[u8], table: &[u8], sizes: &[u32]) -> Result<Vec<u8>, AudioErro
 mod tests {
     use super::*;
     use crate::video::mp4::{Track, write_mp4};
-    use mp4_atom::{Audio, FixedPoint, Mp4a, esds};
+    use mp4_atom::{Audio, FixedPoint, esds};
 
     fn song() -> Song {
         let codec = Codec::Mp4a(Mp4a {
@@ -377,14 +411,24 @@ mod tests {
         }
     }
 
-    /// Found by fuzzing: a list of a billion codecs of no length took all memory.
+    /// Found by fuzzing: groups of no length, billions of them, where a codec was expected took all
+    /// memory; beside the codec's own boxes they are passed over.
     #[test]
-    fn a_list_is_no_longer_than_its_box() {
-        let mut file = film(&song());
-        let at = file.windows(4).rposition(|kind| kind == b"stsd").unwrap();
-        // The count, and after it a codec whose kind nobody knows.
-        file[at + 8..at + 12].copy_from_slice(&0x6d64_6961_u32.to_be_bytes());
-        file[at + 12..at + 20].copy_from_slice(b"\0\0\0\x14stco");
-        assert_eq!(Song::read(&file), Err(DAMAGED_TABLE));
+    fn no_list_is_longer_than_its_box() {
+        let file = film(&song());
+        let at = |kind: &[u8; 4]| file.windows(4).rposition(|four| four == kind).unwrap();
+        for (place, expected) in [
+            (at(b"mp4a"), AudioError::Codec),
+            (at(b"esds"), DAMAGED_TABLE),
+        ] {
+            let mut changed = file.clone();
+            changed[place..place + 4].copy_from_slice(b"sgpd");
+            changed[place + 4..place + 20].fill(0xea);
+            assert_eq!(Song::read(&changed), Err(expected));
+        }
+        let mut changed = file.clone();
+        let stts = at(b"stts");
+        changed[stts + 8..stts + 12].fill(0xff);
+        assert_eq!(Song::read(&changed), Err(DAMAGED_TABLE));
     }
 }
