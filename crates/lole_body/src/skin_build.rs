@@ -180,7 +180,7 @@ fn widening(skin: &mut SkinnedMesh, skeleton: &Skeleton, kind: &Kind, hinge: usi
     widening.clamp(0.0, MOST_WIDENING)
 }
 
-/// Volume of the posed body [m³].
+/// Volume of the posed body in cubic meters.
 fn volume(skin: &SkinnedMesh, skeleton: &Skeleton, pose: &Pose) -> f64 {
     let (mut positions, mut normals) = (Vec::new(), Vec::new());
     skin.pose(
