@@ -3,7 +3,7 @@
 mod crossings;
 mod layers;
 
-pub(crate) use crossings::crossing_count;
+pub use crossings::crossing_count;
 pub use crossings::self_crossings;
 pub use layers::layer_inversions;
 

@@ -24,11 +24,11 @@ use lole_cloth::assembly::{
     Assembly, AssemblyInput, AssemblyState, Elastic, Ends, Joint, JointError, Lost, Piece,
     PieceState, Place, Seam, step,
 };
-use lole_cloth::diagnose::StrainSummary;
+use lole_cloth::diagnose::{StrainSummary, crossing_count};
 use lole_cloth::mesh::{MeshError, MeshModel, MeshSpec, diagnose};
 use lole_cloth::{Crossings, Fabric, SelfCollision, SolverConfig, mesh_state_hash};
 use lole_geom::mesh::vertex_normals;
-use lole_geom::{Capsule, Surfel, TriangleGrid};
+use lole_geom::{Capsule, Surfel};
 use lole_language::Bilingual;
 use lole_pattern::{DraftError, Pattern};
 
@@ -59,8 +59,8 @@ const FLOOR: Capsule = Capsule {
 const SUBSTEP_COUNT: NonZeroU32 = NonZeroU32::MIN.saturating_add(11);
 /// Tension of flat elastic of 6 to 8 mm at twice its length [N]. Estimated.
 const ELASTIC_STIFFNESS: f32 = 15.0;
-/// Cells of the search for crossings [m].
-const CROSSING_CELL: f32 = 0.03;
+/// How long edges of triangles are, about [m].
+const EDGE: f32 = 0.02;
 /// Layers of cloth at an edge that is bound or hemmed.
 const EDGE_LAYERS: f32 = 2.0;
 
@@ -328,6 +328,15 @@ impl Dressed {
         Ok((dressed, kit))
     }
 
+    /// Which particles belong to cloth over the trunk that is not tucked in.
+    fn on_trunk(&self) -> Vec<bool> {
+        let mut is_on_trunk = vec![false; self.start.len()];
+        for &corner in self.trunk_triangles.iter().flatten() {
+            is_on_trunk[corner as usize] = true;
+        }
+        is_on_trunk
+    }
+
     /// The mesh as the engine knows it.
     fn model(&self) -> Option<&MeshModel> {
         match self.assembly.pieces() {
@@ -401,9 +410,9 @@ impl Dressed {
     }
 
     /// Edges of the garment that go through one of its triangles, with its seams closed: 0 where no fold
-    /// has gone through another.
+    /// has gone through another. `None` where not all positions [m] are finite.
     #[must_use]
-    pub fn crossings(&self, positions: &[Vec3]) -> usize {
+    pub fn crossings(&self, positions: &[Vec3]) -> Option<usize> {
         let drawn = self.drawn(positions);
         let weld = |corners: &[u32; 3]| corners.map(|corner| self.welded[corner as usize]);
         let triangles: Vec<[u32; 3]> = self.triangles.iter().map(weld).collect();
@@ -413,19 +422,7 @@ impl Dressed {
             .collect();
         edges.sort_unstable();
         edges.dedup();
-        let search = TriangleGrid::new(&drawn, &triangles, CROSSING_CELL);
-        let mut crossed = Vec::new();
-        let mut count = 0;
-        for ends in edges {
-            let [start, end] = ends.map(|end| drawn[end as usize]);
-            search.crossed_by(start, end, &mut crossed);
-            let apart = |triangle: &&u32| {
-                let corners = triangles[**triangle as usize];
-                !ends.iter().any(|end| corners.contains(end))
-            };
-            count += crossed.iter().filter(apart).count();
-        }
-        count
+        crossing_count((&triangles, edges.into_iter()), &drawn, EDGE)
     }
 
     /// The garment at rest where it starts.

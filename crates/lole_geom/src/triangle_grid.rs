@@ -31,7 +31,7 @@ pub struct TriangleGrid<'a> {
     boxes: Vec<Bounds>,
 }
 
-/// A box [m]; what is not finite has none that anything is near.
+/// A box [m].
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Bounds {
     low: Vec3,
@@ -42,16 +42,32 @@ struct Bounds {
 const ROUNDING: f32 = 1.0 - 1.0e-5;
 
 impl Bounds {
-    /// Around points.
+    const NOWHERE: Self = Self {
+        low: Vec3::INFINITY,
+        high: Vec3::NEG_INFINITY,
+    };
+
+    /// Around points; nowhere unless all are finite.
     fn around<const N: usize>(points: [Vec3; N]) -> Self {
-        let start = Self {
-            low: Vec3::INFINITY,
-            high: Vec3::NEG_INFINITY,
-        };
-        points.into_iter().fold(start, |all, point| Self {
-            low: all.low.min(point),
-            high: all.high.max(point),
-        })
+        if !points.iter().all(|point| point.is_finite()) {
+            return Self::NOWHERE;
+        }
+        let boxes = points.map(|point| Self {
+            low: point,
+            high: point,
+        });
+        boxes.into_iter().fold(Self::NOWHERE, Self::and)
+    }
+
+    fn and(self, other: Self) -> Self {
+        Self {
+            low: self.low.min(other.low),
+            high: self.high.max(other.high),
+        }
+    }
+
+    fn is_nowhere(&self) -> bool {
+        self.high.x < self.low.x
     }
 
     /// Whether it certainly lies farther than `limit` [m] from a point.
@@ -85,20 +101,19 @@ impl<'a> TriangleGrid<'a> {
     /// burst, the cells are made larger, so that memory stays bounded.
     #[must_use]
     pub fn new(positions: &'a [Vec3], triangles: &'a [[u32; 3]], cell_size: f32) -> Self {
-        let boxes = || {
-            triangles.iter().filter_map(|triangle| {
-                let [a, b, c] = triangle.map(|corner| positions[corner as usize]);
-                let is_finite = a.is_finite() && b.is_finite() && c.is_finite();
-                is_finite.then(|| (a.min(b).min(c), a.max(b).max(c)))
-            })
-        };
-        let (low, high) = boxes()
-            .reduce(|all, one| (all.0.min(one.0), all.1.max(one.1)))
-            .unwrap_or_default();
+        let boxes: Vec<Bounds> = (triangles.iter())
+            .map(|triangle| Bounds::around(triangle.map(|corner| positions[corner as usize])))
+            .collect();
+        let all = boxes.iter().filter(|one| !one.is_nowhere());
+        let all = all.copied().reduce(Bounds::and);
+        let (low, high) = all.map_or_else(Default::default, |all| (all.low, all.high));
         let origin = low;
         let mut cell_size = cell_size;
         while MOST_CELLS < cells_in(high - low, cell_size)
-            || MOST_MEMBERS < boxes().map(|one| cells_in(one.1 - one.0, cell_size)).sum()
+            || MOST_MEMBERS
+                < (boxes.iter().filter(|one| !one.is_nowhere()))
+                    .map(|one| cells_in(one.high - one.low, cell_size))
+                    .sum()
         {
             cell_size *= 2.0;
         }
@@ -112,9 +127,7 @@ impl<'a> TriangleGrid<'a> {
             cell_counts,
             starts: vec![0; cell_count + 1],
             members: Vec::new(),
-            boxes: (triangles.iter())
-                .map(|triangle| Bounds::around(triangle.map(|corner| positions[corner as usize])))
-                .collect(),
+            boxes,
         };
         grid.sort_triangles();
         grid
@@ -137,13 +150,10 @@ impl<'a> TriangleGrid<'a> {
     }
 
     fn for_each_membership(&self, mut visit: impl FnMut(usize, u32)) {
-        let boxes = self.triangles.iter().zip(&self.boxes);
-        for ((triangle, bounds), index) in boxes.zip(0_u32..) {
-            let [a, b, c] = triangle.map(|corner| self.positions[corner as usize]);
-            if !(a.is_finite() && b.is_finite() && c.is_finite()) {
-                continue;
+        for (bounds, index) in self.boxes.iter().zip(0_u32..) {
+            if !bounds.is_nowhere() {
+                self.for_each_cell(bounds.low, bounds.high, |cell| visit(cell, index));
             }
-            self.for_each_cell(bounds.low, bounds.high, |cell| visit(cell, index));
         }
     }
 

@@ -21,28 +21,6 @@ const FADE: f32 = 0.06;
 const MOST: f32 = 0.12;
 const PASSES: usize = 4;
 
-/// The arms: upper arm, forearm, and the joints that show where its hand is.
-const ARMS: [(Bone, Bone, [Bone; 3]); 2] = [
-    (
-        Bone::LeftUpperArm,
-        Bone::LeftLowerArm,
-        [
-            Bone::LeftHand,
-            Bone::LeftMiddleProximal,
-            Bone::LeftMiddleDistal,
-        ],
-    ),
-    (
-        Bone::RightUpperArm,
-        Bone::RightLowerArm,
-        [
-            Bone::RightHand,
-            Bone::RightMiddleProximal,
-            Bone::RightMiddleDistal,
-        ],
-    ),
-];
-
 /// The room of a skirt, in the pelvis's bind pose [m].
 pub(crate) struct Room {
     waist: Vec3,
@@ -58,22 +36,25 @@ impl Room {
 
     /// Brings the hands of a pose out.
     pub(crate) fn clear(&self, skeleton: &Skeleton, pose: &mut Pose) {
-        for arm in &ARMS {
+        for ([_, upper, lower, hand], fingers) in Bone::ARMS.into_iter().zip(Bone::FINGERS) {
+            let [_, [knuckle, _, tip], ..] = fingers;
+            let arm = (upper, lower, [hand, knuckle, tip]);
             for _ in 0..PASSES {
                 let world = skeleton.world_from_bind(pose);
-                let Some(turn) = self.way_out(skeleton, &world, arm) else {
+                let Some(turn) = self.way_out(skeleton, &world, &arm) else {
                     break;
                 };
-                let parent = arm.0.parent().map_or(Quat::IDENTITY, |bone| {
+                let parent = upper.parent().map_or(Quat::IDENTITY, |bone| {
                     Quat::from_mat3a(&world[bone.index()].matrix3)
                 });
-                let turned = parent.inverse() * turn * parent * pose.rotation(arm.0);
-                pose.rotate(arm.0, turned.normalize());
+                let turned = parent.inverse() * turn * parent * pose.rotation(upper);
+                pose.rotate(upper, turned.normalize());
             }
         }
     }
 
-    /// The turn about the shoulder, in the world, that brings the deepest joint of an arm out.
+    /// The turn about the shoulder, in the world, that brings the deepest joint of an arm out: its upper
+    /// arm, its forearm, and the joints that show where its hand is.
     fn way_out(
         &self,
         skeleton: &Skeleton,

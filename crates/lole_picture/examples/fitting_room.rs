@@ -197,6 +197,7 @@ fn danced(asked: &Asked, performance: &mut Performance) -> Result<String, Box<dy
             if frames.is_multiple_of(10) {
                 let garment = &performance.production().dressed[place].dressed;
                 let crossings = garment.crossings(performance.dressed_positions(place));
+                let crossings = crossings.ok_or("the cloth is nowhere")?;
                 seen.crossings = [seen.crossings[0].max(crossings), crossings];
             }
         }

@@ -24,7 +24,8 @@ pub fn self_crossings(grid: &Grid, positions: &[Vec3]) -> Option<usize> {
 
 /// Pairs of an edge and a triangle that cross at `positions` [m] and share no particle; cells of the
 /// cloth are about `size` [m] large. `None` where not all positions are finite.
-pub(crate) fn crossing_count(
+#[must_use]
+pub fn crossing_count(
     (triangles, edges): (&[[u32; 3]], impl Iterator<Item = [u32; 2]>),
     positions: &[Vec3],
     size: f32,

@@ -45,10 +45,7 @@ impl Bands<'_> {
 
 /// How far each particle of the trunk lies above the bands, where it is tucked in; `None` elsewhere.
 fn depths(garment: &Dressed, bands: Bands<'_>, lowest: f32) -> Vec<Option<f32>> {
-    let mut is_on_trunk = vec![false; garment.start.len()];
-    for &corner in garment.trunk_triangles.iter().flatten() {
-        is_on_trunk[corner as usize] = true;
-    }
+    let is_on_trunk = garment.on_trunk();
     let center = bands.center();
     let places = garment.start.iter().zip(&is_on_trunk);
     let depths = places.map(|(&place, &is_on_trunk)| {

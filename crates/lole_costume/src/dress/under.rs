@@ -72,10 +72,7 @@ impl<'a> Under<'a> {
         }
         let world_from_bind = dancer.skeleton.world_from_bind(&fit::fitting_pose());
         self.add(&world_from_bind, &mut Vec::new());
-        let mut is_on_trunk = vec![false; garment.start.len()];
-        for &corner in garment.trunk_triangles.iter().flatten() {
-            is_on_trunk[corner as usize] = true;
-        }
+        let is_on_trunk = garment.on_trunk();
         for (place, _) in (garment.start.iter_mut().zip(is_on_trunk)).filter(|pair| pair.1) {
             let Some((clearance, outward)) = self.envelope.clearance(*place) else {
                 continue;

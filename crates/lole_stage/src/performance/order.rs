@@ -4,15 +4,13 @@ use glam::{Affine3A, Vec3};
 use lole_body::{Bone, Skeleton};
 use lole_cloth::collision::layer::{Envelope, Layer, Trunk};
 use lole_cloth::diagnose;
+pub(super) use lole_costume::dress::LAYER_GAP as GAP;
 use lole_geom::Surfel;
 use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 
 use super::worn::Worn;
 use crate::production::Garment;
 use crate::solver::{CONTACT_OFFSET, Observer, Surroundings};
-
-/// Distance kept between garments [m]: the thickness of two fabrics and of the air between them.
-pub(super) const GAP: f32 = 0.0015;
 
 /// How far inside a layer its particles are looked for [m]: what is farther on the wrong side is the
 /// other side of the dancer.
