@@ -12,6 +12,9 @@ pub struct SolverConfig {
     pub substep_count: NonZeroU32,
     /// Passes over the structural springs in each substep. More passes mean less strain.
     pub structural_sweep_count: NonZeroU32,
+    /// Passes more along the rows near those that are pinned all along, in each pass over the
+    /// structural springs: where cloth is gathered, the springs are pressed most.
+    pub gathered_sweep_count: u32,
     /// Acceleration [m/s²].
     pub gravity: Vec3,
     /// Distance kept between cloth and capsules [m]; hides the cloth's thickness.
@@ -39,6 +42,7 @@ impl Default for SolverConfig {
         Self {
             substep_count: NonZeroU32::MIN.saturating_add(11),
             structural_sweep_count: NonZeroU32::MIN.saturating_add(5),
+            gathered_sweep_count: 0,
             gravity: Vec3::new(0.0, -9.81, 0.0),
             contact_offset: 0.0,
             depenetration_speed: 2.0,

@@ -365,6 +365,7 @@ fn wind_per_particle(design: &Design, spec: &ClothSpec) -> Option<Wind> {
 fn xpbd_config(spec: &ClothSpec, substep_count: NonZeroU32) -> SolverConfig {
     SolverConfig {
         substep_count,
+        gathered_sweep_count: 1,
         contact_offset: CONTACT_OFFSET,
         depenetration_speed: DEPENETRATION_SPEED,
         held_depth: HELD_DEPTH,

@@ -58,13 +58,18 @@ struct Strand {
     inv_mass: f32,
     /// Unit vector along the column; zero where it has no direction.
     thread: Vec3,
-    /// Whether this solution has moved it.
-    is_touched: bool,
+    /// Its place among those that are in a pair; [`UNPAIRED`] of others.
+    touch: u32,
 }
 
-/// What else is known of a particle that is touched, from then on.
+/// Place of what is in no pair.
+const UNPAIRED: u32 = u32::MAX;
+
+/// What else is known of a particle in a pair.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 struct Touch {
+    /// Whether this solution has moved it; the rest is known from then on.
+    is_touched: bool,
     /// Where it was at the start of the substep [m].
     before: Vec3,
     /// What contacts moved it without a push [m].
@@ -98,9 +103,10 @@ pub(crate) struct ClothContacts {
     pairs: Vec<Vec<Pair>>,
     /// In the order of the entries.
     strands: Vec<Strand>,
-    touches: Vec<Touch>,
     /// Entries that are in a pair, ascending.
     paired: Vec<u32>,
+    /// In their order.
+    touches: Vec<Touch>,
     /// Vector and lane of every entry.
     slots: Vec<Slot>,
     /// Column and row of every entry, and a vector beyond the last.
@@ -221,19 +227,27 @@ impl ClothContacts {
         } else {
             self.pairs.par_iter_mut().enumerate().for_each(find_slab);
         }
+        for pairs in &mut self.pairs {
+            release_room(pairs);
+        }
         self.list_paired();
     }
 
     fn list_paired(&mut self) {
         for pair in self.pairs.iter().flatten() {
             for entry in [pair.first, pair.second] {
-                self.strands[entry as usize].is_touched = true;
+                self.strands[entry as usize].touch = 0;
             }
         }
         self.paired.clear();
-        let strands = (0u32..).zip(&self.strands);
-        let paired = strands.filter(|(_, strand)| strand.is_touched);
-        self.paired.extend(paired.map(|(entry, _)| entry));
+        for (entry, strand) in (0u32..).zip(&mut self.strands) {
+            if strand.touch != UNPAIRED {
+                strand.touch = narrow(self.paired.len());
+                self.paired.push(entry);
+            }
+        }
+        self.touches.clear();
+        self.touches.resize(self.paired.len(), Touch::default());
     }
 
     /// Slabs of whole layers of cells, about equally full.
@@ -263,13 +277,12 @@ impl ClothContacts {
             let (vector, lane) = shape.layout.slot(particle);
             self.slots.push(Slot::new(vector, lane));
             self.strands.push(Strand {
-                position: entry.position,
+                position: self.positions[particle],
                 inv_mass: shape.inv_masses[vector].0[lane],
                 thread: thread(columns, &self.positions, particle),
-                is_touched: false,
+                touch: UNPAIRED,
             });
         }
-        self.touches.resize(self.strands.len(), Touch::default());
     }
 
     fn find_places(&mut self, grid: &Grid) {
@@ -293,11 +306,10 @@ impl ClothContacts {
         if self.pairs.is_empty() {
             return;
         }
-        for &entry in &self.paired {
+        for (&entry, touch) in self.paired.iter().zip(&mut self.touches) {
             let (vector, lane) = self.slots[entry as usize].get();
-            let strand = &mut self.strands[entry as usize];
-            strand.position = columns.positions[vector].get(lane);
-            strand.is_touched = false;
+            self.strands[entry as usize].position = columns.positions[vector].get(lane);
+            touch.is_touched = false;
         }
         for parity in [0, 1] {
             self.solve_slabs(parity, &columns, law);
@@ -309,19 +321,24 @@ impl ClothContacts {
     fn solve_slabs(&mut self, parity: usize, columns: &Columns<'_>, law: ClothContactLaw) {
         let mut tasks = Vec::with_capacity(self.pairs.len().div_ceil(2));
         let (mut strands, mut touches) = (&mut self.strands[..], &mut self.touches[..]);
-        let mut start = 0;
+        let (mut start, mut touch_start) = (0, 0);
+        let paired = &self.paired;
+        let touches_before = |entry: usize| paired.partition_point(|&it| (it as usize) < entry);
         for slab in (parity..self.pairs.len()).step_by(2) {
             let [first, end] = [slab, slab + 2].map(|s| self.slabs[s.min(self.slabs.len() - 1)]);
             let (strand_part, strands_after) = strands.split_at_mut(end - start);
-            let (touch_part, touches_after) = touches.split_at_mut(end - start);
+            let [first_touch, touch_end] = [first, end].map(touches_before);
+            let (touch_part, touches_after) = touches.split_at_mut(touch_end - touch_start);
             let slab_part = Slab {
                 strands: &mut strand_part[first - start..],
-                touches: &mut touch_part[first - start..],
+                touches: &mut touch_part[first_touch - touch_start..],
                 slots: &self.slots[first..end],
                 first,
+                first_touch,
             };
             tasks.push((slab_part, &self.pairs[slab][..]));
-            (strands, touches, start) = (strands_after, touches_after, end);
+            (strands, touches) = (strands_after, touches_after);
+            (start, touch_start) = (end, touch_end);
         }
         let solve = |(mut slab, pairs): (Slab<'_>, &[Pair])| {
             for pair in pairs {
@@ -337,16 +354,12 @@ impl ClothContacts {
     }
 
     fn store(&self, columns: &mut Columns<'_>) {
-        for &entry in &self.paired {
-            let strand = &self.strands[entry as usize];
-            if !strand.is_touched {
-                continue;
-            }
+        let touched = self.paired.iter().zip(&self.touches);
+        for (&entry, touch) in touched.filter(|(_, touch)| touch.is_touched) {
             let (vector, lane) = self.slots[entry as usize].get();
-            columns.positions[vector].set(lane, strand.position);
+            columns.positions[vector].set(lane, self.strands[entry as usize].position);
             let start = columns.predicted[vector].get(lane);
-            let quiet = self.touches[entry as usize].quiet;
-            columns.predicted[vector].set(lane, start + quiet);
+            columns.predicted[vector].set(lane, start + touch.quiet);
         }
     }
 }
@@ -391,6 +404,13 @@ fn push_sparingly(pairs: &mut Vec<Pair>, pair: Option<Pair>) {
     pairs.push(pair);
 }
 
+/// Gives back room that more pairs once took.
+fn release_room(pairs: &mut Vec<Pair>) {
+    if pairs.len() + pairs.len() / 2 < pairs.capacity() {
+        pairs.shrink_to(pairs.len() + pairs.len() / 4);
+    }
+}
+
 impl PairFinder<'_> {
     /// Adds the pairs of the entries of a range with those that follow them.
     #[inline(always)]
@@ -421,7 +441,7 @@ impl PairFinder<'_> {
         pairs: &mut Vec<Pair>,
     ) {
         let [x, y, z] = &self.cells.coordinates;
-        let position = Vectors::splat(simd, self.cells.entries[index].position);
+        let position = Vectors::splat(simd, self.cells.position(index));
         let reach = f32x16::splat(simd, self.reach_squared);
         for from in run.clone().step_by(LANES) {
             let lanes = from..from + LANES;
@@ -513,8 +533,9 @@ struct Slab<'a> {
     touches: &'a mut [Touch],
     /// Vector and lane of each.
     slots: &'a [Slot],
-    /// The first entry.
+    /// The first entry, and the first in a pair.
     first: usize,
+    first_touch: usize,
 }
 
 impl Slab<'_> {
@@ -537,10 +558,9 @@ impl Slab<'_> {
         columns: &Columns<'_>,
         law: ClothContactLaw,
     ) {
-        for end in ends {
-            self.touch(end, columns, law.h);
-        }
-        let travel = ends.map(|end| self.strands[end].position - self.touches[end].before);
+        let touches = ends.map(|end| self.touch(end, columns, law.h));
+        let travel =
+            [0, 1].map(|end| self.strands[ends[end]].position - self.touches[touches[end]].before);
         let slip = travel[1] - travel[0];
         let side = (pair.side, pair.diameter);
         let Some(parting) = Parting::new((gap, slip), side, law.friction, law.h) else {
@@ -551,23 +571,25 @@ impl Slab<'_> {
         let change = parting.change / inv_mass_sum;
         let quiet = parting.normal * (parting.quiet / inv_mass_sum);
         self.strands[ends[0]].position -= change * inv_masses[0];
-        self.touches[ends[0]].quiet -= quiet * inv_masses[0];
+        self.touches[touches[0]].quiet -= quiet * inv_masses[0];
         self.strands[ends[1]].position += change * inv_masses[1];
-        self.touches[ends[1]].quiet += quiet * inv_masses[1];
+        self.touches[touches[1]].quiet += quiet * inv_masses[1];
     }
 
-    /// Fetches what only touched particles need.
+    /// Fetches what only touched particles need; where it is.
     #[inline(always)]
-    fn touch(&mut self, end: usize, columns: &Columns<'_>, h: f32) {
-        if self.strands[end].is_touched {
-            return;
+    fn touch(&mut self, end: usize, columns: &Columns<'_>, h: f32) -> usize {
+        let place = self.strands[end].touch as usize - self.first_touch;
+        let touch = &mut self.touches[place];
+        if !touch.is_touched {
+            let (vector, lane) = self.slots[end].get();
+            let flown = columns.velocities[vector].get(lane) * h;
+            *touch = Touch {
+                is_touched: true,
+                before: columns.predicted[vector].get(lane) - flown,
+                quiet: Vec3::ZERO,
+            };
         }
-        let (vector, lane) = self.slots[end].get();
-        let flown = columns.velocities[vector].get(lane) * h;
-        self.strands[end].is_touched = true;
-        self.touches[end] = Touch {
-            before: columns.predicted[vector].get(lane) - flown,
-            quiet: Vec3::ZERO,
-        };
+        place
     }
 }

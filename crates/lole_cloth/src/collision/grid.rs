@@ -12,7 +12,6 @@ const CELL_COUNT_MAX: f32 = 2_000_000.0;
 /// A particle in the order of the cells.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Entry {
-    pub(crate) position: Vec3,
     /// Row-major index.
     pub(crate) particle: u32,
     pub(crate) cell: u32,
@@ -30,9 +29,8 @@ pub(crate) struct CellGrid {
     /// First entry of every cell, and one more.
     starts: Vec<u32>,
     pub(crate) entries: Vec<Entry>,
-    /// The same positions by axis [m], and a vector beyond the last.
+    /// Their positions by axis [m], and a vector beyond the last.
     pub(crate) coordinates: [Vec<f32>; 3],
-    cells: Vec<u32>,
 }
 
 impl CellGrid {
@@ -41,7 +39,13 @@ impl CellGrid {
         size_of_val(self.starts.as_slice())
             + size_of_val(self.entries.as_slice())
             + 3 * size_of_val(self.coordinates[0].as_slice())
-            + size_of_val(self.cells.as_slice())
+    }
+
+    /// Where the particle of an entry is [m].
+    #[inline(always)]
+    pub(crate) fn position(&self, entry: usize) -> Vec3 {
+        let [x, y, z] = &self.coordinates;
+        Vec3::new(x[entry], y[entry], z[entry])
     }
 
     /// Sorts `positions`, all finite, into cells of at least `cell_size` [m].
@@ -70,55 +74,54 @@ impl CellGrid {
         let [width, height, depth] = self.dimensions;
         self.starts.clear();
         self.starts.resize((width * height * depth) as usize + 1, 0);
-        self.cells.clear();
-        self.cells.extend(positions.iter().map(|&position| {
+        let cell_of = |position: Vec3| {
             let [x, y, z] = cell_of(position);
             ((z + 1) * height + y + 1) * width + x + 1
-        }));
-        for &cell in &self.cells {
-            self.starts[cell as usize + 1] += 1;
+        };
+        for &position in positions {
+            self.starts[cell_of(position) as usize + 1] += 1;
         }
         let mut sum = 0;
         for start in &mut self.starts {
             sum += *start;
             *start = sum;
         }
-        self.fill(positions);
+        self.fill(positions, cell_of);
     }
 
     /// Backwards, so that every start ends where its cell begins and equal cells keep their order.
-    fn fill(&mut self, positions: &[Vec3]) {
+    #[inline(always)]
+    fn fill(&mut self, positions: &[Vec3], cell_of: impl Fn(Vec3) -> u32) {
         let blank = Entry {
-            position: Vec3::ZERO,
             particle: 0,
             cell: 0,
         };
         self.entries.clear();
         self.entries.resize(positions.len(), blank);
+        for column in &mut self.coordinates {
+            column.clear();
+            column.resize(positions.len() + LANES, f32::INFINITY);
+        }
         // starts[c + 1] is the end of cell c; counting it down makes it the start of cell c.
         let count = u32::try_from(positions.len()).unwrap_or(u32::MAX);
-        for ((particle, &position), &cell) in (0..count).zip(positions).zip(&self.cells).rev() {
+        for (particle, &position) in (0..count).zip(positions).rev() {
+            let cell = cell_of(position);
             let end = &mut self.starts[cell as usize + 1];
             *end -= 1;
-            self.entries[*end as usize] = Entry {
-                position,
-                particle,
-                cell,
-            };
+            let place = *end as usize;
+            self.entries[place] = Entry { particle, cell };
+            for (axis, column) in self.coordinates.iter_mut().enumerate() {
+                column[place] = position[axis];
+            }
         }
         // Shift back: now starts[c + 1] begins cell c, and the last entry is the end of all.
         self.starts.remove(0);
         self.starts.push(count);
-        for (axis, column) in self.coordinates.iter_mut().enumerate() {
-            column.clear();
-            column.extend(self.entries.iter().map(|entry| entry.position[axis]));
-            column.resize(positions.len() + LANES, f32::INFINITY);
-        }
     }
 
     /// Calls `visit` with every run of entries in the cells that a box touches.
     #[inline(always)]
-    pub(crate) fn runs_within(&self, [low, high]: [Vec3; 2], mut visit: impl FnMut(&[Entry])) {
+    pub(crate) fn runs_within(&self, [low, high]: [Vec3; 2], mut visit: impl FnMut(Range<usize>)) {
         let [width, height, depth] = self.dimensions;
         let cell_of = |position: Vec3| {
             let last = Vec3::new(width as f32, height as f32, depth as f32) - Vec3::splat(3.0);
@@ -133,7 +136,7 @@ impl CellGrid {
                 let row = ((z + 1) * height + y + 1) * width + 1;
                 let start = self.starts[(row + first[0]) as usize] as usize;
                 let end = self.starts[(row + last[0]) as usize + 1] as usize;
-                visit(&self.entries[start..end]);
+                visit(start..end);
             }
         }
     }
@@ -215,10 +218,10 @@ mod tests {
             let first = grid.entries[index];
             let [own, others @ ..] = grid.following_runs(first.cell);
             for run in std::iter::once(index + 1..own.end).chain(others) {
-                let near = grid.entries[run]
-                    .iter()
-                    .filter(|other| first.position.distance(other.position) < reach);
+                let own = grid.position(index);
+                let near = run.filter(|&other| own.distance(grid.position(other)) < reach);
                 found.extend(near.map(|other| {
+                    let other = grid.entries[other];
                     (
                         first.particle.min(other.particle),
                         first.particle.max(other.particle),

@@ -9,10 +9,15 @@ use crate::{ClothSpec, Grid};
 /// when they are pushed along the cloth.
 const HELD_SLOPE: f32 = 0.3;
 
+/// Length of the cloth [m] from a pinned row on within which the folds lie as it gathers them.
+const GATHERED: f32 = 0.15;
+
 /// For every row the nearest row that is pinned all along; empty where none is.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct PinnedRows {
     pub(crate) nearest: Vec<u32>,
+    /// Whether cloth is gathered there: rows near one of these, not the pins themselves.
+    is_gathered: Vec<bool>,
 }
 
 impl PinnedRows {
@@ -34,9 +39,21 @@ impl PinnedRows {
                 .min_by_key(by_distance)
                 .unwrap_or(row)
         });
+        let nearest: Vec<u32> = nearest.collect();
+        #[expect(clippy::cast_precision_loss, reason = "rows are fewer than 2^24")]
+        let away = |(row, pin): (u32, &u32)| row.abs_diff(*pin) as f32 * spec.grid.spacing[1];
+        let is_gathered = (0u32..).zip(&nearest).map(away);
         Self {
-            nearest: nearest.collect(),
+            is_gathered: is_gathered
+                .map(|away| 0.0 < away && away <= GATHERED)
+                .collect(),
+            nearest,
         }
+    }
+
+    /// Whether a row lies where the cloth is still gathered into a pinned one.
+    pub(crate) fn is_gathered(&self, row: usize) -> bool {
+        self.is_gathered.get(row) == Some(&true)
     }
 
     /// How far every row may stay inside the capsules [m]: `limit` where pins hold it, less with

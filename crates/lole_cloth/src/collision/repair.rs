@@ -71,13 +71,13 @@ pub(crate) struct CrossingRepair {
     positions: Vec<Vec3>,
     separations: Vec<Separation>,
     zones: ImpactZones,
-    /// Particles that the repair has moved, and a mark for each.
+    /// Particles that the repair has moved, and, by particle, its place among them counted from 1.
     moved: Vec<u32>,
-    is_moved: Vec<bool>,
+    moved_places: Vec<u32>,
     moved_patches: Marked,
-    /// Where the particles were before the repair, then before the last of them left the body [m],
-    /// and which did.
+    /// Where they were before the repair, then before the last of them left the body [m].
     before: Vec<Vec3>,
+    /// Which particles have left the body.
     is_outside: Vec<bool>,
     /// Particles near what still crosses at the end of a step; empty where nothing does.
     pub(crate) is_tangled: Vec<bool>,
@@ -91,7 +91,7 @@ impl CrossingRepair {
             + size_of_val(&self.separations[..])
             + self.zones.byte_count()
             + size_of_val(&self.moved[..])
-            + size_of_val(&self.is_moved[..])
+            + size_of_val(&self.moved_places[..])
             + size_of_val(&self.before[..])
             + size_of_val(&self.is_outside[..])
             + size_of_val(&self.is_tangled[..])
@@ -139,9 +139,9 @@ impl CrossingRepair {
     fn work(&mut self, fixed: Fixed<'_>, starts: &[Vec3]) {
         self.separations.clear();
         self.moved.clear();
-        self.is_moved.clear();
-        self.is_moved.resize(starts.len(), false);
-        self.before.clone_from(&self.positions);
+        self.moved_places.clear();
+        self.moved_places.resize(starts.len(), 0);
+        self.before.clear();
         for round in 0..PARTING_ROUNDS {
             let known = self.separations.len();
             self.separate_new(starts);
@@ -227,11 +227,12 @@ impl CrossingRepair {
 
     fn shift(&mut self, particle: u32, by: Vec3) {
         let place = particle as usize;
-        self.positions[place] += by;
-        if !self.is_moved[place] {
-            self.is_moved[place] = true;
+        if self.moved_places[place] == 0 {
             self.moved.push(particle);
+            self.moved_places[place] = narrow(self.moved.len());
+            self.before.push(self.positions[place]);
         }
+        self.positions[place] += by;
     }
 
     fn part(&mut self, fixed: Fixed<'_>, separation: Separation) {
@@ -250,9 +251,9 @@ impl CrossingRepair {
 
     /// Keeps what was moved within [`REPAIR_REACH`].
     fn restrain(&mut self, starts: &[Vec3]) {
-        for &particle in &self.moved {
+        for (&particle, &before) in self.moved.iter().zip(&self.before) {
             let place = particle as usize;
-            let (position, before) = (self.positions[place], self.before[place]);
+            let position = self.positions[place];
             let reach = REPAIR_REACH + before.distance(starts[place]);
             let moved = position - before;
             if reach * reach < moved.length_squared() {
@@ -300,7 +301,12 @@ impl CrossingRepair {
     /// nothing comes to cross by that.
     fn leave_body_at_last(&mut self, fixed: Fixed<'_>, starts: &[Vec3]) {
         let known = self.finder.crossings.len();
-        self.before.clone_from(&self.positions);
+        let moved = self
+            .moved
+            .iter()
+            .map(|&particle| self.positions[particle as usize]);
+        self.before.clear();
+        self.before.extend(moved);
         self.is_outside.clear();
         self.is_outside.resize(starts.len(), false);
         for round in 0..LEAVING_ROUNDS {
@@ -331,7 +337,9 @@ impl CrossingRepair {
             self.look_again(fixed);
         }
         if known < self.finder.crossings.len() {
-            self.positions.clone_from(&self.before);
+            for (&particle, &before) in self.moved.iter().zip(&self.before) {
+                self.positions[particle as usize] = before;
+            }
             self.look_again(fixed);
         }
     }
@@ -361,7 +369,10 @@ impl CrossingRepair {
                 .into_iter()
                 .flat_map(|it| surface.ring(it))
             {
-                self.positions[corner as usize] = self.before[corner as usize];
+                let moved = self.moved_places[corner as usize].checked_sub(1);
+                if let Some(place) = moved {
+                    self.positions[corner as usize] = self.before[place as usize];
+                }
             }
         }
     }

@@ -6,6 +6,7 @@
 //! step to step, so that a state says all there is to know.
 
 mod cells;
+mod facing;
 mod nearness;
 mod planes;
 mod search;
@@ -71,6 +72,15 @@ pub(crate) struct Skin<'a> {
     pub(crate) after: &'a [Surfel],
     /// Distance kept from it [m].
     pub(crate) offset: f32,
+}
+
+impl Skin<'_> {
+    /// Where a surfel is in the middle of the step [m].
+    #[inline(always)]
+    fn middle(&self, surfel: u32) -> Vec3 {
+        let surfel = surfel as usize;
+        (self.before[surfel].position + self.after[surfel].position) * 0.5
+    }
 }
 
 /// The cloth at the start of a step.

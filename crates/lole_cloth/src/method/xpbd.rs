@@ -413,6 +413,9 @@ fn set_schedules(model: &ClothModel, config: &SolverConfig, state: &mut ClothSta
         }
         for _ in 0..sweeps {
             schedule.push(Stage::SpringsAlong);
+            for _ in 0..config.gathered_sweep_count {
+                schedule.push(Stage::SpringsGathered);
+            }
             schedule.push(Stage::SpringsDown);
         }
         if part != Part::BeforeContact {

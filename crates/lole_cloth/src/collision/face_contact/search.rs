@@ -234,12 +234,13 @@ impl Search<'_> {
         let bounds = [a.min(b).min(c) - reach, a.max(b).max(c) + reach];
         self.cells.runs_within(bounds, |run| {
             for entry in run {
-                if room.stamps[entry.particle as usize] == triangle
-                    || is_beyond(entry.position, places, reach)
+                let particle = self.cells.entries[entry].particle;
+                if room.stamps[particle as usize] == triangle
+                    || is_beyond(self.cells.position(entry), places, reach)
                 {
                     continue;
                 }
-                let candidate = self.candidate((entry.particle, triangle), places, radius);
+                let candidate = self.candidate((particle, triangle), places, radius);
                 room.candidates.extend(candidate);
             }
         });

@@ -6,6 +6,7 @@ use fearless_simd::{Simd, f32x16, prelude::*};
 use glam::{IVec3, Vec3};
 use lole_geom::Surfel;
 
+use super::facing::Sectors;
 use super::nearness::{FARTHEST, Nearness};
 use super::{PINCH_REACH, REACH_MAX, Skin};
 use crate::collision::grid::each_hit;
@@ -23,6 +24,11 @@ const _: () = assert!(
     "empty cells around the surfels reach far enough"
 );
 
+const _: () = assert!(
+    PINCH_REACH <= CELL,
+    "a block and a cell around it hold what is pinched"
+);
+
 /// Surfels with normals whose product is less face against each other.
 const FACING_AGAINST: f32 = -0.3;
 
@@ -30,21 +36,12 @@ const FACING_AGAINST: f32 = -0.3;
 const FAR: f32 = 1024.0;
 const FAR_CELL: IVec3 = IVec3::splat(1024);
 
-/// Cosine of the angle with their mean within which surfels lie of which no two face against each
-/// other: twice the angle is less than [`FACING_AGAINST`] asks for.
-const ONE_WAY: f32 = 0.6;
+/// Cells along the edge of a block, for all points of which it is asked together how the skin faces.
+const BLOCK: i32 = 2;
 
-/// How the surfels around a cell face.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Facing {
-    Unknown,
-    OneWay,
-    Several,
-}
-
-/// How the surfels around the cells face, as far as it was asked for.
+/// How the surfels around the blocks of cells face, as far as it was asked for.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(crate) struct Facings(Vec<Facing>);
+pub(crate) struct Facings(Vec<Sectors>);
 
 impl Facings {
     /// Memory that it holds [byte].
@@ -65,12 +62,14 @@ pub(crate) struct SurfelCells {
     counts: IVec3,
     /// First entry of every cell, and one more; along x first.
     starts: Vec<u32>,
-    /// Where each surfel is in the middle of the step, and which it is, by cell.
-    entries: Vec<(Vec3, u32)>,
-    unsorted: Vec<(Vec3, u32)>,
-    cells: Vec<u32>,
-    /// The same positions by axis [m], and a vector beyond the last.
+    /// Which surfels there are, by cell and in their order.
+    entries: Vec<u32>,
+    unsorted: Vec<u32>,
+    /// Where each of the entries is in the middle of the step, by axis [m], and a vector beyond the
+    /// last.
     coordinates: [Vec<f32>; 3],
+    /// Where their normals at the end of the step lie.
+    sectors: Vec<Sectors>,
     nearness: Nearness,
     mean_motion: Vec3,
     spread: f32,
@@ -82,8 +81,8 @@ impl SurfelCells {
         size_of_val(self.starts.as_slice())
             + size_of_val(self.entries.as_slice())
             + size_of_val(self.unsorted.as_slice())
-            + size_of_val(self.cells.as_slice())
             + 3 * size_of_val(self.coordinates[0].as_slice())
+            + size_of_val(self.sectors.as_slice())
             + self.nearness.byte_count()
     }
 
@@ -103,7 +102,8 @@ impl SurfelCells {
     pub(crate) fn sort(&mut self, skin: Skin<'_>, [low, high]: [Vec3; 2], reach: f32) {
         self.choose(skin, [low - reach, high + reach]);
         let start = (Vec3::INFINITY, Vec3::NEG_INFINITY);
-        let (low, high) = (self.unsorted.iter()).fold(start, |(low, high), &(middle, _)| {
+        let (low, high) = (self.unsorted.iter()).fold(start, |(low, high), &surfel| {
+            let middle = skin.middle(surfel);
             (low.min(middle), high.max(middle))
         });
         // Empty cells all around, so that what may come near lies in one.
@@ -117,12 +117,9 @@ impl SurfelCells {
         self.starts.clear();
         self.starts
             .resize(usize::try_from(cell_count).unwrap_or(0) + 1, 0);
-        self.cells.clear();
-        for &(middle, _) in &self.unsorted {
-            let cell = self.cell_of(middle).min(self.counts - IVec3::ONE);
-            let cell = self.index(cell);
+        for &surfel in &self.unsorted {
+            let cell = self.cell_index(skin.middle(surfel));
             self.starts[cell + 1] += 1;
-            self.cells.push(narrow(cell));
         }
         let mut sum = 0;
         for start in &mut self.starts {
@@ -130,21 +127,32 @@ impl SurfelCells {
             *start = sum;
         }
         self.entries.clear();
-        self.entries.resize(self.unsorted.len(), (Vec3::ZERO, 0));
+        self.entries.resize(self.unsorted.len(), 0);
+        for column in &mut self.coordinates {
+            column.clear();
+            column.resize(self.unsorted.len() + LANES, f32::INFINITY);
+        }
         // Backwards: the start of the next cell is counted down to the start of this one.
-        for (&entry, &cell) in self.unsorted.iter().zip(&self.cells).rev() {
-            let end = &mut self.starts[cell as usize + 1];
+        for &surfel in self.unsorted.iter().rev() {
+            let middle = skin.middle(surfel);
+            let cell = self.cell_index(middle);
+            let end = &mut self.starts[cell + 1];
             *end -= 1;
-            self.entries[*end as usize] = entry;
+            let place = *end as usize;
+            self.entries[place] = surfel;
+            for (axis, column) in self.coordinates.iter_mut().enumerate() {
+                column[place] = middle[axis];
+            }
         }
         self.starts.remove(0);
         self.starts.push(narrow(self.unsorted.len()));
         self.nearness.set(self.counts, &self.starts);
-        for (axis, column) in self.coordinates.iter_mut().enumerate() {
-            column.clear();
-            column.extend(self.entries.iter().map(|(middle, _)| middle[axis]));
-            column.resize(self.entries.len() + LANES, f32::INFINITY);
-        }
+        self.sectors.clear();
+        let normals = self
+            .entries
+            .iter()
+            .map(|&surfel| skin.after[surfel as usize].normal);
+        self.sectors.extend(normals.map(Sectors::of));
     }
 
     /// Takes those in the box, and how they move.
@@ -157,14 +165,14 @@ impl SurfelCells {
             }
             let middle = (before.position + after.position) * 0.5;
             if middle.cmpge(low).all() && middle.cmple(high).all() {
-                self.unsorted.push((middle, index));
+                self.unsorted.push(index);
                 sum += after.position - before.position;
             }
         }
         #[expect(clippy::cast_precision_loss, reason = "surfels are fewer than 2^24")]
         let count = self.unsorted.len().max(1) as f32;
         self.mean_motion = sum / count;
-        let spread = self.unsorted.iter().map(|&(_, index)| {
+        let spread = self.unsorted.iter().map(|&index| {
             let index = index as usize;
             let motion = skin.after[index].position - skin.before[index].position;
             (motion - self.mean_motion).length_squared()
@@ -177,6 +185,11 @@ impl SurfelCells {
         let far = Vec3::splat(FAR);
         let cell = (point - self.low) * (1.0 / CELL);
         (cell.clamp(-far, far) + far).as_ivec3() - FAR_CELL
+    }
+
+    /// Index of the cell in which a surfel lies.
+    fn cell_index(&self, middle: Vec3) -> usize {
+        self.index(self.cell_of(middle).min(self.counts - IVec3::ONE))
     }
 
     fn index(&self, cell: IVec3) -> usize {
@@ -209,7 +222,7 @@ impl SurfelCells {
         let mut least = reach * reach;
         let mut best = self.nearer(point, reach, [hint, None]);
         if let Some(place) = best {
-            least = point.distance_squared(self.entries[place].0);
+            least = point.distance_squared(self.position(place));
         }
         self.for_each_run(point, least.sqrt(), |run| {
             (least, best) = self.nearest_of(simd, run, point, (least, best));
@@ -226,20 +239,23 @@ impl SurfelCells {
         surfels: &[Surfel],
         facings: &mut Facings,
     ) -> Option<usize> {
-        if self.faces_one_way(point, surfels, facings) {
+        let normal = surfels[self.surfel(place)].normal;
+        if !self
+            .sectors_around(point, facings)
+            .may_face(normal, FACING_AGAINST)
+        {
             return None;
         }
-        let normal = surfels[self.surfel(place)].normal;
         let faces_against =
             |other: usize| surfels[self.surfel(other)].normal.dot(normal) < FACING_AGAINST;
         let hint = hint.filter(|&hint| faces_against(hint));
         let mut best = self.nearer(point, PINCH_REACH, [hint, None]);
         let mut least = best.map_or(PINCH_REACH * PINCH_REACH, |place| {
-            point.distance_squared(self.entries[place].0)
+            point.distance_squared(self.position(place))
         });
         self.for_each_run(point, least.sqrt(), |run| {
             for place in run {
-                let squared = point.distance_squared(self.entries[place].0);
+                let squared = point.distance_squared(self.position(place));
                 let ties = squared <= least && best.is_some_and(|other| place < other);
                 if (squared < least || ties) && faces_against(place) {
                     (least, best) = (squared, Some(place));
@@ -249,47 +265,47 @@ impl SurfelCells {
         best
     }
 
-    /// Whether all surfels within [`PINCH_REACH`] of the points of a cell face one way, so that none
-    /// of them faces against another.
-    fn faces_one_way(&self, point: Vec3, surfels: &[Surfel], facings: &mut Facings) -> bool {
+    /// How the surfels face that lie within [`PINCH_REACH`] of any point in the block of `point`, and
+    /// some farther away.
+    fn sectors_around(&self, point: Vec3, facings: &mut Facings) -> Sectors {
         let cell = self.cell_of(point);
         if cell.cmplt(IVec3::ZERO).any() || cell.cmpge(self.counts).any() {
-            return true;
+            return Sectors::default();
         }
-        let index = self.index(cell);
-        let facings = &mut facings.0;
-        if facings.is_empty() {
-            facings.resize(self.starts.len() - 1, Facing::Unknown);
+        let (block, counts) = (cell / BLOCK, self.counts / BLOCK + 1);
+        let index = (block.z * counts.y + block.y) * counts.x + block.x;
+        let index = usize::try_from(index).unwrap_or(0);
+        if facings.0.is_empty() {
+            let count = usize::try_from(counts.element_product()).unwrap_or(0);
+            facings.0.resize(count, Sectors::default());
         }
-        if facings[index] == Facing::Unknown {
-            let middle = self.low + (cell.as_vec3() + 0.5) * CELL;
-            let radius = PINCH_REACH + 0.5 * CELL;
-            let mut sum = Vec3::ZERO;
-            self.for_each_run(middle, radius, |run| {
-                sum += run
-                    .map(|place| surfels[self.surfel(place)].normal)
-                    .sum::<Vec3>();
+        // What is asked for lies beside a surfel, so that no block is empty.
+        let known = &mut facings.0[index];
+        if *known == Sectors::default() {
+            let first = block * BLOCK;
+            self.for_each_run_of(first - 1, first + BLOCK, |run| {
+                let own = self.sectors[run].iter().copied();
+                *known = own.fold(*known, Sectors::and);
             });
-            let mean = sum.normalize_or_zero();
-            let mut is_one_way = true;
-            self.for_each_run(middle, radius, |mut run| {
-                is_one_way &=
-                    run.all(|place| ONE_WAY < surfels[self.surfel(place)].normal.dot(mean));
-            });
-            facings[index] = if is_one_way {
-                Facing::OneWay
-            } else {
-                Facing::Several
-            };
         }
-        facings[index] == Facing::OneWay
+        *known
     }
 
     /// Calls with the places of all surfels in the cells within `radius` [m] of `point`, and of more.
     #[inline(always)]
-    fn for_each_run(&self, point: Vec3, radius: f32, mut visit: impl FnMut(Range<usize>)) {
-        let low = self.cell_of(point - radius).max(IVec3::ZERO);
-        let high = self.cell_of(point + radius).min(self.counts - IVec3::ONE);
+    fn for_each_run(&self, point: Vec3, radius: f32, visit: impl FnMut(Range<usize>)) {
+        self.for_each_run_of(
+            self.cell_of(point - radius),
+            self.cell_of(point + radius),
+            visit,
+        );
+    }
+
+    /// The same for the cells from one to another.
+    #[inline(always)]
+    fn for_each_run_of(&self, low: IVec3, high: IVec3, mut visit: impl FnMut(Range<usize>)) {
+        let low = low.max(IVec3::ZERO);
+        let high = high.min(self.counts - IVec3::ONE);
         if high.cmplt(low).any() {
             return;
         }
@@ -324,7 +340,7 @@ impl SurfelCells {
             let near = offset.dot(offset).simd_le(f32x16::splat(simd, least));
             for lane in each_hit(near.to_bitmask(), places.end - from) {
                 let place = from + lane;
-                let squared = point.distance_squared(self.entries[place].0);
+                let squared = point.distance_squared(self.position(place));
                 let ties = squared <= least && best.is_some_and(|other| place < other);
                 if squared < least || ties {
                     (least, best) = (squared, Some(place));
@@ -344,7 +360,7 @@ impl SurfelCells {
         let mut least = reach * reach;
         let mut best = None;
         for place in places.into_iter().flatten() {
-            let squared = point.distance_squared(self.entries[place].0);
+            let squared = point.distance_squared(self.position(place));
             if squared < least {
                 (least, best) = (squared, Some(place));
             }
@@ -354,11 +370,12 @@ impl SurfelCells {
 
     /// Where the surfel at a place is in the middle of the step [m].
     pub(crate) fn position(&self, place: usize) -> Vec3 {
-        self.entries[place].0
+        let [x, y, z] = &self.coordinates;
+        Vec3::new(x[place], y[place], z[place])
     }
 
     /// Which surfel is at a place among the entries.
     pub(crate) fn surfel(&self, place: usize) -> usize {
-        self.entries[place].1 as usize
+        self.entries[place] as usize
     }
 }

@@ -65,7 +65,7 @@ const fn phase_of(stage: Stage) -> Phase {
         Stage::ColumnStride(..) | Stage::RowStride(..) => Phase::Strides,
         Stage::BendAlong | Stage::BendDown => Phase::Bend,
         Stage::Cells => Phase::Cells,
-        Stage::SpringsAlong | Stage::SpringsDown => Phase::Springs,
+        Stage::SpringsAlong | Stage::SpringsGathered | Stage::SpringsDown => Phase::Springs,
         Stage::Finish => Phase::BodyContact,
     }
 }

@@ -27,6 +27,8 @@ pub(crate) enum Stage {
     Cells,
     /// Structural springs along the row.
     SpringsAlong,
+    /// The same, where cloth is gathered.
+    SpringsGathered,
     /// Structural springs down the columns.
     SpringsDown,
     /// Contact with the body, and velocities.
@@ -45,6 +47,7 @@ impl Stage {
             | Self::RowStride(..)
             | Self::BendAlong
             | Self::SpringsAlong
+            | Self::SpringsGathered
             | Self::Finish => 0,
         }
     }

@@ -95,7 +95,8 @@ impl Work<'_> {
             Stage::BendAlong => self.bend_along(simd, row),
             Stage::BendDown => self.bend_down(simd, row),
             Stage::Cells => self.solve_cells(simd, row),
-            Stage::SpringsAlong => {
+            Stage::SpringsGathered if !model.pinned_rows.is_gathered(row) => {}
+            Stage::SpringsAlong | Stage::SpringsGathered => {
                 let links = &model.row_pairs;
                 structural::solve_row(simd, self.row(row), masses, links, substep.across);
             }
