@@ -59,8 +59,8 @@ pub fn booklet_sheets(booklet: &Booklet<'_>, paper: Paper, language: Language) -
     for (index, garment) in booklet.plan.garments.iter().enumerate() {
         cut_plans(&mut flow, garment, booklet.prints.get(index), language);
     }
-    // Those who sew begin with a fresh page; what follows begins where there is room for it.
-    flow.new_page();
+    // Those who sew have half a page before them, or a fresh one.
+    flow.keep(0.5 * flow.page_height());
     for garment in &booklet.plan.garments {
         steps(&mut flow, garment, language);
     }

@@ -70,36 +70,46 @@ fn summary(flow: &mut Flow, order: &Order<'_>, language: Language) {
             &TextStyle::bold(12.0),
         );
     }
-    line_up(flow, order.pictures);
+    line_up(flow, order);
     head(flow, language.pick("一覧", "All dancers"));
     dancer_table(order, language).draw(flow);
 }
 
-/// Dancers side by side on a floor, in rows.
-fn line_up(flow: &mut Flow, pictures: &[Option<Picture>]) {
+/// Dancers side by side on a floor, in rows, with their names.
+fn line_up(flow: &mut Flow, order: &Order<'_>) {
     /// Dancers of a row: more would be too small to know, fewer taller than half the page.
-    const ROW: std::ops::RangeInclusive<usize> = 4..=10;
-    let shown: Vec<&Picture> = pictures.iter().flatten().collect();
+    const ROW: std::ops::RangeInclusive<usize> = 4..=6;
+    let name_style = TextStyle::regular(9.0);
+    let dancers = order.plans.iter().zip(order.pictures);
+    let shown: Vec<(&str, &Picture)> = dancers
+        .filter_map(|(plan, picture)| Some((plan.name.as_str(), picture.as_ref()?)))
+        .collect();
     let row_count = shown.len().div_ceil(*ROW.end()).max(1);
     let per_row = shown.len().div_ceil(row_count).max(*ROW.start());
+    let width = flow.width() / per_row as f64;
     for row in shown.chunks(per_row) {
-        let width = flow.width() / per_row as f64;
-        let aspect = |picture: &&Picture| f64::from(picture.height) / f64::from(picture.width);
-        let height = row
-            .iter()
-            .map(|picture| aspect(picture) * width)
-            .fold(0.0, f64::max);
-        flow.space(3.0);
-        flow.block(height, |sheet, rect| {
-            for (index, picture) in row.iter().enumerate() {
+        let aspect = |picture: &Picture| f64::from(picture.height) / f64::from(picture.width);
+        let heights = row.iter().map(|(_, picture)| aspect(picture) * width);
+        let height = heights.fold(0.0, f64::max);
+        flow.space(2.0);
+        flow.block(height + name_style.line_height(), |sheet, rect| {
+            for (index, (name, picture)) in row.iter().enumerate() {
                 let place = Rect {
                     x: rect.x + width * index as f64,
                     width,
+                    height,
                     ..rect
                 };
                 sheet.picture(place, picture);
+                let under = [
+                    place.x + 0.5 * width,
+                    rect.y + height + 0.8 * name_style.line_height(),
+                ];
+                let fitted = name_style.wrap(name, width);
+                let name = fitted.first().map_or("", String::as_str);
+                sheet.text(under, name, &name_style, Align::Center);
             }
-            let floor = rect.y + rect.height;
+            let floor = rect.y + height;
             let stroke = Stroke::solid(0.4).with_color(ACCENT);
             sheet.line([rect.x, floor], [rect.x + rect.width, floor], stroke);
         });
