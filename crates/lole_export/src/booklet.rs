@@ -13,7 +13,7 @@ use lole_costume::cost::Bill;
 use lole_costume::order::{DancerPlan, PlannedGarment};
 use lole_costume::print::PrintImage;
 use lole_costume::tailoring::{ClothPlan, role_name};
-use lole_language::{Bilingual as _, Language};
+use lole_language::{Bilingual as _, Language, Sentence};
 use lole_pattern::pattern::{Amount, Step};
 use lole_pattern::piece::ClothRole;
 
@@ -414,8 +414,7 @@ fn steps(flow: &mut Flow, garment: &PlannedGarment, language: Language) {
         }
         flow.indented(11.0, &step.by_machine.text(language), &TextStyle::body());
         if let Some(by_hand) = &step.by_hand {
-            let label = language.pick("手縫いなら: ", "By hand: ");
-            let text = format!("{label}{}", by_hand.text(language));
+            let text = by_hand_words(by_hand, language);
             flow.indented(11.0, &text, &TextStyle::body().with_color(ACCENT));
         }
         flow.space(7.0);
@@ -430,10 +429,14 @@ fn step_height(step: &Step, width: f64, language: Language) -> f64 {
         f64::from(u32::try_from(count).unwrap_or(u32::MAX)) * style.line_height()
     };
     let by_hand = step.by_hand.as_ref();
-    let by_hand = by_hand.map_or(0.0, |text| {
-        lines(&text.text(language)) + style.line_height()
-    });
+    let by_hand = by_hand.map_or(0.0, |text| lines(&by_hand_words(text, language)));
     12.0 + lines(&step.by_machine.text(language)) + by_hand
+}
+
+/// How the step is done without a machine.
+fn by_hand_words(by_hand: &Sentence, language: Language) -> String {
+    let label = language.pick("手縫いなら: ", "By hand: ");
+    format!("{label}{}", by_hand.text(language))
 }
 
 fn step_title(flow: &mut Flow, number: u32, step: &Step, language: Language) {
@@ -480,13 +483,18 @@ fn care(flow: &mut Flow, language: Language) {
 
 fn costs(flow: &mut Flow, bill: &Bill, language: Language) {
     let table = bill_table(bill, language);
-    flow.keep(table.height(flow.width()) + 40.0);
+    let (remarks, style) = (bill_remarks(bill, language), TextStyle::body());
+    let lines = remarks
+        .iter()
+        .map(|remark| style.wrap(remark, flow.width()).len() as f64);
+    let remarks_height = lines.sum::<f64>() * style.line_height();
+    flow.keep(table.height(flow.width()) + remarks_height + 26.0);
     flow.space(6.0);
     head(flow, language.pick("費用", "Cost"));
     table.draw(flow);
     flow.space(3.0);
-    for line in bill_remarks(bill, language) {
-        flow.paragraph(&line, &TextStyle::body());
+    for line in remarks {
+        flow.paragraph(&line, &style);
     }
 }
 

@@ -20,9 +20,9 @@ const LABEL: TextStyle = TextStyle::regular(11.0);
 pub(super) const fn height(figure: &Figure) -> f64 {
     match figure {
         Figure::None => 0.0,
-        Figure::Piece { .. } => 52.0,
+        Figure::Piece { .. } => 48.0,
         Figure::Seams(_) => 46.0,
-        Figure::Section { .. } => 60.0,
+        Figure::Section { .. } => 54.0,
     }
 }
 
