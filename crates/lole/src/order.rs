@@ -262,6 +262,11 @@ fn write_file(
             "--out needs the name of a file, such as booklet.pdf",
         ))
     })?;
+    // Nothing opens a file whose name does not say what it is.
+    let name = match Path::new(&name).extension() {
+        Some(_) => name,
+        None => name + ".pdf",
+    };
     let mut output = OutputFolder::create(folder).map_err(Failure::Usage)?;
     output.write(&name, &bytes).map_err(Failure::Run)?;
     let paths = output.finish().map_err(Failure::Run)?;
