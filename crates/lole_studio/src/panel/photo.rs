@@ -41,19 +41,23 @@ pub(crate) struct PhotoDesk {
     marking: Marking,
     /// Where the drag began, in shares of the picture.
     start: Option<[f64; 2]>,
-    /// The picture that the texture shows.
-    shown: Option<(Arc<Picture>, TextureHandle)>,
+    /// Pictures that the graphics adapter has, one for each that is unfolded.
+    shown: Vec<(Arc<Picture>, TextureHandle)>,
 }
 
 impl PhotoDesk {
     fn texture(&mut self, context: &egui::Context, picture: &Arc<Picture>) -> TextureHandle {
-        if let Some((shown, texture)) = &self.shown
-            && Arc::ptr_eq(shown, picture)
-        {
+        let known = self
+            .shown
+            .iter()
+            .find(|(shown, _)| Arc::ptr_eq(shown, picture));
+        if let Some((_, texture)) = known {
             return texture.clone();
         }
+        // What nobody else holds belongs to no design any more.
+        self.shown.retain(|(shown, _)| 1 < Arc::strong_count(shown));
         let texture = context.load_texture("photo", scaled_down(picture), TextureOptions::LINEAR);
-        self.shown = Some((Arc::clone(picture), texture.clone()));
+        self.shown.push((Arc::clone(picture), texture.clone()));
         texture
     }
 }
