@@ -232,8 +232,12 @@ pub(crate) const BOLT: Words = words("一反の長さ", "Length of a bolt");
 pub(crate) const WORK_OUT: Words = words("全員分を計算する", "Work out what all need");
 pub(crate) const MAKE_ORDER: Words = words("注文書のフォルダーを作る…", "Make the order’s folder…");
 pub(crate) const ORDER_HOW: Words = words(
-    "一覧・買い物・名札（order.pdf）、縫い方の本（booklet.pdf）、データ（order.json）ができます。踊り手の絵は入りません。",
-    "Writes the summary, shopping list and labels (order.pdf), the sewing booklet (booklet.pdf) and the data (order.json), without pictures of the dancers.",
+    "一覧・買い物・名札（order.pdf）、縫い方の本（booklet.pdf）、データ（order.json）ができます。",
+    "Writes the summary, shopping list and labels (order.pdf), the sewing booklet (booklet.pdf) and the data (order.json).",
+);
+pub(crate) const ORDER_PICTURES: Words = words(
+    "踊り手の絵を入れる（1 人に数秒）",
+    "Pictures of the dancers (some seconds each)",
 );
 pub(crate) const TOTALS_ARE_OLD: Words = words(
     "そのあとデザインが変わりました。もう一度計算してください。",
