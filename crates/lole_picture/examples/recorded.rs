@@ -1,10 +1,10 @@
 //! Where cloth and skin disagree in somebody's dance, and pictures of it.
 //!
 //! `cargo run --release -p lole_picture --example recorded -- OUT [--avatar FILE] [--motion FILE]
-//! [--seconds S] [--every N] [--coarse]` prints, for every so manyth frame in which cloth
+//! [--seconds S] [--every N] [--design FILE]` prints, for every so manyth frame in which cloth
 //! is below the skin or strained by more than 10 % (p99), how deep the deepest particle lies, in which row
 //! and on which bone's skin, and where the cloth is stretched most; the worst frames become pictures from
-//! four sides in OUT. `FILE` may be a step's name for `--motion`.
+//! four sides in OUT. `FILE` may be a step's name for `--motion`; a design comes first, and names no files.
 
 #![expect(clippy::print_stdout, reason = "a tool prints figures")]
 
@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 
 use glam::Vec3;
 use lole_body::{Bone, DanceStep};
-use lole_costume::document::{Design, LinkedFile};
+use lole_costume::document::{Design, LinkedFile, parse};
 use lole_picture::{Figure as Shown, Looks};
 use lole_render::{Backend, Camera, LightRig, Renderer, Size, View};
 use lole_stage::{Performance, Production};
@@ -57,10 +57,7 @@ fn asked() -> Result<Asked, Box<dyn Error>> {
             }
             "--seconds" => asked.seconds = value()?.parse()?,
             "--every" => asked.every = value()?.parse()?,
-            "--coarse" => {
-                design.skirt.gather_ratio = 2.0;
-                (design.skirt.column_count, design.skirt.row_count) = (160, 40);
-            }
+            "--design" => *design = parse(&std::fs::read_to_string(value()?)?, "design")?,
             other => return Err(format!("{other} is unknown").into()),
         }
     }

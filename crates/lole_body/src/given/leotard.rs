@@ -3,7 +3,8 @@
 //! A scanned body is one mesh of one plain color, and a dancer is always shown dressed: skin of such
 //! a body that the built dancers' leotard would cover is drawn as leotard. Where that is follows from
 //! the shoulder joints and the crotch, with the arms lowered as the built bodies hold theirs. A body
-//! with a picture, or of several materials, has clothes of its own, or what its maker means by them.
+//! with a picture, or of several materials, has clothes of its own, or what its maker means by them; a
+//! body of many pieces is a doll.
 
 use glam::{Vec2, Vec3};
 
@@ -14,7 +15,11 @@ use crate::{Bone, Figure, Landmarks, MeshPart, PartKind, Skeleton, SkinnedMesh};
 /// What a child's bare body is drawn in, linear: a plain mannequin.
 const MANNEQUIN: [f32; 3] = [0.46, 0.43, 0.41];
 
-/// Draws the leotard on a body of one plain material, whose vertices with the arms lowered are given
+/// Share of a body's triangles that hang together at least, if it is one piece of skin: eyes and teeth
+/// are pieces of their own.
+const ONE_PIECE: f32 = 0.8;
+
+/// Draws the leotard on a body of one plain material and one piece, whose vertices with the arms lowered are given
 /// [m], and a child as a mannequin that wears it.
 pub(super) fn dress(
     skin: &mut SkinnedMesh,
@@ -25,7 +30,7 @@ pub(super) fn dress(
     let ([part], [look]) = (&skin.parts[..], &mut skin.looks[..]) else {
         return;
     };
-    if look.picture.is_some() {
+    if look.picture.is_some() || largest_piece(&skin.surface, skin.positions.len()) < ONE_PIECE {
         return;
     }
     if f64::from(100.0 * landmarks.crown_height) < Figure::CHILD_BELOW_CM {
@@ -62,6 +67,33 @@ pub(super) fn dress(
         kind: PartKind::Leotard,
         triangles: leotard,
     });
+}
+
+/// Share of the triangles in the largest piece that hangs together by its vertices.
+fn largest_piece(triangles: &[[u32; 3]], vertex_count: usize) -> f32 {
+    let mut above: Vec<u32> = (0..).take(vertex_count).collect();
+    for &[a, b, c] in triangles {
+        for (from, to) in [(a, b), (b, c)] {
+            let (from, to) = (root(&mut above, from), root(&mut above, to));
+            above[from.max(to) as usize] = from.min(to);
+        }
+    }
+    let mut counts = vec![0.0_f32; vertex_count];
+    for &[a, ..] in triangles {
+        counts[root(&mut above, a) as usize] += 1.0;
+    }
+    let largest = counts.into_iter().fold(0.0, f32::max);
+    largest / (triangles.len().max(1) as f32)
+}
+
+/// The least vertex of the piece of a vertex; ways to it are shortened.
+fn root(above: &mut [u32], mut vertex: u32) -> u32 {
+    while above[vertex as usize] != vertex {
+        let next = above[above[vertex as usize] as usize];
+        above[vertex as usize] = next;
+        vertex = next;
+    }
+    vertex
 }
 
 /// How much of a vertex the arms carry.
@@ -198,11 +230,11 @@ mod tests {
     }
 
     #[test]
-    fn no_skin_of_the_trunk_is_bare_from_the_crotch_to_the_bust() {
+    fn no_skin_of_the_trunk_is_bare_from_the_high_hip_to_the_bust() {
         for stature_cm in [158.5, 120.0] {
             let given = bare(&built(stature_cm), plain());
             let (skin, marks) = (&given.skin, &given.landmarks);
-            let covered = marks.hip_height..marks.bust_height;
+            let covered = marks.high_hip_height..marks.bust_height;
             for vertex in skin.parts[0].triangles.iter().flatten() {
                 let vertex = *vertex as usize;
                 let place = skin.positions[vertex];
@@ -230,6 +262,10 @@ mod tests {
             picture: Some(Arc::new(picture)),
             ..plain()
         };
+        assert_eq!(
+            largest_piece(&[[0, 1, 2], [2, 3, 4], [5, 6, 7]], 8),
+            2.0 / 3.0
+        );
         let clothed = bare(&woman, pictured);
         assert_eq!(clothed.skin.parts.len(), 1);
         assert_eq!(clothed.skin.positions, woman.skin.positions);
