@@ -127,7 +127,12 @@ pub(super) fn show(
     }
     if let Some(repeat) = repeat_of(marks, [across, down]) {
         let corners = repeat.map(|corner| place(rect, corner));
-        paint_repeat(&painter, rect, Rect::from_two_pos(corners[0], corners[1]));
+        let frame = Rect::from_two_pos(corners[0], corners[1]);
+        // A ruler lies anywhere on the photo.
+        if marking == Marking::Repeat {
+            shade_around(&painter, rect, frame);
+        }
+        paint_frame(&painter, frame);
     }
     if let Some(ruler) = ruler_of(marks, [across, down]) {
         paint_ruler(&painter, ruler.map(|end| place(rect, end)));
@@ -139,8 +144,8 @@ pub(super) fn show(
     studio.photo.marking = chosen.unwrap_or(marking);
 }
 
-/// The repeat stands out of a photo in shade.
-fn paint_repeat(painter: &Painter, photo: Rect, frame: Rect) {
+/// Shade over what does not repeat.
+fn shade_around(painter: &Painter, photo: Rect, frame: Rect) {
     let [left, right] = [photo.left(), photo.right()];
     for shaded in [
         Rect::from_min_max(photo.min, pos2(right, frame.top())),
@@ -150,6 +155,9 @@ fn paint_repeat(painter: &Painter, photo: Rect, frame: Rect) {
     ] {
         painter.rect_filled(shaded, 0.0, SHADE);
     }
+}
+
+fn paint_frame(painter: &Painter, frame: Rect) {
     for (width, color) in [(WIDTHS[1], EDGE), (WIDTHS[0], REPEAT_LINE)] {
         let stroke = Stroke::new(width, color);
         painter.rect_stroke(frame, 0.0, stroke, StrokeKind::Middle);
