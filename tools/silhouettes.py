@@ -44,7 +44,9 @@ CASES = [
     ("female", 0.1875, 0.5, 0.5, 0.5),
     ("female", 0.1875, 0.5, 0.9, 0.5),
     ("male", 0.1875, 0.5, 0.5, 0.5),
-    ("female", 0.13, 0.5, 0.5, 0.5),
+    ("female", 0.15, 0.5, 0.5, 0.5),
+    # Slimmer ones of 100 cm have a waist below the 45 cm that a tape begins with.
+    ("female", 0.1145, 0.5, 1.0, 0.5),
 ]
 # A stature [m] below which nobody is a woman or a man of the tables: the command says child.
 CHILD_BELOW = 1.40

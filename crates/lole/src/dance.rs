@@ -5,6 +5,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use anyhow::Result;
+use lole_avatar::AvatarError;
 use lole_body::{Count, DanceStep, Side};
 use lole_costume::document::{self, Design, MethodName, Place};
 use lole_export::report::ReportFile;
@@ -83,20 +84,26 @@ fn song(path: &Path) -> Result<Song, Failure> {
     })
 }
 
-/// Table of the document where a mistake that only measuring, drafting or sewing finds is mended.
-pub(crate) const fn place_of(error: &StageError) -> Place<'static> {
-    let table = match error {
-        StageError::Body(_) | StageError::Avatar { .. } | StageError::AvatarNotRead { .. } => {
-            "dancer"
+/// Table and key of the document where a mistake that only reading other files, measuring, drafting or
+/// sewing finds is mended.
+pub(crate) fn place_of(error: &StageError) -> Place<'static> {
+    let (table, key) = match error {
+        StageError::Body(_) => ("dancer", ""),
+        StageError::Avatar { .. } | StageError::AvatarNotRead { .. } => ("dancer", "file"),
+        StageError::Motion(_) => ("motion", ""),
+        StageError::Recording { error, .. }
+            if matches!(**error, AvatarError::UnknownClip { .. }) =>
+        {
+            ("motion", "clip")
         }
-        StageError::Motion(_)
-        | StageError::Recording { .. }
-        | StageError::RecordingNotRead { .. } => "motion",
-        StageError::Draft(_) | StageError::Sew(_) => "skirt",
-        StageError::Garment { .. } | StageError::Dress(_) | StageError::Strands(_) => "garment",
-        StageError::Build(_) => "fabric",
+        StageError::Recording { .. } | StageError::RecordingNotRead { .. } => ("motion", "file"),
+        StageError::Draft(_) | StageError::Sew(_) => ("skirt", ""),
+        StageError::Garment { .. } | StageError::Dress(_) | StageError::Strands(_) => {
+            ("garment", "")
+        }
+        StageError::Build(_) => ("fabric", ""),
     };
-    Place { table, key: "" }
+    Place { table, key }
 }
 
 struct Run<'a> {

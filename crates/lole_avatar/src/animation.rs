@@ -72,6 +72,14 @@ pub(crate) fn summaries(file: &File<'_>, rig: &Rig) -> Result<Vec<AnimationSumma
         .collect()
 }
 
+impl AnimationSummary {
+    /// Whether it can be danced: it moves bones, and is more than one pose.
+    #[must_use]
+    pub const fn is_dance(&self) -> bool {
+        0 < self.bone_count && 1 < self.key_count
+    }
+}
+
 /// Animations that a sentence names at most.
 const MOST_NAMED: usize = 12;
 
@@ -79,7 +87,7 @@ const MOST_NAMED: usize = 12;
 /// nothing is said, the first that moves bones.
 fn chosen(found: &[AnimationSummary], clip: &str) -> Result<usize, AvatarError> {
     let moving: Vec<(usize, &str)> = (found.iter().enumerate())
-        .filter(|(_, animation)| animation.bone_count > 0 && animation.key_count > 1)
+        .filter(|(_, animation)| animation.is_dance())
         .map(|(index, animation)| (index, animation.name.as_str()))
         .collect();
     let first = moving.first().ok_or(AvatarError::NoAnimation)?.0;

@@ -4,7 +4,7 @@ use lole_motion::{BoneMap, Recording, bvh};
 
 use crate::container::{File, is_gltf, visible};
 use crate::rig::Rig;
-use crate::{AvatarError, animation};
+use crate::{AnimationSummary, AvatarError, animation};
 
 /// A recording, and which of its joints is which bone.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,6 +21,19 @@ pub struct ReadDance {
 /// A damaged file, one that is no person's, or one without motion.
 pub fn read_dance(bytes: &[u8]) -> Result<ReadDance, AvatarError> {
     read_clip(bytes, "")
+}
+
+/// The animations of a file, in its order, with those that move no bone; none of a BVH file, whose one
+/// motion has no name.
+///
+/// # Errors
+/// A damaged file, or one that is no person's.
+pub fn list_clips(bytes: &[u8]) -> Result<Vec<AnimationSummary>, AvatarError> {
+    if !is_gltf(bytes) {
+        return Ok(Vec::new());
+    }
+    let file = File::read(bytes)?;
+    animation::summaries(&file, &Rig::new(&file, None)?)
 }
 
 /// Reads one of several animations: by its name, or by its number, counted from 1; the first that

@@ -33,7 +33,7 @@ mod vrm;
 pub use animation::AnimationSummary;
 pub use avatar::Avatar;
 pub use container::is_gltf;
-pub use dance::{ReadDance, read_clip, read_dance};
+pub use dance::{ReadDance, list_clips, read_clip, read_dance};
 pub use error::AvatarError;
 pub use gather::{gathered, neighbors};
 pub use inspect::{BodySummary, Humanoid, Inspection, MeshSummary};

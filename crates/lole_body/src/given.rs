@@ -12,6 +12,8 @@
 //!
 //! Tapes are laid with the arms lowered, whatever the bind pose: raised arms widen the chest.
 
+mod leotard;
+
 use std::ops::RangeInclusive;
 
 use glam::{Quat, Vec2, Vec3};
@@ -56,13 +58,16 @@ const LEAST_TRUNK: f32 = 0.15;
 
 impl Dancer {
     /// The dancer of a given body in body space, in whatever bind pose: on the floor, front
-    /// towards `+Z`. Its [`SkinnedMesh::surface`] is what is measured.
+    /// towards `+Z`. Its [`SkinnedMesh::surface`] is what is measured. One that is nothing but bare
+    /// skin is drawn in the leotard.
     ///
     /// # Errors
     /// [`BodyError::Unmeasurable`] where a tape finds no trunk or no leg.
-    pub fn of_skin(mut skeleton: Skeleton, skin: SkinnedMesh) -> Result<Self, BodyError> {
+    pub fn of_skin(mut skeleton: Skeleton, mut skin: SkinnedMesh) -> Result<Self, BodyError> {
         let landmarks = landmarks(&skeleton, &skin)?;
-        skeleton.waist_side = Tapes::new(&skeleton, &skin).side(landmarks.waist_height);
+        let tapes = Tapes::new(&skeleton, &skin);
+        skeleton.waist_side = tapes.side(landmarks.waist_height);
+        leotard::dress(&mut skin, &skeleton, &landmarks, &tapes.positions);
         let capsules = fit_capsules(&skin, &skeleton, &landmarks, CapsuleLayout::default());
         let mut dancer = Self {
             measurements: Measurements::woman(),

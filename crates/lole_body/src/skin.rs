@@ -91,7 +91,8 @@ pub struct SkinnedMesh {
     pub hinges: Vec<Hinge>,
     /// Vertices about the hinges, in order, and the centers they turn about.
     pub turning: Vec<Turning>,
-    /// Looks of a given body, one for each part; empty for a built one.
+    /// Looks of a given body, one for each of its parts, which stand before a leotard; empty for a built
+    /// one.
     pub looks: Vec<Look>,
     /// What cloth meets and a tape measures on a given body, which may be drawn with its seams
     /// apart, in layers and with hair; empty for a built one, where the closed parts are that.

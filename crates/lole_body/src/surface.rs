@@ -13,7 +13,7 @@ pub(crate) mod regions;
 pub(crate) mod section;
 mod shoulders;
 mod simplify;
-mod slice;
+pub(crate) mod slice;
 pub(crate) mod warp;
 
 use std::collections::BTreeMap;

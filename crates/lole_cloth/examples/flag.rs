@@ -51,6 +51,7 @@ fn main() -> Result<(), BuildError> {
     let wind = Wind {
         amplitude: 6.0,
         law: WindLaw::Spherical,
+        heading: 0.0,
     };
     let mut now = Vec::new();
     for frame in 1..=600_u16 {

@@ -8,10 +8,14 @@ pub use gust::{GustyWind, WindNow};
 pub use plates::{Aerodynamics, blow};
 
 use glam::DVec3;
+use lole_geom::trig64;
 
 use crate::method::paper;
 
-/// The wind of equations (4) and (5).
+/// Time [s] in which a steady wind rises: at once, it would strike cloth that hangs at rest.
+const RISE: f64 = 1.0;
+
+/// The wind of equations (4) and (5), or a steady one.
 ///
 /// The same force acts on every particle whatever its area and velocity, so a finer grid of the
 /// same cloth feels more of it; [`Wind::from_pressure`] takes that out.
@@ -21,6 +25,9 @@ pub struct Wind {
     pub amplitude: f64,
     /// How (4) is read.
     pub law: WindLaw,
+    /// Where a steady wind blows to [rad]: 0 is `+Z`, a quarter turn `+X`. The paper's winds turn by
+    /// themselves and have none.
+    pub heading: f64,
 }
 
 /// How equation (4), printed as a scalar that acts "in the x-axis and z-axis directions", is read.
@@ -31,6 +38,8 @@ pub enum WindLaw {
     Spherical,
     /// The sum acts along both axes: the wind goes to and fro along (1, 0, 1).
     LiteralScalar,
+    /// Not the paper's: one force in one direction, which rises within a second.
+    Steady,
 }
 
 impl Wind {
@@ -41,6 +50,7 @@ impl Wind {
         Self {
             amplitude: pressure * area / f64::from(particle_count.max(1)),
             law: WindLaw::Spherical,
+            heading: 0.0,
         }
     }
 
@@ -52,6 +62,11 @@ impl Wind {
         match self.law {
             WindLaw::Spherical => paper::wind_force(self.amplitude, phases),
             WindLaw::LiteralScalar => paper::wind_force_literal(self.amplitude, phases),
+            WindLaw::Steady => {
+                let risen = (time / RISE).clamp(0.0, 1.0);
+                let (sin, cos) = trig64::sin_cos(self.heading);
+                DVec3::new(sin, 0.0, cos) * (self.amplitude * risen * risen * (3.0 - 2.0 * risen))
+            }
         }
     }
 }

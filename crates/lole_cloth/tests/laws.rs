@@ -186,6 +186,7 @@ fn wind_starts_at_nothing_and_never_exceeds_its_amplitude() {
     let wind = Wind {
         amplitude: 0.3,
         law: WindLaw::Spherical,
+        heading: 0.0,
     };
     assert_eq!(wind.force(0.0), DVec3::ZERO);
     for step in 0..10_000 {
@@ -200,6 +201,7 @@ fn wind_repeats_after_six_tenths_of_pi_and_blows_nowhere_on_average() {
     let wind = Wind {
         amplitude: 1.0,
         law: WindLaw::Spherical,
+        heading: 0.0,
     };
     let period = 0.6 * std::f64::consts::PI;
     let count = 1200;
@@ -222,6 +224,7 @@ fn the_literal_wind_goes_to_and_fro_along_the_diagonal() {
     let wind = Wind {
         amplitude: 1.0,
         law: WindLaw::LiteralScalar,
+        heading: 0.0,
     };
     let period = 0.6 * std::f64::consts::PI;
     let count = 1200;
@@ -247,6 +250,7 @@ fn the_wind_has_two_tones() {
     let wind = Wind {
         amplitude: 1.0,
         law: WindLaw::Spherical,
+        heading: 0.0,
     };
     for step in 0..1000 {
         let time = 0.01 * f64::from(step);
@@ -254,6 +258,34 @@ fn the_wind_has_two_tones() {
         let x = 0.5 * (trig64::sin(fast) - trig64::sin(slow));
         let z = 0.5 * (trig64::cos(slow) - trig64::cos(fast));
         assert!((wind.force(time) - DVec3::new(x, 0.0, z)).length() < 1e-12);
+    }
+}
+
+#[test]
+fn a_steady_wind_rises_once_and_then_blows_where_it_heads() {
+    let wind = |heading| Wind {
+        amplitude: 0.5,
+        law: WindLaw::Steady,
+        heading,
+    };
+    let quarter = std::f64::consts::FRAC_PI_2;
+    for (heading, toward) in [
+        (0.0, DVec3::Z),
+        (quarter, DVec3::X),
+        (2.0 * quarter, DVec3::NEG_Z),
+        (-quarter, DVec3::NEG_X),
+    ] {
+        let wind = wind(heading);
+        assert_eq!(wind.force(0.0), DVec3::ZERO);
+        let mut before = 0.0;
+        for step in 1..=100 {
+            let along = wind.force(0.01 * f64::from(step)).dot(toward);
+            assert!(before < along, "{heading}: {before} N, then {along} N");
+            before = along;
+        }
+        for time in [1.0, 7.3, 600.0] {
+            assert!((wind.force(time) - 0.5 * toward).length() < 1e-12);
+        }
     }
 }
 

@@ -441,13 +441,16 @@ impl Default for MotionDesign {
     }
 }
 
-/// Moving air: the paper's turning wind, given by its strongest breath.
-#[derive(Debug, Clone, PartialEq, Default)]
+/// Moving air: the paper's turning wind, given by its strongest breath, or a steady one.
+#[derive(Debug, Clone, PartialEq)]
 pub struct WindDesign {
     /// Air speed at the strongest [m/s]; 0 is still air.
     pub speed_m_per_s: f64,
-    /// How the wind's equation is read.
+    /// How the wind's equation is read, or that it blows steadily.
     pub law: WindLaw,
+    /// [`WindLaw::Steady`]: where it comes from [degree], 0 from the dancer's front, 90 from her left, -90
+    /// from her right.
+    pub from_deg: f64,
     /// What the air acts on, under the real-time method.
     pub model: WindModel,
     /// [`WindModel::Triangles`]: root mean square of the gusts in each direction over
@@ -455,6 +458,20 @@ pub struct WindDesign {
     pub gust_ratio: f64,
     /// What the gusts follow from.
     pub seed: u64,
+}
+
+impl Default for WindDesign {
+    /// Still air, and from the side where it is wished to blow: in front a skirt only lies on the legs.
+    fn default() -> Self {
+        Self {
+            speed_m_per_s: 0.0,
+            law: WindLaw::default(),
+            from_deg: 90.0,
+            model: WindModel::default(),
+            gust_ratio: 0.0,
+            seed: 0,
+        }
+    }
 }
 
 /// What moving air acts on.

@@ -1,6 +1,6 @@
 //! A recorded dance as a dancer's own: poses, sixty a second, for every moment.
 
-use lole_body::{Pose, Skeleton};
+use lole_body::{Dancer, Pose, Skeleton};
 
 use crate::feet::{Planting, plant};
 use crate::repeat::{self, Loop};
@@ -97,12 +97,12 @@ impl Clip {
         Ok(Self { poses, found })
     }
 
-    /// The same dance with hands that would hang in a skirt's folds brought out of them.
+    /// The same dance with arms that would hang in a skirt's folds brought out of them.
     #[must_use]
-    pub fn clear_of_skirt(mut self, skeleton: &Skeleton) -> Self {
-        if let Some(room) = Room::of(skeleton) {
+    pub fn clear_of_skirt(mut self, dancer: &Dancer) -> Self {
+        if let Some(room) = Room::of(dancer) {
             for pose in &mut self.poses {
-                room.clear(skeleton, pose);
+                room.clear(pose);
             }
         }
         self

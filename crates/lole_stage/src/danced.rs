@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use lole_avatar::{AvatarError, ReadDance, read_clip};
 use lole_body::motion::Dance;
-use lole_body::{Pose, Skeleton};
+use lole_body::{Dancer, Pose};
 use lole_costume::document::{Design, MotionDrift, MotionRepeat};
 use lole_motion::{Clip, ClipSettings, Drift, Repeat};
 
@@ -20,14 +20,14 @@ pub enum Danced {
 }
 
 impl Danced {
-    /// The dance of a design.
+    /// The dance of a design on its dancer.
     ///
     /// # Errors
     /// A step that cannot be danced; a recording that was not read, is broken, or is no person's.
-    pub fn new(design: &Design, skeleton: &Skeleton) -> Result<Self, StageError> {
+    pub fn new(design: &Design, dancer: &Dancer) -> Result<Self, StageError> {
         let motion = &design.motion;
         let Some(file) = &motion.file else {
-            let dance = Dance::new(skeleton, &design.motion_settings())?;
+            let dance = Dance::new(&dancer.skeleton, &design.motion_settings())?;
             return Ok(Self::Step(Box::new(dance)));
         };
         let named = |error: AvatarError| StageError::Recording {
@@ -51,10 +51,10 @@ impl Danced {
                 MotionDrift::Remove => Drift::Remove,
             },
         };
-        let clip = Clip::retarget(&recording, &map, skeleton, settings);
+        let clip = Clip::retarget(&recording, &map, &dancer.skeleton, settings);
         let mut clip = clip.map_err(|error| named(AvatarError::Recording(error)))?;
         if design.skirt.is_worn {
-            clip = clip.clear_of_skirt(skeleton);
+            clip = clip.clear_of_skirt(dancer);
         }
         Ok(Self::Recording(Arc::new(clip)))
     }
@@ -110,18 +110,14 @@ impl Danced {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use lole_body::{Dancer, Measurements};
+    use lole_body::Measurements;
     use lole_costume::document::LinkedFile;
 
     #[test]
     fn a_recording_that_is_missing_or_broken_is_refused_by_name() {
         let dancer = Dancer::new(&Measurements::woman()).unwrap();
         let mut design = Design::default();
-        let said = |design: &Design| {
-            Danced::new(design, &dancer.skeleton)
-                .unwrap_err()
-                .to_string()
-        };
+        let said = |design: &Design| Danced::new(design, &dancer).unwrap_err().to_string();
         design.motion.file = Some(LinkedFile::named("a.bvh"));
         assert_eq!(said(&design), "the recording a.bvh was not read");
         let bytes: &[u8] = b"HIERARCHY\nROOT a\n{\nOFFSET 0 0";

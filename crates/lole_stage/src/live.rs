@@ -204,8 +204,7 @@ impl Show {
 
     /// The dance of `design`, on the count of the present one.
     fn next_layer(&self, design: &Design) -> Result<Layer, StageError> {
-        let skeleton = &self.performance.production().dancer.skeleton;
-        let dance = Danced::new(design, skeleton)?;
+        let dance = Danced::new(design, &self.performance.production().dancer)?;
         let (old, new) = (&self.design.motion, &design.motion);
         let last = self.layers.last();
         let time = last.map_or(0.0, |layer| layer.time);
@@ -727,7 +726,7 @@ mod tests {
             })
             .to_vec();
         design.motion.tempo_bpm = 60.0;
-        let dance = Danced::new(&design, &PRODUCTION.dancer.skeleton).unwrap();
+        let dance = Danced::new(&design, &PRODUCTION.dancer).unwrap();
         let part = |time| part_at(&dance, &design.motion.parts, time);
         assert_eq!(
             [1.9, 2.1, 9.9, 10.1, 25.9, 26.1].map(part),

@@ -14,7 +14,6 @@ use glam::{Affine3A, Vec3};
 use lole_body::{BodyCapsule, Pose};
 use lole_cloth::method::explicit::ExplicitConfig;
 use lole_cloth::method::reference::ReferenceModel;
-use lole_cloth::wind::Wind;
 use lole_cloth::{Crossings, InstructionSet, Phase, diagnose};
 use lole_costume::document::{BodyShapes, Design, GarmentLayer};
 use lole_geom::{Capsule, Surfel, mesh::vertex_normals};
@@ -298,11 +297,7 @@ impl Performance {
     /// Velocity of the air around strands and garments sewn from shaped pieces [m/s]: the wind's, without
     /// gusts.
     fn air_velocity(&self) -> Vec3 {
-        let design = &self.production.design;
-        let wind = Wind {
-            amplitude: design.wind.speed_m_per_s,
-            law: design.wind.law,
-        };
+        let wind = self.production.design.wind.velocity();
         wind.force(f64::from(self.time())).as_vec3()
     }
 
@@ -505,6 +500,20 @@ impl Performance {
             metrics.skin.add(skin);
         }
         metrics
+    }
+
+    /// Mean strain of the structural springs at each particle of a garment, row-major: positive where
+    /// the cloth is stretched.
+    #[must_use]
+    pub fn strain_by_particle(&self, garment: &Garment) -> Vec<f32> {
+        diagnose::strain_by_particle(&garment.sewn.spec, self.garment_positions(garment))
+    }
+
+    /// How deep below the drawn skin each of these places lies [m], 0 outside; call [`Self::pose_body`]
+    /// first.
+    #[must_use]
+    pub fn depths_below_skin(&self, places: &[Vec3]) -> Vec<f32> {
+        skin_check::depths(self.body_surface(), places)
     }
 
     /// The drawn body in the current frame.

@@ -103,7 +103,7 @@ impl Production {
     pub fn new(design: &Design) -> Result<Self, StageError> {
         let (mut dancer, license) = dancer(design)?;
         (dancer.skin.parts).retain(|part| !adorn::replaces_part(design, part.kind));
-        let dance = Danced::new(design, &dancer.skeleton)?;
+        let dance = Danced::new(design, &dancer)?;
         let body_triangles = dancer.skin.body_triangles();
         let body_surfels =
             SkinSurfels::new(&dancer.skin.positions, &body_triangles, SURFEL_SPACING);

@@ -73,6 +73,15 @@ pub fn check(body: Surface<'_>, cloth: Surface<'_>) -> SkinCheck {
     result
 }
 
+/// Depth of each place below the drawn skin [m], 0 outside, as [`check`] measures it.
+pub(crate) fn depths(body: Surface<'_>, places: &[Vec3]) -> Vec<f32> {
+    let (low, high) = bounds(places);
+    let near = near_triangles(body, low - Vec3::splat(REACH), high + Vec3::splat(REACH));
+    let grid = TriangleGrid::new(body.positions, &near, CELL);
+    let depth = |&place: &Vec3| depth_below_skin(&grid, body, &near, place);
+    places.iter().map(depth).collect()
+}
+
 /// The cloth vertices that [`check`] counts as sunken.
 #[must_use]
 pub fn sunken(body: Surface<'_>, cloth: Surface<'_>) -> Vec<u32> {

@@ -8,13 +8,13 @@ use glam::{DVec3, Vec3};
 use lole_cloth::collision::penalty::Penalty;
 use lole_cloth::method::explicit::{self, ExplicitConfig, Integrator, Substeps};
 use lole_cloth::method::reference::{ReferenceModel, ReferenceState};
-use lole_cloth::wind::{self, Aerodynamics, GustyWind, Wind};
+use lole_cloth::wind::{self, Aerodynamics, GustyWind, Wind, WindLaw};
 use lole_cloth::{
     ClothModel, ClothSpec, ClothState, Crossings, InstructionSet, Phase, SelfCollision,
     SolverConfig, StepInput, diagnose,
 };
 use lole_costume::document::{Design, WindModel};
-use lole_geom::{Capsule, Surfel};
+use lole_geom::{Capsule, Surfel, trig64};
 
 use crate::{FRAME_SECONDS, StageError};
 
@@ -145,10 +145,7 @@ impl Solver {
                 state: ClothState::new(&model, start),
                 config: xpbd_config(&spec, substeps.unwrap_or(usual)),
                 gusts,
-                wind: Wind {
-                    amplitude: design.wind.speed_m_per_s,
-                    law: design.wind.law,
-                },
+                wind: design.wind.velocity(),
                 model,
             })));
         };
@@ -311,7 +308,8 @@ impl Solver {
     }
 }
 
-/// The gusts of the design's wind where it acts on triangles: they drift to the dancer's left.
+/// The gusts of the design's wind where it acts on triangles: they drift with a steady wind, and to the
+/// dancer's left where the wind turns.
 fn gusts(design: &Design) -> Option<GustyWind> {
     let wind = &design.wind;
     #[expect(
@@ -319,8 +317,15 @@ fn gusts(design: &Design) -> Option<GustyWind> {
         reason = "documents are f64, air is f32"
     )]
     let (speed, intensity) = (wind.speed_m_per_s as f32, wind.gust_ratio as f32);
+    let toward = match wind.law {
+        WindLaw::Steady => {
+            let (sin, cos) = trig64::sin_cos(wind.heading());
+            DVec3::new(sin, 0.0, cos).as_vec3()
+        }
+        WindLaw::Spherical | WindLaw::LiteralScalar => Vec3::X,
+    };
     (wind.model == WindModel::Triangles)
-        .then(|| GustyWind::new(Vec3::X * speed, intensity, wind.seed))
+        .then(|| GustyWind::new(toward * speed, intensity, wind.seed))
 }
 
 /// Settings of the paper's methods for this cloth.
@@ -357,6 +362,7 @@ fn wind_per_particle(design: &Design, spec: &ClothSpec) -> Option<Wind> {
     let pressure = design.wind.pressure();
     (0.0 < pressure).then(|| Wind {
         law: design.wind.law,
+        heading: design.wind.heading(),
         ..Wind::from_pressure(pressure, width * height * cells, count)
     })
 }

@@ -36,6 +36,8 @@ const NARROW: f32 = 640.0;
 /// A window whose adapter is lost is opened again this often.
 const MOST_REOPENINGS: u32 = 3;
 
+/// What files of recordings are called.
+const RECORDING_ENDINGS: [&str; 8] = ["bvh", "BVH", "vrma", "VRMA", "glb", "gltf", "vrm", "VRM"];
 /// Why a window ended that was in the middle of a picture.
 const LOST: &str = "the graphics adapter was lost";
 
@@ -332,8 +334,11 @@ impl App {
             files.first().map(|file| file.path().to_owned())
         });
         if let Some(path) = dropped {
-            let is_recording =
-                (path.extension()).is_some_and(|extension| extension.eq_ignore_ascii_case("bvh"));
+            let is_recording = path.extension().is_some_and(|extension| {
+                ["bvh", "vrma"]
+                    .iter()
+                    .any(|known| extension.eq_ignore_ascii_case(known))
+            });
             self.studio.request(if is_recording {
                 Request::OpenRecording(path)
             } else {
@@ -409,7 +414,9 @@ impl App {
             let path = match purpose {
                 Purpose::Open => designs(dialog).pick_file(),
                 Purpose::Save => designs(dialog).set_file_name("design.lole").save_file(),
-                Purpose::Record => dialog.add_filter("BVH", &["bvh", "BVH"]).pick_file(),
+                Purpose::Record => dialog
+                    .add_filter("BVH, VRMA, glTF, VRM", &RECORDING_ENDINGS)
+                    .pick_file(),
                 Purpose::Print(_) => {
                     let kinds = ["png", "jpg", "jpeg", "svg", "PNG", "JPG", "JPEG", "SVG"];
                     dialog.add_filter("PNG, JPEG, SVG", &kinds).pick_file()
@@ -455,6 +462,8 @@ impl App {
                 let bytes = Some(bytes);
                 self.studio.change(|design| {
                     design.motion.file = Some(LinkedFile { name, bytes });
+                    // The name of an animation belongs to its file.
+                    design.motion.clip.clear();
                 });
                 self.studio.rest();
             }

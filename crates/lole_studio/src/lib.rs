@@ -18,6 +18,7 @@ mod ordering;
 mod overlay;
 pub mod panel;
 mod paper;
+pub mod portrait;
 mod sim;
 mod snapshot;
 mod studio;

@@ -11,11 +11,12 @@ use lole_costume::document::Design;
 use lole_costume::order::{self, Group, NotionTotal, PrintTotal, Settings};
 use lole_costume::roster::{self, Roster};
 use lole_export::order::{OrderParts, order_folder};
-use lole_export::pdf::Paper;
+use lole_export::pdf::{Paper, Picture};
 use lole_geom::Length;
 use lole_language::{Bilingual as _, Language, Sentence};
 
-use crate::files;
+use crate::portrait::PortraitError;
+use crate::{files, portrait};
 
 /// Everything behind the panel of orders.
 #[derive(Debug, Clone, Default)]
@@ -39,6 +40,8 @@ pub struct BuyerWishes {
     pub bolt_m: Option<f64>,
     /// What it is printed on.
     pub paper: Paper,
+    /// Whether the order shows everybody in her costume, which takes a while.
+    pub pictures: bool,
 }
 
 impl Default for BuyerWishes {
@@ -47,6 +50,7 @@ impl Default for BuyerWishes {
             spare_percent: 100.0 * Settings::default().spare_ratio,
             bolt_m: None,
             paper: Paper::A4,
+            pictures: true,
         }
     }
 }
@@ -63,7 +67,7 @@ impl BuyerWishes {
 /// How far an order has come.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Progress {
-    /// Dancers who are cut for.
+    /// Dancers who are cut for, or who are dressed for their pictures.
     pub done: usize,
     /// Of so many.
     pub of: usize,
@@ -188,7 +192,7 @@ fn run(job: &Job, stop: &AtomicBool, tell: &impl Fn(OrderNews)) -> Result<OrderN
         }));
     }
     let folder = match &job.folder {
-        Some(folder) => Some(write(job, &group, folder, &is_stopped)?),
+        Some(folder) => Some(write(job, &group, folder, (&is_stopped, tell))?),
         None => None,
     };
     if is_stopped() && folder.is_none() && job.folder.is_some() {
@@ -217,9 +221,11 @@ fn write(
     job: &Job,
     group: &Group,
     folder: &Path,
-    is_stopped: &impl Fn() -> bool,
+    (is_stopped, tell): (&dyn Fn() -> bool, &dyn Fn(OrderNews)),
 ) -> Result<Option<PathBuf>, Sentence> {
-    let pictures = vec![None; group.plans.len()];
+    let Some(pictures) = pictures(job, group, is_stopped, tell) else {
+        return Ok(None);
+    };
     let parts = OrderParts {
         title: job.title.clone(),
         design: &job.design,
@@ -240,6 +246,30 @@ fn write(
     Ok(Some(folder.to_owned()))
 }
 
+/// Everybody in her costume, one after the other: the dance in the window goes on meanwhile. Who cannot
+/// be dressed has no picture; `None` where it was called off.
+fn pictures(
+    job: &Job,
+    group: &Group,
+    is_stopped: &dyn Fn() -> bool,
+    tell: &dyn Fn(OrderNews),
+) -> Option<Vec<Option<Picture>>> {
+    let of = group.designs.len();
+    if !job.wishes.pictures {
+        return Some(vec![None; of]);
+    }
+    let mut pictures = Vec::with_capacity(of);
+    for (done, design) in group.designs.iter().enumerate() {
+        tell(OrderNews::Progress(Progress { done, of }));
+        pictures.push(match portrait::standing(design, is_stopped) {
+            Ok(bytes) => portrait::of_jpeg(bytes),
+            Err(PortraitError::CalledOff) => return None,
+            Err(_) => None,
+        });
+    }
+    Some(pictures)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -248,7 +278,10 @@ mod tests {
         Job {
             design: Design::default(),
             list: Arc::new(roster::read(list.as_bytes()).unwrap()),
-            wishes: BuyerWishes::default(),
+            wishes: BuyerWishes {
+                pictures: false,
+                ..BuyerWishes::default()
+            },
             folder,
             title: "Hau".to_owned(),
             language: Language::English,
@@ -286,6 +319,18 @@ mod tests {
         }
         assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 3);
         std::fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn an_order_shows_everybody_in_her_costume() {
+        let mut job = job("name,stature,hip\nNani,150,85\n", None);
+        job.wishes.pictures = true;
+        let mut group = Group::of(&job.list);
+        let dancer = &job.list.dancers[0];
+        group.add(dancer, &job.design, order::plan(dancer, &job.design));
+        let found = pictures(&job, &group, &|| false, &|_| {}).unwrap();
+        assert!(matches!(found[..], [Some(_)]));
+        assert!(pictures(&job, &group, &|| true, &|_| {}).is_none());
     }
 
     #[test]

@@ -46,6 +46,7 @@ pub use document::show as document_bar;
 pub use notice::show as notices;
 pub(crate) use photo::PhotoDesk;
 pub use question::show as question;
+pub(crate) use recording::ClipShelf;
 pub use status::show as status_bar;
 pub(crate) use swatch::SwatchForm;
 

@@ -14,7 +14,7 @@ use crate::history::History;
 use crate::message::Message;
 use crate::orbit::Orbit;
 use crate::ordering::OrderDesk;
-use crate::panel::{ClothTextures, PhotoDesk, SwatchForm};
+use crate::panel::{ClipShelf, ClothTextures, PhotoDesk, SwatchForm};
 use crate::paper::{Cutting, Paper};
 use crate::undo::Undo;
 use crate::wished::Wished;
@@ -228,6 +228,8 @@ pub struct Studio {
     pub(crate) swatch: SwatchForm,
     /// The picture of the own cloth that is being marked.
     pub(crate) photo: PhotoDesk,
+    /// The animations of the recording that is danced.
+    pub(crate) clips: ClipShelf,
     /// Cloth on the cut plans.
     pub(crate) textures: ClothTextures,
     /// A group's order.
@@ -273,6 +275,7 @@ impl Studio {
             enlarged: None,
             swatch: SwatchForm::default(),
             photo: PhotoDesk::default(),
+            clips: ClipShelf::default(),
             textures: ClothTextures::default(),
             order: OrderDesk::default(),
             commands: Vec::new(),
@@ -292,6 +295,7 @@ impl Studio {
             shows: Shows::default(),
             sews: true,
             // Textures went with their adapter.
+            photo: PhotoDesk::default(),
             textures: ClothTextures::default(),
             commands: Vec::new(),
             ..self

@@ -29,7 +29,7 @@ pub(crate) const REAL_TIME: Words = words("実時間", "Real time");
 pub(crate) const DANCE: Words = words("踊り", "Dance");
 pub(crate) const DANCE_STEP: Words = words("ステップ", "Step");
 pub(crate) const CHOREOGRAPHY: Words = words("振付", "Choreography");
-pub(crate) const RECORDING: Words = words("踊りの記録（BVH）", "Recorded dance (BVH)");
+pub(crate) const RECORDING: Words = words("踊りの記録", "Recorded dance");
 pub(crate) const RECORDING_SHORT: Words = words("記録", "Recording");
 pub(crate) const SCHOOL: Words = words("流儀（ハーラウ）", "Manner (hālau)");
 pub(crate) const ADD_PART: Words = words("＋ 部分を足す", "+ Add a part");
@@ -55,6 +55,7 @@ pub(crate) const DIRECTIONS: [Words; 8] = [
     words("後ろ向き", "back"),
 ];
 pub(crate) const OPEN_RECORDING: Words = words("ほかの記録を開く…", "Open another recording…");
+pub(crate) const CLIP: Words = words("どの動きを踊るか", "Which of its dances");
 pub(crate) const AFTER_ITS_END: Words = words("終わったら", "At its end she");
 pub(crate) const STANDS_STILL: Words = words("止まる", "stands still");
 pub(crate) const BEGINS_AGAIN: Words = words("くり返す", "begins again");
@@ -62,8 +63,8 @@ pub(crate) const WAY: Words = words("場所", "Over the floor she");
 pub(crate) const WALKS: Words = words("進む", "goes her way");
 pub(crate) const STAYS: Words = words("その場にいる", "stays");
 pub(crate) const DROP_RECORDING: Words = words(
-    "BVH ファイルを窓に落としても踊れます。",
-    "A BVH file dropped on the window is danced, too.",
+    "BVH・VRMA のファイルを窓に落としても踊れます。",
+    "A BVH or VRMA file dropped on the window is danced, too.",
 );
 pub(crate) const TEMPO: Words = words("テンポ", "Tempo (counts)");
 pub(crate) const TEMPO_UNIT: Words = words(" 拍/分", " /min");
@@ -82,7 +83,17 @@ pub(crate) const WIND_SPEED: Words = words("風の速さ", "Speed of the wind");
 pub(crate) const WIND_ACTS_ON: Words = words("風の当たり方", "The wind acts on");
 pub(crate) const WIND_ON_FACES: Words = words("布の面に", "faces of the cloth");
 pub(crate) const WIND_ON_ALL: Words = words("どこも同じ", "all alike");
-pub(crate) const WIND_DIRECTION: Words = words("風の向き", "Direction");
+pub(crate) const WIND_DIRECTION: Words = words("風の吹き方", "The wind");
+pub(crate) const WIND_IS_STEADY: Words = words("一方から", "blows one way");
+pub(crate) const WIND_COMES_FROM: Words = words(
+    "どちらから吹くか（画面で）",
+    "It comes from (in the picture)",
+);
+pub(crate) const WIND_FROM_LEFT: Words = words("左", "the left");
+pub(crate) const WIND_FROM_FRONT: Words = words("手前", "the front");
+pub(crate) const WIND_FROM_RIGHT: Words = words("右", "the right");
+pub(crate) const WIND_FROM_BACK: Words = words("奥", "behind");
+pub(crate) const WIND_ANGLE: Words = words("風の角度", "Angle of the wind");
 pub(crate) const WIND_TURNS: Words = words("回る", "turns round");
 pub(crate) const WIND_TO_AND_FRO: Words = words("行き来する", "to and fro");
 pub(crate) const GUSTS: Words = words("風のむら", "Gusts");
@@ -221,8 +232,12 @@ pub(crate) const BOLT: Words = words("一反の長さ", "Length of a bolt");
 pub(crate) const WORK_OUT: Words = words("全員分を計算する", "Work out what all need");
 pub(crate) const MAKE_ORDER: Words = words("注文書のフォルダーを作る…", "Make the order’s folder…");
 pub(crate) const ORDER_HOW: Words = words(
-    "一覧・買い物・名札（order.pdf）、縫い方の本（booklet.pdf）、データ（order.json）ができます。踊り手の絵は入りません。",
-    "Writes the summary, shopping list and labels (order.pdf), the sewing booklet (booklet.pdf) and the data (order.json), without pictures of the dancers.",
+    "一覧・買い物・名札（order.pdf）、縫い方の本（booklet.pdf）、データ（order.json）ができます。",
+    "Writes the summary, shopping list and labels (order.pdf), the sewing booklet (booklet.pdf) and the data (order.json).",
+);
+pub(crate) const ORDER_PICTURES: Words = words(
+    "踊り手の絵を入れる（1 人に数秒）",
+    "Pictures of the dancers (some seconds each)",
 );
 pub(crate) const TOTALS_ARE_OLD: Words = words(
     "そのあとデザインが変わりました。もう一度計算してください。",

@@ -4,6 +4,7 @@ use glam::{Vec2, Vec3};
 
 use super::warp::smooth_step;
 use crate::sections::Sections;
+use crate::{Bone, Skeleton};
 
 /// Share of the arm from which on nothing is leotard.
 const ARM_LIMIT: f32 = 0.7;
@@ -15,6 +16,15 @@ const SEAM_OUT: f32 = 0.0;
 const ARMHOLE_DROP: f32 = 0.037;
 /// Height of the armhole's bend as a share of the armhole.
 const ARMHOLE_RISE: f32 = 0.62;
+
+/// Places of the measured woman (`body_sections.json`) by which they are found on a given body: her
+/// shoulder joints above the crotch and aside [m], the armpit and the top of the shoulders over that
+/// height above the crotch, and the armpit aside over the joint.
+const SHOULDER_ABOVE_CROTCH: f32 = 0.542;
+const SHOULDER_ASIDE: f32 = 0.1525;
+const ARMPIT_SHARE: f32 = 0.884;
+const SHOULDER_SHARE: f32 = 1.049;
+const ARMPIT_ASIDE: f32 = 1.03;
 
 /// Where the leotard ends and the painted face begins, in the bind pose.
 #[derive(Debug, Clone)]
@@ -41,6 +51,25 @@ impl Regions {
             shoulder: body.level("shoulder"),
             face_center: head + Vec3::new(0.0, -0.022, 0.085) * head_size,
             face_radius: 0.088 * head_size,
+        }
+    }
+
+    /// The leotard's regions of a given body with its arms lowered; it has no painted face.
+    pub(crate) fn of_given(skeleton: &Skeleton, crotch: f32) -> Self {
+        let [left, right] =
+            [Bone::LeftUpperArm, Bone::RightUpperArm].map(|bone| skeleton.joint(bone));
+        let height = 0.5 * (left.y + right.y) - crotch;
+        let aside = 0.5 * (left.x - right.x).abs();
+        // Straps of a child with a large head, or of a stout figure, lie by what is less.
+        let k = (height / SHOULDER_ABOVE_CROTCH).min(aside / SHOULDER_ASIDE);
+        Self {
+            k,
+            crotch,
+            armpit: crotch + ARMPIT_SHARE * height,
+            armpit_x: ARMPIT_ASIDE * aside,
+            shoulder: crotch + SHOULDER_SHARE * height,
+            face_center: Vec3::ZERO,
+            face_radius: 0.0,
         }
     }
 

@@ -130,11 +130,13 @@ fn smoothed(values: &[f32], reach: usize) -> Vec<f32> {
         .collect()
 }
 
-/// Vertices of some parts of a skin in the bind pose; of all where none of them is there.
+/// Vertices of some parts of a skin in the bind pose, and of all of a given body's; of all where none of
+/// them is there.
 pub(super) fn vertices(dancer: &Dancer, parts: &'static [PartKind]) -> impl Iterator<Item = Vec3> {
     let skin = &dancer.skin;
     let has_any = skin.parts.iter().any(|part| parts.contains(&part.kind));
-    let chosen = (skin.parts.iter()).filter(move |part| !has_any || parts.contains(&part.kind));
+    let is_meant = move |kind: PartKind| parts.contains(&kind) || kind == PartKind::Given;
+    let chosen = (skin.parts.iter()).filter(move |part| !has_any || is_meant(part.kind));
     let mut numbers: Vec<u32> = chosen
         .flat_map(|part| part.triangles.iter().flatten().copied())
         .collect();

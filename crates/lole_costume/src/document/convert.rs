@@ -4,6 +4,7 @@ use lole_body::{
     Appearance, CapsuleLayout, Measure, Measurements, MotionSettings, Part, School, Tape,
 };
 use lole_cloth::Fabric;
+use lole_cloth::wind::Wind;
 use lole_geom::Length;
 use lole_language::{Bilingual, Sentence};
 use lole_pattern::design::pau_skirt::PauOptions;
@@ -498,6 +499,22 @@ impl WindDesign {
     #[must_use]
     pub fn pressure(&self) -> f64 {
         0.5 * AIR_DENSITY * self.speed_m_per_s * self.speed_m_per_s
+    }
+
+    /// The air's velocity [m/s] as the law has its force.
+    #[must_use]
+    pub fn velocity(&self) -> Wind {
+        Wind {
+            amplitude: self.speed_m_per_s,
+            law: self.law,
+            heading: self.heading(),
+        }
+    }
+
+    /// Where a steady wind blows to [rad], as [`Wind::heading`].
+    #[must_use]
+    pub fn heading(&self) -> f64 {
+        (self.from_deg + 180.0).to_radians()
     }
 }
 

@@ -121,13 +121,13 @@ fn plans_ui(
     {
         studio.change_later(|design| fabric_mut(design, place).width_cm = width);
     }
-    let mut has_asked = false;
+    // All cloths beside the garment's own have one width, asked for once.
+    let first_beside = (cut.plans.iter()).position(|plan| plan.role != ClothRole::Main);
     for (number, plan) in cut.plans.iter().enumerate() {
         if plan.role != ClothRole::Main {
             ui.label(studio.say(role_name(plan.role)));
-            // All cloths beside the garment's own have one width.
             if let Some((own, beside)) = widths
-                && !std::mem::replace(&mut has_asked, true)
+                && first_beside == Some(number)
                 && let Some(width) = width_ui(ui, studio, beside.unwrap_or(own))
             {
                 studio.change_later(|design| {

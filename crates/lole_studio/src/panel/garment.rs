@@ -59,13 +59,16 @@ pub(super) fn kept(fabric: &FabricDesign) -> FabricDesign {
     }
 }
 
-/// Motif, colorway and ground; the print that was chosen.
+/// Motif, colorway and ground; the print that was chosen. Nothing where one's own picture is printed.
 pub(super) fn print_ui(
     ui: &mut Ui,
     studio: &Studio,
     place: usize,
     print: &PrintChoice,
 ) -> Option<PrintChoice> {
+    if print.file.is_some() {
+        return None;
+    }
     let mut changed = print.clone();
     let motifs: Vec<_> = (MOTIFS.iter())
         .map(|row| (row.motif, row.name.text(studio.language).to_owned()))

@@ -106,6 +106,13 @@ fn wishes(ui: &mut Ui, studio: &mut Studio) {
     if let Some(paper) = choice(ui, Some(studio.order.wishes.paper), &Paper::ALL) {
         studio.order.wishes.paper = paper;
     }
+    let mut pictures = studio.order.wishes.pictures;
+    if ui
+        .checkbox(&mut pictures, studio.say(text::ORDER_PICTURES))
+        .changed()
+    {
+        studio.order.wishes.pictures = pictures;
+    }
     let mut knows_bolt = studio.order.wishes.bolt_m.is_some();
     let words = studio.say(text::KNOWS_BOLT);
     if ui.checkbox(&mut knows_bolt, words).changed() {

@@ -4,8 +4,8 @@
 use std::sync::Arc;
 
 use eframe::egui::{
-    self, Color32, ColorImage, Pos2, Rect, RichText, Sense, Stroke, StrokeKind, TextureHandle,
-    TextureOptions, Ui, pos2, vec2,
+    self, Color32, ColorImage, Painter, Pos2, Rect, RichText, Sense, Stroke, StrokeKind,
+    TextureHandle, TextureOptions, Ui, pos2, vec2,
 };
 use lole_costume::document::PhotoMarks;
 use lole_costume::print::Picture;
@@ -24,6 +24,12 @@ const LEAST_SHARE: f64 = 0.01;
 const USUAL_CM: f64 = 10.0;
 const REPEAT_LINE: Color32 = Color32::from_rgb(255, 210, 60);
 const RULER_LINE: Color32 = Color32::from_rgb(90, 220, 255);
+/// Below every line: a photo may be as pale as the line, or as dark.
+const EDGE: Color32 = Color32::from_rgb(20, 18, 22);
+/// Over what does not repeat.
+const SHADE: Color32 = Color32::from_black_alpha(120);
+/// Width of a line and of its edge [point].
+const WIDTHS: [f32; 2] = [2.5, 5.5];
 
 /// What a drag on the picture marks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -41,19 +47,23 @@ pub(crate) struct PhotoDesk {
     marking: Marking,
     /// Where the drag began, in shares of the picture.
     start: Option<[f64; 2]>,
-    /// The picture that the texture shows.
-    shown: Option<(Arc<Picture>, TextureHandle)>,
+    /// Pictures that the graphics adapter has, one for each that is unfolded.
+    shown: Vec<(Arc<Picture>, TextureHandle)>,
 }
 
 impl PhotoDesk {
     fn texture(&mut self, context: &egui::Context, picture: &Arc<Picture>) -> TextureHandle {
-        if let Some((shown, texture)) = &self.shown
-            && Arc::ptr_eq(shown, picture)
-        {
+        let known = self
+            .shown
+            .iter()
+            .find(|(shown, _)| Arc::ptr_eq(shown, picture));
+        if let Some((_, texture)) = known {
             return texture.clone();
         }
+        // What nobody else holds belongs to no design any more.
+        self.shown.retain(|(shown, _)| 1 < Arc::strong_count(shown));
         let texture = context.load_texture("photo", scaled_down(picture), TextureOptions::LINEAR);
-        self.shown = Some((Arc::clone(picture), texture.clone()));
+        self.shown.push((Arc::clone(picture), texture.clone()));
         texture
     }
 }
@@ -118,25 +128,49 @@ pub(super) fn show(
     if let Some(repeat) = repeat_of(marks, [across, down]) {
         let corners = repeat.map(|corner| place(rect, corner));
         let frame = Rect::from_two_pos(corners[0], corners[1]);
-        painter.rect_stroke(
-            frame,
-            0.0,
-            Stroke::new(2.0, REPEAT_LINE),
-            StrokeKind::Inside,
-        );
+        // A ruler lies anywhere on the photo.
+        if marking == Marking::Repeat {
+            shade_around(&painter, rect, frame);
+        }
+        paint_frame(&painter, frame);
     }
     if let Some(ruler) = ruler_of(marks, [across, down]) {
-        let ends = ruler.map(|end| place(rect, end));
-        painter.line_segment(ends, Stroke::new(2.0, RULER_LINE));
-        for end in ends {
-            painter.circle_stroke(end, 4.0, Stroke::new(2.0, RULER_LINE));
-        }
+        paint_ruler(&painter, ruler.map(|end| place(rect, end)));
     }
     known_length(ui, studio, marks);
     if *marks != PhotoMarks::default() && wide_button(ui, studio.say(text::FORGET_MARKS)) {
         *marks = PhotoMarks::default();
     }
     studio.photo.marking = chosen.unwrap_or(marking);
+}
+
+/// Shade over what does not repeat.
+fn shade_around(painter: &Painter, photo: Rect, frame: Rect) {
+    let [left, right] = [photo.left(), photo.right()];
+    for shaded in [
+        Rect::from_min_max(photo.min, pos2(right, frame.top())),
+        Rect::from_min_max(pos2(left, frame.bottom()), photo.max),
+        Rect::from_min_max(pos2(left, frame.top()), frame.left_bottom()),
+        Rect::from_min_max(frame.right_top(), pos2(right, frame.bottom())),
+    ] {
+        painter.rect_filled(shaded, 0.0, SHADE);
+    }
+}
+
+fn paint_frame(painter: &Painter, frame: Rect) {
+    for (width, color) in [(WIDTHS[1], EDGE), (WIDTHS[0], REPEAT_LINE)] {
+        let stroke = Stroke::new(width, color);
+        painter.rect_stroke(frame, 0.0, stroke, StrokeKind::Middle);
+    }
+}
+
+fn paint_ruler(painter: &Painter, ends: [Pos2; 2]) {
+    for (width, color) in [(WIDTHS[1], EDGE), (WIDTHS[0], RULER_LINE)] {
+        painter.line_segment(ends, Stroke::new(width, color));
+        for end in ends {
+            painter.circle_stroke(end, 5.0, Stroke::new(width, color));
+        }
+    }
 }
 
 /// How long the marked line is on the cloth.

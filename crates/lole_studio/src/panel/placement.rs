@@ -17,7 +17,7 @@ const SCALES: [f64; 2] = [0.25, 4.0];
 /// Offsets on a slider [cm].
 const OFFSETS: [f64; 2] = [-60.0, 60.0];
 
-/// Shows it folded up; the print that was chosen. `place` is that of a listed garment.
+/// Shows one's own picture, and the rest folded up; the print that was chosen. `place` is that of a listed garment.
 pub(super) fn show(
     ui: &mut Ui,
     studio: &mut Studio,
@@ -25,8 +25,8 @@ pub(super) fn show(
     print: &PrintChoice,
 ) -> Option<PrintChoice> {
     let mut changed = print.clone();
+    own_picture(ui, studio, place, &mut changed);
     ui.collapsing(studio.say(text::PLACEMENT), |ui| {
-        own_picture(ui, studio, place, &mut changed);
         sizes(ui, studio, &mut changed);
         ways(ui, studio, &mut changed);
         let lay = &mut changed.lay;
@@ -58,6 +58,7 @@ fn own_picture(ui: &mut Ui, studio: &mut Studio, place: Option<usize>, print: &m
         }
         return;
     };
+    ui.label(studio.say(text::PRINT));
     ui.horizontal(|ui| {
         if sign_button(ui, "✖", studio.say(text::DROP_PICTURE)) {
             print.file = None;

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use eframe::egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use lole_avatar::AnimationSummary;
 use lole_body::motion::SCHOOLS;
 use lole_body::{DanceStep, Figure, Side};
 use lole_cloth::wind::WindLaw;
@@ -16,6 +17,7 @@ use lole_language::{Language, Sentence};
 use lole_stage::Divergence;
 
 use crate::message::Message;
+use crate::panel::ClipShelf;
 use crate::studio::{Purpose, Question, Request, Tab};
 use crate::{Command, Studio, panel};
 
@@ -260,7 +262,14 @@ fn wind_is_still_or_blows_as_one_likes_with_other_gusts() {
     let mut window = tab(Tab::Cloth);
     assert!(window.query_by_label("turns round").is_none());
     click(&mut window, "breeze");
+    assert_eq!(wished(&mut window).wind.law, WindLaw::Steady);
+    click(&mut window, "the left");
+    let blown = wished(&mut window);
+    // What is left in the picture is her right.
+    let toward = blown.wind.velocity().force(10.0);
+    assert!(1.9 < toward.x && toward.z.abs() < 1e-9, "{toward}");
     click(&mut window, "to and fro");
+    assert!(window.query_by_label("the left").is_none());
     assert_eq!(wished(&mut window).wind.law, WindLaw::LiteralScalar);
     let before = window.state().design().wind.seed;
     let label = format!("Other gusts ({before})");
@@ -337,6 +346,41 @@ fn a_recording_is_asked_for_and_can_go_round_on_the_spot() {
     assert!(wished(&mut window).motion.file.is_none());
     click(&mut window, "Recording");
     assert_eq!(wished(&mut window).motion.file, Some(file));
+}
+
+#[test]
+fn one_of_several_animations_is_chosen_by_name_or_by_number_where_names_are_alike() {
+    let bytes: std::sync::Arc<[u8]> = b"glTF".as_slice().into();
+    let clip = |name: &str, bone_count| AnimationSummary {
+        name: name.to_owned(),
+        duration_s: 2.0,
+        key_count: 9,
+        bone_count,
+    };
+    let clips = [
+        clip("Blink", 0),
+        clip("Hula", 20),
+        clip("Hula", 20),
+        clip("", 20),
+    ];
+    let mut window = tab(Tab::Dance);
+    let studio = window.state_mut();
+    studio.clips = ClipShelf::holding(bytes.clone(), clips.to_vec());
+    studio.change(|design| {
+        design.motion.file = Some(LinkedFile {
+            bytes: Some(bytes),
+            ..LinkedFile::named("dances.glb")
+        });
+    });
+    window.run_steps(3);
+    assert!(window.query_by_label("1 Blink  2.0 s").is_none());
+    let mut chosen = |row| {
+        pick(&mut window, "Which of its dances", row);
+        wished(&mut window).motion.clip
+    };
+    assert_eq!(chosen("3 Hula  2.0 s"), "3");
+    assert_eq!(chosen("2 Hula  2.0 s"), "Hula");
+    assert_eq!(chosen("4   2.0 s"), "4");
 }
 
 #[test]

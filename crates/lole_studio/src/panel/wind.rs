@@ -34,11 +34,15 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     }
     ui.label(studio.say(text::WIND_DIRECTION));
     let laws = [
+        (WindLaw::Steady, studio.say(text::WIND_IS_STEADY)),
         (WindLaw::Spherical, studio.say(text::WIND_TURNS)),
         (WindLaw::LiteralScalar, studio.say(text::WIND_TO_AND_FRO)),
     ];
     if let Some(law) = choice(ui, Some(wind.law), &laws) {
         studio.change(|design| design.wind.law = law);
+    }
+    if wind.law == WindLaw::Steady {
+        origin(ui, studio, &wind);
     }
     if wind.model == WindModel::Triangles {
         gusts(ui, studio, &wind);
@@ -57,6 +61,7 @@ fn strength(ui: &mut Ui, studio: &mut Studio) {
             let wind = &mut design.wind;
             if wind.speed_m_per_s == 0.0 && *wind == WindDesign::default() {
                 wind.model = WindModel::Triangles;
+                wind.law = WindLaw::Steady;
                 wind.gust_ratio = USUAL_GUSTS;
             }
             wind.speed_m_per_s = speed;
@@ -72,6 +77,32 @@ fn strength(ui: &mut Ui, studio: &mut Studio) {
     };
     if let (_, Some(speed)) = knob.show(ui, speed) {
         studio.change(|design| design.wind.speed_m_per_s = speed);
+    }
+}
+
+/// Where a steady wind comes from, as one sees it who looks at the dancer from the front.
+fn origin(ui: &mut Ui, studio: &mut Studio, wind: &WindDesign) {
+    ui.label(studio.say(text::WIND_COMES_FROM));
+    // Her right side is on the left of the picture.
+    let sides = [
+        (-90.0, studio.say(text::WIND_FROM_LEFT)),
+        (0.0, studio.say(text::WIND_FROM_FRONT)),
+        (90.0, studio.say(text::WIND_FROM_RIGHT)),
+        (180.0, studio.say(text::WIND_FROM_BACK)),
+    ];
+    if let Some(from) = choice(ui, Some(wind.from_deg), &sides) {
+        studio.change(|design| design.wind.from_deg = from);
+    }
+    let (low, high) = range("wind", "from_deg");
+    let knob = Knob {
+        name: studio.say(text::WIND_ANGLE),
+        range: low..=high,
+        decimals: 0,
+        unit: "°",
+        scale: Scale::Even,
+    };
+    if let (_, Some(from)) = knob.show(ui, wind.from_deg) {
+        studio.change(|design| design.wind.from_deg = from.round());
     }
 }
 

@@ -34,6 +34,7 @@ const HAIR_STYLES: &[(&str, HairStyle)] = &[
 const WIND_LAWS: &[(&str, WindLaw)] = &[
     ("spherical", WindLaw::Spherical),
     ("literal-scalar", WindLaw::LiteralScalar),
+    ("steady", WindLaw::Steady),
 ];
 const WIND_MODELS: &[(&str, WindModel)] = &[
     ("uniform", WindModel::Uniform),
@@ -260,8 +261,8 @@ const PRINT: Table = Table {
 const WIND: Table = Table {
     name: "wind",
     about: words(
-        "回る風。いちばん強いときの速さ",
-        "a turning wind, by its strongest breath",
+        "回る風（いちばん強いときの速さ）か、一方から吹く風",
+        "a turning wind, by its strongest breath, or a steady one",
     ),
     keys: &[
         number!(
@@ -276,8 +277,15 @@ const WIND: Table = Table {
             words("風の式の読み方", "reading of the wind's equation"),
             WIND_LAWS,
             wind.law,
-            "風の式の読み方: 回るか、対角線を行き来するか",
-            "reading of the equation: turning, or to and fro"
+            "風の吹き方: 式のとおり回るか、対角線を行き来するか、一方から吹くか",
+            "the equation's turning wind, its wind to and fro, or a steady one"
+        ),
+        number!(
+            "from_deg",
+            -180.0..=180.0,
+            wind.from_deg,
+            "steady の風が来る向き。0 は踊り手の正面、90 は踊り手の左から",
+            "where a steady wind comes from: 0 is her front, 90 her left"
         ),
         choice!(
             "model",

@@ -9,8 +9,8 @@ use crate::gpu::draw::{Format, float_texture, mipmapped_texture, print_sampler, 
 use crate::gpu::pipeline::Vertex;
 use crate::prepare::{Geometry, used_vertices};
 use crate::shade::Surface;
-use crate::{Material, Scene, Sides, Texture};
-use glam::Vec3;
+use crate::{Material, Scene, SceneMesh, Sides, Texture};
+use glam::{Vec2, Vec3};
 use lole_geom::mesh::vertex_normals;
 use wgpu::util::{BufferInitDescriptor, DeviceExt};
 
@@ -159,7 +159,7 @@ impl LiveMeshes {
             })
     }
 
-    /// Writes positions, normals, colors, materials and light of a scene that fits.
+    /// Writes positions, normals, texture coordinates, colors, materials and light of a scene that fits.
     pub(super) fn write(&mut self, gpu: &Device, pipelines: &LivePipelines, scene: &Scene<'_>) {
         self.move_vertices(scene);
         self.fade_light();
@@ -198,12 +198,7 @@ impl LiveMeshes {
             let repaints = paints || part.is_painted;
             part.is_painted = paints;
             for (vertex, &source) in self.vertices[part.first..].iter_mut().zip(&part.sources) {
-                let source = source as usize;
-                vertex.position = mesh.positions[source].into();
-                vertex.normal = normals[source].into();
-                if repaints {
-                    vertex.color = mesh.colors.get(source).copied().unwrap_or(Vec3::ONE).into();
-                }
+                write_vertex(vertex, (mesh, normals), source as usize, repaints);
             }
         }
     }
@@ -252,5 +247,52 @@ impl LiveMeshes {
                 pass.draw_indexed(part.indices.clone(), 0, 0..1);
             }
         }
+    }
+}
+
+/// Writes everything but the light of one vertex of a mesh, whose normals are given.
+fn write_vertex(
+    vertex: &mut Vertex,
+    (mesh, normals): (&SceneMesh<'_>, &[Vec3]),
+    source: usize,
+    repaints: bool,
+) {
+    vertex.position = mesh.positions[source].into();
+    vertex.normal = normals[source].into();
+    // A print of another size lies on the same triangles.
+    vertex.uv = mesh.uvs.get(source).copied().unwrap_or(Vec2::ZERO).into();
+    if repaints {
+        vertex.color = mesh.colors.get(source).copied().unwrap_or(Vec3::ONE).into();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_print_of_another_size_is_written_on_the_same_triangles() {
+        let material = Material::default();
+        let mut vertex = Vertex {
+            position: [0.0; 3],
+            normal: [0.0; 3],
+            uv: [0.5, 0.5],
+            color: [1.0; 3],
+            face_light: [0.0; 3],
+            back_light: [0.0; 3],
+        };
+        let mesh = SceneMesh {
+            positions: &[Vec3::X],
+            normals: &[Vec3::Y],
+            uvs: &[Vec2::new(2.0, 3.0)],
+            triangles: &[],
+            colors: &[],
+            material: &material,
+        };
+        write_vertex(&mut vertex, (&mesh, mesh.normals), 0, false);
+        assert_eq!((vertex.position, vertex.uv), ([1.0, 0.0, 0.0], [2.0, 3.0]));
+        let plain = SceneMesh { uvs: &[], ..mesh };
+        write_vertex(&mut vertex, (&plain, mesh.normals), 0, false);
+        assert_eq!(vertex.uv, [0.0, 0.0]);
     }
 }
