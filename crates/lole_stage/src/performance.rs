@@ -4,6 +4,7 @@ mod adornment;
 mod dressed;
 mod forearms;
 mod order;
+mod over_cloth;
 mod worn;
 
 pub(crate) use forearms::Forearms;
