@@ -312,7 +312,7 @@ impl Solver {
 }
 
 /// The gusts of the design's wind where it acts on triangles: they drift to the dancer's left.
-fn gusts(design: &Design) -> Option<GustyWind> {
+pub(crate) fn gusts(design: &Design) -> Option<GustyWind> {
     let wind = &design.wind;
     #[expect(
         clippy::cast_possible_truncation,
