@@ -28,6 +28,11 @@ macro_rules! bones {
             pub const fn parent(self) -> Option<Self> {
                 match self { $(Self::$variant => $parent,)* }
             }
+
+            /// The bone and all that it hangs on, up to the hips.
+            pub fn lineage(self) -> impl Iterator<Item = Self> {
+                std::iter::successors(Some(self), |bone| bone.parent())
+            }
         }
     };
 }

@@ -250,6 +250,12 @@ impl StrandModel {
         &self.rings
     }
 
+    /// Whether any particle is drawn to the body.
+    #[must_use]
+    pub const fn is_tied(&self) -> bool {
+        !self.ties.is_empty()
+    }
+
     /// Pinned particles, ascending.
     #[must_use]
     pub fn pins(&self) -> &[u32] {
@@ -368,7 +374,12 @@ pub fn step(
             before,
             ..
         } = state;
-        contacts.push_out(model, config, (positions, &before[0]), (to, to - from, h));
+        contacts.push_out(
+            model,
+            config,
+            (positions, &mut before[0]),
+            (to, to - from, h),
+        );
         solve::update_velocities(state, h);
     }
     state.surfels.clear();

@@ -299,6 +299,7 @@ impl Dressed {
         };
         let triangles: Vec<[u32; 3]> = mesh.triangles.iter().map(turned).collect();
         let on_trunk = |triangle: &&[u32; 3]| !is_on_arm[mesh.panel_of[triangle[0] as usize]];
+        let trunk_triangles: Vec<[u32; 3]> = triangles.iter().filter(on_trunk).copied().collect();
         let on_cloth = mesh.flat.iter().zip(&mesh.panel_of).map(|(flat, &panel)| {
             if facing[panel] {
                 *flat
@@ -312,8 +313,8 @@ impl Dressed {
             fabric,
             pins,
             start: places,
-            trunk_triangles: triangles.iter().filter(on_trunk).copied().collect(),
-            hanging_triangles: triangles.iter().filter(on_trunk).copied().collect(),
+            hanging_triangles: trunk_triangles.clone(),
+            trunk_triangles,
             open_triangles: triangles.clone(),
             triangles,
             on_cloth: on_cloth.collect(),

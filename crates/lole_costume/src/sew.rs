@@ -191,6 +191,18 @@ pub struct Cut<'a> {
     pub fabric: &'a Fabric,
     /// What carries it.
     pub place: WornPlace,
+    /// How its ends meet.
+    pub closing: Closing,
+}
+
+/// How the ends of a gathered rectangle meet.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Closing {
+    /// They are sewn to each other, at the back.
+    #[default]
+    Sewn,
+    /// They hang open beside each other, at the left side.
+    Open,
 }
 
 /// Where a garment is worn.
@@ -271,6 +283,9 @@ pub fn sew(
 ) -> Result<SewnSkirt, SewError> {
     let Cut { draft, worn, .. } = cut;
     let mut layout = Layout::new(draft, worn, settings)?;
+    if cut.closing == Closing::Open {
+        layout.open();
+    }
     check_place(cut, dancer)?;
     let mut start = Vec::with_capacity(layout.grid.particle_count());
     let lowest = *layout.elastic_rows.last().unwrap_or(&0);
@@ -439,6 +454,14 @@ impl Layout {
         })
     }
 
+    /// Leaves the side open, at her left.
+    fn open(&mut self) {
+        self.grid.topology = Topology::Sheet;
+        for start in &mut self.fold_starts {
+            *start += LEFT_SIDE;
+        }
+    }
+
     fn gathers(&self) -> Gathers<'_> {
         Gathers {
             gap: self.band_gap,
@@ -475,6 +498,9 @@ impl Layout {
         Ok(ring)
     }
 }
+
+/// Her left side, as a fraction of the ring from where a skirt's seam is.
+const LEFT_SIDE: f32 = 0.25;
 
 /// More rows than anyone asks for.
 const MOST_ROWS: u32 = 1000;
@@ -632,6 +658,7 @@ mod tests {
             worn: &worn,
             fabric: &fabric,
             place: WornPlace::Hips,
+            closing: Closing::Sewn,
         };
         sew(&cut, (dancer, &Clothed::new(Vec3::ZERO)), stance, settings)
     }

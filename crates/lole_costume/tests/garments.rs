@@ -172,7 +172,8 @@ fn every_template_is_a_kind_of_garment_and_says_if_it_is_not_danced() {
     let ids = kind_ids();
     for worn in drafted() {
         assert!(ids.contains(&worn.template.id));
-        if is_worn(worn.template.id) {
+        // What is dressed, and what is one gathered rectangle, is danced.
+        if is_worn(worn.template.id) || worn.template.is_gathered(&worn.options) {
             continue;
         }
         let text = format!("lole = 1\n[[garment]]\nkind = \"{}\"\n", worn.template.id);
@@ -198,6 +199,17 @@ fn every_template_is_a_kind_of_garment_and_says_if_it_is_not_danced() {
     assert!(dressed().not_danced().is_none());
     let blouse = parse("lole = 1\n[[garment]]\nkind = \"blouse\"\n", "mine.lole").unwrap();
     assert!(blouse.not_danced().is_none() && blouse.garments[0].is_dressed());
+    for (kind, ruffle, is_danced) in [
+        ("pau-kahiko", "", true),
+        ("pau-ruffle", "ruffle = \"header\"\n", true),
+        ("pau-ruffle", "ruffle = \"hem\"\n", false),
+    ] {
+        let text = format!("lole = 1\n[[garment]]\nkind = \"{kind}\"\n{ruffle}");
+        let design = parse(&text, "mine.lole").unwrap();
+        assert_eq!(design.garments[0].is_danced(), is_danced, "{kind} {ruffle}");
+        assert_eq!(design.not_danced().is_none(), is_danced, "{kind} {ruffle}");
+        assert_eq!(design.worn_fabrics().len(), 1 + usize::from(is_danced));
+    }
     parse(
         "lole = 1\n[method]\nname = \"fb-euler\"\n[[garment]]\nkind = \"kihei\"\n",
         "mine.lole",

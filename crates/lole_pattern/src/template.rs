@@ -36,6 +36,7 @@ mod yoke;
 
 use lole_language::{Words, words};
 
+use crate::design::pau_skirt::{PauDraft, PauMeasurements};
 use crate::{DraftError, Measures, Pattern};
 
 /// A garment that can be drafted. Two are equal when their identifiers are.
@@ -51,6 +52,54 @@ pub struct Template {
     pub options: &'static [OptionRow],
     /// Drafts it.
     pub draft: fn(&Measures, &Options) -> Result<Pattern, DraftError>,
+}
+
+/// A template that is one rectangle, gathered around the hips.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Gathered {
+    /// The rectangle on paper.
+    pub draft: PauDraft,
+    /// What was measured for it, and where it is worn.
+    pub worn: PauMeasurements,
+    /// Whether its side stays open, as of what is tied.
+    pub is_open: bool,
+}
+
+impl Template {
+    /// Whether it is one rectangle, gathered around the hips, with these options.
+    #[must_use]
+    pub fn is_gathered(&self, options: &Options) -> bool {
+        match self.id {
+            "pau-kahiko" => true,
+            "pau-ruffle" => pau_ruffle::is_one_rectangle(options),
+            _ => false,
+        }
+    }
+
+    /// Drafts it as what is gathered; `None` where it is not.
+    ///
+    /// # Errors
+    /// As for [`Self::draft`].
+    pub fn gathered(
+        &self,
+        measures: &Measures,
+        options: &Options,
+    ) -> Result<Option<Gathered>, DraftError> {
+        if !self.is_gathered(options) {
+            return Ok(None);
+        }
+        let is_open = self.id == "pau-kahiko";
+        let (draft, worn) = if is_open {
+            pau_kahiko::as_worn(measures, options)?
+        } else {
+            pau_ruffle::as_worn(measures, options)?
+        };
+        Ok(Some(Gathered {
+            draft,
+            worn,
+            is_open,
+        }))
+    }
 }
 
 /// One thing the maker decides.

@@ -4,6 +4,7 @@ mod adornment;
 mod dressed;
 mod forearms;
 mod order;
+mod over_cloth;
 mod worn;
 
 pub(crate) use forearms::Forearms;
@@ -14,12 +15,13 @@ use glam::{Affine3A, Vec3};
 use lole_body::{BodyCapsule, Pose};
 use lole_cloth::method::explicit::ExplicitConfig;
 use lole_cloth::method::reference::ReferenceModel;
+use lole_cloth::wind::GustyWind;
 use lole_cloth::{Crossings, InstructionSet, Phase, diagnose};
 use lole_costume::document::{BodyShapes, Design, GarmentLayer};
 use lole_geom::{Capsule, Surfel, mesh::vertex_normals};
 
 use crate::production::{DressedGarment, Garment, Production};
-use crate::solver::{Observer, Solver, Surroundings};
+use crate::solver::{self, Observer, Solver, Surroundings};
 use crate::{FrameMetrics, StageError, skin_check};
 use adornment::{Adorned, AroundStrands};
 use dressed::{Around, Dressed};
@@ -91,6 +93,8 @@ pub struct Performance {
     order: Order,
     /// In the order of the production's dressed garments.
     dressed: Vec<Dressed>,
+    /// The gusts around strands and dressed garments; `None` where the wind has none.
+    gusts: Option<GustyWind>,
     /// The skin with all of the arms, which sleeves meet; empty where nothing is dressed.
     whole_skin: Vec<Surfel>,
     pose: Pose,
@@ -131,6 +135,7 @@ impl Performance {
             crossings: Crossings::Repair,
             dressed: production.dressed.iter().map(Dressed::new).collect(),
             adorned: Adorned::default(),
+            gusts: solver::gusts(&production.design),
             production,
             order: Order::default(),
             whole_skin: Vec::new(),
@@ -294,11 +299,17 @@ impl Performance {
         self.adorned = adorned;
     }
 
-    /// Velocity of the air around strands and garments sewn from shaped pieces [m/s]: the wind's, without
-    /// gusts.
+    /// Velocity of the air around strands and garments sewn from shaped pieces [m/s]: the wind's, with
+    /// the gust that is at the dancer's hips.
     fn air_velocity(&self) -> Vec3 {
         let wind = self.production.design.wind.velocity();
-        wind.force(f64::from(self.time())).as_vec3()
+        let time = f64::from(self.time());
+        let steady = wind.force(time).as_vec3();
+        let Some(gusts) = &self.gusts else {
+            return steady;
+        };
+        let trunk = order::trunk(&self.production.dancer.skeleton, &self.world_from_bind);
+        gusts.at(time).with_mean(steady).velocity(trunk.axis)
     }
 
     /// Triangles of the garments sewn from shaped pieces, and where they are [m].
@@ -721,11 +732,15 @@ mod tests {
     #[test]
     fn a_dancer_without_skirt_rests_and_then_dances_in_the_wind() {
         let kihei = lole_costume::document::GarmentDesign::of_kind("kihei").unwrap();
-        let danced = |speed: f64| {
+        let danced = |speed: f64, gust_ratio: f64| {
             let mut design = Design::default();
             design.skirt.is_worn = false;
             design.garments.push(kihei.clone());
             design.wind.speed_m_per_s = speed;
+            design.wind.gust_ratio = gust_ratio;
+            if 0.0 < gust_ratio {
+                design.wind.model = lole_costume::document::WindModel::Triangles;
+            }
             let mut performance = Performance::new(Production::new(&design).unwrap()).unwrap();
             while performance.time() < 0.0 {
                 performance.advance().unwrap();
@@ -737,9 +752,14 @@ mod tests {
             }
             performance.dressed_positions(0).to_vec()
         };
-        let (calm, storm) = (danced(0.0), danced(8.0));
-        let apart = calm.iter().zip(&storm).map(|(a, b)| a.distance(*b));
-        assert!(0.01 < apart.fold(0.0, f32::max));
+        let apart = |one: &[Vec3], other: &[Vec3]| {
+            let apart = one.iter().zip(other).map(|(a, b)| a.distance(*b));
+            apart.fold(0.0, f32::max)
+        };
+        let (calm, storm, gusty) = (danced(0.0, 0.0), danced(8.0, 0.0), danced(8.0, 0.4));
+        assert!(0.01 < apart(&calm, &storm));
+        assert!(0.001 < apart(&storm, &gusty));
+        assert_eq!(gusty, danced(8.0, 0.4));
     }
 
     #[test]

@@ -8,10 +8,12 @@ use lole_body::{Bone, CapsuleLayout, Dancer, Measurements, Pose, SkinSurfels};
 use lole_cloth::Fabric;
 use lole_costume::adorn::{self, Adornment};
 use lole_costume::document::{
-    Design, FabricDesign, GarmentDesign, GarmentLayer, SkirtDesign, WornTop,
+    Design, FabricDesign, GarmentDesign, GarmentLayer, SkirtDesign, WornTemplate, WornTop,
 };
 use lole_costume::dress::{self, Among, Bands, Dressed};
-use lole_costume::sew::{self, Clothed, Cut, SewSettings, SewnSkirt, SkirtMesh, WornPlace};
+use lole_costume::sew::{
+    self, Closing, Clothed, Cut, SewSettings, SewnSkirt, SkirtMesh, WornPlace,
+};
 use lole_costume::tailoring::{self, Drafted};
 use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements};
 
@@ -227,9 +229,9 @@ impl Wardrobe<'_> {
                     self.put_on_skirt((&name, FOLD_COLUMNS), cut)
                 }
                 GarmentDesign::PauTop(worn) => self.put_on_top(worn),
-                // It is no grid: it is dressed, an adornment, or drafted and not danced, which
-                // `Design::not_danced` says.
-                GarmentDesign::Template(_) => Ok(()),
+                GarmentDesign::Template(worn) => {
+                    self.put_on_gathered(&tailoring::file_name(garment), worn)
+                }
             };
             put_on.map_err(|error| StageError::Garment {
                 place: place + 1,
@@ -252,7 +254,30 @@ impl Wardrobe<'_> {
             fold_columns,
         };
         let parts = (draft, worn, fabric.fabric());
-        self.put_on((name, WornPlace::Hips), parts, fineness)
+        self.put_on((name, WornPlace::Hips, Closing::Sewn), parts, fineness)
+    }
+
+    /// Puts on a template that is one gathered rectangle.
+    fn put_on_gathered(&mut self, name: &str, worn: &WornTemplate) -> Result<(), StageError> {
+        let measures = lole_costume::measures(self.dancer);
+        let gathered = worn.template.gathered(&measures, &worn.options)?;
+        let Some(gathered) = gathered else {
+            return Ok(());
+        };
+        let usual = SkirtDesign::default();
+        let fineness = Fineness {
+            column_count: usual.column_count,
+            row_count: usual.row_count,
+            seed: usual.seed,
+            fold_columns: FOLD_COLUMNS,
+        };
+        let closing = if gathered.is_open {
+            Closing::Open
+        } else {
+            Closing::Sewn
+        };
+        let parts = (gathered.draft, gathered.worn, worn.fabric.fabric());
+        self.put_on((name, WornPlace::Hips, closing), parts, fineness)
     }
 
     fn put_on_top(&mut self, worn: &WornTop) -> Result<(), StageError> {
@@ -265,13 +290,14 @@ impl Wardrobe<'_> {
             fold_columns: FOLD_COLUMNS,
         };
         let parts = (drafted.draft, drafted.worn, worn.fabric.fabric());
-        self.put_on((tailoring::TOP, WornPlace::Bust), parts, fineness)
+        let place = (tailoring::TOP, WornPlace::Bust, Closing::Sewn);
+        self.put_on(place, parts, fineness)
     }
 
     /// Sews a garment over what is worn already.
     fn put_on(
         &mut self,
-        (name, place): (&str, WornPlace),
+        (name, place, closing): (&str, WornPlace, Closing),
         (draft, worn, fabric): (PauDraft, PauMeasurements, Fabric),
         fineness: Fineness,
     ) -> Result<(), StageError> {
@@ -290,6 +316,7 @@ impl Wardrobe<'_> {
             worn: &worn,
             fabric: &fabric,
             place,
+            closing,
         };
         let body = (self.dancer, &self.clothed);
         let sewn = sew::sew(&cut, body, &self.stance, &settings)?;

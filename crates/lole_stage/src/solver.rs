@@ -310,7 +310,7 @@ impl Solver {
 
 /// The gusts of the design's wind where it acts on triangles: they drift with a steady wind, and to the
 /// dancer's left where the wind turns.
-fn gusts(design: &Design) -> Option<GustyWind> {
+pub(crate) fn gusts(design: &Design) -> Option<GustyWind> {
     let wind = &design.wind;
     #[expect(
         clippy::cast_possible_truncation,

@@ -118,6 +118,29 @@ fn lei_stay_around_the_neck_and_outside_the_skin() {
     }
 }
 
+/// How far the lowest of a closed lei hangs below its ties as she stands [m], and the farthest that a
+/// particle moves in a frame then [m].
+fn lei_at_rest(worn: &str) -> (f32, f32) {
+    let mut performance = on_stage(&format!(
+        "[skirt]\nworn = \"no\"\n[motion]\nstep = \"hela\"\n{worn}[[garment]]\nkind = \"lei\"\n"
+    ));
+    let before: Vec<Vec3> = performance.strand_positions().flatten().copied().collect();
+    performance.advance().expect("it stays on stage");
+    let after: Vec<Vec3> = performance.strand_positions().flatten().copied().collect();
+    let moved = before.iter().zip(&after).map(|(a, b)| a.distance(*b));
+    let heights = || after.iter().map(|place| place.y);
+    let [low, high] = [heights().fold(9.0, f32::min), heights().fold(0.0, f32::max)];
+    (high - low, moved.fold(0.0, f32::max))
+}
+
+#[test]
+fn a_lei_lies_over_a_blouse_as_it_lies_on_the_skin() {
+    let (bare, _) = lei_at_rest("");
+    let (over, moved) = lei_at_rest("[[garment]]\nkind = \"blouse\"\n");
+    assert!((over - bare).abs() < 0.03, "{over} m for {bare} m");
+    assert!(moved < 0.001, "{moved} m in a frame");
+}
+
 #[test]
 fn what_bones_carry_touches_the_body_where_it_is_worn() {
     let mut performance = on_stage(

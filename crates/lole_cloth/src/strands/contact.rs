@@ -93,12 +93,13 @@ impl Contacts {
 
     /// Pushes particles out of their planes as these are at the end of a substep: a `fraction` of the
     /// way through the step, of which the substep of `h` [s] is a `share`. What slides along is held
-    /// back by Coulomb's law, `|Δx_t| <= friction Δx_n`.
+    /// back by Coulomb's law, `|Δx_t| <= friction Δx_n`. What a particle was inside before, it leaves
+    /// without speed: `before`, from which its velocity is told, is moved with it.
     pub(super) fn push_out(
         &self,
         model: &StrandModel,
         config: &StrandConfig,
-        (positions, before): (&mut [Vec3], &[Vec3]),
+        (positions, before): (&mut [Vec3], &mut [Vec3]),
         (fraction, share, h): (f32, f32, f32),
     ) {
         for plane in &self.planes {
@@ -119,6 +120,7 @@ impl Contacts {
             let came = (-motion.dot(normal)).max(0.0);
             let push = overlap.min(came + config.depenetration_speed * h);
             *position += normal * push;
+            before[particle] += normal * (push - came).max(0.0);
             let along = motion - normal * motion.dot(normal);
             let length = along.length();
             if 0.0 < length {

@@ -147,13 +147,8 @@ fn turn_fist(skeleton: &Skeleton, arm: &Arm, facing: Vec3, pose: &mut Pose) {
 
 /// How a bone of a pose is turned in the world.
 fn turned(pose: &Pose, bone: Bone) -> Quat {
-    let mut turn = pose.rotation(bone);
-    let mut above = bone.parent();
-    while let Some(bone) = above {
-        turn = pose.rotation(bone) * turn;
-        above = bone.parent();
-    }
-    turn
+    let turns = bone.lineage().map(|bone| pose.rotation(bone));
+    turns.fold(Quat::IDENTITY, |turn, above| above * turn)
 }
 
 /// Lays the thumb over the fingers.

@@ -50,8 +50,11 @@ impl GarmentDesign {
 
     /// Whether it is a gathered rectangle, sewn in rows and columns and danced.
     #[must_use]
-    pub const fn is_danced(&self) -> bool {
-        !matches!(self, Self::Template(_))
+    pub fn is_danced(&self) -> bool {
+        match self {
+            Self::PauSkirt(_) | Self::PauTop(_) => true,
+            Self::Template(worn) => worn.template.is_gathered(&worn.options),
+        }
     }
 
     /// Whether it is worn or held beside the cloth, and seen on the dancer: see [`crate::adorn`].
@@ -117,6 +120,7 @@ impl Design {
         for garment in &self.garments {
             if let GarmentDesign::Template(worn) = garment
                 && !garment.is_dressed()
+                && !garment.is_danced()
                 && !names.contains(&worn.template.name)
                 && !garment.is_adornment()
             {

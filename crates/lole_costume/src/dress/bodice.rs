@@ -327,7 +327,7 @@ impl<'a> Bodice<'a> {
 
 /// How far cloth stands out in folds [m], at a share of its `width` [m]: `fullness` is its length over the
 /// room there is. A wave of depth `a` and length `l` is longer by `(π a / l)²`.
-fn folds(fullness: f32, width: f32, share: f32) -> f32 {
+pub(super) fn folds(fullness: f32, width: f32, share: f32) -> f32 {
     if fullness <= 1.0 {
         return 0.0;
     }

@@ -270,12 +270,6 @@ impl Tape {
 
 /// Whether a bone is an arm's.
 fn is_of_arm(bone: Bone) -> bool {
-    let mut bone = Some(bone);
-    while let Some(one) = bone {
-        if matches!(one, Bone::LeftUpperArm | Bone::RightUpperArm) {
-            return true;
-        }
-        bone = one.parent();
-    }
-    false
+    let is_upper_arm = |bone| matches!(bone, Bone::LeftUpperArm | Bone::RightUpperArm);
+    bone.lineage().any(is_upper_arm)
 }

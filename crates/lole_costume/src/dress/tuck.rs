@@ -106,12 +106,12 @@ pub(super) fn tuck(
     garment.open_triangles = garment.triangles.iter().filter(is_open).copied().collect();
     // What comes out above the band stands over it, and is not in the skirt's way.
     let center = bands.center();
-    let hangs = |corner: &u32| {
-        let place = garment.start[*corner as usize];
-        bands
-            .height(center, place)
-            .is_none_or(|edge| place.y < edge)
-    };
+    let hang = garment.start.iter().map(|&place| {
+        let edge = bands.height(center, place);
+        edge.is_none_or(|edge| place.y < edge)
+    });
+    let hang: Vec<bool> = hang.collect();
+    let hangs = |corner: &u32| hang[*corner as usize];
     (garment.hanging_triangles).retain(|corners| is_open(&corners) && corners.iter().all(hangs));
     garment.trunk_triangles.retain(|corners| is_open(&corners));
     Ok(true)

@@ -13,7 +13,7 @@ use super::pau_skirt::{
     CASING, GAP, GATHERS, HEADER, HEM, HEM_HEIGHT, UNKNOWN_WIDTH, WORN_HEIGHT, worn,
 };
 use super::{OptionRow, Options, Template};
-use crate::design::pau_skirt::{PauDraft, PauOptions, draft_pau_skirt};
+use crate::design::pau_skirt::{PauDraft, PauMeasurements, PauOptions, draft_pau_skirt};
 use crate::pattern::{Amount, Figure, Notion, NotionKind, Step};
 use crate::piece::{Finish, LineKind, Mark, Piece};
 use crate::{DraftError, GatherRatio, Measures, Pattern};
@@ -60,15 +60,18 @@ const END_HEM: f64 = 0.015;
 /// Where the ends of the rectangle stand among its edges.
 const ENDS: [usize; 2] = [1, 3];
 
-fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> {
+/// The rectangle as it is worn, gathered on its cords.
+pub(super) fn as_worn(
+    measures: &Measures,
+    options: &Options,
+) -> Result<(PauDraft, PauMeasurements), DraftError> {
     let chosen = Chosen::new(OPTIONS, options)?;
     let m = |key| Length::from_m(chosen.m(key));
     let worn = worn(measures, &chosen)?;
-    let row_count = chosen.count("cord_row_count");
     let cut = PauOptions {
         gather_ratio: GatherRatio::new(chosen.number("gather_ratio"))?,
         hem_height: m("hem_height_cm"),
-        elastic_row_count: row_count,
+        elastic_row_count: chosen.count("cord_row_count"),
         header: m("header_cm"),
         casing: m("casing_cm"),
         gap: m("casing_gap_cm"),
@@ -77,7 +80,13 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
         fabric_width: UNKNOWN_WIDTH,
         ..PauOptions::default()
     };
-    let draft = draft_pau_skirt(&worn, &cut)?;
+    Ok((draft_pau_skirt(&worn, &cut)?, worn))
+}
+
+fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> {
+    let chosen = Chosen::new(OPTIONS, options)?;
+    let row_count = chosen.count("cord_row_count");
+    let (draft, worn) = as_worn(measures, options)?;
     let mut piece = draft.pattern(TEMPLATE.name).pieces.swap_remove(0);
     for end in ENDS {
         piece.edges[end].finish = Finish::Hem;

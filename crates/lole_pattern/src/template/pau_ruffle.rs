@@ -12,7 +12,7 @@ use super::making::{cm, edges_of, gathered, pattern, plain, say, side, step, sti
 use super::pau_skirt::{GATHERS, HEM, HEM_HEIGHT, UNKNOWN_WIDTH, WORN_HEIGHT, worn};
 use super::shape::{AROUND, CM, Label, across, beside, rectangle};
 use super::{Choice, OptionRow, Options, Template};
-use crate::design::pau_skirt::{PauDraft, PauOptions, draft_pau_skirt};
+use crate::design::pau_skirt::{PauDraft, PauMeasurements, PauOptions, draft_pau_skirt};
 use crate::pattern::{Figure, NotionKind, Seam, Step};
 use crate::piece::{CutCount, Finish, LineKind, Mark, Piece};
 use crate::{DraftError, GatherRatio, Measures, Pattern};
@@ -83,15 +83,34 @@ const SEAM: f64 = 1.0 * CM;
 /// Gathers are run this far inside the stitching line, in the allowance [m].
 const GATHER_INSET: f64 = -0.3 * CM;
 
-fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> {
+/// Whether the ruffle is what stands above the elastic, so that all is one rectangle.
+pub(super) fn is_one_rectangle(options: &Options) -> bool {
+    Chosen::new(OPTIONS, options).is_ok_and(|chosen| chosen.choice("ruffle") == "header")
+}
+
+/// How deep the ruffle is [m].
+fn depth(chosen: &Chosen<'_>) -> f64 {
+    let usual_cm = usual_depth_cm(chosen.choice("ruffle"));
+    chosen.m_or("ruffle_depth_cm", usual_cm * CM)
+}
+
+/// The skirt without its ruffle, as it is worn; a deep ruffle above the elastic is part of it.
+pub(super) fn as_worn(
+    measures: &Measures,
+    options: &Options,
+) -> Result<(PauDraft, PauMeasurements), DraftError> {
     let chosen = Chosen::new(OPTIONS, options)?;
+    let worn = worn(measures, &chosen)?;
+    Ok((draft_pau_skirt(&worn, &cut(&chosen)?)?, worn))
+}
+
+fn cut(chosen: &Chosen<'_>) -> Result<PauOptions, DraftError> {
     let place = chosen.choice("ruffle");
-    let usual_depth = usual_depth_cm(place);
-    let depth = chosen.m_or("ruffle_depth_cm", usual_depth * CM);
+    let depth = depth(chosen);
     let m = |key| Length::from_m(chosen.m(key));
     let usual = PauOptions::default();
     let flounce = place == "hem";
-    let cut = PauOptions {
+    Ok(PauOptions {
         gather_ratio: GatherRatio::new(chosen.number("gather_ratio"))?,
         hem_height: m("hem_height_cm") + Length::from_m(if flounce { depth } else { 0.0 }),
         elastic_row_count: chosen.count("elastic_row_count"),
@@ -107,8 +126,15 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
         },
         fabric_width: UNKNOWN_WIDTH,
         ..usual
-    };
-    let skirt = draft_pau_skirt(&worn(measures, &chosen)?, &cut)?;
+    })
+}
+
+fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> {
+    let chosen = Chosen::new(OPTIONS, options)?;
+    let (place, depth) = (chosen.choice("ruffle"), depth(&chosen));
+    let flounce = place == "hem";
+    let cut = cut(&chosen)?;
+    let (skirt, _) = as_worn(measures, options)?;
     let base = skirt.pattern(TEMPLATE.name);
     if place == "header" {
         return Ok(base);

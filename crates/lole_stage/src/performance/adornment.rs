@@ -11,6 +11,7 @@ use lole_geom::mesh::vertex_normals;
 
 use super::FRAME_SECONDS;
 use super::order::Inner;
+use super::over_cloth::OverCloth;
 use crate::StageError;
 use crate::production::{Garment, Production};
 
@@ -29,6 +30,10 @@ pub(super) struct Adorned {
     /// Room for the body as strands meet it, and for the cloth over it.
     met: Vec<Surfel>,
     worn: Vec<Surfel>,
+    /// The garments sewn from shaped pieces, vertex by vertex, for strands that are not tied.
+    sewn: Vec<Surfel>,
+    /// The same for those that are, which lie on them.
+    over: OverCloth,
 }
 
 /// Strands of one adornment.
@@ -66,8 +71,7 @@ impl Adorned {
         });
         let mut adorned = Self {
             hanging: hanging.collect::<Result<_, _>>()?,
-            met: Vec::new(),
-            worn: Vec::new(),
+            ..Self::default()
         };
         if adorned.has_strands() {
             let skin = &production.dancer.skin;
@@ -82,8 +86,13 @@ impl Adorned {
                 dressed,
                 air_velocity: Vec3::ZERO,
             };
+            if adorned.lies_on_cloth(&around) {
+                adorned.over = OverCloth::new(&surfels, dressed);
+            }
             adorned.look(production, &around);
+            adorned.lift(production, &around);
             for _ in 0..LOWERING_FRAMES {
+                adorned.look_under_tied(&around);
                 adorned.step_by(production, &around, |config| StrandConfig {
                     drag_rate: config.drag_rate.max(LOWERING_DRAG),
                     ..config
@@ -119,11 +128,47 @@ impl Adorned {
                 cover(garment, positions, &mut self.worn);
             }
         }
+        self.sewn.clear();
         for &(triangles, positions) in around.dressed {
             let normals = vertex_normals(positions, triangles);
             let outside = positions.iter().zip(normals);
             let surfels = outside.map(|(&position, normal)| Surfel { position, normal });
-            self.worn.extend(surfels);
+            self.sewn.extend(surfels);
+        }
+        self.look_under_tied(around);
+    }
+
+    /// Looks at the cloth below strands that are tied, where they are now.
+    fn look_under_tied(&mut self, around: &AroundStrands<'_>) {
+        if self.lies_on_cloth(around) {
+            let tied = self.hanging.iter().flatten();
+            let tied = tied.filter(|hanging| hanging.is_tied());
+            let strands: Vec<Vec3> = tied
+                .flat_map(|hanging| hanging.state.positions.iter().copied())
+                .collect();
+            self.over.look(around.surfels, around.dressed, &strands);
+        }
+    }
+
+    /// Whether strands that are tied lie on garments sewn from shaped pieces.
+    fn lies_on_cloth(&self, around: &AroundStrands<'_>) -> bool {
+        !around.dressed.is_empty() && self.hanging.iter().flatten().any(Hanging::is_tied)
+    }
+
+    /// Lifts strands that lie on cloth to where they are not in it.
+    fn lift(&mut self, production: &Production, around: &AroundStrands<'_>) {
+        for (adornment, hanging) in production.adornments.iter().zip(&mut self.hanging) {
+            let (Some(hung), Some(hanging)) = (&adornment.strands, hanging) else {
+                continue;
+            };
+            let lifts = hung.tie_riders.iter().map(|rider| {
+                let place = rider.posed(around.world_from_bind)[0];
+                self.over.lift(around.surfels, place).y
+            });
+            let highest = lifts.fold(0.0, f32::max);
+            for position in &mut hanging.state.positions {
+                position.y += highest;
+            }
         }
     }
 
@@ -140,11 +185,20 @@ impl Adorned {
             };
             self.met.clear();
             self.met.extend_from_slice(around.surfels);
+            if hanging.is_tied() {
+                self.over.raise(&mut self.met);
+            }
             if hung.passes_arms {
                 production.forearms.withdraw_all(&mut self.met);
             }
             self.met.extend_from_slice(&self.worn);
-            hanging.step(hung, around, &self.met, &change(hung.config));
+            let sewn = if hanging.is_tied() {
+                self.over.far()
+            } else {
+                &self.sewn
+            };
+            self.met.extend_from_slice(sewn);
+            hanging.step((hung, &self.over), around, &self.met, &change(hung.config));
         }
     }
 
@@ -204,9 +258,14 @@ impl Hanging {
         })
     }
 
+    /// Whether it is held where it lies on the body.
+    const fn is_tied(&self) -> bool {
+        self.model.is_tied()
+    }
+
     fn step(
         &mut self,
-        hung: &HangingStrands,
+        (hung, over): (&HangingStrands, &OverCloth),
         around: &AroundStrands<'_>,
         met: &[Surfel],
         config: &StrandConfig,
@@ -221,6 +280,9 @@ impl Hanging {
                     .iter()
                     .map(|rider| rider.posed(around.world_from_bind)[0]),
             );
+        }
+        for place in &mut self.ties {
+            *place += over.lift(around.surfels, *place);
         }
         let input = StrandInput {
             pins: &self.pins,

@@ -56,11 +56,11 @@ impl Dressed {
     }
 
     /// Moves it on by a frame over what is worn inside of it: triangles and where they are.
-    pub(super) fn step<'a>(
+    pub(super) fn step(
         &mut self,
         garment: &DressedGarment,
         around: &Around<'_>,
-        inside: &[(&'a [[u32; 3]], &'a [Vec3])],
+        inside: &[order::Inner<'_>],
     ) {
         self.surfels.clear();
         self.surfels.extend_from_slice(around.skin);

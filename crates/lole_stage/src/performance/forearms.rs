@@ -124,14 +124,8 @@ fn away_from(capsules: &[Capsule], point: Vec3) -> Vec3 {
 
 /// The forearm that carries a bone, if one does.
 fn forearm_of(bone: Bone) -> Option<Bone> {
-    let mut bone = Some(bone);
-    while let Some(one) = bone {
-        if matches!(one, Bone::LeftLowerArm | Bone::RightLowerArm) {
-            return Some(one);
-        }
-        bone = one.parent();
-    }
-    None
+    let is_forearm = |bone: &Bone| matches!(bone, Bone::LeftLowerArm | Bone::RightLowerArm);
+    bone.lineage().find(is_forearm)
 }
 
 #[expect(

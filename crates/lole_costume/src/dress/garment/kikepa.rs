@@ -4,7 +4,7 @@
 use glam::{DVec2, Vec3};
 
 use super::{Way, Worn};
-use crate::dress::bodice::narrow;
+use crate::dress::bodice::{folds, narrow};
 use crate::dress::form::Face;
 use crate::dress::wrap::{Cloth, Wrap, along};
 
@@ -19,8 +19,9 @@ pub(super) const WORN: Worn = Worn {
     particle_count: 4000.0,
 };
 
-/// The wrapped part is this many turns, as the template's instructions say; the rest is for the knot.
-const TURNS: f64 = 1.5;
+/// The wrapped part is this many turns at most, as the template's instructions say, and this many at
+/// least: the rest is for the way over the shoulder and the knot.
+const TURNS: [f64; 2] = [1.15, 1.5];
 /// The upper edge lies this far below the armpits [m].
 const BELOW_ARMPIT: f32 = 0.012;
 /// Gap to the skin, and what each turn adds [m].
@@ -30,41 +31,73 @@ const TURN_GAP: f32 = 0.008;
 const DRAWN: f32 = 0.28;
 /// Length of the corner that the knot takes [m].
 const KNOT: f64 = 0.06;
+/// Cloth left for the way over the shoulder, over its length.
+const SLACK: f32 = 1.06;
 /// Cloth that is drawn up lies over the skin by this [m].
 const OVER_SKIN: f32 = 0.016;
-/// Share of its length that the front end goes on around her; the rest of it is bunched.
+/// Share of its length that the front end goes on around her; the rest of it lies in folds.
 const GOES_ON: f32 = 0.4;
 
-/// Length that is wrapped [m]: the template adds what is asked for the knot.
-fn wrapped(cloth: &Cloth<'_>) -> f64 {
-    (TURNS * cloth.widest()).min(cloth.size.x - KNOT)
+/// How she has wrapped it.
+struct Wrapped {
+    /// Length that is wrapped [m]: she leaves what the way over the shoulder takes.
+    end: f64,
+    /// Girth that it is wrapped around [m].
+    girth: f64,
+    /// From the middle of the front over the left shoulder to the upper edge at the back [m].
+    way: [Vec3; 7],
+}
+
+impl Wrapped {
+    fn new(cloth: &Cloth<'_>) -> Option<Self> {
+        let girth = cloth.widest();
+        let top = cloth.armpit() - BELOW_ARMPIT;
+        let way = over_shoulder(cloth, cloth.around(top, 0.5, gap_of(0.5))?)?;
+        let left = cloth.size.x - KNOT - f64::from(SLACK * length(&way));
+        let [least, most] = TURNS.map(|turns| turns * girth);
+        Some(Self {
+            end: left.clamp(least, most).min(cloth.size.x - KNOT),
+            girth,
+            way,
+        })
+    }
+
+    /// Turns around her, from the middle of the back over her left.
+    fn turn_of(&self, x: f64) -> f32 {
+        0.5 + narrow((self.end - x) / self.girth)
+    }
+}
+
+fn length(way: &[Vec3]) -> f32 {
+    way.windows(2).map(|pair| pair[0].distance(pair[1])).sum()
+}
+
+fn gap_of(turn: f32) -> f32 {
+    GAP + TURN_GAP * (2.0 - turn)
 }
 
 /// What is tucked in: the upper edge, and the corner in the knot.
 fn is_pinned(cloth: &Cloth<'_>, point: DVec2, spacing: f64) -> bool {
     let is_top = cloth.size.y - 0.5 * spacing < point.y;
-    is_top && (point.x <= wrapped(cloth) || cloth.size.x - KNOT <= point.x)
+    let end = Wrapped::new(cloth).map_or(cloth.size.x, |wrapped| wrapped.end);
+    is_top && (point.x <= end || cloth.size.x - KNOT <= point.x)
 }
 
 fn place(cloth: &Cloth<'_>, point: DVec2) -> Option<Vec3> {
     let top = cloth.armpit() - BELOW_ARMPIT;
     let depth = narrow(cloth.size.y - point.y);
-    let end = wrapped(cloth);
-    let turn_of = |x: f64| 2.0 - narrow(x / end * TURNS);
-    let gap_of = |turn: f32| GAP + TURN_GAP * (2.0 - turn);
-    let hanging = |turn: f32, below: f32| cloth.around(top - below, turn, gap_of(turn));
-    if point.x <= end {
-        return hanging(turn_of(point.x), depth);
+    let wrapped = Wrapped::new(cloth)?;
+    if point.x <= wrapped.end {
+        let turn = wrapped.turn_of(point.x);
+        return cloth.around(top - depth, turn, gap_of(turn));
     }
-    let beyond = narrow(point.x - end);
-    let tie = narrow(cloth.size.x - end);
+    let beyond = narrow(point.x - wrapped.end);
+    let tie = narrow(cloth.size.x - wrapped.end);
     let drawn = (1.0 - depth / DRAWN).max(0.0);
-    let girth = narrow(cloth.widest());
-    let goes_on = 0.5 - GOES_ON * (1.0 - drawn) * beyond / girth;
-    let base = hanging(goes_on, depth)?;
-    let start = hanging(0.5, 0.0)?;
-    let way = over_shoulder(cloth, start)?;
-    let up = along(&way, drawn * beyond / tie) - start;
+    let goes_on = 0.5 - GOES_ON * (1.0 - drawn) * beyond / narrow(wrapped.girth);
+    let fold = (1.0 - drawn) * folds(1.0 / GOES_ON, tie, beyond / tie);
+    let base = cloth.around(top - depth, goes_on, gap_of(goes_on) + fold)?;
+    let up = along(&wrapped.way, drawn * beyond / tie) - wrapped.way[0];
     Some(base + up)
 }
 

@@ -28,6 +28,8 @@ const BETWEEN_LEGS: f32 = 0.32;
 const GAP: f32 = 0.006;
 const LAYER: f32 = 0.005;
 const FLAP: f32 = 0.028;
+/// A flap goes over the upper edge of the band this far above it [m].
+const OVER_EDGE: f32 = 0.010;
 /// Cloth of a flap nearer to the band than this is still held by it [m].
 const HELD: f64 = 0.09;
 
@@ -54,8 +56,8 @@ fn place(cloth: &Cloth<'_>, point: DVec2) -> Option<Vec3> {
     }
     if point.x < crotch {
         let share = narrow((point.x - front) / (crotch - front));
-        let way = between_legs(cloth, waist)?;
-        return Some(along(&way, share) + Vec3::X * (-across * BETWEEN_LEGS));
+        let way = between_legs(cloth, waist, -across * BETWEEN_LEGS)?;
+        return Some(along(&way, share));
     }
     if point.x < back {
         let turned = narrow((point.x - crotch) / (back - crotch) * TURNS);
@@ -72,7 +74,7 @@ fn hanging(cloth: &Cloth<'_>, face: Face, waist: f32, [down, across]: [f32; 2]) 
     // It spreads below the band.
     let below = down - narrow(HELD);
     let spread = BAND + (1.0 - BAND) * (below / 0.12).clamp(0.0, 1.0);
-    let waist = waist + 0.5 * BAND * narrow(cloth.size.y);
+    let waist = waist + 0.5 * BAND * narrow(cloth.size.y) + OVER_EDGE;
     let (top, _) = cloth.form.on_trunk(waist, face, 0.0)?;
     let lowest = (waist - down).max(0.15);
     // No nearer to the axis than anything above.
@@ -93,8 +95,15 @@ fn hanging(cloth: &Cloth<'_>, face: Face, waist: f32, [down, across]: [f32; 2]) 
     Some(Vec3::new(across * spread, waist - down, depth + out))
 }
 
-/// Down the front, between the legs and up the back, in the middle of the trunk.
-fn between_legs(cloth: &Cloth<'_>, waist: f32) -> Option<Vec<Vec3>> {
+/// Down the front, between the legs and up the back, so far to her left of the middle [m].
+fn between_legs(cloth: &Cloth<'_>, waist: f32, aside: f32) -> Option<Vec<Vec3>> {
+    // On the trunk it lies around it, below the band; between the legs it is flat.
+    let on = |height: f32, face: Face| {
+        let quarter = 0.25 * cloth.form.girth(height);
+        let share = aside / quarter.max(0.05);
+        let (place, outward) = cloth.form.on_trunk(height, face, share)?;
+        Some(place + outward * GAP)
+    };
     let crotch = cloth.form.dancer.landmarks.crotch_height;
     let mut way = Vec::new();
     let steps = 10_u8;
@@ -103,19 +112,17 @@ fn between_legs(cloth: &Cloth<'_>, waist: f32) -> Option<Vec<Vec3>> {
         waist + (crotch + 0.05 - waist) * share
     });
     // The flap in front comes over the upper edge of the band.
-    let edge = waist + 0.5 * BAND * narrow(cloth.size.y);
+    let edge = waist + 0.5 * BAND * narrow(cloth.size.y) + OVER_EDGE;
     for height in std::iter::once(edge).chain(heights.clone()) {
-        let (place, outward) = cloth.form.on_trunk(height, Face::Front, 0.0)?;
-        way.push(place + outward * GAP);
+        way.push(on(height, Face::Front)?);
     }
     let middle = way.last().map_or(0.0, |place| place.z);
     let mut back = Vec::new();
     for height in heights {
-        let (place, outward) = cloth.form.on_trunk(height, Face::Back, 0.0)?;
-        back.push(place + outward * GAP);
+        back.push(on(height, Face::Back)?);
     }
     let behind = back.last().map_or(0.0, |place| place.z);
-    way.push(Vec3::new(0.0, crotch - GAP, 0.5 * (middle + behind)));
+    way.push(Vec3::new(aside, crotch - GAP, 0.5 * (middle + behind)));
     way.extend(back.into_iter().rev());
     Some(way)
 }
