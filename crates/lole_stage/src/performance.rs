@@ -543,17 +543,26 @@ impl Performance {
         order::inversions(&self.production.garments, &self.cloth_positions)
     }
 
-    /// Mean height above the floor [m] of the skirt's hem, or of the ends of one of strands; without
-    /// either that of the lowest cloth, and 0 where there is none.
+    /// Mean height above the floor [m] of the skirt's hem, of the lowest hem where another skirt is
+    /// worn, or of the ends of strands; without any that of the lowest cloth, and 0 where there is none.
     pub(crate) fn hem_height(&self) -> f32 {
-        let Some(skirt) = self.production.skirt() else {
-            let dressed = self.dressed.iter().flat_map(Dressed::positions);
-            let lowest = dressed.map(|place| place.y).min_by(f32::total_cmp);
-            let strands = self.adorned.hem_height(&self.production);
-            return strands.or(lowest).unwrap_or(0.0);
-        };
-        let positions = self.garment_positions(skirt);
-        let columns = skirt.sewn.spec.grid.column_count as usize;
+        if let Some(skirt) = self.production.skirt() {
+            return self.hem_height_of(skirt);
+        }
+        let lowest = |heights: &mut dyn Iterator<Item = f32>| heights.min_by(f32::total_cmp);
+        let mut hems = (self.production.garments.iter()).map(|garment| self.hem_height_of(garment));
+        let mut dressed = (self.dressed.iter())
+            .flat_map(Dressed::positions)
+            .map(|it| it.y);
+        let strands = self.adorned.hem_height(&self.production);
+        let hem = lowest(&mut hems).or(strands);
+        hem.or_else(|| lowest(&mut dressed)).unwrap_or(0.0)
+    }
+
+    /// Mean height above the floor [m] of a garment's last row.
+    fn hem_height_of(&self, garment: &Garment) -> f32 {
+        let positions = self.garment_positions(garment);
+        let columns = garment.sewn.spec.grid.column_count as usize;
         let hem = &positions[positions.len() - columns..];
         hem.iter().map(|p| p.y).sum::<f32>() / columns as f32
     }
