@@ -1,14 +1,14 @@
 //! `lole order`, `lole cost`, `lole booklet` and `lole form`: costumes for one dancer or a group, on
 //! paper.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use lole_body::{Dancer, Measurements};
 use lole_costume::cost;
 use lole_costume::document::{self, Design, Place};
 use lole_costume::order::{self, DancerPlan, Group, PrintTotal, Settings};
-use lole_costume::roster::{self, Roster};
+use lole_costume::roster::{self, Roster, RosterError};
 use lole_export::booklet::{Booklet, bill_remarks, booklet_sheets};
 use lole_export::form::form_sheet;
 use lole_export::order::{OrderParts, bill_json, order_folder};
@@ -51,11 +51,13 @@ pub(crate) fn run_order(args: &OrderArgs, language: Language) -> Result<(), Fail
     let mut output = OutputFolder::create(&args.out).map_err(Failure::Usage)?;
     let group = cut(&list, &source.design);
     if group.plans.is_empty() {
-        let sentence =
-            group.problems.first().cloned().unwrap_or_else(|| {
-                Sentence::new("名簿に踊り手がいません", "the list has no dancers")
-            });
-        return Err(Failure::error(sentence));
+        let sentence = group.problems.first().cloned().unwrap_or_else(|| {
+            Sentence::new(
+                "名簿に踊り手がいません。見出しの下に一人一行で書いてください",
+                "the list has no dancers; write one a line below the heads",
+            )
+        });
+        return Err(Failure::usage(of_file(&args.roster, &sentence)));
     }
     let count = u32::try_from(group.plans.len()).unwrap_or(u32::MAX);
     let bar = progress_bar(count, language.pick("着せる", "dressing"));
@@ -83,9 +85,10 @@ pub(crate) fn run_order(args: &OrderArgs, language: Language) -> Result<(), Fail
     if args.json {
         summary::print_json(&folder.json);
     } else {
-        let mut lines = prints_lines(&folder.prints, group.plans.len());
-        lines.extend(list.notes.iter().cloned());
-        summary::print_pattern(&paths, &lines, &[], language);
+        let lines = prints_lines(&folder.prints, group.plans.len());
+        let mut notes = group.notes.clone();
+        notes.extend(group.warnings());
+        summary::print_pattern(&shown(&paths), &lines, &notes, language);
     }
     verdict(&group.problems, language)
 }
@@ -102,36 +105,63 @@ fn cut(list: &Roster, design: &Design) -> Group {
     group
 }
 
+/// The files to tell of: of many patterns the first alone.
+fn shown(paths: &[PathBuf]) -> Vec<PathBuf> {
+    let is_pattern = |path: &&PathBuf| {
+        let name = path.file_name().map(|name| name.to_string_lossy());
+        name.is_some_and(|name| name.starts_with("pattern-"))
+    };
+    let first = paths.iter().find(is_pattern);
+    let others = paths.iter().filter(|path| !is_pattern(path));
+    others.chain(first).cloned().collect()
+}
+
+/// A sentence about a file.
+fn of_file(path: &Path, sentence: &Sentence) -> Sentence {
+    let name = path.display();
+    Sentence::new(
+        format!("{name}: {}", sentence.japanese()),
+        format!("{name}: {sentence}"),
+    )
+}
+
 /// Done, or a failure that names the rows that were left out.
 fn verdict(problems: &[Sentence], language: Language) -> Result<(), Failure> {
     if problems.is_empty() {
         return Ok(());
     }
-    let texts: Vec<String> = (problems.iter())
-        .map(|problem| problem.text(language))
-        .collect();
-    let count = texts.len();
-    let list = texts.join(" / ");
+    summary::print_problems(problems, language);
+    let count = problems.len();
     Err(Failure::error(Sentence::new(
-        format!("ほかの人の分は書き出しました。使えない行が {count} 件あります: {list}"),
-        format!("everybody else's files are written; {count} rows cannot be used: {list}"),
+        format!("ほかの人の分は書き出しました。使えない行が {count} 件あります（上に書きました）"),
+        format!("everybody else's files are written; {count} rows cannot be used, as told above"),
     )))
 }
 
 fn read_roster(path: &Path) -> Result<Roster, Failure> {
-    let name = path.display();
-    let bytes = std::fs::read(path).map_err(|_| {
-        Failure::usage(Sentence::new(
-            format!("{name}: ファイルが読めません。場所と名前を確かめてください"),
-            format!("{name}: the file cannot be read; check the path"),
-        ))
-    })?;
-    roster::read(&bytes).map_err(|error| {
-        Failure::usage(Sentence::new(
-            format!("{name}: {}", error.japanese()),
-            format!("{name}: {error}"),
-        ))
+    roster::read(&read_list(path)?).map_err(|error| no_list(path, &error))
+}
+
+/// The bytes of a list of dancers.
+fn read_list(path: &Path) -> Result<Vec<u8>, Failure> {
+    std::fs::read(path).map_err(|_| {
+        let sentence = if path.is_dir() {
+            Sentence::new(
+                "フォルダーです。名簿のファイルを書いてください",
+                "this is a folder; name the file of the list",
+            )
+        } else {
+            Sentence::new(
+                "ファイルが読めません。場所と名前を確かめてください",
+                "the file cannot be read; check the path",
+            )
+        };
+        Failure::usage(of_file(path, &sentence))
     })
+}
+
+fn no_list(path: &Path, error: &RosterError) -> Failure {
+    Failure::usage(of_file(path, &Sentence::of(error)))
 }
 
 /// What to buy of each print, in a line.
@@ -224,8 +254,10 @@ pub(crate) fn run_form(args: &FormArgs, language: Language) -> Result<(), Failur
     let paper: Paper = args.paper.paper();
     let sheets = match &args.roster {
         None => vec![form_sheet(None, paper, pages)],
-        Some(path) => (read_roster(path)?.dancers.iter())
-            .map(|dancer| form_sheet(Some(&dancer.name), paper, pages))
+        // Names are enough: what is missing is what the form asks for.
+        Some(path) => (roster::names(&read_list(path)?).map_err(|error| no_list(path, &error))?)
+            .iter()
+            .map(|name| form_sheet(Some(name), paper, pages))
             .collect(),
     };
     let title = pages.pick("採寸表", "Measurement form");
@@ -262,6 +294,15 @@ fn write_file(
             "--out needs the name of a file, such as booklet.pdf",
         ))
     })?;
+    if path.is_dir() {
+        return Err(Failure::usage(of_file(
+            path,
+            &Sentence::new(
+                "フォルダーです。--out にはファイルの名前を書いてください（例: booklet.pdf）",
+                "this is a folder; --out needs the name of a file, such as booklet.pdf",
+            ),
+        )));
+    }
     // Nothing opens a file whose name does not say what it is.
     let name = match Path::new(&name).extension() {
         Some(_) => name,

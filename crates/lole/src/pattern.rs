@@ -109,6 +109,7 @@ fn plan(garment: GarmentPattern, print: PrintImage, args: &PatternArgs) -> CutGa
         plans: garment.cloth_plans(lay, repeat),
         garment,
         print: Some(Arc::new(print)),
+        owner: String::new(),
     }
 }
 
@@ -195,16 +196,15 @@ fn purchases(cut: &CutGarment) -> Vec<Sentence> {
 
 /// What the maker should decide before cutting.
 fn warnings(cut: &CutGarment) -> Vec<Sentence> {
-    let drafted = cut.garment.pattern.warnings.iter().cloned();
-    let laid = cut.plans.iter().flat_map(|plan| &plan.marker.warnings);
     let name = cut.garment.name;
+    let drafted = cut.garment.pattern.warnings.iter().map(|sentence| {
+        Sentence::new(
+            format!("{}: {}", name.japanese, sentence.japanese()),
+            format!("{}: {sentence}", name.english),
+        )
+    });
+    let laid = cut.plans.iter().flat_map(|plan| &plan.marker.warnings);
     drafted
-        .chain(laid.map(Sentence::of))
-        .map(|sentence| {
-            Sentence::new(
-                format!("{}: {}", name.japanese, sentence.japanese()),
-                format!("{}: {sentence}", name.english),
-            )
-        })
+        .chain(laid.map(|warning| warning.of_garment(name)))
         .collect()
 }

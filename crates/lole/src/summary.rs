@@ -299,6 +299,13 @@ fn has_end(path: &Path, end: &str) -> bool {
     path.extension().is_some_and(|found| found == end)
 }
 
+/// Says what is wrong with rows of a list, one a line.
+pub(crate) fn print_problems(problems: &[Sentence], language: Language) {
+    for problem in problems {
+        eprintln!("  ! {}", problem.text(language));
+    }
+}
+
 /// Says what went wrong, in one sentence, and gives the exit code.
 pub(crate) fn explain(failure: &Failure, language: Language) -> ExitCode {
     match failure {

@@ -4,7 +4,7 @@ use lole_body::{BodyError, Dancer, Measure, Measurements};
 use lole_geom::Length;
 use lole_language::{Bilingual, Sentence, Words};
 use lole_pattern::Yardage;
-use lole_pattern::marker::Lay;
+use lole_pattern::marker::{Lay, MarkerWarning};
 use lole_pattern::pattern::{Amount, NotionKind};
 use lole_pattern::piece::ClothRole;
 
@@ -186,8 +186,12 @@ pub struct Group {
     pub plans: Vec<DancerPlan>,
     /// What each of them wears, to her measures.
     pub designs: Vec<Design>,
-    /// Rows that cannot be used, with line and column.
+    /// Rows that cannot be used, with line and column, in the order of the list.
     pub problems: Vec<Sentence>,
+    /// The line of each.
+    problem_lines: Vec<u32>,
+    /// What was not read, or read otherwise than it is written.
+    pub notes: Vec<Sentence>,
 }
 
 impl Group {
@@ -198,6 +202,8 @@ impl Group {
             plans: Vec::new(),
             designs: Vec::new(),
             problems: list.problems.iter().map(RowProblem::sentence).collect(),
+            problem_lines: list.problems.iter().map(|problem| problem.line).collect(),
+            notes: list.notes.clone(),
         }
     }
 
@@ -222,9 +228,56 @@ impl Group {
                         format!("{}: {error}", dancer.name),
                     ),
                 };
-                self.problems.push(problem.sentence());
+                let lines = &mut self.problem_lines;
+                let place = lines.partition_point(|&line| line <= dancer.line);
+                lines.insert(place, dancer.line);
+                self.problems.insert(place, problem.sentence());
             }
         }
+    }
+}
+
+impl Group {
+    /// What should be decided before cutting: pieces that are wider than their cloth, each with those
+    /// whom it concerns and by its widest.
+    #[must_use]
+    pub fn warnings(&self) -> Vec<Sentence> {
+        let mut wide: Vec<(Words, Words, f64, MarkerWarning, Vec<&str>)> = Vec::new();
+        for plan in &self.plans {
+            for garment in &plan.garments {
+                let laid = garment.plans.iter().flat_map(|laid| &laid.marker.warnings);
+                for warning in laid {
+                    let (piece, size) = warning.piece();
+                    let own = (garment.tailored.name, piece);
+                    match wide.iter_mut().find(|known| (known.0, known.1) == own) {
+                        Some((_, _, most, widest, names)) => {
+                            names.push(&plan.name);
+                            if *most < size {
+                                (*most, *widest) = (size, *warning);
+                            }
+                        }
+                        None => wide.push((own.0, own.1, size, *warning, vec![&plan.name])),
+                    }
+                }
+            }
+        }
+        let warnings = wide.iter().map(|(garment, _, _, widest, names)| {
+            let (first, others) = (names[0], names.len() - 1);
+            let widest = widest.of_garment(*garment);
+            let japanese = match others {
+                0 => format!("{first}: {}", widest.japanese()),
+                _ => format!(
+                    "{first} ほか {others} 人: {}（いちばん大きい人）",
+                    widest.japanese()
+                ),
+            };
+            let english = match others {
+                0 => format!("{first}: {widest}"),
+                _ => format!("{first} and {others} more: {widest} (of the widest)"),
+            };
+            Sentence::new(japanese, english)
+        });
+        warnings.collect()
     }
 }
 

@@ -233,6 +233,55 @@ fn follow_stature(design: &mut Design, ratio: f64) {
     }
 }
 
+/// The names of a list whose measurements are still to be taken, in its order.
+///
+/// # Errors
+/// A file that is no list, or that has no column of names; see [`RosterError`].
+pub fn names(bytes: &[u8]) -> Result<Vec<String>, RosterError> {
+    let text = cells::decode(bytes)?;
+    let records = cells::records(&text, Separator::of(&text))?;
+    let mut rows = records.into_iter().filter(|row| !row.is_blank());
+    let head = rows.next().ok_or(RosterError::Empty)?;
+    let (columns, _) = columns::read(&head, &[Meaning::Name])?;
+    let is_name = |column: &&Column| column.meaning == Meaning::Name;
+    let place = columns
+        .iter()
+        .find(is_name)
+        .map_or(0, |column| column.index);
+    let names = rows.map(|row| {
+        let words: Vec<&str> = row.cell(place).split_whitespace().collect();
+        words.join(" ").chars().take(MOST_LETTERS).collect()
+    });
+    let names: Vec<String> = names.filter(|name: &String| !name.is_empty()).collect();
+    if MOST_DANCERS < names.len() {
+        return Err(RosterError::TooMany { count: names.len() });
+    }
+    Ok(names)
+}
+
+/// Rows with more cells than the heads name: nobody knows what those are.
+fn surplus(head: &Record, rows: &[Record]) -> Option<Sentence> {
+    let is_long = |row: &&Record| {
+        (head.cells.len()..row.cells.len()).any(|index| !row.cell(index).is_empty())
+    };
+    let lines: Vec<String> = (rows.iter())
+        .filter(is_long)
+        .map(|row| row.line.to_string())
+        .collect();
+    (!lines.is_empty()).then(|| {
+        Sentence::new(
+            format!(
+                "{} 行目: 見出しより右にある欄は読みませんでした。列がずれていないか確かめてください",
+                lines.join("、")
+            ),
+            format!(
+                "line {}: cells to the right of the heads were not read; see that no column has moved",
+                lines.join(", ")
+            ),
+        )
+    })
+}
+
 /// Reads a list of dancers.
 ///
 /// # Errors
@@ -248,7 +297,8 @@ pub fn read(bytes: &[u8]) -> Result<Roster, RosterError> {
     if MOST_DANCERS < rows.len() {
         return Err(RosterError::TooMany { count: rows.len() });
     }
-    let (mut columns, mut notes) = columns::read(&head)?;
+    let (mut columns, mut notes) = columns::read(&head, &columns::NEEDED)?;
+    notes.extend(surplus(&head, &rows));
     notes.extend(settle_units(&mut columns, &rows, separator));
     let mut roster = Roster {
         dancers: Vec::new(),

@@ -336,6 +336,7 @@ fn cut_plans(
         garment: garment.tailored.clone(),
         plans: garment.plans.clone(),
         print: print.cloned(),
+        owner: String::new(),
     };
     for plan in &garment.plans {
         let height = plan_height(plan, flow.width());

@@ -44,6 +44,20 @@ pub struct CutGarment {
     pub plans: Vec<ClothPlan>,
     /// What is printed on its own cloth, to be shown on the cut plan.
     pub print: Option<Arc<PrintImage>>,
+    /// Whose it is, written on every sheet of its pattern; empty where it is one dancer's alone.
+    pub owner: String,
+}
+
+impl CutGarment {
+    /// The garment's name, and whose it is.
+    fn title(&self, language: Language) -> String {
+        let name = self.garment.name.text(language);
+        match (self.owner.as_str(), language) {
+            ("", _) => name.to_owned(),
+            (owner, Language::Japanese) => format!("{owner}　{name}"),
+            (owner, Language::English) => format!("{owner}, {name}"),
+        }
+    }
 }
 
 /// Lines of full-size patterns stay this close to their curves [m]: half the width of a fine pencil.

@@ -38,6 +38,8 @@ pub struct Order<'a> {
     pub total: &'a Bill,
     /// Rows of the list that could not be used.
     pub problems: &'a [Sentence],
+    /// What was not read of the list, and what should be decided before cutting.
+    pub notes: &'a [Sentence],
     /// Spare cloth and bolts.
     pub settings: &'a Settings,
 }
@@ -64,6 +66,9 @@ fn summary(flow: &mut Flow, order: &Order<'_>, language: Language) {
         Language::English => format!("{count} dancers. Every hem is {hem:.0} cm above the floor."),
     };
     flow.paragraph(&about, &TextStyle::regular(14.0));
+    for note in order.notes {
+        flow.paragraph(&note.text(language), &TextStyle::regular(12.0));
+    }
     for problem in order.problems {
         flow.paragraph(
             &format!("! {}", problem.text(language)),
@@ -341,21 +346,49 @@ fn label_lines(plan: &DancerPlan, language: Language) -> Vec<String> {
     }];
     for garment in &plan.garments {
         lines.push(garment.tailored.name.text(language).to_owned());
-        let cuts = cut_words(garment, language);
-        let cut = language.pick("裁つ", "cut");
-        let patterns = language.pick("型紙", "pattern");
-        lines.extend(cuts.lines().map(|line| {
-            let unit = if line == patterns { "" } else { " cm" };
-            format!("  {cut} {line}{unit}")
+        lines.extend(label_cuts(garment, language));
+        let elastics = garment.elastics();
+        lines.extend(elastics.iter().map(|(length, count)| {
+            let cm = length.to_cm();
+            match language {
+                Language::Japanese => format!("  ゴム {cm:.1} cm を {count} 本"),
+                Language::English => format!("  elastic {count} × {cm:.1} cm"),
+            }
         }));
-        let elastics = elastic_words(garment, language);
-        let elastic = language.pick("ゴム", "elastic");
-        lines.extend(
-            elastics
-                .lines()
-                .map(|line| format!("  {elastic} {line} cm")),
+    }
+    lines
+}
+
+/// What a garment is cut by: its paper pattern, and its rectangles, with their names where there are
+/// several.
+fn label_cuts(garment: &PlannedGarment, language: Language) -> Vec<String> {
+    let rectangles = garment.rectangles();
+    let mut lines = Vec::new();
+    if rectangles.len() < garment.tailored.pattern.pieces.len() {
+        lines.push(
+            language
+                .pick("  型紙で裁つ", "  cut by the pattern")
+                .to_owned(),
         );
     }
+    let is_alone = garment.tailored.pattern.pieces.len() == 1;
+    lines.extend(rectangles.iter().map(|(name, [along, across], count)| {
+        let name = if is_alone {
+            language.pick("裁つ", "cut")
+        } else {
+            name.text(language)
+        };
+        let often = match (count, language) {
+            (1, _) => String::new(),
+            (_, Language::Japanese) => format!(" を {count} 枚"),
+            (_, Language::English) => format!(", {count} times"),
+        };
+        format!(
+            "  {name} {:.1} × {:.1} cm{often}",
+            along.to_cm(),
+            across.to_cm()
+        )
+    }));
     lines
 }
 

@@ -71,6 +71,7 @@ fn group_pages(language: Language) -> Vec<Sheet> {
         bills: &bills,
         total: &cost::sum(&bills, &design.cost),
         problems: &problems,
+        notes: &[],
         settings: &settings,
     };
     let json = order_json(&order, "test").unwrap_or_else(|error| panic!("{error}"));

@@ -43,6 +43,7 @@ fn cut(pattern: Pattern) -> CutGarment {
         plans: garment.cloth_plans(Lay::Single, None),
         garment,
         print: None,
+        owner: String::new(),
     }
 }
 

@@ -17,7 +17,7 @@ mod slide;
 
 use kurbo::Affine;
 use lole_geom::Length;
-use lole_language::{Bilingual, Words};
+use lole_language::{Bilingual, Sentence, Words};
 
 use crate::piece::ClothRole;
 use crate::polygon::Polygon;
@@ -137,6 +137,34 @@ pub enum MarkerWarning {
         /// Width of the cloth [cm].
         width_cm: f64,
     },
+}
+
+impl MarkerWarning {
+    /// The piece that it is about, and its size across the cloth [cm].
+    #[must_use]
+    pub const fn piece(&self) -> (Words, f64) {
+        match self {
+            Self::WiderThanCloth {
+                name, across_cm, ..
+            }
+            | Self::BorderTooNarrow {
+                name, across_cm, ..
+            } => (*name, *across_cm),
+        }
+    }
+
+    /// The sentence with the garment's name before the piece's, unless they are the same.
+    #[must_use]
+    pub fn of_garment(&self, garment: Words) -> Sentence {
+        let (piece, _) = self.piece();
+        if piece.english == garment.english {
+            return Sentence::of(self);
+        }
+        Sentence::new(
+            format!("{}: {}", garment.japanese, self.japanese()),
+            format!("{}: {self}", garment.english),
+        )
+    }
 }
 
 /// What to do first about a piece that is too wide.

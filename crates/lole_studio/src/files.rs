@@ -249,7 +249,7 @@ pub(crate) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Sentence> {
 ///
 /// # Errors
 /// One sentence that names the file.
-pub(crate) fn write_folder(folder: &Path, files: &[(&str, Vec<u8>)]) -> Result<(), Sentence> {
+pub(crate) fn write_folder(folder: &Path, files: &[(String, Vec<u8>)]) -> Result<(), Sentence> {
     let is_new = !folder.exists();
     let name = folder.display();
     fs::create_dir_all(folder).map_err(|_| {

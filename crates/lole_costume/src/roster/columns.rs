@@ -168,10 +168,13 @@ const HEADS: &[(Meaning, &[&str])] = &[
 ];
 
 /// Without these nothing can be sized or told apart.
-const NEEDED: [Meaning; 2] = [Meaning::Name, Meaning::Measure(Measure::Hip)];
+pub(super) const NEEDED: [Meaning; 2] = [Meaning::Name, Meaning::Measure(Measure::Hip)];
 
 /// The columns of a row of heads, and notes on those that are not read.
-pub(super) fn read(head: &Record) -> Result<(Vec<Column>, Vec<Sentence>), RosterError> {
+pub(super) fn read(
+    head: &Record,
+    needed: &[Meaning],
+) -> Result<(Vec<Column>, Vec<Sentence>), RosterError> {
     let mut columns: Vec<Column> = Vec::new();
     let mut unknown = Vec::new();
     for index in 0..head.cells.len() {
@@ -179,11 +182,7 @@ pub(super) fn read(head: &Record) -> Result<(Vec<Column>, Vec<Sentence>), Roster
         if written.is_empty() {
             continue;
         }
-        let (name, unit) = name_and_unit(written);
-        let row = HEADS
-            .iter()
-            .find(|(_, names)| names.contains(&name.as_str()));
-        let Some(&(meaning, _)) = row else {
+        let Some((meaning, unit)) = meaning_of(written) else {
             unknown.push(written.to_owned());
             continue;
         };
@@ -203,7 +202,7 @@ pub(super) fn read(head: &Record) -> Result<(Vec<Column>, Vec<Sentence>), Roster
         });
     }
     let has = |meaning: Meaning| columns.iter().any(|column| column.meaning == meaning);
-    if let Some(missing) = NEEDED.into_iter().find(|&meaning| !has(meaning)) {
+    if let Some(missing) = needed.iter().copied().find(|&meaning| !has(meaning)) {
         return Err(RosterError::MissingColumn {
             line: head.line,
             column: missing.words(),
@@ -220,6 +219,20 @@ fn notes(unknown: &[String]) -> Vec<Sentence> {
         format!("次の列は読みませんでした: {}", unknown.join("、")),
         format!("These columns were not read: {}", unknown.join(", ")),
     )]
+}
+
+/// What a head says, and the unit of its numbers: `ヒップ cm` and `ヒップcm` alike.
+fn meaning_of(head: &str) -> Option<(Meaning, Option<Unit>)> {
+    let meaning_of = |name: &str| {
+        let row = HEADS.iter().find(|(_, names)| names.contains(&name));
+        row.map(|&(meaning, _)| meaning)
+    };
+    let (name, unit) = name_and_unit(head);
+    if let Some(meaning) = meaning_of(&name) {
+        return Some((meaning, unit));
+    }
+    let mut glued = name.char_indices().skip(1).map(|(at, _)| name.split_at(at));
+    glued.find_map(|(name, end)| Some((meaning_of(name)?, Some(Unit::of(end)?))))
 }
 
 /// `ヒップ（cm）`, `hip_cm`, `Hip [in]`, `hip inches` without its unit.

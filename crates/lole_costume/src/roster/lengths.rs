@@ -85,6 +85,9 @@ pub(super) fn read(cell: &str, separator: Separator) -> Reading {
     if let Some(cm) = feet(cell) {
         return Reading::Length(cm);
     }
+    if let Some(reading) = fraction(cell) {
+        return reading;
+    }
     let end = cell
         .find(|letter: char| !letter.is_ascii_digit() && !".,+".contains(letter))
         .unwrap_or(cell.len());
@@ -117,11 +120,34 @@ fn feet(cell: &str) -> Option<f64> {
     is_length.then_some((12.0 * feet + inches) * 2.54)
 }
 
-/// A finite positive number; its decimals may follow a comma where commas part no columns.
+/// A number with eighths or the like, as rulers in inches are read: `37 1/2`, `37 1/2 in`.
+fn fraction(cell: &str) -> Option<Reading> {
+    let (whole, rest) = cell.split_once(' ')?;
+    let (over, rest) = rest.trim_start().split_once('/')?;
+    let end = rest.find(|letter: char| !letter.is_ascii_digit());
+    let (under, unit) = rest.split_at(end.unwrap_or(rest.len()));
+    let whole: u16 = whole.parse().ok()?;
+    let (over, under): (u16, u16) = (over.parse().ok()?, under.parse().ok()?);
+    if under <= over {
+        return None;
+    }
+    let number = f64::from(whole) + f64::from(over) / f64::from(under);
+    match unit.trim() {
+        "" => Some(Reading::Plain(number)),
+        unit => Unit::of(unit).map(|unit| Reading::Length(unit.to_cm(number))),
+    }
+}
+
+/// A finite positive number; its decimals may follow a comma, which within a cell parts no columns.
 fn decimal(number: &str, separator: Separator) -> Option<f64> {
+    let is_decimal_comma = || {
+        let mut parts = number.split(',');
+        let decimals = parts.nth(1).is_some_and(|decimals| decimals.len() < 3);
+        decimals && parts.next().is_none()
+    };
     let number = match separator {
-        Separator::Comma => number.to_owned(),
-        Separator::Semicolon | Separator::Tab => number.replace(',', "."),
+        Separator::Comma if !is_decimal_comma() => number.to_owned(),
+        _ => number.replace(',', "."),
     };
     let number: f64 = number.parse().ok()?;
     (number.is_finite() && 0.0 <= number).then_some(number)

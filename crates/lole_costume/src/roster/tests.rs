@@ -181,10 +181,49 @@ fn heights_on_the_body_follow_the_stature() {
     assert_eq!(worn.skirt.hem_height_cm, design.skirt.hem_height_cm);
 }
 
+#[test]
+fn units_may_be_glued_to_heads_and_rulers_have_fractions() {
+    let roster = read_text("名前,身長cm,ヒップ㎝,バストin\na,158,91.4,33 1/2\nb,\"150,5\",90,34\n");
+    assert!(roster.notes.is_empty(), "{:?}", roster.notes);
+    let tape = |index: usize, measure: Measure| {
+        let tape = &roster.dancers[index].tape_cm;
+        let found = tape.iter().find(|(it, _)| *it == measure);
+        found.map(|&(_, cm)| cm).unwrap()
+    };
+    assert_eq!(tape(0, Measure::Stature), 158.0);
+    assert_eq!(tape(0, Measure::Hip), 91.4);
+    assert!((tape(0, Measure::Bust) - 33.5 * 2.54).abs() < 1e-9);
+    assert_eq!(tape(1, Measure::Stature), 150.5);
+    assert!(problem("name,hip\na,1 3/2\n").contains("length"));
+}
+
+#[test]
+fn cells_beyond_the_heads_are_told() {
+    let roster = read_text("name,hip\na,90,91\nb,92,,\n");
+    assert_eq!(roster.dancers.len(), 2);
+    assert!(
+        roster.notes[0].to_string().starts_with("line 2: cells"),
+        "{:?}",
+        roster.notes
+    );
+}
+
+/// What a form asks for is not needed to print it.
+#[test]
+fn names_alone_are_a_list_for_forms() {
+    let list = "氏名,ヒップ\n花子,\n,90\n 海  子 ,36\n花子,=A1\n";
+    assert_eq!(names(list.as_bytes()).unwrap(), ["花子", "海 子", "花子"]);
+    assert!(matches!(
+        names(b"hip\n90\n"),
+        Err(RosterError::MissingColumn { .. })
+    ));
+}
+
 proptest! {
     #[test]
     fn no_bytes_make_it_panic(bytes in prop::collection::vec(any::<u8>(), 0..400)) {
         drop(read(&bytes));
+        drop(names(&bytes));
     }
 
     #[test]

@@ -426,7 +426,7 @@ fn label(cut: &CutGarment, piece: &Piece, language: Language) -> Vec<String> {
     };
     vec![
         piece.name.text(language).to_owned(),
-        cut.garment.name.text(language).to_owned(),
+        cut.title(language),
         format!("{cloth}　{}{fold}", cut_words(piece, language)),
     ]
 }
@@ -439,7 +439,7 @@ fn write_foot(
     count: usize,
     language: Language,
 ) {
-    let name = cut.garment.name.text(language);
+    let name = cut.title(language);
     let text = match language {
         Language::Japanese => format!("{name}　{number} / {count}　倍率100 %で印刷"),
         Language::English => format!("{name}, sheet {number} of {count}. Print at 100 %."),
@@ -454,7 +454,7 @@ fn cover(cut: &CutGarment, layout: &Layout, count: usize, language: Language) ->
     let [width, height] = sheet.size;
     let left = 15.0;
     let room = width - 2.0 * left;
-    let name = cut.garment.name.text(language);
+    let name = cut.title(language);
     let title = match language {
         Language::Japanese => format!("{name}　実物大型紙"),
         Language::English => format!("{name}: full-size pattern"),

@@ -4,12 +4,13 @@ use std::sync::Arc;
 
 use lole_costume::cost::{self, Bill};
 use lole_costume::document::Design;
-use lole_costume::order::{self, Group, PrintTotal, Settings};
+use lole_costume::order::{self, DancerPlan, Group, PrintTotal, Settings};
 use lole_language::Language;
 
 use super::{Order, order_json, order_sheets};
 use crate::ExportError;
 use crate::booklet::{Booklet, booklet_sheets};
+use crate::cutting::{CutGarment, tiled_sheets};
 use crate::pdf::{Document, Paper, Picture, Sheet};
 
 /// What an order is made of.
@@ -37,7 +38,7 @@ pub struct OrderParts<'a> {
 #[derive(Debug, Clone, PartialEq)]
 pub struct OrderFolder {
     /// Names and contents.
-    pub files: Vec<(&'static str, Vec<u8>)>,
+    pub files: Vec<(String, Vec<u8>)>,
     /// What is bought of each print.
     pub prints: Vec<PrintTotal>,
     /// The order as data; one of the files.
@@ -47,7 +48,8 @@ pub struct OrderFolder {
 /// Repeats on cut plans of booklets are drawn with so many pixels on a side.
 const PRINT_SIDE: u32 = 512;
 
-/// The summary with shopping list and labels, the sewing booklet, and the same as data.
+/// The summary with shopping list and labels, the sewing booklet, every dancer's paper patterns where
+/// her garments have any, and the same as data.
 ///
 /// # Errors
 /// [`ExportError`] of the encoders.
@@ -55,6 +57,8 @@ pub fn order_folder(parts: &OrderParts<'_>) -> Result<OrderFolder, ExportError> 
     let (design, plans) = (parts.design, &parts.group.plans);
     let bills: Vec<Bill> = plans.iter().map(|plan| cost::bill(design, plan)).collect();
     let prints = order::prints(plans, design, parts.settings);
+    let mut notes = parts.group.notes.clone();
+    notes.extend(parts.group.warnings());
     let order = Order {
         title: parts.title.clone(),
         hem_height_cm: design.skirt.hem_height_cm,
@@ -65,6 +69,7 @@ pub fn order_folder(parts: &OrderParts<'_>) -> Result<OrderFolder, ExportError> 
         bills: &bills,
         total: &cost::sum(&bills, &design.cost),
         problems: &parts.group.problems,
+        notes: &notes,
         settings: parts.settings,
     };
     let (paper, language) = (parts.paper, parts.language);
@@ -77,7 +82,10 @@ pub fn order_folder(parts: &OrderParts<'_>) -> Result<OrderFolder, ExportError> 
         document.to_bytes()
     };
     let json = order_json(&order, parts.version)?;
-    let mut files = vec![("order.pdf", pdf(order_sheets(&order, paper, language))?)];
+    let mut files = vec![(
+        "order.pdf".to_owned(),
+        pdf(order_sheets(&order, paper, language))?,
+    )];
     if let (Some(plan), Some(bill)) = (plans.first(), bills.first()) {
         // A picture that was not read leaves the plans without it.
         let images = design.cut_print_images(PRINT_SIDE).unwrap_or_default();
@@ -92,12 +100,61 @@ pub fn order_folder(parts: &OrderParts<'_>) -> Result<OrderFolder, ExportError> 
             hem_height_cm: order.hem_height_cm,
         };
         let sheets = booklet_sheets(&booklet, paper, language);
-        files.push(("booklet.pdf", pdf(sheets)?));
+        files.push(("booklet.pdf".to_owned(), pdf(sheets)?));
     }
-    files.push(("order.json", json.clone().into_bytes()));
+    files.extend(paper_patterns(plans, &parts.title, (paper, language))?);
+    files.push(("order.json".to_owned(), json.clone().into_bytes()));
     Ok(OrderFolder {
         files,
         prints,
         json,
     })
+}
+
+/// A file of patterns at full size for every dancer whose garments are not all drawn by ruler.
+fn paper_patterns(
+    plans: &[DancerPlan],
+    title: &str,
+    (paper, language): (Paper, Language),
+) -> Result<Vec<(String, Vec<u8>)>, ExportError> {
+    let mut files = Vec::new();
+    for (number, plan) in (1..).zip(plans) {
+        let sheets: Vec<Sheet> = (plan.garments.iter())
+            .filter_map(|garment| {
+                let cut = CutGarment {
+                    garment: garment.tailored.clone(),
+                    plans: garment.plans.clone(),
+                    print: None,
+                    owner: plan.name.clone(),
+                };
+                tiled_sheets(&cut, paper, language)
+            })
+            .flat_map(|pattern| pattern.sheets)
+            .collect();
+        if sheets.is_empty() {
+            continue;
+        }
+        let document = Document {
+            title: format!("{title}: {}", plan.name),
+            language: language.pick("ja", "en"),
+            sheets,
+        };
+        let size = paper.name().to_ascii_lowercase();
+        let name = format!("pattern-{number:03}-{}-{size}.pdf", file_word(&plan.name));
+        files.push((name, document.to_bytes()?));
+    }
+    Ok(files)
+}
+
+/// A name as part of a file's: letters and digits, whatever the script.
+fn file_word(name: &str) -> String {
+    let letters = name.chars().take(40);
+    let letters = letters.map(|letter| {
+        if letter.is_alphanumeric() {
+            letter
+        } else {
+            '-'
+        }
+    });
+    letters.collect()
 }

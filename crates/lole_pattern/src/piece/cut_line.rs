@@ -61,6 +61,10 @@ impl Piece {
             .map(|edge| offset(&edge.points(tolerance), edge))
             .collect();
         let count = edges.len();
+        if let ([edge], [line]) = (&edges[..], &mut lines[..]) {
+            meet_itself(edge, line);
+            return without_loops(Polygon::new(lines.concat())).without_straight_corners();
+        }
         for index in 0..count {
             let next = (index + 1) % count;
             let mut before = std::mem::take(&mut lines[index]);
@@ -166,6 +170,17 @@ fn meet(edges: [&Edge; 2], before: &mut Vec<Point>, after: &mut Vec<Point>) {
         before.pop();
         after.remove(0);
     }
+}
+
+/// Makes the cut line of an edge that goes all around end where it begins.
+fn meet_itself(edge: &Edge, line: &mut Vec<Point>) {
+    let middle = line.len() / 2;
+    let mut before = line.split_off(middle);
+    // Both parts keep the point between them, so that each has a direction.
+    line.extend(before.first().copied());
+    meet([edge, edge], &mut before, line);
+    line.pop();
+    line.append(&mut before);
 }
 
 /// A cut line is run on at its ends this far [m], for its direction.

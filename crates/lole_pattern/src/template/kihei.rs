@@ -1,7 +1,7 @@
 //! The kīhei: a rectangle that is worn over one shoulder and knotted there.
 //!
-//! Dictionaries say what it is; no source gives its size. 1.1 by 1.8 m for a dancer of 158 cm is an
-//! estimate, and follows the stature.
+//! Dictionaries say what it is; no source gives its size. 1.04 by 1.8 m for a dancer of 158 cm is an
+//! estimate, follows the stature, and is no wider than can be cut from cloth of 110 cm.
 
 use lole_language::words;
 
@@ -36,8 +36,8 @@ const OPTIONS: &[OptionRow] = &[
         "height_cm",
         [40.0, 200.0],
         words(
-            "できあがりの幅。書かなければ身長の 0.7 倍",
-            "finished height; left out: 0.7 times the stature",
+            "できあがりの幅。書かなければ身長の 0.66 倍で、104 cm まで",
+            "finished height; left out: 0.66 times the stature, at most 104 cm",
         ),
     ),
     number(
@@ -48,8 +48,10 @@ const OPTIONS: &[OptionRow] = &[
     ),
 ];
 
-/// Length and height over the stature: 1.8 and 1.1 m at 158 cm.
-const OVER_STATURE: [f64; 2] = [1.14, 0.70];
+/// Length and height over the stature: 1.8 and 1.04 m at 158 cm.
+const OVER_STATURE: [f64; 2] = [1.14, 0.66];
+/// Highest that is cut from cloth of 110 cm, its hems and selvages left.
+const HIGHEST: f64 = 104.0 * CM;
 /// From the corner to the knot, along the upper edge [m].
 const KNOT: f64 = 25.0 * CM;
 
@@ -59,7 +61,7 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
     let [length, height] = OVER_STATURE.map(|share| share * measures.stature.to_m());
     let (length, height) = (
         chosen.m_or("length_cm", length),
-        chosen.m_or("height_cm", height),
+        chosen.m_or("height_cm", height.min(HIGHEST)),
     );
     let hem = chosen.m("hem_allowance_cm");
     let sides = ["hem", "left_end", "top", "right_end"].map(|id| (id, Finish::Hem, hem));
