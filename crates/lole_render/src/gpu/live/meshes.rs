@@ -198,7 +198,11 @@ impl LiveMeshes {
             let repaints = paints || part.is_painted;
             part.is_painted = paints;
             for (vertex, &source) in self.vertices[part.first..].iter_mut().zip(&part.sources) {
-                write_vertex(vertex, (mesh, normals), source as usize, repaints);
+                let source = source as usize;
+                write_vertex(vertex, (mesh, normals), source);
+                if repaints {
+                    vertex.color = mesh.colors.get(source).copied().unwrap_or(Vec3::ONE).into();
+                }
             }
         }
     }
@@ -250,20 +254,12 @@ impl LiveMeshes {
     }
 }
 
-/// Writes everything but the light of one vertex of a mesh, whose normals are given.
-fn write_vertex(
-    vertex: &mut Vertex,
-    (mesh, normals): (&SceneMesh<'_>, &[Vec3]),
-    source: usize,
-    repaints: bool,
-) {
+/// Writes where one vertex of a mesh is, whose normals are given, and where it is on the texture.
+fn write_vertex(vertex: &mut Vertex, (mesh, normals): (&SceneMesh<'_>, &[Vec3]), source: usize) {
     vertex.position = mesh.positions[source].into();
     vertex.normal = normals[source].into();
     // A print of another size lies on the same triangles.
     vertex.uv = mesh.uvs.get(source).copied().unwrap_or(Vec2::ZERO).into();
-    if repaints {
-        vertex.color = mesh.colors.get(source).copied().unwrap_or(Vec3::ONE).into();
-    }
 }
 
 #[cfg(test)]
@@ -289,10 +285,10 @@ mod tests {
             colors: &[],
             material: &material,
         };
-        write_vertex(&mut vertex, (&mesh, mesh.normals), 0, false);
+        write_vertex(&mut vertex, (&mesh, mesh.normals), 0);
         assert_eq!((vertex.position, vertex.uv), ([1.0, 0.0, 0.0], [2.0, 3.0]));
         let plain = SceneMesh { uvs: &[], ..mesh };
-        write_vertex(&mut vertex, (&plain, mesh.normals), 0, false);
+        write_vertex(&mut vertex, (&plain, mesh.normals), 0);
         assert_eq!(vertex.uv, [0.0, 0.0]);
     }
 }
