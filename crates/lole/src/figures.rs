@@ -49,7 +49,7 @@ pub(crate) fn report(performance: &Performance, run: RunFigures<'_>) -> RunRepor
     let skin_vertices = worst.skin.sunken_cloth_vertices + worst.skin.showing_body_vertices;
     RunReport {
         lole: env!("CARGO_PKG_VERSION").to_owned(),
-        particles: production.particle_count(),
+        particles: production.moving_count(),
         springs: performance.spring_count(),
         method: run.design.method.name.id().to_owned(),
         substeps: performance.substep_count(),

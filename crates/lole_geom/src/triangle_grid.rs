@@ -187,9 +187,14 @@ impl<'a> TriangleGrid<'a> {
         if !point.is_finite() {
             return None;
         }
-        let close = self.nearest_in_box(point, reach.min(0.5 * self.cell_size));
-        if close.is_some() || reach <= 0.5 * self.cell_size {
-            return close;
+        // Boxes that double: most of a large one is farther than what is found.
+        let mut near = 0.5 * self.cell_size;
+        while near < reach {
+            let close = self.nearest_in_box(point, near);
+            if close.is_some() {
+                return close;
+            }
+            near *= 2.0;
         }
         self.nearest_in_box(point, reach)
     }

@@ -170,8 +170,11 @@ fn fitting(
     let production = Production::new(&design)?;
     let sewn = begun.elapsed().as_secs_f32();
     let mut performance = Performance::new(production)?;
+    let mut restless = String::new();
     while performance.time() < 0.0 {
+        let before = places(&performance);
         performance.advance().map_err(|_| "the cloth flew away")?;
+        restless = said_of_rest(&before, &places(&performance));
     }
     performance.pose_body();
     let mut cells = shoot(asked, &performance)?;
@@ -179,7 +182,31 @@ fn fitting(
     if 0.0 < asked.seconds {
         cells.extend(shoot(asked, &performance)?);
     }
-    Ok((beside(&cells), format!("sewn in {sewn:.1} s{said}")))
+    Ok((
+        beside(&cells),
+        format!("sewn in {sewn:.1} s, {restless}{said}"),
+    ))
+}
+
+/// Particles of everything that is dressed [m].
+fn places(performance: &Performance) -> Vec<Vec3> {
+    let all = 0..performance.production().dressed.len();
+    all.flat_map(|place| performance.dressed_positions(place).to_vec())
+        .collect()
+}
+
+/// How far cloth moves in a frame while she stands.
+fn said_of_rest(before: &[Vec3], after: &[Vec3]) -> String {
+    let pairs = before.iter().zip(after);
+    let mut moves: Vec<(f32, Vec3)> = pairs.map(|(a, b)| (a.distance(*b), *b)).collect();
+    moves.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let restless = moves.iter().filter(|one| 0.002 < one.0).count();
+    moves.first().map_or_else(String::new, |(most, place)| {
+        format!(
+            "at rest {restless} particles move by more than 2 mm a frame, at most {:.1} mm at {place:.2}",
+            1000.0 * most
+        )
+    })
 }
 
 /// Dances, and says what the cloth did meanwhile.

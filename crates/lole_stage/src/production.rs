@@ -156,7 +156,21 @@ impl Production {
         self.garments.get(self.skirt?)
     }
 
-    /// Particles of all garments.
+    /// Everything that moves by itself: particles of all garments and of strands.
+    #[must_use]
+    pub fn moving_count(&self) -> usize {
+        let dressed = self.dressed.iter();
+        let dressed = dressed.map(|garment| garment.dressed.particle_count());
+        let adornments = self
+            .adornments
+            .iter()
+            .filter_map(|one| one.strands.as_ref());
+        let strands = adornments.flat_map(|hung| &hung.strands);
+        let strands = strands.map(|strand| strand.positions.len());
+        self.particle_count() + dressed.chain(strands).sum::<usize>()
+    }
+
+    /// Particles of gathered garments.
     #[must_use]
     pub fn particle_count(&self) -> usize {
         self.garments.last().map_or(0, |last| last.particles.end)

@@ -36,7 +36,7 @@ const SLACK: f32 = 1.06;
 /// Cloth that is drawn up lies over the skin by this [m].
 const OVER_SKIN: f32 = 0.016;
 /// Share of its length that the front end goes on around her; the rest of it lies in folds.
-const GOES_ON: f32 = 0.4;
+const GOES_ON: f32 = 0.7;
 
 /// How she has wrapped it.
 struct Wrapped {
