@@ -237,47 +237,64 @@ impl Group {
     }
 }
 
+/// A piece that is wider than its cloth, for some dancers.
+struct TooWide<'a> {
+    garment: Words,
+    widest: MarkerWarning,
+    names: Vec<&'a str>,
+}
+
+impl TooWide<'_> {
+    fn sentence(&self) -> Sentence {
+        let (first, others) = (self.names[0], self.names.len() - 1);
+        let widest = self.widest.of_garment(self.garment);
+        if others == 0 {
+            return Sentence::new(
+                format!("{first}: {}", widest.japanese()),
+                format!("{first}: {widest}"),
+            );
+        }
+        Sentence::new(
+            format!(
+                "{first} ほか {others} 人: {}（いちばん大きい人の場合）",
+                widest.japanese()
+            ),
+            format!("{first} and {others} more: {widest} (of the widest)"),
+        )
+    }
+}
+
 impl Group {
     /// What should be decided before cutting: pieces that are wider than their cloth, each with those
     /// whom it concerns and by its widest.
     #[must_use]
     pub fn warnings(&self) -> Vec<Sentence> {
-        let mut wide: Vec<(Words, Words, f64, MarkerWarning, Vec<&str>)> = Vec::new();
-        for plan in &self.plans {
-            for garment in &plan.garments {
-                let laid = garment.plans.iter().flat_map(|laid| &laid.marker.warnings);
-                for warning in laid {
-                    let (piece, size) = warning.piece();
-                    let own = (garment.tailored.name, piece);
-                    match wide.iter_mut().find(|known| (known.0, known.1) == own) {
-                        Some((_, _, most, widest, names)) => {
-                            names.push(&plan.name);
-                            if *most < size {
-                                (*most, *widest) = (size, *warning);
-                            }
-                        }
-                        None => wide.push((own.0, own.1, size, *warning, vec![&plan.name])),
-                    }
-                }
+        let garments = (self.plans.iter())
+            .flat_map(|plan| plan.garments.iter().map(|garment| (&plan.name, garment)));
+        let laid = garments.flat_map(|(name, garment)| {
+            let warnings = garment.plans.iter().flat_map(|plan| &plan.marker.warnings);
+            warnings.map(|warning| (name.as_str(), garment.tailored.name, *warning))
+        });
+        let mut wide: Vec<TooWide<'_>> = Vec::new();
+        for (name, garment, warning) in laid {
+            let (piece, size) = warning.piece();
+            let is_known = |known: &&mut TooWide<'_>| {
+                (known.garment, known.widest.piece().0) == (garment, piece)
+            };
+            let Some(known) = wide.iter_mut().find(is_known) else {
+                wide.push(TooWide {
+                    garment,
+                    widest: warning,
+                    names: vec![name],
+                });
+                continue;
+            };
+            known.names.push(name);
+            if known.widest.piece().1 < size {
+                known.widest = warning;
             }
         }
-        let warnings = wide.iter().map(|(garment, _, _, widest, names)| {
-            let (first, others) = (names[0], names.len() - 1);
-            let widest = widest.of_garment(*garment);
-            let japanese = match others {
-                0 => format!("{first}: {}", widest.japanese()),
-                _ => format!(
-                    "{first} ほか {others} 人: {}（いちばん大きい人）",
-                    widest.japanese()
-                ),
-            };
-            let english = match others {
-                0 => format!("{first}: {widest}"),
-                _ => format!("{first} and {others} more: {widest} (of the widest)"),
-            };
-            Sentence::new(japanese, english)
-        });
-        warnings.collect()
+        wide.iter().map(TooWide::sentence).collect()
     }
 }
 
