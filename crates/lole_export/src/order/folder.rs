@@ -57,7 +57,7 @@ pub fn order_folder(parts: &OrderParts<'_>) -> Result<OrderFolder, ExportError> 
     let prints = order::prints(plans, design, parts.settings);
     let order = Order {
         title: parts.title.clone(),
-        hem_height_cm: design.skirt.hem_height_cm,
+        hem_height_cm: design.costume_hem_cm(),
         plans,
         pictures: parts.pictures,
         prints: &prints,
@@ -66,6 +66,7 @@ pub fn order_folder(parts: &OrderParts<'_>) -> Result<OrderFolder, ExportError> 
         total: &cost::sum(&bills, &design.cost),
         problems: &parts.group.problems,
         settings: parts.settings,
+        spool_m: design.cost.thread_spool_m,
     };
     let (paper, language) = (parts.paper, parts.language);
     let pdf = |sheets: Vec<Sheet>| {

@@ -5,7 +5,7 @@ use lole_geom::Length;
 use lole_language::{Sentence, Words, words};
 
 use super::pau_skirt::{LineKind as PauLine, PauDraft, PauWarning};
-use super::steps::steps;
+use super::steps::{Sewn, steps};
 use crate::pattern::{Amount, Notion, NotionKind, Pattern, Seam, SeamKind, SeamSide};
 use crate::piece::{ClothRole, CutCount, Edge, Finish, LineKind, Mark, Piece};
 
@@ -18,12 +18,17 @@ impl PauDraft {
     /// hem fold at `y = 0`; the warp runs around the body.
     #[must_use]
     pub fn pattern(&self, name: Words) -> Pattern {
+        self.pattern_with(name, None)
+    }
+
+    /// The same with what is sewn onto it before the elastics are drawn in.
+    pub(crate) fn pattern_with(&self, name: Words, sewn: Option<Sewn>) -> Pattern {
         Pattern {
             pieces: vec![self.piece(name)],
             seams: vec![closing_seam()],
             drawn_in: Vec::new(),
             notions: self.notions(),
-            steps: steps(self),
+            steps: steps(self, sewn),
             // What is wider than the cloth is told by the cut plan, for whatever cloth that has.
             warnings: (self.warnings.iter())
                 .filter(|warning| !matches!(warning, PauWarning::TallerThanCloth { .. }))
@@ -85,7 +90,8 @@ impl PauDraft {
             let length = self.flat_length + Length::from_cm(2.0);
             notions.push(Notion {
                 kind: NotionKind::Cord,
-                name: words("ゴム通し用テープ", "casing tape"),
+                // Room for the widest elastic of the list and for both rows of stitches.
+                name: words("ゴム通し用テープ（幅 2 cm）", "casing tape, 2 cm wide"),
                 amount: Amount::Length(length * tape_count as f64),
                 note: Some(pieces_of(tape_count, length)),
             });
@@ -104,7 +110,10 @@ impl PauDraft {
         let rows = self.elastic_rows.iter();
         rows.map(|row| Notion {
             kind: NotionKind::Elastic,
-            name: words("平ゴム（コールゴム）", "flat braided elastic"),
+            name: words(
+                "平ゴム（8～10 mm 幅）",
+                "flat braided elastic, 8 to 10 mm wide",
+            ),
             amount: Amount::Length(row.cut_length),
             note: None,
         })
