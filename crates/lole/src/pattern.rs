@@ -6,6 +6,7 @@ use std::sync::atomic::Ordering;
 use lole_costume::document::{self, Place};
 use lole_costume::print::PrintImage;
 use lole_costume::tailoring::{self, ClothPlan, GarmentPattern};
+use lole_export::booklet::amount_words;
 use lole_export::cutting::{
     CutGarment, cut_plan_sheets, cut_plan_svg, masses, pattern_json, pieces_svg, ruler_sheets,
     short_words, tiled_sheets,
@@ -207,7 +208,36 @@ fn purchases(cut: &CutGarment) -> Vec<Sentence> {
             ),
         )
     };
+    if cut.plans.is_empty() {
+        return vec![gathered(cut)];
+    }
     cut.plans.iter().map(purchase).collect()
+}
+
+/// What to gather for what is not cut from cloth.
+fn gathered(cut: &CutGarment) -> Sentence {
+    let listed = |language: Language| {
+        let notions = cut.garment.pattern.notions.iter();
+        let named = notions.map(|notion| {
+            let amount = amount_words(notion.kind, notion.amount, language);
+            format!("{} {amount}", notion.name.text(language))
+        });
+        let named: Vec<String> = named.collect();
+        named.join(language.pick("、", ", "))
+    };
+    let name = cut.garment.name;
+    Sentence::new(
+        format!(
+            "{}: 布は裁ちません。用意するものは {}。作り方は lole booklet の本にあります",
+            name.japanese,
+            listed(Language::Japanese)
+        ),
+        format!(
+            "{}: no cloth is cut. Gather {}. The booklet of lole booklet says how it is made",
+            name.english,
+            listed(Language::English)
+        ),
+    )
 }
 
 /// What the maker should decide before cutting.

@@ -164,7 +164,8 @@ fn hours(minutes: f64, language: Language) -> String {
 }
 
 /// An amount as it is asked for in a shop.
-pub(crate) fn amount_words(kind: NotionKind, amount: Amount, language: Language) -> String {
+#[must_use]
+pub fn amount_words(kind: NotionKind, amount: Amount, language: Language) -> String {
     match amount {
         Amount::Length(length) if length.to_m() < 3.0 => format!("{:.0} cm", length.to_cm().ceil()),
         Amount::Length(length) => format!("{:.1} m", (length.to_m() * 10.0).ceil() / 10.0),
@@ -575,7 +576,7 @@ pub(crate) fn bill_table(bill: &Bill, language: Language) -> Table {
         .map(|line| {
             let sum = line.sum.map_or_else(unknown, |sum| currency.write(sum));
             vec![
-                Cell::bold(capitalized(line.name.text(language))),
+                Cell::bold(capitalized(&line.name.text(language))),
                 line.amount.text(language).into(),
                 sum.into(),
             ]
@@ -613,7 +614,7 @@ pub fn bill_remarks(bill: &Bill, language: Language) -> Vec<String> {
     if !keys.is_empty() {
         let comma = language.pick("、", ", ");
         let unpriced = bill.lines.iter().filter(|line| line.asks.is_some());
-        let names: Vec<&str> = unpriced.map(|line| line.name.text(language)).collect();
+        let names: Vec<String> = unpriced.map(|line| line.name.text(language)).collect();
         let (names, keys) = (names.join(comma), keys.join(comma));
         remarks.push(match language {
             Language::Japanese => format!(

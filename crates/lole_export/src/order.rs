@@ -544,7 +544,7 @@ pub fn order_json(order: &Order<'_>, version: &'static str) -> Result<String, Ex
 pub fn bill_json(bill: &Bill) -> Result<String, ExportError> {
     #[derive(Serialize)]
     struct Line {
-        name: &'static str,
+        name: String,
         amount: String,
         sum: Option<f64>,
         asks: Option<&'static str>,
@@ -556,7 +556,7 @@ pub fn bill_json(bill: &Bill) -> Result<String, ExportError> {
         cost: CostRow,
     }
     let lines = bill.lines.iter().map(|line| Line {
-        name: line.name.english,
+        name: line.name.to_string(),
         amount: line.amount.to_string(),
         sum: line.sum.map(rounded),
         asks: line.asks,

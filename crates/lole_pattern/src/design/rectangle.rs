@@ -90,8 +90,7 @@ impl PauDraft {
             let length = self.flat_length + Length::from_cm(2.0);
             notions.push(Notion {
                 kind: NotionKind::Cord,
-                // Room for the widest elastic of the list and for both rows of stitches.
-                name: words("ゴム通し用テープ（幅 2 cm）", "casing tape, 2 cm wide"),
+                name: self.widths().1,
                 amount: Amount::Length(length * tape_count as f64),
                 note: Some(pieces_of(tape_count, length)),
             });
@@ -105,15 +104,53 @@ impl PauDraft {
         notions
     }
 
+    /// Elastic and tape that fit the casing: the elastic lies flat in it with a few millimeters of room,
+    /// the tape has both rows of stitches on it.
+    fn widths(&self) -> (Words, Words) {
+        let at = |kind| {
+            let line = self.lines.iter().find(|line| line.kind == kind);
+            line.map_or(Length::ZERO, |line| line.from_edge)
+        };
+        let casing = at(PauLine::CasingBottom) - at(PauLine::CasingTop);
+        match casing.to_cm() {
+            cm if cm < 1.9 => (
+                words(
+                    "平ゴム（8～10 mm 幅）",
+                    "flat braided elastic, 8 to 10 mm wide",
+                ),
+                words("ゴム通し用テープ（2 cm 幅）", "casing tape, 2 cm wide"),
+            ),
+            cm if cm < 2.4 => (
+                words("平ゴム（15 mm 幅）", "flat braided elastic, 15 mm wide"),
+                words("ゴム通し用テープ（2.5 cm 幅）", "casing tape, 2.5 cm wide"),
+            ),
+            cm if cm < 3.0 => (
+                words("平ゴム（20 mm 幅）", "flat braided elastic, 20 mm wide"),
+                words("ゴム通し用テープ（3 cm 幅）", "casing tape, 3 cm wide"),
+            ),
+            cm if cm < 4.0 => (
+                words("平ゴム（25 mm 幅）", "flat braided elastic, 25 mm wide"),
+                words("ゴム通し用テープ（4 cm 幅）", "casing tape, 4 cm wide"),
+            ),
+            _ => (
+                words(
+                    "平ゴム（ゴム通しより 5 mm 細いもの）",
+                    "flat elastic, 5 mm narrower than its casing",
+                ),
+                words(
+                    "ゴム通し用テープ（ゴム通しより 1 cm 広いもの）",
+                    "casing tape, 1 cm wider than its casing",
+                ),
+            ),
+        }
+    }
+
     /// One notion for each elastic, from the top down.
     fn elastics(&self) -> Vec<Notion> {
         let rows = self.elastic_rows.iter();
         rows.map(|row| Notion {
             kind: NotionKind::Elastic,
-            name: words(
-                "平ゴム（8～10 mm 幅）",
-                "flat braided elastic, 8 to 10 mm wide",
-            ),
+            name: self.widths().0,
             amount: Amount::Length(row.cut_length),
             note: None,
         })
