@@ -110,23 +110,36 @@ fn draw_piece(
         arrow(sheet, grain, &Stroke::solid(0.3).with_color(Color::GRAY));
     }
     let bounds = cut.bounds();
-    if !edges.is_empty() {
+    let is_whole = edges.len() == piece.edges.len();
+    if is_whole || (!edges.is_empty() && drawing.rectangle.is_some()) {
         draw_sizes(sheet, page, bounds);
+    }
+    // What is cut has all of its edges; what is sewn is brought out.
+    let sewn = edges.iter().filter(|_| !is_whole);
+    for edge in sewn.filter_map(|&edge| piece.edges.get(edge)) {
+        let stroke = Stroke::solid(0.9).with_color(SEWN);
+        sheet.path(path_of(&edge.points(1e-3), page), None, Some(stroke));
     }
     let right = (page * Point::new(bounds.x1, 0.0)).x;
     let mut free = f64::NEG_INFINITY;
     let mut darts_named = false;
-    for mark in marks.iter().filter_map(|&mark| piece.marks.get(mark)) {
-        let Mark::Line { kind, path } = mark else {
-            continue;
-        };
+    // From the top down, so that no label's line crosses another's.
+    let mut lines: Vec<(LineKind, &BezPath)> = (marks.iter())
+        .filter_map(|&mark| match piece.marks.get(mark) {
+            Some(Mark::Line { kind, path }) => Some((*kind, path)),
+            _ => None,
+        })
+        .collect();
+    let level_of = |path: &BezPath| path.bounding_box().center().y;
+    lines.sort_by(|(_, one), (_, other)| level_of(other).total_cmp(&level_of(one)));
+    for (kind, path) in lines {
         let stroke = Stroke::solid(0.45).with_color(SEWN);
         sheet.path(page * path.clone(), None, Some(stroke));
         let on_piece = path.bounding_box().center();
         let at = page * on_piece;
         // Labels keep a line's distance, so that close lines can be told apart.
         let below = 100.0 * (bounds.y1 - on_piece.y);
-        let name = short_name(*kind, language);
+        let name = short_name(kind, language);
         let text = match kind {
             // Both legs of a dart have one name; where it lies is in the pattern.
             LineKind::Dart if darts_named => continue,
@@ -184,7 +197,9 @@ fn draw_sizes(sheet: &mut Sheet, page: Affine, bounds: kurbo::Rect) {
         [Point::new(corner.x, below), Point::new(far.x, below)],
         &stroke,
     );
-    let width = format!("{:.1} cm", 100.0 * bounds.width());
+    // Halves of millimeters are rounded as in the sentences of the steps.
+    let said = |meters: f64| format!("{:.1} cm", (1000.0 * meters).round() / 10.0);
+    let width = said(bounds.width());
     sheet.text(
         [0.5 * (corner.x + far.x), below + 5.5],
         &width,
@@ -197,7 +212,7 @@ fn draw_sizes(sheet: &mut Sheet, page: Affine, bounds: kurbo::Rect) {
         [Point::new(aside, corner.y), Point::new(aside, far.y)],
         &stroke,
     );
-    let height = format!("{:.1} cm", 100.0 * bounds.height());
+    let height = said(bounds.height());
     let at = [aside - 2.0, 0.5 * (corner.y + far.y)];
     sheet.turned_text(
         at,

@@ -195,7 +195,7 @@ pub fn short_words(yardage: &Yardage, language: Language) -> Option<String> {
     }
     Some(match language {
         Language::Japanese => format!(
-            "{}足りませんが、脇の縫い代はそのままで、輪をその分だけ小さく縫います。ギャザーに隠れます。",
+            "{} 足りませんが、脇の縫い代はそのままで、輪をその分だけ小さく縫います。ギャザーに隠れます。",
             short.join("、")
         ),
         Language::English => format!(

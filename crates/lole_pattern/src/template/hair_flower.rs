@@ -76,7 +76,7 @@ fn draft(_measures: &Measures, options: &Options) -> Result<Pattern, DraftError>
             ),
             [20.0, 20.0],
         )
-        .shown(edges_of(0, &[1])),
+        .shown(edges_of(0, &[0, 1])),
         step(
             words("花びらを寄せる", "Gather the petals"),
             say!(
