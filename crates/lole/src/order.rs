@@ -242,7 +242,7 @@ pub(crate) fn run_booklet(args: &BookletArgs, language: Language) -> Result<(), 
         prints: &prints,
         bill: &bill,
         cover,
-        hem_height_cm: source.design.skirt.hem_height_cm,
+        hem_height_cm: source.design.costume_hem_cm(),
     };
     let sheets = booklet_sheets(&booklet, args.paper.paper(), pages);
     write_file(&args.out, (&booklet.title, sheets), pages, language)

@@ -6,8 +6,10 @@ use std::sync::atomic::Ordering;
 use lole_costume::document::{self, Place};
 use lole_costume::print::PrintImage;
 use lole_costume::tailoring::{self, ClothPlan, GarmentPattern};
+use lole_export::booklet::amount_words;
 use lole_export::cutting::{
-    CutGarment, cut_plan_sheets, cut_plan_svg, pattern_json, pieces_svg, ruler_sheets, tiled_sheets,
+    CutGarment, cut_plan_sheets, cut_plan_svg, masses, pattern_json, pieces_svg, ruler_sheets,
+    short_words, tiled_sheets,
 };
 use lole_export::dxf::pattern_dxf;
 use lole_export::pdf::{Document, Paper, Sheet};
@@ -120,6 +122,10 @@ fn write_plans(
     paper: Paper,
     language: Language,
 ) -> Result<(), Failure> {
+    // What is tied, strung or carved has no cut plan: its booklet says what to gather.
+    if cuts.iter().all(|cut| cut.plans.is_empty()) {
+        return Ok(());
+    }
     let sheets = cut_plan_sheets(cuts, paper, language);
     let title = language.pick("裁ち方図", "cut plan");
     write_pdf(output, "cut-plan.pdf", (title, sheets), language)?;
@@ -179,19 +185,60 @@ fn purchases(cut: &CutGarment) -> Vec<Sentence> {
         let marker = &plan.marker;
         let (needed, metric) = (marker.yardage.needed.to_cm(), marker.yardage.metric.to_m());
         let (yards, width) = (marker.yardage.imperial.to_yd(), marker.cloth.width.to_cm());
-        let (used, mass) = (100.0 * marker.efficiency, plan.mass);
+        let used = 100.0 * marker.efficiency;
+        let ([metric_kg, cut_kg], [yard_kg, _]) = (
+            masses(plan, Language::Japanese),
+            masses(plan, Language::English),
+        );
+        let short = |language: Language| {
+            let sentence = short_words(&marker.yardage, language);
+            sentence.map_or_else(String::new, |sentence| {
+                format!("{}{sentence}", language.pick("。", ". "))
+            })
+        };
         Sentence::new(
             format!(
-                "{}: 幅 {width:.0} cm の布 {metric:.1} m（{yards:.1} ヤード）、用尺 {needed:.1} cm、{mass:.2} kg、使用率 {used:.0} %",
-                name.japanese
+                "{}: 幅 {width:.0} cm の布 {metric:.1} m（{yards:.1} ヤード）、用尺 {needed:.1} cm、買う布 {metric_kg:.2} kg（ヤードなら {yard_kg:.2} kg）、裁った布 {cut_kg:.2} kg、使用率 {used:.0} %{}",
+                name.japanese,
+                short(Language::Japanese)
             ),
             format!(
-                "{}: buy {metric:.1} m ({yards:.1} yd) of {width:.0} cm cloth; {needed:.1} cm are needed, {mass:.2} kg, {used:.0} % used",
-                name.english
+                "{}: buy {metric:.1} m ({yards:.1} yd) of {width:.0} cm cloth; {needed:.1} cm are needed; {metric_kg:.2} kg bought ({yard_kg:.2} kg by the yard), {cut_kg:.2} kg once cut, {used:.0} % used{}",
+                name.english,
+                short(Language::English)
             ),
         )
     };
+    if cut.plans.is_empty() {
+        return vec![gathered(cut)];
+    }
     cut.plans.iter().map(purchase).collect()
+}
+
+/// What to gather for what is not cut from cloth.
+fn gathered(cut: &CutGarment) -> Sentence {
+    let listed = |language: Language| {
+        let notions = cut.garment.pattern.notions.iter();
+        let named = notions.map(|notion| {
+            let amount = amount_words(notion.kind, notion.amount, language);
+            format!("{} {amount}", notion.name.text(language))
+        });
+        let named: Vec<String> = named.collect();
+        named.join(language.pick("、", ", "))
+    };
+    let name = cut.garment.name;
+    Sentence::new(
+        format!(
+            "{}: 布は裁ちません。用意するものは {}。作り方は lole booklet の本にあります",
+            name.japanese,
+            listed(Language::Japanese)
+        ),
+        format!(
+            "{}: no cloth is cut. Gather {}. The booklet of lole booklet says how it is made",
+            name.english,
+            listed(Language::English)
+        ),
+    )
 }
 
 /// What the maker should decide before cutting.

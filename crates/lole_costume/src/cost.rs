@@ -9,7 +9,7 @@ use lole_language::{Sentence, Words, words};
 use lole_pattern::pattern::{Amount, NotionKind};
 use lole_pattern::piece::ClothRole;
 
-use crate::document::{CostDesign, Currency, Design, FabricDesign};
+use crate::document::{CostDesign, Currency, Design, FabricDesign, NotionPrices};
 use crate::order::{DancerPlan, PlannedGarment};
 use crate::tailoring::{ClothPlan, SKIRT, role_name};
 
@@ -17,7 +17,7 @@ use crate::tailoring::{ClothPlan, SKIRT, role_name};
 #[derive(Debug, Clone, PartialEq)]
 pub struct BillLine {
     /// What it is.
-    pub name: Words,
+    pub name: Sentence,
     /// How much of it, as a shop sells it.
     pub amount: Sentence,
     /// What it costs; `None` where no price is known.
@@ -52,7 +52,11 @@ impl Bill {
         }
     }
 
-    fn add(&mut self, name: Words, amount: Sentence, price: Result<f64, &'static str>) {
+    fn add_named(&mut self, name: Words, amount: Sentence, price: Result<f64, &'static str>) {
+        self.add(Sentence::new(name.japanese, name.english), amount, price);
+    }
+
+    fn add(&mut self, name: Sentence, amount: Sentence, price: Result<f64, &'static str>) {
         self.total += price.unwrap_or(0.0);
         self.lines.push(BillLine {
             name,
@@ -109,7 +113,7 @@ pub fn bill(design: &Design, plan: &DancerPlan) -> Bill {
                 ClothRole::Main => garment.tailored.name,
                 role => role_name(role),
             };
-            bill.add(name, amount, price);
+            bill.add(cloth_of(name), amount, price);
         }
     }
     let elastic = notion_length(plan, NotionKind::Elastic);
@@ -119,35 +123,206 @@ pub fn bill(design: &Design, plan: &DancerPlan) -> Bill {
             cost.elastic_price_per_m,
             "[cost] elastic_price_per_m",
         );
-        bill.add(words("ゴム", "elastic"), amount, price);
+        bill.add_named(words("ゴム", "elastic"), amount, price);
     }
     if let Some(length) = notion_length(plan, NotionKind::Cord) {
         let (amount, price) = by_meter(length, cost.tape_price_per_m, "[cost] tape_price_per_m");
-        bill.add(words("テープ・ひも", "tape and cord"), amount, price);
+        bill.add_named(words("テープ・ひも", "tape and cord"), amount, price);
     }
     if let Some(length) = notion_length(plan, NotionKind::Thread) {
         let spools = (length.to_m() / cost.thread_spool_m).ceil();
         let plural = if 1.0 < spools { "s" } else { "" };
         let amount = Sentence::new(format!("{spools} 巻き"), format!("{spools} spool{plural}"));
         let price = cost.thread_price_per_spool.map(|price| price * spools);
-        bill.add(
+        bill.add_named(
             words("糸", "thread"),
             amount,
             price.ok_or("[cost] thread_price_per_spool"),
         );
     }
+    for sold in SOLD {
+        if let Some(count) = sold.count(plan) {
+            let amount = sold.unit.words(count);
+            let price = (sold.price)(&cost.notions).map(|price| price * count);
+            bill.add_named(sold.name, amount, price.ok_or(sold.key));
+        }
+    }
     if let Some(price) = cost.other_price {
-        bill.add(words("そのほか", "other"), Sentence::new("", ""), Ok(price));
+        bill.add_named(words("そのほか", "other"), Sentence::new("", ""), Ok(price));
     }
     if let Some(wage) = cost.wage_per_h {
         let amount = Sentence::new(
             format!("{hours:.1} 時間（目安）"),
             format!("{hours:.1} h (estimate)"),
         );
-        bill.add(words("縫い手間", "sewing"), amount, Ok(wage * hours));
+        bill.add_named(words("縫い手間", "sewing"), amount, Ok(wage * hours));
     }
     bill
 }
+
+/// Cloth by the garment that it is for.
+fn cloth_of(garment: Words) -> Sentence {
+    Sentence::new(
+        format!("布（{}）", garment.japanese),
+        format!("cloth ({})", garment.english),
+    )
+}
+
+/// How a notion is sold.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Unit {
+    /// By the piece, with the Japanese word to count it.
+    Piece(&'static str),
+    /// By 100 g.
+    Grams,
+    /// By 10 cm.
+    Meter,
+}
+
+impl Unit {
+    /// So many of it: pieces, hundreds of grams or meters.
+    fn words(self, count: f64) -> Sentence {
+        match self {
+            Self::Piece(counter) => Sentence::new(
+                format!("{count:.0} {counter}"),
+                format!("{count:.0} piece{}", if count == 1.0 { "" } else { "s" }),
+            ),
+            Self::Grams => {
+                let grams = format!("{:.0} g", 100.0 * count);
+                Sentence::new(grams.clone(), grams)
+            }
+            Self::Meter => {
+                let meters = format!("{count:.1} m");
+                Sentence::new(meters.clone(), meters)
+            }
+        }
+    }
+}
+
+/// A sort of notion that has a price of its own.
+struct Sold {
+    kind: NotionKind,
+    name: Words,
+    unit: Unit,
+    key: &'static str,
+    price: fn(&NotionPrices) -> Option<f64>,
+}
+
+/// Raffia on a meter [kg/m]: as raffia skirts are reckoned.
+const RAFFIA_PER_METER: f64 = 0.0006;
+
+impl Sold {
+    /// How much of it a costume takes, in its unit; `None` where it takes none.
+    fn count(&self, plan: &DancerPlan) -> Option<f64> {
+        let garments = plan.garments.iter();
+        let notions = garments.flat_map(|garment| &garment.tailored.pattern.notions);
+        let amounts = notions.filter(|notion| notion.kind == self.kind);
+        let sum: f64 = amounts
+            .map(|notion| match (notion.amount, self.unit) {
+                (Amount::Count(count), _) => f64::from(count),
+                // A zip is one, whatever its length.
+                (_, Unit::Piece(_)) => 1.0,
+                (Amount::Length(length), Unit::Meter) => length.to_m(),
+                (Amount::Length(length), Unit::Grams) => 10.0 * RAFFIA_PER_METER * length.to_m(),
+                (Amount::Mass(mass), _) => 10.0 * mass,
+            })
+            .sum();
+        let sold = match self.unit {
+            Unit::Piece(_) => sum,
+            // Sold by 10 g and by 10 cm.
+            Unit::Grams | Unit::Meter => (sum * 10.0 - 1e-9).ceil() / 10.0,
+        };
+        (0.0 < sold).then_some(sold)
+    }
+}
+
+/// Every sort of notion with a price of its own, in the order of the bill.
+const SOLD: &[Sold] = &[
+    Sold {
+        kind: NotionKind::Zip,
+        name: words("ファスナー", "zip"),
+        unit: Unit::Piece("本"),
+        key: "[cost] zip_price",
+        price: |prices| prices.zip,
+    },
+    Sold {
+        kind: NotionKind::Button,
+        name: words("ボタン", "button"),
+        unit: Unit::Piece("個"),
+        key: "[cost] button_price",
+        price: |prices| prices.button,
+    },
+    Sold {
+        kind: NotionKind::Hook,
+        name: words("ホック", "hook and eye"),
+        unit: Unit::Piece("組"),
+        key: "[cost] hook_price",
+        price: |prices| prices.hook,
+    },
+    Sold {
+        kind: NotionKind::Flower,
+        name: words("花", "flowers"),
+        unit: Unit::Piece("個"),
+        key: "[cost] flower_price",
+        price: |prices| prices.flower,
+    },
+    Sold {
+        kind: NotionKind::Pistil,
+        name: words("しべ（ペップ）", "pistils"),
+        unit: Unit::Piece("本"),
+        key: "[cost] pistil_price",
+        price: |prices| prices.pistil,
+    },
+    Sold {
+        kind: NotionKind::Leaf,
+        name: words("葉", "leaves"),
+        unit: Unit::Piece("枚"),
+        key: "[cost] leaf_price",
+        price: |prices| prices.leaf,
+    },
+    Sold {
+        kind: NotionKind::Raffia,
+        name: words("ラフィア", "raffia"),
+        unit: Unit::Grams,
+        key: "[cost] raffia_price_per_100g",
+        price: |prices| prices.raffia_per_100g,
+    },
+    Sold {
+        kind: NotionKind::Film,
+        name: words("フィルム", "film"),
+        unit: Unit::Meter,
+        key: "[cost] film_price_per_m",
+        price: |prices| prices.film_per_m,
+    },
+    Sold {
+        kind: NotionKind::HairPin,
+        name: words("ヘアピン・クリップ", "hair pins or clips"),
+        unit: Unit::Piece("本"),
+        key: "[cost] hair_pin_price",
+        price: |prices| prices.hair_pin,
+    },
+    Sold {
+        kind: NotionKind::Gourd,
+        name: words("ひょうたん", "gourds"),
+        unit: Unit::Piece("個"),
+        key: "[cost] gourd_price",
+        price: |prices| prices.gourd,
+    },
+    Sold {
+        kind: NotionKind::Bamboo,
+        name: words("竹", "bamboo"),
+        unit: Unit::Piece("本"),
+        key: "[cost] bamboo_price",
+        price: |prices| prices.bamboo,
+    },
+    Sold {
+        kind: NotionKind::Feather,
+        name: words("羽根", "feathers"),
+        unit: Unit::Piece("本"),
+        key: "[cost] feather_price",
+        price: |prices| prices.feather,
+    },
+];
 
 /// The bills of a group as one.
 #[must_use]
@@ -265,6 +440,42 @@ mod tests {
         assert_eq!(bill(&design, &plan_of(&design)).total, 24.0);
         design.fabric.price_per_m = Some(1000.0);
         assert!((bill(&design, &plan_of(&design)).total - 3700.0).abs() < 1e-6);
+    }
+
+    /// Whatever is bought stands on the bill, with the key that would price it.
+    #[test]
+    fn every_notion_is_asked_for_and_then_paid() {
+        use crate::document::GarmentDesign;
+        use lole_pattern::TEMPLATES;
+        for template in TEMPLATES {
+            let mut design = design();
+            design.skirt.is_worn = false;
+            design.garments = GarmentDesign::of_kind(template.id).into_iter().collect();
+            let plan = plan_of(&design);
+            let bill = bill(&design, &plan);
+            let kinds: std::collections::BTreeSet<NotionKind> = (plan.garments.iter())
+                .flat_map(|garment| &garment.tailored.pattern.notions)
+                .map(|notion| notion.kind)
+                .collect();
+            let cloths: usize = plan.garments.iter().map(|it| it.plans.len()).sum();
+            assert_eq!(bill.lines.len(), kinds.len() + cloths, "{}", template.id);
+            assert!(
+                !bill.is_complete() && !bill.lines.is_empty(),
+                "{}",
+                template.id
+            );
+        }
+        let mut ipu = design();
+        ipu.skirt.is_worn = false;
+        ipu.garments = GarmentDesign::of_kind("ipu").into_iter().collect();
+        ipu.cost.notions.gourd = Some(4500.0);
+        let paid = bill(&ipu, &plan_of(&ipu));
+        let gourds = if paid.lines[0].amount.english.starts_with('2') {
+            2.0
+        } else {
+            1.0
+        };
+        assert_eq!(paid.total, 4500.0 * gourds);
     }
 
     #[test]

@@ -35,7 +35,7 @@ use lole_cloth::wind::WindLaw;
 use crate::fabrics::Preset;
 use crate::print::{PrintLay, PrintMotif};
 
-pub use cost::{CostDesign, Currency};
+pub use cost::{CostDesign, Currency, NotionPrices};
 pub use error::{DesignError, Problem};
 pub use garment::{GarmentDesign, GarmentLayer, TopDesign, WornSkirt, WornTemplate, WornTop};
 pub use nearest::{likely, nearest};

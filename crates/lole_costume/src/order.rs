@@ -8,7 +8,7 @@ use lole_pattern::marker::{Lay, MarkerWarning};
 use lole_pattern::pattern::{Amount, NotionKind};
 use lole_pattern::piece::ClothRole;
 
-use crate::document::{Design, FabricDesign, GarmentLayer, PrintChoice};
+use crate::document::{Design, FabricDesign, GarmentDesign, GarmentLayer, PrintChoice};
 use crate::print::PrintMotif;
 use crate::roster::{Roster, RosterDancer, RowProblem};
 use crate::tailoring::{ClothPlan, GarmentPattern, TailoringError, patterns_of, role_name};
@@ -299,6 +299,28 @@ impl Group {
 }
 
 impl Design {
+    /// Height of the costume's hem above the floor [cm]: of its pāʻū where it has one, else of the
+    /// lowest garment whose hem was decided. `None` where nothing says one, as of a lei.
+    #[must_use]
+    pub fn costume_hem_cm(&self) -> Option<f64> {
+        if self.skirt.is_worn {
+            return Some(self.skirt.hem_height_cm);
+        }
+        let skirts = self.garments.iter().filter_map(|garment| match garment {
+            GarmentDesign::PauSkirt(worn) => Some(worn.skirt.hem_height_cm),
+            _ => None,
+        });
+        let decided = self.garments.iter().filter_map(|garment| match garment {
+            // A top ends at the hips; its hem is not the costume's.
+            GarmentDesign::Template(worn) if worn.template.id != "pau-top" => {
+                let position = worn.template.position("hem_height_cm")?;
+                worn.options.get(position)
+            }
+            _ => None,
+        });
+        (skirts.reduce(f64::min)).or_else(|| decided.reduce(f64::min))
+    }
+
     /// Cloth and print of every garment, in the order of [`patterns_of`].
     pub(crate) fn cloths(&self) -> Vec<(&FabricDesign, &PrintChoice)> {
         let of_layer = |layer| {
@@ -464,6 +486,18 @@ pub struct NotionTotal {
     pub name: Words,
     /// How much of it.
     pub amount: Amount,
+    /// What sort of thing it is.
+    pub kind: NotionKind,
+    /// Length of each where they are counted but have one, as zips: whole centimeters.
+    pub length: Option<Length>,
+}
+
+/// An opening's length as zips are sold: the next whole centimeter.
+fn whole_cm(amount: Amount) -> Length {
+    match amount {
+        Amount::Length(length) => Length::from_cm((length.to_cm() - 1e-6).ceil()),
+        Amount::Count(_) | Amount::Mass(_) => Length::ZERO,
+    }
 }
 
 /// Everything a group buys beside cloth, equal things together.
@@ -472,14 +506,30 @@ pub fn notions(plans: &[DancerPlan]) -> Vec<NotionTotal> {
     let mut totals: Vec<NotionTotal> = Vec::new();
     let garments = plans.iter().flat_map(|plan| &plan.garments);
     for notion in garments.flat_map(|garment| &garment.tailored.pattern.notions) {
-        let same = totals.iter_mut().find(|total| total.name == notion.name);
+        let is_zip = notion.kind == NotionKind::Zip;
+        let same = totals.iter_mut().find(|total| {
+            // Zips are bought by the piece, each of its length.
+            total.name == notion.name && (!is_zip || total.length == Some(whole_cm(notion.amount)))
+        });
         let Some(total) = same else {
             totals.push(NotionTotal {
                 name: notion.name,
-                amount: notion.amount,
+                amount: if is_zip {
+                    Amount::Count(1)
+                } else {
+                    notion.amount
+                },
+                kind: notion.kind,
+                length: is_zip.then(|| whole_cm(notion.amount)),
             });
             continue;
         };
+        if is_zip {
+            if let Amount::Count(count) = &mut total.amount {
+                *count += 1;
+            }
+            continue;
+        }
         total.amount = match (total.amount, notion.amount) {
             (Amount::Length(one), Amount::Length(other)) => Amount::Length(one + other),
             (Amount::Count(one), Amount::Count(other)) => Amount::Count(one + other),
@@ -493,7 +543,7 @@ pub fn notions(plans: &[DancerPlan]) -> Vec<NotionTotal> {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
-    use crate::document::{GarmentDesign, WornTop};
+    use crate::document::WornTop;
     use crate::roster;
 
     /// The design cut for its own dancer.

@@ -4,6 +4,7 @@
 //! times and prices as they stand there. Letters are large, because those who sew are not all young.
 
 mod figures;
+mod keep;
 mod style;
 
 use std::sync::Arc;
@@ -14,10 +15,10 @@ use lole_costume::order::{DancerPlan, PlannedGarment};
 use lole_costume::print::PrintImage;
 use lole_costume::tailoring::{ClothPlan, role_name};
 use lole_language::{Bilingual as _, Language, Sentence};
-use lole_pattern::pattern::{Amount, Step};
+use lole_pattern::pattern::{Amount, NotionKind, Step};
 use lole_pattern::piece::ClothRole;
 
-use crate::cutting::{CutGarment, draw_marker};
+use crate::cutting::{CutGarment, draw_marker, masses, short_words};
 use crate::order::lengths_table;
 use crate::pdf::{
     Align, Cell, Column, Flow, Margins, Paper, Picture, Rect, Sheet, Stroke, Table, TextStyle,
@@ -39,8 +40,8 @@ pub struct Booklet<'a> {
     pub bill: &'a Bill,
     /// The costume on its dancer.
     pub cover: Option<Picture>,
-    /// Height of the hem above the floor [cm].
-    pub hem_height_cm: f64,
+    /// Height of the hem above the floor [cm]; `None` where the costume has none that was decided.
+    pub hem_height_cm: Option<f64>,
 }
 
 /// The pages of a booklet, in one language.
@@ -64,7 +65,7 @@ pub fn booklet_sheets(booklet: &Booklet<'_>, paper: Paper, language: Language) -
     for garment in &booklet.plan.garments {
         steps(&mut flow, garment, language);
     }
-    care(&mut flow, language);
+    care(&mut flow, booklet.plan, language);
     costs(&mut flow, booklet.bill, language);
     let title = booklet.title.clone();
     flow.finish(|sheet, number, count| {
@@ -86,7 +87,12 @@ fn cover(flow: &mut Flow, booklet: &Booklet<'_>, language: Language) {
             &title,
             Align::Center,
         );
-        let under = language.pick("縫い方の本", "A sewing booklet");
+        let is_sewn = booklet.plan.garments.iter().any(keep::is_sewn);
+        let under = if is_sewn {
+            language.pick("縫い方の本", "A sewing booklet")
+        } else {
+            language.pick("作り方の本", "How it is made")
+        };
         sheet.text(
             [middle, rect.y + 27.0],
             under,
@@ -104,11 +110,10 @@ fn cover(flow: &mut Flow, booklet: &Booklet<'_>, language: Language) {
     let about = [
         Some(names.join(language.pick("・", ", "))),
         dancer,
-        Some(format!(
-            "{}{:.0} cm",
-            language.pick("床から裾まで: ", "Hem above the floor: "),
-            booklet.hem_height_cm
-        )),
+        booklet.hem_height_cm.map(|hem| {
+            let label = language.pick("床から裾まで: ", "Hem above the floor: ");
+            format!("{label}{hem:.0} cm")
+        }),
         Some(time_words(booklet, language)),
     ];
     let text_height = 4.0 * TextStyle::regular(14.0).line_height() + 4.0;
@@ -136,6 +141,12 @@ fn time_words(booklet: &Booklet<'_>, language: Language) -> String {
         steps.map(|step| step.minutes[which]).sum()
     };
     let [machine, hand] = [0, 1].map(|which| hours(minutes(which), language));
+    if machine == hand {
+        return match language {
+            Language::Japanese => format!("約 {machine}（目安）"),
+            Language::English => format!("About {machine} (an estimate)"),
+        };
+    }
     match language {
         Language::Japanese => format!("ミシンで約 {machine}、手縫いで約 {hand}（目安）"),
         Language::English => format!("About {machine} with a machine, {hand} by hand (estimates)"),
@@ -145,7 +156,7 @@ fn time_words(booklet: &Booklet<'_>, language: Language) -> String {
 /// "2.5 h", "40 min".
 fn hours(minutes: f64, language: Language) -> String {
     if minutes < 60.0 {
-        let minutes = (minutes / 5.0).round() * 5.0;
+        let minutes = (minutes / 5.0).round().max(1.0) * 5.0;
         return format!("{minutes:.0} {}", language.pick("分", "min"));
     }
     let hours = (minutes / 30.0).round() / 2.0;
@@ -153,16 +164,33 @@ fn hours(minutes: f64, language: Language) -> String {
 }
 
 /// An amount as it is asked for in a shop.
-pub(crate) fn amount_words(amount: Amount, language: Language) -> String {
+#[must_use]
+pub fn amount_words(kind: NotionKind, amount: Amount, language: Language) -> String {
     match amount {
         Amount::Length(length) if length.to_m() < 3.0 => format!("{:.0} cm", length.to_cm().ceil()),
         Amount::Length(length) => format!("{:.1} m", (length.to_m() * 10.0).ceil() / 10.0),
         Amount::Count(count) => match language {
-            Language::Japanese => format!("{count} 個"),
+            Language::Japanese => format!("{count} {}", counter(kind)),
             Language::English if count == 1 => "1 piece".to_owned(),
             Language::English => format!("{count} pieces"),
         },
         Amount::Mass(mass) => format!("{:.0} g", 1000.0 * mass),
+    }
+}
+
+/// The word that such things are counted with in Japanese.
+const fn counter(kind: NotionKind) -> &'static str {
+    match kind {
+        NotionKind::Leaf => "枚",
+        NotionKind::Zip
+        | NotionKind::HairPin
+        | NotionKind::Pistil
+        | NotionKind::Bamboo
+        | NotionKind::Feather
+        | NotionKind::Elastic
+        | NotionKind::Cord => "本",
+        NotionKind::Hook => "組",
+        _ => "個",
     }
 }
 
@@ -182,11 +210,16 @@ fn materials(flow: &mut Flow, plan: &DancerPlan, language: Language) {
         .draw(flow);
         flow.space(4.0);
     }
-    let tools = language.pick(
-        "道具: ミシン（または手縫い針）、アイロン、長い定規、チャコ、布用のはさみ、まち針、ゴム通し。",
-        "Tools: a sewing machine (or hand needles), an iron, a long ruler, chalk, fabric scissors, pins, a bodkin.",
-    );
-    flow.paragraph(tools, &TextStyle::body());
+    let tools = keep::tools(plan);
+    let tools: Vec<&str> = tools.iter().map(|tool| tool.text(language)).collect();
+    if !tools.is_empty() {
+        let tools = tools.join(language.pick("、", ", "));
+        let text = match language {
+            Language::Japanese => format!("道具: {tools}。"),
+            Language::English => format!("Tools: {tools}."),
+        };
+        flow.paragraph(&text, &TextStyle::body());
+    }
     flow.space(6.0);
 }
 
@@ -196,7 +229,8 @@ fn material_rows(garment: &PlannedGarment, language: Language) -> Vec<Vec<Cell>>
     for plan in &garment.plans {
         let bought = plan.marker.yardage;
         let (width, metric) = (plan.marker.cloth.width.to_cm(), bought.metric.to_m());
-        let (yards, mass) = (bought.imperial.to_yd(), plan.mass);
+        let yards = bought.imperial.to_yd();
+        let [mass, _] = masses(plan, language);
         let name = match plan.role {
             ClothRole::Main => tailored.cloth.name.text(language),
             role => role_name(role).text(language),
@@ -213,11 +247,23 @@ fn material_rows(garment: &PlannedGarment, language: Language) -> Vec<Vec<Cell>>
             },
         ]);
     }
-    let elastics = garment.elastics();
+    let notions = tailored.pattern.notions.iter();
+    let elastic = notions
+        .clone()
+        .find(|notion| notion.kind == NotionKind::Elastic);
+    // Rows of equal elastics are one line; those of one garment are of one width.
+    let is_by_row = elastic.is_some_and(|notion| notion.note.is_none());
+    let elastics = if is_by_row {
+        garment.elastics()
+    } else {
+        Vec::new()
+    };
     for (length, count) in &elastics {
         let (each, all) = (length.to_cm(), length.to_m() * f64::from(*count));
         rows.push(vec![
-            Cell::bold(language.pick("平ゴム（8～10 mm 幅）", "Flat elastic, 8 to 10 mm")),
+            Cell::bold(elastic.map_or_else(String::new, |notion| {
+                capitalized(notion.name.text(language))
+            })),
             format!("{all:.2} m").into(),
             match language {
                 Language::Japanese => format!("{each:.1} cm を {count} 本（重なりを含む）").into(),
@@ -226,13 +272,13 @@ fn material_rows(garment: &PlannedGarment, language: Language) -> Vec<Vec<Cell>>
         ]);
     }
     for notion in &tailored.pattern.notions {
-        if notion.kind == lole_pattern::pattern::NotionKind::Elastic {
+        if is_by_row && notion.kind == NotionKind::Elastic {
             continue;
         }
         let note = notion.note.as_ref();
         rows.push(vec![
             Cell::bold(capitalized(notion.name.text(language))),
-            amount_words(notion.amount, language).into(),
+            amount_words(notion.kind, notion.amount, language).into(),
             note.map_or_else(String::new, |note| note.text(language))
                 .into(),
         ]);
@@ -354,11 +400,30 @@ fn cut_plans(
             );
         }
     }
+    for plan in &garment.plans {
+        if let Some(text) = short_words(&plan.marker.yardage, language) {
+            flow.paragraph(&text, &TextStyle::body());
+        }
+    }
     for (piece, [along, across], count) in garment.rectangles() {
         let (along, across) = (along.to_cm(), across.to_cm());
+        let mut pieces = garment.tailored.pattern.pieces.iter();
+        let on_bias = pieces.any(|other| other.name == piece && other.is_on_bias());
         let text = match language {
+            Language::Japanese if on_bias => format!(
+                "{}: バイアス（耳から斜め 45°）に、長さ {:.1} cm × 幅 {:.1} cm を {count} 枚（縫い代を含む）。",
+                piece.japanese,
+                along.max(across),
+                along.min(across)
+            ),
+            Language::English if on_bias => format!(
+                "{}: on the bias, at 45° to the selvage, {:.1} × {:.1} cm, cut {count} (seam allowances included).",
+                piece.english,
+                along.max(across),
+                along.min(across)
+            ),
             Language::Japanese => format!(
-                "{}: みみに沿って {along:.1} cm × みみと直角に {across:.1} cm を {count} 枚（縫い代を含む）。",
+                "{}: 耳に沿って {along:.1} cm × 耳と直角に {across:.1} cm を {count} 枚（縫い代を含む）。",
                 piece.japanese
             ),
             Language::English => format!(
@@ -393,9 +458,11 @@ fn steps(flow: &mut Flow, garment: &PlannedGarment, language: Language) {
     };
     flow.keep(figures::height(&first.figure) + step_height(first, flow.width(), language) + 16.0);
     let name = garment.tailored.name.text(language);
-    let title = match language {
-        Language::Japanese => format!("縫い方: {name}"),
-        Language::English => format!("Sewing: {name}"),
+    let title = match (language, keep::is_sewn(garment)) {
+        (Language::Japanese, true) => format!("縫い方: {name}"),
+        (Language::Japanese, false) => format!("作り方: {name}"),
+        (Language::English, true) => format!("Sewing: {name}"),
+        (Language::English, false) => format!("Making: {name}"),
     };
     head(flow, &title);
     for warning in &pattern.warnings {
@@ -442,7 +509,10 @@ fn by_hand_words(by_hand: &Sentence, language: Language) -> String {
 
 fn step_title(flow: &mut Flow, number: u32, step: &Step, language: Language) {
     let [machine, hand] = step.minutes.map(|minutes| hours(minutes, language));
-    let time = if machine == hand {
+    let time = if step.minutes == [0.0, 0.0] {
+        // Putting it on is no work.
+        String::new()
+    } else if machine == hand {
         machine
     } else {
         match language {
@@ -469,16 +539,16 @@ fn step_title(flow: &mut Flow, number: u32, step: &Step, language: Language) {
     });
 }
 
-fn care(flow: &mut Flow, language: Language) {
+fn care(flow: &mut Flow, plan: &DancerPlan, language: Language) {
+    let rules = keep::care(plan);
+    if rules.is_empty() {
+        return;
+    }
     flow.keep(60.0);
     flow.space(4.0);
     head(flow, language.pick("手入れ", "Care"));
-    let lines = language.pick(
-        "ネットに入れて、ぬるま湯か水で手洗い、または洗濯機の弱いコースで洗います。濃い色は分けて洗います。\nギャザーをのばさないように、ゴムのところを持ってつるし、日陰に干します。\nアイロンは布の表示にしたがい、ゴムの上は避けます。\nゴムは伸びたら、縫い目の口をほどいて取り替えます。",
-        "Wash in a net, by hand or on a gentle cycle, in cool or lukewarm water. Wash dark colors apart.\nHang by the elastics in the shade, so that the gathers keep their shape.\nIron as the cloth's label says, and not over the elastic.\nWhen an elastic gets loose, open its gap in the seam and replace it.",
-    );
-    for line in lines.split('\n') {
-        flow.item("•", 6.0, line, &TextStyle::body());
+    for rule in rules {
+        flow.item("•", 6.0, rule.text(language), &TextStyle::body());
     }
 }
 
@@ -507,7 +577,7 @@ pub(crate) fn bill_table(bill: &Bill, language: Language) -> Table {
         .map(|line| {
             let sum = line.sum.map_or_else(unknown, |sum| currency.write(sum));
             vec![
-                Cell::bold(capitalized(line.name.text(language))),
+                Cell::bold(capitalized(&line.name.text(language))),
                 line.amount.text(language).into(),
                 sum.into(),
             ]
@@ -545,7 +615,7 @@ pub fn bill_remarks(bill: &Bill, language: Language) -> Vec<String> {
     if !keys.is_empty() {
         let comma = language.pick("、", ", ");
         let unpriced = bill.lines.iter().filter(|line| line.asks.is_some());
-        let names: Vec<&str> = unpriced.map(|line| line.name.text(language)).collect();
+        let names: Vec<String> = unpriced.map(|line| line.name.text(language)).collect();
         let (names, keys) = (names.join(comma), keys.join(comma));
         remarks.push(match language {
             Language::Japanese => format!(

@@ -7,6 +7,7 @@ use lole_body::Measure;
 use lole_costume::cost::Bill;
 use lole_costume::order::{DancerPlan, NotionTotal, PlannedGarment, PrintTotal, Settings};
 use lole_language::{Bilingual as _, Language, Sentence};
+use lole_pattern::pattern::{Amount, NotionKind};
 use serde::Serialize;
 
 use crate::ExportError;
@@ -22,8 +23,8 @@ pub use folder::{OrderFolder, OrderParts, order_folder};
 pub struct Order<'a> {
     /// What the costume is called.
     pub title: String,
-    /// Height of every hem above the floor [cm].
-    pub hem_height_cm: f64,
+    /// Height of every hem above the floor [cm]; `None` where the costume has none that was decided.
+    pub hem_height_cm: Option<f64>,
     /// The dancers, in the order of the list.
     pub plans: &'a [DancerPlan],
     /// Each dancer's picture, where there is one; all at one scale.
@@ -42,6 +43,24 @@ pub struct Order<'a> {
     pub notes: &'a [Sentence],
     /// Spare cloth and bolts.
     pub settings: &'a Settings,
+    /// Thread on one spool [m].
+    pub spool_m: f64,
+}
+
+impl Order<'_> {
+    /// Thread as it is bought: spools of the length that the cost is reckoned by.
+    fn spool_words(&self, amount: Amount, language: Language) -> String {
+        let Amount::Length(length) = amount else {
+            return amount_words(NotionKind::Thread, amount, language);
+        };
+        let each = self.spool_m.max(1.0);
+        let spools = (length.to_m() / each - 1e-9).ceil();
+        match language {
+            Language::Japanese => format!("{each:.0} m 巻きを {spools:.0} 巻き"),
+            Language::English if spools <= 1.0 => format!("1 spool of {each:.0} m"),
+            Language::English => format!("{spools:.0} spools of {each:.0} m"),
+        }
+    }
 }
 
 /// The summary, the shopping list and the labels.
@@ -60,10 +79,14 @@ pub fn order_sheets(order: &Order<'_>, paper: Paper, language: Language) -> Vec<
 fn summary(flow: &mut Flow, order: &Order<'_>, language: Language) {
     let title = TextStyle::bold(24.0).with_color(ACCENT);
     flow.paragraph(&order.title, &title);
-    let (count, hem) = (order.plans.len(), order.hem_height_cm);
-    let about = match language {
-        Language::Japanese => format!("{count} 人。裾は全員、床から {hem:.0} cm。"),
-        Language::English => format!("{count} dancers. Every hem is {hem:.0} cm above the floor."),
+    let count = order.plans.len();
+    let about = match (language, order.hem_height_cm) {
+        (Language::Japanese, Some(hem)) => format!("{count} 人。裾は全員、床から {hem:.0} cm。"),
+        (Language::Japanese, None) => format!("{count} 人。"),
+        (Language::English, Some(hem)) => {
+            format!("{count} dancers. Every hem is {hem:.0} cm above the floor.")
+        }
+        (Language::English, None) => format!("{count} dancers."),
     };
     flow.paragraph(&about, &TextStyle::regular(14.0));
     for note in order.notes {
@@ -256,8 +279,17 @@ fn shopping(flow: &mut Flow, order: &Order<'_>, language: Language) {
         flow.space(2.0);
     }
     for notion in order.notions {
-        let amount = amount_words(notion.amount, language);
-        let text = format!("{}: {amount}", capitalized(notion.name.text(language)));
+        let amount = match notion.kind {
+            NotionKind::Thread => order.spool_words(notion.amount, language),
+            kind => amount_words(kind, notion.amount, language),
+        };
+        let each = notion
+            .length
+            .map_or_else(String::new, |length| format!(" {:.0} cm", length.to_cm()));
+        let text = format!(
+            "{}{each}: {amount}",
+            capitalized(notion.name.text(language))
+        );
         flow.item("□", 7.0, &text, &TextStyle::body());
     }
     flow.space(6.0);
@@ -412,7 +444,7 @@ fn draw_label(sheet: &mut Sheet, rect: Rect, plan: &DancerPlan, language: Langua
 #[derive(Serialize)]
 struct File {
     lole: &'static str,
-    hem_height_cm: f64,
+    hem_height_cm: Option<f64>,
     dancers: Vec<DancerRow>,
     prints: Vec<PrintRow>,
     cost: CostRow,
@@ -545,7 +577,7 @@ pub fn order_json(order: &Order<'_>, version: &'static str) -> Result<String, Ex
 pub fn bill_json(bill: &Bill) -> Result<String, ExportError> {
     #[derive(Serialize)]
     struct Line {
-        name: &'static str,
+        name: String,
         amount: String,
         sum: Option<f64>,
         asks: Option<&'static str>,
@@ -557,7 +589,7 @@ pub fn bill_json(bill: &Bill) -> Result<String, ExportError> {
         cost: CostRow,
     }
     let lines = bill.lines.iter().map(|line| Line {
-        name: line.name.english,
+        name: line.name.to_string(),
         amount: line.amount.to_string(),
         sum: line.sum.map(rounded),
         asks: line.asks,

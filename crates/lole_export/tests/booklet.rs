@@ -40,7 +40,7 @@ fn pages(design: &Design, plan: &DancerPlan, language: Language) -> Vec<Sheet> {
         prints: &[],
         bill: &bill,
         cover: None,
-        hem_height_cm: design.skirt.hem_height_cm,
+        hem_height_cm: design.costume_hem_cm(),
     };
     booklet_sheets(&booklet, Paper::A4, language)
 }
@@ -63,7 +63,7 @@ fn group_pages(language: Language) -> Vec<Sheet> {
     let problems = [Sentence::new("5 行目: 空です", "line 5: it is empty")];
     let order = Order {
         title: "Pāʻū".to_owned(),
-        hem_height_cm: 22.0,
+        hem_height_cm: Some(22.0),
         plans: &plans,
         pictures: &[],
         prints: &order::prints(&plans, &design, &settings),
@@ -73,6 +73,7 @@ fn group_pages(language: Language) -> Vec<Sheet> {
         problems: &problems,
         notes: &[],
         settings: &settings,
+        spool_m: design.cost.thread_spool_m,
     };
     let json = order_json(&order, "test").unwrap_or_else(|error| panic!("{error}"));
     let json: serde_json::Value = serde_json::from_str(&json).unwrap_or_default();

@@ -4,6 +4,7 @@ pub mod pau_skirt;
 pub mod pau_top;
 mod rectangle;
 mod steps;
+pub(crate) use steps::Sewn;
 
 /// One garment that can be drafted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

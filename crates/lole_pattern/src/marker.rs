@@ -19,7 +19,7 @@ use kurbo::Affine;
 use lole_geom::Length;
 use lole_language::{Bilingual, Sentence, Words};
 
-use crate::piece::ClothRole;
+use crate::piece::{ClothRole, LineKind, Mark};
 use crate::polygon::Polygon;
 use crate::{Pattern, Yardage};
 
@@ -244,7 +244,11 @@ pub fn lay_out(pattern: &Pattern, role: ClothRole, cloth: &TableCloth) -> Marker
     Marker {
         cloth: *cloth,
         folded_length,
-        yardage: Yardage::for_length(length),
+        yardage: if is_gathered_ring(pattern, role) {
+            Yardage::for_gathered(length)
+        } else {
+            Yardage::for_length(length)
+        },
         efficiency: if 0.0 < cloth_area {
             area / cloth_area
         } else {
@@ -253,6 +257,26 @@ pub fn lay_out(pattern: &Pattern, role: ClothRole, cloth: &TableCloth) -> Marker
         warnings,
         placed,
     }
+}
+
+/// Whether all that is cut from a cloth is one rectangle that is closed to a ring and gathered on elastic.
+fn is_gathered_ring(pattern: &Pattern, role: ClothRole) -> bool {
+    let mut pieces = (pattern.pieces.iter().enumerate()).filter(|(_, piece)| piece.cloth == role);
+    let (Some((index, piece)), None) = (pieces.next(), pieces.next()) else {
+        return false;
+    };
+    let has_casing = piece.marks.iter().any(|mark| {
+        matches!(
+            mark,
+            Mark::Line {
+                kind: LineKind::CasingTop,
+                ..
+            }
+        )
+    });
+    let is_closed =
+        (pattern.seams.iter()).any(|seam| seam.flat.piece == index && seam.full.piece == index);
+    has_casing && is_closed && piece.cut.pieces() == 1
 }
 
 /// How far along the cloth the pieces reach.

@@ -87,14 +87,34 @@ pub struct Notion {
 pub enum NotionKind {
     /// Elastic in casings.
     Elastic,
-    /// Cord, tape or ribbon.
+    /// Cord, tape, string or ribbon.
     Cord,
     /// Sewing thread, both threads of a machine.
     Thread,
-    /// Buttons, hooks, zips.
-    Fastener,
-    /// Leaves, strands, film, flowers, shells.
-    Material,
+    /// A zip; its amount is the length of the opening that it closes.
+    Zip,
+    /// Buttons.
+    Button,
+    /// Hooks with their eyes.
+    Hook,
+    /// Flowers, artificial or fresh.
+    Flower,
+    /// Pistils of artificial flowers.
+    Pistil,
+    /// Fresh leaves and ferns.
+    Leaf,
+    /// Raffia, by length or by mass.
+    Raffia,
+    /// Cellophane and other film, by length.
+    Film,
+    /// Pins and clips for the hair.
+    HairPin,
+    /// Dried gourds.
+    Gourd,
+    /// Sticks of bamboo.
+    Bamboo,
+    /// Feathers.
+    Feather,
 }
 
 /// How much.
@@ -119,7 +139,7 @@ pub struct Step {
     pub by_hand: Option<Sentence>,
     /// What its drawing shows.
     pub figure: Figure,
-    /// Time with a machine, and by hand [min]. Estimates.
+    /// Time with a machine, and by hand [min]; 0 for what is no work, such as putting it on. Estimates.
     pub minutes: [f64; 2],
 }
 

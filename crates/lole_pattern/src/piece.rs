@@ -196,6 +196,12 @@ impl Edge {
 }
 
 impl Piece {
+    /// Whether it is cut on the bias, at 45° to the selvage.
+    #[must_use]
+    pub fn is_on_bias(&self) -> bool {
+        (self.grain.x.abs() - self.grain.y.abs()).abs() < 0.1
+    }
+
     /// The edge of this name.
     #[must_use]
     pub fn edge(&self, id: &str) -> Option<&Edge> {

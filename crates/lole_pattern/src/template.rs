@@ -32,6 +32,7 @@ mod sleeve;
 mod strands;
 mod ti_leaf_skirt;
 mod uliuli;
+mod work;
 mod yoke;
 
 use lole_language::{Words, words};

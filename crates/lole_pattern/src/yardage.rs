@@ -8,7 +8,7 @@ const METRIC_UNIT: f64 = 0.1;
 /// Shops in Hawaiʻi cut by half a yard.
 const HALF_YARD: f64 = 0.5;
 
-/// What a piece may fall short of before the next unit is bought [m]: its two seam allowances of 1 cm.
+/// What a gathered ring may fall short of before the next unit is bought [m]: its gathers do not show it.
 /// So a 91.4 cm hip buys 4 yd (365.8 cm) for a piece of 367.6 cm.
 const GIVE: f64 = 0.02;
 
@@ -24,15 +24,40 @@ pub struct Yardage {
 }
 
 impl Yardage {
-    /// Rounds up, except where the seam allowances can give the missing two centimeters.
+    /// Rounds up.
     #[must_use]
     pub fn for_length(needed: Length) -> Self {
-        let given = needed - Length::from_m(GIVE);
+        Self::covering(needed, needed)
+    }
+
+    /// For one rectangle that is closed to a ring and gathered: rounds up, except where it can do without
+    /// the missing two centimeters. [`Self::missing`] says how much that is.
+    #[must_use]
+    pub fn for_gathered(needed: Length) -> Self {
+        Self::covering(needed, needed - Length::from_m(GIVE))
+    }
+
+    fn covering(needed: Length, least: Length) -> Self {
         Self {
             needed,
-            metric: Length::from_m(units_covering(given.to_m(), METRIC_UNIT) * METRIC_UNIT),
-            imperial: Length::from_yd(units_covering(given.to_yd(), HALF_YARD) * HALF_YARD),
+            metric: Length::from_m(units_covering(least.to_m(), METRIC_UNIT) * METRIC_UNIT),
+            imperial: Length::from_yd(units_covering(least.to_yd(), HALF_YARD) * HALF_YARD),
         }
+    }
+
+    /// What the bought cloth falls short of the needed length, by meters and by yards; zero where it
+    /// does not.
+    #[must_use]
+    pub fn missing(&self) -> [Length; 2] {
+        [self.metric, self.imperial].map(|bought| {
+            let missing = self.needed - bought;
+            // Rounding noise is nothing that anybody cuts.
+            if missing < Length::from_cm(0.05) {
+                Length::ZERO
+            } else {
+                missing
+            }
+        })
     }
 }
 
@@ -46,11 +71,23 @@ mod tests {
     use super::*;
 
     #[test]
-    fn two_centimeters_are_given_and_three_are_bought() {
-        assert!((Yardage::for_length(Length::from_cm(362.0)).metric.to_cm() - 360.0).abs() < 1e-9);
-        assert!((Yardage::for_length(Length::from_cm(363.0)).metric.to_cm() - 370.0).abs() < 1e-9);
-        assert!((Yardage::for_length(Length::from_cm(367.6)).imperial.to_yd() - 4.0).abs() < 1e-9);
-        assert!((Yardage::for_length(Length::from_cm(368.0)).imperial.to_yd() - 4.5).abs() < 1e-9);
+    fn gathers_give_two_centimeters_and_three_are_bought() {
+        let bought = |cm| Yardage::for_gathered(Length::from_cm(cm));
+        assert!((bought(362.0).metric.to_cm() - 360.0).abs() < 1e-9);
+        assert!((bought(363.0).metric.to_cm() - 370.0).abs() < 1e-9);
+        assert!((bought(367.6).imperial.to_yd() - 4.0).abs() < 1e-9);
+        assert!((bought(368.0).imperial.to_yd() - 4.5).abs() < 1e-9);
+        let [metric, imperial] = bought(367.6).missing();
+        assert!(metric == Length::ZERO && (imperial.to_cm() - 1.84).abs() < 1e-9);
+    }
+
+    #[test]
+    fn all_else_is_bought_to_the_last_millimeter() {
+        for cm in [311.8, 300.1, 362.0, 10.0] {
+            let bought = Yardage::for_length(Length::from_cm(cm));
+            assert!(cm <= bought.metric.to_cm() + 1e-6 && cm <= bought.imperial.to_cm() + 1e-6);
+            assert_eq!(bought.missing(), [Length::ZERO; 2]);
+        }
     }
 
     #[test]

@@ -55,12 +55,43 @@ pub struct CostDesign {
     pub thread_price_per_spool: Option<f64>,
     /// Thread on one spool [m].
     pub thread_spool_m: f64,
+    /// What is bought beside cloth, elastic, tape and thread.
+    pub notions: NotionPrices,
     /// All else for one costume.
     pub other_price: Option<f64>,
     /// An hour of sewing; work is not counted when `None`.
     pub wage_per_h: Option<f64>,
     /// The same costume bought ready.
     pub bought_price: Option<f64>,
+}
+
+/// Prices of what is bought beside cloth, elastic, tape and thread.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct NotionPrices {
+    /// One zip.
+    pub zip: Option<f64>,
+    /// One button.
+    pub button: Option<f64>,
+    /// One hook and eye.
+    pub hook: Option<f64>,
+    /// One flower.
+    pub flower: Option<f64>,
+    /// One pistil.
+    pub pistil: Option<f64>,
+    /// One leaf or fern.
+    pub leaf: Option<f64>,
+    /// 100 g of raffia.
+    pub raffia_per_100g: Option<f64>,
+    /// One meter of cellophane or OPP film.
+    pub film_per_m: Option<f64>,
+    /// One hair pin or clip.
+    pub hair_pin: Option<f64>,
+    /// One gourd.
+    pub gourd: Option<f64>,
+    /// One stick of bamboo.
+    pub bamboo: Option<f64>,
+    /// One feather.
+    pub feather: Option<f64>,
 }
 
 impl Default for CostDesign {
@@ -72,6 +103,7 @@ impl Default for CostDesign {
             thread_price_per_spool: None,
             // The usual spool of a Japanese shop.
             thread_spool_m: 200.0,
+            notions: NotionPrices::default(),
             other_price: None,
             wage_per_h: None,
             bought_price: None,

@@ -264,7 +264,7 @@ pub const PRESETS: &[Preset] = &[
     Preset {
         id: "ti-leaf",
         name: "Ti leaf, fresh, midrib out, along the leaf",
-        name_ja: "ティリーフ（生、葉に沿って）",
+        name_ja: "ティーリーフ（生、葉に沿って）",
         areal_density: estimated(300.0),
         thickness: estimated(0.35),
         stretch: estimated([2.0e4, 5000.0]),

@@ -235,7 +235,7 @@ pub const MOTIFS: &[MotifRow] = &[
     MotifRow {
         id: "ti-leaf",
         motif: PrintMotif::TiLeaf,
-        name: words("ティリーフ（ラーイー）", "ti leaf (lāʻī)"),
+        name: words("ティーリーフ（ラーイー）", "ti leaf (lāʻī)"),
         recipe: Recipe::Scatter(Scatter {
             heroes: &[],
             tucked: &[],

@@ -4,8 +4,8 @@
 //! layer on layer with gaps between the layers.
 
 use kurbo::{Affine, BezPath, Point, Shape as _};
-use lole_language::Language;
-use lole_pattern::pattern::{Figure, Pattern, Seam};
+use lole_language::{Language, words};
+use lole_pattern::pattern::{Figure, NotionKind, Pattern, Seam};
 use lole_pattern::piece::{Finish, LineKind, Mark, Piece};
 
 use super::middle;
@@ -48,7 +48,15 @@ pub(super) fn draw(
         Figure::Seams(seams) => draw_seams(sheet, rect, pattern, seams, language),
         Figure::Section { piece, marks } => {
             if let Some(piece) = pattern.pieces.get(*piece) {
-                draw_section(sheet, rect, piece, marks, language);
+                let has_elastic =
+                    (pattern.notions.iter()).any(|notion| notion.kind == NotionKind::Elastic);
+                let casing = if has_elastic {
+                    words("ゴム通し", "casing")
+                } else {
+                    words("ひも通し", "casing")
+                };
+                let casing = casing.text(language);
+                draw_section(sheet, rect, piece, (marks, casing), language);
             }
         }
     }
@@ -102,26 +110,50 @@ fn draw_piece(
         arrow(sheet, grain, &Stroke::solid(0.3).with_color(Color::GRAY));
     }
     let bounds = cut.bounds();
-    if !edges.is_empty() {
+    let is_whole = edges.len() == piece.edges.len();
+    if is_whole || (!edges.is_empty() && drawing.rectangle.is_some()) {
         draw_sizes(sheet, page, bounds);
+    }
+    // What is cut has all of its edges; what is sewn is brought out.
+    let sewn = edges.iter().filter(|_| !is_whole);
+    for edge in sewn.filter_map(|&edge| piece.edges.get(edge)) {
+        let stroke = Stroke::solid(0.9).with_color(SEWN);
+        sheet.path(path_of(&edge.points(1e-3), page), None, Some(stroke));
     }
     let right = (page * Point::new(bounds.x1, 0.0)).x;
     let mut free = f64::NEG_INFINITY;
-    for mark in marks.iter().filter_map(|&mark| piece.marks.get(mark)) {
-        let Mark::Line { kind, path } = mark else {
-            continue;
-        };
+    let mut darts_named = false;
+    // From the top down, so that no label's line crosses another's.
+    let mut lines: Vec<(LineKind, &BezPath)> = (marks.iter())
+        .filter_map(|&mark| match piece.marks.get(mark) {
+            Some(Mark::Line { kind, path }) => Some((*kind, path)),
+            _ => None,
+        })
+        .collect();
+    let level_of = |path: &BezPath| path.bounding_box().center().y;
+    lines.sort_by(|(_, one), (_, other)| level_of(other).total_cmp(&level_of(one)));
+    for (kind, path) in lines {
         let stroke = Stroke::solid(0.45).with_color(SEWN);
         sheet.path(page * path.clone(), None, Some(stroke));
         let on_piece = path.bounding_box().center();
         let at = page * on_piece;
         // Labels keep a line's distance, so that close lines can be told apart.
+        let below = 100.0 * (bounds.y1 - on_piece.y);
+        let name = short_name(kind, language);
+        let text = match kind {
+            // Both legs of a dart have one name; where it lies is in the pattern.
+            LineKind::Dart if darts_named => continue,
+            LineKind::Dart => {
+                darts_named = true;
+                name.to_owned()
+            }
+            LineKind::Slit => format!("{:.1} cm  {name}", 100.0 * long_side(path)),
+            _ => format!("{below:.1} cm  {name}"),
+        };
         let level = at.y.max(free + 4.6);
         free = level;
         let leader = Stroke::solid(0.15).with_color(Color::GRAY);
         sheet.line([right, at.y], [right + 6.0, level], leader);
-        let below = 100.0 * (bounds.y1 - on_piece.y);
-        let text = format!("{below:.1} cm  {}", short_name(*kind, language));
         sheet.text(
             [right + 7.0, level + 1.3],
             &text,
@@ -129,6 +161,12 @@ fn draw_piece(
             Align::Left,
         );
     }
+}
+
+/// Length of a line that runs straight across or down [m].
+fn long_side(path: &BezPath) -> f64 {
+    let bounds = path.bounding_box();
+    bounds.width().max(bounds.height())
 }
 
 /// Names that fit beside a drawing.
@@ -140,7 +178,7 @@ const fn short_name(kind: LineKind, language: Language) -> &'static str {
         LineKind::CasingBottom => ("ゴム通し 下", "casing, bottom"),
         LineKind::HemFold => ("裾の折り線", "hem fold"),
         LineKind::Gather => ("ギャザー", "gathers"),
-        LineKind::Dart => ("ダーツ・タック", "dart, pleat"),
+        LineKind::Dart => ("ダーツ", "dart"),
         LineKind::Placement => ("付け位置", "placement"),
         LineKind::Slit => ("切り込み", "slit"),
     };
@@ -159,7 +197,9 @@ fn draw_sizes(sheet: &mut Sheet, page: Affine, bounds: kurbo::Rect) {
         [Point::new(corner.x, below), Point::new(far.x, below)],
         &stroke,
     );
-    let width = format!("{:.1} cm", 100.0 * bounds.width());
+    // Halves of millimeters are rounded as in the sentences of the steps.
+    let said = |meters: f64| format!("{:.1} cm", (1000.0 * meters).round() / 10.0);
+    let width = said(bounds.width());
     sheet.text(
         [0.5 * (corner.x + far.x), below + 5.5],
         &width,
@@ -172,7 +212,7 @@ fn draw_sizes(sheet: &mut Sheet, page: Affine, bounds: kurbo::Rect) {
         [Point::new(aside, corner.y), Point::new(aside, far.y)],
         &stroke,
     );
-    let height = format!("{:.1} cm", 100.0 * bounds.height());
+    let height = said(bounds.height());
     let at = [aside - 2.0, 0.5 * (corner.y + far.y)];
     sheet.turned_text(
         at,
@@ -387,7 +427,13 @@ fn levels(piece: &Piece) -> Vec<(LineKind, f64)> {
 }
 
 /// Cloth in section: a band that is folded at the top, or a hem.
-fn draw_section(sheet: &mut Sheet, rect: Rect, piece: &Piece, marks: &[usize], language: Language) {
+fn draw_section(
+    sheet: &mut Sheet,
+    rect: Rect,
+    piece: &Piece,
+    (marks, casing): (&[usize], &str),
+    language: Language,
+) {
     let all = levels(piece);
     let marks: Vec<(LineKind, f64)> = marks
         .iter()
@@ -455,8 +501,8 @@ fn draw_section(sheet: &mut Sheet, rect: Rect, piece: &Piece, marks: &[usize], l
         }
         if y <= end {
             let text = match language {
-                Language::Japanese => format!("ゴム通し {number} 段目"),
-                Language::English => format!("casing {number}"),
+                Language::Japanese => format!("{casing} {number} 段目"),
+                Language::English => format!("{casing} {number}"),
             };
             sheet.text([said[1], y + 1.3], &text, &LABEL, Align::Left);
         }

@@ -5,6 +5,7 @@ use lole_costume::print::cloth_picture;
 use lole_costume::tailoring::{ClothPlan, role_name};
 use lole_geom::Length;
 use lole_language::{Bilingual as _, Language};
+use lole_pattern::Yardage;
 use lole_pattern::marker::{Lay, Marker, Nap};
 use lole_pattern::piece::ClothRole;
 
@@ -108,6 +109,9 @@ fn write_plan(flow: &mut Flow, cut: &CutGarment, plan: &ClothPlan, language: Lan
         let text = format!("! {}", warning.text(language));
         flow.paragraph(&text, &TextStyle::bold(10.5));
     }
+    if let Some(sentence) = short_words(&plan.marker.yardage, language) {
+        flow.paragraph(&sentence, &TextStyle::regular(11.0));
+    }
     pieces_table(cut, plan, language).draw(flow);
 }
 
@@ -132,7 +136,7 @@ fn about(cut: &CutGarment, plan: &ClothPlan, language: Language) -> String {
     let width = cm(cloth.width);
     let needed = cm(yardage.needed);
     let (metric, imperial) = (yardage.metric.to_m(), yardage.imperial.to_yd());
-    let (mass, used) = (plan.mass, 100.0 * efficiency);
+    let ([bought, cut_kg], used) = (masses(plan, language), 100.0 * efficiency);
     let direction = match cloth.nap {
         Nap::OneWay => language.pick("・一方向に裁つ", "; all pieces one way"),
         Nap::TwoWay => "",
@@ -140,13 +144,65 @@ fn about(cut: &CutGarment, plan: &ClothPlan, language: Language) -> String {
     match language {
         Language::Japanese => format!(
             "{name}　幅 {width}　用尺 {needed} → {metric:.1} m（または {imperial:.1} ヤード）を買う \
-             重さ {mass:.2} kg　使用率 {used:.0} %{direction}"
+             重さ {bought:.2} kg（裁ったあと {cut_kg:.2} kg）　使用率 {used:.0} %{direction}"
         ),
         Language::English => format!(
             "{name}, {width} wide. Needs {needed}: buy {imperial:.1} yd or {metric:.1} m. \
-             Weighs {mass:.2} kg; {used:.0} % of the cloth is used{direction}."
+             Weighs {bought:.2} kg, {cut_kg:.2} kg once cut; {used:.0} % of the cloth is used{direction}."
         ),
     }
+}
+
+/// Mass of the cloth as it is bought, by the yard in English and by the meter in Japanese, and of all
+/// pieces once they are cut [kg].
+#[must_use]
+pub fn masses(plan: &ClothPlan, language: Language) -> [f64; 2] {
+    let yardage = plan.marker.yardage;
+    let bought = match language {
+        Language::Japanese => yardage.metric,
+        Language::English => yardage.imperial,
+    };
+    let per_meter = plan.mass / yardage.needed.to_m().max(1e-6);
+    [
+        bought.to_m() * per_meter,
+        plan.marker.efficiency * plan.mass,
+    ]
+}
+
+/// Why a gathered rectangle is cut from a little less than its length, where that is so.
+#[must_use]
+pub fn short_words(yardage: &Yardage, language: Language) -> Option<String> {
+    let [metric, imperial] = yardage.missing();
+    let bought = [
+        (metric, format!("{:.1} m", yardage.metric.to_m())),
+        (
+            imperial,
+            match language {
+                Language::Japanese => format!("{:.1} ヤード", yardage.imperial.to_yd()),
+                Language::English => format!("{:.1} yd", yardage.imperial.to_yd()),
+            },
+        ),
+    ];
+    let short: Vec<String> = (bought.iter())
+        .filter(|(missing, _)| Length::ZERO < *missing)
+        .map(|(missing, bought)| match language {
+            Language::Japanese => format!("{bought}なら {:.1} cm", missing.to_cm()),
+            Language::English => format!("{bought} are {:.1} cm short", missing.to_cm()),
+        })
+        .collect();
+    if short.is_empty() {
+        return None;
+    }
+    Some(match language {
+        Language::Japanese => format!(
+            "{} 足りませんが、脇の縫い代はそのままで、輪をその分だけ小さく縫います。ギャザーに隠れます。",
+            short.join("、")
+        ),
+        Language::English => format!(
+            "{}: keep the allowance of the side seam and sew the ring that much smaller; the gathers hide it.",
+            short.join(", ")
+        ),
+    })
 }
 
 /// The cloth with its pieces, as large as fits into `rect`.
@@ -380,11 +436,15 @@ fn pieces_table(cut: &CutGarment, plan: &ClothPlan, language: Language) -> Table
         .map(|piece| {
             let whole = piece.unfolded().cut_polygon(TOLERANCE);
             let bounds = whole.bounds();
-            let size = format!(
-                "{:.1} × {:.1} cm",
-                0.1 * MM * bounds.width(),
-                0.1 * MM * bounds.height()
-            );
+            let [width, height] = [bounds.width(), bounds.height()].map(|side| 0.1 * MM * side);
+            let size = if piece.is_on_bias() {
+                let bias = pick("斜め 45°", "bias 45°");
+                format!("{bias}: {width:.1} × {height:.1} cm")
+            } else if piece.grain.y.abs() < piece.grain.x.abs() {
+                format!("{width:.1} × {height:.1} cm")
+            } else {
+                format!("{height:.1} × {width:.1} cm")
+            };
             let how = if piece.drawing(TOLERANCE).rectangle.is_some() {
                 pick(
                     "定規とチャコで（ruler.pdf）",
@@ -404,14 +464,17 @@ fn pieces_table(cut: &CutGarment, plan: &ClothPlan, language: Language) -> Table
         });
     Table {
         columns: vec![
-            Column::text(pick("パーツ", "piece"), 0.26),
+            Column::text(pick("パーツ", "piece"), 0.23),
             Column::text(pick("枚数", "count"), 0.14),
             Column::text(
-                pick("裁ち切り寸法（横 × 縦）", "cut size, across × up"),
-                0.22,
+                pick(
+                    "裁ち切り寸法（耳に沿って × 幅の方向）",
+                    "cut size, along the selvage × across",
+                ),
+                0.27,
             ),
             Column::number(pick("面積（全部）", "area in all"), 0.14),
-            Column::text(pick("写し方", "how to draw it"), 0.24),
+            Column::text(pick("写し方", "how to draw it"), 0.22),
         ],
         rows: rows.collect(),
         size_pt: 10.0,

@@ -85,7 +85,12 @@ fn write_rectangle(
     };
     flow.paragraph(&title, &TextStyle::bold(19.0));
     let [width, height] = size;
-    let warp = if piece.grain.y.abs() < piece.grain.x.abs() {
+    let warp = if piece.is_on_bias() {
+        language.pick(
+            "バイアス（耳から斜め 45°）に裁つ",
+            "cut on the bias, at 45° to the selvage",
+        )
+    } else if piece.grain.y.abs() < piece.grain.x.abs() {
         language.pick(
             "横に縦地（耳と平行）",
             "the warp (selvage) runs across the drawing",

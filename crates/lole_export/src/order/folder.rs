@@ -61,7 +61,7 @@ pub fn order_folder(parts: &OrderParts<'_>) -> Result<OrderFolder, ExportError> 
     notes.extend(parts.group.warnings());
     let order = Order {
         title: parts.title.clone(),
-        hem_height_cm: design.skirt.hem_height_cm,
+        hem_height_cm: design.costume_hem_cm(),
         plans,
         pictures: parts.pictures,
         prints: &prints,
@@ -71,6 +71,7 @@ pub fn order_folder(parts: &OrderParts<'_>) -> Result<OrderFolder, ExportError> 
         problems: &parts.group.problems,
         notes: &notes,
         settings: parts.settings,
+        spool_m: design.cost.thread_spool_m,
     };
     let (paper, language) = (parts.paper, parts.language);
     let pdf = |sheets: Vec<Sheet>| {

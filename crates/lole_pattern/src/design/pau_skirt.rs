@@ -294,7 +294,7 @@ pub fn draft_pau_skirt(
         lines: marked_lines(&elastic_rows, finished_length, options),
         elastic_rows,
         elastic_total,
-        yardage: Yardage::for_length(cut_length),
+        yardage: Yardage::for_gathered(cut_length),
         thread: thread(options.elastic_row_count, cut_length, cut_height),
         warnings: warnings(measurements, options, cut_height),
     })

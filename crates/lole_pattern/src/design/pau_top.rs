@@ -126,7 +126,7 @@ pub fn draft_pau_top(
         lines: marked_lines(&elastic_rows, finished_length, cut),
         elastic_rows,
         elastic_total,
-        yardage: Yardage::for_length(cut_length),
+        yardage: Yardage::for_gathered(cut_length),
         thread: thread(row_count, cut_length, cut_height),
         warnings: Vec::new(),
     })

@@ -5,7 +5,7 @@ use lole_geom::Length;
 use lole_language::{Sentence, Words, words};
 
 use super::pau_skirt::{LineKind as PauLine, PauDraft, PauWarning};
-use super::steps::steps;
+use super::steps::{Sewn, steps};
 use crate::pattern::{Amount, Notion, NotionKind, Pattern, Seam, SeamKind, SeamSide};
 use crate::piece::{ClothRole, CutCount, Edge, Finish, LineKind, Mark, Piece};
 
@@ -18,12 +18,17 @@ impl PauDraft {
     /// hem fold at `y = 0`; the warp runs around the body.
     #[must_use]
     pub fn pattern(&self, name: Words) -> Pattern {
+        self.pattern_with(name, None)
+    }
+
+    /// The same with what is sewn onto it before the elastics are drawn in.
+    pub(crate) fn pattern_with(&self, name: Words, sewn: Option<Sewn>) -> Pattern {
         Pattern {
             pieces: vec![self.piece(name)],
             seams: vec![closing_seam()],
             drawn_in: Vec::new(),
             notions: self.notions(),
-            steps: steps(self),
+            steps: steps(self, sewn),
             // What is wider than the cloth is told by the cut plan, for whatever cloth that has.
             warnings: (self.warnings.iter())
                 .filter(|warning| !matches!(warning, PauWarning::TallerThanCloth { .. }))
@@ -85,7 +90,7 @@ impl PauDraft {
             let length = self.flat_length + Length::from_cm(2.0);
             notions.push(Notion {
                 kind: NotionKind::Cord,
-                name: words("ゴム通し用テープ", "casing tape"),
+                name: self.widths().1,
                 amount: Amount::Length(length * tape_count as f64),
                 note: Some(pieces_of(tape_count, length)),
             });
@@ -99,12 +104,53 @@ impl PauDraft {
         notions
     }
 
+    /// Elastic and tape that fit the casing: the elastic lies flat in it with a few millimeters of room,
+    /// the tape has both rows of stitches on it.
+    fn widths(&self) -> (Words, Words) {
+        let at = |kind| {
+            let line = self.lines.iter().find(|line| line.kind == kind);
+            line.map_or(Length::ZERO, |line| line.from_edge)
+        };
+        let casing = at(PauLine::CasingBottom) - at(PauLine::CasingTop);
+        match casing.to_cm() {
+            cm if cm < 1.9 => (
+                words(
+                    "平ゴム（8～10 mm 幅）",
+                    "flat braided elastic, 8 to 10 mm wide",
+                ),
+                words("ゴム通し用テープ（2 cm 幅）", "casing tape, 2 cm wide"),
+            ),
+            cm if cm < 2.4 => (
+                words("平ゴム（15 mm 幅）", "flat braided elastic, 15 mm wide"),
+                words("ゴム通し用テープ（2.5 cm 幅）", "casing tape, 2.5 cm wide"),
+            ),
+            cm if cm < 3.0 => (
+                words("平ゴム（20 mm 幅）", "flat braided elastic, 20 mm wide"),
+                words("ゴム通し用テープ（3 cm 幅）", "casing tape, 3 cm wide"),
+            ),
+            cm if cm < 4.0 => (
+                words("平ゴム（25 mm 幅）", "flat braided elastic, 25 mm wide"),
+                words("ゴム通し用テープ（4 cm 幅）", "casing tape, 4 cm wide"),
+            ),
+            _ => (
+                words(
+                    "平ゴム（ゴム通しより 5 mm 細いもの）",
+                    "flat elastic, 5 mm narrower than its casing",
+                ),
+                words(
+                    "ゴム通し用テープ（ゴム通しより 1 cm 広いもの）",
+                    "casing tape, 1 cm wider than its casing",
+                ),
+            ),
+        }
+    }
+
     /// One notion for each elastic, from the top down.
     fn elastics(&self) -> Vec<Notion> {
         let rows = self.elastic_rows.iter();
         rows.map(|row| Notion {
             kind: NotionKind::Elastic,
-            name: words("平ゴム（コールゴム）", "flat braided elastic"),
+            name: self.widths().0,
             amount: Amount::Length(row.cut_length),
             note: None,
         })

@@ -21,18 +21,35 @@ const HEM_TURN: Length = Length::from_cm(1.0);
 const PANEL: usize = 0;
 const CLOSING: usize = 0;
 
-/// The steps of a draft, in order.
-pub(super) fn steps(draft: &PauDraft) -> Vec<Step> {
+/// What is sewn onto a skirt before its elastics are drawn in, and what that changes of its own steps.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct Sewn {
+    /// The steps.
+    pub(crate) steps: Vec<Step>,
+    /// Where on the skirt it is sewn, below the raw upper edge; its mark is the last of the piece. `None`
+    /// where it is sewn to the lower edge, which is not hemmed then.
+    pub(crate) placement: Option<Length>,
+    /// How far it reaches below the lower edge of the skirt.
+    pub(crate) below: Length,
+}
+
+/// The steps of a draft, in order, with what else is sewn on.
+pub(super) fn steps(draft: &PauDraft, sewn: Option<Sewn>) -> Vec<Step> {
     let mut steps = vec![
         press(),
         cut(draft),
-        mark(draft),
+        mark(draft, sewn.as_ref()),
         close(draft),
         fold_band(draft),
         stitch_casings(draft),
     ];
     steps.extend(tape(draft));
-    steps.extend([hem(draft), thread_elastic(draft), finish(draft)]);
+    if sewn.as_ref().is_none_or(|sewn| sewn.placement.is_some()) {
+        steps.push(hem(draft));
+    }
+    let below = sewn.as_ref().map_or(Length::ZERO, |sewn| sewn.below);
+    steps.extend(sewn.into_iter().flat_map(|sewn| sewn.steps));
+    steps.extend([thread_elastic(draft), finish(draft.finished_length + below)]);
     steps
 }
 
@@ -65,7 +82,7 @@ fn cut(draft: &PauDraft) -> Step {
         title: words("裁つ", "Cut"),
         by_machine: Sentence::new(
             format!(
-                "みみに沿って長さ {length} cm、みみと直角に高さ {height} cm の長方形を1枚裁ちます。みみに沿う方向が体をまわる方向、布幅の方向が丈になります。柄に上下があるときは、裾になる側をたしかめてから裁ちます。"
+                "耳に沿って長さ {length} cm、耳と直角に高さ {height} cm の長方形を1枚裁ちます。耳に沿う方向が体をまわる方向、布幅の方向が丈になります。柄に上下があるときは、裾になる側をたしかめてから裁ちます。"
             ),
             format!(
                 "Cut one rectangle, {length} cm along the selvage and {height} cm across the cloth. The direction along the selvage goes around the body, the width of the cloth becomes the height. If the print has a right way up, make sure which side becomes the hem before you cut."
@@ -82,20 +99,41 @@ fn cut(draft: &PauDraft) -> Step {
     }
 }
 
-fn mark(draft: &PauDraft) -> Step {
-    let lines = |separator: &str| {
-        let distances = draft.lines.iter().map(|line| cm(line.from_edge));
-        distances.collect::<Vec<_>>().join(separator)
+fn mark(draft: &PauDraft, sewn: Option<&Sewn>) -> Step {
+    let placement = sewn.and_then(|sewn| sewn.placement);
+    let is_hemmed = sewn.is_none() || placement.is_some();
+    let count = draft.lines.len() - usize::from(!is_hemmed);
+    let (hem, above) = match draft.lines[..count].split_last() {
+        Some((last, above)) if is_hemmed => (Some(last.from_edge), above),
+        _ => (None, &draft.lines[..count]),
     };
+    let distances: Vec<String> = (above.iter().map(|line| line.from_edge))
+        .chain(placement)
+        .chain(hem)
+        .map(cm)
+        .collect();
+    let lines = |separator: &str| distances.join(separator);
+    let names = [
+        Some(words("折り代", "the turned edge")),
+        Some(words("上の折り山", "the top fold")),
+        Some(words("ゴム通しの縫い線", "the stitches of the casings")),
+        placement.map(|_| words("フリルの付け位置", "the line for the ruffle")),
+        hem.map(|_| words("裾の折り線", "the hem fold")),
+    ];
+    let names: Vec<_> = names.into_iter().flatten().collect();
+    let japanese: Vec<&str> = names.iter().map(|name| name.japanese).collect();
+    let english: Vec<&str> = names.iter().map(|name| name.english).collect();
+    let (japanese, english) = (japanese.join("、"), english.join(", "));
+    let placement = placement.map(|_| draft.lines.len());
     Step {
         title: words("しるしをつける", "Mark"),
         by_machine: Sentence::new(
             format!(
-                "布の裏に、上の切り口から {} cm のところへ、チャコで線を引きます。順に、折り代、上の折り山、ゴム通しの縫い線、裾の折り線です。",
+                "布の裏に、上の切り口から {} cm のところへ、チャコで線を引きます。順に、{japanese}です。",
                 lines("、")
             ),
             format!(
-                "On the wrong side, draw chalk lines at {} cm from the upper raw edge. In this order they are the turned edge, the top fold, the stitches of the casings, and the hem fold.",
+                "On the wrong side, draw chalk lines at {} cm from the upper raw edge. In this order they are {english}.",
                 lines(", ")
             ),
         ),
@@ -103,7 +141,7 @@ fn mark(draft: &PauDraft) -> Step {
         figure: Figure::Piece {
             piece: PANEL,
             edges: Vec::new(),
-            marks: (0..draft.lines.len()).collect(),
+            marks: (0..count).chain(placement).collect(),
         },
         minutes: [20.0, 20.0],
     }
@@ -308,8 +346,8 @@ fn thread_elastic(draft: &PauDraft) -> Step {
     }
 }
 
-fn finish(draft: &PauDraft) -> Step {
-    let length = cm(draft.finished_length);
+fn finish(length: Length) -> Step {
+    let length = cm(length);
     Step {
         title: words("仕上げる", "Finish"),
         by_machine: Sentence::new(
@@ -401,7 +439,7 @@ mod tests {
 
     #[test]
     fn times_are_those_that_makers_tell() {
-        let steps = steps(&skirt());
+        let steps = steps(&skirt(), None);
         let hours = |which: usize| steps.iter().map(|step| step.minutes[which]).sum::<f64>() / 60.0;
         assert!((2.0..4.5).contains(&hours(0)), "{}", hours(0));
         assert!((9.0..23.0).contains(&hours(1)), "{}", hours(1));
@@ -410,7 +448,7 @@ mod tests {
     #[test]
     fn only_a_top_with_lower_rows_needs_tape() {
         let titles = |draft: &PauDraft| {
-            let steps = steps(draft);
+            let steps = steps(draft, None);
             let has_tape = |step: &Step| step.title.english.contains("tape");
             steps.iter().filter(|step| has_tape(step)).count()
         };

@@ -17,13 +17,22 @@ pub(super) fn accessory(
 }
 
 /// Something counted, with a sentence on it.
-pub(super) fn counted(name: Words, count: u32, note: Sentence) -> Notion {
+pub(super) fn counted(kind: NotionKind, name: Words, count: u32, note: Sentence) -> Notion {
     Notion {
-        kind: NotionKind::Material,
+        kind,
         name,
         amount: Amount::Count(count),
         note: Some(note),
     }
+}
+
+/// Raffia that is braided and wound, by its length [m].
+pub(super) fn raffia(meters: f64) -> Notion {
+    super::making::notion(
+        NotionKind::Raffia,
+        lole_language::words("ラフィア", "raffia"),
+        Amount::Length(lole_geom::Length::from_m(meters)),
+    )
 }
 
 /// A length of cord or ribbon.

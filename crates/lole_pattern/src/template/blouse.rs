@@ -15,11 +15,10 @@ use super::fitted::{
     FITTED_SEAM, SideLine, binding, binding_seams, binding_step, center_edge, closing_step,
     cutting_step, dart_step, hem_step, place, shown, upper_edges,
 };
-use super::making::{
-    both_sides, cm, eased, elastic, notion, pattern, plain, say, side, step, stitching,
-};
+use super::making::{both_sides, cm, eased, elastic, notion, pattern, plain, say, side, step};
 use super::shape::{CM, DOWN, Label, at, curve, edge, length, line, notch};
 use super::sleeve::{ArmholePart, Sleeve, SleeveFit};
+use super::work::{Work, minutes};
 use super::{OptionRow, Options, Template};
 use crate::pattern::{Amount, Figure, NotionKind, Seam, SeamKind, Step};
 use crate::piece::{CutCount, Finish, Piece};
@@ -292,7 +291,7 @@ fn finish(
     let arm = measures.upper_arm_girth.to_m() * ARM_ELASTIC;
     let notions = vec![
         notion(
-            NotionKind::Fastener,
+            NotionKind::Zip,
             words("コンシールファスナー", "invisible zip"),
             Amount::Length(Length::from_m(zip)),
         ),
@@ -312,7 +311,7 @@ fn finish(
             .sum::<f64>();
     let mut steps = vec![cutting_step(&pieces)];
     steps.extend(dart_step(FRONT, front_side, [0, 1]));
-    steps.push(zip_step(zip, BACK, center));
+    steps.push(zip_step(zip, zip, (BACK, center)));
     let meters = 2.0 * (pieces[FRONT].edges[1].length() + pieces[FRONT].edges[3].length());
     steps.push(closing_step(
         words("肩と脇を縫う", "Sew shoulders and sides"),
@@ -330,8 +329,8 @@ fn finish(
     pattern(pieces, seams, notions, steps).drawn_in(SLEEVE, super::sleeve::HEM, arm)
 }
 
-/// How the back is closed.
-pub(super) fn zip_step(zip: f64, piece: usize, edge: usize) -> Step {
+/// How the back is closed: a zip of the length `zip`, in a seam of the length `center` [m].
+pub(super) fn zip_step(zip: f64, center: f64, (piece, edge): (usize, usize)) -> Step {
     let zip_cm = cm(zip);
     step(
         words("後ろにファスナーを付ける", "Set in the zip"),
@@ -339,7 +338,7 @@ pub(super) fn zip_step(zip: f64, piece: usize, edge: usize) -> Step {
             "後ろ中心に {zip_cm} cm のファスナーを付け、その下を縫い合わせます。縫い代の端を先に始末します。",
             "Neaten the allowances at the middle of the back, set in the zip of {zip_cm} cm and sew the seam closed below it."
         ),
-        stitching(2.0 * zip),
+        minutes(&[(Work::Zip, 1.0), (Work::Seam, center)]),
     )
     .or_by_hand(say!(
         "ファスナーは半返し縫いで付けます。",
@@ -374,10 +373,10 @@ pub(super) fn sleeve_steps(
                 "袖下を縫い、袖口を {casing_cm} cm 折ってゴム通しを縫います（一か所開ける）。{cut_cm} cm のゴムを通し、{hem_cm} cm の袖口を寄せます。",
                 "Sew the underarm seams, fold {casing_cm} cm at the lower edge for a casing and stitch it, leaving a gap. Draw in {cut_cm} cm of elastic to gather the edge of {hem_cm} cm."
             ),
-            stitching(4.0 * sleeve.hem_width),
+            minutes(&[(Work::Seam, 2.0 * sleeve.underarm()), (Work::Hem, 2.0 * sleeve.hem_width)]),
         )
         .shown(super::making::edges_of(piece, &[0, 1, 3])),
-        step(words("袖を付ける", "Set in the sleeves"), set_in, stitching(4.0 * cap))
+        step(words("袖を付ける", "Set in the sleeves"), set_in, minutes(&[(Work::Sleeve, 2.0)]))
             .shown(Figure::Seams(seams)),
     ]
 }

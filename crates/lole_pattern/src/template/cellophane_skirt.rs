@@ -68,7 +68,7 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
         [sheet, film, chosen.m("strip_cm"), band.length(), height].map(cm);
     let notions = vec![
         notion(
-            NotionKind::Material,
+            NotionKind::Film,
             words("セロファンまたは OPP フィルム", "cellophane or OPP film"),
             Amount::Length(Length::from_m(f64::from(sheets) * sheet)),
         ),

@@ -4,8 +4,9 @@ use kurbo::{PathSeg, Point, Vec2};
 use lole_language::words;
 
 use super::block::{Block, Half, SideDart};
-use super::making::{both_sides, cm, edges_of, plain, say, side, step, stitching};
+use super::making::{both_sides, cm, edges_of, plain, say, side, step};
 use super::shape::{CM, Label, edge, length, line, marked};
+use super::work::{Work, minutes};
 use crate::pattern::{Figure, Seam, Step};
 use crate::piece::{CutCount, Edge, Finish, LineKind, Mark, Piece};
 
@@ -176,7 +177,7 @@ pub(super) fn binding_step(neckline: f64, figure: Figure) -> Step {
             "幅 {wide_cm} cm、長さ {long_cm} cm のバイアス布で衿ぐりをくるみます。中表に縫い、裏へ折ってまわりを縫います。",
             "Bind the neckline with a bias strip of {wide_cm} by {long_cm} cm: sew it on right sides together, fold it to the inside over the allowance and stitch."
         ),
-        stitching(2.0 * neckline),
+        minutes(&[(Work::Binding, neckline)]),
     )
     .or_by_hand(say!(
         "表から半返し縫いで付け、裏はまつります。",
@@ -192,10 +193,10 @@ pub(super) fn cutting_step(pieces: &[Piece]) -> Step {
     step(
         words("布を裁つ", "Cut out"),
         say!(
-            "型紙 {kinds} 種類を地の目に合わせて置き、縫い代を付けて布 {count} 枚を裁ちます。合印とダーツを写します。「わ」の辺は布の折り山に合わせます。",
-            "Lay the {kinds} pattern pieces along the grain and cut {count} pieces of cloth with their allowances. Mark notches and darts. Edges on the fold lie on the fold of the doubled cloth."
+            "型紙 {kinds} 種類には縫い代が入っています。そのまま外の線で、布 {count} 枚を裁ちます。布は広げて一枚で置き、裁ち方図のように地の目を合わせます。「わ」の型紙は半身です。写したら「わ」の線で裏返して続きを写し、左右をつなげて一枚に裁ちます（布を二つ折りにするときは、折り山に「わ」を合わせます）。「左右」の型紙は、二枚目を裏返して写します。合印とダーツを写します。",
+            "The {kinds} patterns include their seam allowances: cut {count} pieces of cloth along the outer lines. Spread the cloth in a single layer and lay them along the grain as the cut plan shows. A pattern with a fold line is one half: draw it, turn it over along the fold line, draw the other half, and cut both in one (on doubled cloth the fold line lies on the fold). Of a pair, turn the pattern over for the second piece. Mark notches and darts."
         ),
-        [45.0, 45.0],
+        minutes(&[(Work::Piece, f64::from(count)), (Work::Piece, 3.0)]),
     )
 }
 
@@ -217,7 +218,7 @@ pub(super) fn dart_step(piece: usize, line: &SideLine, marks: [usize; 2]) -> Opt
                 "脇で幅 {wide_cm} cm、長さ {long_cm} cm のダーツを左右とも縫い、下へ倒してアイロンをかけます。先は返し縫いをせずに糸を結びます。",
                 "Sew the darts of {wide_cm} cm at the side and {long_cm} cm long on both sides and press them down. Knot the threads at the point instead of sewing back."
             ),
-            stitching(2.0 * long),
+            minutes(&[(Work::Dart, 2.0)]),
         )
         .shown(figure),
     )
@@ -232,7 +233,7 @@ pub(super) fn closing_step(title: lole_language::Words, meters: f64, seams: Vec<
             "中表に合わせ、肩は {seam_cm} cm、脇は {side_cm} cm の縫い代で縫います。端を始末し、後ろへ倒します。",
             "Right sides together, sew the shoulders with {seam_cm} cm and the sides with {side_cm} cm of allowance. Neaten the edges and press them to the back."
         ),
-        stitching(meters),
+        minutes(&[(Work::Seam, meters)]),
     )
     .shown(Figure::Seams(seams))
 }
@@ -246,7 +247,7 @@ pub(super) fn hem_step(depth: f64, around: f64, figure: Figure) -> Step {
             "裾を {depth_cm} cm 折り上げ、端を 1 cm 折り込んで、{around_cm} cm を縫います。",
             "Turn up {depth_cm} cm, its edge turned under by 1 cm, and stitch around, {around_cm} cm."
         ),
-        stitching(around),
+        minutes(&[(Work::Hem, around)]),
     )
     .or_by_hand(say!("端を折り込み、奥をまつります。", "Turn the edge under and blind-stitch it."))
     .shown(figure)

@@ -10,6 +10,7 @@ use super::chosen::{Chosen, choice, count, number};
 use super::making::{cm, edges_of, say, step, stitching};
 use super::shape::{CM, DOWN, Label, at, curve, edge, line};
 use super::{Choice, OptionRow, Options, Template};
+use crate::pattern::NotionKind;
 use crate::piece::{CutCount, Finish, LineKind, Piece};
 use crate::{DraftError, Measures, Pattern};
 
@@ -63,7 +64,9 @@ fn draft(_measures: &Measures, options: &Options) -> Result<Pattern, DraftError>
     let [petals, flowers] = ["petal_count", "flower_count"].map(|key| chosen.count(key));
     let all = petals * flowers;
     let piece = petal(long, all);
-    let [long_cm, wide_cm] = [long, WIDE * long].map(cm);
+    // What is cut, the foot's allowance included.
+    let bounds = piece.cut_polygon(1e-4).bounds();
+    let [long_cm, wide_cm] = [bounds.height(), bounds.width()].map(cm);
     let steps = vec![
         step(
             words("花びらを裁つ", "Cut the petals"),
@@ -73,7 +76,7 @@ fn draft(_measures: &Measures, options: &Options) -> Result<Pattern, DraftError>
             ),
             [20.0, 20.0],
         )
-        .shown(edges_of(0, &[1])),
+        .shown(edges_of(0, &[0, 1])),
         step(
             words("花びらを寄せる", "Gather the petals"),
             say!(
@@ -94,11 +97,13 @@ fn draft(_measures: &Measures, options: &Options) -> Result<Pattern, DraftError>
     ];
     let notions = vec![
         counted(
+            NotionKind::HairPin,
             words("ヘアピンまたはクリップ", "hair pin or clip"),
             flowers,
             say!("花 1 つに 1 本", "one for each flower"),
         ),
         counted(
+            NotionKind::Pistil,
             words("しべ（ペップ）", "pistil"),
             flowers,
             say!("花 1 つに 1 本", "one for each flower"),

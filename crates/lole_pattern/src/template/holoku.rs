@@ -18,9 +18,10 @@ use super::fitted::{
     FITTED_SEAM, SEAM, SideLine, binding, binding_seams, binding_step, closing_step, cutting_step,
     dart_step, hem_step, place, shown,
 };
-use super::making::{both_sides, cm, eased, notion, pattern, plain, say, side, step, stitching};
+use super::making::{both_sides, cm, eased, notion, pattern, plain, say, side, step};
 use super::shape::{CM, DOWN, Label, at, back_notch, curve, edge, length, line, marked, notch};
 use super::sleeve::{ArmholePart, CAP, Sleeve, SleeveFit};
+use super::work::{Work, minutes};
 use super::yoke::Yoked;
 use super::{Choice, OptionRow, Options, Template};
 use crate::pattern::{Amount, Figure, NotionKind, Seam, Step};
@@ -441,7 +442,8 @@ fn finish(
     steps.extend(dart_step(FRONT, front_side, [0, 1]));
     steps.extend(waist_step(&pieces, body));
     steps.push(yoke_step(&pieces, of_yokes));
-    steps.push(zip_step(zip, BACK, of(BACK, "center_back")));
+    let center = yoke_back + pieces[BACK].edges[of(BACK, "center_back")].length();
+    steps.push(zip_step(zip, center, (BACK, of(BACK, "center_back"))));
     let meters = 2.0 * (pieces[FRONT].edges[1].length() + pieces[FRONT_YOKE].edges[2].length());
     steps.push(closing_step(
         words("肩と脇を縫う", "Sew shoulders and sides"),
@@ -479,7 +481,22 @@ fn waist_step(pieces: &[Piece], body: &Body) -> Option<Step> {
         .filter(|(_, mark)| is_dart(mark))
         .map(|(index, _)| index)
         .collect();
-    let [front_cm, back_cm] = [front, back].map(cm);
+    let wide = [
+        (front, words("前", "in front")),
+        (back, words("後ろ", "at the back")),
+    ];
+    let wide = wide.into_iter().filter(|(wide, _)| 0.0 < *wide);
+    let (wide_japanese, wide_english): (Vec<String>, Vec<String>) = wide
+        .map(|(wide, name)| {
+            let wide = cm(wide);
+            (
+                format!("{} {wide} cm", name.japanese),
+                format!("{wide} cm wide {}", name.english),
+            )
+        })
+        .unzip();
+    let darts = 2 * u32::try_from(wide_japanese.len()).unwrap_or(0);
+    let (wide_japanese, wide_english) = (wide_japanese.join("、"), wide_english.join(" and "));
     let figure = Figure::Piece {
         piece: BACK,
         edges: Vec::new(),
@@ -489,25 +506,26 @@ fn waist_step(pieces: &[Piece], body: &Body) -> Option<Step> {
         step(
             words("ウエストのダーツを縫う", "Sew the waist darts"),
             say!(
-                "ウエストのダーツを左右とも縫います。幅はウエストで前 {front_cm} cm、後ろ {back_cm} cm です（0 ならなし）。中心へ倒し、ウエストに切り込みを入れます。",
-                "Sew the darts at the waist on both sides: {front_cm} cm wide at the waist in front and {back_cm} cm at the back (0: none). Press them to the middle and clip them at the waist."
+                "ウエストのダーツを左右とも縫います。幅はウエストで{wide_japanese}です。中心へ倒し、ウエストに切り込みを入れます。",
+                "Sew the darts at the waist on both sides: {wide_english} at the waist. Press them to the middle and clip them at the waist."
             ),
-            stitching(4.0 * 0.45),
+            minutes(&[(Work::Dart, f64::from(darts))]),
         )
         .shown(figure),
     )
 }
 
 fn yoke_step(pieces: &[Piece], seams: Vec<usize>) -> Step {
-    let of = |piece: usize| cm(2.0 * pieces[piece].edges[place(&pieces[piece], "yoke")].length());
-    let [front_cm, back_cm] = [of(FRONT_YOKE), of(BACK_YOKE)];
+    let of = |piece: usize| 2.0 * pieces[piece].edges[place(&pieces[piece], "yoke")].length();
+    let meters = of(FRONT_YOKE) + of(BACK_YOKE);
+    let [front_cm, back_cm] = [FRONT_YOKE, BACK_YOKE].map(|piece| cm(of(piece)));
     step(
         words("ヨークを付ける", "Sew on the yokes"),
         say!(
             "身頃の上端に前ヨーク（{front_cm} cm）と後ろヨーク（合わせて {back_cm} cm）を中表に縫い、縫い代をヨークの方へ倒します。",
             "Sew the front yoke ({front_cm} cm) and the back yokes ({back_cm} cm together) to the upper edges, right sides together, and press the allowances into the yokes."
         ),
-        stitching(1.6),
+        minutes(&[(Work::Seam, meters)]),
     )
     .shown(Figure::Seams(seams))
 }
@@ -520,7 +538,11 @@ fn sleeve_step(sleeve: &Sleeve, seams: Vec<usize>) -> Step {
             "袖下を縫い、袖口（まわり {wrist_cm} cm）を 3 cm 折って始末します。袖山 {cap_cm} cm を合印の間で袖ぐりに合わせて縮め、山を肩線に合わせて縫い付けます。",
             "Sew the underarm seams and hem the wrists ({wrist_cm} cm around) by 3 cm. Draw the cap of {cap_cm} cm in between its notches to fit the armhole, its crown at the shoulder, and sew the sleeves in."
         ),
-        stitching(2.0 * (sleeve.piece.edges[CAP].length() + 0.6)),
+        minutes(&[
+            (Work::Sleeve, 2.0),
+            (Work::Seam, 2.0 * sleeve.underarm()),
+            (Work::Hem, 2.0 * sleeve.hem_width),
+        ]),
     )
     .shown(Figure::Seams(seams))
 }
@@ -528,12 +550,12 @@ fn sleeve_step(sleeve: &Sleeve, seams: Vec<usize>) -> Step {
 fn fasteners(zip: f64) -> Vec<crate::pattern::Notion> {
     vec![
         notion(
-            NotionKind::Fastener,
+            NotionKind::Zip,
             words("コンシールファスナー", "invisible zip"),
             Amount::Length(Length::from_m(zip)),
         ),
         notion(
-            NotionKind::Fastener,
+            NotionKind::Hook,
             words("スプリングホック", "hook and eye"),
             Amount::Count(1),
         ),

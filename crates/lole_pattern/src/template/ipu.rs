@@ -9,6 +9,7 @@ use super::accessory::{accessory, counted};
 use super::chosen::{Chosen, by_measure, choice};
 use super::making::{cm, say, step};
 use super::{Choice, OptionRow, Options, Template};
+use crate::pattern::NotionKind;
 use crate::{DraftError, Measure, Measures, Pattern};
 
 pub(super) const TEMPLATE: Template = Template {
@@ -103,6 +104,7 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
         [45.0, 45.0],
     ));
     let notions = vec![counted(
+        NotionKind::Gourd,
         words("乾いたひょうたん", "dry gourds"),
         gourds,
         say!(

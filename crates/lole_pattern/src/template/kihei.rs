@@ -6,8 +6,9 @@
 use lole_language::words;
 
 use super::chosen::{Chosen, by_measure, number};
-use super::making::{cm, edges_of, pattern, say, step, stitching};
+use super::making::{NO_WORK, cm, edges_of, hem_in_section, pattern, say, step};
 use super::shape::{AROUND, CM, Label, rectangle};
+use super::work::{Work, minutes};
 use super::{OptionRow, Options, Template};
 use crate::piece::{CutCount, Finish};
 use crate::{DraftError, Measure, Measures, Pattern};
@@ -85,20 +86,20 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
                 "四辺を {hem_cm} cm の三つ折りにして縫います。",
                 "Roll {hem_cm} cm of every side to the inside and stitch."
             ),
-            stitching(2.0 * (length + height)),
+            minutes(&[(Work::Hem, 2.0 * (length + height))]),
         )
         .or_by_hand(say!(
             "四辺を細く三つ折りにして、まつり縫いをします。",
             "Roll the four sides narrowly and slip-stitch them."
         ))
-        .shown(edges_of(0, &[0, 1, 2, 3])),
+        .shown(hem_in_section(0)),
         step(
             words("着る", "Put it on"),
             say!(
                 "布を背中に当て、上の二つの角を、角から {knot_cm} cm のところで片方の肩の上に結びます。反対の腕は出しておきます。",
                 "Lay the cloth across the back and knot the two upper corners on one shoulder, {knot_cm} cm from each corner. The other arm stays free."
             ),
-            [5.0, 5.0],
+            NO_WORK,
         ),
     ];
     Ok(

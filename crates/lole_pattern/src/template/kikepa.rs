@@ -8,9 +8,10 @@ use lole_geom::Length;
 use lole_language::words;
 
 use super::chosen::{Chosen, by_measure, number};
-use super::making::{cm, edges_of, pattern, say, step, stitching};
+use super::making::{NO_WORK, cm, edges_of, hem_in_section, pattern, say, step};
 use super::pau_skirt::HEM_HEIGHT;
 use super::shape::{AROUND, CM, Label, rectangle};
+use super::work::{Work, minutes};
 use super::{OptionRow, Options, Template};
 use crate::piece::{CutCount, Finish};
 use crate::{DraftError, Measure, Measures, Pattern};
@@ -95,20 +96,20 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
                 "四辺を {hem_cm} cm の三つ折りにして縫います。耳はそのままでもかまいません。",
                 "Roll {hem_cm} cm of every side to the inside and stitch. A selvage may stay as it is."
             ),
-            stitching(2.0 * (width + height)),
+            minutes(&[(Work::Hem, 2.0 * (width + height))]),
         )
         .or_by_hand(say!(
             "四辺を細く三つ折りにして、まつり縫いをします。",
             "Roll the four sides narrowly and slip-stitch them."
         ))
-        .shown(edges_of(0, &[0, 1, 2, 3])),
+        .shown(hem_in_section(0)),
         step(
             words("着る", "Put it on"),
             say!(
                 "上の端を脇の下に当て、{girth_cm} cm の胴を一周半巻きます。角の {tie_cm} cm を左の肩の上へ回し、後ろの端と結びます。",
                 "Hold the upper edge under the arms and wrap it one and a half times around {girth_cm} cm. Bring the last {tie_cm} cm over the left shoulder and tie it to the edge at the back."
             ),
-            [5.0, 5.0],
+            NO_WORK,
         ),
     ];
     Ok(

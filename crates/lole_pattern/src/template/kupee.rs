@@ -5,11 +5,12 @@
 
 use lole_language::words;
 
-use super::accessory::{accessory, cord, counted};
+use super::accessory::{accessory, counted, raffia};
 use super::chosen::{Chosen, choice, number};
 use super::making::{cm, say, step, whole};
 use super::shape::CM;
 use super::{Choice, OptionRow, Options, Template};
+use crate::pattern::NotionKind;
 use crate::{DraftError, Measure, Measures, Pattern};
 
 pub(super) const TEMPLATE: Template = Template {
@@ -92,14 +93,12 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
             [60.0, 60.0],
         ));
         notions.push(counted(
+            NotionKind::Leaf,
             words("葉またはシダ", "leaves or ferns"),
             2 * leaves,
             say!("{japanese} 2 本分", "for both {english}"),
         ));
-        notions.push(cord(
-            words("ラフィア", "raffia"),
-            2.0 * (3.0 * 1.3 * base + 4.0 * band),
-        ));
+        notions.push(raffia(2.0 * (3.0 * 1.3 * base + 4.0 * band)));
     }
     let estimate = say!("葉の数は目安です", "the number of leaves is an estimate");
     Ok(accessory(Vec::new(), notions, steps, estimate))

@@ -10,6 +10,7 @@ use super::chosen::{Chosen, by_measure, choice, number};
 use super::making::{cm, say, step, whole};
 use super::shape::CM;
 use super::{Choice, OptionRow, Options, Template};
+use crate::pattern::NotionKind;
 use crate::{DraftError, Measure, Measures, Pattern};
 
 pub(super) const TEMPLATE: Template = Template {
@@ -88,6 +89,7 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
     ];
     let notions = vec![
         counted(
+            NotionKind::Flower,
             words("花（造花または生花）", "flowers, artificial or fresh"),
             count,
             say!(

@@ -5,11 +5,12 @@
 
 use lole_language::words;
 
-use super::accessory::{accessory, cord, counted};
+use super::accessory::{accessory, counted, raffia};
 use super::chosen::{Chosen, number};
-use super::making::{cm, say, step, whole};
+use super::making::{NO_WORK, cm, say, step, whole};
 use super::shape::CM;
 use super::{OptionRow, Options, Template};
+use crate::pattern::NotionKind;
 use crate::{DraftError, Measure, Measures, Pattern};
 
 pub(super) const TEMPLATE: Template = Template {
@@ -78,19 +79,21 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
                 "頭に水平に載せ、首の後ろで結びます。",
                 "Lay it level around the head and tie it at the back."
             ),
-            [2.0, 2.0],
+            NO_WORK,
         ),
     ];
     let mut notions = vec![
         counted(
+            NotionKind::Leaf,
             words("葉またはシダ", "leaves or ferns"),
             leaves,
             say!("パラパライ、ティの葉など", "palapalai, ti leaf and others"),
         ),
-        cord(words("ラフィア", "raffia"), 3.0 * 1.3 * base + 4.0 * head),
+        raffia(3.0 * 1.3 * base + 4.0 * head),
     ];
     if 0 < flowers {
         notions.push(counted(
+            NotionKind::Flower,
             words("花", "flowers"),
             flowers,
             say!("造花または生花", "artificial or fresh"),

@@ -1,20 +1,16 @@
 //! Steps, seams, notions and times that garments share.
 //!
-//! Times are estimates: 3.5 minutes for each meter with a machine, pins and iron included, and two and
-//! a half meters an hour by hand, the middle of what makers of pāʻū skirts report.
+//! Times are estimates by the kind of work and its length, from the table in [`super::work`].
 
 use lole_geom::Length;
 use lole_language::{Sentence, Words, words};
 
+use super::work::{self, Work};
 use crate::pattern::{
     Amount, DrawnIn, Figure, Notion, NotionKind, Pattern, Seam, SeamKind, SeamSide, Step,
 };
 use crate::piece::{Finish, Piece};
 
-/// Minutes for a meter of stitches, with a machine and by hand.
-const MINUTES_PER_METER: [f64; 2] = [3.5, 24.0];
-/// Minutes that any step takes: reading, laying out, pressing.
-const MINUTES_OF_STEP: f64 = 3.0;
 /// Sewing thread over stitched length of a lockstitch, both threads and waste included.
 const THREAD_PER_STITCH: f64 = 3.0;
 
@@ -42,9 +38,12 @@ pub(super) fn whole(count: f64) -> u32 {
     (count - 1.0e-9).ceil().clamp(0.0, 1.0e6) as u32
 }
 
-/// Time for stitches of this length [m].
+/// Time of steps that are no work, such as putting it on.
+pub(super) const NO_WORK: [f64; 2] = [0.0, 0.0];
+
+/// Time for rows of stitches of this length [m].
 pub(super) fn stitching(meters: f64) -> [f64; 2] {
-    MINUTES_PER_METER.map(|rate| MINUTES_OF_STEP + rate * meters)
+    work::minutes(&[(Work::Row, meters)])
 }
 
 /// A step.
@@ -77,6 +76,12 @@ pub(super) fn edges_of(piece: usize, edges: &[usize]) -> Figure {
         edges: edges.to_vec(),
         marks: Vec::new(),
     }
+}
+
+/// The hem of a piece in section.
+pub(super) const fn hem_in_section(piece: usize) -> Figure {
+    let marks = Vec::new();
+    Figure::Section { piece, marks }
 }
 
 /// A whole edge of a piece, walked as it is drawn.

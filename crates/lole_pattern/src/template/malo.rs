@@ -7,8 +7,9 @@
 use lole_language::words;
 
 use super::chosen::{Chosen, by_measure, number};
-use super::making::{cm, edges_of, pattern, say, step, stitching};
+use super::making::{NO_WORK, cm, edges_of, hem_in_section, pattern, say, step};
 use super::shape::{AROUND, CM, Label, rectangle};
+use super::work::{Work, minutes};
 use super::{OptionRow, Options, Template};
 use crate::piece::{CutCount, Finish};
 use crate::{DraftError, Measure, Measures, Pattern};
@@ -95,20 +96,20 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
                 "四辺を {hem_cm} cm の三つ折りにして縫います。",
                 "Roll {hem_cm} cm of every side to the inside and stitch."
             ),
-            stitching(2.0 * (length + width)),
+            minutes(&[(Work::Hem, 2.0 * (length + width))]),
         )
         .or_by_hand(say!(
             "四辺を細く三つ折りにして、まつり縫いをします。",
             "Roll the four sides narrowly and slip-stitch them."
         ))
-        .shown(edges_of(0, &[0, 1, 2, 3])),
+        .shown(hem_in_section(0)),
         step(
             words("締める", "Gird it"),
             say!(
                 "端を {flap_cm} cm 前に残して股を通し、後ろから {waist_cm} cm の腰に {turns} 周巻き、巻いた布にくぐらせて、残りを後ろに垂らします。",
                 "Leave {flap_cm} cm hanging in front, pass the strip between the legs, wind it {turns} times about the waist of {waist_cm} cm, draw it under itself and let the rest hang at the back."
             ),
-            [5.0, 5.0],
+            NO_WORK,
         ),
     ];
     Ok(

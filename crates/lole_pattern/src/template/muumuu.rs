@@ -18,11 +18,12 @@ use super::fitted::{
     shown,
 };
 use super::making::{
-    both_sides, cm, eased, elastic, gathered, notion, pattern, plain, say, side, step, stitching,
+    both_sides, cm, eased, elastic, gathered, notion, pattern, plain, say, side, step,
 };
 use super::pau_skirt::HEM_HEIGHT;
 use super::shape::{AROUND, CM, DOWN, Label, at, beside, curve, edge, line, marked, rectangle};
 use super::sleeve::{ArmholePart, Sleeve, SleeveFit};
+use super::work::{Work, minutes};
 use super::yoke::{Yoked, opened_armhole};
 use super::{Choice, OptionRow, Options, Template};
 use crate::pattern::{Amount, Notion, NotionKind, Seam, Step};
@@ -450,7 +451,7 @@ fn ruffle_seams(pieces: &[Piece]) -> Vec<Seam> {
 
 fn button() -> Notion {
     notion(
-        NotionKind::Fastener,
+        NotionKind::Button,
         words("後ろあきのボタン", "button for the back opening"),
         Amount::Count(1),
     )
@@ -466,7 +467,7 @@ fn yoke_step(pieces: &[Piece], seams: Vec<usize>) -> Step {
             "前スカートの上端 {front_cm} cm を {front_to_cm} cm に、後ろの {back_cm} cm を {back_to_cm} cm に寄せ、それぞれのヨークに中表に縫います。縫い代はヨークの方へ倒します。",
             "Gather the front's upper edge of {front_cm} cm to {front_to_cm} cm and the back's {back_cm} cm to {back_to_cm} cm and sew each to its yoke, right sides together. Press the allowances into the yokes."
         ),
-        stitching(2.0 * (of(FRONT) + of(BACK))),
+        minutes(&[(Work::Gathers, of(FRONT) + of(BACK))]),
     )
     .or_by_hand(say!(
         "ぐし縫い 2 本で寄せ、半返し縫いで付けます。",
@@ -483,7 +484,7 @@ fn slit_step(slit: f64) -> Step {
             "後ろヨークの中心に {slit_cm} cm の切り込みを入れ、細いバイアス布でくるみ、上にループとボタンを付けます。",
             "Slit the middle of the back yoke for {slit_cm} cm, bind the slit narrowly on the bias and close it with a loop and a button."
         ),
-        stitching(3.0 * slit),
+        minutes(&[(Work::Slit, 1.0)]),
     )
     .shown(crate::pattern::Figure::Piece {
         piece: BACK_YOKE,
@@ -502,7 +503,7 @@ fn ruffle_step(pieces: &[Piece]) -> Step {
             "フリル 2 枚を輪に縫い、上端 {ring_cm} cm を {around_cm} cm に寄せて裾に中表に縫います。縫い代は上へ倒します。",
             "Join the two strips to a ring, gather its {ring_cm} cm to {around_cm} cm and sew it to the lower edge, right sides together. Press the allowances up."
         ),
-        stitching(4.0 * long + around),
+        minutes(&[(Work::Gathers, 2.0 * long), (Work::Seam, 0.5)]),
     )
     .shown(shown(pieces, RUFFLE, &["top"]))
 }

@@ -12,6 +12,7 @@ use super::making::{cm, edges_of, notion, pattern, say, step, stitching};
 use super::pau_skirt::{
     CASING, GAP, GATHERS, HEADER, HEM, HEM_HEIGHT, UNKNOWN_WIDTH, WORN_HEIGHT, worn,
 };
+use super::work::{Work, minutes};
 use super::{OptionRow, Options, Template};
 use crate::design::pau_skirt::{PauDraft, PauMeasurements, PauOptions, draft_pau_skirt};
 use crate::pattern::{Amount, Figure, Notion, NotionKind, Step};
@@ -146,7 +147,7 @@ fn steps(piece: &Piece, draft: &PauDraft, (cord, row_count): (f64, u32)) -> Vec<
                 "左右の端を {end_cm} cm、三つ折りにして縫います。脇は縫い合わせません。",
                 "Roll {end_cm} cm of the left and right end to the inside and stitch. The side stays open."
             ),
-            stitching(2.0 * height),
+            minutes(&[(Work::Hem, 2.0 * height)]),
         )
         .or_by_hand(say!("三つ折りにして、まつり縫いをします。", "Roll the ends and slip-stitch them."))
         .shown(edges_of(0, &ENDS)),
@@ -156,7 +157,7 @@ fn steps(piece: &Piece, draft: &PauDraft, (cord, row_count): (f64, u32)) -> Vec<
                 "裾を {hem_cm} cm 折り上げ、端を 1 cm 折り込んで縫います。",
                 "Turn up {hem_cm} cm at the hem, its edge turned under by 1 cm, and stitch."
             ),
-            stitching(width),
+            minutes(&[(Work::Hem, width)]),
         )
         .shown(section(&[LineKind::HemFold])),
         step(
@@ -165,7 +166,7 @@ fn steps(piece: &Piece, draft: &PauDraft, (cord, row_count): (f64, u32)) -> Vec<
                 "上の端を {turn_cm} cm 折り、折り山の線で {fold_cm} cm を内側に折って、アイロンをかけます。",
                 "Turn the raw upper edge under by {turn_cm} cm, then fold {fold_cm} cm to the inside along the top fold and press."
             ),
-            stitching(0.0),
+            [20.0, 20.0],
         )
         .shown(section(&[LineKind::TurnUnder, LineKind::TopFold])),
         step(

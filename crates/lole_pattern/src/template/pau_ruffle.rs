@@ -8,10 +8,12 @@ use lole_geom::Length;
 use lole_language::words;
 
 use super::chosen::{Chosen, by_measure, choice, count, number};
-use super::making::{cm, edges_of, gathered, pattern, plain, say, side, step, stitching};
+use super::making::{cm, edges_of, gathered, hem_in_section, pattern, plain, say, side, step};
 use super::pau_skirt::{GATHERS, HEM, HEM_HEIGHT, UNKNOWN_WIDTH, WORN_HEIGHT, worn};
 use super::shape::{AROUND, CM, Label, across, beside, rectangle};
+use super::work::{Work, minutes};
 use super::{Choice, OptionRow, Options, Template};
+use crate::design::Sewn;
 use crate::design::pau_skirt::{PauDraft, PauMeasurements, PauOptions, draft_pau_skirt};
 use crate::pattern::{Figure, NotionKind, Seam, Step};
 use crate::piece::{CutCount, Finish, LineKind, Mark, Piece};
@@ -135,18 +137,29 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
     let flounce = place == "hem";
     let cut = cut(&chosen)?;
     let (skirt, _) = as_worn(measures, options)?;
-    let base = skirt.pattern(TEMPLATE.name);
     if place == "header" {
-        return Ok(base);
+        return Ok(skirt.pattern(TEMPLATE.name));
     }
     let hem = chosen.m("hem_allowance_cm");
     let ruffle = Ruffle::new(&skirt, (depth, chosen.number("ruffle_ratio"), hem), place);
+    // Just under the lowest elastic, so that the band stays smooth above it.
+    let lowest = skirt.elastic_rows.last();
+    let under_band = lowest.map_or(Length::ZERO, |row| row.from_fold) + cut.casing;
+    let raw_edge = skirt.cut_height - skirt.hem_depth - skirt.finished_length;
+    let base = skirt.pattern_with(
+        TEMPLATE.name,
+        Some(Sewn {
+            steps: ruffle.steps(place),
+            placement: (!flounce).then_some(raw_edge + under_band),
+            below: Length::from_m(if flounce { depth } else { 0.0 }),
+        }),
+    );
     let Pattern {
         mut pieces,
         seams: mut joined,
         drawn_in: _,
         notions,
-        mut steps,
+        steps,
         warnings,
     } = base;
     let notions = notions
@@ -168,12 +181,7 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
         joined.extend(ruffle.on_hem(1));
     } else {
         let panel = &mut pieces[0];
-        // Just under the lowest elastic, so that the band stays smooth above it.
-        let lowest = skirt
-            .elastic_rows
-            .last()
-            .map_or(0.0, |row| row.from_fold.to_m());
-        let y = skirt.finished_length.to_m() - lowest - cut.casing.to_m();
+        let y = (skirt.finished_length - under_band).to_m();
         panel.marks.push(across(
             LineKind::Placement,
             y,
@@ -181,7 +189,6 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
         ));
     }
     pieces.push(ruffle.piece());
-    steps.extend(ruffle.steps(place));
     let mut pattern = pattern(pieces, joined, notions.collect(), steps);
     pattern.warnings = warnings;
     Ok(pattern.warn(say!(
@@ -275,13 +282,13 @@ impl Ruffle {
     fn steps(&self, place: &str) -> Vec<Step> {
         let [strip_cm, ring_cm, flat_cm, hem_cm] =
             [self.strip + 2.0 * SEAM, self.ring, self.flat, self.hem].map(cm);
-        let height_cm = cm(self.depth + self.hem + SEAM);
+        let (height_cm, seam_cm) = (cm(self.depth + self.hem + SEAM), cm(SEAM));
         let count = self.count;
         let flounce = place == "hem";
         let onto = if flounce {
             say!(
-                "フリルの上端を {flat_cm} cm まで寄せ、スカートの下端と中表に合わせて縫います。縫い代は上へ倒します。",
-                "Gather the ruffle's upper edge to {flat_cm} cm and sew it to the skirt's lower edge, right sides together. Press the allowances up."
+                "フリルの上端を {flat_cm} cm まで寄せ、スカートの下端と中表に合わせ、縫い代 1 cm で縫います。縫い代の端をいっしょにジグザグミシンで始末し、上へ倒します。",
+                "Gather the ruffle's upper edge to {flat_cm} cm and sew it to the skirt's lower edge, right sides together, with 1 cm of allowance. Neaten both allowances as one and press them up."
             )
         } else {
             say!(
@@ -298,10 +305,13 @@ impl Ruffle {
             step(
                 words("フリルを裁って輪にする", "Cut the ruffle and close it"),
                 say!(
-                    "{strip_cm} cm × {height_cm} cm の布を {count} 枚裁ち、端どうしを縫って {ring_cm} cm の輪にします。",
-                    "Cut {count} of {strip_cm} cm by {height_cm} cm and join their ends to a ring of {ring_cm} cm."
+                    "{strip_cm} cm × {height_cm} cm の布を {count} 枚裁ち、端どうしを縫い代 {seam_cm} cm で縫って {ring_cm} cm の輪にします。",
+                    "Cut {count} of {strip_cm} cm by {height_cm} cm and join their ends with {seam_cm} cm of allowance to a ring of {ring_cm} cm."
                 ),
-                stitching(f64::from(self.count) * self.depth),
+                minutes(&[
+                    (Work::Piece, f64::from(self.count)),
+                    (Work::Seam, f64::from(self.count) * self.depth),
+                ]),
             )
             .shown(edges_of(1, &[1, 3])),
             step(
@@ -310,13 +320,13 @@ impl Ruffle {
                     "下端を {hem_cm} cm 折り上げて縫います。",
                     "Turn up {hem_cm} cm at the lower edge and stitch."
                 ),
-                stitching(self.ring),
+                minutes(&[(Work::Hem, self.ring)]),
             )
-            .shown(edges_of(1, &[0])),
+            .shown(hem_in_section(1)),
             step(
                 words("フリルを寄せて付ける", "Gather the ruffle and sew it on"),
                 onto,
-                stitching(2.0 * self.ring + self.flat),
+                minutes(&[(Work::Gathers, self.ring)]),
             )
             .or_by_hand(say!(
                 "上端をぐし縫いで 2 本縫って寄せ、半返し縫いで付けます。",

@@ -9,6 +9,7 @@ use super::accessory::{accessory, counted};
 use super::chosen::{Chosen, count, number};
 use super::making::{cm, say, step, whole};
 use super::{OptionRow, Options, Template};
+use crate::pattern::NotionKind;
 use crate::{DraftError, Measures, Pattern};
 
 pub(super) const TEMPLATE: Template = Template {
@@ -77,6 +78,7 @@ fn draft(_measures: &Measures, options: &Options) -> Result<Pattern, DraftError>
         ),
     ];
     let notions = vec![counted(
+        NotionKind::Bamboo,
         words("竹", "bamboo"),
         sticks,
         say!(

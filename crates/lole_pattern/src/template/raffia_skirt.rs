@@ -59,7 +59,7 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
     let grams = (kilograms * 1000.0).round();
     let notions = vec![
         notion(
-            NotionKind::Material,
+            NotionKind::Raffia,
             words("ラフィア", "raffia"),
             Amount::Mass(kilograms),
         ),

@@ -59,6 +59,11 @@ pub(super) const SEAM: f64 = 1.0 * CM;
 const MOST_EASE: f64 = 1.06;
 
 impl Sleeve {
+    /// Length of its underarm seam [m].
+    pub(super) fn underarm(&self) -> f64 {
+        self.piece.edges[BACK_SIDE].length()
+    }
+
     /// A sleeve for the armholes of a block.
     ///
     /// # Errors

@@ -8,7 +8,7 @@ use lole_geom::Length;
 use lole_language::words;
 
 use super::chosen::{Chosen, by_measure, number};
-use super::making::{cm, notion, pattern, say, step, whole};
+use super::making::{NO_WORK, cm, notion, pattern, say, step, whole};
 use super::pau_skirt::WORN_HEIGHT;
 use super::shape::CM;
 use super::strands::{STRANDS_HEM, Worn};
@@ -18,7 +18,7 @@ use crate::{DraftError, Measures, Pattern};
 
 pub(super) const TEMPLATE: Template = Template {
     id: "ti-leaf-skirt",
-    name: words("ティリーフのスカート", "ti-leaf skirt"),
+    name: words("ティーリーフのスカート", "ti-leaf skirt"),
     about: words(
         "ティの葉を裂いてひもに編み付けたスカート",
         "slit ti leaves, braided onto a cord",
@@ -64,7 +64,7 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
     let [stem_cm, gap_cm, length_cm] = [WHOLE_STEM, CORD_GAP, worn.length].map(cm);
     let notions = vec![
         notion(
-            NotionKind::Material,
+            NotionKind::Leaf,
             words("ティの葉（大きいもの）", "large ti leaves"),
             Amount::Count(leaf_count),
         ),
@@ -116,7 +116,7 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
                 "使うまで湿らせた新聞紙に包み、冷凍庫か冷蔵庫に入れておきます。",
                 "Until it is worn keep it in damp paper, frozen or cold."
             ),
-            [5.0, 5.0],
+            NO_WORK,
         ),
     ];
     let mut pattern = pattern(Vec::new(), Vec::new(), notions, steps).warn(say!(

@@ -11,6 +11,7 @@ use super::chosen::{Chosen, count, number};
 use super::making::{cm, edges_of, say, step, stitching, whole};
 use super::shape::{CM, DOWN, Label, at, curve, edge};
 use super::{OptionRow, Options, Template};
+use crate::pattern::NotionKind;
 use crate::piece::{CutCount, Finish, Mark, Piece};
 use crate::{DraftError, Measures, Pattern};
 
@@ -83,11 +84,13 @@ fn draft(_measures: &Measures, options: &Options) -> Result<Pattern, DraftError>
     ];
     let notions = vec![
         counted(
+            NotionKind::Gourd,
             words("小さなひょうたん", "small gourds"),
             rattles,
             say!("直径 {gourd_cm} cm ほど", "about {gourd_cm} cm across"),
         ),
         counted(
+            NotionKind::Feather,
             words("羽根", "feathers"),
             feathers,
             say!("ふちから 3 周分", "for three rings from the rim"),

@@ -300,7 +300,7 @@ fn bill_ui(ui: &mut Ui, studio: &Studio, bill: &Bill) {
         };
         let sum = (line.sum).map_or_else(asked, |sum| RichText::new(bill.currency.write(sum)));
         let amount = RichText::new(studio.tell(&line.amount)).small();
-        row(ui, RichText::new(studio.say(line.name)), amount, sum);
+        row(ui, RichText::new(studio.tell(&line.name)), amount, sum);
     }
     if bill.knows_something() {
         let said = if bill.is_complete() {

@@ -55,6 +55,90 @@ pub(super) const COST: Table = Table {
             "thread on one spool"
         ),
         number_if_known!(
+            "zip_price",
+            0.0..=1_000_000.0,
+            cost.notions.zip,
+            "ファスナー 1 本の値段",
+            "one zip"
+        ),
+        number_if_known!(
+            "button_price",
+            0.0..=1_000_000.0,
+            cost.notions.button,
+            "ボタン 1 個の値段",
+            "one button"
+        ),
+        number_if_known!(
+            "hook_price",
+            0.0..=1_000_000.0,
+            cost.notions.hook,
+            "ホック 1 組の値段",
+            "one hook and eye"
+        ),
+        number_if_known!(
+            "flower_price",
+            0.0..=1_000_000.0,
+            cost.notions.flower,
+            "花 1 個の値段",
+            "one flower"
+        ),
+        number_if_known!(
+            "pistil_price",
+            0.0..=1_000_000.0,
+            cost.notions.pistil,
+            "しべ 1 本の値段",
+            "one pistil"
+        ),
+        number_if_known!(
+            "leaf_price",
+            0.0..=1_000_000.0,
+            cost.notions.leaf,
+            "葉 1 枚の値段",
+            "one leaf or fern"
+        ),
+        number_if_known!(
+            "raffia_price_per_100g",
+            0.0..=1_000_000.0,
+            cost.notions.raffia_per_100g,
+            "ラフィア 100 gの値段",
+            "100 g of raffia"
+        ),
+        number_if_known!(
+            "film_price_per_m",
+            0.0..=1_000_000.0,
+            cost.notions.film_per_m,
+            "セロファンや OPP フィルム 1 mの値段",
+            "one meter of cellophane or OPP film"
+        ),
+        number_if_known!(
+            "hair_pin_price",
+            0.0..=1_000_000.0,
+            cost.notions.hair_pin,
+            "ヘアピンやクリップ 1 本の値段",
+            "one hair pin or clip"
+        ),
+        number_if_known!(
+            "gourd_price",
+            0.0..=1_000_000.0,
+            cost.notions.gourd,
+            "ひょうたん 1 個の値段",
+            "one gourd"
+        ),
+        number_if_known!(
+            "bamboo_price",
+            0.0..=1_000_000.0,
+            cost.notions.bamboo,
+            "竹 1 本の値段",
+            "one stick of bamboo"
+        ),
+        number_if_known!(
+            "feather_price",
+            0.0..=1_000_000.0,
+            cost.notions.feather,
+            "羽根 1 本の値段",
+            "one feather"
+        ),
+        number_if_known!(
             "other_price",
             0.0..=10_000_000.0,
             cost.other_price,
