@@ -448,7 +448,7 @@ pub struct WindDesign {
     pub speed_m_per_s: f64,
     /// How the wind's equation is read, or that it blows steadily.
     pub law: WindLaw,
-    /// [`WindLaw::Steady`]: where it comes from [degree], 0 from the dancer's front, 90 from her left, -90
+    /// [`WindLaw::Steady`]: where it comes from [°], 0 from the dancer's front, 90 from her left, -90
     /// from her right.
     pub from_deg: f64,
     /// What the air acts on, under the real-time method.
