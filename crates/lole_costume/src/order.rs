@@ -77,7 +77,7 @@ impl PlannedGarment {
         pieces
             .filter_map(|piece| {
                 let [width, height] = piece.drawing(CURVE_TOLERANCE).rectangle?;
-                let sizes = if piece.grain.y.abs() < piece.grain.x.abs() {
+                let sizes = if piece.is_on_bias() || piece.grain.y.abs() < piece.grain.x.abs() {
                     [width, height]
                 } else {
                     [height, width]

@@ -159,7 +159,7 @@ impl LineKind {
             Self::CasingBottom => words("ゴム通しの下の縫い線", "casing, lower stitches"),
             Self::HemFold => words("裾の折り線", "hem fold"),
             Self::Gather => words("ギャザー", "gathers"),
-            Self::Dart => words("ダーツ・タック", "dart or pleat"),
+            Self::Dart => words("ダーツ", "dart"),
             Self::Placement => words("付け位置", "placement"),
             Self::Slit => words("切り込み", "slit"),
         }

@@ -2,7 +2,7 @@
 
 use kurbo::{Affine, BezPath, Point, Vec2};
 use lole_language::{Language, words};
-use lole_pattern::piece::{Drawing, Finish};
+use lole_pattern::piece::{Drawing, Finish, LineKind};
 use lole_pattern::polygon::Polygon;
 
 use crate::pdf::{Align, Color, Sheet, Stroke, TextStyle};
@@ -71,13 +71,20 @@ pub(super) fn full_size(
         draw_edge(sheet, stitches, page_from_piece, language);
     }
     let thin = Stroke::solid(0.25);
+    let mut dart_end = None;
     for marked in &drawing.lines {
         sheet.path(
             line(&marked.points, page_from_piece),
             None,
             Some(thin.clone()),
         );
-        if let Some(at) = middle(&marked.points) {
+        // Both legs of a dart end in one point and have one name.
+        let end = marked.points.last().copied();
+        let is_second_leg = marked.kind == LineKind::Dart && dart_end == end;
+        if marked.kind == LineKind::Dart {
+            dart_end = end;
+        }
+        if let Some(at) = middle(&marked.points).filter(|_| !is_second_leg) {
             let at = page_from_piece * at;
             let style = TextStyle::regular(8.0);
             sheet.text(
