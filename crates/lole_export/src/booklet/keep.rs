@@ -146,8 +146,7 @@ pub(super) fn care(plan: &DancerPlan) -> Vec<Words> {
         (plan.garments.iter())
             .any(|it| !it.plans.is_empty() && takes(it, &[kind]) && !takes(it, NOT_WASHED))
     };
-    let elastic = washed(NotionKind::Elastic);
-    let mut rows = of_cloth(&made, elastic, &washed);
+    let mut rows = of_cloth(&made, &washed);
     rows.extend([
         (
             any(&[NotionKind::Leaf]),
@@ -203,7 +202,8 @@ pub(super) fn care(plan: &DancerPlan) -> Vec<Words> {
 }
 
 /// Rules for what can be washed.
-fn of_cloth(made: &Made, elastic: bool, washed: &dyn Fn(NotionKind) -> bool) -> Vec<Row> {
+fn of_cloth(made: &Made, washed: &dyn Fn(NotionKind) -> bool) -> Vec<Row> {
+    let elastic = washed(NotionKind::Elastic);
     vec![
         (
             made.is_washed,
@@ -227,14 +227,14 @@ fn of_cloth(made: &Made, elastic: bool, washed: &dyn Fn(NotionKind) -> bool) -> 
             ),
         ),
         (
-            elastic && washed(NotionKind::Elastic) && !washed(NotionKind::Zip),
+            elastic && !washed(NotionKind::Zip),
             words(
                 "ギャザーをのばさないように、ゴムのところを持ってつるし、日陰に干します。",
                 "Hang by the elastics in the shade, so that the gathers keep their shape.",
             ),
         ),
         (
-            made.is_washed && !(elastic && !washed(NotionKind::Zip)),
+            made.is_washed && (!elastic || washed(NotionKind::Zip)),
             words(
                 "形を整えて、日陰に干します。",
                 "Pull it into shape and dry it in the shade.",
