@@ -313,6 +313,7 @@ fn every_key_ends_in_its_unit_or_says_that_it_has_none() {
         "_price",
         "_price_per_m",
         "_price_per_spool",
+        "_price_per_100g",
         "price_per_m",
         "price_per_yd",
         "_per_h",
