@@ -123,16 +123,7 @@ fn draw_piece(
     let right = (page * Point::new(bounds.x1, 0.0)).x;
     let mut free = f64::NEG_INFINITY;
     let mut darts_named = false;
-    // From the top down, so that no label's line crosses another's.
-    let mut lines: Vec<(LineKind, &BezPath)> = (marks.iter())
-        .filter_map(|&mark| match piece.marks.get(mark) {
-            Some(Mark::Line { kind, path }) => Some((*kind, path)),
-            _ => None,
-        })
-        .collect();
-    let level_of = |path: &BezPath| path.bounding_box().center().y;
-    lines.sort_by(|(_, one), (_, other)| level_of(other).total_cmp(&level_of(one)));
-    for (kind, path) in lines {
+    for (kind, path) in lines_from_top(piece, marks) {
         let stroke = Stroke::solid(0.45).with_color(SEWN);
         sheet.path(page * path.clone(), None, Some(stroke));
         let on_piece = path.bounding_box().center();
@@ -161,6 +152,19 @@ fn draw_piece(
             Align::Left,
         );
     }
+}
+
+/// Lines of a piece from the top down, so that no label's line crosses another's.
+fn lines_from_top<'a>(piece: &'a Piece, marks: &[usize]) -> Vec<(LineKind, &'a BezPath)> {
+    let mut lines: Vec<(LineKind, &BezPath)> = (marks.iter())
+        .filter_map(|&mark| match piece.marks.get(mark) {
+            Some(Mark::Line { kind, path }) => Some((*kind, path)),
+            _ => None,
+        })
+        .collect();
+    let level_of = |path: &BezPath| path.bounding_box().center().y;
+    lines.sort_by(|(_, one), (_, other)| level_of(other).total_cmp(&level_of(one)));
+    lines
 }
 
 /// Length of a line that runs straight across or down [m].
@@ -458,21 +462,8 @@ fn draw_section(
     let [outer, inner, top] = [rect.x + 60.0, rect.x + 68.0, rect.y + 6.0];
     let bottom = rect.y + rect.height - 2.0;
     let end = top + depth * scale;
-    let turned = turn * scale;
-    let layer = Stroke::solid(0.9);
-    // Outside up, over the fold, inside down, and the turned edge between the layers.
-    let mut path = BezPath::new();
-    path.move_to((outer, bottom));
-    path.line_to((outer, top + 2.0));
-    path.curve_to((outer, top - 1.0), (inner, top - 1.0), (inner, top + 2.0));
-    path.line_to((inner, end));
-    path.curve_to(
-        (inner, end + 1.5),
-        (inner - 3.0, end + 1.5),
-        (inner - 3.0, end),
-    );
-    path.line_to((inner - 3.0, end - turned));
-    sheet.path(path, None, Some(layer));
+    let path = band_path([outer, inner], [top, end, bottom], turn * scale);
+    sheet.path(path, None, Some(Stroke::solid(0.9)));
     let said = [outer - 6.0, inner + 6.0];
     let casings = |wanted: LineKind| {
         let lines = marks.iter().filter(move |(kind, _)| *kind == wanted);
@@ -508,6 +499,22 @@ fn draw_section(
         }
     }
     section_labels(sheet, [outer, inner, top, end], (said, depth), language);
+}
+
+/// A band in section: outside up, over the fold, inside down, and the turned edge between the layers.
+fn band_path([outer, inner]: [f64; 2], [top, end, bottom]: [f64; 3], turned: f64) -> BezPath {
+    let mut path = BezPath::new();
+    path.move_to((outer, bottom));
+    path.line_to((outer, top + 2.0));
+    path.curve_to((outer, top - 1.0), (inner, top - 1.0), (inner, top + 2.0));
+    path.line_to((inner, end));
+    path.curve_to(
+        (inner, end + 1.5),
+        (inner - 3.0, end + 1.5),
+        (inner - 3.0, end),
+    );
+    path.line_to((inner - 3.0, end - turned));
+    path
 }
 
 /// Names of the layers, and the depth of the band.
