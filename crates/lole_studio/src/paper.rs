@@ -233,9 +233,18 @@ pub(crate) mod tests {
         assert_eq!(trouble.key, Some("bust_ease_cm"));
         assert!(trouble.sentence.english.contains("99"));
         assert!(paper.garment(Some(1), &design).unwrap().cut.is_ok());
-        // Its cloth is not on the bill.
-        let lines = |paper: &Paper| paper.bill.as_ref().map_or(0, |bill| bill.lines.len());
-        assert_eq!(lines(&whole), lines(&paper) + 1);
+        // Its cloth is not on the bill, whatever notions go with it; that of the others is.
+        let names = |paper: &Paper| {
+            let lines = paper.bill.iter().flat_map(|bill| &bill.lines);
+            lines
+                .map(|line| line.name.english.clone())
+                .collect::<Vec<_>>()
+        };
+        let names_it = |name: &String| name.contains("blouse");
+        assert!(names(&whole).iter().any(names_it));
+        let left = names(&paper);
+        assert!(!left.iter().any(names_it));
+        assert!(left.iter().all(|name| names(&whole).contains(name)));
     }
 
     #[test]
