@@ -6,6 +6,7 @@
 
 use lole_geom::Length;
 use lole_language::{Sentence, Words, words};
+use lole_pattern::RAFFIA_PER_METER;
 use lole_pattern::pattern::{Amount, NotionKind};
 use lole_pattern::piece::ClothRole;
 
@@ -173,9 +174,9 @@ fn cloth_of(garment: Words) -> Sentence {
 enum Unit {
     /// By the piece, with the Japanese word to count it.
     Piece(&'static str),
-    /// By 100 g.
+    /// Priced by 100 g, in tens of grams.
     Grams,
-    /// By 10 cm.
+    /// Priced by the meter, in tens of centimeters.
     Meter,
 }
 
@@ -207,9 +208,6 @@ struct Sold {
     key: &'static str,
     price: fn(&NotionPrices) -> Option<f64>,
 }
-
-/// Raffia on a meter [kg/m]: as raffia skirts are reckoned.
-const RAFFIA_PER_METER: f64 = 0.0006;
 
 impl Sold {
     /// How much of it a costume takes, in its unit; `None` where it takes none.
@@ -470,12 +468,12 @@ mod tests {
         ipu.garments = GarmentDesign::of_kind("ipu").into_iter().collect();
         ipu.cost.notions.gourd = Some(4500.0);
         let paid = bill(&ipu, &plan_of(&ipu));
-        let gourds = if paid.lines[0].amount.english.starts_with('2') {
-            2.0
-        } else {
-            1.0
-        };
-        assert_eq!(paid.total, 4500.0 * gourds);
+        let notions = &plan_of(&ipu).garments[0].tailored.pattern.notions;
+        let gourds = notions.iter().find_map(|notion| match notion.amount {
+            Amount::Count(count) if notion.kind == NotionKind::Gourd => Some(f64::from(count)),
+            _ => None,
+        });
+        assert_eq!(Some(paid.total), gourds.map(|gourds| 4500.0 * gourds));
     }
 
     #[test]

@@ -43,5 +43,5 @@ pub use measures::{Measure, Measures};
 pub use pattern::Pattern;
 pub use piece::Piece;
 pub use ratio::{ElasticRatio, GatherRatio};
-pub use template::{Options, TEMPLATES, Template};
+pub use template::{Options, RAFFIA_PER_METER, TEMPLATES, Template};
 pub use yardage::Yardage;

@@ -40,6 +40,9 @@ use lole_language::{Words, words};
 use crate::design::pau_skirt::{PauDraft, PauMeasurements};
 use crate::{DraftError, Measures, Pattern};
 
+/// Mass of a meter of raffia [kg]. Estimated.
+pub const RAFFIA_PER_METER: f64 = raffia_skirt::MASS_PER_METER;
+
 /// A garment that can be drafted. Two are equal when their identifiers are.
 #[derive(Debug)]
 pub struct Template {
@@ -53,6 +56,17 @@ pub struct Template {
     pub options: &'static [OptionRow],
     /// Drafts it.
     pub draft: fn(&Measures, &Options) -> Result<Pattern, DraftError>,
+    /// How it is worn where it can be one gathered rectangle.
+    worn: Option<Worn>,
+}
+
+/// A template that, with some options, is one gathered rectangle.
+#[derive(Debug)]
+struct Worn {
+    /// With which options.
+    is_gathered: fn(&Options) -> bool,
+    /// The rectangle as it is worn.
+    draft: fn(&Measures, &Options) -> Result<Gathered, DraftError>,
 }
 
 /// A template that is one rectangle, gathered around the hips.
@@ -70,11 +84,7 @@ impl Template {
     /// Whether it is one rectangle, gathered around the hips, with these options.
     #[must_use]
     pub fn is_gathered(&self, options: &Options) -> bool {
-        match self.id {
-            "pau-kahiko" => true,
-            "pau-ruffle" => pau_ruffle::is_one_rectangle(options),
-            _ => false,
-        }
+        (self.worn.as_ref()).is_some_and(|worn| (worn.is_gathered)(options))
     }
 
     /// Drafts it as what is gathered; `None` where it is not.
@@ -86,20 +96,9 @@ impl Template {
         measures: &Measures,
         options: &Options,
     ) -> Result<Option<Gathered>, DraftError> {
-        if !self.is_gathered(options) {
-            return Ok(None);
-        }
-        let is_open = self.id == "pau-kahiko";
-        let (draft, worn) = if is_open {
-            pau_kahiko::as_worn(measures, options)?
-        } else {
-            pau_ruffle::as_worn(measures, options)?
-        };
-        Ok(Some(Gathered {
-            draft,
-            worn,
-            is_open,
-        }))
+        let worn = self.worn.as_ref();
+        let worn = worn.filter(|worn| (worn.is_gathered)(options));
+        worn.map(|worn| (worn.draft)(measures, options)).transpose()
     }
 }
 

@@ -33,6 +33,7 @@ pub(super) const TEMPLATE: Template = Template {
     ),
     options: OPTIONS,
     draft,
+    worn: None,
 };
 
 const OPTIONS: &[OptionRow] = &[

@@ -37,6 +37,7 @@ pub(super) const TEMPLATE: Template = Template {
     ),
     options: OPTIONS,
     draft,
+    worn: None,
 };
 
 const SLEEVES: &[Choice] = &[

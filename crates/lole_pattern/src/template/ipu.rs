@@ -21,6 +21,7 @@ pub(super) const TEMPLATE: Template = Template {
     ),
     options: OPTIONS,
     draft,
+    worn: None,
 };
 
 const FORMS: &[Choice] = &[

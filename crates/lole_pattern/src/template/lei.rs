@@ -19,6 +19,7 @@ pub(super) const TEMPLATE: Template = Template {
     about: words("首に掛ける花のレイ", "a lei of strung flowers for the neck"),
     options: OPTIONS,
     draft,
+    worn: None,
 };
 
 const FORMS: &[Choice] = &[

@@ -39,6 +39,7 @@ pub(super) const TEMPLATE: Template = Template {
     ),
     options: OPTIONS,
     draft,
+    worn: None,
 };
 
 pub(super) const SLEEVES: &[Choice] = &[

@@ -13,8 +13,8 @@ use super::pau_skirt::{
     CASING, GAP, GATHERS, HEADER, HEM, HEM_HEIGHT, UNKNOWN_WIDTH, WORN_HEIGHT, worn,
 };
 use super::work::{Work, minutes};
-use super::{OptionRow, Options, Template};
-use crate::design::pau_skirt::{PauDraft, PauMeasurements, PauOptions, draft_pau_skirt};
+use super::{Gathered, OptionRow, Options, Template, Worn};
+use crate::design::pau_skirt::{PauDraft, PauOptions, draft_pau_skirt};
 use crate::pattern::{Amount, Figure, Notion, NotionKind, Step};
 use crate::piece::{Finish, LineKind, Mark, Piece};
 use crate::{DraftError, GatherRatio, Measures, Pattern};
@@ -28,6 +28,10 @@ pub(super) const TEMPLATE: Template = Template {
     ),
     options: OPTIONS,
     draft,
+    worn: Some(Worn {
+        is_gathered: |_| true,
+        draft: as_worn,
+    }),
 };
 
 const OPTIONS: &[OptionRow] = &[
@@ -62,10 +66,7 @@ const END_HEM: f64 = 0.015;
 const ENDS: [usize; 2] = [1, 3];
 
 /// The rectangle as it is worn, gathered on its cords.
-pub(super) fn as_worn(
-    measures: &Measures,
-    options: &Options,
-) -> Result<(PauDraft, PauMeasurements), DraftError> {
+fn as_worn(measures: &Measures, options: &Options) -> Result<Gathered, DraftError> {
     let chosen = Chosen::new(OPTIONS, options)?;
     let m = |key| Length::from_m(chosen.m(key));
     let worn = worn(measures, &chosen)?;
@@ -81,13 +82,17 @@ pub(super) fn as_worn(
         fabric_width: UNKNOWN_WIDTH,
         ..PauOptions::default()
     };
-    Ok((draft_pau_skirt(&worn, &cut)?, worn))
+    Ok(Gathered {
+        draft: draft_pau_skirt(&worn, &cut)?,
+        worn,
+        is_open: true,
+    })
 }
 
 fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> {
     let chosen = Chosen::new(OPTIONS, options)?;
     let row_count = chosen.count("cord_row_count");
-    let (draft, worn) = as_worn(measures, options)?;
+    let Gathered { draft, worn, .. } = as_worn(measures, options)?;
     let mut piece = draft.pattern(TEMPLATE.name).pieces.swap_remove(0);
     for end in ENDS {
         piece.edges[end].finish = Finish::Hem;

@@ -12,9 +12,9 @@ use super::making::{cm, edges_of, gathered, hem_in_section, pattern, plain, say,
 use super::pau_skirt::{GATHERS, HEM, HEM_HEIGHT, UNKNOWN_WIDTH, WORN_HEIGHT, worn};
 use super::shape::{AROUND, CM, Label, across, beside, rectangle};
 use super::work::{Work, minutes};
-use super::{Choice, OptionRow, Options, Template};
+use super::{Choice, Gathered, OptionRow, Options, Template, Worn};
 use crate::design::Sewn;
-use crate::design::pau_skirt::{PauDraft, PauMeasurements, PauOptions, draft_pau_skirt};
+use crate::design::pau_skirt::{PauDraft, PauOptions, draft_pau_skirt};
 use crate::pattern::{Figure, NotionKind, Seam, Step};
 use crate::piece::{CutCount, Finish, LineKind, Mark, Piece};
 use crate::{DraftError, GatherRatio, Measures, Pattern};
@@ -28,6 +28,10 @@ pub(super) const TEMPLATE: Template = Template {
     ),
     options: OPTIONS,
     draft,
+    worn: Some(Worn {
+        is_gathered: is_one_rectangle,
+        draft: as_worn,
+    }),
 };
 
 const PLACES: &[Choice] = &[
@@ -86,7 +90,7 @@ const SEAM: f64 = 1.0 * CM;
 const GATHER_INSET: f64 = -0.3 * CM;
 
 /// Whether the ruffle is what stands above the elastic, so that all is one rectangle.
-pub(super) fn is_one_rectangle(options: &Options) -> bool {
+fn is_one_rectangle(options: &Options) -> bool {
     Chosen::new(OPTIONS, options).is_ok_and(|chosen| chosen.choice("ruffle") == "header")
 }
 
@@ -97,13 +101,14 @@ fn depth(chosen: &Chosen<'_>) -> f64 {
 }
 
 /// The skirt without its ruffle, as it is worn; a deep ruffle above the elastic is part of it.
-pub(super) fn as_worn(
-    measures: &Measures,
-    options: &Options,
-) -> Result<(PauDraft, PauMeasurements), DraftError> {
+fn as_worn(measures: &Measures, options: &Options) -> Result<Gathered, DraftError> {
     let chosen = Chosen::new(OPTIONS, options)?;
     let worn = worn(measures, &chosen)?;
-    Ok((draft_pau_skirt(&worn, &cut(&chosen)?)?, worn))
+    Ok(Gathered {
+        draft: draft_pau_skirt(&worn, &cut(&chosen)?)?,
+        worn,
+        is_open: false,
+    })
 }
 
 fn cut(chosen: &Chosen<'_>) -> Result<PauOptions, DraftError> {
@@ -136,7 +141,7 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
     let (place, depth) = (chosen.choice("ruffle"), depth(&chosen));
     let flounce = place == "hem";
     let cut = cut(&chosen)?;
-    let (skirt, _) = as_worn(measures, options)?;
+    let skirt = as_worn(measures, options)?.draft;
     if place == "header" {
         return Ok(skirt.pattern(TEMPLATE.name));
     }

@@ -18,6 +18,7 @@ pub(super) const TEMPLATE: Template = Template {
     about: words("先を細く裂いた竹の楽器", "sticks of split bamboo"),
     options: OPTIONS,
     draft,
+    worn: None,
 };
 
 const OPTIONS: &[OptionRow] = &[

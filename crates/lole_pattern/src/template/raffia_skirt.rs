@@ -23,6 +23,7 @@ pub(super) const TEMPLATE: Template = Template {
     ),
     options: OPTIONS,
     draft,
+    worn: None,
 };
 
 const OPTIONS: &[OptionRow] = &[
@@ -46,7 +47,7 @@ const OPTIONS: &[OptionRow] = &[
 ];
 
 /// Mass of a meter of raffia [kg]. Estimated.
-const MASS_PER_METER: f64 = 0.0006;
+pub(super) const MASS_PER_METER: f64 = 0.0006;
 
 fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> {
     let chosen = Chosen::new(OPTIONS, options)?;

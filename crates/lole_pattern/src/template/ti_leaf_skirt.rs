@@ -25,6 +25,7 @@ pub(super) const TEMPLATE: Template = Template {
     ),
     options: OPTIONS,
     draft,
+    worn: None,
 };
 
 const OPTIONS: &[OptionRow] = &[
