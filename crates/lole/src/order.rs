@@ -11,7 +11,7 @@ use lole_costume::order::{self, DancerPlan, Group, PrintTotal, Settings};
 use lole_costume::roster::{self, Roster, RosterError};
 use lole_export::booklet::{Booklet, bill_remarks, booklet_sheets};
 use lole_export::form::form_sheet;
-use lole_export::order::{OrderParts, bill_json, order_folder};
+use lole_export::order::{OrderParts, PATTERN_FILES, bill_json, order_folder};
 use lole_export::pdf::{Document, Paper, Sheet, printable};
 use lole_geom::Length;
 use lole_language::{Bilingual as _, Language, Sentence};
@@ -109,7 +109,7 @@ fn cut(list: &Roster, design: &Design) -> Group {
 fn shown(paths: &[PathBuf]) -> Vec<PathBuf> {
     let is_pattern = |path: &&PathBuf| {
         let name = path.file_name().map(|name| name.to_string_lossy());
-        name.is_some_and(|name| name.starts_with("pattern-"))
+        name.is_some_and(|name| name.starts_with(PATTERN_FILES))
     };
     let first = paths.iter().find(is_pattern);
     let others = paths.iter().filter(|path| !is_pattern(path));

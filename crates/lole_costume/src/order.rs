@@ -311,8 +311,7 @@ impl Design {
             _ => None,
         });
         let decided = self.garments.iter().filter_map(|garment| match garment {
-            // A top ends at the hips; its hem is not the costume's.
-            GarmentDesign::Template(worn) if worn.template.id != "pau-top" => {
+            GarmentDesign::Template(worn) => {
                 let position = worn.template.position("hem_height_cm")?;
                 worn.options.get(position)
             }

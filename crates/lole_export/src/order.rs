@@ -16,7 +16,7 @@ use crate::pdf::{
     Align, Cell, Column, Flow, Margins, Paper, Picture, Rect, Sheet, Stroke, Table, TextStyle,
 };
 
-pub use folder::{OrderFolder, OrderParts, order_folder};
+pub use folder::{OrderFolder, OrderParts, PATTERN_FILES, order_folder};
 
 /// Everything about a group order.
 #[derive(Debug, Clone, PartialEq)]

@@ -243,11 +243,7 @@ fn rest_from_bind(
         turns[toes.index()] = turns[foot.index()];
     }
     for &bone in Bone::ALL {
-        let above = |side: Bone| {
-            std::iter::successors(Some(bone), |bone| bone.parent())
-                .skip(1)
-                .any(|parent| parent == side)
-        };
+        let above = |side: Bone| bone.lineage().skip(1).any(|parent| parent == side);
         for forearm in [Bone::LeftLowerArm, Bone::RightLowerArm] {
             if above(forearm) {
                 turns[bone.index()] = turns[forearm.index()];

@@ -110,7 +110,7 @@ fn below_neck(skin: &SkinnedMesh, vertex: usize) -> f32 {
 
 /// Whether a bone is another one or hangs on it.
 fn is_below(bone: Bone, root: Bone) -> bool {
-    std::iter::successors(Some(bone), |bone| bone.parent()).any(|bone| bone == root)
+    bone.lineage().any(|bone| bone == root)
 }
 
 fn share(skin: &SkinnedMesh, vertex: usize, counts: impl Fn(Bone) -> bool) -> f32 {

@@ -204,6 +204,8 @@ pub(super) fn care(plan: &DancerPlan) -> Vec<Words> {
 /// Rules for what can be washed.
 fn of_cloth(made: &Made, washed: &dyn Fn(NotionKind) -> bool) -> Vec<Row> {
     let elastic = washed(NotionKind::Elastic);
+    // A fitted dress or blouse has elastics at its sleeves only, and does not hang by them.
+    let hangs_by_elastic = elastic && !washed(NotionKind::Zip);
     vec![
         (
             made.is_washed,
@@ -227,14 +229,14 @@ fn of_cloth(made: &Made, washed: &dyn Fn(NotionKind) -> bool) -> Vec<Row> {
             ),
         ),
         (
-            elastic && !washed(NotionKind::Zip),
+            hangs_by_elastic,
             words(
                 "ギャザーをのばさないように、ゴムのところを持ってつるし、日陰に干します。",
                 "Hang by the elastics in the shade, so that the gathers keep their shape.",
             ),
         ),
         (
-            made.is_washed && (!elastic || washed(NotionKind::Zip)),
+            made.is_washed && !hangs_by_elastic,
             words(
                 "形を整えて、日陰に干します。",
                 "Pull it into shape and dry it in the shade.",

@@ -45,6 +45,9 @@ pub struct OrderFolder {
     pub json: String,
 }
 
+/// How the files of patterns begin.
+pub const PATTERN_FILES: &str = "pattern-";
+
 /// Repeats on cut plans of booklets are drawn with so many pixels on a side.
 const PRINT_SIDE: u32 = 512;
 
@@ -141,7 +144,8 @@ fn paper_patterns(
             sheets,
         };
         let size = paper.name().to_ascii_lowercase();
-        let name = format!("pattern-{number:03}-{}-{size}.pdf", file_word(&plan.name));
+        let who = file_word(&plan.name);
+        let name = format!("{PATTERN_FILES}{number:03}-{who}-{size}.pdf");
         files.push((name, document.to_bytes()?));
     }
     Ok(files)

@@ -46,9 +46,19 @@ impl OverCloth {
             a.position.distance_squared(b.position) < ALIKE * ALIKE
                 && SAME_WAY < a.normal.dot(b.normal)
         };
+        // By height, so that a slice of her is looked at and not all of her.
+        let height = |place: u32| skin[place as usize].position.y;
+        let mut by_height: Vec<u32> = (0..).take(skin.len()).collect();
+        by_height.sort_by(|&a, &b| height(a).total_cmp(&height(b)));
         let alike = skin.iter().map(|one| {
-            let others = (0..).zip(skin).filter(|(_, other)| is_near(one, other));
-            others.map(|(place, _)| place).collect()
+            let below = |limit: f32| by_height.partition_point(|&place| height(place) < limit);
+            let slice = below(one.position.y - ALIKE)..below(one.position.y + ALIKE);
+            let others = by_height[slice].iter().copied();
+            let mut near: Vec<u32> = others
+                .filter(|&place| is_near(one, &skin[place as usize]))
+                .collect();
+            near.sort_unstable();
+            near
         });
         let loose = cloth.iter().map(|(_, positions)| {
             let all = (0..).zip(*positions);
@@ -90,6 +100,9 @@ impl OverCloth {
                 if is_near(surfel.position) {
                     outermost(surfel, (&grid, &near, positions), (&mut crossed, found));
                 }
+            }
+            if loose.is_empty() {
+                continue;
             }
             let normals = vertex_normals(positions, triangles);
             self.far.extend(loose.iter().map(|&particle| Surfel {
