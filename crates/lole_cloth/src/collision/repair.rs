@@ -12,6 +12,7 @@ use glam::Vec3;
 use lole_geom::Capsule;
 
 use crate::collision::crossing::{Crossing, CrossingFinder, Marked, crossing_point};
+use crate::collision::face_contact::FARTHEST_LEVER;
 use crate::collision::impact_zone::ImpactZones;
 use crate::collision::placement::Placement;
 use crate::collision::separation::Separation;
@@ -277,10 +278,12 @@ impl CrossingRepair {
         let [a, b, c] = crossing.corners;
         let particles = [crossing.ends[0], crossing.ends[1], a, b, c];
         let inv_masses = particles.map(|particle| Self::inv_mass(fixed, particle));
-        let mut sum = 0.0;
+        let (mut sum, mut most) = (0.0, 0.0_f32);
         for (weight, inv_mass) in weights.iter().zip(inv_masses) {
             sum += weight * weight * inv_mass;
+            most = most.max(weight.abs() * inv_mass);
         }
+        let sum = sum.max(most / FARTHEST_LEVER);
         if sum <= 0.0 {
             return;
         }
@@ -325,6 +328,7 @@ impl CrossingRepair {
                 for index in 0..self.separations.len() {
                     self.part(fixed, self.separations[index]);
                 }
+                self.restrain(starts);
                 self.look_again(fixed);
             }
         }
