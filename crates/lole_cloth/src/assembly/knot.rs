@@ -43,6 +43,13 @@ pub struct EdgePoint {
     pub share: f32,
 }
 
+impl EdgePoint {
+    /// The end that it is nearer to.
+    pub(crate) const fn nearest(&self) -> u32 {
+        self.particles[if self.share < 0.5 { 0 } else { 1 }]
+    }
+}
+
 impl From<Place> for EdgePoint {
     fn from(place: Place) -> Self {
         Self {

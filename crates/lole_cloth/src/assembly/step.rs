@@ -8,6 +8,7 @@ use lole_geom::{Capsule, Surfel};
 use crate::assembly::attachment::{Bones, Frame};
 use crate::assembly::contact;
 use crate::assembly::joint::{Joint, JointError, Made};
+use crate::assembly::knot::EdgePoint;
 use crate::assembly::piece::{Piece, PieceState};
 use crate::collision::face_contact::{FaceContacts, Faces};
 use crate::lanes::Points;
@@ -79,8 +80,14 @@ impl Assembly {
             piece.config_mut().substep_count = substep_count;
         }
         let made = joints.iter().map(|joint| Made::new(&pieces, joint));
+        let made = made.collect::<Result<_, _>>()?;
+        for (index, piece) in pieces.iter_mut().enumerate() {
+            if let Piece::Mesh(model, _) = piece {
+                model.surface.sew(sewn_within(joints, index));
+            }
+        }
         Ok(Self {
-            joints: made.collect::<Result<_, _>>()?,
+            joints: made,
             faces: contact::faces(&pieces, joints),
             pieces,
             substep_count: substep_count.get(),
@@ -92,6 +99,19 @@ impl Assembly {
     pub fn pieces(&self) -> &[Piece] {
         &self.pieces
     }
+}
+
+/// Particles of a piece that are sewn to each other.
+fn sewn_within(joints: &[Joint], piece: usize) -> impl Iterator<Item = [u32; 2]> {
+    let seams = joints.iter().filter_map(|joint| match joint {
+        Joint::Seam(seam) => Some(&seam.stitches),
+        _ => None,
+    });
+    let within = move |&[one, other]: &[EdgePoint; 2]| {
+        let are_its = one.piece == piece && other.piece == piece;
+        are_its.then_some([one.nearest(), other.nearest()])
+    };
+    seams.flatten().filter_map(within)
 }
 
 impl AssemblyState {

@@ -353,10 +353,13 @@ fn cross(
             &surface.patches[pair[side] as usize],
             &surface.patches[pair[1 - side] as usize],
         );
+        let [cut_seams, seams] =
+            [cut, cutter].map(|patch| patch.corners.map(|corner| surface.seam_of(corner)));
         for triangle in PATCH_TRIANGLES {
             let places = triangle.map(|corner| corners[1 - side][corner]);
             let cut_corners = triangle.map(|corner| cutter.corners[corner]);
-            let shared = bits(cut.corners, |corner| cut_corners.contains(&corner));
+            let at_seams = triangle.map(|corner| seams[corner]);
+            let shared = bits(cut_seams, |corner| at_seams.contains(&corner));
             let above = bits_above(places, corners[side]);
             let edges = cut.owned_edges() & BETWEEN[above] & !TOUCHING[shared];
             for edge in each_hit(u64::from(edges), PATCH_EDGES.len()) {

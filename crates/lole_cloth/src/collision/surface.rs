@@ -35,6 +35,8 @@ pub(crate) struct Surface {
     /// The same for leaves: those it shares particles with.
     adjacent_starts: Vec<u32>,
     adjacent: Vec<Adjacent>,
+    /// By particle, the first of those that are sewn to each other; empty where nothing is sewn.
+    sewn_to: Vec<u32>,
 }
 
 /// A leaf, sixteen patches that follow each other, beside another or the same.
@@ -73,6 +75,34 @@ impl Surface {
         surface.find_stars(particle_count);
         surface.find_adjacent();
         surface
+    }
+
+    /// Sews particles to each other: what meets in a seam is beside each other like triangles of one
+    /// piece, and does not cross there.
+    pub(crate) fn sew(&mut self, pairs: impl IntoIterator<Item = [u32; 2]>) {
+        if self.sewn_to.is_empty() {
+            self.sewn_to = (0..narrow(self.particle_count())).collect();
+        }
+        let first_of = |sewn_to: &[u32], mut particle: u32| {
+            while sewn_to[particle as usize] != particle {
+                particle = sewn_to[particle as usize];
+            }
+            particle
+        };
+        for pair in pairs {
+            let [one, other] = pair.map(|particle| first_of(&self.sewn_to, particle));
+            self.sewn_to[one.max(other) as usize] = one.min(other);
+        }
+        for particle in 0..self.sewn_to.len() {
+            // Those before it are done, and it hangs on one of them.
+            self.sewn_to[particle] = self.sewn_to[self.sewn_to[particle] as usize];
+        }
+    }
+
+    /// The first of those that a particle is sewn to, itself where it is sewn to none.
+    pub(crate) fn seam_of(&self, particle: u32) -> u32 {
+        let sewn = self.sewn_to.get(particle as usize);
+        sewn.copied().unwrap_or(particle)
     }
 
     /// Patches that have this particle for a corner, ascending.
@@ -132,6 +162,7 @@ impl Surface {
             + size_of_val(self.star_patches.as_slice())
             + size_of_val(self.adjacent_starts.as_slice())
             + size_of_val(self.adjacent.as_slice())
+            + size_of_val(self.sewn_to.as_slice())
     }
 
     fn find_adjacent(&mut self) {
