@@ -55,8 +55,13 @@ const FLOOR: Capsule = Capsule {
     ends: [Vec3::new(-1.0, -500.0, 0.0), Vec3::new(1.0, -500.0, 0.0)],
     radii: [500.0; 2],
 };
-/// Substeps of a frame.
-const SUBSTEP_COUNT: NonZeroU32 = NonZeroU32::MIN.saturating_add(11);
+/// Substeps of a frame while seams come together: more of them let triangles turn inside out there.
+const SEWING_SUBSTEPS: NonZeroU32 = NonZeroU32::MIN.saturating_add(11);
+/// Substeps of a frame while it is worn: with half of them all of it gives like knitwear.
+const WORN_SUBSTEPS: NonZeroU32 = NonZeroU32::MIN.saturating_add(23);
+/// Elastic is fastened to every so manyth particle of its line: what lies in between puckers. Fastened to
+/// all of them it would push their edges together, and cloth does not give along its edges.
+const FASTENED: usize = 2;
 /// Tension of flat elastic of 6 to 8 mm at twice its length [N]. Estimated.
 const ELASTIC_STIFFNESS: f32 = 15.0;
 /// How long edges of triangles are, about [m].
@@ -532,7 +537,11 @@ fn assembly(
     };
     let model = MeshModel::new(&spec).map_err(|error| DressError::Mesh { template, error })?;
     let pieces = vec![Piece::Mesh(Box::new(model), Box::new(config))];
-    Assembly::new(pieces, joints, SUBSTEP_COUNT)
+    let substep_count = match ease {
+        Ease::Basted => SEWING_SUBSTEPS,
+        Ease::Worn => WORN_SUBSTEPS,
+    };
+    Assembly::new(pieces, joints, substep_count)
         .map_err(|error| DressError::Joint { template, error })
 }
 
@@ -554,8 +563,10 @@ fn joints(mesh: &flat::FlatMesh, elastics: &[f32]) -> Vec<Joint> {
         if line.len() < 2 || flat <= 0.0 {
             continue;
         }
+        let is_fastened = |at: usize| at.is_multiple_of(FASTENED) || at + 1 == line.len();
+        let fastened = line.iter().enumerate().filter(|(at, _)| is_fastened(*at));
         joints.push(Joint::Elastic(Elastic {
-            line: line.iter().map(|&particle| place(particle)).collect(),
+            line: fastened.map(|(_, &particle)| place(particle)).collect(),
             ends: Ends::Apart,
             rest_share: length / flat,
             stretch_stiffness: ELASTIC_STIFFNESS,
