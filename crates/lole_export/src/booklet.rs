@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 use lole_body::Measure;
 use lole_costume::cost::Bill;
-use lole_costume::order::{DancerPlan, PlannedGarment};
+use lole_costume::order::{CutElastic, DancerPlan, PlannedGarment};
 use lole_costume::print::PrintImage;
 use lole_costume::tailoring::{ClothPlan, role_name};
 use lole_language::{Bilingual as _, Language, Sentence};
@@ -181,12 +181,15 @@ pub fn amount_words(kind: NotionKind, amount: Amount, language: Language) -> Str
 /// The word that such things are counted with in Japanese.
 const fn counter(kind: NotionKind) -> &'static str {
     match kind {
-        NotionKind::Leaf => "枚",
+        NotionKind::Leaf | NotionKind::Card => "枚",
+        NotionKind::Seed => "粒",
         NotionKind::Zip
         | NotionKind::HairPin
         | NotionKind::Pistil
         | NotionKind::Bamboo
         | NotionKind::Feather
+        | NotionKind::Handle
+        | NotionKind::Glue
         | NotionKind::Elastic
         | NotionKind::Cord => "本",
         NotionKind::Hook => "組",
@@ -200,9 +203,9 @@ fn materials(flow: &mut Flow, plan: &DancerPlan, language: Language) {
         subhead(flow, &capitalized(garment.tailored.name.text(language)));
         Table {
             columns: vec![
-                Column::text("", 3.9),
-                Column::text("", 2.6),
-                Column::text("", 3.5),
+                Column::text("", 3.4),
+                Column::text("", 3.0),
+                Column::text("", 3.6),
             ],
             rows: material_rows(garment, language),
             size_pt: 12.5,
@@ -258,7 +261,7 @@ fn material_rows(garment: &PlannedGarment, language: Language) -> Vec<Vec<Cell>>
     } else {
         Vec::new()
     };
-    for (length, count) in &elastics {
+    for CutElastic { length, count, .. } in &elastics {
         let (each, all) = (length.to_cm(), length.to_m() * f64::from(*count));
         rows.push(vec![
             Cell::bold(elastic.map_or_else(String::new, |notion| {

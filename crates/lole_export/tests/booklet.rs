@@ -60,16 +60,17 @@ fn group_pages(language: Language) -> Vec<Sheet> {
         ..Settings::default()
     };
     let bills: Vec<cost::Bill> = plans.iter().map(|plan| cost::bill(&design, plan)).collect();
+    let prints = order::prints(&plans, &design, &settings);
     let problems = [Sentence::new("5 行目: 空です", "line 5: it is empty")];
     let order = Order {
         title: "Pāʻū".to_owned(),
         hem_height_cm: Some(22.0),
         plans: &plans,
         pictures: &[],
-        prints: &order::prints(&plans, &design, &settings),
+        prints: &prints,
         notions: &order::notions(&plans),
         bills: &bills,
-        total: &cost::sum(&bills, &design.cost),
+        total: &cost::group_bill(&design, &plans, &prints),
         problems: &problems,
         notes: &[],
         settings: &settings,

@@ -198,15 +198,13 @@ fn run(job: &Job, stop: &AtomicBool, tell: &impl Fn(OrderNews)) -> Result<OrderN
     if is_stopped() && folder.is_none() && job.folder.is_some() {
         return Ok(OrderNews::CalledOff);
     }
-    let bills: Vec<_> = (group.plans.iter())
-        .map(|plan| cost::bill(&job.design, plan))
-        .collect();
+    let prints = order::prints(&group.plans, &job.design, &job.wishes.settings());
     let totals = Totals {
         design: job.design.clone(),
         wishes: job.wishes,
-        prints: order::prints(&group.plans, &job.design, &job.wishes.settings()),
         notions: order::notions(&group.plans),
-        bill: cost::sum(&bills, &job.design.cost),
+        bill: cost::group_bill(&job.design, &group.plans, &prints),
+        prints,
         group,
     };
     Ok(match folder {

@@ -4,9 +4,10 @@
 //! layer on layer with gaps between the layers.
 
 use kurbo::{Affine, BezPath, Point, Shape as _};
+use lole_geom::Length;
 use lole_language::{Language, words};
 use lole_pattern::pattern::{Figure, NotionKind, Pattern, Seam};
-use lole_pattern::piece::{Finish, LineKind, Mark, Piece};
+use lole_pattern::piece::{Finish, LineKind, Mark, Piece, hem_turns};
 
 use super::middle;
 use super::style::{ACCENT, CLOTH, INSIDE, SEWN};
@@ -541,6 +542,16 @@ fn section_labels(
     sheet.text([inner + 6.0, end + 5.0], words, &LABEL, Align::Left);
 }
 
+/// Centimeters with a second decimal where it takes one, as of half of 1.5 cm.
+fn fine_cm(meters: f64) -> String {
+    let hundredths = (1.0e4 * meters).round();
+    if hundredths % 10.0 == 0.0 {
+        format!("{:.1} cm", hundredths / 100.0)
+    } else {
+        format!("{:.2} cm", hundredths / 100.0)
+    }
+}
+
 fn draw_hem(sheet: &mut Sheet, rect: Rect, piece: &Piece, language: Language) {
     let hem = piece.edges.iter().filter(|edge| edge.finish == Finish::Hem);
     // The lowest hem of the piece: the band has its own drawing.
@@ -555,8 +566,7 @@ fn draw_hem(sheet: &mut Sheet, rect: Rect, piece: &Piece, language: Language) {
     if depth <= 0.0 {
         return;
     }
-    let turn = if depth <= 0.02 { 0.5 * depth } else { 0.01 };
-    let folded = depth - turn;
+    let [turn, folded] = hem_turns(Length::from_m(depth)).map(Length::to_m);
     let [outer, inner] = [rect.x + 60.0, rect.x + 68.0];
     let [top, bottom] = [rect.y + 2.0, rect.y + rect.height - 8.0];
     let scale = 0.7 * (bottom - top) / folded;
@@ -583,7 +593,7 @@ fn draw_hem(sheet: &mut Sheet, rect: Rect, piece: &Piece, language: Language) {
     let aside = outer - 12.0;
     let ends = [Point::new(aside, end), Point::new(aside, bottom)];
     arrow(sheet, ends, &Stroke::solid(0.25));
-    let text = format!("{:.1} cm", 100.0 * folded);
+    let text = fine_cm(folded);
     let at = [aside - 2.0, 0.5 * (end + bottom)];
     sheet.text(at, &text, &TextStyle::bold(12.0), Align::Right);
     let said = inner + 6.0;
@@ -595,9 +605,10 @@ fn draw_hem(sheet: &mut Sheet, rect: Rect, piece: &Piece, language: Language) {
         stitch + 1.0,
         language.pick("ぐるりと縫う", "sew all around"),
     );
+    let turned = fine_cm(turn);
     let turned = match language {
-        Language::Japanese => format!("中へ {:.1} cm 折る", 100.0 * turn),
-        Language::English => format!("{:.1} cm turned under", 100.0 * turn),
+        Language::Japanese => format!("中へ {turned} 折る"),
+        Language::English => format!("{turned} turned under"),
     };
     label(sheet, end + 9.0, &turned);
     label(sheet, bottom + 1.0, language.pick("裾の折り線", "hem fold"));

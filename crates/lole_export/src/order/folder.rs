@@ -70,7 +70,7 @@ pub fn order_folder(parts: &OrderParts<'_>) -> Result<OrderFolder, ExportError> 
         prints: &prints,
         notions: &order::notions(plans),
         bills: &bills,
-        total: &cost::sum(&bills, &design.cost),
+        total: &cost::group_bill(design, plans, &prints),
         problems: &parts.group.problems,
         notes: &notes,
         settings: parts.settings,

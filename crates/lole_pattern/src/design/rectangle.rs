@@ -92,6 +92,8 @@ impl PauDraft {
                 kind: NotionKind::Cord,
                 name: self.widths().1,
                 amount: Amount::Length(length * tape_count as f64),
+                pieces: u32::try_from(tape_count).unwrap_or(1),
+                place: None,
                 note: Some(pieces_of(tape_count, length)),
             });
         }
@@ -99,6 +101,8 @@ impl PauDraft {
             kind: NotionKind::Thread,
             name: words("ミシン糸", "sewing thread"),
             amount: Amount::Length(self.thread),
+            pieces: 1,
+            place: None,
             note: None,
         });
         notions
@@ -152,6 +156,8 @@ impl PauDraft {
             kind: NotionKind::Elastic,
             name: self.widths().0,
             amount: Amount::Length(row.cut_length),
+            pieces: 1,
+            place: None,
             note: None,
         })
         .collect()
