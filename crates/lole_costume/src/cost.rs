@@ -6,9 +6,9 @@
 
 use lole_geom::Length;
 use lole_language::{Sentence, Words, words};
-use lole_pattern::{RAFFIA_PER_METER, Yardage};
 use lole_pattern::pattern::{Amount, NotionKind};
 use lole_pattern::piece::ClothRole;
+use lole_pattern::{RAFFIA_PER_METER, Yardage};
 
 use crate::document::{CostDesign, Currency, Design, FabricDesign, NotionPrices};
 use crate::order::{DancerPlan, PrintTotal};

@@ -431,7 +431,10 @@ pub fn prints(plans: &[DancerPlan], design: &Design, settings: &Settings) -> Vec
             longer_than_bolt,
         }
     };
-    let totals = kinds.iter().map(total).chain(beside(plans, design, settings));
+    let totals = kinds
+        .iter()
+        .map(total)
+        .chain(beside(plans, design, settings));
     totals.filter(|total| Length::ZERO < total.needed).collect()
 }
 

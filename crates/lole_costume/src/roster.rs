@@ -306,7 +306,10 @@ const SUMMARIES: &[&str] = &[
 fn is_summary(row: &Record, name: usize) -> bool {
     (0..=name).any(|index| {
         let cell = lengths::narrow(row.cell(index));
-        let words: String = cell.chars().filter(|letter| letter.is_alphabetic()).collect();
+        let words: String = cell
+            .chars()
+            .filter(|letter| letter.is_alphabetic())
+            .collect();
         SUMMARIES.contains(&words.as_str())
             || SUMMARIES.iter().any(|word| {
                 let rest = words.strip_prefix(word);
@@ -327,8 +330,12 @@ fn skipped(titles: &[Record], sums: &[Record]) -> Option<Sentence> {
     if lines.is_empty() {
         return None;
     }
-    let japanese = lines.iter().map(|(line, text)| format!("{line} 行目「{text}」"));
-    let english = lines.iter().map(|(line, text)| format!("line {line} (\"{text}\")"));
+    let japanese = lines
+        .iter()
+        .map(|(line, text)| format!("{line} 行目「{text}」"));
+    let english = lines
+        .iter()
+        .map(|(line, text)| format!("line {line} (\"{text}\")"));
     Some(Sentence::new(
         format!(
             "見出しや踊り手の行ではないので、読みませんでした: {}",

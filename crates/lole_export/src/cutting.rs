@@ -15,6 +15,7 @@
 
 pub(crate) mod draw;
 mod json;
+mod label;
 mod pieces_svg;
 mod plan;
 mod ruler;

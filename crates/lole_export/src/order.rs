@@ -5,7 +5,9 @@ mod folder;
 
 use lole_body::Measure;
 use lole_costume::cost::Bill;
-use lole_costume::order::{CutElastic, DancerPlan, NotionTotal, PlannedGarment, PrintTotal, Settings};
+use lole_costume::order::{
+    CutElastic, DancerPlan, NotionTotal, PlannedGarment, PrintTotal, Settings,
+};
 use lole_language::{Bilingual as _, Language, Sentence};
 use lole_pattern::pattern::{Amount, NotionKind};
 use serde::Serialize;
@@ -16,7 +18,10 @@ use crate::pdf::{
     Align, Cell, Column, Flow, Margins, Paper, Picture, Rect, Sheet, Stroke, Table, TextStyle,
 };
 
-pub use folder::{OrderFolder, OrderParts, PATTERN_FILES, order_folder};
+pub use folder::{
+    ORDER_JSON, OrderFolder, OrderParts, PATTERN_FILES, PICTURE_FOLDER, left_behind, listed_files,
+    order_folder,
+};
 
 /// Everything about a group order.
 #[derive(Debug, Clone, PartialEq)]
@@ -479,13 +484,14 @@ fn draw_label(sheet: &mut Sheet, rect: Rect, plan: &DancerPlan, language: Langua
 }
 
 #[derive(Serialize)]
-struct File {
+struct File<'a> {
     lole: &'static str,
     hem_height_cm: Option<f64>,
     dancers: Vec<DancerRow>,
     prints: Vec<PrintRow>,
     cost: CostRow,
     problems: Vec<String>,
+    files: Vec<&'a str>,
 }
 
 #[derive(Serialize)]
@@ -573,11 +579,16 @@ fn garment_row(garment: &PlannedGarment) -> GarmentRow {
     }
 }
 
-/// The order as JSON, lengths in the unit of their key.
+/// The order as JSON, lengths in the unit of their key, with the names of the `files` that were written
+/// for it.
 ///
 /// # Errors
 /// [`ExportError::Encoding`] from the encoder.
-pub fn order_json(order: &Order<'_>, version: &'static str) -> Result<String, ExportError> {
+pub fn order_json(
+    order: &Order<'_>,
+    version: &'static str,
+    files: &[&str],
+) -> Result<String, ExportError> {
     let dancers = order.plans.iter().zip(order.bills);
     let name = |dancer: usize| order.plans.get(dancer).map(|plan| plan.name.clone());
     let file = File {
@@ -612,6 +623,7 @@ pub fn order_json(order: &Order<'_>, version: &'static str) -> Result<String, Ex
             .collect(),
         cost: cost_row(order.total),
         problems: order.problems.iter().map(ToString::to_string).collect(),
+        files: files.to_vec(),
     };
     serde_json::to_string_pretty(&file).map_err(|error| ExportError::Encoding {
         file: "JSON",

@@ -76,9 +76,11 @@ fn group_pages(language: Language) -> Vec<Sheet> {
         settings: &settings,
         spool_m: design.cost.thread_spool_m,
     };
-    let json = order_json(&order, "test").unwrap_or_else(|error| panic!("{error}"));
+    let json = order_json(&order, "test", &["order.pdf"]).unwrap_or_else(|error| panic!("{error}"));
     let json: serde_json::Value = serde_json::from_str(&json).unwrap_or_default();
     assert_eq!(json["dancers"][0]["garments"][1]["cut_cm"][0][0], 367.6);
+    let elastic = &json["dancers"][0]["garments"][1]["elastics"][0];
+    assert_eq!(elastic["count"], 3);
     order_sheets(&order, Paper::A4, language)
 }
 

@@ -10,7 +10,7 @@ use lole_costume::cost;
 use lole_costume::document::Design;
 use lole_costume::order::{self, Group, NotionTotal, PrintTotal, Settings};
 use lole_costume::roster::{self, Roster};
-use lole_export::order::{OrderParts, order_folder};
+use lole_export::order::{ORDER_JSON, OrderParts, left_behind, order_folder};
 use lole_export::pdf::{Paper, Picture};
 use lole_geom::Length;
 use lole_language::{Bilingual as _, Language, Sentence};
@@ -233,6 +233,7 @@ fn write(
         paper: job.wishes.paper,
         language: job.language,
         version: env!("CARGO_PKG_VERSION"),
+        kept_files: &[],
     };
     let made = order_folder(&parts).map_err(|error| {
         Sentence::new(format!("注文書を作れません（{error}）"), error.to_string())
@@ -240,7 +241,12 @@ fn write(
     if is_stopped() {
         return Ok(None);
     }
+    let earlier = std::fs::read_to_string(folder.join(ORDER_JSON)).unwrap_or_default();
     files::write_folder(folder, &made.files)?;
+    for name in left_behind(&earlier, &made.json) {
+        // An old file that stays does no harm to the new order.
+        drop(std::fs::remove_file(folder.join(name)));
+    }
     Ok(Some(folder.to_owned()))
 }
 

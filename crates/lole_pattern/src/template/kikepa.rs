@@ -8,7 +8,7 @@ use lole_geom::Length;
 use lole_language::words;
 
 use super::chosen::{Chosen, by_measure, number};
-use super::making::{NO_WORK, cm, edges_of, hem_in_section, folds, pattern, say, step};
+use super::making::{NO_WORK, cm, edges_of, folds, hem_in_section, pattern, say, step};
 use super::pau_skirt::HEM_HEIGHT;
 use super::shape::{AROUND, CM, Label, rectangle};
 use super::work::{Work, minutes};

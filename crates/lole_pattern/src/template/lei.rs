@@ -103,7 +103,10 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
         cord(words("丈夫な糸", "strong string"), string),
     ];
     if is_closed {
-        notions.push(cord(words("結び目を隠すリボン", "ribbon for the knot"), RIBBON));
+        notions.push(cord(
+            words("結び目を隠すリボン", "ribbon for the knot"),
+            RIBBON,
+        ));
     }
     let estimate = say!(
         "花の数と長さは目安です。花の大きさに合わせてください",

@@ -17,9 +17,7 @@ use super::fitted::{
     FITTED_SEAM, binding, binding_seams, binding_step, closing_step, cutting_step, hem_step, place,
     shown,
 };
-use super::making::{
-    both_sides, cm, eased, gathered, notion, pattern, plain, say, side, step,
-};
+use super::making::{both_sides, cm, eased, gathered, notion, pattern, plain, say, side, step};
 use super::pau_skirt::HEM_HEIGHT;
 use super::shape::{AROUND, CM, DOWN, Label, at, beside, curve, edge, line, marked, rectangle};
 use super::sleeve::{ArmholePart, Sleeve, SleeveFit};

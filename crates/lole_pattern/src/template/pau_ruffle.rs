@@ -8,7 +8,9 @@ use lole_geom::Length;
 use lole_language::words;
 
 use super::chosen::{Chosen, by_measure, choice, count, number};
-use super::making::{cm, edges_of, folds, gathered, hem_in_section, pattern, plain, say, side, step};
+use super::making::{
+    cm, edges_of, folds, gathered, hem_in_section, pattern, plain, say, side, step,
+};
 use super::pau_skirt::{GATHERS, HEM, HEM_HEIGHT, UNKNOWN_WIDTH, WORN_HEIGHT, worn};
 use super::shape::{AROUND, CM, Label, across, beside, rectangle};
 use super::work::{Work, minutes};
@@ -285,8 +287,7 @@ impl Ruffle {
     }
 
     fn steps(&self, place: &str) -> Vec<Step> {
-        let [strip_cm, ring_cm, flat_cm] =
-            [self.strip + 2.0 * SEAM, self.ring, self.flat].map(cm);
+        let [strip_cm, ring_cm, flat_cm] = [self.strip + 2.0 * SEAM, self.ring, self.flat].map(cm);
         let [turn_cm, rest_cm] = folds(self.hem);
         let (height_cm, seam_cm) = (cm(self.depth + self.hem + SEAM), cm(SEAM));
         let count = self.count;

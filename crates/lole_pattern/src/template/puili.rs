@@ -82,15 +82,18 @@ fn draft(_measures: &Measures, options: &Options) -> Result<Pattern, DraftError>
         ),
     ];
     let tape = f64::from(sticks) * TAPE_TURNS * around;
-    let notions = vec![counted(
-        NotionKind::Bamboo,
-        words("竹", "bamboo"),
-        sticks,
-        say!(
-            "太さ {wide_cm} cm、長さ {long_cm} cm",
-            "{wide_cm} cm thick, {long_cm} cm long"
+    let notions = vec![
+        counted(
+            NotionKind::Bamboo,
+            words("竹", "bamboo"),
+            sticks,
+            say!(
+                "太さ {wide_cm} cm、長さ {long_cm} cm",
+                "{wide_cm} cm thick, {long_cm} cm long"
+            ),
         ),
-    ), cord(words("持ち手に巻くテープ", "tape for the handles"), tape)];
+        cord(words("持ち手に巻くテープ", "tape for the handles"), tape),
+    ];
     let estimate = say!(
         "裂く幅は目安です。踊り手の人数分は同じ店で買うと音がそろいます",
         "the width of the strips is an estimate; bought in one shop, those of a group sound alike"
