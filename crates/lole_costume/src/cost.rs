@@ -104,7 +104,7 @@ pub fn bill(design: &Design, plan: &DancerPlan) -> Bill {
     let mut bill = Bill::new(cost, hours(plan));
     for (garment, fabric) in plan.garments.iter().zip(design.fabrics()) {
         for plan in &garment.plans {
-            let price = ClothPrice::of(fabric, plan.role, garment.tailored.id == SKIRT);
+            let price = ClothPrice::of(fabric, plan.role, &garment.tailored.id);
             let (amount, price) = price.of_length(plan.marker.yardage);
             let name = match plan.role {
                 ClothRole::Main => garment.tailored.name,
@@ -215,13 +215,13 @@ pub struct ClothPrice {
 }
 
 impl ClothPrice {
-    /// Of a garment's own cloth or of what lies beside it.
-    pub(crate) fn of(fabric: &FabricDesign, role: ClothRole, is_skirt: bool) -> Self {
+    /// Of the own cloth of a garment of this identifier or of what lies beside it.
+    pub(crate) fn of(fabric: &FabricDesign, role: ClothRole, garment: &str) -> Self {
         let [per_m, per_yd] = match role {
             ClothRole::Main => [fabric.price_per_m, fabric.price_per_yd],
             _ => [fabric.beside_price_per_m, None],
         };
-        let key = match (role, is_skirt) {
+        let key = match (role, garment == SKIRT) {
             (ClothRole::Main, true) => "[fabric] price_per_m",
             (ClothRole::Main, false) => "[garment.fabric] price_per_m",
             (_, true) => "[fabric] beside_price_per_m",

@@ -423,7 +423,7 @@ pub fn prints(plans: &[DancerPlan], design: &Design, settings: &Settings) -> Vec
             },
             print: print.clone(),
             role: ClothRole::Main,
-            price: ClothPrice::of(fabric, ClothRole::Main, is_of_skirt(plans, kind)),
+            price: ClothPrice::of(fabric, ClothRole::Main, first_of(plans, kind)),
             width: Length::from_cm(fabric.width_cm),
             needed,
             bought: Yardage::for_length(needed * (1.0 + settings.spare_ratio)),
@@ -438,11 +438,14 @@ pub fn prints(plans: &[DancerPlan], design: &Design, settings: &Settings) -> Vec
     totals.filter(|total| Length::ZERO < total.needed).collect()
 }
 
-/// Whether the skirt of the design's own tables is among garments of one cloth.
-fn is_of_skirt(plans: &[DancerPlan], kind: &[usize]) -> bool {
+/// Identifier of the garment whose table is asked for the price of a cloth: the skirt's own where it is
+/// among those of the cloth, else the first.
+fn first_of<'a>(plans: &'a [DancerPlan], kind: &[usize]) -> &'a str {
     let garments = plans.first().map_or(&[][..], |plan| &plan.garments);
-    let mut kind = kind.iter().filter_map(|&index| garments.get(index));
-    kind.any(|garment| garment.tailored.id == SKIRT)
+    let ids = kind.iter().filter_map(|&index| garments.get(index));
+    let ids: Vec<&str> = ids.map(|garment| garment.tailored.id.as_str()).collect();
+    let skirt = ids.iter().find(|id| **id == SKIRT);
+    skirt.or(ids.first()).copied().unwrap_or_default()
 }
 
 /// Lining, contrast cloth and interfacing of a group, each of one width together.
@@ -454,7 +457,7 @@ fn beside(plans: &[DancerPlan], design: &Design, settings: &Settings) -> Vec<Pri
         let beside = garment.plans.iter();
         for plan in beside.filter(|plan| plan.role != ClothRole::Main) {
             let (width, needed) = (plan.marker.cloth.width, plan.marker.yardage.needed);
-            let price = ClothPrice::of(fabric, plan.role, garment.tailored.id == SKIRT);
+            let price = ClothPrice::of(fabric, plan.role, &garment.tailored.id);
             let is_same = |total: &&mut PrintTotal| {
                 (total.role, total.width, total.price) == (plan.role, width, price)
             };
@@ -575,6 +578,13 @@ pub fn notions(plans: &[DancerPlan]) -> Vec<NotionTotal> {
             (kept, _) => kept,
         };
     }
+    // Zips of each sort stand together, the shortest first.
+    let names: Vec<Words> = totals.iter().map(|total| total.name).collect();
+    let place = |total: &NotionTotal| names.iter().position(|name| *name == total.name);
+    let long = |total: &NotionTotal| total.length.map_or(0.0, Length::to_m);
+    totals.sort_by(|one, other| {
+        (place(one).cmp(&place(other))).then(long(one).total_cmp(&long(other)))
+    });
     totals
 }
 

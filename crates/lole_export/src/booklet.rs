@@ -18,7 +18,7 @@ use lole_language::{Bilingual as _, Language, Sentence};
 use lole_pattern::pattern::{Amount, NotionKind, Step};
 use lole_pattern::piece::ClothRole;
 
-use crate::cutting::{CutGarment, draw_marker, masses, short_words};
+use crate::cutting::{CutGarment, draw_marker, masses, numbers_words, short_words};
 use crate::order::lengths_table;
 use crate::pdf::{
     Align, Cell, Column, Flow, Margins, Paper, Picture, Rect, Sheet, Stroke, Table, TextStyle,
@@ -393,9 +393,13 @@ fn cut_plans(
         if plan.role != ClothRole::Main {
             subhead(flow, role_name(plan.role).text(language));
         }
+        let mut numbered = Vec::new();
         flow.block(height, |sheet, rect| {
-            draw_marker(sheet, rect, &cut, plan, language);
+            numbered = draw_marker(sheet, rect, &cut, plan, language);
         });
+        if let Some(words) = numbers_words(&cut, &numbered, language) {
+            flow.paragraph(&words, &TextStyle::body());
+        }
         for warning in &plan.marker.warnings {
             flow.paragraph(
                 &format!("! {}", warning.text(language)),
@@ -421,7 +425,7 @@ fn cut_plans(
             ),
             Language::English if on_bias => format!(
                 "{}: on the bias, at 45° to the selvage, {:.1} × {:.1} cm, cut {count} (seam allowances included).",
-                piece.english,
+                capitalized(piece.english),
                 along.max(across),
                 along.min(across)
             ),
@@ -431,7 +435,7 @@ fn cut_plans(
             ),
             Language::English => format!(
                 "{}: {along:.1} cm along the selvage by {across:.1} cm across, cut {count} (seam allowances included).",
-                piece.english
+                capitalized(piece.english)
             ),
         };
         flow.paragraph(&text, &TextStyle::body());

@@ -169,12 +169,12 @@ fn dancer_table(order: &Order<'_>, language: Language) -> Table {
     }
     Table {
         columns: vec![
-            Column::text(language.pick("名前", "Name"), 2.4),
-            Column::text(language.pick("服", "Garment"), 3.0),
-            Column::text(language.pick("裁つ寸法 cm", "Cut, cm"), 2.6),
-            Column::text(language.pick("ゴム cm", "Elastic, cm"), 2.4),
-            Column::number(language.pick("布", "Cloth"), 1.4),
-            Column::number(language.pick("費用", "Cost"), 2.9),
+            Column::text(language.pick("名前", "Name"), 2.3),
+            Column::text(language.pick("服", "Garment"), 2.9),
+            Column::text(language.pick("裁つ寸法 cm", "Cut, cm"), 2.9),
+            Column::text(language.pick("ゴム cm", "Elastic, cm"), 3.1),
+            Column::number(language.pick("布", "Cloth"), 1.2),
+            Column::number(language.pick("費用", "Cost"), 2.3),
         ],
         rows,
         size_pt: 10.5,

@@ -3,6 +3,8 @@
 //! Long pieces are drawn shorter than they are, so that what matters can be seen; sections show cloth
 //! layer on layer with gaps between the layers.
 
+use std::sync::Arc;
+
 use kurbo::{Affine, BezPath, Point, Shape as _};
 use lole_geom::Length;
 use lole_language::{Language, words};
@@ -12,7 +14,7 @@ use lole_pattern::piece::{Finish, LineKind, Mark, Piece, hem_turns};
 use super::middle;
 use super::style::{ACCENT, CLOTH, INSIDE, SEWN};
 use crate::cutting::draw::{arrow, fitting, line, outline};
-use crate::pdf::{Align, Color, Rect, Sheet, Stroke, TextStyle};
+use crate::pdf::{Align, Color, Item, Rect, Sheet, Stroke, TextStyle};
 
 /// Letters in drawings.
 const LABEL: TextStyle = TextStyle::regular(11.0);
@@ -86,6 +88,10 @@ fn draw_piece(
     (edges, marks): (&[usize], &[usize]),
     language: Language,
 ) {
+    if let Some(region) = detail(piece, (edges, marks)) {
+        draw_detail(sheet, rect, piece, (marks, region), language);
+        return;
+    }
     let place = middle(
         Rect {
             y: rect.y + 3.0,
@@ -152,6 +158,97 @@ fn draw_piece(
             &TextStyle::regular(9.5),
             Align::Left,
         );
+    }
+}
+
+/// Where a piece is to be shown larger: around lines that would be too small on the whole of it.
+fn detail(piece: &Piece, (edges, marks): (&[usize], &[usize])) -> Option<kurbo::Rect> {
+    /// Lines that reach over more of the piece are seen on the whole of it.
+    const MOST: f64 = 0.3;
+    let lines = lines_from_top(piece, marks);
+    let is_small = |kind: LineKind| matches!(kind, LineKind::Dart | LineKind::Slit);
+    if !edges.is_empty() || !lines.iter().all(|(kind, _)| is_small(*kind)) {
+        return None;
+    }
+    let boxes = lines.iter().map(|(_, path)| path.bounding_box());
+    let around = boxes.reduce(|one, other| one.union(other))?;
+    let whole = piece.cut_polygon(1e-3).bounds();
+    let size = around.width().max(around.height());
+    (size < MOST * whole.height()).then(|| {
+        let room = 0.4 * size;
+        around.inflate(room, room)
+    })
+}
+
+/// The whole piece small, and a part of it large beside it.
+fn draw_detail(
+    sheet: &mut Sheet,
+    rect: Rect,
+    piece: &Piece,
+    (marks, region): (&[usize], kurbo::Rect),
+    language: Language,
+) {
+    let small = Rect {
+        x: rect.x + 11.0,
+        y: rect.y + 2.0,
+        width: 36.0,
+        height: rect.height - 8.0,
+    };
+    let room = Rect {
+        x: small.x + small.width + 12.0,
+        width: 70.0,
+        ..small
+    };
+    let large = room.fitting(region.width(), region.height());
+    let scale = large.width / region.width();
+    let page_large = Affine::translate((large.x, large.y))
+        * Affine::scale_non_uniform(scale, -scale)
+        * Affine::translate((-region.x0, -region.y1));
+    let page_small = placement(piece, small);
+    let gray = Stroke::solid(0.2).with_color(Color::GRAY);
+    draw_marked(sheet, piece, page_small, (marks, 0.4));
+    let [from, to] = [(region.x0, region.y1), (region.x1, region.y0)]
+        .map(|corner| page_small * Point::from(corner));
+    let frame = Rect {
+        x: from.x,
+        y: from.y,
+        width: to.x - from.x,
+        height: to.y - from.y,
+    };
+    sheet.rect(frame, None, Some(gray.clone()));
+    sheet.line([to.x, from.y], [large.x, large.y], gray.clone());
+    let foot = large.y + large.height;
+    sheet.line([to.x, to.y], [large.x, foot], gray.clone());
+    let mut inner = Sheet::new([0.0, 0.0]);
+    draw_marked(&mut inner, piece, page_large, (marks, 0.7));
+    sheet.items.push(Item::Group {
+        page_from_group: Affine::IDENTITY,
+        clip: Some(large),
+        items: Arc::new(inner.items),
+    });
+    sheet.rect(large, None, Some(gray));
+    if let Some((kind, path)) = lines_from_top(piece, marks).first() {
+        let name = short_name(*kind, language);
+        let text = match kind {
+            LineKind::Slit => format!("{:.1} cm  {name}", 100.0 * long_side(path)),
+            _ => name.to_owned(),
+        };
+        let at = [large.x + large.width + 4.0, large.y + 0.5 * large.height];
+        sheet.text(at, &text, &LABEL, Align::Left);
+    }
+}
+
+/// A piece with its stitching lines and some of its marks.
+fn draw_marked(sheet: &mut Sheet, piece: &Piece, page: Affine, (marks, thick): (&[usize], f64)) {
+    let cut = piece.cut_polygon(1e-4);
+    sheet.path(outline(&cut, page), Some(CLOTH), Some(Stroke::solid(thick)));
+    for stitches in &piece.drawing(1e-4).stitches {
+        let stroke = Stroke::dashed(0.2, 1.5).with_color(Color::GRAY);
+        sheet.path(path_of(&stitches.points, page), None, Some(stroke));
+    }
+    for (_, path) in lines_from_top(piece, marks) {
+        let stroke = Stroke::solid(thick).with_color(SEWN);
+        sheet.path(page * path.clone(), None, Some(stroke));
     }
 }
 

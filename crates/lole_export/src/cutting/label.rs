@@ -194,8 +194,10 @@ mod tests {
     /// Wherever the sheets meet, the words of every piece of a blouse that has room lie whole on one.
     #[test]
     fn words_lie_whole_on_one_sheet_inside_their_piece() {
-        let mut design = Design::default();
-        design.garments = GarmentDesign::of_kind("blouse").into_iter().collect();
+        let design = Design {
+            garments: GarmentDesign::of_kind("blouse").into_iter().collect(),
+            ..Design::default()
+        };
         let plan = plan_design("花子", &design).unwrap_or_else(|error| panic!("{error}"));
         let pieces = &plan.garments[1].tailored.pattern.pieces;
         let words = ["前身頃", "パフスリーブのブラウス", "表布　1 枚"].map(str::to_owned);

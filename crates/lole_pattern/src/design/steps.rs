@@ -242,7 +242,7 @@ fn stitch_casings(draft: &PauDraft) -> Step {
                 2 * count
             ),
             format!(
-                "On the folded band, which lies on the wrong side, draw chalk lines {english} cm below the top fold and sew all around along them. Sew the lowest round 0.2 cm inside the folded edge: with one above and one below each of the {count} casings they are {}. Stitch back and forth where each round begins and ends.",
+                "On the folded band, which lies on the wrong side, draw chalk lines {english} cm below the top fold and sew all around along them. Sew the lowest round 0.2 cm inside the folded edge. One above and one below each of the {count} casings make {} rounds. Stitch back and forth where each round begins and ends.",
                 2 * count
             ),
         ),
@@ -322,16 +322,31 @@ fn thread_elastic(draft: &PauDraft) -> Step {
     let overlap = draft.elastic_rows.first();
     let overlap = overlap.map_or(Length::ZERO, |row| row.cut_length - row.ring_length);
     let (count, overlap) = (lengths.len(), cm(overlap));
+    // Rows of one girth take equal pieces.
+    let [japanese, english] = match lengths.split_first() {
+        Some((first, rest)) if rest.iter().all(|length| length == first) => [
+            format!(" {first} cm に {count} 本"),
+            match count {
+                1 => format!("Cut an elastic of {first} cm"),
+                _ => format!("Cut {count} elastics of {first} cm each"),
+            },
+        ],
+        _ => [
+            format!("上の段から順に {} cm に", lengths.join("、")),
+            format!(
+                "Cut {count} elastics, from the top row down {} cm long",
+                lengths.join(", ")
+            ),
+        ],
+    };
     Step {
         title: words("ゴムを通す", "Thread the elastic"),
         by_machine: Sentence::new(
             format!(
-                "ゴムを上の段から順に {} cm に切ります（{count} 本）。ゴム通しで1本ずつ通し、端を {overlap} cm 重ねて、ジグザグに二度縫います。ねじれていないか、縫う前にたしかめます。口をコの字とじで閉じます。",
-                lengths.join("、")
+                "ゴムを{japanese}切ります。ゴム通しで1本ずつ通し、端を {overlap} cm 重ねて、ジグザグに二度縫います。ねじれていないか、縫う前にたしかめます。口をコの字とじで閉じます。"
             ),
             format!(
-                "Cut {count} elastic(s), from the top row down {} cm long. Thread each with a bodkin, make sure that it is not twisted, overlap its ends by {overlap} cm and sew them together twice with a zigzag stitch. Close the gaps with ladder stitches.",
-                lengths.join(", ")
+                "{english}. Thread each with a bodkin, make sure that it is not twisted, overlap its ends by {overlap} cm and sew them together twice with a zigzag stitch. Close the gaps with ladder stitches."
             ),
         ),
         by_hand: Some(Sentence::new(

@@ -330,7 +330,7 @@ pub(super) fn sleeve_elastic(arm: f64) -> Notion {
         ..elastic(
             words(
                 "6～8 mm 幅の平ゴム（袖口）",
-                "flat elastic of 6 to 8 mm, for the sleeves",
+                "flat elastic (6 to 8 mm, sleeves)",
             ),
             2,
             arm + OVERLAP,

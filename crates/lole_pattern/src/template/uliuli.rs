@@ -11,7 +11,7 @@ use super::chosen::{Chosen, count, number};
 use super::making::{cm, edges_of, say, step, stitching, whole};
 use super::shape::{CM, DOWN, Label, at, curve, edge};
 use super::{OptionRow, Options, Template};
-use crate::pattern::NotionKind;
+use crate::pattern::{Notion, NotionKind};
 use crate::piece::{CutCount, Finish, Mark, Piece};
 use crate::{DraftError, Measures, Pattern};
 
@@ -88,7 +88,17 @@ fn draft(_measures: &Measures, options: &Options) -> Result<Pattern, DraftError>
             [180.0, 180.0],
         ),
     ];
-    let notions = vec![
+    let notions = notions(rattles, feathers, &[disc_cm, gourd_cm]);
+    let estimate = say!(
+        "大きさと羽根の数は目安です。買うときはクムの薦める店のものを選んでください",
+        "sizes and feathers are estimates; to buy them, ask your kumu where"
+    );
+    Ok(accessory(vec![piece], notions, steps, estimate))
+}
+
+/// What one or two rattles take beside cloth: feathers in all, and the diameters of disc and gourd [cm].
+fn notions(rattles: u32, feathers: u32, [disc_cm, gourd_cm]: &[String; 2]) -> Vec<Notion> {
+    vec![
         counted(
             NotionKind::Gourd,
             words("小さなひょうたん", "small gourds"),
@@ -128,12 +138,7 @@ fn draft(_measures: &Measures, options: &Options) -> Result<Pattern, DraftError>
             feathers,
             say!("ふちから 3 周分", "for three rings from the rim"),
         ),
-    ];
-    let estimate = say!(
-        "大きさと羽根の数は目安です。買うときはクムの薦める店のものを選んでください",
-        "sizes and feathers are estimates; to buy them, ask your kumu where"
-    );
-    Ok(accessory(vec![piece], notions, steps, estimate))
+    ]
 }
 
 /// A round of cloth, its middle marked.
