@@ -17,6 +17,7 @@ use lole_costume::tailoring::{ClothPlan, role_name};
 use lole_language::{Bilingual as _, Language, Sentence};
 use lole_pattern::pattern::{Amount, NotionKind, Step};
 use lole_pattern::piece::ClothRole;
+use lole_pattern::template::HELD;
 
 use crate::cutting::{CutGarment, draw_marker, masses, numbers_words, short_words};
 use crate::order::lengths_table;
@@ -51,7 +52,10 @@ pub fn booklet_sheets(booklet: &Booklet<'_>, paper: Paper, language: Language) -
     cover(&mut flow, booklet, language);
     flow.new_page();
     materials(&mut flow, booklet.plan, language);
-    measures(&mut flow, booklet.plan, language);
+    // The sizes of a drum or a rattle are in its steps.
+    if !booklet.plan.garments.iter().all(is_held) {
+        measures(&mut flow, booklet.plan, language);
+    }
     if 1 < booklet.group.len() {
         flow.space(6.0);
         flow.keep(70.0);
@@ -287,6 +291,11 @@ fn material_rows(garment: &PlannedGarment, language: Language) -> Vec<Vec<Cell>>
         ]);
     }
     rows
+}
+
+/// Whether it is held and not worn.
+fn is_held(garment: &PlannedGarment) -> bool {
+    HELD.contains(&garment.tailored.id.as_str())
 }
 
 fn measures(flow: &mut Flow, plan: &DancerPlan, language: Language) {

@@ -25,7 +25,7 @@ pub(super) const fn height(figure: &Figure) -> f64 {
         Figure::None => 0.0,
         Figure::Piece { .. } => 48.0,
         Figure::Seams(_) => 46.0,
-        Figure::Section { .. } => 54.0,
+        Figure::Section { .. } => 47.0,
     }
 }
 

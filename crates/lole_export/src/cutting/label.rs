@@ -53,11 +53,12 @@ impl Label {
             let style = TextStyle::bold(size);
             let on_sheets = sheets.iter();
             let places = on_sheets.flat_map(|sheet| places(*sheet, &style, words));
-            let clear = places
-                .map(|foot| Self { foot, style })
-                .filter(|label| lines.leave_free(label.space(words)));
-            let far = |label: &Self| label.foot.distance(natural.foot);
-            clear.min_by(|one, other| far(one).total_cmp(&far(other)))
+            // The nearest first: most places are never looked at.
+            let mut places: Vec<Point> = places.collect();
+            let far = |foot: &Point| foot.distance_squared(natural.foot);
+            places.sort_by(|one, other| far(one).total_cmp(&far(other)));
+            let mut labels = places.into_iter().map(|foot| Self { foot, style });
+            labels.find(|label| lines.leave_free(label.space(words)))
         });
         elsewhere.next().unwrap_or(natural)
     }
@@ -124,6 +125,7 @@ fn places(sheet: Rect, style: &TextStyle, words: &[String]) -> Vec<Point> {
 /// What words keep clear of.
 struct Lines {
     outline: Polygon,
+    bounds: Rect,
     segments: Vec<[Point; 2]>,
     /// Words that stand on the piece already.
     words: Vec<Rect>,
@@ -150,6 +152,7 @@ impl Lines {
         let points = drawing.points.iter();
         words.extend(points.map(|(_, at)| around(page_from_piece * *at)));
         Self {
+            bounds: outline.bounds(),
             outline,
             segments,
             words,
@@ -165,10 +168,17 @@ impl Lines {
         ];
         let diagonals = [[corners[0], corners[2]], [corners[1], corners[3]]];
         let meets = |segment: &[Point; 2]| {
-            segment.iter().any(|end| space.contains(*end))
-                || diagonals.iter().any(|diagonal| cross(*segment, *diagonal))
+            let [from, to] = *segment;
+            let is_apart = from.x.max(to.x) < space.x0
+                || space.x1 < from.x.min(to.x)
+                || from.y.max(to.y) < space.y0
+                || space.y1 < from.y.min(to.y);
+            !is_apart
+                && (segment.iter().any(|end| space.contains(*end))
+                    || diagonals.iter().any(|diagonal| cross(*segment, *diagonal)))
         };
-        corners.iter().all(|corner| self.outline.contains(*corner))
+        self.bounds.union(space) == self.bounds
+            && corners.iter().all(|corner| self.outline.contains(*corner))
             && !self.segments.iter().any(meets)
             && !self.words.iter().any(|words| space.overlaps(*words))
     }
@@ -230,8 +240,10 @@ mod tests {
     fn a_segment_through_a_corner_is_seen() {
         let field = [(-50.0, -50.0), (50.0, -50.0), (50.0, 50.0), (-50.0, 50.0)];
         let is_free = |from: [f64; 2], to: [f64; 2]| {
+            let outline = Polygon::new(field.map(Point::from));
             let lines = Lines {
-                outline: Polygon::new(field.map(Point::from)),
+                bounds: outline.bounds(),
+                outline,
                 segments: vec![[from.into(), to.into()].map(|(x, y)| Point::new(x, y))],
                 words: Vec::new(),
             };
