@@ -3,6 +3,9 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use indicatif::ProgressBar;
 
 use lole_body::{Dancer, Measurements};
 use lole_costume::cost;
@@ -52,7 +55,7 @@ pub(crate) fn run_order(args: &OrderArgs, language: Language) -> Result<(), Fail
         bolt_length: args.bolt.map(Length::from_m),
     };
     let mut output = OutputFolder::create(&args.out).map_err(Failure::Usage)?;
-    let group = cut(&list, &source.design);
+    let group = cut(&list, &source.design, (&stop, language))?;
     if group.plans.is_empty() {
         let sentence = group.problems.first().cloned().unwrap_or_else(|| {
             Sentence::new(
@@ -62,8 +65,7 @@ pub(crate) fn run_order(args: &OrderArgs, language: Language) -> Result<(), Fail
         });
         return Err(Failure::usage(of_file(&args.roster, &sentence)));
     }
-    let count = u32::try_from(group.plans.len()).unwrap_or(u32::MAX);
-    let bar = progress_bar(count, language.pick("着せる", "dressing"));
+    let bar = bar_of(group.plans.len(), language.pick("着せる", "dressing"));
     let earlier = std::fs::read_to_string(args.out.join(ORDER_JSON)).unwrap_or_default();
     let kept = if args.no_pictures {
         vec![None; group.plans.len()]
@@ -91,7 +93,16 @@ pub(crate) fn run_order(args: &OrderArgs, language: Language) -> Result<(), Fail
         version: env!("CARGO_PKG_VERSION"),
         kept_files: &kept_files,
     };
-    let folder = order_folder(&parts).map_err(Failure::error)?;
+    let bar = bar_of(group.plans.len(), language.pick("型紙", "patterns"));
+    let goes_on = || {
+        bar.inc(1);
+        !stop.load(Ordering::Relaxed)
+    };
+    let folder = order_folder(&parts, &goes_on).map_err(Failure::error)?;
+    bar.finish_and_clear();
+    if stop.load(Ordering::Relaxed) {
+        return Err(Failure::Interrupted);
+    }
     for (name, bytes) in &folder.files {
         output.write(name, bytes).map_err(Failure::Run)?;
     }
@@ -125,16 +136,34 @@ fn tidy(folder: &Path, names: &[String]) -> Option<Sentence> {
     })
 }
 
+/// A bar for so many dancers.
+fn bar_of(count: usize, doing: &'static str) -> ProgressBar {
+    progress_bar(u32::try_from(count).unwrap_or(u32::MAX), doing)
+}
+
 /// Cuts the design for every dancer; whoever cannot be cut for is told and left out.
-fn cut(list: &Roster, design: &Design) -> Group {
-    let cut: Vec<_> = (list.dancers.par_iter())
-        .map(|dancer| (dancer, order::plan(dancer, design)))
+fn cut(
+    list: &Roster,
+    design: &Design,
+    (stop, language): (&AtomicBool, Language),
+) -> Result<Group, Failure> {
+    let bar = bar_of(list.dancers.len(), language.pick("製図", "drafting"));
+    let cut: Result<Vec<_>, Failure> = (list.dancers.par_iter())
+        .map(|dancer| {
+            if stop.load(Ordering::Relaxed) {
+                return Err(Failure::Interrupted);
+            }
+            let plan = order::plan(dancer, design);
+            bar.inc(1);
+            Ok((dancer, plan))
+        })
         .collect();
+    bar.finish_and_clear();
     let mut group = Group::of(list);
-    for (dancer, plan) in cut {
+    for (dancer, plan) in cut? {
         group.add(dancer, design, plan);
     }
-    group
+    Ok(group)
 }
 
 /// The files to tell of: of many patterns the first alone.

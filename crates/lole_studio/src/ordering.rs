@@ -235,7 +235,7 @@ fn write(
         version: env!("CARGO_PKG_VERSION"),
         kept_files: &[],
     };
-    let made = order_folder(&parts).map_err(|error| {
+    let made = order_folder(&parts, &|| true).map_err(|error| {
         Sentence::new(format!("注文書を作れません（{error}）"), error.to_string())
     })?;
     if is_stopped() {

@@ -98,9 +98,15 @@ const PRINT_SIDE: u32 = 512;
 /// The summary with shopping list and labels, the sewing booklet, every dancer's paper patterns where
 /// her garments have any, and the same as data.
 ///
+/// `goes_on` is asked once for each dancer, from any thread, before her patterns are laid out; where it
+/// says no they are left out, and the folder is not to be used.
+///
 /// # Errors
 /// [`ExportError`] of the encoders.
-pub fn order_folder(parts: &OrderParts<'_>) -> Result<OrderFolder, ExportError> {
+pub fn order_folder(
+    parts: &OrderParts<'_>,
+    goes_on: &(dyn Fn() -> bool + Sync),
+) -> Result<OrderFolder, ExportError> {
     let (design, plans) = (parts.design, &parts.group.plans);
     let bills: Vec<Bill> = plans.iter().map(|plan| cost::bill(design, plan)).collect();
     let prints = order::prints(plans, design, parts.settings);
@@ -149,7 +155,12 @@ pub fn order_folder(parts: &OrderParts<'_>) -> Result<OrderFolder, ExportError> 
         let sheets = booklet_sheets(&booklet, paper, language);
         files.push(("booklet.pdf".to_owned(), pdf(sheets)?));
     }
-    files.extend(paper_patterns(plans, &parts.title, (paper, language))?);
+    files.extend(paper_patterns(
+        plans,
+        &parts.title,
+        (paper, language),
+        goes_on,
+    )?);
     let mut names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
     names.push(ORDER_JSON);
     names.extend(parts.kept_files.iter().map(String::as_str));
@@ -167,8 +178,12 @@ fn paper_patterns(
     plans: &[DancerPlan],
     title: &str,
     (paper, language): (Paper, Language),
+    goes_on: &(dyn Fn() -> bool + Sync),
 ) -> Result<Vec<(String, Vec<u8>)>, ExportError> {
     let of_dancer = |(index, plan): (usize, &DancerPlan)| {
+        if !goes_on() {
+            return Ok(None);
+        }
         let sheets = pattern_sheets(plan, (paper, language));
         if sheets.is_empty() {
             return Ok(None);
