@@ -278,7 +278,7 @@ fn shopping(flow: &mut Flow, order: &Order<'_>, language: Language) {
             .iter()
             .map(|name| name.text(language))
             .collect();
-        let garments = garments.join(language.pick("・", ", "));
+        let garments = capitalized(&garments.join(language.pick("・", ", ")));
         let (cloth, width) = (print.cloth.text(language), print.width.to_cm());
         let (metric, yards) = (print.bought.metric.to_m(), print.bought.imperial.to_yd());
         let needed = print.needed.to_m();
