@@ -295,6 +295,34 @@ struct Sold {
     unit: Unit,
     key: &'static str,
     price: fn(&NotionPrices) -> Option<f64>,
+    place: fn(&mut NotionPrices) -> &mut Option<f64>,
+}
+
+/// A price that a maker may write for a sort of notion.
+#[derive(Debug, Clone, Copy)]
+pub struct NotionPrice {
+    /// What it is.
+    pub name: Words,
+    /// What the price is for.
+    pub unit: Words,
+    /// Its key in the document's table `cost`.
+    pub key: &'static str,
+    /// Where it is kept.
+    pub place: fn(&mut NotionPrices) -> &mut Option<f64>,
+}
+
+/// Prices of all sorts of notions that have one of their own, in the order of the bill.
+pub fn notion_prices() -> impl Iterator<Item = NotionPrice> {
+    SOLD.iter().map(|sold| NotionPrice {
+        name: sold.name,
+        unit: match sold.unit {
+            Unit::Piece(_) => words("/ 1 つ", "each"),
+            Unit::Grams => words("/ 100 g", "per 100 g"),
+            Unit::Meter => words("/ 1 m", "per m"),
+        },
+        key: sold.key.trim_start_matches("[cost] "),
+        place: sold.place,
+    })
 }
 
 impl Sold {
@@ -330,6 +358,7 @@ const SOLD: &[Sold] = &[
         unit: Unit::Piece("本"),
         key: "[cost] zip_price",
         price: |prices| prices.zip,
+        place: |prices| &mut prices.zip,
     },
     Sold {
         kind: NotionKind::Button,
@@ -337,6 +366,7 @@ const SOLD: &[Sold] = &[
         unit: Unit::Piece("個"),
         key: "[cost] button_price",
         price: |prices| prices.button,
+        place: |prices| &mut prices.button,
     },
     Sold {
         kind: NotionKind::Hook,
@@ -344,6 +374,7 @@ const SOLD: &[Sold] = &[
         unit: Unit::Piece("組"),
         key: "[cost] hook_price",
         price: |prices| prices.hook,
+        place: |prices| &mut prices.hook,
     },
     Sold {
         kind: NotionKind::Flower,
@@ -351,6 +382,7 @@ const SOLD: &[Sold] = &[
         unit: Unit::Piece("個"),
         key: "[cost] flower_price",
         price: |prices| prices.flower,
+        place: |prices| &mut prices.flower,
     },
     Sold {
         kind: NotionKind::Pistil,
@@ -358,6 +390,7 @@ const SOLD: &[Sold] = &[
         unit: Unit::Piece("本"),
         key: "[cost] pistil_price",
         price: |prices| prices.pistil,
+        place: |prices| &mut prices.pistil,
     },
     Sold {
         kind: NotionKind::Leaf,
@@ -365,6 +398,7 @@ const SOLD: &[Sold] = &[
         unit: Unit::Piece("枚"),
         key: "[cost] leaf_price",
         price: |prices| prices.leaf,
+        place: |prices| &mut prices.leaf,
     },
     Sold {
         kind: NotionKind::Raffia,
@@ -372,6 +406,7 @@ const SOLD: &[Sold] = &[
         unit: Unit::Grams,
         key: "[cost] raffia_price_per_100g",
         price: |prices| prices.raffia_per_100g,
+        place: |prices| &mut prices.raffia_per_100g,
     },
     Sold {
         kind: NotionKind::Film,
@@ -379,6 +414,7 @@ const SOLD: &[Sold] = &[
         unit: Unit::Meter,
         key: "[cost] film_price_per_m",
         price: |prices| prices.film_per_m,
+        place: |prices| &mut prices.film_per_m,
     },
     Sold {
         kind: NotionKind::HairPin,
@@ -386,6 +422,7 @@ const SOLD: &[Sold] = &[
         unit: Unit::Piece("本"),
         key: "[cost] hair_pin_price",
         price: |prices| prices.hair_pin,
+        place: |prices| &mut prices.hair_pin,
     },
     Sold {
         kind: NotionKind::Gourd,
@@ -393,6 +430,7 @@ const SOLD: &[Sold] = &[
         unit: Unit::Piece("個"),
         key: "[cost] gourd_price",
         price: |prices| prices.gourd,
+        place: |prices| &mut prices.gourd,
     },
     Sold {
         kind: NotionKind::Bamboo,
@@ -400,6 +438,7 @@ const SOLD: &[Sold] = &[
         unit: Unit::Piece("本"),
         key: "[cost] bamboo_price",
         price: |prices| prices.bamboo,
+        place: |prices| &mut prices.bamboo,
     },
     Sold {
         kind: NotionKind::Feather,
@@ -407,6 +446,7 @@ const SOLD: &[Sold] = &[
         unit: Unit::Piece("本"),
         key: "[cost] feather_price",
         price: |prices| prices.feather,
+        place: |prices| &mut prices.feather,
     },
     Sold {
         kind: NotionKind::Handle,
@@ -414,6 +454,7 @@ const SOLD: &[Sold] = &[
         unit: Unit::Piece("本"),
         key: "[cost] handle_price",
         price: |prices| prices.handle,
+        place: |prices| &mut prices.handle,
     },
     Sold {
         kind: NotionKind::Seed,
@@ -421,6 +462,7 @@ const SOLD: &[Sold] = &[
         unit: Unit::Piece("粒"),
         key: "[cost] seed_price",
         price: |prices| prices.seed,
+        place: |prices| &mut prices.seed,
     },
     Sold {
         kind: NotionKind::Card,
@@ -428,6 +470,7 @@ const SOLD: &[Sold] = &[
         unit: Unit::Piece("枚"),
         key: "[cost] card_price",
         price: |prices| prices.card,
+        place: |prices| &mut prices.card,
     },
     Sold {
         kind: NotionKind::Glue,
@@ -435,6 +478,7 @@ const SOLD: &[Sold] = &[
         unit: Unit::Piece("本"),
         key: "[cost] glue_price",
         price: |prices| prices.glue,
+        place: |prices| &mut prices.glue,
     },
 ];
 
