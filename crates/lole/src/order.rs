@@ -3,6 +3,9 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use indicatif::ProgressBar;
 
 use lole_body::{Dancer, Measurements};
 use lole_costume::cost;
@@ -11,7 +14,10 @@ use lole_costume::order::{self, DancerPlan, Group, PrintTotal, Settings};
 use lole_costume::roster::{self, Roster, RosterError};
 use lole_export::booklet::{Booklet, bill_remarks, booklet_sheets};
 use lole_export::form::form_sheet;
-use lole_export::order::{OrderParts, PATTERN_FILES, bill_json, order_folder};
+use lole_export::order::{
+    ORDER_JSON, OrderParts, PATTERN_FILES, PICTURE_FOLDER, bill_json, left_behind, listed_files,
+    order_folder,
+};
 use lole_export::pdf::{Document, Paper, Sheet, printable};
 use lole_geom::Length;
 use lole_language::{Bilingual as _, Language, Sentence};
@@ -49,7 +55,7 @@ pub(crate) fn run_order(args: &OrderArgs, language: Language) -> Result<(), Fail
         bolt_length: args.bolt.map(Length::from_m),
     };
     let mut output = OutputFolder::create(&args.out).map_err(Failure::Usage)?;
-    let group = cut(&list, &source.design);
+    let group = cut(&list, &source.design, (&stop, language))?;
     if group.plans.is_empty() {
         let sentence = group.problems.first().cloned().unwrap_or_else(|| {
             Sentence::new(
@@ -59,14 +65,23 @@ pub(crate) fn run_order(args: &OrderArgs, language: Language) -> Result<(), Fail
         });
         return Err(Failure::usage(of_file(&args.roster, &sentence)));
     }
-    let count = u32::try_from(group.plans.len()).unwrap_or(u32::MAX);
-    let bar = progress_bar(count, language.pick("着せる", "dressing"));
-    let pictures = if args.no_pictures {
+    let bar = bar_of(group.plans.len(), language.pick("着せる", "dressing"));
+    let earlier = std::fs::read_to_string(args.out.join(ORDER_JSON)).unwrap_or_default();
+    let kept = if args.no_pictures {
         vec![None; group.plans.len()]
     } else {
         portrait::group(&group.designs, &args.out, &stop, &bar)?
     };
     bar.finish_and_clear();
+    let (pictures, mut kept_files): (Vec<_>, Vec<_>) = kept.into_iter().map(Option::unzip).unzip();
+    if args.no_pictures {
+        // Pictures of an earlier run stay for a later one.
+        let listed = listed_files(&earlier).into_iter();
+        kept_files = (listed.filter(|name| name.starts_with(PICTURE_FOLDER)))
+            .map(Some)
+            .collect();
+    }
+    let kept_files: Vec<String> = kept_files.into_iter().flatten().collect();
     let parts = OrderParts {
         title: title(&source),
         design: &source.design,
@@ -76,33 +91,79 @@ pub(crate) fn run_order(args: &OrderArgs, language: Language) -> Result<(), Fail
         paper: args.paper.paper(),
         language: pages,
         version: env!("CARGO_PKG_VERSION"),
+        kept_files: &kept_files,
     };
-    let folder = order_folder(&parts).map_err(Failure::error)?;
+    let bar = bar_of(group.plans.len(), language.pick("型紙", "patterns"));
+    let goes_on = || {
+        bar.inc(1);
+        !stop.load(Ordering::Relaxed)
+    };
+    let folder = order_folder(&parts, &goes_on).map_err(Failure::error)?;
+    bar.finish_and_clear();
+    if stop.load(Ordering::Relaxed) {
+        return Err(Failure::Interrupted);
+    }
     for (name, bytes) in &folder.files {
         output.write(name, bytes).map_err(Failure::Run)?;
     }
     let paths = output.finish().map_err(Failure::Run)?;
+    let stayed = tidy(&args.out, &left_behind(&earlier, &folder.json));
     if args.json {
         summary::print_json(&folder.json);
     } else {
         let lines = prints_lines(&folder.prints, group.plans.len());
         let mut notes = group.notes.clone();
         notes.extend(group.warnings());
+        notes.extend(stayed);
         summary::print_pattern(&shown(&paths), &lines, &notes, language);
     }
     verdict(&group.problems, language)
 }
 
+/// Removes what an earlier order wrote and this one did not; tells of what cannot be removed.
+fn tidy(folder: &Path, names: &[String]) -> Option<Sentence> {
+    let stays = |name: &&String| {
+        let path = folder.join(name);
+        std::fs::remove_file(&path).is_err() && path.exists()
+    };
+    let names: Vec<&str> = names.iter().filter(stays).map(String::as_str).collect();
+    (!names.is_empty()).then(|| {
+        let names = names.join(", ");
+        Sentence::new(
+            format!("前の注文のファイルが消せません。使わないでください: {names}"),
+            format!("files of an earlier order cannot be removed; do not use them: {names}"),
+        )
+    })
+}
+
+/// A bar for so many dancers.
+fn bar_of(count: usize, doing: &'static str) -> ProgressBar {
+    progress_bar(u32::try_from(count).unwrap_or(u32::MAX), doing)
+}
+
 /// Cuts the design for every dancer; whoever cannot be cut for is told and left out.
-fn cut(list: &Roster, design: &Design) -> Group {
-    let cut: Vec<_> = (list.dancers.par_iter())
-        .map(|dancer| (dancer, order::plan(dancer, design)))
+fn cut(
+    list: &Roster,
+    design: &Design,
+    (stop, language): (&AtomicBool, Language),
+) -> Result<Group, Failure> {
+    let bar = bar_of(list.dancers.len(), language.pick("製図", "drafting"));
+    let cut: Result<Vec<_>, Failure> = (list.dancers.par_iter())
+        .map(|dancer| {
+            if stop.load(Ordering::Relaxed) {
+                return Err(Failure::Interrupted);
+            }
+            let plan = order::plan(dancer, design);
+            bar.inc(1);
+            Ok((dancer, plan))
+        })
         .collect();
+    bar.finish_and_clear();
     let mut group = Group::of(list);
-    for (dancer, plan) in cut {
+    for (dancer, plan) in cut? {
         group.add(dancer, design, plan);
     }
-    group
+    Ok(group)
 }
 
 /// The files to tell of: of many patterns the first alone.

@@ -7,6 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use indicatif::ProgressBar;
 use lole_costume::document::{Design, to_toml};
 use lole_export::Image;
+use lole_export::order::PICTURE_FOLDER;
 use lole_export::pdf::Picture;
 use lole_render::Size;
 use lole_studio::portrait::{self, PortraitError};
@@ -14,9 +15,6 @@ use rayon::prelude::*;
 
 use crate::Failure;
 use crate::studio::still_cameras;
-
-/// Folder of the pictures of a group; they are kept, so that an order that was stopped goes on.
-const FOLDER: &str = "pictures";
 
 /// Size of the picture on a cover, upright.
 const COVER: Size = Size {
@@ -38,7 +36,11 @@ pub(crate) fn cover(design: &Design, stop: &AtomicBool) -> Result<Picture, Failu
     picture(&image)
 }
 
-/// Every dancer of a group in her costume, all at one scale; `None` where it cannot be put on.
+/// A dancer's picture and the file that it is kept in, by its path in the order's folder.
+pub(crate) type Kept = (Picture, String);
+
+/// Every dancer of a group in her costume, all at one scale; `None` where it cannot be put on. They are
+/// kept in the order's folder, so that an order that was stopped goes on.
 ///
 /// # Errors
 /// An interruption, or a folder that cannot be written.
@@ -47,8 +49,8 @@ pub(crate) fn group(
     out: &Path,
     stop: &AtomicBool,
     bar: &ProgressBar,
-) -> Result<Vec<Option<Picture>>, Failure> {
-    let folder = out.join(FOLDER);
+) -> Result<Vec<Option<Kept>>, Failure> {
+    let folder = out.join(PICTURE_FOLDER);
     fs::create_dir_all(&folder).map_err(Failure::error)?;
     (designs.par_iter().enumerate())
         .map(|(index, design)| {
@@ -64,18 +66,15 @@ pub(crate) fn group(
 }
 
 /// The picture of an earlier run of the same design and dancer, or a new one, kept for the next.
-fn kept(
-    design: &Design,
-    index: usize,
-    folder: &Path,
-    stop: &AtomicBool,
-) -> Result<Picture, Failure> {
+fn kept(design: &Design, index: usize, folder: &Path, stop: &AtomicBool) -> Result<Kept, Failure> {
     let size = [portrait::STANDING.width, portrait::STANDING.height];
     let version = env!("CARGO_PKG_VERSION");
     let key = fingerprint(&format!("{} {version} {size:?}", to_toml(design)));
-    let path = folder.join(format!("{:03}-{key:016x}.jpg", index + 1));
+    let name = format!("{:03}-{key:016x}.jpg", index + 1);
+    let path = folder.join(&name);
+    let name = format!("{PICTURE_FOLDER}/{name}");
     if let Some(picture) = fs::read(&path).ok().and_then(portrait::of_jpeg) {
-        return Ok(picture);
+        return Ok((picture, name));
     }
     let is_stopped = || stop.load(Ordering::Relaxed);
     let bytes = portrait::standing(design, &is_stopped).map_err(failure)?;
@@ -84,7 +83,9 @@ fn kept(
     fs::write(&unfinished, &bytes)
         .and_then(|()| fs::rename(&unfinished, &path))
         .map_err(Failure::error)?;
-    portrait::of_jpeg(bytes).ok_or_else(|| Failure::error(anyhow::anyhow!("no JPEG")))
+    let picture = portrait::of_jpeg(bytes);
+    let picture = picture.ok_or_else(|| Failure::error(anyhow::anyhow!("no JPEG")))?;
+    Ok((picture, name))
 }
 
 /// FNV-1a (Fowler, Noll and Vo): the same number for the same text, always.

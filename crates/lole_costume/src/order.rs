@@ -8,10 +8,11 @@ use lole_pattern::marker::{Lay, MarkerWarning};
 use lole_pattern::pattern::{Amount, NotionKind};
 use lole_pattern::piece::ClothRole;
 
+use crate::cost::ClothPrice;
 use crate::document::{Design, FabricDesign, GarmentDesign, GarmentLayer, PrintChoice};
 use crate::print::PrintMotif;
 use crate::roster::{Roster, RosterDancer, RowProblem};
-use crate::tailoring::{ClothPlan, GarmentPattern, TailoringError, patterns_of, role_name};
+use crate::tailoring::{ClothPlan, GarmentPattern, SKIRT, TailoringError, patterns_of, role_name};
 
 /// What the buyer decides.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -87,22 +88,40 @@ impl PlannedGarment {
             .collect()
     }
 
-    /// Lengths of its elastics to cut, with how many of each.
+    /// Its elastics to cut, from the top down; neighbors of one length and place together.
     #[must_use]
-    pub fn elastics(&self) -> Vec<(Length, u32)> {
+    pub fn elastics(&self) -> Vec<CutElastic> {
         let notions = self.tailored.pattern.notions.iter();
-        notions
-            .filter(|notion| notion.kind == NotionKind::Elastic)
-            .fold(Vec::new(), |mut elastics: Vec<(Length, u32)>, notion| {
-                if let Amount::Length(length) = notion.amount {
-                    match elastics.last_mut() {
-                        Some((last, count)) if is_same(*last, length) => *count += 1,
-                        _ => elastics.push((length, 1)),
-                    }
+        let elastics = notions.filter(|notion| notion.kind == NotionKind::Elastic);
+        elastics.fold(Vec::new(), |mut cut: Vec<CutElastic>, notion| {
+            let Amount::Length(all) = notion.amount else {
+                return cut;
+            };
+            let one = CutElastic {
+                place: notion.place,
+                length: all * (1.0 / f64::from(notion.pieces.max(1))),
+                count: notion.pieces.max(1),
+            };
+            match cut.last_mut() {
+                Some(last) if last.place == one.place && is_same(last.length, one.length) => {
+                    last.count += one.count;
                 }
-                elastics
-            })
+                _ => cut.push(one),
+            }
+            cut
+        })
     }
+}
+
+/// Equal pieces of elastic to cut.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CutElastic {
+    /// Where they go, where that is one place of the garment.
+    pub place: Option<Words>,
+    /// Length of each.
+    pub length: Length,
+    /// How many.
+    pub count: u32,
 }
 
 /// Elastics are cut to the millimeter.
@@ -347,6 +366,10 @@ pub struct PrintTotal {
     pub cloth: Words,
     /// What is printed on it.
     pub print: PrintChoice,
+    /// What it is in the garments: their own cloth, lining and so on.
+    pub role: ClothRole,
+    /// What it costs.
+    pub price: ClothPrice,
     /// Width of the cloth.
     pub width: Length,
     /// What the pieces need, each dancer's rounded up by herself.
@@ -399,6 +422,8 @@ pub fn prints(plans: &[DancerPlan], design: &Design, settings: &Settings) -> Vec
                 english: fabric.preset.name,
             },
             print: print.clone(),
+            role: ClothRole::Main,
+            price: ClothPrice::of(fabric, ClothRole::Main, first_of(plans, kind)),
             width: Length::from_cm(fabric.width_cm),
             needed,
             bought: Yardage::for_length(needed * (1.0 + settings.spare_ratio)),
@@ -406,22 +431,37 @@ pub fn prints(plans: &[DancerPlan], design: &Design, settings: &Settings) -> Vec
             longer_than_bolt,
         }
     };
-    let totals = kinds.iter().map(total).chain(beside(plans, settings));
+    let totals = kinds
+        .iter()
+        .map(total)
+        .chain(beside(plans, design, settings));
     totals.filter(|total| Length::ZERO < total.needed).collect()
 }
 
+/// Identifier of the garment whose table is asked for the price of a cloth: the skirt's own where it is
+/// among those of the cloth, else the first.
+fn first_of<'a>(plans: &'a [DancerPlan], kind: &[usize]) -> &'a str {
+    let garments = plans.first().map_or(&[][..], |plan| &plan.garments);
+    let ids = kind.iter().filter_map(|&index| garments.get(index));
+    let ids: Vec<&str> = ids.map(|garment| garment.tailored.id.as_str()).collect();
+    let skirt = ids.iter().find(|id| **id == SKIRT);
+    skirt.or(ids.first()).copied().unwrap_or_default()
+}
+
 /// Lining, contrast cloth and interfacing of a group, each of one width together.
-fn beside(plans: &[DancerPlan], settings: &Settings) -> Vec<PrintTotal> {
-    let mut totals: Vec<(ClothRole, PrintTotal)> = Vec::new();
-    for garment in plans.iter().flat_map(|plan| &plan.garments) {
+fn beside(plans: &[DancerPlan], design: &Design, settings: &Settings) -> Vec<PrintTotal> {
+    let mut totals: Vec<PrintTotal> = Vec::new();
+    let garments = (plans.iter()).flat_map(|plan| plan.garments.iter().zip(design.fabrics()));
+    for (garment, fabric) in garments {
         let name = garment.tailored.name;
         let beside = garment.plans.iter();
         for plan in beside.filter(|plan| plan.role != ClothRole::Main) {
             let (width, needed) = (plan.marker.cloth.width, plan.marker.yardage.needed);
-            let is_same = |(role, total): &&mut (ClothRole, PrintTotal)| {
-                *role == plan.role && total.width == width
+            let price = ClothPrice::of(fabric, plan.role, &garment.tailored.id);
+            let is_same = |total: &&mut PrintTotal| {
+                (total.role, total.width, total.price) == (plan.role, width, price)
             };
-            if let Some((_, total)) = totals.iter_mut().find(is_same) {
+            if let Some(total) = totals.iter_mut().find(is_same) {
                 total.needed = total.needed + needed;
                 if !total.garments.contains(&name) {
                     total.garments.push(name);
@@ -435,16 +475,18 @@ fn beside(plans: &[DancerPlan], settings: &Settings) -> Vec<PrintTotal> {
                     motif: PrintMotif::Plain,
                     ..PrintChoice::default()
                 },
+                role: plan.role,
+                price,
                 width,
                 needed,
                 bought: plan.marker.yardage,
                 bolts: Vec::new(),
                 longer_than_bolt: Vec::new(),
             };
-            totals.push((plan.role, total));
+            totals.push(total);
         }
     }
-    let with_spare = |(_, total): (ClothRole, PrintTotal)| PrintTotal {
+    let with_spare = |total: PrintTotal| PrintTotal {
         bought: Yardage::for_length(total.needed * (1.0 + settings.spare_ratio)),
         ..total
     };
@@ -536,6 +578,13 @@ pub fn notions(plans: &[DancerPlan]) -> Vec<NotionTotal> {
             (kept, _) => kept,
         };
     }
+    // Zips of each sort stand together, the shortest first.
+    let names: Vec<Words> = totals.iter().map(|total| total.name).collect();
+    let place = |total: &NotionTotal| names.iter().position(|name| *name == total.name);
+    let long = |total: &NotionTotal| total.length.map_or(0.0, Length::to_m);
+    totals.sort_by(|one, other| {
+        (place(one).cmp(&place(other))).then(long(one).total_cmp(&long(other)))
+    });
     totals
 }
 
@@ -568,7 +617,7 @@ pub(crate) mod tests {
                 "{along:?}"
             );
             assert!((50.0..130.0).contains(&across.to_cm()) && count == 1);
-            assert_eq!(plan.garments[0].elastics()[0].1, 3);
+            assert_eq!(plan.garments[0].elastics()[0].count, 3);
             assert_eq!(plan.estimated.len(), 12);
         }
         let height = |index: usize| plans[index].garments[0].rectangles()[0].1[1].to_cm();
@@ -643,7 +692,7 @@ pub(crate) mod tests {
         let plans = plans(&Design::default());
         let elastics = plans.iter().flat_map(|plan| plan.garments[0].elastics());
         let sum: f64 = elastics
-            .map(|(length, count)| length.to_m() * f64::from(count))
+            .map(|elastic| elastic.length.to_m() * f64::from(elastic.count))
             .sum();
         let total = notions(&plans);
         let Amount::Length(length) = total[0].amount else {

@@ -117,8 +117,8 @@ pub enum RosterError {
     Empty,
     /// A column without which nothing can be sized.
     #[error(
-        "line {line}: no column is called {}; the first row must name the columns, such as name, \
-         stature, bust, waist, hip",
+        "line {line}: no column is called {}; one of the first ten lines must name the columns, such as \
+         name, stature, bust, waist, hip",
         column.english
     )]
     MissingColumn {
@@ -163,7 +163,7 @@ impl Bilingual for RosterError {
             ),
             Self::Empty => "名簿が空です。最初の行に 名前、身長、バスト、ウエスト、ヒップ などの見出しを書いてください".to_owned(),
             Self::MissingColumn { line, column } => format!(
-                "{line} 行目: 「{}」の列がありません。最初の行に 名前、身長、バスト、ウエスト、ヒップ などの見出しを書いてください",
+                "{line} 行目: 「{}」の列がありません。はじめの 10 行のどれかに 名前、身長、バスト、ウエスト、ヒップ などの見出しを書いてください",
                 column.japanese
             ),
             Self::TwiceColumn {
@@ -240,15 +240,15 @@ fn follow_stature(design: &mut Design, ratio: f64) {
 pub fn names(bytes: &[u8]) -> Result<Vec<String>, RosterError> {
     let text = cells::decode(bytes)?;
     let records = cells::records(&text, Separator::of(&text))?;
-    let mut rows = records.into_iter().filter(|row| !row.is_blank());
-    let head = rows.next().ok_or(RosterError::Empty)?;
+    let Sheet { head, rows, .. } = Sheet::of(records)?;
     let (columns, _) = columns::read(&head, &[Meaning::Name])?;
     let is_name = |column: &&Column| column.meaning == Meaning::Name;
     let place = columns
         .iter()
         .find(is_name)
         .map_or(0, |column| column.index);
-    let names = rows.map(|row| {
+    let people = rows.iter().filter(|row| !is_summary(row, place));
+    let names = people.map(|row| {
         let words: Vec<&str> = row.cell(place).split_whitespace().collect();
         words.join(" ").chars().take(MOST_LETTERS).collect()
     });
@@ -257,6 +257,95 @@ pub fn names(bytes: &[u8]) -> Result<Vec<String>, RosterError> {
         return Err(RosterError::TooMany { count: names.len() });
     }
     Ok(names)
+}
+
+/// The rows of a file that are not empty, by what they are.
+struct Sheet {
+    /// What stands above the heads.
+    titles: Vec<Record>,
+    head: Record,
+    rows: Vec<Record>,
+}
+
+impl Sheet {
+    /// Heads are looked for among this many lines.
+    const HEAD_LINES: u32 = 10;
+
+    /// The heads are the row among the first lines in which the most cells are heads, the first of equals;
+    /// where there is none, the first row.
+    fn of(records: Vec<Record>) -> Result<Self, RosterError> {
+        let mut rows: Vec<Record> = records.into_iter().filter(|row| !row.is_blank()).collect();
+        let upper = rows.iter().take_while(|row| row.line <= Self::HEAD_LINES);
+        let (mut place, mut most) = (0, 0);
+        for (index, row) in upper.enumerate() {
+            let count = columns::known_count(row);
+            if most < count {
+                (place, most) = (index, count);
+            }
+        }
+        if rows.is_empty() {
+            return Err(RosterError::Empty);
+        }
+        let head = rows.remove(place);
+        let below = rows.split_off(place);
+        Ok(Self {
+            titles: rows,
+            head,
+            rows: below,
+        })
+    }
+}
+
+/// Words that begin a line of sums below a list, without spaces and case.
+const SUMMARIES: &[&str] = &[
+    "合計", "総計", "小計", "計", "平均", "人数", "最大", "最小", "total", "subtotal", "sum",
+    "average", "mean",
+];
+
+/// Whether a row sums up others instead of being a dancer's: its name or what stands before it says so.
+fn is_summary(row: &Record, name: usize) -> bool {
+    (0..=name).any(|index| {
+        let cell = lengths::narrow(row.cell(index));
+        let words: String = cell
+            .chars()
+            .filter(|letter| letter.is_alphabetic())
+            .collect();
+        SUMMARIES.contains(&words.as_str())
+            || SUMMARIES.iter().any(|word| {
+                let rest = words.strip_prefix(word);
+                rest.is_some_and(|rest| ["値", "人", "名", "人数", "s"].contains(&rest))
+            })
+    })
+}
+
+/// Lines above the heads and lines of sums, which are no dancers.
+fn skipped(titles: &[Record], sums: &[Record]) -> Option<Sentence> {
+    let lines: Vec<(u32, String)> = (titles.iter().chain(sums))
+        .map(|row| {
+            let mut cells = row.cells.iter().map(|cell| cell.trim());
+            let first = cells.find(|cell| !cell.is_empty()).unwrap_or_default();
+            (row.line, first.chars().take(MOST_LETTERS / 2).collect())
+        })
+        .collect();
+    if lines.is_empty() {
+        return None;
+    }
+    let japanese = lines
+        .iter()
+        .map(|(line, text)| format!("{line} 行目「{text}」"));
+    let english = lines
+        .iter()
+        .map(|(line, text)| format!("line {line} (\"{text}\")"));
+    Some(Sentence::new(
+        format!(
+            "見出しや踊り手の行ではないので、読みませんでした: {}",
+            japanese.collect::<Vec<_>>().join("、")
+        ),
+        format!(
+            "Not read, since it names neither columns nor a dancer: {}",
+            english.collect::<Vec<_>>().join(", ")
+        ),
+    ))
 }
 
 /// Rows with more cells than the heads name: nobody knows what those are.
@@ -291,13 +380,17 @@ pub fn read(bytes: &[u8]) -> Result<Roster, RosterError> {
     let text = cells::decode(bytes)?;
     let separator = Separator::of(&text);
     let records = cells::records(&text, separator)?;
-    let mut rows = records.into_iter().filter(|row| !row.is_blank());
-    let head = rows.next().ok_or(RosterError::Empty)?;
-    let rows: Vec<Record> = rows.collect();
+    let Sheet { titles, head, rows } = Sheet::of(records)?;
+    let (mut columns, notes) = columns::read(&head, &columns::NEEDED)?;
+    let mut named = columns.iter();
+    let named = named.find(|column| column.meaning == Meaning::Name);
+    let place = named.map_or(0, |column| column.index);
+    let (sums, rows): (Vec<Record>, Vec<Record>) =
+        rows.into_iter().partition(|row| is_summary(row, place));
     if MOST_DANCERS < rows.len() {
         return Err(RosterError::TooMany { count: rows.len() });
     }
-    let (mut columns, mut notes) = columns::read(&head, &columns::NEEDED)?;
+    let mut notes: Vec<Sentence> = skipped(&titles, &sums).into_iter().chain(notes).collect();
     notes.extend(surplus(&head, &rows));
     notes.extend(settle_units(&mut columns, &rows, separator));
     let mut roster = Roster {

@@ -11,14 +11,15 @@ use std::sync::Arc;
 
 use lole_body::Measure;
 use lole_costume::cost::Bill;
-use lole_costume::order::{DancerPlan, PlannedGarment};
+use lole_costume::order::{CutElastic, DancerPlan, PlannedGarment};
 use lole_costume::print::PrintImage;
 use lole_costume::tailoring::{ClothPlan, role_name};
 use lole_language::{Bilingual as _, Language, Sentence};
 use lole_pattern::pattern::{Amount, NotionKind, Step};
 use lole_pattern::piece::ClothRole;
+use lole_pattern::template::HELD;
 
-use crate::cutting::{CutGarment, draw_marker, masses, short_words};
+use crate::cutting::{CutGarment, draw_marker, masses, numbers_words, short_words};
 use crate::order::lengths_table;
 use crate::pdf::{
     Align, Cell, Column, Flow, Margins, Paper, Picture, Rect, Sheet, Stroke, Table, TextStyle,
@@ -51,7 +52,10 @@ pub fn booklet_sheets(booklet: &Booklet<'_>, paper: Paper, language: Language) -
     cover(&mut flow, booklet, language);
     flow.new_page();
     materials(&mut flow, booklet.plan, language);
-    measures(&mut flow, booklet.plan, language);
+    // The sizes of a drum or a rattle are in its steps.
+    if !booklet.plan.garments.iter().all(is_held) {
+        measures(&mut flow, booklet.plan, language);
+    }
     if 1 < booklet.group.len() {
         flow.space(6.0);
         flow.keep(70.0);
@@ -181,12 +185,15 @@ pub fn amount_words(kind: NotionKind, amount: Amount, language: Language) -> Str
 /// The word that such things are counted with in Japanese.
 const fn counter(kind: NotionKind) -> &'static str {
     match kind {
-        NotionKind::Leaf => "枚",
+        NotionKind::Leaf | NotionKind::Card => "枚",
+        NotionKind::Seed => "粒",
         NotionKind::Zip
         | NotionKind::HairPin
         | NotionKind::Pistil
         | NotionKind::Bamboo
         | NotionKind::Feather
+        | NotionKind::Handle
+        | NotionKind::Glue
         | NotionKind::Elastic
         | NotionKind::Cord => "本",
         NotionKind::Hook => "組",
@@ -200,9 +207,9 @@ fn materials(flow: &mut Flow, plan: &DancerPlan, language: Language) {
         subhead(flow, &capitalized(garment.tailored.name.text(language)));
         Table {
             columns: vec![
-                Column::text("", 3.9),
-                Column::text("", 2.6),
-                Column::text("", 3.5),
+                Column::text("", 3.4),
+                Column::text("", 3.0),
+                Column::text("", 3.6),
             ],
             rows: material_rows(garment, language),
             size_pt: 12.5,
@@ -258,7 +265,7 @@ fn material_rows(garment: &PlannedGarment, language: Language) -> Vec<Vec<Cell>>
     } else {
         Vec::new()
     };
-    for (length, count) in &elastics {
+    for CutElastic { length, count, .. } in &elastics {
         let (each, all) = (length.to_cm(), length.to_m() * f64::from(*count));
         rows.push(vec![
             Cell::bold(elastic.map_or_else(String::new, |notion| {
@@ -284,6 +291,11 @@ fn material_rows(garment: &PlannedGarment, language: Language) -> Vec<Vec<Cell>>
         ]);
     }
     rows
+}
+
+/// Whether it is held and not worn.
+fn is_held(garment: &PlannedGarment) -> bool {
+    HELD.contains(&garment.tailored.id.as_str())
 }
 
 fn measures(flow: &mut Flow, plan: &DancerPlan, language: Language) {
@@ -390,9 +402,13 @@ fn cut_plans(
         if plan.role != ClothRole::Main {
             subhead(flow, role_name(plan.role).text(language));
         }
+        let mut numbered = Vec::new();
         flow.block(height, |sheet, rect| {
-            draw_marker(sheet, rect, &cut, plan, language);
+            numbered = draw_marker(sheet, rect, &cut, plan, language);
         });
+        if let Some(words) = numbers_words(&cut, &numbered, language) {
+            flow.paragraph(&words, &TextStyle::body());
+        }
         for warning in &plan.marker.warnings {
             flow.paragraph(
                 &format!("! {}", warning.text(language)),
@@ -418,7 +434,7 @@ fn cut_plans(
             ),
             Language::English if on_bias => format!(
                 "{}: on the bias, at 45° to the selvage, {:.1} × {:.1} cm, cut {count} (seam allowances included).",
-                piece.english,
+                capitalized(piece.english),
                 along.max(across),
                 along.min(across)
             ),
@@ -428,7 +444,7 @@ fn cut_plans(
             ),
             Language::English => format!(
                 "{}: {along:.1} cm along the selvage by {across:.1} cm across, cut {count} (seam allowances included).",
-                piece.english
+                capitalized(piece.english)
             ),
         };
         flow.paragraph(&text, &TextStyle::body());

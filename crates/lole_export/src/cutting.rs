@@ -15,6 +15,7 @@
 
 pub(crate) mod draw;
 mod json;
+mod label;
 mod pieces_svg;
 mod plan;
 mod ruler;
@@ -30,8 +31,8 @@ use lole_pattern::piece::{CutCount, Piece};
 
 pub use json::pattern_json;
 pub use pieces_svg::pieces_svg;
-pub(crate) use plan::draw_marker;
 pub use plan::{cut_plan_sheets, cut_plan_svg, masses, short_words};
+pub(crate) use plan::{draw_marker, numbers_words};
 pub use ruler::ruler_sheets;
 pub use tiles::{TiledPattern, tiled_sheets};
 

@@ -5,7 +5,9 @@ mod folder;
 
 use lole_body::Measure;
 use lole_costume::cost::Bill;
-use lole_costume::order::{DancerPlan, NotionTotal, PlannedGarment, PrintTotal, Settings};
+use lole_costume::order::{
+    CutElastic, DancerPlan, NotionTotal, PlannedGarment, PrintTotal, Settings,
+};
 use lole_language::{Bilingual as _, Language, Sentence};
 use lole_pattern::pattern::{Amount, NotionKind};
 use serde::Serialize;
@@ -16,7 +18,10 @@ use crate::pdf::{
     Align, Cell, Column, Flow, Margins, Paper, Picture, Rect, Sheet, Stroke, Table, TextStyle,
 };
 
-pub use folder::{OrderFolder, OrderParts, PATTERN_FILES, order_folder};
+pub use folder::{
+    ORDER_JSON, OrderFolder, OrderParts, PATTERN_FILES, PICTURE_FOLDER, left_behind, listed_files,
+    order_folder,
+};
 
 /// Everything about a group order.
 #[derive(Debug, Clone, PartialEq)]
@@ -164,12 +169,12 @@ fn dancer_table(order: &Order<'_>, language: Language) -> Table {
     }
     Table {
         columns: vec![
-            Column::text(language.pick("名前", "Name"), 2.4),
-            Column::text(language.pick("服", "Garment"), 3.0),
-            Column::text(language.pick("裁つ寸法 cm", "Cut, cm"), 2.6),
-            Column::text(language.pick("ゴム cm", "Elastic, cm"), 2.4),
-            Column::number(language.pick("布", "Cloth"), 1.4),
-            Column::number(language.pick("費用", "Cost"), 2.9),
+            Column::text(language.pick("名前", "Name"), 2.3),
+            Column::text(language.pick("服", "Garment"), 2.9),
+            Column::text(language.pick("裁つ寸法 cm", "Cut, cm"), 2.9),
+            Column::text(language.pick("ゴム cm", "Elastic, cm"), 3.1),
+            Column::number(language.pick("布", "Cloth"), 1.2),
+            Column::number(language.pick("費用", "Cost"), 2.3),
         ],
         rows,
         size_pt: 10.5,
@@ -244,13 +249,24 @@ fn cut_words(garment: &PlannedGarment, language: Language) -> String {
         .join("\n")
 }
 
+/// "3 本 × 75.1" of every elastic, after its place where it has one.
 fn elastic_words(garment: &PlannedGarment, language: Language) -> String {
     let elastics = garment.elastics();
-    let lengths = elastics.iter().map(|(length, count)| match language {
-        Language::Japanese => format!("{:.1} を {count} 本", length.to_cm()),
-        Language::English => format!("{count} × {:.1}", length.to_cm()),
+    let lines = elastics.iter().map(|elastic| {
+        let place = elastic.place.map_or("", |place| place.text(language));
+        let pieces = pieces_words(elastic, language);
+        format!("{place} {pieces}").trim_start().to_owned()
     });
-    lengths.collect::<Vec<_>>().join("\n")
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+/// How many pieces of what length [cm].
+fn pieces_words(elastic: &CutElastic, language: Language) -> String {
+    let (count, cm) = (elastic.count, elastic.length.to_cm());
+    match language {
+        Language::Japanese => format!("{count} 本 × {cm:.1}"),
+        Language::English => format!("{count} × {cm:.1}"),
+    }
 }
 
 fn shopping(flow: &mut Flow, order: &Order<'_>, language: Language) {
@@ -262,7 +278,7 @@ fn shopping(flow: &mut Flow, order: &Order<'_>, language: Language) {
             .iter()
             .map(|name| name.text(language))
             .collect();
-        let garments = garments.join(language.pick("・", ", "));
+        let garments = capitalized(&garments.join(language.pick("・", ", ")));
         let (cloth, width) = (print.cloth.text(language), print.width.to_cm());
         let (metric, yards) = (print.bought.metric.to_m(), print.bought.imperial.to_yd());
         let needed = print.needed.to_m();
@@ -296,8 +312,32 @@ fn shopping(flow: &mut Flow, order: &Order<'_>, language: Language) {
     head(flow, language.pick("全員の費用", "Cost of all"));
     bill_table(order.total, language).draw(flow);
     flow.space(3.0);
+    let together = together_words(order, language);
+    flow.paragraph(&together, &TextStyle::body());
     for line in bill_remarks(order.total, language) {
         flow.paragraph(&line, &TextStyle::body());
+    }
+}
+
+/// That the group's sum is of what it buys together, and each one's share.
+fn together_words(order: &Order<'_>, language: Language) -> String {
+    let count = order.plans.len().max(1);
+    let each = order.total.currency.write(order.total.total / count as f64);
+    let is_known = order.total.is_complete() && 0.0 < order.total.total;
+    match (language, is_known) {
+        (Language::Japanese, true) => format!(
+            "買い物の表のとおりに、予備も入れてまとめて買うときの費用です。一人あたり {each} です。一覧の費用は、一人分だけを買うときのものです。"
+        ),
+        (Language::Japanese, false) => {
+            "買い物の表のとおりに、予備も入れてまとめて買うときの量です。".to_owned()
+        }
+        (Language::English, true) => format!(
+            "This is for buying together, by the shopping list and with what is spare: {each} for each. The costs beside the dancers are for buying for one alone."
+        ),
+        (Language::English, false) => {
+            "These are the amounts of the shopping list, bought together and with what is spare."
+                .to_owned()
+        }
     }
 }
 
@@ -380,11 +420,13 @@ fn label_lines(plan: &DancerPlan, language: Language) -> Vec<String> {
         lines.push(garment.tailored.name.text(language).to_owned());
         lines.extend(label_cuts(garment, language));
         let elastics = garment.elastics();
-        lines.extend(elastics.iter().map(|(length, count)| {
-            let cm = length.to_cm();
+        lines.extend(elastics.iter().map(|elastic| {
+            let pieces = pieces_words(elastic, language);
+            let place = elastic.place.map_or("", |place| place.text(language));
             match language {
-                Language::Japanese => format!("  ゴム {cm:.1} cm を {count} 本"),
-                Language::English => format!("  elastic {count} × {cm:.1} cm"),
+                Language::Japanese => format!("  {place}ゴム {pieces} cm"),
+                Language::English if place.is_empty() => format!("  elastic {pieces} cm"),
+                Language::English => format!("  elastic, {place}: {pieces} cm"),
             }
         }));
     }
@@ -442,13 +484,14 @@ fn draw_label(sheet: &mut Sheet, rect: Rect, plan: &DancerPlan, language: Langua
 }
 
 #[derive(Serialize)]
-struct File {
+struct File<'a> {
     lole: &'static str,
     hem_height_cm: Option<f64>,
     dancers: Vec<DancerRow>,
     prints: Vec<PrintRow>,
     cost: CostRow,
     problems: Vec<String>,
+    files: Vec<&'a str>,
 }
 
 #[derive(Serialize)]
@@ -464,10 +507,18 @@ struct DancerRow {
 struct GarmentRow {
     id: String,
     cut_cm: Vec<[f64; 2]>,
-    elastic_cm: Vec<(f64, u32)>,
+    elastics: Vec<ElasticRow>,
     cloth_needed_m: f64,
     cloth_bought_m: f64,
     cloth_bought_yd: f64,
+}
+
+/// Equal pieces of elastic to cut.
+#[derive(Serialize)]
+struct ElasticRow {
+    place: Option<&'static str>,
+    length_cm: f64,
+    count: u32,
 }
 
 #[derive(Serialize)]
@@ -515,8 +566,12 @@ fn garment_row(garment: &PlannedGarment) -> GarmentRow {
         cut_cm: rectangles
             .map(|(_, sizes, _)| sizes.map(|size| rounded(size.to_cm())))
             .collect(),
-        elastic_cm: elastics
-            .map(|(length, count)| (rounded(length.to_cm()), count))
+        elastics: elastics
+            .map(|elastic| ElasticRow {
+                place: elastic.place.map(|place| place.english),
+                length_cm: rounded(elastic.length.to_cm()),
+                count: elastic.count,
+            })
             .collect(),
         cloth_needed_m: rounded(bought.needed.to_m()),
         cloth_bought_m: rounded(bought.metric.to_m()),
@@ -524,11 +579,16 @@ fn garment_row(garment: &PlannedGarment) -> GarmentRow {
     }
 }
 
-/// The order as JSON, lengths in the unit of their key.
+/// The order as JSON, lengths in the unit of their key, with the names of the `files` that were written
+/// for it.
 ///
 /// # Errors
 /// [`ExportError::Encoding`] from the encoder.
-pub fn order_json(order: &Order<'_>, version: &'static str) -> Result<String, ExportError> {
+pub fn order_json(
+    order: &Order<'_>,
+    version: &'static str,
+    files: &[&str],
+) -> Result<String, ExportError> {
     let dancers = order.plans.iter().zip(order.bills);
     let name = |dancer: usize| order.plans.get(dancer).map(|plan| plan.name.clone());
     let file = File {
@@ -563,6 +623,7 @@ pub fn order_json(order: &Order<'_>, version: &'static str) -> Result<String, Ex
             .collect(),
         cost: cost_row(order.total),
         problems: order.problems.iter().map(ToString::to_string).collect(),
+        files: files.to_vec(),
     };
     serde_json::to_string_pretty(&file).map_err(|error| ExportError::Encoding {
         file: "JSON",

@@ -60,24 +60,27 @@ fn group_pages(language: Language) -> Vec<Sheet> {
         ..Settings::default()
     };
     let bills: Vec<cost::Bill> = plans.iter().map(|plan| cost::bill(&design, plan)).collect();
+    let prints = order::prints(&plans, &design, &settings);
     let problems = [Sentence::new("5 行目: 空です", "line 5: it is empty")];
     let order = Order {
         title: "Pāʻū".to_owned(),
         hem_height_cm: Some(22.0),
         plans: &plans,
         pictures: &[],
-        prints: &order::prints(&plans, &design, &settings),
+        prints: &prints,
         notions: &order::notions(&plans),
         bills: &bills,
-        total: &cost::sum(&bills, &design.cost),
+        total: &cost::group_bill(&design, &plans, &prints),
         problems: &problems,
         notes: &[],
         settings: &settings,
         spool_m: design.cost.thread_spool_m,
     };
-    let json = order_json(&order, "test").unwrap_or_else(|error| panic!("{error}"));
+    let json = order_json(&order, "test", &["order.pdf"]).unwrap_or_else(|error| panic!("{error}"));
     let json: serde_json::Value = serde_json::from_str(&json).unwrap_or_default();
     assert_eq!(json["dancers"][0]["garments"][1]["cut_cm"][0][0], 367.6);
+    let elastic = &json["dancers"][0]["garments"][1]["elastics"][0];
+    assert_eq!(elastic["count"], 3);
     order_sheets(&order, Paper::A4, language)
 }
 

@@ -1,6 +1,6 @@
 //! What can be wrong with a draft, said so that a costume maker can mend it.
 
-use lole_language::{Bilingual, Words};
+use lole_language::{Bilingual, Sentence, Words};
 
 /// Why a draft cannot be made.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -42,10 +42,7 @@ pub enum DraftError {
         max_cm: f64,
     },
     /// The hem would hang above the band.
-    #[error(
-        "the hem at {hem_cm:.1} cm above the floor leaves {finished_cm:.1} cm from top fold to hem, \
-         which is no longer than the {band_cm:.1} cm band; lower the hem or wear the skirt higher"
-    )]
+    #[error("{}", too_short([*hem_cm, *finished_cm, *band_cm]).english)]
     TooShort {
         /// Height of the hem above the floor [cm].
         hem_cm: f64,
@@ -102,6 +99,28 @@ pub enum DraftError {
     },
 }
 
+/// A hem that leaves no length, or one above the place where the garment is worn [cm].
+fn too_short([hem, finished, band]: [f64; 3]) -> Sentence {
+    if finished <= 0.0 {
+        return Sentence::new(
+            format!(
+                "床上 {hem:.1} cm の裾は、着る位置より上になります。裾を下げるか、高い位置で着てください"
+            ),
+            format!(
+                "the hem at {hem:.1} cm above the floor lies above the place where it is worn; lower the hem or wear it higher"
+            ),
+        );
+    }
+    Sentence::new(
+        format!(
+            "裾を床上 {hem:.1} cm にすると丈が {finished:.1} cm しかなく、上の部分の {band:.1} cm より長くなりません。裾を下げるか、高い位置で着てください"
+        ),
+        format!(
+            "the hem at {hem:.1} cm above the floor leaves {finished:.1} cm from the upper edge to the hem, which is no longer than the {band:.1} cm of the upper part; lower the hem or wear it higher"
+        ),
+    )
+}
+
 impl Bilingual for DraftError {
     fn japanese(&self) -> String {
         match self {
@@ -127,10 +146,7 @@ impl Bilingual for DraftError {
                 hem_cm,
                 finished_cm,
                 band_cm,
-            } => format!(
-                "裾を床上 {hem_cm:.1} cm にすると丈が {finished_cm:.1} cm しかなく、\
-                 ゴムの部分の {band_cm:.1} cm より長くなりません。裾を下げるか、高い位置ではいてください"
-            ),
+            } => too_short([*hem_cm, *finished_cm, *band_cm]).japanese,
             Self::TooNarrow {
                 flat_cm,
                 worn_cm,

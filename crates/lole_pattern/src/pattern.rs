@@ -76,8 +76,12 @@ pub struct Notion {
     pub kind: NotionKind,
     /// What to ask for in a shop.
     pub name: Words,
-    /// How much of it.
+    /// How much of it, all pieces together.
     pub amount: Amount,
+    /// Into how many equal pieces its length is cut; 1 where it stays in one.
+    pub pieces: u32,
+    /// Where it goes, for labels, where that is one place of the garment: the edge of the sleeves.
+    pub place: Option<Words>,
     /// How it is cut or used, where that is not plain: "3 pieces of 76.1 cm".
     pub note: Option<Sentence>,
 }
@@ -115,6 +119,14 @@ pub enum NotionKind {
     Bamboo,
     /// Feathers.
     Feather,
+    /// Handles of rattles.
+    Handle,
+    /// Seeds that rattle.
+    Seed,
+    /// Sheets of card.
+    Card,
+    /// Tubes of glue.
+    Glue,
 }
 
 /// How much.

@@ -195,6 +195,21 @@ impl Edge {
     }
 }
 
+/// A hem is turned under by this at its raw edge, where it is more than twice as deep.
+const HEM_TURN: Length = Length::from_cm(1.0);
+
+/// How far the allowance of a hem is folded to the wrong side, first at the raw edge and then again: by
+/// halves where it is narrow.
+#[must_use]
+pub fn hem_turns(depth: Length) -> [Length; 2] {
+    let turn = if depth <= HEM_TURN * 2.0 {
+        depth * 0.5
+    } else {
+        HEM_TURN
+    };
+    [turn, depth - turn]
+}
+
 impl Piece {
     /// Whether it is cut on the bias, at 45° to the selvage.
     #[must_use]

@@ -213,6 +213,9 @@ pub struct Shelf {
     pub ids: &'static [&'static str],
 }
 
+/// Templates of what is held in the hands and not worn.
+pub const HELD: &[&str] = &["uliuli", "puili", "ipu"];
+
 /// Every template by what it is for; a law keeps it whole.
 pub const SHELVES: &[Shelf] = &[
     Shelf {
@@ -244,7 +247,7 @@ pub const SHELVES: &[Shelf] = &[
     },
     Shelf {
         name: words("楽器", "Implements"),
-        ids: &["uliuli", "puili", "ipu"],
+        ids: HELD,
     },
 ];
 

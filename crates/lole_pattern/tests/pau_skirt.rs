@@ -264,11 +264,17 @@ fn an_elastic_that_cannot_pass_the_hips_is_said() {
         },
     )
     .warnings;
+    let stretch = warnings
+        .iter()
+        .find(|warning| matches!(warning, PauWarning::ElasticStretch { .. }))
+        .unwrap();
+    // 60 cm · 0.8 = 48 cm, and 91 cm / 1.8 = 50.6 cm.
+    let english = stretch.to_string();
     assert!(
-        warnings
-            .iter()
-            .any(|warning| matches!(warning, PauWarning::ElasticStretch { .. }))
+        english.contains("48.0 cm") && english.contains("91.0 cm") && english.contains("50.6 cm")
     );
+    let japanese = lole_language::Bilingual::japanese(stretch);
+    assert!(japanese.contains("ヒップ") && japanese.contains("50.6 cm"));
     assert!(draft(&woman(), &PauOptions::default()).warnings.is_empty());
 }
 

@@ -10,7 +10,7 @@ use lole_costume::cost;
 use lole_costume::document::Design;
 use lole_costume::order::{self, Group, NotionTotal, PrintTotal, Settings};
 use lole_costume::roster::{self, Roster};
-use lole_export::order::{OrderParts, order_folder};
+use lole_export::order::{ORDER_JSON, OrderParts, left_behind, order_folder};
 use lole_export::pdf::{Paper, Picture};
 use lole_geom::Length;
 use lole_language::{Bilingual as _, Language, Sentence};
@@ -198,15 +198,13 @@ fn run(job: &Job, stop: &AtomicBool, tell: &impl Fn(OrderNews)) -> Result<OrderN
     if is_stopped() && folder.is_none() && job.folder.is_some() {
         return Ok(OrderNews::CalledOff);
     }
-    let bills: Vec<_> = (group.plans.iter())
-        .map(|plan| cost::bill(&job.design, plan))
-        .collect();
+    let prints = order::prints(&group.plans, &job.design, &job.wishes.settings());
     let totals = Totals {
         design: job.design.clone(),
         wishes: job.wishes,
-        prints: order::prints(&group.plans, &job.design, &job.wishes.settings()),
         notions: order::notions(&group.plans),
-        bill: cost::sum(&bills, &job.design.cost),
+        bill: cost::group_bill(&job.design, &group.plans, &prints),
+        prints,
         group,
     };
     Ok(match folder {
@@ -235,14 +233,20 @@ fn write(
         paper: job.wishes.paper,
         language: job.language,
         version: env!("CARGO_PKG_VERSION"),
+        kept_files: &[],
     };
-    let made = order_folder(&parts).map_err(|error| {
+    let made = order_folder(&parts, &|| true).map_err(|error| {
         Sentence::new(format!("注文書を作れません（{error}）"), error.to_string())
     })?;
     if is_stopped() {
         return Ok(None);
     }
+    let earlier = std::fs::read_to_string(folder.join(ORDER_JSON)).unwrap_or_default();
     files::write_folder(folder, &made.files)?;
+    for name in left_behind(&earlier, &made.json) {
+        // An old file that stays does no harm to the new order.
+        drop(std::fs::remove_file(folder.join(name)));
+    }
     Ok(Some(folder.to_owned()))
 }
 

@@ -92,6 +92,14 @@ pub struct NotionPrices {
     pub bamboo: Option<f64>,
     /// One feather.
     pub feather: Option<f64>,
+    /// One handle of a rattle.
+    pub handle: Option<f64>,
+    /// One seed.
+    pub seed: Option<f64>,
+    /// One sheet of card.
+    pub card: Option<f64>,
+    /// One tube of glue.
+    pub glue: Option<f64>,
 }
 
 impl Default for CostDesign {

@@ -211,6 +211,12 @@ pub(super) fn read(
     Ok((columns, notes(&unknown)))
 }
 
+/// How many cells of a row are heads.
+pub(super) fn known_count(row: &Record) -> usize {
+    let cells = (0..row.cells.len()).map(|index| row.cell(index));
+    cells.filter(|cell| meaning_of(cell).is_some()).count()
+}
+
 fn notes(unknown: &[String]) -> Vec<Sentence> {
     if unknown.is_empty() {
         return Vec::new();

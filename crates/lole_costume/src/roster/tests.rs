@@ -209,6 +209,31 @@ fn cells_beyond_the_heads_are_told() {
 }
 
 /// What a form asks for is not needed to print it.
+/// As schools save them: a title, an empty line, the heads, the dancers, their sums.
+#[test]
+fn titles_above_the_heads_and_sums_below_are_told_and_left_out() {
+    let text = "フラ教室 発表会 2026,,,\n担当: 名前のない人,,,\n,,,\nNo,名前,身長,ヒップ\n1,花子,158,91.4\n2,みどり,150,85\n,合計 2名,,176.4\n平均,,154,88.2\n";
+    let roster = read_text(text);
+    assert!(roster.problems.is_empty(), "{:?}", roster.problems);
+    assert_eq!(hips(&roster), [91.4, 85.0]);
+    assert_eq!(roster.dancers[0].line, 5);
+    assert_eq!(
+        roster.notes[0].english,
+        "Not read, since it names neither columns nor a dancer: line 1 (\"フラ教室 発表会 2026\"), line 2 (\"担当: 名前のない人\"), line 7 (\"合計 2名\"), line 8 (\"平均\")"
+    );
+    assert_eq!(names(text.as_bytes()).unwrap(), ["花子", "みどり"]);
+    // The same list without them is the same dancers.
+    let plain = read_text("No,名前,身長,ヒップ\n1,花子,158,91.4\n2,みどり,150,85\n");
+    assert_eq!(hips(&plain), hips(&roster));
+    assert_eq!(plain.notes.len(), 1);
+    // Heads below the tenth line are not looked for, and a list without heads names its first line.
+    let deep = format!("{}名前,ヒップ\n花子,91\n", "題\n".repeat(10));
+    assert!(refused(&deep).starts_with("line 1: no column is called"));
+    // Who is called Max or Sumire is a dancer.
+    let names = read_text("name,hip\nMax,95\nSumire,91\n総子,88\n");
+    assert_eq!(names.dancers.len(), 3);
+}
+
 #[test]
 fn names_alone_are_a_list_for_forms() {
     let list = "氏名,ヒップ\n花子,\n,90\n 海  子 ,36\n花子,=A1\n";

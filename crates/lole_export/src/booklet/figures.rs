@@ -3,15 +3,18 @@
 //! Long pieces are drawn shorter than they are, so that what matters can be seen; sections show cloth
 //! layer on layer with gaps between the layers.
 
+use std::sync::Arc;
+
 use kurbo::{Affine, BezPath, Point, Shape as _};
+use lole_geom::Length;
 use lole_language::{Language, words};
 use lole_pattern::pattern::{Figure, NotionKind, Pattern, Seam};
-use lole_pattern::piece::{Finish, LineKind, Mark, Piece};
+use lole_pattern::piece::{Finish, LineKind, Mark, Piece, hem_turns};
 
 use super::middle;
 use super::style::{ACCENT, CLOTH, INSIDE, SEWN};
 use crate::cutting::draw::{arrow, fitting, line, outline};
-use crate::pdf::{Align, Color, Rect, Sheet, Stroke, TextStyle};
+use crate::pdf::{Align, Color, Item, Rect, Sheet, Stroke, TextStyle};
 
 /// Letters in drawings.
 const LABEL: TextStyle = TextStyle::regular(11.0);
@@ -22,7 +25,7 @@ pub(super) const fn height(figure: &Figure) -> f64 {
         Figure::None => 0.0,
         Figure::Piece { .. } => 48.0,
         Figure::Seams(_) => 46.0,
-        Figure::Section { .. } => 54.0,
+        Figure::Section { .. } => 47.0,
     }
 }
 
@@ -85,6 +88,10 @@ fn draw_piece(
     (edges, marks): (&[usize], &[usize]),
     language: Language,
 ) {
+    if let Some(region) = detail(piece, (edges, marks)) {
+        draw_detail(sheet, rect, piece, (marks, region), language);
+        return;
+    }
     let place = middle(
         Rect {
             y: rect.y + 3.0,
@@ -151,6 +158,97 @@ fn draw_piece(
             &TextStyle::regular(9.5),
             Align::Left,
         );
+    }
+}
+
+/// Where a piece is to be shown larger: around lines that would be too small on the whole of it.
+fn detail(piece: &Piece, (edges, marks): (&[usize], &[usize])) -> Option<kurbo::Rect> {
+    /// Lines that reach over more of the piece are seen on the whole of it.
+    const MOST: f64 = 0.3;
+    let lines = lines_from_top(piece, marks);
+    let is_small = |kind: LineKind| matches!(kind, LineKind::Dart | LineKind::Slit);
+    if !edges.is_empty() || !lines.iter().all(|(kind, _)| is_small(*kind)) {
+        return None;
+    }
+    let boxes = lines.iter().map(|(_, path)| path.bounding_box());
+    let around = boxes.reduce(|one, other| one.union(other))?;
+    let whole = piece.cut_polygon(1e-3).bounds();
+    let size = around.width().max(around.height());
+    (size < MOST * whole.height()).then(|| {
+        let room = 0.4 * size;
+        around.inflate(room, room)
+    })
+}
+
+/// The whole piece small, and a part of it large beside it.
+fn draw_detail(
+    sheet: &mut Sheet,
+    rect: Rect,
+    piece: &Piece,
+    (marks, region): (&[usize], kurbo::Rect),
+    language: Language,
+) {
+    let small = Rect {
+        x: rect.x + 11.0,
+        y: rect.y + 2.0,
+        width: 36.0,
+        height: rect.height - 8.0,
+    };
+    let room = Rect {
+        x: small.x + small.width + 12.0,
+        width: 70.0,
+        ..small
+    };
+    let large = room.fitting(region.width(), region.height());
+    let scale = large.width / region.width();
+    let page_large = Affine::translate((large.x, large.y))
+        * Affine::scale_non_uniform(scale, -scale)
+        * Affine::translate((-region.x0, -region.y1));
+    let page_small = placement(piece, small);
+    let gray = Stroke::solid(0.2).with_color(Color::GRAY);
+    draw_marked(sheet, piece, page_small, (marks, 0.4));
+    let [from, to] = [(region.x0, region.y1), (region.x1, region.y0)]
+        .map(|corner| page_small * Point::from(corner));
+    let frame = Rect {
+        x: from.x,
+        y: from.y,
+        width: to.x - from.x,
+        height: to.y - from.y,
+    };
+    sheet.rect(frame, None, Some(gray.clone()));
+    sheet.line([to.x, from.y], [large.x, large.y], gray.clone());
+    let foot = large.y + large.height;
+    sheet.line([to.x, to.y], [large.x, foot], gray.clone());
+    let mut inner = Sheet::new([0.0, 0.0]);
+    draw_marked(&mut inner, piece, page_large, (marks, 0.7));
+    sheet.items.push(Item::Group {
+        page_from_group: Affine::IDENTITY,
+        clip: Some(large),
+        items: Arc::new(inner.items),
+    });
+    sheet.rect(large, None, Some(gray));
+    if let Some((kind, path)) = lines_from_top(piece, marks).first() {
+        let name = short_name(*kind, language);
+        let text = match kind {
+            LineKind::Slit => format!("{:.1} cm  {name}", 100.0 * long_side(path)),
+            _ => name.to_owned(),
+        };
+        let at = [large.x + large.width + 4.0, large.y + 0.5 * large.height];
+        sheet.text(at, &text, &LABEL, Align::Left);
+    }
+}
+
+/// A piece with its stitching lines and some of its marks.
+fn draw_marked(sheet: &mut Sheet, piece: &Piece, page: Affine, (marks, thick): (&[usize], f64)) {
+    let cut = piece.cut_polygon(1e-4);
+    sheet.path(outline(&cut, page), Some(CLOTH), Some(Stroke::solid(thick)));
+    for stitches in &piece.drawing(1e-4).stitches {
+        let stroke = Stroke::dashed(0.2, 1.5).with_color(Color::GRAY);
+        sheet.path(path_of(&stitches.points, page), None, Some(stroke));
+    }
+    for (_, path) in lines_from_top(piece, marks) {
+        let stroke = Stroke::solid(thick).with_color(SEWN);
+        sheet.path(page * path.clone(), None, Some(stroke));
     }
 }
 
@@ -541,6 +639,16 @@ fn section_labels(
     sheet.text([inner + 6.0, end + 5.0], words, &LABEL, Align::Left);
 }
 
+/// Centimeters with a second decimal where it takes one, as of half of 1.5 cm.
+fn fine_cm(meters: f64) -> String {
+    let hundredths = (1.0e4 * meters).round();
+    if hundredths % 10.0 == 0.0 {
+        format!("{:.1} cm", hundredths / 100.0)
+    } else {
+        format!("{:.2} cm", hundredths / 100.0)
+    }
+}
+
 fn draw_hem(sheet: &mut Sheet, rect: Rect, piece: &Piece, language: Language) {
     let hem = piece.edges.iter().filter(|edge| edge.finish == Finish::Hem);
     // The lowest hem of the piece: the band has its own drawing.
@@ -555,8 +663,7 @@ fn draw_hem(sheet: &mut Sheet, rect: Rect, piece: &Piece, language: Language) {
     if depth <= 0.0 {
         return;
     }
-    let turn = if depth <= 0.02 { 0.5 * depth } else { 0.01 };
-    let folded = depth - turn;
+    let [turn, folded] = hem_turns(Length::from_m(depth)).map(Length::to_m);
     let [outer, inner] = [rect.x + 60.0, rect.x + 68.0];
     let [top, bottom] = [rect.y + 2.0, rect.y + rect.height - 8.0];
     let scale = 0.7 * (bottom - top) / folded;
@@ -583,7 +690,7 @@ fn draw_hem(sheet: &mut Sheet, rect: Rect, piece: &Piece, language: Language) {
     let aside = outer - 12.0;
     let ends = [Point::new(aside, end), Point::new(aside, bottom)];
     arrow(sheet, ends, &Stroke::solid(0.25));
-    let text = format!("{:.1} cm", 100.0 * folded);
+    let text = fine_cm(folded);
     let at = [aside - 2.0, 0.5 * (end + bottom)];
     sheet.text(at, &text, &TextStyle::bold(12.0), Align::Right);
     let said = inner + 6.0;
@@ -595,9 +702,10 @@ fn draw_hem(sheet: &mut Sheet, rect: Rect, piece: &Piece, language: Language) {
         stitch + 1.0,
         language.pick("ぐるりと縫う", "sew all around"),
     );
+    let turned = fine_cm(turn);
     let turned = match language {
-        Language::Japanese => format!("中へ {:.1} cm 折る", 100.0 * turn),
-        Language::English => format!("{:.1} cm turned under", 100.0 * turn),
+        Language::Japanese => format!("中へ {turned} 折る"),
+        Language::English => format!("{turned} turned under"),
     };
     label(sheet, end + 9.0, &turned);
     label(sheet, bottom + 1.0, language.pick("裾の折り線", "hem fold"));

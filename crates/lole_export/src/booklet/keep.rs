@@ -2,7 +2,7 @@
 
 use lole_costume::order::{DancerPlan, PlannedGarment};
 use lole_language::{Words, words};
-use lole_pattern::pattern::{Amount, Notion, NotionKind};
+use lole_pattern::pattern::NotionKind;
 
 /// What matters of the garments for tools and care.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -70,13 +70,6 @@ fn needed(rows: Vec<Row>) -> Vec<Words> {
 pub(super) fn tools(plan: &DancerPlan) -> Vec<Words> {
     let made = made(plan);
     let any = |kinds: &[NotionKind]| plan.garments.iter().any(|garment| takes(garment, kinds));
-    // Two gourds are set on each other for one drum; what has feathers is a pair of rattles.
-    let glued = plan.garments.iter().any(|garment| {
-        let two = |notion: &Notion| matches!(notion.amount, Amount::Count(count) if 1 < count);
-        let mut notions = garment.tailored.pattern.notions.iter();
-        notions.any(|notion| notion.kind == NotionKind::Gourd && two(notion))
-            && !takes(garment, &[NotionKind::Feather])
-    });
     let by_needle = any(&[NotionKind::Feather, NotionKind::HairPin]);
     needed(vec![
         (
@@ -125,7 +118,6 @@ pub(super) fn tools(plan: &DancerPlan) -> Vec<Words> {
             any(&[NotionKind::Gourd, NotionKind::Bamboo]),
             words("紙やすり", "sandpaper"),
         ),
-        (glued, words("接着剤", "glue")),
         (
             any(&[
                 NotionKind::Flower,

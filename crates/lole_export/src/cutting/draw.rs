@@ -5,6 +5,7 @@ use lole_language::{Language, words};
 use lole_pattern::piece::{Drawing, Finish, LineKind};
 use lole_pattern::polygon::Polygon;
 
+use super::label::Label;
 use crate::pdf::{Align, Color, Sheet, Stroke, TextStyle};
 
 /// Length of a notch [mm].
@@ -59,11 +60,11 @@ pub(crate) fn arrow(sheet: &mut Sheet, [tail, head]: [Point; 2], stroke: &Stroke
     sheet.path(path, None, Some(stroke.clone()));
 }
 
-/// Everything of a piece at full size, and its label.
+/// Everything of a piece at full size, and its words in their place.
 pub(super) fn full_size(
     sheet: &mut Sheet,
     drawing: &Drawing,
-    label: &[String],
+    (words, label): (&[String], &Label),
     page_from_piece: Affine,
     language: Language,
 ) {
@@ -115,7 +116,7 @@ pub(super) fn full_size(
     }
     let grain = drawing.grain.map(|end| page_from_piece * end);
     arrow(sheet, grain, &Stroke::solid(0.35));
-    draw_label(sheet, drawing, label, page_from_piece);
+    draw_label(sheet, words, label);
 }
 
 /// The cut line without what lies on a fold, where nothing is cut.
@@ -204,34 +205,15 @@ fn draw_notch(sheet: &mut Sheet, notch: &lole_pattern::piece::DrawnNotch, page_f
     }
 }
 
-/// The words in the roomiest place, smaller where there is little room.
-fn draw_label(sheet: &mut Sheet, drawing: &Drawing, label: &[String], page_from_piece: Affine) {
-    let at = page_from_piece * drawing.label;
-    let room = scale_of(page_from_piece) * drawing.label_room;
-    let widest = |size_pt: f64| {
-        let widths = label
-            .iter()
-            .map(|text| TextStyle::bold(size_pt).width_of(text));
-        widths.fold(0.0, f64::max)
-    };
-    let count = f64::from(u32::try_from(label.len()).unwrap_or(1));
-    // It stands above the grain arrow, which runs through the same place.
-    let fits = |size_pt: &f64| {
-        let height = TextStyle::bold(*size_pt).line_height() * count + CLEAR;
-        let half = 0.5 * widest(*size_pt);
-        (half * half + height * height).sqrt() <= room
-    };
-    let sizes = [18.0, 16.0, 14.0, 12.0, 10.0, 8.0, 7.0];
-    let size_pt = sizes.into_iter().find(fits).unwrap_or(6.0);
-    let style = TextStyle::bold(size_pt);
-    for (row, text) in (0_u32..).zip(label) {
-        let y = at.y - CLEAR - style.line_height() * (count - 1.0 - f64::from(row));
-        sheet.text([at.x, y], text, &style, Align::Center);
+/// The words of a piece in their place, the last line lowest.
+fn draw_label(sheet: &mut Sheet, words: &[String], label: &Label) {
+    let Label { foot, style } = label;
+    let count = f64::from(u32::try_from(words.len()).unwrap_or(1));
+    for (row, text) in (0_u32..).zip(words) {
+        let y = foot.y - style.line_height() * (count - 1.0 - f64::from(row));
+        sheet.text([foot.x, y], text, style, Align::Center);
     }
 }
-
-/// Space between a label and the grain arrow below it [mm].
-const CLEAR: f64 = 3.0;
 
 /// The largest size of bold letters, at most `most` [pt], in which a line is no wider than `width`
 /// [mm]; `None` where it would be too small to read.

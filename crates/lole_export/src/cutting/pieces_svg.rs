@@ -1,4 +1,5 @@
-//! All pieces of a garment at full size as one SVG: one unit is a millimeter.
+//! All pieces of a garment at full size as one SVG: one unit is a millimeter, and a square of 10 cm
+//! before the first piece shows whether it is printed so.
 //!
 //! Each piece is a group with its name; what is cut, stitched, marked and notched are groups of
 //! classes of their own, so that a plotter or a drawing program takes what it needs.
@@ -15,6 +16,8 @@ use crate::svg::{escape, head, number, path_data};
 const GAP: f64 = 20.0;
 /// Pieces begin a new row where one would be longer than this [mm].
 const ROW: f64 = 4000.0;
+/// Side of the square by which a print is measured [mm].
+const SQUARE: f64 = 100.0;
 /// Length of a notch [mm].
 const NOTCH: f64 = 5.0;
 
@@ -32,7 +35,7 @@ const LOOKS: [(&str, &str); 6] = [
 #[must_use]
 pub fn pieces_svg(cut: &CutGarment, language: Language) -> Vec<u8> {
     let mut groups = String::new();
-    let (mut x, mut y, mut row_height) = (GAP, GAP, 0.0_f64);
+    let (mut x, mut y, mut row_height) = (2.0 * GAP + SQUARE, GAP, SQUARE);
     let mut width = 0.0_f64;
     for piece in &cut.garment.pattern.pieces {
         let whole = piece.unfolded();
@@ -55,9 +58,19 @@ pub fn pieces_svg(cut: &CutGarment, language: Language) -> Vec<u8> {
     let mut svg = head(width.max(2.0 * GAP), y + row_height + GAP);
     let name = escape(cut.garment.name.text(language));
     svg.push_str(&format!("<title>{name}</title>\n"));
+    svg.push_str(&square(language));
     svg.push_str(&groups);
     svg.push_str("</svg>\n");
     svg.into_bytes()
+}
+
+/// The square by which a print is measured; it is of no class that is cut.
+fn square(language: Language) -> String {
+    let said = language.pick("この四角は 10 cm × 10 cm", "this square is 10 cm × 10 cm");
+    let middle = GAP + 0.5 * SQUARE;
+    format!(
+        "<g id=\"scale\" class=\"scale\"><rect x=\"{GAP}\" y=\"{GAP}\" width=\"{SQUARE}\" height=\"{SQUARE}\" fill=\"none\" stroke=\"#000000\" stroke-width=\"0.3\"/><text x=\"{middle}\" y=\"{middle}\" font-size=\"6\" text-anchor=\"middle\">{said}</text></g>\n"
+    )
 }
 
 fn write_piece(

@@ -90,7 +90,11 @@ pub fn cut_plan_svg(garments: &[CutGarment], language: Language) -> Vec<u8> {
                 width: 269.0,
                 height: DRAWING,
             };
-            draw_marker(&mut sheet, rect, cut, plan, language);
+            let numbered = draw_marker(&mut sheet, rect, cut, plan, language);
+            if let Some(words) = numbers_words(cut, &numbered, language) {
+                let at = [14.0, top + 16.0 + DRAWING + 4.0];
+                sheet.text(at, &words, &facts, Align::Left);
+            }
             top += height;
         }
     }
@@ -101,10 +105,14 @@ fn write_plan(flow: &mut Flow, cut: &CutGarment, plan: &ClothPlan, language: Lan
     flow.paragraph(&title(cut, plan, language), &TextStyle::bold(17.0));
     flow.paragraph(&about(cut, plan, language), &TextStyle::regular(11.0));
     flow.space(2.0);
+    let mut numbered = Vec::new();
     flow.block(DRAWING, |sheet, rect| {
-        draw_marker(sheet, rect, cut, plan, language);
+        numbered = draw_marker(sheet, rect, cut, plan, language);
     });
     flow.space(3.0);
+    if let Some(words) = numbers_words(cut, &numbered, language) {
+        flow.paragraph(&words, &TextStyle::regular(11.0));
+    }
     for warning in &plan.marker.warnings {
         let text = format!("! {}", warning.text(language));
         flow.paragraph(&text, &TextStyle::bold(10.5));
@@ -205,14 +213,16 @@ pub fn short_words(yardage: &Yardage, language: Language) -> Option<String> {
     })
 }
 
-/// The cloth with its pieces, as large as fits into `rect`.
+/// The cloth with its pieces, as large as fits into `rect`; returns the pieces that were too small for
+/// their names and have numbers instead, from 1 in the order of the pattern.
 pub(crate) fn draw_marker(
     sheet: &mut Sheet,
     rect: Rect,
     cut: &CutGarment,
     plan: &ClothPlan,
     language: Language,
-) {
+) -> Vec<usize> {
+    let mut numbered = Vec::new();
     let marker = &plan.marker;
     let length = marker.yardage.needed.to_m().max(1e-3);
     let width = marker.cloth.width.to_m();
@@ -266,10 +276,34 @@ pub(crate) fn draw_marker(
             Stroke::solid(0.35)
         };
         sheet.path(outline(&placed.outline, page), fill, Some(line));
-        draw_inside(sheet, (cut, is_printed), placed, page, language);
+        if draw_inside(sheet, (cut, is_printed), placed, page, language) {
+            numbered.push(placed.piece);
+        }
     }
+    numbered.sort_unstable();
+    numbered.dedup();
     draw_edges(sheet, marker, page, [length, folded], language);
     draw_measures(sheet, marker, page, [length, across], language);
+    numbered
+}
+
+/// What the numbers on small pieces mean; `None` where there are none.
+pub(crate) fn numbers_words(
+    cut: &CutGarment,
+    numbered: &[usize],
+    language: Language,
+) -> Option<String> {
+    let names: Vec<String> = (numbered.iter())
+        .filter_map(|&index| {
+            let name = cut.garment.pattern.pieces.get(index)?.name.text(language);
+            Some(format!("{} {name}", index + 1))
+        })
+        .collect();
+    let names = names.join(language.pick("、", ", "));
+    (!numbered.is_empty()).then(|| match language {
+        Language::Japanese => format!("図の番号: {names}。"),
+        Language::English => format!("Numbers in the drawing: {names}."),
+    })
 }
 
 /// The print on the cloth as its pieces will have it; whether there is one to show.
@@ -307,14 +341,17 @@ fn lying_width(marker: &Marker) -> f64 {
     }
 }
 
-/// Stitching line, grain and name of a laid piece.
+/// Names are no smaller than old eyes read [pt].
+const LEAST_NAME: f64 = 8.0;
+
+/// Stitching line, grain and name of a laid piece; whether it has its number instead of its name.
 fn draw_inside(
     sheet: &mut Sheet,
     (cut, is_printed): (&CutGarment, bool),
     placed: &lole_pattern::marker::Placed,
     page: Affine,
     language: Language,
-) {
+) -> bool {
     let piece = &cut.garment.pattern.pieces[placed.piece];
     let shown = if placed.is_on_fold {
         piece.clone()
@@ -343,20 +380,26 @@ fn draw_inside(
     // Above the grain arrow, where there is room for both.
     let room = scale_of(to_page) * drawing.label_room;
     let most = (0.8 * room / MM_PER_PT).clamp(5.0, 12.0);
-    if let Some(style) = fitting(name, 0.9 * bounds.width(), most) {
-        if is_printed {
-            // Letters are read on white, not on flowers.
-            let width = style.width_of(name) + style.em();
-            let plate = Rect {
-                x: at.x - 0.5 * width,
-                y: at.y - 1.35 * style.em(),
-                width,
-                height: 1.5 * style.em(),
-            };
-            sheet.rect(plate, Some(Color::WHITE), None);
-        }
-        sheet.text([at.x, at.y - 0.3 * style.em()], name, &style, Align::Center);
+    let fitted = fitting(name, 0.9 * bounds.width(), most);
+    let fitted = fitted.filter(|style| LEAST_NAME <= style.size_pt);
+    let number = (placed.piece + 1).to_string();
+    let (name, style) = match fitted {
+        Some(style) => (name, style),
+        None => (number.as_str(), TextStyle::bold(9.0)),
+    };
+    if is_printed {
+        // Letters are read on white, not on flowers.
+        let width = style.width_of(name) + style.em();
+        let plate = Rect {
+            x: at.x - 0.5 * width,
+            y: at.y - 1.35 * style.em(),
+            width,
+            height: 1.5 * style.em(),
+        };
+        sheet.rect(plate, Some(Color::WHITE), None);
     }
+    sheet.text([at.x, at.y - 0.3 * style.em()], name, &style, Align::Center);
+    fitted.is_none()
 }
 
 /// Selvages and fold, said along them.

@@ -16,6 +16,7 @@ use lole_pattern::piece::{ClothRole, CutCount, Finish, Piece};
 use lole_pattern::polygon::Polygon;
 
 use super::draw::{fitting, full_size, outline};
+use super::label::Label;
 use super::{CutGarment, MM, TOLERANCE, cut_words};
 use crate::pdf::{Align, Color, Item, Paper, Rect, Sheet, Stroke, TextStyle};
 
@@ -29,6 +30,9 @@ const DIAMOND: f64 = 3.0;
 const TEST_SQUARE: f64 = 100.0;
 /// Pieces keep this distance from the border of the drawing [mm].
 const BORDER: f64 = 4.0;
+
+/// Room for the name of a tile at its upper edge [mm].
+const TILE_NAME: f64 = 16.0;
 
 /// Half the space between two pieces on paper [mm].
 const SPACE: f64 = 3.0;
@@ -170,6 +174,17 @@ impl Layout {
         kurbo::Rect::from_origin_size(origin, (x + OVERLAP, y + OVERLAP))
     }
 
+    /// What of a window lies on no other sheet, below the name of the tile [mm].
+    fn room(&self, tile: [u32; 2]) -> kurbo::Rect {
+        let window = self.window(tile);
+        kurbo::Rect::new(
+            window.x0 + OVERLAP,
+            window.y0 + OVERLAP.max(TILE_NAME),
+            window.x1 - OVERLAP,
+            window.y1 - OVERLAP,
+        )
+    }
+
     /// Tiles that hold a part of a piece, row by row.
     fn used_tiles(&self) -> Vec<[u32; 2]> {
         let to_drawing = self.drawing_from_marker();
@@ -307,7 +322,8 @@ fn touches(outline: &Polygon, window: kurbo::Rect) -> bool {
             .any(|side| frame.sides().any(|edge| cross(side, edge)))
 }
 
-fn cross([a, b]: [Point; 2], [c, d]: [Point; 2]) -> bool {
+/// Whether two segments cross within both.
+pub(super) fn cross([a, b]: [Point; 2], [c, d]: [Point; 2]) -> bool {
     let turn = |p: Point, q: Point, r: Point| (q - p).cross(r - p);
     turn(a, b, c) * turn(a, b, d) < 0.0 && turn(c, d, a) * turn(c, d, b) < 0.0
 }
@@ -400,17 +416,15 @@ fn draw_pieces(
     language: Language,
 ) -> Vec<Item> {
     let mut sheet = Sheet::new([0.0, 0.0]);
+    let tiles = layout.used_tiles();
+    let rooms: Vec<kurbo::Rect> = tiles.iter().map(|tile| layout.room(*tile)).collect();
     for placed in &layout.marker.placed {
         let piece = free[placed.piece];
         let to_drawing = layout.drawing_from_marker() * placed.cloth_from_piece;
         let drawing = piece.drawing(TOLERANCE);
-        full_size(
-            &mut sheet,
-            &drawing,
-            &label(cut, piece, language),
-            to_drawing,
-            language,
-        );
+        let words = label(cut, piece, language);
+        let place = Label::of(&drawing, &words, to_drawing, &rooms);
+        full_size(&mut sheet, &drawing, (&words, &place), to_drawing, language);
     }
     sheet.items
 }

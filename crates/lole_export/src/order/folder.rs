@@ -6,6 +6,7 @@ use lole_costume::cost::{self, Bill};
 use lole_costume::document::Design;
 use lole_costume::order::{self, DancerPlan, Group, PrintTotal, Settings};
 use lole_language::Language;
+use rayon::prelude::*;
 
 use super::{Order, order_json, order_sheets};
 use crate::ExportError;
@@ -32,6 +33,8 @@ pub struct OrderParts<'a> {
     pub language: Language,
     /// Version of the program.
     pub version: &'static str,
+    /// Files that were written into the folder beside these, by their paths in it: kept pictures.
+    pub kept_files: &'a [String],
 }
 
 /// The files of an order, and what of them is told on a screen.
@@ -47,6 +50,47 @@ pub struct OrderFolder {
 
 /// How the files of patterns begin.
 pub const PATTERN_FILES: &str = "pattern-";
+/// The order as data.
+pub const ORDER_JSON: &str = "order.json";
+/// Folder of the pictures that a command keeps, within the order's.
+pub const PICTURE_FOLDER: &str = "pictures";
+
+/// The files of an order's folder by the list in its [`ORDER_JSON`]; none where there is no such list.
+/// Only names that orders give are taken from it, so that a list that somebody wrote names no other file.
+#[must_use]
+pub fn listed_files(json: &str) -> Vec<String> {
+    let order: serde_json::Value = serde_json::from_str(json).unwrap_or_default();
+    let files = order["files"].as_array().map_or(&[][..], Vec::as_slice);
+    let names = files.iter().filter_map(|name| name.as_str());
+    names
+        .filter(|name| is_of_order(name))
+        .map(str::to_owned)
+        .collect()
+}
+
+/// Whether orders write files of this name.
+fn is_of_order(name: &str) -> bool {
+    let is_plain = |name: &str| !name.contains(['/', '\\', ':']) && !name.contains("..");
+    let ends = |name: &str, end: &str| {
+        std::path::Path::new(name)
+            .extension()
+            .is_some_and(|found| found == end)
+    };
+    if let Some(picture) = name.strip_prefix(PICTURE_FOLDER) {
+        let picture = picture.strip_prefix('/').unwrap_or_default();
+        return is_plain(picture) && ends(picture, "jpg");
+    }
+    let is_pattern = name.starts_with(PATTERN_FILES) && ends(name, "pdf");
+    is_plain(name) && (is_pattern || ["order.pdf", "booklet.pdf", ORDER_JSON].contains(&name))
+}
+
+/// What an earlier order of the folder wrote, by its list, and this one did not.
+#[must_use]
+pub fn left_behind(earlier: &str, now: &str) -> Vec<String> {
+    let kept = listed_files(now);
+    let earlier = listed_files(earlier).into_iter();
+    earlier.filter(|name| !kept.contains(name)).collect()
+}
 
 /// Repeats on cut plans of booklets are drawn with so many pixels on a side.
 const PRINT_SIDE: u32 = 512;
@@ -54,9 +98,15 @@ const PRINT_SIDE: u32 = 512;
 /// The summary with shopping list and labels, the sewing booklet, every dancer's paper patterns where
 /// her garments have any, and the same as data.
 ///
+/// `goes_on` is asked once for each dancer, from any thread, before her patterns are laid out; where it
+/// says no they are left out, and the folder is not to be used.
+///
 /// # Errors
 /// [`ExportError`] of the encoders.
-pub fn order_folder(parts: &OrderParts<'_>) -> Result<OrderFolder, ExportError> {
+pub fn order_folder(
+    parts: &OrderParts<'_>,
+    goes_on: &(dyn Fn() -> bool + Sync),
+) -> Result<OrderFolder, ExportError> {
     let (design, plans) = (parts.design, &parts.group.plans);
     let bills: Vec<Bill> = plans.iter().map(|plan| cost::bill(design, plan)).collect();
     let prints = order::prints(plans, design, parts.settings);
@@ -70,7 +120,7 @@ pub fn order_folder(parts: &OrderParts<'_>) -> Result<OrderFolder, ExportError> 
         prints: &prints,
         notions: &order::notions(plans),
         bills: &bills,
-        total: &cost::sum(&bills, &design.cost),
+        total: &cost::group_bill(design, plans, &prints),
         problems: &parts.group.problems,
         notes: &notes,
         settings: parts.settings,
@@ -85,7 +135,6 @@ pub fn order_folder(parts: &OrderParts<'_>) -> Result<OrderFolder, ExportError> 
         };
         document.to_bytes()
     };
-    let json = order_json(&order, parts.version)?;
     let mut files = vec![(
         "order.pdf".to_owned(),
         pdf(order_sheets(&order, paper, language))?,
@@ -106,8 +155,17 @@ pub fn order_folder(parts: &OrderParts<'_>) -> Result<OrderFolder, ExportError> 
         let sheets = booklet_sheets(&booklet, paper, language);
         files.push(("booklet.pdf".to_owned(), pdf(sheets)?));
     }
-    files.extend(paper_patterns(plans, &parts.title, (paper, language))?);
-    files.push(("order.json".to_owned(), json.clone().into_bytes()));
+    files.extend(paper_patterns(
+        plans,
+        &parts.title,
+        (paper, language),
+        goes_on,
+    )?);
+    let mut names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
+    names.push(ORDER_JSON);
+    names.extend(parts.kept_files.iter().map(String::as_str));
+    let json = order_json(&order, parts.version, &names)?;
+    files.push((ORDER_JSON.to_owned(), json.clone().into_bytes()));
     Ok(OrderFolder {
         files,
         prints,
@@ -120,23 +178,15 @@ fn paper_patterns(
     plans: &[DancerPlan],
     title: &str,
     (paper, language): (Paper, Language),
+    goes_on: &(dyn Fn() -> bool + Sync),
 ) -> Result<Vec<(String, Vec<u8>)>, ExportError> {
-    let mut files = Vec::new();
-    for (number, plan) in (1..).zip(plans) {
-        let sheets: Vec<Sheet> = (plan.garments.iter())
-            .filter_map(|garment| {
-                let cut = CutGarment {
-                    garment: garment.tailored.clone(),
-                    plans: garment.plans.clone(),
-                    print: None,
-                    owner: plan.name.clone(),
-                };
-                tiled_sheets(&cut, paper, language)
-            })
-            .flat_map(|pattern| pattern.sheets)
-            .collect();
+    let of_dancer = |(index, plan): (usize, &DancerPlan)| {
+        if !goes_on() {
+            return Ok(None);
+        }
+        let sheets = pattern_sheets(plan, (paper, language));
         if sheets.is_empty() {
-            continue;
+            return Ok(None);
         }
         let document = Document {
             title: format!("{title}: {}", plan.name),
@@ -144,11 +194,26 @@ fn paper_patterns(
             sheets,
         };
         let size = paper.name().to_ascii_lowercase();
-        let who = file_word(&plan.name);
+        let (number, who) = (index + 1, file_word(&plan.name));
         let name = format!("{PATTERN_FILES}{number:03}-{who}-{size}.pdf");
-        files.push((name, document.to_bytes()?));
-    }
-    Ok(files)
+        Ok(Some((name, document.to_bytes()?)))
+    };
+    let files: Result<Vec<_>, ExportError> = plans.par_iter().enumerate().map(of_dancer).collect();
+    Ok(files?.into_iter().flatten().collect())
+}
+
+/// One dancer's patterns at full size; none where all of hers are drawn by ruler.
+fn pattern_sheets(plan: &DancerPlan, (paper, language): (Paper, Language)) -> Vec<Sheet> {
+    let tiled = plan.garments.iter().filter_map(|garment| {
+        let cut = CutGarment {
+            garment: garment.tailored.clone(),
+            plans: garment.plans.clone(),
+            print: None,
+            owner: plan.name.clone(),
+        };
+        tiled_sheets(&cut, paper, language)
+    });
+    tiled.flat_map(|pattern| pattern.sheets).collect()
 }
 
 /// A name as part of a file's: letters and digits, whatever the script.
@@ -162,4 +227,23 @@ fn file_word(name: &str) -> String {
         }
     });
     letters.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Only what an earlier list names goes, and only names that orders give.
+    #[test]
+    fn what_no_order_wrote_stays() {
+        let earlier = r#"{"files": ["order.pdf", "pattern-003-花子-a4.pdf", "pictures/003-0a.jpg",
+            "../secret.pdf", "notes.txt", "pattern-../x.pdf", "pictures/../order.jpg", "photo.jpg",
+            "pattern-/etc/x.pdf", 7, "order.json"]}"#;
+        let now = r#"{"files": ["order.pdf", "order.json", "booklet.pdf"]}"#;
+        let gone = ["pattern-003-花子-a4.pdf", "pictures/003-0a.jpg"];
+        assert_eq!(left_behind(earlier, now), gone);
+        assert!(left_behind("no json", now).is_empty());
+        assert!(left_behind(r#"{"dancers": []}"#, now).is_empty());
+        assert!(left_behind(now, now).is_empty());
+    }
 }

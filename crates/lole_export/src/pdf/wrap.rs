@@ -12,6 +12,25 @@ const NOT_LAST: &str = "「『（〔［｛〈《【‘“([{¥￥$＄№";
 /// Stay on the line of their number.
 const UNITS: [&str; 9] = ["cm", "mm", "m", "yd", "in", "g", "kg", "h", "min"];
 
+/// What is counted in Japanese stays on the line of its number too.
+const COUNTERS: [&str; 12] = [
+    "ヤード",
+    "本",
+    "枚",
+    "個",
+    "組",
+    "粒",
+    "巻き",
+    "分",
+    "時間",
+    "人",
+    "周",
+    "段",
+];
+
+/// Words of katakana are broken only where they are longer than this.
+const LONGEST_KATAKANA: usize = 8;
+
 /// Breaks `text` into lines no wider than `width` [mm]; `\n` ends a line. A word longer than a line is
 /// broken where it must be, so that nothing is ever wider.
 #[must_use]
@@ -90,10 +109,22 @@ fn may_break(before: &str, after: &str) -> bool {
         let word = after
             .split(|letter: char| !letter.is_ascii_alphabetic())
             .next();
-        return !(number && word.is_some_and(|word| UNITS.contains(&word)));
+        let is_unit = word.is_some_and(|word| UNITS.contains(&word))
+            || COUNTERS.iter().any(|counter| after.starts_with(counter));
+        return !(number && is_unit);
+    }
+    if is_katakana(left) && is_katakana(right) {
+        let to_left = before.chars().rev().take_while(|one| is_katakana(*one));
+        let to_right = after.chars().take_while(|one| is_katakana(*one));
+        return LONGEST_KATAKANA < to_left.count() + to_right.count();
     }
     // A number stays with what it counts: 3本, 4段.
     (is_wide(left) || is_wide(right)) && !(left.is_ascii_digit() && is_wide(right))
+}
+
+/// Letters of one word: the middle dot parts words.
+fn is_katakana(letter: char) -> bool {
+    matches!(letter, 'ァ'..='ヺ' | 'ー')
 }
 
 /// Letters of an em's width, between which a line may end.
@@ -140,7 +171,8 @@ mod tests {
             }
         }
         assert_eq!(atoms("a 4 yd b"), ["a ", "4 yd ", "b"]);
-        assert_eq!(atoms("ゴム3本"), ["ゴ", "ム", "3本"]);
+        assert_eq!(atoms("ゴム3本"), ["ゴム", "3本"]);
+        assert_eq!(atoms("布（4.5 ヤード）"), ["布", "（4.5 ヤード）"]);
     }
 
     #[test]

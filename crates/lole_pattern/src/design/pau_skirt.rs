@@ -194,12 +194,17 @@ pub enum PauWarning {
     },
     /// An elastic has to stretch further than flat braided elastic does.
     #[error(
-        "the elastic must stretch {stretch:.2} times to go over the hips and braided elastic \
-         gives {limit:.1}; cut it longer"
+        "a ring of elastic of {ring_cm:.1} cm does not go over hips of {hip_cm:.1} cm (flat braided \
+         elastic stretches {limit:.1} times); make the ring at least {least_cm:.1} cm, or use softer \
+         elastic"
     )]
     ElasticStretch {
-        /// Stretch needed to pull the skirt over the hips.
-        stretch: f64,
+        /// The sewn ring of the tightest elastic, at rest [cm].
+        ring_cm: f64,
+        /// Girth of the hips [cm].
+        hip_cm: f64,
+        /// Smallest ring that goes over them [cm].
+        least_cm: f64,
         /// Stretch a braided elastic gives.
         limit: f64,
     },
@@ -225,9 +230,14 @@ impl Bilingual for PauWarning {
                 "裁ち丈が {cut_cm:.1} cm で、布幅 {width_cm:.1} cm に収まりません。\
                  丈を {longest_cm:.1} cm までにするか、ゴムの段を減らすか、幅の広い布にしてください"
             ),
-            Self::ElasticStretch { stretch, limit } => format!(
-                "腰を通すのにゴムが {stretch:.2} 倍伸びる必要がありますが、コールゴムは {limit:.1} 倍までです。\
-                 長めに切ってください"
+            Self::ElasticStretch {
+                ring_cm,
+                hip_cm,
+                least_cm,
+                limit,
+            } => format!(
+                "輪にして {ring_cm:.1} cm のゴムは、{hip_cm:.1} cm のヒップを通りません（コールゴムは {limit:.1} 倍まで伸びます）。\
+                 輪を {least_cm:.1} cm 以上にするか、よく伸びるソフトゴムを使ってください"
             ),
             Self::BulkyBand { per_cm } => format!(
                 "縮んだゴム 1 cm あたり布が {per_cm:.1} cm になります。腰まわりが厚くなるので、\
@@ -369,14 +379,17 @@ fn warnings(
         });
     }
     let ring_cm = measurements.worn_girth.to_cm() * options.elastic_ratio.get();
-    let stretch = measurements.hip_girth.to_cm() / ring_cm;
-    if BRAIDED_ELASTIC_STRETCH < stretch {
+    let hip_cm = measurements.hip_girth.to_cm();
+    if BRAIDED_ELASTIC_STRETCH * ring_cm < hip_cm {
         warnings.push(PauWarning::ElasticStretch {
-            stretch,
+            ring_cm,
+            hip_cm,
+            // The next millimeter.
+            least_cm: (10.0 * hip_cm / BRAIDED_ELASTIC_STRETCH).ceil() / 10.0,
             limit: BRAIDED_ELASTIC_STRETCH,
         });
     }
-    let per_cm = measurements.hip_girth.to_cm() * options.gather_ratio.get() / ring_cm;
+    let per_cm = hip_cm * options.gather_ratio.get() / ring_cm;
     if CROWDED_BAND < per_cm {
         warnings.push(PauWarning::BulkyBand { per_cm });
     }

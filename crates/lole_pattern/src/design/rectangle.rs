@@ -92,6 +92,8 @@ impl PauDraft {
                 kind: NotionKind::Cord,
                 name: self.widths().1,
                 amount: Amount::Length(length * tape_count as f64),
+                pieces: u32::try_from(tape_count).unwrap_or(1),
+                place: None,
                 note: Some(pieces_of(tape_count, length)),
             });
         }
@@ -99,6 +101,8 @@ impl PauDraft {
             kind: NotionKind::Thread,
             name: words("ミシン糸", "sewing thread"),
             amount: Amount::Length(self.thread),
+            pieces: 1,
+            place: None,
             note: None,
         });
         notions
@@ -113,33 +117,42 @@ impl PauDraft {
         };
         let casing = at(PauLine::CasingBottom) - at(PauLine::CasingTop);
         match casing.to_cm() {
+            cm if cm < 0.7 => (
+                words("丸ゴム（太さ 2 mm）", "round elastic (2 mm)"),
+                words("ゴム通し用テープ（1 cm 幅）", "casing tape (1 cm)"),
+            ),
+            cm if cm < 0.9 => (
+                words("平ゴム（3～4 mm 幅）", "flat braided elastic (3 to 4 mm)"),
+                words("ゴム通し用テープ（1 cm 幅）", "casing tape (1 cm)"),
+            ),
+            cm if cm < 1.3 => (
+                words("平ゴム（5～6 mm 幅）", "flat braided elastic (5 to 6 mm)"),
+                words("ゴム通し用テープ（1.5 cm 幅）", "casing tape (1.5 cm)"),
+            ),
             cm if cm < 1.9 => (
-                words(
-                    "平ゴム（8～10 mm 幅）",
-                    "flat braided elastic, 8 to 10 mm wide",
-                ),
-                words("ゴム通し用テープ（2 cm 幅）", "casing tape, 2 cm wide"),
+                words("平ゴム（8～10 mm 幅）", "flat braided elastic (8 to 10 mm)"),
+                words("ゴム通し用テープ（2 cm 幅）", "casing tape (2 cm)"),
             ),
             cm if cm < 2.4 => (
-                words("平ゴム（15 mm 幅）", "flat braided elastic, 15 mm wide"),
-                words("ゴム通し用テープ（2.5 cm 幅）", "casing tape, 2.5 cm wide"),
+                words("平ゴム（15 mm 幅）", "flat braided elastic (15 mm)"),
+                words("ゴム通し用テープ（2.5 cm 幅）", "casing tape (2.5 cm)"),
             ),
             cm if cm < 3.0 => (
-                words("平ゴム（20 mm 幅）", "flat braided elastic, 20 mm wide"),
-                words("ゴム通し用テープ（3 cm 幅）", "casing tape, 3 cm wide"),
+                words("平ゴム（20 mm 幅）", "flat braided elastic (20 mm)"),
+                words("ゴム通し用テープ（3 cm 幅）", "casing tape (3 cm)"),
             ),
             cm if cm < 4.0 => (
-                words("平ゴム（25 mm 幅）", "flat braided elastic, 25 mm wide"),
-                words("ゴム通し用テープ（4 cm 幅）", "casing tape, 4 cm wide"),
+                words("平ゴム（25 mm 幅）", "flat braided elastic (25 mm)"),
+                words("ゴム通し用テープ（4 cm 幅）", "casing tape (4 cm)"),
             ),
             _ => (
                 words(
                     "平ゴム（ゴム通しより 5 mm 細いもの）",
-                    "flat elastic, 5 mm narrower than its casing",
+                    "flat elastic (5 mm narrower than its casing)",
                 ),
                 words(
                     "ゴム通し用テープ（ゴム通しより 1 cm 広いもの）",
-                    "casing tape, 1 cm wider than its casing",
+                    "casing tape (1 cm wider than its casing)",
                 ),
             ),
         }
@@ -152,6 +165,8 @@ impl PauDraft {
             kind: NotionKind::Elastic,
             name: self.widths().0,
             amount: Amount::Length(row.cut_length),
+            pieces: 1,
+            place: None,
             note: None,
         })
         .collect()

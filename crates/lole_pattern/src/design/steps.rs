@@ -9,13 +9,11 @@ use lole_language::{Sentence, words};
 
 use super::pau_skirt::{LineKind, PauDraft};
 use crate::pattern::{Figure, Step};
+use crate::piece::hem_turns;
 
 /// Pinning and sewing a meter of straight seam with a machine, and by hand [min/m]. Estimates: makers
 /// sew 1.5 to 4 m an hour by hand.
 const MINUTES_PER_METER: [f64; 2] = [2.5, 24.0];
-
-/// Turned under at the raw edge of the hem.
-const HEM_TURN: Length = Length::from_cm(1.0);
 
 /// Indices of the piece and of its one seam in the pattern.
 const PANEL: usize = 0;
@@ -107,7 +105,11 @@ fn mark(draft: &PauDraft, sewn: Option<&Sewn>) -> Step {
         Some((last, above)) if is_hemmed => (Some(last.from_edge), above),
         _ => (None, &draft.lines[..count]),
     };
-    let distances: Vec<String> = (above.iter().map(|line| line.from_edge))
+    // Casings of the band are drawn once it is folded: on the cloth they would lie under the fold.
+    let (band, tapes) = (2, 2 + 2 * draft.band_row_count);
+    let (head, taped) = (&above[..band.min(above.len())], above.get(tapes..));
+    let taped = taped.unwrap_or_default();
+    let distances: Vec<String> = (head.iter().chain(taped).map(|line| line.from_edge))
         .chain(placement)
         .chain(hem)
         .map(cm)
@@ -116,7 +118,7 @@ fn mark(draft: &PauDraft, sewn: Option<&Sewn>) -> Step {
     let names = [
         Some(words("折り代", "the turned edge")),
         Some(words("上の折り山", "the top fold")),
-        Some(words("ゴム通しの縫い線", "the stitches of the casings")),
+        (!taped.is_empty()).then_some(words("テープの縫い線", "the stitches of the tapes")),
         placement.map(|_| words("フリルの付け位置", "the line for the ruffle")),
         hem.map(|_| words("裾の折り線", "the hem fold")),
     ];
@@ -141,7 +143,7 @@ fn mark(draft: &PauDraft, sewn: Option<&Sewn>) -> Step {
         figure: Figure::Piece {
             piece: PANEL,
             edges: Vec::new(),
-            marks: (0..count).chain(placement).collect(),
+            marks: (0..band).chain(tapes..count).chain(placement).collect(),
         },
         minutes: [20.0, 20.0],
     }
@@ -153,19 +155,19 @@ fn close(draft: &PauDraft) -> Step {
     let list = |separator: &str| {
         let ranges = openings
             .iter()
-            .map(|&[from, to]| format!("{}–{}", cm(from), cm(to)));
+            .map(|&[from, to]| format!("{}–{} cm", cm(from), cm(to)));
         ranges.collect::<Vec<_>>().join(separator)
     };
     Step {
         title: words("輪に縫う", "Close the ring"),
         by_machine: Sentence::new(
             format!(
-                "中表に合わせて両端をそろえ、縫い代 {} cm で縫います。ゴムを通す口として、上の切り口から {} cm の間は縫わずにあけ、前後を返し縫いします。縫い代の端をジグザグミシンで始末し、アイロンで割ります。",
+                "中表に合わせて両端をそろえ、縫い代 {} cm で縫います。ゴムを通す口として、上の切り口から測って {} の間は縫わずにあけ、前後を返し縫いします。縫い代の端をジグザグミシンで始末し、アイロンで割ります。",
                 cm(allowance),
                 list("、")
             ),
             format!(
-                "Put the two ends together, right sides facing, and sew them with a seam allowance of {} cm. Leave the seam open at {} cm from the upper raw edge, for the elastic, and stitch back and forth at both ends of each gap. Neaten the allowances with a zigzag stitch and press them open.",
+                "Put the two ends together, right sides facing, and sew them with a seam allowance of {} cm. Leave the seam open, measured from the upper raw edge, at {}, for the elastic, and stitch back and forth at both ends of each gap. Neaten the allowances with a zigzag stitch and press them open.",
                 cm(allowance),
                 list(", ")
             ),
@@ -226,15 +228,21 @@ fn fold_band(draft: &PauDraft) -> Step {
 
 fn stitch_casings(draft: &PauDraft) -> Step {
     let count = draft.band_row_count;
+    let fold = from_edge(draft, LineKind::TopFold);
+    let lines = draft.lines.iter().skip(2).take(2 * count);
+    let below: Vec<String> = lines.map(|line| cm(line.from_edge - fold)).collect();
+    // The lowest one is not drawn: it follows the folded edge.
+    let drawn = &below[..below.len().saturating_sub(1)];
+    let (japanese, english) = (drawn.join("、"), drawn.join(", "));
     Step {
         title: words("ゴム通しを縫う", "Stitch the casings"),
         by_machine: Sentence::new(
             format!(
-                "しるしの線にそって、ゴム通し {count} 段の上と下をぐるりと縫います（{} 周）。いちばん下の線は、折った端から 0.2 cm 内側を縫います。縫い始めと終わりは返し縫いします。",
+                "裏に出ている折り返しに、上の折り山から {japanese} cm の線をチャコで引き、ぐるりと縫います。いちばん下は、折った端から 0.2 cm 内側を縫います。ゴム通し {count} 段の上と下で {} 周です。縫い始めと終わりは返し縫いします。",
                 2 * count
             ),
             format!(
-                "Sew all around along the marked lines, above and below each of the {count} casings: {} rounds. Sew the lowest one 0.2 cm inside the folded edge. Stitch back and forth where each round begins and ends.",
+                "On the folded band, which lies on the wrong side, draw chalk lines {english} cm below the top fold and sew all around along them. Sew the lowest round 0.2 cm inside the folded edge. One above and one below each of the {count} casings make {} rounds. Stitch back and forth where each round begins and ends.",
                 2 * count
             ),
         ),
@@ -285,12 +293,7 @@ fn tape(draft: &PauDraft) -> Option<Step> {
 }
 
 fn hem(draft: &PauDraft) -> Step {
-    let turn = if draft.hem_depth <= HEM_TURN * 2.0 {
-        draft.hem_depth * 0.5
-    } else {
-        HEM_TURN
-    };
-    let (turn, rest) = (cm(turn), cm(draft.hem_depth - turn));
+    let [turn, rest] = hem_turns(draft.hem_depth).map(cm);
     Step {
         title: words("裾を上げる", "Hem"),
         by_machine: Sentence::new(
@@ -319,16 +322,31 @@ fn thread_elastic(draft: &PauDraft) -> Step {
     let overlap = draft.elastic_rows.first();
     let overlap = overlap.map_or(Length::ZERO, |row| row.cut_length - row.ring_length);
     let (count, overlap) = (lengths.len(), cm(overlap));
+    // Rows of one girth take equal pieces.
+    let [japanese, english] = match lengths.split_first() {
+        Some((first, rest)) if rest.iter().all(|length| length == first) => [
+            format!(" {first} cm に {count} 本"),
+            match count {
+                1 => format!("Cut an elastic of {first} cm"),
+                _ => format!("Cut {count} elastics of {first} cm each"),
+            },
+        ],
+        _ => [
+            format!("上の段から順に {} cm に", lengths.join("、")),
+            format!(
+                "Cut {count} elastics, from the top row down {} cm long",
+                lengths.join(", ")
+            ),
+        ],
+    };
     Step {
         title: words("ゴムを通す", "Thread the elastic"),
         by_machine: Sentence::new(
             format!(
-                "ゴムを上の段から順に {} cm に切ります（{count} 本）。ゴム通しで1本ずつ通し、端を {overlap} cm 重ねて、ジグザグに二度縫います。ねじれていないか、縫う前にたしかめます。口をコの字とじで閉じます。",
-                lengths.join("、")
+                "ゴムを{japanese}切ります。ゴム通しで1本ずつ通し、端を {overlap} cm 重ねて、ジグザグに二度縫います。ねじれていないか、縫う前にたしかめます。口をコの字とじで閉じます。"
             ),
             format!(
-                "Cut {count} elastic(s), from the top row down {} cm long. Thread each with a bodkin, make sure that it is not twisted, overlap its ends by {overlap} cm and sew them together twice with a zigzag stitch. Close the gaps with ladder stitches.",
-                lengths.join(", ")
+                "{english}. Thread each with a bodkin, make sure that it is not twisted, overlap its ends by {overlap} cm and sew them together twice with a zigzag stitch. Close the gaps with ladder stitches."
             ),
         ),
         by_hand: Some(Sentence::new(

@@ -19,10 +19,8 @@ pub(super) fn accessory(
 /// Something counted, with a sentence on it.
 pub(super) fn counted(kind: NotionKind, name: Words, count: u32, note: Sentence) -> Notion {
     Notion {
-        kind,
-        name,
-        amount: Amount::Count(count),
         note: Some(note),
+        ..super::making::notion(kind, name, Amount::Count(count))
     }
 }
 

@@ -20,7 +20,7 @@ use super::shape::{CM, DOWN, Label, at, curve, edge, length, line, notch};
 use super::sleeve::{ArmholePart, Sleeve, SleeveFit};
 use super::work::{Work, minutes};
 use super::{OptionRow, Options, Template};
-use crate::pattern::{Amount, Figure, NotionKind, Seam, SeamKind, Step};
+use crate::pattern::{Amount, Figure, Notion, NotionKind, Seam, SeamKind, Step};
 use crate::piece::{CutCount, Finish, Piece};
 use crate::{DraftError, Measure, Measures, Pattern};
 
@@ -281,7 +281,7 @@ fn finish(
     };
     let first_of_sleeve = seams.len();
     seams.extend(sleeve.seams(SLEEVE, [&[whole(BACK)], &[whole(FRONT)]]));
-    let of_sleeve: Vec<usize> = (first_of_sleeve..seams.len()).collect();
+    let of_sleeve = set_in(&seams, first_of_sleeve);
     let necklines = [
         (BACK, edge(BACK, "neckline")),
         (FRONT, edge(FRONT, "neckline")),
@@ -296,14 +296,7 @@ fn finish(
             words("コンシールファスナー", "invisible zip"),
             Amount::Length(Length::from_m(zip)),
         ),
-        elastic(
-            words(
-                "6～8 mm 幅の平ゴム（袖口）",
-                "flat elastic of 6 to 8 mm, for the sleeves",
-            ),
-            2,
-            arm + OVERLAP,
-        ),
+        sleeve_elastic(arm),
     ];
     let hem_around = 2.0
         * [FRONT, BACK]
@@ -330,15 +323,39 @@ fn finish(
     pattern(pieces, seams, notions, steps).drawn_in(SLEEVE, super::sleeve::HEM, arm)
 }
 
+/// Elastic of both sleeves; `arm` is the finished one [m].
+pub(super) fn sleeve_elastic(arm: f64) -> Notion {
+    Notion {
+        place: Some(words("袖口", "sleeves")),
+        ..elastic(
+            words(
+                "6～8 mm 幅の平ゴム（袖口）",
+                "flat elastic (6 to 8 mm, sleeves)",
+            ),
+            2,
+            arm + OVERLAP,
+        )
+    }
+}
+
 /// How the back is closed: a zip of the length `zip`, in a seam of the length `center` [m].
 pub(super) fn zip_step(zip: f64, center: f64, (piece, edge): (usize, usize)) -> Step {
-    let zip_cm = cm(zip);
+    let [zip_cm, below_cm] = [zip, center - zip].map(cm);
+    let is_whole = center - zip < 0.5 * CM;
+    let how = if is_whole {
+        say!(
+            "縫い代の端を先に始末します。後ろ中心の衿ぐりから裾の折り線まで、{zip_cm} cm のファスナーを付けます。",
+            "Neaten the allowances at the middle of the back first. Set the zip of {zip_cm} cm in from the neckline down to the fold of the hem."
+        )
+    } else {
+        say!(
+            "縫い代の端を先に始末します。後ろ中心に {zip_cm} cm のファスナーを衿ぐりから付け、その下の {below_cm} cm を縫い合わせます。",
+            "Neaten the allowances at the middle of the back first. Set the zip of {zip_cm} cm in from the neckline down and sew the {below_cm} cm below it closed."
+        )
+    };
     step(
         words("後ろにファスナーを付ける", "Set in the zip"),
-        say!(
-            "後ろ中心に {zip_cm} cm のファスナーを付け、その下を縫い合わせます。縫い代の端を先に始末します。",
-            "Neaten the allowances at the middle of the back, set in the zip of {zip_cm} cm and sew the seam closed below it."
-        ),
+        how,
         minutes(&[(Work::Zip, 1.0), (Work::Seam, center)]),
     )
     .or_by_hand(say!(
@@ -348,6 +365,13 @@ pub(super) fn zip_step(zip: f64, center: f64, (piece, edge): (usize, usize)) -> 
     .shown(super::making::edges_of(piece, &[edge]))
 }
 
+/// The seams from `first` on by which sleeves are set in, without those of the sleeves themselves.
+pub(super) fn set_in(seams: &[Seam], first: usize) -> Vec<usize> {
+    let is_own = |seam: &Seam| seam.flat.piece == seam.full.piece;
+    let indices = first..seams.len();
+    indices.filter(|&index| !is_own(&seams[index])).collect()
+}
+
 /// How puffed sleeves are made and set in; `arm` is the finished elastic.
 pub(super) fn sleeve_steps(
     sleeve: &Sleeve,
@@ -355,6 +379,7 @@ pub(super) fn sleeve_steps(
     (piece, seams): (usize, Vec<usize>),
 ) -> Vec<Step> {
     let [casing_cm, cut_cm, hem_cm] = [SLEEVE_CASING, arm + OVERLAP, sleeve.hem_width].map(cm);
+    let [arm_cm, overlap_cm] = [arm, OVERLAP].map(cm);
     let cap = sleeve.piece.edges[super::sleeve::CAP].length();
     let cap_cm = cm(cap);
     let set_in = match sleeve.kind {
@@ -371,8 +396,8 @@ pub(super) fn sleeve_steps(
         step(
             words("袖を作る", "Make the sleeves"),
             say!(
-                "袖下を縫い、袖口を {casing_cm} cm 折ってゴム通しを縫います（一か所開ける）。{cut_cm} cm のゴムを通し、{hem_cm} cm の袖口を寄せます。",
-                "Sew the underarm seams, fold {casing_cm} cm at the lower edge for a casing and stitch it, leaving a gap. Draw in {cut_cm} cm of elastic to gather the edge of {hem_cm} cm."
+                "袖下を縫い、袖口を {casing_cm} cm 折ってゴム通しを縫います（一か所開ける）。{cut_cm} cm に切ったゴムを左右に 1 本ずつ通し、端を {overlap_cm} cm 重ねて縫い、{hem_cm} cm の袖口を {arm_cm} cm に寄せます。",
+                "Sew the underarm seams, fold {casing_cm} cm at the lower edge for a casing and stitch it, leaving a gap. Draw an elastic of {cut_cm} cm into each, overlap its ends by {overlap_cm} cm and sew them: the edge of {hem_cm} cm is gathered to {arm_cm} cm."
             ),
             minutes(&[(Work::Seam, 2.0 * sleeve.underarm()), (Work::Hem, 2.0 * sleeve.hem_width)]),
         )

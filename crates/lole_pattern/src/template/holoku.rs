@@ -456,6 +456,7 @@ fn finish(
         neckline,
         shown(&pieces, FRONT_YOKE, &["neckline"]),
     ));
+    steps.push(hook_step());
     steps.push(sleeve_step(sleeve, of_sleeve));
     steps.push(hem_step(body.hem, hems, shown(&pieces, BACK, &["hem"])));
     pattern(pieces, seams, notions, steps)
@@ -546,6 +547,18 @@ fn sleeve_step(sleeve: &Sleeve, seams: Vec<usize>) -> Step {
         ]),
     )
     .shown(Figure::Seams(seams))
+}
+
+/// The hook sits on the finished neckline.
+fn hook_step() -> Step {
+    step(
+        words("ホックを付ける", "Sew on the hook"),
+        say!(
+            "ファスナーの上の端に、衿ぐりの内側からスプリングホックを左右に縫い付けます。",
+            "Sew hook and eye to the two sides of the neckline, on the inside, above the end of the zip."
+        ),
+        [10.0, 10.0],
+    )
 }
 
 fn fasteners(zip: f64) -> Vec<crate::pattern::Notion> {

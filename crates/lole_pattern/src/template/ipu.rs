@@ -5,7 +5,7 @@
 
 use lole_language::words;
 
-use super::accessory::{accessory, counted};
+use super::accessory::{accessory, cord, counted};
 use super::chosen::{Chosen, by_measure, choice};
 use super::making::{cm, say, step};
 use super::{Choice, OptionRow, Options, Template};
@@ -53,6 +53,8 @@ const HEKE: f64 = 1.2;
 /// Greatest width over the height. Estimated.
 const WIDE: f64 = 0.72;
 const HEKE_WIDE: f64 = 0.48;
+/// Cord for neck and wrist [m]. Estimated.
+const CORD: f64 = 60.0 * super::shape::CM;
 /// The lower gourd over the height of an ipu heke. Estimated.
 const LOWER: f64 = 0.62;
 
@@ -69,6 +71,7 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
     let height = chosen.m_or("height_cm", share * arm);
     let [height_cm, wide_cm] = [height, wide * height].map(cm);
     let [lower_cm, upper_cm] = [LOWER * height, (1.0 - LOWER) * height].map(cm);
+    let cord_cm = cm(CORD);
     let gourds = if is_heke { 2 } else { 1 };
     let cut = if is_heke {
         say!(
@@ -99,12 +102,12 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
     steps.push(step(
         words("磨いてひもを付ける", "Polish it and tie a cord on"),
         say!(
-            "口と表面を紙やすりで磨き、手首に掛けるひもを首に結びます。",
-            "Sand mouth and skin and tie a cord for the wrist around the neck."
+            "口と表面を紙やすりで磨き、手首に掛ける {cord_cm} cm のひもを首に結びます。",
+            "Sand mouth and skin and tie a cord of {cord_cm} cm around the neck, for the wrist."
         ),
         [45.0, 45.0],
     ));
-    let notions = vec![counted(
+    let mut notions = vec![counted(
         NotionKind::Gourd,
         words("乾いたひょうたん", "dry gourds"),
         gourds,
@@ -113,6 +116,15 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
             "finished about {height_cm} cm high and {wide_cm} cm wide"
         ),
     )];
+    if is_heke {
+        notions.push(counted(
+            NotionKind::Glue,
+            words("木工用接着剤", "wood glue"),
+            1,
+            say!("つなぎ目に", "for the joint"),
+        ));
+    }
+    notions.push(cord(words("手首に掛けるひも", "cord for the wrist"), CORD));
     let estimate = say!(
         "イプの大きさは目安です。買うときは音を聞いて、クムに相談してください",
         "the size of the ipu is an estimate; to buy one, listen to it and ask your kumu"

@@ -6,7 +6,7 @@
 use lole_language::words;
 
 use super::chosen::{Chosen, by_measure, number};
-use super::making::{NO_WORK, cm, edges_of, hem_in_section, pattern, say, step};
+use super::making::{NO_WORK, cm, edges_of, folds, hem_in_section, pattern, say, step};
 use super::shape::{AROUND, CM, Label, rectangle};
 use super::work::{Work, minutes};
 use super::{OptionRow, Options, Template};
@@ -70,7 +70,8 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
     let label = Label::main("cloth", words("布", "cloth"), CutCount::Alike(1));
     let piece = rectangle(label, [length, height], sides, AROUND);
     let [cut_length, cut_height] = [length, height].map(|side| cm(side + 2.0 * hem));
-    let [hem_cm, knot_cm] = [hem, KNOT].map(cm);
+    let [turn_cm, rest_cm] = folds(hem);
+    let knot_cm = cm(KNOT);
     let steps = vec![
         step(
             words("布を裁つ", "Cut the cloth"),
@@ -84,8 +85,8 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
         step(
             words("四辺を始末する", "Hem all four sides"),
             say!(
-                "四辺を {hem_cm} cm の三つ折りにして縫います。",
-                "Roll {hem_cm} cm of every side to the inside and stitch."
+                "四辺を裏へ {turn_cm} cm、さらに {rest_cm} cm 折って縫います。",
+                "Fold every side to the wrong side by {turn_cm} cm and again by {rest_cm} cm, and stitch."
             ),
             minutes(&[(Work::Hem, 2.0 * (length + height))]),
         )

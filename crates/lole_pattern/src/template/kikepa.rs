@@ -8,7 +8,7 @@ use lole_geom::Length;
 use lole_language::words;
 
 use super::chosen::{Chosen, by_measure, number};
-use super::making::{NO_WORK, cm, edges_of, hem_in_section, pattern, say, step};
+use super::making::{NO_WORK, cm, edges_of, folds, hem_in_section, pattern, say, step};
 use super::pau_skirt::HEM_HEIGHT;
 use super::shape::{AROUND, CM, Label, rectangle};
 use super::work::{Work, minutes};
@@ -80,7 +80,8 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
     let label = Label::main("cloth", words("布", "cloth"), CutCount::Alike(1));
     let piece = rectangle(label, [width, height], sides, AROUND);
     let [cut_width, cut_height] = [width, height].map(|side| cm(side + 2.0 * hem));
-    let [hem_cm, tie_cm, girth_cm] = [hem, chosen.m("tie_cm"), widest].map(cm);
+    let [turn_cm, rest_cm] = folds(hem);
+    let [tie_cm, girth_cm] = [chosen.m("tie_cm"), widest].map(cm);
     let steps = vec![
         step(
             words("布を裁つ", "Cut the cloth"),
@@ -94,8 +95,8 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
         step(
             words("四辺を始末する", "Hem all four sides"),
             say!(
-                "四辺を {hem_cm} cm の三つ折りにして縫います。耳はそのままでもかまいません。",
-                "Roll {hem_cm} cm of every side to the inside and stitch. A selvage may stay as it is."
+                "四辺を裏へ {turn_cm} cm、さらに {rest_cm} cm 折って縫います。耳はそのままでもかまいません。",
+                "Fold every side to the wrong side by {turn_cm} cm and again by {rest_cm} cm, and stitch. A selvage may stay as it is."
             ),
             minutes(&[(Work::Hem, 2.0 * (width + height))]),
         )

@@ -54,6 +54,8 @@ const OPTIONS: &[OptionRow] = &[
 /// Length over the stature: 1 m (40 inches) at 158 cm.
 const CLOSED: f64 = 0.63;
 const OPEN: f64 = 1.0;
+/// Ribbon that hides the knot [m]. Estimated.
+const RIBBON: f64 = 40.0 * CM;
 /// String at each end, for the knot [m].
 const END: f64 = 15.0 * CM;
 
@@ -65,11 +67,11 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
     let long = chosen.m_or("length_cm", share * measures.stature.to_m());
     let count = whole(long / CM * chosen.number("flowers_per_cm_ratio"));
     let string = long + 2.0 * END;
-    let [long_cm, string_cm] = [long, string].map(cm);
+    let [long_cm, string_cm, ribbon_cm] = [long, string, RIBBON].map(cm);
     let close = if is_closed {
         say!(
-            "{long_cm} cm になったら糸の両端を固く結び、リボンで隠します。",
-            "When it measures {long_cm} cm tie both ends of the string firmly and hide the knot with a ribbon."
+            "{long_cm} cm になったら糸の両端を固く結び、{ribbon_cm} cm のリボンで隠します。",
+            "When it measures {long_cm} cm tie both ends of the string firmly and hide the knot with {ribbon_cm} cm of ribbon."
         )
     } else {
         say!(
@@ -88,7 +90,7 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
         ),
         step(words("仕上げる", "Finish"), close, [10.0, 10.0]),
     ];
-    let notions = vec![
+    let mut notions = vec![
         counted(
             NotionKind::Flower,
             words("花（造花または生花）", "flowers, artificial or fresh"),
@@ -100,6 +102,12 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
         ),
         cord(words("丈夫な糸", "strong string"), string),
     ];
+    if is_closed {
+        notions.push(cord(
+            words("結び目を隠すリボン", "ribbon for the knot"),
+            RIBBON,
+        ));
+    }
     let estimate = say!(
         "花の数と長さは目安です。花の大きさに合わせてください",
         "number of flowers and length are estimates; go by the size of your flowers"

@@ -143,12 +143,23 @@ pub(super) fn both_sides(seam: Seam) -> [Seam; 2] {
     })
 }
 
+/// How far a hem is folded to the wrong side, first and then again [cm]: by halves where it is narrow.
+pub(super) fn folds(hem: f64) -> [String; 2] {
+    let [turn, rest] = crate::piece::hem_turns(Length::from_m(hem));
+    [turn, rest].map(|fold| {
+        let hundredths = (fold.to_m() * 1.0e4).round() / 100.0;
+        format!("{hundredths}")
+    })
+}
+
 /// A notion.
 pub(super) const fn notion(kind: NotionKind, name: Words, amount: Amount) -> Notion {
     Notion {
         kind,
         name,
         amount,
+        pieces: 1,
+        place: None,
         note: None,
     }
 }
@@ -157,6 +168,7 @@ pub(super) const fn notion(kind: NotionKind, name: Words, amount: Amount) -> Not
 pub(super) fn elastic(name: Words, count: u32, cut: f64) -> Notion {
     let each = cm(cut);
     Notion {
+        pieces: count,
         note: Some(say!("{each} cm を {count} 本", "{count} of {each} cm")),
         ..notion(
             NotionKind::Elastic,

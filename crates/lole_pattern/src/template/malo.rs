@@ -7,7 +7,7 @@
 use lole_language::words;
 
 use super::chosen::{Chosen, by_measure, number};
-use super::making::{NO_WORK, cm, edges_of, hem_in_section, pattern, say, step};
+use super::making::{NO_WORK, cm, edges_of, folds, hem_in_section, pattern, say, step};
 use super::shape::{AROUND, CM, Label, rectangle};
 use super::work::{Work, minutes};
 use super::{OptionRow, Options, Template};
@@ -79,7 +79,8 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
     let label = Label::main("strip", words("帯布", "strip"), CutCount::Alike(1));
     let piece = rectangle(label, [length, width], sides, AROUND);
     let [cut_length, cut_width] = [length, width].map(|side| cm(side + 2.0 * hem));
-    let [hem_cm, flap_cm, waist_cm] = [hem, flap, waist].map(cm);
+    let [turn_cm, rest_cm] = folds(hem);
+    let [flap_cm, waist_cm] = [flap, waist].map(cm);
     let yards = (lole_geom::Length::from_m(length).to_yd() * 10.0).round() / 10.0;
     let steps = vec![
         step(
@@ -94,8 +95,8 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
         step(
             words("まわりを始末する", "Hem all sides"),
             say!(
-                "四辺を {hem_cm} cm の三つ折りにして縫います。",
-                "Roll {hem_cm} cm of every side to the inside and stitch."
+                "四辺を裏へ {turn_cm} cm、さらに {rest_cm} cm 折って縫います。",
+                "Fold every side to the wrong side by {turn_cm} cm and again by {rest_cm} cm, and stitch."
             ),
             minutes(&[(Work::Hem, 2.0 * (length + width))]),
         )

@@ -10,16 +10,14 @@ use lole_language::words;
 use super::block::{Block, Fit};
 use super::blouse::{
     ARM_EASE, BUST_EASE, NECK_LOWER, NECK_LOWER_KEY, NECK_WIDER, PUFF, SLEEVE_CASING, flat_front,
-    sleeve_steps,
+    set_in, sleeve_elastic, sleeve_steps,
 };
 use super::chosen::{Chosen, choice, number};
 use super::fitted::{
     FITTED_SEAM, binding, binding_seams, binding_step, closing_step, cutting_step, hem_step, place,
     shown,
 };
-use super::making::{
-    both_sides, cm, eased, elastic, gathered, notion, pattern, plain, say, side, step,
-};
+use super::making::{both_sides, cm, eased, gathered, notion, pattern, plain, say, side, step};
 use super::pau_skirt::HEM_HEIGHT;
 use super::shape::{AROUND, CM, DOWN, Label, at, beside, curve, edge, line, marked, rectangle};
 use super::sleeve::{ArmholePart, Sleeve, SleeveFit};
@@ -389,7 +387,7 @@ fn finish(
         parts(FRONT, FRONT_YOKE, front),
     ];
     seams.extend(sleeve.seams(SLEEVE, [&armholes[0], &armholes[1]]));
-    let of_sleeve: Vec<usize> = (first..seams.len()).collect();
+    let of_sleeve = set_in(&seams, first);
     let necklines = [
         (BACK_YOKE, of(BACK_YOKE, "neckline")),
         (FRONT_YOKE, of(FRONT_YOKE, "neckline")),
@@ -477,13 +475,16 @@ fn yoke_step(pieces: &[Piece], seams: Vec<usize>) -> Step {
     .shown(crate::pattern::Figure::Seams(seams))
 }
 
+/// Of the strip that binds the slit, for its ends and the loop [m].
+const LOOP: f64 = 8.0 * CM;
+
 fn slit_step(slit: f64) -> Step {
-    let slit_cm = cm(slit);
+    let [slit_cm, strip_cm] = [slit, 2.0 * slit + LOOP].map(cm);
     step(
         words("後ろあきを作る", "Make the back opening"),
         say!(
-            "後ろヨークの中心に {slit_cm} cm の切り込みを入れ、細いバイアス布でくるみ、上にループとボタンを付けます。",
-            "Slit the middle of the back yoke for {slit_cm} cm, bind the slit narrowly on the bias and close it with a loop and a button."
+            "後ろヨークの中心に {slit_cm} cm の切り込みを入れます。残り布から斜めに裁った幅 2.5 cm、長さ {strip_cm} cm のバイアス布で、切り込みをくるみ、余りでループを作ります。上にループとボタンを付けます。",
+            "Slit the middle of the back yoke for {slit_cm} cm. Bind the slit with a strip cut on the bias from what is left of the cloth, 2.5 cm by {strip_cm} cm, make a loop of the rest, and close the top with loop and button."
         ),
         minutes(&[(Work::Slit, 1.0)]),
     )
@@ -510,14 +511,7 @@ fn ruffle_step(pieces: &[Piece]) -> Step {
 }
 
 fn notions(arm: f64, slit: f64) -> Vec<Notion> {
-    let mut notions = vec![elastic(
-        words(
-            "6～8 mm 幅の平ゴム（袖口）",
-            "flat elastic of 6 to 8 mm, for the sleeves",
-        ),
-        2,
-        arm + 2.0 * CM,
-    )];
+    let mut notions = vec![sleeve_elastic(arm)];
     notions.extend((0.0 < slit).then(button));
     notions
 }

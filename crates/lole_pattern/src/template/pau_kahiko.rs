@@ -100,6 +100,7 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
     let cord_cut = worn.worn_girth.to_m() + 2.0 * chosen.m("cord_end_cm");
     let each = cm(cord_cut);
     let cords = Notion {
+        pieces: row_count,
         note: Some(say!(
             "{each} cm を {row_count} 本",
             "{row_count} of {each} cm"

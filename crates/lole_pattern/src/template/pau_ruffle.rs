@@ -8,7 +8,9 @@ use lole_geom::Length;
 use lole_language::words;
 
 use super::chosen::{Chosen, by_measure, choice, count, number};
-use super::making::{cm, edges_of, gathered, hem_in_section, pattern, plain, say, side, step};
+use super::making::{
+    cm, edges_of, folds, gathered, hem_in_section, pattern, plain, say, side, step,
+};
 use super::pau_skirt::{GATHERS, HEM, HEM_HEIGHT, UNKNOWN_WIDTH, WORN_HEIGHT, worn};
 use super::shape::{AROUND, CM, Label, across, beside, rectangle};
 use super::work::{Work, minutes};
@@ -285,20 +287,20 @@ impl Ruffle {
     }
 
     fn steps(&self, place: &str) -> Vec<Step> {
-        let [strip_cm, ring_cm, flat_cm, hem_cm] =
-            [self.strip + 2.0 * SEAM, self.ring, self.flat, self.hem].map(cm);
+        let [strip_cm, ring_cm, flat_cm] = [self.strip + 2.0 * SEAM, self.ring, self.flat].map(cm);
+        let [turn_cm, rest_cm] = folds(self.hem);
         let (height_cm, seam_cm) = (cm(self.depth + self.hem + SEAM), cm(SEAM));
         let count = self.count;
         let flounce = place == "hem";
         let onto = if flounce {
             say!(
-                "フリルの上端を {flat_cm} cm まで寄せ、スカートの下端と中表に合わせ、縫い代 1 cm で縫います。縫い代の端をいっしょにジグザグミシンで始末し、上へ倒します。",
-                "Gather the ruffle's upper edge to {flat_cm} cm and sew it to the skirt's lower edge, right sides together, with 1 cm of allowance. Neaten both allowances as one and press them up."
+                "フリルの上端とスカートの下端をそれぞれ 8 等分してしるしを付けます。フリルを {flat_cm} cm まで寄せ、しるしを合わせて中表に置き、縫い代 1 cm で縫います。縫い代の端をいっしょにジグザグミシンで始末し、上へ倒します。",
+                "Mark eighths on the ruffle's upper edge and on the skirt's lower edge. Gather the ruffle to {flat_cm} cm, match the marks, and sew the two right sides together with 1 cm of allowance. Neaten both allowances as one and press them up."
             )
         } else {
             say!(
-                "フリルの上端の縫い代を裏へ折り、{flat_cm} cm まで寄せて、ゴムを通す前のスカートの付け位置に縫い付けます。",
-                "Fold the ruffle's upper allowance under, gather it to {flat_cm} cm and stitch it onto the placement line before the elastic is drawn in."
+                "フリルの上端と付け位置の線をそれぞれ 8 等分してしるしを付けます。フリルの上端の縫い代を裏へ折り、{flat_cm} cm まで寄せ、しるしを合わせて付け位置に縫い付けます。",
+                "Mark eighths on the ruffle's upper edge and on the placement line. Fold the ruffle's upper allowance under, gather it to {flat_cm} cm, match the marks and stitch it onto the line."
             )
         };
         let figure = if flounce {
@@ -322,8 +324,8 @@ impl Ruffle {
             step(
                 words("フリルの裾を上げる", "Hem the ruffle"),
                 say!(
-                    "下端を {hem_cm} cm 折り上げて縫います。",
-                    "Turn up {hem_cm} cm at the lower edge and stitch."
+                    "下端を裏へ {turn_cm} cm、さらに {rest_cm} cm 折って縫います。",
+                    "Fold the lower edge to the wrong side by {turn_cm} cm and again by {rest_cm} cm, and stitch."
                 ),
                 minutes(&[(Work::Hem, self.ring)]),
             )

@@ -5,7 +5,7 @@
 
 use lole_language::words;
 
-use super::accessory::{accessory, counted};
+use super::accessory::{accessory, cord, counted};
 use super::chosen::{Chosen, count, number};
 use super::making::{cm, say, step, whole};
 use super::{OptionRow, Options, Template};
@@ -44,6 +44,9 @@ const OPTIONS: &[OptionRow] = &[
     ),
 ];
 
+/// Turns of tape around the end of a handle. Estimated.
+const TAPE_TURNS: f64 = 4.0;
+
 fn draft(_measures: &Measures, options: &Options) -> Result<Pattern, DraftError> {
     let chosen = Chosen::new(OPTIONS, options)?;
     let sticks = chosen.count("stick_count");
@@ -78,15 +81,19 @@ fn draft(_measures: &Measures, options: &Options) -> Result<Pattern, DraftError>
             [30.0, 30.0],
         ),
     ];
-    let notions = vec![counted(
-        NotionKind::Bamboo,
-        words("竹", "bamboo"),
-        sticks,
-        say!(
-            "太さ {wide_cm} cm、長さ {long_cm} cm",
-            "{wide_cm} cm thick, {long_cm} cm long"
+    let tape = f64::from(sticks) * TAPE_TURNS * around;
+    let notions = vec![
+        counted(
+            NotionKind::Bamboo,
+            words("竹", "bamboo"),
+            sticks,
+            say!(
+                "太さ {wide_cm} cm、長さ {long_cm} cm",
+                "{wide_cm} cm thick, {long_cm} cm long"
+            ),
         ),
-    )];
+        cord(words("持ち手に巻くテープ", "tape for the handles"), tape),
+    ];
     let estimate = say!(
         "裂く幅は目安です。踊り手の人数分は同じ店で買うと音がそろいます",
         "the width of the strips is an estimate; bought in one shop, those of a group sound alike"

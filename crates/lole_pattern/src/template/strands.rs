@@ -112,11 +112,17 @@ impl Band {
     }
 
     pub(super) fn elastic(&self) -> Notion {
-        elastic(
-            words("2～2.5 cm 幅の平ゴム", "flat elastic, 2 to 2.5 cm wide"),
-            1,
-            self.elastic,
-        )
+        // It lies flat in the folded band, with a few millimeters of room.
+        let name = match self.height / CM {
+            cm if cm < 2.7 => words("1.5 cm 幅の平ゴム", "flat elastic (1.5 cm)"),
+            cm if cm < 3.8 => words("2～2.5 cm 幅の平ゴム", "flat elastic (2 to 2.5 cm)"),
+            cm if cm < 5.0 => words("3～3.5 cm 幅の平ゴム", "flat elastic (3 to 3.5 cm)"),
+            _ => words(
+                "平ゴム（帯より 1 cm 細いもの）",
+                "flat elastic (1 cm narrower than the band)",
+            ),
+        };
+        elastic(name, 1, self.elastic)
     }
 
     /// Cutting and closing, before strands are laid in.

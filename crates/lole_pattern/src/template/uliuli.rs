@@ -11,7 +11,7 @@ use super::chosen::{Chosen, count, number};
 use super::making::{cm, edges_of, say, step, stitching, whole};
 use super::shape::{CM, DOWN, Label, at, curve, edge};
 use super::{OptionRow, Options, Template};
-use crate::pattern::NotionKind;
+use crate::pattern::{Notion, NotionKind};
 use crate::piece::{CutCount, Finish, Mark, Piece};
 use crate::{DraftError, Measures, Pattern};
 
@@ -45,6 +45,10 @@ const OPTIONS: &[OptionRow] = &[
 
 /// The disc's rim takes a feather for each of these [m]. Estimated.
 const FEATHER_SPACING: f64 = 0.8 * CM;
+/// Allowance of the rim [m].
+const RIM: f64 = 1.0 * CM;
+/// Seeds in one gourd. Estimated: they are taken out and put in by the sound.
+const SEEDS: u32 = 20;
 /// Feathers lie in this many rings. Estimated.
 const FEATHER_RINGS: f64 = 3.0;
 
@@ -54,7 +58,8 @@ fn draft(_measures: &Measures, options: &Options) -> Result<Pattern, DraftError>
     let (disc, gourd) = (chosen.m("disc_cm"), chosen.m("gourd_cm"));
     let feathers = whole(std::f64::consts::PI * disc / FEATHER_SPACING * FEATHER_RINGS) * rattles;
     let piece = circle(0.5 * disc, 2 * rattles);
-    let [disc_cm, gourd_cm] = [disc, gourd].map(cm);
+    let [disc_cm, cut_cm, gourd_cm] = [disc, disc + 2.0 * RIM, gourd].map(cm);
+    let rim_cm = cm(RIM);
     let discs = 2 * rattles;
     let steps = vec![
         step(
@@ -68,8 +73,8 @@ fn draft(_measures: &Measures, options: &Options) -> Result<Pattern, DraftError>
         step(
             words("円盤を縫う", "Sew the discs"),
             say!(
-                "直径 {disc_cm} cm の円を {discs} 枚裁ち、2 枚ずつ中表に縫い、返し口から厚紙の円を入れて閉じます。",
-                "Cut {discs} rounds of {disc_cm} cm, sew them in twos, right sides together, turn them, slip in a round of card and close them."
+                "縫い代 {rim_cm} cm を含めて直径 {cut_cm} cm の円を {discs} 枚裁ち、2 枚ずつ中表に縫い、返し口から表に返します。直径 {disc_cm} cm の厚紙の円を入れて閉じます。",
+                "Cut {discs} rounds of {cut_cm} cm, {rim_cm} cm of allowance included, and sew them in twos, right sides together, but for a gap. Turn them, slip in a round of card of {disc_cm} cm and close them."
             ),
             stitching(std::f64::consts::PI * disc * f64::from(rattles)),
         )
@@ -83,7 +88,17 @@ fn draft(_measures: &Measures, options: &Options) -> Result<Pattern, DraftError>
             [180.0, 180.0],
         ),
     ];
-    let notions = vec![
+    let notions = notions(rattles, feathers, &[disc_cm, gourd_cm]);
+    let estimate = say!(
+        "大きさと羽根の数は目安です。買うときはクムの薦める店のものを選んでください",
+        "sizes and feathers are estimates; to buy them, ask your kumu where"
+    );
+    Ok(accessory(vec![piece], notions, steps, estimate))
+}
+
+/// What one or two rattles take beside cloth: feathers in all, and the diameters of disc and gourd [cm].
+fn notions(rattles: u32, feathers: u32, [disc_cm, gourd_cm]: &[String; 2]) -> Vec<Notion> {
+    vec![
         counted(
             NotionKind::Gourd,
             words("小さなひょうたん", "small gourds"),
@@ -91,17 +106,39 @@ fn draft(_measures: &Measures, options: &Options) -> Result<Pattern, DraftError>
             say!("直径 {gourd_cm} cm ほど", "about {gourd_cm} cm across"),
         ),
         counted(
+            NotionKind::Seed,
+            words("種（アリイポエ）", "seeds (aliʻipoe)"),
+            SEEDS * rattles,
+            say!(
+                "一つに {SEEDS} 粒ほど。音を聞いて加減します",
+                "about {SEEDS} in each; go by the sound"
+            ),
+        ),
+        counted(
+            NotionKind::Handle,
+            words("持ち手", "handles"),
+            rattles,
+            say!(
+                "木や籐で、手のひらに収まる太さのもの",
+                "of wood or cane, as thick as your hand likes"
+            ),
+        ),
+        counted(
+            NotionKind::Card,
+            words("厚紙", "sheets of card"),
+            rattles,
+            say!(
+                "直径 {disc_cm} cm の円が取れる大きさ",
+                "large enough for a round of {disc_cm} cm"
+            ),
+        ),
+        counted(
             NotionKind::Feather,
             words("羽根", "feathers"),
             feathers,
             say!("ふちから 3 周分", "for three rings from the rim"),
         ),
-    ];
-    let estimate = say!(
-        "大きさと羽根の数は目安です。買うときはクムの薦める店のものを選んでください",
-        "sizes and feathers are estimates; to buy them, ask your kumu where"
-    );
-    Ok(accessory(vec![piece], notions, steps, estimate))
+    ]
 }
 
 /// A round of cloth, its middle marked.
@@ -115,7 +152,7 @@ fn circle(radius: f64, count: u32) -> Piece {
         let place = |(x, y): (f64, f64)| at(x * radius, y * radius);
         curve(place(from), handle(from), handle(to), place(to))
     };
-    let rim = edge("rim", (0..4).map(arc).collect(), Finish::Raw, 1.0 * CM);
+    let rim = edge("rim", (0..4).map(arc).collect(), Finish::Raw, RIM);
     let middle = Mark::Point {
         name: words("中心", "middle"),
         at: at(0.0, 0.0),

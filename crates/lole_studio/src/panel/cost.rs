@@ -41,6 +41,7 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
         }
     }
     notions(ui, studio, paper.bill.as_ref());
+    pieces(ui, studio, paper.bill.as_ref());
     hindrance::show(ui, studio, &["[cost]", "[fabric] price"]);
     if let Some(bill) = &paper.bill {
         ui.separator();
@@ -197,6 +198,30 @@ fn notions(ui: &mut Ui, studio: &mut Studio, bill: Option<&Bill>) {
         };
         if let Some(price) = row.show(ui, studio, price) {
             studio.change_later(|design| *field(&mut design.cost) = price);
+        }
+    }
+}
+
+/// Prices of zips, flowers and the like, where the costume takes any.
+fn pieces(ui: &mut Ui, studio: &mut Studio, bill: Option<&Bill>) {
+    for notion in lole_costume::cost::notion_prices() {
+        let mut prices = studio.design().cost.notions.clone();
+        let price = *(notion.place)(&mut prices);
+        let is_asked = bill.is_some_and(|bill| {
+            let mut asked = bill.lines.iter().filter_map(|line| line.asks);
+            asked.any(|asked| asked.ends_with(notion.key))
+        });
+        if price.is_none() && !is_asked {
+            continue;
+        }
+        let row = PriceRow {
+            name: studio.say(notion.name),
+            unit: studio.say(notion.unit),
+            hint: text::PRICE_HINT,
+            key: ("cost", notion.key),
+        };
+        if let Some(price) = row.show(ui, studio, price) {
+            studio.change_later(|design| *(notion.place)(&mut design.cost.notions) = price);
         }
     }
 }

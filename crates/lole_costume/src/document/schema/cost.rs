@@ -139,6 +139,34 @@ pub(super) const COST: Table = Table {
             "one feather"
         ),
         number_if_known!(
+            "handle_price",
+            0.0..=1_000_000.0,
+            cost.notions.handle,
+            "持ち手 1 本の値段",
+            "one handle of a rattle"
+        ),
+        number_if_known!(
+            "seed_price",
+            0.0..=1_000_000.0,
+            cost.notions.seed,
+            "種 1 粒の値段",
+            "one seed"
+        ),
+        number_if_known!(
+            "card_price",
+            0.0..=1_000_000.0,
+            cost.notions.card,
+            "厚紙 1 枚の値段",
+            "one sheet of card"
+        ),
+        number_if_known!(
+            "glue_price",
+            0.0..=1_000_000.0,
+            cost.notions.glue,
+            "接着剤 1 本の値段",
+            "one tube of glue"
+        ),
+        number_if_known!(
             "other_price",
             0.0..=10_000_000.0,
             cost.other_price,
