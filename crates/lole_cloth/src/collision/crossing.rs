@@ -508,4 +508,37 @@ mod tests {
             assert_eq!(all, moved, "no crossing is found twice");
         }
     }
+
+    #[test]
+    fn edges_that_end_in_a_seam_do_not_cross_what_they_are_sewn_to() {
+        // Two pieces of a triangle each. An edge of the second goes through the first near its corner,
+        // as it does beside a stitch that is not quite tight, and another one far from that.
+        let positions = [
+            Vec3::ZERO,
+            Vec3::new(0.03, 0.0, 0.0),
+            Vec3::new(0.0, 0.0, 0.03),
+            Vec3::new(0.001, -0.0005, 0.001),
+            Vec3::new(0.006, 0.02, 0.006),
+            Vec3::new(0.012, -0.02, 0.012),
+        ];
+        let mut surface = Surface::new(6, &[[0, 1, 2], [3, 4, 5]]);
+        let look = |surface: &Surface| {
+            let mut finder = CrossingFinder::default();
+            dispatch!(Level::new(), simd => finder.find_all(simd, surface, &positions));
+            let cut = finder.crossings.iter().map(|crossing| crossing.ends);
+            cut.collect::<Vec<_>>()
+        };
+        let mut apart = look(&surface);
+        apart.sort_unstable();
+        assert_eq!(apart, [[3, 4], [4, 5]]);
+        surface.sew([[0, 3]]);
+        assert_eq!(look(&surface), [[4, 5]]);
+        // A stitch with a third particle sews all three.
+        let mut row = Surface::new(9, &[[0, 1, 2], [3, 4, 5], [6, 7, 8]]);
+        row.sew([[6, 3], [3, 0]]);
+        assert_eq!(
+            [0, 3, 6, 7].map(|particle| row.seam_of(particle)),
+            [0, 0, 0, 7]
+        );
+    }
 }
