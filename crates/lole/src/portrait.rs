@@ -10,6 +10,7 @@ use lole_export::Image;
 use lole_export::order::PICTURE_FOLDER;
 use lole_export::pdf::Picture;
 use lole_render::Size;
+use lole_stage::Production;
 use lole_studio::portrait::{self, PortraitError};
 use rayon::prelude::*;
 
@@ -28,7 +29,10 @@ const COVER: Size = Size {
 /// A costume that cannot be put on, or an interruption.
 pub(crate) fn cover(design: &Design, stop: &AtomicBool) -> Result<Picture, Failure> {
     let is_stopped = || stop.load(Ordering::Relaxed);
-    let performance = portrait::stand(design, u32::MAX, &is_stopped).map_err(failure)?;
+    let production = Production::new(design).map_err(PortraitError::from);
+    let performance = production
+        .and_then(|production| portrait::stand(production, u32::MAX, &is_stopped))
+        .map_err(failure)?;
     let cameras = still_cameras(&performance, COVER);
     let camera = cameras.into_iter().next();
     let camera = camera.unwrap_or_else(|| portrait::standing_camera(COVER));

@@ -131,6 +131,35 @@ struct Kit {
     template: &'static str,
     spec: MeshSpec,
     joints: Vec<Joint>,
+    division: Division,
+}
+
+/// How finely garments are divided into triangles.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Division {
+    /// As they are danced.
+    #[default]
+    Full,
+    /// Into half as many, for small pictures.
+    Half,
+}
+
+impl Division {
+    /// Distance kept between skin and cloth [m]: longer edges lie deeper in the middle.
+    const fn contact_offset(self) -> f32 {
+        match self {
+            Self::Full => CONTACT_OFFSET,
+            Self::Half => 1.75 * CONTACT_OFFSET,
+        }
+    }
+
+    /// Particles of each that it has as it is danced.
+    const fn particle_share(self) -> f64 {
+        match self {
+            Self::Full => 1.0,
+            Self::Half => 0.5,
+        }
+    }
 }
 
 /// What a garment is put on among.
@@ -140,6 +169,8 @@ pub struct Among<'a> {
     pub bands: Option<Bands<'a>>,
     /// Triangles on the trunk of garments that are worn under it, and where they lie in the stance [m].
     pub inside: &'a [(&'a [[u32; 3]], &'a [Vec3])],
+    /// How finely it is divided.
+    pub division: Division,
 }
 
 /// What moves of a dressed garment.
@@ -253,9 +284,13 @@ pub fn dress(
 ) -> Result<Dressed, DressError> {
     let measures = crate::measures(dancer);
     let pattern = worn.pattern(&measures)?;
-    let laid = garment::lay((worn.template.id, pattern), (dancer, &measures))?;
+    let laid = garment::lay(
+        (worn.template.id, pattern),
+        (dancer, &measures),
+        among.division,
+    )?;
     let mut under = Under::new(dancer, stance, among.inside);
-    let (mut dressed, mut kit) = Dressed::sew(worn, laid)?;
+    let (mut dressed, mut kit) = Dressed::sew(worn, laid, among.division)?;
     let template = kit.template;
     let lost = |lost| DressError::Lost { template, lost };
     under.lay_over(dancer, &mut dressed);
@@ -275,7 +310,11 @@ pub fn dress(
 
 impl Dressed {
     /// Prepares seams and elastics of a garment that is laid around the dancer.
-    fn sew(worn: &WornTemplate, laid: garment::Laid) -> Result<(Self, Kit), DressError> {
+    fn sew(
+        worn: &WornTemplate,
+        laid: garment::Laid,
+        division: Division,
+    ) -> Result<(Self, Kit), DressError> {
         let template = worn.template.id;
         let garment::Laid {
             pattern,
@@ -294,7 +333,13 @@ impl Dressed {
         }
         spec.pinned = pinned;
         let joints = joints(&mesh, &elastics);
-        let assembly = assembly(template, (&spec, Ease::Worn), &joints)?;
+        let kit = Kit {
+            template,
+            spec,
+            joints,
+            division,
+        };
+        let assembly = assembly(&kit, Ease::Worn)?;
         let turned = |&[a, b, c]: &[u32; 3]| {
             if facing[mesh.panel_of[a as usize]] {
                 [a, b, c]
@@ -325,11 +370,6 @@ impl Dressed {
             on_cloth: on_cloth.collect(),
             welded: welded(&mesh),
             puckers: mesh.puckers,
-        };
-        let kit = Kit {
-            template,
-            spec,
-            joints,
         };
         Ok((dressed, kit))
     }
@@ -512,12 +552,9 @@ enum Ease {
 }
 
 /// One mesh with its seams.
-fn assembly(
-    template: &'static str,
-    (spec, ease): (&MeshSpec, Ease),
-    joints: &[Joint],
-) -> Result<Assembly, DressError> {
-    let mut spec = spec.clone();
+fn assembly(kit: &Kit, ease: Ease) -> Result<Assembly, DressError> {
+    let template = kit.template;
+    let mut spec = kit.spec.clone();
     let contact = Some(SelfCollision {
         radius: HALF_GAP,
         substep_interval: NonZeroU32::MIN.saturating_add(2),
@@ -528,7 +565,7 @@ fn assembly(
     }
     let config = SolverConfig {
         self_collision: contact,
-        contact_offset: CONTACT_OFFSET,
+        contact_offset: kit.division.contact_offset(),
         depenetration_speed: DEPENETRATION_SPEED,
         structural_sweep_count: NonZeroU32::MIN,
         column_strides: Vec::new(),
@@ -541,7 +578,7 @@ fn assembly(
         Ease::Basted => SEWING_SUBSTEPS,
         Ease::Worn => WORN_SUBSTEPS,
     };
-    Assembly::new(pieces, joints, substep_count)
+    Assembly::new(pieces, &kit.joints, substep_count)
         .map_err(|error| DressError::Joint { template, error })
 }
 

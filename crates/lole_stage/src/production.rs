@@ -10,7 +10,7 @@ use lole_costume::adorn::{self, Adornment};
 use lole_costume::document::{
     Design, FabricDesign, GarmentDesign, GarmentLayer, SkirtDesign, WornTemplate, WornTop,
 };
-use lole_costume::dress::{self, Among, Bands, Dressed};
+use lole_costume::dress::{self, Among, Bands, Division, Dressed};
 use lole_costume::sew::{
     self, Closing, Clothed, Cut, SewSettings, SewnSkirt, SkirtMesh, WornPlace,
 };
@@ -103,6 +103,14 @@ impl Production {
     /// # Errors
     /// A design whose parts do not fit together.
     pub fn new(design: &Design) -> Result<Self, StageError> {
+        Self::divided(design, Division::Full)
+    }
+
+    /// The same with garments of templates that are divided as finely as said.
+    ///
+    /// # Errors
+    /// A design whose parts do not fit together.
+    pub fn divided(design: &Design, division: Division) -> Result<Self, StageError> {
         let (mut dancer, license) = dancer(design)?;
         (dancer.skin.parts).retain(|part| !adorn::replaces_part(design, part.kind));
         let dance = Danced::new(design, &dancer)?;
@@ -134,7 +142,8 @@ impl Production {
             }
         })?;
         link_chains(&mut garments);
-        let dressed = dressed(design, (&dancer, &body_surfels), (&stance, &garments))?;
+        let body = (&dancer, &body_surfels);
+        let dressed = dressed(design, body, (&stance, &garments), division)?;
         Ok(Self {
             design: design.clone(),
             dance,
@@ -368,6 +377,7 @@ fn dressed(
     design: &Design,
     body: (&Dancer, &SkinSurfels),
     (stance, garments): (&Pose, &[Garment]),
+    division: Division,
 ) -> Result<Vec<DressedGarment>, StageError> {
     let posed = body.0.skeleton.world_from_bind(stance);
     let edge = upper_edges(garments, &posed);
@@ -395,6 +405,7 @@ fn dressed(
         let among = Among {
             bands,
             inside: &inside,
+            division,
         };
         let sewn = dress::dress(worn, body, stance, &among);
         let sewn = sewn.map_err(|error| StageError::Garment {

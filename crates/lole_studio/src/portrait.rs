@@ -2,6 +2,7 @@
 
 use glam::Vec3;
 use lole_costume::document::Design;
+use lole_costume::dress::Division;
 use lole_export::Image;
 use lole_export::pdf::Picture;
 use lole_export::still::encode_jpeg;
@@ -59,7 +60,8 @@ pub fn standing(design: &Design, is_stopped: &dyn Fn() -> bool) -> Result<Vec<u8
     let mut coarse = design.clone();
     coarse.skirt.column_count = coarse.skirt.column_count.min(COARSE[0]);
     coarse.skirt.row_count = coarse.skirt.row_count.min(COARSE[1]);
-    let performance = stand(&coarse, HANGING_FRAMES, is_stopped)?;
+    let production = Production::divided(&coarse, Division::Half)?;
+    let performance = stand(production, HANGING_FRAMES, is_stopped)?;
     let image = shoot(&performance, standing_camera(STANDING), STANDING)?;
     let image = Image::new(image.width, image.height, &image.pixels)?;
     Ok(encode_jpeg(image, QUALITY)?)
@@ -74,13 +76,13 @@ pub fn of_jpeg(bytes: Vec<u8>) -> Option<Picture> {
 /// Puts the costume on and lets it come to rest, for so many frames at most; her body is posed.
 ///
 /// # Errors
-/// A costume that cannot be put on, or that it was called off.
+/// Cloth that flies apart, or that it was called off.
 pub fn stand(
-    design: &Design,
+    production: Production,
     most_frames: u32,
     is_stopped: &dyn Fn() -> bool,
 ) -> Result<Performance, PortraitError> {
-    let mut performance = Performance::new(Production::new(design)?)?;
+    let mut performance = Performance::new(production)?;
     let mut frames = 0;
     while performance.time() < 0.0 && frames < most_frames {
         frames += 1;

@@ -101,7 +101,7 @@ pub(super) fn fit(
     body: (&Dancer, &SkinSurfels),
     (stance, under): (&Pose, &mut Under<'_>),
 ) -> Result<(), DressError> {
-    let basted = assembly(kit.template, (&kit.spec, Ease::Basted), &kit.joints)?;
+    let basted = assembly(kit, Ease::Basted)?;
     let mut state = garment.state();
     let mut room = Room::default();
     let start = fitting_pose();

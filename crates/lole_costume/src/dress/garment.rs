@@ -18,7 +18,7 @@ use super::flat::{self, FlatMesh};
 use super::form::Form;
 use super::panel::{self, Panels};
 use super::wrap::{Cloth, Wrap};
-use super::{DressError, Pins, fit};
+use super::{Division, DressError, Pins, fit};
 
 /// How one template is worn.
 pub(super) struct Worn {
@@ -82,6 +82,7 @@ pub fn is_worn(template: &str) -> bool {
 pub(super) fn lay(
     (template, pattern): (&'static str, Pattern),
     (dancer, measures): (&Dancer, &Measures),
+    division: Division,
 ) -> Result<Laid, DressError> {
     let worn = WORN.iter().find(|worn| worn.template == template);
     let worn = worn.ok_or(DressError::NotWorn { template })?;
@@ -93,7 +94,8 @@ pub(super) fn lay(
         Way::Wrapped(_) => Some(Part::Wrap),
     };
     let parts: Vec<Option<Part>> = pattern.pieces.iter().map(part_of).collect();
-    let spacing = spacing(&pattern, &parts, worn.particle_count);
+    let particle_count = division.particle_share() * worn.particle_count;
+    let spacing = spacing(&pattern, &parts, particle_count);
     let lines: Vec<SeamSide> = pattern.drawn_in.iter().map(|drawn| drawn.line).collect();
     let panels = panel::panels(&pattern, spacing, |piece| part_of(piece).is_none(), &lines);
     let crossed = DressError::CrossedPiece {

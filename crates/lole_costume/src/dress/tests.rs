@@ -22,7 +22,12 @@ fn laid(template: &str, dancer: &Dancer) -> garment::Laid {
     let worn = worn(template);
     let measures = crate::measures(dancer);
     let pattern = worn.pattern(&measures).unwrap();
-    garment::lay((worn.template.id, pattern), (dancer, &measures)).unwrap()
+    garment::lay(
+        (worn.template.id, pattern),
+        (dancer, &measures),
+        Division::Full,
+    )
+    .unwrap()
 }
 
 fn put_on(template: &str, dancer: &Dancer) -> Dressed {
@@ -224,7 +229,11 @@ fn what_nobody_wears_is_refused_by_name() {
     let measures = crate::measures(&dancer);
     let worn = worn("lei");
     let pattern = worn.pattern(&measures).unwrap();
-    let refused = garment::lay((worn.template.id, pattern), (&dancer, &measures));
+    let refused = garment::lay(
+        (worn.template.id, pattern),
+        (&dancer, &measures),
+        Division::Full,
+    );
     let error = refused.err().unwrap();
     assert!(error.to_string().contains("lei") && error.japanese().contains("lei"));
 }

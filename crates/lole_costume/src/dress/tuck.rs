@@ -100,7 +100,7 @@ pub(super) fn tuck(
         garment.start[particle] = place;
     }
     garment.pins = Pins { skin, gaps, tied };
-    garment.assembly = assembly(kit.template, (&kit.spec, Ease::Worn), &kit.joints)?;
+    garment.assembly = assembly(kit, Ease::Worn)?;
     let is_tucked = |corner: &u32| depths[*corner as usize].is_some();
     let is_open = |corners: &&[u32; 3]| !corners.iter().all(is_tucked);
     garment.open_triangles = garment.triangles.iter().filter(is_open).copied().collect();
