@@ -94,7 +94,7 @@ pub(super) fn lay(
         Way::Wrapped(_) => Some(Part::Wrap),
     };
     let parts: Vec<Option<Part>> = pattern.pieces.iter().map(part_of).collect();
-    let particle_count = division.particle_share() * worn.particle_count;
+    let particle_count = worn.particle_count * division.particle_share();
     let spacing = spacing(&pattern, &parts, particle_count);
     let lines: Vec<SeamSide> = pattern.drawn_in.iter().map(|drawn| drawn.line).collect();
     let panels = panel::panels(&pattern, spacing, |piece| part_of(piece).is_none(), &lines);
@@ -144,11 +144,8 @@ pub(super) fn lay(
         .iter()
         .map(|panel| parts[panel.piece] == Some(Part::Sleeve));
     let is_on_arm = is_on_arm.collect();
-    let elastics = pattern
-        .drawn_in
-        .iter()
-        .map(|drawn| narrow(drawn.length.to_m()));
-    let elastics = elastics.collect();
+    let drawn_in = pattern.drawn_in.iter();
+    let elastics = drawn_in.map(|drawn| narrow(drawn.length.to_m())).collect();
     Ok(Laid {
         mesh,
         places,
