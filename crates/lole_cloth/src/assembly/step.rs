@@ -101,7 +101,7 @@ impl Assembly {
     }
 }
 
-/// Particles of a piece that are sewn to each other.
+/// Particles of a piece that are sewn to each other: of a point on an edge, the end that it is nearer to.
 fn sewn_within(joints: &[Joint], piece: usize) -> impl Iterator<Item = [u32; 2]> {
     let seams = joints.iter().filter_map(|joint| match joint {
         Joint::Seam(seam) => Some(&seam.stitches),

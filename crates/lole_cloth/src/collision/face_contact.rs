@@ -12,7 +12,7 @@ use glam::Vec3;
 use lole_geom::triangle_grid::{blend, nearest_barycentric};
 
 use crate::collision::grid::CellGrid;
-use crate::collision::parting::Parting;
+use crate::collision::parting::{FARTHEST_LEVER, Parting};
 pub(crate) use faces::{FacePiece, Faces};
 
 /// A vertex and a triangle that may touch, by bodies.
@@ -43,11 +43,6 @@ struct Body {
     piece: u32,
     slot: u32,
 }
-
-/// Farthest that a contact moves a particle, over what the two sides part: a corner that alone is free,
-/// at the far end of a triangle with two pinned ones, would be thrown away by the lever. Where all corners are
-/// free it is 1.4 at most.
-pub(crate) const FARTHEST_LEVER: f32 = 2.0;
 
 /// Candidates and room to find and solve them.
 #[derive(Debug, Clone, Default)]

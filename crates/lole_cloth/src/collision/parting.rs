@@ -10,6 +10,11 @@ const PARTING_SPEED: f32 = 2.0;
 /// a greater one with jitter.
 const PARTING_SHARE: f32 = 0.7;
 
+/// Farthest that parting moves a particle, over what the two sides part: a corner that alone is free, at
+/// the far end of a triangle with two pinned ones, would be thrown away by the lever. Where all corners
+/// are free it is 1.4 at most.
+pub(crate) const FARTHEST_LEVER: f32 = 2.0;
+
 /// Below this squared length [m²] two points have no direction between them.
 pub(crate) const DEGENERATE_SQUARED: f32 = 1.0e-14;
 

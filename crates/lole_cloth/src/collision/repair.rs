@@ -12,8 +12,8 @@ use glam::Vec3;
 use lole_geom::Capsule;
 
 use crate::collision::crossing::{Crossing, CrossingFinder, Marked, crossing_point};
-use crate::collision::face_contact::FARTHEST_LEVER;
 use crate::collision::impact_zone::ImpactZones;
+use crate::collision::parting::FARTHEST_LEVER;
 use crate::collision::placement::Placement;
 use crate::collision::separation::Separation;
 use crate::collision::surface::Surface;

@@ -80,6 +80,10 @@ impl Surface {
     /// Sews particles to each other: what meets in a seam is beside each other like triangles of one
     /// piece, and does not cross there.
     pub(crate) fn sew(&mut self, pairs: impl IntoIterator<Item = [u32; 2]>) {
+        let mut pairs = pairs.into_iter().peekable();
+        if pairs.peek().is_none() {
+            return;
+        }
         if self.sewn_to.is_empty() {
             self.sewn_to = (0..narrow(self.particle_count())).collect();
         }
