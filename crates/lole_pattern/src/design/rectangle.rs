@@ -13,6 +13,57 @@ use crate::piece::{ClothRole, CutCount, Edge, Finish, LineKind, Mark, Piece};
 const LEFT_END: usize = 1;
 const RIGHT_END: usize = 3;
 
+/// Elastics and tapes by the casings that they fit, each up to this height [cm]: the elastic lies flat in its
+/// casing with a few millimeters of room, the tape has both rows of stitches on it.
+const CASINGS: [(f64, Words, Words); 8] = [
+    (
+        0.7,
+        words("丸ゴム（太さ 2 mm）", "round elastic (2 mm)"),
+        words("ゴム通し用テープ（1 cm 幅）", "casing tape (1 cm)"),
+    ),
+    (
+        0.9,
+        words("平ゴム（3～4 mm 幅）", "flat braided elastic (3 to 4 mm)"),
+        words("ゴム通し用テープ（1 cm 幅）", "casing tape (1 cm)"),
+    ),
+    (
+        1.3,
+        words("平ゴム（5～6 mm 幅）", "flat braided elastic (5 to 6 mm)"),
+        words("ゴム通し用テープ（1.5 cm 幅）", "casing tape (1.5 cm)"),
+    ),
+    (
+        1.9,
+        words("平ゴム（8～10 mm 幅）", "flat braided elastic (8 to 10 mm)"),
+        words("ゴム通し用テープ（2 cm 幅）", "casing tape (2 cm)"),
+    ),
+    (
+        2.4,
+        words("平ゴム（15 mm 幅）", "flat braided elastic (15 mm)"),
+        words("ゴム通し用テープ（2.5 cm 幅）", "casing tape (2.5 cm)"),
+    ),
+    (
+        3.0,
+        words("平ゴム（20 mm 幅）", "flat braided elastic (20 mm)"),
+        words("ゴム通し用テープ（3 cm 幅）", "casing tape (3 cm)"),
+    ),
+    (
+        4.0,
+        words("平ゴム（25 mm 幅）", "flat braided elastic (25 mm)"),
+        words("ゴム通し用テープ（4 cm 幅）", "casing tape (4 cm)"),
+    ),
+    (
+        f64::INFINITY,
+        words(
+            "平ゴム（ゴム通しより 5 mm 細いもの）",
+            "flat elastic (5 mm narrower than its casing)",
+        ),
+        words(
+            "ゴム通し用テープ（ゴム通しより 1 cm 広いもの）",
+            "casing tape (1 cm wider than its casing)",
+        ),
+    ),
+];
+
 impl PauDraft {
     /// The draft as a pattern. The piece lies as it is worn, its flat length along `x` from 0, its
     /// hem fold at `y = 0`; the warp runs around the body.
@@ -108,54 +159,16 @@ impl PauDraft {
         notions
     }
 
-    /// Elastic and tape that fit the casing: the elastic lies flat in it with a few millimeters of room,
-    /// the tape has both rows of stitches on it.
+    /// Elastic and tape that fit the casing.
     fn widths(&self) -> (Words, Words) {
         let at = |kind| {
             let line = self.lines.iter().find(|line| line.kind == kind);
             line.map_or(Length::ZERO, |line| line.from_edge)
         };
         let casing = at(PauLine::CasingBottom) - at(PauLine::CasingTop);
-        match casing.to_cm() {
-            cm if cm < 0.7 => (
-                words("丸ゴム（太さ 2 mm）", "round elastic (2 mm)"),
-                words("ゴム通し用テープ（1 cm 幅）", "casing tape (1 cm)"),
-            ),
-            cm if cm < 0.9 => (
-                words("平ゴム（3～4 mm 幅）", "flat braided elastic (3 to 4 mm)"),
-                words("ゴム通し用テープ（1 cm 幅）", "casing tape (1 cm)"),
-            ),
-            cm if cm < 1.3 => (
-                words("平ゴム（5～6 mm 幅）", "flat braided elastic (5 to 6 mm)"),
-                words("ゴム通し用テープ（1.5 cm 幅）", "casing tape (1.5 cm)"),
-            ),
-            cm if cm < 1.9 => (
-                words("平ゴム（8～10 mm 幅）", "flat braided elastic (8 to 10 mm)"),
-                words("ゴム通し用テープ（2 cm 幅）", "casing tape (2 cm)"),
-            ),
-            cm if cm < 2.4 => (
-                words("平ゴム（15 mm 幅）", "flat braided elastic (15 mm)"),
-                words("ゴム通し用テープ（2.5 cm 幅）", "casing tape (2.5 cm)"),
-            ),
-            cm if cm < 3.0 => (
-                words("平ゴム（20 mm 幅）", "flat braided elastic (20 mm)"),
-                words("ゴム通し用テープ（3 cm 幅）", "casing tape (3 cm)"),
-            ),
-            cm if cm < 4.0 => (
-                words("平ゴム（25 mm 幅）", "flat braided elastic (25 mm)"),
-                words("ゴム通し用テープ（4 cm 幅）", "casing tape (4 cm)"),
-            ),
-            _ => (
-                words(
-                    "平ゴム（ゴム通しより 5 mm 細いもの）",
-                    "flat elastic (5 mm narrower than its casing)",
-                ),
-                words(
-                    "ゴム通し用テープ（ゴム通しより 1 cm 広いもの）",
-                    "casing tape (1 cm wider than its casing)",
-                ),
-            ),
-        }
+        let fits = CASINGS.iter().find(|(most, ..)| casing.to_cm() < *most);
+        let (_, elastic, tape) = fits.unwrap_or(&CASINGS[CASINGS.len() - 1]);
+        (*elastic, *tape)
     }
 
     /// One notion for each elastic, from the top down.
