@@ -161,8 +161,8 @@ impl Bill {
         self.add_sewn(plans, cost);
         for sold in SOLD {
             if let Some(count) = sold.count(plans) {
-                let amount = sold.unit.words(count);
-                let price = (sold.price)(&cost.notions).map(|price| price * count);
+                let amount = sold.unit.words(sold.kind, count);
+                let price = (sold.place)(&mut cost.notions.clone()).map(|price| price * count);
                 self.add_named(sold.name, amount, price.ok_or(sold.key));
             }
         }
@@ -247,6 +247,7 @@ impl ClothPrice {
         }
     }
 }
+
 /// Cloth by the garment that it is for.
 fn cloth_of(garments: &[Words]) -> Sentence {
     let japanese: Vec<&str> = garments.iter().map(|name| name.japanese).collect();
@@ -260,8 +261,8 @@ fn cloth_of(garments: &[Words]) -> Sentence {
 /// How a notion is sold.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Unit {
-    /// By the piece, with the Japanese word to count it.
-    Piece(&'static str),
+    /// By the piece.
+    Piece,
     /// Priced by 100 g, in tens of grams.
     Grams,
     /// Priced by the meter, in tens of centimeters.
@@ -269,11 +270,11 @@ enum Unit {
 }
 
 impl Unit {
-    /// So many of it: pieces, hundreds of grams or meters.
-    fn words(self, count: f64) -> Sentence {
+    /// So many of a kind: pieces, hundreds of grams or meters.
+    fn words(self, kind: NotionKind, count: f64) -> Sentence {
         match self {
-            Self::Piece(counter) => Sentence::new(
-                format!("{count:.0} {counter}"),
+            Self::Piece => Sentence::new(
+                format!("{count:.0} {}", kind.counter()),
                 format!("{count:.0} piece{}", if count == 1.0 { "" } else { "s" }),
             ),
             Self::Grams => {
@@ -294,7 +295,6 @@ struct Sold {
     name: Words,
     unit: Unit,
     key: &'static str,
-    price: fn(&NotionPrices) -> Option<f64>,
     place: fn(&mut NotionPrices) -> &mut Option<f64>,
 }
 
@@ -316,7 +316,7 @@ pub fn notion_prices() -> impl Iterator<Item = NotionPrice> {
     SOLD.iter().map(|sold| NotionPrice {
         name: sold.name,
         unit: match sold.unit {
-            Unit::Piece(_) => words("/ 1 つ", "each"),
+            Unit::Piece => words("/ 1 つ", "each"),
             Unit::Grams => words("/ 100 g", "per 100 g"),
             Unit::Meter => words("/ 1 m", "per m"),
         },
@@ -335,14 +335,14 @@ impl Sold {
             .map(|notion| match (notion.amount, self.unit) {
                 (Amount::Count(count), _) => f64::from(count),
                 // A zip is one, whatever its length.
-                (_, Unit::Piece(_)) => 1.0,
+                (_, Unit::Piece) => 1.0,
                 (Amount::Length(length), Unit::Meter) => length.to_m(),
                 (Amount::Length(length), Unit::Grams) => 10.0 * RAFFIA_PER_METER * length.to_m(),
                 (Amount::Mass(mass), _) => 10.0 * mass,
             })
             .sum();
         let sold = match self.unit {
-            Unit::Piece(_) => sum,
+            Unit::Piece => sum,
             // Sold by 10 g and by 10 cm.
             Unit::Grams | Unit::Meter => (sum * 10.0 - 1e-9).ceil() / 10.0,
         };
@@ -355,49 +355,43 @@ const SOLD: &[Sold] = &[
     Sold {
         kind: NotionKind::Zip,
         name: words("ファスナー", "zip"),
-        unit: Unit::Piece("本"),
+        unit: Unit::Piece,
         key: "[cost] zip_price",
-        price: |prices| prices.zip,
         place: |prices| &mut prices.zip,
     },
     Sold {
         kind: NotionKind::Button,
         name: words("ボタン", "button"),
-        unit: Unit::Piece("個"),
+        unit: Unit::Piece,
         key: "[cost] button_price",
-        price: |prices| prices.button,
         place: |prices| &mut prices.button,
     },
     Sold {
         kind: NotionKind::Hook,
         name: words("ホック", "hook and eye"),
-        unit: Unit::Piece("組"),
+        unit: Unit::Piece,
         key: "[cost] hook_price",
-        price: |prices| prices.hook,
         place: |prices| &mut prices.hook,
     },
     Sold {
         kind: NotionKind::Flower,
         name: words("花", "flowers"),
-        unit: Unit::Piece("個"),
+        unit: Unit::Piece,
         key: "[cost] flower_price",
-        price: |prices| prices.flower,
         place: |prices| &mut prices.flower,
     },
     Sold {
         kind: NotionKind::Pistil,
         name: words("しべ（ペップ）", "pistils"),
-        unit: Unit::Piece("本"),
+        unit: Unit::Piece,
         key: "[cost] pistil_price",
-        price: |prices| prices.pistil,
         place: |prices| &mut prices.pistil,
     },
     Sold {
         kind: NotionKind::Leaf,
         name: words("葉", "leaves"),
-        unit: Unit::Piece("枚"),
+        unit: Unit::Piece,
         key: "[cost] leaf_price",
-        price: |prices| prices.leaf,
         place: |prices| &mut prices.leaf,
     },
     Sold {
@@ -405,7 +399,6 @@ const SOLD: &[Sold] = &[
         name: words("ラフィア", "raffia"),
         unit: Unit::Grams,
         key: "[cost] raffia_price_per_100g",
-        price: |prices| prices.raffia_per_100g,
         place: |prices| &mut prices.raffia_per_100g,
     },
     Sold {
@@ -413,71 +406,62 @@ const SOLD: &[Sold] = &[
         name: words("フィルム", "film"),
         unit: Unit::Meter,
         key: "[cost] film_price_per_m",
-        price: |prices| prices.film_per_m,
         place: |prices| &mut prices.film_per_m,
     },
     Sold {
         kind: NotionKind::HairPin,
         name: words("ヘアピン・クリップ", "hair pins or clips"),
-        unit: Unit::Piece("本"),
+        unit: Unit::Piece,
         key: "[cost] hair_pin_price",
-        price: |prices| prices.hair_pin,
         place: |prices| &mut prices.hair_pin,
     },
     Sold {
         kind: NotionKind::Gourd,
         name: words("ひょうたん", "gourds"),
-        unit: Unit::Piece("個"),
+        unit: Unit::Piece,
         key: "[cost] gourd_price",
-        price: |prices| prices.gourd,
         place: |prices| &mut prices.gourd,
     },
     Sold {
         kind: NotionKind::Bamboo,
         name: words("竹", "bamboo"),
-        unit: Unit::Piece("本"),
+        unit: Unit::Piece,
         key: "[cost] bamboo_price",
-        price: |prices| prices.bamboo,
         place: |prices| &mut prices.bamboo,
     },
     Sold {
         kind: NotionKind::Feather,
         name: words("羽根", "feathers"),
-        unit: Unit::Piece("本"),
+        unit: Unit::Piece,
         key: "[cost] feather_price",
-        price: |prices| prices.feather,
         place: |prices| &mut prices.feather,
     },
     Sold {
         kind: NotionKind::Handle,
         name: words("持ち手", "handles"),
-        unit: Unit::Piece("本"),
+        unit: Unit::Piece,
         key: "[cost] handle_price",
-        price: |prices| prices.handle,
         place: |prices| &mut prices.handle,
     },
     Sold {
         kind: NotionKind::Seed,
         name: words("種", "seeds"),
-        unit: Unit::Piece("粒"),
+        unit: Unit::Piece,
         key: "[cost] seed_price",
-        price: |prices| prices.seed,
         place: |prices| &mut prices.seed,
     },
     Sold {
         kind: NotionKind::Card,
         name: words("厚紙", "card"),
-        unit: Unit::Piece("枚"),
+        unit: Unit::Piece,
         key: "[cost] card_price",
-        price: |prices| prices.card,
         place: |prices| &mut prices.card,
     },
     Sold {
         kind: NotionKind::Glue,
         name: words("接着剤", "glue"),
-        unit: Unit::Piece("本"),
+        unit: Unit::Piece,
         key: "[cost] glue_price",
-        price: |prices| prices.glue,
         place: |prices| &mut prices.glue,
     },
 ];

@@ -153,7 +153,7 @@ impl Division {
         }
     }
 
-    /// Particles of each that it has as it is danced.
+    /// Particles over those that it is danced with.
     const fn particle_share(self) -> f64 {
         match self {
             Self::Full => 1.0,

@@ -174,30 +174,11 @@ pub fn amount_words(kind: NotionKind, amount: Amount, language: Language) -> Str
         Amount::Length(length) if length.to_m() < 3.0 => format!("{:.0} cm", length.to_cm().ceil()),
         Amount::Length(length) => format!("{:.1} m", (length.to_m() * 10.0).ceil() / 10.0),
         Amount::Count(count) => match language {
-            Language::Japanese => format!("{count} {}", counter(kind)),
+            Language::Japanese => format!("{count} {}", kind.counter()),
             Language::English if count == 1 => "1 piece".to_owned(),
             Language::English => format!("{count} pieces"),
         },
         Amount::Mass(mass) => format!("{:.0} g", 1000.0 * mass),
-    }
-}
-
-/// The word that such things are counted with in Japanese.
-const fn counter(kind: NotionKind) -> &'static str {
-    match kind {
-        NotionKind::Leaf | NotionKind::Card => "枚",
-        NotionKind::Seed => "粒",
-        NotionKind::Zip
-        | NotionKind::HairPin
-        | NotionKind::Pistil
-        | NotionKind::Bamboo
-        | NotionKind::Feather
-        | NotionKind::Handle
-        | NotionKind::Glue
-        | NotionKind::Elastic
-        | NotionKind::Cord => "本",
-        NotionKind::Hook => "組",
-        _ => "個",
     }
 }
 

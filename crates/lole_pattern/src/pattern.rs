@@ -129,6 +129,28 @@ pub enum NotionKind {
     Glue,
 }
 
+impl NotionKind {
+    /// The word that such things are counted with in Japanese.
+    #[must_use]
+    pub const fn counter(self) -> &'static str {
+        match self {
+            Self::Leaf | Self::Card => "枚",
+            Self::Seed => "粒",
+            Self::Zip
+            | Self::HairPin
+            | Self::Pistil
+            | Self::Bamboo
+            | Self::Feather
+            | Self::Handle
+            | Self::Glue
+            | Self::Elastic
+            | Self::Cord => "本",
+            Self::Hook => "組",
+            _ => "個",
+        }
+    }
+}
+
 /// How much.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Amount {
