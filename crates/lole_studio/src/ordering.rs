@@ -219,7 +219,7 @@ fn write(
     job: &Job,
     group: &Group,
     folder: &Path,
-    (is_stopped, tell): (&dyn Fn() -> bool, &dyn Fn(OrderNews)),
+    (is_stopped, tell): (&(dyn Fn() -> bool + Sync), &dyn Fn(OrderNews)),
 ) -> Result<Option<PathBuf>, Sentence> {
     let Some(pictures) = pictures(job, group, is_stopped, tell) else {
         return Ok(None);
@@ -235,7 +235,7 @@ fn write(
         version: env!("CARGO_PKG_VERSION"),
         kept_files: &[],
     };
-    let made = order_folder(&parts, &|| true).map_err(|error| {
+    let made = order_folder(&parts, &|| !is_stopped()).map_err(|error| {
         Sentence::new(format!("注文書を作れません（{error}）"), error.to_string())
     })?;
     if is_stopped() {
