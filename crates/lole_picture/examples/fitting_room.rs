@@ -177,10 +177,19 @@ fn fitting(
         restless = said_of_rest(&before, &places(&performance));
     }
     performance.pose_body();
-    let mut cells = shoot(asked, &performance)?;
-    let said = danced(asked, &mut performance)?;
+    let mut cells = shoot(asked, &performance, None)?;
+    let (said, close) = danced(asked, &mut performance)?;
     if 0.0 < asked.seconds {
-        cells.extend(shoot(asked, &performance)?);
+        cells.extend(shoot(asked, &performance, None)?);
+    }
+    if asked.says_where {
+        // Where skin shows most, or where she is at last: each row of a sheet has as many pictures.
+        let close = if close.is_empty() {
+            shoot(asked, &performance, None)?
+        } else {
+            close
+        };
+        cells.extend(close.into_iter().take(VIEWS.len()));
     }
     Ok((
         beside(&cells),
@@ -210,7 +219,10 @@ fn said_of_rest(before: &[Vec3], after: &[Vec3]) -> String {
 }
 
 /// Dances, and says what the cloth did meanwhile.
-fn danced(asked: &Asked, performance: &mut Performance) -> Result<String, Box<dyn Error>> {
+fn danced(
+    asked: &Asked,
+    performance: &mut Performance,
+) -> Result<(String, Vec<Vec<u8>>), Box<dyn Error>> {
     let count = performance.production().dressed.len();
     let mut seen = vec![Seen::default(); count];
     let (mut frames, mut moving) = (0_u16, 0.0);
@@ -220,7 +232,17 @@ fn danced(asked: &Asked, performance: &mut Performance) -> Result<String, Box<dy
             let (strain, skin) = performance.measure_dressed(place);
             seen.strain = [seen.strain[0].max(strain.p99), strain.p99];
             seen.deepest = seen.deepest.max(skin.worst_depth);
-            seen.showing = seen.showing.max(skin.showing_body_vertices);
+            if seen.showing < skin.showing_body_vertices {
+                seen.showing = skin.showing_body_vertices;
+                let vertices = performance.showing_through(place);
+                seen.shown_at = (vertices.iter())
+                    .map(|&vertex| performance.body_positions()[vertex])
+                    .collect();
+                seen.shown_in = performance.time();
+                if asked.says_where {
+                    seen.close = shoot(asked, performance, Some(&seen.shown_at))?;
+                }
+            }
             if frames.is_multiple_of(10) {
                 let garment = &performance.production().dressed[place].dressed;
                 let crossings = garment.crossings(performance.dressed_positions(place));
@@ -238,7 +260,8 @@ fn danced(asked: &Asked, performance: &mut Performance) -> Result<String, Box<dy
     }
     let each = 1000.0 * moving / f32::from(frames.max(1));
     let mut said = format!(", {each:.1} ms of processor a frame");
-    for (place, seen) in seen.iter().enumerate() {
+    let mut close = Vec::new();
+    for (place, seen) in seen.iter_mut().enumerate() {
         let garment = &performance.production().dressed[place];
         write!(
             said,
@@ -253,23 +276,53 @@ fn danced(asked: &Asked, performance: &mut Performance) -> Result<String, Box<dy
             seen.crossings[1],
         )?;
         if asked.says_where {
-            say_where(performance, place, &mut said)?;
+            close.append(&mut seen.close);
+            say_showing(seen, &mut said)?;
+            let tightest = say_where(performance, place, &mut said)?;
+            if close.is_empty() {
+                close = shoot(asked, performance, Some(&tightest))?;
+            }
         }
     }
-    Ok(said)
+    Ok((said, close))
 }
 
 /// Worst of a garment, and what it was at last.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Default)]
 struct Seen {
     strain: [f32; 2],
     deepest: f32,
     showing: u32,
+    /// Where skin lay outside in the worst frame [m], and when that was [s].
+    shown_at: Vec<Vec3>,
+    shown_in: f32,
+    /// Pictures of that.
+    close: Vec<Vec<u8>>,
     crossings: [usize; 2],
 }
 
+/// Where skin lay outside the cloth in the worst frame, by decimeters.
+fn say_showing(seen: &Seen, said: &mut String) -> std::fmt::Result {
+    let mut left = seen.shown_at.clone();
+    while let Some(&place) = left.first() {
+        let before = left.len();
+        left.retain(|other| 0.05 < other.distance(place));
+        write!(
+            said,
+            "\n        {} vertices of skin outside at {place:.2} after {:.2} s",
+            before - left.len(),
+            seen.shown_in
+        )?;
+    }
+    Ok(())
+}
+
 /// The places of the cloth that are stretched most, by decimeters of the flat pieces.
-fn say_where(performance: &Performance, place: usize, said: &mut String) -> std::fmt::Result {
+fn say_where(
+    performance: &Performance,
+    place: usize,
+    said: &mut String,
+) -> Result<Vec<Vec3>, std::fmt::Error> {
     let garment = &performance.production().dressed[place].dressed;
     let positions = performance.dressed_positions(place);
     let stretches = garment.stretches(positions);
@@ -301,11 +354,16 @@ fn say_where(performance: &Performance, place: usize, said: &mut String) -> std:
             break;
         }
     }
-    Ok(())
+    told.truncate(1);
+    Ok(told)
 }
 
 /// A dancer from all sides.
-fn shoot(asked: &Asked, performance: &Performance) -> Result<Vec<Vec<u8>>, Box<dyn Error>> {
+fn shoot(
+    asked: &Asked,
+    performance: &Performance,
+    about: Option<&[Vec3]>,
+) -> Result<Vec<Vec<u8>>, Box<dyn Error>> {
     let production = performance.production();
     let looks = Looks::new(&production.design, production)?;
     let grids: Vec<[Vec<Vec3>; 2]> = (production.garments.iter())
@@ -334,7 +392,10 @@ fn shoot(asked: &Asked, performance: &Performance) -> Result<Vec<Vec<u8>>, Box<d
         adornments: &adornments,
         body: [performance.body_positions(), performance.body_normals()],
     };
-    let points: Vec<Vec3> = if asked.is_close {
+    let points: Vec<Vec3> = if let Some(about) = about {
+        let ends = |&place: &Vec3| [place - Vec3::splat(0.1), place + Vec3::splat(0.1)];
+        about.iter().flat_map(ends).collect()
+    } else if asked.is_close {
         dressed
             .iter()
             .flat_map(|vertices| vertices[0].clone())

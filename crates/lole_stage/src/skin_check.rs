@@ -62,15 +62,34 @@ pub fn check(body: Surface<'_>, cloth: Surface<'_>) -> SkinCheck {
             result.sunken_cloth_vertices += 1;
         }
     }
-    if result.sunken_cloth_vertices != 0 || 0.0 < result.worst_depth {
-        let cloth_grid = TriangleGrid::new(cloth.positions, cloth.triangles, CELL);
-        for vertex in used_vertices(&near, body.positions.len()) {
-            if shows(&cloth_grid, body.positions[vertex], body.normals[vertex]) {
-                result.showing_body_vertices += 1;
-            }
-        }
+    if 0.0 < result.worst_depth {
+        let showing = showing_of(body, cloth, &near, &body_grid);
+        result.showing_body_vertices = u32::try_from(showing.len()).unwrap_or(u32::MAX);
     }
     result
+}
+
+/// The body vertices that [`check`] counts as showing, ascending.
+pub(crate) fn showing(body: Surface<'_>, cloth: Surface<'_>) -> Vec<usize> {
+    let (low, high) = bounds(cloth.positions);
+    let near = near_triangles(body, low - Vec3::splat(REACH), high + Vec3::splat(REACH));
+    let body_grid = TriangleGrid::new(body.positions, &near, CELL);
+    showing_of(body, cloth, &near, &body_grid)
+}
+
+fn showing_of(
+    body: Surface<'_>,
+    cloth: Surface<'_>,
+    near: &[[u32; 3]],
+    body_grid: &TriangleGrid<'_>,
+) -> Vec<usize> {
+    let cloth_grid = TriangleGrid::new(cloth.positions, cloth.triangles, CELL);
+    used_vertices(near, body.positions.len())
+        .filter(|&vertex| {
+            let (position, outward) = (body.positions[vertex], body.normals[vertex]);
+            shows(&cloth_grid, body_grid, position, outward)
+        })
+        .collect()
 }
 
 /// Depth of each place below the drawn skin [m], 0 outside, as [`check`] measures it.
@@ -148,9 +167,17 @@ fn depth_below_skin(
     }
 }
 
-fn shows(cloth: &TriangleGrid<'_>, position: Vec3, outward: Vec3) -> bool {
-    let behind = cloth.first_crossing(position - outward * TOLERANCE, position - outward * REACH);
-    behind.is_some()
+/// Does a vertex of the skin, and its outward normal, lie outside the cloth that should cover it?
+///
+/// Cloth behind it counts only within the limb: that which a hand is held before covers the chest, not
+/// the hand.
+fn shows(cloth: &TriangleGrid<'_>, body: &TriangleGrid<'_>, position: Vec3, outward: Vec3) -> bool {
+    let (start, end) = (position - outward * TOLERANCE, position - outward * REACH);
+    let Some(behind) = cloth.first_crossing(start, end) else {
+        return false;
+    };
+    let is_in_limb = (body.first_crossing(start, end)).is_none_or(|leaves| behind < leaves);
+    is_in_limb
         && cloth
             .first_crossing(position, position + outward * COVER_REACH)
             .is_none()

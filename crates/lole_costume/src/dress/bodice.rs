@@ -31,6 +31,10 @@ const FOLD: f32 = 0.14;
 const FOLD_BEGINS: f32 = 0.10;
 /// Cloth over the shoulder is laid this far above it [m].
 const OVER_SHOULDER: f32 = 0.012;
+/// Cloth that is laid on the floor lies this far above it [m].
+const FLOOR_GAP: f32 = 0.006;
+/// How far a train spreads to her sides at the ends of the back, over how far it goes behind her.
+const SPREADING: f32 = 0.4;
 
 /// What a piece covers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -263,7 +267,7 @@ impl<'a> Bodice<'a> {
         let fold = begun * folds(fullness, narrow(width), narrow((point.x - low) / width));
         let gap = wide + (CLOSE - wide) * up + fold;
         let lift = Vec3::Y * (OVER_SHOULDER * up * up);
-        Some(place + outward * gap + lift)
+        Some(on_floor(place + outward * gap + lift, outward))
     }
 
     /// Around the left arm: the crown lies at the shoulder point, the seam below the arm.
@@ -323,6 +327,18 @@ impl<'a> Bodice<'a> {
         let fold = begun * folds(fullness, narrow(width), turn);
         Some(place + outward * (wide + fold) - Vec3::Y * below)
     }
+}
+
+/// What would hang deeper than the floor lies on it, drawn out from under her: a train behind her, spread
+/// no more than it is cut.
+fn on_floor(place: Vec3, outward: Vec3) -> Vec3 {
+    let deeper = FLOOR_GAP - place.y;
+    if deeper <= 0.0 {
+        return place;
+    }
+    let away = if outward.z < 0.0 { -Vec3::Z } else { Vec3::Z };
+    let way = Vec3::new(SPREADING * outward.x, 0.0, away.z).normalize();
+    Vec3::new(place.x, FLOOR_GAP, place.z) + way * deeper
 }
 
 /// How far cloth stands out in folds [m], at a share of its `width` [m]: `fullness` is its length over the

@@ -13,8 +13,6 @@ use super::{DressError, Dressed, Ease, Kit, World, assembly, garment};
 
 /// How far she lifts her arms to be dressed from where they are built, 47° below the level [rad].
 const RAISED: f32 = 0.75;
-/// How far the floor draws a train back while it rises, over how far it rises.
-const TRAILING: f32 = 1.0;
 /// Passes in which pieces are drawn together and out of the skin before anything moves.
 const CLOSING_PASSES: u32 = 3;
 /// Passes in which what is drawn at the seams is spread over the pieces.
@@ -105,8 +103,6 @@ pub(super) fn fit(
     let mut state = garment.state();
     let mut room = Room::default();
     let start = fitting_pose();
-    let lowest = garment.start.iter().map(|place| place.y);
-    let trailing = (START_GAP - lowest.fold(f32::INFINITY, f32::min)).max(0.0);
     for frame in 0..SEWING_FRAMES + MOVING_FRAMES + RESTING_FRAMES {
         let moved = frame.saturating_sub(SEWING_FRAMES).min(MOVING_FRAMES);
         let share = moved as f32 / MOVING_FRAMES as f32;
@@ -116,11 +112,7 @@ pub(super) fn fit(
         } else {
             &garment.assembly
         };
-        let world = World {
-            // What hangs deeper than the floor is taken up by it, and drawn out behind her.
-            floor: Vec3::new(0.0, share - 1.0, -TRAILING * share) * trailing,
-            ..room.world(body, (&pose, under))
-        };
+        let world = room.world(body, (&pose, under));
         let moved_on = state.step_as(garment, assembly, (&world, FRAME));
         moved_on.map_err(|lost| DressError::Lost {
             template: kit.template,

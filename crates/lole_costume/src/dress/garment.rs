@@ -170,7 +170,7 @@ fn spacing(pattern: &Pattern, parts: &[Option<Part>], particle_count: f64) -> f6
 }
 
 /// Lowest tape around trunk and legs [m].
-const LOWEST_TAPE: f32 = 0.12;
+const LOWEST_TAPE: f32 = 0.03;
 
 /// Places of all particles.
 fn places(

@@ -188,7 +188,7 @@ fn sleeve(measures: &Measures, block: &Block, chosen: &Chosen<'_>) -> Result<Sle
             crown_raised: raised,
             hem_width: Some(measures.wrist_girth.to_m() + WRIST_EASE),
             hem: 3.0 * CM,
-            cap_height: 5.0 / 6.0,
+            cap_height: 0.5,
         },
     )?;
     sleeve.piece.name = words("長袖", "long sleeve");

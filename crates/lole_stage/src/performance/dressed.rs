@@ -106,13 +106,17 @@ impl Dressed {
         garment: &DressedGarment,
         body: skin_check::Surface<'_>,
     ) -> (StrainSummary, SkinCheck) {
-        let cloth = skin_check::Surface {
+        let strain = garment.dressed.strain(&self.positions);
+        (strain, skin_check::check(body, self.surface(garment)))
+    }
+
+    /// The cloth, without what only holds it together.
+    fn surface<'a>(&'a self, garment: &'a DressedGarment) -> skin_check::Surface<'a> {
+        skin_check::Surface {
             positions: &self.positions,
             normals: &[],
             triangles: &garment.dressed.open_triangles,
-        };
-        let strain = garment.dressed.strain(&self.positions);
-        (strain, skin_check::check(body, cloth))
+        }
     }
 }
 
@@ -175,5 +179,14 @@ impl Performance {
     #[must_use]
     pub fn measure_dressed(&self, place: usize) -> (StrainSummary, SkinCheck) {
         self.dressed[place].measure(&self.production.dressed[place], self.body_surface())
+    }
+
+    /// Vertices of the drawn body that lie outside a dressed garment which should cover them, as
+    /// [`Self::measure_dressed`] counts them; call [`Self::pose_body`] first.
+    #[must_use]
+    pub fn showing_through(&self, place: usize) -> Vec<usize> {
+        let garment = &self.production.dressed[place];
+        let cloth = self.dressed[place].surface(garment);
+        skin_check::showing(self.body_surface(), cloth)
     }
 }
