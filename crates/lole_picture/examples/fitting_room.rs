@@ -24,8 +24,9 @@ use lole_body::Figure;
 use lole_costume::document::schema::kind_ids;
 use lole_costume::document::{DancerDesign, Design, GarmentDesign, GarmentLayer, parse};
 use lole_costume::dress;
-use lole_picture::{Figure as Shown, Looks};
+use lole_picture::{Looks, Moment};
 use lole_render::{Backend, Camera, LightRig, Renderer, Size, View};
+use lole_stage::skin_check::{Surface, check};
 use lole_stage::{Performance, Production};
 
 /// Size of one picture of the sheet [pixel].
@@ -248,6 +249,7 @@ fn danced(
                 let crossings = garment.crossings(performance.dressed_positions(place));
                 let crossings = crossings.ok_or("the cloth is nowhere")?;
                 seen.crossings = [seen.crossings[0].max(crossings), crossings];
+                seen.drawn = seen.drawn.max(drawn_outside(performance, place));
             }
         }
         if asked.seconds <= performance.time() {
@@ -265,13 +267,14 @@ fn danced(
         let garment = &performance.production().dressed[place];
         write!(
             said,
-            "\n    {:10} {} particles, p99 strain {:.1} % at worst and {:.1} % at the end, deepest {:.1} mm, showing {}, crossings {} at worst and {} at the end",
+            "\n    {:10} {} particles, p99 strain {:.1} % at worst and {:.1} % at the end, deepest {:.1} mm, showing {} (drawn {}), crossings {} at worst and {} at the end",
             garment.name,
             garment.dressed.particle_count(),
             100.0 * seen.strain[0],
             100.0 * seen.strain[1],
             1000.0 * seen.deepest,
             seen.showing,
+            seen.drawn,
             seen.crossings[0],
             seen.crossings[1],
         )?;
@@ -293,12 +296,31 @@ struct Seen {
     strain: [f32; 2],
     deepest: f32,
     showing: u32,
+    /// Vertices of skin outside as it is drawn, where it gives way.
+    drawn: u32,
     /// Where skin lay outside in the worst frame [m], and when that was [s].
     shown_at: Vec<Vec3>,
     shown_in: f32,
     /// Pictures of that.
     close: Vec<Vec<u8>>,
     crossings: [usize; 2],
+}
+
+/// Vertices of the body outside a garment as both are drawn.
+fn drawn_outside(performance: &Performance, place: usize) -> u32 {
+    let moment = Moment::of(performance);
+    let production = performance.production();
+    let body = Surface {
+        positions: &moment.body[0],
+        normals: &moment.body[1],
+        triangles: &production.body_triangles,
+    };
+    let cloth = Surface {
+        positions: &moment.dressed[place][0],
+        normals: &moment.dressed[place][1],
+        triangles: &production.dressed[place].dressed.open_triangles,
+    };
+    check(body, cloth).showing_body_vertices
 }
 
 /// Where skin lay outside the cloth in the worst frame, by decimeters.
@@ -366,32 +388,13 @@ fn shoot(
 ) -> Result<Vec<Vec<u8>>, Box<dyn Error>> {
     let production = performance.production();
     let looks = Looks::new(&production.design, production)?;
-    let grids: Vec<[Vec<Vec3>; 2]> = (production.garments.iter())
-        .map(|garment| {
-            let mut vertices = [Vec::new(), Vec::new()];
-            let [positions, normals] = &mut vertices;
-            if asked.has_skirt {
-                garment
-                    .mesh
-                    .spread(performance.garment_positions(garment), positions);
-                garment
-                    .mesh
-                    .spread(&performance.garment_normals(garment), normals);
-            }
-            vertices
-        })
-        .collect();
-    let dressed: Vec<[Vec<Vec3>; 2]> = (0..production.dressed.len())
-        .map(|place| performance.dressed_vertices(place))
-        .collect();
-    let adornments = performance.posed_adornments();
-    let shown = Shown {
-        cloths: &grids,
-        cloth_colors: &[],
-        dressed: &dressed,
-        adornments: &adornments,
-        body: [performance.body_positions(), performance.body_normals()],
-    };
+    let mut moment = Moment::of(performance);
+    if !asked.has_skirt {
+        for vertices in moment.cloths.iter_mut().flatten() {
+            vertices.clear();
+        }
+    }
+    let (shown, dressed) = (moment.figure(), &moment.dressed);
     let points: Vec<Vec3> = if let Some(about) = about {
         let ends = |&place: &Vec3| [place - Vec3::splat(0.1), place + Vec3::splat(0.1)];
         about.iter().flat_map(ends).collect()

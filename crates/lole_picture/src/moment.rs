@@ -49,13 +49,17 @@ impl Moment {
             mesh.spread(&performance.garment_normals(garment), normals);
             vertices
         });
+        let dressed: Vec<Vertices> = (0..production.dressed.len())
+            .map(|place| performance.dressed_vertices(place))
+            .collect();
+        let mut body = performance.body_positions().to_vec();
+        let normals = performance.body_normals().to_vec();
+        lole_stage::give_way(production, &dressed, (&mut body, &normals));
         Self {
             cloths: cloths.collect(),
-            dressed: (0..production.dressed.len())
-                .map(|place| performance.dressed_vertices(place))
-                .collect(),
+            dressed,
             adornments: performance.posed_adornments(),
-            body: [performance.body_positions(), performance.body_normals()].map(<[Vec3]>::to_vec),
+            body: [body, normals],
         }
     }
 

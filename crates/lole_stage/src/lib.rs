@@ -13,12 +13,14 @@ pub mod production;
 pub mod skin_check;
 mod solver;
 pub mod validate;
+mod yielding;
 
 pub use danced::Danced;
 pub use live::{Pull, Show, Vitals, Wish};
 pub use metrics::{FrameMetrics, RunMetrics};
 pub use performance::{Divergence, Energy, FRAME_SECONDS, FRAMES_PER_SECOND, Performance};
 pub use production::{DressedGarment, Garment, Production, dancer};
+pub use yielding::give_way;
 
 use lole_language::Bilingual;
 

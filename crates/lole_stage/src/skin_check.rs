@@ -169,15 +169,15 @@ fn depth_below_skin(
 
 /// Does a vertex of the skin, and its outward normal, lie outside the cloth that should cover it?
 ///
-/// Cloth behind it counts only within the limb: that which a hand is held before covers the chest, not
-/// the hand.
+/// Cloth behind it counts only up to the middle of the limb: that which a hand is held before covers the
+/// chest, not the hand, though its palm is pressed into it.
 fn shows(cloth: &TriangleGrid<'_>, body: &TriangleGrid<'_>, position: Vec3, outward: Vec3) -> bool {
     let (start, end) = (position - outward * TOLERANCE, position - outward * REACH);
     let Some(behind) = cloth.first_crossing(start, end) else {
         return false;
     };
-    let is_in_limb = (body.first_crossing(start, end)).is_none_or(|leaves| behind < leaves);
-    is_in_limb
+    let is_of_this_side = (body.first_crossing(start, end)).is_none_or(|out| 2.0 * behind < out);
+    is_of_this_side
         && cloth
             .first_crossing(position, position + outward * COVER_REACH)
             .is_none()

@@ -381,13 +381,15 @@ fn photograph(show: &Show, clothes: &Arc<Wardrobe>, watch: Watch) -> Snapshot {
         &mut body_positions,
         &mut body_normals,
     );
+    let dressed = show.dressed_vertices();
+    lole_stage::give_way(production, &dressed, (&mut body_positions, &body_normals));
     Snapshot {
         wardrobe: Arc::clone(clothes),
         time: show.time(),
         particles,
         moment: Moment {
             cloths,
-            dressed: show.dressed_vertices(),
+            dressed,
             adornments: show.posed_adornments(),
             body: [body_positions, body_normals],
         },
