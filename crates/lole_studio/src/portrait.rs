@@ -23,7 +23,7 @@ const COARSE: [u32; 2] = [224, 32];
 
 /// Frames in which cloth of a small picture comes to hang: what still sways after them would not be
 /// seen.
-const HANGING_FRAMES: u32 = 75;
+const HANGING_FRAMES: u32 = 60;
 
 /// Quality of the picture as JPEG.
 const QUALITY: u8 = 90;

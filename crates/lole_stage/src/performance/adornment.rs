@@ -17,6 +17,8 @@ use crate::production::{Garment, Production};
 
 /// Frames in which strands come down from where they are let go, and their drag then [1/s].
 const LOWERING_FRAMES: usize = 100;
+/// Frames of it from one look at the cloth below to the next.
+const LOWERING_LOOKS: usize = 5;
 const LOWERING_DRAG: f32 = 7.0;
 
 /// Columns and rows of cloth that one surfel stands for: a fold and more.
@@ -91,8 +93,11 @@ impl Adorned {
             }
             adorned.look(production, &around);
             adorned.lift(production, &around);
-            for _ in 0..LOWERING_FRAMES {
-                adorned.look_under_tied(&around);
+            for frame in 0..LOWERING_FRAMES {
+                // Nothing but the strands moves, and they are lowered slowly.
+                if frame.is_multiple_of(LOWERING_LOOKS) {
+                    adorned.look_under_tied(&around);
+                }
                 adorned.step_by(production, &around, |config| StrandConfig {
                     drag_rate: config.drag_rate.max(LOWERING_DRAG),
                     ..config

@@ -50,11 +50,13 @@ impl OverCloth {
         let height = |place: u32| skin[place as usize].position.y;
         let mut by_height: Vec<u32> = (0..).take(skin.len()).collect();
         by_height.sort_by(|&a, &b| height(a).total_cmp(&height(b)));
-        let alike = skin.iter().map(|one| {
+        let around = |y: f32, reach: f32| {
             let below = |limit: f32| by_height.partition_point(|&place| height(place) < limit);
-            let slice = below(one.position.y - ALIKE)..below(one.position.y + ALIKE);
-            let others = by_height[slice].iter().copied();
-            let mut near: Vec<u32> = others
+            let slice = below(y - reach)..below(y + reach);
+            by_height[slice].iter().copied()
+        };
+        let alike = skin.iter().map(|one| {
+            let mut near: Vec<u32> = around(one.position.y, ALIKE)
                 .filter(|&place| is_near(one, &skin[place as usize]))
                 .collect();
             near.sort_unstable();
@@ -63,8 +65,8 @@ impl OverCloth {
         let loose = cloth.iter().map(|(_, positions)| {
             let all = (0..).zip(*positions);
             let loose = all.filter(|(_, place)| {
-                let apart = |surfel: &Surfel| surfel.position.distance_squared(**place);
-                LOOSE * LOOSE < skin.iter().map(apart).fold(f32::INFINITY, f32::min)
+                let apart = |one: u32| skin[one as usize].position.distance_squared(**place);
+                around(place.y, LOOSE).all(|one| LOOSE * LOOSE < apart(one))
             });
             loose.map(|(particle, _)| particle).collect()
         });
@@ -101,11 +103,14 @@ impl OverCloth {
                     outermost(surfel, (&grid, &near, positions), (&mut crossed, found));
                 }
             }
-            if loose.is_empty() {
+            let met = |particle: &&u32| is_near(positions[**particle as usize]);
+            if !loose.iter().any(|particle| met(&particle)) {
                 continue;
             }
-            let normals = vertex_normals(positions, triangles);
-            self.far.extend(loose.iter().map(|&particle| Surfel {
+            // All triangles around what is near are near.
+            let normals = vertex_normals(positions, &near);
+            let met = loose.iter().filter(met);
+            self.far.extend(met.map(|&particle| Surfel {
                 position: positions[particle as usize],
                 normal: normals[particle as usize],
             }));
@@ -135,7 +140,7 @@ impl OverCloth {
         }
     }
 
-    /// Cloth that hangs far from the skin.
+    /// Cloth near the strands that hangs far from the skin.
     pub(super) fn far(&self) -> &[Surfel] {
         &self.far
     }
