@@ -16,6 +16,8 @@ use crate::document::WornTemplate;
 
 /// Half the flesh of the mean woman's palm [m].
 const HALF_PALM: f32 = 0.014;
+/// Where sticks point: up and away from her, so that none goes through her.
+const AWAY: Vec3 = Vec3::new(0.0, 0.5, 0.85);
 /// How far the strips spread at their ends, over the radius.
 const SPREAD: f32 = 0.22;
 
@@ -47,7 +49,7 @@ pub(super) fn make(worn: &WornTemplate, wearer: &Wearer<'_>) -> Result<Made, Dra
         made.grips.push(Grip {
             side,
             thickness,
-            facing: None,
+            facing: Some(AWAY),
             arm: None,
         });
     }
