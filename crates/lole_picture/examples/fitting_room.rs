@@ -219,11 +219,11 @@ fn said_of_rest(before: &[Vec3], after: &[Vec3]) -> String {
     })
 }
 
+/// What is said of a dance, and close pictures of it.
+type SaidAndShot = (String, Vec<Vec<u8>>);
+
 /// Dances, and says what the cloth did meanwhile.
-fn danced(
-    asked: &Asked,
-    performance: &mut Performance,
-) -> Result<(String, Vec<Vec<u8>>), Box<dyn Error>> {
+fn danced(asked: &Asked, performance: &mut Performance) -> Result<SaidAndShot, Box<dyn Error>> {
     let count = performance.production().dressed.len();
     let mut seen = vec![Seen::default(); count];
     let (mut frames, mut moving) = (0_u16, 0.0);

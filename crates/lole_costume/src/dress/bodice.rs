@@ -337,7 +337,7 @@ fn on_floor(place: Vec3, outward: Vec3) -> Vec3 {
         return place;
     }
     let away = if outward.z < 0.0 { -Vec3::Z } else { Vec3::Z };
-    let way = Vec3::new(SPREADING * outward.x, 0.0, away.z).normalize();
+    let way = Vec3::new(SPREADING * outward.x, 0.0, away.z).normalize_or_zero();
     Vec3::new(place.x, FLOOR_GAP, place.z) + way * deeper
 }
 
