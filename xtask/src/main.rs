@@ -48,6 +48,7 @@ fn main() -> ExitCode {
 
 /// Folder of the workspace: the parent of this crate's.
 fn repository() -> PathBuf {
-    let own = Path::new(env!("CARGO_MANIFEST_DIR"));
-    own.parent().unwrap_or(own).to_owned()
+    // As Cargo says when it runs: a build folder that several clones share keeps what one of them was.
+    let own = std::env::var_os("CARGO_MANIFEST_DIR").map_or_else(PathBuf::new, PathBuf::from);
+    own.parent().unwrap_or(&own).to_owned()
 }

@@ -339,7 +339,9 @@ fn card(drafted: &PauDraft) -> String {
 
 /// Compares with the golden, or rewrites it where `LOLE_GOLDEN=write` (`cargo xtask golden`).
 fn check_golden(name: &str, text: &str) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+    // As Cargo says when it runs: a build folder that several clones share keeps what one of them was.
+    let own = std::env::var_os("CARGO_MANIFEST_DIR").expect("Cargo runs tests");
+    let path = Path::new(&own)
         .join("../../tests/golden/lole_pattern")
         .join(name);
     if std::env::var_os("LOLE_GOLDEN").is_some_and(|mode| mode == "write") {
