@@ -9,7 +9,7 @@ use lole_costume::tailoring::{self, ClothPlan, GarmentPattern};
 use lole_export::booklet::amount_words;
 use lole_export::cutting::{
     CutGarment, cut_plan_sheets, cut_plan_svg, masses, pattern_json, pieces_svg, ruler_sheets,
-    short_words, tiled_sheets,
+    short_words, tiled_sheets, used_words,
 };
 use lole_export::dxf::pattern_dxf;
 use lole_export::pdf::{Document, Paper, Sheet};
@@ -185,7 +185,9 @@ fn purchases(cut: &CutGarment) -> Vec<Sentence> {
         let marker = &plan.marker;
         let (needed, metric) = (marker.yardage.needed.to_cm(), marker.yardage.metric.to_m());
         let (yards, width) = (marker.yardage.imperial.to_yd(), marker.cloth.width.to_cm());
-        let used = 100.0 * marker.efficiency;
+        let used = |between: &str, language: Language| {
+            used_words(plan, language).map_or_else(String::new, |used| format!("{between}{used}"))
+        };
         let ([metric_kg, cut_kg], [yard_kg, _]) = (
             masses(plan, Language::Japanese),
             masses(plan, Language::English),
@@ -198,13 +200,15 @@ fn purchases(cut: &CutGarment) -> Vec<Sentence> {
         };
         Sentence::new(
             format!(
-                "{}: 幅 {width:.0} cm の布 {metric:.1} m（{yards:.1} ヤード）、用尺 {needed:.1} cm、買う布 {metric_kg:.2} kg（ヤードなら {yard_kg:.2} kg）、裁った布 {cut_kg:.2} kg、使用率 {used:.0} %{}",
+                "{}: 幅 {width:.0} cm の布 {metric:.1} m（{yards:.1} ヤード）、用尺 {needed:.1} cm、買う布 {metric_kg:.2} kg（ヤードなら {yard_kg:.2} kg）、裁った布 {cut_kg:.2} kg{}{}",
                 name.japanese,
+                used("、", Language::Japanese),
                 short(Language::Japanese)
             ),
             format!(
-                "{}: buy {metric:.1} m ({yards:.1} yd) of {width:.0} cm cloth; {needed:.1} cm are needed; {metric_kg:.2} kg bought ({yard_kg:.2} kg by the yard), {cut_kg:.2} kg once cut, {used:.0} % used{}",
+                "{}: buy {metric:.1} m ({yards:.1} yd) of {width:.0} cm cloth; {needed:.1} cm are needed; {metric_kg:.2} kg bought ({yard_kg:.2} kg by the yard), {cut_kg:.2} kg once cut{}{}",
                 name.english,
+                used(", ", Language::English),
                 short(Language::English)
             ),
         )

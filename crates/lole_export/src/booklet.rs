@@ -24,7 +24,7 @@ use crate::order::lengths_table;
 use crate::pdf::{
     Align, Cell, Column, Flow, Margins, Paper, Picture, Rect, Sheet, Stroke, Table, TextStyle,
 };
-pub(crate) use style::{ACCENT, foot, head, rule, subhead};
+pub(crate) use style::{ACCENT, foot, head, headed_table, rule, subhead};
 
 /// What a booklet is made of.
 #[derive(Debug, Clone, PartialEq)]

@@ -13,7 +13,9 @@ use lole_pattern::pattern::{Amount, NotionKind};
 use serde::Serialize;
 
 use crate::ExportError;
-use crate::booklet::{ACCENT, amount_words, bill_remarks, bill_table, capitalized, foot, head};
+use crate::booklet::{
+    ACCENT, amount_words, bill_remarks, bill_table, capitalized, foot, head, headed_table,
+};
 use crate::pdf::{
     Align, Cell, Column, Flow, Margins, Paper, Picture, Rect, Sheet, Stroke, Table, TextStyle,
 };
@@ -104,8 +106,8 @@ fn summary(flow: &mut Flow, order: &Order<'_>, language: Language) {
         );
     }
     line_up(flow, order);
-    head(flow, language.pick("一覧", "All dancers"));
-    dancer_table(order, language).draw(flow);
+    let table = dancer_table(order, language);
+    headed_table(flow, language.pick("一覧", "All dancers"), &table);
 }
 
 /// Dancers side by side on a floor, in rows, with their names.
@@ -169,12 +171,12 @@ fn dancer_table(order: &Order<'_>, language: Language) -> Table {
     }
     Table {
         columns: vec![
-            Column::text(language.pick("名前", "Name"), 2.3),
-            Column::text(language.pick("服", "Garment"), 2.9),
-            Column::text(language.pick("裁つ寸法 cm", "Cut, cm"), 2.9),
+            Column::text(language.pick("名前", "Name"), 2.0),
+            Column::text(language.pick("服", "Garment"), 2.5),
+            Column::text(language.pick("裁つ寸法 cm", "Cut, cm"), 3.6),
             Column::text(language.pick("ゴム cm", "Elastic, cm"), 3.1),
-            Column::number(language.pick("布", "Cloth"), 1.2),
-            Column::number(language.pick("費用", "Cost"), 2.3),
+            Column::number(language.pick("布", "Cloth"), 1.4),
+            Column::number(language.pick("費用", "Cost"), 2.1),
         ],
         rows,
         size_pt: 10.5,
@@ -228,17 +230,21 @@ pub(crate) fn lengths_table(plans: &[DancerPlan], language: Language) -> Table {
     }
 }
 
-/// "367.6 × 92.5" of every rectangle; other pieces have patterns.
+/// "367.6 × 92.5" of every rectangle, after its name where there are several; other pieces have patterns.
 fn cut_words(garment: &PlannedGarment, language: Language) -> String {
     let rectangles = garment.rectangles();
     let by_pattern = garment.tailored.pattern.pieces.len() - rectangles.len();
-    let sizes = rectangles.iter().map(|(_, [along, across], count)| {
+    let is_alone = garment.tailored.pattern.pieces.len() == 1;
+    let sizes = rectangles.iter().map(|(name, [along, across], count)| {
+        let name = if is_alone { "" } else { name.text(language) };
         let often = if *count == 1 {
             String::new()
         } else {
             format!(" ({count})")
         };
-        format!("{:.1} × {:.1}{often}", along.to_cm(), across.to_cm())
+        let [along, across] = [along, across].map(|side| side.to_cm());
+        let words = format!("{name} {along:.1} × {across:.1}{often}");
+        words.trim_start().to_owned()
     });
     let patterns = language.pick("型紙", "pattern").to_owned();
     let patterns = (0 < by_pattern).then_some(patterns);

@@ -1,6 +1,6 @@
 //! How pages that people read look: heads, rules, numbers, the foot.
 
-use crate::pdf::{Align, Color, Flow, Sheet, Stroke, TextStyle};
+use crate::pdf::{Align, Color, Flow, Sheet, Stroke, Table, TextStyle};
 
 /// Heads and what is brought out: the green of ti leaves.
 pub(crate) const ACCENT: Color = Color(20, 98, 90);
@@ -13,8 +13,19 @@ pub(crate) const INSIDE: Color = Color(228, 222, 214);
 
 /// A head over the whole width.
 pub(crate) fn head(flow: &mut Flow, text: &str) {
+    head_above(flow, text, 12.0);
+}
+
+/// A head, and a table of which at least the beginning is on its page.
+pub(crate) fn headed_table(flow: &mut Flow, text: &str, table: &Table) {
+    head_above(flow, text, table.beginning(flow.width()));
+    table.draw(flow);
+}
+
+/// A head with at least so much room [mm] below it.
+fn head_above(flow: &mut Flow, text: &str, room: f64) {
     flow.space(3.0);
-    flow.keep(30.0);
+    flow.keep(18.0 + room);
     flow.block(14.0, |sheet, rect| {
         let style = TextStyle::bold(19.0).with_color(ACCENT);
         sheet.text([rect.x, rect.y + 8.0], text, &style, Align::Left);

@@ -134,17 +134,15 @@ fn title(cut: &CutGarment, plan: &ClothPlan, language: Language) -> String {
 
 /// Cloth, what to buy, what it weighs and how well it is used.
 fn about(cut: &CutGarment, plan: &ClothPlan, language: Language) -> String {
-    let Marker {
-        cloth,
-        yardage,
-        efficiency,
-        ..
-    } = &plan.marker;
+    let Marker { cloth, yardage, .. } = &plan.marker;
     let name = cut.garment.cloth.name.text(language);
     let width = cm(cloth.width);
     let needed = cm(yardage.needed);
     let (metric, imperial) = (yardage.metric.to_m(), yardage.imperial.to_yd());
-    let ([bought, cut_kg], used) = (masses(plan, language), 100.0 * efficiency);
+    let [bought, cut_kg] = masses(plan, language);
+    let used = used_words(plan, language).map_or_else(String::new, |used| {
+        format!("{}{used}", language.pick("　", "; "))
+    });
     let direction = match cloth.nap {
         Nap::OneWay => language.pick("・一方向に裁つ", "; all pieces one way"),
         Nap::TwoWay => "",
@@ -152,13 +150,25 @@ fn about(cut: &CutGarment, plan: &ClothPlan, language: Language) -> String {
     match language {
         Language::Japanese => format!(
             "{name}　幅 {width}　用尺 {needed} → {metric:.1} m（または {imperial:.1} ヤード）を買う \
-             重さ {bought:.2} kg（裁ったあと {cut_kg:.2} kg）　使用率 {used:.0} %{direction}"
+             重さ {bought:.2} kg（裁ったあと {cut_kg:.2} kg）{used}{direction}"
         ),
         Language::English => format!(
             "{name}, {width} wide. Needs {needed}: buy {imperial:.1} yd or {metric:.1} m. \
-             Weighs {bought:.2} kg, {cut_kg:.2} kg once cut; {used:.0} % of the cloth is used{direction}."
+             Weighs {bought:.2} kg, {cut_kg:.2} kg once cut{used}{direction}."
         ),
     }
+}
+
+/// How much of the cloth is used; `None` where a piece is wider than it and pieces take more than all of
+/// it, of which a warning speaks.
+#[must_use]
+pub fn used_words(plan: &ClothPlan, language: Language) -> Option<String> {
+    let percent = 100.0 * plan.marker.efficiency;
+    let words = match language {
+        Language::Japanese => format!("使用率 {percent:.0} %"),
+        Language::English => format!("{percent:.0} % of the cloth is used"),
+    };
+    (percent <= 100.0).then_some(words)
 }
 
 /// Mass of the cloth as it is bought, by the yard in English and by the meter in Japanese, and of all

@@ -75,7 +75,8 @@ impl<T: Into<String>> From<T> for Cell {
 pub struct Table {
     /// Its columns. Heads are drawn unless all are empty.
     pub columns: Vec<Column>,
-    /// Its rows; a missing cell is empty.
+    /// Its rows; a missing cell is empty. A row whose first cell is empty goes on with the one above it,
+    /// and stays on its page where there is room.
     pub rows: Vec<Vec<Cell>>,
     /// Size of its letters [pt].
     pub size_pt: f64,
@@ -84,51 +85,85 @@ pub struct Table {
 impl Table {
     /// Draws the table down the pages.
     pub fn draw(&self, flow: &mut Flow) {
-        let head: Vec<Cell> = (self.columns.iter())
-            .map(|column| Cell::bold(column.head.clone()))
-            .collect();
-        let has_head = head.iter().any(|cell| !cell.text.is_empty());
+        let head = self.head();
+        let head_height = self.head_height(flow.width());
         let mut page_is_new = true;
-        for row in &self.rows {
+        for (index, row) in self.rows.iter().enumerate() {
             let height = self.row_height(row, flow.width());
-            let head_height = self.row_height(&head, flow.width());
-            let wanted = if page_is_new {
-                height + head_height
+            let together = self.height_together(index, flow.width());
+            let heads = if page_is_new { head_height } else { 0.0 };
+            // What no page has room for breaks where it must.
+            let wanted = if heads + together <= flow.page_height() {
+                together
             } else {
                 height
             };
-            if flow.left_over() < wanted {
+            if flow.left_over() < heads + wanted {
                 flow.new_page();
                 page_is_new = true;
             }
-            if page_is_new && has_head {
+            if let Some(head) = head.as_ref().filter(|_| page_is_new) {
                 flow.block(head_height, |sheet, rect| {
                     sheet.rect(rect, Some(HEAD), None);
-                    self.draw_row(&head, sheet, rect);
+                    self.draw_row(head, sheet, rect);
+                    self.draw_rule(sheet, rect, 0);
                 });
             }
             page_is_new = false;
-            flow.block(height, |sheet, rect| self.draw_row(row, sheet, rect));
+            let beside = usize::from(self.goes_on(index + 1));
+            flow.block(height, |sheet, rect| {
+                self.draw_row(row, sheet, rect);
+                self.draw_rule(sheet, rect, beside);
+            });
         }
+    }
+
+    /// Whether a row goes on with the one above it.
+    fn goes_on(&self, row: usize) -> bool {
+        let row = self.rows.get(row);
+        row.is_some_and(|row| row.first().is_some_and(|cell| cell.text.is_empty()))
+    }
+
+    /// Height of a row and of what goes on with it [mm].
+    fn height_together(&self, row: usize, width: f64) -> f64 {
+        let rest = (row + 1..).take_while(|&next| self.goes_on(next));
+        let rows = std::iter::once(row).chain(rest);
+        rows.map(|row| self.row_height(&self.rows[row], width))
+            .sum()
+    }
+
+    /// Height of the heads and of the first row with what goes on with it [mm]: what a title keeps below it.
+    #[must_use]
+    pub fn beginning(&self, width: f64) -> f64 {
+        let first = if self.rows.is_empty() {
+            0.0
+        } else {
+            self.height_together(0, width)
+        };
+        first + self.head_height(width)
+    }
+
+    /// Heads of the columns, unless all are empty.
+    fn head(&self) -> Option<Vec<Cell>> {
+        let heads = self.columns.iter();
+        let heads: Vec<Cell> = heads
+            .map(|column| Cell::bold(column.head.clone()))
+            .collect();
+        let has_text = heads.iter().any(|cell| !cell.text.is_empty());
+        has_text.then_some(heads)
+    }
+
+    fn head_height(&self, width: f64) -> f64 {
+        let head = self.head();
+        head.map_or(0.0, |head| self.row_height(&head, width))
     }
 
     /// Height on a page of this width of text [mm], when it fits onto one.
     #[must_use]
     pub fn height(&self, width: f64) -> f64 {
-        let head: Vec<Cell> = (self.columns.iter())
-            .map(|column| Cell::bold(column.head.clone()))
-            .collect();
-        let has_head = head.iter().any(|cell| !cell.text.is_empty());
-        let rows: f64 = self
-            .rows
-            .iter()
-            .map(|row| self.row_height(row, width))
-            .sum();
-        if has_head {
-            rows + self.row_height(&head, width)
-        } else {
-            rows
-        }
+        let rows = self.rows.iter();
+        let rows: f64 = rows.map(|row| self.row_height(row, width)).sum();
+        rows + self.head_height(width)
     }
 
     const fn style(&self, cell: &Cell) -> TextStyle {
@@ -172,9 +207,14 @@ impl Table {
             }
             left += width;
         }
+    }
+
+    /// Draws the line below a row, beside its first columns.
+    fn draw_rule(&self, sheet: &mut Sheet, rect: Rect, beside: usize) {
+        let left: f64 = self.widths(rect.width).take(beside).sum();
         let bottom = rect.y + rect.height;
         let rule = Stroke::solid(0.2).with_color(RULE);
-        sheet.line([rect.x, bottom], [rect.x + rect.width, bottom], rule);
+        sheet.line([rect.x + left, bottom], [rect.x + rect.width, bottom], rule);
     }
 }
 
@@ -201,6 +241,38 @@ mod tests {
         assert_eq!(count("名前"), sheets.len());
         for index in 0..120 {
             assert_eq!(count(&format!("row {index}")), 1);
+        }
+    }
+
+    #[test]
+    fn rows_that_go_on_stay_on_the_page_of_the_row_they_go_on_with() {
+        let rows = (0..60).flat_map(|index| {
+            [
+                vec![Cell::bold(format!("dancer {index}")), "skirt".into()],
+                vec!["".into(), format!("top of {index}").into()],
+                vec!["".into(), format!("lei of {index}").into()],
+            ]
+        });
+        let table = Table {
+            columns: vec![Column::text("Name", 1.0), Column::text("Garment", 1.0)],
+            rows: rows.collect(),
+            size_pt: 12.0,
+        };
+        let mut flow = Flow::new(Paper::A4.size_mm(), Margins::default());
+        // So that a page ends within a dancer unless it is kept from that.
+        flow.space(1.0);
+        flow.paragraph("All dancers", &TextStyle::regular(20.0));
+        table.draw(&mut flow);
+        let sheets = flow.finish(|_, _, _| {});
+        assert!(2 < sheets.len(), "{}", sheets.len());
+        let page_of = |wanted: &str| {
+            let is_on = |sheet: &Sheet| sheet.texts().contains(&wanted);
+            sheets.iter().position(is_on).expect("nothing is lost")
+        };
+        for index in 0..60 {
+            let page = page_of(&format!("dancer {index}"));
+            assert_eq!(page, page_of(&format!("top of {index}")));
+            assert_eq!(page, page_of(&format!("lei of {index}")));
         }
     }
 

@@ -8,7 +8,8 @@ use kurbo::Point;
 use lole_costume::order::PlannedGarment;
 use lole_costume::print::ClothPicture;
 use lole_costume::tailoring::{ClothPlan, role_name};
-use lole_language::Sentence;
+use lole_export::cutting::used_words;
+use lole_language::{Language, Sentence};
 use lole_pattern::Pattern;
 use lole_pattern::marker::{Lay, Placed};
 use lole_pattern::piece::ClothRole;
@@ -165,13 +166,20 @@ fn facts(plan: &ClothPlan) -> Sentence {
         marker.yardage.metric.to_m(),
         marker.yardage.imperial.to_yd(),
     );
-    let (mass, used) = (plan.mass, 100.0 * marker.efficiency);
+    let mass = plan.mass;
+    let used = |between: &str, language: Language| {
+        used_words(plan, language).map_or_else(String::new, |used| format!("{between}{used}"))
+    };
+    let (japanese, english) = (
+        used("、", Language::Japanese),
+        used("; ", Language::English),
+    );
     Sentence::new(
         format!(
-            "用尺 {needed:.1} cm → {metric:.1} m（{yards:.1} ヤード）を買う。重さ {mass:.2} kg、使用率 {used:.0} %。"
+            "用尺 {needed:.1} cm → {metric:.1} m（{yards:.1} ヤード）を買う。重さ {mass:.2} kg{japanese}。"
         ),
         format!(
-            "Needs {needed:.1} cm: buy {metric:.1} m ({yards:.1} yd). Weighs {mass:.2} kg; {used:.0} % of the cloth is used."
+            "Needs {needed:.1} cm: buy {metric:.1} m ({yards:.1} yd). Weighs {mass:.2} kg{english}."
         ),
     )
 }
