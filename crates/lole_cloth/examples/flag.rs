@@ -18,6 +18,7 @@ fn main() -> Result<(), BuildError> {
         row_count: 33,
         topology: Topology::Sheet,
         spacing: [0.02, 0.02],
+        flounce: None,
     };
     // The hoist, the first column, is tied to the pole.
     let pinned = (0..grid.particle_count()).map(|particle| particle % 48 == 0);

@@ -44,6 +44,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         row_count: SIDE,
         topology: Topology::Sheet,
         spacing: [SPACING; 2],
+        flounce: None,
     };
     let flat: Vec<Vec2> = (0..grid.particle_count())
         .map(|k| {

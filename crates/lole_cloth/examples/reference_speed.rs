@@ -24,6 +24,7 @@ fn main() -> Result<(), lole_cloth::BuildError> {
         row_count: 50,
         topology: Topology::Tube,
         spacing: [0.0075, 0.015],
+        flounce: None,
     };
     let mut pinned = vec![false; grid.particle_count()];
     pinned[..512].fill(true);

@@ -84,7 +84,7 @@ fn each_structural_edge(spec: &ClothSpec, mut edge: impl FnMut([usize; 2], f32))
         for column in 0..grid.column_count {
             let particle = grid.index(row, column);
             if let Some(right) = grid.column_right(column, 1) {
-                edge([particle, grid.index(row, right)], grid.spacing[0]);
+                edge([particle, grid.index(row, right)], grid.row_spacing(row));
             }
             if row + 1 < grid.row_count {
                 edge([particle, grid.index(row + 1, column)], grid.spacing[1]);

@@ -22,6 +22,18 @@ pub struct Grid {
     pub topology: Topology,
     /// Rest distance between neighbors along `u` and `v` [m]; the cells are rectangles.
     pub spacing: [f32; 2],
+    /// Fuller cloth that is sewn to the lower part; `None` where all rows are as long.
+    pub flounce: Option<Flounce>,
+}
+
+/// Cloth that is gathered into a seam along a row and hangs below it: a column of it is wider than one
+/// of the cloth above.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Flounce {
+    /// Row of the seam; every row below it is the flounce's. At least 1, and not the last.
+    pub seam_row: u32,
+    /// Length of the flounce along a row over that of the cloth above it, at least 1.
+    pub fullness: f32,
 }
 
 impl Grid {
@@ -44,6 +56,25 @@ impl Grid {
     #[must_use]
     pub const fn index(&self, row: u32, column: u32) -> usize {
         row as usize * self.column_count as usize + column as usize
+    }
+
+    /// Length of the cloth of a row over that of the first row.
+    #[must_use]
+    pub fn row_fullness(&self, row: u32) -> f32 {
+        let flounce = self.flounce.filter(|flounce| flounce.seam_row < row);
+        flounce.map_or(1.0, |flounce| flounce.fullness)
+    }
+
+    /// The same of the cells between a row and the next.
+    #[must_use]
+    pub fn cell_fullness(&self, row: u32) -> f32 {
+        self.row_fullness(row + 1)
+    }
+
+    /// Rest distance between neighbors along a row [m].
+    #[must_use]
+    pub fn row_spacing(&self, row: u32) -> f32 {
+        self.spacing[0] * self.row_fullness(row)
     }
 
     /// Column `offset` to the right of `column`; `None` beyond the edge of a sheet.

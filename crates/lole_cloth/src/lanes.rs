@@ -453,6 +453,7 @@ mod tests {
             row_count: 3,
             topology,
             spacing: [0.01, 0.01],
+            flounce: None,
         }
     }
 

@@ -55,7 +55,7 @@ pub mod wind;
 
 pub use config::{Crossings, InstructionSet, SelfCollision, SolverConfig};
 pub use fabric::{Fabric, Hysteresis};
-pub use grid::{Grid, Topology};
+pub use grid::{Flounce, Grid, Topology};
 pub use model::{BuildError, ClothModel};
 pub use phase::Phase;
 pub use snapshot::{mesh_state_hash, reference_state_hash, state_hash};

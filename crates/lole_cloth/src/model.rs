@@ -6,7 +6,7 @@ use crate::constraint::RowMasses;
 use crate::constraint::bend::{self, Clamps};
 use crate::constraint::tether::Tethers;
 use crate::lanes::{Layout, RowLink, Scalars, row_links};
-use crate::{ClothSpec, MassLaw, Topology};
+use crate::{ClothSpec, Flounce, MassLaw, Topology};
 
 /// Why a [`ClothSpec`] cannot be built.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -32,6 +32,9 @@ pub enum BuildError {
         /// Entries needed.
         expected: usize,
     },
+    /// A method that moves cloth of one width only.
+    #[error("this method moves no flounce; choose xpbd, or a garment without one")]
+    Flounce,
     /// A number that is not finite or out of its range.
     #[error("`{field}` is {value}; it must be {rule}")]
     OutOfRange {
@@ -182,24 +185,26 @@ pub fn particle_masses(spec: &ClothSpec) -> Vec<f32> {
         clippy::cast_precision_loss,
         reason = "cells are counted below 2^24 or rounded alike"
     )]
-    let uniform = (grid.cell_columns() * (grid.row_count - 1)) as f32 * cell_mass
-        / grid.particle_count() as f32;
-    let half_at = |index: u32, count: u32| {
-        if index == 0 || index + 1 == count {
-            0.5
-        } else {
-            1.0
-        }
+    let uniform = {
+        let rows = (0..grid.row_count - 1).map(|row| grid.cell_fullness(row));
+        grid.cell_columns() as f32 * rows.sum::<f32>() * cell_mass / grid.particle_count() as f32
+    };
+    // Cells that touch a row, in those of the first row, and likewise cells that touch a column.
+    let in_row = |row: u32| {
+        let above = row.checked_sub(1).map(|above| grid.cell_fullness(above));
+        let below = (row + 1 < grid.row_count).then(|| grid.cell_fullness(row));
+        0.5 * above.unwrap_or(0.0) + 0.5 * below.unwrap_or(0.0)
+    };
+    let in_column = |column: u32| match grid.topology {
+        Topology::Sheet if column == 0 || column + 1 == grid.column_count => 0.5,
+        Topology::Sheet | Topology::Tube => 1.0,
     };
     let mut masses = Vec::with_capacity(grid.particle_count());
     for (row, &layers) in (0..grid.row_count).zip(&spec.row_layers) {
         masses.extend((0..grid.column_count).map(|column| {
-            let single = match (spec.mass, grid.topology) {
-                (MassLaw::Uniform, _) => uniform,
-                (MassLaw::AreaWeighted, Topology::Tube) => cell_mass * half_at(row, grid.row_count),
-                (MassLaw::AreaWeighted, Topology::Sheet) => {
-                    cell_mass * half_at(row, grid.row_count) * half_at(column, grid.column_count)
-                }
+            let single = match spec.mass {
+                MassLaw::Uniform => uniform,
+                MassLaw::AreaWeighted => cell_mass * in_row(row) * in_column(column),
             };
             single * layers
         }));
@@ -238,6 +243,22 @@ fn check_numbers(spec: &ClothSpec) -> Result<(), BuildError> {
         ("grid.spacing", spec.grid.spacing[1]),
         ("fabric.areal_density", fabric.areal_density),
     ];
+    if let Some(Flounce { seam_row, fullness }) = spec.grid.flounce {
+        if !(fullness.is_finite() && 1.0 <= fullness) {
+            return Err(BuildError::OutOfRange {
+                field: "grid.flounce.fullness",
+                value: fullness,
+                rule: "finite and at least 1",
+            });
+        }
+        if seam_row == 0 || spec.grid.row_count <= seam_row + 1 {
+            return Err(BuildError::OutOfRange {
+                field: "grid.flounce.seam_row",
+                value: seam_row as f32,
+                rule: "neither the first row nor the last",
+            });
+        }
+    }
     let layers = spec.row_layers.iter().map(|&layers| ("row_layers", layers));
     for (field, value) in positive.into_iter().chain(layers) {
         if !(value.is_finite() && 0.0 < value) {

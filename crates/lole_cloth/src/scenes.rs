@@ -133,6 +133,7 @@ fn hang(side: u32, substep_count: u32, strides: &[u32]) -> Setup {
         row_count: side,
         topology: Topology::Sheet,
         spacing: [spacing; 2],
+        flounce: None,
     };
     let mut pinned = vec![false; grid.particle_count()];
     pinned[grid.index(0, 0)] = true;
@@ -178,6 +179,7 @@ fn skirt() -> Setup {
         row_count,
         topology: Topology::Tube,
         spacing: spacing.map(narrow),
+        flounce: None,
     };
     let mut positions = Vec::with_capacity(grid.particle_count());
     let (mut height, mut radius_above) = (0.0, 0.0);
@@ -233,6 +235,7 @@ fn gathered() -> Setup {
         row_count,
         topology: Topology::Tube,
         spacing: spacing.map(narrow),
+        flounce: None,
     };
     let girth = f64::from(column_count) * spacing[0];
     let ring = waved_ring(CASING_GIRTH / TAU, girth, column_count, FOLD_COUNT);

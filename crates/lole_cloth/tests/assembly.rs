@@ -44,6 +44,7 @@ fn grid_spec(columns: u32, rows: u32, spacing: f32) -> ClothSpec {
         row_count: rows,
         topology: Topology::Sheet,
         spacing: [spacing; 2],
+        flounce: None,
     };
     ClothSpec {
         grid,

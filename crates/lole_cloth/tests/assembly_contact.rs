@@ -69,6 +69,7 @@ fn square(kind: Kind, side: u32, border: Border, config: SolverConfig) -> (Piece
                     row_count: side,
                     topology: Topology::Sheet,
                     spacing: [SPACING; 2],
+                    flounce: None,
                 },
                 fabric: CALM,
                 row_layers: vec![1.0; side as usize],

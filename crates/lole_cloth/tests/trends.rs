@@ -27,6 +27,7 @@ fn tube(columns: u32, rows: u32, spacing: f32, fabric: Fabric) -> ClothSpec {
         row_count: rows,
         topology: Topology::Tube,
         spacing: [spacing; 2],
+        flounce: None,
     };
     ClothSpec {
         fabric,

@@ -186,6 +186,7 @@ impl Sample {
         let sheet = GridSheet {
             column_count: COLUMNS,
             row_count: ROWS,
+            rows_above: 0,
             ring: GridRing::Closed,
             spacing: [0.05, 0.1],
             uv_from_flat: Affine2::from_scale(Vec2::splat(1.0 / 0.4)),
@@ -414,4 +415,44 @@ fn broken_scenes_are_refused_in_words() {
         sample.write(),
         Err(ExportError::ColumnLength { .. })
     ));
+}
+
+#[test]
+fn cloth_below_a_seam_hangs_on_the_particles_of_the_seam() {
+    let above = GridSheet {
+        column_count: 8,
+        row_count: 4,
+        rows_above: 0,
+        ring: GridRing::Closed,
+        spacing: [0.1, 0.1],
+        uv_from_flat: Affine2::IDENTITY,
+    };
+    let below = GridSheet {
+        row_count: 3,
+        rows_above: 3,
+        spacing: [0.15, 0.1],
+        ..above
+    };
+    let [first, second] = [above, below].map(|sheet| GridMesh::new(&sheet, [1, 1]));
+    let whole = first.clone().with(&second);
+    let seam = first.particles.len() - 9;
+    assert_eq!(
+        first.particles[seam..],
+        second.particles[..9],
+        "one row of particles"
+    );
+    assert_eq!(
+        whole.particles.len(),
+        first.particles.len() + second.particles.len()
+    );
+    assert_eq!(whole.particles.iter().max(), Some(&(6 * 8 - 1)));
+    assert_eq!(whole.triangles.len(), 2 * 8 * (3 + 2));
+    let corners = whole.triangles.iter().flatten();
+    assert_eq!(
+        corners.max().map(|&last| last as usize + 1),
+        Some(whole.uvs.len())
+    );
+    // Its cloth begins anew, and is wider.
+    assert_eq!(whole.uvs[first.uvs.len()], Vec2::ZERO);
+    assert!((second.uvs[8].x - 1.2).abs() < 1e-6);
 }

@@ -162,6 +162,7 @@ mod tests {
             row_count: 5,
             topology: Topology::Tube,
             spacing: [0.01, 0.01],
+            flounce: None,
         };
         assert_eq!(spring_stride(&grid, 0.0001), 1);
         assert!(4 <= spring_stride(&grid, 0.004));

@@ -218,7 +218,7 @@ fn is_finite(piece: &PieceState) -> bool {
 
 /// What holds for all substeps of a piece.
 enum Plan {
-    Grid(xpbd::Plan),
+    Grid(Box<xpbd::Plan>),
     Mesh(mesh::step::Substep),
 }
 
@@ -295,7 +295,7 @@ fn begin(
     match (piece, state) {
         (Piece::Grid(model, config), PieceState::Grid(state)) => {
             let plan = xpbd::begin(model, config, (input, dt), state);
-            Some(Plan::Grid(plan))
+            Some(Plan::Grid(Box::new(plan)))
         }
         (Piece::Mesh(model, config), PieceState::Mesh(state)) => {
             let plan = mesh::step::begin(model, config, (input, dt), state);

@@ -482,6 +482,7 @@ mod tests {
             row_count: 16,
             topology: Topology::Tube,
             spacing: [0.01; 2],
+            flounce: None,
         };
         let surface = Surface::from_grid(&grid);
         for amount in [0.0, 0.002, 0.006, 0.015] {

@@ -356,6 +356,7 @@ mod tests {
                 row_count: 5,
                 topology,
                 spacing: [0.01; 2],
+                flounce: None,
             };
             let surface = Surface::from_grid(&grid);
             let triangles = grid.triangles();
@@ -376,6 +377,7 @@ mod tests {
             row_count: 3,
             topology: Topology::Sheet,
             spacing: [0.01; 2],
+            flounce: None,
         };
         let surface = Surface::from_grid(&grid);
         assert_eq!(surface.star(grid.index(1, 1)), [0, 1, 3, 4]);

@@ -108,6 +108,9 @@ fn spread_anchors(grid: &Grid, layout: &Layout, pin_indices: &[u32]) -> Vec<Anch
 /// Distance [m] of two particles on the flat cloth; around a tube, the shorter way.
 pub(crate) fn flat_distance(grid: &Grid, first: usize, second: usize) -> f32 {
     let columns = grid.column_count as usize;
+    let row = |particle: usize| u32::try_from(particle / columns).unwrap_or(u32::MAX);
+    // Of two rows that are not as full, the fuller: a bound for both.
+    let spacing = grid.row_spacing(row(first).max(row(second)));
     let across = (first % columns).abs_diff(second % columns);
     let across = match grid.topology {
         Topology::Sheet => across,
@@ -118,10 +121,7 @@ pub(crate) fn flat_distance(grid: &Grid, first: usize, second: usize) -> f32 {
         clippy::cast_precision_loss,
         reason = "a grid has fewer than 2^24 rows and columns"
     )]
-    let (u, v) = (
-        across as f32 * grid.spacing[0],
-        down as f32 * grid.spacing[1],
-    );
+    let (u, v) = (across as f32 * spacing, down as f32 * grid.spacing[1]);
     (u * u + v * v).sqrt()
 }
 

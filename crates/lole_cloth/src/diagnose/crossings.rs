@@ -92,6 +92,7 @@ mod tests {
             row_count: 3,
             topology: Topology::Sheet,
             spacing: [0.01, 0.01],
+            flounce: None,
         };
         let mut positions = Vec::new();
         for row in 0..3 {

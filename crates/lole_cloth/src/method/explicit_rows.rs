@@ -58,6 +58,9 @@ impl ExplicitModel {
     /// As [`ClothModel::new`].
     pub fn new(spec: &ClothSpec) -> Result<Self, BuildError> {
         let cloth = ClothModel::new(spec)?;
+        if spec.grid.flounce.is_some() {
+            return Err(BuildError::Flounce);
+        }
         let [h_u, h_v] = spec.grid.spacing.map(f64::from);
         let constants = SpringConstants::from_fabric(&spec.fabric, [h_u, h_v]);
         let bend = bend_weights(spec, &constants);

@@ -205,6 +205,9 @@ fn check_spec(spec: &ClothSpec) -> Result<(), BuildError> {
             row_count: grid.row_count,
         });
     }
+    if grid.flounce.is_some() {
+        return Err(BuildError::Flounce);
+    }
     let columns = [
         ("row_layers", spec.row_layers.len(), grid.row_count as usize),
         ("pinned", spec.pinned.len(), grid.particle_count()),

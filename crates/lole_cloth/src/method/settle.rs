@@ -260,6 +260,7 @@ mod tests {
             row_count: 3,
             topology: Topology::Sheet,
             spacing: [0.1; 2],
+            flounce: None,
         };
         ClothSpec {
             grid,

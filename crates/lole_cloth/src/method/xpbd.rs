@@ -9,6 +9,8 @@ pub(crate) mod observed;
 mod schedule;
 mod work;
 
+use std::cmp::Ordering;
+
 use fearless_simd::{Simd, dispatch};
 use glam::Vec3;
 use lole_geom::{Surfel, trig};
@@ -51,13 +53,22 @@ struct Substep {
     air_velocity: Vec3,
     /// What drag leaves of a velocity relative to the air: `exp(-drag_rate h)`.
     drag_kept: f32,
+    /// Above the seam of a flounce, along it, and below; all alike where there is none.
+    woven: [Woven; 3],
+    /// Row of that seam; none is so far down where there is none.
+    seam_row: usize,
+    contact: ContactLaw,
+}
+
+/// What holds cloth together whose columns are so wide.
+#[derive(Debug, Clone, PartialEq)]
+struct Woven {
     across: Spring,
     down: Spring,
     cell: Cell,
     bend_across: f32,
     bend_down: f32,
     friction: Frictions,
-    contact: ContactLaw,
 }
 
 /// Internal friction of the cloth, by what it resists; see [`crate::constraint::hysteresis`].
@@ -70,14 +81,12 @@ struct Frictions {
 
 impl Frictions {
     /// `bends` along rows and down columns and `cell` are those of the substep.
-    fn new(model: &ClothModel, bends: [f32; 2], cell: &Cell) -> Self {
-        let spec = model.spec();
-        let fabric = &spec.fabric;
+    fn new(model: &ClothModel, spacing: [f32; 2], bends: [f32; 2], cell: &Cell) -> Self {
+        let fabric = &model.spec().fabric;
         if fabric.hysteresis == Hysteresis::NONE {
             return Self::default();
         }
         let inv_mass = model.largest_inv_mass;
-        let spacing = spec.grid.spacing;
         let bend = [0, 1].map(|along| {
             let residual = 0.5 * fabric.hysteresis.bend[along] / fabric.bend[along];
             let term = Bend {
@@ -110,16 +119,60 @@ impl Substep {
             dt / count as f32,
             config.structural_sweep_count.get() as f32,
         );
+        let spec = model.spec();
+        let woven = [0.0, 0.5, 1.0].map(|below: f32| {
+            let fullness = (spec.grid.flounce).map_or(1.0, |flounce| flounce.fullness);
+            let [u, v] = spec.grid.spacing;
+            Woven::new(model, [u + (fullness - 1.0) * below * u, v], (h, sweeps))
+        });
+        let seam_row = spec.grid.flounce.map(|flounce| flounce.seam_row as usize);
+        Self {
+            h,
+            count,
+            gravity_gain: config.gravity * h,
+            air_velocity,
+            drag_kept: trig::exp(-spec.fabric.drag_rate * h),
+            woven,
+            seam_row: seam_row.unwrap_or(usize::MAX),
+            contact: ContactLaw {
+                friction: spec.fabric.friction,
+                depenetration: config.depenetration_speed * h,
+            },
+        }
+    }
+
+    /// What holds a row together.
+    fn row(&self, row: usize) -> &Woven {
+        &self.woven[if self.seam_row < row { 2 } else { 0 }]
+    }
+
+    /// What holds the cells between a row and the next together. Those below a seam are gathered into
+    /// it at their upper edge.
+    fn cells(&self, row: usize) -> &Woven {
+        &self.woven[match row.cmp(&self.seam_row) {
+            Ordering::Less => 0,
+            Ordering::Equal => 1,
+            Ordering::Greater => 2,
+        }]
+    }
+
+    /// Whether any of it has internal friction.
+    fn has_friction(&self) -> bool {
+        self.woven.iter().any(|woven| woven.friction.acts())
+    }
+}
+
+impl Woven {
+    /// Cells of `[u, v]` [m] in a substep of `h` [s].
+    fn new(model: &ClothModel, [u, v]: [f32; 2], (h, sweeps): (f32, f32)) -> Self {
         let fabric = &model.spec().fabric;
-        let [u, v] = model.spec().grid.spacing;
         let scaled_compliance = |stiffness: f32| 1.0 / (stiffness * h * h);
         // A pass without `λ` adds its own stiffness to the passes before it, hence the factor.
         let spring = |rest_length: f32, stiffness: f32| Spring {
             pull: Pull::new(rest_length * rest_length),
             scaled_compliance: scaled_compliance(stiffness) * sweeps,
         };
-        let constants =
-            SpringConstants::from_fabric(fabric, model.spec().grid.spacing.map(f64::from));
+        let constants = SpringConstants::from_fabric(fabric, [u, v].map(f64::from));
         #[expect(
             clippy::cast_possible_truncation,
             reason = "constants are derived in f64 and used in f32"
@@ -138,21 +191,12 @@ impl Substep {
         let bend_across = scaled_compliance(fabric.bend[0] * v / (u * u * u));
         let bend_down = scaled_compliance(fabric.bend[1] * u / (v * v * v));
         Self {
-            h,
-            count,
-            gravity_gain: config.gravity * h,
-            air_velocity,
-            drag_kept: trig::exp(-fabric.drag_rate * h),
             across: spring(u, structural_u),
             down: spring(v, structural_v),
-            friction: Frictions::new(model, [bend_across, bend_down], &cell),
+            friction: Frictions::new(model, [u, v], [bend_across, bend_down], &cell),
             cell,
             bend_across,
             bend_down,
-            contact: ContactLaw {
-                friction: fabric.friction,
-                depenetration: config.depenetration_speed * h,
-            },
         }
     }
 }
@@ -223,7 +267,7 @@ fn begin_observed(
     observer: Observer<'_>,
 ) -> Plan {
     let substep = Substep::new(model, config, input.air_velocity, dt);
-    if substep.friction.acts() {
+    if substep.has_friction() {
         let [rows, width] = [model.layout.row_count, model.layout.group_count];
         let bend_counts = [rows * model.row_triples.len(), rows * width];
         let shear_count = rows * model.row_pairs.len();
@@ -433,8 +477,10 @@ fn push_far_and_soft(model: &ClothModel, config: &SolverConfig, schedule: &mut S
     for &stride in &config.column_strides {
         schedule.push(Stage::ColumnStride(stride as usize, limit(stride, v)));
     }
+    let fullness = (model.spec().grid.flounce).map_or(1.0, |flounce| flounce.fullness);
     for (index, &stride) in config.row_strides.iter().enumerate() {
-        schedule.push(Stage::RowStride(index, limit(stride, u)));
+        let limits = [u, fullness * u].map(|spacing| limit(stride, spacing));
+        schedule.push(Stage::RowStride(index, limits));
     }
     schedule.push(Stage::BendAlong);
     schedule.push(Stage::BendDown);

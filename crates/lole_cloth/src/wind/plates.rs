@@ -87,7 +87,7 @@ fn blow_rows<S: Simd>(
     let impulses = &mut state.scratch.forces;
     impulses.clear();
     impulses.resize(2 * width, Points::default());
-    for row in 0..row_count {
+    for (row, number) in (0..row_count).zip(0_u32..) {
         let (first, second) = impulses.split_at_mut(width);
         let [this, next] = if row % 2 == 0 {
             [first, second]
@@ -95,7 +95,8 @@ fn blow_rows<S: Simd>(
             [second, first]
         };
         if row + 1 < row_count {
-            let mass = 0.5 * cell_mass * (spec.row_layers[row] + spec.row_layers[row + 1]);
+            let layers = spec.row_layers[row] + spec.row_layers[row + 1];
+            let mass = 0.5 * cell_mass * spec.grid.cell_fullness(number) * layers;
             let plates = Plates {
                 rates: coefficients.map(|c| 0.5 * air.air_density * c * dt / mass),
                 quarter: 0.25 * mass,

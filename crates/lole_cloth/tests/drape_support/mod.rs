@@ -131,6 +131,7 @@ pub(crate) fn square(fabric: Fabric, drape: Drape) -> Hung {
         row_count: count,
         topology: Topology::Sheet,
         spacing: [spacing; 2],
+        flounce: None,
     };
     let flat: Vec<Vec2> = (0..count * count)
         .map(|index| {

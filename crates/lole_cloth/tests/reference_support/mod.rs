@@ -31,6 +31,7 @@ pub(crate) fn spec(columns: u32, rows: u32, topology: Topology, spacing: [f32; 2
         row_count: rows,
         topology,
         spacing,
+        flounce: None,
     };
     ClothSpec {
         grid,

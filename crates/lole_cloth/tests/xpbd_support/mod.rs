@@ -46,6 +46,7 @@ pub(crate) fn sheet_spec(columns: u32, rows: u32, spacing: f32, fabric: Fabric) 
         row_count: rows,
         topology: Topology::Sheet,
         spacing: [spacing; 2],
+        flounce: None,
     };
     ClothSpec {
         grid,

@@ -18,6 +18,8 @@ pub struct GridSheet {
     pub column_count: u32,
     /// Rows, at least 2.
     pub row_count: u32,
+    /// Rows of particles above the first of these.
+    pub rows_above: u32,
     /// How the first and last column meet.
     pub ring: GridRing,
     /// Flat distance between neighbors along a row and down a column [m].
@@ -54,8 +56,9 @@ impl GridMesh {
         let mut mesh = Self::default();
         for row in &rows {
             for column in &columns {
-                mesh.particles
-                    .push(row * sheet.column_count + column % sheet.column_count);
+                mesh.particles.push(
+                    (sheet.rows_above + row) * sheet.column_count + column % sheet.column_count,
+                );
                 let flat = Vec2::new(count(*column), count(*row)) * Vec2::from(sheet.spacing);
                 mesh.uvs.push(sheet.uv_from_flat.transform_point2(flat));
             }
@@ -70,6 +73,17 @@ impl GridMesh {
             }
         }
         mesh
+    }
+
+    /// Adds another mesh of the same particles.
+    #[must_use]
+    pub fn with(mut self, other: &Self) -> Self {
+        let first = u32::try_from(self.particles.len()).unwrap_or(u32::MAX);
+        self.particles.extend(&other.particles);
+        self.uvs.extend(&other.uvs);
+        let triangles = other.triangles.iter();
+        (self.triangles).extend(triangles.map(|corners| corners.map(|corner| first + corner)));
+        self
     }
 
     /// Turns all triangles over if they face, on the whole, towards the vertical line through the

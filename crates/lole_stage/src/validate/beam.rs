@@ -42,6 +42,7 @@ impl Strip {
             row_count: self.segments + 1,
             topology: Topology::Sheet,
             spacing: [spacing; 2],
+            flounce: None,
         };
         let mut pinned = vec![false; grid.particle_count()];
         for &row in held_rows {

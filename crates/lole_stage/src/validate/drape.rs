@@ -199,6 +199,7 @@ fn grid() -> Grid {
         row_count: COUNT,
         topology: Topology::Sheet,
         spacing: [(SIDE / f64::from(COUNT - 1)) as f32; 2],
+        flounce: None,
     }
 }
 

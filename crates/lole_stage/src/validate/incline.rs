@@ -129,6 +129,7 @@ fn spec(friction: f64) -> ClothSpec {
         row_count: ROWS,
         topology: Topology::Sheet,
         spacing: [SPACING as f32; 2],
+        flounce: None,
     };
     ClothSpec {
         fabric: Fabric {

@@ -76,6 +76,7 @@ fn strip_grid(spacing: f64) -> Grid {
         row_count: along + 2,
         topology: Topology::Sheet,
         spacing: [spacing as f32; 2],
+        flounce: None,
     }
 }
 

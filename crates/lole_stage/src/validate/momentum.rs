@@ -84,6 +84,7 @@ fn spec() -> ClothSpec {
         row_count: ROWS,
         topology: Topology::Sheet,
         spacing: [SPACING as f32; 2],
+        flounce: None,
     };
     ClothSpec {
         fabric: Fabric {

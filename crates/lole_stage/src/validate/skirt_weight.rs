@@ -44,6 +44,7 @@ fn spec() -> ClothSpec {
         row_count: ROWS,
         topology: Topology::Tube,
         spacing: [SPACING; 2],
+        flounce: None,
     };
     ClothSpec {
         fabric: Fabric {

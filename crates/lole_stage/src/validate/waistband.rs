@@ -91,6 +91,7 @@ fn spec(radius: f64) -> ClothSpec {
         row_count: ROWS,
         topology: Topology::Tube,
         spacing: [around as f32; 2],
+        flounce: None,
     };
     ClothSpec {
         fabric: Fabric {

@@ -18,7 +18,7 @@ pub(crate) enum Stage {
     /// Strides down the columns, over so many rows, and their limit.
     ColumnStride(usize, Pull),
     /// Strides along the row: which of the strides, and their limit.
-    RowStride(usize, Pull),
+    RowStride(usize, [Pull; 2]),
     /// Bending along the row.
     BendAlong,
     /// Bending down the columns.
@@ -134,7 +134,7 @@ mod tests {
             Stage::Tether(3),
             Stage::ColumnStride(16, Pull::new(1.0)),
             Stage::ColumnStride(4, Pull::new(1.0)),
-            Stage::RowStride(0, Pull::new(1.0)),
+            Stage::RowStride(0, [Pull::new(1.0); 2]),
             Stage::BendAlong,
             Stage::BendDown,
             Stage::Cells,

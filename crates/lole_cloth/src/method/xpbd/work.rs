@@ -88,8 +88,9 @@ impl Work<'_> {
                 let masses = [masses, model.row_masses(row + span)];
                 stride::solve_pair(simd, self.row_pair(row, span), masses, limit);
             }
-            Stage::RowStride(index, limit) => {
+            Stage::RowStride(index, limits) => {
                 let (_, links) = &self.strides.0[index];
+                let limit = limits[usize::from(substep.seam_row < row)];
                 stride::solve_row(simd, self.row(row), masses, links, limit);
             }
             Stage::BendAlong => self.bend_along(simd, row),
@@ -98,11 +99,16 @@ impl Work<'_> {
             Stage::SpringsGathered if !model.pinned_rows.is_gathered(row) => {}
             Stage::SpringsAlong | Stage::SpringsGathered => {
                 let links = &model.row_pairs;
-                structural::solve_row(simd, self.row(row), masses, links, substep.across);
+                structural::solve_row(simd, self.row(row), masses, links, substep.row(row).across);
             }
             Stage::SpringsDown => {
                 let masses = [masses, model.row_masses(row + 1)];
-                structural::solve_pair(simd, self.row_pair(row, 1), masses, substep.down);
+                structural::solve_pair(
+                    simd,
+                    self.row_pair(row, 1),
+                    masses,
+                    substep.cells(row).down,
+                );
             }
             Stage::Finish => self.finish(simd, row),
         }
@@ -114,13 +120,14 @@ impl Work<'_> {
         let (width, links) = (model.layout.group_count, &model.row_triples);
         // Half of a border row's cells is missing.
         let is_border = row == 0 || row + 1 == model.layout.row_count;
+        let woven = self.substep.row(row);
         let bend = Bend {
-            scaled_compliance: self.substep.bend_across * if is_border { 2.0 } else { 1.0 },
+            scaled_compliance: woven.bend_across * if is_border { 2.0 } else { 1.0 },
             has_clamp: model.clamps.rows[row],
         };
         let masses = model.row_masses(row);
         let points = &mut self.positions[row * width..(row + 1) * width];
-        match self.substep.friction.bend[0] {
+        match woven.friction.bend[0] {
             None => bend::solve_row(simd, points, masses, links, (bend, &mut Frictionless)),
             Some(friction) => {
                 let first = row * links.len();
@@ -135,14 +142,15 @@ impl Work<'_> {
     fn bend_down<S: Simd>(&mut self, simd: S, row: usize) {
         let model = self.model;
         let width = model.layout.group_count;
+        let woven = self.substep.row(row + 1);
         let bend = Bend {
-            scaled_compliance: self.substep.bend_down,
+            scaled_compliance: woven.bend_down,
             has_clamp: model.clamps.columns[row],
         };
         let masses = [row, row + 1, row + 2].map(|row| model.row_masses(row));
         let borders = &model.bend_borders;
         let rows = triple(self.positions, row, width);
-        match self.substep.friction.bend[1] {
+        match woven.friction.bend[1] {
             None => bend::solve_triple(simd, rows, masses, (bend, &mut Frictionless), borders),
             Some(friction) => {
                 let sets = &mut self.yarn_sets.bend[1][row * width..(row + 1) * width];
@@ -157,9 +165,10 @@ impl Work<'_> {
         let model = self.model;
         let (width, links) = (model.layout.group_count, &model.row_pairs);
         let masses = [model.row_masses(row), model.row_masses(row + 1)];
-        let cell = self.substep.cell;
+        let woven = self.substep.cells(row);
+        let cell = woven.cell;
         let rows = pair(self.positions, [row, row + 1], width);
-        match self.substep.friction.shear {
+        match woven.friction.shear {
             None => shear::solve_pair(simd, rows, masses, links, (cell, &mut Frictionless)),
             Some(friction) => {
                 let first = row * links.len();
