@@ -17,6 +17,9 @@ use crate::{Studio, look, text};
 const FIELD: f32 = 104.0;
 const UNIT: f32 = 62.0;
 
+/// Width of what a line of the bill is of [point]; a longer name has a line of its own.
+const BILLED: f32 = 136.0;
+
 pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     let now = studio.design().cost.currency;
     let names = [
@@ -40,8 +43,9 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
             cloth_prices(ui, studio, garment);
         }
     }
-    notions(ui, studio, paper.bill.as_ref());
+    rows(ui, studio, paper.bill.as_ref(), BY_LENGTH);
     pieces(ui, studio, paper.bill.as_ref());
+    rows(ui, studio, paper.bill.as_ref(), WORK);
     hindrance::show(ui, studio, &["[cost]", "[fabric] price"]);
     if let Some(bill) = &paper.bill {
         ui.separator();
@@ -141,39 +145,61 @@ const fn set_price(fabric: &mut FabricDesign, sold: Sold, price: Option<f64>) {
 
 type Field = fn(&mut CostDesign) -> &mut Option<f64>;
 
-/// Everything beside cloth: what it is, its unit, its key and where it is kept.
-const NOTIONS: &[(Words, Words, &str, Field)] = &[
+/// What a price is for, its unit, what an empty field says, its key and where it is kept.
+type Priced = (Words, Words, Words, &'static str, Field);
+
+/// What is bought by length, and thread.
+const BY_LENGTH: &[Priced] = &[
     (
         text::ELASTIC,
         text::PER_METER,
+        text::PRICE_HINT,
         "elastic_price_per_m",
         |cost| &mut cost.elastic_price_per_m,
     ),
     (
         text::TAPE_AND_CORD,
         text::PER_METER,
+        text::PRICE_HINT,
         "tape_price_per_m",
         |cost| &mut cost.tape_price_per_m,
     ),
     (
         text::THREAD,
         text::PER_SPOOL,
+        text::PRICE_HINT,
         "thread_price_per_spool",
         |cost| &mut cost.thread_price_per_spool,
     ),
-    (text::ALL_ELSE, text::PER_COSTUME, "other_price", |cost| {
-        &mut cost.other_price
-    }),
-    (text::WAGE, text::PER_HOUR, "wage_per_h", |cost| {
-        &mut cost.wage_per_h
-    }),
-    (text::BOUGHT, text::PER_COSTUME, "bought_price", |cost| {
-        &mut cost.bought_price
-    }),
 ];
 
-fn notions(ui: &mut Ui, studio: &mut Studio, bill: Option<&Bill>) {
-    for &(name, unit, key, field) in NOTIONS {
+/// What comes beside materials. The bill is whole without it.
+const WORK: &[Priced] = &[
+    (
+        text::ALL_ELSE,
+        text::PER_COSTUME,
+        text::OPTIONAL,
+        "other_price",
+        |cost| &mut cost.other_price,
+    ),
+    (
+        text::WAGE,
+        text::PER_HOUR,
+        text::OPTIONAL,
+        "wage_per_h",
+        |cost| &mut cost.wage_per_h,
+    ),
+    (
+        text::BOUGHT,
+        text::PER_COSTUME,
+        text::OPTIONAL,
+        "bought_price",
+        |cost| &mut cost.bought_price,
+    ),
+];
+
+fn rows(ui: &mut Ui, studio: &mut Studio, bill: Option<&Bill>, priced: &[Priced]) {
+    for &(name, unit, hint, key, field) in priced {
         let mut cost = studio.design().cost.clone();
         let price = *field(&mut cost);
         // Tape is asked for where a garment has some.
@@ -189,11 +215,7 @@ fn notions(ui: &mut Ui, studio: &mut Studio, bill: Option<&Bill>) {
         let row = PriceRow {
             name: studio.say(name),
             unit: studio.say(unit),
-            // Without these the bill is whole all the same.
-            hint: match key {
-                "other_price" | "wage_per_h" | "bought_price" => text::OPTIONAL,
-                _ => text::PRICE_HINT,
-            },
+            hint,
             key: ("cost", key),
         };
         if let Some(price) = row.show(ui, studio, price) {
@@ -226,6 +248,14 @@ fn pieces(ui: &mut Ui, studio: &mut Studio, bill: Option<&Bill>) {
     }
 }
 
+/// Width of a line of text [point].
+fn width_of(ui: &Ui, text: &str) -> f32 {
+    let font = egui::TextStyle::Body.resolve(ui.style());
+    let color = ui.visuals().text_color();
+    let galley = ui.painter().layout_no_wrap(text.to_owned(), font, color);
+    galley.size().x
+}
+
 /// A price to be typed; empty where nobody knows it.
 struct PriceRow<'a> {
     name: &'a str,
@@ -248,12 +278,7 @@ impl PriceRow<'_> {
         let (low, high) = range(self.key.0, self.key.1);
         // A long name has a line of its own.
         let beside = ui.available_width() - FIELD - UNIT - 16.0;
-        let font = egui::TextStyle::Body.resolve(ui.style());
-        let color = ui.visuals().text_color();
-        let galley = ui
-            .painter()
-            .layout_no_wrap(self.name.to_owned(), font, color);
-        let above = (beside < galley.size().x).then(|| ui.label(self.name));
+        let above = (beside < width_of(ui, self.name)).then(|| ui.label(self.name));
         ui.horizontal(|ui| {
             let label = match above {
                 Some(label) => {
@@ -262,14 +287,18 @@ impl PriceRow<'_> {
                 }
                 None => left_label(ui, egui::vec2(beside, 30.0), self.name),
             };
-            let hint = RichText::new(studio.say(self.hint)).color(match self.hint {
-                text::OPTIONAL => look::PALE_INK,
-                _ => look::RED,
-            });
             let field = TextEdit::singleline(&mut line)
-                .hint_text(hint)
+                .hint_text(studio.say(self.hint))
                 .desired_width(FIELD - 22.0);
-            let response = ui.add(field).labelled_by(label.id);
+            let add = |ui: &mut Ui| {
+                // A field paints its hint in this color and in no other.
+                ui.visuals_mut().weak_text_color = Some(match self.hint {
+                    text::OPTIONAL => look::PALE_INK,
+                    _ => look::RED,
+                });
+                ui.add(field).labelled_by(label.id)
+            };
+            let response = ui.scope(add).inner;
             ui.label(RichText::new(self.unit).small().weak());
             if response.changed() {
                 chosen = parse(&line, [low, high]);
@@ -310,8 +339,13 @@ fn parse(line: &str, [low, high]: [f64; 2]) -> Option<Option<f64>> {
 
 fn bill_ui(ui: &mut Ui, studio: &Studio, bill: &Bill) {
     let row = |ui: &mut Ui, name: RichText, amount: RichText, sum: RichText| {
+        let is_long = BILLED < width_of(ui, name.text());
+        if is_long {
+            ui.label(name.clone());
+        }
         ui.horizontal(|ui| {
-            left_label(ui, egui::vec2(136.0, 24.0), name);
+            let beside = if is_long { RichText::new("") } else { name };
+            left_label(ui, egui::vec2(BILLED, 24.0), beside);
             left_label(ui, egui::vec2(60.0, 24.0), amount);
             let place = Layout::right_to_left(Align::Center);
             ui.with_layout(place, |ui| ui.label(sum));
