@@ -246,9 +246,11 @@ fn dressed_meshes(performance: &Performance, studio: &Studio) -> Vec<GridMesh> {
 /// The mesh of a garment's grid in the file.
 fn grid_mesh(garment: &Garment, print: &PrintImage) -> GridMesh {
     let grid = &garment.sewn.spec.grid;
+    let seam = grid.flounce.map(|flounce| flounce.seam_row);
     let sheet = GridSheet {
         column_count: grid.column_count,
-        row_count: grid.row_count,
+        row_count: seam.map_or(grid.row_count, |seam| seam + 1),
+        rows_above: 0,
         ring: match grid.topology {
             Topology::Tube => GridRing::Closed,
             Topology::Sheet => GridRing::Open,
@@ -256,7 +258,18 @@ fn grid_mesh(garment: &Garment, print: &PrintImage) -> GridMesh {
         spacing: grid.spacing,
         uv_from_flat: print.uv_from_panel(&garment.draft),
     };
-    GridMesh::new(&sheet, [COLUMN_STRIDE, ROW_STRIDE])
+    let mesh = GridMesh::new(&sheet, [COLUMN_STRIDE, ROW_STRIDE]);
+    let Some((seam, flounce)) = seam.zip(garment.flounce.as_ref()) else {
+        return mesh;
+    };
+    let below = GridSheet {
+        row_count: grid.row_count - seam,
+        rows_above: seam,
+        spacing: [grid.row_spacing(grid.row_count - 1), grid.spacing[1]],
+        uv_from_flat: print.uv_from_panel(flounce),
+        ..sheet
+    };
+    mesh.with(&GridMesh::new(&below, [COLUMN_STRIDE, ROW_STRIDE]))
 }
 
 fn material<'a>(kind: PartKind, look: &Appearance, [face, hair]: [&'a [u8]; 2]) -> GlbMaterial<'a> {

@@ -157,9 +157,7 @@ fn skirt_facts(performance: &Performance) -> SkirtFacts {
     let production = performance.production();
     let license = production.license.as_ref();
     let refusal = license.and_then(License::export_refusal);
-    let not_danced = production.design.not_danced();
     let mut warnings: Vec<Remark> = refusal.iter().map(remark).collect();
-    warnings.extend(not_danced.iter().map(remark));
     let Some(worn) = production.skirt() else {
         return SkirtFacts {
             design_name: design_name(performance),

@@ -2,17 +2,21 @@
 //! hips or bust, its elastic rows carried by the skin, outside of what she wears already.
 
 mod clothed;
+mod error;
+mod flounce;
 mod fold_curve;
+mod mesh;
 mod ring;
 
-use glam::{Affine3A, Vec2, Vec3};
+use glam::{Affine3A, Vec3};
 use lole_body::{Bone, Dancer, TapePoint};
-use lole_cloth::{ClothSpec, Fabric, Grid, MassLaw, Topology};
+use lole_cloth::{ClothSpec, Fabric, Flounce, Grid, MassLaw, Topology};
 use lole_geom::trig;
-use lole_language::Bilingual;
 use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements};
 
 pub use clothed::Clothed;
+pub use error::SewError;
+pub use mesh::SkirtMesh;
 use ring::{Flare, Gathers, Ring};
 
 /// How the skirt is divided into particles and laid around the dancer.
@@ -45,125 +49,6 @@ impl Default for SewSettings {
     }
 }
 
-/// Why a skirt could not be sewn.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum SewError {
-    /// The flat cloth does not reach around the body.
-    #[error(
-        "the cloth is {flat_cm:.1} cm around but the band sits on {ring_cm:.1} cm; raise gather_ratio"
-    )]
-    TooNarrow {
-        /// Length of the cloth around [cm].
-        flat_cm: f64,
-        /// Girth it must reach around [cm].
-        ring_cm: f64,
-    },
-    /// The body has no section where an elastic row should lie.
-    #[error(
-        "the dancer has no trunk at {height_cm:.1} cm, where an elastic row lies; lower the number of elastic rows"
-    )]
-    NoSection {
-        /// Height above the floor [cm].
-        height_cm: f64,
-    },
-    /// The band would reach up to the bust.
-    #[error(
-        "the band would reach {top_cm:.0} cm above the floor and the bust is at {bust_cm:.0} cm; lower casing_cm, casing_gap_cm or elastic_row_count, or wear the skirt lower"
-    )]
-    BandTooTall {
-        /// Upper edge of the band above the floor [cm].
-        top_cm: f64,
-        /// The bust above the floor [cm].
-        bust_cm: f64,
-    },
-    /// The top would reach up to the shoulders.
-    #[error(
-        "the top would reach {top_cm:.0} cm above the floor and the shoulders are at {shoulder_cm:.0} cm; lower upper_height_cm or header_cm"
-    )]
-    TopTooTall {
-        /// Upper edge above the floor [cm].
-        top_cm: f64,
-        /// The shoulder joints above the floor [cm].
-        shoulder_cm: f64,
-    },
-    /// The skirt would be worn around the legs.
-    #[error(
-        "worn_height_cm is {worn_cm:.0} cm, where her legs have parted; wear the skirt above {least_cm:.0} cm"
-    )]
-    WornTooLow {
-        /// Height of the lowest elastic above the floor [cm].
-        worn_cm: f64,
-        /// Lowest height at which a skirt is carried [cm].
-        least_cm: f64,
-    },
-    /// Too few particles for the gathers.
-    #[error(
-        "{column_count} columns are too few to gather {flat_cm:.0} cm of cloth; use a column_count of at least {least}, or a smaller gather_ratio"
-    )]
-    TooFewColumns {
-        /// Columns asked for.
-        column_count: u32,
-        /// Length of the cloth around [cm].
-        flat_cm: f64,
-        /// Columns needed.
-        least: u32,
-    },
-    /// Too few particles for the band.
-    #[error(
-        "{row_count} rows are too few for {elastic_row_count} elastic rows; use a row_count of at least {least}"
-    )]
-    TooFewRows {
-        /// Rows asked for.
-        row_count: u32,
-        /// Elastic rows of the draft.
-        elastic_row_count: usize,
-        /// Rows needed.
-        least: u32,
-    },
-}
-
-impl Bilingual for SewError {
-    fn japanese(&self) -> String {
-        match self {
-            Self::TooNarrow { flat_cm, ring_cm } => format!(
-                "布は一周 {flat_cm:.1} cm ですが、ゴムの位置のまわりは {ring_cm:.1} cm です。gather_ratio を大きくしてください"
-            ),
-            Self::NoSection { height_cm } => format!(
-                "ゴムが来る高さ {height_cm:.1} cm に胴がありません。ゴムの段を減らしてください"
-            ),
-            Self::TooFewRows {
-                row_count,
-                elastic_row_count,
-                least,
-            } => format!(
-                "ゴム {elastic_row_count} 段に対して {row_count} 行では足りません。row_count を {least} 以上にしてください"
-            ),
-            Self::BandTooTall { top_cm, bust_cm } => format!(
-                "ゴムの部分が床から {top_cm:.0} cm まで届きますが、バストは {bust_cm:.0} cm です。\
-                 casing_cm か casing_gap_cm か elastic_row_count を小さくするか、低い位置ではいてください"
-            ),
-            Self::TopTooTall {
-                top_cm,
-                shoulder_cm,
-            } => format!(
-                "トップの上端が床から {top_cm:.0} cm になりますが、肩は {shoulder_cm:.0} cm です。\
-                 upper_height_cm か header_cm を小さくしてください"
-            ),
-            Self::WornTooLow { worn_cm, least_cm } => format!(
-                "worn_height_cm が {worn_cm:.0} cm ですが、そこはもう脚です。{least_cm:.0} cm より上ではいてください"
-            ),
-            Self::TooFewColumns {
-                column_count,
-                flat_cm,
-                least,
-            } => format!(
-                "{flat_cm:.0} cm の布にギャザーを寄せるには {column_count} 列では足りません。\
-                 column_count を {least} 以上にするか、gather_ratio を小さくしてください"
-            ),
-        }
-    }
-}
-
 /// A particle carried by the skin: its place in the bind pose and the bones that move it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SkinPin {
@@ -177,6 +62,13 @@ impl SkinPin {
     #[must_use]
     pub fn posed(&self, world_from_bind: &[Affine3A]) -> Vec3 {
         self.point.posed(world_from_bind)
+    }
+
+    /// The same, so much [m] nearer to the body.
+    fn drawn_in(&self, by: f32, world_from_bind: &[Affine3A]) -> Vec3 {
+        let mut point = self.point;
+        point.bind_position -= point.outward * by;
+        point.posed(world_from_bind)
     }
 }
 
@@ -193,6 +85,8 @@ pub struct Cut<'a> {
     pub place: WornPlace,
     /// How its ends meet.
     pub closing: Closing,
+    /// A fuller ring that is gathered and sewn to its lower edge.
+    pub flounce: Option<&'a PauDraft>,
 }
 
 /// How the ends of a gathered rectangle meet.
@@ -212,6 +106,8 @@ pub enum WornPlace {
     Hips,
     /// Around the bust, up to the arms.
     Bust,
+    /// Stitched onto the skirt inside of it, below that one's band.
+    Skirt,
 }
 
 /// A garment on a dancer, ready to be simulated and drawn.
@@ -225,6 +121,8 @@ pub struct SewnSkirt {
     pub elastic_rows: Vec<u32>,
     /// Particles of a gather, at most.
     pub fold_columns: usize,
+    /// How far what is put on over something loose is drawn in, to be stitched onto it [m].
+    drawn_in: f32,
     /// How far apart two elastics may be, over the cloth between them.
     taut: f32,
     /// Every particle carried by the nearest skin: the start of the drape.
@@ -248,10 +146,13 @@ impl SewnSkirt {
 
     /// Where the pins are in the pose `world_from_bind` [m], in the order of [`Self::pins`]: on the
     /// skin that carries them, but where she stretches more than cloth does, the upper elastics
-    /// slide down with the cloth below them.
-    pub fn pose_pins(&self, world_from_bind: &[Affine3A], targets: &mut Vec<Vec3>) {
+    /// slide down with the cloth below them. `put_on`, from 0 to 1, is how far it has been put on: a
+    /// ruffle that is stitched onto a skirt comes to it from outside.
+    pub fn pose_pins(&self, world_from_bind: &[Affine3A], put_on: f32, targets: &mut Vec<Vec3>) {
         targets.clear();
-        targets.extend(self.pins.iter().map(|pin| pin.posed(world_from_bind)));
+        let by = self.drawn_in * put_on;
+        let pins = self.pins.iter();
+        targets.extend(pins.map(|pin| pin.drawn_in(by, world_from_bind)));
         self.slide_elastics(targets);
     }
 
@@ -282,7 +183,7 @@ pub fn sew(
     settings: &SewSettings,
 ) -> Result<SewnSkirt, SewError> {
     let Cut { draft, worn, .. } = cut;
-    let mut layout = Layout::new(draft, worn, settings)?;
+    let mut layout = Layout::new((draft, cut.flounce), worn, settings)?;
     if cut.closing == Closing::Open {
         layout.open();
     }
@@ -305,6 +206,7 @@ pub fn sew(
         let below = row as f32 * layout.grid.spacing[1];
         last.lay(gathers, &flare, below, &mut start);
     }
+    flounce::gather(&layout.grid, &mut start);
     let mut pinned = vec![false; layout.grid.particle_count()];
     let mut pins = Vec::new();
     for &row in &layout.elastic_rows {
@@ -330,8 +232,12 @@ pub fn sew(
         pins,
         fold_columns: (layout.grid.column_count as usize).div_ceil(layout.fold_starts.len()),
         elastic_rows: layout.elastic_rows,
+        drawn_in: match cut.place {
+            WornPlace::Hips | WornPlace::Bust => 0.0,
+            WornPlace::Skirt => (layout.band_gap - STITCHED_GAP).max(0.0),
+        },
         taut: match cut.place {
-            WornPlace::Hips => TAUT,
+            WornPlace::Hips | WornPlace::Skirt => TAUT,
             WornPlace::Bust => TAUT_OVER_BUST,
         },
         start,
@@ -360,7 +266,7 @@ fn check_place(cut: &Cut<'_>, dancer: &Dancer) -> Result<(), SewError> {
             top_cm,
             shoulder_cm,
         }),
-        WornPlace::Hips | WornPlace::Bust => Ok(()),
+        WornPlace::Hips | WornPlace::Bust | WornPlace::Skirt => Ok(()),
     }
 }
 
@@ -370,6 +276,10 @@ const LEAST_ABOVE_CROTCH_CM: f64 = 2.0;
 /// Deepest fold of the gathers [m] that still looks gathered: beyond, a fold is one pair of cells
 /// that stick out like a cog.
 const DEEPEST_FOLD: f32 = 0.04;
+
+/// Distance of the edge of a ruffle from the skin below it, where it is stitched onto the gathers of a
+/// skirt [m]: they are as thick where they are pressed together.
+const STITCHED_GAP: f32 = 0.025;
 
 /// Rows of the band lie this much closer on the body than in the cloth: cloth between two elastics
 /// blouses, it is never tight.
@@ -397,11 +307,12 @@ struct Layout {
 
 impl Layout {
     fn new(
-        draft: &PauDraft,
+        (draft, flounce): (&PauDraft, Option<&PauDraft>),
         worn: &PauMeasurements,
         settings: &SewSettings,
     ) -> Result<Self, SewError> {
-        let finished = draft.finished_length.to_m_f32();
+        let above = draft.finished_length.to_m_f32();
+        let finished = above + flounce.map_or(0.0, |flounce| flounce.finished_length.to_m_f32());
         let flat_length = draft.flat_length.to_m_f32();
         let elastics = |row_count: u32| {
             let spacing = finished / (row_count.max(2) - 1) as f32;
@@ -431,12 +342,17 @@ impl Layout {
             row_count: settings.row_count,
             topology: Topology::Tube,
             spacing: [flat_length / settings.column_count as f32, spacing_v],
+            flounce: flounce.map(|flounce| Flounce {
+                seam_row: whole_count(above, spacing_v).clamp(1, settings.row_count - 2),
+                fullness: (flounce.flat_length.to_m_f32() / flat_length).max(1.0),
+            }),
         };
         let fold_depth = draft.fold_depth.to_m_f32();
-        let hem = draft.hem_depth.to_m_f32();
+        let hem = flounce.unwrap_or(draft).hem_depth.to_m_f32();
         let layers = |row: u32| {
             let from_top = row as f32 * spacing_v;
-            if from_top < fold_depth || finished - hem < from_top {
+            let is_seam = grid.flounce.is_some_and(|flounce| flounce.seam_row == row);
+            if from_top < fold_depth || finished - hem < from_top || is_seam {
                 2.0
             } else {
                 1.0
@@ -562,69 +478,6 @@ fn unit_random(state: &mut u64) -> f32 {
     (bits >> 40) as f32 / (1_u32 << 24) as f32
 }
 
-/// The drawn skirt: the particles' grid with the seam column twice, so that the print may differ on
-/// the two sides of the seam.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SkirtMesh {
-    /// Particle behind each vertex, shape `[vertex_count]`.
-    pub particles: Vec<u32>,
-    /// Place of each vertex on the flat cloth [m]: `x` around the body, to the left as it is seen from
-    /// outside, and `y` down from the top fold, shape `[vertex_count, 2]`.
-    pub flat: Vec<Vec2>,
-    /// Vertex indices, facing outward, shape `[triangle_count, 3]`.
-    pub triangles: Vec<[u32; 3]>,
-    /// The same triangles by particle, without the seam.
-    pub particle_triangles: Vec<[u32; 3]>,
-}
-
-impl SkirtMesh {
-    /// The mesh of a grid.
-    #[must_use]
-    pub fn new(grid: &Grid) -> Self {
-        let columns = grid.cell_columns() + 1;
-        let (mut particles, mut flat) = (Vec::new(), Vec::new());
-        for row in 0..grid.row_count {
-            for column in 0..columns {
-                particles.push(row * grid.column_count + column % grid.column_count);
-                flat.push(Vec2::new(column as f32, row as f32) * Vec2::from(grid.spacing));
-            }
-        }
-        let mut triangles = Vec::new();
-        for row in 0..grid.row_count - 1 {
-            for column in 0..grid.cell_columns() {
-                let a = row * columns + column;
-                let (b, c, d) = (a + 1, a + columns, a + columns + 1);
-                // Alternating diagonals keep the drawing free of a bias direction.
-                if (row + column) % 2 == 0 {
-                    triangles.extend([[a, b, c], [b, d, c]]);
-                } else {
-                    triangles.extend([[a, b, d], [a, d, c]]);
-                }
-            }
-        }
-        let particle_triangles = triangles
-            .iter()
-            .map(|t| t.map(|i| particles[i as usize]))
-            .collect();
-        Self {
-            particles,
-            flat,
-            triangles,
-            particle_triangles,
-        }
-    }
-
-    /// Copies one value per particle to every vertex.
-    pub fn spread<T: Copy>(&self, by_particle: &[T], by_vertex: &mut Vec<T>) {
-        by_vertex.clear();
-        by_vertex.extend(
-            self.particles
-                .iter()
-                .map(|&index| by_particle[index as usize]),
-        );
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use lole_body::Measurements;
@@ -646,6 +499,14 @@ mod tests {
         stance: &[Affine3A],
         settings: &SewSettings,
     ) -> Result<SewnSkirt, SewError> {
+        sewn_with(dancer, stance, (settings, None))
+    }
+
+    fn sewn_with(
+        dancer: &Dancer,
+        stance: &[Affine3A],
+        (settings, flounce): (&SewSettings, Option<&PauDraft>),
+    ) -> Result<SewnSkirt, SewError> {
         let worn = PauMeasurements {
             hip_girth: dancer.measurements.hip_girth,
             worn_girth: Length::from_cm(82.0),
@@ -659,6 +520,7 @@ mod tests {
             fabric: &fabric,
             place: WornPlace::Hips,
             closing: Closing::Sewn,
+            flounce,
         };
         sew(&cut, (dancer, &Clothed::new(Vec3::ZERO)), stance, settings)
     }
@@ -690,6 +552,40 @@ mod tests {
     }
 
     #[test]
+    fn a_flounce_lies_in_waves_below_cloth_that_lies_as_without_it() {
+        let stance = (DANCER.skeleton).world_from_bind(&lole_body::Pose::default());
+        let settings = SewSettings::default();
+        let plain = sewn_in(&DANCER, &stance, &settings).unwrap();
+        let worn = PauMeasurements {
+            hip_girth: DANCER.measurements.hip_girth,
+            worn_girth: Length::from_cm(82.0),
+            worn_height: Length::from_m(f64::from(DANCER.landmarks.asis_height)),
+        };
+        let above = draft_pau_skirt(&worn, &PauOptions::default()).unwrap();
+        let flounce = PauDraft {
+            flat_length: above.flat_length * 1.5,
+            finished_length: Length::from_cm(15.0),
+            ..above
+        };
+        let skirt = sewn_with(&DANCER, &stance, (&settings, Some(&flounce))).unwrap();
+        let grid = &skirt.spec.grid;
+        let sewn = grid.flounce.unwrap();
+        assert!((sewn.fullness - 1.5).abs() < 1e-5);
+        let seam = sewn.seam_row as f32 * grid.spacing[1];
+        let finished = plain.spec.grid.spacing[1] * (settings.row_count - 1) as f32;
+        assert!((seam - finished).abs() < 0.6 * grid.spacing[1], "{seam}");
+        let start = skirt.start_positions(&stance);
+        let length = |row: u32| {
+            let place = |column: u32| start[grid.index(row, column % grid.column_count)];
+            let edges = (0..grid.column_count).map(|c| place(c).distance(place(c + 1)));
+            edges.sum::<f32>() / (grid.column_count as f32 * grid.spacing[0])
+        };
+        assert!((length(sewn.seam_row) - 1.0).abs() < 0.01);
+        let hem = length(grid.row_count - 1);
+        assert!((1.2..1.5).contains(&hem), "{hem}");
+    }
+
+    #[test]
     fn the_drape_starts_outside_the_body_in_any_stance() {
         let dancer = &*DANCER;
         let dance =
@@ -710,7 +606,7 @@ mod tests {
         let mut pose = lole_body::Pose::default();
         pose.rotations[Bone::Spine as usize] = glam::Quat::from_rotation_z(0.3);
         let mut targets = Vec::new();
-        skirt.pose_pins(&dancer.skeleton.world_from_bind(&pose), &mut targets);
+        skirt.pose_pins(&dancer.skeleton.world_from_bind(&pose), 1.0, &mut targets);
         let columns = skirt.spec.grid.column_count as usize;
         for (upper, rows) in skirt.elastic_rows.windows(2).enumerate() {
             let cloth = (rows[1] - rows[0]) as f32 * skirt.spec.grid.spacing[1];

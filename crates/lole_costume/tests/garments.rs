@@ -8,7 +8,6 @@ use lole_costume::document::{
     Design, GarmentDesign, GarmentLayer, MethodName, WornSkirt, WornTemplate, WornTop, parse,
     to_toml,
 };
-use lole_costume::dress::is_worn;
 use lole_language::Bilingual;
 use lole_pattern::template::{OptionKind, TEMPLATES};
 
@@ -168,47 +167,40 @@ fn every_option_of_every_template_reads_back_at_both_ends_of_its_range() {
 }
 
 #[test]
-fn every_template_is_a_kind_of_garment_and_says_if_it_is_not_danced() {
+fn every_template_is_a_kind_of_garment_and_is_seen_on_the_dancer() {
     let ids = kind_ids();
     for worn in drafted() {
         assert!(ids.contains(&worn.template.id));
-        // What is dressed, and what is one gathered rectangle, is danced.
-        if is_worn(worn.template.id) || worn.template.is_gathered(&worn.options) {
-            continue;
-        }
         let text = format!("lole = 1\n[[garment]]\nkind = \"{}\"\n", worn.template.id);
         let design = parse(&text, "mine.lole").unwrap();
-        let name = worn.template.name;
+        let name = worn.template.name.english;
         assert_eq!(design.garments, [GarmentDesign::Template(worn)]);
         assert_eq!(parse(&to_toml(&design), "again").unwrap(), design);
-        // What is worn beside the cloth is seen on the dancer.
-        let said = design.not_danced();
-        assert_eq!(
-            said.is_none(),
-            design.garments[0].is_adornment(),
-            "{}",
-            name.english
-        );
-        if let Some(said) = said {
-            assert!(said.english.contains(name.english) && said.english.contains("not danced yet"));
-            assert!(said.japanese.contains(name.japanese));
-        }
-        // It is nowhere among what is danced, and every method takes it.
-        assert_eq!(design.worn_fabrics().len(), 1);
+        let garment = &design.garments[0];
+        let ways = [
+            garment.is_danced(),
+            garment.is_dressed(),
+            garment.is_adornment(),
+        ];
+        assert_eq!(ways.into_iter().filter(|way| *way).count(), 1, "{name}");
     }
-    assert!(dressed().not_danced().is_none());
-    let blouse = parse("lole = 1\n[[garment]]\nkind = \"blouse\"\n", "mine.lole").unwrap();
-    assert!(blouse.not_danced().is_none() && blouse.garments[0].is_dressed());
-    for (kind, ruffle, is_danced) in [
-        ("pau-kahiko", "", true),
-        ("pau-ruffle", "ruffle = \"header\"\n", true),
-        ("pau-ruffle", "ruffle = \"hem\"\n", false),
+    for (kind, ruffle, count) in [
+        ("pau-kahiko", "", 1),
+        ("pau-ruffle", "ruffle = \"header\"\n", 1),
+        ("pau-ruffle", "ruffle = \"hem\"\n", 1),
+        ("pau-ruffle", "ruffle = \"layer\"\n", 2),
+        ("blouse", "", 0),
     ] {
         let text = format!("lole = 1\n[[garment]]\nkind = \"{kind}\"\n{ruffle}");
         let design = parse(&text, "mine.lole").unwrap();
-        assert_eq!(design.garments[0].is_danced(), is_danced, "{kind} {ruffle}");
-        assert_eq!(design.not_danced().is_none(), is_danced, "{kind} {ruffle}");
-        assert_eq!(design.worn_fabrics().len(), 1 + usize::from(is_danced));
+        assert_eq!(
+            design.garments[0].gathered_count(),
+            count,
+            "{kind} {ruffle}"
+        );
+        // The skirt is there as well.
+        assert_eq!(design.worn_fabrics().len(), 1 + count);
+        assert_eq!(design.worn_prints().len(), 1 + count);
     }
     parse(
         "lole = 1\n[method]\nname = \"fb-euler\"\n[[garment]]\nkind = \"kihei\"\n",

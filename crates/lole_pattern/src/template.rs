@@ -60,11 +60,11 @@ pub struct Template {
     worn: Option<Worn>,
 }
 
-/// A template that, with some options, is one gathered rectangle.
+/// A template that is one gathered rectangle and at most a ruffle on it.
 #[derive(Debug)]
 struct Worn {
-    /// With which options.
-    is_gathered: fn(&Options) -> bool,
+    /// How many rectangles are carried, with these options: two where a ruffle hangs over the first.
+    carried: fn(&Options) -> usize,
     /// The rectangle as it is worn.
     draft: fn(&Measures, &Options) -> Result<Gathered, DraftError>,
 }
@@ -78,13 +78,30 @@ pub struct Gathered {
     pub worn: PauMeasurements,
     /// Whether its side stays open, as of what is tied.
     pub is_open: bool,
+    /// What is gathered once more and sewn to it.
+    pub ruffle: Option<Ruffle>,
+}
+
+/// A ring of cloth that is gathered and sewn to a gathered rectangle.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Ruffle {
+    /// It hangs from the rectangle's lower edge.
+    Flounce(PauDraft),
+    /// It hangs over the rectangle, from just below the lowest elastic.
+    Layer {
+        /// The ruffle on paper, its upper edge as a row that is carried.
+        draft: PauDraft,
+        /// Where that edge is worn.
+        worn: PauMeasurements,
+    },
 }
 
 impl Template {
-    /// Whether it is one rectangle, gathered around the hips, with these options.
+    /// How many rectangles of it are gathered around the hips, one over the other, with these options;
+    /// 0 where it is sewn otherwise.
     #[must_use]
-    pub fn is_gathered(&self, options: &Options) -> bool {
-        (self.worn.as_ref()).is_some_and(|worn| (worn.is_gathered)(options))
+    pub fn gathered_count(&self, options: &Options) -> usize {
+        (self.worn.as_ref()).map_or(0, |worn| (worn.carried)(options))
     }
 
     /// Drafts it as what is gathered; `None` where it is not.
@@ -97,7 +114,6 @@ impl Template {
         options: &Options,
     ) -> Result<Option<Gathered>, DraftError> {
         let worn = self.worn.as_ref();
-        let worn = worn.filter(|worn| (worn.is_gathered)(options));
         worn.map(|worn| (worn.draft)(measures, options)).transpose()
     }
 }

@@ -5,7 +5,7 @@
 //! [--seconds S] [--dance STEP] [--layer under] [--skirt] [--close] [--where] [--print LINE]` writes a
 //! picture for each template there, as she stands and after so many seconds of her dance, and prints
 //! figures for each dancer. Without a template, all that can be put on; `kihei+muumuu` puts on both, from
-//! the skin outward. `--where` says where cloth is stretched most.
+//! the skin outward, and `'pau-ruffle:ruffle = "layer"'` has an option as in a document. `--where` says where cloth is stretched most.
 
 #![expect(
     clippy::print_stdout,
@@ -22,7 +22,7 @@ use cpu_time::ProcessTime;
 use glam::Vec3;
 use lole_body::Figure;
 use lole_costume::document::schema::kind_ids;
-use lole_costume::document::{DancerDesign, Design, GarmentDesign, GarmentLayer, parse};
+use lole_costume::document::{DancerDesign, Design, GarmentLayer, parse};
 use lole_costume::dress;
 use lole_picture::{Looks, Moment};
 use lole_render::{Backend, Camera, LightRig, Renderer, Size, View};
@@ -125,7 +125,8 @@ fn main() -> Result<(), Box<dyn Error>> {
                 Err(error) => println!("{template:12} {name:6} refused: {error}"),
             }
         }
-        let file = asked.out.join(format!("{template}.png"));
+        let name = template.replace(|letter: char| !letter.is_ascii_alphanumeric(), "-");
+        let file = asked.out.join(format!("{}.png", name.trim_matches('-')));
         write_sheet(&file, &rows)?;
     }
     Ok(())
@@ -139,7 +140,9 @@ fn fitting(
 ) -> Result<(Vec<u8>, String), Box<dyn Error>> {
     let mut garments = Vec::new();
     for id in template.split('+') {
-        let mut worn = GarmentDesign::of_kind(id).ok_or("no such garment")?;
+        let (id, option) = id.split_once(':').unwrap_or((id, ""));
+        let text = format!("lole = 1\n[[garment]]\nkind = \"{id}\"\n{option}\n");
+        let mut worn = parse(&text, "garment")?.garments.remove(0);
         *worn.layer_mut() = asked.layer;
         if let Some(print) = &asked.print {
             let text = format!("lole = 1\n[print]\n{print}\n");
@@ -263,6 +266,7 @@ fn danced(asked: &Asked, performance: &mut Performance) -> Result<SaidAndShot, B
     let each = 1000.0 * moving / f32::from(frames.max(1));
     let mut said = format!(", {each:.1} ms of processor a frame");
     let mut close = Vec::new();
+    say_gathered(performance, &mut said)?;
     for (place, seen) in seen.iter_mut().enumerate() {
         let garment = &performance.production().dressed[place];
         write!(
@@ -288,6 +292,28 @@ fn danced(asked: &Asked, performance: &mut Performance) -> Result<SaidAndShot, B
         }
     }
     Ok((said, close))
+}
+
+/// Says what gathered garments do at last.
+fn say_gathered(performance: &Performance, said: &mut String) -> Result<(), Box<dyn Error>> {
+    let gathered = performance.measure();
+    for garment in &performance.production().garments {
+        let crossings = performance.self_crossings(garment);
+        write!(
+            said,
+            "\n    {:10} {} particles, crossings {} at the end",
+            garment.name,
+            garment.particles.len(),
+            crossings.ok_or("the cloth is nowhere")?,
+        )?;
+    }
+    write!(
+        said,
+        "\n    all at the end: p99 strain {:.1} %, showing {}",
+        100.0 * gathered.strain.p99,
+        gathered.skin.showing_body_vertices,
+    )?;
+    Ok(())
 }
 
 /// Worst of a garment, and what it was at last.
@@ -388,12 +414,7 @@ fn shoot(
 ) -> Result<Vec<Vec<u8>>, Box<dyn Error>> {
     let production = performance.production();
     let looks = Looks::new(&production.design, production)?;
-    let mut moment = Moment::of(performance);
-    if !asked.has_skirt {
-        for vertices in moment.cloths.iter_mut().flatten() {
-            vertices.clear();
-        }
-    }
+    let moment = Moment::of(performance);
     let (shown, dressed) = (moment.figure(), &moment.dressed);
     let points: Vec<Vec3> = if let Some(about) = about {
         let ends = |&place: &Vec3| [place - Vec3::splat(0.1), place + Vec3::splat(0.1)];

@@ -75,9 +75,7 @@ impl Looks {
             adornments: adornment_materials(&production.adornments),
             print_uvs: (production.garments.iter().zip(&prints))
                 .map(|(garment, print)| {
-                    let uv_from_flat = print.uv_from_panel(&garment.draft);
-                    let flat = garment.mesh.flat.iter();
-                    flat.map(|&at| uv_from_flat.transform_point2(at)).collect()
+                    (garment.mesh).on_print(print, &garment.draft, garment.flounce.as_ref())
                 })
                 .collect(),
             dressed: (production.dressed.iter())

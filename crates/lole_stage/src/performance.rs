@@ -513,6 +513,12 @@ impl Performance {
         metrics
     }
 
+    /// How often a garment crosses itself; `None` where it is nowhere.
+    #[must_use]
+    pub fn self_crossings(&self, garment: &Garment) -> Option<usize> {
+        diagnose::self_crossings(&garment.sewn.spec.grid, self.garment_positions(garment))
+    }
+
     /// Mean strain of the structural springs at each particle of a garment, row-major: positive where
     /// the cloth is stretched.
     #[must_use]

@@ -15,7 +15,9 @@ use lole_costume::sew::{
     self, Closing, Clothed, Cut, SewSettings, SewnSkirt, SkirtMesh, WornPlace,
 };
 use lole_costume::tailoring::{self, Drafted};
+use lole_geom::Length;
 use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements};
+use lole_pattern::template::Ruffle;
 
 use crate::performance::Forearms;
 use crate::{Danced, StageError};
@@ -59,6 +61,8 @@ pub struct Garment {
     pub name: String,
     /// The garment on paper.
     pub draft: PauDraft,
+    /// What is gathered and sewn to its lower edge.
+    pub flounce: Option<PauDraft>,
     /// What was measured for it, and where it is worn.
     pub worn: PauMeasurements,
     /// Its cloth in SI units.
@@ -276,7 +280,7 @@ impl Wardrobe<'_> {
             seed: skirt.seed,
             fold_columns,
         };
-        let parts = (draft, worn, fabric.fabric());
+        let parts = ((draft, None), worn, fabric.fabric());
         self.put_on((name, WornPlace::Hips, Closing::Sewn), parts, fineness)
     }
 
@@ -299,8 +303,25 @@ impl Wardrobe<'_> {
         } else {
             Closing::Sewn
         };
-        let parts = (gathered.draft, gathered.worn, worn.fabric.fabric());
-        self.put_on((name, WornPlace::Hips, closing), parts, fineness)
+        let fabric = worn.fabric.fabric();
+        let (flounce, layer) = match gathered.ruffle {
+            None => (None, None),
+            Some(Ruffle::Flounce(flounce)) => (Some(flounce), None),
+            Some(Ruffle::Layer { draft, worn }) => (None, Some((draft, worn))),
+        };
+        let row_height = gathered.draft.finished_length.to_m() / f64::from(fineness.row_count - 1);
+        let parts = ((gathered.draft, flounce), gathered.worn, fabric);
+        self.put_on((name, WornPlace::Hips, closing), parts, fineness)?;
+        let Some((draft, edge)) = layer else {
+            return Ok(());
+        };
+        let fineness = Fineness {
+            row_count: rows_of(draft.finished_length, row_height),
+            seed: fineness.seed + 1,
+            ..fineness
+        };
+        let parts = ((draft, None), edge, fabric);
+        self.put_on((name, WornPlace::Skirt, closing), parts, fineness)
     }
 
     fn put_on_top(&mut self, worn: &WornTop) -> Result<(), StageError> {
@@ -312,7 +333,7 @@ impl Wardrobe<'_> {
             seed: top.seed,
             fold_columns: FOLD_COLUMNS,
         };
-        let parts = (drafted.draft, drafted.worn, worn.fabric.fabric());
+        let parts = ((drafted.draft, None), drafted.worn, worn.fabric.fabric());
         let place = (tailoring::TOP, WornPlace::Bust, Closing::Sewn);
         self.put_on(place, parts, fineness)
     }
@@ -321,7 +342,7 @@ impl Wardrobe<'_> {
     fn put_on(
         &mut self,
         (name, place, closing): (&str, WornPlace, Closing),
-        (draft, worn, fabric): (PauDraft, PauMeasurements, Fabric),
+        ((draft, flounce), worn, fabric): ((PauDraft, Option<PauDraft>), PauMeasurements, Fabric),
         fineness: Fineness,
     ) -> Result<(), StageError> {
         let usual = SewSettings::default();
@@ -340,6 +361,7 @@ impl Wardrobe<'_> {
             fabric: &fabric,
             place,
             closing,
+            flounce: flounce.as_ref(),
         };
         let body = (self.dancer, &self.clothed);
         let sewn = sew::sew(&cut, body, &self.stance, &settings)?;
@@ -359,6 +381,7 @@ impl Wardrobe<'_> {
                 self.garments.iter().map(|garment| garment.name.as_str()),
             ),
             draft,
+            flounce,
             worn,
             fabric,
             place,
@@ -371,6 +394,19 @@ impl Wardrobe<'_> {
         Ok(())
     }
 }
+
+/// Rows of particles down a length of cloth, about so far apart [m].
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a garment has fewer than 1,000 rows"
+)]
+fn rows_of(length: Length, row_height: f64) -> u32 {
+    ((length.to_m() / row_height).round() as u32 + 1).max(LEAST_ROWS)
+}
+
+/// Rows that a garment has at least.
+const LEAST_ROWS: u32 = 6;
 
 /// Sews what the design lists of the templates that can be put on.
 fn dressed(

@@ -3,7 +3,6 @@
 
 use lole_cloth::diagnose;
 use lole_costume::document::{Design, GarmentDesign, WornSkirt, WornTop};
-use lole_pattern::TEMPLATES;
 use lole_stage::{Performance, Production};
 use std::sync::{Arc, LazyLock};
 
@@ -23,26 +22,6 @@ fn design() -> Design {
 
 static PRODUCTION: LazyLock<Arc<Production>> =
     LazyLock::new(|| Arc::new(Production::new(&design()).expect("can be sewn")));
-
-#[test]
-fn garments_that_are_only_drafted_are_not_on_stage() {
-    let mut design = design();
-    let danced = design.garments.len();
-    for template in TEMPLATES {
-        let garment = GarmentDesign::of_kind(template.id).expect("a kind of garment");
-        if !garment.is_danced() && !garment.is_dressed() {
-            design.garments.insert(0, garment);
-        }
-    }
-    assert!(danced + 10 < design.garments.len());
-    let production = Production::new(&design).expect("can be sewn");
-    let names = |production: &Production| -> Vec<String> {
-        let garments = production.garments.iter();
-        garments.map(|garment| garment.name.clone()).collect()
-    };
-    assert_eq!(names(&production), names(&PRODUCTION));
-    assert!(production.design.not_danced().is_some());
-}
 
 #[test]
 fn garments_are_sewn_from_the_skin_outward() {

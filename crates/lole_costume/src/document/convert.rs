@@ -255,15 +255,16 @@ impl Design {
         dressed.map(GarmentDesign::print).collect()
     }
 
-    /// A part of everything that is worn, from the skin outward: `skirt` of the skirt.
+    /// A part of every gathered rectangle that is worn, from the skin outward: `skirt` of the skirt.
     pub(super) fn worn<'a, P>(
         &'a self,
         skirt: &'a P,
         part: impl Fn(&'a GarmentDesign) -> &'a P + Copy,
     ) -> impl Iterator<Item = &'a P> {
         let layer = move |layer| {
-            self.garments_in(layer)
-                .map(move |(_, garment)| part(garment))
+            self.garments_in(layer).flat_map(move |(_, garment)| {
+                std::iter::repeat_n(part(garment), garment.gathered_count())
+            })
         };
         layer(GarmentLayer::Under)
             .chain(self.skirt.is_worn.then_some(skirt))

@@ -1,11 +1,10 @@
 //! Garments that are worn with the skirt, in the units of the document.
 
-use lole_language::{Sentence, Words};
 use lole_pattern::template::Template;
 use lole_pattern::{DraftError, Measures, Options, Pattern};
 
 use super::schema::KINDS;
-use super::{Design, FabricDesign, PrintChoice, SkirtDesign};
+use super::{FabricDesign, PrintChoice, SkirtDesign};
 use crate::adorn;
 use crate::fabrics::Preset;
 use crate::print::PrintMotif;
@@ -48,12 +47,18 @@ impl GarmentDesign {
         matches!(self, Self::Template(worn) if crate::dress::is_worn(worn.template.id))
     }
 
-    /// Whether it is a gathered rectangle, sewn in rows and columns and danced.
+    /// Whether it is gathered rectangles, sewn in rows and columns and danced.
     #[must_use]
     pub fn is_danced(&self) -> bool {
+        0 < self.gathered_count()
+    }
+
+    /// How many gathered rectangles it is, one over the other, each carried by the dancer.
+    #[must_use]
+    pub fn gathered_count(&self) -> usize {
         match self {
-            Self::PauSkirt(_) | Self::PauTop(_) => true,
-            Self::Template(worn) => worn.template.is_gathered(&worn.options),
+            Self::PauSkirt(_) | Self::PauTop(_) => 1,
+            Self::Template(worn) => worn.template.gathered_count(&worn.options),
         }
     }
 
@@ -109,37 +114,6 @@ impl GarmentDesign {
             Self::PauTop(worn) => (&mut worn.fabric, &mut worn.print),
             Self::Template(worn) => (&mut worn.fabric, &mut worn.print),
         }
-    }
-}
-
-impl Design {
-    /// What is said of garments that are drafted and not danced; `None` where there are none.
-    #[must_use]
-    pub fn not_danced(&self) -> Option<Sentence> {
-        let mut names: Vec<Words> = Vec::new();
-        for garment in &self.garments {
-            if let GarmentDesign::Template(worn) = garment
-                && !garment.is_dressed()
-                && !garment.is_danced()
-                && !names.contains(&worn.template.name)
-                && !garment.is_adornment()
-            {
-                names.push(worn.template.name);
-            }
-        }
-        let list = |name: fn(&Words) -> &'static str, comma: &str| {
-            names.iter().map(name).collect::<Vec<_>>().join(comma)
-        };
-        let (japanese, english) = (
-            list(|name| name.japanese, "、"),
-            list(|name| name.english, ", "),
-        );
-        (!names.is_empty()).then(|| {
-            Sentence::new(
-                format!("製図だけで、まだ踊りには出ない服や小物: {japanese}"),
-                format!("drafted for sewing and not danced yet: {english}"),
-            )
-        })
     }
 }
 

@@ -29,7 +29,7 @@ pub(super) const TEMPLATE: Template = Template {
     options: OPTIONS,
     draft,
     worn: Some(Worn {
-        is_gathered: |_| true,
+        carried: |_| 1,
         draft: as_worn,
     }),
 };
@@ -86,6 +86,7 @@ fn as_worn(measures: &Measures, options: &Options) -> Result<Gathered, DraftErro
         draft: draft_pau_skirt(&worn, &cut)?,
         worn,
         is_open: true,
+        ruffle: None,
     })
 }
 

@@ -14,12 +14,14 @@ use super::making::{
 use super::pau_skirt::{GATHERS, HEM, HEM_HEIGHT, UNKNOWN_WIDTH, WORN_HEIGHT, worn};
 use super::shape::{AROUND, CM, Label, across, beside, rectangle};
 use super::work::{Work, minutes};
-use super::{Choice, Gathered, OptionRow, Options, Template, Worn};
+use super::{Choice, Gathered, OptionRow, Options, Ruffle as WornRuffle, Template, Worn};
 use crate::design::Sewn;
-use crate::design::pau_skirt::{PauDraft, PauOptions, draft_pau_skirt};
+use crate::design::pau_skirt::{
+    ElasticRow, PauDraft, PauMeasurements, PauOptions, draft_pau_skirt,
+};
 use crate::pattern::{Figure, NotionKind, Seam, Step};
 use crate::piece::{CutCount, Finish, LineKind, Mark, Piece};
-use crate::{DraftError, GatherRatio, Measures, Pattern};
+use crate::{DraftError, GatherRatio, Measures, Pattern, Yardage};
 
 pub(super) const TEMPLATE: Template = Template {
     id: "pau-ruffle",
@@ -31,7 +33,7 @@ pub(super) const TEMPLATE: Template = Template {
     options: OPTIONS,
     draft,
     worn: Some(Worn {
-        is_gathered: is_one_rectangle,
+        carried,
         draft: as_worn,
     }),
 };
@@ -91,9 +93,10 @@ const SEAM: f64 = 1.0 * CM;
 /// Gathers are run this far inside the stitching line, in the allowance [m].
 const GATHER_INSET: f64 = -0.3 * CM;
 
-/// Whether the ruffle is what stands above the elastic, so that all is one rectangle.
-fn is_one_rectangle(options: &Options) -> bool {
-    Chosen::new(OPTIONS, options).is_ok_and(|chosen| chosen.choice("ruffle") == "header")
+/// A second layer is carried by itself; a flounce hangs on the skirt, and a header is part of it.
+fn carried(options: &Options) -> usize {
+    let chosen = Chosen::new(OPTIONS, options);
+    1 + usize::from(chosen.is_ok_and(|chosen| chosen.choice("ruffle") == "layer"))
 }
 
 /// How deep the ruffle is [m].
@@ -102,12 +105,38 @@ fn depth(chosen: &Chosen<'_>) -> f64 {
     chosen.m_or("ruffle_depth_cm", usual_cm * CM)
 }
 
-/// The skirt without its ruffle, as it is worn; a deep ruffle above the elastic is part of it.
+/// The skirt and its ruffle, as they are worn; a deep ruffle above the elastic is part of the skirt.
 fn as_worn(measures: &Measures, options: &Options) -> Result<Gathered, DraftError> {
     let chosen = Chosen::new(OPTIONS, options)?;
     let worn = worn(measures, &chosen)?;
+    let cut = cut(&chosen)?;
+    let draft = draft_pau_skirt(&worn, &cut)?;
+    let place = chosen.choice("ruffle");
+    let ruffle = Ruffle::of(&draft, &chosen);
+    let on_paper = |edge| ruffle.as_draft(edge);
     Ok(Gathered {
-        draft: draft_pau_skirt(&worn, &cut(&chosen)?)?,
+        ruffle: match place {
+            "hem" => Some(WornRuffle::Flounce(on_paper(Vec::new()))),
+            "layer" => {
+                let edge_height = worn.worn_height - cut.casing;
+                let edge = ElasticRow {
+                    from_fold: Length::ZERO,
+                    cut_length: Length::ZERO,
+                    ring_length: worn.worn_girth,
+                };
+                let girth = measures.girth_at(edge_height);
+                Some(WornRuffle::Layer {
+                    draft: on_paper(vec![edge]),
+                    worn: PauMeasurements {
+                        worn_girth: girth.unwrap_or(worn.worn_girth),
+                        worn_height: edge_height,
+                        ..worn
+                    },
+                })
+            }
+            _ => None,
+        },
+        draft,
         worn,
         is_open: false,
     })
@@ -147,8 +176,7 @@ fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> 
     if place == "header" {
         return Ok(skirt.pattern(TEMPLATE.name));
     }
-    let hem = chosen.m("hem_allowance_cm");
-    let ruffle = Ruffle::new(&skirt, (depth, chosen.number("ruffle_ratio"), hem), place);
+    let ruffle = Ruffle::of(&skirt, &chosen);
     // Just under the lowest elastic, so that the band stays smooth above it.
     let lowest = skirt.elastic_rows.last();
     let under_band = lowest.map_or(Length::ZERO, |row| row.from_fold) + cut.casing;
@@ -222,8 +250,10 @@ struct Ruffle {
 
 impl Ruffle {
     /// Strips that are no longer than the skirt's own piece, so that the same cloth takes them.
-    fn new(skirt: &PauDraft, (depth, ratio, hem): (f64, f64, f64), place: &str) -> Self {
-        let flounce = place == "hem";
+    fn of(skirt: &PauDraft, chosen: &Chosen<'_>) -> Self {
+        let (depth, ratio) = (depth(chosen), chosen.number("ruffle_ratio"));
+        let hem = chosen.m("hem_allowance_cm");
+        let flounce = chosen.choice("ruffle") == "hem";
         let flat = skirt.flat_length.to_m();
         let mut count = 1;
         while f64::from(count) < ratio - 1.0e-9 {
@@ -237,6 +267,27 @@ impl Ruffle {
             depth,
             hem,
             top: if flounce { Finish::Seam } else { Finish::Hem },
+        }
+    }
+
+    /// The ring as a gathered rectangle, carried along `edge`.
+    fn as_draft(&self, edge: Vec<ElasticRow>) -> PauDraft {
+        let m = Length::from_m;
+        let cut_length = m(self.ring + 2.0 * SEAM * f64::from(self.count));
+        PauDraft {
+            flat_length: m(self.ring),
+            finished_length: m(self.depth),
+            cut_length,
+            cut_height: m(self.depth + self.hem + SEAM),
+            fold_depth: Length::ZERO,
+            hem_depth: m(self.hem),
+            band_row_count: 0,
+            elastic_rows: edge,
+            elastic_total: Length::ZERO,
+            lines: Vec::new(),
+            yardage: Yardage::for_gathered(cut_length),
+            thread: Length::ZERO,
+            warnings: Vec::new(),
         }
     }
 

@@ -14,6 +14,9 @@ use crate::{StageError, skin_check};
 /// Least distance of an elastic row from the skin [m]: half the thickness of what is sewn there.
 const PIN_CLEARANCE: f32 = 0.001;
 
+/// Time in which what is stitched onto a skirt is brought to it [s].
+const PUTTING_ON: f32 = 0.6;
+
 /// The moving part of a garment.
 #[derive(Clone)]
 pub(super) struct Worn {
@@ -27,6 +30,8 @@ pub(super) struct Worn {
     positions: Vec<Vec3>,
     /// Room for a row of pins.
     lifts: Vec<f32>,
+    /// How far it has been put on, from 0 to 1.
+    put_on: f32,
 }
 
 /// The body in the present pose, as pins need it.
@@ -59,6 +64,7 @@ impl Worn {
             pin_skin: Vec::new(),
             positions: start,
             lifts: Vec::new(),
+            put_on: 0.0,
         })
     }
 
@@ -72,7 +78,7 @@ impl Worn {
     ) {
         garment
             .sewn
-            .pose_pins(body.world_from_bind, &mut self.pin_targets);
+            .pose_pins(body.world_from_bind, self.put_on, &mut self.pin_targets);
         if let (Some(skin), Some(surfels)) = (body.skin, &garment.pin_surfels) {
             surfels.pose(skin.0, skin.1, &mut self.pin_skin);
             let column_count = garment.sewn.spec.grid.column_count as usize;
@@ -120,6 +126,7 @@ impl Worn {
             ..*surroundings
         };
         self.solver.step(&surroundings, FRAME_SECONDS, observer);
+        self.put_on = (self.put_on + FRAME_SECONDS / PUTTING_ON).min(1.0);
     }
 
     /// Reads the positions of the solver [m], row-major.

@@ -61,9 +61,6 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
             Move::Down => design.garments.swap(place, place + 1),
         });
     }
-    if let Some(sentence) = studio.design().not_danced() {
-        ui.label(RichText::new(studio.tell(&sentence)).small());
-    }
     let mark = if studio.shelf_is_open { "▲" } else { "▼" };
     let name = studio.say(text::ADD_GARMENT).to_owned();
     if wide_button(ui, &format!("{name} {mark}")) {
