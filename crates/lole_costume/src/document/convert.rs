@@ -289,16 +289,21 @@ impl Design {
             arms: motion.arms,
             arm_manner: motion.arm_manner,
             hands: motion.hands,
-            chest_room_degrees: if self.has_top() { CHEST_ROOM } else { 0.0 },
+            chest_room_degrees: self.chest_room_deg(),
             ami_turn: motion.ami_turn,
             figure_eight: motion_value(motion.eight_ratio),
             parts: motion.parts.iter().map(PartDesign::part).collect(),
         }
     }
 
-    fn has_top(&self) -> bool {
-        let mut garments = self.garments.iter();
-        garments.any(|garment| matches!(garment, GarmentDesign::PauTop(_)))
+    /// Opening of an elbow whose hand would press what lies on the chest, or go through it [°].
+    fn chest_room_deg(&self) -> f32 {
+        let rooms = self.garments.iter().map(|garment| {
+            let kind = garment.kind_id();
+            let row = ON_CHEST.iter().find(|row| row.0.contains(&kind));
+            row.map_or(0.0, |row| row.1)
+        });
+        rooms.fold(0.0, f32::max)
     }
 
     /// How long is danced what ends after `whole` [s], or is repeated for ever [s].
@@ -309,8 +314,12 @@ impl Design {
     }
 }
 
-/// Opening of an elbow whose hand would lie on the gathers of a top [°].
-const CHEST_ROOM: f32 = 10.0;
+/// What lies on the chest, and the opening of an elbow whose hand would lie on it [°]: gathers and flowers
+/// are 2 to 3 cm thick, the folds of a wrap more.
+const ON_CHEST: &[(&[&str], f32)] = &[
+    (&["pau-top", "blouse", "muumuu", "holoku", "lei"], 10.0),
+    (&["kikepa", "kihei"], 14.0),
+];
 /// How long a step is repeated where the design does not say [s].
 const REPEATED_S: f64 = 12.0;
 /// The longest dance [s].
