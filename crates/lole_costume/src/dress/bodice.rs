@@ -20,13 +20,15 @@ const CLOSE: f32 = 0.010;
 /// Farthest that wide cloth is laid from the trunk [m]: what is too much lies in folds.
 const FARTHEST: f32 = 0.05;
 /// How much farther than that it may be for each meter below the arms [m/m].
-const FLARING: f32 = 0.3;
+const FLARING: f32 = 0.09;
 /// Where the arm's fold lies between the middle and the side of the trunk's tape, half way up the armhole,
 /// and at the shoulder point.
 const FOLD_OF_ARM: f64 = 0.80;
 const SHOULDER_POINT: f64 = 0.97;
 /// Cloth of one fold where there is more than room [m].
 const FOLD: f32 = 0.14;
+/// Cloth of one gather of a ruffle [m].
+const GATHER: f32 = 0.08;
 /// Below a gathered edge folds reach their depth within this [m].
 const FOLD_BEGINS: f32 = 0.10;
 /// Cloth over the shoulder is laid this far above it [m].
@@ -301,33 +303,99 @@ impl<'a> Bodice<'a> {
         center + (over * cos - forward * sin) * radius
     }
 
-    /// A ruffle gathered to the hem, hanging down from it: `x` runs from the middle of the front over
-    /// her left to the middle of the back.
+    /// A ruffle gathered to the hem, hanging down from where that lies, in gathers of its own: `x` runs
+    /// from the middle of the front over her left to the middle of the back.
     fn below_hem(&self, form: &Form<'_>, piece: usize, point: DVec2) -> Option<Vec3> {
         let outline = &self.outlines[piece];
         let [width, top] = outline.iter().fold([0.0_f64; 2], |[width, top], p| {
             [width.max(p.x), top.max(p.y)]
         });
-        let front = self
-            .parts
-            .iter()
-            .position(|part| *part == Some(Part::Front))?;
-        let hem = self.outlines[front]
-            .iter()
-            .fold(f64::INFINITY, |low, p| low.min(p.y));
-        let height = narrow(self.front.levels.height(hem));
-        let turn = narrow(point.x / width.max(1.0e-3));
-        let (place, outward) = form.around_trunk(height, 0.5 - 0.5 * turn)?;
+        let hems = [self.hem(Part::Front)?, self.hem(Part::Back)?];
+        let hems = [&hems[0], &hems[1]];
+        let length = hems[0].length() + hems[1].length();
+        let along = point.x / width.max(1.0e-3) * length;
+        let at = |along: f64| self.on_hem(form, hems, along);
+        let tangent = (at(along + HEM_STEP)? - at(along - HEM_STEP)?).with_y(0.0);
+        let outward = Vec3::Y.cross(tangent).normalize_or_zero();
         let below = narrow(top - point.y);
-        let girth = form.girth(height);
-        let hem = narrow(self.girth(hem + 0.02));
-        let wide = ((hem - girth) / std::f32::consts::TAU).clamp(CLOSE, 0.3);
         let begun = (below / FOLD_BEGINS).clamp(0.0, 1.0);
-        let fullness = 2.0 * narrow(width) / (girth + std::f32::consts::TAU * wide);
-        let fold = begun * folds(fullness, narrow(width), turn);
-        Some(place + outward * (wide + fold) - Vec3::Y * below)
+        let turn = narrow(point.x / width.max(1.0e-3));
+        let fold = begun * waves(narrow(width / length), narrow(width), (GATHER, turn));
+        Some(at(along)? + outward * fold - Vec3::Y * below)
+    }
+
+    /// Where the hem of front and back lies, so far from the middle of the front over her left [m].
+    fn on_hem(&self, form: &Form<'_>, [front, back]: [&Hem; 2], along: f64) -> Option<Vec3> {
+        let whole = front.length() + back.length();
+        let is_right = !(0.0..=whole).contains(&along);
+        let along = if along < 0.0 {
+            -along
+        } else if whole < along {
+            2.0 * whole - along
+        } else {
+            along
+        };
+        let (hem, face, along) = if along < front.length() {
+            (front, Face::Front, along)
+        } else {
+            (back, Face::Back, whole - along)
+        };
+        let place = self.on_trunk(form, (hem.piece, face), hem.at(along))?;
+        Some(if is_right { mirrored(place) } else { place })
+    }
+
+    /// The hem of the lowest piece of a face.
+    fn hem(&self, part: Part) -> Option<Hem> {
+        let pieces = (0..self.parts.len()).filter(|&piece| self.parts[piece] == Some(part));
+        let hems = pieces.filter_map(|piece| {
+            let edge = self.pattern.pieces[piece].edge("hem")?;
+            let points = edge.segments.iter().flat_map(|segment| {
+                (0..=FINE).map(|step| {
+                    let point = segment.eval(f64::from(step) / f64::from(FINE));
+                    DVec2::new(point.x, point.y)
+                })
+            });
+            let mut points: Vec<DVec2> = points.collect();
+            if points.last()?.x < points.first()?.x {
+                points.reverse();
+            }
+            Some(Hem { piece, points })
+        });
+        hems.min_by(|a, b| a.points[0].y.total_cmp(&b.points[0].y))
     }
 }
+
+/// A lower edge, from the middle of the body to her side.
+#[derive(Debug, Clone)]
+struct Hem {
+    piece: usize,
+    points: Vec<DVec2>,
+}
+
+impl Hem {
+    fn length(&self) -> f64 {
+        self.points
+            .windows(2)
+            .map(|ends| ends[0].distance(ends[1]))
+            .sum()
+    }
+
+    /// The point so far from the middle [m]; an end where that is beyond it.
+    fn at(&self, along: f64) -> DVec2 {
+        let mut left = along.max(0.0);
+        for ends in self.points.windows(2) {
+            let length = ends[0].distance(ends[1]);
+            if left < length {
+                return ends[0].lerp(ends[1], left / length);
+            }
+            left -= length;
+        }
+        self.points[self.points.len() - 1]
+    }
+}
+
+/// The way along a hem is read over this [m].
+const HEM_STEP: f64 = 0.01;
 
 /// What would hang deeper than the floor lies on it, drawn out from under her: a train behind her, spread
 /// no more than it is cut.
@@ -347,9 +415,18 @@ pub(super) fn folds(fullness: f32, width: f32, share: f32) -> f32 {
     if fullness <= 1.0 {
         return 0.0;
     }
-    let count = (width / FOLD).round().max(1.0);
-    let depth = width / (count * fullness) / std::f32::consts::PI * (fullness - 1.0).sqrt();
-    depth * (1.0 - trig::cos(std::f32::consts::TAU * count * share))
+    waves(fullness, width, (FOLD, share)) + depth_of_waves(fullness, width, FOLD)
+}
+
+/// The same to both sides, in folds of so much cloth each [m].
+fn waves(fullness: f32, width: f32, (fold, share): (f32, f32)) -> f32 {
+    let count = (width / fold).round().max(1.0);
+    -depth_of_waves(fullness, width, fold) * trig::cos(std::f32::consts::TAU * count * share)
+}
+
+fn depth_of_waves(fullness: f32, width: f32, fold: f32) -> f32 {
+    let count = (width / fold).round().max(1.0);
+    width / (count * fullness) / std::f32::consts::PI * (fullness - 1.0).max(0.0).sqrt()
 }
 
 fn smooth(share: f64) -> f64 {
