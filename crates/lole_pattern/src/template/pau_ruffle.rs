@@ -259,10 +259,17 @@ impl Ruffle {
         while f64::from(count) < ratio - 1.0e-9 {
             count += 1;
         }
+        let exact = flat * ratio / f64::from(count);
+        // What is gathered is cut to a whole millimeter, so that plan and steps say the same.
+        let strip = if 1.0 < ratio {
+            (1000.0 * exact).round() / 1000.0
+        } else {
+            exact
+        };
         Self {
             count,
-            strip: flat * ratio / f64::from(count),
-            ring: flat * ratio,
+            strip,
+            ring: strip * f64::from(count),
             flat,
             depth,
             hem,
