@@ -234,7 +234,7 @@ pub fn sew(
         elastic_rows: layout.elastic_rows,
         drawn_in: match cut.place {
             WornPlace::Hips | WornPlace::Bust => 0.0,
-            WornPlace::Skirt => (layout.band_gap - STITCHED_GAP).max(0.0),
+            WornPlace::Skirt => (1.0 - STITCHED) * layout.band_gap,
         },
         taut: match cut.place {
             WornPlace::Hips | WornPlace::Skirt => TAUT,
@@ -278,8 +278,8 @@ const LEAST_ABOVE_CROTCH_CM: f64 = 2.0;
 const DEEPEST_FOLD: f32 = 0.04;
 
 /// Distance of the edge of a ruffle from the skin below it, where it is stitched onto the gathers of a
-/// skirt [m]: they are as thick where they are pressed together.
-const STITCHED_GAP: f32 = 0.025;
+/// skirt, over how far those stand out before the skirt has hung: they are pressed together there.
+const STITCHED: f32 = 0.55;
 
 /// Rows of the band lie this much closer on the body than in the cloth: cloth between two elastics
 /// blouses, it is never tight.

@@ -17,6 +17,9 @@ const OPENING: f32 = 0.03;
 /// and what would lie in a fold of the cloth above does not start inside of it.
 const LAID: f32 = 0.8;
 
+/// Deepest wave that finds room within the folds of the cloth above [m].
+const DEEPEST: f32 = 0.009;
+
 /// Lays what a flounce is longer than the cloth above it in waves to both sides of where that would go
 /// on; `start` has every particle of the grid where cloth without flounce would be.
 pub(super) fn gather(grid: &Grid, start: &mut [TapePoint]) {
@@ -27,7 +30,7 @@ pub(super) fn gather(grid: &Grid, start: &mut [TapePoint]) {
     let count = (columns / GATHER_COLUMNS).max(1);
     let length = columns as f32 * grid.spacing[0] / count as f32;
     // A wave of depth `a` and length `l` is longer by `(π a / l)²`.
-    let depth = LAID * length * (fullness - 1.0).sqrt() / PI;
+    let depth = (LAID * length * (fullness - 1.0).sqrt() / PI).min(DEEPEST);
     for row in seam_row + 1..grid.row_count {
         let below = (row - seam_row) as f32 * grid.spacing[1];
         let depth = depth * (below / OPENING).min(1.0);
