@@ -31,7 +31,8 @@ fn a_flounce_ends_at_the_hem_and_stands_out_below_its_seam() {
     };
     let grid = &garment.sewn.spec.grid;
     let flounce = grid.flounce.expect("it has a flounce");
-    assert!((flounce.fullness - 1.5).abs() < 1e-4, "{flounce:?}");
+    // Its strips are cut to whole millimeters.
+    assert!((flounce.fullness - 1.5).abs() < 1e-3, "{flounce:?}");
     let metrics = performance.measure();
     // In her stance all hems are lower than they are drafted for.
     let hems = [metrics, danced("header").measure()].map(|metrics| metrics.hem_height);
