@@ -185,9 +185,6 @@ fn purchases(cut: &CutGarment) -> Vec<Sentence> {
         let marker = &plan.marker;
         let (needed, metric) = (marker.yardage.needed.to_cm(), marker.yardage.metric.to_m());
         let (yards, width) = (marker.yardage.imperial.to_yd(), marker.cloth.width.to_cm());
-        let used = |between: &str, language: Language| {
-            used_words(plan, language).map_or_else(String::new, |used| format!("{between}{used}"))
-        };
         let ([metric_kg, cut_kg], [yard_kg, _]) = (
             masses(plan, Language::Japanese),
             masses(plan, Language::English),
@@ -202,13 +199,13 @@ fn purchases(cut: &CutGarment) -> Vec<Sentence> {
             format!(
                 "{}: 幅 {width:.0} cm の布 {metric:.1} m（{yards:.1} ヤード）、用尺 {needed:.1} cm、買う布 {metric_kg:.2} kg（ヤードなら {yard_kg:.2} kg）、裁った布 {cut_kg:.2} kg{}{}",
                 name.japanese,
-                used("、", Language::Japanese),
+                used_words(plan, "、", Language::Japanese),
                 short(Language::Japanese)
             ),
             format!(
                 "{}: buy {metric:.1} m ({yards:.1} yd) of {width:.0} cm cloth; {needed:.1} cm are needed; {metric_kg:.2} kg bought ({yard_kg:.2} kg by the yard), {cut_kg:.2} kg once cut{}{}",
                 name.english,
-                used(", ", Language::English),
+                used_words(plan, ", ", Language::English),
                 short(Language::English)
             ),
         )

@@ -273,6 +273,16 @@ pub fn is_adornment(id: &str) -> bool {
     KINDS.iter().any(|(kind, _)| *kind == id)
 }
 
+/// How far an elbow is opened whose hand would go through it on the chest [°]; 0 for what lies elsewhere.
+#[must_use]
+pub(crate) fn chest_room_deg(id: &str) -> f32 {
+    if id == "lei" {
+        lei::CHEST_ROOM_DEG
+    } else {
+        0.0
+    }
+}
+
 /// Makes everything of a design that is worn beside the cloth, in the order of its list, for a dancer
 /// who stands with these bones.
 ///

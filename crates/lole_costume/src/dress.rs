@@ -36,6 +36,7 @@ use crate::document::WornTemplate;
 use form::Form;
 use under::Under;
 
+pub(crate) use garment::chest_room_deg;
 pub use garment::is_worn;
 pub use tuck::Bands;
 

@@ -23,5 +23,6 @@ pub mod print;
 pub mod roster;
 pub mod sew;
 pub mod tailoring;
+mod wave;
 
 pub use measures::measures;

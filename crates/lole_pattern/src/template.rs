@@ -79,12 +79,12 @@ pub struct Gathered {
     /// Whether its side stays open, as of what is tied.
     pub is_open: bool,
     /// What is gathered once more and sewn to it.
-    pub ruffle: Option<Ruffle>,
+    pub ruffle: Option<WornRuffle>,
 }
 
 /// A ring of cloth that is gathered and sewn to a gathered rectangle.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Ruffle {
+pub enum WornRuffle {
     /// It hangs from the rectangle's lower edge.
     Flounce(PauDraft),
     /// It hangs over the rectangle, from just below the lowest elastic.

@@ -5,7 +5,8 @@
 //! [--seconds S] [--dance STEP] [--layer under] [--skirt] [--close] [--where] [--print LINE]` writes a
 //! picture for each template there, as she stands and after so many seconds of her dance, and prints
 //! figures for each dancer. Without a template, all that can be put on; `kihei+muumuu` puts on both, from
-//! the skin outward, and `'pau-ruffle:ruffle = "layer"'` has an option as in a document. `--where` says where cloth is stretched most.
+//! the skin outward, and `'pau-ruffle:ruffle = "layer"'` has an option as in a document. `--where` says
+//! where cloth is stretched most.
 
 #![expect(
     clippy::print_stdout,

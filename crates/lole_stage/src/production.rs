@@ -17,7 +17,7 @@ use lole_costume::sew::{
 use lole_costume::tailoring::{self, Drafted};
 use lole_geom::Length;
 use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements};
-use lole_pattern::template::Ruffle;
+use lole_pattern::template::WornRuffle;
 
 use crate::performance::Forearms;
 use crate::{Danced, StageError};
@@ -115,9 +115,29 @@ impl Production {
     /// # Errors
     /// A design whose parts do not fit together.
     pub fn divided(design: &Design, division: Division) -> Result<Self, StageError> {
-        let (mut dancer, license) = dancer(design)?;
-        (dancer.skin.parts).retain(|part| !adorn::replaces_part(design, part.kind));
+        let (dancer, license) = dancer(design)?;
         let dance = Danced::new(design, &dancer)?;
+        let production = Self::sewn(design, (dancer, dance), division)?;
+        Ok(Self {
+            license,
+            ..production
+        })
+    }
+
+    /// Sews a design for a dancer and a dance of the caller's instead of its own.
+    ///
+    /// # Errors
+    /// A design whose parts do not fit together on her.
+    pub fn of(design: &Design, dancer: Dancer, dance: Danced) -> Result<Self, StageError> {
+        Self::sewn(design, (dancer, dance), Division::Full)
+    }
+
+    fn sewn(
+        design: &Design,
+        (mut dancer, dance): (Dancer, Danced),
+        division: Division,
+    ) -> Result<Self, StageError> {
+        (dancer.skin.parts).retain(|part| !adorn::replaces_part(design, part.kind));
         let body_triangles = dancer.skin.body_triangles();
         let body_surfels =
             SkinSurfels::new(&dancer.skin.positions, &body_triangles, SURFEL_SPACING);
@@ -158,7 +178,7 @@ impl Production {
             body_surfels,
             body_triangles,
             dancer,
-            license,
+            license: None,
             skirt,
         })
     }
@@ -245,6 +265,26 @@ struct Fineness {
     fold_columns: f32,
 }
 
+/// A rectangle that is gathered and put on.
+struct Gathering {
+    draft: PauDraft,
+    /// What is gathered and sewn to its lower edge.
+    flounce: Option<PauDraft>,
+    worn: PauMeasurements,
+    fabric: Fabric,
+}
+
+impl Gathering {
+    const fn plain(draft: PauDraft, worn: PauMeasurements, fabric: Fabric) -> Self {
+        Self {
+            draft,
+            flounce: None,
+            worn,
+            fabric,
+        }
+    }
+}
+
 impl Wardrobe<'_> {
     /// Puts on what the design lists for a layer.
     fn put_on_layer(&mut self, design: &Design, layer: GarmentLayer) -> Result<(), StageError> {
@@ -280,11 +320,11 @@ impl Wardrobe<'_> {
             seed: skirt.seed,
             fold_columns,
         };
-        let parts = ((draft, None), worn, fabric.fabric());
-        self.put_on((name, WornPlace::Hips, Closing::Sewn), parts, fineness)
+        let piece = Gathering::plain(draft, worn, fabric.fabric());
+        self.put_on((name, WornPlace::Hips, Closing::Sewn), piece, fineness)
     }
 
-    /// Puts on a template that is one gathered rectangle.
+    /// Puts on a template that is one gathered rectangle, and the ruffle on it.
     fn put_on_gathered(&mut self, name: &str, worn: &WornTemplate) -> Result<(), StageError> {
         let measures = lole_costume::measures(self.dancer);
         let gathered = worn.template.gathered(&measures, &worn.options)?;
@@ -306,12 +346,15 @@ impl Wardrobe<'_> {
         let fabric = worn.fabric.fabric();
         let (flounce, layer) = match gathered.ruffle {
             None => (None, None),
-            Some(Ruffle::Flounce(flounce)) => (Some(flounce), None),
-            Some(Ruffle::Layer { draft, worn }) => (None, Some((draft, worn))),
+            Some(WornRuffle::Flounce(flounce)) => (Some(flounce), None),
+            Some(WornRuffle::Layer { draft, worn }) => (None, Some((draft, worn))),
         };
         let row_height = gathered.draft.finished_length.to_m() / f64::from(fineness.row_count - 1);
-        let parts = ((gathered.draft, flounce), gathered.worn, fabric);
-        self.put_on((name, WornPlace::Hips, closing), parts, fineness)?;
+        let piece = Gathering {
+            flounce,
+            ..Gathering::plain(gathered.draft, gathered.worn, fabric)
+        };
+        self.put_on((name, WornPlace::Hips, closing), piece, fineness)?;
         let Some((draft, edge)) = layer else {
             return Ok(());
         };
@@ -320,8 +363,8 @@ impl Wardrobe<'_> {
             seed: fineness.seed + 1,
             ..fineness
         };
-        let parts = ((draft, None), edge, fabric);
-        self.put_on((name, WornPlace::Skirt, closing), parts, fineness)
+        let piece = Gathering::plain(draft, edge, fabric);
+        self.put_on((name, WornPlace::Skirt, closing), piece, fineness)
     }
 
     fn put_on_top(&mut self, worn: &WornTop) -> Result<(), StageError> {
@@ -333,18 +376,24 @@ impl Wardrobe<'_> {
             seed: top.seed,
             fold_columns: FOLD_COLUMNS,
         };
-        let parts = ((drafted.draft, None), drafted.worn, worn.fabric.fabric());
+        let piece = Gathering::plain(drafted.draft, drafted.worn, worn.fabric.fabric());
         let place = (tailoring::TOP, WornPlace::Bust, Closing::Sewn);
-        self.put_on(place, parts, fineness)
+        self.put_on(place, piece, fineness)
     }
 
     /// Sews a garment over what is worn already.
     fn put_on(
         &mut self,
         (name, place, closing): (&str, WornPlace, Closing),
-        ((draft, flounce), worn, fabric): ((PauDraft, Option<PauDraft>), PauMeasurements, Fabric),
+        piece: Gathering,
         fineness: Fineness,
     ) -> Result<(), StageError> {
+        let Gathering {
+            draft,
+            flounce,
+            worn,
+            fabric,
+        } = piece;
         let usual = SewSettings::default();
         let column_count = fineness.column_count;
         let widest = worn.worn_girth.to_m_f32() * fineness.fold_columns / column_count as f32;

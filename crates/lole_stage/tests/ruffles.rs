@@ -31,8 +31,11 @@ fn a_flounce_ends_at_the_hem_and_stands_out_below_its_seam() {
     };
     let grid = &garment.sewn.spec.grid;
     let flounce = grid.flounce.expect("it has a flounce");
-    // Its strips are cut to whole millimeters.
-    assert!((flounce.fullness - 1.5).abs() < 1e-3, "{flounce:?}");
+    let drafts = [garment.flounce.as_ref(), Some(&garment.draft)];
+    let [ruffle, skirt] = drafts.map(|draft| draft.expect("it has a ruffle").flat_length.to_m());
+    assert!((f64::from(flounce.fullness) - ruffle / skirt).abs() < 1e-6);
+    // Two strips of whole millimeters each.
+    assert!((ruffle - 1.5 * skirt).abs() <= 0.001, "{ruffle} {skirt}");
     let metrics = performance.measure();
     // In her stance all hems are lower than they are drafted for.
     let hems = [metrics, danced("header").measure()].map(|metrics| metrics.hem_height);

@@ -16,6 +16,8 @@ use super::shape::{OnStrands, Shape};
 use super::{Finish, HangingStrands, Made, Rider, Wearer, flower};
 use crate::document::WornTemplate;
 
+/// Opening of an elbow whose hand would go through flowers on the chest [°].
+pub(super) const CHEST_ROOM_DEG: f32 = 10.0;
 /// Length over the stature, as the template has it.
 const CLOSED: f64 = 0.63;
 const OPEN: f64 = 1.0;

@@ -298,10 +298,13 @@ impl Design {
 
     /// Opening of an elbow whose hand would press what lies on the chest, or go through it [°].
     fn chest_room_deg(&self) -> f32 {
-        let rooms = self.garments.iter().map(|garment| {
-            let kind = garment.kind_id();
-            let row = ON_CHEST.iter().find(|row| row.0.contains(&kind));
-            row.map_or(0.0, |row| row.1)
+        let rooms = self.garments.iter().map(|garment| match garment {
+            GarmentDesign::PauSkirt(_) => 0.0,
+            GarmentDesign::PauTop(_) => TOP_ROOM_DEG,
+            GarmentDesign::Template(worn) => {
+                let id = worn.template.id;
+                crate::dress::chest_room_deg(id).max(crate::adorn::chest_room_deg(id))
+            }
         });
         rooms.fold(0.0, f32::max)
     }
@@ -314,12 +317,8 @@ impl Design {
     }
 }
 
-/// What lies on the chest, and the opening of an elbow whose hand would lie on it [°]: gathers and flowers
-/// are 2 to 3 cm thick, the folds of a wrap more.
-const ON_CHEST: &[(&[&str], f32)] = &[
-    (&["pau-top", "blouse", "muumuu", "holoku", "lei"], 10.0),
-    (&["kikepa", "kihei"], 14.0),
-];
+/// Opening of an elbow whose hand would lie on the gathers of a top [°].
+const TOP_ROOM_DEG: f32 = 10.0;
 /// How long a step is repeated where the design does not say [s].
 const REPEATED_S: f64 = 12.0;
 /// The longest dance [s].

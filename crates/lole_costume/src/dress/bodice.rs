@@ -5,13 +5,14 @@
 //! arm. So seams of sides and shoulders nearly meet before anything is sewn.
 
 use glam::{DVec2, Vec3};
-use kurbo::ParamCurve as _;
+use kurbo::{ParamCurve as _, PathSeg};
 use lole_body::Bone;
 use lole_geom::trig;
 use lole_pattern::piece::{Finish, Piece};
 use lole_pattern::{Measures, Pattern};
 
 use super::form::{Face, Form};
+use crate::wave;
 
 /// Points along each segment of an edge, from which widths are taken.
 const FINE: u32 = 48;
@@ -88,9 +89,11 @@ pub(super) struct Bodice<'a> {
     /// Outlines as drawn, by piece.
     outlines: Vec<Vec<DVec2>>,
     parts: Vec<Option<Part>>,
+    /// Of front and back, where both have one.
+    hems: Option<[Hem; 2]>,
 }
 
-/// End of an edge of this name, and its beginning.
+/// Beginning of an edge of this name, and its end.
 fn ends(piece: &Piece, id: &str) -> Option<[DVec2; 2]> {
     let edge = piece.edge(id)?;
     let (first, last) = (edge.segments.first()?, edge.segments.last()?);
@@ -98,15 +101,17 @@ fn ends(piece: &Piece, id: &str) -> Option<[DVec2; 2]> {
     Some([plane(first.start()), plane(last.end())])
 }
 
+/// Points along a segment of an edge, without its end.
+fn points_of(segment: &PathSeg) -> impl Iterator<Item = DVec2> {
+    (0..FINE).map(|step| {
+        let point = segment.eval(f64::from(step) / f64::from(FINE));
+        DVec2::new(point.x, point.y)
+    })
+}
+
 fn outline(piece: &Piece) -> Vec<DVec2> {
     let segments = piece.edges.iter().flat_map(|edge| &edge.segments);
-    let points = segments.flat_map(|segment| {
-        (0..FINE).map(|step| {
-            let point = segment.eval(f64::from(step) / f64::from(FINE));
-            DVec2::new(point.x, point.y)
-        })
-    });
-    points.collect()
+    segments.flat_map(points_of).collect()
 }
 
 impl<'a> Bodice<'a> {
@@ -146,7 +151,12 @@ impl<'a> Bodice<'a> {
                 tip: tip.y,
             })
         };
+        let hem = |part: Part| {
+            let pieces = pattern.pieces.iter().enumerate();
+            Hem::lowest(pieces.filter(|(piece, _)| parts[*piece] == Some(part)))
+        };
         Some(Self {
+            hems: hem(Part::Front).zip(hem(Part::Back)).map(<[Hem; 2]>::from),
             front: half(Part::Front)?,
             back: half(Part::Back)?,
             outlines: pattern.pieces.iter().map(outline).collect(),
@@ -310,8 +320,7 @@ impl<'a> Bodice<'a> {
         let [width, top] = outline.iter().fold([0.0_f64; 2], |[width, top], p| {
             [width.max(p.x), top.max(p.y)]
         });
-        let hems = [self.hem(Part::Front)?, self.hem(Part::Back)?];
-        let hems = [&hems[0], &hems[1]];
+        let hems = self.hems.as_ref()?;
         let length = hems[0].length() + hems[1].length();
         let along = point.x / width.max(1.0e-3) * length;
         let at = |along: f64| self.on_hem(form, hems, along);
@@ -320,12 +329,12 @@ impl<'a> Bodice<'a> {
         let below = narrow(top - point.y);
         let begun = (below / FOLD_BEGINS).clamp(0.0, 1.0);
         let turn = narrow(point.x / width.max(1.0e-3));
-        let fold = begun * waves(narrow(width / length), narrow(width), (GATHER, turn));
-        Some(at(along)? + outward * fold - Vec3::Y * below)
+        let [_, out] = waves(narrow(width / length), narrow(width), (GATHER, turn));
+        Some(at(along)? + outward * (begun * out) - Vec3::Y * below)
     }
 
     /// Where the hem of front and back lies, so far from the middle of the front over her left [m].
-    fn on_hem(&self, form: &Form<'_>, [front, back]: [&Hem; 2], along: f64) -> Option<Vec3> {
+    fn on_hem(&self, form: &Form<'_>, [front, back]: &[Hem; 2], along: f64) -> Option<Vec3> {
         let whole = front.length() + back.length();
         let is_right = !(0.0..=whole).contains(&along);
         let along = if along < 0.0 {
@@ -343,26 +352,6 @@ impl<'a> Bodice<'a> {
         let place = self.on_trunk(form, (hem.piece, face), hem.at(along))?;
         Some(if is_right { mirrored(place) } else { place })
     }
-
-    /// The hem of the lowest piece of a face.
-    fn hem(&self, part: Part) -> Option<Hem> {
-        let pieces = (0..self.parts.len()).filter(|&piece| self.parts[piece] == Some(part));
-        let hems = pieces.filter_map(|piece| {
-            let edge = self.pattern.pieces[piece].edge("hem")?;
-            let points = edge.segments.iter().flat_map(|segment| {
-                (0..=FINE).map(|step| {
-                    let point = segment.eval(f64::from(step) / f64::from(FINE));
-                    DVec2::new(point.x, point.y)
-                })
-            });
-            let mut points: Vec<DVec2> = points.collect();
-            if points.last()?.x < points.first()?.x {
-                points.reverse();
-            }
-            Some(Hem { piece, points })
-        });
-        hems.min_by(|a, b| a.points[0].y.total_cmp(&b.points[0].y))
-    }
 }
 
 /// A lower edge, from the middle of the body to her side.
@@ -373,6 +362,20 @@ struct Hem {
 }
 
 impl Hem {
+    /// The hem of the lowest of these pieces.
+    fn lowest<'a>(pieces: impl Iterator<Item = (usize, &'a Piece)>) -> Option<Self> {
+        let hems = pieces.filter_map(|(piece, drawn)| {
+            let edge = drawn.edge("hem")?;
+            let mut points: Vec<DVec2> = edge.segments.iter().flat_map(points_of).collect();
+            points.push(ends(drawn, "hem")?[1]);
+            if points.last()?.x < points.first()?.x {
+                points.reverse();
+            }
+            Some(Self { piece, points })
+        });
+        hems.min_by(|a, b| a.points[0].y.total_cmp(&b.points[0].y))
+    }
+
     fn length(&self) -> f64 {
         self.points
             .windows(2)
@@ -410,23 +413,24 @@ fn on_floor(place: Vec3, outward: Vec3) -> Vec3 {
 }
 
 /// How far cloth stands out in folds [m], at a share of its `width` [m]: `fullness` is its length over the
-/// room there is. A wave of depth `a` and length `l` is longer by `(π a / l)²`.
+/// room there is.
 pub(super) fn folds(fullness: f32, width: f32, share: f32) -> f32 {
     if fullness <= 1.0 {
         return 0.0;
     }
-    waves(fullness, width, (FOLD, share)) + depth_of_waves(fullness, width, FOLD)
+    let [middle, out] = waves(fullness, width, (FOLD, share));
+    middle + out
 }
 
-/// The same to both sides, in folds of so much cloth each [m].
-fn waves(fullness: f32, width: f32, (fold, share): (f32, f32)) -> f32 {
-    let count = (width / fold).round().max(1.0);
-    -depth_of_waves(fullness, width, fold) * trig::cos(std::f32::consts::TAU * count * share)
-}
-
-fn depth_of_waves(fullness: f32, width: f32, fold: f32) -> f32 {
-    let count = (width / fold).round().max(1.0);
-    width / (count * fullness) / std::f32::consts::PI * (fullness - 1.0).max(0.0).sqrt()
+/// Depth of waves of so much cloth each [m], and how far cloth stands out of their middle at a share of its
+/// width [m].
+fn waves(fullness: f32, width: f32, (cloth, share): (f32, f32)) -> [f32; 2] {
+    let count = (width / cloth).round().max(1.0);
+    let depth = wave::depth(width / (count * fullness), fullness);
+    [
+        depth,
+        -depth * trig::cos(std::f32::consts::TAU * count * share),
+    ]
 }
 
 fn smooth(share: f64) -> f64 {

@@ -28,6 +28,9 @@ pub(super) struct Worn {
     pub(super) way: Way,
     /// Particles it is divided into, about.
     pub(super) particle_count: f64,
+    /// Opening of an elbow whose hand would press it on the chest, or go through it [°]: gathers are 2 to
+    /// 3 cm thick, the folds of a wrap more.
+    pub(super) chest_room_deg: f32,
 }
 
 /// How the pieces of a garment lie.
@@ -76,6 +79,14 @@ pub(super) struct Laid {
 #[must_use]
 pub fn is_worn(template: &str) -> bool {
     WORN.iter().any(|worn| worn.template == template)
+}
+
+/// How far an elbow is opened whose hand would press a garment of this template on the chest [°]; 0 for
+/// what cannot be put on.
+#[must_use]
+pub(crate) fn chest_room_deg(template: &str) -> f32 {
+    let worn = WORN.iter().find(|worn| worn.template == template);
+    worn.map_or(0.0, |worn| worn.chest_room_deg)
 }
 
 /// Cuts a garment out and lays it around a dancer in the pose in which she is dressed.

@@ -1,11 +1,13 @@
 //! The gathers of a flounce before it hangs.
 
-use std::f32::consts::{PI, TAU};
+use std::f32::consts::TAU;
 
 use glam::Vec3;
 use lole_body::TapePoint;
 use lole_cloth::{Flounce, Grid};
 use lole_geom::trig;
+
+use crate::wave;
 
 /// Particles of a gather: with fewer it is a cog.
 const GATHER_COLUMNS: u32 = 8;
@@ -29,8 +31,7 @@ pub(super) fn gather(grid: &Grid, start: &mut [TapePoint]) {
     let columns = grid.column_count;
     let count = (columns / GATHER_COLUMNS).max(1);
     let length = columns as f32 * grid.spacing[0] / count as f32;
-    // A wave of depth `a` and length `l` is longer by `(π a / l)²`.
-    let depth = (LAID * length * (fullness - 1.0).sqrt() / PI).min(DEEPEST);
+    let depth = (LAID * wave::depth(length, fullness)).min(DEEPEST);
     for row in seam_row + 1..grid.row_count {
         let below = (row - seam_row) as f32 * grid.spacing[1];
         let depth = depth * (below / OPENING).min(1.0);

@@ -140,9 +140,7 @@ fn about(cut: &CutGarment, plan: &ClothPlan, language: Language) -> String {
     let needed = cm(yardage.needed);
     let (metric, imperial) = (yardage.metric.to_m(), yardage.imperial.to_yd());
     let [bought, cut_kg] = masses(plan, language);
-    let used = used_words(plan, language).map_or_else(String::new, |used| {
-        format!("{}{used}", language.pick("　", "; "))
-    });
+    let used = used_words(plan, language.pick("　", "; "), language);
     let direction = match cloth.nap {
         Nap::OneWay => language.pick("・一方向に裁つ", "; all pieces one way"),
         Nap::TwoWay => "",
@@ -159,16 +157,16 @@ fn about(cut: &CutGarment, plan: &ClothPlan, language: Language) -> String {
     }
 }
 
-/// How much of the cloth is used; `None` where a piece is wider than it and pieces take more than all of
-/// it, of which a warning speaks.
+/// How much of the cloth is used, after what stands `between` that and the words before it; nothing
+/// where a piece is wider than the cloth and pieces take more than all of it, of which a warning speaks.
 #[must_use]
-pub fn used_words(plan: &ClothPlan, language: Language) -> Option<String> {
+pub fn used_words(plan: &ClothPlan, between: &str, language: Language) -> String {
     let percent = 100.0 * plan.marker.efficiency;
-    let words = match language {
-        Language::Japanese => format!("使用率 {percent:.0} %"),
-        Language::English => format!("{percent:.0} % of the cloth is used"),
-    };
-    (percent <= 100.0).then_some(words)
+    match language {
+        _ if 100.0 < percent => String::new(),
+        Language::Japanese => format!("{between}使用率 {percent:.0} %"),
+        Language::English => format!("{between}{percent:.0} % of the cloth is used"),
+    }
 }
 
 /// Mass of the cloth as it is bought, by the yard in English and by the meter in Japanese, and of all

@@ -14,7 +14,7 @@ use super::making::{
 use super::pau_skirt::{GATHERS, HEM, HEM_HEIGHT, UNKNOWN_WIDTH, WORN_HEIGHT, worn};
 use super::shape::{AROUND, CM, Label, across, beside, rectangle};
 use super::work::{Work, minutes};
-use super::{Choice, Gathered, OptionRow, Options, Ruffle as WornRuffle, Template, Worn};
+use super::{Choice, Gathered, OptionRow, Options, Template, Worn, WornRuffle};
 use crate::design::Sewn;
 use crate::design::pau_skirt::{
     ElasticRow, PauDraft, PauMeasurements, PauOptions, draft_pau_skirt,

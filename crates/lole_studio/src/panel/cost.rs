@@ -43,9 +43,9 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
             cloth_prices(ui, studio, garment);
         }
     }
-    rows(ui, studio, paper.bill.as_ref(), BY_LENGTH);
+    prices(ui, studio, paper.bill.as_ref(), BY_LENGTH);
     pieces(ui, studio, paper.bill.as_ref());
-    rows(ui, studio, paper.bill.as_ref(), WORK);
+    prices(ui, studio, paper.bill.as_ref(), BESIDE_MATERIALS);
     hindrance::show(ui, studio, &["[cost]", "[fabric] price"]);
     if let Some(bill) = &paper.bill {
         ui.separator();
@@ -174,7 +174,7 @@ const BY_LENGTH: &[Priced] = &[
 ];
 
 /// What comes beside materials. The bill is whole without it.
-const WORK: &[Priced] = &[
+const BESIDE_MATERIALS: &[Priced] = &[
     (
         text::ALL_ELSE,
         text::PER_COSTUME,
@@ -198,7 +198,8 @@ const WORK: &[Priced] = &[
     ),
 ];
 
-fn rows(ui: &mut Ui, studio: &mut Studio, bill: Option<&Bill>, priced: &[Priced]) {
+/// Prices of what is in a table, where the costume takes it.
+fn prices(ui: &mut Ui, studio: &mut Studio, bill: Option<&Bill>, priced: &[Priced]) {
     for &(name, unit, hint, key, field) in priced {
         let mut cost = studio.design().cost.clone();
         let price = *field(&mut cost);

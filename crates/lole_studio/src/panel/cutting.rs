@@ -167,12 +167,9 @@ fn facts(plan: &ClothPlan) -> Sentence {
         marker.yardage.imperial.to_yd(),
     );
     let mass = plan.mass;
-    let used = |between: &str, language: Language| {
-        used_words(plan, language).map_or_else(String::new, |used| format!("{between}{used}"))
-    };
     let (japanese, english) = (
-        used("、", Language::Japanese),
-        used("; ", Language::English),
+        used_words(plan, "、", Language::Japanese),
+        used_words(plan, "; ", Language::English),
     );
     Sentence::new(
         format!(

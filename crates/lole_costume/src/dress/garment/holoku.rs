@@ -13,4 +13,5 @@ pub(super) const WORN: Worn = Worn {
         ("sleeve", Part::Sleeve),
     ]),
     particle_count: 5000.0,
+    chest_room_deg: 10.0,
 };

@@ -17,6 +17,7 @@ pub(super) const WORN: Worn = Worn {
         is_tied: false,
     }),
     particle_count: 3500.0,
+    chest_room_deg: 14.0,
 };
 
 /// From each corner to the knot along the upper edge [m], as the template says.

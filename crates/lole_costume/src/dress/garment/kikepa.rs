@@ -17,6 +17,7 @@ pub(super) const WORN: Worn = Worn {
         is_tied: true,
     }),
     particle_count: 4000.0,
+    chest_room_deg: 14.0,
 };
 
 /// The wrapped part is this many turns at most, as the template's instructions say, and this many at

@@ -17,6 +17,7 @@ pub(super) const WORN: Worn = Worn {
         is_tied: false,
     }),
     particle_count: 3000.0,
+    chest_room_deg: 0.0,
 };
 
 /// The flaps are a share of what is left of the strip without crotch and turns: half each.

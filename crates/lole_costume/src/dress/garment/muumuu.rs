@@ -14,4 +14,5 @@ pub(super) const WORN: Worn = Worn {
         ("ruffle", Part::Ruffle),
     ]),
     particle_count: 6000.0,
+    chest_room_deg: 10.0,
 };
