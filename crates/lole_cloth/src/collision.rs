@@ -5,6 +5,7 @@ pub(crate) mod cloth_cloth;
 pub(crate) mod crossing;
 pub(crate) mod face_contact;
 pub(crate) mod grid;
+pub(crate) mod guards;
 pub(crate) mod impact_zone;
 pub mod layer;
 pub(crate) mod parting;

@@ -33,7 +33,7 @@ pub struct ClothState {
 
 /// Room for one step, kept so that no step allocates. What it holds is found anew in every step, or
 /// is worked out from model and settings alone.
-/// Where the cloth is tangled is what the end of the last step has found.
+/// Where the cloth is tangled, and what was parted and is guarded, is what the end of the last step has found.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Scratch {
     /// Positions predicted at the start of the substep.
@@ -77,6 +77,13 @@ impl ClothState {
         state
     }
 
+    /// Pairs of an edge and a triangle that are kept from crossing, because an earlier step had to part
+    /// them: in how many places the cloth presses on itself.
+    #[must_use]
+    pub const fn pressed_count(&self) -> usize {
+        self.scratch.crossing_repair.guards.count()
+    }
+
     /// Memory that it holds, room for a step included [byte].
     #[must_use]
     pub fn byte_count(&self) -> usize {
@@ -114,7 +121,7 @@ impl ClothState {
             "one position a particle"
         );
         model.layout.scatter_points(positions, &mut self.positions);
-        self.scratch.crossing_repair.is_tangled.clear();
+        self.scratch.crossing_repair.forget();
         self.yarn_sets.clear();
         self.pin_targets.clear();
         self.pin_targets.extend(

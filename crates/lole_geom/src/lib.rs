@@ -5,6 +5,7 @@
 //! World space is right-handed, meters, `+Y` up, `+Z` the dancer's front, `+X` the dancer's left.
 
 pub mod capsule;
+pub mod chance;
 pub mod length;
 pub mod mesh;
 pub mod surfel;
@@ -13,6 +14,7 @@ pub mod trig;
 pub mod trig64;
 
 pub use capsule::Capsule;
+pub use chance::Chance;
 pub use length::Length;
 pub use mesh::TriangleMesh;
 pub use surfel::Surfel;

@@ -260,6 +260,11 @@ fn advance(
         }
         if contact_interval.is_some_and(|interval| index.is_multiple_of(interval)) {
             state.contacts.solve(&mut state.pieces[..], h);
+            for (piece, state) in assembly.pieces.iter().zip(&mut state.pieces) {
+                if let (Piece::Mesh(model, _), PieceState::Mesh(state)) = (piece, state) {
+                    mesh::self_contact::keep_guards(model, h, state);
+                }
+            }
         }
         for ((piece, plan), state) in pieces().zip(&plans).zip(&mut state.pieces) {
             finish(piece.0, (plan.as_ref(), index), state);

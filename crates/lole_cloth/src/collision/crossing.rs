@@ -93,6 +93,8 @@ pub(crate) struct CrossingFinder {
     folded: Vec<[u32; 2]>,
     stars: Stars,
     pub(crate) crossings: Vec<Crossing>,
+    /// Pairs and patches that were looked at since the last time that all were.
+    pub(crate) effort: usize,
 }
 
 impl CrossingFinder {
@@ -112,6 +114,7 @@ impl CrossingFinder {
         self.tree.list_pairs(simd, surface, &mut self.near);
         (self.resting_count, self.marked_count) = (self.near.len(), 0);
         self.fold_all(simd, surface);
+        self.effort = 0;
         self.look(surface, positions, 0);
     }
 
@@ -171,6 +174,7 @@ impl CrossingFinder {
             let folds = self.stars.folds(simd, surface, &self.tree, some);
             list_folded(surface, some, folds, &mut self.folded);
         }
+        self.effort += marked.patches.len();
         self.look(surface, positions, self.resting_count);
     }
 
@@ -198,6 +202,7 @@ impl CrossingFinder {
         }
         self.folded.sort_unstable();
         self.folded.dedup();
+        self.effort += self.near.len() - first + self.folded.len();
         for &pair in &self.folded {
             let corners = pair.map(|patch| corners_of(surface, positions, patch));
             cross(surface, pair, corners, &mut self.crossings);

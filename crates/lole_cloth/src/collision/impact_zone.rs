@@ -3,13 +3,18 @@
 //! Provot 1997, "Collision and self-collision handling in cloth model dedicated to design
 //! garments": a zone has the shape in which it began the step, which did not cross.
 
-use glam::Vec3;
+use glam::{DQuat, DVec3, Quat, Vec3};
+use lole_geom::trig64;
 
 use crate::collision::crossing::Crossing;
 use crate::collision::surface::Surface;
+use crate::lanes::narrow;
 
 /// Mass of a pinned particle in the mean of its zone [kg]: all that counts.
 const PINNED_MASS: f32 = 1.0e6;
+
+/// Times that the way of a particle is halved before it is held fast in its zone.
+const HALVINGS: u8 = 2;
 
 /// Zones of a step.
 #[derive(Debug, Clone, Default)]
@@ -18,7 +23,11 @@ pub(crate) struct ImpactZones {
     parents: Vec<u32>,
     /// Particles of zones.
     pub(crate) members: Vec<u32>,
-    is_member: Vec<bool>,
+    /// By particle, its place among those that were taken up, counted from 1; 0 of others.
+    places: Vec<u32>,
+    /// In the order in which they were taken up: where they would go [m], and how often their way was
+    /// halved.
+    held: Vec<(Vec3, u8)>,
 }
 
 impl ImpactZones {
@@ -26,7 +35,8 @@ impl ImpactZones {
     pub(crate) const fn byte_count(&self) -> usize {
         size_of_val(self.parents.as_slice())
             + size_of_val(self.members.as_slice())
-            + size_of_val(self.is_member.as_slice())
+            + size_of_val(self.places.as_slice())
+            + size_of_val(self.held.as_slice())
     }
 
     /// Lets every one of so many particles move by itself.
@@ -34,63 +44,158 @@ impl ImpactZones {
         self.parents.clear();
         self.parents.extend(0..particle_count);
         self.members.clear();
-        self.is_member.clear();
-        self.is_member.resize(particle_count as usize, false);
+        self.held.clear();
+        self.places.clear();
+        self.places.resize(particle_count as usize, 0);
     }
 
-    /// Joins what crosses and the patches around it, with the zones in which they are already:
-    /// with what crosses alone, the zone would next cross its neighbors.
-    pub(crate) fn join(&mut self, surface: &Surface, crossing: &Crossing) {
+    /// Joins what crosses, with the zones in which it is already, and holds it back further. New members
+    /// would go to where they are at `positions` [m].
+    pub(crate) fn join(&mut self, crossing: &Crossing, positions: &[Vec3]) {
         let [start, end] = crossing.ends;
         let [a, b, c] = crossing.corners;
         for particle in [start, end, a, b, c] {
-            for corner in surface.ring(particle) {
-                self.join_pair(start, corner);
-            }
+            self.join_pair(start, particle, positions);
+            let place = self.places[particle as usize] as usize - 1;
+            self.held[place].1 = self.held[place].1.saturating_add(1);
         }
     }
 
-    fn join_pair(&mut self, one: u32, other: u32) {
-        if !self.is_member[other as usize] {
-            self.is_member[other as usize] = true;
-            self.members.push(other);
+    fn join_pair(&mut self, one: u32, other: u32, positions: &[Vec3]) {
+        for particle in [one, other] {
+            let place = &mut self.places[particle as usize];
+            if *place == 0 {
+                self.members.push(particle);
+                self.held.push((positions[particle as usize], 0));
+                *place = narrow(self.held.len());
+            }
         }
         let [one, other] = [one, other].map(|particle| first_of(&mut self.parents, particle));
         self.parents[one.max(other) as usize] = one.min(other);
     }
 
-    /// Gives all particles of a zone the mean displacement from `starts` [m].
+    /// Joins what lies around the zones to them: each grows by a ring of patches, and is held fast.
+    pub(crate) fn grow(&mut self, surface: &Surface, positions: &[Vec3]) {
+        for place in 0..self.members.len() {
+            let member = self.members[place];
+            for corner in surface.ring(member) {
+                self.join_pair(member, corner, positions);
+            }
+        }
+        for held in &mut self.held {
+            held.1 = HALVINGS + 1;
+        }
+    }
+
+    /// Moves every zone from `starts` [m] as a rigid body that goes where its particles would go, pinned
+    /// ones above all, and every particle as far from there towards where it would go as it may; pinned
+    /// ones stay where they are but where they `yield_too`.
     pub(crate) fn carry(
         &mut self,
         starts: &[Vec3],
         positions: &mut [Vec3],
         inv_mass: impl Fn(u32) -> f32,
+        yield_too: bool,
     ) {
         let Self {
-            parents, members, ..
+            parents,
+            members,
+            places,
+            held,
         } = self;
         members.sort_unstable_by_key(|&member| (first_of(parents, member), member));
         let zones =
             members.chunk_by(|&one, &other| parents[one as usize] == parents[other as usize]);
         for zone in zones {
-            let mut mass = 0.0;
-            let mut travel = Vec3::ZERO;
-            for &member in zone {
+            let mass = |member: u32| {
                 let inv_mass = inv_mass(member);
-                let one = if 0.0 < inv_mass {
+                if 0.0 < inv_mass {
                     1.0 / inv_mass
                 } else {
                     PINNED_MASS
-                };
-                mass += one;
-                travel += (positions[member as usize] - starts[member as usize]) * one;
-            }
-            for &member in zone {
-                if 0.0 < inv_mass(member) {
-                    positions[member as usize] = starts[member as usize] + travel / mass;
                 }
+            };
+            let goal = |member: u32| held[places[member as usize] as usize - 1];
+            let moved = zone
+                .iter()
+                .map(|&member| (mass(member), starts[member as usize], goal(member).0));
+            let motion = Rigid::fit(moved);
+            for &member in zone {
+                if !yield_too && inv_mass(member) <= 0.0 {
+                    continue;
+                }
+                let (goal, halvings) = goal(member);
+                let base = motion.apply(starts[member as usize]);
+                positions[member as usize] = if HALVINGS < halvings {
+                    base
+                } else {
+                    base + (goal - base) * (1.0 / f32::from(1_u16 << halvings))
+                };
             }
         }
+    }
+}
+
+/// A turn about a center, and where that goes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Rigid {
+    turn: Quat,
+    from: Vec3,
+    to: Vec3,
+}
+
+impl Rigid {
+    /// The one that brings points with these masses nearest from their first places to their second ones
+    /// [m]: by least squares, and of all those the one that turns least (Müller, Bender, Chentanez and
+    /// Macklin 2016, "A Robust Method to Extract the Rotational Part of Deformations").
+    pub(crate) fn fit(points: impl Iterator<Item = (f32, Vec3, Vec3)> + Clone) -> Self {
+        const PASS_COUNT: usize = 12;
+        let (mut mass, mut from, mut to) = (0.0_f64, DVec3::ZERO, DVec3::ZERO);
+        for (m, start, end) in points.clone() {
+            let m = f64::from(m);
+            mass += m;
+            from += start.as_dvec3() * m;
+            to += end.as_dvec3() * m;
+        }
+        let (from, to) = (
+            from / mass.max(f64::MIN_POSITIVE),
+            to / mass.max(f64::MIN_POSITIVE),
+        );
+        // Columns of Σ m (end - to) (start - from)ᵀ.
+        let mut columns = [DVec3::ZERO; 3];
+        for (m, start, end) in points {
+            let (start, end) = (start.as_dvec3() - from, end.as_dvec3() - to);
+            for (column, along) in columns.iter_mut().zip(start.to_array()) {
+                *column += end * (along * f64::from(m));
+            }
+        }
+        let mut turn = DQuat::IDENTITY;
+        for _ in 0..PASS_COUNT {
+            let axes = [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| turn * axis);
+            let (mut torque, mut size) = (DVec3::ZERO, 0.0);
+            for (axis, column) in axes.into_iter().zip(columns) {
+                torque += axis.cross(column);
+                size += axis.dot(column);
+            }
+            let by = torque / (f64::abs(size) + f64::MIN_POSITIVE);
+            let angle = by.length();
+            if !(1.0e-12 < angle && angle.is_finite()) {
+                break;
+            }
+            let (sin, cos) = trig64::sin_cos(0.5 * angle.min(1.0));
+            let axis = by / angle * sin;
+            turn = (DQuat::from_xyzw(axis.x, axis.y, axis.z, cos) * turn).normalize();
+        }
+        Self {
+            turn: turn.as_quat(),
+            from: from.as_vec3(),
+            to: to.as_vec3(),
+        }
+    }
+
+    /// Where it brings a point [m].
+    pub(crate) fn apply(&self, point: Vec3) -> Vec3 {
+        self.to + self.turn * (point - self.from)
     }
 }
 
@@ -104,4 +209,35 @@ fn first_of(parents: &mut [u32], particle: u32) -> u32 {
     }
     parents[particle as usize] = first;
     first
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_rigid_motion_is_found_however_few_points_show_it() {
+        let turn = Quat::from_rotation_y(0.3) * Quat::from_rotation_x(-0.2);
+        let shift = Vec3::new(0.1, -0.4, 2.0);
+        let corner = |index: u8| {
+            let bit = |place: u8| f32::from((index >> place) & 1);
+            Vec3::new(bit(0), bit(1), bit(2)) + Vec3::new(5.0, 1.0, -3.0)
+        };
+        for count in [4_u8, 8] {
+            let points = (0..count).map(|index| {
+                let start = corner(index);
+                (1.0 + f32::from(index), start, turn * start + shift)
+            });
+            let motion = Rigid::fit(points.clone());
+            for (_, start, end) in points {
+                assert!(motion.apply(start).distance(end) < 2.0e-6, "{count}");
+            }
+        }
+        // A line turns about itself no more than it must, and a point not at all.
+        let line = [(1.0, Vec3::X, Vec3::Y), (1.0, -Vec3::X, -Vec3::Y)];
+        let motion = Rigid::fit(line.into_iter());
+        assert!(motion.apply(Vec3::Z).distance(Vec3::Z) < 1.0e-5);
+        let point = Rigid::fit([(2.0, Vec3::X, Vec3::Z)].into_iter());
+        assert!(point.apply(Vec3::X + Vec3::Y).distance(Vec3::Z + Vec3::Y) < 1.0e-6);
+    }
 }

@@ -12,6 +12,7 @@ use glam::Vec3;
 use lole_geom::Capsule;
 
 use crate::collision::crossing::{Crossing, CrossingFinder, Marked, crossing_point};
+use crate::collision::guards::Guards;
 use crate::collision::impact_zone::ImpactZones;
 use crate::collision::parting::FARTHEST_LEVER;
 use crate::collision::placement::Placement;
@@ -24,7 +25,17 @@ use crate::lanes::{Points, Scalars, narrow};
 const PARTING_ROUNDS: u8 = 8;
 
 /// After those, rounds in which what still crosses is held together in zones.
-const ZONE_ROUNDS: u8 = 24;
+const ZONE_ROUNDS: u32 = 36;
+
+/// From this round on zones grow, by twice as many rings in every round: the last hold all of the cloth.
+const GROWING_ROUND: u32 = 24;
+
+/// From this round on pins give way too, where what they do cannot be done without a crossing.
+const YIELDING_ROUND: u32 = 4;
+
+/// Pairs that a repair may look at for each patch of the cloth before it comes to an end: it then holds
+/// together what it has not parted.
+const EFFORT_MAX: usize = 8;
 
 /// Sweeps over all repairs in a round.
 const SWEEP_COUNT: usize = 4;
@@ -72,6 +83,10 @@ pub(crate) struct CrossingRepair {
     positions: Vec<Vec3>,
     separations: Vec<Separation>,
     zones: ImpactZones,
+    /// What was done in this repair beside looking for crossings.
+    effort: usize,
+    /// Crossings at the end of the last step; `None` where nobody has looked.
+    known: Option<usize>,
     /// Particles that the repair has moved, and, by particle, its place among them counted from 1.
     moved: Vec<u32>,
     moved_places: Vec<u32>,
@@ -80,6 +95,8 @@ pub(crate) struct CrossingRepair {
     before: Vec<Vec3>,
     /// Which particles have left the body.
     is_outside: Vec<bool>,
+    /// What was parted and is kept apart.
+    pub(crate) guards: Guards,
     /// Particles near what still crosses at the end of a step; empty where nothing does.
     pub(crate) is_tangled: Vec<bool>,
 }
@@ -97,6 +114,14 @@ impl CrossingRepair {
             + size_of_val(&self.is_outside[..])
             + size_of_val(&self.is_tangled[..])
             + self.moved_patches.byte_count()
+            + self.guards.byte_count()
+    }
+
+    /// Forgets what it has done in the steps before.
+    pub(crate) fn forget(&mut self) {
+        self.is_tangled.clear();
+        self.guards.clear();
+        self.known = None;
     }
 
     /// Repairs what came to cross since the particles were at `starts`, row-major [m].
@@ -113,11 +138,14 @@ impl CrossingRepair {
         }
         let finder = &mut self.finder;
         dispatch!(fixed.level, simd => finder.find_all(simd, fixed.surface, &self.positions));
+        self.separations.clear();
         if !self.finder.crossings.is_empty() {
             self.work(fixed, starts);
             self.leave_body_at_last(fixed, starts);
             self.store(fixed, positions, velocities);
         }
+        self.known = Some(self.finder.crossings.len());
+        self.guards.renew(&self.separations, &self.positions);
         self.remember_tangles(fixed.surface);
     }
 
@@ -143,14 +171,18 @@ impl CrossingRepair {
         self.moved_places.clear();
         self.moved_places.resize(starts.len(), 0);
         self.before.clear();
+        self.effort = 0;
         for round in 0..PARTING_ROUNDS {
+            if self.is_spent(fixed.surface) {
+                break;
+            }
             let known = self.separations.len();
             self.separate_new(starts);
             if round < UNTANGLING_ROUNDS {
                 self.draw_out_tangles(fixed, starts);
             }
             if UNTANGLING_ROUNDS <= round && self.separations.len() == known {
-                return;
+                break;
             }
             for _ in 0..SWEEP_COUNT {
                 for index in 0..self.separations.len() {
@@ -159,29 +191,70 @@ impl CrossingRepair {
                 self.restrain(starts);
                 self.leave_body(fixed);
             }
+            self.effort += SWEEP_COUNT * self.separations.len();
             self.look_again(fixed);
             if self.finder.crossings.is_empty() {
                 return;
             }
         }
+        self.hold_together(fixed, starts);
+    }
+
+    /// Whether the repair has done as much as it may.
+    const fn is_spent(&self, surface: &Surface) -> bool {
+        EFFORT_MAX * surface.patches.len() < self.effort + self.finder.effort
+    }
+
+    /// Holds back what has come to cross: it goes only a part of its way from where a rigid motion of its
+    /// zone brings it from its start, then none of it, until no more crosses than did at the start.
+    /// In the end there is one zone that moves as a rigid body, and that is so.
+    fn hold_together(&mut self, fixed: Fixed<'_>, starts: &[Vec3]) {
         self.zones.clear(narrow(starts.len()));
-        for _ in 0..ZONE_ROUNDS {
+        let known = self.known_at(fixed, starts);
+        let mut spent = 0;
+        for round in 0..ZONE_ROUNDS {
+            if self.finder.crossings.len() <= known {
+                return;
+            }
             for crossing in &self.finder.crossings {
                 if !crossed_at(starts, crossing) {
-                    self.zones.join(fixed.surface, crossing);
+                    self.zones.join(crossing, &self.positions);
                 }
             }
-            self.zones.carry(starts, &mut self.positions, |particle| {
-                Self::inv_mass(fixed, particle)
-            });
+            spent += u32::from(self.is_spent(fixed.surface));
+            let late = round.saturating_sub(GROWING_ROUND).max(spent);
+            for _ in 0..(1_u32 << late) >> 1 {
+                if self.zones.members.len() < starts.len() {
+                    self.zones.grow(fixed.surface, &self.positions);
+                }
+            }
+            let inv_mass = |particle| Self::inv_mass(fixed, particle);
+            let positions = &mut self.positions;
+            (self.zones).carry(starts, positions, inv_mass, YIELDING_ROUND <= round);
             for index in 0..self.zones.members.len() {
                 self.shift(self.zones.members[index], Vec3::ZERO);
             }
             self.look_again(fixed);
-            if self.finder.crossings.is_empty() {
-                return;
-            }
         }
+        self.take_all_back(fixed, starts);
+    }
+
+    /// Crossings at the start of the step.
+    fn known_at(&self, fixed: Fixed<'_>, starts: &[Vec3]) -> usize {
+        self.known.unwrap_or_else(|| {
+            let mut finder = CrossingFinder::default();
+            dispatch!(fixed.level, simd => finder.find_all(simd, fixed.surface, starts));
+            finder.crossings.len()
+        })
+    }
+
+    /// The last resort: where even a rigid motion crosses, by rounding, everything stays where it was.
+    fn take_all_back(&mut self, fixed: Fixed<'_>, starts: &[Vec3]) {
+        for (particle, &start) in (0..).zip(starts) {
+            self.shift(particle, Vec3::ZERO);
+            self.positions[particle as usize] = start;
+        }
+        self.look_again(fixed);
     }
 
     /// Finds what crosses around the particles that were moved.
@@ -194,6 +267,13 @@ impl CrossingRepair {
 
     /// Makes a separation of every crossing that was none at the start.
     fn separate_new(&mut self, starts: &[Vec3]) {
+        // What nothing can move is looked at again too, or it would be taken for parted.
+        for index in 0..self.finder.crossings.len() {
+            let Crossing { ends, corners, .. } = self.finder.crossings[index];
+            for particle in ends.into_iter().chain(corners) {
+                self.shift(particle, Vec3::ZERO);
+            }
+        }
         let new = self.finder.crossings.iter().filter_map(|crossing| {
             if crossed_at(starts, crossing) {
                 return None;
@@ -313,7 +393,7 @@ impl CrossingRepair {
         self.is_outside.clear();
         self.is_outside.resize(starts.len(), false);
         for round in 0..LEAVING_ROUNDS {
-            if !self.seat_outside(fixed) {
+            if self.is_spent(fixed.surface) || !self.seat_outside(fixed) {
                 if round == 0 {
                     return;
                 }
@@ -321,7 +401,7 @@ impl CrossingRepair {
             }
             self.look_again(fixed);
             for _ in 0..LEAVING_ROUNDS {
-                if self.finder.crossings.len() <= known {
+                if self.finder.crossings.len() <= known || self.is_spent(fixed.surface) {
                     break;
                 }
                 self.separate_new(starts);

@@ -31,6 +31,13 @@ impl Separation {
         })
     }
 
+    /// How far `ends` and `corners` are apart at `positions` [m].
+    pub(crate) fn distance(ends: [u32; 2], corners: [u32; 3], positions: &[Vec3]) -> f32 {
+        let segment = ends.map(|end| positions[end as usize].as_dvec3());
+        let triangle = corners.map(|corner| positions[corner as usize].as_dvec3());
+        gap(segment, triangle).as_vec3().length()
+    }
+
     /// The end that lies lowest along the normal, the corner that lies highest, and by how much the
     /// end is above the corner [m].
     pub(crate) fn closest(&self, positions: &[Vec3]) -> (u32, u32, f32) {

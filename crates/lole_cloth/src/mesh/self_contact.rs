@@ -9,7 +9,7 @@ use crate::collision::repair::Fixed;
 use crate::lanes::{LANES, Points};
 use crate::mesh::model::MeshModel;
 use crate::mesh::particles::WIDTH;
-use crate::mesh::state::MeshState;
+use crate::mesh::state::{MeshScratch, MeshState};
 use crate::mesh::step::Substep;
 use crate::{Crossings, SolverConfig, StepInput};
 
@@ -26,6 +26,13 @@ pub(crate) fn keep_starts(model: &MeshModel, config: &SolverConfig, state: &mut 
     if config.self_collision.is_some() {
         let starts = &mut state.scratch.face_contacts.positions;
         model.slots.gather_points(&state.positions, starts);
+        let MeshScratch {
+            face_contacts,
+            crossing_repair,
+            ..
+        } = &mut state.scratch;
+        let guards = &mut crossing_repair.guards;
+        guards.prepare(&face_contacts.positions, &model.slots, &model.inv_masses);
     }
 }
 
@@ -43,9 +50,16 @@ pub(crate) fn find(model: &MeshModel, config: &SolverConfig, state: &mut MeshSta
     contacts.find(&model.faces, &[meeting(model, config)], dt);
 }
 
+/// Keeps what was parted in earlier steps apart in a substep of `h` [s].
+pub(crate) fn keep_guards(model: &MeshModel, h: f32, state: &mut MeshState) {
+    let guards = std::mem::take(&mut state.scratch.crossing_repair.guards);
+    guards.solve(state, model.spec().fabric.cloth_friction, h);
+    state.scratch.crossing_repair.guards = guards;
+}
+
 /// Moves apart what touches in a substep, where that is due.
 pub(crate) fn solve(
-    config: &SolverConfig,
+    (model, config): (&MeshModel, &SolverConfig),
     (substep, index): (&Substep, u32),
     state: &mut MeshState,
 ) {
@@ -56,6 +70,7 @@ pub(crate) fn solve(
         let mut contacts = std::mem::take(&mut state.scratch.face_contacts);
         contacts.solve(state, substep.h);
         state.scratch.face_contacts = contacts;
+        keep_guards(model, substep.h, state);
     }
 }
 
@@ -68,6 +83,7 @@ pub(crate) fn repair(
     let is_wanted =
         (config.self_collision).is_some_and(|contact| contact.crossings == Crossings::Repair);
     if !is_wanted {
+        state.scratch.crossing_repair.forget();
         return;
     }
     let scratch = &mut state.scratch;

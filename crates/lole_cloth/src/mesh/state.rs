@@ -29,7 +29,8 @@ pub struct MeshState {
 }
 
 /// Room for one step, kept so that no step allocates. Of what it holds only where the piece is
-/// tangled goes from step to step: that is what the end of the last one has found.
+/// tangled, and what was parted and is guarded, goes from step to step: that is what the end of the last
+/// one has found.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct MeshScratch {
     /// Positions predicted at the start of the substep.
@@ -96,7 +97,7 @@ impl MeshState {
         );
         let filler = positions.first().copied().unwrap_or_default();
         model.scatter_points(positions, filler, &mut self.positions);
-        self.scratch.crossing_repair.is_tangled.clear();
+        self.scratch.crossing_repair.forget();
         self.pin_targets.clear();
         let pins = model.pin_indices().iter();
         self.pin_targets

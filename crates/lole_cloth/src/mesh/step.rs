@@ -164,7 +164,7 @@ fn advance(
             watch.substep = index;
         }
         predict_and_project((model, config, input), (&substep, index), (state, watch));
-        self_contact::solve(config, (&substep, index), state);
+        self_contact::solve((model, config), (&substep, index), state);
         look(watch, model, state, Phase::Cloth);
         contact::finish((model, config), (&substep, index), state);
         look(watch, model, state, Phase::Contact);
@@ -276,8 +276,9 @@ fn start(
         state.surfels.extend_from_slice(input.surfels);
     }
     let pins = model.pin_indices().iter().zip(input.pin_targets);
-    for ((&pin, &target), &start) in pins.zip(&state.pin_targets) {
+    for (&pin, &target) in pins {
         let slot = model.slots.of_particle[pin as usize] as usize;
+        let start = state.positions[slot / LANES].get(slot % LANES);
         state.velocities[slot / LANES].set(slot % LANES, (target - start) / dt);
     }
 }

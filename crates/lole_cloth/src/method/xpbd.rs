@@ -18,6 +18,7 @@ use lole_geom::{Surfel, trig};
 use crate::collision::capsule::MovingCapsule;
 use crate::collision::capsule::near::Range;
 use crate::collision::cloth_cloth::{ClothContactLaw, Columns, Shape};
+use crate::collision::face_contact::Moving;
 use crate::collision::repair::Fixed;
 use crate::collision::response::ContactLaw;
 use crate::collision::surfel::{Cloth, Skin, SurfelContacts};
@@ -27,7 +28,7 @@ use crate::constraint::pull::Pull;
 use crate::constraint::shear::Cell;
 use crate::constraint::structural::Spring;
 use crate::constraint::tether::Tethers;
-use crate::lanes::Points;
+use crate::lanes::{LANES, Points};
 use crate::method::reference::SpringConstants;
 use crate::phase::{Observer, Phase};
 use crate::{
@@ -208,6 +209,8 @@ pub(crate) struct Plan {
     /// Duration of the step [s].
     dt: f32,
     cloth_contact: Option<(ClothContactLaw, u32)>,
+    /// Coulomb friction coefficient of cloth on cloth.
+    friction: f32,
 }
 
 /// Moves the cloth on by `dt`.
@@ -219,7 +222,7 @@ pub(crate) fn advance(
 ) {
     let plan = begin(model, config, (input, dt), state);
     for index in 0..plan.substep.count {
-        if plan.law(index).is_some() {
+        if meets_itself(&plan, index, state) {
             predict_and_project((model, config, input), (&plan, index), state);
             collide_and_finish((model, config), (&plan, index), state);
         } else {
@@ -229,6 +232,11 @@ pub(crate) fn advance(
         }
     }
     end((model, config), (input, dt), state);
+}
+
+/// Whether the cloth meets itself in a substep: where it is due, and where something is guarded.
+fn meets_itself(plan: &Plan, index: u32, state: &ClothState) -> bool {
+    plan.law(index).is_some() || !state.scratch.crossing_repair.guards.is_empty()
 }
 
 impl Plan {
@@ -285,7 +293,12 @@ fn begin_observed(
     find_body_contacts(model, config, (input, dt), state);
     let cloth_contact = find_contacts((model, config, &substep), (input, dt), state, observer);
     set_schedules(model, config, state);
+    let scratch = &mut state.scratch;
+    let starts = scratch.cloth_contacts.start_positions();
+    let guards = &mut scratch.crossing_repair.guards;
+    guards.prepare(starts, &model.layout, &model.inv_masses);
     Plan {
+        friction: model.spec().fabric.cloth_friction,
         substep,
         dt,
         cloth_contact,
@@ -313,6 +326,7 @@ pub(crate) fn collide_and_finish(
     if let Some(law) = plan.law(index) {
         solve_cloth_contacts(law, state);
     }
+    keep_guards(plan, state);
     let part = (Part::AfterContact, plan.range(index), index);
     run((model, config, &plan.substep), part, state);
 }
@@ -374,7 +388,7 @@ fn repair_crossings(
         );
     } else {
         // What a repair has left without contact, for the next one to draw out, would stay so.
-        state.scratch.crossing_repair.is_tangled.clear();
+        state.scratch.crossing_repair.forget();
     }
 }
 
@@ -623,6 +637,31 @@ fn find_contacts(
     Some((law, contact.substep_interval.get()))
 }
 
+/// Keeps what was parted apart.
+fn keep_guards(plan: &Plan, state: &mut ClothState) {
+    let guards = std::mem::take(&mut state.scratch.crossing_repair.guards);
+    guards.solve(state, plan.friction, plan.substep.h);
+    state.scratch.crossing_repair.guards = guards;
+}
+
+impl Moving for ClothState {
+    fn place(&self, _piece: usize, slot: usize) -> Vec3 {
+        self.positions[slot / LANES].get(slot % LANES)
+    }
+
+    fn start(&self, _piece: usize, slot: usize, h: f32) -> Vec3 {
+        let (vector, lane) = (slot / LANES, slot % LANES);
+        self.scratch.predicted[vector].get(lane) - self.velocities[vector].get(lane) * h
+    }
+
+    fn put(&mut self, _piece: usize, slot: usize, position: Vec3, quiet: Vec3) {
+        let (vector, lane) = (slot / LANES, slot % LANES);
+        self.positions[vector].set(lane, position);
+        let predicted = &mut self.scratch.predicted[vector];
+        predicted.set(lane, predicted.get(lane) + quiet);
+    }
+}
+
 fn solve_cloth_contacts(law: ClothContactLaw, state: &mut ClothState) {
     let columns = Columns {
         positions: &mut state.positions,
@@ -634,13 +673,9 @@ fn solve_cloth_contacts(law: ClothContactLaw, state: &mut ClothState) {
 
 /// Pinned particles fly straight to their targets, so every substep finds them on the way.
 pub(super) fn start_pins(model: &ClothModel, targets: &[Vec3], state: &mut ClothState, dt: f32) {
-    for ((&pin, &target), &start) in model
-        .pin_indices()
-        .iter()
-        .zip(targets)
-        .zip(&state.pin_targets)
-    {
+    for (&pin, &target) in model.pin_indices().iter().zip(targets) {
         let (vector, lane) = model.layout.slot(pin as usize);
+        let start = state.positions[vector].get(lane);
         state.velocities[vector].set(lane, (target - start) / dt);
     }
 }

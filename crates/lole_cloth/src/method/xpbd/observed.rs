@@ -2,7 +2,8 @@
 
 use super::schedule::{Schedule, Stage};
 use super::{
-    Part, Plan, begin_observed, end, run, set_schedules, solve_cloth_contacts, start_substep,
+    Part, Plan, begin_observed, end, keep_guards, meets_itself, run, set_schedules,
+    solve_cloth_contacts, start_substep,
 };
 use crate::phase::Phase;
 use crate::{ClothModel, ClothState, SolverConfig, StepInput};
@@ -20,7 +21,7 @@ pub(crate) fn advance(
     for index in 0..plan.substep.count {
         start_substep((model, config, input), (&plan, index), state);
         passed(Phase::FindBody);
-        let Some(law) = plan.law(index) else {
+        if !meets_itself(&plan, index, state) {
             run_apart(
                 (model, config),
                 (&plan, index),
@@ -28,10 +29,13 @@ pub(crate) fn advance(
                 passed,
             );
             continue;
-        };
+        }
         let before = (Part::BeforeContact, &mut *state);
         run_apart((model, config), (&plan, index), before, passed);
-        solve_cloth_contacts(law, state);
+        if let Some(law) = plan.law(index) {
+            solve_cloth_contacts(law, state);
+        }
+        keep_guards(&plan, state);
         passed(Phase::SelfContact);
         let after = (Part::AfterContact, &mut *state);
         run_apart((model, config), (&plan, index), after, passed);
