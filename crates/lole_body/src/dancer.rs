@@ -148,6 +148,15 @@ impl Dancer {
             .collect()
     }
 
+    /// Vertices of the skin of trunk, head and legs, ascending.
+    #[must_use]
+    pub fn trunk_vertices(&self) -> Vec<u32> {
+        let mut vertices = tape::trunk(&self.skin).into_flattened();
+        vertices.sort_unstable();
+        vertices.dedup();
+        vertices
+    }
+
     /// A tape around the trunk (arms left out) at `height` [m] of the bind pose: `point_count`
     /// points at equal arc length on the convex hull of the cut, each carried by the skin.
     ///

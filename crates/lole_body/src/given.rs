@@ -13,11 +13,13 @@
 //! Tapes are laid with the arms lowered, whatever the bind pose: raised arms widen the chest.
 
 mod leotard;
+mod outer;
 
 use std::ops::RangeInclusive;
 
 use glam::{Quat, Vec2, Vec3};
 use lole_geom::Length;
+use lole_geom::mesh::vertex_normals;
 use lole_language::words;
 
 use crate::capsules::{CapsuleLayout, fit_capsules};
@@ -53,6 +55,8 @@ const CALF: RangeInclusive<f32> = 0.5..=0.85;
 const ANKLE: RangeInclusive<f32> = 0.02..=0.35;
 /// Direction of the measured bodies' upper arms, to the side and up: 47° below the horizontal.
 const ARM: [f32; 2] = [0.681_998_4, -0.731_353_7];
+/// Cosine of the greatest angle between a given normal and that of the outer surface.
+const LEAST_AGREED: f32 = 0.2;
 /// Least girth of a trunk over the stature; less is no trunk.
 const LEAST_TRUNK: f32 = 0.15;
 
@@ -64,6 +68,7 @@ impl Dancer {
     /// # Errors
     /// [`BodyError::Unmeasurable`] where a tape finds no trunk or no leg.
     pub fn of_skin(mut skeleton: Skeleton, mut skin: SkinnedMesh) -> Result<Self, BodyError> {
+        meet_outer_surface(&mut skin);
         let landmarks = landmarks(&skeleton, &skin)?;
         let tapes = Tapes::new(&skeleton, &skin);
         skeleton.waist_side = tapes.side(landmarks.waist_height);
@@ -105,6 +110,17 @@ impl Dancer {
             waist_height: Some(on_body(Measure::WaistHeight)),
             shoulder_breadth: Some(on_body(Measure::ShoulderBreadth)),
             upper_arm_length: Some(on_body(Measure::UpperArmLength)),
+        }
+    }
+}
+
+/// Leaves of the surface what cloth can come to, with normals that look there.
+fn meet_outer_surface(skin: &mut SkinnedMesh) {
+    skin.surface = outer::outer_surface(&skin.positions, &skin.surface);
+    let smooth = vertex_normals(&skin.positions, &skin.surface);
+    for (normal, smooth) in skin.normals.iter_mut().zip(smooth) {
+        if smooth != Vec3::ZERO && normal.dot(smooth) < LEAST_AGREED {
+            *normal = smooth;
         }
     }
 }

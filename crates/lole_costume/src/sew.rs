@@ -199,9 +199,16 @@ pub fn sew(
     for ring in &rings {
         ring.lay(gathers, &Flare::none(), 0.0, &mut start);
     }
-    let last = &rings[lowest as usize];
+    // Legs of somebody given may carry the skin below her band: cloth does not turn with them.
+    let last = &if dancer.skin.is_given() {
+        rings[lowest as usize].carried_by(Bone::Hips)
+    } else {
+        rings[lowest as usize].clone()
+    };
     let hanging = (layout.grid.row_count - 1 - lowest) as f32 * layout.grid.spacing[1];
-    let flare = Flare::around(last, (dancer, clothed), stance, [layout.band_gap, hanging]);
+    let room = [layout.band_gap, hanging];
+    let flat_length = layout.flat_length;
+    let flare = Flare::around(last, (dancer, clothed), stance, room, flat_length);
     for row in 1..layout.grid.row_count - lowest {
         let below = row as f32 * layout.grid.spacing[1];
         last.lay(gathers, &flare, below, &mut start);

@@ -1,7 +1,7 @@
 //! Lays rows of gathered cloth around the body.
 
 use glam::{Affine3A, Vec3};
-use lole_body::{Dancer, TapePoint};
+use lole_body::{Bone, Dancer, TapePoint};
 use lole_geom::trig;
 
 use super::SewError;
@@ -22,6 +22,14 @@ const SCALE_STEP: f32 = 0.004;
 const LEAST_FLARE: f32 = 0.14;
 /// Widest angle [rad] at which a skirt is held.
 const LARGEST_FLARE: f32 = 0.7;
+/// Points of the ring that stand for the side on which skin lies: 5°.
+const RING_STEP: usize = 10;
+/// Skin less than this below the ring [m] is the band's: contact lifts cloth out of it gently.
+const LEAST_BELOW: f32 = 0.06;
+/// Room that is left between it and a skirt that is held [m].
+const SKIN_MARGIN: f32 = 0.004;
+/// Farthest that a skirt is opened, as a part of the cloth around it.
+const WIDEST: f32 = 0.9;
 /// Precision of the angle [rad].
 const FLARE_STEP: f32 = 0.01;
 /// Places down the skirt that must be clear.
@@ -143,6 +151,7 @@ impl Flare {
         (dancer, clothed): (&Dancer, &Clothed),
         stance: &[Affine3A],
         [gap, length]: [f32; 2],
+        flat_length: f32,
     ) -> Self {
         let capsules = dancer.posed_capsules(stance);
         let clear = |point: &TapePoint, angle: f32| {
@@ -168,7 +177,20 @@ impl Flare {
             }
             angle
         };
-        let least: Vec<f32> = ring.points.iter().map(least).collect();
+        let mut least: Vec<f32> = ring.points.iter().map(least).collect();
+        if dancer.skin.is_given() {
+            // What somebody wears already stands out of the capsules.
+            let needed = angles_over_skin(ring, dancer, stance, [gap, length]);
+            for (least, needed) in least.iter_mut().zip(needed) {
+                *least = least.max(needed.min(LARGEST_FLARE));
+            }
+            // No wider than there is cloth around the hem.
+            let radius = (WIDEST * flat_length - ring.girth) / std::f32::consts::TAU;
+            let widest = trig::asin((radius / length).clamp(0.0, 1.0)).max(LEAST_FLARE);
+            // The same all around: where angles differ much, columns slant and are too long.
+            let angle = least.iter().copied().fold(0.0, f32::max).min(widest);
+            return Self(vec![angle; RING_POINTS]);
+        }
         let widest: Vec<f32> = (0..RING_POINTS)
             .map(|index| {
                 let near = around(index, RING_POINTS, FLARE_BLUR);
@@ -177,6 +199,48 @@ impl Flare {
             .collect();
         Self(blurred(&widest, FLARE_BLUR))
     }
+}
+
+/// By point of a ring, the angle [rad] at which `length` [m] of cloth, hung `gap` [m] outside of it,
+/// clears the skin in a stance; arms hang outside of it.
+fn angles_over_skin(
+    ring: &Ring,
+    dancer: &Dancer,
+    stance: &[Affine3A],
+    [gap, length]: [f32; 2],
+) -> Vec<f32> {
+    let (mut positions, mut normals) = (Vec::new(), Vec::new());
+    dancer.skin.pose(stance, &mut positions, &mut normals);
+    let posed: Vec<[Vec3; 2]> = (ring.points.iter())
+        .map(|point| {
+            let outward = point.posed_outward(stance).with_y(0.0);
+            [point.posed(stance), outward.normalize_or_zero()]
+        })
+        .collect();
+    let axis = posed.iter().map(|[place, _]| *place).sum::<Vec3>() / posed.len().max(1) as f32;
+    let mut angles = vec![0.0_f32; posed.len()];
+    for vertex in dancer.trunk_vertices() {
+        let place = positions[vertex as usize];
+        let from_axis = (place - axis).with_y(0.0);
+        // The point of the ring on the same side.
+        let along = |[at, _]: &[Vec3; 2]| {
+            let way = (*at - axis).with_y(0.0);
+            way.dot(from_axis) / way.length().max(f32::MIN_POSITIVE)
+        };
+        let nearest = (0..posed.len()).step_by(RING_STEP);
+        let nearest = nearest.max_by(|&a, &b| along(&posed[a]).total_cmp(&along(&posed[b])));
+        let Some(nearest) = nearest else { continue };
+        let [from, outward] = posed[nearest];
+        let below = from.y - place.y;
+        if !(LEAST_BELOW..length + SKIN_MARGIN).contains(&below) {
+            continue;
+        }
+        let out = (place - from).dot(outward) - gap + SKIN_MARGIN;
+        for near in around(nearest, posed.len(), RING_STEP / 2 + 1) {
+            angles[near] = angles[near].max(trig::atan2(out, below));
+        }
+    }
+    angles
 }
 
 /// The indices up to `reach` from `index` on a closed line of `count` points.
@@ -225,6 +289,16 @@ impl Ring {
             .map(|(a, b)| a.bind_position.distance(b.bind_position))
             .sum();
         Self { points, girth }
+    }
+
+    /// The same line, all of which goes with one bone.
+    pub(super) fn carried_by(&self, bone: Bone) -> Self {
+        let mut ring = self.clone();
+        for point in &mut ring.points {
+            point.joints = [u16::try_from(bone.index()).unwrap_or(0); 4];
+            point.weights = [1.0, 0.0, 0.0, 0.0];
+        }
+        ring
     }
 
     /// Gap [m] at which inner turns lie outside of all that is worn; less than nothing, or negative
