@@ -22,7 +22,7 @@ use crate::args::DanceArgs;
 use crate::baked::{self, Keys};
 use crate::figures::{self, RunFigures, Timing};
 use crate::output::OutputFolder;
-use crate::patience::{progress_bar, stop_flag};
+use crate::patience::{Watch, progress_bar, stop_flag};
 use crate::source::{self, Source};
 use crate::stopwatch::Stopwatch;
 use crate::studio::{FilmCamera, STILLS, Studio, still_cameras};
@@ -242,14 +242,17 @@ impl Run<'_> {
     ) -> Result<(), Failure> {
         let count = Performance::settle_frame_count();
         let bar = progress_bar(count, self.language.pick("布をなじませる", "settling"));
+        let watch = Watch::over(&bar, self.language);
         while performance.time() < 0.0 {
             self.check_stop()?;
             if let Err(divergence) = pool.install(|| performance.advance()) {
                 recording.divergence = Some(divergence);
                 break;
             }
+            watch.tell(performance.pressed_count());
             bar.inc(1);
         }
+        drop(watch);
         bar.finish_and_clear();
         Ok(())
     }
@@ -267,6 +270,7 @@ impl Run<'_> {
         let frame_count = frame_count(self.design.duration_s(whole));
         let still_frame = self.still_frame(frame_count);
         let bar = progress_bar(frame_count, self.language.pick("踊る", "dancing"));
+        let patience = Watch::over(&bar, self.language);
         performance.pose_body();
         let mut camera = FilmCamera::new(performance);
         for frame in 0..frame_count {
@@ -291,8 +295,10 @@ impl Run<'_> {
                 recording.divergence = Some(divergence);
                 break;
             }
+            patience.tell(performance.pressed_count());
             bar.inc(1);
         }
+        drop(patience);
         if recording.divergence.is_none() {
             performance.pose_body();
             recording.metrics.push(performance.measure());

@@ -97,6 +97,12 @@ impl Clip {
         Ok(Self { poses, found })
     }
 
+    /// A dance of poses, sixty a second, after which she stands in the last one.
+    #[must_use]
+    pub const fn of_poses(poses: Vec<Pose>) -> Self {
+        Self { poses, found: None }
+    }
+
     /// The same dance with arms that would hang in a skirt's folds brought out of them.
     #[must_use]
     pub fn clear_of_skirt(mut self, dancer: &Dancer) -> Self {

@@ -12,6 +12,7 @@ pub mod performance;
 pub mod production;
 pub mod skin_check;
 mod solver;
+pub mod strangers;
 pub mod validate;
 mod yielding;
 
@@ -20,6 +21,7 @@ pub use live::{Pull, Show, Vitals, Wish};
 pub use metrics::{FrameMetrics, RunMetrics};
 pub use performance::{Divergence, Energy, FRAME_SECONDS, FRAMES_PER_SECOND, Performance};
 pub use production::{DressedGarment, Garment, Production, dancer};
+pub use strangers::Stranger;
 pub use yielding::give_way;
 
 use lole_language::Bilingual;

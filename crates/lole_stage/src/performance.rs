@@ -621,8 +621,7 @@ impl Performance {
     /// all.
     #[must_use]
     pub fn state_hash(&self) -> u64 {
-        /// Of the hash `FNV-1a` for 64 bits (Fowler, Noll and Vo).
-        const PRIME: u64 = 0x0000_0100_0000_01b3;
+        const PRIME: u64 = 0x0000_0100_0000_01b3; // Of `FNV-1a` for 64 bits (Fowler, Noll and Vo).
         let dressed = self.dressed.iter().map(Dressed::hash);
         let mut hashes = (self.worn.iter().map(|worn| worn.solver.state_hash())).chain(dressed);
         let first = hashes.next().unwrap_or(0);
@@ -646,6 +645,12 @@ impl Performance {
         for worn in &mut self.worn {
             worn.solver.set_instruction_set(set);
         }
+    }
+
+    /// In how many places gathered garments press on themselves and are kept from crossing.
+    #[must_use]
+    pub fn pressed_count(&self) -> usize {
+        self.solvers().map(Solver::pressed_count).sum()
     }
 
     /// Memory of the prepared cloth and its state [byte].

@@ -247,6 +247,14 @@ impl Solver {
         }
     }
 
+    /// Places where cloth of `xpbd` presses on itself.
+    pub(crate) const fn pressed_count(&self) -> usize {
+        match self {
+            Self::Xpbd(xpbd) => xpbd.state.pressed_count(),
+            Self::Explicit(_) => 0,
+        }
+    }
+
     /// Memory of the prepared cloth and its state [byte].
     pub(crate) fn byte_count(&self) -> usize {
         match self {
