@@ -69,8 +69,8 @@ mod tests {
         for _ in 0..8000 {
             let share = chance.share();
             assert!((0.0..1.0).contains(&share));
-            counts[(0..8)
-                .filter(|&part| f32::from(part as u8) / 8.0 <= share)
+            counts[(0..8_u8)
+                .filter(|&part| f32::from(part) / 8.0 <= share)
                 .count()
                 - 1] += 1;
         }

@@ -94,16 +94,18 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// Dances, and says how it went.
 fn dance(production: Production, asked: &Asked, seed: u64) -> Result<String, Box<dyn Error>> {
     let mut performance = Performance::new(production)?;
-    let mut seen = Seen::default();
+    let mut seen = Seen {
+        traces: asked.traces,
+        ..Seen::default()
+    };
     let mut pictures = Vec::new();
     while performance.time() < asked.seconds {
-        let is_settling = performance.time() < 0.0;
         let start = Instant::now();
         if let Err(found) = performance.advance() {
             return Ok(format!("FLEW AWAY: {found:?}"));
         }
         let spent = start.elapsed().as_secs_f64() * 1000.0;
-        seen.frame(&performance, (spent, is_settling), asked.traces);
+        seen.frame(&performance, spent);
         let due = asked.seconds * pictures.len() as f32 / 3.0;
         if asked.pictures.is_some() && due <= performance.time() + 0.02 && pictures.len() < 4 {
             pictures.push(shoot(&mut performance)?);
@@ -118,6 +120,8 @@ fn dance(production: Production, asked: &Asked, seed: u64) -> Result<String, Box
 /// The worst that was seen of a dance.
 #[derive(Default)]
 struct Seen {
+    /// Whether every frame has a line.
+    traces: bool,
     /// What each frame took [ms].
     times: Vec<f64>,
     settling: f64,
@@ -129,12 +133,8 @@ struct Seen {
 }
 
 impl Seen {
-    fn frame(
-        &mut self,
-        performance: &Performance,
-        (spent, is_settling): (f64, bool),
-        traces: bool,
-    ) {
+    fn frame(&mut self, performance: &Performance, spent: f64) {
+        let (traces, is_settling) = (self.traces, performance.time() <= 0.0);
         if is_settling {
             self.settling = self.settling.max(spent);
         } else {

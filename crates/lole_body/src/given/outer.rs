@@ -158,17 +158,13 @@ impl Room {
         let mut open = vec![IVec3::ZERO];
         found[0] = true;
         while let Some(cell) = open.pop() {
-            for axis in IVec3::AXES {
-                for next in [cell - axis, cell + axis] {
-                    let is_inside = next.cmpge(IVec3::ZERO).all() && next.cmplt(self.size).all();
-                    if !is_inside {
-                        continue;
-                    }
-                    let place = self.index(next);
-                    if !found[place] && is_free(place) {
-                        found[place] = true;
-                        open.push(next);
-                    }
+            let around = IVec3::AXES.map(|axis| [cell - axis, cell + axis]);
+            for next in around.as_flattened().iter().copied() {
+                let is_inside = next.cmpge(IVec3::ZERO).all() && next.cmplt(self.size).all();
+                let place = if is_inside { self.index(next) } else { 0 };
+                if is_inside && !found[place] && is_free(place) {
+                    found[place] = true;
+                    open.push(next);
                 }
             }
         }

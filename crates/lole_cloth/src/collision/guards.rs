@@ -106,14 +106,19 @@ impl Guards {
         }
     }
 
-    /// Guards what is still near at the end of a step, and what was parted in it.
-    pub(crate) fn renew(&mut self, parted: &[Separation], positions: &[Vec3]) {
+    /// Guards what is still near at the end of a step, and what was parted in it; but nothing around a
+    /// tangle, whose contour must be free to move until it is gone.
+    pub(crate) fn renew(&mut self, parted: &[Separation], positions: &[Vec3], is_tangled: &[bool]) {
+        let is_free = |&(ends, corners): &([u32; 2], [u32; 3])| {
+            let mut particles = ends.into_iter().chain(corners);
+            !particles.any(|it| is_tangled.get(it as usize) == Some(&true))
+        };
         let is_near = |&(ends, corners): &([u32; 2], [u32; 3])| {
             Separation::distance(ends, corners, positions) < LET_GO
         };
-        self.pairs.retain(is_near);
-        self.pairs
-            .extend(parted.iter().map(|it| (it.ends, it.corners)));
+        self.pairs.retain(|pair| is_near(pair) && is_free(pair));
+        let parted = parted.iter().map(|it| (it.ends, it.corners));
+        self.pairs.extend(parted.filter(is_free));
         self.pairs.sort_unstable();
         self.pairs.dedup();
     }

@@ -13,7 +13,7 @@ use lole_geom::Capsule;
 
 use crate::collision::crossing::{Crossing, CrossingFinder, Marked, crossing_point};
 use crate::collision::guards::Guards;
-use crate::collision::impact_zone::ImpactZones;
+use crate::collision::impact_zone::{ImpactZones, Pins};
 use crate::collision::parting::FARTHEST_LEVER;
 use crate::collision::placement::Placement;
 use crate::collision::separation::Separation;
@@ -53,6 +53,9 @@ const LEAVING_ROUNDS: u8 = 8;
 /// Rounds in which tangles are drawn out.
 const UNTANGLING_ROUNDS: u8 = 4;
 
+/// Crossings that a tangle may have more while it is drawn out, beside a quarter of what it had.
+const TANGLE_ROOM: usize = 8;
+
 /// Speed at which a tangle is drawn out [m/s].
 const UNTANGLING_SPEED: f32 = 0.2;
 
@@ -85,8 +88,8 @@ pub(crate) struct CrossingRepair {
     zones: ImpactZones,
     /// What was done in this repair beside looking for crossings.
     effort: usize,
-    /// Crossings at the end of the last step; `None` where nobody has looked.
-    known: Option<usize>,
+    /// Crossings that may be left: none where there were none; `None` where nobody has looked.
+    ceiling: Option<usize>,
     /// Particles that the repair has moved, and, by particle, its place among them counted from 1.
     moved: Vec<u32>,
     moved_places: Vec<u32>,
@@ -121,7 +124,7 @@ impl CrossingRepair {
     pub(crate) fn forget(&mut self) {
         self.is_tangled.clear();
         self.guards.clear();
-        self.known = None;
+        self.ceiling = None;
     }
 
     /// Repairs what came to cross since the particles were at `starts`, row-major [m].
@@ -144,9 +147,12 @@ impl CrossingRepair {
             self.leave_body_at_last(fixed, starts);
             self.store(fixed, positions, velocities);
         }
-        self.known = Some(self.finder.crossings.len());
-        self.guards.renew(&self.separations, &self.positions);
+        if self.finder.crossings.is_empty() {
+            self.ceiling = Some(0);
+        }
         self.remember_tangles(fixed.surface);
+        let tangled = &self.is_tangled;
+        (self.guards).renew(&self.separations, &self.positions, tangled);
     }
 
     /// Marks what still crosses and the patches around it.
@@ -206,14 +212,15 @@ impl CrossingRepair {
     }
 
     /// Holds back what has come to cross: it goes only a part of its way from where a rigid motion of its
-    /// zone brings it from its start, then none of it, until no more crosses than did at the start.
+    /// zone brings it from its start, then none of it, until no more crosses than may.
     /// In the end there is one zone that moves as a rigid body, and that is so.
     fn hold_together(&mut self, fixed: Fixed<'_>, starts: &[Vec3]) {
         self.zones.clear(narrow(starts.len()));
-        let known = self.known_at(fixed, starts);
+        let ceiling = self.ceiling_at(fixed, starts);
+        self.ceiling = Some(ceiling);
         let mut spent = 0;
         for round in 0..ZONE_ROUNDS {
-            if self.finder.crossings.len() <= known {
+            if self.finder.crossings.len() <= ceiling {
                 return;
             }
             for crossing in &self.finder.crossings {
@@ -230,7 +237,12 @@ impl CrossingRepair {
             }
             let inv_mass = |particle| Self::inv_mass(fixed, particle);
             let positions = &mut self.positions;
-            (self.zones).carry(starts, positions, inv_mass, YIELDING_ROUND <= round);
+            let pins = if YIELDING_ROUND <= round {
+                Pins::Yield
+            } else {
+                Pins::Stay
+            };
+            self.zones.carry(starts, positions, inv_mass, pins);
             for index in 0..self.zones.members.len() {
                 self.shift(self.zones.members[index], Vec3::ZERO);
             }
@@ -239,12 +251,15 @@ impl CrossingRepair {
         self.take_all_back(fixed, starts);
     }
 
-    /// Crossings at the start of the step.
-    fn known_at(&self, fixed: Fixed<'_>, starts: &[Vec3]) -> usize {
-        self.known.unwrap_or_else(|| {
+    /// Crossings that a step may leave: a tangle that is drawn out crosses by some more for a while.
+    fn ceiling_at(&self, fixed: Fixed<'_>, starts: &[Vec3]) -> usize {
+        self.ceiling.unwrap_or_else(|| {
             let mut finder = CrossingFinder::default();
             dispatch!(fixed.level, simd => finder.find_all(simd, fixed.surface, starts));
-            finder.crossings.len()
+            match finder.crossings.len() {
+                0 => 0,
+                count => count + count / 4 + TANGLE_ROOM,
+            }
         })
     }
 

@@ -440,31 +440,26 @@ impl<'a> Sculptor<'a> {
     fn block(&mut self, bone: Bone, low: Vec3, high: Vec3) {
         const PARTS: u8 = 3;
         let mut corners: BTreeMap<[u8; 3], u32> = BTreeMap::new();
-        for axis in 0..3 {
-            for side in [0, PARTS] {
-                let [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
-                for one in 0..PARTS {
-                    for other in 0..PARTS {
-                        let corner = |i: u8, j: u8| {
-                            let mut key = [0; 3];
-                            (key[axis], key[u], key[v]) = (side, one + i, other + j);
-                            key
-                        };
-                        let square = [corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)];
-                        let [a, b, c, d] = square.map(|key| {
-                            *corners.entry(key).or_insert_with(|| {
-                                let share = Vec3::from_array(key.map(f32::from)) / f32::from(PARTS);
-                                self.carried(low + (high - low) * share, bone)
-                            })
-                        });
-                        self.triangles.extend(if side == 0 {
-                            [[a, c, b], [a, d, c]]
-                        } else {
-                            [[a, b, c], [a, c, d]]
-                        });
-                    }
-                }
-            }
+        let faces = (0..3).flat_map(|axis| [(axis, 0), (axis, PARTS)]);
+        let squares = faces.flat_map(|face| {
+            (0..PARTS * PARTS).map(move |place| (face, [place / PARTS, place % PARTS]))
+        });
+        for ((axis, side), [one, other]) in squares {
+            let [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
+            let square = [[0, 0], [1, 0], [1, 1], [0, 1]].map(|[i, j]| {
+                let mut key = [0; 3];
+                (key[axis], key[u], key[v]) = (side, one + i, other + j);
+                *corners.entry(key).or_insert_with(|| {
+                    let share = Vec3::from_array(key.map(f32::from)) / f32::from(PARTS);
+                    self.carried(low + (high - low) * share, bone)
+                })
+            });
+            let [a, b, c, d] = square;
+            self.triangles.extend(if side == 0 {
+                [[a, c, b], [a, d, c]]
+            } else {
+                [[a, b, c], [a, c, d]]
+            });
         }
     }
 
