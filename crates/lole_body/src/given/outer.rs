@@ -41,24 +41,24 @@ pub(super) fn outer_surface(positions: &[Vec3], triangles: &[[u32; 3]]) -> Vec<[
         return triangles.to_vec();
     };
     let grid = TriangleGrid::new(positions, triangles, 2.0 * room.cell);
-    let is_open = |[a, b, c]: [u32; 3]| {
-        let corners = [a, b, c].map(|corner| positions[corner as usize]);
-        let [a, b, c] = corners;
+    let open_count = |[a, b, c]: [u32; 3]| {
+        let [a, b, c] = [a, b, c].map(|corner| positions[corner as usize]);
         let Some(normal) = (b - a).cross(c - a).try_normalize() else {
-            return false;
+            return 0;
         };
-        let mut points = POINTS.iter().map(|[u, v, w]| a * *u + b * *v + c * *w);
-        points.any(|point| {
+        let points = POINTS.iter().map(|[u, v, w]| a * *u + b * *v + c * *w);
+        let open = points.filter(|&point| {
             let above = point + normal * (ABOVE * room.cell);
             room.is_outside(above) && grid.first_crossing(point + normal * OFF, above).is_none()
-        })
+        });
+        open.count()
     };
     let facing = |&[a, b, c]: &[u32; 3]| {
-        if is_open([a, b, c]) {
-            Some([a, b, c])
-        } else {
-            is_open([a, c, b]).then_some([a, c, b])
+        if 0 < open_count([a, b, c]) {
+            return Some([a, b, c]);
         }
+        // A crease that the ball cannot come to is not turned around by a doubtful point.
+        (open_count([a, c, b]) == POINTS.len()).then_some([a, c, b])
     };
     let left: Vec<[u32; 3]> = triangles.iter().filter_map(facing).collect();
     if (left.len() as f32) < LEAST_LEFT * triangles.len() as f32 {
