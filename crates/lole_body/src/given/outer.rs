@@ -17,7 +17,7 @@ const CELL: f32 = 0.006;
 /// Cells at most: a tall man with outstretched arms has half as many.
 const CELLS_MAX: f32 = 1.2e7;
 
-/// A face is looked at from so far above it [cells].
+/// A face is looked at from so many cells above it.
 const ABOVE: f32 = 1.5;
 
 /// A point looks at its own face from so far above it [m].
@@ -171,7 +171,7 @@ impl Room {
         found
     }
 
-    /// Squared distance of every cell to the nearest marked one [cells²]: exact, an axis at a time
+    /// Squared distance of every cell to the nearest marked one, in cells: exact, an axis at a time
     /// (Felzenszwalb and Huttenlocher 2012, "Distance Transforms of Sampled Functions").
     fn squared_distances(&self, is_marked: &[bool]) -> Vec<f32> {
         let far = 1.0e9;
