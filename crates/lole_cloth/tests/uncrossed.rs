@@ -1,5 +1,5 @@
-//! The promise: what did not cross does not come to cross, whatever is done to it, and what crosses never
-//! grows. Judged by exact predicates that share nothing with the engine.
+//! The promise: what did not cross does not come to cross, whatever is done to it, and a tangle
+//! grows by no more than drawing it out takes. Judged by exact predicates that share nothing with the engine.
 
 mod exact_support;
 mod mesh_support;
