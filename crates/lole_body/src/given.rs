@@ -56,7 +56,7 @@ const ANKLE: RangeInclusive<f32> = 0.02..=0.35;
 /// Direction of the measured bodies' upper arms, to the side and up: 47° below the horizontal.
 const ARM: [f32; 2] = [0.681_998_4, -0.731_353_7];
 /// Cosine of the greatest angle between a given normal and that of the outer surface.
-const LEAST_AGREED: f32 = 0.2;
+const LEAST_AGREED: f32 = 0.7;
 /// Least girth of a trunk over the stature; less is no trunk.
 const LEAST_TRUNK: f32 = 0.15;
 
@@ -68,7 +68,7 @@ impl Dancer {
     /// # Errors
     /// [`BodyError::Unmeasurable`] where a tape finds no trunk or no leg.
     pub fn of_skin(mut skeleton: Skeleton, mut skin: SkinnedMesh) -> Result<Self, BodyError> {
-        meet_outer_surface(&mut skin);
+        meet_outer_surface(&mut skin, &skeleton);
         let landmarks = landmarks(&skeleton, &skin)?;
         let tapes = Tapes::new(&skeleton, &skin);
         skeleton.waist_side = tapes.side(landmarks.waist_height);
@@ -115,8 +115,17 @@ impl Dancer {
 }
 
 /// Leaves of the surface what cloth can come to, with normals that look there.
-fn meet_outer_surface(skin: &mut SkinnedMesh) {
-    skin.surface = outer::outer_surface(&skin.positions, &skin.surface);
+fn meet_outer_surface(skin: &mut SkinnedMesh, skeleton: &Skeleton) {
+    let middle_of = |vertex: u32| {
+        let bone = skin.strongest_bone(vertex as usize);
+        let start = skeleton.joint(bone);
+        let place = skin.positions[vertex as usize];
+        let next = (Bone::ALL.iter()).find(|next| next.parent() == Some(bone));
+        let along = next.map_or(Vec3::Y, |&next| skeleton.joint(next) - start);
+        let along = along.normalize_or(Vec3::Y);
+        start + along * (place - start).dot(along)
+    };
+    skin.surface = outer::outer_surface(&skin.positions, &skin.surface, middle_of);
     let smooth = vertex_normals(&skin.positions, &skin.surface);
     for (normal, smooth) in skin.normals.iter_mut().zip(smooth) {
         if smooth != Vec3::ZERO && normal.dot(smooth) < LEAST_AGREED {

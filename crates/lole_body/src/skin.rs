@@ -11,6 +11,8 @@ use std::sync::Arc;
 use glam::{Affine3A, Mat3A, Vec2, Vec3, Vec3A};
 use rayon::prelude::*;
 
+use crate::Bone;
+
 /// Vertices that one thread carries in one go.
 const VERTICES_TOGETHER: usize = 1024;
 
@@ -217,6 +219,16 @@ impl SkinnedMesh {
     #[must_use]
     pub const fn is_given(&self) -> bool {
         !self.surface.is_empty()
+    }
+
+    /// The bone that carries most of a vertex; of equals the first.
+    #[must_use]
+    pub fn strongest_bone(&self, vertex: usize) -> Bone {
+        let (joints, weights) = (self.joints[vertex], self.weights[vertex]);
+        let strongest = (1..4).fold(0, |most, next| {
+            if weights[most] < weights[next] { next } else { most }
+        });
+        Bone::ALL[usize::from(joints[strongest])]
     }
 
     /// Height of the highest vertex of the body's surface [m].

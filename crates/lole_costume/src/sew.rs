@@ -1,11 +1,13 @@
 //! Sews a drafted pāʻū skirt or top to a dancer: flat rectangle → gathered tube of particles around
 //! hips or bust, its elastic rows carried by the skin, outside of what she wears already.
 
+mod band;
 mod clothed;
 mod error;
 mod flounce;
 mod fold_curve;
 mod mesh;
+mod profile;
 mod ring;
 
 use glam::{Affine3A, Vec3};
@@ -14,9 +16,11 @@ use lole_cloth::{ClothSpec, Fabric, Flounce, Grid, MassLaw, Topology};
 use lole_geom::trig;
 use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements};
 
+pub use band::{Band, Lifts};
 pub use clothed::Clothed;
 pub use error::SewError;
 pub use mesh::SkirtMesh;
+use profile::Profile;
 use ring::{Flare, Gathers, Ring};
 
 /// How the skirt is divided into particles and laid around the dancer.
@@ -65,10 +69,10 @@ impl SkinPin {
     }
 
     /// The same, so much [m] nearer to the body.
-    fn drawn_in(&self, by: f32, world_from_bind: &[Affine3A]) -> Vec3 {
+    fn drawn_in(&self, by: f32) -> TapePoint {
         let mut point = self.point;
         point.bind_position -= point.outward * by;
-        point.posed(world_from_bind)
+        point
     }
 }
 
@@ -125,18 +129,41 @@ pub struct SewnSkirt {
     drawn_in: f32,
     /// How far apart two elastics may be, over the cloth between them.
     taut: f32,
-    /// Every particle carried by the nearest skin: the start of the drape.
+    /// What carries the elastics of somebody given; `None` where her skin does.
+    pub band: Option<Band>,
+    /// Every particle carried by the nearest skin, or by the band's bone: the start of the drape.
     start: Vec<TapePoint>,
 }
 
 impl SewnSkirt {
-    /// Where the drape starts, in the pose `world_from_bind` [m], shape `[particle_count, 3]`.
+    /// Where the drape starts, in the pose `world_from_bind` [m], shape `[particle_count, 3]`; `lifts` is
+    /// how far the elastics of a [`Self::band`] have given way, and is not looked at without one.
     #[must_use]
-    pub fn start_positions(&self, world_from_bind: &[Affine3A]) -> Vec<Vec3> {
-        self.start
-            .iter()
-            .map(|point| point.posed(world_from_bind))
-            .collect()
+    pub fn start_positions(&self, world_from_bind: &[Affine3A], lifts: &Lifts) -> Vec<Vec3> {
+        let Some(band) = &self.band else {
+            let start = self.start.iter();
+            return start.map(|point| point.posed(world_from_bind)).collect();
+        };
+        let columns = self.spec.grid.column_count as usize;
+        let posed = |(index, point): (usize, &TapePoint)| {
+            let [above, below] = self.elastics_at(index / columns);
+            let [(one, part), (other, rest)] = [above, below];
+            let lift = part * band.lift((one, point), lifts) + rest * band.lift((other, point), lifts);
+            band.posed(world_from_bind, point, lift)
+        };
+        self.start.iter().enumerate().map(posed).collect()
+    }
+
+    /// The elastics above and below a row, with how much of it goes with each.
+    fn elastics_at(&self, row: usize) -> [(usize, f32); 2] {
+        let rows = &self.elastic_rows;
+        let below = rows.partition_point(|&elastic| (elastic as usize) < row);
+        if below == 0 || below == rows.len() {
+            return [(below.min(rows.len() - 1), 1.0), (0, 0.0)];
+        }
+        let [from, to] = [rows[below - 1], rows[below]].map(|row| row as f32);
+        let share = (row as f32 - from) / (to - from);
+        [(below - 1, 1.0 - share), (below, share)]
     }
 
     /// Where every particle starts in the bind pose [m], row-major.
@@ -146,14 +173,27 @@ impl SewnSkirt {
 
     /// Where the pins are in the pose `world_from_bind` [m], in the order of [`Self::pins`]: on the
     /// skin that carries them, but where she stretches more than cloth does, the upper elastics
-    /// slide down with the cloth below them. `put_on`, from 0 to 1, is how far it has been put on: a
+    /// slide down with the cloth below them; on the [`Self::band`], where there is one, whose elastics
+    /// have given way as `lifts` says. `put_on`, from 0 to 1, is how far it has been put on: a
     /// ruffle that is stitched onto a skirt comes to it from outside.
-    pub fn pose_pins(&self, world_from_bind: &[Affine3A], put_on: f32, targets: &mut Vec<Vec3>) {
+    pub fn pose_pins(
+        &self,
+        world_from_bind: &[Affine3A],
+        (put_on, lifts): (f32, &Lifts),
+        targets: &mut Vec<Vec3>,
+    ) {
         targets.clear();
-        let by = self.drawn_in * put_on;
-        let pins = self.pins.iter();
-        targets.extend(pins.map(|pin| pin.drawn_in(by, world_from_bind)));
-        self.slide_elastics(targets);
+        let pins = self.pins.iter().map(|pin| pin.drawn_in(self.drawn_in * put_on));
+        let Some(band) = &self.band else {
+            targets.extend(pins.map(|point| point.posed(world_from_bind)));
+            self.slide_elastics(targets);
+            return;
+        };
+        let columns = self.spec.grid.column_count as usize;
+        targets.extend(pins.enumerate().map(|(index, point)| {
+            let lift = band.lift((index / columns, &point), lifts);
+            band.posed(world_from_bind, &point, lift)
+        }));
     }
 
     /// Lets every upper elastic slide down until the cloth below it reaches to the next one; `targets`
@@ -195,16 +235,23 @@ pub fn sew(
     let least_gap = bare.iter().map(|ring| ring.gap_over(clothed));
     layout.band_gap = least_gap.fold(layout.band_gap, f32::max);
     let gathers = layout.gathers();
-    let rings = layout.band_rings(dancer, worn_height, lowest)?;
+    let mut rings = layout.band_rings(dancer, worn_height, lowest)?;
+    let taut = match cut.place {
+        WornPlace::Hips | WornPlace::Skirt => TAUT,
+        WornPlace::Bust => TAUT_OVER_BUST,
+    };
+    let band = dancer.skin.is_given().then(|| {
+        let bone = Band::carrier(&rings);
+        rings.iter_mut().for_each(|ring| ring.be_carried_by(bone));
+        let elastics: Vec<&Ring> = (layout.elastic_rows.iter())
+            .map(|&row| &rings[row as usize])
+            .collect();
+        Band::new(&elastics, bone, taut / BLOUSING)
+    });
     for ring in &rings {
         ring.lay(gathers, &Flare::none(), 0.0, &mut start);
     }
-    // Legs of somebody given may carry the skin below her band: cloth does not turn with them.
-    let last = &if dancer.skin.is_given() {
-        rings[lowest as usize].carried_by(Bone::Hips)
-    } else {
-        rings[lowest as usize].clone()
-    };
+    let last = &rings[lowest as usize];
     let hanging = (layout.grid.row_count - 1 - lowest) as f32 * layout.grid.spacing[1];
     let room = [layout.band_gap, hanging];
     let flat_length = layout.flat_length;
@@ -243,10 +290,8 @@ pub fn sew(
             WornPlace::Hips | WornPlace::Bust => 0.0,
             WornPlace::Skirt => (1.0 - STITCHED) * layout.band_gap,
         },
-        taut: match cut.place {
-            WornPlace::Hips | WornPlace::Skirt => TAUT,
-            WornPlace::Bust => TAUT_OVER_BUST,
-        },
+        taut,
+        band,
         start,
     })
 }
@@ -401,11 +446,13 @@ impl Layout {
         worn_height: f32,
         lowest: u32,
     ) -> Result<Vec<Ring>, SewError> {
-        let lowest_ring = self.fitting(Ring::at(dancer, worn_height)?)?;
-        let reach = lowest_ring.depth_of(self.gathers());
         let apart = BLOUSING * self.grid.spacing[1];
+        let highest = worn_height + lowest as f32 * apart;
+        let profile = Profile::new(dancer, worn_height..highest)?;
+        let lowest_ring = self.fitting(profile.at(worn_height)?)?;
+        let reach = lowest_ring.depth_of(self.gathers());
         let mut rings = vec![lowest_ring];
-        rings.extend(Ring::upward(dancer, worn_height, [apart, reach], lowest)?);
+        rings.extend(Ring::upward(&profile, worn_height, [apart, reach], lowest)?);
         rings.reverse();
         rings.into_iter().map(|ring| self.fitting(ring)).collect()
     }
@@ -537,7 +584,7 @@ mod tests {
         let (dancer, skirt) = sewn(&SewSettings::default());
         let skirt = skirt.unwrap();
         let pose = lole_body::Pose::default();
-        let start = skirt.start_positions(&dancer.skeleton.world_from_bind(&pose));
+        let start = skirt.start_positions(&dancer.skeleton.world_from_bind(&pose), &Lifts::default());
         let grid = &skirt.spec.grid;
         for row in 0..grid.row_count {
             let place = |column: u32| start[grid.index(row, column % grid.column_count)];
@@ -581,7 +628,7 @@ mod tests {
         let seam = sewn.seam_row as f32 * grid.spacing[1];
         let finished = plain.spec.grid.spacing[1] * (settings.row_count - 1) as f32;
         assert!((seam - finished).abs() < 0.6 * grid.spacing[1], "{seam}");
-        let start = skirt.start_positions(&stance);
+        let start = skirt.start_positions(&stance, &Lifts::default());
         let length = |row: u32| {
             let place = |column: u32| start[grid.index(row, column % grid.column_count)];
             let edges = (0..grid.column_count).map(|c| place(c).distance(place(c + 1)));
@@ -599,7 +646,7 @@ mod tests {
             lole_body::Dance::new(&dancer.skeleton, &lole_body::MotionSettings::default()).unwrap();
         let stance = dancer.skeleton.world_from_bind(&dance.pose_at(0.0));
         let skirt = sewn_in(dancer, &stance, &SewSettings::default()).unwrap();
-        let start = skirt.start_positions(&stance);
+        let start = skirt.start_positions(&stance, &Lifts::default());
         let capsules = dancer.posed_capsules(&stance);
         let depth = lole_cloth::diagnose::worst_capsule_penetration(&skirt.spec, &start, &capsules);
         // Pins lie on the skin, and capsules stand out of it by up to 12 mm.
@@ -613,7 +660,8 @@ mod tests {
         let mut pose = lole_body::Pose::default();
         pose.rotations[Bone::Spine as usize] = glam::Quat::from_rotation_z(0.3);
         let mut targets = Vec::new();
-        skirt.pose_pins(&dancer.skeleton.world_from_bind(&pose), 1.0, &mut targets);
+        let put_on = (1.0, &Lifts::default());
+        skirt.pose_pins(&dancer.skeleton.world_from_bind(&pose), put_on, &mut targets);
         let columns = skirt.spec.grid.column_count as usize;
         for (upper, rows) in skirt.elastic_rows.windows(2).enumerate() {
             let cloth = (rows[1] - rows[0]) as f32 * skirt.spec.grid.spacing[1];

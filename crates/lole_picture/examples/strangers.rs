@@ -16,6 +16,7 @@ use std::error::Error;
 use std::path::PathBuf;
 use std::time::Instant;
 
+use glam::Vec3;
 use lole_body::Bone;
 use lole_costume::document::{self, Design};
 use lole_picture::{Looks, Moment};
@@ -28,6 +29,9 @@ const CELL: Size = Size::new(420, 640);
 /// Frames from one look at skin, and at crossings, to the next.
 const SKIN_INTERVAL: usize = 6;
 const CROSSINGS_INTERVAL: usize = 3;
+
+/// Longest that a stranger is waited for [s].
+const PATIENCE: f32 = 60.0;
 
 struct Asked {
     first: u64,
@@ -96,9 +100,11 @@ fn dance(production: Production, asked: &Asked, seed: u64) -> Result<String, Box
     let mut performance = Performance::new(production)?;
     let mut seen = Seen {
         traces: asked.traces,
+        before: performance.cloth_positions().to_vec(),
         ..Seen::default()
     };
     let mut pictures = Vec::new();
+    let began = Instant::now();
     while performance.time() < asked.seconds {
         let start = Instant::now();
         if let Err(found) = performance.advance() {
@@ -106,12 +112,16 @@ fn dance(production: Production, asked: &Asked, seed: u64) -> Result<String, Box
         }
         let spent = start.elapsed().as_secs_f64() * 1000.0;
         seen.frame(&performance, spent);
+        if PATIENCE < began.elapsed().as_secs_f32() {
+            seen.gave_up = Some(performance.time());
+            break;
+        }
         let due = asked.seconds * pictures.len() as f32 / 3.0;
         if asked.pictures.is_some() && due <= performance.time() + 0.02 && pictures.len() < 4 {
             pictures.push(shoot(&mut performance)?);
         }
     }
-    if let Some(folder) = &asked.pictures {
+    if let Some(folder) = asked.pictures.as_ref().filter(|_| !pictures.is_empty()) {
         write_sheet(&folder.join(format!("{seed}.png")), &pictures)?;
     }
     Ok(seen.said())
@@ -130,6 +140,10 @@ struct Seen {
     depth: f32,
     showing: u32,
     crossings: usize,
+    /// When waiting ended before the dance did [s].
+    gave_up: Option<f32>,
+    /// Where the cloth was a frame ago [m].
+    before: Vec<Vec3>,
 }
 
 impl Seen {
@@ -173,16 +187,40 @@ impl Seen {
                 1000.0 * metrics.skin.worst_depth,
                 metrics.skin.showing_body_vertices,
             );
+            self.moved(&posed);
             strained(&posed);
         }
+    }
+
+    /// How far cloth and what holds it came in this frame.
+    fn moved(&mut self, performance: &Performance) {
+        let now = performance.cloth_positions();
+        let far = |particle: usize| match self.before.get(particle) {
+            Some(before) => 1000.0 * before.distance(now[particle]),
+            None => 0.0,
+        };
+        for garment in &performance.production().garments {
+            let first = garment.particles.start;
+            let mut rows: std::collections::BTreeMap<usize, f32> = std::collections::BTreeMap::new();
+            let columns = garment.sewn.spec.grid.column_count as usize;
+            for particle in garment.particles.clone() {
+                let row = rows.entry((particle - first) / columns).or_default();
+                *row = row.max(far(particle));
+            }
+            let farthest: Vec<String> = rows.values().map(|far| format!("{far:.0}")).collect();
+            println!("    moved by rows, farthest [mm]: {}", farthest.join(" "));
+        }
+        self.before.clear();
+        self.before.extend_from_slice(now);
     }
 
     fn said(mut self) -> String {
         let worst = self.times.iter().copied().fold(0.0, f64::max);
         self.times.sort_by(f64::total_cmp);
         let median = self.times.get(self.times.len() / 2).copied().unwrap_or(0.0);
+        let gave_up = (self.gave_up).map_or_else(String::new, |at| format!("GAVE UP at {at:.1} s: "));
         format!(
-            "{median:6.1} ms, {:4.1} x at worst (settling {:6.1}), p99 {:6.1} %, max {:6.0} %, {:4} crossings, {:5.1} mm in skin, {:4} showing",
+            "{gave_up}{median:6.1} ms, {:4.1} x at worst (settling {:6.1}), p99 {:6.1} %, max {:6.0} %, {:4} crossings, {:5.1} mm in skin, {:4} showing",
             worst / median.max(1.0e-9),
             self.settling,
             100.0 * self.p99,

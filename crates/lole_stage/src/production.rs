@@ -11,7 +11,7 @@ use lole_costume::document::{
     Design, FabricDesign, GarmentDesign, GarmentLayer, SkirtDesign, WornTemplate, WornTop,
 };
 use lole_costume::dress::{self, Among, Bands, Division, Dressed};
-use lole_costume::sew::{
+use lole_costume::sew::{Lifts, 
     self, Closing, Clothed, Cut, SewSettings, SewnSkirt, SkirtMesh, WornPlace,
 };
 use lole_costume::tailoring::{self, Drafted};
@@ -75,6 +75,8 @@ pub struct Garment {
     pub mesh: SkirtMesh,
     /// The skin below every pin; `None` where one is too far from the body.
     pub pin_surfels: Option<SkinSurfels>,
+    /// Which surfels of the body may come below its elastics, where those give way to them.
+    pub watched: Vec<u32>,
     /// Its particles among those of all garments.
     pub particles: Range<usize>,
     /// Place of the first garment that it is worn over or under, directly or by way of others; its own
@@ -147,6 +149,7 @@ impl Production {
             stance: dancer.skeleton.world_from_bind(&stance),
             bind: dancer.skeleton.world_from_bind(&Pose::default()),
             body_triangles: &body_triangles,
+            body_surfels: &body_surfels,
             skirt: &design.skirt,
             clothed: Clothed::new(dancer.skeleton.joint(Bone::Hips)),
             garments: Vec::new(),
@@ -245,6 +248,7 @@ struct Wardrobe<'a> {
     stance: Vec<Affine3A>,
     bind: Vec<Affine3A>,
     body_triangles: &'a [[u32; 3]],
+    body_surfels: &'a SkinSurfels,
     /// The design's skirt, which a top ends above.
     skirt: &'a SkirtDesign,
     clothed: Clothed,
@@ -422,6 +426,14 @@ impl Wardrobe<'_> {
             (&self.dancer.skin.positions, self.body_triangles),
             PIN_REACH,
         );
+        let watched = (sewn.band.as_ref()).map_or_else(Vec::new, |band| {
+            let skin = &self.dancer.skin;
+            let carriers = self.body_surfels.carriers();
+            band.watched(carriers.map(|vertex| {
+                let vertex = vertex as usize;
+                (skin.strongest_bone(vertex), skin.positions[vertex])
+            }))
+        });
         let first = self.garments.last().map_or(0, |last| last.particles.end);
         let particle_count = sewn.spec.grid.particle_count();
         self.garments.push(Garment {
@@ -437,6 +449,7 @@ impl Wardrobe<'_> {
             sewn,
             mesh,
             pin_surfels,
+            watched,
             particles: first..first + particle_count,
             chain: self.garments.len(),
         });
@@ -515,7 +528,7 @@ fn upper_edges(garments: &[Garment], posed: &[Affine3A]) -> Vec<Vec3> {
         .iter()
         .filter(|garment| garment.place == WornPlace::Hips);
     let edges = skirts.flat_map(|garment| {
-        let mut places = garment.sewn.start_positions(posed);
+        let mut places = (garment.sewn).start_positions(posed, &Lifts::default());
         places.truncate(garment.sewn.spec.grid.column_count as usize);
         places
     });

@@ -5,6 +5,8 @@
 //! included, which looks inward. So a ball a little larger than a fold is rolled over everything from
 //! outside: what it touches is the body, facing where the ball is, and the rest is not met.
 
+use std::collections::BTreeMap;
+
 use glam::{IVec3, Vec3};
 use lole_geom::TriangleGrid;
 
@@ -35,8 +37,14 @@ const POINTS: [[f32; 3]; 4] = [
 ];
 
 /// The triangles that can be come to from outside, each counter-clockwise seen from there. Those that can
-/// be come to from both sides stay as they are.
-pub(super) fn outer_surface(positions: &[Vec3], triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
+/// be come to from both sides stay as they are; of two that are one seen from both sides only the one stays
+/// that faces away from `middle_of` it: from inside a stiff skirt is open to the ball, and no cloth.
+pub(super) fn outer_surface(
+    positions: &[Vec3],
+    triangles: &[[u32; 3]],
+    middle_of: impl Fn(u32) -> Vec3,
+) -> Vec<[u32; 3]> {
+    let triangles = &without_backs(positions, triangles, middle_of)[..];
     let Some(room) = Room::around(positions, triangles) else {
         return triangles.to_vec();
     };
@@ -65,6 +73,32 @@ pub(super) fn outer_surface(positions: &[Vec3], triangles: &[[u32; 3]]) -> Vec<[
         return triangles.to_vec();
     }
     left
+}
+
+/// Leaves away those that are the back of another, if they face to the middle of what carries them.
+fn without_backs(
+    positions: &[Vec3],
+    triangles: &[[u32; 3]],
+    middle_of: impl Fn(u32) -> Vec3,
+) -> Vec<[u32; 3]> {
+    let key = |triangle: &[u32; 3]| {
+        let mut key = *triangle;
+        key.sort_unstable();
+        key
+    };
+    let mut counts: BTreeMap<[u32; 3], u32> = BTreeMap::new();
+    for triangle in triangles {
+        *counts.entry(key(triangle)).or_default() += 1;
+    }
+    let faces_in = |triangle: &[u32; 3]| {
+        let [a, b, c] = triangle.map(|corner| positions[corner as usize]);
+        let out: Vec3 = (triangle.iter())
+            .map(|&corner| positions[corner as usize] - middle_of(corner))
+            .sum();
+        (b - a).cross(c - a).dot(out) < 0.0
+    };
+    let stays = |triangle: &&[u32; 3]| counts[&key(triangle)] < 2 || !faces_in(triangle);
+    triangles.iter().filter(stays).copied().collect()
 }
 
 /// The room around a body, in cells.
@@ -287,7 +321,16 @@ mod tests {
         let shell = block(Vec3::ZERO, Vec3::splat(0.3));
         let inner = block(Vec3::splat(0.01), Vec3::splat(0.29));
         let (positions, triangles) = both(shell.clone(), &inner);
-        assert_eq!(outer_surface(&positions, &triangles), shell.1);
+        assert_eq!(outer_surface(&positions, &triangles, |_| Vec3::splat(0.15)), shell.1);
+    }
+
+    #[test]
+    fn a_sheet_seen_from_both_sides_is_met_from_its_outer_one() {
+        let positions = [Vec3::X, Vec3::X + Vec3::Y, Vec3::X + Vec3::Z];
+        let both = [[0, 1, 2], [0, 2, 1]];
+        assert_eq!(outer_surface(&positions, &both, |_| Vec3::ZERO), [[0, 1, 2]]);
+        let middle = 2.0 * Vec3::X;
+        assert_eq!(outer_surface(&positions, &both, |_| middle), [[0, 2, 1]]);
     }
 
     #[test]
@@ -295,8 +338,8 @@ mod tests {
         let (positions, triangles) = block(Vec3::ZERO, Vec3::new(0.2, 0.4, 0.3));
         let inward: Vec<[u32; 3]> = triangles.iter().map(|&[a, b, c]| [a, c, b]).collect();
         let outward: Vec<[u32; 3]> = inward.iter().map(|&[a, b, c]| [a, c, b]).collect();
-        assert_eq!(outer_surface(&positions, &inward), outward);
-        assert_eq!(outer_surface(&positions, &triangles), triangles);
+        assert_eq!(outer_surface(&positions, &inward, |_| Vec3::splat(0.15)), outward);
+        assert_eq!(outer_surface(&positions, &triangles, |_| Vec3::splat(0.15)), triangles);
     }
 
     #[test]
@@ -304,8 +347,8 @@ mod tests {
         let one = block(Vec3::ZERO, Vec3::new(0.1, 0.5, 0.1));
         let other = block(Vec3::new(0.14, 0.0, 0.0), Vec3::new(0.24, 0.5, 0.1));
         let (positions, triangles) = both(one, &other);
-        assert_eq!(outer_surface(&positions, &triangles), triangles);
-        assert!(outer_surface(&[], &[]).is_empty());
+        assert_eq!(outer_surface(&positions, &triangles, |_| Vec3::splat(0.15)), triangles);
+        assert!(outer_surface(&[], &[], |_| Vec3::ZERO).is_empty());
     }
 
     #[test]

@@ -7,13 +7,12 @@ use lole_geom::trig;
 use super::SewError;
 use super::clothed::Clothed;
 use super::fold_curve::{SHARPEST, direction};
+use super::profile::{self, Profile};
 
 /// Points of a tape that rows are laid along.
 const RING_POINTS: usize = 720;
 /// Halvings of the search for the sharpness of a fold.
 const SEARCH_STEPS: u32 = 24;
-/// Distance between the tapes that follow the skin upward [m].
-const PROFILE_STEP: f32 = 0.005;
 
 /// Part of a ring over which its local scale is measured.
 const SCALE_STEP: f32 = 0.004;
@@ -40,6 +39,10 @@ const START_DEPTH: f32 = 0.005;
 /// Points of the ring, on either side, over which the way out of the body turns evenly: 30°. A tape
 /// runs straight between two bones of the hip and turns sharply over them; cloth around it does not.
 const OUTWARD_BLUR: usize = 60;
+/// The same for what hangs around somebody given: a quarter of the ring, so that the hem turns evenly.
+const EVEN_BLUR: usize = 180;
+/// Radius of the curve around which cloth comes to a wide angle [m]: a few times as much as folds are deep.
+const TURN: f32 = 0.08;
 /// Points of the ring, on either side, that share an angle: 20°.
 const FLARE_BLUR: usize = 40;
 
@@ -51,9 +54,14 @@ pub(super) struct Ring {
     pub(super) girth: f32,
 }
 
-/// How a skirt is held open below its band: an angle [rad] from the vertical for every point of the
-/// ring it hangs from.
-pub(super) struct Flare(Vec<f32>);
+/// How a skirt is held open below its band, for every point of the ring it hangs from.
+pub(super) struct Flare {
+    /// Angles [rad] from the vertical.
+    angles: Vec<f32>,
+    /// Unit horizontal directions in which cloth goes around a curve to its angle; outward and at once
+    /// where there are none.
+    ways: Option<Vec<Vec3>>,
+}
 
 /// The gathers of every row, and how far apart their particles are.
 #[derive(Debug, Clone, Copy)]
@@ -89,10 +97,23 @@ impl Hanging<'_> {
             .outward
             .lerp(to.outward, fraction)
             .normalize_or(from.outward);
-        let angle = self.flare.0[a] + (self.flare.0[b] - self.flare.0[a]) * fraction;
-        let (sin, cos) = trig::sin_cos(angle);
-        from.bind_position.lerp(to.bind_position, fraction) + outward * (out + self.below * sin)
-            - Vec3::Y * (self.below * cos)
+        let angles = &self.flare.angles;
+        let angle = angles[a] + (angles[b] - angles[a]) * fraction;
+        let on_ring = from.bind_position.lerp(to.bind_position, fraction);
+        let Some(ways) = &self.flare.ways else {
+            let (sin, cos) = trig::sin_cos(angle);
+            return on_ring + outward * (out + self.below * sin) - Vec3::Y * (self.below * cos);
+        };
+        let way = ways[a].lerp(ways[b], fraction).normalize_or(ways[a]);
+        // Around a curve first, then straight on; folds stand upright on that way, and turn with it from
+        // where they point at the ring.
+        let turned = (self.below / TURN).min(angle);
+        let (sin, cos) = trig::sin_cos(turned);
+        let straight = self.below - TURN * turned;
+        let across = TURN * (1.0 - cos) + straight * sin;
+        let down = TURN * sin + straight * cos;
+        let upright = outward.lerp(way, turned / angle).normalize_or(way);
+        on_ring + way * across - Vec3::Y * down + (upright * cos + Vec3::Y * sin) * out
     }
 
     /// Meters per ring at a place: how far it is, there, once around.
@@ -140,7 +161,21 @@ impl Hanging<'_> {
 impl Flare {
     /// Straight down.
     pub(super) fn none() -> Self {
-        Self(vec![0.0; RING_POINTS])
+        Self {
+            angles: vec![0.0; RING_POINTS],
+            ways: None,
+        }
+    }
+
+    /// The same angle [rad] all around a ring of whatever shape, and as far to every side: what hangs from
+    /// a corner has no wider a place at the hem than what hangs from a straight side.
+    fn even(ring: &Ring, angle: f32) -> Self {
+        let outward: Vec<Vec3> = ring.points.iter().map(|point| point.outward).collect();
+        let ways = blurred(&outward, EVEN_BLUR).into_iter().zip(outward);
+        Self {
+            angles: vec![angle; RING_POINTS],
+            ways: Some(ways.map(|(way, outward)| way.normalize_or(outward)).collect()),
+        }
     }
 
     /// The least that keeps `length` [m] of cloth, hung `gap` [m] outside `ring`, outside what the
@@ -189,7 +224,7 @@ impl Flare {
             let widest = trig::asin((radius / length).clamp(0.0, 1.0)).max(LEAST_FLARE);
             // The same all around: where angles differ much, columns slant and are too long.
             let angle = least.iter().copied().fold(0.0, f32::max).min(widest);
-            return Self(vec![angle; RING_POINTS]);
+            return Self::even(ring, angle);
         }
         let widest: Vec<f32> = (0..RING_POINTS)
             .map(|index| {
@@ -197,7 +232,10 @@ impl Flare {
                 near.map(|other| least[other]).fold(0.0, f32::max)
             })
             .collect();
-        Self(blurred(&widest, FLARE_BLUR))
+        Self {
+            angles: blurred(&widest, FLARE_BLUR),
+            ways: None,
+        }
     }
 }
 
@@ -274,7 +312,8 @@ impl Ring {
         Ok(Self::of(points))
     }
 
-    fn of(mut points: Vec<TapePoint>) -> Self {
+    /// A line through points that lie on it evenly.
+    pub(super) fn of(mut points: Vec<TapePoint>) -> Self {
         let outward = blurred(
             &points.iter().map(|point| point.outward).collect::<Vec<_>>(),
             OUTWARD_BLUR,
@@ -291,14 +330,17 @@ impl Ring {
         Self { points, girth }
     }
 
-    /// The same line, all of which goes with one bone.
-    pub(super) fn carried_by(&self, bone: Bone) -> Self {
-        let mut ring = self.clone();
-        for point in &mut ring.points {
+    /// Its points, from the back middle over the left side.
+    pub(super) fn points(&self) -> &[TapePoint] {
+        &self.points
+    }
+
+    /// Lets all of it go with one bone.
+    pub(super) fn be_carried_by(&mut self, bone: Bone) {
+        for point in &mut self.points {
             point.joints = [u16::try_from(bone.index()).unwrap_or(0); 4];
             point.weights = [1.0, 0.0, 0.0, 0.0];
         }
-        ring
     }
 
     /// Gap [m] at which inner turns lie outside of all that is worn; less than nothing, or negative
@@ -315,19 +357,19 @@ impl Ring {
     /// `reach` [m] outside the skin: at the sides, where the hips lean in, a row rises less than in
     /// front, and there the outer turns of the gathers are farther apart than the inner ones.
     pub(super) fn upward(
-        dancer: &Dancer,
+        profile: &Profile<'_>,
         height: f32,
         [spacing, reach]: [f32; 2],
         count: u32,
     ) -> Result<Vec<Self>, SewError> {
-        let mut below = Self::at(dancer, height)?;
+        let mut below = profile.at(height)?;
         let mut rows = vec![Vec::with_capacity(RING_POINTS); count as usize];
         let mut climbed = vec![0.0_f32; RING_POINTS];
         let mut reached = vec![0_usize; RING_POINTS];
         let mut level = height;
         while reached.iter().any(|&row| row < count as usize) {
-            level += PROFILE_STEP;
-            let above = Self::at(dancer, level)?;
+            level += profile::STEP;
+            let above = profile.at(level)?;
             for index in 0..RING_POINTS {
                 let (low, high) = (&below.points[index], &above.points[index]);
                 let outer = |point: &TapePoint| point.bind_position + point.outward * reach;

@@ -4,6 +4,7 @@ use glam::{Affine3A, Vec3};
 use lole_cloth::diagnose::{self, StrainSummary};
 use lole_cloth::method::settle::{SettleConfig, Settling};
 use lole_costume::document::Design;
+use lole_costume::sew::Lifts;
 use lole_geom::Surfel;
 
 use super::{FRAME_SECONDS, SETTLE_FRAMES};
@@ -13,6 +14,10 @@ use crate::{StageError, skin_check};
 
 /// Least distance of an elastic row from the skin [m]: half the thickness of what is sewn there.
 const PIN_CLEARANCE: f32 = 0.001;
+
+/// Farthest that elastics stand off when a garment is put on [m], and the least that is tried.
+const WIDEST_START: f32 = 0.03;
+const LEAST_WIDENING: f32 = 0.003;
 
 /// Time in which what is stitched onto a skirt is brought to it [s].
 const PUTTING_ON: f32 = 0.6;
@@ -30,6 +35,8 @@ pub(super) struct Worn {
     positions: Vec<Vec3>,
     /// Room for a row of pins.
     lifts: Vec<f32>,
+    /// How far its elastics have given way, on somebody given.
+    given_way: Lifts,
     /// How far it has been put on, from 0 to 1.
     put_on: f32,
 }
@@ -39,6 +46,49 @@ pub(super) struct Carrier<'a> {
     pub(super) world_from_bind: &'a [Affine3A],
     /// Vertices of the skin and their normals; `None` where capsules are met.
     pub(super) skin: Option<(&'a [Vec3], &'a [Vec3])>,
+    /// The same as surfels; none where capsules are met.
+    pub(super) surfels: &'a [Surfel],
+    /// Triangles of the skin.
+    pub(super) triangles: &'a [[u32; 3]],
+}
+
+impl Carrier<'_> {
+    /// How far the elastics of a garment would give way.
+    fn lifts(&self, garment: &Garment) -> Lifts {
+        let Some(band) = &garment.sewn.band else {
+            return Lifts::default();
+        };
+        let watched = garment.watched.iter();
+        let surfels = watched.filter_map(|&surfel| self.surfels.get(surfel as usize));
+        band.lifts(self.world_from_bind, surfels.copied())
+    }
+
+    /// How far the elastics of a garment stand off when it is put on: as far as they give way, and as all
+    /// that hangs from them needs to lie outside of her, if that is not too far.
+    fn lifts_at_start(&self, garment: &Garment) -> Lifts {
+        let given_way = self.lifts(garment);
+        let Some((positions, normals)) = self.skin.filter(|_| garment.sewn.band.is_some()) else {
+            return given_way;
+        };
+        let skin = skin_check::Surface {
+            positions,
+            normals,
+            triangles: self.triangles,
+        };
+        let mut out = 0.0;
+        while out < WIDEST_START {
+            let start = garment
+                .sewn
+                .start_positions(self.world_from_bind, &given_way.widened(out));
+            let depths = skin_check::depths(skin, &start).into_iter();
+            let deepest = depths.fold(0.0, f32::max);
+            if deepest == 0.0 {
+                break;
+            }
+            out += deepest.max(LEAST_WIDENING);
+        }
+        given_way.widened(out.min(WIDEST_START))
+    }
 }
 
 impl Worn {
@@ -46,9 +96,12 @@ impl Worn {
     pub(super) fn new(
         design: &Design,
         garment: &Garment,
-        world_from_bind: &[Affine3A],
+        body: &Carrier<'_>,
     ) -> Result<Self, StageError> {
-        let start = garment.sewn.start_positions(world_from_bind);
+        let given_way = body.lifts_at_start(garment);
+        let start = garment
+            .sewn
+            .start_positions(body.world_from_bind, &given_way);
         let spec = &garment.sewn.spec;
         let solver = Solver::new(design, spec, &start)?;
         let settle = SettleConfig {
@@ -64,6 +117,7 @@ impl Worn {
             pin_skin: Vec::new(),
             positions: start,
             lifts: Vec::new(),
+            given_way,
             put_on: 0.0,
         })
     }
@@ -76,10 +130,14 @@ impl Worn {
         body: &Carrier<'_>,
         held: &[(u32, Vec3)],
     ) {
+        let lifts = body.lifts(garment);
+        self.given_way.approach(&lifts, FRAME_SECONDS);
+        let put_on = (self.put_on, &self.given_way);
         garment
             .sewn
-            .pose_pins(body.world_from_bind, self.put_on, &mut self.pin_targets);
-        if let (Some(skin), Some(surfels)) = (body.skin, &garment.pin_surfels) {
+            .pose_pins(body.world_from_bind, put_on, &mut self.pin_targets);
+        let skin = (body.skin).filter(|_| garment.sewn.band.is_none());
+        if let (Some(skin), Some(surfels)) = (skin, &garment.pin_surfels) {
             surfels.pose(skin.0, skin.1, &mut self.pin_skin);
             let column_count = garment.sewn.spec.grid.column_count as usize;
             self.lift_pins(column_count, garment.sewn.fold_columns);

@@ -1,0 +1,338 @@
+//! Elastics around a body that somebody gave: rings that go with one bone and give way to what comes out
+//! below them.
+//!
+//! The skin of a built dancer carries her elastics. Skin of somebody else may be trousers that open over
+//! a belt, a leg that carries the side of the hip, or boxes that turn through each other: carried by it,
+//! the points of an elastic would change places. So there the whole band goes with the bone that has most
+//! of it, as a ring that keeps its order, and every frame each elastic is as much wider as skin has come
+//! out in that direction.
+
+use glam::{Affine3A, Vec2, Vec3};
+use lole_body::{Bone, TapePoint};
+use lole_geom::{Surfel, trig};
+
+use super::ring::Ring;
+
+/// Directions around the body that are told apart.
+const SECTORS: usize = 96;
+/// Sectors on either side over which what pushes an elastic out is spread: 22°.
+const SPREAD: usize = 6;
+/// Skin so far above or below an elastic [m] lies under it.
+const HALF_WIDTH: f32 = 0.01;
+/// Skin pushes an elastic out that faces it at least so much (a cosine): what lies across it, as a thigh
+/// does when she sits, does not.
+const LEAST_FACING: f32 = 0.4;
+/// Farthest that an elastic gives way [m]: what comes out farther goes through it.
+const FARTHEST: f32 = 0.03;
+/// Fastest that it gives way or comes back [m/s].
+const FASTEST: f32 = 0.3;
+/// Skin farther from all elastics in the bind pose [m] never comes below one.
+const NEAR: f32 = 0.35;
+
+/// The elastics of a garment on somebody given.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Band {
+    bone: Bone,
+    elastics: Vec<Elastic>,
+    /// How much farther an elastic may come out than the next, over their distance along the body.
+    slope: f32,
+}
+
+/// One of them, in the bind pose.
+#[derive(Debug, Clone, PartialEq)]
+struct Elastic {
+    axis: Vec2,
+    /// By sector, a point of it [m] and the way out there.
+    points: Vec<[Vec3; 2]>,
+}
+
+/// How far each elastic of a band has given way [m], by elastic and sector.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Lifts(Vec<Vec<f32>>);
+
+impl Band {
+    /// Of the rings on which elastics lie, all carried by one bone; `taut` over 1 is how much longer than
+    /// the rings are apart the cloth between them is.
+    pub(super) fn new(rings: &[&Ring], bone: Bone, taut: f32) -> Self {
+        Self {
+            bone,
+            elastics: rings.iter().map(|ring| Elastic::new(ring)).collect(),
+            slope: (taut * taut - 1.0).max(0.0).sqrt(),
+        }
+    }
+
+    /// The bone that most of some rings go with.
+    pub(super) fn carrier(rings: &[Ring]) -> Bone {
+        let mut shares = [0.0_f32; Bone::ALL.len()];
+        for point in rings.iter().flat_map(Ring::points) {
+            for (&joint, weight) in point.joints.iter().zip(point.weights) {
+                shares[usize::from(trunk_of(joint).index())] += weight;
+            }
+        }
+        let most = (0..shares.len()).max_by(|&a, &b| shares[a].total_cmp(&shares[b]).then(b.cmp(&a)));
+        most.map_or(Bone::Hips, |most| Bone::ALL[most])
+    }
+
+    /// Which of some places of the skin may come below it: `places` are the bones that carry them, and
+    /// where they are in the bind pose [m].
+    pub fn watched(&self, places: impl Iterator<Item = (Bone, Vec3)>) -> Vec<u32> {
+        let heights = || (self.elastics.iter()).flat_map(|it| it.points.iter().map(|[at, _]| at.y));
+        let low = heights().fold(f32::INFINITY, f32::min) - NEAR;
+        let high = heights().fold(f32::NEG_INFINITY, f32::max) + NEAR;
+        (0..)
+            .zip(places)
+            .filter(|(_, (bone, at))| is_below_clothes(*bone) && (low..high).contains(&at.y))
+            .map(|(index, _)| index)
+            .collect()
+    }
+
+    /// How far skin has pushed each elastic out.
+    pub fn lifts(
+        &self,
+        world_from_bind: &[Affine3A],
+        surfels: impl Iterator<Item = Surfel>,
+    ) -> Lifts {
+        let bind_from_world = world_from_bind[self.bone.index()].inverse();
+        let mut lifts = vec![vec![0.0_f32; SECTORS]; self.elastics.len()];
+        for surfel in surfels {
+            if surfel.is_withdrawn() {
+                continue;
+            }
+            let place = bind_from_world.transform_point3(surfel.position);
+            let normal = bind_from_world.transform_vector3(surfel.normal);
+            for (elastic, lifts) in self.elastics.iter().zip(&mut lifts) {
+                let sector = elastic.sector(place);
+                let [at, outward] = elastic.points[sector];
+                if HALF_WIDTH < (place.y - at.y).abs() || normal.dot(outward) < LEAST_FACING {
+                    continue;
+                }
+                lifts[sector] = lifts[sector].max((place - at).dot(outward));
+            }
+        }
+        for lifts in &mut lifts {
+            let spread: Vec<f32> = (0..SECTORS)
+                .map(|sector| around(lifts, sector).fold(0.0, f32::max).min(FARTHEST))
+                .collect();
+            for (sector, lift) in lifts.iter_mut().enumerate() {
+                *lift = around(&spread, sector).sum::<f32>() / (2 * SPREAD + 1) as f32;
+            }
+        }
+        self.even_out(&mut lifts);
+        Lifts(lifts)
+    }
+
+    /// Lets no elastic come out so much farther than the next that the cloth between them were too short.
+    fn even_out(&self, lifts: &mut [Vec<f32>]) {
+        let pairs = (1..lifts.len()).map(|lower| [lower - 1, lower]);
+        for [one, other] in pairs.clone().chain(pairs.rev().map(|[a, b]| [b, a])) {
+            for sector in 0..SECTORS {
+                let [from, to] = [one, other].map(|it| self.elastics[it].points[sector][0]);
+                let least = lifts[one][sector] - self.slope * from.distance(to);
+                lifts[other][sector] = lifts[other][sector].max(least);
+            }
+        }
+    }
+
+    /// Where a point of the cloth is in the world [m] that is so far outside (a lift) where it was sewn.
+    pub(super) fn posed(
+        &self,
+        world_from_bind: &[Affine3A],
+        point: &TapePoint,
+        lift: f32,
+    ) -> Vec3 {
+        let place = point.bind_position + point.outward * lift;
+        world_from_bind[self.bone.index()].transform_point3(place)
+    }
+
+    /// How far an elastic has given way where a point of the cloth lies [m].
+    pub(super) fn lift(&self, (elastic, point): (usize, &TapePoint), lifts: &Lifts) -> f32 {
+        lifts.0.get(elastic).map_or(0.0, |lifts| {
+            let (sector, share) = self.elastics[elastic].place(point.bind_position);
+            let next = (sector + 1) % SECTORS;
+            lifts[sector] + (lifts[next] - lifts[sector]) * share
+        })
+    }
+}
+
+impl Lifts {
+    /// The same, so much farther out [m] on all sides.
+    #[must_use]
+    pub fn widened(&self, by: f32) -> Self {
+        let widened = |lifts: &Vec<f32>| lifts.iter().map(|lift| lift + by).collect();
+        Self(self.0.iter().map(widened).collect())
+    }
+
+    /// Gives way towards where skin pushes, as fast as an elastic does in `dt` [s].
+    pub fn approach(&mut self, wanted: &Self, dt: f32) {
+        if self.0.len() != wanted.0.len() {
+            self.0.clone_from(&wanted.0);
+            return;
+        }
+        let step = FASTEST * dt;
+        for (now, wanted) in (self.0.iter_mut().flatten()).zip(wanted.0.iter().flatten()) {
+            *now += (wanted - *now).clamp(-step, step);
+        }
+    }
+}
+
+impl Elastic {
+    fn new(ring: &Ring) -> Self {
+        let points = ring.points();
+        let sum: Vec3 = points.iter().map(|point| point.bind_position).sum();
+        let axis = sum / points.len().max(1) as f32;
+        let axis = Vec2::new(axis.x, axis.z);
+        let way = |sector: usize| {
+            let (sin, cos) = trig::sin_cos(sector as f32 / SECTORS as f32 * std::f32::consts::TAU);
+            Vec2::new(cos, sin)
+        };
+        let farthest = |way: Vec2| {
+            let along = |point: &TapePoint| {
+                let arm = Vec2::new(point.bind_position.x, point.bind_position.z) - axis;
+                arm.dot(way) / arm.length().max(f32::MIN_POSITIVE)
+            };
+            let nearest = points.iter().max_by(|a, b| along(a).total_cmp(&along(b)));
+            nearest.map_or([Vec3::ZERO, Vec3::X], |point| [point.bind_position, point.outward])
+        };
+        Self {
+            axis,
+            points: (0..SECTORS).map(|sector| farthest(way(sector))).collect(),
+        }
+    }
+
+    /// The sector before a place of the bind pose, and the share of the way to the next.
+    fn place(&self, at: Vec3) -> (usize, f32) {
+        let arm = Vec2::new(at.x, at.z) - self.axis;
+        let turn = trig::atan2(arm.y, arm.x) / std::f32::consts::TAU;
+        let place = (turn - turn.floor()) * SECTORS as f32;
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "between 0 and the number of sectors"
+        )]
+        let sector = place as usize;
+        (sector % SECTORS, place - place.floor())
+    }
+
+    /// The sector whose middle is nearest.
+    fn sector(&self, at: Vec3) -> usize {
+        let (sector, share) = self.place(at);
+        (sector + usize::from(0.5 <= share)) % SECTORS
+    }
+}
+
+/// The values around one on a closed line, itself among them.
+fn around(values: &[f32], at: usize) -> impl Iterator<Item = f32> {
+    (0..=2 * SPREAD).map(move |step| values[(at + values.len() + step - SPREAD) % values.len()])
+}
+
+/// The bone of the trunk that stands for one that carries skin.
+fn trunk_of(joint: u16) -> Bone {
+    let bone = Bone::ALL[usize::from(joint)];
+    if Bone::LEGS.iter().any(|leg| leg.contains(&bone)) {
+        Bone::Hips
+    } else {
+        bone
+    }
+}
+
+/// Whether skin that a bone carries is of the trunk or the legs: arms are never below an elastic.
+fn is_below_clothes(bone: Bone) -> bool {
+    let is_arm = (bone.lineage()).any(|it| matches!(it, Bone::LeftShoulder | Bone::RightShoulder));
+    !is_arm && !matches!(bone, Bone::Neck | Bone::Head)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const RADIUS: f32 = 0.15;
+
+    fn ring(height: f32) -> Ring {
+        let points = (0_u16..720).map(|index| {
+            let (sin, cos) = trig::sin_cos(f32::from(index) / 720.0 * std::f32::consts::TAU);
+            let outward = Vec3::new(cos, 0.0, sin);
+            TapePoint {
+                bind_position: outward * RADIUS + Vec3::Y * height,
+                outward,
+                joints: [u16::try_from(Bone::LeftUpperLeg.index()).unwrap(); 4],
+                weights: [0.25; 4],
+            }
+        });
+        Ring::of(points.collect())
+    }
+
+    fn band(taut: f32) -> (Band, [Ring; 2]) {
+        let rings = [ring(1.04), ring(1.0)];
+        let bone = Band::carrier(&rings);
+        (Band::new(&[&rings[0], &rings[1]], bone, taut), rings)
+    }
+
+    fn surfel(out: f32, turn: f32, height: f32) -> Surfel {
+        let (sin, cos) = trig::sin_cos(turn);
+        let normal = Vec3::new(cos, 0.0, sin);
+        Surfel {
+            position: normal * (RADIUS + out) + Vec3::Y * height,
+            normal,
+        }
+    }
+
+    #[test]
+    fn an_elastic_gives_way_to_what_comes_out_below_it_and_the_next_one_follows() {
+        let (band, rings) = band(1.02);
+        assert_eq!(band.bone, Bone::Hips, "legs go with the hips");
+        let still = vec![Affine3A::IDENTITY; Bone::ALL.len()];
+        let skin = [surfel(0.02, 1.0, 1.0), surfel(-0.01, 4.0, 1.04)];
+        let lifts = band.lifts(&still, skin.into_iter());
+        let place = |elastic: usize, point: usize| {
+            let at = &rings[elastic].points()[point];
+            band.lift((elastic, at), &lifts)
+        };
+        // At the bump, 1 rad around, and across from it.
+        let (bump, away) = (115, 475);
+        assert!((place(1, bump) - 0.02).abs() < 1.0e-4, "{}", place(1, bump));
+        assert!(place(1, away).abs() < 1.0e-6);
+        let slope = (1.02_f32 * 1.02 - 1.0).sqrt();
+        assert!((place(0, bump) - (0.02 - slope * 0.04)).abs() < 1.0e-4);
+    }
+
+    #[test]
+    fn an_elastic_keeps_the_order_of_its_points_whatever_comes_out() {
+        let (band, rings) = band(1.02);
+        let still = vec![Affine3A::IDENTITY; Bone::ALL.len()];
+        let mut chance = lole_geom::Chance::new(7);
+        for _ in 0..40 {
+            let skin: Vec<Surfel> = (0..200)
+                .map(|_| {
+                    let height = chance.between(0.98, 1.06);
+                    surfel(chance.between(-0.1, 0.5), chance.between(0.0, 6.3), height)
+                })
+                .collect();
+            let lifts = band.lifts(&still, skin.into_iter());
+            let points = rings[1].points();
+            let posed: Vec<Vec3> = (points.iter())
+                .map(|point| band.posed(&still, point, band.lift((1, point), &lifts)))
+                .collect();
+            for (at, place) in posed.iter().enumerate() {
+                let next = posed[(at + 1) % posed.len()];
+                assert!(place.cross(next).y < 0.0, "{at}: {place} {next}");
+                let out = place.with_y(0.0).length() - RADIUS;
+                assert!((-1.0e-5..FARTHEST + 1.0e-4).contains(&out), "{out}");
+            }
+        }
+    }
+
+    #[test]
+    fn lifts_come_and_go_no_faster_than_elastic_does() {
+        let mut lifts = Lifts(vec![vec![0.0; SECTORS]]);
+        let wanted = Lifts(vec![vec![0.02; SECTORS]]);
+        lifts.approach(&wanted, 1.0 / 60.0);
+        assert!((lifts.0[0][0] - FASTEST / 60.0).abs() < 1.0e-6);
+        for _ in 0..60 {
+            lifts.approach(&wanted, 1.0 / 60.0);
+        }
+        assert_eq!(lifts, wanted);
+        let mut first = Lifts::default();
+        first.approach(&wanted, 1.0 / 60.0);
+        assert_eq!(first, wanted, "she starts as she stands");
+    }
+}
