@@ -5,8 +5,6 @@
 //! included, which looks inward. So a ball a little larger than a fold is rolled over everything from
 //! outside: what it touches is the body, facing where the ball is, and the rest is not met.
 
-use std::collections::BTreeMap;
-
 use glam::{IVec3, Vec3};
 use lole_geom::TriangleGrid;
 
@@ -25,6 +23,10 @@ const ABOVE: f32 = 1.5;
 /// A point looks at its own face from so far above it [m].
 const OFF: f32 = 1.0e-4;
 
+/// A face looks at the middle of what carries it if this is more than the cosine between its normal and
+/// the way out from there.
+const FACING_IN: f32 = -0.5;
+
 /// With less than this part of all faces left the body is taken as it is.
 const LEAST_LEFT: f32 = 0.05;
 
@@ -37,14 +39,14 @@ const POINTS: [[f32; 3]; 4] = [
 ];
 
 /// The triangles that can be come to from outside, each counter-clockwise seen from there. Those that can
-/// be come to from both sides stay as they are; of two that are one seen from both sides only the one stays
-/// that faces away from `middle_of` it: from inside a stiff skirt is open to the ball, and no cloth.
+/// be come to from both sides stay as they are. What faces the middle of what carries it (`middle_of` a
+/// corner) is the inside of a body with a hole, or of a stiff skirt, into which the ball rolls and cloth
+/// does not: it is left away.
 pub(super) fn outer_surface(
     positions: &[Vec3],
     triangles: &[[u32; 3]],
     middle_of: impl Fn(u32) -> Vec3,
 ) -> Vec<[u32; 3]> {
-    let triangles = &without_backs(positions, triangles, middle_of)[..];
     let Some(room) = Room::around(positions, triangles) else {
         return triangles.to_vec();
     };
@@ -68,37 +70,23 @@ pub(super) fn outer_surface(
         // A crease that the ball cannot come to is not turned around by a doubtful point.
         (open_count([a, c, b]) == POINTS.len()).then_some([a, c, b])
     };
-    let left: Vec<[u32; 3]> = triangles.iter().filter_map(facing).collect();
+    let faces_in = |[a, b, c]: &[u32; 3]| {
+        let out: Vec3 = [a, b, c]
+            .map(|&corner| positions[corner as usize] - middle_of(corner))
+            .iter()
+            .sum();
+        let [a, b, c] = [a, b, c].map(|&corner| positions[corner as usize]);
+        let normal = (b - a).cross(c - a).normalize_or_zero();
+        normal.dot(out.normalize_or_zero()) < FACING_IN
+    };
+    let left: Vec<[u32; 3]> = (triangles.iter())
+        .filter_map(facing)
+        .filter(|it| !faces_in(it))
+        .collect();
     if (left.len() as f32) < LEAST_LEFT * triangles.len() as f32 {
         return triangles.to_vec();
     }
     left
-}
-
-/// Leaves away those that are the back of another, if they face to the middle of what carries them.
-fn without_backs(
-    positions: &[Vec3],
-    triangles: &[[u32; 3]],
-    middle_of: impl Fn(u32) -> Vec3,
-) -> Vec<[u32; 3]> {
-    let key = |triangle: &[u32; 3]| {
-        let mut key = *triangle;
-        key.sort_unstable();
-        key
-    };
-    let mut counts: BTreeMap<[u32; 3], u32> = BTreeMap::new();
-    for triangle in triangles {
-        *counts.entry(key(triangle)).or_default() += 1;
-    }
-    let faces_in = |triangle: &[u32; 3]| {
-        let [a, b, c] = triangle.map(|corner| positions[corner as usize]);
-        let out: Vec3 = (triangle.iter())
-            .map(|&corner| positions[corner as usize] - middle_of(corner))
-            .sum();
-        (b - a).cross(c - a).dot(out) < 0.0
-    };
-    let stays = |triangle: &&[u32; 3]| counts[&key(triangle)] < 2 || !faces_in(triangle);
-    triangles.iter().filter(stays).copied().collect()
 }
 
 /// The room around a body, in cells.
