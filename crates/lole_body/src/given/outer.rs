@@ -24,8 +24,8 @@ const ABOVE: f32 = 1.5;
 const OFF: f32 = 1.0e-4;
 
 /// A face looks at the middle of what carries it if this is more than the cosine between its normal and
-/// the way out from there.
-const FACING_IN: f32 = -0.5;
+/// the way out from there: less than nothing, because no limb is a cylinder.
+const FACING_IN: f32 = -0.4;
 
 /// With less than this part of all faces left the body is taken as it is.
 const LEAST_LEFT: f32 = 0.05;
@@ -63,26 +63,23 @@ pub(super) fn outer_surface(
         });
         open.count()
     };
+    // The cosine between the normal of a face and the way out from the middle of what carries it.
+    let facing_out = |[a, b, c]: [u32; 3]| {
+        let out = [a, b, c].map(|corner| positions[corner as usize] - middle_of(corner));
+        let out = out.iter().sum::<Vec3>().normalize_or_zero();
+        let [a, b, c] = [a, b, c].map(|corner| positions[corner as usize]);
+        (b - a).cross(c - a).normalize_or_zero().dot(out)
+    };
     let facing = |&[a, b, c]: &[u32; 3]| {
         if 0 < open_count([a, b, c]) {
-            return Some([a, b, c]);
+            return (FACING_IN <= facing_out([a, b, c])).then_some([a, b, c]);
         }
-        // A crease that the ball cannot come to is not turned around by a doubtful point.
-        (open_count([a, c, b]) == POINTS.len()).then_some([a, c, b])
+        // A crease that the ball cannot come to is not turned around by a doubtful point, and the inside
+        // of a body with a hole is none of its outside.
+        let turned = [a, c, b];
+        (0.0 < facing_out(turned) && open_count(turned) == POINTS.len()).then_some(turned)
     };
-    let faces_in = |[a, b, c]: &[u32; 3]| {
-        let out: Vec3 = [a, b, c]
-            .map(|&corner| positions[corner as usize] - middle_of(corner))
-            .iter()
-            .sum();
-        let [a, b, c] = [a, b, c].map(|&corner| positions[corner as usize]);
-        let normal = (b - a).cross(c - a).normalize_or_zero();
-        normal.dot(out.normalize_or_zero()) < FACING_IN
-    };
-    let left: Vec<[u32; 3]> = (triangles.iter())
-        .filter_map(facing)
-        .filter(|it| !faces_in(it))
-        .collect();
+    let left: Vec<[u32; 3]> = triangles.iter().filter_map(facing).collect();
     if (left.len() as f32) < LEAST_LEFT * triangles.len() as f32 {
         return triangles.to_vec();
     }
