@@ -30,8 +30,12 @@ pub(crate) enum Pins {
 pub(crate) struct ImpactZones {
     /// Another particle of the same zone, or the particle itself.
     parents: Vec<u32>,
-    /// Particles of zones.
+    /// Particles of zones, as they were taken up.
     pub(crate) members: Vec<u32>,
+    /// How many of them have all around them in their zone.
+    grown: usize,
+    /// The same particles, zone after zone.
+    sorted: Vec<u32>,
     /// By particle, its place among those that were taken up, counted from 1; 0 of others.
     places: Vec<u32>,
     /// In the order in which they were taken up: where they would go [m], and how often their way was
@@ -44,6 +48,7 @@ impl ImpactZones {
     pub(crate) const fn byte_count(&self) -> usize {
         size_of_val(self.parents.as_slice())
             + size_of_val(self.members.as_slice())
+            + size_of_val(self.sorted.as_slice())
             + size_of_val(self.places.as_slice())
             + size_of_val(self.held.as_slice())
     }
@@ -53,6 +58,7 @@ impl ImpactZones {
         self.parents.clear();
         self.parents.extend(0..particle_count);
         self.members.clear();
+        self.grown = 0;
         self.held.clear();
         self.places.clear();
         self.places.resize(particle_count as usize, 0);
@@ -85,7 +91,9 @@ impl ImpactZones {
 
     /// Joins what lies around the zones to them: each grows by a ring of patches, and is held fast.
     pub(crate) fn grow(&mut self, surface: &Surface, positions: &[Vec3]) {
-        for place in 0..self.members.len() {
+        let members = self.grown..self.members.len();
+        self.grown = members.end;
+        for place in members {
             let member = self.members[place];
             for corner in surface.ring(member) {
                 self.join_pair(member, corner, positions);
@@ -109,12 +117,15 @@ impl ImpactZones {
         let Self {
             parents,
             members,
+            sorted,
             places,
             held,
+            ..
         } = self;
-        members.sort_unstable_by_key(|&member| (first_of(parents, member), member));
+        sorted.clone_from(members);
+        sorted.sort_unstable_by_key(|&member| (first_of(parents, member), member));
         let zones =
-            members.chunk_by(|&one, &other| parents[one as usize] == parents[other as usize]);
+            sorted.chunk_by(|&one, &other| parents[one as usize] == parents[other as usize]);
         for zone in zones {
             let mass = |member: u32| {
                 let inv_mass = inv_mass(member);
