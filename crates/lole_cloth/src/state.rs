@@ -46,6 +46,8 @@ pub(crate) struct Scratch {
     pub(crate) row_contacts: RowContacts,
     pub(crate) surfel_contacts: SurfelContacts,
     pub(crate) held_depths: Vec<f32>,
+    /// Where pins go in this step [m].
+    pub(crate) pin_goals: Vec<Vec3>,
     pub(crate) cloth_contacts: ClothContacts,
     pub(crate) crossing_repair: CrossingRepair,
     pub(crate) moving_capsules: Vec<MovingCapsule>,

@@ -102,6 +102,8 @@ pub(crate) struct CrossingRepair {
     pub(crate) guards: Guards,
     /// Particles near what still crosses at the end of a step; empty where nothing does.
     pub(crate) is_tangled: Vec<bool>,
+    /// By vector, the lanes that were held back in this step; empty where none was.
+    pub(crate) held_back: Vec<u16>,
 }
 
 impl CrossingRepair {
@@ -116,6 +118,7 @@ impl CrossingRepair {
             + size_of_val(&self.before[..])
             + size_of_val(&self.is_outside[..])
             + size_of_val(&self.is_tangled[..])
+            + size_of_val(&self.held_back[..])
             + self.moved_patches.byte_count()
             + self.guards.byte_count()
     }
@@ -123,6 +126,7 @@ impl CrossingRepair {
     /// Forgets what it has done in the steps before.
     pub(crate) fn forget(&mut self) {
         self.is_tangled.clear();
+        self.held_back.clear();
         self.guards.clear();
         self.ceiling = None;
     }
@@ -142,10 +146,12 @@ impl CrossingRepair {
         let finder = &mut self.finder;
         dispatch!(fixed.level, simd => finder.find_all(simd, fixed.surface, &self.positions));
         self.separations.clear();
+        self.held_back.clear();
         if !self.finder.crossings.is_empty() {
             self.work(fixed, starts);
             self.leave_body_at_last(fixed, starts);
             self.store(fixed, positions, velocities);
+            self.slow_down(fixed, starts, velocities);
         }
         if self.finder.crossings.is_empty() {
             self.ceiling = Some(0);
@@ -204,6 +210,11 @@ impl CrossingRepair {
             }
         }
         self.hold_together(fixed, starts);
+        self.held_back.resize(fixed.inv_masses.len(), 0);
+        for &member in &self.zones.members {
+            let (vector, lane) = fixed.layout.slot(member as usize);
+            self.held_back[vector] |= 1 << lane;
+        }
     }
 
     /// Whether the repair has done as much as it may.
@@ -483,6 +494,19 @@ impl CrossingRepair {
         }
         for separation in &self.separations {
             self.stop_approach(fixed, separation, velocities);
+        }
+    }
+
+    /// What was held back goes on as fast as it came, or it would cross again in the next step.
+    fn slow_down(&self, fixed: Fixed<'_>, starts: &[Vec3], velocities: &mut [Points]) {
+        if self.held_back.is_empty() {
+            return;
+        }
+        for &member in &self.zones.members {
+            let particle = member as usize;
+            let (vector, lane) = fixed.layout.slot(particle);
+            let velocity = (self.positions[particle] - starts[particle]) / fixed.dt;
+            velocities[vector].set(lane, velocity);
         }
     }
 

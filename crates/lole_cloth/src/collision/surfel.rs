@@ -3,13 +3,14 @@
 //! The body is given as surfels, so many that the nearest one's tangent plane stands for the skin.
 //! Once a step every particle that may get there takes the plane of the surfel nearest to it in the
 //! middle of the step; in the substeps the plane moves and turns with the skin. Nothing is kept from
-//! step to step, so that a state says all there is to know.
+//! step to step but how far the skin has receded where it would tear the cloth.
 
 mod cells;
 mod facing;
 mod nearness;
 mod planes;
 mod search;
+mod yielding;
 
 use std::ops::Range;
 
@@ -23,6 +24,7 @@ use crate::lanes::{LANES, Points, Vectors, smaller};
 pub(crate) use cells::SurfelCells;
 use planes::PlaneField;
 use search::SurfelSearch;
+use yielding::Yielding;
 
 /// A particle that comes nearer to a surfel than this [m], besides what both may travel, takes its
 /// plane.
@@ -62,6 +64,7 @@ pub(crate) struct SurfelContacts {
     ends: [Vec<Surfel>; 2],
     cells: SurfelCells,
     search: SurfelSearch,
+    yielding: Yielding,
 }
 
 /// The skin during one step.
@@ -96,6 +99,9 @@ pub(crate) struct Cloth<'a> {
     /// What gravity adds to a speed in the step [m/s], and the step [s].
     pub(crate) speed_gain: f32,
     pub(crate) dt: f32,
+    /// By vector, the lanes that a repair has held back in the step before: skin yields to them. Empty
+    /// where there are none.
+    pub(crate) held_back: &'a [u16],
 }
 
 impl Cloth<'_> {
@@ -124,6 +130,7 @@ impl SurfelContacts {
             + self.opposite.byte_count()
             + self.cells.byte_count()
             + self.search.byte_count()
+            + self.yielding.byte_count()
     }
 
     /// Plans a step of so many substeps: where something is fast, the nearest surfels are looked for
@@ -132,6 +139,7 @@ impl SurfelContacts {
     pub(crate) fn plan(&mut self, cloth: Cloth<'_>, skin: Skin<'_>, substep_count: u32) {
         self.nearest.clear(0);
         self.part = 0..0;
+        self.yielding.come_back(cloth.dt);
         if skin.after.is_empty() {
             self.part_count = 0;
             return;
@@ -211,6 +219,8 @@ impl SurfelContacts {
             search,
             nearest,
             opposite,
+            yielding,
+            part,
             ..
         } = self;
         nearest.clear(cloth.positions.len());
@@ -220,8 +230,16 @@ impl SurfelContacts {
             let surfel = cells.surfel(place);
             [&skin.before[surfel], &skin.after[surfel]]
         };
+        let is_first = part.start == 0;
         search.each(cloth, |slot, row, place, against| {
-            let offset = skin.offset - cloth.held[row];
+            let mut offset = skin.offset - cloth.held[row];
+            let is_held = |lanes: &u16| (lanes >> slot.1) & 1 == 1;
+            if is_first && cloth.held_back.get(slot.0).is_some_and(is_held) {
+                let surfel = ends(place)[0];
+                let above = (cloth.positions[slot.0].get(slot.1) - surfel.position).dot(surfel.normal);
+                yielding.recede(slot, cloth.positions.len(), offset - above);
+            }
+            offset -= yielding.depth(slot);
             nearest.set(slot, ends(place), offset);
             if let Some(place) = against {
                 opposite.set(slot, ends(place), offset);

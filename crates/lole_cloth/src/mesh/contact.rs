@@ -95,6 +95,7 @@ fn with_skin(
         spacing: f32::INFINITY,
         speed_gain: config.gravity.length() * dt,
         dt,
+        held_back: &[],
     };
     let skin = Skin {
         before: &state.surfels,

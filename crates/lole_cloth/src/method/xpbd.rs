@@ -39,6 +39,11 @@ use schedule::Stage;
 pub(crate) use work::RowStrides;
 use work::Work;
 
+/// Part of the way to its target that a pin which was held back catches up in a step, and when it has
+/// [m].
+const CATCHING_UP: f32 = 0.2;
+const CAUGHT_UP: f32 = 0.5e-3;
+
 /// Structural sweeps after the contacts of the cloth with itself: none leaves the springs strained
 /// where folds are pressed together, all of them press folds through each other.
 const LAST_SWEEPS: u32 = 1;
@@ -289,7 +294,10 @@ fn begin_observed(
         state.surfels.clear();
         state.surfels.extend_from_slice(input.surfels);
     }
-    start_pins(model, input.pin_targets, state, dt);
+    set_pin_goals(model, input.pin_targets, state);
+    let goals = std::mem::take(&mut state.scratch.pin_goals);
+    start_pins(model, &goals, state, dt);
+    state.scratch.pin_goals = goals;
     find_body_contacts(model, config, (input, dt), state);
     let cloth_contact = find_contacts((model, config, &substep), (input, dt), state, observer);
     set_schedules(model, config, state);
@@ -357,7 +365,9 @@ pub(crate) fn end(
     (input, dt): (&StepInput<'_>, f32),
     state: &mut ClothState,
 ) {
-    finish_pins(model, input.pin_targets, state);
+    let goals = std::mem::take(&mut state.scratch.pin_goals);
+    finish_pins(model, &goals, state);
+    state.scratch.pin_goals = goals;
     repair_crossings((model, config), (input, dt), state);
 }
 
@@ -545,7 +555,7 @@ pub(super) fn find_body_contacts(
 fn cloth_of<'a>(
     (model, config): (&'a ClothModel, &SolverConfig),
     (positions, velocities): (&'a [Points], &'a [Points]),
-    held: &'a [f32],
+    (held, held_back): (&'a [f32], &'a [u16]),
     dt: f32,
 ) -> Cloth<'a> {
     Cloth {
@@ -556,6 +566,7 @@ fn cloth_of<'a>(
         spacing: model.spec().grid.spacing[0],
         speed_gain: config.gravity.length() * dt,
         dt,
+        held_back,
     }
 }
 
@@ -580,7 +591,11 @@ fn with_skin(
 ) {
     let scratch = &mut state.scratch;
     let moving = (&state.positions[..], &state.velocities[..]);
-    let cloth = cloth_of((model, config), moving, &scratch.held_depths, dt);
+    let held = (
+        &scratch.held_depths[..],
+        &scratch.crossing_repair.held_back[..],
+    );
+    let cloth = cloth_of((model, config), moving, held, dt);
     let skin = skin_of(config, &state.surfels, input);
     act(&mut scratch.surfel_contacts, cloth, skin);
 }
@@ -598,7 +613,7 @@ fn find_contacts(
         cloth_of(
             (model, config),
             (positions, velocities),
-            &scratch.held_depths,
+            (&scratch.held_depths, &scratch.crossing_repair.held_back),
             dt,
         ),
         skin_of(config, &state.surfels, input),
@@ -669,6 +684,24 @@ fn solve_cloth_contacts(law: ClothContactLaw, state: &mut ClothState) {
         velocities: &state.velocities,
     };
     state.scratch.cloth_contacts.solve(columns, law);
+}
+
+/// Where pins go in this step: to their targets, or, where a repair has held them back, with the body and
+/// a part of the way on.
+fn set_pin_goals(model: &ClothModel, targets: &[Vec3], state: &mut ClothState) {
+    let goals = &mut state.scratch.pin_goals;
+    goals.clear();
+    for (index, (&pin, &target)) in model.pin_indices().iter().zip(targets).enumerate() {
+        let (vector, lane) = model.layout.slot(pin as usize);
+        let start = state.positions[vector].get(lane);
+        let before = state.pin_targets.get(index).copied().unwrap_or(start);
+        let behind = before - start;
+        goals.push(if behind.length_squared() <= CAUGHT_UP * CAUGHT_UP {
+            target
+        } else {
+            target - behind * (1.0 - CATCHING_UP)
+        });
+    }
 }
 
 /// Pinned particles fly straight to their targets, so every substep finds them on the way.
