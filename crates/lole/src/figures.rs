@@ -84,6 +84,10 @@ pub(crate) fn report(performance: &Performance, run: RunFigures<'_>) -> RunRepor
         divergence: run
             .divergence
             .map(|found| explain(&found, production, run.design)),
+        no_room: performance
+            .no_room()
+            .map(|it| remark(&it.sentence()))
+            .collect(),
         state_hash: format!("{:016x}", performance.state_hash()),
         files: run.files,
         dancer: dancer_measures(

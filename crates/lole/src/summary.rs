@@ -87,6 +87,9 @@ pub(crate) fn print_run(report: &RunReport, paths: &[PathBuf], seconds: f64, lan
     for remark in &report.skirt.warnings {
         say!("  ! {}", pick_remark(remark, language));
     }
+    for remark in &report.no_room {
+        say!("  ! {}", pick_remark(remark, language));
+    }
     let estimated: Vec<String> = (report.dancer.iter().filter(|measure| measure.is_estimated))
         .map(|measure| {
             let name = language.pick(&measure.name_ja, &measure.name);

@@ -226,7 +226,11 @@ impl SkinnedMesh {
     pub fn strongest_bone(&self, vertex: usize) -> Bone {
         let (joints, weights) = (self.joints[vertex], self.weights[vertex]);
         let strongest = (1..4).fold(0, |most, next| {
-            if weights[most] < weights[next] { next } else { most }
+            if weights[most] < weights[next] {
+                next
+            } else {
+                most
+            }
         });
         Bone::ALL[usize::from(joints[strongest])]
     }

@@ -86,6 +86,22 @@ impl ClothState {
         self.scratch.crossing_repair.guards.count()
     }
 
+    /// Particles that the last step held back because it found no way for them that does not cross, and to
+    /// which the skin yields.
+    #[must_use]
+    pub fn held_back(&self, model: &ClothModel) -> Vec<u32> {
+        let lanes = &self.scratch.crossing_repair.held_back;
+        if lanes.is_empty() {
+            return Vec::new();
+        }
+        let is_held = |&particle: &u32| {
+            let (vector, lane) = model.layout.slot(particle as usize);
+            (lanes[vector] >> lane) & 1 == 1
+        };
+        let count = crate::lanes::narrow(model.spec().grid.particle_count());
+        (0..count).filter(is_held).collect()
+    }
+
     /// Memory that it holds, room for a step included [byte].
     #[must_use]
     pub fn byte_count(&self) -> usize {

@@ -148,7 +148,8 @@ impl SewnSkirt {
         let posed = |(index, point): (usize, &TapePoint)| {
             let [above, below] = self.elastics_at(index / columns);
             let [(one, part), (other, rest)] = [above, below];
-            let lift = part * band.lift((one, point), lifts) + rest * band.lift((other, point), lifts);
+            let lift =
+                part * band.lift((one, point), lifts) + rest * band.lift((other, point), lifts);
             band.posed(world_from_bind, point, lift)
         };
         self.start.iter().enumerate().map(posed).collect()
@@ -183,7 +184,10 @@ impl SewnSkirt {
         targets: &mut Vec<Vec3>,
     ) {
         targets.clear();
-        let pins = self.pins.iter().map(|pin| pin.drawn_in(self.drawn_in * put_on));
+        let pins = self
+            .pins
+            .iter()
+            .map(|pin| pin.drawn_in(self.drawn_in * put_on));
         let Some(band) = &self.band else {
             targets.extend(pins.map(|point| point.posed(world_from_bind)));
             self.slide_elastics(targets);
@@ -584,7 +588,8 @@ mod tests {
         let (dancer, skirt) = sewn(&SewSettings::default());
         let skirt = skirt.unwrap();
         let pose = lole_body::Pose::default();
-        let start = skirt.start_positions(&dancer.skeleton.world_from_bind(&pose), &Lifts::default());
+        let start =
+            skirt.start_positions(&dancer.skeleton.world_from_bind(&pose), &Lifts::default());
         let grid = &skirt.spec.grid;
         for row in 0..grid.row_count {
             let place = |column: u32| start[grid.index(row, column % grid.column_count)];
@@ -661,7 +666,11 @@ mod tests {
         pose.rotations[Bone::Spine as usize] = glam::Quat::from_rotation_z(0.3);
         let mut targets = Vec::new();
         let put_on = (1.0, &Lifts::default());
-        skirt.pose_pins(&dancer.skeleton.world_from_bind(&pose), put_on, &mut targets);
+        skirt.pose_pins(
+            &dancer.skeleton.world_from_bind(&pose),
+            put_on,
+            &mut targets,
+        );
         let columns = skirt.spec.grid.column_count as usize;
         for (upper, rows) in skirt.elastic_rows.windows(2).enumerate() {
             let cloth = (rows[1] - rows[0]) as f32 * skirt.spec.grid.spacing[1];

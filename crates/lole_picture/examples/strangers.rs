@@ -201,7 +201,8 @@ impl Seen {
         };
         for garment in &performance.production().garments {
             let first = garment.particles.start;
-            let mut rows: std::collections::BTreeMap<usize, f32> = std::collections::BTreeMap::new();
+            let mut rows: std::collections::BTreeMap<usize, f32> =
+                std::collections::BTreeMap::new();
             let columns = garment.sewn.spec.grid.column_count as usize;
             for particle in garment.particles.clone() {
                 let row = rows.entry((particle - first) / columns).or_default();
@@ -218,7 +219,8 @@ impl Seen {
         let worst = self.times.iter().copied().fold(0.0, f64::max);
         self.times.sort_by(f64::total_cmp);
         let median = self.times.get(self.times.len() / 2).copied().unwrap_or(0.0);
-        let gave_up = (self.gave_up).map_or_else(String::new, |at| format!("GAVE UP at {at:.1} s: "));
+        let gave_up =
+            (self.gave_up).map_or_else(String::new, |at| format!("GAVE UP at {at:.1} s: "));
         format!(
             "{gave_up}{median:6.1} ms, {:4.1} x at worst (settling {:6.1}), p99 {:6.1} %, max {:6.0} %, {:4} crossings, {:5.1} mm in skin, {:4} showing",
             worst / median.max(1.0e-9),

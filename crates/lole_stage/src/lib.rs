@@ -19,7 +19,7 @@ mod yielding;
 pub use danced::Danced;
 pub use live::{Pull, Show, Vitals, Wish};
 pub use metrics::{FrameMetrics, RunMetrics};
-pub use performance::{Divergence, Energy, FRAME_SECONDS, FRAMES_PER_SECOND, Performance};
+pub use performance::{Divergence, Energy, FRAME_SECONDS, FRAMES_PER_SECOND, NoRoom, Performance};
 pub use production::{DressedGarment, Garment, Production, dancer};
 pub use strangers::Stranger;
 pub use yielding::give_way;

@@ -3,11 +3,13 @@
 mod adornment;
 mod dressed;
 mod forearms;
+mod no_room;
 mod order;
 mod over_cloth;
 mod worn;
 
 pub(crate) use forearms::Forearms;
+pub use no_room::NoRoom;
 
 use std::sync::Arc;
 
@@ -112,6 +114,7 @@ pub struct Performance {
     body_positions: Vec<Vec3>,
     body_normals: Vec<Vec3>,
     surfels: Vec<Surfel>,
+    no_room: Vec<NoRoom>,
     /// Frames danced; negative while settling.
     frame: i64,
 }
@@ -145,12 +148,19 @@ impl Performance {
             body_positions: Vec::new(),
             body_normals: Vec::new(),
             surfels: Vec::new(),
+            no_room: Vec::new(),
             frame: -i64::from(SETTLE_FRAMES),
         };
         let pose = performance.pose_of_dance();
         performance.pose_dancer(pose.clone());
         performance.worn = (performance.production.garments.iter())
-            .map(|garment| Worn::new(&performance.production.design, garment, &performance.carrier()))
+            .map(|garment| {
+                Worn::new(
+                    &performance.production.design,
+                    garment,
+                    &performance.carrier(),
+                )
+            })
             .collect::<Result<Vec<_>, _>>()?;
         performance.look();
         performance.adorned = Adorned::new(
@@ -280,8 +290,35 @@ impl Performance {
         let all = (&mut self.dressed[..], &self.production.dressed[..]);
         dressed::step_layer(all, GarmentLayer::Over, &around, &grids);
         self.step_adornments();
+        self.note_no_room();
         self.settle();
         self.check_stage()
+    }
+
+    /// Writes down where the dance left cloth no room.
+    fn note_no_room(&mut self) {
+        if self.frame <= 0 {
+            return;
+        }
+        for (worn, garment) in self.worn.iter().zip(&self.production.garments) {
+            let positions = &self.cloth_positions[garment.particles.clone()];
+            let held = worn.solver.held_back();
+            let held: Vec<Vec3> = held.iter().map(|&it| positions[it as usize]).collect();
+            if held.is_empty() || self.surfels.is_empty() {
+                continue;
+            }
+            let carriers: Vec<u32> = self.production.body_surfels.carriers().collect();
+            let skin = &self.production.dancer.skin;
+            let bone_of = |surfel: usize| skin.strongest_bone(carriers[surfel] as usize);
+            let time = self.frame as f32 * FRAME_SECONDS;
+            no_room::note(&mut self.no_room, time, &held, (&self.surfels, &bone_of));
+        }
+    }
+
+    /// When, and beside what, the dance left gathered cloth no room, so far: what passed in a few frames is
+    /// not worth a word.
+    pub fn no_room(&self) -> impl Iterator<Item = &NoRoom> {
+        self.no_room.iter().filter(|it| it.is_long())
     }
 
     fn step_adornments(&mut self) {

@@ -11,8 +11,8 @@ use lole_costume::document::{
     Design, FabricDesign, GarmentDesign, GarmentLayer, SkirtDesign, WornTemplate, WornTop,
 };
 use lole_costume::dress::{self, Among, Bands, Division, Dressed};
-use lole_costume::sew::{Lifts, 
-    self, Closing, Clothed, Cut, SewSettings, SewnSkirt, SkirtMesh, WornPlace,
+use lole_costume::sew::{
+    self, Closing, Clothed, Cut, Lifts, SewSettings, SewnSkirt, SkirtMesh, WornPlace,
 };
 use lole_costume::tailoring::{self, Drafted};
 use lole_geom::Length;

@@ -255,6 +255,14 @@ impl Solver {
         }
     }
 
+    /// Particles of `xpbd` that were held back in the last step, because there was no way for them.
+    pub(crate) fn held_back(&self) -> Vec<u32> {
+        match self {
+            Self::Xpbd(xpbd) => xpbd.state.held_back(&xpbd.model),
+            Self::Explicit(_) => Vec::new(),
+        }
+    }
+
     /// Memory of the prepared cloth and its state [byte].
     pub(crate) fn byte_count(&self) -> usize {
         match self {

@@ -306,14 +306,20 @@ mod tests {
         let shell = block(Vec3::ZERO, Vec3::splat(0.3));
         let inner = block(Vec3::splat(0.01), Vec3::splat(0.29));
         let (positions, triangles) = both(shell.clone(), &inner);
-        assert_eq!(outer_surface(&positions, &triangles, |_| Vec3::splat(0.15)), shell.1);
+        assert_eq!(
+            outer_surface(&positions, &triangles, |_| Vec3::splat(0.15)),
+            shell.1
+        );
     }
 
     #[test]
     fn a_sheet_seen_from_both_sides_is_met_from_its_outer_one() {
         let positions = [Vec3::X, Vec3::X + Vec3::Y, Vec3::X + Vec3::Z];
         let both = [[0, 1, 2], [0, 2, 1]];
-        assert_eq!(outer_surface(&positions, &both, |_| Vec3::ZERO), [[0, 1, 2]]);
+        assert_eq!(
+            outer_surface(&positions, &both, |_| Vec3::ZERO),
+            [[0, 1, 2]]
+        );
         let middle = 2.0 * Vec3::X;
         assert_eq!(outer_surface(&positions, &both, |_| middle), [[0, 2, 1]]);
     }
@@ -323,8 +329,14 @@ mod tests {
         let (positions, triangles) = block(Vec3::ZERO, Vec3::new(0.2, 0.4, 0.3));
         let inward: Vec<[u32; 3]> = triangles.iter().map(|&[a, b, c]| [a, c, b]).collect();
         let outward: Vec<[u32; 3]> = inward.iter().map(|&[a, b, c]| [a, c, b]).collect();
-        assert_eq!(outer_surface(&positions, &inward, |_| Vec3::splat(0.15)), outward);
-        assert_eq!(outer_surface(&positions, &triangles, |_| Vec3::splat(0.15)), triangles);
+        assert_eq!(
+            outer_surface(&positions, &inward, |_| Vec3::splat(0.15)),
+            outward
+        );
+        assert_eq!(
+            outer_surface(&positions, &triangles, |_| Vec3::splat(0.15)),
+            triangles
+        );
     }
 
     #[test]
@@ -332,7 +344,10 @@ mod tests {
         let one = block(Vec3::ZERO, Vec3::new(0.1, 0.5, 0.1));
         let other = block(Vec3::new(0.14, 0.0, 0.0), Vec3::new(0.24, 0.5, 0.1));
         let (positions, triangles) = both(one, &other);
-        assert_eq!(outer_surface(&positions, &triangles, |_| Vec3::splat(0.15)), triangles);
+        assert_eq!(
+            outer_surface(&positions, &triangles, |_| Vec3::splat(0.15)),
+            triangles
+        );
         assert!(outer_surface(&[], &[], |_| Vec3::ZERO).is_empty());
     }
 

@@ -236,7 +236,8 @@ impl SurfelContacts {
             let is_held = |lanes: &u16| (lanes >> slot.1) & 1 == 1;
             if is_first && cloth.held_back.get(slot.0).is_some_and(is_held) {
                 let surfel = ends(place)[0];
-                let above = (cloth.positions[slot.0].get(slot.1) - surfel.position).dot(surfel.normal);
+                let above =
+                    (cloth.positions[slot.0].get(slot.1) - surfel.position).dot(surfel.normal);
                 yielding.recede(slot, cloth.positions.len(), offset - above);
             }
             offset -= yielding.depth(slot);

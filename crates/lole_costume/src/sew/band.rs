@@ -69,7 +69,8 @@ impl Band {
                 shares[usize::from(trunk_of(joint).index())] += weight;
             }
         }
-        let most = (0..shares.len()).max_by(|&a, &b| shares[a].total_cmp(&shares[b]).then(b.cmp(&a)));
+        let most =
+            (0..shares.len()).max_by(|&a, &b| shares[a].total_cmp(&shares[b]).then(b.cmp(&a)));
         most.map_or(Bone::Hips, |most| Bone::ALL[most])
     }
 
@@ -134,12 +135,7 @@ impl Band {
     }
 
     /// Where a point of the cloth is in the world [m] that is so far outside (a lift) where it was sewn.
-    pub(super) fn posed(
-        &self,
-        world_from_bind: &[Affine3A],
-        point: &TapePoint,
-        lift: f32,
-    ) -> Vec3 {
+    pub(super) fn posed(&self, world_from_bind: &[Affine3A], point: &TapePoint, lift: f32) -> Vec3 {
         let place = point.bind_position + point.outward * lift;
         world_from_bind[self.bone.index()].transform_point3(place)
     }
@@ -191,7 +187,9 @@ impl Elastic {
                 arm.dot(way) / arm.length().max(f32::MIN_POSITIVE)
             };
             let nearest = points.iter().max_by(|a, b| along(a).total_cmp(&along(b)));
-            nearest.map_or([Vec3::ZERO, Vec3::X], |point| [point.bind_position, point.outward])
+            nearest.map_or([Vec3::ZERO, Vec3::X], |point| {
+                [point.bind_position, point.outward]
+            })
         };
         Self {
             axis,

@@ -113,7 +113,8 @@ fn radii_of(ring: &Option<Ring>, (directions, axis): (&Ring, Vec2)) -> Option<Ve
     polar.sort_by(|a, b| a.0.total_cmp(&b.0));
     let radius = |at: f32| {
         let next = polar.partition_point(|&(turn, _)| turn < at);
-        let [before, after] = [next + polar.len() - 1, next].map(|place| polar[place % polar.len()]);
+        let [before, after] =
+            [next + polar.len() - 1, next].map(|place| polar[place % polar.len()]);
         let whole = std::f32::consts::TAU;
         let gap = (after.0 - before.0).rem_euclid(whole);
         let share = (at - before.0).rem_euclid(whole) / gap.max(f32::MIN_POSITIVE);

@@ -174,7 +174,10 @@ impl Flare {
         let ways = blurred(&outward, EVEN_BLUR).into_iter().zip(outward);
         Self {
             angles: vec![angle; RING_POINTS],
-            ways: Some(ways.map(|(way, outward)| way.normalize_or(outward)).collect()),
+            ways: Some(
+                ways.map(|(way, outward)| way.normalize_or(outward))
+                    .collect(),
+            ),
         }
     }
 

@@ -171,7 +171,7 @@ fn skirt(report: &RunReport) -> String {
     } else {
         Vec::new()
     };
-    for remark in &skirt.warnings {
+    for remark in skirt.warnings.iter().chain(&report.no_room) {
         rows.push(row(
             ["Worth a thought", "ご確認ください"],
             "<i>!</i>".to_owned(),

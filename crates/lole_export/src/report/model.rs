@@ -186,6 +186,8 @@ pub struct RunReport {
     pub finite: bool,
     /// Where the run diverged, if it did.
     pub divergence: Option<Divergence>,
+    /// When, and beside what, the dance left the cloth no room.
+    pub no_room: Vec<Remark>,
     /// Hash of all bits of the final state, 16 hexadecimal digits.
     pub state_hash: String,
     /// Files the run wrote.

@@ -74,7 +74,10 @@ mod tests {
         assert_eq!(yielding.depth((0, 3)), 0.0, "nowhere else");
         yielding.come_back(0.1);
         let depth = yielding.depth((1, 3));
-        assert!((depth - (0.02 + ROOM - 0.1 * RETURNING)).abs() < 1.0e-6, "{depth}");
+        assert!(
+            (depth - (0.02 + ROOM - 0.1 * RETURNING)).abs() < 1.0e-6,
+            "{depth}"
+        );
         yielding.recede((0, 0), 2, 5.0);
         assert_eq!(yielding.depth((0, 0)), FARTHEST);
         yielding.come_back(10.0);
