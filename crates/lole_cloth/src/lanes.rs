@@ -28,6 +28,18 @@ pub(crate) struct Points {
 }
 
 impl Points {
+    /// Moves all of them [m].
+    pub(crate) fn shift(&mut self, by: Vec3) {
+        let axes = [
+            (&mut self.x, by.x),
+            (&mut self.y, by.y),
+            (&mut self.z, by.z),
+        ];
+        for (axis, by) in axes {
+            axis.iter_mut().for_each(|value| *value += by);
+        }
+    }
+
     pub(crate) const fn get(&self, lane: usize) -> Vec3 {
         Vec3::new(self.x[lane], self.y[lane], self.z[lane])
     }

@@ -167,6 +167,23 @@ impl ClothState {
         }
     }
 
+    /// Moves the cloth, and where pins and body were left, all by as much [m]: what a world that jumps
+    /// carries along.
+    pub fn carry(&mut self, by: Vec3) {
+        for points in &mut self.positions {
+            points.shift(by);
+        }
+        for target in &mut self.pin_targets {
+            *target += by;
+        }
+        for capsule in &mut self.capsules {
+            capsule.ends = capsule.ends.map(|end| end + by);
+        }
+        for surfel in &mut self.surfels {
+            surfel.position += by;
+        }
+    }
+
     /// Multiplies every velocity.
     pub fn scale_velocities(&mut self, factor: f32) {
         for velocity in &mut self.velocities {

@@ -533,6 +533,11 @@ impl DressedState {
         }
     }
 
+    /// Carries it along [m] with a body that jumps.
+    pub fn carry(&mut self, by: Vec3) {
+        self.state.carry(by);
+    }
+
     /// All bits of positions and velocities as one number.
     #[must_use]
     pub fn hash(&self) -> u64 {

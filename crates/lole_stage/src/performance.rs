@@ -14,7 +14,7 @@ pub use no_room::NoRoom;
 use std::sync::Arc;
 
 use glam::{Affine3A, Vec3};
-use lole_body::{BodyCapsule, Pose};
+use lole_body::{BodyCapsule, Bone, Pose};
 use lole_cloth::method::explicit::ExplicitConfig;
 use lole_cloth::method::reference::ReferenceModel;
 use lole_cloth::wind::GustyWind;
@@ -46,6 +46,10 @@ const LOWERING: f32 = 0.6;
 
 /// Duration of one frame [s].
 pub const FRAME_SECONDS: f32 = 1.0 / FRAMES_PER_SECOND as f32;
+
+/// Hips that are farther than this from where they would have been at the speed of the frame before [m]
+/// have jumped: five times the acceleration of free fall.
+const JUMP: f32 = 0.0136;
 
 /// Cloth that is further than this from the origin [m] has left the stage: the run has diverged.
 const STAGE_RADIUS: f32 = 100.0;
@@ -115,6 +119,8 @@ pub struct Performance {
     body_normals: Vec<Vec3>,
     surfels: Vec<Surfel>,
     no_room: Vec<NoRoom>,
+    /// Where her hips are, and what they did in the last frame [m]; none before the first.
+    hips: Option<[Vec3; 2]>,
     /// Frames danced; negative while settling.
     frame: i64,
 }
@@ -149,6 +155,7 @@ impl Performance {
             body_normals: Vec::new(),
             surfels: Vec::new(),
             no_room: Vec::new(),
+            hips: None,
             frame: -i64::from(SETTLE_FRAMES),
         };
         let pose = performance.pose_of_dance();
@@ -250,6 +257,7 @@ impl Performance {
 
     fn step_in(&mut self, pose: Pose, observer: Observer<'_>) -> Result<(), Divergence> {
         self.pose_dancer(pose);
+        self.follow_jump();
         let surroundings = Surroundings {
             pin_targets: &[],
             capsules: if self.meets_skin { &[] } else { &self.capsules },
@@ -293,6 +301,31 @@ impl Performance {
         self.note_no_room();
         self.settle();
         self.check_stage()
+    }
+
+    /// Lets cloth go along where her hips change their speed in a frame as no dancer does, because a
+    /// recording jumps.
+    fn follow_jump(&mut self) {
+        let skeleton = &self.production.dancer.skeleton;
+        let bind = skeleton.joint(Bone::Hips);
+        let now = self.world_from_bind[Bone::Hips.index()].transform_point3(bind);
+        let Some([before, moved]) = self.hips else {
+            self.hips = Some([now, Vec3::ZERO]);
+            return;
+        };
+        let jump = now - before - moved;
+        if JUMP < jump.length() {
+            self.worn
+                .iter_mut()
+                .for_each(|worn| worn.solver.carry(jump));
+            self.dressed
+                .iter_mut()
+                .for_each(|dressed| dressed.carry(jump));
+            // She has not come there by herself, and goes on as she did.
+            self.hips = Some([now, moved]);
+        } else {
+            self.hips = Some([now, now - before]);
+        }
     }
 
     /// Writes down where the dance left cloth no room.

@@ -206,6 +206,13 @@ impl Solver {
         }
     }
 
+    /// Carries cloth of `xpbd` along [m] with a body that jumps.
+    pub(crate) fn carry(&mut self, by: Vec3) {
+        if let Self::Xpbd(xpbd) = self {
+            xpbd.state.carry(by);
+        }
+    }
+
     /// Multiplies every velocity.
     pub(crate) fn scale_velocities(&mut self, factor: f32) {
         match self {

@@ -115,6 +115,19 @@ fn sewn_within(joints: &[Joint], piece: usize) -> impl Iterator<Item = [u32; 2]>
 }
 
 impl AssemblyState {
+    /// Moves all pieces, and where pins, bones and body were left, by as much [m].
+    pub fn carry(&mut self, by: Vec3) {
+        for piece in &mut self.pieces {
+            match piece {
+                PieceState::Grid(state) => state.carry(by),
+                PieceState::Mesh(state) => state.carry(by),
+            }
+        }
+        for frame in &mut self.frames {
+            frame.translation += by;
+        }
+    }
+
     /// Every piece at rest at its `positions` [m].
     ///
     /// # Panics

@@ -51,6 +51,23 @@ pub(crate) struct MeshScratch {
 }
 
 impl MeshState {
+    /// Moves the cloth, and where pins and body were left, all by as much [m]: what a world that jumps
+    /// carries along.
+    pub fn carry(&mut self, by: Vec3) {
+        for points in &mut self.positions {
+            points.shift(by);
+        }
+        for target in &mut self.pin_targets {
+            *target += by;
+        }
+        for capsule in &mut self.capsules {
+            capsule.ends = capsule.ends.map(|end| end + by);
+        }
+        for surfel in &mut self.surfels {
+            surfel.position += by;
+        }
+    }
+
     /// A piece at rest at `positions` [m], shape `[particle_count]`.
     ///
     /// # Panics

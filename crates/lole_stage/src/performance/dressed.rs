@@ -45,6 +45,11 @@ pub(super) struct Around<'a> {
 }
 
 impl Dressed {
+    /// Carries it along [m] with a body that jumps.
+    pub(super) fn carry(&mut self, by: Vec3) {
+        self.state.carry(by);
+    }
+
     pub(super) fn new(garment: &DressedGarment) -> Self {
         Self {
             state: garment.dressed.state(),

@@ -16,6 +16,9 @@ const SECONDS: f32 = 8.0;
 /// Time in which a recording comes in from her stance [s].
 const EASE: f32 = 0.6;
 
+/// Farthest that thighs are raised in a crouch [rad]; knees bend by twice as much, as far as they go.
+const DEEPEST: f32 = 1.3;
+
 /// Draws a dance for a dancer, with its name.
 pub(super) fn draw(
     chance: &mut Chance,
@@ -134,7 +137,7 @@ fn twist(chance: &mut Chance) -> Motion {
 
 /// Deep knee bends, and a leap after some of them.
 fn crouch(chance: &mut Chance, dancer: &Dancer) -> Motion {
-    let (hertz, angle) = (chance.between(0.3, 0.8), chance.between(0.7, 1.7));
+    let (hertz, angle) = (chance.between(0.3, 0.8), chance.between(0.7, DEEPEST));
     let leap = chance.between(0.0, 0.3);
     let thigh =
         dancer.skeleton.joint(Bone::LeftUpperLeg).y - dancer.skeleton.joint(Bone::LeftLowerLeg).y;
