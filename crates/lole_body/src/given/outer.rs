@@ -344,10 +344,8 @@ mod tests {
         let one = block(Vec3::ZERO, Vec3::new(0.1, 0.5, 0.1));
         let other = block(Vec3::new(0.14, 0.0, 0.0), Vec3::new(0.24, 0.5, 0.1));
         let (positions, triangles) = both(one, &other);
-        assert_eq!(
-            outer_surface(&positions, &triangles, |_| Vec3::splat(0.15)),
-            triangles
-        );
+        let middle_of = |vertex: u32| Vec3::new(if vertex < 8 { 0.05 } else { 0.19 }, 0.25, 0.05);
+        assert_eq!(outer_surface(&positions, &triangles, middle_of), triangles);
         assert!(outer_surface(&[], &[], |_| Vec3::ZERO).is_empty());
     }
 
