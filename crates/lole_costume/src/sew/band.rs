@@ -66,7 +66,7 @@ impl Band {
         let mut shares = [0.0_f32; Bone::ALL.len()];
         for point in rings.iter().flat_map(Ring::points) {
             for (&joint, weight) in point.joints.iter().zip(point.weights) {
-                shares[usize::from(trunk_of(joint).index())] += weight;
+                shares[trunk_of(joint).index()] += weight;
             }
         }
         let most =
@@ -126,10 +126,13 @@ impl Band {
     fn even_out(&self, lifts: &mut [Vec<f32>]) {
         let pairs = (1..lifts.len()).map(|lower| [lower - 1, lower]);
         for [one, other] in pairs.clone().chain(pairs.rev().map(|[a, b]| [b, a])) {
-            for sector in 0..SECTORS {
-                let [from, to] = [one, other].map(|it| self.elastics[it].points[sector][0]);
-                let least = lifts[one][sector] - self.slope * from.distance(to);
-                lifts[other][sector] = lifts[other][sector].max(least);
+            let ways = [one, other].map(|it| self.elastics[it].points.iter().map(|[at, _]| at));
+            let [from, to] = ways;
+            let least: Vec<f32> = (lifts[one].iter().zip(from.zip(to)))
+                .map(|(lift, (from, to))| lift - self.slope * from.distance(*to))
+                .collect();
+            for (lift, least) in lifts[other].iter_mut().zip(least) {
+                *lift = lift.max(least);
             }
         }
     }

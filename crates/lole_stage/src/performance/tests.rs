@@ -1,3 +1,5 @@
+//! Laws of a performance: rest, wind and whoever wears no skirt.
+
 use super::*;
 
 #[test]
