@@ -58,8 +58,6 @@ const FLOOR: Capsule = Capsule {
 };
 /// Substeps of a frame while seams come together: more of them let triangles turn inside out there.
 const SEWING_SUBSTEPS: NonZeroU32 = NonZeroU32::MIN.saturating_add(11);
-/// Substeps of a frame while it is worn: with half of them all of it gives like knitwear.
-const WORN_SUBSTEPS: NonZeroU32 = NonZeroU32::MIN.saturating_add(23);
 /// Elastic is fastened to every so manyth particle of its line: what lies in between puckers. Fastened to
 /// all of them it would push their edges together, and cloth does not give along its edges.
 const FASTENED: usize = 2;
@@ -582,7 +580,7 @@ fn assembly(kit: &Kit, ease: Ease) -> Result<Assembly, DressError> {
     let pieces = vec![Piece::Mesh(Box::new(model), Box::new(config))];
     let substep_count = match ease {
         Ease::Basted => SEWING_SUBSTEPS,
-        Ease::Worn => WORN_SUBSTEPS,
+        Ease::Worn => garment::substep_count(template),
     };
     Assembly::new(pieces, &kit.joints, substep_count)
         .map_err(|error| DressError::Joint { template, error })
