@@ -55,6 +55,26 @@ pub(crate) struct Scratch {
     pub(crate) schedules: Schedules,
 }
 
+/// Moves particles, pins and a body that was met [m].
+pub(crate) fn carry(
+    (positions, pin_targets): (&mut [Points], &mut [Vec3]),
+    (capsules, surfels): (&mut [Capsule], &mut [Surfel]),
+    by: Vec3,
+) {
+    for points in positions {
+        points.shift(by);
+    }
+    for target in pin_targets {
+        *target += by;
+    }
+    for capsule in capsules {
+        capsule.ends = capsule.ends.map(|end| end + by);
+    }
+    for surfel in surfels {
+        surfel.position += by;
+    }
+}
+
 impl ClothState {
     /// A cloth at rest at `positions` [m], row-major, shape `[particle_count]`.
     ///
@@ -170,18 +190,8 @@ impl ClothState {
     /// Moves the cloth, and where pins and body were left, all by as much [m]: what a world that jumps
     /// carries along.
     pub fn carry(&mut self, by: Vec3) {
-        for points in &mut self.positions {
-            points.shift(by);
-        }
-        for target in &mut self.pin_targets {
-            *target += by;
-        }
-        for capsule in &mut self.capsules {
-            capsule.ends = capsule.ends.map(|end| end + by);
-        }
-        for surfel in &mut self.surfels {
-            surfel.position += by;
-        }
+        let cloth = (&mut self.positions[..], &mut self.pin_targets[..]);
+        carry(cloth, (&mut self.capsules, &mut self.surfels), by);
     }
 
     /// Multiplies every velocity.

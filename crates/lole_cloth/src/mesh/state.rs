@@ -13,6 +13,7 @@ use crate::lanes::Points;
 use crate::mesh::model::MeshModel;
 use crate::mesh::resistance::Resisting;
 use crate::mesh::stride::Strides;
+use crate::state;
 
 /// Everything about one piece that changes from step to step.
 #[derive(Debug, Clone)]
@@ -54,18 +55,8 @@ impl MeshState {
     /// Moves the cloth, and where pins and body were left, all by as much [m]: what a world that jumps
     /// carries along.
     pub fn carry(&mut self, by: Vec3) {
-        for points in &mut self.positions {
-            points.shift(by);
-        }
-        for target in &mut self.pin_targets {
-            *target += by;
-        }
-        for capsule in &mut self.capsules {
-            capsule.ends = capsule.ends.map(|end| end + by);
-        }
-        for surfel in &mut self.surfels {
-            surfel.position += by;
-        }
+        let cloth = (&mut self.positions[..], &mut self.pin_targets[..]);
+        state::carry(cloth, (&mut self.capsules, &mut self.surfels), by);
     }
 
     /// A piece at rest at `positions` [m], shape `[particle_count]`.
