@@ -85,16 +85,21 @@ impl SkinSurfels {
 
     /// The vertex that has most of each.
     pub fn carriers(&self) -> impl Iterator<Item = u32> {
-        self.points.iter().map(|&(corners, shares)| {
-            let most = (1..3).fold(0, |most, next| {
-                if shares[most] < shares[next] {
-                    next
-                } else {
-                    most
-                }
-            });
-            corners[most]
-        })
+        (0..self.len()).map(|surfel| self.carrier(surfel))
+    }
+
+    /// The vertex that has most of one.
+    #[must_use]
+    pub fn carrier(&self, surfel: usize) -> u32 {
+        let (corners, shares) = self.points[surfel];
+        let most = (1..3).fold(0, |most, next| {
+            if shares[most] < shares[next] {
+                next
+            } else {
+                most
+            }
+        });
+        corners[most]
     }
 
     /// Where they are on the posed mesh; `surfels` is cleared and filled.

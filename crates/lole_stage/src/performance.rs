@@ -3,6 +3,7 @@
 mod adornment;
 mod dressed;
 mod forearms;
+mod jump;
 mod no_room;
 mod order;
 mod over_cloth;
@@ -27,6 +28,7 @@ use crate::solver::{self, Observer, Solver, Surroundings};
 use crate::{FrameMetrics, StageError, skin_check};
 use adornment::{Adorned, AroundStrands};
 use dressed::{Around, Dressed};
+use jump::Hips;
 use order::Order;
 use worn::{Carrier, Worn};
 
@@ -46,10 +48,6 @@ const LOWERING: f32 = 0.6;
 
 /// Duration of one frame [s].
 pub const FRAME_SECONDS: f32 = 1.0 / FRAMES_PER_SECOND as f32;
-
-/// Hips that are farther than this from where they would have been at the speed of the frame before [m]
-/// have jumped: five times the acceleration of free fall.
-const JUMP: f32 = 0.0136;
 
 /// Cloth that is further than this from the origin [m] has left the stage: the run has diverged.
 const STAGE_RADIUS: f32 = 100.0;
@@ -119,8 +117,8 @@ pub struct Performance {
     body_normals: Vec<Vec3>,
     surfels: Vec<Surfel>,
     no_room: Vec<NoRoom>,
-    /// Where her hips are, and what they did in the last frame [m]; none before the first.
-    hips: Option<[Vec3; 2]>,
+    /// Where her hips are, `None` before the first frame.
+    hips: Option<Hips>,
     /// Frames danced; negative while settling.
     frame: i64,
 }
@@ -309,22 +307,14 @@ impl Performance {
         let skeleton = &self.production.dancer.skeleton;
         let bind = skeleton.joint(Bone::Hips);
         let now = self.world_from_bind[Bone::Hips.index()].transform_point3(bind);
-        let Some([before, moved]) = self.hips else {
-            self.hips = Some([now, Vec3::ZERO]);
+        let Some(jump) = Hips::follow(&mut self.hips, now) else {
             return;
         };
-        let jump = now - before - moved;
-        if JUMP < jump.length() {
-            self.worn
-                .iter_mut()
-                .for_each(|worn| worn.solver.carry(jump));
-            self.dressed
-                .iter_mut()
-                .for_each(|dressed| dressed.carry(jump));
-            // She has not come there by herself, and goes on as she did.
-            self.hips = Some([now, moved]);
-        } else {
-            self.hips = Some([now, now - before]);
+        for worn in &mut self.worn {
+            worn.solver.carry(jump);
+        }
+        for dressed in &mut self.dressed {
+            dressed.carry(jump);
         }
     }
 
@@ -340,9 +330,8 @@ impl Performance {
             if held.is_empty() || self.surfels.is_empty() {
                 continue;
             }
-            let carriers: Vec<u32> = self.production.body_surfels.carriers().collect();
-            let skin = &self.production.dancer.skin;
-            let bone_of = |surfel: usize| skin.strongest_bone(carriers[surfel] as usize);
+            let (skin, surfels) = (&self.production.dancer.skin, &self.production.body_surfels);
+            let bone_of = |surfel: usize| skin.strongest_bone(surfels.carrier(surfel) as usize);
             let time = self.frame as f32 * FRAME_SECONDS;
             no_room::note(&mut self.no_room, time, &held, (&self.surfels, &bone_of));
         }
