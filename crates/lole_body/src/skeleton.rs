@@ -196,6 +196,19 @@ impl Bone {
     pub const fn index(self) -> usize {
         self as usize
     }
+
+    /// The one that carries most of a vertex with these joints and weights; of equals the first.
+    #[must_use]
+    pub fn strongest(joints: [u16; 4], weights: [f32; 4]) -> Self {
+        let strongest = (1..4).fold(0, |most, next| {
+            if weights[most] < weights[next] {
+                next
+            } else {
+                most
+            }
+        });
+        Self::ALL[usize::from(joints[strongest])]
+    }
 }
 
 /// Joints of one body in its bind pose.

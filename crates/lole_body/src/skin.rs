@@ -224,15 +224,7 @@ impl SkinnedMesh {
     /// The bone that carries most of a vertex; of equals the first.
     #[must_use]
     pub fn strongest_bone(&self, vertex: usize) -> Bone {
-        let (joints, weights) = (self.joints[vertex], self.weights[vertex]);
-        let strongest = (1..4).fold(0, |most, next| {
-            if weights[most] < weights[next] {
-                next
-            } else {
-                most
-            }
-        });
-        Bone::ALL[usize::from(joints[strongest])]
+        Bone::strongest(self.joints[vertex], self.weights[vertex])
     }
 
     /// Height of the highest vertex of the body's surface [m].

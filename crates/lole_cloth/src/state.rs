@@ -131,6 +131,7 @@ impl ClothState {
             + size_of_val(&self.scratch.predicted[..])
             + size_of_val(&self.pin_targets[..])
             + size_of_val(&self.surfels[..])
+            + size_of_val(&self.scratch.pin_goals[..])
             + self.scratch.surfel_contacts.byte_count()
             + self.scratch.cloth_contacts.byte_count()
             + self.scratch.crossing_repair.byte_count()
@@ -160,6 +161,7 @@ impl ClothState {
         );
         model.layout.scatter_points(positions, &mut self.positions);
         self.scratch.crossing_repair.forget();
+        self.scratch.surfel_contacts.forget();
         self.yarn_sets.clear();
         self.pin_targets.clear();
         self.pin_targets.extend(

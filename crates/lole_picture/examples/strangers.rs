@@ -4,7 +4,7 @@
 //! [--design FILE] [--own] [--trace] [--pictures FOLDER]` prints a line for each stranger: what a frame
 //! costs, how the cloth is strained, how often it crosses itself, and what is odd about her. With `--own`
 //! dancer and dance are the design's, with `--trace` every frame has a line, with `--pictures` she is drawn
-//! four times in her dance.
+//! four times in her dance. Nobody is waited for longer than a minute.
 
 #![expect(
     clippy::print_stdout,
@@ -200,15 +200,12 @@ impl Seen {
             None => 0.0,
         };
         for garment in &performance.production().garments {
-            let first = garment.particles.start;
-            let mut rows: std::collections::BTreeMap<usize, f32> =
-                std::collections::BTreeMap::new();
             let columns = garment.sewn.spec.grid.column_count as usize;
-            for particle in garment.particles.clone() {
-                let row = rows.entry((particle - first) / columns).or_default();
-                *row = row.max(far(particle));
-            }
-            let farthest: Vec<String> = rows.values().map(|far| format!("{far:.0}")).collect();
+            let rows = garment.particles.clone().step_by(columns);
+            let farthest: Vec<String> = rows
+                .map(|row| (row..row + columns).map(far).fold(0.0, f32::max))
+                .map(|far| format!("{far:.0}"))
+                .collect();
             println!("    moved by rows, farthest [mm]: {}", farthest.join(" "));
         }
         self.before.clear();

@@ -133,6 +133,11 @@ impl SurfelContacts {
             + self.yielding.byte_count()
     }
 
+    /// Lets all skin be where it is: the cloth is another.
+    pub(crate) fn forget(&mut self) {
+        self.yielding = Yielding::default();
+    }
+
     /// Plans a step of so many substeps: where something is fast, the nearest surfels are looked for
     /// several times.
     #[inline(never)]

@@ -44,6 +44,8 @@ struct Elastic {
     axis: Vec2,
     /// By sector, a point of it [m] and the way out there.
     points: Vec<[Vec3; 2]>,
+    /// Lowest and highest of the points [m].
+    heights: [f32; 2],
 }
 
 /// How far each elastic of a band has given way [m], by elastic and sector.
@@ -77,12 +79,13 @@ impl Band {
     /// Which of some places of the skin may come below it: `places` are the bones that carry them, and
     /// where they are in the bind pose [m].
     pub fn watched(&self, places: impl Iterator<Item = (Bone, Vec3)>) -> Vec<u32> {
-        let heights = || (self.elastics.iter()).flat_map(|it| it.points.iter().map(|[at, _]| at.y));
-        let low = heights().fold(f32::INFINITY, f32::min) - NEAR;
-        let high = heights().fold(f32::NEG_INFINITY, f32::max) + NEAR;
+        let heights = || self.elastics.iter().map(|elastic| elastic.heights);
+        let low = heights().fold(f32::INFINITY, |low, it| low.min(it[0]));
+        let high = heights().fold(f32::NEG_INFINITY, |high, it| high.max(it[1]));
+        let near = low - NEAR..high + NEAR;
         (0..)
             .zip(places)
-            .filter(|(_, (bone, at))| is_below_clothes(*bone) && (low..high).contains(&at.y))
+            .filter(|(_, (bone, at))| is_trunk_or_leg(*bone) && near.contains(&at.y))
             .map(|(index, _)| index)
             .collect()
     }
@@ -102,6 +105,12 @@ impl Band {
             let place = bind_from_world.transform_point3(surfel.position);
             let normal = bind_from_world.transform_vector3(surfel.normal);
             for (elastic, lifts) in self.elastics.iter().zip(&mut lifts) {
+                let [low, high] = elastic.heights;
+                // Most skin is far below: its direction need not be known.
+                let near = low - 2.0 * HALF_WIDTH..high + 2.0 * HALF_WIDTH;
+                if !near.contains(&place.y) {
+                    continue;
+                }
                 let sector = elastic.sector(place);
                 let [at, outward] = elastic.points[sector];
                 if HALF_WIDTH < (place.y - at.y).abs() || normal.dot(outward) < LEAST_FACING {
@@ -194,9 +203,15 @@ impl Elastic {
                 [point.bind_position, point.outward]
             })
         };
+        let points: Vec<[Vec3; 2]> = (0..SECTORS).map(|sector| farthest(way(sector))).collect();
+        let heights = || points.iter().map(|[at, _]| at.y);
         Self {
             axis,
-            points: (0..SECTORS).map(|sector| farthest(way(sector))).collect(),
+            heights: [
+                heights().fold(f32::INFINITY, f32::min),
+                heights().fold(f32::NEG_INFINITY, f32::max),
+            ],
+            points,
         }
     }
 
@@ -236,8 +251,8 @@ fn trunk_of(joint: u16) -> Bone {
     }
 }
 
-/// Whether skin that a bone carries is of the trunk or the legs: arms are never below an elastic.
-fn is_below_clothes(bone: Bone) -> bool {
+/// Whether a bone is of the trunk or the legs: arms and head are never below an elastic.
+fn is_trunk_or_leg(bone: Bone) -> bool {
     let is_arm = (bone.lineage()).any(|it| matches!(it, Bone::LeftShoulder | Bone::RightShoulder));
     !is_arm && !matches!(bone, Bone::Neck | Bone::Head)
 }

@@ -196,14 +196,7 @@ impl<'a> Sculptor<'a> {
     /// The bone that carries most of a vertex.
     fn bone(&self, vertex: u32) -> Bone {
         let vertex = vertex as usize;
-        let most = (1..4).fold(0, |most, next| {
-            if self.weights[vertex][most] < self.weights[vertex][next] {
-                next
-            } else {
-                most
-            }
-        });
-        Bone::ALL[usize::from(self.joints[vertex][most])]
+        Bone::strongest(self.joints[vertex], self.weights[vertex])
     }
 
     fn normals(&self) -> Vec<Vec3> {
