@@ -15,6 +15,7 @@ mod piece;
 mod pleat;
 mod seam;
 mod step;
+mod whole;
 
 pub use attachment::{Attachment, Frame};
 pub use drawstring::Drawstring;

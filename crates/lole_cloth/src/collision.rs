@@ -8,6 +8,7 @@ pub(crate) mod grid;
 pub(crate) mod guards;
 pub(crate) mod impact_zone;
 pub mod layer;
+pub(crate) mod outside;
 pub(crate) mod parting;
 pub(crate) mod patch_tree;
 pub mod penalty;

@@ -44,6 +44,7 @@ pub mod mesh;
 pub mod method;
 pub mod model;
 pub mod phase;
+mod pins;
 pub mod roofline;
 pub mod scenes;
 pub mod snapshot;

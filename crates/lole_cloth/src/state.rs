@@ -14,6 +14,7 @@ use crate::constraint::hysteresis::Sets;
 use crate::lanes::Points;
 use crate::method::explicit_rows::Form;
 use crate::method::xpbd::{RowStrides, Schedules};
+use crate::pins::PinGoals;
 
 /// Everything about one cloth that changes from step to step.
 #[derive(Debug, Clone)]
@@ -46,8 +47,7 @@ pub(crate) struct Scratch {
     pub(crate) row_contacts: RowContacts,
     pub(crate) surfel_contacts: SurfelContacts,
     pub(crate) held_depths: Vec<f32>,
-    /// Where pins go in this step [m].
-    pub(crate) pin_goals: Vec<Vec3>,
+    pub(crate) pin_goals: PinGoals,
     pub(crate) cloth_contacts: ClothContacts,
     pub(crate) crossing_repair: CrossingRepair,
     pub(crate) moving_capsules: Vec<MovingCapsule>,
@@ -110,16 +110,9 @@ impl ClothState {
     /// which the skin yields.
     #[must_use]
     pub fn held_back(&self, model: &ClothModel) -> Vec<u32> {
-        let lanes = &self.scratch.crossing_repair.held_back;
-        if lanes.is_empty() {
-            return Vec::new();
-        }
-        let is_held = |&particle: &u32| {
-            let (vector, lane) = model.layout.slot(particle as usize);
-            (lanes[vector] >> lane) & 1 == 1
-        };
-        let count = crate::lanes::narrow(model.spec().grid.particle_count());
-        (0..count).filter(is_held).collect()
+        let held_back = &self.scratch.crossing_repair.held_back;
+        let count = model.spec().grid.particle_count();
+        held_back.particles(&model.layout, count)
     }
 
     /// Memory that it holds, room for a step included [byte].
@@ -131,7 +124,7 @@ impl ClothState {
             + size_of_val(&self.scratch.predicted[..])
             + size_of_val(&self.pin_targets[..])
             + size_of_val(&self.surfels[..])
-            + size_of_val(&self.scratch.pin_goals[..])
+            + self.scratch.pin_goals.byte_count()
             + self.scratch.surfel_contacts.byte_count()
             + self.scratch.cloth_contacts.byte_count()
             + self.scratch.crossing_repair.byte_count()

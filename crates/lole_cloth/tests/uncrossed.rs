@@ -9,8 +9,11 @@ use std::num::NonZeroU32;
 
 use exact_support::crossing_count;
 use glam::{Vec2, Vec3};
-use lole_cloth::mesh::MeshSpec;
-use lole_cloth::{Crossings, Fabric, SelfCollision, SolverConfig};
+use lole_cloth::assembly::{
+    Assembly, AssemblyInput, AssemblyState, Joint, Piece, Place, Seam, step as step_assembly,
+};
+use lole_cloth::mesh::{MeshModel, MeshSpec};
+use lole_cloth::{ClothModel, Crossings, Fabric, SelfCollision, SolverConfig};
 use lole_geom::{Capsule, Chance, trig};
 use xpbd_support::{FABRIC, World, flat_positions, sheet_spec};
 
@@ -206,4 +209,200 @@ fn pins_that_would_cross_yield_and_come_back() {
         }
     }
     assert!(0.002 < most_off, "they had to yield: {most_off} m");
+}
+
+/// A grid and two meshes, one below the other: the meshes are sewn to each other along an edge where
+/// `is_sewn`. Their triangles are numbered piece by piece, with sewn particles as one.
+struct Pile {
+    assembly: Assembly,
+    state: AssemblyState,
+    triangles: Vec<[u32; 3]>,
+    piece_size: usize,
+}
+
+impl Pile {
+    const SIDE: u32 = 14;
+
+    fn new(is_sewn: bool) -> Self {
+        let side = Self::SIDE;
+        let mut config = SolverConfig {
+            structural_sweep_count: NonZeroU32::MIN,
+            ..SolverConfig::default()
+        };
+        keeping(&mut config);
+        let grid = sheet_spec(side, side, SPACING, limp());
+        let (flat, cut) = mesh_support::rectangle(side, side, SPACING, 0.3);
+        let mesh = MeshSpec::new(flat.clone(), cut.clone(), limp());
+        let model = ClothModel::new(&grid).expect("a grid");
+        let mut pieces = vec![Piece::Grid(Box::new(model), Box::new(config.clone()))];
+        for _ in 0..2 {
+            let model = MeshModel::new(&mesh).expect("a surface");
+            pieces.push(Piece::Mesh(Box::new(model), Box::new(config.clone())));
+        }
+        let size = side * side;
+        let edge: Vec<u32> = (0..side).collect();
+        let stitch = |particle: u32| [1, 2].map(|piece| Place { piece, particle }.into());
+        let mut joints = Vec::new();
+        if is_sewn {
+            joints.push(Joint::Seam(Seam {
+                stitches: edge.iter().map(|&it| stitch(it)).collect(),
+            }));
+        }
+        let mut starts = vec![flat_positions(side, side, SPACING)];
+        for layer in [1.0_f32, 2.0] {
+            let height = |flat: &Vec2| {
+                // Sewn edges meet in the middle between the two.
+                let share = if is_sewn {
+                    (flat.y / 0.02).min(1.0)
+                } else {
+                    1.0
+                };
+                0.03 + 0.01 * (layer - 1.5) * share
+            };
+            let place = |flat: &Vec2| Vec3::new(flat.x, height(flat), flat.y);
+            starts.push(flat.iter().map(place).collect());
+        }
+        let assembly =
+            Assembly::new(pieces, &joints, NonZeroU32::MIN.saturating_add(11)).expect("joints fit");
+        let mut triangles = grid.grid.triangles();
+        for piece in [1, 2] {
+            let is_apart =
+                |corners: &&[u32; 3]| !is_sewn || corners.iter().all(|corner| side <= *corner);
+            let own = cut.iter().filter(is_apart);
+            triangles.extend(own.map(|corners| corners.map(|corner| corner + size * piece)));
+        }
+        Self {
+            state: AssemblyState::new(&assembly, &starts),
+            assembly,
+            triangles,
+            piece_size: size as usize,
+        }
+    }
+
+    fn positions(&self) -> Vec<Vec3> {
+        let mut all = Vec::new();
+        let mut one = Vec::new();
+        for (state, piece) in self.state.pieces.iter().zip(self.assembly.pieces()) {
+            state.copy_positions(piece, &mut one);
+            all.extend_from_slice(&one);
+        }
+        all
+    }
+
+    fn throw(&mut self, chance: &mut Chance) {
+        use lole_cloth::assembly::PieceState;
+        let positions = self.positions();
+        let velocities = gust(chance, &positions);
+        let parts = velocities.chunks(self.piece_size);
+        for ((state, piece), part) in self
+            .state
+            .pieces
+            .iter_mut()
+            .zip(self.assembly.pieces())
+            .zip(parts)
+        {
+            match (state, piece) {
+                (PieceState::Grid(state), Piece::Grid(model, _)) => {
+                    state.set_velocities(model, part)
+                }
+                (PieceState::Mesh(state), Piece::Mesh(model, _)) => {
+                    state.set_velocities(model, part)
+                }
+                _ => {}
+            }
+        }
+    }
+}
+
+#[test]
+fn pieces_that_do_not_cross_never_come_to_cross_each_other() {
+    for seed in 0..6 {
+        let mut chance = Chance::new(400 + seed);
+        let is_sewn = seed % 2 == 1;
+        let mut pile = Pile::new(is_sewn);
+        for frame in 0..90_u16 {
+            if frame % 9 == 0 {
+                pile.throw(&mut chance);
+            }
+            let input = AssemblyInput {
+                capsules: &[bar(frame)],
+                pin_targets: &[Vec::new(), Vec::new(), Vec::new()],
+                ..AssemblyInput::default()
+            };
+            step_assembly(&pile.assembly, &input, &mut pile.state, 1.0 / 60.0)
+                .expect("nothing is lost");
+            let positions = pile.positions();
+            let crossings = crossing_count(&pile.triangles, &positions);
+            assert_eq!(crossings, 0, "{seed}: frame {frame}");
+        }
+    }
+}
+
+/// What a repair may do, seen from outside: the same step once with and once without it.
+///
+/// From cloth thrown about at random and from cloth that does not cross, in gusts and with pins that pull,
+/// it never leaves more crossings than it found, and takes nothing farther than its reach and three times
+/// the way of what went farthest.
+#[test]
+fn a_repair_raises_no_crossings_and_moves_nothing_far() {
+    const REACH: f32 = 0.06;
+    for seed in 0..12 {
+        let mut chance = Chance::new(300 + seed);
+        let mut spec = sheet_spec(COLUMNS, ROWS, SPACING, limp());
+        let last = COLUMNS as usize - 1;
+        (spec.pinned[0], spec.pinned[last]) = (true, true);
+        let flat = flat_positions(COLUMNS, ROWS, SPACING);
+        let reach = if seed % 3 == 0 {
+            0.0
+        } else {
+            chance.between(0.002, 0.03)
+        };
+        let thrown: Vec<Vec3> = (flat.iter())
+            .map(|&place| {
+                let by = [(); 3].map(|()| chance.between(-1.0, 1.0));
+                place + Vec3::from_array(by) * reach
+            })
+            .collect();
+        let triangles = spec.grid.triangles();
+        let mut known = World::new(&spec, &thrown);
+        keeping(&mut known.config);
+        let home = known.pins.clone();
+        for frame in 0..40_u16 {
+            if frame % 10 == 0 {
+                let velocities = gust(&mut chance, &known.positions());
+                known.state.set_velocities(&known.model, &velocities);
+            }
+            let by = 0.1 * (1.0 - trig::cos(0.09 * f32::from(frame)));
+            let pins = vec![home[0] + Vec3::X * by, home[1] - Vec3::X * by];
+            let (starts, velocities) = (known.positions(), known.velocities());
+            // Fresh ones, which keep nothing apart in their substeps.
+            let [repaired, left] = [Crossings::Repair, Crossings::Leave].map(|crossings| {
+                let mut world = World::new(&spec, &starts);
+                keeping(&mut world.config);
+                if let Some(contact) = &mut world.config.self_collision {
+                    contact.crossings = crossings;
+                }
+                world.state.set_velocities(&world.model, &velocities);
+                world.pins.clone_from(&pins);
+                world.step(&[bar(frame)]);
+                world.positions()
+            });
+            let farthest = |from: &[Vec3], to: &[Vec3]| {
+                let pairs = from.iter().zip(to);
+                pairs.map(|(a, b)| a.distance(*b)).fold(0.0, f32::max)
+            };
+            let [before, after] = [&left, &repaired].map(|it| crossing_count(&triangles, it));
+            assert!(
+                after <= before,
+                "{seed}: frame {frame}, {before} became {after}"
+            );
+            let (moved, way) = (farthest(&left, &repaired), farthest(&starts, &left));
+            assert!(
+                moved <= REACH + 3.0 * way,
+                "{seed}: frame {frame}, {moved} m moved where {way} m were gone"
+            );
+            known.pins.clone_from(&pins);
+            known.step(&[bar(frame)]);
+        }
+    }
 }

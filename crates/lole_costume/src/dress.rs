@@ -531,6 +531,16 @@ impl DressedState {
         }
     }
 
+    /// Particles that the last step held back because it found no way for them that does not cross, and to
+    /// which the skin yields.
+    #[must_use]
+    pub fn held_back(&self, garment: &Dressed) -> Vec<u32> {
+        match (&self.state.pieces[..], garment.model()) {
+            ([PieceState::Mesh(state)], Some(model)) => state.held_back(model),
+            _ => Vec::new(),
+        }
+    }
+
     /// Carries it along [m] with a body that jumps.
     pub fn carry(&mut self, by: Vec3) {
         self.state.carry(by);

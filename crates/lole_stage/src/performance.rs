@@ -323,21 +323,27 @@ impl Performance {
         if self.frame <= 0 {
             return;
         }
-        for (worn, garment) in self.worn.iter().zip(&self.production.garments) {
+        let gathered = self.worn.iter().zip(&self.production.garments);
+        let gathered = gathered.map(|(worn, garment)| {
             let positions = &self.cloth_positions[garment.particles.clone()];
             let held = worn.solver.held_back();
-            let held: Vec<Vec3> = held.iter().map(|&it| positions[it as usize]).collect();
-            if held.is_empty() || self.surfels.is_empty() {
-                continue;
+            held.iter().map(|&it| positions[it as usize]).collect()
+        });
+        let dressed = self.dressed.iter().zip(&self.production.dressed);
+        let dressed = dressed.map(|(moving, garment)| moving.held_back(garment));
+        let (skin, surfels) = (&self.production.dancer.skin, &self.production.body_surfels);
+        let bone_of = |surfel: usize| skin.strongest_bone(surfels.carrier(surfel) as usize);
+        let time = self.frame as f32 * FRAME_SECONDS;
+        for (held, met) in (gathered.map(|held: Vec<Vec3>| (held, &self.surfels)))
+            .chain(dressed.map(|held| (held, &self.whole_skin)))
+        {
+            if !held.is_empty() && !met.is_empty() {
+                no_room::note(&mut self.no_room, time, &held, (met, &bone_of));
             }
-            let (skin, surfels) = (&self.production.dancer.skin, &self.production.body_surfels);
-            let bone_of = |surfel: usize| skin.strongest_bone(surfels.carrier(surfel) as usize);
-            let time = self.frame as f32 * FRAME_SECONDS;
-            no_room::note(&mut self.no_room, time, &held, (&self.surfels, &bone_of));
         }
     }
 
-    /// When, and beside what, the dance left gathered cloth no room, so far: what passed in a few frames is
+    /// When, and beside what, the dance left cloth no room, so far: what passed in a few frames is
     /// not worth a word.
     pub fn no_room(&self) -> impl Iterator<Item = &NoRoom> {
         self.no_room.iter().filter(|it| it.is_long())

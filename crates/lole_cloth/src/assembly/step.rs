@@ -8,8 +8,8 @@ use lole_geom::{Capsule, Surfel};
 use crate::assembly::attachment::{Bones, Frame};
 use crate::assembly::contact;
 use crate::assembly::joint::{Joint, JointError, Made};
-use crate::assembly::knot::EdgePoint;
 use crate::assembly::piece::{Piece, PieceState};
+use crate::assembly::whole::{Whole, WholeState};
 use crate::collision::face_contact::{FaceContacts, Faces};
 use crate::lanes::Points;
 use crate::mesh::outcome::all_finite;
@@ -23,6 +23,7 @@ pub struct Assembly {
     joints: Vec<Made>,
     /// How the pieces meet each other.
     faces: Faces,
+    whole: Whole,
     substep_count: u32,
 }
 
@@ -37,6 +38,7 @@ pub struct AssemblyState {
     kept: Vec<[Vec<Points>; 2]>,
     /// Room for contacts between pieces.
     contacts: FaceContacts,
+    whole: WholeState,
 }
 
 /// What the world does during one step; by default nothing is in it.
@@ -81,14 +83,10 @@ impl Assembly {
         }
         let made = joints.iter().map(|joint| Made::new(&pieces, joint));
         let made = made.collect::<Result<_, _>>()?;
-        for (index, piece) in pieces.iter_mut().enumerate() {
-            if let Piece::Mesh(model, _) = piece {
-                model.surface.sew(sewn_within(joints, index));
-            }
-        }
         Ok(Self {
             joints: made,
             faces: contact::faces(&pieces, joints),
+            whole: Whole::new(&pieces, joints),
             pieces,
             substep_count: substep_count.get(),
         })
@@ -99,19 +97,6 @@ impl Assembly {
     pub fn pieces(&self) -> &[Piece] {
         &self.pieces
     }
-}
-
-/// Particles of a piece that are sewn to each other: of a point on an edge, the end that it is nearer to.
-fn sewn_within(joints: &[Joint], piece: usize) -> impl Iterator<Item = [u32; 2]> {
-    let seams = joints.iter().filter_map(|joint| match joint {
-        Joint::Seam(seam) => Some(&seam.stitches),
-        _ => None,
-    });
-    let within = move |&[one, other]: &[EdgePoint; 2]| {
-        let are_its = one.piece == piece && other.piece == piece;
-        are_its.then_some([one.nearest(), other.nearest()])
-    };
-    seams.flatten().filter_map(within)
 }
 
 impl AssemblyState {
@@ -144,6 +129,7 @@ impl AssemblyState {
             frames: Vec::new(),
             kept: vec![[Vec::new(), Vec::new()]; positions.len()],
             contacts: FaceContacts::default(),
+            whole: WholeState::default(),
         }
     }
 
@@ -253,6 +239,7 @@ fn advance(
     let plans: Vec<Option<Plan>> = (pieces().zip(&mut state.pieces))
         .map(|(piece, state)| begin(piece, dt, state))
         .collect();
+    assembly.whole.begin(&state.pieces, &mut state.whole);
     let all = (&assembly.pieces[..], &assembly.faces);
     let contact_interval = contact::find(all, (&state.pieces, &mut state.contacts), dt);
     let count = assembly.substep_count;
@@ -273,11 +260,7 @@ fn advance(
         }
         if contact_interval.is_some_and(|interval| index.is_multiple_of(interval)) {
             state.contacts.solve(&mut state.pieces[..], h);
-            for (piece, state) in assembly.pieces.iter().zip(&mut state.pieces) {
-                if let (Piece::Mesh(model, _), PieceState::Mesh(state)) = (piece, state) {
-                    mesh::self_contact::keep_guards(model, h, state);
-                }
-            }
+            (assembly.whole).keep_guards(&mut state.pieces, &state.whole, h);
         }
         for ((piece, plan), state) in pieces().zip(&plans).zip(&mut state.pieces) {
             finish(piece.0, (plan.as_ref(), index), state);
@@ -291,17 +274,17 @@ fn advance(
             };
         }
     }
-    for ((piece, input), state) in pieces().zip(&mut state.pieces) {
+    for (piece, state) in assembly.pieces.iter().zip(&mut state.pieces) {
         match (piece, state) {
-            (Piece::Grid(model, config), PieceState::Grid(state)) => {
-                xpbd::end((model, config), (input, dt), state);
-            }
-            (Piece::Mesh(model, config), PieceState::Mesh(state)) => {
-                mesh::step::end((model, config), (input, dt), state);
+            (Piece::Grid(model, _), PieceState::Grid(state)) => xpbd::finish_pins(model, state),
+            (Piece::Mesh(model, _), PieceState::Mesh(state)) => {
+                mesh::step::finish_pins(model, state)
             }
             _ => {}
         }
     }
+    let states = (&mut state.pieces[..], &mut state.whole);
+    (assembly.whole).repair((&assembly.pieces, &inputs), states, dt);
 }
 
 /// `None` where the state is another piece's.

@@ -16,6 +16,9 @@ const PINNED_MASS: f32 = 1.0e6;
 /// Times that the way of a particle is halved before it is held fast in its zone.
 const HALVINGS: u8 = 2;
 
+/// Farthest that a zone carries a particle beyond the way of the one that would go farthest [m].
+const LEVER_REACH: f32 = 0.03;
+
 /// Whether what is pinned is held back too.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Pins {
@@ -139,7 +142,15 @@ impl ImpactZones {
             let moved = zone
                 .iter()
                 .map(|&member| (mass(member), starts[member as usize], goal(member).0));
-            let motion = Rigid::fit(moved);
+            let farthest = |at: &dyn Fn(u32) -> Vec3| {
+                let ways = zone.iter().map(|&it| starts[it as usize].distance(at(it)));
+                ways.fold(0.0, f32::max)
+            };
+            let mut motion = Rigid::fit(moved);
+            let reach = farthest(&|member| goal(member).0) + LEVER_REACH;
+            if reach < farthest(&|member| motion.apply(starts[member as usize])) {
+                motion = motion.unturned();
+            }
             for &member in zone {
                 if pins == Pins::Stay && inv_mass(member) <= 0.0 {
                     continue;
@@ -210,6 +221,14 @@ impl Rigid {
             turn: turn.as_quat(),
             from: from.as_vec3(),
             to: to.as_vec3(),
+        }
+    }
+
+    /// The same without the turn, which carries a long zone far when little is known of it.
+    const fn unturned(self) -> Self {
+        Self {
+            turn: Quat::IDENTITY,
+            ..self
         }
     }
 

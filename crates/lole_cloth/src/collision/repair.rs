@@ -7,18 +7,19 @@
 //! shorter (Volino and Magnenat-Thalmann 2006, "Resolving surface collisions through intersection
 //! contour minimization"), at a limited speed.
 
+use std::ops::Range;
+
 use fearless_simd::{Level, dispatch};
 use glam::Vec3;
-use lole_geom::Capsule;
 
 use crate::collision::crossing::{Crossing, CrossingFinder, Marked, crossing_point};
 use crate::collision::guards::Guards;
 use crate::collision::impact_zone::{ImpactZones, Pins};
+use crate::collision::outside::Outside;
 use crate::collision::parting::FARTHEST_LEVER;
 use crate::collision::placement::Placement;
 use crate::collision::separation::Separation;
 use crate::collision::surface::Surface;
-use crate::collision::surfel::SurfelContacts;
 use crate::lanes::{Points, Scalars, narrow};
 
 /// Rounds of looking and bringing apart at most: a repair may make something else cross.
@@ -66,14 +67,7 @@ pub(crate) struct Fixed<'a> {
     pub(crate) surface: &'a Surface,
     pub(crate) layout: &'a dyn Placement,
     pub(crate) inv_masses: &'a [Scalars],
-    /// Where the capsules are at the end of the step.
-    pub(crate) capsules: &'a [Capsule],
-    /// Distance kept from the capsules [m].
-    pub(crate) contact_offset: f32,
-    /// Where the particles may touch the skin.
-    pub(crate) skin: &'a SurfelContacts,
-    /// By row, how far inside the capsules particles may stay [m].
-    pub(crate) held: &'a [f32],
+    pub(crate) body: &'a dyn Outside,
     /// Duration of the step [s].
     pub(crate) dt: f32,
 }
@@ -102,8 +96,51 @@ pub(crate) struct CrossingRepair {
     pub(crate) guards: Guards,
     /// Particles near what still crosses at the end of a step; empty where nothing does.
     pub(crate) is_tangled: Vec<bool>,
-    /// By vector, the lanes that were held back in this step; empty where none was.
-    pub(crate) held_back: Vec<u16>,
+    /// What was held back in this step.
+    pub(crate) held_back: HeldBack,
+    /// Whether what it says of its piece is what the repair of all pieces has found.
+    pub(crate) is_part: bool,
+}
+
+/// Particles that a repair has held back.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(crate) struct HeldBack {
+    /// By vector, their lanes; empty where there are none.
+    lanes: Vec<u16>,
+}
+
+impl HeldBack {
+    /// By vector, their lanes; empty where there are none.
+    pub(crate) fn lanes(&self) -> &[u16] {
+        &self.lanes
+    }
+
+    /// Becomes those of some of the vectors of another.
+    pub(crate) fn take_part(&mut self, whole: &Self, vectors: Range<usize>) {
+        self.lanes.clear();
+        self.lanes
+            .extend_from_slice(whole.lanes.get(vectors).unwrap_or(&[]));
+    }
+
+    /// Those of `0..count` that are held back.
+    pub(crate) fn particles(&self, layout: &dyn Placement, count: usize) -> Vec<u32> {
+        if self.lanes.is_empty() {
+            return Vec::new();
+        }
+        let is_held = |&particle: &u32| {
+            let (vector, lane) = layout.slot(particle as usize);
+            (self.lanes[vector] >> lane) & 1 == 1
+        };
+        (0..narrow(count)).filter(is_held).collect()
+    }
+
+    fn set(&mut self, fixed: Fixed<'_>, particles: &[u32]) {
+        self.lanes.resize(fixed.inv_masses.len(), 0);
+        for &particle in particles {
+            let (vector, lane) = fixed.layout.slot(particle as usize);
+            self.lanes[vector] |= 1 << lane;
+        }
+    }
 }
 
 impl CrossingRepair {
@@ -118,7 +155,7 @@ impl CrossingRepair {
             + size_of_val(&self.before[..])
             + size_of_val(&self.is_outside[..])
             + size_of_val(&self.is_tangled[..])
-            + size_of_val(&self.held_back[..])
+            + size_of_val(self.held_back.lanes())
             + self.moved_patches.byte_count()
             + self.guards.byte_count()
     }
@@ -126,9 +163,23 @@ impl CrossingRepair {
     /// Forgets what it has done in the steps before.
     pub(crate) fn forget(&mut self) {
         self.is_tangled.clear();
-        self.held_back.clear();
+        self.held_back.lanes.clear();
         self.guards.clear();
         self.ceiling = None;
+        self.is_part = false;
+    }
+
+    /// Says of one piece what the repair of all pieces has found there.
+    pub(crate) fn become_part(
+        &mut self,
+        whole: &Self,
+        (vectors, particles): (Range<usize>, Range<usize>),
+    ) {
+        self.held_back.take_part(&whole.held_back, vectors);
+        self.is_tangled.clear();
+        let tangled = whole.is_tangled.get(particles).unwrap_or(&[]);
+        self.is_tangled.extend_from_slice(tangled);
+        self.is_part = true;
     }
 
     /// Repairs what came to cross since the particles were at `starts`, row-major [m].
@@ -146,10 +197,14 @@ impl CrossingRepair {
         let finder = &mut self.finder;
         dispatch!(fixed.level, simd => finder.find_all(simd, fixed.surface, &self.positions));
         self.separations.clear();
-        self.held_back.clear();
-        if !self.finder.crossings.is_empty() {
+        self.held_back.lanes.clear();
+        let found = self.finder.crossings.len();
+        if 0 < found {
             self.work(fixed, starts);
             self.leave_body_at_last(fixed, starts);
+            if found < self.finder.crossings.len() {
+                self.undo(fixed, positions);
+            }
             self.store(fixed, positions, velocities);
             self.slow_down(fixed, starts, velocities);
         }
@@ -159,6 +214,14 @@ impl CrossingRepair {
         self.remember_tangles(fixed.surface);
         let tangled = &self.is_tangled;
         (self.guards).renew(&self.separations, &self.positions, tangled);
+    }
+
+    /// Leaves everything as it came: what was done has made more cross than there was.
+    fn undo(&mut self, fixed: Fixed<'_>, positions: &[Points]) {
+        fixed.layout.gather_points(positions, &mut self.positions);
+        self.separations.clear();
+        self.held_back.lanes.clear();
+        self.look_again(fixed);
     }
 
     /// Marks what still crosses and the patches around it.
@@ -210,11 +273,7 @@ impl CrossingRepair {
             }
         }
         self.hold_together(fixed, starts);
-        self.held_back.resize(fixed.inv_masses.len(), 0);
-        for &member in &self.zones.members {
-            let (vector, lane) = fixed.layout.slot(member as usize);
-            self.held_back[vector] |= 1 << lane;
-        }
+        self.held_back.set(fixed, &self.zones.members);
     }
 
     /// Whether the repair has done as much as it may.
@@ -499,7 +558,7 @@ impl CrossingRepair {
 
     /// What was held back goes on as fast as it came, or it would cross again in the next step.
     fn slow_down(&self, fixed: Fixed<'_>, starts: &[Vec3], velocities: &mut [Points]) {
-        if self.held_back.is_empty() {
+        if self.held_back.lanes.is_empty() {
             return;
         }
         for &member in &self.zones.members {
@@ -528,23 +587,12 @@ impl CrossingRepair {
 }
 
 /// Where the nearest point outside the body is [m], the particle's own if it is there.
-fn outside_body(fixed: Fixed<'_>, particle: u32, mut position: Vec3) -> Vec3 {
+fn outside_body(fixed: Fixed<'_>, particle: u32, position: Vec3) -> Vec3 {
     let (vector, lane) = fixed.layout.slot(particle as usize);
     if fixed.inv_masses[vector].0[lane] <= 0.0 {
         return position;
     }
-    let offset = fixed.contact_offset - fixed.held[fixed.layout.row_of(vector)];
-    for capsule in fixed.capsules {
-        let s = capsule.axis_parameter(position);
-        let radius = capsule.radii[0] + (capsule.radii[1] - capsule.radii[0]) * s + offset;
-        let foot = capsule.ends[0] + (capsule.ends[1] - capsule.ends[0]) * s;
-        let from_axis = position - foot;
-        let squared = from_axis.length_squared();
-        if 0.0 < radius && squared < radius * radius {
-            position = foot + from_axis.normalize_or(Vec3::Z) * radius;
-        }
-    }
-    fixed.skin.outside((vector, lane), position)
+    fixed.body.outside((vector, lane), position)
 }
 
 /// Whether what crosses now did so at `starts` [m].

@@ -77,6 +77,23 @@ impl Surface {
         surface
     }
 
+    /// Several surfaces as one, their particles one after the other.
+    pub(crate) fn join(parts: &[&Self]) -> Self {
+        let mut whole = Self::default();
+        let mut particle_count = 0;
+        for part in parts {
+            let first = narrow(particle_count);
+            whole.patches.extend(part.patches.iter().map(|patch| Patch {
+                corners: patch.corners.map(|corner| first + corner),
+                owned: patch.owned,
+            }));
+            particle_count += part.particle_count();
+        }
+        whole.find_stars(particle_count);
+        whole.find_adjacent();
+        whole
+    }
+
     /// Sews particles to each other: what meets in a seam is beside each other like triangles of one
     /// piece, and does not cross there.
     pub(crate) fn sew(&mut self, pairs: impl IntoIterator<Item = [u32; 2]>) {

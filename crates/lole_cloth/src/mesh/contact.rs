@@ -95,7 +95,7 @@ fn with_skin(
         spacing: f32::INFINITY,
         speed_gain: config.gravity.length() * dt,
         dt,
-        held_back: &[],
+        held_back: scratch.crossing_repair.held_back.lanes(),
     };
     let skin = Skin {
         before: &state.surfels,

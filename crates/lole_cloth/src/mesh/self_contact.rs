@@ -4,6 +4,7 @@
 use glam::Vec3;
 
 use crate::collision::face_contact::{Meeting, Moving};
+use crate::collision::outside::Body;
 use crate::collision::placement::Placement as _;
 use crate::collision::repair::Fixed;
 use crate::lanes::{LANES, Points};
@@ -93,10 +94,13 @@ pub(crate) fn repair(
             surface: &model.surface,
             layout: &model.slots,
             inv_masses: &model.inv_masses,
-            capsules: input.capsules,
-            contact_offset: config.contact_offset,
-            skin: &scratch.surfel_contacts,
-            held: &scratch.held,
+            body: &Body {
+                layout: &model.slots,
+                capsules: input.capsules,
+                contact_offset: config.contact_offset,
+                skin: &scratch.surfel_contacts,
+                held: &scratch.held,
+            },
             dt,
         },
         &scratch.face_contacts.positions,

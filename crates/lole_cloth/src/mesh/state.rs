@@ -13,6 +13,7 @@ use crate::lanes::Points;
 use crate::mesh::model::MeshModel;
 use crate::mesh::resistance::Resisting;
 use crate::mesh::stride::Strides;
+use crate::pins::PinGoals;
 use crate::state;
 
 /// Everything about one piece that changes from step to step.
@@ -41,6 +42,7 @@ pub(crate) struct MeshScratch {
     pub(crate) contacts: RowContacts,
     pub(crate) moving_capsules: Vec<MovingCapsule>,
     pub(crate) surfel_contacts: SurfelContacts,
+    pub(crate) pin_goals: PinGoals,
     /// By patch, how far inside the body its particles may stay [m]: nowhere.
     pub(crate) held: Vec<f32>,
     pub(crate) face_contacts: FaceContacts,
@@ -106,10 +108,19 @@ impl MeshState {
         let filler = positions.first().copied().unwrap_or_default();
         model.scatter_points(positions, filler, &mut self.positions);
         self.scratch.crossing_repair.forget();
+        self.scratch.surfel_contacts.forget();
         self.pin_targets.clear();
         let pins = model.pin_indices().iter();
         self.pin_targets
             .extend(pins.map(|&pin| positions[pin as usize]));
+    }
+
+    /// Particles that the last step held back because it found no way for them that does not cross, and to
+    /// which the skin yields.
+    #[must_use]
+    pub fn held_back(&self, model: &MeshModel) -> Vec<u32> {
+        let held_back = &self.scratch.crossing_repair.held_back;
+        held_back.particles(&model.slots, model.particle_count())
     }
 
     /// Gives every particle its velocity [m/s].

@@ -5,6 +5,7 @@ use fearless_simd::{dispatch, f32x16, prelude::*};
 use glam::Vec3;
 use lole_geom::trig;
 
+use crate::collision::placement::Placement;
 use crate::collision::response::ContactLaw;
 use crate::lanes::{LANES, Vectors};
 use crate::mesh::bend;
@@ -178,7 +179,7 @@ pub(crate) fn end(
     (input, dt): (&StepInput<'_>, f32),
     state: &mut MeshState,
 ) {
-    finish_pins(model, input.pin_targets, state);
+    finish_pins(model, state);
     self_contact::repair((model, config), (input, dt), state);
 }
 
@@ -275,20 +276,20 @@ fn start(
         state.surfels.clear();
         state.surfels.extend_from_slice(input.surfels);
     }
-    let pins = model.pin_indices().iter().zip(input.pin_targets);
-    for (&pin, &target) in pins {
-        let slot = model.slots.of_particle[pin as usize] as usize;
-        let start = state.positions[slot / LANES].get(slot % LANES);
-        state.velocities[slot / LANES].set(slot % LANES, (target - start) / dt);
-    }
+    let pins: (&dyn Placement, _) = (&model.slots, model.pin_indices());
+    let goals = &mut state.scratch.pin_goals;
+    goals.set(
+        pins,
+        (&state.pin_targets, input.pin_targets),
+        &state.positions,
+    );
+    goals.start(pins, (&state.positions, &mut state.velocities), dt);
 }
 
-/// Rounding has moved the pins a little off their targets.
-fn finish_pins(model: &MeshModel, targets: &[Vec3], state: &mut MeshState) {
-    for (&pin, &target) in model.pin_indices().iter().zip(targets) {
-        let slot = model.slots.of_particle[pin as usize] as usize;
-        state.positions[slot / LANES].set(slot % LANES, target);
-    }
+/// Rounding has moved the pins a little off where they go.
+pub(crate) fn finish_pins(model: &MeshModel, state: &mut MeshState) {
+    let goals = &state.scratch.pin_goals;
+    goals.finish((&model.slots, model.pin_indices()), &mut state.positions);
 }
 
 /// Gravity, drag towards the air, a straight flight, and tethers.

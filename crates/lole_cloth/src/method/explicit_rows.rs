@@ -234,7 +234,7 @@ fn advance<S: Simd>(
             planes.stop(simd, columns, &cloth.inv_masses, (law, age));
         }
     }
-    xpbd::finish_pins(cloth, input.pin_targets, state);
+    xpbd::finish_pins(cloth, state);
 }
 
 /// Tangent planes of the capsules as they are now, for all that is near them.

@@ -19,6 +19,8 @@ use crate::collision::capsule::MovingCapsule;
 use crate::collision::capsule::near::Range;
 use crate::collision::cloth_cloth::{ClothContactLaw, Columns, Shape};
 use crate::collision::face_contact::Moving;
+use crate::collision::outside::Body;
+use crate::collision::placement::Placement;
 use crate::collision::repair::Fixed;
 use crate::collision::response::ContactLaw;
 use crate::collision::surfel::{Cloth, Skin, SurfelContacts};
@@ -38,11 +40,6 @@ use schedule::Schedule;
 use schedule::Stage;
 pub(crate) use work::RowStrides;
 use work::Work;
-
-/// Part of the way to its target that a pin which was held back catches up in a step, and when it has
-/// [m].
-const CATCHING_UP: f32 = 0.2;
-const CAUGHT_UP: f32 = 0.5e-3;
 
 /// Structural sweeps after the contacts of the cloth with itself: none leaves the springs strained
 /// where folds are pressed together, all of them press folds through each other.
@@ -294,10 +291,7 @@ fn begin_observed(
         state.surfels.clear();
         state.surfels.extend_from_slice(input.surfels);
     }
-    set_pin_goals(model, input.pin_targets, state);
-    let goals = std::mem::take(&mut state.scratch.pin_goals);
-    start_pins(model, &goals, state, dt);
-    state.scratch.pin_goals = goals;
+    start_pins(model, input.pin_targets, state, dt);
     find_body_contacts(model, config, (input, dt), state);
     let cloth_contact = find_contacts((model, config, &substep), (input, dt), state, observer);
     set_schedules(model, config, state);
@@ -365,9 +359,7 @@ pub(crate) fn end(
     (input, dt): (&StepInput<'_>, f32),
     state: &mut ClothState,
 ) {
-    let goals = std::mem::take(&mut state.scratch.pin_goals);
-    finish_pins(model, &goals, state);
-    state.scratch.pin_goals = goals;
+    finish_pins(model, state);
     repair_crossings((model, config), (input, dt), state);
 }
 
@@ -386,10 +378,13 @@ fn repair_crossings(
                 surface: &model.surface,
                 layout: &model.layout,
                 inv_masses: &model.inv_masses,
-                capsules: input.capsules,
-                contact_offset: config.contact_offset,
-                skin: &scratch.surfel_contacts,
-                held: &scratch.held_depths,
+                body: &Body {
+                    layout: &model.layout,
+                    capsules: input.capsules,
+                    contact_offset: config.contact_offset,
+                    skin: &scratch.surfel_contacts,
+                    held: &scratch.held_depths,
+                },
                 dt,
             },
             scratch.cloth_contacts.start_positions(),
@@ -593,7 +588,7 @@ fn with_skin(
     let moving = (&state.positions[..], &state.velocities[..]);
     let held = (
         &scratch.held_depths[..],
-        &scratch.crossing_repair.held_back[..],
+        scratch.crossing_repair.held_back.lanes(),
     );
     let cloth = cloth_of((model, config), moving, held, dt);
     let skin = skin_of(config, &state.surfels, input);
@@ -613,7 +608,10 @@ fn find_contacts(
         cloth_of(
             (model, config),
             (positions, velocities),
-            (&scratch.held_depths, &scratch.crossing_repair.held_back),
+            (
+                &scratch.held_depths,
+                scratch.crossing_repair.held_back.lanes(),
+            ),
             dt,
         ),
         skin_of(config, &state.surfels, input),
@@ -686,39 +684,18 @@ fn solve_cloth_contacts(law: ClothContactLaw, state: &mut ClothState) {
     state.scratch.cloth_contacts.solve(columns, law);
 }
 
-/// Where pins go in this step: to their targets, or, where a repair has held them back, with the body and
-/// a part of the way on.
-fn set_pin_goals(model: &ClothModel, targets: &[Vec3], state: &mut ClothState) {
+/// Pinned particles fly straight to where they go, so every substep finds them on the way.
+pub(crate) fn start_pins(model: &ClothModel, targets: &[Vec3], state: &mut ClothState, dt: f32) {
+    let pins: (&dyn Placement, _) = (&model.layout, model.pin_indices());
     let goals = &mut state.scratch.pin_goals;
-    goals.clear();
-    for (index, (&pin, &target)) in model.pin_indices().iter().zip(targets).enumerate() {
-        let (vector, lane) = model.layout.slot(pin as usize);
-        let start = state.positions[vector].get(lane);
-        let before = state.pin_targets.get(index).copied().unwrap_or(start);
-        let behind = before - start;
-        goals.push(if behind.length_squared() <= CAUGHT_UP * CAUGHT_UP {
-            target
-        } else {
-            target - behind * (1.0 - CATCHING_UP)
-        });
-    }
+    goals.set(pins, (&state.pin_targets, targets), &state.positions);
+    goals.start(pins, (&state.positions, &mut state.velocities), dt);
 }
 
-/// Pinned particles fly straight to their targets, so every substep finds them on the way.
-pub(super) fn start_pins(model: &ClothModel, targets: &[Vec3], state: &mut ClothState, dt: f32) {
-    for (&pin, &target) in model.pin_indices().iter().zip(targets) {
-        let (vector, lane) = model.layout.slot(pin as usize);
-        let start = state.positions[vector].get(lane);
-        state.velocities[vector].set(lane, (target - start) / dt);
-    }
-}
-
-/// Rounding has moved the pins a little off their targets.
-pub(super) fn finish_pins(model: &ClothModel, targets: &[Vec3], state: &mut ClothState) {
-    for (&pin, &target) in model.pin_indices().iter().zip(targets) {
-        let (vector, lane) = model.layout.slot(pin as usize);
-        state.positions[vector].set(lane, target);
-    }
+/// Rounding has moved the pins a little off where they go.
+pub(crate) fn finish_pins(model: &ClothModel, state: &mut ClothState) {
+    let goals = &state.scratch.pin_goals;
+    goals.finish((&model.layout, model.pin_indices()), &mut state.positions);
 }
 
 /// Moves the capsules to where they are after `done` of `count` parts of the step.

@@ -97,6 +97,12 @@ impl Dressed {
         &self.positions
     }
 
+    /// Where it found no way that does not cross [m].
+    pub(super) fn held_back(&self, garment: &DressedGarment) -> Vec<Vec3> {
+        let held = self.state.held_back(&garment.dressed);
+        held.iter().map(|&it| self.positions[it as usize]).collect()
+    }
+
     pub(super) const fn is_lost(&self) -> bool {
         self.is_lost
     }
