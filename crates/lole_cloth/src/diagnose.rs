@@ -3,8 +3,8 @@
 mod crossings;
 mod layers;
 
-pub use crossings::crossing_count;
 pub use crossings::self_crossings;
+pub use crossings::{crossing_count, crossings};
 pub use layers::layer_inversions;
 
 use glam::Vec3;

@@ -212,7 +212,7 @@ fn pins_that_would_cross_yield_and_come_back() {
 }
 
 /// A grid and two meshes, one below the other: the meshes are sewn to each other along an edge where
-/// `is_sewn`. Their triangles are numbered piece by piece, with sewn particles as one.
+/// `is_sewn`. Triangles are numbered piece by piece, without those beside the seam, which a pull opens.
 struct Pile {
     assembly: Assembly,
     state: AssemblyState,

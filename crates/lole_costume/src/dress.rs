@@ -24,8 +24,8 @@ use lole_cloth::assembly::{
     Assembly, AssemblyInput, AssemblyState, Elastic, Ends, Joint, JointError, Lost, Piece,
     PieceState, Place, Seam, step,
 };
-use lole_cloth::diagnose::{StrainSummary, crossing_count};
-use lole_cloth::mesh::{MeshError, MeshModel, MeshSpec, diagnose};
+use lole_cloth::diagnose::{self, StrainSummary};
+use lole_cloth::mesh::{self, MeshError, MeshModel, MeshSpec};
 use lole_cloth::{Crossings, Fabric, SelfCollision, SolverConfig, mesh_state_hash};
 use lole_geom::mesh::vertex_normals;
 use lole_geom::{Capsule, Surfel};
@@ -448,7 +448,7 @@ impl Dressed {
             if triangle.iter().all(|&corner| pinned[corner as usize]) {
                 return [0.0; 2];
             }
-            let along = diagnose::deformation(model, triangle, positions);
+            let along = mesh::diagnose::deformation(model, triangle, positions);
             along.map(|column| (column.length() - 1.0).max(0.0))
         });
         stretches.collect()
@@ -458,6 +458,12 @@ impl Dressed {
     /// has gone through another. `None` where not all positions [m] are finite.
     #[must_use]
     pub fn crossings(&self, positions: &[Vec3]) -> Option<usize> {
+        self.crossing_places(positions).map(|places| places.len())
+    }
+
+    /// Where they are [m]: the middle of each edge.
+    #[must_use]
+    pub fn crossing_places(&self, positions: &[Vec3]) -> Option<Vec<Vec3>> {
         let drawn = self.drawn(positions);
         let weld = |corners: &[u32; 3]| corners.map(|corner| self.welded[corner as usize]);
         let triangles: Vec<[u32; 3]> = self.triangles.iter().map(weld).collect();
@@ -467,7 +473,14 @@ impl Dressed {
             .collect();
         edges.sort_unstable();
         edges.dedup();
-        crossing_count((&triangles, edges.into_iter()), &drawn, EDGE)
+        let crossings = diagnose::crossings((&triangles, edges.into_iter()), &drawn, EDGE)?;
+        let middle = |[a, b]: [u32; 2]| 0.5 * (drawn[a as usize] + drawn[b as usize]);
+        Some(
+            crossings
+                .into_iter()
+                .map(|(ends, _)| middle(ends))
+                .collect(),
+        )
     }
 
     /// The garment at rest where it starts.

@@ -286,6 +286,7 @@ fn danced(asked: &Asked, performance: &mut Performance) -> Result<SaidAndShot, B
         if asked.says_where {
             close.append(&mut seen.close);
             say_showing(seen, &mut said)?;
+            say_crossings(performance, place, &mut said)?;
             let tightest = say_where(performance, place, &mut said)?;
             if close.is_empty() {
                 close = shoot(asked, performance, Some(&tightest))?;
@@ -361,6 +362,23 @@ fn say_showing(seen: &Seen, said: &mut String) -> std::fmt::Result {
             "\n        {} vertices of skin outside at {place:.2} after {:.2} s",
             before - left.len(),
             seen.shown_in
+        )?;
+    }
+    Ok(())
+}
+
+/// Where the garment goes through itself at last, by half decimeters.
+fn say_crossings(performance: &Performance, place: usize, said: &mut String) -> std::fmt::Result {
+    let garment = &performance.production().dressed[place].dressed;
+    let places = garment.crossing_places(performance.dressed_positions(place));
+    let mut left = places.unwrap_or_default();
+    while let Some(&place) = left.first() {
+        let before = left.len();
+        left.retain(|other| 0.05 < other.distance(place));
+        write!(
+            said,
+            "\n        {} crossings at {place:.2}",
+            before - left.len()
         )?;
     }
     Ok(())

@@ -30,11 +30,21 @@ pub fn crossing_count(
     positions: &[Vec3],
     size: f32,
 ) -> Option<usize> {
+    crossings((triangles, edges), positions, size).map(|pairs| pairs.len())
+}
+
+/// The same one by one: the ends of each edge, and which triangle it goes through.
+#[must_use]
+pub fn crossings(
+    (triangles, edges): (&[[u32; 3]], impl Iterator<Item = [u32; 2]>),
+    positions: &[Vec3],
+    size: f32,
+) -> Option<Vec<([u32; 2], u32)>> {
     if !positions.iter().all(|position| position.is_finite()) {
         return None;
     }
     let search = TriangleGrid::new(positions, triangles, SEARCH_CELL * size);
-    let mut count = 0;
+    let mut pairs = Vec::new();
     let mut crossed = Vec::new();
     for ends in edges {
         let [start, end] = ends.map(|end| positions[end as usize]);
@@ -43,9 +53,14 @@ pub fn crossing_count(
             let corners = triangles[**triangle as usize];
             !ends.iter().any(|end| corners.contains(end))
         };
-        count += crossed.iter().filter(apart).count();
+        pairs.extend(
+            crossed
+                .iter()
+                .filter(apart)
+                .map(|&triangle| (ends, triangle)),
+        );
     }
-    Some(count)
+    Some(pairs)
 }
 
 fn for_each_edge(grid: &Grid, mut edge: impl FnMut([u32; 2])) {
