@@ -230,6 +230,18 @@ impl<'a> TriangleGrid<'a> {
         best
     }
 
+    /// Writes over `near` the triangles whose boxes meet that of the segment `start → end`, ascending.
+    pub fn near_segment(&self, start: Vec3, end: Vec3, near: &mut Vec<u32>) {
+        near.clear();
+        let segment = Bounds::around([start, end]);
+        self.for_each_cell(segment.low, segment.high, |cell| {
+            let members = self.members_of(cell).iter();
+            near.extend(members.filter(|&&it| self.boxes[it as usize].meets(&segment)));
+        });
+        near.sort_unstable();
+        near.dedup();
+    }
+
     /// Writes over `crossed` the triangles that the segment `start → end` crosses, ascending.
     pub fn crossed_by(&self, start: Vec3, end: Vec3, crossed: &mut Vec<u32>) {
         crossed.clear();

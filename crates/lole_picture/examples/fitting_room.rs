@@ -21,40 +21,17 @@ use std::time::Instant;
 
 use cpu_time::ProcessTime;
 use glam::Vec3;
-use lole_body::Figure;
 use lole_costume::document::schema::kind_ids;
 use lole_costume::document::{DancerDesign, Design, GarmentLayer, parse};
 use lole_costume::dress;
 use lole_picture::{Looks, Moment};
 use lole_render::{Backend, Camera, LightRig, Renderer, Size, View};
 use lole_stage::skin_check::{Surface, check};
-use lole_stage::{Performance, Production};
+use lole_stage::{Performance, Production, six_dancers};
 
 /// Size of one picture of the sheet [pixel].
 const CELL: Size = Size::new(360, 560);
 const VIEWS: [View; 3] = [View::Front, View::Side, View::Back];
-
-/// Who is dressed: name, figure, stature, bust, waist and hip [cm].
-const DANCERS: [(&str, Figure, [Option<f64>; 4]); 6] = [
-    ("child", Figure::Child, [Some(120.0), None, None, None]),
-    (
-        "small",
-        Figure::Woman,
-        [Some(150.0), Some(80.0), Some(62.0), Some(86.0)],
-    ),
-    ("mean", Figure::Woman, [None; 4]),
-    (
-        "tall",
-        Figure::Woman,
-        [Some(173.0), Some(90.0), Some(70.0), Some(97.0)],
-    ),
-    (
-        "large",
-        Figure::Woman,
-        [Some(163.0), Some(102.0), Some(90.0), Some(106.0)],
-    ),
-    ("man", Figure::Man, [None; 4]),
-];
 
 struct Asked {
     out: PathBuf,
@@ -113,12 +90,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     std::fs::create_dir_all(&asked.out)?;
     for template in &asked.templates {
         let mut rows = Vec::new();
-        for (name, figure, cm) in DANCERS {
+        for (name, dancer) in six_dancers() {
             let is_asked = |only: &String| only.split(',').any(|only| only == name);
             if !asked.only.as_ref().is_none_or(is_asked) {
                 continue;
             }
-            match fitting(&asked, template, (figure, cm)) {
+            match fitting(&asked, template, dancer) {
                 Ok((row, said)) => {
                     println!("{template} {name}: {said}");
                     rows.push(row);
@@ -137,7 +114,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn fitting(
     asked: &Asked,
     template: &str,
-    (figure, [stature_cm, bust_cm, waist_cm, hip_cm]): (Figure, [Option<f64>; 4]),
+    dancer: DancerDesign,
 ) -> Result<(Vec<u8>, String), Box<dyn Error>> {
     let mut garments = Vec::new();
     for id in template.split('+') {
@@ -152,14 +129,7 @@ fn fitting(
         garments.push(worn);
     }
     let mut design = Design {
-        dancer: DancerDesign {
-            figure,
-            stature_cm,
-            bust_cm,
-            waist_cm,
-            hip_cm,
-            ..DancerDesign::default()
-        },
+        dancer,
         garments,
         ..Design::default()
     };

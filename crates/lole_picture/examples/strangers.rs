@@ -1,10 +1,11 @@
 //! Bodies and dances that nobody designed for: whether cloth stays whole, uncrossed and quick on them.
 //!
 //! `cargo run --release -p lole_picture --example strangers -- [--first SEED] [--count N] [--seconds S]
-//! [--design FILE] [--own] [--trace] [--pictures FOLDER]` prints a line for each stranger: what a frame
-//! costs, how the cloth is strained, how often it crosses itself, and what is odd about her. With `--own`
-//! dancer and dance are the design's, with `--trace` every frame has a line, with `--pictures` she is drawn
-//! four times in her dance. Nobody is waited for longer than a minute.
+//! [--design FILE] [--own] [--repertoire] [--trace] [--pictures FOLDER]` prints a line for each stranger:
+//! what a frame costs, how the cloth is strained, how often it crosses itself, and what is odd about her.
+//! With `--own` dancer and dance are the design's, with `--repertoire` six built dancers dance every step at
+//! its slowest and at its fastest. With `--trace` every frame has a line, with `--pictures` she is drawn four
+//! times in her dance. Nobody is waited for longer than a minute.
 
 #![expect(
     clippy::print_stdout,
@@ -17,11 +18,11 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use glam::Vec3;
-use lole_body::Bone;
+use lole_body::{Bone, DanceStep};
 use lole_costume::document::{self, Design};
 use lole_picture::{Looks, Moment};
 use lole_render::{Backend, Camera, LightRig, Renderer, Size, View};
-use lole_stage::{Performance, Production, Stranger};
+use lole_stage::{Performance, Production, Stranger, six_dancers};
 
 /// Size of one picture [pixel].
 const CELL: Size = Size::new(420, 640);
@@ -39,6 +40,7 @@ struct Asked {
     seconds: f32,
     design: Design,
     is_own: bool,
+    is_repertoire: bool,
     traces: bool,
     pictures: Option<PathBuf>,
 }
@@ -50,6 +52,7 @@ fn asked() -> Result<Asked, Box<dyn Error>> {
         seconds: 5.0,
         design: Design::default(),
         is_own: false,
+        is_repertoire: false,
         traces: false,
         pictures: None,
     };
@@ -65,6 +68,7 @@ fn asked() -> Result<Asked, Box<dyn Error>> {
                 asked.design = document::parse(&std::fs::read_to_string(&name)?, &name)?;
             }
             "--own" => asked.is_own = true,
+            "--repertoire" => asked.is_repertoire = true,
             "--trace" => asked.traces = true,
             "--pictures" => asked.pictures = Some(PathBuf::from(value()?)),
             _ => return Err(format!("{argument}: there is no such option").into()),
@@ -82,6 +86,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("{}", dance(Production::new(&asked.design)?, &asked, 0)?);
         return Ok(());
     }
+    if asked.is_repertoire {
+        return repertoire(&asked);
+    }
     for seed in asked.first..asked.first + asked.count {
         match Stranger::draw(seed, &asked.design) {
             Ok(stranger) => {
@@ -90,6 +97,23 @@ fn main() -> Result<(), Box<dyn Error>> {
                 println!("{seed:4} {said}  {body} | {danced}");
             }
             Err(error) => println!("{seed:4} cannot be dressed: {error}"),
+        }
+    }
+    Ok(())
+}
+
+/// Six built dancers in every step at its slowest and at its fastest.
+fn repertoire(asked: &Asked) -> Result<(), Box<dyn Error>> {
+    for (name, dancer) in six_dancers() {
+        for step in DanceStep::ALL {
+            for tempo in step.tempo() {
+                let mut design = asked.design.clone();
+                design.dancer = dancer.clone();
+                design.motion.step = step;
+                design.motion.tempo_bpm = f64::from(tempo);
+                let said = dance(Production::new(&design)?, asked, 0)?;
+                println!("{name:5} {said}  {} at {tempo}", step.id());
+            }
         }
     }
     Ok(())

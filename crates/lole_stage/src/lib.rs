@@ -21,7 +21,7 @@ pub use live::{Pull, Show, Vitals, Wish};
 pub use metrics::{FrameMetrics, RunMetrics};
 pub use performance::{Divergence, Energy, FRAME_SECONDS, FRAMES_PER_SECOND, NoRoom, Performance};
 pub use production::{DressedGarment, Garment, Production, dancer};
-pub use strangers::Stranger;
+pub use strangers::{Stranger, six_dancers};
 pub use yielding::give_way;
 
 use lole_language::Bilingual;

@@ -531,6 +531,7 @@ mod tests {
     use lole_geom::triangle_grid::blend;
 
     use super::*;
+    use crate::diagnose::goes_through;
     use crate::{Grid, Topology, diagnose};
 
     /// A tube that is crumpled at random, more and more, with some cells far larger than others.
@@ -612,22 +613,6 @@ mod tests {
         }
     }
 
-    /// Whether a segment goes through a triangle, exactly; what only touches it does not.
-    fn crosses_exactly([p, q]: [Vec3; 2], [a, b, c]: [Vec3; 3]) -> bool {
-        let side = |corners: [Vec3; 3], at: Vec3| {
-            let exact = |at: Vec3| {
-                let [x, y, z] = at.to_array().map(f64::from);
-                robust::Coord3D { x, y, z }
-            };
-            let [a, b, c] = corners.map(exact);
-            robust::orient3d(a, b, c, exact(at))
-        };
-        let ends = [p, q].map(|end| side([a, b, c], end));
-        let around = [[a, b], [b, c], [c, a]].map(|[from, to]| side([from, to, p], q));
-        let is_around = around.iter().all(|&it| 0.0 < it) || around.iter().all(|&it| it < 0.0);
-        ends[0] * ends[1].signum() < 0.0 && is_around
-    }
-
     #[test]
     fn what_goes_through_by_a_hair_is_found_whatever_rounding_says() {
         let surface = Surface::new(6, &[[0, 1, 2], [3, 4, 5]]);
@@ -650,7 +635,7 @@ mod tests {
             dispatch!(Level::new(), simd => finder.find_all(simd, &surface, &positions));
             for ends in [[3, 4], [3, 5]] {
                 let segment = ends.map(|end| positions[end]);
-                if crosses_exactly(segment, corners) {
+                if goes_through(segment, corners) {
                     through += 1;
                     let ends = ends.map(narrow);
                     let is_found = finder.crossings.iter().any(|it| it.ends == ends);
