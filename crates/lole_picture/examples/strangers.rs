@@ -22,7 +22,8 @@ use lole_body::{Bone, DanceStep};
 use lole_costume::document::{self, Design};
 use lole_picture::{Looks, Moment};
 use lole_render::{Backend, Camera, LightRig, Renderer, Size, View};
-use lole_stage::{Performance, Production, Stranger, six_dancers};
+
+use lole_stage::{Garment, Performance, Production, Stranger, six_dancers};
 
 /// Size of one picture [pixel].
 const CELL: Size = Size::new(420, 640);
@@ -66,6 +67,12 @@ fn asked() -> Result<Asked, Box<dyn Error>> {
             "--design" => {
                 let name = value()?;
                 asked.design = document::parse(&std::fs::read_to_string(&name)?, &name)?;
+                let (avatar, dance) =
+                    (&mut asked.design.dancer.file, &mut asked.design.motion.file);
+                for file in [avatar, dance].into_iter().flatten() {
+                    let path = std::path::Path::new(&name).with_file_name(&file.name);
+                    file.bytes = Some(std::fs::read(path)?.into());
+                }
             }
             "--own" => asked.is_own = true,
             "--repertoire" => asked.is_repertoire = true,
@@ -213,6 +220,7 @@ impl Seen {
             );
             self.moved(&posed);
             strained(&posed);
+            sunk(&posed);
         }
     }
 
@@ -255,31 +263,54 @@ impl Seen {
     }
 }
 
+/// Where cloth is deepest in the skin: rows, columns and the bones beside it.
+fn sunk(performance: &Performance) {
+    let production = performance.production();
+    for garment in &production.garments {
+        let positions = performance.garment_positions(garment);
+        let depths = performance.depths_below_skin(positions);
+        let mut most: Vec<usize> = (0..depths.len()).collect();
+        most.sort_by(|&a, &b| depths[b].total_cmp(&depths[a]));
+        for &particle in most.iter().take(3).filter(|&&it| 0.001 < depths[it]) {
+            println!(
+                "    {:5.1} mm deep {}",
+                1000.0 * depths[particle],
+                beside(performance, garment, particle)
+            );
+        }
+    }
+}
+
+/// A particle of a garment in words: its row and column, where it is, and the bone beside it.
+fn beside(performance: &Performance, garment: &Garment, particle: usize) -> String {
+    let place = performance.garment_positions(garment)[particle];
+    let columns = garment.sewn.spec.grid.column_count as usize;
+    let vertices = performance.body_positions().iter().enumerate();
+    let nearest = vertices.min_by(|a, b| a.1.distance(place).total_cmp(&b.1.distance(place)));
+    let bone = nearest.map_or("nobody", |(vertex, _)| {
+        let joints = performance.production().dancer.skin.joints[vertex];
+        Bone::ALL[usize::from(joints[0])].name()
+    });
+    let far = nearest.map_or(f32::INFINITY, |(_, at)| at.distance(place));
+    let (row, column) = (particle / columns, particle % columns);
+    format!(
+        "row {row} column {column} at {place:.3}, {:.1} mm from {bone}",
+        1000.0 * far
+    )
+}
+
 /// Where cloth is stretched most: rows, columns and the bones beside it.
 fn strained(performance: &Performance) {
     let production = performance.production();
     for garment in &production.garments {
         let strains = performance.strain_by_particle(garment);
-        let positions = performance.garment_positions(garment);
         let mut most: Vec<usize> = (0..strains.len()).collect();
         most.sort_by(|&a, &b| strains[b].total_cmp(&strains[a]));
-        let columns = garment.sewn.spec.grid.column_count as usize;
         for &particle in most.iter().step_by(40).take(4) {
-            let place = positions[particle];
-            let vertices = performance.body_positions().iter().enumerate();
-            let nearest =
-                vertices.min_by(|a, b| a.1.distance(place).total_cmp(&b.1.distance(place)));
-            let Some((vertex, at)) = nearest else {
-                continue;
-            };
-            let bone = Bone::ALL[usize::from(production.dancer.skin.joints[vertex][0])];
             println!(
-                "    {:5.0} % row {} column {} at {place:.3}, {:.1} mm from {}",
+                "    {:5.0} % {}",
                 100.0 * strains[particle],
-                particle / columns,
-                particle % columns,
-                1000.0 * at.distance(place),
-                bone.name(),
+                beside(performance, garment, particle)
             );
         }
     }

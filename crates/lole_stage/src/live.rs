@@ -10,7 +10,7 @@ use std::sync::Arc;
 use glam::{Affine3A, Vec3};
 use lole_body::{Bone, Pose};
 use lole_cloth::{ClothSpec, Crossings, diagnose, model::particle_masses};
-use lole_costume::document::{Design, FabricDesign, PartDesign, PrintChoice};
+use lole_costume::document::{Design, FabricDesign, GarmentDesign, PartDesign, PrintChoice};
 use lole_geom::Capsule;
 
 use crate::performance::{FRAME_SECONDS, FRAMES_PER_SECOND};
@@ -181,6 +181,10 @@ impl Show {
         let dance = (self.design.motion != design.motion)
             .then(|| self.next_layer(design))
             .transpose()?;
+        if adornments(&self.design) != adornments(design) {
+            let production = self.performance.production().with_adornments(design)?;
+            self.performance.adorn(production)?;
+        }
         let cloth_changes = self.design.worn_fabrics() != design.worn_fabrics()
             || self.design.method != design.method
             || self.design.wind != design.wind;
@@ -538,14 +542,19 @@ impl Show {
     }
 }
 
-/// Whether the skirt must be sewn anew on the way from one design to the other.
+/// What is worn or held beside the cloth.
+fn adornments(design: &Design) -> Vec<&GarmentDesign> {
+    let garments = design.garments.iter();
+    garments.filter(|it| it.is_adornment()).collect()
+}
+
+/// Whether cloth must be sewn anew on the way from one design to the other.
 fn needs_sewing(old: &Design, new: &Design) -> bool {
     let cut = |design: &Design| {
         // What is only drawn or woven otherwise needs no needle.
         let mut garments = design.garments.clone();
         // What is only drafted needs none either.
-        garments.retain(|it| it.is_danced() || it.is_dressed() || it.is_adornment());
-        // An adornment is made in its colors.
+        garments.retain(|it| it.is_danced() || it.is_dressed());
         for garment in garments.iter_mut().filter(|it| it.is_danced()) {
             let (fabric, print) = garment.cloth_mut();
             *fabric = FabricDesign::default();
@@ -607,7 +616,7 @@ fn single(value: f64) -> f32 {
 mod tests {
     use super::*;
     use lole_body::DanceStep;
-    use lole_costume::document::MethodName;
+    use lole_costume::document::{MethodName, parse};
     use std::sync::LazyLock;
 
     /// A coarse skirt, so that a test is quick.
@@ -744,6 +753,36 @@ mod tests {
         wished.dancer.stature_cm = Some(170.0);
         assert_eq!(show.wish(&wished).unwrap(), Wish::Resew);
         assert_eq!(*show.design(), design());
+    }
+
+    #[test]
+    fn a_lei_is_put_on_and_taken_off_without_a_needle() {
+        let lei = |kind: &str| {
+            let text = format!("lole = 1\n[[garment]]\nkind = \"{kind}\"\n");
+            parse(&text, "lei").unwrap().garments
+        };
+        let mut show = dancing();
+        let mut alone = dancing();
+        let cloth = |show: &Show| show.cloth_positions().to_vec();
+        for kinds in [&["lei"][..], &["lei-poo", "kupee"], &[]] {
+            let mut wished = show.design().clone();
+            wished.garments = kinds.iter().flat_map(|kind| lei(kind)).collect();
+            let before = cloth(&show);
+            assert_eq!(show.wish(&wished).unwrap(), Wish::Granted, "{kinds:?}");
+            assert_eq!(show.production().adornments.len(), kinds.len());
+            assert_eq!(show.design().garments.len(), kinds.len());
+            assert_eq!(cloth(&show), before, "it hangs as it did");
+            for show in [&mut show, &mut alone] {
+                show.advance().unwrap();
+            }
+            assert_eq!(cloth(&show), cloth(&alone), "and goes on so");
+        }
+        // What a lei stands for comes back without it.
+        let kinds = |show: &Show| show.production().dancer.skin.parts.len();
+        assert_eq!(kinds(&show), kinds(&alone));
+        let mut again = show.restarted().unwrap();
+        again.advance().unwrap();
+        assert_eq!(again.production().adornments.len(), 0);
     }
 
     #[test]

@@ -230,6 +230,15 @@ impl Performance {
         self.step_in(pose, None)
     }
 
+    /// Lets her wear the adornments of another production, which is the same else, from the next frame on:
+    /// they come down on her and her cloth as both are now.
+    pub(crate) fn adorn(&mut self, production: Production) -> Result<(), StageError> {
+        let worn = (&self.cloth_positions[..], &self.dressed_cloth()[..]);
+        self.adorned = Adorned::new(&production, &self.world_from_bind, worn)?;
+        self.production = Arc::new(production);
+        Ok(())
+    }
+
     /// Lets other methods go on with the cloth as it is: one for each garment.
     pub(crate) fn replace_solvers(&mut self, solvers: Vec<Solver>) {
         for (worn, solver) in self.worn.iter_mut().zip(solvers) {

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use glam::{Affine3A, Vec3};
 use lole_avatar::{Avatar, License};
-use lole_body::{Bone, CapsuleLayout, Dancer, Measurements, Pose, SkinSurfels};
+use lole_body::{Bone, CapsuleLayout, Dancer, Measurements, MeshPart, Pose, SkinSurfels};
 use lole_cloth::Fabric;
 use lole_costume::adorn::{self, Adornment};
 use lole_costume::document::{
@@ -30,6 +30,7 @@ const PIN_REACH: f32 = 0.08;
 const SURFEL_SPACING: f32 = 0.016;
 
 /// Everything about one performance that does not change from frame to frame.
+#[derive(Clone)]
 pub struct Production {
     /// What is performed.
     pub design: Design,
@@ -53,9 +54,12 @@ pub struct Production {
     pub(crate) forearms: Forearms,
     /// Place of the design's skirt among the garments; `None` where it is not worn.
     skirt: Option<usize>,
+    /// All parts of her skin, those too that an adornment stands for.
+    parts: Vec<MeshPart>,
 }
 
 /// One garment, from paper to particles.
+#[derive(Clone)]
 pub struct Garment {
     /// Name in files, such as `pau_skirt`; no two garments of a production share one.
     pub name: String,
@@ -85,6 +89,7 @@ pub struct Garment {
 }
 
 /// A garment of a template on the dancer.
+#[derive(Clone)]
 pub struct DressedGarment {
     /// Name in files, such as `blouse`; no two garments of a production share one.
     pub name: String,
@@ -139,7 +144,8 @@ impl Production {
         (mut dancer, dance): (Dancer, Danced),
         division: Division,
     ) -> Result<Self, StageError> {
-        (dancer.skin.parts).retain(|part| !adorn::replaces_part(design, part.kind));
+        let parts = dancer.skin.parts.clone();
+        dancer.skin.parts = parts_shown(&parts, design);
         let body_triangles = dancer.skin.body_triangles();
         let body_surfels =
             SkinSurfels::new(&dancer.skin.positions, &body_triangles, SURFEL_SPACING);
@@ -162,12 +168,7 @@ impl Production {
         }
         wardrobe.put_on_layer(design, GarmentLayer::Over)?;
         let (mut garments, posed) = (wardrobe.garments, wardrobe.stance);
-        let adornments = adorn::adorn(design, &dancer, &posed).map_err(|(place, error)| {
-            StageError::Garment {
-                place: place + 1,
-                error: Box::new(error.into()),
-            }
-        })?;
+        let adornments = adorned(design, &dancer, &posed)?;
         link_chains(&mut garments);
         let body = (&dancer, &body_surfels);
         let dressed = dressed(design, body, (&stance, &garments), division)?;
@@ -183,7 +184,47 @@ impl Production {
             dancer,
             license: None,
             skirt,
+            parts,
         })
+    }
+
+    /// The same costume with the adornments of another design, which has the same cloth: nothing is sewn
+    /// for that.
+    ///
+    /// # Errors
+    /// An adornment that does not fit her.
+    pub fn with_adornments(&self, design: &Design) -> Result<Self, StageError> {
+        let mut new = self.clone();
+        // What is sewn stays as it was sewn, in the order that is wished now.
+        let is_adornment = |garment: &&GarmentDesign| garment.is_adornment();
+        let mut sewn = self.design.garments.iter().filter(|it| !is_adornment(it));
+        new.design.garments = (design.garments.iter())
+            .filter_map(|wished| {
+                let own = if wished.is_adornment() {
+                    Some(wished)
+                } else {
+                    sewn.next()
+                };
+                own.cloned()
+            })
+            .collect();
+        let places = |design: &Design| -> Vec<usize> {
+            let listed = design.garments.iter().enumerate();
+            let sewn = listed.filter(|(_, garment)| !garment.is_adornment());
+            sewn.map(|(place, _)| place).collect()
+        };
+        let [before, after] = [&self.design, &new.design].map(places);
+        for garment in &mut new.dressed {
+            let place = before.iter().position(|&it| it == garment.listed);
+            if let Some(&listed) = place.and_then(|place| after.get(place)) {
+                garment.listed = listed;
+            }
+        }
+        new.dancer.skin.parts = parts_shown(&self.parts, &new.design);
+        let stance = self.dance.pose_at(0.0);
+        let posed = new.dancer.skeleton.world_from_bind(&stance);
+        new.adornments = adorned(&new.design, &new.dancer, &posed)?;
+        Ok(new)
     }
 
     /// The skirt that the design is about, among what is worn with it; `None` where it is not worn.
@@ -211,6 +252,24 @@ impl Production {
     pub fn particle_count(&self) -> usize {
         self.garments.last().map_or(0, |last| last.particles.end)
     }
+}
+
+/// Parts of the skin that no adornment stands for.
+fn parts_shown(parts: &[MeshPart], design: &Design) -> Vec<MeshPart> {
+    let shown = parts.iter();
+    let shown = shown.filter(|part| !adorn::replaces_part(design, part.kind));
+    shown.cloned().collect()
+}
+
+fn adorned(
+    design: &Design,
+    dancer: &Dancer,
+    posed: &[Affine3A],
+) -> Result<Vec<Adornment>, StageError> {
+    adorn::adorn(design, dancer, posed).map_err(|(place, error)| StageError::Garment {
+        place: place + 1,
+        error: Box::new(error.into()),
+    })
 }
 
 /// The dancer of a design: built to its tape, or its avatar with what may be done with it.

@@ -13,7 +13,7 @@ use lole_cloth::{
     ClothModel, ClothSpec, ClothState, Crossings, InstructionSet, Phase, SelfCollision,
     SolverConfig, StepInput, diagnose,
 };
-use lole_costume::document::{Design, WindModel};
+use lole_costume::document::{Design, GarmentDesign, WindModel};
 use lole_geom::{Capsule, Surfel, trig64};
 
 use crate::{FRAME_SECONDS, StageError};
@@ -127,7 +127,7 @@ impl Solver {
         spec: &ClothSpec,
         start: &[Vec3],
     ) -> Result<Self, StageError> {
-        let usual = if design.garments.is_empty() {
+        let usual = if design.garments.iter().all(GarmentDesign::is_adornment) {
             SUBSTEP_COUNT
         } else {
             LAYERED_SUBSTEP_COUNT

@@ -214,19 +214,20 @@ impl Stagehand {
         };
         let prints_anew = show.design().worn_prints() != design.worn_prints()
             || show.design().dressed_prints() != design.dressed_prints();
-        let before = show.design().clone();
+        let before = (show.design().clone(), show.production());
         match show.wish(&design) {
             Ok(Wish::Resew) => self.sew(design),
             Ok(Wish::Granted) => {
                 self.is_stale = true;
-                if prints_anew {
+                let adorned_anew = !Arc::ptr_eq(&before.1, &show.production());
+                if prints_anew || adorned_anew {
                     match wardrobe(&design, show.production()) {
                         Ok(new) => *clothes = new,
-                        Err(sentence) => self.refuse(sentence, before),
+                        Err(sentence) => self.refuse(sentence, before.0),
                     }
                 }
             }
-            Err(error) => self.refuse(Sentence::of(&error), before),
+            Err(error) => self.refuse(Sentence::of(&error), before.0),
         }
     }
 
