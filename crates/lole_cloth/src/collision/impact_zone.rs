@@ -16,6 +16,9 @@ const PINNED_MASS: f32 = 1.0e6;
 /// Times that the way of a particle is halved before it is held fast in its zone.
 const HALVINGS: u8 = 2;
 
+/// The same in a zone of everything.
+const MOST_HALVINGS: u8 = 8;
+
 /// Farthest that a zone carries a particle beyond the way of the one that would go farthest [m].
 const LEVER_REACH: f32 = 0.03;
 
@@ -44,6 +47,8 @@ pub(crate) struct ImpactZones {
     /// In the order in which they were taken up: where they would go [m], and how often their way was
     /// halved.
     held: Vec<(Vec3, u8)>,
+    /// How often a way is halved at most.
+    most_halvings: u8,
 }
 
 impl ImpactZones {
@@ -62,6 +67,7 @@ impl ImpactZones {
         self.parents.extend(0..particle_count);
         self.members.clear();
         self.grown = 0;
+        self.most_halvings = HALVINGS;
         self.held.clear();
         self.places.clear();
         self.places.resize(particle_count as usize, 0);
@@ -107,6 +113,18 @@ impl ImpactZones {
         }
     }
 
+    /// Makes one zone of everything, in which each goes its way halved so often: slower, but not still.
+    pub(crate) fn join_all(&mut self, positions: &[Vec3], halvings: u32) {
+        for particle in 0..narrow(positions.len()) {
+            self.join_pair(0, particle, positions);
+        }
+        self.most_halvings = MOST_HALVINGS;
+        let halvings = u8::try_from(halvings).unwrap_or(u8::MAX);
+        for held in &mut self.held {
+            held.1 = halvings;
+        }
+    }
+
     /// Moves every zone from `starts` [m] as a rigid body that goes where its particles would go, pinned
     /// ones above all, and every particle as far from there towards where it would go as it may; pinned
     /// ones stay where they are but where they yield.
@@ -123,6 +141,7 @@ impl ImpactZones {
             sorted,
             places,
             held,
+            most_halvings,
             ..
         } = self;
         sorted.clone_from(members);
@@ -157,7 +176,7 @@ impl ImpactZones {
                 }
                 let (goal, halvings) = goal(member);
                 let base = motion.apply(starts[member as usize]);
-                positions[member as usize] = if HALVINGS < halvings {
+                positions[member as usize] = if *most_halvings < halvings {
                     base
                 } else {
                     base + (goal - base) * (1.0 / f32::from(1_u16 << halvings))

@@ -31,6 +31,10 @@ const ZONE_ROUNDS: u32 = 36;
 /// From this round on zones grow, by twice as many rings in every round: the last hold all of the cloth.
 const GROWING_ROUND: u32 = 24;
 
+/// After so many rounds of growing, a ring at first and twice as many every time, all of the cloth is one
+/// zone, whether its pieces hang together or not.
+const LARGEST_GROWTH: u32 = 8;
+
 /// From this round on pins give way too, where what they do cannot be done without a crossing.
 const YIELDING_ROUND: u32 = 4;
 
@@ -300,10 +304,14 @@ impl CrossingRepair {
             }
             spent += u32::from(self.is_spent(fixed.surface));
             let late = round.saturating_sub(GROWING_ROUND).max(spent);
-            for _ in 0..(1_u32 << late) >> 1 {
+            for _ in 0..(1_u32 << late.min(LARGEST_GROWTH)) >> 1 {
                 if self.zones.members.len() < starts.len() {
                     self.zones.grow(fixed.surface, &self.positions);
                 }
+            }
+            if LARGEST_GROWTH <= late {
+                let slower = (late - LARGEST_GROWTH).saturating_mul(2).saturating_add(2);
+                self.zones.join_all(&self.positions, slower);
             }
             let inv_mass = |particle| Self::inv_mass(fixed, particle);
             let positions = &mut self.positions;
