@@ -1,5 +1,9 @@
 //! The malo: its front flap, the way between the legs, the turns about the waist, and the flap at the
 //! back. Girded as tightly as it is, all but the flaps goes with the skin.
+//!
+//! Where the strip comes up the back it is folded aslant to go around the waist: a fold at 45° turns a strip
+//! by a right angle without a pucker. At the end it is folded aslant again, upwards, and hangs down over that,
+//! its right side out.
 
 use glam::{DVec2, Vec3};
 
@@ -25,13 +29,15 @@ pub(super) const WORN: Worn = Worn {
 const TURNS: f64 = 2.0;
 /// Height of the girded band, and width between the legs, over the width of the strip.
 const BAND: f32 = 0.34;
-const BETWEEN_LEGS: f32 = 0.32;
 /// Gap to the skin, what each layer adds, and of the flaps over the band [m].
 const GAP: f32 = 0.006;
 const LAYER: f32 = 0.005;
-const FLAP: f32 = 0.028;
-/// A flap goes over the upper edge of the band this far above it [m].
-const OVER_EDGE: f32 = 0.010;
+const FLAP: f32 = 0.034;
+/// A flap goes over the upper edge of the band this far above it [m]: farther than particles are apart.
+const OVER_EDGE: f32 = 0.022;
+/// Up to so far above the crotch the strip between the legs is flat, and as far again it comes to lie around
+/// the trunk [m].
+const FLAT: f32 = 0.08;
 /// Cloth of a flap nearer to the band than this is still held by it [m].
 const HELD: f64 = 0.09;
 
@@ -51,37 +57,52 @@ fn is_pinned(cloth: &Cloth<'_>, point: DVec2, _: f64) -> bool {
 fn place(cloth: &Cloth<'_>, point: DVec2) -> Option<Vec3> {
     let waist = cloth.measures.waist_height.to_m_f32() - 0.03;
     let across = narrow(point.y - 0.5 * cloth.size.y);
+    let edge = waist + 0.5 * BAND * narrow(cloth.size.y);
     let [front, crotch, back] = stops(cloth);
     if point.x < front {
         let down = narrow(front - point.x);
-        return hanging(cloth, Face::Front, waist, [down, -across]);
+        let top = edge + OVER_EDGE;
+        return hanging(cloth, Face::Front, [top, top - down], [down, -across]);
     }
-    if point.x < crotch {
+    // Up the back it lies so far to her left, and around the waist so far above the middle of the band.
+    let aside = -across * BAND;
+    let [past_crotch, past_back] = [crotch, back].map(|stop| narrow(point.x - stop));
+    if past_crotch < aside {
+        if 0.0 < past_crotch {
+            return on_trunk(cloth, Face::Back, [waist + past_crotch, aside], GAP);
+        }
         let share = narrow((point.x - front) / (crotch - front));
-        let way = between_legs(cloth, waist, -across * BETWEEN_LEGS)?;
-        return Some(along(&way, share));
+        return Some(along(&between_legs(cloth, waist, aside)?, share));
     }
-    if point.x < back {
+    if past_back < aside {
         let turned = narrow((point.x - crotch) / (back - crotch) * TURNS);
-        let height = waist - across * BAND;
-        let (place, outward) = cloth.form.around_trunk(height, turned)?;
+        let (place, outward) = cloth.form.around_trunk(waist + aside, turned)?;
         return Some(place + outward * (GAP + LAYER * (1.0 + turned)));
     }
-    let down = narrow(point.x - back);
-    hanging(cloth, Face::Back, waist, [down, -across])
+    let top = edge + OVER_EDGE;
+    let down = past_back - (top - waist);
+    if down < 0.0 {
+        let outermost = GAP + LAYER * narrow(TURNS + 2.0);
+        return on_trunk(cloth, Face::Back, [waist + past_back, aside], outermost);
+    }
+    hanging(cloth, Face::Back, [top, top - down], [down, -across])
 }
 
-/// A flap in front or at the back, hanging from the band.
-fn hanging(cloth: &Cloth<'_>, face: Face, waist: f32, [down, across]: [f32; 2]) -> Option<Vec3> {
+/// A flap in front or at the back, hanging from the band: at a height, below an edge over which it comes [m].
+fn hanging(
+    cloth: &Cloth<'_>,
+    face: Face,
+    [edge, at]: [f32; 2],
+    [down, across]: [f32; 2],
+) -> Option<Vec3> {
     // It spreads below the band.
     let below = down - narrow(HELD);
     let spread = BAND + (1.0 - BAND) * (below / 0.12).clamp(0.0, 1.0);
-    let waist = waist + 0.5 * BAND * narrow(cloth.size.y) + OVER_EDGE;
-    let (top, _) = cloth.form.on_trunk(waist, face, 0.0)?;
-    let lowest = (waist - down).max(0.15);
+    let (top, _) = cloth.form.on_trunk(edge, face, 0.0)?;
+    let lowest = at.max(0.15);
     // No nearer to the axis than anything above.
     let mut depth = top.z;
-    let mut height = waist;
+    let mut height = edge;
     while lowest < height {
         let (place, _) = cloth.form.on_trunk(height, face, 0.0)?;
         depth = match face {
@@ -94,19 +115,27 @@ fn hanging(cloth: &Cloth<'_>, face: Face, waist: f32, [down, across]: [f32; 2]) 
         Face::Front => FLAP,
         Face::Back => -FLAP,
     };
-    Some(Vec3::new(across * spread, waist - down, depth + out))
+    Some(Vec3::new(across * spread, at, depth + out))
+}
+
+/// Over the skin of the trunk at a height, so far to her left of the middle [m].
+fn on_trunk(cloth: &Cloth<'_>, face: Face, [height, aside]: [f32; 2], gap: f32) -> Option<Vec3> {
+    let quarter = 0.25 * cloth.form.girth(height);
+    let share = aside / quarter.max(0.05);
+    let (place, outward) = cloth.form.on_trunk(height, face, share)?;
+    Some(place + outward * gap)
 }
 
 /// Down the front, between the legs and up the back, so far to her left of the middle [m].
 fn between_legs(cloth: &Cloth<'_>, waist: f32, aside: f32) -> Option<Vec<Vec3>> {
     // On the trunk it lies around it, below the band; between the legs it is flat.
-    let on = |height: f32, face: Face| {
-        let quarter = 0.25 * cloth.form.girth(height);
-        let share = aside / quarter.max(0.05);
-        let (place, outward) = cloth.form.on_trunk(height, face, share)?;
-        Some(place + outward * GAP)
-    };
     let crotch = cloth.form.dancer.landmarks.crotch_height;
+    let on = |height: f32, face: Face| {
+        let around = on_trunk(cloth, face, [height, aside], GAP)?;
+        let flat = on_trunk(cloth, face, [height, 0.0], GAP)?.with_x(aside);
+        let share = ((height - crotch - FLAT) / FLAT).clamp(0.0, 1.0);
+        Some(flat.lerp(around, share))
+    };
     let mut way = Vec::new();
     let steps = 10_u8;
     let heights = (0..=steps).map(|step| {
