@@ -114,7 +114,6 @@ fn more_substeps_never_strain_a_sewn_garment_more() {
     for (name, fabric) in [("limp", limp), ("stiff", stiff)] {
         let counts = [12, 24, 48, 96];
         let strains = counts.map(|count| strained(count, fabric));
-        println!("{name}: {strains:?}");
         for (pair, counts) in strains.windows(2).zip(counts.windows(2)) {
             assert!(
                 pair[1] <= 1.05 * pair[0] + 0.002,

@@ -278,7 +278,7 @@ fn advance(
         match (piece, state) {
             (Piece::Grid(model, _), PieceState::Grid(state)) => xpbd::finish_pins(model, state),
             (Piece::Mesh(model, _), PieceState::Mesh(state)) => {
-                mesh::step::finish_pins(model, state)
+                mesh::step::finish_pins(model, state);
             }
             _ => {}
         }
