@@ -1,7 +1,8 @@
 //! Pieces of cloth, grids and triangles alike, sewn together and held by what a maker puts in.
 //!
 //! All pieces take their substeps in turn, and meet each other where their settings have contact of
-//! cloth with cloth. Between the springs of a substep and its contacts come
+//! cloth with cloth. What comes to cross is repaired on all of them as one surface, where any of them asks for
+//! that. Between the springs of a substep and its contacts come
 //! the joints, each kind in a file of its own: [`Seam`], [`Elastic`], [`Drawstring`], [`Pleat`] and
 //! [`Attachment`] to a bone. They are solved once a substep, like every constraint of the method.
 

@@ -10,6 +10,7 @@ pub mod live;
 pub mod metrics;
 pub mod performance;
 pub mod production;
+mod six_dancers;
 pub mod skin_check;
 mod solver;
 pub mod strangers;
@@ -21,7 +22,8 @@ pub use live::{Pull, Show, Vitals, Wish};
 pub use metrics::{FrameMetrics, RunMetrics};
 pub use performance::{Divergence, Energy, FRAME_SECONDS, FRAMES_PER_SECOND, NoRoom, Performance};
 pub use production::{DressedGarment, Garment, Production, dancer};
-pub use strangers::{Stranger, six_dancers};
+pub use six_dancers::six_dancers;
+pub use strangers::Stranger;
 pub use yielding::give_way;
 
 use lole_language::Bilingual;

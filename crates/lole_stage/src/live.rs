@@ -181,10 +181,9 @@ impl Show {
         let dance = (self.design.motion != design.motion)
             .then(|| self.next_layer(design))
             .transpose()?;
-        if adornments(&self.design) != adornments(design) {
-            let production = self.performance.production().with_adornments(design)?;
-            self.performance.adorn(production)?;
-        }
+        let adorned = (adornments(&self.design) != adornments(design))
+            .then(|| self.performance.adorned_as(design))
+            .transpose()?;
         let cloth_changes = self.design.worn_fabrics() != design.worn_fabrics()
             || self.design.method != design.method
             || self.design.wind != design.wind;
@@ -198,6 +197,9 @@ impl Show {
             }
             self.performance.meet_body_of(design);
             self.stopped = None;
+        }
+        if let Some(adorned) = adorned {
+            self.performance.adorn(adorned);
         }
         if let Some(layer) = dance {
             self.layers.push(layer);

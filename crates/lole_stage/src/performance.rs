@@ -86,6 +86,9 @@ impl Energy {
     }
 }
 
+/// The same production with other adornments, and what moves of them.
+pub(crate) struct NewlyAdorned(Arc<Production>, Adorned);
+
 /// A production on stage. Clones share the production.
 #[derive(Clone)]
 pub struct Performance {
@@ -230,13 +233,18 @@ impl Performance {
         self.step_in(pose, None)
     }
 
-    /// Lets her wear the adornments of another production, which is the same else, from the next frame on:
-    /// they come down on her and her cloth as both are now.
-    pub(crate) fn adorn(&mut self, production: Production) -> Result<(), StageError> {
+    /// The adornments of another design, which has the same cloth, come down on her and her cloth as both
+    /// are now; [`Self::adorn`] puts them on.
+    pub(crate) fn adorned_as(&self, design: &Design) -> Result<NewlyAdorned, StageError> {
+        let production = self.production.with_adornments(design)?;
         let worn = (&self.cloth_positions[..], &self.dressed_cloth()[..]);
-        self.adorned = Adorned::new(&production, &self.world_from_bind, worn)?;
-        self.production = Arc::new(production);
-        Ok(())
+        let adorned = Adorned::new(&production, &self.world_from_bind, worn)?;
+        Ok(NewlyAdorned(Arc::new(production), adorned))
+    }
+
+    /// Lets her wear them from the next frame on.
+    pub(crate) fn adorn(&mut self, NewlyAdorned(production, adorned): NewlyAdorned) {
+        (self.production, self.adorned) = (production, adorned);
     }
 
     /// Lets other methods go on with the cloth as it is: one for each garment.

@@ -196,21 +196,22 @@ impl Production {
     pub fn with_adornments(&self, design: &Design) -> Result<Self, StageError> {
         let mut new = self.clone();
         // What is sewn stays as it was sewn, in the order that is wished now.
-        let is_adornment = |garment: &&GarmentDesign| garment.is_adornment();
-        let mut sewn = self.design.garments.iter().filter(|it| !is_adornment(it));
+        // What is only drafted is not sewn.
+        let is_sewn = |garment: &GarmentDesign| garment.is_danced() || garment.is_dressed();
+        let mut sewn = self.design.garments.iter().filter(|it| is_sewn(it));
         new.design.garments = (design.garments.iter())
             .filter_map(|wished| {
-                let own = if wished.is_adornment() {
-                    Some(wished)
-                } else {
+                let own = if is_sewn(wished) {
                     sewn.next()
+                } else {
+                    Some(wished)
                 };
                 own.cloned()
             })
             .collect();
         let places = |design: &Design| -> Vec<usize> {
             let listed = design.garments.iter().enumerate();
-            let sewn = listed.filter(|(_, garment)| !garment.is_adornment());
+            let sewn = listed.filter(|(_, garment)| is_sewn(garment));
             sewn.map(|(place, _)| place).collect()
         };
         let [before, after] = [&self.design, &new.design].map(places);

@@ -14,7 +14,7 @@ use crate::collision::placement::Placement;
 use crate::collision::repair::{CrossingRepair, Fixed};
 use crate::collision::surface::Surface;
 use crate::lanes::{LANES, Points, Scalars, narrow};
-use crate::{Crossings, SelfCollision};
+use crate::{Crossings, SelfCollision, StepInput};
 
 /// The pieces, one after the other: what never changes.
 #[derive(Debug, Clone, PartialEq)]
@@ -129,10 +129,10 @@ impl Whole {
         state.repair.guards.solve(&mut moving, self.friction, h);
     }
 
-    /// Takes back what came to cross in a step of `dt` [s] at whose end the pieces lie around `bodies`.
+    /// Takes back what came to cross in a step of `dt` [s], at whose end the world is as in `inputs`.
     pub(crate) fn repair(
         &self,
-        (pieces, inputs): (&[Piece], &[crate::StepInput<'_>]),
+        (pieces, inputs): (&[Piece], &[StepInput<'_>]),
         (states, state): (&mut [PieceState], &mut WholeState),
         dt: f32,
     ) {
@@ -200,7 +200,7 @@ const fn repair_of(piece: &PieceState) -> &CrossingRepair {
 
 /// # Panics
 /// When `state` is another piece's, which the step has refused before.
-fn body_of<'a>(piece: &'a Piece, input: &crate::StepInput<'a>, state: &'a PieceState) -> Body<'a> {
+fn body_of<'a>(piece: &'a Piece, input: &StepInput<'a>, state: &'a PieceState) -> Body<'a> {
     let (layout, config): (&dyn Placement, _) = match piece {
         Piece::Grid(model, config) => (&model.layout, config),
         Piece::Mesh(model, config) => (&model.slots, config),

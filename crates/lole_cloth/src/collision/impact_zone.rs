@@ -125,6 +125,12 @@ impl ImpactZones {
         }
     }
 
+    /// Whether everything is one zone that goes none of its way: further rounds would repeat it.
+    pub(crate) fn is_one_and_still(&self) -> bool {
+        let is_one = HALVINGS < self.most_halvings;
+        is_one && self.held.iter().all(|held| self.most_halvings < held.1)
+    }
+
     /// Moves every zone from `starts` [m] as a rigid body that goes where its particles would go, pinned
     /// ones above all, and every particle as far from there towards where it would go as it may; pinned
     /// ones stay where they are but where they yield.

@@ -310,6 +310,9 @@ impl CrossingRepair {
                 }
             }
             if LARGEST_GROWTH <= late {
+                if self.zones.is_one_and_still() {
+                    break;
+                }
                 let slower = (late - LARGEST_GROWTH).saturating_mul(2).saturating_add(2);
                 self.zones.join_all(&self.positions, slower);
             }

@@ -159,6 +159,7 @@ fn advance(
     (state, watch): (&mut MeshState, &mut Option<Watch>),
 ) {
     let substep = begin(model, config, (input, dt), state);
+    self_contact::keep_starts(model, config, state);
     self_contact::find(model, config, state, dt);
     for index in 0..substep.count {
         if let Some(watch) = watch {
@@ -174,7 +175,7 @@ fn advance(
 }
 
 /// What is done once, after the last substep.
-pub(crate) fn end(
+fn end(
     (model, config): (&MeshModel, &SolverConfig),
     (input, dt): (&StepInput<'_>, f32),
     state: &mut MeshState,
@@ -198,7 +199,6 @@ pub(crate) fn begin(
 ) -> Substep {
     start(model, config, input, (state, dt));
     contact::find((model, config), (input, dt), state);
-    self_contact::keep_starts(model, config, state);
     let substep = Substep::new(model, config, (input.air_velocity, dt));
     (state.scratch.resisting).set(model, substep.h, substep.strain);
     substep

@@ -141,18 +141,34 @@ fn another_cut_or_dancer_asks_for_sewing_and_changes_nothing() {
     assert_eq!(*show.design(), design());
 }
 
+/// A garment as the least document lists it.
+fn listed(kind: &str) -> GarmentDesign {
+    let text = format!("lole = 1\n[[garment]]\nkind = \"{kind}\"\n");
+    parse(&text, "garment").unwrap().garments.remove(0)
+}
+
+#[test]
+fn a_lei_before_a_garment_in_the_list_leaves_each_its_place() {
+    let mut design = design();
+    design.garments = vec![listed("kihei")];
+    let mut show = Show::new(&design).unwrap();
+    let before = show.dressed_vertices();
+    design.garments.insert(0, listed("lei"));
+    assert_eq!(show.wish(&design).unwrap(), Wish::Granted);
+    let production = show.production();
+    assert_eq!(production.design.garments, design.garments);
+    assert_eq!(production.dressed[0].listed, 1);
+    assert_eq!(show.dressed_vertices(), before);
+}
+
 #[test]
 fn a_lei_is_put_on_and_taken_off_without_a_needle() {
-    let lei = |kind: &str| {
-        let text = format!("lole = 1\n[[garment]]\nkind = \"{kind}\"\n");
-        parse(&text, "lei").unwrap().garments
-    };
     let mut show = dancing();
     let mut alone = dancing();
     let cloth = |show: &Show| show.cloth_positions().to_vec();
     for kinds in [&["lei"][..], &["lei-poo", "kupee"], &[]] {
         let mut wished = show.design().clone();
-        wished.garments = kinds.iter().flat_map(|kind| lei(kind)).collect();
+        wished.garments = kinds.iter().map(|kind| listed(kind)).collect();
         let before = cloth(&show);
         assert_eq!(show.wish(&wished).unwrap(), Wish::Granted, "{kinds:?}");
         assert_eq!(show.production().adornments.len(), kinds.len());
