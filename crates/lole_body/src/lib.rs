@@ -16,7 +16,6 @@ mod sections;
 pub mod skeleton;
 pub mod skin;
 mod skin_build;
-pub mod skin_surfels;
 mod skin_weights;
 mod surface;
 pub mod tape;
@@ -33,5 +32,4 @@ pub use motion::{
 };
 pub use skeleton::{Bone, Pose, Skeleton};
 pub use skin::{Look, MeshPart, PartKind, SkinPicture, SkinnedMesh};
-pub use skin_surfels::SkinSurfels;
 pub use tape::TapePoint;

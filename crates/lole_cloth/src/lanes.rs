@@ -4,6 +4,8 @@
 //! holds column `g` of strip `l`. Neighbors along a row are then whole neighboring vectors, and
 //! only from the last column of a strip to the first of the next does a lane rotate.
 
+use std::ops::Range;
+
 use fearless_simd::{f32x16, prelude::*};
 use glam::Vec3;
 
@@ -299,6 +301,49 @@ impl Layout {
                     .map(|&(group, lane)| row[usize::from(group)].get(usize::from(lane))),
             );
         }
+    }
+}
+
+/// A set of particles, by where they stand.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(crate) struct SlotSet {
+    /// By vector, their lanes; empty where there are none.
+    lanes: Vec<u16>,
+}
+
+impl SlotSet {
+    /// Memory that it holds [byte].
+    pub(crate) const fn byte_count(&self) -> usize {
+        size_of_val(self.lanes.as_slice())
+    }
+
+    /// By vector, their lanes; empty where there are none.
+    pub(crate) fn lanes(&self) -> &[u16] {
+        &self.lanes
+    }
+
+    /// Whether the particle of a vector and lane is in it.
+    pub(crate) fn contains(&self, (vector, lane): (usize, usize)) -> bool {
+        self.lanes
+            .get(vector)
+            .is_some_and(|lanes| (lanes >> lane) & 1 == 1)
+    }
+
+    pub(crate) fn clear(&mut self) {
+        self.lanes.clear();
+    }
+
+    /// Adds the particle of a vector, of so many, and lane.
+    pub(crate) fn insert(&mut self, (vector, lane): (usize, usize), vector_count: usize) {
+        self.lanes.resize(vector_count, 0);
+        self.lanes[vector] |= 1 << lane;
+    }
+
+    /// Becomes those of some of the vectors of another.
+    pub(crate) fn take_part(&mut self, whole: &Self, vectors: Range<usize>) {
+        self.lanes.clear();
+        self.lanes
+            .extend_from_slice(whole.lanes.get(vectors).unwrap_or(&[]));
     }
 }
 

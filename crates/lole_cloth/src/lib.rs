@@ -62,4 +62,4 @@ pub use phase::Phase;
 pub use snapshot::{mesh_state_hash, reference_state_hash, state_hash};
 pub use spec::{ClothSpec, MassLaw};
 pub use state::ClothState;
-pub use step::{StepInput, step, step_observed};
+pub use step::{SKIN_REACH, StepInput, step, step_observed};

@@ -2,10 +2,11 @@
 
 use crate::collision::pinned_rows::PinnedRows;
 use crate::collision::surface::Surface;
+use crate::collision::surfel::room::{Anchor, Hanging};
 use crate::constraint::RowMasses;
 use crate::constraint::bend::{self, Clamps};
 use crate::constraint::tether::Tethers;
-use crate::lanes::{Layout, RowLink, Scalars, row_links};
+use crate::lanes::{Layout, Points, RowLink, Scalars, narrow, row_links};
 use crate::{ClothSpec, Flounce, MassLaw, Topology};
 
 /// Why a [`ClothSpec`] cannot be built.
@@ -174,6 +175,40 @@ fn even(values: &[f32]) -> Option<f32> {
         .iter()
         .all(|value| value.to_bits() == first.to_bits());
     alike.then_some(first)
+}
+
+impl Hanging for ClothModel {
+    fn anchor(&self, (vector, lane): (usize, usize)) -> Option<Anchor> {
+        let width = self.layout.group_count;
+        let (pins, share, far) = self.pinned_rows.between(vector / width)?;
+        #[expect(clippy::cast_precision_loss, reason = "rows are fewer than 2^24")]
+        let length = far as f32 * self.spec.grid.spacing[1];
+        Some(Anchor {
+            pins: pins.map(|row| (row as usize * width + vector % width, lane)),
+            share,
+            length,
+        })
+    }
+
+    /// Of its springs but those that cross the ends of strips.
+    fn stretch_at(&self, positions: &[Points], (vector, lane): (usize, usize)) -> f32 {
+        let width = self.layout.group_count;
+        let (row, group) = (vector / width, vector % width);
+        let at = positions[vector].get(lane);
+        let stretch =
+            |other: usize, rest: f32| positions[other].get(lane).distance(at) / rest - 1.0;
+        let [across, down] = [
+            self.spec.grid.row_spacing(narrow(row)),
+            self.spec.grid.spacing[1],
+        ];
+        let above = (0 < row).then(|| stretch(vector - width, down));
+        let below = (row + 1 < self.layout.row_count).then(|| stretch(vector + width, down));
+        let left = (0 < group).then(|| stretch(vector - 1, across));
+        // The last group of some strips is empty.
+        let right = (group + 2 < width).then(|| stretch(vector + 1, across));
+        let all = [above, below, left, right].into_iter().flatten();
+        all.fold(0.0, f32::max)
+    }
 }
 
 /// Mass of every particle [kg], row-major.

@@ -8,6 +8,7 @@ use crate::collision::capsule::MovingCapsule;
 use crate::collision::capsule::near::RowContacts;
 use crate::collision::capsule::stop::TangentPlanes;
 use crate::collision::cloth_cloth::ClothContacts;
+use crate::collision::placement::particles_of;
 use crate::collision::repair::CrossingRepair;
 use crate::collision::surfel::SurfelContacts;
 use crate::constraint::hysteresis::Sets;
@@ -106,13 +107,17 @@ impl ClothState {
         self.scratch.crossing_repair.guards.count()
     }
 
-    /// Particles that the last step held back because it found no way for them that does not cross, and to
-    /// which the skin yields.
+    /// Particles that the last step left in the skin or held back, because it found no place for them
+    /// outside of it that their cloth reaches without crossing.
     #[must_use]
-    pub fn held_back(&self, model: &ClothModel) -> Vec<u32> {
-        let held_back = &self.scratch.crossing_repair.held_back;
+    pub fn without_room(&self, model: &ClothModel) -> Vec<u32> {
         let count = model.spec().grid.particle_count();
-        held_back.particles(&model.layout, count)
+        let scratch = &self.scratch;
+        let sets = [
+            &scratch.crossing_repair.held_back,
+            &scratch.surfel_contacts.without_room,
+        ];
+        particles_of(sets, &model.layout, count)
     }
 
     /// Memory that it holds, room for a step included [byte].

@@ -3,9 +3,15 @@
 use glam::Vec3;
 use lole_geom::{Capsule, Surfel};
 
+use crate::collision::surfel::REACH;
 use crate::method::xpbd;
 use crate::phase::Phase;
 use crate::{ClothModel, ClothState, SolverConfig};
+
+/// How deep in a body of surfels, below the distance that it keeps, cloth that lies still is brought out of it
+/// [m]. What moves against the body is looked for as much farther as it comes in a step, 6 cm at most. Deeper,
+/// it is let alone: another limb would be as near.
+pub const SKIN_REACH: f32 = REACH;
 
 /// What the world does during one step; by default nothing is in it.
 #[derive(Debug, Clone, Copy, Default)]
@@ -17,6 +23,9 @@ pub struct StepInput<'a> {
     pub capsules: &'a [Capsule],
     /// Where the surfels of a skinned body are at the end of the step, about a centimeter apart;
     /// always the same ones in the same order. Cloth keeps to the side to which they face.
+    /// [`lole_geom::MeshSurfels`] makes them of a moving triangle mesh and its normals.
+    ///
+    /// Cloth that lies still deeper than [`SKIN_REACH`] in it is not brought out.
     pub surfels: &'a [Surfel],
     /// Velocity of the air [m/s]; the fabric's drag rate pulls every particle towards it.
     pub air_velocity: Vec3,

@@ -19,7 +19,7 @@ mod wrap;
 use std::num::NonZeroU32;
 
 use glam::{Affine3A, Vec2, Vec3};
-use lole_body::{Dancer, Pose, SkinSurfels, TapePoint};
+use lole_body::{Dancer, Pose, TapePoint};
 use lole_cloth::assembly::{
     Assembly, AssemblyInput, AssemblyState, Elastic, Ends, Joint, JointError, Lost, Piece,
     PieceState, Place, Seam, step,
@@ -28,7 +28,7 @@ use lole_cloth::diagnose::{self, StrainSummary};
 use lole_cloth::mesh::{self, MeshError, MeshModel, MeshSpec};
 use lole_cloth::{Crossings, Fabric, SelfCollision, SolverConfig, mesh_state_hash};
 use lole_geom::mesh::vertex_normals;
-use lole_geom::{Capsule, Surfel};
+use lole_geom::{Capsule, MeshSurfels, Surfel};
 use lole_language::Bilingual;
 use lole_pattern::{DraftError, Pattern};
 
@@ -102,7 +102,7 @@ pub struct Dressed {
 #[derive(Debug, Clone, Default)]
 struct Pins {
     /// The skin below each, and how far it lies over it [m].
-    skin: SkinSurfels,
+    skin: MeshSurfels,
     gaps: Vec<f32>,
     /// What is tied around the trunk goes with it, and not with the skin that an arm draws up.
     tied: Vec<Option<TapePoint>>,
@@ -277,7 +277,7 @@ impl Bilingual for DressError {
 /// Measures that it cannot be drafted from, and pieces that cannot be cut or sewn.
 pub fn dress(
     worn: &WornTemplate,
-    (dancer, surfels): (&Dancer, &SkinSurfels),
+    (dancer, surfels): (&Dancer, &MeshSurfels),
     stance: &Pose,
     among: &Among<'_>,
 ) -> Result<Dressed, DressError> {
@@ -544,12 +544,12 @@ impl DressedState {
         }
     }
 
-    /// Particles that the last step held back because it found no way for them that does not cross, and to
-    /// which the skin yields.
+    /// Particles that the last step left in the skin or held back, because it found no place for them
+    /// outside of it that their cloth reaches without crossing.
     #[must_use]
-    pub fn held_back(&self, garment: &Dressed) -> Vec<u32> {
+    pub fn without_room(&self, garment: &Dressed) -> Vec<u32> {
         match (&self.state.pieces[..], garment.model()) {
-            ([PieceState::Mesh(state)], Some(model)) => state.held_back(model),
+            ([PieceState::Mesh(state)], Some(model)) => state.without_room(model),
             _ => Vec::new(),
         }
     }

@@ -343,11 +343,11 @@ impl Performance {
         let gathered = self.worn.iter().zip(&self.production.garments);
         let gathered = gathered.map(|(worn, garment)| {
             let positions = &self.cloth_positions[garment.particles.clone()];
-            let held = worn.solver.held_back();
+            let held = worn.solver.without_room();
             held.iter().map(|&it| positions[it as usize]).collect()
         });
         let dressed = self.dressed.iter().zip(&self.production.dressed);
-        let dressed = dressed.map(|(moving, garment)| moving.held_back(garment));
+        let dressed = dressed.map(|(moving, garment)| moving.without_room(garment));
         let (skin, surfels) = (&self.production.dancer.skin, &self.production.body_surfels);
         let bone_of = |surfel: usize| skin.strongest_bone(surfels.carrier(surfel) as usize);
         let time = self.frame as f32 * FRAME_SECONDS;

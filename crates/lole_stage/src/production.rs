@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use glam::{Affine3A, Vec3};
 use lole_avatar::{Avatar, License};
-use lole_body::{Bone, CapsuleLayout, Dancer, Measurements, MeshPart, Pose, SkinSurfels};
+use lole_body::{Bone, CapsuleLayout, Dancer, Measurements, MeshPart, Pose};
 use lole_cloth::Fabric;
 use lole_costume::adorn::{self, Adornment};
 use lole_costume::document::{
@@ -15,7 +15,7 @@ use lole_costume::sew::{
     self, Closing, Clothed, Cut, Lifts, SewSettings, SewnSkirt, SkirtMesh, WornPlace,
 };
 use lole_costume::tailoring::{self, Drafted};
-use lole_geom::Length;
+use lole_geom::{Length, MeshSurfels};
 use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements};
 use lole_pattern::template::WornRuffle;
 
@@ -49,7 +49,7 @@ pub struct Production {
     /// Triangles of the closed body surface.
     pub body_triangles: Vec<[u32; 3]>,
     /// The body surface as cloth meets it that meets the skin.
-    pub body_surfels: SkinSurfels,
+    pub body_surfels: MeshSurfels,
     /// Which of them are on the forearms.
     pub(crate) forearms: Forearms,
     /// Place of the design's skirt among the garments; `None` where it is not worn.
@@ -78,7 +78,7 @@ pub struct Garment {
     /// The garment as it is drawn.
     pub mesh: SkirtMesh,
     /// The skin below every pin; `None` where one is too far from the body.
-    pub pin_surfels: Option<SkinSurfels>,
+    pub pin_surfels: Option<MeshSurfels>,
     /// Which surfels of the body may come below its elastics, where those give way to them.
     pub watched: Vec<u32>,
     /// Its particles among those of all garments.
@@ -148,7 +148,7 @@ impl Production {
         dancer.skin.parts = parts_shown(&parts, design);
         let body_triangles = dancer.skin.body_triangles();
         let body_surfels =
-            SkinSurfels::new(&dancer.skin.positions, &body_triangles, SURFEL_SPACING);
+            MeshSurfels::new(&dancer.skin.positions, &body_triangles, SURFEL_SPACING);
         let stance = dance.pose_at(0.0);
         let mut wardrobe = Wardrobe {
             dancer: &dancer,
@@ -308,7 +308,7 @@ struct Wardrobe<'a> {
     stance: Vec<Affine3A>,
     bind: Vec<Affine3A>,
     body_triangles: &'a [[u32; 3]],
-    body_surfels: &'a SkinSurfels,
+    body_surfels: &'a MeshSurfels,
     /// The design's skirt, which a top ends above.
     skirt: &'a SkirtDesign,
     clothed: Clothed,
@@ -481,7 +481,7 @@ impl Wardrobe<'_> {
         self.clothed.put_on(sewn.bind_positions());
         let mesh = SkirtMesh::new(&sewn.spec.grid);
         let pins = sewn.pins.iter();
-        let pin_surfels = SkinSurfels::nearest_to(
+        let pin_surfels = MeshSurfels::nearest_to(
             pins.map(|pin| pin.posed(&self.bind)),
             (&self.dancer.skin.positions, self.body_triangles),
             PIN_REACH,
@@ -533,7 +533,7 @@ const LEAST_ROWS: u32 = 6;
 /// Sews what the design lists of the templates that can be put on.
 fn dressed(
     design: &Design,
-    body: (&Dancer, &SkinSurfels),
+    body: (&Dancer, &MeshSurfels),
     (stance, garments): (&Pose, &[Garment]),
     division: Division,
 ) -> Result<Vec<DressedGarment>, StageError> {

@@ -263,9 +263,9 @@ impl Solver {
     }
 
     /// Particles of `xpbd` that were held back in the last step, because there was no way for them.
-    pub(crate) fn held_back(&self) -> Vec<u32> {
+    pub(crate) fn without_room(&self) -> Vec<u32> {
         match self {
-            Self::Xpbd(xpbd) => xpbd.state.held_back(&xpbd.model),
+            Self::Xpbd(xpbd) => xpbd.state.without_room(&xpbd.model),
             Self::Explicit(_) => Vec::new(),
         }
     }

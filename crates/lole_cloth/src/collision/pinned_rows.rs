@@ -2,6 +2,7 @@
 
 use glam::Vec3;
 
+use crate::lanes::narrow;
 use crate::{ClothSpec, Grid};
 
 /// Share of the cloth between a pin and a particle by which the particle has come out of a capsule
@@ -16,6 +17,8 @@ const GATHERED: f32 = 0.15;
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct PinnedRows {
     pub(crate) nearest: Vec<u32>,
+    /// The nearest one on the other side; the same one where there is none.
+    opposite: Vec<u32>,
     /// Whether cloth is gathered there: rows near one of these, not the pins themselves.
     is_gathered: Vec<bool>,
 }
@@ -43,7 +46,14 @@ impl PinnedRows {
         #[expect(clippy::cast_precision_loss, reason = "rows are fewer than 2^24")]
         let away = |(row, pin): (u32, &u32)| row.abs_diff(*pin) as f32 * spec.grid.spacing[1];
         let is_gathered = (0u32..).zip(&nearest).map(away);
+        let opposite = (0_u32..).zip(&nearest).map(|(row, &nearest)| {
+            let beyond = |pin: &&u32| (row < **pin) != (row < nearest) && row != nearest;
+            let by_distance = |pin: &&u32| pin.abs_diff(row);
+            let other = pinned.iter().filter(beyond).min_by_key(by_distance);
+            other.copied().unwrap_or(nearest)
+        });
         Self {
+            opposite: opposite.collect(),
             is_gathered: is_gathered
                 .map(|away| 0.0 < away && away <= GATHERED)
                 .collect(),
@@ -54,6 +64,19 @@ impl PinnedRows {
     /// Whether a row lies where the cloth is still gathered into a pinned one.
     pub(crate) fn is_gathered(&self, row: usize) -> bool {
         self.is_gathered.get(row) == Some(&true)
+    }
+
+    /// From what a row hangs: pinned rows above and below, or one of them twice, the share of the way from
+    /// the first to the second, and the rows to the first.
+    pub(crate) fn between(&self, row: usize) -> Option<([u32; 2], f32, u32)> {
+        let pins = [*self.nearest.get(row)?, *self.opposite.get(row)?];
+        let far = pins[0].abs_diff(narrow(row));
+        #[expect(clippy::cast_precision_loss, reason = "rows are fewer than 2^24")]
+        let share = match pins[0].abs_diff(pins[1]) {
+            0 => 0.0,
+            apart => far as f32 / apart as f32,
+        };
+        Some((pins, share, far))
     }
 
     /// How far every row may stay inside the capsules [m]: `limit` where pins hold it, less with

@@ -3,7 +3,7 @@
 
 use glam::Vec3;
 
-use crate::lanes::{Layout, Points};
+use crate::lanes::{Layout, Points, SlotSet, narrow};
 
 /// The engine's own order of a cloth's particles: vectors of sixteen lanes, and rows of vectors.
 pub(crate) trait Placement: Sync {
@@ -43,4 +43,20 @@ impl Placement for Layout {
     fn gather_points(&self, vectors: &[Points], points: &mut Vec<Vec3>) {
         Self::gather_points(self, vectors, points);
     }
+}
+
+/// Those of `0..count` that are in one of some sets.
+pub(crate) fn particles_of<const N: usize>(
+    sets: [&SlotSet; N],
+    layout: &dyn Placement,
+    count: usize,
+) -> Vec<u32> {
+    if sets.iter().all(|set| set.lanes().is_empty()) {
+        return Vec::new();
+    }
+    let is_in = |&particle: &u32| {
+        let slot = layout.slot(particle as usize);
+        sets.iter().any(|set| set.contains(slot))
+    };
+    (0..narrow(count)).filter(is_in).collect()
 }

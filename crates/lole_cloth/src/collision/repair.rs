@@ -20,7 +20,7 @@ use crate::collision::parting::FARTHEST_LEVER;
 use crate::collision::placement::Placement;
 use crate::collision::separation::Separation;
 use crate::collision::surface::Surface;
-use crate::lanes::{Points, Scalars, narrow};
+use crate::lanes::{Points, Scalars, SlotSet, narrow};
 
 /// Rounds of looking and bringing apart at most: a repair may make something else cross.
 const PARTING_ROUNDS: u8 = 8;
@@ -101,50 +101,9 @@ pub(crate) struct CrossingRepair {
     /// Particles near what still crosses at the end of a step; empty where nothing does.
     pub(crate) is_tangled: Vec<bool>,
     /// What was held back in this step.
-    pub(crate) held_back: HeldBack,
+    pub(crate) held_back: SlotSet,
     /// Whether what it says of its piece is what the repair of all pieces has found.
     pub(crate) is_part: bool,
-}
-
-/// Particles that a repair has held back.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub(crate) struct HeldBack {
-    /// By vector, their lanes; empty where there are none.
-    lanes: Vec<u16>,
-}
-
-impl HeldBack {
-    /// By vector, their lanes; empty where there are none.
-    pub(crate) fn lanes(&self) -> &[u16] {
-        &self.lanes
-    }
-
-    /// Becomes those of some of the vectors of another.
-    pub(crate) fn take_part(&mut self, whole: &Self, vectors: Range<usize>) {
-        self.lanes.clear();
-        self.lanes
-            .extend_from_slice(whole.lanes.get(vectors).unwrap_or(&[]));
-    }
-
-    /// Those of `0..count` that are held back.
-    pub(crate) fn particles(&self, layout: &dyn Placement, count: usize) -> Vec<u32> {
-        if self.lanes.is_empty() {
-            return Vec::new();
-        }
-        let is_held = |&particle: &u32| {
-            let (vector, lane) = layout.slot(particle as usize);
-            (self.lanes[vector] >> lane) & 1 == 1
-        };
-        (0..narrow(count)).filter(is_held).collect()
-    }
-
-    fn set(&mut self, fixed: Fixed<'_>, particles: &[u32]) {
-        self.lanes.resize(fixed.inv_masses.len(), 0);
-        for &particle in particles {
-            let (vector, lane) = fixed.layout.slot(particle as usize);
-            self.lanes[vector] |= 1 << lane;
-        }
-    }
 }
 
 impl CrossingRepair {
@@ -159,7 +118,7 @@ impl CrossingRepair {
             + size_of_val(&self.before[..])
             + size_of_val(&self.is_outside[..])
             + size_of_val(&self.is_tangled[..])
-            + size_of_val(self.held_back.lanes())
+            + self.held_back.byte_count()
             + self.moved_patches.byte_count()
             + self.guards.byte_count()
     }
@@ -167,7 +126,7 @@ impl CrossingRepair {
     /// Forgets what it has done in the steps before.
     pub(crate) fn forget(&mut self) {
         self.is_tangled.clear();
-        self.held_back.lanes.clear();
+        self.held_back.clear();
         self.guards.clear();
         self.ceiling = None;
         self.is_part = false;
@@ -201,7 +160,7 @@ impl CrossingRepair {
         let finder = &mut self.finder;
         dispatch!(fixed.level, simd => finder.find_all(simd, fixed.surface, &self.positions));
         self.separations.clear();
-        self.held_back.lanes.clear();
+        self.held_back.clear();
         let found = self.finder.crossings.len();
         if 0 < found {
             self.work(fixed, starts);
@@ -224,7 +183,7 @@ impl CrossingRepair {
     fn undo(&mut self, fixed: Fixed<'_>, positions: &[Points]) {
         fixed.layout.gather_points(positions, &mut self.positions);
         self.separations.clear();
-        self.held_back.lanes.clear();
+        self.held_back.clear();
         self.look_again(fixed);
     }
 
@@ -277,7 +236,10 @@ impl CrossingRepair {
             }
         }
         self.hold_together(fixed, starts);
-        self.held_back.set(fixed, &self.zones.members);
+        for &member in &self.zones.members {
+            let slot = fixed.layout.slot(member as usize);
+            self.held_back.insert(slot, fixed.inv_masses.len());
+        }
     }
 
     /// Whether the repair has done as much as it may.
@@ -569,7 +531,7 @@ impl CrossingRepair {
 
     /// What was held back goes on as fast as it came, or it would cross again in the next step.
     fn slow_down(&self, fixed: Fixed<'_>, starts: &[Vec3], velocities: &mut [Points]) {
-        if self.held_back.lanes.is_empty() {
+        if self.held_back.lanes().is_empty() {
             return;
         }
         for &member in &self.zones.members {

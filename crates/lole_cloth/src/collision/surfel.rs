@@ -9,6 +9,7 @@ mod cells;
 mod facing;
 mod nearness;
 mod planes;
+pub(crate) mod room;
 mod search;
 mod yielding;
 
@@ -20,15 +21,16 @@ use lole_geom::Surfel;
 
 use crate::collision::placement::Placement;
 use crate::collision::response::{Contact, ContactLaw, ContactRow};
-use crate::lanes::{LANES, Points, Vectors, smaller};
+use crate::lanes::{LANES, Points, SlotSet, Vectors, smaller};
 pub(crate) use cells::SurfelCells;
 use planes::PlaneField;
+use room::Hanging;
 use search::SurfelSearch;
 use yielding::Yielding;
 
 /// A particle that comes nearer to a surfel than this [m], besides what both may travel, takes its
 /// plane.
-const REACH: f32 = 0.012;
+pub(crate) const REACH: f32 = 0.012;
 
 /// Farthest surfel that is looked for [m], whatever the speeds.
 pub(crate) const REACH_MAX: f32 = 0.06;
@@ -45,6 +47,17 @@ const CLOSE: f32 = 0.008;
 
 /// How much farther than its speed promises a particle may come in half a step.
 const SPEED_MARGIN: f32 = 1.5;
+
+/// Skin that gives way by less than this [m] is not worth a word.
+const NOTICED: f32 = 0.001;
+
+/// How much more than is missing both sides give way where cloth has no room between them: half would
+/// leave it none to move in.
+const GIVING: f32 = 4.0;
+
+/// Cloth this far inside of the distance that it keeps from the skin [m], and stretched, hangs on something:
+/// what is only pulled tight over a knee lies on it.
+const HOOKED: f32 = 0.01;
 
 /// Farthest that cloth and skin may move towards each other from one search to the next [m]: less
 /// than a wrist is thick.
@@ -65,6 +78,8 @@ pub(crate) struct SurfelContacts {
     cells: SurfelCells,
     search: SurfelSearch,
     yielding: Yielding,
+    /// What had no room outside of the skin in this step.
+    pub(crate) without_room: SlotSet,
 }
 
 /// The skin during one step.
@@ -102,6 +117,7 @@ pub(crate) struct Cloth<'a> {
     /// By vector, the lanes that a repair has held back in the step before: skin yields to them. Empty
     /// where there are none.
     pub(crate) held_back: &'a [u16],
+    pub(crate) hanging: &'a dyn Hanging,
 }
 
 impl Cloth<'_> {
@@ -131,11 +147,13 @@ impl SurfelContacts {
             + self.cells.byte_count()
             + self.search.byte_count()
             + self.yielding.byte_count()
+            + self.without_room.byte_count()
     }
 
     /// Lets all skin be where it is: the cloth is another.
     pub(crate) fn forget(&mut self) {
         self.yielding = Yielding::default();
+        self.without_room.clear();
     }
 
     /// Plans a step of so many substeps: where something is fast, the nearest surfels are looked for
@@ -225,6 +243,7 @@ impl SurfelContacts {
             nearest,
             opposite,
             yielding,
+            without_room,
             part,
             ..
         } = self;
@@ -236,20 +255,43 @@ impl SurfelContacts {
             [&skin.before[surfel], &skin.after[surfel]]
         };
         let is_first = part.start == 0;
+        if is_first {
+            without_room.clear();
+        }
         search.each(cloth, |slot, row, place, against| {
-            let mut offset = skin.offset - cloth.held[row];
-            let is_held = |lanes: &u16| (lanes >> slot.1) & 1 == 1;
-            if is_first && cloth.held_back.get(slot.0).is_some_and(is_held) {
+            let at = cloth.positions[slot.0].get(slot.1);
+            let wanted = skin.offset - cloth.held[row];
+            if is_first {
                 let surfel = ends(place)[0];
-                let above =
-                    (cloth.positions[slot.0].get(slot.1) - surfel.position).dot(surfel.normal);
-                yielding.recede(slot, cloth.positions.len(), offset - above);
+                let deep = wanted - (at - surfel.position).dot(surfel.normal);
+                let is_held = |lanes: &u16| (lanes >> slot.1) & 1 == 1;
+                let is_held = cloth.held_back.get(slot.0).is_some_and(is_held);
+                if is_held || HOOKED < deep && room::is_torn(cloth, slot) {
+                    yielding.recede(slot, cloth.positions.len(), deep);
+                }
             }
-            offset -= yielding.depth(slot);
-            nearest.set(slot, ends(place), offset);
-            if let Some(place) = against {
-                opposite.set(slot, ends(place), offset);
+            let wanted = wanted - yielding.depth(slot);
+            let anchor = cloth.hanging.anchor(slot);
+            let within = |place: usize| match anchor {
+                Some(anchor) => anchor.within(cloth, ends(place), wanted),
+                None => wanted,
+            };
+            let offset = within(place);
+            if offset < wanted - NOTICED {
+                without_room.insert(slot, cloth.positions.len());
             }
+            let mut give = 0.0;
+            if let Some(other) = against {
+                let other_offset = within(other);
+                let gap =
+                    room::room(at, ends(place), offset) + room::room(at, ends(other), other_offset);
+                give = GIVING * (-gap).max(0.0);
+                if NOTICED < give {
+                    without_room.insert(slot, cloth.positions.len());
+                }
+                opposite.set(slot, ends(other), other_offset - give);
+            }
+            nearest.set(slot, ends(place), offset - give);
         });
     }
 

@@ -96,6 +96,7 @@ fn with_skin(
         speed_gain: config.gravity.length() * dt,
         dt,
         held_back: scratch.crossing_repair.held_back.lanes(),
+        hanging: model,
     };
     let skin = Skin {
         before: &state.surfels,

@@ -3,7 +3,9 @@
 use glam::Vec3;
 
 use crate::collision::face_contact::{FacePiece, Faces};
+use crate::collision::placement::Placement;
 use crate::collision::surface::Surface;
+use crate::collision::surfel::room::{Anchor, Hanging};
 use crate::lanes::{LANES, Points, Scalars};
 use crate::mesh::build::{self, Stars};
 use crate::mesh::order::Slots;
@@ -177,6 +179,36 @@ impl MeshModel {
         for (&point, &slot) in points.iter().zip(&self.slots.of_particle) {
             vectors[slot as usize / LANES].set(slot as usize % LANES, point);
         }
+    }
+}
+
+impl Hanging for MeshModel {
+    fn anchor(&self, slot: (usize, usize)) -> Option<Anchor> {
+        let particle = self.slots.particle_at(slot)?;
+        let &(pin, length) = self.nearest_pins.get(particle)?;
+        let pin = self.slots.slot(pin as usize);
+        length.is_finite().then_some(Anchor {
+            pins: [pin; 2],
+            share: 0.0,
+            length,
+        })
+    }
+
+    fn stretch_at(&self, positions: &[Points], slot: (usize, usize)) -> f32 {
+        let Some(particle) = self.slots.particle_at(slot) else {
+            return 0.0;
+        };
+        let flat = &self.spec.flat_positions;
+        let at = |particle: usize| {
+            let (vector, lane) = self.slots.slot(particle);
+            positions[vector].get(lane)
+        };
+        let neighbors = self.topology.neighbors[particle].iter();
+        let stretch = |&other: &u32| {
+            let other = other as usize;
+            at(particle).distance(at(other)) / flat[particle].distance(flat[other]) - 1.0
+        };
+        neighbors.map(stretch).fold(0.0, f32::max)
     }
 }
 

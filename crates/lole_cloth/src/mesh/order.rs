@@ -15,11 +15,16 @@ const TILE_SIDE: f32 = 8.0;
 /// Vectors of particles that meet the body together: a tile of 8 by 8.
 pub(crate) const PATCH_VECTORS: usize = 4;
 
+/// The particle of a slot that has none.
+const NOTHING: u32 = u32::MAX;
+
 /// Where particles stand in the engine's own order.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Slots {
     /// By particle.
     pub(crate) of_particle: Vec<u32>,
+    /// By slot; [`NOTHING`] where there is none.
+    particles: Vec<u32>,
     /// Slots in all, those of nothing included: whole patches.
     pub(crate) count: usize,
     /// By vector, a bit for every lane with a particle.
@@ -62,11 +67,22 @@ impl Slots {
         for &slot in &of_particle {
             occupied[slot as usize / LANES] |= 1 << (slot as usize % LANES);
         }
+        let mut particles = vec![NOTHING; count];
+        for (particle, &slot) in (0_u32..).zip(&of_particle) {
+            particles[slot as usize] = particle;
+        }
         Self {
+            particles,
             of_particle,
             count,
             occupied,
         }
+    }
+
+    /// The particle of a vector and lane.
+    pub(crate) fn particle_at(&self, (vector, lane): (usize, usize)) -> Option<usize> {
+        let particle = self.particles[vector * LANES + lane];
+        (particle != NOTHING).then_some(particle as usize)
     }
 }
 

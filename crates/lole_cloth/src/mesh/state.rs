@@ -6,7 +6,7 @@ use lole_geom::{Capsule, Surfel};
 use crate::collision::capsule::MovingCapsule;
 use crate::collision::capsule::near::RowContacts;
 use crate::collision::face_contact::FaceContacts;
-use crate::collision::placement::Placement as _;
+use crate::collision::placement::{Placement as _, particles_of};
 use crate::collision::repair::CrossingRepair;
 use crate::collision::surfel::SurfelContacts;
 use crate::lanes::Points;
@@ -115,12 +115,16 @@ impl MeshState {
             .extend(pins.map(|&pin| positions[pin as usize]));
     }
 
-    /// Particles that the last step held back because it found no way for them that does not cross, and to
-    /// which the skin yields.
+    /// Particles that the last step left in the skin or held back, because it found no place for them
+    /// outside of it that their cloth reaches without crossing.
     #[must_use]
-    pub fn held_back(&self, model: &MeshModel) -> Vec<u32> {
-        let held_back = &self.scratch.crossing_repair.held_back;
-        held_back.particles(&model.slots, model.particle_count())
+    pub fn without_room(&self, model: &MeshModel) -> Vec<u32> {
+        let scratch = &self.scratch;
+        let sets = [
+            &scratch.crossing_repair.held_back,
+            &scratch.surfel_contacts.without_room,
+        ];
+        particles_of(sets, &model.slots, model.particle_count())
     }
 
     /// Gives every particle its velocity [m/s].

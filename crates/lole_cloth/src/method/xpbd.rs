@@ -562,6 +562,7 @@ fn cloth_of<'a>(
         speed_gain: config.gravity.length() * dt,
         dt,
         held_back,
+        hanging: model,
     }
 }
 

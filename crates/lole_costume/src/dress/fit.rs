@@ -2,9 +2,9 @@
 //! the pose in which she is dressed to the one in which she stands.
 
 use glam::{Affine3A, Vec3};
-use lole_body::{Bone, Dancer, Pose, SkinSurfels};
+use lole_body::{Bone, Dancer, Pose};
 use lole_cloth::assembly::Lost;
-use lole_geom::Surfel;
+use lole_geom::{MeshSurfels, Surfel};
 
 use super::flat::FlatMesh;
 use super::form::Form;
@@ -96,7 +96,7 @@ pub(super) fn close_seams(mesh: &FlatMesh, form: &Form<'_>, places: &mut [Vec3])
 /// Sews the garment tight and lets it come to rest.
 pub(super) fn fit(
     (garment, kit): (&mut Dressed, &Kit),
-    body: (&Dancer, &SkinSurfels),
+    body: (&Dancer, &MeshSurfels),
     (stance, under): (&Pose, &mut Under<'_>),
 ) -> Result<(), DressError> {
     let basted = assembly(kit, Ease::Basted)?;
@@ -136,7 +136,7 @@ pub(super) fn fit(
 /// Lets a garment come to rest again on a dancer in her stance.
 pub(super) fn rest(
     garment: &mut Dressed,
-    body: (&Dancer, &SkinSurfels),
+    body: (&Dancer, &MeshSurfels),
     (stance, under): (&Pose, &mut Under<'_>),
 ) -> Result<(), Lost> {
     let mut state = garment.state();
@@ -165,7 +165,7 @@ impl Room {
     /// The dancer in a pose, as cloth meets her.
     fn world(
         &mut self,
-        (dancer, skin): (&Dancer, &SkinSurfels),
+        (dancer, skin): (&Dancer, &MeshSurfels),
         (pose, under): (&Pose, &mut Under<'_>),
     ) -> World<'_> {
         self.world_from_bind = dancer.skeleton.world_from_bind(pose);

@@ -1,8 +1,8 @@
 //! The dancer as a dressmaker's form: her skin in one pose, and tapes around her trunk.
 
 use glam::{Affine3A, Mat3, Vec3};
-use lole_body::{Bone, Dancer, Pose, SkinSurfels, TapePoint};
-use lole_geom::{Surfel, TriangleGrid};
+use lole_body::{Bone, Dancer, Pose, TapePoint};
+use lole_geom::{MeshSurfels, Surfel, TriangleGrid};
 
 use super::Pins;
 
@@ -164,7 +164,7 @@ impl<'a> Form<'a> {
         &self,
         places: &[Vec3],
         gaps: &[f32],
-    ) -> Option<(SkinSurfels, Vec<Vec3>)> {
+    ) -> Option<(MeshSurfels, Vec<Vec3>)> {
         let (carriers, surfels) = self.nearest_skin(places)?;
         let over = surfels.iter().zip(gaps);
         let over = over.map(|(skin, gap)| skin.position + skin.normal * *gap);
@@ -172,7 +172,7 @@ impl<'a> Form<'a> {
     }
 
     /// The points of the trunk's skin nearest to places. Arms hang beside it and go their own way.
-    fn nearest_skin(&self, places: &[Vec3]) -> Option<(SkinSurfels, Vec<Surfel>)> {
+    fn nearest_skin(&self, places: &[Vec3]) -> Option<(MeshSurfels, Vec<Surfel>)> {
         let skin = &self.dancer.skin;
         let (mut positions, mut normals) = (Vec::new(), Vec::new());
         skin.pose(&self.world_from_bind, &mut positions, &mut normals);
@@ -183,7 +183,7 @@ impl<'a> Form<'a> {
         };
         triangles.retain(|corners| corners.iter().all(is_of_trunk));
         let places = places.iter().copied();
-        let carriers = SkinSurfels::nearest_to(places, (&positions, &triangles), REACH)?;
+        let carriers = MeshSurfels::nearest_to(places, (&positions, &triangles), REACH)?;
         let mut surfels = Vec::new();
         carriers.pose(&positions, &normals, &mut surfels);
         Some((carriers, surfels))

@@ -36,7 +36,7 @@ fn put_on(template: &str, dancer: &Dancer) -> Dressed {
 
 fn put_on_among(template: &str, dancer: &Dancer, among: &Among<'_>) -> Dressed {
     let triangles = dancer.skin.body_triangles();
-    let surfels = SkinSurfels::new(&dancer.skin.positions, &triangles, SPACING);
+    let surfels = MeshSurfels::new(&dancer.skin.positions, &triangles, SPACING);
     dress(&worn(template), (dancer, &surfels), &Pose::default(), among).unwrap()
 }
 

@@ -98,8 +98,8 @@ impl Dressed {
     }
 
     /// Where it found no way that does not cross [m].
-    pub(super) fn held_back(&self, garment: &DressedGarment) -> Vec<Vec3> {
-        let held = self.state.held_back(&garment.dressed);
+    pub(super) fn without_room(&self, garment: &DressedGarment) -> Vec<Vec3> {
+        let held = self.state.without_room(&garment.dressed);
         held.iter().map(|&it| self.positions[it as usize]).collect()
     }
 

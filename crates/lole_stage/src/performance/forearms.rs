@@ -11,8 +11,8 @@
 use std::collections::BTreeMap;
 
 use glam::Vec3;
-use lole_body::{Bone, Dancer, SkinSurfels};
-use lole_geom::{Capsule, Surfel};
+use lole_body::{Bone, Dancer};
+use lole_geom::{Capsule, MeshSurfels, Surfel};
 
 /// Room that folded cloth takes between an arm and the body [m].
 const FOLDS: f32 = 0.03;
@@ -32,7 +32,7 @@ pub(crate) struct Forearms {
 
 impl Forearms {
     /// Cuts the forearms and hands of a dancer, whose skin is given as surfels, into slices.
-    pub(crate) fn new(dancer: &Dancer, surfels: &SkinSurfels) -> Self {
+    pub(crate) fn new(dancer: &Dancer, surfels: &MeshSurfels) -> Self {
         let mut slices = BTreeMap::<(Bone, u32), Vec<u32>>::new();
         for (surfel, corner) in (0..).zip(surfels.carriers()) {
             let corner = corner as usize;

@@ -1,17 +1,20 @@
-//! The skin as surfels, close enough together that cloth meets the drawn body in them.
+//! A moving triangle mesh as surfels, close enough together that cloth meets the mesh in them.
 
+use crate::{Surfel, TriangleGrid};
 use glam::Vec3;
-use lole_geom::{Surfel, TriangleGrid};
 
-/// Points spread over a skin's triangles, carried by their corners.
+/// Points spread over the triangles of a mesh, carried by their corners.
+///
+/// What cloth meets of a body that is known as vertices, normals and triangles: spread once, posed in every
+/// frame from where the vertices are.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct SkinSurfels {
+pub struct MeshSurfels {
     /// Corners, and their shares, which sum to 1.
     points: Vec<([u32; 3], [f32; 3])>,
 }
 
-impl SkinSurfels {
-    /// Spreads points over `triangles` of a mesh with these bind `positions` [m], so that none of
+impl MeshSurfels {
+    /// Spreads points over `triangles` of a mesh with these `positions` [m], so that none of
     /// them is farther than about half of `spacing` [m] from one: at every corner, along every edge
     /// and inside.
     #[must_use]
@@ -53,7 +56,7 @@ impl SkinSurfels {
         Self { points }
     }
 
-    /// The points of a mesh that are nearest to `places` [m] in the bind pose, one each; a place
+    /// The points of a mesh that are nearest to `places` [m] one each; a place
     /// farther than `reach` [m] from the mesh is refused.
     #[must_use]
     pub fn nearest_to(
@@ -135,35 +138,67 @@ fn ratio(part: u16, parts: u16) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Dancer, Measurements, Pose};
+
+    /// An octahedron of a radius [m] whose sides are long against the spacing.
+    fn octahedron(radius: f32) -> (Vec<Vec3>, Vec<[u32; 3]>) {
+        let axes = [Vec3::X, Vec3::Y, Vec3::Z];
+        let corners = axes.into_iter().flat_map(|axis| [axis, -axis]);
+        let triangles = (0..8_u32).map(|side| {
+            let [a, b, c] = [0, 1, 2].map(|axis| 2 * axis + ((side >> axis) & 1));
+            if side.count_ones().is_multiple_of(2) {
+                [a, b, c]
+            } else {
+                [a, c, b]
+            }
+        });
+        (
+            corners.map(|corner| corner * radius).collect(),
+            triangles.collect(),
+        )
+    }
 
     #[test]
-    fn every_place_of_the_skin_has_a_surfel_near_and_all_lie_on_it() {
-        let dancer = Dancer::new(&Measurements::woman()).unwrap();
-        let skin = &dancer.skin;
-        let triangles = skin.body_triangles();
+    fn every_place_has_a_surfel_near_and_all_lie_on_the_moved_mesh() {
         let spacing = 0.012;
-        let samples = SkinSurfels::new(&skin.positions, &triangles, spacing);
-        let (mut positions, mut normals) = (Vec::new(), Vec::new());
-        let world_from_bind = dancer.skeleton.world_from_bind(&Pose::default());
-        skin.pose(&world_from_bind, &mut positions, &mut normals);
+        let (rest, triangles) = octahedron(0.1);
+        let samples = MeshSurfels::new(&rest, &triangles, spacing);
+        let turn = glam::Quat::from_rotation_z(0.7);
+        let moved: Vec<Vec3> = rest.iter().map(|&at| turn * at + Vec3::X).collect();
+        let normals: Vec<Vec3> = (rest.iter()).map(|&at| turn * at.normalize()).collect();
         let mut surfels = Vec::new();
-        samples.pose(&positions, &normals, &mut surfels);
+        samples.pose(&moved, &normals, &mut surfels);
         assert_eq!(surfels.len(), samples.len());
-        let grid = TriangleGrid::new(&positions, &triangles, 0.03);
+        let grid = TriangleGrid::new(&moved, &triangles, 0.03);
         for surfel in &surfels {
-            let nearest = grid.nearest(surfel.position, 0.01).expect("on the skin");
+            let nearest = grid.nearest(surfel.position, 0.01).expect("on the mesh");
             assert!(nearest.distance < 1e-5);
             assert!((surfel.normal.length() - 1.0).abs() < 1e-4);
+            assert!(
+                0.0 < surfel.normal.dot(surfel.position - Vec3::X),
+                "outward"
+            );
         }
-        for triangle in triangles.iter().step_by(7) {
-            let [a, b, c] = triangle.map(|corner| positions[corner as usize]);
-            let place = a * 0.4 + b * 0.35 + c * 0.25;
-            let gap = surfels
-                .iter()
-                .map(|surfel| surfel.position.distance(place))
-                .fold(f32::INFINITY, f32::min);
-            assert!(gap <= 0.75 * spacing, "{gap}");
+        for triangle in triangles {
+            let [a, b, c] = triangle.map(|corner| moved[corner as usize]);
+            for (i, j) in (0..20_u8).flat_map(|i| (0..20 - i).map(move |j| (i, j))) {
+                let [u, v] = [i, j].map(|it| f32::from(it) / 20.0);
+                let place = a * u + b * v + c * (1.0 - u - v);
+                let gaps = surfels.iter().map(|it| it.position.distance(place));
+                let gap = gaps.fold(f32::INFINITY, f32::min);
+                assert!(gap <= 0.75 * spacing, "{gap}");
+            }
         }
+    }
+
+    #[test]
+    fn what_is_far_from_the_mesh_has_no_nearest_point() {
+        let (rest, triangles) = octahedron(0.1);
+        let mesh = (&rest[..], &triangles[..]);
+        let found = MeshSurfels::nearest_to([Vec3::X * 0.11], mesh, 0.02).expect("near");
+        assert_eq!(
+            (found.len(), found.is_empty(), found.carrier(0)),
+            (1, false, 0)
+        );
+        assert_eq!(MeshSurfels::nearest_to([Vec3::X * 0.2], mesh, 0.02), None);
     }
 }
