@@ -17,6 +17,11 @@ fn radius_at(height: f32) -> f32 {
     0.09 + 0.05 * height * height
 }
 
+/// How far a place is from the upright axis [m].
+fn out(at: Vec3) -> f32 {
+    at.with_y(0.0).length()
+}
+
 /// A closed body of triangles, as high as it is wide, whose waist is narrower than its ends: corners,
 /// normals and triangles.
 struct Body {
@@ -88,7 +93,7 @@ fn deepest(time: f32, places: &[Vec3]) -> f32 {
     let (lean, sway) = motion(time);
     let depth = |&place: &Vec3| {
         let at = lean.inverse() * (place - sway);
-        let inside = 0.985 * radius_at(at.y / 0.2) - at.x.hypot(at.z);
+        let inside = 0.985 * radius_at(at.y / 0.2) - out(at);
         inside.min(0.2 - at.y.abs())
     };
     places.iter().map(depth).fold(0.0, f32::max)
@@ -146,7 +151,7 @@ fn cloth_comes_out_of_a_body_as_deep_as_it_is_looked_for() {
         }
         // Beside the rim it is outside already.
         let middle: Vec<Vec3> = (world.positions().into_iter())
-            .filter(|at| at.x.hypot(at.z) < 0.06)
+            .filter(|&at| out(at) < 0.06)
             .collect();
         assert!(!middle.is_empty());
         deepest(0.0, &middle)

@@ -164,7 +164,9 @@ mod tests {
         let samples = MeshSurfels::new(&rest, &triangles, spacing);
         let turn = glam::Quat::from_rotation_z(0.7);
         let moved: Vec<Vec3> = rest.iter().map(|&at| turn * at + Vec3::X).collect();
-        let normals: Vec<Vec3> = (rest.iter()).map(|&at| turn * at.normalize()).collect();
+        let normals: Vec<Vec3> = (rest.iter())
+            .map(|&at| turn * at.normalize_or_zero())
+            .collect();
         let mut surfels = Vec::new();
         samples.pose(&moved, &normals, &mut surfels);
         assert_eq!(surfels.len(), samples.len());

@@ -9,7 +9,6 @@
 
 #![expect(
     clippy::print_stdout,
-    clippy::disallowed_methods,
     reason = "a tool prints figures, times among them"
 )]
 
