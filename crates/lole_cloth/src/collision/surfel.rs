@@ -117,6 +117,7 @@ pub(crate) struct Cloth<'a> {
     /// By vector, the lanes that a repair has held back in the step before: skin yields to them. Empty
     /// where there are none.
     pub(crate) held_back: &'a [u16],
+    /// From which pins its particles hang, and how far it is stretched.
     pub(crate) hanging: &'a dyn Hanging,
 }
 
@@ -162,6 +163,7 @@ impl SurfelContacts {
     pub(crate) fn plan(&mut self, cloth: Cloth<'_>, skin: Skin<'_>, substep_count: u32) {
         self.nearest.clear(0);
         self.part = 0..0;
+        self.without_room.clear();
         self.yielding.come_back(cloth.dt);
         if skin.after.is_empty() {
             self.part_count = 0;
@@ -255,9 +257,6 @@ impl SurfelContacts {
             [&skin.before[surfel], &skin.after[surfel]]
         };
         let is_first = part.start == 0;
-        if is_first {
-            without_room.clear();
-        }
         search.each(cloth, |slot, row, place, against| {
             let at = cloth.positions[slot.0].get(slot.1);
             let wanted = skin.offset - cloth.held[row];
@@ -277,7 +276,9 @@ impl SurfelContacts {
                 None => wanted,
             };
             let offset = within(place);
-            if offset < wanted - NOTICED {
+            // What the skin does not reach has no need of room.
+            let is_in = room::room(at, ends(place), wanted) < -NOTICED;
+            if is_in && offset < wanted - NOTICED {
                 without_room.insert(slot, cloth.positions.len());
             }
             let mut give = 0.0;
