@@ -317,9 +317,8 @@ impl SlotSet {
         size_of_val(self.lanes.as_slice())
     }
 
-    /// By vector, their lanes; empty where there are none.
-    pub(crate) fn lanes(&self) -> &[u16] {
-        &self.lanes
+    pub(crate) const fn is_empty(&self) -> bool {
+        self.lanes.is_empty()
     }
 
     /// Whether the particle of a vector and lane is in it.

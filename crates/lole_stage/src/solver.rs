@@ -262,7 +262,7 @@ impl Solver {
         }
     }
 
-    /// Particles of `xpbd` that were held back in the last step, because there was no way for them.
+    /// Particles of `xpbd` for which the last step found no place outside of the skin, or no way there.
     pub(crate) fn without_room(&self) -> Vec<u32> {
         match self {
             Self::Xpbd(xpbd) => xpbd.state.without_room(&xpbd.model),

@@ -51,7 +51,7 @@ pub(crate) fn particles_of<const N: usize>(
     layout: &dyn Placement,
     count: usize,
 ) -> Vec<u32> {
-    if sets.iter().all(|set| set.lanes().is_empty()) {
+    if sets.iter().all(|set| set.is_empty()) {
         return Vec::new();
     }
     let is_in = |&particle: &u32| {

@@ -531,7 +531,7 @@ impl CrossingRepair {
 
     /// What was held back goes on as fast as it came, or it would cross again in the next step.
     fn slow_down(&self, fixed: Fixed<'_>, starts: &[Vec3], velocities: &mut [Points]) {
-        if self.held_back.lanes().is_empty() {
+        if self.held_back.is_empty() {
             return;
         }
         for &member in &self.zones.members {

@@ -114,9 +114,8 @@ pub(crate) struct Cloth<'a> {
     /// What gravity adds to a speed in the step [m/s], and the step [s].
     pub(crate) speed_gain: f32,
     pub(crate) dt: f32,
-    /// By vector, the lanes that a repair has held back in the step before: skin yields to them. Empty
-    /// where there are none.
-    pub(crate) held_back: &'a [u16],
+    /// What a repair has held back in the step before: skin yields to it.
+    pub(crate) held_back: &'a SlotSet,
     /// From which pins its particles hang, and how far it is stretched.
     pub(crate) hanging: &'a dyn Hanging,
 }
@@ -263,8 +262,7 @@ impl SurfelContacts {
             if is_first {
                 let surfel = ends(place)[0];
                 let deep = wanted - (at - surfel.position).dot(surfel.normal);
-                let is_held = |lanes: &u16| (lanes >> slot.1) & 1 == 1;
-                let is_held = cloth.held_back.get(slot.0).is_some_and(is_held);
+                let is_held = cloth.held_back.contains(slot);
                 if is_held || HOOKED < deep && room::is_torn(cloth, slot) {
                     yielding.recede(slot, cloth.positions.len(), deep);
                 }

@@ -95,7 +95,7 @@ fn with_skin(
         spacing: f32::INFINITY,
         speed_gain: config.gravity.length() * dt,
         dt,
-        held_back: scratch.crossing_repair.held_back.lanes(),
+        held_back: &scratch.crossing_repair.held_back,
         hanging: model,
     };
     let skin = Skin {

@@ -30,7 +30,7 @@ use crate::constraint::pull::Pull;
 use crate::constraint::shear::Cell;
 use crate::constraint::structural::Spring;
 use crate::constraint::tether::Tethers;
-use crate::lanes::{LANES, Points};
+use crate::lanes::{LANES, Points, SlotSet};
 use crate::method::reference::SpringConstants;
 use crate::phase::{Observer, Phase};
 use crate::{
@@ -550,7 +550,7 @@ pub(super) fn find_body_contacts(
 fn cloth_of<'a>(
     (model, config): (&'a ClothModel, &SolverConfig),
     (positions, velocities): (&'a [Points], &'a [Points]),
-    (held, held_back): (&'a [f32], &'a [u16]),
+    (held, held_back): (&'a [f32], &'a SlotSet),
     dt: f32,
 ) -> Cloth<'a> {
     Cloth {
@@ -587,10 +587,7 @@ fn with_skin(
 ) {
     let scratch = &mut state.scratch;
     let moving = (&state.positions[..], &state.velocities[..]);
-    let held = (
-        &scratch.held_depths[..],
-        scratch.crossing_repair.held_back.lanes(),
-    );
+    let held = (&scratch.held_depths[..], &scratch.crossing_repair.held_back);
     let cloth = cloth_of((model, config), moving, held, dt);
     let skin = skin_of(config, &state.surfels, input);
     act(&mut scratch.surfel_contacts, cloth, skin);
@@ -609,10 +606,7 @@ fn find_contacts(
         cloth_of(
             (model, config),
             (positions, velocities),
-            (
-                &scratch.held_depths,
-                scratch.crossing_repair.held_back.lanes(),
-            ),
+            (&scratch.held_depths, &scratch.crossing_repair.held_back),
             dt,
         ),
         skin_of(config, &state.surfels, input),

@@ -97,7 +97,7 @@ impl Dressed {
         &self.positions
     }
 
-    /// Where it found no way that does not cross [m].
+    /// Where it found no place outside of the skin, or no way there that does not cross [m].
     pub(super) fn without_room(&self, garment: &DressedGarment) -> Vec<Vec3> {
         let held = self.state.without_room(&garment.dressed);
         held.iter().map(|&it| self.positions[it as usize]).collect()
