@@ -495,6 +495,8 @@ pub struct MethodDesign {
     pub body: BodyShapes,
     /// Capsules where capsules are met.
     pub capsule_count: u32,
+    /// When cloth of `xpbd` is kept from passing through itself.
+    pub uncrossed: Uncrossed,
     /// The paper's methods: when contact is worked out.
     pub contact_evaluation: ContactEvaluation,
     /// The paper's methods: whether skin may pull.
@@ -513,6 +515,7 @@ impl Default for MethodDesign {
             substep_count: None,
             body: BodyShapes::default(),
             capsule_count: PAPER_CAPSULES,
+            uncrossed: Uncrossed::default(),
             contact_evaluation: ContactEvaluation::default(),
             penalty: Response::default(),
             bounce_ratio: None,
@@ -544,6 +547,33 @@ impl BodyShapes {
             Self::Skin => "skin",
             Self::Capsules => "capsules",
             Self::TwoCylinders => "two-cylinders",
+        }
+    }
+}
+
+/// When cloth is kept from passing through itself, which costs about a third of a frame.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Uncrossed {
+    /// In every frame.
+    #[default]
+    Always,
+    /// In films, and in the window as long as the machine keeps pace.
+    InTime,
+    /// Never: folds may pass through each other.
+    Never,
+}
+
+impl Uncrossed {
+    /// Every one.
+    pub const ALL: [Self; 3] = [Self::Always, Self::InTime, Self::Never];
+
+    /// Name in documents.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Always => "always",
+            Self::InTime => "in-time",
+            Self::Never => "never",
         }
     }
 }

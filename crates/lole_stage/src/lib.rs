@@ -4,6 +4,7 @@
 //! it, draws what it holds and writes it down.
 
 pub mod danced;
+mod double_pau;
 #[cfg(test)]
 mod extremes;
 pub mod live;
@@ -18,9 +19,12 @@ pub mod validate;
 mod yielding;
 
 pub use danced::Danced;
+pub use double_pau::double_pau;
 pub use live::{Pull, Show, Vitals, Wish};
 pub use metrics::{FrameMetrics, RunMetrics};
-pub use performance::{Divergence, Energy, FRAME_SECONDS, FRAMES_PER_SECOND, NoRoom, Performance};
+pub use performance::{
+    Divergence, Energy, FRAME_SECONDS, FRAMES_PER_SECOND, NoRoom, Performance, no_room_now,
+};
 pub use production::{DressedGarment, Garment, Production, dancer};
 pub use six_dancers::six_dancers;
 pub use strangers::Stranger;

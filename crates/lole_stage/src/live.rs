@@ -115,9 +115,7 @@ impl Show {
             time: 0.0,
             age: EASE_SECONDS,
         };
-        let mut performance = Performance::new(Arc::clone(&production))?;
-        // A window keeps pace; films take the time.
-        performance.set_crossings(Crossings::Leave);
+        let performance = Performance::new(Arc::clone(&production))?;
         let positions = performance.cloth_positions().to_vec();
         Ok(Self {
             design: production.design.clone(),
@@ -195,7 +193,7 @@ impl Show {
                 let capsules = dancer.fit_capsules(layout);
                 self.performance.replace_capsules(capsules);
             }
-            self.performance.meet_body_of(design);
+            self.performance.set_contact_of(design);
             self.stopped = None;
         }
         if let Some(adorned) = adorned {
@@ -397,8 +395,8 @@ impl Show {
         pose
     }
 
-    /// What is done about cloth that has gone through itself, from the next frame on; nothing unless
-    /// it is said.
+    /// What is done about cloth that has gone through itself, from the next frame on; what the design
+    /// says unless it is said here.
     pub const fn set_crossings(&mut self, crossings: Crossings) {
         self.performance.set_crossings(crossings);
     }
@@ -435,6 +433,12 @@ impl Show {
     #[must_use]
     pub fn world_from_bind(&self) -> &[Affine3A] {
         self.performance.world_from_bind()
+    }
+
+    /// Parts of the body beside which the dance leaves cloth no room now.
+    #[must_use]
+    pub fn without_room(&self) -> Vec<Bone> {
+        self.performance.without_room()
     }
 
     /// Substeps of one frame.

@@ -10,7 +10,7 @@ mod over_cloth;
 mod worn;
 
 pub(crate) use forearms::Forearms;
-pub use no_room::NoRoom;
+pub use no_room::{NoRoom, no_room_now};
 
 use std::sync::Arc;
 
@@ -139,7 +139,7 @@ impl Performance {
         let mut performance = Self {
             body_capsules: production.dancer.capsules.clone(),
             meets_skin: production.design.contact_body() == BodyShapes::Skin,
-            crossings: Crossings::Repair,
+            crossings: production.design.crossings(),
             dressed: production.dressed.iter().map(Dressed::new).collect(),
             adorned: Adorned::default(),
             gusts: solver::gusts(&production.design),
@@ -259,9 +259,10 @@ impl Performance {
         self.body_capsules = capsules;
     }
 
-    /// Lets the cloth meet what `design` has it meet, from the next frame on.
-    pub(crate) fn meet_body_of(&mut self, design: &Design) {
+    /// Lets the cloth meet body and itself as `design` says, from the next frame on.
+    pub(crate) fn set_contact_of(&mut self, design: &Design) {
         self.meets_skin = design.contact_body() == BodyShapes::Skin;
+        self.crossings = design.crossings();
     }
 
     /// Places particles that a hand holds, from the next frame on: ascending, and pinned in the
@@ -783,15 +784,10 @@ impl Performance {
 
 /// What a hand holds of a garment, by its numbers in that garment.
 fn held_in(garment: &Garment, held: &[(u32, Vec3)]) -> Vec<(u32, Vec3)> {
+    let range = &garment.particles;
     let own = held.iter().filter_map(|&(particle, place)| {
-        let particle = particle as usize;
-        let inside = garment.particles.contains(&particle);
-        inside.then(|| {
-            Some((
-                u32::try_from(particle - garment.particles.start).ok()?,
-                place,
-            ))
-        })?
+        let own = (particle as usize).checked_sub(range.start)?;
+        (own < range.len()).then_some((u32::try_from(own).ok()?, place))
     });
     own.collect()
 }

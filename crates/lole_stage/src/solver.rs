@@ -32,6 +32,11 @@ const HELD_DEPTH: f32 = 0.012;
 /// Deepest that they hold it inside the gap kept from the skin itself [m]: there they lie close.
 const HELD_DEPTH_ON_SKIN: f32 = 0.006;
 
+/// Parts of a row across which it may not stretch. Where a skirt flies in a whirl its hem is a ring that
+/// holds itself together, and around one of hundreds of columns springs from each to the next carry no
+/// tension; chords over a sixteenth do, and are 0.6 % shorter than their arcs.
+const RING_PARTS: u32 = 16;
+
 /// Substeps of a frame: with two fewer the worst of the strain's 99th percentile rises from 3.3 to
 /// 4.4 %.
 const SUBSTEP_COUNT: NonZeroU32 = NonZeroU32::MIN.saturating_add(13);
@@ -127,7 +132,8 @@ impl Solver {
         spec: &ClothSpec,
         start: &[Vec3],
     ) -> Result<Self, StageError> {
-        let usual = if design.garments.iter().all(GarmentDesign::is_adornment) {
+        let is_alone = design.garments.iter().all(GarmentDesign::is_adornment);
+        let usual = if is_alone {
             SUBSTEP_COUNT
         } else {
             LAYERED_SUBSTEP_COUNT
@@ -141,9 +147,15 @@ impl Solver {
                 spec.fabric.drag_rate = 0.0;
             }
             let model = ClothModel::new(&spec)?;
+            // Over another skirt chords draw cloth through the layer within.
+            let chord = is_alone.then(|| (spec.grid.column_count / RING_PARTS).max(1));
+            let config = SolverConfig {
+                row_strides: chord.into_iter().collect(),
+                ..xpbd_config(&spec, substeps.unwrap_or(usual))
+            };
             return Ok(Self::Xpbd(Box::new(Xpbd {
                 state: ClothState::new(&model, start),
-                config: xpbd_config(&spec, substeps.unwrap_or(usual)),
+                config,
                 gusts,
                 wind: design.wind.velocity(),
                 model,

@@ -16,6 +16,8 @@ use lole_language::Sentence;
 use crate::{Command, Snapshot};
 use sewing::Sewn;
 use stagehand::Stagehand;
+#[cfg(test)]
+pub(crate) use stagehand::first_moment;
 
 /// What the thread says besides snapshots.
 #[derive(Debug, Clone, PartialEq)]

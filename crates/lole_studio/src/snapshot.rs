@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use glam::Vec3;
-use lole_body::Taped;
+use lole_body::{Bone, Taped};
 use lole_cloth::Grid;
 use lole_geom::Capsule;
 use lole_picture::{Looks, Moment};
@@ -93,6 +93,8 @@ pub struct Snapshot {
     pub recording_seconds: Option<f32>,
     /// Substeps of one frame.
     pub substep_count: u32,
+    /// Parts of the body beside which cloth has no room.
+    pub without_room: Vec<Bone>,
     /// Where and when the cloth flew apart.
     pub stopped: Option<Divergence>,
 }

@@ -1,6 +1,6 @@
 //! Every word of the window, in both languages.
 
-use lole_costume::document::MethodName;
+use lole_costume::document::{MethodName, Uncrossed};
 use lole_language::{Words, words};
 
 pub(crate) const OPEN: Words = words("開く…", "Open…");
@@ -71,6 +71,7 @@ pub(crate) const TEMPO_UNIT: Words = words(" 拍/分", " /min");
 
 pub(crate) const CLOTH: Words = words("布", "Cloth");
 pub(crate) const METHOD: Words = words("計算方法", "Method");
+pub(crate) const UNCROSSED: Words = words("布のすり抜けどめ", "Cloth stays out of cloth");
 pub(crate) const STIFFNESS: Words = words("かたさ（倍）", "Stiffness (times)");
 pub(crate) const DAMPING: Words = words("空気の抵抗", "Damping by air");
 pub(crate) const AIR_AND_CLOTH: Words = words("風と布", "Air");
@@ -329,5 +330,14 @@ pub(crate) const fn method(method: MethodName) -> Words {
         MethodName::Rk4 => words("古典的、遅い", "classical, slow"),
         MethodName::RkAsPrinted => words("論文の式のまま", "as printed"),
         MethodName::RkDoubleCounted => words("二重に数える", "counted twice"),
+    }
+}
+
+/// When cloth is kept from passing through itself.
+pub(crate) const fn uncrossed(when: Uncrossed) -> Words {
+    match when {
+        Uncrossed::Always => words("いつでも", "always"),
+        Uncrossed::InTime => words("間に合うあいだだけ", "while there is time"),
+        Uncrossed::Never => words("しない", "never"),
     }
 }

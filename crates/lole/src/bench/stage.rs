@@ -1,8 +1,8 @@
 //! Scenes with a dancer: what a whole frame of the product costs.
 
 use lole_cloth::{Phase, diagnose};
-use lole_costume::document::{Design, GarmentDesign, WornSkirt, WornTop};
-use lole_stage::{Performance, Production, RunMetrics, StageError};
+use lole_costume::document::Design;
+use lole_stage::{Performance, Production, RunMetrics, StageError, double_pau};
 
 use super::Settings;
 use super::phases::PhaseClock;
@@ -40,20 +40,6 @@ pub(super) const SCENES: &[StageScene] = &[
         design: double_pau,
     },
 ];
-
-/// A double pāʻū and a top, of 40,000 particles: a plain underskirt, the print skirt over it, shorter,
-/// and the top over its band.
-fn double_pau() -> Design {
-    let mut design = Design::default();
-    design.skirt.hem_height_cm = 34.0;
-    design.skirt.gather_ratio = 3.0;
-    (design.skirt.column_count, design.skirt.row_count) = (480, 36);
-    design.garments = vec![
-        GarmentDesign::PauSkirt(WornSkirt::default()),
-        GarmentDesign::PauTop(WornTop::default()),
-    ];
-    design
-}
 
 /// A scene's dancer, settled and about to dance.
 fn settled(design: &Design, settings: Settings) -> Result<Performance, StageError> {

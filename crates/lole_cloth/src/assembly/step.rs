@@ -260,8 +260,8 @@ fn advance(
         }
         if contact_interval.is_some_and(|interval| index.is_multiple_of(interval)) {
             state.contacts.solve(&mut state.pieces[..], h);
-            (assembly.whole).keep_guards(&mut state.pieces, &state.whole, h);
         }
+        (assembly.whole).keep_guards(&mut state.pieces, &state.whole, h);
         for ((piece, plan), state) in pieces().zip(&plans).zip(&mut state.pieces) {
             finish(piece.0, (plan.as_ref(), index), state);
         }

@@ -19,6 +19,13 @@ use crate::lanes::{LANES, Points, Vectors, narrow};
 /// surface is flat enough not to cross there.
 const FLAT_COSINE: f32 = 0.2;
 
+/// The same where the surface is so flat that it cannot wind around the particle twice either, unless the
+/// angles there make up 1.4 full turns: a tilt widens an angle by no more than one over its cosine.
+const SURELY_FLAT_COSINE: f32 = 0.7;
+
+/// Quadrants of a full turn, and a little more for rounding.
+const FULL_TURN: f32 = 4.0001;
+
 /// What lies nearer than this to a triangle [m] crosses it: ten times what rounding hides at 2 m from the
 /// origin, so that whatever is found uncrossed is so, however it is reckoned.
 const TOUCHING_REACH: f32 = 1.0e-6;
@@ -117,19 +124,20 @@ impl CrossingFinder {
         self.near.clear();
         self.tree.list_pairs(simd, surface, &mut self.near);
         (self.resting_count, self.marked_count) = (self.near.len(), 0);
-        self.fold_all(simd, surface);
+        self.fold_all(simd, surface, positions);
         self.effort = 0;
         self.look(surface, positions, 0);
     }
 
     /// Lists the patches around all particles where the surface folds.
     #[inline(always)]
-    fn fold_all<S: Simd>(&mut self, simd: S, surface: &Surface) {
+    fn fold_all<S: Simd>(&mut self, simd: S, surface: &Surface, positions: &[Vec3]) {
         self.folded.clear();
         let count = surface.particle_count();
         if rayon::current_num_threads() == 1 {
             let stars = &mut self.stars;
-            stars.fold(simd, (surface, &self.tree), 0..count, &mut self.folded);
+            let cloth = (surface, &self.tree, positions);
+            stars.fold(simd, cloth, 0..count, &mut self.folded);
             return;
         }
         let level = simd.level();
@@ -139,7 +147,8 @@ impl CrossingFinder {
             .map(|start| {
                 let (mut stars, mut folded) = (Stars::default(), Vec::new());
                 let some = start..count.min(start + PARTICLES_TOGETHER);
-                dispatch!(level, simd => stars.fold(simd, (surface, tree), some, &mut folded));
+                let cloth = (surface, tree, positions);
+                dispatch!(level, simd => stars.fold(simd, cloth, some, &mut folded));
                 folded
             })
             .collect();
@@ -175,7 +184,8 @@ impl CrossingFinder {
         particles.sort_unstable();
         particles.dedup();
         for some in particles.chunks(LANES) {
-            let folds = self.stars.folds(simd, surface, &self.tree, some);
+            let cloth = (surface, &self.tree, positions);
+            let folds = self.stars.folds(simd, cloth, some);
             list_folded(surface, some, folds, &mut self.folded);
         }
         self.effort += marked.patches.len();
@@ -235,7 +245,7 @@ impl Stars {
     fn fold<S: Simd>(
         &mut self,
         simd: S,
-        (surface, tree): (&Surface, &PatchTree),
+        cloth: (&Surface, &PatchTree, &[Vec3]),
         particles: Range<usize>,
         folded: &mut Vec<[u32; 2]>,
     ) {
@@ -245,19 +255,18 @@ impl Stars {
             for (particle, place) in (start..).zip(&mut some[..count]) {
                 *place = narrow(particle);
             }
-            let folds = self.folds(simd, surface, tree, &some[..count]);
-            list_folded(surface, &some[..count], folds, folded);
+            let folds = self.folds(simd, cloth, &some[..count]);
+            list_folded(cloth.0, &some[..count], folds, folded);
         }
     }
 
     /// Which of at most sixteen particles have normals around them that do not all lie in one
-    /// half-space, and well within it.
+    /// half-space, and well within it, or cloth that winds around them more than once.
     #[inline(always)]
     fn folds<S: Simd>(
         &mut self,
         simd: S,
-        surface: &Surface,
-        tree: &PatchTree,
+        (surface, tree, positions): (&Surface, &PatchTree, &[Vec3]),
         particles: &[u32],
     ) -> u64 {
         self.gather(surface, tree, particles);
@@ -265,14 +274,22 @@ impl Stars {
         for points in self.0.iter().flatten() {
             sum = sum.add(Vectors::load(simd, points));
         }
-        let limit = sum.dot(sum) * f32x16::splat(simd, FLAT_COSINE * FLAT_COSINE);
-        let mut flat = u64::MAX;
+        let [limit, sure] = [FLAT_COSINE, SURELY_FLAT_COSINE]
+            .map(|cosine| sum.dot(sum) * f32x16::splat(simd, cosine * cosine));
+        let (mut flat, mut surely_flat) = (u64::MAX, u64::MAX);
         for points in self.0.iter().flatten() {
             let normal = Vectors::load(simd, points);
             let along = sum.dot(normal);
             let is_ahead = f32x16::splat(simd, 0.0).simd_le(along);
-            let is_within = (limit * normal.dot(normal)).simd_le(along * along);
+            let [is_within, is_sure] =
+                [limit, sure].map(|limit| (limit * normal.dot(normal)).simd_le(along * along));
             flat &= is_ahead.to_bitmask() & is_within.to_bitmask();
+            surely_flat &= is_sure.to_bitmask();
+        }
+        for lane in each_hit(flat & !surely_flat, particles.len()) {
+            if winds_twice(surface, positions, particles[lane]) {
+                flat &= !(1 << lane);
+            }
         }
         !flat
     }
@@ -297,6 +314,38 @@ impl Stars {
             }
         }
     }
+}
+
+/// Whether cloth whose normals around a particle lie in one half-space winds around it more than once: seen
+/// along their sum, what its triangles turn through is more than a full turn.
+#[cold]
+#[inline(never)]
+fn winds_twice(surface: &Surface, positions: &[Vec3], particle: u32) -> bool {
+    let triangles = || {
+        let star = surface.star(particle as usize).iter();
+        star.flat_map(|&patch| surface.sides_at(patch, particle))
+    };
+    let at = positions[particle as usize];
+    let sides = |[from, to]: [u32; 2]| [from, to].map(|corner| positions[corner as usize] - at);
+    let sum: Vec3 = triangles()
+        .map(sides)
+        .map(|[from, to]| from.cross(to))
+        .sum();
+    let across = sum.any_orthogonal_vector();
+    let axes = [across, sum.cross(across) / sum.length()];
+    // Goes around with the angle, from 0 to 4, without the cost of one.
+    let turned = |side: Vec3| {
+        let [x, y] = axes.map(|axis| side.dot(axis));
+        let share = y / (x.abs() + y.abs());
+        if x < 0.0 { 2.0 - share } else { share }
+    };
+    let through = triangles().map(sides).map(|[from, to]| {
+        let angle = turned(to) - turned(from);
+        if angle < 0.0 { angle + 4.0 } else { angle }
+    });
+    // What has no direction folds.
+    let is_once = through.sum::<f32>() <= FULL_TURN;
+    !is_once
 }
 
 #[inline(always)]
@@ -374,6 +423,10 @@ fn cross(
         for triangle in PATCH_TRIANGLES {
             let places = triangle.map(|corner| corners[1 - side][corner]);
             let cut_corners = triangle.map(|corner| cutter.corners[corner]);
+            // A patch of one triangle has no second.
+            if cut_corners[0] == cut_corners[2] {
+                continue;
+            }
             let at_seams = triangle.map(|corner| seams[corner]);
             let shared = bits(cut_seams, |corner| at_seams.contains(&corner));
             let plane = Plane::new(places);
@@ -477,9 +530,9 @@ impl Plane {
     }
 }
 
-/// Weights of a triangle's corners where the line of a segment goes through it, or past one of its sides no
-/// farther than [`TOUCHING_REACH`]: by the sides on which that line passes the lines of the triangle's, which
-/// is one question for both triangles at a side (Plücker coordinates).
+/// Weights of a triangle's corners where a segment is not beside it and its line goes through it, or past one
+/// of its sides no farther than [`TOUCHING_REACH`]: by the sides on which that line passes the lines of the
+/// triangle's, which is one question for both triangles at a side (Plücker coordinates).
 #[inline(always)]
 fn weights_on_line([start, end]: [Vec3; 2], [a, b, c]: [Vec3; 3]) -> Option<Vec3> {
     let along = end - start;
@@ -495,6 +548,9 @@ fn weights_on_line([start, end]: [Vec3; 2], [a, b, c]: [Vec3; 3]) -> Option<Vec3
     if lowest < 0.0 && 0.0 < highest {
         return None;
     }
+    if are_apart([start, end], [a, b, c]) {
+        return None;
+    }
     let sign = if lowest < 0.0 { -1.0 } else { 1.0 };
     let weights = Vec3::from_array(volumes.map(|volume| (sign * volume).max(0.0)));
     let sum = weights.element_sum();
@@ -503,6 +559,22 @@ fn weights_on_line([start, end]: [Vec3; 2], [a, b, c]: [Vec3; 3]) -> Option<Vec3
     } else {
         Vec3::splat(1.0 / 3.0)
     })
+}
+
+/// Whether a segment lies beside a triangle, seen across the triangle's plane: where both lie in that plane
+/// every line in it passes all others.
+fn are_apart(segment: [Vec3; 2], corners: [Vec3; 3]) -> bool {
+    let [a, b, c] = corners;
+    let normal = (b - a).cross(c - a);
+    [b - a, c - b, a - c, segment[1] - segment[0]]
+        .into_iter()
+        .any(|line| {
+            let axis = normal.cross(line);
+            let [start, end] = segment.map(|place| (place - a).dot(axis));
+            let [p, q, r] = corners.map(|place| (place - a).dot(axis));
+            let room = reach(axis);
+            start.max(end) + room < p.min(q).min(r) || p.max(q).max(r) + room < start.min(end)
+        })
 }
 
 /// Share of a segment and weights of a triangle's corners where they cross (Möller and Trumbore

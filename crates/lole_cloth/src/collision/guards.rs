@@ -2,8 +2,7 @@
 //!
 //! Where folds are pressed together, springs drive the same edge through the same triangle in every step,
 //! and a repair at the end of each would stretch the cloth a little more every time. So an edge and a
-//! triangle that were parted are guarded: in the substeps of the next steps (all of a grid's, those of a mesh
-//! or of an assembly in which it meets itself) they keep to their sides of a
+//! triangle that were parted are guarded: in all substeps of the next steps they keep to their sides of a
 //! plane between them, and springs find their rest with that.
 
 use glam::Vec3;

@@ -542,15 +542,16 @@ impl CrossingRepair {
         }
     }
 
-    /// Takes from an end and a corner that lie on each other what brings them nearer.
+    /// Takes from an end and a corner what of their approach would bring them together in the next step.
     fn stop_approach(&self, fixed: Fixed<'_>, separation: &Separation, velocities: &mut [Points]) {
         let (end, corner, gap) = separation.closest(&self.positions);
         let slots = [end, corner].map(|particle| fixed.layout.slot(particle as usize));
         let inv_masses = slots.map(|(vector, lane)| fixed.inv_masses[vector].0[lane]);
         let sum = inv_masses[0] + inv_masses[1];
         let speeds = slots.map(|(vector, lane)| velocities[vector].get(lane));
-        let approach = (speeds[1] - speeds[0]).dot(separation.normal);
-        if gap <= 2.0 * CLEARANCE && 0.0 < sum && 0.0 < approach {
+        let allowed = (gap - CLEARANCE).max(0.0) / fixed.dt;
+        let approach = (speeds[1] - speeds[0]).dot(separation.normal) - allowed;
+        if 0.0 < sum && 0.0 < approach {
             let change = separation.normal * (approach / sum);
             let [end, corner] = slots;
             velocities[end.0].set(end.1, speeds[0] + change * inv_masses[0]);

@@ -132,6 +132,22 @@ impl Surface {
         &self.star_patches[start..end]
     }
 
+    /// The other corners of a patch's triangles at a particle, in their order.
+    pub(crate) fn sides_at(&self, patch: u32, particle: u32) -> impl Iterator<Item = [u32; 2]> {
+        let corners = self.patches[patch as usize].corners;
+        let triangles = PATCH_TRIANGLES.map(|triangle| triangle.map(|corner| corners[corner]));
+        triangles.into_iter().filter_map(move |[a, b, c]| {
+            let sides = match particle {
+                _ if a == c => return None,
+                it if it == a => [b, c],
+                it if it == b => [c, a],
+                it if it == c => [a, b],
+                _ => return None,
+            };
+            Some(sides)
+        })
+    }
+
     /// By patch of the first leaf, which patches of the second share a particle with it; `None`
     /// where none does. The first is not the later of the two.
     #[inline(always)]

@@ -256,12 +256,15 @@ impl SurfelContacts {
             [&skin.before[surfel], &skin.after[surfel]]
         };
         let is_first = part.start == 0;
+        let common = cells.mean_motion();
         search.each(cloth, |slot, row, place, against| {
             let at = cloth.positions[slot.0].get(slot.1);
             let wanted = skin.offset - cloth.held[row];
             if is_first {
-                let surfel = ends(place)[0];
-                let deep = wanted - (at - surfel.position).dot(surfel.normal);
+                let [start, end] = ends(place);
+                let out = |at: Vec3, surfel: &Surfel| (at - surfel.position).dot(surfel.normal);
+                // Nor is it pushed on in the step: a knee that is raised goes on.
+                let deep = wanted - out(at, start).min(out(at + common, end));
                 let is_held = cloth.held_back.contains(slot);
                 if is_held || HOOKED < deep && room::is_torn(cloth, slot) {
                     yielding.recede(slot, cloth.positions.len(), deep);

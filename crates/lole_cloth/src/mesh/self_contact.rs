@@ -52,13 +52,13 @@ pub(crate) fn find(model: &MeshModel, config: &SolverConfig, state: &mut MeshSta
 }
 
 /// Keeps what was parted in earlier steps apart in a substep of `h` [s].
-pub(crate) fn keep_guards(model: &MeshModel, h: f32, state: &mut MeshState) {
+fn keep_guards(model: &MeshModel, h: f32, state: &mut MeshState) {
     let guards = std::mem::take(&mut state.scratch.crossing_repair.guards);
     guards.solve(state, model.spec().fabric.cloth_friction, h);
     state.scratch.crossing_repair.guards = guards;
 }
 
-/// Moves apart what touches in a substep, where that is due.
+/// Moves apart what touches in a substep, where that is due, and what is guarded in every one.
 pub(crate) fn solve(
     (model, config): (&MeshModel, &SolverConfig),
     (substep, index): (&Substep, u32),
@@ -71,8 +71,8 @@ pub(crate) fn solve(
         let mut contacts = std::mem::take(&mut state.scratch.face_contacts);
         contacts.solve(state, substep.h);
         state.scratch.face_contacts = contacts;
-        keep_guards(model, substep.h, state);
     }
+    keep_guards(model, substep.h, state);
 }
 
 /// Takes back what came to cross in this step.

@@ -3,8 +3,8 @@
 use lole_body::{
     Appearance, CapsuleLayout, Measure, Measurements, MotionSettings, Part, School, Tape,
 };
-use lole_cloth::Fabric;
 use lole_cloth::wind::Wind;
+use lole_cloth::{Crossings, Fabric};
 use lole_geom::Length;
 use lole_language::{Bilingual, Sentence};
 use lole_pattern::design::pau_skirt::PauOptions;
@@ -14,8 +14,8 @@ use lole_pattern::{DraftError, ElasticRatio, GatherRatio};
 use super::schema::Table;
 use super::{
     BodyShapes, DancerDesign, Design, DesignError, FabricDesign, GarmentDesign, GarmentLayer,
-    MotionDesign, PartDesign, PrintChoice, Problem, SkirtDesign, WindDesign, WornTop, schema,
-    template,
+    MotionDesign, PartDesign, PrintChoice, Problem, SkirtDesign, Uncrossed, WindDesign, WornTop,
+    schema, template,
 };
 use crate::fabrics::{FabricFigures, si_fabric};
 
@@ -160,6 +160,15 @@ impl Design {
         match self.method.body {
             BodyShapes::Skin if self.method.name.integrator().is_some() => BodyShapes::Capsules,
             body => body,
+        }
+    }
+
+    /// What is done about cloth that has gone through itself where nobody is in a hurry.
+    #[must_use]
+    pub const fn crossings(&self) -> Crossings {
+        match self.method.uncrossed {
+            Uncrossed::Always | Uncrossed::InTime => Crossings::Repair,
+            Uncrossed::Never => Crossings::Leave,
         }
     }
 

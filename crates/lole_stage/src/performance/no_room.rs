@@ -49,6 +49,36 @@ impl NoRoom {
     }
 }
 
+/// Beside which parts of the body cloth has no room now, in one sentence; `None` where there is room.
+#[must_use]
+pub fn no_room_now(parts: &[Bone]) -> Option<Sentence> {
+    let words = || parts.iter().map(|&part| part_words(part));
+    let [japanese, english] = [
+        words().map(|it| it.japanese).collect::<Vec<_>>().join("と"),
+        words()
+            .map(|it| it.english)
+            .collect::<Vec<_>>()
+            .join(" and "),
+    ];
+    (!parts.is_empty()).then(|| {
+        Sentence::new(
+            format!("{japanese}のところで布の居場所がなく、肌のほうがよけています"),
+            format!("no room for the cloth at {english}: the skin gives way"),
+        )
+    })
+}
+
+impl super::Performance {
+    /// Parts of the body beside which the dance leaves cloth no room now, or did a moment ago: what lasts
+    /// for a few frames only is not among them.
+    #[must_use]
+    pub fn without_room(&self) -> Vec<Bone> {
+        let now = self.time();
+        let told = self.no_room().filter(|it| now - it.time[1] < PAUSE);
+        told.map(|it| it.part).collect()
+    }
+}
+
 /// Writes down beside what cloth was held back in a frame that ends at a time [s]: `held` are its
 /// particles [m], of the body there are surfels, with the bone that carries each.
 pub(super) fn note(
@@ -154,6 +184,20 @@ mod tests {
         let said = told[0].sentence();
         assert!(said.english.contains("2.0 to 2.9 s") && said.english.contains("left foot"));
         assert!(said.japanese.contains("左足"));
+    }
+
+    #[test]
+    fn what_has_no_room_now_is_one_sentence_in_both_languages() {
+        assert_eq!(no_room_now(&[]), None);
+        let said = no_room_now(&[Bone::LeftUpperLeg, Bone::RightUpperLeg]).unwrap();
+        assert_eq!(
+            said.english,
+            "no room for the cloth at her left thigh and her right thigh: the skin gives way"
+        );
+        assert_eq!(
+            said.japanese,
+            "左の太ももと右の太もものところで布の居場所がなく、肌のほうがよけています"
+        );
     }
 
     #[test]

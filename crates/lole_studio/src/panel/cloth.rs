@@ -1,10 +1,10 @@
 //! Method, stiffness and damping: changed without stopping the dance.
 
-use eframe::egui::{ComboBox, Ui};
-use lole_costume::document::MethodName;
+use eframe::egui::Ui;
+use lole_costume::document::{MethodName, Uncrossed};
 
 use super::hindrance;
-use super::knob::{Knob, Scale};
+use super::knob::{Knob, Scale, list};
 use crate::studio::range;
 use crate::wished::STIFFNESSES;
 use crate::{Studio, text};
@@ -14,6 +14,7 @@ const MOST_DAMPING: f64 = 10.0;
 
 pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     method(ui, studio);
+    uncrossed(ui, studio);
     hindrance::show(ui, studio, &["[method]", "[fabric]"]);
     let stiffness = Knob {
         name: studio.say(text::STIFFNESS),
@@ -40,23 +41,24 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
 }
 
 fn method(ui: &mut Ui, studio: &mut Studio) {
-    let label = ui.label(studio.say(text::METHOD));
+    let options = MethodName::ALL.map(|method| (method, name_of(studio, method)));
     let chosen = studio.design().method.name;
-    let mut picked = chosen;
-    let width = ui.available_width();
-    ComboBox::from_id_salt("method")
-        .width(width)
-        .selected_text(name_of(studio, chosen))
-        .show_ui(ui, |ui| {
-            for method in MethodName::ALL {
-                let name = name_of(studio, method);
-                ui.selectable_value(&mut picked, method, name);
-            }
-        })
-        .response
-        .labelled_by(label.id);
-    if picked != chosen {
+    let name = studio.say(text::METHOD);
+    if let Some(picked) = list(ui, ("method", name), chosen, &options) {
         studio.change(|design| design.method.name = picked);
+    }
+}
+
+/// Of `xpbd`: the paper's methods let cloth pass through itself.
+fn uncrossed(ui: &mut Ui, studio: &mut Studio) {
+    if studio.design().method.name != MethodName::Xpbd {
+        return;
+    }
+    let options = Uncrossed::ALL.map(|when| (when, studio.say(text::uncrossed(when)).to_owned()));
+    let chosen = studio.design().method.uncrossed;
+    let name = studio.say(text::UNCROSSED);
+    if let Some(picked) = list(ui, ("uncrossed", name), chosen, &options) {
+        studio.change(|design| design.method.uncrossed = picked);
     }
 }
 

@@ -1,6 +1,9 @@
-//! The line below: time of the dance, how fast cloth and picture go, what the mouse does.
+//! The line below: time of the dance, where cloth has no room, how fast cloth and picture go, what the mouse
+//! does.
 
 use eframe::egui::{Align, Label, Layout, RichText, Ui};
+
+use lole_stage::no_room_now;
 
 use crate::{Studio, text};
 
@@ -45,6 +48,10 @@ fn parts(studio: &Studio) -> Vec<String> {
     });
     if studio.sews {
         parts.push(studio.say(text::SEWING).to_owned());
+    }
+    // As long as it is so, and no longer.
+    if let Some(sentence) = no_room_now(&snapshot.without_room) {
+        parts.push(studio.tell(&sentence));
     }
     if let Some(pace) = snapshot.pace {
         let name = studio.say(text::REAL_TIME);

@@ -1,16 +1,17 @@
 //! The panels without a display: what a click sends, what a language shows, what trouble says.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use eframe::egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use lole_avatar::AnimationSummary;
 use lole_body::motion::SCHOOLS;
-use lole_body::{DanceStep, Figure, Side};
+use lole_body::{Bone, DanceStep, Figure, Side};
 use lole_cloth::wind::WindLaw;
 use lole_costume::document::{
-    Design, GarmentDesign, LinkedFile, MethodName, MotionDrift, MotionRepeat, WindModel,
+    Design, GarmentDesign, LinkedFile, MethodName, MotionDrift, MotionRepeat, Uncrossed, WindModel,
 };
 use lole_costume::fabrics::PRESETS;
 use lole_language::{Language, Sentence};
@@ -122,6 +123,18 @@ fn every_method_of_the_document_can_be_chosen() {
 }
 
 #[test]
+fn cloth_may_be_let_through_cloth_where_the_method_knows_better() {
+    let mut window = tab(Tab::Cloth);
+    assert_eq!(window.state().design().method.uncrossed, Uncrossed::Always);
+    window
+        .get_by_role_and_label(Role::ComboBox, "Cloth stays out of cloth")
+        .click();
+    window.run_steps(3);
+    click(&mut window, "while there is time");
+    assert_eq!(window.state().design().method.uncrossed, Uncrossed::InTime);
+}
+
+#[test]
 fn the_language_switch_changes_the_labels_and_nothing_else() {
     let mut window = window(studio(Language::English));
     let before = window.state().design().clone();
@@ -226,6 +239,34 @@ fn a_message_stays_until_it_is_closed() {
     window.get_by_label("3行目がちがいます");
     click(&mut window, "閉じる");
     assert!(window.query_by_label("3行目がちがいます").is_none());
+}
+
+#[test]
+fn where_cloth_has_no_room_is_told_below_as_long_as_it_is_so() {
+    let mut design = Design::default();
+    (design.skirt.column_count, design.skirt.row_count) = (96, 12);
+    for (language, sentence) in [
+        (
+            Language::English,
+            "no room for the cloth at her left thigh: the skin gives way",
+        ),
+        (
+            Language::Japanese,
+            "左の太もものところで布の居場所がなく、肌のほうがよけています",
+        ),
+    ] {
+        let mut moment = crate::sim::first_moment(&design).expect("she is dressed");
+        assert!(moment.without_room.is_empty());
+        moment.without_room = vec![Bone::LeftUpperLeg];
+        let mut studio = studio(language);
+        studio.snapshot = Some(Arc::new(moment));
+        let mut window = window(studio);
+        window.get_by_label_contains(sentence);
+        let moment = crate::sim::first_moment(&design).expect("she is dressed");
+        window.state_mut().snapshot = Some(Arc::new(moment));
+        window.run_steps(3);
+        assert!(window.query_by_label_contains(sentence).is_none());
+    }
 }
 
 #[test]
@@ -350,7 +391,7 @@ fn a_recording_is_asked_for_and_can_go_round_on_the_spot() {
 
 #[test]
 fn one_of_several_animations_is_chosen_by_name_or_by_number_where_names_are_alike() {
-    let bytes: std::sync::Arc<[u8]> = b"glTF".as_slice().into();
+    let bytes: Arc<[u8]> = b"glTF".as_slice().into();
     let clip = |name: &str, bone_count| AnimationSummary {
         name: name.to_owned(),
         duration_s: 2.0,

@@ -1,5 +1,5 @@
 //! Whether a frame has the time to take back what cloth has gone through of itself: as long as the
-//! machine keeps pace with it.
+//! machine keeps pace with it. Asked where the design wants that in time only.
 //!
 //! To repair in some of the frames and not in others is no way between: what is tangled goes without
 //! contact until it is drawn out, and tangles more.

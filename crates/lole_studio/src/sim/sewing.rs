@@ -5,7 +5,6 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::Sender;
 use std::thread::{self, JoinHandle};
 
-use lole_cloth::Crossings;
 use lole_costume::document::{Design, MethodName};
 use lole_language::Sentence;
 use lole_picture::Looks;
@@ -86,8 +85,6 @@ fn sew(
     }
     let wardrobe = wardrobe(design, Arc::clone(&production))?;
     let mut show = Show::of(production).map_err(said)?;
-    // Nobody waits for it.
-    show.set_crossings(Crossings::Repair);
     while entrance == Entrance::Settled && show.time() < 0.0 {
         if called_off() {
             return Ok(None);

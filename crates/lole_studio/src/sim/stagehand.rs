@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use glam::Vec3;
 use lole_cloth::Crossings;
-use lole_costume::document::Design;
+use lole_costume::document::{Design, Uncrossed};
 use lole_geom::mesh::vertex_normals;
 use lole_language::Sentence;
 use lole_picture::{Moment, Vertices};
@@ -299,8 +299,12 @@ impl Stagehand {
         let Some((show, _)) = &mut self.stage else {
             return;
         };
-        // A single frame takes the time that it needs.
-        let repairs = 0 < self.steps || self.repair.is_on();
+        let repairs = match show.design().method.uncrossed {
+            Uncrossed::Always => true,
+            // A single frame takes the time that it needs.
+            Uncrossed::InTime => 0 < self.steps || self.repair.is_on(),
+            Uncrossed::Never => false,
+        };
         show.set_crossings(if repairs {
             Crossings::Repair
         } else {
@@ -363,6 +367,16 @@ impl Stagehand {
     }
 }
 
+/// The first moment of a design's show.
+#[cfg(test)]
+pub(crate) fn first_moment(design: &Design) -> Result<Snapshot, Sentence> {
+    let said = |error: lole_stage::StageError| Sentence::of(&error);
+    let production = Arc::new(lole_stage::Production::new(design).map_err(said)?);
+    let clothes = wardrobe(design, Arc::clone(&production))?;
+    let show = Show::of(production).map_err(said)?;
+    Ok(photograph(&show, &clothes, Watch::default()))
+}
+
 /// The show as it stands.
 fn photograph(show: &Show, clothes: &Arc<Wardrobe>, watch: Watch) -> Snapshot {
     let production = &clothes.production;
@@ -407,6 +421,7 @@ fn photograph(show: &Show, clothes: &Arc<Wardrobe>, watch: Watch) -> Snapshot {
         part: show.part(),
         recording_seconds: show.recording_seconds(),
         substep_count: show.substep_count(),
+        without_room: show.without_room(),
         stopped: show.stopped(),
     }
 }

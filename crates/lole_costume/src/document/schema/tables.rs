@@ -12,7 +12,7 @@ use lole_language::words;
 use super::cost::COST;
 use super::motion::MOTION;
 use super::{Key, Kind, Table};
-use crate::document::{BodyShapes, LinkedFile, MethodName, WindModel};
+use crate::document::{BodyShapes, LinkedFile, MethodName, Uncrossed, WindModel};
 use crate::fabrics::{PRESETS, Preset};
 
 /// Largest seed: what fits the integers of TOML.
@@ -44,6 +44,11 @@ const BODIES: &[(&str, BodyShapes)] = &[
     (BodyShapes::Skin.id(), BodyShapes::Skin),
     (BodyShapes::Capsules.id(), BodyShapes::Capsules),
     (BodyShapes::TwoCylinders.id(), BodyShapes::TwoCylinders),
+];
+const UNCROSSED: &[(&str, Uncrossed)] = &[
+    (Uncrossed::Always.id(), Uncrossed::Always),
+    (Uncrossed::InTime.id(), Uncrossed::InTime),
+    (Uncrossed::Never.id(), Uncrossed::Never),
 ];
 const CONTACT_EVALUATIONS: &[(&str, ContactEvaluation)] = &[
     ("per-stage", ContactEvaluation::PerStage),
@@ -349,6 +354,17 @@ const METHOD: Table = Table {
             method.capsule_count,
             "体のカプセルの数",
             "capsules of the body"
+        ),
+        choice!(
+            "uncrossed",
+            words(
+                "布のすり抜けどめ",
+                "keeping cloth from passing through itself"
+            ),
+            UNCROSSED,
+            method.uncrossed,
+            "xpbd: 布が布をすり抜けないようにするか。いつでも (always)、画面では間に合うあいだだけ (in-time)、しない (never)",
+            "xpbd: whether cloth is kept from passing through itself: always, in the window only while it keeps pace (in-time), or never"
         ),
         choice!(
             "contact_evaluation",
