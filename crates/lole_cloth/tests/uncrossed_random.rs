@@ -1,6 +1,6 @@
 //! The promise, frame by frame: in random scenes made to drive cloth through itself none that starts without a
 //! crossing ever has one. `cargo run --release -p lole_cloth --example uncrossed_scenes` runs a hundred thousand
-//! frames of the same, of which not all hold yet.
+//! frames of the same.
 
 mod exact_support;
 mod mesh_support;
@@ -17,8 +17,9 @@ use random_scenes::{FRAME_COUNT, RandomScene, judge};
 
 /// The first scenes of all, and those that once came to cross: flat cloth of triangles that was taken for
 /// crossed at the start, and particles around which cloth winds twice.
-const SEEDS: [u64; 31] = [ 102, 233, 262, 408, 542, 1129, 1135, 1163, 560, 633, 1120, 
-    0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 37, 54, 80, 100, 230, 243, 290, 391, 659, 704,
+const SEEDS: [u64; 31] = [
+    0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 37, 54, 80, 100, 102, 230, 233, 243, 262, 290, 391, 408, 542,
+    560, 633, 659, 704, 1120, 1129, 1135, 1163,
 ];
 
 #[test]
