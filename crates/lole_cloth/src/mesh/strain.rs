@@ -10,7 +10,7 @@ use fearless_simd::{f32x16, prelude::*};
 use glam::DVec2;
 
 use crate::constraint::pull::Pull;
-use crate::lanes::{LANES, Scalars, Vectors};
+use crate::lanes::{LANES, Scalars, Vectors, larger};
 use crate::mesh::order::Batch;
 use crate::mesh::particles::{Gathered, Lanes, gather, scatter, window};
 
@@ -187,11 +187,14 @@ pub(crate) fn project<S: Simd>(simd: S, corners: &mut [Gathered<S>; 3], flats: &
     let g_v = pull.factor(simd, q_v) * inv_sum_v;
     let (a, b) = (one - s_uu * g_u, s_uv * g_v);
     let (d, e) = (one - s_vv * g_v, s_uv * g_u);
-    // Their products; of the squares what the other column adds is of second order.
-    let angle_left = d * (a * angle - b * q_v) - e * (a * q_u - b * angle);
+    // Their squares and their product, to the last term: without those of second order what divides
+    // may vanish in cloth that is torn at.
+    let (u_by_u, u_by_v) = (a * q_u - b * angle, a * angle - b * q_v);
+    let (v_by_u, v_by_v) = (d * angle - e * q_u, d * q_v - e * angle);
+    let angle_left = d * u_by_v - e * u_by_u;
     let uv = s_uv * angle_left;
-    let sum = (s_uu * (d * d * q_v) + s_vv * (a * a * q_u)) + (uv + uv);
-    let g = angle_left / (sum + shear);
+    let sum = (s_uu * (d * v_by_v - e * v_by_u) + s_vv * (a * u_by_u - b * u_by_v)) + (uv + uv);
+    let g = angle_left / (larger(sum, f32x16::splat(simd, 0.0)) + shear);
     let lambda_u = f_u.scale(g_u - g * e).add(f_v.scale(g * d));
     let lambda_v = f_v.scale(g_v - g * b).add(f_u.scale(g * a));
 
