@@ -81,6 +81,8 @@ pub struct Dressed {
     pins: Pins,
     /// Where it rests on the standing dancer [m], shape `[particle_count]`.
     pub start: Vec<Vec3>,
+    /// How it rests there; `None` before it has come to rest.
+    rested: Option<DressedState>,
     /// Its triangles, counterclockwise seen from outside.
     pub triangles: Vec<[u32; 3]>,
     /// Where every particle lies on the cloth as it comes from the bolt [m]: along the warp, and across
@@ -362,6 +364,7 @@ impl Dressed {
             fabric,
             pins,
             start: places,
+            rested: None,
             hanging_triangles: trunk_triangles.clone(),
             trunk_triangles,
             open_triangles: triangles.clone(),
@@ -483,12 +486,22 @@ impl Dressed {
         )
     }
 
-    /// The garment at rest where it starts.
+    /// The garment at rest where it starts, with all that its folds keep apart there.
     #[must_use]
     pub fn state(&self) -> DressedState {
-        DressedState {
+        let laid = || DressedState {
             state: AssemblyState::new(&self.assembly, std::slice::from_ref(&self.start)),
-        }
+        };
+        self.rested.clone().unwrap_or_else(laid)
+    }
+
+    /// Lets it start as it has come to rest.
+    fn start_from(&mut self, mut rested: DressedState) {
+        rested.scale_velocities(self, 0.0);
+        let mut start = Vec::new();
+        rested.copy_positions(self, &mut start);
+        self.start = start;
+        self.rested = Some(rested);
     }
 }
 

@@ -127,9 +127,7 @@ pub(super) fn fit(
         };
         state.scale_velocities(garment, kept);
     }
-    let mut rest = Vec::new();
-    state.copy_positions(garment, &mut rest);
-    garment.start = rest;
+    garment.start_from(state);
     Ok(())
 }
 
@@ -146,9 +144,7 @@ pub(super) fn rest(
         state.step(garment, &world, FRAME)?;
         state.scale_velocities(garment, KEPT[1]);
     }
-    let mut rest = Vec::new();
-    state.copy_positions(garment, &mut rest);
-    garment.start = rest;
+    garment.start_from(state);
     Ok(())
 }
 

@@ -99,6 +99,7 @@ pub(super) fn tuck(
         kit.spec.pinned[particle] = true;
         garment.start[particle] = place;
     }
+    garment.rested = None;
     garment.pins = Pins { skin, gaps, tied };
     garment.assembly = assembly(kit, Ease::Worn)?;
     let is_tucked = |corner: &u32| depths[*corner as usize].is_some();
