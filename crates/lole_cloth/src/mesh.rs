@@ -14,15 +14,18 @@ mod order;
 pub(crate) mod outcome;
 pub(crate) mod particles;
 mod resistance;
+mod rest;
 pub(crate) mod self_contact;
 pub(crate) mod spec;
 pub(crate) mod state;
 pub(crate) mod step;
+mod surface_order;
 mod strain;
 mod strand;
 mod stride;
 mod tether;
 mod topology;
+mod yarn;
 
 pub use model::MeshModel;
 pub use outcome::{Cause, Outcome, Phase};

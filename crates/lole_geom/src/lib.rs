@@ -13,6 +13,7 @@ pub mod surfel;
 pub mod triangle_grid;
 pub mod trig;
 pub mod trig64;
+pub mod weld;
 
 pub use capsule::Capsule;
 pub use chance::Chance;
@@ -21,3 +22,4 @@ pub use mesh::TriangleMesh;
 pub use mesh_surfels::MeshSurfels;
 pub use surfel::Surfel;
 pub use triangle_grid::TriangleGrid;
+pub use weld::WeldedMesh;

@@ -52,10 +52,7 @@ impl Piece {
                 let [first, second] = [first, second].map(|particle| particle as usize);
                 crate::constraint::tether::flat_distance(&model.spec().grid, first, second)
             }
-            Self::Mesh(model, _) => {
-                let flat = &model.spec().flat_positions;
-                flat[first as usize].distance(flat[second as usize])
-            }
+            Self::Mesh(model, _) => model.flat_distance([first, second]),
         }
     }
 

@@ -13,7 +13,7 @@ use lole_geom::triangle_grid::{blend, nearest_barycentric};
 
 use crate::collision::grid::CellGrid;
 use crate::collision::parting::{FARTHEST_LEVER, Parting};
-pub(crate) use faces::{FacePiece, Faces};
+pub(crate) use faces::{FacePiece, Faces, FlatShape};
 
 /// A vertex and a triangle that may touch, by bodies.
 #[derive(Debug, Clone, Copy, PartialEq)]

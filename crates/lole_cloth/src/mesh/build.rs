@@ -7,6 +7,7 @@ use crate::lanes::narrow;
 use crate::mesh::bend::fit::{Star, measures};
 use crate::mesh::bend::{STAR_SIZES, StarBatch, StarSpec};
 use crate::mesh::order::{Slots, into_batches};
+use crate::mesh::rest::{Fan, Rest};
 use crate::mesh::spec::{MeshError, MeshSpec};
 use crate::mesh::strain::{Flat, StrainBatch};
 use crate::mesh::topology::Topology;
@@ -23,6 +24,9 @@ pub(crate) struct Stars {
     pub(crate) many: Vec<StarBatch<{ STAR_SIZES[2] }>>,
 }
 
+/// Edges and neighbors of a piece, and how it lies flat.
+pub(crate) type Shape<'a> = (&'a Topology, Rest<'a>);
+
 /// Everything that is solved.
 pub(crate) struct Parts {
     pub(crate) stars: Stars,
@@ -35,15 +39,16 @@ pub(crate) struct Parts {
 /// Cuts a piece into batches; `inv_masses` are by particle [1/kg].
 pub(crate) fn parts(
     spec: &MeshSpec,
-    topology: &Topology,
+    shape: Shape<'_>,
     (slots, inv_masses): (&Slots, &[f64]),
 ) -> Result<Parts, MeshError> {
+    let topology = shape.0;
     let is_free = |triangle: &[u32; 3]| !triangle.iter().all(|&p| spec.pinned[p as usize]);
     let mut unassigned: Vec<bool> = topology.triangles.iter().map(is_free).collect();
-    let triangles = strain_batches(spec, topology, slots, &unassigned)?;
-    let mut stars = stars(spec, topology, inv_masses);
+    let triangles = strain_batches(shape, slots, &unassigned)?;
+    let mut stars = stars(spec, shape, inv_masses);
     stars.sort_by_key(|star| slots.of_particle[star.members[0] as usize]);
-    assign_triangles(spec, topology, slots, (&mut stars, &mut unassigned));
+    assign_triangles(shape, slots, (&mut stars, &mut unassigned));
     for member in stars.iter_mut().flat_map(|star| &mut star.members) {
         *member = slots.of_particle[*member as usize];
     }
@@ -54,22 +59,24 @@ pub(crate) fn parts(
             more: star_batches(&stars, few + 1..more + 1, slots.count)?,
             many: star_batches(&stars, more + 1..usize::MAX, slots.count)?,
         },
-        other_triangles: strain_batches(spec, topology, slots, &unassigned)?,
+        other_triangles: strain_batches(shape, slots, &unassigned)?,
         triangles,
     })
 }
 
 /// The chosen triangles in the order of their slots.
 fn strain_batches(
-    spec: &MeshSpec,
-    topology: &Topology,
+    (topology, rest): Shape<'_>,
     slots: &Slots,
     chosen: &[bool],
 ) -> Result<Vec<StrainBatch>, MeshError> {
-    let chosen = topology.triangles.iter().zip(chosen);
+    let chosen = topology.triangles.iter().zip(chosen).enumerate();
     let mut chosen: Vec<([u32; 3], Flat)> = chosen
-        .filter(|(_, chosen)| **chosen)
-        .map(|(&triangle, _)| (slots.of(triangle), flat_of(spec, triangle)))
+        .filter(|(_, (_, chosen))| **chosen)
+        .map(|(index, (&triangle, _))| {
+            let flat = rest.triangle(topology, index, triangle);
+            (slots.of(triangle), flat)
+        })
         .collect();
     chosen.sort_by_key(|&(mut slots, _)| {
         slots.sort_unstable();
@@ -85,10 +92,6 @@ fn strain_batches(
         .iter()
         .map(|batch| StrainBatch::new(batch, &corners, &flats));
     Ok(batches.collect())
-}
-
-fn flat_of(spec: &MeshSpec, triangle: [u32; 3]) -> Flat {
-    Flat::new(triangle.map(|particle| spec.flat_positions[particle as usize].as_dvec2()))
 }
 
 fn star_batches<const N: usize>(
@@ -109,7 +112,7 @@ fn star_batches<const N: usize>(
 }
 
 /// Bending at every particle, with particles for members.
-fn stars(spec: &MeshSpec, topology: &Topology, inv_masses: &[f64]) -> Vec<StarSpec> {
+fn stars(spec: &MeshSpec, shape: (&Topology, Rest<'_>), inv_masses: &[f64]) -> Vec<StarSpec> {
     let fabric = &spec.fabric;
     let rigidities = [fabric.bend[0], fabric.bend[1], 2.0 * fabric.twist].map(f64::from);
     let stiffest = rigidities.into_iter().fold(0.0, f64::max);
@@ -118,37 +121,29 @@ fn stars(spec: &MeshSpec, topology: &Topology, inv_masses: &[f64]) -> Vec<StarSp
     }
     let rigidities = rigidities.map(|rigidity| rigidity.max(stiffest * RIGIDITY_FLOOR));
     (0..spec.pinned.len())
-        .filter_map(|middle| star_at(spec, topology, (middle, rigidities), inv_masses))
+        .filter_map(|middle| star_at(spec, shape, (middle, rigidities), inv_masses))
         .collect()
 }
 
 /// Bending at one particle; `None` where nothing bends.
 fn star_at(
     spec: &MeshSpec,
-    topology: &Topology,
+    (topology, rest): Shape<'_>,
     (middle, rigidities): (usize, [f64; 3]),
     inv_masses: &[f64],
 ) -> Option<StarSpec> {
-    let flat = |particle: u32| spec.flat_positions[particle as usize].as_dvec2();
-    let center = spec.flat_positions[middle].as_dvec2();
-    let mut ring = topology.neighbors[middle].clone();
     let pinned = |particle: &u32| spec.pinned[*particle as usize];
-    if spec.pinned[middle] && ring.iter().all(pinned) {
+    if spec.pinned[middle] && topology.neighbors[middle].iter().all(pinned) {
         return None;
     }
+    let mut ring = rest.ring(topology, middle);
     // Of a ring too large the nearest are kept.
     let [.., most] = STAR_SIZES;
     if most < ring.len() {
-        ring.sort_by(|&a, &b| {
-            let gaps = [a, b].map(|particle| flat(particle).distance_squared(center));
-            gaps[0].total_cmp(&gaps[1])
-        });
+        ring.sort_by(|(_, a), (_, b)| a.length_squared().total_cmp(&b.length_squared()));
         ring.truncate(most);
     }
-    let offsets: Vec<DVec2> = ring
-        .iter()
-        .map(|&particle| flat(particle) - center)
-        .collect();
+    let (ring, offsets): (Vec<u32>, Vec<DVec2>) = ring.into_iter().unzip();
     // At a clamp, a pinned particle with a pinned triangle on one side and cloth on the other, the
     // arm that bends is half as long and the energy twice as large.
     let is_clamp = spec.pinned[middle]
@@ -177,10 +172,6 @@ fn star_at(
     })
 }
 
-/// Triangles of every particle: the corners right and left of it as they are walked around
-/// counterclockwise, and which triangle.
-type Fan = Vec<([u32; 2], usize)>;
-
 /// Triangles that a star may solve, and how many of their corners come later in memory.
 struct Choice {
     score: u32,
@@ -192,12 +183,11 @@ struct Choice {
 /// at hand then, and fetching them is half of the work. Members come so that the triangles are
 /// those of the middle with the first two, and with the second and third.
 fn assign_triangles(
-    spec: &MeshSpec,
-    topology: &Topology,
+    (topology, rest): Shape<'_>,
     slots: &Slots,
     (stars, unassigned): (&mut [StarSpec], &mut [bool]),
 ) {
-    let mut fans: Vec<Fan> = vec![Vec::new(); spec.pinned.len()];
+    let mut fans: Vec<Fan> = vec![Vec::new(); topology.neighbors.len()];
     for (index, &[a, b, c]) in topology.triangles.iter().enumerate() {
         for [middle, right, left] in [[a, b, c], [b, c, a], [c, a, b]] {
             fans[middle as usize].push(([right, left], index));
@@ -227,7 +217,7 @@ fn assign_triangles(
         {
             if let Some(triangle) = triangle {
                 unassigned[triangle] = false;
-                *flat = flat_of(spec, corners);
+                *flat = rest.triangle(topology, triangle, corners);
             }
         }
     }

@@ -1,6 +1,6 @@
 //! What a run of a piece is judged by.
 
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 
 use crate::diagnose::{StrainSummary, crossing_count, summarize};
 use crate::mesh::model::MeshModel;
@@ -10,10 +10,10 @@ use crate::mesh::model::MeshModel;
 #[must_use]
 pub fn strain(model: &MeshModel, positions: &[Vec3]) -> StrainSummary {
     let pinned = &model.spec().pinned;
-    let free = (model.triangles().iter())
-        .filter(|triangle| !triangle.iter().all(|&particle| pinned[particle as usize]));
-    let strains = free.flat_map(|&triangle| {
-        let [along_warp, along_weft] = deformation(model, triangle, positions);
+    let free = (model.triangles().iter().enumerate())
+        .filter(|(_, triangle)| !triangle.iter().all(|&particle| pinned[particle as usize]));
+    let strains = free.flat_map(|(index, _)| {
+        let [along_warp, along_weft] = deformation_of(model, index, positions);
         [along_warp, along_weft].map(|column| (column.length() - 1.0).abs())
     });
     summarize(strains.collect())
@@ -27,11 +27,29 @@ pub fn self_crossings(model: &MeshModel, positions: &[Vec3]) -> Option<usize> {
     crossing_count((model.triangles(), edges), positions, model.spacing())
 }
 
-/// What becomes of the unit vectors along warp and weft in one of the model's triangles, with its
+/// What becomes of the unit vectors along warp and weft in one of a flat model's triangles, with its
 /// particles at `positions` [m]: the columns of the deformation gradient.
+///
+/// # Panics
+/// When the model is of welded pieces: of those [`deformation_of`] tells.
 #[must_use]
 pub fn deformation(model: &MeshModel, triangle: [u32; 3], positions: &[Vec3]) -> [Vec3; 2] {
-    let [origin, first, second] = triangle.map(|p| model.spec().flat_positions[p as usize]);
+    let flat = triangle.map(|p| model.spec().flat_positions[p as usize]);
+    columns(flat, triangle, positions)
+}
+
+/// The same of the triangle with an index, of any model.
+#[must_use]
+pub fn deformation_of(model: &MeshModel, triangle: usize, positions: &[Vec3]) -> [Vec3; 2] {
+    let flat = model.flat_corners(triangle);
+    columns(flat, model.triangles()[triangle], positions)
+}
+
+fn columns(
+    [origin, first, second]: [Vec2; 3],
+    triangle: [u32; 3],
+    positions: &[Vec3],
+) -> [Vec3; 2] {
     let (e1, e2) = (first - origin, second - origin);
     let [x0, x1, x2] = triangle.map(|particle| positions[particle as usize]);
     let (d1, d2) = (x1 - x0, x2 - x0);

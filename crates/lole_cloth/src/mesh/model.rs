@@ -1,8 +1,8 @@
 //! A piece of cloth prepared for the real-time method: what never changes from step to step.
 
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 
-use crate::collision::face_contact::{FacePiece, Faces};
+use crate::collision::face_contact::{FacePiece, Faces, FlatShape};
 use crate::collision::placement::Placement;
 use crate::collision::surface::Surface;
 use crate::collision::surfel::room::{Anchor, Hanging};
@@ -10,6 +10,7 @@ use crate::lanes::{LANES, Points, Scalars};
 use crate::mesh::build::{self, Stars};
 use crate::mesh::order::Slots;
 use crate::mesh::particles::column_length;
+use crate::mesh::rest::{Rest, Welded};
 use crate::mesh::spec::{MeshError, MeshSpec};
 use crate::mesh::strain::StrainBatch;
 use crate::mesh::tether::{Tethers, tether_passes};
@@ -20,6 +21,8 @@ use crate::mesh::topology::Topology;
 pub struct MeshModel {
     spec: MeshSpec,
     topology: Topology,
+    /// Of a piece that does not lie in a plane as a whole.
+    welded: Option<Welded>,
     pin_indices: Vec<u32>,
     pub(crate) slots: Slots,
     /// [1/kg], by slot; 0 for pinned particles and slots of nothing.
@@ -47,9 +50,12 @@ impl MeshModel {
     pub fn new(spec: &MeshSpec) -> Result<Self, MeshError> {
         check_lengths(spec)?;
         check_numbers(spec)?;
-        let topology = Topology::new(spec)?;
-        let area = topology.areas.iter().sum();
-        let slots = Slots::new(&spec.flat_positions, area);
+        let (topology, welded) = Topology::new(spec)?;
+        let rest = rest_of(spec, welded.as_ref());
+        let slots = match rest {
+            Rest::Plane(flat) => Slots::new(flat, topology.areas.iter().sum()),
+            Rest::Welded(_) => Slots::along(&topology),
+        };
         let vector_count = slots.count / LANES;
         let mut inv_masses = vec![Scalars::default(); vector_count];
         let density = spec.fabric.areal_density;
@@ -69,11 +75,11 @@ impl MeshModel {
             .filter(|(_, pinned)| **pinned)
             .map(|(particle, _)| particle)
             .collect();
-        let tethers = tether_passes(&spec.flat_positions, &topology, &pin_indices);
+        let tethers = tether_passes((&topology, rest), &pin_indices);
         let masses: Vec<f64> = (0..spec.pinned.len())
             .map(|p| f64::from(particle_inv_mass(p)))
             .collect();
-        let parts = build::parts(spec, &topology, (&slots, &masses))?;
+        let parts = build::parts(spec, (&topology, rest), (&slots, &masses))?;
         let mut model = Self {
             triangles: parts.triangles,
             other_triangles: parts.other_triangles,
@@ -87,6 +93,7 @@ impl MeshModel {
             surface: Surface::new(spec.pinned.len(), &side_by_side(&topology, &slots)),
             spec: spec.clone(),
             topology,
+            welded,
             pin_indices,
             slots,
             inv_masses,
@@ -98,13 +105,13 @@ impl MeshModel {
 
     /// What contact must know of the piece.
     pub(crate) fn face_piece(&self, is_sewn: Vec<bool>) -> FacePiece<'_> {
-        let flat = &self.spec.flat_positions;
         FacePiece {
             triangles: self.topology.triangles.clone(),
-            flat_distance: Box::new(|[first, second]| {
-                flat[first as usize].distance(flat[second as usize])
+            flat_distance: Box::new(|ends| self.flat_distance(ends)),
+            flat_positions: Some(match self.rest() {
+                Rest::Plane(flat) => FlatShape::Plane(flat),
+                Rest::Welded(welded) => FlatShape::Near(&welded.near),
             }),
-            flat_positions: Some(flat),
             placement: &self.slots,
             inv_masses: &self.inv_masses,
             pins: self.nearest_pins.clone(),
@@ -119,7 +126,31 @@ impl MeshModel {
         &self.spec
     }
 
-    /// The triangles, all turned counterclockwise in the flat piece.
+    /// How far two particles lie apart in the flat piece [m]; of pieces that are welded, how far it is
+    /// from one to the other on the cloth, and infinite where no way leads there.
+    #[must_use]
+    pub fn flat_distance(&self, ends: [u32; 2]) -> f32 {
+        self.rest().distance(&self.topology, ends)
+    }
+
+    /// The corners of one of the triangles as it lies flat [m], counterclockwise, warp along `x`.
+    #[must_use]
+    pub fn flat_corners(&self, triangle: usize) -> [Vec2; 3] {
+        match self.rest() {
+            Rest::Plane(flat) => {
+                self.topology.triangles[triangle].map(|particle| flat[particle as usize])
+            }
+            Rest::Welded(welded) => welded.corners[triangle],
+        }
+    }
+
+    /// How the piece lies flat.
+    pub(crate) fn rest(&self) -> Rest<'_> {
+        rest_of(&self.spec, self.welded.as_ref())
+    }
+
+    /// The triangles, all turned counterclockwise in the flat piece; of pieces that are welded, turned
+    /// like the first of what hangs together.
     #[must_use]
     pub fn triangles(&self) -> &[[u32; 3]] {
         &self.topology.triangles
@@ -198,18 +229,24 @@ impl Hanging for MeshModel {
         let Some(particle) = self.slots.particle_at(slot) else {
             return 0.0;
         };
-        let flat = &self.spec.flat_positions;
         let at = |particle: usize| {
             let (vector, lane) = self.slots.slot(particle);
             positions[vector].get(lane)
         };
-        let neighbors = self.topology.neighbors[particle].iter();
-        let stretch = |&other: &u32| {
-            let other = other as usize;
-            at(particle).distance(at(other)) / flat[particle].distance(flat[other]) - 1.0
+        let length = |place: usize, other: u32| match self.rest() {
+            Rest::Plane(flat) => flat[particle].distance(flat[other as usize]),
+            Rest::Welded(welded) => welded.lengths[particle][place],
+        };
+        let neighbors = self.topology.neighbors[particle].iter().enumerate();
+        let stretch = |(place, &other): (usize, &u32)| {
+            at(particle).distance(at(other as usize)) / length(place, other) - 1.0
         };
         neighbors.map(stretch).fold(0.0, f32::max)
     }
+}
+
+fn rest_of<'a>(spec: &'a MeshSpec, welded: Option<&'a Welded>) -> Rest<'a> {
+    welded.map_or(Rest::Plane(&spec.flat_positions), Rest::Welded)
 }
 
 /// By particle, the pin that is nearest of all passes.
@@ -229,7 +266,7 @@ fn nearest_pins(passes: &[Vec<(u32, f32)>]) -> Vec<(u32, f32)> {
 }
 
 fn check_lengths(spec: &MeshSpec) -> Result<(), MeshError> {
-    let particle_count = spec.flat_positions.len();
+    let particle_count = spec.particle_count();
     if particle_count == 0 || spec.triangles.is_empty() {
         return Err(MeshError::Empty {
             particle_count,
@@ -239,15 +276,22 @@ fn check_lengths(spec: &MeshSpec) -> Result<(), MeshError> {
     if (u32::MAX / 2) as usize <= particle_count {
         return Err(MeshError::TooLarge { particle_count });
     }
-    let lengths = [("layers", spec.layers.len()), ("pinned", spec.pinned.len())];
+    let mut lengths = vec![
+        ("layers", spec.layers.len(), particle_count),
+        ("pinned", spec.pinned.len(), particle_count),
+    ];
+    if !spec.flat_corners.is_empty() {
+        lengths.push(("flat_corners", spec.flat_corners.len(), spec.triangles.len()));
+        lengths.push(("flat_positions", spec.flat_positions.len(), 0));
+    }
     match lengths
         .into_iter()
-        .find(|&(_, actual)| actual != particle_count)
+        .find(|&(_, actual, expected)| actual != expected)
     {
-        Some((field, actual)) => Err(MeshError::WrongLength {
+        Some((field, actual, expected)) => Err(MeshError::WrongLength {
             field,
             actual,
-            expected: particle_count,
+            expected,
         }),
         None => Ok(()),
     }

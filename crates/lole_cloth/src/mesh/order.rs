@@ -7,6 +7,8 @@ use crate::collision::placement::Placement;
 use crate::lanes::{LANES, Points, narrow};
 use crate::mesh::particles::{BASE_STEP, Lanes, WIDTH, WINDOW_SLOTS};
 use crate::mesh::spec::MeshError;
+use crate::mesh::surface_order;
+use crate::mesh::topology::Topology;
 
 /// Side of the tiles that are filled one after the other, in mean distances of particles. A tile
 /// is what meets a capsule together.
@@ -56,10 +58,21 @@ impl Slots {
         };
         let mut order: Vec<_> = flat.iter().map(key).zip(0_u32..).collect();
         order.sort_unstable();
-        let mut of_particle = vec![0; flat.len()];
-        for (place, (_, particle)) in order.iter().enumerate() {
+        let order: Vec<u32> = order.into_iter().map(|(_, particle)| particle).collect();
+        Self::in_order(&order)
+    }
+
+    /// Orders the particles of a surface without a plane, by patches of neighbors.
+    pub(crate) fn along(topology: &Topology) -> Self {
+        Self::in_order(&surface_order::patch_by_patch(&topology.neighbors))
+    }
+
+    /// Puts particles into slots in their order.
+    fn in_order(order: &[u32]) -> Self {
+        let mut of_particle = vec![0; order.len()];
+        for (place, &particle) in order.iter().enumerate() {
             // The last slot before every possible start of a window stays empty.
-            of_particle[*particle as usize] = narrow(place + place / (BASE_STEP - 1));
+            of_particle[particle as usize] = narrow(place + place / (BASE_STEP - 1));
         }
         let last = order.len() + order.len() / (BASE_STEP - 1);
         let count = last.next_multiple_of(LANES * PATCH_VECTORS);

@@ -1,6 +1,6 @@
 //! What a piece of cloth of any triangle mesh is made of, and why one cannot be built.
 
-use glam::Vec2;
+use glam::{DVec2, DVec3, Vec2, Vec3};
 
 use crate::Fabric;
 
@@ -8,10 +8,15 @@ use crate::Fabric;
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeshSpec {
     /// Every particle in the flat piece [m]: `x` runs along the warp (`u`), `y` along the weft
-    /// (`v`). Shape `[particle_count]`.
+    /// (`v`). Shape `[particle_count]`; empty where every triangle is laid flat by itself.
     pub flat_positions: Vec<Vec2>,
     /// Three particles each, in either direction around.
     pub triangles: Vec<[u32; 3]>,
+    /// Of pieces that are welded to one surface: the corners of every triangle as it lies flat [m],
+    /// warp along `x`, in the order of its particles and wherever in the plane. Only their
+    /// differences count, and a triangle may lie mirrored. Shape `[triangle_count]`; empty where
+    /// the piece as a whole lies flat.
+    pub flat_corners: Vec<[Vec2; 3]>,
     /// Material of the whole piece.
     pub fabric: Fabric,
     /// Layers of cloth at each particle: 1, or more where a hem or casing is folded. Multiplies
@@ -30,9 +35,89 @@ impl MeshSpec {
             pinned: vec![false; flat_positions.len()],
             flat_positions,
             triangles,
+            flat_corners: Vec::new(),
             fabric,
         }
     }
+
+    /// A free piece of pieces that are welded to one surface, such as a garment whose seams are
+    /// closed: each triangle lies flat as `flat_corners` [m] say, `texture coordinates by corner
+    /// times what one of them measures`, so both sides of a seam keep their own grain.
+    ///
+    /// Where two sides of a seam differ in length each wants its own, and the cloth there is
+    /// strained until they agree. At rest nothing is bent: a fold is where the cloth was pressed,
+    /// not what it remembers.
+    #[must_use]
+    pub fn welded(
+        particle_count: usize,
+        triangles: Vec<[u32; 3]>,
+        flat_corners: Vec<[Vec2; 3]>,
+        fabric: Fabric,
+    ) -> Self {
+        Self {
+            layers: vec![1.0; particle_count],
+            pinned: vec![false; particle_count],
+            flat_positions: Vec::new(),
+            triangles,
+            flat_corners,
+            fabric,
+        }
+    }
+
+    /// A free piece whose triangles are as large as they are at `positions` [m], warp of each in its
+    /// plane along what `warp` says of it: a surface in space that is strained by nothing as it is.
+    ///
+    /// Where a triangle is square to its warp, or there is none, warp runs along the axis that is
+    /// nearest to its plane. At rest nothing is bent, as of [`MeshSpec::welded`].
+    #[must_use]
+    pub fn of_surface(
+        positions: &[Vec3],
+        triangles: Vec<[u32; 3]>,
+        warp: impl Fn(usize) -> Vec3,
+        fabric: Fabric,
+    ) -> Self {
+        let place = |corner: u32| positions.get(corner as usize).copied().unwrap_or(Vec3::NAN);
+        let corners = triangles.iter().enumerate();
+        let flat_corners = corners.map(|(triangle, corners)| laid(corners.map(place), warp(triangle)));
+        Self::welded(
+            positions.len(),
+            triangles.clone(),
+            flat_corners.collect(),
+            fabric,
+        )
+    }
+
+    /// Particles that there are.
+    #[must_use]
+    pub const fn particle_count(&self) -> usize {
+        if self.flat_corners.is_empty() {
+            self.flat_positions.len()
+        } else {
+            self.layers.len()
+        }
+    }
+}
+
+/// A warp nearer to a triangle's normal than this, as the sine of the angle, has no direction in it.
+const SQUARE: f64 = 1.0e-3;
+
+/// A triangle in space [m] as it lies flat, its first corner in the origin.
+fn laid([origin, first, second]: [Vec3; 3], warp: Vec3) -> [Vec2; 3] {
+    let [e1, e2] = [first, second].map(|corner| corner.as_dvec3() - origin.as_dvec3());
+    let normal = e1.cross(e2).normalize_or_zero();
+    let within = |axis: DVec3| axis - normal * normal.dot(axis);
+    let wanted = within(warp.as_dvec3().normalize_or_zero());
+    let along = if SQUARE < wanted.length() {
+        wanted
+    } else {
+        let axes = DVec3::AXES.map(within);
+        let longer = |a: DVec3, b: DVec3| if a.length() < b.length() { b } else { a };
+        axes.into_iter().fold(DVec3::ZERO, longer)
+    };
+    let along = along.normalize_or_zero();
+    let across = normal.cross(along);
+    let flat = |edge: DVec3| DVec2::new(edge.dot(along), edge.dot(across)).as_vec2();
+    [Vec2::ZERO, flat(e1), flat(e2)]
 }
 
 /// Why a [`MeshSpec`] cannot be built.
@@ -81,6 +166,37 @@ pub enum MeshError {
         particle: usize,
         /// Where it was said to lie [m].
         position: Vec2,
+    },
+    /// A flat corner that is not a number, or is infinite.
+    #[error(
+        "corner {corner} of triangle {triangle} lies at ({}, {}) in the flat; give it a finite place",
+        position.x, position.y
+    )]
+    CornerNotFinite {
+        /// Position in the list of triangles.
+        triangle: usize,
+        /// Which of its corners, from 0.
+        corner: usize,
+        /// Where it was said to lie [m].
+        position: Vec2,
+    },
+    /// A triangle that names a particle twice.
+    #[error("triangle {triangle} names particle {index} twice; remove it")]
+    Repeated {
+        /// Position in the list of triangles.
+        triangle: usize,
+        /// The particle.
+        index: u32,
+    },
+    /// A surface with one side only.
+    #[error(
+        "the surface has no two sides: around the edge of particles {first} and {second} it comes back turned over; cut it there"
+    )]
+    OneSided {
+        /// One end of the edge.
+        first: u32,
+        /// The other.
+        second: u32,
     },
     /// A triangle without area, or one so narrow that its area is rounding.
     #[error(

@@ -11,20 +11,23 @@ use glam::Vec2;
 use crate::SolverConfig;
 use crate::constraint::INV_MASS_FLOOR;
 use crate::constraint::pull::Pull;
-use crate::lanes::LANES;
+use crate::lanes::{LANES, narrow};
 use crate::mesh::model::MeshModel;
 use crate::mesh::order::{Batch, into_batches};
 use crate::mesh::particles::{Lanes, gather, scatter, window};
+use crate::mesh::rest::{Rest, Welded};
 use crate::mesh::tether::Ways;
+use crate::mesh::topology::Topology;
+use crate::mesh::yarn;
 
 /// Shear [rad] up to which a stride leaves the cloth alone.
 const SHEAR_ALLOWED: f32 = 0.3;
 
 /// Farthest that a stride may be off its yarn, as a tangent.
-const SLANT_MAX: f32 = 0.2;
+pub(super) const SLANT_MAX: f32 = 0.2;
 
 /// Shares of a stride between which the true distance may lie.
-const REACH: [f32; 2] = [0.7, 1.3];
+pub(super) const REACH: [f32; 2] = [0.7, 1.3];
 
 /// Strides of a piece, with the settings that they were made for.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -32,6 +35,9 @@ pub(crate) struct Strides {
     made_for: [Vec<u32>; 2],
     batches: Vec<StrideBatch>,
 }
+
+/// Two slots, and the longest distance between them [m].
+type Pair = ([u32; 2], f32);
 
 /// Sixteen pairs that share no particle.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,13 +57,22 @@ impl Strides {
         }
         self.made_for = [config.row_strides.clone(), config.column_strides.clone()];
         self.batches.clear();
-        let search = Search::new(model);
+        let pairs_of: Box<dyn Fn(u32, Vec2) -> Vec<Pair>> = match model.rest() {
+            Rest::Plane(flat) => {
+                let search = Search::new(model, flat);
+                Box::new(move |stride, yarn| search.pairs(stride, yarn))
+            }
+            Rest::Welded(welded) => {
+                let surface = (model.topology(), welded);
+                Box::new(move |stride, yarn| traced_pairs(model, surface, (stride, yarn)))
+            }
+        };
         let mut levels: Vec<(u32, Vec2)> = (config.row_strides.iter().map(|&s| (s, Vec2::X)))
             .chain(config.column_strides.iter().map(|&s| (s, Vec2::Y)))
             .collect();
         levels.sort_by_key(|&(stride, _)| std::cmp::Reverse(stride));
         for (stride, yarn) in levels {
-            let pairs = search.pairs(stride, yarn);
+            let pairs = pairs_of(stride, yarn);
             let lists: Vec<&[u32]> = pairs.iter().map(|(ends, _)| &ends[..]).collect();
             // A pair too far apart in memory is left out: strides help, and are not needed.
             let batches = into_batches(&lists, model.slots.count).unwrap_or_default();
@@ -68,13 +83,41 @@ impl Strides {
 }
 
 impl StrideBatch {
-    fn new(batch: &Batch, pairs: &[([u32; 2], f32)]) -> Self {
+    fn new(batch: &Batch, pairs: &[Pair]) -> Self {
         Self {
             base: batch.base,
             ends: [0, 1].map(|end| batch.lanes(|pair| Some(pairs[pair].0[end]))),
             inv_squares: batch.column(0.0, |pair| 1.0 / (pairs[pair].1 * pairs[pair].1)),
         }
     }
+}
+
+/// Two particles so far apart [m] that lie off a yarn by this tangent.
+fn pair(model: &MeshModel, ends: [u32; 2], (length, slant): (f32, f32)) -> Pair {
+    // Yarns at a slant `t` to the way: shear `γ` lengthens it by `γ t / (1 + t²)`.
+    let allowed = 1.0 + SHEAR_ALLOWED * slant / (1.0 + slant * slant);
+    (model.slots.of(ends), length * allowed)
+}
+
+/// For every particle of a surface without a plane its partner along the yarn.
+fn traced_pairs(
+    model: &MeshModel,
+    surface: (&Topology, &Welded),
+    (stride, yarn): (u32, Vec2),
+) -> Vec<Pair> {
+    #[expect(clippy::cast_precision_loss, reason = "a stride is far below 2^24")]
+    let reach = stride as f32 * model.spacing();
+    let pinned = &model.spec().pinned;
+    let partner_of = |particle: u32| {
+        let partner = yarn::partner(surface, particle, (yarn.as_dvec2(), f64::from(reach)))?;
+        let is_held = pinned[particle as usize] && pinned[partner.particle as usize];
+        let way = (partner.length, partner.slant);
+        (!is_held).then(|| pair(model, [particle, partner.particle], way))
+    };
+    let particles = 0..narrow(model.particle_count());
+    let mut pairs: Vec<Pair> = particles.filter_map(partner_of).collect();
+    pairs.sort_by_key(|&([first, second], _)| first.min(second));
+    pairs
 }
 
 /// Particles of the flat piece by where they lie.
@@ -92,8 +135,7 @@ struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    fn new(model: &'a MeshModel) -> Self {
-        let flat = &model.spec().flat_positions;
+    fn new(model: &'a MeshModel, flat: &'a [Vec2]) -> Self {
         let low = flat.iter().copied().fold(Vec2::INFINITY, Vec2::min);
         let high = flat.iter().copied().fold(Vec2::NEG_INFINITY, Vec2::max);
         let spacing = model.spacing();
@@ -124,10 +166,10 @@ impl<'a> Search<'a> {
     }
 
     /// For every particle its partner along the yarn: both slots, and the longest distance [m].
-    fn pairs(&self, stride: u32, yarn: Vec2) -> Vec<([u32; 2], f32)> {
+    fn pairs(&self, stride: u32, yarn: Vec2) -> Vec<Pair> {
         #[expect(clippy::cast_precision_loss, reason = "a stride is far below 2^24")]
         let reach = stride as f32 * self.spacing;
-        let mut pairs: Vec<([u32; 2], f32)> = (0_u32..)
+        let mut pairs: Vec<Pair> = (0_u32..)
             .zip(self.flat)
             .filter_map(|(particle, &from)| {
                 let (partner, slant) = self.partner(from, reach, yarn)?;
@@ -139,9 +181,7 @@ impl<'a> Search<'a> {
                     return None;
                 }
                 let length = from.distance(self.flat[partner as usize]);
-                // Yarns at a slant `t` to the way: shear `γ` lengthens it by `γ t / (1 + t²)`.
-                let allowed = 1.0 + SHEAR_ALLOWED * slant / (1.0 + slant * slant);
-                Some((self.model.slots.of([particle, partner]), length * allowed))
+                Some(pair(self.model, [particle, partner], (length, slant)))
             })
             .collect();
         pairs.sort_by_key(|&([first, second], _)| first.min(second));

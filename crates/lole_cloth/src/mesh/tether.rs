@@ -12,6 +12,8 @@ use glam::{Vec2, Vec3};
 use crate::constraint::pull::Pull;
 use crate::lanes::{LANES, Scalars, Vectors};
 use crate::mesh::particles::{BASE_STEP, WIDTH, gather_far};
+use crate::mesh::build::Shape;
+use crate::mesh::rest::Rest;
 use crate::mesh::topology::Topology;
 
 /// Pins that every particle is tethered to; each costs one pass. Where there are more, every
@@ -42,18 +44,23 @@ enum Anchors {
 /// The tethers of a piece, in terms of particles: for each pass, by particle, its pin and the
 /// length [m]; infinite where no way leads there.
 pub(crate) fn tether_passes(
-    flat: &[Vec2],
-    topology: &Topology,
+    (topology, rest): Shape<'_>,
     pins: &[u32],
 ) -> Vec<Vec<(u32, f32)>> {
     if pins.is_empty() {
         return Vec::new();
     }
-    let ways = Ways::new(flat, topology);
+    let ways: Box<dyn Fn(&[u32]) -> Vec<(u32, f32)>> = match rest {
+        Rest::Plane(flat) => {
+            let ways = Ways::new(flat, topology);
+            Box::new(move |pins| ways.from(pins))
+        }
+        Rest::Welded(welded) => Box::new(|pins| welded.ways_from(topology, pins)),
+    };
     if ANCHOR_COUNT_MAX < pins.len() {
-        return vec![ways.from(pins)];
+        return vec![ways(pins)];
     }
-    pins.iter().map(|&pin| ways.from(&[pin])).collect()
+    pins.iter().map(|pin| ways(std::slice::from_ref(pin))).collect()
 }
 
 /// Shortest ways within the flat piece.
@@ -315,7 +322,7 @@ mod tests {
     #[test]
     fn the_shortest_way_goes_straight_and_around_a_slit() {
         let spec = slit_square();
-        let topology = Topology::new(&spec).expect("a surface");
+        let (topology, _) = Topology::new(&spec).expect("a surface");
         let ways = Ways::new(&spec.flat_positions, &topology);
         // From (0, 0.5), above the slit, to everywhere.
         let pin = 2 * 9;

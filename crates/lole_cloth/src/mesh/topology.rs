@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use glam::Vec2;
 
+use crate::mesh::rest::{self, Welded};
 use crate::mesh::spec::{MeshError, MeshSpec};
 
 /// Below this share of its longest side a triangle's height is rounding.
@@ -31,11 +32,33 @@ pub(crate) struct MeshEdge {
 
 impl Topology {
     /// Checks the mesh of `spec`, whose lengths fit.
-    pub(crate) fn new(spec: &MeshSpec) -> Result<Self, MeshError> {
-        check_positions(spec)?;
-        let triangles = oriented(spec)?;
+    pub(crate) fn new(spec: &MeshSpec) -> Result<(Self, Option<Welded>), MeshError> {
+        if spec.flat_corners.is_empty() {
+            check_positions(spec)?;
+            let triangles = oriented(spec)?;
+            let flat = &spec.flat_positions;
+            let area = |triangle: [u32; 3], _| doubled_area(flat, triangle);
+            let topology = Self::of(flat.len(), triangles, area)?;
+            return Ok((topology, None));
+        }
+        check_corners(spec)?;
+        let (triangles, corners) = rest::oriented(spec)?;
+        let area = |_, triangle: usize| {
+            let [a, b, c] = corners[triangle];
+            (b - a).perp_dot(c - a)
+        };
+        let topology = Self::of(spec.particle_count(), triangles, area)?;
+        let welded = Welded::new(&topology, corners)?;
+        Ok((topology, Some(welded)))
+    }
+
+    /// Edges and neighbors of triangles that are turned alike; `area` is twice that of each [m²].
+    fn of(
+        particle_count: usize,
+        triangles: Vec<[u32; 3]>,
+        area: impl Fn([u32; 3], usize) -> f32,
+    ) -> Result<Self, MeshError> {
         let edges = edges(&triangles)?;
-        let particle_count = spec.flat_positions.len();
         let mut neighbors = vec![Vec::new(); particle_count];
         let mut border_counts = vec![0_u32; particle_count];
         for edge in &edges {
@@ -56,9 +79,9 @@ impl Topology {
         }
         neighbors.iter_mut().for_each(|list| list.sort_unstable());
         let mut areas = vec![0.0; particle_count];
-        for &triangle in &triangles {
-            let third = doubled_area(&spec.flat_positions, triangle) / 6.0;
-            for particle in triangle {
+        for (index, triangle) in triangles.iter().enumerate() {
+            let third = area(*triangle, index) / 6.0;
+            for &particle in triangle {
                 areas[particle as usize] += third;
             }
         }
@@ -69,6 +92,60 @@ impl Topology {
             areas,
         })
     }
+}
+
+/// Checks the triangles of a welded piece one by one.
+fn check_corners(spec: &MeshSpec) -> Result<(), MeshError> {
+    for (triangle, (particles, corners)) in
+        (spec.triangles.iter().zip(&spec.flat_corners)).enumerate()
+    {
+        check_indices(triangle, particles, spec.particle_count())?;
+        let [a, b, c] = *particles;
+        if let Some(index) = [(a, b), (b, c), (c, a)].iter().find(|(one, other)| one == other) {
+            return Err(MeshError::Repeated {
+                triangle,
+                index: index.0,
+            });
+        }
+        if let Some(corner) = corners.iter().position(|corner| !corner.is_finite()) {
+            return Err(MeshError::CornerNotFinite {
+                triangle,
+                corner,
+                position: corners[corner],
+            });
+        }
+        let [a, b, c] = *corners;
+        check_height(triangle, *corners, (b - a).perp_dot(c - a))?;
+    }
+    Ok(())
+}
+
+fn check_indices(
+    triangle: usize,
+    particles: &[u32; 3],
+    particle_count: usize,
+) -> Result<(), MeshError> {
+    match particles.iter().find(|&&p| particle_count <= p as usize) {
+        Some(&index) => Err(MeshError::IndexOutOfRange {
+            triangle,
+            index,
+            particle_count,
+        }),
+        None => Ok(()),
+    }
+}
+
+fn check_height(triangle: usize, [a, b, c]: [Vec2; 3], area: f32) -> Result<(), MeshError> {
+    let side = a.distance(b).max(b.distance(c)).max(c.distance(a));
+    let height = if 0.0 < side { area.abs() / side } else { 0.0 };
+    if FLAT_SHARE * side < height {
+        return Ok(());
+    }
+    Err(MeshError::ZeroArea {
+        triangle,
+        side,
+        height,
+    })
 }
 
 fn check_positions(spec: &MeshSpec) -> Result<(), MeshError> {
@@ -90,24 +167,10 @@ fn oriented(spec: &MeshSpec) -> Result<Vec<[u32; 3]>, MeshError> {
     let particle_count = spec.flat_positions.len();
     let mut triangles = Vec::with_capacity(spec.triangles.len());
     for (index, &triangle) in spec.triangles.iter().enumerate() {
-        if let Some(&wrong) = triangle.iter().find(|&&p| particle_count <= p as usize) {
-            return Err(MeshError::IndexOutOfRange {
-                triangle: index,
-                index: wrong,
-                particle_count,
-            });
-        }
+        check_indices(index, &triangle, particle_count)?;
         let area = doubled_area(&spec.flat_positions, triangle);
-        let [a, b, c] = triangle.map(|particle| spec.flat_positions[particle as usize]);
-        let side = a.distance(b).max(b.distance(c)).max(c.distance(a));
-        let height = if 0.0 < side { area.abs() / side } else { 0.0 };
-        if height <= FLAT_SHARE * side {
-            return Err(MeshError::ZeroArea {
-                triangle: index,
-                side,
-                height,
-            });
-        }
+        let corners = triangle.map(|particle| spec.flat_positions[particle as usize]);
+        check_height(index, corners, area)?;
         let [a, b, c] = triangle;
         triangles.push(if 0.0 < area { [a, b, c] } else { [a, c, b] });
     }

@@ -8,9 +8,23 @@ use glam::Vec2;
 
 use crate::collision::placement::Placement;
 use crate::lanes::{LANES, Scalars, narrow};
+use lole_geom::triangle_grid::{blend, nearest_barycentric};
+
+/// How far a vertex is from the edge that faces it, as a share of the way to the nearer end: in a
+/// triangle of three equal sides 0.87, in narrower ones less.
+const ACROSS: f32 = 0.8;
 
 /// Stands for what is not there.
 pub(super) const ABSENT: u32 = u32::MAX;
+
+/// How far particles of a piece lie apart on the cloth.
+#[derive(Clone, Copy)]
+pub(crate) enum FlatShape<'a> {
+    /// By where they lie in the plane [m].
+    Plane(&'a [Vec2]),
+    /// By particle, what is near, ascending, and how far [m]: what is not named is far.
+    Near(&'a [Vec<(u32, f32)>]),
+}
 
 /// One piece of cloth.
 pub(crate) struct FacePiece<'a> {
@@ -18,7 +32,7 @@ pub(crate) struct FacePiece<'a> {
     /// Distance of two particles in the flat piece [m].
     pub(crate) flat_distance: Box<dyn Fn([u32; 2]) -> f32 + 'a>,
     /// Particles in the flat piece [m]; `None` where the piece meets itself by a law of its own.
-    pub(crate) flat_positions: Option<&'a [Vec2]>,
+    pub(crate) flat_positions: Option<FlatShape<'a>>,
     pub(crate) placement: &'a dyn Placement,
     pub(crate) inv_masses: &'a [Scalars],
     /// By particle, the pin that it hangs from and the cloth between [m]; empty where nothing is
@@ -35,8 +49,8 @@ pub(crate) struct FaceParticle {
     pub(crate) piece: u32,
     pub(crate) slot: u32,
     pub(crate) inv_mass: f32,
-    /// Where it lies in the flat piece [m].
-    pub(crate) flat: Vec2,
+    /// Where it lies in the flat piece [m]; of a piece without a plane nowhere in particular.
+    flat: Vec2,
     /// Cloth between it and the nearest seam [m]; infinite where there is none.
     pub(crate) from_seam: f32,
     /// The pin that it hangs from, [`ABSENT`] where there is none, and the cloth between [m].
@@ -57,6 +71,10 @@ pub(crate) struct Faces {
     pub(crate) edge_length: f32,
     ring_starts: Vec<u32>,
     rings: Vec<u32>,
+    /// Of pieces without a plane, by particle, what is near on the cloth, ascending, and how far [m].
+    near_starts: Vec<u32>,
+    near: Vec<(u32, f32)>,
+    has_plane: Vec<bool>,
 }
 
 impl Faces {
@@ -67,6 +85,12 @@ impl Faces {
             let first = narrow(faces.particles.len());
             faces.starts.push(first);
             faces.meets_itself.push(piece.flat_positions.is_some());
+            let (plane, near) = match piece.flat_positions {
+                Some(FlatShape::Plane(plane)) => (Some(plane), None),
+                Some(FlatShape::Near(near)) => (None, Some(near)),
+                None => (None, None),
+            };
+            faces.has_plane.push(near.is_none());
             let neighbors = neighbors(piece);
             for (particle, ring) in (0_u32..).zip(&neighbors) {
                 for &neighbor in ring.iter().filter(|&&neighbor| particle < neighbor) {
@@ -78,7 +102,10 @@ impl Faces {
             for particle in 0..piece.particle_count {
                 let (vector, lane) = piece.placement.slot(particle);
                 let (pin, from_pin) = piece.pins.get(particle).copied().unwrap_or((ABSENT, 0.0));
-                let flat = piece.flat_positions.map(|flat| flat[particle]);
+                let flat = plane.map(|flat| flat[particle]);
+                faces.near_starts.push(narrow(faces.near.len()));
+                let near = near.into_iter().flat_map(|near| &near[particle]);
+                (faces.near).extend(near.map(|&(other, length)| (first + other, length)));
                 faces.particles.push(FaceParticle {
                     piece: index,
                     slot: narrow(vector * LANES + lane),
@@ -96,10 +123,33 @@ impl Faces {
             (faces.triangles).extend(triangles.map(|corners| corners.map(|corner| first + corner)));
         }
         faces.ring_starts.push(narrow(faces.rings.len()));
+        faces.near_starts.push(narrow(faces.near.len()));
         #[expect(clippy::cast_possible_truncation, reason = "a mean length")]
         let edge_length = (length / f64::from(edge_count.max(1))) as f32;
         faces.edge_length = edge_length;
         faces
+    }
+
+    /// How far a vertex and a triangle of one piece lie apart on the cloth [m]: in the plane exactly; on a
+    /// surface without one a little less than the way to the nearest corner, and infinite where that is
+    /// far.
+    pub(super) fn flat_gap(&self, vertex: u32, corners: [u32; 3]) -> f32 {
+        let one = &self.particles[vertex as usize];
+        if self.has_plane[one.piece as usize] {
+            let flat = corners.map(|corner| self.particles[corner as usize].flat.extend(0.0));
+            let point = one.flat.extend(0.0);
+            return point.distance(blend(flat, nearest_barycentric(point, flat)));
+        }
+        if corners.contains(&vertex) {
+            return 0.0;
+        }
+        let [start, end] = [0, 1].map(|next| self.near_starts[vertex as usize + next] as usize);
+        let near = &self.near[start..end];
+        let way = |corner: u32| {
+            let found = near.binary_search_by_key(&corner, |&(other, _)| other);
+            found.map_or(f32::INFINITY, |place| near[place].1)
+        };
+        ACROSS * corners.map(way).into_iter().fold(f32::INFINITY, f32::min)
     }
 
     /// Neighbors of a particle.

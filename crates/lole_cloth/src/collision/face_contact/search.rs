@@ -306,10 +306,7 @@ impl Search<'_> {
         let (one, others) = (particle(vertex), corners.map(particle));
         let mut allowed = wide;
         if one.piece == others[0].piece {
-            let flat = others.map(|other| other.flat.extend(0.0));
-            let point = one.flat.extend(0.0);
-            let rest = point.distance(blend(flat, nearest_barycentric(point, flat)));
-            allowed = allowed.min(FLAT_SHARE * rest);
+            allowed = allowed.min(FLAT_SHARE * self.faces.flat_gap(vertex, corners));
         }
         for other in others {
             allowed = allowed.min(FLAT_SHARE * (one.from_seam + other.from_seam));

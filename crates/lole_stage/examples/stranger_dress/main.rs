@@ -1,0 +1,267 @@
+//! A stranger's dress, welded to one surface, on a body that is given as a moving triangle mesh: what the
+//! engine's public interface does with it.
+//!
+//! `cargo run --release -p lole_stage --example stranger_dress -- [--obj cloth.obj [--unit METERS] [--uv METERS]]
+//! [--bvh walk.bvh] [--seconds S] [--edge METERS] [--substeps N] [--write FOLDER] [--trace]` prints a line a
+//! second: strain, crossings, particles in the body, and what a frame costs. Without an OBJ file a dress with
+//! sleeves is spread over the built dancer, without a recording she dances a kāholo with her arms up. An OBJ
+//! stands where the dancer does: meters, `+Y` up, `+Z` her front, arms 47° below the horizontal; with `--uv`
+//! its texture coordinates times so many meters are its flat pieces. `--write` leaves dress and body as OBJ,
+//! for `draw_obj` of `lole_render`.
+
+#![expect(clippy::print_stdout, reason = "a tool prints figures, times among them")]
+
+mod dress;
+mod obj;
+mod seen;
+
+use std::error::Error;
+use std::num::NonZeroU32;
+use std::path::PathBuf;
+
+use cpu_time::ProcessTime;
+use glam::Vec3;
+use lole_body::{ArmStyle, Dance, DanceStep, Dancer, Measurements, MotionSettings, Pose};
+use lole_cloth::mesh::{self, MeshModel, MeshSpec, MeshState, Outcome};
+use lole_cloth::{Crossings, Fabric, Hysteresis, SelfCollision, SolverConfig, StepInput};
+use lole_geom::{MeshSurfels, Surfel};
+use lole_motion::{BoneMap, Clip, ClipSettings, bvh};
+use seen::Seen;
+
+const FRAME_DT: f32 = 1.0 / 60.0;
+
+/// Time in which she goes from the bind pose into the dance, and in which the dress comes to rest [s].
+const EASING: f32 = 1.0;
+const RESTING: f32 = 0.5;
+
+/// How far apart the points are in which the body is met [m].
+const SURFEL_SPACING: f32 = 0.012;
+
+/// A light cotton.
+const FABRIC: Fabric = Fabric {
+    areal_density: 0.12,
+    thickness: 0.3e-3,
+    stretch: [4500.0, 2800.0],
+    shear: 90.0,
+    bend: [6.0e-6, 4.0e-6],
+    twist: 3.0e-6,
+    hysteresis: Hysteresis::NONE,
+    friction: 0.3,
+    cloth_friction: 0.3,
+    drag_rate: 1.0,
+};
+
+struct Asked {
+    obj: Option<PathBuf>,
+    unit: f32,
+    uv: Option<f32>,
+    bvh: Option<PathBuf>,
+    seconds: f32,
+    edge: f32,
+    substeps: NonZeroU32,
+    write: Option<PathBuf>,
+    traces: bool,
+}
+
+fn asked() -> Result<Asked, Box<dyn Error>> {
+    let mut asked = Asked {
+        obj: None,
+        unit: 1.0,
+        uv: None,
+        bvh: None,
+        seconds: 5.0,
+        edge: 0.0125,
+        substeps: NonZeroU32::MIN.saturating_add(23),
+        write: None,
+        traces: false,
+    };
+    let mut arguments = std::env::args().skip(1);
+    while let Some(argument) = arguments.next() {
+        let mut value = || arguments.next().ok_or(format!("{argument}: what?"));
+        match argument.as_str() {
+            "--obj" => asked.obj = Some(value()?.into()),
+            "--unit" => asked.unit = value()?.parse()?,
+            "--uv" => asked.uv = Some(value()?.parse()?),
+            "--bvh" => asked.bvh = Some(value()?.into()),
+            "--seconds" => asked.seconds = value()?.parse()?,
+            "--edge" => asked.edge = value()?.parse()?,
+            "--substeps" => asked.substeps = value()?.parse()?,
+            "--write" => asked.write = Some(value()?.into()),
+            "--trace" => asked.traces = true,
+            _ => return Err(format!("what is {argument}?").into()),
+        }
+    }
+    Ok(asked)
+}
+
+/// What she dances.
+enum Moves {
+    Kaholo(Box<Dance>),
+    Recorded(Clip),
+}
+
+impl Moves {
+    fn new(asked: &Asked, dancer: &Dancer) -> Result<Self, Box<dyn Error>> {
+        let Some(path) = &asked.bvh else {
+            let settings = MotionSettings {
+                dance_step: DanceStep::Kaholo,
+                arms: ArmStyle::OpenUp,
+                ..MotionSettings::default()
+            };
+            return Ok(Self::Kaholo(Box::new(Dance::new(&dancer.skeleton, &settings)?)));
+        };
+        let recording = bvh::parse(&std::fs::read(path)?)?;
+        let map = BoneMap::recognize(&recording)?;
+        let clip = Clip::retarget(&recording, &map, &dancer.skeleton, ClipSettings::default())?;
+        Ok(Self::Recorded(clip))
+    }
+
+    fn pose_at(&self, time: f32) -> Pose {
+        match self {
+            Self::Kaholo(dance) => dance.pose_at(time),
+            Self::Recorded(clip) => clip.pose_at(time),
+        }
+    }
+}
+
+/// The body as it moves: triangles, normals and what cloth meets of them.
+struct Body {
+    dancer: Dancer,
+    moves: Moves,
+    triangles: Vec<[u32; 3]>,
+    points: MeshSurfels,
+    positions: Vec<Vec3>,
+    normals: Vec<Vec3>,
+    surfels: Vec<Surfel>,
+}
+
+impl Body {
+    fn new(asked: &Asked) -> Result<Self, Box<dyn Error>> {
+        let dancer = Dancer::new(&Measurements::woman())?;
+        let triangles = dancer.skin.body_triangles();
+        let mut body = Self {
+            moves: Moves::new(asked, &dancer)?,
+            points: MeshSurfels::new(&dancer.skin.positions, &triangles, SURFEL_SPACING),
+            dancer,
+            triangles,
+            positions: Vec::new(),
+            normals: Vec::new(),
+            surfels: Vec::new(),
+        };
+        body.pose(&Pose::default());
+        Ok(body)
+    }
+
+    fn pose(&mut self, pose: &Pose) {
+        let world_from_bind = self.dancer.skeleton.world_from_bind(pose);
+        let skin = &self.dancer.skin;
+        skin.pose(&world_from_bind, &mut self.positions, &mut self.normals);
+        (self.points).pose(&self.positions, &self.normals, &mut self.surfels);
+    }
+
+    /// Where she is at a time [s]: the bind pose, then into the dance, then the dance.
+    fn pose_at(&self, time: f32) -> Pose {
+        let into = ((time - RESTING) / EASING).clamp(0.0, 1.0);
+        let first = self.moves.pose_at((time - RESTING - EASING).max(0.0));
+        let eased = into * into * (3.0 - 2.0 * into);
+        let rotations = first.rotations.iter();
+        Pose {
+            hips_translation: first.hips_translation * eased,
+            rotations: rotations.map(|&it| glam::Quat::IDENTITY.slerp(it, eased)).collect(),
+        }
+    }
+}
+
+fn config(substeps: NonZeroU32) -> SolverConfig {
+    SolverConfig {
+        substep_count: substeps,
+        structural_sweep_count: NonZeroU32::MIN,
+        contact_offset: 0.004,
+        depenetration_speed: 1.0,
+        column_strides: Vec::new(),
+        tether_scale: None,
+        self_collision: Some(SelfCollision {
+            radius: 0.002,
+            substep_interval: NonZeroU32::MIN.saturating_add(2),
+            crossings: Crossings::Repair,
+        }),
+        ..SolverConfig::default()
+    }
+}
+
+/// The dress as it is given, and where it stands [m].
+fn cloth(asked: &Asked, body: &Body) -> Result<(MeshSpec, Vec<Vec3>), Box<dyn Error>> {
+    let Some(path) = &asked.obj else {
+        let (positions, triangles) = dress::spread(&body.dancer, asked.edge);
+        let spec = MeshSpec::of_surface(&positions, triangles, |_| Vec3::Y, FABRIC);
+        return Ok((spec, positions));
+    };
+    let read = obj::Obj::parse(&std::fs::read_to_string(path)?, asked.unit)?;
+    let welded = lole_geom::weld::weld((&read.positions, &read.triangles), 1.0e-4, &[]);
+    println!(
+        "{} vertices and {} triangles read, {} and {} welded",
+        read.positions.len(),
+        read.triangles.len(),
+        welded.positions.len(),
+        welded.triangles.len()
+    );
+    let spec = match asked.uv {
+        Some(scale) => {
+            let corners = welded.sources.iter().map(|&it| read.flat_corners(it, scale));
+            let corners = corners.collect::<Option<_>>().ok_or("not every corner has a vt")?;
+            MeshSpec::welded(welded.positions.len(), welded.triangles, corners, FABRIC)
+        }
+        None => MeshSpec::of_surface(&welded.positions, welded.triangles, |_| Vec3::Y, FABRIC),
+    };
+    Ok((spec, welded.positions))
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let asked = asked()?;
+    let mut body = Body::new(&asked)?;
+    let (spec, positions) = cloth(&asked, &body)?;
+    let began = ProcessTime::now();
+    let model = MeshModel::new(&spec)?;
+    println!(
+        "{} particles, {} triangles, built in {:.2} s; a body of {} triangles in {} points",
+        model.particle_count(),
+        model.triangles().len(),
+        began.elapsed().as_secs_f64(),
+        body.triangles.len(),
+        body.points.len()
+    );
+    let mut state = MeshState::new(&model, &positions);
+    let config = config(asked.substeps);
+    let mut seen = Seen::default();
+    let mut now = Vec::new();
+    let frame_count = ((asked.seconds + RESTING + EASING) / FRAME_DT).round();
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few hundred")]
+    let frame_count = frame_count as u16;
+    for frame in 1..=frame_count {
+        let time = f32::from(frame) * FRAME_DT;
+        body.pose(&body.pose_at(time));
+        let input = StepInput {
+            surfels: &body.surfels,
+            ..StepInput::default()
+        };
+        let began = ProcessTime::now();
+        if let Outcome::Held(cause) = mesh::step(&model, &config, &input, &mut state, FRAME_DT) {
+            return Err(cause.into());
+        }
+        seen.times.push(1e3 * began.elapsed().as_secs_f64());
+        state.copy_positions(&model, &mut now);
+        if asked.traces || frame % 60 == 30 || frame == frame_count {
+            seen.look(time - RESTING - EASING, (&model, &now), &body);
+            if let Some(folder) = &asked.write {
+                obj::write(&folder.join(format!("dress_{frame:04}.obj")), &now, model.triangles())?;
+                obj::write(
+                    &folder.join(format!("body_{frame:04}.obj")),
+                    &body.positions,
+                    &body.triangles,
+                )?;
+            }
+        }
+    }
+    seen.say();
+    Ok(())
+}
