@@ -64,6 +64,24 @@ pub fn weld(
     numbered(positions, &roots, kept)
 }
 
+/// Edges that are shorter than `length` [m], as [`weld`] joins them: meshes that were cut by planes or cells
+/// have triangles of a hundredth of the others' size, which make cloth stiff and slow and show nothing.
+#[must_use]
+pub fn short_edges((positions, triangles): (&[Vec3], &[[u32; 3]]), length: f32) -> Vec<[u32; 2]> {
+    let sides = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let is_short = |side: &[u32; 2]| {
+        let ends = side.map(|it| positions.get(it as usize).copied().unwrap_or(Vec3::NAN));
+        ends[0].distance(ends[1]) < length
+    };
+    let mut short: Vec<[u32; 2]> = sides
+        .map(|[a, b]| [a.min(b), a.max(b)])
+        .filter(is_short)
+        .collect();
+    short.sort_unstable();
+    short.dedup();
+    short
+}
+
 /// Numbers the vertices that are left.
 fn numbered(positions: &[Vec3], roots: &[u32], kept: Vec<([u32; 3], usize)>) -> WeldedMesh {
     let mut numbers = vec![NONE; positions.len()];
@@ -173,6 +191,17 @@ mod tests {
         assert_eq!(weld(mesh, 0.0005, &[]).positions.len(), 8);
         let sewn = weld(mesh, 0.0, &[[1, 4], [6, 3], [99, 0]]);
         assert_eq!((&sewn.triangles, &sewn.vertices), (&welded.triangles, &welded.vertices));
+    }
+
+    #[test]
+    fn short_edges_join_and_their_triangles_go() {
+        let (mut positions, triangles) = squares();
+        positions[3] = positions[1] + Vec3::Y * 0.01;
+        let mesh = (&positions[..], &triangles[..]);
+        let short = short_edges(mesh, 0.02);
+        assert_eq!(short, [[1, 3]]);
+        let welded = weld(mesh, 0.0, &short);
+        assert_eq!((welded.positions.len(), welded.sources), (7, vec![1, 2, 3]));
     }
 
     #[test]

@@ -22,6 +22,9 @@ use crate::mesh::topology::Topology;
 /// farther apart may touch itself.
 const NEAR: f32 = 4.0;
 
+/// A way along an edge goes through it up to this share of its length beyond its ends: rounding.
+const ALONG: f64 = 1.0e-6;
+
 /// The flat shape of a piece.
 #[derive(Clone, Copy)]
 pub(crate) enum Rest<'a> {
@@ -146,25 +149,50 @@ impl Welded {
     }
 
     /// By particle, its nearest pin and the cloth between [m]; infinite where no way leads there.
+    ///
+    /// Dijkstra 1959 over the edges; where two corners of a triangle are known, the third is as far as it is
+    /// from where the pin lies in the triangle's plane, seen through the edge between the two (Novotni and
+    /// Klein 2002), which is exact where the surface can be laid flat.
     pub(crate) fn ways_from(&self, topology: &Topology, pins: &[u32]) -> Vec<(u32, f32)> {
-        let hops = self.hops(topology);
-        let mut best = vec![(pins.first().copied().unwrap_or(0), f32::INFINITY); hops.len()];
+        let count = topology.neighbors.len();
+        let mut best = vec![(pins.first().copied().unwrap_or(0), f32::INFINITY); count];
+        let mut is_done = vec![false; count];
         let mut queue = BinaryHeap::new();
         for &pin in pins {
             best[pin as usize] = (pin, 0.0);
             queue.push(Reverse((0_u32, pin)));
         }
-        while let Some(Reverse((bits, particle))) = queue.pop() {
-            let (pin, length) = best[particle as usize];
-            // Bits of a number that is not negative have its order.
-            if length.to_bits() < bits {
+        while let Some(Reverse((_, particle))) = queue.pop() {
+            if std::mem::replace(&mut is_done[particle as usize], true) {
                 continue;
             }
-            for &(next, hop) in &hops[particle as usize] {
-                let beyond = length + hop;
-                if beyond < best[next as usize].1 {
-                    best[next as usize] = (pin, beyond);
-                    queue.push(Reverse((beyond.to_bits(), next)));
+            let (pin, length) = best[particle as usize];
+            let mut offer = |next: u32, way: f32| {
+                if way < best[next as usize].1 {
+                    best[next as usize] = (pin, way);
+                    // Bits of a number that is not negative have its order.
+                    queue.push(Reverse((way.to_bits(), next)));
+                }
+                best[next as usize]
+            };
+            for (&next, &edge) in topology.neighbors[particle as usize]
+                .iter()
+                .zip(&self.lengths[particle as usize])
+            {
+                offer(next, length + edge);
+            }
+            for place in 0..self.fans[particle as usize].len() {
+                let (sides, [at, right, left]) = self.leaf(topology, particle, place);
+                for ([near, far], [beside, end]) in
+                    [(sides, [right, left]), ([sides[1], sides[0]], [left, right])]
+                {
+                    let (of, known) = offer(near, f32::INFINITY);
+                    if of == pin && is_done[near as usize] {
+                        let ways = [length, known].map(f64::from);
+                        if let Some(way) = seen_through([at, beside], ways, end) {
+                            offer(far, narrow(way));
+                        }
+                    }
                 }
             }
         }
@@ -257,6 +285,24 @@ impl Rest<'_> {
             }
         }
     }
+}
+
+/// How far a place is straight from one that is so far from both ends of an edge [m], on the other side of
+/// it; `None` where the way does not go through the edge.
+fn seen_through([a, b]: [DVec2; 2], [from_a, from_b]: [f64; 2], place: DVec2) -> Option<f64> {
+    let edge = b - a;
+    let length = edge.length();
+    let along = (from_a * from_a - from_b * from_b + length * length) / (2.0 * length);
+    let off = (from_a * from_a - along * along).max(0.0).sqrt();
+    let (right, up) = (edge / length, edge.perp() / length);
+    let (x, y) = ((place - a).dot(right), (place - a).dot(up).abs());
+    // Where the way crosses the edge.
+    let crossing = along + (x - along) * off / (off + y);
+    let is_through = -ALONG * length <= crossing && crossing <= (1.0 + ALONG) * length;
+    is_through.then(|| {
+        let (x, y) = (x - along, off + y);
+        (x * x + y * y).sqrt()
+    })
 }
 
 /// Where the third corner of a triangle lies beside an edge, at which its first two are laid; the edge

@@ -8,6 +8,7 @@ use glam::{IVec3, Vec3};
 use lole_body::{Bone, Dancer};
 use lole_geom::TriangleGrid;
 use lole_geom::triangle_grid::blend;
+use lole_geom::weld::{short_edges, weld};
 
 /// How far outside of the skin it lies [m].
 const EASE: f32 = 0.012;
@@ -26,6 +27,9 @@ const SLEEVE: f32 = 0.55;
 
 /// Radius of the neckline's ball around the neck joint [m].
 const NECKLINE: f32 = 0.095;
+
+/// Edges shorter than this share of the others become one vertex.
+const SHORT: f32 = 0.35;
 
 struct Solid<'a> {
     dancer: &'a Dancer,
@@ -88,8 +92,8 @@ pub(crate) fn spread(dancer: &Dancer, edge: f32) -> (Vec<Vec3>, Vec<[u32; 3]>) {
     let skeleton = &dancer.skeleton;
     let hip_height = dancer.landmarks.hip_height;
     let ring = dancer.tape_ring(hip_height, 64);
-    let middle = ring.iter().map(|it| it.position).sum::<Vec3>() / 64.0;
-    let radii = ring.iter().map(|it| (it.position - middle).with_y(0.0).length());
+    let middle = ring.iter().map(|it| it.bind_position).sum::<Vec3>() / 64.0;
+    let radii = ring.iter().map(|it| (it.bind_position - middle).with_y(0.0).length());
     let solid = Solid {
         dancer,
         grid: TriangleGrid::new(&dancer.skin.positions, &triangles, 0.03),
@@ -102,7 +106,16 @@ pub(crate) fn spread(dancer: &Dancer, edge: f32) -> (Vec<Vec3>, Vec<[u32; 3]>) {
     let low = Vec3::new(-half, solid.hem - 2.0 * edge, -half);
     let high = Vec3::new(half, top, half);
     let (positions, quads) = surface_net(&solid, [low, high], edge);
-    cut(&solid, positions, &quads)
+    let (positions, triangles) = cut(&solid, positions, &quads);
+    let mut mesh = (positions, triangles);
+    loop {
+        let short = short_edges((&mesh.0, &mesh.1), SHORT * edge);
+        if short.is_empty() {
+            return mesh;
+        }
+        let joined = weld((&mesh.0, &mesh.1), 0.0, &short);
+        mesh = mended(joined.positions, joined.triangles);
+    }
 }
 
 /// A vertex in every cell of this size [m] that the surface goes through, and four of them for every edge of
@@ -172,6 +185,11 @@ fn cut(solid: &Solid<'_>, positions: Vec<Vec3>, quads: &[[u32; 4]]) -> (Vec<Vec3
             triangles.extend([[a, b, d], [b, c, d]]);
         }
     }
+    mended(positions, triangles)
+}
+
+/// The largest part, without what is no surface.
+fn mended(positions: Vec<Vec3>, mut triangles: Vec<[u32; 3]>) -> (Vec<Vec3>, Vec<[u32; 3]>) {
     loop {
         let before = triangles.len();
         triangles = largest_part(positions.len(), triangles);
@@ -180,7 +198,7 @@ fn cut(solid: &Solid<'_>, positions: Vec<Vec3>, quads: &[[u32; 4]]) -> (Vec<Vec3
             break;
         }
     }
-    let whole = lole_geom::weld::weld((&positions, &triangles), 0.0, &[]);
+    let whole = weld((&positions, &triangles), 0.0, &[]);
     (whole.positions, whole.triangles)
 }
 
