@@ -6,6 +6,7 @@
 //! bend as a plate. Sixteen constraints that share no particle are solved at a time.
 
 mod bend;
+mod body;
 mod build;
 pub(crate) mod contact;
 pub mod diagnose;
@@ -15,6 +16,7 @@ pub(crate) mod outcome;
 pub(crate) mod particles;
 mod resistance;
 mod rest;
+mod settings;
 pub(crate) mod self_contact;
 pub(crate) mod spec;
 pub(crate) mod state;
@@ -27,6 +29,7 @@ mod tether;
 mod topology;
 mod yarn;
 
+pub use body::{BodyError, Depths, MeshBody};
 pub use model::MeshModel;
 pub use outcome::{Cause, Outcome, Phase};
 pub use spec::{MeshError, MeshSpec};

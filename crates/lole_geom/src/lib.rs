@@ -6,6 +6,7 @@
 
 pub mod capsule;
 pub mod chance;
+pub mod inside;
 pub mod length;
 pub mod mesh;
 pub mod mesh_surfels;
@@ -17,9 +18,18 @@ pub mod weld;
 
 pub use capsule::Capsule;
 pub use chance::Chance;
+pub use inside::InsideColumns;
 pub use length::Length;
 pub use mesh::TriangleMesh;
 pub use mesh_surfels::MeshSurfels;
 pub use surfel::Surfel;
 pub use triangle_grid::TriangleGrid;
 pub use weld::WeldedMesh;
+
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "a mesh has fewer than 2^32 of each"
+)]
+const fn narrow(value: usize) -> u32 {
+    value as u32
+}

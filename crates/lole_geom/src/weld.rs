@@ -2,6 +2,8 @@
 
 use glam::{IVec3, Vec3};
 
+use crate::narrow;
+
 /// A mesh whose vertices that lay together are one.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct WeldedMesh {
@@ -154,14 +156,6 @@ fn firsts_near(positions: &[Vec3], distance: f32) -> Vec<u32> {
         }
     }
     roots
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "a mesh has fewer than 2^32 vertices"
-)]
-const fn narrow(value: usize) -> u32 {
-    value as u32
 }
 
 #[cfg(test)]

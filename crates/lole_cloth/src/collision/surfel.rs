@@ -78,8 +78,21 @@ pub(crate) struct SurfelContacts {
     cells: SurfelCells,
     search: SurfelSearch,
     yielding: Yielding,
+    /// What lies deeper in the body than surfels are looked for: known to the caller for the next step, and in
+    /// this one; and its planes.
+    pub(crate) deep_next: Vec<Deep>,
+    deep_now: Vec<Deep>,
+    deep: PlaneField,
     /// What had no room outside of the skin in this step.
     pub(crate) without_room: SlotSet,
+}
+
+/// A particle deep in a body, and the skin through which it comes out at the start and the end of a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Deep {
+    /// Vector and lane.
+    pub(crate) slot: (usize, usize),
+    pub(crate) ends: [Surfel; 2],
 }
 
 /// The skin during one step.
@@ -148,12 +161,14 @@ impl SurfelContacts {
             + self.search.byte_count()
             + self.yielding.byte_count()
             + self.without_room.byte_count()
+            + self.deep.byte_count()
     }
 
     /// Lets all skin be where it is: the cloth is another.
     pub(crate) fn forget(&mut self) {
         self.yielding = Yielding::default();
         self.without_room.clear();
+        self.deep_next.clear();
     }
 
     /// Plans a step of so many substeps: where something is fast, the nearest surfels are looked for
@@ -161,6 +176,9 @@ impl SurfelContacts {
     #[inline(never)]
     pub(crate) fn plan(&mut self, cloth: Cloth<'_>, skin: Skin<'_>, substep_count: u32) {
         self.nearest.clear(0);
+        self.deep.clear(0);
+        std::mem::swap(&mut self.deep_now, &mut self.deep_next);
+        self.deep_next.clear();
         self.part = 0..0;
         self.without_room.clear();
         self.yielding.come_back(cloth.dt);
@@ -199,12 +217,13 @@ impl SurfelContacts {
         let part = index * self.part_count / substep_count;
         let start_of = |part: u32| (part * substep_count).div_ceil(self.part_count);
         self.part = start_of(part)..start_of(part + 1);
+        let shares = [self.part.start, self.part.end].map(|end| ratio(end, substep_count));
+        self.set_deep(shares, cloth.positions.len(), skin.offset);
         if self.part_count == 1 {
             self.find(level, cloth, skin);
             return;
         }
         let mut ends = std::mem::take(&mut self.ends);
-        let shares = [self.part.start, self.part.end].map(|end| ratio(end, substep_count));
         for (end, share) in ends.iter_mut().zip(shares) {
             end.clear();
             let pairs = skin.before.iter().zip(skin.after);
@@ -223,6 +242,19 @@ impl SurfelContacts {
             .sort(skin, bounds(cloth.positions), REACH_MAX + skin.offset);
         self.find(level, cloth, skin);
         self.ends = ends;
+    }
+
+    /// Gives what is deep its planes between two shares of the step.
+    fn set_deep(&mut self, shares: [f32; 2], vector_count: usize, offset: f32) {
+        if self.deep_now.is_empty() {
+            return;
+        }
+        self.deep.clear(vector_count);
+        for deep in &self.deep_now {
+            let [before, after] = &deep.ends;
+            let [start, end] = shares.map(|share| before.lerp(after, share));
+            self.deep.set(deep.slot, [&start, &end], offset);
+        }
     }
 
     /// How much of the present part has passed at the end of a substep, and the substep's share.
@@ -316,7 +348,7 @@ impl SurfelContacts {
 
     /// Whether no particle comes near the skin.
     pub(crate) const fn is_empty(&self) -> bool {
-        self.nearest.is_empty()
+        self.nearest.is_empty() && self.deep.is_empty()
     }
 }
 
@@ -332,6 +364,9 @@ impl ContactRow<'_> {
         law: ContactLaw,
     ) {
         let fraction = f32x16::splat(simd, fraction);
+        if !contacts.deep.is_empty() {
+            self.project_out_of_depth(simd, (contacts, first), (fraction, share), law);
+        }
         for index in 0..self.positions.len() {
             let Some(slot) = contacts.nearest.slot(first + index) else {
                 continue;
@@ -361,6 +396,33 @@ impl ContactRow<'_> {
                 simd,
                 (index, position),
                 (other.normal, overlap),
+                motion,
+                law,
+            );
+        }
+    }
+
+    /// The same for what lies deep, towards where it comes out.
+    #[inline(always)]
+    fn project_out_of_depth<S: Simd>(
+        &mut self,
+        simd: S,
+        (contacts, first): (&SurfelContacts, usize),
+        (fraction, share): (f32x16<S>, f32),
+        law: ContactLaw,
+    ) {
+        for index in 0..self.positions.len() {
+            let Some(slot) = contacts.deep.slot(first + index) else {
+                continue;
+            };
+            let plane = contacts.deep.now(simd, slot, fraction);
+            let position = Vectors::load(simd, &self.positions[index]);
+            let overlap = plane.level - plane.normal.dot(position);
+            let motion = (&contacts.deep, slot, share);
+            self.meet_plane(
+                simd,
+                (index, position),
+                (plane.normal, overlap),
                 motion,
                 law,
             );

@@ -190,6 +190,17 @@ impl MeshModel {
         (area / self.topology.areas.len() as f32).sqrt()
     }
 
+    /// About how far the cloth reaches [m]: from what is farthest from its first particle to what is
+    /// farthest from there, of what hangs together with it.
+    pub(crate) fn longest_way(&self) -> f32 {
+        let farthest = |from: u32| {
+            let ways = self.rest().ways_from(&self.topology, from);
+            let reached = (0_u32..).zip(ways).filter(|(_, way)| way.is_finite());
+            reached.fold((from, 0.0), |most, it| if most.1 < it.1 { it } else { most })
+        };
+        farthest(farthest(0).0).1
+    }
+
     /// Numbers in a column of particles.
     pub(crate) const fn column_length(&self) -> usize {
         column_length(self.slots.count)

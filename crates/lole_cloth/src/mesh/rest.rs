@@ -270,6 +270,20 @@ impl Rest<'_> {
         }
     }
 
+    /// How far every particle is from one on the cloth [m]; straight where the piece lies in a plane.
+    pub(crate) fn ways_from(&self, topology: &Topology, from: u32) -> Vec<f32> {
+        match self {
+            Self::Plane(flat) => {
+                let start = flat[from as usize];
+                flat.iter().map(|place| place.distance(start)).collect()
+            }
+            Self::Welded(welded) => {
+                let ways = welded.ways_from(topology, &[from]);
+                ways.into_iter().map(|(_, way)| way).collect()
+            }
+        }
+    }
+
     /// How far two particles lie apart on the cloth [m]: straight in the plane; of a welded piece along
     /// edges and across them.
     pub(crate) fn distance(&self, topology: &Topology, [first, second]: [u32; 2]) -> f32 {

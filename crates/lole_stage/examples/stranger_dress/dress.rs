@@ -10,8 +10,9 @@ use lole_geom::TriangleGrid;
 use lole_geom::triangle_grid::blend;
 use lole_geom::weld::{short_edges, weld};
 
-/// How far outside of the skin it lies [m].
-const EASE: f32 = 0.012;
+/// How far outside of the skin it lies on the shoulders, and elsewhere [m]: woven cloth does not give way
+/// where arms are raised, and a dress that fits like a skin cannot be danced in.
+const EASE: [f32; 2] = [0.010, 0.035];
 
 /// Farthest from the skin that is looked [m].
 const REACH: f32 = 0.16;
@@ -42,21 +43,22 @@ struct Solid<'a> {
 }
 
 impl Solid<'_> {
-    /// Signed distance to the dress, roughly [m], and the bone beside it.
-    fn distance(&self, at: Vec3) -> (f32, Option<Bone>) {
+    /// Signed distance to the dress, roughly [m].
+    fn distance(&self, at: Vec3) -> f32 {
         let skin = &self.dancer.skin;
-        let nearest = self.grid.nearest(at, REACH);
-        let (body, bone) = nearest.map_or((REACH, None), |nearest| {
+        let body = self.grid.nearest(at, REACH).map_or(REACH, |nearest| {
             let corners = self.triangles[nearest.triangle as usize];
             let normals = corners.map(|corner| skin.normals[corner as usize]);
-            let out = (at - nearest.point).dot(blend(normals, nearest.barycentric));
-            let bone = skin.strongest_bone(corners[0] as usize);
-            (if out < 0.0 { -nearest.distance } else { nearest.distance }, Some(bone))
+            let normal = blend(normals, nearest.barycentric).normalize_or_zero();
+            let is_inside = (at - nearest.point).dot(normal) < 0.0;
+            let [above, beside] = EASE;
+            let ease = beside + (above - beside) * (1.5 * normal.y).clamp(0.0, 1.0);
+            (if is_inside { -nearest.distance } else { nearest.distance }) - ease
         });
         let axis = (at - self.hips).with_y(0.0).length();
         let below = self.hips.y - at.y;
         let skirt = (axis - self.radius - FLARE * below).max(-below - 0.06);
-        (smooth_least(body - EASE, skirt), bone)
+        smooth_least(body, skirt)
     }
 
     /// Whether the dress has cloth here.
@@ -75,7 +77,7 @@ impl Solid<'_> {
             let way = elbow - shoulder;
             let along = (at - shoulder).dot(way) / way.length_squared();
             let off = (at - shoulder - way * along).length();
-            along < SLEEVE || 0.11 < off
+            along < SLEEVE || 0.13 < off
         })
     }
 }
@@ -100,7 +102,7 @@ pub(crate) fn spread(dancer: &Dancer, edge: f32) -> (Vec<Vec3>, Vec<[u32; 3]>) {
         triangles: &triangles,
         hem: dancer.landmarks.knee_height - 0.08,
         hips: middle.with_y(hip_height),
-        radius: radii.fold(0.0, f32::max) + EASE,
+        radius: radii.fold(0.0, f32::max) + EASE[1],
     };
     let (half, top) = (0.62, skeleton.joint(Bone::Neck).y + 0.1);
     let low = Vec3::new(-half, solid.hem - 2.0 * edge, -half);
@@ -129,7 +131,7 @@ fn surface_net(solid: &Solid<'_>, [low, high]: [Vec3; 2], size: f32) -> (Vec<Vec
             (from..counts.y).flat_map(move |y| (from..counts.x).map(move |x| IVec3::new(x, y, z)))
         })
     };
-    let values: Vec<f32> = cells(0).map(|cell| solid.distance(place(cell)).0).collect();
+    let values: Vec<f32> = cells(0).map(|cell| solid.distance(place(cell))).collect();
     let value = |cell: IVec3| values[index(cell)];
     let corners: [IVec3; 8] = std::array::from_fn(|it| IVec3::new((it & 1) as i32, (it >> 1 & 1) as i32, (it >> 2) as i32));
     let mut positions = Vec::new();

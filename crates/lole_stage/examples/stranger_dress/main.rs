@@ -22,9 +22,8 @@ use std::path::PathBuf;
 use cpu_time::ProcessTime;
 use glam::Vec3;
 use lole_body::{ArmStyle, Dance, DanceStep, Dancer, Measurements, MotionSettings, Pose};
-use lole_cloth::mesh::{self, MeshModel, MeshSpec, MeshState, Outcome};
-use lole_cloth::{Crossings, Fabric, Hysteresis, SelfCollision, SolverConfig, StepInput};
-use lole_geom::{MeshSurfels, Surfel};
+use lole_cloth::mesh::{self, MeshBody, MeshModel, MeshSpec, MeshState, Outcome};
+use lole_cloth::{Fabric, Hysteresis, StepInput};
 use lole_motion::{BoneMap, Clip, ClipSettings, bvh};
 use seen::Seen;
 
@@ -35,7 +34,7 @@ const EASING: f32 = 1.0;
 const RESTING: f32 = 0.5;
 
 /// How far apart the points are in which the body is met [m].
-const SURFEL_SPACING: f32 = 0.012;
+const POINT_SPACING: f32 = 0.012;
 
 /// A light cotton.
 const FABRIC: Fabric = Fabric {
@@ -58,7 +57,7 @@ struct Asked {
     bvh: Option<PathBuf>,
     seconds: f32,
     edge: f32,
-    substeps: NonZeroU32,
+    substeps: Option<NonZeroU32>,
     write: Option<PathBuf>,
     traces: bool,
 }
@@ -71,7 +70,7 @@ fn asked() -> Result<Asked, Box<dyn Error>> {
         bvh: None,
         seconds: 5.0,
         edge: 0.0125,
-        substeps: NonZeroU32::MIN.saturating_add(23),
+        substeps: None,
         write: None,
         traces: false,
     };
@@ -85,7 +84,7 @@ fn asked() -> Result<Asked, Box<dyn Error>> {
             "--bvh" => asked.bvh = Some(value()?.into()),
             "--seconds" => asked.seconds = value()?.parse()?,
             "--edge" => asked.edge = value()?.parse()?,
-            "--substeps" => asked.substeps = value()?.parse()?,
+            "--substeps" => asked.substeps = Some(value()?.parse()?),
             "--write" => asked.write = Some(value()?.into()),
             "--trace" => asked.traces = true,
             _ => return Err(format!("what is {argument}?").into()),
@@ -124,39 +123,34 @@ impl Moves {
     }
 }
 
-/// The body as it moves: triangles, normals and what cloth meets of them.
+/// The body as it moves: the dancer's skin, and what cloth meets of it.
 struct Body {
     dancer: Dancer,
     moves: Moves,
-    triangles: Vec<[u32; 3]>,
-    points: MeshSurfels,
     positions: Vec<Vec3>,
     normals: Vec<Vec3>,
-    surfels: Vec<Surfel>,
+    mesh: MeshBody,
 }
 
 impl Body {
     fn new(asked: &Asked) -> Result<Self, Box<dyn Error>> {
         let dancer = Dancer::new(&Measurements::woman())?;
         let triangles = dancer.skin.body_triangles();
-        let mut body = Self {
+        let body = Self {
             moves: Moves::new(asked, &dancer)?,
-            points: MeshSurfels::new(&dancer.skin.positions, &triangles, SURFEL_SPACING),
+            mesh: MeshBody::new(&dancer.skin.positions, &triangles, POINT_SPACING)?,
             dancer,
-            triangles,
             positions: Vec::new(),
             normals: Vec::new(),
-            surfels: Vec::new(),
         };
-        body.pose(&Pose::default());
         Ok(body)
     }
 
-    fn pose(&mut self, pose: &Pose) {
+    fn pose(&mut self, pose: &Pose) -> Result<(), Box<dyn Error>> {
         let world_from_bind = self.dancer.skeleton.world_from_bind(pose);
         let skin = &self.dancer.skin;
         skin.pose(&world_from_bind, &mut self.positions, &mut self.normals);
-        (self.points).pose(&self.positions, &self.normals, &mut self.surfels);
+        Ok(self.mesh.pose(&self.positions)?)
     }
 
     /// Where she is at a time [s]: the bind pose, then into the dance, then the dance.
@@ -169,23 +163,6 @@ impl Body {
             hips_translation: first.hips_translation * eased,
             rotations: rotations.map(|&it| glam::Quat::IDENTITY.slerp(it, eased)).collect(),
         }
-    }
-}
-
-fn config(substeps: NonZeroU32) -> SolverConfig {
-    SolverConfig {
-        substep_count: substeps,
-        structural_sweep_count: NonZeroU32::MIN,
-        contact_offset: 0.004,
-        depenetration_speed: 1.0,
-        column_strides: Vec::new(),
-        tether_scale: None,
-        self_collision: Some(SelfCollision {
-            radius: 0.002,
-            substep_interval: NonZeroU32::MIN.saturating_add(2),
-            crossings: Crossings::Repair,
-        }),
-        ..SolverConfig::default()
     }
 }
 
@@ -222,16 +199,21 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (spec, positions) = cloth(&asked, &body)?;
     let began = ProcessTime::now();
     let model = MeshModel::new(&spec)?;
+    let mut config = model.settings();
+    config.substep_count = asked.substeps.unwrap_or(config.substep_count);
     println!(
-        "{} particles, {} triangles, built in {:.2} s; a body of {} triangles in {} points",
+        "{} particles, {} triangles, built in {:.2} s; a body of {} triangles in {} points; {} substeps",
         model.particle_count(),
         model.triangles().len(),
         began.elapsed().as_secs_f64(),
-        body.triangles.len(),
-        body.points.len()
+        body.mesh.triangles().len(),
+        body.mesh.surfels().len(),
+        config.substep_count
     );
     let mut state = MeshState::new(&model, &positions);
-    let config = config(asked.substeps);
+    if let Some(folder) = &asked.write {
+        obj::write(&folder.join("dress.obj"), &positions, model.triangles())?;
+    }
     let mut seen = Seen::default();
     let mut now = Vec::new();
     let frame_count = ((asked.seconds + RESTING + EASING) / FRAME_DT).round();
@@ -239,12 +221,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     let frame_count = frame_count as u16;
     for frame in 1..=frame_count {
         let time = f32::from(frame) * FRAME_DT;
-        body.pose(&body.pose_at(time));
+        body.pose(&body.pose_at(time))?;
+        let began = ProcessTime::now();
+        seen.depths = body.mesh.look(&model, &mut state);
+        seen.looking.push(1e3 * began.elapsed().as_secs_f64());
         let input = StepInput {
-            surfels: &body.surfels,
+            surfels: body.mesh.surfels(),
             ..StepInput::default()
         };
-        let began = ProcessTime::now();
         if let Outcome::Held(cause) = mesh::step(&model, &config, &input, &mut state, FRAME_DT) {
             return Err(cause.into());
         }
@@ -257,7 +241,7 @@ fn main() -> Result<(), Box<dyn Error>> {
                 obj::write(
                     &folder.join(format!("body_{frame:04}.obj")),
                     &body.positions,
-                    &body.triangles,
+                    body.mesh.triangles(),
                 )?;
             }
         }

@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 use lole_body::Bone;
-use lole_cloth::mesh::{MeshModel, diagnose};
+use lole_cloth::mesh::{Depths, MeshModel, diagnose};
 use lole_geom::TriangleGrid;
 use lole_geom::triangle_grid::blend;
 
@@ -18,6 +18,9 @@ const DEEP: f32 = 0.003;
 pub(crate) struct Seen {
     /// [ms] a frame.
     pub(crate) times: Vec<f64>,
+    /// Of it, the look into the body.
+    pub(crate) looking: Vec<f64>,
+    pub(crate) depths: Depths,
     worst: [f32; 3],
     crossings: usize,
 }
@@ -59,14 +62,16 @@ impl Seen {
 
     pub(crate) fn say(&self) {
         let (median, worst) = median_and_worst(&self.times);
+        let (looking, _) = median_and_worst(&self.looking);
         let [p99, max, deepest] = self.worst;
         println!(
-            "all: p99 {:.2} %, max {:.1} %, {} crossings, {:.1} mm deep; {median:.1} ms, worst {worst:.1} ({:.1} times)",
+            "all: p99 {:.2} %, max {:.1} %, {} crossings, {:.1} mm deep; {median:.1} ms, worst {worst:.1} ({:.1} times), {looking:.2} of it to look {:.0} mm deep",
             100.0 * p99,
             100.0 * max,
             self.crossings,
             1e3 * deepest,
-            worst / median
+            worst / median,
+            1e3 * self.depths.reach
         );
     }
 }
@@ -81,12 +86,12 @@ fn median_and_worst(times: &[f64]) -> (f64, f64) {
 /// How deep every particle is below the skin [m], 0 outside: by the nearest triangle, on the side of which its
 /// normal says.
 fn depths(body: &Body, now: &[Vec3]) -> Vec<f32> {
-    let grid = TriangleGrid::new(&body.positions, &body.triangles, 0.03);
+    let grid = TriangleGrid::new(&body.positions, body.mesh.triangles(), 0.03);
     let depth = |&place: &Vec3| {
         let Some(nearest) = grid.nearest(place, REACH) else {
             return 0.0;
         };
-        let corners = body.triangles[nearest.triangle as usize];
+        let corners = body.mesh.triangles()[nearest.triangle as usize];
         let normals = corners.map(|corner| body.normals[corner as usize]);
         let out = (place - nearest.point).dot(blend(normals, nearest.barycentric));
         if out < 0.0 { nearest.distance } else { 0.0 }
