@@ -7,7 +7,7 @@ use std::f32::consts::{PI, TAU};
 use glam::Vec3;
 use lole_cloth::mesh::{self, Depths, MeshBody, MeshSpec, Outcome};
 use lole_cloth::{SKIN_REACH, StepInput, mesh_state_hash};
-use lole_geom::trig;
+use lole_geom::{Surfel, trig};
 use mesh_support::{DT, FABRIC, World, rectangle};
 use proptest::prelude::*;
 
@@ -53,7 +53,11 @@ fn patch([columns, rows]: [u32; 2], middle: Vec3) -> World {
 }
 
 fn step(world: &mut World, body: &mut MeshBody, looks: bool) -> Depths {
-    let depths = if looks { body.look(&world.model, &mut world.state) } else { Depths::default() };
+    let depths = if looks {
+        body.look(&world.model, &mut world.state)
+    } else {
+        Depths::default()
+    };
     let input = StepInput {
         surfels: body.surfels(),
         ..StepInput::default()
@@ -64,7 +68,8 @@ fn step(world: &mut World, body: &mut MeshBody, looks: bool) -> Depths {
 }
 
 #[test]
-fn what_lies_four_centimeters_deep_in_a_ball_comes_out_where_it_is_nearest_and_no_faster_than_said() {
+fn what_lies_four_centimeters_deep_in_a_ball_comes_out_where_it_is_nearest_and_no_faster_than_said()
+{
     let axes = Vec3::splat(0.12);
     let (positions, triangles) = egg(axes);
     let outcome = [true, false].map(|looks| {
@@ -82,11 +87,22 @@ fn what_lies_four_centimeters_deep_in_a_ball_comes_out_where_it_is_nearest_and_n
                 assert!(0.0 < now.y, "{frame}: {now}");
             }
         }
-        let last = if looks { body.look(&world.model, &mut world.state) } else { Depths::default() };
-        (first.expect("a step"), last, deepest(axes, world.positions()))
+        let last = if looks {
+            body.look(&world.model, &mut world.state)
+        } else {
+            Depths::default()
+        };
+        (
+            first.expect("a step"),
+            last,
+            deepest(axes, world.positions()),
+        )
     });
     let [(first, last, left), (_, _, left_alone)] = outcome;
-    assert_eq!((first.reach, first.deep, first.out_of_reach), (MeshBody::REACH, 81, 0));
+    assert_eq!(
+        (first.reach, first.deep, first.out_of_reach),
+        (MeshBody::REACH, 81, 0)
+    );
     assert!((first.deepest - 0.04).abs() < 0.005, "{first:?}");
     assert_eq!(last.deep, 0, "{last:?}");
     assert!(left < 0.002, "{left}");
@@ -106,7 +122,11 @@ fn a_limb_that_moves_is_left_on_the_side_where_the_cloth_is() {
         let moved: Vec<Vec3> = positions.iter().map(|&at| at + away).collect();
         body.pose(&moved).expect("as many");
         step(&mut world, &mut body, true);
-        let lowest = world.positions().iter().map(|at| at.y).fold(f32::INFINITY, f32::min);
+        let lowest = world
+            .positions()
+            .iter()
+            .map(|at| at.y)
+            .fold(f32::INFINITY, f32::min);
         assert!(0.0 < lowest, "{frame}: {lowest}");
         if 20 < frame {
             let left = deepest(axes, world.positions().iter().map(|&at| at - away));
@@ -118,12 +138,40 @@ fn a_limb_that_moves_is_left_on_the_side_where_the_cloth_is() {
 #[test]
 fn a_body_says_what_is_out_of_its_reach() {
     let (positions, triangles) = egg(Vec3::splat(0.12));
-    let mut body = MeshBody::new(&positions, &triangles, 0.01).expect("a body").with_reach(0.03);
+    let mut body = MeshBody::new(&positions, &triangles, 0.01)
+        .expect("a body")
+        .with_reach(0.03);
     let mut world = patch([9, 9], Vec3::Y * 0.08);
     let depths = step(&mut world, &mut body, true);
     assert_eq!(depths.reach, 0.03);
-    assert!(0 < depths.out_of_reach && depths.out_of_reach < depths.deep, "{depths:?}");
+    assert!(
+        0 < depths.out_of_reach && depths.out_of_reach < depths.deep,
+        "{depths:?}"
+    );
     assert!(SKIN_REACH < depths.deepest && depths.deepest < 0.03);
+}
+
+#[test]
+fn where_a_body_overlaps_itself_nothing_is_touched() {
+    let (mut positions, mut triangles) = egg(Vec3::splat(0.12));
+    let other = egg(Vec3::splat(0.12));
+    let first = u32::try_from(positions.len()).expect("few");
+    positions.extend(other.0.iter().map(|&at| at + Vec3::X * 0.1));
+    triangles.extend(other.1.iter().map(|it| it.map(|corner| corner + first)));
+    let body = MeshBody::new(&positions, &triangles, 0.01).expect("a body");
+    for surfel in body.surfels() {
+        let middles = [Vec3::ZERO, Vec3::X * 0.1];
+        let depth = middles.map(|middle| 0.12 - surfel.position.distance(middle));
+        let depth = depth[0].max(depth[1]);
+        assert!(!surfel.is_withdrawn() || 0.0 < depth, "{surfel:?}");
+        assert!(surfel.is_withdrawn() || depth < 0.02, "{surfel:?}");
+    }
+    assert!(body.surfels().iter().any(Surfel::is_withdrawn));
+    // Where both are, no way leads out.
+    let mut body = body;
+    let mut world = patch([3, 3], Vec3::X * 0.05);
+    let depths = step(&mut world, &mut body, true);
+    assert_eq!((depths.covered, depths.deep), (9, 0));
 }
 
 #[test]
@@ -162,12 +210,32 @@ fn every_mistake_in_a_body_has_its_sentence() {
     nowhere[7].y = f32::NAN;
     let mut body = MeshBody::new(&positions, &triangles, 0.01).expect("a body");
     let cases = [
-        (complaint(&[], &triangles, 0.01), "the body has 0 vertices and 1152 triangles; give it some"),
-        (complaint(&positions, &[[0, 1, 999]], 0.01), "triangle 0 of the body names vertex 999, and there are 600"),
-        (complaint(&nowhere, &triangles, 0.01), "vertex 7 of the body is at"),
-        (complaint(&positions, &triangles, f32::NAN), "the points of the body are to be NaN m apart; make that more than 0"),
-        (body.pose(&positions[1..]).expect_err("one less").to_string(), "the body has 599 vertices now and had 600; a body keeps its vertices"),
-        (body.pose(&nowhere).expect_err("nowhere").to_string(), "vertex 7 of the body is at"),
+        (
+            complaint(&[], &triangles, 0.01),
+            "the body has 0 vertices and 1152 triangles; give it some",
+        ),
+        (
+            complaint(&positions, &[[0, 1, 999]], 0.01),
+            "triangle 0 of the body names vertex 999, and there are 600",
+        ),
+        (
+            complaint(&nowhere, &triangles, 0.01),
+            "vertex 7 of the body is at",
+        ),
+        (
+            complaint(&positions, &triangles, f32::NAN),
+            "the points of the body are to be NaN m apart; make that more than 0",
+        ),
+        (
+            body.pose(&positions[1..])
+                .expect_err("one less")
+                .to_string(),
+            "the body has 599 vertices now and had 600; a body keeps its vertices",
+        ),
+        (
+            body.pose(&nowhere).expect_err("nowhere").to_string(),
+            "vertex 7 of the body is at",
+        ),
     ];
     for (found, expected) in cases {
         assert!(found.starts_with(expected), "{found}");

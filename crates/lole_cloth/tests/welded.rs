@@ -34,7 +34,12 @@ fn both(flat: &[Vec2], triangles: &[[u32; 3]]) -> [MeshSpec; 2] {
 }
 
 /// A tube around the upright axis, wider below: places, triangles and how many stand in a ring.
-fn tube(around: u16, along: u16, [top, bottom]: [f32; 2], height: f32) -> (Vec<Vec3>, Vec<[u32; 3]>) {
+fn tube(
+    around: u16,
+    along: u16,
+    [top, bottom]: [f32; 2],
+    height: f32,
+) -> (Vec<Vec3>, Vec<[u32; 3]>) {
     let mut positions = Vec::new();
     for row in 0..=along {
         let share = f32::from(row) / f32::from(along);
@@ -120,14 +125,17 @@ fn heights_over_widths(jitter: f32, turn: f32, stiffness: [f32; 2]) -> [f32; 2] 
 #[test]
 fn a_welded_strip_bends_as_it_does_given_flat() {
     // With either yarn the stiffer one: warp must lie where it lay.
-    let cases = [0.0, 0.5].into_iter().flat_map(|jitter| {
-        [0.0, 0.4, 2.0 * FRAC_PI_4].map(|turn| (jitter, turn))
-    });
+    let cases = [0.0, 0.5]
+        .into_iter()
+        .flat_map(|jitter| [0.0, 0.4, 2.0 * FRAC_PI_4].map(|turn| (jitter, turn)));
     for (jitter, turn) in cases {
         for stiffness in [[1.0, 1.0], [3.0, 0.5]] {
             let [flat, welded] = heights_over_widths(jitter, turn, stiffness);
             let error = welded / flat - 1.0;
-            assert!(error.abs() < 0.005, "{jitter} {turn} {stiffness:?}: {flat} {welded}");
+            assert!(
+                error.abs() < 0.005,
+                "{jitter} {turn} {stiffness:?}: {flat} {welded}"
+            );
         }
     }
 }
@@ -164,14 +172,23 @@ fn lengths_on_a_welded_piece_are_those_of_the_flat_one() {
     for (one, other) in masses[0].iter().zip(&masses[1]) {
         assert!((one / other - 1.0).abs() < 1e-4);
     }
-    for (first, second) in (0..108_u32).flat_map(|it| [(it, (it + 1) % 108), (it, (7 * it + 50) % 108)]) {
+    for (first, second) in
+        (0..108_u32).flat_map(|it| [(it, (it + 1) % 108), (it, (7 * it + 50) % 108)])
+    {
         let [straight, way] = [plane, welded].map(|model| model.flat_distance([first, second]));
         // Along edges and across them a way is a little longer than straight.
-        assert!(straight * 0.999 <= way && way <= straight * 1.12 + 1e-6, "{straight} {way}");
+        assert!(
+            straight * 0.999 <= way && way <= straight * 1.12 + 1e-6,
+            "{straight} {way}"
+        );
     }
-    let moved: Vec<Vec3> = flat.iter().map(|it| Vec3::new(it.x * 1.1, it.x * it.y, it.y)).collect();
+    let moved: Vec<Vec3> = flat
+        .iter()
+        .map(|it| Vec3::new(it.x * 1.1, it.x * it.y, it.y))
+        .collect();
     for triangle in 0..plane.triangles().len() {
-        let [one, other] = [plane, welded].map(|model| diagnose::deformation_of(model, triangle, &moved));
+        let [one, other] =
+            [plane, welded].map(|model| diagnose::deformation_of(model, triangle, &moved));
         for (one, other) in one.into_iter().zip(other) {
             let apart = one.distance(other).min(one.distance(-other));
             assert!(apart < 1e-3, "{one} {other}");
@@ -201,7 +218,9 @@ fn a_surface_that_moves_rigidly_is_strained_by_nothing_and_feels_no_force() {
         world.config.row_strides = vec![8, 3];
         let start = diagnose::strain(&world.model, &placed);
         assert!(start.max < 1e-4, "{start:?}");
-        world.state.set_velocities(&world.model, &vec![Vec3::new(0.3, 0.2, -0.1); rest.len()]);
+        world
+            .state
+            .set_velocities(&world.model, &vec![Vec3::new(0.3, 0.2, -0.1); rest.len()]);
         for _ in 0..60 {
             world.step(&[]);
         }
@@ -234,11 +253,19 @@ fn a_welded_tube_falls_on_a_thigh_and_meets_itself_without_being_torn() {
     let spec = MeshSpec::of_surface(&rest, triangles, |_| Vec3::Y, FABRIC);
     let mut world = World::new(&spec, &rest);
     world.config = world.model.settings();
-    let thigh = [Capsule::uniform(Vec3::new(-0.3, -0.5, 0.0), Vec3::new(0.3, -0.5, 0.0), 0.08)];
+    let thigh = [Capsule::uniform(
+        Vec3::new(-0.3, -0.5, 0.0),
+        Vec3::new(0.3, -0.5, 0.0),
+        0.08,
+    )];
     for frame in 0..100 {
         world.step(&thigh);
         let positions = world.positions();
-        assert_eq!(diagnose::self_crossings(&world.model, &positions), Some(0), "{frame}");
+        assert_eq!(
+            diagnose::self_crossings(&world.model, &positions),
+            Some(0),
+            "{frame}"
+        );
         let strain = diagnose::strain(&world.model, &positions);
         // It falls on its hem at 1.5 m/s, and crumples as finely as its cells.
         let most = if frame < 60 { 0.6 } else { 0.12 };
@@ -326,7 +353,10 @@ fn every_mistake_in_a_welded_mesh_has_its_sentence() {
             }),
             "3 triangles share the edge of particles 0 and 5; cloth has at most two there",
         ),
-        (moebius(), "the surface has no two sides: around the edge of particles"),
+        (
+            moebius(),
+            "the surface has no two sides: around the edge of particles",
+        ),
         (
             touching_tetrahedra(),
             "parts of the mesh hang together by particle 0 alone; give each part its own and sew them",
@@ -345,7 +375,12 @@ fn refused(particle_count: usize, triangles: Vec<[u32; 3]>) -> String {
 
 /// A band of eleven triangles that is turned over once.
 fn moebius() -> String {
-    refused(11, (0..11).map(|it| [it, (it + 1) % 11, (it + 2) % 11]).collect())
+    refused(
+        11,
+        (0..11)
+            .map(|it| [it, (it + 1) % 11, (it + 2) % 11])
+            .collect(),
+    )
 }
 
 /// Two closed surfaces that share a corner.

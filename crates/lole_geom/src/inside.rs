@@ -29,7 +29,9 @@ impl InsideColumns {
     /// are left out.
     #[must_use]
     pub fn new(positions: &[Vec3], triangles: &[[u32; 3]], size: f32) -> Self {
-        let places = triangles.iter().map(|it| it.map(|corner| positions[corner as usize]));
+        let places = triangles
+            .iter()
+            .map(|it| it.map(|corner| positions[corner as usize]));
         let whole: Vec<[Vec3; 3]> = places
             .filter(|corners| corners.iter().all(|corner| corner.is_finite()))
             .collect();
@@ -55,17 +57,31 @@ impl InsideColumns {
         for corners in &whole {
             columns.cross(*corners, &mut found);
         }
-        found.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.cmp(&b.2)));
-        let mut starts = vec![0; columns.counts[0] * columns.counts[1] + 1];
-        for &(column, _, _) in &found {
+        columns.sort(&found);
+        columns
+    }
+
+    /// Takes over what was found, column by column, from below.
+    fn sort(&mut self, found: &[(u32, f32, i32)]) {
+        let mut starts = vec![0_u32; self.counts[0] * self.counts[1] + 1];
+        for &(column, _, _) in found {
             starts[column as usize + 1] += 1;
         }
         for column in 1..starts.len() {
             starts[column] += starts[column - 1];
         }
-        columns.starts = starts;
-        columns.crossings = found.into_iter().map(|(_, height, side)| (height, side)).collect();
-        columns
+        let mut next = starts.clone();
+        self.crossings = vec![(0.0, 0); found.len()];
+        for &(column, height, side) in found {
+            let place = &mut next[column as usize];
+            self.crossings[*place as usize] = (height, side);
+            *place += 1;
+        }
+        for run in starts.windows(2).filter(|run| run[0] + 1 < run[1]) {
+            let run = &mut self.crossings[run[0] as usize..run[1] as usize];
+            run.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        }
+        self.starts = starts;
     }
 
     /// Adds where the middles of columns cross a triangle: column, height and side.
@@ -136,9 +152,11 @@ mod tests {
         let (around, along) = (24_u16, 12_u16);
         let mut positions = Vec::new();
         for row in 0..=along {
-            let (high, wide) = trig::sin_cos(std::f32::consts::PI * (f32::from(row) / f32::from(along) - 0.5));
+            let (high, wide) =
+                trig::sin_cos(std::f32::consts::PI * (f32::from(row) / f32::from(along) - 0.5));
             positions.extend((0..around).map(|column| {
-                let (sin, cos) = trig::sin_cos(std::f32::consts::TAU * f32::from(column) / f32::from(around));
+                let (sin, cos) =
+                    trig::sin_cos(std::f32::consts::TAU * f32::from(column) / f32::from(around));
                 middle + Vec3::new(wide * cos, wide * sin, high) * radius
             }));
         }
@@ -176,13 +194,20 @@ mod tests {
             Vec3::new(bit(0), bit(1), bit(2))
         });
         let sides = [
-            [0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5],
+            [0, 2, 3, 1],
+            [4, 5, 7, 6],
+            [0, 1, 5, 4],
+            [2, 6, 7, 3],
+            [0, 4, 6, 2],
+            [1, 3, 7, 5],
         ];
         let mut positions: Vec<Vec3> = corners.collect();
         // Half a column more on each side.
         positions.extend([Vec3::new(-0.125, -0.125, 0.5), Vec3::new(1.125, 1.125, 0.5)]);
-        let mut triangles: Vec<[u32; 3]> =
-            sides.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
+        let mut triangles: Vec<[u32; 3]> = sides
+            .iter()
+            .flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]])
+            .collect();
         triangles.push([8, 9, 8]);
         let columns = InsideColumns::new(&positions, &triangles, 0.25);
         for column in 0..columns.starts.len() - 1 {

@@ -70,7 +70,9 @@ pub fn weld(
 /// have triangles of a hundredth of the others' size, which make cloth stiff and slow and show nothing.
 #[must_use]
 pub fn short_edges((positions, triangles): (&[Vec3], &[[u32; 3]]), length: f32) -> Vec<[u32; 2]> {
-    let sides = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let sides = triangles
+        .iter()
+        .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
     let is_short = |side: &[u32; 2]| {
         let ends = side.map(|it| positions.get(it as usize).copied().unwrap_or(Vec3::NAN));
         ends[0].distance(ends[1]) < length
@@ -139,7 +141,8 @@ fn firsts_near(positions: &[Vec3], distance: f32) -> Vec<u32> {
             continue;
         }
         let cell = cell_of(positions[vertex]);
-        let around = (-1..=1).flat_map(|x| (-1..=1).flat_map(move |y| (-1..=1).map(move |z| [x, y, z])));
+        let around =
+            (-1..=1).flat_map(|x| (-1..=1).flat_map(move |y| (-1..=1).map(move |z| [x, y, z])));
         let near = around.flat_map(|step| {
             let cell = cell.saturating_add(IVec3::from_array(step)).to_array();
             let first = cells.partition_point(|it| it.0 < cell);
@@ -165,11 +168,13 @@ mod tests {
     /// Two squares side by side, each with corners of its own, a millimeter apart at most.
     fn squares() -> (Vec<Vec3>, Vec<[u32; 3]>) {
         let square = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), (1.0, 1.0)];
-        let places = [0.0, 1.0].into_iter().flat_map(|across| {
-            square.map(|(x, y)| Vec3::new(x + across, y, 0.001 * across))
-        });
+        let places = [0.0, 1.0]
+            .into_iter()
+            .flat_map(|across| square.map(|(x, y)| Vec3::new(x + across, y, 0.001 * across)));
         let sides = [[0, 1, 3], [0, 3, 2]];
-        let triangles = [0, 4].into_iter().flat_map(|first| sides.map(|it| it.map(|k| first + k)));
+        let triangles = [0, 4]
+            .into_iter()
+            .flat_map(|first| sides.map(|it| it.map(|k| first + k)));
         (places.collect(), triangles.collect())
     }
 
@@ -184,7 +189,10 @@ mod tests {
         assert_eq!(welded.positions[1], positions[1]);
         assert_eq!(weld(mesh, 0.0005, &[]).positions.len(), 8);
         let sewn = weld(mesh, 0.0, &[[1, 4], [6, 3], [99, 0]]);
-        assert_eq!((&sewn.triangles, &sewn.vertices), (&welded.triangles, &welded.vertices));
+        assert_eq!(
+            (&sewn.triangles, &sewn.vertices),
+            (&welded.triangles, &welded.vertices)
+        );
     }
 
     #[test]

@@ -29,7 +29,9 @@ fn read(path: &str) -> Result<Obj, Box<dyn Error>> {
         let words: Vec<&str> = line.split_whitespace().collect();
         match words[..] {
             ["v", x, y, z] => positions.push(Vec3::new(x.parse()?, y.parse()?, z.parse()?)),
-            ["f", a, b, c] => triangles.push([a.parse()?, b.parse()?, c.parse()?].map(|it: u32| it - 1)),
+            ["f", a, b, c] => {
+                triangles.push([a.parse()?, b.parse()?, c.parse()?].map(|it: u32| it - 1))
+            }
             _ => {}
         }
     }
@@ -45,8 +47,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     let [out, files @ ..] = &arguments[..] else {
         return Err("draw_obj out.png body.obj dress.obj …".into());
     };
-    let meshes = files.iter().map(|it| read(it)).collect::<Result<Vec<_>, _>>()?;
-    let points: Vec<Vec3> = meshes.iter().flat_map(|it| it.positions.iter().copied()).collect();
+    let meshes = files
+        .iter()
+        .map(|it| read(it))
+        .collect::<Result<Vec<_>, _>>()?;
+    let points: Vec<Vec3> = meshes
+        .iter()
+        .flat_map(|it| it.positions.iter().copied())
+        .collect();
     let materials: Vec<Material> = (0..meshes.len()).map(material).collect();
     let mut renderer = Renderer::new(Backend::Cpu, VIEW)?;
     let mut views = Vec::new();

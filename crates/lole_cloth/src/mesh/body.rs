@@ -18,7 +18,11 @@ use crate::mesh::model::MeshModel;
 use crate::mesh::state::MeshState;
 
 /// Side of the columns in which the inside of a body is known [m].
-const COLUMN: f32 = 0.008;
+const COLUMN: f32 = 0.01;
+
+/// Skin that is covered this far out is in another part of the body [m]: a place may be judged by 0.71 columns
+/// beside where it is.
+const COVERED: f32 = 0.01;
 
 /// Side of the cells of the search for the nearest triangle [m].
 const CELL: f32 = 0.03;
@@ -78,6 +82,9 @@ pub struct Depths {
     pub deep: usize,
     /// Of those, particles farther from the surface than the reach.
     pub out_of_reach: usize,
+    /// Particles inside where the body overlaps itself, as a hand in a hip: no way leads out there, so they
+    /// are let alone until the parts leave each other.
+    pub covered: usize,
     /// How deep the deepest particle is that was reached [m]; 0 where none is deep.
     pub deepest: f32,
 }
@@ -100,6 +107,7 @@ pub struct MeshBody {
     positions: [Vec<Vec3>; 2],
     normals: [Vec<Vec3>; 2],
     surfels: Vec<Surfel>,
+    columns: InsideColumns,
     /// Of the particles that were deep when looked at last, ascending.
     exits: Vec<Exit>,
     places: Vec<Vec3>,
@@ -153,6 +161,7 @@ impl MeshBody {
             positions: [positions.to_vec(), positions.to_vec()],
             normals: [normals.clone(), normals],
             surfels: Vec::new(),
+            columns: InsideColumns::default(),
             exits: Vec::new(),
             places: Vec::new(),
         };
@@ -191,9 +200,16 @@ impl MeshBody {
 
     fn pose_surfels(&mut self) {
         (self.points).pose(&self.positions[1], &self.normals[1], &mut self.surfels);
+        self.columns = InsideColumns::new(&self.positions[1], &self.triangles, COLUMN);
+        for surfel in &mut self.surfels {
+            if is_covered(&self.columns, surfel) {
+                surfel.normal = Vec3::ZERO;
+            }
+        }
     }
 
-    /// What [`crate::StepInput::surfels`] wants.
+    /// What [`crate::StepInput::surfels`] wants. Where the body overlaps itself nothing touches it: cloth
+    /// between a hand and the hip that it is in has nowhere to go.
     #[must_use]
     pub fn surfels(&self) -> &[Surfel] {
         &self.surfels
@@ -211,12 +227,8 @@ impl MeshBody {
     pub fn look(&mut self, model: &MeshModel, state: &mut MeshState) -> Depths {
         let mut places = std::mem::take(&mut self.places);
         state.copy_positions(model, &mut places);
-        let columns = InsideColumns::new(&self.positions[1], &self.triangles, COLUMN);
-        let inside = (0_u32..).zip(&places);
-        let inside: Vec<u32> = inside
-            .filter(|&(_, &place)| 0 < columns.winding(place))
-            .map(|(particle, _)| particle)
-            .collect();
+        let windings = (0_u32..).zip(places.iter().map(|&place| self.columns.winding(place)));
+        let inside: Vec<(u32, i32)> = windings.filter(|&(_, winding)| 0 < winding).collect();
         let (exits, depths) = self.exits_of(&inside, &places);
         let deep = &mut state.scratch.surfel_contacts.deep_next;
         deep.clear();
@@ -230,7 +242,7 @@ impl MeshBody {
     }
 
     /// Where particles that lie inside come out, those left out that the skin brings out.
-    fn exits_of(&self, inside: &[u32], places: &[Vec3]) -> (Vec<Exit>, Depths) {
+    fn exits_of(&self, inside: &[(u32, i32)], places: &[Vec3]) -> (Vec<Exit>, Depths) {
         let mut depths = Depths {
             reach: self.reach,
             ..Depths::default()
@@ -240,7 +252,11 @@ impl MeshBody {
             return (exits, depths);
         }
         let grid = TriangleGrid::new(&self.positions[1], &self.triangles, CELL);
-        for &particle in inside {
+        for &(particle, winding) in inside {
+            if 1 < winding {
+                depths.covered += 1;
+                continue;
+            }
             let place = places[particle as usize];
             let Some(nearest) = grid.nearest(place, self.reach) else {
                 depths.deep += 1;
@@ -257,6 +273,10 @@ impl MeshBody {
             let out = self.surfel_at(&exit, 1);
             let depth = (out.position - place).dot(out.normal);
             if SKIN_REACH < depth {
+                if is_covered(&self.columns, &out) {
+                    depths.covered += 1;
+                    continue;
+                }
                 depths.deep += 1;
                 depths.deepest = depths.deepest.max(nearest.distance);
                 exits.push(exit);
@@ -292,6 +312,11 @@ impl MeshBody {
     }
 }
 
+/// Whether a surfel lies in another part of the body.
+fn is_covered(columns: &InsideColumns, surfel: &Surfel) -> bool {
+    0 < columns.winding(surfel.position + surfel.normal * COVERED)
+}
+
 fn check_finite(positions: &[Vec3]) -> Result<(), BodyError> {
     let mut places = positions.iter().enumerate();
     match places.find(|(_, place)| !place.is_finite()) {
@@ -302,7 +327,9 @@ fn check_finite(positions: &[Vec3]) -> Result<(), BodyError> {
 
 /// What the mesh encloses [m³], negative where it is turned inside out.
 fn volume(positions: &[Vec3], triangles: &[[u32; 3]]) -> f64 {
-    let corners = triangles.iter().map(|it| it.map(|corner| positions[corner as usize].as_dvec3()));
+    let corners = triangles
+        .iter()
+        .map(|it| it.map(|corner| positions[corner as usize].as_dvec3()));
     let parts = corners.map(|[a, b, c]: [DVec3; 3]| a.dot(b.cross(c)) / 6.0);
     parts.sum()
 }

@@ -196,7 +196,10 @@ impl MeshModel {
         let farthest = |from: u32| {
             let ways = self.rest().ways_from(&self.topology, from);
             let reached = (0_u32..).zip(ways).filter(|(_, way)| way.is_finite());
-            reached.fold((from, 0.0), |most, it| if most.1 < it.1 { it } else { most })
+            reached.fold(
+                (from, 0.0),
+                |most, it| if most.1 < it.1 { it } else { most },
+            )
         };
         farthest(farthest(0).0).1
     }
@@ -292,7 +295,11 @@ fn check_lengths(spec: &MeshSpec) -> Result<(), MeshError> {
         ("pinned", spec.pinned.len(), particle_count),
     ];
     if !spec.flat_corners.is_empty() {
-        lengths.push(("flat_corners", spec.flat_corners.len(), spec.triangles.len()));
+        lengths.push((
+            "flat_corners",
+            spec.flat_corners.len(),
+            spec.triangles.len(),
+        ));
         lengths.push(("flat_positions", spec.flat_positions.len(), 0));
     }
     match lengths

@@ -132,10 +132,18 @@ impl Welded {
     }
 
     /// A triangle of the fan of `middle` as it lies by itself: `middle`, right and left corner.
-    pub(crate) fn leaf(&self, topology: &Topology, middle: u32, place: usize) -> ([u32; 2], [DVec2; 3]) {
+    pub(crate) fn leaf(
+        &self,
+        topology: &Topology,
+        middle: u32,
+        place: usize,
+    ) -> ([u32; 2], [DVec2; 3]) {
         let (sides, triangle) = self.fans[middle as usize][place];
         let [right, left] = sides;
-        (sides, self.turned(topology, (triangle, [middle, right, left])))
+        (
+            sides,
+            self.turned(topology, (triangle, [middle, right, left])),
+        )
     }
 
     /// The corner of a triangle beyond the edge from `left` to `right`, laid beside the edge.
@@ -183,9 +191,10 @@ impl Welded {
             }
             for place in 0..self.fans[particle as usize].len() {
                 let (sides, [at, right, left]) = self.leaf(topology, particle, place);
-                for ([near, far], [beside, end]) in
-                    [(sides, [right, left]), ([sides[1], sides[0]], [left, right])]
-                {
+                for ([near, far], [beside, end]) in [
+                    (sides, [right, left]),
+                    ([sides[1], sides[0]], [left, right]),
+                ] {
                     let (of, known) = offer(near, f32::INFINITY);
                     if of == pin && is_done[near as usize] {
                         let ways = [length, known].map(f64::from);
@@ -216,7 +225,11 @@ impl Welded {
             angle += wide;
         }
         let is_closed = fan.first().map(|it| it.0[0]) == fan.last().map(|it| it.0[1]);
-        let opened = if is_closed && 0.0 < angle { TAU / angle } else { 1.0 };
+        let opened = if is_closed && 0.0 < angle {
+            TAU / angle
+        } else {
+            1.0
+        };
         if !is_closed {
             angles.push(angle);
         }
@@ -226,13 +239,19 @@ impl Welded {
             sum += DVec2::new(cos, sin) * weight;
         }
         let turn = 0.5 * trig64::atan2(sum.y, sum.x);
-        let spokes = fan.iter().map(|it| it.0[0]).chain(fan.last().map(|it| it.0[1]));
+        let spokes = fan
+            .iter()
+            .map(|it| it.0[0])
+            .chain(fan.last().map(|it| it.0[1]));
         spokes
             .zip(angles)
             .map(|(neighbor, angle)| {
                 let (sin, cos) = trig64::sin_cos(angle * opened - turn);
                 let length = self.length(topology, [particle_number(middle), neighbor]);
-                (neighbor, DVec2::new(cos, sin) * f64::from(length.unwrap_or(0.0)))
+                (
+                    neighbor,
+                    DVec2::new(cos, sin) * f64::from(length.unwrap_or(0.0)),
+                )
             })
             .collect()
     }
@@ -293,9 +312,9 @@ impl Rest<'_> {
                 let near = &welded.near[first as usize];
                 let found = near.binary_search_by_key(&second, |&(it, _)| it);
                 let known = welded.length(topology, [first, second]);
-                known.or_else(|| Some(near[found.ok()?].1)).unwrap_or_else(|| {
-                    welded.ways_from(topology, &[first])[second as usize].1
-                })
+                known
+                    .or_else(|| Some(near[found.ok()?].1))
+                    .unwrap_or_else(|| welded.ways_from(topology, &[first])[second as usize].1)
             }
         }
     }
@@ -346,7 +365,9 @@ fn lengths(topology: &Topology, corners: &[[Vec2; 3]]) -> Vec<Vec<f32>> {
         }
     }
     let mean = |&(sum, count): &(f64, f64)| narrow(sum / count);
-    sums.iter().map(|ring| ring.iter().map(mean).collect()).collect()
+    sums.iter()
+        .map(|ring| ring.iter().map(mean).collect())
+        .collect()
 }
 
 /// Triangles around every particle in turn, from the border where there is one.
@@ -494,7 +515,10 @@ fn turns(triangles: &[[u32; 3]]) -> Result<Vec<bool>, MeshError> {
     Ok(turns.into_iter().map(|turn| turn == Some(true)).collect())
 }
 
-#[expect(clippy::cast_possible_truncation, reason = "lengths are worked out in f64 and used in f32")]
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "lengths are worked out in f64 and used in f32"
+)]
 const fn narrow(value: f64) -> f32 {
     value as f32
 }

@@ -78,7 +78,8 @@ impl MeshSpec {
     ) -> Self {
         let place = |corner: u32| positions.get(corner as usize).copied().unwrap_or(Vec3::NAN);
         let corners = triangles.iter().enumerate();
-        let flat_corners = corners.map(|(triangle, corners)| laid(corners.map(place), warp(triangle)));
+        let flat_corners =
+            corners.map(|(triangle, corners)| laid(corners.map(place), warp(triangle)));
         Self::welded(
             positions.len(),
             triangles.clone(),

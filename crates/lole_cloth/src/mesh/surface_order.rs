@@ -111,7 +111,9 @@ fn grow(
     }
     let patch = order[order.len() - count..].iter();
     let mut beside = patch.flat_map(|&particle| &neighbors[particle as usize]);
-    beside.find(|&&neighbor| is_left[neighbor as usize]).copied()
+    beside
+        .find(|&&neighbor| is_left[neighbor as usize])
+        .copied()
 }
 
 #[cfg(test)]

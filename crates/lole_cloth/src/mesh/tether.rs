@@ -11,8 +11,8 @@ use glam::{Vec2, Vec3};
 
 use crate::constraint::pull::Pull;
 use crate::lanes::{LANES, Scalars, Vectors};
-use crate::mesh::particles::{BASE_STEP, WIDTH, gather_far};
 use crate::mesh::build::Shape;
+use crate::mesh::particles::{BASE_STEP, WIDTH, gather_far};
 use crate::mesh::rest::Rest;
 use crate::mesh::topology::Topology;
 
@@ -43,10 +43,7 @@ enum Anchors {
 
 /// The tethers of a piece, in terms of particles: for each pass, by particle, its pin and the
 /// length [m]; infinite where no way leads there.
-pub(crate) fn tether_passes(
-    (topology, rest): Shape<'_>,
-    pins: &[u32],
-) -> Vec<Vec<(u32, f32)>> {
+pub(crate) fn tether_passes((topology, rest): Shape<'_>, pins: &[u32]) -> Vec<Vec<(u32, f32)>> {
     if pins.is_empty() {
         return Vec::new();
     }
@@ -60,7 +57,9 @@ pub(crate) fn tether_passes(
     if ANCHOR_COUNT_MAX < pins.len() {
         return vec![ways(pins)];
     }
-    pins.iter().map(|pin| ways(std::slice::from_ref(pin))).collect()
+    pins.iter()
+        .map(|pin| ways(std::slice::from_ref(pin)))
+        .collect()
 }
 
 /// Shortest ways within the flat piece.

@@ -101,7 +101,10 @@ fn check_corners(spec: &MeshSpec) -> Result<(), MeshError> {
     {
         check_indices(triangle, particles, spec.particle_count())?;
         let [a, b, c] = *particles;
-        if let Some(index) = [(a, b), (b, c), (c, a)].iter().find(|(one, other)| one == other) {
+        if let Some(index) = [(a, b), (b, c), (c, a)]
+            .iter()
+            .find(|(one, other)| one == other)
+        {
             return Err(MeshError::Repeated {
                 triangle,
                 index: index.0,

@@ -63,7 +63,10 @@ pub(crate) fn partner(
         let side = usize::from(0.0 < yarn.perp_dot(at));
         (ends[side], edge[side]) = (corner, at);
         triangle = next;
-        if edge.iter().all(|end| f64::from(REACH[1]) * reach < end.dot(yarn)) {
+        if edge
+            .iter()
+            .all(|end| f64::from(REACH[1]) * reach < end.dot(yarn))
+        {
             break;
         }
     }
@@ -97,7 +100,10 @@ impl Strip {
     }
 }
 
-#[expect(clippy::cast_possible_truncation, reason = "lengths are worked out in f64 and used in f32")]
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "lengths are worked out in f64 and used in f32"
+)]
 const fn narrow(value: f64) -> f32 {
     value as f32
 }

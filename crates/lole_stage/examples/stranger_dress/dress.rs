@@ -53,7 +53,11 @@ impl Solid<'_> {
             let is_inside = (at - nearest.point).dot(normal) < 0.0;
             let [above, beside] = EASE;
             let ease = beside + (above - beside) * (1.5 * normal.y).clamp(0.0, 1.0);
-            (if is_inside { -nearest.distance } else { nearest.distance }) - ease
+            (if is_inside {
+                -nearest.distance
+            } else {
+                nearest.distance
+            }) - ease
         });
         let axis = (at - self.hips).with_y(0.0).length();
         let below = self.hips.y - at.y;
@@ -68,16 +72,24 @@ impl Solid<'_> {
         if at.y < self.hem || at.distance(neck) < NECKLINE || neck.y + 0.02 < at.y {
             return false;
         }
+        let nearest = self.grid.nearest(at, REACH);
+        let bone = nearest.map(|nearest| {
+            let corner = self.triangles[nearest.triangle as usize][0];
+            self.dancer.skin.strongest_bone(corner as usize)
+        });
         let arms = [
             (Bone::LeftUpperArm, Bone::LeftLowerArm),
             (Bone::RightUpperArm, Bone::RightLowerArm),
         ];
         arms.into_iter().all(|(upper, lower)| {
+            let is_arm = bone.is_some_and(|bone| bone.lineage().any(|it| it == upper));
+            if !is_arm {
+                return true;
+            }
             let [shoulder, elbow] = [upper, lower].map(|bone| skeleton.joint(bone));
             let way = elbow - shoulder;
             let along = (at - shoulder).dot(way) / way.length_squared();
-            let off = (at - shoulder - way * along).length();
-            along < SLEEVE || 0.13 < off
+            along < SLEEVE
         })
     }
 }
@@ -95,7 +107,9 @@ pub(crate) fn spread(dancer: &Dancer, edge: f32) -> (Vec<Vec3>, Vec<[u32; 3]>) {
     let hip_height = dancer.landmarks.hip_height;
     let ring = dancer.tape_ring(hip_height, 64);
     let middle = ring.iter().map(|it| it.bind_position).sum::<Vec3>() / 64.0;
-    let radii = ring.iter().map(|it| (it.bind_position - middle).with_y(0.0).length());
+    let radii = ring
+        .iter()
+        .map(|it| (it.bind_position - middle).with_y(0.0).length());
     let solid = Solid {
         dancer,
         grid: TriangleGrid::new(&dancer.skin.positions, &triangles, 0.03),
@@ -133,7 +147,9 @@ fn surface_net(solid: &Solid<'_>, [low, high]: [Vec3; 2], size: f32) -> (Vec<Vec
     };
     let values: Vec<f32> = cells(0).map(|cell| solid.distance(place(cell))).collect();
     let value = |cell: IVec3| values[index(cell)];
-    let corners: [IVec3; 8] = std::array::from_fn(|it| IVec3::new((it & 1) as i32, (it >> 1 & 1) as i32, (it >> 2) as i32));
+    let corners: [IVec3; 8] = std::array::from_fn(|it| {
+        IVec3::new((it & 1) as i32, (it >> 1 & 1) as i32, (it >> 2) as i32)
+    });
     let mut positions = Vec::new();
     let mut vertices = vec![u32::MAX; values.len()];
     for cell in cells(0).filter(|cell| cell.cmplt(counts - IVec3::ONE).all()) {
@@ -178,7 +194,10 @@ fn cut(solid: &Solid<'_>, positions: Vec<Vec3>, quads: &[[u32; 4]]) -> (Vec<Vec3
     let at = |corner: u32| positions[corner as usize];
     let mut triangles: Vec<[u32; 3]> = Vec::new();
     for &[a, b, c, d] in quads {
-        if ![a, b, c, d].iter().all(|&corner| has_cloth[corner as usize]) {
+        if ![a, b, c, d]
+            .iter()
+            .all(|&corner| has_cloth[corner as usize])
+        {
             continue;
         }
         if at(a).distance(at(c)) < at(b).distance(at(d)) {

@@ -9,7 +9,10 @@
 //! its texture coordinates times so many meters are its flat pieces. `--write` leaves dress and body as OBJ,
 //! for `draw_obj` of `lole_render`.
 
-#![expect(clippy::print_stdout, reason = "a tool prints figures, times among them")]
+#![expect(
+    clippy::print_stdout,
+    reason = "a tool prints figures, times among them"
+)]
 
 mod dress;
 mod obj;
@@ -107,7 +110,10 @@ impl Moves {
                 arms: ArmStyle::OpenUp,
                 ..MotionSettings::default()
             };
-            return Ok(Self::Kaholo(Box::new(Dance::new(&dancer.skeleton, &settings)?)));
+            return Ok(Self::Kaholo(Box::new(Dance::new(
+                &dancer.skeleton,
+                &settings,
+            )?)));
         };
         let recording = bvh::parse(&std::fs::read(path)?)?;
         let map = BoneMap::recognize(&recording)?;
@@ -161,7 +167,9 @@ impl Body {
         let rotations = first.rotations.iter();
         Pose {
             hips_translation: first.hips_translation * eased,
-            rotations: rotations.map(|&it| glam::Quat::IDENTITY.slerp(it, eased)).collect(),
+            rotations: rotations
+                .map(|&it| glam::Quat::IDENTITY.slerp(it, eased))
+                .collect(),
         }
     }
 }
@@ -184,8 +192,13 @@ fn cloth(asked: &Asked, body: &Body) -> Result<(MeshSpec, Vec<Vec3>), Box<dyn Er
     );
     let spec = match asked.uv {
         Some(scale) => {
-            let corners = welded.sources.iter().map(|&it| read.flat_corners(it, scale));
-            let corners = corners.collect::<Option<_>>().ok_or("not every corner has a vt")?;
+            let corners = welded
+                .sources
+                .iter()
+                .map(|&it| read.flat_corners(it, scale));
+            let corners = corners
+                .collect::<Option<_>>()
+                .ok_or("not every corner has a vt")?;
             MeshSpec::welded(welded.positions.len(), welded.triangles, corners, FABRIC)
         }
         None => MeshSpec::of_surface(&welded.positions, welded.triangles, |_| Vec3::Y, FABRIC),
@@ -217,7 +230,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut seen = Seen::default();
     let mut now = Vec::new();
     let frame_count = ((asked.seconds + RESTING + EASING) / FRAME_DT).round();
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few hundred")]
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a few hundred"
+    )]
     let frame_count = frame_count as u16;
     for frame in 1..=frame_count {
         let time = f32::from(frame) * FRAME_DT;
@@ -237,7 +254,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         if asked.traces || frame % 60 == 30 || frame == frame_count {
             seen.look(time - RESTING - EASING, (&model, &now), &body);
             if let Some(folder) = &asked.write {
-                obj::write(&folder.join(format!("dress_{frame:04}.obj")), &now, model.triangles())?;
+                obj::write(
+                    &folder.join(format!("dress_{frame:04}.obj")),
+                    &now,
+                    model.triangles(),
+                )?;
                 obj::write(
                     &folder.join(format!("body_{frame:04}.obj")),
                     &body.positions,

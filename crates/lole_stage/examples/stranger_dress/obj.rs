@@ -60,12 +60,18 @@ impl Obj {
         let mut parts = word.split('/');
         let index = |part: &str, count: usize| -> Result<u32, Box<dyn Error>> {
             let number: i64 = part.parse()?;
-            let place = if number < 0 { i64::try_from(count)? + number } else { number - 1 };
+            let place = if number < 0 {
+                i64::try_from(count)? + number
+            } else {
+                number - 1
+            };
             Ok(u32::try_from(place)?)
         };
         let position = index(parts.next().unwrap_or_default(), self.positions.len())?;
         let place = parts.next().filter(|part| !part.is_empty());
-        let place = place.map(|part| index(part, self.places.len())).transpose()?;
+        let place = place
+            .map(|part| index(part, self.places.len()))
+            .transpose()?;
         Ok((position, place))
     }
 

@@ -39,9 +39,11 @@ impl Seen {
         let &(max, triangle) = strains.last().expect("a dress has triangles");
         let crossings = diagnose::self_crossings(model, now).unwrap_or(usize::MAX);
         let depths = depths(body, now);
-        let (deepest, place) = (0..).zip(&depths).fold((0.0_f32, 0), |most, (index, &depth)| {
-            if most.0 < depth { (depth, index) } else { most }
-        });
+        let (deepest, place) = (0..)
+            .zip(&depths)
+            .fold((0.0_f32, 0), |most, (index, &depth)| {
+                if most.0 < depth { (depth, index) } else { most }
+            });
         let deep = depths.iter().filter(|&&depth| DEEP < depth).count();
         let frames = &self.times[self.times.len().saturating_sub(60)..];
         let (median, worst) = median_and_worst(frames);
@@ -56,7 +58,11 @@ impl Seen {
             1e3 * deepest,
             beside(now[place]),
         );
-        self.worst = [self.worst[0].max(at(99)), self.worst[1].max(max), self.worst[2].max(deepest)];
+        self.worst = [
+            self.worst[0].max(at(99)),
+            self.worst[1].max(max),
+            self.worst[2].max(deepest),
+        ];
         self.crossings = self.crossings.max(crossings);
     }
 
