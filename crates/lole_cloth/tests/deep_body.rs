@@ -175,6 +175,25 @@ fn where_a_body_overlaps_itself_nothing_is_touched() {
 }
 
 #[test]
+fn cloth_is_let_through_what_it_does_not_meet() {
+    let (positions, triangles) = egg(Vec3::splat(0.12));
+    let met = positions.iter().map(|at| at.y < 0.0).collect();
+    let body = MeshBody::new(&positions, &triangles, 0.01).expect("a body");
+    let mut body = body.with_met(met);
+    let above = |surfel: &Surfel| 0.01 < surfel.position.y;
+    assert!(
+        body.surfels()
+            .iter()
+            .all(|it| !above(it) || it.is_withdrawn())
+    );
+    assert!(body.surfels().iter().any(|it| !it.is_withdrawn()));
+    let mut world = patch([9, 9], Vec3::Y * 0.08);
+    let before = world.positions();
+    assert_eq!(step(&mut world, &mut body, true).deep, 0);
+    assert_eq!(world.positions(), before);
+}
+
+#[test]
 fn cloth_beside_a_body_is_let_alone_to_the_last_bit() {
     let (positions, triangles) = egg(Vec3::splat(0.12));
     let hashes = [true, false].map(|looks| {

@@ -90,20 +90,21 @@ impl InsideColumns {
         let low = ((a.min(b).min(c) - self.low) / self.size).as_uvec2();
         let high = ((a.max(b).max(c) - self.low) / self.size).as_uvec2();
         let is_up = 0.0 < (b - a).as_dvec2().perp_dot((c - a).as_dvec2());
-        for (row, column) in (low.y..=high.y).flat_map(|y| (low.x..=high.x).map(move |x| (y, x))) {
+        let over = (low.y..=high.y).flat_map(|row| (low.x..=high.x).map(move |it| (row, it)));
+        for (row, column) in over {
             #[expect(clippy::cast_precision_loss, reason = "columns are few")]
             let middle = self.low + (Vec2::new(column as f32, row as f32) + 0.5) * self.size;
             let sides = [[a, b], [b, c], [c, a]].map(|ends| side(ends, middle));
-            if sides.iter().all(|&(is_left, _)| is_left == is_up) {
-                let [on_ab, on_bc, on_ca] = sides.map(|(_, size)| size.abs());
-                let sum = on_ab + on_bc + on_ca;
-                let [x, y, z] = corners.map(|corner| f64::from(corner.z));
-                let height = (x * on_bc + y * on_ca + z * on_ab) / sum;
-                if height.is_finite() {
-                    let place = row as usize * self.counts[0] + column as usize;
-                    #[expect(clippy::cast_possible_truncation, reason = "a height in the mesh")]
-                    found.push((narrow(place), height as f32, if is_up { 1 } else { -1 }));
-                }
+            if sides.iter().any(|&(is_left, _)| is_left != is_up) {
+                continue;
+            }
+            let [on_ab, on_bc, on_ca] = sides.map(|(_, size)| size.abs());
+            let [x, y, z] = corners.map(|corner| f64::from(corner.z));
+            let height = (x * on_bc + y * on_ca + z * on_ab) / (on_ab + on_bc + on_ca);
+            if height.is_finite() {
+                let place = row as usize * self.counts[0] + column as usize;
+                #[expect(clippy::cast_possible_truncation, reason = "a height in the mesh")]
+                found.push((narrow(place), height as f32, if is_up { 1 } else { -1 }));
             }
         }
     }

@@ -122,7 +122,7 @@ fn root(roots: &[u32], mut vertex: u32) -> u32 {
 /// By vertex, the first of those before it that are their own and within `distance` [m], or itself.
 fn firsts_near(positions: &[Vec3], distance: f32) -> Vec<u32> {
     let mut roots: Vec<u32> = (0..narrow(positions.len())).collect();
-    if !(0.0 <= distance && distance < f32::INFINITY) {
+    if !(0.0..f32::INFINITY).contains(&distance) {
         return roots;
     }
     // Cells as wide as the distance, or as the places are apart in `f32`.

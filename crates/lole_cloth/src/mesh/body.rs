@@ -103,6 +103,8 @@ pub struct MeshBody {
     triangles: Vec<[u32; 3]>,
     points: MeshSurfels,
     reach: f32,
+    /// By vertex, whether cloth meets it; empty where it meets all.
+    met: Vec<bool>,
     /// Before the last move, and now.
     positions: [Vec<Vec3>; 2],
     normals: [Vec<Vec3>; 2],
@@ -158,6 +160,7 @@ impl MeshBody {
             points: MeshSurfels::new(positions, &triangles, spacing),
             triangles,
             reach: Self::REACH,
+            met: Vec::new(),
             positions: [positions.to_vec(), positions.to_vec()],
             normals: [normals.clone(), normals],
             surfels: Vec::new(),
@@ -174,6 +177,19 @@ impl MeshBody {
     pub const fn with_reach(mut self, reach: f32) -> Self {
         self.reach = reach;
         self
+    }
+
+    /// The same of which cloth meets only some vertices, by vertex: recorded forearms hang where a skirt is, and
+    /// are better let through it than in its way. Vertices that are not named are met.
+    #[must_use]
+    pub fn with_met(mut self, met: Vec<bool>) -> Self {
+        self.met = met;
+        self.pose_surfels();
+        self
+    }
+
+    fn is_met(&self, vertex: u32) -> bool {
+        self.met.get(vertex as usize).is_none_or(|&met| met)
     }
 
     /// Moves the body to where its vertices are at the end of the next step [m].
@@ -201,11 +217,13 @@ impl MeshBody {
     fn pose_surfels(&mut self) {
         (self.points).pose(&self.positions[1], &self.normals[1], &mut self.surfels);
         self.columns = InsideColumns::new(&self.positions[1], &self.triangles, COLUMN);
-        for surfel in &mut self.surfels {
-            if is_covered(&self.columns, surfel) {
+        let mut surfels = std::mem::take(&mut self.surfels);
+        for (surfel, carrier) in surfels.iter_mut().zip(self.points.carriers()) {
+            if !self.is_met(carrier) || is_covered(&self.columns, surfel) {
                 surfel.normal = Vec3::ZERO;
             }
         }
+        self.surfels = surfels;
     }
 
     /// What [`crate::StepInput::surfels`] wants. Where the body overlaps itself nothing touches it: cloth
@@ -263,6 +281,10 @@ impl MeshBody {
                 depths.out_of_reach += 1;
                 continue;
             };
+            let corners = self.triangles[nearest.triangle as usize];
+            if !corners.into_iter().all(|corner| self.is_met(corner)) {
+                continue;
+            }
             // In the column's middle it may be inside and here beside the body.
             let exit = Exit {
                 particle,

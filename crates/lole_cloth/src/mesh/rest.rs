@@ -189,19 +189,22 @@ impl Welded {
             {
                 offer(next, length + edge);
             }
-            for place in 0..self.fans[particle as usize].len() {
-                let (sides, [at, right, left]) = self.leaf(topology, particle, place);
-                for ([near, far], [beside, end]) in [
-                    (sides, [right, left]),
-                    ([sides[1], sides[0]], [left, right]),
-                ] {
-                    let (of, known) = offer(near, f32::INFINITY);
-                    if of == pin && is_done[near as usize] {
-                        let ways = [length, known].map(f64::from);
-                        if let Some(way) = seen_through([at, beside], ways, end) {
-                            offer(far, narrow(way));
-                        }
-                    }
+            let leaves = 0..self.fans[particle as usize].len();
+            let corners = leaves.flat_map(|place| {
+                let ([right, left], [at, on_right, on_left]) = self.leaf(topology, particle, place);
+                [
+                    ([right, left], [at, on_right, on_left]),
+                    ([left, right], [at, on_left, on_right]),
+                ]
+            });
+            for ([near, far], [at, beside, end]) in corners {
+                let (of, known) = offer(near, f32::INFINITY);
+                if of != pin || !is_done[near as usize] {
+                    continue;
+                }
+                let ways = [length, known].map(f64::from);
+                if let Some(way) = seen_through([at, beside], ways, end) {
+                    offer(far, narrow(way));
                 }
             }
         }
@@ -424,13 +427,14 @@ impl Search {
             }
             for &(next, hop) in &hops[particle as usize] {
                 let (beyond, best) = (length + hop, &mut self.best[next as usize]);
-                if beyond <= reach && beyond < *best {
-                    if best.is_infinite() {
-                        found.push(next);
-                    }
-                    *best = beyond;
-                    self.queue.push(Reverse((beyond.to_bits(), next)));
+                if reach < beyond || *best <= beyond {
+                    continue;
                 }
+                if best.is_infinite() {
+                    found.push(next);
+                }
+                *best = beyond;
+                self.queue.push(Reverse((beyond.to_bits(), next)));
             }
         }
         found.sort_unstable();
@@ -443,8 +447,11 @@ impl Search {
     }
 }
 
+/// Triangles, and their corners as they lie flat [m].
+type Laid = (Vec<[u32; 3]>, Vec<[Vec2; 3]>);
+
 /// The triangles of a welded piece, turned alike, and their flat corners counterclockwise.
-pub(crate) fn oriented(spec: &MeshSpec) -> Result<(Vec<[u32; 3]>, Vec<[Vec2; 3]>), MeshError> {
+pub(crate) fn oriented(spec: &MeshSpec) -> Result<Laid, MeshError> {
     let mut triangles = spec.triangles.clone();
     let mut corners = spec.flat_corners.clone();
     let turns = turns(&spec.triangles)?;

@@ -41,13 +41,15 @@ enum Anchors {
     Each(Vec<[u32; LANES]>),
 }
 
-/// The tethers of a piece, in terms of particles: for each pass, by particle, its pin and the
-/// length [m]; infinite where no way leads there.
-pub(crate) fn tether_passes((topology, rest): Shape<'_>, pins: &[u32]) -> Vec<Vec<(u32, f32)>> {
+/// By particle, its pin and the length [m]; infinite where no way leads there.
+type Pass = Vec<(u32, f32)>;
+
+/// The tethers of a piece, in terms of particles.
+pub(crate) fn tether_passes((topology, rest): Shape<'_>, pins: &[u32]) -> Vec<Pass> {
     if pins.is_empty() {
         return Vec::new();
     }
-    let ways: Box<dyn Fn(&[u32]) -> Vec<(u32, f32)>> = match rest {
+    let ways: Box<dyn Fn(&[u32]) -> Pass> = match rest {
         Rest::Plane(flat) => {
             let ways = Ways::new(flat, topology);
             Box::new(move |pins| ways.from(pins))

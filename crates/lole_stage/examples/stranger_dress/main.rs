@@ -24,7 +24,7 @@ use std::path::PathBuf;
 
 use cpu_time::ProcessTime;
 use glam::Vec3;
-use lole_body::{ArmStyle, Dance, DanceStep, Dancer, Measurements, MotionSettings, Pose};
+use lole_body::{ArmStyle, Bone, Dance, DanceStep, Dancer, Measurements, MotionSettings, Pose};
 use lole_cloth::mesh::{self, MeshBody, MeshModel, MeshSpec, MeshState, Outcome};
 use lole_cloth::{Fabric, Hysteresis, StepInput};
 use lole_motion::{BoneMap, Clip, ClipSettings, bvh};
@@ -118,7 +118,8 @@ impl Moves {
         let recording = bvh::parse(&std::fs::read(path)?)?;
         let map = BoneMap::recognize(&recording)?;
         let clip = Clip::retarget(&recording, &map, &dancer.skeleton, ClipSettings::default())?;
-        Ok(Self::Recorded(clip))
+        // Recorded hands hang where a skirt is.
+        Ok(Self::Recorded(clip.clear_of_skirt(dancer)))
     }
 
     fn pose_at(&self, time: f32) -> Pose {
@@ -142,9 +143,15 @@ impl Body {
     fn new(asked: &Asked) -> Result<Self, Box<dyn Error>> {
         let dancer = Dancer::new(&Measurements::woman())?;
         let triangles = dancer.skin.body_triangles();
+        let is_forearm = |bone: Bone| {
+            (bone.lineage()).any(|it| matches!(it, Bone::LeftLowerArm | Bone::RightLowerArm))
+        };
+        let vertices = 0..dancer.skin.positions.len();
+        let met = vertices.map(|it| !is_forearm(dancer.skin.strongest_bone(it)));
+        let mesh = MeshBody::new(&dancer.skin.positions, &triangles, POINT_SPACING)?;
         let body = Self {
             moves: Moves::new(asked, &dancer)?,
-            mesh: MeshBody::new(&dancer.skin.positions, &triangles, POINT_SPACING)?,
+            mesh: mesh.with_met(met.collect()),
             dancer,
             positions: Vec::new(),
             normals: Vec::new(),
