@@ -49,19 +49,21 @@ pub(crate) fn tether_passes((topology, rest): Shape<'_>, pins: &[u32]) -> Vec<Pa
     if pins.is_empty() {
         return Vec::new();
     }
-    let ways: Box<dyn Fn(&[u32]) -> Pass> = match rest {
+    let count = if ANCHOR_COUNT_MAX < pins.len() {
+        pins.len()
+    } else {
+        1
+    };
+    let passes = pins.chunks(count);
+    match rest {
         Rest::Plane(flat) => {
             let ways = Ways::new(flat, topology);
-            Box::new(move |pins| ways.from(pins))
+            passes.map(|pins| ways.from(pins)).collect()
         }
-        Rest::Welded(welded) => Box::new(|pins| welded.ways_from(topology, pins)),
-    };
-    if ANCHOR_COUNT_MAX < pins.len() {
-        return vec![ways(pins)];
+        Rest::Welded(welded) => passes
+            .map(|pins| welded.ways_from(topology, pins))
+            .collect(),
     }
-    pins.iter()
-        .map(|pin| ways(std::slice::from_ref(pin)))
-        .collect()
 }
 
 /// Shortest ways within the flat piece.
