@@ -176,7 +176,7 @@ fn cloth_is_let_through_what_it_does_not_meet() {
     let met = positions.iter().map(|at| at.y < 0.0).collect();
     let body = MeshBody::new(&positions, &triangles, 0.01).expect("a body");
     let mut body = body.with_met(met);
-    let above = |surfel: &Surfel| 0.01 < surfel.position.y;
+    let above = |surfel: &Surfel| 0.03 < surfel.position.y;
     assert!(
         body.surfels()
             .iter()
