@@ -186,7 +186,9 @@ fn cloth_is_let_through_what_it_does_not_meet() {
     let mut world = patch([9, 9], Vec3::Y * 0.08);
     let before = world.positions();
     assert_eq!(step(&mut world, &mut body).deep, 0);
-    assert_eq!(world.positions(), before);
+    for (now, before) in world.positions().iter().zip(&before) {
+        assert!(now.distance(*before) < 1e-6, "{now} {before}");
+    }
 }
 
 #[test]

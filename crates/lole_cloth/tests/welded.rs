@@ -4,7 +4,7 @@ mod mesh_support;
 
 use std::f32::consts::{FRAC_PI_4, TAU};
 
-use glam::{Mat2, Quat, Vec2, Vec3};
+use glam::{Mat2, Quat, Vec2, Vec3, Vec3Swizzles as _};
 use lole_cloth::mesh::{MeshModel, MeshSpec, Outcome, diagnose};
 use lole_cloth::{InstructionSet, SolverConfig, mesh_state_hash};
 use lole_geom::{Capsule, trig};
@@ -232,6 +232,65 @@ fn a_surface_that_moves_rigidly_is_strained_by_nothing_and_feels_no_force() {
 }
 
 #[test]
+fn what_is_bent_at_rest_keeps_its_shape_and_springs_back_to_it() {
+    let (rest, triangles) = tube(40, 20, [0.08, 0.12], 0.3);
+    let fabric = lole_cloth::Fabric {
+        bend: [2e-3; 2],
+        twist: 2e-3,
+        drag_rate: 6.0,
+        ..FABRIC
+    };
+    let flat = MeshSpec::of_surface(&rest, triangles, |_| Vec3::Y, fabric);
+    let bent = flat.clone().bent_at(rest.clone());
+    let turn = Quat::from_rotation_x(0.7) * Quat::from_rotation_y(2.0);
+    let placed: Vec<Vec3> = rest.iter().map(|&at| turn * at).collect();
+    let pressed: Vec<Vec3> = (rest.iter())
+        .map(|&at| turn * Vec3::new(at.x * 0.8, at.y, at.z * 1.18))
+        .collect();
+    // How far it is at the end from its own shape, as a share of its radius.
+    let away = |spec: &MeshSpec, start: &[Vec3]| {
+        let mut world = World::new(spec, start).with_substeps(30);
+        world.config.gravity = Vec3::ZERO;
+        world.config.column_strides.clear();
+        for _ in 0..90 {
+            world.step(&[]);
+        }
+        let radius = |at: Vec3| at.with_y(0.0).length();
+        let now = world.positions();
+        let gaps = (now.iter().zip(&rest))
+            .map(|(&now, &rest)| (radius(turn.inverse() * now) / radius(rest) - 1.0).abs());
+        gaps.fold(0.0, f32::max)
+    };
+    let kept = away(&bent, &placed);
+    assert!(kept < 0.002, "{kept}");
+    // Pressed flatter by a third it is round again; what is flat at rest is no tube by itself.
+    let [sprung, limp] = [&bent, &flat].map(|spec| away(spec, &pressed));
+    assert!(sprung < 0.02 && 2.0 * sprung < limp, "{sprung} {limp}");
+}
+
+#[test]
+fn a_piece_that_is_bent_flat_at_rest_bends_like_any() {
+    let (flat, triangles) = rectangle(5, 12, 0.02, 0.5);
+    let positions: Vec<Vec3> = flat.iter().map(|it| Vec3::new(it.y, 0.0, it.x)).collect();
+    let tips = [false, true].map(|is_bent| {
+        let mut spec = MeshSpec::new(flat.clone(), triangles.clone(), FABRIC);
+        if is_bent {
+            spec = spec.bent_at(positions.iter().map(|at| at.yzx() * 1.0).collect());
+        }
+        spec.fabric.bend = [1e-3, 3e-4];
+        spec.fabric.drag_rate = 10.0;
+        spec.pinned[..10].fill(true);
+        let mut world = World::new(&spec, &positions).untethered().with_substeps(40);
+        for _ in 0..120 {
+            world.step(&[]);
+        }
+        world.positions()[57]
+    });
+    assert!(tips[0].y < -0.01, "{tips:?}");
+    assert!(tips[0].distance(tips[1]) < 1e-3, "{tips:?}");
+}
+
+#[test]
 fn a_welded_tube_hangs_whole() {
     let (rest, triangles) = tube(60, 50, [0.1, 0.3], 0.8);
     let mut spec = MeshSpec::of_surface(&rest, triangles, |_| Vec3::Y, FABRIC);
@@ -277,7 +336,8 @@ fn a_welded_tube_falls_on_a_thigh_and_meets_itself_without_being_torn() {
 fn the_bits_of_a_welded_piece_are_the_same_on_any_threads_and_vector_instructions() {
     let run = |set: InstructionSet| {
         let (rest, triangles) = tube(60, 40, [0.1, 0.3], 0.6);
-        let mut spec = MeshSpec::of_surface(&rest, triangles, |_| Vec3::Y, FABRIC);
+        let spec = MeshSpec::of_surface(&rest, triangles, |_| Vec3::Y, FABRIC);
+        let mut spec = spec.bent_at(rest.clone());
         spec.pinned[..60].fill(true);
         let mut world = World::new(&spec, &rest);
         world.config = SolverConfig {
@@ -326,6 +386,14 @@ fn every_mistake_in_a_welded_mesh_has_its_sentence() {
         (
             complaint(|spec| spec.flat_corners[2][1].y = f32::INFINITY),
             "corner 1 of triangle 2 lies at",
+        ),
+        (
+            complaint(|spec| spec.bent_positions = vec![Vec3::ZERO; 3]),
+            "`bent_positions` has 3 entries; the mesh needs 16",
+        ),
+        (
+            complaint(|spec| spec.bent_positions = vec![Vec3::NAN; 16]),
+            "particle 0 lies at [NaN, NaN, NaN] in the bent piece; give it a finite place",
         ),
         (
             complaint(|spec| spec.triangles[2] = [0, 1, 99]),

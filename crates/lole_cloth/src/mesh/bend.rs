@@ -9,9 +9,9 @@ pub(crate) mod fit;
 
 use fearless_simd::{f32x16, prelude::*};
 
-use crate::lanes::{LANES, Scalars, Vectors};
+use crate::lanes::{LANES, Scalars, Vectors, larger};
 use crate::mesh::order::Batch;
-use crate::mesh::particles::{Lanes, gather, scatter, window};
+use crate::mesh::particles::{Gathered, Lanes, gather, scatter, window};
 use crate::mesh::strain::{self, Flat, Flats, Strain};
 
 /// Neighbors that a star can have: of most particles, of nearly all others, and of the rest.
@@ -27,6 +27,95 @@ pub(crate) struct StarSpec {
     pub(crate) masses: [f32; 3],
     /// Triangles of the middle with its first and second, and its second and third neighbor.
     pub(crate) triangles: [Flat; 2],
+    /// Where the star is not flat when nothing is bent.
+    pub(crate) curve: Option<Curve>,
+}
+
+/// How a star is bent at rest.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Curve {
+    /// By neighbor, its weight in the slopes along warp and weft [1/m], which span one square meter for each at
+    /// rest.
+    pub(crate) slopes: Vec<[f32; 2]>,
+    /// By measure, what it is at rest, along the normal.
+    pub(crate) rests: [f32; 3],
+}
+
+/// The same of sixteen stars.
+#[derive(Debug, Clone, PartialEq)]
+#[repr(C)]
+struct Curves<const N: usize> {
+    slopes: [[[f32; LANES]; 2]; N],
+    rests: [[f32; LANES]; 3],
+}
+
+/// Sixteen stars that are bent at rest.
+#[derive(Debug, Clone, PartialEq)]
+#[repr(C)]
+pub(crate) struct BentBatch<const N: usize> {
+    stars: StarBatch<N>,
+    curves: Curves<N>,
+}
+
+impl<const N: usize> BentBatch<N> {
+    pub(crate) fn new(batch: &Batch, stars: &[&StarSpec]) -> Self {
+        let curve = |star: usize| stars[star].curve.as_ref();
+        let slope = |neighbor: usize, way: usize| {
+            batch.column(0.0, |star| {
+                let slopes = curve(star).and_then(|curve| curve.slopes.get(neighbor));
+                slopes.map_or(0.0, |slopes| slopes[way])
+            })
+        };
+        let rest = |measure: usize| {
+            batch.column(0.0, |star| {
+                curve(star).map_or(0.0, |curve| curve.rests[measure])
+            })
+        };
+        Self {
+            stars: StarBatch::new(batch, stars),
+            curves: Curves {
+                slopes: std::array::from_fn(|neighbor| [0, 1].map(|way| slope(neighbor, way))),
+                rests: [0, 1, 2].map(rest),
+            },
+        }
+    }
+
+    /// Works out, once, what resists.
+    pub(crate) fn resist(&mut self, inv_masses: &[Scalars], made_for: (f32, Strain)) {
+        self.stars.resist(inv_masses, made_for);
+    }
+}
+
+impl<const N: usize> Curves<N> {
+    /// Takes from the measures what they are at rest.
+    #[inline(always)]
+    fn take_rest<S: Simd>(
+        &self,
+        simd: S,
+        (middle, neighbors): (&Gathered<S>, &[Gathered<S>; N]),
+        measures: &mut [Vectors<S>; 3],
+    ) {
+        let zero = f32x16::splat(simd, 0.0);
+        let none = Vectors {
+            x: zero,
+            y: zero,
+            z: zero,
+        };
+        let mut slopes = [none; 2];
+        for (neighbor, weights) in neighbors.iter().zip(&self.slopes) {
+            let offset = neighbor.place.sub(middle.place);
+            for (slope, weight) in slopes.iter_mut().zip(weights) {
+                *slope = slope.add(offset.scale(f32x16::load_array_ref(simd, weight)));
+            }
+        }
+        let normal = slopes[0].cross(slopes[1]);
+        // A star that is pressed together turns its normal at a touch: the smaller it is, the less it counts.
+        let one = f32x16::splat(simd, 1.0);
+        let normal = normal.scale(one / larger(normal.dot(normal), one).sqrt());
+        for (measure, rest) in measures.iter_mut().zip(&self.rests) {
+            *measure = measure.sub(normal.scale(f32x16::load_array_ref(simd, rest)));
+        }
+    }
 }
 
 /// Sixteen stars that share no particle, of at most `N` neighbors each.
@@ -90,12 +179,28 @@ pub(crate) fn solve<S: Simd, const N: usize>(
     batches: &[StarBatch<N>],
 ) {
     for batch in batches {
-        solve_batch(simd, particles, batch);
+        solve_batch(simd, particles, (batch, None));
+    }
+}
+
+/// Solves every star that is bent at rest once.
+#[inline(always)]
+pub(crate) fn solve_bent<S: Simd, const N: usize>(
+    simd: S,
+    particles: &mut [f32],
+    batches: &[BentBatch<N>],
+) {
+    for batch in batches {
+        solve_batch(simd, particles, (&batch.stars, Some(&batch.curves)));
     }
 }
 
 #[inline(always)]
-fn solve_batch<S: Simd, const N: usize>(simd: S, particles: &mut [f32], batch: &StarBatch<N>) {
+fn solve_batch<S: Simd, const N: usize>(
+    simd: S,
+    particles: &mut [f32],
+    (batch, curves): (&StarBatch<N>, Option<&Curves<N>>),
+) {
     let Some(particles) = window(particles, batch.base) else {
         return;
     };
@@ -116,6 +221,9 @@ fn solve_batch<S: Simd, const N: usize>(simd: S, particles: &mut [f32], batch: &
         for (measure, weight) in measures.iter_mut().zip(weights) {
             *measure = measure.add(offset.scale(f32x16::load_array_ref(simd, weight)));
         }
+    }
+    if let Some(curves) = curves {
+        curves.take_rest(simd, (&middle, &neighbors), &mut measures);
     }
     for (measure, share) in measures.iter_mut().zip(&batch.shares) {
         *measure = measure.scale(f32x16::load_array_ref(simd, share));

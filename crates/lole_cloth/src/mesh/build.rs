@@ -1,12 +1,12 @@
 //! Constraints of a piece in the engine's own order: triangles, stars, and which star solves which
 //! triangles.
 
-use glam::DVec2;
+use glam::{DMat2, DVec2, DVec3};
 
 use crate::lanes::narrow;
 use crate::mesh::bend::fit::{Star, measures};
-use crate::mesh::bend::{STAR_SIZES, StarBatch, StarSpec};
-use crate::mesh::order::{Slots, into_batches};
+use crate::mesh::bend::{BentBatch, Curve, STAR_SIZES, StarBatch, StarSpec};
+use crate::mesh::order::{Batch, Slots, into_batches};
 use crate::mesh::rest::{Fan, Rest};
 use crate::mesh::spec::{MeshError, MeshSpec};
 use crate::mesh::strain::{Flat, StrainBatch};
@@ -22,6 +22,9 @@ pub(crate) struct Stars {
     pub(crate) few: Vec<StarBatch<{ STAR_SIZES[0] }>>,
     pub(crate) more: Vec<StarBatch<{ STAR_SIZES[1] }>>,
     pub(crate) many: Vec<StarBatch<{ STAR_SIZES[2] }>>,
+    pub(crate) bent_few: Vec<BentBatch<{ STAR_SIZES[0] }>>,
+    pub(crate) bent_more: Vec<BentBatch<{ STAR_SIZES[1] }>>,
+    pub(crate) bent_many: Vec<BentBatch<{ STAR_SIZES[2] }>>,
 }
 
 /// Edges and neighbors of a piece, and how it lies flat.
@@ -53,11 +56,17 @@ pub(crate) fn parts(
         *member = slots.of_particle[*member as usize];
     }
     let [few, more, _] = STAR_SIZES;
+    let (bent, stars): (Vec<_>, Vec<_>) = stars.into_iter().partition(|it| it.curve.is_some());
+    let [few, more, many] = [0..few + 1, few + 1..more + 1, more + 1..usize::MAX];
+    let count = slots.count;
     Ok(Parts {
         stars: Stars {
-            few: star_batches(&stars, 0..few + 1, slots.count)?,
-            more: star_batches(&stars, few + 1..more + 1, slots.count)?,
-            many: star_batches(&stars, more + 1..usize::MAX, slots.count)?,
+            few: star_batches((&stars, few.clone()), count, StarBatch::new)?,
+            more: star_batches((&stars, more.clone()), count, StarBatch::new)?,
+            many: star_batches((&stars, many.clone()), count, StarBatch::new)?,
+            bent_few: star_batches((&bent, few), count, BentBatch::new)?,
+            bent_more: star_batches((&bent, more), count, BentBatch::new)?,
+            bent_many: star_batches((&bent, many), count, BentBatch::new)?,
         },
         other_triangles: strain_batches(shape, slots, &unassigned)?,
         triangles,
@@ -94,11 +103,11 @@ fn strain_batches(
     Ok(batches.collect())
 }
 
-fn star_batches<const N: usize>(
-    stars: &[StarSpec],
-    sizes: std::ops::Range<usize>,
+fn star_batches<B>(
+    (stars, sizes): (&[StarSpec], std::ops::Range<usize>),
     slot_count: usize,
-) -> Result<Vec<StarBatch<N>>, MeshError> {
+    batch_of: impl Fn(&Batch, &[&StarSpec]) -> B,
+) -> Result<Vec<B>, MeshError> {
     let chosen = stars
         .iter()
         .filter(|star| sizes.contains(&star.weights.len()));
@@ -107,7 +116,7 @@ fn star_batches<const N: usize>(
     let batches = into_batches(&lists, slot_count)?;
     Ok(batches
         .iter()
-        .map(|batch| StarBatch::new(batch, &chosen))
+        .map(|batch| batch_of(batch, &chosen))
         .collect())
 }
 
@@ -143,7 +152,11 @@ fn star_at(
         ring.sort_by(|(_, a), (_, b)| a.length_squared().total_cmp(&b.length_squared()));
         ring.truncate(most);
     }
-    let (ring, offsets): (Vec<u32>, Vec<DVec2>) = ring.into_iter().unzip();
+    let (ring, mut offsets): (Vec<u32>, Vec<DVec2>) = ring.into_iter().unzip();
+    let bent = bent_star(spec, (middle, &ring), &offsets);
+    if let Some((bent, _)) = &bent {
+        offsets = bent.iter().map(|offset| offset.truncate()).collect();
+    }
     // At a clamp, a pinned particle with a pinned triangle on one side and cloth on the other, the
     // arm that bends is half as long and the energy twice as large.
     let is_clamp = spec.pinned[middle]
@@ -158,6 +171,17 @@ fn star_at(
         area: f64::from(topology.areas[middle]) * if is_clamp { 2.0 } else { 1.0 },
         rigidities,
     })?;
+    let curve = bent.map(|(bent, slopes)| {
+        let heights = bent.iter().zip(&measures.weights);
+        let rest = |measure: usize| heights.clone().map(|(at, row)| at.z * row[measure]).sum();
+        Curve {
+            slopes: slopes
+                .into_iter()
+                .map(|it| it.to_array().map(narrow_float))
+                .collect(),
+            rests: [0, 1, 2].map(rest).map(narrow_float),
+        }
+    });
     let mut members = vec![narrow(middle)];
     members.extend(ring);
     Some(StarSpec {
@@ -169,7 +193,43 @@ fn star_at(
             .collect(),
         masses: measures.masses.map(narrow_float),
         triangles: [Flat::NONE; 2],
+        curve,
     })
+}
+
+/// The ring of a star that is bent at rest: its places [m] along warp, weft and normal of the bent surface, and
+/// their weights in its slopes along warp and weft [1/m], which are those of a plane fitted to the flat ring.
+/// Along the surface the measures of bending see nothing then, and what they are at rest is along the normal.
+fn bent_star(
+    spec: &MeshSpec,
+    (middle, ring): (usize, &[u32]),
+    offsets: &[DVec2],
+) -> Option<(Vec<DVec3>, Vec<DVec2>)> {
+    let center = spec.bent_positions.get(middle)?.as_dvec3();
+    let places = ring
+        .iter()
+        .map(|&it| spec.bent_positions[it as usize].as_dvec3() - center);
+    let outer = |&offset: &DVec2| DMat2::from_cols(offset * offset.x, offset * offset.y);
+    let spread: DMat2 = offsets.iter().map(outer).sum();
+    if spread.determinant() <= 0.0 {
+        return None;
+    }
+    let inverse = spread.inverse();
+    let slopes: Vec<DVec2> = offsets.iter().map(|&offset| inverse * offset).collect();
+    let slope = |way: usize| -> DVec3 {
+        let parts = places.clone().zip(&slopes);
+        parts.map(|(place, weights)| place * weights[way]).sum()
+    };
+    let (warp, weft) = (slope(0), slope(1));
+    let spanned = warp.cross(weft);
+    let normal = spanned.try_normalize()?;
+    let along = warp.try_normalize()?;
+    let across = normal.cross(along);
+    let places =
+        places.map(|place| DVec3::new(place.dot(along), place.dot(across), place.dot(normal)));
+    let scale = 1.0 / spanned.length().sqrt();
+    let slopes = slopes.into_iter().map(|weights| weights * scale);
+    Some((places.collect(), slopes.collect()))
 }
 
 /// Triangles that a star may solve, and how many of their corners come later in memory.
@@ -207,6 +267,9 @@ fn assign_triangles(
             if let Some(found) = found.filter(|&found| place + 1 < found) {
                 star.members.swap(place + 1, found);
                 star.weights.swap(place, found - 1);
+                if let Some(curve) = &mut star.curve {
+                    curve.slopes.swap(place, found - 1);
+                }
             }
         }
         let [a, b, c] = choice.corners;

@@ -294,6 +294,9 @@ fn check_lengths(spec: &MeshSpec) -> Result<(), MeshError> {
         ("layers", spec.layers.len(), particle_count),
         ("pinned", spec.pinned.len(), particle_count),
     ];
+    if !spec.bent_positions.is_empty() {
+        lengths.push(("bent_positions", spec.bent_positions.len(), particle_count));
+    }
     if !spec.flat_corners.is_empty() {
         lengths.push((
             "flat_corners",
@@ -319,6 +322,10 @@ fn check_lengths(spec: &MeshSpec) -> Result<(), MeshError> {
 type Rule = (&'static str, f32, [f32; 2], &'static str);
 
 fn check_numbers(spec: &MeshSpec) -> Result<(), MeshError> {
+    let mut bent = spec.bent_positions.iter().enumerate();
+    if let Some((particle, &position)) = bent.find(|(_, position)| !position.is_finite()) {
+        return Err(MeshError::BentNotFinite { particle, position });
+    }
     let fabric = &spec.fabric;
     // The thinnest silk weighs 8 g/m², a rubber mat 10 kg/m²; a foil of steel 1 mm thick has
     // 2e8 N/m and bends with 18 N·m.

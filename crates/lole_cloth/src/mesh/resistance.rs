@@ -34,6 +34,9 @@ impl Resisting {
         (self.stars.few.iter_mut()).for_each(|batch| batch.resist(inv_masses, made_for));
         (self.stars.more.iter_mut()).for_each(|batch| batch.resist(inv_masses, made_for));
         (self.stars.many.iter_mut()).for_each(|batch| batch.resist(inv_masses, made_for));
+        (self.stars.bent_few.iter_mut()).for_each(|batch| batch.resist(inv_masses, made_for));
+        (self.stars.bent_more.iter_mut()).for_each(|batch| batch.resist(inv_masses, made_for));
+        (self.stars.bent_many.iter_mut()).for_each(|batch| batch.resist(inv_masses, made_for));
         let triangles = self.triangles.iter_mut().chain(&mut self.other_triangles);
         triangles.for_each(|batch| batch.resist(inv_masses, strain));
     }

@@ -17,6 +17,10 @@ pub struct MeshSpec {
     /// differences count, and a triangle may lie mirrored. Shape `[triangle_count]`; empty where
     /// the piece as a whole lies flat.
     pub flat_corners: Vec<[Vec2; 3]>,
+    /// Where the particles lie when nothing is bent [m]: what was pressed or knitted into a shape goes back to
+    /// it. Bending alone asks for it, wherever it stands and however it is turned. Shape
+    /// `[particle_count]`; empty where nothing is bent when it is flat.
+    pub bent_positions: Vec<Vec3>,
     /// Material of the whole piece.
     pub fabric: Fabric,
     /// Layers of cloth at each particle: 1, or more where a hem or casing is folded. Multiplies
@@ -36,6 +40,7 @@ impl MeshSpec {
             flat_positions,
             triangles,
             flat_corners: Vec::new(),
+            bent_positions: Vec::new(),
             fabric,
         }
     }
@@ -60,6 +65,7 @@ impl MeshSpec {
             flat_positions: Vec::new(),
             triangles,
             flat_corners,
+            bent_positions: Vec::new(),
             fabric,
         }
     }
@@ -86,6 +92,13 @@ impl MeshSpec {
             flat_corners.collect(),
             fabric,
         )
+    }
+
+    /// The same piece that is bent by nothing at `positions` [m], and not where it is flat.
+    #[must_use]
+    pub fn bent_at(mut self, positions: Vec<Vec3>) -> Self {
+        self.bent_positions = positions;
+        self
     }
 
     /// Particles that there are.
@@ -180,6 +193,14 @@ pub enum MeshError {
         corner: usize,
         /// Where it was said to lie [m].
         position: Vec2,
+    },
+    /// A place of the bent piece that is not a number, or is infinite.
+    #[error("particle {particle} lies at {position} in the bent piece; give it a finite place")]
+    BentNotFinite {
+        /// The particle.
+        particle: usize,
+        /// Where it was said to lie [m].
+        position: Vec3,
     },
     /// A triangle that names a particle twice.
     #[error("triangle {triangle} names particle {index} twice; remove it")]

@@ -241,6 +241,9 @@ fn solve_stars<S: Simd>(simd: S, particles: &mut [f32], stars: &Stars) {
     bend::solve(simd, particles, &stars.few);
     bend::solve(simd, particles, &stars.more);
     bend::solve(simd, particles, &stars.many);
+    bend::solve_bent(simd, particles, &stars.bent_few);
+    bend::solve_bent(simd, particles, &stars.bent_more);
+    bend::solve_bent(simd, particles, &stars.bent_many);
 }
 
 /// The triangles that no star solves, and all of them in sweeps after the first.
