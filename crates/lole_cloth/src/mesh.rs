@@ -4,6 +4,10 @@
 //! and the same fabric, pins, capsules, skin and friction. Constraints differ: a triangle stretches along
 //! warp and weft and shears, wherever the yarns lie across it, and a particle and its neighbors
 //! bend as a plate. Sixteen constraints that share no particle are solved at a time.
+//!
+//! A piece lies in one plane, or is welded of several whose triangles each lie flat by themselves:
+//! `MeshSpec::new`, `MeshSpec::welded` and `MeshSpec::of_surface`. Somebody else's garment on
+//! somebody else's moving body takes [`MeshModel::settings`] and a [`MeshBody`].
 
 mod bend;
 mod body;

@@ -30,7 +30,7 @@ fn read(path: &str) -> Result<Obj, Box<dyn Error>> {
         match words[..] {
             ["v", x, y, z] => positions.push(Vec3::new(x.parse()?, y.parse()?, z.parse()?)),
             ["f", a, b, c] => {
-                triangles.push([a.parse()?, b.parse()?, c.parse()?].map(|it: u32| it - 1))
+                triangles.push([a.parse()?, b.parse()?, c.parse()?].map(|it: u32| it - 1));
             }
             _ => {}
         }

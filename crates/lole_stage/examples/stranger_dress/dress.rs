@@ -147,9 +147,7 @@ fn surface_net(solid: &Solid<'_>, [low, high]: [Vec3; 2], size: f32) -> (Vec<Vec
     };
     let values: Vec<f32> = cells(0).map(|cell| solid.distance(place(cell))).collect();
     let value = |cell: IVec3| values[index(cell)];
-    let corners: [IVec3; 8] = std::array::from_fn(|it| {
-        IVec3::new((it & 1) as i32, (it >> 1 & 1) as i32, (it >> 2) as i32)
-    });
+    let corners = [0, 1, 2, 3, 4, 5, 6, 7].map(|it| IVec3::new(it & 1, it >> 1 & 1, it >> 2));
     let mut positions = Vec::new();
     let mut vertices = vec![u32::MAX; values.len()];
     for cell in cells(0).filter(|cell| cell.cmplt(counts - IVec3::ONE).all()) {
@@ -165,7 +163,7 @@ fn surface_net(solid: &Solid<'_>, [low, high]: [Vec3; 2], size: f32) -> (Vec<Vec
             }
         }
         if 0.0 < sum.1 {
-            vertices[index(cell)] = positions.len() as u32;
+            vertices[index(cell)] = u32::try_from(positions.len()).expect("few vertices");
             positions.push(sum.0 / sum.1);
         }
     }
