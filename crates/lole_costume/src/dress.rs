@@ -5,6 +5,7 @@
 //! seams hold them together; nothing of it is pinned but what a row in `garment/` says.
 
 mod bodice;
+mod crossings;
 mod fit;
 mod flat;
 mod form;
@@ -24,7 +25,7 @@ use lole_cloth::assembly::{
     Assembly, AssemblyInput, AssemblyState, Elastic, Ends, Joint, JointError, Lost, Piece,
     PieceState, Place, Seam, step,
 };
-use lole_cloth::diagnose::{self, StrainSummary};
+use lole_cloth::diagnose::StrainSummary;
 use lole_cloth::mesh::{self, MeshError, MeshModel, MeshSpec};
 use lole_cloth::{Crossings, Fabric, SelfCollision, SolverConfig, mesh_state_hash};
 use lole_geom::mesh::vertex_normals;
@@ -36,6 +37,7 @@ use crate::document::WornTemplate;
 use form::Form;
 use under::Under;
 
+pub use crossings::Crossing;
 pub(crate) use garment::chest_room_deg;
 pub use garment::is_worn;
 pub use tuck::Bands;
@@ -85,6 +87,9 @@ pub struct Dressed {
     rested: Option<DressedState>,
     /// Its triangles, counterclockwise seen from outside.
     pub triangles: Vec<[u32; 3]>,
+    /// By particle, the piece of cloth that it belongs to, and by piece of cloth, the pattern's.
+    panel_of: Vec<u32>,
+    pieces: Vec<usize>,
     /// Where every particle lies on the cloth as it comes from the bolt [m]: along the warp, and across
     /// it, seen from the right side.
     pub on_cloth: Vec<Vec2>,
@@ -322,6 +327,7 @@ impl Dressed {
             mesh,
             places,
             facing,
+            pieces,
             is_on_arm,
             elastics,
             pinned,
@@ -371,6 +377,8 @@ impl Dressed {
             triangles,
             on_cloth: on_cloth.collect(),
             welded: welded(&mesh),
+            panel_of: mesh.panel_of.iter().map(|&it| flat::number(it)).collect(),
+            pieces,
             puckers: mesh.puckers,
         };
         Ok((dressed, kit))
@@ -455,35 +463,6 @@ impl Dressed {
             along.map(|column| (column.length() - 1.0).max(0.0))
         });
         stretches.collect()
-    }
-
-    /// Edges of the garment that go through one of its triangles, with its seams closed: 0 where no fold
-    /// has gone through another. `None` where not all positions [m] are finite.
-    #[must_use]
-    pub fn crossings(&self, positions: &[Vec3]) -> Option<usize> {
-        self.crossing_places(positions).map(|places| places.len())
-    }
-
-    /// Where they are [m]: the middle of each edge.
-    #[must_use]
-    pub fn crossing_places(&self, positions: &[Vec3]) -> Option<Vec<Vec3>> {
-        let drawn = self.drawn(positions);
-        let weld = |corners: &[u32; 3]| corners.map(|corner| self.welded[corner as usize]);
-        let triangles: Vec<[u32; 3]> = self.triangles.iter().map(weld).collect();
-        let mut edges: Vec<[u32; 2]> = (triangles.iter())
-            .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]])
-            .map(|[a, b]| [a.min(b), a.max(b)])
-            .collect();
-        edges.sort_unstable();
-        edges.dedup();
-        let crossings = diagnose::crossings((&triangles, edges.into_iter()), &drawn, EDGE)?;
-        let middle = |[a, b]: [u32; 2]| 0.5 * (drawn[a as usize] + drawn[b as usize]);
-        Some(
-            crossings
-                .into_iter()
-                .map(|(ends, _)| middle(ends))
-                .collect(),
-        )
     }
 
     /// The garment at rest where it starts, with all that its folds keep apart there.

@@ -337,19 +337,33 @@ fn say_showing(seen: &Seen, said: &mut String) -> std::fmt::Result {
     Ok(())
 }
 
-/// Where the garment goes through itself at last, by half decimeters.
+/// Where the garment goes through itself at last: which pieces, in the seam or beside it, held or not.
 fn say_crossings(performance: &Performance, place: usize, said: &mut String) -> std::fmt::Result {
     let garment = &performance.production().dressed[place].dressed;
-    let places = garment.crossing_places(performance.dressed_positions(place));
-    let mut left = places.unwrap_or_default();
-    while let Some(&place) = left.first() {
-        let before = left.len();
-        left.retain(|other| 0.05 < other.distance(place));
-        write!(
-            said,
-            "\n        {} crossings at {place:.2}",
-            before - left.len()
-        )?;
+    let positions = performance.dressed_positions(place);
+    write!(said, "\n        DEBUG {:?}", garment.crossings_debug(positions))?;
+    let pairs = garment.crossing_pairs(positions).unwrap_or_default();
+    let side = |corners: &[u32]| {
+        let (panel, piece) = garment.piece_of(corners[0]);
+        let count = |holds: &dyn Fn(u32) -> bool| corners.iter().filter(|it| holds(**it)).count();
+        let [sewn, held] = [
+            count(&|it| garment.is_in_seam(it)),
+            count(&|it| garment.is_pinned(it)),
+        ];
+        let of = corners.len();
+        format!("{piece} {panel} ({sewn} of {of} in a seam, {held} held)")
+    };
+    let mut told: Vec<(String, Vec<Vec3>)> = Vec::new();
+    for pair in &pairs {
+        let what = format!("{} through {}", side(&pair.ends), side(&pair.corners));
+        match told.iter_mut().find(|(other, _)| *other == what) {
+            Some((_, places)) => places.push(pair.place),
+            None => told.push((what, vec![pair.place])),
+        }
+    }
+    for (what, places) in told {
+        let count = places.len();
+        write!(said, "\n        {count} crossings at {:.2}: {what}", places[0])?;
     }
     Ok(())
 }

@@ -74,6 +74,8 @@ pub(super) struct Laid {
     pub(super) places: Vec<Vec3>,
     /// By panel, whether its drawn side looks away from her.
     pub(super) facing: Vec<bool>,
+    /// By panel, the piece of the pattern that it is cut as.
+    pub(super) pieces: Vec<usize>,
     /// By panel, whether it covers an arm.
     pub(super) is_on_arm: Vec<bool>,
     /// Lengths of elastic in the mesh's lines [m].
@@ -176,6 +178,7 @@ pub(super) fn lay(
         mesh,
         places,
         facing,
+        pieces: panels.panels.iter().map(|panel| panel.piece).collect(),
         is_on_arm,
         elastics,
         pinned,
