@@ -11,6 +11,7 @@ mod flat;
 mod form;
 mod garment;
 mod panel;
+mod smooth;
 #[cfg(test)]
 mod tests;
 mod tuck;
@@ -410,18 +411,30 @@ impl Dressed {
     /// Places as they are drawn: what is sewn together is one point [m].
     #[must_use]
     pub fn drawn(&self, positions: &[Vec3]) -> Vec<Vec3> {
+        let mut drawn = self.closed(positions);
+        for &(particle, ends, share) in &self.puckers {
+            let [first, last] = ends.map(|end| drawn[end as usize]);
+            drawn[particle as usize] = first.lerp(last, share);
+        }
+        drawn
+    }
+
+    /// Places with seams closed: what is sewn together lies in its middle [m].
+    fn closed(&self, positions: &[Vec3]) -> Vec<Vec3> {
         let mut sums = vec![(Vec3::ZERO, 0.0_f32); positions.len()];
         for (&group, &position) in self.welded.iter().zip(positions) {
             let sum = &mut sums[group as usize];
             *sum = (sum.0 + position, sum.1 + 1.0);
         }
         let groups = self.welded.iter().map(|&group| sums[group as usize]);
-        let mut drawn: Vec<Vec3> = groups.map(|(sum, count)| sum / count.max(1.0)).collect();
-        for &(particle, ends, share) in &self.puckers {
-            let [first, last] = ends.map(|end| drawn[end as usize]);
-            drawn[particle as usize] = first.lerp(last, share);
-        }
-        drawn
+        groups.map(|(sum, count)| sum / count.max(1.0)).collect()
+    }
+
+    /// Whether the skin carries what is sewn to a particle.
+    fn is_held(&self, particle: u32) -> bool {
+        let group = self.welded[particle as usize];
+        let mut all = (0..).zip(&self.welded);
+        all.any(|(it, &first)| first == group && self.is_pinned(it))
     }
 
     /// Unit normals of drawn places, outward; seams are smooth.
@@ -517,6 +530,12 @@ impl DressedState {
         for (state, piece) in self.state.pieces.iter().zip(garment.assembly.pieces()) {
             state.copy_positions(piece, out);
         }
+    }
+
+    /// Lays all of it at these places [m], at rest.
+    fn lay(&mut self, garment: &Dressed, places: &[Vec3]) {
+        let places = [places.to_vec()];
+        self.state = AssemblyState::new(&garment.assembly, &places);
     }
 
     /// Multiplies every velocity.

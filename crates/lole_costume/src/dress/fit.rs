@@ -8,6 +8,7 @@ use lole_geom::{MeshSurfels, Surfel};
 
 use super::flat::FlatMesh;
 use super::form::Form;
+use super::smooth::Smoothing;
 use super::under::Under;
 use super::{DressError, Dressed, Ease, Kit, World, assembly, garment};
 
@@ -18,13 +19,16 @@ const CLOSING_PASSES: u32 = 3;
 /// Passes in which what is drawn at the seams is spread over the pieces.
 const SPREADING_PASSES: u32 = 120;
 /// Least distance from the skin at the start [m].
-const START_GAP: f32 = 0.006;
+pub(super) const START_GAP: f32 = 0.006;
 
 /// Frames in which the seams come together, in which she takes her stance, and in which cloth comes to
 /// rest.
 const SEWING_FRAMES: u32 = 24;
 const MOVING_FRAMES: u32 = 45;
 const RESTING_FRAMES: u32 = 30;
+/// How often what lies through itself is smoothed at most, and frames in which it comes to rest again.
+const SMOOTHING_ROUNDS: u32 = 8;
+const SMOOTHED_FRAMES: u32 = 12;
 /// Duration of a frame [s].
 const FRAME: f32 = 1.0 / 60.0;
 /// Velocity kept from frame to frame while she moves, and while it comes to rest.
@@ -37,7 +41,11 @@ pub(super) fn fitting_pose() -> Pose {
 
 /// Draws what is sewn together to one place and spreads the way over the pieces, so that nothing is
 /// torn when the seams are tight; keeps all of it out of the skin.
-pub(super) fn close_seams(mesh: &FlatMesh, form: &Form<'_>, places: &mut [Vec3]) {
+pub(super) fn close_seams(
+    (mesh, gaps): (&FlatMesh, &[f32]),
+    form: &Form<'_>,
+    places: &mut [Vec3],
+) {
     let count = places.len();
     let groups = super::welded(mesh);
     let mut is_sewn = vec![false; count];
@@ -55,7 +63,7 @@ pub(super) fn close_seams(mesh: &FlatMesh, form: &Form<'_>, places: &mut [Vec3])
         }
     }
     for _ in 0..CLOSING_PASSES {
-        form.push_out(places, START_GAP);
+        form.push_out(places, |particle| gaps[particle]);
         let mut sums = vec![(Vec3::ZERO, 0.0_f32); count];
         for (&group, &place) in groups.iter().zip(&*places) {
             let sum = &mut sums[group as usize];
@@ -90,7 +98,7 @@ pub(super) fn close_seams(mesh: &FlatMesh, form: &Form<'_>, places: &mut [Vec3])
             *place += *change;
         }
     }
-    form.push_out(places, START_GAP);
+    form.push_out(places, |particle| gaps[particle]);
 }
 
 /// Sews the garment tight and lets it come to rest.
@@ -103,6 +111,7 @@ pub(super) fn fit(
     let mut state = garment.state();
     let mut room = Room::default();
     let start = fitting_pose();
+    if std::env::var("DBG_FIT").is_ok() { eprintln!("laid {:?}", garment.crossings_debug(&garment.start)); }
     for frame in 0..SEWING_FRAMES + MOVING_FRAMES + RESTING_FRAMES {
         let moved = frame.saturating_sub(SEWING_FRAMES).min(MOVING_FRAMES);
         let share = moved as f32 / MOVING_FRAMES as f32;
@@ -126,6 +135,35 @@ pub(super) fn fit(
             KEPT[1]
         };
         state.scale_velocities(garment, kept);
+        if std::env::var("DBG_FIT").is_ok() && frame % 6 == 0 {
+            let mut out = Vec::new();
+            state.copy_positions(garment, &mut out);
+            eprintln!("fit frame {frame}: {:?}", garment.crossings_debug(&out));
+        }
+    }
+    let smoothing = Smoothing::new(garment);
+    let form = Form::new(body.0, stance, body.0.landmarks.crotch_height);
+    for round in 0..SMOOTHING_ROUNDS {
+        let mut places = Vec::new();
+        state.copy_positions(garment, &mut places);
+        if !smoothing.smooth(garment, (&form, round), &mut places) {
+            break;
+        }
+        state.lay(garment, &places);
+        for _ in 0..SMOOTHED_FRAMES {
+            let world = room.world(body, (stance, under));
+            let moved_on = state.step(garment, &world, FRAME);
+            moved_on.map_err(|lost| DressError::Lost {
+                template: kit.template,
+                lost,
+            })?;
+            state.scale_velocities(garment, KEPT[0]);
+        }
+        if std::env::var("DBG_FIT").is_ok() {
+            let mut out = Vec::new();
+            state.copy_positions(garment, &mut out);
+            eprintln!("smoothed {round}: {:?}", garment.crossings_debug(&out));
+        }
     }
     garment.start_from(state);
     Ok(())

@@ -19,7 +19,7 @@ use super::bodice::{Bodice, Part, mirrored, narrow};
 use super::flat::{self, FlatMesh};
 use super::form::Form;
 use super::panel::{self, Panels};
-use super::wrap::{Cloth, Wrap};
+use super::wrap::{Carrier, Cloth, Wrap};
 use super::{Division, DressError, Pins, fit};
 
 /// How one template is worn.
@@ -138,7 +138,8 @@ pub(super) fn lay(
         Way::Fitted(_) => {
             let bodice = Bodice::new(&pattern, parts.clone(), measures);
             let bodice = bodice.ok_or(DressError::NotWorn { template })?;
-            places(&panels, &mesh, &form, |piece, point| {
+            let gaps = vec![fit::START_GAP; mesh.flat.len()];
+            places(&panels, (&mesh, &gaps), &form, |piece, point| {
                 bodice.place(&form, piece, point)
             })
         }
@@ -151,9 +152,20 @@ pub(super) fn lay(
             for (pin, &point) in pinned.iter_mut().zip(&mesh.in_piece) {
                 *pin = (wrap.is_pinned)(&cloth, point, spacing);
             }
-            places(&panels, &mesh, &form, |_, point| {
+            let gaps = mesh.in_piece.iter();
+            let gaps: Vec<f32> = gaps.map(|&point| (wrap.gap)(&cloth, point)).collect();
+            let laid = places(&panels, (&mesh, &gaps), &form, |_, point| {
                 (wrap.place)(&cloth, point)
-            })
+            });
+            match wrap.carrier {
+                Carrier::Girded => laid.map(|mut laid| {
+                    lay_as_girded(&mut laid, (&mesh, &pinned), |point| {
+                        (wrap.place)(&cloth, point)
+                    });
+                    laid
+                }),
+                Carrier::Skin | Carrier::Tape => laid,
+            }
         }
     };
     let places = places.ok_or_else(no_trunk)?;
@@ -162,8 +174,12 @@ pub(super) fn lay(
         .map(|(place, _)| *place)
         .collect();
     let mut pins = form.carry(&held).ok_or_else(no_trunk)?;
-    if matches!(&worn.way, Way::Wrapped(wrap) if wrap.is_tied) {
-        pins.tied = held.iter().map(|&place| form.tied(place)).collect();
+    if let Way::Wrapped(wrap) = &worn.way {
+        match wrap.carrier {
+            Carrier::Skin => {}
+            Carrier::Tape => pins.tied = held.iter().map(|&place| form.tied(place)).collect(),
+            Carrier::Girded => pins.tied = form.girded(&held).ok_or_else(no_trunk)?,
+        }
     }
     let facing = (0..panels.panels.len()).map(|panel| faces_out(panel, &mesh, &places, &form));
     let facing = facing.collect();
@@ -187,6 +203,19 @@ pub(super) fn lay(
     })
 }
 
+/// Puts what is pinned back to where its rule laid it: moved out of the skin one by one, the layers of what
+/// is girded would go through each other.
+fn lay_as_girded(
+    places: &mut [Vec3],
+    (mesh, pinned): (&FlatMesh, &[bool]),
+    rule: impl Fn(DVec2) -> Option<Vec3>,
+) {
+    let all = places.iter_mut().zip(&mesh.in_piece).zip(pinned);
+    for ((place, &point), _) in all.filter(|(_, pinned)| **pinned) {
+        *place = rule(point).unwrap_or(*place);
+    }
+}
+
 /// Edges of triangles [m] that divide the pieces that are worn into so many particles.
 fn spacing(pattern: &Pattern, parts: &[Option<Part>], particle_count: f64) -> f64 {
     let worn = pattern.pieces.iter().zip(parts);
@@ -204,7 +233,7 @@ const LOWEST_TAPE: f32 = 0.03;
 /// Places of all particles.
 fn places(
     panels: &Panels,
-    mesh: &FlatMesh,
+    (mesh, gaps): (&FlatMesh, &[f32]),
     form: &Form<'_>,
     place: impl Fn(usize, DVec2) -> Option<Vec3>,
 ) -> Option<Vec<Vec3>> {
@@ -221,7 +250,7 @@ fn places(
             }
         })
         .collect::<Option<_>>()?;
-    fit::close_seams(mesh, form, &mut places);
+    fit::close_seams((mesh, gaps), form, &mut places);
     Some(places)
 }
 

@@ -82,7 +82,7 @@ fn every_particle_is_laid_outside_of_the_skin_at_a_place() {
         );
         let form = Form::new(&dancer, &fit::fitting_pose(), 0.12);
         let mut pushed = laid.places.clone();
-        form.push_out(&mut pushed, 0.002);
+        form.push_out(&mut pushed, |_| 0.002);
         let moved = pushed
             .iter()
             .zip(&laid.places)

@@ -1,0 +1,82 @@
+//! Cloth that lies through itself when it is laid is smoothed by hand: what crosses and the cloth around it
+//! is spread evenly between what lies well, and comes to rest again.
+//!
+//! Laid around her, pieces meet at armholes, in gathers and under arms, and some of that goes through itself.
+//! Repair keeps apart what is apart, and a tangle whose contour cannot become shorter stays for good. Spread
+//! evenly, cloth has no fold that could go through another; what is too much of it puckers anew, and then
+//! with nothing crossed.
+
+use std::collections::BTreeSet;
+
+use glam::Vec3;
+
+use super::form::Form;
+use super::{Dressed, fit};
+
+/// Passes in which cloth is spread.
+const PASSES: u32 = 60;
+
+/// Rings of triangles around what crosses that are smoothed in the first round; one more in each.
+const RINGS: u32 = 2;
+
+/// Particles with what is beside them, with seams closed.
+pub(super) struct Smoothing {
+    neighbors: Vec<Vec<u32>>,
+}
+
+impl Smoothing {
+    pub(super) fn new(garment: &Dressed) -> Self {
+        let mut neighbors = vec![Vec::new(); garment.start.len()];
+        for corners in &garment.triangles {
+            let [a, b, c] = corners.map(|corner| garment.welded[corner as usize]);
+            for [one, other] in [[a, b], [b, c], [c, a], [b, a], [c, b], [a, c]] {
+                neighbors[one as usize].push(other);
+            }
+        }
+        for ring in &mut neighbors {
+            ring.sort_unstable();
+            ring.dedup();
+        }
+        Self { neighbors }
+    }
+
+    /// Smooths what crosses at `places` [m], in a round counted from 0; whether anything did.
+    pub(super) fn smooth(
+        &self,
+        garment: &Dressed,
+        (form, round): (&Form<'_>, u32),
+        places: &mut [Vec3],
+    ) -> bool {
+        let crossings = garment.crossing_pairs(places).unwrap_or_default();
+        let mut taken: BTreeSet<u32> = (crossings.iter())
+            .flat_map(|it| it.ends.into_iter().chain(it.corners))
+            .collect();
+        if taken.is_empty() {
+            return false;
+        }
+        for _ in 0..RINGS + round {
+            let around = taken.iter().flat_map(|&it| &self.neighbors[it as usize]);
+            let around: Vec<u32> = around.copied().collect();
+            taken.extend(around);
+        }
+        taken.retain(|&it| !garment.is_held(it));
+        let mut spread = garment.closed(places);
+        for _ in 0..PASSES {
+            for &particle in &taken {
+                let ring = &self.neighbors[particle as usize];
+                let sum: Vec3 = ring.iter().map(|&it| spread[it as usize]).sum();
+                spread[particle as usize] = sum / ring.len().max(1) as f32;
+            }
+        }
+        for (place, &group) in places.iter_mut().zip(&garment.welded) {
+            if taken.contains(&group) {
+                *place = spread[group as usize];
+            }
+        }
+        form.push_out_some(places, |particle| {
+            let is_taken = taken.contains(&garment.welded[particle]);
+            is_taken.then_some(fit::START_GAP)
+        });
+        true
+    }
+}
