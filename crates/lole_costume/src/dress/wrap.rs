@@ -1,5 +1,7 @@
 //! One cloth that is wrapped and tied: rules that say where its points lie.
 
+use std::cell::OnceCell;
+
 use glam::{DVec2, Vec3};
 use lole_pattern::{Measures, Pattern};
 
@@ -39,6 +41,8 @@ pub(super) struct Cloth<'a> {
     pub(super) measures: &'a Measures,
     /// Length and height [m].
     pub(super) size: DVec2,
+    /// A way that its rule has looked for once [m].
+    pub(super) way: OnceCell<Option<Vec<Vec3>>>,
 }
 
 impl<'a> Cloth<'a> {
@@ -55,6 +59,7 @@ impl<'a> Cloth<'a> {
             form,
             measures,
             size,
+            way: OnceCell::new(),
         }
     }
 

@@ -41,13 +41,16 @@ const OVER_EDGE: f32 = 0.022;
 /// above the crotch [m].
 const BUNCHED: f32 = 0.2;
 const SPREADS: f32 = 0.12;
+/// It goes under the trunk from so far above the crotch on, so far from the skin [m].
+const BEGINS: f32 = 0.05;
+const UNDER_GAP: f32 = 0.010;
 /// Up to so far above the crotch the strip between the legs is flat, and as far again it comes to lie around
 /// the trunk [m].
 const FLAT: f32 = 0.08;
 /// Before so much of a fold the strip lies as if there were none [m]: farther than half of its girded width.
 const BEFORE_FOLD: f32 = -0.10;
 /// Half of the strip's length that the turn of a fold takes [m]: about a triangle.
-const ROUND: f32 = 0.014;
+const ROUND: f32 = 0.018;
 /// Cloth of a flap nearer to the band than this is still held by it [m].
 const HELD: f64 = 0.09;
 
@@ -172,6 +175,24 @@ fn on_trunk(cloth: &Cloth<'_>, face: Face, [height, aside]: [f32; 2], gap: f32) 
     Some(place + outward * gap)
 }
 
+/// Under the trunk in its middle, from the front to the back, over the skin [m].
+fn below_trunk(cloth: &Cloth<'_>) -> Option<Vec<Vec3>> {
+    let crotch = cloth.form.dancer.landmarks.crotch_height;
+    let end = |face: Face| {
+        let place = on_trunk(cloth, face, [crotch + BEGINS, 0.0], GAP)?;
+        Some(place.with_x(0.0))
+    };
+    let [front, back] = [end(Face::Front)?, end(Face::Back)?];
+    let lowest = front.midpoint(back).with_y(crotch - GAP);
+    let steps = 6_u8;
+    let shares = (1..steps).map(|step| f32::from(step) / f32::from(steps));
+    let down = shares.clone().map(|share| front.lerp(lowest, share));
+    let up = shares.map(|share| lowest.lerp(back, share));
+    let mut way: Vec<Vec3> = down.chain([lowest]).chain(up).collect();
+    cloth.form.push_out(&mut way, |_| UNDER_GAP);
+    Some(way.into_iter().map(|place| place.with_x(0.0)).collect())
+}
+
 /// Down the front, between the legs and up the back as far as nothing is folded, so far to her left of the middle [m].
 fn between_legs(cloth: &Cloth<'_>, waist: f32, aside: f32) -> Option<Vec<Vec3>> {
     // On the trunk it lies around it, below the band; between the legs it is flat.
@@ -194,7 +215,7 @@ fn between_legs(cloth: &Cloth<'_>, waist: f32, aside: f32) -> Option<Vec<Vec3>> 
     let down_from = |top: f32| {
         (0..=steps).map(move |step| {
             let share = f32::from(step) / f32::from(steps);
-            top + (crotch + 0.05 - top) * share
+            top + (crotch + BEGINS - top) * share
         })
     };
     // The flap in front comes over the upper edge of the band.
@@ -202,13 +223,12 @@ fn between_legs(cloth: &Cloth<'_>, waist: f32, aside: f32) -> Option<Vec<Vec3>> 
     for height in std::iter::once(edge).chain(down_from(waist)) {
         way.push(on(height, Face::Front)?);
     }
-    let middle = way.last().map_or(0.0, |place| place.z);
+    let below = cloth.way.get_or_init(|| below_trunk(cloth)).as_ref()?;
+    way.extend(below.iter().map(|place| place.with_x(bunched(place.y))));
     let mut back = Vec::new();
     for height in down_from(end) {
         back.push(on(height, Face::Back)?);
     }
-    let behind = back.last().map_or(0.0, |place| place.z);
-    way.push(Vec3::new(bunched(crotch), crotch - GAP, 0.5 * (middle + behind)));
     way.extend(back.into_iter().rev());
     Some(way)
 }
