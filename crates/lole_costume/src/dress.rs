@@ -533,9 +533,8 @@ impl DressedState {
     }
 
     /// Lays all of it at these places [m], at rest.
-    fn lay(&mut self, garment: &Dressed, places: &[Vec3]) {
-        let places = [places.to_vec()];
-        self.state = AssemblyState::new(&garment.assembly, &places);
+    fn lay(&mut self, assembly: &Assembly, places: &[Vec3]) {
+        self.state = AssemblyState::new(assembly, &[places.to_vec()]);
     }
 
     /// Multiplies every velocity.

@@ -66,7 +66,7 @@ impl Dressed {
     }
 
     /// TEMP
-    pub fn crossings_debug(&self, positions: &[Vec3]) -> [usize; 3] {
+    pub fn crossings_debug(&self, positions: &[Vec3]) -> [usize; 4] {
         let count = |drawn: &[Vec3], triangles: &[[u32; 3]]| {
             let mut edges: Vec<[u32; 2]> = (triangles.iter())
                 .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]])
@@ -84,7 +84,12 @@ impl Dressed {
         let welded: Vec<[u32; 3]> = (self.triangles.iter())
             .map(|corners| corners.map(|corner| self.welded[corner as usize]))
             .collect();
-        [count(&drawn, &welded), count(&drawn, &self.closed_triangles()), count(&free, &welded)]
+        [count(&drawn, &welded), count(&drawn, &self.closed_triangles()), count(&free, &welded), {
+            let mut edges: Vec<[u32; 2]> = (self.triangles.iter()).flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]).map(|[a, b]| [a.min(b), a.max(b)]).collect();
+            edges.sort_unstable();
+            edges.dedup();
+            diagnose::crossings((&self.triangles, edges.into_iter()), positions, EDGE).map_or(0, |it| it.iter().filter(|(ends, t)| { let w = |c: u32| self.welded[c as usize]; let tri = self.triangles[*t as usize].map(w); !ends.iter().any(|e| tri.contains(&w(*e))) }).count())
+        }]
     }
 
     /// The piece of cloth of a particle, and the identifier of the pattern's piece.

@@ -3,14 +3,14 @@
 
 use glam::{Affine3A, Vec3};
 use lole_body::{Bone, Dancer, Pose};
-use lole_cloth::assembly::Lost;
+use lole_cloth::assembly::{Assembly, Lost};
 use lole_geom::{MeshSurfels, Surfel};
 
 use super::flat::FlatMesh;
 use super::form::Form;
 use super::smooth::Smoothing;
 use super::under::Under;
-use super::{DressError, Dressed, Ease, Kit, World, assembly, garment};
+use super::{DressError, Dressed, DressedState, Ease, Kit, World, assembly, garment};
 
 /// How far she lifts her arms to be dressed from where they are built, 47° below the level [rad].
 const RAISED: f32 = 0.75;
@@ -111,6 +111,9 @@ pub(super) fn fit(
     let mut state = garment.state();
     let mut room = Room::default();
     let start = fitting_pose();
+    let smoothing = Smoothing::new(garment);
+    let template = kit.template;
+    let lost = |lost| DressError::Lost { template, lost };
     if std::env::var("DBG_FIT").is_ok() { eprintln!("laid {:?}", garment.crossings_debug(&garment.start)); }
     for frame in 0..SEWING_FRAMES + MOVING_FRAMES + RESTING_FRAMES {
         let moved = frame.saturating_sub(SEWING_FRAMES).min(MOVING_FRAMES);
@@ -123,10 +126,7 @@ pub(super) fn fit(
         };
         let world = room.world(body, (&pose, under));
         let moved_on = state.step_as(garment, assembly, (&world, FRAME));
-        moved_on.map_err(|lost| DressError::Lost {
-            template: kit.template,
-            lost,
-        })?;
+        moved_on.map_err(lost)?;
         let kept = if frame < SEWING_FRAMES {
             0.0
         } else if moved < MOVING_FRAMES {
@@ -135,29 +135,42 @@ pub(super) fn fit(
             KEPT[1]
         };
         state.scale_velocities(garment, kept);
+        if frame + 1 == SEWING_FRAMES {
+            smooth((garment, &smoothing), body, (&basted, &start, 0.0), (under, &mut state)).map_err(lost)?;
+        }
         if std::env::var("DBG_FIT").is_ok() && frame % 6 == 0 {
             let mut out = Vec::new();
             state.copy_positions(garment, &mut out);
             eprintln!("fit frame {frame}: {:?}", garment.crossings_debug(&out));
         }
     }
-    let smoothing = Smoothing::new(garment);
-    let form = Form::new(body.0, stance, body.0.landmarks.crotch_height);
+    let rested = (&garment.assembly, stance, KEPT[0]);
+    smooth((garment, &smoothing), body, rested, (under, &mut state)).map_err(lost)?;
+    garment.start_from(state);
+    Ok(())
+}
+
+/// Smooths what lies through itself on a dancer in a pose, and lets it come to rest again, sewn as `assembly`
+/// with so much of its velocity kept.
+fn smooth(
+    (garment, smoothing): (&Dressed, &Smoothing),
+    body: (&Dancer, &MeshSurfels),
+    (assembly, pose, kept): (&Assembly, &Pose, f32),
+    (under, state): (&mut Under<'_>, &mut DressedState),
+) -> Result<(), Lost> {
+    let form = Form::new(body.0, pose, body.0.landmarks.crotch_height);
+    let mut room = Room::default();
     for round in 0..SMOOTHING_ROUNDS {
         let mut places = Vec::new();
         state.copy_positions(garment, &mut places);
         if !smoothing.smooth(garment, (&form, round), &mut places) {
             break;
         }
-        state.lay(garment, &places);
+        state.lay(assembly, &places);
+        let world = room.world(body, (pose, under));
         for _ in 0..SMOOTHED_FRAMES {
-            let world = room.world(body, (stance, under));
-            let moved_on = state.step(garment, &world, FRAME);
-            moved_on.map_err(|lost| DressError::Lost {
-                template: kit.template,
-                lost,
-            })?;
-            state.scale_velocities(garment, KEPT[0]);
+            state.step_as(garment, assembly, (&world, FRAME))?;
+            state.scale_velocities(garment, kept);
         }
         if std::env::var("DBG_FIT").is_ok() {
             let mut out = Vec::new();
@@ -165,7 +178,6 @@ pub(super) fn fit(
             eprintln!("smoothed {round}: {:?}", garment.crossings_debug(&out));
         }
     }
-    garment.start_from(state);
     Ok(())
 }
 

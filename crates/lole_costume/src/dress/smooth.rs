@@ -11,10 +11,11 @@ use std::collections::BTreeSet;
 use glam::Vec3;
 
 use super::form::Form;
-use super::{Dressed, fit};
+use super::{Dressed, fit, flat};
 
-/// Passes in which cloth is spread.
-const PASSES: u32 = 60;
+/// Passes in which cloth is spread, and how often it is brought out of the skin meanwhile.
+const PASSES: u32 = 10;
+const PUSHES: u32 = 6;
 
 /// Rings of triangles around what crosses that are smoothed in the first round; one more in each.
 const RINGS: u32 = 2;
@@ -61,22 +62,29 @@ impl Smoothing {
         }
         taken.retain(|&it| !garment.is_held(it));
         let mut spread = garment.closed(places);
-        for _ in 0..PASSES {
-            for &particle in &taken {
-                let ring = &self.neighbors[particle as usize];
-                let sum: Vec3 = ring.iter().map(|&it| spread[it as usize]).sum();
-                spread[particle as usize] = sum / ring.len().max(1) as f32;
-            }
+        for _ in 0..PUSHES {
+            self.spread(&taken, &mut spread);
+            form.push_out_some(&mut spread, |particle| {
+                let is_taken = taken.contains(&flat::number(particle));
+                is_taken.then_some(fit::START_GAP)
+            });
         }
         for (place, &group) in places.iter_mut().zip(&garment.welded) {
             if taken.contains(&group) {
                 *place = spread[group as usize];
             }
         }
-        form.push_out_some(places, |particle| {
-            let is_taken = taken.contains(&garment.welded[particle]);
-            is_taken.then_some(fit::START_GAP)
-        });
         true
+    }
+
+    /// Draws what is taken to the middle of what is beside it, pass after pass.
+    fn spread(&self, taken: &BTreeSet<u32>, places: &mut [Vec3]) {
+        for _ in 0..PASSES {
+            for &particle in taken {
+                let ring = &self.neighbors[particle as usize];
+                let sum: Vec3 = ring.iter().map(|&it| places[it as usize]).sum();
+                places[particle as usize] = sum / ring.len().max(1) as f32;
+            }
+        }
     }
 }

@@ -48,9 +48,9 @@ const UNDER_GAP: f32 = 0.010;
 /// the trunk [m].
 const FLAT: f32 = 0.08;
 /// Before so much of a fold the strip lies as if there were none [m]: farther than half of its girded width.
-const BEFORE_FOLD: f32 = -0.10;
+const BEFORE_FOLD: f32 = -0.11;
 /// Half of the strip's length that the turn of a fold takes [m]: about a triangle.
-const ROUND: f32 = 0.018;
+const ROUND: f32 = 0.024;
 /// Cloth of a flap nearer to the band than this is still held by it [m].
 const HELD: f64 = 0.09;
 
