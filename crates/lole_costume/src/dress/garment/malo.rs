@@ -47,10 +47,8 @@ const UNDER_GAP: f32 = 0.010;
 /// Up to so far above the crotch the strip between the legs is flat, and as far again it comes to lie around
 /// the trunk [m].
 const FLAT: f32 = 0.08;
-/// Before so much of a fold the strip lies as if there were none [m]: farther than half of its girded width.
-const BEFORE_FOLD: f32 = -0.11;
 /// Half of the strip's length that the turn of a fold takes [m]: about a triangle.
-const ROUND: f32 = 0.024;
+const ROUND: f32 = 0.026;
 /// Cloth of a flap nearer to the band than this is still held by it [m].
 const HELD: f64 = 0.09;
 
@@ -60,6 +58,11 @@ fn stops(cloth: &Cloth<'_>) -> [f64; 3] {
     let crotch = cloth.measures.crotch_length.to_m();
     let flap = (0.5 * (cloth.size.x - crotch - TURNS * waist)).max(0.05);
     [flap, flap + crotch, cloth.size.x - flap]
+}
+
+/// Before so much of a fold's middle the strip lies as if there were none [m].
+fn before_fold(cloth: &Cloth<'_>) -> f32 {
+    -0.5 * BAND * narrow(cloth.size.y) - 2.0 * ROUND
 }
 
 fn is_pinned(cloth: &Cloth<'_>, point: DVec2, _: f64) -> bool {
@@ -80,8 +83,8 @@ fn place(cloth: &Cloth<'_>, point: DVec2) -> Option<Vec3> {
     // Up the back it lies so far to her left, and around the waist so far above the middle of the band.
     let aside = -across * BAND;
     let [past_crotch, past_back] = [crotch, back].map(|stop| narrow(point.x - stop));
-    if past_crotch < BEFORE_FOLD {
-        let end = crotch + f64::from(BEFORE_FOLD);
+    if past_crotch < before_fold(cloth) {
+        let end = crotch + f64::from(before_fold(cloth));
         let share = narrow((point.x - front) / (end - front));
         return Some(along(&between_legs(cloth, waist, aside)?, share));
     }
@@ -93,7 +96,7 @@ fn place(cloth: &Cloth<'_>, point: DVec2) -> Option<Vec3> {
         Some(place + outward * gap)
     };
     // Folded aslant it goes on as far around as it went up, and at the end as far up as around.
-    if past_back < BEFORE_FOLD {
+    if past_back < before_fold(cloth) {
         let fold = Fold::new(past_crotch, aside);
         let gap = GAP + (layer(turned(past_crotch)) - GAP) * fold.beyond;
         return around(fold.least, turned(fold.most), gap);
@@ -197,7 +200,7 @@ fn below_trunk(cloth: &Cloth<'_>) -> Option<Vec<Vec3>> {
 fn between_legs(cloth: &Cloth<'_>, waist: f32, aside: f32) -> Option<Vec<Vec3>> {
     // On the trunk it lies around it, below the band; between the legs it is flat.
     let crotch = cloth.form.dancer.landmarks.crotch_height;
-    let end = waist + BEFORE_FOLD;
+    let end = waist + before_fold(cloth);
     let spreads = SPREADS.min(end - crotch);
     let bunched = |height: f32| {
         let spread = ((height - crotch) / spreads).clamp(0.0, 1.0);
