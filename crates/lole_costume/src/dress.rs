@@ -10,6 +10,7 @@ mod fit;
 mod flat;
 mod form;
 mod garment;
+mod layers;
 mod panel;
 mod smooth;
 #[cfg(test)]
@@ -39,6 +40,7 @@ use form::Form;
 use under::Under;
 
 pub use crossings::Crossing;
+pub use layers::{Body, Layers, Over};
 pub(crate) use garment::chest_room_deg;
 pub use garment::is_worn;
 pub use tuck::Bands;
