@@ -40,9 +40,9 @@ use form::Form;
 use under::Under;
 
 pub use crossings::Crossing;
-pub use layers::{Body, Layers, Over};
 pub(crate) use garment::chest_room_deg;
 pub use garment::is_worn;
+pub use layers::{Body, Layers, Over};
 pub use tuck::Bands;
 
 /// Distance kept between garments [m]: the thickness of two fabrics and of the air between them.
@@ -430,13 +430,6 @@ impl Dressed {
         }
         let groups = self.welded.iter().map(|&group| sums[group as usize]);
         groups.map(|(sum, count)| sum / count.max(1.0)).collect()
-    }
-
-    /// Whether the skin carries what is sewn to a particle.
-    fn is_held(&self, particle: u32) -> bool {
-        let group = self.welded[particle as usize];
-        let mut all = (0..).zip(&self.welded);
-        all.any(|(it, &first)| first == group && self.is_pinned(it))
     }
 
     /// Unit normals of drawn places, outward; seams are smooth.

@@ -15,9 +15,9 @@ use super::{Dressed, EDGE};
 /// An edge of a garment that goes through one of its triangles.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Crossing {
-    /// Ends of the edge, and the corners of the triangle: particles, the first of those that are sewn.
+    /// Ends of the edge: particles, the first of those that are sewn to each other.
     pub ends: [u32; 2],
-    /// Corners of the triangle.
+    /// Corners of the triangle, in the same way.
     pub corners: [u32; 3],
     /// Middle of the edge [m].
     pub place: Vec3,
@@ -65,33 +65,6 @@ impl Dressed {
         closed
     }
 
-    /// TEMP
-    pub fn crossings_debug(&self, positions: &[Vec3]) -> [usize; 4] {
-        let count = |drawn: &[Vec3], triangles: &[[u32; 3]]| {
-            let mut edges: Vec<[u32; 2]> = (triangles.iter())
-                .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]])
-                .map(|[a, b]| [a.min(b), a.max(b)])
-                .collect();
-            edges.sort_unstable();
-            edges.dedup();
-            diagnose::crossings((triangles, edges.into_iter()), drawn, EDGE).map_or(0, |it| it.len())
-        };
-        let drawn = self.drawn(positions);
-        let mut free = drawn.clone();
-        for &(particle, ..) in &self.puckers {
-            free[particle as usize] = positions[particle as usize];
-        }
-        let welded: Vec<[u32; 3]> = (self.triangles.iter())
-            .map(|corners| corners.map(|corner| self.welded[corner as usize]))
-            .collect();
-        [count(&drawn, &welded), count(&drawn, &self.closed_triangles()), count(&free, &welded), {
-            let mut edges: Vec<[u32; 2]> = (self.triangles.iter()).flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]).map(|[a, b]| [a.min(b), a.max(b)]).collect();
-            edges.sort_unstable();
-            edges.dedup();
-            diagnose::crossings((&self.triangles, edges.into_iter()), positions, EDGE).map_or(0, |it| it.iter().filter(|(ends, t)| { let w = |c: u32| self.welded[c as usize]; let tri = self.triangles[*t as usize].map(w); !ends.iter().any(|e| tri.contains(&w(*e))) }).count())
-        }]
-    }
-
     /// The piece of cloth of a particle, and the identifier of the pattern's piece.
     #[must_use]
     pub fn piece_of(&self, particle: u32) -> (u32, &'static str) {
@@ -103,17 +76,24 @@ impl Dressed {
     /// Whether the skin carries a particle.
     #[must_use]
     pub fn is_pinned(&self, particle: u32) -> bool {
-        self.model().is_some_and(|model| model.spec().pinned[particle as usize])
+        self.model()
+            .is_some_and(|model| model.spec().pinned[particle as usize])
     }
 
-    /// Whether a particle is sewn to another, or gathered between two that are.
+    /// Particles that are sewn to others, or gathered between some that are.
     #[must_use]
-    pub fn is_in_seam(&self, particle: u32) -> bool {
-        let mut gathered = self.puckers.iter();
-        let sewn = (0..).zip(&self.welded);
-        let others = sewn.filter(|(at, _)| *at != particle).map(|(_, &first)| first);
-        let own = self.welded[particle as usize];
-        gathered.any(|(it, ..)| *it == particle) || others.into_iter().any(|first| first == own)
+    pub fn in_seams(&self) -> Vec<bool> {
+        let mut sewn = vec![false; self.welded.len()];
+        for (particle, &first) in self.welded.iter().enumerate() {
+            if first as usize != particle {
+                sewn[particle] = true;
+                sewn[first as usize] = true;
+            }
+        }
+        for &(particle, ..) in &self.puckers {
+            sewn[particle as usize] = true;
+        }
+        sewn
     }
 
     fn gathered(&self) -> Gathered {
@@ -126,7 +106,13 @@ impl Dressed {
         }
         let ordered = along.into_iter().map(|(side, mut particles)| {
             particles.sort_by(|a, b| a.1.total_cmp(&b.1));
-            (side, particles.into_iter().map(|(particle, _)| particle).collect())
+            (
+                side,
+                particles
+                    .into_iter()
+                    .map(|(particle, _)| particle)
+                    .collect(),
+            )
         });
         ordered.collect()
     }
@@ -163,6 +149,9 @@ mod tests {
         let gathered = Gathered::from([([1, 2], vec![7, 8]), ([1, 3], vec![9])]);
         let mut out = Vec::new();
         cut([2, 1, 3], &gathered, &mut out);
-        assert_eq!(out, [[2, 8, 3], [8, 7, 3], [7, 1, 9], [7, 9, 3]].map(|it: [u32; 3]| it));
+        assert_eq!(
+            out,
+            [[2, 8, 3], [8, 7, 3], [7, 1, 9], [7, 9, 3]].map(|it: [u32; 3]| it)
+        );
     }
 }

@@ -41,11 +41,7 @@ pub(super) fn fitting_pose() -> Pose {
 
 /// Draws what is sewn together to one place and spreads the way over the pieces, so that nothing is
 /// torn when the seams are tight; keeps all of it out of the skin.
-pub(super) fn close_seams(
-    (mesh, gaps): (&FlatMesh, &[f32]),
-    form: &Form<'_>,
-    places: &mut [Vec3],
-) {
+pub(super) fn close_seams((mesh, gaps): (&FlatMesh, &[f32]), form: &Form<'_>, places: &mut [Vec3]) {
     let count = places.len();
     let groups = super::welded(mesh);
     let mut is_sewn = vec![false; count];
@@ -114,7 +110,6 @@ pub(super) fn fit(
     let smoothing = Smoothing::new(garment);
     let template = kit.template;
     let lost = |lost| DressError::Lost { template, lost };
-    if std::env::var("DBG_FIT").is_ok() { eprintln!("laid {:?}", garment.crossings_debug(&garment.start)); }
     for frame in 0..SEWING_FRAMES + MOVING_FRAMES + RESTING_FRAMES {
         let moved = frame.saturating_sub(SEWING_FRAMES).min(MOVING_FRAMES);
         let share = moved as f32 / MOVING_FRAMES as f32;
@@ -136,12 +131,13 @@ pub(super) fn fit(
         };
         state.scale_velocities(garment, kept);
         if frame + 1 == SEWING_FRAMES {
-            smooth((garment, &smoothing), body, (&basted, &start, 0.0), (under, &mut state)).map_err(lost)?;
-        }
-        if std::env::var("DBG_FIT").is_ok() && frame % 6 == 0 {
-            let mut out = Vec::new();
-            state.copy_positions(garment, &mut out);
-            eprintln!("fit frame {frame}: {:?}", garment.crossings_debug(&out));
+            smooth(
+                (garment, &smoothing),
+                body,
+                (&basted, &start, 0.0),
+                (under, &mut state),
+            )
+            .map_err(lost)?;
         }
     }
     let rested = (&garment.assembly, stance, KEPT[0]);
@@ -171,11 +167,6 @@ fn smooth(
         for _ in 0..SMOOTHED_FRAMES {
             state.step_as(garment, assembly, (&world, FRAME))?;
             state.scale_velocities(garment, kept);
-        }
-        if std::env::var("DBG_FIT").is_ok() {
-            let mut out = Vec::new();
-            state.copy_positions(garment, &mut out);
-            eprintln!("smoothed {round}: {:?}", garment.crossings_debug(&out));
         }
     }
     Ok(())

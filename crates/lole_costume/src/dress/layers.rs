@@ -14,7 +14,7 @@ use lole_geom::TriangleGrid;
 use super::{Dressed, EDGE};
 
 /// Cloth between two places that may be sides of one fold [m].
-const FOLD: f32 = 0.16;
+const FOLD: f32 = 0.20;
 /// Cloth over other cloth is no farther from it than this [m].
 const COVERS: f32 = 0.04;
 /// Skin that cloth lies over is no farther from it than this [m].

@@ -23,6 +23,8 @@ const RINGS: u32 = 2;
 /// Particles with what is beside them, with seams closed.
 pub(super) struct Smoothing {
     neighbors: Vec<Vec<u32>>,
+    /// Which of them the skin carries.
+    is_held: Vec<bool>,
 }
 
 impl Smoothing {
@@ -38,7 +40,11 @@ impl Smoothing {
             ring.sort_unstable();
             ring.dedup();
         }
-        Self { neighbors }
+        let mut is_held = vec![false; garment.start.len()];
+        for (particle, &group) in (0..).zip(&garment.welded) {
+            is_held[group as usize] |= garment.is_pinned(particle);
+        }
+        Self { neighbors, is_held }
     }
 
     /// Smooths what crosses at `places` [m], in a round counted from 0; whether anything did.
@@ -60,7 +66,7 @@ impl Smoothing {
             let around: Vec<u32> = around.copied().collect();
             taken.extend(around);
         }
-        taken.retain(|&it| !garment.is_held(it));
+        taken.retain(|&it| !self.is_held[it as usize]);
         let mut spread = garment.closed(places);
         for _ in 0..PUSHES {
             self.spread(&taken, &mut spread);

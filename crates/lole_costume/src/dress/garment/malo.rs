@@ -9,8 +9,8 @@ use glam::{DVec2, Vec3};
 
 use super::{Way, Worn};
 use crate::dress::bodice::narrow;
-use crate::dress::form::Face;
 use crate::dress::fit;
+use crate::dress::form::Face;
 use crate::dress::wrap::{Carrier, Cloth, Wrap, along};
 
 pub(super) const WORN: Worn = Worn {
