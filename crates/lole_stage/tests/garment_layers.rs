@@ -9,7 +9,7 @@ const INTERVAL: usize = 15;
 
 fn performance(template: &str) -> Performance {
     let text = format!(
-        "lole = 1\n[skirt]\nworn = false\n[motion]\nstep = \"kaholo\"\n[[garment]]\nkind = \"{template}\"\n"
+        "lole = 1\n[skirt]\nworn = \"no\"\n[motion]\nstep = \"kaholo\"\n[[garment]]\nkind = \"{template}\"\n"
     );
     let design = parse(&text, "garment").expect("a design");
     Performance::new(Production::new(&design).expect("a garment")).expect("a dance")

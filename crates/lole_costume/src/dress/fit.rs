@@ -156,9 +156,16 @@ fn smooth(
 ) -> Result<(), Lost> {
     let form = Form::new(body.0, pose, body.0.landmarks.crotch_height);
     let mut room = Room::default();
-    for round in 0..SMOOTHING_ROUNDS {
+    let count = |state: &DressedState| {
         let mut places = Vec::new();
         state.copy_positions(garment, &mut places);
+        let crossings = garment.crossings(&places).unwrap_or(usize::MAX);
+        (crossings, places)
+    };
+    let (mut least, mut places) = count(state);
+    // No round leaves more than there was.
+    let mut best = state.clone();
+    for round in 0..SMOOTHING_ROUNDS {
         if !smoothing.smooth(garment, (&form, round), &mut places) {
             break;
         }
@@ -168,7 +175,14 @@ fn smooth(
             state.step_as(garment, assembly, (&world, FRAME))?;
             state.scale_velocities(garment, kept);
         }
+        let crossings;
+        (crossings, places) = count(state);
+        if crossings < least {
+            least = crossings;
+            best = state.clone();
+        }
     }
+    *state = best;
     Ok(())
 }
 

@@ -152,20 +152,7 @@ pub(super) fn lay(
             for (pin, &point) in pinned.iter_mut().zip(&mesh.in_piece) {
                 *pin = (wrap.is_pinned)(&cloth, point, spacing);
             }
-            let gaps = mesh.in_piece.iter();
-            let gaps: Vec<f32> = gaps.map(|&point| (wrap.gap)(&cloth, point)).collect();
-            let laid = places(&panels, (&mesh, &gaps), &form, |_, point| {
-                (wrap.place)(&cloth, point)
-            });
-            match wrap.carrier {
-                Carrier::Girded => laid.map(|mut laid| {
-                    lay_as_girded(&mut laid, (&mesh, &pinned), |point| {
-                        (wrap.place)(&cloth, point)
-                    });
-                    laid
-                }),
-                Carrier::Skin | Carrier::Tape => laid,
-            }
+            wrapped((wrap, &cloth), (&panels, &mesh, &pinned), &form)
         }
     };
     let places = places.ok_or_else(no_trunk)?;
@@ -173,14 +160,7 @@ pub(super) fn lay(
         .filter(|(_, pinned)| **pinned)
         .map(|(place, _)| *place)
         .collect();
-    let mut pins = form.carry(&held).ok_or_else(no_trunk)?;
-    if let Way::Wrapped(wrap) = &worn.way {
-        match wrap.carrier {
-            Carrier::Skin => {}
-            Carrier::Tape => pins.tied = held.iter().map(|&place| form.tied(place)).collect(),
-            Carrier::Girded => pins.tied = form.girded(&held).ok_or_else(no_trunk)?,
-        }
-    }
+    let pins = carry(&worn.way, &form, &held).ok_or_else(no_trunk)?;
     let facing = (0..panels.panels.len()).map(|panel| faces_out(panel, &mesh, &places, &form));
     let facing = facing.collect();
     let is_on_arm = panels
@@ -201,6 +181,35 @@ pub(super) fn lay(
         pins,
         pattern,
     })
+}
+
+/// What carries places that are pinned.
+fn carry(way: &Way, form: &Form<'_>, held: &[Vec3]) -> Option<Pins> {
+    let mut pins = form.carry(held)?;
+    if let Way::Wrapped(wrap) = way {
+        match wrap.carrier {
+            Carrier::Skin => {}
+            Carrier::Tape => pins.tied = held.iter().map(|&place| form.tied(place)).collect(),
+            Carrier::Girded => pins.tied = form.girded(held)?,
+        }
+    }
+    Some(pins)
+}
+
+/// Places of all particles of one cloth that is wrapped.
+fn wrapped(
+    (wrap, cloth): (&Wrap, &Cloth<'_>),
+    (panels, mesh, pinned): (&Panels, &FlatMesh, &[bool]),
+    form: &Form<'_>,
+) -> Option<Vec<Vec3>> {
+    let gaps = mesh.in_piece.iter();
+    let gaps: Vec<f32> = gaps.map(|&point| (wrap.gap)(cloth, point)).collect();
+    let rule = |point: DVec2| (wrap.place)(cloth, point);
+    let mut laid = places(panels, (mesh, &gaps), form, |_, point| rule(point))?;
+    if wrap.carrier == Carrier::Girded {
+        lay_as_girded(&mut laid, (mesh, pinned), rule);
+    }
+    Some(laid)
 }
 
 /// Puts what is pinned back to where its rule laid it: moved out of the skin one by one, the layers of what
