@@ -23,7 +23,8 @@ const RINGS: u32 = 2;
 /// Particles with what is beside them, with seams closed.
 pub(super) struct Smoothing {
     neighbors: Vec<Vec<u32>>,
-    /// Which of them the skin carries.
+    /// Which of them stay: what the skin carries, and hems, which would be drawn into the cloth and take a
+    /// sleeve up the arm.
     is_held: Vec<bool>,
 }
 
@@ -43,6 +44,9 @@ impl Smoothing {
         let mut is_held = vec![false; garment.start.len()];
         for (particle, &group) in (0..).zip(&garment.welded) {
             is_held[group as usize] |= garment.is_pinned(particle);
+        }
+        for particle in hems(garment) {
+            is_held[particle as usize] = true;
         }
         Self { neighbors, is_held }
     }
@@ -93,4 +97,22 @@ impl Smoothing {
             }
         }
     }
+}
+
+/// Particles at edges of the cloth that nothing is sewn to.
+fn hems(garment: &Dressed) -> Vec<u32> {
+    let mut sides: Vec<[u32; 2]> = (garment.triangles.iter())
+        .map(|corners| corners.map(|corner| garment.welded[corner as usize]))
+        .flat_map(|[a, b, c]| [[a, b], [b, c], [c, a]])
+        .map(|[a, b]| [a.min(b), a.max(b)])
+        .collect();
+    sides.sort_unstable();
+    let in_seams = garment.in_seams();
+    let is_sewn = |side: &[u32; 2]| side.iter().all(|&end| in_seams[end as usize]);
+    let alone = sides.chunk_by(|a, b| a == b).filter(|same| same.len() == 1);
+    alone
+        .map(|same| same[0])
+        .filter(|side| !is_sewn(side))
+        .flatten()
+        .collect()
 }
