@@ -5,11 +5,14 @@
 //! seams hold them together; nothing of it is pinned but what a row in `garment/` says.
 
 mod bodice;
+mod crossings;
 mod fit;
 mod flat;
 mod form;
 mod garment;
+mod layers;
 mod panel;
+mod smooth;
 #[cfg(test)]
 mod tests;
 mod tuck;
@@ -24,7 +27,7 @@ use lole_cloth::assembly::{
     Assembly, AssemblyInput, AssemblyState, Elastic, Ends, Joint, JointError, Lost, Piece,
     PieceState, Place, Seam, step,
 };
-use lole_cloth::diagnose::{self, StrainSummary};
+use lole_cloth::diagnose::StrainSummary;
 use lole_cloth::mesh::{self, MeshError, MeshModel, MeshSpec};
 use lole_cloth::{Crossings, Fabric, SelfCollision, SolverConfig, mesh_state_hash};
 use lole_geom::mesh::vertex_normals;
@@ -36,8 +39,10 @@ use crate::document::WornTemplate;
 use form::Form;
 use under::Under;
 
+pub use crossings::Crossing;
 pub(crate) use garment::chest_room_deg;
 pub use garment::is_worn;
+pub use layers::{Body, Layers, Over};
 pub use tuck::Bands;
 
 /// Distance kept between garments [m]: the thickness of two fabrics and of the air between them.
@@ -85,6 +90,9 @@ pub struct Dressed {
     rested: Option<DressedState>,
     /// Its triangles, counterclockwise seen from outside.
     pub triangles: Vec<[u32; 3]>,
+    /// By particle, the piece of cloth that it belongs to, and by piece of cloth, the pattern's.
+    panel_of: Vec<u32>,
+    pieces: Vec<usize>,
     /// Where every particle lies on the cloth as it comes from the bolt [m]: along the warp, and across
     /// it, seen from the right side.
     pub on_cloth: Vec<Vec2>,
@@ -322,6 +330,7 @@ impl Dressed {
             mesh,
             places,
             facing,
+            pieces,
             is_on_arm,
             elastics,
             pinned,
@@ -371,6 +380,8 @@ impl Dressed {
             triangles,
             on_cloth: on_cloth.collect(),
             welded: welded(&mesh),
+            panel_of: mesh.panel_of.iter().map(|&it| flat::number(it)).collect(),
+            pieces,
             puckers: mesh.puckers,
         };
         Ok((dressed, kit))
@@ -402,18 +413,23 @@ impl Dressed {
     /// Places as they are drawn: what is sewn together is one point [m].
     #[must_use]
     pub fn drawn(&self, positions: &[Vec3]) -> Vec<Vec3> {
+        let mut drawn = self.closed(positions);
+        for &(particle, ends, share) in &self.puckers {
+            let [first, last] = ends.map(|end| drawn[end as usize]);
+            drawn[particle as usize] = first.lerp(last, share);
+        }
+        drawn
+    }
+
+    /// Places with seams closed: what is sewn together lies in its middle [m].
+    fn closed(&self, positions: &[Vec3]) -> Vec<Vec3> {
         let mut sums = vec![(Vec3::ZERO, 0.0_f32); positions.len()];
         for (&group, &position) in self.welded.iter().zip(positions) {
             let sum = &mut sums[group as usize];
             *sum = (sum.0 + position, sum.1 + 1.0);
         }
         let groups = self.welded.iter().map(|&group| sums[group as usize]);
-        let mut drawn: Vec<Vec3> = groups.map(|(sum, count)| sum / count.max(1.0)).collect();
-        for &(particle, ends, share) in &self.puckers {
-            let [first, last] = ends.map(|end| drawn[end as usize]);
-            drawn[particle as usize] = first.lerp(last, share);
-        }
-        drawn
+        groups.map(|(sum, count)| sum / count.max(1.0)).collect()
     }
 
     /// Unit normals of drawn places, outward; seams are smooth.
@@ -455,35 +471,6 @@ impl Dressed {
             along.map(|column| (column.length() - 1.0).max(0.0))
         });
         stretches.collect()
-    }
-
-    /// Edges of the garment that go through one of its triangles, with its seams closed: 0 where no fold
-    /// has gone through another. `None` where not all positions [m] are finite.
-    #[must_use]
-    pub fn crossings(&self, positions: &[Vec3]) -> Option<usize> {
-        self.crossing_places(positions).map(|places| places.len())
-    }
-
-    /// Where they are [m]: the middle of each edge.
-    #[must_use]
-    pub fn crossing_places(&self, positions: &[Vec3]) -> Option<Vec<Vec3>> {
-        let drawn = self.drawn(positions);
-        let weld = |corners: &[u32; 3]| corners.map(|corner| self.welded[corner as usize]);
-        let triangles: Vec<[u32; 3]> = self.triangles.iter().map(weld).collect();
-        let mut edges: Vec<[u32; 2]> = (triangles.iter())
-            .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]])
-            .map(|[a, b]| [a.min(b), a.max(b)])
-            .collect();
-        edges.sort_unstable();
-        edges.dedup();
-        let crossings = diagnose::crossings((&triangles, edges.into_iter()), &drawn, EDGE)?;
-        let middle = |[a, b]: [u32; 2]| 0.5 * (drawn[a as usize] + drawn[b as usize]);
-        Some(
-            crossings
-                .into_iter()
-                .map(|(ends, _)| middle(ends))
-                .collect(),
-        )
     }
 
     /// The garment at rest where it starts, with all that its folds keep apart there.
@@ -538,6 +525,11 @@ impl DressedState {
         for (state, piece) in self.state.pieces.iter().zip(garment.assembly.pieces()) {
             state.copy_positions(piece, out);
         }
+    }
+
+    /// Lays all of it at these places [m], at rest.
+    fn lay(&mut self, assembly: &Assembly, places: &[Vec3]) {
+        self.state = AssemblyState::new(assembly, &[places.to_vec()]);
     }
 
     /// Multiplies every velocity.

@@ -6,7 +6,7 @@
 //! picture for each template there, as she stands and after so many seconds of her dance, and prints
 //! figures for each dancer. Without a template, all that can be put on; `kihei+muumuu` puts on both, from
 //! the skin outward, and `'pau-ruffle:ruffle = "layer"'` has an option as in a document. `--where` says
-//! where cloth is stretched most.
+//! where cloth is stretched most, and which pieces go through each other.
 
 #![expect(
     clippy::print_stdout,
@@ -23,7 +23,7 @@ use cpu_time::ProcessTime;
 use glam::Vec3;
 use lole_costume::document::schema::kind_ids;
 use lole_costume::document::{DancerDesign, Design, GarmentLayer, parse};
-use lole_costume::dress;
+use lole_costume::dress::{self, Layers};
 use lole_picture::{Looks, Moment};
 use lole_render::{Backend, Camera, LightRig, Renderer, Size, View};
 use lole_stage::skin_check::{Surface, check};
@@ -224,6 +224,10 @@ fn danced(asked: &Asked, performance: &mut Performance) -> Result<SaidAndShot, B
                 let crossings = crossings.ok_or("the cloth is nowhere")?;
                 seen.crossings = [seen.crossings[0].max(crossings), crossings];
                 seen.drawn = seen.drawn.max(drawn_outside(performance, place));
+                let first = || performance.dressed_layers(place);
+                let layers = seen.layers.get_or_insert_with(first);
+                let inversions = performance.dressed_inversions(place, layers);
+                seen.inversions = seen.inversions.max(inversions);
             }
         }
         if asked.seconds <= performance.time() {
@@ -242,7 +246,7 @@ fn danced(asked: &Asked, performance: &mut Performance) -> Result<SaidAndShot, B
         let garment = &performance.production().dressed[place];
         write!(
             said,
-            "\n    {:10} {} particles, p99 strain {:.1} % at worst and {:.1} % at the end, deepest {:.1} mm, showing {} (drawn {}), crossings {} at worst and {} at the end",
+            "\n    {:10} {} particles, p99 strain {:.1} % at worst and {:.1} % at the end, deepest {:.1} mm, showing {} (drawn {}), crossings {} at worst and {} at the end, over itself at {} places, {} of them inverted at worst",
             garment.name,
             garment.dressed.particle_count(),
             100.0 * seen.strain[0],
@@ -252,6 +256,10 @@ fn danced(asked: &Asked, performance: &mut Performance) -> Result<SaidAndShot, B
             seen.drawn,
             seen.crossings[0],
             seen.crossings[1],
+            seen.layers
+                .as_ref()
+                .map_or(0, |layers| layers.places().len()),
+            seen.inversions,
         )?;
         if asked.says_where {
             close.append(&mut seen.close);
@@ -302,6 +310,9 @@ struct Seen {
     /// Pictures of that.
     close: Vec<Vec<u8>>,
     crossings: [usize; 2],
+    /// What lies over what at first, and the most places at which that was the other way around.
+    layers: Option<Layers>,
+    inversions: usize,
 }
 
 /// Vertices of the body outside a garment as both are drawn.
@@ -337,18 +348,36 @@ fn say_showing(seen: &Seen, said: &mut String) -> std::fmt::Result {
     Ok(())
 }
 
-/// Where the garment goes through itself at last, by half decimeters.
+/// Where the garment goes through itself at last: which pieces, in the seam or beside it, held or not.
 fn say_crossings(performance: &Performance, place: usize, said: &mut String) -> std::fmt::Result {
     let garment = &performance.production().dressed[place].dressed;
-    let places = garment.crossing_places(performance.dressed_positions(place));
-    let mut left = places.unwrap_or_default();
-    while let Some(&place) = left.first() {
-        let before = left.len();
-        left.retain(|other| 0.05 < other.distance(place));
+    let positions = performance.dressed_positions(place);
+    let pairs = garment.crossing_pairs(positions).unwrap_or_default();
+    let in_seams = garment.in_seams();
+    let side = |corners: &[u32]| {
+        let (panel, piece) = garment.piece_of(corners[0]);
+        let count = |holds: &dyn Fn(u32) -> bool| corners.iter().filter(|it| holds(**it)).count();
+        let [sewn, held] = [
+            count(&|it| in_seams[it as usize]),
+            count(&|it| garment.is_pinned(it)),
+        ];
+        let of = corners.len();
+        format!("{piece} {panel} ({sewn} of {of} in a seam, {held} held)")
+    };
+    let mut told: Vec<(String, Vec<Vec3>)> = Vec::new();
+    for pair in &pairs {
+        let what = format!("{} through {}", side(&pair.ends), side(&pair.corners));
+        match told.iter_mut().find(|(other, _)| *other == what) {
+            Some((_, places)) => places.push(pair.place),
+            None => told.push((what, vec![pair.place])),
+        }
+    }
+    for (what, places) in told {
+        let count = places.len();
         write!(
             said,
-            "\n        {} crossings at {place:.2}",
-            before - left.len()
+            "\n        {count} crossings at {:.2}: {what}",
+            places[0]
         )?;
     }
     Ok(())

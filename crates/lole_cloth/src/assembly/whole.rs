@@ -16,12 +16,17 @@ use crate::collision::surface::Surface;
 use crate::lanes::{LANES, Points, Scalars, narrow};
 use crate::{Crossings, SelfCollision, StepInput};
 
+/// Passes in which seams are closed: at a corner more than two particles are sewn to each other.
+const CLOSING_PASSES: u32 = 4;
+
 /// The pieces, one after the other: what never changes.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Whole {
     surface: Surface,
     placement: WholePlacement,
     inv_masses: Vec<Scalars>,
+    /// Particles that are sewn to each other, one to one.
+    seams: Vec<[u32; 2]>,
     /// By piece, its vectors and its particles.
     vectors: Vec<Range<usize>>,
     particles: Vec<Range<usize>>,
@@ -54,6 +59,7 @@ impl Whole {
             surface: Surface::default(),
             placement: WholePlacement::default(),
             inv_masses: Vec::new(),
+            seams: Vec::new(),
             vectors: Vec::new(),
             particles: Vec::new(),
             repairs: false,
@@ -66,6 +72,9 @@ impl Whole {
         whole.surface = Surface::join(&surfaces.collect::<Vec<_>>());
         let particles = &whole.particles;
         let place = |point: &EdgePoint| narrow(particles[point.piece].start) + point.nearest();
+        let is_one_to_one = |pair: &&[EdgePoint; 2]| pair.iter().all(|it| it.share <= 0.0);
+        let seams = stitches(joints).filter(is_one_to_one);
+        whole.seams = seams.map(|pair| pair.each_ref().map(place)).collect();
         whole
             .surface
             .sew(stitches(joints).map(|pair| pair.each_ref().map(place)));
@@ -120,6 +129,24 @@ impl Whole {
         }
     }
 
+    /// Brings what is sewn together to one place: contact comes after thread in a substep, and opens seams on
+    /// which folds press, but what is looked at for crossings is what is seen, with its seams closed.
+    fn close_seams(&self, positions: &mut [Points]) {
+        for _ in 0..CLOSING_PASSES {
+            for pair in &self.seams {
+                let slots = pair.map(|it| self.placement.slot(it as usize));
+                let [a, b] = slots.map(|(vector, lane)| positions[vector].get(lane));
+                let weights = slots.map(|(vector, lane)| self.inv_masses[vector].0[lane]);
+                let sum = weights[0] + weights[1];
+                if 0.0 < sum {
+                    let gap = b - a;
+                    positions[slots[0].0].set(slots[0].1, a + gap * (weights[0] / sum));
+                    positions[slots[1].0].set(slots[1].1, b - gap * (weights[1] / sum));
+                }
+            }
+        }
+    }
+
     /// Keeps what was parted in earlier steps apart in a substep of `h` [s].
     pub(crate) fn keep_guards(&self, pieces: &mut [PieceState], state: &WholeState, h: f32) {
         let mut moving = Slots {
@@ -140,6 +167,7 @@ impl Whole {
             return;
         }
         self.gather(states, state);
+        self.close_seams(&mut state.positions);
         let all = pieces.iter().zip(inputs).zip(&*states);
         let bodies = all.map(|((piece, input), state)| body_of(piece, input, state));
         let body = Bodies {

@@ -3,13 +3,14 @@
 
 use glam::{Affine3A, Vec3};
 use lole_body::{Bone, Dancer, Pose};
-use lole_cloth::assembly::Lost;
+use lole_cloth::assembly::{Assembly, Lost};
 use lole_geom::{MeshSurfels, Surfel};
 
 use super::flat::FlatMesh;
 use super::form::Form;
+use super::smooth::Smoothing;
 use super::under::Under;
-use super::{DressError, Dressed, Ease, Kit, World, assembly, garment};
+use super::{DressError, Dressed, DressedState, Ease, Kit, World, assembly, garment};
 
 /// How far she lifts her arms to be dressed from where they are built, 47° below the level [rad].
 const RAISED: f32 = 0.75;
@@ -18,13 +19,16 @@ const CLOSING_PASSES: u32 = 3;
 /// Passes in which what is drawn at the seams is spread over the pieces.
 const SPREADING_PASSES: u32 = 120;
 /// Least distance from the skin at the start [m].
-const START_GAP: f32 = 0.006;
+pub(super) const START_GAP: f32 = 0.006;
 
 /// Frames in which the seams come together, in which she takes her stance, and in which cloth comes to
 /// rest.
 const SEWING_FRAMES: u32 = 24;
 const MOVING_FRAMES: u32 = 45;
 const RESTING_FRAMES: u32 = 30;
+/// How often what lies through itself is smoothed at most, and frames in which it comes to rest again.
+const SMOOTHING_ROUNDS: u32 = 8;
+const SMOOTHED_FRAMES: u32 = 12;
 /// Duration of a frame [s].
 const FRAME: f32 = 1.0 / 60.0;
 /// Velocity kept from frame to frame while she moves, and while it comes to rest.
@@ -37,7 +41,7 @@ pub(super) fn fitting_pose() -> Pose {
 
 /// Draws what is sewn together to one place and spreads the way over the pieces, so that nothing is
 /// torn when the seams are tight; keeps all of it out of the skin.
-pub(super) fn close_seams(mesh: &FlatMesh, form: &Form<'_>, places: &mut [Vec3]) {
+pub(super) fn close_seams((mesh, gaps): (&FlatMesh, &[f32]), form: &Form<'_>, places: &mut [Vec3]) {
     let count = places.len();
     let groups = super::welded(mesh);
     let mut is_sewn = vec![false; count];
@@ -55,7 +59,7 @@ pub(super) fn close_seams(mesh: &FlatMesh, form: &Form<'_>, places: &mut [Vec3])
         }
     }
     for _ in 0..CLOSING_PASSES {
-        form.push_out(places, START_GAP);
+        form.push_out(places, |particle| gaps[particle]);
         let mut sums = vec![(Vec3::ZERO, 0.0_f32); count];
         for (&group, &place) in groups.iter().zip(&*places) {
             let sum = &mut sums[group as usize];
@@ -90,7 +94,7 @@ pub(super) fn close_seams(mesh: &FlatMesh, form: &Form<'_>, places: &mut [Vec3])
             *place += *change;
         }
     }
-    form.push_out(places, START_GAP);
+    form.push_out(places, |particle| gaps[particle]);
 }
 
 /// Sews the garment tight and lets it come to rest.
@@ -103,6 +107,9 @@ pub(super) fn fit(
     let mut state = garment.state();
     let mut room = Room::default();
     let start = fitting_pose();
+    let smoothing = Smoothing::new(garment);
+    let template = kit.template;
+    let lost = |lost| DressError::Lost { template, lost };
     for frame in 0..SEWING_FRAMES + MOVING_FRAMES + RESTING_FRAMES {
         let moved = frame.saturating_sub(SEWING_FRAMES).min(MOVING_FRAMES);
         let share = moved as f32 / MOVING_FRAMES as f32;
@@ -114,10 +121,7 @@ pub(super) fn fit(
         };
         let world = room.world(body, (&pose, under));
         let moved_on = state.step_as(garment, assembly, (&world, FRAME));
-        moved_on.map_err(|lost| DressError::Lost {
-            template: kit.template,
-            lost,
-        })?;
+        moved_on.map_err(lost)?;
         let kept = if frame < SEWING_FRAMES {
             0.0
         } else if moved < MOVING_FRAMES {
@@ -126,8 +130,59 @@ pub(super) fn fit(
             KEPT[1]
         };
         state.scale_velocities(garment, kept);
+        if frame + 1 == SEWING_FRAMES {
+            smooth(
+                (garment, &smoothing),
+                body,
+                (&basted, &start, 0.0),
+                (under, &mut state),
+            )
+            .map_err(lost)?;
+        }
     }
+    let rested = (&garment.assembly, stance, KEPT[0]);
+    smooth((garment, &smoothing), body, rested, (under, &mut state)).map_err(lost)?;
     garment.start_from(state);
+    Ok(())
+}
+
+/// Smooths what lies through itself on a dancer in a pose, and lets it come to rest again, sewn as `assembly`
+/// with so much of its velocity kept.
+fn smooth(
+    (garment, smoothing): (&Dressed, &Smoothing),
+    body: (&Dancer, &MeshSurfels),
+    (assembly, pose, kept): (&Assembly, &Pose, f32),
+    (under, state): (&mut Under<'_>, &mut DressedState),
+) -> Result<(), Lost> {
+    let form = Form::new(body.0, pose, body.0.landmarks.crotch_height);
+    let mut room = Room::default();
+    let count = |state: &DressedState| {
+        let mut places = Vec::new();
+        state.copy_positions(garment, &mut places);
+        let crossings = garment.crossings(&places).unwrap_or(usize::MAX);
+        (crossings, places)
+    };
+    let (mut least, mut places) = count(state);
+    // No round leaves more than there was.
+    let mut best = state.clone();
+    for round in 0..SMOOTHING_ROUNDS {
+        if !smoothing.smooth(garment, (&form, round), &mut places) {
+            break;
+        }
+        state.lay(assembly, &places);
+        let world = room.world(body, (pose, under));
+        for _ in 0..SMOOTHED_FRAMES {
+            state.step_as(garment, assembly, (&world, FRAME))?;
+            state.scale_velocities(garment, kept);
+        }
+        let crossings;
+        (crossings, places) = count(state);
+        if crossings < least {
+            least = crossings;
+            best = state.clone();
+        }
+    }
+    *state = best;
     Ok(())
 }
 

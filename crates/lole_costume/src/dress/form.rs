@@ -142,21 +142,70 @@ impl<'a> Form<'a> {
             let [a, b] = [a.1, b.1].map(|at| at.distance_squared(place));
             a.total_cmp(&b)
         })?;
+        Some(self.carried_to(*nearest, place))
+    }
+
+    /// A point that goes as `carrier` does and lies at a place [m] in this pose.
+    fn carried_to(&self, carrier: TapePoint, place: Vec3) -> TapePoint {
         // The point's own motion, read off four places of its bind pose.
         let moved = |bind_position: Vec3| {
             let point = TapePoint {
                 bind_position,
-                ..*nearest
+                ..carrier
             };
             point.posed(&self.world_from_bind)
         };
         let origin = moved(Vec3::ZERO);
         let [x, y, z] = Vec3::AXES.map(|axis| moved(axis) - origin);
         let world_from_bind = Affine3A::from_mat3_translation(Mat3::from_cols(x, y, z), origin);
-        Some(TapePoint {
+        TapePoint {
             bind_position: world_from_bind.inverse().transform_point3(place),
-            ..*nearest
-        })
+            ..carrier
+        }
+    }
+
+    /// Places as the trunk carries them where they are girded around it: with the bones of the skin below
+    /// them, but for the legs, which go with the hips. `None` where one is far from all skin.
+    pub(super) fn girded(&self, places: &[Vec3]) -> Option<Vec<Option<TapePoint>>> {
+        let skin = &self.dancer.skin;
+        let (mut positions, mut normals) = (Vec::new(), Vec::new());
+        skin.pose(&self.world_from_bind, &mut positions, &mut normals);
+        let triangles = self.trunk_triangles();
+        let grid = TriangleGrid::new(&positions, &triangles, CELL);
+        let carried = places.iter().map(|&place| {
+            let nearest = grid.nearest(place, REACH)?;
+            let corners = triangles[nearest.triangle as usize];
+            let shares = nearest.barycentric.to_array();
+            let (joints, weights) = self.of_trunk(corners, shares);
+            let carrier = TapePoint {
+                bind_position: Vec3::ZERO,
+                outward: Vec3::Y,
+                joints,
+                weights,
+            };
+            Some(self.carried_to(carrier, place))
+        });
+        carried.map(|carried| carried.map(Some)).collect()
+    }
+
+    /// The four bones that carry a point of a triangle of the skin most, and their shares.
+    fn of_trunk(&self, corners: [u32; 3], shares: [f32; 3]) -> ([u16; 4], [f32; 4]) {
+        let skin = &self.dancer.skin;
+        let mut sums = [0.0_f32; Bone::ALL.len()];
+        for (corner, share) in corners.into_iter().zip(shares) {
+            let corner = corner as usize;
+            for (joint, weight) in skin.joints[corner].into_iter().zip(skin.weights[corner]) {
+                let bone = Bone::ALL[usize::from(joint)];
+                let bone = if is_of_leg(bone) { Bone::Hips } else { bone };
+                sums[bone.index()] += share * weight;
+            }
+        }
+        let mut order: Vec<usize> = (0..sums.len()).collect();
+        order.sort_by(|&a, &b| sums[b].total_cmp(&sums[a]));
+        let most = [0, 1, 2, 3].map(|place| order[place]);
+        let total: f32 = most.iter().map(|&bone| sums[bone]).sum();
+        let joints = most.map(|bone| u16::try_from(bone).unwrap_or(0));
+        (joints, most.map(|bone| sums[bone] / total.max(1.0e-6)))
     }
 
     /// The same where they come to lie so far over it: what carries them, and where they are then [m].
@@ -176,12 +225,7 @@ impl<'a> Form<'a> {
         let skin = &self.dancer.skin;
         let (mut positions, mut normals) = (Vec::new(), Vec::new());
         skin.pose(&self.world_from_bind, &mut positions, &mut normals);
-        let mut triangles = skin.body_triangles();
-        let is_of_trunk = |corner: &u32| {
-            let bone = Bone::ALL[usize::from(skin.joints[*corner as usize][0])];
-            !is_of_arm(bone)
-        };
-        triangles.retain(|corners| corners.iter().all(is_of_trunk));
+        let triangles = self.trunk_triangles();
         let places = places.iter().copied();
         let carriers = MeshSurfels::nearest_to(places, (&positions, &triangles), REACH)?;
         let mut surfels = Vec::new();
@@ -189,14 +233,34 @@ impl<'a> Form<'a> {
         Some((carriers, surfels))
     }
 
-    /// Moves places out of the skin until they keep `gap` [m] from it.
-    pub(super) fn push_out(&self, places: &mut [Vec3], gap: f32) {
+    /// Triangles of the skin without the arms'.
+    fn trunk_triangles(&self) -> Vec<[u32; 3]> {
+        let skin = &self.dancer.skin;
+        let mut triangles = skin.body_triangles();
+        let is_of_trunk = |corner: &u32| {
+            let bone = Bone::ALL[usize::from(skin.joints[*corner as usize][0])];
+            !is_of_arm(bone)
+        };
+        triangles.retain(|corners| corners.iter().all(is_of_trunk));
+        triangles
+    }
+
+    /// Moves places out of the skin until each keeps its `gap` [m] from it.
+    pub(super) fn push_out(&self, places: &mut [Vec3], gap: impl Fn(usize) -> f32) {
+        self.push_out_some(places, |particle| Some(gap(particle)));
+    }
+
+    /// The same of those that have a gap.
+    pub(super) fn push_out_some(&self, places: &mut [Vec3], gap: impl Fn(usize) -> Option<f32>) {
         let skin = &self.dancer.skin;
         let (mut positions, mut normals) = (Vec::new(), Vec::new());
         skin.pose(&self.world_from_bind, &mut positions, &mut normals);
         let triangles = skin.body_triangles();
         let grid = TriangleGrid::new(&positions, &triangles, CELL);
-        for place in places {
+        for (particle, place) in places.iter_mut().enumerate() {
+            let Some(gap) = gap(particle) else {
+                continue;
+            };
             let Some(nearest) = grid.nearest(*place, REACH) else {
                 continue;
             };
@@ -272,4 +336,10 @@ impl Tape {
 fn is_of_arm(bone: Bone) -> bool {
     let is_upper_arm = |bone| matches!(bone, Bone::LeftUpperArm | Bone::RightUpperArm);
     bone.lineage().any(is_upper_arm)
+}
+
+/// Whether a bone is a leg's.
+fn is_of_leg(bone: Bone) -> bool {
+    let is_upper_leg = |bone| matches!(bone, Bone::LeftUpperLeg | Bone::RightUpperLeg);
+    bone.lineage().any(is_upper_leg)
 }

@@ -19,7 +19,7 @@ use super::bodice::{Bodice, Part, mirrored, narrow};
 use super::flat::{self, FlatMesh};
 use super::form::Form;
 use super::panel::{self, Panels};
-use super::wrap::{Cloth, Wrap};
+use super::wrap::{Carrier, Cloth, Wrap};
 use super::{Division, DressError, Pins, fit};
 
 /// How one template is worn.
@@ -74,6 +74,8 @@ pub(super) struct Laid {
     pub(super) places: Vec<Vec3>,
     /// By panel, whether its drawn side looks away from her.
     pub(super) facing: Vec<bool>,
+    /// By panel, the piece of the pattern that it is cut as.
+    pub(super) pieces: Vec<usize>,
     /// By panel, whether it covers an arm.
     pub(super) is_on_arm: Vec<bool>,
     /// Lengths of elastic in the mesh's lines [m].
@@ -136,7 +138,8 @@ pub(super) fn lay(
         Way::Fitted(_) => {
             let bodice = Bodice::new(&pattern, parts.clone(), measures);
             let bodice = bodice.ok_or(DressError::NotWorn { template })?;
-            places(&panels, &mesh, &form, |piece, point| {
+            let gaps = vec![fit::START_GAP; mesh.flat.len()];
+            places(&panels, (&mesh, &gaps), &form, |piece, point| {
                 bodice.place(&form, piece, point)
             })
         }
@@ -149,9 +152,7 @@ pub(super) fn lay(
             for (pin, &point) in pinned.iter_mut().zip(&mesh.in_piece) {
                 *pin = (wrap.is_pinned)(&cloth, point, spacing);
             }
-            places(&panels, &mesh, &form, |_, point| {
-                (wrap.place)(&cloth, point)
-            })
+            wrapped((wrap, &cloth), (&panels, &mesh, &pinned), &form)
         }
     };
     let places = places.ok_or_else(no_trunk)?;
@@ -159,10 +160,7 @@ pub(super) fn lay(
         .filter(|(_, pinned)| **pinned)
         .map(|(place, _)| *place)
         .collect();
-    let mut pins = form.carry(&held).ok_or_else(no_trunk)?;
-    if matches!(&worn.way, Way::Wrapped(wrap) if wrap.is_tied) {
-        pins.tied = held.iter().map(|&place| form.tied(place)).collect();
-    }
+    let pins = carry(&worn.way, &form, &held).ok_or_else(no_trunk)?;
     let facing = (0..panels.panels.len()).map(|panel| faces_out(panel, &mesh, &places, &form));
     let facing = facing.collect();
     let is_on_arm = panels
@@ -176,12 +174,55 @@ pub(super) fn lay(
         mesh,
         places,
         facing,
+        pieces: panels.panels.iter().map(|panel| panel.piece).collect(),
         is_on_arm,
         elastics,
         pinned,
         pins,
         pattern,
     })
+}
+
+/// What carries places that are pinned.
+fn carry(way: &Way, form: &Form<'_>, held: &[Vec3]) -> Option<Pins> {
+    let mut pins = form.carry(held)?;
+    if let Way::Wrapped(wrap) = way {
+        match wrap.carrier {
+            Carrier::Skin => {}
+            Carrier::Tape => pins.tied = held.iter().map(|&place| form.tied(place)).collect(),
+            Carrier::Girded => pins.tied = form.girded(held)?,
+        }
+    }
+    Some(pins)
+}
+
+/// Places of all particles of one cloth that is wrapped.
+fn wrapped(
+    (wrap, cloth): (&Wrap, &Cloth<'_>),
+    (panels, mesh, pinned): (&Panels, &FlatMesh, &[bool]),
+    form: &Form<'_>,
+) -> Option<Vec<Vec3>> {
+    let gaps = mesh.in_piece.iter();
+    let gaps: Vec<f32> = gaps.map(|&point| (wrap.gap)(cloth, point)).collect();
+    let rule = |point: DVec2| (wrap.place)(cloth, point);
+    let mut laid = places(panels, (mesh, &gaps), form, |_, point| rule(point))?;
+    if wrap.carrier == Carrier::Girded {
+        lay_as_girded(&mut laid, (mesh, pinned), rule);
+    }
+    Some(laid)
+}
+
+/// Puts what is pinned back to where its rule laid it: moved out of the skin one by one, the layers of what
+/// is girded would go through each other.
+fn lay_as_girded(
+    places: &mut [Vec3],
+    (mesh, pinned): (&FlatMesh, &[bool]),
+    rule: impl Fn(DVec2) -> Option<Vec3>,
+) {
+    let all = places.iter_mut().zip(&mesh.in_piece).zip(pinned);
+    for ((place, &point), _) in all.filter(|(_, pinned)| **pinned) {
+        *place = rule(point).unwrap_or(*place);
+    }
 }
 
 /// Edges of triangles [m] that divide the pieces that are worn into so many particles.
@@ -201,7 +242,7 @@ const LOWEST_TAPE: f32 = 0.03;
 /// Places of all particles.
 fn places(
     panels: &Panels,
-    mesh: &FlatMesh,
+    (mesh, gaps): (&FlatMesh, &[f32]),
     form: &Form<'_>,
     place: impl Fn(usize, DVec2) -> Option<Vec3>,
 ) -> Option<Vec<Vec3>> {
@@ -218,7 +259,7 @@ fn places(
             }
         })
         .collect::<Option<_>>()?;
-    fit::close_seams(mesh, form, &mut places);
+    fit::close_seams((mesh, gaps), form, &mut places);
     Some(places)
 }
 

@@ -1,5 +1,7 @@
 //! One cloth that is wrapped and tied: rules that say where its points lie.
 
+use std::cell::OnceCell;
+
 use glam::{DVec2, Vec3};
 use lole_pattern::{Measures, Pattern};
 
@@ -10,13 +12,27 @@ use super::form::Form;
 pub(super) struct Wrap {
     /// Where a point of the cloth lies before it comes to rest [m].
     pub(super) place: fn(&Cloth<'_>, DVec2) -> Option<Vec3>,
+    /// How far from the skin a point lies at least [m]: more, the more cloth there is below it.
+    pub(super) gap: fn(&Cloth<'_>, DVec2) -> f32,
     /// Points of the cloth that are knotted to each other.
     pub(super) knots: fn(&Cloth<'_>) -> Vec<[DVec2; 2]>,
     /// Whether a point is tied or tucked so firmly that it goes with the skin; the last number is the
     /// distance of particles [m].
     pub(super) is_pinned: fn(&Cloth<'_>, DVec2, f64) -> bool,
-    /// Whether what is pinned goes around the trunk, below the arms.
-    pub(super) is_tied: bool,
+    /// What that goes with.
+    pub(super) carrier: Carrier,
+}
+
+/// What carries the pinned part of a cloth.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Carrier {
+    /// The skin below it.
+    Skin,
+    /// The trunk as a tape around it, below the arms.
+    Tape,
+    /// The trunk as it is girded: layers keep as they were laid over each other, between legs that go their
+    /// own way too.
+    Girded,
 }
 
 /// A rectangle and whom it is wrapped around. `x` runs along it from 0, `y` up from 0.
@@ -25,6 +41,8 @@ pub(super) struct Cloth<'a> {
     pub(super) measures: &'a Measures,
     /// Length and height [m].
     pub(super) size: DVec2,
+    /// A way that its rule has looked for once [m].
+    pub(super) way: OnceCell<Option<Vec<Vec3>>>,
 }
 
 impl<'a> Cloth<'a> {
@@ -41,6 +59,7 @@ impl<'a> Cloth<'a> {
             form,
             measures,
             size,
+            way: OnceCell::new(),
         }
     }
 

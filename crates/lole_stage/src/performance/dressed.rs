@@ -6,7 +6,7 @@
 use glam::{Affine3A, Vec3};
 use lole_cloth::collision::layer::{Envelope, Trunk};
 use lole_costume::document::GarmentLayer;
-use lole_costume::dress::{DressedState, World};
+use lole_costume::dress::{Body, DressedState, Layers, World};
 use lole_geom::Surfel;
 
 use super::order::{self, GAP};
@@ -190,6 +190,29 @@ impl Performance {
     #[must_use]
     pub fn measure_dressed(&self, place: usize) -> (StrainSummary, SkinCheck) {
         self.dressed[place].measure(&self.production.dressed[place], self.body_surface())
+    }
+
+    /// Which cloth of a dressed garment lies outside where it covers itself, in the current frame; call
+    /// [`Self::pose_body`] first.
+    #[must_use]
+    pub fn dressed_layers(&self, place: usize) -> Layers {
+        let garment = &self.production.dressed[place].dressed;
+        Layers::new(garment, self.dressed_positions(place), self.layered_body())
+    }
+
+    /// Places of a dressed garment whose `layers` have changed sides; call [`Self::pose_body`] first.
+    #[must_use]
+    pub fn dressed_inversions(&self, place: usize, layers: &Layers) -> usize {
+        let garment = &self.production.dressed[place].dressed;
+        layers.inversions(garment, self.dressed_positions(place), self.layered_body())
+    }
+
+    fn layered_body(&self) -> Body<'_> {
+        Body {
+            positions: &self.body_positions,
+            normals: &self.body_normals,
+            triangles: &self.production.body_triangles,
+        }
     }
 
     /// Vertices of the drawn body that lie outside a dressed garment which should cover them, as

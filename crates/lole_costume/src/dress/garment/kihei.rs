@@ -6,15 +6,17 @@ use lole_geom::trig;
 
 use super::{Way, Worn};
 use crate::dress::bodice::narrow;
-use crate::dress::wrap::{Cloth, Wrap};
+use crate::dress::fit;
+use crate::dress::wrap::{Carrier, Cloth, Wrap};
 
 pub(super) const WORN: Worn = Worn {
     template: "kihei",
     way: Way::Wrapped(Wrap {
         place,
+        gap: |_, _| fit::START_GAP,
         knots,
         is_pinned,
-        is_tied: false,
+        carrier: Carrier::Skin,
     }),
     particle_count: 3500.0,
     chest_room_deg: 14.0,

@@ -6,15 +6,16 @@ use glam::{DVec2, Vec3};
 use super::{Way, Worn};
 use crate::dress::bodice::{folds, narrow};
 use crate::dress::form::Face;
-use crate::dress::wrap::{Cloth, Wrap, along};
+use crate::dress::wrap::{Carrier, Cloth, Wrap, along};
 
 pub(super) const WORN: Worn = Worn {
     template: "kikepa",
     way: Way::Wrapped(Wrap {
         place,
+        gap,
         knots: |_| Vec::new(),
         is_pinned,
-        is_tied: true,
+        carrier: Carrier::Tape,
     }),
     particle_count: 4000.0,
     chest_room_deg: 14.0,
@@ -76,6 +77,13 @@ fn length(way: &[Vec3]) -> f32 {
 
 fn gap_of(turn: f32) -> f32 {
     GAP + TURN_GAP * (2.0 - turn)
+}
+
+/// The turns keep their order where an arm lets them no farther out than the skin.
+fn gap(cloth: &Cloth<'_>, point: DVec2) -> f32 {
+    let wrapped = Wrapped::new(cloth);
+    let turn = wrapped.map_or(0.5, |wrapped| wrapped.turn_of(point.x).max(0.5));
+    gap_of(turn)
 }
 
 /// What is tucked in: the upper edge, and the corner in the knot.

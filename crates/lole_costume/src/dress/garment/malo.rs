@@ -9,16 +9,18 @@ use glam::{DVec2, Vec3};
 
 use super::{Way, Worn};
 use crate::dress::bodice::narrow;
+use crate::dress::fit;
 use crate::dress::form::Face;
-use crate::dress::wrap::{Cloth, Wrap, along};
+use crate::dress::wrap::{Carrier, Cloth, Wrap, along};
 
 pub(super) const WORN: Worn = Worn {
     template: "malo",
     way: Way::Wrapped(Wrap {
         place,
+        gap: |_, _| fit::START_GAP,
         knots: |_| Vec::new(),
         is_pinned,
-        is_tied: false,
+        carrier: Carrier::Girded,
     }),
     particle_count: 3000.0,
     chest_room_deg: 0.0,
@@ -35,9 +37,18 @@ const LAYER: f32 = 0.005;
 const FLAP: f32 = 0.034;
 /// A flap goes over the upper edge of the band this far above it [m]: farther than particles are apart.
 const OVER_EDGE: f32 = 0.022;
+/// Between the legs it is bunched to this share of its width in the band, and spreads to that within so much
+/// above the crotch [m].
+const BUNCHED: f32 = 0.2;
+const SPREADS: f32 = 0.12;
+/// It goes under the trunk from so far above the crotch on, so far from the skin [m].
+const BEGINS: f32 = 0.05;
+const UNDER_GAP: f32 = 0.010;
 /// Up to so far above the crotch the strip between the legs is flat, and as far again it comes to lie around
 /// the trunk [m].
 const FLAT: f32 = 0.08;
+/// Half of the strip's length that the turn of a fold takes [m]: about a triangle.
+const ROUND: f32 = 0.026;
 /// Cloth of a flap nearer to the band than this is still held by it [m].
 const HELD: f64 = 0.09;
 
@@ -47,6 +58,11 @@ fn stops(cloth: &Cloth<'_>) -> [f64; 3] {
     let crotch = cloth.measures.crotch_length.to_m();
     let flap = (0.5 * (cloth.size.x - crotch - TURNS * waist)).max(0.05);
     [flap, flap + crotch, cloth.size.x - flap]
+}
+
+/// Before so much of a fold's middle the strip lies as if there were none [m].
+fn before_fold(cloth: &Cloth<'_>) -> f32 {
+    -0.5 * BAND * narrow(cloth.size.y) - 2.0 * ROUND
 }
 
 fn is_pinned(cloth: &Cloth<'_>, point: DVec2, _: f64) -> bool {
@@ -67,25 +83,61 @@ fn place(cloth: &Cloth<'_>, point: DVec2) -> Option<Vec3> {
     // Up the back it lies so far to her left, and around the waist so far above the middle of the band.
     let aside = -across * BAND;
     let [past_crotch, past_back] = [crotch, back].map(|stop| narrow(point.x - stop));
-    if past_crotch < aside {
-        if 0.0 < past_crotch {
-            return on_trunk(cloth, Face::Back, [waist + past_crotch, aside], GAP);
-        }
-        let share = narrow((point.x - front) / (crotch - front));
+    if past_crotch < before_fold(cloth) {
+        let end = crotch + f64::from(before_fold(cloth));
+        let share = narrow((point.x - front) / (end - front));
         return Some(along(&between_legs(cloth, waist, aside)?, share));
     }
-    if past_back < aside {
-        let turned = narrow((point.x - crotch) / (back - crotch) * TURNS);
-        let (place, outward) = cloth.form.around_trunk(waist + aside, turned)?;
-        return Some(place + outward * (GAP + LAYER * (1.0 + turned)));
+    let turn = (back - crotch) / TURNS;
+    let turned = |past: f32| past / narrow(turn);
+    let layer = |turned: f32| GAP + LAYER * (1.0 + turned);
+    let around = |up: f32, turned: f32, gap: f32| {
+        let (place, outward) = cloth.form.around_trunk(waist + up, turned)?;
+        Some(place + outward * gap)
+    };
+    // Folded aslant it goes on as far around as it went up, and at the end as far up as around.
+    if past_back < before_fold(cloth) {
+        let fold = Fold::new(past_crotch, aside);
+        let gap = GAP + (layer(turned(past_crotch)) - GAP) * fold.beyond;
+        return around(fold.least, turned(fold.most), gap);
     }
+    let outermost = layer(narrow(TURNS) + 1.0);
     let top = edge + OVER_EDGE;
     let down = past_back - (top - waist);
     if down < 0.0 {
-        let outermost = GAP + LAYER * narrow(TURNS + 2.0);
-        return on_trunk(cloth, Face::Back, [waist + past_back, aside], outermost);
+        let fold = Fold::new(past_back, aside);
+        let below = layer(narrow(TURNS) + turned(past_back));
+        let gap = below + (outermost - below) * fold.beyond;
+        return around(fold.most, turned(fold.least), gap);
     }
     hanging(cloth, Face::Back, [top, top - down], [down, -across])
+}
+
+/// A strip folded along a line at 45° to it: of its length and its width, what was the one is the other
+/// beyond the fold, which is as round as its triangles can follow.
+struct Fold {
+    /// The lesser and the larger of both [m].
+    least: f32,
+    most: f32,
+    /// 0 before the fold, 1 beyond it.
+    beyond: f32,
+}
+
+impl Fold {
+    fn new(along: f32, aside: f32) -> Self {
+        let (middle, off) = (0.5 * (along + aside), 0.5 * (along - aside));
+        let from_fold = if off.abs() < ROUND {
+            0.5 * (off * off / ROUND + ROUND)
+        } else {
+            off.abs()
+        };
+        let share = (0.5 + 0.5 * off / ROUND).clamp(0.0, 1.0);
+        Self {
+            least: middle - from_fold,
+            most: middle + from_fold,
+            beyond: share * share * (3.0 - 2.0 * share),
+        }
+    }
 }
 
 /// A flap in front or at the back, hanging from the band: at a height, below an edge over which it comes [m].
@@ -126,11 +178,36 @@ fn on_trunk(cloth: &Cloth<'_>, face: Face, [height, aside]: [f32; 2], gap: f32) 
     Some(place + outward * gap)
 }
 
-/// Down the front, between the legs and up the back, so far to her left of the middle [m].
+/// Under the trunk in its middle, from the front to the back, over the skin [m].
+fn below_trunk(cloth: &Cloth<'_>) -> Option<Vec<Vec3>> {
+    let crotch = cloth.form.dancer.landmarks.crotch_height;
+    let end = |face: Face| {
+        let place = on_trunk(cloth, face, [crotch + BEGINS, 0.0], GAP)?;
+        Some(place.with_x(0.0))
+    };
+    let [front, back] = [end(Face::Front)?, end(Face::Back)?];
+    let lowest = front.midpoint(back).with_y(crotch - GAP);
+    let steps = 6_u8;
+    let shares = (1..steps).map(|step| f32::from(step) / f32::from(steps));
+    let down = shares.clone().map(|share| front.lerp(lowest, share));
+    let up = shares.map(|share| lowest.lerp(back, share));
+    let mut way: Vec<Vec3> = down.chain([lowest]).chain(up).collect();
+    cloth.form.push_out(&mut way, |_| UNDER_GAP);
+    Some(way.into_iter().map(|place| place.with_x(0.0)).collect())
+}
+
+/// Down the front, between the legs and up the back as far as nothing is folded, so far to her left of the middle [m].
 fn between_legs(cloth: &Cloth<'_>, waist: f32, aside: f32) -> Option<Vec<Vec3>> {
     // On the trunk it lies around it, below the band; between the legs it is flat.
     let crotch = cloth.form.dancer.landmarks.crotch_height;
+    let end = waist + before_fold(cloth);
+    let spreads = SPREADS.min(end - crotch);
+    let bunched = |height: f32| {
+        let spread = ((height - crotch) / spreads).clamp(0.0, 1.0);
+        aside * (BUNCHED + (1.0 - BUNCHED) * spread * spread * (3.0 - 2.0 * spread))
+    };
     let on = |height: f32, face: Face| {
+        let aside = bunched(height);
         let around = on_trunk(cloth, face, [height, aside], GAP)?;
         let flat = on_trunk(cloth, face, [height, 0.0], GAP)?.with_x(aside);
         let share = ((height - crotch - FLAT) / FLAT).clamp(0.0, 1.0);
@@ -138,22 +215,23 @@ fn between_legs(cloth: &Cloth<'_>, waist: f32, aside: f32) -> Option<Vec<Vec3>> 
     };
     let mut way = Vec::new();
     let steps = 10_u8;
-    let heights = (0..=steps).map(|step| {
-        let share = f32::from(step) / f32::from(steps);
-        waist + (crotch + 0.05 - waist) * share
-    });
+    let down_from = |top: f32| {
+        (0..=steps).map(move |step| {
+            let share = f32::from(step) / f32::from(steps);
+            top + (crotch + BEGINS - top) * share
+        })
+    };
     // The flap in front comes over the upper edge of the band.
     let edge = waist + 0.5 * BAND * narrow(cloth.size.y) + OVER_EDGE;
-    for height in std::iter::once(edge).chain(heights.clone()) {
+    for height in std::iter::once(edge).chain(down_from(waist)) {
         way.push(on(height, Face::Front)?);
     }
-    let middle = way.last().map_or(0.0, |place| place.z);
+    let below = cloth.way.get_or_init(|| below_trunk(cloth)).as_ref()?;
+    way.extend(below.iter().map(|place| place.with_x(bunched(place.y))));
     let mut back = Vec::new();
-    for height in heights {
+    for height in down_from(end) {
         back.push(on(height, Face::Back)?);
     }
-    let behind = back.last().map_or(0.0, |place| place.z);
-    way.push(Vec3::new(aside, crotch - GAP, 0.5 * (middle + behind)));
     way.extend(back.into_iter().rev());
     Some(way)
 }
