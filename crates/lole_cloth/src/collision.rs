@@ -3,6 +3,8 @@
 pub(crate) mod capsule;
 pub(crate) mod cloth_cloth;
 pub(crate) mod crossing;
+pub(crate) mod drift;
+pub(crate) mod exact;
 pub(crate) mod face_contact;
 pub(crate) mod grid;
 pub(crate) mod guards;

@@ -3,8 +3,6 @@
 mod crossings;
 mod layers;
 
-#[cfg(test)]
-pub(crate) use crossings::goes_through;
 pub use crossings::self_crossings;
 pub use crossings::{crossing_count, crossings};
 pub use layers::layer_inversions;

@@ -10,6 +10,7 @@ use fearless_simd::{Simd, dispatch, f32x16, prelude::*};
 use glam::Vec3;
 use rayon::prelude::*;
 
+use crate::collision::exact::goes_through;
 use crate::collision::grid::each_hit;
 use crate::collision::patch_tree::{PatchTree, Search};
 use crate::collision::surface::{PATCH_EDGES, PATCH_TRIANGLES, Surface};
@@ -26,8 +27,8 @@ const SURELY_FLAT_COSINE: f32 = 0.7;
 /// Quadrants of a full turn, and a little more for rounding.
 const FULL_TURN: f32 = 4.0001;
 
-/// What lies nearer than this to a triangle [m] crosses it: ten times what rounding hides at 2 m from the
-/// origin, so that whatever is found uncrossed is so, however it is reckoned.
+/// What lies nearer than this to a triangle [m] may cross it, and is asked exactly: ten times what rounding
+/// hides at 2 m from the origin.
 const TOUCHING_REACH: f32 = 1.0e-6;
 
 /// Pairs that one thread looks at in one go.
@@ -437,6 +438,7 @@ fn cross(
                 let ends = PATCH_EDGES[edge];
                 let segment = ends.map(|corner| corners[side][corner]);
                 let weights = weights_on_line(segment, places);
+                let weights = weights.filter(|_| goes_through(segment, places));
                 crossings.extend(weights.map(|weights| Crossing {
                     ends: ends.map(|corner| cut.corners[corner]),
                     along: plane.share(segment),
@@ -603,7 +605,7 @@ mod tests {
     use lole_geom::triangle_grid::blend;
 
     use super::*;
-    use crate::diagnose::goes_through;
+    use crate::collision::exact::goes_through;
     use crate::{Grid, Topology, diagnose};
 
     /// A tube that is crumpled at random, more and more, with some cells far larger than others.

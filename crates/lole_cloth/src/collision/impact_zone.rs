@@ -73,50 +73,69 @@ impl ImpactZones {
         self.places.resize(particle_count as usize, 0);
     }
 
-    /// Joins what crosses, with the zones in which it is already, and holds it back further. New members
-    /// would go to where they are at `positions` [m].
-    pub(crate) fn join(&mut self, crossing: &Crossing, positions: &[Vec3]) {
+    /// Holds what crosses back further, and joins it where all of it is held fast already. New members would
+    /// go to where they are at `positions` [m].
+    pub(crate) fn hold(&mut self, crossing: &Crossing, surface: &Surface, positions: &[Vec3]) {
         let [start, end] = crossing.ends;
         let [a, b, c] = crossing.corners;
-        for particle in [start, end, a, b, c] {
-            self.join_pair(start, particle, positions);
-            let place = self.places[particle as usize] as usize - 1;
-            self.held[place].1 = self.held[place].1.saturating_add(1);
+        let particles = [start, end, a, b, c];
+        let mut is_fast = true;
+        for particle in particles {
+            let place = self.take_up(particle, positions);
+            let halvings = &mut self.held[place].1;
+            is_fast &= self.most_halvings < *halvings;
+            *halvings = halvings.saturating_add(1);
+            let around = (*halvings).min(self.most_halvings + 1) - 1;
+            if 0 < around {
+                for corner in surface.ring(particle) {
+                    let place = self.take_up(corner, positions);
+                    self.held[place].1 = self.held[place].1.max(around);
+                }
+            }
+        }
+        if is_fast {
+            for particle in particles {
+                self.join(start, particle);
+            }
         }
     }
 
-    fn join_pair(&mut self, one: u32, other: u32, positions: &[Vec3]) {
-        for particle in [one, other] {
-            let place = &mut self.places[particle as usize];
-            if *place == 0 {
-                self.members.push(particle);
-                self.held.push((positions[particle as usize], 0));
-                *place = narrow(self.held.len());
-            }
+    /// Its place among the members; a new one would go to where it is at `positions` [m].
+    fn take_up(&mut self, particle: u32, positions: &[Vec3]) -> usize {
+        let place = &mut self.places[particle as usize];
+        if *place == 0 {
+            self.members.push(particle);
+            self.held.push((positions[particle as usize], 0));
+            *place = narrow(self.held.len());
         }
+        *place as usize - 1
+    }
+
+    fn join(&mut self, one: u32, other: u32) {
         let [one, other] = [one, other].map(|particle| first_of(&mut self.parents, particle));
         self.parents[one.max(other) as usize] = one.min(other);
     }
 
-    /// Joins what lies around the zones to them: each grows by a ring of patches, and is held fast.
+    /// Takes up what lies around the members, a ring of patches, and holds all fast.
     pub(crate) fn grow(&mut self, surface: &Surface, positions: &[Vec3]) {
         let members = self.grown..self.members.len();
         self.grown = members.end;
         for place in members {
             let member = self.members[place];
             for corner in surface.ring(member) {
-                self.join_pair(member, corner, positions);
+                self.take_up(corner, positions);
             }
         }
         for held in &mut self.held {
-            held.1 = HALVINGS + 1;
+            held.1 = held.1.max(HALVINGS + 1);
         }
     }
 
     /// Makes one zone of everything, in which each goes its way halved so often: slower, but not still.
     pub(crate) fn join_all(&mut self, positions: &[Vec3], halvings: u32) {
         for particle in 0..narrow(positions.len()) {
-            self.join_pair(0, particle, positions);
+            self.take_up(particle, positions);
+            self.join(0, particle);
         }
         self.most_halvings = MOST_HALVINGS;
         let halvings = u8::try_from(halvings).unwrap_or(u8::MAX);
@@ -131,13 +150,13 @@ impl ImpactZones {
         is_one && self.held.iter().all(|held| self.most_halvings < held.1)
     }
 
-    /// Moves every zone from `starts` [m] as a rigid body that goes where its particles would go, pinned
-    /// ones above all, and every particle as far from there towards where it would go as it may; pinned
-    /// ones stay where they are but where they yield.
+    /// Moves every zone from `starts` [m] as `motion` moves the space around it, what is joined as a rigid body,
+    /// and every particle as far from there towards where it would go as it may; pinned ones stay where they
+    /// are but where they yield.
     pub(crate) fn carry(
         &mut self,
-        starts: &[Vec3],
-        positions: &mut [Vec3],
+        (starts, positions): (&[Vec3], &mut [Vec3]),
+        motion: impl Fn(Vec3) -> Vec3,
         inv_mass: impl Fn(u32) -> f32,
         pins: Pins,
     ) {
@@ -155,33 +174,18 @@ impl ImpactZones {
         let zones =
             sorted.chunk_by(|&one, &other| parents[one as usize] == parents[other as usize]);
         for zone in zones {
-            let mass = |member: u32| {
-                let inv_mass = inv_mass(member);
-                if 0.0 < inv_mass {
-                    1.0 / inv_mass
-                } else {
-                    PINNED_MASS
-                }
+            let start = |member: u32| starts[member as usize];
+            let rigid = match zone {
+                [_] => None,
+                _ => Some(joined(zone, (start, &motion), &inv_mass)),
             };
-            let goal = |member: u32| held[places[member as usize] as usize - 1];
-            let moved = zone
-                .iter()
-                .map(|&member| (mass(member), starts[member as usize], goal(member).0));
-            let farthest = |at: &dyn Fn(u32) -> Vec3| {
-                let ways = zone.iter().map(|&it| starts[it as usize].distance(at(it)));
-                ways.fold(0.0, f32::max)
-            };
-            let mut motion = Rigid::fit(moved);
-            let reach = farthest(&|member| goal(member).0) + LEVER_REACH;
-            if reach < farthest(&|member| motion.apply(starts[member as usize])) {
-                motion = motion.unturned();
-            }
             for &member in zone {
                 if pins == Pins::Stay && inv_mass(member) <= 0.0 {
                     continue;
                 }
-                let (goal, halvings) = goal(member);
-                let base = motion.apply(starts[member as usize]);
+                let (goal, halvings) = held[places[member as usize] as usize - 1];
+                let base =
+                    rigid.map_or_else(|| motion(start(member)), |rigid| rigid.apply(start(member)));
                 positions[member as usize] = if *most_halvings < halvings {
                     base
                 } else {
@@ -189,6 +193,35 @@ impl ImpactZones {
                 };
             }
         }
+    }
+}
+
+/// The rigid motion of a zone that is nearest to how the space around it moves.
+fn joined(
+    zone: &[u32],
+    (start, motion): (impl Fn(u32) -> Vec3, impl Fn(Vec3) -> Vec3),
+    inv_mass: impl Fn(u32) -> f32,
+) -> Rigid {
+    let mass = |member: u32| {
+        let inv_mass = inv_mass(member);
+        if 0.0 < inv_mass {
+            1.0 / inv_mass
+        } else {
+            PINNED_MASS
+        }
+    };
+    let moved = zone
+        .iter()
+        .map(|&member| (mass(member), start(member), motion(start(member))));
+    let farthest = |at: &dyn Fn(Vec3) -> Vec3| {
+        let ways = zone.iter().map(|&it| start(it).distance(at(start(it))));
+        ways.fold(0.0, f32::max)
+    };
+    let rigid = Rigid::fit(moved);
+    if farthest(&motion) + LEVER_REACH < farthest(&|start| rigid.apply(start)) {
+        rigid.unturned()
+    } else {
+        rigid
     }
 }
 

@@ -12,7 +12,9 @@ use std::ops::Range;
 use fearless_simd::{Level, dispatch};
 use glam::Vec3;
 
-use crate::collision::crossing::{Crossing, CrossingFinder, Marked, crossing_point};
+use crate::collision::crossing::{Crossing, CrossingFinder, Marked};
+use crate::collision::drift::Drift;
+use crate::collision::exact::goes_through;
 use crate::collision::guards::Guards;
 use crate::collision::impact_zone::{ImpactZones, Pins};
 use crate::collision::outside::Outside;
@@ -29,14 +31,18 @@ const PARTING_ROUNDS: u8 = 8;
 const ZONE_ROUNDS: u32 = 36;
 
 /// From this round on zones grow, by twice as many rings in every round: the last hold all of the cloth.
-const GROWING_ROUND: u32 = 24;
+const GROWING_ROUND: u32 = 16;
 
 /// After so many rounds of growing, a ring at first and twice as many every time, all of the cloth is one
 /// zone, whether its pieces hang together or not.
 const LARGEST_GROWTH: u32 = 8;
 
+/// So many rounds are taken even when the repair has done as much as it may: a few hundred particles that
+/// are held back cost less than all of the cloth.
+const SPARED_ROUND: u32 = 12;
+
 /// From this round on pins give way too, where what they do cannot be done without a crossing.
-const YIELDING_ROUND: u32 = 4;
+const YIELDING_ROUND: u32 = 1;
 
 /// Pairs that a repair may look at for each patch of the cloth before it comes to an end: it then holds
 /// together what it has not parted.
@@ -84,6 +90,7 @@ pub(crate) struct CrossingRepair {
     positions: Vec<Vec3>,
     separations: Vec<Separation>,
     zones: ImpactZones,
+    drift: Drift,
     /// What was done in this repair beside looking for crossings.
     effort: usize,
     /// Crossings that may be left: none where there were none; `None` where nobody has looked.
@@ -113,6 +120,7 @@ impl CrossingRepair {
             + size_of_val(&self.positions[..])
             + size_of_val(&self.separations[..])
             + self.zones.byte_count()
+            + self.drift.byte_count()
             + size_of_val(&self.moved[..])
             + size_of_val(&self.moved_places[..])
             + size_of_val(&self.before[..])
@@ -216,9 +224,7 @@ impl CrossingRepair {
             }
             let known = self.separations.len();
             self.separate_new(starts);
-            if round < UNTANGLING_ROUNDS {
-                self.draw_out_tangles(fixed, starts);
-            }
+            let draws_out = round < UNTANGLING_ROUNDS && self.draw_out_tangles(fixed, starts);
             if UNTANGLING_ROUNDS <= round && self.separations.len() == known {
                 break;
             }
@@ -230,9 +236,15 @@ impl CrossingRepair {
                 self.leave_body(fixed);
             }
             self.effort += SWEEP_COUNT * self.separations.len();
+            let found = self.finder.crossings.len();
             self.look_again(fixed);
             if self.finder.crossings.is_empty() {
                 return;
+            }
+            let is_slow = 1 <= round && found < 2 * self.finder.crossings.len();
+            if is_slow && !draws_out {
+                // What is pressed from both sides is parted by no number of planes.
+                break;
             }
         }
         self.hold_together(fixed, starts);
@@ -254,6 +266,8 @@ impl CrossingRepair {
         self.zones.clear(narrow(starts.len()));
         let ceiling = self.ceiling_at(fixed, starts);
         self.ceiling = Some(ceiling);
+        let is_pinned = |particle| Self::inv_mass(fixed, particle) <= 0.0;
+        self.drift.fit(starts, &self.positions, is_pinned);
         let mut spent = 0;
         for round in 0..ZONE_ROUNDS {
             if self.finder.crossings.len() <= ceiling {
@@ -261,10 +275,10 @@ impl CrossingRepair {
             }
             for crossing in &self.finder.crossings {
                 if !crossed_at(starts, crossing) {
-                    self.zones.join(crossing, &self.positions);
+                    self.zones.hold(crossing, fixed.surface, &self.positions);
                 }
             }
-            spent += u32::from(self.is_spent(fixed.surface));
+            spent += u32::from(SPARED_ROUND <= round && self.is_spent(fixed.surface));
             let late = round.saturating_sub(GROWING_ROUND).max(spent);
             for _ in 0..(1_u32 << late.min(LARGEST_GROWTH)) >> 1 {
                 if self.zones.members.len() < starts.len() {
@@ -278,14 +292,15 @@ impl CrossingRepair {
                 let slower = (late - LARGEST_GROWTH).saturating_mul(2).saturating_add(2);
                 self.zones.join_all(&self.positions, slower);
             }
-            let inv_mass = |particle| Self::inv_mass(fixed, particle);
-            let positions = &mut self.positions;
             let pins = if YIELDING_ROUND <= round {
                 Pins::Yield
             } else {
                 Pins::Stay
             };
-            self.zones.carry(starts, positions, inv_mass, pins);
+            let inv_mass = |particle| Self::inv_mass(fixed, particle);
+            let (positions, drift) = (&mut self.positions, &self.drift);
+            let motion = |start| drift.apply(start);
+            (self.zones).carry((starts, positions), motion, inv_mass, pins);
             for index in 0..self.zones.members.len() {
                 self.shift(self.zones.members[index], Vec3::ZERO);
             }
@@ -341,14 +356,17 @@ impl CrossingRepair {
         self.separations.extend(new);
     }
 
-    /// Draws out what crossed at the start already.
-    fn draw_out_tangles(&mut self, fixed: Fixed<'_>, starts: &[Vec3]) {
+    /// Draws out what crossed at the start already; whether there is any.
+    fn draw_out_tangles(&mut self, fixed: Fixed<'_>, starts: &[Vec3]) -> bool {
+        let mut any = false;
         for index in 0..self.finder.crossings.len() {
             let crossing = self.finder.crossings[index];
             if crossed_at(starts, &crossing) {
                 self.draw_out(fixed, &crossing);
+                any = true;
             }
         }
+        any
     }
 
     /// Inverse mass [1/kg]; 0 of what stays where it is.
@@ -439,8 +457,11 @@ impl CrossingRepair {
     }
 
     /// Brings out of the body what the repair has left in it, with what lies on it, as far as
-    /// nothing comes to cross by that.
+    /// nothing comes to cross by that: nothing does where cloth is pressed so that it was held back.
     fn leave_body_at_last(&mut self, fixed: Fixed<'_>, starts: &[Vec3]) {
+        if !self.held_back.is_empty() {
+            return;
+        }
         let known = self.finder.crossings.len();
         let moved = self
             .moved
@@ -573,7 +594,7 @@ fn outside_body(fixed: Fixed<'_>, particle: u32, position: Vec3) -> Vec3 {
 fn crossed_at(starts: &[Vec3], crossing: &Crossing) -> bool {
     let segment = crossing.ends.map(|end| starts[end as usize]);
     let triangle = crossing.corners.map(|corner| starts[corner as usize]);
-    crossing_point(segment, triangle).is_some()
+    goes_through(segment, triangle)
 }
 
 /// Unit vector along which the edge must move against the triangle for the contour of the

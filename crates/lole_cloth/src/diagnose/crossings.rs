@@ -1,12 +1,11 @@
-//! Where the cloth has gone through itself, exactly: by predicates that share nothing with the engine and
-//! that no rounding touches (Shewchuk 1997, "Adaptive Precision Floating-Point Arithmetic and Fast Robust
-//! Geometric Predicates").
+//! Where the cloth has gone through itself, exactly: by predicates that no rounding touches and a search that
+//! is not the engine's.
 
 use glam::Vec3;
 use lole_geom::triangle_grid::TriangleGrid;
-use robust::{Coord3D, orient3d};
 
 use crate::Grid;
+use crate::collision::exact::goes_through;
 use crate::lanes::narrow;
 
 /// Cells of the search over the longer side of a cell of the cloth.
@@ -67,23 +66,6 @@ pub fn crossings(
         );
     }
     Some(pairs)
-}
-
-/// Whether a segment goes through the inside of a triangle; what touches it does not.
-pub(crate) fn goes_through([start, end]: [Vec3; 2], [a, b, c]: [Vec3; 3]) -> bool {
-    let side = |[a, b, c]: [Vec3; 3], at: Vec3| {
-        let [a, b, c, at] = [a, b, c, at].map(|place| {
-            let [x, y, z] = place.to_array().map(f64::from);
-            Coord3D { x, y, z }
-        });
-        orient3d(a, b, c, at)
-    };
-    let ends = [start, end].map(|end| side([a, b, c], end));
-    if 0.0 <= ends[0] * ends[1].signum() {
-        return false;
-    }
-    let around = [[a, b], [b, c], [c, a]].map(|[from, to]| side([from, to, start], end));
-    around.iter().all(|&it| 0.0 < it) || around.iter().all(|&it| it < 0.0)
 }
 
 fn for_each_edge(grid: &Grid, mut edge: impl FnMut([u32; 2])) {
