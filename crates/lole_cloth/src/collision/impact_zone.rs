@@ -3,6 +3,8 @@
 //! Provot 1997, "Collision and self-collision handling in cloth model dedicated to design
 //! garments": a zone has the shape in which it began the step, which did not cross.
 
+use std::collections::VecDeque;
+
 use glam::{DQuat, DVec3, Quat, Vec3};
 use lole_geom::trig64;
 
@@ -21,6 +23,30 @@ const MOST_HALVINGS: u8 = 8;
 
 /// Farthest that a zone carries a particle beyond the way of the one that would go farthest [m].
 const LEVER_REACH: f32 = 0.03;
+
+/// How much farther from where the space around it brings it a particle may go than its neighbors that are held
+/// back, as a share of the cloth between: the strain that holding back may add.
+const SLOPE: f32 = 0.2;
+
+/// What is held back of a particle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Held {
+    /// Where it would go, and where the space around it brings it [m].
+    goal: Vec3,
+    base: Vec3,
+    /// How often its way from there to its goal was halved, and how far it goes of it at most [m].
+    halvings: u8,
+    reach: f32,
+}
+
+/// Where everything was, would go, and is brought by the space around it.
+pub(crate) struct Ways<'a, M: Fn(Vec3) -> Vec3> {
+    /// At the start of the step [m].
+    pub(crate) starts: &'a [Vec3],
+    /// At its end, if nothing is held back [m].
+    pub(crate) goals: &'a [Vec3],
+    pub(crate) motion: M,
+}
 
 /// Whether what is pinned is held back too.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -44,21 +70,23 @@ pub(crate) struct ImpactZones {
     sorted: Vec<u32>,
     /// By particle, its place among those that were taken up, counted from 1; 0 of others.
     places: Vec<u32>,
-    /// In the order in which they were taken up: where they would go [m], and how often their way was
-    /// halved.
-    held: Vec<(Vec3, u8)>,
+    /// In the order in which they were taken up.
+    held: Vec<Held>,
+    /// Room for particles whose neighbors are to be looked at.
+    waiting: VecDeque<u32>,
     /// How often a way is halved at most.
     most_halvings: u8,
 }
 
 impl ImpactZones {
     /// Memory that it holds [byte].
-    pub(crate) const fn byte_count(&self) -> usize {
+    pub(crate) fn byte_count(&self) -> usize {
         size_of_val(self.parents.as_slice())
             + size_of_val(self.members.as_slice())
             + size_of_val(self.sorted.as_slice())
             + size_of_val(self.places.as_slice())
             + size_of_val(self.held.as_slice())
+            + self.waiting.capacity() * size_of::<u32>()
     }
 
     /// Lets every one of so many particles move by itself.
@@ -73,25 +101,24 @@ impl ImpactZones {
         self.places.resize(particle_count as usize, 0);
     }
 
-    /// Holds what crosses back further, and joins it where all of it is held fast already. New members would
-    /// go to where they are at `positions` [m].
-    pub(crate) fn hold(&mut self, crossing: &Crossing, surface: &Surface, positions: &[Vec3]) {
+    /// Holds what crosses back further, and joins it where all of it is held fast already.
+    pub(crate) fn hold<M: Fn(Vec3) -> Vec3>(&mut self, crossing: &Crossing, ways: &Ways<'_, M>) {
         let [start, end] = crossing.ends;
         let [a, b, c] = crossing.corners;
         let particles = [start, end, a, b, c];
         let mut is_fast = true;
         for particle in particles {
-            let place = self.take_up(particle, positions);
-            let halvings = &mut self.held[place].1;
-            is_fast &= self.most_halvings < *halvings;
-            *halvings = halvings.saturating_add(1);
-            let around = (*halvings).min(self.most_halvings + 1) - 1;
-            if 0 < around {
-                for corner in surface.ring(particle) {
-                    let place = self.take_up(corner, positions);
-                    self.held[place].1 = self.held[place].1.max(around);
-                }
-            }
+            let place = self.take_up(particle, ways);
+            let held = &mut self.held[place];
+            is_fast &= self.most_halvings < held.halvings;
+            held.halvings = held.halvings.saturating_add(1);
+            let reach = if self.most_halvings < held.halvings {
+                0.0
+            } else {
+                held.base.distance(held.goal) / f32::from(1_u16 << held.halvings)
+            };
+            held.reach = held.reach.min(reach);
+            self.waiting.push_back(particle);
         }
         if is_fast {
             for particle in particles {
@@ -100,12 +127,42 @@ impl ImpactZones {
         }
     }
 
-    /// Its place among the members; a new one would go to where it is at `positions` [m].
-    fn take_up(&mut self, particle: u32, positions: &[Vec3]) -> usize {
+    /// Holds back what lies around what is held, so that no cloth between is strained by more than
+    /// [`SLOPE`] for it.
+    pub(crate) fn spread<M: Fn(Vec3) -> Vec3>(&mut self, surface: &Surface, ways: &Ways<'_, M>) {
+        let way_of = |particle: u32| {
+            let base = (ways.motion)(ways.starts[particle as usize]);
+            base.distance(ways.goals[particle as usize])
+        };
+        while let Some(particle) = self.waiting.pop_front() {
+            let reach = self.held[self.places[particle as usize] as usize - 1].reach;
+            let start = ways.starts[particle as usize];
+            for corner in surface.ring(particle) {
+                let far = reach + SLOPE * start.distance(ways.starts[corner as usize]);
+                let known = (self.places[corner as usize] as usize).checked_sub(1);
+                let own = known.map_or_else(|| way_of(corner), |place| self.held[place].reach);
+                if far < own {
+                    let place = self.take_up(corner, ways);
+                    self.held[place].reach = far;
+                    self.waiting.push_back(corner);
+                }
+            }
+        }
+    }
+
+    /// Its place among the members.
+    fn take_up<M: Fn(Vec3) -> Vec3>(&mut self, particle: u32, ways: &Ways<'_, M>) -> usize {
         let place = &mut self.places[particle as usize];
         if *place == 0 {
             self.members.push(particle);
-            self.held.push((positions[particle as usize], 0));
+            let goal = ways.goals[particle as usize];
+            let base = (ways.motion)(ways.starts[particle as usize]);
+            self.held.push(Held {
+                goal,
+                base,
+                halvings: 0,
+                reach: base.distance(goal),
+            });
             *place = narrow(self.held.len());
         }
         *place as usize - 1
@@ -117,37 +174,38 @@ impl ImpactZones {
     }
 
     /// Takes up what lies around the members, a ring of patches, and holds all fast.
-    pub(crate) fn grow(&mut self, surface: &Surface, positions: &[Vec3]) {
+    pub(crate) fn grow<M: Fn(Vec3) -> Vec3>(&mut self, surface: &Surface, ways: &Ways<'_, M>) {
         let members = self.grown..self.members.len();
         self.grown = members.end;
         for place in members {
             let member = self.members[place];
             for corner in surface.ring(member) {
-                self.take_up(corner, positions);
+                self.take_up(corner, ways);
             }
         }
         for held in &mut self.held {
-            held.1 = held.1.max(HALVINGS + 1);
+            held.halvings = held.halvings.max(HALVINGS + 1);
+            held.reach = 0.0;
         }
     }
 
     /// Makes one zone of everything, in which each goes its way halved so often: slower, but not still.
-    pub(crate) fn join_all(&mut self, positions: &[Vec3], halvings: u32) {
-        for particle in 0..narrow(positions.len()) {
-            self.take_up(particle, positions);
+    pub(crate) fn join_all<M: Fn(Vec3) -> Vec3>(&mut self, ways: &Ways<'_, M>, halvings: u32) {
+        for particle in 0..narrow(ways.starts.len()) {
+            self.take_up(particle, ways);
             self.join(0, particle);
         }
         self.most_halvings = MOST_HALVINGS;
         let halvings = u8::try_from(halvings).unwrap_or(u8::MAX);
         for held in &mut self.held {
-            held.1 = halvings;
+            held.halvings = halvings;
         }
     }
 
     /// Whether everything is one zone that goes none of its way: further rounds would repeat it.
     pub(crate) fn is_one_and_still(&self) -> bool {
         let is_one = HALVINGS < self.most_halvings;
-        is_one && self.held.iter().all(|held| self.most_halvings < held.1)
+        is_one && (self.held.iter()).all(|held| self.most_halvings < held.halvings)
     }
 
     /// Moves every zone from `starts` [m] as `motion` moves the space around it, what is joined as a rigid body,
@@ -183,13 +241,15 @@ impl ImpactZones {
                 if pins == Pins::Stay && inv_mass(member) <= 0.0 {
                     continue;
                 }
-                let (goal, halvings) = held[places[member as usize] as usize - 1];
-                let base =
-                    rigid.map_or_else(|| motion(start(member)), |rigid| rigid.apply(start(member)));
-                positions[member as usize] = if *most_halvings < halvings {
+                let held = held[places[member as usize] as usize - 1];
+                let base = rigid.map_or(held.base, |rigid| rigid.apply(start(member)));
+                let way = held.goal - base;
+                positions[member as usize] = if *most_halvings < held.halvings {
                     base
+                } else if HALVINGS < *most_halvings {
+                    base + way * (1.0 / f32::from(1_u16 << held.halvings))
                 } else {
-                    base + (goal - base) * (1.0 / f32::from(1_u16 << halvings))
+                    base + way.clamp_length_max(held.reach)
                 };
             }
         }

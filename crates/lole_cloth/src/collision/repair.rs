@@ -16,7 +16,7 @@ use crate::collision::crossing::{Crossing, CrossingFinder, Marked};
 use crate::collision::drift::Drift;
 use crate::collision::exact::goes_through;
 use crate::collision::guards::Guards;
-use crate::collision::impact_zone::{ImpactZones, Pins};
+use crate::collision::impact_zone::{ImpactZones, Pins, Ways};
 use crate::collision::outside::Outside;
 use crate::collision::parting::FARTHEST_LEVER;
 use crate::collision::placement::Placement;
@@ -30,12 +30,12 @@ const PARTING_ROUNDS: u8 = 8;
 /// After those, rounds in which what still crosses is held together in zones.
 const ZONE_ROUNDS: u32 = 36;
 
-/// From this round on zones grow, by twice as many rings in every round: the last hold all of the cloth.
+/// From this round on what is held grows by rings.
 const GROWING_ROUND: u32 = 16;
 
-/// After so many rounds of growing, a ring at first and twice as many every time, all of the cloth is one
+/// After so many rounds of growing, a ring at first and four times as many every time, all of the cloth is one
 /// zone, whether its pieces hang together or not.
-const LARGEST_GROWTH: u32 = 8;
+const LARGEST_GROWTH: u32 = 4;
 
 /// So many rounds are taken even when the repair has done as much as it may: a few hundred particles that
 /// are held back cost less than all of the cloth.
@@ -91,6 +91,8 @@ pub(crate) struct CrossingRepair {
     separations: Vec<Separation>,
     zones: ImpactZones,
     drift: Drift,
+    /// Where everything would go that is not held back [m].
+    goals: Vec<Vec3>,
     /// What was done in this repair beside looking for crossings.
     effort: usize,
     /// Crossings that may be left: none where there were none; `None` where nobody has looked.
@@ -121,6 +123,7 @@ impl CrossingRepair {
             + size_of_val(&self.separations[..])
             + self.zones.byte_count()
             + self.drift.byte_count()
+            + size_of_val(&self.goals[..])
             + size_of_val(&self.moved[..])
             + size_of_val(&self.moved_places[..])
             + size_of_val(&self.before[..])
@@ -268,6 +271,27 @@ impl CrossingRepair {
         self.ceiling = Some(ceiling);
         let is_pinned = |particle| Self::inv_mass(fixed, particle) <= 0.0;
         self.drift.fit(starts, &self.positions, is_pinned);
+        let (drift, mut goals) = (
+            std::mem::take(&mut self.drift),
+            std::mem::take(&mut self.goals),
+        );
+        goals.clone_from(&self.positions);
+        let ways = Ways {
+            starts,
+            goals: &goals,
+            motion: |start| drift.apply(start),
+        };
+        self.hold_in_rounds(fixed, &ways, ceiling);
+        (self.drift, self.goals) = (drift, goals);
+    }
+
+    fn hold_in_rounds<M: Fn(Vec3) -> Vec3>(
+        &mut self,
+        fixed: Fixed<'_>,
+        ways: &Ways<'_, M>,
+        ceiling: usize,
+    ) {
+        let starts = ways.starts;
         let mut spent = 0;
         for round in 0..ZONE_ROUNDS {
             if self.finder.crossings.len() <= ceiling {
@@ -275,14 +299,15 @@ impl CrossingRepair {
             }
             for crossing in &self.finder.crossings {
                 if !crossed_at(starts, crossing) {
-                    self.zones.hold(crossing, fixed.surface, &self.positions);
+                    self.zones.hold(crossing, ways);
                 }
             }
+            self.zones.spread(fixed.surface, ways);
             spent += u32::from(SPARED_ROUND <= round && self.is_spent(fixed.surface));
             let late = round.saturating_sub(GROWING_ROUND).max(spent);
-            for _ in 0..(1_u32 << late.min(LARGEST_GROWTH)) >> 1 {
+            for _ in 0..(1_u32 << (2 * late.min(LARGEST_GROWTH))) >> 2 {
                 if self.zones.members.len() < starts.len() {
-                    self.zones.grow(fixed.surface, &self.positions);
+                    self.zones.grow(fixed.surface, ways);
                 }
             }
             if LARGEST_GROWTH <= late {
@@ -290,7 +315,7 @@ impl CrossingRepair {
                     break;
                 }
                 let slower = (late - LARGEST_GROWTH).saturating_mul(2).saturating_add(2);
-                self.zones.join_all(&self.positions, slower);
+                self.zones.join_all(ways, slower);
             }
             let pins = if YIELDING_ROUND <= round {
                 Pins::Yield
@@ -298,9 +323,7 @@ impl CrossingRepair {
                 Pins::Stay
             };
             let inv_mass = |particle| Self::inv_mass(fixed, particle);
-            let (positions, drift) = (&mut self.positions, &self.drift);
-            let motion = |start| drift.apply(start);
-            (self.zones).carry((starts, positions), motion, inv_mass, pins);
+            (self.zones).carry((starts, &mut self.positions), &ways.motion, inv_mass, pins);
             for index in 0..self.zones.members.len() {
                 self.shift(self.zones.members[index], Vec3::ZERO);
             }
