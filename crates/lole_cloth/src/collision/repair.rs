@@ -262,8 +262,8 @@ impl CrossingRepair {
         EFFORT_MAX * surface.patches.len() < self.effort + self.finder.effort
     }
 
-    /// Holds back what has come to cross: it goes only a part of its way from where a rigid motion of its
-    /// zone brings it from its start, then none of it, until no more crosses than may.
+    /// Holds back what has come to cross: it goes only a part of its way from where the cloth drifts around it,
+    /// then none of it, until no more crosses than may.
     /// In the end there is one zone that moves as a rigid body, and that is so.
     fn hold_together(&mut self, fixed: Fixed<'_>, starts: &[Vec3]) {
         self.zones.clear(narrow(starts.len()));
