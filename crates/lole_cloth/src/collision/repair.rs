@@ -48,6 +48,10 @@ const YIELDING_ROUND: u32 = 1;
 /// together what it has not parted.
 const EFFORT_MAX: usize = 8;
 
+/// The same for bringing out of the body what the repair has left in it: where cloth is pressed from both sides
+/// it takes half of a frame and moves nothing.
+const LEAVING_EFFORT: usize = 3;
+
 /// Sweeps over all repairs in a round.
 const SWEEP_COUNT: usize = 4;
 
@@ -95,6 +99,8 @@ pub(crate) struct CrossingRepair {
     goals: Vec<Vec3>,
     /// What was done in this repair beside looking for crossings.
     effort: usize,
+    /// What may be done, that included.
+    effort_max: usize,
     /// Crossings that may be left: none where there were none; `None` where nobody has looked.
     ceiling: Option<usize>,
     /// Particles that the repair has moved, and, by particle, its place among them counted from 1.
@@ -221,8 +227,9 @@ impl CrossingRepair {
         self.moved_places.resize(starts.len(), 0);
         self.before.clear();
         self.effort = 0;
+        self.effort_max = EFFORT_MAX * fixed.surface.patches.len();
         for round in 0..PARTING_ROUNDS {
-            if self.is_spent(fixed.surface) {
+            if self.is_spent() {
                 break;
             }
             let known = self.separations.len();
@@ -258,8 +265,8 @@ impl CrossingRepair {
     }
 
     /// Whether the repair has done as much as it may.
-    const fn is_spent(&self, surface: &Surface) -> bool {
-        EFFORT_MAX * surface.patches.len() < self.effort + self.finder.effort
+    const fn is_spent(&self) -> bool {
+        self.effort_max < self.effort + self.finder.effort
     }
 
     /// Holds back what has come to cross: it goes only a part of its way from where the cloth drifts around it,
@@ -303,7 +310,7 @@ impl CrossingRepair {
                 }
             }
             self.zones.spread(fixed.surface, ways);
-            spent += u32::from(SPARED_ROUND <= round && self.is_spent(fixed.surface));
+            spent += u32::from(SPARED_ROUND <= round && self.is_spent());
             let late = round.saturating_sub(GROWING_ROUND).max(spent);
             for _ in 0..(1_u32 << (2 * late.min(LARGEST_GROWTH))) >> 2 {
                 if self.zones.members.len() < starts.len() {
@@ -480,11 +487,11 @@ impl CrossingRepair {
     }
 
     /// Brings out of the body what the repair has left in it, with what lies on it, as far as
-    /// nothing comes to cross by that: nothing does where cloth is pressed so that it was held back.
+    /// nothing comes to cross by that.
     fn leave_body_at_last(&mut self, fixed: Fixed<'_>, starts: &[Vec3]) {
-        if !self.held_back.is_empty() {
-            return;
-        }
+        self.effort_max = self
+            .effort_max
+            .min(self.effort + self.finder.effort + LEAVING_EFFORT * fixed.surface.patches.len());
         let known = self.finder.crossings.len();
         let moved = self
             .moved
@@ -495,7 +502,7 @@ impl CrossingRepair {
         self.is_outside.clear();
         self.is_outside.resize(starts.len(), false);
         for round in 0..LEAVING_ROUNDS {
-            if self.is_spent(fixed.surface) || !self.seat_outside(fixed) {
+            if self.is_spent() || !self.seat_outside(fixed) {
                 if round == 0 {
                     return;
                 }
@@ -503,7 +510,7 @@ impl CrossingRepair {
             }
             self.look_again(fixed);
             for _ in 0..LEAVING_ROUNDS {
-                if self.finder.crossings.len() <= known || self.is_spent(fixed.surface) {
+                if self.finder.crossings.len() <= known || self.is_spent() {
                     break;
                 }
                 self.separate_new(starts);
