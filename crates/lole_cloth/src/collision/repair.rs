@@ -50,7 +50,7 @@ const EFFORT_MAX: usize = 8;
 
 /// The same for bringing out of the body what the repair has left in it: where cloth is pressed from both sides
 /// it takes half of a frame and moves nothing.
-const LEAVING_EFFORT: usize = 3;
+const LEAVING_EFFORT: usize = 6;
 
 /// Sweeps over all repairs in a round.
 const SWEEP_COUNT: usize = 4;
