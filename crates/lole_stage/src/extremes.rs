@@ -101,7 +101,8 @@ fn at_fastest_tempo(step: DanceStep) {
     let found = look(settled(&design), 2.0, |performance, _| {
         performance.advance().unwrap();
     });
-    check(step.id(), found, (0.2, 2.0e-3));
+    // Where folds come to cross, skin gives way to all that is held back for them.
+    check(step.id(), found, (0.2, 3.0e-3));
 }
 
 /// Poses that no step has, from 0 at the stance to 1 at the utmost, and how they go to and fro.
