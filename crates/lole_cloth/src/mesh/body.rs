@@ -347,7 +347,7 @@ fn check_finite(positions: &[Vec3]) -> Result<(), BodyError> {
     }
 }
 
-/// What the mesh encloses [m³], negative where it is turned inside out.
+/// What the mesh encloses in cubic meters, negative where it is turned inside out.
 fn volume(positions: &[Vec3], triangles: &[[u32; 3]]) -> f64 {
     let corners = triangles
         .iter()
