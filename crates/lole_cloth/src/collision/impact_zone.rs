@@ -1,4 +1,5 @@
-//! Particles that move as one because nothing else keeps them from crossing.
+//! Particles that are held back because nothing else keeps them from crossing: they move with the space around
+//! them, and as one where that is not enough.
 //!
 //! Provot 1997, "Collision and self-collision handling in cloth model dedicated to design
 //! garments": a zone has the shape in which it began the step, which did not cross.
@@ -208,13 +209,12 @@ impl ImpactZones {
         is_one && (self.held.iter()).all(|held| self.most_halvings < held.halvings)
     }
 
-    /// Moves every zone from `starts` [m] as `motion` moves the space around it, what is joined as a rigid body,
-    /// and every particle as far from there towards where it would go as it may; pinned ones stay where they
-    /// are but where they yield.
+    /// Moves every zone from `starts` [m] as the space around it moves, what is joined as a rigid body, and every
+    /// particle as far from there towards where it would go as it may; pinned ones stay where they are but
+    /// where they yield.
     pub(crate) fn carry(
         &mut self,
         (starts, positions): (&[Vec3], &mut [Vec3]),
-        motion: impl Fn(Vec3) -> Vec3,
         inv_mass: impl Fn(u32) -> f32,
         pins: Pins,
     ) {
@@ -232,17 +232,18 @@ impl ImpactZones {
         let zones =
             sorted.chunk_by(|&one, &other| parents[one as usize] == parents[other as usize]);
         for zone in zones {
-            let start = |member: u32| starts[member as usize];
+            let held = |member: u32| held[places[member as usize] as usize - 1];
+            let way = |&member: &u32| (member, starts[member as usize], held(member).base);
             let rigid = match zone {
                 [_] => None,
-                _ => Some(joined(zone, (start, &motion), &inv_mass)),
+                _ => Some(joined(zone.iter().map(way), &inv_mass)),
             };
             for &member in zone {
                 if pins == Pins::Stay && inv_mass(member) <= 0.0 {
                     continue;
                 }
-                let held = held[places[member as usize] as usize - 1];
-                let base = rigid.map_or(held.base, |rigid| rigid.apply(start(member)));
+                let held = held(member);
+                let base = rigid.map_or(held.base, |rigid| rigid.apply(starts[member as usize]));
                 let way = held.goal - base;
                 positions[member as usize] = if *most_halvings < held.halvings {
                     base
@@ -256,10 +257,10 @@ impl ImpactZones {
     }
 }
 
-/// The rigid motion of a zone that is nearest to how the space around it moves.
+/// The rigid motion of a zone that is nearest to how the space around it moves: its particles, where they start,
+/// and where that brings them [m].
 fn joined(
-    zone: &[u32],
-    (start, motion): (impl Fn(u32) -> Vec3, impl Fn(Vec3) -> Vec3),
+    zone: impl Iterator<Item = (u32, Vec3, Vec3)> + Clone,
     inv_mass: impl Fn(u32) -> f32,
 ) -> Rigid {
     let mass = |member: u32| {
@@ -270,15 +271,14 @@ fn joined(
             PINNED_MASS
         }
     };
-    let moved = zone
-        .iter()
-        .map(|&member| (mass(member), start(member), motion(start(member))));
-    let farthest = |at: &dyn Fn(Vec3) -> Vec3| {
-        let ways = zone.iter().map(|&it| start(it).distance(at(start(it))));
-        ways.fold(0.0, f32::max)
-    };
-    let rigid = Rigid::fit(moved);
-    if farthest(&motion) + LEVER_REACH < farthest(&|start| rigid.apply(start)) {
+    let moved = zone.clone();
+    let rigid = Rigid::fit(moved.map(|(member, start, base)| (mass(member), start, base)));
+    let (mut farthest, mut turned) = (0.0_f32, 0.0_f32);
+    for (_, start, base) in zone {
+        farthest = farthest.max(start.distance(base));
+        turned = turned.max(start.distance(rigid.apply(start)));
+    }
+    if farthest + LEVER_REACH < turned {
         rigid.unturned()
     } else {
         rigid

@@ -292,6 +292,7 @@ impl CrossingRepair {
         (self.drift, self.goals) = (drift, goals);
     }
 
+    /// Holds it back round by round, further and more of it, until at most `ceiling` cross.
     fn hold_in_rounds<M: Fn(Vec3) -> Vec3>(
         &mut self,
         fixed: Fixed<'_>,
@@ -330,7 +331,7 @@ impl CrossingRepair {
                 Pins::Stay
             };
             let inv_mass = |particle| Self::inv_mass(fixed, particle);
-            (self.zones).carry((starts, &mut self.positions), &ways.motion, inv_mass, pins);
+            (self.zones).carry((starts, &mut self.positions), inv_mass, pins);
             for index in 0..self.zones.members.len() {
                 self.shift(self.zones.members[index], Vec3::ZERO);
             }

@@ -1,6 +1,6 @@
 //! Crossings found with exact predicates (Shewchuk 1997, "Adaptive Precision Floating-Point Arithmetic
-//! and Fast Robust Geometric Predicates"), and with nothing of the engine: neither its predicates nor its
-//! search.
+//! and Fast Robust Geometric Predicates"), and a search that shares nothing with
+//! the engine's. The engine asks by the same crate, in code of its own.
 //!
 //! An edge crosses a triangle with which it shares no corner where its ends lie strictly on either side of
 //! the triangle's plane and it passes strictly inside. What only touches does not cross: an end that lies
