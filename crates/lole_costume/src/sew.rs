@@ -9,6 +9,7 @@ mod fold_curve;
 mod mesh;
 mod profile;
 mod ring;
+mod rising;
 
 use glam::{Affine3A, Vec3};
 use lole_body::{Bone, Dancer, TapePoint};
@@ -16,7 +17,7 @@ use lole_cloth::{ClothSpec, Fabric, Flounce, Grid, MassLaw, Topology};
 use lole_geom::trig;
 use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements};
 
-pub use band::{Band, Lifts};
+pub use band::{Band, Lifts, Watched};
 pub use clothed::Clothed;
 pub use error::SewError;
 pub use mesh::SkirtMesh;
@@ -194,8 +195,15 @@ impl SewnSkirt {
             return;
         };
         let columns = self.spec.grid.column_count as usize;
-        targets.extend(pins.enumerate().map(|(index, point)| {
-            let lift = band.lift((index / columns, &point), lifts);
+        targets.extend(pins.enumerate().map(|(index, mut point)| {
+            let at = (index / columns, &point);
+            let (lift, rise) = (band.lift(at, lifts), band.rise(at, lifts));
+            if 0.0 < rise {
+                let above = (0..=index).rev().step_by(columns);
+                let above = above.map(|it| self.pins[it].drawn_in(self.drawn_in * put_on));
+                let above = above.map(|point| point.bind_position);
+                point.bind_position = rising::climbed(above, rise).unwrap_or(point.bind_position);
+            }
             band.posed(world_from_bind, &point, lift)
         }));
     }

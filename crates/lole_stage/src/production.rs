@@ -12,7 +12,7 @@ use lole_costume::document::{
 };
 use lole_costume::dress::{self, Among, Bands, Division, Dressed};
 use lole_costume::sew::{
-    self, Closing, Clothed, Cut, Lifts, SewSettings, SewnSkirt, SkirtMesh, WornPlace,
+    self, Closing, Clothed, Cut, Lifts, SewSettings, SewnSkirt, SkirtMesh, Watched, WornPlace,
 };
 use lole_costume::tailoring::{self, Drafted};
 use lole_geom::{Length, MeshSurfels};
@@ -80,7 +80,7 @@ pub struct Garment {
     /// The skin below every pin; `None` where one is too far from the body.
     pub pin_surfels: Option<MeshSurfels>,
     /// Which surfels of the body may come below its elastics, where those give way to them.
-    pub watched: Vec<u32>,
+    pub watched: Vec<Watched>,
     /// Its particles among those of all garments.
     pub particles: Range<usize>,
     /// Place of the first garment that it is worn over or under, directly or by way of others; its own

@@ -5,13 +5,14 @@
 //! a belt, a leg that carries the side of the hip, or boxes that turn through each other: carried by it,
 //! the points of an elastic would change places. So there the whole band goes with the bone that has most
 //! of it, as a ring that keeps its order, and every frame each elastic is as much wider as skin has come
-//! out in that direction.
+//! out in that direction, and as much higher as a thigh is raised there.
 
 use glam::{Affine3A, Vec2, Vec3};
 use lole_body::{Bone, TapePoint};
 use lole_geom::{Surfel, trig};
 
 use super::ring::Ring;
+use super::rising::{self, Raised};
 
 /// Directions around the body that are told apart.
 const SECTORS: usize = 96;
@@ -50,7 +51,19 @@ struct Elastic {
 
 /// How far each elastic of a band has given way [m], by elastic and sector.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Lifts(Vec<Vec<f32>>);
+pub struct Lifts {
+    out: Vec<Vec<f32>>,
+    up: Vec<Vec<f32>>,
+}
+
+/// A surfel of the skin that may come below a band, and the bone that carries it most.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Watched {
+    /// Its place among all.
+    pub surfel: u32,
+    /// The bone.
+    pub bone: Bone,
+}
 
 impl Band {
     /// Of the rings on which elastics lie, all carried by one bone; `taut` over 1 is how much longer than
@@ -78,7 +91,7 @@ impl Band {
 
     /// Which of some places of the skin may come below it: `places` are the bones that carry them, and
     /// where they are in the bind pose [m].
-    pub fn watched(&self, places: impl Iterator<Item = (Bone, Vec3)>) -> Vec<u32> {
+    pub fn watched(&self, places: impl Iterator<Item = (Bone, Vec3)>) -> Vec<Watched> {
         let heights = || self.elastics.iter().map(|elastic| elastic.heights);
         let low = heights().fold(f32::INFINITY, |low, it| low.min(it[0]));
         let high = heights().fold(f32::NEG_INFINITY, |high, it| high.max(it[1]));
@@ -86,25 +99,33 @@ impl Band {
         (0..)
             .zip(places)
             .filter(|(_, (bone, at))| is_trunk_or_leg(*bone) && near.contains(&at.y))
-            .map(|(index, _)| index)
+            .map(|(surfel, (bone, _))| Watched { surfel, bone })
             .collect()
     }
 
-    /// How far skin has pushed each elastic out.
+    /// How far skin, with the bones that carry it, has pushed each elastic out and up.
     pub fn lifts(
         &self,
         world_from_bind: &[Affine3A],
-        surfels: impl Iterator<Item = Surfel>,
+        surfels: impl Iterator<Item = (Surfel, Bone)>,
     ) -> Lifts {
         let bind_from_world = world_from_bind[self.bone.index()].inverse();
-        let mut lifts = vec![vec![0.0_f32; SECTORS]; self.elastics.len()];
-        for surfel in surfels {
+        let raised = Raised::new(world_from_bind);
+        let none = vec![vec![0.0_f32; SECTORS]; self.elastics.len()];
+        let (mut lifts, mut rises) = (none.clone(), none);
+        for (surfel, bone) in surfels {
             if surfel.is_withdrawn() {
                 continue;
             }
             let place = bind_from_world.transform_point3(surfel.position);
             let normal = bind_from_world.transform_vector3(surfel.normal);
-            for (elastic, lifts) in self.elastics.iter().zip(&mut lifts) {
+            let is_raised = raised.has(bone, &surfel, normal);
+            for ((elastic, lifts), rises) in self.elastics.iter().zip(&mut lifts).zip(&mut rises) {
+                if is_raised {
+                    let sector = elastic.sector(place);
+                    let rise = rising::rise(place, elastic.points[sector][0]);
+                    rises[sector] = rises[sector].max(rise);
+                }
                 let [low, high] = elastic.heights;
                 // Most skin is far below: its direction need not be known.
                 let near = low - 2.0 * HALF_WIDTH..high + 2.0 * HALF_WIDTH;
@@ -120,15 +141,33 @@ impl Band {
             }
         }
         for lifts in &mut lifts {
-            let spread: Vec<f32> = (0..SECTORS)
-                .map(|sector| around(lifts, sector).fold(0.0, f32::max).min(FARTHEST))
-                .collect();
-            for (sector, lift) in lifts.iter_mut().enumerate() {
-                *lift = around(&spread, sector).sum::<f32>() / (2 * SPREAD + 1) as f32;
-            }
+            spread(lifts, FARTHEST);
+        }
+        for rises in &mut rises {
+            spread(rises, f32::INFINITY);
         }
         self.even_out(&mut lifts);
-        Lifts(lifts)
+        self.even_out_rises(&mut rises);
+        Lifts {
+            out: lifts,
+            up: rises,
+        }
+    }
+
+    /// Lets no elastic go up through the next.
+    fn even_out_rises(&self, rises: &mut [Vec<f32>]) {
+        for sector in 0..SECTORS {
+            let heights = self
+                .elastics
+                .iter()
+                .map(|elastic| elastic.points[sector][0].y);
+            let heights: Vec<f32> = heights.collect();
+            let mut those: Vec<f32> = rises.iter().map(|rises| rises[sector]).collect();
+            rising::even_out(&heights, &mut those);
+            for (rises, rise) in rises.iter_mut().zip(those) {
+                rises[sector] = rise;
+            }
+        }
     }
 
     /// Lets no elastic come out so much farther than the next that the cloth between them were too short.
@@ -152,12 +191,21 @@ impl Band {
         world_from_bind[self.bone.index()].transform_point3(place)
     }
 
-    /// How far an elastic has given way where a point of the cloth lies [m].
-    pub(super) fn lift(&self, (elastic, point): (usize, &TapePoint), lifts: &Lifts) -> f32 {
-        lifts.0.get(elastic).map_or(0.0, |lifts| {
+    /// How far out an elastic has given way where a point of the cloth lies [m].
+    pub(super) fn lift(&self, at: (usize, &TapePoint), lifts: &Lifts) -> f32 {
+        self.value_at(at, &lifts.out)
+    }
+
+    /// How far it has gone up there [m].
+    pub(super) fn rise(&self, at: (usize, &TapePoint), lifts: &Lifts) -> f32 {
+        self.value_at(at, &lifts.up)
+    }
+
+    fn value_at(&self, (elastic, point): (usize, &TapePoint), values: &[Vec<f32>]) -> f32 {
+        values.get(elastic).map_or(0.0, |values| {
             let (sector, share) = self.elastics[elastic].place(point.bind_position);
             let next = (sector + 1) % SECTORS;
-            lifts[sector] + (lifts[next] - lifts[sector]) * share
+            values[sector] + (values[next] - values[sector]) * share
         })
     }
 }
@@ -167,17 +215,29 @@ impl Lifts {
     #[must_use]
     pub fn widened(&self, by: f32) -> Self {
         let widened = |lifts: &Vec<f32>| lifts.iter().map(|lift| lift + by).collect();
-        Self(self.0.iter().map(widened).collect())
+        Self {
+            out: self.out.iter().map(widened).collect(),
+            up: self.up.clone(),
+        }
+    }
+
+    /// The same where nothing has gone up yet.
+    #[must_use]
+    pub fn lowered(mut self) -> Self {
+        self.up.iter_mut().flatten().for_each(|rise| *rise = 0.0);
+        self
     }
 
     /// Gives way towards where skin pushes, as fast as an elastic does in `dt` [s].
     pub fn approach(&mut self, wanted: &Self, dt: f32) {
-        if self.0.len() != wanted.0.len() {
-            self.0.clone_from(&wanted.0);
+        if self.out.len() != wanted.out.len() {
+            self.clone_from(wanted);
             return;
         }
         let step = FASTEST * dt;
-        for (now, wanted) in (self.0.iter_mut().flatten()).zip(wanted.0.iter().flatten()) {
+        let now = self.out.iter_mut().chain(&mut self.up).flatten();
+        let wanted = wanted.out.iter().chain(&wanted.up).flatten();
+        for (now, wanted) in now.zip(wanted) {
             *now += (wanted - *now).clamp(-step, step);
         }
     }
@@ -233,6 +293,16 @@ impl Elastic {
     fn sector(&self, at: Vec3) -> usize {
         let (sector, share) = self.place(at);
         (sector + usize::from(0.5 <= share)) % SECTORS
+    }
+}
+
+/// Spreads what pushes, up to `most`, over the directions around it, in one even shape.
+fn spread(values: &mut [f32], most: f32) {
+    let widest: Vec<f32> = (0..SECTORS)
+        .map(|sector| around(values, sector).fold(0.0, f32::max).min(most))
+        .collect();
+    for (sector, value) in values.iter_mut().enumerate() {
+        *value = around(&widest, sector).sum::<f32>() / (2 * SPREAD + 1) as f32;
     }
 }
 
@@ -292,6 +362,10 @@ mod tests {
         }
     }
 
+    fn carried(skin: &[Surfel]) -> impl Iterator<Item = (Surfel, Bone)> + '_ {
+        skin.iter().map(|&surfel| (surfel, Bone::Hips))
+    }
+
     #[test]
     fn an_elastic_gives_way_to_what_comes_out_below_it_and_the_next_one_follows() {
         let (band, rings) = band(1.02);
@@ -299,7 +373,7 @@ mod tests {
         let still = vec![Affine3A::IDENTITY; Bone::ALL.len()];
         let turn = std::f32::consts::TAU / 6.0;
         let skin = [surfel(0.02, turn, 1.0), surfel(-0.01, 4.0, 1.04)];
-        let lifts = band.lifts(&still, skin.into_iter());
+        let lifts = band.lifts(&still, carried(&skin));
         let place = |elastic: usize, point: usize| {
             let at = &rings[elastic].points()[point];
             band.lift((elastic, at), &lifts)
@@ -324,7 +398,7 @@ mod tests {
                     surfel(chance.between(-0.1, 0.5), chance.between(0.0, 6.3), height)
                 })
                 .collect();
-            let lifts = band.lifts(&still, skin.into_iter());
+            let lifts = band.lifts(&still, carried(&skin));
             let points = rings[1].points();
             let posed: Vec<Vec3> = (points.iter())
                 .map(|point| band.posed(&still, point, band.lift((1, point), &lifts)))
@@ -340,10 +414,15 @@ mod tests {
 
     #[test]
     fn lifts_come_and_go_no_faster_than_elastic_does() {
-        let mut lifts = Lifts(vec![vec![0.0; SECTORS]]);
-        let wanted = Lifts(vec![vec![0.02; SECTORS]]);
+        let of = |value: f32| Lifts {
+            out: vec![vec![value; SECTORS]],
+            up: vec![vec![value; SECTORS]],
+        };
+        let (mut lifts, wanted) = (of(0.0), of(0.02));
         lifts.approach(&wanted, 1.0 / 60.0);
-        assert!((lifts.0[0][0] - FASTEST / 60.0).abs() < 1.0e-6);
+        for value in [lifts.out[0][0], lifts.up[0][0]] {
+            assert!((value - FASTEST / 60.0).abs() < 1.0e-6);
+        }
         for _ in 0..60 {
             lifts.approach(&wanted, 1.0 / 60.0);
         }

@@ -59,14 +59,17 @@ impl Carrier<'_> {
             return Lifts::default();
         };
         let watched = garment.watched.iter();
-        let surfels = watched.filter_map(|&surfel| self.surfels.get(surfel as usize));
-        band.lifts(self.world_from_bind, surfels.copied())
+        let surfels = watched.filter_map(|watched| {
+            let surfel = self.surfels.get(watched.surfel as usize)?;
+            Some((*surfel, watched.bone))
+        });
+        band.lifts(self.world_from_bind, surfels)
     }
 
     /// How far the elastics of a garment stand off when it is put on: as far as they give way, and as all
     /// that hangs from them needs to lie outside of her, if that is not too far.
     fn lifts_at_start(&self, garment: &Garment) -> Lifts {
-        let given_way = self.lifts(garment);
+        let given_way = self.lifts(garment).lowered();
         let Some((positions, normals)) = self.skin.filter(|_| garment.sewn.band.is_some()) else {
             return given_way;
         };
