@@ -56,14 +56,18 @@ pub(crate) struct Scratch {
     pub(crate) schedules: Schedules,
 }
 
-/// Moves particles, pins and a body that was met [m].
+/// Moves particles, pins and a body that was met [m], and makes particles faster [m/s].
 pub(crate) fn carry(
-    (positions, pin_targets): (&mut [Points], &mut [Vec3]),
+    (positions, velocities): (&mut [Points], &mut [Points]),
+    pin_targets: &mut [Vec3],
     (capsules, surfels): (&mut [Capsule], &mut [Surfel]),
-    by: Vec3,
+    (by, faster): (Vec3, Vec3),
 ) {
     for points in positions {
         points.shift(by);
+    }
+    for points in velocities {
+        points.shift(faster);
     }
     for target in pin_targets {
         *target += by;
@@ -187,11 +191,15 @@ impl ClothState {
         }
     }
 
-    /// Moves the cloth, and where pins and body were left, all by as much [m]: what a world that jumps
-    /// carries along.
-    pub fn carry(&mut self, by: Vec3) {
-        let cloth = (&mut self.positions[..], &mut self.pin_targets[..]);
-        carry(cloth, (&mut self.capsules, &mut self.surfels), by);
+    /// Moves the cloth, and where pins and body were left, all by as much [m], and makes the cloth `faster`
+    /// [m/s]: what a world that jumps carries along.
+    pub fn carry(&mut self, by: Vec3, faster: Vec3) {
+        carry(
+            (&mut self.positions, &mut self.velocities),
+            &mut self.pin_targets,
+            (&mut self.capsules, &mut self.surfels),
+            (by, faster),
+        );
     }
 
     /// Multiplies every velocity.

@@ -559,9 +559,10 @@ impl DressedState {
         }
     }
 
-    /// Carries it along [m] with a body that jumps.
-    pub fn carry(&mut self, by: Vec3) {
-        self.state.carry(by);
+    /// Moves it, and where its body was left, by as much [m], and makes it `faster` [m/s]: what a world that
+    /// jumps carries along.
+    pub fn carry(&mut self, by: Vec3, faster: Vec3) {
+        self.state.carry(by, faster);
     }
 
     /// All bits of positions and velocities as one number.

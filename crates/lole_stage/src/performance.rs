@@ -3,7 +3,7 @@
 mod adornment;
 mod dressed;
 mod forearms;
-mod jump;
+pub(crate) mod jump;
 mod no_room;
 mod order;
 mod over_cloth;

@@ -16,6 +16,7 @@ use lole_cloth::{
 use lole_costume::document::{Design, GarmentDesign, WindModel};
 use lole_geom::{Capsule, Surfel, trig64};
 
+use crate::performance::jump::Jump;
 use crate::{FRAME_SECONDS, StageError};
 
 /// Gap kept between capsules and cloth [m]: half the thickness of a gathered double layer.
@@ -218,10 +219,10 @@ impl Solver {
         }
     }
 
-    /// Carries cloth of `xpbd` along [m] with a body that jumps.
-    pub(crate) fn carry(&mut self, by: Vec3) {
+    /// Carries cloth of `xpbd` along with a body that jumps.
+    pub(crate) fn carry(&mut self, jump: Jump) {
         if let Self::Xpbd(xpbd) = self {
-            xpbd.state.carry(by);
+            xpbd.state.carry(jump.by, jump.faster);
         }
     }
 

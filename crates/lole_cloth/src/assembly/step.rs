@@ -100,12 +100,13 @@ impl Assembly {
 }
 
 impl AssemblyState {
-    /// Moves all pieces, and where pins, bones and body were left, by as much [m].
-    pub fn carry(&mut self, by: Vec3) {
+    /// Moves all pieces, and where pins, bones and body were left, by as much [m], and makes the pieces
+    /// `faster` [m/s].
+    pub fn carry(&mut self, by: Vec3, faster: Vec3) {
         for piece in &mut self.pieces {
             match piece {
-                PieceState::Grid(state) => state.carry(by),
-                PieceState::Mesh(state) => state.carry(by),
+                PieceState::Grid(state) => state.carry(by, faster),
+                PieceState::Mesh(state) => state.carry(by, faster),
             }
         }
         for frame in &mut self.frames {

@@ -54,11 +54,15 @@ pub(crate) struct MeshScratch {
 }
 
 impl MeshState {
-    /// Moves the cloth, and where pins and body were left, all by as much [m]: what a world that jumps
-    /// carries along.
-    pub fn carry(&mut self, by: Vec3) {
-        let cloth = (&mut self.positions[..], &mut self.pin_targets[..]);
-        state::carry(cloth, (&mut self.capsules, &mut self.surfels), by);
+    /// Moves the cloth, and where pins and body were left, all by as much [m], and makes the cloth `faster`
+    /// [m/s]: what a world that jumps carries along.
+    pub fn carry(&mut self, by: Vec3, faster: Vec3) {
+        state::carry(
+            (&mut self.positions, &mut self.velocities),
+            &mut self.pin_targets,
+            (&mut self.capsules, &mut self.surfels),
+            (by, faster),
+        );
     }
 
     /// A piece at rest at `positions` [m], shape `[particle_count]`.

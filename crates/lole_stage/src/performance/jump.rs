@@ -8,6 +8,15 @@ use super::FRAME_SECONDS;
 /// have jumped: five times the acceleration of free fall.
 const JUMP: f32 = 5.0 * 9.81 * FRAME_SECONDS * FRAME_SECONDS;
 
+/// What a jump does to all that she carries.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Jump {
+    /// How far it goes beside what it does by itself [m].
+    pub(crate) by: Vec3,
+    /// What it has become faster by [m/s]: a jump that goes on is a speed.
+    pub(crate) faster: Vec3,
+}
+
 /// Where hips are, and how they came there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Hips {
@@ -18,10 +27,11 @@ pub(super) struct Hips {
 }
 
 impl Hips {
-    /// Goes on to a place [m]; how far they jumped [m] beside what they did by themselves.
+    /// Goes on to a place [m]; what of that she did not do by herself.
     ///
-    /// What is done twice is a speed: a recording may begin in the middle of a run.
-    pub(super) fn follow(hips: &mut Option<Self>, place: Vec3) -> Option<Vec3> {
+    /// What is done twice is a speed: a recording may begin in the middle of a run, or somebody who sat is
+    /// up in no time.
+    pub(super) fn follow(hips: &mut Option<Self>, place: Vec3) -> Option<Jump> {
         let Some(before) = *hips else {
             *hips = Some(Self {
                 place,
@@ -32,14 +42,25 @@ impl Hips {
         };
         let moved = place - before.place;
         let jump = moved - before.went;
-        let jumps = JUMP < jump.length() && JUMP < moved.distance(before.moved);
+        let is_other = JUMP < jump.length();
+        let jumps = is_other && JUMP < moved.distance(before.moved);
         *hips = Some(Self {
             place,
             moved,
             // She has not come there by herself, and goes on as she did.
             went: if jumps { before.went } else { moved },
         });
-        jumps.then_some(jump)
+        is_other.then_some(if jumps {
+            Jump {
+                by: jump,
+                ..Jump::default()
+            }
+        } else {
+            Jump {
+                faster: jump / FRAME_SECONDS,
+                ..Jump::default()
+            }
+        })
     }
 }
 
@@ -47,10 +68,15 @@ impl Hips {
 mod tests {
     use super::*;
 
-    fn jumps(places: &[f32]) -> Vec<Option<f32>> {
+    fn followed(places: &[f32]) -> Vec<Option<Jump>> {
         let mut hips = None;
-        let follow = |&place: &f32| Hips::follow(&mut hips, Vec3::X * place).map(|jump| jump.x);
+        let follow = |&place: &f32| Hips::follow(&mut hips, Vec3::X * place);
         places.iter().map(follow).collect()
+    }
+
+    fn jumps(places: &[f32]) -> Vec<Option<f32>> {
+        let jumps = followed(places).into_iter();
+        jumps.map(|jump| jump.map(|jump| jump.by.x)).collect()
     }
 
     #[test]
@@ -66,9 +92,12 @@ mod tests {
     #[test]
     fn a_run_from_the_first_frame_is_a_speed_from_the_second() {
         let places: Vec<f32> = (0..8_u8).map(|frame| 0.03 * f32::from(frame)).collect();
-        let found = jumps(&places);
-        assert!(found[1].is_some());
-        assert_eq!(found[2..], [None; 6]);
+        let found = followed(&places);
+        assert!(found[1].is_some_and(|jump| 0.02 < jump.by.x && jump.faster == Vec3::ZERO));
+        let speed = 0.03 / FRAME_SECONDS;
+        let is_speed = |jump: Jump| jump.by == Vec3::ZERO && (jump.faster.x - speed).abs() < 1.0e-3;
+        assert!(found[2].is_some_and(is_speed), "{:?}", found[2]);
+        assert_eq!(found[3..], [None; 5]);
     }
 
     #[test]
