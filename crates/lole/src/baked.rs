@@ -45,7 +45,7 @@ impl Keys {
         let garments = &performance.production().garments;
         self.cloths.resize_with(garments.len(), Vec::new);
         for (frames, garment) in self.cloths.iter_mut().zip(garments) {
-            frames.push(performance.garment_positions(garment).to_vec());
+            frames.push(performance.pressed_positions(garment));
         }
         let count = performance.production().dressed.len();
         self.dressed.resize_with(count, Vec::new);

@@ -2,7 +2,7 @@
 //! shows before a dance.
 //!
 //! `cargo run --release -p lole_picture --example fitting_room -- OUT [TEMPLATE ...] [--only DANCER,DANCER]
-//! [--seconds S] [--dance STEP] [--layer under] [--skirt] [--close] [--where] [--print LINE]` writes a
+//! [--seconds S] [--dance STEP] [--tempo BPM] [--layer under] [--skirt] [--close] [--where] [--print LINE]` writes a
 //! picture for each template there, as she stands and after so many seconds of her dance, and prints
 //! figures for each dancer. Without a template, all that can be put on; `kihei+muumuu` puts on both, from
 //! the skin outward, and `'pau-ruffle:ruffle = "layer"'` has an option as in a document. `--where` says
@@ -21,6 +21,7 @@ use std::time::Instant;
 
 use cpu_time::ProcessTime;
 use glam::Vec3;
+use lole_body::Bone;
 use lole_costume::document::schema::kind_ids;
 use lole_costume::document::{DancerDesign, Design, GarmentLayer, parse};
 use lole_costume::dress::{self, Layers};
@@ -43,6 +44,7 @@ struct Asked {
     has_skirt: bool,
     print: Option<String>,
     dance: Option<String>,
+    tempo: Option<f64>,
     says_where: bool,
 }
 
@@ -58,6 +60,7 @@ fn asked() -> Result<Asked, Box<dyn Error>> {
         has_skirt: false,
         print: None,
         dance: None,
+        tempo: None,
         says_where: false,
     };
     while let Some(argument) = arguments.next() {
@@ -74,6 +77,7 @@ fn asked() -> Result<Asked, Box<dyn Error>> {
             "--skirt" => asked.has_skirt = true,
             "--where" => asked.says_where = true,
             "--dance" => asked.dance = arguments.next(),
+            "--tempo" => asked.tempo = Some(arguments.next().ok_or("counts a minute?")?.parse()?),
             "--print" => asked.print = arguments.next(),
             id => asked.templates.push(id.to_owned()),
         }
@@ -137,6 +141,7 @@ fn fitting(
         let text = format!("lole = 1\n[motion]\nstep = \"{dance}\"\n");
         design.motion = parse(&text, "dance")?.motion;
     }
+    design.motion.tempo_bpm = asked.tempo.unwrap_or(design.motion.tempo_bpm);
     if !asked.has_skirt {
         design.skirt.is_worn = false;
     }
@@ -207,6 +212,8 @@ fn danced(asked: &Asked, performance: &mut Performance) -> Result<SaidAndShot, B
             let (strain, skin) = performance.measure_dressed(place);
             seen.strain = [seen.strain[0].max(strain.p99), strain.p99];
             seen.deepest = seen.deepest.max(skin.worst_depth);
+            let hem = hem(performance, place);
+            seen.risen = seen.risen.max(hem - *seen.hung.get_or_insert(hem));
             if seen.showing < skin.showing_body_vertices {
                 seen.showing = skin.showing_body_vertices;
                 let vertices = performance.showing_through(place);
@@ -246,12 +253,13 @@ fn danced(asked: &Asked, performance: &mut Performance) -> Result<SaidAndShot, B
         let garment = &performance.production().dressed[place];
         write!(
             said,
-            "\n    {:10} {} particles, p99 strain {:.1} % at worst and {:.1} % at the end, deepest {:.1} mm, showing {} (drawn {}), crossings {} at worst and {} at the end, over itself at {} places, {} of them inverted at worst",
+            "\n    {:10} {} particles, p99 strain {:.1} % at worst and {:.1} % at the end, deepest {:.1} mm, hem up by {:.0} mm, showing {} (drawn {}), crossings {} at worst and {} at the end, over itself at {} places, {} of them inverted at worst",
             garment.name,
             garment.dressed.particle_count(),
             100.0 * seen.strain[0],
             100.0 * seen.strain[1],
             1000.0 * seen.deepest,
+            1000.0 * seen.risen,
             seen.showing,
             seen.drawn,
             seen.crossings[0],
@@ -272,6 +280,18 @@ fn danced(asked: &Asked, performance: &mut Performance) -> Result<SaidAndShot, B
         }
     }
     Ok((said, close))
+}
+
+/// How high the lowest particles of a garment are over the hips [m], in the mean.
+fn hem(performance: &Performance, place: usize) -> f32 {
+    const LOWEST: usize = 40;
+    let skeleton = &performance.production().dancer.skeleton;
+    let hips = performance.world_from_bind()[Bone::Hips.index()];
+    let hips = hips.transform_point3(skeleton.joint(Bone::Hips));
+    let places = performance.dressed_positions(place).iter();
+    let mut heights: Vec<f32> = places.map(|place| place.y - hips.y).collect();
+    heights.sort_by(f32::total_cmp);
+    heights.iter().take(LOWEST).sum::<f32>() / LOWEST as f32
 }
 
 /// Says what gathered garments do at last.
@@ -301,6 +321,9 @@ fn say_gathered(performance: &Performance, said: &mut String) -> Result<(), Box<
 struct Seen {
     strain: [f32; 2],
     deepest: f32,
+    /// How high its hem was over the hips at first, and how far it came up from there [m].
+    hung: Option<f32>,
+    risen: f32,
     showing: u32,
     /// Vertices of skin outside as it is drawn, where it gives way.
     drawn: u32,

@@ -45,7 +45,7 @@ impl Moment {
             let mut vertices = Vertices::default();
             let [positions, normals] = &mut vertices;
             let mesh = &garment.mesh;
-            mesh.spread(performance.garment_positions(garment), positions);
+            mesh.spread(&performance.pressed_positions(garment), positions);
             mesh.spread(&performance.garment_normals(garment), normals);
             vertices
         });

@@ -407,6 +407,12 @@ impl Show {
         &self.positions
     }
 
+    /// The same as they are seen, pressed by what is worn over them [m].
+    #[must_use]
+    pub fn pressed_positions(&self) -> Vec<Vec3> {
+        self.performance.pressed(&self.positions)
+    }
+
     /// The dressed garments as they are drawn, in the production's order: vertices [m] and outward
     /// normals.
     #[must_use]

@@ -7,6 +7,7 @@ pub(crate) mod jump;
 mod no_room;
 mod order;
 mod over_cloth;
+mod pressed;
 mod worn;
 
 pub(crate) use forearms::Forearms;
@@ -16,12 +17,13 @@ use std::sync::Arc;
 
 use glam::{Affine3A, Vec3};
 use lole_body::{BodyCapsule, Bone, Pose};
+use lole_cloth::collision::layer::Press;
 use lole_cloth::method::explicit::ExplicitConfig;
 use lole_cloth::method::reference::ReferenceModel;
 use lole_cloth::wind::GustyWind;
 use lole_cloth::{Crossings, InstructionSet, Phase, diagnose};
 use lole_costume::document::{BodyShapes, Design, GarmentLayer};
-use lole_geom::{Capsule, Surfel, mesh::vertex_normals};
+use lole_geom::{Capsule, Surfel};
 
 use crate::production::{DressedGarment, Garment, Production};
 use crate::solver::{self, Observer, Solver, Surroundings};
@@ -98,6 +100,8 @@ pub struct Performance {
     /// What moves of the production's adornments.
     adorned: Adorned,
     order: Order,
+    /// How what is worn over skirts and tops presses them.
+    press: Option<Press>,
     /// In the order of the production's dressed garments.
     dressed: Vec<Dressed>,
     /// The gusts around strands and dressed garments; `None` where the wind has none.
@@ -143,6 +147,7 @@ impl Performance {
             dressed: production.dressed.iter().map(Dressed::new).collect(),
             adorned: Adorned::default(),
             gusts: solver::gusts(&production.design),
+            press: pressed::press(&production),
             production,
             order: Order::default(),
             whole_skin: Vec::new(),
@@ -309,10 +314,14 @@ impl Performance {
         for worn in &mut self.worn {
             self.cloth_positions.extend_from_slice(worn.look());
         }
-        let grids = dressed::grids(&self.production.garments, &self.cloth_positions);
+        let hanging = (&self.production.garments[..], &self.cloth_positions[..]);
+        let pressed = pressed::flatten((self.press.as_mut(), trunk), hanging);
+        let grids = dressed::grids(&self.production.garments, &pressed);
         let grids: Vec<order::Inner<'_>> = grids.collect();
         let all = (&mut self.dressed[..], &self.production.dressed[..]);
         dressed::step_layer(all, GarmentLayer::Over, &around, &grids);
+        let over = (&self.dressed[..], &self.production.dressed[..]);
+        pressed::tighten((self.press.as_mut(), trunk), over);
         self.step_adornments();
         self.note_no_room();
         self.settle();
@@ -534,13 +543,6 @@ impl Performance {
     #[must_use]
     pub fn garment_positions(&self, garment: &Garment) -> &[Vec3] {
         &self.cloth_positions[garment.particles.clone()]
-    }
-
-    /// Unit normals of the particles of one garment, outward; the seam is smooth.
-    #[must_use]
-    pub fn garment_normals(&self, garment: &Garment) -> Vec<Vec3> {
-        let triangles = &garment.mesh.particle_triangles;
-        vertex_normals(self.garment_positions(garment), triangles)
     }
 
     /// Posed vertices of the drawn body [m]; call [`Self::pose_body`] first.

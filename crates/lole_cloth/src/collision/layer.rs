@@ -3,16 +3,23 @@
 //! What lies in another layer's way is not asked for but known, so contact is one-sided: the inner
 //! garment leads, and the outer one meets its [`Envelope`] as it meets skin, within every substep.
 //!
+//! Gathers give way to what is worn over them without being simulated flatter: [`Press`] says where they
+//! lie then.
+//!
 //! [`Orientation`] answers exactly on which side of a layer a point lies, and is what layers are
 //! measured by.
 
 mod envelope;
+mod press;
 mod shape;
+mod wall;
 
 use glam::Vec3;
 use lole_geom::triangle_grid::{Nearest, TriangleGrid, blend};
 
-pub use envelope::{Envelope, Trunk};
+pub use envelope::Envelope;
+pub use press::{Over, Press};
+pub use wall::Trunk;
 
 /// Weight of a corner below which the nearest point lies on the opposite side of its triangle.
 const ON_SIDE: f32 = 1.0e-4;

@@ -381,8 +381,9 @@ pub(crate) fn first_moment(design: &Design) -> Result<Snapshot, Sentence> {
 fn photograph(show: &Show, clothes: &Arc<Wardrobe>, watch: Watch) -> Snapshot {
     let production = &clothes.production;
     let particles = show.cloth_positions().to_vec();
+    let pressed = show.pressed_positions();
     let draped = |garment: &Garment| {
-        let (mesh, own) = (&garment.mesh, &particles[garment.particles.clone()]);
+        let (mesh, own) = (&garment.mesh, &pressed[garment.particles.clone()]);
         let mut vertices = Vertices::default();
         let [positions, normals] = &mut vertices;
         mesh.spread(own, positions);

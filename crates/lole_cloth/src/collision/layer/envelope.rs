@@ -8,29 +8,11 @@
 use glam::Vec3;
 use lole_geom::Surfel;
 
-/// Directions around the axis that are told apart.
-const SECTORS: usize = 144;
-/// Heights that are told apart, and their distance [m].
-const LEVELS: usize = 128;
-const LEVEL: f32 = 0.015;
-/// Levels below the height of the axis: as far as from the hips to the floor, and more.
-const LEVELS_BELOW: usize = 88;
+use super::wall::{self, LEVELS, SECTORS, Trunk, Wall, around, bin, from_axis};
 
 /// Sectors to either side that are bridged: about a gather's width at the hips, half of a fold's at
 /// the hem.
 const BRIDGE: usize = 3;
-
-/// Where a surfel is put whose bin is empty [m]: no cloth comes there.
-const NOWHERE: Vec3 = Vec3::splat(1.0e4);
-
-/// Where the trunk is.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Trunk {
-    /// A point of its upright axis [m].
-    pub axis: Vec3,
-    /// Horizontal unit vector that turns with it.
-    pub forward: Vec3,
-}
 
 /// How far garments stand out; its room is kept from frame to frame.
 #[derive(Debug, Clone)]
@@ -46,25 +28,11 @@ pub struct Envelope {
 
 impl Default for Envelope {
     fn default() -> Self {
-        #[expect(clippy::cast_precision_loss, reason = "sectors are few")]
-        let direction = |sector: usize| {
-            let around = (sector as f32 + 0.5) * 4.0 / SECTORS as f32;
-            let share = if around < 2.0 {
-                1.0 - around
-            } else {
-                around - 3.0
-            };
-            let depth = 1.0 - share.abs();
-            Vec3::new(share, 0.0, if around < 2.0 { depth } else { -depth }).normalize_or_zero()
-        };
         Self {
-            trunk: Trunk {
-                axis: Vec3::ZERO,
-                forward: Vec3::Z,
-            },
+            trunk: Trunk::default(),
             radii: vec![0.0; LEVELS * SECTORS],
             bridged: Vec::new(),
-            directions: (0..SECTORS).map(direction).collect(),
+            directions: wall::directions(),
         }
     }
 }
@@ -78,14 +46,9 @@ impl Envelope {
 
     /// Puts on the `triangles` between `positions` [m].
     pub fn put_on(&mut self, triangles: &[[u32; 3]], positions: &[Vec3]) {
-        let side = Vec3::Y.cross(self.trunk.forward);
         for triangle in triangles {
-            let corners = triangle.map(|corner| {
-                let arm = positions[corner as usize] - self.trunk.axis;
-                Vec3::new(arm.dot(side), arm.y, arm.dot(self.trunk.forward))
-            });
+            let [a, b, c] = triangle.map(|corner| self.trunk.local(positions[corner as usize]));
             // A cell of the cloth may be as high as a level.
-            let [a, b, c] = corners;
             for point in [a, (a + b) * 0.5, (b + c) * 0.5, (c + a) * 0.5] {
                 if let Some(bin) = bin(point) {
                     self.radii[bin] = self.radii[bin].max(from_axis(point));
@@ -97,48 +60,21 @@ impl Envelope {
     /// Adds the surface, a surfel for every bin, `inset` [m] inside of it.
     pub fn add_surfels(&mut self, inset: f32, surfels: &mut Vec<Surfel>) {
         self.bridge();
-        let side = Vec3::Y.cross(self.trunk.forward);
-        let forward = self.trunk.forward;
-        let world = |v: Vec3| side * v.x + Vec3::Y * v.y + forward * v.z;
-        for level in 0..LEVELS {
-            for sector in 0..SECTORS {
-                let Some(place) = self.place(level, sector) else {
-                    surfels.push(Surfel {
-                        position: NOWHERE,
-                        normal: Vec3::Y,
-                    });
-                    continue;
-                };
-                let or_here = |other: Option<Vec3>| other.unwrap_or(place);
-                let next = or_here(self.place(level, (sector + 2) % SECTORS));
-                let last = or_here(self.place(level, (sector + SECTORS - 2) % SECTORS));
-                let above = or_here(self.place((level + 1).min(LEVELS - 1), sector));
-                let below = or_here(self.place(level.saturating_sub(1), sector));
-                let outward = self.directions[sector];
-                let normal = (next - last).cross(above - below);
-                let normal = normal.try_normalize().unwrap_or(outward);
-                let normal = if normal.dot(outward) < 0.0 {
-                    -normal
-                } else {
-                    normal
-                };
-                surfels.push(Surfel {
-                    position: self.trunk.axis + world(place - normal * inset),
-                    normal: world(normal),
-                });
-            }
-        }
+        let wall = Wall {
+            trunk: self.trunk,
+            radii: &self.bridged,
+            directions: &self.directions,
+        };
+        wall.add_surfels(inset, surfels);
     }
 
     /// How far a place is outside of what is worn, after [`Self::add_surfels`], and the way out [m];
     /// `None` where nothing is worn.
     #[must_use]
     pub fn clearance(&self, place: Vec3) -> Option<(f32, Vec3)> {
-        let side = Vec3::Y.cross(self.trunk.forward);
-        let arm = place - self.trunk.axis;
-        let local = Vec3::new(arm.dot(side), arm.y, arm.dot(self.trunk.forward));
+        let local = self.trunk.local(place);
         let radius = *self.bridged.get(bin(local)?)?;
-        let outward = arm.with_y(0.0).try_normalize()?;
+        let outward = (place - self.trunk.axis).with_y(0.0).try_normalize()?;
         (0.0 < radius).then(|| (from_axis(local) - radius, outward))
     }
 
@@ -148,14 +84,12 @@ impl Envelope {
         let mut crests = [0.0_f32; SECTORS];
         self.bridged.clear();
         for ring in self.radii.chunks(SECTORS) {
-            let around = |sector: usize| {
-                (0..=2 * BRIDGE).map(move |step| (sector + SECTORS + step - BRIDGE) % SECTORS)
-            };
             for (sector, crest) in crests.iter_mut().enumerate() {
-                *crest = around(sector).fold(0.0, |most, near| most.max(ring[near]));
+                *crest = around(sector, BRIDGE).fold(0.0, |most, near| most.max(ring[near]));
             }
             let mean = |sector: usize| {
-                let worn = || around(sector).map(|near| crests[near]).filter(|&r| 0.0 < r);
+                let near = || around(sector, BRIDGE).map(|near| crests[near]);
+                let worn = || near().filter(|&r| 0.0 < r);
                 if crests[sector] == 0.0 {
                     return 0.0;
                 }
@@ -166,46 +100,11 @@ impl Envelope {
             self.bridged.extend((0..SECTORS).map(mean));
         }
     }
-
-    /// Where the surface of a bin is from the axis [m], with forward along `z`; `None` where nothing
-    /// is worn.
-    #[expect(clippy::cast_precision_loss, reason = "levels are few")]
-    fn place(&self, level: usize, sector: usize) -> Option<Vec3> {
-        let radius = self.bridged[level * SECTORS + sector];
-        let height = (level as f32 + 0.5 - LEVELS_BELOW as f32) * LEVEL;
-        (0.0 < radius).then(|| self.directions[sector] * radius + Vec3::Y * height)
-    }
-}
-
-/// The bin of a place seen from the axis, if there is one.
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    clippy::cast_precision_loss,
-    reason = "clamped to the bins"
-)]
-fn bin(arm: Vec3) -> Option<usize> {
-    let level = arm.y / LEVEL + LEVELS_BELOW as f32;
-    if !(0.0 <= level && level < LEVELS as f32) {
-        return None;
-    }
-    // Once around in 0..4, evenly enough and without an angle.
-    let share = arm.x / (arm.x.abs() + arm.z.abs()).max(1.0e-6);
-    let around = if 0.0 <= arm.z {
-        1.0 - share
-    } else {
-        3.0 + share
-    };
-    let sector = (around * (SECTORS / 4) as f32).max(0.0) as usize % SECTORS;
-    Some(level as usize * SECTORS + sector)
-}
-
-fn from_axis(arm: Vec3) -> f32 {
-    (arm.x * arm.x + arm.z * arm.z).sqrt()
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::wall::NOWHERE;
     use super::*;
 
     /// A pleated tube of 400 columns: radius 0.25 m and ±0.02 m, from 0.1 m above the axis' point to
