@@ -1,6 +1,7 @@
 //! A performance: one dancer, what she wears, one dance, moved on frame by frame.
 
 mod adornment;
+mod covering;
 mod dressed;
 mod forearms;
 mod jump;
@@ -9,6 +10,7 @@ mod order;
 mod over_cloth;
 mod worn;
 
+pub use covering::{GarmentLayers, LayerWatch};
 pub(crate) use forearms::Forearms;
 pub use no_room::{NoRoom, no_room_now};
 
