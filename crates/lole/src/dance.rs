@@ -14,8 +14,8 @@ use lole_export::{Image, still};
 use lole_language::{Bilingual as _, Language, Sentence, Words, words};
 use lole_render::{Backend, LightRig, Renderer, Size};
 use lole_stage::{
-    Danced, Divergence, FRAME_SECONDS, FRAMES_PER_SECOND, FrameMetrics, Performance, Production,
-    StageError,
+    Danced, Divergence, FRAME_SECONDS, FRAMES_PER_SECOND, FrameMetrics, LayerWatch, Performance,
+    Production, StageError,
 };
 
 use crate::args::DanceArgs;
@@ -34,6 +34,8 @@ const FILM_RATE: u32 = 30;
 const FRAMES_PER_PICTURE: u32 = FRAMES_PER_SECOND / FILM_RATE;
 /// Keys of the baked motion per second.
 const KEY_RATE: u32 = 15;
+/// Looks a second at which piece of a garment lies outside.
+const LAYER_RATE: u32 = 5;
 /// Size of the stills: upright, as a poster is.
 const STILL_SIZE: Size = Size {
     width: 1080,
@@ -48,7 +50,20 @@ struct Recording {
     metrics: Vec<FrameMetrics>,
     timings: Vec<Timing>,
     keys: Keys,
+    /// Which cloth lies outside, from the first frame on.
+    layers: Option<LayerWatch>,
     divergence: Option<Divergence>,
+}
+
+impl Recording {
+    /// Looks at the layers of what she wears, which were right in the first look; call
+    /// [`Performance::pose_body`] first.
+    fn watch_layers(&mut self, performance: &Performance) {
+        match &mut self.layers {
+            Some(layers) => layers.look(performance),
+            None => self.layers = Some(LayerWatch::new(performance)),
+        }
+    }
 }
 
 /// Runs the command.
@@ -278,6 +293,9 @@ impl Run<'_> {
             if frame % FRAMES_PER_PICTURE == 0 {
                 performance.pose_body();
                 recording.metrics.push(performance.measure());
+                if frame % (FRAMES_PER_SECOND / LAYER_RATE) == 0 {
+                    recording.watch_layers(performance);
+                }
                 let dt = FRAME_SECONDS * FRAMES_PER_PICTURE as f32;
                 let view = camera.advance(performance, dt, shoot.size);
                 shoot.take(performance, view).map_err(Failure::Run)?;
@@ -302,6 +320,7 @@ impl Run<'_> {
         if recording.divergence.is_none() {
             performance.pose_body();
             recording.metrics.push(performance.measure());
+            recording.watch_layers(performance);
         }
         bar.finish_and_clear();
         Ok(())
@@ -396,6 +415,7 @@ impl Run<'_> {
             metrics: &recording.metrics,
             timings: &recording.timings,
             divergence: recording.divergence,
+            layers: (recording.layers).map_or_else(Vec::new, |layers| layers.seen(performance)),
             files: files.list,
         };
         let report = figures::report(performance, figures);

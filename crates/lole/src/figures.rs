@@ -4,13 +4,13 @@ use lole_avatar::License;
 use lole_body::{Dancer, Tape};
 use lole_costume::document::{Design, GarmentDesign};
 use lole_export::report::{
-    DancerMeasure, Divergence as ReportDivergence, MeanPercentileMax, MedianPercentile, MinMeanMax,
-    PageMedia, Remark, ReportFile, RunReport, RunSeries, SkirtFacts, Still as PageStill, Worst,
-    report_html,
+    DancerMeasure, Divergence as ReportDivergence, GarmentFacts, MeanPercentileMax,
+    MedianPercentile, MinMeanMax, PageMedia, PieceOver, Remark, ReportFile, RunReport, RunSeries,
+    SkirtFacts, Still as PageStill, Worst, report_html,
 };
 use lole_language::{Bilingual, words};
 use lole_stage::{
-    Divergence, FRAMES_PER_SECOND, FrameMetrics, Performance, Production, RunMetrics,
+    Divergence, FRAMES_PER_SECOND, FrameMetrics, GarmentLayers, Performance, Production, RunMetrics,
 };
 
 use crate::studio::STILLS;
@@ -32,6 +32,7 @@ pub(crate) struct RunFigures<'a> {
     pub(crate) metrics: &'a [FrameMetrics],
     pub(crate) timings: &'a [Timing],
     pub(crate) divergence: Option<Divergence>,
+    pub(crate) layers: Vec<GarmentLayers>,
     pub(crate) files: Vec<ReportFile>,
 }
 
@@ -88,6 +89,7 @@ pub(crate) fn report(performance: &Performance, run: RunFigures<'_>) -> RunRepor
             .no_room()
             .map(|it| remark(&it.sentence()))
             .collect(),
+        garments: run.layers.iter().map(garment_facts).collect(),
         state_hash: format!("{:016x}", performance.state_hash()),
         files: run.files,
         dancer: dancer_measures(
@@ -188,6 +190,27 @@ fn skirt_facts(performance: &Performance) -> SkirtFacts {
             .collect(),
         hip_girth_cm: worn.worn.hip_girth.to_cm(),
         warnings,
+    }
+}
+
+fn garment_facts(garment: &GarmentLayers) -> GarmentFacts {
+    let over = garment.over.iter().map(|over| PieceOver {
+        outer: over.outer.english.to_owned(),
+        outer_ja: over.outer.japanese.to_owned(),
+        inner: over.inner.english.to_owned(),
+        inner_ja: over.inner.japanese.to_owned(),
+        is_itself: over.is_itself,
+        places: over.places,
+    });
+    GarmentFacts {
+        id: garment.id.clone(),
+        name: garment.name.english.to_owned(),
+        name_ja: garment.name.japanese.to_owned(),
+        overlapping_places: garment.places(),
+        over: over.collect(),
+        inverted_places: Worst {
+            worst: garment.inverted,
+        },
     }
 }
 

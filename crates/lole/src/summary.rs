@@ -90,6 +90,17 @@ pub(crate) fn print_run(report: &RunReport, paths: &[PathBuf], seconds: f64, lan
     for remark in &report.no_room {
         say!("  ! {}", pick_remark(remark, language));
     }
+    for garment in &report.garments {
+        let (of, worst) = (garment.overlapping_places, garment.inverted_places.worst);
+        if 0 < worst {
+            let name = language.pick(&garment.name_ja, &garment.name);
+            let said = pick(
+                "内と外が逆の点（最大）",
+                "points the wrong way round at worst",
+            );
+            say!("  ! {name}: {said} {worst} / {of}");
+        }
+    }
     let estimated: Vec<String> = (report.dancer.iter().filter(|measure| measure.is_estimated))
         .map(|measure| {
             let name = language.pick(&measure.name_ja, &measure.name);

@@ -210,6 +210,26 @@ fn a_run_writes_every_file_and_the_same_bits_on_any_number_of_threads() {
 }
 
 #[test]
+fn a_garment_tells_which_piece_lies_outside() {
+    let scratch = Scratch::new("outside");
+    let text = "lole = 1\n[skirt]\nworn = \"no\"\n[[garment]]\nkind = \"malo\"\n";
+    let design = scratch.write("malo.lole", text);
+    let output = dance(&design, &scratch.path("out"), &[]);
+    assert_eq!(output.status.code(), Some(0), "{output:?}");
+    let report: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let malo = &report["garments"][0];
+    let over = malo["over"].as_array().unwrap();
+    let places = over.iter().map(|it| it["places"].as_u64().unwrap());
+    assert!(100 < places.clone().sum::<u64>(), "{malo}");
+    assert_eq!(malo["overlapping_places"], places.sum::<u64>());
+    assert_eq!(malo["inverted_places"]["worst"], 0);
+    let page = fs::read_to_string(scratch.path("out").join("report.html")).unwrap();
+    for piece in [&over[0]["outer"], &over[0]["outer_ja"]] {
+        assert!(page.contains(piece.as_str().unwrap()), "{piece}");
+    }
+}
+
+#[test]
 fn a_run_that_diverges_says_so_and_still_reports() {
     let scratch = Scratch::new("diverges");
     let text = format!("{SMALL}[method]\nname = \"fb-euler\"\nsubstep_count = 1\n");

@@ -42,7 +42,7 @@ use under::Under;
 pub use crossings::Crossing;
 pub(crate) use garment::chest_room_deg;
 pub use garment::is_worn;
-pub use layers::{Body, Layers, Over};
+pub use layers::{Body, Layers, Over, PieceOver};
 pub use tuck::Bands;
 
 /// Distance kept between garments [m]: the thickness of two fabrics and of the air between them.

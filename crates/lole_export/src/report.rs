@@ -6,8 +6,8 @@ mod html;
 mod model;
 
 pub use model::{
-    DancerMeasure, Divergence, MeanPercentileMax, MedianPercentile, MinMeanMax, Remark, ReportFile,
-    RunReport, RunSeries, SkirtFacts, Still, Worst,
+    DancerMeasure, Divergence, GarmentFacts, MeanPercentileMax, MedianPercentile, MinMeanMax,
+    PieceOver, Remark, ReportFile, RunReport, RunSeries, SkirtFacts, Still, Worst,
 };
 
 use crate::ExportError;

@@ -7,8 +7,8 @@
 )]
 
 use lole_export::report::{
-    DancerMeasure, Divergence, PageMedia, ReportFile, RunReport, RunSeries, Still, report_html,
-    report_json,
+    DancerMeasure, Divergence, GarmentFacts, PageMedia, PieceOver, ReportFile, RunReport,
+    RunSeries, Still, Worst, report_html, report_json,
 };
 use serde_json::Value;
 
@@ -105,6 +105,43 @@ fn what_was_not_measured_is_shown_as_estimated() {
     assert_eq!(json["dancer"][0]["is_estimated"], false);
     assert_eq!(json["dancer"][1]["is_estimated"], true);
     assert!(json["dancer"][1]["given_cm"].is_null());
+}
+
+#[test]
+fn the_page_says_which_piece_of_a_garment_lies_outside() {
+    let over = |outer: &str, inner: &str, places| PieceOver {
+        outer: outer.into(),
+        outer_ja: format!("外{outer}"),
+        inner: inner.into(),
+        inner_ja: format!("内{inner}"),
+        is_itself: outer == inner,
+        places,
+    };
+    let mut report = report();
+    let page = |report: &RunReport| report_html(report, PageMedia::default());
+    assert!(!page(&report).contains("What lies over what"));
+    report.garments = vec![GarmentFacts {
+        id: "kikepa".into(),
+        name: "kīkepa".into(),
+        name_ja: "キーケパ".into(),
+        overlapping_places: 1_300,
+        over: vec![over("flap", "band", 1_200), over("sheet", "sheet", 100)],
+        inverted_places: Worst { worst: 7 },
+    }];
+    let html = page(&report);
+    for words in [
+        "What lies over what",
+        "布の重なり",
+        "kīkepa: flap over band",
+        "キーケパ: 内bandの外側に外flap",
+        "sheet over itself",
+        "the wrong way round",
+    ] {
+        assert!(html.contains(words), "{words}");
+    }
+    let json: Value = serde_json::from_str(&report_json(&report).unwrap()).unwrap();
+    assert_eq!(json["garments"][0]["over"][0]["outer"], "flap");
+    assert_eq!(json["garments"][0]["inverted_places"]["worst"], 7);
 }
 
 #[test]

@@ -4,7 +4,7 @@
 //! [--seconds S] [--every N] [--design FILE]` prints, for every so manyth frame in which cloth
 //! is below the skin or strained by more than 10 % (p99), how deep the deepest particle lies, in which row
 //! and on which bone's skin, and where the cloth is stretched most; the worst frames become pictures from
-//! four sides in OUT. `FILE` may be a step's name for `--motion`; a design comes first, and names no files.
+//! four sides in OUT, and where the body was told to leave no room comes last. `FILE` may be a step's name for `--motion`; a design comes first, and names no files.
 
 #![expect(clippy::print_stdout, reason = "a tool prints figures")]
 
@@ -105,6 +105,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
         performance.advance().map_err(|_| "the cloth flew away")?;
         frame += 1;
+    }
+    for told in performance.no_room() {
+        println!("{}", told.sentence());
     }
     for (_, time, pixels) in &worst {
         write(&asked.out.join(format!("at-{time:.2}.png")), pixels)?;

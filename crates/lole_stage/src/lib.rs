@@ -23,7 +23,8 @@ pub use double_pau::double_pau;
 pub use live::{Pull, Show, Vitals, Wish};
 pub use metrics::{FrameMetrics, RunMetrics};
 pub use performance::{
-    Divergence, Energy, FRAME_SECONDS, FRAMES_PER_SECOND, NoRoom, Performance, no_room_now,
+    Divergence, Energy, FRAME_SECONDS, FRAMES_PER_SECOND, GarmentLayers, LayerWatch, NoRoom,
+    Performance, no_room_now,
 };
 pub use production::{DressedGarment, Garment, Production, dancer};
 pub use six_dancers::six_dancers;

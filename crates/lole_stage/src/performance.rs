@@ -1,6 +1,7 @@
 //! A performance: one dancer, what she wears, one dance, moved on frame by frame.
 
 mod adornment;
+mod covering;
 mod dressed;
 mod forearms;
 pub(crate) mod jump;
@@ -10,6 +11,7 @@ mod over_cloth;
 mod pressed;
 mod worn;
 
+pub use covering::{GarmentLayers, LayerWatch};
 pub(crate) use forearms::Forearms;
 pub use no_room::{NoRoom, no_room_now};
 
@@ -123,6 +125,8 @@ pub struct Performance {
     body_positions: Vec<Vec3>,
     body_normals: Vec<Vec3>,
     surfels: Vec<Surfel>,
+    /// Of the forearms, those too that touch nothing.
+    forearm_skin: Vec<Surfel>,
     no_room: Vec<NoRoom>,
     /// Where her hips are, `None` before the first frame.
     hips: Option<Hips>,
@@ -160,6 +164,7 @@ impl Performance {
             body_positions: Vec::new(),
             body_normals: Vec::new(),
             surfels: Vec::new(),
+            forearm_skin: Vec::new(),
             no_room: Vec::new(),
             hips: None,
             frame: -i64::from(SETTLE_FRAMES),
@@ -345,37 +350,6 @@ impl Performance {
         }
     }
 
-    /// Writes down where the dance left cloth no room.
-    fn note_no_room(&mut self) {
-        if self.frame <= 0 {
-            return;
-        }
-        let gathered = self.worn.iter().zip(&self.production.garments);
-        let gathered = gathered.map(|(worn, garment)| {
-            let positions = &self.cloth_positions[garment.particles.clone()];
-            let held = worn.solver.without_room();
-            held.iter().map(|&it| positions[it as usize]).collect()
-        });
-        let dressed = self.dressed.iter().zip(&self.production.dressed);
-        let dressed = dressed.map(|(moving, garment)| moving.without_room(garment));
-        let (skin, surfels) = (&self.production.dancer.skin, &self.production.body_surfels);
-        let bone_of = |surfel: usize| skin.strongest_bone(surfels.carrier(surfel) as usize);
-        let time = self.frame as f32 * FRAME_SECONDS;
-        for (held, met) in (gathered.map(|held: Vec<Vec3>| (held, &self.surfels)))
-            .chain(dressed.map(|held| (held, &self.whole_skin)))
-        {
-            if !held.is_empty() && !met.is_empty() {
-                no_room::note(&mut self.no_room, time, &held, (met, &bone_of));
-            }
-        }
-    }
-
-    /// When, and beside what, the dance left cloth no room, so far: what passed in a few frames is
-    /// not worth a word.
-    pub fn no_room(&self) -> impl Iterator<Item = &NoRoom> {
-        self.no_room.iter().filter(|it| it.is_long())
-    }
-
     fn step_adornments(&mut self) {
         if !self.adorned.has_strands() {
             return;
@@ -473,6 +447,7 @@ impl Performance {
             if !self.dressed.is_empty() {
                 self.whole_skin.clone_from(&self.surfels);
             }
+            (self.production.forearms).copy_whole(&self.surfels, &mut self.forearm_skin);
             (self.production.forearms).withdraw(&self.capsules, &mut self.surfels);
         }
         let mut worn = std::mem::take(&mut self.worn);
@@ -489,6 +464,11 @@ impl Performance {
             world_from_bind: &self.world_from_bind,
             skin: self.meets_skin.then_some(skin),
             surfels: if self.meets_skin { &self.surfels } else { &[] },
+            forearms: if self.meets_skin {
+                &self.forearm_skin
+            } else {
+                &[]
+            },
             triangles: &self.production.body_triangles,
         }
     }

@@ -6,10 +6,11 @@
 //! than a fold is deep, along its cloth and through its seams.
 
 use std::cmp::Reverse;
-use std::collections::{BTreeMap, BTreeSet, BinaryHeap};
+use std::collections::{BTreeSet, BinaryHeap};
 
 use glam::Vec3;
 use lole_geom::TriangleGrid;
+use lole_language::Words;
 
 use super::{Dressed, EDGE};
 
@@ -46,6 +47,20 @@ pub struct Over {
     pub gap: f32,
 }
 
+/// One piece of a garment over another of it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct PieceOver {
+    /// Which lies outside.
+    pub outer: Words,
+    /// Which it lies over.
+    pub inner: Words,
+    /// Whether both are one piece of cloth: a turn or a tuck of it. Otherwise two of one name were cut
+    /// from the same piece of the pattern.
+    pub is_itself: bool,
+    /// At how many places.
+    pub places: usize,
+}
+
 /// What lies over what as a garment is put on.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Layers {
@@ -76,16 +91,30 @@ impl Layers {
         &self.places
     }
 
-    /// Which pieces lie over which, the inner one first, and at how many places: a piece over itself is a
-    /// turn or a tuck of it.
+    /// Which pieces lie over which and at how many places, by what the paper calls them.
     #[must_use]
-    pub fn pieces(&self, garment: &Dressed) -> BTreeMap<[&'static str; 2], usize> {
-        let mut pieces = BTreeMap::new();
+    pub fn pieces(&self, garment: &Dressed) -> Vec<PieceOver> {
+        let mut found: Vec<PieceOver> = Vec::new();
         for place in &self.places {
-            let both = [place.inner, place.outer[0]].map(|it| garment.piece_of(it).1);
-            *pieces.entry(both).or_insert(0) += 1;
+            let [inner, outer] =
+                [place.inner, place.outer[0]].map(|it| garment.panel_of[it as usize]);
+            let name = |panel: u32| garment.pattern.pieces[garment.pieces[panel as usize]].name;
+            let over = PieceOver {
+                outer: name(outer),
+                inner: name(inner),
+                is_itself: inner == outer,
+                places: 0,
+            };
+            let known = found
+                .iter_mut()
+                .position(|it| PieceOver { places: 0, ..*it } == over);
+            let known = known.unwrap_or_else(|| {
+                found.push(over);
+                found.len() - 1
+            });
+            found[known].places += 1;
         }
-        pieces
+        found
     }
 
     /// Places where cloth lies inside now that these layers have over what now covers it.

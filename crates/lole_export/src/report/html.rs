@@ -5,7 +5,7 @@
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 
-use super::{PageMedia, ReportFile, RunReport, SkirtFacts};
+use super::{GarmentFacts, PageMedia, PieceOver, ReportFile, RunReport, SkirtFacts};
 use crate::page::plot::{Floor, Plot, svg};
 use crate::page::text::{both, dance_step, escape, file_size, grouped, link, number};
 use crate::page::{Page, Row, row, section};
@@ -18,6 +18,7 @@ pub(super) fn page(report: &RunReport, media: PageMedia<'_>) -> String {
         film(media),
         stills(media),
         skirt(report),
+        garments(report),
         dancer(report),
         motion(report),
         speed(report),
@@ -255,6 +256,85 @@ fn skirt_rows(skirt: &SkirtFacts) -> Vec<Row> {
         ));
     }
     rows
+}
+
+/// Which piece of each garment lies outside; nothing where none covers itself.
+fn garments(report: &RunReport) -> String {
+    let covered = report.garments.iter().filter(|it| !it.over.is_empty());
+    let rows: Vec<Row> = covered.flat_map(garment_rows).collect();
+    if rows.is_empty() {
+        return String::new();
+    }
+    section(
+        ["What lies over what", "布の重なり"],
+        [
+            "Where pieces of one garment overlap: which of them lies outside, and at how many points of the cloth.",
+            "一着のなかで布が重なるところで、どちらが外側になるかと、その点の数です。",
+        ],
+        &rows,
+    )
+}
+
+fn garment_rows(garment: &GarmentFacts) -> Vec<Row> {
+    let name = [&garment.name, &garment.name_ja].map(|it| escape(it));
+    let places = |count: usize| format!("{} {}", grouped(count), both("points", "か所"));
+    let mut rows: Vec<Row> = (garment.over.iter())
+        .map(|over| {
+            let [english, japanese] = said_over(over);
+            row(
+                [
+                    &format!("{}: {}", name[0], escape(&english)),
+                    &format!("{}: {}", name[1], escape(&japanese)),
+                ],
+                places(over.places),
+                ["", ""],
+            )
+        })
+        .collect();
+    rows.push(row(
+        [
+            &format!("{}: the wrong way round", name[0]),
+            &format!("{}: 内と外が逆の点", name[1]),
+        ],
+        format!(
+            "{}<span class=\"also\">{} {}</span>",
+            places(garment.inverted_places.worst),
+            both("of", "全"),
+            grouped(garment.overlapping_places)
+        ),
+        [
+            "At the worst moment of the dance: none where everything stays as it was put on.",
+            "踊りのなかでいちばん多いときの数です。着せたときのままなら 0 です。",
+        ],
+    ));
+    rows
+}
+
+/// One piece over another, in English and Japanese.
+fn said_over(over: &PieceOver) -> [String; 2] {
+    let PieceOver {
+        outer,
+        outer_ja,
+        inner,
+        inner_ja,
+        ..
+    } = over;
+    if over.is_itself {
+        return [
+            format!("{outer} over itself"),
+            format!("{outer_ja}（巻き重ね・折り重ね）"),
+        ];
+    }
+    if outer == inner {
+        return [
+            format!("{outer} over the other {inner}"),
+            format!("もう一枚の{inner_ja}の外側に{outer_ja}"),
+        ];
+    }
+    [
+        format!("{outer} over {inner}"),
+        format!("{inner_ja}の外側に{outer_ja}"),
+    ]
 }
 
 fn motion(report: &RunReport) -> String {

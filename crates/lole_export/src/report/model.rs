@@ -34,7 +34,7 @@ pub struct MinMeanMax {
 }
 
 /// The worst value over a run.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 pub struct Worst<T> {
     /// The worst value.
     pub worst: T,
@@ -100,6 +100,40 @@ pub struct SkirtFacts {
     pub hip_girth_cm: f64,
     /// What is unusual about the draft and what to do about it.
     pub warnings: Vec<Remark>,
+}
+
+/// One piece of a garment that lies outside over another.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
+pub struct PieceOver {
+    /// The piece outside, as the paper calls it.
+    pub outer: String,
+    /// The same in Japanese.
+    pub outer_ja: String,
+    /// The piece that it lies over.
+    pub inner: String,
+    /// The same in Japanese.
+    pub inner_ja: String,
+    /// Whether both are one piece of cloth: a turn or a tuck of it. Two pieces of one name are a pair.
+    pub is_itself: bool,
+    /// At how many places of the cloth.
+    pub places: usize,
+}
+
+/// Which piece of a garment lies outside wherever pieces overlap.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
+pub struct GarmentFacts {
+    /// Name in files, such as `blouse`.
+    pub id: String,
+    /// What it is called.
+    pub name: String,
+    /// The same in Japanese.
+    pub name_ja: String,
+    /// Places of the cloth that lie under other cloth of it, as it was put on.
+    pub overlapping_places: usize,
+    /// Which piece lies outside over which, most places first.
+    pub over: Vec<PieceOver>,
+    /// Places that lie the wrong way round.
+    pub inverted_places: Worst<usize>,
 }
 
 /// One measure of the dancer as the finished body has it.
@@ -188,6 +222,8 @@ pub struct RunReport {
     pub divergence: Option<Divergence>,
     /// When, and beside what, the dance left the cloth no room.
     pub no_room: Vec<Remark>,
+    /// How each dressed garment covers itself.
+    pub garments: Vec<GarmentFacts>,
     /// Hash of all bits of the final state, 16 hexadecimal digits.
     pub state_hash: String,
     /// Files the run wrote.

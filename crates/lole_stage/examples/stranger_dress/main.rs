@@ -2,11 +2,14 @@
 //! engine's public interface does with it.
 //!
 //! `cargo run --release -p lole_stage --example stranger_dress -- [--obj cloth.obj [--unit METERS] [--uv METERS]]
-//! [--bvh walk.bvh] [--seconds S] [--edge METERS] [--substeps N] [--write FOLDER] [--trace]` prints a line a
-//! second: strain, crossings, particles in the body, and what a frame costs. Without an OBJ file a dress with
+//! [--pattern garment.json [--lift METERS]] [--tape STATURE,BUST,WAIST,HIP] [--bvh walk.bvh] [--seconds S]
+//! [--edge METERS] [--substeps N] [--forearms] [--write FOLDER] [--trace]` prints a line a second: strain, crossings,
+//! particles in the body, and what a frame costs. Without an OBJ file a dress with
 //! sleeves is spread over the built dancer, without a recording she dances a kāholo with her arms up. An OBJ
 //! stands where the dancer does: meters, `+Y` up, `+Z` her front, arms 47° below the horizontal; with `--uv`
-//! its texture coordinates times so many meters are its flat pieces. `--write` leaves dress and body as OBJ,
+//! its texture coordinates times so many meters are its flat pieces. A pattern is one of flat panels as
+//! `GarmentCode` writes it, for a body that stands as she does, raised by so much where its origin is not on the
+//! floor; the tape [cm] is hers. `--forearms` lets cloth meet those too, which a skirt does not. What is sewn from it is drawn together before she dances. `--write` leaves dress and body as OBJ,
 //! for `draw_obj` of `lole_render`.
 
 #![expect(
@@ -16,17 +19,21 @@
 
 mod dress;
 mod obj;
+mod panels;
 mod seen;
 
 use std::error::Error;
 use std::num::NonZeroU32;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use cpu_time::ProcessTime;
 use glam::Vec3;
-use lole_body::{ArmStyle, Bone, Dance, DanceStep, Dancer, Measurements, MotionSettings, Pose};
+use lole_body::{
+    ArmStyle, Bone, Dance, DanceStep, Dancer, Measurements, MotionSettings, Pose, Tape,
+};
 use lole_cloth::mesh::{self, MeshBody, MeshModel, MeshSpec, MeshState, Outcome};
-use lole_cloth::{Fabric, Hysteresis, StepInput};
+use lole_cloth::{Fabric, Hysteresis, SolverConfig, StepInput};
+use lole_geom::Length;
 use lole_motion::{BoneMap, Clip, ClipSettings, bvh};
 use seen::Seen;
 
@@ -35,6 +42,9 @@ const FRAME_DT: f32 = 1.0 / 60.0;
 /// Time in which she goes from the bind pose into the dance, and in which the dress comes to rest [s].
 const EASING: f32 = 1.0;
 const RESTING: f32 = 0.5;
+
+/// Time in which seams draw their panels together [s].
+const CLOSING: f32 = 5.0;
 
 /// How far apart the points are in which the body is met [m].
 const POINT_SPACING: f32 = 0.012;
@@ -57,10 +67,14 @@ struct Asked {
     obj: Option<PathBuf>,
     unit: f32,
     uv: Option<f32>,
+    pattern: Option<PathBuf>,
+    lift: f32,
+    tape: Tape,
     bvh: Option<PathBuf>,
     seconds: f32,
     edge: f32,
     substeps: Option<NonZeroU32>,
+    meets_forearms: bool,
     write: Option<PathBuf>,
     traces: bool,
 }
@@ -70,10 +84,14 @@ fn asked() -> Result<Asked, Box<dyn Error>> {
         obj: None,
         unit: 1.0,
         uv: None,
+        pattern: None,
+        lift: 0.0,
+        tape: Tape::default(),
         bvh: None,
         seconds: 5.0,
         edge: 0.0125,
         substeps: None,
+        meets_forearms: false,
         write: None,
         traces: false,
     };
@@ -84,16 +102,36 @@ fn asked() -> Result<Asked, Box<dyn Error>> {
             "--obj" => asked.obj = Some(value()?.into()),
             "--unit" => asked.unit = value()?.parse()?,
             "--uv" => asked.uv = Some(value()?.parse()?),
+            "--pattern" => asked.pattern = Some(value()?.into()),
+            "--lift" => asked.lift = value()?.parse()?,
+            "--tape" => asked.tape = tape(&value()?)?,
             "--bvh" => asked.bvh = Some(value()?.into()),
             "--seconds" => asked.seconds = value()?.parse()?,
             "--edge" => asked.edge = value()?.parse()?,
             "--substeps" => asked.substeps = Some(value()?.parse()?),
             "--write" => asked.write = Some(value()?.into()),
+            "--forearms" => asked.meets_forearms = true,
             "--trace" => asked.traces = true,
             _ => return Err(format!("what is {argument}?").into()),
         }
     }
     Ok(asked)
+}
+
+/// Stature, bust, waist and hip [cm].
+fn tape(text: &str) -> Result<Tape, Box<dyn Error>> {
+    let lengths = text.split(',').map(|it| it.parse().map(Length::from_cm));
+    let lengths = lengths.collect::<Result<Vec<_>, _>>()?;
+    let [stature, bust_girth, waist_girth, hip_girth] = lengths[..] else {
+        return Err("a tape is STATURE,BUST,WAIST,HIP".into());
+    };
+    Ok(Tape {
+        stature: Some(stature),
+        bust_girth: Some(bust_girth),
+        waist_girth: Some(waist_girth),
+        hip_girth: Some(hip_girth),
+        ..Tape::default()
+    })
 }
 
 /// What she dances.
@@ -141,13 +179,14 @@ struct Body {
 
 impl Body {
     fn new(asked: &Asked) -> Result<Self, Box<dyn Error>> {
-        let dancer = Dancer::new(&Measurements::woman())?;
+        let dancer = Dancer::new(&Measurements::from_tape(&asked.tape)?)?;
         let triangles = dancer.skin.body_triangles();
         let is_forearm = |bone: Bone| {
             (bone.lineage()).any(|it| matches!(it, Bone::LeftLowerArm | Bone::RightLowerArm))
         };
         let vertices = 0..dancer.skin.positions.len();
-        let met = vertices.map(|it| !is_forearm(dancer.skin.strongest_bone(it)));
+        let met =
+            vertices.map(|it| asked.meets_forearms || !is_forearm(dancer.skin.strongest_bone(it)));
         let mesh = MeshBody::new(&dancer.skin.positions, &triangles, POINT_SPACING)?;
         let body = Self {
             moves: Moves::new(asked, &dancer)?,
@@ -183,6 +222,13 @@ impl Body {
 
 /// The dress as it is given, and where it stands [m].
 fn cloth(asked: &Asked, body: &Body) -> Result<(MeshSpec, Vec<Vec3>), Box<dyn Error>> {
+    if let Some(path) = &asked.pattern {
+        let text = std::fs::read_to_string(path)?;
+        let sewn = panels::sew(&text, f64::from(asked.edge), asked.lift)?;
+        let count = sewn.positions.len();
+        let spec = MeshSpec::welded(count, sewn.triangles, sewn.flat, FABRIC);
+        return Ok((spec, sewn.positions));
+    }
     let Some(path) = &asked.obj else {
         let (positions, triangles) = dress::spread(&body.dancer, asked.edge);
         let spec = MeshSpec::of_surface(&positions, triangles, |_| Vec3::Y, FABRIC);
@@ -213,6 +259,53 @@ fn cloth(asked: &Asked, body: &Body) -> Result<(MeshSpec, Vec<Vec3>), Box<dyn Er
     Ok((spec, welded.positions))
 }
 
+/// Lets seams draw panels together around her in the bind pose. Seams that are open yet go through each other
+/// on their way, so cloth meets only her until they are closed.
+fn draw_together(
+    body: &mut Body,
+    (model, config): (&MeshModel, &SolverConfig),
+    state: &mut MeshState,
+    asked: &Asked,
+) -> Result<(), Box<dyn Error>> {
+    let (still, mut now) = (vec![Vec3::ZERO; model.particle_count()], Vec::new());
+    let mut seen = Seen::default();
+    body.pose(&Pose::default())?;
+    let open = SolverConfig {
+        self_collision: None,
+        gravity: Vec3::ZERO,
+        substep_count: NonZeroU32::MIN,
+        ..config.clone()
+    };
+    let mut frame = 0_u16;
+    while f32::from(frame) * FRAME_DT < CLOSING {
+        frame += 1;
+        seen.depths = body.mesh.look(model, state);
+        let input = StepInput {
+            surfels: body.mesh.surfels(),
+            ..StepInput::default()
+        };
+        if let Outcome::Held(cause) = mesh::step(model, &open, &input, state, FRAME_DT) {
+            return Err(cause.into());
+        }
+        state.set_velocities(model, &still);
+        body.pose(&Pose::default())?;
+        if asked.traces && frame.is_multiple_of(10) {
+            state.copy_positions(model, &mut now);
+            seen.look(f32::from(frame) * FRAME_DT - CLOSING, (model, &now), body);
+        }
+    }
+    state.copy_positions(model, &mut now);
+    print!("drawn together: ");
+    seen.look(0.0, (model, &now), body);
+    Ok(())
+}
+
+/// Writes cloth with its flat pieces as texture coordinates, which `--uv 1` reads again.
+fn write_cloth(path: &Path, model: &MeshModel, now: &[Vec3]) -> Result<(), Box<dyn Error>> {
+    let flat = |triangle: usize| model.flat_corners(triangle);
+    obj::write(path, (now, model.triangles()), Some(&flat))
+}
+
 fn main() -> Result<(), Box<dyn Error>> {
     let asked = asked()?;
     let mut body = Body::new(&asked)?;
@@ -231,11 +324,15 @@ fn main() -> Result<(), Box<dyn Error>> {
         config.substep_count
     );
     let mut state = MeshState::new(&model, &positions);
+    let mut now = positions;
+    if asked.pattern.is_some() {
+        draw_together(&mut body, (&model, &config), &mut state, &asked)?;
+        state.copy_positions(&model, &mut now);
+    }
     if let Some(folder) = &asked.write {
-        obj::write(&folder.join("dress.obj"), &positions, model.triangles())?;
+        write_cloth(&folder.join("dress.obj"), &model, &now)?;
     }
     let mut seen = Seen::default();
-    let mut now = Vec::new();
     let frame_count = ((asked.seconds + RESTING + EASING) / FRAME_DT).round();
     #[expect(
         clippy::cast_possible_truncation,
@@ -261,16 +358,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         if asked.traces || frame % 60 == 30 || frame == frame_count {
             seen.look(time - RESTING - EASING, (&model, &now), &body);
             if let Some(folder) = &asked.write {
-                obj::write(
-                    &folder.join(format!("dress_{frame:04}.obj")),
-                    &now,
-                    model.triangles(),
-                )?;
-                obj::write(
-                    &folder.join(format!("body_{frame:04}.obj")),
-                    &body.positions,
-                    body.mesh.triangles(),
-                )?;
+                write_cloth(&folder.join(format!("dress_{frame:04}.obj")), &model, &now)?;
+                let skin = (&body.positions[..], body.mesh.triangles());
+                obj::write(&folder.join(format!("body_{frame:04}.obj")), skin, None)?;
             }
         }
     }

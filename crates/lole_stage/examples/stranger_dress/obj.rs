@@ -85,18 +85,28 @@ impl Obj {
     }
 }
 
-/// Writes a mesh.
+/// Writes a mesh; `flat` says where the corners of a triangle lie in their flat piece [m], where there is one.
 pub(crate) fn write(
     path: &Path,
-    positions: &[Vec3],
-    triangles: &[[u32; 3]],
+    (positions, triangles): (&[Vec3], &[[u32; 3]]),
+    flat: Option<&dyn Fn(usize) -> [Vec2; 3]>,
 ) -> Result<(), Box<dyn Error>> {
     let mut text = String::new();
     for at in positions {
         writeln!(text, "v {} {} {}", at.x, at.y, at.z)?;
     }
-    for [a, b, c] in triangles.iter().map(|it| it.map(|corner| corner + 1)) {
-        writeln!(text, "f {a} {b} {c}")?;
+    for (triangle, corners) in triangles.iter().enumerate() {
+        let [a, b, c] = corners.map(|corner| corner + 1);
+        let Some(flat) = flat else {
+            writeln!(text, "f {a} {b} {c}")?;
+            continue;
+        };
+        for at in flat(triangle) {
+            writeln!(text, "vt {} {}", at.x, at.y)?;
+        }
+        let first = 3 * triangle + 1;
+        let [second, third] = [first + 1, first + 2];
+        writeln!(text, "f {a}/{first} {b}/{second} {c}/{third}")?;
     }
     Ok(std::fs::write(path, text)?)
 }

@@ -49,6 +49,13 @@ impl Forearms {
         }
     }
 
+    /// Copies them out of the surfels of the skin.
+    pub(crate) fn copy_whole(&self, surfels: &[Surfel], out: &mut Vec<Surfel>) {
+        out.clear();
+        let all = self.slices.iter().flatten();
+        out.extend(all.map(|&surfel| surfels[surfel as usize]));
+    }
+
     /// Takes the normals of all of them.
     pub(crate) fn withdraw_all(&self, surfels: &mut [Surfel]) {
         for &surfel in self.slices.iter().flatten() {

@@ -69,6 +69,37 @@ pub fn no_room_now(parts: &[Bone]) -> Option<Sentence> {
 }
 
 impl super::Performance {
+    /// Writes down where the dance left cloth no room.
+    pub(super) fn note_no_room(&mut self) {
+        if self.frame <= 0 {
+            return;
+        }
+        let gathered = self.worn.iter().zip(&self.production.garments);
+        let gathered = gathered.map(|(worn, garment)| {
+            let positions = &self.cloth_positions[garment.particles.clone()];
+            let held = worn.solver.without_room();
+            held.iter().map(|&it| positions[it as usize]).collect()
+        });
+        let dressed = self.dressed.iter().zip(&self.production.dressed);
+        let dressed = dressed.map(|(moving, garment)| moving.without_room(garment));
+        let (skin, surfels) = (&self.production.dancer.skin, &self.production.body_surfels);
+        let bone_of = |surfel: usize| skin.strongest_bone(surfels.carrier(surfel) as usize);
+        let time = self.frame as f32 * super::FRAME_SECONDS;
+        for (held, met) in (gathered.map(|held: Vec<Vec3>| (held, &self.surfels)))
+            .chain(dressed.map(|held| (held, &self.whole_skin)))
+        {
+            if !held.is_empty() && !met.is_empty() {
+                note(&mut self.no_room, time, &held, (met, &bone_of));
+            }
+        }
+    }
+
+    /// When, and beside what, the dance left cloth no room, so far: what passed in a few frames is
+    /// not worth a word.
+    pub fn no_room(&self) -> impl Iterator<Item = &NoRoom> {
+        self.no_room.iter().filter(|it| it.is_long())
+    }
+
     /// Parts of the body beside which the dance leaves cloth no room now, or did a moment ago: what lasts
     /// for a few frames only is not among them.
     #[must_use]

@@ -48,6 +48,8 @@ pub(super) struct Carrier<'a> {
     pub(super) skin: Option<(&'a [Vec3], &'a [Vec3])>,
     /// The same as surfels; none where capsules are met.
     pub(super) surfels: &'a [Surfel],
+    /// All of the forearms' surfels, those too that touch no cloth.
+    pub(super) forearms: &'a [Surfel],
     /// Triangles of the skin.
     pub(super) triangles: &'a [[u32; 3]],
 }
@@ -147,6 +149,10 @@ impl Worn {
             // What was lifted is farther from the next elastic.
             garment.sewn.slide_elastics(&mut self.pin_targets);
             self.lift_pins(column_count, garment.sewn.fold_columns);
+            let rows = self.pin_targets.chunks_mut(column_count);
+            for (targets, skin) in rows.zip(self.pin_skin.chunks(column_count)) {
+                press((targets, skin), body.forearms, garment.sewn.fold_columns);
+            }
         }
         if !held.is_empty() {
             let pins = garment.sewn.pins.iter().map(|pin| pin.particle);
@@ -236,6 +242,52 @@ impl Worn {
     }
 }
 
+/// A forearm that hangs against the band presses a row of gathers flat on the skin below each of them, as far
+/// as they stand off: a whole gather of `fold_columns` and its neighbors in part.
+fn press((targets, skin): (&mut [Vec3], &[Surfel]), forearms: &[Surfel], fold_columns: usize) {
+    let (low, high) = bounds(forearms);
+    let stands_off = |target: Vec3, skin: &Surfel| {
+        let gap = (target - skin.position).dot(skin.normal);
+        (gap - PIN_CLEARANCE).max(0.0)
+    };
+    let pressed = targets.iter().zip(skin).map(|(&target, skin)| {
+        let is_near = target.cmpge(low).all() && target.cmple(high).all();
+        let deep = if is_near {
+            depth(target, forearms)
+        } else {
+            0.0
+        };
+        deep.min(stands_off(target, skin))
+    });
+    let pressed: Vec<f32> = pressed.collect();
+    if pressed.iter().all(|&it| it == 0.0) {
+        return;
+    }
+    let pressed = spread(&pressed, fold_columns);
+    for ((target, skin), pressed) in targets.iter_mut().zip(skin).zip(pressed) {
+        *target -= skin.normal * pressed.min(stands_off(*target, skin));
+    }
+}
+
+/// Corners of a box around surfels, with a little room; an empty one around none.
+fn bounds(surfels: &[Surfel]) -> (Vec3, Vec3) {
+    let empty = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+    surfels.iter().fold(empty, |(low, high), surfel| {
+        let at = surfel.position;
+        (low.min(at - PIN_CLEARANCE), high.max(at + PIN_CLEARANCE))
+    })
+}
+
+/// How far inside of a skin a place is that should be clear of it [m], 0 outside: by the nearest surfel.
+fn depth(place: Vec3, skin: &[Surfel]) -> f32 {
+    let square = |surfel: &Surfel| surfel.position.distance_squared(place);
+    let nearest = skin.iter().min_by(|a, b| square(a).total_cmp(&square(b)));
+    nearest.map_or(0.0, |nearest| {
+        let out = (place - nearest.position).dot(nearest.normal);
+        (PIN_CLEARANCE - out).max(0.0)
+    })
+}
+
 /// The mean, over `reach` places to either side on a closed line, of the largest values as far around
 /// each of them: nowhere less than the value itself.
 fn spread(values: &[f32], reach: usize) -> Vec<f32> {
@@ -252,6 +304,54 @@ fn spread(values: &[f32], reach: usize) -> Vec<f32> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use lole_geom::trig;
+
+    /// Gathers of ten pins around a waist of 10 cm that stand off by 2 to 10 mm, and an arm whose skin is 5 mm
+    /// off the waist on its right.
+    #[test]
+    fn an_arm_presses_gathers_flat_and_lets_no_pins_change_places() {
+        let around = |turn: f32| {
+            let (sin, cos) = trig::sin_cos(turn);
+            Vec3::new(cos, 0.0, sin)
+        };
+        let turns = (0..200_u16).map(|pin| f32::from(pin) * std::f32::consts::TAU / 200.0);
+        let normals: Vec<Vec3> = turns.map(around).collect();
+        let off = |pin: usize| 0.002 + 0.0016 * (pin % 10).abs_diff(5) as f32;
+        let waist = normals.iter().map(|&normal| Surfel {
+            position: normal * 0.1,
+            normal,
+        });
+        let skin: Vec<Surfel> = waist.collect();
+        let mut pins: Vec<Vec3> = (0..200)
+            .map(|pin| normals[pin] * (0.1 + off(pin)))
+            .collect();
+        let before = pins.clone();
+        let arm = (0..20_u8).map(|it| Surfel {
+            position: around((f32::from(it) - 10.0) * 0.02) * 0.105,
+            normal: Vec3::NEG_X,
+        });
+        let mut arm: Vec<Surfel> = arm.collect();
+        let outer = arm.iter().map(|inner| Surfel {
+            position: inner.position + Vec3::X * 0.06,
+            normal: Vec3::X,
+        });
+        arm.extend(outer.collect::<Vec<_>>());
+        press((&mut pins, &skin), &arm, 10);
+        for (pin, (&now, &before)) in pins.iter().zip(&before).enumerate() {
+            assert!(depth(now, &arm) < 1.0e-6 || before == now, "{pin}");
+            assert!(
+                0.101 - 1.0e-6 < now.length(),
+                "{pin} is pressed into the waist"
+            );
+            assert!(
+                now.normalize_or_zero().distance(normals[pin]) < 1.0e-6,
+                "{pin} has moved along"
+            );
+            assert!(now.length() <= before.length() + 1.0e-6);
+        }
+        assert!(pins[0].length() + 0.004 < before[0].length());
+        assert_eq!(pins[100], before[100], "behind her");
+    }
 
     #[test]
     fn what_is_spread_lies_over_the_values_evenly_and_closes() {
