@@ -33,24 +33,26 @@ const ZONE_ROUNDS: u32 = 36;
 /// From this round on what is held grows by rings.
 const GROWING_ROUND: u32 = 16;
 
-/// After so many rounds of growing, a ring at first and four times as many every time, all of the cloth is one
-/// zone, whether its pieces hang together or not.
-const LARGEST_GROWTH: u32 = 4;
+/// By so many, and then it is all of the cloth, whether its pieces hang together or not.
+const GROWTHS: [u32; 2] = [4, 16];
 
 /// So many rounds are taken even when the repair has done as much as it may: a few hundred particles that
 /// are held back cost less than all of the cloth.
-const SPARED_ROUND: u32 = 12;
+const SPARED_ROUND: u32 = 6;
 
 /// From this round on pins give way too, where what they do cannot be done without a crossing.
 const YIELDING_ROUND: u32 = 1;
 
 /// Pairs that a repair may look at for each patch of the cloth before it comes to an end: it then holds
 /// together what it has not parted.
-const EFFORT_MAX: usize = 8;
+const EFFORT_MAX: usize = 6;
+
+/// The same for holding back what is left then, before all of the cloth is held at once.
+const HOLDING_EFFORT: usize = 4;
 
 /// The same for bringing out of the body what the repair has left in it: where cloth is pressed from both sides
-/// it takes half of a frame and moves nothing.
-const LEAVING_EFFORT: usize = 6;
+/// it moves nothing.
+const LEAVING_EFFORT: usize = 2;
 
 /// Sweeps over all repairs in a round.
 const SWEEP_COUNT: usize = 4;
@@ -106,6 +108,11 @@ pub(crate) struct CrossingRepair {
     /// Particles that the repair has moved, and, by particle, its place among them counted from 1.
     moved: Vec<u32>,
     moved_places: Vec<u32>,
+    /// Where everything was when crossings were looked for the last time [m], which particles have moved since,
+    /// as they were moved and by particle, and the patches around them.
+    looked: Vec<Vec3>,
+    since: Vec<u32>,
+    has_moved: Vec<bool>,
     moved_patches: Marked,
     /// Where they were before the repair, then before the last of them left the body [m].
     before: Vec<Vec3>,
@@ -132,6 +139,9 @@ impl CrossingRepair {
             + size_of_val(&self.goals[..])
             + size_of_val(&self.moved[..])
             + size_of_val(&self.moved_places[..])
+            + size_of_val(&self.looked[..])
+            + size_of_val(&self.since[..])
+            + size_of_val(&self.has_moved[..])
             + size_of_val(&self.before[..])
             + size_of_val(&self.is_outside[..])
             + size_of_val(&self.is_tangled[..])
@@ -225,6 +235,9 @@ impl CrossingRepair {
         self.moved.clear();
         self.moved_places.clear();
         self.moved_places.resize(starts.len(), 0);
+        self.looked.clone_from(&self.positions);
+        self.has_moved.clear();
+        self.has_moved.resize(starts.len(), false);
         self.before.clear();
         self.effort = 0;
         self.effort_max = EFFORT_MAX * fixed.surface.patches.len();
@@ -271,7 +284,7 @@ impl CrossingRepair {
 
     /// Holds back what has come to cross: it goes only a part of its way from where the cloth drifts around it,
     /// then none of it, until no more crosses than may.
-    /// In the end there is one zone that moves as a rigid body, and that is so.
+    /// In the end all of it drifts, then moves as a rigid body, then stays where it was, and that is so.
     fn hold_together(&mut self, fixed: Fixed<'_>, starts: &[Vec3]) {
         self.zones.clear(narrow(starts.len()));
         let ceiling = self.ceiling_at(fixed, starts);
@@ -283,6 +296,8 @@ impl CrossingRepair {
             std::mem::take(&mut self.goals),
         );
         goals.clone_from(&self.positions);
+        let most = self.effort + self.finder.effort + HOLDING_EFFORT * fixed.surface.patches.len();
+        self.effort_max = self.effort_max.max(most);
         let ways = Ways {
             starts,
             goals: &goals,
@@ -300,7 +315,7 @@ impl CrossingRepair {
         ceiling: usize,
     ) {
         let starts = ways.starts;
-        let mut spent = 0;
+        let mut spent = 0_usize;
         for round in 0..ZONE_ROUNDS {
             if self.finder.crossings.len() <= ceiling {
                 return;
@@ -311,19 +326,17 @@ impl CrossingRepair {
                 }
             }
             self.zones.spread(fixed.surface, ways);
-            spent += u32::from(SPARED_ROUND <= round && self.is_spent());
-            let late = round.saturating_sub(GROWING_ROUND).max(spent);
-            for _ in 0..(1_u32 << (2 * late.min(LARGEST_GROWTH))) >> 2 {
-                if self.zones.members.len() < starts.len() {
-                    self.zones.grow(fixed.surface, ways);
+            spent += usize::from(SPARED_ROUND <= round && self.is_spent());
+            let late = (round.saturating_sub(GROWING_ROUND) as usize).max(spent);
+            let rings = late.checked_sub(1).map(|late| GROWTHS.get(late));
+            match (rings, late.saturating_sub(GROWTHS.len())) {
+                (None, _) => {}
+                (Some(Some(&rings)), _) => {
+                    (0..rings).for_each(|_| self.zones.grow(fixed.surface, ways));
                 }
-            }
-            if LARGEST_GROWTH <= late {
-                if self.zones.is_one_and_still() {
-                    break;
-                }
-                let slower = (late - LARGEST_GROWTH).saturating_mul(2).saturating_add(2);
-                self.zones.join_all(ways, slower);
+                (_, 1) => self.zones.hold_all(ways),
+                (_, 2) => self.zones.join_all(),
+                _ => break,
             }
             let pins = if YIELDING_ROUND <= round {
                 Pins::Yield
@@ -358,15 +371,40 @@ impl CrossingRepair {
             self.shift(particle, Vec3::ZERO);
             self.positions[particle as usize] = start;
         }
-        self.look_again(fixed);
+        if self.ceiling == Some(0) {
+            // That nothing crossed there is known.
+            self.finder.crossings.clear();
+            self.looked.clone_from(&self.positions);
+        } else {
+            self.look_again(fixed);
+        }
     }
 
-    /// Finds what crosses around the particles that were moved.
+    /// Finds what crosses now that particles have moved since the last look.
     fn look_again(&mut self, fixed: Fixed<'_>) {
-        let (marked, finder) = (&mut self.moved_patches, &mut self.finder);
-        marked.set(fixed.surface, &self.moved);
-        let (surface, positions) = (fixed.surface, &self.positions);
-        dispatch!(fixed.level, simd => finder.find_again(simd, surface, positions, marked));
+        let (positions, looked) = (&self.positions, &mut self.looked);
+        let is_new = |&particle: &u32| {
+            let place = particle as usize;
+            positions[place] != looked[place]
+        };
+        self.since.clear();
+        self.since.extend(self.moved.iter().copied().filter(is_new));
+        for &particle in &self.since {
+            let place = particle as usize;
+            looked[place] = positions[place];
+            self.has_moved[place] = true;
+        }
+        let (marked, finder, has_moved) = (
+            &mut self.moved_patches,
+            &mut self.finder,
+            &mut self.has_moved,
+        );
+        marked.set(fixed.surface, &self.since);
+        let cloth = (fixed.surface, &positions[..]);
+        dispatch!(fixed.level, simd => finder.find_again(simd, cloth, has_moved, marked));
+        for &particle in &self.since {
+            has_moved[particle as usize] = false;
+        }
     }
 
     /// Makes a separation of every crossing that was none at the start.
@@ -518,6 +556,7 @@ impl CrossingRepair {
                 for index in 0..self.separations.len() {
                     self.part(fixed, self.separations[index]);
                 }
+                self.effort += self.separations.len() + self.moved.len();
                 self.restrain(starts);
                 self.look_again(fixed);
             }

@@ -25,8 +25,9 @@ const HALF_WIDTH: f32 = 0.01;
 const LEAST_FACING: f32 = 0.4;
 /// Farthest that an elastic gives way [m]: what comes out farther goes through it.
 const FARTHEST: f32 = 0.03;
-/// Fastest that it gives way or comes back [m/s].
+/// Fastest that it gives way or comes back, and that it goes up or down [m/s].
 const FASTEST: f32 = 0.3;
+const FASTEST_UP: f32 = 0.6;
 /// Skin farther from all elastics in the bind pose [m] never comes below one.
 const NEAR: f32 = 0.35;
 
@@ -234,11 +235,14 @@ impl Lifts {
             self.clone_from(wanted);
             return;
         }
-        let step = FASTEST * dt;
-        let now = self.out.iter_mut().chain(&mut self.up).flatten();
-        let wanted = wanted.out.iter().chain(&wanted.up).flatten();
-        for (now, wanted) in now.zip(wanted) {
-            *now += (wanted - *now).clamp(-step, step);
+        for (now, wanted, fastest) in [
+            (&mut self.out, &wanted.out, FASTEST),
+            (&mut self.up, &wanted.up, FASTEST_UP),
+        ] {
+            let step = fastest * dt;
+            for (now, wanted) in now.iter_mut().flatten().zip(wanted.iter().flatten()) {
+                *now += (wanted - *now).clamp(-step, step);
+            }
         }
     }
 }
@@ -420,8 +424,9 @@ mod tests {
         };
         let (mut lifts, wanted) = (of(0.0), of(0.02));
         lifts.approach(&wanted, 1.0 / 60.0);
-        for value in [lifts.out[0][0], lifts.up[0][0]] {
-            assert!((value - FASTEST / 60.0).abs() < 1.0e-6);
+        let first = [(lifts.out[0][0], FASTEST), (lifts.up[0][0], FASTEST_UP)];
+        for (value, fastest) in first {
+            assert!((value - fastest / 60.0).abs() < 1.0e-6);
         }
         for _ in 0..60 {
             lifts.approach(&wanted, 1.0 / 60.0);

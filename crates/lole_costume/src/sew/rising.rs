@@ -18,10 +18,10 @@ const BESIDE: f32 = 0.02;
 const CLEARANCE: f32 = 0.008;
 
 /// Farthest that an elastic goes up [m]: what is raised farther goes through it.
-const HIGHEST: f32 = 0.06;
+const HIGHEST: f32 = 0.08;
 
-/// Share of their distance that elastics come nearer to each other: the cloth between bulges.
-const SHUT: f32 = 0.5;
+/// Share of their distance by which elastics come nearer to each other: the cloth between bulges.
+const SHUT: f32 = 0.25;
 
 /// What of the skin can come up: that of legs, where it does not face up in the bind pose.
 pub(super) struct Raised {
