@@ -28,20 +28,24 @@ use crate::lanes::{Points, Scalars, SlotSet, narrow};
 const PARTING_ROUNDS: u8 = 8;
 
 /// After those, rounds in which what still crosses is held together in zones.
-const ZONE_ROUNDS: u32 = 36;
+const ZONE_ROUNDS: usize = 36;
 
 /// From this round on what is held grows by rings.
-const GROWING_ROUND: u32 = 16;
+const GROWING_ROUND: usize = 16;
 
 /// By so many, and then it is all of the cloth, whether its pieces hang together or not.
 const GROWTHS: [u32; 2] = [4, 16];
 
+/// Where more than one in so many patches is crossed, folds are so much faster than they are apart that parting
+/// them one by one is in vain: all of the cloth drifts for a step.
+const HOPELESS: usize = 10;
+
 /// So many rounds are taken even when the repair has done as much as it may: a few hundred particles that
 /// are held back cost less than all of the cloth.
-const SPARED_ROUND: u32 = 6;
+const SPARED_ROUND: usize = 6;
 
 /// From this round on pins give way too, where what they do cannot be done without a crossing.
-const YIELDING_ROUND: u32 = 1;
+const YIELDING_ROUND: usize = 1;
 
 /// Pairs that a repair may look at for each patch of the cloth before it comes to an end: it then holds
 /// together what it has not parted.
@@ -241,8 +245,11 @@ impl CrossingRepair {
         self.before.clear();
         self.effort = 0;
         self.effort_max = EFFORT_MAX * fixed.surface.patches.len();
+        // A tangle that was there from the start is drawn out, however large.
+        let is_hopeless = self.ceiling == Some(0)
+            && fixed.surface.patches.len() < HOPELESS * self.finder.crossings.len();
         for round in 0..PARTING_ROUNDS {
-            if self.is_spent() {
+            if is_hopeless || self.is_spent() {
                 break;
             }
             let known = self.separations.len();
@@ -270,7 +277,7 @@ impl CrossingRepair {
                 break;
             }
         }
-        self.hold_together(fixed, starts);
+        self.hold_together(fixed, starts, is_hopeless);
         for &member in &self.zones.members {
             let slot = fixed.layout.slot(member as usize);
             self.held_back.insert(slot, fixed.inv_masses.len());
@@ -285,7 +292,7 @@ impl CrossingRepair {
     /// Holds back what has come to cross: it goes only a part of its way from where the cloth drifts around it,
     /// then none of it, until no more crosses than may.
     /// In the end all of it drifts, then moves as a rigid body, then stays where it was, and that is so.
-    fn hold_together(&mut self, fixed: Fixed<'_>, starts: &[Vec3]) {
+    fn hold_together(&mut self, fixed: Fixed<'_>, starts: &[Vec3], is_hopeless: bool) {
         self.zones.clear(narrow(starts.len()));
         let ceiling = self.ceiling_at(fixed, starts);
         self.ceiling = Some(ceiling);
@@ -303,7 +310,7 @@ impl CrossingRepair {
             goals: &goals,
             motion: |start| drift.apply(start),
         };
-        self.hold_in_rounds(fixed, &ways, ceiling);
+        self.hold_in_rounds(fixed, &ways, (ceiling, is_hopeless));
         (self.drift, self.goals) = (drift, goals);
     }
 
@@ -312,10 +319,10 @@ impl CrossingRepair {
         &mut self,
         fixed: Fixed<'_>,
         ways: &Ways<'_, M>,
-        ceiling: usize,
+        (ceiling, is_hopeless): (usize, bool),
     ) {
         let starts = ways.starts;
-        let mut spent = 0_usize;
+        let mut resort = 0_usize;
         for round in 0..ZONE_ROUNDS {
             if self.finder.crossings.len() <= ceiling {
                 return;
@@ -326,16 +333,16 @@ impl CrossingRepair {
                 }
             }
             self.zones.spread(fixed.surface, ways);
-            spent += usize::from(SPARED_ROUND <= round && self.is_spent());
-            let late = (round.saturating_sub(GROWING_ROUND) as usize).max(spent);
-            let rings = late.checked_sub(1).map(|late| GROWTHS.get(late));
-            match (rings, late.saturating_sub(GROWTHS.len())) {
-                (None, _) => {}
-                (Some(Some(&rings)), _) => {
+            let is_late = SPARED_ROUND <= round && self.is_spent();
+            let growth = (round.checked_sub(GROWING_ROUND)).map(|late| GROWTHS.get(late));
+            resort += usize::from(is_late || is_hopeless || growth == Some(None));
+            match (resort, growth) {
+                (0, Some(Some(&rings))) => {
                     (0..rings).for_each(|_| self.zones.grow(fixed.surface, ways));
                 }
-                (_, 1) => self.zones.hold_all(ways),
-                (_, 2) => self.zones.join_all(),
+                (0, _) => {}
+                (1, _) => self.zones.hold_all(ways),
+                (2, _) => self.zones.join_all(),
                 _ => break,
             }
             let pins = if YIELDING_ROUND <= round {
