@@ -4,6 +4,7 @@
 use std::sync::Arc;
 use std::thread;
 
+use glam::Vec3;
 use lole_costume::document::Design;
 use lole_motion::Clip;
 use lole_stage::{Danced, Performance, Production, Stranger};
@@ -61,35 +62,77 @@ fn cloth_stays_whole_and_uncrossed_on_strangers() {
     assert!(torn.is_empty(), "{torn:#?}");
 }
 
+/// The worst strain (p99) of a frame where hips go, from frame to frame, as said [m].
+fn strained(went: impl Fn(u16) -> Vec3) -> f32 {
+    let design = design();
+    let dancer = Production::new(&design).expect("she is dressed").dancer;
+    let stance = Danced::new(&design, &dancer)
+        .expect("she dances")
+        .pose_at(0.0);
+    let poses = (0..60).map(|frame| {
+        let mut pose = stance.clone();
+        pose.hips_translation += went(frame);
+        pose
+    });
+    let dance = Danced::Recording(Arc::new(Clip::of_poses(poses.collect())));
+    let production = Production::of(&design, dancer, dance).expect("she is dressed");
+    let mut performance = Performance::new(production).expect("she is on stage");
+    let mut strain = 0.0_f32;
+    while performance.time() < 0.9 {
+        performance.advance().expect("the cloth is somewhere");
+        performance.pose_body();
+        if 0.0 < performance.time() {
+            strain = strain.max(performance.measure().strain.p99);
+        }
+    }
+    strain
+}
+
 #[test]
 fn cloth_goes_along_where_a_recording_jumps() {
-    let design = design();
-    let strained = |jump: f32| {
-        let dancer = Production::new(&design).expect("she is dressed").dancer;
-        let stance = Danced::new(&design, &dancer)
-            .expect("she dances")
-            .pose_at(0.0);
-        let poses = (0..60).map(|frame| {
-            let mut pose = stance.clone();
-            pose.hips_translation.x += if frame < 20 { 0.0 } else { jump };
-            pose.hips_translation.z -= if frame < 40 { 0.0 } else { jump };
-            pose
-        });
-        let dance = Danced::Recording(Arc::new(Clip::of_poses(poses.collect())));
-        let production = Production::of(&design, dancer, dance).expect("she is dressed");
-        let mut performance = Performance::new(production).expect("she is on stage");
-        let mut strain = 0.0_f32;
-        while performance.time() < 0.9 {
-            performance.advance().expect("the cloth is somewhere");
-            performance.pose_body();
-            if 0.0 < performance.time() {
-                strain = strain.max(performance.measure().strain.p99);
-            }
-        }
-        strain
+    let at = |jump: f32| {
+        strained(|frame| {
+            let [x, z] = [20, 40].map(|first| if frame < first { 0.0 } else { jump });
+            Vec3::new(x, 0.0, -z)
+        })
     };
-    let (still, jumped) = (strained(0.0), strained(0.05));
+    let (still, jumped) = (at(0.0), at(0.05));
     assert!(jumped < still + 0.01, "{still} and {jumped}");
+}
+
+#[test]
+fn cloth_becomes_as_fast_as_her_hips_where_she_runs_off_in_no_time() {
+    let at = |step: f32| strained(|frame| Vec3::X * step * f32::from(frame.saturating_sub(20)));
+    // 3 m/s, and the air that comes with it.
+    let (still, ran) = (at(0.0), at(0.05));
+    assert!(ran < still + 0.03, "{still} and {ran}");
+}
+
+#[test]
+fn a_band_goes_up_where_a_thigh_is_raised_against_it() {
+    let stranger = Stranger::draw(105, &design()).expect("she is dressed");
+    let mut performance = Performance::new(stranger.production).expect("she is on stage");
+    let slant = |performance: &Performance| {
+        let garment = &performance.production().garments[0];
+        let columns = garment.sewn.spec.grid.column_count as usize;
+        let lowest = garment.sewn.elastic_rows.last().expect("it has elastics");
+        let row = &performance.garment_positions(garment)[*lowest as usize * columns..][..columns];
+        let heights = || row.iter().map(|place| place.y);
+        heights().fold(0.0, f32::max) - heights().fold(f32::INFINITY, f32::min)
+    };
+    let mut most = 0.0_f32;
+    let mut first = None;
+    while performance.time() < 1.0 {
+        performance.advance().expect("the cloth is somewhere");
+        if 0.0 < performance.time() {
+            let slant = slant(&performance);
+            first.get_or_insert(slant);
+            most = most.max(slant);
+        }
+    }
+    // Her hips do not lean: she squats.
+    let first = first.expect("she dances");
+    assert!(first + 0.02 < most, "{first} and {most}");
 }
 
 #[test]

@@ -37,8 +37,9 @@ const GROWING_ROUND: usize = 16;
 const GROWTHS: [u32; 2] = [4, 16];
 
 /// Where more than one in so many patches is crossed, folds are so much faster than they are apart that parting
-/// them one by one is in vain: all of the cloth drifts for a step.
+/// them one by one is in vain: all of the cloth drifts for a step. What crosses in fewer places costs little.
 const HOPELESS: usize = 10;
+const HOPELESS_LEAST: usize = 1000;
 
 /// So many rounds are taken even when the repair has done as much as it may: a few hundred particles that
 /// are held back cost less than all of the cloth.
@@ -246,8 +247,10 @@ impl CrossingRepair {
         self.effort = 0;
         self.effort_max = EFFORT_MAX * fixed.surface.patches.len();
         // A tangle that was there from the start is drawn out, however large.
+        let found = self.finder.crossings.len();
         let is_hopeless = self.ceiling == Some(0)
-            && fixed.surface.patches.len() < HOPELESS * self.finder.crossings.len();
+            && HOPELESS_LEAST < found
+            && fixed.surface.patches.len() < HOPELESS * found;
         for round in 0..PARTING_ROUNDS {
             if is_hopeless || self.is_spent() {
                 break;
@@ -379,9 +382,8 @@ impl CrossingRepair {
             self.positions[particle as usize] = start;
         }
         if self.ceiling == Some(0) {
-            // That nothing crossed there is known.
+            // That nothing crossed there is known; what is moved from there is looked at with all else.
             self.finder.crossings.clear();
-            self.looked.clone_from(&self.positions);
         } else {
             self.look_again(fixed);
         }

@@ -97,11 +97,11 @@ mod tests {
     }
 
     #[test]
-    fn elastics_keep_their_order_and_half_of_their_distance() {
+    fn elastics_keep_their_order_and_most_of_their_distance() {
         let heights = [1.06, 1.03, 1.0];
         let mut rises = [0.0, 0.0, 0.04];
         even_out(&heights, &mut rises);
-        for (rise, wanted) in rises.iter().zip([0.01, 0.025, 0.04]) {
+        for (rise, wanted) in rises.iter().zip([0.025, 0.0325, 0.04]) {
             assert!((rise - wanted).abs() < 1.0e-6, "{rises:?}");
         }
         let mut rises = [0.02, 0.0, 0.0];

@@ -22,7 +22,7 @@ const PUCKERED: f32 = 0.5;
 const TAUT: f32 = 1.03;
 
 /// Cloth that is stretched by so much is pushed no farther.
-const TORN: f32 = 0.1;
+const TORN: f32 = 0.3;
 
 /// From what a particle hangs: a pin, or the line between two of them.
 #[derive(Debug, Clone, Copy, PartialEq)]
