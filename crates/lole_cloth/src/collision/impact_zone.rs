@@ -19,6 +19,9 @@ const PINNED_MASS: f32 = 1.0e6;
 /// Times that the way of a particle is halved before it is held fast in its zone.
 const HALVINGS: u8 = 2;
 
+/// The same in a zone of everything.
+const MOST_HALVINGS: u8 = 8;
+
 /// Farthest that a zone carries a particle beyond the way of the one that would go farthest [m].
 const LEVER_REACH: f32 = 0.03;
 
@@ -72,6 +75,8 @@ pub(crate) struct ImpactZones {
     held: Vec<Held>,
     /// Room for particles whose neighbors are to be looked at.
     waiting: VecDeque<u32>,
+    /// How often a way is halved at most.
+    most_halvings: u8,
 }
 
 impl ImpactZones {
@@ -91,6 +96,7 @@ impl ImpactZones {
         self.parents.extend(0..particle_count);
         self.members.clear();
         self.grown = 0;
+        self.most_halvings = HALVINGS;
         self.held.clear();
         self.places.clear();
         self.places.resize(particle_count as usize, 0);
@@ -105,9 +111,9 @@ impl ImpactZones {
         for particle in particles {
             let place = self.take_up(particle, ways);
             let held = &mut self.held[place];
-            is_fast &= HALVINGS < held.halvings;
+            is_fast &= self.most_halvings < held.halvings;
             held.halvings = held.halvings.saturating_add(1);
-            let reach = if HALVINGS < held.halvings {
+            let reach = if self.most_halvings < held.halvings {
                 0.0
             } else {
                 held.base.distance(held.goal) / f32::from(1_u16 << held.halvings)
@@ -198,11 +204,23 @@ impl ImpactZones {
         }
     }
 
-    /// Makes one zone of everything.
-    pub(crate) fn join_all(&mut self) {
-        for particle in 0..narrow(self.parents.len()) {
+    /// Makes one zone of everything, in which each goes its way halved so often: slower, but not still.
+    pub(crate) fn join_all<M: Fn(Vec3) -> Vec3>(&mut self, ways: &Ways<'_, M>, halvings: u32) {
+        for particle in 0..narrow(ways.starts.len()) {
+            self.take_up(particle, ways);
             self.join(0, particle);
         }
+        self.most_halvings = MOST_HALVINGS;
+        let halvings = u8::try_from(halvings).unwrap_or(u8::MAX);
+        for held in &mut self.held {
+            held.halvings = halvings;
+        }
+    }
+
+    /// Whether everything is one zone that goes none of its way: further rounds would repeat it.
+    pub(crate) fn is_one_and_still(&self) -> bool {
+        let is_one = HALVINGS < self.most_halvings;
+        is_one && (self.held.iter()).all(|held| self.most_halvings < held.halvings)
     }
 
     /// Moves every zone from `starts` [m] as the space around it moves, what is joined as a rigid body, and every
@@ -220,6 +238,7 @@ impl ImpactZones {
             sorted,
             places,
             held,
+            most_halvings,
             ..
         } = self;
         sorted.clone_from(members);
@@ -240,8 +259,10 @@ impl ImpactZones {
                 let held = held(member);
                 let base = rigid.map_or(held.base, |rigid| rigid.apply(starts[member as usize]));
                 let way = held.goal - base;
-                positions[member as usize] = if HALVINGS < held.halvings {
+                positions[member as usize] = if *most_halvings < held.halvings {
                     base
+                } else if HALVINGS < *most_halvings {
+                    base + way * (1.0 / f32::from(1_u16 << held.halvings))
                 } else {
                     base + way.clamp_length_max(held.reach)
                 };

@@ -28,13 +28,14 @@ use crate::lanes::{Points, Scalars, SlotSet, narrow};
 const PARTING_ROUNDS: u8 = 8;
 
 /// After those, rounds in which what still crosses is held together in zones.
-const ZONE_ROUNDS: usize = 36;
+const ZONE_ROUNDS: u32 = 36;
 
 /// From this round on what is held grows by rings.
-const GROWING_ROUND: usize = 16;
+const GROWING_ROUND: u32 = 16;
 
-/// By so many, and then it is all of the cloth, whether its pieces hang together or not.
-const GROWTHS: [u32; 2] = [4, 16];
+/// After so many rounds of growing, a ring at first and four times as many every time, all of the cloth is one
+/// zone, whether its pieces hang together or not.
+const LARGEST_GROWTH: u32 = 4;
 
 /// Where more than one in so many patches is crossed, folds are so much faster than they are apart that parting
 /// them one by one is in vain: all of the cloth drifts for a step. What crosses in fewer places costs little.
@@ -43,21 +44,18 @@ const HOPELESS_LEAST: usize = 1000;
 
 /// So many rounds are taken even when the repair has done as much as it may: a few hundred particles that
 /// are held back cost less than all of the cloth.
-const SPARED_ROUND: usize = 6;
+const SPARED_ROUND: u32 = 12;
 
 /// From this round on pins give way too, where what they do cannot be done without a crossing.
-const YIELDING_ROUND: usize = 1;
+const YIELDING_ROUND: u32 = 1;
 
 /// Pairs that a repair may look at for each patch of the cloth before it comes to an end: it then holds
 /// together what it has not parted.
-const EFFORT_MAX: usize = 6;
-
-/// The same for holding back what is left then, before all of the cloth is held at once.
-const HOLDING_EFFORT: usize = 4;
+const EFFORT_MAX: usize = 8;
 
 /// The same for bringing out of the body what the repair has left in it: where cloth is pressed from both sides
 /// it moves nothing.
-const LEAVING_EFFORT: usize = 2;
+const LEAVING_EFFORT: usize = 6;
 
 /// Sweeps over all repairs in a round.
 const SWEEP_COUNT: usize = 4;
@@ -294,7 +292,8 @@ impl CrossingRepair {
 
     /// Holds back what has come to cross: it goes only a part of its way from where the cloth drifts around it,
     /// then none of it, until no more crosses than may.
-    /// In the end all of it drifts, then moves as a rigid body, then stays where it was, and that is so.
+    /// In the end there is one zone that moves as a rigid body, and that is so; where it is hopeless from the
+    /// start, all of the cloth drifts at once.
     fn hold_together(&mut self, fixed: Fixed<'_>, starts: &[Vec3], is_hopeless: bool) {
         self.zones.clear(narrow(starts.len()));
         let ceiling = self.ceiling_at(fixed, starts);
@@ -306,8 +305,6 @@ impl CrossingRepair {
             std::mem::take(&mut self.goals),
         );
         goals.clone_from(&self.positions);
-        let most = self.effort + self.finder.effort + HOLDING_EFFORT * fixed.surface.patches.len();
-        self.effort_max = self.effort_max.max(most);
         let ways = Ways {
             starts,
             goals: &goals,
@@ -325,7 +322,7 @@ impl CrossingRepair {
         (ceiling, is_hopeless): (usize, bool),
     ) {
         let starts = ways.starts;
-        let mut resort = 0_usize;
+        let mut spent = 0;
         for round in 0..ZONE_ROUNDS {
             if self.finder.crossings.len() <= ceiling {
                 return;
@@ -336,17 +333,22 @@ impl CrossingRepair {
                 }
             }
             self.zones.spread(fixed.surface, ways);
-            let is_late = SPARED_ROUND <= round && self.is_spent();
-            let growth = (round.checked_sub(GROWING_ROUND)).map(|late| GROWTHS.get(late));
-            resort += usize::from(is_late || is_hopeless || growth == Some(None));
-            match (resort, growth) {
-                (0, Some(Some(&rings))) => {
-                    (0..rings).for_each(|_| self.zones.grow(fixed.surface, ways));
+            if is_hopeless && round == 0 {
+                self.zones.hold_all(ways);
+            }
+            spent += u32::from(SPARED_ROUND <= round && self.is_spent());
+            let late = round.saturating_sub(GROWING_ROUND).max(spent);
+            for _ in 0..(1_u32 << (2 * late.min(LARGEST_GROWTH))) >> 2 {
+                if self.zones.members.len() < starts.len() {
+                    self.zones.grow(fixed.surface, ways);
                 }
-                (0, _) => {}
-                (1, _) => self.zones.hold_all(ways),
-                (2, _) => self.zones.join_all(),
-                _ => break,
+            }
+            if LARGEST_GROWTH <= late {
+                if self.zones.is_one_and_still() {
+                    break;
+                }
+                let slower = (late - LARGEST_GROWTH).saturating_mul(2).saturating_add(2);
+                self.zones.join_all(ways, slower);
             }
             let pins = if YIELDING_ROUND <= round {
                 Pins::Yield
