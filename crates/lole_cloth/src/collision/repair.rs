@@ -37,11 +37,6 @@ const GROWING_ROUND: u32 = 16;
 /// zone, whether its pieces hang together or not.
 const LARGEST_GROWTH: u32 = 4;
 
-/// Where more than one in so many patches is crossed, folds are so much faster than they are apart that parting
-/// them one by one is in vain: all of the cloth drifts for a step. What crosses in fewer places costs little.
-const HOPELESS: usize = 10;
-const HOPELESS_LEAST: usize = 1000;
-
 /// So many rounds are taken even when the repair has done as much as it may: a few hundred particles that
 /// are held back cost less than all of the cloth.
 const SPARED_ROUND: u32 = 12;
@@ -54,7 +49,7 @@ const YIELDING_ROUND: u32 = 1;
 const EFFORT_MAX: usize = 8;
 
 /// The same for bringing out of the body what the repair has left in it: where cloth is pressed from both sides
-/// it moves nothing.
+/// it takes half of a frame and moves nothing.
 const LEAVING_EFFORT: usize = 6;
 
 /// Sweeps over all repairs in a round.
@@ -111,11 +106,6 @@ pub(crate) struct CrossingRepair {
     /// Particles that the repair has moved, and, by particle, its place among them counted from 1.
     moved: Vec<u32>,
     moved_places: Vec<u32>,
-    /// Where everything was when crossings were looked for the last time [m], which particles have moved since,
-    /// as they were moved and by particle, and the patches around them.
-    looked: Vec<Vec3>,
-    since: Vec<u32>,
-    has_moved: Vec<bool>,
     moved_patches: Marked,
     /// Where they were before the repair, then before the last of them left the body [m].
     before: Vec<Vec3>,
@@ -142,9 +132,6 @@ impl CrossingRepair {
             + size_of_val(&self.goals[..])
             + size_of_val(&self.moved[..])
             + size_of_val(&self.moved_places[..])
-            + size_of_val(&self.looked[..])
-            + size_of_val(&self.since[..])
-            + size_of_val(&self.has_moved[..])
             + size_of_val(&self.before[..])
             + size_of_val(&self.is_outside[..])
             + size_of_val(&self.is_tangled[..])
@@ -238,19 +225,11 @@ impl CrossingRepair {
         self.moved.clear();
         self.moved_places.clear();
         self.moved_places.resize(starts.len(), 0);
-        self.looked.clone_from(&self.positions);
-        self.has_moved.clear();
-        self.has_moved.resize(starts.len(), false);
         self.before.clear();
         self.effort = 0;
         self.effort_max = EFFORT_MAX * fixed.surface.patches.len();
-        // A tangle that was there from the start is drawn out, however large.
-        let found = self.finder.crossings.len();
-        let is_hopeless = self.ceiling == Some(0)
-            && HOPELESS_LEAST < found
-            && fixed.surface.patches.len() < HOPELESS * found;
         for round in 0..PARTING_ROUNDS {
-            if is_hopeless || self.is_spent() {
+            if self.is_spent() {
                 break;
             }
             let known = self.separations.len();
@@ -278,7 +257,7 @@ impl CrossingRepair {
                 break;
             }
         }
-        self.hold_together(fixed, starts, is_hopeless);
+        self.hold_together(fixed, starts);
         for &member in &self.zones.members {
             let slot = fixed.layout.slot(member as usize);
             self.held_back.insert(slot, fixed.inv_masses.len());
@@ -292,9 +271,8 @@ impl CrossingRepair {
 
     /// Holds back what has come to cross: it goes only a part of its way from where the cloth drifts around it,
     /// then none of it, until no more crosses than may.
-    /// In the end there is one zone that moves as a rigid body, and that is so; where it is hopeless from the
-    /// start, all of the cloth drifts at once.
-    fn hold_together(&mut self, fixed: Fixed<'_>, starts: &[Vec3], is_hopeless: bool) {
+    /// In the end there is one zone that moves as a rigid body, and that is so.
+    fn hold_together(&mut self, fixed: Fixed<'_>, starts: &[Vec3]) {
         self.zones.clear(narrow(starts.len()));
         let ceiling = self.ceiling_at(fixed, starts);
         self.ceiling = Some(ceiling);
@@ -310,7 +288,7 @@ impl CrossingRepair {
             goals: &goals,
             motion: |start| drift.apply(start),
         };
-        self.hold_in_rounds(fixed, &ways, (ceiling, is_hopeless));
+        self.hold_in_rounds(fixed, &ways, ceiling);
         (self.drift, self.goals) = (drift, goals);
     }
 
@@ -319,7 +297,7 @@ impl CrossingRepair {
         &mut self,
         fixed: Fixed<'_>,
         ways: &Ways<'_, M>,
-        (ceiling, is_hopeless): (usize, bool),
+        ceiling: usize,
     ) {
         let starts = ways.starts;
         let mut spent = 0;
@@ -333,9 +311,6 @@ impl CrossingRepair {
                 }
             }
             self.zones.spread(fixed.surface, ways);
-            if is_hopeless && round == 0 {
-                self.zones.hold_all(ways);
-            }
             spent += u32::from(SPARED_ROUND <= round && self.is_spent());
             let late = round.saturating_sub(GROWING_ROUND).max(spent);
             for _ in 0..(1_u32 << (2 * late.min(LARGEST_GROWTH))) >> 2 {
@@ -383,39 +358,15 @@ impl CrossingRepair {
             self.shift(particle, Vec3::ZERO);
             self.positions[particle as usize] = start;
         }
-        if self.ceiling == Some(0) {
-            // That nothing crossed there is known; what is moved from there is looked at with all else.
-            self.finder.crossings.clear();
-        } else {
-            self.look_again(fixed);
-        }
+        self.look_again(fixed);
     }
 
-    /// Finds what crosses now that particles have moved since the last look.
+    /// Finds what crosses around the particles that were moved.
     fn look_again(&mut self, fixed: Fixed<'_>) {
-        let (positions, looked) = (&self.positions, &mut self.looked);
-        let is_new = |&particle: &u32| {
-            let place = particle as usize;
-            positions[place] != looked[place]
-        };
-        self.since.clear();
-        self.since.extend(self.moved.iter().copied().filter(is_new));
-        for &particle in &self.since {
-            let place = particle as usize;
-            looked[place] = positions[place];
-            self.has_moved[place] = true;
-        }
-        let (marked, finder, has_moved) = (
-            &mut self.moved_patches,
-            &mut self.finder,
-            &mut self.has_moved,
-        );
-        marked.set(fixed.surface, &self.since);
-        let cloth = (fixed.surface, &positions[..]);
-        dispatch!(fixed.level, simd => finder.find_again(simd, cloth, has_moved, marked));
-        for &particle in &self.since {
-            has_moved[particle as usize] = false;
-        }
+        let (marked, finder) = (&mut self.moved_patches, &mut self.finder);
+        marked.set(fixed.surface, &self.moved);
+        let (surface, positions) = (fixed.surface, &self.positions);
+        dispatch!(fixed.level, simd => finder.find_again(simd, surface, positions, marked));
     }
 
     /// Makes a separation of every crossing that was none at the start.
@@ -567,7 +518,6 @@ impl CrossingRepair {
                 for index in 0..self.separations.len() {
                     self.part(fixed, self.separations[index]);
                 }
-                self.effort += self.separations.len() + self.moved.len();
                 self.restrain(starts);
                 self.look_again(fixed);
             }
