@@ -45,7 +45,7 @@ impl Keys {
         let garments = &performance.production().garments;
         self.cloths.resize_with(garments.len(), Vec::new);
         for (frames, garment) in self.cloths.iter_mut().zip(garments) {
-            frames.push(performance.pressed_positions(garment));
+            frames.push(performance.pressed_positions(garment).into_owned());
         }
         let count = performance.production().dressed.len();
         self.dressed.resize_with(count, Vec::new);

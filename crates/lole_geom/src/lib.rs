@@ -10,6 +10,7 @@ pub mod inside;
 pub mod length;
 pub mod mesh;
 pub mod mesh_surfels;
+pub mod polygon;
 pub mod surfel;
 pub mod triangle_grid;
 pub mod trig;

@@ -2,8 +2,8 @@
 //! shows before a dance.
 //!
 //! `cargo run --release -p lole_picture --example fitting_room -- OUT [TEMPLATE ...] [--only DANCER,DANCER]
-//! [--seconds S] [--dance STEP] [--tempo BPM] [--layer under] [--skirt] [--close] [--where] [--print LINE]` writes a
-//! picture for each template there, as she stands and after so many seconds of her dance, and prints
+//! [--seconds S] [--dance STEP] [--tempo BPM] [--layer under] [--skirt] [--close] [--where] [--print LINE]`
+//! writes a picture for each template there, as she stands and after so many seconds of her dance, and prints
 //! figures for each dancer. Without a template, all that can be put on; `kihei+muumuu` puts on both, from
 //! the skin outward, and `'pau-ruffle:ruffle = "layer"'` has an option as in a document. `--where` says
 //! where cloth is stretched most, and which pieces go through each other.

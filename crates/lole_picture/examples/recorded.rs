@@ -4,7 +4,8 @@
 //! [--seconds S] [--every N] [--design FILE]` prints, for every so manyth frame in which cloth
 //! is below the skin or strained by more than 10 % (p99), how deep the deepest particle lies, in which row
 //! and on which bone's skin, and where the cloth is stretched most; the worst frames become pictures from
-//! four sides in OUT, and where the body was told to leave no room comes last. `FILE` may be a step's name for `--motion`; a design comes first, and names no files.
+//! four sides in OUT, and where the body was told to leave no room comes last. `FILE` may be a step's name
+//! for `--motion`; a design comes first, and names no files.
 
 #![expect(clippy::print_stdout, reason = "a tool prints figures")]
 
@@ -182,12 +183,8 @@ fn shoot(performance: &Performance) -> Result<Vec<u8>, Box<dyn Error>> {
     let looks = Looks::new(&production.design, production)?;
     let grids: Vec<[Vec<Vec3>; 2]> = (production.garments.iter())
         .map(|garment| {
-            let mut vertices = [Vec::new(), Vec::new()];
-            let [positions, normals] = &mut vertices;
-            let spread = |from: &[Vec3], to: &mut Vec<Vec3>| garment.mesh.spread(from, to);
-            spread(performance.garment_positions(garment), positions);
-            spread(&performance.garment_normals(garment), normals);
-            vertices
+            let particles = performance.pressed_positions(garment);
+            garment.mesh.vertices(&particles)
         })
         .collect();
     let adornments = performance.posed_adornments();

@@ -42,12 +42,8 @@ impl Moment {
     pub fn of(performance: &Performance) -> Self {
         let production = performance.production();
         let cloths = production.garments.iter().map(|garment| {
-            let mut vertices = Vertices::default();
-            let [positions, normals] = &mut vertices;
-            let mesh = &garment.mesh;
-            mesh.spread(&performance.pressed_positions(garment), positions);
-            mesh.spread(&performance.garment_normals(garment), normals);
-            vertices
+            let particles = performance.pressed_positions(garment);
+            garment.mesh.vertices(&particles)
         });
         let dressed: Vec<Vertices> = (0..production.dressed.len())
             .map(|place| performance.dressed_vertices(place))

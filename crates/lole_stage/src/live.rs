@@ -5,6 +5,7 @@
 //! into, another method takes the cloth over as it hangs. Only another dancer or another cut asks
 //! for a new [`Production`].
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use glam::{Affine3A, Vec3};
@@ -409,7 +410,7 @@ impl Show {
 
     /// The same as they are seen, pressed by what is worn over them [m].
     #[must_use]
-    pub fn pressed_positions(&self) -> Vec<Vec3> {
+    pub fn pressed_positions(&self) -> Cow<'_, [Vec3]> {
         self.performance.pressed(&self.positions)
     }
 

@@ -4,7 +4,7 @@ mod adornment;
 mod covering;
 mod dressed;
 mod forearms;
-pub(crate) mod jump;
+mod jump;
 mod no_room;
 mod order;
 mod over_cloth;
@@ -32,7 +32,7 @@ use crate::solver::{self, Observer, Solver, Surroundings};
 use crate::{FrameMetrics, StageError, skin_check};
 use adornment::{Adorned, AroundStrands};
 use dressed::{Around, Dressed};
-use jump::Hips;
+use jump::{Hips, Jump};
 use order::Order;
 use worn::{Carrier, Worn};
 
@@ -339,14 +339,14 @@ impl Performance {
         let skeleton = &self.production.dancer.skeleton;
         let bind = skeleton.joint(Bone::Hips);
         let now = self.world_from_bind[Bone::Hips.index()].transform_point3(bind);
-        let Some(jump) = Hips::follow(&mut self.hips, now) else {
+        let Some(Jump { by, faster }) = Hips::follow(&mut self.hips, now) else {
             return;
         };
         for worn in &mut self.worn {
-            worn.solver.carry(jump);
+            worn.solver.carry(by, faster);
         }
         for dressed in &mut self.dressed {
-            dressed.carry(jump);
+            dressed.carry(by, faster);
         }
     }
 

@@ -16,7 +16,6 @@ use lole_cloth::{
 use lole_costume::document::{Design, GarmentDesign, WindModel};
 use lole_geom::{Capsule, Surfel, trig64};
 
-use crate::performance::jump::Jump;
 use crate::{FRAME_SECONDS, StageError};
 
 /// Gap kept between capsules and cloth [m]: half the thickness of a gathered double layer.
@@ -219,10 +218,10 @@ impl Solver {
         }
     }
 
-    /// Carries cloth of `xpbd` along with a body that jumps.
-    pub(crate) fn carry(&mut self, jump: Jump) {
+    /// Moves cloth of `xpbd`, and where its body was left, by as much [m], and makes it `faster` [m/s].
+    pub(crate) fn carry(&mut self, by: Vec3, faster: Vec3) {
         if let Self::Xpbd(xpbd) = self {
-            xpbd.state.carry(jump.by, jump.faster);
+            xpbd.state.carry(by, faster);
         }
     }
 

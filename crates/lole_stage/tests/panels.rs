@@ -3,16 +3,19 @@
 
 #![expect(clippy::print_stderr, reason = "a test says why it is skipped")]
 
+#[path = "../examples/stranger_dress/cotton.rs"]
+mod cotton;
 #[path = "../examples/stranger_dress/panels.rs"]
 mod panels;
 
 use std::num::NonZeroU32;
 use std::path::Path;
 
+use cotton::FABRIC;
 use glam::{Quat, Vec2, Vec3};
 use lole_body::{Dance, DanceStep, Dancer, Measurements, MotionSettings, Pose, Tape};
 use lole_cloth::mesh::{self, MeshBody, MeshModel, MeshSpec, MeshState, Outcome, diagnose};
-use lole_cloth::{Fabric, Hysteresis, SolverConfig, StepInput};
+use lole_cloth::{SolverConfig, StepInput};
 use lole_geom::triangle_grid::blend;
 use lole_geom::{Length, TriangleGrid};
 use panels::{Sewn, sew};
@@ -20,19 +23,6 @@ use panels::{Sewn, sew};
 const DT: f32 = 1.0 / 60.0;
 /// Edges of the triangles of cloth [m].
 const EDGE: f64 = 0.02;
-
-const FABRIC: Fabric = Fabric {
-    areal_density: 0.12,
-    thickness: 0.3e-3,
-    stretch: [4500.0, 2800.0],
-    shear: 90.0,
-    bend: [6.0e-6, 4.0e-6],
-    twist: 3.0e-6,
-    hysteresis: Hysteresis::NONE,
-    friction: 0.3,
-    cloth_friction: 0.3,
-    drag_rate: 1.0,
-};
 
 /// A skirt of two panels, one laid over from the front, its hem an arc, its sides of each kind of curve, with
 /// its waist at the origin; the back one is `side` up.
@@ -241,14 +231,18 @@ fn a_skirt_that_was_drawn_by_numbers_is_danced_in() {
     dance("skirt", 0.10, Stage::new(dancer, sewn));
 }
 
-/// The tape of the woman of `GarmentCode`. The sleeves are drafted for arms that hang, and hers open.
+/// The tape of the woman of `GarmentCode`. The sleeves are drafted for arms that hang, and hers open. Runs
+/// where the folder that `LOLE_ASSETS` names holds the shirt.
 #[test]
 fn a_shirt_that_others_drafted_is_danced_in() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../../../shared/assets/patterns/garmentcode_shirt.json");
-    let Ok(text) = std::fs::read_to_string(&path) else {
-        eprintln!("skipped: {} is not there", path.display());
-        return;
+    let name = "patterns/garmentcode_shirt.json";
+    let folder = std::env::var("LOLE_ASSETS").unwrap_or_default();
+    let text = match std::fs::read_to_string(Path::new(&folder).join(name)) {
+        Ok(text) => text,
+        Err(error) => {
+            eprintln!("skipped: LOLE_ASSETS names no folder with {name} ({error})");
+            return;
+        }
     };
     let cm = |length: f64| Some(Length::from_cm(length));
     let tape = Tape {

@@ -122,12 +122,12 @@ impl Band {
             let normal = bind_from_world.transform_vector3(surfel.normal);
             let is_raised = raised.has(bone, &surfel, normal);
             for ((elastic, lifts), rises) in self.elastics.iter().zip(&mut lifts).zip(&mut rises) {
-                if is_raised {
+                let [low, high] = elastic.heights;
+                if is_raised && low < place.y + rising::CLEARANCE {
                     let sector = elastic.sector(place);
                     let rise = rising::rise(place, elastic.points[sector][0]);
                     rises[sector] = rises[sector].max(rise);
                 }
-                let [low, high] = elastic.heights;
                 // Most skin is far below: its direction need not be known.
                 let near = low - 2.0 * HALF_WIDTH..high + 2.0 * HALF_WIDTH;
                 if !near.contains(&place.y) {

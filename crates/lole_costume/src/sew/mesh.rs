@@ -1,7 +1,8 @@
 //! The grid of a gathered garment as it is drawn.
 
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 use lole_cloth::Grid;
+use lole_geom::mesh::vertex_normals;
 use lole_pattern::design::pau_skirt::PauDraft;
 
 use crate::print::PrintImage;
@@ -88,6 +89,20 @@ impl SkirtMesh {
             parts[usize::from(self.flounce_start <= vertex)].transform_point2(at)
         })
         .collect()
+    }
+
+    /// The garment as it is drawn, its particles being at `particles` [m]: vertices [m] and their outward unit
+    /// normals, shape `[vertex_count, 3]` both; the seam is smooth.
+    ///
+    /// # Panics
+    /// When there are fewer particles than the mesh has.
+    #[must_use]
+    pub fn vertices(&self, particles: &[Vec3]) -> [Vec<Vec3>; 2] {
+        let by_particle = vertex_normals(particles, &self.particle_triangles);
+        let (mut positions, mut normals) = (Vec::new(), Vec::new());
+        self.spread(particles, &mut positions);
+        self.spread(&by_particle, &mut normals);
+        [positions, normals]
     }
 
     /// Copies one value per particle to every vertex.

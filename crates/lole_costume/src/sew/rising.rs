@@ -8,16 +8,16 @@ use glam::{Affine3A, Vec2, Vec3};
 use lole_body::Bone;
 use lole_geom::Surfel;
 
-/// Skin faces up that is inclined by less than this (a cosine).
+/// Skin faces up whose normal does so at least so much (a cosine).
 const FACING_UP: f32 = 0.4;
 
 /// Skin over an elastic no farther to the side of it than this [m] raises it.
 const BESIDE: f32 = 0.02;
 
 /// Kept between raised skin and an elastic [m].
-const CLEARANCE: f32 = 0.008;
+pub(super) const CLEARANCE: f32 = 0.008;
 
-/// Farthest that an elastic goes up [m]: what is raised farther goes through it.
+/// Farthest that an elastic goes up [m]: what is raised farther goes through it there.
 const HIGHEST: f32 = 0.08;
 
 /// Share of their distance by which elastics come nearer to each other: the cloth between bulges.

@@ -9,14 +9,16 @@
 //! stands where the dancer does: meters, `+Y` up, `+Z` her front, arms 47° below the horizontal; with `--uv`
 //! its texture coordinates times so many meters are its flat pieces. A pattern is one of flat panels as
 //! `GarmentCode` writes it, for a body that stands as she does, raised by so much where its origin is not on the
-//! floor; the tape [cm] is hers. `--forearms` lets cloth meet those too, which a skirt does not. What is sewn from it is drawn together before she dances. `--write` leaves dress and body as OBJ,
-//! for `draw_obj` of `lole_render`.
+//! floor; what is sewn from it is drawn together before she dances. The tape [cm] is hers. `--forearms` lets
+//! cloth meet those too, which a skirt does not. `--write` leaves dress and body as OBJ, for `draw_obj` of
+//! `lole_render`.
 
 #![expect(
     clippy::print_stdout,
     reason = "a tool prints figures, times among them"
 )]
 
+mod cotton;
 mod dress;
 mod obj;
 mod panels;
@@ -26,13 +28,14 @@ use std::error::Error;
 use std::num::NonZeroU32;
 use std::path::{Path, PathBuf};
 
+use cotton::FABRIC;
 use cpu_time::ProcessTime;
 use glam::Vec3;
 use lole_body::{
     ArmStyle, Bone, Dance, DanceStep, Dancer, Measurements, MotionSettings, Pose, Tape,
 };
 use lole_cloth::mesh::{self, MeshBody, MeshModel, MeshSpec, MeshState, Outcome};
-use lole_cloth::{Fabric, Hysteresis, SolverConfig, StepInput};
+use lole_cloth::{SolverConfig, StepInput};
 use lole_geom::Length;
 use lole_motion::{BoneMap, Clip, ClipSettings, bvh};
 use seen::Seen;
@@ -48,20 +51,6 @@ const CLOSING: f32 = 5.0;
 
 /// How far apart the points are in which the body is met [m].
 const POINT_SPACING: f32 = 0.012;
-
-/// A light cotton.
-const FABRIC: Fabric = Fabric {
-    areal_density: 0.12,
-    thickness: 0.3e-3,
-    stretch: [4500.0, 2800.0],
-    shear: 90.0,
-    bend: [6.0e-6, 4.0e-6],
-    twist: 3.0e-6,
-    hysteresis: Hysteresis::NONE,
-    friction: 0.3,
-    cloth_friction: 0.3,
-    drag_rate: 1.0,
-};
 
 struct Asked {
     obj: Option<PathBuf>,

@@ -9,20 +9,12 @@
 use std::error::Error;
 
 use glam::{DVec2, EulerRot, Quat, Vec2, Vec3};
-use lole_geom::trig64;
 use lole_geom::weld::weld;
+use lole_geom::{polygon, trig64};
 use serde_json::Value;
-use spade::{ConstrainedDelaunayTriangulation, HasPosition, Point2, Triangulation as _};
 
 /// Pieces of a curve from which lengths are taken.
 const FINE: u32 = 64;
-/// Points inside a panel keep this share of an edge from its border.
-const FROM_BORDER: f64 = 0.62;
-/// Height of a triangle of equal sides: √3 / 2.
-const ROW: f64 = 0.866_025_403_784_438_6;
-/// A triangle flatter than this share of an edge is none.
-const FLATTEST: f64 = 0.02;
-
 /// A garment as it is sewn, not yet drawn together.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Sewn {
@@ -154,11 +146,9 @@ impl Panel {
     /// Adds its triangles to a mesh.
     fn divide(&self, spacing: f64, lift: f32, mesh: &mut Sewn) -> Result<(), Box<dyn Error>> {
         let border: Vec<DVec2> = self.edges.iter().flat_map(Edge::points).collect();
-        let inner = lattice(&border, spacing);
-        let points: Vec<DVec2> = border.iter().copied().chain(inner).collect();
-        let triangles = triangulate(&points, border.len(), spacing);
-        let triangles =
-            triangles.ok_or_else(|| format!("{}: its border crosses itself", self.name))?;
+        let divided = polygon::divide(&border, spacing);
+        let polygon::DividedPolygon { points, triangles } =
+            divided.ok_or_else(|| format!("{}: its border crosses itself", self.name))?;
         let start = u32::try_from(mesh.positions.len())?;
         let on_cloth = |corner: u32| {
             let at = points[corner as usize].as_vec2();
@@ -339,103 +329,4 @@ fn arc([from, to]: [DVec2; 2], listed: &Value, unit: f64) -> Result<Vec<DVec2>, 
 )]
 const fn narrow(number: f64) -> f32 {
     number as f32
-}
-
-#[derive(Clone, Copy)]
-struct Numbered {
-    at: DVec2,
-    number: u32,
-}
-
-impl HasPosition for Numbered {
-    type Scalar = f64;
-
-    fn position(&self) -> Point2<f64> {
-        Point2::new(self.at.x, self.at.y)
-    }
-}
-
-fn sides(border: &[DVec2]) -> impl Iterator<Item = [DVec2; 2]> {
-    let next = border.iter().cycle().skip(1);
-    border.iter().zip(next).map(|(&a, &b)| [a, b])
-}
-
-/// By the number of sides that are crossed on the way to the right.
-fn is_inside(border: &[DVec2], point: DVec2) -> bool {
-    let crossed = sides(border).filter(|[a, b]| {
-        (a.y <= point.y) != (b.y <= point.y)
-            && point.x < a.x + (point.y - a.y) / (b.y - a.y) * (b.x - a.x)
-    });
-    crossed.count() % 2 == 1
-}
-
-fn distance(border: &[DVec2], point: DVec2) -> f64 {
-    let to_side = sides(border).map(|[a, b]| {
-        let along = b - a;
-        let share = (point - a).dot(along) / along.length_squared().max(f64::MIN_POSITIVE);
-        (a + along * share.clamp(0.0, 1.0)).distance(point)
-    });
-    to_side.fold(f64::INFINITY, f64::min)
-}
-
-/// Corners of equal triangles within a border.
-fn lattice(border: &[DVec2], spacing: f64) -> Vec<DVec2> {
-    let low = border.iter().fold(DVec2::INFINITY, |low, p| low.min(*p));
-    let high = border
-        .iter()
-        .fold(DVec2::NEG_INFINITY, |high, p| high.max(*p));
-    let up_to = |length: f64, step: f64| {
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "some hundreds"
-        )]
-        let count = (length / step) as u32;
-        0..=count
-    };
-    let rows = up_to(high.y - low.y, ROW * spacing);
-    let points = rows.flat_map(|row| {
-        let half = if row.is_multiple_of(2) { 0.0 } else { 0.5 };
-        let columns = up_to(high.x - low.x, spacing);
-        columns.map(move |column| {
-            low + DVec2::new(f64::from(column) + half, f64::from(row) * ROW) * spacing
-        })
-    });
-    points
-        .filter(|&point| {
-            is_inside(border, point) && FROM_BORDER * spacing < distance(border, point)
-        })
-        .collect()
-}
-
-/// Triangles between points of which the first ones are a border, counterclockwise; `None` where that crosses
-/// itself.
-fn triangulate(points: &[DVec2], border_count: usize, spacing: f64) -> Option<Vec<[u32; 3]>> {
-    let numbered = (0_u32..)
-        .zip(points)
-        .map(|(number, &at)| Numbered { at, number });
-    let border_sides = (0..border_count).map(|from| [from, (from + 1) % border_count]);
-    let mut crosses = false;
-    let found = ConstrainedDelaunayTriangulation::<Numbered>::try_bulk_load_cdt(
-        numbered.collect(),
-        border_sides.collect(),
-        |_| crosses = true,
-    )
-    .ok()?;
-    if crosses || found.num_vertices() != points.len() {
-        return None;
-    }
-    let border = &points[..border_count];
-    let mut triangles: Vec<[u32; 3]> = Vec::new();
-    for face in found.inner_faces() {
-        let corners = face.vertices().map(|vertex| vertex.data().number);
-        let [a, b, c] = corners.map(|corner| points[corner as usize]);
-        let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
-        let height = (b - a).perp_dot(c - a) / longest;
-        if is_inside(border, (a + b + c) / 3.0) && FLATTEST * spacing < height {
-            triangles.push(corners);
-        }
-    }
-    triangles.sort_unstable();
-    Some(triangles)
 }

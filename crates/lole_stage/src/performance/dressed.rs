@@ -9,7 +9,6 @@ use lole_costume::document::GarmentLayer;
 use lole_costume::dress::{Body, DressedState, Layers, World};
 use lole_geom::Surfel;
 
-use super::jump::Jump;
 use super::order::{self, GAP};
 use super::{FRAME_SECONDS, Performance};
 use crate::production::{DressedGarment, Garment};
@@ -46,9 +45,9 @@ pub(super) struct Around<'a> {
 }
 
 impl Dressed {
-    /// Carries it along with a body that jumps.
-    pub(super) fn carry(&mut self, jump: Jump) {
-        self.state.carry(jump.by, jump.faster);
+    /// Moves it, and where its body was left, by as much [m], and makes it `faster` [m/s].
+    pub(super) fn carry(&mut self, by: Vec3, faster: Vec3) {
+        self.state.carry(by, faster);
     }
 
     pub(super) fn new(garment: &DressedGarment) -> Self {

@@ -9,12 +9,12 @@ use super::FRAME_SECONDS;
 const JUMP: f32 = 5.0 * 9.81 * FRAME_SECONDS * FRAME_SECONDS;
 
 /// What a jump does to all that she carries.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct Jump {
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Jump {
     /// How far it goes beside what it does by itself [m].
-    pub(crate) by: Vec3,
+    pub(super) by: Vec3,
     /// What it has become faster by [m/s]: a jump that goes on is a speed.
-    pub(crate) faster: Vec3,
+    pub(super) faster: Vec3,
 }
 
 /// Where hips are, and how they came there.
@@ -42,25 +42,20 @@ impl Hips {
         };
         let moved = place - before.place;
         let jump = moved - before.went;
-        let is_other = JUMP < jump.length();
-        let jumps = is_other && JUMP < moved.distance(before.moved);
+        let is_driven = JUMP < jump.length();
+        let jumps = is_driven && JUMP < moved.distance(before.moved);
         *hips = Some(Self {
             place,
             moved,
             // She has not come there by herself, and goes on as she did.
             went: if jumps { before.went } else { moved },
         });
-        is_other.then_some(if jumps {
-            Jump {
-                by: jump,
-                ..Jump::default()
-            }
+        let (by, faster) = if jumps {
+            (jump, Vec3::ZERO)
         } else {
-            Jump {
-                faster: jump / FRAME_SECONDS,
-                ..Jump::default()
-            }
-        })
+            (Vec3::ZERO, jump / FRAME_SECONDS)
+        };
+        is_driven.then_some(Jump { by, faster })
     }
 }
 

@@ -5,7 +5,6 @@ use std::borrow::Cow;
 use glam::Vec3;
 use lole_cloth::collision::layer::{Over, Press, Trunk};
 use lole_costume::document::GarmentLayer;
-use lole_geom::mesh::vertex_normals;
 
 use super::dressed::{self, Dressed};
 use super::{Performance, order};
@@ -55,24 +54,18 @@ impl Performance {
     /// Particles of one garment as they are seen [m], row-major: where something is worn over it, pressed
     /// by that; elsewhere as [`Self::garment_positions`].
     #[must_use]
-    pub fn pressed_positions(&self, garment: &Garment) -> Vec<Vec3> {
+    pub fn pressed_positions(&self, garment: &Garment) -> Cow<'_, [Vec3]> {
         self.pressed(self.garment_positions(garment))
     }
 
     /// The same for any particles of skirts and tops that are at `positions` [m].
-    pub(crate) fn pressed(&self, positions: &[Vec3]) -> Vec<Vec3> {
-        let mut pressed = Vec::new();
-        match &self.press {
-            Some(press) => press.press(positions, &mut pressed),
-            None => pressed.extend_from_slice(positions),
-        }
-        pressed
-    }
-
-    /// Unit normals of [`Self::pressed_positions`], outward; the seam is smooth.
-    #[must_use]
-    pub fn garment_normals(&self, garment: &Garment) -> Vec<Vec3> {
-        let triangles = &garment.mesh.particle_triangles;
-        vertex_normals(&self.pressed_positions(garment), triangles)
+    pub(crate) fn pressed<'a>(&self, positions: &'a [Vec3]) -> Cow<'a, [Vec3]> {
+        self.press
+            .as_ref()
+            .map_or(Cow::Borrowed(positions), |press| {
+                let mut pressed = Vec::new();
+                press.press(positions, &mut pressed);
+                Cow::Owned(pressed)
+            })
     }
 }

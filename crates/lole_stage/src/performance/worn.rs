@@ -151,7 +151,7 @@ impl Worn {
             self.lift_pins(column_count, garment.sewn.fold_columns);
             let rows = self.pin_targets.chunks_mut(column_count);
             for (targets, skin) in rows.zip(self.pin_skin.chunks(column_count)) {
-                press((targets, skin), body.forearms, garment.sewn.fold_columns);
+                press_pins((targets, skin), body.forearms, garment.sewn.fold_columns);
             }
         }
         if !held.is_empty() {
@@ -244,7 +244,7 @@ impl Worn {
 
 /// A forearm that hangs against the band presses a row of gathers flat on the skin below each of them, as far
 /// as they stand off: a whole gather of `fold_columns` and its neighbors in part.
-fn press((targets, skin): (&mut [Vec3], &[Surfel]), forearms: &[Surfel], fold_columns: usize) {
+fn press_pins((targets, skin): (&mut [Vec3], &[Surfel]), forearms: &[Surfel], fold_columns: usize) {
     let (low, high) = bounds(forearms);
     let stands_off = |target: Vec3, skin: &Surfel| {
         let gap = (target - skin.position).dot(skin.normal);
@@ -336,7 +336,7 @@ mod tests {
             normal: Vec3::X,
         });
         arm.extend(outer.collect::<Vec<_>>());
-        press((&mut pins, &skin), &arm, 10);
+        press_pins((&mut pins, &skin), &arm, 10);
         for (pin, (&now, &before)) in pins.iter().zip(&before).enumerate() {
             assert!(depth(now, &arm) < 1.0e-6 || before == now, "{pin}");
             assert!(

@@ -7,9 +7,8 @@ use std::time::Duration;
 use glam::Vec3;
 use lole_cloth::Crossings;
 use lole_costume::document::{Design, Uncrossed};
-use lole_geom::mesh::vertex_normals;
 use lole_language::Sentence;
-use lole_picture::{Moment, Vertices};
+use lole_picture::Moment;
 use lole_stage::{Garment, Show, Wish};
 
 use super::pace::Pace;
@@ -383,12 +382,8 @@ fn photograph(show: &Show, clothes: &Arc<Wardrobe>, watch: Watch) -> Snapshot {
     let particles = show.cloth_positions().to_vec();
     let pressed = show.pressed_positions();
     let draped = |garment: &Garment| {
-        let (mesh, own) = (&garment.mesh, &pressed[garment.particles.clone()]);
-        let mut vertices = Vertices::default();
-        let [positions, normals] = &mut vertices;
-        mesh.spread(own, positions);
-        mesh.spread(&vertex_normals(own, &mesh.particle_triangles), normals);
-        vertices
+        let own = &pressed[garment.particles.clone()];
+        garment.mesh.vertices(own)
     };
     let cloths = production.garments.iter().map(draped).collect();
     let (mut body_positions, mut body_normals) = (Vec::new(), Vec::new());
