@@ -34,11 +34,8 @@ const ZONE_ROUNDS: usize = 36;
 /// From this round on what is held grows by rings.
 const GROWING_ROUND: usize = 16;
 
-/// By so many, and then it is all of the cloth, whether its pieces hang together or not.
-const GROWTHS: [u32; 2] = [4, 16];
-
-/// After so many rounds of growing, a ring at first and four times as many every time, all of a cloth that was
-/// tangled goes slower, as one.
+/// After so many rounds of growing, a ring at first and four times as many every time, all of the cloth
+/// goes slower, as one, whether its pieces hang together or not.
 const SLOWING_ROUND: usize = 4;
 
 /// More halvings than any way takes.
@@ -324,7 +321,8 @@ impl CrossingRepair {
 
     /// Holds back what has come to cross: it goes only a part of its way from where the cloth drifts around it,
     /// then none of it, until no more crosses than may.
-    /// In the end all of it drifts, then moves as a rigid body, then stays where it was, and that is so.
+    /// In the end there is one zone that moves as a rigid body, and that is so; where it is hopeless from the
+    /// start, all of the cloth drifts at once.
     fn hold_together(&mut self, fixed: Fixed<'_>, starts: &[Vec3], is_hopeless: bool) {
         self.zones.clear(narrow(starts.len()));
         let ceiling = self.ceiling_at(fixed, starts);
@@ -357,7 +355,7 @@ impl CrossingRepair {
         (ceiling, is_hopeless): (usize, bool),
     ) {
         let starts = ways.starts;
-        let mut resort = 0_usize;
+        let mut spent = 0_usize;
         for round in 0..ZONE_ROUNDS {
             if self.finder.crossings.len() <= ceiling {
                 return;
@@ -368,21 +366,16 @@ impl CrossingRepair {
                 }
             }
             self.zones.spread(fixed.surface, ways);
-            let is_late = SPARED_ROUND <= round && self.is_spent();
-            if ceiling == 0 {
-                let growth = (round.checked_sub(GROWING_ROUND)).map(|late| GROWTHS.get(late));
-                resort += usize::from(is_late || is_hopeless || growth == Some(None));
-                match (resort, growth) {
-                    (0, Some(Some(&rings))) => self.grow(fixed, ways, rings),
-                    (0, _) => {}
-                    (1, _) => self.zones.hold_all(ways),
-                    (2, _) => self.zones.join_all(ways, HELD_FAST),
+            if is_hopeless {
+                match round {
+                    0 => self.zones.hold_all(ways),
+                    1 => self.zones.join_all(ways, HELD_FAST),
                     _ => break,
                 }
             } else {
-                resort += usize::from(is_late);
-                let late = round.saturating_sub(GROWING_ROUND).max(resort);
-                if !self.slow_tangle(fixed, ways, late) {
+                spent += usize::from(SPARED_ROUND <= round && self.is_spent());
+                let late = round.saturating_sub(GROWING_ROUND).max(spent);
+                if !self.slow(fixed, ways, late) {
                     break;
                 }
             }
@@ -401,16 +394,19 @@ impl CrossingRepair {
         self.take_all_back(fixed, starts);
     }
 
-    /// Holds back ring by ring what is around a tangle, then slows down all of the cloth, so that it goes on
+    /// Holds back ring by ring what is around what crosses, then slows down all of the cloth, so that it goes on
     /// opening; `late` counts the rounds of that. Whether there is more to try.
-    fn slow_tangle<M: Fn(Vec3) -> Vec3>(
+    fn slow<M: Fn(Vec3) -> Vec3>(
         &mut self,
         fixed: Fixed<'_>,
         ways: &Ways<'_, M>,
         late: usize,
     ) -> bool {
-        let rings = (1_u32 << (2 * late.min(SLOWING_ROUND))) >> 2;
-        self.grow(fixed, ways, rings);
+        for _ in 0..(1_u32 << (2 * late.min(SLOWING_ROUND))) >> 2 {
+            if self.zones.members.len() < ways.starts.len() {
+                self.zones.grow(fixed.surface, ways);
+            }
+        }
         let Some(slower) = late.checked_sub(SLOWING_ROUND) else {
             return true;
         };
@@ -419,15 +415,6 @@ impl CrossingRepair {
         }
         self.zones.join_all(ways, narrow(2 * slower + 2));
         true
-    }
-
-    /// Holds what is held so many rings farther.
-    fn grow<M: Fn(Vec3) -> Vec3>(&mut self, fixed: Fixed<'_>, ways: &Ways<'_, M>, rings: u32) {
-        for _ in 0..rings {
-            if self.zones.members.len() < ways.starts.len() {
-                self.zones.grow(fixed.surface, ways);
-            }
-        }
     }
 
     /// Crossings that a step may leave: a tangle that is drawn out crosses by some more for a while.
