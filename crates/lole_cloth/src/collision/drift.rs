@@ -7,6 +7,9 @@
 //! not cross what else is. The motion is spread on a lattice and read back by quadratic B-splines, as in the
 //! material point method (Steffen, Kirby and Berzins 2008, "Analysis and reduction of quadrature errors in
 //! the material point method").
+//!
+//! Where one part of the cloth goes to and the other fro, farther than they are apart, such a field would
+//! fold. So it is flowed along in parts that are too short for that: a flow never folds.
 
 use glam::{IVec3, Vec3};
 
@@ -22,6 +25,12 @@ const POINTS_MAX: f32 = 64.0;
 /// How much more what is pinned says about the motion than what is free.
 const PINNED_WEIGHT: f32 = 8.0;
 
+/// How much longer or shorter a part of the flow makes what lies along it, at most: far from folding.
+const FLOW_STRAIN: f32 = 0.25;
+
+/// Most parts of the flow.
+const PARTS_MAX: f32 = 16.0;
+
 /// Weight of no motion beside that of the cloth as a whole, for where there is hardly any cloth.
 const LEAST_WEIGHT: f32 = 1.0e-3;
 
@@ -34,8 +43,10 @@ pub(crate) struct Drift {
     low: Vec3,
     spacing: f32,
     counts: IVec3,
-    /// By point of the lattice, what the cloth does there beside that [m], and the weight of it.
+    /// By point of the lattice, what the cloth does there before that [m], and the weight of it.
     points: Vec<(Vec3, f32)>,
+    /// Parts in which that is done.
+    part_count: f32,
 }
 
 impl Drift {
@@ -58,7 +69,7 @@ impl Drift {
         let whole = Rigid::fit(moved.clone());
         self.lay(starts);
         for (weight, start, goal) in moved {
-            let beside = goal - whole.apply(start);
+            let beside = whole.unapply(goal) - start;
             for (point, share) in self.shares(start) {
                 let sum = &mut self.points[point];
                 sum.0 += beside * (weight * share);
@@ -69,6 +80,27 @@ impl Drift {
             *sum /= *weight + LEAST_WEIGHT;
         }
         self.whole = Some(whole);
+        let parts = self.steepness() / (FLOW_STRAIN * self.spacing);
+        self.part_count = parts.ceil().clamp(1.0, PARTS_MAX);
+    }
+
+    /// Most that the motion differs between points of the lattice that follow each other [m].
+    fn steepness(&self) -> f32 {
+        let [x, y, z] = self
+            .counts
+            .to_array()
+            .map(|count| usize::try_from(count).unwrap_or(0));
+        let along = |step: usize| {
+            let pairs = self.points.iter().zip(self.points.iter().skip(step));
+            let pairs = pairs.filter(|((_, one), (_, other))| 0.0 < *one && 0.0 < *other);
+            pairs.fold(0.0_f32, |most, ((one, _), (other, _))| {
+                most.max(one.distance(*other))
+            })
+        };
+        if z == 0 {
+            return 0.0;
+        }
+        along(1).max(along(x)).max(along(x * y))
     }
 
     /// Lays the lattice around the cloth.
@@ -112,10 +144,19 @@ impl Drift {
         let Some(whole) = self.whole else {
             return start;
         };
-        let beside: Vec3 = (self.shares(start))
-            .map(|(point, share)| self.points[point].0 * share)
-            .sum();
-        whole.apply(start) + beside
+        let beside = |at: Vec3| -> Vec3 {
+            let shares = self.shares(at);
+            shares
+                .map(|(point, share)| self.points[point].0 * share)
+                .sum()
+        };
+        let mut at = start;
+        let mut left = self.part_count;
+        while 0.5 < left {
+            at += beside(at) / self.part_count;
+            left -= 1.0;
+        }
+        whole.apply(at)
     }
 }
 

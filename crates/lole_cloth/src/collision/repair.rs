@@ -22,35 +22,53 @@ use crate::collision::parting::FARTHEST_LEVER;
 use crate::collision::placement::Placement;
 use crate::collision::separation::Separation;
 use crate::collision::surface::Surface;
+use crate::collision::surfel::room::TORN;
 use crate::lanes::{Points, Scalars, SlotSet, narrow};
 
 /// Rounds of looking and bringing apart at most: a repair may make something else cross.
 const PARTING_ROUNDS: u8 = 8;
 
 /// After those, rounds in which what still crosses is held together in zones.
-const ZONE_ROUNDS: u32 = 36;
+const ZONE_ROUNDS: usize = 36;
 
 /// From this round on what is held grows by rings.
-const GROWING_ROUND: u32 = 16;
+const GROWING_ROUND: usize = 16;
 
-/// After so many rounds of growing, a ring at first and four times as many every time, all of the cloth is one
-/// zone, whether its pieces hang together or not.
-const LARGEST_GROWTH: u32 = 4;
+/// After so many rounds of growing, a ring at first and four times as many every time, all of the cloth
+/// goes slower, as one, whether its pieces hang together or not.
+const SLOWING_ROUND: usize = 4;
+
+/// More halvings than any way takes.
+const HELD_FAST: u32 = u8::MAX as u32;
+
+/// Where more than one in so many patches is crossed, folds are so much faster than they are apart that parting
+/// them one by one is in vain: all of the cloth drifts for a step.
+const HOPELESS: usize = 10;
+
+/// Steps for which skin yields to stretched cloth after that, and from which stretch on.
+const SOFT_STEPS: u32 = 15;
+const SOFT_TORN: f32 = 0.1;
 
 /// So many rounds are taken even when the repair has done as much as it may: a few hundred particles that
 /// are held back cost less than all of the cloth.
-const SPARED_ROUND: u32 = 12;
+const SPARED_ROUND: usize = 6;
 
 /// From this round on pins give way too, where what they do cannot be done without a crossing.
-const YIELDING_ROUND: u32 = 1;
+const YIELDING_ROUND: usize = 1;
 
 /// Pairs that a repair may look at for each patch of the cloth before it comes to an end: it then holds
 /// together what it has not parted.
-const EFFORT_MAX: usize = 8;
+const EFFORT_MAX: usize = 6;
+
+/// The same where something crossed before, holding back included: what is drawn out takes longer.
+const TANGLE_EFFORT: usize = 8;
+
+/// The same for holding back what is left then, before all of the cloth is held at once.
+const HOLDING_EFFORT: usize = 4;
 
 /// The same for bringing out of the body what the repair has left in it: where cloth is pressed from both sides
-/// it takes half of a frame and moves nothing.
-const LEAVING_EFFORT: usize = 6;
+/// it moves nothing.
+const LEAVING_EFFORT: usize = 3;
 
 /// Sweeps over all repairs in a round.
 const SWEEP_COUNT: usize = 4;
@@ -106,6 +124,11 @@ pub(crate) struct CrossingRepair {
     /// Particles that the repair has moved, and, by particle, its place among them counted from 1.
     moved: Vec<u32>,
     moved_places: Vec<u32>,
+    /// Where everything was when crossings were looked for the last time [m], which particles have moved since,
+    /// as they were moved and by particle, and the patches around them.
+    looked: Vec<Vec3>,
+    since: Vec<u32>,
+    has_moved: Vec<bool>,
     moved_patches: Marked,
     /// Where they were before the repair, then before the last of them left the body [m].
     before: Vec<Vec3>,
@@ -117,6 +140,8 @@ pub(crate) struct CrossingRepair {
     pub(crate) is_tangled: Vec<bool>,
     /// What was held back in this step.
     pub(crate) held_back: SlotSet,
+    /// Steps until the skin is firm again.
+    soft_steps: u32,
     /// Whether what it says of its piece is what the repair of all pieces has found.
     pub(crate) is_part: bool,
 }
@@ -132,6 +157,9 @@ impl CrossingRepair {
             + size_of_val(&self.goals[..])
             + size_of_val(&self.moved[..])
             + size_of_val(&self.moved_places[..])
+            + size_of_val(&self.looked[..])
+            + size_of_val(&self.since[..])
+            + size_of_val(&self.has_moved[..])
             + size_of_val(&self.before[..])
             + size_of_val(&self.is_outside[..])
             + size_of_val(&self.is_tangled[..])
@@ -140,11 +168,18 @@ impl CrossingRepair {
             + self.guards.byte_count()
     }
 
+    /// Stretch from which skin lets through what hangs in it: less where all of the cloth had to drift shortly
+    /// before, so that it can open again.
+    pub(crate) const fn torn(&self) -> f32 {
+        if 0 < self.soft_steps { SOFT_TORN } else { TORN }
+    }
+
     /// Forgets what it has done in the steps before.
     pub(crate) fn forget(&mut self) {
         self.is_tangled.clear();
         self.held_back.clear();
         self.guards.clear();
+        self.soft_steps = 0;
         self.ceiling = None;
         self.is_part = false;
     }
@@ -159,6 +194,7 @@ impl CrossingRepair {
         self.is_tangled.clear();
         let tangled = whole.is_tangled.get(particles).unwrap_or(&[]);
         self.is_tangled.extend_from_slice(tangled);
+        self.soft_steps = whole.soft_steps;
         self.is_part = true;
     }
 
@@ -178,6 +214,7 @@ impl CrossingRepair {
         dispatch!(fixed.level, simd => finder.find_all(simd, fixed.surface, &self.positions));
         self.separations.clear();
         self.held_back.clear();
+        self.soft_steps = self.soft_steps.saturating_sub(1);
         let found = self.finder.crossings.len();
         if 0 < found {
             self.work(fixed, starts);
@@ -225,11 +262,24 @@ impl CrossingRepair {
         self.moved.clear();
         self.moved_places.clear();
         self.moved_places.resize(starts.len(), 0);
+        self.looked.clone_from(&self.positions);
+        self.has_moved.clear();
+        self.has_moved.resize(starts.len(), false);
         self.before.clear();
         self.effort = 0;
-        self.effort_max = EFFORT_MAX * fixed.surface.patches.len();
+        let effort_max = match self.ceiling {
+            Some(0) => EFFORT_MAX,
+            _ => TANGLE_EFFORT,
+        };
+        self.effort_max = effort_max * fixed.surface.patches.len();
+        // A tangle that was there from the start is drawn out, however large.
+        let is_hopeless = self.ceiling == Some(0)
+            && fixed.surface.patches.len() < HOPELESS * self.finder.crossings.len();
+        if is_hopeless {
+            self.soft_steps = SOFT_STEPS;
+        }
         for round in 0..PARTING_ROUNDS {
-            if self.is_spent() {
+            if is_hopeless || self.is_spent() {
                 break;
             }
             let known = self.separations.len();
@@ -257,7 +307,7 @@ impl CrossingRepair {
                 break;
             }
         }
-        self.hold_together(fixed, starts);
+        self.hold_together(fixed, starts, is_hopeless);
         for &member in &self.zones.members {
             let slot = fixed.layout.slot(member as usize);
             self.held_back.insert(slot, fixed.inv_masses.len());
@@ -271,8 +321,9 @@ impl CrossingRepair {
 
     /// Holds back what has come to cross: it goes only a part of its way from where the cloth drifts around it,
     /// then none of it, until no more crosses than may.
-    /// In the end there is one zone that moves as a rigid body, and that is so.
-    fn hold_together(&mut self, fixed: Fixed<'_>, starts: &[Vec3]) {
+    /// In the end there is one zone that moves as a rigid body, and that is so; where it is hopeless from the
+    /// start, all of the cloth drifts at once.
+    fn hold_together(&mut self, fixed: Fixed<'_>, starts: &[Vec3], is_hopeless: bool) {
         self.zones.clear(narrow(starts.len()));
         let ceiling = self.ceiling_at(fixed, starts);
         self.ceiling = Some(ceiling);
@@ -283,12 +334,16 @@ impl CrossingRepair {
             std::mem::take(&mut self.goals),
         );
         goals.clone_from(&self.positions);
+        if ceiling == 0 {
+            let most = HOLDING_EFFORT * fixed.surface.patches.len();
+            self.effort_max = (self.effort_max).max(self.effort + self.finder.effort + most);
+        }
         let ways = Ways {
             starts,
             goals: &goals,
             motion: |start| drift.apply(start),
         };
-        self.hold_in_rounds(fixed, &ways, ceiling);
+        self.hold_in_rounds(fixed, &ways, (ceiling, is_hopeless));
         (self.drift, self.goals) = (drift, goals);
     }
 
@@ -297,10 +352,10 @@ impl CrossingRepair {
         &mut self,
         fixed: Fixed<'_>,
         ways: &Ways<'_, M>,
-        ceiling: usize,
+        (ceiling, is_hopeless): (usize, bool),
     ) {
         let starts = ways.starts;
-        let mut spent = 0;
+        let mut spent = 0_usize;
         for round in 0..ZONE_ROUNDS {
             if self.finder.crossings.len() <= ceiling {
                 return;
@@ -311,19 +366,18 @@ impl CrossingRepair {
                 }
             }
             self.zones.spread(fixed.surface, ways);
-            spent += u32::from(SPARED_ROUND <= round && self.is_spent());
-            let late = round.saturating_sub(GROWING_ROUND).max(spent);
-            for _ in 0..(1_u32 << (2 * late.min(LARGEST_GROWTH))) >> 2 {
-                if self.zones.members.len() < starts.len() {
-                    self.zones.grow(fixed.surface, ways);
+            if is_hopeless {
+                match round {
+                    0 => self.zones.hold_all(ways),
+                    1 => self.zones.join_all(ways, HELD_FAST),
+                    _ => break,
                 }
-            }
-            if LARGEST_GROWTH <= late {
-                if self.zones.is_one_and_still() {
+            } else {
+                spent += usize::from(SPARED_ROUND <= round && self.is_spent());
+                let late = round.saturating_sub(GROWING_ROUND).max(spent);
+                if !self.slow(fixed, ways, late) {
                     break;
                 }
-                let slower = (late - LARGEST_GROWTH).saturating_mul(2).saturating_add(2);
-                self.zones.join_all(ways, slower);
             }
             let pins = if YIELDING_ROUND <= round {
                 Pins::Yield
@@ -338,6 +392,29 @@ impl CrossingRepair {
             self.look_again(fixed);
         }
         self.take_all_back(fixed, starts);
+    }
+
+    /// Holds back ring by ring what is around what crosses, then slows down all of the cloth, so that it goes on
+    /// opening; `late` counts the rounds of that. Whether there is more to try.
+    fn slow<M: Fn(Vec3) -> Vec3>(
+        &mut self,
+        fixed: Fixed<'_>,
+        ways: &Ways<'_, M>,
+        late: usize,
+    ) -> bool {
+        for _ in 0..(1_u32 << (2 * late.min(SLOWING_ROUND))) >> 2 {
+            if self.zones.members.len() < ways.starts.len() {
+                self.zones.grow(fixed.surface, ways);
+            }
+        }
+        let Some(slower) = late.checked_sub(SLOWING_ROUND) else {
+            return true;
+        };
+        if self.zones.is_one_and_still() {
+            return false;
+        }
+        self.zones.join_all(ways, narrow(2 * slower + 2));
+        true
     }
 
     /// Crossings that a step may leave: a tangle that is drawn out crosses by some more for a while.
@@ -358,15 +435,39 @@ impl CrossingRepair {
             self.shift(particle, Vec3::ZERO);
             self.positions[particle as usize] = start;
         }
-        self.look_again(fixed);
+        if self.ceiling == Some(0) {
+            // That nothing crossed there is known.
+            self.finder.crossings.clear();
+        } else {
+            self.look_again(fixed);
+        }
     }
 
-    /// Finds what crosses around the particles that were moved.
+    /// Finds what crosses now that particles have moved since the last look.
     fn look_again(&mut self, fixed: Fixed<'_>) {
-        let (marked, finder) = (&mut self.moved_patches, &mut self.finder);
-        marked.set(fixed.surface, &self.moved);
-        let (surface, positions) = (fixed.surface, &self.positions);
-        dispatch!(fixed.level, simd => finder.find_again(simd, surface, positions, marked));
+        let (positions, looked) = (&self.positions, &mut self.looked);
+        let is_new = |&particle: &u32| {
+            let place = particle as usize;
+            positions[place] != looked[place]
+        };
+        self.since.clear();
+        self.since.extend(self.moved.iter().copied().filter(is_new));
+        for &particle in &self.since {
+            let place = particle as usize;
+            looked[place] = positions[place];
+            self.has_moved[place] = true;
+        }
+        let (marked, finder, has_moved) = (
+            &mut self.moved_patches,
+            &mut self.finder,
+            &mut self.has_moved,
+        );
+        marked.set(fixed.surface, &self.since);
+        let cloth = (fixed.surface, &positions[..]);
+        dispatch!(fixed.level, simd => finder.find_again(simd, cloth, has_moved, marked));
+        for &particle in &self.since {
+            has_moved[particle as usize] = false;
+        }
     }
 
     /// Makes a separation of every crossing that was none at the start.
@@ -518,6 +619,7 @@ impl CrossingRepair {
                 for index in 0..self.separations.len() {
                     self.part(fixed, self.separations[index]);
                 }
+                self.effort += self.separations.len() + self.moved.len();
                 self.restrain(starts);
                 self.look_again(fixed);
             }

@@ -129,6 +129,8 @@ pub(crate) struct Cloth<'a> {
     pub(crate) dt: f32,
     /// What a repair has held back in the step before: skin yields to it.
     pub(crate) held_back: &'a SlotSet,
+    /// Stretch from which it yields to what hangs in it.
+    pub(crate) torn: f32,
     /// From which pins its particles hang, and how far it is stretched.
     pub(crate) hanging: &'a dyn Hanging,
 }

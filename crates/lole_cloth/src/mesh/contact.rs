@@ -96,6 +96,7 @@ fn with_skin(
         speed_gain: config.gravity.length() * dt,
         dt,
         held_back: &scratch.crossing_repair.held_back,
+        torn: scratch.crossing_repair.torn(),
         hanging: model,
     };
     let skin = Skin {

@@ -21,7 +21,7 @@ use crate::collision::cloth_cloth::{ClothContactLaw, Columns, Shape};
 use crate::collision::face_contact::Moving;
 use crate::collision::outside::Body;
 use crate::collision::placement::Placement;
-use crate::collision::repair::Fixed;
+use crate::collision::repair::{CrossingRepair, Fixed};
 use crate::collision::response::ContactLaw;
 use crate::collision::surfel::{Cloth, Skin, SurfelContacts};
 use crate::constraint::bend::Bend;
@@ -30,7 +30,7 @@ use crate::constraint::pull::Pull;
 use crate::constraint::shear::Cell;
 use crate::constraint::structural::Spring;
 use crate::constraint::tether::Tethers;
-use crate::lanes::{LANES, Points, SlotSet};
+use crate::lanes::{LANES, Points};
 use crate::method::reference::SpringConstants;
 use crate::phase::{Observer, Phase};
 use crate::{
@@ -550,7 +550,7 @@ pub(super) fn find_body_contacts(
 fn cloth_of<'a>(
     (model, config): (&'a ClothModel, &SolverConfig),
     (positions, velocities): (&'a [Points], &'a [Points]),
-    (held, held_back): (&'a [f32], &'a SlotSet),
+    (held, repair): (&'a [f32], &'a CrossingRepair),
     dt: f32,
 ) -> Cloth<'a> {
     Cloth {
@@ -561,7 +561,8 @@ fn cloth_of<'a>(
         spacing: model.spec().grid.spacing[0],
         speed_gain: config.gravity.length() * dt,
         dt,
-        held_back,
+        held_back: &repair.held_back,
+        torn: repair.torn(),
         hanging: model,
     }
 }
@@ -587,7 +588,7 @@ fn with_skin(
 ) {
     let scratch = &mut state.scratch;
     let moving = (&state.positions[..], &state.velocities[..]);
-    let held = (&scratch.held_depths[..], &scratch.crossing_repair.held_back);
+    let held = (&scratch.held_depths[..], &scratch.crossing_repair);
     let cloth = cloth_of((model, config), moving, held, dt);
     let skin = skin_of(config, &state.surfels, input);
     act(&mut scratch.surfel_contacts, cloth, skin);
@@ -606,7 +607,7 @@ fn find_contacts(
         cloth_of(
             (model, config),
             (positions, velocities),
-            (&scratch.held_depths, &scratch.crossing_repair.held_back),
+            (&scratch.held_depths, &scratch.crossing_repair),
             dt,
         ),
         skin_of(config, &state.surfels, input),

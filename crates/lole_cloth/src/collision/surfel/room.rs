@@ -22,7 +22,7 @@ const PUCKERED: f32 = 0.5;
 const TAUT: f32 = 1.03;
 
 /// Cloth that is stretched by so much is pushed no farther.
-const TORN: f32 = 0.3;
+pub(crate) const TORN: f32 = 0.3;
 
 /// From what a particle hangs: a pin, or the line between two of them.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -71,7 +71,7 @@ impl Anchor {
 
 /// Whether the cloth at a particle is stretched so far that the skin gives way to it.
 pub(super) fn is_torn(cloth: Cloth<'_>, slot: (usize, usize)) -> bool {
-    TORN < cloth.hanging.stretch_at(cloth.positions, slot)
+    cloth.torn < cloth.hanging.stretch_at(cloth.positions, slot)
 }
 
 /// How far a place is outside of skin that keeps a distance [m], in the middle of a step.
