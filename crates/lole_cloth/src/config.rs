@@ -10,6 +10,9 @@ use glam::Vec3;
 pub struct SolverConfig {
     /// Substeps per step. More substeps mean stiffer cloth, truer motion and more work.
     pub substep_count: NonZeroU32,
+    /// Substeps per step at most, for a while, where more than one structural spring in a hundred is
+    /// strained by more than 6 %; no more than `substep_count` keeps to that.
+    pub strained_substep_count: NonZeroU32,
     /// Passes over the structural springs in each substep. More passes mean less strain.
     pub structural_sweep_count: NonZeroU32,
     /// Passes more along the rows near those that are pinned all along, in each pass over the
@@ -41,6 +44,7 @@ impl Default for SolverConfig {
     fn default() -> Self {
         Self {
             substep_count: NonZeroU32::MIN.saturating_add(11),
+            strained_substep_count: NonZeroU32::MIN,
             structural_sweep_count: NonZeroU32::MIN.saturating_add(5),
             gathered_sweep_count: 0,
             gravity: Vec3::new(0.0, -9.81, 0.0),

@@ -78,7 +78,7 @@ pub fn strain_by_particle(spec: &ClothSpec, positions: &[Vec3]) -> Vec<f32> {
 }
 
 /// Calls with both ends of every edge of the grid and the length it has at rest [m].
-fn each_structural_edge(spec: &ClothSpec, mut edge: impl FnMut([usize; 2], f32)) {
+pub(crate) fn each_structural_edge(spec: &ClothSpec, mut edge: impl FnMut([usize; 2], f32)) {
     let grid = &spec.grid;
     for row in 0..grid.row_count {
         for column in 0..grid.column_count {

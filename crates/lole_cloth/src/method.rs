@@ -2,6 +2,7 @@
 
 pub mod explicit;
 pub mod explicit_rows;
+pub(crate) mod fineness;
 pub mod paper;
 pub mod reference;
 pub mod settle;

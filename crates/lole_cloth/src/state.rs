@@ -14,6 +14,7 @@ use crate::collision::surfel::SurfelContacts;
 use crate::constraint::hysteresis::Sets;
 use crate::lanes::Points;
 use crate::method::explicit_rows::Form;
+use crate::method::fineness::Fineness;
 use crate::method::xpbd::{RowStrides, Schedules};
 use crate::pins::PinGoals;
 
@@ -30,6 +31,8 @@ pub struct ClothState {
     pub(crate) capsules: Vec<Capsule>,
     /// Where the surfels were left; empty before the first step.
     pub(crate) surfels: Vec<Surfel>,
+    /// Into how many substeps the next step is cut.
+    pub(crate) fineness: Fineness,
     pub(crate) scratch: Scratch,
 }
 
@@ -95,6 +98,7 @@ impl ClothState {
             pin_targets: Vec::new(),
             capsules: Vec::new(),
             surfels: Vec::new(),
+            fineness: Fineness::default(),
             scratch: Scratch {
                 predicted: vec![Points::default(); vector_count],
                 ..Scratch::default()
@@ -133,6 +137,7 @@ impl ClothState {
             + size_of_val(&self.scratch.predicted[..])
             + size_of_val(&self.pin_targets[..])
             + size_of_val(&self.surfels[..])
+            + size_of_val(&self.fineness.positions[..])
             + self.scratch.pin_goals.byte_count()
             + self.scratch.surfel_contacts.byte_count()
             + self.scratch.cloth_contacts.byte_count()

@@ -79,7 +79,10 @@ impl Assembly {
         substep_count: NonZeroU32,
     ) -> Result<Self, JointError> {
         for piece in &mut pieces {
-            piece.config_mut().substep_count = substep_count;
+            let config = piece.config_mut();
+            config.substep_count = substep_count;
+            // All of them take as many.
+            config.strained_substep_count = substep_count;
         }
         let made = joints.iter().map(|joint| Made::new(&pieces, joint));
         let made = made.collect::<Result<_, _>>()?;

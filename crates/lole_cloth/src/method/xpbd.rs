@@ -115,8 +115,11 @@ impl Frictions {
 }
 
 impl Substep {
-    fn new(model: &ClothModel, config: &SolverConfig, air_velocity: Vec3, dt: f32) -> Self {
-        let count = config.substep_count.get();
+    fn new(
+        (model, config, count): (&ClothModel, &SolverConfig, u32),
+        air_velocity: Vec3,
+        dt: f32,
+    ) -> Self {
         #[expect(clippy::cast_precision_loss, reason = "substeps and sweeps are few")]
         let (h, sweeps) = (
             dt / count as f32,
@@ -276,7 +279,8 @@ fn begin_observed(
     state: &mut ClothState,
     observer: Observer<'_>,
 ) -> Plan {
-    let substep = Substep::new(model, config, input.air_velocity, dt);
+    let count = state.fineness.substep_count(config);
+    let substep = Substep::new((model, config, count), input.air_velocity, dt);
     if substep.has_friction() {
         let [rows, width] = [model.layout.row_count, model.layout.group_count];
         let bend_counts = [rows * model.row_triples.len(), rows * width];
@@ -361,6 +365,10 @@ pub(crate) fn end(
 ) {
     finish_pins(model, state);
     repair_crossings((model, config), (input, dt), state);
+    let positions = &state.positions;
+    (state.fineness).learn((model, config), |points| {
+        model.layout.gather_points(positions, points);
+    });
 }
 
 /// Takes back what came to cross in this step.
@@ -535,7 +543,7 @@ pub(super) fn find_body_contacts(
         (config.held_depth, model.spec().grid.row_count, spacing),
         &mut scratch.held_depths,
     );
-    let substep_count = config.substep_count.get();
+    let substep_count = state.fineness.substep_count(config);
     with_skin(
         model,
         config,

@@ -134,6 +134,7 @@ impl Rig {
     pub(super) fn with_substeps(mut self, count: NonZeroU32) -> Self {
         if let Kind::RealTime(rig) = &mut self.0 {
             rig.config.substep_count = count;
+            rig.config.strained_substep_count = count;
         }
         self
     }
