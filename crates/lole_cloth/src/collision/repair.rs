@@ -41,6 +41,11 @@ const SLOWING_ROUND: usize = 4;
 /// More halvings than any way takes.
 const HELD_FAST: u32 = u8::MAX as u32;
 
+/// Where a step is hopeless all of the cloth goes so much of its way from where it drifts, and what crosses
+/// then is held fast there for so many rounds: were all of it held fast at once, it would never open again.
+const HOPELESS_SHARE: f32 = 0.125;
+const HOPELESS_ROUNDS: usize = 8;
+
 /// Where more than one in so many patches is crossed, folds are so much faster than they are apart that parting
 /// them one by one is in vain: all of the cloth drifts for a step.
 const HOPELESS: usize = 10;
@@ -368,8 +373,10 @@ impl CrossingRepair {
             self.zones.spread(fixed.surface, ways);
             if is_hopeless {
                 match round {
-                    0 => self.zones.hold_all(ways),
-                    1 => self.zones.join_all(ways, HELD_FAST),
+                    0 => self.zones.slow_all(ways, HOPELESS_SHARE),
+                    1..HOPELESS_ROUNDS => (),
+                    HOPELESS_ROUNDS => self.zones.hold_all(ways),
+                    _ if round == HOPELESS_ROUNDS + 1 => self.zones.join_all(ways, HELD_FAST),
                     _ => break,
                 }
             } else {
