@@ -47,7 +47,7 @@ const SUBSTEP_COUNT: NonZeroU32 = NonZeroU32::MIN.saturating_add(13);
 const LAYERED_SUBSTEP_COUNT: NonZeroU32 = NonZeroU32::MIN.saturating_add(15);
 
 /// Times as many substeps at most where cloth is strained: skirts that are whirled by 8 rad/s need three.
-const STRAINED_PARTS: NonZeroU32 = NonZeroU32::MIN.saturating_add(3);
+const STRAINED_PARTS: NonZeroU32 = NonZeroU32::MIN.saturating_add(2);
 
 /// A prepared cloth and its moving state, by method.
 #[derive(Clone)]

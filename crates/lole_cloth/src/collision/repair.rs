@@ -44,7 +44,7 @@ const HELD_FAST: u32 = u8::MAX as u32;
 /// Where a step is hopeless all of the cloth goes so much of its way from where it drifts, and what crosses
 /// then is held fast there for so many rounds: were all of it held fast at once, it would never open again.
 const HOPELESS_SHARE: f32 = 0.125;
-const HOPELESS_ROUNDS: usize = 8;
+const HOPELESS_ROUNDS: usize = 4;
 
 /// Where more than one in so many patches is crossed, folds are so much faster than they are apart that parting
 /// them one by one is in vain: all of the cloth drifts for a step.
