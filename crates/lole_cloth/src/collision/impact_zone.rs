@@ -201,20 +201,6 @@ impl ImpactZones {
         }
     }
 
-    /// Holds everything fast where the space around it brings it, each particle by itself.
-    pub(crate) fn hold_all<M: Fn(Vec3) -> Vec3>(&mut self, ways: &Ways<'_, M>) {
-        let count = narrow(ways.starts.len());
-        self.parents.clear();
-        self.parents.extend(0..count);
-        for particle in 0..count {
-            self.take_up(particle, ways);
-        }
-        for held in &mut self.held {
-            held.halvings = HALVINGS + 1;
-            held.reach = 0.0;
-        }
-    }
-
     /// Makes one zone of everything, in which each goes its way halved so often: slower, but not still.
     pub(crate) fn join_all<M: Fn(Vec3) -> Vec3>(&mut self, ways: &Ways<'_, M>, halvings: u32) {
         for particle in 0..narrow(ways.starts.len()) {

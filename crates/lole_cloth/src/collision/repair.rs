@@ -38,16 +38,13 @@ const GROWING_ROUND: usize = 16;
 /// goes slower, as one, whether its pieces hang together or not.
 const SLOWING_ROUND: usize = 4;
 
-/// More halvings than any way takes.
-const HELD_FAST: u32 = u8::MAX as u32;
-
 /// Where a step is hopeless all of the cloth goes so much of its way from where it drifts, and what crosses
 /// then is held fast there for so many rounds: were all of it held fast at once, it would never open again.
 const HOPELESS_SHARE: f32 = 0.125;
 const HOPELESS_ROUNDS: usize = 4;
 
 /// Where more than one in so many patches is crossed, folds are so much faster than they are apart that parting
-/// them one by one is in vain: all of the cloth drifts for a step.
+/// them one by one is in vain. Not in two steps on end, or it might never open.
 const HOPELESS: usize = 10;
 
 /// Steps for which skin yields to stretched cloth after that, and from which stretch on.
@@ -279,6 +276,7 @@ impl CrossingRepair {
         self.effort_max = effort_max * fixed.surface.patches.len();
         // A tangle that was there from the start is drawn out, however large.
         let is_hopeless = self.ceiling == Some(0)
+            && self.soft_steps < SOFT_STEPS - 1
             && fixed.surface.patches.len() < HOPELESS * self.finder.crossings.len();
         if is_hopeless {
             self.soft_steps = SOFT_STEPS;
@@ -371,20 +369,20 @@ impl CrossingRepair {
                 }
             }
             self.zones.spread(fixed.surface, ways);
-            if is_hopeless {
-                match round {
-                    0 => self.zones.slow_all(ways, HOPELESS_SHARE),
-                    1..HOPELESS_ROUNDS => (),
-                    HOPELESS_ROUNDS => self.zones.hold_all(ways),
-                    _ if round == HOPELESS_ROUNDS + 1 => self.zones.join_all(ways, HELD_FAST),
-                    _ => break,
+            let late = if is_hopeless {
+                if round == 0 {
+                    self.zones.slow_all(ways, HOPELESS_SHARE);
+                }
+                match round.checked_sub(HOPELESS_ROUNDS) {
+                    Some(late) => SLOWING_ROUND + late,
+                    None => 0,
                 }
             } else {
                 spent += usize::from(SPARED_ROUND <= round && self.is_spent());
-                let late = round.saturating_sub(GROWING_ROUND).max(spent);
-                if !self.slow(fixed, ways, late) {
-                    break;
-                }
+                round.saturating_sub(GROWING_ROUND).max(spent)
+            };
+            if !self.slow(fixed, ways, late) {
+                break;
             }
             let pins = if YIELDING_ROUND <= round {
                 Pins::Yield

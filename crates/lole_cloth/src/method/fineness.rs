@@ -47,7 +47,7 @@ impl Fineness {
         let usual = config.substep_count.get();
         let [strained, uneasy] = many_strained(model, &self.positions);
         self.count = if strained {
-            now + usual
+            now.saturating_add(usual)
         } else if uneasy {
             now
         } else {
