@@ -1,4 +1,4 @@
-//! The law of finer steps: cloth that is whirled is strained less with them, and calm cloth keeps its bits.
+//! The law of finer steps: cloth that is pulled at is strained less with them, and calm cloth keeps its bits.
 
 use std::num::NonZeroU32;
 
@@ -15,7 +15,7 @@ const ROWS: u32 = 32;
 const RADIUS: f32 = 0.2;
 const LENGTH: f32 = 0.7;
 
-/// Cotton, and the width of a plain tube around a waist.
+/// A plain tube of cotton around a waist.
 fn spec() -> ClothSpec {
     let grid = Grid {
         column_count: COLUMNS,
@@ -49,60 +49,57 @@ fn spec() -> ClothSpec {
     }
 }
 
-fn ring(turn: f32, height: f32) -> Vec<Vec3> {
+fn ring(height: f32) -> Vec<Vec3> {
     (0..COLUMNS)
         .map(|column| {
-            let angle = turn + std::f32::consts::TAU * column as f32 / COLUMNS as f32;
+            let angle = std::f32::consts::TAU * column as f32 / COLUMNS as f32;
             let (sin, cos) = trig::sin_cos(angle);
             Vec3::new(RADIUS * cos, height, RADIUS * sin)
         })
         .collect()
 }
 
-/// Worst strain (p99) of a frame in two seconds of turning so fast [rad/s], to and fro, and all bits at the end.
-fn danced(speed: f32, strained: u32) -> (f32, u64) {
+/// Strain (p99) after two seconds of hanging with so many times its weight, as a whirl pulls at a skirt, and all bits.
+fn hung(weights: f32, strained: u32) -> (f32, u64) {
     let spec = spec();
     let model = ClothModel::new(&spec).unwrap();
     let config = SolverConfig {
-        substep_count: NonZeroU32::new(20).unwrap(),
+        substep_count: NonZeroU32::new(6).unwrap(),
         strained_substep_count: NonZeroU32::new(strained).unwrap(),
-        structural_sweep_count: NonZeroU32::new(2).unwrap(),
+        gravity: weights * SolverConfig::default().gravity,
+        structural_sweep_count: NonZeroU32::MIN,
         tether_scale: None,
         column_strides: Vec::new(),
         ..SolverConfig::default()
     };
     let start: Vec<Vec3> = (0..ROWS)
-        .flat_map(|row| ring(0.0, 1.0 - LENGTH * row as f32 / (ROWS - 1) as f32))
+        .flat_map(|row| ring(1.0 - LENGTH * row as f32 / (ROWS - 1) as f32))
         .collect();
     let mut state = ClothState::new(&model, &start);
-    let (mut turn, mut worst, mut positions) = (0.0, 0.0_f32, Vec::new());
-    for frame in 0..120 {
-        // A quarter of a second of setting out, then a turn about.
-        let gain = (frame as f32 / 15.0).min(1.0);
-        turn += DT * gain * if frame < 60 { speed } else { -speed };
-        let pin_targets = ring(turn, 1.0);
-        let input = StepInput {
-            pin_targets: &pin_targets,
-            ..StepInput::default()
-        };
+    let pin_targets = ring(1.0);
+    let input = StepInput {
+        pin_targets: &pin_targets,
+        ..StepInput::default()
+    };
+    for _ in 0..120 {
         step(&model, &config, &input, &mut state, DT);
-        state.copy_positions(&model, &mut positions);
-        worst = worst.max(diagnose::strain(&spec, &positions).p99);
     }
-    (worst, state_hash(&state))
+    let mut positions = Vec::new();
+    state.copy_positions(&model, &mut positions);
+    (diagnose::strain(&spec, &positions).p99, state_hash(&state))
 }
 
 #[test]
-fn whirled_cloth_is_strained_less_when_steps_may_be_finer() {
-    let [(coarse, _), (fine, _)] = [20, 60].map(|strained| danced(8.0, strained));
+fn cloth_that_is_pulled_at_is_strained_less_when_steps_may_be_finer() {
+    let [(coarse, _), (fine, _)] = [6, 18].map(|strained| hung(8.0, strained));
     println!("p99 {:.1} % and {:.1} %", 100.0 * coarse, 100.0 * fine);
-    assert!(0.06 < coarse, "not strained enough to tell: {coarse}");
+    assert!(0.1 < coarse, "not strained enough to tell: {coarse}");
     assert!(fine < 0.6 * coarse, "{fine} instead of {coarse}");
 }
 
 #[test]
 fn calm_cloth_keeps_its_bits_however_fine_steps_may_be() {
-    let [(strain, coarse), (_, fine)] = [20, 60].map(|strained| danced(0.0, strained));
+    let [(strain, coarse), (_, fine)] = [6, 18].map(|strained| hung(0.25, strained));
     assert!(strain < 0.06, "not calm: {strain}");
     assert_eq!(coarse, fine);
 }
