@@ -60,12 +60,15 @@ fn ring(height: f32) -> Vec<Vec3> {
 }
 
 /// Strain (p99) after two seconds of hanging with so many times its weight, as a whirl pulls at a skirt, and all bits.
-fn hung(weights: f32, strained: u32) -> (f32, u64) {
+fn hung(weights: f32, times: u32) -> (f32, u64) {
     let spec = spec();
-    let model = ClothModel::new(&spec).unwrap();
+    let Ok(model) = ClothModel::new(&spec) else {
+        panic!("a tube of cloth is a model");
+    };
+    let usual = NonZeroU32::MIN.saturating_add(5);
     let config = SolverConfig {
-        substep_count: NonZeroU32::new(6).unwrap(),
-        strained_substep_count: NonZeroU32::new(strained).unwrap(),
+        substep_count: usual,
+        strained_substep_count: usual.saturating_mul(NonZeroU32::MIN.saturating_add(times - 1)),
         gravity: weights * SolverConfig::default().gravity,
         structural_sweep_count: NonZeroU32::MIN,
         tether_scale: None,
@@ -91,15 +94,14 @@ fn hung(weights: f32, strained: u32) -> (f32, u64) {
 
 #[test]
 fn cloth_that_is_pulled_at_is_strained_less_when_steps_may_be_finer() {
-    let [(coarse, _), (fine, _)] = [6, 18].map(|strained| hung(8.0, strained));
-    println!("p99 {:.1} % and {:.1} %", 100.0 * coarse, 100.0 * fine);
+    let [(coarse, _), (fine, _)] = [1, 3].map(|times| hung(8.0, times));
     assert!(0.1 < coarse, "not strained enough to tell: {coarse}");
     assert!(fine < 0.6 * coarse, "{fine} instead of {coarse}");
 }
 
 #[test]
 fn calm_cloth_keeps_its_bits_however_fine_steps_may_be() {
-    let [(strain, coarse), (_, fine)] = [6, 18].map(|strained| hung(0.25, strained));
+    let [(strain, coarse), (_, fine)] = [1, 3].map(|times| hung(0.25, times));
     assert!(strain < 0.06, "not calm: {strain}");
     assert_eq!(coarse, fine);
 }

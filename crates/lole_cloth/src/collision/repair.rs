@@ -65,7 +65,7 @@ const EFFORT_MAX: usize = 6;
 /// The same where something crossed before, holding back included: what is drawn out takes longer.
 const TANGLE_EFFORT: usize = 8;
 
-/// The same for holding back what is left then, before all of the cloth is held at once.
+/// The same for holding back what is left then, before all of the cloth is slowed.
 const HOLDING_EFFORT: usize = 4;
 
 /// The same for bringing out of the body what the repair has left in it: where cloth is pressed from both sides
@@ -310,7 +310,7 @@ impl CrossingRepair {
                 break;
             }
         }
-        self.hold_together(fixed, starts, is_hopeless);
+        self.hold_together(fixed, (starts, is_hopeless));
         for &member in &self.zones.members {
             let slot = fixed.layout.slot(member as usize);
             self.held_back.insert(slot, fixed.inv_masses.len());
@@ -325,8 +325,8 @@ impl CrossingRepair {
     /// Holds back what has come to cross: it goes only a part of its way from where the cloth drifts around it,
     /// then none of it, until no more crosses than may.
     /// In the end there is one zone that moves as a rigid body, and that is so; where it is hopeless from the
-    /// start, all of the cloth drifts at once.
-    fn hold_together(&mut self, fixed: Fixed<'_>, starts: &[Vec3], is_hopeless: bool) {
+    /// start, all of the cloth is slowed first.
+    fn hold_together(&mut self, fixed: Fixed<'_>, (starts, is_hopeless): (&[Vec3], bool)) {
         self.zones.clear(narrow(starts.len()));
         let ceiling = self.ceiling_at(fixed, starts);
         self.ceiling = Some(ceiling);
