@@ -12,6 +12,7 @@ pub struct SolverConfig {
     pub substep_count: NonZeroU32,
     /// Substeps per step at most, for a while, where more than one structural spring in a hundred is
     /// strained by more than 6 %; no more than `substep_count` keeps to that.
+    /// For a grid by itself; meshes and the pieces of an assembly keep to `substep_count`.
     pub strained_substep_count: NonZeroU32,
     /// Passes over the structural springs in each substep. More passes mean less strain.
     pub structural_sweep_count: NonZeroU32,

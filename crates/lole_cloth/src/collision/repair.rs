@@ -170,8 +170,8 @@ impl CrossingRepair {
             + self.guards.byte_count()
     }
 
-    /// Stretch from which skin lets through what hangs in it: less where all of the cloth had to drift shortly
-    /// before, so that it can open again.
+    /// Stretch from which skin lets through what hangs in it: less where a step was hopeless shortly before, so
+    /// that the cloth can open again.
     pub(crate) const fn torn(&self) -> f32 {
         if 0 < self.soft_steps { SOFT_TORN } else { TORN }
     }
