@@ -10,9 +10,9 @@ use glam::Vec3;
 pub struct SolverConfig {
     /// Substeps per step. More substeps mean stiffer cloth, truer motion and more work.
     pub substep_count: NonZeroU32,
-    /// Substeps per step at most, for a while, where more than one structural spring in a hundred is
-    /// strained by more than 6 %; no more than `substep_count` keeps to that.
-    /// For a grid by itself; meshes and the pieces of an assembly keep to `substep_count`.
+    /// Substeps per step at most, for a while, where more than one part of the cloth in a hundred, an edge
+    /// of a grid or a direction of a triangle's yarns, is strained by more than 6 %; no more than
+    /// `substep_count` keeps to that. An assembly sets both for its pieces.
     pub strained_substep_count: NonZeroU32,
     /// Passes over the structural springs in each substep. More passes mean less strain.
     pub structural_sweep_count: NonZeroU32,

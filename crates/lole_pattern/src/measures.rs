@@ -128,13 +128,13 @@ measures! {
     /// [`Measures::neck_girth`].
     NeckGirth neck_girth "首の付け根の周り" "the girth of the neck" [18.0, 65.0];
     /// [`Measures::head_girth`].
-    HeadGirth head_girth "頭囲" "the girth of the head" [40.0, 75.0];
+    HeadGirth head_girth "頭囲" "the girth of the head" [40.0, 130.0];
     /// [`Measures::upper_arm_girth`].
     UpperArmGirth upper_arm_girth "上腕の周り" "the girth of the upper arm" [11.0, 65.0];
     /// [`Measures::wrist_girth`].
-    WristGirth wrist_girth "手首の周り" "the girth of the wrist" [8.0, 30.0];
+    WristGirth wrist_girth "手首の周り" "the girth of the wrist" [8.0, 70.0];
     /// [`Measures::ankle_girth`].
-    AnkleGirth ankle_girth "足首の周り" "the girth of the ankle" [11.0, 42.0];
+    AnkleGirth ankle_girth "足首の周り" "the girth of the ankle" [11.0, 70.0];
     /// [`Measures::crotch_length`].
     CrotchLength crotch_length "前後の股上（ウエストから股を通ってウエストまで）" "the crotch length" [30.0, 130.0];
     /// [`Measures::shoulder_breadth`].

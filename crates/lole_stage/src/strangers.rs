@@ -27,14 +27,13 @@ pub struct Stranger {
 }
 
 impl Stranger {
-    /// Draws the stranger of a seed, who wears the skirt of `design`. Same seed, same bits.
+    /// Draws the stranger of a seed, who wears what `design` has. Same seed, same bits.
     ///
     /// # Errors
     /// A design whose parts do not fit together on her.
     pub fn draw(seed: u64, design: &Design) -> Result<Self, StageError> {
         let mut chance = Chance::new(seed);
         let mut design = design.clone();
-        design.garments.clear();
         let (dancer, body) = bodies::draw(&mut chance, &mut design)?;
         let dance = dances::draw(&mut chance, &mut design, &dancer)?;
         let (danced, dance) = dance;

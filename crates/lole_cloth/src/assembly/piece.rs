@@ -5,6 +5,7 @@ use glam::Vec3;
 use crate::lanes::{LANES, Points};
 use crate::mesh::particles::WIDTH;
 use crate::mesh::{MeshModel, MeshState};
+use crate::method::fineness::Fineness;
 use crate::{ClothModel, ClothState, SolverConfig};
 
 /// A prepared piece and its settings.
@@ -128,6 +129,13 @@ impl PieceState {
         match self {
             Self::Grid(state) => [&mut state.positions, &mut state.velocities],
             Self::Mesh(state) => [&mut state.positions, &mut state.velocities],
+        }
+    }
+
+    pub(crate) const fn fineness_mut(&mut self) -> &mut Fineness {
+        match self {
+            Self::Grid(state) => &mut state.fineness,
+            Self::Mesh(state) => &mut state.fineness,
         }
     }
 

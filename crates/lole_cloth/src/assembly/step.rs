@@ -13,6 +13,7 @@ use crate::assembly::whole::{Whole, WholeState};
 use crate::collision::face_contact::{FaceContacts, Faces};
 use crate::lanes::Points;
 use crate::mesh::outcome::all_finite;
+use crate::method::fineness::{Fineness, Substeps};
 use crate::method::xpbd;
 use crate::{StepInput, mesh};
 
@@ -24,7 +25,7 @@ pub struct Assembly {
     /// How the pieces meet each other.
     faces: Faces,
     whole: Whole,
-    substep_count: u32,
+    substeps: Substeps,
 }
 
 /// What moves of an assembly.
@@ -39,6 +40,7 @@ pub struct AssemblyState {
     /// Room for contacts between pieces.
     contacts: FaceContacts,
     whole: WholeState,
+    fineness: Fineness,
 }
 
 /// What the world does during one step; by default nothing is in it.
@@ -91,8 +93,22 @@ impl Assembly {
             faces: contact::faces(&pieces, joints),
             whole: Whole::new(&pieces, joints),
             pieces,
-            substep_count: substep_count.get(),
+            substeps: Substeps::new(substep_count, substep_count),
         })
+    }
+
+    /// The same with up to so many substeps a step, for a while, where more than one part of the cloth in a
+    /// hundred, an edge of a grid or a direction of a triangle's yarns, is strained by more than 6 %.
+    #[must_use]
+    pub fn with_strained_substep_count(mut self, count: NonZeroU32) -> Self {
+        let mut usual = NonZeroU32::MIN;
+        for piece in &mut self.pieces {
+            let config = piece.config_mut();
+            config.strained_substep_count = count;
+            usual = config.substep_count;
+        }
+        self.substeps = Substeps::new(usual, count);
+        self
     }
 
     /// The pieces.
@@ -134,6 +150,7 @@ impl AssemblyState {
             kept: vec![[Vec::new(), Vec::new()]; positions.len()],
             contacts: FaceContacts::default(),
             whole: WholeState::default(),
+            fineness: Fineness::default(),
         }
     }
 
@@ -212,6 +229,16 @@ pub fn step(
     }
     state.frames.clear();
     state.frames.extend_from_slice(input.frames);
+    let pieces = assembly.pieces.iter().zip(&state.pieces);
+    state.fineness.learn(assembly.substeps, |strained, points| {
+        for (piece, state) in pieces {
+            state.copy_positions(piece, points);
+            match piece {
+                Piece::Grid(model, _) => strained.count_grid(model, points),
+                Piece::Mesh(model, _) => strained.count_mesh(model, points),
+            }
+        }
+    });
     Ok(())
 }
 
@@ -240,13 +267,16 @@ fn advance(
         })
         .collect();
     let pieces = || assembly.pieces.iter().zip(&inputs);
+    let count = state.fineness.substep_count(assembly.substeps);
+    for piece in &mut state.pieces {
+        piece.fineness_mut().follow(count);
+    }
     let plans: Vec<Option<Plan>> = (pieces().zip(&mut state.pieces))
         .map(|(piece, state)| begin(piece, dt, state))
         .collect();
     assembly.whole.begin(&state.pieces, &mut state.whole);
     let all = (&assembly.pieces[..], &assembly.faces);
     let contact_interval = contact::find(all, (&state.pieces, &mut state.contacts), dt);
-    let count = assembly.substep_count;
     #[expect(clippy::cast_precision_loss, reason = "substeps are few")]
     let h = dt / count as f32;
     for index in 0..count {

@@ -12,6 +12,7 @@ use crate::mesh::order::PATCH_VECTORS;
 use crate::mesh::particles::{self, WIDTH};
 use crate::mesh::state::MeshState;
 use crate::mesh::step::Substep;
+use crate::method::fineness::Substeps;
 use crate::{SolverConfig, StepInput};
 
 /// Far capsules are tested in every so manyth substep, and in the last of a step.
@@ -33,7 +34,7 @@ pub(crate) fn find(
         [&state.capsules, input.capsules],
         (config.contact_offset, config.gravity.length() * dt, dt),
     ));
-    let substep_count = config.substep_count.get();
+    let substep_count = state.fineness.substep_count(Substeps::of(config));
     with_skin(
         (model, config),
         (input, dt),

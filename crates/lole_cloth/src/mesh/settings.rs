@@ -21,6 +21,9 @@ const WEIGHT_LEFT: f32 = 0.03;
 /// Fewest and most substeps.
 const SUBSTEPS: [f32; 2] = [12.0, 120.0];
 
+/// Times as many substeps at most where cloth is strained, as where a dance pulls at it.
+const STRAINED_PARTS: NonZeroU32 = NonZeroU32::MIN.saturating_add(1);
+
 /// Half of the distance that cloth keeps from cloth [m], and the most of a cell that it may be.
 const HALF_GAP: f32 = 0.002;
 const HALF_GAP_SHARE: f32 = 0.25;
@@ -42,8 +45,10 @@ impl MeshModel {
             reason = "between the fewest and the most"
         )]
         let count = count.ceil().clamp(SUBSTEPS[0], SUBSTEPS[1]) as u32;
+        let substep_count = NonZeroU32::new(count).unwrap_or(NonZeroU32::MIN);
         SolverConfig {
-            substep_count: NonZeroU32::new(count).unwrap_or(NonZeroU32::MIN),
+            substep_count,
+            strained_substep_count: substep_count.saturating_mul(STRAINED_PARTS),
             structural_sweep_count: NonZeroU32::MIN,
             contact_offset: 0.004,
             depenetration_speed: 1.0,

@@ -13,6 +13,7 @@ use crate::lanes::Points;
 use crate::mesh::model::MeshModel;
 use crate::mesh::resistance::Resisting;
 use crate::mesh::stride::Strides;
+use crate::method::fineness::Fineness;
 use crate::pins::PinGoals;
 use crate::state;
 
@@ -27,6 +28,7 @@ pub struct MeshState {
     pub(crate) capsules: Vec<Capsule>,
     /// Where the surfels were left; empty before the first step.
     pub(crate) surfels: Vec<Surfel>,
+    pub(crate) fineness: Fineness,
     pub(crate) scratch: MeshScratch,
 }
 
@@ -78,6 +80,7 @@ impl MeshState {
             pin_targets: Vec::new(),
             capsules: Vec::new(),
             surfels: Vec::new(),
+            fineness: Fineness::default(),
             scratch: MeshScratch {
                 predicted: vec![Points::default(); count],
                 particles: vec![0.0; model.column_length()],

@@ -20,6 +20,7 @@ use crate::mesh::state::{MeshScratch, MeshState};
 use crate::mesh::strain::{self, Strain};
 use crate::mesh::stride;
 use crate::mesh::tether;
+use crate::method::fineness::Substeps;
 use crate::{SolverConfig, StepInput};
 
 /// Numbers that hold for every substep of one step.
@@ -43,8 +44,10 @@ pub(crate) struct Substep {
 }
 
 impl Substep {
-    fn new(model: &MeshModel, config: &SolverConfig, (air_velocity, dt): (Vec3, f32)) -> Self {
-        let count = config.substep_count.get();
+    fn new(
+        (model, config, count): (&MeshModel, &SolverConfig, u32),
+        (air_velocity, dt): (Vec3, f32),
+    ) -> Self {
         let sweep_count = config.structural_sweep_count.get();
         #[expect(clippy::cast_precision_loss, reason = "substeps and sweeps are few")]
         let (h, sweeps) = (dt / count as f32, sweep_count as f32);
@@ -99,6 +102,11 @@ pub fn step(
             return Outcome::Held(cause);
         }
     }
+    let positions = &state.positions;
+    (state.fineness).learn(Substeps::of(config), |strained, points| {
+        model.slots.gather_points(positions, points);
+        strained.count_mesh(model, points);
+    });
     state.pin_targets.clear();
     state.pin_targets.extend_from_slice(input.pin_targets);
     state.capsules.clear();
@@ -199,7 +207,8 @@ pub(crate) fn begin(
 ) -> Substep {
     start(model, config, input, (state, dt));
     contact::find((model, config), (input, dt), state);
-    let substep = Substep::new(model, config, (input.air_velocity, dt));
+    let count = state.fineness.substep_count(Substeps::of(config));
+    let substep = Substep::new((model, config, count), (input.air_velocity, dt));
     (state.scratch.resisting).set(model, substep.h, substep.strain);
     substep
 }

@@ -5,50 +5,78 @@
 //! keep it whole (Macklin et al. 2019, "Small Steps in Physics Simulation"), and a calm dance shall not
 //! pay for them.
 
+use std::num::NonZeroU32;
+
 use glam::Vec3;
 
+use crate::mesh::MeshModel;
 use crate::{ClothModel, SolverConfig, diagnose};
 
-/// Strain of an edge from which it counts as strained, and as not quite at rest.
+/// Strain from which a part of the cloth counts as strained, and as not quite at rest.
 const STRAINED: f32 = 0.06;
 const UNEASY: f32 = 0.04;
 
-/// One edge in so many may be strained.
+/// One part in so many may be strained.
 const FEW: usize = 100;
+
+/// Substeps of a step as usual, and at most.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Substeps {
+    usual: u32,
+    most: u32,
+}
+
+impl Substeps {
+    /// `most` below `usual` is `usual`.
+    pub(crate) fn new(usual: NonZeroU32, most: NonZeroU32) -> Self {
+        Self {
+            usual: usual.get(),
+            most: most.get().max(usual.get()),
+        }
+    }
+
+    pub(crate) fn of(config: &SolverConfig) -> Self {
+        Self::new(config.substep_count, config.strained_substep_count)
+    }
+}
 
 /// Into how many substeps the next step is cut.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct Fineness {
     /// None before the first step.
     count: u32,
-    /// Row-major [m].
+    /// Of whatever was looked at last, in the model's order [m].
     pub(crate) positions: Vec<Vec3>,
 }
 
 impl Fineness {
     /// Substeps of the next step.
-    pub(crate) fn substep_count(&self, config: &SolverConfig) -> u32 {
-        let usual = config.substep_count.get();
-        self.count
-            .clamp(usual, usual.max(config.strained_substep_count.get()))
+    pub(crate) fn substep_count(&self, substeps: Substeps) -> u32 {
+        self.count.clamp(substeps.usual, substeps.most)
     }
 
-    /// Looks at how strained the cloth came out of a step; `gather` puts its positions into a list.
+    /// Sets the substeps of the next step to those that all else takes with which the cloth is joined.
+    pub(crate) const fn follow(&mut self, count: u32) {
+        self.count = count;
+    }
+
+    /// Learns how strained the cloth came out of a step; `look` counts its parts, with a list for positions.
     pub(crate) fn learn(
         &mut self,
-        (model, config): (&ClothModel, &SolverConfig),
-        gather: impl FnOnce(&mut Vec<Vec3>),
+        substeps: Substeps,
+        look: impl FnOnce(&mut Strained, &mut Vec<Vec3>),
     ) {
-        if config.strained_substep_count <= config.substep_count {
+        if substeps.most <= substeps.usual {
             return;
         }
-        gather(&mut self.positions);
-        let now = self.substep_count(config);
-        let usual = config.substep_count.get();
-        let [strained, uneasy] = many_strained(model, &self.positions);
-        self.count = if strained {
+        let mut strained = Strained::default();
+        look(&mut strained, &mut self.positions);
+        let [is_strained, is_uneasy] = strained.beyond.map(|beyond| strained.all < FEW * beyond);
+        let now = self.substep_count(substeps);
+        let usual = substeps.usual;
+        self.count = if is_strained {
             now.saturating_add(usual)
-        } else if uneasy {
+        } else if is_uneasy {
             now
         } else {
             now.saturating_sub(usual.div_ceil(4)).max(usual)
@@ -56,20 +84,45 @@ impl Fineness {
     }
 }
 
-/// Whether more than a few edges are strained, and whether more than a few are uneasy.
-fn many_strained(model: &ClothModel, positions: &[Vec3]) -> [bool; 2] {
-    let spec = model.spec();
-    let (mut all, mut beyond) = (0_usize, [0_usize; 2]);
-    diagnose::each_structural_edge(spec, |[first, second], rest_length| {
-        if spec.pinned[first] && spec.pinned[second] {
-            return;
+/// How many parts of the cloth are strained.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Strained {
+    all: usize,
+    /// Strained, and uneasy.
+    beyond: [usize; 2],
+}
+
+impl Strained {
+    /// Counts the edges of a grid along rows and columns, with its particles at `positions` [m].
+    pub(crate) fn count_grid(&mut self, model: &ClothModel, positions: &[Vec3]) {
+        let spec = model.spec();
+        diagnose::each_structural_edge(spec, |[first, second], rest_length| {
+            if !(spec.pinned[first] && spec.pinned[second]) {
+                let squared = positions[first].distance_squared(positions[second]);
+                self.count(squared, rest_length);
+            }
+        });
+    }
+
+    /// Counts the triangles of a mesh, along warp and along weft, with its particles at `positions` [m].
+    pub(crate) fn count_mesh(&mut self, model: &MeshModel, positions: &[Vec3]) {
+        let pinned = &model.spec().pinned;
+        for (index, triangle) in model.triangles().iter().enumerate() {
+            if triangle.iter().all(|&particle| pinned[particle as usize]) {
+                continue;
+            }
+            for column in crate::mesh::diagnose::deformation_of(model, index, positions) {
+                self.count(column.length_squared(), 1.0);
+            }
         }
-        all += 1;
-        let squared = positions[first].distance_squared(positions[second]);
-        for (beyond, limit) in beyond.iter_mut().zip([STRAINED, UNEASY]) {
+    }
+
+    /// Counts what is so long, squared [m²], and was `rest_length` [m].
+    fn count(&mut self, squared: f32, rest_length: f32) {
+        self.all += 1;
+        for (beyond, limit) in self.beyond.iter_mut().zip([STRAINED, UNEASY]) {
             let [short, long] = [1.0 - limit, 1.0 + limit].map(|share| share * rest_length);
             *beyond += usize::from(!(short * short..=long * long).contains(&squared));
         }
-    });
-    beyond.map(|beyond| all < FEW * beyond)
+    }
 }

@@ -31,6 +31,7 @@ use crate::constraint::shear::Cell;
 use crate::constraint::structural::Spring;
 use crate::constraint::tether::Tethers;
 use crate::lanes::{LANES, Points};
+use crate::method::fineness::Substeps;
 use crate::method::reference::SpringConstants;
 use crate::phase::{Observer, Phase};
 use crate::{
@@ -279,7 +280,7 @@ fn begin_observed(
     state: &mut ClothState,
     observer: Observer<'_>,
 ) -> Plan {
-    let count = state.fineness.substep_count(config);
+    let count = state.fineness.substep_count(Substeps::of(config));
     let substep = Substep::new((model, config, count), input.air_velocity, dt);
     if substep.has_friction() {
         let [rows, width] = [model.layout.row_count, model.layout.group_count];
@@ -366,8 +367,9 @@ pub(crate) fn end(
     finish_pins(model, state);
     repair_crossings((model, config), (input, dt), state);
     let positions = &state.positions;
-    (state.fineness).learn((model, config), |points| {
+    (state.fineness).learn(Substeps::of(config), |strained, points| {
         model.layout.gather_points(positions, points);
+        strained.count_grid(model, points);
     });
 }
 
@@ -543,7 +545,7 @@ pub(super) fn find_body_contacts(
         (config.held_depth, model.spec().grid.row_count, spacing),
         &mut scratch.held_depths,
     );
-    let substep_count = state.fineness.substep_count(config);
+    let substep_count = state.fineness.substep_count(Substeps::of(config));
     with_skin(
         model,
         config,
