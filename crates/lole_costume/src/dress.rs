@@ -617,8 +617,9 @@ fn assembly(kit: &Kit, ease: Ease) -> Result<Assembly, DressError> {
         .map_err(|error| DressError::Joint { template, error })?;
     Ok(match ease {
         Ease::Basted => assembly,
-        Ease::Worn => assembly
-            .with_strained_substep_count(substep_count.saturating_mul(STRAINED_PARTS)),
+        Ease::Worn => {
+            assembly.with_strained_substep_count(substep_count.saturating_mul(STRAINED_PARTS))
+        }
     })
 }
 

@@ -1,7 +1,8 @@
 //! Bodies and dances that nobody designed for: whether cloth stays whole, uncrossed and quick on them.
 //!
 //! `cargo run --release -p lole_picture --example strangers -- [--first SEED] [--count N] [--seconds S]
-//! [--design FILE] [--own] [--repertoire] [--trace] [--pictures FOLDER]` prints a line for each stranger:
+//! [--design FILE] [--own] [--repertoire [--dancer NAME]]
+//! [--trace] [--pictures FOLDER]` prints a line for each stranger:
 //! what a frame costs, how the cloth is strained, how often it crosses itself, and what is odd about her.
 //! With `--own` dancer and dance are the design's, with `--repertoire` six built dancers dance every step at
 //! its slowest and at its fastest. With `--trace` every frame has a line, with `--pictures` she is drawn four
@@ -46,6 +47,7 @@ struct Asked {
     design: Design,
     is_own: bool,
     is_repertoire: bool,
+    dancer: Option<String>,
     traces: bool,
     pictures: Option<PathBuf>,
 }
@@ -58,6 +60,7 @@ fn asked() -> Result<Asked, Box<dyn Error>> {
         design: Design::default(),
         is_own: false,
         is_repertoire: false,
+        dancer: None,
         traces: false,
         pictures: None,
     };
@@ -79,6 +82,7 @@ fn asked() -> Result<Asked, Box<dyn Error>> {
                 }
             }
             "--own" => asked.is_own = true,
+            "--dancer" => asked.dancer = Some(value()?),
             "--repertoire" => asked.is_repertoire = true,
             "--trace" => asked.traces = true,
             "--pictures" => asked.pictures = Some(PathBuf::from(value()?)),
@@ -115,7 +119,8 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// Six built dancers in every step at its slowest and at its fastest.
 fn repertoire(asked: &Asked) -> Result<(), Box<dyn Error>> {
-    for (name, dancer) in six_dancers() {
+    let wanted = |name: &str| asked.dancer.as_ref().is_none_or(|dancer| dancer == name);
+    for (name, dancer) in six_dancers().into_iter().filter(|(name, _)| wanted(name)) {
         for step in DanceStep::ALL {
             for tempo in step.tempo() {
                 let mut design = asked.design.clone();

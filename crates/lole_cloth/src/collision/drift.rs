@@ -14,6 +14,7 @@
 use glam::{IVec3, Vec3};
 
 use crate::collision::impact_zone::Rigid;
+use crate::lanes::narrow;
 
 /// Distance of the lattice's points [m]: a hand's breadth, which is more than folds of a gathered skirt and
 /// less than a limb.
@@ -55,17 +56,21 @@ impl Drift {
         size_of_val(self.points.as_slice())
     }
 
-    /// Takes the motion of cloth that goes from `starts` to `goals` [m], all finite; what is pinned says more.
+    /// Takes the motion of cloth as a whole that goes from `starts` to `goals` [m], all finite; what is pinned
+    /// says more.
+    pub(crate) fn fit_whole(
+        &mut self,
+        starts: &[Vec3],
+        goals: &[Vec3],
+        is_pinned: impl Fn(u32) -> bool,
+    ) {
+        self.whole = Some(Rigid::fit(weighed(starts, goals, is_pinned)));
+        self.points.clear();
+    }
+
+    /// The same, and what the cloth does beside that by and large.
     pub(crate) fn fit(&mut self, starts: &[Vec3], goals: &[Vec3], is_pinned: impl Fn(u32) -> bool) {
-        let weight = |particle: u32| {
-            if is_pinned(particle) {
-                PINNED_WEIGHT
-            } else {
-                1.0
-            }
-        };
-        let moved = (0_u32..).zip(starts).zip(goals);
-        let moved = moved.map(|((particle, &start), &goal)| (weight(particle), start, goal));
+        let moved = weighed(starts, goals, is_pinned);
         let whole = Rigid::fit(moved.clone());
         self.lay(starts);
         for (weight, start, goal) in moved {
@@ -144,6 +149,9 @@ impl Drift {
         let Some(whole) = self.whole else {
             return start;
         };
+        if self.points.is_empty() {
+            return whole.apply(start);
+        }
         let beside = |at: Vec3| -> Vec3 {
             let shares = self.shares(at);
             shares
@@ -158,6 +166,24 @@ impl Drift {
         }
         whole.apply(at)
     }
+}
+
+/// What each particle says about the motion from `starts` to `goals`, and from where to where it goes [m].
+fn weighed(
+    starts: &[Vec3],
+    goals: &[Vec3],
+    is_pinned: impl Fn(u32) -> bool,
+) -> impl Iterator<Item = (f32, Vec3, Vec3)> + Clone {
+    let weights = (0..narrow(starts.len())).map(move |particle| {
+        if is_pinned(particle) {
+            PINNED_WEIGHT
+        } else {
+            1.0
+        }
+    });
+    let weights: Vec<f32> = weights.collect();
+    let moved = weights.into_iter().zip(starts).zip(goals);
+    moved.map(|((weight, &start), &goal)| (weight, start, goal))
 }
 
 #[cfg(test)]

@@ -190,17 +190,6 @@ impl ImpactZones {
         }
     }
 
-    /// Lets everything go as little of its way from where the space around it brings it, each particle by itself;
-    /// what crosses after that is held fast.
-    pub(crate) fn slow_all<M: Fn(Vec3) -> Vec3>(&mut self, ways: &Ways<'_, M>, share: f32) {
-        for particle in 0..narrow(ways.starts.len()) {
-            let place = self.take_up(particle, ways);
-            let held = &mut self.held[place];
-            held.halvings = HALVINGS;
-            held.reach = share * held.base.distance(held.goal);
-        }
-    }
-
     /// Makes one zone of everything, in which each goes its way halved so often: slower, but not still.
     pub(crate) fn join_all<M: Fn(Vec3) -> Vec3>(&mut self, ways: &Ways<'_, M>, halvings: u32) {
         for particle in 0..narrow(ways.starts.len()) {

@@ -29,7 +29,7 @@ use crate::lanes::{Points, Scalars, SlotSet, narrow};
 const PARTING_ROUNDS: u8 = 8;
 
 /// After those, rounds in which what still crosses is held together in zones.
-const ZONE_ROUNDS: usize = 36;
+const ZONE_ROUNDS: usize = 48;
 
 /// From this round on what is held grows by rings.
 const GROWING_ROUND: usize = 16;
@@ -38,10 +38,9 @@ const GROWING_ROUND: usize = 16;
 /// goes slower, as one, whether its pieces hang together or not.
 const SLOWING_ROUND: usize = 4;
 
-/// Where a step is hopeless all of the cloth goes so much of its way from where it drifts, and what crosses
-/// then is held fast there for so many rounds: were all of it held fast at once, it would never open again.
-const HOPELESS_SHARE: f32 = 0.125;
-const HOPELESS_ROUNDS: usize = 4;
+/// Rounds in which the whole goes as slowly, the first included: in the others only what still crosses goes
+/// slower than that.
+const SLOW_ROUNDS: usize = 6;
 
 /// Where more than one in so many patches is crossed, folds are so much faster than they are apart that parting
 /// them one by one is in vain. Not in two steps on end, or it might never open.
@@ -331,7 +330,11 @@ impl CrossingRepair {
         let ceiling = self.ceiling_at(fixed, starts);
         self.ceiling = Some(ceiling);
         let is_pinned = |particle| Self::inv_mass(fixed, particle) <= 0.0;
-        self.drift.fit(starts, &self.positions, is_pinned);
+        if is_hopeless {
+            self.drift.fit_whole(starts, &self.positions, is_pinned);
+        } else {
+            self.drift.fit(starts, &self.positions, is_pinned);
+        }
         let (drift, mut goals) = (
             std::mem::take(&mut self.drift),
             std::mem::take(&mut self.goals),
@@ -363,28 +366,19 @@ impl CrossingRepair {
             if self.finder.crossings.len() <= ceiling {
                 return;
             }
-            for crossing in &self.finder.crossings {
-                if !crossed_at(starts, crossing) {
-                    self.zones.hold(crossing, ways);
-                }
+            if !is_hopeless || 0 < round {
+                self.hold_back(fixed, ways);
             }
-            self.zones.spread(fixed.surface, ways);
+            spent += usize::from(SPARED_ROUND <= round && self.is_spent());
             let late = if is_hopeless {
-                if round == 0 {
-                    self.zones.slow_all(ways, HOPELESS_SHARE);
-                }
-                match round.checked_sub(HOPELESS_ROUNDS) {
-                    Some(late) => SLOWING_ROUND + late,
-                    None => 0,
-                }
+                SLOWING_ROUND + round
             } else {
-                spent += usize::from(SPARED_ROUND <= round && self.is_spent());
                 round.saturating_sub(GROWING_ROUND).max(spent)
             };
             if !self.slow(fixed, ways, late) {
                 break;
             }
-            let pins = if YIELDING_ROUND <= round {
+            let pins = if is_hopeless || YIELDING_ROUND <= round {
                 Pins::Yield
             } else {
                 Pins::Stay
@@ -397,6 +391,16 @@ impl CrossingRepair {
             self.look_again(fixed);
         }
         self.take_all_back(fixed, starts);
+    }
+
+    /// Holds back further what has come to cross, and what lies around it.
+    fn hold_back<M: Fn(Vec3) -> Vec3>(&mut self, fixed: Fixed<'_>, ways: &Ways<'_, M>) {
+        for crossing in &self.finder.crossings {
+            if !crossed_at(ways.starts, crossing) {
+                self.zones.hold(crossing, ways);
+            }
+        }
+        self.zones.spread(fixed.surface, ways);
     }
 
     /// Holds back ring by ring what is around what crosses, then slows down all of the cloth, so that it goes on
@@ -415,10 +419,14 @@ impl CrossingRepair {
         let Some(slower) = late.checked_sub(SLOWING_ROUND) else {
             return true;
         };
+        if 0 < slower % SLOW_ROUNDS {
+            return true;
+        }
         if self.zones.is_one_and_still() {
             return false;
         }
-        self.zones.join_all(ways, narrow(2 * slower + 2));
+        self.zones
+            .join_all(ways, narrow(2 * (slower / SLOW_ROUNDS) + 2));
         true
     }
 
