@@ -63,8 +63,6 @@ const FLOOR: Capsule = Capsule {
 };
 /// Substeps of a frame while seams come together: more of them let triangles turn inside out there.
 const SEWING_SUBSTEPS: NonZeroU32 = NonZeroU32::MIN.saturating_add(11);
-/// Times as many substeps at most where a worn garment is strained.
-const STRAINED_PARTS: NonZeroU32 = NonZeroU32::MIN.saturating_add(1);
 /// Elastic is fastened to every so manyth particle of its line: what lies in between puckers. Fastened to
 /// all of them it would push their edges together, and cloth does not give along its edges.
 const FASTENED: usize = 2;
@@ -609,18 +607,13 @@ fn assembly(kit: &Kit, ease: Ease) -> Result<Assembly, DressError> {
     };
     let model = MeshModel::new(&spec).map_err(|error| DressError::Mesh { template, error })?;
     let pieces = vec![Piece::Mesh(Box::new(model), Box::new(config))];
-    let substep_count = match ease {
-        Ease::Basted => SEWING_SUBSTEPS,
-        Ease::Worn => garment::substep_count(template),
+    let [usual, strained] = match ease {
+        Ease::Basted => [SEWING_SUBSTEPS; 2],
+        Ease::Worn => garment::substep_counts(template),
     };
-    let assembly = Assembly::new(pieces, &kit.joints, substep_count)
-        .map_err(|error| DressError::Joint { template, error })?;
-    Ok(match ease {
-        Ease::Basted => assembly,
-        Ease::Worn => {
-            assembly.with_strained_substep_count(substep_count.saturating_mul(STRAINED_PARTS))
-        }
-    })
+    Assembly::new(pieces, &kit.joints, usual)
+        .map(|assembly| assembly.with_strained_substep_count(strained))
+        .map_err(|error| DressError::Joint { template, error })
 }
 
 /// Seams point by point, and elastics.

@@ -33,14 +33,18 @@ pub(super) struct Worn {
     /// Opening of an elbow whose hand would press it on the chest, or go through it [°]: gathers are 2 to
     /// 3 cm thick, the folds of a wrap more.
     pub(super) chest_room_deg: f32,
-    /// Substeps of a frame while it is worn: with few of them all of it gives like knitwear.
-    pub(super) substep_count: NonZeroU32,
+    /// Substeps of a frame while it is worn, as usual and at most where it is strained: with few of them all
+    /// of it gives like knitwear.
+    pub(super) substep_counts: [NonZeroU32; 2],
 }
 
 /// Substeps of what is sewn or tied to lie loosely.
-const MANY_SUBSTEPS: NonZeroU32 = NonZeroU32::MIN.saturating_add(47);
+const MANY_SUBSTEPS: [NonZeroU32; 2] = [
+    NonZeroU32::MIN.saturating_add(47),
+    NonZeroU32::MIN.saturating_add(95),
+];
 /// Substeps of what is wound tightly: where an arm presses its edge there is no room for stiffer cloth.
-const FEW_SUBSTEPS: NonZeroU32 = NonZeroU32::MIN.saturating_add(23);
+const FEW_SUBSTEPS: [NonZeroU32; 2] = [NonZeroU32::MIN.saturating_add(23); 2];
 
 /// How the pieces of a garment lie.
 pub(super) enum Way {
@@ -100,10 +104,10 @@ pub(crate) fn chest_room_deg(template: &str) -> f32 {
     worn.map_or(0.0, |worn| worn.chest_room_deg)
 }
 
-/// Substeps of a frame in which a garment of this template is worn.
-pub(super) fn substep_count(template: &str) -> NonZeroU32 {
+/// Substeps of a frame in which a garment of this template is worn, as usual and at most where it is strained.
+pub(super) fn substep_counts(template: &str) -> [NonZeroU32; 2] {
     let worn = WORN.iter().find(|worn| worn.template == template);
-    worn.map_or(FEW_SUBSTEPS, |worn| worn.substep_count)
+    worn.map_or(FEW_SUBSTEPS, |worn| worn.substep_counts)
 }
 
 /// Cuts a garment out and lays it around a dancer in the pose in which she is dressed.

@@ -14,5 +14,5 @@ pub(super) const WORN: Worn = Worn {
     ]),
     particle_count: 5000.0,
     chest_room_deg: 10.0,
-    substep_count: super::MANY_SUBSTEPS,
+    substep_counts: super::MANY_SUBSTEPS,
 };

@@ -20,7 +20,7 @@ pub(super) const WORN: Worn = Worn {
     }),
     particle_count: 3500.0,
     chest_room_deg: 14.0,
-    substep_count: super::MANY_SUBSTEPS,
+    substep_counts: super::MANY_SUBSTEPS,
 };
 
 /// From each corner to the knot along the upper edge [m], as the template says.

@@ -19,7 +19,7 @@ pub(super) const WORN: Worn = Worn {
     }),
     particle_count: 4000.0,
     chest_room_deg: 14.0,
-    substep_count: super::FEW_SUBSTEPS,
+    substep_counts: super::FEW_SUBSTEPS,
 };
 
 /// The wrapped part is this many turns at most, as the template's instructions say, and this many at

@@ -24,7 +24,7 @@ pub(super) const WORN: Worn = Worn {
     }),
     particle_count: 3000.0,
     chest_room_deg: 0.0,
-    substep_count: super::FEW_SUBSTEPS,
+    substep_counts: super::FEW_SUBSTEPS,
 };
 
 /// The flaps are a share of what is left of the strip without crotch and turns: half each.
