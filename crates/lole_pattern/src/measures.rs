@@ -93,8 +93,8 @@ macro_rules! measures {
                 match self { $(Self::$variant => words($japanese, $english),)* }
             }
 
-            /// What it can be, from a small child to the largest tape [cm]: beyond it a number was
-            /// typed in another unit.
+            /// What it can be, from a small child to the largest tape or an avatar's big head, wide sleeve
+            /// or boot [cm]: beyond it a number was typed in another unit.
             #[must_use]
             pub const fn band_cm(self) -> [f64; 2] {
                 match self { $(Self::$variant => $band,)* }
