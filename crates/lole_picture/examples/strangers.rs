@@ -1,9 +1,8 @@
 //! Bodies and dances that nobody designed for: whether cloth stays whole, uncrossed and quick on them.
 //!
 //! `cargo run --release -p lole_picture --example strangers -- [--first SEED] [--count N] [--seconds S]
-//! [--design FILE] [--own] [--repertoire [--dancer NAME]]
-//! [--trace] [--pictures FOLDER]` prints a line for each stranger:
-//! what a frame costs, how the cloth is strained, how often it crosses itself, and what is odd about her.
+//! [--design FILE] [--own] [--repertoire [--dancer NAME]] [--trace] [--pictures FOLDER]` prints a line for each
+//! stranger: what a frame costs, how the cloth is strained, how often it crosses itself, and what is odd about her.
 //! With `--own` dancer and dance are the design's, with `--repertoire` six built dancers dance every step at
 //! its slowest and at its fastest. With `--trace` every frame has a line, with `--pictures` she is drawn four
 //! times in her dance. Times are the processor's; nobody is given more than a minute and a half of it.

@@ -93,7 +93,7 @@ impl Assembly {
             faces: contact::faces(&pieces, joints),
             whole: Whole::new(&pieces, joints),
             pieces,
-            substeps: Substeps::new(substep_count, substep_count),
+            substeps: Substeps::exactly(substep_count),
         })
     }
 
@@ -101,13 +101,10 @@ impl Assembly {
     /// hundred, an edge of a grid or a direction of a triangle's yarns, is strained by more than 6 %.
     #[must_use]
     pub fn with_strained_substep_count(mut self, count: NonZeroU32) -> Self {
-        let mut usual = NonZeroU32::MIN;
         for piece in &mut self.pieces {
-            let config = piece.config_mut();
-            config.strained_substep_count = count;
-            usual = config.substep_count;
+            piece.config_mut().strained_substep_count = count;
         }
-        self.substeps = Substeps::new(usual, count);
+        self.substeps = self.substeps.up_to(count);
         self
     }
 

@@ -14,7 +14,6 @@
 use glam::{IVec3, Vec3};
 
 use crate::collision::impact_zone::Rigid;
-use crate::lanes::narrow;
 
 /// Distance of the lattice's points [m]: a hand's breadth, which is more than folds of a gathered skirt and
 /// less than a limb.
@@ -64,13 +63,13 @@ impl Drift {
         goals: &[Vec3],
         is_pinned: impl Fn(u32) -> bool,
     ) {
-        self.whole = Some(Rigid::fit(weighed(starts, goals, is_pinned)));
+        self.whole = Some(Rigid::fit(weighed(starts, goals, &is_pinned)));
         self.points.clear();
     }
 
     /// The same, and what the cloth does beside that by and large.
     pub(crate) fn fit(&mut self, starts: &[Vec3], goals: &[Vec3], is_pinned: impl Fn(u32) -> bool) {
-        let moved = weighed(starts, goals, is_pinned);
+        let moved = weighed(starts, goals, &is_pinned);
         let whole = Rigid::fit(moved.clone());
         self.lay(starts);
         for (weight, start, goal) in moved {
@@ -172,18 +171,17 @@ impl Drift {
 fn weighed(
     starts: &[Vec3],
     goals: &[Vec3],
-    is_pinned: impl Fn(u32) -> bool,
+    is_pinned: &impl Fn(u32) -> bool,
 ) -> impl Iterator<Item = (f32, Vec3, Vec3)> + Clone {
-    let weights = (0..narrow(starts.len())).map(move |particle| {
-        if is_pinned(particle) {
+    let moved = (0_u32..).zip(starts).zip(goals);
+    moved.map(move |((particle, &start), &goal)| {
+        let weight = if is_pinned(particle) {
             PINNED_WEIGHT
         } else {
             1.0
-        }
-    });
-    let weights: Vec<f32> = weights.collect();
-    let moved = weights.into_iter().zip(starts).zip(goals);
-    moved.map(|((weight, &start), &goal)| (weight, start, goal))
+        };
+        (weight, start, goal)
+    })
 }
 
 #[cfg(test)]

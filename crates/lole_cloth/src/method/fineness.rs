@@ -27,16 +27,23 @@ pub(crate) struct Substeps {
 }
 
 impl Substeps {
-    /// `most` below `usual` is `usual`.
-    pub(crate) fn new(usual: NonZeroU32, most: NonZeroU32) -> Self {
+    pub(crate) const fn exactly(count: NonZeroU32) -> Self {
         Self {
-            usual: usual.get(),
-            most: most.get().max(usual.get()),
+            usual: count.get(),
+            most: count.get(),
+        }
+    }
+
+    /// The same with so many at most, or as usual where that is more.
+    pub(crate) fn up_to(self, most: NonZeroU32) -> Self {
+        Self {
+            most: most.get().max(self.usual),
+            ..self
         }
     }
 
     pub(crate) fn of(config: &SolverConfig) -> Self {
-        Self::new(config.substep_count, config.strained_substep_count)
+        Self::exactly(config.substep_count).up_to(config.strained_substep_count)
     }
 }
 
