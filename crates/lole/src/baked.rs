@@ -1,40 +1,26 @@
 //! `dancer.glb`: the recorded run as a file for other programs.
 
-mod adornment;
+mod worn;
 
 use anyhow::Result;
 use glam::Vec3;
 use lole_avatar::License;
 use lole_body::{Appearance, BodyPicture, Dancer, Look, PartKind, Pose, appearance};
-use lole_cloth::Topology;
-use lole_costume::print::PrintImage;
 use lole_export::Image;
-use lole_export::glb::{
-    BakedCloth, GlbMaterial, GlbScene, GridMesh, GridRing, GridSheet, MeshPart, Sides, SkinnedMesh,
-    write_glb,
-};
+use lole_export::glb::{GlbMaterial, GlbScene, MeshPart, Sides, SkinnedMesh, write_glb};
 use lole_export::still::encode_png;
 use lole_picture::linear;
-use lole_stage::{Garment, Performance};
+use lole_stage::Performance;
 
 use crate::studio::Studio;
-
-/// Columns of the simulation for one column of the file: a gather keeps five vertices.
-const COLUMN_STRIDE: u32 = 2;
-/// Rows of the simulation for one row of the file.
-const ROW_STRIDE: u32 = 1;
 
 /// Poses and cloth at key times.
 #[derive(Debug, Default)]
 pub(crate) struct Keys {
     pub(crate) times: Vec<f32>,
     pub(crate) poses: Vec<Pose>,
-    /// By garment, then by time.
-    pub(crate) cloths: Vec<Vec<Vec<Vec3>>>,
-    /// By dressed garment, then by time.
-    dressed: Vec<Vec<Vec<Vec3>>>,
-    /// Surfaces of adornments that strands carry, by surface, then by time.
-    pub(crate) strands: Vec<Vec<Vec<Vec3>>>,
+    /// By surface of what is worn, then by time; see [`Performance::recorded`].
+    pub(crate) worn: Vec<Vec<Vec<Vec3>>>,
 }
 
 impl Keys {
@@ -42,24 +28,9 @@ impl Keys {
     pub(crate) fn keep(&mut self, performance: &Performance) {
         self.times.push(performance.time());
         self.poses.push(performance.pose().clone());
-        let garments = &performance.production().garments;
-        self.cloths.resize_with(garments.len(), Vec::new);
-        for (frames, garment) in self.cloths.iter_mut().zip(garments) {
-            frames.push(performance.pressed_positions(garment).into_owned());
-        }
-        let count = performance.production().dressed.len();
-        self.dressed.resize_with(count, Vec::new);
-        for (place, frames) in self.dressed.iter_mut().enumerate() {
-            let [positions, _] = performance.dressed_vertices(place);
-            frames.push(positions);
-        }
-        let posed = performance.posed_adornments().into_iter();
-        let surfaces = performance.production().adornments.iter();
-        let posed = posed.zip(surfaces.flat_map(|one| &one.surfaces));
-        let moving = posed.filter(|(_, surface)| adornment::is_baked(surface));
-        let moving: Vec<Vec<Vec3>> = moving.map(|([positions, _], _)| positions).collect();
-        self.strands.resize_with(moving.len(), Vec::new);
-        for (frames, positions) in self.strands.iter_mut().zip(moving) {
+        let recorded = performance.recorded();
+        self.worn.resize_with(recorded.len(), Vec::new);
+        for (frames, positions) in self.worn.iter_mut().zip(recorded) {
             frames.push(positions);
         }
     }
@@ -138,56 +109,16 @@ pub(crate) fn dancer_glb(
     studio: &Studio,
 ) -> Result<Vec<u8>> {
     let production = performance.production();
-    let pngs = |prints: &mut dyn Iterator<Item = &PrintImage>| -> Result<Vec<Vec<u8>>> {
-        let png = |print: &PrintImage| {
-            let image = Image::new(print.width, print.height, &print.pixels)?;
-            Ok(encode_png(image)?)
-        };
-        prints.map(png).collect()
-    };
-    let prints_png = pngs(&mut studio.prints().iter())?;
-    let dressed_png = pngs(&mut studio.dressed().iter().map(|look| &look.print))?;
     let pictures = BodyPictures::of(&production.dancer)?;
     let parts = pictures.parts(&production.dancer);
-    let adorned = adornment::Worn::of(&production.adornments);
-    let ridden = adorned.ridden();
+    let worn = worn::Worn::of(production, studio.covers())?;
+    let ridden = worn.ridden();
     let mut bodies = Vec::new();
     if !leaves_body_out(performance) {
         bodies.push(skinned(&production.dancer, &parts));
     }
-    bodies.extend(adorned.skinned(&ridden));
-    let worn = production.garments.iter().zip(studio.prints());
-    let meshes: Vec<GridMesh> = worn
-        .map(|(garment, print)| grid_mesh(garment, print))
-        .collect();
-    let worn = production.garments.iter().zip(&meshes);
-    let baked = worn.zip(prints_png.iter().zip(&keys.cloths));
-    let cloth = |name, mesh, png, frames| BakedCloth {
-        name,
-        mesh,
-        colors: &[],
-        material: GlbMaterial {
-            name: "print",
-            base_color: [1.0; 3],
-            roughness: 0.85,
-            texture_png: Some(png),
-            sides: Sides::Both,
-        },
-        key_times: &keys.times,
-        frames,
-    };
-    let mut cloths: Vec<BakedCloth<'_>> = baked
-        .map(|((garment, mesh), (png, frames))| cloth(&garment.name, mesh, &png[..], &frames[..]))
-        .collect();
-    let dressed_meshes = dressed_meshes(performance, studio);
-    let dressed = production.dressed.iter().zip(&dressed_meshes);
-    let dressed = dressed.zip(dressed_png.iter().zip(&keys.dressed));
-    cloths.extend(
-        dressed.map(|((garment, mesh), (png, frames))| {
-            cloth(&garment.name, mesh, &png[..], &frames[..])
-        }),
-    );
-    cloths.extend(adorned.baked(&keys.times, &keys.strands));
+    bodies.extend(worn.skinned(&ridden));
+    let cloths = worn.baked(&keys.times, &keys.worn);
     Ok(write_glb(&GlbScene {
         skeleton: &production.dancer.skeleton,
         pose_times: &keys.times,
@@ -228,48 +159,6 @@ fn look_material<'a>(look: &'a Look, png: Option<&'a [u8]>) -> GlbMaterial<'a> {
             Sides::Front
         },
     }
-}
-
-/// The meshes of dressed garments in the file: as they are drawn.
-fn dressed_meshes(performance: &Performance, studio: &Studio) -> Vec<GridMesh> {
-    let dressed = performance.production().dressed.iter();
-    let meshes = dressed
-        .zip(studio.dressed())
-        .map(|(garment, look)| GridMesh {
-            particles: (0_u32..).take(look.uvs.len()).collect(),
-            uvs: look.uvs.clone(),
-            triangles: garment.dressed.triangles.clone(),
-        });
-    meshes.collect()
-}
-
-/// The mesh of a garment's grid in the file.
-fn grid_mesh(garment: &Garment, print: &PrintImage) -> GridMesh {
-    let grid = &garment.sewn.spec.grid;
-    let seam = grid.flounce.map(|flounce| flounce.seam_row);
-    let sheet = GridSheet {
-        column_count: grid.column_count,
-        row_count: seam.map_or(grid.row_count, |seam| seam + 1),
-        rows_above: 0,
-        ring: match grid.topology {
-            Topology::Tube => GridRing::Closed,
-            Topology::Sheet => GridRing::Open,
-        },
-        spacing: grid.spacing,
-        uv_from_flat: print.uv_from_panel(&garment.draft),
-    };
-    let mesh = GridMesh::new(&sheet, [COLUMN_STRIDE, ROW_STRIDE]);
-    let Some((seam, flounce)) = seam.zip(garment.flounce.as_ref()) else {
-        return mesh;
-    };
-    let below = GridSheet {
-        row_count: grid.row_count - seam,
-        rows_above: seam,
-        spacing: [grid.row_spacing(grid.row_count - 1), grid.spacing[1]],
-        uv_from_flat: print.uv_from_panel(flounce),
-        ..sheet
-    };
-    mesh.with(&GridMesh::new(&below, [COLUMN_STRIDE, ROW_STRIDE]))
 }
 
 fn material<'a>(kind: PartKind, look: &Appearance, [face, hair]: [&'a [u8]; 2]) -> GlbMaterial<'a> {

@@ -89,7 +89,7 @@ pub(crate) fn run(args: &DanceArgs, language: Language) -> Result<(), Failure> {
 
 /// Reads the song of the command line.
 fn song(path: &Path) -> Result<Song, Failure> {
-    let file = lole_studio::linked_file(path, "--audio").map_err(Failure::usage)?;
+    let file = lole_files::linked_file(path, "--audio").map_err(Failure::usage)?;
     Song::read(file.bytes.as_deref().unwrap_or_default()).map_err(|error| {
         let name = path.display();
         Failure::usage(Sentence::new(

@@ -14,7 +14,7 @@ const LARGEST_FILE: u64 = 512 << 20;
 /// Runs the command.
 pub(crate) fn run(args: &InspectArgs, language: Language) -> Result<(), Failure> {
     let bytes = read(&args.file)?;
-    let bytes = lole_studio::with_neighbors(bytes, &args.file).map_err(Failure::usage)?;
+    let bytes = lole_files::with_neighbors(bytes, &args.file).map_err(Failure::usage)?;
     let list = args.bones.as_deref().map(read).transpose()?;
     let list = list.map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
     let list = list.as_deref();

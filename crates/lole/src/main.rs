@@ -20,13 +20,12 @@ mod study;
 mod summary;
 mod usage;
 mod validate;
+mod window;
 
-use std::path::PathBuf;
 use std::process::ExitCode;
 
 use args::Command;
 use lole_language::{Language, Sentence};
-use lole_studio::{Opening, Refusal};
 use usage::Asked;
 
 /// Why a command did not do what was asked.
@@ -60,7 +59,10 @@ fn main() -> ExitCode {
         Err(exit_code) => return exit_code,
     };
     let result = match asked {
-        Asked::Window(document) => open_window(document, language),
+        Asked::Window(document) => match window::open(document.as_deref()) {
+            Ok(exit_code) => return exit_code,
+            Err(failure) => Err(failure),
+        },
         Asked::Command(command) => match *command {
             Command::Dance(args) => dance::run(&args, language),
             Command::Pattern(args) => pattern::run(&args, language),
@@ -80,13 +82,4 @@ fn main() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => summary::explain(&failure, language),
     }
-}
-
-/// The live window, with a document or the built-in design.
-fn open_window(document: Option<PathBuf>, language: Language) -> Result<(), Failure> {
-    let opening = Opening { language, document };
-    lole_studio::open(&opening).map_err(|refusal| match refusal {
-        Refusal::Document(sentence) => Failure::usage(sentence),
-        Refusal::Window(sentence) => Failure::error(sentence),
-    })
 }

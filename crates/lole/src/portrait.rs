@@ -9,9 +9,9 @@ use lole_costume::document::{Design, to_toml};
 use lole_export::Image;
 use lole_export::order::PICTURE_FOLDER;
 use lole_export::pdf::Picture;
+use lole_picture::portrait::{self, PortraitError};
 use lole_render::Size;
 use lole_stage::Production;
-use lole_studio::portrait::{self, PortraitError};
 use rayon::prelude::*;
 
 use crate::Failure;

@@ -29,11 +29,11 @@ pub(crate) fn read(path: Option<&Path>) -> Result<Source, Failure> {
         });
     };
     let name = path.display().to_string();
-    let bytes = lole_studio::read_document(path).map_err(Failure::usage)?;
+    let bytes = lole_files::read_document(path).map_err(Failure::usage)?;
     let mut design =
         document::parse_bytes(&bytes, &name).map_err(|error| Failure::Usage(error.into()))?;
-    lole_studio::read_linked_files(&mut design, path).map_err(Failure::usage)?;
-    lole_studio::name_linked_files(&mut design, path);
+    lole_files::read_linked_files(&mut design, path).map_err(Failure::usage)?;
+    lole_files::name_linked_files(&mut design, path);
     let text = String::from_utf8_lossy(&bytes).into_owned();
     Ok(Source {
         name,
@@ -56,7 +56,7 @@ impl Source {
         ];
         for (file, path, table, option) in files {
             if let Some(path) = path {
-                *file = Some(lole_studio::linked_file(path, option).map_err(Failure::usage)?);
+                *file = Some(lole_files::linked_file(path, option).map_err(Failure::usage)?);
                 self.put.push(table);
             }
         }

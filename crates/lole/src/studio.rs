@@ -3,9 +3,8 @@
 use anyhow::Result;
 use glam::Vec3;
 use lole_body::Bone;
-use lole_costume::print::PrintImage;
 use lole_geom::trig;
-use lole_picture::{DressedLook, Looks, Moment};
+use lole_picture::{Cover, Looks, Moment};
 use lole_render::{Bounds, Camera, Image, LightRig, Renderer, Size, View};
 use lole_stage::Performance;
 
@@ -59,14 +58,9 @@ impl Studio {
         })
     }
 
-    /// The print of every garment, for files that carry it.
-    pub(crate) fn prints(&self) -> &[PrintImage] {
-        &self.looks.prints
-    }
-
-    /// The cloth of every dressed garment.
-    pub(crate) fn dressed(&self) -> &[DressedLook] {
-        &self.looks.dressed
+    /// How everything that is worn looks, surface by surface.
+    pub(crate) fn covers(&self) -> &[Cover] {
+        &self.looks.worn
     }
 
     /// The picture of the performance's current frame; its body must be posed.

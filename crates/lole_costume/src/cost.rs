@@ -4,11 +4,12 @@
 //! which price is asked for. Shops sell cloth by 10 cm or by half a yard, elastic and tape by 10 cm,
 //! thread by the spool.
 
+use lole_garment::RAFFIA_PER_METER;
 use lole_geom::Length;
 use lole_language::{Sentence, Words, words};
+use lole_pattern::Yardage;
 use lole_pattern::pattern::{Amount, NotionKind};
 use lole_pattern::piece::ClothRole;
-use lole_pattern::{RAFFIA_PER_METER, Yardage};
 
 use crate::document::{CostDesign, Currency, Design, FabricDesign, NotionPrices};
 use crate::order::{DancerPlan, PrintTotal};
@@ -548,7 +549,7 @@ mod tests {
     #[test]
     fn every_notion_is_asked_for_and_then_paid() {
         use crate::document::GarmentDesign;
-        use lole_pattern::TEMPLATES;
+        use lole_garment::TEMPLATES;
         for template in TEMPLATES {
             let mut design = design();
             design.skirt.is_worn = false;

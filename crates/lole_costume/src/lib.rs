@@ -12,17 +12,11 @@
 //! # Ok::<(), document::DesignError>(())
 //! ```
 
-pub mod adorn;
 pub mod cost;
 pub mod document;
-pub mod dress;
 pub mod fabrics;
-pub mod measures;
 pub mod order;
 pub mod print;
 pub mod roster;
 pub mod sew;
 pub mod tailoring;
-mod wave;
-
-pub use measures::measures;

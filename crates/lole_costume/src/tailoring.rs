@@ -4,6 +4,8 @@
 use std::cell::LazyCell;
 
 use lole_body::Dancer;
+use lole_garment::template::PAU_SKIRT;
+use lole_garment::{Template, measures};
 use lole_geom::Length;
 use lole_language::{Bilingual, Words, words};
 use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements, draft_pau_skirt};
@@ -15,7 +17,7 @@ use lole_pattern::{DraftError, Marker, Pattern};
 use crate::document::{
     Design, FabricDesign, GarmentDesign, GarmentLayer, PrintChoice, SkirtDesign, WornTop,
 };
-use crate::measures;
+
 use crate::print::{PrintBorder, PrintMotif};
 
 /// Name in files of the design's skirt.
@@ -28,6 +30,8 @@ pub const TOP: &str = "pau_top";
 /// One garment of a design, ready to be cut.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GarmentPattern {
+    /// What it is.
+    pub template: &'static Template,
     /// Name in files, such as `pau_skirt`; no two garments of a design share one.
     pub id: String,
     /// What it is called.
@@ -162,12 +166,16 @@ pub fn drafts_of(
 ) -> Vec<(Option<usize>, Result<GarmentPattern, TailoringError>)> {
     let mut drafts = Vec::new();
     let mut ids: Vec<String> = Vec::new();
-    let mut add = |place: Option<usize>, named: (&str, Words), pattern, cloth| {
+    let mut add = |(place, template): (Option<usize>, &'static Template),
+                   named: (&str, Words),
+                   pattern,
+                   cloth| {
         let (file_name, name) = named;
         let id = numbered(file_name, ids.iter().map(String::as_str));
         ids.push(id.clone());
         let draft = match pattern {
             Ok(pattern) => Ok(GarmentPattern {
+                template,
                 id,
                 name,
                 pattern,
@@ -195,14 +203,15 @@ pub fn drafts_of(
                 GarmentDesign::Template(worn) => worn.pattern(&measures),
             };
             let cloth = Cloth::of(garment.fabric(), garment.print());
-            add(Some(index), (&file_name(garment), name), pattern, cloth);
+            let what = (Some(index), garment.template());
+            add(what, (&file_name(garment), name), pattern, cloth);
         }
         if layer == GarmentLayer::Under && design.skirt.is_worn {
             let name = SKIRT_NAME;
             let drafted = draft_skirt(&design.skirt, &design.fabric, dancer);
             let pattern = drafted.map(|it| it.draft.pattern(name));
             let cloth = Cloth::of(&design.fabric, &design.print);
-            add(None, (SKIRT, name), pattern, cloth);
+            add((None, &PAU_SKIRT), (SKIRT, name), pattern, cloth);
         }
     }
     drafts

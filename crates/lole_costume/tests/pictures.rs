@@ -173,7 +173,7 @@ fn printed(keys: &str, picture: &RgbImage) -> PrintImage {
     let mut design = parse(&text, "mine.lole").unwrap();
     design.print.file.as_mut().unwrap().picture =
         Some(Arc::new(Picture::read(&png(picture)).unwrap()));
-    design.worn_print_images(64).unwrap().remove(0)
+    design.cut_print_images(64).unwrap().remove(0)
 }
 
 #[test]
@@ -236,7 +236,7 @@ fn half_known_lengths_and_marks_without_a_photo_are_refused_with_the_keys() {
 fn a_picture_that_was_not_read_is_an_error_and_no_other_print() {
     let mut design = Design::default();
     design.print.file = Some(LinkedPicture::named("cloth.png"));
-    let error = design.worn_print_images(64).unwrap_err();
+    let error = design.cut_print_images(64).unwrap_err();
     assert_eq!(error.to_string(), "the picture cloth.png was not read");
 }
 

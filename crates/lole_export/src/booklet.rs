@@ -14,10 +14,10 @@ use lole_costume::cost::Bill;
 use lole_costume::order::{CutElastic, DancerPlan, PlannedGarment};
 use lole_costume::print::PrintImage;
 use lole_costume::tailoring::{ClothPlan, role_name};
+use lole_garment::Shelf;
 use lole_language::{Bilingual as _, Language, Sentence};
 use lole_pattern::pattern::{Amount, NotionKind, Step};
 use lole_pattern::piece::ClothRole;
-use lole_pattern::template::HELD;
 
 use crate::cutting::{CutGarment, draw_marker, masses, numbers_words, short_words};
 use crate::order::lengths_table;
@@ -276,7 +276,7 @@ fn material_rows(garment: &PlannedGarment, language: Language) -> Vec<Vec<Cell>>
 
 /// Whether it is held and not worn.
 fn is_held(garment: &PlannedGarment) -> bool {
-    HELD.contains(&garment.tailored.id.as_str())
+    garment.tailored.template.shelf == Shelf::Implements
 }
 
 fn measures(flow: &mut Flow, plan: &DancerPlan, language: Language) {

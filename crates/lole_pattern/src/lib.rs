@@ -34,7 +34,6 @@ pub mod pattern;
 pub mod piece;
 pub mod polygon;
 pub mod ratio;
-pub mod template;
 pub mod yardage;
 
 pub use error::DraftError;
@@ -43,5 +42,4 @@ pub use measures::{Measure, Measures};
 pub use pattern::Pattern;
 pub use piece::Piece;
 pub use ratio::{ElasticRatio, GatherRatio};
-pub use template::{Options, RAFFIA_PER_METER, TEMPLATES, Template};
 pub use yardage::Yardage;

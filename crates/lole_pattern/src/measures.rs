@@ -215,7 +215,7 @@ impl Measures {
     /// Mean way along the trunk from one height [m] up to another, by the tapes in between: a tape that
     /// is longer by `d` lies farther out by `d / 2π`.
     #[must_use]
-    pub(crate) fn way_up(&self, from: f64, to: f64) -> Length {
+    pub fn way_up(&self, from: f64, to: f64) -> Length {
         let girth = |height: f64| {
             let girth = self.girth_at(Length::from_m(height));
             girth.map_or(0.0, Length::to_m)

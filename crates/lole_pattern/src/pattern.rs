@@ -201,3 +201,83 @@ pub enum Figure {
         marks: Vec<usize>,
     },
 }
+
+impl Step {
+    /// The step with how it is done by hand.
+    #[must_use]
+    pub fn or_by_hand(mut self, sentence: Sentence) -> Self {
+        self.by_hand = Some(sentence);
+        self
+    }
+
+    /// The step with what is drawn beside it.
+    #[must_use]
+    pub fn shown(mut self, figure: Figure) -> Self {
+        self.figure = figure;
+        self
+    }
+}
+
+impl SeamSide {
+    /// A whole edge of a piece, walked as it is drawn.
+    #[must_use]
+    pub const fn whole(piece: usize, copy: u32, edge: usize) -> Self {
+        Self {
+            piece,
+            copy,
+            edge,
+            between: [0.0, 1.0],
+        }
+    }
+
+    /// A part of the edge: shares of its length, walked from the first to the second.
+    #[must_use]
+    pub const fn between(self, from: f64, to: f64) -> Self {
+        Self {
+            between: [from, to],
+            ..self
+        }
+    }
+
+    /// The same walked from its other end.
+    #[must_use]
+    pub const fn back(self) -> Self {
+        let [from, to] = self.between;
+        self.between(to, from)
+    }
+
+    /// The same of another copy of the piece.
+    #[must_use]
+    pub const fn of_copy(self, copy: u32) -> Self {
+        Self { copy, ..self }
+    }
+
+    /// Its length along the stitching line [m].
+    ///
+    /// # Panics
+    /// When `pieces` has no such piece or edge.
+    #[must_use]
+    pub fn length(&self, pieces: &[Piece]) -> f64 {
+        let edge = &pieces[self.piece].edges[self.edge];
+        edge.length() * (self.between[1] - self.between[0]).abs()
+    }
+}
+
+impl Pattern {
+    /// The pattern with both copies of an edge drawn in by elastic of this length each.
+    #[must_use]
+    pub fn drawn_in(mut self, piece: usize, edge: usize, length: Length) -> Self {
+        self.drawn_in.extend([0, 1].map(|copy| DrawnIn {
+            line: SeamSide::whole(piece, copy, edge),
+            length,
+        }));
+        self
+    }
+
+    /// The pattern with one more warning.
+    #[must_use]
+    pub fn warn(mut self, sentence: Sentence) -> Self {
+        self.warnings.push(sentence);
+        self
+    }
+}

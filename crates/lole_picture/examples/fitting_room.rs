@@ -22,9 +22,9 @@ use std::time::Instant;
 use cpu_time::ProcessTime;
 use glam::Vec3;
 use lole_body::Bone;
-use lole_costume::document::schema::kind_ids;
 use lole_costume::document::{DancerDesign, Design, GarmentLayer, parse};
-use lole_costume::dress::{self, Layers};
+use lole_garment::TEMPLATES;
+use lole_garment::dress::Layers;
 use lole_picture::{Looks, Moment};
 use lole_render::{Backend, Camera, LightRig, Renderer, Size, View};
 use lole_stage::skin_check::{Surface, check};
@@ -83,7 +83,7 @@ fn asked() -> Result<Asked, Box<dyn Error>> {
         }
     }
     if asked.templates.is_empty() {
-        let ids = kind_ids().into_iter().filter(|id| dress::is_worn(id));
+        let ids = TEMPLATES.iter().filter(|it| it.is_sewn()).map(|it| it.id);
         asked.templates = ids.map(str::to_owned).collect();
     }
     Ok(asked)
@@ -348,8 +348,8 @@ fn drawn_outside(performance: &Performance, place: usize) -> u32 {
         triangles: &production.body_triangles,
     };
     let cloth = Surface {
-        positions: &moment.dressed[place][0],
-        normals: &moment.dressed[place][1],
+        positions: &moment.worn[production.garments.len() + place][0],
+        normals: &moment.worn[production.garments.len() + place][1],
         triangles: &production.dressed[place].dressed.open_triangles,
     };
     check(body, cloth).showing_body_vertices
@@ -456,7 +456,9 @@ fn shoot(
     let production = performance.production();
     let looks = Looks::new(&production.design, production)?;
     let moment = Moment::of(performance);
-    let (shown, dressed) = (moment.figure(), &moment.dressed);
+    let shown = moment.figure();
+    let count = production.garments.len();
+    let dressed = &moment.worn[count..count + production.dressed.len()];
     let points: Vec<Vec3> = if let Some(about) = about {
         let ends = |&place: &Vec3| [place - Vec3::splat(0.1), place + Vec3::splat(0.1)];
         about.iter().flat_map(ends).collect()

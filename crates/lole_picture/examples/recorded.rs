@@ -181,18 +181,10 @@ fn bone_at(performance: &Performance, place: Vec3) -> Bone {
 fn shoot(performance: &Performance) -> Result<Vec<u8>, Box<dyn Error>> {
     let production = performance.production();
     let looks = Looks::new(&production.design, production)?;
-    let grids: Vec<[Vec<Vec3>; 2]> = (production.garments.iter())
-        .map(|garment| {
-            let particles = performance.pressed_positions(garment);
-            garment.mesh.vertices(&particles)
-        })
-        .collect();
-    let adornments = performance.posed_adornments();
+    let worn = performance.surfaces();
     let shown = Shown {
-        cloths: &grids,
-        cloth_colors: &[],
-        dressed: &[],
-        adornments: &adornments,
+        worn: &worn,
+        colors: &[],
         body: [performance.body_positions(), performance.body_normals()],
     };
     let mut renderer = Renderer::new(Backend::Cpu, CELL)?;

@@ -4,47 +4,40 @@
 //! It opens nothing and draws nothing: [`lole_render`] does.
 
 mod moment;
+pub mod portrait;
 
 use std::sync::Arc;
 
 use glam::Vec2;
 use lole_body::{Appearance, BodyPicture, Dancer, Look, PartKind, appearance};
-use lole_costume::adorn::{Adornment, Finish};
 use lole_costume::document::Design;
 use lole_costume::document::PrintError;
 use lole_costume::print::PrintImage;
+use lole_garment::adorn::Finish;
 use lole_render::srgb::linear_from_srgb;
 use lole_render::{Camera, LightRig, Material, RenderError, Scene, SceneMesh, Sides, Texture};
-use lole_stage::{DressedGarment, Production};
-pub use moment::{Figure, Moment, Vertices};
+use lole_stage::{Production, WornSurface};
+pub use moment::{Figure, Moment};
 
 /// Pixels of one print repeat: a repeat of 45 cm shows every petal from two meters.
 const PRINT_SIDE: u32 = 1024;
 
 /// The materials of one production.
 pub struct Looks {
-    /// The cloth of every garment, in the production's order.
-    pub cloths: Vec<Material>,
+    /// What she wears or holds, surface by surface as [`Production::surfaces`] has them.
+    pub worn: Vec<Cover>,
     /// The dancer's parts, in the order of her skin's.
     pub parts: Vec<(PartKind, Material)>,
-    /// The surfaces of the adornments, one after the other in the production's order.
-    pub adornments: Vec<Material>,
-    /// The print of every garment, for files that carry it.
-    pub prints: Vec<PrintImage>,
-    /// Where its vertices lie on the print, in repeats.
-    print_uvs: Vec<Vec<Vec2>>,
-    /// The same of the dressed garments.
-    pub dressed: Vec<DressedLook>,
 }
 
-/// The cloth of a dressed garment.
-pub struct DressedLook {
-    /// The cloth.
-    pub cloth: Material,
-    /// The print, for files that carry it.
-    pub print: PrintImage,
-    /// Where its vertices lie on the print, in repeats.
+/// How one surface of what is worn looks.
+pub struct Cover {
+    /// Its material.
+    pub material: Material,
+    /// Where its vertices lie on the print, in repeats; none where it is no cloth.
     pub uvs: Vec<Vec2>,
+    /// The print, for files that carry it; `None` where it is no cloth.
+    pub print: Option<PrintImage>,
 }
 
 /// Why there is no picture.
@@ -64,29 +57,17 @@ impl Looks {
     /// # Errors
     /// A picture that was not read or cannot be a texture.
     pub fn new(design: &Design, production: &Production) -> Result<Self, LookError> {
-        let prints = design.worn_print_images(PRINT_SIDE)?;
-        let cloths = prints.iter().map(|print| {
-            let texture = Texture::new(print.width, print.height, print.pixels.clone())?;
-            Ok(Material::printed_cloth(Arc::new(texture)))
-        });
+        let surfaces = production.surfaces();
         Ok(Self {
-            cloths: cloths.collect::<Result<_, RenderError>>()?,
+            worn: surfaces
+                .map(|surface| cover(design, surface))
+                .collect::<Result<_, _>>()?,
             parts: dancer_materials(&production.dancer)?,
-            adornments: adornment_materials(&production.adornments),
-            print_uvs: (production.garments.iter().zip(&prints))
-                .map(|(garment, print)| {
-                    (garment.mesh).on_print(print, &garment.draft, garment.flounce.as_ref())
-                })
-                .collect(),
-            dressed: (production.dressed.iter())
-                .map(|garment| dressed_look(design, garment))
-                .collect::<Result<_, LookError>>()?,
-            prints,
         })
     }
 
-    /// The scene of one moment in the studio: first the garments, then the parts of the dancer,
-    /// then the adornments.
+    /// The scene of one moment in the studio: first the cloth, then the parts of the dancer, then what she
+    /// wears beside the cloth.
     #[must_use]
     pub fn scene<'a>(
         &'a self,
@@ -99,78 +80,74 @@ impl Looks {
             lights,
             ..Scene::studio(camera)
         };
-        let worn = production.garments.iter().zip(figure.cloths).enumerate();
-        let looks = self.cloths.iter().zip(&self.print_uvs);
-        for ((place, (garment, [positions, normals])), (material, uvs)) in worn.zip(looks) {
-            scene.meshes.push(SceneMesh {
-                positions,
-                normals,
-                uvs,
-                colors: figure.cloth_colors.get(place).map_or(&[], Vec::as_slice),
-                triangles: &garment.mesh.triangles,
-                material,
+        let worn = production.surfaces().zip(figure.worn).zip(&self.worn);
+        let worn = worn
+            .enumerate()
+            .map(|(place, ((surface, vertices), cover))| {
+                let own = surface.beside().map_or(&[][..], |beside| &beside.colors);
+                let colors = figure.colors.get(place).filter(|colors| !colors.is_empty());
+                SceneMesh {
+                    positions: &vertices[0],
+                    normals: &vertices[1],
+                    uvs: &cover.uvs,
+                    colors: colors.map_or(own, Vec::as_slice),
+                    triangles: surface.triangles(),
+                    material: &cover.material,
+                }
             });
-        }
-        let dressed = production.dressed.iter().zip(figure.dressed);
-        for ((garment, [positions, normals]), look) in dressed.zip(&self.dressed) {
-            scene.meshes.push(SceneMesh {
-                positions,
-                normals,
-                uvs: &look.uvs,
-                colors: &[],
-                triangles: &garment.dressed.triangles,
-                material: &look.cloth,
-            });
-        }
         let skin = &production.dancer.skin;
         let [positions, normals] = figure.body;
-        for (part, (_, material)) in skin.parts.iter().zip(&self.parts) {
-            scene.meshes.push(SceneMesh {
-                positions,
-                normals,
-                uvs: &skin.uvs,
-                colors: &[],
-                triangles: &part.triangles,
-                material,
-            });
-        }
-        let surfaces = production.adornments.iter().flat_map(|one| &one.surfaces);
-        let posed = figure.adornments.iter().zip(&self.adornments);
-        for (surface, ([positions, normals], material)) in surfaces.zip(posed) {
-            scene.meshes.push(SceneMesh {
-                positions,
-                normals,
-                uvs: &[],
-                colors: &surface.colors,
-                triangles: &surface.triangles,
-                material,
-            });
-        }
+        let parts = skin.parts.iter().zip(&self.parts);
+        let parts = parts.map(|(part, (_, material))| SceneMesh {
+            positions,
+            normals,
+            uvs: &skin.uvs,
+            colors: &[],
+            triangles: &part.triangles,
+            material,
+        });
+        let cloth_count = production
+            .surfaces()
+            .filter(|it| it.beside().is_none())
+            .count();
+        scene.meshes.extend(worn);
+        let beside = scene.meshes.split_off(cloth_count);
+        scene.meshes.extend(parts);
+        scene.meshes.extend(beside);
         scene
     }
 }
 
-/// The cloth of a dressed garment, cut from its print.
-fn dressed_look(design: &Design, garment: &DressedGarment) -> Result<DressedLook, LookError> {
-    let listed = &design.garments[garment.listed];
-    let print = listed.print().image(PRINT_SIDE, listed.fabric().width())?;
+/// How a surface looks: cut from its print, or of what it is made.
+fn cover(design: &Design, surface: WornSurface<'_>) -> Result<Cover, LookError> {
+    if let Some(beside) = surface.beside() {
+        return Ok(Cover {
+            material: finish_material(beside.finish),
+            uvs: Vec::new(),
+            print: None,
+        });
+    }
+    let (fabric, print) = design.cloth_of(surface.worn().listed());
+    let print = print.image(PRINT_SIDE, fabric.width())?;
     let texture = Texture::new(print.width, print.height, print.pixels.clone())?;
-    let uv_from_cloth = print.uv_from_cloth();
-    let uvs = garment.dressed.on_cloth.iter();
-    Ok(DressedLook {
-        cloth: Material::printed_cloth(Arc::new(texture)),
-        uvs: uvs.map(|&at| uv_from_cloth.transform_point2(at)).collect(),
-        print,
+    let uvs = match surface {
+        WornSurface::Gathered(garment) => {
+            (garment.mesh).on_print(&print, &garment.draft, garment.flounce.as_ref())
+        }
+        WornSurface::Sewn(garment) => {
+            let uv_from_cloth = print.uv_from_cloth();
+            let on_cloth = garment.dressed.on_cloth.iter();
+            on_cloth
+                .map(|&at| uv_from_cloth.transform_point2(at))
+                .collect()
+        }
+        WornSurface::Beside(..) => Vec::new(),
+    };
+    Ok(Cover {
+        material: Material::printed_cloth(Arc::new(texture)),
+        uvs,
+        print: Some(print),
     })
-}
-
-/// The materials of all surfaces of adornments, one after the other; their colors are the vertices'.
-#[must_use]
-pub fn adornment_materials(adornments: &[Adornment]) -> Vec<Material> {
-    let surfaces = adornments.iter().flat_map(|one| &one.surfaces);
-    surfaces
-        .map(|surface| finish_material(surface.finish))
-        .collect()
 }
 
 fn finish_material(finish: Finish) -> Material {

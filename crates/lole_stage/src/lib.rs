@@ -3,6 +3,7 @@
 //! It opens no file, reads no clock and draws nothing: whoever calls [`Performance::advance`] times
 //! it, draws what it holds and writes it down.
 
+mod adorned;
 pub mod danced;
 mod double_pau;
 #[cfg(test)]
@@ -16,8 +17,10 @@ pub mod skin_check;
 mod solver;
 pub mod strangers;
 pub mod validate;
+pub mod worn;
 mod yielding;
 
+pub use adorned::Adornment;
 pub use danced::Danced;
 pub use double_pau::double_pau;
 pub use live::{Pull, Show, Vitals, Wish};
@@ -29,6 +32,7 @@ pub use performance::{
 pub use production::{DressedGarment, Garment, Production, dancer};
 pub use six_dancers::six_dancers;
 pub use strangers::Stranger;
+pub use worn::{Vertices, Worn, WornSurface};
 pub use yielding::give_way;
 
 use lole_language::Bilingual;
@@ -78,7 +82,7 @@ pub enum StageError {
     Sew(#[from] lole_costume::sew::SewError),
     /// A garment of a template cannot be put on.
     #[error(transparent)]
-    Dress(#[from] lole_costume::dress::DressError),
+    Dress(#[from] lole_garment::dress::DressError),
     /// A garment that is worn with the skirt cannot be made.
     #[error("garment {place} of the list: {error}")]
     Garment {

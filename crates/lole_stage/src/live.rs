@@ -5,7 +5,6 @@
 //! into, another method takes the cloth over as it hangs. Only another dancer or another cut asks
 //! for a new [`Production`].
 
-use std::borrow::Cow;
 use std::sync::Arc;
 
 use glam::{Affine3A, Vec3};
@@ -17,7 +16,7 @@ use lole_geom::Capsule;
 use crate::performance::{FRAME_SECONDS, FRAMES_PER_SECOND};
 use crate::skin_check::{self, Surface};
 use crate::solver::Solver;
-use crate::{Danced, Divergence, Garment, Performance, Production, StageError};
+use crate::{Danced, Divergence, Performance, Production, StageError, Vertices, Worn};
 
 /// Time in which one dance step is eased into the next [s]: about one count.
 const EASE_SECONDS: f64 = 0.9;
@@ -33,11 +32,11 @@ pub struct Show {
     design: Design,
     /// The garments as they are computed now: the production's, in the present fabrics.
     specs: Vec<ClothSpec>,
-    /// Of the particles of all garments [kg].
+    /// Of the particles of all cloth [kg].
     masses: Vec<f32>,
     layers: Vec<Layer>,
     hold: Option<Hold>,
-    /// Last good positions [m], row-major, and the velocities [m/s] that led there.
+    /// Last good positions of all cloth [m], and the velocities [m/s] that led there.
     positions: Vec<Vec3>,
     velocities: Vec<Vec3>,
     stopped: Option<Divergence>,
@@ -55,7 +54,7 @@ struct Layer {
 /// A hand that holds the cloth.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pull {
-    /// Particle that is held, by its number among those of all garments.
+    /// Particle that is held, by its number among those of all cloth.
     pub particle: u32,
     /// Where the hand is [m].
     pub hand: Vec3,
@@ -117,10 +116,11 @@ impl Show {
             age: EASE_SECONDS,
         };
         let performance = Performance::new(Arc::clone(&production))?;
-        let positions = performance.cloth_positions().to_vec();
+        let mut positions = performance.cloth_positions().to_vec();
+        performance.add_sewn(&mut positions);
         Ok(Self {
             design: production.design.clone(),
-            masses: specs.iter().flat_map(particle_masses).collect(),
+            masses: masses(&specs, &production),
             velocities: vec![Vec3::ZERO; positions.len()],
             positions,
             performance,
@@ -273,7 +273,10 @@ impl Show {
         let Some(&place) = self.positions.get(pull.particle as usize) else {
             return Ok(());
         };
-        let pinned = self.specs.iter().flat_map(|spec| &spec.pinned);
+        let production = self.performance.shared_production();
+        let sewn = production.dressed.iter();
+        let sewn = sewn.flat_map(|garment| garment.dressed.pinned());
+        let pinned = self.specs.iter().flat_map(|spec| &spec.pinned).chain(sewn);
         let patch: Vec<(u32, Vec3)> = (0..)
             .zip(self.positions.iter().zip(pinned))
             .filter(|(_, (position, pinned))| !**pinned && position.distance(place) < HAND_RADIUS)
@@ -313,7 +316,10 @@ impl Show {
             solvers.push(solver);
         }
         self.performance.replace_solvers(solvers);
-        self.masses = specs.iter().flat_map(particle_masses).collect();
+        let held = self.hold.iter().flat_map(|hold| &hold.patch);
+        let held: Vec<u32> = held.map(|&(particle, _)| particle).collect();
+        self.performance.take(&held)?;
+        self.masses = masses(&specs, &production);
         self.specs = specs;
         Ok(())
     }
@@ -356,9 +362,10 @@ impl Show {
         let pose = self.pose();
         match self.performance.advance_in(pose) {
             Ok(()) => {
-                let now = self.performance.cloth_positions();
+                let mut now = self.performance.cloth_positions().to_vec();
+                self.performance.add_sewn(&mut now);
                 for ((velocity, before), &after) in
-                    (self.velocities.iter_mut().zip(&mut self.positions)).zip(now)
+                    (self.velocities.iter_mut().zip(&mut self.positions)).zip(now.iter())
                 {
                     *velocity = (after - *before) / FRAME_SECONDS;
                     *before = after;
@@ -402,32 +409,22 @@ impl Show {
         self.performance.set_crossings(crossings);
     }
 
-    /// The last good positions of the cloth [m], row-major, of one garment after the other.
+    /// The last good positions of gathered cloth [m], row-major, of one garment after the other.
     #[must_use]
     pub fn cloth_positions(&self) -> &[Vec3] {
+        &self.positions[..self.performance.production().particle_count()]
+    }
+
+    /// The last good positions of all cloth [m]: what is sewn from shaped pieces comes after what is gathered.
+    #[must_use]
+    pub fn particles(&self) -> &[Vec3] {
         &self.positions
     }
 
-    /// The same as they are seen, pressed by what is worn over them [m].
+    /// Everything that is worn or held as it is drawn, surface by surface as [`Production::surfaces`] has them.
     #[must_use]
-    pub fn pressed_positions(&self) -> Cow<'_, [Vec3]> {
-        self.performance.pressed(&self.positions)
-    }
-
-    /// The dressed garments as they are drawn, in the production's order: vertices [m] and outward
-    /// normals.
-    #[must_use]
-    pub fn dressed_vertices(&self) -> Vec<[Vec<Vec3>; 2]> {
-        let count = self.performance.production().dressed.len();
-        (0..count)
-            .map(|place| self.performance.dressed_vertices(place))
-            .collect()
-    }
-
-    /// Vertices [m] and unit normals of every surface of every adornment, in the production's order.
-    #[must_use]
-    pub fn posed_adornments(&self) -> Vec<[Vec<Vec3>; 2]> {
-        self.performance.posed_adornments()
+    pub fn surfaces(&self) -> Vec<Vertices> {
+        self.performance.surfaces_of(self.cloth_positions())
     }
 
     /// The capsules now.
@@ -505,15 +502,21 @@ impl Show {
         }
     }
 
-    /// Mean strain of the structural springs at each particle, `length / rest_length - 1`: positive
-    /// where the cloth is stretched.
+    /// Strain at each particle of all cloth, positive where it is stretched: of gathered cloth the mean of its
+    /// structural springs, `length / rest_length - 1`; of what is sewn the stretch of its triangles, 0 where
+    /// they are pushed together.
     #[must_use]
     pub fn strain(&self) -> Vec<f32> {
-        let garments = &self.performance.production().garments;
-        let strains = self.specs.iter().zip(garments).flat_map(|(spec, garment)| {
+        let production = self.performance.production();
+        let gathered = self.specs.iter().zip(&production.garments);
+        let gathered = gathered.flat_map(|(spec, garment)| {
             diagnose::strain_by_particle(spec, &self.positions[garment.particles.clone()])
         });
-        strains.collect()
+        let sewn = production.dressed.iter().flat_map(|garment| {
+            let own = &self.positions[garment.particles.clone()];
+            garment.dressed.strain_by_particle(own)
+        });
+        gathered.chain(sewn).collect()
     }
 
     /// Particles below the drawn skin, given its posed vertices and normals.
@@ -525,20 +528,24 @@ impl Show {
             normals: body_normals,
             triangles: &production.body_triangles,
         };
-        let of_garment = |garment: &Garment| {
-            let positions = &self.positions[garment.particles.clone()];
-            let cloth = Surface {
+        let cloths = production.worn().filter_map(|worn| {
+            let triangles = match worn {
+                Worn::Gathered(garment) => &garment.mesh.particle_triangles,
+                Worn::Sewn(garment) => &garment.dressed.open_triangles,
+                Worn::Beside(_) => return None,
+            };
+            let positions = &self.positions[worn.particles()];
+            Some(Surface {
                 positions,
                 normals: &[],
-                triangles: &garment.mesh.particle_triangles,
-            };
+                triangles,
+            })
+        });
+        let sunken = cloths.flat_map(|cloth| {
             let sunken = skin_check::sunken(body, cloth).into_iter();
-            sunken.map(|vertex| positions[vertex as usize]).collect()
-        };
-        let garments = production.garments.iter();
-        garments
-            .flat_map(|garment| -> Vec<Vec3> { of_garment(garment) })
-            .collect()
+            sunken.map(move |vertex| cloth.positions[vertex as usize])
+        });
+        sunken.collect()
     }
 
     /// Ends of each bone that has a parent, in the world [m].
@@ -553,6 +560,13 @@ impl Show {
             .filter_map(|&bone| Some([joint(bone.parent()?), joint(bone)]))
             .collect()
     }
+}
+
+/// Of the particles of all cloth [kg].
+fn masses(specs: &[ClothSpec], production: &Production) -> Vec<f32> {
+    let sewn = production.dressed.iter();
+    let sewn = sewn.flat_map(|garment| garment.dressed.masses());
+    specs.iter().flat_map(particle_masses).chain(sewn).collect()
 }
 
 /// What is worn or held beside the cloth.

@@ -2,7 +2,9 @@
 
 mod adornment;
 mod covering;
+mod drawn;
 mod dressed;
+mod figures;
 mod forearms;
 mod jump;
 mod no_room;
@@ -12,9 +14,11 @@ mod pressed;
 mod worn;
 
 pub use covering::{GarmentLayers, LayerWatch};
+pub use figures::Energy;
 pub(crate) use forearms::Forearms;
 pub use no_room::{NoRoom, no_room_now};
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use glam::{Affine3A, Vec3};
@@ -23,13 +27,13 @@ use lole_cloth::collision::layer::Press;
 use lole_cloth::method::explicit::ExplicitConfig;
 use lole_cloth::method::reference::ReferenceModel;
 use lole_cloth::wind::GustyWind;
-use lole_cloth::{Crossings, InstructionSet, Phase, diagnose};
+use lole_cloth::{Crossings, InstructionSet, Phase};
 use lole_costume::document::{BodyShapes, Design, GarmentLayer};
 use lole_geom::{Capsule, Surfel};
 
+use crate::StageError;
 use crate::production::{DressedGarment, Garment, Production};
 use crate::solver::{self, Observer, Solver, Surroundings};
-use crate::{FrameMetrics, StageError, skin_check};
 use adornment::{Adorned, AroundStrands};
 use dressed::{Around, Dressed};
 use jump::{Hips, Jump};
@@ -67,27 +71,6 @@ pub struct Divergence {
     pub row: u32,
     /// See `row`.
     pub column: u32,
-}
-
-/// Energy of a cloth [J].
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Energy {
-    /// Of motion.
-    pub kinetic: f64,
-    /// Stored in the springs.
-    pub springs: f64,
-    /// Stored in bending and twist.
-    pub bending: f64,
-    /// Of height above the floor.
-    pub height: f64,
-}
-
-impl Energy {
-    /// All of it [J].
-    #[must_use]
-    pub fn total(&self) -> f64 {
-        self.kinetic + self.springs + self.bending + self.height
-    }
 }
 
 /// The same production with other adornments, and what moves of them.
@@ -275,8 +258,25 @@ impl Performance {
         self.crossings = design.crossings();
     }
 
-    /// Places particles that a hand holds, from the next frame on: ascending, and pinned in the
-    /// solver's cloth.
+    /// Lets a hand hold these particles of what is sewn from shaped pieces, and no others of it: ascending, by
+    /// the numbers of all cloth. Gathered cloth is held by [`Self::replace_solvers`].
+    ///
+    /// # Errors
+    /// A seam that cannot be made with them; what was held before may be let go then.
+    pub(crate) fn take(&mut self, particles: &[u32]) -> Result<(), StageError> {
+        for (moving, garment) in self.dressed.iter_mut().zip(&self.production.dressed) {
+            let own = particles.iter().filter_map(|&particle| {
+                let range = &garment.particles;
+                let own = (particle as usize).checked_sub(range.start)?;
+                (own < range.len()).then_some(u32::try_from(own).ok()?)
+            });
+            moving.hold(garment, &own.collect::<Vec<u32>>())?;
+        }
+        Ok(())
+    }
+
+    /// Places particles that a hand holds, from the next frame on: ascending, by the numbers of all cloth,
+    /// and pinned in the solver's cloth or taken by [`Self::take`].
     pub(crate) fn hold(&mut self, held: Vec<(u32, Vec3)>) {
         self.held = held;
     }
@@ -298,6 +298,7 @@ impl Performance {
             body: (&self.body_positions, &self.body_normals),
             skin: &self.whole_skin,
             air_velocity: self.air_velocity(),
+            held: &self.held,
             is_settling: self.frame <= 0,
         };
         let pairs = || self.production.dressed.iter();
@@ -452,7 +453,11 @@ impl Performance {
         }
         let mut worn = std::mem::take(&mut self.worn);
         for (worn, garment) in worn.iter_mut().zip(&self.production.garments) {
-            worn.place_pins(garment, &self.carrier(), &held_in(garment, &self.held));
+            worn.place_pins(
+                garment,
+                &self.carrier(),
+                &held_in(&garment.particles, &self.held),
+            );
         }
         self.worn = worn;
     }
@@ -537,13 +542,6 @@ impl Performance {
         &self.body_normals
     }
 
-    /// Vertices [m] and unit normals of every surface of every adornment of the production, in their
-    /// order.
-    #[must_use]
-    pub fn posed_adornments(&self) -> Vec<[Vec<Vec3>; 2]> {
-        self.adorned.posed(&self.production, &self.world_from_bind)
-    }
-
     /// Particles [m] of the strands of each adornment that has some, one strand after the other.
     pub fn strand_positions(&self) -> impl Iterator<Item = &[Vec3]> {
         self.adorned.positions()
@@ -559,92 +557,6 @@ impl Performance {
     #[must_use]
     pub fn world_from_bind(&self) -> &[Affine3A] {
         &self.world_from_bind
-    }
-
-    /// Measures the current frame; call [`Self::pose_body`] first.
-    #[must_use]
-    pub fn measure(&self) -> FrameMetrics {
-        let body = self.body_surface();
-        let mut metrics = FrameMetrics {
-            time: self.time(),
-            hem_height: self.hem_height(),
-            ..FrameMetrics::default()
-        };
-        for garment in &self.production.garments {
-            let (spec, positions) = (&garment.sewn.spec, self.garment_positions(garment));
-            let share = positions.len() as f32 / self.cloth_positions.len() as f32;
-            let (strain, skin) = Worn::measure(garment, positions, body);
-            metrics.add_strain(strain, share);
-            metrics.skin.add(skin);
-            let depth = diagnose::worst_capsule_penetration(spec, positions, self.met_capsules());
-            metrics.capsule_penetration = metrics.capsule_penetration.max(depth);
-        }
-        for place in 0..self.dressed.len() {
-            let (strain, skin) = self.measure_dressed(place);
-            metrics.add_strain(strain, 0.0);
-            metrics.skin.add(skin);
-        }
-        metrics
-    }
-
-    /// How often a garment crosses itself; `None` where it is nowhere.
-    #[must_use]
-    pub fn self_crossings(&self, garment: &Garment) -> Option<usize> {
-        diagnose::self_crossings(&garment.sewn.spec.grid, self.garment_positions(garment))
-    }
-
-    /// Mean strain of the structural springs at each particle of a garment, row-major: positive where
-    /// the cloth is stretched.
-    #[must_use]
-    pub fn strain_by_particle(&self, garment: &Garment) -> Vec<f32> {
-        diagnose::strain_by_particle(&garment.sewn.spec, self.garment_positions(garment))
-    }
-
-    /// How deep below the drawn skin each of these places lies [m], 0 outside; call [`Self::pose_body`]
-    /// first.
-    #[must_use]
-    pub fn depths_below_skin(&self, places: &[Vec3]) -> Vec<f32> {
-        skin_check::depths(self.body_surface(), places)
-    }
-
-    /// The drawn body in the current frame.
-    fn body_surface(&self) -> skin_check::Surface<'_> {
-        skin_check::Surface {
-            positions: &self.body_positions,
-            normals: &self.body_normals,
-            triangles: &self.production.body_triangles,
-        }
-    }
-
-    /// Particles of a garment on the inward side of the next one inward, of all garments: 0 where
-    /// their order is kept.
-    #[must_use]
-    pub fn layer_inversions(&self) -> usize {
-        order::inversions(&self.production.garments, &self.cloth_positions)
-    }
-
-    /// Mean height above the floor [m] of the skirt's hem, of the lowest hem where another skirt is
-    /// worn, or of the ends of strands; without any that of the lowest cloth, and 0 where there is none.
-    pub(crate) fn hem_height(&self) -> f32 {
-        if let Some(skirt) = self.production.skirt() {
-            return self.hem_height_of(skirt);
-        }
-        let lowest = |heights: &mut dyn Iterator<Item = f32>| heights.min_by(f32::total_cmp);
-        let mut hems = (self.production.garments.iter()).map(|garment| self.hem_height_of(garment));
-        let mut dressed = (self.dressed.iter())
-            .flat_map(Dressed::positions)
-            .map(|it| it.y);
-        let strands = self.adorned.hem_height(&self.production);
-        let hem = lowest(&mut hems).or(strands);
-        hem.or_else(|| lowest(&mut dressed)).unwrap_or(0.0)
-    }
-
-    /// Mean height above the floor [m] of a garment's last row.
-    fn hem_height_of(&self, garment: &Garment) -> f32 {
-        let positions = self.garment_positions(garment);
-        let columns = garment.sewn.spec.grid.column_count as usize;
-        let hem = &positions[positions.len() - columns..];
-        hem.iter().map(|p| p.y).sum::<f32>() / columns as f32
     }
 
     /// The capsules that the cloth meets: none where it meets the skin.
@@ -674,41 +586,6 @@ impl Performance {
         }
     }
 
-    /// Energy of the cloth under the paper's methods; `None` for `xpbd`.
-    #[must_use]
-    pub fn energy(&self) -> Option<Energy> {
-        let explicit = self.worn.first()?.solver.explicit()?;
-        let (model, state) = (&explicit.model, &explicit.state);
-        let gravity = explicit.config.gravity;
-        let weights = model.masses().iter().zip(&state.positions);
-        Some(Energy {
-            kinetic: model.kinetic_energy(&state.velocities),
-            springs: model.spring_energy(&state.positions),
-            bending: model.plate_energy(&state.positions),
-            height: weights
-                .map(|(mass, position)| -mass * gravity.dot(*position))
-                .sum(),
-        })
-    }
-
-    /// All bits of the state of cloth and strands as one number: that of the only garment, or one of them
-    /// all.
-    #[must_use]
-    pub fn state_hash(&self) -> u64 {
-        const PRIME: u64 = 0x0000_0100_0000_01b3; // Of `FNV-1a` for 64 bits (Fowler, Noll and Vo).
-        let dressed = self.dressed.iter().map(Dressed::hash);
-        let mut hashes = (self.worn.iter().map(|worn| worn.solver.state_hash())).chain(dressed);
-        let first = hashes.next().unwrap_or(0);
-        self.adorned
-            .hashed(hashes.fold(first, |all, next| all.wrapping_mul(PRIME) ^ next))
-    }
-
-    /// Springs of the prepared cloth.
-    #[must_use]
-    pub fn spring_count(&self) -> usize {
-        self.solvers().map(Solver::spring_count).sum()
-    }
-
     /// What is done about cloth of `xpbd` that has gone through itself, from the next frame on.
     pub const fn set_crossings(&mut self, crossings: Crossings) {
         self.crossings = crossings;
@@ -721,36 +598,10 @@ impl Performance {
         }
     }
 
-    /// In how many places gathered garments press on themselves and are kept from crossing.
-    #[must_use]
-    pub fn pressed_count(&self) -> usize {
-        self.solvers().map(Solver::pressed_count).sum()
-    }
-
-    /// Memory of the prepared cloth and its state [byte].
-    #[must_use]
-    pub fn byte_count(&self) -> usize {
-        self.solvers().map(Solver::byte_count).sum()
-    }
-
-    /// Root mean square of the particles' speeds [m/s].
-    #[must_use]
-    pub fn rms_speed(&self) -> f32 {
-        if let [only] = &self.worn[..] {
-            return only.solver.rms_speed();
-        }
-        let count = self.cloth_positions.len().max(1) as f32;
-        let squares = self.worn.iter().zip(&self.production.garments);
-        let squares = squares.map(|(worn, garment)| {
-            let speed = worn.solver.rms_speed();
-            speed * speed * garment.particles.len() as f32 / count
-        });
-        squares.sum::<f32>().sqrt()
-    }
-
     /// Acceleration of free fall [m/s²].
     pub(crate) fn gravity(&self) -> Vec3 {
-        self.solvers().next().map_or(Vec3::ZERO, Solver::gravity)
+        let usual = lole_cloth::SolverConfig::default().gravity;
+        self.solvers().next().map_or(usual, Solver::gravity)
     }
 
     /// Substeps of one frame, most of any garment.
@@ -765,8 +616,7 @@ impl Performance {
 }
 
 /// What a hand holds of a garment, by its numbers in that garment.
-fn held_in(garment: &Garment, held: &[(u32, Vec3)]) -> Vec<(u32, Vec3)> {
-    let range = &garment.particles;
+fn held_in(range: &Range<usize>, held: &[(u32, Vec3)]) -> Vec<(u32, Vec3)> {
     let own = held.iter().filter_map(|&(particle, place)| {
         let own = (particle as usize).checked_sub(range.start)?;
         (own < range.len()).then_some((u32::try_from(own).ok()?, place))

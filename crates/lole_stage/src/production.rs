@@ -6,19 +6,19 @@ use glam::{Affine3A, Vec3};
 use lole_avatar::{Avatar, License};
 use lole_body::{Bone, CapsuleLayout, Dancer, Measurements, MeshPart, Pose};
 use lole_cloth::Fabric;
-use lole_costume::adorn::{self, Adornment};
 use lole_costume::document::{
     Design, FabricDesign, GarmentDesign, GarmentLayer, SkirtDesign, WornTemplate, WornTop,
 };
-use lole_costume::dress::{self, Among, Bands, Division, Dressed};
 use lole_costume::sew::{
     self, Closing, Clothed, Cut, Lifts, SewSettings, SewnSkirt, SkirtMesh, Watched, WornPlace,
 };
 use lole_costume::tailoring::{self, Drafted};
+use lole_garment::dress::{self, Among, Bands, Division, Dressed};
+use lole_garment::template::WornRuffle;
 use lole_geom::{Length, MeshSurfels};
 use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements};
-use lole_pattern::template::WornRuffle;
 
+use crate::adorned::{Adornment, adorned, parts_shown};
 use crate::performance::Forearms;
 use crate::{Danced, StageError};
 
@@ -63,6 +63,8 @@ pub struct Production {
 pub struct Garment {
     /// Name in files, such as `pau_skirt`; no two garments of a production share one.
     pub name: String,
+    /// Place in the design's list; `None` of the design's skirt.
+    pub listed: Option<usize>,
     /// The garment on paper.
     pub draft: PauDraft,
     /// What is gathered and sewn to its lower edge.
@@ -97,6 +99,8 @@ pub struct DressedGarment {
     pub listed: usize,
     /// Whether it lies under the skirts or over them.
     pub layer: GarmentLayer,
+    /// Its particles among those of all cloth.
+    pub particles: Range<usize>,
     /// Its cloth, sewn.
     pub dressed: Dressed,
 }
@@ -159,11 +163,13 @@ impl Production {
             skirt: &design.skirt,
             clothed: Clothed::new(dancer.skeleton.joint(Bone::Hips)),
             garments: Vec::new(),
+            listed: None,
         };
         wardrobe.put_on_layer(design, GarmentLayer::Under)?;
         let skirt = (design.skirt.is_worn).then_some(wardrobe.garments.len());
         if design.skirt.is_worn {
             let cut = (&design.skirt, &design.fabric);
+            wardrobe.listed = None;
             wardrobe.put_on_skirt((tailoring::SKIRT, 0.0), cut)?;
         }
         wardrobe.put_on_layer(design, GarmentLayer::Over)?;
@@ -215,10 +221,12 @@ impl Production {
             sewn.map(|(place, _)| place).collect()
         };
         let [before, after] = [&self.design, &new.design].map(places);
-        for garment in &mut new.dressed {
-            let place = before.iter().position(|&it| it == garment.listed);
-            if let Some(&listed) = place.and_then(|place| after.get(place)) {
-                garment.listed = listed;
+        let gathered = new.garments.iter_mut().filter_map(|it| it.listed.as_mut());
+        let sewn = new.dressed.iter_mut().map(|it| &mut it.listed);
+        for listed in gathered.chain(sewn) {
+            let place = before.iter().position(|it| it == listed);
+            if let Some(&now) = place.and_then(|place| after.get(place)) {
+                *listed = now;
             }
         }
         new.dancer.skin.parts = parts_shown(&self.parts, &new.design);
@@ -237,15 +245,13 @@ impl Production {
     /// Everything that moves by itself: particles of all garments and of strands.
     #[must_use]
     pub fn moving_count(&self) -> usize {
-        let dressed = self.dressed.iter();
-        let dressed = dressed.map(|garment| garment.dressed.particle_count());
         let adornments = self
             .adornments
             .iter()
             .filter_map(|one| one.strands.as_ref());
         let strands = adornments.flat_map(|hung| &hung.strands);
         let strands = strands.map(|strand| strand.positions.len());
-        self.particle_count() + dressed.chain(strands).sum::<usize>()
+        self.cloth_count() + strands.sum::<usize>()
     }
 
     /// Particles of gathered garments.
@@ -253,24 +259,6 @@ impl Production {
     pub fn particle_count(&self) -> usize {
         self.garments.last().map_or(0, |last| last.particles.end)
     }
-}
-
-/// Parts of the skin that no adornment stands for.
-fn parts_shown(parts: &[MeshPart], design: &Design) -> Vec<MeshPart> {
-    let shown = parts.iter();
-    let shown = shown.filter(|part| !adorn::replaces_part(design, part.kind));
-    shown.cloned().collect()
-}
-
-fn adorned(
-    design: &Design,
-    dancer: &Dancer,
-    posed: &[Affine3A],
-) -> Result<Vec<Adornment>, StageError> {
-    adorn::adorn(design, dancer, posed).map_err(|(place, error)| StageError::Garment {
-        place: place + 1,
-        error: Box::new(error.into()),
-    })
 }
 
 /// The dancer of a design: built to its tape, or its avatar with what may be done with it.
@@ -313,6 +301,8 @@ struct Wardrobe<'a> {
     skirt: &'a SkirtDesign,
     clothed: Clothed,
     garments: Vec<Garment>,
+    /// Place in the design's list of what is being put on.
+    listed: Option<usize>,
 }
 
 /// Particles that a fold of a listed garment has at least: with fewer it is a cog that crosses the
@@ -353,6 +343,7 @@ impl Wardrobe<'_> {
     /// Puts on what the design lists for a layer.
     fn put_on_layer(&mut self, design: &Design, layer: GarmentLayer) -> Result<(), StageError> {
         for (place, garment) in design.garments_in(layer) {
+            self.listed = Some(place);
             let put_on = match garment {
                 GarmentDesign::PauSkirt(worn) => {
                     let name = tailoring::file_name(garment);
@@ -390,7 +381,7 @@ impl Wardrobe<'_> {
 
     /// Puts on a template that is one gathered rectangle, and the ruffle on it.
     fn put_on_gathered(&mut self, name: &str, worn: &WornTemplate) -> Result<(), StageError> {
-        let measures = lole_costume::measures(self.dancer);
+        let measures = lole_garment::measures(self.dancer);
         let gathered = worn.template.gathered(&measures, &worn.options)?;
         let Some(gathered) = gathered else {
             return Ok(());
@@ -501,6 +492,7 @@ impl Wardrobe<'_> {
                 name,
                 self.garments.iter().map(|garment| garment.name.as_str()),
             ),
+            listed: self.listed,
             draft,
             flounce,
             worn,
@@ -547,7 +539,7 @@ fn dressed(
         let GarmentDesign::Template(worn) = garment else {
             continue;
         };
-        if !dress::is_worn(worn.template.id) {
+        if !worn.template.is_sewn() {
             continue;
         }
         let is_under = garment.layer() == GarmentLayer::Under;
@@ -565,17 +557,21 @@ fn dressed(
             inside: &inside,
             division,
         };
-        let sewn = dress::dress(worn, body, stance, &among);
+        let sewn = dress::dress(&worn.spec(), body, stance, &among);
         let sewn = sewn.map_err(|error| StageError::Garment {
             place: listed + 1,
             error: Box::new(error.into()),
         })?;
+        let first = (dressed.last().map(|last| last.particles.end))
+            .or_else(|| garments.last().map(|last| last.particles.end));
+        let first = first.unwrap_or(0);
         let others = garments.iter().map(|garment| garment.name.as_str());
         let others = others.chain(dressed.iter().map(|garment| garment.name.as_str()));
         dressed.push(DressedGarment {
             name: tailoring::numbered(&tailoring::file_name(garment), others),
             listed,
             layer: garment.layer(),
+            particles: first..first + sewn.particle_count(),
             dressed: sewn,
         });
     }

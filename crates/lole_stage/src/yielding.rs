@@ -9,6 +9,7 @@ use lole_geom::triangle_grid::TriangleGrid;
 
 use crate::production::Production;
 use crate::skin_check::Surface;
+use crate::{Vertices, WornSurface};
 
 /// Pressed skin lies this far under the cloth [m].
 const UNDER: f32 = 2.0e-3;
@@ -17,15 +18,18 @@ const DEEPEST: f32 = 0.015;
 /// Edge of a cell [m].
 const CELL: f32 = 0.02;
 
-/// Presses the drawn body in where the dressed garments lie in it: `dressed` holds the vertices and
-/// normals [m] of each as it is drawn, in the production's order, and `body` the posed vertices and
-/// normals of the drawn body.
+/// Presses the drawn body in where garments sewn from shaped pieces lie in it: `worn` are the vertices of all
+/// that is worn as they are drawn, surface by surface as [`Production::surfaces`] has them, and `body` the
+/// posed vertices and normals of the drawn body.
 pub fn give_way(
     production: &Production,
-    dressed: &[[Vec<Vec3>; 2]],
+    worn: &[Vertices],
     (positions, normals): (&mut [Vec3], &[Vec3]),
 ) {
-    for (garment, [vertices, _]) in production.dressed.iter().zip(dressed) {
+    for (surface, [vertices, _]) in production.surfaces().zip(worn) {
+        let WornSurface::Sewn(garment) = surface else {
+            continue;
+        };
         let cloth = Surface {
             positions: vertices,
             normals: &[],

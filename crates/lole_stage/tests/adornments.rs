@@ -150,9 +150,9 @@ fn what_bones_carry_touches_the_body_where_it_is_worn() {
     performance.pose_body();
     let body = performance.body_positions();
     let production = performance.production();
-    let mut posed = performance.posed_adornments().into_iter();
-    for adornment in &production.adornments {
-        let vertices: Vec<Vec3> = (adornment.surfaces.iter())
+    let mut posed = performance.surfaces().into_iter();
+    for worn in production.worn() {
+        let vertices: Vec<Vec3> = (worn.surfaces())
             .filter_map(|_| posed.next())
             .flat_map(|[positions, _]| positions)
             .collect();
@@ -161,7 +161,7 @@ fn what_bones_carry_touches_the_body_where_it_is_worn() {
             apart.fold(f32::INFINITY, f32::min)
         });
         let gap = gap.fold(f32::INFINITY, f32::min).sqrt();
-        assert!(gap < 0.02, "{}: {gap} m from the body", adornment.name);
+        assert!(gap < 0.02, "{}: {gap} m from the body", worn.name());
         assert!(vertices.iter().all(|vertex| vertex.is_finite()));
     }
 }

@@ -1,16 +1,15 @@
 //! The window itself: panels, picture, simulation and files brought together.
 
-use std::any::Any;
-use std::panic::{AssertUnwindSafe, PanicHookInfo};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, Receiver};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use eframe::egui::{self, Context, Ui};
-use eframe::egui_wgpu::{WgpuConfiguration, WgpuSetup, WgpuSetupCreateNew};
 use lole_costume::document::{Design, LinkedFile, LinkedPicture, PhotoMarks};
-use lole_language::{Language, Sentence, words};
+use lole_export::{Image, still};
+use lole_files as files;
+use lole_language::Sentence;
 use lole_render::wgpu;
 
 use crate::journal::{self, Journal, Leftover};
@@ -20,12 +19,8 @@ use crate::sim::{News, Sim};
 use crate::studio::{Purpose, Question, Request};
 use crate::tailor::Tailor;
 use crate::viewport::Viewport;
-use crate::{Studio, Work, files, look, panel};
+use crate::{Studio, Work, look, panel};
 
-/// Size of a new window [point].
-const WINDOW: [f32; 2] = [1280.0, 720.0];
-/// Smallest size of the window [point].
-const SMALLEST: [f32; 2] = [360.0, 260.0];
 /// Width of the left and of the right column [point].
 const COLUMNS: [f32; 2] = [330.0, 272.0];
 /// Narrower windows have one column [point].
@@ -33,177 +28,11 @@ const WIDE: f32 = 980.0;
 /// And still narrower ones none beside the picture, but below it [point].
 const NARROW: f32 = 640.0;
 
-/// A window whose adapter is lost is opened again this often.
-const MOST_REOPENINGS: u32 = 3;
-
 /// What files of recordings are called.
 const RECORDING_ENDINGS: [&str; 8] = ["bvh", "BVH", "vrma", "VRMA", "glb", "gltf", "vrm", "VRM"];
-/// Why a window ended that was in the middle of a picture.
-const LOST: &str = "the graphics adapter was lost";
-
-/// What the window opens with.
-#[derive(Debug, Clone)]
-pub struct Opening {
-    /// Language of its words.
-    pub language: Language,
-    /// Design to open; the built-in one where there is none.
-    pub document: Option<PathBuf>,
-}
-
-/// Why no window was opened, in one sentence.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Refusal {
-    /// The document cannot be read.
-    Document(Sentence),
-    /// There is no display, or no graphics adapter for it.
-    Window(Sentence),
-}
-
-/// Opens the window and waits until it is closed.
-///
-/// # Errors
-/// A document that cannot be read; no display.
-pub fn open(opening: &Opening) -> Result<(), Refusal> {
-    let design = match &opening.document {
-        Some(path) => files::read_design(path).map_err(Refusal::Document)?,
-        None => Design::default(),
-    };
-    let mut work = Rescued {
-        studio: Studio::new(opening.language, design, opening.document.clone()),
-        keeping: Keeping::begin(),
-    };
-    work.studio.found = work.keeping.found();
-    for _ in 0..=MOST_REOPENINGS {
-        match show(work).map_err(Refusal::Window)? {
-            Some(lost) => work = lost,
-            None => return Ok(()),
-        }
-        work.studio.message = Some(Message::trouble(&Sentence::new(
-            "グラフィックス装置がとぎれたので、窓を開き直しました。",
-            "The graphics adapter was lost; the window was opened anew.",
-        )));
-    }
-    Err(Refusal::Window(Sentence::new(
-        "グラフィックス装置が何度もとぎれました。lole dance --out フォルダー なら装置がなくても書き出せます",
-        "the graphics adapter was lost again and again; lole dance --out FOLDER works without one",
-    )))
-}
-
-/// Shows the window until it is closed; gives the studio back where the graphics adapter was lost.
-fn show(work: Rescued) -> Result<Option<Rescued>, Sentence> {
-    let rescued = Arc::new(Mutex::new(None));
-    let shelf = Arc::clone(&rescued);
-    let options = eframe::NativeOptions {
-        viewport: egui::ViewportBuilder::default()
-            .with_title("Lole")
-            .with_app_id("lole")
-            .with_inner_size(WINDOW)
-            .with_min_inner_size(SMALLEST)
-            .with_drag_and_drop(true),
-        wgpu_options: WgpuConfiguration {
-            wgpu_setup: WgpuSetup::CreateNew(WgpuSetupCreateNew {
-                device_descriptor: Arc::new(device_descriptor),
-                ..WgpuSetupCreateNew::without_display_handle()
-            }),
-            ..WgpuConfiguration::default()
-        },
-        // Plain colors need none, and it costs each pixel of a driver on the processor dearly.
-        dithering: false,
-        ..eframe::NativeOptions::default()
-    };
-    let is_lost = Arc::new(AtomicBool::new(false));
-    let watched = Arc::clone(&is_lost);
-    let run = move || {
-        eframe::run_native(
-            "lole",
-            options,
-            Box::new(move |creation| Ok(Box::new(App::new(work, creation, watched, shelf)))),
-        )
-    };
-    // Where the adapter is lost in the middle of a picture, egui's painter panics before the device
-    // has told of its loss.
-    let is_gone = Arc::new(AtomicBool::new(false));
-    let result = quietly(&is_lost, &is_gone, run);
-    let work = (rescued.lock().unwrap_or_else(PoisonError::into_inner)).take();
-    match result {
-        Ok(result) => result.map(|()| work).map_err(|error| no_window(&error)),
-        Err(_) if work.is_some() => Err(no_window(&eframe::Error::AppCreation(LOST.into()))),
-        Err(panic) if is_gone.load(Ordering::Relaxed) => Err(taken_away(&*panic)),
-        Err(panic) => std::panic::resume_unwind(panic),
-    }
-}
-
-/// Runs `run` and catches its panics. Those of the graphics crates mean that the adapter is lost,
-/// those of the window's crate that the window is gone, as where another program takes it away; both
-/// are told in a sentence instead of being printed.
-fn quietly<R>(
-    is_lost: &Arc<AtomicBool>,
-    is_gone: &Arc<AtomicBool>,
-    run: impl FnOnce() -> R,
-) -> std::thread::Result<R> {
-    let usual: Arc<dyn Fn(&PanicHookInfo<'_>) + Send + Sync> = Arc::from(std::panic::take_hook());
-    let kept = Arc::clone(&usual);
-    let causes =
-        [("wgpu", is_lost), ("winit", is_gone)].map(|(name, flag)| (name, Arc::clone(flag)));
-    std::panic::set_hook(Box::new(move |news| {
-        let place = news.location().map_or("", |place| place.file());
-        match causes.iter().find(|(name, _)| place.contains(name)) {
-            Some((_, flag)) => flag.store(true, Ordering::Relaxed),
-            None => kept(news),
-        }
-    }));
-    let result = std::panic::catch_unwind(AssertUnwindSafe(run));
-    std::panic::set_hook(Box::new(move |news| usual(news)));
-    result
-}
-
-/// The limits of WebGL2, so that the same drawing runs everywhere, at this adapter's resolution.
-fn device_descriptor(adapter: &wgpu::Adapter) -> wgpu::DeviceDescriptor<'static> {
-    let limits = wgpu::Limits::downlevel_webgl2_defaults().using_resolution(adapter.limits());
-    wgpu::DeviceDescriptor {
-        label: Some("lole window"),
-        required_limits: limits,
-        ..wgpu::DeviceDescriptor::default()
-    }
-}
-
-/// The window's crate gave up, and why.
-fn taken_away(panic: &(dyn Any + Send)) -> Sentence {
-    let reason = (panic.downcast_ref::<String>().map(String::as_str))
-        .or_else(|| panic.downcast_ref::<&str>().copied())
-        .unwrap_or("");
-    Sentence::new(
-        format!(
-            "窓が外から閉じられました（{reason}）。もう一度 lole で開くと、保存していない変更から続けられます"
-        ),
-        format!(
-            "the window was taken away ({reason}); run lole to open it again and go on with what was not saved"
-        ),
-    )
-}
-
-fn no_window(error: &eframe::Error) -> Sentence {
-    let reason = match error {
-        eframe::Error::Wgpu(_) | eframe::Error::AppCreation(_) => words(
-            "グラフィックス装置が使えません",
-            "no graphics adapter can be used",
-        ),
-        _ => words("画面がありません", "there is no display"),
-    };
-    Sentence::new(
-        format!(
-            "窓を開けません（{}）。画面がなくても lole dance --out フォルダー で動画と写真を書き出せます",
-            reason.japanese
-        ),
-        format!(
-            "no window can be opened ({}); lole dance --out FOLDER writes film and stills without one",
-            reason.english
-        ),
-    )
-}
 
 /// The running window.
-struct App {
+pub(crate) struct App {
     studio: Studio,
     sim: Sim,
     tailor: Tailor,
@@ -219,23 +48,23 @@ struct App {
 }
 
 /// What outlives a window.
-struct Rescued {
-    studio: Studio,
-    keeping: Keeping,
+pub(crate) struct Rescued {
+    pub(crate) studio: Studio,
+    pub(crate) keeping: Keeping,
 }
 
 /// Where it is put.
-type Shelf = Arc<Mutex<Option<Rescued>>>;
+pub(crate) type Shelf = Arc<Mutex<Option<Rescued>>>;
 
 /// The copy of the work that outlives a crash, and the one that another window left.
 #[derive(Default)]
-struct Keeping {
+pub(crate) struct Keeping {
     journal: Option<Journal>,
     leftover: Option<Leftover>,
 }
 
 impl Keeping {
-    fn begin() -> Self {
+    pub(crate) fn begin() -> Self {
         let folder = journal::folder(|name| std::env::var_os(name));
         let (journal, leftover) = folder
             .and_then(|folder| Journal::open(&folder))
@@ -243,13 +72,13 @@ impl Keeping {
         Self { journal, leftover }
     }
 
-    fn found(&self) -> Option<Work> {
+    pub(crate) fn found(&self) -> Option<Work> {
         self.leftover.as_ref().map(|leftover| leftover.work.clone())
     }
 }
 
 impl App {
-    fn new(
+    pub(crate) fn new(
         work: Rescued,
         creation: &eframe::CreationContext<'_>,
         is_lost: Arc<AtomicBool>,
@@ -645,9 +474,11 @@ impl App {
             let text = error.to_string();
             Sentence::new(format!("写真を撮れません（{text}）"), text)
         };
-        let written = image
-            .map_err(failed)
-            .and_then(|image| files::write_picture(&folder, &image));
+        let path = files::free_picture(&folder);
+        let written = image.map_err(failed).and_then(|image| {
+            files::write_whole(&path, &png(&image)?)?;
+            Ok(std::fs::canonicalize(&path).unwrap_or(path))
+        });
         self.studio.message = Some(match written {
             Ok(path) => {
                 let name = path.display();
@@ -787,4 +618,11 @@ fn watch_device(device: &wgpu::Device, is_lost: &Arc<AtomicBool>, context: &Cont
 fn start(design: Design, context: &Context) -> Sim {
     let context = context.clone();
     Sim::start(design, Arc::new(move || context.request_repaint()))
+}
+
+/// A picture as the bytes of a PNG.
+fn png(image: &lole_render::Image) -> Result<Vec<u8>, Sentence> {
+    Image::new(image.width, image.height, &image.pixels)
+        .and_then(still::encode_png)
+        .map_err(|error| Sentence::new(format!("写真を作れません（{error}）"), error.to_string()))
 }

@@ -13,8 +13,8 @@ use std::thread::{self, JoinHandle};
 
 use lole_language::Sentence;
 
-use crate::files;
 use crate::work::Work;
+use lole_files as files;
 
 /// Windows at one time.
 const MOST_WINDOWS: u32 = 64;

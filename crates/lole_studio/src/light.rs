@@ -98,9 +98,7 @@ fn work(jobs: &Receiver<Job>, results: &Mutex<Option<(u64, AmbientLight)>>, free
             lights,
         );
         if is_coarse {
-            for (cloth, triangles) in scene.meshes.iter_mut().zip(&wardrobe.coarse_triangles) {
-                cloth.triangles = triangles;
-            }
+            wardrobe.coarsen(&mut scene);
         }
         if let Ok(light) = AmbientLight::of(&scene) {
             *results.lock().unwrap_or_else(PoisonError::into_inner) = Some((wardrobe.id, light));

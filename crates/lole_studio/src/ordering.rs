@@ -15,8 +15,8 @@ use lole_export::pdf::{Paper, Picture};
 use lole_geom::Length;
 use lole_language::{Bilingual as _, Language, Sentence};
 
-use crate::portrait::PortraitError;
-use crate::{files, portrait};
+use lole_files as files;
+use lole_picture::portrait::{self, PortraitError};
 
 /// Everything behind the panel of orders.
 #[derive(Debug, Clone, Default)]

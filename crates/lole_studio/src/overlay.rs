@@ -6,6 +6,7 @@ use glam::Vec3;
 use lole_cloth::Grid;
 use lole_geom::{Capsule, trig};
 use lole_render::Stroke;
+use lole_stage::Worn;
 
 use crate::Snapshot;
 use crate::studio::Shows;
@@ -40,12 +41,21 @@ impl Strokes {
             }
         };
         if shows.springs {
-            for garment in &snapshot.wardrobe.production.garments {
-                let grid = &garment.sewn.spec.grid;
-                let stride = spring_stride(grid, meters_per_pixel * scale);
-                let particles = snapshot.particles.get(garment.particles.clone());
-                let springs = springs(grid, particles.unwrap_or_default(), stride);
-                strokes.on_surfaces.extend(springs.map(line(SPRING, 1.0)));
+            for worn in snapshot.wardrobe.production.worn() {
+                let particles = snapshot.particles.get(worn.particles()).unwrap_or_default();
+                match worn {
+                    Worn::Gathered(garment) => {
+                        let grid = &garment.sewn.spec.grid;
+                        let stride = spring_stride(grid, meters_per_pixel * scale);
+                        let springs = springs(grid, particles, stride);
+                        strokes.on_surfaces.extend(springs.map(line(SPRING, 1.0)));
+                    }
+                    Worn::Sewn(garment) => {
+                        let edges = edges(&garment.dressed.triangles, particles);
+                        strokes.on_surfaces.extend(edges.map(line(SPRING, 1.0)));
+                    }
+                    Worn::Beside(_) => {}
+                }
             }
         }
         if shows.capsules {
@@ -97,6 +107,16 @@ fn springs(grid: &Grid, particles: &[Vec3], stride: u32) -> impl Iterator<Item =
                 .into_iter()
                 .filter_map(move |there| Some([here?, there?]))
         })
+    })
+}
+
+/// The edges of triangles, each once or twice.
+fn edges(triangles: &[[u32; 3]], particles: &[Vec3]) -> impl Iterator<Item = [Vec3; 2]> {
+    let at = |corner: u32| particles.get(corner as usize).copied();
+    triangles.iter().flat_map(move |&[a, b, c]| {
+        [[a, b], [b, c], [c, a]]
+            .into_iter()
+            .filter_map(move |[from, to]| Some([at(from)?, at(to)?]))
     })
 }
 

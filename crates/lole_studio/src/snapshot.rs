@@ -8,7 +8,8 @@ use lole_body::{Bone, Taped};
 use lole_cloth::Grid;
 use lole_geom::Capsule;
 use lole_picture::{Looks, Moment};
-use lole_stage::{Divergence, Production};
+use lole_render::Scene;
+use lole_stage::{Divergence, Production, WornSurface};
 
 use crate::history::Sample;
 
@@ -22,8 +23,9 @@ pub struct Wardrobe {
     pub looks: Looks,
     /// What a tape says around the dancer.
     pub taped: [Taped; 14],
-    /// The garments in triangles of two cells each way, for adapters that compute on the processor.
-    pub(crate) coarse_triangles: Vec<Vec<[u32; 3]>>,
+    /// What she wears in fewer triangles, surface by surface, for adapters that compute on the processor;
+    /// `None` where there are no fewer.
+    pub(crate) coarse_triangles: Vec<Option<Vec<[u32; 3]>>>,
 }
 
 impl Wardrobe {
@@ -32,12 +34,28 @@ impl Wardrobe {
         static NEXT: AtomicU64 = AtomicU64::new(1);
         Self {
             id: NEXT.fetch_add(1, Ordering::Relaxed),
-            coarse_triangles: (production.garments.iter())
-                .map(|garment| coarse_triangles(&garment.sewn.spec.grid))
+            coarse_triangles: (production.surfaces())
+                .map(|surface| match surface {
+                    WornSurface::Gathered(garment) => {
+                        Some(coarse_triangles(&garment.sewn.spec.grid))
+                    }
+                    WornSurface::Sewn(_) | WornSurface::Beside(..) => None,
+                })
                 .collect(),
             taped: production.dancer.taped(&production.design.tape()),
             production,
             looks,
+        }
+    }
+}
+
+impl Wardrobe {
+    /// Draws what she wears in fewer triangles.
+    pub(crate) fn coarsen<'a>(&'a self, scene: &mut Scene<'a>) {
+        for (mesh, triangles) in scene.meshes.iter_mut().zip(&self.coarse_triangles) {
+            // Cloth comes first in a scene.
+            let Some(triangles) = triangles else { break };
+            mesh.triangles = triangles;
         }
     }
 }
@@ -71,7 +89,7 @@ pub struct Snapshot {
     pub wardrobe: Arc<Wardrobe>,
     /// Time of the dance [s]; negative while the skirt settles.
     pub time: f32,
-    /// Particles of the cloth [m], row-major, of one garment after the other.
+    /// Particles of all cloth [m].
     pub particles: Vec<Vec3>,
     /// Everything as it is drawn.
     pub moment: Moment,
@@ -79,7 +97,7 @@ pub struct Snapshot {
     pub capsules: Vec<Capsule>,
     /// Ends of each bone [m].
     pub bones: Vec<[Vec3; 2]>,
-    /// Mean strain at every particle of all garments; empty where it is not watched.
+    /// Strain at every particle of all cloth; empty where it is not watched.
     pub strain: Vec<f32>,
     /// Particles below the drawn skin [m]; empty where they are not watched.
     pub sunken: Vec<Vec3>,

@@ -341,20 +341,21 @@ impl Viewport {
         };
         let colors = cloth_colors(snapshot, studio.shows);
         let figure = Figure {
-            cloth_colors: &colors,
+            colors: &colors,
             ..snapshot.moment.figure()
         };
         let wardrobe = &snapshot.wardrobe;
         let camera = orbit.camera();
         let lights = LightRig::seen_from(&camera);
         let mut scene = (wardrobe.looks).scene(&wardrobe.production, &figure, camera, lights);
-        for (cloth, triangles) in scene.meshes.iter_mut().zip(&wardrobe.coarse_triangles) {
-            if !cloth.colors.is_empty() {
+        // Cloth comes first in a scene.
+        for (cloth, colors) in scene.meshes.iter_mut().zip(&colors) {
+            if !colors.is_empty() {
                 cloth.material = &self.strain_cloth;
             }
-            if is_coarse {
-                cloth.triangles = triangles;
-            }
+        }
+        if is_coarse {
+            wardrobe.coarsen(&mut scene);
         }
         live.view.draw(&scene, overlay)?;
         self.pictures += 1;
@@ -450,25 +451,24 @@ fn stage_of(snapshot: &Snapshot) -> Bounds {
     }
 }
 
-/// Colors of every garment's vertices by strain, or plain under its springs; empty where it shows its
+/// Colors of the vertices of all cloth by strain, or plain under its springs; empty where it shows its
 /// print.
 fn cloth_colors(snapshot: &Snapshot, shows: Shows) -> Vec<Vec<Vec3>> {
-    let garments = snapshot.wardrobe.production.garments.iter();
-    let colors = garments
-        .zip(&snapshot.moment.cloths)
-        .map(|(garment, [positions, _])| {
-            let mut colors = Vec::new();
-            if shows.springs {
-                colors.resize(positions.len(), strain_color(0.0));
-            }
-            if let (true, Some(strain)) =
-                (shows.strain, snapshot.strain.get(garment.particles.clone()))
-            {
-                let by_particle: Vec<Vec3> = strain.iter().map(|&s| strain_color(s)).collect();
-                garment.mesh.spread(&by_particle, &mut colors);
-            }
-            colors
-        });
+    let strain = snapshot.strain.iter().map(|&strain| strain_color(strain));
+    let strain: Vec<Vec3> = strain.collect();
+    let surfaces = snapshot.wardrobe.production.surfaces();
+    let cloths = surfaces.filter(|surface| surface.beside().is_none());
+    let colors = cloths.zip(&snapshot.moment.worn);
+    let colors = colors.map(|(surface, [positions, _])| {
+        let by_strain = surface.by_vertex(&strain);
+        if shows.strain && !by_strain.is_empty() {
+            by_strain
+        } else if shows.springs {
+            vec![strain_color(0.0); positions.len()]
+        } else {
+            Vec::new()
+        }
+    });
     colors.collect()
 }
 

@@ -251,17 +251,18 @@ impl Design {
             .collect()
     }
 
-    /// What is printed on everything that is danced, from the skin outward.
+    /// Fabric and print of what stands at a place of the list; of the skirt where that is none, or there is
+    /// nothing.
     #[must_use]
-    pub fn worn_prints(&self) -> Vec<&PrintChoice> {
-        self.worn(&self.print, GarmentDesign::print).collect()
+    pub fn cloth_of(&self, listed: Option<usize>) -> (&FabricDesign, &PrintChoice) {
+        let garment = listed.and_then(|place| self.garments.get(place));
+        garment.map_or((&self.fabric, &self.print), |it| (it.fabric(), it.print()))
     }
 
-    /// What is printed on everything that is dressed, in the order of the list.
-    #[must_use]
-    pub fn dressed_prints(&self) -> Vec<&PrintChoice> {
-        let dressed = self.garments.iter().filter(|garment| garment.is_dressed());
-        dressed.map(GarmentDesign::print).collect()
+    /// What is printed on the skirt, and on everything that is listed.
+    pub fn prints(&self) -> impl Iterator<Item = &PrintChoice> {
+        let listed = self.garments.iter().map(GarmentDesign::print);
+        [&self.print].into_iter().chain(listed)
     }
 
     /// A part of every gathered rectangle that is worn, from the skin outward: `skirt` of the skirt.
@@ -307,14 +308,8 @@ impl Design {
 
     /// Opening of an elbow whose hand would press what lies on the chest, or go through it [°].
     fn chest_room_deg(&self) -> f32 {
-        let rooms = self.garments.iter().map(|garment| match garment {
-            GarmentDesign::PauSkirt(_) => 0.0,
-            GarmentDesign::PauTop(_) => TOP_ROOM_DEG,
-            GarmentDesign::Template(worn) => {
-                let id = worn.template.id;
-                crate::dress::chest_room_deg(id).max(crate::adorn::chest_room_deg(id))
-            }
-        });
+        let rooms = self.garments.iter();
+        let rooms = rooms.map(|garment| garment.template().chest_room_deg);
         rooms.fold(0.0, f32::max)
     }
 
@@ -326,8 +321,6 @@ impl Design {
     }
 }
 
-/// Opening of an elbow whose hand would lie on the gathers of a top [°].
-const TOP_ROOM_DEG: f32 = 10.0;
 /// How long a step is repeated where the design does not say [s].
 const REPEATED_S: f64 = 12.0;
 /// The longest dance [s].

@@ -1,11 +1,10 @@
 //! Garments that are worn with the skirt, in the units of the document.
 
-use lole_pattern::template::Template;
-use lole_pattern::{DraftError, Measures, Options, Pattern};
+use lole_garment::{Colors, GarmentSpec, Options, Template};
+use lole_pattern::{DraftError, Measures, Pattern};
 
 use super::schema::KINDS;
 use super::{FabricDesign, PrintChoice, SkirtDesign};
-use crate::adorn;
 use crate::fabrics::Preset;
 use crate::print::PrintMotif;
 
@@ -31,20 +30,26 @@ impl GarmentDesign {
         })
     }
 
+    /// What it is.
+    #[must_use]
+    pub fn template(&self) -> &'static Template {
+        match self {
+            Self::PauSkirt(_) => &lole_garment::template::PAU_SKIRT,
+            Self::PauTop(_) => &lole_garment::template::PAU_TOP,
+            Self::Template(worn) => worn.template,
+        }
+    }
+
     /// Name of its kind in documents.
     #[must_use]
     pub fn kind_id(&self) -> &'static str {
-        match self {
-            Self::PauSkirt(_) => KINDS[0].id,
-            Self::PauTop(_) => KINDS[1].id,
-            Self::Template(worn) => worn.template.id,
-        }
+        self.template().id
     }
 
     /// Whether it is sewn from its template and put on as it is, and danced.
     #[must_use]
     pub fn is_dressed(&self) -> bool {
-        matches!(self, Self::Template(worn) if crate::dress::is_worn(worn.template.id))
+        self.template().is_sewn()
     }
 
     /// Whether it is gathered rectangles, sewn in rows and columns and danced.
@@ -62,10 +67,10 @@ impl GarmentDesign {
         }
     }
 
-    /// Whether it is worn or held beside the cloth, and seen on the dancer: see [`crate::adorn`].
+    /// Whether it is worn or held beside the cloth, and seen on the dancer: see [`lole_garment::adorn`].
     #[must_use]
     pub fn is_adornment(&self) -> bool {
-        matches!(self, Self::Template(worn) if adorn::is_adornment(worn.template.id))
+        self.template().is_adornment()
     }
 
     /// Where it is worn.
@@ -207,7 +212,7 @@ impl WornTemplate {
             template,
             options: Options::of(template),
             fabric: FabricDesign::default(),
-            print: natural(template.id),
+            print: made_in(template),
         }
     }
 
@@ -216,7 +221,24 @@ impl WornTemplate {
     /// # Errors
     /// Measures or options that it cannot be drafted from.
     pub fn pattern(&self, measures: &Measures) -> Result<Pattern, DraftError> {
-        (self.template.draft)(measures, &self.options)
+        self.spec().pattern(measures)
+    }
+
+    /// The garment as it is drafted and put on.
+    #[must_use]
+    pub fn spec(&self) -> GarmentSpec<'_> {
+        let print = self.print.print();
+        GarmentSpec {
+            template: self.template,
+            options: &self.options,
+            fabric: self.fabric.fabric(),
+            colors: Colors {
+                ground: print.ground,
+                flower: print.flower,
+                leaf: print.leaf,
+                shadow: print.shadow,
+            },
+        }
     }
 }
 
@@ -293,25 +315,10 @@ fn plain(colorway: &'static str) -> PrintChoice {
     }
 }
 
-/// Colors of ground, flower, leaf and shadow of what is made of leaves, flowers, feathers and wood: what
-/// each of them means is said where it is drawn.
-const NATURAL: &[(&str, [u32; 4])] = &[
-    ("ti-leaf-skirt", [0x8a7a4c, 0xf6e7c8, 0x3e7a2c, 0x2c5a20]),
-    ("raffia-skirt", [0xb99a5c, 0xf2dfae, 0xd9bd82, 0xa9894e]),
-    ("cellophane-skirt", [0x8c1d3a, 0xf4d9e0, 0xc92a55, 0x6e1030]),
-    ("lei", [0xf7f1e3, 0xfbf3e4, 0x2f6a34, 0xf2c14e]),
-    ("lei-poo", [0x7b5a34, 0xe2574c, 0x46803a, 0xf4d35e]),
-    ("kupee", [0x7b5a34, 0xe2574c, 0x46803a, 0xf4d35e]),
-    ("hair-flower", [0xf4d35e, 0xd8263c, 0x2f6a34, 0x6d0f20]),
-    ("uliuli", [0xc8102e, 0xf2c230, 0x3e7a2c, 0x7a4a22]),
-    ("puili", [0xd8b878, 0xf2dfae, 0x3e7a2c, 0x8a6a3a]),
-    ("ipu", [0x9c6a3a, 0xe0b060, 0x3e7a2c, 0x5c3616]),
-];
-
 /// What a template is made in as the program has it.
-fn natural(id: &str) -> PrintChoice {
+fn made_in(template: &Template) -> PrintChoice {
     let usual = plain("red");
-    let Some((_, colors)) = NATURAL.iter().find(|(named, _)| *named == id) else {
+    let Some(colors) = template.natural else {
         return usual;
     };
     let [ground, flower, leaf, shadow] = colors.map(|hex| {

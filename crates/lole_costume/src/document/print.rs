@@ -215,17 +215,6 @@ fn whole(pixels: f64) -> u32 {
 }
 
 impl Design {
-    /// One repeat of everything that is worn, from the skin outward (see [`PrintChoice::image`]).
-    ///
-    /// # Errors
-    /// A picture that was not read.
-    pub fn worn_print_images(&self, side: u32) -> Result<Vec<PrintImage>, PrintError> {
-        let widths = (self.worn(&self.fabric, GarmentDesign::fabric)).map(FabricDesign::width);
-        (self.worn_prints().into_iter().zip(widths))
-            .map(|(print, width)| print.image(side, width))
-            .collect()
-    }
-
     /// One repeat of everything that is cut, in the order of
     /// [`drafts_of`](crate::tailoring::drafts_of) (see [`PrintChoice::image`]).
     ///

@@ -1,8 +1,8 @@
 //! Garments of the table of templates in a document: their options are keys, read, checked and written
 //! by the rows of [`OptionRow`], so that a new template needs no line here.
 
+use lole_garment::template::{OptionKind, OptionRow, Options, Template};
 use lole_language::{Sentence, Words, words};
-use lole_pattern::template::{OptionKind, OptionRow, Options, Template};
 use toml::de::DeValue;
 
 use super::parse::{number, type_name, whole_number};
@@ -127,7 +127,7 @@ pub(super) fn lines<'a>(
         let about = row.about;
         let names: Vec<String> = match row.kind {
             OptionKind::Choice(choices) => {
-                let name = |choice: &lole_pattern::template::Choice| {
+                let name = |choice: &lole_garment::template::Choice| {
                     format!(
                         "{}: {}, {}",
                         choice.id, choice.name.japanese, choice.name.english

@@ -7,7 +7,7 @@ use lole_body::TapePoint;
 use lole_cloth::{Flounce, Grid};
 use lole_geom::trig;
 
-use crate::wave;
+use lole_garment::wave;
 
 /// Particles of a gather: with fewer it is a cog.
 const GATHER_COLUMNS: u32 = 8;

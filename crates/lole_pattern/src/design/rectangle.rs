@@ -73,7 +73,8 @@ impl PauDraft {
     }
 
     /// The same with what is sewn onto it before the elastics are drawn in.
-    pub(crate) fn pattern_with(&self, name: Words, sewn: Option<Sewn>) -> Pattern {
+    #[must_use]
+    pub fn pattern_with(&self, name: Words, sewn: Option<Sewn>) -> Pattern {
         Pattern {
             pieces: vec![self.piece(name)],
             seams: vec![closing_seam()],

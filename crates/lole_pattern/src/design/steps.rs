@@ -21,14 +21,14 @@ const CLOSING: usize = 0;
 
 /// What is sewn onto a skirt before its elastics are drawn in, and what that changes of its own steps.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(crate) struct Sewn {
+pub struct Sewn {
     /// The steps.
-    pub(crate) steps: Vec<Step>,
+    pub steps: Vec<Step>,
     /// Where on the skirt it is sewn, below the raw upper edge; its mark is the last of the piece. `None`
     /// where it is sewn to the lower edge, which is not hemmed then.
-    pub(crate) placement: Option<Length>,
+    pub placement: Option<Length>,
     /// How far it reaches below the lower edge of the skirt.
-    pub(crate) below: Length,
+    pub below: Length,
 }
 
 /// The steps of a draft, in order, with what else is sewn on.

@@ -3,6 +3,7 @@
 use super::*;
 use lole_body::DanceStep;
 use lole_costume::document::{MethodName, parse};
+use lole_garment::dress::Division;
 use std::sync::LazyLock;
 
 /// A coarse skirt, so that a test is quick.
@@ -152,13 +153,14 @@ fn a_lei_before_a_garment_in_the_list_leaves_each_its_place() {
     let mut design = design();
     design.garments = vec![listed("kihei")];
     let mut show = Show::new(&design).unwrap();
-    let before = show.dressed_vertices();
+    let cloth = |show: &Show| show.surfaces()[..2].to_vec();
+    let before = cloth(&show);
     design.garments.insert(0, listed("lei"));
     assert_eq!(show.wish(&design).unwrap(), Wish::Granted);
     let production = show.production();
     assert_eq!(production.design.garments, design.garments);
     assert_eq!(production.dressed[0].listed, 1);
-    assert_eq!(show.dressed_vertices(), before);
+    assert_eq!(cloth(&show), before);
 }
 
 #[test]
@@ -210,6 +212,38 @@ fn cloth_follows_the_hand_that_holds_it_and_hangs_again_when_let_go() {
         show.advance().unwrap();
     }
     assert!(0.1 < at(&show).distance(hand));
+}
+
+/// What is sewn from shaped pieces is held as the skirt is, and let go of.
+#[test]
+fn a_dress_follows_the_hand_that_holds_it_and_hangs_again_when_let_go() {
+    let mut design = Design::default();
+    design.skirt.is_worn = false;
+    design.garments = vec![listed("muumuu")];
+    let production = Production::divided(&design, Division::Half).unwrap();
+    let mut show = Show::of(production).unwrap();
+    show.settle().unwrap();
+    let lowest = |show: &Show| {
+        let all = (0_u32..).zip(show.particles());
+        all.min_by(|a, b| a.1.y.total_cmp(&b.1.y)).unwrap().0
+    };
+    let particle = lowest(&show);
+    let at = |show: &Show| show.particles()[particle as usize];
+    let hand = at(&show) + Vec3::new(0.0, 0.20, 0.0);
+    show.pull(Some(Pull { particle, hand })).unwrap();
+    for _ in 0..40 {
+        show.advance().unwrap();
+    }
+    assert!(at(&show).distance(hand) < 1e-3, "{}", at(&show) - hand);
+    let strained = show.strain();
+    assert_eq!(strained.len(), show.particles().len());
+    assert!(strained.iter().all(|strain| strain.is_finite()));
+    show.pull(None).unwrap();
+    for _ in 0..40 {
+        show.advance().unwrap();
+    }
+    assert!(0.1 < at(&show).distance(hand));
+    assert!(0.0 < show.vitals().potential_energy, "a dress has weight");
 }
 
 #[test]

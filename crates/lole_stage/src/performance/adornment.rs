@@ -5,7 +5,7 @@
 use glam::{Affine3A, Vec3};
 use lole_body::Pose;
 use lole_cloth::strands::{self, Ring, StrandConfig, StrandInput, StrandModel, StrandState};
-use lole_costume::adorn::{self, Frame, HangingStrands};
+use lole_garment::adorn::{self, Frame, HangingStrands};
 use lole_geom::Surfel;
 use lole_geom::mesh::vertex_normals;
 

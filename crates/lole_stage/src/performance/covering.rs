@@ -1,7 +1,7 @@
 //! Which piece of a dressed garment lies outside where pieces overlap, through a dance.
 
 use lole_costume::document::GarmentDesign;
-use lole_costume::dress::{Layers, PieceOver};
+use lole_garment::dress::{Layers, PieceOver};
 use lole_language::Words;
 
 use super::Performance;

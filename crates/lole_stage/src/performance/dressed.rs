@@ -6,11 +6,12 @@
 use glam::{Affine3A, Vec3};
 use lole_cloth::collision::layer::{Envelope, Trunk};
 use lole_costume::document::GarmentLayer;
-use lole_costume::dress::{Body, DressedState, Layers, World};
+use lole_garment::dress::{Body, DressedState, Layers, World};
 use lole_geom::Surfel;
 
 use super::order::{self, GAP};
-use super::{FRAME_SECONDS, Performance};
+use super::{FRAME_SECONDS, Performance, held_in};
+use crate::StageError;
 use crate::production::{DressedGarment, Garment};
 use crate::skin_check::{self, SkinCheck};
 use crate::solver::CONTACT_OFFSET;
@@ -24,6 +25,8 @@ const SETTLING: f32 = 0.9;
 pub(super) struct Dressed {
     state: DressedState,
     positions: Vec<Vec3>,
+    /// The garment with what a hand holds of it; `None` where none does.
+    held: Option<Box<lole_garment::dress::Dressed>>,
     /// What lies inside of it, looked at anew in every frame.
     envelope: Envelope,
     surfels: Vec<Surfel>,
@@ -42,6 +45,8 @@ pub(super) struct Around<'a> {
     pub(super) skin: &'a [Surfel],
     pub(super) air_velocity: Vec3,
     pub(super) is_settling: bool,
+    /// What a hand holds, by the numbers of all cloth, and where [m].
+    pub(super) held: &'a [(u32, Vec3)],
 }
 
 impl Dressed {
@@ -54,10 +59,27 @@ impl Dressed {
         Self {
             state: garment.dressed.state(),
             positions: garment.dressed.start.clone(),
+            held: None,
             envelope: Envelope::default(),
             surfels: Vec::new(),
             is_lost: false,
         }
+    }
+
+    /// Lets a hand hold these particles of it, by their numbers in it, and no others.
+    pub(super) fn hold(
+        &mut self,
+        garment: &DressedGarment,
+        particles: &[u32],
+    ) -> Result<(), StageError> {
+        if particles.is_empty() && self.held.is_none() {
+            return Ok(());
+        }
+        let now = self.held.as_deref().unwrap_or(&garment.dressed);
+        let next = garment.dressed.held(particles)?;
+        self.state = self.state.passed_on(now, &next);
+        self.held = (!particles.is_empty()).then(|| Box::new(next));
+        Ok(())
     }
 
     /// Moves it on by a frame over what is worn inside of it: triangles and where they are.
@@ -77,14 +99,17 @@ impl Dressed {
             let inset = CONTACT_OFFSET - GAP;
             self.envelope.add_surfels(inset, &mut self.surfels);
         }
+        let held = held_in(&garment.particles, around.held);
         let world = World {
+            held: &held,
             skin: around.body,
             surfels: &self.surfels,
             world_from_bind: around.world_from_bind,
             air_velocity: around.air_velocity,
             floor: Vec3::ZERO,
         };
-        let moved = self.state.step(&garment.dressed, &world, FRAME_SECONDS);
+        let sewn = self.held.as_deref().unwrap_or(&garment.dressed);
+        let moved = self.state.step(sewn, &world, FRAME_SECONDS);
         self.is_lost |= moved.is_err();
         if around.is_settling {
             self.state.scale_velocities(&garment.dressed, SETTLING);

@@ -4,7 +4,7 @@ use glam::{Affine3A, Vec3};
 use lole_body::{Bone, Skeleton};
 use lole_cloth::collision::layer::{Envelope, Layer, Trunk};
 use lole_cloth::diagnose;
-pub(super) use lole_costume::dress::LAYER_GAP as GAP;
+pub(super) use lole_garment::dress::LAYER_GAP as GAP;
 use lole_geom::Surfel;
 use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 

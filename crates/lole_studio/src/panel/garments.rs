@@ -3,9 +3,8 @@
 
 use eframe::egui::{self, RichText, Ui};
 use lole_costume::document::{Design, GarmentDesign, GarmentLayer, WornSkirt, WornTop};
+use lole_garment::{Shelf, Template};
 use lole_language::{Language, Words};
-use lole_pattern::Template;
-use lole_pattern::template::SHELVES;
 
 use super::garment::{
     SKIRT_HEMS, TOP_HEMS, fabric_ui, gather_ui, hem_ui, paper_ui, print_ui, width_ui,
@@ -215,11 +214,13 @@ fn shelf(ui: &mut Ui, studio: &mut Studio) {
     let danced = (studio.design().garments.iter()).filter(|garment| garment.is_danced());
     let is_full = MOST <= danced.count();
     let mut chosen = None;
-    for shelf in SHELVES {
-        let name = RichText::new(studio.say(shelf.name)).strong();
+    for shelf in Shelf::ALL {
+        let name = RichText::new(studio.say(shelf.name())).strong();
         ui.label(name.color(look::RED));
-        let templates = shelf.ids.iter().filter_map(|id| Template::of_id(id));
-        for (template, name, garment) in templates.flat_map(|it| entries(studio.design(), it)) {
+        for (template, name, garment) in shelf
+            .templates()
+            .flat_map(|it| entries(studio.design(), it))
+        {
             let is_open = !(is_full && garment.is_danced());
             let clicked = ui
                 .add_enabled_ui(is_open, |ui| entry(ui, studio, template, name))
@@ -242,7 +243,7 @@ fn shelf(ui: &mut Ui, studio: &mut Studio) {
 fn entry(ui: &mut Ui, studio: &Studio, template: &Template, name: Words) -> bool {
     ui.horizontal(|ui| {
         let (_, rect) = ui.allocate_space(egui::Vec2::splat(SKETCH));
-        sketch::draw(ui.painter(), rect, template.id);
+        sketch::draw(ui.painter(), rect, template.sketch);
         ui.vertical(|ui| {
             ui.spacing_mut().item_spacing.y = 2.0;
             let clicked = wide_button(ui, &capitalized(studio.say(name)));

@@ -2,7 +2,7 @@
 
 use eframe::egui::{RichText, Ui};
 use lole_costume::document::WornTemplate;
-use lole_pattern::template::{OptionKind, OptionRow};
+use lole_garment::template::{OptionKind, OptionRow};
 
 use super::hindrance;
 use super::knob::{Knob, Scale, choice, list};
@@ -159,7 +159,7 @@ pub(super) fn capitalized(words: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use lole_pattern::TEMPLATES;
+    use lole_garment::TEMPLATES;
 
     use super::*;
 

@@ -9,7 +9,7 @@ use lole_cloth::Crossings;
 use lole_costume::document::{Design, Uncrossed};
 use lole_language::Sentence;
 use lole_picture::Moment;
-use lole_stage::{Garment, Show, Wish};
+use lole_stage::{Show, Vertices, Wish};
 
 use super::pace::Pace;
 use super::repair::Repair;
@@ -211,8 +211,7 @@ impl Stagehand {
             self.sew(design);
             return;
         };
-        let prints_anew = show.design().worn_prints() != design.worn_prints()
-            || show.design().dressed_prints() != design.dressed_prints();
+        let prints_anew = !show.design().prints().eq(design.prints());
         let before = (show.design().clone(), show.production());
         match show.wish(&design) {
             Ok(Wish::Resew) => self.sew(design),
@@ -379,31 +378,14 @@ pub(crate) fn first_moment(design: &Design) -> Result<Snapshot, Sentence> {
 /// The show as it stands.
 fn photograph(show: &Show, clothes: &Arc<Wardrobe>, watch: Watch) -> Snapshot {
     let production = &clothes.production;
-    let particles = show.cloth_positions().to_vec();
-    let pressed = show.pressed_positions();
-    let draped = |garment: &Garment| {
-        let own = &pressed[garment.particles.clone()];
-        garment.mesh.vertices(own)
-    };
-    let cloths = production.garments.iter().map(draped).collect();
-    let (mut body_positions, mut body_normals) = (Vec::new(), Vec::new());
-    (production.dancer.skin).pose(
-        show.world_from_bind(),
-        &mut body_positions,
-        &mut body_normals,
-    );
-    let dressed = show.dressed_vertices();
-    lole_stage::give_way(production, &dressed, (&mut body_positions, &body_normals));
+    let mut body = Vertices::default();
+    let [positions, normals] = &mut body;
+    (production.dancer.skin).pose(show.world_from_bind(), positions, normals);
     Snapshot {
         wardrobe: Arc::clone(clothes),
         time: show.time(),
-        particles,
-        moment: Moment {
-            cloths,
-            dressed,
-            adornments: show.posed_adornments(),
-            body: [body_positions, body_normals],
-        },
+        particles: show.particles().to_vec(),
+        moment: Moment::new(production, show.surfaces(), body),
         capsules: show.capsules().to_vec(),
         bones: show.bones(),
         strain: if watch.strain {

@@ -1,7 +1,7 @@
 //! The keys of garments that are worn with the skirt, by kind: a row of [`KINDS`] for each.
 
+use lole_garment::TEMPLATES;
 use lole_language::{Words, words};
-use lole_pattern::TEMPLATES;
 
 use super::tables::MAX_SEED;
 use super::{Key, Kind, Table};

@@ -1,0 +1,392 @@
+//! Files: designs and what they name are read, results are written, and nothing half-written takes a file's
+//! place.
+//!
+//! The crate knows no window and draws nothing; what goes wrong is one sentence that names the file.
+
+use std::collections::BTreeMap;
+use std::fs::{self, File};
+use std::io::{self, Write as _};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use lole_costume::document::{self, Design, LinkedFile};
+use lole_costume::print::Picture;
+use lole_language::{Bilingual as _, Sentence};
+
+/// A design larger than this [byte] is some other file; it is not even read.
+const LARGEST_FILE: u64 = 16 << 20;
+/// A recording or an avatar larger than this [byte] is not read: half an hour of a hundred joints
+/// has a third.
+const LARGEST_LINKED: u64 = 512 << 20;
+/// Pictures of one folder that are counted before giving up.
+const MOST_PICTURES: u32 = 10_000;
+
+/// Reads the bytes of a design, if the file is small enough to be one.
+///
+/// # Errors
+/// One sentence that names the file.
+pub fn read_document(path: &Path) -> Result<Vec<u8>, Sentence> {
+    let name = path.display();
+    let unreadable = |_| {
+        Sentence::new(
+            format!("{name}: ファイルが読めません。場所と名前を確かめてください"),
+            format!("{name}: the file cannot be read; check the path"),
+        )
+    };
+    let size = fs::metadata(path).map_err(unreadable)?.len();
+    if LARGEST_FILE < size {
+        let megabytes = size >> 20;
+        return Err(Sentence::new(
+            format!(
+                "{name}: {megabytes} MB もあり、デザインではありません。.lole のファイルを選んでください"
+            ),
+            format!("{name}: the file has {megabytes} MB and is no design; choose a .lole file"),
+        ));
+    }
+    fs::read(path).map_err(unreadable)
+}
+
+/// Reads a design.
+///
+/// # Errors
+/// One sentence that names the file and, where there is one, the line.
+pub fn read_design(path: &Path) -> Result<Design, Sentence> {
+    let bytes = read_document(path)?;
+    let name = path.display().to_string();
+    let mut design = document::parse_bytes(&bytes, &name).map_err(|error| Sentence::of(&error))?;
+    read_linked_files(&mut design, path)?;
+    Ok(design)
+}
+
+/// Reads the avatar, the recording and the pictures of prints that a design names, if it names any;
+/// their places are from `document` on.
+///
+/// # Errors
+/// One sentence that names the file.
+pub fn read_linked_files(design: &mut Design, document: &Path) -> Result<(), Sentence> {
+    let avatar = (&mut design.dancer.file, "[dancer] file");
+    let recording = (&mut design.motion.file, "[motion] file");
+    for (file, key) in [avatar, recording] {
+        if let Some(file) = file {
+            file.bytes = Some(read_linked(&document.with_file_name(&file.name), key)?);
+        }
+    }
+    for (number, print) in design.prints_mut().enumerate() {
+        let key = if number == 0 {
+            "[print] file"
+        } else {
+            "[garment.print] file"
+        };
+        if let Some(file) = &mut print.file {
+            let path = document.with_file_name(&file.name);
+            file.picture = Some(read_picture(&path, key)?);
+        }
+    }
+    Ok(())
+}
+
+/// Names the files of a design by their whole paths, so that a design that is written elsewhere than
+/// at `document` finds them too.
+pub fn name_linked_files(design: &mut Design, document: &Path) {
+    let whole = |name: &mut String| {
+        *name = recording_name(&document.with_file_name(&*name), None);
+    };
+    let files = [&mut design.dancer.file, &mut design.motion.file];
+    for file in files.into_iter().flatten() {
+        whole(&mut file.name);
+    }
+    for print in design.prints_mut() {
+        if let Some(file) = &mut print.file {
+            whole(&mut file.name);
+        }
+    }
+}
+
+/// A file for a design, named by its whole path, so that a design that is written elsewhere finds it
+/// too; sentences say that `key` named it.
+///
+/// # Errors
+/// One sentence that names the file.
+pub fn linked_file(path: &Path, key: &str) -> Result<LinkedFile, Sentence> {
+    Ok(LinkedFile {
+        bytes: Some(read_linked(path, key)?),
+        name: recording_name(path, None),
+    })
+}
+
+/// Reads a picture that a design names under `key`.
+///
+/// # Errors
+/// One sentence that names the file.
+pub fn read_picture(path: &Path, key: &str) -> Result<Arc<Picture>, Sentence> {
+    let bytes = read_linked(path, key)?;
+    let picture = Picture::read(&bytes).map_err(|error| {
+        let name = path.display();
+        Sentence::new(
+            format!("{name}: {}", error.japanese()),
+            format!("{name}: {error}"),
+        )
+    })?;
+    Ok(Arc::new(picture))
+}
+
+/// Reads the bytes of a file that a design names under `key`.
+///
+/// # Errors
+/// One sentence that names the file.
+pub fn read_linked(path: &Path, key: &str) -> Result<Arc<[u8]>, Sentence> {
+    let bytes = read_alone(path, key)?;
+    Ok(with_neighbors(bytes, path)?.into())
+}
+
+/// A `.gltf` with the data and pictures that lie in files beside it, as one file; any other file as it
+/// is. A picture that is missing leaves its plain color; missing data is what the reader complains of.
+///
+/// # Errors
+/// One sentence: an address outside the folder, or a file that is too large.
+pub fn with_neighbors(bytes: Vec<u8>, path: &Path) -> Result<Vec<u8>, Sentence> {
+    let said = |sentence: Sentence| {
+        let name = path.display();
+        Sentence::new(
+            format!("{name}: {}", sentence.japanese),
+            format!("{name}: {}", sentence.english),
+        )
+    };
+    let names = lole_avatar::neighbors(&bytes).map_err(|error| said(Sentence::of(&error)))?;
+    let mut found = BTreeMap::new();
+    for name in names {
+        let beside = path.with_file_name(&name);
+        if is_inside(&beside, path) {
+            found.insert(name, read_alone(&beside, "uri")?);
+        }
+    }
+    let gathered = lole_avatar::gathered(&bytes, |name| found.get(name).cloned());
+    Ok(gathered.unwrap_or(bytes))
+}
+
+/// Whether a file is there, in the folder of another or below it: links that lead out of it count as
+/// missing.
+fn is_inside(file: &Path, other: &Path) -> bool {
+    let whole = |path: &Path| fs::canonicalize(path).ok();
+    let folder = whole(other).and_then(|path| path.parent().map(Path::to_owned));
+    match (whole(file), folder) {
+        (Some(file), Some(folder)) => file.starts_with(folder) && file.is_file(),
+        _ => false,
+    }
+}
+
+fn read_alone(path: &Path, key: &str) -> Result<Vec<u8>, Sentence> {
+    let name = path.display();
+    let unreadable = |_| {
+        Sentence::new(
+            format!("{name}: ファイルが読めません。{key} の場所と名前を確かめてください"),
+            format!("{name}: the file cannot be read; check the place in {key}"),
+        )
+    };
+    let size = fs::metadata(path).map_err(unreadable)?.len();
+    if LARGEST_LINKED < size {
+        let (megabytes, limit) = (size >> 20, LARGEST_LINKED >> 20);
+        return Err(Sentence::new(
+            format!("{name}: {megabytes} MB あります。{limit} MB までにしてください"),
+            format!("{name}: the file has {megabytes} MB; make it {limit} MB at most"),
+        ));
+    }
+    fs::read(path).map_err(unreadable)
+}
+
+/// How a recording is named in a design at `document`: from there where it lies beside or below it,
+/// else by its whole path.
+pub fn recording_name(recording: &Path, document: Option<&Path>) -> String {
+    let whole = fs::canonicalize(recording).unwrap_or_else(|_| recording.to_owned());
+    let folder = document.and_then(|path| {
+        let folder = path.parent()?;
+        let here = folder.as_os_str().is_empty();
+        fs::canonicalize(if here { Path::new(".") } else { folder }).ok()
+    });
+    let near = folder.and_then(|folder| whole.strip_prefix(folder).ok().map(Path::to_owned));
+    near.unwrap_or(whole).to_string_lossy().into_owned()
+}
+
+/// Writes a design; until all of it is safe, the file stays as it was.
+///
+/// # Errors
+/// One sentence that names the file.
+pub fn write_design(path: &Path, design: &Design) -> Result<(), Sentence> {
+    write_whole(path, document::to_toml(design).as_bytes())
+}
+
+/// The first free name of a picture in `folder`: `lole-1.png` and so on.
+#[must_use]
+pub fn free_picture(folder: &Path) -> PathBuf {
+    let free = (1..MOST_PICTURES)
+        .map(|number| folder.join(format!("lole-{number}.png")))
+        .find(|path| !path.exists());
+    free.unwrap_or_else(|| folder.join("lole.png"))
+}
+
+/// Writes beside the file, then takes its place in one move.
+///
+/// # Errors
+/// One sentence that names the file.
+pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Sentence> {
+    let beside = beside(path);
+    let written = write_and_move(&beside, path, bytes);
+    if written.is_err() {
+        // It may never have come to be.
+        drop(fs::remove_file(&beside));
+    }
+    written.map_err(|error| cannot_write(path, &error))
+}
+
+/// Fills a folder, all of it or nothing; files of an earlier run are replaced.
+///
+/// # Errors
+/// One sentence that names the file.
+pub fn write_folder(folder: &Path, files: &[(String, Vec<u8>)]) -> Result<(), Sentence> {
+    let is_new = !folder.exists();
+    let name = folder.display();
+    fs::create_dir_all(folder).map_err(|_| {
+        Sentence::new(
+            format!("{name}: このフォルダーには書けません。別のフォルダーを選んでください"),
+            format!("{name}: the folder cannot be written; choose another"),
+        )
+    })?;
+    let unfinished = |name: &str| beside(&folder.join(name));
+    let mut failed = None;
+    for (name, bytes) in files {
+        let path = folder.join(name);
+        let written = File::create(unfinished(name)).and_then(|mut file| {
+            file.write_all(bytes)?;
+            file.sync_all()
+        });
+        if let Err(error) = written {
+            failed = Some(cannot_write(&path, &error));
+            break;
+        }
+    }
+    if failed.is_none() {
+        for (name, _) in files {
+            let path = folder.join(name);
+            if let Err(error) = fs::rename(unfinished(name), &path) {
+                failed = Some(cannot_write(&path, &error));
+                break;
+            }
+        }
+    }
+    let Some(sentence) = failed else {
+        return Ok(());
+    };
+    for (name, _) in files {
+        // It may never have come to be.
+        drop(fs::remove_file(unfinished(name)));
+    }
+    if is_new {
+        drop(fs::remove_dir(folder));
+    }
+    Err(sentence)
+}
+
+fn cannot_write(path: &Path, error: &io::Error) -> Sentence {
+    let name = path.display();
+    Sentence::new(
+        format!("{name}: 書き込めません（{error}）。場所と空きを確かめてください"),
+        format!("{name}: cannot be written ({error}); check the folder and the free space"),
+    )
+}
+
+fn write_and_move(beside: &Path, path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let mut file = File::create(beside)?;
+    file.write_all(bytes)?;
+    file.sync_all()?;
+    drop(file);
+    fs::rename(beside, path)
+}
+
+/// A name in the same folder, so that moving is one step, and of this process alone.
+fn beside(path: &Path) -> PathBuf {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    path.with_file_name(format!(".{name}.{}.part", std::process::id()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn folder(name: &str) -> PathBuf {
+        let folder = std::env::temp_dir().join(format!("lole-files-{name}-{}", std::process::id()));
+        fs::create_dir_all(&folder).unwrap();
+        folder
+    }
+
+    #[test]
+    fn a_saved_design_opens_as_it_was_and_leaves_nothing_beside() {
+        let folder = folder("save");
+        let path = folder.join("ハウ.lole");
+        let mut design = Design::default();
+        design.motion.tempo_bpm = 92.5;
+        write_design(&path, &design).unwrap();
+        design.skirt.hem_height_cm = 30.0;
+        write_design(&path, &design).unwrap();
+        assert_eq!(read_design(&path).unwrap(), design);
+        assert_eq!(fs::read_dir(&folder).unwrap().count(), 1);
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn pictures_of_prints_are_read_from_beside_the_design_or_refused_by_name() {
+        let folder = folder("print");
+        let path = folder.join("mine.lole");
+        let text = "lole = 1\n[print]\nfile = \"cloth.svg\"\n[[garment]]\nkind = \"pau-top\"\n\
+                    [garment.print]\nfile = \"top.svg\"\n";
+        fs::write(&path, text).unwrap();
+        let sentence = read_design(&path).unwrap_err();
+        assert!(sentence.english.contains("cloth.svg"), "{sentence}");
+        assert!(sentence.english.contains("[print] file"), "{sentence}");
+        let svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"4\" height=\"2\"/>";
+        fs::write(folder.join("cloth.svg"), svg).unwrap();
+        fs::write(folder.join("top.svg"), "GIF89a").unwrap();
+        let sentence = read_design(&path).unwrap_err();
+        assert!(
+            sentence.english.contains("top.svg: this is GIF"),
+            "{sentence}"
+        );
+        fs::write(folder.join("top.svg"), svg).unwrap();
+        let mut design = read_design(&path).unwrap();
+        let read = design.prints_mut().filter_map(|print| print.file.as_ref());
+        assert_eq!(read.filter(|file| file.picture.is_some()).count(), 2);
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn what_cannot_be_written_leaves_what_was_there() {
+        let folder = folder("keep");
+        // A folder of that name cannot be replaced by a file.
+        let path = folder.join("taken.lole");
+        fs::create_dir_all(path.join("inside")).unwrap();
+        let sentence = write_design(&path, &Design::default()).unwrap_err();
+        assert!(sentence.english.contains("taken.lole"));
+        assert!(path.join("inside").exists());
+        assert_eq!(fs::read_dir(&folder).unwrap().count(), 1);
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn a_bad_document_is_one_sentence_with_its_line() {
+        let folder = folder("bad");
+        let path = folder.join("bad.lole");
+        fs::write(&path, "lole = 1\n[skirt]\nhem_hight_cm = 20\n").unwrap();
+        let sentence = read_design(&path).unwrap_err();
+        assert!(sentence.english.contains("bad.lole:3"), "{sentence}");
+        assert!(read_design(&folder.join("none.lole")).is_err());
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn pictures_do_not_overwrite_each_other() {
+        let folder = folder("pictures");
+        let first = free_picture(&folder);
+        write_whole(&first, &[1]).unwrap();
+        assert_ne!(free_picture(&folder), first);
+        fs::remove_dir_all(folder).unwrap();
+    }
+}

@@ -1,0 +1,188 @@
+//! Steps, seams, notions and times that garments share.
+//!
+//! Times are estimates by the kind of work and its length, from the table in [`super::work`].
+
+use lole_geom::Length;
+use lole_language::{Sentence, Words, words};
+
+use super::work::{self, Work};
+use lole_pattern::pattern::{
+    Amount, Figure, Notion, NotionKind, Pattern, Seam, SeamKind, SeamSide, Step,
+};
+use lole_pattern::piece::{Finish, Piece};
+
+/// Sewing thread over stitched length of a lockstitch, both threads and waste included.
+const THREAD_PER_STITCH: f64 = 3.0;
+
+/// A sentence in both languages from two format strings, Japanese first.
+macro_rules! say {
+    ($japanese:literal, $english:literal) => {
+        lole_language::Sentence::new(format!($japanese), format!($english))
+    };
+}
+pub(crate) use say;
+
+/// Meters as centimeters, for a sentence.
+pub(crate) fn cm(meters: f64) -> String {
+    let tenths = (meters * 1000.0).round() / 10.0;
+    format!("{tenths}")
+}
+
+/// The next whole number.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "counts of things on a body: hundreds"
+)]
+pub(crate) fn whole(count: f64) -> u32 {
+    (count - 1.0e-9).ceil().clamp(0.0, 1.0e6) as u32
+}
+
+/// Time of steps that are no work, such as putting it on.
+pub(crate) const NO_WORK: [f64; 2] = [0.0, 0.0];
+
+/// Time for rows of stitches of this length [m].
+pub(crate) fn stitching(meters: f64) -> [f64; 2] {
+    work::minutes(&[(Work::Row, meters)])
+}
+
+/// A step.
+pub(crate) const fn step(title: Words, by_machine: Sentence, minutes: [f64; 2]) -> Step {
+    Step {
+        title,
+        by_machine,
+        by_hand: None,
+        figure: Figure::None,
+        minutes,
+    }
+}
+
+/// A piece with some edges brought out.
+pub(crate) fn edges_of(piece: usize, edges: &[usize]) -> Figure {
+    Figure::Piece {
+        piece,
+        edges: edges.to_vec(),
+        marks: Vec::new(),
+    }
+}
+
+/// The hem of a piece in section.
+pub(crate) const fn hem_in_section(piece: usize) -> Figure {
+    let marks = Vec::new();
+    Figure::Section { piece, marks }
+}
+
+/// A whole edge of a piece, walked as it is drawn.
+pub(crate) const fn side(piece: usize, copy: u32, edge: usize) -> SeamSide {
+    SeamSide::whole(piece, copy, edge)
+}
+
+pub(crate) const fn plain(flat: SeamSide, full: SeamSide) -> Seam {
+    let kind = SeamKind::Plain;
+    Seam { flat, full, kind }
+}
+
+pub(crate) const fn gathered(flat: SeamSide, full: SeamSide) -> Seam {
+    let kind = SeamKind::Gathered;
+    Seam { flat, full, kind }
+}
+
+pub(crate) const fn eased(flat: SeamSide, full: SeamSide) -> Seam {
+    let kind = SeamKind::Eased;
+    Seam { flat, full, kind }
+}
+
+/// The seam on the wearer's left and the same one on her right.
+pub(crate) fn both_sides(seam: Seam) -> [Seam; 2] {
+    [0, 1].map(|copy| Seam {
+        flat: seam.flat.of_copy(copy),
+        full: seam.full.of_copy(copy),
+        kind: seam.kind,
+    })
+}
+
+/// How far a hem is folded to the wrong side, first and then again [cm]: by halves where it is narrow.
+pub(crate) fn folds(hem: f64) -> [String; 2] {
+    let [turn, rest] = lole_pattern::piece::hem_turns(Length::from_m(hem));
+    [turn, rest].map(|fold| {
+        let hundredths = (fold.to_m() * 1.0e4).round() / 100.0;
+        format!("{hundredths}")
+    })
+}
+
+/// A notion.
+pub(crate) const fn notion(kind: NotionKind, name: Words, amount: Amount) -> Notion {
+    Notion {
+        kind,
+        name,
+        amount,
+        pieces: 1,
+        place: None,
+        note: None,
+    }
+}
+
+/// Elastic of `count` pieces of `cut` [m] each.
+pub(crate) fn elastic(name: Words, count: u32, cut: f64) -> Notion {
+    let each = cm(cut);
+    Notion {
+        pieces: count,
+        note: Some(say!("{each} cm を {count} 本", "{count} of {each} cm")),
+        ..notion(
+            NotionKind::Elastic,
+            name,
+            Amount::Length(Length::from_m(cut * f64::from(count))),
+        )
+    }
+}
+
+/// Edges of a piece that are sewn, as often as they are cut: once for stitching, and their allowance
+/// folded or neatened once more.
+fn stitched(piece: &Piece) -> f64 {
+    let halves = if piece.edges.iter().any(|edge| edge.finish == Finish::Fold) {
+        2.0
+    } else {
+        1.0
+    };
+    let edges = piece.edges.iter().map(|edge| match edge.finish {
+        // Half of the seam's own stitches, and neatening.
+        Finish::Seam => edge.length() * 1.5,
+        Finish::Hem => edge.length(),
+        Finish::Fold | Finish::Selvage | Finish::Raw => 0.0,
+    });
+    edges.sum::<f64>() * halves * f64::from(piece.cut.pieces())
+}
+
+/// Length of all stitches of these pieces [m], with two more rows along every gathered edge.
+pub(crate) fn stitches(pieces: &[Piece], seams: &[Seam]) -> f64 {
+    let gathers = (seams.iter())
+        .filter(|seam| seam.kind == SeamKind::Gathered)
+        .map(|seam| 2.0 * seam.full.length(pieces));
+    pieces.iter().map(stitched).sum::<f64>() + gathers.sum::<f64>()
+}
+
+/// A pattern, its thread counted from its own edges and seams.
+pub(crate) fn pattern(
+    pieces: Vec<Piece>,
+    seams: Vec<Seam>,
+    notions: Vec<Notion>,
+    steps: Vec<Step>,
+) -> Pattern {
+    let thread = stitches(&pieces, &seams) * THREAD_PER_STITCH;
+    let mut notions = notions;
+    if 0.0 < thread {
+        notions.push(notion(
+            NotionKind::Thread,
+            words("ミシン糸", "sewing thread"),
+            Amount::Length(Length::from_m(thread)),
+        ));
+    }
+    Pattern {
+        pieces,
+        seams,
+        drawn_in: Vec::new(),
+        notions,
+        steps,
+        warnings: Vec::new(),
+    }
+}

@@ -1,0 +1,317 @@
+//! Sleeves: a cap that is sewn to an armhole, exactly as long as that and its ease, or fuller and gathered.
+//!
+//! The cap is laid out as in Bunka's sleeve: its height is a share of the mean height of both shoulder
+//! points over the armhole, and each half is as wide as makes its curve as long as its half of the
+//! armhole. A puff is the same sleeve, slashed and spread: wider, and higher at the crown.
+//!
+//! The crown lies at `x = 0`; the front is towards `-x`; the underarm line is at `y = 0`.
+
+use kurbo::{PathSeg, Point, Vec2};
+use lole_language::words;
+
+use super::block::{Block, unfit};
+use super::shape::{CM, Label, at, back_notch, beside, curve, edge, length, line, marked, notch};
+use crate::drafting::making::{both_sides, eased, gathered, plain, side};
+use lole_pattern::pattern::{Seam, SeamKind};
+use lole_pattern::piece::{CutCount, Edge, Finish, LineKind, Piece};
+use lole_pattern::{DraftError, Measure, Measures};
+
+/// Edges of a sleeve, in their order.
+pub(crate) const HEM: usize = 0;
+pub(crate) const BACK_SIDE: usize = 1;
+pub(crate) const CAP: usize = 2;
+pub(crate) const FRONT_SIDE: usize = 3;
+
+/// What a sleeve is to be like, in meters.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct SleeveFit {
+    /// From the shoulder point down.
+    pub(crate) length: f64,
+    /// Width of the sleeve over the girth of the upper arm, at least.
+    pub(crate) arm_ease: f64,
+    /// Cap over armhole: 1.03 is eased, 1.5 is gathered.
+    pub(crate) cap_ratio: f64,
+    /// The crown of a gathered cap is raised by this.
+    pub(crate) crown_raised: f64,
+    /// Finished width of the lower edge; as wide as the sleeve when `None`.
+    pub(crate) hem_width: Option<f64>,
+    /// Cloth for the hem.
+    pub(crate) hem: f64,
+    /// Height of the cap over the height of the armhole.
+    pub(crate) cap_height: f64,
+}
+
+/// A sleeve, and how its cap lies in the armhole.
+#[derive(Debug, Clone)]
+pub(crate) struct Sleeve {
+    pub(crate) piece: Piece,
+    /// Where the crown lies along the cap, which begins at the back underarm.
+    pub(crate) crown: f64,
+    /// How the cap is sewn in.
+    pub(crate) kind: SeamKind,
+    /// Finished width of the lower edge [m].
+    pub(crate) hem_width: f64,
+}
+
+/// Allowance of sleeve seams [m].
+pub(crate) const SEAM: f64 = 1.0 * CM;
+/// Ratio up to which a cap is eased; fuller ones are gathered.
+const MOST_EASE: f64 = 1.06;
+
+impl Sleeve {
+    /// Length of its underarm seam [m].
+    pub(crate) fn underarm(&self) -> f64 {
+        self.piece.edges[BACK_SIDE].length()
+    }
+
+    /// A sleeve for the armholes of a block.
+    ///
+    /// # Errors
+    /// An arm that the armhole is too small for, or that is shorter than its sleeve's cap.
+    pub(crate) fn new(
+        measures: &Measures,
+        block: &Block,
+        fit: &SleeveFit,
+    ) -> Result<Self, DraftError> {
+        measures.check(&[
+            Measure::UpperArmGirth,
+            Measure::ArmLength,
+            Measure::WristGirth,
+        ])?;
+        let halves = [&block.back, &block.front];
+        let armholes = halves.map(|half| length(&half.armhole));
+        let depths = halves.map(|half| half.shoulder[0].y - half.underarm.y);
+        let depth = 0.5 * (depths[0] + depths[1]);
+        let wanted = measures.upper_arm_girth.to_m() + fit.arm_ease;
+        let (height, widths) = cap_of(armholes, depth * fit.cap_height, (wanted, fit.cap_ratio))
+            .ok_or_else(|| {
+                // The flattest cap is a line, as wide as the armhole is long.
+                let most = (armholes[0] + armholes[1]) * fit.cap_ratio - fit.arm_ease;
+                let least = Measure::UpperArmGirth.band_cm()[0] * CM;
+                let remedy = words(
+                    "。または身頃のゆとりを増やしてください",
+                    ", or give the bodice more ease",
+                );
+                unfit(
+                    Measure::UpperArmGirth,
+                    measures,
+                    [least, most * 0.97],
+                    remedy,
+                )
+            })?;
+        let below = fit.length - height;
+        if below < LEAST_BELOW {
+            let least = height + LEAST_BELOW;
+            let band = [least, Measure::ArmLength.band_cm()[1] * CM];
+            let remedy = words(
+                "。または袖を長くしてください",
+                ", or make the sleeve longer",
+            );
+            return Err(unfit(Measure::ArmLength, measures, band, remedy));
+        }
+        let raised = height + fit.crown_raised;
+        let widths = if fit.crown_raised == 0.0 {
+            widths
+        } else {
+            let of_side = |side: usize| {
+                width_for(raised, side, armholes[side] * fit.cap_ratio).unwrap_or(widths[side])
+            };
+            [of_side(0), of_side(1)]
+        };
+        Ok(Self::of_cap((raised, widths), -below, fit))
+    }
+
+    fn of_cap((height, widths): (f64, [f64; 2]), hem_y: f64, fit: &SleeveFit) -> Self {
+        let [back, front] = widths;
+        let cap = cap_curve(height, widths);
+        let crown = length(&cap[..2]) / length(&cap);
+        let hem_width = fit.hem_width.unwrap_or(back + front).min(back + front);
+        // Both sides come in alike, so that they stay equally long.
+        let inwards = 0.5 * (back + front - hem_width);
+        let [hem_front, hem_back] = [at(-front + inwards, hem_y), at(back - inwards, hem_y)];
+        let edges = vec![
+            edge("hem", vec![line(hem_front, hem_back)], Finish::Hem, fit.hem),
+            edge(
+                "back_side",
+                vec![line(hem_back, at(back, 0.0))],
+                Finish::Seam,
+                SEAM,
+            ),
+            edge("cap", cap, Finish::Seam, SEAM),
+            edge(
+                "front_side",
+                vec![line(at(-front, 0.0), hem_front)],
+                Finish::Seam,
+                SEAM,
+            ),
+        ];
+        let kind = if fit.cap_ratio <= 1.0 + 1.0e-9 {
+            SeamKind::Plain
+        } else if fit.cap_ratio <= MOST_EASE {
+            SeamKind::Eased
+        } else {
+            SeamKind::Gathered
+        };
+        let marks = cap_marks(&edges[CAP], crown, kind);
+        let label = Label::main("sleeve", words("袖", "sleeve"), CutCount::Pairs(1));
+        let mut piece = label.piece(edges, super::shape::DOWN, marks);
+        piece
+            .marks
+            .push(marked(LineKind::HemFold, &[hem_front, hem_back]));
+        Self {
+            piece,
+            crown,
+            kind,
+            hem_width,
+        }
+    }
+
+    /// Seams of both sleeves: the sides, then the caps. `armholes` names the back's and the front's
+    /// stretches of armhole from the underarm up: piece, edge, and the share of the whole armhole that
+    /// lies in each.
+    pub(crate) fn seams(&self, piece: usize, [back, front]: [&[ArmholePart]; 2]) -> Vec<Seam> {
+        let mut seams = Vec::new();
+        let sides = plain(side(piece, 0, BACK_SIDE), side(piece, 0, FRONT_SIDE).back());
+        seams.extend(both_sides(sides));
+        for (parts, [from, to]) in [(back, [0.0, self.crown]), (front, [1.0, self.crown])] {
+            let mut passed = 0.0;
+            for part in parts {
+                let along = |share: f64| from + (to - from) * share;
+                let full = side(piece, 0, CAP).between(along(passed), along(passed + part.share));
+                let flat = side(part.piece, 0, part.edge);
+                seams.extend(both_sides(match self.kind {
+                    SeamKind::Plain => plain(flat, full),
+                    SeamKind::Eased => eased(flat, full),
+                    SeamKind::Gathered => gathered(flat, full),
+                }));
+                passed += part.share;
+            }
+        }
+        seams
+    }
+}
+
+/// A stretch of an armhole that runs up from the underarm.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ArmholePart {
+    pub(crate) piece: usize,
+    pub(crate) edge: usize,
+    /// Of the whole half armhole.
+    pub(crate) share: f64,
+}
+
+/// Sleeve below the underarm line [m], at least.
+const LEAST_BELOW: f64 = 1.5 * CM;
+
+/// Notches: one in front, two at the back, one at the crown; gathers in between.
+fn cap_marks(cap: &Edge, crown: f64, kind: SeamKind) -> Vec<lole_pattern::piece::Mark> {
+    /// Where the notches lie on each half from the underarm up: below them the cap lies flat.
+    const NOTCH: f64 = 0.4;
+    let total = cap.length();
+    let at_back = NOTCH * crown * total;
+    let at_front = total - NOTCH * (1.0 - crown) * total;
+    let mut marks = vec![
+        back_notch(CAP, at_back),
+        notch(CAP, crown * total),
+        notch(CAP, at_front),
+    ];
+    if kind == SeamKind::Gathered {
+        marks.push(beside(
+            LineKind::Gather,
+            cap,
+            -0.4 * CM,
+            [at_back, at_front],
+        ));
+    }
+    marks
+}
+
+/// The highest cap up to `highest` whose halves are `ratio` times the armholes and together at least
+/// `wanted` wide, with the widths of back and front.
+fn cap_of(
+    armholes: [f64; 2],
+    highest: f64,
+    (wanted, ratio): (f64, f64),
+) -> Option<(f64, [f64; 2])> {
+    /// A cap lower than this [m] is none.
+    const LOWEST: f64 = 2.0 * CM;
+    const HALVINGS: u32 = 60;
+    let widths = |height: f64| -> Option<[f64; 2]> {
+        let back = width_for(height, 0, armholes[0] * ratio)?;
+        Some([back, width_for(height, 1, armholes[1] * ratio)?])
+    };
+    let is_wide = |height: f64| widths(height).is_some_and(|[back, front]| wanted <= back + front);
+    if is_wide(highest) {
+        return Some((highest, widths(highest)?));
+    }
+    if !is_wide(LOWEST) {
+        return None;
+    }
+    let (mut low, mut high) = (LOWEST, highest.max(LOWEST));
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        if is_wide(middle) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    Some((low, widths(low)?))
+}
+
+/// Width of one half of the cap (0 the back, 1 the front) whose curve has this length; `None` where
+/// the cap alone is higher.
+fn width_for(height: f64, half: usize, wanted: f64) -> Option<f64> {
+    const HALVINGS: u32 = 60;
+    let of_width = |width: f64| {
+        let curve = cap_curve(height, [width, width]);
+        let part = if half == 0 { &curve[..2] } else { &curve[2..] };
+        length(part)
+    };
+    let (mut low, mut high) = (0.25 * height, wanted);
+    if wanted < of_width(low) || of_width(high) < wanted {
+        return None;
+    }
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        if of_width(middle) < wanted {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    Some(0.5 * (low + high))
+}
+
+/// The cap from the back underarm over the crown to the front underarm: hollow below, round above,
+/// deeper hollowed in front, where the arm moves.
+fn cap_curve(height: f64, [back, front]: [f64; 2]) -> Vec<PathSeg> {
+    let crown = at(0.0, height);
+    let half = |sign: f64, width: f64, hollow: f64| -> [PathSeg; 2] {
+        let underarm = at(sign * width, 0.0);
+        // The curve crosses the straight line from underarm to crown in its lower half.
+        let crossing: Point = underarm.lerp(crown, 0.46);
+        let slope = Vec2::new(-sign * width * 0.34, height * 0.62);
+        let lower = curve(
+            underarm,
+            Vec2::new(-sign * hollow * width, 0.0),
+            slope * 0.36,
+            crossing,
+        );
+        let upper = curve(
+            crossing,
+            slope * 0.52,
+            Vec2::new(-sign * 0.40 * width, 0.0),
+            crown,
+        );
+        [lower, upper]
+    };
+    let [back_lower, back_upper] = half(1.0, back, 0.20);
+    let [front_lower, front_upper] = half(-1.0, front, 0.25);
+    vec![
+        back_lower,
+        back_upper,
+        front_upper.reverse(),
+        front_lower.reverse(),
+    ]
+}

@@ -1,0 +1,339 @@
+//! What a garment is: one file under `garment/` and one row of [`TEMPLATES`].
+//!
+//! The row says everything: how it is drafted, how it is worn, on which shelf it stands, in what colors it is
+//! made, how it is sketched. Its options are rows too. The document's keys, the forms of the window and the
+//! messages all read them, so that an option is written once.
+
+use std::num::NonZeroU32;
+
+use lole_language::{Words, words};
+use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements};
+use lole_pattern::{DraftError, Measures, Pattern};
+
+use crate::adorn::Make;
+use crate::dress::Way;
+use crate::garment;
+pub use crate::garment::pau_skirt::TEMPLATE as PAU_SKIRT;
+pub use crate::garment::pau_top::TEMPLATE as PAU_TOP;
+use crate::sketch::Sketch;
+
+/// Mass of a meter of raffia [kg]. Estimated.
+pub const RAFFIA_PER_METER: f64 = garment::raffia_skirt::MASS_PER_METER;
+
+/// A garment. Two are equal when their identifiers are.
+#[derive(Debug)]
+pub struct Template {
+    /// Identifier without diacritics, as typed in a document.
+    pub id: &'static str,
+    /// What it is called.
+    pub name: Words,
+    /// What it is, in one sentence.
+    pub about: Words,
+    /// Where it stands in a menu.
+    pub shelf: Shelf,
+    /// What the maker decides, in the order a form shows it.
+    pub options: &'static [OptionRow],
+    /// Drafts it.
+    pub draft: fn(&Measures, &Options) -> Result<Pattern, DraftError>,
+    /// How it is worn.
+    pub worn: Worn,
+    /// Opening of an elbow whose hand would press it on the chest, or go through it [°]: gathers are 2 to
+    /// 3 cm thick, the folds of a wrap more; 0 for what lies elsewhere.
+    pub chest_room_deg: f32,
+    /// Colors of ground, flower, leaf and shadow, as `0xRRGGBB`, of what is made of leaves, flowers, feathers
+    /// and wood: what each of them means is said where it is drawn. `None` of what is cut from cloth.
+    pub natural: Option<[u32; 4]>,
+    /// Draws it flat, as a maker sketches it from the front.
+    pub sketch: fn(&mut Sketch),
+}
+
+/// How a garment is worn.
+#[derive(Debug)]
+pub enum Worn {
+    /// Its cut has keys of its own in a design, which is drafted on the dancer herself.
+    OwnKeys,
+    /// As rectangles that are gathered around the hips.
+    Gathered(GatheredRow),
+    /// Its pieces are laid around her and sewn there.
+    Sewn(SewnRow),
+    /// Beside the cloth, or in her hands.
+    Beside(BesideRow),
+}
+
+/// A garment that is one gathered rectangle and at most a ruffle on it.
+#[derive(Debug)]
+pub struct GatheredRow {
+    /// How many rectangles are carried, with these options: two where a ruffle hangs over the first.
+    pub count: fn(&Options) -> usize,
+    /// The rectangle as it is worn.
+    pub draft: fn(&Measures, &Options) -> Result<Gathered, DraftError>,
+}
+
+/// A garment whose pieces are laid around the dancer and sewn there.
+#[derive(Debug)]
+pub struct SewnRow {
+    /// How its pieces lie.
+    pub way: Way,
+    /// Particles it is divided into, about.
+    pub particle_count: f64,
+    /// Substeps of a frame while it is worn, as usual and at most where it is strained: with few of them all
+    /// of it gives like knitwear.
+    pub substep_counts: [NonZeroU32; 2],
+}
+
+/// A garment that is worn beside the cloth, or held.
+#[derive(Debug)]
+pub struct BesideRow {
+    /// Makes its shapes, its strands and the hands that hold it.
+    pub make: Make,
+    /// Whether the flower of the dancer's hair gives way to it, with these options.
+    pub replaces_flower: fn(&Options) -> bool,
+}
+
+/// Substeps of what is sewn or tied to lie loosely.
+pub const MANY_SUBSTEPS: [NonZeroU32; 2] = [
+    NonZeroU32::MIN.saturating_add(47),
+    NonZeroU32::MIN.saturating_add(95),
+];
+/// Substeps of what is wound tightly: where an arm presses its edge there is no room for stiffer cloth.
+pub const FEW_SUBSTEPS: [NonZeroU32; 2] = [NonZeroU32::MIN.saturating_add(23); 2];
+
+/// A template that is one rectangle, gathered around the hips.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Gathered {
+    /// The rectangle on paper.
+    pub draft: PauDraft,
+    /// What was measured for it, and where it is worn.
+    pub worn: PauMeasurements,
+    /// Whether its side stays open, as of what is tied.
+    pub is_open: bool,
+    /// What is gathered once more and sewn to it.
+    pub ruffle: Option<WornRuffle>,
+}
+
+/// A ring of cloth that is gathered and sewn to a gathered rectangle.
+#[derive(Debug, Clone, PartialEq)]
+pub enum WornRuffle {
+    /// It hangs from the rectangle's lower edge.
+    Flounce(PauDraft),
+    /// It hangs over the rectangle, from just below the lowest elastic.
+    Layer {
+        /// The ruffle on paper, its upper edge as a row that is carried.
+        draft: PauDraft,
+        /// Where that edge is worn.
+        worn: PauMeasurements,
+    },
+}
+
+impl Template {
+    /// How many rectangles of it are gathered around the hips, one over the other, with these options;
+    /// 0 where it is sewn otherwise.
+    #[must_use]
+    pub fn gathered_count(&self, options: &Options) -> usize {
+        match &self.worn {
+            Worn::Gathered(row) => (row.count)(options),
+            Worn::OwnKeys => 1,
+            Worn::Sewn(_) | Worn::Beside(_) => 0,
+        }
+    }
+
+    /// Drafts it as what is gathered; `None` where it is not.
+    ///
+    /// # Errors
+    /// As for [`Self::draft`].
+    pub fn gathered(
+        &self,
+        measures: &Measures,
+        options: &Options,
+    ) -> Result<Option<Gathered>, DraftError> {
+        match &self.worn {
+            Worn::Gathered(row) => (row.draft)(measures, options).map(Some),
+            Worn::OwnKeys | Worn::Sewn(_) | Worn::Beside(_) => Ok(None),
+        }
+    }
+
+    /// Whether its pieces are laid around the dancer and sewn there.
+    #[must_use]
+    pub const fn is_sewn(&self) -> bool {
+        matches!(self.worn, Worn::Sewn(_))
+    }
+
+    /// Whether it is worn beside the cloth, or held.
+    #[must_use]
+    pub const fn is_adornment(&self) -> bool {
+        matches!(self.worn, Worn::Beside(_))
+    }
+}
+
+/// One thing the maker decides.
+#[derive(Debug)]
+pub struct OptionRow {
+    /// Key in a document, ending in its unit where it has one: `hem_height_cm`.
+    pub key: &'static str,
+    /// What it means.
+    pub about: Words,
+    /// What it takes.
+    pub kind: OptionKind,
+}
+
+/// What an option takes.
+#[derive(Debug)]
+pub enum OptionKind {
+    /// A number, in the unit of its key.
+    Number {
+        /// Smallest accepted number.
+        min: f64,
+        /// Largest accepted number.
+        max: f64,
+        /// What it is when nothing is said; `None` when that follows from the measures.
+        default: Option<f64>,
+    },
+    /// A whole number.
+    Count {
+        /// Smallest accepted number.
+        min: u32,
+        /// Largest accepted number.
+        max: u32,
+        /// What it is when nothing is said.
+        default: u32,
+    },
+    /// One of several; the first when nothing is said.
+    Choice(&'static [Choice]),
+}
+
+/// One of several ways.
+#[derive(Debug)]
+pub struct Choice {
+    /// Identifier in a document.
+    pub id: &'static str,
+    /// What it is called.
+    pub name: Words,
+}
+
+/// What was decided for one garment, one value for each option of its template.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Options {
+    values: Vec<Option<f64>>,
+}
+
+impl PartialEq for Template {
+    fn eq(&self, other: &Self) -> bool {
+        self.id == other.id
+    }
+}
+
+impl Eq for Template {}
+
+impl Template {
+    /// The template of this name.
+    #[must_use]
+    pub fn of_id(id: &str) -> Option<&'static Self> {
+        TEMPLATES.iter().find(|it| it.id == id).copied()
+    }
+
+    /// Where an option of this key stands among [`Template::options`].
+    #[must_use]
+    pub fn position(&self, key: &str) -> Option<usize> {
+        self.options.iter().position(|row| row.key == key)
+    }
+}
+
+impl Options {
+    /// Everything as the template has it.
+    #[must_use]
+    pub fn of(template: &Template) -> Self {
+        let default = |row: &OptionRow| match row.kind {
+            OptionKind::Number { default, .. } => default,
+            OptionKind::Count { default, .. } => Some(f64::from(default)),
+            OptionKind::Choice(_) => Some(0.0),
+        };
+        Self {
+            values: template.options.iter().map(default).collect(),
+        }
+    }
+
+    /// The value of an option: a number in its key's unit, a count, or the index of a choice. `None`
+    /// where it follows from the measures.
+    #[must_use]
+    pub fn get(&self, position: usize) -> Option<f64> {
+        self.values.get(position).copied().flatten()
+    }
+
+    /// Decides an option; positions beyond the last one change nothing.
+    pub fn set(&mut self, position: usize, value: Option<f64>) {
+        if let Some(slot) = self.values.get_mut(position) {
+            *slot = value;
+        }
+    }
+}
+
+/// What garments are for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Shelf {
+    /// From the hips down.
+    Skirts,
+    /// From the bust or the shoulders down to the hips.
+    Tops,
+    /// From the shoulders down.
+    Dresses,
+    /// One cloth, wrapped or hung about her.
+    Wraps,
+    /// Of flowers and leaves.
+    Adornments,
+    /// Held in the hands, and not worn.
+    Implements,
+}
+
+impl Shelf {
+    /// All of them, in the order a menu shows them.
+    pub const ALL: [Self; 6] = [
+        Self::Skirts,
+        Self::Tops,
+        Self::Dresses,
+        Self::Wraps,
+        Self::Adornments,
+        Self::Implements,
+    ];
+
+    /// What stands on it.
+    #[must_use]
+    pub const fn name(self) -> Words {
+        match self {
+            Self::Skirts => words("スカート", "Skirts"),
+            Self::Tops => words("トップス", "Tops"),
+            Self::Dresses => words("ドレス", "Dresses"),
+            Self::Wraps => words("巻く布・掛ける布", "Wraps"),
+            Self::Adornments => words("レイと飾り", "Lei and adornments"),
+            Self::Implements => words("楽器", "Implements"),
+        }
+    }
+
+    /// Its garments, in the order a menu shows them.
+    pub fn templates(self) -> impl Iterator<Item = &'static Template> {
+        TEMPLATES.iter().copied().filter(move |it| it.shelf == self)
+    }
+}
+
+/// Every template, in the order a menu shows them.
+pub static TEMPLATES: &[&Template] = &[
+    &garment::pau_skirt::TEMPLATE,
+    &garment::pau_ruffle::TEMPLATE,
+    &garment::pau_kahiko::TEMPLATE,
+    &garment::pau_top::TEMPLATE,
+    &garment::blouse::TEMPLATE,
+    &garment::kikepa::TEMPLATE,
+    &garment::kihei::TEMPLATE,
+    &garment::malo::TEMPLATE,
+    &garment::muumuu::TEMPLATE,
+    &garment::holoku::TEMPLATE,
+    &garment::ti_leaf_skirt::TEMPLATE,
+    &garment::raffia_skirt::TEMPLATE,
+    &garment::cellophane_skirt::TEMPLATE,
+    &garment::lei::TEMPLATE,
+    &garment::lei_poo::TEMPLATE,
+    &garment::kupee::TEMPLATE,
+    &garment::hair_flower::TEMPLATE,
+    &garment::uliuli::TEMPLATE,
+    &garment::puili::TEMPLATE,
+    &garment::ipu::TEMPLATE,
+];

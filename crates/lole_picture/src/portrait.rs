@@ -1,0 +1,126 @@
+//! Pictures of dancers who stand in their costume, for paper: at rest, all of a group at one scale.
+
+use glam::Vec3;
+use lole_costume::document::Design;
+use lole_export::Image;
+use lole_export::pdf::Picture;
+use lole_export::still::encode_jpeg;
+use lole_garment::dress::Division;
+use lole_render::{Backend, Bounds, Camera, LightRig, Renderer, Size, View};
+use lole_stage::{Performance, Production};
+
+use crate::{Looks, Moment};
+
+/// Size of one picture of a group [pixel]: as wide as her arms and skirt need, as tall as the tallest.
+pub const STANDING: Size = Size {
+    width: 478,
+    height: 520,
+};
+/// What it shows to either side, and from the floor up [m]: outstretched arms of a tall dancer.
+const STANDING_REACH: [f32; 2] = [0.92, 2.0];
+
+/// Particles of cloth that hangs still in a small picture, around and down: more would not be seen.
+const COARSE: [u32; 2] = [224, 32];
+
+/// Frames in which cloth of a small picture comes to hang: what still sways after them would not be
+/// seen.
+const HANGING_FRAMES: u32 = 60;
+
+/// Quality of the picture as JPEG.
+const QUALITY: u8 = 90;
+
+/// Why there is no picture.
+#[derive(Debug, thiserror::Error)]
+pub enum PortraitError {
+    /// It was called off.
+    #[error("called off")]
+    CalledOff,
+    /// The costume cannot be put on.
+    #[error(transparent)]
+    Stage(#[from] lole_stage::StageError),
+    /// The cloth flew apart.
+    #[error("the cloth diverged")]
+    Diverged,
+    /// Its cloth cannot be painted.
+    #[error(transparent)]
+    Look(#[from] crate::LookError),
+    /// It cannot be drawn.
+    #[error(transparent)]
+    Render(#[from] lole_render::RenderError),
+    /// It cannot be encoded.
+    #[error(transparent)]
+    Export(#[from] lole_export::ExportError),
+}
+
+/// One dancer of a group in her costume, as the bytes of a JPEG of [`STANDING`]; `is_stopped` is asked
+/// before every frame of the cloth.
+///
+/// # Errors
+/// A costume that cannot be put on, or that it was called off.
+pub fn standing(design: &Design, is_stopped: &dyn Fn() -> bool) -> Result<Vec<u8>, PortraitError> {
+    let mut coarse = design.clone();
+    coarse.skirt.column_count = coarse.skirt.column_count.min(COARSE[0]);
+    coarse.skirt.row_count = coarse.skirt.row_count.min(COARSE[1]);
+    let production = Production::divided(&coarse, Division::Half)?;
+    let performance = stand(production, HANGING_FRAMES, is_stopped)?;
+    let image = shoot(&performance, standing_camera(STANDING), STANDING)?;
+    let image = Image::new(image.width, image.height, &image.pixels)?;
+    Ok(encode_jpeg(image, QUALITY)?)
+}
+
+/// The picture of such bytes for a page; `None` where they are no such picture.
+#[must_use]
+pub fn of_jpeg(bytes: Vec<u8>) -> Option<Picture> {
+    Picture::of_jpeg(bytes, [STANDING.width, STANDING.height])
+}
+
+/// Puts the costume on and lets it come to rest, for so many frames at most; her body is posed.
+///
+/// # Errors
+/// Cloth that flies apart, or that it was called off.
+pub fn stand(
+    production: Production,
+    most_frames: u32,
+    is_stopped: &dyn Fn() -> bool,
+) -> Result<Performance, PortraitError> {
+    let mut performance = Performance::new(production)?;
+    let mut frames = 0;
+    while performance.time() < 0.0 && frames < most_frames {
+        frames += 1;
+        if is_stopped() {
+            return Err(PortraitError::CalledOff);
+        }
+        performance.advance().map_err(|_| PortraitError::Diverged)?;
+    }
+    performance.pose_body();
+    Ok(performance)
+}
+
+/// The camera of a group's pictures.
+#[must_use]
+pub fn standing_camera(size: Size) -> Camera {
+    let [side, top] = STANDING_REACH;
+    let bounds = Bounds {
+        min: Vec3::new(-side, 0.0, -0.2),
+        max: Vec3::new(side, top, 0.2),
+    };
+    Camera::framing(bounds, View::Front, size.aspect())
+}
+
+/// Her picture by the processor, whatever adapter there is: alike on every machine.
+///
+/// # Errors
+/// A print or a size that cannot be drawn.
+pub fn shoot(
+    performance: &Performance,
+    camera: Camera,
+    size: Size,
+) -> Result<lole_render::Image, PortraitError> {
+    let production = performance.production();
+    let looks = Looks::new(&production.design, production)?;
+    let moment = Moment::of(performance);
+    let lights = LightRig::seen_from(&camera);
+    let scene = looks.scene(production, &moment.figure(), camera, lights);
+    let mut renderer = Renderer::new(Backend::Cpu, size)?;
+    Ok(renderer.render(&scene)?)
+}

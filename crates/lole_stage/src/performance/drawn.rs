@@ -1,0 +1,46 @@
+//! Everything that is worn as it is drawn and recorded.
+
+use glam::Vec3;
+
+use super::Performance;
+use crate::{Vertices, WornSurface};
+
+impl Performance {
+    /// Adds the positions of what is sewn from shaped pieces [m] to those of gathered cloth: those of all cloth.
+    pub(crate) fn add_sewn(&self, cloth: &mut Vec<Vec3>) {
+        for moving in &self.dressed {
+            cloth.extend_from_slice(moving.positions());
+        }
+    }
+
+    /// Everything that is worn or held as it is drawn, surface by surface as [`Production::surfaces`] has them.
+    #[must_use]
+    pub fn surfaces(&self) -> Vec<Vertices> {
+        self.surfaces_of(&self.cloth_positions)
+    }
+
+    /// The same with gathered cloth at `gathered` [m].
+    pub(crate) fn surfaces_of(&self, gathered: &[Vec3]) -> Vec<Vertices> {
+        let production = &self.production;
+        let pressed = self.pressed(gathered);
+        let cloths = production.garments.iter();
+        let cloths = cloths.map(|it| it.mesh.vertices(&pressed[it.particles.clone()]));
+        let sewn = (0..production.dressed.len()).map(|place| self.dressed_vertices(place));
+        let beside = self.adorned.posed(production, &self.world_from_bind);
+        cloths.chain(sewn).chain(beside).collect()
+    }
+
+    /// What moves of every surface by itself [m], as files keep it: particles of gathered rectangles as they
+    /// are seen, drawn vertices of everything else; empty where bones carry all of it.
+    #[must_use]
+    pub fn recorded(&self) -> Vec<Vec<Vec3>> {
+        let pressed = self.pressed(&self.cloth_positions);
+        let surfaces = self.production.surfaces().zip(self.surfaces());
+        let recorded = surfaces.map(|(surface, [vertices, _])| match surface {
+            WornSurface::Gathered(garment) => pressed[garment.particles.clone()].to_vec(),
+            _ if surface.rides_on_bones() => Vec::new(),
+            _ => vertices,
+        });
+        recorded.collect()
+    }
+}
