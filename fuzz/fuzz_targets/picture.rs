@@ -3,7 +3,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use lole_costume::print::Picture;
+use lole_print::Picture;
 
 fuzz_target!(|bytes: &[u8]| match Picture::read(bytes) {
     Ok(picture) => assert_eq!(

@@ -1,6 +1,7 @@
 //! Rewrites the goldens by running the tests that own them, and lists what changed.
 //!
-//! A test that compares with a golden rewrites it instead where `LOLE_GOLDEN` is `write`.
+//! A test that compares with a golden rewrites it instead where `LOLE_GOLDEN` is `write`; its name begins with
+//! `golden_` (see `lole_golden`).
 //! `tests/golden/` has one folder for each crate that owns goldens.
 
 use std::path::Path;
@@ -25,6 +26,7 @@ pub(crate) fn run(repository: &Path) -> anyhow::Result<ExitCode> {
     for name in &crates {
         test.args(["--package", name]);
     }
+    test.args(["--", "golden_"]);
     let status = test.status().context("cannot run cargo test")?;
     ensure!(
         status.success(),

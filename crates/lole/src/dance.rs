@@ -6,11 +6,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use anyhow::Result;
 use lole_avatar::AvatarError;
-use lole_body::{Count, DanceStep, Side};
+use lole_body::Side;
 use lole_costume::document::{self, Design, MethodName, Place};
 use lole_export::report::ReportFile;
 use lole_export::video::{Mp4Writer, Song, VideoSettings};
 use lole_export::{Image, still};
+use lole_hula::{Count, DanceStep};
 use lole_language::{Bilingual as _, Language, Sentence, Words, words};
 use lole_render::{Backend, LightRig, Renderer, Size};
 use lole_stage::{

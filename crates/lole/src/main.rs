@@ -24,8 +24,9 @@ mod window;
 
 use std::process::ExitCode;
 
-use args::Command;
 use lole_language::{Language, Sentence};
+
+use args::Command;
 use usage::Asked;
 
 /// Why a command did not do what was asked.

@@ -4,7 +4,6 @@ use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
 use lole_costume::document::{self, Place};
-use lole_costume::print::PrintImage;
 use lole_costume::tailoring::{self, ClothPlan, GarmentPattern};
 use lole_export::booklet::amount_words;
 use lole_export::cutting::{
@@ -15,6 +14,7 @@ use lole_export::dxf::pattern_dxf;
 use lole_export::pdf::{Document, Paper, Sheet};
 use lole_language::{Bilingual as _, Language, Sentence};
 use lole_pattern::marker::Lay;
+use lole_print::PrintImage;
 
 use crate::args::{PaperSize, PatternArgs};
 use crate::dance::place_of;

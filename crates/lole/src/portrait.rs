@@ -73,7 +73,7 @@ pub(crate) fn group(
 fn kept(design: &Design, index: usize, folder: &Path, stop: &AtomicBool) -> Result<Kept, Failure> {
     let size = [portrait::STANDING.width, portrait::STANDING.height];
     let version = env!("CARGO_PKG_VERSION");
-    let key = fingerprint(&format!("{} {version} {size:?}", to_toml(design)));
+    let key = lole_geom::fnv::hash(format!("{} {version} {size:?}", to_toml(design)).into_bytes());
     let name = format!("{:03}-{key:016x}.jpg", index + 1);
     let path = folder.join(&name);
     let name = format!("{PICTURE_FOLDER}/{name}");
@@ -90,14 +90,6 @@ fn kept(design: &Design, index: usize, folder: &Path, stop: &AtomicBool) -> Resu
     let picture = portrait::of_jpeg(bytes);
     let picture = picture.ok_or_else(|| Failure::error(anyhow::anyhow!("no JPEG")))?;
     Ok((picture, name))
-}
-
-/// FNV-1a (Fowler, Noll and Vo): the same number for the same text, always.
-fn fingerprint(text: &str) -> u64 {
-    let bytes = text.bytes().map(u64::from);
-    bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
-        (hash ^ byte).wrapping_mul(0x0100_0000_01b3)
-    })
 }
 
 fn failure(error: PortraitError) -> Failure {

@@ -1,7 +1,7 @@
-//! The dancer: measurements, skeleton, skin, capsules around bones, and hula steps.
+//! The dancer: measurements, skeleton, skin, and capsules around bones.
 //!
 //! Body space is meters, right-handed, `+Y` up, `+Z` front, `+X` the dancer's left, floor at 0.
-//! The crate knows no cloth and opens no file.
+//! The crate knows no cloth and no dance, and opens no file.
 
 pub mod appearance;
 pub mod capsules;
@@ -11,7 +11,6 @@ mod given;
 pub mod ik;
 pub mod measured;
 pub mod measurements;
-pub mod motion;
 mod sections;
 pub mod skeleton;
 pub mod skin;
@@ -26,10 +25,6 @@ pub use dancer::{Dancer, Landmarks};
 pub use error::BodyError;
 pub use measured::Taped;
 pub use measurements::{Figure, Measure, Measurements, Tape};
-pub use motion::{
-    AmiTurn, ArmManner, ArmStyle, Count, Dance, DanceStep, Hands, HipLead, HipLift, MotionError,
-    MotionSettings, Part, School, Side,
-};
-pub use skeleton::{Bone, Pose, Skeleton};
+pub use skeleton::{Bone, Pose, Side, Skeleton};
 pub use skin::{Look, MeshPart, PartKind, SkinPicture, SkinnedMesh};
 pub use tape::TapePoint;

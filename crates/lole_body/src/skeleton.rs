@@ -211,6 +211,16 @@ impl Bone {
     }
 }
 
+/// A side of the body, or the one that a step begins on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Side {
+    /// Right: as a step is taught, ʻākau.
+    #[default]
+    Right,
+    /// Left: the mirror image, hema.
+    Left,
+}
+
 /// Joints of one body in its bind pose.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Skeleton {

@@ -7,27 +7,18 @@
 )]
 
 use lole_body::{BodyError, Dancer, Figure, Measure, Measurements, Tape};
-use lole_geom::Length;
+use lole_geom::{Chance, Length};
 use lole_language::Bilingual;
 use rayon::prelude::*;
 
 /// Largest distance of the surface from a given tape [cm].
 const TOLERANCE_CM: f64 = 0.3;
 
-/// `SplitMix64` (Steele, Lea and Flood 2014).
-struct Chance(u64);
+struct Dice(Chance);
 
-impl Chance {
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut mixed = self.0;
-        mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((mixed ^ (mixed >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
+impl Dice {
     fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
+        low + (high - low) * self.0.finest_share()
     }
 }
 
@@ -54,7 +45,7 @@ fn set(tape: &mut Tape, measure: Measure, cm: f64) {
 /// A plausible dancer: around the mean of her figure, heavier or lighter as a whole, with scatter
 /// of each measure; about a quarter of the measures are left out.
 fn random_tape(seed: u64) -> Tape {
-    let mut chance = Chance(seed);
+    let mut chance = Dice(Chance::new(seed));
     loop {
         let tape = drawn(&mut chance, seed);
         if Measurements::from_tape(&tape).is_ok() {
@@ -63,7 +54,7 @@ fn random_tape(seed: u64) -> Tape {
     }
 }
 
-fn drawn(chance: &mut Chance, seed: u64) -> Tape {
+fn drawn(chance: &mut Dice, seed: u64) -> Tape {
     let (figure, statures, weights) = match seed % 5 {
         0 | 1 => (Figure::Woman, [142.0, 182.0], [-0.12, 0.40]),
         2 => (Figure::OfStature, [140.0, 172.0], [-0.10, 0.30]),
@@ -115,7 +106,7 @@ fn drawn(chance: &mut Chance, seed: u64) -> Tape {
         ),
     ];
     for (measure, cm) in values {
-        if chance.unit() < 0.75 {
+        if chance.0.finest_share() < 0.75 {
             set(&mut tape, measure, cm);
         }
     }

@@ -90,7 +90,8 @@ impl World {
         };
         let config = &self.setup.config;
         let frame = (&input, FRAME_DT);
-        step_observed((&self.model, config), frame, &mut self.state, passed);
+        step_observed((&self.model, config), frame, &mut self.state, passed)
+            .expect("a target for every pin");
     }
 
     /// Time of a phase in so many frames.
@@ -246,7 +247,8 @@ fn bench_calls(criterion: &mut Criterion) {
                     FRAME_DT,
                 );
                 sum += start.elapsed();
-                step(&model, &setup.config, &input, &mut state, FRAME_DT);
+                step(&model, &setup.config, &input, &mut state, FRAME_DT)
+                    .expect("a target for every pin");
             }
             sum
         });

@@ -32,7 +32,7 @@ fn bench_scenes(criterion: &mut Criterion) {
                 capsules: &capsules,
                 ..StepInput::default()
             };
-            step(&model, &setup.config, &input, state, FRAME_DT);
+            step(&model, &setup.config, &input, state, FRAME_DT).expect("a target for every pin");
         };
         for _ in 0..WARM_UP_FRAMES {
             advance(&mut state);

@@ -69,7 +69,8 @@ fn main() -> Result<(), BuildError> {
             &input,
             &mut state,
             FRAME_DT,
-        );
+        )
+        .expect("a target for every pin");
         if frame % 60 == 0 {
             state.copy_positions(&model, &mut now);
             let fly = now[spec.grid.index(0, 47)];

@@ -13,7 +13,7 @@ use std::num::NonZeroU32;
 use std::path::Path;
 
 use glam::{Vec2, Vec3};
-use lole_cloth::mesh::{self, MeshModel, MeshSpec, MeshState, Outcome, diagnose};
+use lole_cloth::mesh::{self, MeshModel, MeshSpec, MeshState, diagnose};
 use lole_cloth::{Fabric, SolverConfig, StepInput};
 use lole_geom::{Capsule, trig};
 
@@ -64,7 +64,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         ..StepInput::default()
     };
     for _ in 0..FRAME_COUNT {
-        if let Outcome::Held(cause) = mesh::step(&model, &config, &input, &mut state, FRAME_DT) {
+        if let Err(cause) = mesh::step(&model, &config, &input, &mut state, FRAME_DT) {
             return Err(cause.into());
         }
     }

@@ -107,12 +107,12 @@ fn fall(
     let mut now = Vec::new();
     for _ in 0..FRAME_COUNT {
         let start = Instant::now();
-        step(model, config, &input, &mut state, FRAME_DT);
+        step(model, config, &input, &mut state, FRAME_DT).expect("a target for every pin");
         seconds[0] += start.elapsed().as_secs_f64();
         let start = Instant::now();
         let outcome = mesh::step(mesh_model, config, &input, &mut mesh_state, FRAME_DT);
         seconds[1] += start.elapsed().as_secs_f64();
-        if let mesh::Outcome::Held(cause) = outcome {
+        if let Err(cause) = outcome {
             return Err(cause.into());
         }
         state.copy_positions(model, &mut now);

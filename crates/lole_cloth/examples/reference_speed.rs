@@ -10,7 +10,7 @@
 use std::time::Instant;
 
 use glam::{DVec3, Vec3};
-use lole_cloth::method::explicit::{self, ExplicitConfig, StepInput};
+use lole_cloth::method::explicit::{self, ExplicitConfig, ReferenceInput};
 use lole_cloth::method::reference::{ReferenceModel, ReferenceState};
 use lole_cloth::{ClothSpec, Fabric, Grid, MassLaw, Topology};
 use lole_geom::{Capsule, trig64};
@@ -66,7 +66,7 @@ fn main() -> Result<(), lole_cloth::BuildError> {
         })
         .collect();
     for frame in 0..FRAME_COUNT {
-        let input = StepInput {
+        let input = ReferenceInput {
             time: f64::from(frame) * FRAME_DT,
             pin_targets: &pin_targets,
             capsules: &capsules,
@@ -74,6 +74,7 @@ fn main() -> Result<(), lole_cloth::BuildError> {
         let start = Instant::now();
         let substeps = explicit::step(&model, &config, &input, &mut state, FRAME_DT);
         let milliseconds = start.elapsed().as_secs_f64() * 1e3;
+        let substeps = substeps.expect("a target for every pin");
         let nanoseconds = milliseconds * 1e6 / (25_600.0 * f64::from(substeps));
         println!("{substeps} substeps {milliseconds:.0} ms, {nanoseconds:.1} ns per particle");
     }

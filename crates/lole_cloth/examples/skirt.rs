@@ -26,7 +26,7 @@ fn main() -> Result<(), BuildError> {
             capsules: &capsules,
             ..StepInput::default()
         };
-        step(&model, &setup.config, &input, &mut state, FRAME_DT);
+        step(&model, &setup.config, &input, &mut state, FRAME_DT).expect("a target for every pin");
         if frame % 60 != 0 {
             continue;
         }

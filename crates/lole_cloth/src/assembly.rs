@@ -26,4 +26,4 @@ pub use knot::{EdgePoint, Ends, Place};
 pub use piece::{Piece, PieceState};
 pub use pleat::Pleat;
 pub use seam::Seam;
-pub use step::{Assembly, AssemblyInput, AssemblyState, Lost, step};
+pub use step::{Assembly, AssemblyInput, AssemblyState, step};

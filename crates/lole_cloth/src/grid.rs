@@ -37,6 +37,27 @@ pub struct Flounce {
 }
 
 impl Grid {
+    /// A rectangle with four free edges, its particles `spacing` [m] apart along `u` and `v`.
+    #[must_use]
+    pub const fn sheet(column_count: u32, row_count: u32, spacing: [f32; 2]) -> Self {
+        Self {
+            column_count,
+            row_count,
+            topology: Topology::Sheet,
+            spacing,
+            flounce: None,
+        }
+    }
+
+    /// The same closed to a ring: the last column is followed by the first.
+    #[must_use]
+    pub const fn tube(column_count: u32, row_count: u32, spacing: [f32; 2]) -> Self {
+        Self {
+            topology: Topology::Tube,
+            ..Self::sheet(column_count, row_count, spacing)
+        }
+    }
+
     /// Number of particles.
     #[must_use]
     pub const fn particle_count(&self) -> usize {

@@ -2,24 +2,55 @@
 //!
 //! It knows no garment and no dancer, and has no file, clock, log or picture in it.
 //!
-//! A handkerchief, held by two corners, falls for a second:
+//! Whatever it is made of, cloth is moved in the same five steps: describe it, prepare a model, begin a state,
+//! step, read the positions. A model never changes, a state is all that moves, a world is lent to each step, and a
+//! step that cannot be taken says why ([`Lost`]) and changes nothing.
+//!
+//! A handkerchief as a grid, held by two corners, falls for a second onto nothing:
 //!
 //! ```
-//! use lole_cloth::{ClothModel, ClothState, SolverConfig, StepInput, diagnose, step};
+//! use glam::Vec3;
+//! use lole_cloth::{ClothModel, ClothSpec, ClothState, Fabric, Grid, SolverConfig, StepInput, step};
 //!
-//! let setup = (lole_cloth::scenes::SCENES[0].build)();
-//! let model = ClothModel::new(&setup.spec)?;
-//! let mut state = ClothState::new(&model, &setup.positions);
-//! let pins: Vec<_> = model.pin_indices().iter().map(|&pin| setup.positions[pin as usize]).collect();
-//! let input = StepInput { pin_targets: &pins, ..StepInput::default() };
+//! let grid = Grid::sheet(32, 32, [0.012, 0.012]);
+//! let spec = ClothSpec::new(grid, Fabric::COTTON).pinned_where(|row, column| row == 0 && column % 31 == 0);
+//! let place = |i: usize| Vec3::new((i % 32) as f32, 0.0, (i / 32) as f32) * 0.012;
+//! let start: Vec<Vec3> = (0..grid.particle_count()).map(place).collect();
+//! let model = ClothModel::new(&spec)?;
+//! let mut state = ClothState::new(&model, &start);
 //! for _ in 0..60 {
-//!     step(&model, &SolverConfig::default(), &input, &mut state, 1.0 / 60.0);
+//!     step(&model, &SolverConfig::default(), &StepInput::default(), &mut state, 1.0 / 60.0)?;
 //! }
-//! let mut positions = Vec::new();
-//! state.copy_positions(&model, &mut positions);
-//! assert!(diagnose::strain(&setup.spec, &positions).max < 0.05);
-//! # Ok::<(), lole_cloth::BuildError>(())
+//! let now = state.positions(&model);
+//! assert_eq!(now[0], start[0], "a corner that is held");
+//! assert!(now[grid.index(31, 16)].y < -0.2, "the hem has fallen");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! Any triangles, here a square of four, over a sphere that is a capsule of no length:
+//!
+//! ```
+//! use glam::{Vec2, Vec3};
+//! use lole_cloth::mesh::{self, MeshModel, MeshSpec, MeshState};
+//! use lole_cloth::{Fabric, SolverConfig, StepInput};
+//! use lole_geom::Capsule;
+//!
+//! let flat = [[0.0, 0.0], [0.1, 0.0], [0.1, 0.1], [0.0, 0.1], [0.05, 0.05]].map(Vec2::from);
+//! let triangles = vec![[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]];
+//! let model = MeshModel::new(&MeshSpec::new(flat.to_vec(), triangles, Fabric::COTTON))?;
+//! let start: Vec<Vec3> = flat.map(|at| Vec3::new(at.x - 0.05, 0.11, at.y - 0.05)).to_vec();
+//! let mut state = MeshState::new(&model, &start);
+//! let ball = [Capsule::uniform(Vec3::ZERO, Vec3::ZERO, 0.1)];
+//! let world = StepInput { capsules: &ball, ..StepInput::default() };
+//! for _ in 0..60 {
+//!     mesh::step(&model, &SolverConfig::default(), &world, &mut state, 1.0 / 60.0)?;
+//! }
+//! assert!(state.positions(&model).iter().all(|place| 0.099 < place.length()));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! Both can be pieces of an [`assembly`], which sews them; raffia and lei are [`strands`]. The examples go on from
+//! here: `hang`, `skirt`, `flag`, `from_obj`, `two_pieces`, `character`.
 //!
 //! # Which method when
 //!
@@ -40,6 +71,7 @@ pub mod diagnose;
 pub mod fabric;
 pub mod grid;
 mod lanes;
+pub mod lost;
 pub mod mesh;
 pub mod method;
 pub mod model;
@@ -57,6 +89,7 @@ pub mod wind;
 pub use config::{Crossings, InstructionSet, SelfCollision, SolverConfig};
 pub use fabric::{Fabric, Hysteresis};
 pub use grid::{Flounce, Grid, Topology};
+pub use lost::{Lost, SubstepPart};
 pub use model::{BuildError, ClothModel};
 pub use phase::Phase;
 pub use snapshot::{mesh_state_hash, reference_state_hash, state_hash};

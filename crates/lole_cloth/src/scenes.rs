@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 use std::num::NonZeroU32;
 
 use glam::Vec3;
-use lole_geom::{Capsule, trig64};
+use lole_geom::{Capsule, narrow, trig64};
 
 use crate::{ClothSpec, Fabric, Grid, MassLaw, SelfCollision, SolverConfig, Topology};
 
@@ -386,12 +386,4 @@ pub fn swaying_capsules(time: f64) -> Vec<Capsule> {
         }));
     }
     capsules
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "a scene is built in f64 and run in f32"
-)]
-const fn narrow(value: f64) -> f32 {
-    value as f32
 }

@@ -1,13 +1,11 @@
 //! The state as one number, so that two runs can be told apart by a single bit.
 
+use lole_geom::fnv;
+
 use crate::ClothState;
 use crate::lanes::Points;
 use crate::mesh::MeshState;
 use crate::method::reference::ReferenceState;
-
-/// FNV-1a offset basis and prime (Fowler, Noll, Vo; 64 bits).
-const FNV_OFFSET: u64 = 0xcbf2_9ce4_8422_2325;
-const FNV_PRIME: u64 = 0x0000_0100_0000_01b3;
 
 /// FNV-1a hash of all bits of all positions and velocities.
 #[must_use]
@@ -26,20 +24,16 @@ fn points_hash(positions: &[Points], velocities: &[Points]) -> u64 {
     let values = points
         .flat_map(|points| [points.x, points.y, points.z])
         .flatten();
-    fnv(values.flat_map(f32::to_le_bytes))
+    fnv::hash(values.flat_map(f32::to_le_bytes))
 }
 
 /// The same of the reference's state.
 #[must_use]
 pub fn reference_state_hash(state: &ReferenceState) -> u64 {
     let vectors = state.positions.iter().chain(&state.velocities);
-    fnv(vectors
-        .flat_map(|vector| vector.to_array())
-        .flat_map(f64::to_le_bytes))
-}
-
-fn fnv(bytes: impl Iterator<Item = u8>) -> u64 {
-    bytes.fold(FNV_OFFSET, |hash, byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(FNV_PRIME)
-    })
+    fnv::hash(
+        vectors
+            .flat_map(|vector| vector.to_array())
+            .flat_map(f64::to_le_bytes),
+    )
 }

@@ -18,6 +18,31 @@ pub struct ClothSpec {
     pub pinned: Vec<bool>,
 }
 
+impl ClothSpec {
+    /// One layer of a fabric, nowhere pinned, whose particles carry the area nearest to them.
+    #[must_use]
+    pub fn new(grid: Grid, fabric: Fabric) -> Self {
+        Self {
+            grid,
+            fabric,
+            row_layers: vec![1.0; grid.row_count as usize],
+            mass: MassLaw::AreaWeighted,
+            pinned: vec![false; grid.particle_count()],
+        }
+    }
+
+    /// The same with particles pinned by row and column, besides those that are.
+    #[must_use]
+    pub fn pinned_where(mut self, is_pinned: impl Fn(u32, u32) -> bool) -> Self {
+        for row in 0..self.grid.row_count {
+            for column in 0..self.grid.column_count {
+                self.pinned[self.grid.index(row, column)] |= is_pinned(row, column);
+            }
+        }
+        self
+    }
+}
+
 /// How the cloth's mass is shared among particles.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MassLaw {

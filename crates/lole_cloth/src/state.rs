@@ -145,6 +145,14 @@ impl ClothState {
             + self.scratch.tangent_planes.byte_count()
     }
 
+    /// Every position [m], row-major.
+    #[must_use]
+    pub fn positions(&self, model: &ClothModel) -> Vec<Vec3> {
+        let mut positions = Vec::new();
+        self.copy_positions(model, &mut positions);
+        positions
+    }
+
     /// Writes every position [m], row-major, over `out`.
     pub fn copy_positions(&self, model: &ClothModel, out: &mut Vec<Vec3>) {
         model.layout.gather_points(&self.positions, out);

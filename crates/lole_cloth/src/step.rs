@@ -4,6 +4,7 @@ use glam::Vec3;
 use lole_geom::{Capsule, Surfel};
 
 use crate::collision::surfel::REACH;
+use crate::lost::{Lost, check_cloth, check_pins};
 use crate::method::xpbd;
 use crate::phase::Phase;
 use crate::{ClothModel, ClothState, SolverConfig};
@@ -17,7 +18,7 @@ pub const SKIN_REACH: f32 = REACH;
 #[derive(Debug, Clone, Copy, Default)]
 pub struct StepInput<'a> {
     /// Where the pinned particles are at the end of the step [m], in the order of
-    /// [`ClothModel::pin_indices`].
+    /// [`ClothModel::pin_indices`]; none where all of them stay where they are.
     pub pin_targets: &'a [Vec3],
     /// Where the capsules are at the end of the step; always the same ones in the same order.
     pub capsules: &'a [Capsule],
@@ -35,29 +36,42 @@ pub struct StepInput<'a> {
 ///
 /// Pins, capsules and surfels move evenly from where the previous call left them to where `input` has them.
 /// Inside a rayon thread pool the work is shared; the result is the same bit for bit.
+///
+/// # Errors
+/// A state of another cloth, or as many targets as there are not pins; the cloth is as it was then. Whoever cannot be sure of what comes in
+/// looks at the positions: what is no number goes on as that.
 pub fn step(
     model: &ClothModel,
     config: &SolverConfig,
     input: &StepInput<'_>,
     state: &mut ClothState,
     dt: f32,
-) {
+) -> Result<(), Lost> {
+    check_cloth(0, [model.layout.vector_count(), state.positions.len()])?;
+    check_pins(model.pin_indices().len(), input.pin_targets)?;
     xpbd::advance(model, config, (input, dt), state);
     keep_surroundings(input, state);
+    Ok(())
 }
 
 /// The same, bit for bit, and `passed` is called whenever a [`Phase`] has ended: first of all for
 /// what the caller did before. A phase ends several times in a step.
 ///
 /// Nothing is shared among threads then, so that no phase hides behind another.
+///
+/// # Errors
+/// As [`step`].
 pub fn step_observed(
     (model, config): (&ClothModel, &SolverConfig),
     (input, dt): (&StepInput<'_>, f32),
     state: &mut ClothState,
     passed: &mut dyn FnMut(Phase),
-) {
+) -> Result<(), Lost> {
+    check_cloth(0, [model.layout.vector_count(), state.positions.len()])?;
+    check_pins(model.pin_indices().len(), input.pin_targets)?;
     xpbd::observed::advance((model, config), (input, dt), state, passed);
     keep_surroundings(input, state);
+    Ok(())
 }
 
 /// From here pins, capsules and surfels move on in the next step.

@@ -14,6 +14,7 @@ mod solve;
 use glam::Vec3;
 use lole_geom::Surfel;
 
+use crate::Lost;
 use contact::Contacts;
 
 /// Whether the end of a strand is tied to its beginning.
@@ -333,14 +334,17 @@ impl StrandState {
     }
 }
 
-/// Moves strands on by `dt` [s]. What has become no number goes back to where it was, at rest.
+/// Moves strands on by `dt` [s].
+///
+/// # Errors
+/// The first particle that would be at no place; all of them are where they were, at rest, then.
 pub fn step(
     model: &StrandModel,
     config: &StrandConfig,
     input: &StrandInput<'_>,
     state: &mut StrandState,
     dt: f32,
-) {
+) -> Result<(), Lost> {
     if state.surfels.len() != input.surfels.len() {
         state.surfels.clear();
         state.surfels.extend_from_slice(input.surfels);
@@ -384,12 +388,13 @@ pub fn step(
     }
     state.surfels.clear();
     state.surfels.extend_from_slice(input.surfels);
-    for (particle, kept) in state.before[1].iter().enumerate() {
-        let is_finite =
-            state.positions[particle].is_finite() && state.velocities[particle].is_finite();
-        if !is_finite {
-            state.positions[particle] = *kept;
-            state.velocities[particle] = Vec3::ZERO;
-        }
+    let all = state.positions.iter().zip(&state.velocities);
+    let is_lost =
+        |(position, velocity): (&Vec3, &Vec3)| !(position.is_finite() && velocity.is_finite());
+    if let Some(particle) = all.into_iter().position(is_lost) {
+        state.positions.clone_from(&state.before[1]);
+        state.velocities.fill(Vec3::ZERO);
+        return Err(Lost::Strand { particle });
     }
+    Ok(())
 }

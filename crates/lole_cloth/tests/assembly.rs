@@ -11,7 +11,7 @@ use lole_cloth::assembly::{
     Assembly, AssemblyInput, AssemblyState, Attachment, Drawstring, Elastic, Ends, Frame, Joint,
     Piece, PieceState, Place, Pleat, Seam, step,
 };
-use lole_cloth::mesh::{MeshModel, MeshSpec, Strand};
+use lole_cloth::mesh::{MeshModel, MeshSpec, Strip};
 use lole_cloth::{
     ClothModel, ClothSpec, ClothState, Fabric, Grid, InstructionSet, MassLaw, SolverConfig,
     StepInput, Topology, mesh_state_hash, state_hash,
@@ -230,7 +230,8 @@ fn a_grid_alone_moves_as_without_an_assembly() {
             capsules: &[],
             ..StepInput::default()
         };
-        lole_cloth::step(&model, &SolverConfig::default(), &input, &mut state, DT);
+        lole_cloth::step(&model, &SolverConfig::default(), &input, &mut state, DT)
+            .expect("a target for every pin");
     }
     let PieceState::Grid(found) = &sewn.state.pieces[0] else {
         panic!("a grid")
@@ -510,7 +511,7 @@ fn ties_to_a_bone_sag_by_their_stiffness_and_turn_with_it() {
 fn a_strand_hangs_like_the_elastica() {
     let (length, linear_density) = (0.2, 8e-4);
     let weight = linear_density * 9.81;
-    let strand = Strand {
+    let strand = Strip {
         length,
         width: 0.006,
         segment_count: 8,
@@ -522,7 +523,7 @@ fn a_strand_hangs_like_the_elastica() {
         drag_rate: 17.0,
     };
     // One segment more, clamped.
-    let clamped = Strand {
+    let clamped = Strip {
         length: 0.225,
         segment_count: 9,
         ..strand

@@ -4,7 +4,7 @@ mod reference_support;
 
 use glam::DVec3;
 use lole_cloth::collision::penalty::Penalty;
-use lole_cloth::method::explicit::{self, ExplicitConfig, StepInput};
+use lole_cloth::method::explicit::{self, ExplicitConfig, ReferenceInput};
 use lole_cloth::method::reference::{ReferenceModel, ReferenceState, SpringConstants};
 use lole_cloth::{MassLaw, Topology};
 use reference_support::{held_pins, model, rest_positions, spec};
@@ -60,12 +60,12 @@ fn settle(model: &ReferenceModel, state: &mut ReferenceState) {
         ..ExplicitConfig::for_model(model, 1.0)
     };
     let pin_targets = held_pins(model, state);
-    let input = StepInput {
+    let input = ReferenceInput {
         time: 0.0,
         pin_targets: &pin_targets,
         capsules: &[],
     };
-    explicit::step(model, &config, &input, state, 3.0);
+    explicit::step(model, &config, &input, state, 3.0).expect("a target for every pin");
     let speed = (state.velocities.iter()).fold(0.0, |most: f64, v| most.max(v.length()));
     assert!(speed < 1e-5, "still moving at {speed} m/s");
 }

@@ -1,11 +1,21 @@
 //! The same scene gives the same bits, whatever runs it.
 #![allow(clippy::print_stdout, reason = "what is not tested is said")]
 
-use glam::Vec3;
+use std::fmt::Write as _;
+use std::num::NonZeroU32;
+
+use glam::{Vec2, Vec3};
+use lole_cloth::assembly::{
+    self, Assembly, AssemblyInput, AssemblyState, Joint, Piece, Place, Seam,
+};
+use lole_cloth::mesh::{self, MeshModel, MeshSpec, MeshState};
 use lole_cloth::method::explicit_rows::{self, ExplicitModel};
 use lole_cloth::scenes::{FRAME_DT, SCENES, Scene};
-use lole_cloth::{ClothModel, ClothState, InstructionSet, StepInput, state_hash, step};
-use lole_cloth::{Phase, SolverConfig, step_observed};
+use lole_cloth::{
+    ClothModel, ClothState, Crossings, Fabric, Hysteresis, InstructionSet, Phase, SelfCollision,
+    SolverConfig, StepInput, mesh_state_hash, state_hash, step, step_observed,
+};
+use lole_geom::Capsule;
 
 /// Frames of a scene: its cloth has met the body and itself. FB Euler has hundreds of substeps in
 /// each.
@@ -62,8 +72,8 @@ fn hash_after(
     state_hash(&state)
 }
 
-/// One hash for every number of threads and every instruction set of this host.
-fn assert_one_hash((scene, frame_count): (&Scene, u32), model: &ClothModel, advance: &Advance<'_>) {
+/// One hash for every number of threads and every instruction set of this host; the hash.
+fn one_hash((scene, frame_count): (&Scene, u32), model: &ClothModel, advance: &Advance<'_>) -> u64 {
     let mut first = None;
     for thread_count in THREAD_COUNTS {
         let pool = rayon::ThreadPoolBuilder::new()
@@ -80,31 +90,138 @@ fn assert_one_hash((scene, frame_count): (&Scene, u32), model: &ClothModel, adva
             );
         }
     }
+    first.expect("this host has threads and instructions")
 }
 
+/// Hashes that every machine comes to, whatever threads and vector instructions it has, whether optimized or
+/// not: by scene of the engine, and of cloth of triangles, pieces that are sewn, and strands.
 #[test]
-fn every_scene_has_the_same_bits_on_any_threads_and_vector_instructions() {
+fn golden_hashes_of_every_scene_on_any_threads_and_vector_instructions() {
+    let mut text = String::new();
+    let mut write = |what: &str, hash: u64| {
+        writeln!(text, "{what:16} {hash:016x}").expect("a string takes all");
+    };
     for scene in SCENES {
         let model = ClothModel::new(&(scene.build)().spec).expect("the scene is valid");
-        assert_one_hash((scene, FRAME_COUNT), &model, &|config, input, state| {
-            step(&model, config, input, state, FRAME_DT);
+        let hash = one_hash((scene, FRAME_COUNT), &model, &|config, input, state| {
+            step(&model, config, input, state, FRAME_DT).expect("a target for every pin");
         });
+        write(scene.name, hash);
     }
-}
-
-#[test]
-fn fb_euler_on_vectors_has_the_same_bits_on_any_threads_and_vector_instructions() {
     for scene in SCENES.iter().filter(|scene| scene.name != "hang-256") {
         let model = ExplicitModel::new(&(scene.build)().spec).expect("the scene is valid");
-        assert_one_hash(
-            (scene, FRAME_COUNT_OF_FB_EULER),
-            model.cloth(),
-            &|config, input, state| {
-                explicit_rows::step(&model, config, input, state, FRAME_DT);
-            },
-        );
+        let frames = (scene, FRAME_COUNT_OF_FB_EULER);
+        let hash = one_hash(frames, model.cloth(), &|config, input, state| {
+            explicit_rows::step(&model, config, input, state, FRAME_DT)
+                .expect("a target for every pin");
+        });
+        write(&format!("{} rows", scene.name), hash);
     }
+    let of_sets = |hash_of: &dyn Fn(InstructionSet) -> u64| {
+        let hashes: Vec<u64> = instruction_sets().into_iter().map(hash_of).collect();
+        assert!(hashes.iter().all(|hash| *hash == hashes[0]), "{hashes:x?}");
+        hashes[0]
+    };
+    write("triangles", of_sets(&dropped_triangles));
+    write("sewn", of_sets(&sewn_triangles));
+    lole_golden::check("state_hashes.txt", &text);
 }
+
+/// A cloth of triangles that has fallen onto a capsule, and folds on itself.
+fn dropped_triangles(set: InstructionSet) -> u64 {
+    let (model, mut state) = triangles(20, 0.14);
+    let config = SolverConfig {
+        instruction_set: set,
+        self_collision: Some(SelfCollision {
+            radius: 0.004,
+            substep_interval: NonZeroU32::MIN,
+            crossings: Crossings::Repair,
+        }),
+        ..SolverConfig::default()
+    };
+    let thigh = [Capsule::uniform(Vec3::NEG_X * 0.15, Vec3::X * 0.15, 0.06)];
+    let input = StepInput {
+        capsules: &thigh,
+        ..StepInput::default()
+    };
+    for _ in 0..FRAMES_OF_TRIANGLES {
+        let moved = mesh::step(&model, &config, &input, &mut state, FRAME_DT);
+        assert_eq!(moved, Ok(()));
+    }
+    mesh_state_hash(&state)
+}
+
+/// Two cloths of triangles that a seam has drawn together.
+fn sewn_triangles(set: InstructionSet) -> u64 {
+    let (model, _) = triangles(12, 0.0);
+    let config = || {
+        Box::new(SolverConfig {
+            instruction_set: set,
+            ..SolverConfig::default()
+        })
+    };
+    let pieces = vec![
+        Piece::Mesh(Box::new(model.clone()), config()),
+        Piece::Mesh(Box::new(model), config()),
+    ];
+    let line = |piece: usize, first: u32| -> Vec<Place> {
+        let particles = (0..12).map(|along| first + along);
+        particles
+            .map(|particle| Place { piece, particle })
+            .collect()
+    };
+    let seam = Seam::along(&pieces, &line(0, 11 * 12), &line(1, 0)).expect("edges as long");
+    let joints = [Joint::Seam(seam)];
+    let assembly = Assembly::new(pieces, &joints, NonZeroU32::MIN.saturating_add(7)).expect("fits");
+    let (_, laid) = triangle_places(12, 0.0);
+    let beside = laid.iter().map(|place| *place + Vec3::Z * 0.26).collect();
+    let mut state = AssemblyState::new(&assembly, &[laid, beside]);
+    let input = AssemblyInput::default();
+    for _ in 0..FRAMES_OF_TRIANGLES {
+        assembly::step(&assembly, &input, &mut state, FRAME_DT).expect("stays");
+    }
+    state.hash()
+}
+
+/// Frames after which it has met the capsule and itself.
+const FRAMES_OF_TRIANGLES: u32 = 24;
+
+/// A square of so many vertices a side, 2 cm apart and at a height [m]: flat, and where it lies.
+fn triangle_places(count: u16, height: f32) -> (Vec<Vec2>, Vec<Vec3>) {
+    let middle = 0.01 * f32::from(count - 1);
+    let flat = (0..count).flat_map(|row| {
+        (0..count).map(move |column| Vec2::new(f32::from(column), f32::from(row)) * 0.02)
+    });
+    let flat: Vec<Vec2> = flat.collect();
+    let laid = flat.iter();
+    let laid = laid.map(|at| Vec3::new(at.x - middle, height + 0.3 * at.y, at.y - middle));
+    let laid = laid.collect();
+    (flat, laid)
+}
+
+fn triangles(count: u16, height: f32) -> (MeshModel, MeshState) {
+    let (flat, laid) = triangle_places(count, height);
+    let side = u32::from(count);
+    let cells = (0..side - 1).flat_map(|row| (0..side - 1).map(move |column| row * side + column));
+    let triangles = cells.flat_map(|a| [[a, a + 1, a + side], [a + 1, a + side + 1, a + side]]);
+    let spec = MeshSpec::new(flat, triangles.collect(), COTTON);
+    let model = MeshModel::new(&spec).expect("a sheet");
+    let state = MeshState::new(&model, &laid);
+    (model, state)
+}
+
+const COTTON: Fabric = Fabric {
+    areal_density: 0.15,
+    thickness: 0.4e-3,
+    stretch: [1000.0, 1000.0],
+    shear: 50.0,
+    bend: [5.0e-6, 5.0e-6],
+    twist: 5.0e-6,
+    hysteresis: Hysteresis::NONE,
+    friction: 0.3,
+    cloth_friction: 0.3,
+    drag_rate: 0.5,
+};
 
 #[test]
 fn a_step_that_is_observed_has_the_bits_of_one_that_is_not() {
@@ -117,7 +234,7 @@ fn a_step_that_is_observed_has_the_bits_of_one_that_is_not() {
             &model,
             set,
             &|config, input, state| {
-                step(&model, config, input, state, FRAME_DT);
+                step(&model, config, input, state, FRAME_DT).expect("a target for every pin");
             },
         );
         let observed = hash_after(
@@ -127,7 +244,8 @@ fn a_step_that_is_observed_has_the_bits_of_one_that_is_not() {
             &|config, input, state| {
                 let mut phases = Vec::new();
                 let mut passed = |phase| phases.push(phase);
-                step_observed((&model, config), (input, FRAME_DT), state, &mut passed);
+                step_observed((&model, config), (input, FRAME_DT), state, &mut passed)
+                    .expect("a target for every pin");
                 assert_eq!(phases.first(), Some(&Phase::Outside));
                 for phase in Phase::ALL {
                     let is_of_self = matches!(phase, Phase::FindSelf | Phase::SelfContact);

@@ -68,13 +68,15 @@ fn both(spec: &ClothSpec, start: &[Vec3], frame_count: u32) -> [Vec<DVec3>; 2] {
             ..StepInput::default()
         };
         let count = explicit_rows::step(&rows, &config, &input, &mut state, FRAME_DT);
+        let count = count.expect("a target for every pin");
         truth.substeps = Substeps::Fixed(NonZeroU32::new(count).expect("at least one"));
-        let input = explicit::StepInput {
+        let input = explicit::ReferenceInput {
             time: 0.0,
             pin_targets: &targets,
             capsules: &[],
         };
-        explicit::step(&reference, &truth, &input, &mut exact, f64::from(FRAME_DT));
+        explicit::step(&reference, &truth, &input, &mut exact, f64::from(FRAME_DT))
+            .expect("a target for every pin");
     }
     let mut positions = Vec::new();
     state.copy_positions(rows.cloth(), &mut positions);
@@ -152,7 +154,8 @@ fn fallen(friction: f32, along: Vec3, capsules: &[Capsule]) -> (ClothSpec, Vec<V
             &input,
             &mut state,
             FRAME_DT,
-        );
+        )
+        .expect("a target for every pin");
         state.copy_positions(model.cloth(), &mut positions);
         assert_eq!(diagnose::first_non_finite(&positions), None);
         let depth = diagnose::worst_capsule_penetration(&spec, &positions, capsules);
@@ -229,7 +232,8 @@ fn hash_after(scene: &Scene, instruction_set: InstructionSet, thread_count: usiz
                 air_velocity: Vec3::X,
                 ..StepInput::default()
             };
-            explicit_rows::step(&model, &setup.config, &input, &mut state, FRAME_DT);
+            explicit_rows::step(&model, &setup.config, &input, &mut state, FRAME_DT)
+                .expect("a target for every pin");
         }
     });
     state_hash(&state)

@@ -142,7 +142,8 @@ fn turning_points(residual: f32, frames_per_second: u32) -> Vec<f32> {
     let curvatures: Vec<f32> = (0..3 * frames_per_second)
         .map(|_| {
             let input = StepInput::default();
-            step(&world.model, &world.config, &input, &mut world.state, dt);
+            step(&world.model, &world.config, &input, &mut world.state, dt)
+                .expect("a target for every pin");
             curvature(&world.positions(), SPACING)
         })
         .collect();
@@ -196,7 +197,8 @@ fn strip_swing(rows: u32, frames_per_second: u32, residual: f32) -> Vec<f32> {
     let heights: Vec<f32> = (0..2 * frames_per_second)
         .map(|_| {
             let input = StepInput::default();
-            step(&world.model, &world.config, &input, &mut world.state, dt);
+            step(&world.model, &world.config, &input, &mut world.state, dt)
+                .expect("a target for every pin");
             let positions = world.positions();
             let middle = positions[3 * (rows / 2) as usize + 1];
             let ends = [positions[1], positions[positions.len() - 2]];
@@ -305,7 +307,8 @@ fn friction_has_the_same_bits_with_all_vector_instructions() {
                 capsules: &capsules,
                 ..StepInput::default()
             };
-            step(&model, &setup.config, &input, &mut state, FRAME_DT);
+            step(&model, &setup.config, &input, &mut state, FRAME_DT)
+                .expect("a target for every pin");
         }
         state_hash(&state)
     };

@@ -7,8 +7,8 @@ use std::num::NonZeroU32;
 use glam::DVec3;
 use lole_cloth::Topology;
 use lole_cloth::method::explicit::{
-    self, ContactEvaluation, Counting, HighestMode, Integrator, LastStage, RungeKutta,
-    StageDamping, StepInput, stability_limit,
+    self, ContactEvaluation, Counting, HighestMode, Integrator, LastStage, ReferenceInput,
+    RungeKutta, StageDamping, stability_limit,
 };
 use lole_cloth::method::reference::{ReferenceModel, ReferenceState, SpringConstants};
 use lole_geom::trig64;
@@ -24,7 +24,7 @@ const FROZEN: Integrator = Integrator::RungeKutta(RungeKutta {
     ..RungeKutta::CLASSICAL
 });
 
-const NOTHING: StepInput<'static> = StepInput {
+const NOTHING: ReferenceInput<'static> = ReferenceInput {
     time: 0.0,
     pin_targets: &[],
     capsules: &[],
@@ -40,7 +40,8 @@ fn fallen(integrator: Integrator, drag_rate: f32, count: u32, dt: f64) -> [f64; 
     config.gravity = DVec3::NEG_Y * GRAVITY;
     config.integrator = integrator;
     let mut state = ReferenceState::at_rest(vec![DVec3::ZERO; 9]);
-    explicit::step(&model, &config, &NOTHING, &mut state, dt * f64::from(count));
+    explicit::step(&model, &config, &NOTHING, &mut state, dt * f64::from(count))
+        .expect("a target for every pin");
     [state.positions[4].y, state.velocities[4].y]
 }
 
@@ -136,7 +137,7 @@ impl Oscillator {
         state.positions[4].x += START;
         let mut config = still(count);
         config.integrator = integrator;
-        let input = StepInput {
+        let input = ReferenceInput {
             pin_targets: &held_pins(&self.model, &state),
             ..NOTHING
         };
@@ -146,7 +147,8 @@ impl Oscillator {
             &input,
             &mut state,
             dt * f64::from(count),
-        );
+        )
+        .expect("a target for every pin");
         [state.positions[4].x - rest[4].x, state.velocities[4].x]
     }
 
@@ -358,11 +360,12 @@ fn four_stages_give_the_same_bits_on_any_number_of_threads() {
         config.gravity = DVec3::NEG_Y * GRAVITY;
         config.integrator = PRINTED;
         config.contact_evaluation = ContactEvaluation::PerStep;
-        let input = StepInput {
+        let input = ReferenceInput {
             pin_targets: &held_pins(&model, &state),
             ..NOTHING
         };
-        pool.install(|| explicit::step(&model, &config, &input, &mut state, 0.001));
+        pool.install(|| explicit::step(&model, &config, &input, &mut state, 0.001))
+            .expect("a target for every pin");
         state
     };
     assert_eq!(run(1), run(3));

@@ -5,7 +5,7 @@ mod reference_support;
 use std::f64::consts::FRAC_PI_4;
 
 use glam::DVec3;
-use lole_cloth::method::explicit::{self, StepInput};
+use lole_cloth::method::explicit::{self, ReferenceInput};
 use lole_cloth::method::paper;
 use lole_cloth::method::reference::{ReferenceModel, ReferenceState, SpringConstants};
 use lole_cloth::wind::{Wind, WindLaw};
@@ -24,7 +24,7 @@ fn fallen(drag_rate: f32, substeps: u32) -> ReferenceState {
     let mut config = still(substeps);
     config.gravity = GRAVITY;
     let mut state = ReferenceState::at_rest(vec![DVec3::ZERO; 9]);
-    let input = StepInput {
+    let input = ReferenceInput {
         time: 0.0,
         pin_targets: &[],
         capsules: &[],
@@ -35,7 +35,8 @@ fn fallen(drag_rate: f32, substeps: u32) -> ReferenceState {
         &input,
         &mut state,
         DT * f64::from(substeps),
-    );
+    )
+    .expect("a target for every pin");
     state
 }
 
@@ -140,12 +141,13 @@ fn a_free_sheet_keeps_its_momentum() {
             .map(|(mass, velocity)| mass * velocity.length())
             .sum();
         let before = model.momentum(&state);
-        let input = StepInput {
+        let input = ReferenceInput {
             time: 0.0,
             pin_targets: &[],
             capsules: &[],
         };
-        explicit::step(&model, &still(2000), &input, &mut state, 1.0);
+        explicit::step(&model, &still(2000), &input, &mut state, 1.0)
+            .expect("a target for every pin");
         let after = model.momentum(&state);
         let linear = (after.linear - before.linear).length() / scale;
         let angular = (after.angular - before.angular).length() / scale;
@@ -159,7 +161,7 @@ fn the_energy_of_a_free_sheet_has_no_trend() {
     let model = model(&spec(5, 5, Topology::Sheet, [0.02; 2]), lattice(20.0));
     let mut state = crumpled(&model, 9);
     let dt = 1.0 / model.largest_frequency_bound();
-    let input = StepInput {
+    let input = ReferenceInput {
         time: 0.0,
         pin_targets: &[],
         capsules: &[],
@@ -167,7 +169,8 @@ fn the_energy_of_a_free_sheet_has_no_trend() {
     let mut mean_energy = |steps: u32| {
         let mut sum = 0.0;
         for _ in 0..steps {
-            explicit::step(&model, &still(1), &input, &mut state, dt);
+            explicit::step(&model, &still(1), &input, &mut state, dt)
+                .expect("a target for every pin");
             sum += model.kinetic_energy(&state.velocities) + model.spring_energy(&state.positions);
         }
         sum / f64::from(steps)

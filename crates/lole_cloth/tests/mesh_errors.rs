@@ -3,7 +3,8 @@
 mod mesh_support;
 
 use glam::{Vec2, Vec3};
-use lole_cloth::mesh::{Cause, MeshModel, MeshSpec, Outcome};
+use lole_cloth::Lost;
+use lole_cloth::mesh::{MeshModel, MeshSpec};
 use lole_cloth::mesh_state_hash;
 use lole_geom::Capsule;
 use mesh_support::{DT, FABRIC, World, rectangle};
@@ -157,7 +158,7 @@ fn hanging() -> World {
 }
 
 /// A step that is held leaves everything as it was, and says why.
-fn held(world: &mut World, capsules: &[Capsule]) -> Cause {
+fn held(world: &mut World, capsules: &[Capsule]) -> Lost {
     let before = mesh_state_hash(&world.state);
     let positions = world.positions();
     let outcome = world.try_step(capsules);
@@ -166,8 +167,8 @@ fn held(world: &mut World, capsules: &[Capsule]) -> Cause {
         assert_eq!(world.positions(), positions);
     }
     match outcome {
-        Outcome::Held(cause) => cause,
-        Outcome::Advanced => panic!("the step went on"),
+        Err(lost) => lost,
+        Ok(()) => panic!("the step went on"),
     }
 }
 
@@ -179,15 +180,15 @@ fn a_step_to_nowhere_is_held_with_its_first_cause() {
     world.pins[1].y = f32::NAN;
     assert!(matches!(
         held(&mut world, &[]),
-        Cause::PinTarget { particle: 1, .. }
+        Lost::PinTarget { particle: 1, .. }
     ));
     world.pins[1] = pin;
 
     let nowhere = Capsule::uniform(Vec3::ZERO, Vec3::INFINITY, 0.1);
-    assert_eq!(held(&mut world, &[nowhere]), Cause::Capsule { index: 0 });
+    assert_eq!(held(&mut world, &[nowhere]), Lost::Capsule { index: 0 });
 
     let gravity = std::mem::replace(&mut world.config.gravity, Vec3::NAN);
-    assert_eq!(held(&mut world, &[]), Cause::Setting { field: "gravity" });
+    assert_eq!(held(&mut world, &[]), Lost::Setting { field: "gravity" });
     world.config.gravity = gravity;
 
     // A speed beyond all numbers overflows in the first flight.
@@ -197,7 +198,7 @@ fn a_step_to_nowhere_is_held_with_its_first_cause() {
     world.state.set_velocities(&world.model, &wild);
     let cause = held(&mut world, &[]);
     assert!(
-        matches!(cause, Cause::Particle { substep: 0, .. }),
+        matches!(cause, Lost::Particle { substep: 0, .. }),
         "{cause}"
     );
 
@@ -205,7 +206,7 @@ fn a_step_to_nowhere_is_held_with_its_first_cause() {
     world.state.set_velocities(&world.model, &wild);
     assert!(matches!(
         held(&mut world, &[]),
-        Cause::Start { particle: 9, .. }
+        Lost::Start { particle: 9, .. }
     ));
 
     // And it goes on when the cause is gone.
@@ -224,6 +225,6 @@ fn a_step_of_no_time_is_held() {
         };
         let outcome =
             lole_cloth::mesh::step(&world.model, &world.config, &input, &mut world.state, dt);
-        assert!(matches!(outcome, Outcome::Held(Cause::Duration { .. })));
+        assert!(matches!(outcome, Err(Lost::Duration { .. })));
     }
 }

@@ -8,7 +8,7 @@ use glam::{DVec3, Vec3};
 use lole_cloth::Topology;
 use lole_cloth::collision::penalty::{MovingCapsule, Overlap, Penalty, Response, contact_force};
 use lole_cloth::method::explicit::{
-    self, ContactEvaluation, ExplicitConfig, Integrator, RungeKutta, StepInput, Substeps,
+    self, ContactEvaluation, ExplicitConfig, Integrator, ReferenceInput, RungeKutta, Substeps,
 };
 use lole_cloth::method::paper;
 use lole_cloth::method::reference::{ReferenceModel, ReferenceState, SpringConstants};
@@ -242,7 +242,7 @@ fn bounce_of(
     };
     let capsule = [Capsule::uniform(Vec3::NEG_X, Vec3::X, 0.5)];
     let pin_targets = [DVec3::splat(100.0); 8];
-    let input = StepInput {
+    let input = ReferenceInput {
         time: 0.0,
         pin_targets: &pin_targets,
         capsules: &capsule,
@@ -254,7 +254,8 @@ fn bounce_of(
         let mut state = ReferenceState::at_rest(positions);
         state.velocities[4] = DVec3::NEG_Y;
         while state.velocities[4].y < 0.0 || state.positions[4].y <= 0.5 {
-            explicit::step(&model, &config, &input, &mut state, dt);
+            explicit::step(&model, &config, &input, &mut state, dt)
+                .expect("a target for every pin");
         }
         let speed = state.velocities[4].y;
         found = [found[0].min(speed), found[1].max(speed)];
@@ -345,7 +346,7 @@ fn a_particle_tunnels_when_a_step_carries_it_past_the_axis() {
     let capsule = [Capsule::uniform(Vec3::NEG_X, Vec3::X, radius)];
     let radius = f64::from(radius);
     let pin_targets = [DVec3::splat(100.0); 8];
-    let input = StepInput {
+    let input = ReferenceInput {
         time: 0.0,
         pin_targets: &pin_targets,
         capsules: &capsule,
@@ -357,7 +358,8 @@ fn a_particle_tunnels_when_a_step_carries_it_past_the_axis() {
         let mut state = ReferenceState::at_rest(positions);
         state.velocities[4] = DVec3::NEG_Y * speed;
         for _ in 0..30 {
-            explicit::step(&model, &config, &input, &mut state, dt);
+            explicit::step(&model, &config, &input, &mut state, dt)
+                .expect("a target for every pin");
         }
         assert!(
             state.positions[4].y * side > radius,
@@ -387,12 +389,12 @@ fn after(
     positions[4] = position;
     let mut state = ReferenceState::at_rest(positions);
     state.capsules = vec![capsules[0]];
-    let input = StepInput {
+    let input = ReferenceInput {
         time: 0.0,
         pin_targets: &[DVec3::splat(100.0); 8],
         capsules: &capsules[1..],
     };
-    explicit::step(&model, config, &input, &mut state, seconds);
+    explicit::step(&model, config, &input, &mut state, seconds).expect("a target for every pin");
     state
 }
 

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use lole_cloth::collision::penalty::Penalty;
 use lole_cloth::diagnose::{self, StrainSummary};
-use lole_cloth::method::explicit::{self, ExplicitConfig, HighestMode, StepInput};
+use lole_cloth::method::explicit::{self, ExplicitConfig, HighestMode, ReferenceInput};
 use lole_cloth::method::reference::{ReferenceModel, ReferenceState};
 use lole_cloth::scenes::{FRAME_DT, SCENES};
 
@@ -27,12 +27,12 @@ fn skirt(frames: u32) -> (ReferenceModel, Vec<DVec3>, StrainSummary) {
         ..ExplicitConfig::for_model(&model, DT)
     };
     for frame in 0..frames {
-        let input = StepInput {
+        let input = ReferenceInput {
             time: f64::from(frame) * DT,
             pin_targets: &pins,
             capsules: &[],
         };
-        explicit::step(&model, &config, &input, &mut state, DT);
+        explicit::step(&model, &config, &input, &mut state, DT).expect("a target for every pin");
     }
     let narrow = state.positions.iter().map(|place| place.as_vec3());
     let strain = diagnose::strain(&setup.spec, &narrow.collect::<Vec<_>>());

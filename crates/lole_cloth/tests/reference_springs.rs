@@ -6,7 +6,7 @@ use std::num::NonZeroU32;
 
 use glam::{DQuat, DVec3};
 use lole_cloth::collision::penalty::{MovingCapsule, Penalty};
-use lole_cloth::method::explicit::{self, ExplicitConfig, HighestMode, StepInput, Substeps};
+use lole_cloth::method::explicit::{self, ExplicitConfig, HighestMode, ReferenceInput, Substeps};
 use lole_cloth::method::reference::{ReferenceModel, ReferenceState, SpringConstants};
 use lole_cloth::{BuildError, ClothSpec, Fabric, MassLaw, Topology};
 use lole_geom::trig64;
@@ -277,14 +277,15 @@ fn automatic_substeps_hold_a_stiff_cloth_with_contact() {
         0.04,
     );
     let mut state = ReferenceState::at_rest(shaken(&model, 1e-4));
-    let input = StepInput {
+    let input = ReferenceInput {
         time: 0.0,
         pin_targets: &held_pins(&model, &state),
         capsules: &[capsule],
     };
     let mut count = 0;
     for _ in 0..60 {
-        count = explicit::step(&model, &config, &input, &mut state, 1.0 / 60.0);
+        count = explicit::step(&model, &config, &input, &mut state, 1.0 / 60.0)
+            .expect("a target for every pin");
     }
     let flat = model.stable_substeps(1.0 / 60.0, &config.penalty);
     assert!(
@@ -310,12 +311,12 @@ fn settled(model: &ReferenceModel, positions: Vec<DVec3>, seconds: f64) -> Refer
     let mut state = ReferenceState::at_rest(positions);
     let mut config = ExplicitConfig::for_model(model, 0.01);
     config.penalty = Penalty::new(0.0, 0.0);
-    let input = StepInput {
+    let input = ReferenceInput {
         time: 0.0,
         pin_targets: &held_pins(model, &state),
         capsules: &[],
     };
-    explicit::step(model, &config, &input, &mut state, seconds);
+    explicit::step(model, &config, &input, &mut state, seconds).expect("a target for every pin");
     state
 }
 
@@ -436,12 +437,13 @@ fn any_number_of_threads_gives_the_same_bits() {
             config.gravity = DVec3::NEG_Y * 9.81;
             config.substeps = Substeps::Fixed(NonZeroU32::new(40).expect("forty"));
             let mut state = ReferenceState::at_rest(shaken(&model, 0.001));
-            let input = StepInput {
+            let input = ReferenceInput {
                 time: 0.0,
                 pin_targets: &held_pins(&model, &state),
                 capsules: &[],
             };
-            explicit::step(&model, &config, &input, &mut state, 0.02);
+            explicit::step(&model, &config, &input, &mut state, 0.02)
+                .expect("a target for every pin");
             state
         })
     };
@@ -458,12 +460,12 @@ fn pins_arrive_exactly_and_carry_their_speed() {
     let mut state = ReferenceState::at_rest(rest_positions(model.grid()));
     let target = DVec3::new(0.1, 0.037, -0.2);
     let start = state.positions[1];
-    let input = StepInput {
+    let input = ReferenceInput {
         time: 0.0,
         pin_targets: &[target],
         capsules: &[],
     };
-    explicit::step(&model, &still(7), &input, &mut state, 0.01);
+    explicit::step(&model, &still(7), &input, &mut state, 0.01).expect("a target for every pin");
     assert_eq!(state.positions[1], target);
     assert!((state.velocities[1] - (target - start) / 0.01).length() < 1e-12);
 }

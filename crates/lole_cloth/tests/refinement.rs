@@ -7,7 +7,7 @@ use std::num::NonZeroU32;
 
 use glam::{DVec3, Vec3};
 use lole_cloth::collision::penalty::Penalty;
-use lole_cloth::method::explicit::{self, ExplicitConfig, StepInput, Substeps};
+use lole_cloth::method::explicit::{self, ExplicitConfig, ReferenceInput, Substeps};
 use lole_cloth::method::reference::{ReferenceModel, ReferenceState};
 use lole_cloth::{ClothSpec, MassLaw};
 use reference_support::held_pins;
@@ -65,13 +65,13 @@ fn swung_by_reference() -> Vec<DVec3> {
         ..ExplicitConfig::for_model(&model, FRAME)
     };
     let pin_targets = held_pins(&model, &state);
-    let input = StepInput {
+    let input = ReferenceInput {
         time: 0.0,
         pin_targets: &pin_targets,
         capsules: &[],
     };
     for _ in 0..20 {
-        explicit::step(&model, &config, &input, &mut state, FRAME);
+        explicit::step(&model, &config, &input, &mut state, FRAME).expect("a target for every pin");
     }
     state.positions
 }

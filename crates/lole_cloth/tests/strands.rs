@@ -44,7 +44,7 @@ fn a_mass_on_a_thread_has_the_period_of_a_pendulum() {
     let mut time = 0.0;
     while crossings.len() < 5 {
         let before = state.positions[1].x;
-        step(&model, &still(), &input, &mut state, FRAME);
+        step(&model, &still(), &input, &mut state, FRAME).expect("a target for every pin");
         let after = state.positions[1].x;
         if before.signum() != after.signum() {
             crossings.push(time + FRAME * before / (before - after));
@@ -104,7 +104,7 @@ fn a_thread_between_two_pins_hangs_as_a_catenary() {
     // Straight to begin with, it needs a way to fall.
     state.positions[20].y -= 0.01;
     for _ in 0..400 {
-        step(&model, &config, &input, &mut state, FRAME);
+        step(&model, &config, &input, &mut state, FRAME).expect("a target for every pin");
     }
     let lowest = state.positions.iter().map(|p| p.y).fold(0.0, f32::min);
     assert!(
@@ -143,7 +143,7 @@ fn a_clamped_leaf_bends_as_a_cantilever() {
         ..StrandConfig::default()
     };
     for _ in 0..120 {
-        step(&model, &config, &input, &mut state, FRAME);
+        step(&model, &config, &input, &mut state, FRAME).expect("a target for every pin");
     }
     // Clamped in the middle of the first free stretch.
     let length = spacing * (f32::from(count) - 1.5);
@@ -190,7 +190,7 @@ fn slid(rise: f32, friction: f32) -> (f32, f32) {
         ..still()
     };
     for _ in 0..30 {
-        step(&model, &config, &input, &mut state, FRAME);
+        step(&model, &config, &input, &mut state, FRAME).expect("a target for every pin");
     }
     let moved = state.positions[0] - strands[0].positions[0];
     (moved.length(), state.positions[0].dot(normal))
@@ -238,7 +238,8 @@ fn links_and_ties_hold_what_they_hold() {
         ..StrandInput::default()
     };
     for _ in 0..240 {
-        step(&model, &StrandConfig::default(), &input, &mut state, FRAME);
+        step(&model, &StrandConfig::default(), &input, &mut state, FRAME)
+            .expect("a target for every pin");
     }
     let apart = state.positions[4].distance(state.positions[9]);
     assert!(apart < 0.052, "{apart} m");

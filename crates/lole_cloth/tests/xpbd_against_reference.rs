@@ -58,12 +58,13 @@ fn reference_run(spec: &ClothSpec) -> Vec<Vec<DVec3>> {
     let pin_targets = held_pins(&model, &state);
     let mut snapshots = Vec::new();
     for frame in 1..=COMPARED_FRAMES[2] {
-        let input = explicit::StepInput {
+        let input = explicit::ReferenceInput {
             time: 0.0,
             pin_targets: &pin_targets,
             capsules: &[],
         };
-        explicit::step(&model, &config, &input, &mut state, f64::from(DT));
+        explicit::step(&model, &config, &input, &mut state, f64::from(DT))
+            .expect("a target for every pin");
         if COMPARED_FRAMES.contains(&frame) {
             snapshots.push(state.positions.clone());
         }
@@ -84,7 +85,7 @@ fn real_time_run(spec: &ClothSpec, config: &SolverConfig) -> Vec<Vec<DVec3>> {
             capsules: &[],
             ..lole_cloth::StepInput::default()
         };
-        lole_cloth::step(&model, config, &input, &mut state, DT);
+        lole_cloth::step(&model, config, &input, &mut state, DT).expect("a target for every pin");
         if COMPARED_FRAMES.contains(&frame) {
             state.copy_positions(&model, &mut out);
             snapshots.push(out.iter().map(|p| p.as_dvec3()).collect());

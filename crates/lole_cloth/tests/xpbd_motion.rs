@@ -257,7 +257,8 @@ fn a_sheet_falls_alike_at_30_60_and_120_frames_a_second() {
                 ..lole_cloth::StepInput::default()
             };
             let dt = 1.0 / frames_per_second as f32;
-            lole_cloth::step(&world.model, &world.config, &input, &mut world.state, dt);
+            lole_cloth::step(&world.model, &world.config, &input, &mut world.state, dt)
+                .expect("a target for every pin");
             if (frame + 1) % (frames_per_second / 30) == 0 {
                 heights.push(mean(&world.positions()[31 * 32..]).y);
             }

@@ -27,7 +27,8 @@ fn step_on(world: &mut World, surfels: &[Surfel]) {
         surfels,
         ..StepInput::default()
     };
-    step(&world.model, &world.config, &input, &mut world.state, DT);
+    step(&world.model, &world.config, &input, &mut world.state, DT)
+        .expect("a target for every pin");
 }
 
 fn deepest(world: &World, center: Vec3, radius: f32) -> f32 {

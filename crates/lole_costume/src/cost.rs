@@ -548,8 +548,10 @@ mod tests {
     /// Whatever is bought stands on the bill, with the key that would price it.
     #[test]
     fn every_notion_is_asked_for_and_then_paid() {
-        use crate::document::GarmentDesign;
         use lole_garment::TEMPLATES;
+
+        use crate::document::GarmentDesign;
+
         for template in TEMPLATES {
             let mut design = design();
             design.skirt.is_worn = false;

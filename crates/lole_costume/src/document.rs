@@ -23,17 +23,15 @@ mod write;
 
 use std::sync::Arc;
 
-use lole_body::motion::SCHOOLS;
-use lole_body::{
-    AmiTurn, ArmManner, ArmStyle, DanceStep, Figure, HairStyle, Hands, HipLead, HipLift, School,
-    Side,
-};
+use lole_body::{Figure, HairStyle, Side};
 use lole_cloth::collision::penalty::{CapsuleShape, Response};
 use lole_cloth::method::explicit::{ContactEvaluation, Integrator, RungeKutta};
 use lole_cloth::wind::WindLaw;
+use lole_hula::SCHOOLS;
+use lole_hula::{AmiTurn, ArmManner, ArmStyle, DanceStep, Hands, HipLead, HipLift, School};
 
 use crate::fabrics::Preset;
-use crate::print::{PrintLay, PrintMotif};
+use lole_print::{PrintLay, PrintMotif};
 
 pub use cost::{CostDesign, Currency, NotionPrices};
 pub use error::{DesignError, Problem};
@@ -249,7 +247,7 @@ impl Default for FabricDesign {
 pub struct PrintChoice {
     /// What is scattered over the ground.
     pub motif: PrintMotif,
-    /// Name of a ready set of colors, one of [`COLORWAYS`](crate::print::COLORWAYS).
+    /// Name of a ready set of colors, one of [`COLORWAYS`](lole_print::COLORWAYS).
     pub colorway: &'static str,
     /// Color of the ground, sRGB.
     pub ground: Option<[u8; 3]>,

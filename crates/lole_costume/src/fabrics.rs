@@ -13,6 +13,7 @@ mod shelf;
 pub mod touch;
 
 use lole_cloth::{Fabric, Hysteresis};
+use lole_geom::narrow;
 
 pub use measure::{MeasureError, Measured, Overhang, Swatch};
 pub use shelf::PRESETS;
@@ -173,30 +174,22 @@ pub struct FabricFigures {
 /// From laboratory units to SI.
 pub(crate) fn si_fabric(figures: &FabricFigures) -> Fabric {
     Fabric {
-        areal_density: engine(figures.areal_density * 1.0e-3),
-        thickness: engine(figures.thickness * 1.0e-3),
-        stretch: figures.stretch.map(engine),
-        shear: engine(figures.shear),
-        bend: figures.bend.map(|rigidity| engine(rigidity * 1.0e-6)),
-        twist: engine(figures.twist * 1.0e-6),
+        areal_density: narrow(figures.areal_density * 1.0e-3),
+        thickness: narrow(figures.thickness * 1.0e-3),
+        stretch: figures.stretch.map(narrow),
+        shear: narrow(figures.shear),
+        bend: figures.bend.map(|rigidity| narrow(rigidity * 1.0e-6)),
+        twist: narrow(figures.twist * 1.0e-6),
         hysteresis: Hysteresis {
             bend: figures
                 .bend_hysteresis
-                .map(|moment| engine(moment * 1.0e-3)),
-            shear: engine(figures.shear_hysteresis),
+                .map(|moment| narrow(moment * 1.0e-3)),
+            shear: narrow(figures.shear_hysteresis),
         },
-        friction: engine(figures.friction),
-        cloth_friction: engine(figures.cloth_friction),
-        drag_rate: engine(figures.drag_rate),
+        friction: narrow(figures.friction),
+        cloth_friction: narrow(figures.cloth_friction),
+        drag_rate: narrow(figures.drag_rate),
     }
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "the engine keeps fabric in f32; seven digits are more than any cloth is known to"
-)]
-fn engine(value: f64) -> f32 {
-    value as f32
 }
 
 #[cfg(test)]

@@ -16,7 +16,6 @@ pub mod cost;
 pub mod document;
 pub mod fabrics;
 pub mod order;
-pub mod print;
 pub mod roster;
 pub mod sew;
 pub mod tailoring;

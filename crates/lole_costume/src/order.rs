@@ -7,10 +7,10 @@ use lole_pattern::Yardage;
 use lole_pattern::marker::{Lay, MarkerWarning};
 use lole_pattern::pattern::{Amount, NotionKind};
 use lole_pattern::piece::ClothRole;
+use lole_print::PrintMotif;
 
 use crate::cost::ClothPrice;
 use crate::document::{Design, FabricDesign, GarmentDesign, GarmentLayer, PrintChoice};
-use crate::print::PrintMotif;
 use crate::roster::{Roster, RosterDancer, RowProblem};
 use crate::tailoring::{ClothPlan, GarmentPattern, SKIRT, TailoringError, patterns_of, role_name};
 

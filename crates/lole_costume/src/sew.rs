@@ -14,7 +14,7 @@ mod rising;
 use glam::{Affine3A, Vec3};
 use lole_body::{Bone, Dancer, TapePoint};
 use lole_cloth::{ClothSpec, Fabric, Flounce, Grid, MassLaw, Topology};
-use lole_geom::trig;
+use lole_geom::{Chance, trig};
 use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements};
 
 pub use band::{Band, Lifts, Watched};
@@ -511,9 +511,9 @@ fn whole_count(distance: f32, spacing: f32) -> u32 {
 /// Where folds start around the ring: evenly, plus a slow random drift that closes.
 fn fold_starts(settings: &SewSettings, fold_count: u32) -> Vec<f32> {
     const WAVES: [f32; 6] = [2.0, 3.0, 5.0, 7.0, 11.0, 17.0];
-    let mut state = settings.seed ^ 0x9e37_79b9_7f4a_7c15;
-    let shifts = WAVES.map(|_| unit_random(&mut state));
-    let strengths = WAVES.map(|_| 0.5 + unit_random(&mut state));
+    let mut chance = Chance::new(settings.seed ^ 0x9e37_79b9_7f4a_7c15);
+    let shifts = WAVES.map(|_| chance.fine_share());
+    let strengths = WAVES.map(|_| 0.5 + chance.fine_share());
     let drift = |around: f32| -> f32 {
         let wave = |((wave, shift), strength): ((f32, f32), f32)| {
             // Each wave changes the local pitch by the same share, whatever its length.
@@ -533,16 +533,6 @@ fn fold_starts(settings: &SewSettings, fold_count: u32) -> Vec<f32> {
 /// Drift of the folds at an unevenness of 1, in rings over waves: six waves of strength up to 1.5
 /// change the pitch by at most `6 · 1.5 · 2π · 0.015 = 85 %`, so folds never change places.
 const LARGEST_DRIFT: f32 = 0.015;
-
-/// A repeatable number in `0..1` (`SplitMix64`, Steele, Lea and Flood 2014).
-fn unit_random(state: &mut u64) -> f32 {
-    *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let mut bits = *state;
-    bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    bits ^= bits >> 31;
-    (bits >> 40) as f32 / (1_u32 << 24) as f32
-}
 
 #[cfg(test)]
 mod tests {
@@ -656,7 +646,7 @@ mod tests {
     fn the_drape_starts_outside_the_body_in_any_stance() {
         let dancer = &*DANCER;
         let dance =
-            lole_body::Dance::new(&dancer.skeleton, &lole_body::MotionSettings::default()).unwrap();
+            lole_hula::Dance::new(&dancer.skeleton, &lole_hula::MotionSettings::default()).unwrap();
         let stance = dancer.skeleton.world_from_bind(&dance.pose_at(0.0));
         let skirt = sewn_in(dancer, &stance, &SewSettings::default()).unwrap();
         let start = skirt.start_positions(&stance, &Lifts::default());

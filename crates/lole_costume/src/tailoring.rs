@@ -13,12 +13,11 @@ use lole_pattern::design::pau_top::{TopMeasurements, draft_pau_top};
 use lole_pattern::marker::{Border, Lay, Nap, TableCloth, lay_out};
 use lole_pattern::piece::ClothRole;
 use lole_pattern::{DraftError, Marker, Pattern};
+use lole_print::{PrintBorder, PrintMotif};
 
 use crate::document::{
     Design, FabricDesign, GarmentDesign, GarmentLayer, PrintChoice, SkirtDesign, WornTop,
 };
-
-use crate::print::{PrintBorder, PrintMotif};
 
 /// Name in files of the design's skirt.
 pub const SKIRT: &str = "pau_skirt";

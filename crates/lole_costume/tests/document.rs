@@ -603,7 +603,7 @@ fn a_school_sets_what_is_left_out_wherever_it_stands() {
 #[test]
 fn the_built_in_dance_is_that_of_the_first_school() {
     let settings = Design::default().motion_settings();
-    assert_eq!(settings, lole_body::MotionSettings::default());
+    assert_eq!(settings, lole_hula::MotionSettings::default());
 }
 
 const CHOREOGRAPHY: &str = "lole = 1
@@ -692,7 +692,7 @@ fn a_choreography_is_as_long_as_its_parts() {
     let design = parse(CHOREOGRAPHY, "mine.lole").unwrap();
     let measurements = lole_body::Measurements::woman();
     let skeleton = lole_body::Dancer::new(&measurements).unwrap().skeleton;
-    let dance = lole_body::Dance::new(&skeleton, &design.motion_settings()).unwrap();
+    let dance = lole_hula::Dance::new(&skeleton, &design.motion_settings()).unwrap();
     // 18 beats of 5/6 s, two that shrink, eight of 60/96.5 s.
     let truth = 18.0 * 60.0 / 72.0 + 60.0 / 72.0 + 60.0 / 96.5 + 8.0 * 60.0 / 96.5;
     assert!((design.duration_s(dance.duration()) - truth).abs() < 1e-6);

@@ -13,10 +13,10 @@ use std::sync::Arc;
 use image::codecs::jpeg::JpegEncoder;
 use image::{ImageFormat, Rgb, RgbImage};
 use lole_costume::document::{Design, LinkedPicture, PrintChoice, parse};
-use lole_costume::print::picture::KEPT_SIDE;
-use lole_costume::print::{Picture, PictureError, PrintBorder, PrintImage};
 use lole_geom::Length;
 use lole_language::Bilingual as _;
+use lole_print::picture::KEPT_SIDE;
+use lole_print::{Picture, PictureError, PrintBorder, PrintImage};
 use proptest::prelude::*;
 
 const RED: Rgb<u8> = Rgb([220, 20, 20]);

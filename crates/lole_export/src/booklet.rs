@@ -12,12 +12,12 @@ use std::sync::Arc;
 use lole_body::Measure;
 use lole_costume::cost::Bill;
 use lole_costume::order::{CutElastic, DancerPlan, PlannedGarment};
-use lole_costume::print::PrintImage;
 use lole_costume::tailoring::{ClothPlan, role_name};
 use lole_garment::Shelf;
 use lole_language::{Bilingual as _, Language, Sentence};
 use lole_pattern::pattern::{Amount, NotionKind, Step};
 use lole_pattern::piece::ClothRole;
+use lole_print::PrintImage;
 
 use crate::cutting::{CutGarment, draw_marker, masses, numbers_words, short_words};
 use crate::order::lengths_table;

@@ -23,11 +23,11 @@ mod tiles;
 
 use std::sync::Arc;
 
-use lole_costume::print::PrintImage;
 use lole_costume::tailoring::{ClothPlan, GarmentPattern};
 use lole_geom::Length;
 use lole_language::Language;
 use lole_pattern::piece::{CutCount, Piece};
+use lole_print::PrintImage;
 
 pub use json::pattern_json;
 pub use pieces_svg::pieces_svg;

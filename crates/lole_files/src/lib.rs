@@ -10,8 +10,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use lole_costume::document::{self, Design, LinkedFile};
-use lole_costume::print::Picture;
 use lole_language::{Bilingual as _, Sentence};
+use lole_print::Picture;
 
 /// A design larger than this [byte] is some other file; it is not even read.
 const LARGEST_FILE: u64 = 16 << 20;

@@ -1,5 +1,5 @@
 //! Draws the pieces of every template to SVG, to be looked at as a tailor looks at a draft:
-//! `cargo run -p lole_pattern --example draw_pieces -- FOLDER [BODY] [TEMPLATE]`.
+//! `cargo run -p lole_garment --example draw_pieces -- FOLDER [BODY] [TEMPLATE]`.
 
 #[path = "../tests/bodies/mod.rs"]
 mod bodies;

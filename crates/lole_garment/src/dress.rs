@@ -25,12 +25,12 @@ use std::sync::Arc;
 use glam::{Affine3A, Vec2, Vec3};
 use lole_body::{Dancer, Pose, TapePoint};
 use lole_cloth::assembly::{
-    Assembly, AssemblyInput, AssemblyState, Elastic, Ends, Joint, JointError, Lost, Piece,
-    PieceState, Place, Seam, step,
+    Assembly, AssemblyInput, AssemblyState, Elastic, Ends, Joint, JointError, Piece, PieceState,
+    Place, Seam, step,
 };
 use lole_cloth::diagnose::StrainSummary;
 use lole_cloth::mesh::{self, MeshError, MeshModel, MeshSpec};
-use lole_cloth::{Crossings, Fabric, SelfCollision, SolverConfig, mesh_state_hash};
+use lole_cloth::{Crossings, Fabric, Lost, SelfCollision, SolverConfig};
 use lole_geom::mesh::vertex_normals;
 use lole_geom::{Capsule, MeshSurfels, Surfel};
 use lole_language::Bilingual;
@@ -674,10 +674,7 @@ impl DressedState {
     /// All bits of positions and velocities as one number.
     #[must_use]
     pub fn hash(&self) -> u64 {
-        match &self.state.pieces[..] {
-            [PieceState::Mesh(state)] => mesh_state_hash(state),
-            _ => 0,
-        }
+        self.state.hash()
     }
 }
 

@@ -2,7 +2,7 @@
 
 use glam::{DVec2, Vec2, Vec3};
 
-use crate::narrow;
+use crate::index;
 
 /// Most columns: a body in columns of a centimeter has ten thousand.
 const MOST_COLUMNS: f32 = 4.0e6;
@@ -104,7 +104,7 @@ impl InsideColumns {
             if height.is_finite() {
                 let place = row as usize * self.counts[0] + column as usize;
                 #[expect(clippy::cast_possible_truncation, reason = "a height in the mesh")]
-                found.push((narrow(place), height as f32, if is_up { 1 } else { -1 }));
+                found.push((index(place), height as f32, if is_up { 1 } else { -1 }));
             }
         }
     }
@@ -175,7 +175,7 @@ mod tests {
     fn a_mesh_winds_once_around_what_is_in_it_and_twice_where_two_overlap() {
         let (mut positions, mut triangles) = ball(Vec3::new(0.3, -0.2, 0.1), 0.1);
         let (more, others) = ball(Vec3::new(0.4, -0.2, 0.1), 0.1);
-        let first = narrow(positions.len());
+        let first = index(positions.len());
         positions.extend(more);
         triangles.extend(others.into_iter().map(|it| it.map(|corner| corner + first)));
         let columns = InsideColumns::new(&positions, &triangles, 0.004);

@@ -6,10 +6,12 @@
 
 pub mod capsule;
 pub mod chance;
+pub mod fnv;
 pub mod inside;
 pub mod length;
 pub mod mesh;
 pub mod mesh_surfels;
+pub mod number;
 pub mod polygon;
 pub mod surfel;
 pub mod triangle_grid;
@@ -23,6 +25,7 @@ pub use inside::InsideColumns;
 pub use length::Length;
 pub use mesh::TriangleMesh;
 pub use mesh_surfels::MeshSurfels;
+pub use number::narrow;
 pub use surfel::Surfel;
 pub use triangle_grid::TriangleGrid;
 pub use weld::WeldedMesh;
@@ -31,6 +34,6 @@ pub use weld::WeldedMesh;
     clippy::cast_possible_truncation,
     reason = "a mesh has fewer than 2^32 of each"
 )]
-const fn narrow(value: usize) -> u32 {
+const fn index(value: usize) -> u32 {
     value as u32
 }

@@ -2,7 +2,7 @@
 
 use glam::{IVec3, Vec3};
 
-use crate::narrow;
+use crate::index;
 
 /// A mesh whose vertices that lay together are one.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -95,12 +95,12 @@ fn numbered(positions: &[Vec3], roots: &[u32], kept: Vec<([u32; 3], usize)>) -> 
     let mut welded = WeldedMesh::default();
     for (number, &position) in numbers.iter_mut().zip(positions) {
         if *number != NONE {
-            *number = narrow(welded.positions.len());
+            *number = index(welded.positions.len());
             welded.positions.push(position);
         }
     }
     let number = |vertex: u32| numbers[vertex as usize];
-    let all = 0..narrow(positions.len());
+    let all = 0..index(positions.len());
     welded.vertices = all
         .map(|vertex| Some(number(root(roots, vertex))).filter(|&it| it != NONE))
         .collect();
@@ -121,7 +121,7 @@ fn root(roots: &[u32], mut vertex: u32) -> u32 {
 
 /// By vertex, the first of those before it that are their own and within `distance` [m], or itself.
 fn firsts_near(positions: &[Vec3], distance: f32) -> Vec<u32> {
-    let mut roots: Vec<u32> = (0..narrow(positions.len())).collect();
+    let mut roots: Vec<u32> = (0..index(positions.len())).collect();
     if !(0.0..f32::INFINITY).contains(&distance) {
         return roots;
     }

@@ -1,7 +1,6 @@
 //! Laws of the pāʻū draft, against figures from published sewing notes and worked by hand.
 
 use std::fmt::Write as _;
-use std::path::Path;
 
 use lole_geom::Length;
 use lole_pattern::design::pau_skirt::{
@@ -337,26 +336,9 @@ fn card(drafted: &PauDraft) -> String {
     text
 }
 
-/// Compares with the golden, or rewrites it where `LOLE_GOLDEN=write` (`cargo xtask golden`).
-fn check_golden(name: &str, text: &str) {
-    // As Cargo says when it runs: a build folder that several clones share keeps what one of them was.
-    let own = std::env::var_os("CARGO_MANIFEST_DIR").expect("Cargo runs tests");
-    let path = Path::new(&own)
-        .join("../../tests/golden/lole_pattern")
-        .join(name);
-    if std::env::var_os("LOLE_GOLDEN").is_some_and(|mode| mode == "write") {
-        std::fs::write(&path, text).expect("the golden can be written");
-    }
-    let golden = std::fs::read_to_string(&path).unwrap_or_default();
-    assert_eq!(
-        golden, text,
-        "{name} changed; explain it, then run `cargo xtask golden`"
-    );
-}
-
 #[test]
-fn the_default_draft_is_the_one_on_the_card() {
-    check_golden(
+fn golden_of_the_default_draft() {
+    lole_golden::check(
         "pau_skirt.txt",
         &card(&draft(&woman(), &PauOptions::default())),
     );

@@ -13,8 +13,9 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use glam::Vec3;
-use lole_body::{Bone, DanceStep};
+use lole_body::Bone;
 use lole_costume::document::{Design, LinkedFile, parse};
+use lole_hula::DanceStep;
 use lole_picture::{Figure as Shown, Looks};
 use lole_render::{Backend, Camera, LightRig, Renderer, Size, View};
 use lole_stage::{Performance, Production};

@@ -18,8 +18,9 @@ use std::time::Duration;
 
 use cpu_time::ProcessTime;
 use glam::Vec3;
-use lole_body::{Bone, DanceStep};
+use lole_body::Bone;
 use lole_costume::document::{self, Design};
+use lole_hula::DanceStep;
 use lole_picture::{Looks, Moment};
 use lole_render::{Backend, Camera, LightRig, Renderer, Size, View};
 

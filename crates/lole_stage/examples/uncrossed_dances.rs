@@ -20,10 +20,10 @@ use std::thread;
 use std::time::Duration;
 
 use cpu_time::ThreadTime;
-use lole_body::DanceStep;
 use lole_cloth::scenes::{FRAME_DT, SCENES, Scene};
 use lole_cloth::{ClothModel, ClothState, StepInput, step};
 use lole_costume::document::{self, Design};
+use lole_hula::DanceStep;
 use lole_stage::{Performance, Production, double_pau, six_dancers};
 use watch::Watch;
 
@@ -140,7 +140,7 @@ fn run_scene(scene: &Scene) -> String {
             capsules: &capsules,
             ..StepInput::default()
         };
-        step(&model, &setup.config, &input, &mut state, FRAME_DT);
+        step(&model, &setup.config, &input, &mut state, FRAME_DT).expect("a target for every pin");
         state.copy_positions(&model, &mut positions);
         let began = ThreadTime::now();
         watch.look(&positions);

@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use lole_avatar::{AvatarError, ReadDance, read_clip};
-use lole_body::motion::Dance;
 use lole_body::{Dancer, Pose};
 use lole_costume::document::{Design, MotionDrift, MotionRepeat};
+use lole_hula::Dance;
 use lole_motion::{Clip, ClipSettings, Drift, Repeat};
 
 use crate::StageError;
@@ -109,9 +109,10 @@ impl Danced {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use lole_body::Measurements;
     use lole_costume::document::LinkedFile;
+
+    use super::*;
 
     #[test]
     fn a_recording_that_is_missing_or_broken_is_refused_by_name() {

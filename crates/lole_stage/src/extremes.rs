@@ -4,9 +4,10 @@
 use std::thread;
 
 use glam::{Quat, Vec3};
-use lole_body::{Bone, DanceStep, Pose};
+use lole_body::{Bone, Pose};
 use lole_costume::document::{Design, LinkedFile};
 use lole_geom::trig;
+use lole_hula::DanceStep;
 
 use crate::{FRAME_SECONDS, Performance, Production, RunMetrics};
 

@@ -59,7 +59,7 @@ pub enum StageError {
     },
     /// The dance cannot be danced.
     #[error(transparent)]
-    Motion(#[from] lole_body::motion::MotionError),
+    Motion(#[from] lole_hula::MotionError),
     /// The recording that is to be danced cannot be.
     #[error("{file}: {error}")]
     Recording {

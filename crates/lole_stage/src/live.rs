@@ -12,6 +12,7 @@ use lole_body::{Bone, Pose};
 use lole_cloth::{ClothSpec, Crossings, diagnose, model::particle_masses};
 use lole_costume::document::{Design, FabricDesign, GarmentDesign, PartDesign, PrintChoice};
 use lole_geom::Capsule;
+use lole_geom::narrow;
 
 use crate::performance::{FRAME_SECONDS, FRAMES_PER_SECOND};
 use crate::skin_check::{self, Surface};
@@ -116,8 +117,7 @@ impl Show {
             age: EASE_SECONDS,
         };
         let performance = Performance::new(Arc::clone(&production))?;
-        let mut positions = performance.cloth_positions().to_vec();
-        performance.add_sewn(&mut positions);
+        let positions: Vec<Vec3> = performance.particles().copied().collect();
         Ok(Self {
             design: production.design.clone(),
             masses: masses(&specs, &production),
@@ -362,10 +362,9 @@ impl Show {
         let pose = self.pose();
         match self.performance.advance_in(pose) {
             Ok(()) => {
-                let mut now = self.performance.cloth_positions().to_vec();
-                self.performance.add_sewn(&mut now);
+                let now = self.performance.particles();
                 for ((velocity, before), &after) in
-                    (self.velocities.iter_mut().zip(&mut self.positions)).zip(now.iter())
+                    (self.velocities.iter_mut().zip(&mut self.positions)).zip(now)
                 {
                     *velocity = (after - *before) / FRAME_SECONDS;
                     *before = after;
@@ -393,12 +392,12 @@ impl Show {
     fn pose(&self) -> Pose {
         let mut layers = self.layers.iter();
         let mut pose = layers.next().map_or_else(Pose::default, |layer| {
-            layer.dance.pose_at(single(layer.time))
+            layer.dance.pose_at(narrow(layer.time))
         });
         for layer in layers {
-            let share = single((layer.age / EASE_SECONDS).clamp(0.0, 1.0));
+            let share = narrow((layer.age / EASE_SECONDS).clamp(0.0, 1.0));
             let share = share * share * (3.0 - 2.0 * share);
-            pose = between(&pose, &layer.dance.pose_at(single(layer.time)), share);
+            pose = between(&pose, &layer.dance.pose_at(narrow(layer.time)), share);
         }
         pose
     }
@@ -496,7 +495,7 @@ impl Show {
             kinetic_energy: kinetic,
             potential_energy: potential,
             elastic_energy: (self.performance.energy())
-                .map(|energy| single(energy.springs + energy.bending)),
+                .map(|energy| narrow(energy.springs + energy.bending)),
             hem_height: self.performance.hem_height(),
             hem_middle: [middle.x, middle.z],
         }
@@ -629,14 +628,6 @@ fn between(from: &Pose, to: &Pose, share: f32) -> Pose {
             .map(|(&from, &to)| from.lerp(to, share))
             .collect(),
     }
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "poses and figures are f32; the sums are f64"
-)]
-fn single(value: f64) -> f32 {
-    value as f32
 }
 
 #[cfg(test)]

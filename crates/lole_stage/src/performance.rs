@@ -65,7 +65,7 @@ const STAGE_RADIUS: f32 = 100.0;
 pub struct Divergence {
     /// Time of the dance [s]; negative while settling.
     pub time: f32,
-    /// Place of the garment among those of the production; dressed ones come after the others.
+    /// Place among all that is worn, as [`Production::worn`] has it.
     pub garment: usize,
     /// Row and column, there, of the first particle that left.
     pub row: u32,
@@ -479,10 +479,14 @@ impl Performance {
     }
 
     fn check_stage(&self) -> Result<(), Divergence> {
-        if let Some(place) = self.dressed.iter().position(Dressed::is_lost) {
+        let (gathered, sewn) = (self.worn.len(), self.dressed.len());
+        let lost = (self.worn.iter().position(Worn::is_lost))
+            .or_else(|| Some(gathered + self.dressed.iter().position(Dressed::is_lost)?))
+            .or_else(|| Some(gathered + sewn + self.adorned.lost()?));
+        if let Some(garment) = lost {
             return Err(Divergence {
                 time: self.time(),
-                garment: self.production.garments.len() + place,
+                garment,
                 row: 0,
                 column: 0,
             });

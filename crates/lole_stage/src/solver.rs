@@ -10,7 +10,7 @@ use lole_cloth::method::explicit::{self, ExplicitConfig, Integrator, Substeps};
 use lole_cloth::method::reference::{ReferenceModel, ReferenceState};
 use lole_cloth::wind::{self, Aerodynamics, GustyWind, Wind, WindLaw};
 use lole_cloth::{
-    ClothModel, ClothSpec, ClothState, Crossings, InstructionSet, Phase, SelfCollision,
+    ClothModel, ClothSpec, ClothState, Crossings, InstructionSet, Lost, Phase, SelfCollision,
     SolverConfig, StepInput, diagnose,
 };
 use lole_costume::document::{Design, GarmentDesign, WindModel};
@@ -71,7 +71,12 @@ pub(crate) struct Xpbd {
 
 impl Xpbd {
     /// Moves the cloth on by `dt` [s] in the wind of `time` [s].
-    fn step(&mut self, surroundings: &Surroundings<'_>, dt: f32, observer: Observer<'_>) {
+    fn step(
+        &mut self,
+        surroundings: &Surroundings<'_>,
+        dt: f32,
+        observer: Observer<'_>,
+    ) -> Result<(), Lost> {
         let time = f64::from(surroundings.time);
         let velocity = self.wind.force(time).as_vec3();
         if let Some(gusts) = &self.gusts {
@@ -101,9 +106,7 @@ impl Xpbd {
         let (model, config, state) = (&self.model, &self.config, &mut self.state);
         match observer {
             None => lole_cloth::step(model, config, &input, state, dt),
-            Some(passed) => {
-                lole_cloth::step_observed((model, config), (&input, dt), state, passed);
-            }
+            Some(passed) => lole_cloth::step_observed((model, config), (&input, dt), state, passed),
         }
     }
 }
@@ -200,18 +203,16 @@ impl Solver {
         surroundings: &Surroundings<'_>,
         dt: f32,
         observer: Observer<'_>,
-    ) {
+    ) -> Result<(), Lost> {
         match self {
-            Self::Xpbd(xpbd) => {
-                xpbd.step(surroundings, dt, observer);
-            }
+            Self::Xpbd(xpbd) => xpbd.step(surroundings, dt, observer),
             Self::Explicit(reference) => {
                 let pin_targets: Vec<DVec3> = surroundings
                     .pin_targets
                     .iter()
                     .map(|p| p.as_dvec3())
                     .collect();
-                let input = explicit::StepInput {
+                let input = explicit::ReferenceInput {
                     time: f64::from(surroundings.time),
                     pin_targets: &pin_targets,
                     capsules: surroundings.capsules,
@@ -221,7 +222,7 @@ impl Solver {
                     state,
                     config,
                 } = &mut **reference;
-                explicit::step(model, config, &input, state, f64::from(dt));
+                explicit::step(model, config, &input, state, f64::from(dt)).map(|_| ())
             }
         }
     }

@@ -60,7 +60,7 @@ fn drape_coefficient(preset: &str) -> f32 {
             capsules: &[],
             ..StepInput::default()
         };
-        step(&model, &config, &input, &mut state, 1.0 / 60.0);
+        step(&model, &config, &input, &mut state, 1.0 / 60.0).expect("a target for every pin");
     }
     let mut positions = Vec::new();
     state.copy_positions(&model, &mut positions);

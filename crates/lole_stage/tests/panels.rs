@@ -11,13 +11,15 @@ mod panels;
 use std::num::NonZeroU32;
 use std::path::Path;
 
-use cotton::FABRIC;
 use glam::{Quat, Vec2, Vec3};
-use lole_body::{Dance, DanceStep, Dancer, Measurements, MotionSettings, Pose, Tape};
-use lole_cloth::mesh::{self, MeshBody, MeshModel, MeshSpec, MeshState, Outcome, diagnose};
+use lole_body::{Dancer, Measurements, Pose, Tape};
+use lole_cloth::mesh::{self, MeshBody, MeshModel, MeshSpec, MeshState, diagnose};
 use lole_cloth::{SolverConfig, StepInput};
 use lole_geom::triangle_grid::blend;
 use lole_geom::{Length, TriangleGrid};
+use lole_hula::{Dance, DanceStep, MotionSettings};
+
+use cotton::FABRIC;
 use panels::{Sewn, sew};
 
 const DT: f32 = 1.0 / 60.0;
@@ -149,7 +151,7 @@ impl Stage {
             ..StepInput::default()
         };
         let outcome = mesh::step(&self.model, config, &input, &mut self.state, DT);
-        assert_eq!(outcome, Outcome::Advanced);
+        assert_eq!(outcome, Ok(()));
         self.state.copy_positions(&self.model, &mut self.now);
     }
 

@@ -8,8 +8,8 @@ mod watch;
 
 use std::thread;
 
-use lole_body::DanceStep;
 use lole_costume::document::Design;
+use lole_hula::DanceStep;
 use lole_stage::{Performance, Production, six_dancers};
 use watch::Watch;
 

@@ -11,10 +11,10 @@ use std::path::{Path, PathBuf};
 use std::sync::mpsc::{self, Receiver, Sender};
 use std::thread::{self, JoinHandle};
 
+use lole_files as files;
 use lole_language::Sentence;
 
 use crate::work::Work;
-use lole_files as files;
 
 /// Windows at one time.
 const MOST_WINDOWS: u32 = 64;

@@ -159,8 +159,9 @@ fn capsule_outline(capsule: &Capsule) -> impl Iterator<Item = [Vec3; 2]> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use lole_cloth::Topology;
+
+    use super::*;
 
     #[test]
     fn a_capsules_outline_lies_on_its_surface() {

@@ -8,13 +8,13 @@ use lole_body::Dancer;
 use lole_costume::cost::{self, Bill};
 use lole_costume::document::{Design, PrintChoice};
 use lole_costume::order::{DancerPlan, PlannedGarment};
-use lole_costume::print::{ClothPicture, PrintImage, cloth_picture};
 use lole_costume::tailoring::{SKIRT_NAME, TailoringError, drafts_of, garment_name};
 use lole_geom::Length;
 use lole_language::{Sentence, Words};
 use lole_pattern::marker::Lay;
 use lole_pattern::piece::ClothRole;
 use lole_pattern::{DraftError, Marker};
+use lole_print::{ClothPicture, PrintImage, cloth_picture};
 
 /// A drawn repeat has so many pixels on a side: motifs are as large on the plan as a fingernail.
 const PRINT_SIDE: u32 = 384;

@@ -22,7 +22,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use lole_costume::document::{self, Design};
-use lole_costume::print::Picture;
+use lole_print::Picture;
 
 use crate::studio::OpenFile;
 use crate::wished::Wished;
@@ -158,9 +158,10 @@ fn record(text: &[u8]) -> Option<(&str, &str, &[u8])> {
 
 #[cfg(test)]
 mod tests {
+    use lole_language::Language;
+
     use super::*;
     use crate::Studio;
-    use lole_language::Language;
 
     fn worked() -> Studio {
         let mut studio = Studio::new(Language::English, Design::default(), None);

@@ -3,7 +3,6 @@
 use anyhow::Result;
 use glam::{Vec2, Vec3};
 use lole_cloth::Topology;
-use lole_costume::print::PrintImage;
 use lole_export::Image;
 use lole_export::glb::{
     BakedCloth, GlbMaterial, GridMesh, GridRing, GridSheet, MeshPart, Sides, SkinnedMesh,
@@ -11,6 +10,7 @@ use lole_export::glb::{
 use lole_export::still::encode_png;
 use lole_garment::adorn::{self, Carried, Finish};
 use lole_picture::Cover;
+use lole_print::PrintImage;
 use lole_stage::{Garment, Production, WornSurface};
 
 /// Columns of the simulation for one column of the file: a gather keeps five vertices.

@@ -75,13 +75,13 @@ impl Prepared {
 
     /// Moves the cloth on by a frame; the number of substeps it took.
     fn step(&self, config: &SolverConfig, input: &StepInput<'_>, state: &mut ClothState) -> u32 {
-        match self {
+        let taken = match self {
             Self::Xpbd(model) => {
-                step(model, config, input, state, FRAME_DT);
-                config.substep_count.get()
+                step(model, config, input, state, FRAME_DT).map(|()| config.substep_count.get())
             }
             Self::ExplicitRows(model) => explicit_rows::step(model, config, input, state, FRAME_DT),
-        }
+        };
+        taken.expect("a target for every pin")
     }
 }
 
@@ -167,7 +167,8 @@ impl<'a> Running<'a> {
             let clock = &mut self.clock;
             clock.begin_frame();
             let mut passed = |phase| clock.passed(phase);
-            step_observed((model, config), (&input, FRAME_DT), state, &mut passed);
+            step_observed((model, config), (&input, FRAME_DT), state, &mut passed)
+                .expect("a target for every pin");
             return config.substep_count.get();
         }
         let watch = Stopwatch::start();

@@ -226,7 +226,7 @@ fn soak(
             air_velocity: world.air_velocity,
             ..StepInput::default()
         };
-        step(&model, &setup.config, &input, &mut state, FRAME_DT);
+        step(&model, &setup.config, &input, &mut state, FRAME_DT).expect("a target for every pin");
         row.frames += 1;
         let is_due = row.frames.is_multiple_of(LOOK_INTERVAL) && START_FRAMES < row.frames;
         if is_due && !look((&setup, &model), &state, &capsules, &mut row) {

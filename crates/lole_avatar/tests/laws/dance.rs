@@ -2,8 +2,9 @@
 
 use glam::{Quat, Vec3};
 use lole_avatar::{AvatarError, read_dance};
-use lole_body::{Bone, Dance, Dancer, Measurements, MotionSettings, Pose, Tape};
+use lole_body::{Bone, Dancer, Measurements, Pose, Tape};
 use lole_geom::Length;
+use lole_hula::{Dance, MotionSettings};
 use lole_motion::{Clip, ClipSettings};
 
 use crate::support::{Kind, Manner, asset, dancer, write_dance};

@@ -3,7 +3,7 @@
 use std::num::NonZeroU32;
 
 use glam::Vec3;
-use lole_geom::{Capsule, Surfel};
+use lole_geom::{Capsule, Surfel, fnv};
 
 use crate::assembly::attachment::{Bones, Frame};
 use crate::assembly::contact;
@@ -12,10 +12,11 @@ use crate::assembly::piece::{Piece, PieceState};
 use crate::assembly::whole::{Whole, WholeState};
 use crate::collision::face_contact::{FaceContacts, Faces};
 use crate::lanes::Points;
+use crate::lost::{Lost, check_cloth, check_pins};
 use crate::mesh::outcome::all_finite;
 use crate::method::fineness::{Fineness, Substeps};
 use crate::method::xpbd;
-use crate::{StepInput, mesh};
+use crate::{StepInput, mesh, mesh_state_hash, state_hash};
 
 /// Pieces and what joins them: what never changes from step to step.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,7 +47,8 @@ pub struct AssemblyState {
 /// What the world does during one step; by default nothing is in it.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct AssemblyInput<'a> {
-    /// By piece, where its pinned particles are at the end of the step [m].
+    /// By piece, where its pinned particles are at the end of the step [m]; an empty list, or none, where all
+    /// of them stay.
     pub pin_targets: &'a [Vec<Vec3>],
     /// Where the bones are at the end of the step; always the same ones in the same order.
     pub frames: &'a [Frame],
@@ -57,16 +59,6 @@ pub struct AssemblyInput<'a> {
     pub surfels: &'a [Surfel],
     /// Velocity of the air [m/s].
     pub air_velocity: Vec3,
-}
-
-/// The piece that a step would have sent nowhere.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error("a particle of piece {piece} went nowhere in substep {substep}; the step was not taken")]
-pub struct Lost {
-    /// The first piece with a particle at no place.
-    pub piece: usize,
-    /// After which substep, from 0.
-    pub substep: u32,
 }
 
 impl Assembly {
@@ -116,6 +108,18 @@ impl Assembly {
 }
 
 impl AssemblyState {
+    /// All bits of positions and velocities as one number: of a lone piece that piece's own, of several one
+    /// that holds them all.
+    #[must_use]
+    pub fn hash(&self) -> u64 {
+        let mut hashes = self.pieces.iter().map(|piece| match piece {
+            PieceState::Grid(state) => state_hash(state),
+            PieceState::Mesh(state) => mesh_state_hash(state),
+        });
+        let first = hashes.next().unwrap_or(fnv::BASIS);
+        hashes.fold(first, |all, next| all.wrapping_mul(fnv::PRIME) ^ next)
+    }
+
     /// Moves all pieces, and where pins, bones and body were left, by as much [m], and makes the pieces
     /// `faster` [m/s].
     pub fn carry(&mut self, by: Vec3, faster: Vec3) {
@@ -173,30 +177,43 @@ impl AssemblyState {
 /// Moves the assembly on by `dt` [s].
 ///
 /// # Errors
-/// Where a particle would be at no place afterwards; the state is then as it was before.
+/// A state of other pieces, pins of a piece that were not told where they go, and a particle that would be at no place afterwards; the
+/// state is then as it was before.
 pub fn step(
     assembly: &Assembly,
     input: &AssemblyInput<'_>,
     state: &mut AssemblyState,
     dt: f32,
 ) -> Result<(), Lost> {
+    check_cloth(0, [assembly.pieces.len(), state.pieces.len()])?;
+    for (place, (piece, state)) in assembly.pieces.iter().zip(&state.pieces).enumerate() {
+        let lengths = match (piece, state) {
+            (Piece::Grid(model, _), PieceState::Grid(state)) => {
+                [model.layout.vector_count(), state.positions.len()]
+            }
+            (Piece::Mesh(model, _), PieceState::Mesh(state)) => {
+                [model.inv_masses.len(), state.positions.len()]
+            }
+            _ => return Err(Lost::OtherCloth { piece: place }),
+        };
+        check_cloth(place, lengths)?;
+    }
+    for (piece, targets) in assembly.pieces.iter().zip(input.pin_targets) {
+        check_pins(piece.pin_indices().len(), targets)?;
+    }
     if state.frames.len() != input.frames.len() {
         state.frames = input.frames.to_vec();
     }
     state.keep();
-    advance(assembly, (input, dt), (state, &mut None));
+    advance(assembly, (input, dt), (state, None));
     if !state.pieces.iter().all(is_finite) {
         // The same again, looking at every piece after every substep.
         state.restore();
-        let mut lost = Some(Lost {
-            piece: usize::MAX,
-            substep: 0,
-        });
-        advance(assembly, (input, dt), (state, &mut lost));
+        let mut lost = None;
+        advance(assembly, (input, dt), (state, Some(&mut lost)));
         state.restore();
-        if let Some(lost) = lost {
-            return Err(lost);
-        }
+        let piece = assembly.pieces.len();
+        return Err(lost.unwrap_or(Lost::Piece { piece, substep: 0 }));
     }
     let pins = state.pieces.iter_mut().zip(input.pin_targets);
     for (piece, targets) in pins {
@@ -252,7 +269,7 @@ enum Plan {
 fn advance(
     assembly: &Assembly,
     (input, dt): (&AssemblyInput<'_>, f32),
-    (state, lost): (&mut AssemblyState, &mut Option<Lost>),
+    (state, mut lost): (&mut AssemblyState, Option<&mut Option<Lost>>),
 ) {
     let none = Vec::new();
     let inputs: Vec<StepInput<'_>> = (0..assembly.pieces.len())
@@ -296,13 +313,13 @@ fn advance(
         for ((piece, plan), state) in pieces().zip(&plans).zip(&mut state.pieces) {
             finish(piece.0, (plan.as_ref(), index), state);
         }
-        if let Some(lost) = lost.as_mut().filter(|lost| lost.piece == usize::MAX)
+        if let Some(lost) = lost.as_deref_mut().filter(|lost| lost.is_none())
             && let Some(piece) = state.pieces.iter().position(|piece| !is_finite(piece))
         {
-            *lost = Lost {
+            *lost = Some(Lost::Piece {
                 piece,
                 substep: index,
-            };
+            });
         }
     }
     for (piece, state) in assembly.pieces.iter().zip(&mut state.pieces) {

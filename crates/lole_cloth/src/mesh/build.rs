@@ -3,6 +3,8 @@
 
 use glam::{DMat2, DVec2, DVec3};
 
+use lole_geom::narrow as narrow_float;
+
 use crate::lanes::narrow;
 use crate::mesh::bend::fit::{Star, measures};
 use crate::mesh::bend::{BentBatch, Curve, STAR_SIZES, StarBatch, StarSpec};
@@ -308,12 +310,4 @@ fn choose(middle: u32, fan: &Fan, slots: &Slots, unassigned: &[bool]) -> Option<
         }
     });
     choices.max_by_key(|choice| choice.score)
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "weights are worked out in f64 and used in f32"
-)]
-const fn narrow_float(value: f64) -> f32 {
-    value as f32
 }

@@ -11,6 +11,7 @@ use std::collections::BinaryHeap;
 use std::f64::consts::TAU;
 
 use glam::{DVec2, Vec2};
+use lole_geom::narrow;
 use lole_geom::trig64;
 
 use crate::lanes::narrow as particle_number;
@@ -520,12 +521,4 @@ fn turns(triangles: &[[u32; 3]]) -> Result<Vec<bool>, MeshError> {
         }
     }
     Ok(turns.into_iter().map(|turn| turn == Some(true)).collect())
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "lengths are worked out in f64 and used in f32"
-)]
-const fn narrow(value: f64) -> f32 {
-    value as f32
 }

@@ -92,6 +92,14 @@ impl MeshState {
         state
     }
 
+    /// Every position [m].
+    #[must_use]
+    pub fn positions(&self, model: &MeshModel) -> Vec<Vec3> {
+        let mut positions = Vec::new();
+        self.copy_positions(model, &mut positions);
+        positions
+    }
+
     /// Writes every position [m] over `out`.
     pub fn copy_positions(&self, model: &MeshModel, out: &mut Vec<Vec3>) {
         model.slots.gather_points(&self.positions, out);

@@ -8,11 +8,12 @@ use lole_geom::trig;
 use crate::collision::placement::Placement;
 use crate::collision::response::ContactLaw;
 use crate::lanes::{LANES, Vectors};
+use crate::lost::{Lost, SubstepPart, check_cloth};
 use crate::mesh::bend;
 use crate::mesh::build::Stars;
 use crate::mesh::contact;
 use crate::mesh::model::MeshModel;
-use crate::mesh::outcome::{self, Cause, Outcome, Phase, all_finite, cause_in_input, first_lost};
+use crate::mesh::outcome::{self, all_finite, cause_in_input, first_lost};
 use crate::mesh::particles::{self, Gathered, WIDTH};
 use crate::mesh::resistance::Resisting;
 use crate::mesh::self_contact;
@@ -75,20 +76,24 @@ impl Substep {
     }
 }
 
-/// Moves the piece on by `dt` [s], or leaves it as it was and says why.
+/// Moves the piece on by `dt` [s].
 ///
 /// Pins, capsules and surfels move evenly from where the previous call left them to where `input` has them.
 /// Of `config` the held depth is the grid's alone; strides along rows are along
 /// the warp here, those down columns along the weft, in distances of a square grid as fine.
+///
+/// # Errors
+/// The first thing that does not fit or is no finite number; the piece is as it was before the step then.
 pub fn step(
     model: &MeshModel,
     config: &SolverConfig,
     input: &StepInput<'_>,
     state: &mut MeshState,
     dt: f32,
-) -> Outcome {
+) -> Result<(), Lost> {
+    check_cloth(0, [model.inv_masses.len(), state.positions.len()])?;
     if let Some(cause) = cause_in_input(model, config, input, dt) {
-        return Outcome::Held(cause);
+        return Err(cause);
     }
     state.keep();
     advance(model, config, (input, dt), (state, &mut None));
@@ -99,7 +104,7 @@ pub fn step(
         advance(model, config, (input, dt), (state, &mut watch));
         state.restore();
         if let Some(cause) = watch.and_then(|watch| watch.cause) {
-            return Outcome::Held(cause);
+            return Err(cause);
         }
     }
     let positions = &state.positions;
@@ -113,13 +118,13 @@ pub fn step(
     state.capsules.extend_from_slice(input.capsules);
     state.surfels.clear();
     state.surfels.extend_from_slice(input.surfels);
-    Outcome::Advanced
+    Ok(())
 }
 
 /// Looks for the first particle that goes nowhere.
 pub(crate) struct Watch {
     substep: u32,
-    cause: Option<Cause>,
+    cause: Option<Lost>,
 }
 
 impl Watch {
@@ -130,7 +135,7 @@ impl Watch {
         });
         let cause = lost.map(|(particle, _)| {
             let slot = model.slots.of_particle[particle as usize] as usize;
-            Cause::Start {
+            Lost::Start {
                 particle,
                 position: outcome::at(&state.positions, slot),
                 velocity: velocity_of(slot),
@@ -139,19 +144,19 @@ impl Watch {
         Self { substep: 0, cause }
     }
 
-    fn look(&mut self, model: &MeshModel, state: &MeshState, phase: Phase) {
+    fn look(&mut self, model: &MeshModel, state: &MeshState, phase: SubstepPart) {
         if self.cause.is_some() {
             return;
         }
         let lost = first_lost(model, |slot| {
-            if phase == Phase::Contact {
+            if phase == SubstepPart::Contact {
                 let velocity = outcome::at(&state.velocities, slot);
                 outcome::at(&state.positions, slot) + 0.0 * velocity
             } else {
                 Vec3::from_slice(&state.scratch.particles[slot * WIDTH..])
             }
         });
-        self.cause = lost.map(|(particle, position)| Cause::Particle {
+        self.cause = lost.map(|(particle, position)| Lost::Particle {
             particle,
             substep: self.substep,
             phase,
@@ -175,9 +180,9 @@ fn advance(
         }
         predict_and_project((model, config, input), (&substep, index), (state, watch));
         self_contact::solve((model, config), (&substep, index), state);
-        look(watch, model, state, Phase::Cloth);
+        look(watch, model, state, SubstepPart::Cloth);
         contact::finish((model, config), (&substep, index), state);
-        look(watch, model, state, Phase::Contact);
+        look(watch, model, state, SubstepPart::Contact);
     }
     end((model, config), (input, dt), state);
 }
@@ -192,7 +197,7 @@ fn end(
     self_contact::repair((model, config), (input, dt), state);
 }
 
-fn look(watch: &mut Option<Watch>, model: &MeshModel, state: &MeshState, phase: Phase) {
+fn look(watch: &mut Option<Watch>, model: &MeshModel, state: &MeshState, phase: SubstepPart) {
     if let Some(watch) = watch {
         watch.look(model, state, phase);
     }
@@ -222,26 +227,26 @@ pub(crate) fn predict_and_project(
     contact::begin_substep((model, config, input), (substep, index), state);
     let level = config.instruction_set.level();
     dispatch!(level, simd => predict(simd, model, substep, state));
-    look(watch, model, state, Phase::Flight);
+    look(watch, model, state, SubstepPart::Flight);
     let MeshScratch {
         particles, strides, ..
     } = &mut state.scratch;
     dispatch!(level, simd => stride::solve(simd, particles, strides));
-    look(watch, model, state, Phase::Strides);
+    look(watch, model, state, SubstepPart::Strides);
     let MeshScratch {
         particles,
         resisting,
         ..
     } = &mut state.scratch;
     dispatch!(level, simd => solve_stars(simd, particles, &resisting.stars));
-    look(watch, model, state, Phase::Bending);
+    look(watch, model, state, SubstepPart::Bending);
     let MeshScratch {
         particles,
         resisting,
         ..
     } = &mut state.scratch;
     dispatch!(level, simd => solve_triangles(simd, particles, (resisting, substep.sweep_count)));
-    look(watch, model, state, Phase::Strain);
+    look(watch, model, state, SubstepPart::Strain);
 }
 
 /// Bending, and the first sweep over the triangles, most of which the stars solve.

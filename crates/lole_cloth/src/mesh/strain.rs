@@ -8,6 +8,7 @@
 
 use fearless_simd::{f32x16, prelude::*};
 use glam::DVec2;
+use lole_geom::narrow;
 
 use crate::constraint::pull::Pull;
 use crate::lanes::{LANES, Scalars, Vectors, larger};
@@ -40,14 +41,6 @@ impl Flat {
             per_area: narrow(2.0 / area),
         }
     }
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "coefficients are worked out in f64 and used in f32"
-)]
-const fn narrow(value: f64) -> f32 {
-    value as f32
 }
 
 /// Sixteen triangles in the flat piece, and how they resist.

@@ -1,4 +1,4 @@
-//! Strands: narrow strips such as raffia and ti leaf, as pieces of two columns.
+//! Strips: narrow cloth such as raffia and ti leaf, as pieces of two columns.
 //!
 //! A strand is known by its stiffness as a whole, `EA` [N] and `EI` [N·m²]; over its width they
 //! are the moduli of a cloth.
@@ -10,7 +10,7 @@ use crate::mesh::spec::MeshSpec;
 
 /// A narrow strip.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Strand {
+pub struct Strip {
     /// Length [m].
     pub length: f32,
     /// Width [m].
@@ -31,7 +31,7 @@ pub struct Strand {
     pub drag_rate: f32,
 }
 
-impl Strand {
+impl Strip {
     /// The piece: particles `2 k` and `2 k + 1` lie side by side at `k` segments from the root,
     /// warp along the length. Nothing is pinned.
     #[must_use]

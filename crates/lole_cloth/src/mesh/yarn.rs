@@ -1,6 +1,7 @@
 //! Yarns on a surface that lies in no plane: where one leads that is laid straight on, over seams too.
 
 use glam::DVec2;
+use lole_geom::narrow;
 
 use crate::mesh::rest::Welded;
 use crate::mesh::stride::{REACH, SLANT_MAX};
@@ -98,12 +99,4 @@ impl Strip {
             self.best = Some((score, partner));
         }
     }
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "lengths are worked out in f64 and used in f32"
-)]
-const fn narrow(value: f64) -> f32 {
-    value as f32
 }

@@ -14,6 +14,7 @@ use lole_geom::Capsule;
 pub use runge_kutta::{Counting, LastStage, RungeKutta, StageDamping, StageTime};
 pub use stability::{HighestMode, stability_limit};
 
+use crate::Lost;
 use crate::collision::penalty::{MovingCapsule, Penalty};
 use crate::method::paper;
 use crate::method::reference::{ReferenceModel, ReferenceState};
@@ -111,7 +112,7 @@ impl ExplicitConfig {
 
 /// What the dancer does during one step.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct StepInput<'a> {
+pub struct ReferenceInput<'a> {
     /// Time at the start of the step [s], for the wind.
     pub time: f64,
     /// Where the pinned particles are at the end of the step [m], in the order of
@@ -127,17 +128,23 @@ pub struct StepInput<'a> {
 /// Pinned particles and capsules move on straight lines to where `input` has them at the end of the
 /// step.
 ///
+/// # Errors
+/// As many targets as there are not pins; the cloth is as it was then.
+///
 /// # Panics
-/// When the state does not have the model's number of particles, or the targets its number of pins.
+/// When the state does not have the model's number of particles.
 pub fn step(
     model: &ReferenceModel,
     config: &ExplicitConfig,
-    input: &StepInput<'_>,
+    input: &ReferenceInput<'_>,
     state: &mut ReferenceState,
     dt: f64,
-) -> u32 {
+) -> Result<u32, Lost> {
     assert_eq!(state.positions.len(), model.masses().len(), "particles");
-    assert_eq!(input.pin_targets.len(), model.pin_indices().len(), "pins");
+    let (expected, found) = (model.pin_indices().len(), input.pin_targets.len());
+    if expected != found {
+        return Err(Lost::Pins { expected, found });
+    }
     let substep_count = match config.substeps {
         Substeps::Automatic => model.stable_substeps_at(&state.positions, dt, &config.penalty),
         Substeps::Fixed(count) => count.get(),
@@ -161,7 +168,7 @@ pub fn step(
     }
     state.capsules = course.capsule_starts;
     state.capsules.copy_from_slice(input.capsules);
-    substep_count
+    Ok(substep_count)
 }
 
 /// Positions of the pinned particles before the step.
@@ -177,7 +184,7 @@ fn pin_positions(model: &ReferenceModel, state: &ReferenceState) -> Vec<DVec3> {
 struct Course<'a> {
     model: &'a ReferenceModel,
     config: &'a ExplicitConfig,
-    input: &'a StepInput<'a>,
+    input: &'a ReferenceInput<'a>,
     pin_starts: Vec<DVec3>,
     capsule_starts: Vec<Capsule>,
     /// Duration of the step [s].

@@ -23,6 +23,7 @@ use fearless_simd::{Simd, dispatch, f32x16, prelude::*};
 use crate::collision::capsule::near::Range;
 use crate::collision::capsule::stop::StopLaw;
 use crate::lanes::{LANES, Points, Scalars, Vectors};
+use crate::lost::{Lost, check_pins};
 use crate::method::reference::SpringConstants;
 use crate::method::xpbd;
 use crate::{BuildError, ClothModel, ClothSpec, ClothState, SolverConfig, StepInput, Topology};
@@ -141,13 +142,17 @@ fn bend_weights(spec: &ClothSpec, constants: &SpringConstants) -> [Vec<f32>; 2] 
 /// Pins and capsules move evenly from where the previous call left them to where `input` has them;
 /// of `config` gravity, contact with the body and vector instructions count. The result is the
 /// same bit for bit with all vector instructions and on any number of threads.
+///
+/// # Errors
+/// As many targets as there are not pins; the cloth is as it was then.
 pub fn step(
     model: &ExplicitModel,
     config: &SolverConfig,
     input: &StepInput<'_>,
     state: &mut ClothState,
     dt: f32,
-) -> u32 {
+) -> Result<u32, Lost> {
+    check_pins(model.cloth().pin_indices().len(), input.pin_targets)?;
     let level = config.instruction_set.level();
     let forms = &mut state.scratch.forms;
     let positions = &state.positions;
@@ -158,7 +163,7 @@ pub fn step(
     state.pin_targets.extend_from_slice(input.pin_targets);
     state.capsules.clear();
     state.capsules.extend_from_slice(input.capsules);
-    contact_count * CONTACT_INTERVAL
+    Ok(contact_count * CONTACT_INTERVAL)
 }
 
 /// The least whole number above `count`, at least 1.

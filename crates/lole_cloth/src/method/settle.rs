@@ -17,6 +17,7 @@ use std::ops::ControlFlow;
 
 use glam::Vec3;
 
+use crate::Lost;
 use crate::model::particle_masses;
 use crate::{ClothModel, ClothSpec, ClothState, SolverConfig, StepInput, step};
 
@@ -95,30 +96,33 @@ pub enum Drape {
 ///
 /// The shape at rest is that of [`step()`] with the same `config`: of the stiffness that its
 /// substeps give, with its contacts and its friction. More substeps make it truer and slower.
+///
+/// # Errors
+/// As [`step()`].
 pub fn settle(
     model: &ClothModel,
     (config, settle): (&SolverConfig, &SettleConfig),
     input: &StepInput<'_>,
     state: &mut ClothState,
     mut report: impl FnMut(SettleProgress) -> ControlFlow<()>,
-) -> Drape {
+) -> Result<Drape, Lost> {
     let mut positions = Vec::new();
     state.copy_positions(model, &mut positions);
     state.scale_velocities(0.0);
     let mut settling = Settling::new(model.spec(), *settle, &positions);
     loop {
-        step(model, config, input, state, settle.dt);
+        step(model, config, input, state, settle.dt)?;
         state.copy_positions(model, &mut positions);
         let verdict = settling.judge(&positions);
         if let Some(kept) = verdict.kept {
             state.scale_velocities(kept);
         }
         if let Some(end) = verdict.end {
-            return end;
+            return Ok(end);
         }
         if report(settling.progress()).is_break() {
             let frame_count = settling.progress().frame;
-            return Drape::Interrupted { frame_count };
+            return Ok(Drape::Interrupted { frame_count });
         }
     }
 }
@@ -250,9 +254,10 @@ impl Settling {
 
 #[cfg(test)]
 mod tests {
+    use lole_geom::trig;
+
     use super::*;
     use crate::{Fabric, Grid, MassLaw, Topology};
-    use lole_geom::trig;
 
     fn spec() -> ClothSpec {
         let grid = Grid {

@@ -8,7 +8,7 @@
 
 use fearless_simd::{Simd, prelude::*};
 use glam::{DVec3, Vec3};
-use lole_geom::trig64;
+use lole_geom::{Chance, trig64};
 
 use crate::lanes::Vectors;
 
@@ -52,7 +52,7 @@ impl GustyWind {
     /// over open land, 0.3 and more between houses. The same seed gives the same gusts.
     #[must_use]
     pub fn new(mean: Vec3, intensity: f32, seed: u64) -> Self {
-        let mut dice = Dice(seed);
+        let mut dice = Dice(Chance::new(seed));
         let share = |index: u16| trig64::powf(SHORTENING, f64::from(index));
         let is_gusty = 0.0 < intensity && mean != Vec3::ZERO;
         let count = if is_gusty { WAVE_COUNT } else { 0 };
@@ -153,18 +153,13 @@ fn sine(x: f32) -> f32 {
     (bow * bow.abs() - bow) * 0.225 + bow
 }
 
-/// Numbers from a seed: `SplitMix64` (Steele, Lea and Flood 2014).
-struct Dice(u64);
+/// Chance that a seed repeats.
+struct Dice(Chance);
 
 impl Dice {
     /// A number in `0..1`.
-    #[expect(clippy::cast_precision_loss, reason = "53 bits fit a double")]
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut bits = self.0;
-        bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((bits ^ (bits >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
+    const fn unit(&mut self) -> f64 {
+        self.0.finest_share()
     }
 
     /// A unit vector, every direction alike.

@@ -4,8 +4,8 @@
 use std::num::NonZeroU32;
 
 use glam::{Mat2, Vec2, Vec3};
-use lole_cloth::mesh::{self, MeshModel, MeshSpec, MeshState, Outcome};
-use lole_cloth::{Fabric, SolverConfig, StepInput};
+use lole_cloth::mesh::{self, MeshModel, MeshSpec, MeshState};
+use lole_cloth::{Fabric, Lost, SolverConfig, StepInput};
 use lole_geom::Capsule;
 
 pub(crate) const DT: f32 = 1.0 / 60.0;
@@ -111,7 +111,7 @@ impl World {
         self
     }
 
-    pub(crate) fn try_step(&mut self, capsules: &[Capsule]) -> Outcome {
+    pub(crate) fn try_step(&mut self, capsules: &[Capsule]) -> Result<(), Lost> {
         let input = StepInput {
             pin_targets: &self.pins,
             capsules,
@@ -121,7 +121,7 @@ impl World {
     }
 
     pub(crate) fn step(&mut self, capsules: &[Capsule]) {
-        assert_eq!(self.try_step(capsules), Outcome::Advanced);
+        assert_eq!(self.try_step(capsules), Ok(()));
     }
 
     pub(crate) fn positions(&self) -> Vec<Vec3> {

@@ -8,7 +8,7 @@ use lole_cloth::assembly::{
     Assembly, AssemblyInput, AssemblyState, Joint, Piece, PieceState, Place, Seam,
     step as step_assembly,
 };
-use lole_cloth::mesh::{self, MeshModel, MeshSpec, MeshState, Outcome};
+use lole_cloth::mesh::{self, MeshModel, MeshSpec, MeshState};
 use lole_cloth::scenes::waved_ring;
 use lole_cloth::{
     ClothModel, ClothSpec, ClothState, Crossings, Fabric, SelfCollision, SolverConfig, StepInput,
@@ -414,11 +414,11 @@ impl Cloth {
         };
         match &mut self.moving {
             Moving::Grid(model, config, state) => {
-                step(model, config, &input, state, dt);
+                step(model, config, &input, state, dt).expect("a target for every pin");
                 true
             }
             Moving::Mesh(model, config, state) => {
-                mesh::step(model, config, &input, state, dt) == Outcome::Advanced
+                mesh::step(model, config, &input, state, dt) == Ok(())
             }
             Moving::Pieces(assembly, state) => {
                 let input = AssemblyInput {

@@ -91,7 +91,8 @@ impl World {
             surfels,
             ..StepInput::default()
         };
-        step(&self.model, &self.config, &input, &mut self.state, DT);
+        step(&self.model, &self.config, &input, &mut self.state, DT)
+            .expect("a target for every pin");
     }
 
     pub(crate) fn positions(&self) -> Vec<Vec3> {

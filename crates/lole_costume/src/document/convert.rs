@@ -1,11 +1,11 @@
 //! From the document's units to what the other crates work with.
 
-use lole_body::{
-    Appearance, CapsuleLayout, Measure, Measurements, MotionSettings, Part, School, Tape,
-};
+use lole_body::{Appearance, CapsuleLayout, Measure, Measurements, Tape};
 use lole_cloth::wind::Wind;
 use lole_cloth::{Crossings, Fabric};
 use lole_geom::Length;
+use lole_geom::narrow;
+use lole_hula::{MotionSettings, Part, School};
 use lole_language::{Bilingual, Sentence};
 use lole_pattern::design::pau_skirt::PauOptions;
 use lole_pattern::design::pau_top::TopOptions;
@@ -281,27 +281,27 @@ impl Design {
             .chain(layer(GarmentLayer::Over))
     }
 
-    /// What is danced, for [`lole_body::Dance`].
+    /// What is danced, for [`lole_hula::Dance`].
     #[must_use]
     pub fn motion_settings(&self) -> MotionSettings {
         let motion = &self.motion;
         MotionSettings {
             dance_step: motion.step,
-            beats_per_minute: motion_value(motion.tempo_bpm),
-            sway: motion_value(motion.sway_ratio),
-            knee_degrees: motion_value(motion.knee_deg),
+            beats_per_minute: narrow(motion.tempo_bpm),
+            sway: narrow(motion.sway_ratio),
+            knee_degrees: narrow(motion.knee_deg),
             hip_lift: motion.hip_lift,
             hip_lead: motion.hip_lead,
-            heel_lift: motion_value(motion.heel_ratio),
-            step_width: motion_value(motion.step_ratio),
-            stance_width: motion_value(motion.stance_ratio),
-            toe_out_degrees: motion_value(motion.toe_out_deg),
+            heel_lift: narrow(motion.heel_ratio),
+            step_width: narrow(motion.step_ratio),
+            stance_width: narrow(motion.stance_ratio),
+            toe_out_degrees: narrow(motion.toe_out_deg),
             arms: motion.arms,
             arm_manner: motion.arm_manner,
             hands: motion.hands,
             chest_room_degrees: self.chest_room_deg(),
             ami_turn: motion.ami_turn,
-            figure_eight: motion_value(motion.eight_ratio),
+            figure_eight: narrow(motion.eight_ratio),
             parts: motion.parts.iter().map(PartDesign::part).collect(),
         }
     }
@@ -338,9 +338,9 @@ impl PartDesign {
             step: self.step,
             side: self.side,
             counts: self.beat_count,
-            facing_degrees: motion_value(self.facing_deg),
+            facing_degrees: narrow(self.facing_deg),
             arms: self.arms,
-            beats_per_minute: self.tempo_bpm.map(motion_value),
+            beats_per_minute: self.tempo_bpm.map(narrow),
         }
     }
 }
@@ -527,12 +527,4 @@ impl WindDesign {
     pub fn heading(&self) -> f64 {
         (self.from_deg + 180.0).to_radians()
     }
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "dance settings are f32; a seven-digit tempo is exact enough"
-)]
-fn motion_value(value: f64) -> f32 {
-    value as f32
 }

@@ -2,11 +2,11 @@
 
 use lole_garment::{Colors, GarmentSpec, Options, Template};
 use lole_pattern::{DraftError, Measures, Pattern};
+use lole_print::PrintMotif;
 
 use super::schema::KINDS;
 use super::{FabricDesign, PrintChoice, SkirtDesign};
 use crate::fabrics::Preset;
-use crate::print::PrintMotif;
 
 /// A garment beside the skirt, by kind.
 #[derive(Debug, Clone, PartialEq)]

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use lole_body::MotionError;
+use lole_hula::MotionError;
 use lole_language::{Sentence, Words, words};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};

@@ -5,11 +5,11 @@ use std::sync::Arc;
 use image::{RgbaImage, imageops};
 use lole_geom::Length;
 use lole_language::{Bilingual, Sentence};
+use lole_print::tile::{Ground, SizedPicture, lay_out};
+use lole_print::{self as print, COLORWAYS, Colorway, Picture, PrintDesign, PrintImage, PrintLay};
 
 use super::schema::LIST;
 use super::{Design, FabricDesign, GarmentDesign, PrintChoice, Problem};
-use crate::print::tile::{Ground, Sized, lay_out};
-use crate::print::{self, COLORWAYS, Colorway, Picture, PrintDesign, PrintImage, PrintLay};
 
 /// A picture that a document names. Whoever opens the document reads it: the pixels are not part of
 /// the text.
@@ -161,7 +161,7 @@ impl PrintChoice {
             return drawn;
         }
         let picture = RgbaImage::from_raw(drawn.width, drawn.height, drawn.pixels);
-        let sized = Sized {
+        let sized = SizedPicture {
             picture: picture.unwrap_or_else(|| RgbaImage::new(1, 1)),
             size: drawn.repeat,
         };
@@ -174,7 +174,7 @@ impl PrintChoice {
     }
 
     /// The part of a picture that is the repeat, and its size on the cloth.
-    fn sized(&self, picture: &Picture) -> Sized {
+    fn sized(&self, picture: &Picture) -> SizedPicture {
         let crop = self.marks.crop(picture.size_in_file);
         let [_, _, width, height] = crop;
         let cm_per_pixel = self.marks.cm_per_pixel();
@@ -188,7 +188,7 @@ impl PrintChoice {
         } else {
             imageops::crop_imm(&whole, left, top, width, height).to_image()
         };
-        Sized { picture, size }
+        SizedPicture { picture, size }
     }
 }
 

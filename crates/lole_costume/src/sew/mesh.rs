@@ -5,7 +5,7 @@ use lole_cloth::Grid;
 use lole_geom::mesh::vertex_normals;
 use lole_pattern::design::pau_skirt::PauDraft;
 
-use crate::print::PrintImage;
+use lole_print::PrintImage;
 
 /// The drawn skirt: the particles' grid with the seam column twice, so that the print may differ on
 /// the two sides of the seam, and the row twice to which a flounce is sewn.

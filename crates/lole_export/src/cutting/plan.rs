@@ -1,13 +1,13 @@
 //! The cut plan on a page: cloth, pieces, how much to buy, and what to cut.
 
 use kurbo::{Affine, Point};
-use lole_costume::print::cloth_picture;
 use lole_costume::tailoring::{ClothPlan, role_name};
 use lole_geom::Length;
 use lole_language::{Bilingual as _, Language};
 use lole_pattern::Yardage;
 use lole_pattern::marker::{Lay, Marker, Nap};
 use lole_pattern::piece::ClothRole;
+use lole_print::cloth_picture;
 
 use super::draw::{arrow, fitting, line, outline, scale_of};
 use super::{CutGarment, MM, TOLERANCE, cm, cut_words};

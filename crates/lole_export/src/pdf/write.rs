@@ -11,6 +11,7 @@ use krilla::paint::{Fill, FillRule, LineCap, LineJoin, Stroke as PdfStroke, Stro
 use krilla::surface::Surface;
 use krilla::text::{Font, GlyphId, KrillaGlyph};
 use kurbo::{Affine, BezPath, PathEl};
+use lole_geom::narrow;
 
 use super::sheet::{Color, Encoding, Item, Picture, Rect, Sheet, Stroke, TextStyle};
 use super::typeface::{MM_PER_PT, Weight, printable, shape};
@@ -54,7 +55,7 @@ impl Document {
                 .producer("Lole".to_owned()),
         );
         for sheet in &self.sheets {
-            let [width, height] = sheet.size.map(|side| single(side * PT_PER_MM));
+            let [width, height] = sheet.size.map(|side| narrow(side * PT_PER_MM));
             let settings = PageSettings::from_wh(width, height)
                 .ok_or_else(|| failed(format!("a page of {:?} mm", sheet.size)))?;
             let mut page = document.start_page_with(settings);
@@ -118,11 +119,11 @@ fn draw_path(
     surface.set_fill(fill.map(fill_of));
     surface.set_stroke(stroke.map(|stroke| PdfStroke {
         paint: color(stroke.color).into(),
-        width: single(stroke.width),
+        width: narrow(stroke.width),
         line_cap: LineCap::Butt,
         line_join: LineJoin::Round,
         dash: (!stroke.dashes.is_empty()).then(|| StrokeDash {
-            array: stroke.dashes.iter().copied().map(single).collect(),
+            array: stroke.dashes.iter().copied().map(narrow).collect(),
             offset: 0.0,
         }),
         ..PdfStroke::default()
@@ -148,9 +149,9 @@ fn draw_text(
                 .unwrap_or(text.len());
             KrillaGlyph::new(
                 GlyphId::new(glyph.id),
-                single(glyph.advance),
-                single(glyph.offset[0]),
-                single(glyph.offset[1]),
+                narrow(glyph.advance),
+                narrow(glyph.offset[0]),
+                narrow(glyph.offset[1]),
                 0.0,
                 glyph.cluster..end,
                 None,
@@ -164,11 +165,11 @@ fn draw_text(
     surface.set_fill(Some(fill_of(style.color)));
     surface.set_stroke(None);
     surface.draw_glyphs(
-        Point::from_xy(single(at[0]), single(at[1])),
+        Point::from_xy(narrow(at[0]), narrow(at[1])),
         &glyphs,
         font.clone(),
         &text,
-        single(style.em()),
+        narrow(style.em()),
         false,
     );
 }
@@ -179,7 +180,7 @@ fn draw_picture(surface: &mut Surface<'_>, rect: Rect, picture: &Picture) -> Res
         Encoding::Jpeg => Image::from_jpeg(data, true),
         Encoding::Png => Image::from_png(data, true),
     }?;
-    let size = Size::from_wh(single(rect.width), single(rect.height))
+    let size = Size::from_wh(narrow(rect.width), narrow(rect.height))
         .ok_or_else(|| "a picture without extent".to_owned())?;
     surface.push_transform(&transform(Affine::translate((rect.x, rect.y))));
     surface.draw_image(image, size);
@@ -200,7 +201,7 @@ fn fill_of(of: Color) -> Fill {
 
 fn path_of(path: &BezPath) -> Option<Path> {
     let mut builder = PathBuilder::new();
-    let xy = |point: kurbo::Point| (single(point.x), single(point.y));
+    let xy = |point: kurbo::Point| (narrow(point.x), narrow(point.y));
     for element in path.elements() {
         match *element {
             PathEl::MoveTo(to) => builder.move_to(xy(to).0, xy(to).1),
@@ -217,17 +218,8 @@ fn path_of(path: &BezPath) -> Option<Path> {
 }
 
 fn transform(affine: Affine) -> Transform {
-    let [a, b, c, d, e, f] = affine.as_coeffs().map(single);
+    let [a, b, c, d, e, f] = affine.as_coeffs().map(narrow);
     Transform::from_row(a, b, c, d, e, f)
-}
-
-/// Pages are single precision: a hundredth of a millimeter in ten meters.
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "the file's own precision, far finer than a printer's"
-)]
-const fn single(value: f64) -> f32 {
-    value as f32
 }
 
 #[cfg(test)]

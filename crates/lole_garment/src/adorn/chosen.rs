@@ -1,6 +1,7 @@
 //! What was decided for an adornment, by key, and its colors.
 
 use glam::Vec3;
+use lole_geom::Chance;
 use lole_pattern::DraftError;
 
 use crate::drafting::chosen::Chosen as Decided;
@@ -86,17 +87,12 @@ fn linear(srgb: [u8; 3]) -> Vec3 {
     Vec3::from_array(srgb.map(channel))
 }
 
-/// A number from -1 to 1 that follows from two numbers and nothing else (the finalizer of `SplitMix64`,
-/// Steele and others 2014).
+/// A number from -1 to 1 that follows from two numbers and nothing else.
 pub(crate) fn chance(one: usize, other: usize) -> f32 {
-    let mut bits = (one as u64)
+    let seed = (one as u64)
         .wrapping_mul(0x9e37_79b9_7f4a_7c15)
-        .wrapping_add((other as u64).wrapping_mul(0xd1b5_4a32_d192_ed03))
-        .wrapping_add(0x9e37_79b9_7f4a_7c15);
-    bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    bits ^= bits >> 31;
-    let top = u16::try_from(bits >> 48).unwrap_or(0);
+        .wrapping_add((other as u64).wrapping_mul(0xd1b5_4a32_d192_ed03));
+    let top = u16::try_from(Chance::new(seed).bits() >> 48).unwrap_or(0);
     f32::from(top) / 32767.5 - 1.0
 }
 

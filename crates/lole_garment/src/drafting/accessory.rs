@@ -1,10 +1,10 @@
 //! What accessories share: they take materials and hours rather than cloth.
 
 use lole_language::{Sentence, Words};
-
-use super::making::pattern;
 use lole_pattern::pattern::{Amount, Notion, NotionKind, Step};
 use lole_pattern::{Pattern, Piece};
+
+use super::making::pattern;
 
 /// A pattern of these pieces, which may be none, whose figures are estimates.
 pub(crate) fn accessory(

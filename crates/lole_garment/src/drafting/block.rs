@@ -22,9 +22,9 @@
 use kurbo::{Affine, PathSeg, Point, Vec2};
 use lole_geom::trig64;
 use lole_language::words;
+use lole_pattern::{DraftError, Measure, Measures};
 
 use super::shape::{CM, at, curve, length};
-use lole_pattern::{DraftError, Measure, Measures};
 
 /// What a garment asks of its block, in meters.
 #[derive(Debug, Clone, Copy)]

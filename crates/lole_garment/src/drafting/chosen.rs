@@ -1,9 +1,9 @@
 //! What was decided for a garment, read by key and held to the ranges of its rows.
 
 use lole_geom::Length;
+use lole_pattern::DraftError;
 
 use crate::template::{OptionKind, OptionRow, Options};
-use lole_pattern::DraftError;
 
 /// The options of one garment by key.
 #[derive(Debug, Clone, Copy)]

@@ -2,13 +2,13 @@
 
 use kurbo::{PathSeg, Point, Vec2};
 use lole_language::words;
+use lole_pattern::pattern::{Figure, Seam, Step};
+use lole_pattern::piece::{CutCount, Edge, Finish, LineKind, Mark, Piece};
 
 use super::block::{Block, Half, SideDart};
 use super::making::{both_sides, cm, edges_of, plain, say, side, step};
 use super::shape::{CM, Label, edge, length, line, marked};
 use super::work::{Work, minutes};
-use lole_pattern::pattern::{Figure, Seam, Step};
-use lole_pattern::piece::{CutCount, Edge, Finish, LineKind, Mark, Piece};
 
 /// Allowance of seams [m], of sides and shoulders, which are fitted once more on the body [m].
 pub(crate) const SEAM: f64 = 1.0 * CM;

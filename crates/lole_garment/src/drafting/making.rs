@@ -4,12 +4,12 @@
 
 use lole_geom::Length;
 use lole_language::{Sentence, Words, words};
-
-use super::work::{self, Work};
 use lole_pattern::pattern::{
     Amount, Figure, Notion, NotionKind, Pattern, Seam, SeamKind, SeamSide, Step,
 };
 use lole_pattern::piece::{Finish, Piece};
+
+use super::work::{self, Work};
 
 /// Sewing thread over stitched length of a lockstitch, both threads and waste included.
 const THREAD_PER_STITCH: f64 = 3.0;

@@ -8,13 +8,13 @@
 
 use kurbo::{PathSeg, Point, Vec2};
 use lole_language::words;
+use lole_pattern::pattern::{Seam, SeamKind};
+use lole_pattern::piece::{CutCount, Edge, Finish, LineKind, Piece};
+use lole_pattern::{DraftError, Measure, Measures};
 
 use super::block::{Block, unfit};
 use super::shape::{CM, Label, at, back_notch, beside, curve, edge, length, line, marked, notch};
 use crate::drafting::making::{both_sides, eased, gathered, plain, side};
-use lole_pattern::pattern::{Seam, SeamKind};
-use lole_pattern::piece::{CutCount, Edge, Finish, LineKind, Piece};
-use lole_pattern::{DraftError, Measure, Measures};
 
 /// Edges of a sleeve, in their order.
 pub(crate) const HEM: usize = 0;

@@ -2,13 +2,13 @@
 
 use lole_geom::Length;
 use lole_language::{Sentence, words};
+use lole_pattern::pattern::{Notion, Seam, Step};
+use lole_pattern::piece::{CutCount, Finish, LineKind, Piece};
+use lole_pattern::{DraftError, Measure, Measures};
 
 use super::chosen::Chosen;
 use super::making::{cm, edges_of, elastic, plain, say, side, step, stitching};
 use super::shape::{AROUND, CM, Label, across, rectangle};
-use lole_pattern::pattern::{Notion, Seam, Step};
-use lole_pattern::piece::{CutCount, Finish, LineKind, Piece};
-use lole_pattern::{DraftError, Measure, Measures};
 
 /// Allowance of the seams [m].
 const SEAM: f64 = 1.0 * CM;

@@ -1,14 +1,14 @@
 //! Halves of a block cut along a yoke line, for dresses that hang from a yoke.
 
 use kurbo::{Affine, ParamCurve as _, PathSeg, Point};
+use lole_pattern::error::DraftError;
+use lole_pattern::piece::{Edge, Finish, Piece};
 
 use super::block::{Block, Half};
 use super::chosen::Chosen;
 use super::fitted::{SEAM, center_edge};
 use super::shape::{CM, Label, at, edge, length, line};
 use crate::garment::blouse::{NECK_LOWER, NECK_LOWER_KEY};
-use lole_pattern::error::DraftError;
-use lole_pattern::piece::{Edge, Finish, Piece};
 
 /// A half cut along a level line.
 #[derive(Debug, Clone)]

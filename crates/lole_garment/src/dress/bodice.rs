@@ -7,6 +7,7 @@
 use glam::{DVec2, Vec3};
 use kurbo::{ParamCurve as _, PathSeg};
 use lole_body::Bone;
+use lole_geom::narrow;
 use lole_geom::trig;
 use lole_pattern::piece::{Finish, Piece};
 use lole_pattern::{Measures, Pattern};
@@ -440,12 +441,4 @@ fn smooth(share: f64) -> f64 {
 /// The other side of the dancer.
 pub(crate) fn mirrored(place: Vec3) -> Vec3 {
     Vec3::new(-place.x, place.y, place.z)
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "drafts are f64, cloth is f32"
-)]
-pub(crate) const fn narrow(value: f64) -> f32 {
-    value as f32
 }

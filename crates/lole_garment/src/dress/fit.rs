@@ -3,7 +3,8 @@
 
 use glam::{Affine3A, Vec3};
 use lole_body::{Bone, Dancer, Pose};
-use lole_cloth::assembly::{Assembly, Lost};
+use lole_cloth::Lost;
+use lole_cloth::assembly::Assembly;
 use lole_geom::{MeshSurfels, Surfel};
 
 use super::flat::FlatMesh;

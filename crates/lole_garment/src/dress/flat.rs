@@ -1,10 +1,10 @@
 //! Panels divided into triangles, beside each other on one cloth.
 
 use glam::{DVec2, Vec2};
+use lole_geom::narrow;
 use lole_geom::polygon;
 use lole_pattern::Pattern;
 
-use super::bodice::narrow;
 use super::panel::Panels;
 
 /// Panels lie this far apart in the flat mesh, in spacings.

@@ -2,11 +2,12 @@
 
 use glam::{DVec2, Vec3};
 use lole_body::{Bone, Dancer, Pose};
+use lole_geom::narrow;
 use lole_pattern::pattern::SeamSide;
 use lole_pattern::piece::Piece;
 use lole_pattern::{Measures, Pattern};
 
-use super::bodice::{Bodice, Part, mirrored, narrow};
+use super::bodice::{Bodice, Part, mirrored};
 use super::flat::{self, FlatMesh};
 use super::form::Form;
 use super::panel::{self, Panels};

@@ -342,3 +342,33 @@ fn what_is_not_sewn_is_refused_by_name() {
         assert!(error.japanese().contains(template.id), "{error}");
     }
 }
+
+/// Bits that every machine comes to: a blouse, sewn on her and worn for a moment.
+#[test]
+fn golden_hash_of_a_blouse() {
+    let dancer = woman();
+    let blouse = put_on("blouse", &dancer);
+    let triangles = dancer.skin.body_triangles();
+    let surfels = MeshSurfels::new(&dancer.skin.positions, &triangles, SPACING);
+    let bones = dancer.skeleton.world_from_bind(&Pose::default());
+    let (mut positions, mut normals, mut met) = (Vec::new(), Vec::new(), Vec::new());
+    dancer.skin.pose(&bones, &mut positions, &mut normals);
+    surfels.pose(&positions, &normals, &mut met);
+    let world = World {
+        skin: (&positions, &normals),
+        surfels: &met,
+        world_from_bind: &bones,
+        air_velocity: Vec3::ZERO,
+        floor: Vec3::ZERO,
+        held: &[],
+    };
+    let mut state = blouse.state();
+    let mut text = String::new();
+    for frame in [0, 4] {
+        for _ in 0..frame {
+            state.step(&blouse, &world, 1.0 / 60.0).unwrap();
+        }
+        text += &format!("blouse after {frame} frames {:016x}\n", state.hash());
+    }
+    lole_golden::check("state_hashes.txt", &text);
+}

@@ -3,9 +3,9 @@
 use std::cell::OnceCell;
 
 use glam::{DVec2, Vec3};
+use lole_geom::narrow;
 use lole_pattern::{Measures, Pattern};
 
-use super::bodice::narrow;
 use super::form::Form;
 
 /// A rule for one rectangle.

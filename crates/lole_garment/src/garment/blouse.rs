@@ -8,6 +8,9 @@
 use kurbo::{PathSeg, Vec2};
 use lole_geom::Length;
 use lole_language::words;
+use lole_pattern::pattern::{Amount, Figure, Notion, NotionKind, Seam, SeamKind, Step};
+use lole_pattern::piece::{CutCount, Finish, Piece};
+use lole_pattern::{DraftError, Measure, Measures, Pattern};
 
 use crate::drafting::block::{Block, Fit, Half};
 use crate::drafting::chosen::{Chosen, by_measure, number};
@@ -23,9 +26,6 @@ use crate::drafting::sleeve::{ArmholePart, Sleeve, SleeveFit};
 use crate::drafting::work::{Work, minutes};
 use crate::sketch::{Sketch, Tone};
 use crate::template::{OptionRow, Options, Shelf, Template, Worn};
-use lole_pattern::pattern::{Amount, Figure, Notion, NotionKind, Seam, SeamKind, Step};
-use lole_pattern::piece::{CutCount, Finish, Piece};
-use lole_pattern::{DraftError, Measure, Measures, Pattern};
 
 pub(crate) static TEMPLATE: Template = Template {
     id: "blouse",

@@ -4,6 +4,8 @@
 
 use lole_geom::Length;
 use lole_language::words;
+use lole_pattern::pattern::{Amount, NotionKind};
+use lole_pattern::{DraftError, Measures, Pattern};
 
 use super::pau_skirt::WORN_HEIGHT;
 use crate::adorn::strand_skirt;
@@ -12,8 +14,6 @@ use crate::drafting::making::{cm, notion, pattern, say, whole};
 use crate::drafting::strands::{Band, Hung, STRANDS_HEM};
 use crate::sketch::{Sketch, Tone};
 use crate::template::{BesideRow, OptionRow, Options, Shelf, Template, Worn};
-use lole_pattern::pattern::{Amount, NotionKind};
-use lole_pattern::{DraftError, Measures, Pattern};
 
 pub(crate) static TEMPLATE: Template = Template {
     id: "cellophane-skirt",

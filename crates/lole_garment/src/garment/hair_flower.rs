@@ -4,6 +4,9 @@
 
 use kurbo::Vec2;
 use lole_language::words;
+use lole_pattern::pattern::NotionKind;
+use lole_pattern::piece::{CutCount, Finish, LineKind, Piece};
+use lole_pattern::{DraftError, Measures, Pattern};
 
 use crate::drafting::accessory::{accessory, counted};
 use crate::drafting::chosen::{Chosen, choice, count, number};
@@ -11,9 +14,6 @@ use crate::drafting::making::{cm, edges_of, say, step, stitching};
 use crate::drafting::shape::{CM, DOWN, Label, at, curve, edge, line};
 use crate::sketch::{Sketch, Tone};
 use crate::template::{BesideRow, Choice, OptionRow, Options, Shelf, Template, Worn};
-use lole_pattern::pattern::NotionKind;
-use lole_pattern::piece::{CutCount, Finish, LineKind, Piece};
-use lole_pattern::{DraftError, Measures, Pattern};
 
 pub(crate) static TEMPLATE: Template = Template {
     id: "hair-flower",
@@ -171,20 +171,20 @@ fn petal(long: f64, count: u32) -> Piece {
 mod worn {
     //! The hair flower: a hibiscus beside an ear.
 
-    use super::OPTIONS;
-    use crate::drafting::chosen::Chosen as Decided;
-    use crate::template::Options;
     use glam::{Affine3A, Quat, Vec3};
     use lole_body::{Bone, PartKind, Side};
     use lole_geom::trig;
     use lole_pattern::DraftError;
 
+    use super::OPTIONS;
     use crate::GarmentSpec;
     use crate::adorn::blade::Blade;
     use crate::adorn::body::{bone_alone, farthest};
     use crate::adorn::chosen::{Chosen, real};
     use crate::adorn::shape::{Shape, affine, facing};
     use crate::adorn::{Finish, Made, Wearer, flower};
+    use crate::drafting::chosen::Chosen as Decided;
+    use crate::template::Options;
 
     /// Longitude from the front towards the side, and latitude, of the first flower [°]; the others follow
     /// up and back.

@@ -8,6 +8,9 @@
 use kurbo::{PathSeg, Vec2};
 use lole_geom::Length;
 use lole_language::words;
+use lole_pattern::pattern::{Amount, Figure, NotionKind, Seam, Step};
+use lole_pattern::piece::{CutCount, Edge, Finish, LineKind, Mark, Piece};
+use lole_pattern::{DraftError, Measure, Measures, Pattern};
 
 use super::blouse::{
     ARMHOLE_NOTCH, BUST_EASE, NECK_LOWER, NECK_LOWER_KEY, NECK_WIDER, PUFF, flat_front, zip_step,
@@ -27,9 +30,6 @@ use crate::drafting::work::{Work, minutes};
 use crate::drafting::yoke::Yoked;
 use crate::sketch::{Sketch, Tone};
 use crate::template::{Choice, OptionRow, Options, Shelf, Template, Worn};
-use lole_pattern::pattern::{Amount, Figure, NotionKind, Seam, Step};
-use lole_pattern::piece::{CutCount, Edge, Finish, LineKind, Mark, Piece};
-use lole_pattern::{DraftError, Measure, Measures, Pattern};
 
 pub(crate) static TEMPLATE: Template = Template {
     id: "holoku",

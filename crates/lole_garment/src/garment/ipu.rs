@@ -4,14 +4,14 @@
 //! lifted and beaten.
 
 use lole_language::words;
+use lole_pattern::pattern::NotionKind;
+use lole_pattern::{DraftError, Measure, Measures, Pattern};
 
 use crate::drafting::accessory::{accessory, cord, counted};
 use crate::drafting::chosen::{Chosen, by_measure, choice};
 use crate::drafting::making::{cm, say, step};
 use crate::sketch::{Sketch, Tone};
 use crate::template::{BesideRow, Choice, OptionRow, Options, Shelf, Template, Worn};
-use lole_pattern::pattern::NotionKind;
-use lole_pattern::{DraftError, Measure, Measures, Pattern};
 
 pub(crate) static TEMPLATE: Template = Template {
     id: "ipu",

@@ -4,6 +4,8 @@
 //! estimate, follows the stature, and is no wider than can be cut from cloth of 110 cm.
 
 use lole_language::words;
+use lole_pattern::piece::{CutCount, Finish};
+use lole_pattern::{DraftError, Measure, Measures, Pattern};
 
 use crate::drafting::chosen::{Chosen, by_measure, number};
 use crate::drafting::making::{NO_WORK, cm, edges_of, folds, hem_in_section, pattern, say, step};
@@ -11,8 +13,6 @@ use crate::drafting::shape::{AROUND, CM, Label, rectangle};
 use crate::drafting::work::{Work, minutes};
 use crate::sketch::{Sketch, Tone};
 use crate::template::{OptionRow, Options, Shelf, Template, Worn};
-use lole_pattern::piece::{CutCount, Finish};
-use lole_pattern::{DraftError, Measure, Measures, Pattern};
 
 pub(crate) static TEMPLATE: Template = Template {
     id: "kihei",
@@ -137,10 +137,10 @@ mod worn {
     //! and the ends hang from the knot.
 
     use glam::{DVec2, Vec3};
+    use lole_geom::narrow;
     use lole_geom::trig;
 
     use crate::dress::Way;
-    use crate::dress::bodice::narrow;
     use crate::dress::fit;
     use crate::dress::wrap::{Carrier, Cloth, Wrap};
     use crate::template::{MANY_SUBSTEPS, SewnRow};

@@ -6,6 +6,8 @@
 
 use lole_geom::Length;
 use lole_language::words;
+use lole_pattern::piece::{CutCount, Finish};
+use lole_pattern::{DraftError, Measure, Measures, Pattern};
 
 use super::pau_skirt::HEM_HEIGHT;
 use crate::drafting::chosen::{Chosen, by_measure, number};
@@ -14,8 +16,6 @@ use crate::drafting::shape::{AROUND, CM, Label, rectangle};
 use crate::drafting::work::{Work, minutes};
 use crate::sketch::{Sketch, Tone};
 use crate::template::{OptionRow, Options, Shelf, Template, Worn};
-use lole_pattern::piece::{CutCount, Finish};
-use lole_pattern::{DraftError, Measure, Measures, Pattern};
 
 pub(crate) static TEMPLATE: Template = Template {
     id: "kikepa",
@@ -156,9 +156,10 @@ mod worn {
     //! right, its upper corner brought over the left shoulder and tied to the edge at the back.
 
     use glam::{DVec2, Vec3};
+    use lole_geom::narrow;
 
     use crate::dress::Way;
-    use crate::dress::bodice::{folds, narrow};
+    use crate::dress::bodice::folds;
     use crate::dress::form::Face;
     use crate::dress::wrap::{Carrier, Cloth, Wrap, along};
     use crate::template::{FEW_SUBSTEPS, SewnRow};

@@ -4,6 +4,8 @@
 //! many leaves, are estimates.
 
 use lole_language::words;
+use lole_pattern::pattern::NotionKind;
+use lole_pattern::{DraftError, Measure, Measures, Pattern};
 
 use crate::drafting::accessory::{accessory, counted, raffia};
 use crate::drafting::chosen::{Chosen, choice, number};
@@ -11,8 +13,6 @@ use crate::drafting::making::{cm, say, step, whole};
 use crate::drafting::shape::CM;
 use crate::sketch::Sketch;
 use crate::template::{BesideRow, Choice, OptionRow, Options, Shelf, Template, Worn};
-use lole_pattern::pattern::NotionKind;
-use lole_pattern::{DraftError, Measure, Measures, Pattern};
 
 pub(crate) static TEMPLATE: Template = Template {
     id: "kupee",

@@ -4,6 +4,8 @@
 //! ends that tie it are estimates.
 
 use lole_language::words;
+use lole_pattern::pattern::NotionKind;
+use lole_pattern::{DraftError, Measure, Measures, Pattern};
 
 use crate::drafting::accessory::{accessory, counted, raffia};
 use crate::drafting::chosen::{Chosen, number};
@@ -11,8 +13,6 @@ use crate::drafting::making::{NO_WORK, cm, say, step, whole};
 use crate::drafting::shape::CM;
 use crate::sketch::Sketch;
 use crate::template::{BesideRow, OptionRow, Options, Shelf, Template, Worn};
-use lole_pattern::pattern::NotionKind;
-use lole_pattern::{DraftError, Measure, Measures, Pattern};
 
 pub(crate) static TEMPLATE: Template = Template {
     id: "lei-poo",

@@ -5,6 +5,8 @@
 //! about the waist: derived.
 
 use lole_language::words;
+use lole_pattern::piece::{CutCount, Finish};
+use lole_pattern::{DraftError, Measure, Measures, Pattern};
 
 use crate::drafting::chosen::{Chosen, by_measure, number};
 use crate::drafting::making::{NO_WORK, cm, edges_of, folds, hem_in_section, pattern, say, step};
@@ -12,8 +14,6 @@ use crate::drafting::shape::{AROUND, CM, Label, rectangle};
 use crate::drafting::work::{Work, minutes};
 use crate::sketch::{Sketch, Tone};
 use crate::template::{OptionRow, Options, Shelf, Template, Worn};
-use lole_pattern::piece::{CutCount, Finish};
-use lole_pattern::{DraftError, Measure, Measures, Pattern};
 
 pub(crate) static TEMPLATE: Template = Template {
     id: "malo",
@@ -147,9 +147,9 @@ mod worn {
     //! its right side out.
 
     use glam::{DVec2, Vec3};
+    use lole_geom::narrow;
 
     use crate::dress::Way;
-    use crate::dress::bodice::narrow;
     use crate::dress::fit;
     use crate::dress::form::Face;
     use crate::dress::wrap::{Carrier, Cloth, Wrap, along};

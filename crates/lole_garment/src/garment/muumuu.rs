@@ -7,6 +7,9 @@
 use kurbo::{Affine, ParamCurve as _, Vec2};
 use lole_geom::Length;
 use lole_language::words;
+use lole_pattern::pattern::{Amount, Notion, NotionKind, Seam, Step};
+use lole_pattern::piece::{CutCount, Edge, Finish, LineKind, Piece};
+use lole_pattern::{DraftError, Measure, Measures, Pattern};
 
 use super::blouse::{
     ARM_EASE, BUST_EASE, NECK_LOWER, NECK_LOWER_KEY, NECK_WIDER, PUFF, SLEEVE_CASING, flat_front,
@@ -30,9 +33,6 @@ use crate::drafting::work::{Work, minutes};
 use crate::drafting::yoke::{Yoked, opened_armhole};
 use crate::sketch::Sketch;
 use crate::template::{Choice, OptionRow, Options, Shelf, Template, Worn};
-use lole_pattern::pattern::{Amount, Notion, NotionKind, Seam, Step};
-use lole_pattern::piece::{CutCount, Edge, Finish, LineKind, Piece};
-use lole_pattern::{DraftError, Measure, Measures, Pattern};
 
 pub(crate) static TEMPLATE: Template = Template {
     id: "muumuu",

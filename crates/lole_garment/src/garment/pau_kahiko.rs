@@ -6,6 +6,10 @@
 
 use lole_geom::Length;
 use lole_language::words;
+use lole_pattern::design::pau_skirt::{PauDraft, PauOptions, draft_pau_skirt};
+use lole_pattern::pattern::{Amount, Figure, Notion, NotionKind, Step};
+use lole_pattern::piece::{Finish, LineKind, Mark, Piece};
+use lole_pattern::{DraftError, GatherRatio, Measures, Pattern};
 
 use super::pau_skirt::{
     CASING, GAP, GATHERS, HEADER, HEM, HEM_HEIGHT, UNKNOWN_WIDTH, WORN_HEIGHT, worn,
@@ -15,10 +19,6 @@ use crate::drafting::making::{cm, edges_of, notion, pattern, say, step, stitchin
 use crate::drafting::work::{Work, minutes};
 use crate::sketch::{Sketch, Tone};
 use crate::template::{Gathered, GatheredRow, OptionRow, Options, Shelf, Template, Worn};
-use lole_pattern::design::pau_skirt::{PauDraft, PauOptions, draft_pau_skirt};
-use lole_pattern::pattern::{Amount, Figure, Notion, NotionKind, Step};
-use lole_pattern::piece::{Finish, LineKind, Mark, Piece};
-use lole_pattern::{DraftError, GatherRatio, Measures, Pattern};
 
 pub(crate) static TEMPLATE: Template = Template {
     id: "pau-kahiko",

@@ -6,6 +6,13 @@
 
 use lole_geom::Length;
 use lole_language::words;
+use lole_pattern::design::Sewn;
+use lole_pattern::design::pau_skirt::{
+    ElasticRow, PauDraft, PauMeasurements, PauOptions, draft_pau_skirt,
+};
+use lole_pattern::pattern::{Figure, NotionKind, Seam, Step};
+use lole_pattern::piece::{CutCount, Finish, LineKind, Mark, Piece};
+use lole_pattern::{DraftError, GatherRatio, Measures, Pattern, Yardage};
 
 use super::pau_skirt::{GATHERS, HEM, HEM_HEIGHT, UNKNOWN_WIDTH, WORN_HEIGHT, worn};
 use crate::drafting::chosen::{Chosen, by_measure, choice, count, number};
@@ -18,13 +25,6 @@ use crate::sketch::{Sketch, Tone};
 use crate::template::{
     Choice, Gathered, GatheredRow, OptionRow, Options, Shelf, Template, Worn, WornRuffle,
 };
-use lole_pattern::design::Sewn;
-use lole_pattern::design::pau_skirt::{
-    ElasticRow, PauDraft, PauMeasurements, PauOptions, draft_pau_skirt,
-};
-use lole_pattern::pattern::{Figure, NotionKind, Seam, Step};
-use lole_pattern::piece::{CutCount, Finish, LineKind, Mark, Piece};
-use lole_pattern::{DraftError, GatherRatio, Measures, Pattern, Yardage};
 
 pub(crate) static TEMPLATE: Template = Template {
     id: "pau-ruffle",

@@ -2,13 +2,13 @@
 
 use lole_geom::Length;
 use lole_language::words;
+use lole_pattern::design::pau_skirt::{PauMeasurements, PauOptions, draft_pau_skirt};
+use lole_pattern::{DraftError, ElasticRatio, GatherRatio, Measure, Measures, Pattern};
 
 use crate::drafting::chosen::{Chosen, by_measure, count, number};
 use crate::drafting::shape::CM;
 use crate::sketch::Sketch;
 use crate::template::{OptionRow, Options, Shelf, Template, Worn};
-use lole_pattern::design::pau_skirt::{PauMeasurements, PauOptions, draft_pau_skirt};
-use lole_pattern::{DraftError, ElasticRatio, GatherRatio, Measure, Measures, Pattern};
 
 /// The pāʻū skirt.
 pub static TEMPLATE: Template = Template {

@@ -2,15 +2,15 @@
 
 use lole_geom::Length;
 use lole_language::words;
+use lole_pattern::design::pau_skirt::PauOptions;
+use lole_pattern::design::pau_top::{TopMeasurements, TopOptions, draft_pau_top};
+use lole_pattern::{DraftError, ElasticRatio, GatherRatio, Measure, Measures, Pattern};
 
 use super::pau_skirt::{CASING, GAP, HEM, UNKNOWN_WIDTH};
 use crate::drafting::chosen::{Chosen, by_measure, count, number};
 use crate::drafting::shape::CM;
 use crate::sketch::{Sketch, Tone};
 use crate::template::{OptionRow, Options, Shelf, Template, Worn};
-use lole_pattern::design::pau_skirt::PauOptions;
-use lole_pattern::design::pau_top::{TopMeasurements, TopOptions, draft_pau_top};
-use lole_pattern::{DraftError, ElasticRatio, GatherRatio, Measure, Measures, Pattern};
 
 /// The pāʻū top.
 pub static TEMPLATE: Template = Template {

@@ -4,14 +4,14 @@
 //! strips is an estimate.
 
 use lole_language::words;
+use lole_pattern::pattern::NotionKind;
+use lole_pattern::{DraftError, Measures, Pattern};
 
 use crate::drafting::accessory::{accessory, cord, counted};
 use crate::drafting::chosen::{Chosen, count, number};
 use crate::drafting::making::{cm, say, step, whole};
 use crate::sketch::{Sketch, Tone};
 use crate::template::{BesideRow, OptionRow, Options, Shelf, Template, Worn};
-use lole_pattern::pattern::NotionKind;
-use lole_pattern::{DraftError, Measures, Pattern};
 
 pub(crate) static TEMPLATE: Template = Template {
     id: "puili",

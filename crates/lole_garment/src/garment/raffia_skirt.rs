@@ -4,6 +4,8 @@
 //! an adult: two strands to a centimeter of the waist. What a strand weighs is an estimate.
 
 use lole_language::words;
+use lole_pattern::pattern::{Amount, NotionKind};
+use lole_pattern::{DraftError, Measures, Pattern};
 
 use super::pau_skirt::WORN_HEIGHT;
 use crate::adorn::strand_skirt;
@@ -13,8 +15,6 @@ use crate::drafting::shape::CM;
 use crate::drafting::strands::{Band, Hung, STRANDS_HEM};
 use crate::sketch::{Sketch, Tone};
 use crate::template::{BesideRow, OptionRow, Options, Shelf, Template, Worn};
-use lole_pattern::pattern::{Amount, NotionKind};
-use lole_pattern::{DraftError, Measures, Pattern};
 
 pub(crate) static TEMPLATE: Template = Template {
     id: "raffia-skirt",

@@ -6,6 +6,8 @@
 
 use lole_geom::Length;
 use lole_language::words;
+use lole_pattern::pattern::{Amount, NotionKind};
+use lole_pattern::{DraftError, Measures, Pattern};
 
 use super::pau_skirt::WORN_HEIGHT;
 use crate::adorn::strand_skirt;
@@ -15,8 +17,6 @@ use crate::drafting::shape::CM;
 use crate::drafting::strands::{Hung, STRANDS_HEM};
 use crate::sketch::{Sketch, Tone};
 use crate::template::{BesideRow, OptionRow, Options, Shelf, Template, Worn};
-use lole_pattern::pattern::{Amount, NotionKind};
-use lole_pattern::{DraftError, Measures, Pattern};
 
 pub(crate) static TEMPLATE: Template = Template {
     id: "ti-leaf-skirt",

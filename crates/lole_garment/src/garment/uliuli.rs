@@ -5,6 +5,9 @@
 
 use kurbo::Vec2;
 use lole_language::words;
+use lole_pattern::pattern::{Notion, NotionKind};
+use lole_pattern::piece::{CutCount, Finish, Mark, Piece};
+use lole_pattern::{DraftError, Measures, Pattern};
 
 use crate::drafting::accessory::{accessory, counted};
 use crate::drafting::chosen::{Chosen, count, number};
@@ -12,9 +15,6 @@ use crate::drafting::making::{cm, edges_of, say, step, stitching, whole};
 use crate::drafting::shape::{CM, DOWN, Label, at, curve, edge};
 use crate::sketch::{Sketch, Tone};
 use crate::template::{BesideRow, OptionRow, Options, Shelf, Template, Worn};
-use lole_pattern::pattern::{Notion, NotionKind};
-use lole_pattern::piece::{CutCount, Finish, Mark, Piece};
-use lole_pattern::{DraftError, Measures, Pattern};
 
 pub(crate) static TEMPLATE: Template = Template {
     id: "uliuli",

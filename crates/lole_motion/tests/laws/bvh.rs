@@ -1,12 +1,13 @@
 //! What is read of a BVH file, and what is said of a broken one.
 
-use super::support::{Manner, dancer, steps, write_bvh};
 use glam::{Quat, Vec3};
-use lole_body::MotionSettings;
+use lole_hula::MotionSettings;
 use lole_language::Bilingual as _;
 use lole_motion::{RecordingError, bvh};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
+
+use super::support::{Manner, dancer, steps, write_bvh};
 
 /// An arm of two bones along X, with `channels` and `numbers` of its second joint.
 fn arm(channels: &str, numbers: &str) -> String {

@@ -1,12 +1,14 @@
 //! A dance written by one program and danced again is the same dance, on her own body and others.
 
-use super::support::{Manner, dancer, joint, steps, write_bvh};
 use glam::{EulerRot, Quat, Vec3};
-use lole_body::{Bone, DanceStep, Dancer, Measurements, MotionSettings, Pose, Tape};
+use lole_body::{Bone, Dancer, Measurements, Pose, Tape};
 use lole_geom::Length;
+use lole_hula::{DanceStep, MotionSettings};
 use lole_motion::{
     BoneMap, Clip, ClipSettings, Drift, Inspection, MapSource, Recording, Repeat, bvh,
 };
+
+use super::support::{Manner, dancer, joint, steps, write_bvh};
 
 fn danced(recording: &Recording, settings: ClipSettings) -> Clip {
     let map = BoneMap::recognize(recording).expect("a person");

@@ -4,7 +4,8 @@
 use std::fmt::Write as _;
 
 use glam::{EulerRot, Quat, Vec3};
-use lole_body::{Bone, Dance, Dancer, Measurements, MotionSettings, Pose, Skeleton};
+use lole_body::{Bone, Dancer, Measurements, Pose, Skeleton};
+use lole_hula::{Dance, MotionSettings};
 
 /// How the other program writes.
 #[derive(Clone)]

@@ -28,16 +28,16 @@ use std::error::Error;
 use std::num::NonZeroU32;
 use std::path::{Path, PathBuf};
 
-use cotton::FABRIC;
 use cpu_time::ProcessTime;
 use glam::Vec3;
-use lole_body::{
-    ArmStyle, Bone, Dance, DanceStep, Dancer, Measurements, MotionSettings, Pose, Tape,
-};
-use lole_cloth::mesh::{self, MeshBody, MeshModel, MeshSpec, MeshState, Outcome};
+use lole_body::{Bone, Dancer, Measurements, Pose, Tape};
+use lole_cloth::mesh::{self, MeshBody, MeshModel, MeshSpec, MeshState};
 use lole_cloth::{SolverConfig, StepInput};
 use lole_geom::Length;
+use lole_hula::{ArmStyle, Dance, DanceStep, MotionSettings};
 use lole_motion::{BoneMap, Clip, ClipSettings, bvh};
+
+use cotton::FABRIC;
 use seen::Seen;
 
 const FRAME_DT: f32 = 1.0 / 60.0;
@@ -273,7 +273,7 @@ fn draw_together(
             surfels: body.mesh.surfels(),
             ..StepInput::default()
         };
-        if let Outcome::Held(cause) = mesh::step(model, &open, &input, state, FRAME_DT) {
+        if let Err(cause) = mesh::step(model, &open, &input, state, FRAME_DT) {
             return Err(cause.into());
         }
         state.set_velocities(model, &still);
@@ -339,7 +339,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             surfels: body.mesh.surfels(),
             ..StepInput::default()
         };
-        if let Outcome::Held(cause) = mesh::step(&model, &config, &input, &mut state, FRAME_DT) {
+        if let Err(cause) = mesh::step(&model, &config, &input, &mut state, FRAME_DT) {
             return Err(cause.into());
         }
         seen.times.push(1e3 * began.elapsed().as_secs_f64());

@@ -10,7 +10,7 @@ use std::error::Error;
 
 use glam::{DVec2, EulerRot, Quat, Vec2, Vec3};
 use lole_geom::weld::weld;
-use lole_geom::{polygon, trig64};
+use lole_geom::{narrow, polygon, trig64};
 use serde_json::Value;
 
 /// Pieces of a curve from which lengths are taken.
@@ -321,12 +321,4 @@ fn arc([from, to]: [DVec2; 2], listed: &Value, unit: f64) -> Result<Vec<DVec2>, 
     Ok(shares
         .map(|share| center + DVec2::from_angle(share * turn).rotate(start))
         .collect())
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "the engine's numbers are single"
-)]
-const fn narrow(number: f64) -> f32 {
-    number as f32
 }

@@ -1,10 +1,12 @@
 //! Laws of a show: what is kept and what begins anew when something else is wished.
 
-use super::*;
-use lole_body::DanceStep;
+use std::sync::LazyLock;
+
 use lole_costume::document::{MethodName, parse};
 use lole_garment::dress::Division;
-use std::sync::LazyLock;
+use lole_hula::DanceStep;
+
+use super::*;
 
 /// A coarse skirt, so that a test is quick.
 fn design() -> Design {

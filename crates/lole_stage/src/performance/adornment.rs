@@ -6,8 +6,8 @@ use glam::{Affine3A, Vec3};
 use lole_body::Pose;
 use lole_cloth::strands::{self, Ring, StrandConfig, StrandInput, StrandModel, StrandState};
 use lole_garment::adorn::{self, Frame, HangingStrands};
-use lole_geom::Surfel;
 use lole_geom::mesh::vertex_normals;
+use lole_geom::{Surfel, fnv};
 
 use super::FRAME_SECONDS;
 use super::order::Inner;
@@ -41,6 +41,8 @@ pub(super) struct Adorned {
 /// Strands of one adornment.
 #[derive(Clone)]
 struct Hanging {
+    /// Whether a step was not taken: they hang where they were.
+    is_lost: bool,
     model: StrandModel,
     state: StrandState,
     pins: Vec<Vec3>,
@@ -111,6 +113,12 @@ impl Adorned {
     pub(super) fn positions(&self) -> impl Iterator<Item = &[Vec3]> {
         let hanging = self.hanging.iter().flatten();
         hanging.map(|hanging| &hanging.state.positions[..])
+    }
+
+    /// Place of the first adornment whose strands went nowhere.
+    pub(super) fn lost(&self) -> Option<usize> {
+        let is_lost = |hanging: &Option<Hanging>| hanging.as_ref().is_some_and(|it| it.is_lost);
+        self.hanging.iter().position(is_lost)
     }
 
     /// Whether anything moves by itself.
@@ -240,12 +248,11 @@ impl Adorned {
 
     /// All bits of the strands, laid over a hash (`FNV-1a`, Fowler, Noll and Vo).
     pub(super) fn hashed(&self, mut hash: u64) -> u64 {
-        const PRIME: u64 = 0x0000_0100_0000_01b3;
         for hanging in self.hanging.iter().flatten() {
             let state = &hanging.state;
             for vector in state.positions.iter().chain(&state.velocities) {
                 for value in vector.to_array() {
-                    hash = (hash ^ u64::from(value.to_bits())).wrapping_mul(PRIME);
+                    hash = (hash ^ u64::from(value.to_bits())).wrapping_mul(fnv::PRIME);
                 }
             }
         }
@@ -256,6 +263,7 @@ impl Adorned {
 impl Hanging {
     fn new(hung: &HangingStrands) -> Result<Self, StageError> {
         Ok(Self {
+            is_lost: false,
             model: StrandModel::new(&hung.strands, &hung.links, &hung.ties)?,
             state: StrandState::new(&hung.strands),
             pins: Vec::new(),
@@ -295,7 +303,8 @@ impl Hanging {
             surfels: met,
             air_velocity: around.air_velocity,
         };
-        strands::step(&self.model, config, &input, &mut self.state, FRAME_SECONDS);
+        let moved = strands::step(&self.model, config, &input, &mut self.state, FRAME_SECONDS);
+        self.is_lost |= moved.is_err();
     }
 
     fn frames(&self, hung: &HangingStrands, world_from_bind: &[Affine3A]) -> Vec<Vec<Frame>> {

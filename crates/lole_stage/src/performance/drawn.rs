@@ -3,14 +3,14 @@
 use glam::Vec3;
 
 use super::Performance;
+use super::dressed::Dressed;
 use crate::{Vertices, WornSurface};
 
 impl Performance {
-    /// Adds the positions of what is sewn from shaped pieces [m] to those of gathered cloth: those of all cloth.
-    pub(crate) fn add_sewn(&self, cloth: &mut Vec<Vec3>) {
-        for moving in &self.dressed {
-            cloth.extend_from_slice(moving.positions());
-        }
+    /// Positions of the particles of all cloth [m]: what is sewn from shaped pieces comes after what is gathered.
+    pub fn particles(&self) -> impl Iterator<Item = &Vec3> {
+        let sewn = self.dressed.iter().flat_map(Dressed::positions);
+        self.cloth_positions.iter().chain(sewn)
     }
 
     /// Everything that is worn or held as it is drawn, surface by surface as [`Production::surfaces`] has them.

@@ -5,6 +5,7 @@
 
 use glam::{Affine3A, Vec3};
 use lole_cloth::collision::layer::{Envelope, Trunk};
+use lole_cloth::diagnose::StrainSummary;
 use lole_costume::document::GarmentLayer;
 use lole_garment::dress::{Body, DressedState, Layers, World};
 use lole_geom::Surfel;
@@ -15,7 +16,6 @@ use crate::StageError;
 use crate::production::{DressedGarment, Garment};
 use crate::skin_check::{self, SkinCheck};
 use crate::solver::CONTACT_OFFSET;
-use lole_cloth::diagnose::StrainSummary;
 
 /// Share of its velocity that cloth keeps from frame to frame until the dance begins.
 const SETTLING: f32 = 0.9;

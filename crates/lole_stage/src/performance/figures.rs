@@ -2,6 +2,7 @@
 
 use glam::Vec3;
 use lole_cloth::diagnose;
+use lole_geom::fnv;
 
 use super::dressed::Dressed;
 use super::worn::Worn;
@@ -139,12 +140,11 @@ impl Performance {
     /// all.
     #[must_use]
     pub fn state_hash(&self) -> u64 {
-        const PRIME: u64 = 0x0000_0100_0000_01b3; // Of `FNV-1a` for 64 bits (Fowler, Noll and Vo).
         let dressed = self.dressed.iter().map(Dressed::hash);
         let mut hashes = (self.worn.iter().map(|worn| worn.solver.state_hash())).chain(dressed);
         let first = hashes.next().unwrap_or(0);
         self.adorned
-            .hashed(hashes.fold(first, |all, next| all.wrapping_mul(PRIME) ^ next))
+            .hashed(hashes.fold(first, |all, next| all.wrapping_mul(fnv::PRIME) ^ next))
     }
 
     /// Springs of the prepared cloth.

@@ -39,6 +39,8 @@ pub(super) struct Worn {
     given_way: Lifts,
     /// How far it has been put on, from 0 to 1.
     put_on: f32,
+    /// Whether a step was not taken: it stays where it was.
+    is_lost: bool,
 }
 
 /// The body in the present pose, as pins need it.
@@ -124,6 +126,7 @@ impl Worn {
             lifts: Vec::new(),
             given_way,
             put_on: 0.0,
+            is_lost: false,
         })
     }
 
@@ -192,8 +195,13 @@ impl Worn {
             pin_targets: &self.pin_targets,
             ..*surroundings
         };
-        self.solver.step(&surroundings, FRAME_SECONDS, observer);
+        let moved = self.solver.step(&surroundings, FRAME_SECONDS, observer);
+        self.is_lost |= moved.is_err();
         self.put_on = (self.put_on + FRAME_SECONDS / PUTTING_ON).min(1.0);
+    }
+
+    pub(super) const fn is_lost(&self) -> bool {
+        self.is_lost
     }
 
     /// Reads the positions of the solver [m], row-major.
@@ -303,8 +311,9 @@ fn spread(values: &[f32], reach: usize) -> Vec<f32> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use lole_geom::trig;
+
+    use super::*;
 
     /// Gathers of ten pins around a waist of 10 cm that stand off by 2 to 10 mm, and an arm whose skin is 5 mm
     /// off the waist on its right.

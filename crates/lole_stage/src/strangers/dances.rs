@@ -4,9 +4,10 @@ use std::f32::consts::TAU;
 use std::sync::Arc;
 
 use glam::{EulerRot, Quat, Vec3};
-use lole_body::{Bone, DanceStep, Dancer, Pose};
+use lole_body::{Bone, Dancer, Pose};
 use lole_costume::document::Design;
 use lole_geom::{Chance, trig};
+use lole_hula::DanceStep;
 use lole_motion::Clip;
 
 use crate::{Danced, FRAME_SECONDS, StageError};

@@ -166,14 +166,14 @@ impl Rig {
 
     /// Moves on by one frame.
     pub(super) fn advance(&mut self) {
-        match &mut self.0 {
+        let moved = match &mut self.0 {
             Kind::Reference(rig) => {
-                let input = explicit::StepInput {
+                let input = explicit::ReferenceInput {
                     time: 0.0,
                     pin_targets: &rig.pins,
                     capsules: &rig.capsules,
                 };
-                explicit::step(&rig.model, &rig.config, &input, &mut rig.state, FRAME);
+                explicit::step(&rig.model, &rig.config, &input, &mut rig.state, FRAME).map(|_| ())
             }
             Kind::RealTime(rig) => {
                 let input = StepInput {
@@ -183,9 +183,10 @@ impl Rig {
                 };
                 #[expect(clippy::cast_possible_truncation, reason = "the engine counts in f32")]
                 let dt = FRAME as f32;
-                step(&rig.model, &rig.config, &input, &mut rig.state, dt);
+                step(&rig.model, &rig.config, &input, &mut rig.state, dt)
             }
-        }
+        };
+        debug_assert!(moved.is_ok(), "a target for every pin");
     }
 
     /// Advances so many frames.

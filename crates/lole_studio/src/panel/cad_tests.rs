@@ -7,10 +7,10 @@ use eframe::egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use lole_costume::document::{Design, GarmentDesign};
-use lole_costume::print::{PrintBorder, PrintDirection};
 use lole_costume::roster;
 use lole_language::Language;
 use lole_pattern::marker::Lay;
+use lole_print::{PrintBorder, PrintDirection};
 
 use super::tests::{click, pick, put_on, window, wished};
 use crate::Studio;

@@ -218,9 +218,10 @@ fn unwind(parts: &mut [PartDesign]) {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
-    use lole_body::DanceStep;
     use lole_costume::document::Design;
+    use lole_hula::DanceStep;
+
+    use super::*;
 
     fn facing(degrees: f64) -> PartDesign {
         PartDesign {

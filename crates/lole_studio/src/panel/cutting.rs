@@ -6,13 +6,14 @@ use eframe::egui::{
 };
 use kurbo::Point;
 use lole_costume::order::PlannedGarment;
-use lole_costume::print::ClothPicture;
 use lole_costume::tailoring::{ClothPlan, role_name};
 use lole_export::cutting::used_words;
+use lole_geom::narrow;
 use lole_language::{Language, Sentence};
 use lole_pattern::Pattern;
 use lole_pattern::marker::{Lay, Placed};
 use lole_pattern::piece::ClothRole;
+use lole_print::ClothPicture;
 
 use super::cost::fabric_mut;
 use super::garment::width_ui;
@@ -243,7 +244,7 @@ impl Drawing<'_> {
         let marker = &self.plan.marker;
         let reach = (marker.placed.iter()).map(|placed| placed.outline.bounds().y1);
         let across = reach.fold(lying_width(marker).to_m(), f64::max);
-        [marker.yardage.needed.to_m().max(0.01), across].map(meters)
+        [marker.yardage.needed.to_m().max(0.01), across].map(narrow)
     }
 
     /// As large as fits.
@@ -259,7 +260,7 @@ impl Drawing<'_> {
         let [length, across] = self.extent();
         let scale = (rect.width() - 2.0 * BORDER) / length;
         let origin = pos2(rect.left() + BORDER, rect.top() + BORDER + across * scale);
-        let at = |x: f64, y: f64| origin + vec2(meters(x), -meters(y)) * scale;
+        let at = |x: f64, y: f64| origin + vec2(narrow(x), -narrow(y)) * scale;
         let width = lying_width(marker).to_m();
         let cloth = Rect::from_two_pos(at(0.0, 0.0), at(marker.yardage.needed.to_m(), width));
         match &self.texture {
@@ -290,7 +291,7 @@ impl Drawing<'_> {
             }
             let bounds = placed.outline.bounds();
             let middle = at(0.5 * (bounds.x0 + bounds.x1), 0.5 * (bounds.y0 + bounds.y1));
-            let room = meters(bounds.x1 - bounds.x0) * scale;
+            let room = narrow(bounds.x1 - bounds.x0) * scale;
             let piece = &self.cut.tailored.pattern.pieces[placed.piece];
             name_piece(painter, middle, room, studio.say(piece.name));
         }
@@ -372,9 +373,4 @@ fn name_piece(painter: &Painter, middle: Pos2, room: f32, name: &str) {
     let plate = Rect::from_center_size(middle, galley.size() + vec2(8.0, 4.0));
     painter.rect_filled(plate, 4.0, Color32::from_white_alpha(230));
     painter.galley(plate.min + vec2(4.0, 2.0), galley, look::INK);
-}
-
-#[expect(clippy::cast_possible_truncation, reason = "points on a screen")]
-const fn meters(value: f64) -> f32 {
-    value as f32
 }

@@ -1,8 +1,8 @@
 //! What is danced: a step, a choreography or a recording; its manner and tempo.
 
 use eframe::egui::{RichText, Ui};
-use lole_body::motion::SCHOOLS;
 use lole_costume::document::{Design, PartDesign};
+use lole_hula::SCHOOLS;
 
 use super::hindrance;
 use super::knob::{Knob, Scale, choice, list};

@@ -5,8 +5,8 @@ use std::ops::RangeInclusive;
 use eframe::egui::{RichText, Ui};
 use lole_costume::document::{FabricDesign, PrintChoice};
 use lole_costume::fabrics::PRESETS;
-use lole_costume::print::{COLORWAYS, MOTIFS};
 use lole_language::Language;
+use lole_print::{COLORWAYS, MOTIFS};
 
 use super::knob::{Knob, Scale, list};
 use crate::paper::PaperGarment;

@@ -8,7 +8,7 @@ use eframe::egui::{
     TextureHandle, TextureOptions, Ui, pos2, vec2,
 };
 use lole_costume::document::PhotoMarks;
-use lole_costume::print::Picture;
+use lole_print::Picture;
 
 use super::knob::{Knob, Scale, choice, wide_button};
 use crate::studio::range;

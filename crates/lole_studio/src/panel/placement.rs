@@ -3,7 +3,7 @@
 
 use eframe::egui::{RichText, Ui};
 use lole_costume::document::{PhotoMarks, PrintChoice};
-use lole_costume::print::{PrintBorder, PrintDirection, PrintFlip, PrintTiling};
+use lole_print::{PrintBorder, PrintDirection, PrintFlip, PrintTiling};
 
 use super::knob::{Knob, Scale, choice, list, sign_button, wide_button};
 use super::photo;

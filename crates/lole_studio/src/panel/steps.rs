@@ -1,7 +1,7 @@
 //! The steps of hula in families, to be danced over and over or to be put into a choreography.
 
 use eframe::egui::{Button, ComboBox, RichText, Ui, WidgetInfo, accesskit::Role};
-use lole_body::DanceStep;
+use lole_hula::DanceStep;
 use lole_language::{Language, Words, words};
 
 use crate::{Studio, text};

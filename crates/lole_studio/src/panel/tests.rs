@@ -7,13 +7,14 @@ use eframe::egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use lole_avatar::AnimationSummary;
-use lole_body::motion::SCHOOLS;
-use lole_body::{Bone, DanceStep, Figure, Side};
+use lole_body::{Bone, Figure, Side};
 use lole_cloth::wind::WindLaw;
 use lole_costume::document::{
     Design, GarmentDesign, LinkedFile, MethodName, MotionDrift, MotionRepeat, Uncrossed, WindModel,
 };
 use lole_costume::fabrics::PRESETS;
+use lole_hula::DanceStep;
+use lole_hula::SCHOOLS;
 use lole_language::{Language, Sentence};
 use lole_stage::Divergence;
 

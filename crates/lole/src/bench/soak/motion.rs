@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 use lole_cloth::scenes::FRAME_DT;
-use lole_geom::trig;
+use lole_geom::{Chance, trig};
 
 /// Frames from one random place to the next, least and most: a third of a second to a second and
 /// a half.
@@ -17,23 +17,10 @@ const WIND: Vec3 = Vec3::new(6.0, 2.0, 6.0);
 /// The scene's own motion runs at up to twice its speed, and may stand still.
 const PACE: Vec3 = Vec3::new(1.0, 0.0, 0.0);
 
-/// `SplitMix64` (Steele, Lea and Flood 2014, "Fast Splittable Pseudorandom Number Generators").
-#[derive(Debug, Clone)]
-struct Chance(u64);
-
-impl Chance {
-    const fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        mixed ^ (mixed >> 31)
-    }
-
-    /// From -1 to 1.
-    fn signed(&mut self) -> f32 {
-        let [high, low, ..] = self.next().to_le_bytes();
-        f32::from(u16::from_le_bytes([high, low])) / 32_767.5 - 1.0
-    }
+/// From -1 to 1.
+fn signed(chance: &mut Chance) -> f32 {
+    let [high, low, ..] = chance.bits().to_le_bytes();
+    f32::from(u16::from_le_bytes([high, low])) / 32_767.5 - 1.0
 }
 
 /// A vector that goes from one random place to the next, at rest at both.
@@ -60,9 +47,9 @@ impl Wander {
     fn next(&mut self, chance: &mut Chance) -> Vec3 {
         if self.frame_count <= self.frame {
             self.from = self.to;
-            self.to = self.reach * Vec3::from_array([(); 3].map(|()| chance.signed()));
+            self.to = self.reach * Vec3::from_array([(); 3].map(|()| signed(chance)));
             let [least, most] = FRAME_RANGE;
-            self.frame_count = (least + (most - least) * (0.5 + 0.5 * chance.signed())).round();
+            self.frame_count = (least + (most - least) * (0.5 + 0.5 * signed(chance))).round();
             self.frame = 0.0;
         }
         self.frame += 1.0;
@@ -117,7 +104,7 @@ impl Motion {
     /// At rest, where the scene starts.
     pub(super) const fn new(seed: u64) -> Self {
         Self {
-            chance: Chance(seed),
+            chance: Chance::new(seed),
             shift: Wander::new(SHIFT),
             turn: Wander::new(TURN),
             wind: Wander::new(WIND),

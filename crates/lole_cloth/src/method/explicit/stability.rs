@@ -6,7 +6,9 @@ use glam::DVec3;
 use lole_geom::trig64;
 
 use super::runge_kutta::{Counting, LastStage, StageDamping};
-use super::{ContactEvaluation, ExplicitConfig, Integrator, RungeKutta, StepInput, Substeps, step};
+use super::{
+    ContactEvaluation, ExplicitConfig, Integrator, ReferenceInput, RungeKutta, Substeps, step,
+};
 use crate::collision::penalty::Penalty;
 use crate::method::paper;
 use crate::method::reference::{ReferenceModel, ReferenceState};
@@ -193,14 +195,14 @@ impl HighestMode {
         let pins: Vec<DVec3> = (model.pin_indices().iter())
             .map(|&index| self.rest[index as usize])
             .collect();
-        let input = StepInput {
+        let input = ReferenceInput {
             time: 0.0,
             pin_targets: &pins,
             capsules: &[],
         };
         let steps = f64::from(count.get());
         let mut advanced = || {
-            step(model, &config, &input, &mut state, dt * steps);
+            step(model, &config, &input, &mut state, dt * steps).expect("a target for every pin");
             let sum: f64 = (state
                 .positions
                 .iter()

@@ -1,7 +1,8 @@
 //! The keys of the dance: of `[motion]`, and of each part in the list `[[motion.part]]`.
 
-use lole_body::motion::SCHOOLS;
-use lole_body::{AmiTurn, ArmManner, ArmStyle, DanceStep, Hands, HipLead, HipLift, School, Side};
+use lole_body::Side;
+use lole_hula::SCHOOLS;
+use lole_hula::{AmiTurn, ArmManner, ArmStyle, DanceStep, Hands, HipLead, HipLift, School};
 use lole_language::{Words, words};
 
 use super::{Key, Kind, Table};

@@ -1,6 +1,6 @@
 //! Rows of a print, for the skirt's and for those of garments.
 
-use crate::print::{PrintBorder, PrintDirection, PrintFlip, PrintTiling};
+use lole_print::{PrintBorder, PrintDirection, PrintFlip, PrintTiling};
 
 pub(super) const DIRECTIONS: &[(&str, PrintDirection)] = &[
     ("up", PrintDirection::Up),
@@ -35,9 +35,11 @@ macro_rules! photo_mark {
 /// Rows of what is drawn.
 macro_rules! print_keys {
     () => {{
+        use lole_print::{COLORWAYS, Colorway, MOTIFS, PrintMotif};
+
         use crate::document::LinkedPicture;
         use crate::document::schema::print_rows::{BORDERS, DIRECTIONS, FLIPS, TILINGS};
-        use crate::print::{COLORWAYS, Colorway, MOTIFS, PrintMotif};
+
         &[
             Key {
                 name: "motif",
