@@ -21,15 +21,15 @@ const BENT: f32 = 1.2;
 fn main() -> Result<(), Box<dyn Error>> {
     let limb = Limb::new();
     let mut body = MeshBody::new(&limb.bind, &limb.triangles, 0.012)?;
-    // A sleeve over the elbow, 6 mm off the skin, its upper edge carried by the upper bone.
-    let sleeve = tube(40, 24, RADIUS + 0.006, [0.45, 0.15]);
+    // A sleeve over the elbow, 2 cm off the skin, its upper edge carried by the upper bone.
+    let sleeve = tube(44, 24, RADIUS + 0.02, [0.45, 0.15]);
     let mut spec = MeshSpec::of_surface(&sleeve.0, sleeve.1.clone(), |_| Vec3::Y, Fabric::COTTON);
-    spec.pinned[..40].fill(true);
+    spec.pinned[..44].fill(true);
     let model = MeshModel::new(&spec)?;
     let config = model.settings();
     let mut state = MeshState::new(&model, &sleeve.0);
     // The upper bone stands still here; a game would carry them.
-    let pins = &sleeve.0[..40];
+    let pins = &sleeve.0[..44];
     for frame in 1..=180_u16 {
         let time = f32::from(frame) / 60.0;
         let bend = BENT * 0.5 * (1.0 - trig::cos(std::f32::consts::TAU * time / 3.0));

@@ -13,7 +13,7 @@ impl Performance {
         self.cloth_positions.iter().chain(sewn)
     }
 
-    /// Everything that is worn or held as it is drawn, surface by surface as [`Production::surfaces`] has them.
+    /// Everything that is worn or held as it is drawn, surface by surface as [`Production::surfaces`](crate::Production::surfaces) has them.
     #[must_use]
     pub fn surfaces(&self) -> Vec<Vertices> {
         self.surfaces_of(&self.cloth_positions)
