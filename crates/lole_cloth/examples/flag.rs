@@ -6,13 +6,13 @@
 use glam::Vec3;
 use lole_cloth::wind::{Wind, WindLaw};
 use lole_cloth::{
-    BuildError, ClothModel, ClothSpec, ClothState, Fabric, Grid, MassLaw, SolverConfig, StepInput,
-    Topology, step,
+    ClothModel, ClothSpec, ClothState, Fabric, Grid, MassLaw, SolverConfig, StepInput, Topology,
+    step,
 };
 
 const FRAME_DT: f32 = 1.0 / 60.0;
 
-fn main() -> Result<(), BuildError> {
+fn main() -> Result<(), Box<dyn std::error::Error>> {
     let grid = Grid {
         column_count: 48,
         row_count: 33,
@@ -69,8 +69,7 @@ fn main() -> Result<(), BuildError> {
             &input,
             &mut state,
             FRAME_DT,
-        )
-        .expect("a target for every pin");
+        )?;
         if frame % 60 == 0 {
             state.copy_positions(&model, &mut now);
             let fly = now[spec.grid.index(0, 47)];

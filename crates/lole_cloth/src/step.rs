@@ -38,8 +38,8 @@ pub struct StepInput<'a> {
 /// Inside a rayon thread pool the work is shared; the result is the same bit for bit.
 ///
 /// # Errors
-/// A state of another cloth, or as many targets as there are not pins; the cloth is as it was then. Whoever cannot be sure of what comes in
-/// looks at the positions: what is no number goes on as that.
+/// A state of another cloth, or as many targets as there are not pins; the cloth is as it was then. Whoever
+/// cannot be sure of what comes in looks at the positions: what is no number goes on as that.
 pub fn step(
     model: &ClothModel,
     config: &SolverConfig,

@@ -14,7 +14,7 @@ mod solve;
 use glam::Vec3;
 use lole_geom::Surfel;
 
-use crate::Lost;
+use crate::lost::{Lost, check_cloth};
 use contact::Contacts;
 
 /// Whether the end of a strand is tied to its beginning.
@@ -337,7 +337,8 @@ impl StrandState {
 /// Moves strands on by `dt` [s].
 ///
 /// # Errors
-/// The first particle that would be at no place; all of them are where they were, at rest, then.
+/// A state of other strands, and the first particle that would be at no place; all of them are where they were,
+/// at rest after the latter.
 pub fn step(
     model: &StrandModel,
     config: &StrandConfig,
@@ -345,6 +346,7 @@ pub fn step(
     state: &mut StrandState,
     dt: f32,
 ) -> Result<(), Lost> {
+    check_cloth(0, [model.inv_masses.len(), state.positions.len()])?;
     if state.surfels.len() != input.surfels.len() {
         state.surfels.clear();
         state.surfels.extend_from_slice(input.surfels);

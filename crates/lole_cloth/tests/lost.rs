@@ -5,6 +5,7 @@ use std::num::NonZeroU32;
 use glam::{Vec2, Vec3};
 use lole_cloth::assembly::{self, Assembly, AssemblyInput, AssemblyState, Piece};
 use lole_cloth::mesh::{self, MeshModel, MeshSpec, MeshState};
+use lole_cloth::method::explicit_rows::{self, ExplicitModel};
 use lole_cloth::{
     ClothModel, ClothSpec, ClothState, Fabric, Grid, Lost, SolverConfig, StepInput,
     mesh_state_hash, state_hash, step,
@@ -84,6 +85,11 @@ fn a_state_of_another_cloth_is_refused() {
     let before = state_hash(&other);
     let config = SolverConfig::default();
     let refused = step(&model, &config, &StepInput::default(), &mut other, DT);
+    assert_eq!(refused, Err(Lost::OtherCloth { piece: 0 }));
+    assert_eq!(state_hash(&other), before);
+
+    let rows = ExplicitModel::new(model.spec()).expect("a sheet");
+    let refused = explicit_rows::step(&rows, &config, &StepInput::default(), &mut other, DT);
     assert_eq!(refused, Err(Lost::OtherCloth { piece: 0 }));
     assert_eq!(state_hash(&other), before);
 

@@ -20,7 +20,7 @@ use lole_cloth::strands::{Link, Strand, StrandConfig, Tie};
 use lole_pattern::{DraftError, Measures};
 
 use crate::GarmentSpec;
-use crate::template::Worn;
+use crate::template::Wear;
 
 pub use grip::Grip;
 pub use strands::{Frame, frames};
@@ -243,7 +243,7 @@ pub struct Made {
 /// # Errors
 /// Measures or options that it cannot be made from.
 pub fn adorn(spec: &GarmentSpec<'_>, wearer: &Wearer<'_>) -> Result<Option<Made>, DraftError> {
-    let Worn::Beside(row) = &spec.template.worn else {
+    let Wear::Beside(row) = &spec.template.worn else {
         return Ok(None);
     };
     // What cannot be drafted cannot be worn: the drafter knows every range.

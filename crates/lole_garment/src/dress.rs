@@ -37,11 +37,11 @@ use lole_language::Bilingual;
 use lole_pattern::{DraftError, Pattern};
 
 use crate::GarmentSpec;
-use crate::template::{SewnRow, Worn};
+use crate::template::{SewnRow, Wear};
 use form::Form;
 use under::Under;
 
-pub use bodice::Part;
+pub use bodice::Covered;
 pub use crossings::Crossing;
 pub use laid::Way;
 pub use layers::{Body, Layers, Over, PieceOver};
@@ -304,7 +304,7 @@ pub fn dress(
     let measures = crate::measures(dancer);
     let pattern = spec.pattern(&measures)?;
     let template = spec.template.id;
-    let Worn::Sewn(row) = &spec.template.worn else {
+    let Wear::Sewn(row) = &spec.template.worn else {
         return Err(DressError::NotWorn { template });
     };
     let laid = laid::lay(

@@ -15,7 +15,7 @@ pub enum Tone {
 
 /// A part of a sketch. Corners of its square are at 0 and 1, `y` down.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Stroke {
+pub enum SketchStroke {
     /// A thin line through points.
     Line(Vec<[f32; 2]>),
     /// A convex patch with its outline.
@@ -28,23 +28,24 @@ pub enum Stroke {
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Sketch {
     /// What is drawn.
-    pub strokes: Vec<Stroke>,
+    pub strokes: Vec<SketchStroke>,
 }
 
 impl Sketch {
     /// A thin line.
     pub fn line(&mut self, points: &[[f32; 2]]) {
-        self.strokes.push(Stroke::Line(points.to_vec()));
+        self.strokes.push(SketchStroke::Line(points.to_vec()));
     }
 
     /// A convex patch with its outline.
     pub fn patch(&mut self, points: &[[f32; 2]], tone: Tone) {
-        self.strokes.push(Stroke::Patch(points.to_vec(), tone));
+        self.strokes
+            .push(SketchStroke::Patch(points.to_vec(), tone));
     }
 
     /// A disc with its outline.
     pub fn disc(&mut self, middle: [f32; 2], radius: f32, tone: Tone) {
-        self.strokes.push(Stroke::Disc(middle, radius, tone));
+        self.strokes.push(SketchStroke::Disc(middle, radius, tone));
     }
 
     /// Lines from a waist that open like a fan.

@@ -36,7 +36,7 @@ pub struct Template {
     /// Drafts it.
     pub draft: fn(&Measures, &Options) -> Result<Pattern, DraftError>,
     /// How it is worn.
-    pub worn: Worn,
+    pub worn: Wear,
     /// Opening of an elbow whose hand would press it on the chest, or go through it [°]: gathers are 2 to
     /// 3 cm thick, the folds of a wrap more; 0 for what lies elsewhere.
     pub chest_room_deg: f32,
@@ -49,7 +49,7 @@ pub struct Template {
 
 /// How a garment is worn.
 #[derive(Debug)]
-pub enum Worn {
+pub enum Wear {
     /// Its cut has keys of its own in a design, which is drafted on the dancer herself.
     OwnKeys,
     /// As rectangles that are gathered around the hips.
@@ -131,9 +131,9 @@ impl Template {
     #[must_use]
     pub fn gathered_count(&self, options: &Options) -> usize {
         match &self.worn {
-            Worn::Gathered(row) => (row.count)(options),
-            Worn::OwnKeys => 1,
-            Worn::Sewn(_) | Worn::Beside(_) => 0,
+            Wear::Gathered(row) => (row.count)(options),
+            Wear::OwnKeys => 1,
+            Wear::Sewn(_) | Wear::Beside(_) => 0,
         }
     }
 
@@ -147,21 +147,21 @@ impl Template {
         options: &Options,
     ) -> Result<Option<Gathered>, DraftError> {
         match &self.worn {
-            Worn::Gathered(row) => (row.draft)(measures, options).map(Some),
-            Worn::OwnKeys | Worn::Sewn(_) | Worn::Beside(_) => Ok(None),
+            Wear::Gathered(row) => (row.draft)(measures, options).map(Some),
+            Wear::OwnKeys | Wear::Sewn(_) | Wear::Beside(_) => Ok(None),
         }
     }
 
     /// Whether its pieces are laid around the dancer and sewn there.
     #[must_use]
     pub const fn is_sewn(&self) -> bool {
-        matches!(self.worn, Worn::Sewn(_))
+        matches!(self.worn, Wear::Sewn(_))
     }
 
     /// Whether it is worn beside the cloth, or held.
     #[must_use]
     pub const fn is_adornment(&self) -> bool {
-        matches!(self.worn, Worn::Beside(_))
+        matches!(self.worn, Wear::Beside(_))
     }
 }
 

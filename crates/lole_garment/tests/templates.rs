@@ -4,7 +4,7 @@
 mod bodies;
 
 use kurbo::{ParamCurve as _, PathSeg, Point, Shape as _};
-use lole_garment::sketch::{Sketch, Stroke};
+use lole_garment::sketch::{Sketch, SketchStroke};
 use lole_garment::template::{OptionKind, Options, Shelf, TEMPLATES, Template};
 use lole_geom::Length;
 use lole_language::{Bilingual as _, Sentence};
@@ -318,8 +318,8 @@ fn every_template_stands_on_a_shelf_of_the_menu_and_is_sketched_in_its_square() 
         let mut sketch = Sketch::default();
         (template.sketch)(&mut sketch);
         let points = sketch.strokes.iter().flat_map(|stroke| match stroke {
-            Stroke::Line(points) | Stroke::Patch(points, _) => points.clone(),
-            Stroke::Disc([x, y], radius, _) => {
+            SketchStroke::Line(points) | SketchStroke::Patch(points, _) => points.clone(),
+            SketchStroke::Disc([x, y], radius, _) => {
                 let lowest = [x - radius, y - radius];
                 vec![lowest, [x + radius, y + radius]]
             }

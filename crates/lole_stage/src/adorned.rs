@@ -5,7 +5,7 @@ use lole_body::{Dancer, MeshPart, PartKind};
 use lole_costume::document::{Design, GarmentDesign};
 use lole_costume::tailoring::numbered;
 use lole_garment::adorn::{Grip, HangingStrands, Surface, Wearer, adorn};
-use lole_garment::template::Worn;
+use lole_garment::template::Wear;
 
 use crate::StageError;
 
@@ -35,7 +35,6 @@ pub(crate) fn adorned(
     stance: &[Affine3A],
 ) -> Result<Vec<Adornment>, StageError> {
     let mut adornments: Vec<Adornment> = Vec::new();
-    let listed = design.garments.iter().enumerate();
     if !design.garments.iter().any(GarmentDesign::is_adornment) {
         return Ok(adornments);
     }
@@ -44,7 +43,7 @@ pub(crate) fn adorned(
         measures: &lole_garment::measures(dancer),
         stance,
     };
-    for (place, garment) in listed {
+    for (place, garment) in design.garments.iter().enumerate() {
         let GarmentDesign::Template(worn) = garment else {
             continue;
         };
@@ -70,7 +69,7 @@ pub(crate) fn adorned(
 pub(crate) fn parts_shown(parts: &[MeshPart], design: &Design) -> Vec<MeshPart> {
     let is_replaced = design.garments.iter().any(|garment| match garment {
         GarmentDesign::Template(worn) => match &worn.template.worn {
-            Worn::Beside(row) => (row.replaces_flower)(&worn.options),
+            Wear::Beside(row) => (row.replaces_flower)(&worn.options),
             _ => false,
         },
         GarmentDesign::PauSkirt(_) | GarmentDesign::PauTop(_) => false,

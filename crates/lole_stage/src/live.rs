@@ -315,10 +315,10 @@ impl Show {
             solver.edit_velocities(|kept| kept.copy_from_slice(&self.velocities[own]));
             solvers.push(solver);
         }
-        self.performance.replace_solvers(solvers);
         let held = self.hold.iter().flat_map(|hold| &hold.patch);
         let held: Vec<u32> = held.map(|&(particle, _)| particle).collect();
         self.performance.take(&held)?;
+        self.performance.replace_solvers(solvers);
         self.masses = masses(&specs, &production);
         self.specs = specs;
         Ok(())

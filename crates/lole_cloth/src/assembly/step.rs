@@ -13,7 +13,7 @@ use crate::assembly::whole::{Whole, WholeState};
 use crate::collision::face_contact::{FaceContacts, Faces};
 use crate::lanes::Points;
 use crate::lost::{Lost, check_cloth, check_pins};
-use crate::mesh::outcome::all_finite;
+use crate::mesh::finite::all_finite;
 use crate::method::fineness::{Fineness, Substeps};
 use crate::method::xpbd;
 use crate::{StepInput, mesh, mesh_state_hash, state_hash};
@@ -177,8 +177,8 @@ impl AssemblyState {
 /// Moves the assembly on by `dt` [s].
 ///
 /// # Errors
-/// A state of other pieces, pins of a piece that were not told where they go, and a particle that would be at no place afterwards; the
-/// state is then as it was before.
+/// A state of other pieces, pins of a piece that were not told where they go, and a particle that would be at
+/// no place afterwards; the state is then as it was before.
 pub fn step(
     assembly: &Assembly,
     input: &AssemblyInput<'_>,

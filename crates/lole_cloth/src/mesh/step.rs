@@ -12,8 +12,8 @@ use crate::lost::{Lost, SubstepPart, check_cloth};
 use crate::mesh::bend;
 use crate::mesh::build::Stars;
 use crate::mesh::contact;
+use crate::mesh::finite::{self, all_finite, first_lost, lost_in_input};
 use crate::mesh::model::MeshModel;
-use crate::mesh::outcome::{self, all_finite, cause_in_input, first_lost};
 use crate::mesh::particles::{self, Gathered, WIDTH};
 use crate::mesh::resistance::Resisting;
 use crate::mesh::self_contact;
@@ -92,7 +92,7 @@ pub fn step(
     dt: f32,
 ) -> Result<(), Lost> {
     check_cloth(0, [model.inv_masses.len(), state.positions.len()])?;
-    if let Some(cause) = cause_in_input(model, config, input, dt) {
+    if let Some(cause) = lost_in_input(model, config, input, dt) {
         return Err(cause);
     }
     state.keep();
@@ -129,15 +129,15 @@ pub(crate) struct Watch {
 
 impl Watch {
     fn new(model: &MeshModel, state: &MeshState) -> Self {
-        let velocity_of = |slot| outcome::at(&state.velocities, slot);
+        let velocity_of = |slot| finite::at(&state.velocities, slot);
         let lost = first_lost(model, |slot| {
-            outcome::at(&state.positions, slot) + 0.0 * velocity_of(slot)
+            finite::at(&state.positions, slot) + 0.0 * velocity_of(slot)
         });
         let cause = lost.map(|(particle, _)| {
             let slot = model.slots.of_particle[particle as usize] as usize;
             Lost::Start {
                 particle,
-                position: outcome::at(&state.positions, slot),
+                position: finite::at(&state.positions, slot),
                 velocity: velocity_of(slot),
             }
         });
@@ -150,8 +150,8 @@ impl Watch {
         }
         let lost = first_lost(model, |slot| {
             if phase == SubstepPart::Contact {
-                let velocity = outcome::at(&state.velocities, slot);
-                outcome::at(&state.positions, slot) + 0.0 * velocity
+                let velocity = finite::at(&state.velocities, slot);
+                finite::at(&state.positions, slot) + 0.0 * velocity
             } else {
                 Vec3::from_slice(&state.scratch.particles[slot * WIDTH..])
             }

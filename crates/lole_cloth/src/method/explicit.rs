@@ -14,8 +14,8 @@ use lole_geom::Capsule;
 pub use runge_kutta::{Counting, LastStage, RungeKutta, StageDamping, StageTime};
 pub use stability::{HighestMode, stability_limit};
 
-use crate::Lost;
 use crate::collision::penalty::{MovingCapsule, Penalty};
+use crate::lost::{Lost, check_cloth};
 use crate::method::paper;
 use crate::method::reference::{ReferenceModel, ReferenceState};
 use crate::wind::Wind;
@@ -129,10 +129,7 @@ pub struct ReferenceInput<'a> {
 /// step.
 ///
 /// # Errors
-/// As many targets as there are not pins; the cloth is as it was then.
-///
-/// # Panics
-/// When the state does not have the model's number of particles.
+/// A state of another cloth, or as many targets as there are not pins; the cloth is as it was then.
 pub fn step(
     model: &ReferenceModel,
     config: &ExplicitConfig,
@@ -140,7 +137,7 @@ pub fn step(
     state: &mut ReferenceState,
     dt: f64,
 ) -> Result<u32, Lost> {
-    assert_eq!(state.positions.len(), model.masses().len(), "particles");
+    check_cloth(0, [model.masses().len(), state.positions.len()])?;
     let (expected, found) = (model.pin_indices().len(), input.pin_targets.len());
     if expected != found {
         return Err(Lost::Pins { expected, found });

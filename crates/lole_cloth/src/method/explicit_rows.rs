@@ -23,7 +23,7 @@ use fearless_simd::{Simd, dispatch, f32x16, prelude::*};
 use crate::collision::capsule::near::Range;
 use crate::collision::capsule::stop::StopLaw;
 use crate::lanes::{LANES, Points, Scalars, Vectors};
-use crate::lost::{Lost, check_pins};
+use crate::lost::{Lost, check_cloth, check_pins};
 use crate::method::reference::SpringConstants;
 use crate::method::xpbd;
 use crate::{BuildError, ClothModel, ClothSpec, ClothState, SolverConfig, StepInput, Topology};
@@ -144,7 +144,7 @@ fn bend_weights(spec: &ClothSpec, constants: &SpringConstants) -> [Vec<f32>; 2] 
 /// same bit for bit with all vector instructions and on any number of threads.
 ///
 /// # Errors
-/// As many targets as there are not pins; the cloth is as it was then.
+/// A state of another cloth, or as many targets as there are not pins; the cloth is as it was then.
 pub fn step(
     model: &ExplicitModel,
     config: &SolverConfig,
@@ -152,6 +152,8 @@ pub fn step(
     state: &mut ClothState,
     dt: f32,
 ) -> Result<u32, Lost> {
+    let vectors = [model.cloth().layout.vector_count(), state.positions.len()];
+    check_cloth(0, vectors)?;
     check_pins(model.cloth().pin_indices().len(), input.pin_targets)?;
     let level = config.instruction_set.level();
     let forms = &mut state.scratch.forms;

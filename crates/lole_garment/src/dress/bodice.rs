@@ -42,7 +42,7 @@ const SPREADING: f32 = 0.4;
 
 /// What a piece covers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Part {
+pub enum Covered {
     /// The trunk in front, or part of it.
     Front,
     /// The trunk at the back, or part of it.
@@ -89,7 +89,7 @@ pub(crate) struct Bodice<'a> {
     back: Half,
     /// Outlines as drawn, by piece.
     outlines: Vec<Vec<DVec2>>,
-    parts: Vec<Option<Part>>,
+    parts: Vec<Option<Covered>>,
     /// Of front and back, where both have one.
     hems: Option<[Hem; 2]>,
 }
@@ -119,16 +119,16 @@ impl<'a> Bodice<'a> {
     /// Reads the landmarks of a garment whose pieces cover `parts`; `None` where it has no armhole.
     pub(crate) fn new(
         pattern: &'a Pattern,
-        parts: Vec<Option<Part>>,
+        parts: Vec<Option<Covered>>,
         measures: &Measures,
     ) -> Option<Self> {
-        let of = |part: Part| {
+        let of = |part: Covered| {
             let pieces = pattern.pieces.iter().zip(&parts);
             pieces
                 .filter(move |(_, found)| **found == Some(part))
                 .map(|(piece, _)| piece)
         };
-        let half = |part: Part| {
+        let half = |part: Covered| {
             // From the lowest piece to the highest: a yoke goes on above what hangs from it.
             let underarm = of(part).find_map(|piece| Some(ends(piece, "armhole")?[0].y))?;
             let [tip, neck] = of(part).find_map(|piece| ends(piece, "shoulder"))?;
@@ -152,14 +152,16 @@ impl<'a> Bodice<'a> {
                 tip: tip.y,
             })
         };
-        let hem = |part: Part| {
+        let hem = |part: Covered| {
             let pieces = pattern.pieces.iter().enumerate();
             Hem::lowest(pieces.filter(|(piece, _)| parts[*piece] == Some(part)))
         };
         Some(Self {
-            hems: hem(Part::Front).zip(hem(Part::Back)).map(<[Hem; 2]>::from),
-            front: half(Part::Front)?,
-            back: half(Part::Back)?,
+            hems: hem(Covered::Front)
+                .zip(hem(Covered::Back))
+                .map(<[Hem; 2]>::from),
+            front: half(Covered::Front)?,
+            back: half(Covered::Back)?,
             outlines: pattern.pieces.iter().map(outline).collect(),
             pattern,
             parts,
@@ -175,11 +177,11 @@ impl<'a> Bodice<'a> {
             point
         };
         let place = match self.parts[piece]? {
-            Part::Front => self.on_trunk(form, (piece, Face::Front), drawn),
-            Part::Back => self.on_trunk(form, (piece, Face::Back), drawn),
-            Part::Sleeve => Some(self.on_arm(form, piece, point)),
-            Part::Ruffle => self.below_hem(form, piece, point),
-            Part::Wrap => None,
+            Covered::Front => self.on_trunk(form, (piece, Face::Front), drawn),
+            Covered::Back => self.on_trunk(form, (piece, Face::Back), drawn),
+            Covered::Sleeve => Some(self.on_arm(form, piece, point)),
+            Covered::Ruffle => self.below_hem(form, piece, point),
+            Covered::Wrap => None,
         }?;
         Some(if is_right { mirrored(place) } else { place })
     }
@@ -223,7 +225,7 @@ impl<'a> Bodice<'a> {
 
     /// Cloth around the trunk at a level below the arms [m].
     fn girth(&self, y: f64) -> f64 {
-        let faces = [Part::Front, Part::Back];
+        let faces = [Covered::Front, Covered::Back];
         let widths = faces.map(|face| {
             let pieces = (0..self.parts.len()).filter(|&piece| self.parts[piece] == Some(face));
             let widths = pieces.filter_map(|piece| {

@@ -7,7 +7,7 @@ use lole_pattern::pattern::SeamSide;
 use lole_pattern::piece::Piece;
 use lole_pattern::{Measures, Pattern};
 
-use super::bodice::{Bodice, Part, mirrored};
+use super::bodice::{Bodice, Covered, mirrored};
 use super::flat::{self, FlatMesh};
 use super::form::Form;
 use super::panel::{self, Panels};
@@ -20,7 +20,7 @@ use crate::template::SewnRow;
 pub enum Way {
     /// Around trunk and arms. What each piece covers, by the piece's identifier; others are left out of
     /// the picture.
-    Fitted(&'static [(&'static str, Part)]),
+    Fitted(&'static [(&'static str, Covered)]),
     /// One rectangle, laid by a rule.
     Wrapped(Wrap),
 }
@@ -62,9 +62,9 @@ pub(super) fn lay(
             let mut rows = parts.iter();
             rows.find(|(id, _)| *id == piece.id).map(|(_, part)| *part)
         }
-        Way::Wrapped(_) => Some(Part::Wrap),
+        Way::Wrapped(_) => Some(Covered::Wrap),
     };
-    let parts: Vec<Option<Part>> = pattern.pieces.iter().map(part_of).collect();
+    let parts: Vec<Option<Covered>> = pattern.pieces.iter().map(part_of).collect();
     let particle_count = row.particle_count * division.particle_share();
     let spacing = spacing(&pattern, &parts, particle_count);
     let lines: Vec<SeamSide> = pattern.drawn_in.iter().map(|drawn| drawn.line).collect();
@@ -109,7 +109,7 @@ pub(super) fn lay(
     let is_on_arm = panels
         .panels
         .iter()
-        .map(|panel| parts[panel.piece] == Some(Part::Sleeve));
+        .map(|panel| parts[panel.piece] == Some(Covered::Sleeve));
     let is_on_arm = is_on_arm.collect();
     let drawn_in = pattern.drawn_in.iter();
     let elastics = drawn_in.map(|drawn| narrow(drawn.length.to_m())).collect();
@@ -169,7 +169,7 @@ fn lay_as_girded(
 }
 
 /// Edges of triangles [m] that divide the pieces that are worn into so many particles.
-fn spacing(pattern: &Pattern, parts: &[Option<Part>], particle_count: f64) -> f64 {
+fn spacing(pattern: &Pattern, parts: &[Option<Covered>], particle_count: f64) -> f64 {
     let worn = pattern.pieces.iter().zip(parts);
     let areas = worn.filter(|(_, part)| part.is_some()).map(|(piece, _)| {
         let outline = piece.unfolded().stitching_polygon(1.0e-3);

@@ -48,7 +48,7 @@ const fn spec<'a>(template: &'static Template, options: &'a Options) -> GarmentS
 
 fn laid(template: &str, dancer: &Dancer) -> laid::Laid {
     let template = Template::of_id(template).unwrap();
-    let Worn::Sewn(row) = &template.worn else {
+    let Wear::Sewn(row) = &template.worn else {
         panic!("{} is not sewn", template.id);
     };
     let measures = crate::measures(dancer);

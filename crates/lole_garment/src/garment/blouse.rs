@@ -25,7 +25,7 @@ use crate::drafting::shape::{CM, DOWN, Label, at, curve, edge, length, line, not
 use crate::drafting::sleeve::{ArmholePart, Sleeve, SleeveFit};
 use crate::drafting::work::{Work, minutes};
 use crate::sketch::{Sketch, Tone};
-use crate::template::{OptionRow, Options, Shelf, Template, Worn};
+use crate::template::{OptionRow, Options, Shelf, Template, Wear};
 
 pub(crate) static TEMPLATE: Template = Template {
     id: "blouse",
@@ -37,7 +37,7 @@ pub(crate) static TEMPLATE: Template = Template {
     shelf: Shelf::Tops,
     options: OPTIONS,
     draft,
-    worn: Worn::Sewn(worn::ROW),
+    worn: Wear::Sewn(worn::ROW),
     chest_room_deg: 10.0,
     natural: None,
     sketch,
@@ -438,14 +438,14 @@ mod worn {
     //! The blouse: front and back around the trunk, puffed sleeves around the arms.
 
     use crate::dress::Way;
-    use crate::dress::bodice::Part;
+    use crate::dress::bodice::Covered;
     use crate::template::{MANY_SUBSTEPS, SewnRow};
 
     pub(super) const ROW: SewnRow = SewnRow {
         way: Way::Fitted(&[
-            ("front", Part::Front),
-            ("back", Part::Back),
-            ("sleeve", Part::Sleeve),
+            ("front", Covered::Front),
+            ("back", Covered::Back),
+            ("sleeve", Covered::Sleeve),
         ]),
         particle_count: 3000.0,
         substep_counts: MANY_SUBSTEPS,

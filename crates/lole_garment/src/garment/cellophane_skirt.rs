@@ -13,7 +13,7 @@ use crate::drafting::chosen::{Chosen, by_measure, count, number};
 use crate::drafting::making::{cm, notion, pattern, say, whole};
 use crate::drafting::strands::{Band, Hung, STRANDS_HEM};
 use crate::sketch::{Sketch, Tone};
-use crate::template::{BesideRow, OptionRow, Options, Shelf, Template, Worn};
+use crate::template::{BesideRow, OptionRow, Options, Shelf, Template, Wear};
 
 pub(crate) static TEMPLATE: Template = Template {
     id: "cellophane-skirt",
@@ -25,7 +25,7 @@ pub(crate) static TEMPLATE: Template = Template {
     shelf: Shelf::Skirts,
     options: OPTIONS,
     draft,
-    worn: Worn::Beside(BesideRow {
+    worn: Wear::Beside(BesideRow {
         make: strand_skirt::cellophane,
         replaces_flower: |_| false,
     }),

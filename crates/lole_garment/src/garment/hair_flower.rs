@@ -13,7 +13,7 @@ use crate::drafting::chosen::{Chosen, choice, count, number};
 use crate::drafting::making::{cm, edges_of, say, step, stitching};
 use crate::drafting::shape::{CM, DOWN, Label, at, curve, edge, line};
 use crate::sketch::{Sketch, Tone};
-use crate::template::{BesideRow, Choice, OptionRow, Options, Shelf, Template, Worn};
+use crate::template::{BesideRow, Choice, OptionRow, Options, Shelf, Template, Wear};
 
 pub(crate) static TEMPLATE: Template = Template {
     id: "hair-flower",
@@ -25,7 +25,7 @@ pub(crate) static TEMPLATE: Template = Template {
     shelf: Shelf::Adornments,
     options: OPTIONS,
     draft,
-    worn: Worn::Beside(BesideRow {
+    worn: Wear::Beside(BesideRow {
         make: worn::make,
         replaces_flower: worn::replaces_flower,
     }),

@@ -29,7 +29,7 @@ use crate::drafting::sleeve::{ArmholePart, CAP, Sleeve, SleeveFit};
 use crate::drafting::work::{Work, minutes};
 use crate::drafting::yoke::Yoked;
 use crate::sketch::{Sketch, Tone};
-use crate::template::{Choice, OptionRow, Options, Shelf, Template, Worn};
+use crate::template::{Choice, OptionRow, Options, Shelf, Template, Wear};
 
 pub(crate) static TEMPLATE: Template = Template {
     id: "holoku",
@@ -41,7 +41,7 @@ pub(crate) static TEMPLATE: Template = Template {
     shelf: Shelf::Dresses,
     options: OPTIONS,
     draft,
-    worn: Worn::Sewn(worn::ROW),
+    worn: Wear::Sewn(worn::ROW),
     chest_room_deg: 10.0,
     natural: None,
     sketch,
@@ -592,16 +592,16 @@ mod worn {
     //! The holokū: a close dress from yokes, with long sleeves and a train.
 
     use crate::dress::Way;
-    use crate::dress::bodice::Part;
+    use crate::dress::bodice::Covered;
     use crate::template::{MANY_SUBSTEPS, SewnRow};
 
     pub(super) const ROW: SewnRow = SewnRow {
         way: Way::Fitted(&[
-            ("front", Part::Front),
-            ("back", Part::Back),
-            ("front_yoke", Part::Front),
-            ("back_yoke", Part::Back),
-            ("sleeve", Part::Sleeve),
+            ("front", Covered::Front),
+            ("back", Covered::Back),
+            ("front_yoke", Covered::Front),
+            ("back_yoke", Covered::Back),
+            ("sleeve", Covered::Sleeve),
         ]),
         particle_count: 5000.0,
         substep_counts: MANY_SUBSTEPS,

@@ -11,7 +11,7 @@ use crate::drafting::accessory::{accessory, cord, counted};
 use crate::drafting::chosen::{Chosen, by_measure, choice};
 use crate::drafting::making::{cm, say, step};
 use crate::sketch::{Sketch, Tone};
-use crate::template::{BesideRow, Choice, OptionRow, Options, Shelf, Template, Worn};
+use crate::template::{BesideRow, Choice, OptionRow, Options, Shelf, Template, Wear};
 
 pub(crate) static TEMPLATE: Template = Template {
     id: "ipu",
@@ -23,7 +23,7 @@ pub(crate) static TEMPLATE: Template = Template {
     shelf: Shelf::Implements,
     options: OPTIONS,
     draft,
-    worn: Worn::Beside(BesideRow {
+    worn: Wear::Beside(BesideRow {
         make: worn::make,
         replaces_flower: |_| false,
     }),

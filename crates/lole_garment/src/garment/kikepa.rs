@@ -15,7 +15,7 @@ use crate::drafting::making::{NO_WORK, cm, edges_of, folds, hem_in_section, patt
 use crate::drafting::shape::{AROUND, CM, Label, rectangle};
 use crate::drafting::work::{Work, minutes};
 use crate::sketch::{Sketch, Tone};
-use crate::template::{OptionRow, Options, Shelf, Template, Worn};
+use crate::template::{OptionRow, Options, Shelf, Template, Wear};
 
 pub(crate) static TEMPLATE: Template = Template {
     id: "kikepa",
@@ -27,7 +27,7 @@ pub(crate) static TEMPLATE: Template = Template {
     shelf: Shelf::Wraps,
     options: OPTIONS,
     draft,
-    worn: Worn::Sewn(worn::ROW),
+    worn: Wear::Sewn(worn::ROW),
     chest_room_deg: 14.0,
     natural: None,
     sketch,

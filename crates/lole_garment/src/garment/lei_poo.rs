@@ -12,7 +12,7 @@ use crate::drafting::chosen::{Chosen, number};
 use crate::drafting::making::{NO_WORK, cm, say, step, whole};
 use crate::drafting::shape::CM;
 use crate::sketch::Sketch;
-use crate::template::{BesideRow, OptionRow, Options, Shelf, Template, Worn};
+use crate::template::{BesideRow, OptionRow, Options, Shelf, Template, Wear};
 
 pub(crate) static TEMPLATE: Template = Template {
     id: "lei-poo",
@@ -24,7 +24,7 @@ pub(crate) static TEMPLATE: Template = Template {
     shelf: Shelf::Adornments,
     options: OPTIONS,
     draft,
-    worn: Worn::Beside(BesideRow {
+    worn: Wear::Beside(BesideRow {
         make: worn::make,
         replaces_flower: |_| true,
     }),

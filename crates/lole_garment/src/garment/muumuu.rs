@@ -32,7 +32,7 @@ use crate::drafting::sleeve::{ArmholePart, Sleeve, SleeveFit};
 use crate::drafting::work::{Work, minutes};
 use crate::drafting::yoke::{Yoked, opened_armhole};
 use crate::sketch::Sketch;
-use crate::template::{Choice, OptionRow, Options, Shelf, Template, Worn};
+use crate::template::{Choice, OptionRow, Options, Shelf, Template, Wear};
 
 pub(crate) static TEMPLATE: Template = Template {
     id: "muumuu",
@@ -44,7 +44,7 @@ pub(crate) static TEMPLATE: Template = Template {
     shelf: Shelf::Dresses,
     options: OPTIONS,
     draft,
-    worn: Worn::Sewn(worn::ROW),
+    worn: Wear::Sewn(worn::ROW),
     chest_room_deg: 10.0,
     natural: None,
     sketch,
@@ -539,17 +539,17 @@ mod worn {
     //! The muʻumuʻu: yokes over the shoulders, skirts gathered to them, a ruffle at the hem.
 
     use crate::dress::Way;
-    use crate::dress::bodice::Part;
+    use crate::dress::bodice::Covered;
     use crate::template::{MANY_SUBSTEPS, SewnRow};
 
     pub(super) const ROW: SewnRow = SewnRow {
         way: Way::Fitted(&[
-            ("front", Part::Front),
-            ("back", Part::Back),
-            ("front_yoke", Part::Front),
-            ("back_yoke", Part::Back),
-            ("sleeve", Part::Sleeve),
-            ("ruffle", Part::Ruffle),
+            ("front", Covered::Front),
+            ("back", Covered::Back),
+            ("front_yoke", Covered::Front),
+            ("back_yoke", Covered::Back),
+            ("sleeve", Covered::Sleeve),
+            ("ruffle", Covered::Ruffle),
         ]),
         particle_count: 6000.0,
         substep_counts: MANY_SUBSTEPS,

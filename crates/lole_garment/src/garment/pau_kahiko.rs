@@ -18,7 +18,7 @@ use crate::drafting::chosen::{Chosen, by_measure, count, number};
 use crate::drafting::making::{cm, edges_of, notion, pattern, say, step, stitching};
 use crate::drafting::work::{Work, minutes};
 use crate::sketch::{Sketch, Tone};
-use crate::template::{Gathered, GatheredRow, OptionRow, Options, Shelf, Template, Worn};
+use crate::template::{Gathered, GatheredRow, OptionRow, Options, Shelf, Template, Wear};
 
 pub(crate) static TEMPLATE: Template = Template {
     id: "pau-kahiko",
@@ -30,7 +30,7 @@ pub(crate) static TEMPLATE: Template = Template {
     shelf: Shelf::Skirts,
     options: OPTIONS,
     draft,
-    worn: Worn::Gathered(GatheredRow {
+    worn: Wear::Gathered(GatheredRow {
         count: |_| 1,
         draft: as_worn,
     }),

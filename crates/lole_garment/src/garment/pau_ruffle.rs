@@ -23,7 +23,7 @@ use crate::drafting::shape::{AROUND, CM, Label, across, beside, rectangle};
 use crate::drafting::work::{Work, minutes};
 use crate::sketch::{Sketch, Tone};
 use crate::template::{
-    Choice, Gathered, GatheredRow, OptionRow, Options, Shelf, Template, Worn, WornRuffle,
+    Choice, Gathered, GatheredRow, OptionRow, Options, Shelf, Template, Wear, WornRuffle,
 };
 
 pub(crate) static TEMPLATE: Template = Template {
@@ -36,7 +36,7 @@ pub(crate) static TEMPLATE: Template = Template {
     shelf: Shelf::Skirts,
     options: OPTIONS,
     draft,
-    worn: Worn::Gathered(GatheredRow {
+    worn: Wear::Gathered(GatheredRow {
         count: carried,
         draft: as_worn,
     }),

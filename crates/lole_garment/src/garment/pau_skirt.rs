@@ -8,7 +8,7 @@ use lole_pattern::{DraftError, ElasticRatio, GatherRatio, Measure, Measures, Pat
 use crate::drafting::chosen::{Chosen, by_measure, count, number};
 use crate::drafting::shape::CM;
 use crate::sketch::Sketch;
-use crate::template::{OptionRow, Options, Shelf, Template, Worn};
+use crate::template::{OptionRow, Options, Shelf, Template, Wear};
 
 /// The pāʻū skirt.
 pub static TEMPLATE: Template = Template {
@@ -21,7 +21,7 @@ pub static TEMPLATE: Template = Template {
     shelf: Shelf::Skirts,
     options: OPTIONS,
     draft,
-    worn: Worn::OwnKeys,
+    worn: Wear::OwnKeys,
     chest_room_deg: 0.0,
     natural: None,
     sketch,

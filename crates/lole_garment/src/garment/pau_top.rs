@@ -10,7 +10,7 @@ use super::pau_skirt::{CASING, GAP, HEM, UNKNOWN_WIDTH};
 use crate::drafting::chosen::{Chosen, by_measure, count, number};
 use crate::drafting::shape::CM;
 use crate::sketch::{Sketch, Tone};
-use crate::template::{OptionRow, Options, Shelf, Template, Worn};
+use crate::template::{OptionRow, Options, Shelf, Template, Wear};
 
 /// The pāʻū top.
 pub static TEMPLATE: Template = Template {
@@ -23,7 +23,7 @@ pub static TEMPLATE: Template = Template {
     shelf: Shelf::Tops,
     options: OPTIONS,
     draft,
-    worn: Worn::OwnKeys,
+    worn: Wear::OwnKeys,
     chest_room_deg: 10.0,
     natural: None,
     sketch,

@@ -14,7 +14,7 @@ use crate::drafting::making::{cm, notion, pattern, say, whole};
 use crate::drafting::shape::CM;
 use crate::drafting::strands::{Band, Hung, STRANDS_HEM};
 use crate::sketch::{Sketch, Tone};
-use crate::template::{BesideRow, OptionRow, Options, Shelf, Template, Worn};
+use crate::template::{BesideRow, OptionRow, Options, Shelf, Template, Wear};
 
 pub(crate) static TEMPLATE: Template = Template {
     id: "raffia-skirt",
@@ -26,7 +26,7 @@ pub(crate) static TEMPLATE: Template = Template {
     shelf: Shelf::Skirts,
     options: OPTIONS,
     draft,
-    worn: Worn::Beside(BesideRow {
+    worn: Wear::Beside(BesideRow {
         make: strand_skirt::raffia,
         replaces_flower: |_| false,
     }),

@@ -16,7 +16,7 @@ use crate::drafting::making::{NO_WORK, cm, notion, pattern, say, step, whole};
 use crate::drafting::shape::CM;
 use crate::drafting::strands::{Hung, STRANDS_HEM};
 use crate::sketch::{Sketch, Tone};
-use crate::template::{BesideRow, OptionRow, Options, Shelf, Template, Worn};
+use crate::template::{BesideRow, OptionRow, Options, Shelf, Template, Wear};
 
 pub(crate) static TEMPLATE: Template = Template {
     id: "ti-leaf-skirt",
@@ -28,7 +28,7 @@ pub(crate) static TEMPLATE: Template = Template {
     shelf: Shelf::Skirts,
     options: OPTIONS,
     draft,
-    worn: Worn::Beside(BesideRow {
+    worn: Wear::Beside(BesideRow {
         make: strand_skirt::ti_leaf,
         replaces_flower: |_| false,
     }),

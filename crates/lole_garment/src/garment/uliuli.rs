@@ -14,7 +14,7 @@ use crate::drafting::chosen::{Chosen, count, number};
 use crate::drafting::making::{cm, edges_of, say, step, stitching, whole};
 use crate::drafting::shape::{CM, DOWN, Label, at, curve, edge};
 use crate::sketch::{Sketch, Tone};
-use crate::template::{BesideRow, OptionRow, Options, Shelf, Template, Worn};
+use crate::template::{BesideRow, OptionRow, Options, Shelf, Template, Wear};
 
 pub(crate) static TEMPLATE: Template = Template {
     id: "uliuli",
@@ -26,7 +26,7 @@ pub(crate) static TEMPLATE: Template = Template {
     shelf: Shelf::Implements,
     options: OPTIONS,
     draft,
-    worn: Worn::Beside(BesideRow {
+    worn: Wear::Beside(BesideRow {
         make: worn::make,
         replaces_flower: |_| false,
     }),

@@ -4,7 +4,7 @@ use glam::Vec3;
 
 use super::Performance;
 use super::dressed::Dressed;
-use crate::{Vertices, WornSurface};
+use crate::{Vertices, Worn};
 
 impl Performance {
     /// Positions of the particles of all cloth [m]: what is sewn from shaped pieces comes after what is gathered.
@@ -34,13 +34,22 @@ impl Performance {
     /// are seen, drawn vertices of everything else; empty where bones carry all of it.
     #[must_use]
     pub fn recorded(&self) -> Vec<Vec<Vec3>> {
+        let production = &self.production;
         let pressed = self.pressed(&self.cloth_positions);
-        let surfaces = self.production.surfaces().zip(self.surfaces());
-        let recorded = surfaces.map(|(surface, [vertices, _])| match surface {
-            WornSurface::Gathered(garment) => pressed[garment.particles.clone()].to_vec(),
-            _ if surface.rides_on_bones() => Vec::new(),
-            _ => vertices,
+        let gathered = production.garments.iter();
+        let gathered = gathered.map(|it| pressed[it.particles.clone()].to_vec());
+        let sewn = production.dressed.iter().zip(&self.dressed);
+        let sewn = sewn.map(|(garment, moving)| garment.dressed.drawn(moving.positions()));
+        let beside = production.adornments.iter().map(Worn::Beside);
+        let posed = self.adorned.posed(production, &self.world_from_bind);
+        let posed = beside.flat_map(Worn::surfaces).zip(posed);
+        let posed = posed.map(|(surface, [vertices, _])| {
+            if surface.rides_on_bones() {
+                Vec::new()
+            } else {
+                vertices
+            }
         });
-        recorded.collect()
+        gathered.chain(sewn).chain(posed).collect()
     }
 }

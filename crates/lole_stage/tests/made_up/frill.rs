@@ -2,7 +2,7 @@
 
 use lole_garment::sketch::{Sketch, Tone};
 use lole_garment::template::{
-    Gathered, GatheredRow, OptionKind, OptionRow, Options, Shelf, Template, Worn,
+    Gathered, GatheredRow, OptionKind, OptionRow, Options, Shelf, Template, Wear,
 };
 use lole_language::words;
 use lole_pattern::design::pau_skirt::{PauMeasurements, PauOptions, draft_pau_skirt};
@@ -23,7 +23,7 @@ pub(crate) static FRILL: Template = Template {
         },
     }],
     draft,
-    worn: Worn::Gathered(GatheredRow {
+    worn: Wear::Gathered(GatheredRow {
         count: |_| 1,
         draft: worn,
     }),

@@ -1,8 +1,8 @@
 //! A vest: a blouse whose sleeves are left out.
 
-use lole_garment::dress::{Part, Way};
+use lole_garment::dress::{Covered, Way};
 use lole_garment::sketch::{Sketch, Tone};
-use lole_garment::template::{FEW_SUBSTEPS, Options, SewnRow, Shelf, Template, Worn};
+use lole_garment::template::{FEW_SUBSTEPS, Options, SewnRow, Shelf, Template, Wear};
 use lole_language::words;
 use lole_pattern::{DraftError, Measures, Pattern};
 
@@ -13,8 +13,8 @@ pub(crate) static VEST: Template = Template {
     shelf: Shelf::Tops,
     options: &[],
     draft,
-    worn: Worn::Sewn(SewnRow {
-        way: Way::Fitted(&[("front", Part::Front), ("back", Part::Back)]),
+    worn: Wear::Sewn(SewnRow {
+        way: Way::Fitted(&[("front", Covered::Front), ("back", Covered::Back)]),
         particle_count: 1200.0,
         substep_counts: FEW_SUBSTEPS,
     }),

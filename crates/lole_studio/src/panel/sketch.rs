@@ -22,14 +22,14 @@ pub(super) fn draw(painter: &Painter, rect: Rect, draw: fn(&mut Sketch)) {
     let all = |points: Vec<[f32; 2]>| points.into_iter().map(at).collect();
     for stroke in drawn.strokes {
         painter.add(match stroke {
-            sketch::Stroke::Line(points) => {
+            sketch::SketchStroke::Line(points) => {
                 Shape::line(all(points), Stroke::new(0.9, look::PALE_INK))
             }
-            sketch::Stroke::Patch(points, tone) => {
+            sketch::SketchStroke::Patch(points, tone) => {
                 let outline = Stroke::new(1.4, look::INK);
                 Shape::convex_polygon(all(points), color(tone), outline)
             }
-            sketch::Stroke::Disc(middle, radius, tone) => {
+            sketch::SketchStroke::Disc(middle, radius, tone) => {
                 let circle = eframe::egui::epaint::CircleShape {
                     center: at(middle),
                     radius: radius * size,

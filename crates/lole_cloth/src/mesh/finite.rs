@@ -9,7 +9,7 @@ use crate::mesh::model::MeshModel;
 use crate::{Lost, SolverConfig, StepInput};
 
 /// What of the input is no finite number.
-pub(crate) fn cause_in_input(
+pub(crate) fn lost_in_input(
     model: &MeshModel,
     config: &SolverConfig,
     input: &StepInput<'_>,
