@@ -1,5 +1,5 @@
 //! House rules as code: `cargo xtask tidy` checks them, `cargo xtask golden` rewrites goldens,
-//! `cargo xtask look` judges the files of a dance.
+//! `cargo xtask look` judges the files of a dance, `cargo xtask shape` says how large things are.
 
 #![expect(
     clippy::print_stdout,
@@ -10,6 +10,7 @@
 mod docs;
 mod golden;
 mod look;
+mod shape;
 mod tidy;
 
 use std::path::{Path, PathBuf};
@@ -21,6 +22,7 @@ usage: cargo xtask <command>
   tidy     check the house rules: dependency table, documents, budgets, words
   docs     build the documentation, warnings being errors, and check its links
   golden   rewrite the goldens under tests/golden and list what changed
+  shape    lines of functions, files and crates, values that functions take, names had twice
   look DIR look at the files that `lole dance` wrote: all there, and the report complete
 ";
 
@@ -31,6 +33,7 @@ fn main() -> ExitCode {
         ["tidy"] => tidy::run(&repository()),
         ["docs"] => docs::run(&repository()),
         ["golden"] => golden::run(&repository()),
+        ["shape"] => shape::run(&repository()),
         ["look", folder] => look::run(Path::new(folder)),
         _ => {
             eprint!("{USAGE}");

@@ -38,7 +38,7 @@ pub(crate) fn run(repository: &Path) -> anyhow::Result<ExitCode> {
 }
 
 /// Every file that git tracks or would track, as far as it is UTF-8.
-fn text_files(repository: &Path) -> anyhow::Result<Vec<TextFile>> {
+pub(crate) fn text_files(repository: &Path) -> anyhow::Result<Vec<TextFile>> {
     let listing = Command::new("git")
         .current_dir(repository)
         .args([
