@@ -2,7 +2,7 @@
 
 use lole_avatar::License;
 use lole_body::{Dancer, Tape};
-use lole_costume::document::{Design, GarmentDesign};
+use lole_costume::document::Design;
 use lole_export::report::{
     DancerMeasure, Divergence as ReportDivergence, GarmentFacts, MeanPercentileMax,
     MedianPercentile, MinMeanMax, PageMedia, PieceOver, Remark, ReportFile, RunReport, RunSeries,
@@ -226,10 +226,8 @@ fn design_name(performance: &Performance) -> String {
     let design = &performance.production().design;
     if !design.skirt.is_worn {
         let worn = performance.production().adornments.first();
-        let worn = worn.and_then(|worn| match design.garments.get(worn.place) {
-            Some(GarmentDesign::Template(worn)) => Some(worn.template.name.english),
-            _ => None,
-        });
+        let worn = worn.and_then(|worn| design.garments.get(worn.place));
+        let worn = worn.map(|garment| garment.template.name.english);
         return format!(
             "{} · {}",
             worn.unwrap_or("costume"),

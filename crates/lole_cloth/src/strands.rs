@@ -234,6 +234,20 @@ impl StrandModel {
         Ok(())
     }
 
+    /// The strands with these particles carried as the pinned ones are, by their numbers among those of all; one
+    /// that does not exist changes nothing.
+    #[must_use]
+    pub fn with_held(mut self, held: &[u32]) -> Self {
+        for &particle in held {
+            let inv_mass = self.inv_masses.get_mut(particle as usize);
+            if let (Some(inv_mass), Err(place)) = (inv_mass, self.pins.binary_search(&particle)) {
+                *inv_mass = 0.0;
+                self.pins.insert(place, particle);
+            }
+        }
+        self
+    }
+
     /// Particles of all strands.
     #[must_use]
     pub const fn particle_count(&self) -> usize {

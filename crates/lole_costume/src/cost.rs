@@ -103,7 +103,8 @@ impl Bill {
 pub fn bill(design: &Design, plan: &DancerPlan) -> Bill {
     let cost = &design.cost;
     let mut bill = Bill::new(cost, hours(plan));
-    for (garment, fabric) in plan.garments.iter().zip(design.fabrics()) {
+    for garment in &plan.garments {
+        let (fabric, _) = design.cloth_of(garment.tailored.place);
         for plan in &garment.plans {
             let price = ClothPrice::of(fabric, plan.role, &garment.tailored.id);
             let (amount, price) = price.of_length(plan.marker.yardage);

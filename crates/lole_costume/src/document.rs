@@ -5,8 +5,7 @@
 //! its unit; one that has none ends in `_ratio`, `_coefficient` or `_count`, or is a name, a color
 //! or a seed. Anything may be left out: the built-in pāʻū skirt dancing kāholo fills it in.
 //! What is worn with the skirt follows as a list, `[[garment]]`, each with its `kind`, and under it
-//! `[garment.fabric]` and `[garment.print]`. Kinds that are danced have their keys in [`schema`]; all others
-//! are templates of [`lole_pattern`], whose options are the keys.
+//! `[garment.fabric]` and `[garment.print]`. Its kind is a template of [`lole_garment`], whose options are keys.
 //! Every key, with its range and meaning, is one row of [`schema`]; reading, checking and writing
 //! all walk that table.
 
@@ -35,7 +34,8 @@ use lole_print::{PrintLay, PrintMotif};
 
 pub use cost::{CostDesign, Currency, NotionPrices};
 pub use error::{DesignError, Problem};
-pub use garment::{GarmentDesign, GarmentLayer, TopDesign, WornSkirt, WornTemplate, WornTop};
+pub use garment::GarmentDesign;
+pub use lole_garment::GarmentLayer;
 pub use nearest::{likely, nearest};
 pub use parse::{Place, locate, parse, parse_bytes};
 pub use print::{LinkedPicture, PhotoMarks, PrintError};

@@ -21,7 +21,7 @@ mod lengths;
 use lole_body::{Figure, Measure, Measurements};
 use lole_language::{Bilingual, Sentence, Words};
 
-use crate::document::{Design, GarmentDesign};
+use crate::document::Design;
 use cells::{Record, Separator};
 use columns::{Column, Meaning};
 use lengths::{Reading, Unit};
@@ -214,6 +214,9 @@ impl RosterDancer {
     }
 }
 
+/// Key of the height of a hem.
+const HEM_HEIGHT: &str = "hem_height_cm";
+
 /// Moves the places where garments are worn up or down by a ratio of statures; hems stay.
 fn follow_stature(design: &mut Design, ratio: f64) {
     let follow = |height: &mut Option<f64>| {
@@ -223,12 +226,12 @@ fn follow_stature(design: &mut Design, ratio: f64) {
     };
     follow(&mut design.skirt.worn_height_cm);
     for garment in &mut design.garments {
-        if let GarmentDesign::PauSkirt(worn) = garment {
-            follow(&mut worn.skirt.worn_height_cm);
-        }
-        if let GarmentDesign::PauTop(worn) = garment {
-            follow(&mut worn.top.upper_height_cm);
-            follow(&mut worn.top.lower_height_cm);
+        for (position, row) in garment.template.options.iter().enumerate() {
+            if row.key.ends_with("_height_cm") && row.key != HEM_HEIGHT {
+                let mut height = garment.options.get(position);
+                follow(&mut height);
+                garment.options.set(position, height);
+            }
         }
     }
 }

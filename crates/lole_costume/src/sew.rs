@@ -6,6 +6,7 @@ mod clothed;
 mod error;
 mod flounce;
 mod fold_curve;
+mod layout;
 mod mesh;
 mod profile;
 mod ring;
@@ -13,16 +14,16 @@ mod rising;
 
 use glam::{Affine3A, Vec3};
 use lole_body::{Bone, Dancer, TapePoint};
-use lole_cloth::{ClothSpec, Fabric, Flounce, Grid, MassLaw, Topology};
-use lole_geom::{Chance, trig};
+use lole_cloth::{ClothSpec, Fabric, MassLaw};
+use lole_garment::WornPlace;
 use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements};
 
 pub use band::{Band, Lifts, Watched};
 pub use clothed::Clothed;
 pub use error::SewError;
+use layout::{BLOUSING, Layout};
 pub use mesh::SkirtMesh;
-use profile::Profile;
-use ring::{Flare, Gathers, Ring};
+use ring::{Flare, Ring};
 
 /// How the skirt is divided into particles and laid around the dancer.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -102,17 +103,6 @@ pub enum Closing {
     Sewn,
     /// They hang open beside each other, at the left side.
     Open,
-}
-
-/// Where a garment is worn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum WornPlace {
-    /// On the hips: the band ends below the bust.
-    Hips,
-    /// Around the bust, up to the arms.
-    Bust,
-    /// Stitched onto the skirt inside of it, below that one's band.
-    Skirt,
 }
 
 /// A garment on a dancer, ready to be simulated and drawn.
@@ -337,17 +327,9 @@ fn check_place(cut: &Cut<'_>, dancer: &Dancer) -> Result<(), SewError> {
 /// Lowest elastic above the crotch [cm], at least: below, nothing carries a skirt.
 const LEAST_ABOVE_CROTCH_CM: f64 = 2.0;
 
-/// Deepest fold of the gathers [m] that still looks gathered: beyond, a fold is one pair of cells
-/// that stick out like a cog.
-const DEEPEST_FOLD: f32 = 0.04;
-
 /// Distance of the edge of a ruffle from the skin below it, where it is stitched onto the gathers of a
 /// skirt, over how far those stand out before the skirt has hung: they are pressed together there.
 const STITCHED: f32 = 0.55;
-
-/// Rows of the band lie this much closer on the body than in the cloth: cloth between two elastics
-/// blouses, it is never tight.
-const BLOUSING: f32 = 0.96;
 
 /// Elastic rows are at most this much of the cloth between them apart: weaving is never pulled
 /// straight by an elastic, which slides first.
@@ -355,184 +337,6 @@ const TAUT: f32 = 0.98;
 
 /// The same where cloth goes over the bust and the folds of the back: its way is longer than straight.
 const TAUT_OVER_BUST: f32 = 0.93;
-
-/// The grid and what its rows and columns mean.
-struct Layout {
-    grid: Grid,
-    elastic_rows: Vec<u32>,
-    row_layers: Vec<f32>,
-    /// Cloth around the skirt [m].
-    flat_length: f32,
-    /// Where each fold starts, as a fraction of the ring.
-    fold_starts: Vec<f32>,
-    /// Gap between skin and inner turns [m].
-    band_gap: f32,
-}
-
-impl Layout {
-    fn new(
-        (draft, flounce): (&PauDraft, Option<&PauDraft>),
-        worn: &PauMeasurements,
-        settings: &SewSettings,
-    ) -> Result<Self, SewError> {
-        let above = draft.finished_length.to_m_f32();
-        let finished = above + flounce.map_or(0.0, |flounce| flounce.finished_length.to_m_f32());
-        let flat_length = draft.flat_length.to_m_f32();
-        let elastics = |row_count: u32| {
-            let spacing = finished / (row_count.max(2) - 1) as f32;
-            elastic_rows(draft, row_count, spacing)
-        };
-        let spacing_v = finished / (settings.row_count.max(2) - 1) as f32;
-        let Some(elastic_rows) = elastics(settings.row_count) else {
-            return Err(SewError::TooFewRows {
-                row_count: settings.row_count,
-                elastic_row_count: draft.elastic_rows.len(),
-                least: (settings.row_count..MOST_ROWS)
-                    .find(|&count| elastics(count).is_some())
-                    .unwrap_or(MOST_ROWS),
-            });
-        };
-        let fullness = (worn.worn_girth.to_m_f32() / flat_length).min(1.0);
-        let least = flat_length * (1.0 - fullness * fullness).sqrt() / DEEPEST_FOLD;
-        if (settings.column_count as f32) < least {
-            return Err(SewError::TooFewColumns {
-                column_count: settings.column_count,
-                flat_cm: f64::from(flat_length) * 100.0,
-                least: whole_count(least.ceil(), 1.0),
-            });
-        }
-        let grid = Grid {
-            column_count: settings.column_count,
-            row_count: settings.row_count,
-            topology: Topology::Tube,
-            spacing: [flat_length / settings.column_count as f32, spacing_v],
-            flounce: flounce.map(|flounce| Flounce {
-                seam_row: whole_count(above, spacing_v).clamp(1, settings.row_count - 2),
-                fullness: (flounce.flat_length.to_m_f32() / flat_length).max(1.0),
-            }),
-        };
-        let fold_depth = draft.fold_depth.to_m_f32();
-        let hem = flounce.unwrap_or(draft).hem_depth.to_m_f32();
-        let layers = |row: u32| {
-            let from_top = row as f32 * spacing_v;
-            let is_seam = grid.flounce.is_some_and(|flounce| flounce.seam_row == row);
-            if from_top < fold_depth || finished - hem < from_top || is_seam {
-                2.0
-            } else {
-                1.0
-            }
-        };
-        let ring_length = worn.worn_girth.to_m_f32();
-        let fold_count = whole_count(ring_length, settings.gather_pitch).max(8);
-        Ok(Self {
-            grid,
-            elastic_rows,
-            row_layers: (0..settings.row_count).map(layers).collect(),
-            flat_length,
-            fold_starts: fold_starts(settings, fold_count),
-            band_gap: settings.band_gap,
-        })
-    }
-
-    /// Leaves the side open, at her left.
-    fn open(&mut self) {
-        self.grid.topology = Topology::Sheet;
-        for start in &mut self.fold_starts {
-            *start += LEFT_SIDE;
-        }
-    }
-
-    fn gathers(&self) -> Gathers<'_> {
-        Gathers {
-            gap: self.band_gap,
-            spacing: self.grid.spacing[0],
-            column_count: self.grid.column_count,
-            fold_starts: &self.fold_starts,
-        }
-    }
-
-    /// Rings for every row down to the lowest elastic, a row's height apart along the skin.
-    fn band_rings(
-        &self,
-        dancer: &Dancer,
-        worn_height: f32,
-        lowest: u32,
-    ) -> Result<Vec<Ring>, SewError> {
-        let apart = BLOUSING * self.grid.spacing[1];
-        let highest = worn_height + lowest as f32 * apart;
-        let profile = Profile::new(dancer, worn_height..highest)?;
-        let lowest_ring = self.fitting(profile.at(worn_height)?)?;
-        let reach = lowest_ring.depth_of(self.gathers());
-        let mut rings = vec![lowest_ring];
-        rings.extend(Ring::upward(&profile, worn_height, [apart, reach], lowest)?);
-        rings.reverse();
-        rings.into_iter().map(|ring| self.fitting(ring)).collect()
-    }
-
-    fn fitting(&self, ring: Ring) -> Result<Ring, SewError> {
-        let around = ring.girth + std::f32::consts::TAU * self.band_gap;
-        if self.flat_length < around {
-            return Err(SewError::TooNarrow {
-                flat_cm: f64::from(self.flat_length) * 100.0,
-                ring_cm: f64::from(around) * 100.0,
-            });
-        }
-        Ok(ring)
-    }
-}
-
-/// Her left side, as a fraction of the ring from where a skirt's seam is.
-const LEFT_SIDE: f32 = 0.25;
-
-/// More rows than anyone asks for.
-const MOST_ROWS: u32 = 1000;
-
-/// Grid rows that carry elastic; `None` where two fall on one row or too few are left below.
-fn elastic_rows(draft: &PauDraft, row_count: u32, spacing: f32) -> Option<Vec<u32>> {
-    let rows: Vec<u32> = draft
-        .elastic_rows
-        .iter()
-        .map(|row| whole_count(row.from_fold.to_m_f32(), spacing))
-        .collect();
-    let rising = rows.windows(2).all(|pair| pair[0] < pair[1]);
-    let below = rows.last().map_or(0, |&row| row + 3);
-    (rising && below < row_count).then_some(rows)
-}
-
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "a length on the skirt over a row or a fold: below 10,000"
-)]
-fn whole_count(distance: f32, spacing: f32) -> u32 {
-    (distance / spacing).round() as u32
-}
-
-/// Where folds start around the ring: evenly, plus a slow random drift that closes.
-fn fold_starts(settings: &SewSettings, fold_count: u32) -> Vec<f32> {
-    const WAVES: [f32; 6] = [2.0, 3.0, 5.0, 7.0, 11.0, 17.0];
-    let mut chance = Chance::new(settings.seed ^ 0x9e37_79b9_7f4a_7c15);
-    let shifts = WAVES.map(|_| chance.fine_share());
-    let strengths = WAVES.map(|_| 0.5 + chance.fine_share());
-    let drift = |around: f32| -> f32 {
-        let wave = |((wave, shift), strength): ((f32, f32), f32)| {
-            // Each wave changes the local pitch by the same share, whatever its length.
-            strength / wave * trig::sin(std::f32::consts::TAU * (wave * around + shift))
-        };
-        WAVES.into_iter().zip(shifts).zip(strengths).map(wave).sum()
-    };
-    let first = drift(0.0);
-    (0..fold_count)
-        .map(|fold| {
-            let around = fold as f32 / fold_count as f32;
-            around + LARGEST_DRIFT * settings.unevenness * (drift(around) - first)
-        })
-        .collect()
-}
-
-/// Drift of the folds at an unevenness of 1, in rings over waves: six waves of strength up to 1.5
-/// change the pitch by at most `6 · 1.5 · 2π · 0.015 = 85 %`, so folds never change places.
-const LARGEST_DRIFT: f32 = 0.015;
 
 #[cfg(test)]
 mod tests {
@@ -714,23 +518,6 @@ mod tests {
         };
         assert_eq!(lay(1), lay(1));
         assert_ne!(lay(1), lay(2));
-    }
-
-    #[test]
-    fn folds_stay_in_order_for_any_seed() {
-        for seed in 0..200 {
-            let settings = SewSettings {
-                seed,
-                unevenness: 1.0,
-                ..SewSettings::default()
-            };
-            let starts = fold_starts(&settings, 52);
-            assert!(
-                starts.windows(2).all(|pair| pair[0] < pair[1]),
-                "seed {seed}"
-            );
-            assert!(starts[51] < 1.0 + starts[0]);
-        }
     }
 
     #[test]

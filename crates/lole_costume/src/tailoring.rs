@@ -1,36 +1,29 @@
 //! Everything that a design has to be cut and sewn from: each garment drafted to the dancer, with the
 //! cloth that it is cut from.
 
-use std::cell::LazyCell;
-
 use lole_body::Dancer;
-use lole_garment::template::PAU_SKIRT;
-use lole_garment::{Template, measures};
+use lole_garment::{Fitting, Template, measures};
 use lole_geom::Length;
 use lole_language::{Bilingual, Words, words};
-use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements, draft_pau_skirt};
-use lole_pattern::design::pau_top::{TopMeasurements, draft_pau_top};
 use lole_pattern::marker::{Border, Lay, Nap, TableCloth, lay_out};
 use lole_pattern::piece::ClothRole;
-use lole_pattern::{DraftError, Marker, Pattern};
+use lole_pattern::{DraftError, Marker, Measures, Pattern};
 use lole_print::{PrintBorder, PrintMotif};
 
 use crate::document::{
-    Design, FabricDesign, GarmentDesign, GarmentLayer, PrintChoice, SkirtDesign, WornTop,
+    Design, FabricDesign, GarmentDesign, GarmentLayer, PrintChoice, SkirtDesign,
 };
 
 /// Name in files of the design's skirt.
 pub const SKIRT: &str = "pau_skirt";
-/// What the design's skirt is called.
-pub const SKIRT_NAME: Words = words("パウスカート", "pāʻū skirt");
-/// Name in files of a top.
-pub const TOP: &str = "pau_top";
 
 /// One garment of a design, ready to be cut.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GarmentPattern {
     /// What it is.
     pub template: &'static Template,
+    /// Its place in the design's list, from 0; `None` of the skirt, which has none there.
+    pub place: Option<usize>,
     /// Name in files, such as `pau_skirt`; no two garments of a design share one.
     pub id: String,
     /// What it is called.
@@ -117,15 +110,6 @@ impl GarmentPattern {
     }
 }
 
-/// A gathered rectangle drafted to the dancer, with where it is worn.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Drafted {
-    /// The garment on paper.
-    pub draft: PauDraft,
-    /// What was measured for it.
-    pub worn: PauMeasurements,
-}
-
 /// Which garment of a design cannot be drafted, and why.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("{}: {error}", garment.english)]
@@ -163,22 +147,24 @@ pub fn drafts_of(
     design: &Design,
     dancer: &Dancer,
 ) -> Vec<(Option<usize>, Result<GarmentPattern, TailoringError>)> {
+    let measures = measures(dancer);
     let mut drafts = Vec::new();
     let mut ids: Vec<String> = Vec::new();
-    let mut add = |(place, template): (Option<usize>, &'static Template),
-                   named: (&str, Words),
-                   pattern,
-                   cloth| {
-        let (file_name, name) = named;
-        let id = numbered(file_name, ids.iter().map(String::as_str));
+    let mut add = |place: Option<usize>, garment: &GarmentDesign| {
+        let layer = place.map(|_| garment.layer);
+        let fitting = fitting(design, (dancer, &measures), (layer, garment));
+        let name = garment.template.name_in(layer);
+        let file_name = garment.template.file_name_in(layer);
+        let id = numbered(&file_name, ids.iter().map(String::as_str));
         ids.push(id.clone());
-        let draft = match pattern {
+        let draft = match garment.pattern(&fitting) {
             Ok(pattern) => Ok(GarmentPattern {
-                template,
+                template: garment.template,
+                place,
                 id,
                 name,
                 pattern,
-                cloth,
+                cloth: Cloth::of(&garment.fabric, &garment.print),
             }),
             Err(error) => Err(TailoringError {
                 garment: name,
@@ -188,57 +174,28 @@ pub fn drafts_of(
         };
         drafts.push((place, draft));
     };
-    let measures = LazyCell::new(|| measures(dancer));
-    for layer in [GarmentLayer::Under, GarmentLayer::Over] {
-        for (index, garment) in design.listed_in(layer) {
-            let name = garment_name(garment);
-            let pattern = match garment {
-                GarmentDesign::PauSkirt(worn) => {
-                    draft_skirt(&worn.skirt, &worn.fabric, dancer).map(|it| it.draft.pattern(name))
-                }
-                GarmentDesign::PauTop(worn) => {
-                    draft_top(worn, &design.skirt, dancer).map(|it| it.draft.pattern(name))
-                }
-                GarmentDesign::Template(worn) => worn.pattern(&measures),
-            };
-            let cloth = Cloth::of(garment.fabric(), garment.print());
-            let what = (Some(index), garment.template());
-            add(what, (&file_name(garment), name), pattern, cloth);
-        }
-        if layer == GarmentLayer::Under && design.skirt.is_worn {
-            let name = SKIRT_NAME;
-            let drafted = draft_skirt(&design.skirt, &design.fabric, dancer);
-            let pattern = drafted.map(|it| it.draft.pattern(name));
-            let cloth = Cloth::of(&design.fabric, &design.print);
-            add((None, &PAU_SKIRT), (SKIRT, name), pattern, cloth);
+    for place in design.cut() {
+        match place {
+            Some(index) => add(place, &design.garments[index]),
+            None => add(None, &design.skirt.garment(&design.fabric, &design.print)),
         }
     }
     drafts
 }
 
-/// Name in files of a garment of a design's list, before it is numbered.
+/// For whom a garment of a design is drafted, of what cloth and with what: in a layer, or as the skirt.
 #[must_use]
-pub fn file_name(garment: &GarmentDesign) -> String {
-    match (garment, garment.layer()) {
-        (GarmentDesign::PauSkirt(_), GarmentLayer::Under) => "pau_underskirt".to_owned(),
-        (GarmentDesign::PauSkirt(_), GarmentLayer::Over) => "pau_overskirt".to_owned(),
-        (GarmentDesign::PauTop(_), _) => TOP.to_owned(),
-        (GarmentDesign::Template(worn), _) => worn.template.id.replace('-', "_"),
-    }
-}
-
-/// What a garment of a design's list is called.
-#[must_use]
-pub const fn garment_name(garment: &GarmentDesign) -> Words {
-    match (garment, garment.layer()) {
-        (GarmentDesign::PauSkirt(_), GarmentLayer::Under) => {
-            words("下に重ねるパウスカート", "pāʻū underskirt")
-        }
-        (GarmentDesign::PauSkirt(_), GarmentLayer::Over) => {
-            words("上に重ねるパウスカート", "pāʻū overskirt")
-        }
-        (GarmentDesign::PauTop(_), _) => words("パウトップ", "pāʻū top"),
-        (GarmentDesign::Template(worn), _) => worn.template.name,
+pub fn fitting<'a>(
+    design: &Design,
+    (dancer, measures): (&'a Dancer, &'a Measures),
+    (layer, garment): (Option<GarmentLayer>, &GarmentDesign),
+) -> Fitting<'a> {
+    Fitting {
+        measures,
+        dancer: Some(dancer),
+        cloth_width: Some(garment.fabric.width()),
+        skirt_edge: Some(skirt_edge(&design.skirt, dancer)),
+        layer,
     }
 }
 
@@ -306,125 +263,16 @@ impl Cloth {
     }
 }
 
-/// Drafts a skirt to the dancer.
-///
-/// # Errors
-/// What no skirt can be sewn from.
-pub fn draft_skirt(
-    skirt: &SkirtDesign,
-    fabric: &FabricDesign,
-    dancer: &Dancer,
-) -> Result<Drafted, DraftError> {
-    let height = worn_height(skirt, dancer);
-    let worn = PauMeasurements {
-        hip_girth: dancer.measurements.hip_girth,
-        worn_girth: girth(dancer, height),
-        worn_height: Length::from_m(f64::from(height)),
-    };
-    let draft = draft_pau_skirt(&worn, &skirt.options(fabric)?)?;
-    Ok(Drafted { draft, worn })
-}
-
-/// Drafts a top to the dancer, its hem just above `skirt` where the design does not say otherwise.
-///
-/// # Errors
-/// What no top can be sewn from.
-pub fn draft_top(
-    worn: &WornTop,
-    skirt: &SkirtDesign,
-    dancer: &Dancer,
-) -> Result<Drafted, DraftError> {
-    let landmarks = &dancer.landmarks;
-    let top = &worn.top;
-    let height = |written: Option<f64>, usual: f32| {
-        written.map_or(usual, |cm| Length::from_cm(cm).to_m_f32())
-    };
-    let upper = height(top.upper_height_cm, landmarks.bust_height + ABOVE_BUST);
-    let lower = height(top.lower_height_cm, landmarks.bust_height - BELOW_BUST);
-    let trunk = (0 < top.lower_row_count).then(|| way_up(dancer, lower, upper));
-    // Further rows lie below the first.
-    let rows = f64::from(top.lower_row_count.max(1) - 1);
-    let below = Length::from_cm(rows * (top.casing_cm + top.casing_gap_cm)).to_m_f32();
-    let lowest = if trunk.is_some() {
-        lower - below
-    } else {
-        upper
-    };
-    let measurements = TopMeasurements {
-        bust_girth: dancer.measurements.bust_girth,
-        upper_girth: girth(dancer, upper),
-        lowest: (girth(dancer, lowest), Length::from_m(f64::from(lowest))),
-        trunk,
-    };
-    let above_skirt = skirt_top(skirt, dancer) + ABOVE_SKIRT;
-    let hem = Length::from_m(f64::from(above_skirt.min(lowest - LEAST_FRILL)));
-    let draft = draft_pau_top(&measurements, &worn.options(hem)?)?;
-    Ok(Drafted {
-        draft,
-        worn: measurements.worn(),
-    })
-}
-
-/// Upper elastic of a top over the fullest bust [m], where nothing else is written: below the arms.
-const ABOVE_BUST: f32 = 0.015;
-/// Lower elastic of a top below it [m]: where the bust ends.
-const BELOW_BUST: f32 = 0.08;
-
-/// Hem of a top over the upper edge of the skirt [m], where nothing else is written.
-const ABOVE_SKIRT: f32 = 0.005;
-/// And below its own lowest elastic, at least [m].
-const LEAST_FRILL: f32 = 0.06;
-
-/// Points of the tape that measures a girth.
-const TAPE_POINTS: usize = 360;
-/// Distance between the tapes along which a way up the trunk is measured [m].
-const WAY_STEP: f32 = 0.005;
-
-/// Where a skirt is worn [m]: its lowest elastic at the front points of the hip bones, unless the
-/// design says otherwise.
-fn worn_height(skirt: &SkirtDesign, dancer: &Dancer) -> f32 {
-    match skirt.worn_height_cm {
-        Some(centimeters) => Length::from_cm(centimeters).to_m_f32(),
-        None => dancer.landmarks.asis_height,
-    }
-}
-
-/// Upper edge of a skirt [m].
-fn skirt_top(skirt: &SkirtDesign, dancer: &Dancer) -> f32 {
+/// Upper edge of a skirt above the floor.
+fn skirt_edge(skirt: &SkirtDesign, dancer: &Dancer) -> Length {
     let gaps = f64::from(skirt.elastic_row_count - 1);
     let band_cm =
         skirt.header_cm + 0.5 * skirt.casing_cm + gaps * (skirt.casing_cm + skirt.casing_gap_cm);
-    worn_height(skirt, dancer) + Length::from_cm(band_cm).to_m_f32()
-}
-
-/// What a tape says around the trunk at `height` [m].
-fn girth(dancer: &Dancer, height: f32) -> Length {
-    let ring = dancer.tape_ring(height, TAPE_POINTS);
-    let next = ring.iter().cycle().skip(1);
-    let girth: f32 = ring
-        .iter()
-        .zip(next)
-        .map(|(a, b)| a.bind_position.distance(b.bind_position))
-        .sum();
-    Length::from_m(f64::from(girth))
-}
-
-/// Mean way along the trunk from one height [m] up to another.
-fn way_up(dancer: &Dancer, from: f32, to: f32) -> Length {
-    let mut way = 0.0;
-    let mut height = from;
-    let mut below = dancer.tape_ring(height, TAPE_POINTS);
-    while height < to {
-        height = (height + WAY_STEP).min(to);
-        let above = dancer.tape_ring(height, TAPE_POINTS);
-        let rises = below.iter().zip(&above);
-        let rise: f32 = rises
-            .map(|(low, high)| low.bind_position.distance(high.bind_position))
-            .sum();
-        way += rise / TAPE_POINTS as f32;
-        below = above;
-    }
-    Length::from_m(f64::from(way))
+    let worn = skirt
+        .worn_height_cm
+        .map(|cm| Length::from_cm(cm).to_m_f32());
+    let worn = worn.unwrap_or(dancer.landmarks.asis_height);
+    Length::from_m(f64::from(worn + Length::from_cm(band_cm).to_m_f32()))
 }
 
 #[cfg(test)]
@@ -432,7 +280,6 @@ mod tests {
     use lole_body::Measurements;
 
     use super::*;
-    use crate::document::{WornSkirt, WornTop};
 
     fn patterns(design: &Design) -> Vec<GarmentPattern> {
         let measurements = Measurements::from_tape(&design.tape()).unwrap();
@@ -443,12 +290,11 @@ mod tests {
     #[test]
     fn every_garment_has_a_pattern_from_the_skin_outward() {
         let mut design = Design::default();
-        let underskirt = || GarmentDesign::PauSkirt(WornSkirt::default());
-        design.garments = vec![
-            underskirt(),
-            GarmentDesign::PauTop(WornTop::default()),
-            underskirt(),
-        ];
+        let kinds = ["pau-skirt", "pau-top", "pau-skirt"];
+        design.garments = kinds
+            .into_iter()
+            .filter_map(GarmentDesign::of_kind)
+            .collect();
         let patterns = patterns(&design);
         let ids: Vec<&str> = patterns.iter().map(|garment| garment.id.as_str()).collect();
         let expected = ["pau_underskirt", "pau_underskirt_2", "pau_skirt", "pau_top"];

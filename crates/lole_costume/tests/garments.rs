@@ -1,20 +1,15 @@
 //! Laws of the list of garments in a design document: it reads back, today's documents mean what they
 //! meant, and what is wrong is said with file, line, key and remedy in both languages.
 
-use lole_costume::document::schema::{
-    KINDS, Kind, Table, WORN_SKIRT, WORN_TEMPLATE, WORN_TOP, kind_ids,
-};
-use lole_costume::document::{
-    Design, GarmentDesign, GarmentLayer, MethodName, WornSkirt, WornTemplate, WornTop, parse,
-    to_toml,
-};
-use lole_garment::template::{OptionKind, TEMPLATES};
+use lole_costume::document::schema::{FINENESS, GARMENT, Key, Kind, kind_ids};
+use lole_costume::document::{Design, GarmentDesign, GarmentLayer, MethodName, parse, to_toml};
+use lole_garment::template::{OptionKind, PAU_SKIRT, PAU_TOP, TEMPLATES};
 use lole_language::Bilingual;
 
-/// One garment of every kind.
+/// The double pāʻū with its top.
 fn dressed() -> Design {
     Design {
-        garments: KINDS.iter().map(|kind| (kind.make)()).collect(),
+        garments: [&PAU_SKIRT, &PAU_TOP].map(GarmentDesign::new).into(),
         ..Design::default()
     }
 }
@@ -29,24 +24,47 @@ fn a_document_without_garments_wears_the_skirt_alone() {
 }
 
 #[test]
-fn every_kind_reads_back_to_the_last_bit() {
+fn garments_read_back_to_the_last_bit() {
     let design = dressed();
     design.check("built-in").unwrap();
     let text = to_toml(&design);
     assert_eq!(parse(&text, "again").unwrap(), design);
     assert_eq!(to_toml(&parse(&text, "again").unwrap()), text);
-    for kind in KINDS {
-        assert!(text.contains(&format!("[[garment]]\nkind = \"{}\"", kind.id)));
+    for kind in ["pau-skirt", "pau-top"] {
+        assert!(text.contains(&format!("[[garment]]\nkind = \"{kind}\"")));
     }
 }
 
 #[test]
-fn a_kind_alone_is_the_garment_that_the_program_would_make() {
-    for kind in KINDS {
-        let text = format!("lole = 1\n[[garment]]\nkind = \"{}\"\n", kind.id);
-        let design = parse(&text, "mine.lole").unwrap();
-        assert_eq!(design.garments, [(kind.make)()]);
-    }
+fn a_second_skirt_is_made_to_lie_under_the_first() {
+    let skirt = GarmentDesign::of_kind("pau-skirt").unwrap();
+    assert_eq!(skirt.layer, GarmentLayer::Under);
+    let decided = ["hem_height_cm", "gather_ratio"].map(|key| skirt.option(key).unwrap());
+    assert_eq!(decided, [14.0, 2.5]);
+    assert_eq!(skirt.file_name(), "pau_underskirt");
+    let own = &Design::default().skirt;
+    let own = own.garment(&skirt.fabric, &skirt.print);
+    assert_eq!(own.option("hem_height_cm"), Some(22.0));
+    assert_eq!(own.option("worn_height_cm"), None);
+}
+
+#[test]
+fn the_skirt_is_the_template_with_what_its_table_says() {
+    let text = "lole = 1\n[skirt]\nhem_height_cm = 31\nworn_height_cm = 90\ngather_ratio = 3\n\
+                elastic_row_count = 4\nelastic_ratio = 0.9\nheader_cm = 1\ncasing_cm = 2\n\
+                casing_gap_cm = 3\nhem_allowance_cm = 6\ncolumn_count = 99\nrow_count = 33\nseed = 7\n";
+    let listed = text.replace(
+        "[skirt]",
+        "[[garment]]\nkind = \"pau-skirt\"\nlayer = \"over\"",
+    );
+    let (skirt, listed) = (
+        parse(text, "skirt").unwrap(),
+        parse(&listed, "list").unwrap(),
+    );
+    let [listed] = &listed.garments[..] else {
+        panic!("one garment is listed");
+    };
+    assert_eq!(skirt.skirt.garment(&listed.fabric, &listed.print), *listed);
 }
 
 #[test]
@@ -67,10 +85,13 @@ fn layers_lie_from_the_skin_outward_in_the_order_of_the_list() {
     );
 }
 
-/// Every key of a kind's tables at both ends of its range reads back.
-fn check_ends<T: Clone>(tables: &[Table<T>], fresh: &T, put: impl Fn(T) -> GarmentDesign) -> usize {
+/// Every one of these keys at both ends of its range reads back.
+fn check_ends<'k>(
+    keys: impl Iterator<Item = &'k Key<GarmentDesign>>,
+    fresh: &GarmentDesign,
+) -> usize {
     let mut count = 0;
-    for key in tables.iter().flat_map(|table| table.keys) {
+    for key in keys {
         // Marks on a photo go together, and with a photo; their own tests vary them.
         if key.name.starts_with("known_") || key.name.starts_with("crop_") {
             continue;
@@ -105,7 +126,7 @@ fn check_ends<T: Clone>(tables: &[Table<T>], fresh: &T, put: impl Fn(T) -> Garme
         }
         for garment in ends {
             let design = Design {
-                garments: vec![put(garment)],
+                garments: vec![garment],
                 ..Design::default()
             };
             design.check("mine").expect("in range");
@@ -123,20 +144,19 @@ fn check_ends<T: Clone>(tables: &[Table<T>], fresh: &T, put: impl Fn(T) -> Garme
 
 #[test]
 fn every_key_of_every_kind_reads_back_at_both_ends_of_its_range() {
-    assert!(60 < check_ends(WORN_SKIRT, &WornSkirt::default(), GarmentDesign::PauSkirt));
-    assert!(60 < check_ends(WORN_TOP, &WornTop::default(), GarmentDesign::PauTop));
-    let worn = WornTemplate::new(TEMPLATES[1]);
-    assert!(40 < check_ends(WORN_TEMPLATE, &worn, GarmentDesign::Template));
+    for template in TEMPLATES {
+        let fresh = GarmentDesign::new(template);
+        let keys = GARMENT.iter().flat_map(|table| table.keys);
+        assert!(40 < check_ends(keys, &fresh));
+        if fresh.is_danced() {
+            assert_eq!(check_ends(FINENESS.iter(), &fresh), 6);
+        }
+    }
 }
 
-/// Templates that are only drafted.
-fn drafted() -> impl Iterator<Item = WornTemplate> {
-    let danced = |id| KINDS.iter().any(|kind| kind.id == id);
-    let templates = TEMPLATES
-        .iter()
-        .copied()
-        .filter(move |template| !danced(template.id));
-    templates.map(WornTemplate::new)
+/// One garment of every kind.
+fn drafted() -> impl Iterator<Item = GarmentDesign> {
+    TEMPLATES.iter().copied().map(GarmentDesign::new)
 }
 
 #[test]
@@ -157,7 +177,7 @@ fn every_option_of_every_template_reads_back_at_both_ends_of_its_range() {
                 let mut garment = worn.clone();
                 garment.options.set(position, end);
                 let design = Design {
-                    garments: vec![GarmentDesign::Template(garment)],
+                    garments: vec![garment],
                     ..Design::default()
                 };
                 design.check("mine").expect("in range");
@@ -178,7 +198,7 @@ fn every_template_is_a_kind_of_garment_and_is_seen_on_the_dancer() {
         let text = format!("lole = 1\n[[garment]]\nkind = \"{}\"\n", worn.template.id);
         let design = parse(&text, "mine.lole").unwrap();
         let name = worn.template.name.english;
-        assert_eq!(design.garments, [GarmentDesign::Template(worn)]);
+        assert_eq!(design.garments, [worn]);
         assert_eq!(parse(&to_toml(&design), "again").unwrap(), design);
         let garment = &design.garments[0];
         let ways = [
@@ -331,9 +351,9 @@ fn a_mistake_in_a_garment_is_said_with_file_line_key_and_remedy_in_both_language
 #[test]
 fn a_garment_changed_by_the_program_is_held_to_the_same_ranges() {
     let mut design = dressed();
-    if let Some(GarmentDesign::PauTop(worn)) = design.garments.last_mut() {
-        worn.top.gather_ratio = f64::NAN;
-        worn.layer = GarmentLayer::Under;
+    if let Some(top) = design.garments.pop() {
+        let top = top.with(&[("gather_ratio", f64::NAN)]);
+        design.garments.push(top);
     }
     let sentence = design.check("command line").unwrap_err().to_string();
     assert_eq!(
@@ -344,10 +364,8 @@ fn a_garment_changed_by_the_program_is_held_to_the_same_ranges() {
     design.method.name = MethodName::Rk4;
     assert!(design.check("command line").is_err());
     let mut design = Design::default();
-    let mut worn = WornTemplate::new(TEMPLATES[1]);
-    let position = worn.template.position("ruffle_ratio");
-    worn.options.set(position.unwrap(), Some(7.0));
-    design.garments.push(GarmentDesign::Template(worn));
+    let ruffle = GarmentDesign::new(TEMPLATES[1]).with(&[("ruffle_ratio", 7.0)]);
+    design.garments.push(ruffle);
     assert_eq!(
         design.check("command line").unwrap_err().to_string(),
         "command line: [[garment]] ruffle_ratio: 7 is out of range; write a number from 1 to 3"

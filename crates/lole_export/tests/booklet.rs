@@ -2,12 +2,13 @@
 //! designs give equal bytes.
 
 use lole_costume::cost;
-use lole_costume::document::{Design, GarmentDesign, WornSkirt, WornTop};
+use lole_costume::document::{Design, GarmentDesign};
 use lole_costume::order::{self, DancerPlan, Settings};
 use lole_costume::roster;
 use lole_export::booklet::{Booklet, booklet_sheets};
 use lole_export::order::{Order, order_json, order_sheets};
 use lole_export::pdf::{Document, Item, Paper, Sheet, missing_glyphs};
+use lole_garment::template::{PAU_SKIRT, PAU_TOP};
 use lole_language::{Language, Sentence};
 
 const LANGUAGES: [Language; 2] = [Language::Japanese, Language::English];
@@ -16,10 +17,7 @@ const LANGUAGES: [Language; 2] = [Language::Japanese, Language::English];
 fn design() -> Design {
     let mut design = Design::default();
     design.dancer.hip_cm = Some(91.4);
-    design.garments = vec![
-        GarmentDesign::PauSkirt(WornSkirt::default()),
-        GarmentDesign::PauTop(WornTop::default()),
-    ];
+    design.garments = [&PAU_SKIRT, &PAU_TOP].map(GarmentDesign::new).into();
     design.fabric.price_per_m = Some(1480.0);
     design.cost.elastic_price_per_m = Some(60.0);
     design.cost.wage_per_h = Some(1000.0);

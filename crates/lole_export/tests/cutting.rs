@@ -27,6 +27,7 @@ const GATE: f64 = 0.1;
 fn cut(pattern: Pattern) -> CutGarment {
     let garment = GarmentPattern {
         template: &lole_garment::template::PAU_SKIRT,
+        place: None,
         id: "trial".to_owned(),
         name: words("試しの服", "trial pāʻū"),
         pattern,

@@ -7,6 +7,7 @@ mod bodies;
 use std::fmt::Write as _;
 
 use kurbo::{Affine, BezPath, Shape as _};
+use lole_garment::Fitting;
 use lole_garment::template::{Options, TEMPLATES};
 use lole_pattern::piece::Mark;
 use lole_pattern::{Pattern, Piece};
@@ -26,7 +27,7 @@ fn main() {
         let measures = bodies::of_row(row);
         let templates = TEMPLATES.iter();
         for template in templates.filter(|one| wanted.as_ref().is_none_or(|id| id == one.id)) {
-            match (template.draft)(&measures, &Options::of(template)) {
+            match (template.draft)(&Fitting::by(&measures), &Options::of(template)) {
                 Ok(pattern) if !pattern.pieces.is_empty() => {
                     let path = format!("{folder}/{}_{name}.svg", template.id);
                     std::fs::write(&path, drawing(&pattern)).expect("the folder can be written");

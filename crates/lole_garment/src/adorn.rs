@@ -20,6 +20,7 @@ use lole_cloth::strands::{Link, Strand, StrandConfig, Tie};
 use lole_pattern::{DraftError, Measures};
 
 use crate::GarmentSpec;
+use crate::fitting::Fitting;
 use crate::template::Wear;
 
 pub use grip::Grip;
@@ -247,6 +248,6 @@ pub fn adorn(spec: &GarmentSpec<'_>, wearer: &Wearer<'_>) -> Result<Option<Made>
         return Ok(None);
     };
     // What cannot be drafted cannot be worn: the drafter knows every range.
-    spec.pattern(wearer.measures)?;
+    spec.pattern(&Fitting::by(wearer.measures))?;
     (row.make)(spec, wearer).map(Some)
 }

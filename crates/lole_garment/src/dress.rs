@@ -6,6 +6,7 @@
 
 pub(crate) mod bodice;
 mod crossings;
+mod error;
 pub(crate) mod fit;
 mod flat;
 pub(crate) mod form;
@@ -13,6 +14,7 @@ mod laid;
 mod layers;
 mod panel;
 mod smooth;
+mod state;
 #[cfg(test)]
 mod tests;
 mod tuck;
@@ -24,27 +26,26 @@ use std::sync::Arc;
 
 use glam::{Affine3A, Vec2, Vec3};
 use lole_body::{Dancer, Pose, TapePoint};
-use lole_cloth::assembly::{
-    Assembly, AssemblyInput, AssemblyState, Elastic, Ends, Joint, JointError, Piece, PieceState,
-    Place, Seam, step,
-};
+use lole_cloth::assembly::{Assembly, AssemblyState, Elastic, Ends, Joint, Piece, Place, Seam};
 use lole_cloth::diagnose::StrainSummary;
-use lole_cloth::mesh::{self, MeshError, MeshModel, MeshSpec};
-use lole_cloth::{Crossings, Fabric, Lost, SelfCollision, SolverConfig};
+use lole_cloth::mesh::{self, MeshModel, MeshSpec};
+use lole_cloth::{Crossings, Fabric, SelfCollision, SolverConfig};
 use lole_geom::mesh::vertex_normals;
 use lole_geom::{Capsule, MeshSurfels, Surfel};
-use lole_language::Bilingual;
-use lole_pattern::{DraftError, Pattern};
+use lole_pattern::Pattern;
 
 use crate::GarmentSpec;
+use crate::fitting::Fitting;
 use crate::template::{SewnRow, Wear};
 use form::Form;
 use under::Under;
 
 pub use bodice::Covered;
 pub use crossings::Crossing;
+pub use error::DressError;
 pub use laid::Way;
 pub use layers::{Body, Layers, Over, PieceOver};
+pub use state::DressedState;
 pub use tuck::Bands;
 pub use wrap::Wrap;
 
@@ -190,12 +191,6 @@ pub struct Among<'a> {
     pub division: Division,
 }
 
-/// What moves of a dressed garment.
-#[derive(Debug, Clone)]
-pub struct DressedState {
-    state: AssemblyState,
-}
-
 /// What a dressed garment meets in a step.
 #[derive(Debug, Clone, Copy)]
 pub struct World<'a> {
@@ -213,84 +208,6 @@ pub struct World<'a> {
     pub held: &'a [(u32, Vec3)],
 }
 
-/// Why a garment could not be put on.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum DressError {
-    /// It cannot be drafted to these measures.
-    #[error(transparent)]
-    Draft(#[from] DraftError),
-    /// Nobody has said how it is worn.
-    #[error("the garment {template} is drafted and not worn; nothing says where its pieces lie")]
-    NotWorn {
-        /// Its template.
-        template: &'static str,
-    },
-    /// A piece's border crosses itself, so that it cannot be cut.
-    #[error("the pieces of {template} cross themselves with these measures; check {measure}")]
-    CrossedPiece {
-        /// Its template.
-        template: &'static str,
-        /// What to measure again.
-        measure: &'static str,
-    },
-    /// The dancer has no trunk where the garment lies.
-    #[error("the dancer has no trunk where {template} should lie; make it shorter")]
-    NoTrunk {
-        /// Its template.
-        template: &'static str,
-    },
-    /// The mesh cannot be built.
-    #[error("the cloth of {template} cannot be divided into triangles: {error}")]
-    Mesh {
-        /// Its template.
-        template: &'static str,
-        /// Why.
-        error: MeshError,
-    },
-    /// A seam or elastic cannot be made.
-    #[error("{template} cannot be sewn: {error}")]
-    Joint {
-        /// Its template.
-        template: &'static str,
-        /// Why.
-        error: JointError,
-    },
-    /// The cloth flew away while it was put on.
-    #[error("{template} did not come to rest on the dancer: {lost}")]
-    Lost {
-        /// Its template.
-        template: &'static str,
-        /// Where.
-        lost: Lost,
-    },
-}
-
-impl Bilingual for DressError {
-    fn japanese(&self) -> String {
-        match self {
-            Self::Draft(error) => error.japanese(),
-            Self::NotWorn { template } => {
-                format!("{template} は製図だけの服で、着せ方が決まっていません")
-            }
-            Self::CrossedPiece { template, .. } => {
-                format!(
-                    "この採寸では {template} の型紙の線が交わります。バストと背丈を測り直してください"
-                )
-            }
-            Self::NoTrunk { template } => {
-                format!("{template} の来る所に胴がありません。丈を短くしてください")
-            }
-            Self::Mesh { template, error } => {
-                format!("{template} の布を三角形に分けられません（{error}）")
-            }
-            Self::Joint { template, error } => format!("{template} を縫えません（{error}）"),
-            Self::Lost { template, lost } => {
-                format!("{template} を着せる途中で布が飛びました（{lost}）")
-            }
-        }
-    }
-}
-
 /// Puts a garment on a dancer who comes to stand in the pose `stance`; `surfels` are her skin's.
 ///
 /// # Errors
@@ -302,7 +219,7 @@ pub fn dress(
     among: &Among<'_>,
 ) -> Result<Dressed, DressError> {
     let measures = crate::measures(dancer);
-    let pattern = spec.pattern(&measures)?;
+    let pattern = spec.pattern(&Fitting::by(&measures))?;
     let template = spec.template.id;
     let Wear::Sewn(row) = &spec.template.worn else {
         return Err(DressError::NotWorn { template });
@@ -576,105 +493,6 @@ impl Dressed {
         rested.copy_positions(self, &mut start);
         self.start = start;
         self.rested = Some(rested);
-    }
-}
-
-impl DressedState {
-    /// Moves the garment on by `dt` [s] in a world.
-    ///
-    /// # Errors
-    /// Where a particle would go nowhere; nothing has moved then.
-    pub fn step(&mut self, garment: &Dressed, world: &World<'_>, dt: f32) -> Result<(), Lost> {
-        self.step_as(garment, &garment.assembly, (world, dt))
-    }
-
-    fn step_as(
-        &mut self,
-        garment: &Dressed,
-        assembly: &Assembly,
-        (world, dt): (&World<'_>, f32),
-    ) -> Result<(), Lost> {
-        let input = AssemblyInput {
-            pin_targets: &[garment.pin_targets(world)],
-            surfels: world.surfels,
-            capsules: &[Capsule {
-                ends: FLOOR.ends.map(|end| end + world.floor),
-                ..FLOOR
-            }],
-            air_velocity: world.air_velocity,
-            ..AssemblyInput::default()
-        };
-        step(assembly, &input, &mut self.state, dt)
-    }
-
-    /// The same cloth as it hangs and moves, as a garment of the same cut that is held otherwise.
-    #[must_use]
-    pub fn passed_on(&self, from: &Dressed, to: &Dressed) -> Self {
-        let mut positions = Vec::new();
-        self.copy_positions(from, &mut positions);
-        let mut state = AssemblyState::new(&to.assembly, &[positions]);
-        let moving = self.state.pieces.iter().zip(&mut state.pieces);
-        for pair in moving {
-            if let ((PieceState::Mesh(before), PieceState::Mesh(after)), Some(from), Some(to)) =
-                (pair, from.model(), to.model())
-            {
-                let mut velocities = Vec::new();
-                before.copy_velocities(from, &mut velocities);
-                after.set_velocities(to, &velocities);
-            }
-        }
-        Self { state }
-    }
-
-    /// Writes every position [m] over `out`.
-    pub fn copy_positions(&self, garment: &Dressed, out: &mut Vec<Vec3>) {
-        for (state, piece) in self.state.pieces.iter().zip(garment.assembly.pieces()) {
-            state.copy_positions(piece, out);
-        }
-    }
-
-    /// Lays all of it at these places [m], at rest.
-    fn lay(&mut self, assembly: &Assembly, places: &[Vec3]) {
-        self.state = AssemblyState::new(assembly, &[places.to_vec()]);
-    }
-
-    /// Multiplies every velocity.
-    pub fn scale_velocities(&mut self, garment: &Dressed, factor: f32) {
-        let Some(model) = garment.model() else {
-            return;
-        };
-        for state in &mut self.state.pieces {
-            if let PieceState::Mesh(state) = state {
-                let mut velocities = Vec::new();
-                state.copy_velocities(model, &mut velocities);
-                velocities
-                    .iter_mut()
-                    .for_each(|velocity| *velocity *= factor);
-                state.set_velocities(model, &velocities);
-            }
-        }
-    }
-
-    /// Particles that the last step left in the skin or held back, because it found no place for them
-    /// outside of it that their cloth reaches without crossing.
-    #[must_use]
-    pub fn without_room(&self, garment: &Dressed) -> Vec<u32> {
-        match (&self.state.pieces[..], garment.model()) {
-            ([PieceState::Mesh(state)], Some(model)) => state.without_room(model),
-            _ => Vec::new(),
-        }
-    }
-
-    /// Moves it, and where its body was left, by as much [m], and makes it `faster` [m/s]: what a world that
-    /// jumps carries along.
-    pub fn carry(&mut self, by: Vec3, faster: Vec3) {
-        self.state.carry(by, faster);
-    }
-
-    /// All bits of positions and velocities as one number.
-    #[must_use]
-    pub fn hash(&self) -> u64 {
-        self.state.hash()
     }
 }
 

@@ -10,6 +10,7 @@
 pub mod adorn;
 mod drafting;
 pub mod dress;
+mod fitting;
 mod garment;
 pub mod measures;
 pub mod sketch;
@@ -17,7 +18,10 @@ mod spec;
 pub mod template;
 pub mod wave;
 
+pub use fitting::Fitting;
 pub use measures::measures;
 pub use sketch::Sketch;
 pub use spec::{Colors, GarmentSpec};
-pub use template::{Options, RAFFIA_PER_METER, Shelf, TEMPLATES, Template};
+pub use template::{
+    Fineness, GarmentLayer, Options, RAFFIA_PER_METER, Shelf, TEMPLATES, Template, WornPlace,
+};

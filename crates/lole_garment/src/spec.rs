@@ -1,8 +1,9 @@
 //! A garment as its maker decided it.
 
 use lole_cloth::Fabric;
-use lole_pattern::{DraftError, Measures, Pattern};
+use lole_pattern::{DraftError, Pattern};
 
+use crate::fitting::Fitting;
 use crate::template::{Options, Template};
 
 /// One garment as it is ordered: what it is, how it is cut, and what of.
@@ -36,7 +37,7 @@ impl GarmentSpec<'_> {
     ///
     /// # Errors
     /// Measures or options that it cannot be drafted from.
-    pub fn pattern(&self, measures: &Measures) -> Result<Pattern, DraftError> {
-        (self.template.draft)(measures, self.options)
+    pub fn pattern(&self, fitting: &Fitting<'_>) -> Result<Pattern, DraftError> {
+        (self.template.draft)(fitting, self.options)
     }
 }

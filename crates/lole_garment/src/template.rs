@@ -8,10 +8,11 @@ use std::num::NonZeroU32;
 
 use lole_language::{Words, words};
 use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements};
-use lole_pattern::{DraftError, Measures, Pattern};
+use lole_pattern::{DraftError, Pattern};
 
 use crate::adorn::Make;
 use crate::dress::Way;
+use crate::fitting::Fitting;
 use crate::garment;
 pub use crate::garment::pau_skirt::TEMPLATE as PAU_SKIRT;
 pub use crate::garment::pau_top::TEMPLATE as PAU_TOP;
@@ -34,7 +35,7 @@ pub struct Template {
     /// What the maker decides, in the order a form shows it.
     pub options: &'static [OptionRow],
     /// Drafts it.
-    pub draft: fn(&Measures, &Options) -> Result<Pattern, DraftError>,
+    pub draft: fn(&Fitting<'_>, &Options) -> Result<Pattern, DraftError>,
     /// How it is worn.
     pub worn: Wear,
     /// Opening of an elbow whose hand would press it on the chest, or go through it [°]: gathers are 2 to
@@ -50,9 +51,7 @@ pub struct Template {
 /// How a garment is worn.
 #[derive(Debug)]
 pub enum Wear {
-    /// Its cut has keys of its own in a design, which is drafted on the dancer herself.
-    OwnKeys,
-    /// As rectangles that are gathered around the hips.
+    /// As rectangles that are gathered around the trunk.
     Gathered(GatheredRow),
     /// Its pieces are laid around her and sewn there.
     Sewn(SewnRow),
@@ -66,7 +65,71 @@ pub struct GatheredRow {
     /// How many rectangles are carried, with these options: two where a ruffle hangs over the first.
     pub count: fn(&Options) -> usize,
     /// The rectangle as it is worn.
-    pub draft: fn(&Measures, &Options) -> Result<Gathered, DraftError>,
+    pub draft: fn(&Fitting<'_>, &Options) -> Result<Gathered, DraftError>,
+    /// How finely it is sewn unless something else is decided.
+    pub fineness: Fineness,
+    /// How it is made where it is the second of its kind; `None` where one more is made like the first.
+    pub second: Option<Second>,
+}
+
+/// How finely a gathered rectangle is sewn, and by what chance.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Fineness {
+    /// Particles around.
+    pub column_count: u32,
+    /// Particles from top fold to hem.
+    pub row_count: u32,
+    /// Chance for how unevenly the gathers are pushed together.
+    pub seed: u64,
+}
+
+impl Fineness {
+    /// As the pāʻū skirt is sewn.
+    pub const OF_SKIRT: Self = Self {
+        column_count: 512,
+        row_count: 55,
+        seed: 1,
+    };
+}
+
+/// How a skirt is made that is worn with another one like it.
+#[derive(Debug)]
+pub struct Second {
+    /// What is decided otherwise than for one that is worn alone, by the keys of its options.
+    pub options: &'static [(&'static str, f64)],
+    /// How finely it is sewn.
+    pub fineness: Fineness,
+    /// What it is called under the other one, and over it.
+    pub called: [Called; 2],
+}
+
+/// What something is called.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Called {
+    /// In files.
+    pub id: &'static str,
+    /// By people.
+    pub name: Words,
+}
+
+/// Where a garment is worn that is worn with a skirt.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum GarmentLayer {
+    /// Between the skin and the skirt.
+    Under,
+    /// Outside the skirt.
+    Over,
+}
+
+/// Where a gathered rectangle is carried.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum WornPlace {
+    /// On the hips: the band ends below the bust.
+    Hips,
+    /// Around the bust, up to the arms.
+    Bust,
+    /// Stitched onto the skirt inside of it, below that one's band.
+    Skirt,
 }
 
 /// A garment whose pieces are laid around the dancer and sewn there.
@@ -105,6 +168,8 @@ pub struct Gathered {
     pub draft: PauDraft,
     /// What was measured for it, and where it is worn.
     pub worn: PauMeasurements,
+    /// Where it is carried.
+    pub place: WornPlace,
     /// Whether its side stays open, as of what is tied.
     pub is_open: bool,
     /// What is gathered once more and sewn to it.
@@ -132,7 +197,6 @@ impl Template {
     pub fn gathered_count(&self, options: &Options) -> usize {
         match &self.worn {
             Wear::Gathered(row) => (row.count)(options),
-            Wear::OwnKeys => 1,
             Wear::Sewn(_) | Wear::Beside(_) => 0,
         }
     }
@@ -143,12 +207,59 @@ impl Template {
     /// As for [`Self::draft`].
     pub fn gathered(
         &self,
-        measures: &Measures,
+        fitting: &Fitting<'_>,
         options: &Options,
     ) -> Result<Option<Gathered>, DraftError> {
         match &self.worn {
-            Wear::Gathered(row) => (row.draft)(measures, options).map(Some),
-            Wear::OwnKeys | Wear::Sewn(_) | Wear::Beside(_) => Ok(None),
+            Wear::Gathered(row) => (row.draft)(fitting, options).map(Some),
+            Wear::Sewn(_) | Wear::Beside(_) => Ok(None),
+        }
+    }
+
+    /// What it is called in a layer of a costume; outside of any, as of the skirt that the layers lie under
+    /// and over, by its own name.
+    #[must_use]
+    pub const fn name_in(&self, layer: Option<GarmentLayer>) -> Words {
+        match self.called_in(layer) {
+            Some(called) => called.name,
+            None => self.name,
+        }
+    }
+
+    /// What it is called in files, in a layer of a costume.
+    #[must_use]
+    pub fn file_name_in(&self, layer: Option<GarmentLayer>) -> String {
+        let called = self.called_in(layer);
+        called.map_or_else(|| self.id.replace('-', "_"), |called| called.id.to_owned())
+    }
+
+    const fn called_in(&self, layer: Option<GarmentLayer>) -> Option<Called> {
+        let Some(second) = self.second() else {
+            return None;
+        };
+        let [under, over] = second.called;
+        match layer {
+            None => None,
+            Some(GarmentLayer::Under) => Some(under),
+            Some(GarmentLayer::Over) => Some(over),
+        }
+    }
+
+    /// How finely it is sewn unless something else is decided; as the skirt where it is not gathered.
+    #[must_use]
+    pub const fn fineness(&self) -> Fineness {
+        match &self.worn {
+            Wear::Gathered(row) => row.fineness,
+            Wear::Sewn(_) | Wear::Beside(_) => Fineness::OF_SKIRT,
+        }
+    }
+
+    /// How it is made where it is the second of its kind, if otherwise than the first.
+    #[must_use]
+    pub const fn second(&self) -> Option<&Second> {
+        match &self.worn {
+            Wear::Gathered(row) => row.second.as_ref(),
+            Wear::Sewn(_) | Wear::Beside(_) => None,
         }
     }
 
@@ -257,6 +368,17 @@ impl Options {
     #[must_use]
     pub fn get(&self, position: usize) -> Option<f64> {
         self.values.get(position).copied().flatten()
+    }
+
+    /// Decides the options of these keys; a key that no option of the template has changes nothing.
+    #[must_use]
+    pub fn with(mut self, template: &Template, decided: &[(&str, f64)]) -> Self {
+        for (key, value) in decided {
+            if let Some(position) = template.position(key) {
+                self.set(position, Some(*value));
+            }
+        }
+        self
     }
 
     /// Decides an option; positions beyond the last one change nothing.

@@ -2,8 +2,8 @@
 //! template can be drafted from them.
 
 use lole_body::{Dancer, Figure, Measurements, Tape};
-use lole_garment::measures;
 use lole_garment::template::{Options, TEMPLATES};
+use lole_garment::{Fitting, measures};
 use lole_geom::Length;
 use lole_pattern::{Measure, Measures};
 
@@ -40,7 +40,7 @@ fn every_template_can_be_drafted_to_six_dancers() {
             .check(Measure::ALL)
             .unwrap_or_else(|error| panic!("{}: {error}", body.0));
         for template in TEMPLATES {
-            let pattern = (template.draft)(&measures, &Options::of(template));
+            let pattern = (template.draft)(&Fitting::by(&measures), &Options::of(template));
             pattern.unwrap_or_else(|error| panic!("{} for {}: {error}", template.id, body.0));
         }
     }

@@ -4,6 +4,7 @@
 mod bodies;
 
 use kurbo::{ParamCurve as _, PathSeg, Point, Shape as _};
+use lole_garment::Fitting;
 use lole_garment::sketch::{Sketch, SketchStroke};
 use lole_garment::template::{OptionKind, Options, Shelf, TEMPLATES, Template};
 use lole_geom::Length;
@@ -32,7 +33,7 @@ fn draft(id: &str, measures: &Measures, options: &[(&str, f64)]) -> Result<Patte
             Some(*value),
         );
     }
-    (template.draft)(measures, &chosen)
+    (template.draft)(&Fitting::by(measures), &chosen)
 }
 
 /// Points along a piece's stitching line, every few millimeters, not closed.
@@ -256,7 +257,7 @@ fn every_template_fits_six_dancers() {
     for (name, row) in &BODIES {
         let measures = of_row(row);
         for template in TEMPLATES {
-            let pattern = (template.draft)(&measures, &Options::of(template));
+            let pattern = (template.draft)(&Fitting::by(&measures), &Options::of(template));
             let pattern = pattern.unwrap_or_else(|error| panic!("{} {name}: {error}", template.id));
             check(&pattern).unwrap_or_else(|fault| panic!("{} {name}: {fault}", template.id));
         }
@@ -535,7 +536,7 @@ proptest! {
     fn seams_walk_and_outlines_are_simple_on_any_body(row in any_body()) {
         let measures = of_row(&row);
         for template in TEMPLATES {
-            match (template.draft)(&measures, &Options::of(template)) {
+            match (template.draft)(&Fitting::by(&measures), &Options::of(template)) {
                 Ok(pattern) => {
                     let checked = check(&pattern);
                     prop_assert!(checked.is_ok(), "{}: {}", template.id, checked.unwrap_err());
@@ -559,7 +560,7 @@ proptest! {
                     OptionKind::Choice(choices) => (share * (choices.len() - 1) as f64).round(),
                 }));
             }
-            if let Ok(pattern) = (template.draft)(&measures, &options) {
+            if let Ok(pattern) = (template.draft)(&Fitting::by(&measures), &options) {
                 let checked = check(&pattern);
                 prop_assert!(checked.is_ok(), "{}: {} {options:?}", template.id, checked.unwrap_err());
             }

@@ -125,10 +125,10 @@ fn fitting(
         let (id, option) = id.split_once(':').unwrap_or((id, ""));
         let text = format!("lole = 1\n[[garment]]\nkind = \"{id}\"\n{option}\n");
         let mut worn = parse(&text, "garment")?.garments.remove(0);
-        *worn.layer_mut() = asked.layer;
+        worn.layer = asked.layer;
         if let Some(print) = &asked.print {
             let text = format!("lole = 1\n[print]\n{print}\n");
-            *worn.print_mut() = parse(&text, "print")?.print;
+            worn.print = parse(&text, "print")?.print;
         }
         garments.push(worn);
     }

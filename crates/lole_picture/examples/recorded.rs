@@ -186,6 +186,7 @@ fn shoot(performance: &Performance) -> Result<Vec<u8>, Box<dyn Error>> {
     let shown = Shown {
         worn: &worn,
         colors: &[],
+        colored: None,
         body: [performance.body_positions(), performance.body_normals()],
     };
     let mut renderer = Renderer::new(Backend::Cpu, CELL)?;

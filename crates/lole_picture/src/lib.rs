@@ -92,7 +92,9 @@ impl Looks {
                     uvs: &cover.uvs,
                     colors: colors.map_or(own, Vec::as_slice),
                     triangles: surface.triangles(),
-                    material: &cover.material,
+                    material: (figure.colored)
+                        .filter(|_| colors.is_some())
+                        .unwrap_or(&cover.material),
                 }
             });
         let skin = &production.dancer.skin;

@@ -1,6 +1,7 @@
 //! Where everything that is drawn is in one moment.
 
 use glam::Vec3;
+use lole_render::Material;
 use lole_stage::{Performance, Production, Vertices};
 
 /// Dancer and what she wears in one moment, as they are drawn.
@@ -11,6 +12,8 @@ pub struct Figure<'a> {
     /// Linear color factors of their vertices, by surface; empty, or of a surface empty, where it has its own
     /// colors.
     pub colors: &'a [Vec<Vec3>],
+    /// What a surface with such colors is made of instead of its own; `None` where it keeps it.
+    pub colored: Option<&'a Material>,
     /// The posed body: vertices [m] and their normals.
     pub body: [&'a [Vec3]; 2],
 }
@@ -47,6 +50,7 @@ impl Moment {
         Figure {
             worn: &self.worn,
             colors: &[],
+            colored: None,
             body: [&self.body[0], &self.body[1]],
         }
     }

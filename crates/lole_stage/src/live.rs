@@ -17,7 +17,7 @@ use lole_geom::narrow;
 use crate::performance::{FRAME_SECONDS, FRAMES_PER_SECOND};
 use crate::skin_check::{self, Surface};
 use crate::solver::Solver;
-use crate::{Danced, Divergence, Performance, Production, StageError, Vertices, Worn};
+use crate::{Adornment, Danced, Divergence, Performance, Production, StageError, Vertices, Worn};
 
 /// Time in which one dance step is eased into the next [s]: about one count.
 const EASE_SECONDS: f64 = 0.9;
@@ -199,12 +199,29 @@ impl Show {
         }
         if let Some(adorned) = adorned {
             self.performance.adorn(adorned);
+            self.follow_adornments();
         }
         if let Some(layer) = dance {
             self.layers.push(layer);
         }
         self.design = design.clone();
         Ok(Wish::Granted)
+    }
+
+    /// Strands are others now, at rest where they hang: a hand that held one has nothing in it.
+    fn follow_adornments(&mut self) {
+        let production = self.performance.shared_production();
+        let is_strand =
+            |&(particle, _): &(u32, Vec3)| production.cloth_count() <= particle as usize;
+        if { self.hold.iter() }.any(|hold| hold.patch.iter().any(is_strand)) {
+            self.hold = None;
+            self.performance.hold(Vec::new());
+        }
+        self.positions.clear();
+        self.positions.extend(self.performance.particles());
+        self.velocities.truncate(production.cloth_count());
+        self.velocities.resize(self.positions.len(), Vec3::ZERO);
+        self.masses = masses(&self.specs, &production);
     }
 
     /// The dance of `design`, on the count of the present one.
@@ -275,11 +292,13 @@ impl Show {
         };
         let production = self.performance.shared_production();
         let sewn = production.dressed.iter();
-        let sewn = sewn.flat_map(|garment| garment.dressed.pinned());
-        let pinned = self.specs.iter().flat_map(|spec| &spec.pinned).chain(sewn);
+        let sewn = sewn.flat_map(|garment| garment.dressed.pinned().iter().copied());
+        let strands = production.adornments.iter().flat_map(Adornment::pinned);
+        let gathered = self.specs.iter().flat_map(|spec| &spec.pinned).copied();
+        let pinned = gathered.chain(sewn).chain(strands);
         let patch: Vec<(u32, Vec3)> = (0..)
             .zip(self.positions.iter().zip(pinned))
-            .filter(|(_, (position, pinned))| !**pinned && position.distance(place) < HAND_RADIUS)
+            .filter(|(_, (position, pinned))| !*pinned && position.distance(place) < HAND_RADIUS)
             .map(|(particle, (&position, _))| (particle, position - place))
             .collect();
         if patch.is_empty() {
@@ -414,7 +433,8 @@ impl Show {
         &self.positions[..self.performance.production().particle_count()]
     }
 
-    /// The last good positions of all cloth [m]: what is sewn from shaped pieces comes after what is gathered.
+    /// The last good positions of everything that moves by itself [m]: of gathered cloth, then of what is sewn
+    /// from shaped pieces, then of strands.
     #[must_use]
     pub fn particles(&self) -> &[Vec3] {
         &self.positions
@@ -501,9 +521,9 @@ impl Show {
         }
     }
 
-    /// Strain at each particle of all cloth, positive where it is stretched: of gathered cloth the mean of its
-    /// structural springs, `length / rest_length - 1`; of what is sewn the stretch of its triangles, 0 where
-    /// they are pushed together.
+    /// Strain at each particle of [`Self::particles`], positive where it is stretched: of gathered cloth the mean
+    /// of its structural springs, `length / rest_length - 1`, of strands that of the ways to their neighbors; of
+    /// what is sewn the stretch of its triangles, 0 where they are pushed together.
     #[must_use]
     pub fn strain(&self) -> Vec<f32> {
         let production = self.performance.production();
@@ -515,7 +535,11 @@ impl Show {
             let own = &self.positions[garment.particles.clone()];
             garment.dressed.strain_by_particle(own)
         });
-        gathered.chain(sewn).collect()
+        let strands = production
+            .adornments
+            .iter()
+            .flat_map(|adornment| adornment.strain(&self.positions[adornment.particles.clone()]));
+        gathered.chain(sewn).chain(strands).collect()
     }
 
     /// Particles below the drawn skin, given its posed vertices and normals.
@@ -565,7 +589,9 @@ impl Show {
 fn masses(specs: &[ClothSpec], production: &Production) -> Vec<f32> {
     let sewn = production.dressed.iter();
     let sewn = sewn.flat_map(|garment| garment.dressed.masses());
-    specs.iter().flat_map(particle_masses).chain(sewn).collect()
+    let strands = production.adornments.iter().flat_map(Adornment::masses);
+    let gathered = specs.iter().flat_map(particle_masses);
+    gathered.chain(sewn).chain(strands).collect()
 }
 
 /// What is worn or held beside the cloth.
@@ -582,13 +608,12 @@ fn needs_sewing(old: &Design, new: &Design) -> bool {
         // What is only drafted needs none either.
         garments.retain(|it| it.is_danced() || it.is_dressed());
         for garment in garments.iter_mut().filter(|it| it.is_danced()) {
-            let (fabric, print) = garment.cloth_mut();
-            *fabric = FabricDesign::default();
-            *print = PrintChoice::default();
+            garment.fabric = FabricDesign::default();
+            garment.print = PrintChoice::default();
         }
         // What is dressed is fitted in its own fabric.
         for garment in garments.iter_mut().filter(|it| it.is_dressed()) {
-            *garment.cloth_mut().1 = PrintChoice::default();
+            garment.print = PrintChoice::default();
         }
         (design.dancer.clone(), design.skirt.clone(), garments)
     };

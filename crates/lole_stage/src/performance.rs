@@ -258,8 +258,8 @@ impl Performance {
         self.crossings = design.crossings();
     }
 
-    /// Lets a hand hold these particles of what is sewn from shaped pieces, and no others of it: ascending, by
-    /// the numbers of all cloth. Gathered cloth is held by [`Self::replace_solvers`].
+    /// Lets a hand hold these particles of strands and of what is sewn from shaped pieces, and no others of
+    /// them: ascending, by the numbers of everything that moves. Gathered cloth is held by [`Self::replace_solvers`].
     ///
     /// # Errors
     /// A seam that cannot be made with them; what was held before may be let go then.
@@ -272,10 +272,10 @@ impl Performance {
             });
             moving.hold(garment, &own.collect::<Vec<u32>>())?;
         }
-        Ok(())
+        self.adorned.take(&self.production, particles)
     }
 
-    /// Places particles that a hand holds, from the next frame on: ascending, by the numbers of all cloth,
+    /// Places particles that a hand holds, from the next frame on: ascending, by the numbers of everything that moves,
     /// and pinned in the solver's cloth or taken by [`Self::take`].
     pub(crate) fn hold(&mut self, held: Vec<(u32, Vec3)>) {
         self.held = held;
@@ -362,6 +362,7 @@ impl Performance {
             cloth: &self.cloth_positions,
             dressed: &self.dressed_cloth(),
             air_velocity: self.air_velocity(),
+            held: &self.held,
         };
         adorned.step(&self.production, &around);
         self.adorned = adorned;

@@ -6,16 +6,16 @@ use glam::{Affine3A, Vec3};
 use lole_avatar::{Avatar, License};
 use lole_body::{Bone, CapsuleLayout, Dancer, Measurements, MeshPart, Pose};
 use lole_cloth::Fabric;
-use lole_costume::document::{
-    Design, FabricDesign, GarmentDesign, GarmentLayer, SkirtDesign, WornTemplate, WornTop,
-};
+use lole_costume::document::{Design, GarmentDesign, GarmentLayer};
 use lole_costume::sew::{
-    self, Closing, Clothed, Cut, Lifts, SewSettings, SewnSkirt, SkirtMesh, Watched, WornPlace,
+    self, Closing, Clothed, Cut, Lifts, SewSettings, SewnSkirt, SkirtMesh, Watched,
 };
-use lole_costume::tailoring::{self, Drafted};
+use lole_costume::tailoring;
 use lole_garment::dress::{self, Among, Bands, Division, Dressed};
 use lole_garment::template::WornRuffle;
+use lole_garment::{Fineness, WornPlace};
 use lole_geom::{Length, MeshSurfels};
+use lole_pattern::Measures;
 use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements};
 
 use crate::adorned::{Adornment, adorned, parts_shown};
@@ -154,13 +154,15 @@ impl Production {
         let body_surfels =
             MeshSurfels::new(&dancer.skin.positions, &body_triangles, SURFEL_SPACING);
         let stance = dance.pose_at(0.0);
+        let measures = lole_garment::measures(&dancer);
         let mut wardrobe = Wardrobe {
             dancer: &dancer,
             stance: dancer.skeleton.world_from_bind(&stance),
             bind: dancer.skeleton.world_from_bind(&Pose::default()),
             body_triangles: &body_triangles,
             body_surfels: &body_surfels,
-            skirt: &design.skirt,
+            design,
+            measures: &measures,
             clothed: Clothed::new(dancer.skeleton.joint(Bone::Hips)),
             garments: Vec::new(),
             listed: None,
@@ -168,16 +170,16 @@ impl Production {
         wardrobe.put_on_layer(design, GarmentLayer::Under)?;
         let skirt = (design.skirt.is_worn).then_some(wardrobe.garments.len());
         if design.skirt.is_worn {
-            let cut = (&design.skirt, &design.fabric);
+            let garment = design.skirt.garment(&design.fabric, &design.print);
             wardrobe.listed = None;
-            wardrobe.put_on_skirt((tailoring::SKIRT, 0.0), cut)?;
+            wardrobe.put_on_gathered((tailoring::SKIRT, None), &garment, 0.0)?;
         }
         wardrobe.put_on_layer(design, GarmentLayer::Over)?;
         let (mut garments, posed) = (wardrobe.garments, wardrobe.stance);
-        let adornments = adorned(design, &dancer, &posed)?;
         link_chains(&mut garments);
         let body = (&dancer, &body_surfels);
         let dressed = dressed(design, body, (&stance, &garments), division)?;
+        let adornments = adorned(design, &dancer, &posed, cloth_count(&garments, &dressed))?;
         Ok(Self {
             design: design.clone(),
             dance,
@@ -232,7 +234,7 @@ impl Production {
         new.dancer.skin.parts = parts_shown(&self.parts, &new.design);
         let stance = self.dance.pose_at(0.0);
         let posed = new.dancer.skeleton.world_from_bind(&stance);
-        new.adornments = adorned(&new.design, &new.dancer, &posed)?;
+        new.adornments = adorned(&new.design, &new.dancer, &posed, self.cloth_count())?;
         Ok(new)
     }
 
@@ -245,13 +247,8 @@ impl Production {
     /// Everything that moves by itself: particles of all garments and of strands.
     #[must_use]
     pub fn moving_count(&self) -> usize {
-        let adornments = self
-            .adornments
-            .iter()
-            .filter_map(|one| one.strands.as_ref());
-        let strands = adornments.flat_map(|hung| &hung.strands);
-        let strands = strands.map(|strand| strand.positions.len());
-        self.cloth_count() + strands.sum::<usize>()
+        let last = self.adornments.last();
+        last.map_or_else(|| self.cloth_count(), |last| last.particles.end)
     }
 
     /// Particles of gathered garments.
@@ -297,8 +294,8 @@ struct Wardrobe<'a> {
     bind: Vec<Affine3A>,
     body_triangles: &'a [[u32; 3]],
     body_surfels: &'a MeshSurfels,
-    /// The design's skirt, which a top ends above.
-    skirt: &'a SkirtDesign,
+    design: &'a Design,
+    measures: &'a Measures,
     clothed: Clothed,
     garments: Vec<Garment>,
     /// Place in the design's list of what is being put on.
@@ -309,34 +306,18 @@ struct Wardrobe<'a> {
 /// next one.
 const FOLD_COLUMNS: f32 = 9.0;
 
-/// How finely a garment is sewn, and by what chance.
-#[derive(Debug, Clone, Copy)]
-struct Fineness {
-    column_count: u32,
-    row_count: u32,
-    seed: u64,
-    /// Particles of a fold, at least; folds are laid wider where there are too few.
-    fold_columns: f32,
-}
-
 /// A rectangle that is gathered and put on.
 struct Gathering {
+    place: WornPlace,
+    closing: Closing,
     draft: PauDraft,
     /// What is gathered and sewn to its lower edge.
     flounce: Option<PauDraft>,
     worn: PauMeasurements,
     fabric: Fabric,
-}
-
-impl Gathering {
-    const fn plain(draft: PauDraft, worn: PauMeasurements, fabric: Fabric) -> Self {
-        Self {
-            draft,
-            flounce: None,
-            worn,
-            fabric,
-        }
-    }
+    fineness: Fineness,
+    /// Particles of a fold, at least; folds are laid wider where there are too few.
+    fold_columns: f32,
 }
 
 impl Wardrobe<'_> {
@@ -344,17 +325,8 @@ impl Wardrobe<'_> {
     fn put_on_layer(&mut self, design: &Design, layer: GarmentLayer) -> Result<(), StageError> {
         for (place, garment) in design.garments_in(layer) {
             self.listed = Some(place);
-            let put_on = match garment {
-                GarmentDesign::PauSkirt(worn) => {
-                    let name = tailoring::file_name(garment);
-                    let cut = (&worn.skirt, &worn.fabric);
-                    self.put_on_skirt((&name, FOLD_COLUMNS), cut)
-                }
-                GarmentDesign::PauTop(worn) => self.put_on_top(worn),
-                GarmentDesign::Template(worn) => {
-                    self.put_on_gathered(&tailoring::file_name(garment), worn)
-                }
-            };
+            let name = garment.file_name();
+            let put_on = self.put_on_gathered((&name, Some(layer)), garment, FOLD_COLUMNS);
             put_on.map_err(|error| StageError::Garment {
                 place: place + 1,
                 error: Box::new(error),
@@ -363,42 +335,26 @@ impl Wardrobe<'_> {
         Ok(())
     }
 
-    fn put_on_skirt(
+    /// Puts on a gathered rectangle, and the ruffle on it.
+    fn put_on_gathered(
         &mut self,
-        (name, fold_columns): (&str, f32),
-        (skirt, fabric): (&SkirtDesign, &FabricDesign),
+        (name, layer): (&str, Option<GarmentLayer>),
+        garment: &GarmentDesign,
+        fold_columns: f32,
     ) -> Result<(), StageError> {
-        let Drafted { draft, worn } = tailoring::draft_skirt(skirt, fabric, self.dancer)?;
-        let fineness = Fineness {
-            column_count: skirt.column_count,
-            row_count: skirt.row_count,
-            seed: skirt.seed,
-            fold_columns,
-        };
-        let piece = Gathering::plain(draft, worn, fabric.fabric());
-        self.put_on((name, WornPlace::Hips, Closing::Sewn), piece, fineness)
-    }
-
-    /// Puts on a template that is one gathered rectangle, and the ruffle on it.
-    fn put_on_gathered(&mut self, name: &str, worn: &WornTemplate) -> Result<(), StageError> {
-        let measures = lole_garment::measures(self.dancer);
-        let gathered = worn.template.gathered(&measures, &worn.options)?;
+        let fitting =
+            tailoring::fitting(self.design, (self.dancer, self.measures), (layer, garment));
+        let gathered = garment.template.gathered(&fitting, &garment.options)?;
         let Some(gathered) = gathered else {
             return Ok(());
         };
-        let usual = SkirtDesign::default();
-        let fineness = Fineness {
-            column_count: usual.column_count,
-            row_count: usual.row_count,
-            seed: usual.seed,
-            fold_columns: FOLD_COLUMNS,
-        };
+        let fineness = garment.fineness;
         let closing = if gathered.is_open {
             Closing::Open
         } else {
             Closing::Sewn
         };
-        let fabric = worn.fabric.fabric();
+        let fabric = garment.fabric.fabric();
         let (flounce, layer) = match gathered.ruffle {
             None => (None, None),
             Some(WornRuffle::Flounce(flounce)) => (Some(flounce), None),
@@ -406,52 +362,49 @@ impl Wardrobe<'_> {
         };
         let row_height = gathered.draft.finished_length.to_m() / f64::from(fineness.row_count - 1);
         let piece = Gathering {
+            place: gathered.place,
+            closing,
+            draft: gathered.draft,
             flounce,
-            ..Gathering::plain(gathered.draft, gathered.worn, fabric)
+            worn: gathered.worn,
+            fabric,
+            fineness,
+            fold_columns,
         };
-        self.put_on((name, WornPlace::Hips, closing), piece, fineness)?;
         let Some((draft, edge)) = layer else {
-            return Ok(());
+            return self.put_on(name, piece);
         };
-        let fineness = Fineness {
-            row_count: rows_of(draft.finished_length, row_height),
-            seed: fineness.seed + 1,
-            ..fineness
+        let ruffle = Gathering {
+            place: WornPlace::Skirt,
+            flounce: None,
+            fineness: Fineness {
+                row_count: rows_of(draft.finished_length, row_height),
+                seed: fineness.seed + 1,
+                ..fineness
+            },
+            draft,
+            worn: edge,
+            ..piece
         };
-        let piece = Gathering::plain(draft, edge, fabric);
-        self.put_on((name, WornPlace::Skirt, closing), piece, fineness)
-    }
-
-    fn put_on_top(&mut self, worn: &WornTop) -> Result<(), StageError> {
-        let top = &worn.top;
-        let drafted = tailoring::draft_top(worn, self.skirt, self.dancer)?;
-        let fineness = Fineness {
-            column_count: top.column_count,
-            row_count: top.row_count,
-            seed: top.seed,
-            fold_columns: FOLD_COLUMNS,
-        };
-        let piece = Gathering::plain(drafted.draft, drafted.worn, worn.fabric.fabric());
-        let place = (tailoring::TOP, WornPlace::Bust, Closing::Sewn);
-        self.put_on(place, piece, fineness)
+        self.put_on(name, piece)?;
+        self.put_on(name, ruffle)
     }
 
     /// Sews a garment over what is worn already.
-    fn put_on(
-        &mut self,
-        (name, place, closing): (&str, WornPlace, Closing),
-        piece: Gathering,
-        fineness: Fineness,
-    ) -> Result<(), StageError> {
+    fn put_on(&mut self, name: &str, piece: Gathering) -> Result<(), StageError> {
         let Gathering {
+            place,
+            closing,
             draft,
             flounce,
             worn,
             fabric,
+            fineness,
+            fold_columns,
         } = piece;
         let usual = SewSettings::default();
         let column_count = fineness.column_count;
-        let widest = worn.worn_girth.to_m_f32() * fineness.fold_columns / column_count as f32;
+        let widest = worn.worn_girth.to_m_f32() * fold_columns / column_count as f32;
         let settings = SewSettings {
             column_count,
             row_count: fineness.row_count,
@@ -509,6 +462,13 @@ impl Wardrobe<'_> {
     }
 }
 
+/// Particles of all cloth: of gathered rectangles first, then of what is sewn.
+pub(crate) fn cloth_count(garments: &[Garment], dressed: &[DressedGarment]) -> usize {
+    let sewn = dressed.last().map(|last| last.particles.end);
+    let gathered = garments.last().map(|last| last.particles.end);
+    sewn.or(gathered).unwrap_or(0)
+}
+
 /// Rows of particles down a length of cloth, about so far apart [m].
 #[expect(
     clippy::cast_possible_truncation,
@@ -534,19 +494,16 @@ fn dressed(
     let mut dressed: Vec<DressedGarment> = Vec::new();
     let listed = design.garments.iter().enumerate();
     let (under, over): (Vec<_>, Vec<_>) =
-        listed.partition(|(_, garment)| garment.layer() == GarmentLayer::Under);
+        listed.partition(|(_, garment)| garment.layer == GarmentLayer::Under);
     for (listed, garment) in under.into_iter().chain(over) {
-        let GarmentDesign::Template(worn) = garment else {
-            continue;
-        };
-        if !worn.template.is_sewn() {
+        if !garment.is_dressed() {
             continue;
         }
-        let is_under = garment.layer() == GarmentLayer::Under;
+        let is_under = garment.layer == GarmentLayer::Under;
         let bands = (is_under && !edge.is_empty()).then_some(Bands { edge: &edge });
         let inside = dressed
             .iter()
-            .filter(|other| other.is_inside(garment.layer()));
+            .filter(|other| other.is_inside(garment.layer));
         let inside = inside.map(|other| {
             let triangles = &other.dressed.trunk_triangles[..];
             (triangles, &other.dressed.start[..])
@@ -557,7 +514,7 @@ fn dressed(
             inside: &inside,
             division,
         };
-        let sewn = dress::dress(&worn.spec(), body, stance, &among);
+        let sewn = dress::dress(&garment.spec(), body, stance, &among);
         let sewn = sewn.map_err(|error| StageError::Garment {
             place: listed + 1,
             error: Box::new(error.into()),
@@ -568,9 +525,9 @@ fn dressed(
         let others = garments.iter().map(|garment| garment.name.as_str());
         let others = others.chain(dressed.iter().map(|garment| garment.name.as_str()));
         dressed.push(DressedGarment {
-            name: tailoring::numbered(&tailoring::file_name(garment), others),
+            name: tailoring::numbered(&garment.file_name(), others),
             listed,
-            layer: garment.layer(),
+            layer: garment.layer,
             particles: first..first + sewn.particle_count(),
             dressed: sewn,
         });

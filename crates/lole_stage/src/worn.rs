@@ -9,7 +9,7 @@ use glam::Vec3;
 use lole_garment::adorn::{self, Carried};
 
 use crate::adorned::Adornment;
-use crate::production::{DressedGarment, Garment, Production};
+use crate::production::{DressedGarment, Garment, Production, cloth_count};
 
 /// Vertices of a surface [m] and their outward unit normals.
 pub type Vertices = [Vec<Vec3>; 2];
@@ -57,13 +57,13 @@ impl<'a> Worn<'a> {
         }
     }
 
-    /// Its particles among those of all cloth; none where it is no cloth.
+    /// Its particles among those of everything that moves by itself; none where bones carry all of it.
     #[must_use]
     pub fn particles(self) -> Range<usize> {
         match self {
             Self::Gathered(garment) => garment.particles.clone(),
             Self::Sewn(garment) => garment.particles.clone(),
-            Self::Beside(_) => 0..0,
+            Self::Beside(adornment) => adornment.particles.clone(),
         }
     }
 
@@ -118,8 +118,8 @@ impl<'a> WornSurface<'a> {
             .is_some_and(|surface| matches!(surface.carried, Carried::Bones { .. }))
     }
 
-    /// Values by particle of all cloth, as values by its drawn vertices; empty where it is no cloth or they
-    /// have no value.
+    /// Values by particle of everything that moves by itself, as values by its drawn vertices; empty where bones
+    /// carry it or its particles have no value.
     #[must_use]
     pub fn by_vertex<T: Copy>(self, by_particle: &[T]) -> Vec<T> {
         let Some(own) = by_particle.get(self.worn().particles()) else {
@@ -129,7 +129,12 @@ impl<'a> WornSurface<'a> {
         match self {
             Self::Gathered(garment) => garment.mesh.spread(own, &mut by_vertex),
             Self::Sewn(_) => by_vertex.extend_from_slice(own),
-            Self::Beside(..) => {}
+            Self::Beside(adornment, place) => {
+                if let Carried::Strands(vertices) = &adornment.surfaces[place].carried {
+                    let near = vertices.iter().map(|vertex| adornment.nearest(vertex));
+                    by_vertex.extend(near.filter_map(|particle| own.get(particle?).copied()));
+                }
+            }
         }
         by_vertex
     }
@@ -153,7 +158,6 @@ impl Production {
     /// Particles of all cloth: of gathered rectangles first, then of what is sewn.
     #[must_use]
     pub fn cloth_count(&self) -> usize {
-        let sewn = self.dressed.last().map(|last| last.particles.end);
-        sewn.unwrap_or_else(|| self.particle_count())
+        cloth_count(&self.garments, &self.dressed)
     }
 }

@@ -2,21 +2,22 @@
 //! the order and leaves the skin outside, and the bits are the same on any number of threads.
 
 use lole_cloth::diagnose;
-use lole_costume::document::{Design, GarmentDesign, WornSkirt, WornTop};
+use lole_costume::document::{Design, GarmentDesign};
+use lole_garment::template::{PAU_SKIRT, PAU_TOP};
 use lole_stage::{Performance, Production};
 use std::sync::{Arc, LazyLock};
 
 /// A double skirt, coarse enough that the laws are quick, and a top as it is usually divided: in a
 /// coarser one folds are deeper than a hand before the chest leaves room for.
 fn design() -> Design {
-    let mut under = WornSkirt::default();
-    (under.skirt.column_count, under.skirt.row_count) = (160, 40);
-    let top = WornTop::default();
+    let mut under = GarmentDesign::new(&PAU_SKIRT);
+    (under.fineness.column_count, under.fineness.row_count) = (160, 40);
+    let top = GarmentDesign::new(&PAU_TOP);
     let mut design = Design::default();
     design.skirt.hem_height_cm = 34.0;
     design.skirt.gather_ratio = 2.0;
     (design.skirt.column_count, design.skirt.row_count) = (176, 32);
-    design.garments = vec![GarmentDesign::PauSkirt(under), GarmentDesign::PauTop(top)];
+    design.garments = vec![under, top];
     design
 }
 
@@ -51,9 +52,8 @@ fn garments_are_sewn_from_the_skin_outward() {
 #[test]
 fn a_top_that_reaches_down_to_the_skirt_is_worn_over_it() {
     let mut design = design();
-    if let Some(GarmentDesign::PauTop(worn)) = design.garments.last_mut() {
-        worn.top.hem_height_cm = Some(82.0);
-    }
+    let top = GarmentDesign::new(&PAU_TOP).with(&[("hem_height_cm", 82.0)]);
+    design.garments[1] = top;
     let production = Production::new(&design).unwrap();
     assert!(production.garments.iter().all(|garment| garment.chain == 0));
     assert_eq!(Performance::new(production).unwrap().layer_inversions(), 0);
@@ -131,9 +131,8 @@ fn three_garments_have_the_same_bits_on_one_two_and_three_threads() {
 #[test]
 fn a_mistake_in_a_garment_says_which_one() {
     let mut design = design();
-    if let Some(GarmentDesign::PauTop(worn)) = design.garments.last_mut() {
-        worn.top.upper_height_cm = Some(150.0);
-    }
+    let top = GarmentDesign::new(&PAU_TOP).with(&[("upper_height_cm", 150.0)]);
+    design.garments[1] = top;
     let error = Production::new(&design).err().unwrap();
     let sentence = error.to_string();
     assert!(

@@ -312,7 +312,7 @@ impl App {
                 };
                 self.studio.change(|design| {
                     let print = match place {
-                        Some(place) => design.garments.get_mut(place).map(|it| it.print_mut()),
+                        Some(place) => design.garments.get_mut(place).map(|it| &mut it.print),
                         None => Some(&mut design.print),
                     };
                     if let Some(print) = print {

@@ -6,9 +6,11 @@ use std::sync::Arc;
 
 use lole_body::Dancer;
 use lole_costume::cost::{self, Bill};
+use lole_costume::document::GarmentDesign;
 use lole_costume::document::{Design, PrintChoice};
 use lole_costume::order::{DancerPlan, PlannedGarment};
-use lole_costume::tailoring::{SKIRT_NAME, TailoringError, drafts_of, garment_name};
+use lole_costume::tailoring::{TailoringError, drafts_of};
+use lole_garment::template::PAU_SKIRT;
 use lole_geom::Length;
 use lole_language::{Sentence, Words};
 use lole_pattern::marker::Lay;
@@ -116,7 +118,7 @@ impl Paper {
     ) -> Self {
         let drafts = drafts_of(design, dancer);
         let cloth = |place: Option<usize>| match place.and_then(|at| design.garments.get(at)) {
-            Some(garment) => (garment.print().clone(), garment.fabric().width()),
+            Some(garment) => (garment.print.clone(), garment.fabric.width()),
             None => (design.print.clone(), design.fabric.width()),
         };
         let wanted: Vec<_> = drafts.iter().map(|(place, _)| cloth(*place)).collect();
@@ -140,7 +142,7 @@ impl Paper {
                 };
                 PaperGarment {
                     place,
-                    name: listed.map_or(SKIRT_NAME, garment_name),
+                    name: listed.map_or(PAU_SKIRT.name, GarmentDesign::name),
                     pictures: (plans.iter())
                         .map(|plan| picture(plan.role, &plan.marker))
                         .collect(),
@@ -222,11 +224,7 @@ pub(crate) mod tests {
         design.garments = listed.map(|id| GarmentDesign::of_kind(id).unwrap()).into();
         let whole = paper_of(&design);
         assert!(whole.garments.iter().all(|garment| garment.cut.is_ok()));
-        let GarmentDesign::Template(worn) = &mut design.garments[0] else {
-            panic!("a blouse is drafted by a template")
-        };
-        let position = worn.template.position("bust_ease_cm").unwrap();
-        worn.options.set(position, Some(99.0));
+        design.garments[0] = design.garments[0].clone().with(&[("bust_ease_cm", 99.0)]);
         let paper = paper_of(&design);
         let blouse = paper.garment(Some(0), &design).unwrap();
         let trouble = blouse.cut.as_ref().unwrap_err();
@@ -252,8 +250,7 @@ pub(crate) mod tests {
         let mut design = Design::default();
         let narrow = paper_of(&design);
         design.garments = vec![GarmentDesign::of_kind("muumuu").unwrap()];
-        let (fabric, _) = design.garments[0].cloth_mut();
-        fabric.width_cm = 150.0;
+        design.garments[0].fabric.width_cm = 150.0;
         let wide = paper_of(&design);
         fabric_width(&mut design, 110.0);
         let narrower = paper_of(&design);
@@ -273,6 +270,6 @@ pub(crate) mod tests {
     }
 
     fn fabric_width(design: &mut Design, width_cm: f64) {
-        design.garments[0].cloth_mut().0.width_cm = width_cm;
+        design.garments[0].fabric.width_cm = width_cm;
     }
 }

@@ -251,14 +251,9 @@ pub(crate) const NO_PRICES_YET: Words = words(
 pub(crate) const FOLDER: Words = words("フォルダー", "Folder");
 
 pub(crate) const GARMENTS: Words = words("重ねる服や小物", "Worn with it");
-pub(crate) const UNDERSKIRT: Words = words("下のスカート", "Underskirt");
-pub(crate) const OVERSKIRT: Words = words("上のスカート", "Overskirt");
-pub(crate) const TOP: Words = words("トップ", "Top");
 pub(crate) const TAKE_OFF: Words = words("脱ぐ:", "Take off:");
 pub(crate) const UNDER_SKIRT: Words = words("スカートの下", "under the skirt");
 pub(crate) const OVER_SKIRT: Words = words("スカートの上", "over it");
-pub(crate) const HEM_BY_SKIRT: Words =
-    words("すそはスカートに合わせる", "Hem just above the skirt");
 
 pub(crate) const DANCER: Words = words("踊り手", "Dancer");
 pub(crate) const TAPE: Words = words("採寸", "Measures");

@@ -342,18 +342,13 @@ impl Viewport {
         let colors = cloth_colors(snapshot, studio.shows);
         let figure = Figure {
             colors: &colors,
+            colored: Some(&self.strain_cloth),
             ..snapshot.moment.figure()
         };
         let wardrobe = &snapshot.wardrobe;
         let camera = orbit.camera();
         let lights = LightRig::seen_from(&camera);
         let mut scene = (wardrobe.looks).scene(&wardrobe.production, &figure, camera, lights);
-        // Cloth comes first in a scene.
-        for (cloth, colors) in scene.meshes.iter_mut().zip(&colors) {
-            if !colors.is_empty() {
-                cloth.material = &self.strain_cloth;
-            }
-        }
         if is_coarse {
             wardrobe.coarsen(&mut scene);
         }
@@ -451,19 +446,18 @@ fn stage_of(snapshot: &Snapshot) -> Bounds {
     }
 }
 
-/// Colors of the vertices of all cloth by strain, or plain under its springs; empty where it shows its
-/// print.
+/// Colors of the vertices of everything that is worn by its strain, or of cloth plain under its springs; empty
+/// where it shows what it is made of.
 fn cloth_colors(snapshot: &Snapshot, shows: Shows) -> Vec<Vec<Vec3>> {
     let strain = snapshot.strain.iter().map(|&strain| strain_color(strain));
     let strain: Vec<Vec3> = strain.collect();
     let surfaces = snapshot.wardrobe.production.surfaces();
-    let cloths = surfaces.filter(|surface| surface.beside().is_none());
-    let colors = cloths.zip(&snapshot.moment.worn);
+    let colors = surfaces.zip(&snapshot.moment.worn);
     let colors = colors.map(|(surface, [positions, _])| {
         let by_strain = surface.by_vertex(&strain);
         if shows.strain && !by_strain.is_empty() {
             by_strain
-        } else if shows.springs {
+        } else if shows.springs && surface.beside().is_none() {
             vec![strain_color(0.0); positions.len()]
         } else {
             Vec::new()

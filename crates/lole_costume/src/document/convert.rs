@@ -7,15 +7,10 @@ use lole_geom::Length;
 use lole_geom::narrow;
 use lole_hula::{MotionSettings, Part, School};
 use lole_language::{Bilingual, Sentence};
-use lole_pattern::design::pau_skirt::PauOptions;
-use lole_pattern::design::pau_top::TopOptions;
-use lole_pattern::{DraftError, ElasticRatio, GatherRatio};
 
-use super::schema::Table;
 use super::{
     BodyShapes, DancerDesign, Design, DesignError, FabricDesign, GarmentDesign, GarmentLayer,
-    MotionDesign, PartDesign, PrintChoice, Problem, SkirtDesign, Uncrossed, WindDesign, WornTop,
-    schema, template,
+    MotionDesign, PartDesign, PrintChoice, Problem, Uncrossed, WindDesign, schema, template,
 };
 use crate::fabrics::{FabricFigures, si_fabric};
 
@@ -63,14 +58,7 @@ impl Design {
             }
         }
         for garment in &self.garments {
-            match garment {
-                GarmentDesign::PauSkirt(worn) => check_keys(schema::WORN_SKIRT, worn, source)?,
-                GarmentDesign::PauTop(worn) => check_keys(schema::WORN_TOP, worn, source)?,
-                GarmentDesign::Template(worn) => {
-                    check_keys(schema::WORN_TEMPLATE, worn, source)?;
-                    template::check(worn, source)?;
-                }
-            }
+            check_garment(garment, source)?;
         }
         for (number, part) in (1..).zip(&self.motion.parts) {
             for key in schema::PART_KEYS {
@@ -95,17 +83,7 @@ impl Design {
     pub(super) fn check_together(&self) -> Result<(), (&'static str, Box<Problem>)> {
         Measurements::from_tape(&self.tape()).map_err(|error| ("dancer", together(&error)))?;
         self.check_avatar().map_err(|problem| ("dancer", problem))?;
-        self.pau_options()
-            .map_err(|error| ("skirt", together(&error)))?;
         (self.motion_settings().check()).map_err(|error| ("motion", together(&error)))?;
-        for garment in &self.garments {
-            let sewable = match garment {
-                GarmentDesign::PauSkirt(worn) => worn.skirt.options(&worn.fabric).map(|_| ()),
-                GarmentDesign::PauTop(worn) => worn.options(Length::ZERO).map(|_| ()),
-                GarmentDesign::Template(_) => Ok(()),
-            };
-            sewable.map_err(|error| (schema::LIST, together(&error)))?;
-        }
         self.check_prints()?;
         let danced = self.garments.iter().filter(|garment| garment.is_danced());
         let danced_count = danced.count();
@@ -219,34 +197,34 @@ impl Design {
         }
     }
 
-    /// What the maker decides about the skirt.
-    ///
-    /// # Errors
-    /// Ratios that cannot be sewn; [`Design::check`] finds them first.
-    pub fn pau_options(&self) -> Result<PauOptions, DraftError> {
-        self.skirt.options(&self.fabric)
-    }
-
     /// What is danced in one layer, from the skin outward, each with its place in the list.
     pub fn garments_in(
         &self,
         layer: GarmentLayer,
     ) -> impl Iterator<Item = (usize, &GarmentDesign)> {
         let listed = self.garments.iter().enumerate();
-        listed.filter(move |(_, garment)| garment.is_danced() && garment.layer() == layer)
+        listed.filter(move |(_, garment)| garment.is_danced() && garment.layer == layer)
     }
 
     /// Everything that is listed for a layer, danced or only drafted, with its place in the list, from
     /// the skin outward.
     pub fn listed_in(&self, layer: GarmentLayer) -> impl Iterator<Item = (usize, &GarmentDesign)> {
         let listed = self.garments.iter().enumerate();
-        listed.filter(move |(_, garment)| garment.layer() == layer)
+        listed.filter(move |(_, garment)| garment.layer == layer)
+    }
+
+    /// Everything that is cut, from the skin outward, by its place in the list; the skirt has none.
+    pub fn cut(&self) -> impl Iterator<Item = Option<usize>> {
+        let layer = |layer| self.listed_in(layer).map(|(place, _)| Some(place));
+        layer(GarmentLayer::Under)
+            .chain(self.skirt.is_worn.then_some(None))
+            .chain(layer(GarmentLayer::Over))
     }
 
     /// The fabrics of everything that is danced, from the skin outward.
     #[must_use]
     pub fn worn_fabrics(&self) -> Vec<Fabric> {
-        self.worn(&self.fabric, GarmentDesign::fabric)
+        self.worn(&self.fabric, |garment| &garment.fabric)
             .map(FabricDesign::fabric)
             .collect()
     }
@@ -256,12 +234,12 @@ impl Design {
     #[must_use]
     pub fn cloth_of(&self, listed: Option<usize>) -> (&FabricDesign, &PrintChoice) {
         let garment = listed.and_then(|place| self.garments.get(place));
-        garment.map_or((&self.fabric, &self.print), |it| (it.fabric(), it.print()))
+        garment.map_or((&self.fabric, &self.print), |it| (&it.fabric, &it.print))
     }
 
     /// What is printed on the skirt, and on everything that is listed.
     pub fn prints(&self) -> impl Iterator<Item = &PrintChoice> {
-        let listed = self.garments.iter().map(GarmentDesign::print);
+        let listed = self.garments.iter().map(|garment| &garment.print);
         [&self.print].into_iter().chain(listed)
     }
 
@@ -309,7 +287,7 @@ impl Design {
     /// Opening of an elbow whose hand would press what lies on the chest, or go through it [°].
     fn chest_room_deg(&self) -> f32 {
         let rooms = self.garments.iter();
-        let rooms = rooms.map(|garment| garment.template().chest_room_deg);
+        let rooms = rooms.map(|garment| garment.template.chest_room_deg);
         rooms.fold(0.0, f32::max)
     }
 
@@ -374,69 +352,31 @@ const MOST_GARMENTS: usize = 4;
 const MOST_LISTED: usize = 24;
 
 /// Checks what a garment holds against its rows of the schema.
-fn check_keys<T>(tables: &[Table<T>], worn: &T, source: &str) -> Result<(), DesignError> {
-    for table in tables {
+/// Every value of a garment against its row, and the options of its template.
+fn check_garment(garment: &GarmentDesign, source: &str) -> Result<(), DesignError> {
+    let refuse = |place: String, problem| DesignError {
+        file_name: source.to_owned(),
+        line: None,
+        place,
+        problem: Box::new(problem),
+    };
+    for table in schema::GARMENT {
         for key in table.keys {
-            key.kind.check(worn).map_err(|problem| DesignError {
-                file_name: source.to_owned(),
-                line: None,
-                place: if table.name == schema::LIST {
+            let place = || {
+                if table.name == schema::LIST {
                     format!("[[{}]] {}", schema::LIST, key.name)
                 } else {
                     format!("[{}.{}] {}", schema::LIST, table.name, key.name)
-                },
-                problem: Box::new(problem),
-            })?;
+                }
+            };
+            (key.kind.check(garment)).map_err(|problem| refuse(place(), problem))?;
         }
     }
-    Ok(())
-}
-
-impl SkirtDesign {
-    /// What the maker decides about a skirt of this cloth.
-    ///
-    /// # Errors
-    /// Ratios that cannot be sewn.
-    pub fn options(&self, fabric: &FabricDesign) -> Result<PauOptions, DraftError> {
-        Ok(PauOptions {
-            gather_ratio: GatherRatio::new(self.gather_ratio)?,
-            hem_height: Length::from_cm(self.hem_height_cm),
-            elastic_row_count: self.elastic_row_count,
-            elastic_ratio: ElasticRatio::new(self.elastic_ratio)?,
-            header: Length::from_cm(self.header_cm),
-            casing: Length::from_cm(self.casing_cm),
-            gap: Length::from_cm(self.casing_gap_cm),
-            hem: Length::from_cm(self.hem_allowance_cm),
-            fabric_width: Length::from_cm(fabric.width_cm),
-            ..PauOptions::default()
-        })
+    for key in schema::FINENESS {
+        let place = || format!("[[{}]] {}", schema::LIST, key.name);
+        (key.kind.check(garment)).map_err(|problem| refuse(place(), problem))?;
     }
-}
-
-impl WornTop {
-    /// What the maker decides about the top, whose hem is `hem_height` above the floor unless the
-    /// design says otherwise.
-    ///
-    /// # Errors
-    /// Ratios that cannot be sewn.
-    pub fn options(&self, hem_height: Length) -> Result<TopOptions, DraftError> {
-        let top = &self.top;
-        Ok(TopOptions {
-            cut: PauOptions {
-                gather_ratio: GatherRatio::new(top.gather_ratio)?,
-                hem_height: top.hem_height_cm.map_or(hem_height, Length::from_cm),
-                elastic_row_count: top.upper_row_count,
-                elastic_ratio: ElasticRatio::new(top.elastic_ratio)?,
-                header: Length::from_cm(top.header_cm),
-                casing: Length::from_cm(top.casing_cm),
-                gap: Length::from_cm(top.casing_gap_cm),
-                hem: Length::from_cm(top.hem_allowance_cm),
-                fabric_width: Length::from_cm(self.fabric.width_cm),
-                ..PauOptions::default()
-            },
-            lower_row_count: top.lower_row_count,
-        })
-    }
+    template::check(garment, source)
 }
 
 fn together(error: &impl Bilingual) -> Box<Problem> {

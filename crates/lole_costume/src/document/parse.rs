@@ -2,16 +2,16 @@
 
 use std::ops::Range;
 
+use lole_garment::template::Wear;
 use lole_hula::MotionError;
 use lole_language::{Sentence, Words, words};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::convert::part_place;
-use super::schema::{self, Key, Kind, Table, shortened};
+use super::schema::{self, Key, Kind, shortened};
 use super::{
-    Design, DesignError, GarmentDesign, PartDesign, Problem, VERSION, WornTemplate, likely,
-    nearest, template,
+    Design, DesignError, GarmentDesign, PartDesign, Problem, VERSION, likely, nearest, template,
 };
 
 /// Largest text that is read [bytes]; a whole design is under two thousand.
@@ -315,15 +315,7 @@ impl Reader<'_> {
                 garment.span().start
             };
             let mut read = self.garment_kind(entries, (start, &place))?;
-            match &mut read {
-                GarmentDesign::PauSkirt(worn) => {
-                    self.read_garment(entries, schema::WORN_SKIRT, worn)?;
-                }
-                GarmentDesign::PauTop(worn) => {
-                    self.read_garment(entries, schema::WORN_TOP, worn)?;
-                }
-                GarmentDesign::Template(worn) => self.read_template(entries, worn)?,
-            }
+            self.read_garment(entries, &mut read)?;
             design.garments.push(read);
         }
         Ok(())
@@ -372,43 +364,19 @@ impl Reader<'_> {
         }
     }
 
-    /// Fills a garment from its entries and from the tables of its parts.
-    fn read_garment<T>(
+    /// Fills a garment from its entries: its options by the rows of its template, everything else as of any
+    /// garment.
+    fn read_garment(
         &self,
         entries: &DeTable<'_>,
-        tables: &[Table<T>],
-        garment: &mut T,
+        worn: &mut GarmentDesign,
     ) -> Result<(), DesignError> {
         let place = format!("[[{}]]", schema::LIST);
-        let [own, parts @ ..] = tables else {
+        let [own, parts @ ..] = schema::GARMENT else {
             return Ok(());
         };
-        for (name, value) in in_text_order(entries) {
-            if name.get_ref() == "kind" {
-                continue;
-            }
-            let Some(part) = parts.iter().find(|part| part.name == name.get_ref()) else {
-                self.read_key((own.keys, &place), (name, value), garment)?;
-                continue;
-            };
-            let place = format!("[{}.{}]", schema::LIST, part.name);
-            for entry in in_text_order(self.entries(value, &place)?) {
-                self.read_key((part.keys, &place), entry, garment)?;
-            }
-        }
-        Ok(())
-    }
-
-    /// Fills a garment of a template: its options by their rows, everything else as of any garment.
-    fn read_template(
-        &self,
-        entries: &DeTable<'_>,
-        worn: &mut WornTemplate,
-    ) -> Result<(), DesignError> {
-        let place = format!("[[{}]]", schema::LIST);
-        let [own, parts @ ..] = schema::WORN_TEMPLATE else {
-            return Ok(());
-        };
+        let is_gathered = matches!(worn.template.worn, Wear::Gathered(_));
+        let fineness = if is_gathered { schema::FINENESS } else { &[] };
         for (name, value) in in_text_order(entries) {
             let key = name.get_ref().as_ref();
             if key == "kind" {
@@ -426,12 +394,15 @@ impl Reader<'_> {
                 for entry in in_text_order(self.entries(value, &place)?) {
                     self.read_key((part.keys, &place), entry, worn)?;
                 }
-            } else if own.keys.iter().any(|row| row.name == key) {
-                self.read_key((own.keys, &place), (name, value), worn)?;
+            } else if let Some(keys) = [own.keys, fineness]
+                .into_iter()
+                .find(|keys| keys.iter().any(|row| row.name == key))
+            {
+                self.read_key((keys, &place), (name, value), worn)?;
             } else {
-                let own = own.keys.iter().map(|row| row.name);
                 let options = worn.template.options.iter().map(|row| row.key);
-                let names: Vec<_> = own.chain(options).collect();
+                let own = own.keys.iter().map(|row| row.name).chain(options);
+                let names: Vec<_> = own.chain(fineness.iter().map(|row| row.name)).collect();
                 return Err(self.unknown_key((name, &place), &names));
             }
         }

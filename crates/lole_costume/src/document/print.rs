@@ -9,7 +9,7 @@ use lole_print::tile::{Ground, SizedPicture, lay_out};
 use lole_print::{self as print, COLORWAYS, Colorway, Picture, PrintDesign, PrintImage, PrintLay};
 
 use super::schema::LIST;
-use super::{Design, FabricDesign, GarmentDesign, PrintChoice, Problem};
+use super::{Design, FabricDesign, PrintChoice, Problem};
 
 /// A picture that a document names. Whoever opens the document reads it: the pixels are not part of
 /// the text.
@@ -215,27 +215,25 @@ fn whole(pixels: f64) -> u32 {
 }
 
 impl Design {
-    /// One repeat of everything that is cut, in the order of
-    /// [`drafts_of`](crate::tailoring::drafts_of) (see [`PrintChoice::image`]).
+    /// One repeat of everything that is cut, as [`Self::cut`] has it (see [`PrintChoice::image`]).
     ///
     /// # Errors
     /// A picture that was not read.
     pub fn cut_print_images(&self, side: u32) -> Result<Vec<PrintImage>, PrintError> {
-        let cloths = self.cloths().into_iter();
-        cloths
-            .map(|(fabric, print)| print.image(side, fabric.width()))
-            .collect()
+        let cloths = self.cut().map(|place| self.cloth_of(place));
+        let images = cloths.map(|(fabric, print)| print.image(side, fabric.width()));
+        images.collect()
     }
 
     /// The print of everything in the document: of the skirt, then of what is listed.
     pub fn prints_mut(&mut self) -> impl Iterator<Item = &mut PrintChoice> {
-        let listed = self.garments.iter_mut().map(GarmentDesign::print_mut);
+        let listed = self.garments.iter_mut().map(|garment| &mut garment.print);
         [&mut self.print].into_iter().chain(listed)
     }
 
     /// What only several keys of a print can get wrong, with the table to look at.
     pub(super) fn check_prints(&self) -> Result<(), (&'static str, Box<Problem>)> {
-        let listed = (self.garments.iter()).map(|garment| (LIST, garment.print()));
+        let listed = (self.garments.iter()).map(|garment| (LIST, &garment.print));
         for (table, print) in [("print", &self.print)].into_iter().chain(listed) {
             print.check().map_err(|problem| (table, problem))?;
         }
@@ -248,17 +246,6 @@ impl FabricDesign {
     #[must_use]
     pub fn width(&self) -> Length {
         Length::from_cm(self.width_cm)
-    }
-}
-
-impl GarmentDesign {
-    /// What is printed on it, to change it.
-    pub fn print_mut(&mut self) -> &mut PrintChoice {
-        match self {
-            Self::PauSkirt(worn) => &mut worn.print,
-            Self::PauTop(worn) => &mut worn.print,
-            Self::Template(worn) => &mut worn.print,
-        }
     }
 }
 

@@ -17,7 +17,7 @@ use lole_language::{Sentence, Words};
 
 use super::{Design, Problem, nearest};
 
-pub use garments::{GarmentKind, KINDS, LIST, WORN_SKIRT, WORN_TEMPLATE, WORN_TOP, kind_ids};
+pub use garments::{FINENESS, GARMENT, LIST, kind_ids};
 pub use motion::{MOTION_PARTS, PART_KEYS};
 pub use tables::TABLES;
 

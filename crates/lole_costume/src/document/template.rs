@@ -8,7 +8,7 @@ use toml::de::DeValue;
 use super::parse::{number, type_name, whole_number};
 use super::schema::{self, shortened};
 use super::write::number_text;
-use super::{DesignError, Problem, WornTemplate, nearest};
+use super::{DesignError, GarmentDesign, Problem, nearest};
 
 /// What a choice of a template is called in a sentence.
 const WAY: Words = words("選択肢", "choice");
@@ -92,7 +92,7 @@ fn check_value(row: &OptionRow, value: f64, found: &str) -> Result<(), Problem> 
 }
 
 /// Whether every option of a garment that a program made fits.
-pub(super) fn check(worn: &WornTemplate, source: &str) -> Result<(), DesignError> {
+pub(super) fn check(worn: &GarmentDesign, source: &str) -> Result<(), DesignError> {
     for (position, row) in worn.template.options.iter().enumerate() {
         let checked = match worn.options.get(position) {
             Some(value) => check_value(row, value, &value.to_string()),

@@ -3,9 +3,7 @@
 
 use std::fmt::Write as _;
 
-use super::schema::{
-    Key, Kind, LIST, MOTION_PARTS, PART_KEYS, TABLES, Table, WORN_SKIRT, WORN_TEMPLATE, WORN_TOP,
-};
+use super::schema::{FINENESS, GARMENT, Key, Kind, LIST, MOTION_PARTS, PART_KEYS, TABLES, Table};
 use super::{Design, GarmentDesign, VERSION, template};
 
 /// The canonical text of a design. Reading it back gives the same design, to the last bit.
@@ -26,42 +24,27 @@ pub fn to_toml(design: &Design) -> String {
         }
     }
     for garment in &design.garments {
-        match garment {
-            GarmentDesign::PauSkirt(worn) => {
-                write_garment(&mut text, (garment, Vec::new()), WORN_SKIRT, worn);
-            }
-            GarmentDesign::PauTop(worn) => {
-                write_garment(&mut text, (garment, Vec::new()), WORN_TOP, worn);
-            }
-            GarmentDesign::Template(worn) => {
-                let options = template::lines(worn.template, &worn.options);
-                write_garment(&mut text, (garment, options.collect()), WORN_TEMPLATE, worn);
-            }
-        }
+        write_garment(&mut text, garment);
     }
     text
 }
 
 /// A garment: its own keys and the lines of its options, then the tables of its parts.
-fn write_garment<T>(
-    text: &mut String,
-    (garment, options): (&GarmentDesign, Vec<String>),
-    tables: &[Table<T>],
-    worn: &T,
-) {
+fn write_garment(text: &mut String, garment: &GarmentDesign) {
     let kind = format!(
         "kind = \"{}\"  # 服の種類; kind of garment\n",
         garment.kind_id()
     );
-    for table in tables {
-        let (head, first) = if table.name == LIST {
-            (format!("[[{LIST}]]"), kind.as_str())
-        } else {
-            (format!("[{LIST}.{}]", table.name), "")
-        };
-        write_table(text, table, head, first, worn);
-        if table.name == LIST {
-            text.extend(options.iter().map(String::as_str));
+    for table in GARMENT {
+        if table.name != LIST {
+            let head = format!("[{LIST}.{}]", table.name);
+            write_table(text, table, head, "", garment);
+            continue;
+        }
+        write_table(text, table, format!("[[{LIST}]]"), &kind, garment);
+        text.extend(template::lines(garment.template, &garment.options));
+        if garment.is_danced() {
+            text.extend(lines(FINENESS, garment));
         }
     }
 }

@@ -4,6 +4,8 @@ use lole_body::{Measurements, Tape};
 use lole_cloth::Hysteresis;
 use lole_geom::TriangleGrid;
 
+use lole_language::Bilingual;
+
 use super::*;
 use crate::{Colors, Options, TEMPLATES, Template};
 
@@ -52,7 +54,7 @@ fn laid(template: &str, dancer: &Dancer) -> laid::Laid {
         panic!("{} is not sewn", template.id);
     };
     let measures = crate::measures(dancer);
-    let pattern = (template.draft)(&measures, &Options::of(template)).unwrap();
+    let pattern = (template.draft)(&Fitting::by(&measures), &Options::of(template)).unwrap();
     let body = (dancer, &measures);
     laid::lay((template.id, row), pattern, body, Division::Full).unwrap()
 }

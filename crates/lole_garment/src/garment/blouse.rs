@@ -24,6 +24,7 @@ use crate::drafting::making::{
 use crate::drafting::shape::{CM, DOWN, Label, at, curve, edge, length, line, notch};
 use crate::drafting::sleeve::{ArmholePart, Sleeve, SleeveFit};
 use crate::drafting::work::{Work, minutes};
+use crate::fitting::Fitting;
 use crate::sketch::{Sketch, Tone};
 use crate::template::{OptionRow, Options, Shelf, Template, Wear};
 
@@ -132,7 +133,8 @@ const DART_BELOW: f64 = 5.0 * CM;
 pub(crate) const SLEEVE_CASING: f64 = 2.0 * CM;
 const OVERLAP: f64 = 2.0 * CM;
 
-fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> {
+fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError> {
+    let measures = fitting.measures;
     let chosen = Chosen::new(OPTIONS, options)?;
     measures.check(&[
         Measure::HipGirth,

@@ -5,13 +5,14 @@
 use lole_geom::Length;
 use lole_language::words;
 use lole_pattern::pattern::{Amount, NotionKind};
-use lole_pattern::{DraftError, Measures, Pattern};
+use lole_pattern::{DraftError, Pattern};
 
 use super::pau_skirt::WORN_HEIGHT;
 use crate::adorn::strand_skirt;
 use crate::drafting::chosen::{Chosen, by_measure, count, number};
 use crate::drafting::making::{cm, notion, pattern, say, whole};
 use crate::drafting::strands::{Band, Hung, STRANDS_HEM};
+use crate::fitting::Fitting;
 use crate::sketch::{Sketch, Tone};
 use crate::template::{BesideRow, OptionRow, Options, Shelf, Template, Wear};
 
@@ -67,7 +68,8 @@ const OPTIONS: &[OptionRow] = &[
     ),
 ];
 
-fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> {
+fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError> {
+    let measures = fitting.measures;
     let chosen = Chosen::new(OPTIONS, options)?;
     let worn = Hung::of(measures, &chosen)?;
     let height = chosen.m("band_cm");

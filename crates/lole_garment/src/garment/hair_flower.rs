@@ -6,12 +6,13 @@ use kurbo::Vec2;
 use lole_language::words;
 use lole_pattern::pattern::NotionKind;
 use lole_pattern::piece::{CutCount, Finish, LineKind, Piece};
-use lole_pattern::{DraftError, Measures, Pattern};
+use lole_pattern::{DraftError, Pattern};
 
 use crate::drafting::accessory::{accessory, counted};
 use crate::drafting::chosen::{Chosen, choice, count, number};
 use crate::drafting::making::{cm, edges_of, say, step, stitching};
 use crate::drafting::shape::{CM, DOWN, Label, at, curve, edge, line};
+use crate::fitting::Fitting;
 use crate::sketch::{Sketch, Tone};
 use crate::template::{BesideRow, Choice, OptionRow, Options, Shelf, Template, Wear};
 
@@ -72,7 +73,7 @@ const PETAL: f64 = 1.15;
 const WIDE: f64 = 0.86;
 const FOOT: f64 = 0.30;
 
-fn draft(_measures: &Measures, options: &Options) -> Result<Pattern, DraftError> {
+fn draft(_: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError> {
     let chosen = Chosen::new(OPTIONS, options)?;
     let long = 0.5 * chosen.m("diameter_cm") * PETAL;
     let [petals, flowers] = ["petal_count", "flower_count"].map(|key| chosen.count(key));

@@ -28,6 +28,7 @@ use crate::drafting::shape::{
 use crate::drafting::sleeve::{ArmholePart, CAP, Sleeve, SleeveFit};
 use crate::drafting::work::{Work, minutes};
 use crate::drafting::yoke::Yoked;
+use crate::fitting::Fitting;
 use crate::sketch::{Sketch, Tone};
 use crate::template::{Choice, OptionRow, Options, Shelf, Template, Wear};
 
@@ -135,7 +136,8 @@ const TRAIN: f64 = 0.38;
 /// The zip ends this far over the hips [m].
 const ZIP_OVER_HIPS: f64 = 4.0 * CM;
 
-fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> {
+fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError> {
+    let measures = fitting.measures;
     let chosen = Chosen::new(OPTIONS, options)?;
     measures.check(&[
         Measure::Stature,

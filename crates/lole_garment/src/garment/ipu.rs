@@ -5,11 +5,12 @@
 
 use lole_language::words;
 use lole_pattern::pattern::NotionKind;
-use lole_pattern::{DraftError, Measure, Measures, Pattern};
+use lole_pattern::{DraftError, Measure, Pattern};
 
 use crate::drafting::accessory::{accessory, cord, counted};
 use crate::drafting::chosen::{Chosen, by_measure, choice};
 use crate::drafting::making::{cm, say, step};
+use crate::fitting::Fitting;
 use crate::sketch::{Sketch, Tone};
 use crate::template::{BesideRow, Choice, OptionRow, Options, Shelf, Template, Wear};
 
@@ -73,7 +74,8 @@ const CORD: f64 = 60.0 * crate::drafting::shape::CM;
 /// The lower gourd over the height of an ipu heke. Estimated.
 const LOWER: f64 = 0.62;
 
-fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> {
+fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError> {
+    let measures = fitting.measures;
     let chosen = Chosen::new(OPTIONS, options)?;
     measures.check(&[Measure::ArmLength])?;
     let is_heke = chosen.choice("form") == "heke";

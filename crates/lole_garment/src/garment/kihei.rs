@@ -5,12 +5,13 @@
 
 use lole_language::words;
 use lole_pattern::piece::{CutCount, Finish};
-use lole_pattern::{DraftError, Measure, Measures, Pattern};
+use lole_pattern::{DraftError, Measure, Pattern};
 
 use crate::drafting::chosen::{Chosen, by_measure, number};
 use crate::drafting::making::{NO_WORK, cm, edges_of, folds, hem_in_section, pattern, say, step};
 use crate::drafting::shape::{AROUND, CM, Label, rectangle};
 use crate::drafting::work::{Work, minutes};
+use crate::fitting::Fitting;
 use crate::sketch::{Sketch, Tone};
 use crate::template::{OptionRow, Options, Shelf, Template, Wear};
 
@@ -77,7 +78,8 @@ const HIGHEST: f64 = 104.0 * CM;
 /// From the corner to the knot, along the upper edge [m].
 const KNOT: f64 = 25.0 * CM;
 
-fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> {
+fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError> {
+    let measures = fitting.measures;
     let chosen = Chosen::new(OPTIONS, options)?;
     measures.check(&[Measure::Stature])?;
     let [length, height] = OVER_STATURE.map(|share| share * measures.stature.to_m());

@@ -14,6 +14,7 @@ use crate::drafting::chosen::{Chosen, by_measure, number};
 use crate::drafting::making::{NO_WORK, cm, edges_of, folds, hem_in_section, pattern, say, step};
 use crate::drafting::shape::{AROUND, CM, Label, rectangle};
 use crate::drafting::work::{Work, minutes};
+use crate::fitting::Fitting;
 use crate::sketch::{Sketch, Tone};
 use crate::template::{OptionRow, Options, Shelf, Template, Wear};
 
@@ -80,7 +81,8 @@ const OPTIONS: &[OptionRow] = &[
 /// Over the armpits, so that the upper edge covers the bust [m].
 const OVER_ARMPITS: f64 = 3.0 * CM;
 
-fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> {
+fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError> {
+    let measures = fitting.measures;
     let chosen = Chosen::new(OPTIONS, options)?;
     measures.check(&[Measure::BustGirth, Measure::HipGirth, Measure::ArmpitHeight])?;
     let widest = measures.bust_girth.to_m().max(measures.hip_girth.to_m());

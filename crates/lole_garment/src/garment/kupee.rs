@@ -5,12 +5,13 @@
 
 use lole_language::words;
 use lole_pattern::pattern::NotionKind;
-use lole_pattern::{DraftError, Measure, Measures, Pattern};
+use lole_pattern::{DraftError, Measure, Pattern};
 
 use crate::drafting::accessory::{accessory, counted, raffia};
 use crate::drafting::chosen::{Chosen, choice, number};
 use crate::drafting::making::{cm, say, step, whole};
 use crate::drafting::shape::CM;
+use crate::fitting::Fitting;
 use crate::sketch::Sketch;
 use crate::template::{BesideRow, Choice, OptionRow, Options, Shelf, Template, Wear};
 
@@ -75,7 +76,8 @@ const OPTIONS: &[OptionRow] = &[
     ),
 ];
 
-fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> {
+fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError> {
+    let measures = fitting.measures;
     let chosen = Chosen::new(OPTIONS, options)?;
     let (wrists, ankles) = match chosen.choice("place") {
         "wrists" => (true, false),

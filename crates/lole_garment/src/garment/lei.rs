@@ -5,12 +5,13 @@
 
 use lole_language::words;
 use lole_pattern::pattern::NotionKind;
-use lole_pattern::{DraftError, Measure, Measures, Pattern};
+use lole_pattern::{DraftError, Measure, Pattern};
 
 use crate::drafting::accessory::{accessory, cord, counted};
 use crate::drafting::chosen::{Chosen, by_measure, choice, number};
 use crate::drafting::making::{cm, say, step, whole};
 use crate::drafting::shape::CM;
+use crate::fitting::Fitting;
 use crate::sketch::Sketch;
 use crate::template::{BesideRow, Choice, OptionRow, Options, Shelf, Template, Wear};
 
@@ -71,7 +72,8 @@ const RIBBON: f64 = 40.0 * CM;
 /// String at each end, for the knot [m].
 const END: f64 = 15.0 * CM;
 
-fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> {
+fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError> {
+    let measures = fitting.measures;
     let chosen = Chosen::new(OPTIONS, options)?;
     measures.check(&[Measure::Stature, Measure::HeadGirth])?;
     let is_closed = chosen.choice("form") == "closed";

@@ -6,12 +6,13 @@
 
 use lole_language::words;
 use lole_pattern::piece::{CutCount, Finish};
-use lole_pattern::{DraftError, Measure, Measures, Pattern};
+use lole_pattern::{DraftError, Measure, Pattern};
 
 use crate::drafting::chosen::{Chosen, by_measure, number};
 use crate::drafting::making::{NO_WORK, cm, edges_of, folds, hem_in_section, pattern, say, step};
 use crate::drafting::shape::{AROUND, CM, Label, rectangle};
 use crate::drafting::work::{Work, minutes};
+use crate::fitting::Fitting;
 use crate::sketch::{Sketch, Tone};
 use crate::template::{OptionRow, Options, Shelf, Template, Wear};
 
@@ -77,7 +78,8 @@ const OPTIONS: &[OptionRow] = &[
 /// The flaps end over the knees [m].
 const OVER_KNEES: f64 = 3.0 * CM;
 
-fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> {
+fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError> {
+    let measures = fitting.measures;
     let chosen = Chosen::new(OPTIONS, options)?;
     measures.check(&[
         Measure::WaistGirth,

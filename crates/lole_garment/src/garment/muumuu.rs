@@ -31,6 +31,7 @@ use crate::drafting::shape::{
 use crate::drafting::sleeve::{ArmholePart, Sleeve, SleeveFit};
 use crate::drafting::work::{Work, minutes};
 use crate::drafting::yoke::{Yoked, opened_armhole};
+use crate::fitting::Fitting;
 use crate::sketch::Sketch;
 use crate::template::{Choice, OptionRow, Options, Shelf, Template, Wear};
 
@@ -127,7 +128,8 @@ const SLEEVE: usize = 4;
 const BINDING: usize = 5;
 const RUFFLE: usize = 6;
 
-fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> {
+fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError> {
+    let measures = fitting.measures;
     let chosen = Chosen::new(OPTIONS, options)?;
     measures.check(&[Measure::HeadGirth, Measure::UpperArmLength])?;
     let lower = chosen.m(NECK_LOWER_KEY);

@@ -9,7 +9,7 @@ use lole_language::words;
 use lole_pattern::design::pau_skirt::{PauDraft, PauOptions, draft_pau_skirt};
 use lole_pattern::pattern::{Amount, Figure, Notion, NotionKind, Step};
 use lole_pattern::piece::{Finish, LineKind, Mark, Piece};
-use lole_pattern::{DraftError, GatherRatio, Measures, Pattern};
+use lole_pattern::{DraftError, GatherRatio, Pattern};
 
 use super::pau_skirt::{
     CASING, GAP, GATHERS, HEADER, HEM, HEM_HEIGHT, UNKNOWN_WIDTH, WORN_HEIGHT, worn,
@@ -17,8 +17,11 @@ use super::pau_skirt::{
 use crate::drafting::chosen::{Chosen, by_measure, count, number};
 use crate::drafting::making::{cm, edges_of, notion, pattern, say, step, stitching};
 use crate::drafting::work::{Work, minutes};
+use crate::fitting::Fitting;
 use crate::sketch::{Sketch, Tone};
-use crate::template::{Gathered, GatheredRow, OptionRow, Options, Shelf, Template, Wear};
+use crate::template::{
+    Fineness, Gathered, GatheredRow, OptionRow, Options, Shelf, Template, Wear, WornPlace,
+};
 
 pub(crate) static TEMPLATE: Template = Template {
     id: "pau-kahiko",
@@ -33,6 +36,8 @@ pub(crate) static TEMPLATE: Template = Template {
     worn: Wear::Gathered(GatheredRow {
         count: |_| 1,
         draft: as_worn,
+        fineness: Fineness::OF_SKIRT,
+        second: None,
     }),
     chest_room_deg: 0.0,
     natural: None,
@@ -83,10 +88,10 @@ const END_HEM: f64 = 0.015;
 const ENDS: [usize; 2] = [1, 3];
 
 /// The rectangle as it is worn, gathered on its cords.
-fn as_worn(measures: &Measures, options: &Options) -> Result<Gathered, DraftError> {
+fn as_worn(fitting: &Fitting<'_>, options: &Options) -> Result<Gathered, DraftError> {
     let chosen = Chosen::new(OPTIONS, options)?;
     let m = |key| Length::from_m(chosen.m(key));
-    let worn = worn(measures, &chosen)?;
+    let worn = worn(fitting, &chosen)?;
     let cut = PauOptions {
         gather_ratio: GatherRatio::new(chosen.number("gather_ratio"))?,
         hem_height: m("hem_height_cm"),
@@ -102,15 +107,16 @@ fn as_worn(measures: &Measures, options: &Options) -> Result<Gathered, DraftErro
     Ok(Gathered {
         draft: draft_pau_skirt(&worn, &cut)?,
         worn,
+        place: WornPlace::Hips,
         is_open: true,
         ruffle: None,
     })
 }
 
-fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> {
+fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError> {
     let chosen = Chosen::new(OPTIONS, options)?;
     let row_count = chosen.count("cord_row_count");
-    let Gathered { draft, worn, .. } = as_worn(measures, options)?;
+    let Gathered { draft, worn, .. } = as_worn(fitting, options)?;
     let mut piece = draft.pattern(TEMPLATE.name).pieces.swap_remove(0);
     for end in ENDS {
         piece.edges[end].finish = Finish::Hem;

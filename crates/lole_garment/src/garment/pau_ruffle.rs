@@ -12,7 +12,7 @@ use lole_pattern::design::pau_skirt::{
 };
 use lole_pattern::pattern::{Figure, NotionKind, Seam, Step};
 use lole_pattern::piece::{CutCount, Finish, LineKind, Mark, Piece};
-use lole_pattern::{DraftError, GatherRatio, Measures, Pattern, Yardage};
+use lole_pattern::{DraftError, GatherRatio, Pattern, Yardage};
 
 use super::pau_skirt::{GATHERS, HEM, HEM_HEIGHT, UNKNOWN_WIDTH, WORN_HEIGHT, worn};
 use crate::drafting::chosen::{Chosen, by_measure, choice, count, number};
@@ -21,9 +21,11 @@ use crate::drafting::making::{
 };
 use crate::drafting::shape::{AROUND, CM, Label, across, beside, rectangle};
 use crate::drafting::work::{Work, minutes};
+use crate::fitting::Fitting;
 use crate::sketch::{Sketch, Tone};
 use crate::template::{
-    Choice, Gathered, GatheredRow, OptionRow, Options, Shelf, Template, Wear, WornRuffle,
+    Choice, Fineness, Gathered, GatheredRow, OptionRow, Options, Shelf, Template, Wear, WornPlace,
+    WornRuffle,
 };
 
 pub(crate) static TEMPLATE: Template = Template {
@@ -39,6 +41,8 @@ pub(crate) static TEMPLATE: Template = Template {
     worn: Wear::Gathered(GatheredRow {
         count: carried,
         draft: as_worn,
+        fineness: Fineness::OF_SKIRT,
+        second: None,
     }),
     chest_room_deg: 0.0,
     natural: None,
@@ -120,9 +124,9 @@ fn depth(chosen: &Chosen<'_>) -> f64 {
 }
 
 /// The skirt and its ruffle, as they are worn; a deep ruffle above the elastic is part of the skirt.
-fn as_worn(measures: &Measures, options: &Options) -> Result<Gathered, DraftError> {
+fn as_worn(fitting: &Fitting<'_>, options: &Options) -> Result<Gathered, DraftError> {
     let chosen = Chosen::new(OPTIONS, options)?;
-    let worn = worn(measures, &chosen)?;
+    let worn = worn(fitting, &chosen)?;
     let cut = cut(&chosen)?;
     let draft = draft_pau_skirt(&worn, &cut)?;
     let place = chosen.choice("ruffle");
@@ -138,7 +142,7 @@ fn as_worn(measures: &Measures, options: &Options) -> Result<Gathered, DraftErro
                     cut_length: Length::ZERO,
                     ring_length: worn.worn_girth,
                 };
-                let girth = measures.girth_at(edge_height);
+                let girth = fitting.girth_at(edge_height.to_m_f32());
                 Some(WornRuffle::Layer {
                     draft: on_paper(vec![edge]),
                     worn: PauMeasurements {
@@ -152,6 +156,7 @@ fn as_worn(measures: &Measures, options: &Options) -> Result<Gathered, DraftErro
         },
         draft,
         worn,
+        place: WornPlace::Hips,
         is_open: false,
     })
 }
@@ -181,12 +186,12 @@ fn cut(chosen: &Chosen<'_>) -> Result<PauOptions, DraftError> {
     })
 }
 
-fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> {
+fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError> {
     let chosen = Chosen::new(OPTIONS, options)?;
     let (place, depth) = (chosen.choice("ruffle"), depth(&chosen));
     let flounce = place == "hem";
     let cut = cut(&chosen)?;
-    let skirt = as_worn(measures, options)?.draft;
+    let skirt = as_worn(fitting, options)?.draft;
     if place == "header" {
         return Ok(skirt.pattern(TEMPLATE.name));
     }

@@ -1,14 +1,18 @@
 //! The pāʻū skirt as a template: the draft of [`lole_pattern::design::pau_skirt`] from measures and options.
 
-use lole_geom::Length;
+use lole_geom::{Length, narrow};
 use lole_language::words;
 use lole_pattern::design::pau_skirt::{PauMeasurements, PauOptions, draft_pau_skirt};
-use lole_pattern::{DraftError, ElasticRatio, GatherRatio, Measure, Measures, Pattern};
+use lole_pattern::{DraftError, ElasticRatio, GatherRatio, Measure, Pattern};
 
 use crate::drafting::chosen::{Chosen, by_measure, count, number};
 use crate::drafting::shape::CM;
+use crate::fitting::Fitting;
 use crate::sketch::Sketch;
-use crate::template::{OptionRow, Options, Shelf, Template, Wear};
+use crate::template::{
+    Called, Fineness, Gathered, GatheredRow, OptionRow, Options, Second, Shelf, Template, Wear,
+    WornPlace,
+};
 
 /// The pāʻū skirt.
 pub static TEMPLATE: Template = Template {
@@ -21,7 +25,30 @@ pub static TEMPLATE: Template = Template {
     shelf: Shelf::Skirts,
     options: OPTIONS,
     draft,
-    worn: Wear::OwnKeys,
+    worn: Wear::Gathered(GatheredRow {
+        count: |_| 1,
+        draft: as_worn,
+        fineness: Fineness::OF_SKIRT,
+        // Less cloth, and a hem that shows below the skirt's.
+        second: Some(Second {
+            options: &[("hem_height_cm", 14.0), ("gather_ratio", 2.5)],
+            fineness: Fineness {
+                column_count: 352,
+                row_count: 44,
+                seed: 2,
+            },
+            called: [
+                Called {
+                    id: "pau_underskirt",
+                    name: words("下に重ねるパウスカート", "pāʻū underskirt"),
+                },
+                Called {
+                    id: "pau_overskirt",
+                    name: words("上に重ねるパウスカート", "pāʻū overskirt"),
+                },
+            ],
+        }),
+    }),
     chest_room_deg: 0.0,
     natural: None,
     sketch,
@@ -69,29 +96,40 @@ pub(crate) const CASING: lole_language::Words = words("ゴム通しの幅", "hei
 pub(crate) const GAP: lole_language::Words = words("ゴム通しの間隔", "between two casings");
 pub(crate) const HEM: lole_language::Words = words("裾上げの分", "cloth for the hem");
 
-fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> {
+fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError> {
+    let name = TEMPLATE.name_in(fitting.layer);
+    Ok(as_worn(fitting, options)?.draft.pattern(name))
+}
+
+fn as_worn(fitting: &Fitting<'_>, options: &Options) -> Result<Gathered, DraftError> {
     let chosen = Chosen::new(OPTIONS, options)?;
-    let draft = draft_pau_skirt(&worn(measures, &chosen)?, &cut(&chosen)?)?;
-    Ok(draft.pattern(TEMPLATE.name))
+    let worn = worn(fitting, &chosen)?;
+    Ok(Gathered {
+        draft: draft_pau_skirt(&worn, &cut(fitting, &chosen)?)?,
+        worn,
+        place: WornPlace::Hips,
+        is_open: false,
+        ruffle: None,
+    })
 }
 
 /// Hips and the place where it is worn.
 pub(crate) fn worn(
-    measures: &Measures,
+    fitting: &Fitting<'_>,
     chosen: &Chosen<'_>,
 ) -> Result<PauMeasurements, DraftError> {
+    let measures = fitting.measures;
     measures.check(&[Measure::HipGirth, Measure::HipBoneHeight])?;
     let usual = measures.hip_bone_height.to_m();
-    let worn_height = Length::from_m(chosen.m_or("worn_height_cm", usual));
-    let worn_girth = measures.girth_at(worn_height);
+    let worn_height = narrow(chosen.m_or("worn_height_cm", usual));
     Ok(PauMeasurements {
         hip_girth: measures.hip_girth,
-        worn_girth: worn_girth.unwrap_or(measures.hip_girth),
-        worn_height,
+        worn_girth: fitting.girth_at(worn_height).unwrap_or(measures.hip_girth),
+        worn_height: Length::from_m(f64::from(worn_height)),
     })
 }
 
-fn cut(chosen: &Chosen<'_>) -> Result<PauOptions, DraftError> {
+fn cut(fitting: &Fitting<'_>, chosen: &Chosen<'_>) -> Result<PauOptions, DraftError> {
     let m = |key| Length::from_m(chosen.m(key));
     Ok(PauOptions {
         gather_ratio: GatherRatio::new(chosen.number("gather_ratio"))?,
@@ -102,10 +140,10 @@ fn cut(chosen: &Chosen<'_>) -> Result<PauOptions, DraftError> {
         casing: m("casing_cm"),
         gap: m("casing_gap_cm"),
         hem: m("hem_allowance_cm"),
-        fabric_width: UNKNOWN_WIDTH,
+        fabric_width: fitting.cloth_width.unwrap_or(UNKNOWN_WIDTH),
         ..PauOptions::default()
     })
 }
 
-/// The width of the cloth is not known here: what lays the pieces on it warns.
+/// Where the width of the cloth is not known, what lays the pieces on it warns.
 pub(crate) const UNKNOWN_WIDTH: Length = Length::from_m(400.0 * CM);

@@ -1,16 +1,18 @@
 //! The pāʻū top as a template: the draft of [`lole_pattern::design::pau_top`] from measures and options.
 
-use lole_geom::Length;
+use lole_geom::{Length, narrow};
 use lole_language::words;
 use lole_pattern::design::pau_skirt::PauOptions;
 use lole_pattern::design::pau_top::{TopMeasurements, TopOptions, draft_pau_top};
-use lole_pattern::{DraftError, ElasticRatio, GatherRatio, Measure, Measures, Pattern};
+use lole_pattern::{DraftError, ElasticRatio, GatherRatio, Measure, Pattern};
 
 use super::pau_skirt::{CASING, GAP, HEM, UNKNOWN_WIDTH};
 use crate::drafting::chosen::{Chosen, by_measure, count, number};
-use crate::drafting::shape::CM;
+use crate::fitting::Fitting;
 use crate::sketch::{Sketch, Tone};
-use crate::template::{OptionRow, Options, Shelf, Template, Wear};
+use crate::template::{
+    Fineness, Gathered, GatheredRow, OptionRow, Options, Shelf, Template, Wear, WornPlace,
+};
 
 /// The pāʻū top.
 pub static TEMPLATE: Template = Template {
@@ -23,7 +25,16 @@ pub static TEMPLATE: Template = Template {
     shelf: Shelf::Tops,
     options: OPTIONS,
     draft,
-    worn: Wear::OwnKeys,
+    worn: Wear::Gathered(GatheredRow {
+        count: |_| 1,
+        draft: as_worn,
+        fineness: Fineness {
+            column_count: 288,
+            row_count: 30,
+            seed: 3,
+        },
+        second: None,
+    }),
     chest_room_deg: 10.0,
     natural: None,
     sketch,
@@ -60,8 +71,8 @@ const OPTIONS: &[OptionRow] = &[
         "hem_height_cm",
         [30.0, 160.0],
         words(
-            "床から裾まで。書かなければ腰骨の少し上",
-            "hem above the floor; left out: a little above the hip bones",
+            "床から裾まで。書かなければスカートの上端のすぐ上",
+            "hem above the floor; left out: just above the skirt's upper edge",
         ),
     ),
     number(
@@ -108,62 +119,82 @@ const OPTIONS: &[OptionRow] = &[
     number("hem_allowance_cm", [0.0, 30.0], 2.0, HEM),
 ];
 
-/// Upper elastic over the fullest bust, and the lower one under it.
-const ABOVE_BUST: f64 = 1.5 * CM;
-const BELOW_BUST: f64 = 8.0 * CM;
-/// The usual skirt's band over the hip bones, and what is seen between both.
-const OVER_HIP_BONES: f64 = 11.25 * CM;
-/// Hem below the lowest elastic, at least.
-const LEAST_FRILL: f64 = 6.0 * CM;
+/// Upper elastic over the fullest bust [m]: below the arms.
+const ABOVE_BUST: f32 = 0.015;
+/// Lower elastic below it [m]: where the bust ends.
+const BELOW_BUST: f32 = 0.08;
+/// Hem over the upper edge of the skirt [m].
+const ABOVE_SKIRT: f32 = 0.005;
+/// The usual skirt's upper edge over the hip bones [m], where no skirt is known.
+const SKIRT_EDGE: f32 = 0.1075;
+/// Hem below the lowest elastic [m], at least.
+const LEAST_FRILL: f32 = 0.06;
 
-fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> {
+fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError> {
+    Ok(as_worn(fitting, options)?.draft.pattern(TEMPLATE.name))
+}
+
+fn as_worn(fitting: &Fitting<'_>, options: &Options) -> Result<Gathered, DraftError> {
     let chosen = Chosen::new(OPTIONS, options)?;
-    measures.check(&[
-        Measure::BustGirth,
-        Measure::BustHeight,
-        Measure::HipBoneHeight,
-    ])?;
-    let bust = measures.bust_height.to_m();
-    let upper = chosen.m_or("upper_height_cm", bust + ABOVE_BUST);
-    let lower = chosen.m_or("lower_height_cm", bust - BELOW_BUST);
+    let (worn, lowest) = worn(fitting, &chosen)?;
+    let usual_edge = fitting.measures.hip_bone_height.to_m_f32() + SKIRT_EDGE;
+    let skirt_edge = (fitting.skirt_edge).map_or(usual_edge, Length::to_m_f32);
+    let hem = (skirt_edge + ABOVE_SKIRT).min(lowest - LEAST_FRILL);
     let m = |key| Length::from_m(chosen.m(key));
-    let lower_row_count = chosen.count("lower_row_count");
-    let below = (m("casing_cm") + m("casing_gap_cm")) * f64::from(lower_row_count.max(1) - 1);
-    let lowest = if lower_row_count == 0 {
-        upper
-    } else {
-        lower - below.to_m()
-    };
-    let girth = |height| measures.girth_at(Length::from_m(height));
-    let over_hips = measures.hip_bone_height.to_m() + OVER_HIP_BONES;
-    let hem_height = chosen.m_or("hem_height_cm", over_hips.min(lowest - LEAST_FRILL));
-    let top = TopMeasurements {
-        bust_girth: measures.bust_girth,
-        upper_girth: girth(upper).unwrap_or(measures.bust_girth),
-        lowest: (
-            girth(lowest).unwrap_or(measures.bust_girth),
-            Length::from_m(lowest),
-        ),
-        trunk: (0 < lower_row_count).then(|| measures.way_up(lower, upper)),
-    };
     let cut = PauOptions {
         gather_ratio: GatherRatio::new(chosen.number("gather_ratio"))?,
-        hem_height: Length::from_m(hem_height),
+        hem_height: Length::from_m(chosen.m_or("hem_height_cm", f64::from(hem))),
         elastic_row_count: chosen.count("upper_row_count"),
         elastic_ratio: ElasticRatio::new(chosen.number("elastic_ratio"))?,
         header: m("header_cm"),
         casing: m("casing_cm"),
         gap: m("casing_gap_cm"),
         hem: m("hem_allowance_cm"),
-        fabric_width: UNKNOWN_WIDTH,
+        fabric_width: fitting.cloth_width.unwrap_or(UNKNOWN_WIDTH),
         ..PauOptions::default()
     };
-    let draft = draft_pau_top(
-        &top,
-        &TopOptions {
-            cut,
-            lower_row_count,
-        },
-    )?;
-    Ok(draft.pattern(TEMPLATE.name))
+    let options = TopOptions {
+        cut,
+        lower_row_count: chosen.count("lower_row_count"),
+    };
+    Ok(Gathered {
+        draft: draft_pau_top(&worn, &options)?,
+        worn: worn.worn(),
+        place: WornPlace::Bust,
+        is_open: false,
+        ruffle: None,
+    })
+}
+
+/// Where it is held, and the height of its lowest elastic [m].
+fn worn(fitting: &Fitting<'_>, chosen: &Chosen<'_>) -> Result<(TopMeasurements, f32), DraftError> {
+    let measures = fitting.measures;
+    measures.check(&[
+        Measure::BustGirth,
+        Measure::BustHeight,
+        Measure::HipBoneHeight,
+    ])?;
+    let bust = measures.bust_height.to_m_f32();
+    let height = |key, usual: f32| narrow(chosen.m_or(key, f64::from(usual)));
+    let upper = height("upper_height_cm", bust + ABOVE_BUST);
+    let lower = height("lower_height_cm", bust - BELOW_BUST);
+    let lower_row_count = chosen.count("lower_row_count");
+    let trunk = (0 < lower_row_count).then(|| fitting.way_up(lower, upper));
+    // Further rows lie below the first.
+    let rows = f64::from(lower_row_count.max(1) - 1);
+    let apart = chosen.number("casing_cm") + chosen.number("casing_gap_cm");
+    let below = Length::from_cm(rows * apart).to_m_f32();
+    let lowest = if trunk.is_some() {
+        lower - below
+    } else {
+        upper
+    };
+    let girth = |height| fitting.girth_at(height).unwrap_or(measures.bust_girth);
+    let worn = TopMeasurements {
+        bust_girth: measures.bust_girth,
+        upper_girth: girth(upper),
+        lowest: (girth(lowest), Length::from_m(f64::from(lowest))),
+        trunk,
+    };
+    Ok((worn, lowest))
 }

@@ -5,11 +5,12 @@
 
 use lole_language::words;
 use lole_pattern::pattern::NotionKind;
-use lole_pattern::{DraftError, Measures, Pattern};
+use lole_pattern::{DraftError, Pattern};
 
 use crate::drafting::accessory::{accessory, cord, counted};
 use crate::drafting::chosen::{Chosen, count, number};
 use crate::drafting::making::{cm, say, step, whole};
+use crate::fitting::Fitting;
 use crate::sketch::{Sketch, Tone};
 use crate::template::{BesideRow, OptionRow, Options, Shelf, Template, Wear};
 
@@ -67,7 +68,7 @@ const OPTIONS: &[OptionRow] = &[
 /// Turns of tape around the end of a handle. Estimated.
 const TAPE_TURNS: f64 = 4.0;
 
-fn draft(_measures: &Measures, options: &Options) -> Result<Pattern, DraftError> {
+fn draft(_: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError> {
     let chosen = Chosen::new(OPTIONS, options)?;
     let sticks = chosen.count("stick_count");
     let [long, handle] = ["length_cm", "handle_cm"].map(|key| chosen.m(key));

@@ -5,7 +5,7 @@
 
 use lole_language::words;
 use lole_pattern::pattern::{Amount, NotionKind};
-use lole_pattern::{DraftError, Measures, Pattern};
+use lole_pattern::{DraftError, Pattern};
 
 use super::pau_skirt::WORN_HEIGHT;
 use crate::adorn::strand_skirt;
@@ -13,6 +13,7 @@ use crate::drafting::chosen::{Chosen, by_measure, number};
 use crate::drafting::making::{cm, notion, pattern, say, whole};
 use crate::drafting::shape::CM;
 use crate::drafting::strands::{Band, Hung, STRANDS_HEM};
+use crate::fitting::Fitting;
 use crate::sketch::{Sketch, Tone};
 use crate::template::{BesideRow, OptionRow, Options, Shelf, Template, Wear};
 
@@ -62,7 +63,8 @@ const OPTIONS: &[OptionRow] = &[
 /// Mass of a meter of raffia [kg]. Estimated.
 pub(crate) const MASS_PER_METER: f64 = 0.0006;
 
-fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> {
+fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError> {
+    let measures = fitting.measures;
     let chosen = Chosen::new(OPTIONS, options)?;
     let worn = Hung::of(measures, &chosen)?;
     let band = Band::new(&worn, chosen.m("band_cm"));

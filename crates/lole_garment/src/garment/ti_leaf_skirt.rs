@@ -7,7 +7,7 @@
 use lole_geom::Length;
 use lole_language::words;
 use lole_pattern::pattern::{Amount, NotionKind};
-use lole_pattern::{DraftError, Measures, Pattern};
+use lole_pattern::{DraftError, Pattern};
 
 use super::pau_skirt::WORN_HEIGHT;
 use crate::adorn::strand_skirt;
@@ -15,6 +15,7 @@ use crate::drafting::chosen::{Chosen, by_measure, number};
 use crate::drafting::making::{NO_WORK, cm, notion, pattern, say, step, whole};
 use crate::drafting::shape::CM;
 use crate::drafting::strands::{Hung, STRANDS_HEM};
+use crate::fitting::Fitting;
 use crate::sketch::{Sketch, Tone};
 use crate::template::{BesideRow, OptionRow, Options, Shelf, Template, Wear};
 
@@ -68,7 +69,8 @@ const CORD_GAP: f64 = 2.54 * CM;
 /// Longest leaves that are found [m].
 const LONGEST_LEAF: f64 = 76.0 * CM;
 
-fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> {
+fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError> {
+    let measures = fitting.measures;
     let chosen = Chosen::new(OPTIONS, options)?;
     let worn = Hung::of(measures, &chosen)?;
     let leaf_count = whole(worn.girth / chosen.m("leaf_spacing_cm"));

@@ -7,12 +7,13 @@ use kurbo::Vec2;
 use lole_language::words;
 use lole_pattern::pattern::{Notion, NotionKind};
 use lole_pattern::piece::{CutCount, Finish, Mark, Piece};
-use lole_pattern::{DraftError, Measures, Pattern};
+use lole_pattern::{DraftError, Pattern};
 
 use crate::drafting::accessory::{accessory, counted};
 use crate::drafting::chosen::{Chosen, count, number};
 use crate::drafting::making::{cm, edges_of, say, step, stitching, whole};
 use crate::drafting::shape::{CM, DOWN, Label, at, curve, edge};
+use crate::fitting::Fitting;
 use crate::sketch::{Sketch, Tone};
 use crate::template::{BesideRow, OptionRow, Options, Shelf, Template, Wear};
 
@@ -70,7 +71,7 @@ const SEEDS: u32 = 20;
 /// Feathers lie in this many rings. Estimated.
 const FEATHER_RINGS: f64 = 3.0;
 
-fn draft(_measures: &Measures, options: &Options) -> Result<Pattern, DraftError> {
+fn draft(_: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError> {
     let chosen = Chosen::new(OPTIONS, options)?;
     let rattles = chosen.count("rattle_count");
     let (disc, gourd) = (chosen.m("disc_cm"), chosen.m("gourd_cm"));

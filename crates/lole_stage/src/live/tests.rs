@@ -248,6 +248,70 @@ fn a_dress_follows_the_hand_that_holds_it_and_hangs_again_when_let_go() {
     assert!(0.0 < show.vitals().potential_energy, "a dress has weight");
 }
 
+/// Strands are held, weighed and colored as cloth is.
+#[test]
+fn a_skirt_of_leaves_follows_the_hand_and_falls_again_when_let_go() {
+    let mut design = Design::default();
+    design.skirt.is_worn = false;
+    design.garments = vec![listed("ti-leaf-skirt")];
+    let mut show = Show::of(Production::new(&design).unwrap()).unwrap();
+    show.settle().unwrap();
+    let production = show.production();
+    let adornment = &production.adornments[0];
+    assert_eq!(adornment.particles, 0..show.particles().len());
+    let tips = (0_u32..).zip(show.particles());
+    let (particle, &tip) = tips.min_by(|a, b| a.1.y.total_cmp(&b.1.y)).unwrap();
+    let at = |show: &Show| show.particles()[particle as usize];
+    let hand = tip + Vec3::new(0.0, 0.15, 0.1);
+    show.pull(Some(Pull { particle, hand })).unwrap();
+    for _ in 0..40 {
+        show.advance().unwrap();
+    }
+    assert!(at(&show).distance(hand) < 1e-3, "{}", at(&show) - hand);
+    let strained = show.strain();
+    assert_eq!(strained.len(), show.particles().len());
+    // Twelve slices of a frame let a leaf give a little, and no more where a hand has it.
+    assert!(strained.iter().all(|strain| strain.abs() < 0.3));
+    let surface = production
+        .surfaces()
+        .find(|it| !it.rides_on_bones())
+        .unwrap();
+    let by_vertex = surface.by_vertex(&strained);
+    assert_eq!(by_vertex.len(), show.surfaces()[0][0].len());
+    show.pull(None).unwrap();
+    for _ in 0..60 {
+        show.advance().unwrap();
+    }
+    assert!(0.05 < at(&show).distance(hand));
+    assert!(0.0 < show.vitals().potential_energy, "leaves have weight");
+}
+
+/// A lei that is put on while it is danced is held as one that was there from the start.
+#[test]
+fn a_lei_put_on_later_is_held() {
+    let mut show = fresh();
+    let cloth = show.particles().len();
+    let mut wished = show.design().clone();
+    wished.garments.push(listed("lei"));
+    assert!(matches!(show.wish(&wished), Ok(Wish::Granted)));
+    assert!(cloth < show.particles().len());
+    show.advance().unwrap();
+    let particle = u32::try_from(show.particles().len() - 1).unwrap();
+    let hand = show.particles()[particle as usize] + Vec3::new(0.0, 0.05, 0.1);
+    show.pull(Some(Pull { particle, hand })).unwrap();
+    for _ in 0..20 {
+        show.advance().unwrap();
+    }
+    assert!(show.particles()[particle as usize].distance(hand) < 1e-3);
+    show.pull(None).unwrap();
+    assert!(matches!(
+        show.wish(&fresh().design().clone()),
+        Ok(Wish::Granted)
+    ));
+    assert_eq!(show.particles().len(), cloth);
+    show.advance().unwrap();
+}
+
 #[test]
 fn a_restarted_show_repeats_itself_bit_for_bit() {
     let mut first = fresh();

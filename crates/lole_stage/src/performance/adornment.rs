@@ -12,8 +12,8 @@ use lole_geom::{Surfel, fnv};
 use super::FRAME_SECONDS;
 use super::order::Inner;
 use super::over_cloth::OverCloth;
-use crate::StageError;
 use crate::production::{Garment, Production};
+use crate::{Adornment, StageError};
 
 /// Frames in which strands come down from where they are let go, and their drag then [1/s].
 const LOWERING_FRAMES: usize = 100;
@@ -44,6 +44,8 @@ struct Hanging {
     /// Whether a step was not taken: they hang where they were.
     is_lost: bool,
     model: StrandModel,
+    /// Particles that a hand holds, ascending.
+    held: Vec<u32>,
     state: StrandState,
     pins: Vec<Vec3>,
     ties: Vec<Vec3>,
@@ -59,6 +61,8 @@ pub(super) struct AroundStrands<'a> {
     /// Triangles of the garments sewn from shaped pieces, and where they are [m].
     pub(super) dressed: &'a [Inner<'a>],
     pub(super) air_velocity: Vec3,
+    /// What a hand holds, ascending by the numbers of everything that moves, and where [m].
+    pub(super) held: &'a [(u32, Vec3)],
 }
 
 impl Adorned {
@@ -89,6 +93,7 @@ impl Adorned {
                 cloth,
                 dressed,
                 air_velocity: Vec3::ZERO,
+                held: &[],
             };
             if adorned.lies_on_cloth(&around) {
                 adorned.over = OverCloth::new(&surfels, dressed);
@@ -119,6 +124,29 @@ impl Adorned {
     pub(super) fn lost(&self) -> Option<usize> {
         let is_lost = |hanging: &Option<Hanging>| hanging.as_ref().is_some_and(|it| it.is_lost);
         self.hanging.iter().position(is_lost)
+    }
+
+    /// Lets a hand hold these particles, by the numbers of everything that moves, and no others.
+    pub(super) fn take(
+        &mut self,
+        production: &Production,
+        particles: &[u32],
+    ) -> Result<(), StageError> {
+        for (adornment, hanging) in production.adornments.iter().zip(&mut self.hanging) {
+            let (Some(hung), Some(hanging)) = (&adornment.strands, hanging) else {
+                continue;
+            };
+            let held = particles
+                .iter()
+                .filter(|&&particle| adornment.particles.contains(&(particle as usize)));
+            let first = adornment.particles.start;
+            let held: Vec<u32> = held.map(|&particle| own(particle, first)).collect();
+            if held != hanging.held {
+                hanging.model = model_of(hung)?.with_held(&held);
+                hanging.held = held;
+            }
+        }
+        Ok(())
     }
 
     /// Whether anything moves by itself.
@@ -211,7 +239,8 @@ impl Adorned {
                 &self.sewn
             };
             self.met.extend_from_slice(sewn);
-            hanging.step((hung, &self.over), around, &self.met, &change(hung.config));
+            let config = change(hung.config);
+            hanging.step((adornment, hung), &self.over, around, &self.met, &config);
         }
     }
 
@@ -264,7 +293,8 @@ impl Hanging {
     fn new(hung: &HangingStrands) -> Result<Self, StageError> {
         Ok(Self {
             is_lost: false,
-            model: StrandModel::new(&hung.strands, &hung.links, &hung.ties)?,
+            model: model_of(hung)?,
+            held: Vec::new(),
             state: StrandState::new(&hung.strands),
             pins: Vec::new(),
             ties: Vec::new(),
@@ -278,7 +308,8 @@ impl Hanging {
 
     fn step(
         &mut self,
-        (hung, over): (&HangingStrands, &OverCloth),
+        (adornment, hung): (&Adornment, &HangingStrands),
+        over: &OverCloth,
         around: &AroundStrands<'_>,
         met: &[Surfel],
         config: &StrandConfig,
@@ -294,6 +325,7 @@ impl Hanging {
                     .map(|rider| rider.posed(around.world_from_bind)[0]),
             );
         }
+        self.place_held(adornment.particles.start, around.held);
         for place in &mut self.ties {
             *place += over.lift(around.surfels, *place);
         }
@@ -307,6 +339,27 @@ impl Hanging {
         self.is_lost |= moved.is_err();
     }
 
+    /// Puts what a hand holds among the pins, by their numbers from `first` on.
+    fn place_held(&mut self, first: usize, held: &[(u32, Vec3)]) {
+        if self.held.is_empty() {
+            return;
+        }
+        let mut carried = self.pins.drain(..);
+        let pins: Vec<Vec3> = (self.model.pins().iter())
+            .map(|pin| match self.held.binary_search(pin) {
+                Err(_) => carried.next().unwrap_or_default(),
+                Ok(_) => {
+                    let hand = held
+                        .iter()
+                        .find(|(particle, _)| own(*particle, first) == *pin);
+                    hand.map_or(self.state.positions[*pin as usize], |&(_, place)| place)
+                }
+            })
+            .collect();
+        drop(carried);
+        self.pins = pins;
+    }
+
     fn frames(&self, hung: &HangingStrands, world_from_bind: &[Affine3A]) -> Vec<Vec<Frame>> {
         let rings = self.model.rings();
         let frames = self.model.strands().zip(rings).enumerate();
@@ -318,6 +371,18 @@ impl Hanging {
             })
             .collect()
     }
+}
+
+/// The strands of an adornment, nothing of them held by a hand.
+fn model_of(hung: &HangingStrands) -> Result<StrandModel, StageError> {
+    Ok(StrandModel::new(&hung.strands, &hung.links, &hung.ties)?)
+}
+
+/// The number of a particle among those of an adornment, which begin with `first`.
+fn own(particle: u32, first: usize) -> u32 {
+    let own = (particle as usize).checked_sub(first);
+    own.and_then(|own| u32::try_from(own).ok())
+        .unwrap_or(u32::MAX)
 }
 
 /// Closes the hands that hold something.

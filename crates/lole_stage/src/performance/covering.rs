@@ -1,6 +1,5 @@
 //! Which piece of a dressed garment lies outside where pieces overlap, through a dance.
 
-use lole_costume::document::GarmentDesign;
 use lole_garment::dress::{Layers, PieceOver};
 use lole_language::Words;
 
@@ -59,15 +58,12 @@ impl LayerWatch {
         let production = performance.production();
         let pairs = self.garments.iter().zip(&production.dressed);
         let seen = pairs.filter_map(|(watched, garment)| {
-            let GarmentDesign::Template(worn) = production.design.garments.get(garment.listed)?
-            else {
-                return None;
-            };
+            let design = production.design.garments.get(garment.listed)?;
             let mut over = watched.first.pieces(&garment.dressed);
             over.sort_by_key(|it| std::cmp::Reverse(it.places));
             Some(GarmentLayers {
                 id: garment.name.clone(),
-                name: worn.template.name,
+                name: design.template.name,
                 over,
                 inverted: watched.worst,
             })

@@ -7,10 +7,12 @@ use super::dressed::Dressed;
 use crate::{Vertices, Worn};
 
 impl Performance {
-    /// Positions of the particles of all cloth [m]: what is sewn from shaped pieces comes after what is gathered.
+    /// Positions of everything that moves by itself [m]: of gathered cloth, then of what is sewn from shaped
+    /// pieces, then of strands.
     pub fn particles(&self) -> impl Iterator<Item = &Vec3> {
         let sewn = self.dressed.iter().flat_map(Dressed::positions);
-        self.cloth_positions.iter().chain(sewn)
+        let strands = self.adorned.positions().flatten();
+        self.cloth_positions.iter().chain(sewn).chain(strands)
     }
 
     /// Everything that is worn or held as it is drawn, surface by surface as [`Production::surfaces`](crate::Production::surfaces) has them.

@@ -1,12 +1,14 @@
 //! A frill: a short gathered skirt whose length is a share of the hips' height.
 
+use lole_garment::Fitting;
 use lole_garment::sketch::{Sketch, Tone};
 use lole_garment::template::{
-    Gathered, GatheredRow, OptionKind, OptionRow, Options, Shelf, Template, Wear,
+    Fineness, Gathered, GatheredRow, OptionKind, OptionRow, Options, Shelf, Template, Wear,
+    WornPlace,
 };
 use lole_language::words;
 use lole_pattern::design::pau_skirt::{PauMeasurements, PauOptions, draft_pau_skirt};
-use lole_pattern::{DraftError, GatherRatio, Measures, Pattern};
+use lole_pattern::{DraftError, GatherRatio, Pattern};
 
 pub(crate) static FRILL: Template = Template {
     id: "frill",
@@ -26,6 +28,8 @@ pub(crate) static FRILL: Template = Template {
     worn: Wear::Gathered(GatheredRow {
         count: |_| 1,
         draft: worn,
+        fineness: Fineness::OF_SKIRT,
+        second: None,
     }),
     chest_room_deg: 0.0,
     natural: Some([0x0020_6040, 0x00f0_f0e0, 0x0030_8050, 0x0010_3020]),
@@ -39,7 +43,8 @@ fn sketch(pen: &mut Sketch) {
     );
 }
 
-fn worn(measures: &Measures, options: &Options) -> Result<Gathered, DraftError> {
+fn worn(fitting: &Fitting<'_>, options: &Options) -> Result<Gathered, DraftError> {
+    let measures = fitting.measures;
     let height = measures.hip_bone_height;
     let worn = PauMeasurements {
         hip_girth: measures.hip_girth,
@@ -55,12 +60,13 @@ fn worn(measures: &Measures, options: &Options) -> Result<Gathered, DraftError> 
     Ok(Gathered {
         draft: draft_pau_skirt(&worn, &cut)?,
         worn,
+        place: WornPlace::Hips,
         is_open: false,
         ruffle: None,
     })
 }
 
-fn draft(measures: &Measures, options: &Options) -> Result<Pattern, DraftError> {
-    let gathered = worn(measures, options)?;
+fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError> {
+    let gathered = worn(fitting, options)?;
     Ok(gathered.draft.pattern(FRILL.name))
 }

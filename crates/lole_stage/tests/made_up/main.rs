@@ -4,7 +4,7 @@
 mod frill;
 mod vest;
 
-use lole_costume::document::{Design, GarmentDesign, WornTemplate};
+use lole_costume::document::{Design, GarmentDesign};
 use lole_costume::tailoring;
 use lole_garment::Template;
 use lole_stage::{Performance, Production};
@@ -12,8 +12,7 @@ use lole_stage::{Performance, Production};
 fn design(template: &'static Template) -> Design {
     let mut design = Design::default();
     design.skirt.is_worn = false;
-    let worn = WornTemplate::new(template);
-    design.garments = vec![GarmentDesign::Template(worn)];
+    design.garments = vec![GarmentDesign::new(template)];
     design
 }
 
@@ -61,7 +60,7 @@ fn a_made_up_garment_that_is_gathered_is_worn() {
     assert!((height - drafted).abs() < 0.06, "{height} {drafted}");
     let found = performance.measure();
     assert!(found.strain.p99 < 0.1, "{:?}", found.strain);
-    let print = design.garments[0].print().print();
+    let print = design.garments[0].print.print();
     assert_eq!(print.ground, [0x20, 0x60, 0x40], "made in its own colors");
 }
 

@@ -1,10 +1,11 @@
 //! A vest: a blouse whose sleeves are left out.
 
+use lole_garment::Fitting;
 use lole_garment::dress::{Covered, Way};
 use lole_garment::sketch::{Sketch, Tone};
 use lole_garment::template::{FEW_SUBSTEPS, Options, SewnRow, Shelf, Template, Wear};
 use lole_language::words;
-use lole_pattern::{DraftError, Measures, Pattern};
+use lole_pattern::{DraftError, Pattern};
 
 pub(crate) static VEST: Template = Template {
     id: "vest",
@@ -30,7 +31,7 @@ fn sketch(pen: &mut Sketch) {
     );
 }
 
-fn draft(measures: &Measures, _: &Options) -> Result<Pattern, DraftError> {
+fn draft(fitting: &Fitting<'_>, _: &Options) -> Result<Pattern, DraftError> {
     let blouse = Template::of_id("blouse").expect("the shelf has a blouse");
-    (blouse.draft)(measures, &Options::of(blouse))
+    (blouse.draft)(fitting, &Options::of(blouse))
 }

@@ -57,11 +57,7 @@ fn a_garment_from_the_shelf_has_its_options_and_goes_with_one_step_back() {
     window.key_press(eframe::egui::Key::ArrowRight);
     window.run_steps(3);
     let design = wished(&mut window);
-    let GarmentDesign::Template(worn) = &design.garments[0] else {
-        panic!("a blouse is drafted by a template")
-    };
-    let position = worn.template.position("below_waist_cm").unwrap();
-    assert!(16.0 < worn.options.get(position).unwrap());
+    assert!(16.0 < design.garments[0].option("below_waist_cm").unwrap());
     click(&mut window, "Undo");
     click(&mut window, "Undo");
     assert!(wished(&mut window).garments.is_empty());
@@ -70,11 +66,7 @@ fn a_garment_from_the_shelf_has_its_options_and_goes_with_one_step_back() {
 #[test]
 fn an_option_that_cannot_be_drafted_has_its_sentence_below_it() {
     let mut design = with_garment("blouse");
-    let GarmentDesign::Template(worn) = &mut design.garments[0] else {
-        panic!("a blouse is drafted by a template")
-    };
-    let position = worn.template.position("bust_ease_cm").unwrap();
-    worn.options.set(position, Some(99.0));
+    design.garments[0] = design.garments[0].clone().with(&[("bust_ease_cm", 99.0)]);
     let window = drafted(design, Language::English, Tab::Costume);
     window.get_by_label_contains("bust_ease_cm is 99");
 }

@@ -56,7 +56,7 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
 /// The fabric of a garment to change it: `None` stands for the skirt.
 pub(super) fn fabric_mut(design: &mut Design, place: Option<usize>) -> &mut FabricDesign {
     match place {
-        Some(place) => design.garments[place].cloth_mut().0,
+        Some(place) => &mut design.garments[place].fabric,
         None => &mut design.fabric,
     }
 }
@@ -72,7 +72,7 @@ fn cloth_prices(ui: &mut Ui, studio: &mut Studio, garment: &PaperGarment) {
     let Ok(cut) = &garment.cut else { return };
     let place = garment.place;
     let fabric = match place {
-        Some(at) => studio.design().garments[at].fabric().clone(),
+        Some(at) => studio.design().garments[at].fabric.clone(),
         None => studio.design().fabric.clone(),
     };
     let name = studio.say(garment.name);

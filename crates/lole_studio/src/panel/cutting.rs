@@ -110,11 +110,7 @@ fn plans_ui(
 ) {
     let place = garment.place;
     let fabric = match place {
-        Some(at) => studio
-            .design()
-            .garments
-            .get(at)
-            .map(|it| it.fabric().clone()),
+        Some(at) => studio.design().garments.get(at).map(|it| it.fabric.clone()),
         None => Some(studio.design().fabric.clone()),
     };
     let widths = fabric.map(|fabric| (fabric.width_cm, fabric.beside_width_cm));

@@ -15,8 +15,6 @@ use crate::{Studio, text};
 
 /// The hem slider's ends [cm]: ankle and knee, and a little more.
 pub(super) const SKIRT_HEMS: RangeInclusive<f64> = 5.0..=60.0;
-/// Of a top [cm]: from the hips to the bust.
-pub(super) const TOP_HEMS: RangeInclusive<f64> = 80.0..=125.0;
 /// Ends of the gathers' slider: flat to as much as elastic takes in.
 const GATHERS: RangeInclusive<f64> = 1.5..=5.0;
 

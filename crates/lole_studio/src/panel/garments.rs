@@ -2,13 +2,11 @@
 //! shelf of templates.
 
 use eframe::egui::{self, RichText, Ui};
-use lole_costume::document::{Design, GarmentDesign, GarmentLayer, WornSkirt, WornTop};
-use lole_garment::{Shelf, Template};
+use lole_costume::document::{Design, GarmentDesign, GarmentLayer};
+use lole_garment::{Fineness, Shelf, Template};
 use lole_language::{Language, Words};
 
-use super::garment::{
-    SKIRT_HEMS, TOP_HEMS, fabric_ui, gather_ui, hem_ui, paper_ui, print_ui, width_ui,
-};
+use super::garment::{SKIRT_HEMS, fabric_ui, paper_ui, print_ui, width_ui};
 use super::knob::{choice, left_label, sign_button, wide_button};
 use super::options::capitalized;
 use super::{hindrance, options, placement, sketch, swatch};
@@ -77,7 +75,7 @@ fn title(
     (place, count): (usize, usize),
     garment: &GarmentDesign,
 ) -> Option<Move> {
-    let name = studio.say(name_of(garment));
+    let name = studio.say(garment.name());
     let of = |words: Words| format!("{} {name} {}", studio.say(words), place + 1);
     let mut done = None;
     ui.horizontal(|ui| {
@@ -105,23 +103,14 @@ fn title(
     done
 }
 
-const fn name_of(garment: &GarmentDesign) -> Words {
-    match (garment, garment.layer()) {
-        (GarmentDesign::PauSkirt(_), GarmentLayer::Under) => text::UNDERSKIRT,
-        (GarmentDesign::PauSkirt(_), GarmentLayer::Over) => text::OVERSKIRT,
-        (GarmentDesign::PauTop(_), _) => text::TOP,
-        (GarmentDesign::Template(worn), _) => worn.template.name,
-    }
-}
-
 fn garment_ui(ui: &mut Ui, studio: &mut Studio, place: usize, garment: &GarmentDesign) {
     let (mut changed, mut when) = (garment.clone(), When::Now);
     let layers = [
         (GarmentLayer::Under, studio.say(text::UNDER_SKIRT)),
         (GarmentLayer::Over, studio.say(text::OVER_SKIRT)),
     ];
-    if let Some(layer) = choice(ui, Some(garment.layer()), &layers) {
-        *changed.layer_mut() = layer;
+    if let Some(layer) = choice(ui, Some(garment.layer), &layers) {
+        changed.layer = layer;
     }
     let paper = studio.paper.clone();
     let on_paper = (paper.as_ref()).and_then(|paper| paper.garment(Some(place), studio.design()));
@@ -132,7 +121,7 @@ fn garment_ui(ui: &mut Ui, studio: &mut Studio, place: usize, garment: &GarmentD
         cut.map_or(true, |cut| !cut.plans.is_empty())
     });
     if is_cloth {
-        let (fabric, print) = changed.cloth_mut();
+        let (fabric, print) = (&mut changed.fabric, &mut changed.print);
         if let Some(chosen) = fabric_ui(ui, studio, place, fabric) {
             *fabric = chosen;
         }
@@ -153,15 +142,10 @@ fn garment_ui(ui: &mut Ui, studio: &mut Studio, place: usize, garment: &GarmentD
             }
         });
     }
-    if cut_ui(ui, studio, &mut changed) {
+    let shape = egui::CollapsingHeader::new(studio.say(text::SHAPE)).default_open(true);
+    let moved = shape.show(ui, |ui| options::show(ui, studio, &mut changed, trouble));
+    if moved.body_returned == Some(true) {
         when = When::Later;
-    }
-    if let GarmentDesign::Template(worn) = &mut changed {
-        let shape = egui::CollapsingHeader::new(studio.say(text::SHAPE)).default_open(true);
-        let moved = shape.show(ui, |ui| options::show(ui, studio, worn, trouble));
-        if moved.body_returned == Some(true) {
-            when = When::Later;
-        }
     }
     if let Some(trouble) = trouble.filter(|trouble| trouble.key.is_none()) {
         hindrance::sentence(ui, studio, &trouble.sentence);
@@ -175,38 +159,6 @@ fn garment_ui(ui: &mut Ui, studio: &mut Studio, place: usize, garment: &GarmentD
         When::Now => studio.change(edit),
         When::Later => studio.change_later(edit),
     }
-}
-
-/// Gathers and hem; whether one was moved.
-fn cut_ui(ui: &mut Ui, studio: &Studio, garment: &mut GarmentDesign) -> bool {
-    let before = garment.clone();
-    match garment {
-        GarmentDesign::PauSkirt(WornSkirt { skirt, .. }) => {
-            if let Some(ratio) = gather_ui(ui, studio, skirt.gather_ratio) {
-                skirt.gather_ratio = ratio;
-            }
-            if let Some(height) = hem_ui(ui, studio, SKIRT_HEMS, skirt.hem_height_cm) {
-                skirt.hem_height_cm = height;
-            }
-        }
-        GarmentDesign::PauTop(WornTop { top, .. }) => {
-            if let Some(ratio) = gather_ui(ui, studio, top.gather_ratio) {
-                top.gather_ratio = ratio;
-            }
-            let mut by_skirt = top.hem_height_cm.is_none();
-            let switch = ui.checkbox(&mut by_skirt, studio.say(text::HEM_BY_SKIRT));
-            if switch.changed() {
-                top.hem_height_cm = (!by_skirt).then_some(*TOP_HEMS.start() + 15.0);
-            }
-            if let Some(height) = top.hem_height_cm
-                && let Some(height) = hem_ui(ui, studio, TOP_HEMS, height)
-            {
-                top.hem_height_cm = Some(height);
-            }
-        }
-        GarmentDesign::Template(_) => {}
-    }
-    *garment != before
 }
 
 /// Everything that can be put on, by what it is for.
@@ -259,37 +211,27 @@ fn entry(ui: &mut Ui, studio: &Studio, template: &Template, name: Words) -> bool
     .inner
 }
 
-/// What a template puts on: skirts below and above the other one, everything else as it is.
+/// What a template puts on: a skirt below and above the other one, everything else as it is.
 fn entries(
     design: &Design,
     template: &'static Template,
 ) -> Vec<(&'static Template, Words, GarmentDesign)> {
-    let Some(garment) = GarmentDesign::of_kind(template.id) else {
-        return Vec::new();
-    };
-    if !matches!(garment, GarmentDesign::PauSkirt(_)) {
-        let name = match garment {
-            GarmentDesign::PauTop(_) => text::TOP,
-            _ => template.name,
-        };
-        return vec![(template, name, garment)];
+    let garment = GarmentDesign::new(template);
+    if template.second().is_none() {
+        return vec![(template, garment.name(), garment)];
     }
-    let over = WornSkirt {
-        layer: GarmentLayer::Over,
-        ..WornSkirt::default()
-    };
     // Shorter than the skirt, so that both are seen.
     let above = design.skirt.hem_height_cm + 12.0;
-    let over = WornSkirt {
-        skirt: lole_costume::document::SkirtDesign {
-            hem_height_cm: above.min(*SKIRT_HEMS.end()),
-            seed: 4,
-            ..over.skirt
+    let over = garment
+        .clone()
+        .with(&[("hem_height_cm", above.min(*SKIRT_HEMS.end()))]);
+    let over = GarmentDesign {
+        layer: GarmentLayer::Over,
+        fineness: Fineness {
+            seed: over.fineness.seed + 2,
+            ..over.fineness
         },
         ..over
     };
-    vec![
-        (template, text::UNDERSKIRT, garment),
-        (template, text::OVERSKIRT, GarmentDesign::PauSkirt(over)),
-    ]
+    [garment, over].map(|it| (template, it.name(), it)).into()
 }

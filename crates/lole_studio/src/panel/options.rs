@@ -1,7 +1,7 @@
 //! What a template lets its maker decide, one field for each row of its table.
 
 use eframe::egui::{RichText, Ui};
-use lole_costume::document::WornTemplate;
+use lole_costume::document::GarmentDesign;
 use lole_garment::template::{OptionKind, OptionRow};
 
 use super::hindrance;
@@ -16,7 +16,7 @@ const BESIDE: usize = 2;
 pub(super) fn show(
     ui: &mut Ui,
     studio: &Studio,
-    worn: &mut WornTemplate,
+    worn: &mut GarmentDesign,
     trouble: Option<&DraftTrouble>,
 ) -> bool {
     let mut is_moved = false;

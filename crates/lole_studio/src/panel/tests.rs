@@ -430,22 +430,20 @@ fn garments_are_put_on_cut_from_another_fabric_and_taken_off() {
     let mut window = tab(Tab::Costume);
     pick(&mut window, "Fabric", PRESETS[5].name);
     assert_eq!(wished(&mut window).fabric.preset.id, PRESETS[5].id);
-    put_on(&mut window, "Underskirt");
-    put_on(&mut window, "Top");
+    put_on(&mut window, "Pāʻū underskirt");
+    put_on(&mut window, "Pāʻū top");
     let garments = wished(&mut window).garments;
-    assert!(matches!(garments[0], GarmentDesign::PauSkirt(_)));
-    assert!(matches!(garments[1], GarmentDesign::PauTop(_)));
-    click(&mut window, "Take off: Underskirt 1");
+    let kinds = garments.iter().map(GarmentDesign::kind_id);
+    assert_eq!(kinds.collect::<Vec<_>>(), ["pau-skirt", "pau-top"]);
+    click(&mut window, "Take off: pāʻū underskirt 1");
     let design = wished(&mut window);
     assert_eq!(design.garments.len(), 1);
-    let hem = "Hem just above the skirt";
+    assert!(design.garments[0].option("hem_height_cm").is_none());
+    let hem = "by the measures: just above the skirt's upper edge";
     window.get_by_role_and_label(Role::CheckBox, hem).click();
     window.run_steps(3);
     let design = wished(&mut window);
-    let GarmentDesign::PauTop(worn) = &design.garments[0] else {
-        panic!("{design:?}");
-    };
-    assert!(worn.top.hem_height_cm.is_some());
+    assert!(design.garments[0].option("hem_height_cm").is_some());
 }
 
 #[test]
@@ -455,7 +453,7 @@ fn garments_that_a_method_cannot_move_are_explained_where_they_are_added() {
     studio.change(|design| design.method.name = MethodName::FbEuler);
     let mut window = window(studio);
     commands(&mut window);
-    put_on(&mut window, "Top");
+    put_on(&mut window, "Pāʻū top");
     assert!(commands(&mut window).is_empty());
     window.get_by_label_contains("move one garment alone");
     click(&mut window, "Undo");

@@ -1,6 +1,6 @@
 //! How rows of the schema are written, and the rows that garments share: a macro for each part of a
 //! design, because a skirt's rows fill a [`Design`](crate::document::Design) as they fill a
-//! [`WornSkirt`](crate::document::WornSkirt).
+//! [`GarmentDesign`](crate::document::GarmentDesign).
 
 macro_rules! number {
     ($name:literal, $min:literal..=$max:literal, $($field:ident).+, $japanese:literal, $about:literal) => {
@@ -99,6 +99,33 @@ macro_rules! choice {
                 },
             },
         }
+    };
+}
+
+/// Rows of how finely something is gathered, and by what chance.
+macro_rules! fineness_keys {
+    ($table:ident) => {
+        &[
+            count!(
+                "column_count",
+                32..=4096,
+                $table.column_count,
+                "横まわりの質点の数",
+                "particles around"
+            ),
+            count!(
+                "row_count",
+                8..=512,
+                $table.row_count,
+                "上から裾までの質点の数",
+                "particles from top to hem"
+            ),
+            seed!(
+                $table,
+                "ギャザーの寄り方（乱数の種）",
+                "chance of the gathers"
+            ),
+        ]
     };
 }
 
