@@ -32,6 +32,54 @@ pub struct StepInput<'a> {
     pub air_velocity: Vec3,
 }
 
+/// One step as the method sees it that takes it: of which model, with which settings, in which world.
+pub(crate) struct StepOf<'a, M> {
+    pub(crate) model: &'a M,
+    pub(crate) config: &'a SolverConfig,
+    pub(crate) input: &'a StepInput<'a>,
+    /// Duration [s].
+    pub(crate) dt: f32,
+}
+
+/// One step of a grid.
+pub(crate) type GridStep<'a> = StepOf<'a, ClothModel>;
+
+// Not derived: a step can be copied whether or not its model can.
+impl<M> Clone for StepOf<'_, M> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<M> Copy for StepOf<'_, M> {}
+
+impl<M> StepOf<'_, M> {
+    /// What gravity adds to a speed in the step [m/s].
+    pub(crate) fn speed_gain(&self) -> f32 {
+        self.config.gravity.length() * self.dt
+    }
+}
+
+/// How far a step, or a part of it, has come at the end of a substep.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Progress {
+    /// Share of it that is over, from 0 to 1.
+    pub(crate) fraction: f32,
+    /// Share of it that the substep alone is.
+    pub(crate) share: f32,
+}
+
+impl Progress {
+    /// After `done` of `count` substeps that are equally long.
+    #[expect(clippy::cast_precision_loss, reason = "substeps are few")]
+    pub(crate) const fn after(done: u32, count: u32) -> Self {
+        Self {
+            fraction: done as f32 / count as f32,
+            share: 1.0 / count as f32,
+        }
+    }
+}
+
 /// Moves the cloth on by `dt` [s].
 ///
 /// Pins, capsules and surfels move evenly from where the previous call left them to where `input` has them.
@@ -49,7 +97,13 @@ pub fn step(
 ) -> Result<(), Lost> {
     check_cloth(0, [model.layout.vector_count(), state.positions.len()])?;
     check_pins(model.pin_indices().len(), input.pin_targets)?;
-    xpbd::advance(model, config, (input, dt), state);
+    let step = StepOf {
+        model,
+        config,
+        input,
+        dt,
+    };
+    xpbd::advance(step, state);
     keep_surroundings(input, state);
     Ok(())
 }
@@ -69,7 +123,13 @@ pub fn step_observed(
 ) -> Result<(), Lost> {
     check_cloth(0, [model.layout.vector_count(), state.positions.len()])?;
     check_pins(model.pin_indices().len(), input.pin_targets)?;
-    xpbd::observed::advance((model, config), (input, dt), state, passed);
+    let step = StepOf {
+        model,
+        config,
+        input,
+        dt,
+    };
+    xpbd::observed::advance(step, state, passed);
     keep_surroundings(input, state);
     Ok(())
 }

@@ -5,7 +5,8 @@ use glam::Vec3;
 
 use crate::assembly::joint::Joint;
 use crate::assembly::piece::{Piece, PieceState};
-use crate::collision::face_contact::{FaceContacts, FacePiece, Faces, Meeting, Moving};
+use crate::assembly::step::AssemblyState;
+use crate::collision::face_contact::{FacePiece, Faces, Meeting, Moving};
 use crate::lanes::LANES;
 use crate::mesh::self_contact::{began, meeting, shift};
 use crate::{ClothModel, SolverConfig};
@@ -58,10 +59,16 @@ fn grid_piece(model: &ClothModel, is_sewn: Vec<bool>) -> FacePiece<'_> {
 
 /// Finds where the pieces may touch in a step; every how many substeps that is solved, if at all.
 pub(crate) fn find(
-    (pieces, faces): (&[Piece], &Faces),
-    (states, contacts): (&[PieceState], &mut FaceContacts),
+    pieces: &[Piece],
+    faces: &Faces,
+    state: &mut AssemblyState,
     dt: f32,
 ) -> Option<u32> {
+    let AssemblyState {
+        pieces: states,
+        contacts,
+        ..
+    } = state;
     contacts.clear();
     let meetings: Vec<Meeting> = pieces.iter().map(meeting_of).collect();
     let intervals = pieces.iter().filter_map(|piece| {
@@ -73,7 +80,7 @@ pub(crate) fn find(
     contacts.velocities.clear();
     contacts.is_tangled.clear();
     let mut one = Vec::new();
-    for (piece, state) in pieces.iter().zip(states) {
+    for (piece, state) in pieces.iter().zip(&*states) {
         state.copy_positions(piece, &mut one);
         contacts.positions.extend_from_slice(&one);
         state.copy_velocities(piece, &mut one);

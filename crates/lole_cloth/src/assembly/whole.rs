@@ -8,6 +8,7 @@ use glam::Vec3;
 use crate::assembly::joint::Joint;
 use crate::assembly::knot::EdgePoint;
 use crate::assembly::piece::{Piece, PieceState};
+use crate::assembly::step::AssemblyState;
 use crate::collision::face_contact::Moving;
 use crate::collision::outside::{Body, Outside};
 use crate::collision::placement::Placement;
@@ -159,10 +160,16 @@ impl Whole {
     /// Takes back what came to cross in a step of `dt` [s], at whose end the world is as in `inputs`.
     pub(crate) fn repair(
         &self,
-        (pieces, inputs): (&[Piece], &[StepInput<'_>]),
-        (states, state): (&mut [PieceState], &mut WholeState),
+        pieces: &[Piece],
+        inputs: &[StepInput<'_>],
+        state: &mut AssemblyState,
         dt: f32,
     ) {
+        let AssemblyState {
+            pieces: states,
+            whole: state,
+            ..
+        } = state;
         if !self.repairs {
             return;
         }

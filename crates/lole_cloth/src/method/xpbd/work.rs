@@ -2,8 +2,8 @@
 
 use fearless_simd::{Simd, f32x16, prelude::*};
 
-use super::Substep;
 use super::schedule::Stage;
+use super::substep::Substep;
 use crate::collision::capsule::MovingCapsule;
 use crate::collision::capsule::near::{Range, RowContacts};
 use crate::collision::response::ContactRow;
@@ -13,6 +13,7 @@ use crate::constraint::hysteresis::{BendSets, Frictionless, Sets, ShearSets};
 use crate::constraint::tether::Tethers;
 use crate::constraint::{bend, shear, stride, structural, tether};
 use crate::lanes::{Points, RowLink, Vectors, row_links};
+use crate::step::Progress;
 use crate::{ClothModel, SolverConfig};
 
 /// Stride links along rows, with their strides.
@@ -69,8 +70,8 @@ pub(super) struct Work<'a> {
     /// Which capsules are tested.
     pub(super) range: Range,
     pub(super) surfel_contacts: &'a SurfelContacts,
-    /// How much has passed at the end of the substep of what they were found for, and its own share.
-    pub(super) passed: (f32, f32),
+    /// How far what they were found for has come at the end of the substep.
+    pub(super) skin_progress: Progress,
     /// By row, how far inside the capsules its particles may stay [m].
     pub(super) held: &'a [f32],
 }
@@ -279,18 +280,18 @@ impl Work<'_> {
         let has_skin = !self.surfel_contacts.is_empty();
         if has_skin || !indices.is_empty() {
             let mut contact_row = ContactRow {
+                first: range.start,
                 positions: &mut self.positions[range.clone()],
                 predicted: &mut self.predicted[range.clone()],
                 velocities: &self.velocities[range.clone()],
                 inv_masses: &self.model.inv_masses[range.clone()],
                 h: self.substep.h,
                 held: self.held[row],
+                law: self.substep.contact,
             };
-            let law = self.substep.contact;
-            contact_row.project(simd, self.capsules, indices, law);
+            contact_row.project(simd, self.capsules, indices);
             if has_skin {
-                let contacts = (self.surfel_contacts, range.start);
-                contact_row.project_out_of_skin(simd, contacts, self.passed, law);
+                contact_row.project_out_of_skin(simd, self.surfel_contacts, self.skin_progress);
             }
         }
         let inv_h = f32x16::splat(simd, 1.0 / self.substep.h);
