@@ -6,7 +6,7 @@
 //! staggered way the arithmetic is that of one family after the other over the whole cloth, bit for
 //! bit, and a row is still in the nearest cache when the next family wants it.
 
-use crate::constraint::pull::Pull;
+use crate::constraint::stride::Limit;
 use crate::constraint::tether::Tethers;
 use crate::{ClothModel, ClothState, SolverConfig};
 
@@ -22,9 +22,9 @@ pub(crate) enum Stage {
     /// Tethers to pins, which lie at most so many rows further down.
     Tether(usize),
     /// Strides down the columns, over so many rows, and their limit.
-    ColumnStride(usize, Pull),
+    ColumnStride(usize, Limit),
     /// Strides along the row: which of the strides, and their limit.
-    RowStride(usize, [Pull; 2]),
+    RowStride(usize, [Limit; 2]),
     /// Bending along the row.
     BendAlong,
     /// Bending down the columns.
@@ -183,23 +183,16 @@ fn push_far_and_soft(model: &ClothModel, config: &SolverConfig, schedule: &mut S
     }
     let [u, v] = model.spec().grid.spacing;
     for &stride in &config.column_strides {
-        schedule.push(Stage::ColumnStride(stride as usize, limit(stride, v)));
+        schedule.push(Stage::ColumnStride(stride as usize, Limit::new(stride, v)));
     }
     let fullness = (model.spec().grid.flounce).map_or(1.0, |flounce| flounce.fullness);
     for (index, &stride) in config.row_strides.iter().enumerate() {
-        let limits = [u, fullness * u].map(|spacing| limit(stride, spacing));
+        let limits = [u, fullness * u].map(|spacing| Limit::new(stride, spacing));
         schedule.push(Stage::RowStride(index, limits));
     }
     schedule.push(Stage::BendAlong);
     schedule.push(Stage::BendDown);
     schedule.push(Stage::Cells);
-}
-
-/// What pulls where so many cells of a spacing [m] are the limit.
-#[expect(clippy::cast_precision_loss, reason = "a stride is far below 2^24")]
-fn limit(cells: u32, spacing: f32) -> Pull {
-    let reach = cells as f32 * spacing;
-    Pull::new(reach * reach)
 }
 
 #[cfg(test)]
@@ -221,9 +214,9 @@ mod tests {
         let stages = [
             Stage::Predict,
             Stage::Tether(3),
-            Stage::ColumnStride(16, Pull::new(1.0)),
-            Stage::ColumnStride(4, Pull::new(1.0)),
-            Stage::RowStride(0, [Pull::new(1.0); 2]),
+            Stage::ColumnStride(16, Limit::new(1, 1.0)),
+            Stage::ColumnStride(4, Limit::new(1, 1.0)),
+            Stage::RowStride(0, [Limit::new(1, 1.0); 2]),
             Stage::BendAlong,
             Stage::BendDown,
             Stage::Cells,
