@@ -12,13 +12,13 @@ const CAUGHT_UP: f32 = 0.5e-3;
 
 /// The pinned particles of a cloth.
 #[derive(Clone, Copy)]
-pub(crate) struct Pins<'a> {
+pub(crate) struct PinSlots<'a> {
     pub(crate) layout: &'a dyn Placement,
     /// Which particles they are.
     pub(crate) indices: &'a [u32],
 }
 
-impl Pins<'_> {
+impl PinSlots<'_> {
     /// Vector and lane of each.
     fn slots(&self) -> impl Iterator<Item = (usize, usize)> {
         let indices = self.indices.iter();
@@ -43,7 +43,7 @@ impl PinGoals {
     /// the body and a part of the way on.
     pub(crate) fn set(
         &mut self,
-        pins: Pins<'_>,
+        pins: PinSlots<'_>,
         before: &[Vec3],
         targets: &[Vec3],
         positions: &[Points],
@@ -66,7 +66,7 @@ impl PinGoals {
     /// Pinned particles fly straight to their goals, so every substep finds them on the way.
     pub(crate) fn start(
         &self,
-        pins: Pins<'_>,
+        pins: PinSlots<'_>,
         positions: &[Points],
         velocities: &mut [Points],
         dt: f32,
@@ -78,7 +78,7 @@ impl PinGoals {
     }
 
     /// Rounding has moved the pins a little off their goals.
-    pub(crate) fn finish(&self, pins: Pins<'_>, positions: &mut [Points]) {
+    pub(crate) fn finish(&self, pins: PinSlots<'_>, positions: &mut [Points]) {
         for ((vector, lane), &goal) in pins.slots().zip(&self.goals) {
             positions[vector].set(lane, goal);
         }

@@ -1,6 +1,8 @@
 //! A surface made of triangles, cut into patches of two: what contact and crossings are looked for
 //! in, whether it is one grid of cloth, several layers or any other mesh.
 
+use glam::Vec3;
+
 use crate::Grid;
 use crate::lanes::{LANES, narrow};
 
@@ -47,7 +49,23 @@ struct Adjacent {
     shared: [u16; LANES],
 }
 
+/// A surface as it lies at one moment.
+#[derive(Clone, Copy)]
+pub(crate) struct SurfaceNow<'a> {
+    pub(crate) surface: &'a Surface,
+    /// By particle [m].
+    pub(crate) positions: &'a [Vec3],
+}
+
 impl Surface {
+    /// It with its particles at these positions [m].
+    pub(crate) const fn at<'a>(&'a self, positions: &'a [Vec3]) -> SurfaceNow<'a> {
+        SurfaceNow {
+            surface: self,
+            positions,
+        }
+    }
+
     /// The triangles of a grid, every cell cut from upper left to lower right: sixteen columns of
     /// it from top to bottom, then the next.
     pub(crate) fn from_grid(grid: &Grid) -> Self {

@@ -22,7 +22,7 @@ use crate::mesh::strain::{self, Strain};
 use crate::mesh::stride;
 use crate::mesh::tether;
 use crate::method::fineness::Substeps;
-use crate::pins::Pins;
+use crate::pins::PinSlots;
 use crate::step::StepOf;
 use crate::{SolverConfig, StepInput};
 
@@ -319,8 +319,8 @@ pub(crate) fn finish_pins(model: &MeshModel, state: &mut MeshState) {
     goals.finish(pins_of(model), &mut state.positions);
 }
 
-fn pins_of(model: &MeshModel) -> Pins<'_> {
-    Pins {
+fn pins_of(model: &MeshModel) -> PinSlots<'_> {
+    PinSlots {
         layout: &model.slots,
         indices: model.pin_indices(),
     }

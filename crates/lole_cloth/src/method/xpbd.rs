@@ -20,7 +20,7 @@ use crate::collision::outside::Body;
 use crate::collision::repair::Fixed;
 use crate::method::fineness::Substeps;
 use crate::phase::Observer;
-use crate::pins::Pins;
+use crate::pins::PinSlots;
 use crate::step::{GridStep, Progress};
 use crate::{ClothModel, ClothState, Crossings, SelfCollision};
 pub(crate) use contact::{find_body_contacts, move_capsules};
@@ -258,8 +258,8 @@ pub(crate) fn finish_pins(model: &ClothModel, state: &mut ClothState) {
     goals.finish(pins_of(model), &mut state.positions);
 }
 
-fn pins_of(model: &ClothModel) -> Pins<'_> {
-    Pins {
+fn pins_of(model: &ClothModel) -> PinSlots<'_> {
+    PinSlots {
         layout: &model.layout,
         indices: model.pin_indices(),
     }
