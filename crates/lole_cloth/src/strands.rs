@@ -15,6 +15,7 @@ use glam::Vec3;
 use lole_geom::Surfel;
 
 use crate::lost::{Lost, check_cloth};
+use crate::step::Progress;
 use contact::Contacts;
 
 /// Whether the end of a strand is tied to its beginning.
@@ -334,6 +335,14 @@ impl StrandState {
     }
 }
 
+/// One step of strands.
+#[derive(Clone, Copy)]
+struct StrandStep<'a> {
+    model: &'a StrandModel,
+    config: &'a StrandConfig,
+    input: &'a StrandInput<'a>,
+}
+
 /// Moves strands on by `dt` [s].
 ///
 /// # Errors
@@ -353,22 +362,24 @@ pub fn step(
     }
     let [_, kept] = &mut state.before;
     kept.clone_from(&state.positions);
-    state
-        .contacts
-        .find(model, config, [&state.surfels, input.surfels], &{
-            contact::Flight {
-                positions: &state.positions,
-                velocities: &state.velocities,
-                dt,
-            }
-        });
+    let step = StrandStep {
+        model,
+        config,
+        input,
+    };
+    let flight = contact::Flight {
+        positions: &state.positions,
+        velocities: &state.velocities,
+        dt,
+    };
+    state.contacts.find(step, &state.surfels, &flight);
     let count = config.substep_count.max(1);
     #[expect(clippy::cast_precision_loss, reason = "substeps are few")]
     let h = dt / count as f32;
     for index in 0..count {
         #[expect(clippy::cast_precision_loss, reason = "substeps are few")]
         let [from, to] = [index, index + 1].map(|end| end as f32 / count as f32);
-        solve::predict(model, config, input, state, h);
+        solve::predict(step, state, h);
         solve::place_pins(model, input, state, (to - from) / (1.0 - from));
         solve::bend(model, state, h);
         solve::link(model, state, h);
@@ -380,12 +391,11 @@ pub fn step(
             before,
             ..
         } = state;
-        contacts.push_out(
-            model,
-            config,
-            (positions, &mut before[0]),
-            (to, to - from, h),
-        );
+        let progress = Progress {
+            fraction: to,
+            share: to - from,
+        };
+        contacts.push_out(step, [positions, &mut before[0]], progress, h);
         solve::update_velocities(state, h);
     }
     state.surfels.clear();

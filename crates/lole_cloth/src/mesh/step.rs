@@ -352,18 +352,19 @@ fn predict<S: Simd>(simd: S, model: &MeshModel, substep: &Substep, state: &mut M
             y: free.select(after.y, before.y),
             z: free.select(after.z, before.z),
         };
-        let mut place = Vectors::load(simd, position).add(after.scale(h));
+        let place = Vectors::load(simd, position).add(after.scale(h));
         after.store(velocity);
         place.store(predicted);
+        let mut sixteen = Gathered { place, inv_mass };
         if let Some(inv_scale) = substep.inv_tether_square {
             for tethers in &model.tethers {
                 let inv_square = f32x16::load_array_ref(simd, &tethers.inv_squares[vector].0);
                 let anchor = tethers.anchor(simd, &scratch.particles, vector);
-                place = tether::pulled(simd, place, inv_mass, anchor, inv_square * inv_scale);
+                sixteen.place = tether::pulled(simd, sixteen, anchor, inv_square * inv_scale);
             }
         }
-        if let Some(sixteen) = scratch.particles[vector * LANES * WIDTH..].first_chunk_mut() {
-            particles::store(Gathered { place, inv_mass }, sixteen);
+        if let Some(particles) = scratch.particles[vector * LANES * WIDTH..].first_chunk_mut() {
+            particles::store(sixteen, particles);
         }
     }
 }

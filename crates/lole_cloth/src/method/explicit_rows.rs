@@ -315,8 +315,11 @@ fn run_substep<S: Simd>(simd: S, model: &ExplicitModel, substep: Substep, state:
         let start = row * width;
         let (done, below) = state.positions.split_at_mut(start + width);
         let points = &mut done[start..];
-        let bend = &model.bend[0][start..start + width];
-        forces::bend_row(simd, this, points, &cloth.row_triples, bend);
+        let bending = forces::RowBending {
+            links: &cloth.row_triples,
+            weights: &model.bend[0][start..start + width],
+        };
+        bending.add(simd, this, points);
         let mut flight = Flight {
             simd,
             positions: points,
@@ -327,7 +330,7 @@ fn run_substep<S: Simd>(simd: S, model: &ExplicitModel, substep: Substep, state:
         };
         if row + 1 == row_count {
             let along = &model.cell.along;
-            forces::add_row(simd, this, flight.positions, &cloth.row_pairs, along);
+            along.add_row(simd, this, flight.positions, &cloth.row_pairs);
             for (group, force) in this.iter().enumerate() {
                 flight.take(group, Vectors::load(simd, force));
             }
@@ -335,7 +338,7 @@ fn run_substep<S: Simd>(simd: S, model: &ExplicitModel, substep: Substep, state:
         }
         let lower = &below[..width];
         let pair = [&*flight.positions, lower];
-        forces::add_cells(simd, [this, next], pair, &cloth.row_pairs, &model.cell);
+        (model.cell).add_to_rows(simd, [this, next], pair, &cloth.row_pairs);
         if row + 2 == row_count {
             for group in 0..width {
                 let points = [&flight.positions[group], &lower[group]];

@@ -123,60 +123,62 @@ pub(super) fn run(course: &Course<'_>, method: RungeKutta, state: &mut Reference
     };
     for substep in 0..course.substep_count {
         let start = f64::from(substep);
-        advance(course, method, start, state, &mut stages);
+        method.advance(course, start, state, &mut stages);
         course.place_pins(start + 1.0, &mut state.positions);
         course.carry_pins(&mut state.velocities);
     }
 }
 
-/// The substep that begins `start` substeps after the start of the step.
-fn advance(
-    course: &Course<'_>,
-    method: RungeKutta,
-    start: f64,
-    state: &mut ReferenceState,
-    stages: &mut Stages,
-) {
-    let dt = course.substep_dt();
-    let is_held = course.config.contact_evaluation == ContactEvaluation::PerStep;
-    stages.position_sums.fill(DVec3::ZERO);
-    stages.velocity_sums.fill(DVec3::ZERO);
-    for (stage, (&node, &weight)) in method.nodes().iter().zip(&WEIGHTS).enumerate() {
-        let node_time = match method.time {
-            StageTime::Moving => start + node,
-            StageTime::Frozen => start,
-        };
-        // kx and kv of the stage before, of which this one goes `node` of the way.
-        for index in 0..state.positions.len() {
-            let velocity_before = stages.velocities[index];
-            let acceleration_before = stages.accelerations[index];
-            let ahead = if stage == 0 { 0.0 } else { node * dt };
-            stages.positions[index] = state.positions[index] + velocity_before * ahead;
-            stages.velocities[index] = state.velocities[index] + acceleration_before * ahead;
+impl RungeKutta {
+    /// The substep that begins `start` substeps after the start of the step.
+    fn advance(
+        self,
+        course: &Course<'_>,
+        start: f64,
+        state: &mut ReferenceState,
+        stages: &mut Stages,
+    ) {
+        let dt = course.substep_dt();
+        let is_held = course.config.contact_evaluation == ContactEvaluation::PerStep;
+        stages.position_sums.fill(DVec3::ZERO);
+        stages.velocity_sums.fill(DVec3::ZERO);
+        for (stage, (&node, &weight)) in self.nodes().iter().zip(&WEIGHTS).enumerate() {
+            let node_time = match self.time {
+                StageTime::Moving => start + node,
+                StageTime::Frozen => start,
+            };
+            // kx and kv of the stage before, of which this one goes `node` of the way.
+            for index in 0..state.positions.len() {
+                let velocity_before = stages.velocities[index];
+                let acceleration_before = stages.accelerations[index];
+                let ahead = if stage == 0 { 0.0 } else { node * dt };
+                stages.positions[index] = state.positions[index] + velocity_before * ahead;
+                stages.velocities[index] = state.velocities[index] + acceleration_before * ahead;
+            }
+            course.place_pins(node_time, &mut stages.positions);
+            let world = course.world_at(node_time);
+            if is_held && stage == 0 {
+                world.penalties(&stages.positions, &stages.velocities, &mut stages.penalties);
+            }
+            let damped = match self.damping {
+                StageDamping::PerStage => &stages.velocities,
+                StageDamping::Frozen => &state.velocities,
+            };
+            let held = is_held.then_some(stages.penalties.as_slice());
+            world.accelerations(&stages.positions, damped, held, &mut stages.accelerations);
+            if self.counting == Counting::Twice && stage > 0 {
+                count_again(course, &state.velocities, &mut stages.accelerations);
+            }
+            for index in 0..state.positions.len() {
+                stages.position_sums[index] += stages.velocities[index] * (weight * dt);
+                stages.velocity_sums[index] += stages.accelerations[index] * (weight * dt);
+            }
         }
-        course.place_pins(node_time, &mut stages.positions);
-        let world = course.world_at(node_time);
-        if is_held && stage == 0 {
-            world.penalties(&stages.positions, &stages.velocities, &mut stages.penalties);
-        }
-        let damped = match method.damping {
-            StageDamping::PerStage => &stages.velocities,
-            StageDamping::Frozen => &state.velocities,
-        };
-        let held = is_held.then_some(stages.penalties.as_slice());
-        world.accelerations(&stages.positions, damped, held, &mut stages.accelerations);
-        if method.counting == Counting::Twice && stage > 0 {
-            count_again(course, &state.velocities, &mut stages.accelerations);
-        }
-        for index in 0..state.positions.len() {
-            stages.position_sums[index] += stages.velocities[index] * (weight * dt);
-            stages.velocity_sums[index] += stages.accelerations[index] * (weight * dt);
-        }
-    }
-    for (index, &is_pinned) in course.model.pinned().iter().enumerate() {
-        if !is_pinned {
-            state.positions[index] += stages.position_sums[index] / 6.0;
-            state.velocities[index] += stages.velocity_sums[index] / 6.0;
+        for (index, &is_pinned) in course.model.pinned().iter().enumerate() {
+            if !is_pinned {
+                state.positions[index] += stages.position_sums[index] / 6.0;
+                state.velocities[index] += stages.velocity_sums[index] / 6.0;
+            }
         }
     }
 }
