@@ -17,7 +17,7 @@ use glam::{Vec2, Vec3};
 use lole_cloth::mesh::{self, MeshModel, MeshSpec, MeshState};
 use lole_cloth::method::explicit_rows::{self, ExplicitModel};
 use lole_cloth::roofline::SpringStream;
-use lole_cloth::scenes::{FRAME_DT, SCENES, Scene, Setup};
+use lole_cloth::scenes::{ClothScene, FRAME_DT, SCENES, Setup};
 use lole_cloth::wind::{Aerodynamics, GustyWind, blow};
 use lole_cloth::{
     ClothModel, ClothState, InstructionSet, Phase, SolverConfig, StepInput, diagnose, step,
@@ -43,7 +43,7 @@ enum Body {
 
 /// A scene that goes on and on.
 struct World {
-    scene: &'static Scene,
+    scene: &'static ClothScene,
     setup: Setup,
     model: ClothModel,
     state: ClothState,

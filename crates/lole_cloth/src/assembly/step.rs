@@ -5,10 +5,10 @@ use std::num::NonZeroU32;
 use glam::Vec3;
 use lole_geom::{Capsule, Surfel, fnv};
 
-use crate::assembly::attachment::{Bones, Frame};
+use crate::assembly::attachment::{BoneFrame, Bones};
 use crate::assembly::contact;
-use crate::assembly::joint::{Joint, JointError, Made};
-use crate::assembly::piece::{Piece, PieceState};
+use crate::assembly::joint::{ClothJoint, JointError, Made};
+use crate::assembly::piece::{ClothPiece, PieceState};
 use crate::assembly::whole::{Whole, WholeState};
 use crate::collision::face_contact::{FaceContacts, Faces};
 use crate::lanes::Points;
@@ -23,7 +23,7 @@ use crate::{StepInput, mesh, mesh_state_hash, state_hash};
 /// Pieces and what joins them: what never changes from step to step.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Assembly {
-    pieces: Vec<Piece>,
+    pieces: Vec<ClothPiece>,
     joints: Vec<Made>,
     /// How the pieces meet each other.
     faces: Faces,
@@ -37,7 +37,7 @@ pub struct AssemblyState {
     /// In the order of the pieces.
     pub pieces: Vec<PieceState>,
     /// Where the bones were left; empty before the first step.
-    frames: Vec<Frame>,
+    frames: Vec<BoneFrame>,
     /// By piece, positions and velocities before the step.
     kept: Vec<[Vec<Points>; 2]>,
     /// Room for contacts between pieces.
@@ -53,7 +53,7 @@ pub struct AssemblyInput<'a> {
     /// of them stay.
     pub pin_targets: &'a [Vec<Vec3>],
     /// Where the bones are at the end of the step; always the same ones in the same order.
-    pub frames: &'a [Frame],
+    pub frames: &'a [BoneFrame],
     /// Where the capsules are at the end of the step; always the same ones in the same order.
     pub capsules: &'a [Capsule],
     /// Where the surfels of a skinned body are at the end of the step; always the same ones in the
@@ -70,8 +70,8 @@ impl Assembly {
     /// # Errors
     /// A joint of pieces or particles that do not exist, or with a number that is out of range.
     pub fn new(
-        mut pieces: Vec<Piece>,
-        joints: &[Joint],
+        mut pieces: Vec<ClothPiece>,
+        joints: &[ClothJoint],
         substep_count: NonZeroU32,
     ) -> Result<Self, JointError> {
         for piece in &mut pieces {
@@ -104,7 +104,7 @@ impl Assembly {
 
     /// The pieces.
     #[must_use]
-    pub fn pieces(&self) -> &[Piece] {
+    pub fn pieces(&self) -> &[ClothPiece] {
         &self.pieces
     }
 }
@@ -190,10 +190,10 @@ pub fn step(
     check_cloth(0, [assembly.pieces.len(), state.pieces.len()])?;
     for (place, (piece, state)) in assembly.pieces.iter().zip(&state.pieces).enumerate() {
         let lengths = match (piece, state) {
-            (Piece::Grid(model, _), PieceState::Grid(state)) => {
+            (ClothPiece::Grid(model, _), PieceState::Grid(state)) => {
                 [model.layout.vector_count(), state.positions.len()]
             }
-            (Piece::Mesh(model, _), PieceState::Mesh(state)) => {
+            (ClothPiece::Mesh(model, _), PieceState::Mesh(state)) => {
                 [model.inv_masses.len(), state.positions.len()]
             }
             _ => return Err(Lost::OtherCloth { piece: place }),
@@ -255,8 +255,8 @@ pub fn step(
         for (piece, state) in pieces {
             state.copy_positions(piece, points);
             match piece {
-                Piece::Grid(model, _) => strained.count_grid(model, points),
-                Piece::Mesh(model, _) => strained.count_mesh(model, points),
+                ClothPiece::Grid(model, _) => strained.count_grid(model, points),
+                ClothPiece::Mesh(model, _) => strained.count_mesh(model, points),
             }
         }
     });
@@ -337,8 +337,10 @@ fn advance(step: AssemblyStep<'_>, state: &mut AssemblyState, mut lost: Option<&
     }
     for (piece, state) in assembly.pieces.iter().zip(&mut state.pieces) {
         match (piece, state) {
-            (Piece::Grid(model, _), PieceState::Grid(state)) => xpbd::finish_pins(model, state),
-            (Piece::Mesh(model, _), PieceState::Mesh(state)) => {
+            (ClothPiece::Grid(model, _), PieceState::Grid(state)) => {
+                xpbd::finish_pins(model, state)
+            }
+            (ClothPiece::Mesh(model, _), PieceState::Mesh(state)) => {
                 mesh::step::finish_pins(model, state);
             }
             _ => {}
@@ -356,13 +358,13 @@ enum Plan<'a> {
 impl<'a> Plan<'a> {
     /// What is done once, before the first substep; `None` where the state is another piece's.
     fn begin(
-        piece: &'a Piece,
+        piece: &'a ClothPiece,
         input: &'a StepInput<'a>,
         dt: f32,
         state: &mut PieceState,
     ) -> Option<Self> {
         match (piece, state) {
-            (Piece::Grid(model, config), PieceState::Grid(state)) => {
+            (ClothPiece::Grid(model, config), PieceState::Grid(state)) => {
                 let step = GridStep {
                     model,
                     config,
@@ -371,7 +373,7 @@ impl<'a> Plan<'a> {
                 };
                 Some(Self::Grid(step, Box::new(xpbd::begin(step, state))))
             }
-            (Piece::Mesh(model, config), PieceState::Mesh(state)) => {
+            (ClothPiece::Mesh(model, config), PieceState::Mesh(state)) => {
                 let step = MeshStep {
                     model,
                     config,

@@ -18,7 +18,7 @@ use glam::Vec3;
 use lole_geom::triangle_grid::{Nearest, TriangleGrid, blend};
 
 pub use envelope::Envelope;
-pub use press::{Over, Press};
+pub use press::{OuterCloth, Press};
 pub use wall::Trunk;
 
 /// Weight of a corner below which the nearest point lies on the opposite side of its triangle.

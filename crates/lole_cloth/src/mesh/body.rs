@@ -30,7 +30,7 @@ const CELL: f32 = 0.03;
 /// Why a mesh is no body.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum BodyError {
+pub enum BodyMeshError {
     /// Nothing to meet.
     #[error("the body has {vertex_count} vertices and {triangle_count} triangles; give it some")]
     Empty {
@@ -131,20 +131,20 @@ impl MeshBody {
         positions: &[Vec3],
         triangles: &[[u32; 3]],
         spacing: f32,
-    ) -> Result<Self, BodyError> {
+    ) -> Result<Self, BodyMeshError> {
         if positions.is_empty() || triangles.is_empty() {
-            return Err(BodyError::Empty {
+            return Err(BodyMeshError::Empty {
                 vertex_count: positions.len(),
                 triangle_count: triangles.len(),
             });
         }
         if !(0.0 < spacing && spacing.is_finite()) {
-            return Err(BodyError::Spacing { spacing });
+            return Err(BodyMeshError::Spacing { spacing });
         }
         check_finite(positions)?;
         for (triangle, corners) in triangles.iter().enumerate() {
             if let Some(&index) = corners.iter().find(|&&it| positions.len() <= it as usize) {
-                return Err(BodyError::IndexOutOfRange {
+                return Err(BodyMeshError::IndexOutOfRange {
                     triangle,
                     index,
                     vertex_count: positions.len(),
@@ -196,10 +196,10 @@ impl MeshBody {
     ///
     /// # Errors
     /// Another number of vertices than at first, or one that is not finite; the body stays where it was.
-    pub fn pose(&mut self, positions: &[Vec3]) -> Result<(), BodyError> {
+    pub fn pose(&mut self, positions: &[Vec3]) -> Result<(), BodyMeshError> {
         let expected = self.positions[1].len();
         if positions.len() != expected {
-            return Err(BodyError::OtherCount {
+            return Err(BodyMeshError::OtherCount {
                 actual: positions.len(),
                 expected,
             });
@@ -339,10 +339,10 @@ fn is_covered(columns: &InsideColumns, surfel: &Surfel) -> bool {
     0 < columns.winding(surfel.position + surfel.normal * COVERED)
 }
 
-fn check_finite(positions: &[Vec3]) -> Result<(), BodyError> {
+fn check_finite(positions: &[Vec3]) -> Result<(), BodyMeshError> {
     let mut places = positions.iter().enumerate();
     match places.find(|(_, place)| !place.is_finite()) {
-        Some((vertex, &position)) => Err(BodyError::NotFinite { vertex, position }),
+        Some((vertex, &position)) => Err(BodyMeshError::NotFinite { vertex, position }),
         None => Ok(()),
     }
 }

@@ -25,7 +25,7 @@ const BEYOND: f32 = 0.5;
 
 /// Cloth that lies over gathers.
 #[derive(Debug, Clone, Copy)]
-pub struct Over<'a> {
+pub struct OuterCloth<'a> {
     /// Corners of its triangles, shape `[triangle_count]`.
     pub triangles: &'a [[u32; 3]],
     /// Where its particles lie on the flat cloth [m].
@@ -88,7 +88,7 @@ impl Default for Press {
 
 impl Press {
     /// Looks at what lies over gathers where a trunk is.
-    pub fn tighten<'a>(&mut self, trunk: Trunk, over: impl Iterator<Item = Over<'a>>) {
+    pub fn tighten<'a>(&mut self, trunk: Trunk, over: impl Iterator<Item = OuterCloth<'a>>) {
         self.taut.fill(Taut::default());
         for over in over {
             for triangle in over.triangles {
