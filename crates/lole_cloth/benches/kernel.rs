@@ -34,7 +34,7 @@ const SURFEL_SPACING: f32 = 0.012;
 /// Phases that take less of a frame are not timed: there is nothing for them to do.
 const LEAST_SHARE: f64 = 0.005;
 
-/// As what the cloth meets the body.
+/// In which form the cloth meets the body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Body {
     Capsules,

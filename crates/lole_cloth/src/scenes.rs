@@ -28,7 +28,7 @@ pub struct ClothScene {
 /// How a scene starts.
 #[derive(Debug, Clone)]
 pub struct Setup {
-    /// The cloth.
+    /// What cloth it is.
     pub spec: ClothSpec,
     /// Settings measured as good for it.
     pub config: SolverConfig,
@@ -355,7 +355,7 @@ const MIDDLE_CAPSULES: [([f64; 3], [f64; 3], f64); 3] = [
 /// A capsule of one side: ends, radius, and the share of the sway that each end takes.
 type SideCapsule = ([f64; 3], [f64; 3], f64, [f64; 2]);
 
-/// The same for the left side; the right mirrors it.
+/// Capsules of the left side; the right mirrors them.
 const SIDE_CAPSULES: [SideCapsule; 5] = [
     ([0.065, -0.15, 0.0], [0.075, -0.22, 0.0], 0.085, [1.0, 1.0]),
     ([0.05, -0.16, -0.05], [0.05, -0.21, -0.04], 0.08, [1.0, 1.0]),

@@ -224,7 +224,7 @@ impl ClothState {
         .carry(by, faster);
     }
 
-    /// Multiplies every velocity.
+    /// Multiplies every velocity by `factor`.
     pub fn scale_velocities(&mut self, factor: f32) {
         for velocity in &mut self.velocities {
             for axis in [&mut velocity.x, &mut velocity.y, &mut velocity.z] {

@@ -108,13 +108,13 @@ pub fn step(
     Ok(())
 }
 
-/// The same, bit for bit, and `passed` is called whenever a [`Phase`] has ended: first of all for
-/// what the caller did before. A phase ends several times in a step.
+/// Moves the cloth on by `dt` [s] as [`step`] does, bit for bit, and calls `passed` whenever a [`Phase`] has
+/// ended: first of all for what the caller did before. A phase ends several times in a step.
 ///
 /// Nothing is shared among threads then, so that no phase hides behind another.
 ///
 /// # Errors
-/// As [`step`].
+/// A state of another cloth, or as many targets as there are not pins; the cloth is as it was then.
 pub fn step_observed(
     (model, config): (&ClothModel, &SolverConfig),
     (input, dt): (&StepInput<'_>, f32),

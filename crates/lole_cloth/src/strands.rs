@@ -21,7 +21,7 @@ use contact::Contacts;
 /// Whether the end of a strand is tied to its beginning.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Ring {
-    /// It has two ends.
+    /// The strand has two ends.
     #[default]
     Open,
     /// The last particle is followed by the first.
@@ -61,7 +61,7 @@ pub struct Link {
 /// A particle drawn to a place that a body carries.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tie {
-    /// Its number among those of all strands.
+    /// Number of the particle among those of all strands.
     pub particle: u32,
     /// Distance by which a force of 1 N overcomes it [m/N].
     pub compliance: f32,
@@ -74,7 +74,7 @@ pub enum StrandError {
     /// A strand of too few particles.
     #[error("strand {strand} has {count} particles; it needs {least}")]
     TooShort {
-        /// Its place in the list.
+        /// Place of the strand in the list.
         strand: usize,
         /// Particles that it has.
         count: usize,
@@ -84,7 +84,7 @@ pub enum StrandError {
     /// A number that is not finite or out of its range.
     #[error("`{field}` of strand {strand} is {value}; it must be {rule}")]
     OutOfRange {
-        /// Its place in the list.
+        /// Place of the strand in the list.
         strand: usize,
         /// The number's name.
         field: &'static str,
@@ -123,12 +123,12 @@ pub struct StrandModel {
     ties: Vec<Tie>,
 }
 
-/// What moves.
+/// Everything about strands that changes from step to step.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct StrandState {
-    /// Of all strands, one after the other [m].
+    /// Particles of all strands, one strand after the other [m].
     pub positions: Vec<Vec3>,
-    /// Their velocities [m/s].
+    /// Velocities of the particles [m/s].
     pub velocities: Vec<Vec3>,
     /// Where the body was left; empty before the first step.
     surfels: Vec<Surfel>,

@@ -26,7 +26,7 @@ fn sheet(side: u32) -> (ClothModel, ClothState) {
     (model, state)
 }
 
-/// The same of triangles, two pinned.
+/// A square of two triangles at rest, two of its particles pinned.
 fn triangles() -> (MeshModel, MeshState) {
     let flat: Vec<Vec2> = [[0.0, 0.0], [0.1, 0.0], [0.1, 0.1], [0.0, 0.1]]
         .map(Vec2::from)

@@ -27,7 +27,7 @@ pub struct Elastic {
 /// A prepared band.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct ElasticKnots {
-    /// Both ends, and the rest length [m].
+    /// Both ends of each spring, and its rest length [m].
     springs: Vec<([Knot; 2], f32)>,
     stretch_stiffness: f32,
 }

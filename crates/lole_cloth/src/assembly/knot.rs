@@ -10,7 +10,7 @@ use crate::assembly::piece::{ClothPiece, PieceState};
 pub struct PieceParticle {
     /// Position in the list of pieces.
     pub piece: usize,
-    /// The particle there.
+    /// Number of the particle in that piece.
     pub particle: u32,
 }
 

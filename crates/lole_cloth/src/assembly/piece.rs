@@ -11,18 +11,18 @@ use crate::{ClothModel, ClothState, SolverConfig};
 /// A prepared piece and its settings.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ClothPiece {
-    /// Rows and columns.
+    /// A piece of rows and columns.
     Grid(Box<ClothModel>, Box<SolverConfig>),
-    /// Any triangles.
+    /// A piece of any triangles.
     Mesh(Box<MeshModel>, Box<SolverConfig>),
 }
 
 /// What moves of a piece.
 #[derive(Debug, Clone)]
 pub enum PieceState {
-    /// Of a grid.
+    /// Of a piece of rows and columns.
     Grid(Box<ClothState>),
-    /// Of triangles.
+    /// Of a piece of any triangles.
     Mesh(Box<MeshState>),
 }
 
@@ -124,7 +124,7 @@ impl PieceState {
         }
     }
 
-    /// The same, to be written.
+    /// Positions and velocities, to be written.
     pub(crate) fn columns_mut(&mut self) -> [&mut Vec<Points>; 2] {
         match self {
             Self::Grid(state) => [&mut state.positions, &mut state.velocities],

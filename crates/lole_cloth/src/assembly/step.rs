@@ -34,7 +34,7 @@ pub struct Assembly {
 /// What moves of an assembly.
 #[derive(Debug, Clone)]
 pub struct AssemblyState {
-    /// In the order of the pieces.
+    /// States of the pieces, in their order.
     pub pieces: Vec<PieceState>,
     /// Where the bones were left; empty before the first step.
     frames: Vec<BoneFrame>,
@@ -91,8 +91,8 @@ impl Assembly {
         })
     }
 
-    /// The same with up to so many substeps a step, for a while, where more than one part of the cloth in a
-    /// hundred, an edge of a grid or a direction of a triangle's yarns, is strained by more than 6 %.
+    /// This assembly, taking up to so many substeps a step, for a while, where more than one part of the cloth in
+    /// a hundred, an edge of a grid or a direction of a triangle's yarns, is strained by more than 6 %.
     #[must_use]
     pub fn with_strained_substep_count(mut self, count: NonZeroU32) -> Self {
         for piece in &mut self.pieces {
@@ -102,7 +102,7 @@ impl Assembly {
         self
     }
 
-    /// The pieces.
+    /// The pieces, in the order in which they were given.
     #[must_use]
     pub fn pieces(&self) -> &[ClothPiece] {
         &self.pieces

@@ -49,7 +49,8 @@ struct Body {
 pub(crate) struct FaceContacts {
     /// Every particle at the start of the step [m], piece by piece.
     pub(crate) positions: Vec<Vec3>,
-    /// The same of velocities [m/s]; empty for a piece alone, whose folds move together.
+    /// Velocity of every particle then [m/s], piece by piece; empty for a piece alone, whose folds move
+    /// together.
     pub(crate) velocities: Vec<Vec3>,
     /// Particles where cloth has gone through cloth: they do not know on which side they belong, and
     /// do not touch each other. Empty where there are none.
@@ -135,7 +136,7 @@ fn meet(body: &mut Body, moving: &(impl Moving + ?Sized), h: f32) {
 /// The point of a triangle that is nearest to a vertex.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct NearestPoint {
-    /// Of the triangle's corners.
+    /// Weights of the triangle's corners there.
     weights: Vec3,
     /// From there to the vertex [m].
     gap: Vec3,

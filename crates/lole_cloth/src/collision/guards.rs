@@ -27,7 +27,7 @@ const PASS_COUNT: usize = 2;
 struct Guard {
     ends: [u32; 2],
     corners: [u32; 3],
-    /// Of ends and corners [1/kg].
+    /// Inverse masses of ends and corners [1/kg].
     inv_masses: [f32; 5],
     /// Unit vector from the triangle to the edge.
     normal: Vec3,

@@ -35,11 +35,11 @@ pub(crate) struct Touching {
 /// What the second of two touching points does relative to the first [m].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Parting {
-    /// All of it, friction included.
+    /// The whole of what it does, friction included.
     pub(crate) change: Vec3,
     /// Unit vector along which they part.
     pub(crate) normal: Vec3,
-    /// How much of that gives no speed.
+    /// How far of the way along it gives no speed.
     pub(crate) quiet: f32,
 }
 

@@ -35,7 +35,7 @@ const PARTING_ROUNDS: u8 = 8;
 /// them one by one is in vain. Not in two steps on end, or it might never open.
 const HOPELESS: usize = 10;
 
-/// Steps for which skin yields to stretched cloth after that, and from which stretch on.
+/// Steps for which skin yields to stretched cloth after a hopeless one, and from which stretch on.
 const SOFT_STEPS: u32 = 15;
 const SOFT_TORN: f32 = 0.1;
 
@@ -43,7 +43,8 @@ const SOFT_TORN: f32 = 0.1;
 /// together what it has not parted.
 const EFFORT_MAX: usize = 6;
 
-/// The same where something crossed before, holding back included: what is drawn out takes longer.
+/// Pairs that it may look at for each patch where something crossed before, holding back included: what is
+/// drawn out takes longer.
 const TANGLE_EFFORT: usize = 8;
 
 /// Sweeps over all repairs in a round.
@@ -59,7 +60,7 @@ const REPAIR_REACH: f32 = 0.03;
 /// Rounds in which tangles are drawn out.
 const UNTANGLING_ROUNDS: u8 = 4;
 
-/// What never changes.
+/// What does not change while a repair goes on.
 #[derive(Clone, Copy)]
 pub(crate) struct Fixed<'a> {
     pub(crate) level: Level,

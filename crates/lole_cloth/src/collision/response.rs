@@ -18,7 +18,7 @@ pub(crate) struct ContactLaw {
 
 /// Particles of one row in a substep.
 pub(crate) struct ContactRow<'a> {
-    /// Its first vector in the cloth.
+    /// First vector of the row in the cloth.
     pub(crate) first: usize,
     pub(crate) positions: &'a mut [Points],
     /// Positions predicted at the start of the substep [m].

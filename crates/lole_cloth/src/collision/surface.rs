@@ -34,7 +34,7 @@ pub(crate) struct Surface {
     /// First entry of every particle in `star_patches`, and one more.
     star_starts: Vec<u32>,
     star_patches: Vec<u32>,
-    /// The same for leaves: those it shares particles with.
+    /// First entry of every leaf in `adjacent`, those that it shares particles with, and one more.
     adjacent_starts: Vec<u32>,
     adjacent: Vec<Adjacent>,
     /// By particle, the first of those that are sewn to each other; empty where nothing is sewn.
@@ -58,7 +58,7 @@ pub(crate) struct SurfaceNow<'a> {
 }
 
 impl Surface {
-    /// It with its particles at these positions [m].
+    /// The surface with its particles at these positions [m].
     pub(crate) const fn at<'a>(&'a self, positions: &'a [Vec3]) -> SurfaceNow<'a> {
         SurfaceNow {
             surface: self,

@@ -67,9 +67,9 @@ const TRAVEL_MAX: f32 = 0.06;
 /// The skin near each particle during one step.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct SurfelContacts {
-    /// Of the nearest surfels.
+    /// Planes of the nearest surfels.
     nearest: PlaneField,
-    /// Of the nearest ones that face the other way, where cloth is pinched between two limbs.
+    /// Planes of the nearest surfels that face the other way, where cloth is pinched between two limbs.
     opposite: PlaneField,
     /// Parts of a step, each with a search of its own, and the substeps of the present one.
     part_count: u32,

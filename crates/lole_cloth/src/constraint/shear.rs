@@ -12,9 +12,9 @@ use crate::lanes::{Points, RowLink, Scalars, Vectors, are_apart};
 pub(crate) struct Cell {
     /// How far both diagonals pull by their length.
     pub(crate) diagonal: Pull,
-    /// Of a shear spring [1/kg].
+    /// Scaled compliance of a shear spring [1/kg].
     pub(crate) shear_compliance: f32,
-    /// Of the twist constraint `x₁₁ - x₁₀ - x₀₁ + x₀₀ = 0` [1/kg].
+    /// Scaled compliance of the twist constraint `x₁₁ - x₁₀ - x₀₁ + x₀₀ = 0` [1/kg].
     pub(crate) twist_compliance: f32,
 }
 

@@ -29,7 +29,7 @@ pub(crate) enum Tethers {
 pub(crate) struct Anchor {
     /// Position of the pin in the list of pins.
     pub(crate) pin: usize,
-    /// Its row.
+    /// Row of the pin.
     pub(crate) row: usize,
     /// Inverse square of every particle's flat distance from it [1/m²]; 0 for the pin itself.
     pub(crate) inv_squares: Vec<Scalars>,

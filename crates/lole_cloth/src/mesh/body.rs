@@ -57,7 +57,7 @@ pub enum BodyMeshError {
         /// Where it was said to be [m].
         position: Vec3,
     },
-    /// Another number of vertices than at first.
+    /// The body has another number of vertices than at first.
     #[error("the body has {actual} vertices now and had {expected}; a body keeps its vertices")]
     OtherCount {
         /// Vertices found.
@@ -80,7 +80,7 @@ pub struct Depths {
     pub reach: f32,
     /// Particles deeper in the body than its skin alone brings out, [`SKIN_REACH`].
     pub deep: usize,
-    /// Of those, particles farther from the surface than the reach.
+    /// Deep particles that are farther from the surface than the reach.
     pub out_of_reach: usize,
     /// Particles inside where the body overlaps itself, as a hand in a hip: no way leads out there, so they
     /// are let alone until the parts leave each other.
@@ -172,15 +172,15 @@ impl MeshBody {
         Ok(body)
     }
 
-    /// The same that brings particles out from another depth [m].
+    /// This body, made to bring particles out from another depth [m] than [`Self::REACH`].
     #[must_use]
     pub const fn with_reach(mut self, reach: f32) -> Self {
         self.reach = reach;
         self
     }
 
-    /// The same of which cloth meets only some vertices, by vertex: recorded forearms hang where a skirt is, and
-    /// are better let through it than in its way. Vertices that are not named are met.
+    /// This body, of which cloth meets only the vertices that `met` says: recorded forearms hang where a skirt
+    /// is, and are better let through it than in its way. By vertex; those beyond the list are met.
     #[must_use]
     pub fn with_met(mut self, met: Vec<bool>) -> Self {
         self.met = met;

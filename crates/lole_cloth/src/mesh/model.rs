@@ -29,7 +29,7 @@ pub struct MeshModel {
     pub(crate) inv_masses: Vec<Scalars>,
     /// Every triangle, for sweeps after the first.
     pub(crate) triangles: Vec<StrainBatch>,
-    /// Those that no star solves.
+    /// Triangles that no star solves.
     pub(crate) other_triangles: Vec<StrainBatch>,
     pub(crate) stars: Stars,
     pub(crate) tethers: Vec<Tethers>,

@@ -1,8 +1,8 @@
 //! Strides: particles several cells apart along a yarn may not be farther apart than the yarn
 //! between them is long.
 //!
-//! As on the grid they carry tension across many cells in one pass, conserve momentum and leave
-//! folds alone. A mesh seldom has a second particle on the same yarn: the one nearest to it is
+//! They carry tension across many cells in one pass, conserve momentum and leave folds alone, as on
+//! the grid. A mesh seldom has a second particle on the same yarn: the one nearest to it is
 //! taken, and what shear may lengthen the way between the two is allowed.
 
 use fearless_simd::{f32x16, prelude::*};

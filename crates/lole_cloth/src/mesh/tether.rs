@@ -35,9 +35,9 @@ pub(crate) struct Tethers {
 /// What particles hang from, as slots.
 #[derive(Debug, Clone, PartialEq)]
 enum Anchors {
-    /// All from the same.
+    /// All particles hang from the same pin.
     One(u32),
-    /// By vector of sixteen particles, each from its own.
+    /// Each particle hangs from a pin of its own; by vector of sixteen.
     Each(Vec<[u32; LANES]>),
 }
 

@@ -57,7 +57,8 @@ impl ExplicitModel {
     /// Prepares `spec`.
     ///
     /// # Errors
-    /// As [`ClothModel::new`].
+    /// When a length does not fit the grid, a number is not finite or out of range, or the grid has a
+    /// flounce.
     pub fn new(spec: &ClothSpec) -> Result<Self, BuildError> {
         let cloth = ClothModel::new(spec)?;
         if spec.grid.flounce.is_some() {

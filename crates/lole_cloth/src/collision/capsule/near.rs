@@ -21,8 +21,8 @@ const STILL: Progress = Progress {
     share: 0.0,
 };
 
-/// List of capsule indices for every row, the near ones first, and of these the nearest: it is touched most often, and what is touched last is
-/// what the others are tested after once more.
+/// List of capsule indices for every row, the near ones first, and of these the nearest: it is touched most
+/// often, and what is touched last is what the others are tested after once more.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct RowContacts {
     /// First entry of every row in `capsule_indices`, and one more.
@@ -111,7 +111,7 @@ pub(crate) struct CapsuleSweep<'a> {
 }
 
 impl RowContacts {
-    /// Those of a row.
+    /// Capsules that a row may touch.
     pub(crate) fn row(&self, row: usize, range: Range) -> &[u32] {
         let start = self.starts[row];
         let end = match range {
@@ -130,7 +130,7 @@ impl RowContacts {
         (self.swept).extend(pairs.map(|(before, after)| Swept::new(before, after)));
     }
 
-    /// Finds them anew for a step.
+    /// Finds anew which capsules each row may touch in a step.
     #[inline(always)]
     pub(crate) fn find<S: Simd>(&mut self, simd: S, rows: Rows<'_>, sweep: CapsuleSweep<'_>) {
         let CapsuleSweep {

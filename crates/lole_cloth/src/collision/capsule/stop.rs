@@ -73,7 +73,7 @@ impl TangentPlanes {
         self.0.capacity() * size_of::<Planes>()
     }
 
-    /// Adds those of a capsule for the vectors of a row, which begins with vector `first`.
+    /// Adds the planes of a capsule for the vectors of a row, which begins with vector `first`.
     #[inline(always)]
     pub(crate) fn add<S: Simd>(
         &mut self,

@@ -14,8 +14,9 @@ use crate::lanes::{LANES, Points, Vectors, narrow};
 /// surface is flat enough not to cross there.
 const FLAT_COSINE: f32 = 0.2;
 
-/// The same where the surface is so flat that it cannot wind around the particle twice either, unless the
-/// angles there make up 1.4 full turns: a tilt widens an angle by no more than one over its cosine.
+/// Cosine of the angle with their sum within which all normals around a particle lie where the surface is so
+/// flat that it cannot wind around the particle twice either, unless the angles there make up 1.4 full turns:
+/// a tilt widens an angle by no more than one over its cosine.
 const SURELY_FLAT_COSINE: f32 = 0.7;
 
 /// Quadrants of a full turn, and a little more for rounding.

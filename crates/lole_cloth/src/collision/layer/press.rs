@@ -16,7 +16,8 @@ use super::wall::{LEVELS, SECTORS, Trunk, area_at, around, bin, from_axis, spot}
 
 /// Sectors to either side over which the place of cloth is averaged: those that an envelope bridges.
 const NEAR: usize = 3;
-/// The same for its stretch, an eighth of the way around: tension runs on around the body.
+/// Sectors to either side over which the stretch of cloth is averaged, an eighth of the way around: tension
+/// runs on around the body.
 const ALONG: usize = SECTORS / 8;
 /// Farthest that a stretch is believed: folds are none.
 const MOST: f32 = 0.5;

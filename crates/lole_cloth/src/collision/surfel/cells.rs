@@ -310,7 +310,7 @@ impl SurfelCells {
         );
     }
 
-    /// The same for the cells from one to another.
+    /// Calls with the places of all surfels in the cells from one corner of a box to the other.
     #[inline(always)]
     fn for_each_run_of(&self, low: IVec3, high: IVec3, mut visit: impl FnMut(Range<usize>)) {
         let low = low.max(IVec3::ZERO);

@@ -34,7 +34,7 @@ pub enum LastStage {
 /// Which velocity the damping of stages two to four sees.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StageDamping {
-    /// That of the stage.
+    /// The velocity that the stage itself has.
     PerStage,
     /// `v(t)` of the start of the step, as printed: first order where there is damping.
     Frozen,
@@ -100,11 +100,11 @@ struct Stages {
     positions: Vec<DVec3>,
     /// The velocity of the stage [m/s].
     velocities: Vec<DVec3>,
-    /// Its acceleration [m/s²].
+    /// The acceleration of the stage [m/s²].
     accelerations: Vec<DVec3>,
     /// `kx_1 + 2 kx_2 + 2 kx_3 + kx_4` [m], as far as known.
     position_sums: Vec<DVec3>,
-    /// The same of `kv` [m/s].
+    /// `kv_1 + 2 kv_2 + 2 kv_3 + kv_4` [m/s], as far as known.
     velocity_sums: Vec<DVec3>,
     /// Contact forces held through the step [N].
     penalties: Vec<DVec3>,

@@ -33,7 +33,7 @@ pub(crate) enum Stage {
     Cells,
     /// Structural springs along the row.
     SpringsAlong,
-    /// The same, where cloth is gathered.
+    /// Structural springs along the row once more, where cloth is gathered.
     SpringsGathered,
     /// Structural springs down the columns.
     SpringsDown,
@@ -132,12 +132,12 @@ pub(super) enum Part {
 pub(crate) struct Schedules([Schedule; 3]);
 
 impl Schedules {
-    /// That of a part.
+    /// The schedule of a part.
     pub(super) const fn of(&self, part: Part) -> &Schedule {
         &self.0[part as usize]
     }
 
-    /// The same, to be set.
+    /// The schedule of a part, to be set.
     pub(super) const fn of_mut(&mut self, part: Part) -> &mut Schedule {
         &mut self.0[part as usize]
     }
