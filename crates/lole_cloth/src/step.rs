@@ -32,17 +32,20 @@ pub struct StepInput<'a> {
     pub air_velocity: Vec3,
 }
 
-/// One step as the method sees it that takes it: of which model, with which settings, in which world.
-pub(crate) struct StepOf<'a, M> {
-    pub(crate) model: &'a M,
-    pub(crate) config: &'a SolverConfig,
-    pub(crate) input: &'a StepInput<'a>,
-    /// Duration [s].
-    pub(crate) dt: f32,
+/// One step of a cloth, all but what it moves.
+pub struct StepOf<'a, M> {
+    /// What never changes.
+    pub model: &'a M,
+    /// What the user turns.
+    pub config: &'a SolverConfig,
+    /// What the world does in the step.
+    pub input: &'a StepInput<'a>,
+    /// Duration of the step [s].
+    pub dt: f32,
 }
 
 /// One step of a grid.
-pub(crate) type GridStep<'a> = StepOf<'a, ClothModel>;
+pub type GridStep<'a> = StepOf<'a, ClothModel>;
 
 // Not derived: a step can be copied whether or not its model can.
 impl<M> Clone for StepOf<'_, M> {
@@ -108,7 +111,7 @@ pub fn step(
     Ok(())
 }
 
-/// Moves the cloth on by `dt` [s] as [`step`] does, bit for bit, and calls `passed` whenever a [`Phase`] has
+/// Moves the cloth on as [`step`](step()) does, bit for bit, and calls `passed` whenever a [`Phase`] has
 /// ended: first of all for what the caller did before. A phase ends several times in a step.
 ///
 /// Nothing is shared among threads then, so that no phase hides behind another.
@@ -116,21 +119,15 @@ pub fn step(
 /// # Errors
 /// A state of another cloth, or as many targets as there are not pins; the cloth is as it was then.
 pub fn step_observed(
-    (model, config): (&ClothModel, &SolverConfig),
-    (input, dt): (&StepInput<'_>, f32),
+    step: GridStep<'_>,
     state: &mut ClothState,
     passed: &mut dyn FnMut(Phase),
 ) -> Result<(), Lost> {
+    let (model, targets) = (step.model, step.input.pin_targets);
     check_cloth(0, [model.layout.vector_count(), state.positions.len()])?;
-    check_pins(model.pin_indices().len(), input.pin_targets)?;
-    let step = StepOf {
-        model,
-        config,
-        input,
-        dt,
-    };
+    check_pins(model.pin_indices().len(), targets)?;
     xpbd::observed::advance(step, state, passed);
-    keep_surroundings(input, state);
+    keep_surroundings(step.input, state);
     Ok(())
 }
 

@@ -561,7 +561,7 @@ fn an_assembly_has_the_same_bits_with_all_vector_instructions() {
         let pieces = sewn.assembly.pieces().iter().cloned().map(|mut piece| {
             match &mut piece {
                 ClothPiece::Grid(_, config) | ClothPiece::Mesh(_, config) => {
-                    config.instruction_set = set
+                    config.instruction_set = set;
                 }
             }
             piece

@@ -12,8 +12,8 @@ use lole_cloth::mesh::{self, MeshModel, MeshSpec, MeshState};
 use lole_cloth::method::explicit_rows::{self, ExplicitModel};
 use lole_cloth::scenes::{ClothScene, FRAME_DT, SCENES};
 use lole_cloth::{
-    ClothModel, ClothState, Crossings, Fabric, Hysteresis, InstructionSet, Phase, SelfCollision,
-    SolverConfig, StepInput, mesh_state_hash, state_hash, step, step_observed,
+    ClothModel, ClothState, Crossings, Fabric, GridStep, Hysteresis, InstructionSet, Phase,
+    SelfCollision, SolverConfig, StepInput, mesh_state_hash, state_hash, step, step_observed,
 };
 use lole_geom::Capsule;
 
@@ -248,8 +248,13 @@ fn a_step_that_is_observed_has_the_bits_of_one_that_is_not() {
             &|config, input, state| {
                 let mut phases = Vec::new();
                 let mut passed = |phase| phases.push(phase);
-                step_observed((&model, config), (input, FRAME_DT), state, &mut passed)
-                    .expect("a target for every pin");
+                let step = GridStep {
+                    model: &model,
+                    config,
+                    input,
+                    dt: FRAME_DT,
+                };
+                step_observed(step, state, &mut passed).expect("a target for every pin");
                 assert_eq!(phases.first(), Some(&Phase::Outside));
                 for phase in Phase::ALL {
                     let is_of_self = matches!(phase, Phase::FindSelf | Phase::SelfContact);

@@ -4,8 +4,8 @@ use lole_cloth::diagnose::{self, StrainSummary};
 use lole_cloth::method::explicit_rows::{self, ExplicitModel};
 use lole_cloth::scenes::{ClothScene, FRAME_DT, Setup};
 use lole_cloth::{
-    BuildError, ClothModel, ClothSpec, ClothState, Phase, SolverConfig, StepInput, state_hash,
-    step, step_observed,
+    BuildError, ClothModel, ClothSpec, ClothState, GridStep, Phase, SolverConfig, StepInput,
+    state_hash, step, step_observed,
 };
 
 use super::Settings;
@@ -170,8 +170,13 @@ impl<'a> Running<'a> {
             let clock = &mut self.clock;
             clock.begin_frame();
             let mut passed = |phase| clock.passed(phase);
-            step_observed((model, config), (&input, FRAME_DT), state, &mut passed)
-                .expect("a target for every pin");
+            let step = GridStep {
+                model,
+                config,
+                input: &input,
+                dt: FRAME_DT,
+            };
+            step_observed(step, state, &mut passed).expect("a target for every pin");
             return config.substep_count.get();
         }
         let watch = Stopwatch::start();

@@ -222,6 +222,22 @@ pub fn step(
         let piece = assembly.pieces.len();
         return Err(lost.unwrap_or(Lost::Piece { piece, substep: 0 }));
     }
+    keep_surroundings(input, state);
+    let pieces = assembly.pieces.iter().zip(&state.pieces);
+    state.fineness.learn(assembly.substeps, |strained, points| {
+        for (piece, state) in pieces {
+            state.copy_positions(piece, points);
+            match piece {
+                ClothPiece::Grid(model, _) => strained.count_grid(model, points),
+                ClothPiece::Mesh(model, _) => strained.count_mesh(model, points),
+            }
+        }
+    });
+    Ok(())
+}
+
+/// From here pins, bones, capsules and surfels move on in the next step.
+fn keep_surroundings(input: &AssemblyInput<'_>, state: &mut AssemblyState) {
     let pins = state.pieces.iter_mut().zip(input.pin_targets);
     for (piece, targets) in pins {
         let (pin_targets, capsules, surfels) = match piece {
@@ -250,17 +266,6 @@ pub fn step(
     }
     state.frames.clear();
     state.frames.extend_from_slice(input.frames);
-    let pieces = assembly.pieces.iter().zip(&state.pieces);
-    state.fineness.learn(assembly.substeps, |strained, points| {
-        for (piece, state) in pieces {
-            state.copy_positions(piece, points);
-            match piece {
-                ClothPiece::Grid(model, _) => strained.count_grid(model, points),
-                ClothPiece::Mesh(model, _) => strained.count_mesh(model, points),
-            }
-        }
-    });
-    Ok(())
 }
 
 fn is_finite(piece: &PieceState) -> bool {
@@ -338,7 +343,7 @@ fn advance(step: AssemblyStep<'_>, state: &mut AssemblyState, mut lost: Option<&
     for (piece, state) in assembly.pieces.iter().zip(&mut state.pieces) {
         match (piece, state) {
             (ClothPiece::Grid(model, _), PieceState::Grid(state)) => {
-                xpbd::finish_pins(model, state)
+                xpbd::finish_pins(model, state);
             }
             (ClothPiece::Mesh(model, _), PieceState::Mesh(state)) => {
                 mesh::step::finish_pins(model, state);
