@@ -9,7 +9,7 @@ mod soak;
 mod stage;
 
 use lole_cloth::InstructionSet;
-use lole_cloth::scenes::{SCENES, SIZES, Scene};
+use lole_cloth::scenes::{ClothScene, SCENES, SIZES};
 use lole_language::{Language, Sentence, Words, words};
 
 use crate::args::{BenchArgs, Vectors};
@@ -37,7 +37,7 @@ struct Entry {
 }
 
 /// A scene of the engine by one of its methods, from its own start with its own settings.
-fn entry(scene: &'static Scene, method: engine::Method) -> Entry {
+fn entry(scene: &'static ClothScene, method: engine::Method) -> Entry {
     Entry {
         scene: scene.name,
         method: method.id(),
@@ -86,8 +86,8 @@ fn choose<T>(
 }
 
 /// Scenes of the engine, or the one that was named.
-fn scenes_of_engine(args: &BenchArgs) -> Result<Vec<&'static Scene>, Failure> {
-    let mut scenes: Vec<&Scene> = SCENES.iter().collect();
+fn scenes_of_engine(args: &BenchArgs) -> Result<Vec<&'static ClothScene>, Failure> {
+    let mut scenes: Vec<&ClothScene> = SCENES.iter().collect();
     let asked = ("--scene", args.scene.as_deref());
     choose(&mut scenes, asked, words("場面", "scene"), |scene| {
         scene.name
@@ -219,7 +219,7 @@ fn table(
 
 /// A scene of the engine.
 #[cfg(test)]
-fn scene(name: &str) -> &'static Scene {
+fn scene(name: &str) -> &'static ClothScene {
     let scene = SCENES.iter().find(|scene| scene.name == name);
     scene.expect("one of the table")
 }
@@ -279,7 +279,7 @@ mod tests {
             instruction_set: InstructionSet::Detected,
             roofline: true,
         };
-        let scene = Scene {
+        let scene = ClothScene {
             frame_count: 10,
             ..*scene("hang-64")
         };
@@ -317,7 +317,7 @@ mod tests {
         let contact = (super::scene("skirt-self").build)().config.self_collision;
         setup.config.self_collision = contact;
         setup.positions[70].x = f32::NAN;
-        let scene = Scene {
+        let scene = ClothScene {
             frame_count: 40,
             ..scene
         };

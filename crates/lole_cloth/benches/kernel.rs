@@ -17,11 +17,11 @@ use glam::{Vec2, Vec3};
 use lole_cloth::mesh::{self, MeshModel, MeshSpec, MeshState};
 use lole_cloth::method::explicit_rows::{self, ExplicitModel};
 use lole_cloth::roofline::SpringStream;
-use lole_cloth::scenes::{FRAME_DT, SCENES, Scene, Setup};
-use lole_cloth::wind::{Aerodynamics, GustyWind, blow};
+use lole_cloth::scenes::{ClothScene, FRAME_DT, SCENES, Setup};
+use lole_cloth::wind::{Aerodynamics, AirPush, GustyWind, blow};
 use lole_cloth::{
-    ClothModel, ClothState, InstructionSet, Phase, SolverConfig, StepInput, diagnose, step,
-    step_observed,
+    ClothModel, ClothState, GridStep, InstructionSet, Phase, SolverConfig, StepInput, diagnose,
+    step, step_observed,
 };
 use lole_geom::{Capsule, Surfel, trig};
 
@@ -34,7 +34,7 @@ const SURFEL_SPACING: f32 = 0.012;
 /// Phases that take less of a frame are not timed: there is nothing for them to do.
 const LEAST_SHARE: f64 = 0.005;
 
-/// As what the cloth meets the body.
+/// In which form the cloth meets the body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Body {
     Capsules,
@@ -43,7 +43,7 @@ enum Body {
 
 /// A scene that goes on and on.
 struct World {
-    scene: &'static Scene,
+    scene: &'static ClothScene,
     setup: Setup,
     model: ClothModel,
     state: ClothState,
@@ -88,10 +88,13 @@ impl World {
             surfels: &surfels,
             ..StepInput::default()
         };
-        let config = &self.setup.config;
-        let frame = (&input, FRAME_DT);
-        step_observed((&self.model, config), frame, &mut self.state, passed)
-            .expect("a target for every pin");
+        let step = GridStep {
+            model: &self.model,
+            config: &self.setup.config,
+            input: &input,
+            dt: FRAME_DT,
+        };
+        step_observed(step, &mut self.state, passed).expect("a target for every pin");
     }
 
     /// Time of a phase in so many frames.
@@ -228,10 +231,11 @@ fn bench_calls(criterion: &mut Criterion) {
     group.bench_function("mesh-frame", |bencher| {
         bencher.iter(|| mesh::step(&mesh_model, &config, &input, &mut mesh_state, FRAME_DT));
     });
-    let (air, wind) = (
-        Aerodynamics::default(),
-        GustyWind::new(Vec3::X * 3.0, 0.3, 1).at(1.0),
-    );
+    let air = AirPush {
+        law: Aerodynamics::default(),
+        wind: &GustyWind::new(Vec3::X * 3.0, 0.3, 1).at(1.0),
+        dt: FRAME_DT,
+    };
     // The step keeps the cloth where cloth is, so that the wind does not blow it away; its time is
     // not counted.
     group.bench_function("wind-plates", |bencher| {
@@ -239,13 +243,7 @@ fn bench_calls(criterion: &mut Criterion) {
             let mut sum = Duration::ZERO;
             for _ in 0..frame_count {
                 let start = Instant::now();
-                blow(
-                    &model,
-                    (&air, &wind),
-                    InstructionSet::Detected,
-                    &mut state,
-                    FRAME_DT,
-                );
+                blow(&model, air, InstructionSet::Detected, &mut state);
                 sum += start.elapsed();
                 step(&model, &setup.config, &input, &mut state, FRAME_DT)
                     .expect("a target for every pin");

@@ -8,7 +8,7 @@ use std::num::NonZeroU32;
 
 use glam::{Vec2, Vec3};
 use lole_cloth::assembly::{
-    Assembly, AssemblyInput, AssemblyState, Joint, Piece, Place, Seam, step,
+    Assembly, AssemblyInput, AssemblyState, ClothJoint, ClothPiece, ClothSeam, PieceParticle, step,
 };
 use lole_cloth::mesh::{MeshModel, MeshSpec};
 use lole_cloth::{Fabric, SolverConfig};
@@ -18,28 +18,28 @@ const SIDE: u32 = 16;
 const SPACING: f32 = 0.015;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let pieces = [true, false].map(|is_upper| -> Result<Piece, Box<dyn Error>> {
+    let pieces = [true, false].map(|is_upper| -> Result<ClothPiece, Box<dyn Error>> {
         let mut spec = MeshSpec::new(flat(), triangles(), Fabric::COTTON);
         if is_upper {
             spec.pinned[..SIDE as usize].fill(true);
         }
         let config = SolverConfig::default();
-        Ok(Piece::Mesh(
+        Ok(ClothPiece::Mesh(
             Box::new(MeshModel::new(&spec)?),
             Box::new(config),
         ))
     });
-    let pieces: Vec<Piece> = pieces.into_iter().collect::<Result<_, _>>()?;
-    let edge = |piece: usize, first: u32| -> Vec<Place> {
+    let pieces: Vec<ClothPiece> = pieces.into_iter().collect::<Result<_, _>>()?;
+    let edge = |piece: usize, first: u32| -> Vec<PieceParticle> {
         let particles = (0..SIDE).map(|along| first + along);
         particles
-            .map(|particle| Place { piece, particle })
+            .map(|particle| PieceParticle { piece, particle })
             .collect()
     };
     // The last row of the upper one to the first row of the lower one, which lies 5 cm below it.
-    let seam = Seam::along(&pieces, &edge(0, SIDE * (SIDE - 1)), &edge(1, 0))?;
+    let seam = ClothSeam::along(&pieces, &edge(0, SIDE * (SIDE - 1)), &edge(1, 0))?;
     let substeps = NonZeroU32::MIN.saturating_add(11);
-    let assembly = Assembly::new(pieces, &[Joint::Seam(seam)], substeps)?;
+    let assembly = Assembly::new(pieces, &[ClothJoint::Seam(seam)], substeps)?;
     let height = SPACING * (SIDE - 1) as f32;
     let hung = |down: f32| -> Vec<Vec3> {
         let places = flat().into_iter();

@@ -3,7 +3,7 @@
 //! All pieces take their substeps in turn, and meet each other where their settings have contact of
 //! cloth with cloth. What comes to cross is repaired on all of them as one surface, where any of them asks for
 //! that. Between the springs of a substep and its contacts come
-//! the joints, each kind in a file of its own: [`Seam`], [`Elastic`], [`Drawstring`], [`Pleat`] and
+//! the joints, each kind in a file of its own: [`ClothSeam`], [`Elastic`], [`Drawstring`], [`Pleat`] and
 //! [`Attachment`] to a bone. They are solved once a substep, like every constraint of the method.
 
 mod attachment;
@@ -18,12 +18,12 @@ mod seam;
 mod step;
 mod whole;
 
-pub use attachment::{Attachment, Frame};
+pub use attachment::{Attachment, BoneFrame};
 pub use drawstring::Drawstring;
 pub use elastic::Elastic;
-pub use joint::{Joint, JointError};
-pub use knot::{EdgePoint, Ends, Place};
-pub use piece::{Piece, PieceState};
+pub use joint::{ClothJoint, JointError};
+pub use knot::{EdgePoint, Ends, PieceParticle};
+pub use piece::{ClothPiece, PieceState};
 pub use pleat::Pleat;
-pub use seam::Seam;
+pub use seam::ClothSeam;
 pub use step::{Assembly, AssemblyInput, AssemblyState, step};

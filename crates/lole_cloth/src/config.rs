@@ -19,7 +19,7 @@ pub struct SolverConfig {
     /// Passes more along the rows near those that are pinned all along, in each pass over the
     /// structural springs: where cloth is gathered, the springs are pressed most.
     pub gathered_sweep_count: u32,
-    /// Acceleration [m/s²].
+    /// Acceleration of free fall [m/s²].
     pub gravity: Vec3,
     /// Distance kept between cloth and capsules [m]; hides the cloth's thickness.
     pub contact_offset: f32,
@@ -80,7 +80,7 @@ pub enum Crossings {
     /// third of a step in gathers.
     #[default]
     Repair,
-    /// Nothing.
+    /// Does nothing: what crosses goes on crossing.
     Leave,
 }
 

@@ -60,38 +60,35 @@ pub(crate) fn shared<const N: usize>(masses: [RowMasses<'_>; N]) -> Option<f32> 
     alike.then_some(first)
 }
 
-/// A partner of a row link: where it is and how heavy.
-#[inline(always)]
-pub(crate) fn load_partner<S: Simd, const N: usize>(
-    simd: S,
-    link: &RowLink<N>,
-    partner: usize,
-    row: &[Points],
-    inv_masses: &[Scalars],
-) -> (Vectors<S>, f32x16<S>) {
-    use fearless_simd::SimdBase as _;
-    let group = usize::from(link.groups[partner]);
-    let shift = link.shifts[partner];
-    let inv_mass = f32x16::load_array_ref(simd, &inv_masses[group].0);
-    let point = Vectors::load(simd, &row[group]);
-    (
-        point.rotate_left(shift),
-        crate::lanes::rotate_left(inv_mass, shift),
-    )
-}
+impl<const N: usize> RowLink<N> {
+    /// Where a partner is, and its inverse mass [1/kg], in the lanes of the first partner.
+    #[inline(always)]
+    pub(crate) fn load<S: Simd>(
+        &self,
+        simd: S,
+        partner: usize,
+        row: &[Points],
+        inv_masses: &[Scalars],
+    ) -> (Vectors<S>, f32x16<S>) {
+        use fearless_simd::SimdBase as _;
+        let group = usize::from(self.groups[partner]);
+        let shift = self.shifts[partner];
+        let inv_mass = f32x16::load_array_ref(simd, &inv_masses[group].0);
+        let point = Vectors::load(simd, &row[group]);
+        (
+            point.rotate_left(shift),
+            crate::lanes::rotate_left(inv_mass, shift),
+        )
+    }
 
-/// Adds `change` to a partner of a row link.
-#[inline(always)]
-pub(crate) fn add_to_partner<S: Simd, const N: usize>(
-    link: &RowLink<N>,
-    partner: usize,
-    change: Vectors<S>,
-    row: &mut [Points],
-) {
-    let points = &mut row[usize::from(link.groups[partner])];
-    let moved =
-        Vectors::load(change_token(change), points).add(change.rotate_right(link.shifts[partner]));
-    moved.store(points);
+    /// Adds `change`, in the lanes of the first partner, to a partner.
+    #[inline(always)]
+    pub(crate) fn add_to<S: Simd>(&self, partner: usize, change: Vectors<S>, row: &mut [Points]) {
+        let points = &mut row[usize::from(self.groups[partner])];
+        let moved = Vectors::load(change_token(change), points)
+            .add(change.rotate_right(self.shifts[partner]));
+        moved.store(points);
+    }
 }
 
 #[inline(always)]

@@ -19,7 +19,7 @@ pub struct StrainSummary {
     pub mean: f32,
     /// 99th percentile: entry `count · 99 / 100` of the sorted strains.
     pub p99: f32,
-    /// Largest.
+    /// Largest strain.
     pub max: f32,
 }
 

@@ -49,7 +49,8 @@ impl Grid {
         }
     }
 
-    /// The same closed to a ring: the last column is followed by the first.
+    /// A rectangle closed to a ring, its last column followed by the first, and its particles `spacing` [m]
+    /// apart along `u` and `v`.
     #[must_use]
     pub const fn tube(column_count: u32, row_count: u32, spacing: [f32; 2]) -> Self {
         Self {
@@ -86,7 +87,8 @@ impl Grid {
         flounce.map_or(1.0, |flounce| flounce.fullness)
     }
 
-    /// The same of the cells between a row and the next.
+    /// Length of the cloth of the cells between a row and the next, that of the lower, over that of the first
+    /// row.
     #[must_use]
     pub fn cell_fullness(&self, row: u32) -> f32 {
         self.row_fullness(row + 1)

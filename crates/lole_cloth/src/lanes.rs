@@ -346,7 +346,7 @@ impl SlotSet {
     }
 }
 
-/// The same relation between particles of one row, for all lanes at once.
+/// One relation between particles of a row, such as a spring, for all lanes at once.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct RowLink<const N: usize> {
     /// Group of every partner.

@@ -95,4 +95,4 @@ pub use phase::Phase;
 pub use snapshot::{mesh_state_hash, reference_state_hash, state_hash};
 pub use spec::{ClothSpec, MassLaw};
 pub use state::ClothState;
-pub use step::{SKIN_REACH, StepInput, step, step_observed};
+pub use step::{GridStep, SKIN_REACH, StepInput, StepOf, step, step_observed};

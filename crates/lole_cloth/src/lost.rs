@@ -68,7 +68,7 @@ pub enum Lost {
     /// A number that holds for all particles.
     #[error("`{field}` is no finite number")]
     Setting {
-        /// Its name.
+        /// Name of the setting.
         field: &'static str,
     },
     /// A particle was nowhere already when the step began.
@@ -76,9 +76,9 @@ pub enum Lost {
     Start {
         /// The particle.
         particle: u32,
-        /// Its position [m].
+        /// Position of the particle [m].
         position: Vec3,
-        /// Its velocity [m/s].
+        /// Velocity of the particle [m/s].
         velocity: Vec3,
     },
     /// A particle went nowhere.

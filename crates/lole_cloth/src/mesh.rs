@@ -33,7 +33,7 @@ mod tether;
 mod topology;
 mod yarn;
 
-pub use body::{BodyError, Depths, MeshBody};
+pub use body::{BodyMeshError, Depths, MeshBody};
 pub use model::MeshModel;
 pub use spec::{MeshError, MeshSpec};
 pub use state::MeshState;

@@ -56,7 +56,7 @@ pub struct ClothModel {
     pub(crate) layout: Layout,
     /// [1/kg]; 0 for pinned particles and for lanes without a column.
     pub(crate) inv_masses: Vec<Scalars>,
-    /// That of the lightest free particle [1/kg].
+    /// Inverse mass of the lightest free particle [1/kg].
     pub(crate) largest_inv_mass: f32,
     /// By row, the inverse mass of every particle [1/kg] where all have the same.
     even_rows: Vec<Option<f32>>,

@@ -36,7 +36,7 @@ pub enum Phase {
 }
 
 impl Phase {
-    /// Every one, in order.
+    /// Every phase, in the order in which it is first done.
     pub const ALL: [Self; 12] = [
         Self::Outside,
         Self::FindBody,
@@ -52,7 +52,7 @@ impl Phase {
         Self::Crossings,
     ];
 
-    /// Name for programs.
+    /// Name of the phase for programs.
     #[must_use]
     pub const fn id(self) -> &'static str {
         match self {

@@ -10,6 +10,22 @@ use crate::lanes::Points;
 const CATCHING_UP: f32 = 0.2;
 const CAUGHT_UP: f32 = 0.5e-3;
 
+/// The pinned particles of a cloth.
+#[derive(Clone, Copy)]
+pub(crate) struct PinSlots<'a> {
+    pub(crate) layout: &'a dyn Placement,
+    /// Which particles they are.
+    pub(crate) indices: &'a [u32],
+}
+
+impl PinSlots<'_> {
+    /// Vector and lane of each.
+    fn slots(&self) -> impl Iterator<Item = (usize, usize)> {
+        let indices = self.indices.iter();
+        indices.map(|&pin| self.layout.slot(pin as usize))
+    }
+}
+
 /// Where pins go in a step.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct PinGoals {
@@ -27,13 +43,13 @@ impl PinGoals {
     /// the body and a part of the way on.
     pub(crate) fn set(
         &mut self,
-        (layout, pins): (&dyn Placement, &[u32]),
-        (before, targets): (&[Vec3], &[Vec3]),
+        pins: PinSlots<'_>,
+        before: &[Vec3],
+        targets: &[Vec3],
         positions: &[Points],
     ) {
         self.goals.clear();
-        for (index, (&pin, &target)) in pins.iter().zip(targets).enumerate() {
-            let (vector, lane) = layout.slot(pin as usize);
+        for (index, ((vector, lane), &target)) in pins.slots().zip(targets).enumerate() {
             let start = positions[vector].get(lane);
             let behind = before
                 .get(index)
@@ -50,25 +66,20 @@ impl PinGoals {
     /// Pinned particles fly straight to their goals, so every substep finds them on the way.
     pub(crate) fn start(
         &self,
-        (layout, pins): (&dyn Placement, &[u32]),
-        (positions, velocities): (&[Points], &mut [Points]),
+        pins: PinSlots<'_>,
+        positions: &[Points],
+        velocities: &mut [Points],
         dt: f32,
     ) {
-        for (&pin, &goal) in pins.iter().zip(&self.goals) {
-            let (vector, lane) = layout.slot(pin as usize);
+        for ((vector, lane), &goal) in pins.slots().zip(&self.goals) {
             let start = positions[vector].get(lane);
             velocities[vector].set(lane, (goal - start) / dt);
         }
     }
 
     /// Rounding has moved the pins a little off their goals.
-    pub(crate) fn finish(
-        &self,
-        (layout, pins): (&dyn Placement, &[u32]),
-        positions: &mut [Points],
-    ) {
-        for (&pin, &goal) in pins.iter().zip(&self.goals) {
-            let (vector, lane) = layout.slot(pin as usize);
+    pub(crate) fn finish(&self, pins: PinSlots<'_>, positions: &mut [Points]) {
+        for ((vector, lane), &goal) in pins.slots().zip(&self.goals) {
             positions[vector].set(lane, goal);
         }
     }

@@ -30,7 +30,7 @@ pub struct SpringStream {
 }
 
 impl SpringStream {
-    /// As many particles as a cloth has, in its layout: at least two vectors' worth.
+    /// Springs between as many particles as a cloth has, in its layout; a few vectors of particles at least.
     #[must_use]
     pub fn new(particle_count: usize) -> Self {
         let vector_count = particle_count.div_ceil(LANES).max(DISTANCE + 1);
@@ -51,7 +51,7 @@ impl SpringStream {
         }
     }
 
-    /// Springs of one pass.
+    /// How many springs a pass solves.
     #[must_use]
     pub fn spring_count(&self) -> usize {
         (self.points.len() - DISTANCE) * LANES

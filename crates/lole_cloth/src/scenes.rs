@@ -12,7 +12,7 @@ use crate::{ClothSpec, Fabric, Grid, MassLaw, SelfCollision, SolverConfig, Topol
 pub const FRAME_DT: f32 = 1.0 / 60.0;
 
 /// One cloth in one world.
-pub struct Scene {
+pub struct ClothScene {
     /// Short name, as it is typed.
     pub name: &'static str,
     /// What a viewer should see.
@@ -28,7 +28,7 @@ pub struct Scene {
 /// How a scene starts.
 #[derive(Debug, Clone)]
 pub struct Setup {
-    /// The cloth.
+    /// What cloth it is.
     pub spec: ClothSpec,
     /// Settings measured as good for it.
     pub config: SolverConfig,
@@ -37,36 +37,36 @@ pub struct Setup {
 }
 
 /// Every scene.
-pub const SCENES: &[Scene] = &[
-    Scene {
+pub const SCENES: &[ClothScene] = &[
+    ClothScene {
         name: "hang-64",
         about: "A square of 1.2 m, level at first, swings down from two corners.",
         frame_count: 300,
         build: || hang(64, 4, &[4]),
         capsules: |_| Vec::new(),
     },
-    Scene {
+    ClothScene {
         name: "hang-128",
         about: "The same square with four times the particles.",
         frame_count: 300,
         build: || hang(128, 5, &[16, 4]),
         capsules: |_| Vec::new(),
     },
-    Scene {
+    ClothScene {
         name: "hang-256",
         about: "The same square with sixteen times the particles.",
         frame_count: 300,
         build: || hang(256, 6, &[16, 4]),
         capsules: |_| Vec::new(),
     },
-    Scene {
+    ClothScene {
         name: "skirt",
         about: "A gathered skirt of 8,192 particles over 13 capsules that sway sideways.",
         frame_count: 300,
         build: skirt,
         capsules: swaying_capsules,
     },
-    Scene {
+    ClothScene {
         name: "skirt-self",
         about: "The same skirt, whose folds do not pass through each other.",
         frame_count: 300,
@@ -84,7 +84,7 @@ pub const SCENES: &[Scene] = &[
         },
         capsules: swaying_capsules,
     },
-    Scene {
+    ClothScene {
         name: "gathered",
         about: "512 columns gathered four to one by three casings, over a body that sways.",
         frame_count: 180,
@@ -95,15 +95,15 @@ pub const SCENES: &[Scene] = &[
 
 /// The hanging square at four sizes, from 4,096 to 262,144 particles, with the same settings: what
 /// the size of a cloth alone costs.
-pub const SIZES: &[Scene] = &[
+pub const SIZES: &[ClothScene] = &[
     size("size-64", || hang(64, 6, &[16, 4])),
     size("size-128", || hang(128, 6, &[16, 4])),
     size("size-256", || hang(256, 6, &[16, 4])),
     size("size-512", || hang(512, 6, &[16, 4])),
 ];
 
-const fn size(name: &'static str, build: fn() -> Setup) -> Scene {
-    Scene {
+const fn size(name: &'static str, build: fn() -> Setup) -> ClothScene {
+    ClothScene {
         name,
         about: "A square of 1.2 m, level at first, swings down from two corners.",
         frame_count: 60,
@@ -355,7 +355,7 @@ const MIDDLE_CAPSULES: [([f64; 3], [f64; 3], f64); 3] = [
 /// A capsule of one side: ends, radius, and the share of the sway that each end takes.
 type SideCapsule = ([f64; 3], [f64; 3], f64, [f64; 2]);
 
-/// The same for the left side; the right mirrors it.
+/// Capsules of the left side; the right mirrors them.
 const SIDE_CAPSULES: [SideCapsule; 5] = [
     ([0.065, -0.15, 0.0], [0.075, -0.22, 0.0], 0.085, [1.0, 1.0]),
     ([0.05, -0.16, -0.05], [0.05, -0.21, -0.04], 0.08, [1.0, 1.0]),

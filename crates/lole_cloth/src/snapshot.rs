@@ -7,13 +7,13 @@ use crate::lanes::Points;
 use crate::mesh::MeshState;
 use crate::method::reference::ReferenceState;
 
-/// FNV-1a hash of all bits of all positions and velocities.
+/// FNV-1a hash of all bits of all positions and velocities of a grid.
 #[must_use]
 pub fn state_hash(state: &ClothState) -> u64 {
     points_hash(&state.positions, &state.velocities)
 }
 
-/// The same of a piece of any mesh.
+/// FNV-1a hash of all bits of all positions and velocities of a piece of any mesh.
 #[must_use]
 pub fn mesh_state_hash(state: &MeshState) -> u64 {
     points_hash(&state.positions, &state.velocities)
@@ -27,7 +27,7 @@ fn points_hash(positions: &[Points], velocities: &[Points]) -> u64 {
     fnv::hash(values.flat_map(f32::to_le_bytes))
 }
 
-/// The same of the reference's state.
+/// FNV-1a hash of all bits of all positions and velocities of the reference.
 #[must_use]
 pub fn reference_state_hash(state: &ReferenceState) -> u64 {
     let vectors = state.positions.iter().chain(&state.velocities);

@@ -31,7 +31,8 @@ impl ClothSpec {
         }
     }
 
-    /// The same with particles pinned by row and column, besides those that are.
+    /// This cloth, with the particles pinned of which `is_pinned` says so by row and column, besides those
+    /// that are.
     #[must_use]
     pub fn pinned_where(mut self, is_pinned: impl Fn(u32, u32) -> bool) -> Self {
         for row in 0..self.grid.row_count {

@@ -59,27 +59,34 @@ pub(crate) struct Scratch {
     pub(crate) schedules: Schedules,
 }
 
-/// Moves particles, pins and a body that was met [m], and makes particles faster [m/s].
-pub(crate) fn carry(
-    (positions, velocities): (&mut [Points], &mut [Points]),
-    pin_targets: &mut [Vec3],
-    (capsules, surfels): (&mut [Capsule], &mut [Surfel]),
-    (by, faster): (Vec3, Vec3),
-) {
-    for points in positions {
-        points.shift(by);
-    }
-    for points in velocities {
-        points.shift(faster);
-    }
-    for target in pin_targets {
-        *target += by;
-    }
-    for capsule in capsules {
-        capsule.ends = capsule.ends.map(|end| end + by);
-    }
-    for surfel in surfels {
-        surfel.position += by;
+/// All places and velocities that a state holds, for a world that jumps to carry along.
+pub(crate) struct Carried<'a> {
+    pub(crate) positions: &'a mut [Points],
+    pub(crate) velocities: &'a mut [Points],
+    /// Where pins, capsules and surfels were left.
+    pub(crate) pin_targets: &'a mut [Vec3],
+    pub(crate) capsules: &'a mut [Capsule],
+    pub(crate) surfels: &'a mut [Surfel],
+}
+
+impl Carried<'_> {
+    /// Moves all places by as much [m], and makes particles `faster` [m/s].
+    pub(crate) fn carry(self, by: Vec3, faster: Vec3) {
+        for points in self.positions {
+            points.shift(by);
+        }
+        for points in self.velocities {
+            points.shift(faster);
+        }
+        for target in self.pin_targets {
+            *target += by;
+        }
+        for capsule in self.capsules {
+            capsule.ends = capsule.ends.map(|end| end + by);
+        }
+        for surfel in self.surfels {
+            surfel.position += by;
+        }
     }
 }
 
@@ -207,15 +214,17 @@ impl ClothState {
     /// Moves the cloth, and where pins and body were left, all by as much [m], and makes the cloth `faster`
     /// [m/s]: what a world that jumps carries along.
     pub fn carry(&mut self, by: Vec3, faster: Vec3) {
-        carry(
-            (&mut self.positions, &mut self.velocities),
-            &mut self.pin_targets,
-            (&mut self.capsules, &mut self.surfels),
-            (by, faster),
-        );
+        Carried {
+            positions: &mut self.positions,
+            velocities: &mut self.velocities,
+            pin_targets: &mut self.pin_targets,
+            capsules: &mut self.capsules,
+            surfels: &mut self.surfels,
+        }
+        .carry(by, faster);
     }
 
-    /// Multiplies every velocity.
+    /// Multiplies every velocity by `factor`.
     pub fn scale_velocities(&mut self, factor: f32) {
         for velocity in &mut self.velocities {
             for axis in [&mut velocity.x, &mut velocity.y, &mut velocity.z] {

@@ -32,6 +32,57 @@ pub struct StepInput<'a> {
     pub air_velocity: Vec3,
 }
 
+/// One step of a cloth, all but what it moves.
+pub struct StepOf<'a, M> {
+    /// What never changes.
+    pub model: &'a M,
+    /// What the user turns.
+    pub config: &'a SolverConfig,
+    /// What the world does in the step.
+    pub input: &'a StepInput<'a>,
+    /// Duration of the step [s].
+    pub dt: f32,
+}
+
+/// One step of a grid.
+pub type GridStep<'a> = StepOf<'a, ClothModel>;
+
+// Not derived: a step can be copied whether or not its model can.
+impl<M> Clone for StepOf<'_, M> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<M> Copy for StepOf<'_, M> {}
+
+impl<M> StepOf<'_, M> {
+    /// What gravity adds to a speed in the step [m/s].
+    pub(crate) fn speed_gain(&self) -> f32 {
+        self.config.gravity.length() * self.dt
+    }
+}
+
+/// How far a step, or a part of it, has come at the end of a substep.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Progress {
+    /// Share of it that is over, from 0 to 1.
+    pub(crate) fraction: f32,
+    /// Share of it that the substep alone is.
+    pub(crate) share: f32,
+}
+
+impl Progress {
+    /// After `done` of `count` substeps that are equally long.
+    #[expect(clippy::cast_precision_loss, reason = "substeps are few")]
+    pub(crate) const fn after(done: u32, count: u32) -> Self {
+        Self {
+            fraction: done as f32 / count as f32,
+            share: 1.0 / count as f32,
+        }
+    }
+}
+
 /// Moves the cloth on by `dt` [s].
 ///
 /// Pins, capsules and surfels move evenly from where the previous call left them to where `input` has them.
@@ -49,28 +100,34 @@ pub fn step(
 ) -> Result<(), Lost> {
     check_cloth(0, [model.layout.vector_count(), state.positions.len()])?;
     check_pins(model.pin_indices().len(), input.pin_targets)?;
-    xpbd::advance(model, config, (input, dt), state);
+    let step = StepOf {
+        model,
+        config,
+        input,
+        dt,
+    };
+    xpbd::advance(step, state);
     keep_surroundings(input, state);
     Ok(())
 }
 
-/// The same, bit for bit, and `passed` is called whenever a [`Phase`] has ended: first of all for
-/// what the caller did before. A phase ends several times in a step.
+/// Moves the cloth on as [`step`](step()) does, bit for bit, and calls `passed` whenever a [`Phase`] has
+/// ended: first of all for what the caller did before. A phase ends several times in a step.
 ///
 /// Nothing is shared among threads then, so that no phase hides behind another.
 ///
 /// # Errors
-/// As [`step`].
+/// A state of another cloth, or as many targets as there are not pins; the cloth is as it was then.
 pub fn step_observed(
-    (model, config): (&ClothModel, &SolverConfig),
-    (input, dt): (&StepInput<'_>, f32),
+    step: GridStep<'_>,
     state: &mut ClothState,
     passed: &mut dyn FnMut(Phase),
 ) -> Result<(), Lost> {
+    let (model, targets) = (step.model, step.input.pin_targets);
     check_cloth(0, [model.layout.vector_count(), state.positions.len()])?;
-    check_pins(model.pin_indices().len(), input.pin_targets)?;
-    xpbd::observed::advance((model, config), (input, dt), state, passed);
-    keep_surroundings(input, state);
+    check_pins(model.pin_indices().len(), targets)?;
+    xpbd::observed::advance(step, state, passed);
+    keep_surroundings(step.input, state);
     Ok(())
 }
 

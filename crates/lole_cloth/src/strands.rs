@@ -15,12 +15,13 @@ use glam::Vec3;
 use lole_geom::Surfel;
 
 use crate::lost::{Lost, check_cloth};
+use crate::step::Progress;
 use contact::Contacts;
 
 /// Whether the end of a strand is tied to its beginning.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Ring {
-    /// It has two ends.
+    /// The strand has two ends.
     #[default]
     Open,
     /// The last particle is followed by the first.
@@ -60,7 +61,7 @@ pub struct Link {
 /// A particle drawn to a place that a body carries.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tie {
-    /// Its number among those of all strands.
+    /// Number of the particle among those of all strands.
     pub particle: u32,
     /// Distance by which a force of 1 N overcomes it [m/N].
     pub compliance: f32,
@@ -73,7 +74,7 @@ pub enum StrandError {
     /// A strand of too few particles.
     #[error("strand {strand} has {count} particles; it needs {least}")]
     TooShort {
-        /// Its place in the list.
+        /// Place of the strand in the list.
         strand: usize,
         /// Particles that it has.
         count: usize,
@@ -83,7 +84,7 @@ pub enum StrandError {
     /// A number that is not finite or out of its range.
     #[error("`{field}` of strand {strand} is {value}; it must be {rule}")]
     OutOfRange {
-        /// Its place in the list.
+        /// Place of the strand in the list.
         strand: usize,
         /// The number's name.
         field: &'static str,
@@ -122,12 +123,12 @@ pub struct StrandModel {
     ties: Vec<Tie>,
 }
 
-/// What moves.
+/// Everything about strands that changes from step to step.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct StrandState {
-    /// Of all strands, one after the other [m].
+    /// Particles of all strands, one strand after the other [m].
     pub positions: Vec<Vec3>,
-    /// Their velocities [m/s].
+    /// Velocities of the particles [m/s].
     pub velocities: Vec<Vec3>,
     /// Where the body was left; empty before the first step.
     surfels: Vec<Surfel>,
@@ -348,6 +349,14 @@ impl StrandState {
     }
 }
 
+/// One step of strands.
+#[derive(Clone, Copy)]
+struct StrandStep<'a> {
+    model: &'a StrandModel,
+    config: &'a StrandConfig,
+    input: &'a StrandInput<'a>,
+}
+
 /// Moves strands on by `dt` [s].
 ///
 /// # Errors
@@ -367,22 +376,24 @@ pub fn step(
     }
     let [_, kept] = &mut state.before;
     kept.clone_from(&state.positions);
-    state
-        .contacts
-        .find(model, config, [&state.surfels, input.surfels], &{
-            contact::Flight {
-                positions: &state.positions,
-                velocities: &state.velocities,
-                dt,
-            }
-        });
+    let step = StrandStep {
+        model,
+        config,
+        input,
+    };
+    let flight = contact::Flight {
+        positions: &state.positions,
+        velocities: &state.velocities,
+        dt,
+    };
+    state.contacts.find(step, &state.surfels, &flight);
     let count = config.substep_count.max(1);
     #[expect(clippy::cast_precision_loss, reason = "substeps are few")]
     let h = dt / count as f32;
     for index in 0..count {
         #[expect(clippy::cast_precision_loss, reason = "substeps are few")]
         let [from, to] = [index, index + 1].map(|end| end as f32 / count as f32);
-        solve::predict(model, config, input, state, h);
+        solve::predict(step, state, h);
         solve::place_pins(model, input, state, (to - from) / (1.0 - from));
         solve::bend(model, state, h);
         solve::link(model, state, h);
@@ -394,12 +405,11 @@ pub fn step(
             before,
             ..
         } = state;
-        contacts.push_out(
-            model,
-            config,
-            (positions, &mut before[0]),
-            (to, to - from, h),
-        );
+        let progress = Progress {
+            fraction: to,
+            share: to - from,
+        };
+        contacts.push_out(step, [positions, &mut before[0]], progress, h);
         solve::update_velocities(state, h);
     }
     state.surfels.clear();

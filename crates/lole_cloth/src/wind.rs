@@ -5,7 +5,7 @@ mod gust;
 mod plates;
 
 pub use gust::{GustyWind, WindNow};
-pub use plates::{Aerodynamics, blow};
+pub use plates::{Aerodynamics, AirPush, blow};
 
 use glam::DVec3;
 use lole_geom::trig64;

@@ -3,7 +3,7 @@
 mod xpbd_support;
 
 use glam::Vec3;
-use lole_cloth::wind::{Aerodynamics, GustyWind, WindNow, blow};
+use lole_cloth::wind::{Aerodynamics, AirPush, GustyWind, WindNow, blow};
 use lole_cloth::{ClothModel, ClothState, Fabric, InstructionSet, MassLaw, diagnose, state_hash};
 use xpbd_support::{DT, FABRIC, World, flat_positions, mean, sheet_spec};
 
@@ -28,9 +28,17 @@ fn sheet(drag_rate: f32) -> World {
     World::new(&spec, &flat_positions(31, 21, 0.02))
 }
 
+const fn push(wind: &WindNow) -> AirPush<'_> {
+    AirPush {
+        law: AIR,
+        wind,
+        dt: DT,
+    }
+}
+
 fn blow_once(world: &mut World, wind: &WindNow) {
     let set = world.config.instruction_set;
-    blow(&world.model, (&AIR, wind), set, &mut world.state, DT);
+    blow(&world.model, push(wind), set, &mut world.state);
 }
 
 #[test]
@@ -198,7 +206,7 @@ fn the_wind_has_the_same_bits_with_all_vector_instructions() {
     let wind = GustyWind::new(Vec3::new(3.0, 1.0, 5.0), 0.3, 9).at(2.5);
     let hash = |set| {
         let mut state = ClothState::new(&model, &flat_positions(37, 21, 0.02));
-        blow(&model, (&AIR, &wind), set, &mut state, DT);
+        blow(&model, push(&wind), set, &mut state);
         state_hash(&state)
     };
     let detected = hash(InstructionSet::Detected);

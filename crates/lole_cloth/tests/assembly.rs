@@ -8,8 +8,8 @@ use std::num::NonZeroU32;
 
 use glam::{DVec3, Quat, Vec2, Vec3};
 use lole_cloth::assembly::{
-    Assembly, AssemblyInput, AssemblyState, Attachment, Drawstring, Elastic, Ends, Frame, Joint,
-    Piece, PieceState, Place, Pleat, Seam, step,
+    Assembly, AssemblyInput, AssemblyState, Attachment, BoneFrame, ClothJoint, ClothPiece,
+    ClothSeam, Drawstring, Elastic, Ends, PieceParticle, PieceState, Pleat, step,
 };
 use lole_cloth::mesh::{MeshModel, MeshSpec, Strip};
 use lole_cloth::{
@@ -33,9 +33,9 @@ fn untethered() -> SolverConfig {
     }
 }
 
-fn mesh_piece(spec: &MeshSpec, config: SolverConfig) -> Piece {
+fn mesh_piece(spec: &MeshSpec, config: SolverConfig) -> ClothPiece {
     let model = MeshModel::new(spec).expect("a surface");
-    Piece::Mesh(Box::new(model), Box::new(config))
+    ClothPiece::Mesh(Box::new(model), Box::new(config))
 }
 
 fn grid_spec(columns: u32, rows: u32, spacing: f32) -> ClothSpec {
@@ -65,11 +65,16 @@ struct Sewn {
     assembly: Assembly,
     state: AssemblyState,
     pins: Vec<Vec<Vec3>>,
-    frames: Vec<Frame>,
+    frames: Vec<BoneFrame>,
 }
 
 impl Sewn {
-    fn new(pieces: Vec<Piece>, joints: &[Joint], positions: &[Vec<Vec3>], substeps: u32) -> Self {
+    fn new(
+        pieces: Vec<ClothPiece>,
+        joints: &[ClothJoint],
+        positions: &[Vec<Vec3>],
+        substeps: u32,
+    ) -> Self {
         let count = NonZeroU32::new(substeps).expect("a count");
         let assembly = Assembly::new(pieces, joints, count).expect("joints fit");
         let pins = assembly
@@ -112,10 +117,10 @@ fn hanging(flat: &[Vec2], top: f32) -> Vec<Vec3> {
 }
 
 /// The first or last so many particles of a piece.
-fn line(piece: usize, particles: impl IntoIterator<Item = u32>) -> Vec<Place> {
+fn line(piece: usize, particles: impl IntoIterator<Item = u32>) -> Vec<PieceParticle> {
     particles
         .into_iter()
-        .map(|particle| Place { piece, particle })
+        .map(|particle| PieceParticle { piece, particle })
         .collect()
 }
 
@@ -137,7 +142,7 @@ fn hem(columns: u32, width: f32) -> Sewn {
         )
     };
     let pieces = vec![
-        Piece::Grid(
+        ClothPiece::Grid(
             Box::new(ClothModel::new(&upper).expect("a grid")),
             Box::new(config()),
         ),
@@ -145,7 +150,7 @@ fn hem(columns: u32, width: f32) -> Sewn {
     ];
     let above = line(0, 72..81);
     let below = line(1, 0..columns);
-    let seam = Seam::along(&pieces, &above, &below).expect("a seam");
+    let seam = ClothSeam::along(&pieces, &above, &below).expect("a seam");
     let upper_flat: Vec<Vec2> = (0..81_u8)
         .map(|k| Vec2::new((k % 9).into(), (k / 9).into()) * 0.02)
         .collect();
@@ -160,7 +165,7 @@ fn hem(columns: u32, width: f32) -> Sewn {
     }
     Sewn::new(
         pieces,
-        &[Joint::Seam(seam)],
+        &[ClothJoint::Seam(seam)],
         &[hanging(&upper_flat, 0.0), below],
         12,
     )
@@ -220,7 +225,7 @@ fn a_grid_alone_moves_as_without_an_assembly() {
         .iter()
         .map(|flat| Vec3::new(flat.x, 0.0, flat.y))
         .collect();
-    let piece = Piece::Grid(Box::new(model.clone()), Box::default());
+    let piece = ClothPiece::Grid(Box::new(model.clone()), Box::default());
     let mut sewn = Sewn::new(vec![piece], &[], std::slice::from_ref(&positions), 12);
     let mut state = ClothState::new(&model, &positions);
     for _ in 0..20 {
@@ -240,7 +245,7 @@ fn a_grid_alone_moves_as_without_an_assembly() {
 }
 
 /// A free sheet in the void with a joint, and its momentum before and after half a second.
-fn momentum_change(joint: impl FnOnce(&[Piece]) -> Joint) -> f64 {
+fn momentum_change(joint: impl FnOnce(&[ClothPiece]) -> ClothJoint) -> f64 {
     let (flat, triangles) = rectangle(10, 10, 0.02, 0.4);
     let spec = MeshSpec::new(flat.clone(), triangles, FABRIC);
     let void = SolverConfig {
@@ -256,7 +261,7 @@ fn momentum_change(joint: impl FnOnce(&[Piece]) -> Joint) -> f64 {
     let velocities: Vec<Vec3> = (flat.iter())
         .map(|_| Vec3::X + 0.5 * Vec3::new(dice.throw(), dice.throw(), dice.throw()))
         .collect();
-    let (Piece::Mesh(model, _), PieceState::Mesh(state)) =
+    let (ClothPiece::Mesh(model, _), PieceState::Mesh(state)) =
         (&sewn.assembly.pieces()[0], &mut sewn.state.pieces[0])
     else {
         panic!("a mesh")
@@ -273,7 +278,7 @@ fn momentum_change(joint: impl FnOnce(&[Piece]) -> Joint) -> f64 {
         sewn.step();
     }
     let mut after = Vec::new();
-    let (Piece::Mesh(model, _), PieceState::Mesh(state)) =
+    let (ClothPiece::Mesh(model, _), PieceState::Mesh(state)) =
         (&sewn.assembly.pieces()[0], &sewn.state.pieces[0])
     else {
         panic!("a mesh")
@@ -289,14 +294,14 @@ fn joints_within_the_cloth_keep_its_momentum() {
         (
             "seam",
             momentum_change(|pieces| {
-                let seam = Seam::along(pieces, &edge(), &line(0, 90..100));
-                Joint::Seam(seam.expect("a seam"))
+                let seam = ClothSeam::along(pieces, &edge(), &line(0, 90..100));
+                ClothJoint::Seam(seam.expect("a seam"))
             }),
         ),
         (
             "elastic",
             momentum_change(|_| {
-                Joint::Elastic(Elastic {
+                ClothJoint::Elastic(Elastic {
                     line: edge(),
                     ends: Ends::Apart,
                     rest_share: 0.5,
@@ -307,7 +312,7 @@ fn joints_within_the_cloth_keep_its_momentum() {
         (
             "drawstring",
             momentum_change(|_| {
-                Joint::Drawstring(Drawstring {
+                ClothJoint::Drawstring(Drawstring {
                     line: line(0, [0, 9, 99, 90]),
                     ends: Ends::Joined,
                     length: 0.5,
@@ -317,7 +322,7 @@ fn joints_within_the_cloth_keep_its_momentum() {
         (
             "pleat",
             momentum_change(|_| {
-                Joint::Pleat(Pleat {
+                ClothJoint::Pleat(Pleat {
                     hinges: crease(10),
                     rest_angle: 1.5,
                     stiffness: 0.1,
@@ -332,11 +337,12 @@ fn joints_within_the_cloth_keep_its_momentum() {
 
 /// The hinges of the fifth row of a rectangle of ten columns with all diagonals one way: corners
 /// straight above and below the first end and the second.
-fn crease(columns: u32) -> Vec<[Place; 4]> {
+fn crease(columns: u32) -> Vec<[PieceParticle; 4]> {
     let row = 5 * columns;
     (row..row + columns - 1)
         .map(|a| {
-            [a, a + 1, a + 1 + columns, a - columns].map(|particle| Place { piece: 0, particle })
+            [a, a + 1, a + 1 + columns, a - columns]
+                .map(|particle| PieceParticle { piece: 0, particle })
         })
         .collect()
 }
@@ -367,7 +373,7 @@ fn a_pleat_folds_the_cloth_to_its_angle() {
         };
         let pieces = vec![mesh_piece(&spec, void.clone())];
         let positions = hanging(&flat, 0.0);
-        let mut sewn = Sewn::new(pieces, &[Joint::Pleat(pleat)], &[positions], 12);
+        let mut sewn = Sewn::new(pieces, &[ClothJoint::Pleat(pleat)], &[positions], 12);
         for _ in 0..180 {
             sewn.step();
         }
@@ -404,14 +410,14 @@ fn an_elastic_carries_its_share_of_a_hanging_strip() {
     let bands = (0..3_u16).map(|column| {
         // The border carries half a column of cloth, so it has half of the band.
         let share = if column == 1 { 0.5 } else { 0.25 };
-        Joint::Elastic(Elastic {
+        ClothJoint::Elastic(Elastic {
             line: line(0, (0..16_u16).map(|row| u32::from(3 * row + column))),
             ends: Ends::Apart,
             rest_share: 1.0,
             stretch_stiffness: 0.32 * share,
         })
     });
-    let bands: Vec<Joint> = bands.collect();
+    let bands: Vec<ClothJoint> = bands.collect();
     let pieces = vec![mesh_piece(&spec, untethered())];
     let mut sewn = Sewn::new(pieces, &bands, &[hanging(&flat, 0.0)], 60);
     for _ in 0..240 {
@@ -438,7 +444,7 @@ fn a_drawstring_is_never_longer_than_it_is() {
     let pieces = vec![mesh_piece(&spec, config())];
     let mut sewn = Sewn::new(
         pieces,
-        &[Joint::Drawstring(string)],
+        &[ClothJoint::Drawstring(string)],
         &[hanging(&flat, 0.0)],
         12,
     );
@@ -481,22 +487,22 @@ fn ties_to_a_bone_sag_by_their_stiffness_and_turn_with_it() {
         stiffness: weight / (ties * sag),
     };
     let pieces = vec![mesh_piece(&spec, untethered())];
-    let joints = [Joint::Attachment(attachment)];
+    let joints = [ClothJoint::Attachment(attachment)];
     let mut sewn = Sewn::new(pieces, &joints, std::slice::from_ref(&positions), 12);
-    sewn.frames = vec![Frame::IDENTITY];
+    sewn.frames = vec![BoneFrame::IDENTITY];
     let mean = |places: &[Vec3]| places.iter().sum::<Vec3>() / ties;
     for _ in 0..180 {
         sewn.step();
     }
     let sunk = mean(&positions).y - mean(&sewn.positions(0)).y;
     assert!((sunk / sag - 1.0).abs() < 0.02, "{sunk}");
-    let turned = Frame {
+    let turned = BoneFrame {
         rotation: Quat::from_xyzw(0.0, 1.0, 0.0, 0.0),
         translation: Vec3::new(0.1, 0.2, 0.3),
     };
     for frame in 0..180_u8 {
         let share = (f32::from(frame) / 60.0).min(1.0);
-        sewn.frames = vec![Frame {
+        sewn.frames = vec![BoneFrame {
             rotation: Quat::IDENTITY.slerp(turned.rotation, share),
             translation: turned.translation * share,
         }];
@@ -554,15 +560,17 @@ fn an_assembly_has_the_same_bits_with_all_vector_instructions() {
         let mut sewn = hem(12, 0.16);
         let pieces = sewn.assembly.pieces().iter().cloned().map(|mut piece| {
             match &mut piece {
-                Piece::Grid(_, config) | Piece::Mesh(_, config) => config.instruction_set = set,
+                ClothPiece::Grid(_, config) | ClothPiece::Mesh(_, config) => {
+                    config.instruction_set = set;
+                }
             }
             piece
         });
-        let pieces: Vec<Piece> = pieces.collect();
-        let seam = Seam::along(&pieces, &line(0, 72..81), &line(1, 0..12)).expect("a seam");
+        let pieces: Vec<ClothPiece> = pieces.collect();
+        let seam = ClothSeam::along(&pieces, &line(0, 72..81), &line(1, 0..12)).expect("a seam");
         sewn.assembly = Assembly::new(
             pieces,
-            &[Joint::Seam(seam)],
+            &[ClothJoint::Seam(seam)],
             NonZeroU32::MIN.saturating_add(7),
         )
         .expect("fits");
@@ -605,12 +613,12 @@ fn a_joint_that_does_not_fit_is_refused() {
         &MeshSpec::new(flat, triangles, FABRIC),
         config(),
     )];
-    let refused = |joint: Joint| {
+    let refused = |joint: ClothJoint| {
         let made = Assembly::new(pieces.clone(), &[joint], NonZeroU32::MIN);
         made.expect_err("it does not fit").to_string()
     };
-    let elastic = |line: Vec<Place>, rest_share: f32| {
-        Joint::Elastic(Elastic {
+    let elastic = |line: Vec<PieceParticle>, rest_share: f32| {
+        ClothJoint::Elastic(Elastic {
             line,
             ends: Ends::Apart,
             rest_share,
@@ -634,7 +642,7 @@ fn a_joint_that_does_not_fit_is_refused() {
         "`elastic.rest_share` is NaN; it must be finite and above 0"
     );
     assert_eq!(
-        refused(Joint::Pleat(Pleat {
+        refused(ClothJoint::Pleat(Pleat {
             hinges: Vec::new(),
             rest_angle: 7.0,
             stiffness: 1.0

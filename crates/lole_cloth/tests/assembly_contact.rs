@@ -6,7 +6,8 @@ use std::num::NonZeroU32;
 
 use glam::{Vec2, Vec3};
 use lole_cloth::assembly::{
-    Assembly, AssemblyInput, AssemblyState, Joint, Piece, PieceState, Place, Seam, step,
+    Assembly, AssemblyInput, AssemblyState, ClothJoint, ClothPiece, ClothSeam, PieceParticle,
+    PieceState, step,
 };
 use lole_cloth::mesh::{MeshModel, MeshSpec};
 use lole_cloth::{
@@ -50,7 +51,7 @@ enum Border {
 }
 
 /// A square of `side` by `side` particles, and where they lie flat [m].
-fn square(kind: Kind, side: u32, border: Border, config: SolverConfig) -> (Piece, Vec<Vec2>) {
+fn square(kind: Kind, side: u32, border: Border, config: SolverConfig) -> (ClothPiece, Vec<Vec2>) {
     let is_border = |k: u32| {
         let (row, column) = (k / side, k % side);
         row == 0 || column == 0 || row + 1 == side || column + 1 == side
@@ -76,21 +77,21 @@ fn square(kind: Kind, side: u32, border: Border, config: SolverConfig) -> (Piece
                 mass: MassLaw::AreaWeighted,
                 pinned,
             };
-            Piece::Grid(Box::new(ClothModel::new(&spec).expect("a grid")), config)
+            ClothPiece::Grid(Box::new(ClothModel::new(&spec).expect("a grid")), config)
         }
         Kind::Mesh => {
             let mut spec = MeshSpec::new(flat.clone(), triangles, CALM);
             spec.pinned = pinned;
-            Piece::Mesh(Box::new(MeshModel::new(&spec).expect("a surface")), config)
+            ClothPiece::Mesh(Box::new(MeshModel::new(&spec).expect("a surface")), config)
         }
     };
     (piece, flat)
 }
 
-fn triangles_of(piece: &Piece) -> Vec<[u32; 3]> {
+fn triangles_of(piece: &ClothPiece) -> Vec<[u32; 3]> {
     match piece {
-        Piece::Grid(model, _) => model.spec().grid.triangles(),
-        Piece::Mesh(model, _) => model.triangles().to_vec(),
+        ClothPiece::Grid(model, _) => model.spec().grid.triangles(),
+        ClothPiece::Mesh(model, _) => model.triangles().to_vec(),
     }
 }
 
@@ -101,7 +102,7 @@ struct World {
 }
 
 impl World {
-    fn new(pieces: Vec<Piece>, joints: &[Joint], positions: &[Vec<Vec3>]) -> Self {
+    fn new(pieces: Vec<ClothPiece>, joints: &[ClothJoint], positions: &[Vec<Vec3>]) -> Self {
         let substeps = NonZeroU32::MIN.saturating_add(11);
         let assembly = Assembly::new(pieces, joints, substeps).expect("joints fit");
         let pins = assembly.pieces().iter().zip(positions);
@@ -214,25 +215,25 @@ fn pieces_sewn_side_by_side_do_not_touch() {
     let hem = |config: SolverConfig| {
         let (mut upper, flat) = square(Kind::Grid, 15, Border::Free, config.clone());
         let (lower, lower_flat) = square(Kind::Mesh, 15, Border::Free, config);
-        if let Piece::Grid(model, _) = &mut upper {
+        if let ClothPiece::Grid(model, _) = &mut upper {
             let mut spec = model.spec().clone();
             spec.pinned[..15].fill(true);
             **model = ClothModel::new(&spec).expect("a grid");
         }
-        let line = |piece: usize, first: u32| -> Vec<Place> {
+        let line = |piece: usize, first: u32| -> Vec<PieceParticle> {
             (first..first + 15)
-                .map(|particle| Place { piece, particle })
+                .map(|particle| PieceParticle { piece, particle })
                 .collect()
         };
         let pieces = vec![upper, lower];
-        let seam = Seam::along(&pieces, &line(0, 14 * 15), &line(1, 0)).expect("a seam");
+        let seam = ClothSeam::along(&pieces, &line(0, 14 * 15), &line(1, 0)).expect("a seam");
         let hanging = |flat: &[Vec2], top: f32| -> Vec<Vec3> {
             (flat.iter())
                 .map(|p| Vec3::new(p.x, top - p.y, 0.0))
                 .collect()
         };
         let positions = [hanging(&flat, 0.0), hanging(&lower_flat, -14.0 * SPACING)];
-        let mut world = World::new(pieces, &[Joint::Seam(seam)], &positions);
+        let mut world = World::new(pieces, &[ClothJoint::Seam(seam)], &positions);
         for _ in 0..20 {
             world.step();
         }

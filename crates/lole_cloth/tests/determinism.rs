@@ -6,14 +6,14 @@ use std::num::NonZeroU32;
 
 use glam::{Vec2, Vec3};
 use lole_cloth::assembly::{
-    self, Assembly, AssemblyInput, AssemblyState, Joint, Piece, Place, Seam,
+    self, Assembly, AssemblyInput, AssemblyState, ClothJoint, ClothPiece, ClothSeam, PieceParticle,
 };
 use lole_cloth::mesh::{self, MeshModel, MeshSpec, MeshState};
 use lole_cloth::method::explicit_rows::{self, ExplicitModel};
-use lole_cloth::scenes::{FRAME_DT, SCENES, Scene};
+use lole_cloth::scenes::{ClothScene, FRAME_DT, SCENES};
 use lole_cloth::{
-    ClothModel, ClothState, Crossings, Fabric, Hysteresis, InstructionSet, Phase, SelfCollision,
-    SolverConfig, StepInput, mesh_state_hash, state_hash, step, step_observed,
+    ClothModel, ClothState, Crossings, Fabric, GridStep, Hysteresis, InstructionSet, Phase,
+    SelfCollision, SolverConfig, StepInput, mesh_state_hash, state_hash, step, step_observed,
 };
 use lole_geom::Capsule;
 
@@ -50,7 +50,7 @@ type Advance<'a> = dyn Fn(&SolverConfig, &StepInput<'_>, &mut ClothState) + Sync
 
 /// Hash after some frames of a scene, moved by `advance`.
 fn hash_after(
-    (scene, frame_count): (&Scene, u32),
+    (scene, frame_count): (&ClothScene, u32),
     model: &ClothModel,
     set: InstructionSet,
     advance: &Advance<'_>,
@@ -73,7 +73,11 @@ fn hash_after(
 }
 
 /// One hash for every number of threads and every instruction set of this host; the hash.
-fn one_hash((scene, frame_count): (&Scene, u32), model: &ClothModel, advance: &Advance<'_>) -> u64 {
+fn one_hash(
+    (scene, frame_count): (&ClothScene, u32),
+    model: &ClothModel,
+    advance: &Advance<'_>,
+) -> u64 {
     let mut first = None;
     for thread_count in THREAD_COUNTS {
         let pool = rayon::ThreadPoolBuilder::new()
@@ -161,17 +165,17 @@ fn sewn_triangles(set: InstructionSet) -> u64 {
         })
     };
     let pieces = vec![
-        Piece::Mesh(Box::new(model.clone()), config()),
-        Piece::Mesh(Box::new(model), config()),
+        ClothPiece::Mesh(Box::new(model.clone()), config()),
+        ClothPiece::Mesh(Box::new(model), config()),
     ];
-    let line = |piece: usize, first: u32| -> Vec<Place> {
+    let line = |piece: usize, first: u32| -> Vec<PieceParticle> {
         let particles = (0..12).map(|along| first + along);
         particles
-            .map(|particle| Place { piece, particle })
+            .map(|particle| PieceParticle { piece, particle })
             .collect()
     };
-    let seam = Seam::along(&pieces, &line(0, 11 * 12), &line(1, 0)).expect("edges as long");
-    let joints = [Joint::Seam(seam)];
+    let seam = ClothSeam::along(&pieces, &line(0, 11 * 12), &line(1, 0)).expect("edges as long");
+    let joints = [ClothJoint::Seam(seam)];
     let assembly = Assembly::new(pieces, &joints, NonZeroU32::MIN.saturating_add(7)).expect("fits");
     let (_, laid) = triangle_places(12, 0.0);
     let beside = laid.iter().map(|place| *place + Vec3::Z * 0.26).collect();
@@ -244,8 +248,13 @@ fn a_step_that_is_observed_has_the_bits_of_one_that_is_not() {
             &|config, input, state| {
                 let mut phases = Vec::new();
                 let mut passed = |phase| phases.push(phase);
-                step_observed((&model, config), (input, FRAME_DT), state, &mut passed)
-                    .expect("a target for every pin");
+                let step = GridStep {
+                    model: &model,
+                    config,
+                    input,
+                    dt: FRAME_DT,
+                };
+                step_observed(step, state, &mut passed).expect("a target for every pin");
                 assert_eq!(phases.first(), Some(&Phase::Outside));
                 for phase in Phase::ALL {
                     let is_of_self = matches!(phase, Phase::FindSelf | Phase::SelfContact);

@@ -9,7 +9,7 @@ use lole_cloth::collision::penalty::Penalty;
 use lole_cloth::method::explicit::{self, ExplicitConfig, Substeps};
 use lole_cloth::method::explicit_rows::{self, ExplicitModel};
 use lole_cloth::method::reference::{ReferenceModel, ReferenceState};
-use lole_cloth::scenes::{FRAME_DT, SCENES, Scene};
+use lole_cloth::scenes::{ClothScene, FRAME_DT, SCENES};
 use lole_cloth::{
     ClothSpec, ClothState, Fabric, InstructionSet, MassLaw, SolverConfig, StepInput, Topology,
     diagnose, state_hash,
@@ -211,7 +211,7 @@ fn a_sheet_slides_down_a_slope_by_gravity_less_friction() {
     );
 }
 
-fn hash_after(scene: &Scene, instruction_set: InstructionSet, thread_count: usize) -> u64 {
+fn hash_after(scene: &ClothScene, instruction_set: InstructionSet, thread_count: usize) -> u64 {
     let mut setup = (scene.build)();
     setup.config.instruction_set = instruction_set;
     let model = ExplicitModel::new(&setup.spec).expect("the scene is valid");
@@ -241,7 +241,7 @@ fn hash_after(scene: &Scene, instruction_set: InstructionSet, thread_count: usiz
 
 #[test]
 fn every_scene_has_the_same_bits_with_all_vector_instructions_and_threads() {
-    let small = |scene: &&Scene| ["hang-64", "skirt"].contains(&scene.name);
+    let small = |scene: &&ClothScene| ["hang-64", "skirt"].contains(&scene.name);
     for scene in SCENES.iter().filter(small) {
         let detected = hash_after(scene, InstructionSet::Detected, 1);
         for (instruction_set, threads) in [

@@ -18,7 +18,7 @@ fn strip(rows: u32, spacing: f32, fabric: Fabric) -> ClothSpec {
     spec
 }
 
-/// The same strip rolled to a curvature [1/m] about the `x` axis, its middle level.
+/// A strip rolled to a curvature [1/m] about the `x` axis, its middle level.
 fn rolled(rows: u32, spacing: f32, curvature: f32) -> Vec<Vec3> {
     // Chords of the circle are as long as the spacing.
     let turn = spacing * curvature;

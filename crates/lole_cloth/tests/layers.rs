@@ -28,7 +28,7 @@ fn tube(radius: f64, areal_density: f32) -> World {
     full_tube((radius, 1.06), areal_density)
 }
 
-/// The same with this `fullness`: cloth over the circle that it is laid on.
+/// A tube with soft waves, pinned at its upper ring; `fullness` is its cloth over the circle that it is laid on.
 fn full_tube((radius, fullness): (f64, f64), areal_density: f32) -> World {
     let (column_count, row_count) = (64, 24);
     let girth = fullness * TAU * radius;

@@ -3,7 +3,7 @@
 use std::num::NonZeroU32;
 
 use glam::{Vec2, Vec3};
-use lole_cloth::assembly::{self, Assembly, AssemblyInput, AssemblyState, Piece};
+use lole_cloth::assembly::{self, Assembly, AssemblyInput, AssemblyState, ClothPiece};
 use lole_cloth::mesh::{self, MeshModel, MeshSpec, MeshState};
 use lole_cloth::method::explicit_rows::{self, ExplicitModel};
 use lole_cloth::{
@@ -26,7 +26,7 @@ fn sheet(side: u32) -> (ClothModel, ClothState) {
     (model, state)
 }
 
-/// The same of triangles, two pinned.
+/// A square of two triangles at rest, two of its particles pinned.
 fn triangles() -> (MeshModel, MeshState) {
     let flat: Vec<Vec2> = [[0.0, 0.0], [0.1, 0.0], [0.1, 0.1], [0.0, 0.1]]
         .map(Vec2::from)
@@ -95,8 +95,8 @@ fn a_state_of_another_cloth_is_refused() {
 
     let (mesh, _) = triangles();
     let pieces = vec![
-        Piece::Grid(Box::new(model), Box::new(config.clone())),
-        Piece::Mesh(Box::new(mesh), Box::new(config)),
+        ClothPiece::Grid(Box::new(model), Box::new(config.clone())),
+        ClothPiece::Mesh(Box::new(mesh), Box::new(config)),
     ];
     let assembly = Assembly::new(pieces, &[], NonZeroU32::MIN).expect("two pieces");
     let places = assembly.pieces().iter().map(|piece| {

@@ -40,7 +40,7 @@ fn falling(crossings: Crossings) -> World {
     falling_from(32, crossings)
 }
 
-/// The same with so many rows.
+/// A limp rectangle of so many rows thrown about that will fall on its lower edge and crumple.
 fn falling_from(row_count: u32, crossings: Crossings) -> World {
     let (flat, triangles) = rectangle(32, row_count, 0.01, 0.4);
     let height = flat[flat.len() - 1].y + 0.02;

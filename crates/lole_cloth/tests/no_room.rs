@@ -100,7 +100,7 @@ fn limbs_that_close_on_cloth_do_not_tear_it() {
     assert_eq!(world.state.without_room(&world.model), Vec::<u32>::new());
 }
 
-/// The same of a piece of triangles.
+/// A piece of triangles stays whole between limbs that close on it, and says that it had no room.
 #[test]
 fn limbs_that_close_on_a_piece_do_not_tear_it() {
     let (flat, triangles) = mesh_support::rectangle(COLUMNS, ROWS, SPACING, 0.3);

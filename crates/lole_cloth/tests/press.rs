@@ -4,7 +4,7 @@
 use std::f32::consts::TAU;
 
 use glam::{Vec2, Vec3};
-use lole_cloth::collision::layer::{Over, Press, Trunk};
+use lole_cloth::collision::layer::{OuterCloth, Press, Trunk};
 use lole_geom::trig;
 
 const GAP: f32 = 0.0015;
@@ -65,7 +65,7 @@ fn pressed(out: f32, girth: f32) -> (Vec<Vec3>, Vec<Vec3>) {
             Vec2::new(along, HEIGHT * f32::from(row))
         })
         .collect();
-    let over = Over {
+    let over = OuterCloth {
         triangles: &opened,
         on_cloth: &flat,
         positions: &positions,

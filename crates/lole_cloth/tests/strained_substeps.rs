@@ -5,7 +5,7 @@ mod mesh_support;
 use std::num::NonZeroU32;
 
 use glam::Vec3;
-use lole_cloth::assembly::{self, Assembly, AssemblyInput, AssemblyState, Piece, PieceState};
+use lole_cloth::assembly::{self, Assembly, AssemblyInput, AssemblyState, ClothPiece, PieceState};
 use lole_cloth::mesh::{self, MeshModel, MeshSpec, MeshState};
 use lole_cloth::{
     ClothModel, ClothSpec, ClothState, Fabric, Grid, Hysteresis, MassLaw, SolverConfig, StepInput,
@@ -139,7 +139,7 @@ fn hung_of_triangles(weights: f32, times: u32) -> [(f32, u64); 2] {
         ..StepInput::default()
     };
     let mut alone = MeshState::new(&model, &start);
-    let piece = Piece::Mesh(Box::new(model.clone()), Box::new(config.clone()));
+    let piece = ClothPiece::Mesh(Box::new(model.clone()), Box::new(config.clone()));
     let assembly = Assembly::new(vec![piece], &[], config.substep_count)
         .expect("nothing is joined")
         .with_strained_substep_count(config.strained_substep_count);

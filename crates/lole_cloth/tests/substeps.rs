@@ -6,7 +6,8 @@ use std::num::NonZeroU32;
 
 use glam::Vec3;
 use lole_cloth::assembly::{
-    Assembly, AssemblyInput, AssemblyState, Joint, Piece, PieceState, Place, Seam, step,
+    Assembly, AssemblyInput, AssemblyState, ClothJoint, ClothPiece, ClothSeam, PieceParticle,
+    PieceState, step,
 };
 use lole_cloth::mesh::{MeshModel, MeshSpec, diagnose};
 use lole_cloth::{Crossings, Fabric, SelfCollision, SolverConfig};
@@ -38,13 +39,13 @@ fn strained(substeps: u32, fabric: Fabric) -> f32 {
     };
     let piece = || {
         let model = MeshModel::new(&spec).expect("a surface");
-        Piece::Mesh(Box::new(model), Box::new(config.clone()))
+        ClothPiece::Mesh(Box::new(model), Box::new(config.clone()))
     };
     let (last, shoulder) = (COLUMNS - 1, COLUMNS / 3);
     let sides = (0..ROWS).flat_map(|row| [row * COLUMNS, row * COLUMNS + last]);
     let shoulders = (1..=shoulder).flat_map(|column| [column, last - column]);
-    let sewn = |particle: u32| [0, 1].map(|piece| Place { piece, particle }.into());
-    let seam = Seam {
+    let sewn = |particle: u32| [0, 1].map(|piece| PieceParticle { piece, particle }.into());
+    let seam = ClothSeam {
         stitches: sides.chain(shoulders).map(sewn).collect(),
     };
     // Half around each, so that the sides meet.
@@ -60,8 +61,8 @@ fn strained(substeps: u32, fabric: Fabric) -> f32 {
         flat.iter().map(place).collect::<Vec<_>>()
     };
     let count = NonZeroU32::new(substeps).expect("a count");
-    let assembly =
-        Assembly::new(vec![piece(), piece()], &[Joint::Seam(seam)], count).expect("joints fit");
+    let assembly = Assembly::new(vec![piece(), piece()], &[ClothJoint::Seam(seam)], count)
+        .expect("joints fit");
     let mut state = AssemblyState::new(&assembly, &[around(1.0), around(-1.0)]);
     let mut worst = 0.0_f32;
     for frame in 0..170_u16 {
@@ -85,7 +86,7 @@ fn strained(substeps: u32, fabric: Fabric) -> f32 {
         };
         step(&assembly, &input, &mut state, DT).expect("nothing is lost");
         for (piece, state) in assembly.pieces().iter().zip(&state.pieces) {
-            if let (Piece::Mesh(model, _), PieceState::Mesh(state)) = (piece, state) {
+            if let (ClothPiece::Mesh(model, _), PieceState::Mesh(state)) = (piece, state) {
                 let mut positions = Vec::new();
                 state.copy_positions(model, &mut positions);
                 if 80 < frame {

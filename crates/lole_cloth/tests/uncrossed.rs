@@ -9,7 +9,8 @@ use std::num::NonZeroU32;
 
 use glam::{Vec2, Vec3};
 use lole_cloth::assembly::{
-    Assembly, AssemblyInput, AssemblyState, Joint, Piece, Place, Seam, step as step_assembly,
+    Assembly, AssemblyInput, AssemblyState, ClothJoint, ClothPiece, ClothSeam, PieceParticle,
+    step as step_assembly,
 };
 use lole_cloth::mesh::{MeshModel, MeshSpec};
 use lole_cloth::{ClothModel, Crossings, Fabric, SelfCollision, SolverConfig};
@@ -243,17 +244,17 @@ impl Pile {
         let (flat, cut) = mesh_support::rectangle(side, side, SPACING, 0.3);
         let mesh = MeshSpec::new(flat.clone(), cut.clone(), limp());
         let model = ClothModel::new(&grid).expect("a grid");
-        let mut pieces = vec![Piece::Grid(Box::new(model), Box::new(config.clone()))];
+        let mut pieces = vec![ClothPiece::Grid(Box::new(model), Box::new(config.clone()))];
         for _ in 0..2 {
             let model = MeshModel::new(&mesh).expect("a surface");
-            pieces.push(Piece::Mesh(Box::new(model), Box::new(config.clone())));
+            pieces.push(ClothPiece::Mesh(Box::new(model), Box::new(config.clone())));
         }
         let size = side * side;
         let edge: Vec<u32> = (0..side).collect();
-        let stitch = |particle: u32| [1, 2].map(|piece| Place { piece, particle }.into());
+        let stitch = |particle: u32| [1, 2].map(|piece| PieceParticle { piece, particle }.into());
         let mut joints = Vec::new();
         if is_sewn {
-            joints.push(Joint::Seam(Seam {
+            joints.push(ClothJoint::Seam(ClothSeam {
                 stitches: edge.iter().map(|&it| stitch(it)).collect(),
             }));
         }
@@ -311,10 +312,10 @@ impl Pile {
             .zip(parts)
         {
             match (state, piece) {
-                (PieceState::Grid(state), Piece::Grid(model, _)) => {
+                (PieceState::Grid(state), ClothPiece::Grid(model, _)) => {
                     state.set_velocities(model, part);
                 }
-                (PieceState::Mesh(state), Piece::Mesh(model, _)) => {
+                (PieceState::Mesh(state), ClothPiece::Mesh(model, _)) => {
                     state.set_velocities(model, part);
                 }
                 _ => {}

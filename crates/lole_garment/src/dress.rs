@@ -26,7 +26,9 @@ use std::sync::Arc;
 
 use glam::{Affine3A, Vec2, Vec3};
 use lole_body::{Dancer, Pose, TapePoint};
-use lole_cloth::assembly::{Assembly, AssemblyState, Elastic, Ends, Joint, Piece, Place, Seam};
+use lole_cloth::assembly::{
+    Assembly, AssemblyState, ClothJoint, ClothPiece, ClothSeam, Elastic, Ends, PieceParticle,
+};
 use lole_cloth::diagnose::StrainSummary;
 use lole_cloth::mesh::{self, MeshModel, MeshSpec};
 use lole_cloth::{Crossings, Fabric, SelfCollision, SolverConfig};
@@ -148,7 +150,7 @@ struct Kit {
     template: &'static str,
     row: &'static SewnRow,
     spec: MeshSpec,
-    joints: Vec<Joint>,
+    joints: Vec<ClothJoint>,
     division: Division,
 }
 
@@ -334,7 +336,7 @@ impl Dressed {
     /// The mesh as the engine knows it.
     fn model(&self) -> Option<&MeshModel> {
         match self.assembly.pieces() {
-            [Piece::Mesh(model, _)] => Some(model),
+            [ClothPiece::Mesh(model, _)] => Some(model),
             _ => None,
         }
     }
@@ -527,7 +529,7 @@ fn assembly(kit: &Kit, ease: Ease) -> Result<Assembly, DressError> {
         ..SolverConfig::default()
     };
     let model = MeshModel::new(&spec).map_err(|error| DressError::Mesh { template, error })?;
-    let pieces = vec![Piece::Mesh(Box::new(model), Box::new(config))];
+    let pieces = vec![ClothPiece::Mesh(Box::new(model), Box::new(config))];
     let [usual, strained] = match ease {
         Ease::Basted => [SEWING_SUBSTEPS; 2],
         Ease::Worn => kit.row.substep_counts,
@@ -538,11 +540,11 @@ fn assembly(kit: &Kit, ease: Ease) -> Result<Assembly, DressError> {
 }
 
 /// Seams point by point, and elastics.
-fn joints(mesh: &flat::FlatMesh, elastics: &[f32]) -> Vec<Joint> {
-    let place = |particle: u32| Place { piece: 0, particle };
+fn joints(mesh: &flat::FlatMesh, elastics: &[f32]) -> Vec<ClothJoint> {
+    let place = |particle: u32| PieceParticle { piece: 0, particle };
     let stitches = mesh.stitches.iter();
     let stitches = stitches.map(|pair| pair.map(|particle| place(particle).into()));
-    let mut joints = vec![Joint::Seam(Seam {
+    let mut joints = vec![ClothJoint::Seam(ClothSeam {
         stitches: stitches.collect(),
     })];
     for (line, &length) in mesh.lines.iter().zip(elastics) {
@@ -557,7 +559,7 @@ fn joints(mesh: &flat::FlatMesh, elastics: &[f32]) -> Vec<Joint> {
         }
         let is_fastened = |at: usize| at.is_multiple_of(FASTENED) || at + 1 == line.len();
         let fastened = line.iter().enumerate().filter(|(at, _)| is_fastened(*at));
-        joints.push(Joint::Elastic(Elastic {
+        joints.push(ClothJoint::Elastic(Elastic {
             line: fastened.map(|(_, &particle)| place(particle)).collect(),
             ends: Ends::Apart,
             rest_share: length / flat,

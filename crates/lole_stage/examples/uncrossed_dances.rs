@@ -20,7 +20,7 @@ use std::thread;
 use std::time::Duration;
 
 use cpu_time::ThreadTime;
-use lole_cloth::scenes::{FRAME_DT, SCENES, Scene};
+use lole_cloth::scenes::{ClothScene, FRAME_DT, SCENES};
 use lole_cloth::{ClothModel, ClothState, StepInput, step};
 use lole_costume::document::{self, Design};
 use lole_hula::DanceStep;
@@ -29,7 +29,7 @@ use watch::Watch;
 
 /// What is watched.
 enum Play {
-    Scene(&'static Scene),
+    Scene(&'static ClothScene),
     Dance(String, Box<Design>),
 }
 
@@ -72,7 +72,7 @@ fn asked() -> Result<Asked, Box<dyn Error>> {
     let wants = |what: &str| wanted.is_empty() || wanted.iter().any(|it| it == what);
     let mut plays = Vec::new();
     if wants("--scenes") {
-        let meets_itself = |scene: &&Scene| (scene.build)().config.self_collision.is_some();
+        let meets_itself = |scene: &&ClothScene| (scene.build)().config.self_collision.is_some();
         plays.extend(SCENES.iter().filter(meets_itself).map(Play::Scene));
         plays.push(Play::Dance("pau-fine".into(), Box::default()));
         plays.push(Play::Dance("pau-layers".into(), Box::new(double_pau())));
@@ -124,7 +124,7 @@ fn work(asked: &Asked, next: &AtomicUsize) {
 }
 
 /// Every frame of a scene of the engine.
-fn run_scene(scene: &Scene) -> String {
+fn run_scene(scene: &ClothScene) -> String {
     let setup = (scene.build)();
     let model = ClothModel::new(&setup.spec).expect("a scene can be built");
     let mut state = ClothState::new(&model, &setup.positions);

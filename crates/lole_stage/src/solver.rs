@@ -8,10 +8,10 @@ use glam::{DVec3, Vec3};
 use lole_cloth::collision::penalty::Penalty;
 use lole_cloth::method::explicit::{self, ExplicitConfig, Integrator, Substeps};
 use lole_cloth::method::reference::{ReferenceModel, ReferenceState};
-use lole_cloth::wind::{self, Aerodynamics, GustyWind, Wind, WindLaw};
+use lole_cloth::wind::{self, Aerodynamics, AirPush, GustyWind, Wind, WindLaw};
 use lole_cloth::{
-    ClothModel, ClothSpec, ClothState, Crossings, InstructionSet, Lost, Phase, SelfCollision,
-    SolverConfig, StepInput, diagnose,
+    ClothModel, ClothSpec, ClothState, Crossings, GridStep, InstructionSet, Lost, Phase,
+    SelfCollision, SolverConfig, StepInput, diagnose,
 };
 use lole_costume::document::{Design, GarmentDesign, WindModel};
 use lole_geom::{Capsule, Surfel, trig64};
@@ -82,8 +82,12 @@ impl Xpbd {
         if let Some(gusts) = &self.gusts {
             let now = gusts.at(time).with_mean(velocity);
             let set = self.config.instruction_set;
-            let air = Aerodynamics::default();
-            wind::blow(&self.model, (&air, &now), set, &mut self.state, dt);
+            let air = AirPush {
+                law: Aerodynamics::default(),
+                wind: &now,
+                dt,
+            };
+            wind::blow(&self.model, air, set, &mut self.state);
         }
         if let Some(contact) = &mut self.config.self_collision {
             contact.crossings = surroundings.crossings;
@@ -104,9 +108,16 @@ impl Xpbd {
             },
         };
         let (model, config, state) = (&self.model, &self.config, &mut self.state);
+        let input = &input;
+        let step = GridStep {
+            model,
+            config,
+            input,
+            dt,
+        };
         match observer {
-            None => lole_cloth::step(model, config, &input, state, dt),
-            Some(passed) => lole_cloth::step_observed((model, config), (&input, dt), state, passed),
+            None => lole_cloth::step(model, config, input, state, dt),
+            Some(passed) => lole_cloth::step_observed(step, state, passed),
         }
     }
 }

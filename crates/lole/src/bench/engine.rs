@@ -2,10 +2,10 @@
 
 use lole_cloth::diagnose::{self, StrainSummary};
 use lole_cloth::method::explicit_rows::{self, ExplicitModel};
-use lole_cloth::scenes::{FRAME_DT, Scene, Setup};
+use lole_cloth::scenes::{ClothScene, FRAME_DT, Setup};
 use lole_cloth::{
-    BuildError, ClothModel, ClothSpec, ClothState, Phase, SolverConfig, StepInput, state_hash,
-    step, step_observed,
+    BuildError, ClothModel, ClothSpec, ClothState, GridStep, Phase, SolverConfig, StepInput,
+    state_hash, step, step_observed,
 };
 
 use super::Settings;
@@ -34,7 +34,7 @@ enum Prepared {
 
 impl Method {
     /// Every one that can run a scene: FB Euler knows no contact of the cloth with itself.
-    pub(super) fn of(scene: &Scene) -> Vec<Self> {
+    pub(super) fn of(scene: &ClothScene) -> Vec<Self> {
         let meets_itself = (scene.build)().config.self_collision.is_some();
         let methods = [Self::Xpbd, Self::ExplicitRows].into_iter();
         methods
@@ -87,7 +87,7 @@ impl Prepared {
 
 /// A scene while it runs.
 struct Running<'a> {
-    scene: &'a Scene,
+    scene: &'a ClothScene,
     setup: &'a Setup,
     prepared: Prepared,
     state: ClothState,
@@ -106,7 +106,10 @@ struct Seen {
 }
 
 impl<'a> Running<'a> {
-    fn start((scene, method): (&'a Scene, Method), setup: &'a Setup) -> Result<Self, BuildError> {
+    fn start(
+        (scene, method): (&'a ClothScene, Method),
+        setup: &'a Setup,
+    ) -> Result<Self, BuildError> {
         let prepared = method.prepare(&setup.spec)?;
         Ok(Self {
             scene,
@@ -167,8 +170,13 @@ impl<'a> Running<'a> {
             let clock = &mut self.clock;
             clock.begin_frame();
             let mut passed = |phase| clock.passed(phase);
-            step_observed((model, config), (&input, FRAME_DT), state, &mut passed)
-                .expect("a target for every pin");
+            let step = GridStep {
+                model,
+                config,
+                input: &input,
+                dt: FRAME_DT,
+            };
+            step_observed(step, state, &mut passed).expect("a target for every pin");
             return config.substep_count.get();
         }
         let watch = Stopwatch::start();
@@ -187,7 +195,7 @@ impl<'a> Running<'a> {
 /// times, with nothing between the frames that would empty the caches, and once for what the cloth
 /// does in every frame.
 pub(super) fn measure(
-    (scene, method): (&Scene, Method),
+    (scene, method): (&ClothScene, Method),
     mut setup: Setup,
     settings: Settings,
 ) -> Result<BenchRow, BuildError> {

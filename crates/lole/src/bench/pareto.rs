@@ -6,7 +6,7 @@
 
 use std::num::NonZeroU32;
 
-use lole_cloth::scenes::{SCENES, Scene, Setup};
+use lole_cloth::scenes::{ClothScene, SCENES, Setup};
 use lole_export::report::Remark;
 use lole_export::trade_off::{TradeOff, TradeOffPoint, TradeOffReport, trade_off_html};
 use lole_language::{Language, words};
@@ -153,7 +153,7 @@ fn cases() -> Vec<Case> {
 }
 
 /// Every setting of a method for a scene of the engine.
-fn engine_variants(scene: &'static Scene, method: Method) -> Vec<Variant> {
+fn engine_variants(scene: &'static ClothScene, method: Method) -> Vec<Variant> {
     let own = (scene.build)().config;
     let own = [own.substep_count, own.structural_sweep_count].map(NonZeroU32::get);
     let mut pairs: Vec<[u32; 2]> = match method {
@@ -279,7 +279,7 @@ mod tests {
 
     #[test]
     fn more_substeps_cost_more_and_strain_less() {
-        let scene = Scene {
+        let scene = ClothScene {
             frame_count: 60,
             ..*super::super::scene("hang-64")
         };

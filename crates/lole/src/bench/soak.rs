@@ -5,7 +5,7 @@ mod motion;
 use std::sync::atomic::Ordering;
 
 use glam::Vec3;
-use lole_cloth::scenes::{FRAME_DT, Scene, Setup};
+use lole_cloth::scenes::{ClothScene, FRAME_DT, Setup};
 use lole_cloth::{
     BuildError, ClothModel, ClothState, InstructionSet, StepInput, diagnose, state_hash, step,
 };
@@ -119,7 +119,7 @@ pub(crate) struct SoakRow {
 }
 
 impl SoakRow {
-    fn new(scene: &Scene, setup: &Setup, seed: u64) -> Self {
+    fn new(scene: &ClothScene, setup: &Setup, seed: u64) -> Self {
         Self {
             scene: scene.name,
             seed,
@@ -199,7 +199,7 @@ pub(super) fn run(
 
 /// Runs a scene in random motion for as long as `go_on` says, and looks at the laws now and then.
 fn soak(
-    scene: &Scene,
+    scene: &ClothScene,
     (frame_count, seed, set): (u32, u64, InstructionSet),
     go_on: &mut dyn FnMut(u32) -> bool,
 ) -> Result<SoakRow, BuildError> {

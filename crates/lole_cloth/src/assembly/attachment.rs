@@ -6,19 +6,19 @@
 use glam::{Quat, Vec3};
 
 use crate::assembly::joint::{JointError, positive};
-use crate::assembly::knot::{Knot, Place};
-use crate::assembly::piece::{Piece, PieceState};
+use crate::assembly::knot::{Knot, PieceParticle};
+use crate::assembly::piece::{ClothPiece, PieceState};
 
 /// Where a bone is: `world_from_bone`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Frame {
+pub struct BoneFrame {
     /// Rotation from the bone to the world, of length 1.
     pub rotation: Quat,
     /// Origin of the bone in the world [m].
     pub translation: Vec3,
 }
 
-impl Frame {
+impl BoneFrame {
     /// The bone at rest in the middle of the world.
     pub const IDENTITY: Self = Self {
         rotation: Quat::IDENTITY,
@@ -38,15 +38,15 @@ pub struct Attachment {
     /// Position in the list of bones.
     pub bone: usize,
     /// Each particle, and where it is on the bone [m].
-    pub ties: Vec<(Place, Vec3)>,
+    pub ties: Vec<(PieceParticle, Vec3)>,
     /// Force per distance of one tie [N/m].
     pub stiffness: f32,
 }
 
 /// Bones on their way through a step.
 pub(crate) struct Bones<'a> {
-    pub(crate) before: &'a [Frame],
-    pub(crate) after: &'a [Frame],
+    pub(crate) before: &'a [BoneFrame],
+    pub(crate) after: &'a [BoneFrame],
     /// Share of the step that is over at the end of the substep.
     pub(crate) share: f32,
 }
@@ -69,7 +69,7 @@ pub(crate) struct Attached {
 }
 
 impl Attached {
-    pub(crate) fn new(pieces: &[Piece], attachment: &Attachment) -> Result<Self, JointError> {
+    pub(crate) fn new(pieces: &[ClothPiece], attachment: &Attachment) -> Result<Self, JointError> {
         let ties = (attachment.ties.iter()).map(|&(place, point)| {
             if !point.is_finite() {
                 return Err(JointError::OutOfRange {

@@ -3,20 +3,21 @@
 
 use glam::Vec3;
 
-use crate::assembly::joint::Joint;
-use crate::assembly::piece::{Piece, PieceState};
-use crate::collision::face_contact::{FaceContacts, FacePiece, Faces, Meeting, Moving};
+use crate::assembly::joint::ClothJoint;
+use crate::assembly::piece::{ClothPiece, PieceState};
+use crate::assembly::step::AssemblyState;
+use crate::collision::face_contact::{FacePiece, Faces, Meeting, Moving};
 use crate::lanes::LANES;
 use crate::mesh::self_contact::{began, meeting, shift};
 use crate::{ClothModel, SolverConfig};
 
 /// What contact must know of all pieces.
-pub(crate) fn faces(pieces: &[Piece], joints: &[Joint]) -> Faces {
+pub(crate) fn faces(pieces: &[ClothPiece], joints: &[ClothJoint]) -> Faces {
     let mut is_sewn: Vec<Vec<bool>> = (pieces.iter())
         .map(|piece| vec![false; piece.particle_count()])
         .collect();
     for joint in joints {
-        if let Joint::Seam(seam) = joint {
+        if let ClothJoint::Seam(seam) = joint {
             for point in seam.stitches.iter().flatten() {
                 for particle in point.particles {
                     is_sewn[point.piece][particle as usize] = true;
@@ -26,8 +27,8 @@ pub(crate) fn faces(pieces: &[Piece], joints: &[Joint]) -> Faces {
     }
     let pieces = pieces.iter().zip(is_sewn);
     let pieces = pieces.map(|(piece, is_sewn)| match piece {
-        Piece::Grid(model, _) => grid_piece(model, is_sewn),
-        Piece::Mesh(model, _) => model.face_piece(is_sewn),
+        ClothPiece::Grid(model, _) => grid_piece(model, is_sewn),
+        ClothPiece::Mesh(model, _) => model.face_piece(is_sewn),
     });
     Faces::new(&pieces.collect::<Vec<_>>())
 }
@@ -58,10 +59,16 @@ fn grid_piece(model: &ClothModel, is_sewn: Vec<bool>) -> FacePiece<'_> {
 
 /// Finds where the pieces may touch in a step; every how many substeps that is solved, if at all.
 pub(crate) fn find(
-    (pieces, faces): (&[Piece], &Faces),
-    (states, contacts): (&[PieceState], &mut FaceContacts),
+    pieces: &[ClothPiece],
+    faces: &Faces,
+    state: &mut AssemblyState,
     dt: f32,
 ) -> Option<u32> {
+    let AssemblyState {
+        pieces: states,
+        contacts,
+        ..
+    } = state;
     contacts.clear();
     let meetings: Vec<Meeting> = pieces.iter().map(meeting_of).collect();
     let intervals = pieces.iter().filter_map(|piece| {
@@ -73,7 +80,7 @@ pub(crate) fn find(
     contacts.velocities.clear();
     contacts.is_tangled.clear();
     let mut one = Vec::new();
-    for (piece, state) in pieces.iter().zip(states) {
+    for (piece, state) in pieces.iter().zip(&*states) {
         state.copy_positions(piece, &mut one);
         contacts.positions.extend_from_slice(&one);
         state.copy_velocities(piece, &mut one);
@@ -89,19 +96,19 @@ pub(crate) fn find(
     Some(interval)
 }
 
-fn config_of(piece: &Piece) -> &SolverConfig {
+fn config_of(piece: &ClothPiece) -> &SolverConfig {
     match piece {
-        Piece::Grid(_, config) | Piece::Mesh(_, config) => config,
+        ClothPiece::Grid(_, config) | ClothPiece::Mesh(_, config) => config,
     }
 }
 
-fn meeting_of(piece: &Piece) -> Meeting {
+fn meeting_of(piece: &ClothPiece) -> Meeting {
     match piece {
-        Piece::Grid(model, config) => Meeting {
+        ClothPiece::Grid(model, config) => Meeting {
             radius: config.self_collision.map(|contact| contact.radius),
             friction: model.spec().fabric.cloth_friction,
         },
-        Piece::Mesh(model, config) => meeting(model, config),
+        ClothPiece::Mesh(model, config) => meeting(model, config),
     }
 }
 

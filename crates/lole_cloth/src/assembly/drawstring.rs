@@ -8,14 +8,14 @@
 use glam::Vec3;
 
 use crate::assembly::joint::{JointError, positive};
-use crate::assembly::knot::{Ends, Knot, Place};
-use crate::assembly::piece::{Piece, PieceState};
+use crate::assembly::knot::{Ends, Knot, PieceParticle};
+use crate::assembly::piece::{ClothPiece, PieceState};
 
 /// A string along a line of particles.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Drawstring {
     /// Particles in order.
-    pub line: Vec<Place>,
+    pub line: Vec<PieceParticle>,
     /// Whether the string is tied to a ring.
     pub ends: Ends,
     /// Longest that the line may be [m].
@@ -31,7 +31,7 @@ pub(crate) struct DrawstringKnots {
 }
 
 impl DrawstringKnots {
-    pub(crate) fn new(pieces: &[Piece], string: &Drawstring) -> Result<Self, JointError> {
+    pub(crate) fn new(pieces: &[ClothPiece], string: &Drawstring) -> Result<Self, JointError> {
         if string.line.len() < 2 {
             return Err(JointError::WrongCount {
                 joint: "a drawstring",

@@ -5,8 +5,8 @@
 //! a band is not pushed. Compliance `r / EA`.
 
 use crate::assembly::joint::{JointError, positive};
-use crate::assembly::knot::{Ends, Knot, Place, neighbors};
-use crate::assembly::piece::{Piece, PieceState};
+use crate::assembly::knot::{Ends, Knot, PieceParticle, neighbors};
+use crate::assembly::piece::{ClothPiece, PieceState};
 
 /// Below this length [m] a stretch has no direction.
 const DEGENERATE_LENGTH: f32 = 1.0e-7;
@@ -15,7 +15,7 @@ const DEGENERATE_LENGTH: f32 = 1.0e-7;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Elastic {
     /// Particles in order.
-    pub line: Vec<Place>,
+    pub line: Vec<PieceParticle>,
     /// Whether the band is a ring.
     pub ends: Ends,
     /// Length of the band at rest over the flat length of the line, below 1 where it gathers.
@@ -27,13 +27,13 @@ pub struct Elastic {
 /// A prepared band.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct ElasticKnots {
-    /// Both ends, and the rest length [m].
+    /// Both ends of each spring, and its rest length [m].
     springs: Vec<([Knot; 2], f32)>,
     stretch_stiffness: f32,
 }
 
 impl ElasticKnots {
-    pub(crate) fn new(pieces: &[Piece], elastic: &Elastic) -> Result<Self, JointError> {
+    pub(crate) fn new(pieces: &[ClothPiece], elastic: &Elastic) -> Result<Self, JointError> {
         if elastic.line.len() < 2 {
             return Err(JointError::WrongCount {
                 joint: "an elastic",

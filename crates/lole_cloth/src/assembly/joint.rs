@@ -3,15 +3,15 @@
 use crate::assembly::attachment::{Attached, Attachment, Bones};
 use crate::assembly::drawstring::{Drawstring, DrawstringKnots};
 use crate::assembly::elastic::{Elastic, ElasticKnots};
-use crate::assembly::piece::{Piece, PieceState};
+use crate::assembly::piece::{ClothPiece, PieceState};
 use crate::assembly::pleat::{Pleat, PleatKnots};
-use crate::assembly::seam::{Seam, Stitches};
+use crate::assembly::seam::{ClothSeam, Stitches};
 
 /// Something that holds particles of one or several pieces.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Joint {
+pub enum ClothJoint {
     /// Two lines sewn together.
-    Seam(Seam),
+    Seam(ClothSeam),
     /// A line drawn together by an elastic band.
     Elastic(Elastic),
     /// A line that a string keeps from getting longer.
@@ -22,7 +22,7 @@ pub enum Joint {
     Attachment(Attachment),
 }
 
-/// Why a [`Joint`] cannot be made.
+/// Why a [`ClothJoint`] cannot be made.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum JointError {
@@ -77,13 +77,17 @@ pub(crate) enum Made {
 }
 
 impl Made {
-    pub(crate) fn new(pieces: &[Piece], joint: &Joint) -> Result<Self, JointError> {
+    pub(crate) fn new(pieces: &[ClothPiece], joint: &ClothJoint) -> Result<Self, JointError> {
         Ok(match joint {
-            Joint::Seam(seam) => Self::Seam(Stitches::new(pieces, seam)?),
-            Joint::Elastic(elastic) => Self::Elastic(ElasticKnots::new(pieces, elastic)?),
-            Joint::Drawstring(string) => Self::Drawstring(DrawstringKnots::new(pieces, string)?),
-            Joint::Pleat(pleat) => Self::Pleat(PleatKnots::new(pieces, pleat)?),
-            Joint::Attachment(attachment) => Self::Attachment(Attached::new(pieces, attachment)?),
+            ClothJoint::Seam(seam) => Self::Seam(Stitches::new(pieces, seam)?),
+            ClothJoint::Elastic(elastic) => Self::Elastic(ElasticKnots::new(pieces, elastic)?),
+            ClothJoint::Drawstring(string) => {
+                Self::Drawstring(DrawstringKnots::new(pieces, string)?)
+            }
+            ClothJoint::Pleat(pleat) => Self::Pleat(PleatKnots::new(pieces, pleat)?),
+            ClothJoint::Attachment(attachment) => {
+                Self::Attachment(Attached::new(pieces, attachment)?)
+            }
         })
     }
 

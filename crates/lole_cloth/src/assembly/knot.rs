@@ -3,14 +3,14 @@
 use glam::Vec3;
 
 use crate::assembly::joint::JointError;
-use crate::assembly::piece::{Piece, PieceState};
+use crate::assembly::piece::{ClothPiece, PieceState};
 
 /// A particle of one of the pieces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Place {
+pub struct PieceParticle {
     /// Position in the list of pieces.
     pub piece: usize,
-    /// The particle there.
+    /// Number of the particle in that piece.
     pub particle: u32,
 }
 
@@ -24,8 +24,9 @@ pub enum Ends {
 }
 
 /// Neighbors along a line, in order.
-pub(crate) fn neighbors(line: &[Place], ends: Ends) -> Vec<[Place; 2]> {
-    let mut pairs: Vec<[Place; 2]> = line.windows(2).map(|pair| [pair[0], pair[1]]).collect();
+pub(crate) fn neighbors(line: &[PieceParticle], ends: Ends) -> Vec<[PieceParticle; 2]> {
+    let mut pairs: Vec<[PieceParticle; 2]> =
+        line.windows(2).map(|pair| [pair[0], pair[1]]).collect();
     if let (Ends::Joined, [first, .., last]) = (ends, line) {
         pairs.push([*last, *first]);
     }
@@ -50,8 +51,8 @@ impl EdgePoint {
     }
 }
 
-impl From<Place> for EdgePoint {
-    fn from(place: Place) -> Self {
+impl From<PieceParticle> for EdgePoint {
+    fn from(place: PieceParticle) -> Self {
         Self {
             piece: place.piece,
             particles: [place.particle; 2],
@@ -70,7 +71,7 @@ pub(crate) struct Knot {
 }
 
 impl Knot {
-    pub(crate) fn new(pieces: &[Piece], place: Place) -> Result<Self, JointError> {
+    pub(crate) fn new(pieces: &[ClothPiece], place: PieceParticle) -> Result<Self, JointError> {
         let piece = pieces.get(place.piece).ok_or(JointError::NoSuchPiece {
             piece: place.piece,
             piece_count: pieces.len(),
@@ -91,7 +92,10 @@ impl Knot {
     }
 
     /// The knots of a line.
-    pub(crate) fn line(pieces: &[Piece], places: &[Place]) -> Result<Vec<Self>, JointError> {
+    pub(crate) fn line(
+        pieces: &[ClothPiece],
+        places: &[PieceParticle],
+    ) -> Result<Vec<Self>, JointError> {
         places
             .iter()
             .map(|&place| Self::new(pieces, place))

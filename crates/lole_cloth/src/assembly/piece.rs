@@ -10,23 +10,23 @@ use crate::{ClothModel, ClothState, SolverConfig};
 
 /// A prepared piece and its settings.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Piece {
-    /// Rows and columns.
+pub enum ClothPiece {
+    /// A piece of rows and columns.
     Grid(Box<ClothModel>, Box<SolverConfig>),
-    /// Any triangles.
+    /// A piece of any triangles.
     Mesh(Box<MeshModel>, Box<SolverConfig>),
 }
 
 /// What moves of a piece.
 #[derive(Debug, Clone)]
 pub enum PieceState {
-    /// Of a grid.
+    /// Of a piece of rows and columns.
     Grid(Box<ClothState>),
-    /// Of triangles.
+    /// Of a piece of any triangles.
     Mesh(Box<MeshState>),
 }
 
-impl Piece {
+impl ClothPiece {
     /// Number of particles.
     #[must_use]
     pub fn particle_count(&self) -> usize {
@@ -85,10 +85,10 @@ impl PieceState {
     /// # Panics
     /// When `positions` has another length than the piece has particles.
     #[must_use]
-    pub fn new(piece: &Piece, positions: &[Vec3]) -> Self {
+    pub fn new(piece: &ClothPiece, positions: &[Vec3]) -> Self {
         match piece {
-            Piece::Grid(model, _) => Self::Grid(Box::new(ClothState::new(model, positions))),
-            Piece::Mesh(model, _) => Self::Mesh(Box::new(MeshState::new(model, positions))),
+            ClothPiece::Grid(model, _) => Self::Grid(Box::new(ClothState::new(model, positions))),
+            ClothPiece::Mesh(model, _) => Self::Mesh(Box::new(MeshState::new(model, positions))),
         }
     }
 
@@ -96,10 +96,10 @@ impl PieceState {
     ///
     /// # Panics
     /// When `piece` is not the one that this is the state of.
-    pub fn copy_positions(&self, piece: &Piece, out: &mut Vec<Vec3>) {
+    pub fn copy_positions(&self, piece: &ClothPiece, out: &mut Vec<Vec3>) {
         match (self, piece) {
-            (Self::Grid(state), Piece::Grid(model, _)) => state.copy_positions(model, out),
-            (Self::Mesh(state), Piece::Mesh(model, _)) => state.copy_positions(model, out),
+            (Self::Grid(state), ClothPiece::Grid(model, _)) => state.copy_positions(model, out),
+            (Self::Mesh(state), ClothPiece::Mesh(model, _)) => state.copy_positions(model, out),
             _ => panic!("the state of another piece"),
         }
     }
@@ -108,10 +108,10 @@ impl PieceState {
     ///
     /// # Panics
     /// When `piece` is not the one that this is the state of.
-    pub fn copy_velocities(&self, piece: &Piece, out: &mut Vec<Vec3>) {
+    pub fn copy_velocities(&self, piece: &ClothPiece, out: &mut Vec<Vec3>) {
         match (self, piece) {
-            (Self::Grid(state), Piece::Grid(model, _)) => state.copy_velocities(model, out),
-            (Self::Mesh(state), Piece::Mesh(model, _)) => state.copy_velocities(model, out),
+            (Self::Grid(state), ClothPiece::Grid(model, _)) => state.copy_velocities(model, out),
+            (Self::Mesh(state), ClothPiece::Mesh(model, _)) => state.copy_velocities(model, out),
             _ => panic!("the state of another piece"),
         }
     }
@@ -124,7 +124,7 @@ impl PieceState {
         }
     }
 
-    /// The same, to be written.
+    /// Positions and velocities, to be written.
     pub(crate) fn columns_mut(&mut self) -> [&mut Vec<Points>; 2] {
         match self {
             Self::Grid(state) => [&mut state.positions, &mut state.velocities],

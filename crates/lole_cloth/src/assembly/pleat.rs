@@ -11,8 +11,8 @@ use glam::Vec3;
 use lole_geom::trig;
 
 use crate::assembly::joint::{JointError, positive};
-use crate::assembly::knot::{Knot, Place};
-use crate::assembly::piece::{Piece, PieceState};
+use crate::assembly::knot::{Knot, PieceParticle};
+use crate::assembly::piece::{ClothPiece, PieceState};
 
 /// Below this squared area (m⁴) a triangle has no side.
 const DEGENERATE_SQUARE: f32 = 1.0e-16;
@@ -25,7 +25,7 @@ const TURN_MAX: f32 = 0.3;
 pub struct Pleat {
     /// Edges of the crease: both ends, then the corners of the triangles left and right of it as
     /// one walks from the first end to the second.
-    pub hinges: Vec<[Place; 4]>,
+    pub hinges: Vec<[PieceParticle; 4]>,
     /// Angle that it was pressed to [rad], -π to π; 0 is flat.
     pub rest_angle: f32,
     /// Torque per radian and length of the crease `k` [N].
@@ -80,7 +80,7 @@ pub(crate) fn hinge([a, b, left, right]: [Vec3; 4]) -> Option<Hinge> {
 }
 
 impl PleatKnots {
-    pub(crate) fn new(pieces: &[Piece], pleat: &Pleat) -> Result<Self, JointError> {
+    pub(crate) fn new(pieces: &[ClothPiece], pleat: &Pleat) -> Result<Self, JointError> {
         if !(-PI..=PI).contains(&pleat.rest_angle) {
             return Err(JointError::OutOfRange {
                 field: "pleat.rest_angle",

@@ -7,8 +7,8 @@
 use glam::Vec3;
 
 use crate::assembly::joint::JointError;
-use crate::assembly::knot::{EdgePoint, Knot, Place};
-use crate::assembly::piece::{Piece, PieceState};
+use crate::assembly::knot::{EdgePoint, Knot, PieceParticle};
+use crate::assembly::piece::{ClothPiece, PieceState};
 
 /// Passes over the stitches in each substep: stitches that share an edge pull it from each other.
 const PASS_COUNT: u32 = 4;
@@ -21,12 +21,12 @@ const INV_MASS_FLOOR: f32 = 1.0e-6;
 
 /// Two lines sewn together, point by point.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Seam {
+pub struct ClothSeam {
     /// Points that become one.
     pub stitches: Vec<[EdgePoint; 2]>,
 }
 
-impl Seam {
+impl ClothSeam {
     /// Sews a line of particles to another from end to end, both as the seamstress meets them.
     ///
     /// Every particle of either line is sewn to the point of the other that is as far along it, as
@@ -36,7 +36,11 @@ impl Seam {
     ///
     /// # Errors
     /// A line of fewer than two particles, and particles that do not exist.
-    pub fn along(pieces: &[Piece], first: &[Place], second: &[Place]) -> Result<Self, JointError> {
+    pub fn along(
+        pieces: &[ClothPiece],
+        first: &[PieceParticle],
+        second: &[PieceParticle],
+    ) -> Result<Self, JointError> {
         let [(shares_first, length_first), (shares_second, length_second)] =
             [shares(pieces, first)?, shares(pieces, second)?];
         let mut stitches = Vec::new();
@@ -63,7 +67,7 @@ impl Seam {
 }
 
 /// How far every particle of a line is along it, 0 to 1, and its flat length [m].
-fn shares(pieces: &[Piece], line: &[Place]) -> Result<(Vec<f32>, f32), JointError> {
+fn shares(pieces: &[ClothPiece], line: &[PieceParticle]) -> Result<(Vec<f32>, f32), JointError> {
     if line.len() < 2 {
         return Err(JointError::WrongCount {
             joint: "a line of a seam",
@@ -93,7 +97,7 @@ fn shares(pieces: &[Piece], line: &[Place]) -> Result<(Vec<f32>, f32), JointErro
 }
 
 /// The point of a line at a share of its length. Ends and particles are met exactly.
-fn point_at(line: &[Place], shares: &[f32], share: f32) -> EdgePoint {
+fn point_at(line: &[PieceParticle], shares: &[f32], share: f32) -> EdgePoint {
     const SAME: f32 = 1.0e-4;
     let after = shares.partition_point(|&other| other < share - SAME);
     let after = after.min(line.len() - 1);
@@ -123,7 +127,7 @@ struct Stitch {
 }
 
 impl Stitches {
-    pub(crate) fn new(pieces: &[Piece], seam: &Seam) -> Result<Self, JointError> {
+    pub(crate) fn new(pieces: &[ClothPiece], seam: &ClothSeam) -> Result<Self, JointError> {
         let stitches = seam
             .stitches
             .iter()
@@ -148,7 +152,7 @@ impl Stitches {
 }
 
 impl Stitch {
-    fn new(pieces: &[Piece], points: &[EdgePoint; 2]) -> Result<Self, JointError> {
+    fn new(pieces: &[ClothPiece], points: &[EdgePoint; 2]) -> Result<Self, JointError> {
         for point in points {
             if !(0.0..=1.0).contains(&point.share) {
                 return Err(JointError::OutOfRange {
@@ -160,7 +164,7 @@ impl Stitch {
         }
         let end = |point: &EdgePoint, which: usize, weight: f32| {
             let particle = point.particles[which];
-            let place = Place {
+            let place = PieceParticle {
                 piece: point.piece,
                 particle,
             };

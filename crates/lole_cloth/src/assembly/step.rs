@@ -5,23 +5,25 @@ use std::num::NonZeroU32;
 use glam::Vec3;
 use lole_geom::{Capsule, Surfel, fnv};
 
-use crate::assembly::attachment::{Bones, Frame};
+use crate::assembly::attachment::{BoneFrame, Bones};
 use crate::assembly::contact;
-use crate::assembly::joint::{Joint, JointError, Made};
-use crate::assembly::piece::{Piece, PieceState};
+use crate::assembly::joint::{ClothJoint, JointError, Made};
+use crate::assembly::piece::{ClothPiece, PieceState};
 use crate::assembly::whole::{Whole, WholeState};
 use crate::collision::face_contact::{FaceContacts, Faces};
 use crate::lanes::Points;
 use crate::lost::{Lost, check_cloth, check_pins};
 use crate::mesh::finite::all_finite;
+use crate::mesh::step::MeshStep;
 use crate::method::fineness::{Fineness, Substeps};
 use crate::method::xpbd;
+use crate::step::GridStep;
 use crate::{StepInput, mesh, mesh_state_hash, state_hash};
 
 /// Pieces and what joins them: what never changes from step to step.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Assembly {
-    pieces: Vec<Piece>,
+    pieces: Vec<ClothPiece>,
     joints: Vec<Made>,
     /// How the pieces meet each other.
     faces: Faces,
@@ -32,15 +34,15 @@ pub struct Assembly {
 /// What moves of an assembly.
 #[derive(Debug, Clone)]
 pub struct AssemblyState {
-    /// In the order of the pieces.
+    /// States of the pieces, in their order.
     pub pieces: Vec<PieceState>,
     /// Where the bones were left; empty before the first step.
-    frames: Vec<Frame>,
+    frames: Vec<BoneFrame>,
     /// By piece, positions and velocities before the step.
     kept: Vec<[Vec<Points>; 2]>,
     /// Room for contacts between pieces.
-    contacts: FaceContacts,
-    whole: WholeState,
+    pub(super) contacts: FaceContacts,
+    pub(super) whole: WholeState,
     fineness: Fineness,
 }
 
@@ -51,7 +53,7 @@ pub struct AssemblyInput<'a> {
     /// of them stay.
     pub pin_targets: &'a [Vec<Vec3>],
     /// Where the bones are at the end of the step; always the same ones in the same order.
-    pub frames: &'a [Frame],
+    pub frames: &'a [BoneFrame],
     /// Where the capsules are at the end of the step; always the same ones in the same order.
     pub capsules: &'a [Capsule],
     /// Where the surfels of a skinned body are at the end of the step; always the same ones in the
@@ -68,8 +70,8 @@ impl Assembly {
     /// # Errors
     /// A joint of pieces or particles that do not exist, or with a number that is out of range.
     pub fn new(
-        mut pieces: Vec<Piece>,
-        joints: &[Joint],
+        mut pieces: Vec<ClothPiece>,
+        joints: &[ClothJoint],
         substep_count: NonZeroU32,
     ) -> Result<Self, JointError> {
         for piece in &mut pieces {
@@ -89,8 +91,8 @@ impl Assembly {
         })
     }
 
-    /// The same with up to so many substeps a step, for a while, where more than one part of the cloth in a
-    /// hundred, an edge of a grid or a direction of a triangle's yarns, is strained by more than 6 %.
+    /// This assembly, taking up to so many substeps a step, for a while, where more than one part of the cloth in
+    /// a hundred, an edge of a grid or a direction of a triangle's yarns, is strained by more than 6 %.
     #[must_use]
     pub fn with_strained_substep_count(mut self, count: NonZeroU32) -> Self {
         for piece in &mut self.pieces {
@@ -100,9 +102,9 @@ impl Assembly {
         self
     }
 
-    /// The pieces.
+    /// The pieces, in the order in which they were given.
     #[must_use]
-    pub fn pieces(&self) -> &[Piece] {
+    pub fn pieces(&self) -> &[ClothPiece] {
         &self.pieces
     }
 }
@@ -188,10 +190,10 @@ pub fn step(
     check_cloth(0, [assembly.pieces.len(), state.pieces.len()])?;
     for (place, (piece, state)) in assembly.pieces.iter().zip(&state.pieces).enumerate() {
         let lengths = match (piece, state) {
-            (Piece::Grid(model, _), PieceState::Grid(state)) => {
+            (ClothPiece::Grid(model, _), PieceState::Grid(state)) => {
                 [model.layout.vector_count(), state.positions.len()]
             }
-            (Piece::Mesh(model, _), PieceState::Mesh(state)) => {
+            (ClothPiece::Mesh(model, _), PieceState::Mesh(state)) => {
                 [model.inv_masses.len(), state.positions.len()]
             }
             _ => return Err(Lost::OtherCloth { piece: place }),
@@ -204,17 +206,38 @@ pub fn step(
     if state.frames.len() != input.frames.len() {
         state.frames = input.frames.to_vec();
     }
+    let step = AssemblyStep {
+        assembly,
+        input,
+        dt,
+    };
     state.keep();
-    advance(assembly, (input, dt), (state, None));
+    advance(step, state, None);
     if !state.pieces.iter().all(is_finite) {
         // The same again, looking at every piece after every substep.
         state.restore();
         let mut lost = None;
-        advance(assembly, (input, dt), (state, Some(&mut lost)));
+        advance(step, state, Some(&mut lost));
         state.restore();
         let piece = assembly.pieces.len();
         return Err(lost.unwrap_or(Lost::Piece { piece, substep: 0 }));
     }
+    keep_surroundings(input, state);
+    let pieces = assembly.pieces.iter().zip(&state.pieces);
+    state.fineness.learn(assembly.substeps, |strained, points| {
+        for (piece, state) in pieces {
+            state.copy_positions(piece, points);
+            match piece {
+                ClothPiece::Grid(model, _) => strained.count_grid(model, points),
+                ClothPiece::Mesh(model, _) => strained.count_mesh(model, points),
+            }
+        }
+    });
+    Ok(())
+}
+
+/// From here pins, bones, capsules and surfels move on in the next step.
+fn keep_surroundings(input: &AssemblyInput<'_>, state: &mut AssemblyState) {
     let pins = state.pieces.iter_mut().zip(input.pin_targets);
     for (piece, targets) in pins {
         let (pin_targets, capsules, surfels) = match piece {
@@ -243,34 +266,28 @@ pub fn step(
     }
     state.frames.clear();
     state.frames.extend_from_slice(input.frames);
-    let pieces = assembly.pieces.iter().zip(&state.pieces);
-    state.fineness.learn(assembly.substeps, |strained, points| {
-        for (piece, state) in pieces {
-            state.copy_positions(piece, points);
-            match piece {
-                Piece::Grid(model, _) => strained.count_grid(model, points),
-                Piece::Mesh(model, _) => strained.count_mesh(model, points),
-            }
-        }
-    });
-    Ok(())
 }
 
 fn is_finite(piece: &PieceState) -> bool {
     piece.columns().iter().all(|column| all_finite(column))
 }
 
-/// What holds for all substeps of a piece.
-enum Plan {
-    Grid(Box<xpbd::Plan>),
-    Mesh(mesh::step::Substep),
+/// One step of an assembly.
+#[derive(Clone, Copy)]
+struct AssemblyStep<'a> {
+    assembly: &'a Assembly,
+    input: &'a AssemblyInput<'a>,
+    /// Duration [s].
+    dt: f32,
 }
 
-fn advance(
-    assembly: &Assembly,
-    (input, dt): (&AssemblyInput<'_>, f32),
-    (state, mut lost): (&mut AssemblyState, Option<&mut Option<Lost>>),
-) {
+/// Moves all pieces on; where `lost` is given, it is told of the first piece that goes nowhere.
+fn advance(step: AssemblyStep<'_>, state: &mut AssemblyState, mut lost: Option<&mut Option<Lost>>) {
+    let AssemblyStep {
+        assembly,
+        input,
+        dt,
+    } = step;
     let none = Vec::new();
     let inputs: Vec<StepInput<'_>> = (0..assembly.pieces.len())
         .map(|piece| StepInput {
@@ -285,17 +302,17 @@ fn advance(
     for piece in &mut state.pieces {
         piece.fineness_mut().follow(count);
     }
-    let plans: Vec<Option<Plan>> = (pieces().zip(&mut state.pieces))
-        .map(|(piece, state)| begin(piece, dt, state))
+    let plans: Vec<Option<Plan<'_>>> = (pieces().zip(&mut state.pieces))
+        .map(|((piece, input), state)| Plan::begin(piece, input, dt, state))
         .collect();
     assembly.whole.begin(&state.pieces, &mut state.whole);
-    let all = (&assembly.pieces[..], &assembly.faces);
-    let contact_interval = contact::find(all, (&state.pieces, &mut state.contacts), dt);
+    let contact_interval = contact::find(&assembly.pieces, &assembly.faces, state, dt);
     #[expect(clippy::cast_precision_loss, reason = "substeps are few")]
     let h = dt / count as f32;
     for index in 0..count {
-        for ((piece, plan), state) in pieces().zip(&plans).zip(&mut state.pieces) {
-            predict_and_project(piece, (plan.as_ref(), index), state);
+        let planned = plans.iter().zip(&mut state.pieces);
+        for (plan, state) in planned.filter_map(|(plan, state)| Some((plan.as_ref()?, state))) {
+            plan.predict_and_project(index, state);
         }
         #[expect(clippy::cast_precision_loss, reason = "substeps are few")]
         let bones = Bones {
@@ -310,8 +327,9 @@ fn advance(
             state.contacts.solve(&mut state.pieces[..], h);
         }
         (assembly.whole).keep_guards(&mut state.pieces, &state.whole, h);
-        for ((piece, plan), state) in pieces().zip(&plans).zip(&mut state.pieces) {
-            finish(piece.0, (plan.as_ref(), index), state);
+        let planned = plans.iter().zip(&mut state.pieces);
+        for (plan, state) in planned.filter_map(|(plan, state)| Some((plan.as_ref()?, state))) {
+            plan.finish(index, state);
         }
         if let Some(lost) = lost.as_deref_mut().filter(|lost| lost.is_none())
             && let Some(piece) = state.pieces.iter().position(|piece| !is_finite(piece))
@@ -324,61 +342,86 @@ fn advance(
     }
     for (piece, state) in assembly.pieces.iter().zip(&mut state.pieces) {
         match (piece, state) {
-            (Piece::Grid(model, _), PieceState::Grid(state)) => xpbd::finish_pins(model, state),
-            (Piece::Mesh(model, _), PieceState::Mesh(state)) => {
+            (ClothPiece::Grid(model, _), PieceState::Grid(state)) => {
+                xpbd::finish_pins(model, state);
+            }
+            (ClothPiece::Mesh(model, _), PieceState::Mesh(state)) => {
                 mesh::step::finish_pins(model, state);
             }
             _ => {}
         }
     }
-    let states = (&mut state.pieces[..], &mut state.whole);
-    (assembly.whole).repair((&assembly.pieces, &inputs), states, dt);
+    (assembly.whole).repair(&assembly.pieces, &inputs, state, dt);
 }
 
-/// `None` where the state is another piece's.
-fn begin(
-    (piece, input): (&Piece, &StepInput<'_>),
-    dt: f32,
-    state: &mut PieceState,
-) -> Option<Plan> {
-    match (piece, state) {
-        (Piece::Grid(model, config), PieceState::Grid(state)) => {
-            let plan = xpbd::begin(model, config, (input, dt), state);
-            Some(Plan::Grid(Box::new(plan)))
+/// What holds for all substeps of a piece.
+enum Plan<'a> {
+    Grid(GridStep<'a>, Box<xpbd::Plan>),
+    Mesh(MeshStep<'a>, mesh::step::Substep),
+}
+
+impl<'a> Plan<'a> {
+    /// What is done once, before the first substep; `None` where the state is another piece's.
+    fn begin(
+        piece: &'a ClothPiece,
+        input: &'a StepInput<'a>,
+        dt: f32,
+        state: &mut PieceState,
+    ) -> Option<Self> {
+        match (piece, state) {
+            (ClothPiece::Grid(model, config), PieceState::Grid(state)) => {
+                let step = GridStep {
+                    model,
+                    config,
+                    input,
+                    dt,
+                };
+                Some(Self::Grid(step, Box::new(xpbd::begin(step, state))))
+            }
+            (ClothPiece::Mesh(model, config), PieceState::Mesh(state)) => {
+                let step = MeshStep {
+                    model,
+                    config,
+                    input,
+                    dt,
+                };
+                Some(Self::Mesh(step, mesh::step::begin(step, state)))
+            }
+            _ => None,
         }
-        (Piece::Mesh(model, config), PieceState::Mesh(state)) => {
-            let plan = mesh::step::begin(model, config, (input, dt), state);
-            Some(Plan::Mesh(plan))
-        }
-        _ => None,
     }
-}
 
-fn predict_and_project(
-    (piece, input): (&Piece, &StepInput<'_>),
-    (plan, index): (Option<&Plan>, u32),
-    state: &mut PieceState,
-) {
-    match (piece, state, plan) {
-        (Piece::Grid(model, config), PieceState::Grid(state), Some(Plan::Grid(plan))) => {
-            xpbd::predict_and_project((model, config, input), (plan, index), state);
+    fn predict_and_project(&self, index: u32, state: &mut PieceState) {
+        match (self, state) {
+            (&Self::Grid(step, ref plan), PieceState::Grid(state)) => {
+                xpbd::SubstepNow { step, plan, index }.predict_and_project(state);
+            }
+            (&Self::Mesh(step, ref substep), PieceState::Mesh(state)) => {
+                mesh::step::SubstepNow {
+                    step,
+                    substep,
+                    index,
+                }
+                .predict_and_project(state, &mut None);
+            }
+            _ => {}
         }
-        (Piece::Mesh(model, config), PieceState::Mesh(state), Some(Plan::Mesh(plan))) => {
-            let world = (&**model, &**config, input);
-            mesh::step::predict_and_project(world, (plan, index), (state, &mut None));
-        }
-        _ => {}
     }
-}
 
-fn finish(piece: &Piece, (plan, index): (Option<&Plan>, u32), state: &mut PieceState) {
-    match (piece, state, plan) {
-        (Piece::Grid(model, config), PieceState::Grid(state), Some(Plan::Grid(plan))) => {
-            xpbd::collide_and_finish((model, config), (plan, index), state);
+    fn finish(&self, index: u32, state: &mut PieceState) {
+        match (self, state) {
+            (&Self::Grid(step, ref plan), PieceState::Grid(state)) => {
+                xpbd::SubstepNow { step, plan, index }.collide_and_finish(state);
+            }
+            (&Self::Mesh(step, ref substep), PieceState::Mesh(state)) => {
+                let now = mesh::step::SubstepNow {
+                    step,
+                    substep,
+                    index,
+                };
+                mesh::contact::finish(now, state);
+            }
+            _ => {}
         }
-        (Piece::Mesh(model, config), PieceState::Mesh(state), Some(Plan::Mesh(plan))) => {
-            mesh::contact::finish((model, config), (plan, index), state);
-        }
-        _ => {}
     }
 }

@@ -5,9 +5,10 @@ use std::ops::Range;
 
 use glam::Vec3;
 
-use crate::assembly::joint::Joint;
+use crate::assembly::joint::ClothJoint;
 use crate::assembly::knot::EdgePoint;
-use crate::assembly::piece::{Piece, PieceState};
+use crate::assembly::piece::{ClothPiece, PieceState};
+use crate::assembly::step::AssemblyState;
 use crate::collision::face_contact::Moving;
 use crate::collision::outside::{Body, Outside};
 use crate::collision::placement::Placement;
@@ -54,7 +55,7 @@ pub(crate) struct WholeState {
 }
 
 impl Whole {
-    pub(crate) fn new(pieces: &[Piece], joints: &[Joint]) -> Self {
+    pub(crate) fn new(pieces: &[ClothPiece], joints: &[ClothJoint]) -> Self {
         let mut whole = Self {
             surface: Surface::default(),
             placement: WholePlacement::default(),
@@ -81,7 +82,7 @@ impl Whole {
         whole
     }
 
-    fn add(&mut self, piece: &Piece) {
+    fn add(&mut self, piece: &ClothPiece) {
         let (first, first_vector) = (self.placement.slots.len(), self.inv_masses.len());
         let count = piece.particle_count();
         let slots = (0..narrow(count)).map(|particle| {
@@ -90,8 +91,8 @@ impl Whole {
         });
         self.placement.slots.extend(slots);
         let (inv_masses, fabric, config) = match piece {
-            Piece::Grid(model, config) => (&model.inv_masses, &model.spec().fabric, config),
-            Piece::Mesh(model, config) => (&model.inv_masses, &model.spec().fabric, config),
+            ClothPiece::Grid(model, config) => (&model.inv_masses, &model.spec().fabric, config),
+            ClothPiece::Mesh(model, config) => (&model.inv_masses, &model.spec().fabric, config),
         };
         self.inv_masses.extend_from_slice(inv_masses);
         self.vectors.push(first_vector..self.inv_masses.len());
@@ -159,10 +160,16 @@ impl Whole {
     /// Takes back what came to cross in a step of `dt` [s], at whose end the world is as in `inputs`.
     pub(crate) fn repair(
         &self,
-        (pieces, inputs): (&[Piece], &[StepInput<'_>]),
-        (states, state): (&mut [PieceState], &mut WholeState),
+        pieces: &[ClothPiece],
+        inputs: &[StepInput<'_>],
+        state: &mut AssemblyState,
         dt: f32,
     ) {
+        let AssemblyState {
+            pieces: states,
+            whole: state,
+            ..
+        } = state;
         if !self.repairs {
             return;
         }
@@ -174,7 +181,7 @@ impl Whole {
             vectors: &self.vectors,
             bodies: bodies.collect(),
         };
-        let Some(Piece::Grid(_, config) | Piece::Mesh(_, config)) = pieces.first() else {
+        let Some(ClothPiece::Grid(_, config) | ClothPiece::Mesh(_, config)) = pieces.first() else {
             return;
         };
         let fixed = Fixed {
@@ -204,18 +211,18 @@ impl Whole {
 }
 
 /// What two points are sewn to each other.
-fn stitches(joints: &[Joint]) -> impl Iterator<Item = &[EdgePoint; 2]> {
+fn stitches(joints: &[ClothJoint]) -> impl Iterator<Item = &[EdgePoint; 2]> {
     let seams = joints.iter().filter_map(|joint| match joint {
-        Joint::Seam(seam) => Some(&seam.stitches),
+        ClothJoint::Seam(seam) => Some(&seam.stitches),
         _ => None,
     });
     seams.flatten()
 }
 
-const fn surface_of(piece: &Piece) -> &Surface {
+const fn surface_of(piece: &ClothPiece) -> &Surface {
     match piece {
-        Piece::Grid(model, _) => &model.surface,
-        Piece::Mesh(model, _) => &model.surface,
+        ClothPiece::Grid(model, _) => &model.surface,
+        ClothPiece::Mesh(model, _) => &model.surface,
     }
 }
 
@@ -228,10 +235,10 @@ const fn repair_of(piece: &PieceState) -> &CrossingRepair {
 
 /// # Panics
 /// When `state` is another piece's, which the step has refused before.
-fn body_of<'a>(piece: &'a Piece, input: &StepInput<'a>, state: &'a PieceState) -> Body<'a> {
+fn body_of<'a>(piece: &'a ClothPiece, input: &StepInput<'a>, state: &'a PieceState) -> Body<'a> {
     let (layout, config): (&dyn Placement, _) = match piece {
-        Piece::Grid(model, config) => (&model.layout, config),
-        Piece::Mesh(model, config) => (&model.slots, config),
+        ClothPiece::Grid(model, config) => (&model.layout, config),
+        ClothPiece::Mesh(model, config) => (&model.slots, config),
     };
     let (skin, held) = match state {
         PieceState::Grid(state) => (&state.scratch.surfel_contacts, &state.scratch.held_depths),

@@ -7,8 +7,9 @@ use fearless_simd::{Simd, f32x16, prelude::*};
 use glam::Vec3;
 use lole_geom::Capsule;
 
-use crate::collision::response::{Contact, ContactLaw, ContactRow};
+use crate::collision::response::{Contact, ContactRow};
 use crate::lanes::{Vectors, larger, smaller};
+use crate::step::Progress;
 
 /// Below this squared axis length [m²] a capsule is a sphere (a thread is 1e-4 m thick).
 const DEGENERATE_AXIS_SQUARED: f32 = 1.0e-12;
@@ -35,18 +36,16 @@ pub(crate) struct MovingCapsule {
 }
 
 impl MovingCapsule {
-    /// The capsule a `fraction` of the way from `before` to `after`, having come there in
-    /// `substep_fraction` of the way, with a skin of `contact_offset` [m].
+    /// The capsule so far on its way from `before` to `after`, with a skin of `contact_offset` [m].
     pub(crate) fn new(
         [before, after]: [&Capsule; 2],
-        fraction: f32,
-        substep_fraction: f32,
+        progress: Progress,
         contact_offset: f32,
     ) -> Self {
-        let capsule = before.lerp(after, fraction);
+        let capsule = before.lerp(after, progress.fraction);
         let axis = capsule.ends[1] - capsule.ends[0];
         let length_squared = axis.length_squared();
-        let moved = [0, 1].map(|end| (after.ends[end] - before.ends[end]) * substep_fraction);
+        let moved = [0, 1].map(|end| (after.ends[end] - before.ends[end]) * progress.share);
         let is_sphere = length_squared < DEGENERATE_AXIS_SQUARED;
         Self {
             start: capsule.ends[0],
@@ -82,10 +81,9 @@ impl ContactRow<'_> {
         simd: S,
         capsules: &[MovingCapsule],
         indices: &[u32],
-        law: ContactLaw,
     ) {
         for first in (0..self.positions.len()).step_by(TOGETHER) {
-            self.project_block(simd, first, (capsules, indices), law);
+            self.project_block(simd, first, capsules, indices);
         }
     }
 
@@ -94,8 +92,8 @@ impl ContactRow<'_> {
         &mut self,
         simd: S,
         first: usize,
-        (capsules, indices): (&[MovingCapsule], &[u32]),
-        law: ContactLaw,
+        capsules: &[MovingCapsule],
+        indices: &[u32],
     ) {
         let count = TOGETHER.min(self.positions.len() - first);
         // Round at which a vector has met all.
@@ -110,7 +108,7 @@ impl ContactRow<'_> {
                 touched |= u64::from(touches) << place;
             }
             for place in bits(touched) {
-                if self.project_out(simd, first + place, capsule, law) {
+                if self.project_out(simd, first + place, capsule) {
                     ends[place] = round + indices.len();
                 }
             }
@@ -127,13 +125,7 @@ impl ContactRow<'_> {
 
     /// Projects one vector out of one capsule; whether any of it was inside.
     #[inline(always)]
-    fn project_out<S: Simd>(
-        &mut self,
-        simd: S,
-        index: usize,
-        capsule: &MovingCapsule,
-        law: ContactLaw,
-    ) -> bool {
+    fn project_out<S: Simd>(&mut self, simd: S, index: usize, capsule: &MovingCapsule) -> bool {
         let zero = f32x16::splat(simd, 0.0);
         let one = f32x16::splat(simd, 1.0);
         let position = Vectors::load(simd, &self.positions[index]);
@@ -159,7 +151,7 @@ impl ContactRow<'_> {
             surface: Vectors::splat(simd, capsule.displacement)
                 .add(Vectors::splat(simd, capsule.stretch).scale(s)),
         };
-        self.push_out::<S, false>(simd, (index, position), &contact, law)
+        self.push_out::<S, false>(simd, index, position, &contact)
     }
 }
 

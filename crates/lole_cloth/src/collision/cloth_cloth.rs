@@ -15,7 +15,7 @@ use glam::Vec3;
 use rayon::prelude::*;
 
 use crate::collision::grid::{CellGrid, Entry, each_hit};
-use crate::collision::parting::{DEGENERATE_SQUARED, Parting};
+use crate::collision::parting::{DEGENERATE_SQUARED, Touching};
 use crate::collision::pinned_rows::PinnedRows;
 use crate::lanes::{LANES, Layout, Points, Scalars, Vectors, narrow, smaller};
 use crate::{Grid, Topology};
@@ -539,31 +539,37 @@ struct Slab<'a> {
 }
 
 impl Slab<'_> {
+    /// Where both of a pair are among the entries.
+    #[inline(always)]
+    fn ends(&self, pair: &Pair) -> [usize; 2] {
+        [pair.first, pair.second].map(|entry| entry as usize - self.first)
+    }
+
     #[inline(always)]
     fn solve_pair(&mut self, pair: &Pair, columns: &Columns<'_>, law: ClothContactLaw) {
-        let ends = [pair.first, pair.second].map(|entry| entry as usize - self.first);
+        let ends = self.ends(pair);
         let (one, other) = (&self.strands[ends[0]], &self.strands[ends[1]]);
         let gap = gap(one, other, law.half_thread);
         let squared = gap.length_squared();
         if squared < pair.diameter * pair.diameter {
-            self.part(ends, (pair, gap), columns, law);
+            self.part(pair, gap, columns, law);
         }
     }
 
     /// Parts a pair that is nearer than its diameter, `gap` apart.
-    fn part(
-        &mut self,
-        ends: [usize; 2],
-        (pair, gap): (&Pair, Vec3),
-        columns: &Columns<'_>,
-        law: ClothContactLaw,
-    ) {
+    fn part(&mut self, pair: &Pair, gap: Vec3, columns: &Columns<'_>, law: ClothContactLaw) {
+        let ends = self.ends(pair);
         let touches = ends.map(|end| self.touch(end, columns, law.h));
         let travel =
             [0, 1].map(|end| self.strands[ends[end]].position - self.touches[touches[end]].before);
         let slip = travel[1] - travel[0];
-        let side = (pair.side, pair.diameter);
-        let Some(parting) = Parting::new((gap, slip), side, law.friction, law.h) else {
+        let touching = Touching {
+            gap,
+            slip,
+            side: pair.side,
+            diameter: pair.diameter,
+        };
+        let Some(parting) = touching.part(law.friction, law.h) else {
             return;
         };
         let inv_masses = ends.map(|end| self.strands[end].inv_mass);

@@ -67,7 +67,8 @@ impl Drift {
         self.points.clear();
     }
 
-    /// The same, and what the cloth does beside that by and large.
+    /// Takes the motion of cloth that goes from `starts` to `goals` [m], all finite: that of it as a whole,
+    /// and what it does beside that by and large.
     pub(crate) fn fit(&mut self, starts: &[Vec3], goals: &[Vec3], is_pinned: impl Fn(u32) -> bool) {
         let moved = weighed(starts, goals, &is_pinned);
         let whole = Rigid::fit(moved.clone());

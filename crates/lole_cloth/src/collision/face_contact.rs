@@ -12,7 +12,7 @@ use glam::Vec3;
 use lole_geom::triangle_grid::{blend, nearest_barycentric};
 
 use crate::collision::grid::CellGrid;
-use crate::collision::parting::{FARTHEST_LEVER, Parting};
+use crate::collision::parting::{FARTHEST_LEVER, Touching};
 pub(crate) use faces::{FacePiece, Faces, FlatShape};
 
 /// A vertex and a triangle that may touch, by bodies.
@@ -49,7 +49,8 @@ struct Body {
 pub(crate) struct FaceContacts {
     /// Every particle at the start of the step [m], piece by piece.
     pub(crate) positions: Vec<Vec3>,
-    /// The same of velocities [m/s]; empty for a piece alone, whose folds move together.
+    /// Velocity of every particle then [m/s], piece by piece; empty for a piece alone, whose folds move
+    /// together.
     pub(crate) velocities: Vec<Vec3>,
     /// Particles where cloth has gone through cloth: they do not know on which side they belong, and
     /// do not touch each other. Empty where there are none.
@@ -100,11 +101,12 @@ impl FaceContacts {
             }
             let weights = nearest_barycentric(vertex, [a, b, c]);
             let gap = vertex - blend([a, b, c], weights);
+            let nearest = NearestPoint { weights, gap };
             if gap.length_squared() < pair.diameter * pair.diameter {
                 for body in pair.bodies {
                     meet(&mut self.bodies[body as usize], moving, h);
                 }
-                part(&mut self.bodies, pair, (gap, weights), h);
+                part(&mut self.bodies, pair, nearest, h);
             }
         }
         for body in self.bodies.iter().filter(|body| body.is_touched) {
@@ -131,8 +133,18 @@ fn meet(body: &mut Body, moving: &(impl Moving + ?Sized), h: f32) {
     }
 }
 
-/// Parts a vertex from the point of a triangle with these weights, `gap` [m] away.
-fn part(bodies: &mut [Body], pair: &Pair, (gap, weights): (Vec3, Vec3), h: f32) {
+/// The point of a triangle that is nearest to a vertex.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct NearestPoint {
+    /// Weights of the triangle's corners there.
+    weights: Vec3,
+    /// From there to the vertex [m].
+    gap: Vec3,
+}
+
+/// Parts a vertex from the nearest point of a triangle in a substep of `h` [s].
+fn part(bodies: &mut [Body], pair: &Pair, nearest: NearestPoint, h: f32) {
+    let NearestPoint { weights, gap } = nearest;
     let shares = [1.0, -weights.x, -weights.y, -weights.z];
     let (mut slip, mut inv_mass_sum, mut most) = (Vec3::ZERO, 0.0, 0.0_f32);
     for (&body, share) in pair.bodies.iter().zip(shares) {
@@ -145,8 +157,13 @@ fn part(bodies: &mut [Body], pair: &Pair, (gap, weights): (Vec3, Vec3), h: f32) 
     if inv_mass_sum <= 0.0 {
         return;
     }
-    let Some(parting) = Parting::new((gap, slip), (pair.side, pair.diameter), pair.friction, h)
-    else {
+    let touching = Touching {
+        gap,
+        slip,
+        side: pair.side,
+        diameter: pair.diameter,
+    };
+    let Some(parting) = touching.part(pair.friction, h) else {
         return;
     };
     let change = parting.change / inv_mass_sum;
@@ -192,7 +209,13 @@ mod tests {
                 friction: 0.3,
                 side: Vec3::Y,
             };
-            part(&mut bodies, &pair, (Vec3::Y * 0.001, weights), 1.0 / 720.0);
+            let gap = Vec3::Y * 0.001;
+            part(
+                &mut bodies,
+                &pair,
+                NearestPoint { weights, gap },
+                1.0 / 720.0,
+            );
             let moved = corners[2].y - bodies[3].position.y;
             let parted = 0.7 * 0.005_f32.min(2.0 / 720.0 / 0.7);
             assert!(0.0 < moved, "{share}: {moved}");

@@ -8,7 +8,7 @@
 use glam::Vec3;
 
 use crate::collision::face_contact::Moving;
-use crate::collision::parting::Parting;
+use crate::collision::parting::Touching;
 use crate::collision::placement::Placement;
 use crate::collision::separation::Separation;
 use crate::lanes::{LANES, Scalars};
@@ -27,7 +27,7 @@ const PASS_COUNT: usize = 2;
 struct Guard {
     ends: [u32; 2],
     corners: [u32; 3],
-    /// Of ends and corners [1/kg].
+    /// Inverse masses of ends and corners [1/kg].
     inv_masses: [f32; 5],
     /// Unit vector from the triangle to the edge.
     normal: Vec3,
@@ -147,9 +147,13 @@ impl Guard {
         let places = slots.map(|slot| cloth.place(0, slot));
         let travels = [0, 1].map(|side| places[side] - cloth.start(0, slots[side], h));
         let slip = travels[1] - travels[0];
-        let Some(parting) =
-            Parting::new((self.normal * gap, slip), (self.normal, GAP), friction, h)
-        else {
+        let touching = Touching {
+            gap: self.normal * gap,
+            slip,
+            side: self.normal,
+            diameter: GAP,
+        };
+        let Some(parting) = touching.part(friction, h) else {
             return false;
         };
         for (side, sign) in [(0, -1.0), (1, 1.0)] {

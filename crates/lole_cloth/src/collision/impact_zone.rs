@@ -19,7 +19,7 @@ const PINNED_MASS: f32 = 1.0e6;
 /// Times that the way of a particle is halved before it is held fast in its zone.
 const HALVINGS: u8 = 2;
 
-/// The same in a zone of everything.
+/// Times that the way of a particle is halved in a zone of everything before it is held fast.
 const MOST_HALVINGS: u8 = 8;
 
 /// Farthest that a zone carries a particle beyond the way of the one that would go farthest [m].
@@ -52,9 +52,9 @@ pub(crate) struct Ways<'a, M: Fn(Vec3) -> Vec3> {
 /// Whether what is pinned is held back too.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Pins {
-    /// It is where the body has it.
+    /// A pin stays where the body has it.
     Stay,
-    /// It stays behind where it would cross.
+    /// A pin stays behind where it would cross.
     Yield,
 }
 
@@ -67,7 +67,7 @@ pub(crate) struct ImpactZones {
     pub(crate) members: Vec<u32>,
     /// How many of them have all around them in their zone.
     grown: usize,
-    /// The same particles, zone after zone.
+    /// Members, zone after zone.
     sorted: Vec<u32>,
     /// By particle, its place among those that were taken up, counted from 1; 0 of others.
     places: Vec<u32>,
@@ -151,7 +151,7 @@ impl ImpactZones {
         }
     }
 
-    /// Its place among the members.
+    /// Makes a particle a member, if it is none; its place among them.
     fn take_up<M: Fn(Vec3) -> Vec3>(&mut self, particle: u32, ways: &Ways<'_, M>) -> usize {
         let place = &mut self.places[particle as usize];
         if *place == 0 {
@@ -342,7 +342,7 @@ impl Rigid {
         }
     }
 
-    /// The same without the turn, which carries a long zone far when little is known of it.
+    /// This motion without its turn, which carries a long zone far when little is known of it.
     const fn unturned(self) -> Self {
         Self {
             turn: Quat::IDENTITY,

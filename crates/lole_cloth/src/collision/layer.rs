@@ -18,7 +18,7 @@ use glam::Vec3;
 use lole_geom::triangle_grid::{Nearest, TriangleGrid, blend};
 
 pub use envelope::Envelope;
-pub use press::{Over, Press};
+pub use press::{OuterCloth, Press};
 pub use wall::Trunk;
 
 /// Weight of a corner below which the nearest point lies on the opposite side of its triangle.
@@ -32,7 +32,7 @@ const SEARCH_CELL: f32 = 2.0;
 pub struct Layer<'a> {
     /// Corners, counterclockwise seen from the outside; shape `[triangle_count]`.
     pub triangles: &'a [[u32; 3]],
-    /// Particles [m], shape `[particle_count]`.
+    /// Where its particles are [m], shape `[particle_count]`.
     pub positions: &'a [Vec3],
 }
 
@@ -49,11 +49,11 @@ pub struct Orientation<'a> {
 /// A point seen from a layer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sight {
-    /// The nearest triangle.
+    /// Number of the nearest triangle.
     pub triangle: u32,
     /// Weights of its corners at the nearest point.
     pub weights: Vec3,
-    /// Outward unit vector there.
+    /// Outward unit vector at the nearest point.
     pub normal: Vec3,
     /// Height above the nearest point along the normal [m]; negative inside.
     pub height: f32,

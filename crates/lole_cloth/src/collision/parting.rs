@@ -18,27 +18,40 @@ pub(crate) const FARTHEST_LEVER: f32 = 2.0;
 /// Below this squared length [m²] two points have no direction between them.
 pub(crate) const DEGENERATE_SQUARED: f32 = 1.0e-14;
 
+/// Two points of cloth that are nearer than they may be.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Touching {
+    /// From the first to the second [m].
+    pub(crate) gap: Vec3,
+    /// How the second has moved relative to the first in the substep [m].
+    pub(crate) slip: Vec3,
+    /// Unit vector from the first to the second when they were found: what has gone through goes back
+    /// to that side.
+    pub(crate) side: Vec3,
+    /// Distance that they keep [m].
+    pub(crate) diameter: f32,
+}
+
 /// What the second of two touching points does relative to the first [m].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Parting {
-    /// All of it, friction included.
+    /// The whole of what it does, friction included.
     pub(crate) change: Vec3,
     /// Unit vector along which they part.
     pub(crate) normal: Vec3,
-    /// How much of that gives no speed.
+    /// How far of the way along it gives no speed.
     pub(crate) quiet: f32,
 }
 
-impl Parting {
-    /// Of points `gap` apart that moved by `slip` relative to each other in a substep of `h` [s],
-    /// both from the first to the second [m]. They were found on `side`, a unit vector, and keep
-    /// `diameter` [m]; what has gone through goes back to that side. `None` where they may stay.
-    pub(crate) fn new(
-        (gap, slip): (Vec3, Vec3),
-        (side, diameter): (Vec3, f32),
-        friction: f32,
-        h: f32,
-    ) -> Option<Self> {
+impl Touching {
+    /// How they part in a substep of `h` [s]; `None` where they may stay.
+    pub(crate) fn part(self, friction: f32, h: f32) -> Option<Parting> {
+        let Self {
+            gap,
+            slip,
+            side,
+            diameter,
+        } = self;
         let squared = gap.length_squared();
         let along_side = gap.dot(side);
         let has_gone_through = along_side <= 0.0 || squared < DEGENERATE_SQUARED;
@@ -67,7 +80,7 @@ impl Parting {
         } else {
             limit / slip_squared.sqrt()
         };
-        Some(Self {
+        Some(Parting {
             change: normal * depth - tangential * held,
             normal,
             quiet: (depth - (-separation).max(0.0)).max(0.0),

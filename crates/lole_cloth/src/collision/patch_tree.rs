@@ -10,7 +10,7 @@ use glam::Vec3;
 use rayon::prelude::*;
 
 use crate::collision::grid::each_hit;
-use crate::collision::surface::Surface;
+use crate::collision::surface::{Surface, SurfaceNow};
 use crate::lanes::{LANES, Points, Scalars, Vectors, larger, narrow, smaller};
 
 /// Leaves of which one thread finds the neighbors in one go.
@@ -118,8 +118,8 @@ impl PatchTree {
 
     /// Fits all boxes.
     #[inline(always)]
-    pub(crate) fn fit<S: Simd>(&mut self, simd: S, surface: &Surface, positions: &[Vec3]) {
-        let leaf_count = surface.patches.len().div_ceil(LANES);
+    pub(crate) fn fit<S: Simd>(&mut self, simd: S, now: SurfaceNow<'_>) {
+        let leaf_count = now.surface.patches.len().div_ceil(LANES);
         self.levels.resize(level_count(leaf_count), Vec::new());
         let mut count = leaf_count;
         for level in &mut self.levels {
@@ -127,7 +127,7 @@ impl PatchTree {
             count = count.div_ceil(LANES);
         }
         self.normals.resize(leaf_count, <[Points; 2]>::default());
-        self.fit_leaves(simd, surface, positions);
+        self.fit_leaves(simd, now);
         for level in 1..self.levels.len() {
             for node in 0..self.levels[level - 1].len() {
                 self.carry_up(level, node);
@@ -137,17 +137,15 @@ impl PatchTree {
 
     /// Fits the boxes of some leaves, ascending, and what is above them.
     #[inline(always)]
-    pub(crate) fn fit_some<S: Simd>(
-        &mut self,
-        simd: S,
-        surface: &Surface,
-        positions: &[Vec3],
-        leaves: &[u32],
-    ) {
+    pub(crate) fn fit_some<S: Simd>(&mut self, simd: S, now: SurfaceNow<'_>, leaves: &[u32]) {
         for &leaf in leaves {
             let place = leaf as usize;
-            let room = (&mut self.levels[0][place], &mut self.normals[place]);
-            fit_leaf(simd, (surface, positions), place, room);
+            let leaves = Leaves {
+                first: place,
+                boxes: &mut self.levels[0][place..=place],
+                normals: &mut self.normals[place..=place],
+            };
+            leaves.fit(simd, now);
             let mut node = leaf as usize;
             for level in 1..self.levels.len() {
                 self.carry_up(level, node);
@@ -163,21 +161,30 @@ impl PatchTree {
     }
 
     #[inline(always)]
-    fn fit_leaves<S: Simd>(&mut self, simd: S, surface: &Surface, positions: &[Vec3]) {
-        let room = (&mut self.levels[0][..], &mut self.normals[..]);
+    fn fit_leaves<S: Simd>(&mut self, simd: S, now: SurfaceNow<'_>) {
+        let (boxes, normals) = (&mut self.levels[0][..], &mut self.normals[..]);
         if rayon::current_num_threads() == 1 {
-            fit_leaves_from(simd, (surface, positions), 0, room);
+            let leaves = Leaves {
+                first: 0,
+                boxes,
+                normals,
+            };
+            leaves.fit(simd, now);
             return;
         }
         let level = simd.level();
         let starts = (0..).step_by(LEAVES_TOGETHER);
-        let boxes = room.0.chunks_mut(LEAVES_TOGETHER);
-        let parts = boxes.zip(room.1.chunks_mut(LEAVES_TOGETHER)).zip(starts);
-        let parts: Vec<_> = parts.collect();
-        parts.into_par_iter().for_each(|(room, start)| {
-            fearless_simd::dispatch!(level, simd => {
-                fit_leaves_from(simd, (surface, positions), start, room);
-            });
+        let boxes = boxes.chunks_mut(LEAVES_TOGETHER);
+        let parts = boxes.zip(normals.chunks_mut(LEAVES_TOGETHER)).zip(starts);
+        let parts: Vec<_> = parts
+            .map(|((boxes, normals), first)| Leaves {
+                first,
+                boxes,
+                normals,
+            })
+            .collect();
+        parts.into_par_iter().for_each(|leaves| {
+            fearless_simd::dispatch!(level, simd => leaves.fit(simd, now));
         });
     }
 
@@ -227,7 +234,7 @@ impl PatchTree {
     #[inline(always)]
     fn list_pairs_of<S: Simd>(&self, simd: S, surface: &Surface, leaf: usize, search: &mut Search) {
         let bound = self.leaf_bound(leaf);
-        self.each_leaf(simd, (bound, leaf), &mut search.nodes, &mut search.leaves);
+        self.list_leaves(simd, bound, leaf, search);
         for index in 0..search.leaves.len() {
             let other = search.leaves[index];
             self.list_pairs_between(simd, surface, [leaf, other], &mut search.pairs);
@@ -236,13 +243,8 @@ impl PatchTree {
 
     /// Lists the leaves, from `first` on, that a box meets.
     #[inline(always)]
-    fn each_leaf<S: Simd>(
-        &self,
-        simd: S,
-        (bound, first): (Bound, usize),
-        nodes: &mut Vec<(usize, usize)>,
-        leaves: &mut Vec<usize>,
-    ) {
+    fn list_leaves<S: Simd>(&self, simd: S, bound: Bound, first: usize, search: &mut Search) {
+        let Search { nodes, leaves, .. } = search;
         leaves.clear();
         nodes.clear();
         nodes.push((self.levels.len() - 1, 0));
@@ -308,7 +310,7 @@ impl PatchTree {
     ) {
         let (leaf, lane) = (patch as usize / LANES, patch as usize % LANES);
         let bound = self.levels[0][leaf].get(lane);
-        self.each_leaf(simd, (bound, 0), &mut search.nodes, &mut search.leaves);
+        self.list_leaves(simd, bound, 0, search);
         for &other in &search.leaves {
             let hits = self.levels[0][other].meet(simd, bound);
             for place in each_hit(hits, LANES) {
@@ -321,45 +323,40 @@ impl PatchTree {
     }
 }
 
-/// Fits leaves that follow each other, and works out their normals.
-#[inline(always)]
-fn fit_leaves_from<S: Simd>(
-    simd: S,
-    (surface, positions): (&Surface, &[Vec3]),
-    start: usize,
-    (boxes, normals): (&mut [Boxes], &mut [[Points; 2]]),
-) {
-    for ((leaf, boxes), normals) in (start..).zip(boxes).zip(normals) {
-        fit_leaf(simd, (surface, positions), leaf, (boxes, normals));
-    }
+/// Leaves that follow each other, from one on, and the normals of their patches.
+struct Leaves<'a> {
+    first: usize,
+    boxes: &'a mut [Boxes],
+    normals: &'a mut [[Points; 2]],
 }
 
-#[inline(always)]
-fn fit_leaf<S: Simd>(
-    simd: S,
-    (surface, positions): (&Surface, &[Vec3]),
-    leaf: usize,
-    (boxes, normals): (&mut Boxes, &mut [Points; 2]),
-) {
-    let [a, b, c, d] = &corners_of_leaf(surface, positions, leaf);
-    let (a, b) = (Vectors::load(simd, a), Vectors::load(simd, b));
-    let (c, d) = (Vectors::load(simd, c), Vectors::load(simd, d));
-    let diagonal = d.sub(a);
-    b.sub(a).cross(diagonal).store(&mut normals[0]);
-    diagonal.cross(c.sub(a)).store(&mut normals[1]);
-    let sides = [
-        [a.x, b.x, c.x, d.x],
-        [a.y, b.y, c.y, d.y],
-        [a.z, b.z, c.z, d.z],
-    ];
-    for (axis, [a, b, c, d]) in sides.into_iter().enumerate() {
-        let low = smaller(smaller(a, b), smaller(c, d));
-        let high = larger(larger(a, b), larger(c, d));
-        low.store_array(&mut boxes.low[axis].0);
-        high.store_array(&mut boxes.high[axis].0);
-    }
-    for lane in surface.patches.len() - (leaf * LANES).min(surface.patches.len())..LANES {
-        boxes.set(lane, NOWHERE.get(lane));
+impl Leaves<'_> {
+    /// Fits their boxes, and works out their normals.
+    #[inline(always)]
+    fn fit<S: Simd>(self, simd: S, now: SurfaceNow<'_>) {
+        for ((leaf, boxes), normals) in (self.first..).zip(self.boxes).zip(self.normals) {
+            let [a, b, c, d] = &corners_of_leaf(now, leaf);
+            let (a, b) = (Vectors::load(simd, a), Vectors::load(simd, b));
+            let (c, d) = (Vectors::load(simd, c), Vectors::load(simd, d));
+            let diagonal = d.sub(a);
+            b.sub(a).cross(diagonal).store(&mut normals[0]);
+            diagonal.cross(c.sub(a)).store(&mut normals[1]);
+            let sides = [
+                [a.x, b.x, c.x, d.x],
+                [a.y, b.y, c.y, d.y],
+                [a.z, b.z, c.z, d.z],
+            ];
+            for (axis, [a, b, c, d]) in sides.into_iter().enumerate() {
+                let low = smaller(smaller(a, b), smaller(c, d));
+                let high = larger(larger(a, b), larger(c, d));
+                low.store_array(&mut boxes.low[axis].0);
+                high.store_array(&mut boxes.high[axis].0);
+            }
+            let count = now.surface.patches.len();
+            for lane in count - (leaf * LANES).min(count)..LANES {
+                boxes.set(lane, NOWHERE.get(lane));
+            }
+        }
     }
 }
 
@@ -382,13 +379,13 @@ fn level_count(leaf_count: usize) -> usize {
 }
 
 /// Corners of the patches of a leaf, those of the last patch where there are no more.
-fn corners_of_leaf(surface: &Surface, positions: &[Vec3], leaf: usize) -> [Points; 4] {
+fn corners_of_leaf(now: SurfaceNow<'_>, leaf: usize) -> [Points; 4] {
     let mut corners = [Points::default(); 4];
-    let patches = &surface.patches[leaf * LANES..];
+    let patches = &now.surface.patches[leaf * LANES..];
     for lane in 0..LANES {
         let patch = &patches[lane.min(patches.len() - 1)];
         for (points, corner) in corners.iter_mut().zip(patch.corners) {
-            points.set(lane, positions[corner as usize]);
+            points.set(lane, now.positions[corner as usize]);
         }
     }
     corners

@@ -27,7 +27,7 @@ pub enum Response {
     /// Never negative: skin pushes and does not pull.
     #[default]
     Clamped,
-    /// As printed: sticky for a particle that leaves.
+    /// Of either sign, as printed: sticky for a particle that leaves.
     AsPrinted,
 }
 
@@ -189,7 +189,7 @@ impl MovingCapsule {
         }
     }
 
-    /// The same capsule with every radius larger by `offset` [m].
+    /// This capsule with every radius larger by `offset` [m].
     #[must_use]
     pub fn inflated(mut self, offset: f64) -> Self {
         self.radii = self.radii.map(|radius| radius + offset);

@@ -18,6 +18,8 @@ pub(crate) struct ContactLaw {
 
 /// Particles of one row in a substep.
 pub(crate) struct ContactRow<'a> {
+    /// First vector of the row in the cloth.
+    pub(crate) first: usize,
     pub(crate) positions: &'a mut [Points],
     /// Positions predicted at the start of the substep [m].
     pub(crate) predicted: &'a mut [Points],
@@ -28,6 +30,7 @@ pub(crate) struct ContactRow<'a> {
     pub(crate) h: f32,
     /// How far inside the body particles may stay [m].
     pub(crate) held: f32,
+    pub(crate) law: ContactLaw,
 }
 
 /// Where particles of one vector touch a surface.
@@ -43,7 +46,7 @@ pub(crate) struct Contact<S: Simd> {
 }
 
 impl ContactRow<'_> {
-    /// Pushes the touching particles of a vector at `position` [m] out; whether any moved.
+    /// Pushes the touching particles of a vector of the row, at `position` [m], out; whether any moved.
     ///
     /// Friction acts on the part of what a particle did in this substep that is tangential to the
     /// surface, relative to the surface's own motion, and is at most `friction` times the depth
@@ -53,10 +56,11 @@ impl ContactRow<'_> {
     pub(crate) fn push_out<S: Simd, const QUIET: bool>(
         &mut self,
         simd: S,
-        (index, position): (usize, Vectors<S>),
+        index: usize,
+        position: Vectors<S>,
         contact: &Contact<S>,
-        law: ContactLaw,
     ) -> bool {
+        let law = self.law;
         let zero = f32x16::splat(simd, 0.0);
         let one = f32x16::splat(simd, 1.0);
         let normal = contact.normal;

@@ -1,6 +1,8 @@
 //! A surface made of triangles, cut into patches of two: what contact and crossings are looked for
 //! in, whether it is one grid of cloth, several layers or any other mesh.
 
+use glam::Vec3;
+
 use crate::Grid;
 use crate::lanes::{LANES, narrow};
 
@@ -32,7 +34,7 @@ pub(crate) struct Surface {
     /// First entry of every particle in `star_patches`, and one more.
     star_starts: Vec<u32>,
     star_patches: Vec<u32>,
-    /// The same for leaves: those it shares particles with.
+    /// First entry of every leaf in `adjacent`, those that it shares particles with, and one more.
     adjacent_starts: Vec<u32>,
     adjacent: Vec<Adjacent>,
     /// By particle, the first of those that are sewn to each other; empty where nothing is sewn.
@@ -47,7 +49,23 @@ struct Adjacent {
     shared: [u16; LANES],
 }
 
+/// A surface as it lies at one moment.
+#[derive(Clone, Copy)]
+pub(crate) struct SurfaceNow<'a> {
+    pub(crate) surface: &'a Surface,
+    /// By particle [m].
+    pub(crate) positions: &'a [Vec3],
+}
+
 impl Surface {
+    /// The surface with its particles at these positions [m].
+    pub(crate) const fn at<'a>(&'a self, positions: &'a [Vec3]) -> SurfaceNow<'a> {
+        SurfaceNow {
+            surface: self,
+            positions,
+        }
+    }
+
     /// The triangles of a grid, every cell cut from upper left to lower right: sixteen columns of
     /// it from top to bottom, then the next.
     pub(crate) fn from_grid(grid: &Grid) -> Self {

@@ -20,10 +20,11 @@ use glam::Vec3;
 use lole_geom::Surfel;
 
 use crate::collision::placement::Placement;
-use crate::collision::response::{Contact, ContactLaw, ContactRow};
+use crate::collision::response::{Contact, ContactRow};
 use crate::lanes::{LANES, Points, SlotSet, Vectors, smaller};
+use crate::step::Progress;
 pub(crate) use cells::SurfelCells;
-use planes::PlaneField;
+use planes::{PlaneField, PlanesNow};
 use room::Hanging;
 use search::SurfelSearch;
 use yielding::Yielding;
@@ -66,9 +67,9 @@ const TRAVEL_MAX: f32 = 0.06;
 /// The skin near each particle during one step.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(crate) struct SurfelContacts {
-    /// Of the nearest surfels.
+    /// Planes of the nearest surfels.
     nearest: PlaneField,
-    /// Of the nearest ones that face the other way, where cloth is pinched between two limbs.
+    /// Planes of the nearest surfels that face the other way, where cloth is pinched between two limbs.
     opposite: PlaneField,
     /// Parts of a step, each with a search of its own, and the substeps of the present one.
     part_count: u32,
@@ -135,21 +136,24 @@ pub(crate) struct Cloth<'a> {
     pub(crate) hanging: &'a dyn Hanging,
 }
 
-impl Cloth<'_> {
+/// A cloth and the skin that it may touch in a step.
+#[derive(Clone, Copy)]
+pub(crate) struct Encounter<'a> {
+    pub(crate) cloth: Cloth<'a>,
+    pub(crate) skin: Skin<'a>,
+}
+
+impl Encounter<'_> {
     /// Where a particle is in the middle of the step if it flies on, and how far from there it may
     /// come to touch the skin [m].
-    fn flight(
-        &self,
-        (vector, lane): (usize, usize),
-        skin: Skin<'_>,
-        cells: &SurfelCells,
-    ) -> (Vec3, f32) {
+    fn flight(&self, (vector, lane): (usize, usize), cells: &SurfelCells) -> (Vec3, f32) {
+        let cloth = &self.cloth;
         let common = cells.mean_motion();
-        let away = self.velocities[vector].get(lane) * self.dt - common;
-        let travel = away.length() + cells.spread() + self.speed_gain * self.dt;
-        let reach = REACH + skin.offset + SPEED_MARGIN * 0.5 * travel;
+        let away = cloth.velocities[vector].get(lane) * cloth.dt - common;
+        let travel = away.length() + cells.spread() + cloth.speed_gain * cloth.dt;
+        let reach = REACH + self.skin.offset + SPEED_MARGIN * 0.5 * travel;
         let flown = (common + away.clamp_length_max(FORESIGHT)) * 0.5;
-        let middle = self.positions[vector].get(lane) + flown;
+        let middle = cloth.positions[vector].get(lane) + flown;
         (middle, reach.min(REACH_MAX))
     }
 }
@@ -176,7 +180,8 @@ impl SurfelContacts {
     /// Plans a step of so many substeps: where something is fast, the nearest surfels are looked for
     /// several times.
     #[inline(never)]
-    pub(crate) fn plan(&mut self, cloth: Cloth<'_>, skin: Skin<'_>, substep_count: u32) {
+    pub(crate) fn plan(&mut self, encounter: Encounter<'_>, substep_count: u32) {
+        let Encounter { cloth, skin } = encounter;
         self.nearest.clear(0);
         self.deep.clear(0);
         std::mem::swap(&mut self.deep_now, &mut self.deep_next);
@@ -210,8 +215,7 @@ impl SurfelContacts {
         &mut self,
         level: Level,
         (index, substep_count): (u32, u32),
-        cloth: Cloth<'_>,
-        skin: Skin<'_>,
+        encounter: Encounter<'_>,
     ) {
         if self.part_count == 0 || self.part.contains(&index) {
             return;
@@ -219,10 +223,11 @@ impl SurfelContacts {
         let part = index * self.part_count / substep_count;
         let start_of = |part: u32| (part * substep_count).div_ceil(self.part_count);
         self.part = start_of(part)..start_of(part + 1);
+        let Encounter { cloth, skin } = encounter;
         let shares = [self.part.start, self.part.end].map(|end| ratio(end, substep_count));
         self.set_deep(shares, cloth.positions.len(), skin.offset);
         if self.part_count == 1 {
-            self.find(level, cloth, skin);
+            self.find(level, encounter);
             return;
         }
         let mut ends = std::mem::take(&mut self.ends);
@@ -242,7 +247,7 @@ impl SurfelContacts {
         };
         self.cells
             .sort(skin, bounds(cloth.positions), REACH_MAX + skin.offset);
-        self.find(level, cloth, skin);
+        self.find(level, Encounter { cloth, skin });
         self.ends = ends;
     }
 
@@ -259,19 +264,20 @@ impl SurfelContacts {
         }
     }
 
-    /// How much of the present part has passed at the end of a substep, and the substep's share.
-    pub(crate) fn passed(&self, index: u32) -> (f32, f32) {
+    /// How far the present part of the step has come at the end of a substep.
+    pub(crate) fn progress(&self, index: u32) -> Progress {
         if self.part.is_empty() {
-            return (1.0, 1.0);
+            return Progress::after(1, 1);
         }
         let count = self.part.end - self.part.start;
-        (ratio(index + 1 - self.part.start, count), ratio(1, count))
+        Progress::after(index + 1 - self.part.start, count)
     }
 
     /// Finds the planes anew, the cells being sorted. Not inlined into vector code: it would change
     /// kinds of instructions.
     #[inline(never)]
-    fn find(&mut self, level: Level, cloth: Cloth<'_>, skin: Skin<'_>) {
+    fn find(&mut self, level: Level, encounter: Encounter<'_>) {
+        let Encounter { cloth, skin } = encounter;
         let Self {
             cells,
             search,
@@ -284,7 +290,7 @@ impl SurfelContacts {
         } = self;
         nearest.clear(cloth.positions.len());
         opposite.clear(cloth.positions.len());
-        search.find(level, cells, (cloth, skin));
+        search.find(level, cells, encounter);
         let ends = |place: usize| {
             let surfel = cells.surfel(place);
             [&skin.before[surfel], &skin.after[surfel]]
@@ -355,91 +361,59 @@ impl SurfelContacts {
 }
 
 impl ContactRow<'_> {
-    /// Projects a row, whose first vector is `first`, out of the skin as it is at the end of a
-    /// substep: a `fraction` of the way through the step, of which the substep is a `share`.
+    /// Projects the row out of the skin as it is when the step, or the part of it for which planes
+    /// were found, has come so far.
     #[inline(always)]
     pub(crate) fn project_out_of_skin<S: Simd>(
         &mut self,
         simd: S,
-        (contacts, first): (&SurfelContacts, usize),
-        (fraction, share): (f32, f32),
-        law: ContactLaw,
+        contacts: &SurfelContacts,
+        progress: Progress,
     ) {
-        let fraction = f32x16::splat(simd, fraction);
         if !contacts.deep.is_empty() {
-            self.project_out_of_depth(simd, (contacts, first), (fraction, share), law);
+            self.project_out_of_depth(simd, &contacts.deep, progress);
         }
         for index in 0..self.positions.len() {
-            let Some(slot) = contacts.nearest.slot(first + index) else {
+            let vector = self.first + index;
+            let Some(plane) = contacts.nearest.now(simd, vector, progress) else {
                 continue;
             };
-            let plane = contacts.nearest.now(simd, slot, fraction);
             let position = Vectors::load(simd, &self.positions[index]);
             let overlap = plane.level - plane.normal.dot(position);
-            let motion = (&contacts.nearest, slot, share);
-            self.meet_plane(
-                simd,
-                (index, position),
-                (plane.normal, overlap),
-                motion,
-                law,
-            );
-            let Some(slot) = contacts.opposite.slot(first + index) else {
+            self.meet_planes(simd, index, &plane, overlap);
+            let Some(other) = contacts.opposite.now(simd, vector, progress) else {
                 continue;
             };
-            let other = contacts.opposite.now(simd, slot, fraction);
             let position = Vectors::load(simd, &self.positions[index]);
             let overlap = other.level - other.normal.dot(position);
             // Where there is too little room for both, the cloth stays in the middle.
             let room = plane.normal.dot(position) - plane.level;
             let overlap = smaller(overlap, (overlap + room) * 0.5);
-            let motion = (&contacts.opposite, slot, share);
-            self.meet_plane(
-                simd,
-                (index, position),
-                (other.normal, overlap),
-                motion,
-                law,
-            );
+            self.meet_planes(simd, index, &other, overlap);
         }
     }
 
-    /// The same for what lies deep, towards where it comes out.
+    /// Projects what lies deep in the body towards where it comes out.
     #[inline(always)]
-    fn project_out_of_depth<S: Simd>(
-        &mut self,
-        simd: S,
-        (contacts, first): (&SurfelContacts, usize),
-        (fraction, share): (f32x16<S>, f32),
-        law: ContactLaw,
-    ) {
+    fn project_out_of_depth<S: Simd>(&mut self, simd: S, deep: &PlaneField, progress: Progress) {
         for index in 0..self.positions.len() {
-            let Some(slot) = contacts.deep.slot(first + index) else {
+            let Some(plane) = deep.now(simd, self.first + index, progress) else {
                 continue;
             };
-            let plane = contacts.deep.now(simd, slot, fraction);
             let position = Vectors::load(simd, &self.positions[index]);
             let overlap = plane.level - plane.normal.dot(position);
-            let motion = (&contacts.deep, slot, share);
-            self.meet_plane(
-                simd,
-                (index, position),
-                (plane.normal, overlap),
-                motion,
-                law,
-            );
+            self.meet_planes(simd, index, &plane, overlap);
         }
     }
 
-    /// Pushes the particles of a vector out of the planes that they overlap.
+    /// Pushes the particles of a vector out of the planes that they overlap, so far [m].
     #[inline(always)]
-    fn meet_plane<S: Simd>(
+    fn meet_planes<S: Simd>(
         &mut self,
         simd: S,
-        (index, position): (usize, Vectors<S>),
-        (normal, overlap): (Vectors<S>, f32x16<S>),
-        (field, slot, share): (&PlaneField, usize, f32),
-        law: ContactLaw,
+        index: usize,
+        planes: &PlanesNow<'_, S>,
+        overlap: f32x16<S>,
     ) {
         let zero = f32x16::splat(simd, 0.0);
         let inv_mass = f32x16::load_array_ref(simd, &self.inv_masses[index].0);
@@ -449,11 +423,12 @@ impl ContactRow<'_> {
         }
         let contact = Contact {
             touching,
-            normal,
+            normal: planes.normal,
             overlap,
-            surface: field.motion(simd, slot, share),
+            surface: planes.motion(simd),
         };
-        self.push_out::<S, true>(simd, (index, position), &contact, law);
+        let position = Vectors::load(simd, &self.positions[index]);
+        self.push_out::<S, true>(simd, index, position, &contact);
     }
 }
 

@@ -15,7 +15,7 @@
 use fearless_simd::{Simd, f32x16, prelude::*};
 
 use crate::constraint::hysteresis::BendFriction;
-use crate::constraint::{RowMasses, add_to_partner, load_partner, resistance, resistances, shared};
+use crate::constraint::{RowMasses, resistance, resistances, shared};
 use crate::lanes::{LANES, Layout, Points, RowLink, Scalars, Vectors, are_apart};
 use crate::{ClothSpec, Topology};
 
@@ -133,136 +133,150 @@ impl Bend {
     }
 }
 
-/// Solves bending along a row.
-#[inline(always)]
-pub(crate) fn solve_row<S: Simd>(
-    simd: S,
-    row: &mut [Points],
-    masses: RowMasses<'_>,
-    links: &[RowLink<3>],
-    (bend, friction): (Bend, &mut impl BendFriction),
-) {
-    match masses.even {
-        Some(inv_mass) if inv_mass <= 0.0 => {}
-        Some(inv_mass) if are_apart(links) => {
-            solve_even_row(simd, row, links, (bend.share_of_equals(inv_mass), friction));
-        }
-        _ => solve_uneven_row(simd, row, masses, links, (bend, friction)),
-    }
+/// Bending terms, and what yarns that rub on each other add to them.
+pub(crate) struct Bending<'a, F> {
+    pub(crate) bend: Bend,
+    pub(crate) friction: &'a mut F,
 }
 
-#[inline(always)]
-fn solve_even_row<S: Simd>(
-    simd: S,
-    row: &mut [Points],
-    links: &[RowLink<3>],
-    (share, friction): (f32, &mut impl BendFriction),
-) {
-    let share = f32x16::splat(simd, share);
-    for (index, link) in links.iter().enumerate() {
-        let groups = link.groups.map(usize::from);
-        let left = Vectors::load(simd, &row[groups[0]]);
-        let middle = Vectors::load(simd, &row[groups[1]]);
-        let right = Vectors::load(simd, &row[groups[2]]);
-        if link.is_straight() {
-            let curvature = left.add(right).sub(middle.add(middle));
-            let change = curvature.scale(friction.share(simd, index, curvature, share));
+impl<F: BendFriction> Bending<'_, F> {
+    /// Solves bending along a row.
+    #[inline(always)]
+    pub(crate) fn solve_row<S: Simd>(
+        self,
+        simd: S,
+        row: &mut [Points],
+        masses: RowMasses<'_>,
+        links: &[RowLink<3>],
+    ) {
+        match masses.even {
+            Some(inv_mass) if inv_mass <= 0.0 => {}
+            Some(inv_mass) if are_apart(links) => {
+                let share = self.bend.share_of_equals(inv_mass);
+                self.solve_even_row(simd, row, links, share);
+            }
+            _ => self.solve_uneven_row(simd, row, masses, links),
+        }
+    }
+
+    /// Moves ends of equal mass by a `share` of the second difference.
+    #[inline(always)]
+    fn solve_even_row<S: Simd>(
+        self,
+        simd: S,
+        row: &mut [Points],
+        links: &[RowLink<3>],
+        share: f32,
+    ) {
+        let share = f32x16::splat(simd, share);
+        for (index, link) in links.iter().enumerate() {
+            let groups = link.groups.map(usize::from);
+            let left = Vectors::load(simd, &row[groups[0]]);
+            let middle = Vectors::load(simd, &row[groups[1]]);
+            let right = Vectors::load(simd, &row[groups[2]]);
+            if link.is_straight() {
+                let curvature = left.add(right).sub(middle.add(middle));
+                let change = curvature.scale(self.friction.share(simd, index, curvature, share));
+                left.sub(change).store(&mut row[groups[0]]);
+                middle.add(change.add(change)).store(&mut row[groups[1]]);
+                right.sub(change).store(&mut row[groups[2]]);
+                continue;
+            }
+            let center = middle.rotate_left(link.shifts[1]);
+            let curvature = (left.add(right.rotate_left(link.shifts[2]))).sub(center.add(center));
+            let mut factor = self.friction.share(simd, index, curvature, share);
+            if let Some(mask) = &link.mask {
+                factor *= f32x16::load_array_ref(simd, &mask.0);
+            }
+            let change = curvature.scale(factor);
             left.sub(change).store(&mut row[groups[0]]);
-            middle.add(change.add(change)).store(&mut row[groups[1]]);
-            right.sub(change).store(&mut row[groups[2]]);
-            continue;
+            middle
+                .add(change.add(change).rotate_right(link.shifts[1]))
+                .store(&mut row[groups[1]]);
+            right
+                .sub(change.rotate_right(link.shifts[2]))
+                .store(&mut row[groups[2]]);
         }
-        let center = middle.rotate_left(link.shifts[1]);
-        let curvature = (left.add(right.rotate_left(link.shifts[2]))).sub(center.add(center));
-        let mut factor = friction.share(simd, index, curvature, share);
-        if let Some(mask) = &link.mask {
-            factor *= f32x16::load_array_ref(simd, &mask.0);
-        }
-        let change = curvature.scale(factor);
-        left.sub(change).store(&mut row[groups[0]]);
-        middle
-            .add(change.add(change).rotate_right(link.shifts[1]))
-            .store(&mut row[groups[1]]);
-        right
-            .sub(change.rotate_right(link.shifts[2]))
-            .store(&mut row[groups[2]]);
     }
-}
 
-#[inline(always)]
-fn solve_uneven_row<S: Simd>(
-    simd: S,
-    row: &mut [Points],
-    masses: RowMasses<'_>,
-    links: &[RowLink<3>],
-    (bend, friction): (Bend, &mut impl BendFriction),
-) {
-    for (index, link) in links.iter().enumerate() {
-        let (left, inv_left) = load_partner(simd, link, 0, row, masses.lanes);
-        let (middle, inv_middle) = load_partner(simd, link, 1, row, masses.lanes);
-        let (right, inv_right) = load_partner(simd, link, 2, row, masses.lanes);
-        let curvature = left.add(right).sub(middle.add(middle));
-        let elastic = bend.factor(simd, [inv_left, inv_middle, inv_right], None);
-        let mut factor = friction.share(simd, index, curvature, elastic);
-        if let Some(mask) = &link.mask {
-            factor *= f32x16::load_array_ref(simd, &mask.0);
+    #[inline(always)]
+    fn solve_uneven_row<S: Simd>(
+        self,
+        simd: S,
+        row: &mut [Points],
+        masses: RowMasses<'_>,
+        links: &[RowLink<3>],
+    ) {
+        for (index, link) in links.iter().enumerate() {
+            let (left, inv_left) = link.load(simd, 0, row, masses.lanes);
+            let (middle, inv_middle) = link.load(simd, 1, row, masses.lanes);
+            let (right, inv_right) = link.load(simd, 2, row, masses.lanes);
+            let curvature = left.add(right).sub(middle.add(middle));
+            let elastic = self
+                .bend
+                .factor(simd, [inv_left, inv_middle, inv_right], None);
+            let mut factor = self.friction.share(simd, index, curvature, elastic);
+            if let Some(mask) = &link.mask {
+                factor *= f32x16::load_array_ref(simd, &mask.0);
+            }
+            link.add_to(0, curvature.scale(-(factor * inv_left)), row);
+            link.add_to(1, curvature.scale(factor * inv_middle * 2.0), row);
+            link.add_to(2, curvature.scale(-(factor * inv_right)), row);
         }
-        add_to_partner(link, 0, curvature.scale(-(factor * inv_left)), row);
-        add_to_partner(link, 1, curvature.scale(factor * inv_middle * 2.0), row);
-        add_to_partner(link, 2, curvature.scale(-(factor * inv_right)), row);
     }
-}
 
-/// Solves bending down the columns of three rows.
-#[inline(always)]
-pub(crate) fn solve_triple<S: Simd>(
-    simd: S,
-    [upper, middle, lower]: [&mut [Points]; 3],
-    masses: [RowMasses<'_>; 3],
-    (bend, friction): (Bend, &mut impl BendFriction),
-    borders: &[Option<Box<Scalars>>],
-) {
-    let rows = upper.iter_mut().zip(middle).zip(lower).zip(borders);
-    if let Some(inv_mass) = shared(masses) {
-        if inv_mass <= 0.0 {
+    /// Solves bending down the columns of three rows.
+    #[inline(always)]
+    pub(crate) fn solve_triple<S: Simd>(
+        self,
+        simd: S,
+        [upper, middle, lower]: [&mut [Points]; 3],
+        masses: [RowMasses<'_>; 3],
+        borders: &[Option<Box<Scalars>>],
+    ) {
+        let Self { bend, friction } = self;
+        let rows = upper.iter_mut().zip(middle).zip(lower).zip(borders);
+        if let Some(inv_mass) = shared(masses) {
+            if inv_mass <= 0.0 {
+                return;
+            }
+            let even = f32x16::splat(simd, bend.share_of_equals(inv_mass));
+            for (group, (((upper, middle), lower), border)) in rows.enumerate() {
+                let share = match border.as_deref() {
+                    None => even,
+                    border => {
+                        let inv_mass = f32x16::splat(simd, inv_mass);
+                        let own = inv_mass * f32x16::splat(simd, 6.0);
+                        inv_mass / resistances(simd, own, bend.compliance(simd, border))
+                    }
+                };
+                let first = Vectors::load(simd, upper);
+                let center = Vectors::load(simd, middle);
+                let last = Vectors::load(simd, lower);
+                let curvature = first.add(last).sub(center.add(center));
+                let change = curvature.scale(friction.share(simd, group, curvature, share));
+                first.sub(change).store(upper);
+                center.add(change.add(change)).store(middle);
+                last.sub(change).store(lower);
+            }
             return;
         }
-        let even = f32x16::splat(simd, bend.share_of_equals(inv_mass));
         for (group, (((upper, middle), lower), border)) in rows.enumerate() {
-            let share = match border.as_deref() {
-                None => even,
-                border => {
-                    let inv_mass = f32x16::splat(simd, inv_mass);
-                    let own = inv_mass * f32x16::splat(simd, 6.0);
-                    inv_mass / resistances(simd, own, bend.compliance(simd, border))
-                }
-            };
+            let border = border.as_deref();
             let first = Vectors::load(simd, upper);
             let center = Vectors::load(simd, middle);
             let last = Vectors::load(simd, lower);
             let curvature = first.add(last).sub(center.add(center));
-            let change = curvature.scale(friction.share(simd, group, curvature, share));
-            first.sub(change).store(upper);
-            center.add(change.add(change)).store(middle);
-            last.sub(change).store(lower);
+            let inv_upper = f32x16::load_array_ref(simd, &masses[0].lanes[group].0);
+            let inv_middle = f32x16::load_array_ref(simd, &masses[1].lanes[group].0);
+            let inv_lower = f32x16::load_array_ref(simd, &masses[2].lanes[group].0);
+            let elastic = bend.factor(simd, [inv_upper, inv_middle, inv_lower], border);
+            let factor = friction.share(simd, group, curvature, elastic);
+            first.sub(curvature.scale(factor * inv_upper)).store(upper);
+            center
+                .add(curvature.scale(factor * inv_middle * 2.0))
+                .store(middle);
+            last.sub(curvature.scale(factor * inv_lower)).store(lower);
         }
-        return;
-    }
-    for (group, (((upper, middle), lower), border)) in rows.enumerate() {
-        let border = border.as_deref();
-        let first = Vectors::load(simd, upper);
-        let center = Vectors::load(simd, middle);
-        let last = Vectors::load(simd, lower);
-        let curvature = first.add(last).sub(center.add(center));
-        let inv_upper = f32x16::load_array_ref(simd, &masses[0].lanes[group].0);
-        let inv_middle = f32x16::load_array_ref(simd, &masses[1].lanes[group].0);
-        let inv_lower = f32x16::load_array_ref(simd, &masses[2].lanes[group].0);
-        let elastic = bend.factor(simd, [inv_upper, inv_middle, inv_lower], border);
-        let factor = friction.share(simd, group, curvature, elastic);
-        first.sub(curvature.scale(factor * inv_upper)).store(upper);
-        center
-            .add(curvature.scale(factor * inv_middle * 2.0))
-            .store(middle);
-        last.sub(curvature.scale(factor * inv_lower)).store(lower);
     }
 }

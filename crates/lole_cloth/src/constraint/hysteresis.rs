@@ -176,7 +176,7 @@ impl ShearFriction for ShearSets<'_> {
 pub(crate) struct Sets {
     /// Of bending along rows, by row and link, and down columns, by upper row and group [m].
     pub(crate) bend: [Vec<Points>; 2],
-    /// Of shear, by upper row and link.
+    /// Sets of shear, by upper row and link.
     pub(crate) shear: Vec<Scalars>,
 }
 

@@ -45,7 +45,7 @@ impl Pull {
         }
     }
 
-    /// The same of which each end takes `share`.
+    /// These springs with `share` of their pull: what one end takes of it.
     #[inline(always)]
     pub(crate) const fn shared(self, share: f32) -> Self {
         let [k0, k1, k2, k3] = self.coefficients;
@@ -55,7 +55,8 @@ impl Pull {
         }
     }
 
-    /// Share of the offset between the ends by which one of them moves towards the other.
+    /// Share of the offset between the ends, of this squared length [m²], by which one of them moves towards
+    /// the other.
     #[inline(always)]
     pub(crate) fn factor<S: Simd>(&self, simd: S, squared: f32x16<S>) -> f32x16<S> {
         use fearless_simd::SimdBase as _;
@@ -64,7 +65,8 @@ impl Pull {
         ((q * k3 + k2) * q + k1) * q + k0
     }
 
-    /// The same of springs that only pull.
+    /// Share of the offset between the ends by which one of them moves towards the other where springs only
+    /// pull: 0 where they are shorter than at rest.
     #[inline(always)]
     pub(crate) fn taut_factor<S: Simd>(&self, simd: S, squared: f32x16<S>) -> f32x16<S> {
         use fearless_simd::SimdBase as _;

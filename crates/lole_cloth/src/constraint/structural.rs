@@ -3,7 +3,7 @@
 use fearless_simd::{Simd, f32x16, prelude::*};
 
 use crate::constraint::pull::Pull;
-use crate::constraint::{RowMasses, add_to_partner, load_partner, resistance, resistances, shared};
+use crate::constraint::{RowMasses, resistance, resistances, shared};
 use crate::lanes::{Points, RowLink, Vectors, are_apart};
 
 /// One family of distance springs.
@@ -22,23 +22,81 @@ impl Spring {
         let share = inv_mass / resistance(inv_mass + inv_mass, self.scaled_compliance);
         self.pull.shared(share)
     }
-}
-
-/// Solves every spring along a row.
-#[inline(always)]
-pub(crate) fn solve_row<S: Simd>(
-    simd: S,
-    row: &mut [Points],
-    masses: RowMasses<'_>,
-    links: &[RowLink<2>],
-    spring: Spring,
-) {
-    match masses.even {
-        Some(inv_mass) if inv_mass <= 0.0 => {}
-        Some(inv_mass) if are_apart(links) => {
-            solve_even_row(simd, row, links, spring.between_equals(inv_mass));
+    /// Solves every spring along a row.
+    #[inline(always)]
+    pub(crate) fn solve_row<S: Simd>(
+        self,
+        simd: S,
+        row: &mut [Points],
+        masses: RowMasses<'_>,
+        links: &[RowLink<2>],
+    ) {
+        match masses.even {
+            Some(inv_mass) if inv_mass <= 0.0 => {}
+            Some(inv_mass) if are_apart(links) => {
+                solve_even_row(simd, row, links, self.between_equals(inv_mass));
+            }
+            _ => self.solve_uneven_row(simd, row, masses, links),
         }
-        _ => solve_uneven_row(simd, row, masses, links, spring),
+    }
+
+    #[inline(always)]
+    fn solve_uneven_row<S: Simd>(
+        self,
+        simd: S,
+        row: &mut [Points],
+        masses: RowMasses<'_>,
+        links: &[RowLink<2>],
+    ) {
+        let pull = self.pull;
+        let compliance = f32x16::splat(simd, self.scaled_compliance);
+        for link in links {
+            let (first, inv_mass_first) = link.load(simd, 0, row, masses.lanes);
+            let (second, inv_mass_second) = link.load(simd, 1, row, masses.lanes);
+            let offset = second.sub(first);
+            let sum = resistances(simd, inv_mass_first + inv_mass_second, compliance);
+            let mut factor = pull.factor(simd, offset.dot(offset)) / sum;
+            if let Some(mask) = &link.mask {
+                factor *= f32x16::load_array_ref(simd, &mask.0);
+            }
+            link.add_to(0, offset.scale(factor * inv_mass_first), row);
+            link.add_to(1, offset.scale(-(factor * inv_mass_second)), row);
+        }
+    }
+
+    /// Solves every spring from a row down to the next.
+    #[inline(always)]
+    pub(crate) fn solve_pair<S: Simd>(
+        self,
+        simd: S,
+        [upper, lower]: [&mut [Points]; 2],
+        masses: [RowMasses<'_>; 2],
+    ) {
+        if let Some(inv_mass) = shared(masses) {
+            if 0.0 < inv_mass {
+                solve_even_pair(simd, [upper, lower], self.between_equals(inv_mass));
+            }
+            return;
+        }
+        let pull = self.pull;
+        let compliance = f32x16::splat(simd, self.scaled_compliance);
+        let inv_masses = masses[0].lanes.iter().zip(masses[1].lanes);
+        for ((upper, lower), (inv_upper, inv_lower)) in upper.iter_mut().zip(lower).zip(inv_masses)
+        {
+            let first = Vectors::load(simd, upper);
+            let second = Vectors::load(simd, lower);
+            let inv_mass_first = f32x16::load_array_ref(simd, &inv_upper.0);
+            let inv_mass_second = f32x16::load_array_ref(simd, &inv_lower.0);
+            let offset = second.sub(first);
+            let sum = resistances(simd, inv_mass_first + inv_mass_second, compliance);
+            let factor = pull.factor(simd, offset.dot(offset)) / sum;
+            first
+                .add(offset.scale(factor * inv_mass_first))
+                .store(upper);
+            second
+                .sub(offset.scale(factor * inv_mass_second))
+                .store(lower);
+        }
     }
 }
 
@@ -65,64 +123,6 @@ fn solve_even_row<S: Simd>(simd: S, row: &mut [Points], links: &[RowLink<2>], pu
         second
             .sub(change.rotate_right(link.shifts[1]))
             .store(&mut row[right]);
-    }
-}
-
-#[inline(always)]
-fn solve_uneven_row<S: Simd>(
-    simd: S,
-    row: &mut [Points],
-    masses: RowMasses<'_>,
-    links: &[RowLink<2>],
-    spring: Spring,
-) {
-    let pull = spring.pull;
-    let compliance = f32x16::splat(simd, spring.scaled_compliance);
-    for link in links {
-        let (first, inv_mass_first) = load_partner(simd, link, 0, row, masses.lanes);
-        let (second, inv_mass_second) = load_partner(simd, link, 1, row, masses.lanes);
-        let offset = second.sub(first);
-        let sum = resistances(simd, inv_mass_first + inv_mass_second, compliance);
-        let mut factor = pull.factor(simd, offset.dot(offset)) / sum;
-        if let Some(mask) = &link.mask {
-            factor *= f32x16::load_array_ref(simd, &mask.0);
-        }
-        add_to_partner(link, 0, offset.scale(factor * inv_mass_first), row);
-        add_to_partner(link, 1, offset.scale(-(factor * inv_mass_second)), row);
-    }
-}
-
-/// Solves every spring from a row down to the next.
-#[inline(always)]
-pub(crate) fn solve_pair<S: Simd>(
-    simd: S,
-    [upper, lower]: [&mut [Points]; 2],
-    masses: [RowMasses<'_>; 2],
-    spring: Spring,
-) {
-    if let Some(inv_mass) = shared(masses) {
-        if 0.0 < inv_mass {
-            solve_even_pair(simd, [upper, lower], spring.between_equals(inv_mass));
-        }
-        return;
-    }
-    let pull = spring.pull;
-    let compliance = f32x16::splat(simd, spring.scaled_compliance);
-    let inv_masses = masses[0].lanes.iter().zip(masses[1].lanes);
-    for ((upper, lower), (inv_upper, inv_lower)) in upper.iter_mut().zip(lower).zip(inv_masses) {
-        let first = Vectors::load(simd, upper);
-        let second = Vectors::load(simd, lower);
-        let inv_mass_first = f32x16::load_array_ref(simd, &inv_upper.0);
-        let inv_mass_second = f32x16::load_array_ref(simd, &inv_lower.0);
-        let offset = second.sub(first);
-        let sum = resistances(simd, inv_mass_first + inv_mass_second, compliance);
-        let factor = pull.factor(simd, offset.dot(offset)) / sum;
-        first
-            .add(offset.scale(factor * inv_mass_first))
-            .store(upper);
-        second
-            .sub(offset.scale(factor * inv_mass_second))
-            .store(lower);
     }
 }
 

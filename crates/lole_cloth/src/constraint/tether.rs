@@ -29,7 +29,7 @@ pub(crate) enum Tethers {
 pub(crate) struct Anchor {
     /// Position of the pin in the list of pins.
     pub(crate) pin: usize,
-    /// Its row.
+    /// Row of the pin.
     pub(crate) row: usize,
     /// Inverse square of every particle's flat distance from it [1/m²]; 0 for the pin itself.
     pub(crate) inv_squares: Vec<Scalars>,
@@ -128,59 +128,63 @@ pub(crate) fn flat_distance(grid: &Grid, first: usize, second: usize) -> f32 {
 /// How far tethers pull by their length in units of the longest allowed.
 const UNIT: Pull = Pull::new(1.0);
 
-/// Pulls back what is farther from its row's anchors than `limit` [m], particle by particle.
-#[inline(always)]
-pub(crate) fn solve_row<S: Simd>(
-    simd: S,
-    row: &mut [Points],
-    inv_masses: &[Scalars],
-    anchors: &[Points],
-    limit: f32,
-) {
-    let zero = f32x16::splat(simd, 0.0);
-    let one = f32x16::splat(simd, 1.0);
-    let inv_limit = 1.0 / (limit * limit);
-    for ((points, inv_mass), anchor) in row.iter_mut().zip(inv_masses).zip(anchors) {
-        let point = Vectors::load(simd, points);
-        let offset = point.sub(Vectors::load(simd, anchor));
-        // Squared length in units of the longest allowed.
-        let squared = offset.dot(offset) * inv_limit;
-        let taut = one.simd_lt(squared);
-        if !taut.any_true() {
-            continue;
-        }
-        let free = zero.simd_lt(f32x16::load_array_ref(simd, &inv_mass.0));
-        let factor = free.select(UNIT.taut_factor(simd, squared), zero);
-        point.sub(offset.scale(factor)).store(points);
-    }
+/// A row that hangs from tethers.
+pub(crate) struct HangingRow<'a> {
+    pub(crate) points: &'a mut [Points],
+    pub(crate) inv_masses: &'a [Scalars],
 }
 
-/// Pulls back what of a row is farther from `anchor` than its rest length times `scale`; squared
-/// rest lengths come as their inverses [1/m²].
-#[inline(always)]
-pub(crate) fn solve_row_to_anchor<S: Simd>(
-    simd: S,
-    row: &mut [Points],
-    inv_masses: &[Scalars],
-    inv_squares: &[Scalars],
-    (anchor, scale): (Vec3, f32),
-) {
-    let zero = f32x16::splat(simd, 0.0);
-    let one = f32x16::splat(simd, 1.0);
-    let anchor = Vectors::splat(simd, anchor);
-    let inv_scale = 1.0 / (scale * scale);
-    let columns = row.iter_mut().zip(inv_masses).zip(inv_squares);
-    for ((points, inv_mass), inv_square) in columns {
-        let point = Vectors::load(simd, points);
-        let offset = point.sub(anchor);
-        // Squared length in units of the longest allowed.
-        let squared =
-            offset.dot(offset) * (f32x16::load_array_ref(simd, &inv_square.0) * inv_scale);
-        let taut = one.simd_lt(squared) & zero.simd_lt(f32x16::load_array_ref(simd, &inv_mass.0));
-        if !taut.any_true() {
-            continue;
+impl HangingRow<'_> {
+    /// Pulls back what is farther from its row's anchors than `limit` [m], particle by particle.
+    #[inline(always)]
+    pub(crate) fn pull_to_row<S: Simd>(self, simd: S, anchors: &[Points], limit: f32) {
+        let zero = f32x16::splat(simd, 0.0);
+        let one = f32x16::splat(simd, 1.0);
+        let inv_limit = 1.0 / (limit * limit);
+        for ((points, inv_mass), anchor) in self.points.iter_mut().zip(self.inv_masses).zip(anchors)
+        {
+            let point = Vectors::load(simd, points);
+            let offset = point.sub(Vectors::load(simd, anchor));
+            // Squared length in units of the longest allowed.
+            let squared = offset.dot(offset) * inv_limit;
+            let taut = one.simd_lt(squared);
+            if !taut.any_true() {
+                continue;
+            }
+            let free = zero.simd_lt(f32x16::load_array_ref(simd, &inv_mass.0));
+            let factor = free.select(UNIT.taut_factor(simd, squared), zero);
+            point.sub(offset.scale(factor)).store(points);
         }
-        let factor = taut.select(UNIT.taut_factor(simd, squared), zero);
-        point.sub(offset.scale(factor)).store(points);
+    }
+
+    /// Pulls back what of a row is farther from `anchor` than its rest length times `scale`; squared
+    /// rest lengths come as their inverses [1/m²].
+    #[inline(always)]
+    pub(crate) fn pull_to_anchor<S: Simd>(
+        self,
+        simd: S,
+        inv_squares: &[Scalars],
+        anchor: Vec3,
+        scale: f32,
+    ) {
+        let zero = f32x16::splat(simd, 0.0);
+        let one = f32x16::splat(simd, 1.0);
+        let anchor = Vectors::splat(simd, anchor);
+        let inv_scale = 1.0 / (scale * scale);
+        let columns = self.points.iter_mut().zip(self.inv_masses).zip(inv_squares);
+        for ((points, inv_mass), inv_square) in columns {
+            let point = Vectors::load(simd, points);
+            let offset = point.sub(anchor);
+            // Squared length in units of the longest allowed.
+            let squared =
+                offset.dot(offset) * (f32x16::load_array_ref(simd, &inv_square.0) * inv_scale);
+            let taut =
+                one.simd_lt(squared) & zero.simd_lt(f32x16::load_array_ref(simd, &inv_mass.0));
+            if !taut.any_true() {
+                continue;
+            }
+            let factor = taut.select(UNIT.taut_factor(simd, squared), zero);
+            point.sub(offset.scale(factor)).store(points);
+        }
     }
 }

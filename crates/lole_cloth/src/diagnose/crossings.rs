@@ -11,8 +11,8 @@ use crate::lanes::narrow;
 /// Cells of the search over the longer side of a cell of the cloth.
 const SEARCH_CELL: f32 = 1.5;
 
-/// Pairs of an edge and a triangle of the cloth that cross, and do not only touch, and share no particle: 0 where no fold
-/// has gone through another. Every cell is cut along its diagonal from upper left to lower right.
+/// Pairs of an edge and a triangle of the cloth that cross, and do not only touch, and share no particle: 0
+/// where no fold has gone through another. Every cell is cut along its diagonal from upper left to lower right.
 ///
 /// Where `positions` [m] are not all finite there is no answer.
 #[must_use]
@@ -35,7 +35,9 @@ pub fn crossing_count(
     crossings((triangles, edges), positions, size).map(|pairs| pairs.len())
 }
 
-/// The same one by one: the ends of each edge, and which triangle it goes through.
+/// Pairs of an edge and a triangle that cross at `positions` [m] and share no particle, one by one: the ends of
+/// the edge, and the number of the triangle. Cells of the cloth are about `size` [m] large; `None` where not all
+/// positions are finite.
 #[must_use]
 pub fn crossings(
     (triangles, edges): (&[[u32; 3]], impl Iterator<Item = [u32; 2]>),

@@ -41,7 +41,7 @@ pub(crate) struct Curve {
     pub(crate) rests: [f32; 3],
 }
 
-/// The same of sixteen stars.
+/// The [`Curve`]s of sixteen stars, by lane.
 #[derive(Debug, Clone, PartialEq)]
 #[repr(C)]
 struct Curves<const N: usize> {

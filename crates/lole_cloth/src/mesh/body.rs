@@ -30,7 +30,7 @@ const CELL: f32 = 0.03;
 /// Why a mesh is no body.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
-pub enum BodyError {
+pub enum BodyMeshError {
     /// Nothing to meet.
     #[error("the body has {vertex_count} vertices and {triangle_count} triangles; give it some")]
     Empty {
@@ -57,7 +57,7 @@ pub enum BodyError {
         /// Where it was said to be [m].
         position: Vec3,
     },
-    /// Another number of vertices than at first.
+    /// The body has another number of vertices than at first.
     #[error("the body has {actual} vertices now and had {expected}; a body keeps its vertices")]
     OtherCount {
         /// Vertices found.
@@ -80,7 +80,7 @@ pub struct Depths {
     pub reach: f32,
     /// Particles deeper in the body than its skin alone brings out, [`SKIN_REACH`].
     pub deep: usize,
-    /// Of those, particles farther from the surface than the reach.
+    /// Deep particles that are farther from the surface than the reach.
     pub out_of_reach: usize,
     /// Particles inside where the body overlaps itself, as a hand in a hip: no way leads out there, so they
     /// are let alone until the parts leave each other.
@@ -131,20 +131,20 @@ impl MeshBody {
         positions: &[Vec3],
         triangles: &[[u32; 3]],
         spacing: f32,
-    ) -> Result<Self, BodyError> {
+    ) -> Result<Self, BodyMeshError> {
         if positions.is_empty() || triangles.is_empty() {
-            return Err(BodyError::Empty {
+            return Err(BodyMeshError::Empty {
                 vertex_count: positions.len(),
                 triangle_count: triangles.len(),
             });
         }
         if !(0.0 < spacing && spacing.is_finite()) {
-            return Err(BodyError::Spacing { spacing });
+            return Err(BodyMeshError::Spacing { spacing });
         }
         check_finite(positions)?;
         for (triangle, corners) in triangles.iter().enumerate() {
             if let Some(&index) = corners.iter().find(|&&it| positions.len() <= it as usize) {
-                return Err(BodyError::IndexOutOfRange {
+                return Err(BodyMeshError::IndexOutOfRange {
                     triangle,
                     index,
                     vertex_count: positions.len(),
@@ -172,15 +172,15 @@ impl MeshBody {
         Ok(body)
     }
 
-    /// The same that brings particles out from another depth [m].
+    /// This body, made to bring particles out from another depth [m] than [`Self::REACH`].
     #[must_use]
     pub const fn with_reach(mut self, reach: f32) -> Self {
         self.reach = reach;
         self
     }
 
-    /// The same of which cloth meets only some vertices, by vertex: recorded forearms hang where a skirt is, and
-    /// are better let through it than in its way. Vertices that are not named are met.
+    /// This body, of which cloth meets only the vertices that `met` says: recorded forearms hang where a skirt
+    /// is, and are better let through it than in its way. By vertex; those beyond the list are met.
     #[must_use]
     pub fn with_met(mut self, met: Vec<bool>) -> Self {
         self.met = met;
@@ -196,10 +196,10 @@ impl MeshBody {
     ///
     /// # Errors
     /// Another number of vertices than at first, or one that is not finite; the body stays where it was.
-    pub fn pose(&mut self, positions: &[Vec3]) -> Result<(), BodyError> {
+    pub fn pose(&mut self, positions: &[Vec3]) -> Result<(), BodyMeshError> {
         let expected = self.positions[1].len();
         if positions.len() != expected {
-            return Err(BodyError::OtherCount {
+            return Err(BodyMeshError::OtherCount {
                 actual: positions.len(),
                 expected,
             });
@@ -339,10 +339,10 @@ fn is_covered(columns: &InsideColumns, surfel: &Surfel) -> bool {
     0 < columns.winding(surfel.position + surfel.normal * COVERED)
 }
 
-fn check_finite(positions: &[Vec3]) -> Result<(), BodyError> {
+fn check_finite(positions: &[Vec3]) -> Result<(), BodyMeshError> {
     let mut places = positions.iter().enumerate();
     match places.find(|(_, place)| !place.is_finite()) {
-        Some((vertex, &position)) => Err(BodyError::NotFinite { vertex, position }),
+        Some((vertex, &position)) => Err(BodyMeshError::NotFinite { vertex, position }),
         None => Ok(()),
     }
 }

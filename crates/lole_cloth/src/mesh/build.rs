@@ -5,6 +5,7 @@ use glam::{DMat2, DVec2, DVec3};
 
 use lole_geom::narrow as narrow_float;
 
+use crate::Fabric;
 use crate::lanes::narrow;
 use crate::mesh::bend::fit::{Star, measures};
 use crate::mesh::bend::{BentBatch, Curve, STAR_SIZES, StarBatch, StarSpec};
@@ -30,7 +31,11 @@ pub(crate) struct Stars {
 }
 
 /// Edges and neighbors of a piece, and how it lies flat.
-pub(crate) type Shape<'a> = (&'a Topology, Rest<'a>);
+#[derive(Clone, Copy)]
+pub(crate) struct Shape<'a> {
+    pub(crate) topology: &'a Topology,
+    pub(crate) rest: Rest<'a>,
+}
 
 /// Everything that is solved.
 pub(crate) struct Parts {
@@ -47,7 +52,7 @@ pub(crate) fn parts(
     shape: Shape<'_>,
     (slots, inv_masses): (&Slots, &[f64]),
 ) -> Result<Parts, MeshError> {
-    let topology = shape.0;
+    let topology = shape.topology;
     let is_free = |triangle: &[u32; 3]| !triangle.iter().all(|&p| spec.pinned[p as usize]);
     let mut unassigned: Vec<bool> = topology.triangles.iter().map(is_free).collect();
     let triangles = strain_batches(shape, slots, &unassigned)?;
@@ -77,10 +82,11 @@ pub(crate) fn parts(
 
 /// The chosen triangles in the order of their slots.
 fn strain_batches(
-    (topology, rest): Shape<'_>,
+    shape: Shape<'_>,
     slots: &Slots,
     chosen: &[bool],
 ) -> Result<Vec<StrainBatch>, MeshError> {
+    let Shape { topology, rest } = shape;
     let chosen = topology.triangles.iter().zip(chosen).enumerate();
     let mut chosen: Vec<([u32; 3], Flat)> = chosen
         .filter(|(_, (_, chosen))| **chosen)
@@ -123,26 +129,29 @@ fn star_batches<B>(
 }
 
 /// Bending at every particle, with particles for members.
-fn stars(spec: &MeshSpec, shape: (&Topology, Rest<'_>), inv_masses: &[f64]) -> Vec<StarSpec> {
-    let fabric = &spec.fabric;
+fn stars(spec: &MeshSpec, shape: Shape<'_>, inv_masses: &[f64]) -> Vec<StarSpec> {
+    (0..spec.pinned.len())
+        .filter_map(|middle| star_at(spec, shape, middle, inv_masses))
+        .collect()
+}
+
+/// Bending stiffness along warp, weft and twist [N·m]; `None` of a fabric that bends for nothing.
+fn rigidities(fabric: &Fabric) -> Option<[f64; 3]> {
     let rigidities = [fabric.bend[0], fabric.bend[1], 2.0 * fabric.twist].map(f64::from);
     let stiffest = rigidities.into_iter().fold(0.0, f64::max);
-    if stiffest <= 0.0 {
-        return Vec::new();
-    }
-    let rigidities = rigidities.map(|rigidity| rigidity.max(stiffest * RIGIDITY_FLOOR));
-    (0..spec.pinned.len())
-        .filter_map(|middle| star_at(spec, shape, (middle, rigidities), inv_masses))
-        .collect()
+    let floored = rigidities.map(|rigidity| rigidity.max(stiffest * RIGIDITY_FLOOR));
+    (0.0 < stiffest).then_some(floored)
 }
 
 /// Bending at one particle; `None` where nothing bends.
 fn star_at(
     spec: &MeshSpec,
-    (topology, rest): Shape<'_>,
-    (middle, rigidities): (usize, [f64; 3]),
+    shape: Shape<'_>,
+    middle: usize,
     inv_masses: &[f64],
 ) -> Option<StarSpec> {
+    let Shape { topology, rest } = shape;
+    let rigidities = rigidities(&spec.fabric)?;
     let pinned = |particle: &u32| spec.pinned[*particle as usize];
     if spec.pinned[middle] && topology.neighbors[middle].iter().all(pinned) {
         return None;
@@ -245,10 +254,11 @@ struct Choice {
 /// at hand then, and fetching them is half of the work. Members come so that the triangles are
 /// those of the middle with the first two, and with the second and third.
 fn assign_triangles(
-    (topology, rest): Shape<'_>,
+    shape: Shape<'_>,
     slots: &Slots,
     (stars, unassigned): (&mut [StarSpec], &mut [bool]),
 ) {
+    let Shape { topology, rest } = shape;
     let mut fans: Vec<Fan> = vec![Vec::new(); topology.neighbors.len()];
     for (index, &[a, b, c]) in topology.triangles.iter().enumerate() {
         for [middle, right, left] in [[a, b, c], [b, c, a], [c, a, b]] {

@@ -3,128 +3,102 @@
 use fearless_simd::{dispatch, f32x16, prelude::*};
 
 use crate::collision::capsule::MovingCapsule;
-use crate::collision::capsule::near::Range;
+use crate::collision::capsule::near::{CapsuleSweep, Range, Rows};
 use crate::collision::response::ContactRow;
-use crate::collision::surfel::{Cloth, Skin, SurfelContacts};
+use crate::collision::surfel::{Cloth, Encounter, Skin, SurfelContacts};
 use crate::lanes::{LANES, Vectors};
-use crate::mesh::model::MeshModel;
 use crate::mesh::order::PATCH_VECTORS;
 use crate::mesh::particles::{self, WIDTH};
 use crate::mesh::state::MeshState;
-use crate::mesh::step::Substep;
+use crate::mesh::step::{MeshStep, SubstepNow};
 use crate::method::fineness::Substeps;
-use crate::{SolverConfig, StepInput};
+use crate::step::Progress;
 
 /// Far capsules are tested in every so manyth substep, and in the last of a step.
 const FAR_INTERVAL: u32 = 4;
 
 /// Which capsules each patch may touch in this step, and how often the nearest surfels are looked
 /// for.
-pub(crate) fn find(
-    (model, config): (&MeshModel, &SolverConfig),
-    (input, dt): (&StepInput<'_>, f32),
-    state: &mut MeshState,
-) {
+pub(crate) fn find(step: MeshStep<'_>, state: &mut MeshState) {
+    let config = step.config;
+    let rows = Rows {
+        positions: &state.positions,
+        velocities: &state.velocities,
+        width: PATCH_VECTORS,
+    };
+    let sweep = CapsuleSweep {
+        before: &state.capsules,
+        after: step.input.capsules,
+        contact_offset: config.contact_offset,
+        speed_gain: step.speed_gain(),
+        dt: step.dt,
+    };
     let level = config.instruction_set.level();
-    let rows = (&state.positions[..], &state.velocities[..], PATCH_VECTORS);
     let contacts = &mut state.scratch.contacts;
-    dispatch!(level, simd => contacts.find(
-        simd,
-        rows,
-        [&state.capsules, input.capsules],
-        (config.contact_offset, config.gravity.length() * dt, dt),
-    ));
+    dispatch!(level, simd => contacts.find(simd, rows, sweep));
     let substep_count = state.fineness.substep_count(Substeps::of(config));
-    with_skin(
-        (model, config),
-        (input, dt),
-        state,
-        |contacts, cloth, skin| {
-            contacts.plan(cloth, skin, substep_count);
-        },
-    );
+    with_skin(step, state, |contacts, encounter| {
+        contacts.plan(encounter, substep_count);
+    });
 }
 
-/// Where the body is in a substep.
-pub(crate) fn begin_substep(
-    (model, config, input): (&MeshModel, &SolverConfig, &StepInput<'_>),
-    (substep, index): (&Substep, u32),
-    state: &mut MeshState,
-) {
-    move_capsules(config, input, (index, substep.count), state);
-    let (substeps, dt) = ((index, substep.count), substep.dt);
-    let level = config.instruction_set.level();
-    with_skin(
-        (model, config),
-        (input, dt),
-        state,
-        |contacts, cloth, skin| {
-            contacts.begin_substep(level, substeps, cloth, skin);
-        },
-    );
+/// Brings the body to where it is at the end of a substep.
+pub(crate) fn begin_substep(now: SubstepNow<'_>, state: &mut MeshState) {
+    let (index, count) = (now.index, now.substep.count);
+    move_capsules(now.step, Progress::after(index + 1, count), state);
+    let level = now.step.config.instruction_set.level();
+    with_skin(now.step, state, |contacts, encounter| {
+        contacts.begin_substep(level, (index, count), encounter);
+    });
 }
 
-fn move_capsules(
-    config: &SolverConfig,
-    input: &StepInput<'_>,
-    (index, count): (u32, u32),
-    state: &mut MeshState,
-) {
-    #[expect(clippy::cast_precision_loss, reason = "substeps are few")]
-    let (fraction, share) = ((index + 1) as f32 / count as f32, 1.0 / count as f32);
-    let pairs = state.capsules.iter().zip(input.capsules);
+/// Moves the capsules to where they are when the step has come so far.
+fn move_capsules(step: MeshStep<'_>, progress: Progress, state: &mut MeshState) {
+    let pairs = state.capsules.iter().zip(step.input.capsules);
     let moving = pairs.map(|(before, after)| {
-        MovingCapsule::new([before, after], fraction, share, config.contact_offset)
+        MovingCapsule::new([before, after], progress, step.config.contact_offset)
     });
     state.scratch.moving_capsules.clear();
     state.scratch.moving_capsules.extend(moving);
 }
 
+/// Calls with the contacts with the skin, and with piece and skin at the start of the step.
 fn with_skin(
-    (model, config): (&MeshModel, &SolverConfig),
-    (input, dt): (&StepInput<'_>, f32),
+    step: MeshStep<'_>,
     state: &mut MeshState,
-    act: impl FnOnce(&mut SurfelContacts, Cloth<'_>, Skin<'_>),
+    act: impl FnOnce(&mut SurfelContacts, Encounter<'_>),
 ) {
     let scratch = &mut state.scratch;
     let cloth = Cloth {
-        layout: &model.slots,
+        layout: &step.model.slots,
         positions: &state.positions,
         velocities: &state.velocities,
         held: &scratch.held,
         // Neighbors in memory are not always neighbors on the cloth: every particle is looked up.
         spacing: f32::INFINITY,
-        speed_gain: config.gravity.length() * dt,
-        dt,
+        speed_gain: step.speed_gain(),
+        dt: step.dt,
         held_back: &scratch.crossing_repair.held_back,
         torn: scratch.crossing_repair.torn(),
-        hanging: model,
+        hanging: step.model,
     };
     let skin = Skin {
         before: &state.surfels,
-        after: input.surfels,
-        offset: config.contact_offset,
+        after: step.input.surfels,
+        offset: step.config.contact_offset,
     };
-    act(&mut scratch.surfel_contacts, cloth, skin);
+    act(&mut scratch.surfel_contacts, Encounter { cloth, skin });
 }
 
 /// Contact with the body; then what the projections changed becomes velocity.
-pub(crate) fn finish(
-    (model, config): (&MeshModel, &SolverConfig),
-    (substep, index): (&Substep, u32),
-    state: &mut MeshState,
-) {
-    let level = config.instruction_set.level();
-    dispatch!(level, simd => finish_with(simd, model, (substep, index), state));
+pub(crate) fn finish(now: SubstepNow<'_>, state: &mut MeshState) {
+    let level = now.step.config.instruction_set.level();
+    dispatch!(level, simd => finish_with(simd, now, state));
 }
 
 #[inline(always)]
-fn finish_with<S: Simd>(
-    simd: S,
-    model: &MeshModel,
-    (substep, index): (&Substep, u32),
-    state: &mut MeshState,
-) {
+fn finish_with<S: Simd>(simd: S, now: SubstepNow<'_>, state: &mut MeshState) {
+    let (model, substep, index) = (now.step.model, now.substep, now.index);
     let is_last = index + 1 == substep.count;
     let range = if is_last || (index + 1).is_multiple_of(FAR_INTERVAL) {
         Range::All
@@ -134,7 +108,7 @@ fn finish_with<S: Simd>(
     let inv_h = f32x16::splat(simd, 1.0 / substep.h);
     let scratch = &mut state.scratch;
     let skin = &scratch.surfel_contacts;
-    let (has_skin, passed) = (!skin.is_empty(), skin.passed(index));
+    let (has_skin, progress) = (!skin.is_empty(), skin.progress(index));
     for first in (0..model.vector_count()).step_by(PATCH_VECTORS) {
         let patch = first..first + PATCH_VECTORS;
         for vector in patch.clone() {
@@ -146,16 +120,18 @@ fn finish_with<S: Simd>(
         let indices = scratch.contacts.row(first / PATCH_VECTORS, range);
         if has_skin || !indices.is_empty() {
             let mut row = ContactRow {
+                first,
                 positions: &mut state.positions[patch.clone()],
                 predicted: &mut scratch.predicted[patch.clone()],
                 velocities: &state.velocities[patch.clone()],
                 inv_masses: &model.inv_masses[patch.clone()],
                 h: substep.h,
                 held: 0.0,
+                law: substep.contact,
             };
-            row.project(simd, &scratch.moving_capsules, indices, substep.contact);
+            row.project(simd, &scratch.moving_capsules, indices);
             if has_skin {
-                row.project_out_of_skin(simd, (skin, first), passed, substep.contact);
+                row.project_out_of_skin(simd, skin, progress);
             }
         }
         let columns = (state.positions[patch.clone()].iter())

@@ -38,7 +38,8 @@ pub fn deformation(model: &MeshModel, triangle: [u32; 3], positions: &[Vec3]) ->
     columns(flat, triangle, positions)
 }
 
-/// The same of the triangle with an index, of any model.
+/// What becomes of the unit vectors along warp and weft in the triangle with an index, of any model, with
+/// its particles at `positions` [m]: the columns of the deformation gradient.
 #[must_use]
 pub fn deformation_of(model: &MeshModel, triangle: usize, positions: &[Vec3]) -> [Vec3; 2] {
     let flat = model.flat_corners(triangle);

@@ -7,7 +7,7 @@ use crate::collision::placement::Placement;
 use crate::collision::surface::Surface;
 use crate::collision::surfel::room::{Anchor, Hanging};
 use crate::lanes::{LANES, Points, Scalars};
-use crate::mesh::build::{self, Stars};
+use crate::mesh::build::{self, Shape, Stars};
 use crate::mesh::order::Slots;
 use crate::mesh::particles::column_length;
 use crate::mesh::rest::{Rest, Welded};
@@ -29,7 +29,7 @@ pub struct MeshModel {
     pub(crate) inv_masses: Vec<Scalars>,
     /// Every triangle, for sweeps after the first.
     pub(crate) triangles: Vec<StrainBatch>,
-    /// Those that no star solves.
+    /// Triangles that no star solves.
     pub(crate) other_triangles: Vec<StrainBatch>,
     pub(crate) stars: Stars,
     pub(crate) tethers: Vec<Tethers>,
@@ -52,6 +52,10 @@ impl MeshModel {
         check_numbers(spec)?;
         let (topology, welded) = Topology::new(spec)?;
         let rest = rest_of(spec, welded.as_ref());
+        let shape = Shape {
+            topology: &topology,
+            rest,
+        };
         let slots = match rest {
             Rest::Plane(flat) => Slots::new(flat, topology.areas.iter().sum()),
             Rest::Welded(_) => Slots::along(&topology),
@@ -75,11 +79,11 @@ impl MeshModel {
             .filter(|(_, pinned)| **pinned)
             .map(|(particle, _)| particle)
             .collect();
-        let tethers = tether_passes((&topology, rest), &pin_indices);
+        let tethers = tether_passes(shape, &pin_indices);
         let masses: Vec<f64> = (0..spec.pinned.len())
             .map(|p| f64::from(particle_inv_mass(p)))
             .collect();
-        let parts = build::parts(spec, (&topology, rest), (&slots, &masses))?;
+        let parts = build::parts(spec, shape, (&slots, &masses))?;
         let mut model = Self {
             triangles: parts.triangles,
             other_triangles: parts.other_triangles,

@@ -130,7 +130,7 @@ fn transpose<S: Simd>([a, b, c, d]: [f32x16<S>; 4]) -> Gathered<S> {
     }
 }
 
-/// The way back.
+/// Coordinates of sixteen particles become four vectors of four particles each: [`transpose`] undone.
 #[inline(always)]
 fn untranspose<S: Simd>(sixteen: Gathered<S>) -> [f32x16<S>; 4] {
     let Gathered { place, inv_mass } = sixteen;
@@ -189,7 +189,7 @@ fn quarter<S: Simd>(simd: S, particles: &[f32; LANES * WIDTH], index: usize) -> 
     f32x16::from_slice(simd, &particles[index * LANES..(index + 1) * LANES])
 }
 
-/// The way back.
+/// Puts sixteen particles where [`load`] found them.
 #[inline(always)]
 pub(crate) fn store<S: Simd>(sixteen: Gathered<S>, particles: &mut [f32; LANES * WIDTH]) {
     for (quarter, vector) in particles.chunks_exact_mut(LANES).zip(untranspose(sixteen)) {

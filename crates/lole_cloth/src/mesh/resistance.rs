@@ -12,7 +12,7 @@ pub(crate) struct Resisting {
     pub(crate) stars: Stars,
     /// Every triangle, for sweeps after the first.
     pub(crate) triangles: Vec<StrainBatch>,
-    /// Those that no star solves.
+    /// Triangles that no star solves.
     pub(crate) other_triangles: Vec<StrainBatch>,
 }
 

@@ -11,8 +11,8 @@ use crate::lanes::{LANES, Points};
 use crate::mesh::model::MeshModel;
 use crate::mesh::particles::WIDTH;
 use crate::mesh::state::{MeshScratch, MeshState};
-use crate::mesh::step::Substep;
-use crate::{Crossings, SolverConfig, StepInput};
+use crate::mesh::step::{MeshStep, SubstepNow};
+use crate::{Crossings, SolverConfig};
 
 /// How a piece meets cloth.
 pub(crate) fn meeting(model: &MeshModel, config: &SolverConfig) -> Meeting {
@@ -59,28 +59,27 @@ fn keep_guards(model: &MeshModel, h: f32, state: &mut MeshState) {
 }
 
 /// Moves apart what touches in a substep, where that is due, and what is guarded in every one.
-pub(crate) fn solve(
-    (model, config): (&MeshModel, &SolverConfig),
-    (substep, index): (&Substep, u32),
-    state: &mut MeshState,
-) {
-    let Some(contact) = config.self_collision else {
+pub(crate) fn solve(now: SubstepNow<'_>, state: &mut MeshState) {
+    let Some(contact) = now.step.config.self_collision else {
         return;
     };
-    if index.is_multiple_of(contact.substep_interval.get()) {
+    let h = now.substep.h;
+    if now.index.is_multiple_of(contact.substep_interval.get()) {
         let mut contacts = std::mem::take(&mut state.scratch.face_contacts);
-        contacts.solve(state, substep.h);
+        contacts.solve(state, h);
         state.scratch.face_contacts = contacts;
     }
-    keep_guards(model, substep.h, state);
+    keep_guards(now.step.model, h, state);
 }
 
 /// Takes back what came to cross in this step.
-pub(crate) fn repair(
-    (model, config): (&MeshModel, &SolverConfig),
-    (input, dt): (&StepInput<'_>, f32),
-    state: &mut MeshState,
-) {
+pub(crate) fn repair(step: MeshStep<'_>, state: &mut MeshState) {
+    let MeshStep {
+        model,
+        config,
+        input,
+        dt,
+    } = step;
     let is_wanted =
         (config.self_collision).is_some_and(|contact| contact.crossings == Crossings::Repair);
     if !is_wanted {

@@ -94,14 +94,15 @@ impl MeshSpec {
         )
     }
 
-    /// The same piece that is bent by nothing at `positions` [m], and not where it is flat.
+    /// This piece, bent by nothing where its particles are at `positions` [m] instead of where it is flat.
+    /// Shape `[particle_count]`.
     #[must_use]
     pub fn bent_at(mut self, positions: Vec<Vec3>) -> Self {
         self.bent_positions = positions;
         self
     }
 
-    /// Particles that there are.
+    /// Number of particles.
     #[must_use]
     pub const fn particle_count(&self) -> usize {
         if self.flat_corners.is_empty() {
@@ -217,7 +218,7 @@ pub enum MeshError {
     OneSided {
         /// One end of the edge.
         first: u32,
-        /// The other.
+        /// The other end of the edge.
         second: u32,
     },
     /// A triangle without area, or one so narrow that its area is rounding.
@@ -227,9 +228,9 @@ pub enum MeshError {
     ZeroArea {
         /// Position in the list of triangles.
         triangle: usize,
-        /// Its longest side [m].
+        /// The triangle's longest side [m].
         side: f32,
-        /// Its height over that side [m].
+        /// The triangle's height over that side [m].
         height: f32,
     },
     /// A particle of no triangle, which would weigh nothing.
@@ -243,9 +244,9 @@ pub enum MeshError {
         "{triangle_count} triangles share the edge of particles {first} and {second}; cloth has at most two there"
     )]
     NonManifoldEdge {
-        /// One end.
+        /// One end of the edge.
         first: u32,
-        /// The other.
+        /// The other end of the edge.
         second: u32,
         /// Triangles that share it.
         triangle_count: usize,
@@ -265,7 +266,7 @@ pub enum MeshError {
     FoldedOver {
         /// One end of the edge.
         first: u32,
-        /// The other.
+        /// The other end of the edge.
         second: u32,
     },
     /// A number that is not finite or that no fabric has.

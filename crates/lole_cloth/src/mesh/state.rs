@@ -15,7 +15,7 @@ use crate::mesh::resistance::Resisting;
 use crate::mesh::stride::Strides;
 use crate::method::fineness::Fineness;
 use crate::pins::PinGoals;
-use crate::state;
+use crate::state::Carried;
 
 /// Everything about one piece that changes from step to step.
 #[derive(Debug, Clone)]
@@ -59,12 +59,14 @@ impl MeshState {
     /// Moves the cloth, and where pins and body were left, all by as much [m], and makes the cloth `faster`
     /// [m/s]: what a world that jumps carries along.
     pub fn carry(&mut self, by: Vec3, faster: Vec3) {
-        state::carry(
-            (&mut self.positions, &mut self.velocities),
-            &mut self.pin_targets,
-            (&mut self.capsules, &mut self.surfels),
-            (by, faster),
-        );
+        Carried {
+            positions: &mut self.positions,
+            velocities: &mut self.velocities,
+            pin_targets: &mut self.pin_targets,
+            capsules: &mut self.capsules,
+            surfels: &mut self.surfels,
+        }
+        .carry(by, faster);
     }
 
     /// A piece at rest at `positions` [m], shape `[particle_count]`.

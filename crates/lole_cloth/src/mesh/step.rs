@@ -5,7 +5,7 @@ use fearless_simd::{dispatch, f32x16, prelude::*};
 use glam::Vec3;
 use lole_geom::trig;
 
-use crate::collision::placement::Placement;
+use crate::collision::placement::Placement as _;
 use crate::collision::response::ContactLaw;
 use crate::lanes::{LANES, Vectors};
 use crate::lost::{Lost, SubstepPart, check_cloth};
@@ -22,7 +22,12 @@ use crate::mesh::strain::{self, Strain};
 use crate::mesh::stride;
 use crate::mesh::tether;
 use crate::method::fineness::Substeps;
+use crate::pins::PinSlots;
+use crate::step::StepOf;
 use crate::{SolverConfig, StepInput};
+
+/// One step of a piece.
+pub(crate) type MeshStep<'a> = StepOf<'a, MeshModel>;
 
 /// Numbers that hold for every substep of one step.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -36,8 +41,6 @@ pub(crate) struct Substep {
     air_velocity: Vec3,
     /// What drag leaves of a velocity relative to the air: `exp(-drag_rate h)`.
     drag_kept: f32,
-    /// Duration of the step [s].
-    pub(crate) dt: f32,
     strain: Strain,
     /// One over the longest tether allowed, squared, in units of its length.
     inv_tether_square: Option<f32>,
@@ -45,10 +48,14 @@ pub(crate) struct Substep {
 }
 
 impl Substep {
-    fn new(
-        (model, config, count): (&MeshModel, &SolverConfig, u32),
-        (air_velocity, dt): (Vec3, f32),
-    ) -> Self {
+    /// Of a step that is cut into `count` substeps.
+    fn new(step: MeshStep<'_>, count: u32) -> Self {
+        let MeshStep {
+            model,
+            config,
+            input,
+            dt,
+        } = step;
         let sweep_count = config.structural_sweep_count.get();
         #[expect(clippy::cast_precision_loss, reason = "substeps and sweeps are few")]
         let (h, sweeps) = (dt / count as f32, sweep_count as f32);
@@ -57,11 +64,10 @@ impl Substep {
         let compliance = |modulus: f32| sweeps / (modulus * h * h);
         Self {
             h,
-            dt,
             count,
             sweep_count,
             gravity_gain: config.gravity * h,
-            air_velocity,
+            air_velocity: input.air_velocity,
             drag_kept: trig::exp(-fabric.drag_rate * h),
             strain: Strain {
                 stretch: fabric.stretch.map(compliance),
@@ -95,13 +101,19 @@ pub fn step(
     if let Some(cause) = lost_in_input(model, config, input, dt) {
         return Err(cause);
     }
+    let step = MeshStep {
+        model,
+        config,
+        input,
+        dt,
+    };
     state.keep();
-    advance(model, config, (input, dt), (state, &mut None));
+    advance(step, state, &mut None);
     if !(all_finite(&state.positions) && all_finite(&state.velocities)) {
         // The same again, looking at every particle after every phase.
         state.restore();
         let mut watch = Some(Watch::new(model, state));
-        advance(model, config, (input, dt), (state, &mut watch));
+        advance(step, state, &mut watch);
         state.restore();
         if let Some(cause) = watch.and_then(|watch| watch.cause) {
             return Err(cause);
@@ -165,36 +177,32 @@ impl Watch {
     }
 }
 
-fn advance(
-    model: &MeshModel,
-    config: &SolverConfig,
-    (input, dt): (&StepInput<'_>, f32),
-    (state, watch): (&mut MeshState, &mut Option<Watch>),
-) {
-    let substep = begin(model, config, (input, dt), state);
-    self_contact::keep_starts(model, config, state);
-    self_contact::find(model, config, state, dt);
+fn advance(step: MeshStep<'_>, state: &mut MeshState, watch: &mut Option<Watch>) {
+    let substep = &begin(step, state);
+    self_contact::keep_starts(step.model, step.config, state);
+    self_contact::find(step.model, step.config, state, step.dt);
     for index in 0..substep.count {
         if let Some(watch) = watch {
             watch.substep = index;
         }
-        predict_and_project((model, config, input), (&substep, index), (state, watch));
-        self_contact::solve((model, config), (&substep, index), state);
-        look(watch, model, state, SubstepPart::Cloth);
-        contact::finish((model, config), (&substep, index), state);
-        look(watch, model, state, SubstepPart::Contact);
+        let now = SubstepNow {
+            step,
+            substep,
+            index,
+        };
+        now.predict_and_project(state, watch);
+        self_contact::solve(now, state);
+        look(watch, step.model, state, SubstepPart::Cloth);
+        contact::finish(now, state);
+        look(watch, step.model, state, SubstepPart::Contact);
     }
-    end((model, config), (input, dt), state);
+    end(step, state);
 }
 
 /// What is done once, after the last substep.
-fn end(
-    (model, config): (&MeshModel, &SolverConfig),
-    (input, dt): (&StepInput<'_>, f32),
-    state: &mut MeshState,
-) {
-    finish_pins(model, state);
-    self_contact::repair((model, config), (input, dt), state);
+fn end(step: MeshStep<'_>, state: &mut MeshState) {
+    finish_pins(step.model, state);
+    self_contact::repair(step, state);
 }
 
 fn look(watch: &mut Option<Watch>, model: &MeshModel, state: &MeshState, phase: SubstepPart) {
@@ -204,49 +212,53 @@ fn look(watch: &mut Option<Watch>, model: &MeshModel, state: &MeshState, phase: 
 }
 
 /// What is done once, before the first substep.
-pub(crate) fn begin(
-    model: &MeshModel,
-    config: &SolverConfig,
-    (input, dt): (&StepInput<'_>, f32),
-    state: &mut MeshState,
-) -> Substep {
-    start(model, config, input, (state, dt));
-    contact::find((model, config), (input, dt), state);
-    let count = state.fineness.substep_count(Substeps::of(config));
-    let substep = Substep::new((model, config, count), (input.air_velocity, dt));
-    (state.scratch.resisting).set(model, substep.h, substep.strain);
+pub(crate) fn begin(step: MeshStep<'_>, state: &mut MeshState) -> Substep {
+    start(step, state);
+    contact::find(step, state);
+    let count = state.fineness.substep_count(Substeps::of(step.config));
+    let substep = Substep::new(step, count);
+    (state.scratch.resisting).set(step.model, substep.h, substep.strain);
     substep
 }
 
-/// The first part of a substep: everything but contact.
-pub(crate) fn predict_and_project(
-    (model, config, input): (&MeshModel, &SolverConfig, &StepInput<'_>),
-    (substep, index): (&Substep, u32),
-    (state, watch): (&mut MeshState, &mut Option<Watch>),
-) {
-    contact::begin_substep((model, config, input), (substep, index), state);
-    let level = config.instruction_set.level();
-    dispatch!(level, simd => predict(simd, model, substep, state));
-    look(watch, model, state, SubstepPart::Flight);
-    let MeshScratch {
-        particles, strides, ..
-    } = &mut state.scratch;
-    dispatch!(level, simd => stride::solve(simd, particles, strides));
-    look(watch, model, state, SubstepPart::Strides);
-    let MeshScratch {
-        particles,
-        resisting,
-        ..
-    } = &mut state.scratch;
-    dispatch!(level, simd => solve_stars(simd, particles, &resisting.stars));
-    look(watch, model, state, SubstepPart::Bending);
-    let MeshScratch {
-        particles,
-        resisting,
-        ..
-    } = &mut state.scratch;
-    dispatch!(level, simd => solve_triangles(simd, particles, (resisting, substep.sweep_count)));
-    look(watch, model, state, SubstepPart::Strain);
+/// One substep of a step.
+#[derive(Clone, Copy)]
+pub(crate) struct SubstepNow<'a> {
+    pub(crate) step: MeshStep<'a>,
+    pub(crate) substep: &'a Substep,
+    /// Counted from 0.
+    pub(crate) index: u32,
+}
+
+impl SubstepNow<'_> {
+    /// The first part: everything but contact.
+    pub(crate) fn predict_and_project(self, state: &mut MeshState, watch: &mut Option<Watch>) {
+        contact::begin_substep(self, state);
+        let (model, substep) = (self.step.model, self.substep);
+        let level = self.step.config.instruction_set.level();
+        dispatch!(level, simd => predict(simd, model, substep, state));
+        look(watch, model, state, SubstepPart::Flight);
+        let MeshScratch {
+            particles, strides, ..
+        } = &mut state.scratch;
+        dispatch!(level, simd => stride::solve(simd, particles, strides));
+        look(watch, model, state, SubstepPart::Strides);
+        let MeshScratch {
+            particles,
+            resisting,
+            ..
+        } = &mut state.scratch;
+        dispatch!(level, simd => solve_stars(simd, particles, &resisting.stars));
+        look(watch, model, state, SubstepPart::Bending);
+        let MeshScratch {
+            particles,
+            resisting,
+            ..
+        } = &mut state.scratch;
+        let sweep_count = substep.sweep_count;
+        dispatch!(level, simd => solve_triangles(simd, particles, resisting, sweep_count));
+        look(watch, model, state, SubstepPart::Strain);
+    }
 }
 
 /// Bending, and the first sweep over the triangles, most of which the stars solve.
@@ -265,7 +277,8 @@ fn solve_stars<S: Simd>(simd: S, particles: &mut [f32], stars: &Stars) {
 fn solve_triangles<S: Simd>(
     simd: S,
     particles: &mut [f32],
-    (resisting, sweep_count): (&Resisting, u32),
+    resisting: &Resisting,
+    sweep_count: u32,
 ) {
     for sweep in 0..sweep_count {
         let triangles = if sweep == 0 {
@@ -278,13 +291,9 @@ fn solve_triangles<S: Simd>(
 }
 
 /// Pinned particles fly straight to their targets, so every substep finds them on the way.
-fn start(
-    model: &MeshModel,
-    config: &SolverConfig,
-    input: &StepInput<'_>,
-    (state, dt): (&mut MeshState, f32),
-) {
-    state.scratch.strides.set(model, config);
+fn start(step: MeshStep<'_>, state: &mut MeshState) {
+    let (model, input) = (step.model, step.input);
+    state.scratch.strides.set(model, step.config);
     if state.capsules.len() != input.capsules.len() {
         state.capsules.clear();
         state.capsules.extend_from_slice(input.capsules);
@@ -293,20 +302,28 @@ fn start(
         state.surfels.clear();
         state.surfels.extend_from_slice(input.surfels);
     }
-    let pins: (&dyn Placement, _) = (&model.slots, model.pin_indices());
+    let pins = pins_of(model);
     let goals = &mut state.scratch.pin_goals;
     goals.set(
         pins,
-        (&state.pin_targets, input.pin_targets),
+        &state.pin_targets,
+        input.pin_targets,
         &state.positions,
     );
-    goals.start(pins, (&state.positions, &mut state.velocities), dt);
+    goals.start(pins, &state.positions, &mut state.velocities, step.dt);
 }
 
 /// Rounding has moved the pins a little off where they go.
 pub(crate) fn finish_pins(model: &MeshModel, state: &mut MeshState) {
     let goals = &state.scratch.pin_goals;
-    goals.finish((&model.slots, model.pin_indices()), &mut state.positions);
+    goals.finish(pins_of(model), &mut state.positions);
+}
+
+fn pins_of(model: &MeshModel) -> PinSlots<'_> {
+    PinSlots {
+        layout: &model.slots,
+        indices: model.pin_indices(),
+    }
 }
 
 /// Gravity, drag towards the air, a straight flight, and tethers.
@@ -317,13 +334,8 @@ fn predict<S: Simd>(simd: S, model: &MeshModel, substep: &Substep, state: &mut M
     let air = Vectors::splat(simd, substep.air_velocity);
     let kept = f32x16::splat(simd, substep.drag_kept);
     let h = f32x16::splat(simd, substep.h);
+    fly_pins(model, substep.h, state);
     let scratch = &mut state.scratch;
-    fly_pins(
-        model,
-        substep.h,
-        (&state.positions, &state.velocities),
-        &mut scratch.particles,
-    );
     let columns = (state.positions.iter_mut())
         .zip(&mut state.velocities)
         .zip(&mut scratch.predicted)
@@ -340,33 +352,30 @@ fn predict<S: Simd>(simd: S, model: &MeshModel, substep: &Substep, state: &mut M
             y: free.select(after.y, before.y),
             z: free.select(after.z, before.z),
         };
-        let mut place = Vectors::load(simd, position).add(after.scale(h));
+        let place = Vectors::load(simd, position).add(after.scale(h));
         after.store(velocity);
         place.store(predicted);
+        let mut sixteen = Gathered { place, inv_mass };
         if let Some(inv_scale) = substep.inv_tether_square {
             for tethers in &model.tethers {
                 let inv_square = f32x16::load_array_ref(simd, &tethers.inv_squares[vector].0);
                 let anchor = tethers.anchor(simd, &scratch.particles, vector);
-                place = tether::pulled(simd, place, inv_mass, anchor, inv_square * inv_scale);
+                sixteen.place = tether::pulled(simd, sixteen, anchor, inv_square * inv_scale);
             }
         }
-        if let Some(sixteen) = scratch.particles[vector * LANES * WIDTH..].first_chunk_mut() {
-            particles::store(Gathered { place, inv_mass }, sixteen);
+        if let Some(particles) = scratch.particles[vector * LANES * WIDTH..].first_chunk_mut() {
+            particles::store(sixteen, particles);
         }
     }
 }
 
-/// Tethers pull to where the pins will be.
-fn fly_pins(
-    model: &MeshModel,
-    h: f32,
-    (positions, velocities): (&[crate::lanes::Points], &[crate::lanes::Points]),
-    particles: &mut [f32],
-) {
+/// Tethers pull to where the pins will be after a substep of `h` [s].
+fn fly_pins(model: &MeshModel, h: f32, state: &mut MeshState) {
     for &pin in model.pin_indices() {
         let slot = model.slots.of_particle[pin as usize] as usize;
         let (vector, lane) = (slot / LANES, slot % LANES);
-        let place = positions[vector].get(lane) + velocities[vector].get(lane) * h;
-        particles[slot * WIDTH..][..WIDTH].copy_from_slice(&[place.x, place.y, place.z, 0.0]);
+        let place = state.positions[vector].get(lane) + state.velocities[vector].get(lane) * h;
+        let particles = &mut state.scratch.particles[slot * WIDTH..][..WIDTH];
+        particles.copy_from_slice(&[place.x, place.y, place.z, 0.0]);
     }
 }

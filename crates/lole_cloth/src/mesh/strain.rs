@@ -114,12 +114,12 @@ impl StrainBatch {
     }
 }
 
-/// Moduli over the substep squared.
+/// What a cloth gives way by in a substep.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Strain {
     /// Compliance of one square meter along warp and weft, over the substep squared [m²/kg].
     pub(crate) stretch: [f32; 2],
-    /// The same of shear.
+    /// Compliance of one square meter in shear, over the substep squared [m²/kg].
     pub(crate) shear: f32,
 }
 

@@ -1,8 +1,8 @@
 //! Strides: particles several cells apart along a yarn may not be farther apart than the yarn
 //! between them is long.
 //!
-//! As on the grid they carry tension across many cells in one pass, conserve momentum and leave
-//! folds alone. A mesh seldom has a second particle on the same yarn: the one nearest to it is
+//! They carry tension across many cells in one pass, conserve momentum and leave folds alone, as on
+//! the grid. A mesh seldom has a second particle on the same yarn: the one nearest to it is
 //! taken, and what shear may lengthen the way between the two is allowed.
 
 use fearless_simd::{f32x16, prelude::*};
@@ -15,10 +15,9 @@ use crate::lanes::{LANES, narrow};
 use crate::mesh::model::MeshModel;
 use crate::mesh::order::{Batch, into_batches};
 use crate::mesh::particles::{Lanes, gather, scatter, window};
-use crate::mesh::rest::{Rest, Welded};
+use crate::mesh::rest::Rest;
 use crate::mesh::tether::Ways;
-use crate::mesh::topology::Topology;
-use crate::mesh::yarn;
+use crate::mesh::yarn::WeldedSurface;
 
 /// Shear [rad] up to which a stride leaves the cloth alone.
 const SHEAR_ALLOWED: f32 = 0.3;
@@ -63,8 +62,11 @@ impl Strides {
                 Box::new(move |stride, yarn| search.pairs(stride, yarn))
             }
             Rest::Welded(welded) => {
-                let surface = (model.topology(), welded);
-                Box::new(move |stride, yarn| traced_pairs(model, surface, (stride, yarn)))
+                let surface = WeldedSurface {
+                    topology: model.topology(),
+                    welded,
+                };
+                Box::new(move |stride, yarn| traced_pairs(model, surface, stride, yarn))
             }
         };
         let mut levels: Vec<(u32, Vec2)> = (config.row_strides.iter().map(|&s| (s, Vec2::X)))
@@ -102,14 +104,15 @@ fn pair(model: &MeshModel, ends: [u32; 2], (length, slant): (f32, f32)) -> Pair 
 /// For every particle of a surface without a plane its partner along the yarn.
 fn traced_pairs(
     model: &MeshModel,
-    surface: (&Topology, &Welded),
-    (stride, yarn): (u32, Vec2),
+    surface: WeldedSurface<'_>,
+    stride: u32,
+    yarn: Vec2,
 ) -> Vec<Pair> {
     #[expect(clippy::cast_precision_loss, reason = "a stride is far below 2^24")]
     let reach = stride as f32 * model.spacing();
     let pinned = &model.spec().pinned;
     let partner_of = |particle: u32| {
-        let partner = yarn::partner(surface, particle, (yarn.as_dvec2(), f64::from(reach)))?;
+        let partner = surface.partner(particle, yarn.as_dvec2(), f64::from(reach))?;
         let is_held = pinned[particle as usize] && pinned[partner.particle as usize];
         let way = (partner.length, partner.slant);
         (!is_held).then(|| pair(model, [particle, partner.particle], way))

@@ -56,7 +56,8 @@ impl Strip {
         MeshSpec::new(flat.collect(), triangles.collect(), self.fabric())
     }
 
-    /// As a cloth of its width. It keeps its width, so weft and shear are as stiff as warp.
+    /// The fabric of a cloth that is as wide as the strip and pulls, bends and weighs as it does. It keeps its
+    /// width, so weft and shear are as stiff as warp.
     fn fabric(&self) -> Fabric {
         let stretch = self.stretch_stiffness / self.width;
         Fabric {

@@ -12,7 +12,7 @@ use glam::{Vec2, Vec3};
 use crate::constraint::pull::Pull;
 use crate::lanes::{LANES, Scalars, Vectors};
 use crate::mesh::build::Shape;
-use crate::mesh::particles::{BASE_STEP, WIDTH, gather_far};
+use crate::mesh::particles::{BASE_STEP, Gathered, WIDTH, gather_far};
 use crate::mesh::rest::Rest;
 use crate::mesh::topology::Topology;
 
@@ -35,9 +35,9 @@ pub(crate) struct Tethers {
 /// What particles hang from, as slots.
 #[derive(Debug, Clone, PartialEq)]
 enum Anchors {
-    /// All from the same.
+    /// All particles hang from the same pin.
     One(u32),
-    /// By vector of sixteen particles, each from its own.
+    /// Each particle hangs from a pin of its own; by vector of sixteen.
     Each(Vec<[u32; LANES]>),
 }
 
@@ -45,7 +45,8 @@ enum Anchors {
 type Pass = Vec<(u32, f32)>;
 
 /// The tethers of a piece, in terms of particles.
-pub(crate) fn tether_passes((topology, rest): Shape<'_>, pins: &[u32]) -> Vec<Pass> {
+pub(crate) fn tether_passes(shape: Shape<'_>, pins: &[u32]) -> Vec<Pass> {
+    let Shape { topology, rest } = shape;
     if pins.is_empty() {
         return Vec::new();
     }
@@ -216,16 +217,16 @@ impl<'a> Ways<'a> {
     }
 }
 
-/// Pulls sixteen places back to their anchors, where they are farther than the tether times the
-/// scale whose inverse square is given.
+/// Where sixteen particles are pulled back to, which are farther from their anchors than the tether times
+/// the scale whose inverse square is given.
 #[inline(always)]
 pub(crate) fn pulled<S: Simd>(
     simd: S,
-    place: Vectors<S>,
-    inv_mass: f32x16<S>,
+    sixteen: Gathered<S>,
     anchor: Vectors<S>,
     inv_square: f32x16<S>,
 ) -> Vectors<S> {
+    let Gathered { place, inv_mass } = sixteen;
     let zero = f32x16::splat(simd, 0.0);
     let one = f32x16::splat(simd, 1.0);
     let pull = Pull::new(1.0);

@@ -30,48 +30,54 @@ struct Strip {
     best: Option<(f64, Partner)>,
 }
 
-/// The particle nearest to the yarn about `reach` [m] from another, among those that are seen from there;
-/// `yarn` is a unit vector in every triangle as it lies by itself.
-pub(crate) fn partner(
-    (topology, welded): (&Topology, &Welded),
-    from: u32,
-    (yarn, reach): (DVec2, f64),
-) -> Option<Partner> {
-    let leaves = 0..welded.fans[from as usize].len();
-    let (place, sides, [right, left]) = leaves.into_iter().find_map(|place| {
-        let (sides, [at, right, left]) = welded.leaf(topology, from, place);
-        let (right, left) = (right - at, left - at);
-        let is_within = 0.0 <= right.perp_dot(yarn) && 0.0 < yarn.perp_dot(left);
-        is_within.then_some((place, sides, [right, left]))
-    })?;
-    let mut strip = Strip {
-        yarn,
-        reach,
-        seen: [right, left],
-        best: None,
-    };
-    strip.meet(sides[0], right);
-    strip.meet(sides[1], left);
-    let mut triangle = welded.fans[from as usize][place].1;
-    let (mut ends, mut edge) = (sides, [right, left]);
-    for _ in 0..CROSSED_MAX {
-        let Some((next, corner)) = welded.beyond(ends[0], ends[1], triangle) else {
-            break;
+/// A surface that lies in no plane.
+#[derive(Clone, Copy)]
+pub(crate) struct WeldedSurface<'a> {
+    pub(crate) topology: &'a Topology,
+    pub(crate) welded: &'a Welded,
+}
+
+impl WeldedSurface<'_> {
+    /// The particle nearest to the yarn about `reach` [m] from another, among those that are seen from there;
+    /// `yarn` is a unit vector in every triangle as it lies by itself.
+    pub(crate) fn partner(self, from: u32, yarn: DVec2, reach: f64) -> Option<Partner> {
+        let Self { topology, welded } = self;
+        let leaves = 0..welded.fans[from as usize].len();
+        let (place, sides, [right, left]) = leaves.into_iter().find_map(|place| {
+            let (sides, [at, right, left]) = welded.leaf(topology, from, place);
+            let (right, left) = (right - at, left - at);
+            let is_within = 0.0 <= right.perp_dot(yarn) && 0.0 < yarn.perp_dot(left);
+            is_within.then_some((place, sides, [right, left]))
+        })?;
+        let mut strip = Strip {
+            yarn,
+            reach,
+            seen: [right, left],
+            best: None,
         };
-        let order = [ends[1], ends[0], corner];
-        let at = welded.laid_beside(topology, (next, order), [edge[1], edge[0]]);
-        strip.meet(corner, at);
-        let side = usize::from(0.0 < yarn.perp_dot(at));
-        (ends[side], edge[side]) = (corner, at);
-        triangle = next;
-        if edge
-            .iter()
-            .all(|end| f64::from(REACH[1]) * reach < end.dot(yarn))
-        {
-            break;
+        strip.meet(sides[0], right);
+        strip.meet(sides[1], left);
+        let mut triangle = welded.fans[from as usize][place].1;
+        let (mut ends, mut edge) = (sides, [right, left]);
+        for _ in 0..CROSSED_MAX {
+            let Some((next, corner)) = welded.beyond(ends[0], ends[1], triangle) else {
+                break;
+            };
+            let order = [ends[1], ends[0], corner];
+            let at = welded.laid_beside(topology, (next, order), [edge[1], edge[0]]);
+            strip.meet(corner, at);
+            let side = usize::from(0.0 < yarn.perp_dot(at));
+            (ends[side], edge[side]) = (corner, at);
+            triangle = next;
+            if edge
+                .iter()
+                .all(|end| f64::from(REACH[1]) * reach < end.dot(yarn))
+            {
+                break;
+            }
         }
+        strip.best.map(|(_, partner)| partner)
     }
-    strip.best.map(|(_, partner)| partner)
 }
 
 impl Strip {

@@ -76,7 +76,7 @@ pub enum Substeps {
 /// What the user turns.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ExplicitConfig {
-    /// `g` [m/s²].
+    /// Acceleration of free fall, `g` [m/s²].
     pub gravity: DVec3,
     /// Still air when `None`.
     pub wind: Option<Wind>,

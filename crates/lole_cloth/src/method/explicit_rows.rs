@@ -21,11 +21,12 @@ mod spring;
 use fearless_simd::{Simd, dispatch, f32x16, prelude::*};
 
 use crate::collision::capsule::near::Range;
-use crate::collision::capsule::stop::StopLaw;
+use crate::collision::capsule::stop::{Flying, KeptCapsule, StopLaw};
 use crate::lanes::{LANES, Points, Scalars, Vectors};
 use crate::lost::{Lost, check_cloth, check_pins};
 use crate::method::reference::SpringConstants;
 use crate::method::xpbd;
+use crate::step::{GridStep, Progress, StepOf};
 use crate::{BuildError, ClothModel, ClothSpec, ClothState, SolverConfig, StepInput, Topology};
 pub(crate) use bound::Form;
 use forces::Cell;
@@ -56,7 +57,8 @@ impl ExplicitModel {
     /// Prepares `spec`.
     ///
     /// # Errors
-    /// As [`ClothModel::new`].
+    /// When a length does not fit the grid, a number is not finite or out of range, or the grid has a
+    /// flounce.
     pub fn new(spec: &ClothSpec) -> Result<Self, BuildError> {
         let cloth = ClothModel::new(spec)?;
         if spec.grid.flounce.is_some() {
@@ -160,7 +162,13 @@ pub fn step(
     let positions = &state.positions;
     let rate = dispatch!(level, simd => bound::stable_rate(simd, model, positions, forms));
     let contact_count = whole_count(f64::from(dt) * rate / f64::from(CONTACT_INTERVAL));
-    dispatch!(level, simd => advance(simd, model, config, (input, dt, contact_count), state));
+    let step = StepOf {
+        model,
+        config,
+        input,
+        dt,
+    };
+    dispatch!(level, simd => advance(simd, step, contact_count, state));
     state.pin_targets.clear();
     state.pin_targets.extend_from_slice(input.pin_targets);
     state.capsules.clear();
@@ -192,12 +200,23 @@ struct Substep {
 #[inline(always)]
 fn advance<S: Simd>(
     simd: S,
-    model: &ExplicitModel,
-    config: &SolverConfig,
-    (input, dt, contact_count): (&StepInput<'_>, f32, u32),
+    step: StepOf<'_, ExplicitModel>,
+    contact_count: u32,
     state: &mut ClothState,
 ) {
+    let StepOf {
+        model,
+        config,
+        input,
+        dt,
+    } = step;
     let cloth = &model.cloth;
+    let grid_step = GridStep {
+        model: cloth,
+        config,
+        input,
+        dt,
+    };
     let count = contact_count * CONTACT_INTERVAL;
     #[expect(clippy::cast_precision_loss, reason = "substeps are far below 2^24")]
     let (h, interval) = (dt / count as f32, dt / contact_count as f32);
@@ -215,16 +234,17 @@ fn advance<S: Simd>(
     state.scratch.forces.clear();
     state.scratch.forces.resize(forces, Points::default());
     xpbd::start_pins(cloth, input.pin_targets, state, dt);
-    xpbd::find_body_contacts(cloth, config, (input, dt), state);
-    let law = StopLaw {
+    xpbd::find_body_contacts(grid_step, state);
+    let mut law = StopLaw {
         friction: cloth.spec().fabric.friction,
         depenetration_speed: config.depenetration_speed,
         h,
+        age: 0.0,
     };
     state.scratch.tangent_planes.clear();
     for index in 0..contact_count {
         if !input.capsules.is_empty() {
-            xpbd::move_capsules(config, input, (index, contact_count), state);
+            xpbd::move_capsules(grid_step, Progress::after(index, contact_count), state);
             let range = if index % FAR_INTERVAL == 0 {
                 Range::All
             } else {
@@ -232,13 +252,16 @@ fn advance<S: Simd>(
             };
             find_planes(simd, cloth, (range, interval), state);
         }
-        let mut age = 0.0;
+        law.age = 0.0;
         for _ in 0..CONTACT_INTERVAL {
             run_substep(simd, model, substep, state);
-            age += h;
-            let planes = &state.scratch.tangent_planes;
-            let columns = (&mut state.positions[..], &mut state.velocities[..]);
-            planes.stop(simd, columns, &cloth.inv_masses, (law, age));
+            law.age += h;
+            let mut flying = Flying {
+                positions: &mut state.positions,
+                velocities: &mut state.velocities,
+                inv_masses: &cloth.inv_masses,
+            };
+            state.scratch.tangent_planes.stop(simd, &mut flying, law);
         }
     }
     xpbd::finish_pins(cloth, state);
@@ -262,7 +285,12 @@ fn find_planes<S: Simd>(
         for &index in scratch.row_contacts.row(row, range) {
             let capsule = &scratch.moving_capsules[index as usize];
             let planes = &mut scratch.tangent_planes;
-            planes.add(simd, (first, points), capsule, (held, interval));
+            let kept = KeptCapsule {
+                capsule,
+                held,
+                time: interval,
+            };
+            planes.add(simd, first, points, kept);
         }
     }
 }
@@ -288,8 +316,11 @@ fn run_substep<S: Simd>(simd: S, model: &ExplicitModel, substep: Substep, state:
         let start = row * width;
         let (done, below) = state.positions.split_at_mut(start + width);
         let points = &mut done[start..];
-        let bend = &model.bend[0][start..start + width];
-        forces::bend_row(simd, this, points, &cloth.row_triples, bend);
+        let bending = forces::RowBending {
+            links: &cloth.row_triples,
+            weights: &model.bend[0][start..start + width],
+        };
+        bending.add(simd, this, points);
         let mut flight = Flight {
             simd,
             positions: points,
@@ -300,7 +331,7 @@ fn run_substep<S: Simd>(simd: S, model: &ExplicitModel, substep: Substep, state:
         };
         if row + 1 == row_count {
             let along = &model.cell.along;
-            forces::add_row(simd, this, flight.positions, &cloth.row_pairs, along);
+            along.add_row(simd, this, flight.positions, &cloth.row_pairs);
             for (group, force) in this.iter().enumerate() {
                 flight.take(group, Vectors::load(simd, force));
             }
@@ -308,7 +339,7 @@ fn run_substep<S: Simd>(simd: S, model: &ExplicitModel, substep: Substep, state:
         }
         let lower = &below[..width];
         let pair = [&*flight.positions, lower];
-        forces::add_cells(simd, [this, next], pair, &cloth.row_pairs, &model.cell);
+        (model.cell).add_to_rows(simd, [this, next], pair, &cloth.row_pairs);
         if row + 2 == row_count {
             for group in 0..width {
                 let points = [&flight.positions[group], &lower[group]];

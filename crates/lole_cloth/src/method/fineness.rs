@@ -34,7 +34,7 @@ impl Substeps {
         }
     }
 
-    /// The same with so many at most, or as usual where that is more.
+    /// As many as usual, and `most` at most, or as usual where that is more.
     pub(crate) fn up_to(self, most: NonZeroU32) -> Self {
         Self {
             most: most.get().max(self.usual),

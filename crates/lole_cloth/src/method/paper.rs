@@ -96,15 +96,15 @@ pub fn wind_phases(time: f64) -> [f64; 2] {
 /// The forces [N] on one particle that equation (6) adds up.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Forces {
-    /// Equation (2).
+    /// Weight: equation (2).
     pub gravity: DVec3,
-    /// Equation (3).
+    /// Resistance of the air: equation (3).
     pub damper: DVec3,
-    /// Equation (1), summed over the springs of the particle.
+    /// Springs: equation (1), summed over the springs of the particle.
     pub stretch: DVec3,
-    /// Equation (4).
+    /// Wind: equation (4).
     pub wind: DVec3,
-    /// Equation (14) times the contact normal, pointing out of the body.
+    /// Contact: equation (14) times the contact normal, pointing out of the body.
     pub penalty: DVec3,
 }
 

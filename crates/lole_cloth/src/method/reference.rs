@@ -73,7 +73,8 @@ impl ReferenceModel {
     /// A model of `spec` with the given spring constants in place of its fabric's.
     ///
     /// # Errors
-    /// As [`ReferenceModel::new`].
+    /// When the specification does not fit together, or a constant is negative or not finite; the sentence
+    /// says what to change.
     pub fn with_constants(
         spec: &ClothSpec,
         constants: SpringConstants,
@@ -104,7 +105,7 @@ impl ReferenceModel {
         Ok(model)
     }
 
-    /// The grid.
+    /// The grid that the particles stand in.
     #[must_use]
     pub const fn grid(&self) -> &Grid {
         &self.grid

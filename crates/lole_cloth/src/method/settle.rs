@@ -98,7 +98,7 @@ pub enum Drape {
 /// substeps give, with its contacts and its friction. More substeps make it truer and slower.
 ///
 /// # Errors
-/// As [`step()`].
+/// A state of another cloth, or as many targets as there are not pins.
 pub fn settle(
     model: &ClothModel,
     (config, settle): (&SolverConfig, &SettleConfig),

@@ -5,9 +5,10 @@ use fearless_simd::{Simd, dispatch};
 use glam::Vec3;
 use lole_geom::Surfel;
 
-use super::{StrandConfig, StrandModel};
+use super::StrandStep;
 use crate::InstructionSet;
 use crate::collision::surfel::{REACH_MAX, Skin, SurfelCells};
+use crate::step::Progress;
 
 /// A particle that comes nearer to a surfel than this [m], besides its offset and what it may travel,
 /// takes its plane.
@@ -35,14 +36,9 @@ pub(super) struct Flight<'a> {
 }
 
 impl Contacts {
-    /// Finds the surfels, given before and after the step.
-    pub(super) fn find(
-        &mut self,
-        model: &StrandModel,
-        config: &StrandConfig,
-        [before, after]: [&[Surfel]; 2],
-        flight: &Flight<'_>,
-    ) {
+    /// Finds the surfels, which move from where they were `before` the step.
+    pub(super) fn find(&mut self, step: StrandStep<'_>, before: &[Surfel], flight: &Flight<'_>) {
+        let after = step.input.surfels;
         self.planes.clear();
         if after.is_empty() {
             return;
@@ -58,17 +54,22 @@ impl Contacts {
         };
         self.cells.sort(skin, [bounds.0, bounds.1], REACH_MAX);
         let level = InstructionSet::Detected.level();
-        dispatch!(level, simd => self.find_nearest(simd, (model, config), [before, after], flight));
+        dispatch!(level, simd => self.find_nearest(simd, step, before, flight));
     }
 
     #[inline(always)]
     fn find_nearest<S: Simd>(
         &mut self,
         simd: S,
-        (model, config): (&StrandModel, &StrandConfig),
-        [before, after]: [&[Surfel]; 2],
+        step: StrandStep<'_>,
+        before: &[Surfel],
         flight: &Flight<'_>,
     ) {
+        let StrandStep {
+            model,
+            config,
+            input,
+        } = step;
         let common = self.cells.mean_motion();
         let mut hint = None;
         for (particle, &inv_mass) in model.inv_masses.iter().enumerate() {
@@ -85,27 +86,28 @@ impl Contacts {
                 let surfel = self.cells.surfel(place);
                 self.planes.push(Plane {
                     particle,
-                    ends: [before[surfel], after[surfel]],
+                    ends: [before[surfel], input.surfels[surfel]],
                 });
             }
         }
     }
 
-    /// Pushes particles out of their planes as these are at the end of a substep: a `fraction` of the
-    /// way through the step, of which the substep of `h` [s] is a `share`. What slides along is held
-    /// back by Coulomb's law, `|Δx_t| <= friction Δx_n`. What a particle was inside before, it leaves
-    /// without speed: `before`, from which its velocity is told, is moved with it.
+    /// Pushes particles out of their planes as these are at the end of a substep of `h` [s], when the
+    /// step has come so far. What slides along is held back by Coulomb's law,
+    /// `|Δx_t| <= friction Δx_n`. What a particle was inside before, it leaves without speed: `before`,
+    /// from which its velocity is told, is moved with it.
     pub(super) fn push_out(
         &self,
-        model: &StrandModel,
-        config: &StrandConfig,
-        (positions, before): (&mut [Vec3], &mut [Vec3]),
-        (fraction, share, h): (f32, f32, f32),
+        step: StrandStep<'_>,
+        [positions, before]: [&mut [Vec3]; 2],
+        progress: Progress,
+        h: f32,
     ) {
+        let (model, config) = (step.model, step.config);
         for plane in &self.planes {
             let particle = plane.particle;
             let [from, to] = &plane.ends;
-            let now = from.lerp(to, fraction);
+            let now = from.lerp(to, progress.fraction);
             let normal = now.normal.normalize_or_zero();
             let position = &mut positions[particle];
             let gap = (*position - now.position).dot(normal);
@@ -113,7 +115,7 @@ impl Contacts {
             if overlap <= 0.0 || normal == Vec3::ZERO {
                 continue;
             }
-            let surface = (to.position - from.position) * share;
+            let surface = (to.position - from.position) * progress.share;
             let motion = *position - before[particle] - surface;
             // What came in during this substep leaves at once, what was inside before not faster
             // than it may.

@@ -3,19 +3,18 @@
 use glam::Vec3;
 use lole_geom::trig;
 
-use super::{Ring, StrandConfig, StrandInput, StrandModel, StrandState};
+use super::{Ring, StrandInput, StrandModel, StrandState, StrandStep};
 
 /// Below this length [m] a stretch has no direction.
 const DEGENERATE_LENGTH: f32 = 1.0e-7;
 
 /// Moves all free particles as gravity and air have them.
-pub(super) fn predict(
-    model: &StrandModel,
-    config: &StrandConfig,
-    input: &StrandInput<'_>,
-    state: &mut StrandState,
-    h: f32,
-) {
+pub(super) fn predict(step: StrandStep<'_>, state: &mut StrandState, h: f32) {
+    let StrandStep {
+        model,
+        config,
+        input,
+    } = step;
     let taken = 1.0 - trig::exp(-config.drag_rate * h);
     let [before, _] = &mut state.before;
     before.clone_from(&state.positions);
@@ -78,13 +77,16 @@ pub(super) fn bend(model: &StrandModel, state: &mut StrandState, h: f32) {
 pub(super) fn stretch(model: &StrandModel, state: &mut StrandState) {
     for (strand, range) in model.strands().enumerate() {
         let spacing = model.spacings[strand];
+        let exactly = |particles: [usize; 2]| Range {
+            particles,
+            bounds: [spacing, spacing],
+            scaled_compliance: 0.0,
+        };
         for first in range.start..range.end - 1 {
-            let pair = [first, first + 1];
-            hold(model, &mut state.positions, pair, [spacing, spacing], 0.0);
+            exactly([first, first + 1]).hold(model, &mut state.positions);
         }
         if model.rings[strand] == Ring::Closed {
-            let pair = [range.end - 1, range.start];
-            hold(model, &mut state.positions, pair, [spacing, spacing], 0.0);
+            exactly([range.end - 1, range.start]).hold(model, &mut state.positions);
         }
     }
 }
@@ -92,9 +94,12 @@ pub(super) fn stretch(model: &StrandModel, state: &mut StrandState) {
 /// Links, where they are overcome.
 pub(super) fn link(model: &StrandModel, state: &mut StrandState, h: f32) {
     for link in &model.links {
-        let pair = link.particles.map(|particle| particle as usize);
-        let compliance = link.compliance / (h * h);
-        hold(model, &mut state.positions, pair, link.range, compliance);
+        let range = Range {
+            particles: link.particles.map(|particle| particle as usize),
+            bounds: link.range,
+            scaled_compliance: link.compliance / (h * h),
+        };
+        range.hold(model, &mut state.positions);
     }
 }
 
@@ -111,28 +116,35 @@ pub(super) fn tie(model: &StrandModel, input: &StrandInput<'_>, state: &mut Stra
     }
 }
 
-/// Brings two particles into a range of distances [m].
-fn hold(
-    model: &StrandModel,
-    positions: &mut [Vec3],
-    [a, b]: [usize; 2],
-    [least, most]: [f32; 2],
+/// A range in which the distance of two particles is held.
+struct Range {
+    particles: [usize; 2],
+    /// Least and largest distance [m].
+    bounds: [f32; 2],
+    /// Compliance over the substep squared [1/kg].
     scaled_compliance: f32,
-) {
-    let [u, v] = [a, b].map(|particle| model.inv_masses[particle]);
-    let sum = u + v;
-    let apart = positions[b] - positions[a];
-    let length = apart.length();
-    if sum <= 0.0 || length < DEGENERATE_LENGTH {
-        return;
+}
+
+impl Range {
+    /// Brings the particles into it.
+    fn hold(&self, model: &StrandModel, positions: &mut [Vec3]) {
+        let [a, b] = self.particles;
+        let [least, most] = self.bounds;
+        let [u, v] = self.particles.map(|particle| model.inv_masses[particle]);
+        let sum = u + v;
+        let apart = positions[b] - positions[a];
+        let length = apart.length();
+        if sum <= 0.0 || length < DEGENERATE_LENGTH {
+            return;
+        }
+        let excess = length - length.clamp(least, most);
+        if excess == 0.0 {
+            return;
+        }
+        let lambda = apart * (excess / (length * (sum + self.scaled_compliance)));
+        positions[a] += lambda * u;
+        positions[b] -= lambda * v;
     }
-    let excess = length - length.clamp(least, most);
-    if excess == 0.0 {
-        return;
-    }
-    let lambda = apart * (excess / (length * (sum + scaled_compliance)));
-    positions[a] += lambda * u;
-    positions[b] -= lambda * v;
 }
 
 /// Velocities from what the substep did.

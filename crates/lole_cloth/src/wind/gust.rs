@@ -38,7 +38,7 @@ pub struct GustyWind {
     waves: Vec<Wave>,
 }
 
-/// The same at one moment.
+/// A [`GustyWind`] at one moment.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WindNow {
     mean: Vec3,
@@ -113,7 +113,7 @@ impl WindNow {
         }
     }
 
-    /// The same gusts in another mean wind [m/s].
+    /// These gusts in another mean wind [m/s].
     #[must_use]
     pub fn with_mean(self, velocity: Vec3) -> Self {
         Self {
@@ -132,7 +132,7 @@ impl WindNow {
         waves.fold(self.mean, |sum, wave| sum + wave)
     }
 
-    /// The same in vectors.
+    /// Velocities of the air [m/s] at sixteen positions [m].
     #[inline(always)]
     pub(super) fn velocities<S: Simd>(&self, simd: S, position: Vectors<S>) -> Vectors<S> {
         let mut sum = Vectors::splat(simd, self.mean);

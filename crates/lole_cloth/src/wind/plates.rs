@@ -47,20 +47,30 @@ impl Default for Aerodynamics {
     }
 }
 
-/// Changes the velocities of the cloth as `wind` does in a frame of `dt` [s]; call it once before
-/// each step. Pinned particles are left alone.
+/// The air that pushes a cloth in one frame.
+#[derive(Debug, Clone, Copy)]
+pub struct AirPush<'a> {
+    /// How it pushes.
+    pub law: Aerodynamics,
+    /// How it moves.
+    pub wind: &'a WindNow,
+    /// Duration of the frame [s].
+    pub dt: f32,
+}
+
+/// Changes the velocities of the cloth as the air does in a frame; call it once before each step. Pinned
+/// particles are left alone.
 ///
 /// It stands in the place of [`Fabric::drag_rate`](crate::Fabric::drag_rate), which pulls every
 /// particle alike: a fabric for it has a drag rate of 0, or the little that its threads take.
 pub fn blow(
     model: &ClothModel,
-    (air, wind): (&Aerodynamics, &WindNow),
+    air: AirPush<'_>,
     instruction_set: InstructionSet,
     state: &mut ClothState,
-    dt: f32,
 ) {
     let level = instruction_set.level();
-    dispatch!(level, simd => blow_rows(simd, model, (air, wind), state, dt));
+    dispatch!(level, simd => blow_rows(simd, model, air, state));
 }
 
 /// Factors of one row of cells.
@@ -73,17 +83,12 @@ struct Plates {
 }
 
 #[inline(always)]
-fn blow_rows<S: Simd>(
-    simd: S,
-    model: &ClothModel,
-    (air, wind): (&Aerodynamics, &WindNow),
-    state: &mut ClothState,
-    dt: f32,
-) {
+fn blow_rows<S: Simd>(simd: S, model: &ClothModel, air: AirPush<'_>, state: &mut ClothState) {
+    let AirPush { law, wind, dt } = air;
     let spec = model.spec();
     let (width, row_count) = (model.layout.group_count, model.layout.row_count);
     let cell_mass = spec.fabric.areal_density * spec.grid.spacing[0] * spec.grid.spacing[1];
-    let coefficients = [air.normal_coefficient, air.tangential_coefficient];
+    let coefficients = [law.normal_coefficient, law.tangential_coefficient];
     let impulses = &mut state.scratch.forces;
     impulses.clear();
     impulses.resize(2 * width, Points::default());
@@ -98,7 +103,7 @@ fn blow_rows<S: Simd>(
             let layers = spec.row_layers[row] + spec.row_layers[row + 1];
             let mass = 0.5 * cell_mass * spec.grid.cell_fullness(number) * layers;
             let plates = Plates {
-                rates: coefficients.map(|c| 0.5 * air.air_density * c * dt / mass),
+                rates: coefficients.map(|c| 0.5 * law.air_density * c * dt / mass),
                 quarter: 0.25 * mass,
             };
             let range = row * width..(row + 2) * width;

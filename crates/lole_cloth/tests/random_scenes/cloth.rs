@@ -5,8 +5,8 @@ use std::num::NonZeroU32;
 
 use glam::{Vec2, Vec3};
 use lole_cloth::assembly::{
-    Assembly, AssemblyInput, AssemblyState, Joint, Piece, PieceState, Place, Seam,
-    step as step_assembly,
+    Assembly, AssemblyInput, AssemblyState, ClothJoint, ClothPiece, ClothSeam, PieceParticle,
+    PieceState, step as step_assembly,
 };
 use lole_cloth::mesh::{self, MeshModel, MeshSpec, MeshState};
 use lole_cloth::scenes::waved_ring;
@@ -298,7 +298,7 @@ impl Cloth {
                         .map(|it| it.map(|it| it + first)),
                 );
                 let model = ClothModel::new(&spec).expect("a grid");
-                Piece::Grid(Box::new(model), Box::new(config.clone()))
+                ClothPiece::Grid(Box::new(model), Box::new(config.clone()))
             } else {
                 triangles.extend(corners.iter().map(|it| it.map(|it| it + first)));
                 let mut spec = MeshSpec::new(flat, corners, fabric(chance));
@@ -307,19 +307,19 @@ impl Cloth {
                 let edge = if is_sewn_too { cut.columns as usize } else { 0 };
                 spec.pinned[..edge].fill(false);
                 let model = MeshModel::new(&spec).expect("a surface");
-                Piece::Mesh(Box::new(model), Box::new(config.clone()))
+                ClothPiece::Mesh(Box::new(model), Box::new(config.clone()))
             };
             pieces.push(made);
             let size = cut.columns * cut.rows;
             let is_named_before = |it: u32| is_sewn_too && piece == 1 && it < cut.columns;
             names.extend((0..size).map(|it| if is_named_before(it) { it } else { first + it }));
         }
-        let stitch = |particle: u32| [0, 1].map(|piece| Place { piece, particle }.into());
+        let stitch = |particle: u32| [0, 1].map(|piece| PieceParticle { piece, particle }.into());
         let seam = is_sewn.then(|| {
             let stitches = (0..cut.columns).map(stitch).collect();
-            Joint::Seam(Seam { stitches })
+            ClothJoint::Seam(ClothSeam { stitches })
         });
-        let joints: Vec<Joint> = seam.into_iter().collect();
+        let joints: Vec<ClothJoint> = seam.into_iter().collect();
         let assembly = Assembly::new(pieces, &joints, config.substep_count).expect("joints fit");
         let sewn = if is_sewn { ", two sewn" } else { "" };
         write!(about, "{piece_count} pieces{sewn}").expect("a string takes all");
@@ -339,9 +339,11 @@ impl Cloth {
         let pins: Vec<&[u32]> = match &self.moving {
             Moving::Grid(model, ..) => vec![model.pin_indices()],
             Moving::Mesh(model, ..) => vec![model.pin_indices()],
-            Moving::Pieces(assembly, _) => {
-                assembly.pieces().iter().map(Piece::pin_indices).collect()
-            }
+            Moving::Pieces(assembly, _) => assembly
+                .pieces()
+                .iter()
+                .map(ClothPiece::pin_indices)
+                .collect(),
         };
         let homes = pieces.iter().zip(pins).map(|(places, pins)| {
             let homes = pins.iter().map(|&pin| places[pin as usize]);
@@ -386,10 +388,10 @@ impl Cloth {
                 let pieces = state.pieces.iter_mut().zip(assembly.pieces());
                 for ((state, piece), velocities) in pieces.zip(&all) {
                     match (state, piece) {
-                        (PieceState::Grid(state), Piece::Grid(model, _)) => {
+                        (PieceState::Grid(state), ClothPiece::Grid(model, _)) => {
                             state.set_velocities(model, velocities);
                         }
-                        (PieceState::Mesh(state), Piece::Mesh(model, _)) => {
+                        (PieceState::Mesh(state), ClothPiece::Mesh(model, _)) => {
                             state.set_velocities(model, velocities);
                         }
                         _ => {}

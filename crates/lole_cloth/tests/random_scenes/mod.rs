@@ -75,7 +75,8 @@ impl RandomScene {
         self.crossings_at(&self.cloth.positions(), touching)
     }
 
-    /// The same at other positions [m].
+    /// Every edge that goes through a triangle with the particles at other positions [m], but for those that a
+    /// seam makes neighbors.
     pub(crate) fn crossings_at(&mut self, positions: &[Vec3], touching: Touching) -> Vec<Pair> {
         let mut pairs = self.surface.crossings(positions, touching);
         let names = &self.cloth.names;

@@ -83,7 +83,7 @@ impl World {
         self.step_over(capsules, &[]);
     }
 
-    /// The same over a surface too.
+    /// Moves the cloth on over capsules and a surface.
     pub(crate) fn step_over(&mut self, capsules: &[Capsule], surfels: &[Surfel]) {
         let input = StepInput {
             pin_targets: &self.pins,

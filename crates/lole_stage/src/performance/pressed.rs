@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use glam::Vec3;
-use lole_cloth::collision::layer::{Over, Press, Trunk};
+use lole_cloth::collision::layer::{OuterCloth, Press, Trunk};
 use lole_costume::document::GarmentLayer;
 
 use super::dressed::{self, Dressed};
@@ -42,7 +42,7 @@ pub(super) fn tighten(
     };
     let pairs = moving.iter().zip(garments);
     let over = pairs.filter(|(_, garment)| garment.layer == GarmentLayer::Over);
-    let over = over.map(|(moving, garment)| Over {
+    let over = over.map(|(moving, garment)| OuterCloth {
         triangles: &garment.dressed.trunk_triangles,
         on_cloth: &garment.dressed.on_cloth,
         positions: moving.positions(),

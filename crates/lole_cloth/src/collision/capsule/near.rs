@@ -6,6 +6,7 @@ use lole_geom::Capsule;
 
 use super::MovingCapsule;
 use crate::lanes::{Points, Vectors, larger, narrow, smaller};
+use crate::step::Progress;
 
 /// A row nearer to a capsule than this [m] is tested against it in every substep of the step,
 /// whatever its speed: 3 cm let cloth through in the first frames of the skirt scene.
@@ -14,8 +15,14 @@ const CULL_MARGIN: f32 = 0.06;
 /// How much farther than its speed promises a particle may come in one step.
 const SPEED_MARGIN: f32 = 1.5;
 
-/// List of capsule indices for every row, the near ones first, and of these the nearest: it is touched most often, and what is touched last is
-/// what the others are tested after once more.
+/// A capsule at its end that has not moved.
+const STILL: Progress = Progress {
+    fraction: 1.0,
+    share: 0.0,
+};
+
+/// List of capsule indices for every row, the near ones first, and of these the nearest: it is touched most
+/// often, and what is touched last is what the others are tested after once more.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct RowContacts {
     /// First entry of every row in `capsule_indices`, and one more.
@@ -58,7 +65,7 @@ impl Swept {
             radii: [0, 1].map(|end| before.radii[end].max(after.radii[end])),
         };
         Self {
-            capsule: MovingCapsule::new([&thickest, &thickest], 1.0, 0.0, 0.0),
+            capsule: MovingCapsule::new([&thickest, &thickest], STILL, 0.0),
             bounds: [
                 Vec3::min(
                     before.ends[0] - thickest.radii[0],
@@ -81,8 +88,30 @@ impl Swept {
     }
 }
 
+/// Rows of a cloth at the start of a step.
+#[derive(Clone, Copy)]
+pub(crate) struct Rows<'a> {
+    pub(crate) positions: &'a [Points],
+    pub(crate) velocities: &'a [Points],
+    /// Vectors of a row.
+    pub(crate) width: usize,
+}
+
+/// What capsules do in a step, and what it takes to get to them.
+#[derive(Clone, Copy)]
+pub(crate) struct CapsuleSweep<'a> {
+    /// At the start, and at the end, in the same order.
+    pub(crate) before: &'a [Capsule],
+    pub(crate) after: &'a [Capsule],
+    /// Distance kept from them [m].
+    pub(crate) contact_offset: f32,
+    /// What gravity adds to a speed in the step [m/s], and the step [s].
+    pub(crate) speed_gain: f32,
+    pub(crate) dt: f32,
+}
+
 impl RowContacts {
-    /// Those of a row.
+    /// Capsules that a row may touch.
     pub(crate) fn row(&self, row: usize, range: Range) -> &[u32] {
         let start = self.starts[row];
         let end = match range {
@@ -101,25 +130,22 @@ impl RowContacts {
         (self.swept).extend(pairs.map(|(before, after)| Swept::new(before, after)));
     }
 
-    /// Finds them anew for a step of `dt` [s] in which capsules go from `before` to `after`.
+    /// Finds anew which capsules each row may touch in a step.
     #[inline(always)]
-    pub(crate) fn find<S: Simd>(
-        &mut self,
-        simd: S,
-        rows: (&[Points], &[Points], usize),
-        [before, after]: [&[Capsule]; 2],
-        (contact_offset, speed_gain, dt): (f32, f32, f32),
-    ) {
-        let (positions, velocities, width) = rows;
+    pub(crate) fn find<S: Simd>(&mut self, simd: S, rows: Rows<'_>, sweep: CapsuleSweep<'_>) {
+        let CapsuleSweep {
+            contact_offset,
+            speed_gain,
+            dt,
+            ..
+        } = sweep;
         self.starts.clear();
         self.near_counts.clear();
         self.capsule_indices.clear();
         self.starts.push(0);
-        self.sweep(before, after);
-        for (row, speeds) in positions
-            .chunks_exact(width)
-            .zip(velocities.chunks_exact(width))
-        {
+        self.sweep(sweep.before, sweep.after);
+        let all = rows.positions.chunks_exact(rows.width);
+        for (row, speeds) in all.zip(rows.velocities.chunks_exact(rows.width)) {
             let travel = (fastest(simd, speeds) + speed_gain) * dt;
             let first = self.capsule_indices.len();
             self.near.clear();

@@ -41,6 +41,25 @@ pub(crate) struct StopLaw {
     pub(crate) depenetration_speed: f32,
     /// Duration of a substep [s].
     pub(crate) h: f32,
+    /// Time since the planes were found [s].
+    pub(crate) age: f32,
+}
+
+/// A capsule whose tangent planes are kept for a while.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct KeptCapsule<'a> {
+    pub(crate) capsule: &'a MovingCapsule,
+    /// How far inside of it particles may stay [m].
+    pub(crate) held: f32,
+    /// In which it moves by its displacement [s].
+    pub(crate) time: f32,
+}
+
+/// What flies and may be stopped: all vectors of a cloth.
+pub(crate) struct Flying<'a> {
+    pub(crate) positions: &'a mut [Points],
+    pub(crate) velocities: &'a mut [Points],
+    pub(crate) inv_masses: &'a [Scalars],
 }
 
 impl TangentPlanes {
@@ -54,51 +73,40 @@ impl TangentPlanes {
         self.0.capacity() * size_of::<Planes>()
     }
 
-    /// Adds those of a capsule for the vectors of a row, which begins with vector `first`;
-    /// `held` is how far inside its particles may stay [m], `time` that in which the capsule moves
-    /// by its displacement [s].
+    /// Adds the planes of a capsule for the vectors of a row, which begins with vector `first`.
     #[inline(always)]
     pub(crate) fn add<S: Simd>(
         &mut self,
         simd: S,
-        (first, row): (usize, &[Points]),
-        capsule: &MovingCapsule,
-        (held, time): (f32, f32),
+        first: usize,
+        row: &[Points],
+        kept: KeptCapsule<'_>,
     ) {
         for (vector, points) in (first..).zip(row) {
             let position = Vectors::load(simd, points);
-            if capsule.may_touch(simd, position, held - REACH) {
-                let planes = Planes::new(simd, (vector, position), capsule, (held, time));
-                self.0.push(planes);
+            if (kept.capsule).may_touch(simd, position, kept.held - REACH) {
+                self.0.push(Planes::new(simd, vector, position, kept));
             }
         }
     }
 
-    /// Stops what is behind the planes `age` [s] after they were found.
+    /// Stops what is behind the planes.
     #[inline(always)]
-    pub(crate) fn stop<S: Simd>(
-        &self,
-        simd: S,
-        (positions, velocities): (&mut [Points], &mut [Points]),
-        inv_masses: &[Scalars],
-        (law, age): (StopLaw, f32),
-    ) {
+    pub(crate) fn stop<S: Simd>(&self, simd: S, flying: &mut Flying<'_>, law: StopLaw) {
         for planes in &self.0 {
-            let vector = planes.vector as usize;
-            let columns = (&mut positions[vector], &mut velocities[vector]);
-            planes.stop(simd, columns, &inv_masses[vector], (law, age));
+            planes.stop(simd, flying, law);
         }
     }
 }
 
 impl Planes {
     #[inline(always)]
-    fn new<S: Simd>(
-        simd: S,
-        (vector, position): (usize, Vectors<S>),
-        capsule: &MovingCapsule,
-        (held, time): (f32, f32),
-    ) -> Self {
+    fn new<S: Simd>(simd: S, vector: usize, position: Vectors<S>, kept: KeptCapsule<'_>) -> Self {
+        let KeptCapsule {
+            capsule,
+            held,
+            time,
+        } = kept;
         let one = f32x16::splat(simd, 1.0);
         let start = Vectors::splat(simd, capsule.start);
         let from_start = position.sub(start);
@@ -130,19 +138,17 @@ impl Planes {
     }
 
     #[inline(always)]
-    fn stop<S: Simd>(
-        &self,
-        simd: S,
-        (positions, velocities): (&mut Points, &mut Points),
-        inv_mass: &Scalars,
-        (law, age): (StopLaw, f32),
-    ) {
+    fn stop<S: Simd>(&self, simd: S, flying: &mut Flying<'_>, law: StopLaw) {
+        let vector = self.vector as usize;
+        let positions = &mut flying.positions[vector];
+        let velocities = &mut flying.velocities[vector];
+        let inv_mass = &flying.inv_masses[vector];
         let zero = f32x16::splat(simd, 0.0);
         let one = f32x16::splat(simd, 1.0);
         let position = Vectors::load(simd, positions);
         let normal = Vectors::load(simd, &self.normal);
         let surface = Vectors::load(simd, &self.surface);
-        let level = f32x16::load_array_ref(simd, &self.level.0) + surface.dot(normal) * age;
+        let level = f32x16::load_array_ref(simd, &self.level.0) + surface.dot(normal) * law.age;
         let depth = level - position.dot(normal);
         let free = zero.simd_lt(f32x16::load_array_ref(simd, &inv_mass.0));
         let inside = zero.simd_lt(depth) & free;

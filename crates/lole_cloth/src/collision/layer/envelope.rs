@@ -20,7 +20,7 @@ pub struct Envelope {
     trunk: Trunk,
     /// Farthest distance from the axis [m], 0 where nothing is worn; shape `[LEVELS, SECTORS]`.
     radii: Vec<f32>,
-    /// The same, bridged.
+    /// Farthest distance from the axis [m], bridged from crest to crest; shape `[LEVELS, SECTORS]`.
     bridged: Vec<f32>,
     /// Outward direction of every sector, where forward is `z`.
     directions: Vec<Vec3>,
@@ -38,7 +38,7 @@ impl Default for Envelope {
 }
 
 impl Envelope {
-    /// Nothing worn yet.
+    /// Begins anew around a trunk: nothing is worn yet.
     pub fn begin(&mut self, trunk: Trunk) {
         self.trunk = trunk;
         self.radii.fill(0.0);

@@ -16,7 +16,8 @@ use super::wall::{LEVELS, SECTORS, Trunk, area_at, around, bin, from_axis, spot}
 
 /// Sectors to either side over which the place of cloth is averaged: those that an envelope bridges.
 const NEAR: usize = 3;
-/// The same for its stretch, an eighth of the way around: tension runs on around the body.
+/// Sectors to either side over which the stretch of cloth is averaged, an eighth of the way around: tension
+/// runs on around the body.
 const ALONG: usize = SECTORS / 8;
 /// Farthest that a stretch is believed: folds are none.
 const MOST: f32 = 0.5;
@@ -25,7 +26,7 @@ const BEYOND: f32 = 0.5;
 
 /// Cloth that lies over gathers.
 #[derive(Debug, Clone, Copy)]
-pub struct Over<'a> {
+pub struct OuterCloth<'a> {
     /// Corners of its triangles, shape `[triangle_count]`.
     pub triangles: &'a [[u32; 3]],
     /// Where its particles lie on the flat cloth [m].
@@ -88,7 +89,7 @@ impl Default for Press {
 
 impl Press {
     /// Looks at what lies over gathers where a trunk is.
-    pub fn tighten<'a>(&mut self, trunk: Trunk, over: impl Iterator<Item = Over<'a>>) {
+    pub fn tighten<'a>(&mut self, trunk: Trunk, over: impl Iterator<Item = OuterCloth<'a>>) {
         self.taut.fill(Taut::default());
         for over in over {
             for triangle in over.triangles {

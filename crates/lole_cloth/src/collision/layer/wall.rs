@@ -14,7 +14,7 @@ const LEVELS_BELOW: usize = 88;
 /// Where a surfel is put whose bin is empty [m]: no cloth comes there.
 pub(super) const NOWHERE: Vec3 = Vec3::splat(1.0e4);
 
-/// Where the trunk is.
+/// Where the trunk of a body is: an upright axis, and the way that it faces.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Trunk {
     /// A point of its upright axis [m].

@@ -75,6 +75,15 @@ pub(crate) struct SurfelCells {
     spread: f32,
 }
 
+/// The nearest surfel so far.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Best {
+    /// Its squared distance, or that within which one is looked for [m²].
+    squared: f32,
+    /// Among the entries; `None` where there is none yet.
+    place: Option<usize>,
+}
+
 impl SurfelCells {
     /// Memory that it holds [byte].
     pub(crate) const fn byte_count(&self) -> usize {
@@ -219,15 +228,15 @@ impl SurfelCells {
         if !self.may_reach(point, reach) {
             return None;
         }
-        let mut least = reach * reach;
-        let mut best = self.nearer(point, reach, [hint, None]);
-        if let Some(place) = best {
-            least = point.distance_squared(self.position(place));
-        }
-        self.for_each_run(point, least.sqrt(), |run| {
-            (least, best) = self.nearest_of(simd, run, point, (least, best));
+        let place = self.nearer(point, reach, [hint, None]);
+        let squared = place.map_or(reach * reach, |place| {
+            point.distance_squared(self.position(place))
         });
-        best
+        let mut best = Best { squared, place };
+        self.for_each_run(point, squared.sqrt(), |run| {
+            best = self.nearest_of(simd, run, point, best);
+        });
+        best.place
     }
 
     /// The surfel nearest to `point` of those within [`PINCH_REACH`] that face against the one at
@@ -301,7 +310,7 @@ impl SurfelCells {
         );
     }
 
-    /// The same for the cells from one to another.
+    /// Calls with the places of all surfels in the cells from one corner of a box to the other.
     #[inline(always)]
     fn for_each_run_of(&self, low: IVec3, high: IVec3, mut visit: impl FnMut(Range<usize>)) {
         let low = low.max(IVec3::ZERO);
@@ -318,16 +327,15 @@ impl SurfelCells {
         }
     }
 
-    /// The nearest to `point` of some places and the best so far, with its squared distance [m²]; of
-    /// equals the first.
+    /// The nearest to `point` of some places and the best so far; of equals the first.
     #[inline(always)]
     fn nearest_of<S: Simd>(
         &self,
         simd: S,
         places: Range<usize>,
         point: Vec3,
-        (mut least, mut best): (f32, Option<usize>),
-    ) -> (f32, Option<usize>) {
+        mut best: Best,
+    ) -> Best {
         let [x, y, z] = &self.coordinates;
         let own = Vectors::splat(simd, point);
         for from in places.clone().step_by(LANES) {
@@ -337,17 +345,22 @@ impl SurfelCells {
                 y: f32x16::from_slice(simd, &y[lanes.clone()]),
                 z: f32x16::from_slice(simd, &z[lanes]),
             });
-            let near = offset.dot(offset).simd_le(f32x16::splat(simd, least));
+            let near = offset
+                .dot(offset)
+                .simd_le(f32x16::splat(simd, best.squared));
             for lane in each_hit(near.to_bitmask(), places.end - from) {
                 let place = from + lane;
                 let squared = point.distance_squared(self.position(place));
-                let ties = squared <= least && best.is_some_and(|other| place < other);
-                if squared < least || ties {
-                    (least, best) = (squared, Some(place));
+                let ties = squared <= best.squared && best.place.is_some_and(|other| place < other);
+                if squared < best.squared || ties {
+                    best = Best {
+                        squared,
+                        place: Some(place),
+                    };
                 }
             }
         }
-        (least, best)
+        best
     }
 
     /// The nearer to `point` of two places, if it is within `reach` [m].

@@ -5,6 +5,7 @@ use glam::Vec3;
 use lole_geom::Surfel;
 
 use crate::lanes::{LANES, Points, Scalars, Vectors, narrow};
+use crate::step::Progress;
 
 /// Planes that the particles of a vector may touch in a step: inside is where
 /// `normal · x < level`. Lanes without one have a zero normal and a negative level.
@@ -43,12 +44,23 @@ pub(super) struct PlaneField {
     motions: Vec<Points>,
 }
 
-/// The planes of a vector at one time.
-pub(super) struct PlanesNow<S: Simd> {
+/// The planes of a vector at the end of a substep.
+pub(super) struct PlanesNow<'a, S: Simd> {
     /// Unit normals, out of the body; zero where there is no plane.
     pub(super) normal: Vectors<S>,
     /// What `normal · x` is on the plane [m].
     pub(super) level: f32x16<S>,
+    /// What the surface does in all of the step [m], and the substep's share of it.
+    motion: &'a Points,
+    share: f32,
+}
+
+impl<S: Simd> PlanesNow<'_, S> {
+    /// What the surface has done in the substep [m].
+    #[inline(always)]
+    pub(super) fn motion(&self, simd: S) -> Vectors<S> {
+        Vectors::load(simd, self.motion).scale(f32x16::splat(simd, self.share))
+    }
 }
 
 impl PlaneField {
@@ -95,22 +107,25 @@ impl PlaneField {
         self.motions[slot].set(lane, after.position - before.position);
     }
 
-    /// Where the planes of a vector are, if any of its particles has one.
+    /// The planes of a vector when the step has come so far, if any of its particles has one.
     #[inline(always)]
-    pub(super) fn slot(&self, vector: usize) -> Option<usize> {
-        (self.slots[vector] as usize).checked_sub(1)
-    }
-
-    /// The planes at a slot when a `fraction` of the step has passed.
-    #[inline(always)]
-    pub(super) fn now<S: Simd>(&self, simd: S, slot: usize, fraction: f32x16<S>) -> PlanesNow<S> {
+    pub(super) fn now<S: Simd>(
+        &self,
+        simd: S,
+        vector: usize,
+        progress: Progress,
+    ) -> Option<PlanesNow<'_, S>> {
+        let slot = (self.slots[vector] as usize).checked_sub(1)?;
         let planes = &self.planes[slot];
+        let fraction = f32x16::splat(simd, progress.fraction);
         let change = Vectors::load(simd, &planes.normal_change).scale(fraction);
-        PlanesNow {
+        Some(PlanesNow {
             normal: Vectors::load(simd, &planes.normal).add(change),
             level: f32x16::load_array_ref(simd, &planes.level.0)
                 + f32x16::load_array_ref(simd, &planes.level_change.0) * fraction,
-        }
+            motion: &self.motions[slot],
+            share: progress.share,
+        })
     }
 
     /// Normal and level of a particle's plane at the end of the step, if it has one.
@@ -120,11 +135,5 @@ impl PlaneField {
         let normal = planes.normal.get(lane) + planes.normal_change.get(lane);
         let level = planes.level.0[lane] + planes.level_change.0[lane];
         (normal != Vec3::ZERO).then_some((normal, level))
-    }
-
-    /// What the surface at a slot does in a `share` of the step [m].
-    #[inline(always)]
-    pub(super) fn motion<S: Simd>(&self, simd: S, slot: usize, share: f32) -> Vectors<S> {
-        Vectors::load(simd, &self.motions[slot]).scale(f32x16::splat(simd, share))
     }
 }

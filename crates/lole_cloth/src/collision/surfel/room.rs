@@ -18,7 +18,8 @@ const SAGGING: f32 = 0.3;
 const GATHERED: f32 = 0.1;
 const PUCKERED: f32 = 0.5;
 
-/// The same share of what is farther down: as much as cloth may be stretched.
+/// Share of the cloth farther below a pin by which the body may bring it out: as much as cloth may be
+/// stretched.
 const TAUT: f32 = 1.03;
 
 /// Cloth that is stretched by so much is pushed no farther.

@@ -7,7 +7,7 @@ use fearless_simd::{Level, Simd, dispatch};
 use rayon::prelude::*;
 
 use super::cells::{Facings, SurfelCells};
-use super::{CLOSE, Cloth, PINCH_REACH, Skin};
+use super::{CLOSE, Cloth, Encounter, PINCH_REACH};
 use crate::lanes::narrow;
 
 /// Parts into which the rows are cut where several threads share them.
@@ -59,13 +59,8 @@ impl SurfelSearch {
     }
 
     /// Looks for the surfels near every particle: the same for any number of threads.
-    pub(super) fn find(
-        &mut self,
-        level: Level,
-        cells: &SurfelCells,
-        (cloth, skin): (Cloth<'_>, Skin<'_>),
-    ) {
-        let row_count = cloth.layout.row_count();
+    pub(super) fn find(&mut self, level: Level, cells: &SurfelCells, encounter: Encounter<'_>) {
+        let row_count = encounter.cloth.layout.row_count();
         let is_alone = rayon::current_num_threads() == 1;
         let count = if is_alone { 1 } else { PART_COUNT };
         self.parts.resize_with(count, Part::default);
@@ -73,7 +68,7 @@ impl SurfelSearch {
             part.rows = row_count * index / count..row_count * (index + 1) / count;
         }
         let find = |part: &mut Part| {
-            dispatch!(level, simd => part.find(simd, cells, cloth, skin));
+            dispatch!(level, simd => part.find(simd, cells, encounter));
         };
         if is_alone {
             self.parts.iter_mut().for_each(find);
@@ -107,16 +102,16 @@ impl SurfelSearch {
 
 impl Part {
     #[inline(always)]
-    fn find<S: Simd>(&mut self, simd: S, cells: &SurfelCells, cloth: Cloth<'_>, skin: Skin<'_>) {
+    fn find<S: Simd>(&mut self, simd: S, cells: &SurfelCells, encounter: Encounter<'_>) {
         self.near.clear();
         self.facings.clear();
         for row in self.rows.clone() {
             self.slots.clear();
-            cloth.layout.add_row_slots(row, &mut self.slots);
+            encounter.cloth.layout.add_row_slots(row, &mut self.slots);
             let start = self.near.len();
             self.near.resize(start + self.slots.len(), Near::default());
-            self.find_nearest(simd, start, cells, (cloth, skin));
-            self.find_opposite(start, cells, (cloth, skin));
+            self.find_nearest(simd, start, cells, encounter);
+            self.find_opposite(start, cells, encounter);
         }
     }
 
@@ -128,15 +123,15 @@ impl Part {
         simd: S,
         start: usize,
         cells: &SurfelCells,
-        (cloth, skin): (Cloth<'_>, Skin<'_>),
+        encounter: Encounter<'_>,
     ) {
-        let is_dense = cloth.spacing < CLOSE;
+        let is_dense = encounter.cloth.spacing < CLOSE;
         let row = &mut self.near[start..];
         // A neighbor's surfel is near, if not the nearest.
         let mut hint = None;
         let slots = self.slots.iter().zip(row.iter_mut());
         for (&slot, near) in slots.step_by(if is_dense { 2 } else { 1 }) {
-            let (middle, reach) = cloth.flight(slot, skin, cells);
+            let (middle, reach) = encounter.flight(slot, cells);
             hint = cells.nearest(simd, middle, reach, hint);
             near.nearest = Place::new(hint);
         }
@@ -146,27 +141,28 @@ impl Part {
         for left in (0..row.len().saturating_sub(1)).step_by(2) {
             let right = (left + 2) % row.len();
             let candidates = [row[left].nearest.get(), row[right].nearest.get()];
-            let (middle, reach) = cloth.flight(self.slots[left + 1], skin, cells);
+            let (middle, reach) = encounter.flight(self.slots[left + 1], cells);
             row[left + 1].nearest = Place::new(cells.nearer(middle, reach, candidates));
         }
     }
 
-    fn find_opposite(
-        &mut self,
-        start: usize,
-        cells: &SurfelCells,
-        (cloth, skin): (Cloth<'_>, Skin<'_>),
-    ) {
+    /// Searches for those of the row that have a surfel near enough.
+    fn find_opposite(&mut self, start: usize, cells: &SurfelCells, encounter: Encounter<'_>) {
         let mut hint = None;
         for (&slot, near) in self.slots.iter().zip(&mut self.near[start..]) {
             let Some(place) = near.nearest.get() else {
                 continue;
             };
-            let (middle, _) = cloth.flight(slot, skin, cells);
+            let (middle, _) = encounter.flight(slot, cells);
             if PINCH_REACH < middle.distance(cells.position(place)) {
                 continue;
             }
-            hint = cells.opposite(middle, (place, hint), skin.after, &mut self.facings);
+            hint = cells.opposite(
+                middle,
+                (place, hint),
+                encounter.skin.after,
+                &mut self.facings,
+            );
             near.opposite = Place::new(hint);
         }
     }

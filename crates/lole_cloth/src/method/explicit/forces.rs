@@ -44,7 +44,7 @@ impl World<'_> {
             BlockContact::Held(penalties) => penalties[index],
             BlockContact::Near(nearby) if nearby.mask == 0 => DVec3::ZERO,
             BlockContact::Near(nearby) => {
-                penalty(self, nearby, [positions[index], velocity], &forces, mass)
+                self.penalty(nearby, [positions[index], velocity], &forces, mass)
             }
         };
         paper::acceleration(mass, paper::total_force(&forces))
@@ -95,10 +95,38 @@ impl World<'_> {
                     let moving = [positions[index], velocities[index]];
                     let forces = self.forces(index, positions, velocities[index]);
                     let mass = self.model.masses()[index];
-                    *force = penalty(self, &nearby, moving, &forces, mass);
+                    *force = self.penalty(&nearby, moving, &forces, mass);
                 }
             }
         });
+    }
+
+    /// Equation (14) with its direction, and friction, on the particle with this position and velocity
+    /// under the other `forces`.
+    fn penalty(
+        &self,
+        nearby: &NearbyBodies<'_>,
+        [position, velocity]: [DVec3; 2],
+        forces: &paper::Forces,
+        mass: f64,
+    ) -> DVec3 {
+        let penalty = &self.config.penalty;
+        let Some(contact) = contact_force(penalty, nearby.iter(), position, velocity) else {
+            return DVec3::ZERO;
+        };
+        if penalty.friction <= 0.0 {
+            return contact.force;
+        }
+        let driving = paper::total_force(forces) + contact.force;
+        let next_velocity = velocity + driving * (self.dt / mass);
+        let max_friction = penalty.friction * contact.force.length();
+        contact.force
+            + friction_force(
+                &contact.deepest,
+                max_friction,
+                next_velocity,
+                mass / self.dt,
+            )
     }
 }
 
@@ -115,34 +143,6 @@ fn for_blocks(values: &mut [DVec3], work: impl Fn(usize, &mut [DVec3]) + Sync) {
             .enumerate()
             .for_each(|(block, values)| work(block * BLOCK, values));
     }
-}
-
-/// Equation (14) with its direction, and friction, on the particle with this position and velocity
-/// under the other `forces`.
-fn penalty(
-    world: &World<'_>,
-    nearby: &NearbyBodies<'_>,
-    [position, velocity]: [DVec3; 2],
-    forces: &paper::Forces,
-    mass: f64,
-) -> DVec3 {
-    let penalty = &world.config.penalty;
-    let Some(contact) = contact_force(penalty, nearby.iter(), position, velocity) else {
-        return DVec3::ZERO;
-    };
-    if penalty.friction <= 0.0 {
-        return contact.force;
-    }
-    let driving = paper::total_force(forces) + contact.force;
-    let next_velocity = velocity + driving * (world.dt / mass);
-    let max_friction = penalty.friction * contact.force.length();
-    contact.force
-        + friction_force(
-            &contact.deepest,
-            max_friction,
-            next_velocity,
-            mass / world.dt,
-        )
 }
 
 /// The capsules whose bounding boxes touch that of a block of particles: exact, because a particle

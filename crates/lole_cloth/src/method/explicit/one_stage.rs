@@ -31,7 +31,12 @@ fn advance(
 ) {
     let positions = &state.positions;
     let run = |(block, (nexts, velocities)): (usize, (&mut [DVec3], &mut [DVec3]))| {
-        advance_block(world, scheme, positions, block * BLOCK, (nexts, velocities));
+        let block = Block {
+            first: block * BLOCK,
+            nexts,
+            velocities,
+        };
+        block.advance(world, scheme, positions);
     };
     if positions.len() < PARALLEL_FROM {
         next_positions
@@ -49,20 +54,27 @@ fn advance(
     std::mem::swap(&mut state.positions, next_positions);
 }
 
-/// One substep of the particles from `first` on: next positions and velocities.
-fn advance_block(
-    world: &World<'_>,
-    scheme: Scheme,
-    positions: &[DVec3],
+/// Particles that follow each other.
+struct Block<'a> {
+    /// Number of the first among all.
     first: usize,
-    (next_positions, velocities): (&mut [DVec3], &mut [DVec3]),
-) {
-    let nearby = NearbyBodies::new(world, &positions[first..first + next_positions.len()]);
-    let contact = BlockContact::Near(&nearby);
-    for (index, (next, velocity)) in (first..).zip(next_positions.iter_mut().zip(velocities)) {
-        if !world.model.pinned()[index] {
-            let acceleration = world.acceleration(index, positions, *velocity, contact);
-            (*next, *velocity) = scheme(positions[index], *velocity, acceleration, world.dt);
+    /// Where they will be after the substep [m].
+    nexts: &'a mut [DVec3],
+    velocities: &'a mut [DVec3],
+}
+
+impl Block<'_> {
+    /// One substep; `positions` are those of all particles before it.
+    fn advance(self, world: &World<'_>, scheme: Scheme, positions: &[DVec3]) {
+        let first = self.first;
+        let nearby = NearbyBodies::new(world, &positions[first..first + self.nexts.len()]);
+        let contact = BlockContact::Near(&nearby);
+        let moving = self.nexts.iter_mut().zip(self.velocities);
+        for (index, (next, velocity)) in (first..).zip(moving) {
+            if !world.model.pinned()[index] {
+                let acceleration = world.acceleration(index, positions, *velocity, contact);
+                (*next, *velocity) = scheme(positions[index], *velocity, acceleration, world.dt);
+            }
         }
     }
 }

@@ -34,7 +34,7 @@ pub enum LastStage {
 /// Which velocity the damping of stages two to four sees.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StageDamping {
-    /// That of the stage.
+    /// The velocity that the stage itself has.
     PerStage,
     /// `v(t)` of the start of the step, as printed: first order where there is damping.
     Frozen,
@@ -100,11 +100,11 @@ struct Stages {
     positions: Vec<DVec3>,
     /// The velocity of the stage [m/s].
     velocities: Vec<DVec3>,
-    /// Its acceleration [m/s²].
+    /// The acceleration of the stage [m/s²].
     accelerations: Vec<DVec3>,
     /// `kx_1 + 2 kx_2 + 2 kx_3 + kx_4` [m], as far as known.
     position_sums: Vec<DVec3>,
-    /// The same of `kv` [m/s].
+    /// `kv_1 + 2 kv_2 + 2 kv_3 + kv_4` [m/s], as far as known.
     velocity_sums: Vec<DVec3>,
     /// Contact forces held through the step [N].
     penalties: Vec<DVec3>,
@@ -123,60 +123,62 @@ pub(super) fn run(course: &Course<'_>, method: RungeKutta, state: &mut Reference
     };
     for substep in 0..course.substep_count {
         let start = f64::from(substep);
-        advance(course, method, start, state, &mut stages);
+        method.advance(course, start, state, &mut stages);
         course.place_pins(start + 1.0, &mut state.positions);
         course.carry_pins(&mut state.velocities);
     }
 }
 
-/// The substep that begins `start` substeps after the start of the step.
-fn advance(
-    course: &Course<'_>,
-    method: RungeKutta,
-    start: f64,
-    state: &mut ReferenceState,
-    stages: &mut Stages,
-) {
-    let dt = course.substep_dt();
-    let is_held = course.config.contact_evaluation == ContactEvaluation::PerStep;
-    stages.position_sums.fill(DVec3::ZERO);
-    stages.velocity_sums.fill(DVec3::ZERO);
-    for (stage, (&node, &weight)) in method.nodes().iter().zip(&WEIGHTS).enumerate() {
-        let node_time = match method.time {
-            StageTime::Moving => start + node,
-            StageTime::Frozen => start,
-        };
-        // kx and kv of the stage before, of which this one goes `node` of the way.
-        for index in 0..state.positions.len() {
-            let velocity_before = stages.velocities[index];
-            let acceleration_before = stages.accelerations[index];
-            let ahead = if stage == 0 { 0.0 } else { node * dt };
-            stages.positions[index] = state.positions[index] + velocity_before * ahead;
-            stages.velocities[index] = state.velocities[index] + acceleration_before * ahead;
+impl RungeKutta {
+    /// The substep that begins `start` substeps after the start of the step.
+    fn advance(
+        self,
+        course: &Course<'_>,
+        start: f64,
+        state: &mut ReferenceState,
+        stages: &mut Stages,
+    ) {
+        let dt = course.substep_dt();
+        let is_held = course.config.contact_evaluation == ContactEvaluation::PerStep;
+        stages.position_sums.fill(DVec3::ZERO);
+        stages.velocity_sums.fill(DVec3::ZERO);
+        for (stage, (&node, &weight)) in self.nodes().iter().zip(&WEIGHTS).enumerate() {
+            let node_time = match self.time {
+                StageTime::Moving => start + node,
+                StageTime::Frozen => start,
+            };
+            // kx and kv of the stage before, of which this one goes `node` of the way.
+            for index in 0..state.positions.len() {
+                let velocity_before = stages.velocities[index];
+                let acceleration_before = stages.accelerations[index];
+                let ahead = if stage == 0 { 0.0 } else { node * dt };
+                stages.positions[index] = state.positions[index] + velocity_before * ahead;
+                stages.velocities[index] = state.velocities[index] + acceleration_before * ahead;
+            }
+            course.place_pins(node_time, &mut stages.positions);
+            let world = course.world_at(node_time);
+            if is_held && stage == 0 {
+                world.penalties(&stages.positions, &stages.velocities, &mut stages.penalties);
+            }
+            let damped = match self.damping {
+                StageDamping::PerStage => &stages.velocities,
+                StageDamping::Frozen => &state.velocities,
+            };
+            let held = is_held.then_some(stages.penalties.as_slice());
+            world.accelerations(&stages.positions, damped, held, &mut stages.accelerations);
+            if self.counting == Counting::Twice && stage > 0 {
+                count_again(course, &state.velocities, &mut stages.accelerations);
+            }
+            for index in 0..state.positions.len() {
+                stages.position_sums[index] += stages.velocities[index] * (weight * dt);
+                stages.velocity_sums[index] += stages.accelerations[index] * (weight * dt);
+            }
         }
-        course.place_pins(node_time, &mut stages.positions);
-        let world = course.world_at(node_time);
-        if is_held && stage == 0 {
-            world.penalties(&stages.positions, &stages.velocities, &mut stages.penalties);
-        }
-        let damped = match method.damping {
-            StageDamping::PerStage => &stages.velocities,
-            StageDamping::Frozen => &state.velocities,
-        };
-        let held = is_held.then_some(stages.penalties.as_slice());
-        world.accelerations(&stages.positions, damped, held, &mut stages.accelerations);
-        if method.counting == Counting::Twice && stage > 0 {
-            count_again(course, &state.velocities, &mut stages.accelerations);
-        }
-        for index in 0..state.positions.len() {
-            stages.position_sums[index] += stages.velocities[index] * (weight * dt);
-            stages.velocity_sums[index] += stages.accelerations[index] * (weight * dt);
-        }
-    }
-    for (index, &is_pinned) in course.model.pinned().iter().enumerate() {
-        if !is_pinned {
-            state.positions[index] += stages.position_sums[index] / 6.0;
-            state.velocities[index] += stages.velocity_sums[index] / 6.0;
+        for (index, &is_pinned) in course.model.pinned().iter().enumerate() {
+            if !is_pinned {
+                state.positions[index] += stages.position_sums[index] / 6.0;
+                state.velocities[index] += stages.velocity_sums[index] / 6.0;
+            }
         }
     }
 }

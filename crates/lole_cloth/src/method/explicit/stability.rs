@@ -131,7 +131,7 @@ fn spectral_radius([[a, c], [b, d]]: [[f64; 2]; 2]) -> f64 {
 /// The fastest motion a cloth can make.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HighestMode {
-    /// `ω` [rad/s].
+    /// Angular frequency `ω` [rad/s].
     pub frequency: f64,
     /// Displacements by particle, of unit size together; zero where pinned.
     pub shape: Vec<DVec3>,

@@ -29,7 +29,7 @@ pub(crate) struct Form {
     rest: Points,
 }
 
-/// The same in registers.
+/// A symmetric form by lanes, in registers.
 #[derive(Clone, Copy)]
 struct Forms<S: Simd> {
     diagonal: Vectors<S>,

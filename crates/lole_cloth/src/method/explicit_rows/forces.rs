@@ -37,72 +37,75 @@ fn masked<S: Simd>(simd: S, value: f32x16<S>, mask: Option<&Scalars>) -> f32x16<
     }
 }
 
-/// Springs along a row alone: the last one.
-#[inline(always)]
-pub(super) fn add_row<S: Simd>(
-    simd: S,
-    forces: &mut [Points],
-    row: &[Points],
-    links: &[RowLink<2>],
-    spring: &Spring,
-) {
-    for link in links {
-        let [left, right] = link.groups.map(usize::from);
-        let shift = link.shifts[1];
-        let first = Vectors::load(simd, &row[left]);
-        let offset = Vectors::load(simd, &row[right])
-            .rotate_left(shift)
-            .sub(first);
-        let stretch = spring.stretch(offset.dot(offset));
-        let factor = spring.factor(stretch);
-        let factor = spring.exact_where_far(simd, factor, stretch);
-        let force = offset.scale(masked(simd, factor, link.mask.as_deref()));
-        add(&mut forces[left], force, 0);
-        subtract(&mut forces[right], force, shift);
-    }
-}
-
-/// Springs along the upper row and across the cells below it, and the cells' twist.
-#[inline(always)]
-pub(super) fn add_cells<S: Simd>(
-    simd: S,
-    [upper_forces, lower_forces]: [&mut [Points]; 2],
-    [upper, lower]: [&[Points]; 2],
-    links: &[RowLink<2>],
-    cell: &Cell,
-) {
-    for link in links {
-        let [left, right] = link.groups.map(usize::from);
-        if link.is_straight() {
-            let corners = [
-                Vectors::load(simd, &upper[left]),
-                Vectors::load(simd, &upper[right]),
-                Vectors::load(simd, &lower[left]),
-                Vectors::load(simd, &lower[right]),
-            ];
-            let forces = cell.forces(simd, corners, None);
-            add(&mut upper_forces[left], forces[0], 0);
-            add(&mut upper_forces[right], forces[1], 0);
-            add(&mut lower_forces[left], forces[2], 0);
-            subtract(&mut lower_forces[right], forces[3], 0);
-            continue;
+impl Spring {
+    /// Adds the forces of springs along a row: the last one, which has no cells below it.
+    #[inline(always)]
+    pub(super) fn add_row<S: Simd>(
+        &self,
+        simd: S,
+        forces: &mut [Points],
+        row: &[Points],
+        links: &[RowLink<2>],
+    ) {
+        for link in links {
+            let [left, right] = link.groups.map(usize::from);
+            let shift = link.shifts[1];
+            let first = Vectors::load(simd, &row[left]);
+            let offset = Vectors::load(simd, &row[right])
+                .rotate_left(shift)
+                .sub(first);
+            let stretch = self.stretch(offset.dot(offset));
+            let factor = self.factor(stretch);
+            let factor = self.exact_where_far(simd, factor, stretch);
+            let force = offset.scale(masked(simd, factor, link.mask.as_deref()));
+            add(&mut forces[left], force, 0);
+            subtract(&mut forces[right], force, shift);
         }
-        let shift = link.shifts[1];
-        let corners = [
-            Vectors::load(simd, &upper[left]),
-            Vectors::load(simd, &upper[right]).rotate_left(shift),
-            Vectors::load(simd, &lower[left]),
-            Vectors::load(simd, &lower[right]).rotate_left(shift),
-        ];
-        let forces = cell.forces(simd, corners, link.mask.as_deref());
-        add(&mut upper_forces[left], forces[0], 0);
-        add(&mut upper_forces[right], forces[1], shift);
-        add(&mut lower_forces[left], forces[2], 0);
-        subtract(&mut lower_forces[right], forces[3], shift);
     }
 }
 
 impl Cell {
+    /// Adds the forces of springs along the upper row and across the cells below it, and of the cells'
+    /// twist.
+    #[inline(always)]
+    pub(super) fn add_to_rows<S: Simd>(
+        &self,
+        simd: S,
+        [upper_forces, lower_forces]: [&mut [Points]; 2],
+        [upper, lower]: [&[Points]; 2],
+        links: &[RowLink<2>],
+    ) {
+        for link in links {
+            let [left, right] = link.groups.map(usize::from);
+            if link.is_straight() {
+                let corners = [
+                    Vectors::load(simd, &upper[left]),
+                    Vectors::load(simd, &upper[right]),
+                    Vectors::load(simd, &lower[left]),
+                    Vectors::load(simd, &lower[right]),
+                ];
+                let forces = self.forces(simd, corners, None);
+                add(&mut upper_forces[left], forces[0], 0);
+                add(&mut upper_forces[right], forces[1], 0);
+                add(&mut lower_forces[left], forces[2], 0);
+                subtract(&mut lower_forces[right], forces[3], 0);
+                continue;
+            }
+            let shift = link.shifts[1];
+            let corners = [
+                Vectors::load(simd, &upper[left]),
+                Vectors::load(simd, &upper[right]).rotate_left(shift),
+                Vectors::load(simd, &lower[left]),
+                Vectors::load(simd, &lower[right]).rotate_left(shift),
+            ];
+            let forces = self.forces(simd, corners, link.mask.as_deref());
+            add(&mut upper_forces[left], forces[0], 0);
+            add(&mut upper_forces[right], forces[1], shift);
+            add(&mut lower_forces[left], forces[2], 0);
+            subtract(&mut lower_forces[right], forces[3], shift);
+        }
+    }
+
     /// Forces [N] on the corners: upper left and right, lower left, and against that on the lower
     /// right.
     #[inline(always)]
@@ -150,28 +153,31 @@ impl Cell {
     }
 }
 
-/// Bending along a row; `weights` [N/m] stand at the middle of every term.
-#[inline(always)]
-pub(super) fn bend_row<S: Simd>(
-    simd: S,
-    forces: &mut [Points],
-    row: &[Points],
-    links: &[RowLink<3>],
-    weights: &[Scalars],
-) {
-    for link in links {
-        let [left, middle, right] = link.groups.map(usize::from);
-        let [_, to_middle, to_right] = link.shifts;
-        let weight = f32x16::load_array_ref(simd, &weights[middle].0);
-        let weight = masked(simd, rotate_left(weight, to_middle), link.mask.as_deref());
-        let center = Vectors::load(simd, &row[middle]).rotate_left(to_middle);
-        let curvature = Vectors::load(simd, &row[left])
-            .sub(center)
-            .sub(center.sub(Vectors::load(simd, &row[right]).rotate_left(to_right)));
-        let force = curvature.scale(weight);
-        subtract(&mut forces[left], force, 0);
-        add(&mut forces[middle], force.add(force), to_middle);
-        subtract(&mut forces[right], force, to_right);
+/// Bending along a row.
+pub(super) struct RowBending<'a> {
+    pub(super) links: &'a [RowLink<3>],
+    /// By the particle at the middle of every term [N/m].
+    pub(super) weights: &'a [Scalars],
+}
+
+impl RowBending<'_> {
+    /// Adds its forces.
+    #[inline(always)]
+    pub(super) fn add<S: Simd>(&self, simd: S, forces: &mut [Points], row: &[Points]) {
+        for link in self.links {
+            let [left, middle, right] = link.groups.map(usize::from);
+            let [_, to_middle, to_right] = link.shifts;
+            let weight = f32x16::load_array_ref(simd, &self.weights[middle].0);
+            let weight = masked(simd, rotate_left(weight, to_middle), link.mask.as_deref());
+            let center = Vectors::load(simd, &row[middle]).rotate_left(to_middle);
+            let curvature = Vectors::load(simd, &row[left])
+                .sub(center)
+                .sub(center.sub(Vectors::load(simd, &row[right]).rotate_left(to_right)));
+            let force = curvature.scale(weight);
+            subtract(&mut forces[left], force, 0);
+            add(&mut forces[middle], force.add(force), to_middle);
+            subtract(&mut forces[right], force, to_right);
+        }
     }
 }
 

@@ -71,7 +71,8 @@ impl Spring {
         (e * self.stiffness) * (low + squared * (middle + squared * high))
     }
 
-    /// The same by root and quotient where the polynomial does not hold.
+    /// `k (1 - L / |P|)` [N/m] by root and quotient in lanes where the polynomial does not hold; `factor` in
+    /// others.
     #[inline(always)]
     pub(super) fn exact_where_far<S: Simd>(
         &self,

@@ -84,8 +84,8 @@ impl ReferenceModel {
 
     /// Substeps into which (9) must divide `dt` [s] for flat cloth to be stable with this contact, from
     /// `ω² Δt² + 2 c Δt < 4` at every free particle, where `ω² = ω_i² + n k / m_i`,
-    /// `c = drag_rate + n b / m_i` and `n` capsules push at once ([`Penalty::overlap_count`]); and so that `ω_c Δt ≤ 0.5`, which
-    /// keeps the bounce honest. At least 1.
+    /// `c = drag_rate + n b / m_i` and `n` capsules push at once ([`Penalty::overlap_count`]); and so that
+    /// `ω_c Δt ≤ 0.5`, which keeps the bounce honest. At least 1.
     #[must_use]
     pub fn stable_substeps(&self, dt: f64, contact: &Penalty) -> u32 {
         let rates = (0..self.masses.len())

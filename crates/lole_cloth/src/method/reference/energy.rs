@@ -7,9 +7,9 @@ use super::{ReferenceModel, ReferenceState};
 /// Linear and angular momentum of the whole cloth.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Momentum {
-    /// `Σ m v` [kg·m/s].
+    /// Linear momentum, `Σ m v` [kg·m/s].
     pub linear: DVec3,
-    /// `Σ m x × v` about the origin [kg·m²/s].
+    /// Angular momentum, `Σ m x × v` about the origin [kg·m²/s].
     pub angular: DVec3,
 }
 

@@ -26,13 +26,13 @@ pub enum SpringFamily {
 /// All springs of one family: equal rest lengths, equal stiffness.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Springs {
-    /// Which family.
+    /// The family that they are.
     pub family: SpringFamily,
-    /// Particles at both ends.
+    /// Particles at both ends, shape `[spring_count]`.
     pub ends: Vec<[u32; 2]>,
-    /// `L` [m].
+    /// Rest length `L` [m].
     pub rest_length: f64,
-    /// `k` [N/m].
+    /// Stiffness `k` [N/m].
     pub stiffness: f64,
     /// Unit vector of the spring in the flat cloth, `(u, v)`.
     pub direction: DVec2,

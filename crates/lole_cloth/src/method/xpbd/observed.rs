@@ -1,65 +1,48 @@
 //! A step whose phases are done one after the other, so that each can be timed.
 
-use super::schedule::{Schedule, Stage};
-use super::{
-    Part, Plan, begin_observed, end, keep_guards, meets_itself, run, set_schedules,
-    solve_cloth_contacts, start_substep,
-};
+use super::schedule::{Part, Schedule, Stage, set_schedules};
+use super::{SubstepNow, begin_observed, end, keep_guards, solve_cloth_contacts};
+use crate::ClothState;
 use crate::phase::Phase;
-use crate::{ClothModel, ClothState, SolverConfig, StepInput};
+use crate::step::GridStep;
 
-/// Moves the cloth on by `dt` as [`super::advance`] does, bit for bit, and calls `passed` at the
-/// end of every phase.
-pub(crate) fn advance(
-    (model, config): (&ClothModel, &SolverConfig),
-    (input, dt): (&StepInput<'_>, f32),
-    state: &mut ClothState,
-    passed: &mut dyn FnMut(Phase),
-) {
+/// Moves the cloth on as [`super::advance`] does, bit for bit, and calls `passed` at the end of every
+/// phase.
+pub(crate) fn advance(step: GridStep<'_>, state: &mut ClothState, passed: &mut dyn FnMut(Phase)) {
     passed(Phase::Outside);
-    let plan = begin_observed((model, config), (input, dt), state, Some(&mut *passed));
+    let plan = &begin_observed(step, state, Some(&mut *passed));
     for index in 0..plan.substep.count {
-        start_substep((model, config, input), (&plan, index), state);
+        let now = SubstepNow { step, plan, index };
+        now.start(state);
         passed(Phase::FindBody);
-        if !meets_itself(&plan, index, state) {
-            run_apart(
-                (model, config),
-                (&plan, index),
-                (Part::Whole, state),
-                passed,
-            );
+        if !now.meets_itself(state) {
+            now.run_apart(Part::Whole, state, passed);
             continue;
         }
-        let before = (Part::BeforeContact, &mut *state);
-        run_apart((model, config), (&plan, index), before, passed);
+        now.run_apart(Part::BeforeContact, state, passed);
         if let Some(law) = plan.law(index) {
             solve_cloth_contacts(law, state);
         }
-        keep_guards(&plan, state);
+        keep_guards(plan, state);
         passed(Phase::SelfContact);
-        let after = (Part::AfterContact, &mut *state);
-        run_apart((model, config), (&plan, index), after, passed);
+        now.run_apart(Part::AfterContact, state, passed);
     }
-    end((model, config), (input, dt), state);
+    end(step, state);
     passed(Phase::Crossings);
 }
 
-/// A part of a substep, one stage after the other over the whole cloth.
-fn run_apart(
-    (model, config): (&ClothModel, &SolverConfig),
-    (plan, index): (&Plan, u32),
-    (part, state): (Part, &mut ClothState),
-    passed: &mut dyn FnMut(Phase),
-) {
-    let whole = state.scratch.schedules.0[part as usize].clone();
-    for stage in whole.stages() {
-        // The code that runs a whole schedule runs one of a single stage: no second copy of it.
-        state.scratch.schedules.0[part as usize] = Schedule::of(stage);
-        let part = (part, plan.range(index), index);
-        run((model, config, &plan.substep), part, state);
-        passed(phase_of(stage));
+impl SubstepNow<'_> {
+    /// A part of the substep, one stage after the other over the whole cloth.
+    fn run_apart(self, part: Part, state: &mut ClothState, passed: &mut dyn FnMut(Phase)) {
+        let whole = state.scratch.schedules.of(part).clone();
+        for stage in whole.stages() {
+            // The code that runs a whole schedule runs one of a single stage: no second copy of it.
+            *state.scratch.schedules.of_mut(part) = Schedule::of(stage);
+            self.run(part, state);
+            passed(phase_of(stage));
+        }
+        set_schedules(self.step.model, self.step.config, state);
     }
-    set_schedules(model, config, state);
 }
 
 const fn phase_of(stage: Stage) -> Phase {

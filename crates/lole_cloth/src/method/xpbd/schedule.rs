@@ -6,7 +6,13 @@
 //! staggered way the arithmetic is that of one family after the other over the whole cloth, bit for
 //! bit, and a row is still in the nearest cache when the next family wants it.
 
-use crate::constraint::pull::Pull;
+use crate::constraint::stride::Limit;
+use crate::constraint::tether::Tethers;
+use crate::{ClothModel, ClothState, SolverConfig};
+
+/// Structural sweeps after the contacts of the cloth with itself: none leaves the springs strained
+/// where folds are pressed together, all of them press folds through each other.
+const LAST_SWEEPS: u32 = 1;
 
 /// One thing that is done to every row, or to every row and some below it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,9 +22,9 @@ pub(crate) enum Stage {
     /// Tethers to pins, which lie at most so many rows further down.
     Tether(usize),
     /// Strides down the columns, over so many rows, and their limit.
-    ColumnStride(usize, Pull),
+    ColumnStride(usize, Limit),
     /// Strides along the row: which of the strides, and their limit.
-    RowStride(usize, [Pull; 2]),
+    RowStride(usize, [Limit; 2]),
     /// Bending along the row.
     BendAlong,
     /// Bending down the columns.
@@ -27,7 +33,7 @@ pub(crate) enum Stage {
     Cells,
     /// Structural springs along the row.
     SpringsAlong,
-    /// The same, where cloth is gathered.
+    /// Structural springs along the row once more, where cloth is gathered.
     SpringsGathered,
     /// Structural springs down the columns.
     SpringsDown,
@@ -113,6 +119,82 @@ impl Schedule {
     }
 }
 
+/// A substep in one piece, or cut where the cloth meets itself.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Part {
+    Whole,
+    BeforeContact,
+    AfterContact,
+}
+
+/// Order of the work by [`Part`].
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct Schedules([Schedule; 3]);
+
+impl Schedules {
+    /// The schedule of a part.
+    pub(super) const fn of(&self, part: Part) -> &Schedule {
+        &self.0[part as usize]
+    }
+
+    /// The schedule of a part, to be set.
+    pub(super) const fn of_mut(&mut self, part: Part) -> &mut Schedule {
+        &mut self.0[part as usize]
+    }
+}
+
+/// Orders the work: what reaches farthest first, structural springs last, so that what is drawn is
+/// stretched least.
+pub(super) fn set_schedules(model: &ClothModel, config: &SolverConfig, state: &mut ClothState) {
+    let scratch = &mut state.scratch;
+    scratch.row_strides.set(model, config);
+    let sweep_count = config.structural_sweep_count.get();
+    let last_count = LAST_SWEEPS.min(sweep_count);
+    for (part, schedule) in [Part::Whole, Part::BeforeContact, Part::AfterContact]
+        .into_iter()
+        .zip(&mut scratch.schedules.0)
+    {
+        schedule.clear();
+        let sweeps = match part {
+            Part::Whole => sweep_count,
+            Part::BeforeContact => sweep_count - last_count,
+            Part::AfterContact => last_count,
+        };
+        if part != Part::AfterContact {
+            push_far_and_soft(model, config, schedule);
+        }
+        for _ in 0..sweeps {
+            schedule.push(Stage::SpringsAlong);
+            for _ in 0..config.gathered_sweep_count {
+                schedule.push(Stage::SpringsGathered);
+            }
+            schedule.push(Stage::SpringsDown);
+        }
+        if part != Part::BeforeContact {
+            schedule.push(Stage::Finish);
+        }
+    }
+}
+
+fn push_far_and_soft(model: &ClothModel, config: &SolverConfig, schedule: &mut Schedule) {
+    schedule.push(Stage::Predict);
+    if config.tether_scale.is_some() && model.tethers != Tethers::Loose {
+        schedule.push(Stage::Tether(model.tethers.reach()));
+    }
+    let [u, v] = model.spec().grid.spacing;
+    for &stride in &config.column_strides {
+        schedule.push(Stage::ColumnStride(stride as usize, Limit::new(stride, v)));
+    }
+    let fullness = (model.spec().grid.flounce).map_or(1.0, |flounce| flounce.fullness);
+    for (index, &stride) in config.row_strides.iter().enumerate() {
+        let limits = [u, fullness * u].map(|spacing| Limit::new(stride, spacing));
+        schedule.push(Stage::RowStride(index, limits));
+    }
+    schedule.push(Stage::BendAlong);
+    schedule.push(Stage::BendDown);
+    schedule.push(Stage::Cells);
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -132,9 +214,9 @@ mod tests {
         let stages = [
             Stage::Predict,
             Stage::Tether(3),
-            Stage::ColumnStride(16, Pull::new(1.0)),
-            Stage::ColumnStride(4, Pull::new(1.0)),
-            Stage::RowStride(0, [Pull::new(1.0); 2]),
+            Stage::ColumnStride(16, Limit::new(1, 1.0)),
+            Stage::ColumnStride(4, Limit::new(1, 1.0)),
+            Stage::RowStride(0, [Limit::new(1, 1.0); 2]),
             Stage::BendAlong,
             Stage::BendDown,
             Stage::Cells,

@@ -2,17 +2,18 @@
 
 use fearless_simd::{Simd, f32x16, prelude::*};
 
-use super::Substep;
 use super::schedule::Stage;
+use super::substep::Substep;
 use crate::collision::capsule::MovingCapsule;
 use crate::collision::capsule::near::{Range, RowContacts};
 use crate::collision::response::ContactRow;
 use crate::collision::surfel::SurfelContacts;
-use crate::constraint::bend::Bend;
+use crate::constraint::bend::{Bend, Bending};
 use crate::constraint::hysteresis::{BendSets, Frictionless, Sets, ShearSets};
-use crate::constraint::tether::Tethers;
-use crate::constraint::{bend, shear, stride, structural, tether};
+use crate::constraint::shear::Shearing;
+use crate::constraint::tether::{HangingRow, Tethers};
 use crate::lanes::{Points, RowLink, Vectors, row_links};
+use crate::step::Progress;
 use crate::{ClothModel, SolverConfig};
 
 /// Stride links along rows, with their strides.
@@ -69,8 +70,8 @@ pub(super) struct Work<'a> {
     /// Which capsules are tested.
     pub(super) range: Range,
     pub(super) surfel_contacts: &'a SurfelContacts,
-    /// How much has passed at the end of the substep of what they were found for, and its own share.
-    pub(super) passed: (f32, f32),
+    /// How far what they were found for has come at the end of the substep.
+    pub(super) skin_progress: Progress,
     /// By row, how far inside the capsules its particles may stay [m].
     pub(super) held: &'a [f32],
 }
@@ -86,12 +87,12 @@ impl Work<'_> {
             Stage::Tether(_) => self.solve_tethers(simd, row),
             Stage::ColumnStride(span, limit) => {
                 let masses = [masses, model.row_masses(row + span)];
-                stride::solve_pair(simd, self.row_pair(row, span), masses, limit);
+                limit.solve_pair(simd, self.row_pair(row, span), masses);
             }
             Stage::RowStride(index, limits) => {
                 let (_, links) = &self.strides.0[index];
                 let limit = limits[usize::from(substep.seam_row < row)];
-                stride::solve_row(simd, self.row(row), masses, links, limit);
+                limit.solve_row(simd, self.row(row), masses, links);
             }
             Stage::BendAlong => self.bend_along(simd, row),
             Stage::BendDown => self.bend_down(simd, row),
@@ -99,16 +100,13 @@ impl Work<'_> {
             Stage::SpringsGathered if !model.pinned_rows.is_gathered(row) => {}
             Stage::SpringsAlong | Stage::SpringsGathered => {
                 let links = &model.row_pairs;
-                structural::solve_row(simd, self.row(row), masses, links, substep.row(row).across);
+                let spring = substep.row(row).across;
+                spring.solve_row(simd, self.row(row), masses, links);
             }
             Stage::SpringsDown => {
                 let masses = [masses, model.row_masses(row + 1)];
-                structural::solve_pair(
-                    simd,
-                    self.row_pair(row, 1),
-                    masses,
-                    substep.cells(row).down,
-                );
+                let spring = substep.cells(row).down;
+                spring.solve_pair(simd, self.row_pair(row, 1), masses);
             }
             Stage::Finish => self.finish(simd, row),
         }
@@ -128,12 +126,15 @@ impl Work<'_> {
         let masses = model.row_masses(row);
         let points = &mut self.positions[row * width..(row + 1) * width];
         match woven.friction.bend[0] {
-            None => bend::solve_row(simd, points, masses, links, (bend, &mut Frictionless)),
+            None => {
+                let friction = &mut Frictionless;
+                Bending { bend, friction }.solve_row(simd, points, masses, links);
+            }
             Some(friction) => {
                 let first = row * links.len();
                 let sets = &mut self.yarn_sets.bend[0][first..first + links.len()];
                 let friction = &mut BendSets { sets, friction };
-                bend::solve_row(simd, points, masses, links, (bend, friction));
+                Bending { bend, friction }.solve_row(simd, points, masses, links);
             }
         }
     }
@@ -151,11 +152,14 @@ impl Work<'_> {
         let borders = &model.bend_borders;
         let rows = triple(self.positions, row, width);
         match woven.friction.bend[1] {
-            None => bend::solve_triple(simd, rows, masses, (bend, &mut Frictionless), borders),
+            None => {
+                let friction = &mut Frictionless;
+                Bending { bend, friction }.solve_triple(simd, rows, masses, borders);
+            }
             Some(friction) => {
                 let sets = &mut self.yarn_sets.bend[1][row * width..(row + 1) * width];
                 let friction = &mut BendSets { sets, friction };
-                bend::solve_triple(simd, rows, masses, (bend, friction), borders);
+                Bending { bend, friction }.solve_triple(simd, rows, masses, borders);
             }
         }
     }
@@ -169,7 +173,10 @@ impl Work<'_> {
         let cell = woven.cell;
         let rows = pair(self.positions, [row, row + 1], width);
         match woven.friction.shear {
-            None => shear::solve_pair(simd, rows, masses, links, (cell, &mut Frictionless)),
+            None => {
+                let friction = &mut Frictionless;
+                Shearing { cell, friction }.solve_pair(simd, rows, masses, links);
+            }
             Some(friction) => {
                 let first = row * links.len();
                 let friction = &mut ShearSets {
@@ -177,7 +184,7 @@ impl Work<'_> {
                     friction,
                     inv_four_squares: 0.25 / cell.diagonal.rest_length_squared(),
                 };
-                shear::solve_pair(simd, rows, masses, links, (cell, friction));
+                Shearing { cell, friction }.solve_pair(simd, rows, masses, links);
             }
         }
     }
@@ -251,20 +258,23 @@ impl Work<'_> {
                 };
                 #[expect(clippy::cast_precision_loss, reason = "rows are fewer than 2^24")]
                 let limit = distance as f32 * model.spec().grid.spacing[1] * scale;
-                tether::solve_row(simd, points, &model.inv_masses[range], anchors, limit);
+                let row = HangingRow {
+                    points,
+                    inv_masses: &model.inv_masses[range],
+                };
+                row.pull_to_row(simd, anchors, limit);
             }
             Tethers::Anchors(anchors) => {
                 for anchor in anchors {
                     let (vector, lane) =
                         model.layout.slot(model.pin_indices()[anchor.pin] as usize);
                     let position = self.positions[vector].get(lane);
-                    tether::solve_row_to_anchor(
-                        simd,
-                        &mut self.positions[range.clone()],
-                        &model.inv_masses[range.clone()],
-                        &anchor.inv_squares[range.clone()],
-                        (position, scale),
-                    );
+                    let row = HangingRow {
+                        points: &mut self.positions[range.clone()],
+                        inv_masses: &model.inv_masses[range.clone()],
+                    };
+                    let inv_squares = &anchor.inv_squares[range.clone()];
+                    row.pull_to_anchor(simd, inv_squares, position, scale);
                 }
             }
         }
@@ -279,18 +289,18 @@ impl Work<'_> {
         let has_skin = !self.surfel_contacts.is_empty();
         if has_skin || !indices.is_empty() {
             let mut contact_row = ContactRow {
+                first: range.start,
                 positions: &mut self.positions[range.clone()],
                 predicted: &mut self.predicted[range.clone()],
                 velocities: &self.velocities[range.clone()],
                 inv_masses: &self.model.inv_masses[range.clone()],
                 h: self.substep.h,
                 held: self.held[row],
+                law: self.substep.contact,
             };
-            let law = self.substep.contact;
-            contact_row.project(simd, self.capsules, indices, law);
+            contact_row.project(simd, self.capsules, indices);
             if has_skin {
-                let contacts = (self.surfel_contacts, range.start);
-                contact_row.project_out_of_skin(simd, contacts, self.passed, law);
+                contact_row.project_out_of_skin(simd, self.surfel_contacts, self.skin_progress);
             }
         }
         let inv_h = f32x16::splat(simd, 1.0 / self.substep.h);
