@@ -14,7 +14,8 @@ use lole_costume::cost::Bill;
 use lole_costume::order::{CutElastic, DancerPlan, PlannedGarment};
 use lole_costume::tailoring::{ClothPlan, role_name};
 use lole_garment::Shelf;
-use lole_language::{Bilingual as _, Language, Sentence};
+use lole_geom::Length;
+use lole_language::{Bilingual as _, Language, Sentence, Words, capitalized};
 use lole_pattern::pattern::{Amount, NotionKind, Step};
 use lole_pattern::piece::ClothRole;
 use lole_print::PrintImage;
@@ -378,35 +379,47 @@ fn cut_plans(
         owner: String::new(),
     };
     for plan in &garment.plans {
-        let height = plan_height(plan, flow.width());
-        flow.keep(height + 10.0);
-        if plan.role != ClothRole::Main {
-            subhead(flow, role_name(plan.role).text(language));
-        }
-        let mut numbered = Vec::new();
-        flow.block(height, |sheet, rect| {
-            numbered = draw_marker(sheet, rect, &cut, plan, language);
-        });
-        if let Some(words) = numbers_words(&cut, &numbered, language) {
-            flow.paragraph(&words, &TextStyle::body());
-        }
-        for warning in &plan.marker.warnings {
-            flow.paragraph(
-                &format!("! {}", warning.text(language)),
-                &TextStyle::bold(12.5),
-            );
-        }
+        cut_plan(flow, &cut, plan, language);
     }
     for plan in &garment.plans {
         if let Some(text) = short_words(&plan.marker.yardage, language) {
             flow.paragraph(&text, &TextStyle::body());
         }
     }
-    for (piece, [along, across], count) in garment.rectangles() {
+    for text in rectangles(garment, language) {
+        flow.paragraph(&text, &TextStyle::body());
+    }
+    flow.space(6.0);
+}
+
+/// Where the pieces of one cloth lie, with what is to be said of it.
+fn cut_plan(flow: &mut Flow, cut: &CutGarment, plan: &ClothPlan, language: Language) {
+    let height = plan_height(plan, flow.width());
+    flow.keep(height + 10.0);
+    if plan.role != ClothRole::Main {
+        subhead(flow, role_name(plan.role).text(language));
+    }
+    let mut numbered = Vec::new();
+    flow.drawing(height, language, |canvas| {
+        numbered = draw_marker(canvas, cut, plan);
+    });
+    if let Some(words) = numbers_words(cut, &numbered, language) {
+        flow.paragraph(&words, &TextStyle::body());
+    }
+    for warning in &plan.marker.warnings {
+        let text = format!("! {}", warning.text(language));
+        flow.paragraph(&text, &TextStyle::bold(12.5));
+    }
+}
+
+/// How large the rectangles of a garment are cut, and how often.
+fn rectangles(garment: &PlannedGarment, language: Language) -> Vec<String> {
+    let rectangles = garment.rectangles().into_iter();
+    let sentence = |(piece, [along, across], count): (Words, [Length; 2], u32)| {
         let (along, across) = (along.to_cm(), across.to_cm());
         let mut pieces = garment.tailored.pattern.pieces.iter();
         let on_bias = pieces.any(|other| other.name == piece && other.is_on_bias());
-        let text = match language {
+        match language {
             Language::Japanese if on_bias => format!(
                 "{}: バイアス（耳から斜め 45°）に、長さ {:.1} cm × 幅 {:.1} cm を {count} 枚（縫い代を含む）。",
                 piece.japanese,
@@ -427,19 +440,9 @@ fn cut_plans(
                 "{}: {along:.1} cm along the selvage by {across:.1} cm across, cut {count} (seam allowances included).",
                 capitalized(piece.english)
             ),
-        };
-        flow.paragraph(&text, &TextStyle::body());
-    }
-    flow.space(6.0);
-}
-
-/// Names stand in sentences; a row of a table begins one.
-pub(crate) fn capitalized(words: &str) -> String {
-    let mut letters = words.chars();
-    let first = letters
-        .next()
-        .map(|letter| letter.to_uppercase().to_string());
-    first.unwrap_or_default() + letters.as_str()
+        }
+    };
+    rectangles.map(sentence).collect()
 }
 
 /// Height of a cut plan over this width [mm].
@@ -472,8 +475,8 @@ fn steps(flow: &mut Flow, garment: &PlannedGarment, language: Language) {
         flow.keep(figure + step_height(step, flow.width(), language));
         step_title(flow, number, step, language);
         if 0.0 < figure {
-            flow.block(figure, |sheet, rect| {
-                figures::draw(sheet, rect, pattern, &step.figure, language);
+            flow.drawing(figure, language, |canvas| {
+                figures::draw(canvas, pattern, &step.figure);
             });
             flow.space(2.0);
         }

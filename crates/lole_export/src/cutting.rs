@@ -31,7 +31,7 @@ use lole_print::PrintImage;
 
 pub use json::pattern_json;
 pub use pieces_svg::pieces_svg;
-pub use plan::{cut_plan_sheets, cut_plan_svg, masses, short_words, used_words};
+pub use plan::{cut_plan_sheets, cut_plan_svg, lying_width, masses, short_words, used_words};
 pub(crate) use plan::{draw_marker, numbers_words};
 pub use ruler::ruler_sheets;
 pub use tiles::{TiledPattern, tiled_sheets};

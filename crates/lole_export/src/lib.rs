@@ -22,6 +22,7 @@
 //! pixels.
 
 pub mod booklet;
+mod canvas;
 pub mod cutting;
 pub mod dancer_sheet;
 pub mod dxf;

@@ -8,14 +8,12 @@ use lole_costume::cost::Bill;
 use lole_costume::order::{
     CutElastic, DancerPlan, NotionTotal, PlannedGarment, PrintTotal, Settings,
 };
-use lole_language::{Bilingual as _, Language, Sentence};
+use lole_language::{Bilingual as _, Language, Sentence, capitalized};
 use lole_pattern::pattern::{Amount, NotionKind};
 use serde::Serialize;
 
 use crate::ExportError;
-use crate::booklet::{
-    ACCENT, amount_words, bill_remarks, bill_table, capitalized, foot, head, headed_table,
-};
+use crate::booklet::{ACCENT, amount_words, bill_remarks, bill_table, foot, head, headed_table};
 use crate::pdf::{
     Align, Cell, Column, Flow, Margins, Paper, Picture, Rect, Sheet, Stroke, Table, TextStyle,
 };

@@ -15,9 +15,10 @@ use lole_pattern::marker::{Lay, Marker, Nap, TableCloth, lay_out};
 use lole_pattern::piece::{ClothRole, CutCount, Finish, Piece};
 use lole_pattern::polygon::Polygon;
 
-use super::draw::{fitting, full_size, outline};
+use super::draw::{FullSize, PLACE_ON_FOLD, fitting, fold_stroke, outline};
 use super::label::Label;
 use super::{CutGarment, MM, TOLERANCE, cut_words};
+use crate::canvas::Canvas;
 use crate::pdf::{Align, Color, Item, Paper, Rect, Sheet, Stroke, TextStyle};
 
 /// What no home printer needs to print on [mm].
@@ -54,11 +55,7 @@ pub struct TiledPattern {
 /// fold are drawn to it, pairs once.
 #[must_use]
 pub fn tiled_sheets(cut: &CutGarment, paper: Paper, language: Language) -> Option<TiledPattern> {
-    let free = cut.garment.pattern.pieces.iter().filter(|piece| {
-        let is_ruled = piece.drawing(TOLERANCE).rectangle.is_some();
-        !is_ruled
-    });
-    let free: Vec<&Piece> = free.collect();
+    let free = free_pieces(cut);
     if free.is_empty() {
         return None;
     }
@@ -68,7 +65,9 @@ pub fn tiled_sheets(cut: &CutGarment, paper: Paper, language: Language) -> Optio
     let mut sheets = vec![cover(cut, &layout, tiles.len(), language)];
     for (number, tile) in (1_usize..).zip(&tiles) {
         let mut sheet = layout.tile_sheet(*tile, &tiles, &drawing, language);
-        write_foot(&mut sheet, cut, number, tiles.len(), language);
+        let at = [0.5 * sheet.size[0], sheet.size[1] - 4.5];
+        let foot = foot(cut, number, tiles.len(), language);
+        sheet.text(at, &foot, &TextStyle::regular(8.0), Align::Center);
         sheets.push(sheet);
     }
     Some(TiledPattern {
@@ -76,6 +75,14 @@ pub fn tiled_sheets(cut: &CutGarment, paper: Paper, language: Language) -> Optio
         grid: [layout.columns, layout.rows],
         piece_count: free.len(),
     })
+}
+
+/// Pieces that no ruler draws.
+fn free_pieces(cut: &CutGarment) -> Vec<&Piece> {
+    let pieces = cut.garment.pattern.pieces.iter();
+    pieces
+        .filter(|piece| piece.drawing(TOLERANCE).rectangle.is_none())
+        .collect()
 }
 
 /// All pieces laid on one large sheet, and how paper covers it.
@@ -404,7 +411,7 @@ impl Joint {
         } else {
             0.0
         };
-        sheet.turned_text(at, angle, &words, &small, Align::Center);
+        sheet.turned_text(at, angle, &words, &small);
     }
 }
 
@@ -424,7 +431,12 @@ fn draw_pieces(
         let drawing = piece.drawing(TOLERANCE);
         let words = label(cut, piece, language);
         let place = Label::of(&drawing, &words, to_drawing, &rooms);
-        full_size(&mut sheet, &drawing, (&words, &place), to_drawing, language);
+        let full_size = FullSize {
+            drawing: &drawing,
+            page_from_piece: to_drawing,
+            language,
+        };
+        full_size.draw(&mut sheet, &words, &place);
     }
     sheet.items
 }
@@ -446,20 +458,12 @@ fn label(cut: &CutGarment, piece: &Piece, language: Language) -> Vec<String> {
 }
 
 /// The line at the foot of a sheet.
-fn write_foot(
-    sheet: &mut Sheet,
-    cut: &CutGarment,
-    number: usize,
-    count: usize,
-    language: Language,
-) {
+fn foot(cut: &CutGarment, number: usize, count: usize, language: Language) -> String {
     let name = cut.title(language);
-    let text = match language {
+    match language {
         Language::Japanese => format!("{name}　{number} / {count}　倍率100 %で印刷"),
         Language::English => format!("{name}, sheet {number} of {count}. Print at 100 %."),
-    };
-    let at = [0.5 * sheet.size[0], sheet.size[1] - 4.5];
-    sheet.text(at, &text, &TextStyle::regular(8.0), Align::Center);
+    }
 }
 
 /// The first page: how to print and join, a square to measure, the map, the lines.
@@ -514,7 +518,12 @@ fn cover(cut: &CutGarment, layout: &Layout, count: usize, language: Language) ->
         &TextStyle::bold(11.0),
         Align::Left,
     );
-    draw_map(&mut sheet, map, layout, cut, language);
+    let mut canvas = Canvas {
+        sheet: &mut sheet,
+        rect: map,
+        language,
+    };
+    draw_map(&mut canvas, layout, cut);
     sheet
 }
 
@@ -531,14 +540,7 @@ fn draw_legend(sheet: &mut Sheet, [x, y]: [f64; 2], language: Language) {
             "縫い線（でき上がり線）",
             "stitching line",
         ),
-        (
-            Stroke {
-                dashes: vec![12.0, 3.0, 2.0, 3.0],
-                ..Stroke::solid(0.7)
-            },
-            "わ（布の折り山に置く）",
-            "place on fold",
-        ),
+        (fold_stroke(), PLACE_ON_FOLD.japanese, PLACE_ON_FOLD.english),
         (
             Stroke::solid(0.25),
             "折り線・付け位置など",
@@ -575,9 +577,10 @@ fn draw_legend(sheet: &mut Sheet, [x, y]: [f64; 2], language: Language) {
 }
 
 /// All sheets small, with the pieces on them.
-fn draw_map(sheet: &mut Sheet, rect: Rect, layout: &Layout, cut: &CutGarment, language: Language) {
+fn draw_map(canvas: &mut Canvas<'_>, layout: &Layout, cut: &CutGarment) {
+    let sheet = &mut *canvas.sheet;
     let whole = layout.window([layout.columns - 1, layout.rows - 1]);
-    let fitted = rect.fitting(whole.x1, whole.y1);
+    let fitted = canvas.rect.fitting(whole.x1, whole.y1);
     let scale = fitted.width / whole.x1;
     let map = Affine::translate((fitted.x, fitted.y)) * Affine::scale(scale);
     let [step_x, step_y] = step(layout.paper);
@@ -595,16 +598,13 @@ fn draw_map(sheet: &mut Sheet, rect: Rect, layout: &Layout, cut: &CutGarment, la
         let at = [cell.x + 1.5, cell.y + style.em()];
         sheet.text(at, &tile_name(tile), &style, Align::Left);
     }
-    let free = cut.garment.pattern.pieces.iter();
-    let free: Vec<&Piece> = free
-        .filter(|piece| piece.drawing(TOLERANCE).rectangle.is_none())
-        .collect();
+    let free = free_pieces(cut);
     for placed in &layout.marker.placed {
         let to_map = map * layout.drawing_from_marker();
         let path = outline(&placed.outline, to_map);
         let bounds = path.control_box();
         sheet.path(path, None, Some(Stroke::solid(0.35)));
-        let name = free[placed.piece].name.text(language);
+        let name = free[placed.piece].name.text(canvas.language);
         if let Some(style) = fitting(name, 0.9 * bounds.width(), 10.0) {
             let (label, _) = placed.outline.roomiest_point();
             let at = to_map * label;

@@ -127,14 +127,7 @@ pub fn order_folder(
         spool_m: design.cost.thread_spool_m,
     };
     let (paper, language) = (parts.paper, parts.language);
-    let pdf = |sheets: Vec<Sheet>| {
-        let document = Document {
-            title: parts.title.clone(),
-            language: language.pick("ja", "en"),
-            sheets,
-        };
-        document.to_bytes()
-    };
+    let pdf = |sheets: Vec<Sheet>| Document::new(&parts.title, language, sheets).to_bytes();
     let mut files = vec![(
         "order.pdf".to_owned(),
         pdf(order_sheets(&order, paper, language))?,
@@ -155,12 +148,7 @@ pub fn order_folder(
         let sheets = booklet_sheets(&booklet, paper, language);
         files.push(("booklet.pdf".to_owned(), pdf(sheets)?));
     }
-    files.extend(paper_patterns(
-        plans,
-        &parts.title,
-        (paper, language),
-        goes_on,
-    )?);
+    files.extend(paper_patterns(parts, goes_on)?);
     let mut names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
     names.push(ORDER_JSON);
     names.extend(parts.kept_files.iter().map(String::as_str));
@@ -175,35 +163,32 @@ pub fn order_folder(
 
 /// A file of patterns at full size for every dancer whose garments are not all drawn by ruler.
 fn paper_patterns(
-    plans: &[DancerPlan],
-    title: &str,
-    (paper, language): (Paper, Language),
+    parts: &OrderParts<'_>,
     goes_on: &(dyn Fn() -> bool + Sync),
 ) -> Result<Vec<(String, Vec<u8>)>, ExportError> {
+    let (paper, language) = (parts.paper, parts.language);
     let of_dancer = |(index, plan): (usize, &DancerPlan)| {
         if !goes_on() {
             return Ok(None);
         }
-        let sheets = pattern_sheets(plan, (paper, language));
+        let sheets = pattern_sheets(plan, paper, language);
         if sheets.is_empty() {
             return Ok(None);
         }
-        let document = Document {
-            title: format!("{title}: {}", plan.name),
-            language: language.pick("ja", "en"),
-            sheets,
-        };
+        let title = format!("{}: {}", parts.title, plan.name);
+        let document = Document::new(&title, language, sheets);
         let size = paper.name().to_ascii_lowercase();
         let (number, who) = (index + 1, file_word(&plan.name));
         let name = format!("{PATTERN_FILES}{number:03}-{who}-{size}.pdf");
         Ok(Some((name, document.to_bytes()?)))
     };
-    let files: Result<Vec<_>, ExportError> = plans.par_iter().enumerate().map(of_dancer).collect();
+    let plans = parts.group.plans.par_iter();
+    let files: Result<Vec<_>, ExportError> = plans.enumerate().map(of_dancer).collect();
     Ok(files?.into_iter().flatten().collect())
 }
 
 /// One dancer's patterns at full size; none where all of hers are drawn by ruler.
-fn pattern_sheets(plan: &DancerPlan, (paper, language): (Paper, Language)) -> Vec<Sheet> {
+fn pattern_sheets(plan: &DancerPlan, paper: Paper, language: Language) -> Vec<Sheet> {
     let tiled = plan.garments.iter().filter_map(|garment| {
         let cut = CutGarment {
             garment: garment.tailored.clone(),

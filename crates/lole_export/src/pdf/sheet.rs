@@ -345,17 +345,11 @@ impl Sheet {
         style.line_height() * f64::from(u32::try_from(lines.len()).unwrap_or(u32::MAX))
     }
 
-    /// Writes one line of text turned counterclockwise by `angle` [rad] about its point `at`.
-    pub fn turned_text(
-        &mut self,
-        at: [f64; 2],
-        angle: f64,
-        text: &str,
-        style: &TextStyle,
-        align: Align,
-    ) {
+    /// Writes one line of text turned counterclockwise by `angle` [rad] about the middle of its
+    /// baseline, which stands at `at`.
+    pub fn turned_text(&mut self, at: [f64; 2], angle: f64, text: &str, style: &TextStyle) {
         let mut turned = Self::new(self.size);
-        turned.text([0.0, 0.0], text, style, align);
+        turned.text([0.0, 0.0], text, style, Align::Center);
         self.items.push(Item::Group {
             page_from_group: Affine::translate((at[0], at[1])) * Affine::rotate(-angle),
             clip: None,
