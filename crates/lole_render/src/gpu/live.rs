@@ -461,27 +461,31 @@ const fn depth_attachment(
     }
 }
 
-fn new_texture(
-    device: &wgpu::Device,
-    [width, height]: [u32; 2],
+/// What the pixels of a texture are, and what is done with them.
+#[derive(Clone, Copy)]
+struct TextureKind {
     format: wgpu::TextureFormat,
-    sample_count: u32,
+    samples: u32,
     usage: wgpu::TextureUsages,
-) -> wgpu::Texture {
-    device.create_texture(&wgpu::TextureDescriptor {
-        label: Some("live"),
-        size: extent(width, height),
-        mip_level_count: 1,
-        sample_count,
-        dimension: wgpu::TextureDimension::D2,
-        format,
-        usage,
-        view_formats: if format == COLOR && sample_count == 1 {
-            &[wgpu::TextureFormat::Rgba8Unorm]
-        } else {
-            &[]
-        },
-    })
+}
+
+impl TextureKind {
+    fn texture(self, device: &wgpu::Device, [width, height]: [u32; 2]) -> wgpu::Texture {
+        device.create_texture(&wgpu::TextureDescriptor {
+            label: Some("live"),
+            size: extent(width, height),
+            mip_level_count: 1,
+            sample_count: self.samples,
+            dimension: wgpu::TextureDimension::D2,
+            format: self.format,
+            usage: self.usage,
+            view_formats: if self.format == COLOR && self.samples == 1 {
+                &[wgpu::TextureFormat::Rgba8Unorm]
+            } else {
+                &[]
+            },
+        })
+    }
 }
 
 fn view(texture: &wgpu::Texture) -> wgpu::TextureView {
@@ -492,18 +496,26 @@ impl Targets {
     fn new(device: &wgpu::Device, size: Size, samples: u32) -> Self {
         let attachment = wgpu::TextureUsages::RENDER_ATTACHMENT;
         let sides = [size.width, size.height];
-        let picture = new_texture(
-            device,
-            sides,
-            COLOR,
-            1,
-            attachment | wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_SRC,
-        );
+        let sampled = |format| {
+            let kind = TextureKind {
+                format,
+                samples,
+                usage: attachment,
+            };
+            view(&kind.texture(device, sides))
+        };
+        let shown = TextureKind {
+            format: COLOR,
+            samples: 1,
+            usage: attachment
+                | wgpu::TextureUsages::TEXTURE_BINDING
+                | wgpu::TextureUsages::COPY_SRC,
+        };
+        let picture = shown.texture(device, sides);
         Self {
             size,
-            samples: (samples > 1)
-                .then(|| view(&new_texture(device, sides, COLOR, samples, attachment))),
-            depth: view(&new_texture(device, sides, DEPTH, samples, attachment)),
+            samples: (samples > 1).then(|| sampled(COLOR)),
+            depth: sampled(DEPTH),
             drawn: view(&picture),
             shown: picture.create_view(&wgpu::TextureViewDescriptor {
                 label: Some("shown"),
@@ -529,7 +541,14 @@ impl Shared {
         let frame = uniform("frame", size_of::<Frame>());
         let floor_light = uniform("floor", size_of::<FloorLight>());
         let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING;
-        let map = |side, format| view(&new_texture(device, [side; 2], format, 1, usage));
+        let map = |side, format| {
+            let kind = TextureKind {
+                format,
+                samples: 1,
+                usage,
+            };
+            view(&kind.texture(device, [side; 2]))
+        };
         let key_map = map(key_side, DEPTH);
         let under_map = map(FLOOR_CELLS, DEPTH);
         let floor = map(FLOOR_CELLS, FLOOR);
