@@ -70,16 +70,17 @@ impl Rig {
         let worlds = tree.worlds(&locals);
         let binds = binds(file, &tree, &locals, &worlds)?;
         let human = human_bones(file, format)?;
-        let (nodes, joints) = joint_nodes(file, &tree, human.as_deref());
+        let hung = JointNodes::of(file, &tree, human.as_deref());
         let places = |transforms: &[Affine3A]| -> Vec<Place> {
-            nodes.iter().map(|&node| place(&transforms[node])).collect()
+            let nodes = hung.nodes.iter();
+            nodes.map(|&node| place(&transforms[node])).collect()
         };
         let (scene, bound) = (places(&worlds), places(&binds));
-        let unscaled = recording(file, &tree, (&nodes, &joints), &bound);
+        let unscaled = hung.recording(file, &tree, &bound);
         let map = match (list, human) {
             (Some(list), _) => BoneMap::from_list(&unscaled, list),
             (None, Some(human)) => {
-                let joint = |node: &Option<usize>| node.and_then(|node| joints[node]);
+                let joint = |node: &Option<usize>| node.and_then(|node| hung.joints[node]);
                 let joints = human.iter().map(joint).collect();
                 BoneMap::given(&unscaled, MapSource::File(format.name()), joints)
             }
@@ -100,14 +101,14 @@ impl Rig {
             })
             .collect();
         let axes = axes(&map, &scaled);
-        let rest = recording(file, &tree, (&nodes, &joints), &scaled);
+        let rest = hung.recording(file, &tree, &scaled);
         Ok(Self {
             tree,
             locals,
             binds,
             rest,
-            nodes,
-            joints,
+            nodes: hung.nodes,
+            joints: hung.joints,
             map,
             axes,
             scene_per_bind,
@@ -244,65 +245,65 @@ pub(crate) fn skin_joints(
         .collect()
 }
 
-/// Nodes that can be joints, parents first, and the joint of each node: all but those that only
-/// carry meshes.
-fn joint_nodes(
-    file: &File<'_>,
-    tree: &Tree,
-    human: Option<&[Option<usize>]>,
-) -> (Vec<usize>, Vec<Option<usize>>) {
-    let mut needed = vec![false; file.root.nodes.len()];
-    let skins = file.root.skins.iter().flat_map(|skin| &skin.joints);
-    let of_skins = skins.map(|node| node.value());
-    let of_human = human.into_iter().flatten().flatten().copied();
-    for node in of_skins.chain(of_human) {
-        if let Some(needed) = needed.get_mut(node) {
-            *needed = true;
-        }
-    }
-    let has_joints = needed.iter().any(|&needed| needed);
-    for (node, needed) in needed.iter_mut().enumerate() {
-        // Without skins every node without a mesh may be a joint.
-        *needed |= !has_joints && file.root.nodes[node].mesh.is_none();
-    }
-    for &node in tree.order.iter().rev() {
-        if let (true, Some(parent)) = (needed[node], tree.parents[node]) {
-            needed[parent] = true;
-        }
-    }
-    let nodes: Vec<usize> = (tree.order.iter().copied())
-        .filter(|&node| needed[node])
-        .collect();
-    let mut joints = vec![None; needed.len()];
-    for (joint, &node) in nodes.iter().enumerate() {
-        joints[node] = Some(joint);
-    }
-    (nodes, joints)
+/// Nodes that can be joints.
+struct JointNodes {
+    /// Parents first.
+    nodes: Vec<usize>,
+    /// The joint of each node of the file.
+    joints: Vec<Option<usize>>,
 }
 
-/// Joints at rest that lie at `places`.
-fn recording(
-    file: &File<'_>,
-    tree: &Tree,
-    (nodes, joints): (&[usize], &[Option<usize>]),
-    places: &[Place],
-) -> Recording {
-    let rest = nodes.iter().zip(places).map(|(&node, place)| {
-        let parent = tree.parents[node].and_then(|parent| joints[parent]);
-        let (translation, rotation) = within(parent.map(|parent| places[parent]), *place);
-        Joint {
-            name: file.node_name(node).to_owned(),
-            parent,
-            translation,
-            rotation,
-            channel_count: 3,
+impl JointNodes {
+    /// All but those that only carry meshes.
+    fn of(file: &File<'_>, tree: &Tree, human: Option<&[Option<usize>]>) -> Self {
+        let mut needed = vec![false; file.root.nodes.len()];
+        let skins = file.root.skins.iter().flat_map(|skin| &skin.joints);
+        let of_skins = skins.map(|node| node.value());
+        let of_human = human.into_iter().flatten().flatten().copied();
+        for node in of_skins.chain(of_human) {
+            if let Some(needed) = needed.get_mut(node) {
+                *needed = true;
+            }
         }
-    });
-    Recording {
-        joints: rest.collect(),
-        frame_seconds: 1.0 / 60.0,
-        rotations: Vec::new(),
-        translations: Vec::new(),
+        let has_joints = needed.iter().any(|&needed| needed);
+        for (node, needed) in needed.iter_mut().enumerate() {
+            // Without skins every node without a mesh may be a joint.
+            *needed |= !has_joints && file.root.nodes[node].mesh.is_none();
+        }
+        for &node in tree.order.iter().rev() {
+            if let (true, Some(parent)) = (needed[node], tree.parents[node]) {
+                needed[parent] = true;
+            }
+        }
+        let nodes: Vec<usize> = (tree.order.iter().copied())
+            .filter(|&node| needed[node])
+            .collect();
+        let mut joints = vec![None; needed.len()];
+        for (joint, &node) in nodes.iter().enumerate() {
+            joints[node] = Some(joint);
+        }
+        Self { nodes, joints }
+    }
+
+    /// Joints at rest that lie at `places`.
+    fn recording(&self, file: &File<'_>, tree: &Tree, places: &[Place]) -> Recording {
+        let rest = self.nodes.iter().zip(places).map(|(&node, place)| {
+            let parent = tree.parents[node].and_then(|parent| self.joints[parent]);
+            let (translation, rotation) = within(parent.map(|parent| places[parent]), *place);
+            Joint {
+                name: file.node_name(node).to_owned(),
+                parent,
+                translation,
+                rotation,
+                channel_count: 3,
+            }
+        });
+        Recording {
+            joints: rest.collect(),
+            frame_seconds: 1.0 / 60.0,
+            rotations: Vec::new(),
+            translations: Vec::new(),
+        }
     }
 }
 
