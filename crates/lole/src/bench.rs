@@ -16,6 +16,7 @@ use crate::args::{BenchArgs, Vectors};
 use crate::{Failure, summary};
 pub(crate) use pareto::ParetoPoint;
 pub(crate) use row::BenchRow;
+use soak::Soak;
 pub(crate) use soak::{SoakRow, WorstAt};
 
 /// What holds for every scene.
@@ -66,32 +67,53 @@ fn entries() -> Vec<Entry> {
     engine.chain(stage).collect()
 }
 
-/// Keeps what has the name that was asked for, which must be one of them.
-fn choose<T>(
-    entries: &mut Vec<T>,
-    (option, name): (&'static str, Option<&str>),
+/// A name that an option may ask for.
+struct Asked<'a> {
+    option: &'static str,
+    name: Option<&'a str>,
+    /// What it is the name of.
     what: Words,
-    name_of: fn(&T) -> &'static str,
-) -> Result<(), Failure> {
-    let Some(name) = name else { return Ok(()) };
-    let mut names: Vec<&str> = entries.iter().map(name_of).collect();
-    names.dedup();
-    if !names.contains(&name) {
-        names.sort_unstable();
-        names.dedup();
-        return Err(crate::dance::unknown(option, name, what, &names));
+}
+
+impl<'a> Asked<'a> {
+    fn scene(args: &'a BenchArgs) -> Self {
+        Self {
+            option: "--scene",
+            name: args.scene.as_deref(),
+            what: words("場面", "scene"),
+        }
     }
-    entries.retain(|entry| name_of(entry) == name);
-    Ok(())
+
+    fn method(args: &'a BenchArgs) -> Self {
+        Self {
+            option: "--method",
+            name: args.method.as_deref(),
+            what: words("方法", "method"),
+        }
+    }
+
+    /// Keeps what has the name that was asked for, which must be one of them.
+    fn keep<T>(
+        &self,
+        entries: &mut Vec<T>,
+        name_of: fn(&T) -> &'static str,
+    ) -> Result<(), Failure> {
+        let Some(name) = self.name else { return Ok(()) };
+        let mut names: Vec<&str> = entries.iter().map(name_of).collect();
+        if !names.contains(&name) {
+            names.sort_unstable();
+            names.dedup();
+            return Err(crate::dance::unknown(self.option, name, self.what, &names));
+        }
+        entries.retain(|entry| name_of(entry) == name);
+        Ok(())
+    }
 }
 
 /// Scenes of the engine, or the one that was named.
 fn scenes_of_engine(args: &BenchArgs) -> Result<Vec<&'static Scene>, Failure> {
     let mut scenes: Vec<&Scene> = SCENES.iter().collect();
-    let asked = ("--scene", args.scene.as_deref());
-    choose(&mut scenes, asked, words("場面", "scene"), |scene| {
-        scene.name
-    })?;
+    Asked::scene(args).keep(&mut scenes, |scene| scene.name)?;
     Ok(scenes)
 }
 
@@ -175,11 +197,14 @@ pub(crate) fn run(args: &BenchArgs, language: Language) -> Result<(), Failure> {
             table(sizes.collect(), args, settings, language)
         }
         Task::Pareto => pareto::run(args, settings, language),
-        Task::Soak(frame_count, seed) => soak::run(
-            args,
-            (frame_count, seed, settings.instruction_set),
-            language,
-        ),
+        Task::Soak(frame_count, seed) => {
+            let soak = Soak {
+                frame_count,
+                seed,
+                instruction_set: settings.instruction_set,
+            };
+            soak::run(args, soak, language)
+        }
     })
 }
 
@@ -190,14 +215,8 @@ fn table(
     settings: Settings,
     language: Language,
 ) -> Result<(), Failure> {
-    let scene = ("--scene", args.scene.as_deref());
-    choose(&mut chosen, scene, words("場面", "scene"), |entry| {
-        entry.scene
-    })?;
-    let method = ("--method", args.method.as_deref());
-    choose(&mut chosen, method, words("方法", "method"), |entry| {
-        entry.method
-    })?;
+    Asked::scene(args).keep(&mut chosen, |entry| entry.scene)?;
+    Asked::method(args).keep(&mut chosen, |entry| entry.method)?;
     let mut rows = Vec::new();
     if !args.json {
         summary::print_bench_head(language);

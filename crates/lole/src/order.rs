@@ -18,7 +18,7 @@ use lole_export::order::{
     ORDER_JSON, OrderParts, PATTERN_FILES, PICTURE_FOLDER, bill_json, left_behind, listed_files,
     order_folder,
 };
-use lole_export::pdf::{Document, Paper, Sheet, printable};
+use lole_export::pdf::{Document, Paper, printable};
 use lole_geom::Length;
 use lole_language::{Bilingual as _, Language, Sentence};
 use rayon::prelude::*;
@@ -306,7 +306,8 @@ pub(crate) fn run_booklet(args: &BookletArgs, language: Language) -> Result<(), 
         hem_height_cm: source.design.costume_hem_cm(),
     };
     let sheets = booklet_sheets(&booklet, args.paper.paper(), pages);
-    write_file(&args.out, (&booklet.title, sheets), pages, language)
+    let document = Document::new(&booklet.title, pages, sheets);
+    write_file(&args.out, &document, language)
 }
 
 /// Runs `lole form`.
@@ -322,26 +323,12 @@ pub(crate) fn run_form(args: &FormArgs, language: Language) -> Result<(), Failur
             .collect(),
     };
     let title = pages.pick("採寸表", "Measurement form");
-    write_file(&args.out, (title, sheets), pages, language)
+    write_file(&args.out, &Document::new(title, pages, sheets), language)
 }
 
-fn pdf((title, sheets): (&str, Vec<Sheet>), pages: Language) -> Result<Vec<u8>, Failure> {
-    let document = Document {
-        title: title.to_owned(),
-        language: pages.pick("ja", "en"),
-        sheets,
-    };
-    document.to_bytes().map_err(Failure::error)
-}
-
-/// Writes one file, whole or not at all.
-fn write_file(
-    path: &Path,
-    what: (&str, Vec<Sheet>),
-    pages: Language,
-    language: Language,
-) -> Result<(), Failure> {
-    let bytes = pdf(what, pages)?;
+/// Writes one file, whole or not at all, and tells of it in the system's language.
+fn write_file(path: &Path, document: &Document, language: Language) -> Result<(), Failure> {
+    let bytes = document.to_bytes().map_err(Failure::error)?;
     let folder = match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),

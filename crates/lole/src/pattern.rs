@@ -39,10 +39,13 @@ pub(crate) fn run(args: &PatternArgs, language: Language) -> Result<(), Failure>
     let stop = stop_flag().map_err(Failure::Run)?;
     let source = source::read(args.design.as_deref())?;
     let garments = draft(&source)?;
-    let mut output = OutputFolder::create(&args.out).map_err(Failure::Usage)?;
+    let mut files = PatternFiles {
+        output: OutputFolder::create(&args.out).map_err(Failure::Usage)?,
+        paper: args.paper.paper(),
+        language,
+    };
     let count = u32::try_from(garments.len()).unwrap_or(u32::MAX);
     let bar = progress_bar(2 * count + 1, language.pick("型紙", "pattern"));
-    let paper = args.paper.paper();
     let mut cuts = Vec::new();
     let prints = source.design.cut_print_images(PRINT_SIDE);
     let prints = prints.map_err(|error| Failure::usage(Sentence::of(&error)))?;
@@ -53,7 +56,7 @@ pub(crate) fn run(args: &PatternArgs, language: Language) -> Result<(), Failure>
         cuts.push(plan(garment, print, args));
         bar.inc(1);
     }
-    write_plans(&mut output, &cuts, paper, language)?;
+    files.write_plans(&cuts)?;
     bar.inc(1);
     let size = args
         .design
@@ -64,15 +67,13 @@ pub(crate) fn run(args: &PatternArgs, language: Language) -> Result<(), Failure>
         if stop.load(Ordering::Relaxed) {
             return Err(Failure::Interrupted);
         }
-        write_garment(&mut output, cut, (paper, &size), language)?;
+        files.write_garment(cut, &size)?;
         bar.inc(1);
     }
     let json = pattern_json(&cuts, env!("CARGO_PKG_VERSION")).map_err(Failure::error)?;
-    output
-        .write("pattern.json", json.as_bytes())
-        .map_err(Failure::Run)?;
+    files.write("pattern.json", json.as_bytes())?;
     bar.finish_and_clear();
-    let paths = output.finish().map_err(Failure::Run)?;
+    let paths = files.output.finish().map_err(Failure::Run)?;
     if args.json {
         summary::print_json(&json);
     } else {
@@ -115,67 +116,60 @@ fn plan(garment: GarmentPattern, print: PrintImage, args: &PatternArgs) -> CutGa
     }
 }
 
-/// What all garments share: cut plans, and the sheets for ruler and chalk.
-fn write_plans(
-    output: &mut OutputFolder,
-    cuts: &[CutGarment],
+/// The folder of the files, and how they are written.
+struct PatternFiles {
+    output: OutputFolder,
     paper: Paper,
     language: Language,
-) -> Result<(), Failure> {
-    // What is tied, strung or carved has no cut plan: its booklet says what to gather.
-    if cuts.iter().all(|cut| cut.plans.is_empty()) {
-        return Ok(());
-    }
-    let sheets = cut_plan_sheets(cuts, paper, language);
-    let title = language.pick("裁ち方図", "cut plan");
-    write_pdf(output, "cut-plan.pdf", (title, sheets), language)?;
-    output
-        .write("cut-plan.svg", &cut_plan_svg(cuts, language))
-        .map_err(Failure::Run)?;
-    let ruler = ruler_sheets(cuts, paper, language);
-    if ruler.is_empty() {
-        return Ok(());
-    }
-    let title = language.pick("定規で引く線", "rectangles by ruler");
-    write_pdf(output, "ruler.pdf", (title, ruler), language)
 }
 
-/// The pieces of one garment at full size.
-fn write_garment(
-    output: &mut OutputFolder,
-    cut: &CutGarment,
-    (paper, size): (Paper, &str),
-    language: Language,
-) -> Result<(), Failure> {
-    let id = &cut.garment.id;
-    if let Some(tiled) = tiled_sheets(cut, paper, language) {
-        let name = format!("{id}-{}.pdf", paper.name().to_ascii_lowercase());
-        let title = cut.garment.name.text(language);
-        write_pdf(output, &name, (title, tiled.sheets), language)?;
+impl PatternFiles {
+    /// What all garments share: cut plans, and the sheets for ruler and chalk.
+    fn write_plans(&mut self, cuts: &[CutGarment]) -> Result<(), Failure> {
+        // What is tied, strung or carved has no cut plan: its booklet says what to gather.
+        if cuts.iter().all(|cut| cut.plans.is_empty()) {
+            return Ok(());
+        }
+        let (paper, language) = (self.paper, self.language);
+        let title = language.pick("裁ち方図", "cut plan");
+        self.write_pdf(
+            "cut-plan.pdf",
+            title,
+            cut_plan_sheets(cuts, paper, language),
+        )?;
+        self.write("cut-plan.svg", &cut_plan_svg(cuts, language))?;
+        let ruler = ruler_sheets(cuts, paper, language);
+        if ruler.is_empty() {
+            return Ok(());
+        }
+        let title = language.pick("定規で引く線", "rectangles by ruler");
+        self.write_pdf("ruler.pdf", title, ruler)
     }
-    // Leaves and flowers are tied, not cut.
-    if cut.garment.pattern.pieces.is_empty() {
-        return Ok(());
-    }
-    output
-        .write(&format!("{id}.svg"), &pieces_svg(cut, language))
-        .and_then(|()| output.write(&format!("{id}.dxf"), &pattern_dxf(cut, size)))
-        .map_err(Failure::Run)
-}
 
-fn write_pdf(
-    output: &mut OutputFolder,
-    name: &str,
-    (title, sheets): (&str, Vec<Sheet>),
-    language: Language,
-) -> Result<(), Failure> {
-    let document = Document {
-        title: title.to_owned(),
-        language: language.pick("ja", "en"),
-        sheets,
-    };
-    let bytes = document.to_bytes().map_err(Failure::error)?;
-    output.write(name, &bytes).map_err(Failure::Run)
+    /// The pieces of one garment at full size; `size` is the name of the design.
+    fn write_garment(&mut self, cut: &CutGarment, size: &str) -> Result<(), Failure> {
+        let (paper, language) = (self.paper, self.language);
+        let id = &cut.garment.id;
+        if let Some(tiled) = tiled_sheets(cut, paper, language) {
+            let name = format!("{id}-{}.pdf", paper.name().to_ascii_lowercase());
+            self.write_pdf(&name, cut.garment.name.text(language), tiled.sheets)?;
+        }
+        // Leaves and flowers are tied, not cut.
+        if cut.garment.pattern.pieces.is_empty() {
+            return Ok(());
+        }
+        self.write(&format!("{id}.svg"), &pieces_svg(cut, language))?;
+        self.write(&format!("{id}.dxf"), &pattern_dxf(cut, size))
+    }
+
+    fn write_pdf(&mut self, name: &str, title: &str, sheets: Vec<Sheet>) -> Result<(), Failure> {
+        let document = Document::new(title, self.language, sheets);
+        self.write(name, &document.to_bytes().map_err(Failure::error)?)
+    }
+
+    fn write(&mut self, name: &str, bytes: &[u8]) -> Result<(), Failure> {
+        self.output.write(name, bytes).map_err(Failure::Run)
+    }
 }
 
 /// What to buy for each cloth of a garment.

@@ -9,13 +9,13 @@ use std::num::NonZeroU32;
 use lole_cloth::scenes::{SCENES, Scene, Setup};
 use lole_export::report::Remark;
 use lole_export::trade_off::{TradeOff, TradeOffPoint, TradeOffReport, trade_off_html};
-use lole_language::{Language, words};
+use lole_language::Language;
 use serde::Serialize;
 
 use super::engine::{self, Method};
 use super::row::BenchRow;
 use super::stage::{self, StageScene};
-use super::{Settings, choose};
+use super::{Asked, Settings};
 use crate::args::BenchArgs;
 use crate::output::OutputFolder;
 use crate::patience::stop_flag;
@@ -75,14 +75,8 @@ impl ParetoPoint {
 /// Measures every setting of every scene, or of the one that was named.
 pub(super) fn run(args: &BenchArgs, settings: Settings, language: Language) -> Result<(), Failure> {
     let mut cases = cases();
-    let scene = ("--scene", args.scene.as_deref());
-    choose(&mut cases, scene, words("場面", "scene"), |case| {
-        case.scene
-    })?;
-    let method = ("--method", args.method.as_deref());
-    choose(&mut cases, method, words("方法", "method"), |case| {
-        case.method
-    })?;
+    Asked::scene(args).keep(&mut cases, |case| case.scene)?;
+    Asked::method(args).keep(&mut cases, |case| case.method)?;
     let mut output = (args.out.as_deref())
         .map(OutputFolder::create)
         .transpose()
