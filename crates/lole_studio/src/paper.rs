@@ -9,6 +9,7 @@ use lole_costume::cost::{self, Bill};
 use lole_costume::document::{Design, PrintChoice};
 use lole_costume::order::{DancerPlan, PlannedGarment};
 use lole_costume::tailoring::{SKIRT_NAME, TailoringError, drafts_of, garment_name};
+use lole_export::cutting::lying_width;
 use lole_geom::Length;
 use lole_language::{Sentence, Words};
 use lole_pattern::marker::Lay;
@@ -165,16 +166,6 @@ impl Paper {
             .iter()
             .find(|garment| garment.place == place)?;
         (kind(design) == kind(&self.design)).then_some(found)
-    }
-}
-
-/// Width of the cloth as it lies on the table: half of it where all of it is doubled.
-#[must_use]
-pub(crate) fn lying_width(marker: &Marker) -> Length {
-    if marker.folded_length < marker.yardage.needed {
-        marker.cloth.width
-    } else {
-        marker.cloth.width * 0.5
     }
 }
 

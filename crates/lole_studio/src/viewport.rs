@@ -135,7 +135,7 @@ impl Viewport {
         if self.follow_dancer(&snapshot) {
             ui.ctx().request_repaint();
         }
-        self.follow_pointer(ui, studio, &snapshot, area, &response);
+        self.follow_pointer(ui, studio, area, &response);
         let Some(gpu) = gpu else { return };
         self.is_software = gpu.adapter.get_info().device_type == wgpu::DeviceType::Cpu;
         let moves = studio.plays || ui.input(|input| input.pointer.any_down());
@@ -149,7 +149,8 @@ impl Viewport {
         } else {
             scale
         };
-        if let Err(error) = self.draw(studio, &snapshot, gpu, pixels(area, scale), scale) {
+        let raster = Raster::over(area, scale);
+        if let Err(error) = self.draw(studio, &snapshot, gpu, raster) {
             let text = error.to_string();
             let sentence = Sentence::new(format!("画面に描けません（{text}）"), text);
             studio.message = Some(Message::trouble(&sentence));
@@ -211,21 +212,18 @@ impl Viewport {
         }
     }
 
-    fn follow_pointer(
-        &mut self,
-        ui: &Ui,
-        studio: &mut Studio,
-        snapshot: &Snapshot,
-        area: Rect,
-        response: &Response,
-    ) {
+    fn follow_pointer(&mut self, ui: &Ui, studio: &mut Studio, area: Rect, response: &Response) {
         let Some(mut orbit) = studio.orbit else {
             return;
         };
         let height = area.height().max(1.0);
         let drag = drag_of(ui, response) / height;
         let shift = ui.input(|input| input.modifiers.shift);
-        if response.drag_started_by(PointerButton::Primary) && studio.tool == Tool::Hold && !shift {
+        let is_taken = response.drag_started_by(PointerButton::Primary) && !shift;
+        if is_taken
+            && studio.tool == Tool::Hold
+            && let Some(snapshot) = &studio.snapshot
+        {
             self.take_hold(ui, &self.standing(&orbit), snapshot, area);
         }
         if self.hold.is_some() {
@@ -301,8 +299,7 @@ impl Viewport {
         studio: &Studio,
         snapshot: &Arc<Snapshot>,
         gpu: &RenderState,
-        size: Size,
-        scale: f32,
+        Raster { size, scale }: Raster,
     ) -> Result<(), RenderError> {
         let Some(orbit) = studio.orbit.map(|orbit| self.standing(&orbit)) else {
             return Ok(());
@@ -472,12 +469,25 @@ fn cloth_colors(snapshot: &Snapshot, shows: Shows) -> Vec<Vec<Vec3>> {
     colors.collect()
 }
 
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "a window's side in pixels, at least 1"
-)]
-fn pixels(area: Rect, scale: f32) -> Size {
-    let side = |points: f32| (points * scale).round().clamp(1.0, 8192.0) as u32;
-    Size::new(side(area.width()), side(area.height()))
+/// The pixels of a picture in the window.
+#[derive(Clone, Copy)]
+struct Raster {
+    size: Size,
+    /// Pixels of a point.
+    scale: f32,
+}
+
+impl Raster {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a window's side in pixels, at least 1"
+    )]
+    fn over(area: Rect, scale: f32) -> Self {
+        let side = |points: f32| (points * scale).round().clamp(1.0, 8192.0) as u32;
+        Self {
+            size: Size::new(side(area.width()), side(area.height())),
+            scale,
+        }
+    }
 }

@@ -5,7 +5,7 @@ use lole_costume::document::{Design, PartDesign};
 use lole_hula::SCHOOLS;
 
 use super::hindrance;
-use super::knob::{Knob, Scale, choice, list};
+use super::knob::{DropDown, Knob, Scale, choice};
 use crate::studio::{Request, range};
 use crate::{Studio, text};
 
@@ -110,7 +110,11 @@ fn school(ui: &mut Ui, studio: &mut Studio) {
         .collect();
     let now = (SCHOOLS.iter()).position(|school| school.id == studio.design().motion.school.id);
     let name = studio.say(text::SCHOOL);
-    if let Some(index) = list(ui, ("school", name), now.unwrap_or(0), &options) {
+    let list = DropDown {
+        salt: "school",
+        name,
+    };
+    if let Some(index) = list.show(ui, now.unwrap_or(0), &options) {
         studio.change(|design| design.motion.follow(&SCHOOLS[index]));
     }
     let about = studio.say(studio.design().motion.school.about);

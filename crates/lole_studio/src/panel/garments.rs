@@ -4,13 +4,12 @@
 use eframe::egui::{self, RichText, Ui};
 use lole_costume::document::{Design, GarmentDesign, GarmentLayer, WornSkirt, WornTop};
 use lole_garment::{Shelf, Template};
-use lole_language::{Language, Words};
+use lole_language::{Language, Words, capitalized};
 
 use super::garment::{
     SKIRT_HEMS, TOP_HEMS, fabric_ui, gather_ui, hem_ui, paper_ui, print_ui, width_ui,
 };
 use super::knob::{choice, left_label, sign_button, wide_button};
-use super::options::capitalized;
 use super::{hindrance, options, placement, sketch, swatch};
 use crate::{Studio, look, text};
 
@@ -46,7 +45,7 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
             .inner_margin(8);
         frame.show(ui, |ui| {
             ui.set_width(ui.available_width());
-            if let Some(done) = title(ui, studio, (place, garments.len()), garment) {
+            if let Some(done) = title(ui, studio, &garments, place) {
                 moved = Some((place, done));
             }
             ui.push_id(place, |ui| garment_ui(ui, studio, place, garment));
@@ -71,13 +70,9 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
 }
 
 /// What it is, with the buttons that move it in the list and take it off.
-fn title(
-    ui: &mut Ui,
-    studio: &Studio,
-    (place, count): (usize, usize),
-    garment: &GarmentDesign,
-) -> Option<Move> {
-    let name = studio.say(name_of(garment));
+fn title(ui: &mut Ui, studio: &Studio, garments: &[GarmentDesign], place: usize) -> Option<Move> {
+    let count = garments.len();
+    let name = studio.say(name_of(&garments[place]));
     let of = |words: Words| format!("{} {name} {}", studio.say(words), place + 1);
     let mut done = None;
     ui.horizontal(|ui| {
