@@ -122,7 +122,7 @@ fn scenes_of_engine(args: &BenchArgs) -> Result<Vec<&'static Scene>, Failure> {
 enum Task {
     /// The table of scenes.
     Table,
-    /// The same square at four sizes.
+    /// One square at four sizes.
     Sizes,
     /// Quality against time.
     Pareto,

@@ -103,7 +103,7 @@ impl Clip {
         Self { poses, found: None }
     }
 
-    /// The same dance with arms that would hang in a skirt's folds brought out of them.
+    /// The dance with arms that would hang in a skirt's folds brought out of them.
     #[must_use]
     pub fn clear_of_skirt(mut self, dancer: &Dancer) -> Self {
         if let Some(room) = Room::of(dancer) {

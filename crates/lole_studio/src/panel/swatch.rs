@@ -21,7 +21,7 @@ pub(crate) struct SwatchForm {
     pub(crate) mass_g: f64,
     /// Cloth over the edge, and how far its tip is below, along the selvage [cm].
     pub(crate) warp_cm: [f64; 2],
-    /// The same across, where it was tried.
+    /// Cloth over the edge, and how far its tip is below, across [cm]; `None` where that was not tried.
     pub(crate) weft_cm: Option<[f64; 2]>,
 }
 
