@@ -10,7 +10,7 @@ use lole_body::Side;
 use lole_costume::document::{self, Design, MethodName, Place};
 use lole_export::report::ReportFile;
 use lole_export::video::{Mp4Writer, Song, VideoSettings};
-use lole_export::{Image, still};
+use lole_export::{ImageView, still};
 use lole_hula::{Count, DanceStep};
 use lole_language::{Bilingual as _, Language, Sentence, Words, words};
 use lole_render::{Backend, LightRig, Renderer, Size};
@@ -493,7 +493,7 @@ impl Files {
         let mut jpegs = Vec::new();
         for (still, image) in STILLS.iter().zip(images) {
             let image =
-                Image::new(image.width, image.height, &image.pixels).map_err(Failure::error)?;
+                ImageView::new(image.width, image.height, &image.pixels).map_err(Failure::error)?;
             let png = still::encode_png(image).map_err(Failure::error)?;
             self.add(
                 output,

@@ -5,7 +5,7 @@ use lole_avatar::License;
 use lole_body::{Dancer, Pose};
 use lole_costume::document::Place;
 use lole_export::dancer_sheet::{CapsuleFacts, CoverageFacts, DancerSheet, dancer_json};
-use lole_export::{Image, still};
+use lole_export::{ImageView, still};
 use lole_language::{Bilingual as _, Language, Sentence};
 use lole_render::{Backend, LightRig, Renderer, Scene, SceneMesh, Size};
 
@@ -101,7 +101,7 @@ fn pictures(
             });
         }
         let image = renderer.render(&scene)?;
-        let image = Image::new(image.width, image.height, &image.pixels)?;
+        let image = ImageView::new(image.width, image.height, &image.pixels)?;
         pictures.push((still.file, still::encode_png(image)?));
         taken();
     }

@@ -118,7 +118,7 @@ pub(crate) fn run(args: &StudyArgs, language: Language) -> Result<(), Failure> {
     bar.inc(1);
     report.findings = findings::of(&report);
     report.seconds = started.read().wall_seconds;
-    let image = still::Image::new(picture.size.width, picture.size.height, &picture.pixels)
+    let image = still::ImageView::new(picture.size.width, picture.size.height, &picture.pixels)
         .map_err(Failure::error)?;
     let png = still::encode_png(image).map_err(Failure::error)?;
     let jpeg = still::encode_jpeg(image, PICTURE_QUALITY).map_err(Failure::error)?;

@@ -4,7 +4,7 @@ use glam::{Quat, Vec3, Vec4};
 use gltf_json::animation::{Channel, Interpolation, Property};
 use gltf_json::validation::Checked;
 use lole_language::words;
-use lole_motion::{Place, Recording};
+use lole_motion::{JointPlace, Recording};
 use serde::Serialize;
 
 use crate::AvatarError;
@@ -139,7 +139,7 @@ pub(crate) fn recording(file: &File<'_>, rig: &Rig, clip: &str) -> Result<Record
             track.apply(time.min(last), &mut locals[track.node]);
         }
         let worlds = rig.tree.worlds(&locals);
-        let places: Vec<Place> = rig.nodes.iter().map(|&node| place(&worlds[node])).collect();
+        let places: Vec<JointPlace> = rig.nodes.iter().map(|&node| place(&worlds[node])).collect();
         for (joint, at) in recording.joints.iter().zip(&places) {
             let (translation, rotation) = within(joint.parent.map(|parent| places[parent]), *at);
             recording.translations.push(translation);

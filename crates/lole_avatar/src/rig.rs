@@ -2,7 +2,7 @@
 
 use glam::{Affine3A, Mat4, Quat, Vec3};
 use lole_body::Bone;
-use lole_motion::{Axes, BoneMap, Joint, MapSource, Place, Recording};
+use lole_motion::{Axes, BoneMap, Joint, JointPlace, MapSource, Recording};
 
 use crate::AvatarError;
 use crate::container::File;
@@ -71,7 +71,7 @@ impl Rig {
         let binds = binds(file, &tree, &locals, &worlds)?;
         let human = human_bones(file, format)?;
         let hung = JointNodes::of(file, &tree, human.as_deref());
-        let places = |transforms: &[Affine3A]| -> Vec<Place> {
+        let places = |transforms: &[Affine3A]| -> Vec<JointPlace> {
             let nodes = hung.nodes.iter();
             nodes.map(|&node| place(&transforms[node])).collect()
         };
@@ -94,8 +94,8 @@ impl Rig {
         if !(scene_per_bind.is_finite() && 0.0 < scene_per_bind) {
             return Err(AvatarError::UnknownScale { meters: bind_leg });
         }
-        let scaled: Vec<Place> = (bound.iter())
-            .map(|place| Place {
+        let scaled: Vec<JointPlace> = (bound.iter())
+            .map(|place| JointPlace {
                 position: place.position * scene_per_bind,
                 ..*place
             })
@@ -286,7 +286,7 @@ impl JointNodes {
     }
 
     /// Joints at rest that lie at `places`.
-    fn recording(&self, file: &File<'_>, tree: &Tree, places: &[Place]) -> Recording {
+    fn recording(&self, file: &File<'_>, tree: &Tree, places: &[JointPlace]) -> Recording {
         let rest = self.nodes.iter().zip(places).map(|(&node, place)| {
             let parent = tree.parents[node].and_then(|parent| self.joints[parent]);
             let (translation, rotation) = within(parent.map(|parent| places[parent]), *place);
@@ -308,7 +308,7 @@ impl JointNodes {
 }
 
 /// A place in the space of its parent.
-pub(crate) fn within(parent: Option<Place>, place: Place) -> (Vec3, Quat) {
+pub(crate) fn within(parent: Option<JointPlace>, place: JointPlace) -> (Vec3, Quat) {
     match parent {
         Some(parent) => {
             let back = parent.rotation.inverse();
@@ -322,7 +322,7 @@ pub(crate) fn within(parent: Option<Place>, place: Place) -> (Vec3, Quat) {
 }
 
 /// Mean length of thigh and shank.
-fn leg_length(map: &BoneMap, places: &[Place]) -> f32 {
+fn leg_length(map: &BoneMap, places: &[JointPlace]) -> f32 {
     let at = |bone| {
         let joint = map.joint(bone);
         joint.map_or(Vec3::ZERO, |joint| places[joint].position)
@@ -344,7 +344,7 @@ fn unit(leg: f32) -> Result<(&'static str, f32), AvatarError> {
 }
 
 /// Refuses whose trunk does not stand over the legs.
-fn check_upright(map: &BoneMap, places: &[Place]) -> Result<(), AvatarError> {
+fn check_upright(map: &BoneMap, places: &[JointPlace]) -> Result<(), AvatarError> {
     let at = |bone| {
         let joint = map.joint(bone);
         joint.map_or(Vec3::ZERO, |joint| places[joint].position)
@@ -361,7 +361,7 @@ fn check_upright(map: &BoneMap, places: &[Place]) -> Result<(), AvatarError> {
 }
 
 /// Axes of the body at rest; who faces nearly along an axis of the file faces along it.
-fn axes(map: &BoneMap, places: &[Place]) -> Axes {
+fn axes(map: &BoneMap, places: &[JointPlace]) -> Axes {
     let axes = Axes::of(map, places);
     let along = [Vec3::X, Vec3::Y, Vec3::Z, -Vec3::X, -Vec3::Y, -Vec3::Z];
     let near = along.iter().find(|axis| ALONG_AXIS < axis.dot(axes.left));

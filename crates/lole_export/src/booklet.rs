@@ -23,7 +23,8 @@ use lole_print::PrintImage;
 use crate::cutting::{CutGarment, draw_marker, masses, numbers_words, short_words};
 use crate::order::lengths_table;
 use crate::pdf::{
-    Align, Cell, Column, Flow, Margins, Paper, Picture, Rect, Sheet, Stroke, Table, TextStyle,
+    Align, Cell, Column, EncodedPicture, Flow, Margins, PageTable, Paper, Rect, Sheet, Stroke,
+    TextStyle,
 };
 pub(crate) use style::{ACCENT, foot, head, headed_table, rule, subhead};
 
@@ -41,7 +42,7 @@ pub struct Booklet<'a> {
     /// What it costs.
     pub bill: &'a Bill,
     /// The costume on its dancer.
-    pub cover: Option<Picture>,
+    pub cover: Option<EncodedPicture>,
     /// Height of the hem above the floor [cm]; `None` where the costume has none that was decided.
     pub hem_height_cm: Option<f64>,
 }
@@ -187,7 +188,7 @@ fn materials(flow: &mut Flow, plan: &DancerPlan, language: Language) {
     head(flow, language.pick("用意するもの", "What you need"));
     for garment in &plan.garments {
         subhead(flow, &capitalized(garment.tailored.name.text(language)));
-        Table {
+        PageTable {
             columns: vec![
                 Column::text("", 3.4),
                 Column::text("", 3.0),
@@ -296,7 +297,7 @@ fn measures(flow: &mut Flow, plan: &DancerPlan, language: Language) {
 }
 
 /// The tape in centimeters and inches.
-fn measure_table(plan: &DancerPlan, language: Language) -> Table {
+fn measure_table(plan: &DancerPlan, language: Language) -> PageTable {
     let wanted = [
         Measure::Stature,
         Measure::Bust,
@@ -326,7 +327,7 @@ fn measure_table(plan: &DancerPlan, language: Language) -> Table {
             ]
         })
         .collect();
-    Table {
+    PageTable {
         columns: vec![
             Column::text("", 4.0),
             Column::number("", 2.0),
@@ -570,7 +571,7 @@ fn costs(flow: &mut Flow, bill: &Bill, language: Language) {
 }
 
 /// A bill with its total.
-pub(crate) fn bill_table(bill: &Bill, language: Language) -> Table {
+pub(crate) fn bill_table(bill: &Bill, language: Language) -> PageTable {
     let currency = bill.currency;
     let unknown = || language.pick("値段を確認", "ask the price").to_owned();
     let mut rows: Vec<Vec<Cell>> = (bill.lines.iter())
@@ -596,7 +597,7 @@ pub(crate) fn bill_table(bill: &Bill, language: Language) -> Table {
             Cell::bold(currency.write(bill.total)),
         ]);
     }
-    Table {
+    PageTable {
         columns: vec![
             Column::text("", 4.5),
             Column::text("", 3.0),

@@ -41,4 +41,4 @@ pub mod validation;
 pub mod video;
 
 pub use error::ExportError;
-pub use still::Image;
+pub use still::ImageView;

@@ -15,7 +15,8 @@ use serde::Serialize;
 use crate::ExportError;
 use crate::booklet::{ACCENT, amount_words, bill_remarks, bill_table, foot, head, headed_table};
 use crate::pdf::{
-    Align, Cell, Column, Flow, Margins, Paper, Picture, Rect, Sheet, Stroke, Table, TextStyle,
+    Align, Cell, Column, EncodedPicture, Flow, Margins, PageTable, Paper, Rect, Sheet, Stroke,
+    TextStyle,
 };
 
 pub use folder::{
@@ -33,7 +34,7 @@ pub struct Order<'a> {
     /// The dancers, in the order of the list.
     pub plans: &'a [DancerPlan],
     /// Each dancer's picture, where there is one; all at one scale.
-    pub pictures: &'a [Option<Picture>],
+    pub pictures: &'a [Option<EncodedPicture>],
     /// What is bought of each print.
     pub prints: &'a [PrintTotal],
     /// What is bought beside cloth.
@@ -114,14 +115,15 @@ fn line_up(flow: &mut Flow, order: &Order<'_>) {
     const ROW: std::ops::RangeInclusive<usize> = 4..=6;
     let name_style = TextStyle::regular(9.0);
     let dancers = order.plans.iter().zip(order.pictures);
-    let shown: Vec<(&str, &Picture)> = dancers
+    let shown: Vec<(&str, &EncodedPicture)> = dancers
         .filter_map(|(plan, picture)| Some((plan.name.as_str(), picture.as_ref()?)))
         .collect();
     let row_count = shown.len().div_ceil(*ROW.end()).max(1);
     let per_row = shown.len().div_ceil(row_count).max(*ROW.start());
     let width = flow.width() / per_row as f64;
     for row in shown.chunks(per_row) {
-        let aspect = |picture: &Picture| f64::from(picture.height) / f64::from(picture.width);
+        let aspect =
+            |picture: &EncodedPicture| f64::from(picture.height) / f64::from(picture.width);
         let heights = row.iter().map(|(_, picture)| aspect(picture) * width);
         let height = heights.fold(0.0, f64::max);
         flow.space(2.0);
@@ -150,7 +152,7 @@ fn line_up(flow: &mut Flow, order: &Order<'_>) {
     flow.space(4.0);
 }
 
-fn dancer_table(order: &Order<'_>, language: Language) -> Table {
+fn dancer_table(order: &Order<'_>, language: Language) -> PageTable {
     let mut rows = Vec::new();
     for (index, plan) in order.plans.iter().enumerate() {
         for (place, garment) in plan.garments.iter().enumerate() {
@@ -167,7 +169,7 @@ fn dancer_table(order: &Order<'_>, language: Language) -> Table {
             ]);
         }
     }
-    Table {
+    PageTable {
         columns: vec![
             Column::text(language.pick("名前", "Name"), 2.0),
             Column::text(language.pick("服", "Garment"), 2.5),
@@ -202,7 +204,7 @@ fn cloth_words(garment: &PlannedGarment) -> String {
 }
 
 /// What is cut for each dancer: cloth and elastic, in centimeters.
-pub(crate) fn lengths_table(plans: &[DancerPlan], language: Language) -> Table {
+pub(crate) fn lengths_table(plans: &[DancerPlan], language: Language) -> PageTable {
     let mut rows = Vec::new();
     for plan in plans {
         // Leaves and flowers have no lengths to cut.
@@ -216,7 +218,7 @@ pub(crate) fn lengths_table(plans: &[DancerPlan], language: Language) -> Table {
             ]);
         }
     }
-    Table {
+    PageTable {
         columns: vec![
             Column::text(language.pick("名前", "Name"), 3.0),
             Column::text(language.pick("服", "Garment"), 2.6),

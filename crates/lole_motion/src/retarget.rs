@@ -10,7 +10,7 @@ use lole_body::{Bone, Pose, Skeleton};
 
 use crate::axes::{self, Axes};
 use crate::clip::{POSES_PER_SECOND, whole};
-use crate::{BoneMap, Place, Recording, RecordingError};
+use crate::{BoneMap, JointPlace, Recording, RecordingError};
 
 /// Feet that point less steeply than this (the sine of their elevation) stand flat at rest.
 const FLAT: f32 = 0.87;
@@ -137,7 +137,7 @@ impl<'a> Retarget<'a> {
     }
 
     /// Turn of a bone in the world; `None` where it has no joint and goes with its parent.
-    fn turn_of(&self, bone: Bone, places: &[Place]) -> Option<Quat> {
+    fn turn_of(&self, bone: Bone, places: &[JointPlace]) -> Option<Quat> {
         let hips = self.map.needed(Bone::Hips);
         if let Some(place) = TRUNK.iter().position(|&other| other == bone) {
             let trunk = Chain {
@@ -158,12 +158,17 @@ impl<'a> Retarget<'a> {
     }
 
     /// How far a joint has turned from rest, in the world.
-    fn turned(&self, joint: usize, places: &[Place]) -> Quat {
+    fn turned(&self, joint: usize, places: &[JointPlace]) -> Quat {
         self.world_from_file * places[joint].rotation * self.joint_from_body[joint]
     }
 
     /// How far a chain has turned `part` of `of` of the way up it.
-    fn turn_along(&self, chain: &Chain<'_>, (part, of): (usize, usize), places: &[Place]) -> Quat {
+    fn turn_along(
+        &self,
+        chain: &Chain<'_>,
+        (part, of): (usize, usize),
+        places: &[JointPlace],
+    ) -> Quat {
         let steps = part * chain.joints.len();
         let (whole, rest) = (steps / of, steps % of);
         let from = self.turned(chain.joint(whole), places);
@@ -190,7 +195,7 @@ impl Chain<'_> {
 }
 
 /// Every joint at rest, and the first frame that is danced.
-pub(crate) fn rest(recording: &Recording) -> (Vec<Place>, usize) {
+pub(crate) fn rest(recording: &Recording) -> (Vec<JointPlace>, usize) {
     if recording.begins_with_a_stance() {
         (recording.places(0), 1)
     } else {
@@ -199,7 +204,7 @@ pub(crate) fn rest(recording: &Recording) -> (Vec<Place>, usize) {
 }
 
 /// Mean length of thigh and shank [file units].
-pub(crate) fn leg_length(map: &BoneMap, rest: &[Place]) -> Result<f32, RecordingError> {
+pub(crate) fn leg_length(map: &BoneMap, rest: &[JointPlace]) -> Result<f32, RecordingError> {
     let mut length = 0.0;
     for &[upper, lower] in &LIMBS {
         let [from, to] = [upper, lower].map(|bone| rest[map.needed(bone)].position);
@@ -227,7 +232,7 @@ pub(crate) fn facing(recording: &Recording, map: &BoneMap, first: usize) -> Axes
     Axes::of(map, &recording.places(first)).over_floor(up)
 }
 
-fn hip_middle(map: &BoneMap, places: &[Place]) -> Vec3 {
+fn hip_middle(map: &BoneMap, places: &[JointPlace]) -> Vec3 {
     let at = |bone| places[map.needed(bone)].position;
     0.5 * (at(Bone::LeftUpperLeg) + at(Bone::RightUpperLeg))
 }
@@ -237,7 +242,7 @@ struct Rest<'a> {
     recording: &'a Recording,
     map: &'a BoneMap,
     /// Of every joint.
-    places: &'a [Place],
+    places: &'a [JointPlace],
     body_from_file: Quat,
 }
 

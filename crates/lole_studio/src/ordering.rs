@@ -11,7 +11,7 @@ use lole_costume::document::Design;
 use lole_costume::order::{self, Group, NotionTotal, PrintTotal, Settings};
 use lole_costume::roster::{self, Roster};
 use lole_export::order::{ORDER_JSON, OrderParts, left_behind, order_folder};
-use lole_export::pdf::{Paper, Picture};
+use lole_export::pdf::{EncodedPicture, Paper};
 use lole_geom::Length;
 use lole_language::{Bilingual as _, Language, Sentence};
 
@@ -273,7 +273,7 @@ fn write(
 
 /// Everybody in her costume, one after the other: the dance in the window goes on meanwhile. Who cannot
 /// be dressed has no picture; `None` where it was called off.
-fn pictures(job: &Job, group: &Group, line: &Line<'_>) -> Option<Vec<Option<Picture>>> {
+fn pictures(job: &Job, group: &Group, line: &Line<'_>) -> Option<Vec<Option<EncodedPicture>>> {
     let of = group.designs.len();
     if !job.wishes.pictures {
         return Some(vec![None; of]);

@@ -31,7 +31,7 @@ pub struct Cutting {
 
 /// A design on paper.
 #[derive(Debug, Clone)]
-pub struct Paper {
+pub struct PaperDesign {
     /// The design that it is of.
     pub design: Design,
     /// No two papers of a window share one.
@@ -101,14 +101,15 @@ impl DrawnPrints {
     }
 }
 
-impl Paper {
+impl PaperDesign {
     /// Drafts and lays out everything for a dancer who has the design's tape.
     #[must_use]
     pub fn of(design: &Design, cutting: Cutting, dancer: &Dancer) -> Self {
         Self::drawn(design, cutting, dancer, &mut DrawnPrints::default())
     }
 
-    /// The same; prints that are drawn already are taken as they are.
+    /// Drafts and lays out everything for a dancer who has the design's tape; prints that are drawn
+    /// already are taken as they are.
     pub(crate) fn drawn(
         design: &Design,
         cutting: Cutting,
@@ -201,9 +202,9 @@ pub(crate) mod tests {
     use super::*;
 
     /// The paper of a design, without a thread.
-    pub(crate) fn paper_of(design: &Design) -> Paper {
+    pub(crate) fn paper_of(design: &Design) -> PaperDesign {
         let dancer = lole_stage::dancer(design).unwrap_or_else(|error| panic!("{error}"));
-        Paper::of(design, Cutting::default(), &dancer.0)
+        PaperDesign::of(design, Cutting::default(), &dancer.0)
     }
 
     #[test]
@@ -225,7 +226,7 @@ pub(crate) mod tests {
         assert!(trouble.sentence.english.contains("99"));
         assert!(paper.garment(Some(1), &design).unwrap().cut.is_ok());
         // Its cloth is not on the bill, whatever notions go with it; that of the others is.
-        let names = |paper: &Paper| {
+        let names = |paper: &PaperDesign| {
             let lines = paper.bill.iter().flat_map(|bill| &bill.lines);
             lines
                 .map(|line| line.name.english.clone())
@@ -248,7 +249,7 @@ pub(crate) mod tests {
         let wide = paper_of(&design);
         fabric_width(&mut design, 110.0);
         let narrower = paper_of(&design);
-        let needed = |paper: &Paper| {
+        let needed = |paper: &PaperDesign| {
             let garment = paper
                 .garments
                 .iter()

@@ -7,7 +7,7 @@ use eframe::egui_wgpu::RenderState;
 use glam::{Vec2, Vec3};
 use lole_geom::trig;
 use lole_language::Sentence;
-use lole_picture::Figure;
+use lole_picture::DrawnDancer;
 use lole_render::{
     Bounds, Effort, Image, LightRig, LiveView, Material, Overlay, RenderError, Size, View, wgpu,
 };
@@ -337,9 +337,9 @@ impl Viewport {
             through: &strokes.through,
         };
         let colors = cloth_colors(snapshot, studio.shows);
-        let figure = Figure {
+        let figure = DrawnDancer {
             colors: &colors,
-            ..snapshot.moment.figure()
+            ..snapshot.moment.dancer()
         };
         let wardrobe = &snapshot.wardrobe;
         let camera = orbit.camera();

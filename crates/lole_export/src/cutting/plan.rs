@@ -13,10 +13,10 @@ use super::draw::{arrow, fitting, line, outline, scale_of};
 use super::{CutGarment, MM, TOLERANCE, cm, cut_words};
 use crate::canvas::Canvas;
 use crate::pdf::{
-    Align, Cell, Color, Column, Flow, Item, Margins, Paper, Picture, Rect, Sheet, Stroke, Table,
-    TextStyle,
+    Align, Cell, Color, Column, EncodedPicture, Flow, Item, Margins, PageTable, Paper, Rect, Sheet,
+    Stroke, TextStyle,
 };
-use crate::still::Image;
+use crate::still::ImageView;
 use crate::svg::sheet_svg;
 
 /// Color of the cloth that is bought, and of pieces on it.
@@ -65,7 +65,7 @@ pub fn cut_plan_sheets(garments: &[CutGarment], paper: Paper, language: Language
     })
 }
 
-/// The same drawings as one SVG in millimeters, one below the other.
+/// The drawings of all cut plans as one SVG in millimeters, one below the other.
 #[must_use]
 pub fn cut_plan_svg(garments: &[CutGarment], language: Language) -> Vec<u8> {
     let plans = garments.iter().map(|cut| cut.plans.len()).sum::<usize>();
@@ -289,9 +289,9 @@ fn draw_print(sheet: &mut Sheet, cut: &CutGarment, plan: &ClothPlan, page: Affin
     let Some(print) = print else { return false };
     let across = lying_width(marker);
     let shown = cloth_picture(print, marker, across);
-    let image = Image::new(shown.width, shown.height, &shown.pixels);
+    let image = ImageView::new(shown.width, shown.height, &shown.pixels);
     // A picture that cannot be encoded leaves the plan as it is without one.
-    let Ok(picture) = image.and_then(Picture::photo) else {
+    let Ok(picture) = image.and_then(EncodedPicture::photo) else {
         return false;
     };
     let [low, high] = [(0.0, 0.0), (marker.yardage.needed.to_m(), across.to_m())]
@@ -508,7 +508,7 @@ impl Laid<'_> {
 }
 
 /// Every piece of a cloth: how often it is cut, how large it is.
-fn pieces_table(cut: &CutGarment, plan: &ClothPlan, language: Language) -> Table {
+fn pieces_table(cut: &CutGarment, plan: &ClothPlan, language: Language) -> PageTable {
     let pick = |japanese: &'static str, english: &'static str| language.pick(japanese, english);
     let pieces = cut.garment.pattern.pieces.iter();
     let rows = pieces
@@ -542,7 +542,7 @@ fn pieces_table(cut: &CutGarment, plan: &ClothPlan, language: Language) -> Table
                 Cell::from(how),
             ]
         });
-    Table {
+    PageTable {
         columns: vec![
             Column::text(pick("パーツ", "piece"), 0.23),
             Column::text(pick("枚数", "count"), 0.14),

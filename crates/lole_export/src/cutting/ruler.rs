@@ -10,7 +10,7 @@ use super::draw::{arrow, line, outline};
 use super::{CutGarment, TOLERANCE, cm, cut_words, inches};
 use crate::canvas::Canvas;
 use crate::pdf::{
-    Align, Cell, Color, Column, Flow, Margins, Paper, Rect, Sheet, Stroke, Table, TextStyle,
+    Align, Cell, Color, Column, Flow, Margins, PageTable, Paper, Rect, Sheet, Stroke, TextStyle,
 };
 
 /// Largest height of a drawing, and what stands around it [mm].
@@ -292,7 +292,7 @@ fn write_numbers(sheet: &mut Sheet, ruled: &[Ruled], page: Affine, [right, top]:
 }
 
 /// Every line with its distance from the edge.
-fn table(ruled: &[Ruled], language: Language) -> Table {
+fn table(ruled: &[Ruled], language: Language) -> PageTable {
     let rows = (1..).zip(ruled).map(|(number, ruled)| {
         let distance = Length::from_m(ruled.from_edge);
         let edge = if ruled.is_level {
@@ -308,7 +308,7 @@ fn table(ruled: &[Ruled], language: Language) -> Table {
             Cell::from(inches(distance)),
         ]
     });
-    Table {
+    PageTable {
         columns: vec![
             Column::text("", 0.06),
             Column::text(language.pick("引く線", "line to draw"), 0.38),

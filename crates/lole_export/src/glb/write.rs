@@ -9,7 +9,7 @@ use lole_geom::mesh::vertex_normals;
 use serde_json::{Map, Value, json};
 
 use super::buffer::Buffer;
-use super::{BakedCloth, GlbMaterial, GlbScene, Sides, SkinnedMesh};
+use super::{BakedCloth, GlbMaterial, GlbMesh, GlbScene, GlbSides};
 use crate::ExportError;
 
 /// `glTF`, `JSON` and `BIN\0` as little-endian numbers; glTF 2.0, section 4.4.
@@ -169,7 +169,7 @@ fn push_channel(document: &mut Document, [input, output]: [usize; 2], node: usiz
 }
 
 /// A node of its own at the scene's root, as glTF wants skinned meshes.
-fn write_skinned(document: &mut Document, mesh: &SkinnedMesh<'_>) {
+fn write_skinned(document: &mut Document, mesh: &GlbMesh<'_>) {
     let buffer = &mut document.buffer;
     let weights: Vec<[f32; 4]> = mesh
         .weights
@@ -340,7 +340,7 @@ fn write_material(document: &mut Document, material: &GlbMaterial<'_>) -> usize 
     document.materials.push(json!({
         "name": material.name,
         "pbrMetallicRoughness": surface,
-        "doubleSided": material.sides == Sides::Both,
+        "doubleSided": material.sides == GlbSides::Both,
     }));
     document.materials.len() - 1
 }

@@ -12,7 +12,7 @@ use super::{Order, order_json, order_sheets};
 use crate::ExportError;
 use crate::booklet::{Booklet, booklet_sheets};
 use crate::cutting::{CutGarment, tiled_sheets};
-use crate::pdf::{Document, Paper, Picture, Sheet};
+use crate::pdf::{Document, EncodedPicture, Paper, Sheet};
 
 /// What an order is made of.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,7 +24,7 @@ pub struct OrderParts<'a> {
     /// The dancers, cut; at least one.
     pub group: &'a Group,
     /// Each dancer's picture, where there is one; all at one scale.
-    pub pictures: &'a [Option<Picture>],
+    pub pictures: &'a [Option<EncodedPicture>],
     /// Spare cloth and bolts.
     pub settings: &'a Settings,
     /// What it is printed on.

@@ -1,6 +1,6 @@
 //! Pages filled from top to bottom.
 
-use super::sheet::{Align, Picture, Rect, Sheet, TextStyle, baseline};
+use super::sheet::{Align, EncodedPicture, Rect, Sheet, TextStyle, baseline};
 
 /// Empty borders of a page [mm].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -143,7 +143,7 @@ impl Flow {
     }
 
     /// Shows a picture as wide as the text, or smaller where it would be higher than `height` [mm].
-    pub fn picture(&mut self, picture: &Picture, height: f64) {
+    pub fn picture(&mut self, picture: &EncodedPicture, height: f64) {
         let full = self.width() * f64::from(picture.height) / f64::from(picture.width);
         self.block(full.min(height), |sheet, rect| {
             sheet.picture(rect, picture);

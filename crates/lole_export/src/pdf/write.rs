@@ -14,7 +14,7 @@ use kurbo::{Affine, BezPath, PathEl};
 use lole_geom::narrow;
 use lole_language::Language;
 
-use super::sheet::{Color, Encoding, Item, Picture, Rect, Sheet, Stroke, TextStyle};
+use super::sheet::{Color, EncodedPicture, Encoding, Item, Rect, Sheet, Stroke, TextStyle};
 use super::typeface::{MM_PER_PT, Weight, printable, shape};
 use crate::ExportError;
 
@@ -185,7 +185,7 @@ impl Painter<'_, '_> {
         );
     }
 
-    fn draw_picture(&mut self, rect: Rect, picture: &Picture) -> Result<(), String> {
+    fn draw_picture(&mut self, rect: Rect, picture: &EncodedPicture) -> Result<(), String> {
         let data = Data::from(std::sync::Arc::clone(&picture.bytes));
         let image = match picture.encoding {
             Encoding::Jpeg => Image::from_jpeg(data, true),
@@ -250,7 +250,7 @@ mod tests {
         );
         sheet.line([20.0, 50.0], [120.0, 50.0], Stroke::solid(0.3));
         let pixels = [200, 30, 60, 255].repeat(64);
-        let picture = Picture::photo(crate::Image::new(8, 8, &pixels).unwrap()).unwrap();
+        let picture = EncodedPicture::photo(crate::ImageView::new(8, 8, &pixels).unwrap()).unwrap();
         let rect = Rect {
             x: 20.0,
             y: 60.0,

@@ -5,7 +5,7 @@
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 
-use super::{GarmentFacts, PageMedia, PieceOver, ReportFile, RunReport, SkirtFacts};
+use super::{GarmentFacts, PageMedia, ReportFile, ReportPieceOver, RunReport, SkirtFacts};
 use crate::page::plot::{Floor, Plot, svg};
 use crate::page::text::{both, dance_step, escape, file_size, grouped, link, number};
 use crate::page::{Page, Row, row, section};
@@ -311,8 +311,8 @@ fn garment_rows(garment: &GarmentFacts) -> Vec<Row> {
 }
 
 /// One piece over another, in English and Japanese.
-fn said_over(over: &PieceOver) -> [String; 2] {
-    let PieceOver {
+fn said_over(over: &ReportPieceOver) -> [String; 2] {
+    let ReportPieceOver {
         outer,
         outer_ja,
         inner,

@@ -76,7 +76,7 @@ const STROKE_BYTES: u64 = 32;
 /// A line or, where both ends are the same, a dot over the picture.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
-pub struct Stroke {
+pub struct OverlayLine {
     /// Where it starts [m].
     pub from: Vec3,
     /// Where it ends [m].
@@ -91,9 +91,9 @@ pub struct Stroke {
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Overlay<'a> {
     /// Lines on surfaces: hidden by what is before them.
-    pub on_surfaces: &'a [Stroke],
+    pub on_surfaces: &'a [OverlayLine],
     /// Lines that shine through everything.
-    pub through: &'a [Stroke],
+    pub through: &'a [OverlayLine],
 }
 
 /// Light of the room by vertex of a scene's meshes: on the face and on the back.
@@ -378,7 +378,7 @@ impl LiveView {
             meshes.draw(&self.pipelines, &mut pass);
         }
         if let Some(strokes) = &self.strokes {
-            let count = |strokes: &[Stroke]| u32::try_from(strokes.len()).unwrap_or(0);
+            let count = |strokes: &[OverlayLine]| u32::try_from(strokes.len()).unwrap_or(0);
             let (on, through) = (count(overlay.on_surfaces), count(overlay.through));
             pass.set_vertex_buffer(0, strokes.slice(..));
             for (pipeline, range) in [
