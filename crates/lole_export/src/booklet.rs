@@ -107,21 +107,6 @@ fn cover(flow: &mut Flow, booklet: &Booklet<'_>, language: Language) {
         );
     });
     flow.space(4.0);
-    let names: Vec<&str> = (booklet.plan.garments.iter())
-        .map(|garment| garment.tailored.name.text(language))
-        .collect();
-    let name = booklet.plan.name.trim();
-    let dancer =
-        (!name.is_empty()).then(|| format!("{}{name}", language.pick("踊り手: ", "Dancer: ")));
-    let about = [
-        Some(names.join(language.pick("・", ", "))),
-        dancer,
-        booklet.hem_height_cm.map(|hem| {
-            let label = language.pick("床から裾まで: ", "Hem above the floor: ");
-            format!("{label}{hem:.0} cm")
-        }),
-        Some(time_words(booklet, language)),
-    ];
     let text_height = 4.0 * TextStyle::regular(14.0).line_height() + 4.0;
     let height = flow.left_over() - text_height - 2.0;
     flow.block(height, |sheet, rect| match &booklet.cover {
@@ -132,12 +117,34 @@ fn cover(flow: &mut Flow, booklet: &Booklet<'_>, language: Language) {
         None => rule(sheet, [rect.x, rect.y], width),
     });
     flow.space(4.0);
-    for line in about.into_iter().flatten() {
+    for line in about(booklet, language) {
         flow.block(TextStyle::regular(14.0).line_height(), |sheet, rect| {
             let at = [rect.x + 0.5 * rect.width, rect.y + 6.0];
             sheet.text(at, &line, &TextStyle::regular(14.0), Align::Center);
         });
     }
+}
+
+/// The lines of the cover: the garments, the dancer, her hem and the time that it takes.
+fn about(booklet: &Booklet<'_>, language: Language) -> Vec<String> {
+    let names: Vec<&str> = (booklet.plan.garments.iter())
+        .map(|garment| garment.tailored.name.text(language))
+        .collect();
+    let name = booklet.plan.name.trim();
+    let dancer =
+        (!name.is_empty()).then(|| format!("{}{name}", language.pick("踊り手: ", "Dancer: ")));
+    let hem = booklet.hem_height_cm.map(|hem| {
+        let label = language.pick("床から裾まで: ", "Hem above the floor: ");
+        format!("{label}{hem:.0} cm")
+    });
+    let garments = names.join(language.pick("・", ", "));
+    let lines = [
+        Some(garments),
+        dancer,
+        hem,
+        Some(time_words(booklet, language)),
+    ];
+    lines.into_iter().flatten().collect()
 }
 
 fn time_words(booklet: &Booklet<'_>, language: Language) -> String {
@@ -213,30 +220,36 @@ fn materials(flow: &mut Flow, plan: &DancerPlan, language: Language) {
     flow.space(6.0);
 }
 
+/// What is bought of one of a garment's cloths.
+fn cloth_row(garment: &PlannedGarment, plan: &ClothPlan, language: Language) -> Vec<Cell> {
+    let bought = plan.marker.yardage;
+    let (width, metric) = (plan.marker.cloth.width.to_cm(), bought.metric.to_m());
+    let yards = bought.imperial.to_yd();
+    let [mass, _] = masses(plan, language);
+    let name = match plan.role {
+        ClothRole::Main => garment.tailored.cloth.name.text(language),
+        role => role_name(role).text(language),
+    };
+    let [bought, about] = match language {
+        Language::Japanese => [
+            format!("{metric:.1} m（{yards:.1} ヤード）"),
+            format!("布幅 {width:.0} cm、およそ {mass:.2} kg"),
+        ],
+        Language::English => [
+            format!("{yards:.1} yd or {metric:.1} m"),
+            format!("{width:.0} cm wide, about {mass:.2} kg"),
+        ],
+    };
+    vec![Cell::bold(name), bought.into(), about.into()]
+}
+
+/// What is bought for a garment: its cloths, its elastics, and all else that goes into it.
 fn material_rows(garment: &PlannedGarment, language: Language) -> Vec<Vec<Cell>> {
     let tailored = &garment.tailored;
-    let mut rows: Vec<Vec<Cell>> = Vec::new();
-    for plan in &garment.plans {
-        let bought = plan.marker.yardage;
-        let (width, metric) = (plan.marker.cloth.width.to_cm(), bought.metric.to_m());
-        let yards = bought.imperial.to_yd();
-        let [mass, _] = masses(plan, language);
-        let name = match plan.role {
-            ClothRole::Main => tailored.cloth.name.text(language),
-            role => role_name(role).text(language),
-        };
-        rows.push(vec![
-            Cell::bold(name),
-            match language {
-                Language::Japanese => format!("{metric:.1} m（{yards:.1} ヤード）").into(),
-                Language::English => format!("{yards:.1} yd or {metric:.1} m").into(),
-            },
-            match language {
-                Language::Japanese => format!("布幅 {width:.0} cm、およそ {mass:.2} kg").into(),
-                Language::English => format!("{width:.0} cm wide, about {mass:.2} kg").into(),
-            },
-        ]);
-    }
+    let plans = garment.plans.iter();
+    let mut rows: Vec<Vec<Cell>> = plans
+        .map(|plan| cloth_row(garment, plan, language))
+        .collect();
     let notions = tailored.pattern.notions.iter();
     let elastic = notions
         .clone()
@@ -374,10 +387,8 @@ fn cut_plans(
     };
     head(flow, &title);
     let cut = CutGarment {
-        garment: garment.tailored.clone(),
-        plans: garment.plans.clone(),
         print: print.cloned(),
-        owner: String::new(),
+        ..CutGarment::of(garment)
     };
     for plan in &garment.plans {
         cut_plan(flow, &cut, plan, language);

@@ -349,17 +349,16 @@ fn together_words(order: &Order<'_>, language: Language) -> String {
 
 /// Who is cut from which bolt, where its length is known.
 fn bolts(flow: &mut Flow, order: &Order<'_>, print: &PrintTotal, language: Language) {
-    let name = |dancer: usize| {
-        order
-            .plans
-            .get(dancer)
-            .map_or("", |plan| plan.name.as_str())
+    let names = |dancers: &[usize]| {
+        let plans = dancers.iter().map(|&dancer| order.plans.get(dancer));
+        let names = plans.map(|plan| plan.map_or("", |plan| plan.name.as_str()));
+        let names: Vec<&str> = names.collect();
+        names.join(language.pick("、", ", "))
     };
-    let comma = language.pick("、", ", ");
     for (number, bolt) in (1..).zip(&print.bolts) {
-        let names: Vec<&str> = bolt.iter().map(|&(dancer, _)| name(dancer)).collect();
+        let dancers: Vec<usize> = bolt.iter().map(|&(dancer, _)| dancer).collect();
         let cut: f64 = bolt.iter().map(|(_, length)| length.to_m()).sum();
-        let names = names.join(comma);
+        let names = names(&dancers);
         let text = match language {
             Language::Japanese => format!("{number} 反目から {cut:.2} m: {names}"),
             Language::English => format!("bolt {number}, {cut:.2} m: {names}"),
@@ -367,12 +366,7 @@ fn bolts(flow: &mut Flow, order: &Order<'_>, print: &PrintTotal, language: Langu
         flow.indented(12.0, &text, &TextStyle::regular(11.0));
     }
     if !print.longer_than_bolt.is_empty() {
-        let names: Vec<&str> = print
-            .longer_than_bolt
-            .iter()
-            .map(|&dancer| name(dancer))
-            .collect();
-        let names = names.join(comma);
+        let names = names(&print.longer_than_bolt);
         let text = match language {
             Language::Japanese => format!(
                 "! 一反では足りない人: {names}。はぎ合わせるか、長い反物をさがしてください。"

@@ -53,16 +53,7 @@ pub fn cut_plan_sheets(garments: &[CutGarment], paper: Paper, language: Language
             write_plan(&mut flow, cut, plan, language);
         }
     }
-    flow.finish(|sheet, number, count| {
-        let [width, height] = sheet.size;
-        let at = [width - 14.0, height - 7.0];
-        sheet.text(
-            at,
-            &format!("{number} / {count}"),
-            &TextStyle::regular(9.0),
-            Align::Right,
-        );
-    })
+    flow.numbered([14.0, 7.0])
 }
 
 /// The drawings of all cut plans as one SVG in millimeters, one below the other.

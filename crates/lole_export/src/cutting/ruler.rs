@@ -56,16 +56,7 @@ pub fn ruler_sheets(garments: &[CutGarment], paper: Paper, language: Language) -
     if is_empty {
         return Vec::new();
     }
-    flow.finish(|sheet, number, count| {
-        let [width, height] = sheet.size;
-        let at = [width - 16.0, height - 8.0];
-        sheet.text(
-            at,
-            &format!("{number} / {count}"),
-            &TextStyle::regular(9.0),
-            Align::Right,
-        );
-    })
+    flow.numbered([16.0, 8.0])
 }
 
 /// A rectangle of a garment, whole.

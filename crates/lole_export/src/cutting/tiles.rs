@@ -6,7 +6,7 @@
 
 use std::sync::Arc;
 
-use kurbo::{Affine, BezPath, Point, Vec2};
+use kurbo::{Affine, Point, Vec2};
 use lole_costume::tailoring::role_name;
 use lole_geom::Length;
 use lole_language::Language;
@@ -37,6 +37,9 @@ const TILE_NAME: f64 = 16.0;
 
 /// Half the space between two pieces on paper [mm].
 const SPACE: f64 = 3.0;
+
+/// Letters at joints.
+const SMALL: TextStyle = TextStyle::regular(7.0);
 
 const PALE: Color = Color(170, 170, 170);
 
@@ -164,6 +167,24 @@ impl Layout {
         }
     }
 
+    /// How the sheets are printed and joined.
+    fn how_to_join(&self, count: usize, language: Language) -> String {
+        let paper = self.paper.name();
+        let [columns, rows] = [self.columns, self.rows];
+        match language {
+            Language::Japanese => format!(
+                "{paper} 用紙 {count} 枚（横 {columns} × 縦 {rows}）。「実際のサイズ」「倍率100 %」で印刷し、下の四角を\
+                 定規で測ってから始めます。各ページの左と上の実線を切り、前のページの破線に重ね、同じ番号の◇を合わせて貼ります。"
+            ),
+            Language::English => format!(
+                "{count} sheets of {paper}, {columns} across and {rows} down. Print at actual size (100 %) and \
+                 measure the square below before you go on. On each sheet cut the solid line at the left and at \
+                 the top, lay it on the broken line of the sheet before so that diamonds of one number meet, and \
+                 glue."
+            ),
+        }
+    }
+
     /// Height of the whole drawing [mm].
     fn height(&self) -> f64 {
         f64::from(self.rows) * step(self.paper)[1] + OVERLAP
@@ -236,13 +257,21 @@ impl Layout {
             items: Arc::clone(drawing),
         });
         sheet.rect(frame, None, Some(Stroke::solid(0.15).with_color(PALE)));
+        let middle = [frame.x + 0.5 * frame.width, frame.y + 0.5 * frame.height];
+        for joint in self.joints(tile, tiles, frame) {
+            joint.draw(&mut sheet, frame, middle, language);
+        }
+        sheet
+    }
+
+    /// Where a tile whose window lies in `frame` on its page meets other tiles.
+    fn joints(&self, tile: [u32; 2], tiles: &[[u32; 2]], frame: Rect) -> Vec<Joint> {
         let [column, row] = tile;
         let neighbor = |tile: Option<[u32; 2]>| tile.filter(|tile| tiles.contains(tile));
         let left = neighbor(column.checked_sub(1).map(|column| [column, row]));
         let above = neighbor(row.checked_sub(1).map(|row| [column, row]));
         let right = neighbor(Some([column + 1, row]));
         let below = neighbor(Some([column, row + 1]));
-        let middle = [frame.x + 0.5 * frame.width, frame.y + 0.5 * frame.height];
         let ends = [frame.x + frame.width, frame.y + frame.height];
         let joints = [
             left.map(|_| (Run::Upright, frame.x, tile, None)),
@@ -250,16 +279,15 @@ impl Layout {
             above.map(|_| (Run::Level, frame.y, tile, None)),
             below.map(|other| (Run::Level, ends[1] - OVERLAP, other, Some(other))),
         ];
-        for (run, at, later, other) in joints.into_iter().flatten() {
-            let joint = Joint {
+        let joints = joints.into_iter().flatten();
+        joints
+            .map(|(run, at, later, other)| Joint {
                 run,
                 at,
                 number: self.joint_number(later, run),
                 other,
-            };
-            joint.draw(&mut sheet, frame, middle, language);
-        }
-        sheet
+            })
+            .collect()
     }
 
     /// Number of the joint at the left or at the upper edge of a tile: the same on both of its sheets.
@@ -359,59 +387,61 @@ impl Joint {
             Some(_) => Stroke::dashed(0.2, 2.0),
             None => Stroke::solid(0.2),
         };
-        let on_page = |along: f64, aside: f64| {
-            if self.run == Run::Upright {
-                [self.at + aside, along]
-            } else {
-                [along, self.at + aside]
-            }
-        };
         let (from, size, center) = if self.run == Run::Upright {
             (frame.y, frame.height, middle[1])
         } else {
             (frame.x, frame.width, middle[0])
         };
-        sheet.line(on_page(from, 0.0), on_page(from + size, 0.0), stroke);
-        let mut diamond = BezPath::new();
+        sheet.line(
+            self.on_page(from, 0.0),
+            self.on_page(from + size, 0.0),
+            stroke,
+        );
+        self.draw_diamond(sheet, center);
+        let aside = if self.other.is_some() { 4.0 } else { -1.5 };
+        let angle = match self.run {
+            Run::Upright => core::f64::consts::FRAC_PI_2,
+            Run::Level => 0.0,
+        };
+        let at = self.on_page(center - 35.0, aside);
+        sheet.turned_text(at, angle, &self.words(language), &SMALL);
+    }
+
+    /// A point so far along the joint from the page's edge, and so far beside it [mm].
+    fn on_page(&self, along: f64, aside: f64) -> [f64; 2] {
+        match self.run {
+            Run::Upright => [self.at + aside, along],
+            Run::Level => [along, self.at + aside],
+        }
+    }
+
+    /// The numbered diamond so far along the joint [mm].
+    fn draw_diamond(&self, sheet: &mut Sheet, center: f64) {
         let corners = [
             (-DIAMOND, 0.0),
             (0.0, -DIAMOND),
             (DIAMOND, 0.0),
             (0.0, DIAMOND),
         ];
-        for (index, (along, aside)) in corners.into_iter().enumerate() {
-            let [x, y] = on_page(center + along, aside);
-            if index == 0 {
-                diamond.move_to((x, y));
-            } else {
-                diamond.line_to((x, y));
-            }
-        }
-        diamond.close_path();
+        let corners = corners.map(|(along, aside)| {
+            let [x, y] = self.on_page(center + along, aside);
+            Point::new(x, y)
+        });
+        let diamond = outline(&Polygon::new(corners), Affine::IDENTITY);
         sheet.path(diamond, Some(Color::WHITE), Some(Stroke::solid(0.25)));
-        let small = TextStyle::regular(7.0);
-        let [x, y] = on_page(center, 0.0);
-        sheet.text(
-            [x, y + 0.9],
-            &self.number.to_string(),
-            &small,
-            Align::Center,
-        );
-        let words = match (self.other.map(tile_name), language) {
+        let [x, y] = self.on_page(center, 0.0);
+        let number = self.number.to_string();
+        sheet.text([x, y + 0.9], &number, &SMALL, Align::Center);
+    }
+
+    /// What is done at the joint.
+    fn words(&self, language: Language) -> String {
+        match (self.other.map(tile_name), language) {
             (Some(name), Language::Japanese) => format!("ここに {name} を重ねて貼る"),
             (Some(name), Language::English) => format!("lay {name} here"),
             (None, Language::Japanese) => "この線で切る".to_owned(),
             (None, Language::English) => "cut along this line".to_owned(),
-        };
-        let aside = if self.other.is_some() { 4.0 } else { -1.5 };
-        let at = on_page(center - 35.0, aside);
-        let quarter = core::f64::consts::FRAC_PI_2;
-        let angle = if self.run == Run::Upright {
-            quarter
-        } else {
-            0.0
-        };
-        sheet.turned_text(at, angle, &words, &small);
+        }
     }
 }
 
@@ -478,20 +508,7 @@ fn cover(cut: &CutGarment, layout: &Layout, count: usize, language: Language) ->
         Language::English => format!("{name}: full-size pattern"),
     };
     sheet.text([left, 22.0], &title, &TextStyle::bold(20.0), Align::Left);
-    let paper = layout.paper.name();
-    let [columns, rows] = [layout.columns, layout.rows];
-    let steps = match language {
-        Language::Japanese => format!(
-            "{paper} 用紙 {count} 枚（横 {columns} × 縦 {rows}）。「実際のサイズ」「倍率100 %」で印刷し、下の四角を\
-             定規で測ってから始めます。各ページの左と上の実線を切り、前のページの破線に重ね、同じ番号の◇を合わせて貼ります。"
-        ),
-        Language::English => format!(
-            "{count} sheets of {paper}, {columns} across and {rows} down. Print at actual size (100 %) and \
-             measure the square below before you go on. On each sheet cut the solid line at the left and at \
-             the top, lay it on the broken line of the sheet before so that diamonds of one number meet, and \
-             glue."
-        ),
-    };
+    let steps = layout.how_to_join(count, language);
     let used = sheet.paragraph([left, 27.0], room, &steps, &TextStyle::regular(11.0));
     let top = 32.0 + used;
     let square = Rect {

@@ -132,20 +132,7 @@ pub fn order_folder(
         "order.pdf".to_owned(),
         pdf(order_sheets(&order, paper, language))?,
     )];
-    if let (Some(plan), Some(bill)) = (plans.first(), bills.first()) {
-        // A picture that was not read leaves the plans without it.
-        let images = design.cut_print_images(PRINT_SIDE).unwrap_or_default();
-        let images: Vec<_> = images.into_iter().map(Arc::new).collect();
-        let booklet = Booklet {
-            title: parts.title.clone(),
-            plan,
-            group: plans,
-            prints: &images,
-            bill,
-            cover: parts.pictures.first().cloned().flatten(),
-            hem_height_cm: order.hem_height_cm,
-        };
-        let sheets = booklet_sheets(&booklet, paper, language);
+    if let Some(sheets) = booklet_of(parts, &bills) {
         files.push(("booklet.pdf".to_owned(), pdf(sheets)?));
     }
     files.extend(paper_patterns(parts, goes_on)?);
@@ -159,6 +146,24 @@ pub fn order_folder(
         prints,
         json,
     })
+}
+
+/// How the costume is sewn, with the first dancer's lengths; `None` where there are no dancers.
+fn booklet_of(parts: &OrderParts<'_>, bills: &[Bill]) -> Option<Vec<Sheet>> {
+    let (design, plans) = (parts.design, &parts.group.plans);
+    // A picture that was not read leaves the plans without it.
+    let images = design.cut_print_images(PRINT_SIDE).unwrap_or_default();
+    let images: Vec<_> = images.into_iter().map(Arc::new).collect();
+    let booklet = Booklet {
+        title: parts.title.clone(),
+        plan: plans.first()?,
+        group: plans,
+        prints: &images,
+        bill: bills.first()?,
+        cover: parts.pictures.first().cloned().flatten(),
+        hem_height_cm: design.costume_hem_cm(),
+    };
+    Some(booklet_sheets(&booklet, parts.paper, parts.language))
 }
 
 /// A file of patterns at full size for every dancer whose garments are not all drawn by ruler.
@@ -191,10 +196,8 @@ fn paper_patterns(
 fn pattern_sheets(plan: &DancerPlan, paper: Paper, language: Language) -> Vec<Sheet> {
     let tiled = plan.garments.iter().filter_map(|garment| {
         let cut = CutGarment {
-            garment: garment.tailored.clone(),
-            plans: garment.plans.clone(),
-            print: None,
             owner: plan.name.clone(),
+            ..CutGarment::of(garment)
         };
         tiled_sheets(&cut, paper, language)
     });

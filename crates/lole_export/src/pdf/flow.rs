@@ -150,6 +150,16 @@ impl Flow {
         });
     }
 
+    /// The pages, numbered so far from their right and their lower edge [mm].
+    pub(crate) fn numbered(self, [right, bottom]: [f64; 2]) -> Vec<Sheet> {
+        self.finish(|sheet, number, count| {
+            let [width, height] = sheet.size;
+            let at = [width - right, height - bottom];
+            let text = format!("{number} / {count}");
+            sheet.text(at, &text, &TextStyle::regular(9.0), Align::Right);
+        })
+    }
+
     /// The pages. `foot` draws on each of them, given its number from 1 and how many there are.
     #[must_use]
     pub fn finish(mut self, mut foot: impl FnMut(&mut Sheet, usize, usize)) -> Vec<Sheet> {

@@ -56,10 +56,16 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, piece: &Piece, marks: &[usize], casi
         .is_some_and(|(kind, _)| *kind == LineKind::TopFold);
     let casings = casings(LineKind::CasingTop).zip(casings(LineKind::CasingBottom));
     for (number, (from, to)) in (1..).zip(casings) {
-        if 0.5 * (from + to) <= section.end {
-            let name = numbered(casing, number, canvas.language);
-            section.draw_casing(sheet, [from, to], is_threaded, &name);
+        let y = 0.5 * (from + to);
+        if section.end < y {
+            continue;
         }
+        if is_threaded {
+            section.draw_elastic(sheet, [from, to]);
+        }
+        let name = numbered(casing, number, canvas.language);
+        let at = [section.layers[1] + 6.0, y + 1.3];
+        sheet.text(at, &name, &LABEL, Align::Left);
     }
     section.draw_depth(
         sheet,
@@ -124,16 +130,12 @@ impl Folded {
         sheet.line([outer - 3.0, y], [inner + 3.0, y], stroke);
     }
 
-    /// A casing with its name, and with elastic in it where it is threaded.
-    fn draw_casing(&self, sheet: &mut Sheet, [from, to]: [f64; 2], is_threaded: bool, name: &str) {
+    /// Elastic between the layers.
+    fn draw_elastic(&self, sheet: &mut Sheet, [from, to]: [f64; 2]) {
         let [outer, inner] = self.layers;
-        if is_threaded {
-            let elastic = kurbo::Rect::new(outer + 2.4, from + 0.8, inner - 2.4, to - 0.8);
-            let elastic = elastic.to_rounded_rect(1.0).to_path(0.01);
-            sheet.path(elastic, Some(ACCENT), None);
-        }
-        let at = [inner + 6.0, 0.5 * (from + to) + 1.3];
-        sheet.text(at, name, &LABEL, Align::Left);
+        let elastic = kurbo::Rect::new(outer + 2.4, from + 0.8, inner - 2.4, to - 0.8);
+        let elastic = elastic.to_rounded_rect(1.0).to_path(0.01);
+        sheet.path(elastic, Some(ACCENT), None);
     }
 
     /// An arrow beside the layers, with how deep what it spans is.
