@@ -165,13 +165,6 @@ impl Clip {
     pub fn poses(&self) -> &[Pose] {
         &self.poses
     }
-
-    /// Where in the recording the loop begins and ends [s], counted from its first danced frame, if
-    /// it loops.
-    #[must_use]
-    pub fn loop_seconds(&self) -> Option<[f32; 2]> {
-        self.found.map(|found| found.seconds())
-    }
 }
 
 /// A place on the way to `last` that is reached evenly and left slower and slower, without ever

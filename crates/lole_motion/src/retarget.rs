@@ -98,7 +98,7 @@ impl<'a> Retarget<'a> {
                 places: &rest,
                 body_from_file,
             }
-            .from_bind(skeleton),
+            .turns_from_bind(skeleton),
             scale: dancer_leg / recorded_leg,
             start: hip_middle(map, &first),
         })
@@ -255,7 +255,7 @@ impl Rest<'_> {
 
     /// For each bone, the turn from the bind pose to this one, in body axes: none for the trunk, the
     /// shortest for limbs, and hands and fingers go with the forearm.
-    fn from_bind(&self, skeleton: &Skeleton) -> Vec<Quat> {
+    fn turns_from_bind(&self, skeleton: &Skeleton) -> Vec<Quat> {
         let map = self.map;
         let mut turns = vec![Quat::IDENTITY; Bone::COUNT];
         let bound = |from, to| (skeleton.joint(to) - skeleton.joint(from)).normalize_or_zero();
