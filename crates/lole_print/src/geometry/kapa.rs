@@ -131,7 +131,7 @@ fn cross(parts: &mut Vec<Part>, ink: Tint, strip: Strip, place: usize) {
     let (middle, half) = (strip.middle(), strip.half());
     let wide = 1.0 / 12.0;
     let at = vec2((count(place) + 0.5) * wide, middle);
-    if place % 2 == 0 {
+    if place.is_multiple_of(2) {
         for side in [-1.0, 1.0] {
             let reach = vec2(0.36 * wide, side * 0.66 * half);
             let across = vec2(0.085 * wide, 0.0);

@@ -94,7 +94,10 @@ fn seen_box(geometry: &Geometry, corners: &[Corner], triangle: u32) -> Option<[V
             high = high.max(point.at);
         }
     }
-    (low.x <= high.x).then_some([low, high])
+    if high.x < low.x {
+        return None;
+    }
+    Some([low, high])
 }
 
 /// Enters a triangle into every tile that its box touches.
