@@ -9,7 +9,7 @@ use lole_geom::trig;
 use lole_language::Sentence;
 use lole_picture::DrawnDancer;
 use lole_render::{
-    Bounds, Effort, Image, LightRig, LiveView, Material, Overlay, RenderError, Size, View, wgpu,
+    Bounds, Effort, Image, LightRig, LiveView, Material, RenderError, Size, View, wgpu,
 };
 use lole_stage::Pull;
 
@@ -68,6 +68,16 @@ struct Live {
     texture: egui::TextureId,
     wardrobe: u64,
     is_lit: bool,
+}
+
+impl Live {
+    /// Takes up a wardrobe; the light of another one is none for it.
+    const fn wear(&mut self, wardrobe: u64) {
+        if self.wardrobe != wardrobe {
+            self.wardrobe = wardrobe;
+            self.is_lit = false;
+        }
+    }
 }
 
 /// A hand on the cloth.
@@ -234,15 +244,7 @@ impl Viewport {
             orbit.pan(drag);
         }
         if response.hovered() {
-            let (scroll, pinch) =
-                ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta()));
-            if scroll != 0.0 {
-                orbit.zoom(trig::powf(ZOOM_BASE, scroll));
-            }
-            #[expect(clippy::float_cmp, reason = "exactly 1 where nothing was pinched")]
-            if pinch != 1.0 {
-                orbit.zoom(pinch);
-            }
+            zoom(ui, &mut orbit);
         }
         if studio.orbit != Some(orbit) {
             studio.orbit = Some(orbit);
@@ -325,17 +327,10 @@ impl Viewport {
         let Some(live) = &mut self.lives[self.quality as usize] else {
             return Ok(());
         };
-        if live.wardrobe != snapshot.wardrobe.id {
-            live.wardrobe = snapshot.wardrobe.id;
-            live.is_lit = false;
-        }
+        live.wear(snapshot.wardrobe.id);
         let reach = trig::tan(orbit.vertical_fov * 0.5);
         let meters_per_pixel = 2.0 * reach * orbit.distance / size.height as f32;
         let strokes = Strokes::of(snapshot, studio.shows, meters_per_pixel, scale);
-        let overlay = Overlay {
-            on_surfaces: &strokes.on_surfaces,
-            through: &strokes.through,
-        };
         let colors = cloth_colors(snapshot, studio.shows);
         let figure = DrawnDancer {
             colors: &colors,
@@ -354,7 +349,7 @@ impl Viewport {
         if is_coarse {
             wardrobe.coarsen(&mut scene);
         }
-        live.view.draw(&scene, overlay)?;
+        live.view.draw(&scene, strokes.overlay())?;
         self.pictures += 1;
         self.drawn = Some(drawn);
         Ok(())
@@ -467,6 +462,18 @@ fn cloth_colors(snapshot: &Snapshot, shows: Shows) -> Vec<Vec<Vec3>> {
         }
     });
     colors.collect()
+}
+
+/// Comes nearer or goes farther with the wheel and with two fingers.
+fn zoom(ui: &Ui, orbit: &mut Orbit) {
+    let (scroll, pinch) = ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta()));
+    if scroll != 0.0 {
+        orbit.zoom(trig::powf(ZOOM_BASE, scroll));
+    }
+    #[expect(clippy::float_cmp, reason = "exactly 1 where nothing was pinched")]
+    if pinch != 1.0 {
+        orbit.zoom(pinch);
+    }
 }
 
 /// The pixels of a picture in the window.

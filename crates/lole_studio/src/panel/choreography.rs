@@ -33,17 +33,12 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
         } else {
             look::CARD
         };
-        egui::Frame::new()
-            .fill(fill)
-            .stroke(egui::Stroke::new(1.0, look::LINE))
-            .corner_radius(7)
-            .inner_margin(6)
-            .show(ui, |ui| {
-                ui.set_width(ui.available_width());
-                if let Some(done) = part_ui(ui, studio, &parts, index) {
-                    edit = Some(done);
-                }
-            });
+        look::card(fill).inner_margin(6).show(ui, |ui| {
+            ui.set_width(ui.available_width());
+            if let Some(done) = part_ui(ui, studio, &parts, index) {
+                edit = Some(done);
+            }
+        });
         let place = format!("[[motion.part]] {} ", index + 1);
         hindrance::show(ui, studio, &[&place]);
     }

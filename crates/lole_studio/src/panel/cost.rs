@@ -361,16 +361,27 @@ fn bill_ui(ui: &mut Ui, studio: &Studio, bill: &Bill) {
         row(ui, RichText::new(studio.tell(&line.name)), amount, sum);
     }
     if bill.knows_something() {
-        let said = if bill.is_complete() {
-            text::TOTAL
-        } else {
-            text::TOTAL_KNOWN
-        };
         ui.separator();
         let total = RichText::new(bill.currency.write(bill.total)).strong();
-        let name = RichText::new(studio.say(said)).strong();
+        let name = RichText::new(studio.say(total_name(bill))).strong();
         row(ui, name, RichText::new(""), total);
     }
+    for sentence in remarks(bill) {
+        ui.label(RichText::new(studio.tell(&sentence)).small());
+    }
+}
+
+/// What the sum of a bill is called: some of its prices may not be known.
+pub(super) fn total_name(bill: &Bill) -> Words {
+    if bill.is_complete() {
+        text::TOTAL
+    } else {
+        text::TOTAL_KNOWN
+    }
+}
+
+/// How long sewing takes, and what it saves.
+fn remarks(bill: &Bill) -> Vec<Sentence> {
     let hours = bill.hours;
     let mut said = vec![Sentence::new(
         format!("縫う時間の目安は {hours:.1} 時間です。"),
@@ -390,9 +401,7 @@ fn bill_ui(ui: &mut Ui, studio: &Studio, bill: &Bill) {
             )
         });
     }
-    for sentence in said {
-        ui.label(RichText::new(studio.tell(&sentence)).small());
-    }
+    said
 }
 
 #[cfg(test)]

@@ -113,7 +113,7 @@ impl Row {
         let given = given(studio.design(), measure);
         ui.spacing_mut().item_spacing.y = 4.0;
         ui.horizontal(|ui| {
-            let label = self.name(ui, studio, given.is_some());
+            let label = self.name(ui, studio, given);
             if let Some(centimeters) = self.number(ui, given, label.id) {
                 studio.change_later(|design| set(design, measure, Some(centimeters)));
             }
@@ -129,11 +129,12 @@ impl Row {
         });
     }
 
-    fn name(&self, ui: &mut Ui, studio: &Studio, is_given: bool) -> Response {
-        let color = match (self.is_wrong, is_given) {
+    /// The name, pale where the measure is estimated; under the pointer it says where to measure.
+    fn name(&self, ui: &mut Ui, studio: &Studio, given: Option<f64>) -> Response {
+        let color = match (self.is_wrong, given) {
             (true, _) => look::RED,
-            (false, true) => look::INK,
-            (false, false) => look::PALE_INK,
+            (false, Some(_)) => look::INK,
+            (false, None) => look::PALE_INK,
         };
         let name = studio.say(self.measure.words());
         let label = Label::new(RichText::new(name).color(color)).truncate();

@@ -38,12 +38,7 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     let garments = studio.design().garments.clone();
     let mut moved = None;
     for (place, garment) in garments.iter().enumerate() {
-        let frame = egui::Frame::new()
-            .fill(look::CARD)
-            .stroke(egui::Stroke::new(1.0, look::LINE))
-            .corner_radius(7)
-            .inner_margin(8);
-        frame.show(ui, |ui| {
+        look::card(look::CARD).inner_margin(8).show(ui, |ui| {
             ui.set_width(ui.available_width());
             if let Some(done) = title(ui, studio, &garments, place) {
                 moved = Some((place, done));
@@ -126,27 +121,8 @@ fn garment_ui(ui: &mut Ui, studio: &mut Studio, place: usize, garment: &GarmentD
         let cut = garment.cut.as_ref();
         cut.map_or(true, |cut| !cut.plans.is_empty())
     });
-    if is_cloth {
-        let (fabric, print) = changed.cloth_mut();
-        if let Some(chosen) = fabric_ui(ui, studio, place, fabric) {
-            *fabric = chosen;
-        }
-        if let Some(chosen) = print_ui(ui, studio, place, print) {
-            *print = chosen;
-        }
-        if let Some(chosen) = placement::show(ui, studio, Some(place), print) {
-            *print = chosen;
-            when = When::Later;
-        }
-        ui.collapsing(studio.say(text::OWN_FABRIC), |ui| {
-            if let Some(width) = width_ui(ui, studio, fabric.width_cm) {
-                fabric.width_cm = width;
-                when = When::Later;
-            }
-            if let Some(own) = swatch::show(ui, studio, fabric) {
-                *fabric = own;
-            }
-        });
+    if is_cloth && cloth_ui(ui, studio, place, &mut changed) {
+        when = When::Later;
     }
     if cut_ui(ui, studio, &mut changed) {
         when = When::Later;
@@ -170,6 +146,32 @@ fn garment_ui(ui: &mut Ui, studio: &mut Studio, place: usize, garment: &GarmentD
         When::Now => studio.change(edit),
         When::Later => studio.change_later(edit),
     }
+}
+
+/// Fabric and print; whether one was moved that is sewn anew.
+fn cloth_ui(ui: &mut Ui, studio: &mut Studio, place: usize, garment: &mut GarmentDesign) -> bool {
+    let (fabric, print) = garment.cloth_mut();
+    let mut is_moved = false;
+    if let Some(chosen) = fabric_ui(ui, studio, place, fabric) {
+        *fabric = chosen;
+    }
+    if let Some(chosen) = print_ui(ui, studio, place, print) {
+        *print = chosen;
+    }
+    if let Some(chosen) = placement::show(ui, studio, Some(place), print) {
+        *print = chosen;
+        is_moved = true;
+    }
+    ui.collapsing(studio.say(text::OWN_FABRIC), |ui| {
+        if let Some(width) = width_ui(ui, studio, fabric.width_cm) {
+            fabric.width_cm = width;
+            is_moved = true;
+        }
+        if let Some(own) = swatch::show(ui, studio, fabric) {
+            *fabric = own;
+        }
+    });
+    is_moved
 }
 
 /// Gathers and hem; whether one was moved.
