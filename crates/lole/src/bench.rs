@@ -27,6 +27,19 @@ struct Settings {
     roofline: bool,
 }
 
+impl Settings {
+    const fn of(args: &BenchArgs) -> Self {
+        Self {
+            instruction_set: match args.vectors {
+                Vectors::Detected => InstructionSet::Detected,
+                Vectors::Wide => InstructionSet::Wide,
+                Vectors::Baseline => InstructionSet::Baseline,
+            },
+            roofline: args.roofline,
+        }
+    }
+}
+
 /// A scene of the table.
 type Measure = Box<dyn Fn(Settings) -> Result<BenchRow, Failure> + Send + Sync>;
 
@@ -68,14 +81,14 @@ fn entries() -> Vec<Entry> {
 }
 
 /// A name that an option may ask for.
-struct Asked<'a> {
+struct WantedName<'a> {
     option: &'static str,
     name: Option<&'a str>,
     /// What it is the name of.
     what: Words,
 }
 
-impl<'a> Asked<'a> {
+impl<'a> WantedName<'a> {
     fn scene(args: &'a BenchArgs) -> Self {
         Self {
             option: "--scene",
@@ -113,7 +126,7 @@ impl<'a> Asked<'a> {
 /// Scenes of the engine, or the one that was named.
 fn scenes_of_engine(args: &BenchArgs) -> Result<Vec<&'static Scene>, Failure> {
     let mut scenes: Vec<&Scene> = SCENES.iter().collect();
-    Asked::scene(args).keep(&mut scenes, |scene| scene.name)?;
+    WantedName::scene(args).keep(&mut scenes, |scene| scene.name)?;
     Ok(scenes)
 }
 
@@ -179,14 +192,7 @@ pub(crate) fn run(args: &BenchArgs, language: Language) -> Result<(), Failure> {
         .num_threads(usize::from(args.threads))
         .build()
         .map_err(Failure::error)?;
-    let settings = Settings {
-        instruction_set: match args.vectors {
-            Vectors::Detected => InstructionSet::Detected,
-            Vectors::Wide => InstructionSet::Wide,
-            Vectors::Baseline => InstructionSet::Baseline,
-        },
-        roofline: args.roofline,
-    };
+    let settings = Settings::of(args);
     pool.install(|| match task {
         Task::Table => table(entries(), args, settings, language),
         Task::Sizes => {
@@ -215,8 +221,8 @@ fn table(
     settings: Settings,
     language: Language,
 ) -> Result<(), Failure> {
-    Asked::scene(args).keep(&mut chosen, |entry| entry.scene)?;
-    Asked::method(args).keep(&mut chosen, |entry| entry.method)?;
+    WantedName::scene(args).keep(&mut chosen, |entry| entry.scene)?;
+    WantedName::method(args).keep(&mut chosen, |entry| entry.method)?;
     let mut rows = Vec::new();
     if !args.json {
         summary::print_bench_head(language);

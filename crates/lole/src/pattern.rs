@@ -1,9 +1,8 @@
 //! `lole pattern`: cut plans and patterns of everything that a design has.
 
 use std::sync::Arc;
-use std::sync::atomic::Ordering;
 
-use lole_costume::document::{self, Place};
+use lole_costume::document::Place;
 use lole_costume::tailoring::{self, ClothPlan, GarmentPattern};
 use lole_export::booklet::amount_words;
 use lole_export::cutting::{
@@ -12,7 +11,7 @@ use lole_export::cutting::{
 };
 use lole_export::dxf::pattern_dxf;
 use lole_export::pdf::{Document, Paper, Sheet};
-use lole_language::{Bilingual as _, Language, Sentence};
+use lole_language::{Bilingual as _, Language, Sentence, Words};
 use lole_pattern::marker::Lay;
 use lole_print::PrintImage;
 
@@ -20,7 +19,7 @@ use crate::args::{PaperSize, PatternArgs};
 use crate::dance::place_of;
 use crate::order::PRINT_SIDE;
 use crate::output::OutputFolder;
-use crate::patience::{progress_bar, stop_flag};
+use crate::patience::{check, progress_bar, stop_flag};
 use crate::source::{self, Source};
 use crate::{Failure, summary};
 
@@ -50,9 +49,7 @@ pub(crate) fn run(args: &PatternArgs, language: Language) -> Result<(), Failure>
     let prints = source.design.cut_print_images(PRINT_SIDE);
     let prints = prints.map_err(|error| Failure::usage(Sentence::of(&error)))?;
     for (garment, print) in garments.into_iter().zip(prints) {
-        if stop.load(Ordering::Relaxed) {
-            return Err(Failure::Interrupted);
-        }
+        check(&stop)?;
         cuts.push(plan(garment, print, args));
         bar.inc(1);
     }
@@ -64,9 +61,7 @@ pub(crate) fn run(args: &PatternArgs, language: Language) -> Result<(), Failure>
         .and_then(|path| path.file_stem())
         .map_or_else(|| "LOLE".into(), |stem| stem.to_string_lossy());
     for cut in &cuts {
-        if stop.load(Ordering::Relaxed) {
-            return Err(Failure::Interrupted);
-        }
+        check(&stop)?;
         files.write_garment(cut, &size)?;
         bar.inc(1);
     }
@@ -86,18 +81,15 @@ pub(crate) fn run(args: &PatternArgs, language: Language) -> Result<(), Failure>
 
 /// Drafts everything that the design has to its dancer.
 fn draft(source: &Source) -> Result<Vec<GarmentPattern>, Failure> {
-    let located = |place: Place<'_>, sentence: Sentence| {
-        Failure::Usage(document::locate(&source.text, &source.name, place, sentence).into())
-    };
     let (dancer, _) = lole_stage::dancer(&source.design)
-        .map_err(|error| located(place_of(&error), Sentence::of(&error)))?;
+        .map_err(|error| source.located(place_of(&error), Sentence::of(&error)))?;
     tailoring::patterns_of(&source.design, &dancer).map_err(|error| {
         let table = if error.place.is_some() {
             "garment"
         } else {
             "skirt"
         };
-        located(Place { table, key: "" }, Sentence::of(&error))
+        source.located(Place { table, key: "" }, Sentence::of(&error))
     })
 }
 
@@ -174,40 +166,42 @@ impl PatternFiles {
 
 /// What to buy for each cloth of a garment.
 fn purchases(cut: &CutGarment) -> Vec<Sentence> {
-    let purchase = |plan: &ClothPlan| {
-        let name = cut.garment.name;
-        let marker = &plan.marker;
-        let (needed, metric) = (marker.yardage.needed.to_cm(), marker.yardage.metric.to_m());
-        let (yards, width) = (marker.yardage.imperial.to_yd(), marker.cloth.width.to_cm());
-        let ([metric_kg, cut_kg], [yard_kg, _]) = (
-            masses(plan, Language::Japanese),
-            masses(plan, Language::English),
-        );
-        let short = |language: Language| {
-            let sentence = short_words(&marker.yardage, language);
-            sentence.map_or_else(String::new, |sentence| {
-                format!("{}{sentence}", language.pick("。", ". "))
-            })
-        };
-        Sentence::new(
-            format!(
-                "{}: 幅 {width:.0} cm の布 {metric:.1} m（{yards:.1} ヤード）、用尺 {needed:.1} cm、買う布 {metric_kg:.2} kg（ヤードなら {yard_kg:.2} kg）、裁った布 {cut_kg:.2} kg{}{}",
-                name.japanese,
-                used_words(plan, "、", Language::Japanese),
-                short(Language::Japanese)
-            ),
-            format!(
-                "{}: buy {metric:.1} m ({yards:.1} yd) of {width:.0} cm cloth; {needed:.1} cm are needed; {metric_kg:.2} kg bought ({yard_kg:.2} kg by the yard), {cut_kg:.2} kg once cut{}{}",
-                name.english,
-                used_words(plan, ", ", Language::English),
-                short(Language::English)
-            ),
-        )
-    };
     if cut.plans.is_empty() {
         return vec![gathered(cut)];
     }
-    cut.plans.iter().map(purchase).collect()
+    let plans = cut.plans.iter();
+    plans.map(|plan| purchase(cut.garment.name, plan)).collect()
+}
+
+/// What to buy for one cloth of a garment of this name.
+fn purchase(name: Words, plan: &ClothPlan) -> Sentence {
+    let marker = &plan.marker;
+    let (needed, metric) = (marker.yardage.needed.to_cm(), marker.yardage.metric.to_m());
+    let (yards, width) = (marker.yardage.imperial.to_yd(), marker.cloth.width.to_cm());
+    let ([metric_kg, cut_kg], [yard_kg, _]) = (
+        masses(plan, Language::Japanese),
+        masses(plan, Language::English),
+    );
+    let short = |language: Language| {
+        let sentence = short_words(&marker.yardage, language);
+        sentence.map_or_else(String::new, |sentence| {
+            format!("{}{sentence}", language.pick("。", ". "))
+        })
+    };
+    Sentence::new(
+        format!(
+            "{}: 幅 {width:.0} cm の布 {metric:.1} m（{yards:.1} ヤード）、用尺 {needed:.1} cm、買う布 {metric_kg:.2} kg（ヤードなら {yard_kg:.2} kg）、裁った布 {cut_kg:.2} kg{}{}",
+            name.japanese,
+            used_words(plan, "、", Language::Japanese),
+            short(Language::Japanese)
+        ),
+        format!(
+            "{}: buy {metric:.1} m ({yards:.1} yd) of {width:.0} cm cloth; {needed:.1} cm are needed; {metric_kg:.2} kg bought ({yard_kg:.2} kg by the yard), {cut_kg:.2} kg once cut{}{}",
+            name.english,
+            used_words(plan, ", ", Language::English),
+            short(Language::English)
+        ),
+    )
 }
 
 /// What to gather for what is not cut from cloth.
