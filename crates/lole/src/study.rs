@@ -273,11 +273,7 @@ impl Study<'_> {
         let bar = self.bar(METHODS.len(), words("自分の刻み", "own step"));
         let (skirt, film) = (report.skirt.clone(), report.film_skirt.clone());
         for method in &METHODS {
-            let own_steps = |skirt: &SkirtOfStudy| {
-                let limit = own_limit(method, skirt)?;
-                Some(whole(f64::from(FRAME_SECONDS) / (OWN_SHARE * limit)))
-            };
-            let Some(steps) = own_steps(&skirt) else {
+            let Some(steps) = own_steps(method, &skirt) else {
                 continue;
             };
             let steps = if method.name == MethodName::FbEuler {
@@ -287,7 +283,7 @@ impl Study<'_> {
             };
             let run = self.run(settled, method.integrator(), steps, self.lengths.own)?;
             if let Some(entry) = report.integrators.get_mut(method.name.id()) {
-                if let Some(film_steps) = own_steps(&film) {
+                if let Some(film_steps) = own_steps(method, &film) {
                     let size = film.particles as f64 / skirt.particles as f64;
                     let steps = f64::from(film_steps);
                     entry.film_frame_ms_extrapolated = run.entry.step_ms * size * steps;
@@ -476,6 +472,12 @@ fn own_limit(method: &Method, skirt: &SkirtOfStudy) -> Option<f64> {
         skirt.highest_frequency_rad_per_s,
         skirt.damping_per_s,
     )
+}
+
+/// Steps of a frame that a method needs on a skirt, with a margin; `None` where it bears no step.
+fn own_steps(method: &Method, skirt: &SkirtOfStudy) -> Option<u32> {
+    let limit = own_limit(method, skirt)?;
+    Some(whole(f64::from(FRAME_SECONDS) / (OWN_SHARE * limit)))
 }
 
 /// The film's skirt, of which only its size and its frequency are needed.

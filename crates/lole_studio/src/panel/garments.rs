@@ -2,7 +2,9 @@
 //! shelf of templates.
 
 use eframe::egui::{self, RichText, Ui};
-use lole_costume::document::{Design, GarmentDesign, GarmentLayer, WornSkirt, WornTop};
+use lole_costume::document::{
+    Design, GarmentDesign, GarmentLayer, SkirtDesign, WornSkirt, WornTop,
+};
 use lole_garment::{Shelf, Template};
 use lole_language::{Language, Words, capitalized};
 
@@ -271,22 +273,24 @@ fn entries(
         };
         return vec![(template, name, garment)];
     }
-    let over = WornSkirt {
-        layer: GarmentLayer::Over,
-        ..WornSkirt::default()
-    };
-    // Shorter than the skirt, so that both are seen.
-    let above = design.skirt.hem_height_cm + 12.0;
-    let over = WornSkirt {
-        skirt: lole_costume::document::SkirtDesign {
-            hem_height_cm: above.min(*SKIRT_HEMS.end()),
-            seed: 4,
-            ..over.skirt
-        },
-        ..over
-    };
+    let over = GarmentDesign::PauSkirt(overskirt(design));
     vec![
         (template, text::UNDERSKIRT, garment),
-        (template, text::OVERSKIRT, GarmentDesign::PauSkirt(over)),
+        (template, text::OVERSKIRT, over),
     ]
+}
+
+/// A skirt over that of the design: shorter, so that both are seen.
+fn overskirt(design: &Design) -> WornSkirt {
+    let above = design.skirt.hem_height_cm + 12.0;
+    let usual = WornSkirt::default();
+    WornSkirt {
+        layer: GarmentLayer::Over,
+        skirt: SkirtDesign {
+            hem_height_cm: above.min(*SKIRT_HEMS.end()),
+            seed: 4,
+            ..usual.skirt
+        },
+        ..usual
+    }
 }
