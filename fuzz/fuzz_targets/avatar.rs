@@ -3,10 +3,10 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use lole_avatar::{Avatar, Inspection, read_dance};
+use lole_avatar::{Avatar, AvatarInspection, read_dance};
 
 fuzz_target!(|bytes: &[u8]| {
-    match Inspection::new(bytes, None) {
+    match AvatarInspection::new(bytes, None) {
         Ok(found) => assert!(found.lines().iter().all(|line| !line.english.contains('\n'))),
         Err(error) => assert!(!error.to_string().contains('\n')),
     }

@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 
 use libfuzzer_sys::fuzz_target;
 use lole_body::{Dancer, Measurements};
-use lole_motion::{BoneMap, Clip, ClipSettings, Drift, Inspection, Repeat, bvh};
+use lole_motion::{BoneMap, Clip, ClipSettings, Drift, RecordingInspection, Repeat, bvh};
 
 static WOMAN: LazyLock<Dancer> =
     LazyLock::new(|| Dancer::new(&Measurements::woman()).expect("the default dancer"));
@@ -19,7 +19,7 @@ fuzz_target!(|bytes: &[u8]| {
             return;
         }
     };
-    let lines = Inspection::new("BVH", &recording, None).lines();
+    let lines = RecordingInspection::new("BVH", &recording, None).lines();
     assert!(lines.iter().all(|line| !line.english.contains('\n')));
     let Ok(map) = BoneMap::recognize(&recording) else {
         return;

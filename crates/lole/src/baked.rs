@@ -6,8 +6,8 @@ use anyhow::Result;
 use glam::Vec3;
 use lole_avatar::License;
 use lole_body::{Appearance, BodyPicture, Dancer, Look, PartKind, Pose, appearance};
-use lole_export::Image;
-use lole_export::glb::{GlbMaterial, GlbScene, MeshPart, Sides, SkinnedMesh, write_glb};
+use lole_export::ImageView;
+use lole_export::glb::{GlbMaterial, GlbMesh, GlbPart, GlbScene, GlbSides, write_glb};
 use lole_export::still::encode_png;
 use lole_picture::linear;
 use lole_stage::Performance;
@@ -37,7 +37,7 @@ impl Keys {
 }
 
 fn body_png(picture: &BodyPicture) -> Result<Vec<u8>> {
-    let image = Image::new(picture.side, picture.side, &picture.pixels)?;
+    let image = ImageView::new(picture.side, picture.side, &picture.pixels)?;
     Ok(encode_png(image)?)
 }
 
@@ -60,11 +60,11 @@ impl BodyPictures {
     }
 
     /// The parts of her skin with their materials.
-    fn parts<'a>(&'a self, dancer: &'a Dancer) -> Vec<MeshPart<'a>> {
+    fn parts<'a>(&'a self, dancer: &'a Dancer) -> Vec<GlbPart<'a>> {
         let skin = &dancer.skin;
         let parts = skin.parts.iter().enumerate();
         parts
-            .map(|(place, part)| MeshPart {
+            .map(|(place, part)| GlbPart {
                 triangles: &part.triangles,
                 material: match (skin.looks.get(place), self.looks.get(place)) {
                     (Some(look), Some(png)) => look_material(look, png.as_deref()),
@@ -75,9 +75,9 @@ impl BodyPictures {
     }
 }
 
-fn skinned<'a>(dancer: &'a Dancer, parts: &'a [MeshPart<'a>]) -> SkinnedMesh<'a> {
+fn skinned<'a>(dancer: &'a Dancer, parts: &'a [GlbPart<'a>]) -> GlbMesh<'a> {
     let skin = &dancer.skin;
-    SkinnedMesh {
+    GlbMesh {
         name: "dancer",
         positions: &skin.positions,
         normals: &skin.normals,
@@ -143,7 +143,7 @@ fn look_png(look: &Look) -> Result<Option<Vec<u8>>> {
     let Some(picture) = &look.picture else {
         return Ok(None);
     };
-    let image = Image::new(picture.width, picture.height, &picture.pixels)?;
+    let image = ImageView::new(picture.width, picture.height, &picture.pixels)?;
     Ok(Some(encode_png(image)?))
 }
 
@@ -154,9 +154,9 @@ fn look_material<'a>(look: &'a Look, png: Option<&'a [u8]>) -> GlbMaterial<'a> {
         roughness: look.roughness,
         texture_png: png,
         sides: if look.is_two_sided {
-            Sides::Both
+            GlbSides::Both
         } else {
-            Sides::Front
+            GlbSides::Front
         },
     }
 }
@@ -175,6 +175,6 @@ fn material<'a>(kind: PartKind, look: &Appearance, [face, hair]: [&'a [u8]; 2]) 
         base_color: linear(color),
         roughness,
         texture_png,
-        sides: Sides::Front,
+        sides: GlbSides::Front,
     }
 }

@@ -16,6 +16,7 @@ use crate::args::{BenchArgs, Vectors};
 use crate::{Failure, summary};
 pub(crate) use pareto::ParetoPoint;
 pub(crate) use row::BenchRow;
+use soak::Soak;
 pub(crate) use soak::{SoakRow, WorstAt};
 
 /// What holds for every scene.
@@ -24,6 +25,19 @@ struct Settings {
     instruction_set: InstructionSet,
     /// Whether the springs are held against the best that this machine can do.
     roofline: bool,
+}
+
+impl Settings {
+    const fn of(args: &BenchArgs) -> Self {
+        Self {
+            instruction_set: match args.vectors {
+                Vectors::Detected => InstructionSet::Detected,
+                Vectors::Wide => InstructionSet::Wide,
+                Vectors::Baseline => InstructionSet::Baseline,
+            },
+            roofline: args.roofline,
+        }
+    }
 }
 
 /// A scene of the table.
@@ -66,32 +80,53 @@ fn entries() -> Vec<Entry> {
     engine.chain(stage).collect()
 }
 
-/// Keeps what has the name that was asked for, which must be one of them.
-fn choose<T>(
-    entries: &mut Vec<T>,
-    (option, name): (&'static str, Option<&str>),
+/// A name that an option may ask for.
+struct WantedName<'a> {
+    option: &'static str,
+    name: Option<&'a str>,
+    /// What it is the name of.
     what: Words,
-    name_of: fn(&T) -> &'static str,
-) -> Result<(), Failure> {
-    let Some(name) = name else { return Ok(()) };
-    let mut names: Vec<&str> = entries.iter().map(name_of).collect();
-    names.dedup();
-    if !names.contains(&name) {
-        names.sort_unstable();
-        names.dedup();
-        return Err(crate::dance::unknown(option, name, what, &names));
+}
+
+impl<'a> WantedName<'a> {
+    fn scene(args: &'a BenchArgs) -> Self {
+        Self {
+            option: "--scene",
+            name: args.scene.as_deref(),
+            what: words("場面", "scene"),
+        }
     }
-    entries.retain(|entry| name_of(entry) == name);
-    Ok(())
+
+    fn method(args: &'a BenchArgs) -> Self {
+        Self {
+            option: "--method",
+            name: args.method.as_deref(),
+            what: words("方法", "method"),
+        }
+    }
+
+    /// Keeps what has the name that was asked for, which must be one of them.
+    fn keep<T>(
+        &self,
+        entries: &mut Vec<T>,
+        name_of: fn(&T) -> &'static str,
+    ) -> Result<(), Failure> {
+        let Some(name) = self.name else { return Ok(()) };
+        let mut names: Vec<&str> = entries.iter().map(name_of).collect();
+        if !names.contains(&name) {
+            names.sort_unstable();
+            names.dedup();
+            return Err(crate::dance::unknown(self.option, name, self.what, &names));
+        }
+        entries.retain(|entry| name_of(entry) == name);
+        Ok(())
+    }
 }
 
 /// Scenes of the engine, or the one that was named.
 fn scenes_of_engine(args: &BenchArgs) -> Result<Vec<&'static ClothScene>, Failure> {
     let mut scenes: Vec<&ClothScene> = SCENES.iter().collect();
-    let asked = ("--scene", args.scene.as_deref());
-    choose(&mut scenes, asked, words("場面", "scene"), |scene| {
-        scene.name
-    })?;
+    WantedName::scene(args).keep(&mut scenes, |scene| scene.name)?;
     Ok(scenes)
 }
 
@@ -100,7 +135,7 @@ fn scenes_of_engine(args: &BenchArgs) -> Result<Vec<&'static ClothScene>, Failur
 enum Task {
     /// The table of scenes.
     Table,
-    /// The same square at four sizes.
+    /// One square at four sizes.
     Sizes,
     /// Quality against time.
     Pareto,
@@ -157,14 +192,7 @@ pub(crate) fn run(args: &BenchArgs, language: Language) -> Result<(), Failure> {
         .num_threads(usize::from(args.threads))
         .build()
         .map_err(Failure::error)?;
-    let settings = Settings {
-        instruction_set: match args.vectors {
-            Vectors::Detected => InstructionSet::Detected,
-            Vectors::Wide => InstructionSet::Wide,
-            Vectors::Baseline => InstructionSet::Baseline,
-        },
-        roofline: args.roofline,
-    };
+    let settings = Settings::of(args);
     pool.install(|| match task {
         Task::Table => table(entries(), args, settings, language),
         Task::Sizes => {
@@ -175,11 +203,14 @@ pub(crate) fn run(args: &BenchArgs, language: Language) -> Result<(), Failure> {
             table(sizes.collect(), args, settings, language)
         }
         Task::Pareto => pareto::run(args, settings, language),
-        Task::Soak(frame_count, seed) => soak::run(
-            args,
-            (frame_count, seed, settings.instruction_set),
-            language,
-        ),
+        Task::Soak(frame_count, seed) => {
+            let soak = Soak {
+                frame_count,
+                seed,
+                instruction_set: settings.instruction_set,
+            };
+            soak::run(args, soak, language)
+        }
     })
 }
 
@@ -190,14 +221,8 @@ fn table(
     settings: Settings,
     language: Language,
 ) -> Result<(), Failure> {
-    let scene = ("--scene", args.scene.as_deref());
-    choose(&mut chosen, scene, words("場面", "scene"), |entry| {
-        entry.scene
-    })?;
-    let method = ("--method", args.method.as_deref());
-    choose(&mut chosen, method, words("方法", "method"), |entry| {
-        entry.method
-    })?;
+    WantedName::scene(args).keep(&mut chosen, |entry| entry.scene)?;
+    WantedName::method(args).keep(&mut chosen, |entry| entry.method)?;
     let mut rows = Vec::new();
     if !args.json {
         summary::print_bench_head(language);

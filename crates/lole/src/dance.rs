@@ -2,7 +2,7 @@
 
 use std::path::Path;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
 use anyhow::Result;
 use lole_avatar::AvatarError;
@@ -10,7 +10,7 @@ use lole_body::Side;
 use lole_costume::document::{self, Design, MethodName, Place};
 use lole_export::report::ReportFile;
 use lole_export::video::{Mp4Writer, Song, VideoSettings};
-use lole_export::{Image, still};
+use lole_export::{ImageView, still};
 use lole_hula::{Count, DanceStep};
 use lole_language::{Bilingual as _, Language, Sentence, Words, words};
 use lole_render::{Backend, LightRig, Renderer, Size};
@@ -23,7 +23,7 @@ use crate::args::DanceArgs;
 use crate::baked::{self, Keys};
 use crate::figures::{self, RunFigures, Timing};
 use crate::output::OutputFolder;
-use crate::patience::{Watch, progress_bar, stop_flag};
+use crate::patience::{Watch, check, progress_bar, stop_flag};
 use crate::source::{self, Source};
 use crate::stopwatch::Stopwatch;
 use crate::studio::{FilmCamera, STILLS, Studio, still_cameras};
@@ -73,9 +73,7 @@ pub(crate) fn run(args: &DanceArgs, language: Language) -> Result<(), Failure> {
     let source = load(args)?;
     let production = Production::new(&source.design)
         .map_err(|error| source.located(place_of(&error), Sentence::of(&error)))?;
-    if stop.load(Ordering::Relaxed) {
-        return Err(Failure::Interrupted);
-    }
+    check(&stop)?;
     let song = args.audio.as_deref().map(song).transpose()?;
     let output = OutputFolder::create(&args.out).map_err(Failure::Usage)?;
     let run = Run {
@@ -135,7 +133,12 @@ struct Run<'a> {
 fn load(args: &DanceArgs) -> Result<Source, Failure> {
     let mut source = source::read(args.design.as_deref())?;
     source.put(args.avatar.as_deref(), args.motion.as_deref())?;
-    let design = &mut source.design;
+    lay_over(&mut source.design, args)?;
+    Ok(source)
+}
+
+/// Lays the wishes for the dance over a design.
+fn lay_over(design: &mut Design, args: &DanceArgs) -> Result<(), Failure> {
     if let Some(step) = &args.step {
         let ids = DanceStep::ALL.map(DanceStep::id);
         design.motion.step = DanceStep::from_id(step)
@@ -162,8 +165,7 @@ fn load(args: &DanceArgs) -> Result<Source, Failure> {
             }
         }
         Failure::Usage(error.into())
-    })?;
-    Ok(source)
+    })
 }
 
 pub(crate) fn unknown(option: &str, word: &str, what: Words, choices: &[&str]) -> Failure {
@@ -260,7 +262,7 @@ impl Run<'_> {
         let bar = progress_bar(count, self.language.pick("布をなじませる", "settling"));
         let watch = Watch::over(&bar, self.language);
         while performance.time() < 0.0 {
-            self.check_stop()?;
+            check(&self.stop)?;
             if let Err(divergence) = pool.install(|| performance.advance()) {
                 recording.divergence = Some(divergence);
                 break;
@@ -290,7 +292,7 @@ impl Run<'_> {
         performance.pose_body();
         let mut camera = FilmCamera::new(performance);
         for frame in 0..frame_count {
-            self.check_stop()?;
+            check(&self.stop)?;
             if frame % FRAMES_PER_PICTURE == 0 {
                 performance.pose_body();
                 recording.metrics.push(performance.measure());
@@ -339,14 +341,6 @@ impl Run<'_> {
         ((counts * beat) as u32).min(frame_count - 1)
     }
 
-    fn check_stop(&self) -> Result<(), Failure> {
-        if self.stop.load(Ordering::Relaxed) {
-            Err(Failure::Interrupted)
-        } else {
-            Ok(())
-        }
-    }
-
     /// Writes when every count falls; a recording has none.
     fn write_counts(
         &self,
@@ -363,6 +357,16 @@ impl Run<'_> {
             "counts.csv",
             counts.as_bytes(),
             "When every count falls, in seconds of the film: a metronome for the music.",
+        )
+    }
+
+    fn write_design(&self, output: &mut OutputFolder, files: &mut Files) -> Result<(), Failure> {
+        let text = document::to_toml(&self.design);
+        files.add(
+            output,
+            "design.lole",
+            text.as_bytes(),
+            "The design that was run: `lole dance design.lole` repeats it bit for bit.",
         )
     }
 
@@ -402,13 +406,7 @@ impl Run<'_> {
         }
         bar.inc(1);
         self.write_counts(performance, &mut output, &mut files)?;
-        let text = document::to_toml(&self.design);
-        files.add(
-            &mut output,
-            "design.lole",
-            text.as_bytes(),
-            "The design that was run: `lole dance design.lole` repeats it bit for bit.",
-        )?;
+        self.write_design(&mut output, &mut files)?;
         let figures = RunFigures {
             design: &self.design,
             threads,
@@ -493,7 +491,7 @@ impl Files {
         let mut jpegs = Vec::new();
         for (still, image) in STILLS.iter().zip(images) {
             let image =
-                Image::new(image.width, image.height, &image.pixels).map_err(Failure::error)?;
+                ImageView::new(image.width, image.height, &image.pixels).map_err(Failure::error)?;
             let png = still::encode_png(image).map_err(Failure::error)?;
             self.add(
                 output,

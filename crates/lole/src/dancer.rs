@@ -5,7 +5,7 @@ use lole_avatar::License;
 use lole_body::{Dancer, Pose};
 use lole_costume::document::Place;
 use lole_export::dancer_sheet::{CapsuleFacts, CoverageFacts, DancerSheet, dancer_json};
-use lole_export::{Image, still};
+use lole_export::{ImageView, still};
 use lole_language::{Bilingual as _, Language, Sentence};
 use lole_render::{Backend, LightRig, Renderer, Scene, SceneMesh, Size};
 
@@ -86,22 +86,23 @@ fn pictures(
     let cameras = cameras_around(&positions, PICTURE_SIZE);
     let mut pictures = Vec::new();
     for (still, camera) in STILLS.iter().zip(cameras) {
-        let mut scene = Scene {
+        let parts = skin.parts.iter().zip(&materials);
+        let scene = Scene {
+            meshes: parts
+                .map(|(part, (_, material))| SceneMesh {
+                    positions: &positions,
+                    normals: &normals,
+                    uvs: &skin.uvs,
+                    colors: &[],
+                    triangles: &part.triangles,
+                    material,
+                })
+                .collect(),
             lights: LightRig::seen_from(&camera),
             ..Scene::studio(camera)
         };
-        for (part, (_, material)) in skin.parts.iter().zip(&materials) {
-            scene.meshes.push(SceneMesh {
-                positions: &positions,
-                normals: &normals,
-                uvs: &skin.uvs,
-                colors: &[],
-                triangles: &part.triangles,
-                material,
-            });
-        }
         let image = renderer.render(&scene)?;
-        let image = Image::new(image.width, image.height, &image.pixels)?;
+        let image = ImageView::new(image.width, image.height, &image.pixels)?;
         pictures.push((still.file, still::encode_png(image)?));
         taken();
     }

@@ -4,9 +4,9 @@ use lole_avatar::License;
 use lole_body::{Dancer, Tape};
 use lole_costume::document::Design;
 use lole_export::report::{
-    DancerMeasure, Divergence as ReportDivergence, GarmentFacts, MeanPercentileMax,
-    MedianPercentile, MinMeanMax, PageMedia, PieceOver, Remark, ReportFile, RunReport, RunSeries,
-    SkirtFacts, Still as PageStill, Worst, report_html,
+    DancerMeasure, GarmentFacts, MeanPercentileMax, MedianPercentile, MinMeanMax, PageMedia,
+    Remark, ReportDivergence, ReportFile, ReportPieceOver, RunReport, RunSeries, SkirtFacts,
+    Still as PageStill, Worst, report_html,
 };
 use lole_language::{Bilingual, words};
 use lole_stage::{
@@ -194,7 +194,7 @@ fn skirt_facts(performance: &Performance) -> SkirtFacts {
 }
 
 fn garment_facts(garment: &GarmentLayers) -> GarmentFacts {
-    let over = garment.over.iter().map(|over| PieceOver {
+    let over = garment.over.iter().map(|over| ReportPieceOver {
         outer: over.outer.english.to_owned(),
         outer_ja: over.outer.japanese.to_owned(),
         inner: over.inner.english.to_owned(),

@@ -2,8 +2,9 @@
 
 use std::path::Path;
 
+use lole_avatar::AvatarInspection;
 use lole_language::{Language, Sentence};
-use lole_motion::{Inspection, bvh};
+use lole_motion::{RecordingInspection, bvh};
 
 use crate::args::InspectArgs;
 use crate::{Failure, summary};
@@ -27,10 +28,10 @@ pub(crate) fn run(args: &InspectArgs, language: Language) -> Result<(), Failure>
     };
     let (lines, json) = if is_bvh(&bytes) {
         let recording = bvh::parse(&bytes).map_err(|error| named(Sentence::of(&error)))?;
-        let found = Inspection::new("BVH", &recording, list);
+        let found = RecordingInspection::new("BVH", &recording, list);
         (found.lines(), serde_json::to_string_pretty(&found))
     } else {
-        let found = lole_avatar::Inspection::new(&bytes, list);
+        let found = AvatarInspection::new(&bytes, list);
         let found = found.map_err(|error| named(Sentence::of(&error)))?;
         (found.lines(), serde_json::to_string_pretty(&found))
     };

@@ -9,7 +9,7 @@ use indicatif::ProgressBar;
 
 use lole_body::{Dancer, Measurements};
 use lole_costume::cost;
-use lole_costume::document::{self, Design, Place};
+use lole_costume::document::{Design, Place};
 use lole_costume::order::{self, DancerPlan, Group, PrintTotal, Settings};
 use lole_costume::roster::{self, Roster, RosterError};
 use lole_export::booklet::{Booklet, bill_remarks, booklet_sheets};
@@ -18,14 +18,14 @@ use lole_export::order::{
     ORDER_JSON, OrderParts, PATTERN_FILES, PICTURE_FOLDER, bill_json, left_behind, listed_files,
     order_folder,
 };
-use lole_export::pdf::{Document, Paper, Sheet, printable};
+use lole_export::pdf::{Document, Paper, printable};
 use lole_geom::Length;
 use lole_language::{Bilingual as _, Language, Sentence};
 use rayon::prelude::*;
 
 use crate::args::{BookletArgs, CostArgs, FormArgs, OrderArgs, PageLanguage};
 use crate::output::OutputFolder;
-use crate::patience::{progress_bar, stop_flag};
+use crate::patience::{check, progress_bar, stop_flag};
 use crate::portrait;
 use crate::source::{self, Source};
 use crate::{Failure, summary};
@@ -57,31 +57,21 @@ pub(crate) fn run_order(args: &OrderArgs, language: Language) -> Result<(), Fail
     let mut output = OutputFolder::create(&args.out).map_err(Failure::Usage)?;
     let group = cut(&list, &source.design, (&stop, language))?;
     if group.plans.is_empty() {
-        let sentence = group.problems.first().cloned().unwrap_or_else(|| {
-            Sentence::new(
-                "名簿に踊り手がいません。見出しの下に一人一行で書いてください",
-                "the list has no dancers; write one a line below the heads",
-            )
-        });
-        return Err(Failure::usage(of_file(&args.roster, &sentence)));
+        return Err(nobody(&group, &args.roster));
     }
-    let bar = bar_of(group.plans.len(), language.pick("着せる", "dressing"));
     let earlier = std::fs::read_to_string(args.out.join(ORDER_JSON)).unwrap_or_default();
-    let kept = if args.no_pictures {
-        vec![None; group.plans.len()]
-    } else {
-        portrait::group(&group.designs, &args.out, &stop, &bar)?
-    };
-    bar.finish_and_clear();
-    let (pictures, mut kept_files): (Vec<_>, Vec<_>) = kept.into_iter().map(Option::unzip).unzip();
-    if args.no_pictures {
+    let (pictures, kept_files): (_, Vec<String>) = if args.no_pictures {
         // Pictures of an earlier run stay for a later one.
         let listed = listed_files(&earlier).into_iter();
-        kept_files = (listed.filter(|name| name.starts_with(PICTURE_FOLDER)))
-            .map(Some)
-            .collect();
-    }
-    let kept_files: Vec<String> = kept_files.into_iter().flatten().collect();
+        let kept = listed.filter(|name| name.starts_with(PICTURE_FOLDER));
+        (vec![None; group.plans.len()], kept.collect())
+    } else {
+        let bar = bar_of(group.plans.len(), language.pick("着せる", "dressing"));
+        let kept = portrait::group(&group.designs, &args.out, &stop, &bar)?;
+        bar.finish_and_clear();
+        let (pictures, files): (_, Vec<_>) = kept.into_iter().map(Option::unzip).unzip();
+        (pictures, files.into_iter().flatten().collect())
+    };
     let parts = OrderParts {
         title: title(&source),
         design: &source.design,
@@ -100,9 +90,7 @@ pub(crate) fn run_order(args: &OrderArgs, language: Language) -> Result<(), Fail
     };
     let folder = order_folder(&parts, &goes_on).map_err(Failure::error)?;
     bar.finish_and_clear();
-    if stop.load(Ordering::Relaxed) {
-        return Err(Failure::Interrupted);
-    }
+    check(&stop)?;
     for (name, bytes) in &folder.files {
         output.write(name, bytes).map_err(Failure::Run)?;
     }
@@ -118,6 +106,17 @@ pub(crate) fn run_order(args: &OrderArgs, language: Language) -> Result<(), Fail
         summary::print_pattern(&shown(&paths), &lines, &notes, language);
     }
     verdict(&group.problems, language)
+}
+
+/// Why nobody of a list can be cut for.
+fn nobody(group: &Group, list: &Path) -> Failure {
+    let sentence = group.problems.first().cloned().unwrap_or_else(|| {
+        Sentence::new(
+            "名簿に踊り手がいません。見出しの下に一人一行で書いてください",
+            "the list has no dancers; write one a line below the heads",
+        )
+    });
+    Failure::usage(of_file(list, &sentence))
 }
 
 /// Removes what an earlier order wrote and this one did not; tells of what cannot be removed.
@@ -150,9 +149,7 @@ fn cut(
     let bar = bar_of(list.dancers.len(), language.pick("製図", "drafting"));
     let cut: Result<Vec<_>, Failure> = (list.dancers.par_iter())
         .map(|dancer| {
-            if stop.load(Ordering::Relaxed) {
-                return Err(Failure::Interrupted);
-            }
+            check(stop)?;
             let plan = order::plan(dancer, design);
             bar.inc(1);
             Ok((dancer, plan))
@@ -252,10 +249,7 @@ fn title(source: &Source) -> String {
 
 /// The plan of a design for its own dancer.
 fn own_plan(source: &Source) -> Result<DancerPlan, Failure> {
-    let located = |table, sentence| {
-        let place = Place { table, key: "" };
-        Failure::Usage(document::locate(&source.text, &source.name, place, sentence).into())
-    };
+    let located = |table, sentence| source.located(Place { table, key: "" }, sentence);
     let design = &source.design;
     let dancer = match &design.dancer.file {
         Some(_) => lole_stage::dancer(design)
@@ -306,7 +300,8 @@ pub(crate) fn run_booklet(args: &BookletArgs, language: Language) -> Result<(), 
         hem_height_cm: source.design.costume_hem_cm(),
     };
     let sheets = booklet_sheets(&booklet, args.paper.paper(), pages);
-    write_file(&args.out, (&booklet.title, sheets), pages, language)
+    let document = Document::new(&booklet.title, pages, sheets);
+    write_file(&args.out, &document, language)
 }
 
 /// Runs `lole form`.
@@ -322,30 +317,26 @@ pub(crate) fn run_form(args: &FormArgs, language: Language) -> Result<(), Failur
             .collect(),
     };
     let title = pages.pick("採寸表", "Measurement form");
-    write_file(&args.out, (title, sheets), pages, language)
+    write_file(&args.out, &Document::new(title, pages, sheets), language)
 }
 
-fn pdf((title, sheets): (&str, Vec<Sheet>), pages: Language) -> Result<Vec<u8>, Failure> {
-    let document = Document {
-        title: title.to_owned(),
-        language: pages.pick("ja", "en"),
-        sheets,
-    };
-    document.to_bytes().map_err(Failure::error)
-}
-
-/// Writes one file, whole or not at all.
-fn write_file(
-    path: &Path,
-    what: (&str, Vec<Sheet>),
-    pages: Language,
-    language: Language,
-) -> Result<(), Failure> {
-    let bytes = pdf(what, pages)?;
+/// Writes one file, whole or not at all, and tells of it in the system's language.
+fn write_file(path: &Path, document: &Document, language: Language) -> Result<(), Failure> {
+    let bytes = document.to_bytes().map_err(Failure::error)?;
     let folder = match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     };
+    let name = file_name(path)?;
+    let mut output = OutputFolder::create(folder).map_err(Failure::Usage)?;
+    output.write(&name, &bytes).map_err(Failure::Run)?;
+    let paths = output.finish().map_err(Failure::Run)?;
+    summary::print_pattern(&paths, &[], &[], language);
+    Ok(())
+}
+
+/// The name of the file that a path asks for.
+fn file_name(path: &Path) -> Result<String, Failure> {
     let name = path
         .file_name()
         .map(|name| name.to_string_lossy().into_owned());
@@ -365,13 +356,8 @@ fn write_file(
         )));
     }
     // Nothing opens a file whose name does not say what it is.
-    let name = match Path::new(&name).extension() {
+    Ok(match Path::new(&name).extension() {
         Some(_) => name,
         None => name + ".pdf",
-    };
-    let mut output = OutputFolder::create(folder).map_err(Failure::Usage)?;
-    output.write(&name, &bytes).map_err(Failure::Run)?;
-    let paths = output.finish().map_err(Failure::Run)?;
-    summary::print_pattern(&paths, &[], &[], language);
-    Ok(())
+    })
 }

@@ -5,12 +5,14 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
-use anyhow::{Context as _, Result};
+use anyhow::Context as _;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use lole_language::{Language, Sentence};
 
+use crate::Failure;
+
 /// A flag that Ctrl-C and a request to end set.
-pub(crate) fn stop_flag() -> Result<Arc<AtomicBool>> {
+pub(crate) fn stop_flag() -> anyhow::Result<Arc<AtomicBool>> {
     let flag = Arc::new(AtomicBool::new(false));
     let set = Arc::clone(&flag);
     ctrlc::set_handler(move || set.store(true, Ordering::Relaxed)).context(Sentence::new(
@@ -18,6 +20,14 @@ pub(crate) fn stop_flag() -> Result<Arc<AtomicBool>> {
         "the system lets no program listen to Ctrl-C",
     ))?;
     Ok(flag)
+}
+
+/// Goes on, unless the flag is set.
+pub(crate) fn check(stop: &AtomicBool) -> Result<(), Failure> {
+    if stop.load(Ordering::Relaxed) {
+        return Err(Failure::Interrupted);
+    }
+    Ok(())
 }
 
 /// A bar of `length` steps on standard error.

@@ -1,9 +1,8 @@
 //! `lole pattern`: cut plans and patterns of everything that a design has.
 
 use std::sync::Arc;
-use std::sync::atomic::Ordering;
 
-use lole_costume::document::{self, Place};
+use lole_costume::document::Place;
 use lole_costume::tailoring::{self, ClothPlan, GarmentPattern};
 use lole_export::booklet::amount_words;
 use lole_export::cutting::{
@@ -12,7 +11,7 @@ use lole_export::cutting::{
 };
 use lole_export::dxf::pattern_dxf;
 use lole_export::pdf::{Document, Paper, Sheet};
-use lole_language::{Bilingual as _, Language, Sentence};
+use lole_language::{Bilingual as _, Language, Sentence, Words};
 use lole_pattern::marker::Lay;
 use lole_print::PrintImage;
 
@@ -20,7 +19,7 @@ use crate::args::{PaperSize, PatternArgs};
 use crate::dance::place_of;
 use crate::order::PRINT_SIDE;
 use crate::output::OutputFolder;
-use crate::patience::{progress_bar, stop_flag};
+use crate::patience::{check, progress_bar, stop_flag};
 use crate::source::{self, Source};
 use crate::{Failure, summary};
 
@@ -39,21 +38,22 @@ pub(crate) fn run(args: &PatternArgs, language: Language) -> Result<(), Failure>
     let stop = stop_flag().map_err(Failure::Run)?;
     let source = source::read(args.design.as_deref())?;
     let garments = draft(&source)?;
-    let mut output = OutputFolder::create(&args.out).map_err(Failure::Usage)?;
+    let mut files = PatternFiles {
+        output: OutputFolder::create(&args.out).map_err(Failure::Usage)?,
+        paper: args.paper.paper(),
+        language,
+    };
     let count = u32::try_from(garments.len()).unwrap_or(u32::MAX);
     let bar = progress_bar(2 * count + 1, language.pick("型紙", "pattern"));
-    let paper = args.paper.paper();
     let mut cuts = Vec::new();
     let prints = source.design.cut_print_images(PRINT_SIDE);
     let prints = prints.map_err(|error| Failure::usage(Sentence::of(&error)))?;
     for (garment, print) in garments.into_iter().zip(prints) {
-        if stop.load(Ordering::Relaxed) {
-            return Err(Failure::Interrupted);
-        }
+        check(&stop)?;
         cuts.push(plan(garment, print, args));
         bar.inc(1);
     }
-    write_plans(&mut output, &cuts, paper, language)?;
+    files.write_plans(&cuts)?;
     bar.inc(1);
     let size = args
         .design
@@ -61,18 +61,14 @@ pub(crate) fn run(args: &PatternArgs, language: Language) -> Result<(), Failure>
         .and_then(|path| path.file_stem())
         .map_or_else(|| "LOLE".into(), |stem| stem.to_string_lossy());
     for cut in &cuts {
-        if stop.load(Ordering::Relaxed) {
-            return Err(Failure::Interrupted);
-        }
-        write_garment(&mut output, cut, (paper, &size), language)?;
+        check(&stop)?;
+        files.write_garment(cut, &size)?;
         bar.inc(1);
     }
     let json = pattern_json(&cuts, env!("CARGO_PKG_VERSION")).map_err(Failure::error)?;
-    output
-        .write("pattern.json", json.as_bytes())
-        .map_err(Failure::Run)?;
+    files.write("pattern.json", json.as_bytes())?;
     bar.finish_and_clear();
-    let paths = output.finish().map_err(Failure::Run)?;
+    let paths = files.output.finish().map_err(Failure::Run)?;
     if args.json {
         summary::print_json(&json);
     } else {
@@ -85,18 +81,15 @@ pub(crate) fn run(args: &PatternArgs, language: Language) -> Result<(), Failure>
 
 /// Drafts everything that the design has to its dancer.
 fn draft(source: &Source) -> Result<Vec<GarmentPattern>, Failure> {
-    let located = |place: Place<'_>, sentence: Sentence| {
-        Failure::Usage(document::locate(&source.text, &source.name, place, sentence).into())
-    };
     let (dancer, _) = lole_stage::dancer(&source.design)
-        .map_err(|error| located(place_of(&error), Sentence::of(&error)))?;
+        .map_err(|error| source.located(place_of(&error), Sentence::of(&error)))?;
     tailoring::patterns_of(&source.design, &dancer).map_err(|error| {
         let table = if error.place.is_some() {
             "garment"
         } else {
             "skirt"
         };
-        located(Place { table, key: "" }, Sentence::of(&error))
+        source.located(Place { table, key: "" }, Sentence::of(&error))
     })
 }
 
@@ -115,105 +108,100 @@ fn plan(garment: GarmentPattern, print: PrintImage, args: &PatternArgs) -> CutGa
     }
 }
 
-/// What all garments share: cut plans, and the sheets for ruler and chalk.
-fn write_plans(
-    output: &mut OutputFolder,
-    cuts: &[CutGarment],
+/// The folder of the files, and how they are written.
+struct PatternFiles {
+    output: OutputFolder,
     paper: Paper,
     language: Language,
-) -> Result<(), Failure> {
-    // What is tied, strung or carved has no cut plan: its booklet says what to gather.
-    if cuts.iter().all(|cut| cut.plans.is_empty()) {
-        return Ok(());
-    }
-    let sheets = cut_plan_sheets(cuts, paper, language);
-    let title = language.pick("裁ち方図", "cut plan");
-    write_pdf(output, "cut-plan.pdf", (title, sheets), language)?;
-    output
-        .write("cut-plan.svg", &cut_plan_svg(cuts, language))
-        .map_err(Failure::Run)?;
-    let ruler = ruler_sheets(cuts, paper, language);
-    if ruler.is_empty() {
-        return Ok(());
-    }
-    let title = language.pick("定規で引く線", "rectangles by ruler");
-    write_pdf(output, "ruler.pdf", (title, ruler), language)
 }
 
-/// The pieces of one garment at full size.
-fn write_garment(
-    output: &mut OutputFolder,
-    cut: &CutGarment,
-    (paper, size): (Paper, &str),
-    language: Language,
-) -> Result<(), Failure> {
-    let id = &cut.garment.id;
-    if let Some(tiled) = tiled_sheets(cut, paper, language) {
-        let name = format!("{id}-{}.pdf", paper.name().to_ascii_lowercase());
-        let title = cut.garment.name.text(language);
-        write_pdf(output, &name, (title, tiled.sheets), language)?;
+impl PatternFiles {
+    /// What all garments share: cut plans, and the sheets for ruler and chalk.
+    fn write_plans(&mut self, cuts: &[CutGarment]) -> Result<(), Failure> {
+        // What is tied, strung or carved has no cut plan: its booklet says what to gather.
+        if cuts.iter().all(|cut| cut.plans.is_empty()) {
+            return Ok(());
+        }
+        let (paper, language) = (self.paper, self.language);
+        let title = language.pick("裁ち方図", "cut plan");
+        self.write_pdf(
+            "cut-plan.pdf",
+            title,
+            cut_plan_sheets(cuts, paper, language),
+        )?;
+        self.write("cut-plan.svg", &cut_plan_svg(cuts, language))?;
+        let ruler = ruler_sheets(cuts, paper, language);
+        if ruler.is_empty() {
+            return Ok(());
+        }
+        let title = language.pick("定規で引く線", "rectangles by ruler");
+        self.write_pdf("ruler.pdf", title, ruler)
     }
-    // Leaves and flowers are tied, not cut.
-    if cut.garment.pattern.pieces.is_empty() {
-        return Ok(());
-    }
-    output
-        .write(&format!("{id}.svg"), &pieces_svg(cut, language))
-        .and_then(|()| output.write(&format!("{id}.dxf"), &pattern_dxf(cut, size)))
-        .map_err(Failure::Run)
-}
 
-fn write_pdf(
-    output: &mut OutputFolder,
-    name: &str,
-    (title, sheets): (&str, Vec<Sheet>),
-    language: Language,
-) -> Result<(), Failure> {
-    let document = Document {
-        title: title.to_owned(),
-        language: language.pick("ja", "en"),
-        sheets,
-    };
-    let bytes = document.to_bytes().map_err(Failure::error)?;
-    output.write(name, &bytes).map_err(Failure::Run)
+    /// The pieces of one garment at full size; `size` is the name of the design.
+    fn write_garment(&mut self, cut: &CutGarment, size: &str) -> Result<(), Failure> {
+        let (paper, language) = (self.paper, self.language);
+        let id = &cut.garment.id;
+        if let Some(tiled) = tiled_sheets(cut, paper, language) {
+            let name = format!("{id}-{}.pdf", paper.name().to_ascii_lowercase());
+            self.write_pdf(&name, cut.garment.name.text(language), tiled.sheets)?;
+        }
+        // Leaves and flowers are tied, not cut.
+        if cut.garment.pattern.pieces.is_empty() {
+            return Ok(());
+        }
+        self.write(&format!("{id}.svg"), &pieces_svg(cut, language))?;
+        self.write(&format!("{id}.dxf"), &pattern_dxf(cut, size))
+    }
+
+    fn write_pdf(&mut self, name: &str, title: &str, sheets: Vec<Sheet>) -> Result<(), Failure> {
+        let document = Document::new(title, self.language, sheets);
+        self.write(name, &document.to_bytes().map_err(Failure::error)?)
+    }
+
+    fn write(&mut self, name: &str, bytes: &[u8]) -> Result<(), Failure> {
+        self.output.write(name, bytes).map_err(Failure::Run)
+    }
 }
 
 /// What to buy for each cloth of a garment.
 fn purchases(cut: &CutGarment) -> Vec<Sentence> {
-    let purchase = |plan: &ClothPlan| {
-        let name = cut.garment.name;
-        let marker = &plan.marker;
-        let (needed, metric) = (marker.yardage.needed.to_cm(), marker.yardage.metric.to_m());
-        let (yards, width) = (marker.yardage.imperial.to_yd(), marker.cloth.width.to_cm());
-        let ([metric_kg, cut_kg], [yard_kg, _]) = (
-            masses(plan, Language::Japanese),
-            masses(plan, Language::English),
-        );
-        let short = |language: Language| {
-            let sentence = short_words(&marker.yardage, language);
-            sentence.map_or_else(String::new, |sentence| {
-                format!("{}{sentence}", language.pick("。", ". "))
-            })
-        };
-        Sentence::new(
-            format!(
-                "{}: 幅 {width:.0} cm の布 {metric:.1} m（{yards:.1} ヤード）、用尺 {needed:.1} cm、買う布 {metric_kg:.2} kg（ヤードなら {yard_kg:.2} kg）、裁った布 {cut_kg:.2} kg{}{}",
-                name.japanese,
-                used_words(plan, "、", Language::Japanese),
-                short(Language::Japanese)
-            ),
-            format!(
-                "{}: buy {metric:.1} m ({yards:.1} yd) of {width:.0} cm cloth; {needed:.1} cm are needed; {metric_kg:.2} kg bought ({yard_kg:.2} kg by the yard), {cut_kg:.2} kg once cut{}{}",
-                name.english,
-                used_words(plan, ", ", Language::English),
-                short(Language::English)
-            ),
-        )
-    };
     if cut.plans.is_empty() {
         return vec![gathered(cut)];
     }
-    cut.plans.iter().map(purchase).collect()
+    let plans = cut.plans.iter();
+    plans.map(|plan| purchase(cut.garment.name, plan)).collect()
+}
+
+/// What to buy for one cloth of a garment of this name.
+fn purchase(name: Words, plan: &ClothPlan) -> Sentence {
+    let marker = &plan.marker;
+    let (needed, metric) = (marker.yardage.needed.to_cm(), marker.yardage.metric.to_m());
+    let (yards, width) = (marker.yardage.imperial.to_yd(), marker.cloth.width.to_cm());
+    let ([metric_kg, cut_kg], [yard_kg, _]) = (
+        masses(plan, Language::Japanese),
+        masses(plan, Language::English),
+    );
+    let short = |language: Language| {
+        let sentence = short_words(&marker.yardage, language);
+        sentence.map_or_else(String::new, |sentence| {
+            format!("{}{sentence}", language.pick("。", ". "))
+        })
+    };
+    Sentence::new(
+        format!(
+            "{}: 幅 {width:.0} cm の布 {metric:.1} m（{yards:.1} ヤード）、用尺 {needed:.1} cm、買う布 {metric_kg:.2} kg（ヤードなら {yard_kg:.2} kg）、裁った布 {cut_kg:.2} kg{}{}",
+            name.japanese,
+            used_words(plan, "、", Language::Japanese),
+            short(Language::Japanese)
+        ),
+        format!(
+            "{}: buy {metric:.1} m ({yards:.1} yd) of {width:.0} cm cloth; {needed:.1} cm are needed; {metric_kg:.2} kg bought ({yard_kg:.2} kg by the yard), {cut_kg:.2} kg once cut{}{}",
+            name.english,
+            used_words(plan, ", ", Language::English),
+            short(Language::English)
+        ),
+    )
 }
 
 /// What to gather for what is not cut from cloth.

@@ -6,9 +6,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use indicatif::ProgressBar;
 use lole_costume::document::{Design, to_toml};
-use lole_export::Image;
+use lole_export::ImageView;
 use lole_export::order::PICTURE_FOLDER;
-use lole_export::pdf::Picture;
+use lole_export::pdf::EncodedPicture;
 use lole_picture::portrait::{self, PortraitError};
 use lole_render::Size;
 use lole_stage::Production;
@@ -27,7 +27,7 @@ const COVER: Size = Size {
 ///
 /// # Errors
 /// A costume that cannot be put on, or an interruption.
-pub(crate) fn cover(design: &Design, stop: &AtomicBool) -> Result<Picture, Failure> {
+pub(crate) fn cover(design: &Design, stop: &AtomicBool) -> Result<EncodedPicture, Failure> {
     let is_stopped = || stop.load(Ordering::Relaxed);
     let production = Production::new(design).map_err(PortraitError::from);
     let performance = production
@@ -41,7 +41,7 @@ pub(crate) fn cover(design: &Design, stop: &AtomicBool) -> Result<Picture, Failu
 }
 
 /// A dancer's picture and the file that it is kept in, by its path in the order's folder.
-pub(crate) type Kept = (Picture, String);
+pub(crate) type Kept = (EncodedPicture, String);
 
 /// Every dancer of a group in her costume, all at one scale; `None` where it cannot be put on. They are
 /// kept in the order's folder, so that an order that was stopped goes on.
@@ -99,9 +99,9 @@ fn failure(error: PortraitError) -> Failure {
     }
 }
 
-fn picture(image: &lole_render::Image) -> Result<Picture, Failure> {
+fn picture(image: &lole_render::Image) -> Result<EncodedPicture, Failure> {
     let (width, height) = (image.width, image.height);
-    Image::new(width, height, &image.pixels)
-        .and_then(Picture::photo)
+    ImageView::new(width, height, &image.pixels)
+        .and_then(EncodedPicture::photo)
         .map_err(Failure::error)
 }

@@ -75,7 +75,7 @@ impl Studio {
         let moment = Moment::of(performance);
         let scene = self
             .looks
-            .scene(production, &moment.figure(), camera, lights);
+            .scene(production, &moment.dancer(), camera, lights);
         Ok(renderer.render(&scene)?)
     }
 }

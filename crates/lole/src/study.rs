@@ -16,7 +16,8 @@ mod thresholds;
 use std::num::NonZeroU32;
 
 use lole_cloth::method::explicit::{
-    ContactEvaluation, Counting, Integrator, LastStage, RungeKutta, StageDamping, stability_limit,
+    ContactEvaluation, Counting, HighestMode, Integrator, LastStage, RungeKutta, StageDamping,
+    stability_limit,
 };
 use lole_cloth::method::reference::ReferenceModel;
 use lole_costume::document::{Design, MethodName};
@@ -118,13 +119,31 @@ pub(crate) fn run(args: &StudyArgs, language: Language) -> Result<(), Failure> {
     bar.inc(1);
     report.findings = findings::of(&report);
     report.seconds = started.read().wall_seconds;
-    let image = still::Image::new(picture.size.width, picture.size.height, &picture.pixels)
-        .map_err(Failure::error)?;
+    let json = write(&mut output, &report, &picture)?;
+    let paths = output.finish().map_err(Failure::Run)?;
+    bar.finish_and_clear();
+    if args.json {
+        summary::print_json(&json);
+    } else {
+        summary::print_study(&report, &paths, language);
+    }
+    Ok(())
+}
+
+/// Writes the files of the study; what one of them holds as JSON.
+fn write(
+    output: &mut OutputFolder,
+    report: &StudyReport,
+    picture: &picture::Picture,
+) -> Result<String, Failure> {
+    let size = picture.size;
+    let image =
+        still::ImageView::new(size.width, size.height, &picture.pixels).map_err(Failure::error)?;
     let png = still::encode_png(image).map_err(Failure::error)?;
     let jpeg = still::encode_jpeg(image, PICTURE_QUALITY).map_err(Failure::error)?;
-    let json = study_json(&report).map_err(Failure::error)?;
-    let page = study_html(&report, &jpeg);
-    let table = study_csv(&report);
+    let json = study_json(report).map_err(Failure::error)?;
+    let page = study_html(report, &jpeg);
+    let table = study_csv(report);
     let files: [(&str, &[u8]); 4] = [
         ("study.html", page.as_bytes()),
         ("study.json", json.as_bytes()),
@@ -134,14 +153,7 @@ pub(crate) fn run(args: &StudyArgs, language: Language) -> Result<(), Failure> {
     for (name, bytes) in files {
         output.write(name, bytes).map_err(Failure::Run)?;
     }
-    let paths = output.finish().map_err(Failure::Run)?;
-    bar.finish_and_clear();
-    if args.json {
-        summary::print_json(&json);
-    } else {
-        summary::print_study(&report, &paths, language);
-    }
-    Ok(())
+    Ok(json)
 }
 
 struct Study<'a> {
@@ -171,27 +183,44 @@ impl Study<'_> {
             film_skirt: film,
             ..StudyReport::default()
         };
+        self.limits(&settled, &mode, &mut report)?;
+        let panels = self.at_shared_step(&settled, shared_steps, &mut report)?;
+        report.skirt = skirt;
+        self.at_own_step(&settled, stable_steps, &mut report)?;
+        self.causes(&settled, shared_steps, &mut report)?;
+        self.by_step(&settled, stable_steps, &mut report)?;
+        self.capsules(&mut report)?;
+        cost_ratios(&mut report);
+        Ok((report, panels))
+    }
+
+    /// How long a step each method takes before it bursts.
+    fn limits(
+        &self,
+        settled: &Performance,
+        mode: &HighestMode,
+        report: &mut StudyReport,
+    ) -> Result<(), Failure> {
         let bar = self.bar(METHODS.len(), words("安定の限界", "limits"));
         for method in &METHODS {
             self.runner.check_stop()?;
             let entry = IntegratorEntry {
                 order: method.order,
                 evaluations_per_step: method.integrator().evaluations_per_step(),
-                threshold: thresholds::measure(&settled, &mode, method).map_err(Failure::Run)?,
+                threshold: thresholds::measure(settled, mode, method).map_err(Failure::Run)?,
                 paper: method.paper.to_owned(),
                 ..IntegratorEntry::default()
             };
-            report
-                .integrators
-                .insert(method.name.id().to_owned(), entry);
+            let id = method.name.id().to_owned();
+            report.integrators.insert(id, entry);
             bar.inc(1);
         }
         bar.finish_and_clear();
-        let panels = self.at_shared_step(&settled, shared_steps, &mut report)?;
-        report.skirt = skirt;
-        self.at_own_step(&settled, stable_steps, &mut report)?;
-        self.causes(&settled, shared_steps, &mut report)?;
-        self.by_step(&settled, stable_steps, &mut report)?;
+        Ok(())
+    }
+
+    /// Bodies of more and more capsules.
+    fn capsules(&self, report: &mut StudyReport) -> Result<(), Failure> {
         let bar = self.bar(capsules::BODIES.len(), words("カプセルの数", "capsules"));
         for body in &capsules::BODIES {
             let (entry, skirt) = capsules::measure(&self.runner, *body, self.lengths.capsules)?;
@@ -200,8 +229,7 @@ impl Study<'_> {
             bar.inc(1);
         }
         bar.finish_and_clear();
-        cost_ratios(&mut report);
-        Ok((report, panels))
+        Ok(())
     }
 
     fn bar(&self, length: usize, message: Words) -> indicatif::ProgressBar {
@@ -245,11 +273,7 @@ impl Study<'_> {
         let bar = self.bar(METHODS.len(), words("自分の刻み", "own step"));
         let (skirt, film) = (report.skirt.clone(), report.film_skirt.clone());
         for method in &METHODS {
-            let own_steps = |skirt: &SkirtOfStudy| {
-                let limit = own_limit(method, skirt)?;
-                Some(whole(f64::from(FRAME_SECONDS) / (OWN_SHARE * limit)))
-            };
-            let Some(steps) = own_steps(&skirt) else {
+            let Some(steps) = own_steps(method, &skirt) else {
                 continue;
             };
             let steps = if method.name == MethodName::FbEuler {
@@ -259,7 +283,7 @@ impl Study<'_> {
             };
             let run = self.run(settled, method.integrator(), steps, self.lengths.own)?;
             if let Some(entry) = report.integrators.get_mut(method.name.id()) {
-                if let Some(film_steps) = own_steps(&film) {
+                if let Some(film_steps) = own_steps(method, &film) {
                     let size = film.particles as f64 / skirt.particles as f64;
                     let steps = f64::from(film_steps);
                     entry.film_frame_ms_extrapolated = run.entry.step_ms * size * steps;
@@ -448,6 +472,12 @@ fn own_limit(method: &Method, skirt: &SkirtOfStudy) -> Option<f64> {
         skirt.highest_frequency_rad_per_s,
         skirt.damping_per_s,
     )
+}
+
+/// Steps of a frame that a method needs on a skirt, with a margin; `None` where it bears no step.
+fn own_steps(method: &Method, skirt: &SkirtOfStudy) -> Option<u32> {
+    let limit = own_limit(method, skirt)?;
+    Some(whole(f64::from(FRAME_SECONDS) / (OWN_SHARE * limit)))
 }
 
 /// The film's skirt, of which only its size and its frequency are needed.

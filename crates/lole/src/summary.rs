@@ -78,16 +78,21 @@ pub(crate) fn print_dancer(sheet: &DancerSheet, language: Language) {
 
 /// Says what a run wrote and how it went.
 pub(crate) fn print_run(report: &RunReport, paths: &[PathBuf], seconds: f64, language: Language) {
-    let pick = |japanese: &'static str, english: &'static str| language.pick(japanese, english);
     say!();
     for path in paths {
         say!("  {:<44} {}", path.display(), open_hint(path, language));
     }
     say!();
-    for remark in &report.skirt.warnings {
-        say!("  ! {}", pick_remark(remark, language));
+    print_warnings(report, language);
+    if 0 < report.frames {
+        print_figures(report, seconds, language);
     }
-    for remark in &report.no_room {
+}
+
+/// What is unusual about a run, and measures that nobody took.
+fn print_warnings(report: &RunReport, language: Language) {
+    let pick = |japanese: &'static str, english: &'static str| language.pick(japanese, english);
+    for remark in report.skirt.warnings.iter().chain(&report.no_room) {
         say!("  ! {}", pick_remark(remark, language));
     }
     for garment in &report.garments {
@@ -114,9 +119,11 @@ pub(crate) fn print_run(report: &RunReport, paths: &[PathBuf], seconds: f64, lan
             estimated.join(pick("、", ", ")),
         );
     }
-    if report.frames == 0 {
-        return;
-    }
+}
+
+/// How fast a run was, and how far its cloth can be believed.
+fn print_figures(report: &RunReport, seconds: f64, language: Language) {
+    let pick = |japanese: &'static str, english: &'static str| language.pick(japanese, english);
     say!(
         "  {} {} {} · {} {} · {:.1} {} ({} {:.1} ms) · {} {:.2} ×",
         report.method,

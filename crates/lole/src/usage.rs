@@ -474,21 +474,19 @@ fn sentence(error: &clap::Error) -> Sentence {
                 },
             )
         }
-        ErrorKind::InvalidValue => {
-            let value = context(ContextKind::InvalidValue);
-            let valid = context(ContextKind::ValidValue);
-            if value.is_empty() {
-                Sentence::new(
-                    format!("{name}: 値がありません。{option} のように書いてください"),
-                    format!("{name}: the value is missing; write {option}"),
-                )
-            } else {
+        ErrorKind::InvalidValue => match context(ContextKind::InvalidValue).as_str() {
+            "" => Sentence::new(
+                format!("{name}: 値がありません。{option} のように書いてください"),
+                format!("{name}: the value is missing; write {option}"),
+            ),
+            value => {
+                let valid = context(ContextKind::ValidValue);
                 Sentence::new(
                     format!("{name} {value}: {valid} から選んでください"),
                     format!("{name} {value}: choose one of {valid}"),
                 )
             }
-        }
+        },
         ErrorKind::UnknownArgument => unknown(
             &option,
             "オプションや引数",
@@ -497,9 +495,9 @@ fn sentence(error: &clap::Error) -> Sentence {
         ),
         ErrorKind::InvalidSubcommand => {
             let command = Cli::command();
-            let names: Vec<_> = command.get_subcommands().map(Command::get_name).collect();
+            let names = command.get_subcommands().map(Command::get_name);
+            let names: Vec<_> = names.map(str::to_owned).collect();
             let typed = context(ContextKind::InvalidSubcommand);
-            let names: Vec<_> = names.into_iter().map(str::to_owned).collect();
             unknown(&typed, "コマンド", "command", &names)
         }
         ErrorKind::ArgumentConflict => Sentence::new(

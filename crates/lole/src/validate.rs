@@ -10,7 +10,7 @@ use lole_stage::validate::{Check, PROTOCOLS, Protocol, Subject};
 use crate::args::ValidateArgs;
 use crate::dance::unknown;
 use crate::output::OutputFolder;
-use crate::patience::stop_flag;
+use crate::patience::{check, stop_flag};
 use crate::{Failure, summary};
 
 /// Runs the command.
@@ -41,9 +41,7 @@ pub(crate) fn run(args: &ValidateArgs, language: Language) -> Result<(), Failure
         }
         let mut entry = entry(protocol);
         for subject in Subject::ALL {
-            if stop.load(std::sync::atomic::Ordering::Relaxed) {
-                return Err(Failure::Interrupted);
-            }
+            check(&stop)?;
             let checks = protocol.run(subject).map_err(Failure::error)?;
             if let Some(language) = shown {
                 print(protocol, subject, &checks, language);

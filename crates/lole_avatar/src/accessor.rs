@@ -116,32 +116,7 @@ impl File<'_> {
     ) -> Result<Vec<[T; N]>, AvatarError> {
         let place = || format!("accessors[{}]", index.value());
         let wrong = |japanese: &str, english: &str| AvatarError::part(place(), japanese, english);
-        let accessor = self
-            .root
-            .get(index)
-            .ok_or_else(|| wrong("ありません", "there is no such accessor"))?;
-        let component = match &accessor.component_type {
-            Checked::Valid(kind) => kind.0,
-            Checked::Invalid => {
-                return Err(wrong("数の型が不明です", "its numbers have no known type"));
-            }
-        };
-        let parts = match &accessor.type_ {
-            Checked::Valid(kind) => multiplicity(*kind),
-            Checked::Invalid => {
-                return Err(wrong(
-                    "要素の型が不明です",
-                    "its elements have no known type",
-                ));
-            }
-        };
-        if parts != N {
-            return Err(AvatarError::part(
-                place(),
-                format!("要素の数値が {parts} 個で、{N} 個のはずです"),
-                format!("its elements have {parts} numbers, and {N} are needed"),
-            ));
-        }
+        let (accessor, component) = self.accessor_of::<N>(index)?;
         let count = accessor.count.0;
         let beyond = || {
             wrong(
@@ -187,6 +162,37 @@ impl File<'_> {
             })?;
         }
         Ok(elements)
+    }
+
+    /// An accessor of elements that have `N` numbers each, and the type of those.
+    fn accessor_of<const N: usize>(
+        &self,
+        index: Index<accessor::Accessor>,
+    ) -> Result<(&accessor::Accessor, ComponentType), AvatarError> {
+        let place = || format!("accessors[{}]", index.value());
+        let wrong = |japanese: &str, english: &str| AvatarError::part(place(), japanese, english);
+        let accessor = self
+            .root
+            .get(index)
+            .ok_or_else(|| wrong("ありません", "there is no such accessor"))?;
+        let Checked::Valid(component) = &accessor.component_type else {
+            return Err(wrong("数の型が不明です", "its numbers have no known type"));
+        };
+        let Checked::Valid(kind) = &accessor.type_ else {
+            return Err(wrong(
+                "要素の型が不明です",
+                "its elements have no known type",
+            ));
+        };
+        let parts = multiplicity(*kind);
+        if parts != N {
+            return Err(AvatarError::part(
+                place(),
+                format!("要素の数値が {parts} 個で、{N} 個のはずです"),
+                format!("its elements have {parts} numbers, and {N} are needed"),
+            ));
+        }
+        Ok((accessor, component.0))
     }
 
     /// Lays sparse values over elements.

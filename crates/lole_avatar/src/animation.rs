@@ -1,10 +1,12 @@
 //! Animations of a file as recordings: sampled sixty times a second, as the product counts frames.
 
 use glam::{Quat, Vec3, Vec4};
+use gltf_json::Index;
+use gltf_json::accessor::Accessor;
 use gltf_json::animation::{Channel, Interpolation, Property};
 use gltf_json::validation::Checked;
 use lole_language::words;
-use lole_motion::{Place, Recording};
+use lole_motion::{JointPlace, Recording};
 use serde::Serialize;
 
 use crate::AvatarError;
@@ -139,7 +141,7 @@ pub(crate) fn recording(file: &File<'_>, rig: &Rig, clip: &str) -> Result<Record
             track.apply(time.min(last), &mut locals[track.node]);
         }
         let worlds = rig.tree.worlds(&locals);
-        let places: Vec<Place> = rig.nodes.iter().map(|&node| place(&worlds[node])).collect();
+        let places: Vec<JointPlace> = rig.nodes.iter().map(|&node| place(&worlds[node])).collect();
         for (joint, at) in recording.joints.iter().zip(&places) {
             let (translation, rotation) = within(joint.parent.map(|parent| places[parent]), *at);
             recording.translations.push(translation);
@@ -204,16 +206,7 @@ fn track(
             "its key times do not ascend or go beyond an hour",
         ));
     }
-    let values: Vec<Vec4> = if property == Property::Rotation {
-        let values = file.floats::<4>(sampler.output)?;
-        values.into_iter().map(Vec4::from_array).collect()
-    } else {
-        let values = file.floats::<3>(sampler.output)?;
-        values
-            .into_iter()
-            .map(|value| Vec3::from_array(value).extend(0.0))
-            .collect()
-    };
+    let values = key_values(file, sampler.output, property)?;
     let each = if *interpolation == Interpolation::CubicSpline {
         3
     } else {
@@ -232,6 +225,24 @@ fn track(
         times,
         values,
     }))
+}
+
+/// The values of all keys: rotations as they are, all else with 0 as the fourth number.
+fn key_values(
+    file: &File<'_>,
+    output: Index<Accessor>,
+    property: Property,
+) -> Result<Vec<Vec4>, AvatarError> {
+    Ok(if property == Property::Rotation {
+        let values = file.floats::<4>(output)?;
+        values.into_iter().map(Vec4::from_array).collect()
+    } else {
+        let values = file.floats::<3>(output)?;
+        let values = values.into_iter();
+        values
+            .map(|value| Vec3::from_array(value).extend(0.0))
+            .collect()
+    })
 }
 
 /// First and last key of all tracks [s].

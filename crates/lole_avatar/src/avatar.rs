@@ -28,7 +28,7 @@ impl Avatar {
         Self::of_file(&file, None)
     }
 
-    /// The same of a file whose text was read; `list` says which node is which bone.
+    /// Measures the avatar of a file whose text was read; `list` says which node is which bone.
     pub(crate) fn of_file(file: &File<'_>, list: Option<&str>) -> Result<Self, AvatarError> {
         let rig = Rig::new(file, list)?;
         let geometry = Geometry::read(file, &rig)?;

@@ -38,8 +38,7 @@ pub fn neighbors(bytes: &[u8]) -> Result<Vec<String>, AvatarError> {
     Ok(names)
 }
 
-/// The same file with the bytes of its neighbors inside; a neighbor that `read` does not have stays
-/// outside. `None` where nothing is to be gathered.
+/// A file with the bytes of its neighbors inside; a neighbor that `read` does not have stays outside. `None` where nothing is to be gathered.
 #[must_use]
 pub fn gathered(bytes: &[u8], read: impl Fn(&str) -> Option<Vec<u8>>) -> Option<Vec<u8>> {
     let mut root = text(bytes)?;

@@ -18,7 +18,7 @@ use crate::vrm::{Format, expression_count};
 
 /// What an avatar or a dance holds.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Inspection {
+pub struct AvatarInspection {
     /// Kind of file.
     pub format: &'static str,
     /// Program that wrote it.
@@ -66,7 +66,7 @@ pub struct Humanoid {
 pub struct BodySummary {
     /// Key of each measure with what the tape reads [cm].
     pub tape_cm: Vec<(&'static str, f64)>,
-    /// The same by name, Japanese and English.
+    /// Name and number of each measure [cm], in Japanese and in English.
     #[serde(skip)]
     named: Vec<[String; 2]>,
     /// Capsules that stand for the lower body.
@@ -98,7 +98,7 @@ pub struct MeshSummary {
     pub height_m: f32,
 }
 
-impl Inspection {
+impl AvatarInspection {
     /// Looks into the bytes of a file; `list` says which node is which bone, `node = bone` on each
     /// line.
     ///
@@ -154,7 +154,7 @@ impl Inspection {
         })
     }
 
-    /// The same as lines of text.
+    /// What the file holds, as lines of text.
     #[must_use]
     pub fn lines(&self) -> Vec<Sentence> {
         let mut lines = vec![match &self.generator {

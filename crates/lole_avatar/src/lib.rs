@@ -9,7 +9,7 @@
 //! | pictures and base colors | `look` |
 //! | skeleton, skin and tape of a dancer | [`Avatar`] |
 //! | what may be done with it | [`License`] |
-//! | what a file holds, in words | [`Inspection`] |
+//! | what a file holds, in words | [`AvatarInspection`] |
 //!
 //! It opens no file. Whatever bytes it is given, it answers with a finite result or with one
 //! sentence.
@@ -36,7 +36,7 @@ pub use container::is_gltf;
 pub use dance::{ReadDance, list_clips, read_clip, read_dance};
 pub use error::AvatarError;
 pub use gather::{gathered, neighbors};
-pub use inspect::{BodySummary, Humanoid, Inspection, MeshSummary};
+pub use inspect::{AvatarInspection, BodySummary, Humanoid, MeshSummary};
 pub use license::{License, Permission};
 pub use rig::RestPose;
 pub use vrm::Format;

@@ -56,7 +56,7 @@ const FIELDS_0: [&str; 12] = [
     "licenseName",
     "otherLicenseUrl",
 ];
-/// The same of VRM 1.0.
+/// Fields of the license in VRM 1.0.
 const FIELDS_1: [&str; 18] = [
     "name",
     "version",
@@ -195,7 +195,7 @@ impl License {
         ))
     }
 
-    /// The same as lines of text.
+    /// What the license says, as lines of text.
     #[must_use]
     pub fn lines(&self) -> Vec<Sentence> {
         let mut lines = Vec::new();

@@ -2,7 +2,7 @@
 
 use glam::{Affine3A, Mat4, Quat, Vec3};
 use lole_body::Bone;
-use lole_motion::{Axes, BoneMap, Joint, MapSource, Place, Recording};
+use lole_motion::{Axes, BoneMap, Joint, JointPlace, MapSource, Recording};
 
 use crate::AvatarError;
 use crate::container::File;
@@ -70,16 +70,17 @@ impl Rig {
         let worlds = tree.worlds(&locals);
         let binds = binds(file, &tree, &locals, &worlds)?;
         let human = human_bones(file, format)?;
-        let (nodes, joints) = joint_nodes(file, &tree, human.as_deref());
-        let places = |transforms: &[Affine3A]| -> Vec<Place> {
-            nodes.iter().map(|&node| place(&transforms[node])).collect()
+        let hung = JointNodes::of(file, &tree, human.as_deref());
+        let places = |transforms: &[Affine3A]| -> Vec<JointPlace> {
+            let nodes = hung.nodes.iter();
+            nodes.map(|&node| place(&transforms[node])).collect()
         };
         let (scene, bound) = (places(&worlds), places(&binds));
-        let unscaled = recording(file, &tree, (&nodes, &joints), &bound);
+        let unscaled = hung.recording(file, &tree, &bound);
         let map = match (list, human) {
             (Some(list), _) => BoneMap::from_list(&unscaled, list),
             (None, Some(human)) => {
-                let joint = |node: &Option<usize>| node.and_then(|node| joints[node]);
+                let joint = |node: &Option<usize>| node.and_then(|node| hung.joints[node]);
                 let joints = human.iter().map(joint).collect();
                 BoneMap::given(&unscaled, MapSource::File(format.name()), joints)
             }
@@ -93,21 +94,21 @@ impl Rig {
         if !(scene_per_bind.is_finite() && 0.0 < scene_per_bind) {
             return Err(AvatarError::UnknownScale { meters: bind_leg });
         }
-        let scaled: Vec<Place> = (bound.iter())
-            .map(|place| Place {
+        let scaled: Vec<JointPlace> = (bound.iter())
+            .map(|place| JointPlace {
                 position: place.position * scene_per_bind,
                 ..*place
             })
             .collect();
         let axes = axes(&map, &scaled);
-        let rest = recording(file, &tree, (&nodes, &joints), &scaled);
+        let rest = hung.recording(file, &tree, &scaled);
         Ok(Self {
             tree,
             locals,
             binds,
             rest,
-            nodes,
-            joints,
+            nodes: hung.nodes,
+            joints: hung.joints,
             map,
             axes,
             scene_per_bind,
@@ -244,70 +245,70 @@ pub(crate) fn skin_joints(
         .collect()
 }
 
-/// Nodes that can be joints, parents first, and the joint of each node: all but those that only
-/// carry meshes.
-fn joint_nodes(
-    file: &File<'_>,
-    tree: &Tree,
-    human: Option<&[Option<usize>]>,
-) -> (Vec<usize>, Vec<Option<usize>>) {
-    let mut needed = vec![false; file.root.nodes.len()];
-    let skins = file.root.skins.iter().flat_map(|skin| &skin.joints);
-    let of_skins = skins.map(|node| node.value());
-    let of_human = human.into_iter().flatten().flatten().copied();
-    for node in of_skins.chain(of_human) {
-        if let Some(needed) = needed.get_mut(node) {
-            *needed = true;
-        }
-    }
-    let has_joints = needed.iter().any(|&needed| needed);
-    for (node, needed) in needed.iter_mut().enumerate() {
-        // Without skins every node without a mesh may be a joint.
-        *needed |= !has_joints && file.root.nodes[node].mesh.is_none();
-    }
-    for &node in tree.order.iter().rev() {
-        if let (true, Some(parent)) = (needed[node], tree.parents[node]) {
-            needed[parent] = true;
-        }
-    }
-    let nodes: Vec<usize> = (tree.order.iter().copied())
-        .filter(|&node| needed[node])
-        .collect();
-    let mut joints = vec![None; needed.len()];
-    for (joint, &node) in nodes.iter().enumerate() {
-        joints[node] = Some(joint);
-    }
-    (nodes, joints)
+/// Nodes that can be joints.
+struct JointNodes {
+    /// Parents first.
+    nodes: Vec<usize>,
+    /// The joint of each node of the file.
+    joints: Vec<Option<usize>>,
 }
 
-/// Joints at rest that lie at `places`.
-fn recording(
-    file: &File<'_>,
-    tree: &Tree,
-    (nodes, joints): (&[usize], &[Option<usize>]),
-    places: &[Place],
-) -> Recording {
-    let rest = nodes.iter().zip(places).map(|(&node, place)| {
-        let parent = tree.parents[node].and_then(|parent| joints[parent]);
-        let (translation, rotation) = within(parent.map(|parent| places[parent]), *place);
-        Joint {
-            name: file.node_name(node).to_owned(),
-            parent,
-            translation,
-            rotation,
-            channel_count: 3,
+impl JointNodes {
+    /// All but those that only carry meshes.
+    fn of(file: &File<'_>, tree: &Tree, human: Option<&[Option<usize>]>) -> Self {
+        let mut needed = vec![false; file.root.nodes.len()];
+        let skins = file.root.skins.iter().flat_map(|skin| &skin.joints);
+        let of_skins = skins.map(|node| node.value());
+        let of_human = human.into_iter().flatten().flatten().copied();
+        for node in of_skins.chain(of_human) {
+            if let Some(needed) = needed.get_mut(node) {
+                *needed = true;
+            }
         }
-    });
-    Recording {
-        joints: rest.collect(),
-        frame_seconds: 1.0 / 60.0,
-        rotations: Vec::new(),
-        translations: Vec::new(),
+        let has_joints = needed.iter().any(|&needed| needed);
+        for (node, needed) in needed.iter_mut().enumerate() {
+            // Without skins every node without a mesh may be a joint.
+            *needed |= !has_joints && file.root.nodes[node].mesh.is_none();
+        }
+        for &node in tree.order.iter().rev() {
+            if let (true, Some(parent)) = (needed[node], tree.parents[node]) {
+                needed[parent] = true;
+            }
+        }
+        let nodes: Vec<usize> = (tree.order.iter().copied())
+            .filter(|&node| needed[node])
+            .collect();
+        let mut joints = vec![None; needed.len()];
+        for (joint, &node) in nodes.iter().enumerate() {
+            joints[node] = Some(joint);
+        }
+        Self { nodes, joints }
+    }
+
+    /// Joints at rest that lie at `places`.
+    fn recording(&self, file: &File<'_>, tree: &Tree, places: &[JointPlace]) -> Recording {
+        let rest = self.nodes.iter().zip(places).map(|(&node, place)| {
+            let parent = tree.parents[node].and_then(|parent| self.joints[parent]);
+            let (translation, rotation) = within(parent.map(|parent| places[parent]), *place);
+            Joint {
+                name: file.node_name(node).to_owned(),
+                parent,
+                translation,
+                rotation,
+                channel_count: 3,
+            }
+        });
+        Recording {
+            joints: rest.collect(),
+            frame_seconds: 1.0 / 60.0,
+            rotations: Vec::new(),
+            translations: Vec::new(),
+        }
     }
 }
 
 /// A place in the space of its parent.
-pub(crate) fn within(parent: Option<Place>, place: Place) -> (Vec3, Quat) {
+pub(crate) fn within(parent: Option<JointPlace>, place: JointPlace) -> (Vec3, Quat) {
     match parent {
         Some(parent) => {
             let back = parent.rotation.inverse();
@@ -321,7 +322,7 @@ pub(crate) fn within(parent: Option<Place>, place: Place) -> (Vec3, Quat) {
 }
 
 /// Mean length of thigh and shank.
-fn leg_length(map: &BoneMap, places: &[Place]) -> f32 {
+fn leg_length(map: &BoneMap, places: &[JointPlace]) -> f32 {
     let at = |bone| {
         let joint = map.joint(bone);
         joint.map_or(Vec3::ZERO, |joint| places[joint].position)
@@ -343,7 +344,7 @@ fn unit(leg: f32) -> Result<(&'static str, f32), AvatarError> {
 }
 
 /// Refuses whose trunk does not stand over the legs.
-fn check_upright(map: &BoneMap, places: &[Place]) -> Result<(), AvatarError> {
+fn check_upright(map: &BoneMap, places: &[JointPlace]) -> Result<(), AvatarError> {
     let at = |bone| {
         let joint = map.joint(bone);
         joint.map_or(Vec3::ZERO, |joint| places[joint].position)
@@ -360,7 +361,7 @@ fn check_upright(map: &BoneMap, places: &[Place]) -> Result<(), AvatarError> {
 }
 
 /// Axes of the body at rest; who faces nearly along an axis of the file faces along it.
-fn axes(map: &BoneMap, places: &[Place]) -> Axes {
+fn axes(map: &BoneMap, places: &[JointPlace]) -> Axes {
     let axes = Axes::of(map, places);
     let along = [Vec3::X, Vec3::Y, Vec3::Z, -Vec3::X, -Vec3::Y, -Vec3::Z];
     let near = along.iter().find(|axis| ALONG_AXIS < axis.dot(axes.left));

@@ -1,7 +1,7 @@
 //! The nodes of a file as a tree, and where they lie.
 
 use glam::{Affine3A, Mat3, Mat4, Quat, Vec3};
-use lole_motion::Place;
+use lole_motion::JointPlace;
 
 use crate::AvatarError;
 use crate::container::File;
@@ -26,7 +26,7 @@ pub(crate) struct Local {
 }
 
 impl Local {
-    /// The same as a transform.
+    /// The transform that scales first, then turns, then moves.
     pub(crate) fn parent_from_node(&self) -> Affine3A {
         Affine3A::from_scale_rotation_translation(self.scale, self.rotation, self.translation)
     }
@@ -157,7 +157,7 @@ pub(crate) fn turn_of(numbers: [f32; 4]) -> Quat {
 }
 
 /// Place and turn of a transform, without its scale.
-pub(crate) fn place(world: &Affine3A) -> Place {
+pub(crate) fn place(world: &Affine3A) -> JointPlace {
     let [x, y]: [Vec3; 2] = [world.matrix3.x_axis.into(), world.matrix3.y_axis.into()];
     let x = x.try_normalize().unwrap_or(Vec3::X);
     let y = (y - x * x.dot(y))
@@ -166,7 +166,7 @@ pub(crate) fn place(world: &Affine3A) -> Place {
     // The third axis of a mirrored node points the other way in every frame alike.
     let turned = Mat3::from_cols(x, y, x.cross(y));
     let position: Vec3 = world.translation.into();
-    Place {
+    JointPlace {
         position,
         rotation: Quat::from_mat3(&turned).normalize(),
     }

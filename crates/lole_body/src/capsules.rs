@@ -72,7 +72,7 @@ pub struct Coverage {
 
 /// Skin that lies this far inside a capsule [m] is still close to it.
 const CLOSE_INSIDE: f32 = 0.008;
-/// The same outside [m].
+/// Skin that lies this far outside a capsule [m] is still close to it.
 const CLOSE_OUTSIDE: f32 = 0.003;
 
 impl Dancer {

@@ -85,7 +85,8 @@ impl Dancer {
         Self::with_appearance(measurements, &Appearance::default())
     }
 
-    /// The same with other hair and colors; the body is the same to the bit.
+    /// Builds the dancer of these measurements with hair and colors of her own; the body is that of
+    /// [`Dancer::new`] to the bit.
     ///
     /// # Errors
     /// As [`Dancer::new`].

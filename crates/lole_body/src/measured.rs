@@ -11,8 +11,8 @@ use crate::{Bone, Dancer, Figure, Measure, Tape};
 
 /// From the shoulder joint out to the shoulder point [m] at a stature of 158.5 cm.
 const SHOULDER_POINT_OUT: f32 = 0.03;
-/// The same of a man: 40 cm from point to point at 171 cm (AIST), 19.6 cm from the middle to the
-/// joint of the measured body.
+/// From a man's shoulder joint out to his shoulder point [m] at a stature of 171 cm: 40 cm from point
+/// to point (AIST), 19.6 cm from the middle to the joint of the measured body.
 const SHOULDER_POINT_OUT_OF_MAN: f32 = 0.004;
 
 /// One line of the tape: what was given and what the body has.

@@ -237,7 +237,7 @@ impl RawTube {
 }
 
 impl Sections {
-    /// The same body `factor` times as large.
+    /// The body, `factor` times as large.
     pub(crate) fn scaled(&self, factor: f32) -> Self {
         let mut scaled = self.clone();
         scaled.for_each_number(&mut |number| *number *= factor);

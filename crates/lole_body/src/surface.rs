@@ -172,7 +172,8 @@ fn nearest_body(
 fn child(bodies: &BTreeMap<String, Sections>, tape: &Measurements) -> Result<Sections, BodyError> {
     /// How far beyond the younger child the line is carried on: to 100 cm.
     const YOUNGEST: f32 = -1.22;
-    /// The same for the head, whose size is a survey's.
+    /// How far the line is carried on for the head: not beyond the younger child, for the size of the
+    /// head is a survey's.
     const LEAST_FACE: f32 = 0.0;
     let named = |name: &str| {
         bodies.get(name).ok_or_else(|| BodyError::Sections {

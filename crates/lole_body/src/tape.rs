@@ -163,7 +163,7 @@ fn corners(skin: &SkinnedMesh, hull: &[CutPoint]) -> Vec<Corner> {
         .collect()
 }
 
-/// The same closed way, begun where it crosses the middle of the back.
+/// A closed way, begun where it crosses the middle of the back.
 fn from_back(corners: &[Corner]) -> Vec<Corner> {
     let len = corners.len();
     for index in 0..len {

@@ -14,7 +14,8 @@ use lole_costume::cost::Bill;
 use lole_costume::order::{CutElastic, DancerPlan, PlannedGarment};
 use lole_costume::tailoring::{ClothPlan, role_name};
 use lole_garment::Shelf;
-use lole_language::{Bilingual as _, Language, Sentence};
+use lole_geom::Length;
+use lole_language::{Bilingual as _, Language, Sentence, Words, capitalized};
 use lole_pattern::pattern::{Amount, NotionKind, Step};
 use lole_pattern::piece::ClothRole;
 use lole_print::PrintImage;
@@ -22,7 +23,8 @@ use lole_print::PrintImage;
 use crate::cutting::{CutGarment, draw_marker, masses, numbers_words, short_words};
 use crate::order::lengths_table;
 use crate::pdf::{
-    Align, Cell, Column, Flow, Margins, Paper, Picture, Rect, Sheet, Stroke, Table, TextStyle,
+    Align, Cell, Column, EncodedPicture, Flow, Margins, PageTable, Paper, Rect, Sheet, Stroke,
+    TextStyle,
 };
 pub(crate) use style::{ACCENT, foot, head, headed_table, rule, subhead};
 
@@ -40,7 +42,7 @@ pub struct Booklet<'a> {
     /// What it costs.
     pub bill: &'a Bill,
     /// The costume on its dancer.
-    pub cover: Option<Picture>,
+    pub cover: Option<EncodedPicture>,
     /// Height of the hem above the floor [cm]; `None` where the costume has none that was decided.
     pub hem_height_cm: Option<f64>,
 }
@@ -105,21 +107,6 @@ fn cover(flow: &mut Flow, booklet: &Booklet<'_>, language: Language) {
         );
     });
     flow.space(4.0);
-    let names: Vec<&str> = (booklet.plan.garments.iter())
-        .map(|garment| garment.tailored.name.text(language))
-        .collect();
-    let name = booklet.plan.name.trim();
-    let dancer =
-        (!name.is_empty()).then(|| format!("{}{name}", language.pick("踊り手: ", "Dancer: ")));
-    let about = [
-        Some(names.join(language.pick("・", ", "))),
-        dancer,
-        booklet.hem_height_cm.map(|hem| {
-            let label = language.pick("床から裾まで: ", "Hem above the floor: ");
-            format!("{label}{hem:.0} cm")
-        }),
-        Some(time_words(booklet, language)),
-    ];
     let text_height = 4.0 * TextStyle::regular(14.0).line_height() + 4.0;
     let height = flow.left_over() - text_height - 2.0;
     flow.block(height, |sheet, rect| match &booklet.cover {
@@ -130,12 +117,34 @@ fn cover(flow: &mut Flow, booklet: &Booklet<'_>, language: Language) {
         None => rule(sheet, [rect.x, rect.y], width),
     });
     flow.space(4.0);
-    for line in about.into_iter().flatten() {
+    for line in about(booklet, language) {
         flow.block(TextStyle::regular(14.0).line_height(), |sheet, rect| {
             let at = [rect.x + 0.5 * rect.width, rect.y + 6.0];
             sheet.text(at, &line, &TextStyle::regular(14.0), Align::Center);
         });
     }
+}
+
+/// The lines of the cover: the garments, the dancer, her hem and the time that it takes.
+fn about(booklet: &Booklet<'_>, language: Language) -> Vec<String> {
+    let names: Vec<&str> = (booklet.plan.garments.iter())
+        .map(|garment| garment.tailored.name.text(language))
+        .collect();
+    let name = booklet.plan.name.trim();
+    let dancer =
+        (!name.is_empty()).then(|| format!("{}{name}", language.pick("踊り手: ", "Dancer: ")));
+    let hem = booklet.hem_height_cm.map(|hem| {
+        let label = language.pick("床から裾まで: ", "Hem above the floor: ");
+        format!("{label}{hem:.0} cm")
+    });
+    let garments = names.join(language.pick("・", ", "));
+    let lines = [
+        Some(garments),
+        dancer,
+        hem,
+        Some(time_words(booklet, language)),
+    ];
+    lines.into_iter().flatten().collect()
 }
 
 fn time_words(booklet: &Booklet<'_>, language: Language) -> String {
@@ -186,7 +195,7 @@ fn materials(flow: &mut Flow, plan: &DancerPlan, language: Language) {
     head(flow, language.pick("用意するもの", "What you need"));
     for garment in &plan.garments {
         subhead(flow, &capitalized(garment.tailored.name.text(language)));
-        Table {
+        PageTable {
             columns: vec![
                 Column::text("", 3.4),
                 Column::text("", 3.0),
@@ -211,30 +220,36 @@ fn materials(flow: &mut Flow, plan: &DancerPlan, language: Language) {
     flow.space(6.0);
 }
 
+/// What is bought of one of a garment's cloths.
+fn cloth_row(garment: &PlannedGarment, plan: &ClothPlan, language: Language) -> Vec<Cell> {
+    let bought = plan.marker.yardage;
+    let (width, metric) = (plan.marker.cloth.width.to_cm(), bought.metric.to_m());
+    let yards = bought.imperial.to_yd();
+    let [mass, _] = masses(plan, language);
+    let name = match plan.role {
+        ClothRole::Main => garment.tailored.cloth.name.text(language),
+        role => role_name(role).text(language),
+    };
+    let [bought, about] = match language {
+        Language::Japanese => [
+            format!("{metric:.1} m（{yards:.1} ヤード）"),
+            format!("布幅 {width:.0} cm、およそ {mass:.2} kg"),
+        ],
+        Language::English => [
+            format!("{yards:.1} yd or {metric:.1} m"),
+            format!("{width:.0} cm wide, about {mass:.2} kg"),
+        ],
+    };
+    vec![Cell::bold(name), bought.into(), about.into()]
+}
+
+/// What is bought for a garment: its cloths, its elastics, and all else that goes into it.
 fn material_rows(garment: &PlannedGarment, language: Language) -> Vec<Vec<Cell>> {
     let tailored = &garment.tailored;
-    let mut rows: Vec<Vec<Cell>> = Vec::new();
-    for plan in &garment.plans {
-        let bought = plan.marker.yardage;
-        let (width, metric) = (plan.marker.cloth.width.to_cm(), bought.metric.to_m());
-        let yards = bought.imperial.to_yd();
-        let [mass, _] = masses(plan, language);
-        let name = match plan.role {
-            ClothRole::Main => tailored.cloth.name.text(language),
-            role => role_name(role).text(language),
-        };
-        rows.push(vec![
-            Cell::bold(name),
-            match language {
-                Language::Japanese => format!("{metric:.1} m（{yards:.1} ヤード）").into(),
-                Language::English => format!("{yards:.1} yd or {metric:.1} m").into(),
-            },
-            match language {
-                Language::Japanese => format!("布幅 {width:.0} cm、およそ {mass:.2} kg").into(),
-                Language::English => format!("{width:.0} cm wide, about {mass:.2} kg").into(),
-            },
-        ]);
-    }
+    let plans = garment.plans.iter();
+    let mut rows: Vec<Vec<Cell>> = plans
+        .map(|plan| cloth_row(garment, plan, language))
+        .collect();
     let notions = tailored.pattern.notions.iter();
     let elastic = notions
         .clone()
@@ -295,7 +310,7 @@ fn measures(flow: &mut Flow, plan: &DancerPlan, language: Language) {
 }
 
 /// The tape in centimeters and inches.
-fn measure_table(plan: &DancerPlan, language: Language) -> Table {
+fn measure_table(plan: &DancerPlan, language: Language) -> PageTable {
     let wanted = [
         Measure::Stature,
         Measure::Bust,
@@ -325,7 +340,7 @@ fn measure_table(plan: &DancerPlan, language: Language) -> Table {
             ]
         })
         .collect();
-    Table {
+    PageTable {
         columns: vec![
             Column::text("", 4.0),
             Column::number("", 2.0),
@@ -372,41 +387,51 @@ fn cut_plans(
     };
     head(flow, &title);
     let cut = CutGarment {
-        garment: garment.tailored.clone(),
-        plans: garment.plans.clone(),
         print: print.cloned(),
-        owner: String::new(),
+        ..CutGarment::of(garment)
     };
     for plan in &garment.plans {
-        let height = plan_height(plan, flow.width());
-        flow.keep(height + 10.0);
-        if plan.role != ClothRole::Main {
-            subhead(flow, role_name(plan.role).text(language));
-        }
-        let mut numbered = Vec::new();
-        flow.block(height, |sheet, rect| {
-            numbered = draw_marker(sheet, rect, &cut, plan, language);
-        });
-        if let Some(words) = numbers_words(&cut, &numbered, language) {
-            flow.paragraph(&words, &TextStyle::body());
-        }
-        for warning in &plan.marker.warnings {
-            flow.paragraph(
-                &format!("! {}", warning.text(language)),
-                &TextStyle::bold(12.5),
-            );
-        }
+        cut_plan(flow, &cut, plan, language);
     }
     for plan in &garment.plans {
         if let Some(text) = short_words(&plan.marker.yardage, language) {
             flow.paragraph(&text, &TextStyle::body());
         }
     }
-    for (piece, [along, across], count) in garment.rectangles() {
+    for text in rectangles(garment, language) {
+        flow.paragraph(&text, &TextStyle::body());
+    }
+    flow.space(6.0);
+}
+
+/// Where the pieces of one cloth lie, with what is to be said of it.
+fn cut_plan(flow: &mut Flow, cut: &CutGarment, plan: &ClothPlan, language: Language) {
+    let height = plan_height(plan, flow.width());
+    flow.keep(height + 10.0);
+    if plan.role != ClothRole::Main {
+        subhead(flow, role_name(plan.role).text(language));
+    }
+    let mut numbered = Vec::new();
+    flow.drawing(height, language, |canvas| {
+        numbered = draw_marker(canvas, cut, plan);
+    });
+    if let Some(words) = numbers_words(cut, &numbered, language) {
+        flow.paragraph(&words, &TextStyle::body());
+    }
+    for warning in &plan.marker.warnings {
+        let text = format!("! {}", warning.text(language));
+        flow.paragraph(&text, &TextStyle::bold(12.5));
+    }
+}
+
+/// How large the rectangles of a garment are cut, and how often.
+fn rectangles(garment: &PlannedGarment, language: Language) -> Vec<String> {
+    let rectangles = garment.rectangles().into_iter();
+    let sentence = |(piece, [along, across], count): (Words, [Length; 2], u32)| {
         let (along, across) = (along.to_cm(), across.to_cm());
         let mut pieces = garment.tailored.pattern.pieces.iter();
         let on_bias = pieces.any(|other| other.name == piece && other.is_on_bias());
-        let text = match language {
+        match language {
             Language::Japanese if on_bias => format!(
                 "{}: バイアス（耳から斜め 45°）に、長さ {:.1} cm × 幅 {:.1} cm を {count} 枚（縫い代を含む）。",
                 piece.japanese,
@@ -427,19 +452,9 @@ fn cut_plans(
                 "{}: {along:.1} cm along the selvage by {across:.1} cm across, cut {count} (seam allowances included).",
                 capitalized(piece.english)
             ),
-        };
-        flow.paragraph(&text, &TextStyle::body());
-    }
-    flow.space(6.0);
-}
-
-/// Names stand in sentences; a row of a table begins one.
-pub(crate) fn capitalized(words: &str) -> String {
-    let mut letters = words.chars();
-    let first = letters
-        .next()
-        .map(|letter| letter.to_uppercase().to_string());
-    first.unwrap_or_default() + letters.as_str()
+        }
+    };
+    rectangles.map(sentence).collect()
 }
 
 /// Height of a cut plan over this width [mm].
@@ -472,8 +487,8 @@ fn steps(flow: &mut Flow, garment: &PlannedGarment, language: Language) {
         flow.keep(figure + step_height(step, flow.width(), language));
         step_title(flow, number, step, language);
         if 0.0 < figure {
-            flow.block(figure, |sheet, rect| {
-                figures::draw(sheet, rect, pattern, &step.figure, language);
+            flow.drawing(figure, language, |canvas| {
+                figures::draw(canvas, pattern, &step.figure);
             });
             flow.space(2.0);
         }
@@ -567,7 +582,7 @@ fn costs(flow: &mut Flow, bill: &Bill, language: Language) {
 }
 
 /// A bill with its total.
-pub(crate) fn bill_table(bill: &Bill, language: Language) -> Table {
+pub(crate) fn bill_table(bill: &Bill, language: Language) -> PageTable {
     let currency = bill.currency;
     let unknown = || language.pick("値段を確認", "ask the price").to_owned();
     let mut rows: Vec<Vec<Cell>> = (bill.lines.iter())
@@ -593,7 +608,7 @@ pub(crate) fn bill_table(bill: &Bill, language: Language) -> Table {
             Cell::bold(currency.write(bill.total)),
         ]);
     }
-    Table {
+    PageTable {
         columns: vec![
             Column::text("", 4.5),
             Column::text("", 3.0),

@@ -23,6 +23,7 @@ mod tiles;
 
 use std::sync::Arc;
 
+use lole_costume::order::PlannedGarment;
 use lole_costume::tailoring::{ClothPlan, GarmentPattern};
 use lole_geom::Length;
 use lole_language::Language;
@@ -31,7 +32,7 @@ use lole_print::PrintImage;
 
 pub use json::pattern_json;
 pub use pieces_svg::pieces_svg;
-pub use plan::{cut_plan_sheets, cut_plan_svg, masses, short_words, used_words};
+pub use plan::{cut_plan_sheets, cut_plan_svg, lying_width, masses, short_words, used_words};
 pub(crate) use plan::{draw_marker, numbers_words};
 pub use ruler::ruler_sheets;
 pub use tiles::{TiledPattern, tiled_sheets};
@@ -50,6 +51,16 @@ pub struct CutGarment {
 }
 
 impl CutGarment {
+    /// A garment of a dancer's plan, without its print.
+    pub(crate) fn of(planned: &PlannedGarment) -> Self {
+        Self {
+            garment: planned.tailored.clone(),
+            plans: planned.plans.clone(),
+            print: None,
+            owner: String::new(),
+        }
+    }
+
     /// The garment's name, and whose it is.
     fn title(&self, language: Language) -> String {
         let name = self.garment.name.text(language);

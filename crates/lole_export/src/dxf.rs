@@ -14,6 +14,7 @@ use lole_pattern::piece::{CutCount, Drawing, LineKind, Piece};
 use lole_pattern::polygon::Polygon;
 
 use crate::cutting::CutGarment;
+use crate::cutting::draw::notch_places;
 
 /// Layers by the standard's numbers.
 mod layer {
@@ -53,7 +54,7 @@ pub fn pattern_dxf(cut: &CutGarment, size: &str) -> Vec<u8> {
         let name = block_name(piece, &names);
         let drawing = piece.unfolded().drawing(TOLERANCE);
         widths.push(drawing.cut.bounds());
-        write_block(&mut dxf, (&name, size), piece, &drawing);
+        dxf.block(&name, size, piece, &drawing);
         names.push(name);
     }
     dxf.pair(0, "ENDSEC");
@@ -81,91 +82,10 @@ pub fn pattern_dxf(cut: &CutGarment, size: &str) -> Vec<u8> {
     dxf.text.into_bytes()
 }
 
-fn write_block(dxf: &mut Dxf, (name, size): (&str, &str), piece: &Piece, drawing: &Drawing) {
-    dxf.pair(0, "BLOCK")
-        .pair(8, layer::CUT)
-        .pair(2, name)
-        .pair(70, "64");
-    dxf.point([10, 20, 30], Point::ZERO);
-    let scaled = |points: &[Point]| -> Vec<Point> {
-        (points.iter())
-            .map(|point| Affine::scale(MM) * *point)
-            .collect()
-    };
-    dxf.polyline(layer::CUT, &scaled(&drawing.cut.points), Ends::Closed);
-    write_corners(dxf, &drawing.cut);
-    for stitches in &drawing.stitches {
-        if 0.0 < stitches.allowance.to_m() {
-            dxf.polyline(layer::SEW, &scaled(&stitches.points), Ends::Open);
-        }
-    }
-    for marked in &drawing.lines {
-        let layer = match marked.kind {
-            LineKind::Slit => layer::CUTOUT,
-            _ => layer::INTERNAL,
-        };
-        dxf.polyline(layer, &scaled(&marked.points), Ends::Open);
-    }
-    for notch in &drawing.notches {
-        // A point on the boundary: its height is the depth of the cut, as the standard has it.
-        let side = notch.inward.turn_90() * 0.002;
-        let places: &[f64] = if notch.is_double {
-            &[-1.0, 1.0]
-        } else {
-            &[0.0]
-        };
-        for place in places {
-            let at = notch.at + side * *place;
-            dxf.line(layer::NOTCH, scaled(&[at, at + notch.inward * 0.005]));
-        }
-    }
-    for (_, at) in &drawing.points {
-        dxf.pair(0, "POINT").pair(8, layer::DRILL);
-        dxf.point([10, 20, 30], Affine::scale(MM) * *at);
-    }
-    dxf.line(layer::GRAIN, scaled(&drawing.grain));
-    let quantity = match piece.cut {
-        CutCount::Alike(count) => (count.to_string(), String::new()),
-        CutCount::Pairs(count) => ((2 * count).to_string(), format!("{count} PAIR, LEFT DRAWN")),
-    };
-    let lines = [
-        format!("Piece Name: {name}"),
-        format!("Size: {}", plain(size)),
-        format!("Quantity: {}", quantity.0),
-        format!("Material: {:?}", piece.cloth),
-        format!("Annotation: {} {}", plain(piece.name.english), quantity.1)
-            .trim_end()
-            .to_owned(),
-    ];
-    let label = Affine::scale(MM) * drawing.label;
-    for (row, line) in (0_u32..).zip(&lines) {
-        let at = Point::new(label.x, label.y - 1.5 * LETTER * f64::from(row));
-        dxf.text(layer::CUT, at, line);
-    }
-    let note = format!("{} x{}", plain(piece.name.english), quantity.0);
-    dxf.text(
-        layer::NOTE,
-        Point::new(label.x, label.y + 2.0 * LETTER),
-        &note,
-    );
-    dxf.pair(0, "ENDBLK").pair(8, layer::CUT);
-}
-
-/// Where the cut line turns, and the points of its curves.
-fn write_corners(dxf: &mut Dxf, cut: &Polygon) {
-    let count = cut.points.len();
-    for (index, at) in cut.points.iter().enumerate() {
-        let before = *at - cut.points[(index + count - 1) % count];
-        let after = cut.points[(index + 1) % count] - *at;
-        let turn = before.cross(after).abs() / (before.hypot() * after.hypot()).max(1e-18);
-        let layer = if turn < TURN && 0.0 < before.dot(after) {
-            layer::CURVE_POINT
-        } else {
-            layer::TURN_POINT
-        };
-        dxf.pair(0, "POINT").pair(8, layer);
-        dxf.point([10, 20, 30], Affine::scale(MM) * *at);
-    }
+/// Points in millimeters.
+fn scaled(points: &[Point]) -> Vec<Point> {
+    let points = points.iter();
+    points.map(|point| Affine::scale(MM) * *point).collect()
 }
 
 /// Name of a block: upper case, and no two alike.
@@ -237,6 +157,97 @@ impl Dxf {
 
     fn point(&mut self, [x, y, z]: [u32; 3], at: Point) {
         self.number(x, at.x).number(y, at.y).number(z, 0.0);
+    }
+
+    /// A piece in a block of its own.
+    fn block(&mut self, name: &str, size: &str, piece: &Piece, drawing: &Drawing) {
+        self.pair(0, "BLOCK")
+            .pair(8, layer::CUT)
+            .pair(2, name)
+            .pair(70, "64");
+        self.point([10, 20, 30], Point::ZERO);
+        self.outlines(drawing);
+        self.marks(drawing);
+        let lines = [
+            format!("Piece Name: {name}"),
+            format!("Size: {}", plain(size)),
+        ];
+        self.words(lines, piece, Affine::scale(MM) * drawing.label);
+        self.pair(0, "ENDBLK").pair(8, layer::CUT);
+    }
+
+    /// Where a piece is cut and stitched, and the lines on it.
+    fn outlines(&mut self, drawing: &Drawing) {
+        self.polyline(layer::CUT, &scaled(&drawing.cut.points), Ends::Closed);
+        self.corners(&drawing.cut);
+        for stitches in &drawing.stitches {
+            if 0.0 < stitches.allowance.to_m() {
+                self.polyline(layer::SEW, &scaled(&stitches.points), Ends::Open);
+            }
+        }
+        for marked in &drawing.lines {
+            let layer = match marked.kind {
+                LineKind::Slit => layer::CUTOUT,
+                _ => layer::INTERNAL,
+            };
+            self.polyline(layer, &scaled(&marked.points), Ends::Open);
+        }
+    }
+
+    /// Notches, drill holes and the grain.
+    fn marks(&mut self, drawing: &Drawing) {
+        for notch in &drawing.notches {
+            // A point on the boundary: its height is the depth of the cut, as the standard has it.
+            let side = notch.inward.turn_90() * 0.002;
+            for place in notch_places(notch) {
+                let at = notch.at + side * *place;
+                self.line(layer::NOTCH, scaled(&[at, at + notch.inward * 0.005]));
+            }
+        }
+        for (_, at) in &drawing.points {
+            self.pair(0, "POINT").pair(8, layer::DRILL);
+            self.point([10, 20, 30], Affine::scale(MM) * *at);
+        }
+        self.line(layer::GRAIN, scaled(&drawing.grain));
+    }
+
+    /// Where the cut line turns, and the points of its curves.
+    fn corners(&mut self, cut: &Polygon) {
+        let count = cut.points.len();
+        for (index, at) in cut.points.iter().enumerate() {
+            let before = *at - cut.points[(index + count - 1) % count];
+            let after = cut.points[(index + 1) % count] - *at;
+            let turn = before.cross(after).abs() / (before.hypot() * after.hypot()).max(1e-18);
+            let layer = if turn < TURN && 0.0 < before.dot(after) {
+                layer::CURVE_POINT
+            } else {
+                layer::TURN_POINT
+            };
+            self.pair(0, "POINT").pair(8, layer);
+            self.point([10, 20, 30], Affine::scale(MM) * *at);
+        }
+    }
+
+    /// Name and size, then the rest of a piece's text from `label` down, and words for people above.
+    fn words(&mut self, [name, size]: [String; 2], piece: &Piece, label: Point) {
+        let (quantity, pair) = match piece.cut {
+            CutCount::Alike(count) => (count, String::new()),
+            CutCount::Pairs(count) => (2 * count, format!("{count} PAIR, LEFT DRAWN")),
+        };
+        let said = plain(piece.name.english);
+        let lines = [
+            name,
+            size,
+            format!("Quantity: {quantity}"),
+            format!("Material: {:?}", piece.cloth),
+            format!("Annotation: {said} {pair}").trim_end().to_owned(),
+        ];
+        for (row, line) in (0_u32..).zip(&lines) {
+            let at = Point::new(label.x, label.y - 1.5 * LETTER * f64::from(row));
+            self.text(layer::CUT, at, line);
+        }
+        let at = Point::new(label.x, label.y + 2.0 * LETTER);
+        self.text(layer::NOTE, at, &format!("{said} x{quantity}"));
     }
 
     fn line(&mut self, layer: &str, ends: Vec<Point>) {

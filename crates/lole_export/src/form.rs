@@ -3,9 +3,9 @@
 
 use kurbo::{Affine, BezPath, Shape as _};
 use lole_body::Measure;
-use lole_language::{Language, Words, words};
+use lole_language::{Language, Words, capitalized, words};
 
-use crate::booklet::{ACCENT, capitalized};
+use crate::booklet::ACCENT;
 use crate::pdf::{Align, Color, Paper, Rect, Sheet, Stroke, TextStyle};
 
 /// What is measured, where the tape lies, and how to lay it.

@@ -22,14 +22,14 @@ pub struct GlbScene<'a> {
     /// Poses, shape `[pose_times.len()]`; none for a dancer who stands still.
     pub poses: &'a [Pose],
     /// Body, hair and whatever else the bones carry.
-    pub skinned: &'a [SkinnedMesh<'a>],
+    pub skinned: &'a [GlbMesh<'a>],
     /// Cloth that moves by itself.
     pub cloths: &'a [BakedCloth<'a>],
 }
 
 /// A mesh carried by the bones.
 #[derive(Debug, Clone, Copy)]
-pub struct SkinnedMesh<'a> {
+pub struct GlbMesh<'a> {
     /// Name of its node.
     pub name: &'a str,
     /// Vertices in the bind pose [m].
@@ -45,12 +45,12 @@ pub struct SkinnedMesh<'a> {
     /// Their weights; brought to a sum of 1 here.
     pub weights: &'a [[f32; 4]],
     /// Triangles by material; they share the vertices.
-    pub parts: &'a [MeshPart<'a>],
+    pub parts: &'a [GlbPart<'a>],
 }
 
 /// The triangles of one material.
 #[derive(Debug, Clone, Copy)]
-pub struct MeshPart<'a> {
+pub struct GlbPart<'a> {
     /// Vertex indices, counter-clockwise seen from outside.
     pub triangles: &'a [[u32; 3]],
     /// What they are made of.
@@ -69,12 +69,12 @@ pub struct GlbMaterial<'a> {
     /// PNG bytes of an sRGB picture that repeats.
     pub texture_png: Option<&'a [u8]>,
     /// Which sides are drawn.
-    pub sides: Sides,
+    pub sides: GlbSides,
 }
 
 /// Which sides of a surface are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Sides {
+pub enum GlbSides {
     /// Only the side the triangles wind counter-clockwise on.
     Front,
     /// Both, as cloth needs.

@@ -22,6 +22,7 @@
 //! pixels.
 
 pub mod booklet;
+mod canvas;
 pub mod cutting;
 pub mod dancer_sheet;
 pub mod dxf;
@@ -40,4 +41,4 @@ pub mod validation;
 pub mod video;
 
 pub use error::ExportError;
-pub use still::Image;
+pub use still::ImageView;

@@ -8,16 +8,15 @@ use lole_costume::cost::Bill;
 use lole_costume::order::{
     CutElastic, DancerPlan, NotionTotal, PlannedGarment, PrintTotal, Settings,
 };
-use lole_language::{Bilingual as _, Language, Sentence};
+use lole_language::{Bilingual as _, Language, Sentence, capitalized};
 use lole_pattern::pattern::{Amount, NotionKind};
 use serde::Serialize;
 
 use crate::ExportError;
-use crate::booklet::{
-    ACCENT, amount_words, bill_remarks, bill_table, capitalized, foot, head, headed_table,
-};
+use crate::booklet::{ACCENT, amount_words, bill_remarks, bill_table, foot, head, headed_table};
 use crate::pdf::{
-    Align, Cell, Column, Flow, Margins, Paper, Picture, Rect, Sheet, Stroke, Table, TextStyle,
+    Align, Cell, Column, EncodedPicture, Flow, Margins, PageTable, Paper, Rect, Sheet, Stroke,
+    TextStyle,
 };
 
 pub use folder::{
@@ -35,7 +34,7 @@ pub struct Order<'a> {
     /// The dancers, in the order of the list.
     pub plans: &'a [DancerPlan],
     /// Each dancer's picture, where there is one; all at one scale.
-    pub pictures: &'a [Option<Picture>],
+    pub pictures: &'a [Option<EncodedPicture>],
     /// What is bought of each print.
     pub prints: &'a [PrintTotal],
     /// What is bought beside cloth.
@@ -116,14 +115,15 @@ fn line_up(flow: &mut Flow, order: &Order<'_>) {
     const ROW: std::ops::RangeInclusive<usize> = 4..=6;
     let name_style = TextStyle::regular(9.0);
     let dancers = order.plans.iter().zip(order.pictures);
-    let shown: Vec<(&str, &Picture)> = dancers
+    let shown: Vec<(&str, &EncodedPicture)> = dancers
         .filter_map(|(plan, picture)| Some((plan.name.as_str(), picture.as_ref()?)))
         .collect();
     let row_count = shown.len().div_ceil(*ROW.end()).max(1);
     let per_row = shown.len().div_ceil(row_count).max(*ROW.start());
     let width = flow.width() / per_row as f64;
     for row in shown.chunks(per_row) {
-        let aspect = |picture: &Picture| f64::from(picture.height) / f64::from(picture.width);
+        let aspect =
+            |picture: &EncodedPicture| f64::from(picture.height) / f64::from(picture.width);
         let heights = row.iter().map(|(_, picture)| aspect(picture) * width);
         let height = heights.fold(0.0, f64::max);
         flow.space(2.0);
@@ -152,7 +152,7 @@ fn line_up(flow: &mut Flow, order: &Order<'_>) {
     flow.space(4.0);
 }
 
-fn dancer_table(order: &Order<'_>, language: Language) -> Table {
+fn dancer_table(order: &Order<'_>, language: Language) -> PageTable {
     let mut rows = Vec::new();
     for (index, plan) in order.plans.iter().enumerate() {
         for (place, garment) in plan.garments.iter().enumerate() {
@@ -169,7 +169,7 @@ fn dancer_table(order: &Order<'_>, language: Language) -> Table {
             ]);
         }
     }
-    Table {
+    PageTable {
         columns: vec![
             Column::text(language.pick("名前", "Name"), 2.0),
             Column::text(language.pick("服", "Garment"), 2.5),
@@ -204,7 +204,7 @@ fn cloth_words(garment: &PlannedGarment) -> String {
 }
 
 /// What is cut for each dancer: cloth and elastic, in centimeters.
-pub(crate) fn lengths_table(plans: &[DancerPlan], language: Language) -> Table {
+pub(crate) fn lengths_table(plans: &[DancerPlan], language: Language) -> PageTable {
     let mut rows = Vec::new();
     for plan in plans {
         // Leaves and flowers have no lengths to cut.
@@ -218,7 +218,7 @@ pub(crate) fn lengths_table(plans: &[DancerPlan], language: Language) -> Table {
             ]);
         }
     }
-    Table {
+    PageTable {
         columns: vec![
             Column::text(language.pick("名前", "Name"), 3.0),
             Column::text(language.pick("服", "Garment"), 2.6),
@@ -349,17 +349,16 @@ fn together_words(order: &Order<'_>, language: Language) -> String {
 
 /// Who is cut from which bolt, where its length is known.
 fn bolts(flow: &mut Flow, order: &Order<'_>, print: &PrintTotal, language: Language) {
-    let name = |dancer: usize| {
-        order
-            .plans
-            .get(dancer)
-            .map_or("", |plan| plan.name.as_str())
+    let names = |dancers: &[usize]| {
+        let plans = dancers.iter().map(|&dancer| order.plans.get(dancer));
+        let names = plans.map(|plan| plan.map_or("", |plan| plan.name.as_str()));
+        let names: Vec<&str> = names.collect();
+        names.join(language.pick("、", ", "))
     };
-    let comma = language.pick("、", ", ");
     for (number, bolt) in (1..).zip(&print.bolts) {
-        let names: Vec<&str> = bolt.iter().map(|&(dancer, _)| name(dancer)).collect();
+        let dancers: Vec<usize> = bolt.iter().map(|&(dancer, _)| dancer).collect();
         let cut: f64 = bolt.iter().map(|(_, length)| length.to_m()).sum();
-        let names = names.join(comma);
+        let names = names(&dancers);
         let text = match language {
             Language::Japanese => format!("{number} 反目から {cut:.2} m: {names}"),
             Language::English => format!("bolt {number}, {cut:.2} m: {names}"),
@@ -367,12 +366,7 @@ fn bolts(flow: &mut Flow, order: &Order<'_>, print: &PrintTotal, language: Langu
         flow.indented(12.0, &text, &TextStyle::regular(11.0));
     }
     if !print.longer_than_bolt.is_empty() {
-        let names: Vec<&str> = print
-            .longer_than_bolt
-            .iter()
-            .map(|&dancer| name(dancer))
-            .collect();
-        let names = names.join(comma);
+        let names = names(&print.longer_than_bolt);
         let text = match language {
             Language::Japanese => format!(
                 "! 一反では足りない人: {names}。はぎ合わせるか、長い反物をさがしてください。"

@@ -25,8 +25,8 @@ mod write;
 
 pub use flow::{Flow, Margins};
 pub use paper::Paper;
-pub use sheet::{Align, Color, Item, Picture, Rect, Sheet, Stroke, TextStyle};
-pub use table::{Cell, Column, Table};
+pub use sheet::{Align, Color, EncodedPicture, Item, Rect, Sheet, Stroke, TextStyle};
+pub use table::{Cell, Column, PageTable};
 pub use typeface::{Weight, missing_glyphs, printable, text_width};
 pub use wrap::wrap;
 pub use write::Document;

@@ -6,8 +6,8 @@ mod html;
 mod model;
 
 pub use model::{
-    DancerMeasure, Divergence, GarmentFacts, MeanPercentileMax, MedianPercentile, MinMeanMax,
-    PieceOver, Remark, ReportFile, RunReport, RunSeries, SkirtFacts, Still, Worst,
+    DancerMeasure, GarmentFacts, MeanPercentileMax, MedianPercentile, MinMeanMax, Remark,
+    ReportDivergence, ReportFile, ReportPieceOver, RunReport, RunSeries, SkirtFacts, Still, Worst,
 };
 
 use crate::ExportError;

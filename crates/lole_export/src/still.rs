@@ -4,7 +4,7 @@ use crate::ExportError;
 
 /// A picture to write: rows from the top, four bytes a pixel (red, green, blue, alpha), sRGB.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Image<'a> {
+pub struct ImageView<'a> {
     /// Width [pixel].
     pub width: u32,
     /// Height [pixel].
@@ -16,7 +16,7 @@ pub struct Image<'a> {
 /// Longest side of a JPEG [pixel]: its header stores 16 bits.
 const JPEG_LIMIT: u32 = 65_535;
 
-impl<'a> Image<'a> {
+impl<'a> ImageView<'a> {
     /// Checks that the pixels fill the size.
     ///
     /// # Errors
@@ -45,8 +45,8 @@ impl<'a> Image<'a> {
 /// # Errors
 /// [`ExportError::PixelCount`] when the picture's columns do not fit its size, or
 /// [`ExportError::Encoding`] from the encoder.
-pub fn encode_png(image: Image<'_>) -> Result<Vec<u8>, ExportError> {
-    let image = Image::new(image.width, image.height, image.pixels)?;
+pub fn encode_png(image: ImageView<'_>) -> Result<Vec<u8>, ExportError> {
+    let image = ImageView::new(image.width, image.height, image.pixels)?;
     let opaque = image.pixels.chunks_exact(4).all(|pixel| pixel[3] == 255);
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, image.width, image.height);
@@ -82,8 +82,8 @@ pub fn encode_png(image: Image<'_>) -> Result<Vec<u8>, ExportError> {
 /// # Errors
 /// [`ExportError::PixelCount`] or [`ExportError::PictureSize`] for a picture that cannot be
 /// stored, [`ExportError::Encoding`] from the encoder.
-pub fn encode_jpeg(image: Image<'_>, quality: u8) -> Result<Vec<u8>, ExportError> {
-    let image = Image::new(image.width, image.height, image.pixels)?;
+pub fn encode_jpeg(image: ImageView<'_>, quality: u8) -> Result<Vec<u8>, ExportError> {
+    let image = ImageView::new(image.width, image.height, image.pixels)?;
     let (Ok(width), Ok(height)) = (u16::try_from(image.width), u16::try_from(image.height)) else {
         return Err(ExportError::PictureSize {
             format: "JPEG",
@@ -150,7 +150,7 @@ mod tests {
     fn png_gives_back_every_bit() {
         let pixels = pixels();
         for (pixels, channels) in [(pixels.clone(), 4), ([9, 8, 7, 255].repeat(64), 3)] {
-            let bytes = encode_png(Image::new(8, 8, &pixels).unwrap()).unwrap();
+            let bytes = encode_png(ImageView::new(8, 8, &pixels).unwrap()).unwrap();
             let mut reader = png::Decoder::new(std::io::Cursor::new(bytes))
                 .read_info()
                 .unwrap();
@@ -167,7 +167,7 @@ mod tests {
     #[test]
     fn jpeg_says_its_size_and_gets_larger_with_quality() {
         let pixels = pixels();
-        let image = Image::new(8, 8, &pixels).unwrap();
+        let image = ImageView::new(8, 8, &pixels).unwrap();
         let [low, high] = [30, 95].map(|quality| encode_jpeg(image, quality).unwrap());
         assert!(low.starts_with(&[0xff, 0xd8]) && low.ends_with(&[0xff, 0xd9]));
         assert!(low.len() < high.len());
@@ -176,9 +176,9 @@ mod tests {
 
     #[test]
     fn pictures_that_do_not_fill_their_size_are_refused() {
-        let error = Image::new(4, 4, &[0; 63]).unwrap_err();
+        let error = ImageView::new(4, 4, &[0; 63]).unwrap_err();
         assert!(error.to_string().contains("64 bytes"), "{error}");
-        let image = Image {
+        let image = ImageView {
             width: 70_000,
             height: 1,
             pixels: &[255; 280_000],

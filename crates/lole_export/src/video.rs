@@ -18,7 +18,7 @@ use openh264::encoder::{
 use openh264::nal_units;
 
 use crate::ExportError;
-use crate::still::Image;
+use crate::still::ImageView;
 use yuv::YuvPicture;
 
 /// Sides the encoder takes [pixel]; the first is one macroblock.
@@ -115,7 +115,7 @@ impl Mp4Writer {
     /// the encoder.
     pub fn push_frame(&mut self, pixels: &[u8]) -> Result<(), ExportError> {
         let [width, height] = self.size;
-        let image = Image::new(width, height, pixels)?;
+        let image = ImageView::new(width, height, pixels)?;
         self.picture.fill(image.pixels);
         let frame = self.sample_sizes.len();
         let failed = |cause: String| ExportError::Encoder { frame, cause };

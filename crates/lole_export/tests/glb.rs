@@ -10,7 +10,7 @@ use glam::{Affine2, Affine3A, Mat4, Quat, Vec2, Vec3, Vec4};
 use lole_body::skeleton::{Bone, Pose, Skeleton};
 use lole_export::ExportError;
 use lole_export::glb::{
-    BakedCloth, GlbMaterial, GlbScene, GridMesh, GridRing, GridSheet, MeshPart, Sides, SkinnedMesh,
+    BakedCloth, GlbMaterial, GlbMesh, GlbPart, GlbScene, GlbSides, GridMesh, GridRing, GridSheet,
     write_glb,
 };
 use serde_json::Value;
@@ -231,14 +231,14 @@ impl Sample {
             base_color: [0.5, 0.3, 0.2],
             roughness: 0.6,
             texture_png: None,
-            sides: Sides::Front,
+            sides: GlbSides::Front,
         };
         let normals = vec![Vec3::Z; self.positions.len()];
-        let parts = [MeshPart {
+        let parts = [GlbPart {
             triangles: &self.triangles,
             material,
         }];
-        let skinned = [SkinnedMesh {
+        let skinned = [GlbMesh {
             name: "body",
             positions: &self.positions,
             normals: &normals,
@@ -254,7 +254,7 @@ impl Sample {
             colors: &[],
             material: GlbMaterial {
                 name: "print",
-                sides: Sides::Both,
+                sides: GlbSides::Both,
                 ..material
             },
             key_times: &self.times,

@@ -7,8 +7,8 @@
 )]
 
 use lole_export::report::{
-    DancerMeasure, Divergence, GarmentFacts, PageMedia, PieceOver, ReportFile, RunReport,
-    RunSeries, Still, Worst, report_html, report_json,
+    DancerMeasure, GarmentFacts, PageMedia, ReportDivergence, ReportFile, ReportPieceOver,
+    RunReport, RunSeries, Still, Worst, report_html, report_json,
 };
 use serde_json::Value;
 
@@ -109,7 +109,7 @@ fn what_was_not_measured_is_shown_as_estimated() {
 
 #[test]
 fn the_page_says_which_piece_of_a_garment_lies_outside() {
-    let over = |outer: &str, inner: &str, places| PieceOver {
+    let over = |outer: &str, inner: &str, places| ReportPieceOver {
         outer: outer.into(),
         outer_ja: format!("外{outer}"),
         inner: inner.into(),
@@ -155,7 +155,7 @@ fn names_cannot_become_markup() {
     report.state_hash = attack.into();
     report.files[0].name = attack.into();
     report.files[0].what = attack.into();
-    report.divergence = Some(Divergence {
+    report.divergence = Some(ReportDivergence {
         time_s: 1.0,
         particle: 3,
         sentence: attack.into(),
@@ -200,7 +200,7 @@ fn the_page_needs_nothing_from_outside() {
 #[test]
 fn everything_is_said_in_both_languages() {
     let mut report = report();
-    report.divergence = Some(Divergence::default());
+    report.divergence = Some(ReportDivergence::default());
     report.skirt.is_worn = true;
     let page = report_html(&report, PageMedia::default());
     let (english, japanese) = (page.matches("lang=\"en\">"), page.matches("lang=\"ja\">"));

@@ -26,13 +26,13 @@ impl Chance {
         f32::from(u16::from_be_bytes([high, low])) / 65_536.0
     }
 
-    /// The same with 24 bits.
+    /// A number in `0..1`, with 24 bits.
     #[expect(clippy::cast_precision_loss, reason = "24 bits fit")]
     pub const fn fine_share(&mut self) -> f32 {
         (self.bits() >> 40) as f32 / (1_u32 << 24) as f32
     }
 
-    /// The same with 53 bits.
+    /// A number in `0..1`, with 53 bits.
     #[expect(clippy::cast_precision_loss, reason = "53 bits fit")]
     pub const fn finest_share(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1_u64 << 53) as f64

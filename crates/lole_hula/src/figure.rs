@@ -27,7 +27,7 @@ pub(super) struct Figure {
 pub(super) struct Pelvis {
     /// Where the whole body is along `+X` [statures]; shoulders and head go there too.
     pub travel: f32,
-    /// The same along `+Z`.
+    /// Where the whole body is along `+Z` [statures].
     pub ahead: f32,
     /// Where the whole body faces: to the left of `+Z` [°]. What follows is seen from there.
     pub heading: f32,
@@ -52,7 +52,7 @@ pub(super) struct Pelvis {
 pub(super) struct Foot {
     /// Where the ankle would be along `+X` were the sole flat and not twisted [statures].
     pub x: f32,
-    /// The same along `+Z`, from the line on which the ankles stand.
+    /// Where it would be along `+Z` [statures], from the line on which the ankles stand.
     pub z: f32,
     /// Where the body faced when the foot was set down: to the left of `+Z` [°].
     pub heading: f32,
@@ -141,7 +141,7 @@ impl Figure {
         }
     }
 
-    /// The same figure seen in a mirror that stands in the middle of the body.
+    /// The figure seen in a mirror that stands in the middle of the body.
     pub(super) fn mirrored(&self) -> Self {
         Self {
             pelvis: self.pelvis.mirrored(),

@@ -158,7 +158,7 @@ impl Plan {
         place.point(self.to_balls[i])
     }
 
-    /// The same foot on the floor, set down as it has twisted.
+    /// A foot on the floor as it stands, said without a twist: set down as it has twisted.
     fn untwisted(&self, foot: Foot, i: usize) -> Foot {
         let heading = foot.heading + foot.twist;
         let ball = self.ball(&foot, i);

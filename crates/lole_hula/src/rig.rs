@@ -26,7 +26,7 @@ const SHIFT_IN_STRIDE: f32 = 0.04;
 /// Width over which the pelvis gives way to a short leg [statures], 1 cm.
 const GIVE_WAY: f32 = 0.0065;
 
-/// The same to the side [statures], 3 cm.
+/// Width over which the pelvis gives way to the side to a short leg [statures], 3 cm.
 const GIVE_WAY_ASIDE: f32 = 0.02;
 
 /// Measures of one skeleton that every pose needs.

@@ -66,7 +66,7 @@ pub(super) struct Score {
 /// What follows the written half of a score.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Answer {
-    /// The same again.
+    /// The written half once more.
     Repeat,
     /// Its mirror image, back over the same floor.
     Mirror,
@@ -243,17 +243,17 @@ pub(super) const fn standing(spot: Spot) -> FootScore {
 }
 
 impl FootScore {
-    /// The same foot, going from landing to landing.
+    /// The foot, going from landing to landing.
     pub(super) const fn landing(self, landings: &'static [Landing]) -> Self {
         Self { landings, ..self }
     }
 
-    /// The same foot with its raises.
+    /// The foot with its raises.
     pub(super) const fn raising(self, raises: &'static [Raise]) -> Self {
         Self { raises, ..self }
     }
 
-    /// The same foot turning about its ball.
+    /// The foot, turning about its ball.
     pub(super) const fn twisting(self, changes: &'static [Change]) -> Self {
         let twist = Curve {
             start: 0.0,
@@ -272,7 +272,7 @@ impl FootScore {
         [self.twist.at(count), heel]
     }
 
-    /// The same foot starting otherwise.
+    /// The foot, starting from another stand.
     pub(super) const fn from(self, start: Stand) -> Self {
         Self { start, ..self }
     }
@@ -374,7 +374,7 @@ pub(super) const fn land(count: f32, stand: Stand) -> Landing {
 }
 
 impl Landing {
-    /// The same, closing beside the other foot.
+    /// The landing, closing beside the other foot.
     pub(super) const fn closing(self) -> Self {
         Self {
             closes: true,
@@ -382,22 +382,22 @@ impl Landing {
         }
     }
 
-    /// The same without weight.
+    /// The landing without weight.
     pub(super) const fn free(self) -> Self {
         Self { carry: 0.0, ..self }
     }
 
-    /// The same with so many counts in the air.
+    /// The landing after so many counts in the air.
     pub(super) const fn flying(self, flight: f32) -> Self {
         Self { flight, ..self }
     }
 
-    /// The same flying so high [statures].
+    /// The landing after a flight so high [statures].
     pub(super) const fn lifted(self, lift: f32) -> Self {
         Self { lift, ..self }
     }
 
-    /// The same swinging out on its way.
+    /// The landing, the foot swinging out so far on its way, to the left and to the front [statures].
     pub(super) const fn swinging(self, swing: [f32; 2]) -> Self {
         Self { swing, ..self }
     }

@@ -170,7 +170,8 @@ pub(super) struct Move {
     pub heel: f32,
     /// How far it swings out [statures].
     pub swing: [f32; 2],
-    /// The same foot after the move in other terms: set down where it has twisted to.
+    /// How it stands afterwards in other terms, not twisted but set down where it has twisted to; `None`
+    /// where `foot` says it already.
     pub settled: Option<Foot>,
 }
 
@@ -226,7 +227,7 @@ impl Move {
         }
     }
 
-    /// The same seen in the mirror of the answer.
+    /// The move as the answer to the written half has it.
     fn answered(&self, score: &Score, settings: &MotionSettings) -> Self {
         let back = match score.answer {
             Answer::MirrorBackward => -1.0,

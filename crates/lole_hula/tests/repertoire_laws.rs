@@ -318,7 +318,7 @@ fn a_dance_that_turns_and_changes_tempo_is_one_movement_to_its_end() {
     }
 }
 
-/// The same joint of the other side.
+/// The joint of the other side that answers to this one.
 fn opposite(bone: Bone) -> Bone {
     let name = bone.name();
     let other = if name.starts_with("left") {

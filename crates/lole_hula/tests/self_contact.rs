@@ -17,9 +17,10 @@ const SAMPLES_PER_COUNT: u16 = 2;
 /// How far apart the triangles of a crease lie in the bind pose, at most [statures]: upper arm and
 /// forearm of a bent arm meet this far from the elbow.
 const CREASE: f32 = 0.085;
-/// The same of a small child, whose arm is thick for her stature.
+/// How far apart the triangles of a crease lie in the bind pose of a small child, at most [statures]:
+/// her arm is thick for her stature.
 const CREASE_OF_SMALL_CHILD: f32 = 0.09;
-/// The same of the webs between fingers [statures].
+/// How far apart the triangles of the webs between fingers lie in the bind pose, at most [statures].
 const WEB: f32 = 0.01;
 /// How deep flesh is pressed in a crease, at most [statures]: 15 mm in the elbow of a man.
 const CREASE_DEPTH: f32 = 0.01;

@@ -66,9 +66,19 @@ pub const fn words(japanese: &'static str, english: &'static str) -> Words {
     Words { japanese, english }
 }
 
+/// The words with a capital letter: names stand in sentences, and a row of a table begins one.
+#[must_use]
+pub fn capitalized(words: &str) -> String {
+    let mut letters = words.chars();
+    let first = letters
+        .next()
+        .map(|letter| letter.to_uppercase().to_string());
+    first.unwrap_or_default() + letters.as_str()
+}
+
 /// What people read in either language; [`fmt::Display`] is English.
 pub trait Bilingual: fmt::Display {
-    /// The same in Japanese.
+    /// The sentence in Japanese.
     fn japanese(&self) -> String;
 
     /// The sentence in this language.
@@ -128,5 +138,12 @@ mod tests {
         assert_eq!(Language::of_locale(Some("en-US")), Language::English);
         assert_eq!(Language::of_locale(Some("de")), Language::English);
         assert_eq!(Language::of_locale(None), Language::English);
+    }
+
+    #[test]
+    fn a_row_begins_with_a_capital_letter_where_its_script_has_one() {
+        assert_eq!(capitalized("depth of it"), "Depth of it");
+        assert_eq!(capitalized("深さ"), "深さ");
+        assert_eq!(capitalized(""), "");
     }
 }

@@ -3,7 +3,7 @@
 use glam::{Mat3, Quat, Vec3};
 use lole_body::Bone;
 
-use crate::{BoneMap, Place};
+use crate::{BoneMap, JointPlace};
 
 /// Cosine of the angle up to which a way from hips to head is taken for an axis of the file.
 const UPRIGHT: f32 = 0.94;
@@ -36,7 +36,7 @@ impl Axes {
 
     /// Axes of a body whose joints lie at `places`.
     #[must_use]
-    pub fn of(map: &BoneMap, places: &[Place]) -> Self {
+    pub fn of(map: &BoneMap, places: &[JointPlace]) -> Self {
         let up = upright(map, places);
         let axis = snapped(up);
         // The head of one who stands upright is a little before or behind the hips.
@@ -44,7 +44,8 @@ impl Axes {
         Self::new(left(map, places), if stands { axis } else { up })
     }
 
-    /// The same facing, over the floor: up is the nearest axis of the file.
+    /// These axes set upright over the floor: up is the axis of the file nearest to `up`, and the front is
+    /// on the side where it was.
     pub(crate) fn over_floor(self, up: Vec3) -> Self {
         Self::new(self.left, snapped(up))
     }
@@ -58,7 +59,7 @@ impl Axes {
 }
 
 /// From hips to head, or to the chest where no head is known; not normalized.
-pub(crate) fn upright(map: &BoneMap, places: &[Place]) -> Vec3 {
+pub(crate) fn upright(map: &BoneMap, places: &[JointPlace]) -> Vec3 {
     let at = |joint: usize| places[joint].position;
     let hips = 0.5 * (at(map.needed(Bone::LeftUpperLeg)) + at(map.needed(Bone::RightUpperLeg)));
     let top = map.joint(Bone::Head).unwrap_or_else(|| map.chest());
@@ -66,7 +67,7 @@ pub(crate) fn upright(map: &BoneMap, places: &[Place]) -> Vec3 {
 }
 
 /// From the right hip joint to the left one; not normalized.
-pub(crate) fn left(map: &BoneMap, places: &[Place]) -> Vec3 {
+pub(crate) fn left(map: &BoneMap, places: &[JointPlace]) -> Vec3 {
     let at = |bone| places[map.needed(bone)].position;
     at(Bone::LeftUpperLeg) - at(Bone::RightUpperLeg)
 }

@@ -103,7 +103,7 @@ impl Clip {
         Self { poses, found: None }
     }
 
-    /// The same dance with arms that would hang in a skirt's folds brought out of them.
+    /// The dance with arms that would hang in a skirt's folds brought out of them.
     #[must_use]
     pub fn clear_of_skirt(mut self, dancer: &Dancer) -> Self {
         if let Some(room) = Room::of(dancer) {
@@ -164,13 +164,6 @@ impl Clip {
     #[must_use]
     pub fn poses(&self) -> &[Pose] {
         &self.poses
-    }
-
-    /// Where in the recording the loop begins and ends [s], counted from its first danced frame, if
-    /// it loops.
-    #[must_use]
-    pub fn loop_seconds(&self) -> Option<[f32; 2]> {
-        self.found.map(|found| found.seconds())
     }
 }
 

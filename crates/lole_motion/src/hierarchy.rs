@@ -7,7 +7,7 @@
 use glam::Vec3;
 use lole_body::Bone;
 
-use crate::{Place, Recording};
+use crate::{JointPlace, Recording};
 
 /// Two limbs are alike if their lengths and numbers of joints differ by at most this part together:
 /// a trunk with its arms is about as long as a leg, but has more joints.
@@ -113,7 +113,7 @@ struct Limb {
 /// A recording's joints at rest, with what hangs on each.
 struct Tree<'a> {
     recording: &'a Recording,
-    places: Vec<Place>,
+    places: Vec<JointPlace>,
     children: Vec<Vec<usize>>,
     /// Longest way from each joint along its branches to an end [file units].
     reach: Vec<f32>,

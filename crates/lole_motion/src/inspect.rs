@@ -10,7 +10,7 @@ use crate::{Axes, BoneMap, MapSource, Recording};
 
 /// What a recording holds.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Inspection {
+pub struct RecordingInspection {
     /// Kind of file.
     pub format: &'static str,
     /// Joints, without the ends of bones.
@@ -54,7 +54,7 @@ pub struct Person {
     pub missing: Vec<&'static str>,
 }
 
-impl Inspection {
+impl RecordingInspection {
     /// Looks into a recording that was a file of kind `format`; `list` says which joint is which
     /// bone, as [`BoneMap::from_list`] takes it.
     #[must_use]
@@ -91,7 +91,7 @@ impl Inspection {
         }
     }
 
-    /// The same as lines of text.
+    /// What the recording holds, as lines of text.
     #[must_use]
     pub fn lines(&self) -> Vec<Sentence> {
         let mut lines = vec![

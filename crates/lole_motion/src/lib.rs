@@ -6,7 +6,7 @@
 //! | which joint is which bone | [`BoneMap`]: by names, by the hierarchy, by a list |
 //! | up, front, unit | [`Axes`], [`Unit`] |
 //! | the dancer's poses, sixty a second | [`Clip::retarget`] |
-//! | what a file holds, in words | [`Inspection`] |
+//! | what a file holds, in words | [`RecordingInspection`] |
 //!
 //! It opens no file, and knows no cloth.
 
@@ -27,6 +27,6 @@ mod skeleton_map;
 pub use axes::{Axes, Unit, axis_name};
 pub use clip::{Clip, ClipSettings, Drift, Repeat};
 pub use error::RecordingError;
-pub use inspect::{Inspection, Person};
-pub use recording::{Joint, Place, Recording};
+pub use inspect::{Person, RecordingInspection};
+pub use recording::{Joint, JointPlace, Recording};
 pub use skeleton_map::{BoneMap, MapSource};

@@ -21,7 +21,7 @@ pub struct Joint {
 
 /// A joint in the recording's world.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Place {
+pub struct JointPlace {
     /// Where [file units].
     pub position: Vec3,
     /// Turn from the joint's own axes to the recording's.
@@ -59,7 +59,7 @@ impl Recording {
 
     /// Every joint at rest, shape `[joints.len()]`.
     #[must_use]
-    pub fn rest_places(&self) -> Vec<Place> {
+    pub fn rest_places(&self) -> Vec<JointPlace> {
         let mut places = Vec::with_capacity(self.joints.len());
         for joint in &self.joints {
             let place = self.placed(&places, joint.parent, joint.translation, joint.rotation);
@@ -70,7 +70,7 @@ impl Recording {
 
     /// Every joint in one frame; a frame beyond the last is the last.
     #[must_use]
-    pub fn places(&self, frame: usize) -> Vec<Place> {
+    pub fn places(&self, frame: usize) -> Vec<JointPlace> {
         let count = self.joints.len();
         let start = frame.min(self.frame_count().saturating_sub(1)) * count;
         let mut places = Vec::with_capacity(count);
@@ -87,7 +87,7 @@ impl Recording {
 
     /// Every joint between two frames; a place beyond the last frame is the last.
     #[must_use]
-    pub fn places_between(&self, frame: f64) -> Vec<Place> {
+    pub fn places_between(&self, frame: f64) -> Vec<JointPlace> {
         let last = self.frame_count().saturating_sub(1);
         let first = whole(frame).min(last);
         let next = (first + 1).min(last);
@@ -107,18 +107,18 @@ impl Recording {
 
     fn placed(
         &self,
-        places: &[Place],
+        places: &[JointPlace],
         parent: Option<usize>,
         translation: Vec3,
         rotation: Quat,
-    ) -> Place {
+    ) -> JointPlace {
         debug_assert!(places.len() < self.joints.len());
         match parent.and_then(|parent| places.get(parent)) {
-            Some(parent) => Place {
+            Some(parent) => JointPlace {
                 position: parent.position + parent.rotation * translation,
                 rotation: (parent.rotation * rotation).normalize(),
             },
-            None => Place {
+            None => JointPlace {
                 position: translation,
                 rotation,
             },

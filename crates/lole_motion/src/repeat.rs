@@ -121,11 +121,6 @@ impl Loop {
         *poses = cut.collect();
         drift
     }
-
-    /// Where it begins and ends [s].
-    pub(crate) fn seconds(self) -> [f32; 2] {
-        [self.start, self.end].map(|pose| pose as f32 / POSES_PER_SECOND)
-    }
 }
 
 /// Takes away the straight way from the first pose to the last, which it gives [m per pose].

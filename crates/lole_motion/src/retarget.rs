@@ -10,7 +10,7 @@ use lole_body::{Bone, Pose, Skeleton};
 
 use crate::axes::{self, Axes};
 use crate::clip::{POSES_PER_SECOND, whole};
-use crate::{BoneMap, Place, Recording, RecordingError};
+use crate::{BoneMap, JointPlace, Recording, RecordingError};
 
 /// Feet that point less steeply than this (the sine of their elevation) stand flat at rest.
 const FLAT: f32 = 0.87;
@@ -92,7 +92,13 @@ impl<'a> Retarget<'a> {
             first_frame,
             world_from_file: floor_axes.world_from_file(),
             joint_from_body,
-            rest_from_bind: rest_from_bind(recording, map, skeleton, (&rest, body_from_file)),
+            rest_from_bind: Rest {
+                recording,
+                map,
+                places: &rest,
+                body_from_file,
+            }
+            .turns_from_bind(skeleton),
             scale: dancer_leg / recorded_leg,
             start: hip_middle(map, &first),
         })
@@ -131,46 +137,65 @@ impl<'a> Retarget<'a> {
     }
 
     /// Turn of a bone in the world; `None` where it has no joint and goes with its parent.
-    fn turn_of(&self, bone: Bone, places: &[Place]) -> Option<Quat> {
+    fn turn_of(&self, bone: Bone, places: &[JointPlace]) -> Option<Quat> {
         let hips = self.map.needed(Bone::Hips);
         if let Some(place) = TRUNK.iter().position(|&other| other == bone) {
-            return Some(self.turn_along(hips, self.map.spine(), (place + 1, 3), places));
+            let trunk = Chain {
+                below: hips,
+                joints: self.map.spine(),
+            };
+            return Some(self.turn_along(&trunk, (place + 1, 3), places));
         }
         if let Some(place) = NECK.iter().position(|&other| other == bone) {
-            let chest = self.map.chest();
-            return Some(self.turn_along(chest, self.map.neck(), (place + 1, 2), places));
+            let neck = Chain {
+                below: self.map.chest(),
+                joints: self.map.neck(),
+            };
+            return Some(self.turn_along(&neck, (place + 1, 2), places));
         }
         let joint = self.map.joint(bone)?;
         Some(self.turned(joint, places) * self.rest_from_bind[bone.index()])
     }
 
     /// How far a joint has turned from rest, in the world.
-    fn turned(&self, joint: usize, places: &[Place]) -> Quat {
+    fn turned(&self, joint: usize, places: &[JointPlace]) -> Quat {
         self.world_from_file * places[joint].rotation * self.joint_from_body[joint]
     }
 
-    /// How far a chain of joints above `below` has turned `part.0 / part.1` of the way up it.
+    /// How far a chain has turned `part` of `of` of the way up it.
     fn turn_along(
         &self,
-        below: usize,
-        chain: &[usize],
-        part: (usize, usize),
-        places: &[Place],
+        chain: &Chain<'_>,
+        (part, of): (usize, usize),
+        places: &[JointPlace],
     ) -> Quat {
-        let steps = part.0 * chain.len();
-        let (whole, rest) = (steps / part.1, steps % part.1);
-        let joint = |count: usize| count.checked_sub(1).map_or(below, |i| chain[i]);
-        let from = self.turned(joint(whole), places);
+        let steps = part * chain.joints.len();
+        let (whole, rest) = (steps / of, steps % of);
+        let from = self.turned(chain.joint(whole), places);
         if rest == 0 {
             return from;
         }
-        let to = self.turned(joint(whole + 1), places);
-        from.slerp(to, rest as f32 / part.1 as f32)
+        let to = self.turned(chain.joint(whole + 1), places);
+        from.slerp(to, rest as f32 / of as f32)
+    }
+}
+
+/// Joints above one another.
+struct Chain<'a> {
+    /// What they stand on.
+    below: usize,
+    joints: &'a [usize],
+}
+
+impl Chain<'_> {
+    /// The joint at which so many of the chain end.
+    fn joint(&self, count: usize) -> usize {
+        count.checked_sub(1).map_or(self.below, |i| self.joints[i])
     }
 }
 
 /// Every joint at rest, and the first frame that is danced.
-pub(crate) fn rest(recording: &Recording) -> (Vec<Place>, usize) {
+pub(crate) fn rest(recording: &Recording) -> (Vec<JointPlace>, usize) {
     if recording.begins_with_a_stance() {
         (recording.places(0), 1)
     } else {
@@ -179,7 +204,7 @@ pub(crate) fn rest(recording: &Recording) -> (Vec<Place>, usize) {
 }
 
 /// Mean length of thigh and shank [file units].
-pub(crate) fn leg_length(map: &BoneMap, rest: &[Place]) -> Result<f32, RecordingError> {
+pub(crate) fn leg_length(map: &BoneMap, rest: &[JointPlace]) -> Result<f32, RecordingError> {
     let mut length = 0.0;
     for &[upper, lower] in &LIMBS {
         let [from, to] = [upper, lower].map(|bone| rest[map.needed(bone)].position);
@@ -207,48 +232,60 @@ pub(crate) fn facing(recording: &Recording, map: &BoneMap, first: usize) -> Axes
     Axes::of(map, &recording.places(first)).over_floor(up)
 }
 
-fn hip_middle(map: &BoneMap, places: &[Place]) -> Vec3 {
+fn hip_middle(map: &BoneMap, places: &[JointPlace]) -> Vec3 {
     let at = |bone| places[map.needed(bone)].position;
     0.5 * (at(Bone::LeftUpperLeg) + at(Bone::RightUpperLeg))
 }
 
-/// For each bone, the turn from the bind pose to the recording's rest pose, in body axes: none for
-/// the trunk, the shortest for limbs, and hands and fingers go with the forearm.
-fn rest_from_bind(
-    recording: &Recording,
-    map: &BoneMap,
-    skeleton: &Skeleton,
-    (rest, body_from_file): (&[Place], Quat),
-) -> Vec<Quat> {
-    let mut turns = vec![Quat::IDENTITY; Bone::COUNT];
-    let recorded = |from: usize, to: usize| {
-        (body_from_file * (rest[to].position - rest[from].position)).normalize_or_zero()
-    };
-    let bound = |from, to| (skeleton.joint(to) - skeleton.joint(from)).normalize_or_zero();
-    for [bone, end] in LIMBS {
-        let to = recorded(map.needed(bone), map.needed(end));
-        turns[bone.index()] = Quat::from_rotation_arc(bound(bone, end), to);
+/// The rest pose of a recording.
+struct Rest<'a> {
+    recording: &'a Recording,
+    map: &'a BoneMap,
+    /// Of every joint.
+    places: &'a [JointPlace],
+    body_from_file: Quat,
+}
+
+impl Rest<'_> {
+    /// Where a joint lies from another, in body axes.
+    fn direction(&self, from: usize, to: usize) -> Vec3 {
+        let way = self.places[to].position - self.places[from].position;
+        (self.body_from_file * way).normalize_or_zero()
     }
-    for [foot, toes] in FEET {
-        let joint = map.needed(foot);
-        let tip = map.joint(toes).or_else(|| recording.children(joint).next());
-        let Some(tip) = tip else { continue };
-        let (from, to) = (bound(foot, toes), recorded(joint, tip));
-        turns[foot.index()] = if to.y.abs() < FLAT {
-            let level = |v: Vec3| v.with_y(0.0).normalize_or(Vec3::Z);
-            Quat::from_rotation_arc(level(from), level(to))
-        } else {
-            Quat::from_rotation_arc(from, to)
-        };
-        turns[toes.index()] = turns[foot.index()];
-    }
-    for &bone in Bone::ALL {
-        let above = |side: Bone| bone.lineage().skip(1).any(|parent| parent == side);
-        for forearm in [Bone::LeftLowerArm, Bone::RightLowerArm] {
-            if above(forearm) {
-                turns[bone.index()] = turns[forearm.index()];
+
+    /// For each bone, the turn from the bind pose to this one, in body axes: none for the trunk, the
+    /// shortest for limbs, and hands and fingers go with the forearm.
+    fn turns_from_bind(&self, skeleton: &Skeleton) -> Vec<Quat> {
+        let map = self.map;
+        let mut turns = vec![Quat::IDENTITY; Bone::COUNT];
+        let bound = |from, to| (skeleton.joint(to) - skeleton.joint(from)).normalize_or_zero();
+        for [bone, end] in LIMBS {
+            let to = self.direction(map.needed(bone), map.needed(end));
+            turns[bone.index()] = Quat::from_rotation_arc(bound(bone, end), to);
+        }
+        for [foot, toes] in FEET {
+            let joint = map.needed(foot);
+            let tip = map
+                .joint(toes)
+                .or_else(|| self.recording.children(joint).next());
+            let Some(tip) = tip else { continue };
+            let (from, to) = (bound(foot, toes), self.direction(joint, tip));
+            turns[foot.index()] = if to.y.abs() < FLAT {
+                let level = |v: Vec3| v.with_y(0.0).normalize_or(Vec3::Z);
+                Quat::from_rotation_arc(level(from), level(to))
+            } else {
+                Quat::from_rotation_arc(from, to)
+            };
+            turns[toes.index()] = turns[foot.index()];
+        }
+        for &bone in Bone::ALL {
+            let above = |side: Bone| bone.lineage().skip(1).any(|parent| parent == side);
+            for forearm in [Bone::LeftLowerArm, Bone::RightLowerArm] {
+                if above(forearm) {
+                    turns[bone.index()] = turns[forearm.index()];
+                }
             }
         }
+        turns
     }
-    turns
 }

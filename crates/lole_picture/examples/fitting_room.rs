@@ -456,7 +456,7 @@ fn shoot(
     let production = performance.production();
     let looks = Looks::new(&production.design, production)?;
     let moment = Moment::of(performance);
-    let shown = moment.figure();
+    let shown = moment.dancer();
     let count = production.garments.len();
     let dressed = &moment.worn[count..count + production.dressed.len()];
     let points: Vec<Vec3> = if let Some(about) = about {

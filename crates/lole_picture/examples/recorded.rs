@@ -16,7 +16,7 @@ use glam::Vec3;
 use lole_body::Bone;
 use lole_costume::document::{Design, LinkedFile, parse};
 use lole_hula::DanceStep;
-use lole_picture::{Figure as Shown, Looks};
+use lole_picture::{DrawnDancer, Looks};
 use lole_render::{Backend, Camera, LightRig, Renderer, Size, View};
 use lole_stage::{Performance, Production};
 
@@ -183,7 +183,7 @@ fn shoot(performance: &Performance) -> Result<Vec<u8>, Box<dyn Error>> {
     let production = performance.production();
     let looks = Looks::new(&production.design, production)?;
     let worn = performance.surfaces();
-    let shown = Shown {
+    let shown = DrawnDancer {
         worn: &worn,
         colors: &[],
         colored: None,

@@ -17,7 +17,7 @@ use lole_print::PrintImage;
 use lole_render::srgb::linear_from_srgb;
 use lole_render::{Camera, LightRig, Material, RenderError, Scene, SceneMesh, Sides, Texture};
 use lole_stage::{Production, WornSurface};
-pub use moment::{Figure, Moment};
+pub use moment::{DrawnDancer, Moment};
 
 /// Pixels of one print repeat: a repeat of 45 cm shows every petal from two meters.
 const PRINT_SIDE: u32 = 1024;
@@ -72,7 +72,7 @@ impl Looks {
     pub fn scene<'a>(
         &'a self,
         production: &'a Production,
-        figure: &Figure<'a>,
+        dancer: &DrawnDancer<'a>,
         camera: Camera,
         lights: LightRig,
     ) -> Scene<'a> {
@@ -80,25 +80,25 @@ impl Looks {
             lights,
             ..Scene::studio(camera)
         };
-        let worn = production.surfaces().zip(figure.worn).zip(&self.worn);
+        let worn = production.surfaces().zip(dancer.worn).zip(&self.worn);
         let worn = worn
             .enumerate()
             .map(|(place, ((surface, vertices), cover))| {
                 let own = surface.beside().map_or(&[][..], |beside| &beside.colors);
-                let colors = figure.colors.get(place).filter(|colors| !colors.is_empty());
+                let colors = dancer.colors.get(place).filter(|colors| !colors.is_empty());
                 SceneMesh {
                     positions: &vertices[0],
                     normals: &vertices[1],
                     uvs: &cover.uvs,
                     colors: colors.map_or(own, Vec::as_slice),
                     triangles: surface.triangles(),
-                    material: (figure.colored)
+                    material: (dancer.colored)
                         .filter(|_| colors.is_some())
                         .unwrap_or(&cover.material),
                 }
             });
         let skin = &production.dancer.skin;
-        let [positions, normals] = figure.body;
+        let [positions, normals] = dancer.body;
         let parts = skin.parts.iter().zip(&self.parts);
         let parts = parts.map(|(part, (_, material))| SceneMesh {
             positions,

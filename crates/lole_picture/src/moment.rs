@@ -6,7 +6,7 @@ use lole_stage::{Performance, Production, Vertices};
 
 /// Dancer and what she wears in one moment, as they are drawn.
 #[derive(Debug, Clone, Copy)]
-pub struct Figure<'a> {
+pub struct DrawnDancer<'a> {
     /// What she wears or holds, surface by surface as [`Production::surfaces`] has them.
     pub worn: &'a [Vertices],
     /// Linear color factors of their vertices, by surface; empty, or of a surface empty, where it has its own
@@ -46,8 +46,8 @@ impl Moment {
 
     /// What is drawn of it; everything in its own colors.
     #[must_use]
-    pub fn figure(&self) -> Figure<'_> {
-        Figure {
+    pub fn dancer(&self) -> DrawnDancer<'_> {
+        DrawnDancer {
             worn: &self.worn,
             colors: &[],
             colored: None,

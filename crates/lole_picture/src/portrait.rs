@@ -2,8 +2,8 @@
 
 use glam::Vec3;
 use lole_costume::document::Design;
-use lole_export::Image;
-use lole_export::pdf::Picture;
+use lole_export::ImageView;
+use lole_export::pdf::EncodedPicture;
 use lole_export::still::encode_jpeg;
 use lole_garment::dress::Division;
 use lole_render::{Backend, Bounds, Camera, LightRig, Renderer, Size, View};
@@ -64,14 +64,14 @@ pub fn standing(design: &Design, is_stopped: &dyn Fn() -> bool) -> Result<Vec<u8
     let production = Production::divided(&coarse, Division::Half)?;
     let performance = stand(production, HANGING_FRAMES, is_stopped)?;
     let image = shoot(&performance, standing_camera(STANDING), STANDING)?;
-    let image = Image::new(image.width, image.height, &image.pixels)?;
+    let image = ImageView::new(image.width, image.height, &image.pixels)?;
     Ok(encode_jpeg(image, QUALITY)?)
 }
 
 /// The picture of such bytes for a page; `None` where they are no such picture.
 #[must_use]
-pub fn of_jpeg(bytes: Vec<u8>) -> Option<Picture> {
-    Picture::of_jpeg(bytes, [STANDING.width, STANDING.height])
+pub fn of_jpeg(bytes: Vec<u8>) -> Option<EncodedPicture> {
+    EncodedPicture::of_jpeg(bytes, [STANDING.width, STANDING.height])
 }
 
 /// Puts the costume on and lets it come to rest, for so many frames at most; her body is posed.
@@ -120,7 +120,7 @@ pub fn shoot(
     let looks = Looks::new(&production.design, production)?;
     let moment = Moment::of(performance);
     let lights = LightRig::seen_from(&camera);
-    let scene = looks.scene(production, &moment.figure(), camera, lights);
+    let scene = looks.scene(production, &moment.dancer(), camera, lights);
     let mut renderer = Renderer::new(Backend::Cpu, size)?;
     Ok(renderer.render(&scene)?)
 }

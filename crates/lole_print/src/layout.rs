@@ -42,23 +42,23 @@ const UP: f32 = -std::f32::consts::FRAC_PI_2;
 
 /// The motifs of one repeat, in drawing order.
 pub(super) fn place(scatter: &Scatter, seed: u64) -> Vec<Placement> {
-    let mut dice = Dice::new(seed);
-    let mut taken: Vec<Disc> = Vec::new();
-    let heroes = place_heroes(scatter, &mut dice, &mut taken);
+    let mut bed = Bed {
+        dice: Dice::new(seed),
+        taken: Vec::new(),
+    };
+    let heroes = bed.place_heroes(scatter);
     let mut leaves = Vec::new();
     for hero in &heroes {
-        for (shape, lengths) in scatter.tucked {
-            let leaf = tuck_under(hero, (*shape, *lengths), &taken, &mut dice);
-            taken.extend(leaf.iter().flat_map(discs));
-            leaves.extend(leaf);
+        for &(shape, lengths) in scatter.tucked {
+            leaves.extend(bed.tuck_under(hero, shape, lengths));
         }
     }
     let mut small = Vec::new();
     for fill in scatter.fill {
-        fill_gaps(fill, scatter.stand, &mut taken, &mut small, &mut dice);
+        small.extend(bed.fill_gaps(fill, scatter.stand));
     }
     let mut placements = match scatter.shadow {
-        Shadow::Leaves(shape, count, sizes) => place_shadows((shape, count, sizes), &mut dice),
+        Shadow::Leaves(shape, count, sizes) => place_shadows((shape, count, sizes), &mut bed.dice),
         Shadow::Surf => Vec::new(),
     };
     placements.extend(leaves);
@@ -67,94 +67,103 @@ pub(super) fn place(scatter: &Scatter, seed: u64) -> Vec<Placement> {
     placements
 }
 
-/// Heroes, each at the roomiest of many places.
-fn place_heroes(scatter: &Scatter, dice: &mut Dice, taken: &mut Vec<Disc>) -> Vec<Placement> {
-    let mut heroes = Vec::new();
-    for &(shape, radius) in scatter.heroes {
-        let middle = (0..TRIES)
-            .map(|_| Vec2::new(dice.unit(), dice.unit()))
-            .map(|middle| (middle, clearance(&[Disc { middle, radius }], taken)))
-            .fold((Vec2::splat(0.5), f32::MIN), |best, tried| {
-                if best.1 < tried.1 { tried } else { best }
-            })
-            .0;
-        taken.push(Disc { middle, radius });
-        heroes.push(Placement {
-            shape,
-            role: Role::Flower,
-            origin: middle,
-            angle: dice.turn(),
-            size: radius,
-            whim: dice.unit(),
-        });
-    }
-    heroes
+/// The repeat while it is filled.
+struct Bed {
+    dice: Dice,
+    /// What lies on it already.
+    taken: Vec<Disc>,
 }
 
-/// A leaf whose stalk is hidden by `hero`, at the angle with most room; none where all angles run
-/// into something.
-fn tuck_under(
-    hero: &Placement,
-    (shape, [shortest, longest]): (Shape, [f32; 2]),
-    taken: &[Disc],
-    dice: &mut Dice,
-) -> Option<Placement> {
-    let mut best = (None, -0.012);
-    for _ in 0..TRIES {
-        let angle = dice.turn();
-        let leaf = Placement {
-            shape,
-            role: Role::Leaf,
-            origin: wrap(hero.origin + at_angle(angle) * hero.size * 0.62),
-            size: shortest + (longest - shortest) * dice.unit(),
-            angle: angle + 0.5 * (dice.unit() - 0.5),
-            whim: dice.unit(),
-        };
+impl Bed {
+    /// Heroes, each at the roomiest of many places.
+    fn place_heroes(&mut self, scatter: &Scatter) -> Vec<Placement> {
+        let mut heroes = Vec::new();
+        for &(shape, radius) in scatter.heroes {
+            let middle = (0..TRIES)
+                .map(|_| Vec2::new(self.dice.unit(), self.dice.unit()))
+                .map(|middle| (middle, clearance(&[Disc { middle, radius }], &self.taken)))
+                .fold((Vec2::splat(0.5), f32::MIN), |best, tried| {
+                    if best.1 < tried.1 { tried } else { best }
+                })
+                .0;
+            self.taken.push(Disc { middle, radius });
+            heroes.push(Placement {
+                shape,
+                role: Role::Flower,
+                origin: middle,
+                angle: self.dice.turn(),
+                size: radius,
+                whim: self.dice.unit(),
+            });
+        }
+        heroes
+    }
+
+    /// A leaf whose stalk is hidden by `hero`, at the angle with most room; none where all angles run
+    /// into something.
+    fn tuck_under(
+        &mut self,
+        hero: &Placement,
+        shape: Shape,
+        [shortest, longest]: [f32; 2],
+    ) -> Option<Placement> {
         // The first half of the leaf may lie below its own flower.
         let own = |disc: &Disc| torus_distance(disc.middle, hero.origin) < 0.01;
-        let others: Vec<Disc> = taken.iter().copied().filter(|disc| !own(disc)).collect();
-        let room = clearance(&discs(&leaf), &others);
-        if best.1 < room {
-            best = (Some(leaf), room.min(0.004) + 0.002 * dice.unit());
-        }
-    }
-    best.0
-}
-
-/// Fills what is open with one kind of motif, from the largest to the smallest that fits.
-fn fill_gaps(
-    fill: &Fill,
-    stand: Stand,
-    taken: &mut Vec<Disc>,
-    placements: &mut Vec<Placement>,
-    dice: &mut Dice,
-) {
-    let [mut size, smallest] = fill.sizes;
-    let mut left = fill.most;
-    while smallest < size && 0 < left {
-        let found = (0..TRIES).find_map(|_| {
-            let placement = Placement {
-                shape: fill.shape,
-                role: fill.role,
-                origin: Vec2::new(dice.unit(), dice.unit()),
-                angle: match (stand, fill.role) {
-                    (Stand::Upright(lean), Role::Flower) => UP + lean * (2.0 * dice.unit() - 1.0),
-                    _ => dice.turn(),
-                },
-                size,
+        let others = self.taken.iter().copied().filter(|disc| !own(disc));
+        let others: Vec<Disc> = others.collect();
+        let dice = &mut self.dice;
+        let mut best = (None, -0.012);
+        for _ in 0..TRIES {
+            let angle = dice.turn();
+            let leaf = Placement {
+                shape,
+                role: Role::Leaf,
+                origin: wrap(hero.origin + at_angle(angle) * hero.size * 0.62),
+                size: shortest + (longest - shortest) * dice.unit(),
+                angle: angle + 0.5 * (dice.unit() - 0.5),
                 whim: dice.unit(),
             };
-            let room = clearance(&discs(&placement), taken);
-            (0.006 < room).then_some(placement)
-        });
-        match found {
-            Some(placement) => {
-                taken.extend(discs(&placement));
-                placements.push(placement);
-                left -= 1;
+            let room = clearance(&discs(&leaf), &others);
+            if best.1 < room {
+                best = (Some(leaf), room.min(0.004) + 0.002 * dice.unit());
             }
-            None => size *= 0.92,
         }
+        self.taken.extend(best.0.iter().flat_map(discs));
+        best.0
+    }
+
+    /// Fills what is open with one kind of motif, from the largest to the smallest that fits.
+    fn fill_gaps(&mut self, fill: &Fill, stand: Stand) -> Vec<Placement> {
+        let [mut size, smallest] = fill.sizes;
+        let mut placements = Vec::new();
+        while smallest < size && placements.len() < fill.most {
+            let found = (0..TRIES).find_map(|_| {
+                let dice = &mut self.dice;
+                let placement = Placement {
+                    shape: fill.shape,
+                    role: fill.role,
+                    origin: Vec2::new(dice.unit(), dice.unit()),
+                    angle: match (stand, fill.role) {
+                        (Stand::Upright(lean), Role::Flower) => {
+                            UP + lean * (2.0 * dice.unit() - 1.0)
+                        }
+                        _ => dice.turn(),
+                    },
+                    size,
+                    whim: dice.unit(),
+                };
+                let room = clearance(&discs(&placement), &self.taken);
+                (0.006 < room).then_some(placement)
+            });
+            match found {
+                Some(placement) => {
+                    self.taken.extend(discs(&placement));
+                    placements.push(placement);
+                }
+                None => size *= 0.92,
+            }
+        }
+        placements
     }
 }
 

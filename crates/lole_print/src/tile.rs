@@ -19,7 +19,7 @@ pub struct SizedPicture {
 }
 
 /// The cloth under a print.
-pub struct Ground {
+pub struct BareCloth {
     /// What shows through where the picture is clear.
     pub under: [u8; 3],
     /// What lies beside a border; the picture's own edge where `None`.
@@ -29,7 +29,7 @@ pub struct Ground {
 }
 
 /// The repeat of a picture on its cloth.
-pub fn lay_out(sized: SizedPicture, lay: &PrintLay, ground: &Ground) -> PrintImage {
+pub fn lay_out(sized: SizedPicture, lay: &PrintLay, ground: &BareCloth) -> PrintImage {
     let SizedPicture { picture, size } = turned(sized, lay);
     let copies = copies(lay);
     let mut whole = [0, 1].map(|axis| size[axis] * f64::from(copies[axis]));
@@ -124,7 +124,7 @@ fn along_selvage(
     tile: &RgbaImage,
     rows_per_meter: f64,
     offset: Length,
-    ground: &Ground,
+    ground: &BareCloth,
 ) -> RgbaImage {
     let (width, height) = tile.dimensions();
     let rows = pixel_count(rows_per_meter * ground.width.to_m());
@@ -195,8 +195,8 @@ mod tests {
         }
     }
 
-    fn ground() -> Ground {
-        Ground {
+    fn ground() -> BareCloth {
+        BareCloth {
             under: [1, 2, 3],
             beside: None,
             width: Length::from_cm(110.0),
@@ -286,7 +286,7 @@ mod tests {
             border: PrintBorder::Hem,
             ..PrintLay::default()
         };
-        let plain = Ground {
+        let plain = BareCloth {
             beside: Some([9, 8, 7]),
             ..ground()
         };

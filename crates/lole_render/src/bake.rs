@@ -6,7 +6,7 @@ mod ground;
 mod studio;
 
 pub(crate) use ground::{CELLS as GROUND_CELLS, GroundLight};
-use studio::Studio;
+use studio::{Room, Studio};
 
 use crate::depth_map::{DepthMap, Layers};
 use crate::prepare::Geometry;
@@ -55,26 +55,20 @@ impl Bake {
         let key_map = maps.swap_remove(0);
         let tangent = key_tangent(&scene.lights);
         let key_clear = key_map.clear_above(tangent);
-        let ground = scene
-            .ground
-            .as_ref()
-            .zip(geometry.bounds())
-            .map(|(ground, bounds)| {
-                GroundLight::new(
-                    ground,
-                    bounds,
-                    &scene.lights,
-                    &studio,
-                    &studio_maps,
-                    KeyShadow {
-                        map: &key_map,
-                        clear_above: &key_clear,
-                        tangent,
-                        softest: ground::SOFTEST_DISTANCE,
-                    },
-                )
-            });
-        let ambient = ambient::by_vertex(geometry, &studio, &studio_maps, ground.as_ref());
+        let room = Room {
+            studio,
+            maps: studio_maps,
+        };
+        let shadow = KeyShadow {
+            map: &key_map,
+            clear_above: &key_clear,
+            tangent,
+            softest: ground::SOFTEST_DISTANCE,
+        };
+        let ground = geometry
+            .bounds()
+            .and_then(|bounds| GroundLight::new(scene, bounds, &room, shadow));
+        let ambient = ambient::by_vertex(geometry, &room, ground.as_ref());
         Self {
             key_map,
             key_clear,
@@ -91,14 +85,12 @@ pub(crate) fn ambient_alone(lights: &LightRig, geometry: &Geometry) -> Vec<[Vec3
     let maps: Vec<DepthMap> = (studio.axes.par_iter())
         .map(|pair| DepthMap::draw(geometry, pair.axis, STUDIO_MAP_SIDE, Layers::Both))
         .collect();
-    ambient::by_vertex(geometry, &studio, &maps, None)
+    ambient::by_vertex(geometry, &Room { studio, maps }, None)
 }
 
 /// Light of the surroundings on an open floor, as the radiance of a white surface there.
 pub(crate) fn room_on_floor(lights: &LightRig) -> Vec3 {
-    (Studio::new(lights).axes.iter())
-        .map(|pair| pair.radiance[0] * pair.axis.y)
-        .sum()
+    Studio::new(lights).on_open_floor()
 }
 
 /// Tangent of the key light's angular radius.

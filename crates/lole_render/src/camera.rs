@@ -118,8 +118,9 @@ impl Camera {
         Self::framing_points(&bounds.corners(), view, aspect)
     }
 
-    /// The same for points: tighter around a figure than around its box. Where there are none, the
-    /// camera looks at the origin.
+    /// A camera that shows all `points` in a picture of `aspect` (width over height), as large as fits,
+    /// from `view` and slightly above: tighter around a figure than around its box. Where there are
+    /// none it looks at the origin.
     #[must_use]
     pub fn framing_points(points: &[Vec3], view: View, aspect: f32) -> Self {
         let (sin_azimuth, cos_azimuth) = trig::sin_cos(view.azimuth());

@@ -202,7 +202,8 @@ impl DepthMap {
         self.share(&self.nearest, at, |surface, depth| surface <= depth)
     }
 
-    /// The same for a light at `-axis`.
+    /// Share of the four texels around a projected point, bilinear, in which the light at `-axis` sees
+    /// nothing before it.
     pub(crate) fn seen_from_behind(&self, at: Vec3) -> f32 {
         self.share(&self.farthest, at, |surface, depth| surface >= depth)
     }
@@ -241,7 +242,8 @@ impl DepthMap {
         [0, 4].map(|node| Vec4::new(at(node), at(node + 1), at(node + 2), at(node + 3)))
     }
 
-    /// The same at eight texels `stride` apart, each lowered by its own shift.
+    /// What the light at `+axis` sees at eight texels of the finest level, `stride` apart in a row and
+    /// each lowered by its own shift; `-EMPTY` outside the map.
     #[inline]
     pub(crate) fn eight_shifted(
         &self,

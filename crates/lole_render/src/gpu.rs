@@ -9,4 +9,4 @@ mod pipeline;
 
 pub(crate) use device::may_exist;
 pub(crate) use draw::GpuRenderer;
-pub use live::{AmbientLight, Effort, LiveView, Overlay, Stroke};
+pub use live::{AmbientLight, Effort, LiveView, Overlay, OverlayLine};

@@ -34,7 +34,7 @@ mod whole;
 
 pub use camera::{Bounds, Camera, View};
 pub use error::RenderError;
-pub use gpu::{AmbientLight, Effort, LiveView, Overlay, Stroke};
+pub use gpu::{AmbientLight, Effort, LiveView, Overlay, OverlayLine};
 pub use image::{Image, Size};
 pub use light::{Background, Ground, KeyLight, LightRig, SoftBox};
 pub use material::{BackShade, Material, Sides};

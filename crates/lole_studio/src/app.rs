@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use eframe::egui::{self, Context, Ui};
 use lole_costume::document::{Design, LinkedFile, LinkedPicture, PhotoMarks};
-use lole_export::{Image, still};
+use lole_export::{ImageView, still};
 use lole_files as files;
 use lole_language::Sentence;
 use lole_render::wgpu;
@@ -622,7 +622,7 @@ fn start(design: Design, context: &Context) -> Sim {
 
 /// A picture as the bytes of a PNG.
 fn png(image: &lole_render::Image) -> Result<Vec<u8>, Sentence> {
-    Image::new(image.width, image.height, &image.pixels)
+    ImageView::new(image.width, image.height, &image.pixels)
         .and_then(still::encode_png)
         .map_err(|error| Sentence::new(format!("写真を作れません（{error}）"), error.to_string()))
 }

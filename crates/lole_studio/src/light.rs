@@ -93,7 +93,7 @@ fn work(jobs: &Receiver<Job>, results: &Mutex<Option<(u64, AmbientLight)>>, free
         let lights = LightRig::seen_from(&camera);
         let mut scene = (wardrobe.looks).scene(
             &wardrobe.production,
-            &snapshot.moment.figure(),
+            &snapshot.moment.dancer(),
             camera,
             lights,
         );

@@ -87,6 +87,14 @@ fn style(style: &mut Style) {
     }
 }
 
+/// A card that stands for one thing of a list.
+pub(crate) fn card(fill: Color32) -> egui::Frame {
+    egui::Frame::new()
+        .fill(fill)
+        .stroke(Stroke::new(1.0, LINE))
+        .corner_radius(7)
+}
+
 /// Color of a strain, linear, for the cloth: blue where it is shrunk, red where it is stretched;
 /// full at ±[`FULL_STRAIN`]. Blue and red stay apart for color-blind eyes.
 pub(crate) fn strain_color(strain: f32) -> glam::Vec3 {

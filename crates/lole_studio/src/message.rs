@@ -8,12 +8,12 @@ pub struct Message {
     /// What is said.
     pub sentence: Sentence,
     /// How it is meant.
-    pub tone: Tone,
+    pub kind: MessageKind,
 }
 
 /// How a sentence is meant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Tone {
+pub enum MessageKind {
     /// Something was done.
     News,
     /// Something was not done.
@@ -25,7 +25,7 @@ impl Message {
     pub fn news(japanese: impl Into<String>, english: impl Into<String>) -> Self {
         Self {
             sentence: Sentence::new(japanese, english),
-            tone: Tone::News,
+            kind: MessageKind::News,
         }
     }
 
@@ -33,7 +33,7 @@ impl Message {
     pub fn trouble(error: &impl Bilingual) -> Self {
         Self {
             sentence: Sentence::of(error),
-            tone: Tone::Trouble,
+            kind: MessageKind::Trouble,
         }
     }
 }

@@ -11,7 +11,7 @@ use lole_costume::document::Design;
 use lole_costume::order::{self, Group, NotionTotal, PrintTotal, Settings};
 use lole_costume::roster::{self, Roster};
 use lole_export::order::{ORDER_JSON, OrderParts, left_behind, order_folder};
-use lole_export::pdf::{Paper, Picture};
+use lole_export::pdf::{EncodedPicture, Paper};
 use lole_geom::Length;
 use lole_language::{Bilingual as _, Language, Sentence};
 
@@ -132,7 +132,11 @@ impl OrderWork {
                     drop(sender.send(news));
                     wake();
                 };
-                let end = run(&job, &called_off, &tell);
+                let line = Line {
+                    called_off: &called_off,
+                    tell: &tell,
+                };
+                let end = run(&job, &line);
                 tell(end.unwrap_or_else(OrderNews::Failed));
             })
             .ok();
@@ -174,13 +178,28 @@ pub(crate) fn read_list(path: &Path) -> Result<Roster, Sentence> {
     })
 }
 
-fn run(job: &Job, stop: &AtomicBool, tell: &impl Fn(OrderNews)) -> Result<OrderNews, Sentence> {
-    let is_stopped = || stop.load(Ordering::Relaxed);
+/// How the thread of an order stays in touch with the window.
+struct Line<'a> {
+    called_off: &'a AtomicBool,
+    tell: &'a dyn Fn(OrderNews),
+}
+
+impl Line<'_> {
+    fn is_called_off(&self) -> bool {
+        self.called_off.load(Ordering::Relaxed)
+    }
+
+    fn progress(&self, done: usize, of: usize) {
+        (self.tell)(OrderNews::Progress(Progress { done, of }));
+    }
+}
+
+fn run(job: &Job, line: &Line<'_>) -> Result<OrderNews, Sentence> {
     let mut group = Group::of(&job.list);
     let of = job.list.dancers.len();
     for (done, dancer) in job.list.dancers.iter().enumerate() {
-        tell(OrderNews::Progress(Progress { done, of }));
-        if is_stopped() {
+        line.progress(done, of);
+        if line.is_called_off() {
             return Ok(OrderNews::CalledOff);
         }
         group.add(dancer, &job.design, order::plan(dancer, &job.design));
@@ -192,10 +211,10 @@ fn run(job: &Job, stop: &AtomicBool, tell: &impl Fn(OrderNews)) -> Result<OrderN
         }));
     }
     let folder = match &job.folder {
-        Some(folder) => Some(write(job, &group, folder, (&is_stopped, tell))?),
+        Some(folder) => Some(write(job, &group, folder, line)?),
         None => None,
     };
-    if is_stopped() && folder.is_none() && job.folder.is_some() {
+    if line.is_called_off() && folder.is_none() && job.folder.is_some() {
         return Ok(OrderNews::CalledOff);
     }
     let prints = order::prints(&group.plans, &job.design, &job.wishes.settings());
@@ -219,9 +238,9 @@ fn write(
     job: &Job,
     group: &Group,
     folder: &Path,
-    (is_stopped, tell): (&(dyn Fn() -> bool + Sync), &dyn Fn(OrderNews)),
+    line: &Line<'_>,
 ) -> Result<Option<PathBuf>, Sentence> {
-    let Some(pictures) = pictures(job, group, is_stopped, tell) else {
+    let Some(pictures) = pictures(job, group, line) else {
         return Ok(None);
     };
     let parts = OrderParts {
@@ -235,10 +254,12 @@ fn write(
         version: env!("CARGO_PKG_VERSION"),
         kept_files: &[],
     };
-    let made = order_folder(&parts, &|| !is_stopped()).map_err(|error| {
+    let called_off = line.called_off;
+    let goes_on = || !called_off.load(Ordering::Relaxed);
+    let made = order_folder(&parts, &goes_on).map_err(|error| {
         Sentence::new(format!("注文書を作れません（{error}）"), error.to_string())
     })?;
-    if is_stopped() {
+    if line.is_called_off() {
         return Ok(None);
     }
     let earlier = std::fs::read_to_string(folder.join(ORDER_JSON)).unwrap_or_default();
@@ -252,20 +273,15 @@ fn write(
 
 /// Everybody in her costume, one after the other: the dance in the window goes on meanwhile. Who cannot
 /// be dressed has no picture; `None` where it was called off.
-fn pictures(
-    job: &Job,
-    group: &Group,
-    is_stopped: &dyn Fn() -> bool,
-    tell: &dyn Fn(OrderNews),
-) -> Option<Vec<Option<Picture>>> {
+fn pictures(job: &Job, group: &Group, line: &Line<'_>) -> Option<Vec<Option<EncodedPicture>>> {
     let of = group.designs.len();
     if !job.wishes.pictures {
         return Some(vec![None; of]);
     }
     let mut pictures = Vec::with_capacity(of);
     for (done, design) in group.designs.iter().enumerate() {
-        tell(OrderNews::Progress(Progress { done, of }));
-        pictures.push(match portrait::standing(design, is_stopped) {
+        line.progress(done, of);
+        pictures.push(match portrait::standing(design, &|| line.is_called_off()) {
             Ok(bytes) => portrait::of_jpeg(bytes),
             Err(PortraitError::CalledOff) => return None,
             Err(_) => None,
@@ -332,9 +348,15 @@ mod tests {
         let mut group = Group::of(&job.list);
         let dancer = &job.list.dancers[0];
         group.add(dancer, &job.design, order::plan(dancer, &job.design));
-        let found = pictures(&job, &group, &|| false, &|_| {}).unwrap();
+        let called_off = AtomicBool::new(false);
+        let line = Line {
+            called_off: &called_off,
+            tell: &|_| {},
+        };
+        let found = pictures(&job, &group, &line).unwrap();
         assert!(matches!(found[..], [Some(_)]));
-        assert!(pictures(&job, &group, &|| true, &|_| {}).is_none());
+        called_off.store(true, Ordering::Relaxed);
+        assert!(pictures(&job, &group, &line).is_none());
     }
 
     #[test]

@@ -5,7 +5,7 @@ use std::f32::consts::{PI, TAU};
 use glam::Vec3;
 use lole_cloth::Grid;
 use lole_geom::{Capsule, trig};
-use lole_render::Stroke;
+use lole_render::{Overlay, OverlayLine};
 use lole_stage::Worn;
 
 use crate::Snapshot;
@@ -24,16 +24,24 @@ const SPRING_GAP: f32 = 3.5;
 /// All lines of one picture.
 #[derive(Debug, Default)]
 pub(crate) struct Strokes {
-    pub(crate) on_surfaces: Vec<Stroke>,
-    pub(crate) through: Vec<Stroke>,
+    pub(crate) on_surfaces: Vec<OverlayLine>,
+    pub(crate) through: Vec<OverlayLine>,
 }
 
 impl Strokes {
     /// The lines of a moment; `meters_per_pixel` where the dancer stands, `scale` pixels a point.
+    /// The lines as the picture takes them.
+    pub(crate) fn overlay(&self) -> Overlay<'_> {
+        Overlay {
+            on_surfaces: &self.on_surfaces,
+            through: &self.through,
+        }
+    }
+
     pub(crate) fn of(snapshot: &Snapshot, shows: Shows, meters_per_pixel: f32, scale: f32) -> Self {
         let mut strokes = Self::default();
         let line = |color, width: f32| {
-            move |[from, to]: [Vec3; 2]| Stroke {
+            move |[from, to]: [Vec3; 2]| OverlayLine {
                 from,
                 to,
                 color,

@@ -10,6 +10,7 @@ use lole_costume::document::GarmentDesign;
 use lole_costume::document::{Design, PrintChoice};
 use lole_costume::order::{DancerPlan, PlannedGarment};
 use lole_costume::tailoring::{TailoringError, drafts_of};
+use lole_export::cutting::lying_width;
 use lole_garment::template::PAU_SKIRT;
 use lole_geom::Length;
 use lole_language::{Sentence, Words};
@@ -32,7 +33,7 @@ pub struct Cutting {
 
 /// A design on paper.
 #[derive(Debug, Clone)]
-pub struct Paper {
+pub struct PaperDesign {
     /// The design that it is of.
     pub design: Design,
     /// No two papers of a window share one.
@@ -102,14 +103,15 @@ impl DrawnPrints {
     }
 }
 
-impl Paper {
+impl PaperDesign {
     /// Drafts and lays out everything for a dancer who has the design's tape.
     #[must_use]
     pub fn of(design: &Design, cutting: Cutting, dancer: &Dancer) -> Self {
         Self::drawn(design, cutting, dancer, &mut DrawnPrints::default())
     }
 
-    /// The same; prints that are drawn already are taken as they are.
+    /// Drafts and lays out everything for a dancer who has the design's tape; prints that are drawn
+    /// already are taken as they are.
     pub(crate) fn drawn(
         design: &Design,
         cutting: Cutting,
@@ -170,16 +172,6 @@ impl Paper {
     }
 }
 
-/// Width of the cloth as it lies on the table: half of it where all of it is doubled.
-#[must_use]
-pub(crate) fn lying_width(marker: &Marker) -> Length {
-    if marker.folded_length < marker.yardage.needed {
-        marker.cloth.width
-    } else {
-        marker.cloth.width * 0.5
-    }
-}
-
 /// What everything that can be drafted costs; `None` where even the skirt cannot be.
 fn bill(design: &Design, garments: &[PaperGarment]) -> Option<Bill> {
     let mut priced = design.clone();
@@ -212,9 +204,9 @@ pub(crate) mod tests {
     use super::*;
 
     /// The paper of a design, without a thread.
-    pub(crate) fn paper_of(design: &Design) -> Paper {
+    pub(crate) fn paper_of(design: &Design) -> PaperDesign {
         let dancer = lole_stage::dancer(design).unwrap_or_else(|error| panic!("{error}"));
-        Paper::of(design, Cutting::default(), &dancer.0)
+        PaperDesign::of(design, Cutting::default(), &dancer.0)
     }
 
     #[test]
@@ -232,7 +224,7 @@ pub(crate) mod tests {
         assert!(trouble.sentence.english.contains("99"));
         assert!(paper.garment(Some(1), &design).unwrap().cut.is_ok());
         // Its cloth is not on the bill, whatever notions go with it; that of the others is.
-        let names = |paper: &Paper| {
+        let names = |paper: &PaperDesign| {
             let lines = paper.bill.iter().flat_map(|bill| &bill.lines);
             lines
                 .map(|line| line.name.english.clone())
@@ -254,7 +246,7 @@ pub(crate) mod tests {
         let wide = paper_of(&design);
         fabric_width(&mut design, 110.0);
         let narrower = paper_of(&design);
-        let needed = |paper: &Paper| {
+        let needed = |paper: &PaperDesign| {
             let garment = paper
                 .garments
                 .iter()

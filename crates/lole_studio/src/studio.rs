@@ -15,7 +15,7 @@ use crate::message::Message;
 use crate::orbit::Orbit;
 use crate::ordering::OrderDesk;
 use crate::panel::{ClipShelf, ClothTextures, PhotoDesk, SwatchForm};
-use crate::paper::{Cutting, Paper};
+use crate::paper::{Cutting, PaperDesign};
 use crate::undo::Undo;
 use crate::wished::Wished;
 use crate::work::Work;
@@ -217,7 +217,7 @@ pub struct Studio {
     /// Pictures in the last second.
     pub pictures_per_second: Option<f64>,
     /// The newest draft on paper.
-    pub paper: Option<Arc<Paper>>,
+    pub paper: Option<Arc<PaperDesign>>,
     /// How cloth is laid to be cut.
     pub cutting: Cutting,
     /// Whether the shelf of garments is open.
@@ -283,7 +283,7 @@ impl Studio {
         }
     }
 
-    /// The same for another window: what was computed is gone, what was wished stays.
+    /// This studio for another window: what was computed is gone, what was wished stays.
     #[must_use]
     pub fn anew(self) -> Self {
         Self {

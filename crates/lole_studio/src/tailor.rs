@@ -7,12 +7,12 @@ use std::thread::{self, JoinHandle};
 use lole_body::Dancer;
 use lole_costume::document::{DancerDesign, Design};
 
-use crate::paper::{Cutting, DrawnPrints, Paper};
+use crate::paper::{Cutting, DrawnPrints, PaperDesign};
 
 /// The running thread. Dropped, it ends and is waited for.
 pub(crate) struct Tailor {
     wishes: Option<Sender<(Box<Design>, Cutting)>>,
-    papers: Receiver<Arc<Paper>>,
+    papers: Receiver<Arc<PaperDesign>>,
     /// What was asked for last.
     asked: Option<(Design, Cutting)>,
     thread: Option<JoinHandle<()>>,
@@ -47,7 +47,7 @@ impl Tailor {
     }
 
     /// The newest paper, if there is a new one.
-    pub(crate) fn take(&self) -> Option<Arc<Paper>> {
+    pub(crate) fn take(&self) -> Option<Arc<PaperDesign>> {
         self.papers.try_iter().last()
     }
 }
@@ -61,7 +61,11 @@ impl Drop for Tailor {
     }
 }
 
-fn work(wishes: &Receiver<(Box<Design>, Cutting)>, papers: &Sender<Arc<Paper>>, wake: impl Fn()) {
+fn work(
+    wishes: &Receiver<(Box<Design>, Cutting)>,
+    papers: &Sender<Arc<PaperDesign>>,
+    wake: impl Fn(),
+) {
     let mut measured: Option<(DancerDesign, Option<Dancer>)> = None;
     let mut prints = DrawnPrints::default();
     let mut number = 0;
@@ -77,12 +81,12 @@ fn work(wishes: &Receiver<(Box<Design>, Cutting)>, papers: &Sender<Arc<Paper>>, 
         let dancer = measured.as_ref().and_then(|(_, dancer)| dancer.as_ref());
         let paper = match dancer {
             Some(dancer) if design.check("").is_ok() => {
-                Paper::drawn(&design, cutting, dancer, &mut prints)
+                PaperDesign::drawn(&design, cutting, dancer, &mut prints)
             }
             _ => continue,
         };
         number += 1;
-        let paper = Paper { number, ..paper };
+        let paper = PaperDesign { number, ..paper };
         if papers.send(Arc::new(paper)).is_err() {
             return;
         }

@@ -7,9 +7,9 @@ use eframe::egui_wgpu::RenderState;
 use glam::{Vec2, Vec3};
 use lole_geom::trig;
 use lole_language::Sentence;
-use lole_picture::Figure;
+use lole_picture::DrawnDancer;
 use lole_render::{
-    Bounds, Effort, Image, LightRig, LiveView, Material, Overlay, RenderError, Size, View, wgpu,
+    Bounds, Effort, Image, LightRig, LiveView, Material, RenderError, Size, View, wgpu,
 };
 use lole_stage::Pull;
 
@@ -68,6 +68,16 @@ struct Live {
     texture: egui::TextureId,
     wardrobe: u64,
     is_lit: bool,
+}
+
+impl Live {
+    /// Takes up a wardrobe; the light of another one is none for it.
+    const fn wear(&mut self, wardrobe: u64) {
+        if self.wardrobe != wardrobe {
+            self.wardrobe = wardrobe;
+            self.is_lit = false;
+        }
+    }
 }
 
 /// A hand on the cloth.
@@ -135,7 +145,7 @@ impl Viewport {
         if self.follow_dancer(&snapshot) {
             ui.ctx().request_repaint();
         }
-        self.follow_pointer(ui, studio, &snapshot, area, &response);
+        self.follow_pointer(ui, studio, area, &response);
         let Some(gpu) = gpu else { return };
         self.is_software = gpu.adapter.get_info().device_type == wgpu::DeviceType::Cpu;
         let moves = studio.plays || ui.input(|input| input.pointer.any_down());
@@ -149,7 +159,8 @@ impl Viewport {
         } else {
             scale
         };
-        if let Err(error) = self.draw(studio, &snapshot, gpu, pixels(area, scale), scale) {
+        let raster = Raster::over(area, scale);
+        if let Err(error) = self.draw(studio, &snapshot, gpu, raster) {
             let text = error.to_string();
             let sentence = Sentence::new(format!("画面に描けません（{text}）"), text);
             studio.message = Some(Message::trouble(&sentence));
@@ -211,21 +222,18 @@ impl Viewport {
         }
     }
 
-    fn follow_pointer(
-        &mut self,
-        ui: &Ui,
-        studio: &mut Studio,
-        snapshot: &Snapshot,
-        area: Rect,
-        response: &Response,
-    ) {
+    fn follow_pointer(&mut self, ui: &Ui, studio: &mut Studio, area: Rect, response: &Response) {
         let Some(mut orbit) = studio.orbit else {
             return;
         };
         let height = area.height().max(1.0);
         let drag = drag_of(ui, response) / height;
         let shift = ui.input(|input| input.modifiers.shift);
-        if response.drag_started_by(PointerButton::Primary) && studio.tool == Tool::Hold && !shift {
+        let is_taken = response.drag_started_by(PointerButton::Primary) && !shift;
+        if is_taken
+            && studio.tool == Tool::Hold
+            && let Some(snapshot) = &studio.snapshot
+        {
             self.take_hold(ui, &self.standing(&orbit), snapshot, area);
         }
         if self.hold.is_some() {
@@ -236,15 +244,7 @@ impl Viewport {
             orbit.pan(drag);
         }
         if response.hovered() {
-            let (scroll, pinch) =
-                ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta()));
-            if scroll != 0.0 {
-                orbit.zoom(trig::powf(ZOOM_BASE, scroll));
-            }
-            #[expect(clippy::float_cmp, reason = "exactly 1 where nothing was pinched")]
-            if pinch != 1.0 {
-                orbit.zoom(pinch);
-            }
+            zoom(ui, &mut orbit);
         }
         if studio.orbit != Some(orbit) {
             studio.orbit = Some(orbit);
@@ -301,8 +301,7 @@ impl Viewport {
         studio: &Studio,
         snapshot: &Arc<Snapshot>,
         gpu: &RenderState,
-        size: Size,
-        scale: f32,
+        Raster { size, scale }: Raster,
     ) -> Result<(), RenderError> {
         let Some(orbit) = studio.orbit.map(|orbit| self.standing(&orbit)) else {
             return Ok(());
@@ -328,22 +327,15 @@ impl Viewport {
         let Some(live) = &mut self.lives[self.quality as usize] else {
             return Ok(());
         };
-        if live.wardrobe != snapshot.wardrobe.id {
-            live.wardrobe = snapshot.wardrobe.id;
-            live.is_lit = false;
-        }
+        live.wear(snapshot.wardrobe.id);
         let reach = trig::tan(orbit.vertical_fov * 0.5);
         let meters_per_pixel = 2.0 * reach * orbit.distance / size.height as f32;
         let strokes = Strokes::of(snapshot, studio.shows, meters_per_pixel, scale);
-        let overlay = Overlay {
-            on_surfaces: &strokes.on_surfaces,
-            through: &strokes.through,
-        };
         let colors = cloth_colors(snapshot, studio.shows);
-        let figure = Figure {
+        let figure = DrawnDancer {
             colors: &colors,
             colored: Some(&self.strain_cloth),
-            ..snapshot.moment.figure()
+            ..snapshot.moment.dancer()
         };
         let wardrobe = &snapshot.wardrobe;
         let camera = orbit.camera();
@@ -352,7 +344,7 @@ impl Viewport {
         if is_coarse {
             wardrobe.coarsen(&mut scene);
         }
-        live.view.draw(&scene, overlay)?;
+        live.view.draw(&scene, strokes.overlay())?;
         self.pictures += 1;
         self.drawn = Some(drawn);
         Ok(())
@@ -466,12 +458,37 @@ fn cloth_colors(snapshot: &Snapshot, shows: Shows) -> Vec<Vec<Vec3>> {
     colors.collect()
 }
 
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "a window's side in pixels, at least 1"
-)]
-fn pixels(area: Rect, scale: f32) -> Size {
-    let side = |points: f32| (points * scale).round().clamp(1.0, 8192.0) as u32;
-    Size::new(side(area.width()), side(area.height()))
+/// Comes nearer or goes farther with the wheel and with two fingers.
+fn zoom(ui: &Ui, orbit: &mut Orbit) {
+    let (scroll, pinch) = ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta()));
+    if scroll != 0.0 {
+        orbit.zoom(trig::powf(ZOOM_BASE, scroll));
+    }
+    #[expect(clippy::float_cmp, reason = "exactly 1 where nothing was pinched")]
+    if pinch != 1.0 {
+        orbit.zoom(pinch);
+    }
+}
+
+/// The pixels of a picture in the window.
+#[derive(Clone, Copy)]
+struct Raster {
+    size: Size,
+    /// Pixels of a point.
+    scale: f32,
+}
+
+impl Raster {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a window's side in pixels, at least 1"
+    )]
+    fn over(area: Rect, scale: f32) -> Self {
+        let side = |points: f32| (points * scale).round().clamp(1.0, 8192.0) as u32;
+        Self {
+            size: Size::new(side(area.width()), side(area.height())),
+            scale,
+        }
+    }
 }

@@ -3,9 +3,9 @@
 use anyhow::Result;
 use glam::{Vec2, Vec3};
 use lole_cloth::Topology;
-use lole_export::Image;
+use lole_export::ImageView;
 use lole_export::glb::{
-    BakedCloth, GlbMaterial, GridMesh, GridRing, GridSheet, MeshPart, Sides, SkinnedMesh,
+    BakedCloth, GlbMaterial, GlbMesh, GlbPart, GlbSides, GridMesh, GridRing, GridSheet,
 };
 use lole_export::still::encode_png;
 use lole_garment::adorn::{self, Carried, Finish};
@@ -79,9 +79,9 @@ impl<'a> Worn<'a> {
     }
 
     /// Triangles and material of each ridden surface.
-    pub(super) fn ridden(&self) -> Vec<[MeshPart<'a>; 1]> {
+    pub(super) fn ridden(&self) -> Vec<[GlbPart<'a>; 1]> {
         let part = |ridden: &Ridden<'a>| {
-            [MeshPart {
+            [GlbPart {
                 triangles: &ridden.surface.triangles,
                 material: material(ridden.surface.finish),
             }]
@@ -90,7 +90,7 @@ impl<'a> Worn<'a> {
     }
 
     /// What bones carry.
-    pub(super) fn skinned<'b>(&'b self, parts: &'b [[MeshPart<'a>; 1]]) -> Vec<SkinnedMesh<'b>> {
+    pub(super) fn skinned<'b>(&'b self, parts: &'b [[GlbPart<'a>; 1]]) -> Vec<GlbMesh<'b>> {
         let ridden = self.ridden.iter().zip(parts);
         let meshes = ridden.filter_map(|(ridden, parts)| {
             let Carried::Bones {
@@ -99,7 +99,7 @@ impl<'a> Worn<'a> {
             else {
                 return None;
             };
-            Some(SkinnedMesh {
+            Some(GlbMesh {
                 name: &ridden.name,
                 positions,
                 normals,
@@ -136,7 +136,7 @@ impl<'a> Worn<'a> {
 }
 
 fn print_png(print: &PrintImage) -> Result<Vec<u8>> {
-    let image = Image::new(print.width, print.height, &print.pixels)?;
+    let image = ImageView::new(print.width, print.height, &print.pixels)?;
     Ok(encode_png(image)?)
 }
 
@@ -194,7 +194,7 @@ const fn cloth(print: Option<&[u8]>) -> GlbMaterial<'_> {
         base_color: [1.0; 3],
         roughness: 0.85,
         texture_png: print,
-        sides: Sides::Both,
+        sides: GlbSides::Both,
     }
 }
 
@@ -212,6 +212,6 @@ const fn material(finish: Finish) -> GlbMaterial<'static> {
         base_color: [1.0; 3],
         roughness,
         texture_png: None,
-        sides: Sides::Both,
+        sides: GlbSides::Both,
     }
 }

@@ -9,16 +9,16 @@ use std::num::NonZeroU32;
 use lole_cloth::scenes::{ClothScene, SCENES, Setup};
 use lole_export::report::Remark;
 use lole_export::trade_off::{TradeOff, TradeOffPoint, TradeOffReport, trade_off_html};
-use lole_language::{Language, words};
+use lole_language::Language;
 use serde::Serialize;
 
 use super::engine::{self, Method};
 use super::row::BenchRow;
 use super::stage::{self, StageScene};
-use super::{Settings, choose};
+use super::{Settings, WantedName};
 use crate::args::BenchArgs;
 use crate::output::OutputFolder;
-use crate::patience::stop_flag;
+use crate::patience::{check, stop_flag};
 use crate::{Failure, summary};
 
 /// Substeps and sweeps over the structural springs that are tried with each other.
@@ -75,15 +75,9 @@ impl ParetoPoint {
 /// Measures every setting of every scene, or of the one that was named.
 pub(super) fn run(args: &BenchArgs, settings: Settings, language: Language) -> Result<(), Failure> {
     let mut cases = cases();
-    let scene = ("--scene", args.scene.as_deref());
-    choose(&mut cases, scene, words("場面", "scene"), |case| {
-        case.scene
-    })?;
-    let method = ("--method", args.method.as_deref());
-    choose(&mut cases, method, words("方法", "method"), |case| {
-        case.method
-    })?;
-    let mut output = (args.out.as_deref())
+    WantedName::scene(args).keep(&mut cases, |case| case.scene)?;
+    WantedName::method(args).keep(&mut cases, |case| case.method)?;
+    let output = (args.out.as_deref())
         .map(OutputFolder::create)
         .transpose()
         .map_err(Failure::Usage)?;
@@ -95,9 +89,7 @@ pub(super) fn run(args: &BenchArgs, settings: Settings, language: Language) -> R
     for of_scene in cases.chunk_by(|one, next| one.scene == next.scene) {
         let mut found = Vec::new();
         for variant in of_scene.iter().flat_map(|case| &case.variants) {
-            if stop.load(std::sync::atomic::Ordering::Relaxed) {
-                return Err(Failure::Interrupted);
-            }
+            check(&stop)?;
             let row = (variant.run)(settings)?;
             found.push(ParetoPoint {
                 sweeps: variant.sweeps,
@@ -117,13 +109,11 @@ pub(super) fn run(args: &BenchArgs, settings: Settings, language: Language) -> R
     if args.json {
         summary::print_json(&json);
     }
-    if let Some(output) = &mut output {
+    if let Some(mut output) = output {
         let page = trade_off_html(&report(&points, &abouts));
         (output.write("bench.html", page.as_bytes()))
             .and_then(|()| output.write("bench.json", json.as_bytes()))
             .map_err(Failure::Run)?;
-    }
-    if let Some(output) = output {
         let paths = output.finish().map_err(Failure::Run)?;
         if !args.json {
             summary::print_files(&paths, language);

@@ -135,6 +135,46 @@ impl SoakRow {
         }
     }
 
+    /// Looks at every law; whether going on makes sense.
+    fn look(
+        &mut self,
+        setup: &Setup,
+        positions: &[Vec3],
+        velocities: &[Vec3],
+        capsules: &[Capsule],
+    ) -> bool {
+        let frame = self.frames;
+        self.looks += 1;
+        if let Some(particle) = diagnose::first_non_finite(positions) {
+            #[expect(clippy::cast_precision_loss, reason = "an index is far below 2^52")]
+            self.hold(Law::Finite, (particle as f64 + 1.0, 0.0), frame);
+            return false;
+        }
+        let strain = diagnose::strain(&setup.spec, positions);
+        let [p99, max] = [strain.p99, strain.max].map(|strain| 100.0 * f64::from(strain));
+        self.strain_p99_pct.see(p99, frame);
+        self.strain_max_pct.see(max, frame);
+        self.hold(Law::Strain, (p99, 100.0 * f64::from(STRAIN_BOUND)), frame);
+        let depth = diagnose::worst_capsule_penetration(&setup.spec, positions, capsules);
+        let depth = 1e3 * f64::from(depth);
+        self.penetration_mm.see(depth, frame);
+        let bound = 1e3 * f64::from(PENETRATION_BOUND);
+        self.hold(Law::Penetration, (depth, bound), frame);
+        self.hold(
+            Law::Side,
+            (axes_crossed(setup, positions, capsules), 0.0),
+            frame,
+        );
+        let speed = f64::from(diagnose::rms_speed(velocities));
+        self.rms_speed_m_per_s.see(speed, frame);
+        if let Some(most) = &mut self.self_crossings {
+            let count = diagnose::self_crossings(&setup.spec.grid, positions);
+            #[expect(clippy::cast_precision_loss, reason = "a count is far below 2^52")]
+            most.see(count.unwrap_or(0) as f64, frame);
+        }
+        true
+    }
+
     /// Holds a figure against the bound of its law.
     fn hold(&mut self, law: Law, (measured, bound): (f64, f64), frame: u32) {
         if measured <= bound {
@@ -154,23 +194,28 @@ impl SoakRow {
     }
 }
 
+/// How scenes are soaked.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Soak {
+    pub(super) frame_count: u32,
+    /// Of the random motion.
+    pub(super) seed: u64,
+    pub(super) instruction_set: InstructionSet,
+}
+
 /// Soaks every scene of the engine, or the one that was named.
-pub(super) fn run(
-    args: &BenchArgs,
-    (frame_count, seed, set): (u32, u64, InstructionSet),
-    language: Language,
-) -> Result<(), Failure> {
+pub(super) fn run(args: &BenchArgs, soak: Soak, language: Language) -> Result<(), Failure> {
     let scenes = scenes_of_engine(args)?;
     let stop = stop_flag().map_err(Failure::Run)?;
     let is_stopped = || stop.load(Ordering::Relaxed);
     let mut rows = Vec::new();
     for scene in scenes {
-        let bar = progress_bar(frame_count, scene.name);
+        let bar = progress_bar(soak.frame_count, scene.name);
         let mut go_on = |frame: u32| {
             bar.set_position(u64::from(frame));
             !is_stopped()
         };
-        let row = soak(scene, (frame_count, seed, set), &mut go_on).map_err(Failure::error)?;
+        let row = soak.run(scene, &mut go_on).map_err(Failure::error)?;
         bar.finish_and_clear();
         if !args.json {
             summary::print_soak(&row, language);
@@ -197,86 +242,52 @@ pub(super) fn run(
     Err(Failure::Run(sentence.into()))
 }
 
-/// Runs a scene in random motion for as long as `go_on` says, and looks at the laws now and then.
-fn soak(
-    scene: &ClothScene,
-    (frame_count, seed, set): (u32, u64, InstructionSet),
-    go_on: &mut dyn FnMut(u32) -> bool,
-) -> Result<SoakRow, BuildError> {
-    let mut setup = (scene.build)();
-    setup.config.instruction_set = set;
-    let model = ClothModel::new(&setup.spec)?;
-    let mut state = ClothState::new(&model, &setup.positions);
-    let pins = engine::pins(&model, &setup.positions);
-    let mut motion = Motion::new(seed);
-    let mut row = SoakRow::new(scene, &setup, seed);
-    while row.frames < frame_count && go_on(row.frames) {
-        let world = motion.next_frame();
-        let pins: Vec<Vec3> = pins.iter().map(|&pin| world.place.apply(pin)).collect();
-        let capsules = (scene.capsules)(world.time).into_iter();
-        let capsules: Vec<Capsule> = capsules
-            .map(|capsule| Capsule {
-                ends: capsule.ends.map(|end| world.place.apply(end)),
-                ..capsule
-            })
-            .collect();
-        let input = StepInput {
-            pin_targets: &pins,
-            capsules: &capsules,
-            air_velocity: world.air_velocity,
-            ..StepInput::default()
-        };
-        step(&model, &setup.config, &input, &mut state, FRAME_DT).expect("a target for every pin");
-        row.frames += 1;
-        let is_due = row.frames.is_multiple_of(LOOK_INTERVAL) && START_FRAMES < row.frames;
-        if is_due && !look((&setup, &model), &state, &capsules, &mut row) {
-            break;
+impl Soak {
+    /// Runs a scene in random motion for as long as `go_on` says, and looks at the laws now and then.
+    fn run(
+        self,
+        scene: &ClothScene,
+        go_on: &mut dyn FnMut(u32) -> bool,
+    ) -> Result<SoakRow, BuildError> {
+        let mut setup = (scene.build)();
+        setup.config.instruction_set = self.instruction_set;
+        let model = ClothModel::new(&setup.spec)?;
+        let mut state = ClothState::new(&model, &setup.positions);
+        let pins = engine::pins(&model, &setup.positions);
+        let mut motion = Motion::new(self.seed);
+        let mut row = SoakRow::new(scene, &setup, self.seed);
+        let (mut positions, mut velocities) = (Vec::new(), Vec::new());
+        while row.frames < self.frame_count && go_on(row.frames) {
+            let world = motion.next_frame();
+            let pins: Vec<Vec3> = pins.iter().map(|&pin| world.place.apply(pin)).collect();
+            let capsules = (scene.capsules)(world.time).into_iter();
+            let capsules: Vec<Capsule> = capsules
+                .map(|capsule| Capsule {
+                    ends: capsule.ends.map(|end| world.place.apply(end)),
+                    ..capsule
+                })
+                .collect();
+            let input = StepInput {
+                pin_targets: &pins,
+                capsules: &capsules,
+                air_velocity: world.air_velocity,
+                ..StepInput::default()
+            };
+            step(&model, &setup.config, &input, &mut state, FRAME_DT)
+                .expect("a target for every pin");
+            row.frames += 1;
+            let is_due = row.frames.is_multiple_of(LOOK_INTERVAL) && START_FRAMES < row.frames;
+            if is_due {
+                state.copy_positions(&model, &mut positions);
+                state.copy_velocities(&model, &mut velocities);
+                if !row.look(&setup, &positions, &velocities, &capsules) {
+                    break;
+                }
+            }
         }
+        row.state_hash = format!("{:016x}", state_hash(&state));
+        Ok(row)
     }
-    row.state_hash = format!("{:016x}", state_hash(&state));
-    Ok(row)
-}
-
-/// Looks at every law; whether going on makes sense.
-fn look(
-    (setup, model): (&Setup, &ClothModel),
-    state: &ClothState,
-    capsules: &[Capsule],
-    row: &mut SoakRow,
-) -> bool {
-    let frame = row.frames;
-    let (mut positions, mut velocities) = (Vec::new(), Vec::new());
-    state.copy_positions(model, &mut positions);
-    state.copy_velocities(model, &mut velocities);
-    row.looks += 1;
-    if let Some(particle) = diagnose::first_non_finite(&positions) {
-        #[expect(clippy::cast_precision_loss, reason = "an index is far below 2^52")]
-        row.hold(Law::Finite, (particle as f64 + 1.0, 0.0), frame);
-        return false;
-    }
-    let strain = diagnose::strain(&setup.spec, &positions);
-    let [p99, max] = [strain.p99, strain.max].map(|strain| 100.0 * f64::from(strain));
-    row.strain_p99_pct.see(p99, frame);
-    row.strain_max_pct.see(max, frame);
-    row.hold(Law::Strain, (p99, 100.0 * f64::from(STRAIN_BOUND)), frame);
-    let depth = diagnose::worst_capsule_penetration(&setup.spec, &positions, capsules);
-    let depth = 1e3 * f64::from(depth);
-    row.penetration_mm.see(depth, frame);
-    let bound = 1e3 * f64::from(PENETRATION_BOUND);
-    row.hold(Law::Penetration, (depth, bound), frame);
-    row.hold(
-        Law::Side,
-        (axes_crossed(setup, &positions, capsules), 0.0),
-        frame,
-    );
-    let speed = f64::from(diagnose::rms_speed(&velocities));
-    row.rms_speed_m_per_s.see(speed, frame);
-    if let Some(most) = &mut row.self_crossings {
-        let count = diagnose::self_crossings(&setup.spec.grid, &positions);
-        #[expect(clippy::cast_precision_loss, reason = "a count is far below 2^52")]
-        most.see(count.unwrap_or(0) as f64, frame);
-    }
-    true
 }
 
 /// Triangles that axes of capsules cross.
@@ -302,9 +313,17 @@ fn axes_crossed(setup: &Setup, positions: &[Vec3], capsules: &[Capsule]) -> f64 
 mod tests {
     use super::*;
 
+    fn soak(frame_count: u32, seed: u64) -> Soak {
+        Soak {
+            frame_count,
+            seed,
+            instruction_set: InstructionSet::Detected,
+        }
+    }
+
     fn soaked(name: &str, seed: u64) -> SoakRow {
         let scene = crate::bench::scene(name);
-        soak(scene, (200, seed, InstructionSet::Detected), &mut |_| true).unwrap()
+        soak(200, seed).run(scene, &mut |_| true).unwrap()
     }
 
     #[test]
@@ -320,7 +339,7 @@ mod tests {
     fn a_soak_ends_when_it_is_told_to() {
         let scene = crate::bench::scene("hang-64");
         let mut go_on = |frame: u32| frame < 30;
-        let row = soak(scene, (1000, 1, InstructionSet::Detected), &mut go_on).unwrap();
+        let row = soak(1000, 1).run(scene, &mut go_on).unwrap();
         assert_eq!(row.frames, 30);
     }
 
@@ -328,12 +347,11 @@ mod tests {
     fn cloth_on_the_wrong_side_of_a_limb_and_cloth_that_is_no_number_are_seen() {
         let scene = crate::bench::scene("skirt");
         let setup = (scene.build)();
-        let model = ClothModel::new(&setup.spec).unwrap();
         let capsules = (scene.capsules)(0.0);
-        let state = |positions: &[Vec3]| ClothState::new(&model, positions);
+        let velocities = vec![Vec3::ZERO; setup.positions.len()];
         let laws = |positions: &[Vec3]| -> Vec<Law> {
             let mut row = SoakRow::new(scene, &setup, 1);
-            look((&setup, &model), &state(positions), &capsules, &mut row);
+            row.look(&setup, positions, &velocities, &capsules);
             row.violations
                 .iter()
                 .map(|violation| violation.law)

@@ -7,6 +7,7 @@ use lole_stage::{Performance, Production, RunMetrics, StageError, double_pau};
 use super::Settings;
 use super::phases::PhaseClock;
 use super::row::{BenchRow, Crossings, Run};
+use crate::figures::Timing;
 use crate::stopwatch::Stopwatch;
 
 /// One skirt on one dancer.
@@ -58,14 +59,7 @@ pub(super) fn measure(
     design: &Design,
     settings: Settings,
 ) -> Result<BenchRow, StageError> {
-    let mut timed = settled(design, settings)?;
-    let (mut timings, mut clock) = (Vec::new(), PhaseClock::new());
-    for frame in 0..scene.frame_count {
-        if !advance(&mut timed, frame, &mut timings, &mut clock) {
-            break;
-        }
-    }
-
+    let (timings, clock, hash) = time(scene, settled(design, settings)?);
     let mut judged = settled(design, settings)?;
     let (mut metrics, mut crossings) = (Vec::new(), Crossings::none());
     let mut inversions = 0;
@@ -80,7 +74,7 @@ pub(super) fn measure(
             break;
         }
     }
-    debug_assert_eq!(judged.state_hash(), timed.state_hash(), "{}", scene.name);
+    debug_assert_eq!(judged.state_hash(), hash, "{}", scene.name);
     let worst = RunMetrics::of(&metrics);
     let run = Run {
         scene: scene.name,
@@ -104,11 +98,22 @@ pub(super) fn measure(
     Ok(run.row())
 }
 
+/// Times of the frames of a scene, of their phases, and the bits that it ends with.
+fn time(scene: &StageScene, mut performance: Performance) -> (Vec<Timing>, PhaseClock, u64) {
+    let (mut timings, mut clock) = (Vec::new(), PhaseClock::new());
+    for frame in 0..scene.frame_count {
+        if !advance(&mut performance, frame, &mut timings, &mut clock) {
+            break;
+        }
+    }
+    (timings, clock, performance.state_hash())
+}
+
 /// The next frame, timed or observed; whether the dance goes on.
 fn advance(
     performance: &mut Performance,
     frame: u32,
-    timings: &mut Vec<crate::figures::Timing>,
+    timings: &mut Vec<Timing>,
     clock: &mut PhaseClock,
 ) -> bool {
     if PhaseClock::observes(frame) {

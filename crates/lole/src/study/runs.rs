@@ -1,7 +1,7 @@
 //! One run of the study: a settled skirt, a method, a step, and what comes of it.
 
 use std::num::NonZeroU32;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
 use glam::Vec3;
 use lole_cloth::diagnose;
@@ -13,6 +13,7 @@ use lole_stage::{FRAME_SECONDS, Performance, Production};
 
 use crate::Failure;
 use crate::figures::{median_and_p99, percent};
+use crate::patience::check;
 use crate::stopwatch::Stopwatch;
 
 /// Frames from one look at the skin to the next: looking takes longer than a frame.
@@ -114,10 +115,7 @@ impl Runner<'_> {
     }
 
     pub(crate) fn check_stop(&self) -> Result<(), Failure> {
-        if self.stop.load(Ordering::Relaxed) {
-            return Err(Failure::Interrupted);
-        }
-        Ok(())
+        check(self.stop)
     }
 }
 

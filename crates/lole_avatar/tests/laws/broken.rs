@@ -1,6 +1,6 @@
 //! Whatever is done to a file: one sentence, or something finite.
 
-use lole_avatar::{Avatar, AvatarError, Inspection, read_dance};
+use lole_avatar::{Avatar, AvatarError, AvatarInspection, read_dance};
 use lole_body::Pose;
 use lole_language::Bilingual as _;
 use proptest::prelude::*;
@@ -9,6 +9,7 @@ use serde_json::{Value, json};
 
 use crate::support::{Kind, Manner, dancer, glb, write_avatar, write_dance};
 
+/// A sound dance.
 fn seed() -> &'static [u8] {
     static SEED: std::sync::LazyLock<Vec<u8>> = std::sync::LazyLock::new(|| {
         let poses = [Pose::default(), Pose::default(), Pose::default()];
@@ -21,7 +22,7 @@ fn seed() -> &'static [u8] {
     &SEED
 }
 
-/// The same of an avatar.
+/// A sound avatar.
 fn avatar_seed() -> &'static [u8] {
     static SEED: std::sync::LazyLock<Vec<u8>> =
         std::sync::LazyLock::new(|| write_avatar(&Manner::default()));
@@ -110,7 +111,7 @@ fn each_mistake_is_said_with_its_place_in_both_languages() {
         assert!(said.starts_with(english), "{said} / {english}");
     }
     assert_eq!(
-        Inspection::new(b"PK\x03\x04", None),
+        AvatarInspection::new(b"PK\x03\x04", None),
         Err(AvatarError::UnknownFormat)
     );
 }
@@ -176,7 +177,7 @@ proptest! {
         if cut % 5 == 0 {
             bytes.truncate(cut);
         }
-        if let Ok(found) = Inspection::new(&bytes, None) {
+        if let Ok(found) = AvatarInspection::new(&bytes, None) {
             for line in found.lines() {
                 prop_assert!(!line.english.contains('\n'));
             }

@@ -1,13 +1,13 @@
 //! What is seen in files of other programs.
 
 use glam::Quat;
-use lole_avatar::{Inspection, Permission, RestPose};
+use lole_avatar::{AvatarInspection, Permission, RestPose};
 use lole_body::Pose;
 
 use crate::support::{Kind, Manner, asset, dancer, write_dance};
 
-fn inspected(name: &str) -> Option<Inspection> {
-    Some(Inspection::new(&asset(name)?, None).expect("the file is sound"))
+fn inspected(name: &str) -> Option<AvatarInspection> {
+    Some(AvatarInspection::new(&asset(name)?, None).expect("the file is sound"))
 }
 
 #[test]
@@ -128,7 +128,7 @@ fn unit_front_and_bones_of_a_file_are_told() {
         ..Manner::default()
     };
     let bytes = write_dance(&dancer().skeleton, &poses, &manner);
-    let found = Inspection::new(&bytes, None).unwrap();
+    let found = AvatarInspection::new(&bytes, None).unwrap();
     let humanoid = found.humanoid.unwrap();
     assert_eq!((humanoid.front, humanoid.unit), ("-Z", "cm"));
     assert_eq!((humanoid.pose, humanoid.missing.len()), (RestPose::A, 0));
@@ -147,7 +147,7 @@ fn a_list_says_which_node_is_which_bone() {
         .iter()
         .map(|bone| format!("n{} = {}\n", bone.index(), bone.name()))
         .collect();
-    let found = Inspection::new(&bytes, Some(&list)).unwrap();
+    let found = AvatarInspection::new(&bytes, Some(&list)).unwrap();
     let humanoid = found.humanoid.unwrap();
     assert_eq!(humanoid.recognized_by, "list");
     assert!(humanoid.missing.is_empty());

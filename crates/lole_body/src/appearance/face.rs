@@ -187,7 +187,7 @@ fn toned(rgb: [u8; 3], known: [u8; 3], other: [u8; 3]) -> [u8; 3] {
 }
 
 impl Half<'_> {
-    /// The same half with everything this much higher [pixel].
+    /// This half of the face, drawn with everything this much higher [pixel].
     fn raised(&mut self, up: f32) -> Half<'_> {
         Half {
             canvas: &mut *self.canvas,

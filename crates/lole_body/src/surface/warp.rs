@@ -18,7 +18,7 @@ use crate::{BodyError, Figure, Measure, Measurements};
 
 /// Share of the way from crotch to crown where a woman's waist lies (97.5 of 158 with inseam 71 cm).
 const WAIST_SHARE: f32 = 0.3046;
-/// The same of a man (103 of 171 with inseam 78.4 cm).
+/// Share of the way from crotch to crown where a man's waist lies (103 of 171 with inseam 78.4 cm).
 const WAIST_SHARE_OF_MAN: f32 = 0.2657;
 /// Share of the stature where the front points of the hip bones lie (ASIS .537 H).
 const ASIS_SHARE: f32 = 0.537;

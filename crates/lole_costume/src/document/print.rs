@@ -5,7 +5,7 @@ use std::sync::Arc;
 use image::{RgbaImage, imageops};
 use lole_geom::Length;
 use lole_language::{Bilingual, Sentence};
-use lole_print::tile::{Ground, SizedPicture, lay_out};
+use lole_print::tile::{BareCloth, SizedPicture, lay_out};
 use lole_print::{self as print, COLORWAYS, Colorway, Picture, PrintDesign, PrintImage, PrintLay};
 
 use super::schema::LIST;
@@ -142,7 +142,7 @@ impl PrintChoice {
             let file = file.name.clone();
             return Err(PrintError::NotRead { file });
         };
-        let ground = Ground {
+        let ground = BareCloth {
             under: self.print().ground,
             beside: self.ground,
             width: cloth_width,
@@ -165,7 +165,7 @@ impl PrintChoice {
             picture: picture.unwrap_or_else(|| RgbaImage::new(1, 1)),
             size: drawn.repeat,
         };
-        let ground = Ground {
+        let ground = BareCloth {
             under: design.ground,
             beside: Some(design.ground),
             width: cloth_width,

@@ -1,6 +1,6 @@
 //! How pages that people read look: heads, rules, numbers, the foot.
 
-use crate::pdf::{Align, Color, Flow, Sheet, Stroke, Table, TextStyle};
+use crate::pdf::{Align, Color, Flow, PageTable, Sheet, Stroke, TextStyle};
 
 /// Heads and what is brought out: the green of ti leaves.
 pub(crate) const ACCENT: Color = Color(20, 98, 90);
@@ -17,7 +17,7 @@ pub(crate) fn head(flow: &mut Flow, text: &str) {
 }
 
 /// A head, and a table of which at least the beginning is on its page.
-pub(crate) fn headed_table(flow: &mut Flow, text: &str, table: &Table) {
+pub(crate) fn headed_table(flow: &mut Flow, text: &str, table: &PageTable) {
     head_above(flow, text, table.beginning(flow.width()));
     table.draw(flow);
 }

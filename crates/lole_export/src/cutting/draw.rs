@@ -1,8 +1,8 @@
 //! Pieces drawn on a page, at full size or small.
 
 use kurbo::{Affine, BezPath, Point, Vec2};
-use lole_language::{Language, words};
-use lole_pattern::piece::{Drawing, Finish, LineKind};
+use lole_language::{Language, Words, words};
+use lole_pattern::piece::{Drawing, DrawnNotch, DrawnStitches, Finish, LineKind};
 use lole_pattern::polygon::Polygon;
 
 use super::label::Label;
@@ -17,6 +17,14 @@ const HEAD: f64 = 5.0;
 
 /// Points nearer to a line than this are on it [m].
 const ON_LINE: f64 = 1.0e-5;
+
+/// Of lines and points on a piece.
+const THIN: Stroke = Stroke::solid(0.25);
+/// Letters of their names.
+const NAME: TextStyle = TextStyle::regular(8.0);
+
+/// What an edge on a fold says.
+pub(super) const PLACE_ON_FOLD: Words = words("わ（布の折り山に置く）", "place on fold");
 
 /// Color of stitching lines.
 const STITCH: Color = Color(60, 60, 60);
@@ -60,63 +68,99 @@ pub(crate) fn arrow(sheet: &mut Sheet, [tail, head]: [Point; 2], stroke: &Stroke
     sheet.path(path, None, Some(stroke.clone()));
 }
 
-/// Everything of a piece at full size, and its words in their place.
-pub(super) fn full_size(
-    sheet: &mut Sheet,
-    drawing: &Drawing,
-    (words, label): (&[String], &Label),
-    page_from_piece: Affine,
-    language: Language,
-) {
-    for stitches in &drawing.stitches {
-        draw_edge(sheet, stitches, page_from_piece, language);
-    }
-    let thin = Stroke::solid(0.25);
-    let mut dart_end = None;
-    for marked in &drawing.lines {
-        sheet.path(
-            line(&marked.points, page_from_piece),
-            None,
-            Some(thin.clone()),
-        );
-        // Both legs of a dart end in one point and have one name.
-        let end = marked.points.last().copied();
-        let is_second_leg = marked.kind == LineKind::Dart && dart_end == end;
-        if marked.kind == LineKind::Dart {
-            dart_end = end;
+/// A piece at full size.
+pub(super) struct FullSize<'a> {
+    pub(super) drawing: &'a Drawing,
+    pub(super) page_from_piece: Affine,
+    pub(super) language: Language,
+}
+
+impl FullSize<'_> {
+    /// Draws everything of the piece, and its words in their place.
+    pub(super) fn draw(&self, sheet: &mut Sheet, words: &[String], label: &Label) {
+        let drawing = self.drawing;
+        for stitches in &drawing.stitches {
+            self.draw_edge(sheet, stitches);
         }
-        if let Some(at) = middle(&marked.points).filter(|_| !is_second_leg) {
-            let at = page_from_piece * at;
-            let style = TextStyle::regular(8.0);
-            sheet.text(
-                [at.x + 1.0, at.y - 1.0],
-                marked.kind.name().text(language),
-                &style,
-                Align::Left,
-            );
+        self.draw_lines(sheet);
+        self.draw_points(sheet);
+        let cut = cut_path(drawing, self.page_from_piece);
+        sheet.path(cut, None, Some(Stroke::solid(0.5)));
+        for notch in &drawing.notches {
+            draw_notch(sheet, notch, self.page_from_piece);
+        }
+        let grain = drawing.grain.map(|end| self.page_from_piece * end);
+        arrow(sheet, grain, &Stroke::solid(0.35));
+        draw_label(sheet, words, label);
+    }
+
+    fn draw_lines(&self, sheet: &mut Sheet) {
+        let mut dart_end = None;
+        for marked in &self.drawing.lines {
+            let path = line(&marked.points, self.page_from_piece);
+            sheet.path(path, None, Some(THIN));
+            // Both legs of a dart end in one point and have one name.
+            let end = marked.points.last().copied();
+            let is_second_leg = marked.kind == LineKind::Dart && dart_end == end;
+            if marked.kind == LineKind::Dart {
+                dart_end = end;
+            }
+            if let Some(at) = middle(&marked.points).filter(|_| !is_second_leg) {
+                let at = self.page_from_piece * at;
+                let name = marked.kind.name().text(self.language);
+                sheet.text([at.x + 1.0, at.y - 1.0], name, &NAME, Align::Left);
+            }
         }
     }
-    for (name, at) in &drawing.points {
-        let at = page_from_piece * *at;
-        for arm in [Vec2::new(4.0, 0.0), Vec2::new(0.0, 4.0)] {
-            let [from, to] = [at - arm, at + arm];
-            sheet.line([from.x, from.y], [to.x, to.y], thin.clone());
+
+    fn draw_points(&self, sheet: &mut Sheet) {
+        for (name, at) in &self.drawing.points {
+            let at = self.page_from_piece * *at;
+            for arm in [Vec2::new(4.0, 0.0), Vec2::new(0.0, 4.0)] {
+                let [from, to] = [at - arm, at + arm];
+                sheet.line([from.x, from.y], [to.x, to.y], THIN);
+            }
+            let name = name.text(self.language);
+            sheet.text([at.x + 2.0, at.y - 2.0], name, &NAME, Align::Left);
         }
-        sheet.text(
-            [at.x + 2.0, at.y - 2.0],
-            name.text(language),
-            &TextStyle::regular(8.0),
-            Align::Left,
-        );
     }
-    let cut = cut_path(drawing, page_from_piece);
-    sheet.path(cut, None, Some(Stroke::solid(0.5)));
-    for notch in &drawing.notches {
-        draw_notch(sheet, notch, page_from_piece);
+
+    /// The stitching line of an edge: broken where it is sewn, and said where it lies on a fold.
+    fn draw_edge(&self, sheet: &mut Sheet, stitches: &DrawnStitches) {
+        let path = line(&stitches.points, self.page_from_piece);
+        if stitches.finish == Finish::Fold {
+            sheet.path(path, None, Some(fold_stroke()));
+            if let [first, .., last] = stitches.points[..] {
+                self.say_fold(sheet, [first, last].map(|end| self.page_from_piece * end));
+            }
+        } else if 1e-9 < stitches.allowance.to_m() {
+            let stroke = Stroke::dashed(0.3, 3.0).with_color(STITCH);
+            sheet.path(path, None, Some(stroke));
+        }
     }
-    let grain = drawing.grain.map(|end| page_from_piece * end);
-    arrow(sheet, grain, &Stroke::solid(0.35));
-    draw_label(sheet, words, label);
+
+    /// What is done at a fold, along it.
+    fn say_fold(&self, sheet: &mut Sheet, [from, to]: [Point; 2]) {
+        let along = to - from;
+        // Words that would stand on their head are turned over.
+        let upright = if along.x < 0.0 { -along } else { along };
+        let angle = -lole_geom::trig64::atan2(upright.y, upright.x);
+        // Edges run counterclockwise: on the page the piece is on the right, and the words stand
+        // on it.
+        let inward = Vec2::new(along.y, -along.x) / along.hypot().max(1e-9);
+        let letters = if along.x < 0.0 { 6.0 } else { 2.5 };
+        let at = from.midpoint(to) + inward * letters;
+        let words = PLACE_ON_FOLD.text(self.language);
+        sheet.turned_text([at.x, at.y], angle, words, &TextStyle::bold(12.0));
+    }
+}
+
+/// Of an edge on a fold.
+pub(super) fn fold_stroke() -> Stroke {
+    Stroke {
+        dashes: vec![12.0, 3.0, 2.0, 3.0],
+        ..Stroke::solid(0.7)
+    }
 }
 
 /// The cut line without what lies on a fold, where nothing is cut.
@@ -146,59 +190,21 @@ fn cut_path(drawing: &Drawing, page_from_piece: Affine) -> BezPath {
     path
 }
 
-/// The stitching line of an edge: broken where it is sewn, and said where it lies on a fold.
-fn draw_edge(
-    sheet: &mut Sheet,
-    stitches: &lole_pattern::piece::DrawnStitches,
-    page_from_piece: Affine,
-    language: Language,
-) {
-    let path = line(&stitches.points, page_from_piece);
-    if stitches.finish == Finish::Fold {
-        sheet.path(
-            path,
-            None,
-            Some(Stroke {
-                dashes: vec![12.0, 3.0, 2.0, 3.0],
-                ..Stroke::solid(0.7)
-            }),
-        );
-        if let (Some(first), Some(last)) = (stitches.points.first(), stitches.points.last()) {
-            let [from, to] = [*first, *last].map(|end| page_from_piece * end);
-            let at = from.midpoint(to);
-            let along = to - from;
-            // Words that would stand on their head are turned over.
-            let upright = if along.x < 0.0 { -along } else { along };
-            let angle = -lole_geom::trig64::atan2(upright.y, upright.x);
-            let style = TextStyle::bold(12.0);
-            // Edges run counterclockwise: on the page the piece is on the right, and the words stand
-            // on it.
-            let inward = Vec2::new(along.y, -along.x) / along.hypot().max(1e-9);
-            let letters = if along.x < 0.0 { 6.0 } else { 2.5 };
-            let at = at + inward * letters;
-            let words = words("わ（布の折り山に置く）", "place on fold").text(language);
-            sheet.turned_text([at.x, at.y], angle, words, &style, Align::Center);
-        }
-    } else if 1e-9 < stitches.allowance.to_m() {
-        sheet.path(
-            path,
-            None,
-            Some(Stroke::dashed(0.3, 3.0).with_color(STITCH)),
-        );
+/// Where the cuts of a notch lie beside it, in halves of their distance.
+pub(crate) const fn notch_places(notch: &DrawnNotch) -> &'static [f64] {
+    if notch.is_double {
+        &[-1.0, 1.0]
+    } else {
+        &[0.0]
     }
 }
 
-fn draw_notch(sheet: &mut Sheet, notch: &lole_pattern::piece::DrawnNotch, page_from_piece: Affine) {
+fn draw_notch(sheet: &mut Sheet, notch: &DrawnNotch, page_from_piece: Affine) {
     let at = page_from_piece * notch.at;
     let inward = page_from_piece * (notch.at + notch.inward) - at;
     let inward = inward / inward.hypot().max(1e-9);
     let side = Vec2::new(-inward.y, inward.x) * (0.5 * NOTCH_PITCH);
-    let places: &[f64] = if notch.is_double {
-        &[-1.0, 1.0]
-    } else {
-        &[0.0]
-    };
-    for place in places {
+    for place in notch_places(notch) {
         let from = at + side * *place;
         let to = from + inward * NOTCH;
         sheet.line([from.x, from.y], [to.x, to.y], Stroke::solid(0.5));

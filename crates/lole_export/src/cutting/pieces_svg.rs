@@ -8,7 +8,7 @@ use kurbo::{Affine, Point};
 use lole_language::Language;
 use lole_pattern::piece::{Drawing, Piece};
 
-use super::draw::{line, outline};
+use super::draw::{line, notch_places, outline};
 use super::{CutGarment, MM, TOLERANCE, cut_words};
 use crate::svg::{escape, head, number, path_data};
 
@@ -50,7 +50,7 @@ pub fn pieces_svg(cut: &CutGarment, language: Language) -> Vec<u8> {
         let page = Affine::translate((x, y))
             * Affine::scale_non_uniform(MM, -MM)
             * Affine::translate((-bounds.x0, -bounds.y1));
-        write_piece(&mut groups, piece, &drawing, page, language);
+        groups.push_str(&piece_group(piece, &drawing, page, language));
         x += size[0] + GAP;
         row_height = row_height.max(size[1]);
         width = width.max(x);
@@ -73,13 +73,8 @@ fn square(language: Language) -> String {
     )
 }
 
-fn write_piece(
-    svg: &mut String,
-    piece: &Piece,
-    drawing: &Drawing,
-    page: Affine,
-    language: Language,
-) {
+/// A piece as a group of its classes.
+fn piece_group(piece: &Piece, drawing: &Drawing, page: Affine, language: Language) -> String {
     let paths = |class: &str, paths: &mut dyn Iterator<Item = kurbo::BezPath>| -> String {
         let look = LOOKS.iter().find(|(name, _)| *name == class);
         let look = look.map_or("", |(_, look)| look);
@@ -93,12 +88,7 @@ fn write_piece(
     let notches = drawing.notches.iter().flat_map(|notch| {
         let inward = notch.inward * (NOTCH / MM);
         let side = notch.inward.turn_90() * 0.002;
-        let places: &[f64] = if notch.is_double {
-            &[-1.0, 1.0]
-        } else {
-            &[0.0]
-        };
-        places.iter().map(move |place| {
+        notch_places(notch).iter().map(move |place| {
             let from = notch.at + side * *place;
             line(&[from, from + inward], page)
         })
@@ -137,5 +127,5 @@ fn write_piece(
             number(label.y - 4.0)
         ),
     ];
-    svg.push_str(&texts.concat());
+    texts.concat()
 }

@@ -5,17 +5,18 @@ use lole_costume::tailoring::{ClothPlan, role_name};
 use lole_geom::Length;
 use lole_language::{Bilingual as _, Language};
 use lole_pattern::Yardage;
-use lole_pattern::marker::{Lay, Marker, Nap};
-use lole_pattern::piece::ClothRole;
+use lole_pattern::marker::{Lay, Marker, Nap, Placed};
+use lole_pattern::piece::{ClothRole, Piece};
 use lole_print::cloth_picture;
 
 use super::draw::{arrow, fitting, line, outline, scale_of};
 use super::{CutGarment, MM, TOLERANCE, cm, cut_words};
+use crate::canvas::Canvas;
 use crate::pdf::{
-    Align, Cell, Color, Column, Flow, Item, Margins, Paper, Picture, Rect, Sheet, Stroke, Table,
-    TextStyle,
+    Align, Cell, Color, Column, EncodedPicture, Flow, Item, Margins, PageTable, Paper, Rect, Sheet,
+    Stroke, TextStyle,
 };
-use crate::still::Image;
+use crate::still::ImageView;
 use crate::svg::sheet_svg;
 
 /// Color of the cloth that is bought, and of pieces on it.
@@ -52,19 +53,10 @@ pub fn cut_plan_sheets(garments: &[CutGarment], paper: Paper, language: Language
             write_plan(&mut flow, cut, plan, language);
         }
     }
-    flow.finish(|sheet, number, count| {
-        let [width, height] = sheet.size;
-        let at = [width - 14.0, height - 7.0];
-        sheet.text(
-            at,
-            &format!("{number} / {count}"),
-            &TextStyle::regular(9.0),
-            Align::Right,
-        );
-    })
+    flow.numbered([14.0, 7.0])
 }
 
-/// The same drawings as one SVG in millimeters, one below the other.
+/// The drawings of all cut plans as one SVG in millimeters, one below the other.
 #[must_use]
 pub fn cut_plan_svg(garments: &[CutGarment], language: Language) -> Vec<u8> {
     let plans = garments.iter().map(|cut| cut.plans.len()).sum::<usize>();
@@ -90,7 +82,12 @@ pub fn cut_plan_svg(garments: &[CutGarment], language: Language) -> Vec<u8> {
                 width: 269.0,
                 height: DRAWING,
             };
-            let numbered = draw_marker(&mut sheet, rect, cut, plan, language);
+            let mut canvas = Canvas {
+                sheet: &mut sheet,
+                rect,
+                language,
+            };
+            let numbered = draw_marker(&mut canvas, cut, plan);
             if let Some(words) = numbers_words(cut, &numbered, language) {
                 let at = [14.0, top + 16.0 + DRAWING + 4.0];
                 sheet.text(at, &words, &facts, Align::Left);
@@ -106,8 +103,8 @@ fn write_plan(flow: &mut Flow, cut: &CutGarment, plan: &ClothPlan, language: Lan
     flow.paragraph(&about(cut, plan, language), &TextStyle::regular(11.0));
     flow.space(2.0);
     let mut numbered = Vec::new();
-    flow.block(DRAWING, |sheet, rect| {
-        numbered = draw_marker(sheet, rect, cut, plan, language);
+    flow.drawing(DRAWING, language, |canvas| {
+        numbered = draw_marker(canvas, cut, plan);
     });
     flow.space(3.0);
     if let Some(words) = numbers_words(cut, &numbered, language) {
@@ -221,77 +218,39 @@ pub fn short_words(yardage: &Yardage, language: Language) -> Option<String> {
     })
 }
 
-/// The cloth with its pieces, as large as fits into `rect`; returns the pieces that were too small for
-/// their names and have numbers instead, from 1 in the order of the pattern.
+/// The cloth with its pieces, as large as fits; returns the pieces that were too small for their names
+/// and have numbers instead, from 1 in the order of the pattern.
 pub(crate) fn draw_marker(
-    sheet: &mut Sheet,
-    rect: Rect,
+    canvas: &mut Canvas<'_>,
     cut: &CutGarment,
     plan: &ClothPlan,
-    language: Language,
 ) -> Vec<usize> {
-    let mut numbered = Vec::new();
     let marker = &plan.marker;
-    let length = marker.yardage.needed.to_m().max(1e-3);
-    let width = marker.cloth.width.to_m();
-    let bounds = marker
-        .placed
-        .iter()
-        .map(|placed| placed.outline.bounds().y1);
-    let across = bounds.fold(lying_width(marker), f64::max);
+    let (rect, length) = (canvas.rect, lying_length(marker));
+    let across = lying_across(marker);
     let scale = ((rect.width - 2.0 * BORDER) / length).min((rect.height - 2.0 * BORDER) / across);
     let [left, top] = [rect.x + BORDER, rect.y + BORDER];
     // Doubled cloth shows its fold below and one selvage above.
     let bottom = top + across * scale;
     let page = Affine::translate((left, bottom)) * Affine::scale_non_uniform(scale, -scale);
-    let folded = marker.folded_length.to_m();
-    let is_printed = draw_print(sheet, cut, plan, page);
-    let mut cloth = |from: f64, to: f64, height: f64| {
-        let path = line(
-            &[
-                (from, 0.0),
-                (to, 0.0),
-                (to, height),
-                (from, height),
-                (from, 0.0),
-            ]
-            .map(Point::from),
-            page,
-        );
-        sheet.path(
-            path,
-            (!is_printed).then_some(CLOTH),
-            Some(Stroke::solid(0.2).with_color(Color::GRAY)),
-        );
+    let laid = Laid {
+        pieces: &cut.garment.pattern.pieces,
+        marker,
+        page,
+        is_printed: draw_print(canvas.sheet, cut, plan, page),
     };
-    if 0.0 < folded {
-        cloth(0.0, folded, 0.5 * width);
-    }
-    if folded < length {
-        cloth(folded, length, width);
-    }
+    laid.draw_cloth(canvas.sheet);
+    let mut numbered = Vec::new();
     for placed in &marker.placed {
-        let is_wide = width + 1e-4 < placed.outline.bounds().y1;
-        let fill = match placed.layers {
-            _ if is_printed => None,
-            _ if is_wide => Some(TOO_WIDE),
-            1 => Some(PIECE),
-            _ => Some(DOUBLED),
-        };
-        let line = if is_printed && is_wide {
-            Stroke::solid(0.7).with_color(OVER_SELVAGE)
-        } else {
-            Stroke::solid(0.35)
-        };
-        sheet.path(outline(&placed.outline, page), fill, Some(line));
-        if draw_inside(sheet, (cut, is_printed), placed, page, language) {
+        laid.draw_outline(canvas.sheet, placed);
+        if laid.draw_inside(canvas, placed) {
             numbered.push(placed.piece);
         }
     }
     numbered.sort_unstable();
     numbered.dedup();
-    draw_edges(sheet, marker, page, [length, folded], language);
-    draw_measures(sheet, marker, page, [length, across], language);
+    laid.draw_edges(canvas);
+    laid.draw_measures(canvas);
     numbered
 }
 
@@ -320,13 +279,13 @@ fn draw_print(sheet: &mut Sheet, cut: &CutGarment, plan: &ClothPlan, page: Affin
     let print = (cut.print.as_ref()).filter(|_| plan.role == ClothRole::Main);
     let Some(print) = print else { return false };
     let across = lying_width(marker);
-    let shown = cloth_picture(print, marker, Length::from_m(across));
-    let image = Image::new(shown.width, shown.height, &shown.pixels);
+    let shown = cloth_picture(print, marker, across);
+    let image = ImageView::new(shown.width, shown.height, &shown.pixels);
     // A picture that cannot be encoded leaves the plan as it is without one.
-    let Ok(picture) = image.and_then(Picture::photo) else {
+    let Ok(picture) = image.and_then(EncodedPicture::photo) else {
         return false;
     };
-    let [low, high] = [(0.0, 0.0), (marker.yardage.needed.to_m(), across)]
+    let [low, high] = [(0.0, 0.0), (marker.yardage.needed.to_m(), across.to_m())]
         .map(|corner| page * Point::from(corner));
     let rect = Rect {
         x: low.x,
@@ -338,148 +297,209 @@ fn draw_print(sheet: &mut Sheet, cut: &CutGarment, plan: &ClothPlan, page: Affin
     true
 }
 
-/// Width of the cloth as it lies on the table [m]: half of it where all of it is doubled.
-fn lying_width(marker: &Marker) -> f64 {
-    let width = marker.cloth.width.to_m();
+/// Width of the cloth as it lies on the table: half of it where all of it is doubled.
+#[must_use]
+pub fn lying_width(marker: &Marker) -> Length {
     let is_single_somewhere = marker.folded_length < marker.yardage.needed;
     if is_single_somewhere {
-        width
+        marker.cloth.width
     } else {
-        0.5 * width
+        marker.cloth.width * 0.5
     }
+}
+
+/// Length of the cloth [m], never nothing.
+fn lying_length(marker: &Marker) -> f64 {
+    marker.yardage.needed.to_m().max(1e-3)
+}
+
+/// Width of the cloth with what reaches over its selvage [m].
+fn lying_across(marker: &Marker) -> f64 {
+    let reach = marker.placed.iter();
+    let reach = reach.map(|placed| placed.outline.bounds().y1);
+    reach.fold(lying_width(marker).to_m(), f64::max)
 }
 
 /// Names are no smaller than old eyes read [pt].
 const LEAST_NAME: f64 = 8.0;
 
-/// Stitching line, grain and name of a laid piece; whether it has its number instead of its name.
-fn draw_inside(
-    sheet: &mut Sheet,
-    (cut, is_printed): (&CutGarment, bool),
-    placed: &lole_pattern::marker::Placed,
+/// A cloth with its pieces on a page.
+struct Laid<'a> {
+    pieces: &'a [Piece],
+    marker: &'a Marker,
+    /// Page from cloth.
     page: Affine,
-    language: Language,
-) -> bool {
-    let piece = &cut.garment.pattern.pieces[placed.piece];
-    let shown = if placed.is_on_fold {
-        piece.clone()
-    } else {
-        piece.unfolded()
-    };
-    let drawing = shown.drawing(TOLERANCE);
-    let to_page = page * placed.cloth_from_piece;
-    let color = if is_printed {
-        Color::BLACK
-    } else {
-        Color::GRAY
-    };
-    let gray = Stroke::solid(0.15).with_color(color);
-    for stitches in &drawing.stitches {
-        sheet.path(line(&stitches.points, to_page), None, Some(gray.clone()));
+    /// Whether the cloth shows its print.
+    is_printed: bool,
+}
+
+impl Laid<'_> {
+    /// Length that lies doubled [m].
+    const fn folded(&self) -> f64 {
+        self.marker.folded_length.to_m()
     }
-    for marked in &drawing.lines {
-        sheet.path(line(&marked.points, to_page), None, Some(gray.clone()));
+
+    /// Whether a piece reaches over the selvage.
+    fn is_wide(&self, placed: &Placed) -> bool {
+        self.marker.cloth.width.to_m() + 1e-4 < placed.outline.bounds().y1
     }
-    let grain = drawing.grain.map(|end| to_page * end);
-    arrow(sheet, grain, &Stroke::solid(0.2).with_color(color));
-    let name = piece.name.text(language);
-    let at = to_page * drawing.label;
-    let bounds = outline(&placed.outline, page).control_box();
-    // Above the grain arrow, where there is room for both.
-    let room = scale_of(to_page) * drawing.label_room;
-    let most = (0.8 * room / MM_PER_PT).clamp(5.0, 12.0);
-    let fitted = fitting(name, 0.9 * bounds.width(), most);
-    let fitted = fitted.filter(|style| LEAST_NAME <= style.size_pt);
-    let number = (placed.piece + 1).to_string();
-    let (name, style) = match fitted {
-        Some(style) => (name, style),
-        None => (number.as_str(), TextStyle::bold(9.0)),
-    };
-    if is_printed {
-        // Letters are read on white, not on flowers.
-        let width = style.width_of(name) + style.em();
-        let plate = Rect {
-            x: at.x - 0.5 * width,
-            y: at.y - 1.35 * style.em(),
-            width,
-            height: 1.5 * style.em(),
+
+    /// The bare cloth: what is doubled, then what is single.
+    fn draw_cloth(&self, sheet: &mut Sheet) {
+        let (width, length) = (self.marker.cloth.width.to_m(), lying_length(self.marker));
+        let folded = self.folded();
+        let doubled = (0.0 < folded).then_some((0.0, folded, 0.5 * width));
+        let single = (folded < length).then_some((folded, length, width));
+        for (from, to, height) in doubled.into_iter().chain(single) {
+            let corners = [
+                (from, 0.0),
+                (to, 0.0),
+                (to, height),
+                (from, height),
+                (from, 0.0),
+            ];
+            let path = line(&corners.map(Point::from), self.page);
+            let fill = (!self.is_printed).then_some(CLOTH);
+            let stroke = Stroke::solid(0.2).with_color(Color::GRAY);
+            sheet.path(path, fill, Some(stroke));
+        }
+    }
+
+    /// A laid piece as it is cut.
+    fn draw_outline(&self, sheet: &mut Sheet, placed: &Placed) {
+        let is_wide = self.is_wide(placed);
+        let fill = match placed.layers {
+            _ if self.is_printed => None,
+            _ if is_wide => Some(TOO_WIDE),
+            1 => Some(PIECE),
+            _ => Some(DOUBLED),
         };
-        sheet.rect(plate, Some(Color::WHITE), None);
+        let line = if self.is_printed && is_wide {
+            Stroke::solid(0.7).with_color(OVER_SELVAGE)
+        } else {
+            Stroke::solid(0.35)
+        };
+        sheet.path(outline(&placed.outline, self.page), fill, Some(line));
     }
-    sheet.text([at.x, at.y - 0.3 * style.em()], name, &style, Align::Center);
-    fitted.is_none()
-}
 
-/// Selvages and fold, said along them.
-fn draw_edges(
-    sheet: &mut Sheet,
-    marker: &Marker,
-    page: Affine,
-    [length, folded]: [f64; 2],
-    language: Language,
-) {
-    let width = marker.cloth.width.to_m();
-    let style = TextStyle::regular(8.0).with_color(Color::GRAY);
-    let selvage = language.pick("耳", "selvage");
-    let bold = Stroke::solid(0.6).with_color(Color::GRAY);
-    let mut edge = |from: f64, to: f64, y: f64, name: &str, is_above: bool| {
-        let [a, b] = [(from, y), (to, y)].map(|end| page * Point::from(end));
-        sheet.line([a.x, a.y], [b.x, b.y], bold.clone());
-        let lift = if is_above { -1.5 } else { 3.8 };
-        sheet.text([a.x, a.y + lift], name, &style, Align::Left);
-    };
-    let lower = match (marker.cloth.lay, marker.cloth.border.is_some()) {
-        (Lay::Folded, _) => language.pick("わ", "fold"),
-        (Lay::Single, true) => language.pick("耳・ボーダー柄", "selvage with the border"),
-        (Lay::Single, false) => selvage,
-    };
-    if 0.0 < folded {
-        edge(0.0, folded, 0.0, lower, false);
-        edge(0.0, folded, 0.5 * width, selvage, true);
+    /// Stitching line, grain and name of a laid piece; whether it has its number instead of its name.
+    fn draw_inside(&self, canvas: &mut Canvas<'_>, placed: &Placed) -> bool {
+        let piece = &self.pieces[placed.piece];
+        let shown = if placed.is_on_fold {
+            piece.clone()
+        } else {
+            piece.unfolded()
+        };
+        let drawing = shown.drawing(TOLERANCE);
+        let to_page = self.page * placed.cloth_from_piece;
+        let color = if self.is_printed {
+            Color::BLACK
+        } else {
+            Color::GRAY
+        };
+        let thin = Stroke::solid(0.15).with_color(color);
+        let stitches = drawing.stitches.iter().map(|stitches| &stitches.points);
+        let marked = drawing.lines.iter().map(|marked| &marked.points);
+        for points in stitches.chain(marked) {
+            (canvas.sheet).path(line(points, to_page), None, Some(thin.clone()));
+        }
+        let grain = drawing.grain.map(|end| to_page * end);
+        arrow(canvas.sheet, grain, &Stroke::solid(0.2).with_color(color));
+        let name = piece.name.text(canvas.language);
+        let bounds = outline(&placed.outline, self.page).control_box();
+        // Above the grain arrow, where there is room for both.
+        let room = scale_of(to_page) * drawing.label_room;
+        let most = (0.8 * room / MM_PER_PT).clamp(5.0, 12.0);
+        let fitted = fitting(name, 0.9 * bounds.width(), most);
+        let fitted = fitted.filter(|style| LEAST_NAME <= style.size_pt);
+        let number = (placed.piece + 1).to_string();
+        let (name, style) = match fitted {
+            Some(style) => (name, style),
+            None => (number.as_str(), TextStyle::bold(9.0)),
+        };
+        self.draw_name(canvas.sheet, to_page * drawing.label, name, &style);
+        fitted.is_none()
     }
-    if folded < length {
-        let lower = if 0.0 < folded { selvage } else { lower };
-        edge(folded, length, 0.0, lower, false);
-        edge(folded, length, width, selvage, true);
-    }
-}
 
-/// Length and width of the cloth.
-fn draw_measures(
-    sheet: &mut Sheet,
-    marker: &Marker,
-    page: Affine,
-    [length, across]: [f64; 2],
-    language: Language,
-) {
-    let style = TextStyle::bold(10.0);
-    let fine = Stroke::solid(0.2);
-    let [from, to] = [(0.0, 0.0), (length, 0.0)].map(|end| page * Point::from(end));
-    let below = kurbo::Vec2::new(0.0, 6.0);
-    arrow(sheet, [from + below, to + below], &fine);
-    let middle = from.midpoint(to);
-    let along = match language {
-        Language::Japanese => format!("{}（縦地の方向）", cm(marker.yardage.needed)),
-        Language::English => format!("{} along the warp", cm(marker.yardage.needed)),
-    };
-    sheet.text([middle.x, middle.y + 10.5], &along, &style, Align::Center);
-    let width = lying_width(marker);
-    let [low, high] = [(0.0, 0.0), (0.0, width)].map(|end| page * Point::from(end));
-    let aside = kurbo::Vec2::new(-3.5, 0.0);
-    arrow(sheet, [low + aside, high + aside], &fine);
-    let at = low.midpoint(high) + aside;
-    let quarter = core::f64::consts::FRAC_PI_2;
-    let said = cm(Length::from_m(width));
-    sheet.turned_text([at.x - 1.5, at.y], quarter, &said, &style, Align::Center);
-    if width + 1e-4 < across {
-        let end = page * Point::new(0.0, across);
-        let said = cm(Length::from_m(across));
-        sheet.text([end.x, end.y - 1.5], &said, &style, Align::Left);
+    /// A piece's name or number, its middle above `at`.
+    fn draw_name(&self, sheet: &mut Sheet, at: Point, name: &str, style: &TextStyle) {
+        if self.is_printed {
+            // Letters are read on white, not on flowers.
+            let width = style.width_of(name) + style.em();
+            let plate = Rect {
+                x: at.x - 0.5 * width,
+                y: at.y - 1.35 * style.em(),
+                width,
+                height: 1.5 * style.em(),
+            };
+            sheet.rect(plate, Some(Color::WHITE), None);
+        }
+        sheet.text([at.x, at.y - 0.3 * style.em()], name, style, Align::Center);
+    }
+
+    /// Selvages and fold, said along them.
+    fn draw_edges(&self, canvas: &mut Canvas<'_>) {
+        let (cloth, language) = (&self.marker.cloth, canvas.language);
+        let (length, folded, width) =
+            (lying_length(self.marker), self.folded(), cloth.width.to_m());
+        let style = TextStyle::regular(8.0).with_color(Color::GRAY);
+        let selvage = language.pick("耳", "selvage");
+        let bold = Stroke::solid(0.6).with_color(Color::GRAY);
+        let mut edge = |from: f64, to: f64, y: f64, name: &str| {
+            let [a, b] = [(from, y), (to, y)].map(|end| self.page * Point::from(end));
+            (canvas.sheet).line([a.x, a.y], [b.x, b.y], bold.clone());
+            let lift = if 0.0 < y { -1.5 } else { 3.8 };
+            (canvas.sheet).text([a.x, a.y + lift], name, &style, Align::Left);
+        };
+        let lower = match (cloth.lay, cloth.border.is_some()) {
+            (Lay::Folded, _) => language.pick("わ", "fold"),
+            (Lay::Single, true) => language.pick("耳・ボーダー柄", "selvage with the border"),
+            (Lay::Single, false) => selvage,
+        };
+        if 0.0 < folded {
+            edge(0.0, folded, 0.0, lower);
+            edge(0.0, folded, 0.5 * width, selvage);
+        }
+        if folded < length {
+            let lower = if 0.0 < folded { selvage } else { lower };
+            edge(folded, length, 0.0, lower);
+            edge(folded, length, width, selvage);
+        }
+    }
+
+    /// Length and width of the cloth.
+    fn draw_measures(&self, canvas: &mut Canvas<'_>) {
+        let (sheet, marker) = (&mut *canvas.sheet, self.marker);
+        let style = TextStyle::bold(10.0);
+        let fine = Stroke::solid(0.2);
+        let on_page = |ends: [(f64, f64); 2]| ends.map(|end| self.page * Point::from(end));
+        let [from, to] = on_page([(0.0, 0.0), (lying_length(marker), 0.0)]);
+        let below = kurbo::Vec2::new(0.0, 6.0);
+        arrow(sheet, [from + below, to + below], &fine);
+        let middle = from.midpoint(to);
+        let along = match canvas.language {
+            Language::Japanese => format!("{}（縦地の方向）", cm(marker.yardage.needed)),
+            Language::English => format!("{} along the warp", cm(marker.yardage.needed)),
+        };
+        sheet.text([middle.x, middle.y + 10.5], &along, &style, Align::Center);
+        let width = lying_width(marker);
+        let [low, high] = on_page([(0.0, 0.0), (0.0, width.to_m())]);
+        let aside = kurbo::Vec2::new(-3.5, 0.0);
+        arrow(sheet, [low + aside, high + aside], &fine);
+        let at = low.midpoint(high) + aside;
+        let quarter = core::f64::consts::FRAC_PI_2;
+        sheet.turned_text([at.x - 1.5, at.y], quarter, &cm(width), &style);
+        let across = lying_across(marker);
+        if width.to_m() + 1e-4 < across {
+            let end = self.page * Point::new(0.0, across);
+            let said = cm(Length::from_m(across));
+            sheet.text([end.x, end.y - 1.5], &said, &style, Align::Left);
+        }
     }
 }
 
 /// Every piece of a cloth: how often it is cut, how large it is.
-fn pieces_table(cut: &CutGarment, plan: &ClothPlan, language: Language) -> Table {
+fn pieces_table(cut: &CutGarment, plan: &ClothPlan, language: Language) -> PageTable {
     let pick = |japanese: &'static str, english: &'static str| language.pick(japanese, english);
     let pieces = cut.garment.pattern.pieces.iter();
     let rows = pieces
@@ -513,7 +533,7 @@ fn pieces_table(cut: &CutGarment, plan: &ClothPlan, language: Language) -> Table
                 Cell::from(how),
             ]
         });
-    Table {
+    PageTable {
         columns: vec![
             Column::text(pick("パーツ", "piece"), 0.23),
             Column::text(pick("枚数", "count"), 0.14),

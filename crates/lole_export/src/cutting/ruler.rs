@@ -8,8 +8,9 @@ use lole_pattern::piece::{Drawing, Finish, Piece};
 
 use super::draw::{arrow, line, outline};
 use super::{CutGarment, TOLERANCE, cm, cut_words, inches};
+use crate::canvas::Canvas;
 use crate::pdf::{
-    Align, Cell, Color, Column, Flow, Margins, Paper, Rect, Sheet, Stroke, Table, TextStyle,
+    Align, Cell, Color, Column, Flow, Margins, PageTable, Paper, Rect, Sheet, Stroke, TextStyle,
 };
 
 /// Largest height of a drawing, and what stands around it [mm].
@@ -42,92 +43,103 @@ pub fn ruler_sheets(garments: &[CutGarment], paper: Paper, language: Language) -
             bottom: 16.0,
         },
     );
+    let pieces = garments.iter().flat_map(|cut| {
+        let pieces = cut.garment.pattern.pieces.iter();
+        pieces.filter_map(move |piece| Rectangle::of(cut, piece))
+    });
     let mut is_empty = true;
-    for cut in garments {
-        for piece in &cut.garment.pattern.pieces {
-            let piece = piece.unfolded();
-            let drawing = piece.drawing(TOLERANCE);
-            if let Some(size) = drawing.rectangle {
-                flow.new_page();
-                write_rectangle(&mut flow, cut, &piece, (&drawing, size), language);
-                is_empty = false;
-            }
-        }
+    for rectangle in pieces {
+        flow.new_page();
+        rectangle.write(&mut flow, language);
+        is_empty = false;
     }
     if is_empty {
         return Vec::new();
     }
-    flow.finish(|sheet, number, count| {
-        let [width, height] = sheet.size;
-        let at = [width - 16.0, height - 8.0];
-        sheet.text(
-            at,
-            &format!("{number} / {count}"),
-            &TextStyle::regular(9.0),
-            Align::Right,
-        );
-    })
+    flow.numbered([16.0, 8.0])
 }
 
-fn write_rectangle(
-    flow: &mut Flow,
-    cut: &CutGarment,
-    piece: &Piece,
-    (drawing, size): (&Drawing, [Length; 2]),
-    language: Language,
-) {
-    let garment = cut.garment.name.text(language);
-    let name = piece.name.text(language);
-    let title = if garment == name {
-        name.to_owned()
-    } else {
-        format!("{garment}: {name}")
-    };
-    flow.paragraph(&title, &TextStyle::bold(19.0));
-    let [width, height] = size;
-    let warp = if piece.is_on_bias() {
-        language.pick(
-            "バイアス（耳から斜め 45°）に裁つ",
-            "cut on the bias, at 45° to the selvage",
-        )
-    } else if piece.grain.y.abs() < piece.grain.x.abs() {
-        language.pick(
-            "横に縦地（耳と平行）",
-            "the warp (selvage) runs across the drawing",
-        )
-    } else {
-        language.pick(
-            "縦に縦地（耳と平行）",
-            "the warp (selvage) runs up the drawing",
-        )
-    };
-    let cloth = role_name(piece.cloth).text(language);
-    let count = cut_words(piece, language);
-    let facts = match language {
-        Language::Japanese => format!(
-            "横 {} × 縦 {}（縫い代込み）、{cloth} {count}。{warp}。型紙はいりません。布に定規とチャコで線を引きます。",
-            cm(width),
-            cm(height)
-        ),
-        Language::English => format!(
-            "{} across × {} up ({} × {}), allowances included; {cloth}, {count}; {warp}. No paper is \
-             needed: draw the lines on the cloth with ruler and chalk.",
-            cm(width),
-            cm(height),
-            inches(width),
-            inches(height)
-        ),
-    };
-    flow.paragraph(&facts, &TextStyle::regular(12.0));
-    flow.space(4.0);
-    let ruled = ruled_lines(drawing);
-    let scales = scales(drawing, flow.width());
-    let height = drawing.cut.bounds().height() * scales[1] + AROUND;
-    flow.block(height, |sheet, rect| {
-        draw(sheet, rect, drawing, (&ruled, scales), language);
-    });
-    flow.space(5.0);
-    table(&ruled, language).draw(flow);
+/// A rectangle of a garment, whole.
+struct Rectangle<'a> {
+    cut: &'a CutGarment,
+    piece: Piece,
+    drawing: Drawing,
+    /// Width and height, allowances included.
+    size: [Length; 2],
+}
+
+impl<'a> Rectangle<'a> {
+    /// `None` for a piece of another shape.
+    fn of(cut: &'a CutGarment, piece: &Piece) -> Option<Self> {
+        let piece = piece.unfolded();
+        let drawing = piece.drawing(TOLERANCE);
+        drawing.rectangle.map(|size| Self {
+            cut,
+            piece,
+            drawing,
+            size,
+        })
+    }
+
+    fn write(&self, flow: &mut Flow, language: Language) {
+        let garment = self.cut.garment.name.text(language);
+        let name = self.piece.name.text(language);
+        let title = if garment == name {
+            name.to_owned()
+        } else {
+            format!("{garment}: {name}")
+        };
+        flow.paragraph(&title, &TextStyle::bold(19.0));
+        flow.paragraph(&self.facts(language), &TextStyle::regular(12.0));
+        flow.space(4.0);
+        let ruled = ruled_lines(&self.drawing);
+        let scales = scales(&self.drawing, flow.width());
+        let height = self.drawing.cut.bounds().height() * scales[1] + AROUND;
+        flow.drawing(height, language, |canvas| {
+            draw(canvas, &self.drawing, &ruled, scales);
+        });
+        flow.space(5.0);
+        table(&ruled, language).draw(flow);
+    }
+
+    /// Its size, its cloth, how often it is cut and how the warp runs.
+    fn facts(&self, language: Language) -> String {
+        let piece = &self.piece;
+        let warp = if piece.is_on_bias() {
+            language.pick(
+                "バイアス（耳から斜め 45°）に裁つ",
+                "cut on the bias, at 45° to the selvage",
+            )
+        } else if piece.grain.y.abs() < piece.grain.x.abs() {
+            language.pick(
+                "横に縦地（耳と平行）",
+                "the warp (selvage) runs across the drawing",
+            )
+        } else {
+            language.pick(
+                "縦に縦地（耳と平行）",
+                "the warp (selvage) runs up the drawing",
+            )
+        };
+        let cloth = role_name(piece.cloth).text(language);
+        let count = cut_words(piece, language);
+        let [width, height] = self.size;
+        match language {
+            Language::Japanese => format!(
+                "横 {} × 縦 {}（縫い代込み）、{cloth} {count}。{warp}。型紙はいりません。布に定規とチャコで線を引きます。",
+                cm(width),
+                cm(height)
+            ),
+            Language::English => format!(
+                "{} across × {} up ({} × {}), allowances included; {cloth}, {count}; {warp}. No paper is \
+                 needed: draw the lines on the cloth with ruler and chalk.",
+                cm(width),
+                cm(height),
+                inches(width),
+                inches(height)
+            ),
+        }
+    }
 }
 
 /// Marked lines and stitching lines that run straight across, from the top down and from the left on.
@@ -189,19 +201,33 @@ fn scales(drawing: &Drawing, width: f64) -> [f64; 2] {
 }
 
 /// The rectangle with its lines, numbered.
-fn draw(
-    sheet: &mut Sheet,
-    rect: Rect,
-    drawing: &Drawing,
-    (ruled, [scale_x, scale_y]): (&[Ruled], [f64; 2]),
-    language: Language,
-) {
+fn draw(canvas: &mut Canvas<'_>, drawing: &Drawing, ruled: &[Ruled], [scale_x, scale_y]: [f64; 2]) {
     let bounds = drawing.cut.bounds();
-    let place = Point::new(rect.x + 16.0, rect.y + 4.0);
-    let size = [bounds.width() * scale_x, bounds.height() * scale_y];
+    let place = Rect {
+        x: canvas.rect.x + 16.0,
+        y: canvas.rect.y + 4.0,
+        width: bounds.width() * scale_x,
+        height: bounds.height() * scale_y,
+    };
     let page = Affine::translate((place.x, place.y))
         * Affine::scale_non_uniform(scale_x, -scale_y)
         * Affine::translate((-bounds.x0, -bounds.y1));
+    let sheet = &mut *canvas.sheet;
+    draw_lines(sheet, drawing, page);
+    let right = place.x + place.width;
+    write_numbers(sheet, ruled, page, [right, place.y]);
+    let sizes = [bounds.width(), bounds.height()].map(|side| cm(Length::from_m(side)));
+    draw_sizes(sheet, place, sizes);
+    if (scale_x - scale_y).abs() > 1e-6 {
+        let language = canvas.language;
+        let said = language.pick("図の横は縮めてあります", "drawn shorter across than it is");
+        let at = [right, place.y + place.height + 5.0 + 5.0];
+        sheet.text(at, said, &TextStyle::regular(8.0), Align::Right);
+    }
+}
+
+/// The cut line, stitching lines, marked lines and the grain.
+fn draw_lines(sheet: &mut Sheet, drawing: &Drawing, page: Affine) {
     sheet.path(
         outline(&drawing.cut, page),
         Some(Color(250, 248, 244)),
@@ -218,41 +244,25 @@ fn draw(
     }
     let grain = drawing.grain.map(|end| page * end);
     arrow(sheet, grain, &Stroke::solid(0.3).with_color(Color::GRAY));
-    write_numbers(sheet, ruled, page, [place.x + size[0], place.y]);
+}
+
+/// Width below the rectangle, height at its left.
+fn draw_sizes(sheet: &mut Sheet, place: Rect, [width, height]: [String; 2]) {
     let style = TextStyle::bold(11.0);
-    let below = place.y + size[1] + 5.0;
+    let bottom = place.y + place.height;
+    let below = bottom + 5.0;
     let [from, to] = [
         Point::new(place.x, below),
-        Point::new(place.x + size[0], below),
+        Point::new(place.x + place.width, below),
     ];
     arrow(sheet, [from, to], &Stroke::solid(0.2));
-    let width = cm(Length::from_m(bounds.width()));
-    sheet.text(
-        [from.midpoint(to).x, below + 5.0],
-        &width,
-        &style,
-        Align::Center,
-    );
+    let at = [from.midpoint(to).x, below + 5.0];
+    sheet.text(at, &width, &style, Align::Center);
     let aside = place.x - 5.0;
-    let [low, high] = [
-        Point::new(aside, place.y + size[1]),
-        Point::new(aside, place.y),
-    ];
+    let [low, high] = [Point::new(aside, bottom), Point::new(aside, place.y)];
     arrow(sheet, [low, high], &Stroke::solid(0.2));
-    let height = cm(Length::from_m(bounds.height()));
     let at = [aside - 1.5, low.midpoint(high).y];
-    sheet.turned_text(
-        at,
-        core::f64::consts::FRAC_PI_2,
-        &height,
-        &style,
-        Align::Center,
-    );
-    if (scale_x - scale_y).abs() > 1e-6 {
-        let said = language.pick("図の横は縮めてあります", "drawn shorter across than it is");
-        let at = [place.x + size[0], below + 5.0];
-        sheet.text(at, said, &TextStyle::regular(8.0), Align::Right);
-    }
+    sheet.turned_text(at, core::f64::consts::FRAC_PI_2, &height, &style);
 }
 
 /// Numbers of the level lines at the right, apart from each other, with what they measure.
@@ -273,7 +283,7 @@ fn write_numbers(sheet: &mut Sheet, ruled: &[Ruled], page: Affine, [right, top]:
 }
 
 /// Every line with its distance from the edge.
-fn table(ruled: &[Ruled], language: Language) -> Table {
+fn table(ruled: &[Ruled], language: Language) -> PageTable {
     let rows = (1..).zip(ruled).map(|(number, ruled)| {
         let distance = Length::from_m(ruled.from_edge);
         let edge = if ruled.is_level {
@@ -289,7 +299,7 @@ fn table(ruled: &[Ruled], language: Language) -> Table {
             Cell::from(inches(distance)),
         ]
     });
-    Table {
+    PageTable {
         columns: vec![
             Column::text("", 0.06),
             Column::text(language.pick("引く線", "line to draw"), 0.38),

@@ -6,7 +6,7 @@
 
 use std::sync::Arc;
 
-use kurbo::{Affine, BezPath, Point, Vec2};
+use kurbo::{Affine, Point, Vec2};
 use lole_costume::tailoring::role_name;
 use lole_geom::Length;
 use lole_language::Language;
@@ -15,9 +15,10 @@ use lole_pattern::marker::{Lay, Marker, Nap, TableCloth, lay_out};
 use lole_pattern::piece::{ClothRole, CutCount, Finish, Piece};
 use lole_pattern::polygon::Polygon;
 
-use super::draw::{fitting, full_size, outline};
+use super::draw::{FullSize, PLACE_ON_FOLD, fitting, fold_stroke, outline};
 use super::label::Label;
 use super::{CutGarment, MM, TOLERANCE, cut_words};
+use crate::canvas::Canvas;
 use crate::pdf::{Align, Color, Item, Paper, Rect, Sheet, Stroke, TextStyle};
 
 /// What no home printer needs to print on [mm].
@@ -37,6 +38,9 @@ const TILE_NAME: f64 = 16.0;
 /// Half the space between two pieces on paper [mm].
 const SPACE: f64 = 3.0;
 
+/// Letters at joints.
+const SMALL: TextStyle = TextStyle::regular(7.0);
+
 const PALE: Color = Color(170, 170, 170);
 
 /// A pattern over many sheets.
@@ -54,11 +58,7 @@ pub struct TiledPattern {
 /// fold are drawn to it, pairs once.
 #[must_use]
 pub fn tiled_sheets(cut: &CutGarment, paper: Paper, language: Language) -> Option<TiledPattern> {
-    let free = cut.garment.pattern.pieces.iter().filter(|piece| {
-        let is_ruled = piece.drawing(TOLERANCE).rectangle.is_some();
-        !is_ruled
-    });
-    let free: Vec<&Piece> = free.collect();
+    let free = free_pieces(cut);
     if free.is_empty() {
         return None;
     }
@@ -68,7 +68,9 @@ pub fn tiled_sheets(cut: &CutGarment, paper: Paper, language: Language) -> Optio
     let mut sheets = vec![cover(cut, &layout, tiles.len(), language)];
     for (number, tile) in (1_usize..).zip(&tiles) {
         let mut sheet = layout.tile_sheet(*tile, &tiles, &drawing, language);
-        write_foot(&mut sheet, cut, number, tiles.len(), language);
+        let at = [0.5 * sheet.size[0], sheet.size[1] - 4.5];
+        let foot = foot(cut, number, tiles.len(), language);
+        sheet.text(at, &foot, &TextStyle::regular(8.0), Align::Center);
         sheets.push(sheet);
     }
     Some(TiledPattern {
@@ -76,6 +78,14 @@ pub fn tiled_sheets(cut: &CutGarment, paper: Paper, language: Language) -> Optio
         grid: [layout.columns, layout.rows],
         piece_count: free.len(),
     })
+}
+
+/// Pieces that no ruler draws.
+fn free_pieces(cut: &CutGarment) -> Vec<&Piece> {
+    let pieces = cut.garment.pattern.pieces.iter();
+    pieces
+        .filter(|piece| piece.drawing(TOLERANCE).rectangle.is_none())
+        .collect()
 }
 
 /// All pieces laid on one large sheet, and how paper covers it.
@@ -157,6 +167,24 @@ impl Layout {
         }
     }
 
+    /// How the sheets are printed and joined.
+    fn how_to_join(&self, count: usize, language: Language) -> String {
+        let paper = self.paper.name();
+        let [columns, rows] = [self.columns, self.rows];
+        match language {
+            Language::Japanese => format!(
+                "{paper} 用紙 {count} 枚（横 {columns} × 縦 {rows}）。「実際のサイズ」「倍率100 %」で印刷し、下の四角を\
+                 定規で測ってから始めます。各ページの左と上の実線を切り、前のページの破線に重ね、同じ番号の◇を合わせて貼ります。"
+            ),
+            Language::English => format!(
+                "{count} sheets of {paper}, {columns} across and {rows} down. Print at actual size (100 %) and \
+                 measure the square below before you go on. On each sheet cut the solid line at the left and at \
+                 the top, lay it on the broken line of the sheet before so that diamonds of one number meet, and \
+                 glue."
+            ),
+        }
+    }
+
     /// Height of the whole drawing [mm].
     fn height(&self) -> f64 {
         f64::from(self.rows) * step(self.paper)[1] + OVERLAP
@@ -229,13 +257,21 @@ impl Layout {
             items: Arc::clone(drawing),
         });
         sheet.rect(frame, None, Some(Stroke::solid(0.15).with_color(PALE)));
+        let middle = [frame.x + 0.5 * frame.width, frame.y + 0.5 * frame.height];
+        for joint in self.joints(tile, tiles, frame) {
+            joint.draw(&mut sheet, frame, middle, language);
+        }
+        sheet
+    }
+
+    /// Where a tile whose window lies in `frame` on its page meets other tiles.
+    fn joints(&self, tile: [u32; 2], tiles: &[[u32; 2]], frame: Rect) -> Vec<Joint> {
         let [column, row] = tile;
         let neighbor = |tile: Option<[u32; 2]>| tile.filter(|tile| tiles.contains(tile));
         let left = neighbor(column.checked_sub(1).map(|column| [column, row]));
         let above = neighbor(row.checked_sub(1).map(|row| [column, row]));
         let right = neighbor(Some([column + 1, row]));
         let below = neighbor(Some([column, row + 1]));
-        let middle = [frame.x + 0.5 * frame.width, frame.y + 0.5 * frame.height];
         let ends = [frame.x + frame.width, frame.y + frame.height];
         let joints = [
             left.map(|_| (Run::Upright, frame.x, tile, None)),
@@ -243,16 +279,15 @@ impl Layout {
             above.map(|_| (Run::Level, frame.y, tile, None)),
             below.map(|other| (Run::Level, ends[1] - OVERLAP, other, Some(other))),
         ];
-        for (run, at, later, other) in joints.into_iter().flatten() {
-            let joint = Joint {
+        let joints = joints.into_iter().flatten();
+        joints
+            .map(|(run, at, later, other)| Joint {
                 run,
                 at,
                 number: self.joint_number(later, run),
                 other,
-            };
-            joint.draw(&mut sheet, frame, middle, language);
-        }
-        sheet
+            })
+            .collect()
     }
 
     /// Number of the joint at the left or at the upper edge of a tile: the same on both of its sheets.
@@ -352,59 +387,61 @@ impl Joint {
             Some(_) => Stroke::dashed(0.2, 2.0),
             None => Stroke::solid(0.2),
         };
-        let on_page = |along: f64, aside: f64| {
-            if self.run == Run::Upright {
-                [self.at + aside, along]
-            } else {
-                [along, self.at + aside]
-            }
-        };
         let (from, size, center) = if self.run == Run::Upright {
             (frame.y, frame.height, middle[1])
         } else {
             (frame.x, frame.width, middle[0])
         };
-        sheet.line(on_page(from, 0.0), on_page(from + size, 0.0), stroke);
-        let mut diamond = BezPath::new();
+        sheet.line(
+            self.on_page(from, 0.0),
+            self.on_page(from + size, 0.0),
+            stroke,
+        );
+        self.draw_diamond(sheet, center);
+        let aside = if self.other.is_some() { 4.0 } else { -1.5 };
+        let angle = match self.run {
+            Run::Upright => core::f64::consts::FRAC_PI_2,
+            Run::Level => 0.0,
+        };
+        let at = self.on_page(center - 35.0, aside);
+        sheet.turned_text(at, angle, &self.words(language), &SMALL);
+    }
+
+    /// A point so far along the joint from the page's edge, and so far beside it [mm].
+    fn on_page(&self, along: f64, aside: f64) -> [f64; 2] {
+        match self.run {
+            Run::Upright => [self.at + aside, along],
+            Run::Level => [along, self.at + aside],
+        }
+    }
+
+    /// The numbered diamond so far along the joint [mm].
+    fn draw_diamond(&self, sheet: &mut Sheet, center: f64) {
         let corners = [
             (-DIAMOND, 0.0),
             (0.0, -DIAMOND),
             (DIAMOND, 0.0),
             (0.0, DIAMOND),
         ];
-        for (index, (along, aside)) in corners.into_iter().enumerate() {
-            let [x, y] = on_page(center + along, aside);
-            if index == 0 {
-                diamond.move_to((x, y));
-            } else {
-                diamond.line_to((x, y));
-            }
-        }
-        diamond.close_path();
+        let corners = corners.map(|(along, aside)| {
+            let [x, y] = self.on_page(center + along, aside);
+            Point::new(x, y)
+        });
+        let diamond = outline(&Polygon::new(corners), Affine::IDENTITY);
         sheet.path(diamond, Some(Color::WHITE), Some(Stroke::solid(0.25)));
-        let small = TextStyle::regular(7.0);
-        let [x, y] = on_page(center, 0.0);
-        sheet.text(
-            [x, y + 0.9],
-            &self.number.to_string(),
-            &small,
-            Align::Center,
-        );
-        let words = match (self.other.map(tile_name), language) {
+        let [x, y] = self.on_page(center, 0.0);
+        let number = self.number.to_string();
+        sheet.text([x, y + 0.9], &number, &SMALL, Align::Center);
+    }
+
+    /// What is done at the joint.
+    fn words(&self, language: Language) -> String {
+        match (self.other.map(tile_name), language) {
             (Some(name), Language::Japanese) => format!("ここに {name} を重ねて貼る"),
             (Some(name), Language::English) => format!("lay {name} here"),
             (None, Language::Japanese) => "この線で切る".to_owned(),
             (None, Language::English) => "cut along this line".to_owned(),
-        };
-        let aside = if self.other.is_some() { 4.0 } else { -1.5 };
-        let at = on_page(center - 35.0, aside);
-        let quarter = core::f64::consts::FRAC_PI_2;
-        let angle = if self.run == Run::Upright {
-            quarter
-        } else {
-            0.0
-        };
-        sheet.turned_text(at, angle, &words, &small, Align::Center);
+        }
     }
 }
 
@@ -424,7 +461,12 @@ fn draw_pieces(
         let drawing = piece.drawing(TOLERANCE);
         let words = label(cut, piece, language);
         let place = Label::of(&drawing, &words, to_drawing, &rooms);
-        full_size(&mut sheet, &drawing, (&words, &place), to_drawing, language);
+        let full_size = FullSize {
+            drawing: &drawing,
+            page_from_piece: to_drawing,
+            language,
+        };
+        full_size.draw(&mut sheet, &words, &place);
     }
     sheet.items
 }
@@ -446,20 +488,12 @@ fn label(cut: &CutGarment, piece: &Piece, language: Language) -> Vec<String> {
 }
 
 /// The line at the foot of a sheet.
-fn write_foot(
-    sheet: &mut Sheet,
-    cut: &CutGarment,
-    number: usize,
-    count: usize,
-    language: Language,
-) {
+fn foot(cut: &CutGarment, number: usize, count: usize, language: Language) -> String {
     let name = cut.title(language);
-    let text = match language {
+    match language {
         Language::Japanese => format!("{name}　{number} / {count}　倍率100 %で印刷"),
         Language::English => format!("{name}, sheet {number} of {count}. Print at 100 %."),
-    };
-    let at = [0.5 * sheet.size[0], sheet.size[1] - 4.5];
-    sheet.text(at, &text, &TextStyle::regular(8.0), Align::Center);
+    }
 }
 
 /// The first page: how to print and join, a square to measure, the map, the lines.
@@ -474,20 +508,7 @@ fn cover(cut: &CutGarment, layout: &Layout, count: usize, language: Language) ->
         Language::English => format!("{name}: full-size pattern"),
     };
     sheet.text([left, 22.0], &title, &TextStyle::bold(20.0), Align::Left);
-    let paper = layout.paper.name();
-    let [columns, rows] = [layout.columns, layout.rows];
-    let steps = match language {
-        Language::Japanese => format!(
-            "{paper} 用紙 {count} 枚（横 {columns} × 縦 {rows}）。「実際のサイズ」「倍率100 %」で印刷し、下の四角を\
-             定規で測ってから始めます。各ページの左と上の実線を切り、前のページの破線に重ね、同じ番号の◇を合わせて貼ります。"
-        ),
-        Language::English => format!(
-            "{count} sheets of {paper}, {columns} across and {rows} down. Print at actual size (100 %) and \
-             measure the square below before you go on. On each sheet cut the solid line at the left and at \
-             the top, lay it on the broken line of the sheet before so that diamonds of one number meet, and \
-             glue."
-        ),
-    };
+    let steps = layout.how_to_join(count, language);
     let used = sheet.paragraph([left, 27.0], room, &steps, &TextStyle::regular(11.0));
     let top = 32.0 + used;
     let square = Rect {
@@ -514,7 +535,12 @@ fn cover(cut: &CutGarment, layout: &Layout, count: usize, language: Language) ->
         &TextStyle::bold(11.0),
         Align::Left,
     );
-    draw_map(&mut sheet, map, layout, cut, language);
+    let mut canvas = Canvas {
+        sheet: &mut sheet,
+        rect: map,
+        language,
+    };
+    draw_map(&mut canvas, layout, cut);
     sheet
 }
 
@@ -531,14 +557,7 @@ fn draw_legend(sheet: &mut Sheet, [x, y]: [f64; 2], language: Language) {
             "縫い線（でき上がり線）",
             "stitching line",
         ),
-        (
-            Stroke {
-                dashes: vec![12.0, 3.0, 2.0, 3.0],
-                ..Stroke::solid(0.7)
-            },
-            "わ（布の折り山に置く）",
-            "place on fold",
-        ),
+        (fold_stroke(), PLACE_ON_FOLD.japanese, PLACE_ON_FOLD.english),
         (
             Stroke::solid(0.25),
             "折り線・付け位置など",
@@ -575,9 +594,10 @@ fn draw_legend(sheet: &mut Sheet, [x, y]: [f64; 2], language: Language) {
 }
 
 /// All sheets small, with the pieces on them.
-fn draw_map(sheet: &mut Sheet, rect: Rect, layout: &Layout, cut: &CutGarment, language: Language) {
+fn draw_map(canvas: &mut Canvas<'_>, layout: &Layout, cut: &CutGarment) {
+    let sheet = &mut *canvas.sheet;
     let whole = layout.window([layout.columns - 1, layout.rows - 1]);
-    let fitted = rect.fitting(whole.x1, whole.y1);
+    let fitted = canvas.rect.fitting(whole.x1, whole.y1);
     let scale = fitted.width / whole.x1;
     let map = Affine::translate((fitted.x, fitted.y)) * Affine::scale(scale);
     let [step_x, step_y] = step(layout.paper);
@@ -595,16 +615,13 @@ fn draw_map(sheet: &mut Sheet, rect: Rect, layout: &Layout, cut: &CutGarment, la
         let at = [cell.x + 1.5, cell.y + style.em()];
         sheet.text(at, &tile_name(tile), &style, Align::Left);
     }
-    let free = cut.garment.pattern.pieces.iter();
-    let free: Vec<&Piece> = free
-        .filter(|piece| piece.drawing(TOLERANCE).rectangle.is_none())
-        .collect();
+    let free = free_pieces(cut);
     for placed in &layout.marker.placed {
         let to_map = map * layout.drawing_from_marker();
         let path = outline(&placed.outline, to_map);
         let bounds = path.control_box();
         sheet.path(path, None, Some(Stroke::solid(0.35)));
-        let name = free[placed.piece].name.text(language);
+        let name = free[placed.piece].name.text(canvas.language);
         if let Some(style) = fitting(name, 0.9 * bounds.width(), 10.0) {
             let (label, _) = placed.outline.roomiest_point();
             let at = to_map * label;

@@ -3,7 +3,7 @@
 use glam::Vec3;
 use lole_body::skeleton::Bone;
 
-use super::{BakedCloth, GlbScene, SkinnedMesh};
+use super::{BakedCloth, GlbMesh, GlbScene};
 use crate::ExportError;
 
 /// Columns fit each other, indices are in range, numbers are finite, times grow.
@@ -29,7 +29,7 @@ pub(super) fn check_scene(scene: &GlbScene<'_>) -> Result<(), ExportError> {
     scene.cloths.iter().try_for_each(check_cloth)
 }
 
-fn check_skinned(mesh: &SkinnedMesh<'_>) -> Result<(), ExportError> {
+fn check_skinned(mesh: &GlbMesh<'_>) -> Result<(), ExportError> {
     let count = mesh.positions.len();
     length(mesh.name, "normals", mesh.normals.len(), count)?;
     if !mesh.uvs.is_empty() {

@@ -9,7 +9,7 @@ use lole_geom::mesh::vertex_normals;
 use serde_json::{Map, Value, json};
 
 use super::buffer::Buffer;
-use super::{BakedCloth, GlbMaterial, GlbScene, Sides, SkinnedMesh};
+use super::{BakedCloth, GlbMaterial, GlbMesh, GlbScene, GlbSides};
 use crate::ExportError;
 
 /// `glTF`, `JSON` and `BIN\0` as little-endian numbers; glTF 2.0, section 4.4.
@@ -55,47 +55,55 @@ pub(super) fn write_scene(scene: &GlbScene<'_>) -> Result<Vec<u8>, ExportError> 
             "name": "dance", "channels": document.channels, "samplers": samplers,
         }));
     }
-    let bone_nodes: Vec<usize> = (1..=Bone::COUNT).collect();
     let inverse_binds = document.buffer.inverse_binds(&scene.skeleton.joints);
-    let mut json = json!({
-        "asset": { "version": "2.0", "generator": concat!("Lole ", env!("CARGO_PKG_VERSION")) },
-        "scene": 0,
-        "scenes": [{ "name": "hula", "nodes": document.roots }],
-        "nodes": document.nodes,
-        "bufferViews": document.buffer.views,
-        "accessors": document.buffer.accessors,
-        "buffers": [{ "byteLength": document.buffer.bytes.len() }],
-    });
+    let mut json = document.json(animations);
     if !scene.skinned.is_empty() {
+        let bone_nodes: Vec<usize> = (1..=Bone::COUNT).collect();
         json["skins"] = json!([{
             "name": "dancer", "skeleton": 1, "joints": bone_nodes,
             "inverseBindMatrices": inverse_binds,
         }]);
     }
-    if 0 < document.quantized {
-        json["extensionsUsed"] = json!(["KHR_mesh_quantization"]);
-        json["extensionsRequired"] = json!(["KHR_mesh_quantization"]);
-    }
-    // glTF has no empty lists.
-    if !document.textures.is_empty() {
-        json["samplers"] = json!([{
-            "magFilter": LINEAR, "minFilter": LINEAR_MIPMAP_LINEAR,
-            "wrapS": REPEAT, "wrapT": REPEAT,
-        }]);
-    }
-    let lists = [
-        ("meshes", document.meshes),
-        ("materials", document.materials),
-        ("textures", document.textures),
-        ("images", document.images),
-        ("animations", animations),
-    ];
-    for (name, list) in lists {
-        if !list.is_empty() {
-            json[name] = Value::Array(list);
-        }
-    }
     pack(&json, document.buffer.bytes)
+}
+
+impl Document {
+    /// All lists as they stand, but the skins.
+    fn json(&mut self, animations: Vec<Value>) -> Value {
+        let mut json = json!({
+            "asset": { "version": "2.0", "generator": concat!("Lole ", env!("CARGO_PKG_VERSION")) },
+            "scene": 0,
+            "scenes": [{ "name": "hula", "nodes": self.roots }],
+            "nodes": self.nodes,
+            "bufferViews": self.buffer.views,
+            "accessors": self.buffer.accessors,
+            "buffers": [{ "byteLength": self.buffer.bytes.len() }],
+        });
+        if 0 < self.quantized {
+            json["extensionsUsed"] = json!(["KHR_mesh_quantization"]);
+            json["extensionsRequired"] = json!(["KHR_mesh_quantization"]);
+        }
+        // glTF has no empty lists.
+        if !self.textures.is_empty() {
+            json["samplers"] = json!([{
+                "magFilter": LINEAR, "minFilter": LINEAR_MIPMAP_LINEAR,
+                "wrapS": REPEAT, "wrapT": REPEAT,
+            }]);
+        }
+        let lists = [
+            ("meshes", std::mem::take(&mut self.meshes)),
+            ("materials", std::mem::take(&mut self.materials)),
+            ("textures", std::mem::take(&mut self.textures)),
+            ("images", std::mem::take(&mut self.images)),
+            ("animations", animations),
+        ];
+        for (name, list) in lists {
+            if !list.is_empty() {
+                json[name] = Value::Array(list);
+            }
+        }
+        json
+    }
 }
 
 /// Node 0 is the armature; the bones follow in the order of [`Bone::ALL`].
@@ -169,7 +177,7 @@ fn push_channel(document: &mut Document, [input, output]: [usize; 2], node: usiz
 }
 
 /// A node of its own at the scene's root, as glTF wants skinned meshes.
-fn write_skinned(document: &mut Document, mesh: &SkinnedMesh<'_>) {
+fn write_skinned(document: &mut Document, mesh: &GlbMesh<'_>) {
     let buffer = &mut document.buffer;
     let weights: Vec<[f32; 4]> = mesh
         .weights
@@ -222,48 +230,13 @@ fn write_skinned(document: &mut Document, mesh: &SkinnedMesh<'_>) {
 
 /// The first frame is the mesh; each later one is a morph target that is fully on at its time.
 fn write_cloth(document: &mut Document, cloth: &BakedCloth<'_>, samplers: &mut Vec<Value>) {
-    let vertices_of = |frame: &[Vec3]| -> Vec<Vec3> {
-        cloth
-            .mesh
-            .particles
-            .iter()
-            .map(|particle| frame[*particle as usize])
-            .collect()
-    };
-    let rest = vertices_of(&cloth.frames[0]);
-    let rest_normals = cloth.mesh.normals(&cloth.frames[0]);
-    let scale = displacement_scale(cloth);
+    let base = Base::of(cloth);
     let buffer = &mut document.buffer;
-    let scaled: Vec<Vec3> = rest.iter().map(|point| *point / scale).collect();
-    let mut attributes = json!({
-        "POSITION": buffer.positions(&scaled),
-        "NORMAL": buffer.vectors(&rest_normals),
-        "TEXCOORD_0": buffer.uvs(&cloth.mesh.uvs),
-    });
-    if !cloth.colors.is_empty() {
-        attributes["COLOR_0"] = json!(buffer.vectors(cloth.colors));
-    }
-    let mut targets = Vec::new();
-    for frame in &cloth.frames[1..] {
-        let moved: Vec<Vec3> = vertices_of(frame)
-            .iter()
-            .zip(&rest)
-            .map(|(now, then)| (*now - *then) / scale)
-            .collect();
-        // A glTF normal is the base plus the weighted differences, which reach 2 in length; half
-        // a byte's range is kept by clamping, for a fold that turned right over.
-        let turned: Vec<Vec3> = cloth
-            .mesh
-            .normals(frame)
-            .iter()
-            .zip(&rest_normals)
-            .map(|(now, then)| *now - *then)
-            .collect();
-        targets.push(json!({
-            "POSITION": document.buffer.displacements(&moved),
-            "NORMAL": document.buffer.turns(&turned),
-        }));
-    }
+    let attributes = base.attributes(buffer, cloth);
+    let frames = cloth.frames[1..].iter();
+    let targets: Vec<Value> = frames
+        .map(|frame| base.target(buffer, cloth, frame))
+        .collect();
     let indices = document.buffer.triangles(&cloth.mesh.triangles);
     let material = write_material(document, &cloth.material);
     let mut mesh = json!({
@@ -289,10 +262,72 @@ fn write_cloth(document: &mut Document, cloth: &BakedCloth<'_>, samplers: &mut V
     document.meshes.push(mesh);
     document.roots.push(node);
     let mut json = json!({ "name": cloth.name, "mesh": document.meshes.len() - 1 });
-    if scale != 1.0 {
-        json["scale"] = json!([scale, scale, scale]);
+    if base.scale != 1.0 {
+        json["scale"] = json!([base.scale, base.scale, base.scale]);
     }
     document.nodes.push(json);
+}
+
+/// The first frame of a cloth, from which its targets are told.
+struct Base {
+    /// Vertices [m].
+    vertices: Vec<Vec3>,
+    normals: Vec<Vec3>,
+    /// What a displacement of 1 stands for [m].
+    scale: f32,
+}
+
+impl Base {
+    fn of(cloth: &BakedCloth<'_>) -> Self {
+        Self {
+            vertices: vertices(cloth, &cloth.frames[0]),
+            normals: cloth.mesh.normals(&cloth.frames[0]),
+            scale: displacement_scale(cloth),
+        }
+    }
+
+    fn attributes(&self, buffer: &mut Buffer, cloth: &BakedCloth<'_>) -> Value {
+        let scaled = self.vertices.iter().map(|point| *point / self.scale);
+        let mut attributes = json!({
+            "POSITION": buffer.positions(&scaled.collect::<Vec<_>>()),
+            "NORMAL": buffer.vectors(&self.normals),
+            "TEXCOORD_0": buffer.uvs(&cloth.mesh.uvs),
+        });
+        if !cloth.colors.is_empty() {
+            attributes["COLOR_0"] = json!(buffer.vectors(cloth.colors));
+        }
+        attributes
+    }
+
+    /// A later frame as a morph target.
+    fn target(&self, buffer: &mut Buffer, cloth: &BakedCloth<'_>, frame: &[Vec3]) -> Value {
+        let moved: Vec<Vec3> = vertices(cloth, frame)
+            .iter()
+            .zip(&self.vertices)
+            .map(|(now, then)| (*now - *then) / self.scale)
+            .collect();
+        // A glTF normal is the base plus the weighted differences, which reach 2 in length; half
+        // a byte's range is kept by clamping, for a fold that turned right over.
+        let turned: Vec<Vec3> = cloth
+            .mesh
+            .normals(frame)
+            .iter()
+            .zip(&self.normals)
+            .map(|(now, then)| *now - *then)
+            .collect();
+        json!({
+            "POSITION": buffer.displacements(&moved),
+            "NORMAL": buffer.turns(&turned),
+        })
+    }
+}
+
+/// Where the vertices of a cloth are in a frame of its particles [m].
+fn vertices(cloth: &BakedCloth<'_>, frame: &[Vec3]) -> Vec<Vec3> {
+    let particles = cloth.mesh.particles.iter();
+    particles
+        .map(|particle| frame[*particle as usize])
+        .collect()
 }
 
 /// Meters that a full displacement stands for: 1, or the power of two that reaches the farthest
@@ -340,7 +375,7 @@ fn write_material(document: &mut Document, material: &GlbMaterial<'_>) -> usize 
     document.materials.push(json!({
         "name": material.name,
         "pbrMetallicRoughness": surface,
-        "doubleSided": material.sides == Sides::Both,
+        "doubleSided": material.sides == GlbSides::Both,
     }));
     document.materials.len() - 1
 }

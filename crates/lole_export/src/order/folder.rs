@@ -12,7 +12,7 @@ use super::{Order, order_json, order_sheets};
 use crate::ExportError;
 use crate::booklet::{Booklet, booklet_sheets};
 use crate::cutting::{CutGarment, tiled_sheets};
-use crate::pdf::{Document, Paper, Picture, Sheet};
+use crate::pdf::{Document, EncodedPicture, Paper, Sheet};
 
 /// What an order is made of.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,7 +24,7 @@ pub struct OrderParts<'a> {
     /// The dancers, cut; at least one.
     pub group: &'a Group,
     /// Each dancer's picture, where there is one; all at one scale.
-    pub pictures: &'a [Option<Picture>],
+    pub pictures: &'a [Option<EncodedPicture>],
     /// Spare cloth and bolts.
     pub settings: &'a Settings,
     /// What it is printed on.
@@ -127,40 +127,15 @@ pub fn order_folder(
         spool_m: design.cost.thread_spool_m,
     };
     let (paper, language) = (parts.paper, parts.language);
-    let pdf = |sheets: Vec<Sheet>| {
-        let document = Document {
-            title: parts.title.clone(),
-            language: language.pick("ja", "en"),
-            sheets,
-        };
-        document.to_bytes()
-    };
+    let pdf = |sheets: Vec<Sheet>| Document::new(&parts.title, language, sheets).to_bytes();
     let mut files = vec![(
         "order.pdf".to_owned(),
         pdf(order_sheets(&order, paper, language))?,
     )];
-    if let (Some(plan), Some(bill)) = (plans.first(), bills.first()) {
-        // A picture that was not read leaves the plans without it.
-        let images = design.cut_print_images(PRINT_SIDE).unwrap_or_default();
-        let images: Vec<_> = images.into_iter().map(Arc::new).collect();
-        let booklet = Booklet {
-            title: parts.title.clone(),
-            plan,
-            group: plans,
-            prints: &images,
-            bill,
-            cover: parts.pictures.first().cloned().flatten(),
-            hem_height_cm: order.hem_height_cm,
-        };
-        let sheets = booklet_sheets(&booklet, paper, language);
+    if let Some(sheets) = booklet_of(parts, &bills) {
         files.push(("booklet.pdf".to_owned(), pdf(sheets)?));
     }
-    files.extend(paper_patterns(
-        plans,
-        &parts.title,
-        (paper, language),
-        goes_on,
-    )?);
+    files.extend(paper_patterns(parts, goes_on)?);
     let mut names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
     names.push(ORDER_JSON);
     names.extend(parts.kept_files.iter().map(String::as_str));
@@ -173,43 +148,56 @@ pub fn order_folder(
     })
 }
 
+/// How the costume is sewn, with the first dancer's lengths; `None` where there are no dancers.
+fn booklet_of(parts: &OrderParts<'_>, bills: &[Bill]) -> Option<Vec<Sheet>> {
+    let (design, plans) = (parts.design, &parts.group.plans);
+    // A picture that was not read leaves the plans without it.
+    let images = design.cut_print_images(PRINT_SIDE).unwrap_or_default();
+    let images: Vec<_> = images.into_iter().map(Arc::new).collect();
+    let booklet = Booklet {
+        title: parts.title.clone(),
+        plan: plans.first()?,
+        group: plans,
+        prints: &images,
+        bill: bills.first()?,
+        cover: parts.pictures.first().cloned().flatten(),
+        hem_height_cm: design.costume_hem_cm(),
+    };
+    Some(booklet_sheets(&booklet, parts.paper, parts.language))
+}
+
 /// A file of patterns at full size for every dancer whose garments are not all drawn by ruler.
 fn paper_patterns(
-    plans: &[DancerPlan],
-    title: &str,
-    (paper, language): (Paper, Language),
+    parts: &OrderParts<'_>,
     goes_on: &(dyn Fn() -> bool + Sync),
 ) -> Result<Vec<(String, Vec<u8>)>, ExportError> {
+    let (paper, language) = (parts.paper, parts.language);
     let of_dancer = |(index, plan): (usize, &DancerPlan)| {
         if !goes_on() {
             return Ok(None);
         }
-        let sheets = pattern_sheets(plan, (paper, language));
+        let sheets = pattern_sheets(plan, paper, language);
         if sheets.is_empty() {
             return Ok(None);
         }
-        let document = Document {
-            title: format!("{title}: {}", plan.name),
-            language: language.pick("ja", "en"),
-            sheets,
-        };
+        let title = format!("{}: {}", parts.title, plan.name);
+        let document = Document::new(&title, language, sheets);
         let size = paper.name().to_ascii_lowercase();
         let (number, who) = (index + 1, file_word(&plan.name));
         let name = format!("{PATTERN_FILES}{number:03}-{who}-{size}.pdf");
         Ok(Some((name, document.to_bytes()?)))
     };
-    let files: Result<Vec<_>, ExportError> = plans.par_iter().enumerate().map(of_dancer).collect();
+    let plans = parts.group.plans.par_iter();
+    let files: Result<Vec<_>, ExportError> = plans.enumerate().map(of_dancer).collect();
     Ok(files?.into_iter().flatten().collect())
 }
 
 /// One dancer's patterns at full size; none where all of hers are drawn by ruler.
-fn pattern_sheets(plan: &DancerPlan, (paper, language): (Paper, Language)) -> Vec<Sheet> {
+fn pattern_sheets(plan: &DancerPlan, paper: Paper, language: Language) -> Vec<Sheet> {
     let tiled = plan.garments.iter().filter_map(|garment| {
         let cut = CutGarment {
-            garment: garment.tailored.clone(),
-            plans: garment.plans.clone(),
-            print: None,
             owner: plan.name.clone(),
+            ..CutGarment::of(garment)
         };
         tiled_sheets(&cut, paper, language)
     });

@@ -104,69 +104,14 @@ impl<'a> Plot<'a> {
 
 /// The plot as an SVG element, `None` where there is nothing to draw.
 pub(crate) fn svg(plot: &Plot<'_>) -> Option<String> {
-    let along_max = plot.points().map(|point| point.0).reduce(f64::max)?;
-    let (low, high) = plot
-        .points()
-        .fold((f64::MAX, f64::MIN), |(l, h), (_, v)| (l.min(v), h.max(v)));
-    if along_max <= 0.0 {
-        return None;
-    }
-    let high = plot
-        .reference
-        .map_or(high, |(value, _)| high.max(plot.on_axis(value * 1.08)));
-    let low = if plot.floor == Floor::Zero && plot.scale == Scale::Linear {
-        low.min(0.0)
-    } else {
-        low
-    };
-    let value_step = match plot.scale {
-        Scale::Linear => tick_step(high - low),
-        Scale::Logarithmic => tick_step(high - low).max(1.0).round(),
-    };
-    let (bottom, top) = (
-        (low / value_step).floor() * value_step,
-        (high / value_step + 1e-9)
-            .ceil()
-            .max((low / value_step).floor() + 1.0)
-            * value_step,
-    );
-    let x = |along: f64| LEFT + (WIDTH - LEFT - MARGIN) * along / along_max;
-    let y = |value: f64| {
-        HEIGHT - BOTTOM - (HEIGHT - BOTTOM - MARGIN) * (value - bottom) / (top - bottom)
-    };
+    let axes = Axes::of(plot)?;
     let mut svg = format!("<svg viewBox=\"0 0 {WIDTH} {HEIGHT}\" role=\"img\">");
-    for value in ticks(bottom, top, value_step) {
-        let (right, line, text) = (
-            WIDTH - MARGIN,
-            y(value),
-            tick_label(plot, value, value_step),
-        );
-        append(
-            &mut svg,
-            format_args!(
-                "<line class=\"grid\" x1=\"{LEFT}\" x2=\"{right}\" y1=\"{line:.1}\" y2=\"{line:.1}\"/><text x=\"{:.0}\" y=\"{:.1}\" text-anchor=\"end\">{text}</text>",
-                LEFT - 8.0,
-                line + 6.0,
-            ),
-        );
-    }
-    let along_step = tick_step(along_max);
-    for along in ticks(0.0, along_max, along_step) {
-        let text = number(along, usize::from(along_step < 1.0));
-        append(
-            &mut svg,
-            format_args!(
-                "<text x=\"{:.1}\" y=\"{:.0}\" text-anchor=\"middle\">{text}</text>",
-                x(along),
-                HEIGHT - BOTTOM + 24.0,
-            ),
-        );
-    }
+    axes.append_ticks(&mut svg);
     for (index, curve) in plot.curves.iter().enumerate() {
-        append_curve(&mut svg, plot, (index, curve), [&x, &y]);
+        axes.append_curve(&mut svg, index, curve);
     }
     if let Some((value, label)) = plot.reference {
-        append_reference(&mut svg, y(plot.on_axis(value)), label);
+        append_reference(&mut svg, axes.y(plot.on_axis(value)), label);
     }
     svg.push_str("</svg>");
     if 1 < plot.curves.len() {
@@ -175,36 +120,144 @@ pub(crate) fn svg(plot: &Plot<'_>) -> Option<String> {
     Some(svg)
 }
 
-/// A curve as a line, or as a mark for each point.
-fn append_curve(
-    svg: &mut String,
-    plot: &Plot<'_>,
-    (index, curve): (usize, &Curve<'_>),
-    [x, y]: [&dyn Fn(f64) -> f64; 2],
-) {
-    let (class, radius) = match curve.drawn {
-        Drawn::Line => {
-            let path = curve_path(plot, curve, x, y);
-            return append(
-                svg,
-                format_args!("<path class=\"curve c{index}\" d=\"{path}\"/>"),
-            );
+/// A plot, and what of its axes is shown.
+struct Axes<'p> {
+    plot: &'p Plot<'p>,
+    along_max: f64,
+    /// Ends of the value axis, whole steps both.
+    bottom: f64,
+    top: f64,
+    value_step: f64,
+}
+
+impl<'p> Axes<'p> {
+    /// The axes that hold everything of a plot; `None` where it has nothing to draw.
+    fn of(plot: &'p Plot<'p>) -> Option<Self> {
+        let along_max = plot.points().map(|point| point.0).reduce(f64::max)?;
+        let (low, high) = plot
+            .points()
+            .fold((f64::MAX, f64::MIN), |(l, h), (_, v)| (l.min(v), h.max(v)));
+        if along_max <= 0.0 {
+            return None;
         }
-        Drawn::Rings => ("ring", 6.5),
-        Drawn::Dots => ("dot", 3.5),
-    };
-    for (&along, &value) in curve.along.iter().zip(curve.values) {
-        let value = plot.on_axis(value);
-        if along.is_finite() && value.is_finite() {
+        let high = plot
+            .reference
+            .map_or(high, |(value, _)| high.max(plot.on_axis(value * 1.08)));
+        let low = if plot.floor == Floor::Zero && plot.scale == Scale::Linear {
+            low.min(0.0)
+        } else {
+            low
+        };
+        let value_step = match plot.scale {
+            Scale::Linear => tick_step(high - low),
+            Scale::Logarithmic => tick_step(high - low).max(1.0).round(),
+        };
+        let first = (low / value_step).floor();
+        let last = (high / value_step + 1e-9).ceil().max(first + 1.0);
+        Some(Self {
+            plot,
+            along_max,
+            bottom: first * value_step,
+            top: last * value_step,
+            value_step,
+        })
+    }
+
+    /// Where something stands along the drawing.
+    fn x(&self, along: f64) -> f64 {
+        LEFT + (WIDTH - LEFT - MARGIN) * along / self.along_max
+    }
+
+    /// How far down a value of the axis stands.
+    fn y(&self, value: f64) -> f64 {
+        let height = HEIGHT - BOTTOM - MARGIN;
+        HEIGHT - BOTTOM - height * (value - self.bottom) / (self.top - self.bottom)
+    }
+
+    /// Lines and figures of the value axis, figures of the other one.
+    fn append_ticks(&self, svg: &mut String) {
+        for value in ticks(self.bottom, self.top, self.value_step) {
+            let (right, line) = (WIDTH - MARGIN, self.y(value));
+            let text = tick_label(self.plot, value, self.value_step);
             append(
                 svg,
                 format_args!(
-                    "<circle class=\"{class} c{index}\" cx=\"{:.1}\" cy=\"{:.1}\" r=\"{radius}\"/>",
-                    x(along),
-                    y(value),
+                    "<line class=\"grid\" x1=\"{LEFT}\" x2=\"{right}\" y1=\"{line:.1}\" y2=\"{line:.1}\"/><text x=\"{:.0}\" y=\"{:.1}\" text-anchor=\"end\">{text}</text>",
+                    LEFT - 8.0,
+                    line + 6.0,
                 ),
             );
         }
+        let along_step = tick_step(self.along_max);
+        for along in ticks(0.0, self.along_max, along_step) {
+            let text = number(along, usize::from(along_step < 1.0));
+            append(
+                svg,
+                format_args!(
+                    "<text x=\"{:.1}\" y=\"{:.0}\" text-anchor=\"middle\">{text}</text>",
+                    self.x(along),
+                    HEIGHT - BOTTOM + 24.0,
+                ),
+            );
+        }
+    }
+
+    /// A curve as a line, or as a mark for each point.
+    fn append_curve(&self, svg: &mut String, index: usize, curve: &Curve<'_>) {
+        let (class, radius) = match curve.drawn {
+            Drawn::Line => {
+                let path = self.curve_path(curve);
+                return append(
+                    svg,
+                    format_args!("<path class=\"curve c{index}\" d=\"{path}\"/>"),
+                );
+            }
+            Drawn::Rings => ("ring", 6.5),
+            Drawn::Dots => ("dot", 3.5),
+        };
+        for (&along, &value) in curve.along.iter().zip(curve.values) {
+            let value = self.plot.on_axis(value);
+            if along.is_finite() && value.is_finite() {
+                append(
+                    svg,
+                    format_args!(
+                        "<circle class=\"{class} c{index}\" cx=\"{:.1}\" cy=\"{:.1}\" r=\"{radius}\"/>",
+                        self.x(along),
+                        self.y(value),
+                    ),
+                );
+            }
+        }
+    }
+
+    /// The curve as SVG path commands. Long series are thinned to the largest value of each stretch,
+    /// so that no peak is lost.
+    fn curve_path(&self, curve: &Curve<'_>) -> String {
+        let pairs: Vec<(f64, f64)> = curve
+            .along
+            .iter()
+            .zip(curve.values)
+            .map(|(&along, &value)| (along, self.plot.on_axis(value)))
+            .collect();
+        let stretch = pairs.len().div_ceil(POINTS_MAX).max(1);
+        let mut path = String::new();
+        let mut pen_is_down = false;
+        for pairs in pairs.chunks(stretch) {
+            let peak = pairs
+                .iter()
+                .filter(|(along, value)| along.is_finite() && value.is_finite())
+                .copied()
+                .reduce(|best, next| if best.1 < next.1 { next } else { best });
+            if let Some((along, value)) = peak {
+                let command = if pen_is_down { 'L' } else { 'M' };
+                append(
+                    &mut path,
+                    format_args!("{command}{:.1} {:.1}", self.x(along), self.y(value)),
+                );
+            }
+            pen_is_down = peak.is_some();
+        }
+        path
     }
 }
 
@@ -239,41 +292,6 @@ fn append_reference(svg: &mut String, line: f64, label: &str) {
             line - 6.0,
         ),
     );
-}
-
-/// The curve as SVG path commands. Long series are thinned to the largest value of each stretch,
-/// so that no peak is lost.
-fn curve_path(
-    plot: &Plot<'_>,
-    curve: &Curve<'_>,
-    x: &dyn Fn(f64) -> f64,
-    y: &dyn Fn(f64) -> f64,
-) -> String {
-    let pairs: Vec<(f64, f64)> = curve
-        .along
-        .iter()
-        .zip(curve.values)
-        .map(|(&along, &value)| (along, plot.on_axis(value)))
-        .collect();
-    let stretch = pairs.len().div_ceil(POINTS_MAX).max(1);
-    let mut path = String::new();
-    let mut pen_is_down = false;
-    for pairs in pairs.chunks(stretch) {
-        let peak = pairs
-            .iter()
-            .filter(|(along, value)| along.is_finite() && value.is_finite())
-            .copied()
-            .reduce(|best, next| if best.1 < next.1 { next } else { best });
-        if let Some((along, value)) = peak {
-            let command = if pen_is_down { 'L' } else { 'M' };
-            append(
-                &mut path,
-                format_args!("{command}{:.1} {:.1}", x(along), y(value)),
-            );
-        }
-        pen_is_down = peak.is_some();
-    }
-    path
 }
 
 /// A step of 1, 2 or 5 times a power of ten that gives three to six ticks over `span`.

@@ -1,6 +1,6 @@
 //! Pages filled from top to bottom.
 
-use super::sheet::{Align, Picture, Rect, Sheet, TextStyle, baseline};
+use super::sheet::{Align, EncodedPicture, Rect, Sheet, TextStyle, baseline};
 
 /// Empty borders of a page [mm].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -143,11 +143,21 @@ impl Flow {
     }
 
     /// Shows a picture as wide as the text, or smaller where it would be higher than `height` [mm].
-    pub fn picture(&mut self, picture: &Picture, height: f64) {
+    pub fn picture(&mut self, picture: &EncodedPicture, height: f64) {
         let full = self.width() * f64::from(picture.height) / f64::from(picture.width);
         self.block(full.min(height), |sheet, rect| {
             sheet.picture(rect, picture);
         });
+    }
+
+    /// The pages, numbered so far from their right and their lower edge [mm].
+    pub(crate) fn numbered(self, [right, bottom]: [f64; 2]) -> Vec<Sheet> {
+        self.finish(|sheet, number, count| {
+            let [width, height] = sheet.size;
+            let at = [width - right, height - bottom];
+            let text = format!("{number} / {count}");
+            sheet.text(at, &text, &TextStyle::regular(9.0), Align::Right);
+        })
     }
 
     /// The pages. `foot` draws on each of them, given its number from 1 and how many there are.

@@ -6,7 +6,7 @@ use kurbo::{Affine, BezPath, Shape as _};
 
 use super::typeface::{MM_PER_PT, Weight, text_width};
 use super::wrap::wrap;
-use crate::still::Image;
+use crate::still::ImageView;
 use crate::{ExportError, still};
 
 /// A color as printers of a home know it: red, green, blue.
@@ -53,7 +53,7 @@ impl Stroke {
         }
     }
 
-    /// The same line in another color.
+    /// The line in another color.
     #[must_use]
     pub fn with_color(self, color: Color) -> Self {
         Self { color, ..self }
@@ -97,7 +97,7 @@ impl TextStyle {
         }
     }
 
-    /// The same letters in another color.
+    /// The letters in another color.
     #[must_use]
     pub const fn with_color(self, color: Color) -> Self {
         Self { color, ..self }
@@ -175,7 +175,7 @@ impl Rect {
 
 /// An encoded picture; cheap to copy.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Picture {
+pub struct EncodedPicture {
     /// Width [pixel].
     pub width: u32,
     /// Height [pixel].
@@ -191,12 +191,12 @@ pub(super) enum Encoding {
     Png,
 }
 
-impl Picture {
+impl EncodedPicture {
     /// A photograph-like picture, small in the file.
     ///
     /// # Errors
     /// As [`still::encode_jpeg`].
-    pub fn photo(image: Image<'_>) -> Result<Self, ExportError> {
+    pub fn photo(image: ImageView<'_>) -> Result<Self, ExportError> {
         let bytes = Arc::new(still::encode_jpeg(image, 88)?);
         Ok(Self::new(image, bytes, Encoding::Jpeg))
     }
@@ -205,7 +205,7 @@ impl Picture {
     ///
     /// # Errors
     /// As [`still::encode_png`].
-    pub fn exact(image: Image<'_>) -> Result<Self, ExportError> {
+    pub fn exact(image: ImageView<'_>) -> Result<Self, ExportError> {
         let bytes = Arc::new(still::encode_png(image)?);
         Ok(Self::new(image, bytes, Encoding::Png))
     }
@@ -235,7 +235,7 @@ impl Picture {
         })
     }
 
-    const fn new(image: Image<'_>, bytes: Arc<Vec<u8>>, encoding: Encoding) -> Self {
+    const fn new(image: ImageView<'_>, bytes: Arc<Vec<u8>>, encoding: Encoding) -> Self {
         Self {
             width: image.width,
             height: image.height,
@@ -271,7 +271,7 @@ pub enum Item {
         /// Where it stands.
         rect: Rect,
         /// What it shows.
-        picture: Picture,
+        picture: EncodedPicture,
     },
     /// Things drawn elsewhere, at another size, or cut off: one tile of a large drawing.
     Group {
@@ -345,17 +345,11 @@ impl Sheet {
         style.line_height() * f64::from(u32::try_from(lines.len()).unwrap_or(u32::MAX))
     }
 
-    /// Writes one line of text turned counterclockwise by `angle` [rad] about its point `at`.
-    pub fn turned_text(
-        &mut self,
-        at: [f64; 2],
-        angle: f64,
-        text: &str,
-        style: &TextStyle,
-        align: Align,
-    ) {
+    /// Writes one line of text turned counterclockwise by `angle` [rad] about the middle of its
+    /// baseline, which stands at `at`.
+    pub fn turned_text(&mut self, at: [f64; 2], angle: f64, text: &str, style: &TextStyle) {
         let mut turned = Self::new(self.size);
-        turned.text([0.0, 0.0], text, style, align);
+        turned.text([0.0, 0.0], text, style, Align::Center);
         self.items.push(Item::Group {
             page_from_group: Affine::translate((at[0], at[1])) * Affine::rotate(-angle),
             clip: None,
@@ -364,7 +358,7 @@ impl Sheet {
     }
 
     /// Shows a picture, as large as fits into the middle of `rect`. Returns where it stands.
-    pub fn picture(&mut self, rect: Rect, picture: &Picture) -> Rect {
+    pub fn picture(&mut self, rect: Rect, picture: &EncodedPicture) -> Rect {
         let rect = rect.fitting(f64::from(picture.width), f64::from(picture.height));
         let picture = picture.clone();
         self.items.push(Item::Picture { rect, picture });

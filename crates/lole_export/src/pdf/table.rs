@@ -72,7 +72,7 @@ impl<T: Into<String>> From<T> for Cell {
 
 /// A table.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Table {
+pub struct PageTable {
     /// Its columns. Heads are drawn unless all are empty.
     pub columns: Vec<Column>,
     /// Its rows; a missing cell is empty. A row whose first cell is empty goes on with the one above it,
@@ -82,7 +82,7 @@ pub struct Table {
     pub size_pt: f64,
 }
 
-impl Table {
+impl PageTable {
     /// Draws the table down the pages.
     pub fn draw(&self, flow: &mut Flow) {
         let head = self.head();
@@ -225,7 +225,7 @@ mod tests {
 
     #[test]
     fn heads_stand_on_every_page_and_no_row_is_lost() {
-        let table = Table {
+        let table = PageTable {
             columns: vec![Column::text("名前", 3.0), Column::number("布 (m)", 1.0)],
             rows: (0..120)
                 .map(|index| vec![format!("row {index}").into(), "3.66".into()])
@@ -253,7 +253,7 @@ mod tests {
                 vec!["".into(), format!("lei of {index}").into()],
             ]
         });
-        let table = Table {
+        let table = PageTable {
             columns: vec![Column::text("Name", 1.0), Column::text("Garment", 1.0)],
             rows: rows.collect(),
             size_pt: 12.0,
@@ -278,7 +278,7 @@ mod tests {
 
     #[test]
     fn a_table_says_its_height() {
-        let table = Table {
+        let table = PageTable {
             columns: vec![Column::text("", 1.0), Column::text("", 1.0)],
             rows: vec![
                 vec!["a".into(), "long ".repeat(40).into()],

@@ -12,8 +12,9 @@ use krilla::surface::Surface;
 use krilla::text::{Font, GlyphId, KrillaGlyph};
 use kurbo::{Affine, BezPath, PathEl};
 use lole_geom::narrow;
+use lole_language::Language;
 
-use super::sheet::{Color, Encoding, Item, Picture, Rect, Sheet, Stroke, TextStyle};
+use super::sheet::{Color, EncodedPicture, Encoding, Item, Rect, Sheet, Stroke, TextStyle};
 use super::typeface::{MM_PER_PT, Weight, printable, shape};
 use crate::ExportError;
 
@@ -32,6 +33,16 @@ pub struct Document {
 }
 
 impl Document {
+    /// Pages under a title, of which the text is in one of the product's languages.
+    #[must_use]
+    pub fn new(title: &str, language: Language, sheets: Vec<Sheet>) -> Self {
+        Self {
+            title: title.to_owned(),
+            language: language.pick("ja", "en"),
+            sheets,
+        }
+    }
+
     /// The document as PDF; equal sheets give equal bytes.
     ///
     /// # Errors
@@ -61,7 +72,11 @@ impl Document {
             let mut page = document.start_page_with(settings);
             let mut surface = page.surface();
             surface.push_transform(&transform(Affine::scale(PT_PER_MM)));
-            let drawn = draw(&mut surface, &fonts, &sheet.items);
+            let mut painter = Painter {
+                surface: &mut surface,
+                fonts: &fonts,
+            };
+            let drawn = painter.draw(&sheet.items);
             surface.pop();
             surface.finish();
             page.finish();
@@ -78,114 +93,112 @@ struct Fonts {
     bold: Font,
 }
 
-fn draw(surface: &mut Surface<'_>, fonts: &Fonts, items: &[Item]) -> Result<(), String> {
-    for item in items {
-        match item {
-            Item::Path { path, fill, stroke } => {
-                draw_path(surface, path, *fill, stroke.as_ref());
-            }
-            Item::Text { at, text, style } => draw_text(surface, fonts, *at, text, style),
-            Item::Picture { rect, picture } => draw_picture(surface, *rect, picture)?,
-            Item::Group {
-                page_from_group,
-                clip,
-                items,
-            } => {
-                let clip = clip.and_then(|clip| path_of(&clip.to_path()));
-                if let Some(clip) = &clip {
-                    surface.push_clip_path(clip, &FillRule::NonZero);
+/// A page that is being drawn.
+struct Painter<'p, 's> {
+    surface: &'p mut Surface<'s>,
+    fonts: &'p Fonts,
+}
+
+impl Painter<'_, '_> {
+    fn draw(&mut self, items: &[Item]) -> Result<(), String> {
+        for item in items {
+            match item {
+                Item::Path { path, fill, stroke } => {
+                    self.draw_path(path, *fill, stroke.as_ref());
                 }
-                surface.push_transform(&transform(*page_from_group));
-                let drawn = draw(surface, fonts, items);
-                surface.pop();
-                if clip.is_some() {
-                    surface.pop();
+                Item::Text { at, text, style } => self.draw_text(*at, text, style),
+                Item::Picture { rect, picture } => self.draw_picture(*rect, picture)?,
+                Item::Group {
+                    page_from_group,
+                    clip,
+                    items,
+                } => {
+                    let clip = clip.and_then(|clip| path_of(&clip.to_path()));
+                    if let Some(clip) = &clip {
+                        self.surface.push_clip_path(clip, &FillRule::NonZero);
+                    }
+                    self.surface.push_transform(&transform(*page_from_group));
+                    let drawn = self.draw(items);
+                    self.surface.pop();
+                    if clip.is_some() {
+                        self.surface.pop();
+                    }
+                    drawn?;
                 }
-                drawn?;
             }
         }
+        Ok(())
     }
-    Ok(())
-}
 
-fn draw_path(
-    surface: &mut Surface<'_>,
-    path: &BezPath,
-    fill: Option<Color>,
-    stroke: Option<&Stroke>,
-) {
-    // A path without extent has nothing to draw.
-    let Some(path) = path_of(path) else { return };
-    surface.set_fill(fill.map(fill_of));
-    surface.set_stroke(stroke.map(|stroke| PdfStroke {
-        paint: color(stroke.color).into(),
-        width: narrow(stroke.width),
-        line_cap: LineCap::Butt,
-        line_join: LineJoin::Round,
-        dash: (!stroke.dashes.is_empty()).then(|| StrokeDash {
-            array: stroke.dashes.iter().copied().map(narrow).collect(),
-            offset: 0.0,
-        }),
-        ..PdfStroke::default()
-    }));
-    surface.draw_path(&path);
-}
+    fn draw_path(&mut self, path: &BezPath, fill: Option<Color>, stroke: Option<&Stroke>) {
+        // A path without extent has nothing to draw.
+        let Some(path) = path_of(path) else { return };
+        self.surface.set_fill(fill.map(fill_of));
+        self.surface.set_stroke(stroke.map(|stroke| PdfStroke {
+            paint: color(stroke.color).into(),
+            width: narrow(stroke.width),
+            line_cap: LineCap::Butt,
+            line_join: LineJoin::Round,
+            dash: (!stroke.dashes.is_empty()).then(|| StrokeDash {
+                array: stroke.dashes.iter().copied().map(narrow).collect(),
+                offset: 0.0,
+            }),
+            ..PdfStroke::default()
+        }));
+        self.surface.draw_path(&path);
+    }
 
-fn draw_text(
-    surface: &mut Surface<'_>,
-    fonts: &Fonts,
-    at: [f64; 2],
-    text: &str,
-    style: &TextStyle,
-) {
-    let text = printable(text);
-    let shaped = shape(&text, style.weight);
-    let glyphs: Vec<KrillaGlyph> = (0..shaped.len())
-        .map(|index| {
-            let glyph = shaped[index];
-            // Letters joined to one cluster share its stretch of the text.
-            let end = (shaped[index..].iter().map(|next| next.cluster))
-                .find(|&next| glyph.cluster < next)
-                .unwrap_or(text.len());
-            KrillaGlyph::new(
-                GlyphId::new(glyph.id),
-                narrow(glyph.advance),
-                narrow(glyph.offset[0]),
-                narrow(glyph.offset[1]),
-                0.0,
-                glyph.cluster..end,
-                None,
-            )
-        })
-        .collect();
-    let font = match style.weight {
-        Weight::Regular => &fonts.regular,
-        Weight::Bold => &fonts.bold,
-    };
-    surface.set_fill(Some(fill_of(style.color)));
-    surface.set_stroke(None);
-    surface.draw_glyphs(
-        Point::from_xy(narrow(at[0]), narrow(at[1])),
-        &glyphs,
-        font.clone(),
-        &text,
-        narrow(style.em()),
-        false,
-    );
-}
+    fn draw_text(&mut self, at: [f64; 2], text: &str, style: &TextStyle) {
+        let text = printable(text);
+        let shaped = shape(&text, style.weight);
+        let glyphs: Vec<KrillaGlyph> = (0..shaped.len())
+            .map(|index| {
+                let glyph = shaped[index];
+                // Letters joined to one cluster share its stretch of the text.
+                let end = (shaped[index..].iter().map(|next| next.cluster))
+                    .find(|&next| glyph.cluster < next)
+                    .unwrap_or(text.len());
+                KrillaGlyph::new(
+                    GlyphId::new(glyph.id),
+                    narrow(glyph.advance),
+                    narrow(glyph.offset[0]),
+                    narrow(glyph.offset[1]),
+                    0.0,
+                    glyph.cluster..end,
+                    None,
+                )
+            })
+            .collect();
+        let font = match style.weight {
+            Weight::Regular => &self.fonts.regular,
+            Weight::Bold => &self.fonts.bold,
+        };
+        self.surface.set_fill(Some(fill_of(style.color)));
+        self.surface.set_stroke(None);
+        self.surface.draw_glyphs(
+            Point::from_xy(narrow(at[0]), narrow(at[1])),
+            &glyphs,
+            font.clone(),
+            &text,
+            narrow(style.em()),
+            false,
+        );
+    }
 
-fn draw_picture(surface: &mut Surface<'_>, rect: Rect, picture: &Picture) -> Result<(), String> {
-    let data = Data::from(std::sync::Arc::clone(&picture.bytes));
-    let image = match picture.encoding {
-        Encoding::Jpeg => Image::from_jpeg(data, true),
-        Encoding::Png => Image::from_png(data, true),
-    }?;
-    let size = Size::from_wh(narrow(rect.width), narrow(rect.height))
-        .ok_or_else(|| "a picture without extent".to_owned())?;
-    surface.push_transform(&transform(Affine::translate((rect.x, rect.y))));
-    surface.draw_image(image, size);
-    surface.pop();
-    Ok(())
+    fn draw_picture(&mut self, rect: Rect, picture: &EncodedPicture) -> Result<(), String> {
+        let data = Data::from(std::sync::Arc::clone(&picture.bytes));
+        let image = match picture.encoding {
+            Encoding::Jpeg => Image::from_jpeg(data, true),
+            Encoding::Png => Image::from_png(data, true),
+        }?;
+        let size = Size::from_wh(narrow(rect.width), narrow(rect.height))
+            .ok_or_else(|| "a picture without extent".to_owned())?;
+        self.surface
+            .push_transform(&transform(Affine::translate((rect.x, rect.y))));
+        self.surface.draw_image(image, size);
+        self.surface.pop();
+        Ok(())
+    }
 }
 
 fn color(Color(red, green, blue): Color) -> rgb::Color {
@@ -237,7 +250,7 @@ mod tests {
         );
         sheet.line([20.0, 50.0], [120.0, 50.0], Stroke::solid(0.3));
         let pixels = [200, 30, 60, 255].repeat(64);
-        let picture = Picture::photo(crate::Image::new(8, 8, &pixels).unwrap()).unwrap();
+        let picture = EncodedPicture::photo(crate::ImageView::new(8, 8, &pixels).unwrap()).unwrap();
         let rect = Rect {
             x: 20.0,
             y: 60.0,

@@ -5,7 +5,9 @@
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 
-use super::{GarmentFacts, PageMedia, PieceOver, ReportFile, RunReport, SkirtFacts};
+use super::{
+    GarmentFacts, PageMedia, ReportDivergence, ReportFile, ReportPieceOver, RunReport, SkirtFacts,
+};
 use crate::page::plot::{Floor, Plot, svg};
 use crate::page::text::{both, dance_step, escape, file_size, grouped, link, number};
 use crate::page::{Page, Row, row, section};
@@ -62,36 +64,27 @@ fn alarm(report: &RunReport) -> String {
     if report.finite && report.divergence.is_none() {
         return String::new();
     }
-    let detail = report
-        .divergence
-        .as_ref()
-        .map_or_else(String::new, |divergence| {
-            format!(
-                "<p>{}</p><p>{}</p>",
-                both(
-                    &format!(
-                        "At {} seconds, at particle {}.",
-                        number(divergence.time_s, 2),
-                        grouped(divergence.particle)
-                    ),
-                    &format!(
-                        "{} 秒、質点 {} 番で起こりました。",
-                        number(divergence.time_s, 2),
-                        grouped(divergence.particle)
-                    ),
-                ),
-                both(
-                    &escape(&divergence.sentence),
-                    &escape(&divergence.sentence_ja),
-                ),
-            )
-        });
+    let detail = report.divergence.as_ref();
+    let detail = detail.map_or_else(String::new, where_it_broke);
     format!(
         "<section class=\"alarm\" role=\"alert\"><h3>{}</h3>{detail}</section>\n",
         both(
             "The calculation broke off. The pictures and numbers below end there.",
             "計算が途中で止まりました。下の映像と数値は、そこまでのものです。",
         ),
+    )
+}
+
+/// When and at which particle a run broke off, and what to change.
+fn where_it_broke(found: &ReportDivergence) -> String {
+    let (time, particle) = (number(found.time_s, 2), grouped(found.particle));
+    format!(
+        "<p>{}</p><p>{}</p>",
+        both(
+            &format!("At {time} seconds, at particle {particle}."),
+            &format!("{time} 秒、質点 {particle} 番で起こりました。"),
+        ),
+        both(&escape(&found.sentence), &escape(&found.sentence_ja)),
     )
 }
 
@@ -311,8 +304,8 @@ fn garment_rows(garment: &GarmentFacts) -> Vec<Row> {
 }
 
 /// One piece over another, in English and Japanese.
-fn said_over(over: &PieceOver) -> [String; 2] {
-    let PieceOver {
+fn said_over(over: &ReportPieceOver) -> [String; 2] {
+    let ReportPieceOver {
         outer,
         outer_ja,
         inner,
@@ -481,61 +474,75 @@ fn speed(report: &RunReport) -> String {
     )
 }
 
+/// A figure over the time of the dance.
+struct TimePlot<'a> {
+    /// English and Japanese.
+    title: [&'a str; 2],
+    /// What to read from it, in both.
+    about: [&'a str; 2],
+    values: &'a [f64],
+    reference: Option<(f64, &'a str)>,
+    floor: Floor,
+}
+
+impl TimePlot<'_> {
+    /// The figure over these times [s]; `None` where there is nothing to draw.
+    fn figure(&self, times: &[f64]) -> Option<String> {
+        let drawing = svg(&Plot {
+            reference: self.reference,
+            ..Plot::single(times, self.values, self.floor)
+        })?;
+        let [title, about] = [self.title, self.about].map(|[en, ja]| both(en, ja));
+        Some(format!(
+            "<figure><h3>{title}</h3><p>{about}</p>{drawing}</figure>\n"
+        ))
+    }
+}
+
 fn plots(report: &RunReport) -> String {
     let series = &report.series;
     let shown = [
-        (
-            ["Time for one frame (ms)", "1コマの計算時間（ms）"],
-            [
+        TimePlot {
+            title: ["Time for one frame (ms)", "1コマの計算時間（ms）"],
+            about: [
                 "The dashed line is 16.7 ms: 60 frames a second.",
                 "破線は 16.7 ms（1秒60コマ）です。",
             ],
-            &series.frame_ms,
-            Some((1000.0 / 60.0, "16.7 ms")),
-            Floor::Zero,
-        ),
-        (
-            ["Height of the hem (cm)", "裾の高さ（cm）"],
-            ["Mean height above the floor.", "床からの高さの平均です。"],
-            &series.hem_height_mean_cm,
-            None,
-            Floor::Smallest,
-        ),
-        (
-            ["Stretch of the cloth (%)", "布の伸び縮み（%）"],
-            [
+            values: &series.frame_ms,
+            reference: Some((1000.0 / 60.0, "16.7 ms")),
+            floor: Floor::Zero,
+        },
+        TimePlot {
+            title: ["Height of the hem (cm)", "裾の高さ（cm）"],
+            about: ["Mean height above the floor.", "床からの高さの平均です。"],
+            values: &series.hem_height_mean_cm,
+            reference: None,
+            floor: Floor::Smallest,
+        },
+        TimePlot {
+            title: ["Stretch of the cloth (%)", "布の伸び縮み（%）"],
+            about: [
                 "99 of 100 threads stretch less.",
                 "100本中99本はこれより小さい伸びです。",
             ],
-            &series.strain_p99_pct,
-            None,
-            Floor::Zero,
-        ),
-        (
-            ["Cloth inside the body (mm)", "体へのめり込み（mm）"],
-            [
+            values: &series.strain_p99_pct,
+            reference: None,
+            floor: Floor::Zero,
+        },
+        TimePlot {
+            title: ["Cloth inside the body (mm)", "体へのめり込み（mm）"],
+            about: [
                 "Deepest point of each frame.",
                 "各コマでいちばん深い点です。",
             ],
-            &series.skin_penetration_mm,
-            None,
-            Floor::Zero,
-        ),
+            values: &series.skin_penetration_mm,
+            reference: None,
+            floor: Floor::Zero,
+        },
     ];
     let figures: String = shown
-        .into_iter()
-        .filter_map(
-            |([title_en, title_ja], [about_en, about_ja], values, reference, floor)| {
-                let drawing = svg(&Plot {
-                    reference,
-                    ..Plot::single(&series.time_s, values, floor)
-                })?;
-                let (title, about) = (both(title_en, title_ja), both(about_en, about_ja));
-                Some(format!(
-                    "<figure><h3>{title}</h3><p>{about}</p>{drawing}</figure>\n"
-                ))
-            },
-        )
+        .iter()
+        .filter_map(|shown| shown.figure(&series.time_s))
         .collect();
     if figures.is_empty() {
         return String::new();

@@ -42,14 +42,14 @@ pub struct Worst<T> {
 
 /// When, where and how a run left the finite numbers.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
-pub struct Divergence {
+pub struct ReportDivergence {
     /// Time into the dance [s].
     pub time_s: f64,
     /// Index of the first particle that was not finite.
     pub particle: usize,
     /// One sentence: what happened and what to change.
     pub sentence: String,
-    /// The same in Japanese.
+    /// What happened and what to change, in Japanese.
     pub sentence_ja: String,
 }
 
@@ -104,14 +104,14 @@ pub struct SkirtFacts {
 
 /// One piece of a garment that lies outside over another.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
-pub struct PieceOver {
+pub struct ReportPieceOver {
     /// The piece outside, as the paper calls it.
     pub outer: String,
-    /// The same in Japanese.
+    /// Its Japanese name.
     pub outer_ja: String,
     /// The piece that it lies over.
     pub inner: String,
-    /// The same in Japanese.
+    /// Its Japanese name.
     pub inner_ja: String,
     /// Whether both are one piece of cloth: a turn or a tuck of it. Two pieces of one name are a pair.
     pub is_itself: bool,
@@ -119,19 +119,19 @@ pub struct PieceOver {
     pub places: usize,
 }
 
-/// Which piece of a garment lies outside wherever pieces overlap.
+/// One garment of the run: its names, and what of its cloth lies over what.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize)]
 pub struct GarmentFacts {
     /// Name in files, such as `blouse`.
     pub id: String,
     /// What it is called.
     pub name: String,
-    /// The same in Japanese.
+    /// Its Japanese name.
     pub name_ja: String,
     /// Places of the cloth that lie under other cloth of it, as it was put on.
     pub overlapping_places: usize,
     /// Which piece lies outside over which, most places first.
-    pub over: Vec<PieceOver>,
+    pub over: Vec<ReportPieceOver>,
     /// Places that lie the wrong way round.
     pub inverted_places: Worst<usize>,
 }
@@ -203,7 +203,7 @@ pub struct RunReport {
     pub realtime_factor: f64,
     /// Absolute strain of structural edges, pairs of pinned points left out, worst over the run [%].
     pub strain_pct: MeanPercentileMax,
-    /// The same at the end of the run [%].
+    /// Absolute strain of structural edges, pairs of pinned points left out, at the end of the run [%].
     pub strain_end_pct: MeanPercentileMax,
     /// What the cloth met as a body: `skin`, `capsules` or `two-cylinders`.
     pub contact_body: String,
@@ -219,7 +219,7 @@ pub struct RunReport {
     /// Whether every number of the run stayed finite.
     pub finite: bool,
     /// Where the run diverged, if it did.
-    pub divergence: Option<Divergence>,
+    pub divergence: Option<ReportDivergence>,
     /// When, and beside what, the dance left the cloth no room.
     pub no_room: Vec<Remark>,
     /// How each dressed garment covers itself.

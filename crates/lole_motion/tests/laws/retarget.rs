@@ -5,7 +5,7 @@ use lole_body::{Bone, Dancer, Measurements, Pose, Tape};
 use lole_geom::Length;
 use lole_hula::{DanceStep, MotionSettings};
 use lole_motion::{
-    BoneMap, Clip, ClipSettings, Drift, Inspection, MapSource, Recording, Repeat, bvh,
+    BoneMap, Clip, ClipSettings, Drift, MapSource, Recording, RecordingInspection, Repeat, bvh,
 };
 
 use super::support::{Manner, dancer, joint, steps, write_bvh};
@@ -440,7 +440,7 @@ fn an_inspection_tells_unit_axes_and_joints() {
         six_channels: true,
         ..Manner::default()
     };
-    let inspection = Inspection::new("BVH", &recording(&ami(), &manner), None);
+    let inspection = RecordingInspection::new("BVH", &recording(&ami(), &manner), None);
     let person = inspection.person.unwrap();
     assert_eq!(
         (person.unit, person.up, person.front),

@@ -41,7 +41,11 @@ pub(super) fn parts(dice: &mut Dice) -> Vec<Part> {
         teeth(&mut parts, field, [top + 2.6 * unit, top + 1.2 * unit], 32);
         let low = top + (2.6 + units) * unit;
         parts.push(bar(field, top + 2.6 * unit, units * unit));
-        band.stamp(&mut parts, [top + 2.6 * unit, low], ink);
+        let strip = Strip {
+            top: top + 2.6 * unit,
+            low,
+        };
+        band.stamp(&mut parts, strip, ink);
         teeth(&mut parts, field, [low, low + 1.4 * unit], 32);
         parts.push(bar(field, low + 1.6 * unit, 0.18 * unit));
         parts.push(bar(field, low + 2.05 * unit, 0.32 * unit));
@@ -60,8 +64,8 @@ enum Band {
 }
 
 impl Band {
-    fn stamp(self, parts: &mut Vec<Part>, [top, low]: [f32; 2], ink: Tint) {
-        let (middle, half) = (0.5 * (top + low), 0.5 * (low - top));
+    fn stamp(self, parts: &mut Vec<Part>, strip: Strip, ink: Tint) {
+        let (middle, half) = (strip.middle(), strip.half());
         match self {
             Self::Diamonds => {
                 let wide = 1.0 / 10.0;
@@ -79,17 +83,17 @@ impl Band {
             }
             Self::Chevrons => {
                 for (line, tint) in [ink, Tint::Ground, ink].into_iter().enumerate() {
-                    zigzag(parts, tint, (top, half), count(line));
+                    zigzag(parts, tint, strip, count(line));
                 }
             }
             Self::Crosses => {
                 for place in 0..12 {
-                    cross(parts, ink, (place, middle, half));
+                    cross(parts, ink, strip, place);
                 }
             }
             Self::Fans => {
                 for place in 0..12 {
-                    let at = vec2((count(place) + 0.5) / 12.0, low - 0.16 * half);
+                    let at = vec2((count(place) + 0.5) / 12.0, strip.low - 0.16 * half);
                     for (share, tint) in [
                         (0.96, ink),
                         (0.76, Tint::Flower),
@@ -104,11 +108,30 @@ impl Band {
     }
 }
 
+/// What a band takes of the repeat, all across.
+#[derive(Debug, Clone, Copy)]
+struct Strip {
+    /// Its edges, y down.
+    top: f32,
+    low: f32,
+}
+
+impl Strip {
+    fn middle(self) -> f32 {
+        0.5 * (self.top + self.low)
+    }
+
+    fn half(self) -> f32 {
+        0.5 * (self.low - self.top)
+    }
+}
+
 /// One of twelve crosses, or the diamonds between two, and the slit beside it.
-fn cross(parts: &mut Vec<Part>, ink: Tint, (place, middle, half): (usize, f32, f32)) {
+fn cross(parts: &mut Vec<Part>, ink: Tint, strip: Strip, place: usize) {
+    let (middle, half) = (strip.middle(), strip.half());
     let wide = 1.0 / 12.0;
     let at = vec2((count(place) + 0.5) * wide, middle);
-    if place % 2 == 0 {
+    if place.is_multiple_of(2) {
         for side in [-1.0, 1.0] {
             let reach = vec2(0.36 * wide, side * 0.66 * half);
             let across = vec2(0.085 * wide, 0.0);
@@ -158,11 +181,12 @@ fn teeth(parts: &mut Vec<Part>, tint: Tint, [base, tip]: [f32; 2], tooth_count: 
     }
 }
 
-/// A zigzag line in a band that begins at `top` and is two `half` high.
-fn zigzag(parts: &mut Vec<Part>, tint: Tint, (top, half): (f32, f32), line: f32) {
+/// A zigzag line in a strip, the first of them uppermost.
+fn zigzag(parts: &mut Vec<Part>, tint: Tint, strip: Strip, line: f32) {
+    let half = strip.half();
     let wide = 1.0 / 12.0;
     let thick = 0.22 * half;
-    let level = top + (0.20 + 0.42 * line) * half;
+    let level = strip.top + (0.20 + 0.42 * line) * half;
     for place in 0..24 {
         let up = place % 2 == 0;
         let left = 0.5 * wide * count(place);

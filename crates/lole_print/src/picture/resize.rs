@@ -36,6 +36,30 @@ impl Light {
         let below = self.borders.partition_point(|border| *border <= light);
         u8::try_from(below).unwrap_or(u8::MAX)
     }
+
+    /// Adds `share` of a row of pixels to premultiplied light and alpha, a sum for each span.
+    fn add_line<const CHANNELS: usize>(
+        &self,
+        line: &[u8],
+        columns: &[Span],
+        share: f32,
+        sums: &mut [[f32; 4]],
+    ) {
+        for (span, sum) in columns.iter().zip(sums) {
+            for (column, part) in span.shares() {
+                let pixel = &line[column * CHANNELS..(column + 1) * CHANNELS];
+                let alpha = match pixel.get(3) {
+                    Some(alpha) => f32::from(*alpha) / 255.0,
+                    None => 1.0,
+                };
+                let weight = share * part * alpha;
+                sum[3] += weight;
+                for channel in 0..3 {
+                    sum[channel] += weight * self.decode(pixel[channel]);
+                }
+            }
+        }
+    }
 }
 
 /// `source`, of `CHANNELS` bytes a pixel (RGB or RGBA) and `from` pixels wide and high, as RGBA of
@@ -58,7 +82,7 @@ pub(crate) fn resized<const CHANNELS: usize>(
         sums.fill([0.0; 4]);
         for (line, share) in row.shares() {
             let line = &source[line * stride..(line + 1) * stride];
-            add_line::<CHANNELS>(line, &columns, share, (&light, &mut sums));
+            light.add_line::<CHANNELS>(line, &columns, share, &mut sums);
         }
         for sum in &sums {
             let alpha = sum[3].min(1.0);
@@ -68,29 +92,6 @@ pub(crate) fn resized<const CHANNELS: usize>(
         }
     }
     pixels
-}
-
-/// Adds `share` of a row of pixels.
-fn add_line<const CHANNELS: usize>(
-    line: &[u8],
-    columns: &[Span],
-    share: f32,
-    (light, sums): (&Light, &mut [[f32; 4]]),
-) {
-    for (span, sum) in columns.iter().zip(sums) {
-        for (column, part) in span.shares() {
-            let pixel = &line[column * CHANNELS..(column + 1) * CHANNELS];
-            let alpha = match pixel.get(3) {
-                Some(alpha) => f32::from(*alpha) / 255.0,
-                None => 1.0,
-            };
-            let weight = share * part * alpha;
-            sum[3] += weight;
-            for channel in 0..3 {
-                sum[channel] += weight * light.decode(pixel[channel]);
-            }
-        }
-    }
 }
 
 /// The pixels of a side that one pixel of the result covers.

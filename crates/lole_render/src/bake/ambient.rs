@@ -4,7 +4,7 @@
 //! triangles shows it coarsely.
 
 use super::ground::GroundLight;
-use super::studio::{Pair, Studio};
+use super::studio::{Pair, Room};
 use crate::depth_map::DepthMap;
 use crate::prepare::Geometry;
 use glam::Vec3;
@@ -20,8 +20,7 @@ const SLACK: f32 = 0.002;
 /// Light on the face and on the back of each vertex.
 pub(super) fn by_vertex(
     geometry: &Geometry,
-    studio: &Studio,
-    maps: &[DepthMap],
+    room: &Room,
     ground: Option<&GroundLight>,
 ) -> Vec<[Vec3; 2]> {
     let mut ambient = vec![[Vec3::ZERO; 2]; geometry.positions.len()];
@@ -30,7 +29,7 @@ pub(super) fn by_vertex(
         .enumerate()
         .for_each(|(chunk, lights)| {
             let start = chunk * CHUNK;
-            for (pair, map) in studio.axes.iter().zip(maps) {
+            for (pair, map) in room.pairs() {
                 for (offset, light) in lights.iter_mut().enumerate() {
                     let position = geometry.positions[start + offset];
                     let normal = geometry.normals[start + offset];

@@ -1,11 +1,10 @@
 //! Light on the floor: the shadow of the key light and the darkness where feet and hem keep the
 //! light of the room away.
 
-use super::studio::Studio;
-use crate::depth_map::DepthMap;
+use super::studio::Room;
 use crate::shade::{KeyShadow, disk};
 use crate::whole;
-use crate::{Bounds, Ground, LightRig};
+use crate::{Bounds, Scene};
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
 
@@ -41,52 +40,48 @@ pub(crate) struct GroundLight {
 }
 
 impl GroundLight {
+    /// The light on the floor of a scene whose meshes lie in `bounds`; `None` without a floor.
     pub(super) fn new(
-        ground: &Ground,
+        scene: &Scene<'_>,
         bounds: Bounds,
-        lights: &LightRig,
-        studio: &Studio,
-        studio_maps: &[DepthMap],
+        room: &Room,
         shadow: KeyShadow<'_>,
-    ) -> Self {
+    ) -> Option<Self> {
+        let ground = scene.ground.as_ref()?;
         let (corner, side) = covered_square(ground.height, bounds, shadow.map.axis);
         let cell = side / CELLS as f32;
         let place =
             |x: f32, z: f32| Vec3::new(corner.x + x * cell, ground.height, corner.y + z * cell);
         let room_taps: [Vec2; ROOM_TAPS] = disk();
         let room_side = CELLS / ROOM_STEP + 1;
-        let room: Vec<Vec3> = (0..room_side * room_side)
+        let room_lights: Vec<Vec3> = (0..room_side * room_side)
             .into_par_iter()
             .map(|index| {
                 let step = ROOM_STEP as f32;
                 let (x, z) = ((index % room_side) as f32, (index / room_side) as f32);
-                room_light(studio, studio_maps, &room_taps, place(x * step, z * step))
+                room_light(room, &room_taps, place(x * step, z * step))
             })
             .collect();
-        let room_open: Vec3 = studio
-            .axes
-            .iter()
-            .map(|pair| pair.radiance[0] * pair.axis.y)
-            .sum();
-        let key_light = Vec3::from(lights.key.color) * shadow.map.axis.y.max(0.0);
-        let open = (room_open + key_light).max(Vec3::splat(1.0e-6));
+        let key_light = Vec3::from(scene.lights.key.color) * shadow.map.axis.y.max(0.0);
+        let open = (room.studio.on_open_floor() + key_light).max(Vec3::splat(1.0e-6));
         let factors: Vec<Vec3> = (0..CELLS * CELLS)
             .into_par_iter()
             .map(|index| {
                 let (x, z) = (index % CELLS, index / CELLS);
                 let middle = place(x as f32 + 0.5, z as f32 + 0.5);
-                let light = key_light * shadow.seen(middle) + room_between(&room, room_side, x, z);
+                let light =
+                    key_light * shadow.seen(middle) + room_between(&room_lights, room_side, x, z);
                 let shaded = (light / open).min(Vec3::ONE);
                 let fade = ground.shadow * edge_fade(x, z);
                 Vec3::ONE.lerp(shaded, fade.clamp(0.0, 1.0))
             })
             .collect();
-        Self {
+        Some(Self {
             height: ground.height,
             corner,
             cell,
             factors: smoothed(&factors),
-        }
+        })
     }
 
     /// Factor where a ray from `position` along `direction` meets the floor; 1 where it does not.
@@ -146,9 +141,9 @@ fn edge_fade(x: usize, z: usize) -> f32 {
 }
 
 /// Light of the room that reaches a point of the floor.
-fn room_light(studio: &Studio, maps: &[DepthMap], taps: &[Vec2], point: Vec3) -> Vec3 {
+fn room_light(room: &Room, taps: &[Vec2], point: Vec3) -> Vec3 {
     let mut light = Vec3::ZERO;
-    for (pair, map) in studio.axes.iter().zip(maps) {
+    for (pair, map) in room.pairs() {
         let at = map.project(point);
         let mut seen = 0.0;
         for offset in taps {

@@ -1,6 +1,7 @@
 //! The surroundings as a few dozen directions, in opposite pairs that share one depth map.
 
 use crate::LightRig;
+use crate::depth_map::DepthMap;
 use glam::Vec3;
 use lole_geom::trig;
 
@@ -38,6 +39,27 @@ impl Studio {
             })
             .collect();
         Self { axes }
+    }
+
+    /// Light on an open floor, as the radiance of a white surface there.
+    pub(super) fn on_open_floor(&self) -> Vec3 {
+        (self.axes.iter())
+            .map(|pair| pair.radiance[0] * pair.axis.y)
+            .sum()
+    }
+}
+
+/// The surroundings, and what of the meshes each pair of directions meets.
+pub(super) struct Room {
+    pub(super) studio: Studio,
+    /// One for each pair, in its direction.
+    pub(super) maps: Vec<DepthMap>,
+}
+
+impl Room {
+    /// Each pair with its map.
+    pub(super) fn pairs(&self) -> impl Iterator<Item = (&Pair, &DepthMap)> {
+        self.studio.axes.iter().zip(&self.maps)
     }
 }
 

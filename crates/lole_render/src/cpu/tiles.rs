@@ -33,7 +33,10 @@ impl TileGrid {
                 let mut entries = Vec::with_capacity(triangles.len() * 2);
                 for (offset, _) in triangles.iter().enumerate() {
                     let triangle = index(chunk * CHUNK + offset);
-                    enter(&mut entries, [columns, rows], triangle, geometry, corners);
+                    let Some(seen) = seen_box(geometry, corners, triangle) else {
+                        continue;
+                    };
+                    enter(&mut entries, [columns, rows], triangle, seen);
                 }
                 entries
             })
@@ -76,14 +79,8 @@ impl TileGrid {
     }
 }
 
-/// Enters a triangle into every tile that its box touches.
-fn enter(
-    entries: &mut Vec<(u32, u32)>,
-    [columns, rows]: [usize; 2],
-    triangle: u32,
-    geometry: &Geometry,
-    corners: &[Corner],
-) {
+/// Lowest and highest corner of what is seen of a triangle [pixel]; `None` where nothing is.
+fn seen_box(geometry: &Geometry, corners: &[Corner], triangle: u32) -> Option<[Vec2; 2]> {
     let sides = geometry.parts[geometry.part_of(triangle)].sides;
     let points = geometry.triangles[triangle as usize].map(|vertex| corners[vertex as usize]);
     let mut low = Vec2::INFINITY;
@@ -97,8 +94,21 @@ fn enter(
             high = high.max(point.at);
         }
     }
+    if high.x < low.x {
+        return None;
+    }
+    Some([low, high])
+}
+
+/// Enters a triangle into every tile that its box touches.
+fn enter(
+    entries: &mut Vec<(u32, u32)>,
+    [columns, rows]: [usize; 2],
+    triangle: u32,
+    [low, high]: [Vec2; 2],
+) {
     let picture = Vec2::new((columns * TILE) as f32, (rows * TILE) as f32);
-    if high.cmplt(Vec2::ZERO).any() || low.cmpge(picture).any() || low.x > high.x {
+    if high.cmplt(Vec2::ZERO).any() || low.cmpge(picture).any() {
         return;
     }
     let tile_of = |at: f32, count: usize| (whole::index(at) / TILE).min(count - 1);

@@ -124,16 +124,7 @@ impl GpuRenderer {
 
     fn draw(&self, scene: &Scene<'_>, geometry: &Geometry, bake: &Bake, frame: &Frame) {
         let device = &self.gpu.device;
-        let vertices: Vec<Vertex> = (0..geometry.positions.len())
-            .map(|index| Vertex {
-                position: geometry.positions[index].into(),
-                normal: geometry.normals[index].into(),
-                uv: geometry.uvs[index].into(),
-                color: geometry.colors[index].into(),
-                face_light: bake.ambient[index][0].into(),
-                back_light: bake.ambient[index][1].into(),
-            })
-            .collect();
+        let vertices = vertices(geometry, bake);
         let buffer = |label, contents: &[u8], usage| {
             device.create_buffer_init(&BufferInitDescriptor {
                 label: Some(label),
@@ -282,6 +273,19 @@ impl GpuRenderer {
     fn read_back(&self) -> Result<Image, RenderError> {
         read_buffer(&self.gpu, &self.targets.readback, self.targets.size)
     }
+}
+
+/// The vertices as the shader takes them.
+fn vertices(geometry: &Geometry, bake: &Bake) -> Vec<Vertex> {
+    let vertex = |index: usize| Vertex {
+        position: geometry.positions[index].into(),
+        normal: geometry.normals[index].into(),
+        uv: geometry.uvs[index].into(),
+        color: geometry.colors[index].into(),
+        face_light: bake.ambient[index][0].into(),
+        back_light: bake.ambient[index][1].into(),
+    };
+    (0..geometry.positions.len()).map(vertex).collect()
 }
 
 impl Targets {

@@ -76,7 +76,7 @@ const STROKE_BYTES: u64 = 32;
 /// A line or, where both ends are the same, a dot over the picture.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
-pub struct Stroke {
+pub struct OverlayLine {
     /// Where it starts [m].
     pub from: Vec3,
     /// Where it ends [m].
@@ -91,9 +91,9 @@ pub struct Stroke {
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Overlay<'a> {
     /// Lines on surfaces: hidden by what is before them.
-    pub on_surfaces: &'a [Stroke],
+    pub on_surfaces: &'a [OverlayLine],
     /// Lines that shine through everything.
-    pub through: &'a [Stroke],
+    pub through: &'a [OverlayLine],
 }
 
 /// Light of the room by vertex of a scene's meshes: on the face and on the back.
@@ -378,7 +378,7 @@ impl LiveView {
             meshes.draw(&self.pipelines, &mut pass);
         }
         if let Some(strokes) = &self.strokes {
-            let count = |strokes: &[Stroke]| u32::try_from(strokes.len()).unwrap_or(0);
+            let count = |strokes: &[OverlayLine]| u32::try_from(strokes.len()).unwrap_or(0);
             let (on, through) = (count(overlay.on_surfaces), count(overlay.through));
             pass.set_vertex_buffer(0, strokes.slice(..));
             for (pipeline, range) in [
@@ -461,27 +461,31 @@ const fn depth_attachment(
     }
 }
 
-fn new_texture(
-    device: &wgpu::Device,
-    [width, height]: [u32; 2],
+/// What the pixels of a texture are, and what is done with them.
+#[derive(Clone, Copy)]
+struct TextureKind {
     format: wgpu::TextureFormat,
-    sample_count: u32,
+    samples: u32,
     usage: wgpu::TextureUsages,
-) -> wgpu::Texture {
-    device.create_texture(&wgpu::TextureDescriptor {
-        label: Some("live"),
-        size: extent(width, height),
-        mip_level_count: 1,
-        sample_count,
-        dimension: wgpu::TextureDimension::D2,
-        format,
-        usage,
-        view_formats: if format == COLOR && sample_count == 1 {
-            &[wgpu::TextureFormat::Rgba8Unorm]
-        } else {
-            &[]
-        },
-    })
+}
+
+impl TextureKind {
+    fn texture(self, device: &wgpu::Device, [width, height]: [u32; 2]) -> wgpu::Texture {
+        device.create_texture(&wgpu::TextureDescriptor {
+            label: Some("live"),
+            size: extent(width, height),
+            mip_level_count: 1,
+            sample_count: self.samples,
+            dimension: wgpu::TextureDimension::D2,
+            format: self.format,
+            usage: self.usage,
+            view_formats: if self.format == COLOR && self.samples == 1 {
+                &[wgpu::TextureFormat::Rgba8Unorm]
+            } else {
+                &[]
+            },
+        })
+    }
 }
 
 fn view(texture: &wgpu::Texture) -> wgpu::TextureView {
@@ -492,18 +496,26 @@ impl Targets {
     fn new(device: &wgpu::Device, size: Size, samples: u32) -> Self {
         let attachment = wgpu::TextureUsages::RENDER_ATTACHMENT;
         let sides = [size.width, size.height];
-        let picture = new_texture(
-            device,
-            sides,
-            COLOR,
-            1,
-            attachment | wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_SRC,
-        );
+        let sampled = |format| {
+            let kind = TextureKind {
+                format,
+                samples,
+                usage: attachment,
+            };
+            view(&kind.texture(device, sides))
+        };
+        let shown = TextureKind {
+            format: COLOR,
+            samples: 1,
+            usage: attachment
+                | wgpu::TextureUsages::TEXTURE_BINDING
+                | wgpu::TextureUsages::COPY_SRC,
+        };
+        let picture = shown.texture(device, sides);
         Self {
             size,
-            samples: (samples > 1)
-                .then(|| view(&new_texture(device, sides, COLOR, samples, attachment))),
-            depth: view(&new_texture(device, sides, DEPTH, samples, attachment)),
+            samples: (samples > 1).then(|| sampled(COLOR)),
+            depth: sampled(DEPTH),
             drawn: view(&picture),
             shown: picture.create_view(&wgpu::TextureViewDescriptor {
                 label: Some("shown"),
@@ -529,7 +541,14 @@ impl Shared {
         let frame = uniform("frame", size_of::<Frame>());
         let floor_light = uniform("floor", size_of::<FloorLight>());
         let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING;
-        let map = |side, format| view(&new_texture(device, [side; 2], format, 1, usage));
+        let map = |side, format| {
+            let kind = TextureKind {
+                format,
+                samples: 1,
+                usage,
+            };
+            view(&kind.texture(device, [side; 2]))
+        };
         let key_map = map(key_side, DEPTH);
         let under_map = map(FLOOR_CELLS, DEPTH);
         let floor = map(FLOOR_CELLS, FLOOR);

@@ -4,8 +4,9 @@ use eframe::egui::{self, ComboBox, RichText, Ui};
 use lole_body::Side;
 use lole_costume::document::PartDesign;
 
+use super::hindrance;
 use super::knob::{self, wide_button};
-use super::{hindrance, steps};
+use super::steps::StepList;
 use crate::{Studio, look, text};
 
 /// Most counts of one part.
@@ -26,23 +27,18 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     ui.label(RichText::new(whole(studio, &parts)).small().weak());
     let dancing = dancing_part(studio);
     let mut edit = None;
-    for (index, part) in parts.iter().enumerate() {
+    for index in 0..parts.len() {
         let fill = if dancing == Some(index) {
             look::PALE_RED
         } else {
             look::CARD
         };
-        egui::Frame::new()
-            .fill(fill)
-            .stroke(egui::Stroke::new(1.0, look::LINE))
-            .corner_radius(7)
-            .inner_margin(6)
-            .show(ui, |ui| {
-                ui.set_width(ui.available_width());
-                if let Some(done) = part_ui(ui, studio, (index, parts.len()), part) {
-                    edit = Some(done);
-                }
-            });
+        look::card(fill).inner_margin(6).show(ui, |ui| {
+            ui.set_width(ui.available_width());
+            if let Some(done) = part_ui(ui, studio, &parts, index) {
+                edit = Some(done);
+            }
+        });
         let place = format!("[[motion.part]] {} ", index + 1);
         hindrance::show(ui, studio, &[&place]);
     }
@@ -84,20 +80,18 @@ fn sign_button(ui: &mut Ui, (sign, name, can): (&str, &str, bool)) -> bool {
         .inner
 }
 
-fn part_ui(
-    ui: &mut Ui,
-    studio: &Studio,
-    (index, count): (usize, usize),
-    part: &PartDesign,
-) -> Option<Edit> {
-    let number = index + 1;
-    let mut changed = *part;
+/// One part of the list; what was done to it.
+fn part_ui(ui: &mut Ui, studio: &Studio, parts: &[PartDesign], index: usize) -> Option<Edit> {
+    let (number, count) = (index + 1, parts.len());
+    let part = parts[index];
+    let mut changed = part;
     let mut edit = None;
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         ui.label(RichText::new(number.to_string()).strong());
         let width = ui.available_width() - 3.0 * (knob::SIGN.x + 4.0);
-        if let Some(step) = steps::drop_down(ui, studio, (number, width), part.step) {
+        let list = StepList { number, width };
+        if let Some(step) = list.show(ui, studio, part.step) {
             changed.step = step;
             changed.beat_count = whole_phrases(part.beat_count, step.phrase());
         }
@@ -118,7 +112,7 @@ fn part_ui(
         side_ui(ui, studio, number, &mut changed);
         facing_ui(ui, studio, number, &mut changed);
     });
-    edit.or_else(|| (changed != *part).then_some(Edit::Change(index, changed)))
+    edit.or_else(|| (changed != part).then_some(Edit::Change(index, changed)))
 }
 
 /// The nearest number of counts that is whole phrases.

@@ -4,7 +4,7 @@ use eframe::egui::Ui;
 use lole_costume::document::{MethodName, Uncrossed};
 
 use super::hindrance;
-use super::knob::{Knob, Scale, list};
+use super::knob::{DropDown, Knob, Scale};
 use crate::studio::range;
 use crate::wished::STIFFNESSES;
 use crate::{Studio, text};
@@ -44,7 +44,11 @@ fn method(ui: &mut Ui, studio: &mut Studio) {
     let options = MethodName::ALL.map(|method| (method, name_of(studio, method)));
     let chosen = studio.design().method.name;
     let name = studio.say(text::METHOD);
-    if let Some(picked) = list(ui, ("method", name), chosen, &options) {
+    let list = DropDown {
+        salt: "method",
+        name,
+    };
+    if let Some(picked) = list.show(ui, chosen, &options) {
         studio.change(|design| design.method.name = picked);
     }
 }
@@ -57,7 +61,11 @@ fn uncrossed(ui: &mut Ui, studio: &mut Studio) {
     let options = Uncrossed::ALL.map(|when| (when, studio.say(text::uncrossed(when)).to_owned()));
     let chosen = studio.design().method.uncrossed;
     let name = studio.say(text::UNCROSSED);
-    if let Some(picked) = list(ui, ("uncrossed", name), chosen, &options) {
+    let list = DropDown {
+        salt: "uncrossed",
+        name,
+    };
+    if let Some(picked) = list.show(ui, chosen, &options) {
         studio.change(|design| design.method.uncrossed = picked);
     }
 }

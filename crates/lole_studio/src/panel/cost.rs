@@ -34,12 +34,7 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
         return;
     };
     for garment in &paper.garments {
-        let known = paper.garment(garment.place, studio.design()).is_some();
-        if known
-            && garment
-                .place
-                .is_none_or(|at| at < studio.design().garments.len())
-        {
+        if paper.garment(garment.place, studio.design()).is_some() {
             cloth_prices(ui, studio, garment);
         }
     }
@@ -50,6 +45,14 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     if let Some(bill) = &paper.bill {
         ui.separator();
         bill_ui(ui, studio, bill);
+    }
+}
+
+/// The fabric of a garment; `None` stands for the skirt.
+pub(super) fn fabric_of(design: &Design, place: Option<usize>) -> Option<&FabricDesign> {
+    match place {
+        Some(place) => design.garments.get(place).map(|garment| &garment.fabric),
+        None => Some(&design.fabric),
     }
 }
 
@@ -71,15 +74,14 @@ enum Sold {
 fn cloth_prices(ui: &mut Ui, studio: &mut Studio, garment: &PaperGarment) {
     let Ok(cut) = &garment.cut else { return };
     let place = garment.place;
-    let fabric = match place {
-        Some(at) => studio.design().garments[at].fabric.clone(),
-        None => studio.design().fabric.clone(),
+    let Some(fabric) = fabric_of(studio.design(), place).cloned() else {
+        return;
     };
     let name = studio.say(garment.name);
     ui.push_id(("prices", place), |ui| {
         for plan in &cut.plans {
             if plan.role == ClothRole::Main {
-                own_cloth(ui, studio, (place, name), &fabric);
+                own_cloth(ui, studio, garment, &fabric);
                 continue;
             }
             let role = studio.say(role_name(plan.role));
@@ -100,12 +102,8 @@ fn cloth_prices(ui: &mut Ui, studio: &mut Studio, garment: &PaperGarment) {
 }
 
 /// The price of a garment's own cloth, by the meter or by the yard as the shop says it.
-fn own_cloth(
-    ui: &mut Ui,
-    studio: &mut Studio,
-    (place, name): (Option<usize>, &str),
-    fabric: &FabricDesign,
-) {
+fn own_cloth(ui: &mut Ui, studio: &mut Studio, garment: &PaperGarment, fabric: &FabricDesign) {
+    let place = garment.place;
     let sold = if fabric.price_per_m.is_none() && fabric.price_per_yd.is_some() {
         Sold::ByYard
     } else {
@@ -113,7 +111,7 @@ fn own_cloth(
     };
     let price = fabric.price_per_m.or(fabric.price_per_yd);
     let row = PriceRow {
-        name: &format!("{name}{}", studio.say(text::CLOTH_OF)),
+        name: &format!("{}{}", studio.say(garment.name), studio.say(text::CLOTH_OF)),
         unit: studio.say(match sold {
             Sold::ByMeter => text::PER_METER,
             Sold::ByYard => text::PER_YARD,
@@ -363,16 +361,27 @@ fn bill_ui(ui: &mut Ui, studio: &Studio, bill: &Bill) {
         row(ui, RichText::new(studio.tell(&line.name)), amount, sum);
     }
     if bill.knows_something() {
-        let said = if bill.is_complete() {
-            text::TOTAL
-        } else {
-            text::TOTAL_KNOWN
-        };
         ui.separator();
         let total = RichText::new(bill.currency.write(bill.total)).strong();
-        let name = RichText::new(studio.say(said)).strong();
+        let name = RichText::new(studio.say(total_name(bill))).strong();
         row(ui, name, RichText::new(""), total);
     }
+    for sentence in remarks(bill) {
+        ui.label(RichText::new(studio.tell(&sentence)).small());
+    }
+}
+
+/// What the sum of a bill is called: some of its prices may not be known.
+pub(super) fn total_name(bill: &Bill) -> Words {
+    if bill.is_complete() {
+        text::TOTAL
+    } else {
+        text::TOTAL_KNOWN
+    }
+}
+
+/// How long sewing takes, and what it saves.
+fn remarks(bill: &Bill) -> Vec<Sentence> {
     let hours = bill.hours;
     let mut said = vec![Sentence::new(
         format!("縫う時間の目安は {hours:.1} 時間です。"),
@@ -392,9 +401,7 @@ fn bill_ui(ui: &mut Ui, studio: &Studio, bill: &Bill) {
             )
         });
     }
-    for sentence in said {
-        ui.label(RichText::new(studio.tell(&sentence)).small());
-    }
+    said
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use eframe::egui::{
 use kurbo::Point;
 use lole_costume::order::PlannedGarment;
 use lole_costume::tailoring::{ClothPlan, role_name};
-use lole_export::cutting::used_words;
+use lole_export::cutting::{lying_width, used_words};
 use lole_geom::narrow;
 use lole_language::{Language, Sentence};
 use lole_pattern::Pattern;
@@ -15,11 +15,11 @@ use lole_pattern::marker::{Lay, Placed};
 use lole_pattern::piece::ClothRole;
 use lole_print::ClothPicture;
 
-use super::cost::fabric_mut;
+use super::cost::{fabric_mut, fabric_of};
 use super::garment::width_ui;
 use super::hindrance;
 use super::knob::{choice, wide_button};
-use crate::paper::{PaperGarment, lying_width};
+use crate::paper::PaperGarment;
 use crate::{Studio, look, text};
 
 /// Height of a plan in the column at most [point].
@@ -31,11 +31,20 @@ const DETAILED: f32 = 180.0;
 /// Smallest letters that name a piece on its plan [point].
 const SMALLEST: f32 = 10.0;
 
-/// Pictures of cloth that the graphics adapter has, with the paper they are of.
+/// Pictures of cloth that the graphics adapter has, all of one paper.
 #[derive(Default)]
 pub(crate) struct ClothTextures {
+    kept: Vec<(PlanKey, TextureHandle)>,
+}
+
+/// A plan among all that the window ever showed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct PlanKey {
+    /// Number of its paper.
     paper: u64,
-    kept: Vec<((usize, usize), TextureHandle)>,
+    /// Its garment on the paper, and the plan of the garment.
+    garment: usize,
+    plan: usize,
 }
 
 impl ClothTextures {
@@ -43,20 +52,16 @@ impl ClothTextures {
     fn of(
         &mut self,
         context: &egui::Context,
-        (paper, garment, plan): (u64, usize, usize),
+        key: PlanKey,
         picture: &ClothPicture,
     ) -> TextureHandle {
-        if self.paper != paper {
-            self.paper = paper;
-            self.kept.clear();
-        }
-        let key = (garment, plan);
+        self.kept.retain(|(kept, _)| kept.paper == key.paper);
         if let Some((_, texture)) = self.kept.iter().find(|(kept, _)| *kept == key) {
             return texture.clone();
         }
         let size = [picture.width as usize, picture.height as usize];
         let image = ColorImage::from_rgba_unmultiplied(size, &picture.pixels);
-        let name = format!("cloth {garment} {plan}");
+        let name = format!("cloth {} {}", key.garment, key.plan);
         let texture = context.load_texture(name, image, TextureOptions::LINEAR);
         self.kept.push((key, texture.clone()));
         texture
@@ -92,8 +97,16 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
                 ui.label(studio.say(text::NO_CLOTH));
             }
             Ok(cut) => {
+                let first = PlanKey {
+                    paper: paper.number,
+                    garment: index,
+                    plan: 0,
+                };
                 ui.push_id(("cut", index), |ui| {
-                    plans_ui(ui, studio, (paper.number, index), garment, cut);
+                    plans_ui(ui, studio, garment, first);
+                    for warning in &cut.tailored.pattern.warnings {
+                        hindrance::sentence(ui, studio, warning);
+                    }
                 });
             }
             Err(trouble) => hindrance::sentence(ui, studio, &trouble.sentence),
@@ -101,18 +114,11 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     }
 }
 
-fn plans_ui(
-    ui: &mut Ui,
-    studio: &mut Studio,
-    (paper, index): (u64, usize),
-    garment: &PaperGarment,
-    cut: &PlannedGarment,
-) {
+/// The plans of a garment that is cut, from the `first` on, with the widths of its cloths.
+fn plans_ui(ui: &mut Ui, studio: &mut Studio, garment: &PaperGarment, first: PlanKey) {
+    let Ok(cut) = &garment.cut else { return };
     let place = garment.place;
-    let fabric = match place {
-        Some(at) => studio.design().garments.get(at).map(|it| it.fabric.clone()),
-        None => Some(studio.design().fabric.clone()),
-    };
+    let fabric = fabric_of(studio.design(), place);
     let widths = fabric.map(|fabric| (fabric.width_cm, fabric.beside_width_cm));
     if let Some((own, _)) = widths
         && let Some(width) = width_ui(ui, studio, own)
@@ -133,25 +139,31 @@ fn plans_ui(
                 });
             }
         }
-        let picture = garment.pictures.get(number).and_then(Option::as_ref);
-        let key = (paper, index, number);
-        let texture = picture.map(|it| studio.textures.of(ui.ctx(), key, it));
-        let drawing = Drawing { cut, plan, texture };
-        let size = drawing.size(vec2(ui.available_width(), HEIGHT));
-        let (rect, response) = ui.allocate_exact_size(size, Sense::click());
-        drawing.paint(ui.painter(), rect, studio);
-        if response.on_hover_text(studio.say(text::LARGER)).clicked()
-            || wide_button(ui, studio.say(text::LARGER))
-        {
-            studio.enlarged = Some((index, number));
-        }
-        ui.label(RichText::new(studio.tell(&facts(plan))).small());
-        for warning in &plan.marker.warnings {
-            hindrance::sentence(ui, studio, &Sentence::of(warning));
-        }
+        let key = PlanKey {
+            plan: number,
+            ..first
+        };
+        plan_ui(ui, studio, garment, key);
     }
-    for warning in &cut.tailored.pattern.warnings {
-        hindrance::sentence(ui, studio, warning);
+}
+
+/// One plan in the column, to be enlarged, with what it says.
+fn plan_ui(ui: &mut Ui, studio: &mut Studio, garment: &PaperGarment, key: PlanKey) {
+    let Some(drawing) = Drawing::of(ui, &mut studio.textures, garment, key) else {
+        return;
+    };
+    let plan = drawing.plan;
+    let size = drawing.size(vec2(ui.available_width(), HEIGHT));
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+    drawing.paint(ui.painter(), rect, studio);
+    if response.on_hover_text(studio.say(text::LARGER)).clicked()
+        || wide_button(ui, studio.say(text::LARGER))
+    {
+        studio.enlarged = Some((key.garment, key.plan));
+    }
+    ui.label(RichText::new(studio.tell(&facts(plan))).small());
+    for warning in &plan.marker.warnings {
+        hindrance::sentence(ui, studio, &Sentence::of(warning));
     }
 }
 
@@ -184,19 +196,16 @@ pub fn enlarged(ui: &mut Ui, studio: &mut Studio) {
         return;
     };
     let garment = paper.garments.get(index);
-    let cut = garment.and_then(|garment| garment.cut.as_ref().ok());
-    let (Some(garment), Some(cut)) = (garment, cut) else {
+    let key = PlanKey {
+        paper: paper.number,
+        garment: index,
+        plan: number,
+    };
+    let drawing = garment.and_then(|it| Drawing::of(ui, &mut studio.textures, it, key));
+    let (Some(garment), Some(drawing)) = (garment, drawing) else {
         studio.enlarged = None;
         return;
     };
-    let Some(plan) = cut.plans.get(number) else {
-        studio.enlarged = None;
-        return;
-    };
-    let picture = garment.pictures.get(number).and_then(Option::as_ref);
-    let key = (paper.number, index, number);
-    let texture = picture.map(|it| studio.textures.of(ui.ctx(), key, it));
-    let drawing = Drawing { cut, plan, texture };
     let screen = ui.ctx().content_rect();
     let room = vec2(screen.width() - 80.0, screen.height() - 190.0);
     let mut is_open = true;
@@ -214,7 +223,7 @@ pub fn enlarged(ui: &mut Ui, studio: &mut Studio) {
             let size = drawing.size(room);
             let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
             drawing.paint(ui.painter(), rect, studio);
-            ui.label(studio.tell(&facts(plan)));
+            ui.label(studio.tell(&facts(drawing.plan)));
             if ui.button(studio.say(text::CLOSE)).clicked() {
                 is_open = false;
             }
@@ -234,7 +243,21 @@ struct Drawing<'a> {
     texture: Option<TextureHandle>,
 }
 
-impl Drawing<'_> {
+impl<'a> Drawing<'a> {
+    /// A plan of a garment; `None` where it has no such plan.
+    fn of(
+        ui: &Ui,
+        textures: &mut ClothTextures,
+        garment: &'a PaperGarment,
+        key: PlanKey,
+    ) -> Option<Self> {
+        let cut = garment.cut.as_ref().ok()?;
+        let plan = cut.plans.get(key.plan)?;
+        let picture = garment.pictures.get(key.plan).and_then(Option::as_ref);
+        let texture = picture.map(|it| textures.of(ui.ctx(), key, it));
+        Some(Self { cut, plan, texture })
+    }
+
     /// Length and width of what is drawn [m]: pieces may reach over the selvage.
     fn extent(&self) -> [f32; 2] {
         let marker = &self.plan.marker;

@@ -2,10 +2,10 @@
 
 use eframe::egui::{RichText, Ui};
 use lole_costume::document::{Design, PartDesign};
-use lole_hula::SCHOOLS;
+use lole_hula::{DanceStep, SCHOOLS};
 
 use super::hindrance;
-use super::knob::{Knob, Scale, choice, list};
+use super::knob::{DropDown, Knob, Scale, choice};
 use crate::studio::{Request, range};
 use crate::{Studio, text};
 
@@ -83,22 +83,25 @@ fn change_source(studio: &mut Studio, wanted: Source) {
             design.motion.file = None;
         }),
         Source::Choreography => studio.change(|design| {
-            let step = design.motion.step;
-            let first = PartDesign {
-                step,
-                beat_count: step.counts(),
-                ..PartDesign::default()
-            };
             design.motion.file = None;
             design.motion.parts = shelf.parts;
             if design.motion.parts.is_empty() {
-                design.motion.parts.push(first);
+                design.motion.parts.push(once(design.motion.step));
             }
         }),
         Source::Recording if shelf.file.is_some() => {
             studio.change(|design| design.motion.file = shelf.file);
         }
         Source::Recording => studio.request(Request::AskRecording),
+    }
+}
+
+/// A step, danced once.
+fn once(step: DanceStep) -> PartDesign {
+    PartDesign {
+        step,
+        beat_count: step.counts(),
+        ..PartDesign::default()
     }
 }
 
@@ -110,7 +113,11 @@ fn school(ui: &mut Ui, studio: &mut Studio) {
         .collect();
     let now = (SCHOOLS.iter()).position(|school| school.id == studio.design().motion.school.id);
     let name = studio.say(text::SCHOOL);
-    if let Some(index) = list(ui, ("school", name), now.unwrap_or(0), &options) {
+    let list = DropDown {
+        salt: "school",
+        name,
+    };
+    if let Some(index) = list.show(ui, now.unwrap_or(0), &options) {
         studio.change(|design| design.motion.follow(&SCHOOLS[index]));
     }
     let about = studio.say(studio.design().motion.school.about);

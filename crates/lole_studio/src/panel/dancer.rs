@@ -1,6 +1,6 @@
 //! The dancer's tape: fourteen measures, of which those that nobody took are estimated.
 
-use eframe::egui::{self, DragValue, Label, RichText, Ui};
+use eframe::egui::{self, DragValue, Label, Response, RichText, Ui};
 use lole_body::{BodyError, Figure, Measure, Measurements};
 use lole_costume::document::Design;
 use lole_costume::document::schema::{self, Kind};
@@ -25,7 +25,12 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
         let is_wrong = conflict
             .as_ref()
             .is_some_and(|found| found.is_about(measure));
-        row(ui, studio, measure, (estimates[measure as usize], is_wrong));
+        let row = Row {
+            measure,
+            estimate: estimates[measure as usize],
+            is_wrong,
+        };
+        row.show(ui, studio);
         if let Some(conflict) = &conflict
             && conflict.stands_at(measure)
         {
@@ -92,74 +97,80 @@ fn estimates(studio: &Studio) -> [Option<f64>; 14] {
     })
 }
 
-/// One measure: its name, its number and, where it was taken, a button to leave it out again.
-fn row(
-    ui: &mut Ui,
-    studio: &mut Studio,
+/// One measure of the tape.
+struct Row {
     measure: Measure,
-    (estimate, is_wrong): (Option<f64>, bool),
-) {
-    let given = given(studio.design(), measure);
-    let name = studio.say(measure.words());
-    let color = match (is_wrong, given) {
-        (true, _) => look::RED,
-        (false, Some(_)) => look::INK,
-        (false, None) => look::PALE_INK,
-    };
-    ui.spacing_mut().item_spacing.y = 4.0;
-    ui.horizontal(|ui| {
-        let label = Label::new(RichText::new(name).color(color)).truncate();
-        let place = egui::Layout::left_to_right(egui::Align::Center);
-        let named = |ui: &mut Ui| ui.add(label);
-        let label = ui.allocate_ui_with_layout(SIZES[0], place, |ui| {
-            ui.set_min_size(SIZES[0]);
-            named(ui)
-        });
-        let label = label.inner;
-        let about = schema::key("dancer", measure.key()).map(|key| studio.say(key.about));
-        let label = label.on_hover_text(about.unwrap_or(name));
-        if let Some(centimeters) = number(ui, measure, (given, estimate), label.id) {
-            studio.change_later(|design| set(design, measure, Some(centimeters)));
-        }
-        if given.is_some() {
+    /// What the dancer on stage measures [cm].
+    estimate: Option<f64>,
+    /// Whether it is one of those that exclude each other.
+    is_wrong: bool,
+}
+
+impl Row {
+    /// Its name, its number and, where it was taken, a button to leave it out again.
+    fn show(&self, ui: &mut Ui, studio: &mut Studio) {
+        let measure = self.measure;
+        let given = given(studio.design(), measure);
+        ui.spacing_mut().item_spacing.y = 4.0;
+        ui.horizontal(|ui| {
+            let label = self.name(ui, studio, given);
+            if let Some(centimeters) = self.number(ui, given, label.id) {
+                studio.change_later(|design| set(design, measure, Some(centimeters)));
+            }
+            if given.is_none() {
+                ui.label(RichText::new(studio.say(text::ESTIMATED)).small().weak());
+                return;
+            }
+            let name = studio.say(measure.words());
             let name = format!("{name}: {}", studio.say(text::LEAVE_OUT));
             if sign_button(ui, "✖", &name) {
                 studio.change(|design| set(design, measure, None));
             }
-        } else {
-            ui.label(RichText::new(studio.say(text::ESTIMATED)).small().weak());
-        }
-    });
-}
+        });
+    }
 
-/// The number of a measure, pale where it is estimated; what was typed or dragged.
-fn number(
-    ui: &mut Ui,
-    measure: Measure,
-    (given, estimate): (Option<f64>, Option<f64>),
-    label: egui::Id,
-) -> Option<f64> {
-    let (low, high) = range("dancer", measure.key());
-    let mut centimeters = given.or(estimate).unwrap_or(low);
-    let is_known = given.is_some() || estimate.is_some();
-    let response = ui.scope(|ui| {
-        if given.is_none() {
-            ui.visuals_mut().override_text_color = Some(look::PALE_INK);
-            ui.visuals_mut().widgets.inactive.weak_bg_fill = look::PAPER;
-        }
-        let field = DragValue::new(&mut centimeters)
-            .range(low..=high)
-            .clamp_existing_to_range(false)
-            .speed(CM_PER_POINT)
-            .fixed_decimals(1)
-            .suffix(" cm")
-            .update_while_editing(false);
-        ui.add_enabled_ui(is_known, |ui| ui.add_sized(SIZES[1], field))
-            .inner
-    });
-    let response = response.inner.labelled_by(label);
-    let rounded = (centimeters * 10.0).round() / 10.0;
-    (response.changed() && rounded.is_finite()).then_some(rounded)
+    /// The name, pale where the measure is estimated; under the pointer it says where to measure.
+    fn name(&self, ui: &mut Ui, studio: &Studio, given: Option<f64>) -> Response {
+        let color = match (self.is_wrong, given) {
+            (true, _) => look::RED,
+            (false, Some(_)) => look::INK,
+            (false, None) => look::PALE_INK,
+        };
+        let name = studio.say(self.measure.words());
+        let label = Label::new(RichText::new(name).color(color)).truncate();
+        let place = egui::Layout::left_to_right(egui::Align::Center);
+        let label = ui.allocate_ui_with_layout(SIZES[0], place, |ui| {
+            ui.set_min_size(SIZES[0]);
+            ui.add(label)
+        });
+        let about = schema::key("dancer", self.measure.key()).map(|key| studio.say(key.about));
+        label.inner.on_hover_text(about.unwrap_or(name))
+    }
+
+    /// The number, pale where it is estimated; what was typed or dragged.
+    fn number(&self, ui: &mut Ui, given: Option<f64>, label: egui::Id) -> Option<f64> {
+        let (low, high) = range("dancer", self.measure.key());
+        let known = given.or(self.estimate);
+        let mut centimeters = known.unwrap_or(low);
+        let response = ui.scope(|ui| {
+            if given.is_none() {
+                ui.visuals_mut().override_text_color = Some(look::PALE_INK);
+                ui.visuals_mut().widgets.inactive.weak_bg_fill = look::PAPER;
+            }
+            let field = DragValue::new(&mut centimeters)
+                .range(low..=high)
+                .clamp_existing_to_range(false)
+                .speed(CM_PER_POINT)
+                .fixed_decimals(1)
+                .suffix(" cm")
+                .update_while_editing(false);
+            ui.add_enabled_ui(known.is_some(), |ui| ui.add_sized(SIZES[1], field))
+                .inner
+        });
+        let response = response.inner.labelled_by(label);
+        let rounded = (centimeters * 10.0).round() / 10.0;
+        (response.changed() && rounded.is_finite()).then_some(rounded)
+    }
 }
 
 /// What the tape says [cm].

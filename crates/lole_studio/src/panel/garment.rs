@@ -8,7 +8,7 @@ use lole_costume::fabrics::PRESETS;
 use lole_language::Language;
 use lole_print::{COLORWAYS, MOTIFS};
 
-use super::knob::{Knob, Scale, list};
+use super::knob::{DropDown, Knob, Scale};
 use crate::paper::PaperGarment;
 use crate::studio::range;
 use crate::{Studio, text};
@@ -32,7 +32,11 @@ pub(super) fn fabric_ui(
         .collect();
     let now = (PRESETS.iter()).position(|preset| preset.id == fabric.preset.id);
     let name = studio.say(text::FABRIC);
-    let chosen = list(ui, (("fabric", place), name), now.unwrap_or(0), &options);
+    let list = DropDown {
+        salt: ("fabric", place),
+        name,
+    };
+    let chosen = list.show(ui, now.unwrap_or(0), &options);
     if let Some(own) = &fabric.name {
         let said = format!("{}{own}", studio.say(text::OWN_FABRIC_NOW));
         ui.label(RichText::new(said).small());
@@ -72,14 +76,22 @@ pub(super) fn print_ui(
         .map(|row| (row.motif, row.name.text(studio.language).to_owned()))
         .collect();
     let name = studio.say(text::PRINT);
-    if let Some(motif) = list(ui, (("motif", place), name), print.motif, &motifs) {
+    let list = DropDown {
+        salt: ("motif", place),
+        name,
+    };
+    if let Some(motif) = list.show(ui, print.motif, &motifs) {
         changed.motif = motif;
     }
     let ways: Vec<_> = (COLORWAYS.iter())
         .map(|way| (way.id, way.name.text(studio.language).to_owned()))
         .collect();
     let name = studio.say(text::COLORWAY);
-    if let Some(way) = list(ui, (("colorway", place), name), print.colorway, &ways) {
+    let list = DropDown {
+        salt: ("colorway", place),
+        name,
+    };
+    if let Some(way) = list.show(ui, print.colorway, &ways) {
         changed = PrintChoice {
             colorway: way,
             ground: None,

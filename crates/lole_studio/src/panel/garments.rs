@@ -4,11 +4,10 @@
 use eframe::egui::{self, RichText, Ui};
 use lole_costume::document::{Design, GarmentDesign, GarmentLayer};
 use lole_garment::{Fineness, Shelf, Template};
-use lole_language::{Language, Words};
+use lole_language::{Language, Words, capitalized};
 
 use super::garment::{SKIRT_HEMS, fabric_ui, paper_ui, print_ui, width_ui};
 use super::knob::{choice, left_label, sign_button, wide_button};
-use super::options::capitalized;
 use super::{hindrance, options, placement, sketch, swatch};
 use crate::{Studio, look, text};
 
@@ -37,14 +36,9 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     let garments = studio.design().garments.clone();
     let mut moved = None;
     for (place, garment) in garments.iter().enumerate() {
-        let frame = egui::Frame::new()
-            .fill(look::CARD)
-            .stroke(egui::Stroke::new(1.0, look::LINE))
-            .corner_radius(7)
-            .inner_margin(8);
-        frame.show(ui, |ui| {
+        look::card(look::CARD).inner_margin(8).show(ui, |ui| {
             ui.set_width(ui.available_width());
-            if let Some(done) = title(ui, studio, (place, garments.len()), garment) {
+            if let Some(done) = title(ui, studio, &garments, place) {
                 moved = Some((place, done));
             }
             ui.push_id(place, |ui| garment_ui(ui, studio, place, garment));
@@ -69,13 +63,9 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
 }
 
 /// What it is, with the buttons that move it in the list and take it off.
-fn title(
-    ui: &mut Ui,
-    studio: &Studio,
-    (place, count): (usize, usize),
-    garment: &GarmentDesign,
-) -> Option<Move> {
-    let name = studio.say(garment.name());
+fn title(ui: &mut Ui, studio: &Studio, garments: &[GarmentDesign], place: usize) -> Option<Move> {
+    let count = garments.len();
+    let name = studio.say(garments[place].name());
     let of = |words: Words| format!("{} {name} {}", studio.say(words), place + 1);
     let mut done = None;
     ui.horizontal(|ui| {
@@ -120,27 +110,8 @@ fn garment_ui(ui: &mut Ui, studio: &mut Studio, place: usize, garment: &GarmentD
         let cut = garment.cut.as_ref();
         cut.map_or(true, |cut| !cut.plans.is_empty())
     });
-    if is_cloth {
-        let (fabric, print) = (&mut changed.fabric, &mut changed.print);
-        if let Some(chosen) = fabric_ui(ui, studio, place, fabric) {
-            *fabric = chosen;
-        }
-        if let Some(chosen) = print_ui(ui, studio, place, print) {
-            *print = chosen;
-        }
-        if let Some(chosen) = placement::show(ui, studio, Some(place), print) {
-            *print = chosen;
-            when = When::Later;
-        }
-        ui.collapsing(studio.say(text::OWN_FABRIC), |ui| {
-            if let Some(width) = width_ui(ui, studio, fabric.width_cm) {
-                fabric.width_cm = width;
-                when = When::Later;
-            }
-            if let Some(own) = swatch::show(ui, studio, fabric) {
-                *fabric = own;
-            }
-        });
+    if is_cloth && cloth_ui(ui, studio, place, &mut changed) {
+        when = When::Later;
     }
     let shape = egui::CollapsingHeader::new(studio.say(text::SHAPE)).default_open(true);
     let moved = shape.show(ui, |ui| options::show(ui, studio, &mut changed, trouble));
@@ -159,6 +130,32 @@ fn garment_ui(ui: &mut Ui, studio: &mut Studio, place: usize, garment: &GarmentD
         When::Now => studio.change(edit),
         When::Later => studio.change_later(edit),
     }
+}
+
+/// Fabric and print; whether one was moved that is sewn anew.
+fn cloth_ui(ui: &mut Ui, studio: &mut Studio, place: usize, garment: &mut GarmentDesign) -> bool {
+    let (fabric, print) = (&mut garment.fabric, &mut garment.print);
+    let mut is_moved = false;
+    if let Some(chosen) = fabric_ui(ui, studio, place, fabric) {
+        *fabric = chosen;
+    }
+    if let Some(chosen) = print_ui(ui, studio, place, print) {
+        *print = chosen;
+    }
+    if let Some(chosen) = placement::show(ui, studio, Some(place), print) {
+        *print = chosen;
+        is_moved = true;
+    }
+    ui.collapsing(studio.say(text::OWN_FABRIC), |ui| {
+        if let Some(width) = width_ui(ui, studio, fabric.width_cm) {
+            fabric.width_cm = width;
+            is_moved = true;
+        }
+        if let Some(own) = swatch::show(ui, studio, fabric) {
+            *fabric = own;
+        }
+    });
+    is_moved
 }
 
 /// Everything that can be put on, by what it is for.
@@ -220,18 +217,22 @@ fn entries(
     if template.second().is_none() {
         return vec![(template, garment.name(), garment)];
     }
-    // Shorter than the skirt, so that both are seen.
+    let over = overskirt(design, &garment);
+    [garment, over].map(|it| (template, it.name(), it)).into()
+}
+
+/// A skirt over that of the design, made as the one under it: shorter, so that both are seen.
+fn overskirt(design: &Design, under: &GarmentDesign) -> GarmentDesign {
     let above = design.skirt.hem_height_cm + 12.0;
-    let over = garment
+    let over = under
         .clone()
         .with(&[("hem_height_cm", above.min(*SKIRT_HEMS.end()))]);
-    let over = GarmentDesign {
+    GarmentDesign {
         layer: GarmentLayer::Over,
         fineness: Fineness {
             seed: over.fineness.seed + 2,
             ..over.fineness
         },
         ..over
-    };
-    [garment, over].map(|it| (template, it.name(), it)).into()
+    }
 }

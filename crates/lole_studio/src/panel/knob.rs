@@ -4,6 +4,8 @@ use std::ops::RangeInclusive;
 
 use eframe::egui::{self, Response, Slider, Ui};
 
+use crate::studio;
+
 /// Width of the value beside a slider [point].
 const VALUE_WIDTH: f32 = 108.0;
 
@@ -30,6 +32,13 @@ pub(super) enum Scale {
 }
 
 impl Knob<'_> {
+    /// With what a key of the document may be as the widest range.
+    pub(super) fn within(self, table: &str, key: &str) -> Self {
+        let (min, max) = studio::range(table, key);
+        let range = min.max(*self.range.start())..=max.min(*self.range.end());
+        Self { range, ..self }
+    }
+
     /// Shows it; the new value while it is moved.
     pub(super) fn show(self, ui: &mut Ui, value: f64) -> (Response, Option<f64>) {
         let mut moved = value;
@@ -111,26 +120,36 @@ pub(super) fn sign_button(ui: &mut Ui, sign: &str, name: &str) -> bool {
     response.clicked()
 }
 
-/// A list that drops down below its name, as wide as the panel; the new choice.
-pub(super) fn list<T: PartialEq + Copy>(
-    ui: &mut Ui,
-    (salt, name): (impl egui::AsIdSalt, &str),
-    chosen: T,
-    options: &[(T, String)],
-) -> Option<T> {
-    let label = ui.label(name);
-    let mut picked = chosen;
-    let known = options.iter().find(|(option, _)| *option == chosen);
-    egui::ComboBox::from_id_salt(salt)
-        .width(ui.available_width())
-        .truncate()
-        .selected_text(known.map_or("", |(_, name)| name))
-        .show_ui(ui, |ui| {
-            for (option, name) in options {
-                ui.selectable_value(&mut picked, *option, name);
-            }
-        })
-        .response
-        .labelled_by(label.id);
-    (picked != chosen).then_some(picked)
+/// A list that drops down below its name, as wide as the panel.
+pub(super) struct DropDown<'a, S> {
+    /// What tells it from the other lists of its panel.
+    pub(super) salt: S,
+    /// Its name.
+    pub(super) name: &'a str,
+}
+
+impl<S: egui::AsIdSalt> DropDown<'_, S> {
+    /// Shows it; the new choice.
+    pub(super) fn show<T: PartialEq + Copy>(
+        self,
+        ui: &mut Ui,
+        chosen: T,
+        options: &[(T, String)],
+    ) -> Option<T> {
+        let label = ui.label(self.name);
+        let mut picked = chosen;
+        let known = options.iter().find(|(option, _)| *option == chosen);
+        egui::ComboBox::from_id_salt(self.salt)
+            .width(ui.available_width())
+            .truncate()
+            .selected_text(known.map_or("", |(_, name)| name))
+            .show_ui(ui, |ui| {
+                for (option, name) in options {
+                    ui.selectable_value(&mut picked, *option, name);
+                }
+            })
+            .response
+            .labelled_by(label.id);
+        (picked != chosen).then_some(picked)
+    }
 }

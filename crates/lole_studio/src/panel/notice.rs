@@ -3,7 +3,7 @@
 use eframe::egui::{self, Color32, RichText, Ui};
 use lole_stage::Divergence;
 
-use crate::message::Tone;
+use crate::message::MessageKind;
 use crate::studio::Request;
 use crate::{Studio, look, text};
 
@@ -25,9 +25,9 @@ pub fn show(ui: &mut Ui, studio: &mut Studio) {
     }
     found(ui, studio);
     if let Some(message) = studio.message.clone() {
-        let fill = match message.tone {
-            Tone::News => look::CARD,
-            Tone::Trouble => look::PALE_RED,
+        let fill = match message.kind {
+            MessageKind::News => look::CARD,
+            MessageKind::Trouble => look::PALE_RED,
         };
         card(ui, fill, |ui| {
             ui.label(studio.tell(&message.sentence));

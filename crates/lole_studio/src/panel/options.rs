@@ -3,9 +3,10 @@
 use eframe::egui::{RichText, Ui};
 use lole_costume::document::GarmentDesign;
 use lole_garment::template::{OptionKind, OptionRow};
+use lole_language::capitalized;
 
 use super::hindrance;
-use super::knob::{Knob, Scale, choice, list};
+use super::knob::{DropDown, Knob, Scale, choice};
 use crate::paper::DraftTrouble;
 use crate::{Studio, text};
 
@@ -22,9 +23,14 @@ pub(super) fn show(
     let mut is_moved = false;
     for (position, row) in worn.template.options.iter().enumerate() {
         let value = worn.options.get(position);
-        let chosen = ui
-            .push_id(row.key, |ui| option(ui, studio, row, value))
-            .inner;
+        let (name, usual) = parts(studio.say(row.about));
+        let field = Field {
+            row,
+            name: capitalized(name),
+            usual,
+            value,
+        };
+        let chosen = ui.push_id(row.key, |ui| field.show(ui, studio)).inner;
         if let Some(value) = chosen {
             worn.options.set(position, value);
             is_moved = true;
@@ -37,92 +43,96 @@ pub(super) fn show(
     is_moved
 }
 
-/// One option; what was chosen, `Some(None)` where it is to follow the measures.
-#[expect(clippy::option_option, reason = "chosen or not, and a number or not")]
-fn option(
-    ui: &mut Ui,
-    studio: &Studio,
-    row: &OptionRow,
+/// One option and what it is now.
+struct Field<'a> {
+    row: &'a OptionRow,
+    name: String,
+    /// What it comes to when it follows the measures; empty where that is not said.
+    usual: &'a str,
     value: Option<f64>,
-) -> Option<Option<f64>> {
-    let (name, usual) = parts(studio.say(row.about));
-    let name = capitalized(name);
-    match row.kind {
-        OptionKind::Number { min, max, default } => {
-            let Some(number) = value else {
-                ui.label(&name);
-                return by_measures(ui, studio, (value, usual), [min, max]);
-            };
-            let moved = slider(ui, &name, row.key, [min, max], number);
-            let follows = match default {
-                Some(_) => None,
-                None => by_measures(ui, studio, (value, usual), [min, max]),
-            };
-            follows.or(moved.map(Some))
-        }
-        OptionKind::Count { min, max, .. } => {
-            let number = value.unwrap_or(f64::from(min));
-            let knob = Knob {
-                name: &name,
-                range: f64::from(min)..=f64::from(max),
-                decimals: 0,
-                unit: "",
-                scale: Scale::Even,
-            };
-            let (_, moved) = knob.show(ui, number);
-            moved.map(|number| Some(number.round()))
-        }
-        OptionKind::Choice(choices) => {
-            let now = value.unwrap_or(0.0);
-            let names = (0_u32..).map(f64::from).zip(choices);
-            let names: Vec<(f64, &str)> = names
-                .map(|(index, choice)| (index, studio.say(choice.name)))
-                .collect();
-            let is_short = names.iter().all(|(_, name)| name.chars().count() < 14);
-            if names.len() <= BESIDE && is_short {
-                ui.label(&name);
-                return choice(ui, Some(now), &names).map(Some);
+}
+
+#[expect(clippy::option_option, reason = "chosen or not, and a number or not")]
+impl Field<'_> {
+    /// Shows it; what was chosen, `Some(None)` where it is to follow the measures.
+    fn show(&self, ui: &mut Ui, studio: &Studio) -> Option<Option<f64>> {
+        match self.row.kind {
+            OptionKind::Number { min, max, default } => {
+                let mut moved = None;
+                match self.value {
+                    Some(number) => moved = self.slider(ui, [min, max], number),
+                    None => drop(ui.label(&self.name)),
+                }
+                if self.value.is_some() && default.is_some() {
+                    return moved.map(Some);
+                }
+                let follows = self.by_measures(ui, studio, 0.5 * (min + max));
+                let follows = follows.map(|number| number.map(|it| it.clamp(min, max)));
+                follows.or(moved.map(Some))
             }
-            let names: Vec<(f64, String)> = (names.iter())
-                .map(|&(index, name)| (index, name.to_owned()))
-                .collect();
-            list(ui, (row.key, &name), now, &names).map(Some)
+            OptionKind::Count { min, max, .. } => {
+                let [min, max] = [min, max].map(f64::from);
+                let knob = Knob {
+                    name: &self.name,
+                    range: min..=max,
+                    decimals: 0,
+                    unit: "",
+                    scale: Scale::Even,
+                };
+                let (_, moved) = knob.show(ui, self.value.unwrap_or(min));
+                moved.map(|number| Some(number.round()))
+            }
+            OptionKind::Choice(choices) => {
+                let names = choices.iter().map(|choice| studio.say(choice.name));
+                self.choice(ui, &names.collect::<Vec<_>>()).map(Some)
+            }
         }
     }
-}
 
-/// Whether an option follows the measures; a switched off one begins in the middle of its range.
-#[expect(clippy::option_option, reason = "chosen or not, and a number or not")]
-fn by_measures(
-    ui: &mut Ui,
-    studio: &Studio,
-    (value, usual): (Option<f64>, &str),
-    [min, max]: [f64; 2],
-) -> Option<Option<f64>> {
-    let mut follows = value.is_none();
-    let words = studio.say(text::BY_MEASURES);
-    let words = if usual.is_empty() {
-        words.to_owned()
-    } else {
-        format!("{words}: {usual}")
-    };
-    let words = RichText::new(words).small();
-    let changed = ui.checkbox(&mut follows, words).changed();
-    changed.then(|| (!follows).then(|| (0.5 * (min + max)).round().clamp(min, max)))
-}
+    /// A number in the unit of its key, rounded to what is shown.
+    fn slider(&self, ui: &mut Ui, [min, max]: [f64; 2], number: f64) -> Option<f64> {
+        let (unit, decimals, steps) = unit_of(self.row.key);
+        let knob = Knob {
+            name: &self.name,
+            range: min..=max,
+            decimals,
+            unit,
+            scale: Scale::Even,
+        };
+        let (_, moved) = knob.show(ui, number);
+        moved.map(|number| ((number * steps).round() / steps).clamp(min, max))
+    }
 
-/// A number in the unit of its key, rounded to what is shown.
-fn slider(ui: &mut Ui, name: &str, key: &str, [min, max]: [f64; 2], value: f64) -> Option<f64> {
-    let (unit, decimals, scale) = unit_of(key);
-    let knob = Knob {
-        name,
-        range: min..=max,
-        decimals,
-        unit,
-        scale: Scale::Even,
-    };
-    let (_, moved) = knob.show(ui, value);
-    moved.map(|number| ((number * scale).round() / scale).clamp(min, max))
+    /// Whether it follows the measures; once it does not, it begins in the `middle` of its range.
+    fn by_measures(&self, ui: &mut Ui, studio: &Studio, middle: f64) -> Option<Option<f64>> {
+        let mut follows = self.value.is_none();
+        let words = studio.say(text::BY_MEASURES);
+        let words = if self.usual.is_empty() {
+            words.to_owned()
+        } else {
+            format!("{words}: {}", self.usual)
+        };
+        let words = RichText::new(words).small();
+        let changed = ui.checkbox(&mut follows, words).changed();
+        changed.then(|| (!follows).then(|| middle.round()))
+    }
+
+    /// A few short ways side by side, others in a list.
+    fn choice(&self, ui: &mut Ui, names: &[&str]) -> Option<f64> {
+        let now = self.value.unwrap_or(0.0);
+        let ways = (0_u32..).map(f64::from).zip(names.iter().copied());
+        let is_short = names.iter().all(|name| name.chars().count() < 14);
+        if names.len() <= BESIDE && is_short {
+            ui.label(&self.name);
+            return choice(ui, Some(now), &ways.collect::<Vec<_>>());
+        }
+        let list = DropDown {
+            salt: self.row.key,
+            name: &self.name,
+        };
+        let ways: Vec<_> = ways.map(|(index, name)| (index, name.to_owned())).collect();
+        list.show(ui, now, &ways)
+    }
 }
 
 /// Unit behind a number, its digits after the point, and steps in one.
@@ -148,15 +158,6 @@ fn parts(about: &str) -> (&str, &str) {
     found.unwrap_or((about, ""))
 }
 
-/// Rows speak in the middle of a line; a field begins one.
-pub(super) fn capitalized(words: &str) -> String {
-    let mut letters = words.chars();
-    let first = letters
-        .next()
-        .map(|letter| letter.to_uppercase().to_string());
-    first.unwrap_or_default() + letters.as_str()
-}
-
 #[cfg(test)]
 mod tests {
     use lole_garment::TEMPLATES;
@@ -172,7 +173,6 @@ mod tests {
         }
         assert_eq!(unit_of("hem_height_cm"), (" cm", 1, 10.0));
         assert_eq!(unit_of("gather_ratio"), (" ×", 2, 100.0));
-        assert_eq!(capitalized("depth of it"), "Depth of it");
         assert_eq!(parts("depth; left out: 15"), ("depth", "15"));
         assert_eq!(parts("丈。書かなければ 15"), ("丈", " 15"));
     }

@@ -5,10 +5,12 @@ use std::sync::Arc;
 
 use eframe::egui::{self, Grid, ProgressBar, RichText, Ui};
 use lole_body::Measure;
+use lole_costume::order::PrintTotal;
 use lole_export::pdf::Paper;
 use lole_language::Sentence;
 use lole_pattern::pattern::Amount;
 
+use super::cost::total_name;
 use super::hindrance;
 use super::knob::{Knob, Scale, choice, left_label, wide_button};
 use crate::ordering::{Progress, Totals};
@@ -160,45 +162,47 @@ fn totals_ui(ui: &mut Ui, studio: &Studio, totals: &Totals) {
         hindrance::sentence(ui, studio, problem);
     }
     for print in &totals.prints {
-        let names: Vec<&str> = print
-            .garments
-            .iter()
-            .map(|name| studio.say(*name))
-            .collect();
-        let names = names.join(studio.language.pick("・", ", "));
-        let (metric, yards) = (print.bought.metric.to_m(), print.bought.imperial.to_yd());
-        let (cloth, width) = (print.cloth, print.width.to_cm());
-        let said = Sentence::new(
-            format!(
-                "{names}: {}（幅 {width:.0} cm）{metric:.1} m、{yards:.1} ヤード",
-                cloth.japanese
-            ),
-            format!(
-                "{names}: {} ({width:.0} cm wide), {metric:.1} m or {yards:.1} yd",
-                cloth.english
-            ),
-        );
-        ui.label(studio.tell(&said));
+        ui.label(studio.tell(&bought(studio, print)));
     }
     for notion in &totals.notions {
-        let amount = match notion.amount {
-            Amount::Length(length) => format!("{:.1} m", (length.to_m() * 10.0).ceil() / 10.0),
-            Amount::Count(count) => format!("× {count}"),
-            Amount::Mass(mass) => format!("{:.0} g", 1000.0 * mass),
-        };
+        let amount = amount(notion.amount);
         ui.label(RichText::new(format!("{} {amount}", studio.say(notion.name))).small());
     }
     let bill = &totals.bill;
     let total = if bill.knows_something() {
         let sum = bill.currency.write(bill.total);
-        let said = if bill.is_complete() {
-            text::TOTAL
-        } else {
-            text::TOTAL_KNOWN
-        };
-        format!("{}: {sum}", studio.say(said))
+        format!("{}: {sum}", studio.say(total_name(bill)))
     } else {
         studio.say(text::NO_PRICES_YET).to_owned()
     };
     ui.label(RichText::new(total).strong());
+}
+
+/// How much of a notion is bought; lengths are rounded up to a tenth of a meter.
+fn amount(amount: Amount) -> String {
+    match amount {
+        Amount::Length(length) => format!("{:.1} m", (length.to_m() * 10.0).ceil() / 10.0),
+        Amount::Count(count) => format!("× {count}"),
+        Amount::Mass(mass) => format!("{:.0} g", 1000.0 * mass),
+    }
+}
+
+/// What is bought of a print, and for which garments.
+fn bought(studio: &Studio, print: &PrintTotal) -> Sentence {
+    let names = print.garments.iter().map(|name| studio.say(*name));
+    let names = names
+        .collect::<Vec<_>>()
+        .join(studio.language.pick("・", ", "));
+    let (metric, yards) = (print.bought.metric.to_m(), print.bought.imperial.to_yd());
+    let (cloth, width) = (print.cloth, print.width.to_cm());
+    Sentence::new(
+        format!(
+            "{names}: {}（幅 {width:.0} cm）{metric:.1} m、{yards:.1} ヤード",
+            cloth.japanese
+        ),
+        format!(
+            "{names}: {} ({width:.0} cm wide), {metric:.1} m or {yards:.1} yd",
+            cloth.english
+        ),
+    )
 }

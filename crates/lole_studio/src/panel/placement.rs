@@ -1,21 +1,23 @@
 //! How a print lies on its cloth: one's own picture, how large it is, which way it points, where it
 //! begins, and whether it is a border.
 
+use std::ops::RangeInclusive;
+
 use eframe::egui::{RichText, Ui};
 use lole_costume::document::{PhotoMarks, PrintChoice};
 use lole_print::{PrintBorder, PrintDirection, PrintFlip, PrintTiling};
 
-use super::knob::{Knob, Scale, choice, list, sign_button, wide_button};
+use super::knob::{DropDown, Knob, Scale, choice, sign_button, wide_button};
 use super::photo;
-use crate::studio::{Request, range};
+use crate::studio::Request;
 use crate::{Studio, text};
 
 /// Repeats on a slider [cm].
-const REPEATS: [f64; 2] = [5.0, 150.0];
+const REPEATS: RangeInclusive<f64> = 5.0..=150.0;
 /// Scales on a slider.
-const SCALES: [f64; 2] = [0.25, 4.0];
+const SCALES: RangeInclusive<f64> = 0.25..=4.0;
 /// Offsets on a slider [cm].
-const OFFSETS: [f64; 2] = [-60.0, 60.0];
+const OFFSETS: RangeInclusive<f64> = -60.0..=60.0;
 
 /// Shows one's own picture, and the rest folded up; the print that was chosen. `place` is that of a listed garment.
 pub(super) fn show(
@@ -42,8 +44,14 @@ pub(super) fn show(
                 &mut lay.offset_across_cm,
             ),
         ] {
-            let knob = knob(studio.say(name), key, OFFSETS, (1, " cm", Scale::Even));
-            if let (_, Some(moved)) = knob.show(ui, *offset) {
+            let knob = Knob {
+                name: studio.say(name),
+                range: OFFSETS,
+                decimals: 1,
+                unit: " cm",
+                scale: Scale::Even,
+            };
+            if let (_, Some(moved)) = knob.within("print", key).show(ui, *offset) {
                 *offset = (moved * 10.0).round() / 10.0;
             }
         }
@@ -80,15 +88,27 @@ fn own_picture(ui: &mut Ui, studio: &mut Studio, place: Option<usize>, print: &m
 fn sizes(ui: &mut Ui, studio: &Studio, print: &mut PrintChoice) {
     // A length that is known on the picture says how large the repeat is.
     if print.marks.known_length_cm.is_none() {
-        let unit = (0, " cm", Scale::Factors);
-        let knob_of_repeat = knob(studio.say(text::REPEAT), "repeat_cm", REPEATS, unit);
-        if let (_, Some(moved)) = knob_of_repeat.show(ui, print.repeat_cm) {
+        let knob = Knob {
+            name: studio.say(text::REPEAT),
+            range: REPEATS,
+            decimals: 0,
+            unit: " cm",
+            scale: Scale::Factors,
+        };
+        let knob = knob.within("print", "repeat_cm");
+        if let (_, Some(moved)) = knob.show(ui, print.repeat_cm) {
             print.repeat_cm = moved.round();
         }
     }
-    let unit = (2, " ×", Scale::Factors);
-    let knob_of_scale = knob(studio.say(text::PRINT_SCALE), "scale_ratio", SCALES, unit);
-    if let (_, Some(moved)) = knob_of_scale.show(ui, print.lay.scale_ratio) {
+    let knob = Knob {
+        name: studio.say(text::PRINT_SCALE),
+        range: SCALES,
+        decimals: 2,
+        unit: " ×",
+        scale: Scale::Factors,
+    };
+    let knob = knob.within("print", "scale_ratio");
+    if let (_, Some(moved)) = knob.show(ui, print.lay.scale_ratio) {
         print.lay.scale_ratio = (moved * 100.0).round() / 100.0;
     }
 }
@@ -106,17 +126,17 @@ fn ways(ui: &mut Ui, studio: &Studio, print: &mut PrintChoice) {
         lay.direction = direction;
     }
     let named = |words| studio.say(words).to_owned();
+    let list = |salt, name| DropDown {
+        salt,
+        name: studio.say(name),
+    };
     let borders = [
         (PrintBorder::None, named(text::ALL_OVER)),
         (PrintBorder::Hem, named(text::BORDER_HEM)),
         (PrintBorder::Hip, named(text::BORDER_HIP)),
     ];
-    if let Some(border) = list(
-        ui,
-        ("border", studio.say(text::BORDER)),
-        lay.border,
-        &borders,
-    ) {
+    let picked = list("border", text::BORDER).show(ui, lay.border, &borders);
+    if let Some(border) = picked {
         lay.border = border;
     }
     let flips = [
@@ -124,7 +144,7 @@ fn ways(ui: &mut Ui, studio: &Studio, print: &mut PrintChoice) {
         (PrintFlip::Sideways, named(text::FLIP_SIDEWAYS)),
         (PrintFlip::UpsideDown, named(text::FLIP_OVER)),
     ];
-    if let Some(flip) = list(ui, ("flip", studio.say(text::FLIP)), lay.flip, &flips) {
+    if let Some(flip) = list("flip", text::FLIP).show(ui, lay.flip, &flips) {
         lay.flip = flip;
     }
     let tilings = [
@@ -133,29 +153,8 @@ fn ways(ui: &mut Ui, studio: &Studio, print: &mut PrintChoice) {
         (PrintTiling::Brick, named(text::BRICK)),
         (PrintTiling::Mirror, named(text::MIRROR)),
     ];
-    if let Some(tiling) = list(
-        ui,
-        ("tiling", studio.say(text::TILING)),
-        lay.tiling,
-        &tilings,
-    ) {
+    let picked = list("tiling", text::TILING).show(ui, lay.tiling, &tilings);
+    if let Some(tiling) = picked {
         lay.tiling = tiling;
-    }
-}
-
-/// A slider over the useful part of a key's range.
-fn knob<'a>(
-    name: &'a str,
-    key: &str,
-    [low, high]: [f64; 2],
-    (decimals, unit, scale): (usize, &'a str, Scale),
-) -> Knob<'a> {
-    let (min, max) = range("print", key);
-    Knob {
-        name,
-        range: min.max(low)..=max.min(high),
-        decimals,
-        unit,
-        scale,
     }
 }

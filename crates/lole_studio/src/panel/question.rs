@@ -4,22 +4,41 @@ use std::path::PathBuf;
 
 use eframe::egui::{self, Align2, Key, TextEdit, Ui};
 
+use lole_language::Words;
+
 use crate::studio::{Purpose, Request};
 use crate::{Studio, text};
+
+/// What the question is called.
+const fn title(purpose: Purpose) -> Words {
+    match purpose {
+        Purpose::Open => text::OPEN,
+        Purpose::Save => text::SAVE_AS,
+        Purpose::Record => text::RECORDING,
+        Purpose::Print(_) => text::OWN_PICTURE,
+        Purpose::Roster => text::CHOOSE_LIST,
+        Purpose::Order => text::MAKE_ORDER,
+    }
+}
+
+/// What is to be done with the path that was answered.
+const fn request(purpose: Purpose, path: PathBuf) -> Request {
+    match purpose {
+        Purpose::Open => Request::Open(path),
+        Purpose::Save => Request::Save(path),
+        Purpose::Record => Request::OpenRecording(path),
+        Purpose::Print(place) => Request::OpenPicture(place, path),
+        Purpose::Roster => Request::OpenRoster(path),
+        Purpose::Order => Request::MakeOrder(path),
+    }
+}
 
 /// Shows the question, if there is one.
 pub fn show(ui: &mut Ui, studio: &mut Studio) {
     let Some(mut question) = studio.question.take() else {
         return;
     };
-    let title = match question.purpose {
-        Purpose::Open => studio.say(text::OPEN),
-        Purpose::Save => studio.say(text::SAVE_AS),
-        Purpose::Record => studio.say(text::RECORDING),
-        Purpose::Print(_) => studio.say(text::OWN_PICTURE),
-        Purpose::Roster => studio.say(text::CHOOSE_LIST),
-        Purpose::Order => studio.say(text::MAKE_ORDER),
-    };
+    let title = studio.say(title(question.purpose));
     let (mut answered, mut given_up) = (false, false);
     egui::Window::new(title)
         .collapsible(false)
@@ -56,14 +75,7 @@ pub fn show(ui: &mut Ui, studio: &mut Studio) {
     let path = question.path.trim();
     if answered && !path.is_empty() {
         let path = PathBuf::from(path);
-        studio.request(match question.purpose {
-            Purpose::Open => Request::Open(path),
-            Purpose::Save => Request::Save(path),
-            Purpose::Record => Request::OpenRecording(path),
-            Purpose::Print(place) => Request::OpenPicture(place, path),
-            Purpose::Roster => Request::OpenRoster(path),
-            Purpose::Order => Request::MakeOrder(path),
-        });
+        studio.request(request(question.purpose, path));
     } else if !given_up {
         studio.question = Some(question);
     }

@@ -8,7 +8,7 @@ use lole_avatar::{AnimationSummary, list_clips};
 use lole_costume::document::{MotionDrift, MotionRepeat};
 
 use super::hindrance;
-use super::knob::{choice, list, wide_button};
+use super::knob::{DropDown, choice, wide_button};
 use crate::studio::Request;
 use crate::{Studio, text};
 
@@ -105,7 +105,8 @@ fn clip(ui: &mut Ui, studio: &mut Studio, bytes: &Arc<[u8]>) {
         })
         .collect();
     let name = studio.say(text::CLIP);
-    if let Some(picked) = list(ui, ("clip", name), chosen, &options).flatten() {
+    let list = DropDown { salt: "clip", name };
+    if let Some(picked) = list.show(ui, chosen, &options).flatten() {
         // A name that another animation has first would lead to that one.
         let name = &clips[picked].name;
         let leads_here = dances().find(|(_, clip)| clip.name == *name);

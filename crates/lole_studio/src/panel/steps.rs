@@ -106,36 +106,46 @@ fn rows(ui: &mut Ui, language: Language, chosen: DanceStep) -> Option<DanceStep>
     picked
 }
 
-/// A list of the steps that drops down.
-pub(super) fn drop_down(
-    ui: &mut Ui,
-    studio: &Studio,
-    (number, width): (usize, f32),
-    chosen: DanceStep,
-) -> Option<DanceStep> {
-    let language = studio.language;
-    let mut picked = chosen;
-    let response = ComboBox::from_id_salt(("step of part", number))
-        .width(width)
-        .height(LIST_HEIGHT)
-        .truncate()
-        .selected_text(name(chosen, language))
-        .show_ui(ui, |ui| {
-            for family in FAMILIES {
-                ui.label(RichText::new(family.name.text(language)).small().weak());
-                for &step in family.steps {
-                    ui.selectable_value(&mut picked, step, name(step, language));
+/// A list of the steps that drops down, for one part of a choreography.
+pub(super) struct StepList {
+    /// Number of the part, from 1.
+    pub(super) number: usize,
+    /// Width of the list while it is shut [point].
+    pub(super) width: f32,
+}
+
+impl StepList {
+    /// Shows it; the new step.
+    pub(super) fn show(
+        &self,
+        ui: &mut Ui,
+        studio: &Studio,
+        chosen: DanceStep,
+    ) -> Option<DanceStep> {
+        let language = studio.language;
+        let mut picked = chosen;
+        let response = ComboBox::from_id_salt(("step of part", self.number))
+            .width(self.width)
+            .height(LIST_HEIGHT)
+            .truncate()
+            .selected_text(name(chosen, language))
+            .show_ui(ui, |ui| {
+                for family in FAMILIES {
+                    ui.label(RichText::new(family.name.text(language)).small().weak());
+                    for &step in family.steps {
+                        ui.selectable_value(&mut picked, step, name(step, language));
+                    }
                 }
-            }
-        })
-        .response;
-    response.widget_info(|| {
-        let what = format!("{number} {}", studio.say(text::DANCE_STEP));
-        let mut info = WidgetInfo::labeled(Role::ComboBox, true, what);
-        info.current_text_value = Some(name(chosen, language).to_owned());
-        info
-    });
-    (picked != chosen).then_some(picked)
+            })
+            .response;
+        response.widget_info(|| {
+            let what = format!("{} {}", self.number, studio.say(text::DANCE_STEP));
+            let mut info = WidgetInfo::labeled(Role::ComboBox, true, what);
+            info.current_text_value = Some(name(chosen, language).to_owned());
+            info
+        });
+        (picked != chosen).then_some(picked)
+    }
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use eframe::egui::{DragValue, Grid, RichText, TextEdit, Ui};
 use lole_costume::document::FabricDesign;
 use lole_costume::fabrics::{Measured, Overhang, Swatch, Touch};
-use lole_language::{Sentence, Words};
+use lole_language::Sentence;
 
 use super::garment::kept;
 use super::hindrance;
@@ -21,7 +21,7 @@ pub(crate) struct SwatchForm {
     pub(crate) mass_g: f64,
     /// Cloth over the edge, and how far its tip is below, along the selvage [cm].
     pub(crate) warp_cm: [f64; 2],
-    /// The same across, where it was tried.
+    /// Cloth over the edge, and how far its tip is below, across [cm]; `None` where that was not tried.
     pub(crate) weft_cm: Option<[f64; 2]>,
 }
 
@@ -86,19 +86,19 @@ pub(super) fn show(
     Grid::new("swatch").num_columns(2).show(ui, |ui| {
         number(
             ui,
-            studio,
-            text::SWATCH_LENGTH,
-            (&mut form.size_cm[0], " cm"),
+            studio.say(text::SWATCH_LENGTH),
+            &mut form.size_cm[0],
+            " cm",
         );
         number(
             ui,
-            studio,
-            text::SWATCH_WIDTH,
-            (&mut form.size_cm[1], " cm"),
+            studio.say(text::SWATCH_WIDTH),
+            &mut form.size_cm[1],
+            " cm",
         );
-        number(ui, studio, text::SWATCH_MASS, (&mut form.mass_g, " g"));
-        number(ui, studio, text::OVERHANG, (&mut form.warp_cm[0], " cm"));
-        number(ui, studio, text::DROP, (&mut form.warp_cm[1], " cm"));
+        number(ui, studio.say(text::SWATCH_MASS), &mut form.mass_g, " g");
+        number(ui, studio.say(text::OVERHANG), &mut form.warp_cm[0], " cm");
+        number(ui, studio.say(text::DROP), &mut form.warp_cm[1], " cm");
     });
     let mut has_weft = form.weft_cm.is_some();
     if ui
@@ -109,8 +109,8 @@ pub(super) fn show(
     }
     if let Some(weft) = &mut form.weft_cm {
         Grid::new("weft").num_columns(2).show(ui, |ui| {
-            number(ui, studio, text::OVERHANG_ACROSS, (&mut weft[0], " cm"));
-            number(ui, studio, text::DROP_ACROSS, (&mut weft[1], " cm"));
+            number(ui, studio.say(text::OVERHANG_ACROSS), &mut weft[0], " cm");
+            number(ui, studio.say(text::DROP_ACROSS), &mut weft[1], " cm");
         });
     }
     let measured = form.measured();
@@ -128,8 +128,9 @@ pub(super) fn show(
     chosen
 }
 
-fn number(ui: &mut Ui, studio: &Studio, name: Words, (value, unit): (&mut f64, &str)) {
-    let label = ui.label(studio.say(name));
+/// A number that was measured, with its name before it.
+fn number(ui: &mut Ui, name: &str, value: &mut f64, unit: &str) {
+    let label = ui.label(name);
     let field = DragValue::new(value)
         .range(0.0..=10_000.0)
         .speed(0.1)
