@@ -1,7 +1,7 @@
 //! `lole fabric`: the shelf of fabrics, and one's own cloth measured with ruler and scale.
 
 use lole_costume::fabrics::{
-    Figure, Measured, Overhang, PRESETS, Preset, Provenance, Swatch, Touch,
+    FabricFigure, Measured, Overhang, PRESETS, Preset, Provenance, Swatch, Touch,
 };
 use lole_language::{Language, Sentence};
 use serde_json::{Value, json};
@@ -72,8 +72,8 @@ fn shelf() -> (Vec<Sentence>, Value) {
 }
 
 fn preset_json(preset: &Preset) -> Value {
-    let one = |figure: Figure<f64>| json!({ "value": figure.value, "provenance": provenance(figure.provenance).english });
-    let two = |figure: Figure<[f64; 2]>| json!({ "value": figure.value, "provenance": provenance(figure.provenance).english });
+    let one = |figure: FabricFigure<f64>| json!({ "value": figure.value, "provenance": provenance(figure.provenance).english });
+    let two = |figure: FabricFigure<[f64; 2]>| json!({ "value": figure.value, "provenance": provenance(figure.provenance).english });
     json!({
         "id": preset.id,
         "name": preset.name,

@@ -32,7 +32,7 @@ pub enum Provenance {
 
 /// One figure with its provenance.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Figure<T> {
+pub struct FabricFigure<T> {
     /// The figure, in the unit of its field.
     pub value: T,
     /// How it came about.
@@ -49,26 +49,26 @@ pub struct Preset {
     /// Japanese name.
     pub name_ja: &'static str,
     /// Mass per area [g/m²].
-    pub areal_density: Figure<f64>,
+    pub areal_density: FabricFigure<f64>,
     /// Thickness [mm].
-    pub thickness: Figure<f64>,
+    pub thickness: FabricFigure<f64>,
     /// Membrane stiffness along warp and weft [N/m].
-    pub stretch: Figure<[f64; 2]>,
+    pub stretch: FabricFigure<[f64; 2]>,
     /// Membrane shear stiffness [N/m per rad].
-    pub shear: Figure<f64>,
+    pub shear: FabricFigure<f64>,
     /// Bending rigidity along warp and weft [µN·m].
-    pub bend: Figure<[f64; 2]>,
+    pub bend: FabricFigure<[f64; 2]>,
     /// Twist rigidity [µN·m].
-    pub twist: Figure<f64>,
+    pub twist: FabricFigure<f64>,
     /// Bending hysteresis `2HB` along warp and weft [mN·m/m]: how far apart the moments of bending
     /// and of bending back lie.
-    pub bend_hysteresis: Figure<[f64; 2]>,
+    pub bend_hysteresis: FabricFigure<[f64; 2]>,
     /// Shear hysteresis `2HG` [N/m].
-    pub shear_hysteresis: Figure<f64>,
+    pub shear_hysteresis: FabricFigure<f64>,
     /// Coulomb friction coefficient on skin.
-    pub friction: Figure<f64>,
+    pub friction: FabricFigure<f64>,
     /// Coulomb friction coefficient of the cloth on itself.
-    pub cloth_friction: Figure<f64>,
+    pub cloth_friction: FabricFigure<f64>,
     /// Where the measured figures come from.
     pub source: &'static str,
 }

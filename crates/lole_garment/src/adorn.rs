@@ -30,7 +30,7 @@ pub use strands::{Frame, frames};
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Surface {
     /// What it is made of.
-    pub finish: Finish,
+    pub finish: AdornmentFinish,
     /// Linear colors of the vertices.
     pub colors: Vec<Vec3>,
     /// Vertex indices, counter-clockwise seen from outside.
@@ -41,7 +41,7 @@ pub struct Surface {
 
 /// What a surface is made of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Finish {
+pub enum AdornmentFinish {
     /// A waxy leaf.
     #[default]
     Leaf,

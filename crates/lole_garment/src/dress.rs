@@ -43,7 +43,7 @@ use form::Form;
 use under::Under;
 
 pub use bodice::Covered;
-pub use crossings::Crossing;
+pub use crossings::ClothCrossing;
 pub use error::DressError;
 pub use laid::Way;
 pub use layers::{Body, Layers, Over, PieceOver};

@@ -172,14 +172,14 @@ pub struct Step {
     /// What to do instead by hand, where that differs.
     pub by_hand: Option<Sentence>,
     /// What its drawing shows.
-    pub figure: Figure,
+    pub figure: StepFigure,
     /// Time with a machine, and by hand [min]; 0 for what is no work, such as putting it on. Estimates.
     pub minutes: [f64; 2],
 }
 
 /// What the drawing of a step shows, taken from the pieces themselves.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Figure {
+pub enum StepFigure {
     /// Nothing that a drawing would make clearer.
     None,
     /// A piece with some of its edges and marks brought out.
@@ -212,7 +212,7 @@ impl Step {
 
     /// The step with what is drawn beside it.
     #[must_use]
-    pub fn shown(mut self, figure: Figure) -> Self {
+    pub fn shown(mut self, figure: StepFigure) -> Self {
         self.figure = figure;
         self
     }

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use lole_geom::Length;
 use lole_pattern::design::pau_skirt::{
-    LineKind, PauDraft, PauMeasurements, PauOptions, PauWarning, draft_pau_skirt,
+    PauDraft, PauLine, PauMeasurements, PauOptions, PauWarning, draft_pau_skirt,
     longest_finished_length,
 };
 use lole_pattern::{DraftError, ElasticRatio, GatherRatio};
@@ -191,7 +191,7 @@ fn lines_lie_in_order_inside_the_piece() {
             .is_sorted_by(|upper, lower| upper.from_edge < lower.from_edge)
     );
     let last = drafted.lines.last().unwrap();
-    assert_eq!(last.kind, LineKind::HemFold);
+    assert_eq!(last.kind, PauLine::HemFold);
     assert_cm(
         drafted.cut_height - last.from_edge,
         drafted.hem_depth.to_cm(),

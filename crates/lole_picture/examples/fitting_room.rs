@@ -27,7 +27,7 @@ use lole_garment::TEMPLATES;
 use lole_garment::dress::Layers;
 use lole_picture::{Looks, Moment};
 use lole_render::{Backend, Camera, LightRig, Renderer, Size, View};
-use lole_stage::skin_check::{Surface, check};
+use lole_stage::skin_check::{CheckedSurface, check};
 use lole_stage::{Performance, Production, six_dancers};
 
 /// Size of one picture of the sheet [pixel].
@@ -342,12 +342,12 @@ struct Seen {
 fn drawn_outside(performance: &Performance, place: usize) -> u32 {
     let moment = Moment::of(performance);
     let production = performance.production();
-    let body = Surface {
+    let body = CheckedSurface {
         positions: &moment.body[0],
         normals: &moment.body[1],
         triangles: &production.body_triangles,
     };
-    let cloth = Surface {
+    let cloth = CheckedSurface {
         positions: &moment.worn[production.garments.len() + place][0],
         normals: &moment.worn[production.garments.len() + place][1],
         triangles: &production.dressed[place].dressed.open_triangles,

@@ -12,7 +12,7 @@ use glam::Vec2;
 use lole_body::{Appearance, BodyPicture, Dancer, Look, PartKind, appearance};
 use lole_costume::document::Design;
 use lole_costume::document::PrintError;
-use lole_garment::adorn::Finish;
+use lole_garment::adorn::AdornmentFinish;
 use lole_print::PrintImage;
 use lole_render::srgb::linear_from_srgb;
 use lole_render::{Camera, LightRig, Material, RenderError, Scene, SceneMesh, Sides, Texture};
@@ -152,21 +152,21 @@ fn cover(design: &Design, surface: WornSurface<'_>) -> Result<Cover, LookError> 
     })
 }
 
-fn finish_material(finish: Finish) -> Material {
+fn finish_material(finish: AdornmentFinish) -> Material {
     let thin = Material {
         base_color: [1.0; 3],
         sides: Sides::Both,
         ..Material::default()
     };
     match finish {
-        Finish::Leaf => Material {
+        AdornmentFinish::Leaf => Material {
             roughness: 0.52,
             specular: 0.035,
             translucency: 0.22,
             wrap: 0.15,
             ..thin
         },
-        Finish::Petal => Material {
+        AdornmentFinish::Petal => Material {
             roughness: 0.80,
             specular: 0.02,
             sheen: 0.15,
@@ -174,7 +174,7 @@ fn finish_material(finish: Finish) -> Material {
             wrap: 0.25,
             ..thin
         },
-        Finish::Feather => Material {
+        AdornmentFinish::Feather => Material {
             roughness: 0.90,
             specular: 0.02,
             sheen: 0.35,
@@ -182,19 +182,19 @@ fn finish_material(finish: Finish) -> Material {
             wrap: 0.20,
             ..thin
         },
-        Finish::Fiber => Material {
+        AdornmentFinish::Fiber => Material {
             roughness: 0.85,
             specular: 0.02,
             sheen: 0.10,
             wrap: 0.12,
             ..thin
         },
-        Finish::Wood => Material {
+        AdornmentFinish::Wood => Material {
             roughness: 0.36,
             specular: 0.045,
             ..thin
         },
-        Finish::Film => Material {
+        AdornmentFinish::Film => Material {
             roughness: 0.20,
             specular: 0.20,
             translucency: 0.35,

@@ -15,7 +15,7 @@ use lole_geom::Capsule;
 use lole_geom::narrow;
 
 use crate::performance::{FRAME_SECONDS, FRAMES_PER_SECOND};
-use crate::skin_check::{self, Surface};
+use crate::skin_check::{self, CheckedSurface};
 use crate::solver::Solver;
 use crate::{Adornment, Danced, Divergence, Performance, Production, StageError, Vertices, Worn};
 
@@ -546,7 +546,7 @@ impl Show {
     #[must_use]
     pub fn sunken(&self, body_positions: &[Vec3], body_normals: &[Vec3]) -> Vec<Vec3> {
         let production = self.performance.production();
-        let body = Surface {
+        let body = CheckedSurface {
             positions: body_positions,
             normals: body_normals,
             triangles: &production.body_triangles,
@@ -558,7 +558,7 @@ impl Show {
                 Worn::Beside(_) => return None,
             };
             let positions = &self.positions[worn.particles()];
-            Some(Surface {
+            Some(CheckedSurface {
                 positions,
                 normals: &[],
                 triangles,

@@ -16,7 +16,7 @@ const CELL: f32 = 0.02;
 
 /// A surface in one frame.
 #[derive(Debug, Clone, Copy)]
-pub struct Surface<'a> {
+pub struct CheckedSurface<'a> {
     /// Vertex positions [m].
     pub positions: &'a [Vec3],
     /// Unit outward vertex normals.
@@ -50,7 +50,7 @@ impl SkinCheck {
 /// A cloth vertex is inside when it lies behind the nearest point of the skin. A body vertex shows
 /// when cloth lies behind it, inside the body, and none lies in front of it.
 #[must_use]
-pub fn check(body: Surface<'_>, cloth: Surface<'_>) -> SkinCheck {
+pub fn check(body: CheckedSurface<'_>, cloth: CheckedSurface<'_>) -> SkinCheck {
     let (low, high) = bounds(cloth.positions);
     let near = near_triangles(body, low - Vec3::splat(REACH), high + Vec3::splat(REACH));
     let body_grid = TriangleGrid::new(body.positions, &near, CELL);
@@ -70,7 +70,7 @@ pub fn check(body: Surface<'_>, cloth: Surface<'_>) -> SkinCheck {
 }
 
 /// The body vertices that [`check`] counts as showing, ascending.
-pub(crate) fn showing(body: Surface<'_>, cloth: Surface<'_>) -> Vec<usize> {
+pub(crate) fn showing(body: CheckedSurface<'_>, cloth: CheckedSurface<'_>) -> Vec<usize> {
     let (low, high) = bounds(cloth.positions);
     let near = near_triangles(body, low - Vec3::splat(REACH), high + Vec3::splat(REACH));
     let body_grid = TriangleGrid::new(body.positions, &near, CELL);
@@ -78,8 +78,8 @@ pub(crate) fn showing(body: Surface<'_>, cloth: Surface<'_>) -> Vec<usize> {
 }
 
 fn showing_of(
-    body: Surface<'_>,
-    cloth: Surface<'_>,
+    body: CheckedSurface<'_>,
+    cloth: CheckedSurface<'_>,
     near: &[[u32; 3]],
     body_grid: &TriangleGrid<'_>,
 ) -> Vec<usize> {
@@ -93,7 +93,7 @@ fn showing_of(
 }
 
 /// Depth of each place below the drawn skin [m], 0 outside, as [`check`] measures it.
-pub(crate) fn depths(body: Surface<'_>, places: &[Vec3]) -> Vec<f32> {
+pub(crate) fn depths(body: CheckedSurface<'_>, places: &[Vec3]) -> Vec<f32> {
     let (low, high) = bounds(places);
     let near = near_triangles(body, low - Vec3::splat(REACH), high + Vec3::splat(REACH));
     let grid = TriangleGrid::new(body.positions, &near, CELL);
@@ -103,7 +103,7 @@ pub(crate) fn depths(body: Surface<'_>, places: &[Vec3]) -> Vec<f32> {
 
 /// The cloth vertices that [`check`] counts as sunken.
 #[must_use]
-pub fn sunken(body: Surface<'_>, cloth: Surface<'_>) -> Vec<u32> {
+pub fn sunken(body: CheckedSurface<'_>, cloth: CheckedSurface<'_>) -> Vec<u32> {
     let (low, high) = bounds(cloth.positions);
     let near = near_triangles(body, low - Vec3::splat(REACH), high + Vec3::splat(REACH));
     let grid = TriangleGrid::new(body.positions, &near, CELL);
@@ -126,7 +126,7 @@ fn bounds(positions: &[Vec3]) -> (Vec3, Vec3) {
         })
 }
 
-fn near_triangles(body: Surface<'_>, low: Vec3, high: Vec3) -> Vec<[u32; 3]> {
+fn near_triangles(body: CheckedSurface<'_>, low: Vec3, high: Vec3) -> Vec<[u32; 3]> {
     let inside = |index: u32| {
         let position = body.positions[index as usize];
         position.cmpge(low).all() && position.cmple(high).all()
@@ -151,7 +151,7 @@ fn used_vertices(triangles: &[[u32; 3]], vertex_count: usize) -> impl Iterator<I
 /// Depth of `position` below the drawn skin [m], 0 outside.
 fn depth_below_skin(
     grid: &TriangleGrid<'_>,
-    body: Surface<'_>,
+    body: CheckedSurface<'_>,
     triangles: &[[u32; 3]],
     position: Vec3,
 ) -> f32 {
@@ -218,12 +218,12 @@ mod tests {
         let body = sphere(Vec3::ZERO, body_radius);
         let cloth = sphere(Vec3::ZERO, cloth_radius);
         check(
-            Surface {
+            CheckedSurface {
                 positions: &body.0,
                 normals: &body.1,
                 triangles: &body.2,
             },
-            Surface {
+            CheckedSurface {
                 positions: &cloth.0,
                 normals: &cloth.1,
                 triangles: &cloth.2,
@@ -244,7 +244,7 @@ mod tests {
         let (positions, normals, triangles) = sphere(Vec3::ZERO, 0.1);
         assert_eq!(found.sunken_cloth_vertices as usize, positions.len());
         let (inner, ..) = sphere(Vec3::ZERO, 0.09);
-        let shell = |positions, normals| Surface {
+        let shell = |positions, normals| CheckedSurface {
             positions,
             normals,
             triangles: &triangles,

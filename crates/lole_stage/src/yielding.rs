@@ -8,7 +8,7 @@ use glam::Vec3;
 use lole_geom::triangle_grid::TriangleGrid;
 
 use crate::production::Production;
-use crate::skin_check::Surface;
+use crate::skin_check::CheckedSurface;
 use crate::{Vertices, WornSurface};
 
 /// Pressed skin lies this far under the cloth [m].
@@ -30,7 +30,7 @@ pub fn give_way(
         let WornSurface::Sewn(garment) = surface else {
             continue;
         };
-        let cloth = Surface {
+        let cloth = CheckedSurface {
             positions: vertices,
             normals: &[],
             triangles: &garment.dressed.open_triangles,
@@ -41,7 +41,7 @@ pub fn give_way(
 
 fn press(
     body_triangles: &[[u32; 3]],
-    cloth: Surface<'_>,
+    cloth: CheckedSurface<'_>,
     (positions, normals): (&mut [Vec3], &[Vec3]),
 ) {
     let reach = Vec3::splat(UNDER + DEEPEST);
@@ -99,7 +99,7 @@ mod tests {
         };
         let body: Vec<[u32; 3]> = fan(0, 8).chain(fan(4, 9)).collect();
         let vertices = square(0.05, cloth);
-        let cloth = Surface {
+        let cloth = CheckedSurface {
             positions: &vertices,
             normals: &[],
             triangles: &[[0, 1, 2], [0, 2, 3]],

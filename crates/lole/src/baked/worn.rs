@@ -8,7 +8,7 @@ use lole_export::glb::{
     BakedCloth, GlbMaterial, GlbMesh, GlbPart, GlbSides, GridMesh, GridRing, GridSheet,
 };
 use lole_export::still::encode_png;
-use lole_garment::adorn::{self, Carried, Finish};
+use lole_garment::adorn::{self, AdornmentFinish, Carried};
 use lole_picture::Cover;
 use lole_print::PrintImage;
 use lole_stage::{Garment, Production, WornSurface};
@@ -198,14 +198,14 @@ const fn cloth(print: Option<&[u8]>) -> GlbMaterial<'_> {
     }
 }
 
-const fn material(finish: Finish) -> GlbMaterial<'static> {
+const fn material(finish: AdornmentFinish) -> GlbMaterial<'static> {
     let (name, roughness) = match finish {
-        Finish::Leaf => ("leaf", 0.55),
-        Finish::Petal => ("petal", 0.85),
-        Finish::Feather => ("feather", 0.9),
-        Finish::Fiber => ("fiber", 0.9),
-        Finish::Wood => ("wood", 0.4),
-        Finish::Film => ("film", 0.15),
+        AdornmentFinish::Leaf => ("leaf", 0.55),
+        AdornmentFinish::Petal => ("petal", 0.85),
+        AdornmentFinish::Feather => ("feather", 0.9),
+        AdornmentFinish::Fiber => ("fiber", 0.9),
+        AdornmentFinish::Wood => ("wood", 0.4),
+        AdornmentFinish::Film => ("film", 0.15),
     };
     GlbMaterial {
         name,

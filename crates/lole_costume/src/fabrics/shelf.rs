@@ -12,24 +12,24 @@
 //! 2.5 cm radius and less, so it is an upper figure for wide folds. Shear hysteresis is estimated as
 //! 0.02 to 0.05 rad of shear stiffness, most for cotton and its blends.
 
-use super::{Figure, Preset, Provenance};
+use super::{FabricFigure, Preset, Provenance};
 
-const fn measured<T: Copy>(value: T) -> Figure<T> {
-    Figure {
+const fn measured<T: Copy>(value: T) -> FabricFigure<T> {
+    FabricFigure {
         value,
         provenance: Provenance::Measured,
     }
 }
 
-const fn derived<T: Copy>(value: T) -> Figure<T> {
-    Figure {
+const fn derived<T: Copy>(value: T) -> FabricFigure<T> {
+    FabricFigure {
         value,
         provenance: Provenance::Derived,
     }
 }
 
-const fn estimated<T: Copy>(value: T) -> Figure<T> {
-    Figure {
+const fn estimated<T: Copy>(value: T) -> FabricFigure<T> {
+    FabricFigure {
         value,
         provenance: Provenance::Estimated,
     }

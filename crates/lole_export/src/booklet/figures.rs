@@ -9,7 +9,7 @@ mod section;
 
 use kurbo::Affine;
 use lole_language::words;
-use lole_pattern::pattern::{Figure, NotionKind, Pattern};
+use lole_pattern::pattern::{NotionKind, Pattern, StepFigure};
 use lole_pattern::piece::Piece;
 
 use crate::canvas::Canvas;
@@ -20,20 +20,20 @@ use piece::WorkedPiece;
 const LABEL: TextStyle = TextStyle::regular(11.0);
 
 /// Height of the drawing of a step [mm]; 0 for none.
-pub(super) const fn height(figure: &Figure) -> f64 {
+pub(super) const fn height(figure: &StepFigure) -> f64 {
     match figure {
-        Figure::None => 0.0,
-        Figure::Piece { .. } => 48.0,
-        Figure::Seams(_) => 46.0,
-        Figure::Section { .. } => 47.0,
+        StepFigure::None => 0.0,
+        StepFigure::Piece { .. } => 48.0,
+        StepFigure::Seams(_) => 46.0,
+        StepFigure::Section { .. } => 47.0,
     }
 }
 
 /// Draws a figure into its place.
-pub(super) fn draw(canvas: &mut Canvas<'_>, pattern: &Pattern, figure: &Figure) {
+pub(super) fn draw(canvas: &mut Canvas<'_>, pattern: &Pattern, figure: &StepFigure) {
     match figure {
-        Figure::None => {}
-        Figure::Piece {
+        StepFigure::None => {}
+        StepFigure::Piece {
             piece,
             edges,
             marks,
@@ -47,8 +47,8 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, pattern: &Pattern, figure: &Figure) 
                 worked.draw(canvas);
             }
         }
-        Figure::Seams(seams) => seams::draw(canvas, pattern, seams),
-        Figure::Section { piece, marks } => {
+        StepFigure::Seams(seams) => seams::draw(canvas, pattern, seams),
+        StepFigure::Section { piece, marks } => {
             if let Some(piece) = pattern.pieces.get(*piece) {
                 let has_elastic =
                     (pattern.notions.iter()).any(|notion| notion.kind == NotionKind::Elastic);

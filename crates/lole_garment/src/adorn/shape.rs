@@ -5,7 +5,7 @@ use lole_geom::mesh::vertex_normals;
 use lole_geom::trig;
 
 use super::chosen::real;
-use super::{Carried, Carrier, Finish, OnStrand, Surface};
+use super::{AdornmentFinish, Carried, Carrier, OnStrand, Surface};
 
 /// A mesh with colors, in a space of its own [m].
 #[derive(Debug, Clone, Default)]
@@ -97,13 +97,13 @@ impl Shape {
     }
 
     /// A surface that one thing carries, from a shape in the bind pose.
-    pub(crate) fn ridden(self, finish: Finish, carrier: Carrier) -> Surface {
+    pub(crate) fn ridden(self, finish: AdornmentFinish, carrier: Carrier) -> Surface {
         let carriers = vec![carrier; self.positions.len()];
         self.ridden_by(finish, carriers)
     }
 
     /// A surface whose vertices are carried each by its own.
-    pub(crate) fn ridden_by(self, finish: Finish, carriers: Vec<Carrier>) -> Surface {
+    pub(crate) fn ridden_by(self, finish: AdornmentFinish, carriers: Vec<Carrier>) -> Surface {
         Surface {
             finish,
             colors: self.colors,
@@ -169,7 +169,7 @@ impl OnStrands {
             .extend(triangles.map(|triangle| triangle.map(|corner| corner + first)));
     }
 
-    pub(crate) fn surface(self, finish: Finish) -> Surface {
+    pub(crate) fn surface(self, finish: AdornmentFinish) -> Surface {
         Surface {
             finish,
             colors: self.colors,

@@ -15,7 +15,7 @@ use super::blade::half_width;
 use super::body::rider;
 use super::chosen::{Chosen, chance, real, whole};
 use super::shape::{OnStrands, Shape};
-use super::{Carrier, Finish, HangingStrands, Made, Rider, Surface, Wearer};
+use super::{AdornmentFinish, Carrier, HangingStrands, Made, Rider, Surface, Wearer};
 use crate::GarmentSpec;
 
 /// Strands that are moved at most; more of them are drawn beside these.
@@ -124,7 +124,7 @@ pub(crate) fn ti_leaf(spec: &GarmentSpec<'_>, wearer: &Wearer<'_>) -> Result<Mad
         on.add_bent(&half, (strand, spacing));
     });
     made.surfaces.insert(0, braid(wearer, &hung, cord));
-    Ok(named(made, Finish::Leaf))
+    Ok(named(made, AdornmentFinish::Leaf))
 }
 
 /// A raffia skirt: bundles of thin fibers.
@@ -173,7 +173,7 @@ pub(crate) fn raffia(spec: &GarmentSpec<'_>, wearer: &Wearer<'_>) -> Result<Made
     });
     made.surfaces
         .insert(0, band(wearer, &hung, &stuff, chosen.ground()));
-    Ok(named(made, Finish::Fiber))
+    Ok(named(made, AdornmentFinish::Fiber))
 }
 
 /// A cellophane skirt: narrow strips of shining film.
@@ -215,11 +215,11 @@ pub(crate) fn cellophane(spec: &GarmentSpec<'_>, wearer: &Wearer<'_>) -> Result<
     });
     made.surfaces
         .insert(0, band(wearer, &hung, &stuff, chosen.ground()));
-    Ok(named(made, Finish::Film))
+    Ok(named(made, AdornmentFinish::Film))
 }
 
 /// Gives what hangs its finish; the band keeps its own.
-fn named(mut made: Made, finish: Finish) -> Made {
+fn named(mut made: Made, finish: AdornmentFinish) -> Made {
     for surface in made.surfaces.iter_mut().skip(1) {
         surface.finish = finish;
     }
@@ -276,7 +276,7 @@ fn hang(
         draw(&mut on, (one, one * moved / stuff.count.max(1)), spacing);
     }
     Made {
-        surfaces: vec![on.surface(Finish::Fiber)],
+        surfaces: vec![on.surface(AdornmentFinish::Fiber)],
         strands: Some(hanging),
         ..Made::default()
     }
@@ -371,7 +371,7 @@ fn band(wearer: &Wearer<'_>, hung: &Hung, stuff: &Stuff, color: Vec3) -> Surface
         let fold = trig::sin(TAU * 72.0 * across);
         (color * (0.90 + 0.10 * fold), 1.0 + 0.06 * fold)
     });
-    shape.ridden_by(Finish::Fiber, carriers)
+    shape.ridden_by(AdornmentFinish::Fiber, carriers)
 }
 
 /// The braided cord of a ti-leaf skirt, with the leaves' stems hung over it.
@@ -388,7 +388,7 @@ fn braid(wearer: &Wearer<'_>, hung: &Hung, color: Vec3) -> Surface {
         let turn = trig::sin(TAU * 80.0 * across);
         (color * (0.85 + 0.15 * turn), 1.0 + 0.12 * turn)
     });
-    shape.ridden_by(Finish::Fiber, carriers)
+    shape.ridden_by(AdornmentFinish::Fiber, carriers)
 }
 
 /// Rows around the trunk at heights of the bind pose [m], so far from the taut tape [m]; `look` gives

@@ -2,7 +2,7 @@
 
 use kurbo::{PathSeg, Point, Vec2};
 use lole_language::words;
-use lole_pattern::pattern::{Figure, Seam, Step};
+use lole_pattern::pattern::{Seam, Step, StepFigure};
 use lole_pattern::piece::{CutCount, Edge, Finish, LineKind, Mark, Piece};
 
 use super::block::{Block, Half, SideDart};
@@ -169,7 +169,7 @@ pub(crate) fn binding_seams(
 }
 
 /// How a neckline is bound.
-pub(crate) fn binding_step(neckline: f64, figure: Figure) -> Step {
+pub(crate) fn binding_step(neckline: f64, figure: StepFigure) -> Step {
     let [long_cm, wide_cm] = [neckline + 2.0 * SEAM, BINDING].map(cm);
     step(
         words("衿ぐりを始末する", "Bind the neckline"),
@@ -206,7 +206,7 @@ pub(crate) fn dart_step(piece: usize, line: &SideLine, marks: [usize; 2]) -> Opt
     let wide = (dart.legs[1] - dart.legs[0]).hypot();
     let long = (dart.legs[0] - dart.apex).hypot();
     let [wide_cm, long_cm] = [wide, long].map(cm);
-    let figure = Figure::Piece {
+    let figure = StepFigure::Piece {
         piece,
         edges: Vec::new(),
         marks: marks.to_vec(),
@@ -235,11 +235,11 @@ pub(crate) fn closing_step(title: lole_language::Words, meters: f64, seams: Vec<
         ),
         minutes(&[(Work::Seam, meters)]),
     )
-    .shown(Figure::Seams(seams))
+    .shown(StepFigure::Seams(seams))
 }
 
 /// How a hem is turned up.
-pub(crate) fn hem_step(depth: f64, around: f64, figure: Figure) -> Step {
+pub(crate) fn hem_step(depth: f64, around: f64, figure: StepFigure) -> Step {
     let [depth_cm, around_cm] = [depth, around].map(cm);
     step(
         words("裾を上げる", "Hem"),
@@ -271,7 +271,7 @@ pub(crate) fn place(piece: &Piece, id: &str) -> usize {
 }
 
 /// The figure of whole edges.
-pub(crate) fn shown(pieces: &[Piece], piece: usize, ids: &[&str]) -> Figure {
+pub(crate) fn shown(pieces: &[Piece], piece: usize, ids: &[&str]) -> StepFigure {
     let edges: Vec<usize> = ids.iter().map(|id| place(&pieces[piece], id)).collect();
     edges_of(piece, &edges)
 }

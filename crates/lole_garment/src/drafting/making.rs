@@ -5,7 +5,7 @@
 use lole_geom::Length;
 use lole_language::{Sentence, Words, words};
 use lole_pattern::pattern::{
-    Amount, Figure, Notion, NotionKind, Pattern, Seam, SeamKind, SeamSide, Step,
+    Amount, StepFigure, Notion, NotionKind, Pattern, Seam, SeamKind, SeamSide, Step,
 };
 use lole_pattern::piece::{Finish, Piece};
 
@@ -52,14 +52,14 @@ pub(crate) const fn step(title: Words, by_machine: Sentence, minutes: [f64; 2]) 
         title,
         by_machine,
         by_hand: None,
-        figure: Figure::None,
+        figure: StepFigure::None,
         minutes,
     }
 }
 
 /// A piece with some edges brought out.
-pub(crate) fn edges_of(piece: usize, edges: &[usize]) -> Figure {
-    Figure::Piece {
+pub(crate) fn edges_of(piece: usize, edges: &[usize]) -> StepFigure {
+    StepFigure::Piece {
         piece,
         edges: edges.to_vec(),
         marks: Vec::new(),
@@ -67,9 +67,9 @@ pub(crate) fn edges_of(piece: usize, edges: &[usize]) -> Figure {
 }
 
 /// The hem of a piece in section.
-pub(crate) const fn hem_in_section(piece: usize) -> Figure {
+pub(crate) const fn hem_in_section(piece: usize) -> StepFigure {
     let marks = Vec::new();
-    Figure::Section { piece, marks }
+    StepFigure::Section { piece, marks }
 }
 
 /// A whole edge of a piece, walked as it is drawn.

@@ -14,7 +14,7 @@ use super::{Dressed, EDGE};
 
 /// An edge of a garment that goes through one of its triangles.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Crossing {
+pub struct ClothCrossing {
     /// Ends of the edge: particles, the first of those that are sewn to each other.
     pub ends: [u32; 2],
     /// Corners of the triangle, in the same way.
@@ -36,7 +36,7 @@ impl Dressed {
 
     /// The same one by one.
     #[must_use]
-    pub fn crossing_pairs(&self, positions: &[Vec3]) -> Option<Vec<Crossing>> {
+    pub fn crossing_pairs(&self, positions: &[Vec3]) -> Option<Vec<ClothCrossing>> {
         let drawn = self.drawn(positions);
         let triangles = self.closed_triangles();
         let mut edges: Vec<[u32; 2]> = (triangles.iter())
@@ -46,7 +46,7 @@ impl Dressed {
         edges.sort_unstable();
         edges.dedup();
         let crossings = diagnose::crossings((&triangles, edges.into_iter()), &drawn, EDGE)?;
-        let crossing = |(ends, triangle): ([u32; 2], u32)| Crossing {
+        let crossing = |(ends, triangle): ([u32; 2], u32)| ClothCrossing {
             ends,
             corners: triangles[triangle as usize],
             place: 0.5 * (drawn[ends[0] as usize] + drawn[ends[1] as usize]),

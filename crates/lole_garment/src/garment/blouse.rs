@@ -8,7 +8,7 @@
 use kurbo::{PathSeg, Vec2};
 use lole_geom::Length;
 use lole_language::words;
-use lole_pattern::pattern::{Amount, Figure, Notion, NotionKind, Seam, SeamKind, Step};
+use lole_pattern::pattern::{Amount, Notion, NotionKind, Seam, SeamKind, Step, StepFigure};
 use lole_pattern::piece::{CutCount, Finish, Piece};
 use lole_pattern::{DraftError, Measure, Measures, Pattern};
 
@@ -432,7 +432,7 @@ pub(crate) fn sleeve_steps(
         )
         .shown(crate::drafting::making::edges_of(piece, &[0, 1, 3])),
         step(words("袖を付ける", "Set in the sleeves"), set_in, minutes(&[(Work::Sleeve, 2.0)]))
-            .shown(Figure::Seams(seams)),
+            .shown(StepFigure::Seams(seams)),
     ]
 }
 

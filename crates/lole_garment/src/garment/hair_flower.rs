@@ -183,7 +183,7 @@ mod worn {
     use crate::adorn::body::{bone_alone, farthest};
     use crate::adorn::chosen::{Chosen, real};
     use crate::adorn::shape::{Shape, affine, facing};
-    use crate::adorn::{Finish, Made, Wearer, flower};
+    use crate::adorn::{AdornmentFinish, Made, Wearer, flower};
     use crate::drafting::chosen::Chosen as Decided;
     use crate::template::Options;
 
@@ -254,8 +254,8 @@ mod worn {
         let head = bone_alone(Bone::Head);
         Ok(Made {
             surfaces: vec![
-                flowers.ridden(Finish::Petal, head),
-                leaves.ridden(Finish::Leaf, head),
+                flowers.ridden(AdornmentFinish::Petal, head),
+                leaves.ridden(AdornmentFinish::Leaf, head),
             ],
             ..Made::default()
         })

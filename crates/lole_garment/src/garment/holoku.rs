@@ -8,7 +8,7 @@
 use kurbo::{PathSeg, Vec2};
 use lole_geom::Length;
 use lole_language::words;
-use lole_pattern::pattern::{Amount, Figure, NotionKind, Seam, Step};
+use lole_pattern::pattern::{Amount, NotionKind, Seam, Step, StepFigure};
 use lole_pattern::piece::{CutCount, Edge, Finish, LineKind, Mark, Piece};
 use lole_pattern::{DraftError, Measure, Measures, Pattern};
 
@@ -513,7 +513,7 @@ fn waist_step(pieces: &[Piece], body: &Body) -> Option<Step> {
         .unzip();
     let darts = 2 * u32::try_from(wide_japanese.len()).unwrap_or(0);
     let (wide_japanese, wide_english) = (wide_japanese.join("、"), wide_english.join(" and "));
-    let figure = Figure::Piece {
+    let figure = StepFigure::Piece {
         piece: BACK,
         edges: Vec::new(),
         marks,
@@ -543,7 +543,7 @@ fn yoke_step(pieces: &[Piece], seams: Vec<usize>) -> Step {
         ),
         minutes(&[(Work::Seam, meters)]),
     )
-    .shown(Figure::Seams(seams))
+    .shown(StepFigure::Seams(seams))
 }
 
 fn sleeve_step(sleeve: &Sleeve, seams: Vec<usize>) -> Step {
@@ -560,7 +560,7 @@ fn sleeve_step(sleeve: &Sleeve, seams: Vec<usize>) -> Step {
             (Work::Hem, 2.0 * sleeve.hem_width),
         ]),
     )
-    .shown(Figure::Seams(seams))
+    .shown(StepFigure::Seams(seams))
 }
 
 /// The hook sits on the finished neckline.

@@ -161,7 +161,7 @@ mod worn {
     use crate::adorn::chosen::Chosen;
     use crate::adorn::grip::{Grip, Palm};
     use crate::adorn::shape::{Shape, affine};
-    use crate::adorn::{Finish, Made, Wearer};
+    use crate::adorn::{AdornmentFinish, Made, Wearer};
 
     /// Height over the length of the arm, greatest width over the height, and the lower gourd over the
     /// height, as the template has them.
@@ -218,7 +218,7 @@ mod worn {
         let mut shape = Shape::default();
         shape.add(&gourd, &(bind_from_world * world));
         Ok(Made {
-            surfaces: vec![shape.ridden(Finish::Wood, bone_alone(palm.hand))],
+            surfaces: vec![shape.ridden(AdornmentFinish::Wood, bone_alone(palm.hand))],
             grips: vec![grip],
             ..Made::default()
         })

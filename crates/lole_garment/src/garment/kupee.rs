@@ -133,7 +133,7 @@ mod worn {
     use crate::adorn::chosen::{Chosen, whole};
     use crate::adorn::shape::Shape;
     use crate::adorn::wreath::{Wound, wind};
-    use crate::adorn::{Finish, Made, Wearer};
+    use crate::adorn::{AdornmentFinish, Made, Wearer};
 
     /// Where the band of a wrist lies, from elbow to wrist.
     const WRIST: f32 = 0.93;
@@ -199,7 +199,7 @@ mod worn {
             };
             let [leaves, _] = wind(&girdle, &wound);
             let carrier = carrier_at(dancer, center, 0.05 * size);
-            surfaces.push(leaves.ridden(Finish::Leaf, carrier));
+            surfaces.push(leaves.ridden(AdornmentFinish::Leaf, carrier));
         }
         Ok(Made {
             surfaces,

@@ -155,7 +155,7 @@ mod worn {
     use crate::adorn::body::{carrier_at, vertices};
     use crate::adorn::chosen::{Chosen, chance, real, whole};
     use crate::adorn::shape::{OnStrands, Shape};
-    use crate::adorn::{Finish, HangingStrands, Made, Rider, Surface, Wearer, flower};
+    use crate::adorn::{AdornmentFinish, HangingStrands, Made, Rider, Surface, Wearer, flower};
 
     /// Opening of an elbow whose hand would go through flowers on the chest [°].
     pub(super) const CHEST_ROOM_DEG: f32 = 10.0;
@@ -399,7 +399,7 @@ mod worn {
             let along = particles * real(one) / real(count.max(1));
             on.add_whole(&placed.tinted(Vec3::splat(light)), (0, along));
         }
-        on.surface(Finish::Petal)
+        on.surface(AdornmentFinish::Petal)
     }
 
     /// Pairs of leaves along a vine, pointing to its ends.
@@ -437,6 +437,6 @@ mod worn {
                 on.add_whole(&placed, (0, real(particle)));
             }
         }
-        on.surface(Finish::Leaf)
+        on.surface(AdornmentFinish::Leaf)
     }
 }

@@ -134,7 +134,7 @@ mod worn {
     use crate::adorn::body::{Around, Girdle, bone_alone};
     use crate::adorn::chosen::{Chosen, whole};
     use crate::adorn::wreath::{Wound, wind};
-    use crate::adorn::{Finish, Made, Wearer, flower};
+    use crate::adorn::{AdornmentFinish, Made, Wearer, flower};
 
     /// Where it lies on the forehead, from the head's joint to the crown.
     const FOREHEAD: f32 = 0.72;
@@ -201,8 +201,8 @@ mod worn {
         let head = bone_alone(Bone::Head);
         Ok(Made {
             surfaces: vec![
-                leaves.ridden(Finish::Leaf, head),
-                flowers.ridden(Finish::Petal, head),
+                leaves.ridden(AdornmentFinish::Leaf, head),
+                flowers.ridden(AdornmentFinish::Petal, head),
             ],
             ..Made::default()
         })

@@ -493,7 +493,7 @@ fn yoke_step(pieces: &[Piece], seams: Vec<usize>) -> Step {
         "ぐし縫い 2 本で寄せ、半返し縫いで付けます。",
         "Gather with two rows of running stitches and sew with half back stitches."
     ))
-    .shown(lole_pattern::pattern::Figure::Seams(seams))
+    .shown(lole_pattern::pattern::StepFigure::Seams(seams))
 }
 
 /// Of the strip that binds the slit, for its ends and the loop [m].
@@ -509,7 +509,7 @@ fn slit_step(slit: f64) -> Step {
         ),
         minutes(&[(Work::Slit, 1.0)]),
     )
-    .shown(lole_pattern::pattern::Figure::Piece {
+    .shown(lole_pattern::pattern::StepFigure::Piece {
         piece: BACK_YOKE,
         edges: Vec::new(),
         marks: vec![0],

@@ -7,7 +7,7 @@
 use lole_geom::Length;
 use lole_language::words;
 use lole_pattern::design::pau_skirt::{PauDraft, PauOptions, draft_pau_skirt};
-use lole_pattern::pattern::{Amount, Figure, Notion, NotionKind, Step};
+use lole_pattern::pattern::{Amount, Notion, NotionKind, Step, StepFigure};
 use lole_pattern::piece::{Finish, LineKind, Mark, Piece};
 use lole_pattern::{DraftError, GatherRatio, Pattern};
 
@@ -151,7 +151,7 @@ fn steps(piece: &Piece, draft: &PauDraft, (cord, row_count): (f64, u32)) -> Vec<
             .filter(|(_, mark)| matches!(mark, Mark::Line { kind, .. } if wanted.contains(kind)));
         found.map(|(index, _)| index).collect()
     };
-    let section = |wanted: &[LineKind]| Figure::Section {
+    let section = |wanted: &[LineKind]| StepFigure::Section {
         piece: 0,
         marks: lines(wanted),
     };

@@ -10,7 +10,7 @@ use lole_pattern::design::Sewn;
 use lole_pattern::design::pau_skirt::{
     ElasticRow, PauDraft, PauMeasurements, PauOptions, draft_pau_skirt,
 };
-use lole_pattern::pattern::{Figure, NotionKind, Seam, Step};
+use lole_pattern::pattern::{NotionKind, Seam, Step, StepFigure};
 use lole_pattern::piece::{CutCount, Finish, LineKind, Mark, Piece};
 use lole_pattern::{DraftError, GatherRatio, Pattern, Yardage};
 
@@ -381,7 +381,7 @@ impl Ruffle {
             )
         };
         let figure = if flounce {
-            Figure::Seams(vec![1 + count as usize])
+            StepFigure::Seams(vec![1 + count as usize])
         } else {
             edges_of(1, &[2])
         };

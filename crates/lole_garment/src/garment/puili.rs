@@ -137,7 +137,7 @@ mod worn {
     use crate::adorn::chosen::{Chosen, chance, real, whole};
     use crate::adorn::grip::{Grip, Palm};
     use crate::adorn::shape::{Shape, affine};
-    use crate::adorn::{Finish, Made, Wearer};
+    use crate::adorn::{AdornmentFinish, Made, Wearer};
 
     /// Half the flesh of the mean woman's palm [m].
     const HALF_PALM: f32 = 0.014;
@@ -170,7 +170,7 @@ mod worn {
             let mut held = Shape::default();
             held.add(&stick, &place);
             made.surfaces
-                .push(held.ridden(Finish::Wood, bone_alone(palm.hand)));
+                .push(held.ridden(AdornmentFinish::Wood, bone_alone(palm.hand)));
             made.grips.push(Grip {
                 side,
                 thickness,

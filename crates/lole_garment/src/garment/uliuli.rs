@@ -195,7 +195,7 @@ mod worn {
     use crate::adorn::chosen::{Chosen, chance, real};
     use crate::adorn::grip::{Grip, Palm};
     use crate::adorn::shape::{Shape, affine};
-    use crate::adorn::{Finish, Made, Wearer};
+    use crate::adorn::{AdornmentFinish, Made, Wearer};
 
     /// Half the flesh of a palm, thickness of the handle and room for the fist [m], of the mean woman.
     const HALF_PALM: f32 = 0.014;
@@ -226,7 +226,10 @@ mod worn {
             let axes = [palm.along, up, palm.along.cross(up)];
             let place = affine(axes, palm.center + palm.out * (0.5 * HANDLE * size));
             let hand = bone_alone(palm.hand);
-            for (shape, finish) in [(&gourd, Finish::Wood), (&feathers, Finish::Feather)] {
+            for (shape, finish) in [
+                (&gourd, AdornmentFinish::Wood),
+                (&feathers, AdornmentFinish::Feather),
+            ] {
                 let mut held = Shape::default();
                 held.add(shape, &place);
                 made.surfaces.push(held.ridden(finish, hand));

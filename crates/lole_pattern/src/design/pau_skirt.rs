@@ -107,7 +107,7 @@ pub struct ElasticRow {
 
 /// A line to mark or stitch across the flat cloth, parallel to the selvages.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum LineKind {
+pub enum PauLine {
     /// Crease of the turned edge inside the band.
     TurnUnder,
     /// The top of the finished skirt.
@@ -120,7 +120,7 @@ pub enum LineKind {
     HemFold,
 }
 
-impl LineKind {
+impl PauLine {
     /// What the line is called on a cutting plan.
     #[must_use]
     pub const fn name(self) -> &'static str {
@@ -138,7 +138,7 @@ impl LineKind {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MarkedLine {
     /// What it is for.
-    pub kind: LineKind,
+    pub kind: PauLine,
     /// Distance from the raw top edge.
     pub from_edge: Length,
 }
@@ -347,15 +347,15 @@ pub(super) fn marked_lines(
     let fold = options.turn_under + fold_depth(options);
     let line = |kind, from_edge| MarkedLine { kind, from_edge };
     let mut lines = vec![
-        line(LineKind::TurnUnder, options.turn_under),
-        line(LineKind::TopFold, fold),
+        line(PauLine::TurnUnder, options.turn_under),
+        line(PauLine::TopFold, fold),
     ];
     for row in elastic_rows {
         let middle = fold + row.from_fold;
-        lines.push(line(LineKind::CasingTop, middle - options.casing * 0.5));
-        lines.push(line(LineKind::CasingBottom, middle + options.casing * 0.5));
+        lines.push(line(PauLine::CasingTop, middle - options.casing * 0.5));
+        lines.push(line(PauLine::CasingBottom, middle + options.casing * 0.5));
     }
-    lines.push(line(LineKind::HemFold, fold + finished_length));
+    lines.push(line(PauLine::HemFold, fold + finished_length));
     lines
 }
 

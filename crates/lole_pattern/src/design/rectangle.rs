@@ -4,7 +4,7 @@ use kurbo::{BezPath, Point, Vec2};
 use lole_geom::Length;
 use lole_language::{Sentence, Words, words};
 
-use super::pau_skirt::{LineKind as PauLine, PauDraft, PauWarning};
+use super::pau_skirt::{PauDraft, PauLine, PauWarning};
 use super::steps::{Sewn, steps};
 use crate::pattern::{Amount, Notion, NotionKind, Pattern, Seam, SeamKind, SeamSide};
 use crate::piece::{ClothRole, CutCount, Edge, Finish, LineKind, Mark, Piece};

@@ -7,8 +7,8 @@
 use lole_geom::Length;
 use lole_language::{Sentence, words};
 
-use super::pau_skirt::{LineKind, PauDraft};
-use crate::pattern::{Figure, Step};
+use super::pau_skirt::{PauDraft, PauLine};
+use crate::pattern::{Step, StepFigure};
 use crate::piece::hem_turns;
 
 /// Pinning and sewing a meter of straight seam with a machine, and by hand [min/m]. Estimates: makers
@@ -68,7 +68,7 @@ fn press() -> Step {
             "Wash cotton and rayon once before cutting, so that they shrink now and not later. Pull the weave straight and press the cloth from the wrong side.",
         ),
         by_hand: None,
-        figure: Figure::None,
+        figure: StepFigure::None,
         minutes: [20.0, 20.0],
     }
 }
@@ -87,7 +87,7 @@ fn cut(draft: &PauDraft) -> Step {
             ),
         ),
         by_hand: None,
-        figure: Figure::Piece {
+        figure: StepFigure::Piece {
             piece: PANEL,
             edges: vec![0, 1, 2, 3],
             marks: Vec::new(),
@@ -140,7 +140,7 @@ fn mark(draft: &PauDraft, sewn: Option<&Sewn>) -> Step {
             ),
         ),
         by_hand: None,
-        figure: Figure::Piece {
+        figure: StepFigure::Piece {
             piece: PANEL,
             edges: Vec::new(),
             marks: (0..band).chain(tapes..count).chain(placement).collect(),
@@ -176,7 +176,7 @@ fn close(draft: &PauDraft) -> Step {
             "半返し縫いで縫い、縫い代の端はかがり縫いで始末します。",
             "Sew the seam with half backstitches and overcast the raw edges.",
         )),
-        figure: Figure::Seams(vec![CLOSING]),
+        figure: StepFigure::Seams(vec![CLOSING]),
         // The seam, and both of its edges neatened.
         minutes: minutes(10.0, draft.cut_height * 3.0),
     }
@@ -185,26 +185,26 @@ fn close(draft: &PauDraft) -> Step {
 /// Stretches of the closing seam that stay open, from the raw upper edge: where the casings of the
 /// band are on its inside, mirrored at the top fold.
 fn openings(draft: &PauDraft) -> Vec<[Length; 2]> {
-    let fold = from_edge(draft, LineKind::TopFold);
+    let fold = from_edge(draft, PauLine::TopFold);
     let below = |kind| {
         let lines = draft.lines.iter().filter(move |line| line.kind == kind);
         lines.map(move |line| line.from_edge - fold)
     };
-    below(LineKind::CasingTop)
-        .zip(below(LineKind::CasingBottom))
+    below(PauLine::CasingTop)
+        .zip(below(PauLine::CasingBottom))
         .take(draft.band_row_count)
         .map(|(top, bottom)| [fold - bottom, fold - top])
         .collect()
 }
 
-fn from_edge(draft: &PauDraft, kind: LineKind) -> Length {
+fn from_edge(draft: &PauDraft, kind: PauLine) -> Length {
     let line = draft.lines.iter().find(|line| line.kind == kind);
     line.map_or(Length::ZERO, |line| line.from_edge)
 }
 
 fn fold_band(draft: &PauDraft) -> Step {
     let (turn, depth) = (
-        cm(from_edge(draft, LineKind::TurnUnder)),
+        cm(from_edge(draft, PauLine::TurnUnder)),
         cm(draft.fold_depth),
     );
     Step {
@@ -218,7 +218,7 @@ fn fold_band(draft: &PauDraft) -> Step {
             ),
         ),
         by_hand: None,
-        figure: Figure::Section {
+        figure: StepFigure::Section {
             piece: PANEL,
             marks: vec![0, 1],
         },
@@ -228,7 +228,7 @@ fn fold_band(draft: &PauDraft) -> Step {
 
 fn stitch_casings(draft: &PauDraft) -> Step {
     let count = draft.band_row_count;
-    let fold = from_edge(draft, LineKind::TopFold);
+    let fold = from_edge(draft, PauLine::TopFold);
     let lines = draft.lines.iter().skip(2).take(2 * count);
     let below: Vec<String> = lines.map(|line| cm(line.from_edge - fold)).collect();
     // The lowest one is not drawn: it follows the folded edge.
@@ -250,7 +250,7 @@ fn stitch_casings(draft: &PauDraft) -> Step {
             "細かいぐし縫いで縫い、20 cm ごとに一針返します。",
             "Sew small running stitches, with one backstitch every 20 cm.",
         )),
-        figure: Figure::Section {
+        figure: StepFigure::Section {
             piece: PANEL,
             marks: (0..2 + 2 * count).collect(),
         },
@@ -283,7 +283,7 @@ fn tape(draft: &PauDraft) -> Option<Step> {
             "テープの上下をまつり縫いします。",
             "Slip-stitch both edges of the tape.",
         )),
-        figure: Figure::Piece {
+        figure: StepFigure::Piece {
             piece: PANEL,
             edges: Vec::new(),
             marks: (first..first + 2 * count).collect(),
@@ -308,7 +308,7 @@ fn hem(draft: &PauDraft) -> Step {
             "0.7 cm おきに、表に小さな針目が出るようにまつり縫いします。",
             "Slip-stitch every 0.7 cm, picking up only a thread or two of the right side.",
         )),
-        figure: Figure::Section {
+        figure: StepFigure::Section {
             piece: PANEL,
             marks: vec![draft.lines.len() - 1],
         },
@@ -353,7 +353,7 @@ fn thread_elastic(draft: &PauDraft) -> Step {
             "重ねたゴムは、四角に返し縫いしてとめます。",
             "Sew the overlapped ends together in a square of backstitches.",
         )),
-        figure: Figure::Section {
+        figure: StepFigure::Section {
             piece: PANEL,
             marks: (1..draft.lines.len() - 1).collect(),
         },
@@ -377,7 +377,7 @@ fn finish(length: Length) -> Step {
             ),
         ),
         by_hand: None,
-        figure: Figure::None,
+        figure: StepFigure::None,
         minutes: [15.0, 15.0],
     }
 }
@@ -423,17 +423,17 @@ mod tests {
             assert!(8 < pattern.steps.len());
             for step in &pattern.steps {
                 let (piece, edges, marks) = match &step.figure {
-                    Figure::Piece {
+                    StepFigure::Piece {
                         piece,
                         edges,
                         marks,
                     } => (*piece, edges.clone(), marks.clone()),
-                    Figure::Section { piece, marks } => (*piece, Vec::new(), marks.clone()),
-                    Figure::Seams(seams) => {
+                    StepFigure::Section { piece, marks } => (*piece, Vec::new(), marks.clone()),
+                    StepFigure::Seams(seams) => {
                         assert!(seams.iter().all(|&seam| seam < pattern.seams.len()));
                         continue;
                     }
-                    Figure::None => continue,
+                    StepFigure::None => continue,
                 };
                 let piece = &pattern.pieces[piece];
                 assert!(edges.iter().all(|&edge| edge < piece.edges.len()));

@@ -140,15 +140,15 @@ impl Dressed {
     pub(super) fn measure(
         &self,
         garment: &DressedGarment,
-        body: skin_check::Surface<'_>,
+        body: skin_check::CheckedSurface<'_>,
     ) -> (StrainSummary, SkinCheck) {
         let strain = garment.dressed.strain(&self.positions);
         (strain, skin_check::check(body, self.surface(garment)))
     }
 
     /// The cloth, without what only holds it together.
-    fn surface<'a>(&'a self, garment: &'a DressedGarment) -> skin_check::Surface<'a> {
-        skin_check::Surface {
+    fn surface<'a>(&'a self, garment: &'a DressedGarment) -> skin_check::CheckedSurface<'a> {
+        skin_check::CheckedSurface {
             positions: &self.positions,
             normals: &[],
             triangles: &garment.dressed.open_triangles,

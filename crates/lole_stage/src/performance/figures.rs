@@ -80,8 +80,8 @@ impl Performance {
     }
 
     /// The drawn body in the current frame.
-    pub(super) fn body_surface(&self) -> skin_check::Surface<'_> {
-        skin_check::Surface {
+    pub(super) fn body_surface(&self) -> skin_check::CheckedSurface<'_> {
+        skin_check::CheckedSurface {
             positions: &self.body_positions,
             normals: &self.body_normals,
             triangles: &self.production.body_triangles,

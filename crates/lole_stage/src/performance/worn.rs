@@ -77,7 +77,7 @@ impl Carrier<'_> {
         let Some((positions, normals)) = self.skin.filter(|_| garment.sewn.band.is_some()) else {
             return given_way;
         };
-        let skin = skin_check::Surface {
+        let skin = skin_check::CheckedSurface {
             positions,
             normals,
             triangles: self.triangles,
@@ -236,9 +236,9 @@ impl Worn {
     pub(super) fn measure(
         garment: &Garment,
         positions: &[Vec3],
-        body: skin_check::Surface<'_>,
+        body: skin_check::CheckedSurface<'_>,
     ) -> (StrainSummary, skin_check::SkinCheck) {
-        let cloth = skin_check::Surface {
+        let cloth = skin_check::CheckedSurface {
             positions,
             normals: &[],
             triangles: &garment.mesh.particle_triangles,
