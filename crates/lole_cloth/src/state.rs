@@ -165,6 +165,11 @@ impl ClothState {
         model.layout.gather_points(&self.positions, out);
     }
 
+    /// Writes every position [m], row-major, after what is in `out`: several cloths lie in one list then.
+    pub fn add_positions(&self, model: &ClothModel, out: &mut Vec<Vec3>) {
+        model.layout.add_points(&self.positions, out);
+    }
+
     /// Writes every velocity [m/s], row-major, over `out`.
     pub fn copy_velocities(&self, model: &ClothModel, out: &mut Vec<Vec3>) {
         model.layout.gather_points(&self.velocities, out);

@@ -163,7 +163,7 @@ impl Performance {
                 )
             })
             .collect::<Result<Vec<_>, _>>()?;
-        performance.look();
+        look(&performance.worn, &mut performance.cloth_positions);
         performance.adorned = Adorned::new(
             &performance.production,
             &performance.world_from_bind,
@@ -316,10 +316,7 @@ impl Performance {
         let worn = (&mut self.worn[..], &self.production.garments[..]);
         self.order
             .step((trunk, &inner), worn, &surroundings, observer);
-        self.cloth_positions.clear();
-        for worn in &mut self.worn {
-            self.cloth_positions.extend_from_slice(worn.look());
-        }
+        look(&self.worn, &mut self.cloth_positions);
         let hanging = (&self.production.garments[..], &self.cloth_positions[..]);
         let pressed = pressed::flatten((self.press.as_mut(), trunk), hanging);
         let grids = dressed::grids(&self.production.garments, &pressed);
@@ -389,14 +386,6 @@ impl Performance {
             .collect()
     }
 
-    /// Reads the positions of all garments.
-    fn look(&mut self) {
-        self.cloth_positions.clear();
-        for worn in &mut self.worn {
-            self.cloth_positions.extend_from_slice(worn.look());
-        }
-    }
-
     /// Damps the cloth before the dance, which begins when all of it is at rest.
     fn settle(&mut self) {
         let is_dressed_alone = self.frame < 0
@@ -414,8 +403,8 @@ impl Performance {
         // Dressed garments have come to rest on her already; with the skirt they take as long as that.
         let mut all_rest =
             self.dressed.is_empty() || DRESSED_FRAMES <= self.frame + i64::from(SETTLE_FRAMES);
-        for worn in &mut self.worn {
-            all_rest &= worn.settle();
+        for (worn, garment) in self.worn.iter_mut().zip(&self.production.garments) {
+            all_rest &= worn.settle(&self.cloth_positions[garment.particles.clone()]);
         }
         if all_rest {
             self.worn.iter_mut().for_each(Worn::let_go);
@@ -617,6 +606,14 @@ impl Performance {
 
     fn solvers(&self) -> impl Iterator<Item = &Solver> {
         self.worn.iter().map(|worn| &worn.solver)
+    }
+}
+
+/// Writes the positions of all gathered garments [m] over `positions`.
+fn look(worn: &[Worn], positions: &mut Vec<Vec3>) {
+    positions.clear();
+    for worn in worn {
+        worn.add_positions(positions);
     }
 }
 

@@ -261,11 +261,10 @@ impl Solver {
     }
 
     /// Positions of the particles [m], row-major.
-    pub(crate) fn copy_positions(&self, out: &mut Vec<Vec3>) {
+    pub(crate) fn add_positions(&self, out: &mut Vec<Vec3>) {
         match self {
-            Self::Xpbd(xpbd) => xpbd.state.copy_positions(&xpbd.model, out),
+            Self::Xpbd(xpbd) => xpbd.state.add_positions(&xpbd.model, out),
             Self::Explicit(reference) => {
-                out.clear();
                 out.extend(reference.state.positions.iter().map(|p| p.as_vec3()));
             }
         }

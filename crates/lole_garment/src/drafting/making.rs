@@ -5,7 +5,7 @@
 use lole_geom::Length;
 use lole_language::{Sentence, Words, words};
 use lole_pattern::pattern::{
-    Amount, StepFigure, Notion, NotionKind, Pattern, Seam, SeamKind, SeamSide, Step,
+    Amount, Notion, NotionKind, Pattern, Seam, SeamKind, SeamSide, Step, StepFigure,
 };
 use lole_pattern::piece::{Finish, Piece};
 

@@ -29,6 +29,8 @@ pub(super) struct Order {
 struct Chain {
     envelope: Envelope,
     surfels: Vec<Surfel>,
+    /// Where what was moved last is [m].
+    positions: Vec<Vec3>,
 }
 
 /// Triangles on the trunk of what is worn inside of all chains, and where they are [m].
@@ -98,7 +100,11 @@ impl Chain {
                 Some(passed) => worn.step(&surroundings, Some(&mut **passed)),
             }
             if place + 1 < count {
-                self.put_on(garment, worn.look(), skin_count);
+                let mut positions = std::mem::take(&mut self.positions);
+                positions.clear();
+                worn.add_positions(&mut positions);
+                self.put_on(garment, &positions, skin_count);
+                self.positions = positions;
             }
         }
     }

@@ -32,7 +32,6 @@ pub(super) struct Worn {
     /// Brings the cloth to rest before the dance; `None` once it is, and for the paper's methods,
     /// whose experiments keep the damping they had.
     settling: Option<Settling>,
-    positions: Vec<Vec3>,
     /// Room for a row of pins.
     lifts: Vec<f32>,
     /// How far its elastics have given way, on somebody given.
@@ -122,7 +121,6 @@ impl Worn {
             solver,
             pin_targets: Vec::new(),
             pin_skin: Vec::new(),
-            positions: start,
             lifts: Vec::new(),
             given_way,
             put_on: 0.0,
@@ -204,18 +202,17 @@ impl Worn {
         self.is_lost
     }
 
-    /// Reads the positions of the solver [m], row-major.
-    pub(super) fn look(&mut self) -> &[Vec3] {
-        self.solver.copy_positions(&mut self.positions);
-        &self.positions
+    /// Writes the positions of its particles [m], row-major, after what is in `out`.
+    pub(super) fn add_positions(&self, out: &mut Vec<Vec3>) {
+        self.solver.add_positions(out);
     }
 
-    /// Damps the cloth on its way to rest; whether it is there.
-    pub(super) fn settle(&mut self) -> bool {
+    /// Damps the cloth, which lies at `positions` [m], on its way to rest; whether it is there.
+    pub(super) fn settle(&mut self, positions: &[Vec3]) -> bool {
         let Some(settling) = &mut self.settling else {
             return true;
         };
-        let verdict = settling.judge(&self.positions);
+        let verdict = settling.judge(positions);
         if let Some(kept) = verdict.kept {
             self.solver.scale_velocities(kept);
         }
