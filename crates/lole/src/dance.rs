@@ -13,20 +13,21 @@ use lole_export::video::{Mp4Writer, Song, VideoSettings};
 use lole_export::{Image, still};
 use lole_hula::{Count, DanceStep};
 use lole_language::{Bilingual as _, Language, Sentence, Words, words};
+use lole_picture::baked::{self, Keys};
+use lole_picture::studio::{FilmCamera, STILLS, Studio, still_cameras};
 use lole_render::{Backend, LightRig, Renderer, Size};
 use lole_stage::{
     Danced, Divergence, FRAME_SECONDS, FRAMES_PER_SECOND, FrameMetrics, LayerWatch, Performance,
     Production, StageError,
 };
+use lole_study::figures::{self, RunFigures};
+use lole_study::{Stopwatch, Timing};
 
 use crate::args::DanceArgs;
-use crate::baked::{self, Keys};
-use crate::figures::{self, RunFigures, Timing};
+use crate::clock::SystemClock;
 use crate::output::OutputFolder;
 use crate::patience::{Watch, progress_bar, stop_flag};
 use crate::source::{self, Source};
-use crate::stopwatch::Stopwatch;
-use crate::studio::{FilmCamera, STILLS, Studio, still_cameras};
 use crate::{Failure, summary};
 
 /// Pictures of the film per second.
@@ -83,6 +84,7 @@ pub(crate) fn run(args: &DanceArgs, language: Language) -> Result<(), Failure> {
         args,
         language,
         stop,
+        clock: SystemClock::start(),
         design: source.design,
     };
     run.perform(production, output)
@@ -126,6 +128,7 @@ struct Run<'a> {
     args: &'a DanceArgs,
     language: Language,
     stop: Arc<AtomicBool>,
+    clock: SystemClock,
     design: Design,
     /// What is heard under the film.
     song: Option<Song>,
@@ -198,7 +201,7 @@ struct Shoot {
 
 impl Run<'_> {
     fn perform(&self, production: Production, output: OutputFolder) -> Result<(), Failure> {
-        let started = Stopwatch::start();
+        let started = Stopwatch::start(&self.clock);
         let mut performance =
             Performance::new(production).map_err(|error| Failure::Usage(error.into()))?;
         let threads = self.thread_count();
@@ -307,7 +310,7 @@ impl Run<'_> {
             if frame == still_frame {
                 shoot.take_stills(performance).map_err(Failure::Run)?;
             }
-            let watch = Stopwatch::start();
+            let watch = Stopwatch::start(&self.clock);
             let result = pool.install(|| performance.advance());
             recording.timings.push(watch.read());
             if let Err(divergence) = result {
@@ -370,7 +373,7 @@ impl Run<'_> {
         &self,
         finished: Finished<'_>,
         mut output: OutputFolder,
-        started: Stopwatch,
+        started: Stopwatch<'_>,
     ) -> Result<(), Failure> {
         let Finished {
             performance,
@@ -396,8 +399,8 @@ impl Run<'_> {
             )?;
             stills = files.add_stills(&mut output, &shoot.stills)?;
             bar.inc(1);
-            let glb = baked::dancer_glb(performance, &recording.keys, &shoot.studio)
-                .map_err(Failure::Run)?;
+            let glb = baked::dancer_glb(performance, &recording.keys, shoot.studio.covers())
+                .map_err(Failure::error)?;
             files.add(&mut output, "dancer.glb", &glb, "The dancer with her skeleton and dance, and the skirt with its baked motion: opens in Blender and 3D viewers.")?;
         }
         bar.inc(1);

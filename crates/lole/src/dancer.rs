@@ -7,14 +7,16 @@ use lole_costume::document::Place;
 use lole_export::dancer_sheet::{CapsuleFacts, CoverageFacts, DancerSheet, dancer_json};
 use lole_export::{Image, still};
 use lole_language::{Bilingual as _, Language, Sentence};
+use lole_picture::baked;
+use lole_picture::studio::{STILLS, cameras_around};
 use lole_render::{Backend, LightRig, Renderer, Scene, SceneMesh, Size};
+use lole_study::figures;
 
 use crate::args::DancerArgs;
 use crate::output::OutputFolder;
 use crate::patience::progress_bar;
 use crate::source::{self, Source};
-use crate::studio::{STILLS, cameras_around};
-use crate::{Failure, baked, figures, summary};
+use crate::{Failure, summary};
 
 /// Size of the pictures: upright, as a person is.
 const PICTURE_SIZE: Size = Size {
@@ -51,7 +53,7 @@ pub(crate) fn run(args: &DancerArgs, language: Language) -> Result<(), Failure> 
     }
     bar.finish_and_clear();
     if !baked::is_kept_here(license.as_ref()) {
-        let glb = baked::body_glb(&dancer).map_err(Failure::Run)?;
+        let glb = baked::body_glb(&dancer).map_err(Failure::error)?;
         output.write("dancer.glb", &glb).map_err(Failure::Run)?;
     }
     let json = dancer_json(&sheet).map_err(Failure::error)?;

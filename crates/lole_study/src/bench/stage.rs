@@ -7,7 +7,7 @@ use lole_stage::{Performance, Production, RunMetrics, StageError, double_pau};
 use super::Settings;
 use super::phases::PhaseClock;
 use super::row::{BenchRow, Crossings, Run};
-use crate::stopwatch::Stopwatch;
+use crate::Timing;
 
 /// One skirt on one dancer.
 pub(super) struct StageScene {
@@ -42,7 +42,7 @@ pub(super) const SCENES: &[StageScene] = &[
 ];
 
 /// A scene's dancer, settled and about to dance.
-fn settled(design: &Design, settings: Settings) -> Result<Performance, StageError> {
+fn settled(design: &Design, settings: Settings<'_>) -> Result<Performance, StageError> {
     let mut performance = Performance::new(Production::new(design)?)?;
     performance.set_instruction_set(settings.instruction_set);
     // What stops short is seen in the figures of the frames.
@@ -56,10 +56,10 @@ fn settled(design: &Design, settings: Settings) -> Result<Performance, StageErro
 pub(super) fn measure(
     scene: &StageScene,
     design: &Design,
-    settings: Settings,
+    settings: Settings<'_>,
 ) -> Result<BenchRow, StageError> {
     let mut timed = settled(design, settings)?;
-    let (mut timings, mut clock) = (Vec::new(), PhaseClock::new());
+    let (mut timings, mut clock) = (Vec::new(), PhaseClock::new(settings.clock));
     for frame in 0..scene.frame_count {
         if !advance(&mut timed, frame, &mut timings, &mut clock) {
             break;
@@ -108,8 +108,8 @@ pub(super) fn measure(
 fn advance(
     performance: &mut Performance,
     frame: u32,
-    timings: &mut Vec<crate::figures::Timing>,
-    clock: &mut PhaseClock,
+    timings: &mut Vec<Timing>,
+    clock: &mut PhaseClock<'_>,
 ) -> bool {
     if PhaseClock::observes(frame) {
         clock.begin_frame();
@@ -117,7 +117,7 @@ fn advance(
         clock.passed(Phase::Outside);
         return advanced.is_ok();
     }
-    let watch = Stopwatch::start();
+    let watch = clock.stopwatch();
     let advanced = performance.advance();
     timings.push(watch.read());
     advanced.is_ok()

@@ -9,35 +9,36 @@ use lole_export::report::{
     SkirtFacts, Still as PageStill, Worst, report_html,
 };
 use lole_language::{Bilingual, words};
+use lole_picture::studio::STILLS;
 use lole_stage::{
     Divergence, FRAMES_PER_SECOND, FrameMetrics, GarmentLayers, Performance, Production, RunMetrics,
 };
 
-use crate::studio::STILLS;
-
-/// How long one frame of simulation took.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Timing {
-    /// Processor time of all threads [s].
-    pub(crate) process_seconds: f64,
-    /// Time on the wall [s].
-    pub(crate) wall_seconds: f64,
-}
+use crate::Timing;
 
 /// What a run leaves behind.
-pub(crate) struct RunFigures<'a> {
-    pub(crate) design: &'a Design,
-    pub(crate) threads: usize,
-    pub(crate) renderer: String,
-    pub(crate) metrics: &'a [FrameMetrics],
-    pub(crate) timings: &'a [Timing],
-    pub(crate) divergence: Option<Divergence>,
-    pub(crate) layers: Vec<GarmentLayers>,
-    pub(crate) files: Vec<ReportFile>,
+pub struct RunFigures<'a> {
+    /// What was danced.
+    pub design: &'a Design,
+    /// Threads of the simulation.
+    pub threads: usize,
+    /// What drew the pictures.
+    pub renderer: String,
+    /// What was measured, a picture each.
+    pub metrics: &'a [FrameMetrics],
+    /// How long every frame took.
+    pub timings: &'a [Timing],
+    /// Where the cloth flew apart, if it did.
+    pub divergence: Option<Divergence>,
+    /// Which piece of each garment lay outside.
+    pub layers: Vec<GarmentLayers>,
+    /// The files that were written.
+    pub files: Vec<ReportFile>,
 }
 
 /// The report of a run.
-pub(crate) fn report(performance: &Performance, run: RunFigures<'_>) -> RunReport {
+#[must_use]
+pub fn report(performance: &Performance, run: RunFigures<'_>) -> RunReport {
     let worst = RunMetrics::of(run.metrics);
     let production = performance.production();
     let process: Vec<f64> = run
@@ -142,7 +143,8 @@ fn explain(found: &Divergence, production: &Production, design: &Design) -> Repo
 }
 
 /// The tape of a dancer, and of an avatar what is measured on it.
-pub(crate) fn dancer_measures(
+#[must_use]
+pub fn dancer_measures(
     dancer: &Dancer,
     tape: &Tape,
     license: Option<&License>,
@@ -274,7 +276,8 @@ fn series(metrics: &[FrameMetrics], process_ms: &[f64]) -> RunSeries {
 }
 
 /// The page of a run.
-pub(crate) fn page(report: &RunReport, film: Option<&[u8]>, jpegs: &[Vec<u8>]) -> String {
+#[must_use]
+pub fn page(report: &RunReport, film: Option<&[u8]>, jpegs: &[Vec<u8>]) -> String {
     let stills: Vec<PageStill<'_>> = STILLS
         .iter()
         .zip(jpegs)

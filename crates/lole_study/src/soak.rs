@@ -2,8 +2,6 @@
 
 mod motion;
 
-use std::sync::atomic::Ordering;
-
 use glam::Vec3;
 use lole_cloth::scenes::{FRAME_DT, Scene, Setup};
 use lole_cloth::{
@@ -11,13 +9,10 @@ use lole_cloth::{
 };
 use lole_geom::Capsule;
 use lole_geom::triangle_grid::TriangleGrid;
-use lole_language::{Language, Sentence, Words, words};
+use lole_language::{Words, words};
 use serde::Serialize;
 
-use super::{engine, scenes_of_engine};
-use crate::args::BenchArgs;
-use crate::patience::{progress_bar, stop_flag};
-use crate::{Failure, summary};
+use crate::bench::pins;
 use motion::Motion;
 
 /// Frames from one look at the laws to the next.
@@ -29,7 +24,7 @@ const START_FRAMES: u32 = 60;
 /// What must hold at every look.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub(crate) enum Law {
+pub enum Law {
     /// Every position is a number.
     Finite,
     /// The 99th percentile of the structural strain is at most [`STRAIN_BOUND`].
@@ -52,7 +47,8 @@ const PENETRATION_BOUND: f32 = 0.06;
 
 impl Law {
     /// What it asks.
-    pub(crate) const fn about(self) -> Words {
+    #[must_use]
+    pub const fn about(self) -> Words {
         match self {
             Self::Finite => words("座標が有限", "positions are finite"),
             Self::Strain => words("ひずみ p99 [%]", "strain p99 [%]"),
@@ -67,10 +63,11 @@ impl Law {
 
 /// A figure at its worst.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
-pub(crate) struct WorstAt {
-    pub(crate) worst: f64,
+pub struct WorstAt {
+    /// The figure.
+    pub worst: f64,
     /// Frame in which it was seen first.
-    pub(crate) frame: u32,
+    pub frame: u32,
 }
 
 impl WorstAt {
@@ -86,36 +83,44 @@ impl WorstAt {
 
 /// A law that did not hold.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub(crate) struct Violation {
-    pub(crate) law: Law,
+pub struct Violation {
+    /// Which one.
+    pub law: Law,
     /// Frame in which it was seen first.
-    pub(crate) frame: u32,
+    pub frame: u32,
     /// The figure there, in the law's unit.
-    pub(crate) measured: f64,
+    pub measured: f64,
     /// What it may be at most.
-    pub(crate) bound: f64,
+    pub bound: f64,
     /// Looks at which it did not hold.
-    pub(crate) looks: u32,
+    pub looks: u32,
 }
 
 /// What a soak of one scene found.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub(crate) struct SoakRow {
-    pub(crate) scene: &'static str,
-    pub(crate) seed: u64,
+pub struct SoakRow {
+    /// Name of the scene.
+    pub scene: &'static str,
+    /// Chance of its motion.
+    pub seed: u64,
     /// Frames that were run: fewer than asked for where it was interrupted, or left the numbers.
-    pub(crate) frames: u32,
+    pub frames: u32,
     /// Looks at the laws.
-    pub(crate) looks: u32,
-    pub(crate) strain_p99_pct: WorstAt,
-    pub(crate) strain_max_pct: WorstAt,
-    pub(crate) penetration_mm: WorstAt,
+    pub looks: u32,
+    /// Structural strain, 99th percentile [%].
+    pub strain_p99_pct: WorstAt,
+    /// Largest structural strain [%].
+    pub strain_max_pct: WorstAt,
+    /// Deepest free particle in a capsule [mm].
+    pub penetration_mm: WorstAt,
     /// Most crossings of the cloth with itself; left out where it may pass through itself.
-    pub(crate) self_crossings: Option<WorstAt>,
+    pub self_crossings: Option<WorstAt>,
     /// Fastest that any particle was, by the root mean square of all [m/s].
-    pub(crate) rms_speed_m_per_s: WorstAt,
-    pub(crate) violations: Vec<Violation>,
-    pub(crate) state_hash: String,
+    pub rms_speed_m_per_s: WorstAt,
+    /// The laws that did not hold.
+    pub violations: Vec<Violation>,
+    /// All bits of the state at the end.
+    pub state_hash: String,
 }
 
 impl SoakRow {
@@ -154,63 +159,34 @@ impl SoakRow {
     }
 }
 
-/// Soaks every scene of the engine, or the one that was named.
-pub(super) fn run(
-    args: &BenchArgs,
-    (frame_count, seed, set): (u32, u64, InstructionSet),
-    language: Language,
-) -> Result<(), Failure> {
-    let scenes = scenes_of_engine(args)?;
-    let stop = stop_flag().map_err(Failure::Run)?;
-    let is_stopped = || stop.load(Ordering::Relaxed);
-    let mut rows = Vec::new();
-    for scene in scenes {
-        let bar = progress_bar(frame_count, scene.name);
-        let mut go_on = |frame: u32| {
-            bar.set_position(u64::from(frame));
-            !is_stopped()
-        };
-        let row = soak(scene, (frame_count, seed, set), &mut go_on).map_err(Failure::error)?;
-        bar.finish_and_clear();
-        if !args.json {
-            summary::print_soak(&row, language);
-        }
-        rows.push(row);
-        if is_stopped() {
-            break;
-        }
-    }
-    if args.json {
-        summary::print_json(&serde_json::to_string_pretty(&rows).map_err(Failure::error)?);
-    }
-    if is_stopped() {
-        return Err(Failure::Interrupted);
-    }
-    let broken: usize = rows.iter().map(|row| row.violations.len()).sum();
-    if broken == 0 {
-        return Ok(());
-    }
-    let sentence = Sentence::new(
-        format!("{broken} 件の法則が破れました。上の行をご覧ください"),
-        format!("{broken} laws did not hold; see the rows above"),
-    );
-    Err(Failure::Run(sentence.into()))
+/// What is asked of a soak.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Settings {
+    /// Frames to run.
+    pub frame_count: u32,
+    /// Chance for the motion; a seed repeats its run.
+    pub seed: u64,
+    /// Vector instructions of the engine.
+    pub instruction_set: InstructionSet,
 }
 
 /// Runs a scene in random motion for as long as `go_on` says, and looks at the laws now and then.
-fn soak(
+///
+/// # Errors
+/// A scene that cannot be built.
+pub fn soak(
     scene: &Scene,
-    (frame_count, seed, set): (u32, u64, InstructionSet),
+    settings: Settings,
     go_on: &mut dyn FnMut(u32) -> bool,
 ) -> Result<SoakRow, BuildError> {
     let mut setup = (scene.build)();
-    setup.config.instruction_set = set;
+    setup.config.instruction_set = settings.instruction_set;
     let model = ClothModel::new(&setup.spec)?;
     let mut state = ClothState::new(&model, &setup.positions);
-    let pins = engine::pins(&model, &setup.positions);
-    let mut motion = Motion::new(seed);
-    let mut row = SoakRow::new(scene, &setup, seed);
-    while row.frames < frame_count && go_on(row.frames) {
+    let pins = pins(&model, &setup.positions);
+    let mut motion = Motion::new(settings.seed);
+    let mut row = SoakRow::new(scene, &setup, settings.seed);
+    while row.frames < settings.frame_count && go_on(row.frames) {
         let world = motion.next_frame();
         let pins: Vec<Vec3> = pins.iter().map(|&pin| world.place.apply(pin)).collect();
         let capsules = (scene.capsules)(world.time).into_iter();
@@ -302,9 +278,17 @@ fn axes_crossed(setup: &Setup, positions: &[Vec3], capsules: &[Capsule]) -> f64 
 mod tests {
     use super::*;
 
+    fn settings(frame_count: u32, seed: u64) -> Settings {
+        Settings {
+            frame_count,
+            seed,
+            instruction_set: InstructionSet::Detected,
+        }
+    }
+
     fn soaked(name: &str, seed: u64) -> SoakRow {
         let scene = crate::bench::scene(name);
-        soak(scene, (200, seed, InstructionSet::Detected), &mut |_| true).unwrap()
+        soak(scene, settings(200, seed), &mut |_| true).unwrap()
     }
 
     #[test]
@@ -320,7 +304,7 @@ mod tests {
     fn a_soak_ends_when_it_is_told_to() {
         let scene = crate::bench::scene("hang-64");
         let mut go_on = |frame: u32| frame < 30;
-        let row = soak(scene, (1000, 1, InstructionSet::Detected), &mut go_on).unwrap();
+        let row = soak(scene, settings(1000, 1), &mut go_on).unwrap();
         assert_eq!(row.frames, 30);
     }
 
