@@ -1,6 +1,6 @@
 //! The one place that reads clocks.
 
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use cpu_time::ProcessTime;
 use lole_study::Clock;
@@ -26,11 +26,11 @@ impl SystemClock {
 }
 
 impl Clock for SystemClock {
-    fn wall_seconds(&self) -> f64 {
-        self.wall.elapsed().as_secs_f64()
+    fn wall(&self) -> Duration {
+        self.wall.elapsed()
     }
 
-    fn process_seconds(&self) -> f64 {
-        self.process.elapsed().as_secs_f64()
+    fn process(&self) -> Duration {
+        self.process.elapsed()
     }
 }

@@ -6,12 +6,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use anyhow::Result;
 use lole_avatar::AvatarError;
-use lole_body::Side;
 use lole_costume::document::{self, Design, MethodName, Place};
+use lole_export::counts::counts_csv;
 use lole_export::report::ReportFile;
 use lole_export::video::{Mp4Writer, Song, VideoSettings};
 use lole_export::{Image, still};
-use lole_hula::{Count, DanceStep};
+use lole_hula::DanceStep;
 use lole_language::{Bilingual as _, Language, Sentence, Words, words};
 use lole_picture::baked::{self, Keys};
 use lole_picture::studio::{FilmCamera, STILLS, Studio, still_cameras};
@@ -526,26 +526,6 @@ impl Files {
     }
 }
 
-/// A line for each count: when it falls, what is danced, how fast.
-fn counts_csv(counts: &[Count]) -> String {
-    let mut text = String::from("time_s,count,part,step,name,side,tempo_bpm\n");
-    for count in counts {
-        let part = count.part.map_or_else(String::new, |part| part.to_string());
-        let (step, name) = count.step.map_or(("", ""), |step| (step.id(), step.name()));
-        let side = match (count.step, count.side) {
-            (None, _) => "",
-            (_, Side::Right) => "right",
-            (_, Side::Left) => "left",
-        };
-        // No name has a comma but "kāholo i mua, i hope".
-        text.push_str(&format!(
-            "{:.3},{},{part},{step},\"{name}\",{side},{:.2}\n",
-            count.time, count.number, count.beats_per_minute
-        ));
-    }
-    text
-}
-
 /// Simulated frames of a dance of `seconds`.
 #[expect(
     clippy::cast_possible_truncation,
@@ -554,28 +534,4 @@ fn counts_csv(counts: &[Count]) -> String {
 )]
 fn frame_count(seconds: f64) -> u32 {
     (seconds * f64::from(FRAMES_PER_SECOND)).round() as u32
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn counts_are_lines_with_their_times() {
-        let count = |part, number, time| Count {
-            time,
-            part,
-            number,
-            step: part.map(|_| DanceStep::KaholoForward),
-            side: Side::Left,
-            beats_per_minute: 80.0,
-        };
-        let text = counts_csv(&[count(None, 1, 0.0), count(Some(1), 1, 2.25)]);
-        assert_eq!(
-            text,
-            "time_s,count,part,step,name,side,tempo_bpm\n\
-             0.000,1,,,\"\",,80.00\n\
-             2.250,1,1,kaholo-forward,\"kāholo i mua, i hope\",left,80.00\n"
-        );
-    }
 }

@@ -1,11 +1,13 @@
 //! How long something took, by the caller's clock.
 
+use std::time::Duration;
+
 /// What tells the time: the caller's, because libraries have no clock.
 pub trait Clock: Sync {
-    /// Wall time since some fixed moment [s]; costs less to read than the processor's.
-    fn wall_seconds(&self) -> f64;
-    /// Processor time of all threads since some fixed moment [s].
-    fn process_seconds(&self) -> f64;
+    /// Wall time since some fixed moment; costs less to read than the processor's.
+    fn wall(&self) -> Duration;
+    /// Processor time of all threads since some fixed moment.
+    fn process(&self) -> Duration;
 }
 
 /// How long one frame of simulation took.
@@ -21,30 +23,31 @@ pub struct Timing {
 #[derive(Clone, Copy)]
 pub struct Stopwatch<'a> {
     clock: &'a dyn Clock,
-    start: Timing,
+    wall_start: Duration,
+    process_start: Duration,
 }
 
 impl<'a> Stopwatch<'a> {
     /// Starts now.
     #[must_use]
     pub fn start(clock: &'a dyn Clock) -> Self {
-        let start = Timing {
-            wall_seconds: clock.wall_seconds(),
-            process_seconds: clock.process_seconds(),
-        };
-        Self { clock, start }
+        Self {
+            clock,
+            wall_start: clock.wall(),
+            process_start: clock.process(),
+        }
     }
 
     /// Wall time since the start [s].
     #[must_use]
     pub fn read_wall(&self) -> f64 {
-        self.clock.wall_seconds() - self.start.wall_seconds
+        (self.clock.wall().saturating_sub(self.wall_start)).as_secs_f64()
     }
 
     /// Processor time since the start, all threads [s].
     #[must_use]
     pub fn read_process(&self) -> f64 {
-        self.clock.process_seconds() - self.start.process_seconds
+        (self.clock.process().saturating_sub(self.process_start)).as_secs_f64()
     }
 
     /// Time since the start.
@@ -82,11 +85,11 @@ impl TestClock {
 
 #[cfg(test)]
 impl Clock for TestClock {
-    fn wall_seconds(&self) -> f64 {
-        self.wall.elapsed().as_secs_f64()
+    fn wall(&self) -> Duration {
+        self.wall.elapsed()
     }
 
-    fn process_seconds(&self) -> f64 {
-        self.process.elapsed().as_secs_f64()
+    fn process(&self) -> Duration {
+        self.process.elapsed()
     }
 }

@@ -3,12 +3,13 @@
 use lole_avatar::License;
 use lole_body::{Dancer, Tape};
 use lole_costume::document::{Design, GarmentDesign};
+use lole_export::dancer_sheet::{CapsuleFacts, CoverageFacts, DancerSheet};
 use lole_export::report::{
     DancerMeasure, Divergence as ReportDivergence, GarmentFacts, MeanPercentileMax,
     MedianPercentile, MinMeanMax, PageMedia, PieceOver, Remark, ReportFile, RunReport, RunSeries,
     SkirtFacts, Still as PageStill, Worst, report_html,
 };
-use lole_language::{Bilingual, words};
+use lole_language::{Bilingual, Language, words};
 use lole_picture::studio::STILLS;
 use lole_stage::{
     Divergence, FRAMES_PER_SECOND, FrameMetrics, GarmentLayers, Performance, Production, RunMetrics,
@@ -159,6 +160,41 @@ pub fn dancer_measures(
         is_estimated: taped.given.is_none() && license.is_none(),
     });
     measures.collect()
+}
+
+/// Everything about a dancer that can be counted.
+#[must_use]
+pub fn dancer_sheet(dancer: &Dancer, tape: &Tape, license: Option<&License>) -> DancerSheet {
+    let measures = dancer_measures(dancer, tape, license);
+    let differences = (measures.iter())
+        .filter_map(|measure| Some((measure.on_body_cm - measure.given_cm?).abs()));
+    let coverage = dancer.capsule_coverage();
+    let percent = |share: f32| 100.0 * f64::from(share);
+    let lines = license.map(License::lines).unwrap_or_default();
+    let capsules = dancer.capsules.iter().map(|capsule| CapsuleFacts {
+        name: capsule.name.to_owned(),
+        bones: capsule.ends.map(|(bone, _)| bone.name().to_owned()),
+        ends_m: capsule.ends.map(|(_, end)| end.to_array()),
+        radii_m: capsule.radii,
+    });
+    DancerSheet {
+        lole: env!("CARGO_PKG_VERSION").to_owned(),
+        avatar: None,
+        license: lines
+            .iter()
+            .map(|line| line.text(Language::English))
+            .collect(),
+        worst_difference_cm: differences.reduce(f64::max),
+        measures,
+        capsules: capsules.collect(),
+        capsule_coverage: CoverageFacts {
+            close_pct: percent(coverage.close),
+            outside_pct: percent(coverage.outside),
+            farthest_mm: 1e3 * f64::from(coverage.farthest),
+        },
+        vertices: dancer.skin.positions.len(),
+        triangles: dancer.skin.body_triangles().len(),
+    }
 }
 
 fn skirt_facts(performance: &Performance) -> SkirtFacts {
