@@ -1,132 +1,47 @@
 //! `lole bench`: what a frame costs on this machine, scene by scene, with the quality it buys.
 
-mod engine;
-mod pareto;
-mod phases;
-mod roofline;
-mod row;
-mod soak;
-mod stage;
+use std::sync::atomic::Ordering;
 
 use lole_cloth::InstructionSet;
-use lole_cloth::scenes::{ClothScene, SCENES, SIZES};
+use lole_cloth::scenes::{ClothScene, SCENES};
+use lole_export::trade_off::trade_off_html;
 use lole_language::{Language, Sentence, Words, words};
+use lole_study::bench::pareto::{self, ParetoPoint};
+use lole_study::bench::{self, Entry, Settings};
+use lole_study::soak::{self, soak};
 
 use crate::args::{BenchArgs, Vectors};
+use crate::clock::SystemClock;
+use crate::output::OutputFolder;
+use crate::patience::{progress_bar, stop_flag};
 use crate::{Failure, summary};
-pub(crate) use pareto::ParetoPoint;
-pub(crate) use row::BenchRow;
-use soak::Soak;
-pub(crate) use soak::{SoakRow, WorstAt};
 
-/// What holds for every scene.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Settings {
-    instruction_set: InstructionSet,
-    /// Whether the springs are held against the best that this machine can do.
-    roofline: bool,
-}
-
-impl Settings {
-    const fn of(args: &BenchArgs) -> Self {
-        Self {
-            instruction_set: match args.vectors {
-                Vectors::Detected => InstructionSet::Detected,
-                Vectors::Wide => InstructionSet::Wide,
-                Vectors::Baseline => InstructionSet::Baseline,
-            },
-            roofline: args.roofline,
-        }
-    }
-}
-
-/// A scene of the table.
-type Measure = Box<dyn Fn(Settings) -> Result<BenchRow, Failure> + Send + Sync>;
-
-/// A row of the table that can be asked for.
-struct Entry {
-    scene: &'static str,
-    method: &'static str,
-    measure: Measure,
-}
-
-/// A scene of the engine by one of its methods, from its own start with its own settings.
-fn entry(scene: &'static ClothScene, method: engine::Method) -> Entry {
-    Entry {
-        scene: scene.name,
-        method: method.id(),
-        measure: Box::new(move |settings| {
-            engine::measure((scene, method), (scene.build)(), settings).map_err(Failure::error)
-        }),
-    }
-}
-
-/// Every scene by every method that can run it: those of the engine, then those with a dancer.
-fn entries() -> Vec<Entry> {
-    let engine = SCENES.iter().flat_map(|scene| {
-        let methods = engine::Method::of(scene).into_iter();
-        methods.map(move |method| entry(scene, method))
-    });
-    let stage = stage::SCENES.iter().map(|scene| {
-        let measure: Measure = Box::new(|settings| {
-            stage::measure(scene, &(scene.design)(), settings).map_err(Failure::error)
-        });
-        Entry {
-            scene: scene.name,
-            method: scene.method(),
-            measure,
-        }
-    });
-    engine.chain(stage).collect()
-}
-
-/// A name that an option may ask for.
-struct WantedName<'a> {
-    option: &'static str,
-    name: Option<&'a str>,
-    /// What it is the name of.
+/// Keeps what has the name that was asked for, which must be one of them.
+fn choose<T>(
+    entries: &mut Vec<T>,
+    (option, name): (&'static str, Option<&str>),
     what: Words,
-}
-
-impl<'a> WantedName<'a> {
-    fn scene(args: &'a BenchArgs) -> Self {
-        Self {
-            option: "--scene",
-            name: args.scene.as_deref(),
-            what: words("場面", "scene"),
-        }
+    name_of: fn(&T) -> &'static str,
+) -> Result<(), Failure> {
+    let Some(name) = name else { return Ok(()) };
+    let mut names: Vec<&str> = entries.iter().map(name_of).collect();
+    names.dedup();
+    if !names.contains(&name) {
+        names.sort_unstable();
+        names.dedup();
+        return Err(crate::dance::unknown(option, name, what, &names));
     }
-
-    fn method(args: &'a BenchArgs) -> Self {
-        Self {
-            option: "--method",
-            name: args.method.as_deref(),
-            what: words("方法", "method"),
-        }
-    }
-
-    /// Keeps what has the name that was asked for, which must be one of them.
-    fn keep<T>(
-        &self,
-        entries: &mut Vec<T>,
-        name_of: fn(&T) -> &'static str,
-    ) -> Result<(), Failure> {
-        let Some(name) = self.name else { return Ok(()) };
-        let mut names: Vec<&str> = entries.iter().map(name_of).collect();
-        if !names.contains(&name) {
-            names.sort_unstable();
-            names.dedup();
-            return Err(crate::dance::unknown(self.option, name, self.what, &names));
-        }
-        entries.retain(|entry| name_of(entry) == name);
-        Ok(())
-    }
+    entries.retain(|entry| name_of(entry) == name);
+    Ok(())
 }
 
 /// Scenes of the engine, or the one that was named.
 fn scenes_of_engine(args: &BenchArgs) -> Result<Vec<&'static ClothScene>, Failure> {
     let mut scenes: Vec<&ClothScene> = SCENES.iter().collect();
-    WantedName::scene(args).keep(&mut scenes, |scene| scene.name)?;
+    let asked = ("--scene", args.scene.as_deref());
+    choose(&mut scenes, asked, words("場面", "scene"), |scene| {
+        scene.name
+    })?;
     Ok(scenes)
 }
 
@@ -135,7 +50,7 @@ fn scenes_of_engine(args: &BenchArgs) -> Result<Vec<&'static ClothScene>, Failur
 enum Task {
     /// The table of scenes.
     Table,
-    /// One square at four sizes.
+    /// The same square at four sizes.
     Sizes,
     /// Quality against time.
     Pareto,
@@ -192,24 +107,27 @@ pub(crate) fn run(args: &BenchArgs, language: Language) -> Result<(), Failure> {
         .num_threads(usize::from(args.threads))
         .build()
         .map_err(Failure::error)?;
-    let settings = Settings::of(args);
+    let clock = SystemClock::start();
+    let settings = Settings {
+        clock: &clock,
+        instruction_set: match args.vectors {
+            Vectors::Detected => InstructionSet::Detected,
+            Vectors::Wide => InstructionSet::Wide,
+            Vectors::Baseline => InstructionSet::Baseline,
+        },
+        roofline: args.roofline,
+    };
     pool.install(|| match task {
-        Task::Table => table(entries(), args, settings, language),
-        Task::Sizes => {
-            let methods = [engine::Method::Xpbd, engine::Method::ExplicitRows];
-            let sizes = methods
-                .into_iter()
-                .flat_map(|method| SIZES.iter().map(move |scene| entry(scene, method)));
-            table(sizes.collect(), args, settings, language)
-        }
-        Task::Pareto => pareto::run(args, settings, language),
+        Task::Table => table(bench::entries(), args, settings, language),
+        Task::Sizes => table(bench::sizes(), args, settings, language),
+        Task::Pareto => trade_off(args, settings, language),
         Task::Soak(frame_count, seed) => {
-            let soak = Soak {
+            let settings = soak::Settings {
                 frame_count,
                 seed,
                 instruction_set: settings.instruction_set,
             };
-            soak::run(args, soak, language)
+            soak_all(args, settings, language)
         }
     })
 }
@@ -218,17 +136,23 @@ pub(crate) fn run(args: &BenchArgs, language: Language) -> Result<(), Failure> {
 fn table(
     mut chosen: Vec<Entry>,
     args: &BenchArgs,
-    settings: Settings,
+    settings: Settings<'_>,
     language: Language,
 ) -> Result<(), Failure> {
-    WantedName::scene(args).keep(&mut chosen, |entry| entry.scene)?;
-    WantedName::method(args).keep(&mut chosen, |entry| entry.method)?;
+    let scene = ("--scene", args.scene.as_deref());
+    choose(&mut chosen, scene, words("場面", "scene"), |entry| {
+        entry.scene
+    })?;
+    let method = ("--method", args.method.as_deref());
+    choose(&mut chosen, method, words("方法", "method"), |entry| {
+        entry.method
+    })?;
     let mut rows = Vec::new();
     if !args.json {
         summary::print_bench_head(language);
     }
     for entry in chosen {
-        let row = (entry.measure)(settings)?;
+        let row = entry.measure(settings)?;
         if !args.json {
             summary::print_bench_row(&row, language);
         }
@@ -242,11 +166,87 @@ fn table(
     Ok(())
 }
 
-/// A scene of the engine.
-#[cfg(test)]
-fn scene(name: &str) -> &'static ClothScene {
-    let scene = SCENES.iter().find(|scene| scene.name == name);
-    scene.expect("one of the table")
+/// Measures every setting of every scene, or of the one that was named.
+fn trade_off(args: &BenchArgs, settings: Settings<'_>, language: Language) -> Result<(), Failure> {
+    let mut cases = pareto::cases();
+    let scene = ("--scene", args.scene.as_deref());
+    choose(&mut cases, scene, words("場面", "scene"), |case| {
+        case.scene
+    })?;
+    let method = ("--method", args.method.as_deref());
+    choose(&mut cases, method, words("方法", "method"), |case| {
+        case.method
+    })?;
+    let mut output = (args.out.as_deref())
+        .map(OutputFolder::create)
+        .transpose()
+        .map_err(Failure::Usage)?;
+    let stop = stop_flag().map_err(Failure::Run)?;
+    let goes_on = || !stop.load(Ordering::Relaxed);
+    let mut points: Vec<ParetoPoint> = Vec::new();
+    for of_scene in cases.chunk_by(|one, next| one.scene == next.scene) {
+        let mut found = pareto::points(of_scene, settings, &goes_on)?;
+        if !args.json {
+            summary::print_pareto(&found, language);
+        }
+        points.append(&mut found);
+    }
+    let json = serde_json::to_string_pretty(&points).map_err(Failure::error)? + "\n";
+    if args.json {
+        summary::print_json(&json);
+    }
+    if let Some(output) = &mut output {
+        let page = trade_off_html(&pareto::report(&points, &cases));
+        (output.write("bench.html", page.as_bytes()))
+            .and_then(|()| output.write("bench.json", json.as_bytes()))
+            .map_err(Failure::Run)?;
+    }
+    if let Some(output) = output {
+        let paths = output.finish().map_err(Failure::Run)?;
+        if !args.json {
+            summary::print_files(&paths, language);
+        }
+    }
+    Ok(())
+}
+
+/// Soaks every scene of the engine, or the one that was named.
+fn soak_all(args: &BenchArgs, settings: soak::Settings, language: Language) -> Result<(), Failure> {
+    let scenes = scenes_of_engine(args)?;
+    let stop = stop_flag().map_err(Failure::Run)?;
+    let is_stopped = || stop.load(Ordering::Relaxed);
+    let mut rows = Vec::new();
+    for scene in scenes {
+        let bar = progress_bar(settings.frame_count, scene.name);
+        let mut go_on = |frame: u32| {
+            bar.set_position(u64::from(frame));
+            !is_stopped()
+        };
+        let row = soak(scene, settings, &mut go_on).map_err(Failure::error)?;
+        bar.finish_and_clear();
+        if !args.json {
+            summary::print_soak(&row, language);
+        }
+        rows.push(row);
+        if is_stopped() {
+            break;
+        }
+    }
+    if args.json {
+        summary::print_json(&serde_json::to_string_pretty(&rows).map_err(Failure::error)?);
+    }
+    if is_stopped() {
+        return Err(Failure::Interrupted);
+    }
+    let broken: usize = rows.iter().map(|row| row.violations.len()).sum();
+    if broken == 0 {
+        return Ok(());
+    }
+    let sentence = Sentence::new(
+        format!("{broken} 件の法則が破れました。上の行をご覧ください"),
+        format!("{broken} laws did not hold; see the rows above"),
+    );
+    Err(Failure::Run(sentence.into()))
 }
 
 #[cfg(test)]
@@ -254,7 +254,6 @@ mod tests {
     use super::*;
     use crate::args::{Cli, Command};
     use clap::Parser as _;
-    use serde_json::Value;
 
     fn asked(words: &[&str]) -> Result<Task, String> {
         let words = ["lole", "bench"].iter().chain(words);
@@ -296,59 +295,5 @@ mod tests {
         ] {
             assert_eq!(asked(words), Err(sentence.to_owned()));
         }
-    }
-
-    #[test]
-    fn a_row_has_its_keys_and_nulls_where_there_is_nothing_to_count() {
-        let settings = Settings {
-            instruction_set: InstructionSet::Detected,
-            roofline: true,
-        };
-        let scene = ClothScene {
-            frame_count: 10,
-            ..*scene("hang-64")
-        };
-        let mut setup = (scene.build)();
-        let row = engine::measure((&scene, engine::Method::Xpbd), setup.clone(), settings);
-        let row = serde_json::to_value(row.unwrap()).unwrap();
-        for path in [
-            "/frame_ms/median",
-            "/frame_ms/p99",
-            "/strain_end_pct/mean",
-            "/strain_end_pct/p99",
-            "/strain_end_pct/max",
-            "/strain_worst_pct/p99",
-            "/penetration_mm/worst",
-            "/bytes_per_particle",
-            "/particle_substep_ns",
-            "/spring_roofline/reached_pct",
-        ] {
-            let value = row.pointer(path).and_then(Value::as_f64);
-            assert!(value.is_some_and(f64::is_finite), "{path}: {row}");
-        }
-        assert_eq!(row["scene"], "hang-64");
-        assert_eq!(row["method"], "xpbd");
-        assert_eq!(row["finite"], true);
-        for key in ["self_crossings", "layer_inversions", "skin_penetration_mm"] {
-            assert_eq!(row[key], Value::Null, "{key}");
-        }
-        let phases = row["phases"].as_array().unwrap().iter();
-        let shares: f64 = phases
-            .map(|phase| phase["share_pct"].as_f64().unwrap())
-            .sum();
-        assert!((shares - 100.0).abs() < 1e-6, "{row}");
-
-        // A cloth that cannot be counted: its first particle is nowhere.
-        let contact = (super::scene("skirt-self").build)().config.self_collision;
-        setup.config.self_collision = contact;
-        setup.positions[70].x = f32::NAN;
-        let scene = ClothScene {
-            frame_count: 40,
-            ..scene
-        };
-        let row = engine::measure((&scene, engine::Method::Xpbd), setup, settings);
-        let row = serde_json::to_value(row.unwrap()).unwrap();
-        assert_eq!(row["finite"], false);
-        assert_eq!(row["self_crossings"], Value::Null);
     }
 }

@@ -6,27 +6,28 @@ use std::sync::atomic::AtomicBool;
 
 use anyhow::Result;
 use lole_avatar::AvatarError;
-use lole_body::Side;
 use lole_costume::document::{self, Design, MethodName, Place};
+use lole_export::counts::counts_csv;
 use lole_export::report::ReportFile;
 use lole_export::video::{Mp4Writer, Song, VideoSettings};
 use lole_export::{ImageView, still};
-use lole_hula::{Count, DanceStep};
+use lole_hula::DanceStep;
 use lole_language::{Bilingual as _, Language, Sentence, Words, words};
+use lole_picture::baked::{self, Keys};
+use lole_picture::studio::{FilmCamera, STILLS, Studio, still_cameras};
 use lole_render::{Backend, LightRig, Renderer, Size};
 use lole_stage::{
     Danced, Divergence, FRAME_SECONDS, FRAMES_PER_SECOND, FrameMetrics, LayerWatch, Performance,
     Production, StageError,
 };
+use lole_study::figures::{self, RunFigures};
+use lole_study::{Stopwatch, Timing};
 
 use crate::args::DanceArgs;
-use crate::baked::{self, Keys};
-use crate::figures::{self, RunFigures, Timing};
+use crate::clock::SystemClock;
 use crate::output::OutputFolder;
 use crate::patience::{Watch, check, progress_bar, stop_flag};
 use crate::source::{self, Source};
-use crate::stopwatch::Stopwatch;
-use crate::studio::{FilmCamera, STILLS, Studio, still_cameras};
 use crate::{Failure, summary};
 
 /// Pictures of the film per second.
@@ -81,6 +82,7 @@ pub(crate) fn run(args: &DanceArgs, language: Language) -> Result<(), Failure> {
         args,
         language,
         stop,
+        clock: SystemClock::start(),
         design: source.design,
     };
     run.perform(production, output)
@@ -124,6 +126,7 @@ struct Run<'a> {
     args: &'a DanceArgs,
     language: Language,
     stop: Arc<AtomicBool>,
+    clock: SystemClock,
     design: Design,
     /// What is heard under the film.
     song: Option<Song>,
@@ -200,7 +203,7 @@ struct Shoot {
 
 impl Run<'_> {
     fn perform(&self, production: Production, output: OutputFolder) -> Result<(), Failure> {
-        let started = Stopwatch::start();
+        let started = Stopwatch::start(&self.clock);
         let mut performance =
             Performance::new(production).map_err(|error| Failure::Usage(error.into()))?;
         let threads = self.thread_count();
@@ -309,7 +312,7 @@ impl Run<'_> {
             if frame == still_frame {
                 shoot.take_stills(performance).map_err(Failure::Run)?;
             }
-            let watch = Stopwatch::start();
+            let watch = Stopwatch::start(&self.clock);
             let result = pool.install(|| performance.advance());
             recording.timings.push(watch.read());
             if let Err(divergence) = result {
@@ -374,7 +377,7 @@ impl Run<'_> {
         &self,
         finished: Finished<'_>,
         mut output: OutputFolder,
-        started: Stopwatch,
+        started: Stopwatch<'_>,
     ) -> Result<(), Failure> {
         let Finished {
             performance,
@@ -400,8 +403,8 @@ impl Run<'_> {
             )?;
             stills = files.add_stills(&mut output, &shoot.stills)?;
             bar.inc(1);
-            let glb = baked::dancer_glb(performance, &recording.keys, &shoot.studio)
-                .map_err(Failure::Run)?;
+            let glb = baked::dancer_glb(performance, &recording.keys, shoot.studio.covers())
+                .map_err(Failure::error)?;
             files.add(&mut output, "dancer.glb", &glb, "The dancer with her skeleton and dance, and the skirt with its baked motion: opens in Blender and 3D viewers.")?;
         }
         bar.inc(1);
@@ -521,26 +524,6 @@ impl Files {
     }
 }
 
-/// A line for each count: when it falls, what is danced, how fast.
-fn counts_csv(counts: &[Count]) -> String {
-    let mut text = String::from("time_s,count,part,step,name,side,tempo_bpm\n");
-    for count in counts {
-        let part = count.part.map_or_else(String::new, |part| part.to_string());
-        let (step, name) = count.step.map_or(("", ""), |step| (step.id(), step.name()));
-        let side = match (count.step, count.side) {
-            (None, _) => "",
-            (_, Side::Right) => "right",
-            (_, Side::Left) => "left",
-        };
-        // No name has a comma but "kāholo i mua, i hope".
-        text.push_str(&format!(
-            "{:.3},{},{part},{step},\"{name}\",{side},{:.2}\n",
-            count.time, count.number, count.beats_per_minute
-        ));
-    }
-    text
-}
-
 /// Simulated frames of a dance of `seconds`.
 #[expect(
     clippy::cast_possible_truncation,
@@ -549,28 +532,4 @@ fn counts_csv(counts: &[Count]) -> String {
 )]
 fn frame_count(seconds: f64) -> u32 {
     (seconds * f64::from(FRAMES_PER_SECOND)).round() as u32
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn counts_are_lines_with_their_times() {
-        let count = |part, number, time| Count {
-            time,
-            part,
-            number,
-            step: part.map(|_| DanceStep::KaholoForward),
-            side: Side::Left,
-            beats_per_minute: 80.0,
-        };
-        let text = counts_csv(&[count(None, 1, 0.0), count(Some(1), 1, 2.25)]);
-        assert_eq!(
-            text,
-            "time_s,count,part,step,name,side,tempo_bpm\n\
-             0.000,1,,,\"\",,80.00\n\
-             2.250,1,1,kaholo-forward,\"kāholo i mua, i hope\",left,80.00\n"
-        );
-    }
 }

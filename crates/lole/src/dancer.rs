@@ -1,20 +1,21 @@
 //! `lole dancer`: the dancer alone, in pictures, figures and a 3D file.
 
 use anyhow::Result;
-use lole_avatar::License;
 use lole_body::{Dancer, Pose};
 use lole_costume::document::Place;
-use lole_export::dancer_sheet::{CapsuleFacts, CoverageFacts, DancerSheet, dancer_json};
+use lole_export::dancer_sheet::{DancerSheet, dancer_json};
 use lole_export::{ImageView, still};
-use lole_language::{Bilingual as _, Language, Sentence};
+use lole_language::{Language, Sentence};
+use lole_picture::baked;
+use lole_picture::studio::{STILLS, cameras_around};
 use lole_render::{Backend, LightRig, Renderer, Scene, SceneMesh, Size};
+use lole_study::figures;
 
 use crate::args::DancerArgs;
 use crate::output::OutputFolder;
 use crate::patience::progress_bar;
-use crate::source::{self, Source};
-use crate::studio::{STILLS, cameras_around};
-use crate::{Failure, baked, figures, summary};
+use crate::source;
+use crate::{Failure, summary};
 
 /// Size of the pictures: upright, as a person is.
 const PICTURE_SIZE: Size = Size {
@@ -36,7 +37,7 @@ pub(crate) fn run(args: &DancerArgs, language: Language) -> Result<(), Failure> 
     let avatar = source.design.dancer.file.as_ref();
     let sheet = DancerSheet {
         avatar: avatar.map(|file| file.name.clone()),
-        ..sheet(&dancer, license.as_ref(), &source)
+        ..figures::dancer_sheet(&dancer, &source.design.tape(), license.as_ref())
     };
     let mut output = OutputFolder::create(&args.out).map_err(Failure::Usage)?;
     let count = STILLS.iter().map(|_| 1_u32).sum();
@@ -51,7 +52,7 @@ pub(crate) fn run(args: &DancerArgs, language: Language) -> Result<(), Failure> 
     }
     bar.finish_and_clear();
     if !baked::is_kept_here(license.as_ref()) {
-        let glb = baked::body_glb(&dancer).map_err(Failure::Run)?;
+        let glb = baked::body_glb(&dancer).map_err(Failure::error)?;
         output.write("dancer.glb", &glb).map_err(Failure::Run)?;
     }
     let json = dancer_json(&sheet).map_err(Failure::error)?;
@@ -107,38 +108,4 @@ fn pictures(
         taken();
     }
     Ok(pictures)
-}
-
-/// Everything about a dancer that can be counted.
-fn sheet(dancer: &Dancer, license: Option<&License>, source: &Source) -> DancerSheet {
-    let measures = figures::dancer_measures(dancer, &source.design.tape(), license);
-    let differences = (measures.iter())
-        .filter_map(|measure| Some((measure.on_body_cm - measure.given_cm?).abs()));
-    let coverage = dancer.capsule_coverage();
-    let percent = |share: f32| 100.0 * f64::from(share);
-    let lines = license.map(License::lines).unwrap_or_default();
-    let capsules = dancer.capsules.iter().map(|capsule| CapsuleFacts {
-        name: capsule.name.to_owned(),
-        bones: capsule.ends.map(|(bone, _)| bone.name().to_owned()),
-        ends_m: capsule.ends.map(|(_, end)| end.to_array()),
-        radii_m: capsule.radii,
-    });
-    DancerSheet {
-        lole: env!("CARGO_PKG_VERSION").to_owned(),
-        avatar: None,
-        license: lines
-            .iter()
-            .map(|line| line.text(Language::English))
-            .collect(),
-        worst_difference_cm: differences.reduce(f64::max),
-        measures,
-        capsules: capsules.collect(),
-        capsule_coverage: CoverageFacts {
-            close_pct: percent(coverage.close),
-            outside_pct: percent(coverage.outside),
-            farthest_mm: 1e3 * f64::from(coverage.farthest),
-        },
-        vertices: dancer.skin.positions.len(),
-        triangles: dancer.skin.body_triangles().len(),
-    }
 }

@@ -1,12 +1,11 @@
 //! The `lole` command: arguments in, files out.
 
 mod args;
-mod baked;
 mod bench;
+mod clock;
 mod dance;
 mod dancer;
 mod fabric;
-mod figures;
 mod inspect;
 mod order;
 mod output;
@@ -14,8 +13,6 @@ mod patience;
 mod pattern;
 mod portrait;
 mod source;
-mod stopwatch;
-mod studio;
 mod study;
 mod summary;
 mod usage;
@@ -25,6 +22,7 @@ mod window;
 use std::process::ExitCode;
 
 use lole_language::{Language, Sentence};
+use lole_study::StudyError;
 
 use args::Command;
 use usage::Asked;
@@ -50,6 +48,17 @@ impl Failure {
     /// Wrong usage, in one sentence.
     pub(crate) fn usage(sentence: Sentence) -> Self {
         Self::Usage(sentence.into())
+    }
+}
+
+impl From<StudyError> for Failure {
+    fn from(error: StudyError) -> Self {
+        match error {
+            StudyError::CalledOff => Self::Interrupted,
+            // Said in both languages.
+            StudyError::Stage(error) => Self::error(error),
+            error => Self::error(error),
+        }
     }
 }
 

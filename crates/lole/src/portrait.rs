@@ -10,12 +10,12 @@ use lole_export::ImageView;
 use lole_export::order::PICTURE_FOLDER;
 use lole_export::pdf::EncodedPicture;
 use lole_picture::portrait::{self, PortraitError};
+use lole_picture::studio::still_cameras;
 use lole_render::Size;
 use lole_stage::Production;
 use rayon::prelude::*;
 
 use crate::Failure;
-use crate::studio::still_cameras;
 
 /// Size of the picture on a cover, upright.
 const COVER: Size = Size {

@@ -1,11 +1,9 @@
 //! `lole validate`: the engine against closed forms.
 
-use lole_export::report::Remark;
-use lole_export::validation::{
-    CheckEntry, CurveEntry, ProtocolEntry, ValidationReport, validation_html,
-};
-use lole_language::{Language, Sentence, Words, words};
+use lole_export::validation::{CheckEntry, ValidationReport, validation_html};
+use lole_language::{Language, Sentence, words};
 use lole_stage::validate::{Check, PROTOCOLS, Protocol, Subject};
+use lole_study::validation::{entry, limits, row};
 
 use crate::args::ValidateArgs;
 use crate::dance::unknown;
@@ -98,58 +96,5 @@ fn print(protocol: &Protocol, subject: Subject, checks: &[Check], language: Lang
     }
     for limit in limits(protocol, subject) {
         summary::print_limit(subject.id(), limit, language);
-    }
-}
-
-/// What keeps a method from more.
-fn limits(protocol: &Protocol, subject: Subject) -> impl Iterator<Item = Words> {
-    let of_subject = move |limit: &&(Subject, Words)| limit.0 == subject;
-    protocol
-        .limits
-        .iter()
-        .filter(of_subject)
-        .map(|limit| limit.1)
-}
-
-/// A protocol without figures yet.
-fn entry(protocol: &Protocol) -> ProtocolEntry {
-    ProtocolEntry {
-        name: protocol.name.to_owned(),
-        about: remark(protocol.about),
-        rows: Vec::new(),
-        limits: (protocol.limits.iter())
-            .map(|&(subject, limit)| (subject.id().to_owned(), remark(limit)))
-            .collect(),
-        curve: protocol.curve.as_ref().map(|curve| CurveEntry {
-            along: remark(curve.along),
-            value: remark(curve.value),
-            points: curve.points(),
-        }),
-    }
-}
-
-fn row(protocol: &Protocol, subject: Subject, check: Check) -> CheckEntry {
-    let limits: Vec<_> = limits(protocol, subject)
-        .map(|limit| limit.english)
-        .collect();
-    CheckEntry {
-        name: protocol.name.to_owned(),
-        method: subject.id().to_owned(),
-        measured: check.measured,
-        reference: check.reference,
-        unit: check.unit.to_owned(),
-        error_pct: check.error_pct(),
-        gate_pct: check.gate_pct,
-        pass: check.passes(),
-        along: check.along,
-        limit: (!limits.is_empty()).then(|| limits.join("; ")),
-        case: check.case,
-    }
-}
-
-fn remark(words: Words) -> Remark {
-    Remark {
-        sentence: words.english.to_owned(),
-        sentence_ja: words.japanese.to_owned(),
     }
 }

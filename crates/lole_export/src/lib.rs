@@ -9,6 +9,7 @@
 //! | printed pages | [`pdf::Document`]: text, lines and pictures at true size |
 //! | cut plans, full-size patterns | [`cutting`]: PDF, SVG, JSON |
 //! | `pattern.dxf` | [`dxf::pattern_dxf`]: pieces for pattern software |
+//! | `counts.csv` | [`counts::counts_csv`]: when every count of a dance falls |
 //! | stills | [`still::encode_png`], [`still::encode_jpeg`] |
 //! | `dancer.glb` | [`glb::write_glb`]: skinned dancer and cloth with baked motion |
 //! | `dancer.json` | [`dancer_sheet::dancer_json`]: a dancer's tape and capsules |
@@ -23,6 +24,7 @@
 
 pub mod booklet;
 mod canvas;
+pub mod counts;
 pub mod cutting;
 pub mod dancer_sheet;
 pub mod dxf;

@@ -1,10 +1,13 @@
-//! What the camera sees of a performance: the materials of dancer and garments, and the meshes of one
-//! moment as a scene. Films, stills and the live window show the same.
+//! What the camera sees of a performance: the materials of dancer and garments, the meshes of one moment as
+//! a scene, viewpoints, and all moments of a dance as a 3D file. Films, stills, the live window and that file
+//! show the same.
 //!
-//! It opens nothing and draws nothing: [`lole_render`] does.
+//! It opens nothing and draws nothing: [`lole_render`] does. What becomes a file is given back as bytes.
 
+pub mod baked;
 mod moment;
 pub mod portrait;
+pub mod studio;
 
 use std::sync::Arc;
 

@@ -3,8 +3,9 @@
 use std::io::Write as _;
 
 use lole_language::Language;
-
-use crate::bench::{BenchRow, ParetoPoint, SoakRow, WorstAt};
+use lole_study::bench::BenchRow;
+use lole_study::bench::pareto::ParetoPoint;
+use lole_study::soak::{SoakRow, WorstAt};
 
 /// Phases of a smaller share of the time are not shown [%].
 const PHASE_SHOWN_PCT: f64 = 0.5;

@@ -2,7 +2,9 @@
 
 use std::sync::LazyLock;
 
-use rustybuzz::{Direction, Face, UnicodeBuffer};
+use harfrust::{Direction, FontRef, ShapeOptions, ShaperData, UnicodeBuffer};
+use skrifa::MetadataProvider as _;
+use skrifa::charmap::Charmap;
 
 /// Millimeters of a typographic point.
 pub(super) const MM_PER_PT: f64 = 25.4 / 72.0;
@@ -24,8 +26,33 @@ const REGULAR: &[u8] = include_bytes!("../../data/fonts/NotoSansJP-Regular.otf")
 const BOLD: &[u8] = include_bytes!("../../data/fonts/NotoSansJP-Bold.otf");
 
 // The tables of a font are found once: pages measure thousands of words.
-static FACES: LazyLock<Option<[Face<'static>; 2]>> =
-    LazyLock::new(|| Some([Face::from_slice(REGULAR, 0)?, Face::from_slice(BOLD, 0)?]));
+static FACES: LazyLock<Option<[Face; 2]>> =
+    LazyLock::new(|| Some([Face::read(REGULAR)?, Face::read(BOLD)?]));
+
+/// A font, with what is found in it once.
+struct Face {
+    font: FontRef<'static>,
+    shaping: ShaperData,
+    charmap: Charmap<'static>,
+}
+
+impl Face {
+    /// `None` where the bytes are no font.
+    fn read(bytes: &'static [u8]) -> Option<Self> {
+        let font = FontRef::new(bytes).ok()?;
+        Some(Self {
+            shaping: ShaperData::new(&font),
+            charmap: font.charmap(),
+            font,
+        })
+    }
+
+    /// Number of the glyph of a letter, where it has one.
+    fn glyph(&self, letter: char) -> Option<u32> {
+        let glyph = self.charmap.map(letter)?.to_u32();
+        (glyph != 0).then_some(glyph)
+    }
+}
 
 impl Weight {
     /// The font file.
@@ -36,7 +63,7 @@ impl Weight {
         }
     }
 
-    fn face(self) -> Option<&'static Face<'static>> {
+    fn face(self) -> Option<&'static Face> {
         let faces = FACES.as_ref()?;
         Some(match self {
             Self::Regular => &faces[0],
@@ -66,8 +93,9 @@ pub(super) fn shape(text: &str, weight: Weight) -> Vec<Glyph> {
     buffer.push_str(text);
     buffer.guess_segment_properties();
     buffer.set_direction(Direction::LeftToRight);
-    let shaped = rustybuzz::shape(face, &[], buffer);
-    let em = f64::from(face.units_per_em());
+    let shaper = face.shaping.shaper(&face.font).build();
+    let shaped = shaper.shape(buffer, ShapeOptions::new());
+    let em = f64::from(shaper.units_per_em());
     let positions = shaped.glyph_positions().iter();
     (shaped.glyph_infos().iter().zip(positions))
         .map(|(glyph, position)| Glyph {
@@ -114,10 +142,8 @@ pub fn printable(text: &str) -> String {
 }
 
 fn is_drawable(letter: char) -> bool {
-    let glyph = Weight::Regular
-        .face()
-        .and_then(|face| face.glyph_index(letter));
-    glyph.is_some_and(|glyph| glyph.0 != 0)
+    let face = Weight::Regular.face();
+    face.is_some_and(|face| face.glyph(letter).is_some())
 }
 
 #[cfg(test)]
@@ -130,7 +156,7 @@ mod tests {
             for letter in "āēīōūĀĒĪŌŪʻぁ゛ヴ丶熙髙﨑①㎝℃×÷°→½".chars()
             {
                 let face = weight.face().unwrap();
-                assert!(face.glyph_index(letter).is_some(), "{letter} {weight:?}");
+                assert!(face.glyph(letter).is_some(), "{letter} {weight:?}");
             }
         }
     }

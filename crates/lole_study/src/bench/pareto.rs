@@ -8,18 +8,14 @@ use std::num::NonZeroU32;
 
 use lole_cloth::scenes::{ClothScene, SCENES, Setup};
 use lole_export::report::Remark;
-use lole_export::trade_off::{TradeOff, TradeOffPoint, TradeOffReport, trade_off_html};
-use lole_language::Language;
+use lole_export::trade_off::{TradeOff, TradeOffPoint, TradeOffReport};
 use serde::Serialize;
 
 use super::engine::{self, Method};
 use super::row::BenchRow;
 use super::stage::{self, StageScene};
-use super::{Settings, WantedName};
-use crate::args::BenchArgs;
-use crate::output::OutputFolder;
-use crate::patience::{check, stop_flag};
-use crate::{Failure, summary};
+use super::{Measure, Settings};
+use crate::StudyError;
 
 /// Substeps and sweeps over the structural springs that are tried with each other.
 const SUBSTEP_COUNTS: [u32; 6] = [2, 4, 8, 12, 16, 24];
@@ -29,10 +25,13 @@ const SWEEP_COUNTS: [u32; 4] = [1, 2, 4, 6];
 const STAGE_SUBSTEP_COUNTS: [u32; 5] = [6, 8, 11, 18, 24];
 
 /// A scene and a method, with every setting that is tried.
-struct Case {
-    scene: &'static str,
-    about: &'static str,
-    method: &'static str,
+pub struct Case {
+    /// Name of the scene.
+    pub scene: &'static str,
+    /// What is in it.
+    pub about: &'static str,
+    /// Name of the method.
+    pub method: &'static str,
     variants: Vec<Variant>,
 }
 
@@ -40,22 +39,23 @@ struct Case {
 struct Variant {
     sweeps: Option<u32>,
     is_own: bool,
-    run: Box<dyn Fn(Settings) -> Result<BenchRow, Failure>>,
+    run: Measure,
 }
 
 /// A setting of a method for a scene, and what it gives.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub(crate) struct ParetoPoint {
+pub struct ParetoPoint {
     /// Sweeps over the structural springs in a substep; left out where the method has none.
-    pub(crate) sweeps: Option<u32>,
+    pub sweeps: Option<u32>,
     /// Whether these are the scene's own settings.
-    pub(crate) is_own: bool,
+    pub is_own: bool,
     /// Whether no other point of the scene is as fast and as good.
-    pub(crate) on_front: bool,
+    pub on_front: bool,
     /// The phase that takes most of the time.
-    pub(crate) longest_phase: Option<&'static str>,
+    pub longest_phase: Option<&'static str>,
     #[serde(flatten)]
-    pub(crate) row: BenchRow,
+    /// What was measured.
+    pub row: BenchRow,
 }
 
 impl ParetoPoint {
@@ -72,58 +72,36 @@ impl ParetoPoint {
     }
 }
 
-/// Measures every setting of every scene, or of the one that was named.
-pub(super) fn run(args: &BenchArgs, settings: Settings, language: Language) -> Result<(), Failure> {
-    let mut cases = cases();
-    WantedName::scene(args).keep(&mut cases, |case| case.scene)?;
-    WantedName::method(args).keep(&mut cases, |case| case.method)?;
-    let output = (args.out.as_deref())
-        .map(OutputFolder::create)
-        .transpose()
-        .map_err(Failure::Usage)?;
-    let stop = stop_flag().map_err(Failure::Run)?;
-    let mut points: Vec<ParetoPoint> = Vec::new();
-    let abouts: Vec<_> = (cases.iter())
-        .map(|case| (case.scene, case.about))
-        .collect();
-    for of_scene in cases.chunk_by(|one, next| one.scene == next.scene) {
-        let mut found = Vec::new();
-        for variant in of_scene.iter().flat_map(|case| &case.variants) {
-            check(&stop)?;
-            let row = (variant.run)(settings)?;
-            found.push(ParetoPoint {
-                sweeps: variant.sweeps,
-                is_own: variant.is_own,
-                on_front: false,
-                longest_phase: row.longest_phase(),
-                row,
-            });
+/// Measures every setting of the cases of one scene, for as long as `goes_on` says, and marks the front.
+///
+/// # Errors
+/// A scene that cannot be built, or that it was called off.
+pub fn points(
+    of_scene: &[Case],
+    settings: Settings<'_>,
+    goes_on: &dyn Fn() -> bool,
+) -> Result<Vec<ParetoPoint>, StudyError> {
+    let mut found = Vec::new();
+    for variant in of_scene.iter().flat_map(|case| &case.variants) {
+        if !goes_on() {
+            return Err(StudyError::CalledOff);
         }
-        mark_front(&mut found);
-        if !args.json {
-            summary::print_pareto(&found, language);
-        }
-        points.append(&mut found);
+        let row = (variant.run)(settings)?;
+        found.push(ParetoPoint {
+            sweeps: variant.sweeps,
+            is_own: variant.is_own,
+            on_front: false,
+            longest_phase: row.longest_phase(),
+            row,
+        });
     }
-    let json = serde_json::to_string_pretty(&points).map_err(Failure::error)? + "\n";
-    if args.json {
-        summary::print_json(&json);
-    }
-    if let Some(mut output) = output {
-        let page = trade_off_html(&report(&points, &abouts));
-        (output.write("bench.html", page.as_bytes()))
-            .and_then(|()| output.write("bench.json", json.as_bytes()))
-            .map_err(Failure::Run)?;
-        let paths = output.finish().map_err(Failure::Run)?;
-        if !args.json {
-            summary::print_files(&paths, language);
-        }
-    }
-    Ok(())
+    mark_front(&mut found);
+    Ok(found)
 }
 
 /// Every scene, each with the methods that can run it.
-fn cases() -> Vec<Case> {
+#[must_use]
+pub fn cases() -> Vec<Case> {
     let engine = (SCENES.iter()).flat_map(|scene| {
         let methods = Method::of(scene).into_iter();
         methods.map(move |method| Case {
@@ -164,7 +142,7 @@ fn engine_variants(scene: &'static ClothScene, method: Method) -> Vec<Variant> {
                 pair.map(|count| NonZeroU32::new(count).unwrap_or(NonZeroU32::MIN));
             setup.config.substep_count = substeps;
             setup.config.structural_sweep_count = sweeps;
-            engine::measure((scene, method), setup, settings).map_err(Failure::error)
+            Ok(engine::measure((scene, method), setup, settings)?)
         }),
     };
     pairs.into_iter().map(variant).collect()
@@ -179,7 +157,7 @@ fn stage_variants(scene: &'static StageScene) -> Vec<Variant> {
         run: Box::new(move |settings| {
             let mut design = (scene.design)();
             design.method.substep_count = count.or(design.method.substep_count);
-            stage::measure(scene, &design, settings).map_err(Failure::error)
+            Ok(stage::measure(scene, &design, settings)?)
         }),
     };
     counts.map(variant).collect()
@@ -199,15 +177,16 @@ fn beats(one: [f64; 2], other: [f64; 2]) -> bool {
     one[0] <= other[0] && one[1] <= other[1] && one != other
 }
 
-/// What the page shows.
-fn report(points: &[ParetoPoint], abouts: &[(&str, &str)]) -> TradeOffReport {
+/// What the page shows of the points of those cases.
+#[must_use]
+pub fn report(points: &[ParetoPoint], cases: &[Case]) -> TradeOffReport {
     let of_scene = points.chunk_by(|one, next| one.row.scene == next.row.scene);
     let scene = |points: &[ParetoPoint]| {
         let name = points[0].row.scene;
-        let about = abouts.iter().find(|(scene, _)| *scene == name);
+        let about = cases.iter().find(|case| case.scene == name);
         TradeOff {
             scene: name.to_owned(),
-            about: about.map_or_else(String::new, |(_, about)| (*about).to_owned()),
+            about: about.map_or_else(String::new, |case| case.about.to_owned()),
             points: points.iter().map(entry).collect(),
         }
     };
@@ -240,6 +219,7 @@ fn entry(point: &ParetoPoint) -> TradeOffPoint {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::clock::TestClock;
     use lole_cloth::InstructionSet;
 
     #[test]
@@ -276,6 +256,7 @@ mod tests {
         let settings = Settings {
             instruction_set: InstructionSet::Detected,
             roofline: false,
+            clock: &TestClock::start(),
         };
         let point = |substeps: u32| {
             let mut setup = (scene.build)();

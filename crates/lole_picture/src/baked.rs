@@ -2,30 +2,30 @@
 
 mod worn;
 
-use anyhow::Result;
 use glam::Vec3;
 use lole_avatar::License;
 use lole_body::{Appearance, BodyPicture, Dancer, Look, PartKind, Pose, appearance};
-use lole_export::ImageView;
 use lole_export::glb::{GlbMaterial, GlbMesh, GlbPart, GlbScene, GlbSides, write_glb};
 use lole_export::still::encode_png;
-use lole_picture::linear;
+use lole_export::{ExportError, ImageView};
 use lole_stage::Performance;
 
-use crate::studio::Studio;
+use crate::{Cover, linear};
 
 /// Poses and cloth at key times.
 #[derive(Debug, Default)]
-pub(crate) struct Keys {
-    pub(crate) times: Vec<f32>,
-    pub(crate) poses: Vec<Pose>,
+pub struct Keys {
+    /// When each was kept [s].
+    pub times: Vec<f32>,
+    /// The dancer's pose at each.
+    pub poses: Vec<Pose>,
     /// By surface of what is worn, then by time; see [`Performance::recorded`].
-    pub(crate) worn: Vec<Vec<Vec<Vec3>>>,
+    pub worn: Vec<Vec<Vec<Vec3>>>,
 }
 
 impl Keys {
     /// Keeps the current frame.
-    pub(crate) fn keep(&mut self, performance: &Performance) {
+    pub fn keep(&mut self, performance: &Performance) {
         self.times.push(performance.time());
         self.poses.push(performance.pose().clone());
         let recorded = performance.recorded();
@@ -36,9 +36,9 @@ impl Keys {
     }
 }
 
-fn body_png(picture: &BodyPicture) -> Result<Vec<u8>> {
+fn body_png(picture: &BodyPicture) -> Result<Vec<u8>, ExportError> {
     let image = ImageView::new(picture.side, picture.side, &picture.pixels)?;
-    Ok(encode_png(image)?)
+    encode_png(image)
 }
 
 /// Pictures on the dancer, as a file carries them.
@@ -50,12 +50,12 @@ struct BodyPictures {
 }
 
 impl BodyPictures {
-    fn of(dancer: &Dancer) -> Result<Self> {
+    fn of(dancer: &Dancer) -> Result<Self, ExportError> {
         let looks = dancer.skin.looks.iter().map(look_png);
         Ok(Self {
             face: body_png(&dancer.face_picture())?,
             hair: body_png(&dancer.hair_picture())?,
-            looks: looks.collect::<Result<_>>()?,
+            looks: looks.collect::<Result<_, _>>()?,
         })
     }
 
@@ -90,28 +90,35 @@ fn skinned<'a>(dancer: &'a Dancer, parts: &'a [GlbPart<'a>]) -> GlbMesh<'a> {
 }
 
 /// The dancer alone, standing in her bind pose.
-pub(crate) fn body_glb(dancer: &Dancer) -> Result<Vec<u8>> {
+///
+/// # Errors
+/// A mesh or a picture that the file cannot carry.
+pub fn body_glb(dancer: &Dancer) -> Result<Vec<u8>, ExportError> {
     let pictures = BodyPictures::of(dancer)?;
     let parts = pictures.parts(dancer);
-    Ok(write_glb(&GlbScene {
+    write_glb(&GlbScene {
         skeleton: &dancer.skeleton,
         pose_times: &[],
         poses: &[],
         skinned: &[skinned(dancer, &parts)],
         cloths: &[],
-    })?)
+    })
 }
 
-/// The file's bytes: dancer with skeleton and motion, garments with their baked motion and print.
-pub(crate) fn dancer_glb(
+/// The file's bytes: dancer with skeleton and motion, garments with their baked motion and print;
+/// `covers` are how they look, surface by surface.
+///
+/// # Errors
+/// A mesh or a picture that the file cannot carry.
+pub fn dancer_glb(
     performance: &Performance,
     keys: &Keys,
-    studio: &Studio,
-) -> Result<Vec<u8>> {
+    covers: &[Cover],
+) -> Result<Vec<u8>, ExportError> {
     let production = performance.production();
     let pictures = BodyPictures::of(&production.dancer)?;
     let parts = pictures.parts(&production.dancer);
-    let worn = worn::Worn::of(production, studio.covers())?;
+    let worn = worn::Worn::of(production, covers)?;
     let ridden = worn.ridden();
     let mut bodies = Vec::new();
     if !leaves_body_out(performance) {
@@ -119,27 +126,29 @@ pub(crate) fn dancer_glb(
     }
     bodies.extend(worn.skinned(&ridden));
     let cloths = worn.baked(&keys.times, &keys.worn);
-    Ok(write_glb(&GlbScene {
+    write_glb(&GlbScene {
         skeleton: &production.dancer.skeleton,
         pose_times: &keys.times,
         poses: &keys.poses,
         skinned: &bodies,
         cloths: &cloths,
-    })?)
+    })
 }
 
 /// Whether the dancer is an avatar whose license keeps it out of files.
-pub(crate) fn leaves_body_out(performance: &Performance) -> bool {
+#[must_use]
+pub fn leaves_body_out(performance: &Performance) -> bool {
     is_kept_here(performance.production().license.as_ref())
 }
 
 /// Whether a license keeps an avatar out of files.
-pub(crate) fn is_kept_here(license: Option<&License>) -> bool {
+#[must_use]
+pub fn is_kept_here(license: Option<&License>) -> bool {
     license.is_some_and(|license| license.export_refusal().is_some())
 }
 
 /// The picture of a part of an avatar.
-fn look_png(look: &Look) -> Result<Option<Vec<u8>>> {
+fn look_png(look: &Look) -> Result<Option<Vec<u8>>, ExportError> {
     let Some(picture) = &look.picture else {
         return Ok(None);
     };

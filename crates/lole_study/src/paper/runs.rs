@@ -1,7 +1,6 @@
 //! One run of the study: a settled skirt, a method, a step, and what comes of it.
 
 use std::num::NonZeroU32;
-use std::sync::atomic::AtomicBool;
 
 use glam::Vec3;
 use lole_cloth::diagnose;
@@ -11,10 +10,9 @@ use lole_export::report::MeanPercentileMax;
 use lole_export::study::{RunCurves, RunEntry};
 use lole_stage::{FRAME_SECONDS, Performance, Production};
 
-use crate::Failure;
+use super::Audience;
 use crate::figures::{median_and_p99, percent};
-use crate::patience::check;
-use crate::stopwatch::Stopwatch;
+use crate::{Clock, Stopwatch, StudyError};
 
 /// Frames from one look at the skin to the next: looking takes longer than a frame.
 const FRAMES_PER_LOOK: usize = 2;
@@ -30,7 +28,8 @@ const SEEN_SPREAD: f32 = 1.4;
 /// What runs share.
 pub(crate) struct Runner<'a> {
     pub(crate) pool: &'a rayon::ThreadPool,
-    pub(crate) stop: &'a AtomicBool,
+    pub(crate) audience: &'a dyn Audience,
+    pub(crate) clock: &'a dyn Clock,
 }
 
 /// A method and its step.
@@ -50,16 +49,14 @@ pub(crate) struct Run {
 
 impl Runner<'_> {
     /// The performance of `design` at the start of its dance, its skirt hanging still.
-    pub(crate) fn settled(&self, design: &Design) -> Result<Performance, Failure> {
-        let production = Production::new(design).map_err(Failure::error)?;
-        let mut performance = Performance::new(production).map_err(Failure::error)?;
+    pub(crate) fn settled(&self, design: &Design) -> Result<Performance, StudyError> {
+        let production = Production::new(design)?;
+        let mut performance = Performance::new(production)?;
         while performance.time() < 0.0 {
             self.check_stop()?;
             let advanced = self.pool.install(|| performance.advance());
             if advanced.is_err() {
-                return Err(Failure::Run(anyhow::anyhow!(
-                    "the skirt of the study does not settle; please report this"
-                )));
+                return Err(StudyError::Unsettled);
             }
         }
         Ok(performance)
@@ -71,7 +68,7 @@ impl Runner<'_> {
         start: &Performance,
         setup: Setup,
         frame_count: u32,
-    ) -> Result<Run, Failure> {
+    ) -> Result<Run, StudyError> {
         let mut performance = start.clone();
         performance.tune_explicit(|_, config| {
             config.integrator = setup.integrator;
@@ -84,7 +81,7 @@ impl Runner<'_> {
         log.look(&mut last, 0.0);
         for frame in 0..frame_count as usize {
             self.check_stop()?;
-            let watch = Stopwatch::start();
+            let watch = Stopwatch::start(self.clock);
             let advanced = self.pool.install(|| performance.advance());
             log.frame_ms.push(1e3 * watch.read().process_seconds);
             let time = (frame + 1) as f64 * f64::from(FRAME_SECONDS);
@@ -114,8 +111,12 @@ impl Runner<'_> {
         })
     }
 
-    pub(crate) fn check_stop(&self) -> Result<(), Failure> {
-        check(self.stop)
+    pub(crate) fn check_stop(&self) -> Result<(), StudyError> {
+        if self.audience.waits() {
+            Ok(())
+        } else {
+            Err(StudyError::CalledOff)
+        }
     }
 }
 

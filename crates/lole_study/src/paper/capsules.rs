@@ -6,9 +6,8 @@ use lole_costume::document::{BodyShapes, Design, MethodName};
 use lole_export::study::{CapsulesEntry, SkirtOfStudy};
 
 use super::runs::Runner;
-use crate::Failure;
 use crate::figures::median_and_p99;
-use crate::stopwatch::Stopwatch;
+use crate::{Stopwatch, StudyError};
 
 /// The bodies that are compared.
 pub(super) const BODIES: [Body; 8] = [
@@ -47,13 +46,13 @@ pub(super) fn measure(
     runner: &Runner<'_>,
     body: Body,
     frame_count: u32,
-) -> Result<(CapsulesEntry, SkirtOfStudy), Failure> {
+) -> Result<(CapsulesEntry, SkirtOfStudy), StudyError> {
     let mut performance = runner.settled(&design(body))?;
     let mut frame_ms = Vec::new();
     let (mut depths, mut wrong_vertices) = (Vec::new(), 0);
     for frame in 0..frame_count {
         runner.check_stop()?;
-        let watch = Stopwatch::start();
+        let watch = Stopwatch::start(runner.clock);
         let advanced = runner.pool.install(|| performance.advance());
         frame_ms.push(1e3 * watch.read().process_seconds);
         if advanced.is_err() {
@@ -77,8 +76,8 @@ pub(super) fn measure(
         frame_ms: median_and_p99(&frame_ms),
     };
     let worn = production.skirt();
-    let worn = worn.ok_or_else(|| Failure::Run(anyhow::anyhow!("no skirt is worn")))?;
-    let model = ReferenceModel::new(&worn.sewn.spec).map_err(Failure::error)?;
+    let worn = worn.ok_or(StudyError::NoSkirt)?;
+    let model = ReferenceModel::new(&worn.sewn.spec)?;
     let skirt = SkirtOfStudy {
         particles: worn.sewn.spec.grid.particle_count(),
         springs: performance.spring_count(),

@@ -2,8 +2,6 @@
 
 mod motion;
 
-use std::sync::atomic::Ordering;
-
 use glam::Vec3;
 use lole_cloth::scenes::{ClothScene, FRAME_DT, Setup};
 use lole_cloth::{
@@ -11,13 +9,10 @@ use lole_cloth::{
 };
 use lole_geom::Capsule;
 use lole_geom::triangle_grid::TriangleGrid;
-use lole_language::{Language, Sentence, Words, words};
+use lole_language::{Words, words};
 use serde::Serialize;
 
-use super::{engine, scenes_of_engine};
-use crate::args::BenchArgs;
-use crate::patience::{progress_bar, stop_flag};
-use crate::{Failure, summary};
+use crate::bench::pins;
 use motion::Motion;
 
 /// Frames from one look at the laws to the next.
@@ -29,7 +24,7 @@ const START_FRAMES: u32 = 60;
 /// What must hold at every look.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub(crate) enum Law {
+pub enum Law {
     /// Every position is a number.
     Finite,
     /// The 99th percentile of the structural strain is at most [`STRAIN_BOUND`].
@@ -52,7 +47,8 @@ const PENETRATION_BOUND: f32 = 0.06;
 
 impl Law {
     /// What it asks.
-    pub(crate) const fn about(self) -> Words {
+    #[must_use]
+    pub const fn about(self) -> Words {
         match self {
             Self::Finite => words("座標が有限", "positions are finite"),
             Self::Strain => words("ひずみ p99 [%]", "strain p99 [%]"),
@@ -67,10 +63,11 @@ impl Law {
 
 /// A figure at its worst.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
-pub(crate) struct WorstAt {
-    pub(crate) worst: f64,
+pub struct WorstAt {
+    /// The figure.
+    pub worst: f64,
     /// Frame in which it was seen first.
-    pub(crate) frame: u32,
+    pub frame: u32,
 }
 
 impl WorstAt {
@@ -86,36 +83,44 @@ impl WorstAt {
 
 /// A law that did not hold.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub(crate) struct Violation {
-    pub(crate) law: Law,
+pub struct Violation {
+    /// Which one.
+    pub law: Law,
     /// Frame in which it was seen first.
-    pub(crate) frame: u32,
+    pub frame: u32,
     /// The figure there, in the law's unit.
-    pub(crate) measured: f64,
+    pub measured: f64,
     /// What it may be at most.
-    pub(crate) bound: f64,
+    pub bound: f64,
     /// Looks at which it did not hold.
-    pub(crate) looks: u32,
+    pub looks: u32,
 }
 
 /// What a soak of one scene found.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub(crate) struct SoakRow {
-    pub(crate) scene: &'static str,
-    pub(crate) seed: u64,
+pub struct SoakRow {
+    /// Name of the scene.
+    pub scene: &'static str,
+    /// Chance of its motion.
+    pub seed: u64,
     /// Frames that were run: fewer than asked for where it was interrupted, or left the numbers.
-    pub(crate) frames: u32,
+    pub frames: u32,
     /// Looks at the laws.
-    pub(crate) looks: u32,
-    pub(crate) strain_p99_pct: WorstAt,
-    pub(crate) strain_max_pct: WorstAt,
-    pub(crate) penetration_mm: WorstAt,
+    pub looks: u32,
+    /// Structural strain, 99th percentile [%].
+    pub strain_p99_pct: WorstAt,
+    /// Largest structural strain [%].
+    pub strain_max_pct: WorstAt,
+    /// Deepest free particle in a capsule [mm].
+    pub penetration_mm: WorstAt,
     /// Most crossings of the cloth with itself; left out where it may pass through itself.
-    pub(crate) self_crossings: Option<WorstAt>,
+    pub self_crossings: Option<WorstAt>,
     /// Fastest that any particle was, by the root mean square of all [m/s].
-    pub(crate) rms_speed_m_per_s: WorstAt,
-    pub(crate) violations: Vec<Violation>,
-    pub(crate) state_hash: String,
+    pub rms_speed_m_per_s: WorstAt,
+    /// The laws that did not hold.
+    pub violations: Vec<Violation>,
+    /// All bits of the state at the end.
+    pub state_hash: String,
 }
 
 impl SoakRow {
@@ -133,46 +138,6 @@ impl SoakRow {
             violations: Vec::new(),
             state_hash: String::new(),
         }
-    }
-
-    /// Looks at every law; whether going on makes sense.
-    fn look(
-        &mut self,
-        setup: &Setup,
-        positions: &[Vec3],
-        velocities: &[Vec3],
-        capsules: &[Capsule],
-    ) -> bool {
-        let frame = self.frames;
-        self.looks += 1;
-        if let Some(particle) = diagnose::first_non_finite(positions) {
-            #[expect(clippy::cast_precision_loss, reason = "an index is far below 2^52")]
-            self.hold(Law::Finite, (particle as f64 + 1.0, 0.0), frame);
-            return false;
-        }
-        let strain = diagnose::strain(&setup.spec, positions);
-        let [p99, max] = [strain.p99, strain.max].map(|strain| 100.0 * f64::from(strain));
-        self.strain_p99_pct.see(p99, frame);
-        self.strain_max_pct.see(max, frame);
-        self.hold(Law::Strain, (p99, 100.0 * f64::from(STRAIN_BOUND)), frame);
-        let depth = diagnose::worst_capsule_penetration(&setup.spec, positions, capsules);
-        let depth = 1e3 * f64::from(depth);
-        self.penetration_mm.see(depth, frame);
-        let bound = 1e3 * f64::from(PENETRATION_BOUND);
-        self.hold(Law::Penetration, (depth, bound), frame);
-        self.hold(
-            Law::Side,
-            (axes_crossed(setup, positions, capsules), 0.0),
-            frame,
-        );
-        let speed = f64::from(diagnose::rms_speed(velocities));
-        self.rms_speed_m_per_s.see(speed, frame);
-        if let Some(most) = &mut self.self_crossings {
-            let count = diagnose::self_crossings(&setup.spec.grid, positions);
-            #[expect(clippy::cast_precision_loss, reason = "a count is far below 2^52")]
-            most.see(count.unwrap_or(0) as f64, frame);
-        }
-        true
     }
 
     /// Holds a figure against the bound of its law.
@@ -194,100 +159,100 @@ impl SoakRow {
     }
 }
 
-/// How scenes are soaked.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Soak {
-    pub(super) frame_count: u32,
-    /// Of the random motion.
-    pub(super) seed: u64,
-    pub(super) instruction_set: InstructionSet,
+/// What is asked of a soak.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Settings {
+    /// Frames to run.
+    pub frame_count: u32,
+    /// Chance for the motion; a seed repeats its run.
+    pub seed: u64,
+    /// Vector instructions of the engine.
+    pub instruction_set: InstructionSet,
 }
 
-/// Soaks every scene of the engine, or the one that was named.
-pub(super) fn run(args: &BenchArgs, soak: Soak, language: Language) -> Result<(), Failure> {
-    let scenes = scenes_of_engine(args)?;
-    let stop = stop_flag().map_err(Failure::Run)?;
-    let is_stopped = || stop.load(Ordering::Relaxed);
-    let mut rows = Vec::new();
-    for scene in scenes {
-        let bar = progress_bar(soak.frame_count, scene.name);
-        let mut go_on = |frame: u32| {
-            bar.set_position(u64::from(frame));
-            !is_stopped()
+/// Runs a scene in random motion for as long as `go_on` says, and looks at the laws now and then.
+///
+/// # Errors
+/// A scene that cannot be built.
+pub fn soak(
+    scene: &ClothScene,
+    settings: Settings,
+    go_on: &mut dyn FnMut(u32) -> bool,
+) -> Result<SoakRow, BuildError> {
+    let mut setup = (scene.build)();
+    setup.config.instruction_set = settings.instruction_set;
+    let model = ClothModel::new(&setup.spec)?;
+    let mut state = ClothState::new(&model, &setup.positions);
+    let pins = pins(&model, &setup.positions);
+    let mut motion = Motion::new(settings.seed);
+    let mut row = SoakRow::new(scene, &setup, settings.seed);
+    while row.frames < settings.frame_count && go_on(row.frames) {
+        let world = motion.next_frame();
+        let pins: Vec<Vec3> = pins.iter().map(|&pin| world.place.apply(pin)).collect();
+        let capsules = (scene.capsules)(world.time).into_iter();
+        let capsules: Vec<Capsule> = capsules
+            .map(|capsule| Capsule {
+                ends: capsule.ends.map(|end| world.place.apply(end)),
+                ..capsule
+            })
+            .collect();
+        let input = StepInput {
+            pin_targets: &pins,
+            capsules: &capsules,
+            air_velocity: world.air_velocity,
+            ..StepInput::default()
         };
-        let row = soak.run(scene, &mut go_on).map_err(Failure::error)?;
-        bar.finish_and_clear();
-        if !args.json {
-            summary::print_soak(&row, language);
-        }
-        rows.push(row);
-        if is_stopped() {
+        step(&model, &setup.config, &input, &mut state, FRAME_DT).expect("a target for every pin");
+        row.frames += 1;
+        let is_due = row.frames.is_multiple_of(LOOK_INTERVAL) && START_FRAMES < row.frames;
+        if is_due && !look((&setup, &model), &state, &capsules, &mut row) {
             break;
         }
     }
-    if args.json {
-        summary::print_json(&serde_json::to_string_pretty(&rows).map_err(Failure::error)?);
-    }
-    if is_stopped() {
-        return Err(Failure::Interrupted);
-    }
-    let broken: usize = rows.iter().map(|row| row.violations.len()).sum();
-    if broken == 0 {
-        return Ok(());
-    }
-    let sentence = Sentence::new(
-        format!("{broken} 件の法則が破れました。上の行をご覧ください"),
-        format!("{broken} laws did not hold; see the rows above"),
-    );
-    Err(Failure::Run(sentence.into()))
+    row.state_hash = format!("{:016x}", state_hash(&state));
+    Ok(row)
 }
 
-impl Soak {
-    /// Runs a scene in random motion for as long as `go_on` says, and looks at the laws now and then.
-    fn run(
-        self,
-        scene: &ClothScene,
-        go_on: &mut dyn FnMut(u32) -> bool,
-    ) -> Result<SoakRow, BuildError> {
-        let mut setup = (scene.build)();
-        setup.config.instruction_set = self.instruction_set;
-        let model = ClothModel::new(&setup.spec)?;
-        let mut state = ClothState::new(&model, &setup.positions);
-        let pins = engine::pins(&model, &setup.positions);
-        let mut motion = Motion::new(self.seed);
-        let mut row = SoakRow::new(scene, &setup, self.seed);
-        let (mut positions, mut velocities) = (Vec::new(), Vec::new());
-        while row.frames < self.frame_count && go_on(row.frames) {
-            let world = motion.next_frame();
-            let pins: Vec<Vec3> = pins.iter().map(|&pin| world.place.apply(pin)).collect();
-            let capsules = (scene.capsules)(world.time).into_iter();
-            let capsules: Vec<Capsule> = capsules
-                .map(|capsule| Capsule {
-                    ends: capsule.ends.map(|end| world.place.apply(end)),
-                    ..capsule
-                })
-                .collect();
-            let input = StepInput {
-                pin_targets: &pins,
-                capsules: &capsules,
-                air_velocity: world.air_velocity,
-                ..StepInput::default()
-            };
-            step(&model, &setup.config, &input, &mut state, FRAME_DT)
-                .expect("a target for every pin");
-            row.frames += 1;
-            let is_due = row.frames.is_multiple_of(LOOK_INTERVAL) && START_FRAMES < row.frames;
-            if is_due {
-                state.copy_positions(&model, &mut positions);
-                state.copy_velocities(&model, &mut velocities);
-                if !row.look(&setup, &positions, &velocities, &capsules) {
-                    break;
-                }
-            }
-        }
-        row.state_hash = format!("{:016x}", state_hash(&state));
-        Ok(row)
+/// Looks at every law; whether going on makes sense.
+fn look(
+    (setup, model): (&Setup, &ClothModel),
+    state: &ClothState,
+    capsules: &[Capsule],
+    row: &mut SoakRow,
+) -> bool {
+    let frame = row.frames;
+    let (mut positions, mut velocities) = (Vec::new(), Vec::new());
+    state.copy_positions(model, &mut positions);
+    state.copy_velocities(model, &mut velocities);
+    row.looks += 1;
+    if let Some(particle) = diagnose::first_non_finite(&positions) {
+        #[expect(clippy::cast_precision_loss, reason = "an index is far below 2^52")]
+        row.hold(Law::Finite, (particle as f64 + 1.0, 0.0), frame);
+        return false;
     }
+    let strain = diagnose::strain(&setup.spec, &positions);
+    let [p99, max] = [strain.p99, strain.max].map(|strain| 100.0 * f64::from(strain));
+    row.strain_p99_pct.see(p99, frame);
+    row.strain_max_pct.see(max, frame);
+    row.hold(Law::Strain, (p99, 100.0 * f64::from(STRAIN_BOUND)), frame);
+    let depth = diagnose::worst_capsule_penetration(&setup.spec, &positions, capsules);
+    let depth = 1e3 * f64::from(depth);
+    row.penetration_mm.see(depth, frame);
+    let bound = 1e3 * f64::from(PENETRATION_BOUND);
+    row.hold(Law::Penetration, (depth, bound), frame);
+    row.hold(
+        Law::Side,
+        (axes_crossed(setup, &positions, capsules), 0.0),
+        frame,
+    );
+    let speed = f64::from(diagnose::rms_speed(&velocities));
+    row.rms_speed_m_per_s.see(speed, frame);
+    if let Some(most) = &mut row.self_crossings {
+        let count = diagnose::self_crossings(&setup.spec.grid, &positions);
+        #[expect(clippy::cast_precision_loss, reason = "a count is far below 2^52")]
+        most.see(count.unwrap_or(0) as f64, frame);
+    }
+    true
 }
 
 /// Triangles that axes of capsules cross.
@@ -313,8 +278,8 @@ fn axes_crossed(setup: &Setup, positions: &[Vec3], capsules: &[Capsule]) -> f64 
 mod tests {
     use super::*;
 
-    fn soak(frame_count: u32, seed: u64) -> Soak {
-        Soak {
+    fn settings(frame_count: u32, seed: u64) -> Settings {
+        Settings {
             frame_count,
             seed,
             instruction_set: InstructionSet::Detected,
@@ -323,7 +288,7 @@ mod tests {
 
     fn soaked(name: &str, seed: u64) -> SoakRow {
         let scene = crate::bench::scene(name);
-        soak(200, seed).run(scene, &mut |_| true).unwrap()
+        soak(scene, settings(200, seed), &mut |_| true).unwrap()
     }
 
     #[test]
@@ -339,7 +304,7 @@ mod tests {
     fn a_soak_ends_when_it_is_told_to() {
         let scene = crate::bench::scene("hang-64");
         let mut go_on = |frame: u32| frame < 30;
-        let row = soak(1000, 1).run(scene, &mut go_on).unwrap();
+        let row = soak(scene, settings(1000, 1), &mut go_on).unwrap();
         assert_eq!(row.frames, 30);
     }
 
@@ -347,11 +312,12 @@ mod tests {
     fn cloth_on_the_wrong_side_of_a_limb_and_cloth_that_is_no_number_are_seen() {
         let scene = crate::bench::scene("skirt");
         let setup = (scene.build)();
+        let model = ClothModel::new(&setup.spec).unwrap();
         let capsules = (scene.capsules)(0.0);
-        let velocities = vec![Vec3::ZERO; setup.positions.len()];
+        let state = |positions: &[Vec3]| ClothState::new(&model, positions);
         let laws = |positions: &[Vec3]| -> Vec<Law> {
             let mut row = SoakRow::new(scene, &setup, 1);
-            row.look(&setup, positions, &velocities, &capsules);
+            look((&setup, &model), &state(positions), &capsules, &mut row);
             row.violations
                 .iter()
                 .map(|violation| violation.law)

@@ -7,8 +7,7 @@ use lole_stage::{Performance, Production, RunMetrics, StageError, double_pau};
 use super::Settings;
 use super::phases::PhaseClock;
 use super::row::{BenchRow, Crossings, Run};
-use crate::figures::Timing;
-use crate::stopwatch::Stopwatch;
+use crate::Timing;
 
 /// One skirt on one dancer.
 pub(super) struct StageScene {
@@ -43,7 +42,7 @@ pub(super) const SCENES: &[StageScene] = &[
 ];
 
 /// A scene's dancer, settled and about to dance.
-fn settled(design: &Design, settings: Settings) -> Result<Performance, StageError> {
+fn settled(design: &Design, settings: Settings<'_>) -> Result<Performance, StageError> {
     let mut performance = Performance::new(Production::new(design)?)?;
     performance.set_instruction_set(settings.instruction_set);
     // What stops short is seen in the figures of the frames.
@@ -57,9 +56,9 @@ fn settled(design: &Design, settings: Settings) -> Result<Performance, StageErro
 pub(super) fn measure(
     scene: &StageScene,
     design: &Design,
-    settings: Settings,
+    settings: Settings<'_>,
 ) -> Result<BenchRow, StageError> {
-    let (timings, clock, hash) = time(scene, settled(design, settings)?);
+    let (timings, clock, hash) = time(scene, settled(design, settings)?, settings);
     let mut judged = settled(design, settings)?;
     let (mut metrics, mut crossings) = (Vec::new(), Crossings::none());
     let mut inversions = 0;
@@ -99,8 +98,12 @@ pub(super) fn measure(
 }
 
 /// Times of the frames of a scene, of their phases, and the bits that it ends with.
-fn time(scene: &StageScene, mut performance: Performance) -> (Vec<Timing>, PhaseClock, u64) {
-    let (mut timings, mut clock) = (Vec::new(), PhaseClock::new());
+fn time<'a>(
+    scene: &StageScene,
+    mut performance: Performance,
+    settings: Settings<'a>,
+) -> (Vec<Timing>, PhaseClock<'a>, u64) {
+    let (mut timings, mut clock) = (Vec::new(), PhaseClock::new(settings.clock));
     for frame in 0..scene.frame_count {
         if !advance(&mut performance, frame, &mut timings, &mut clock) {
             break;
@@ -114,7 +117,7 @@ fn advance(
     performance: &mut Performance,
     frame: u32,
     timings: &mut Vec<Timing>,
-    clock: &mut PhaseClock,
+    clock: &mut PhaseClock<'_>,
 ) -> bool {
     if PhaseClock::observes(frame) {
         clock.begin_frame();
@@ -122,7 +125,7 @@ fn advance(
         clock.passed(Phase::Outside);
         return advanced.is_ok();
     }
-    let watch = Stopwatch::start();
+    let watch = clock.stopwatch();
     let advanced = performance.advance();
     timings.push(watch.read());
     advanced.is_ok()

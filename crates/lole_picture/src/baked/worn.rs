@@ -1,17 +1,17 @@
 //! What is worn, in `dancer.glb`: what bones carry is skinned, everything else is baked.
 
-use anyhow::Result;
 use glam::{Vec2, Vec3};
 use lole_cloth::Topology;
-use lole_export::ImageView;
 use lole_export::glb::{
     BakedCloth, GlbMaterial, GlbMesh, GlbPart, GlbSides, GridMesh, GridRing, GridSheet,
 };
 use lole_export::still::encode_png;
+use lole_export::{ExportError, ImageView};
 use lole_garment::adorn::{self, AdornmentFinish, Carried};
-use lole_picture::Cover;
 use lole_print::PrintImage;
 use lole_stage::{Garment, Production, WornSurface};
+
+use crate::Cover;
 
 /// Columns of the simulation for one column of the file: a gather keeps five vertices.
 const COLUMN_STRIDE: u32 = 2;
@@ -44,7 +44,7 @@ struct Baked<'a> {
 }
 
 impl<'a> Worn<'a> {
-    pub(super) fn of(production: &'a Production, covers: &[Cover]) -> Result<Self> {
+    pub(super) fn of(production: &'a Production, covers: &[Cover]) -> Result<Self, ExportError> {
         let mut worn = Self {
             ridden: Vec::new(),
             baked: Vec::new(),
@@ -135,9 +135,9 @@ impl<'a> Worn<'a> {
     }
 }
 
-fn print_png(print: &PrintImage) -> Result<Vec<u8>> {
+fn print_png(print: &PrintImage) -> Result<Vec<u8>, ExportError> {
     let image = ImageView::new(print.width, print.height, &print.pixels)?;
-    Ok(encode_png(image)?)
+    encode_png(image)
 }
 
 /// The mesh of a surface in the file: of gathered rectangles every second column, of everything else what is

@@ -12,7 +12,7 @@ use super::Settings;
 use super::phases::PhaseClock;
 use super::roofline::SpringRoofline;
 use super::row::{BenchRow, Crossings, Run};
-use crate::stopwatch::Stopwatch;
+use crate::{Clock, Timing};
 
 /// Frames whose worst strain does not count: the start pose of some scenes is stretched.
 const START_FRAMES: u32 = 6;
@@ -92,7 +92,7 @@ struct Running<'a> {
     prepared: Prepared,
     state: ClothState,
     pins: Vec<glam::Vec3>,
-    clock: PhaseClock,
+    clock: PhaseClock<'a>,
 }
 
 /// What the frames of a scene show.
@@ -109,6 +109,7 @@ impl<'a> Running<'a> {
     fn start(
         (scene, method): (&'a ClothScene, Method),
         setup: &'a Setup,
+        clock: &'a dyn Clock,
     ) -> Result<Self, BuildError> {
         let prepared = method.prepare(&setup.spec)?;
         Ok(Self {
@@ -117,7 +118,7 @@ impl<'a> Running<'a> {
             state: ClothState::new(prepared.cloth(), &setup.positions),
             pins: pins(prepared.cloth(), &setup.positions),
             prepared,
-            clock: PhaseClock::new(),
+            clock: PhaseClock::new(clock),
         })
     }
 
@@ -156,7 +157,7 @@ impl<'a> Running<'a> {
     }
 
     /// The next frame, timed unless it is observed; the number of its substeps.
-    fn advance(&mut self, frame: u32, timings: &mut Vec<crate::figures::Timing>) -> u32 {
+    fn advance(&mut self, frame: u32, timings: &mut Vec<Timing>) -> u32 {
         let capsules = self.capsules(frame);
         let (config, state) = (&self.setup.config, &mut self.state);
         let input = StepInput {
@@ -179,7 +180,7 @@ impl<'a> Running<'a> {
             step_observed(step, state, &mut passed).expect("a target for every pin");
             return config.substep_count.get();
         }
-        let watch = Stopwatch::start();
+        let watch = self.clock.stopwatch();
         let substeps = self.prepared.step(config, &input, state);
         timings.push(watch.read());
         substeps
@@ -197,17 +198,17 @@ impl<'a> Running<'a> {
 pub(super) fn measure(
     (scene, method): (&ClothScene, Method),
     mut setup: Setup,
-    settings: Settings,
+    settings: Settings<'_>,
 ) -> Result<BenchRow, BuildError> {
     setup.config.instruction_set = settings.instruction_set;
-    let mut timed = Running::start((scene, method), &setup)?;
+    let mut timed = Running::start((scene, method), &setup, settings.clock)?;
     let mut timings = Vec::new();
     let mut substeps: Vec<u32> = (0..scene.frame_count)
         .map(|frame| timed.advance(frame, &mut timings))
         .collect();
     substeps.sort_unstable();
 
-    let mut judged = Running::start((scene, method), &setup)?;
+    let mut judged = Running::start((scene, method), &setup, settings.clock)?;
     let seen = judged.seen();
     let state_hash = state_hash(&judged.state);
     debug_assert_eq!(state_hash, self::state_hash(&timed.state), "{}", scene.name);
@@ -223,7 +224,7 @@ pub(super) fn measure(
         phases: timed.clock.times(),
         spring_roofline: (settings.roofline && 0.0 < springs).then(|| {
             let cloth = (&setup.spec, &setup.config);
-            SpringRoofline::measure(cloth, springs, settings.instruction_set)
+            SpringRoofline::measure(cloth, springs, settings)
         }),
         finite: seen.is_finite,
         strain_end: seen.strain_end,
@@ -240,7 +241,7 @@ pub(super) fn measure(
 }
 
 /// Where the pinned particles are held [m].
-pub(super) fn pins(model: &ClothModel, positions: &[glam::Vec3]) -> Vec<glam::Vec3> {
+pub(crate) fn pins(model: &ClothModel, positions: &[glam::Vec3]) -> Vec<glam::Vec3> {
     let pins = model.pin_indices().iter();
     pins.map(|&index| positions[index as usize]).collect()
 }

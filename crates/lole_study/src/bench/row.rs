@@ -6,7 +6,8 @@ use serde::Serialize;
 
 use super::phases::PhaseTime;
 use super::roofline::SpringRoofline;
-use crate::figures::{Timing, median_and_p99, percent};
+use crate::Timing;
+use crate::figures::{median_and_p99, percent};
 
 /// Frame from which the cloth may not cross itself: some scenes start so tightly folded that it
 /// does.
@@ -14,52 +15,57 @@ const CROSSINGS_FROM: u32 = 30;
 
 /// One scene on this machine.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub(crate) struct BenchRow {
-    pub(crate) scene: &'static str,
-    pub(crate) method: &'static str,
-    pub(crate) particles: usize,
+pub struct BenchRow {
+    /// Name of the scene.
+    pub scene: &'static str,
+    /// Name of the method.
+    pub method: &'static str,
+    /// Particles of its cloth.
+    pub particles: usize,
     /// Substeps of a frame; the median where they follow the cloth.
-    pub(crate) substeps: u32,
-    pub(crate) threads: usize,
+    pub substeps: u32,
+    /// Threads of the simulation.
+    pub threads: usize,
     /// Processor time of a frame, all threads [ms].
-    pub(crate) frame_ms: MedianPercentile,
+    pub frame_ms: MedianPercentile,
     /// Wall time of a frame [ms].
-    pub(crate) frame_wall_ms: MedianPercentile,
+    pub frame_wall_ms: MedianPercentile,
     /// Processor time for one particle in one substep [ns].
-    pub(crate) particle_substep_ns: f64,
+    pub particle_substep_ns: f64,
     /// Where the time of a frame goes, in the order of its phases; left out where the method has
     /// none.
-    pub(crate) phases: Option<Vec<PhaseTime>>,
+    pub phases: Option<Vec<PhaseTime>>,
     /// The structural springs against the best that this machine can do; left out unless asked for.
-    pub(crate) spring_roofline: Option<SpringRoofline>,
+    pub spring_roofline: Option<SpringRoofline>,
     /// Whether every position is a number at the end; where not, the other figures say little.
-    pub(crate) finite: bool,
+    pub finite: bool,
     /// Absolute structural strain at the end [%].
-    pub(crate) strain_end_pct: MeanPercentileMax,
+    pub strain_end_pct: MeanPercentileMax,
     /// Its worst from the seventh frame on [%].
-    pub(crate) strain_worst_pct: MeanPercentileMax,
+    pub strain_worst_pct: MeanPercentileMax,
     /// Deepest free particle, over the run, in the body that the cloth meets: capsules, or the skin.
-    pub(crate) penetration_mm: Worst<f64>,
+    pub penetration_mm: Worst<f64>,
     /// Deepest particle below the drawn skin over the run; left out where there is no skin.
-    pub(crate) skin_penetration_mm: Option<Worst<f64>>,
+    pub skin_penetration_mm: Option<Worst<f64>>,
     /// Edges of the cloth that cross one of its triangles, most of any frame from
     /// [`CROSSINGS_FROM`] on; left out where the cloth may pass through itself, and where its
     /// positions are not finite.
-    pub(crate) self_crossings: Option<usize>,
+    pub self_crossings: Option<usize>,
     /// Particles on the wrong side of the layer below them, most of any frame; left out where there
     /// are no layers.
-    pub(crate) layer_inversions: Option<usize>,
+    pub layer_inversions: Option<usize>,
     /// Root mean square of the particles' speeds at the end [m/s].
-    pub(crate) rms_speed_m_per_s: f64,
+    pub rms_speed_m_per_s: f64,
     /// Memory of the prepared cloth and its state.
-    pub(crate) bytes_per_particle: f64,
+    pub bytes_per_particle: f64,
     /// All bits of the state at the end.
-    pub(crate) state_hash: String,
+    pub state_hash: String,
 }
 
 impl BenchRow {
     /// The phase that takes most of the time.
-    pub(crate) fn longest_phase(&self) -> Option<&'static str> {
+    #[must_use]
+    pub fn longest_phase(&self) -> Option<&'static str> {
         let phases = self.phases.as_ref()?.iter();
         let longest = phases.max_by(|a, b| a.share_pct.total_cmp(&b.share_pct))?;
         Some(longest.name)

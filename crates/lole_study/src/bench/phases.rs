@@ -4,7 +4,7 @@ use lole_cloth::Phase;
 use serde::Serialize;
 
 use crate::figures::median_and_p99;
-use crate::stopwatch::Stopwatch;
+use crate::{Clock, Stopwatch};
 
 /// Every so manyth frame is observed, and its time does not count: one phase after the other takes
 /// a little longer than all of them staggered, with the same bits.
@@ -12,17 +12,19 @@ const INTERVAL: u32 = 8;
 
 /// Time of one phase in a frame.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub(crate) struct PhaseTime {
-    pub(crate) name: &'static str,
+pub struct PhaseTime {
+    /// Name of the phase.
+    pub name: &'static str,
     /// Processor time in a frame: the median of the observed ones.
-    pub(crate) ms: f64,
+    pub ms: f64,
     /// Of all phases together.
-    pub(crate) share_pct: f64,
+    pub share_pct: f64,
 }
 
 /// Adds up the time of each phase, frame by frame.
-pub(super) struct PhaseClock {
-    watch: Stopwatch,
+pub(super) struct PhaseClock<'a> {
+    clock: &'a dyn Clock,
+    watch: Stopwatch<'a>,
     /// Of each phase, its time in every observed frame [s].
     seconds: [Vec<f64>; Phase::ALL.len()],
     /// When the last phase ended [s].
@@ -35,16 +37,17 @@ pub(super) struct PhaseClock {
 /// Looks at the clock of which the shortest tells what one takes.
 const LOOK_COUNT: u32 = 100;
 
-impl PhaseClock {
+impl<'a> PhaseClock<'a> {
     /// No frame yet.
-    pub(super) fn new() -> Self {
-        let watch = Stopwatch::start();
+    pub(super) fn new(clock: &'a dyn Clock) -> Self {
+        let watch = Stopwatch::start(clock);
         let looks = (0..LOOK_COUNT).map(|_| {
             let start = watch.read_process();
             watch.read_process() - start
         });
         Self {
             look: looks.fold(f64::INFINITY, f64::min),
+            clock,
             watch,
             seconds: Default::default(),
             ended: 0.0,
@@ -54,6 +57,11 @@ impl PhaseClock {
     /// Whether a frame is one of those to be observed.
     pub(super) const fn observes(frame: u32) -> bool {
         frame % INTERVAL == INTERVAL - 1
+    }
+
+    /// A stopwatch by the same clock, started now.
+    pub(super) fn stopwatch(&self) -> Stopwatch<'a> {
+        Stopwatch::start(self.clock)
     }
 
     /// Starts a frame.
@@ -94,10 +102,12 @@ impl PhaseClock {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::clock::TestClock;
 
     #[test]
     fn shares_of_the_phases_are_those_of_their_medians() {
-        let mut clock = PhaseClock::new();
+        let machine = TestClock::start();
+        let mut clock = PhaseClock::new(&machine);
         assert_eq!(clock.times(), None);
         clock.seconds[Phase::Springs as usize] = vec![3.0, 900.0, 3.0];
         clock.seconds[Phase::Bend as usize] = vec![1.0, 1.0, 0.0];
@@ -111,10 +121,11 @@ mod tests {
 
     #[test]
     fn a_phase_takes_the_processor_s_time_until_it_ends() {
-        let mut clock = PhaseClock::new();
+        let machine = TestClock::start();
+        let mut clock = PhaseClock::new(&machine);
         clock.begin_frame();
         clock.passed(Phase::Bend);
-        let watch = Stopwatch::start();
+        let watch = clock.stopwatch();
         while watch.read_process() < 5e-3 {}
         clock.passed(Phase::Springs);
         let [bend, springs] = [Phase::Bend, Phase::Springs].map(|phase| clock.median(phase));

@@ -1,28 +1,32 @@
-//! Light and viewpoints of the pictures of `lole dance`.
+//! Viewpoints of a dance, and pictures from them: the stills, and the film's camera.
 
-use anyhow::Result;
 use glam::Vec3;
 use lole_body::Bone;
 use lole_geom::trig;
-use lole_picture::{Cover, Looks, Moment};
-use lole_render::{Bounds, Camera, Image, LightRig, Renderer, Size, View};
+use lole_render::{Bounds, Camera, Image, LightRig, RenderError, Renderer, Size, View};
 use lole_stage::Performance;
 
+use crate::{Cover, LookError, Looks, Moment};
+
 /// Everything that pictures of one production share.
-pub(crate) struct Studio {
+pub struct Studio {
     looks: Looks,
 }
 
 /// One named still.
-pub(crate) struct Still {
-    pub(crate) file: &'static str,
-    pub(crate) caption_en: &'static str,
-    pub(crate) caption_ja: &'static str,
-    pub(crate) view: View,
+pub struct Still {
+    /// Name of its file.
+    pub file: &'static str,
+    /// What stands below it, in English.
+    pub caption_en: &'static str,
+    /// What stands below it, in Japanese.
+    pub caption_ja: &'static str,
+    /// From where it is seen.
+    pub view: View,
 }
 
 /// The stills of every run, the poster first.
-pub(crate) const STILLS: [Still; 4] = [
+pub const STILLS: [Still; 4] = [
     Still {
         file: "three-quarter.png",
         caption_en: "Three-quarter",
@@ -51,7 +55,10 @@ pub(crate) const STILLS: [Still; 4] = [
 
 impl Studio {
     /// Draws print and face once.
-    pub(crate) fn new(performance: &Performance) -> Result<Self> {
+    ///
+    /// # Errors
+    /// A picture that was not read or cannot be a texture.
+    pub fn new(performance: &Performance) -> Result<Self, LookError> {
         let production = performance.production();
         Ok(Self {
             looks: Looks::new(&production.design, production)?,
@@ -59,37 +66,43 @@ impl Studio {
     }
 
     /// How everything that is worn looks, surface by surface.
-    pub(crate) fn covers(&self) -> &[Cover] {
+    #[must_use]
+    pub fn covers(&self) -> &[Cover] {
         &self.looks.worn
     }
 
     /// The picture of the performance's current frame; its body must be posed.
-    pub(crate) fn shoot(
+    ///
+    /// # Errors
+    /// A size that cannot be drawn, or an adapter that fails.
+    pub fn shoot(
         &self,
         performance: &Performance,
         camera: Camera,
         lights: LightRig,
         renderer: &mut Renderer,
-    ) -> Result<Image> {
+    ) -> Result<Image, RenderError> {
         let production = performance.production();
         let moment = Moment::of(performance);
         let scene = self
             .looks
             .scene(production, &moment.dancer(), camera, lights);
-        Ok(renderer.render(&scene)?)
+        renderer.render(&scene)
     }
 }
 
 /// The cameras of the stills, in their order: the whole dancer with what she wears, in all at the same
 /// scale, so that lengths can be compared from picture to picture.
-pub(crate) fn still_cameras(performance: &Performance, size: Size) -> Vec<Camera> {
+#[must_use]
+pub fn still_cameras(performance: &Performance, size: Size) -> Vec<Camera> {
     let mut points = performance.body_positions().to_vec();
     points.extend(performance.cloth_positions());
     cameras_around(&points, size)
 }
 
 /// A camera for each still that has all the points in view, all at the same distance.
-pub(crate) fn cameras_around(points: &[Vec3], size: Size) -> Vec<Camera> {
+#[must_use]
+pub fn cameras_around(points: &[Vec3], size: Size) -> Vec<Camera> {
     let cameras: Vec<Camera> = STILLS
         .iter()
         .map(|still| Camera::framing_points(points, still.view, size.aspect()))
@@ -103,7 +116,7 @@ pub(crate) fn cameras_around(points: &[Vec3], size: Size) -> Vec<Camera> {
 
 /// The film's camera: it follows the hips softly, as a hand would, and drifts from the front to
 /// the dancer's side and back.
-pub(crate) struct FilmCamera {
+pub struct FilmCamera {
     center: Vec3,
     velocity: Vec3,
     /// What the dance reaches up to [m].
@@ -123,7 +136,9 @@ const DRIFT: f32 = 0.6;
 const DRIFT_PERIOD: f32 = 16.0;
 
 impl FilmCamera {
-    pub(crate) fn new(performance: &Performance) -> Self {
+    /// Looks at the hips where they are.
+    #[must_use]
+    pub fn new(performance: &Performance) -> Self {
         Self {
             center: hips(performance),
             velocity: Vec3::ZERO,
@@ -132,7 +147,7 @@ impl FilmCamera {
     }
 
     /// Moves on by `dt` [s] and gives the view at the performance's time (critically damped).
-    pub(crate) fn advance(&mut self, performance: &Performance, dt: f32, size: Size) -> Camera {
+    pub fn advance(&mut self, performance: &Performance, dt: f32, size: Size) -> Camera {
         let pull = (hips(performance) - self.center) * FOLLOW_RATE * FOLLOW_RATE;
         self.velocity += (pull - self.velocity * (2.0 * FOLLOW_RATE)) * dt;
         self.center += self.velocity * dt;

@@ -1,10 +1,11 @@
 //! The structural springs against the best that this machine can do.
 
 use lole_cloth::roofline::{BYTES_PER_SPRING, FLOPS_PER_SPRING, SpringStream};
-use lole_cloth::{ClothSpec, InstructionSet, SolverConfig};
+use lole_cloth::{ClothSpec, SolverConfig};
 use serde::Serialize;
 
-use crate::stopwatch::Stopwatch;
+use super::Settings;
+use crate::Stopwatch;
 
 /// Shortest time that is measured at once [s], and how often: the least of them counts, because
 /// other programs only ever add.
@@ -13,17 +14,17 @@ const CHUNK_COUNT: u32 = 40;
 
 /// Springs of a scene, and springs that wait for nothing.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub(crate) struct SpringRoofline {
+pub struct SpringRoofline {
     /// Time of one structural spring in the scene [ns].
-    pub(crate) spring_ns: f64,
+    pub spring_ns: f64,
     /// Time of one spring of a stream of as many particles: the same arithmetic and bytes.
-    pub(crate) best_spring_ns: f64,
+    pub best_spring_ns: f64,
     /// Operations in a second of that stream [10⁹/s].
-    pub(crate) best_gflops: f64,
+    pub best_gflops: f64,
     /// What it reads and writes [10⁹ byte/s].
-    pub(crate) best_gbytes_per_s: f64,
+    pub best_gbytes_per_s: f64,
     /// Speed of the scene's springs, of the stream's [%].
-    pub(crate) reached_pct: f64,
+    pub reached_pct: f64,
 }
 
 impl SpringRoofline {
@@ -31,14 +32,14 @@ impl SpringRoofline {
     pub(super) fn measure(
         (spec, config): (&ClothSpec, &SolverConfig),
         seconds: f64,
-        set: InstructionSet,
+        settings: Settings<'_>,
     ) -> Self {
         let solved = f64::from(config.substep_count.get())
             * f64::from(config.structural_sweep_count.get())
             * spring_count(spec);
         let (spring_ns, best) = (
             1e9 * seconds / solved,
-            best_spring_ns(spec.grid.particle_count(), set),
+            best_spring_ns(spec.grid.particle_count(), settings),
         );
         Self {
             spring_ns,
@@ -67,14 +68,14 @@ fn spring_count(spec: &ClothSpec) -> f64 {
 
 /// Least time of a spring that waits for nothing [ns].
 #[expect(clippy::cast_precision_loss, reason = "counts are far below 2^52")]
-fn best_spring_ns(particle_count: usize, set: InstructionSet) -> f64 {
+fn best_spring_ns(particle_count: usize, settings: Settings<'_>) -> f64 {
     let mut stream = SpringStream::new(particle_count);
     let mut best = f64::INFINITY;
     for _ in 0..CHUNK_COUNT {
-        let watch = Stopwatch::start();
+        let watch = Stopwatch::start(settings.clock);
         let (mut passes, mut seconds) = (0_u32, 0.0);
         while seconds < CHUNK_SECONDS {
-            (0..8).for_each(|_| stream.pass(set));
+            (0..8).for_each(|_| stream.pass(settings.instruction_set));
             passes += 8;
             seconds = watch.read_wall();
         }

@@ -2,14 +2,14 @@
 
 use std::num::NonZeroU32;
 
-use anyhow::{Context as _, Result};
-use lole_cloth::Topology;
 use lole_cloth::method::explicit::{HighestMode, Integrator, stability_limit};
 use lole_cloth::method::reference::ReferenceModel;
+use lole_cloth::{BuildError, Topology};
 use lole_export::study::{SkirtOfStudy, Threshold};
 use lole_stage::Performance;
 
 use super::methods::Method;
+use crate::StudyError;
 
 /// Damping over frequency at which limits are measured: small, as the formulas want it, and large
 /// enough for growth to show within seconds.
@@ -25,20 +25,20 @@ const DISPLACEMENT: f64 = 1.0e-9;
 
 /// The skirt's cloth lying flat, its seam open, with another damping [1/s]: a tube bends, and would
 /// not lie still.
-fn flat_model(settled: &Performance, drag_rate: f64) -> Result<ReferenceModel> {
+fn flat_model(settled: &Performance, drag_rate: f64) -> Result<ReferenceModel, BuildError> {
     let mut spec = settled.production().garments[0].sewn.spec.clone();
     spec.grid.topology = Topology::Sheet;
     #[expect(clippy::cast_possible_truncation, reason = "fabrics hold drag in f32")]
     let drag = drag_rate as f32;
     spec.fabric.drag_rate = drag;
-    Ok(ReferenceModel::new(&spec)?)
+    ReferenceModel::new(&spec)
 }
 
 /// The highest mode of the skirt's cloth lying flat, and the skirt in numbers.
-pub(super) fn highest_mode(settled: &Performance) -> Result<(HighestMode, SkirtOfStudy)> {
-    let (model, _) = settled
-        .explicit()
-        .context("the skirt of the study moves by a method of the paper")?;
+pub(super) fn highest_mode(
+    settled: &Performance,
+) -> Result<(HighestMode, SkirtOfStudy), StudyError> {
+    let (model, _) = settled.explicit().ok_or(StudyError::NotOfThePaper)?;
     let flat = flat_model(settled, model.drag_rate())?;
     let mode = HighestMode::of(&flat, &flat.rest_positions(), ITERATIONS);
     let skirt = SkirtOfStudy {
@@ -55,7 +55,7 @@ pub(super) fn measure(
     settled: &Performance,
     mode: &HighestMode,
     method: &Method,
-) -> Result<Threshold> {
+) -> Result<Threshold, BuildError> {
     let integrator = method.integrator();
     let drag_rate = DAMPING_RATIO * mode.frequency;
     let theory = stability_limit(integrator, mode.frequency, drag_rate);

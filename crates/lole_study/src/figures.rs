@@ -3,41 +3,43 @@
 use lole_avatar::License;
 use lole_body::{Dancer, Tape};
 use lole_costume::document::Design;
+use lole_export::dancer_sheet::{CapsuleFacts, CoverageFacts, DancerSheet};
 use lole_export::report::{
     DancerMeasure, GarmentFacts, MeanPercentileMax, MedianPercentile, MinMeanMax, PageMedia,
     Remark, ReportDivergence, ReportFile, ReportPieceOver, RunReport, RunSeries, SkirtFacts,
     Still as PageStill, Worst, report_html,
 };
-use lole_language::{Bilingual, words};
+use lole_language::{Bilingual, Language, words};
+use lole_picture::studio::STILLS;
 use lole_stage::{
     Divergence, FRAMES_PER_SECOND, FrameMetrics, GarmentLayers, Performance, Production, RunMetrics,
 };
 
-use crate::studio::STILLS;
-
-/// How long one frame of simulation took.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Timing {
-    /// Processor time of all threads [s].
-    pub(crate) process_seconds: f64,
-    /// Time on the wall [s].
-    pub(crate) wall_seconds: f64,
-}
+use crate::Timing;
 
 /// What a run leaves behind.
-pub(crate) struct RunFigures<'a> {
-    pub(crate) design: &'a Design,
-    pub(crate) threads: usize,
-    pub(crate) renderer: String,
-    pub(crate) metrics: &'a [FrameMetrics],
-    pub(crate) timings: &'a [Timing],
-    pub(crate) divergence: Option<Divergence>,
-    pub(crate) layers: Vec<GarmentLayers>,
-    pub(crate) files: Vec<ReportFile>,
+pub struct RunFigures<'a> {
+    /// What was danced.
+    pub design: &'a Design,
+    /// Threads of the simulation.
+    pub threads: usize,
+    /// What drew the pictures.
+    pub renderer: String,
+    /// What was measured, a picture each.
+    pub metrics: &'a [FrameMetrics],
+    /// How long every frame took.
+    pub timings: &'a [Timing],
+    /// Where the cloth flew apart, if it did.
+    pub divergence: Option<Divergence>,
+    /// Which piece of each garment lay outside.
+    pub layers: Vec<GarmentLayers>,
+    /// The files that were written.
+    pub files: Vec<ReportFile>,
 }
 
 /// The report of a run.
-pub(crate) fn report(performance: &Performance, run: RunFigures<'_>) -> RunReport {
+#[must_use]
+pub fn report(performance: &Performance, run: RunFigures<'_>) -> RunReport {
     let worst = RunMetrics::of(run.metrics);
     let production = performance.production();
     let process: Vec<f64> = run
@@ -142,7 +144,8 @@ fn explain(found: &Divergence, production: &Production, design: &Design) -> Repo
 }
 
 /// The tape of a dancer, and of an avatar what is measured on it.
-pub(crate) fn dancer_measures(
+#[must_use]
+pub fn dancer_measures(
     dancer: &Dancer,
     tape: &Tape,
     license: Option<&License>,
@@ -157,6 +160,41 @@ pub(crate) fn dancer_measures(
         is_estimated: taped.given.is_none() && license.is_none(),
     });
     measures.collect()
+}
+
+/// Everything about a dancer that can be counted.
+#[must_use]
+pub fn dancer_sheet(dancer: &Dancer, tape: &Tape, license: Option<&License>) -> DancerSheet {
+    let measures = dancer_measures(dancer, tape, license);
+    let differences = (measures.iter())
+        .filter_map(|measure| Some((measure.on_body_cm - measure.given_cm?).abs()));
+    let coverage = dancer.capsule_coverage();
+    let percent = |share: f32| 100.0 * f64::from(share);
+    let lines = license.map(License::lines).unwrap_or_default();
+    let capsules = dancer.capsules.iter().map(|capsule| CapsuleFacts {
+        name: capsule.name.to_owned(),
+        bones: capsule.ends.map(|(bone, _)| bone.name().to_owned()),
+        ends_m: capsule.ends.map(|(_, end)| end.to_array()),
+        radii_m: capsule.radii,
+    });
+    DancerSheet {
+        lole: env!("CARGO_PKG_VERSION").to_owned(),
+        avatar: None,
+        license: lines
+            .iter()
+            .map(|line| line.text(Language::English))
+            .collect(),
+        worst_difference_cm: differences.reduce(f64::max),
+        measures,
+        capsules: capsules.collect(),
+        capsule_coverage: CoverageFacts {
+            close_pct: percent(coverage.close),
+            outside_pct: percent(coverage.outside),
+            farthest_mm: 1e3 * f64::from(coverage.farthest),
+        },
+        vertices: dancer.skin.positions.len(),
+        triangles: dancer.skin.body_triangles().len(),
+    }
 }
 
 fn skirt_facts(performance: &Performance) -> SkirtFacts {
@@ -272,7 +310,8 @@ fn series(metrics: &[FrameMetrics], process_ms: &[f64]) -> RunSeries {
 }
 
 /// The page of a run.
-pub(crate) fn page(report: &RunReport, film: Option<&[u8]>, jpegs: &[Vec<u8>]) -> String {
+#[must_use]
+pub fn page(report: &RunReport, film: Option<&[u8]>, jpegs: &[Vec<u8>]) -> String {
     let stills: Vec<PageStill<'_>> = STILLS
         .iter()
         .zip(jpegs)

@@ -1,16 +1,16 @@
 //! The skirts side by side, as in the paper's figures 13 to 15, with its sentence and ours.
 
-use anyhow::Result;
 use lole_costume::document::MethodName;
 use lole_export::study::RunEntry;
+use lole_picture::studio::Studio;
 use lole_render::label::Label;
-use lole_render::{Backend, Camera, Image, LightRig, Renderer, Size, View};
+use lole_render::{Backend, Camera, Image, LightRig, RenderError, Renderer, Size, View};
 use lole_stage::Performance;
 
-use crate::studio::Studio;
+use crate::StudyError;
 
 /// One skirt of the picture.
-pub(super) struct Panel {
+pub struct Panel {
     pub(super) method: MethodName,
     pub(super) paper: &'static str,
     pub(super) entry: RunEntry,
@@ -30,15 +30,12 @@ const SOFT: [u8; 3] = [106, 96, 112];
 const GOOD: [u8; 3] = [12, 107, 82];
 const BAD: [u8; 3] = [156, 18, 48];
 
-/// The picture as pixels.
-pub(super) struct Picture {
-    pub(super) size: Size,
-    pub(super) pixels: Vec<u8>,
-}
-
 /// Draws all panels but those of readings that the paper has no figure of, the classical method
 /// last.
-pub(super) fn draw(panels: &[Panel]) -> Result<Picture> {
+///
+/// # Errors
+/// A skirt that cannot be painted or drawn.
+pub fn draw(panels: &[Panel]) -> Result<Image, StudyError> {
     let shown: Vec<&Panel> = panels
         .iter()
         .filter(|panel| panel.method != MethodName::RkDoubleCounted)
@@ -57,26 +54,23 @@ pub(super) fn draw(panels: &[Panel]) -> Result<Picture> {
         caption(panel, &mut picture, left)?;
         left += PANEL.width + EDGE;
     }
-    Ok(Picture {
-        size,
-        pixels: picture.pixels,
-    })
+    Ok(picture)
 }
 
 /// One skirt on its dancer, from the side that the paper shows.
-fn shoot(performance: &Performance, renderer: &mut Renderer) -> Result<Image> {
+fn shoot(performance: &Performance, renderer: &mut Renderer) -> Result<Image, StudyError> {
     // The dancer alone sets the frame, so that all skirts are seen at one scale.
     let points = performance.body_positions();
     let camera = Camera::framing_points(points, View::ThreeQuarter, PANEL.aspect());
     let lights = LightRig::seen_from(&camera);
-    Studio::new(performance)?.shoot(performance, camera, lights, renderer)
+    Ok(Studio::new(performance)?.shoot(performance, camera, lights, renderer)?)
 }
 
 /// The method's name, the paper's sentence and ours below a skirt.
-fn caption(panel: &Panel, picture: &mut Image, left: u32) -> Result<()> {
+fn caption(panel: &Panel, picture: &mut Image, left: u32) -> Result<(), RenderError> {
     let (x, width) = (left as f32, PANEL.width as f32);
     let mut y = (EDGE + PANEL.height + 10) as f32;
-    let mut write = |text: &str, size: f32, color: [u8; 3]| -> Result<()> {
+    let mut write = |text: &str, size: f32, color: [u8; 3]| -> Result<(), RenderError> {
         let label = Label {
             text,
             size,
