@@ -4,7 +4,7 @@
 //! |---|---|
 //! | [`figures`] | what a recorded dance comes to: the numbers of its report |
 //! | [`paper`] | what the paper's integrators do, and whether its sentences hold |
-//! | [`bench`] | what a frame costs, scene by scene, with the quality it buys |
+//! | [`mod@bench`] | what a frame costs, scene by scene, with the quality it buys |
 //! | [`soak`] | whether the laws hold however a body moves |
 //! | [`validation`] | the engine against closed forms, as rows of a table |
 //!

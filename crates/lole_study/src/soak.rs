@@ -39,11 +39,11 @@ pub enum Law {
 /// Largest 99th percentile of the strain, a share. Random motion pulls with more than its weight at
 /// cloth whose settings were measured for dances, which strain it below 0.05; what bursts goes far
 /// beyond.
-const STRAIN_BOUND: f32 = 0.25;
+pub const STRAIN_BOUND: f32 = 0.25;
 
 /// Deepest that a free particle may be in a capsule [m]. Particles beside pins are in capsules as
 /// the pins are, which the capsules' sway carries through them.
-const PENETRATION_BOUND: f32 = 0.06;
+pub const PENETRATION_BOUND: f32 = 0.06;
 
 impl Law {
     /// What it asks.

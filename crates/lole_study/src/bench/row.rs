@@ -48,7 +48,7 @@ pub struct BenchRow {
     /// Deepest particle below the drawn skin over the run; left out where there is no skin.
     pub skin_penetration_mm: Option<Worst<f64>>,
     /// Edges of the cloth that cross one of its triangles, most of any frame from
-    /// [`CROSSINGS_FROM`] on; left out where the cloth may pass through itself, and where its
+    /// the 31st on; left out where the cloth may pass through itself, and where its
     /// positions are not finite.
     pub self_crossings: Option<usize>,
     /// Particles on the wrong side of the layer below them, most of any frame; left out where there
