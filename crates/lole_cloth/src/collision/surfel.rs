@@ -60,9 +60,9 @@ const GIVING: f32 = 4.0;
 /// what is only pulled tight over a knee lies on it.
 const HOOKED: f32 = 0.01;
 
-/// Farthest that cloth and skin may move towards each other from one search to the next [m]: less
-/// than a wrist is thick.
-const TRAVEL_MAX: f32 = 0.06;
+/// Farthest that cloth and skin may move towards each other from one search to the next [m]: less than half as
+/// thick as a wrist is, so that the plane of the nearest surfel is that of the side from which cloth comes.
+const TRAVEL_MAX: f32 = 0.04;
 
 /// The skin near each particle during one step.
 #[derive(Debug, Clone, Default, PartialEq)]
