@@ -294,11 +294,6 @@ impl Layout {
     /// Brings points back to row-major order.
     pub(crate) fn gather_points(&self, vectors: &[Points], points: &mut Vec<Vec3>) {
         points.clear();
-        self.add_points(vectors, points);
-    }
-
-    /// Adds points to others, in row-major order.
-    pub(crate) fn add_points(&self, vectors: &[Points], points: &mut Vec<Vec3>) {
         for row in vectors.chunks_exact(self.group_count) {
             points.extend(
                 self.slots

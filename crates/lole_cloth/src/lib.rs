@@ -63,6 +63,33 @@
 //! | [`method::explicit::step`] with `fb-euler` | truth: static shapes, periods, energy | `f64` | substeps grow with the root of stiffness over mass and with the fineness of the grid: hundreds a frame | contact as a penalty, so cloth sinks in by weight over stiffness; internal friction |
 //! | the same with `euler`, `rk4`, `rk-as-printed`, `rk-double-counted` | the paper's experiment | `f64` | 1, 4, 4 and 4 forces a step | `euler` and the printed method are stable only with damping |
 
+//!
+//! # What a setting costs
+//!
+//! The skirt of 8,192 particles whose folds do not pass through each other, 5 s over a body that sways, each setting
+//! of [`SolverConfig`] turned alone; one core with AVX-512, CPU of a step on the mean (3.5 ms as the scene has it).
+//! The example `knobs` measures it anew.
+//!
+//! | Setting | Cost | Strain p99, worst | Crossings at the end |
+//! |---|---|---|---|
+//! | as the scene has it: 10 substeps, 5 sweeps | 1 | 8.5 % | 0 |
+//! | `substep_count` halved | 0.75 | 7.3 % | 0 |
+//! | `substep_count` doubled | 1.31 | 2.4 % | 0 |
+//! | `strained_substep_count` of 30 | 1.08 | 7.6 % | 0 |
+//! | `structural_sweep_count` of 2 | 0.91 | 4.6 % | 0 |
+//! | `structural_sweep_count` doubled | 1.17 | 6.0 % | 0 |
+//! | `gathered_sweep_count` of 2 | 1.02 | 3.5 % | 0 |
+//! | `tether_scale` of `None` | 0.94 | 8.9 % | 0 |
+//! | `column_strides` left out | 1.02 | 7.9 % | 0 |
+//! | `row_strides` of 4 | 0.98 | 8.4 % | 0 |
+//! | [`Crossings::Leave`] | 0.71 | 2.9 % | 44 |
+//! | `substep_interval` of 1 | 0.96 | 8.8 % | 0 |
+//! | `self_collision` of `None` | 0.27 | 3.1 % | 2,497 |
+//! | [`InstructionSet::Wide`], AVX2 | 1.32 | the same bits | the same bits |
+//! | [`InstructionSet::Baseline`], SSE2 | 1.53 | the same bits | the same bits |
+//!
+//! What takes back crossings is a third of a step, and the strain of the worst moment is what it leaves there.
+
 pub mod assembly;
 pub mod collision;
 pub mod config;

@@ -167,7 +167,8 @@ impl ClothState {
 
     /// Writes every position [m], row-major, after what is in `out`: several cloths lie in one list then.
     pub fn add_positions(&self, model: &ClothModel, out: &mut Vec<Vec3>) {
-        model.layout.add_points(&self.positions, out);
+        let slots = (0..model.spec().grid.particle_count()).map(|it| model.layout.slot(it));
+        out.extend(slots.map(|(vector, lane)| self.positions[vector].get(lane)));
     }
 
     /// Writes every velocity [m/s], row-major, over `out`.
