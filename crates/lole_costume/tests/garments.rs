@@ -250,7 +250,7 @@ const MISTAKES: &[(&str, &str, [&str; 2])] = &[
     (
         "[[garment]]\nkind = 3\n",
         "mine.lole:3: [[garment]] kind: 3 is a whole number",
-        ["pau-skirt, pau-top", "pau-skirt, pau-top"],
+        ["pau-skirt, pau-ruffle", "pau-skirt, pau-ruffle"],
     ),
     (
         "[garment]\nkind = \"pau-top\"\n",

@@ -1,6 +1,6 @@
 //! The pāʻū skirt as a template: the draft of [`lole_pattern::design::pau_skirt`] from measures and options.
 
-use lole_geom::{Length, narrow};
+use lole_geom::Length;
 use lole_language::words;
 use lole_pattern::design::pau_skirt::{PauMeasurements, PauOptions, draft_pau_skirt};
 use lole_pattern::{DraftError, ElasticRatio, GatherRatio, Measure, Pattern};
@@ -121,11 +121,12 @@ pub(crate) fn worn(
     let measures = fitting.measures;
     measures.check(&[Measure::HipGirth, Measure::HipBoneHeight])?;
     let usual = measures.hip_bone_height.to_m();
-    let worn_height = narrow(chosen.m_or("worn_height_cm", usual));
+    let worn_height = Length::from_m(chosen.m_or("worn_height_cm", usual));
+    let worn_girth = fitting.girth_at(worn_height.to_m_f32());
     Ok(PauMeasurements {
         hip_girth: measures.hip_girth,
-        worn_girth: fitting.girth_at(worn_height).unwrap_or(measures.hip_girth),
-        worn_height: Length::from_m(f64::from(worn_height)),
+        worn_girth: worn_girth.unwrap_or(measures.hip_girth),
+        worn_height,
     })
 }
 
