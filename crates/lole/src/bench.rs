@@ -7,8 +7,8 @@ use lole_cloth::scenes::{ClothScene, SCENES};
 use lole_export::trade_off::trade_off_html;
 use lole_language::{Language, Sentence, Words, words};
 use lole_study::bench::pareto::{self, ParetoPoint};
-use lole_study::bench::{self, Entry, Settings};
-use lole_study::soak::{self, soak};
+use lole_study::bench::{self, BenchSettings, Entry};
+use lole_study::soak::{SoakSettings, soak};
 
 use crate::args::{BenchArgs, Vectors};
 use crate::clock::SystemClock;
@@ -108,7 +108,7 @@ pub(crate) fn run(args: &BenchArgs, language: Language) -> Result<(), Failure> {
         .build()
         .map_err(Failure::error)?;
     let clock = SystemClock::start();
-    let settings = Settings {
+    let settings = BenchSettings {
         clock: &clock,
         instruction_set: match args.vectors {
             Vectors::Detected => InstructionSet::Detected,
@@ -122,7 +122,7 @@ pub(crate) fn run(args: &BenchArgs, language: Language) -> Result<(), Failure> {
         Task::Sizes => table(bench::sizes(), args, settings, language),
         Task::Pareto => trade_off(args, settings, language),
         Task::Soak(frame_count, seed) => {
-            let settings = soak::Settings {
+            let settings = SoakSettings {
                 frame_count,
                 seed,
                 instruction_set: settings.instruction_set,
@@ -136,7 +136,7 @@ pub(crate) fn run(args: &BenchArgs, language: Language) -> Result<(), Failure> {
 fn table(
     mut chosen: Vec<Entry>,
     args: &BenchArgs,
-    settings: Settings<'_>,
+    settings: BenchSettings<'_>,
     language: Language,
 ) -> Result<(), Failure> {
     let scene = ("--scene", args.scene.as_deref());
@@ -167,7 +167,11 @@ fn table(
 }
 
 /// Measures every setting of every scene, or of the one that was named.
-fn trade_off(args: &BenchArgs, settings: Settings<'_>, language: Language) -> Result<(), Failure> {
+fn trade_off(
+    args: &BenchArgs,
+    settings: BenchSettings<'_>,
+    language: Language,
+) -> Result<(), Failure> {
     let mut cases = pareto::cases();
     let scene = ("--scene", args.scene.as_deref());
     choose(&mut cases, scene, words("場面", "scene"), |case| {
@@ -211,7 +215,7 @@ fn trade_off(args: &BenchArgs, settings: Settings<'_>, language: Language) -> Re
 }
 
 /// Soaks every scene of the engine, or the one that was named.
-fn soak_all(args: &BenchArgs, settings: soak::Settings, language: Language) -> Result<(), Failure> {
+fn soak_all(args: &BenchArgs, settings: SoakSettings, language: Language) -> Result<(), Failure> {
     let scenes = scenes_of_engine(args)?;
     let stop = stop_flag().map_err(Failure::Run)?;
     let is_stopped = || stop.load(Ordering::Relaxed);

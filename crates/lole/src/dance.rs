@@ -14,7 +14,7 @@ use lole_export::{ImageView, still};
 use lole_hula::DanceStep;
 use lole_language::{Bilingual as _, Language, Sentence, Words, words};
 use lole_picture::baked::{self, Keys};
-use lole_picture::studio::{FilmCamera, STILLS, Studio, still_cameras};
+use lole_picture::studio::{FilmCamera, PhotoStudio, STILLS, still_cameras};
 use lole_render::{Backend, LightRig, Renderer, Size};
 use lole_stage::{
     Danced, Divergence, FRAME_SECONDS, FRAMES_PER_SECOND, FrameMetrics, LayerWatch, Performance,
@@ -194,7 +194,7 @@ pub(crate) fn unknown(option: &str, word: &str, what: Words, choices: &[&str]) -
 
 /// The pictures of a run while they are being made.
 struct Shoot {
-    studio: Studio,
+    studio: PhotoStudio,
     renderer: Renderer,
     film: Mp4Writer,
     size: Size,
@@ -246,7 +246,7 @@ impl Run<'_> {
             film.set_song(song.clone());
         }
         Ok(Shoot {
-            studio: Studio::new(performance)?,
+            studio: PhotoStudio::new(performance)?,
             renderer: Renderer::new(backend, size)?,
             film,
             size,

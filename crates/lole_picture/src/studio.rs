@@ -9,12 +9,12 @@ use lole_stage::Performance;
 use crate::{Cover, LookError, Looks, Moment};
 
 /// Everything that pictures of one production share.
-pub struct Studio {
+pub struct PhotoStudio {
     looks: Looks,
 }
 
 /// One named still.
-pub struct Still {
+pub struct StillView {
     /// Name of its file.
     pub file: &'static str,
     /// What stands below it, in English.
@@ -26,26 +26,26 @@ pub struct Still {
 }
 
 /// The stills of every run, the poster first.
-pub const STILLS: [Still; 4] = [
-    Still {
+pub const STILLS: [StillView; 4] = [
+    StillView {
         file: "three-quarter.png",
         caption_en: "Three-quarter",
         caption_ja: "斜め前",
         view: View::ThreeQuarter,
     },
-    Still {
+    StillView {
         file: "front.png",
         caption_en: "Front",
         caption_ja: "正面",
         view: View::Front,
     },
-    Still {
+    StillView {
         file: "side.png",
         caption_en: "Side",
         caption_ja: "横",
         view: View::Side,
     },
-    Still {
+    StillView {
         file: "back.png",
         caption_en: "Back",
         caption_ja: "後ろ",
@@ -53,7 +53,7 @@ pub const STILLS: [Still; 4] = [
     },
 ];
 
-impl Studio {
+impl PhotoStudio {
     /// Draws print and face once.
     ///
     /// # Errors

@@ -18,7 +18,7 @@ pub use row::BenchRow;
 
 /// What holds for every scene.
 #[derive(Clone, Copy)]
-pub struct Settings<'a> {
+pub struct BenchSettings<'a> {
     /// Vector instructions of the engine.
     pub instruction_set: InstructionSet,
     /// Whether the springs are held against the best that this machine can do.
@@ -28,7 +28,7 @@ pub struct Settings<'a> {
 }
 
 /// A scene of the table.
-type Measure = Box<dyn Fn(Settings<'_>) -> Result<BenchRow, StudyError> + Send + Sync>;
+type Measure = Box<dyn Fn(BenchSettings<'_>) -> Result<BenchRow, StudyError> + Send + Sync>;
 
 /// A row of the table that can be asked for.
 pub struct Entry {
@@ -44,7 +44,7 @@ impl Entry {
     ///
     /// # Errors
     /// A scene that cannot be built.
-    pub fn measure(&self, settings: Settings<'_>) -> Result<BenchRow, StudyError> {
+    pub fn measure(&self, settings: BenchSettings<'_>) -> Result<BenchRow, StudyError> {
         (self.measure)(settings)
     }
 }
@@ -104,7 +104,7 @@ mod tests {
 
     #[test]
     fn a_row_has_its_keys_and_nulls_where_there_is_nothing_to_count() {
-        let settings = Settings {
+        let settings = BenchSettings {
             instruction_set: InstructionSet::Detected,
             roofline: true,
             clock: &TestClock::start(),

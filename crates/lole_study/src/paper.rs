@@ -27,7 +27,7 @@ use lole_stage::{FRAME_SECONDS, FRAMES_PER_SECOND, Performance, Production};
 
 use crate::{Clock, StudyError};
 use methods::{METHODS, Method};
-pub use picture::{Panel, draw};
+pub use picture::{ComparedPanel, draw};
 use runs::{Run, Runner, Setup};
 
 /// Steps of a frame at which all methods are compared: six for each that `fb-euler` needs. It is
@@ -109,7 +109,7 @@ pub fn perform(
     audience: &dyn Audience,
     clock: &dyn Clock,
     extent: Extent,
-) -> Result<(StudyReport, Vec<Panel>), StudyError> {
+) -> Result<(StudyReport, Vec<ComparedPanel>), StudyError> {
     let study = Study {
         runner: Runner {
             pool,
@@ -137,7 +137,7 @@ impl Study<'_> {
     }
 
     /// Everything but the findings; and what is drawn.
-    fn perform(&self) -> Result<(StudyReport, Vec<Panel>), StudyError> {
+    fn perform(&self) -> Result<(StudyReport, Vec<ComparedPanel>), StudyError> {
         let (design, audience) = (design(), self.runner.audience);
         audience.begin(words("布をなじませる", "settling"), 1);
         let settled = self.runner.settled(&design)?;
@@ -194,7 +194,7 @@ impl Study<'_> {
         settled: &Performance,
         steps: u32,
         report: &mut StudyReport,
-    ) -> Result<Vec<Panel>, StudyError> {
+    ) -> Result<Vec<ComparedPanel>, StudyError> {
         let audience = self.runner.audience;
         audience.begin(words("同じ刻み", "same step"), METHODS.len());
         let mut panels = Vec::new();
@@ -203,7 +203,7 @@ impl Study<'_> {
             if let Some(entry) = report.integrators.get_mut(method.name.id()) {
                 entry.same_step = run.entry.clone();
             }
-            panels.push(Panel {
+            panels.push(ComparedPanel {
                 method: method.name,
                 paper: method.paper,
                 entry: run.entry,

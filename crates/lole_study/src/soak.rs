@@ -161,7 +161,7 @@ impl SoakRow {
 
 /// What is asked of a soak.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Settings {
+pub struct SoakSettings {
     /// Frames to run.
     pub frame_count: u32,
     /// Chance for the motion; a seed repeats its run.
@@ -176,7 +176,7 @@ pub struct Settings {
 /// A scene that cannot be built.
 pub fn soak(
     scene: &ClothScene,
-    settings: Settings,
+    settings: SoakSettings,
     go_on: &mut dyn FnMut(u32) -> bool,
 ) -> Result<SoakRow, BuildError> {
     let mut setup = (scene.build)();
@@ -278,8 +278,8 @@ fn axes_crossed(setup: &Setup, positions: &[Vec3], capsules: &[Capsule]) -> f64 
 mod tests {
     use super::*;
 
-    fn settings(frame_count: u32, seed: u64) -> Settings {
-        Settings {
+    fn settings(frame_count: u32, seed: u64) -> SoakSettings {
+        SoakSettings {
             frame_count,
             seed,
             instruction_set: InstructionSet::Detected,

@@ -8,7 +8,7 @@ use lole_cloth::{
     state_hash, step, step_observed,
 };
 
-use super::Settings;
+use super::BenchSettings;
 use super::phases::PhaseClock;
 use super::roofline::SpringRoofline;
 use super::row::{BenchRow, Crossings, Run};
@@ -198,7 +198,7 @@ impl<'a> Running<'a> {
 pub(super) fn measure(
     (scene, method): (&ClothScene, Method),
     mut setup: Setup,
-    settings: Settings<'_>,
+    settings: BenchSettings<'_>,
 ) -> Result<BenchRow, BuildError> {
     setup.config.instruction_set = settings.instruction_set;
     let mut timed = Running::start((scene, method), &setup, settings.clock)?;

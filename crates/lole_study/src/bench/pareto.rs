@@ -14,7 +14,7 @@ use serde::Serialize;
 use super::engine::{self, Method};
 use super::row::BenchRow;
 use super::stage::{self, StageScene};
-use super::{Measure, Settings};
+use super::{BenchSettings, Measure};
 use crate::StudyError;
 
 /// Substeps and sweeps over the structural springs that are tried with each other.
@@ -78,7 +78,7 @@ impl ParetoPoint {
 /// A scene that cannot be built, or that it was called off.
 pub fn points(
     of_scene: &[Case],
-    settings: Settings<'_>,
+    settings: BenchSettings<'_>,
     goes_on: &dyn Fn() -> bool,
 ) -> Result<Vec<ParetoPoint>, StudyError> {
     let mut found = Vec::new();
@@ -253,7 +253,7 @@ mod tests {
             frame_count: 60,
             ..*super::super::scene("hang-64")
         };
-        let settings = Settings {
+        let settings = BenchSettings {
             instruction_set: InstructionSet::Detected,
             roofline: false,
             clock: &TestClock::start(),

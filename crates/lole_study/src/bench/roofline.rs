@@ -4,7 +4,7 @@ use lole_cloth::roofline::{BYTES_PER_SPRING, FLOPS_PER_SPRING, SpringStream};
 use lole_cloth::{ClothSpec, SolverConfig};
 use serde::Serialize;
 
-use super::Settings;
+use super::BenchSettings;
 use crate::Stopwatch;
 
 /// Shortest time that is measured at once [s], and how often: the least of them counts, because
@@ -32,7 +32,7 @@ impl SpringRoofline {
     pub(super) fn measure(
         (spec, config): (&ClothSpec, &SolverConfig),
         seconds: f64,
-        settings: Settings<'_>,
+        settings: BenchSettings<'_>,
     ) -> Self {
         let solved = f64::from(config.substep_count.get())
             * f64::from(config.structural_sweep_count.get())
@@ -68,7 +68,7 @@ fn spring_count(spec: &ClothSpec) -> f64 {
 
 /// Least time of a spring that waits for nothing [ns].
 #[expect(clippy::cast_precision_loss, reason = "counts are far below 2^52")]
-fn best_spring_ns(particle_count: usize, settings: Settings<'_>) -> f64 {
+fn best_spring_ns(particle_count: usize, settings: BenchSettings<'_>) -> f64 {
     let mut stream = SpringStream::new(particle_count);
     let mut best = f64::INFINITY;
     for _ in 0..CHUNK_COUNT {

@@ -4,7 +4,7 @@ use lole_cloth::{Phase, diagnose};
 use lole_costume::document::Design;
 use lole_stage::{Performance, Production, RunMetrics, StageError, double_pau};
 
-use super::Settings;
+use super::BenchSettings;
 use super::phases::PhaseClock;
 use super::row::{BenchRow, Crossings, Run};
 use crate::Timing;
@@ -42,7 +42,7 @@ pub(super) const SCENES: &[StageScene] = &[
 ];
 
 /// A scene's dancer, settled and about to dance.
-fn settled(design: &Design, settings: Settings<'_>) -> Result<Performance, StageError> {
+fn settled(design: &Design, settings: BenchSettings<'_>) -> Result<Performance, StageError> {
     let mut performance = Performance::new(Production::new(design)?)?;
     performance.set_instruction_set(settings.instruction_set);
     // What stops short is seen in the figures of the frames.
@@ -56,7 +56,7 @@ fn settled(design: &Design, settings: Settings<'_>) -> Result<Performance, Stage
 pub(super) fn measure(
     scene: &StageScene,
     design: &Design,
-    settings: Settings<'_>,
+    settings: BenchSettings<'_>,
 ) -> Result<BenchRow, StageError> {
     let (timings, clock, hash) = time(scene, settled(design, settings)?, settings);
     let mut judged = settled(design, settings)?;
@@ -101,7 +101,7 @@ pub(super) fn measure(
 fn time<'a>(
     scene: &StageScene,
     mut performance: Performance,
-    settings: Settings<'a>,
+    settings: BenchSettings<'a>,
 ) -> (Vec<Timing>, PhaseClock<'a>, u64) {
     let (mut timings, mut clock) = (Vec::new(), PhaseClock::new(settings.clock));
     for frame in 0..scene.frame_count {

@@ -2,7 +2,7 @@
 
 use lole_costume::document::MethodName;
 use lole_export::study::RunEntry;
-use lole_picture::studio::Studio;
+use lole_picture::studio::PhotoStudio;
 use lole_render::label::Label;
 use lole_render::{Backend, Camera, Image, LightRig, RenderError, Renderer, Size, View};
 use lole_stage::Performance;
@@ -10,7 +10,7 @@ use lole_stage::Performance;
 use crate::StudyError;
 
 /// One skirt of the picture.
-pub struct Panel {
+pub struct ComparedPanel {
     pub(super) method: MethodName,
     pub(super) paper: &'static str,
     pub(super) entry: RunEntry,
@@ -35,8 +35,8 @@ const BAD: [u8; 3] = [156, 18, 48];
 ///
 /// # Errors
 /// A skirt that cannot be painted or drawn.
-pub fn draw(panels: &[Panel]) -> Result<Image, StudyError> {
-    let shown: Vec<&Panel> = panels
+pub fn draw(panels: &[ComparedPanel]) -> Result<Image, StudyError> {
+    let shown: Vec<&ComparedPanel> = panels
         .iter()
         .filter(|panel| panel.method != MethodName::RkDoubleCounted)
         .collect();
@@ -63,11 +63,11 @@ fn shoot(performance: &Performance, renderer: &mut Renderer) -> Result<Image, St
     let points = performance.body_positions();
     let camera = Camera::framing_points(points, View::ThreeQuarter, PANEL.aspect());
     let lights = LightRig::seen_from(&camera);
-    Ok(Studio::new(performance)?.shoot(performance, camera, lights, renderer)?)
+    Ok(PhotoStudio::new(performance)?.shoot(performance, camera, lights, renderer)?)
 }
 
 /// The method's name, the paper's sentence and ours below a skirt.
-fn caption(panel: &Panel, picture: &mut Image, left: u32) -> Result<(), RenderError> {
+fn caption(panel: &ComparedPanel, picture: &mut Image, left: u32) -> Result<(), RenderError> {
     let (x, width) = (left as f32, PANEL.width as f32);
     let mut y = (EDGE + PANEL.height + 10) as f32;
     let mut write = |text: &str, size: f32, color: [u8; 3]| -> Result<(), RenderError> {
