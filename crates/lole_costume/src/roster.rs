@@ -19,6 +19,7 @@ mod columns;
 mod lengths;
 
 use lole_body::{Figure, Measure, Measurements};
+use lole_garment::template::OptionKind;
 use lole_language::{Bilingual, Sentence, Words};
 
 use crate::document::Design;
@@ -227,7 +228,9 @@ fn follow_stature(design: &mut Design, ratio: f64) {
     follow(&mut design.skirt.worn_height_cm);
     for garment in &mut design.garments {
         for (position, row) in garment.template.options.iter().enumerate() {
-            if row.key.ends_with("_height_cm") && row.key != HEM_HEIGHT {
+            // A height that has a default, as of a puff, is none on the body.
+            let follows = matches!(row.kind, OptionKind::Number { default: None, .. });
+            if follows && row.key.ends_with("_height_cm") && row.key != HEM_HEIGHT {
                 let mut height = garment.options.get(position);
                 follow(&mut height);
                 garment.options.set(position, height);

@@ -370,11 +370,13 @@ impl Options {
         self.values.get(position).copied().flatten()
     }
 
-    /// Decides the options of these keys; a key that no option of the template has changes nothing.
+    /// Decides the options of these keys, each of which the template has.
     #[must_use]
     pub fn with(mut self, template: &Template, decided: &[(&str, f64)]) -> Self {
         for (key, value) in decided {
-            if let Some(position) = template.position(key) {
+            let position = template.position(key);
+            debug_assert!(position.is_some(), "{} has no option {key}", template.id);
+            if let Some(position) = position {
                 self.set(position, Some(*value));
             }
         }

@@ -22,6 +22,7 @@ impl Spring {
         let share = inv_mass / resistance(inv_mass + inv_mass, self.scaled_compliance);
         self.pull.shared(share)
     }
+
     /// Solves every spring along a row.
     #[inline(always)]
     pub(crate) fn solve_row<S: Simd>(

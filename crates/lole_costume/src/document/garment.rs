@@ -85,7 +85,7 @@ impl GarmentDesign {
         self.options.get(position)
     }
 
-    /// Decides the options of these keys, in their units; a key that it does not have changes nothing.
+    /// Decides the options of these keys, in their units, each of which its template has.
     #[must_use]
     pub fn with(mut self, decided: &[(&str, f64)]) -> Self {
         self.options = self.options.with(self.template, decided);

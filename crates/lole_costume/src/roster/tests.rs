@@ -3,6 +3,7 @@
 use proptest::prelude::*;
 
 use super::*;
+use crate::document::GarmentDesign;
 
 fn read_text(text: &str) -> Roster {
     read(text.as_bytes()).unwrap_or_else(|error| panic!("{error}"))
@@ -175,7 +176,20 @@ fn heights_on_the_body_follow_the_stature() {
     let mut design = Design::default();
     design.dancer.stature_cm = Some(160.0);
     design.skirt.worn_height_cm = Some(88.0);
+    let listed = [
+        ("pau-kahiko", "worn_height_cm"),
+        ("pau-top", "hem_height_cm"),
+        ("blouse", "puff_height_cm"),
+    ];
+    design.garments = listed
+        .map(|(kind, key)| GarmentDesign::of_kind(kind).unwrap().with(&[(key, 8.0)]))
+        .into();
     let worn = roster.dancers[0].design(&design);
+    let heights = worn.garments.iter().zip(listed);
+    let heights = heights.map(|(garment, (_, key))| garment.option(key).unwrap());
+    let heights: Vec<f64> = heights.collect();
+    assert!((heights[0] - 8.8).abs() < 1e-9, "{heights:?}");
+    assert_eq!(heights[1..], [8.0, 8.0], "hems and puffs stay");
     let height = worn.skirt.worn_height_cm.unwrap();
     assert!((height - 96.8).abs() < 1e-9, "{height}");
     assert_eq!(worn.skirt.hem_height_cm, design.skirt.hem_height_cm);
