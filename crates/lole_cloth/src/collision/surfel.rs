@@ -84,7 +84,7 @@ pub(crate) struct SurfelContacts {
     pub(crate) deep_next: Vec<Deep>,
     deep_now: Vec<Deep>,
     deep: PlaneField,
-    /// What had no room outside of the skin in this step.
+    /// What had no room outside of the skin when this step began: told, and nothing follows from it.
     pub(crate) without_room: SlotSet,
 }
 
@@ -319,7 +319,7 @@ impl SurfelContacts {
             let offset = within(place);
             // What the skin does not reach has no need of room.
             let is_in = room::room(at, ends(place), wanted) < -NOTICED;
-            if is_in && offset < wanted - NOTICED {
+            if is_first && is_in && offset < wanted - NOTICED {
                 without_room.insert(slot, cloth.positions.len());
             }
             let mut give = 0.0;
@@ -328,7 +328,7 @@ impl SurfelContacts {
                 let gap =
                     room::room(at, ends(place), offset) + room::room(at, ends(other), other_offset);
                 give = GIVING * (-gap).max(0.0);
-                if NOTICED < give {
+                if is_first && NOTICED < give {
                     without_room.insert(slot, cloth.positions.len());
                 }
                 opposite.set(slot, ends(other), other_offset - give);
