@@ -9,6 +9,7 @@
 
 mod hold;
 mod leave;
+mod relax;
 mod tangle;
 
 use std::ops::Range;
@@ -27,13 +28,14 @@ use crate::collision::separation::Separation;
 use crate::collision::surface::Surface;
 use crate::collision::surfel::room::TORN;
 use crate::lanes::{Points, Scalars, SlotSet, narrow};
+use relax::Edges;
 
 /// Rounds of looking and bringing apart at most: a repair may make something else cross.
 const PARTING_ROUNDS: u8 = 8;
 
 /// Where more than one in so many patches is crossed, folds are so much faster than they are apart that parting
 /// them one by one is in vain. Not in two steps on end, or it might never open.
-const HOPELESS: usize = 10;
+const HOPELESS: usize = 15;
 
 /// Steps for which skin yields to stretched cloth after a hopeless one, and from which stretch on.
 const SOFT_STEPS: u32 = 15;
@@ -41,7 +43,7 @@ const SOFT_TORN: f32 = 0.1;
 
 /// Pairs that a repair may look at for each patch of the cloth before it comes to an end: it then holds
 /// together what it has not parted.
-const EFFORT_MAX: usize = 6;
+const EFFORT_MAX: usize = 8;
 
 /// Pairs that it may look at for each patch where something crossed before, holding back included: what is
 /// drawn out takes longer.
@@ -100,6 +102,8 @@ pub(crate) struct CrossingRepair {
     moved_patches: Marked,
     /// Where they were before the repair, then before the last of them left the body [m].
     before: Vec<Vec3>,
+    /// Edges at what is parted or held back.
+    edges: Edges,
     /// Which particles have left the body.
     is_outside: Vec<bool>,
     /// What was parted and is kept apart.
@@ -129,6 +133,7 @@ impl CrossingRepair {
             + size_of_val(&self.since[..])
             + size_of_val(&self.has_moved[..])
             + size_of_val(&self.before[..])
+            + self.edges.byte_count()
             + size_of_val(&self.is_outside[..])
             + size_of_val(&self.is_tangled[..])
             + self.held_back.byte_count()
@@ -258,14 +263,23 @@ impl CrossingRepair {
             if UNTANGLING_ROUNDS <= round && self.separations.len() == known {
                 break;
             }
-            for _ in 0..SWEEP_COUNT {
+            let strains = self.find_strained(fixed, known);
+            let sweep_count = if strains {
+                relax::PARTING_SWEEP_COUNT
+            } else {
+                SWEEP_COUNT
+            };
+            for _ in 0..sweep_count {
+                if strains {
+                    self.keep_lengths();
+                }
                 for index in 0..self.separations.len() {
                     self.part(fixed, self.separations[index]);
                 }
                 self.restrain(starts);
                 self.leave_body(fixed);
             }
-            self.effort += SWEEP_COUNT * self.separations.len();
+            self.effort += sweep_count * self.separations.len();
             let found = self.finder.crossings.len();
             self.look_again(fixed);
             if self.finder.crossings.is_empty() {

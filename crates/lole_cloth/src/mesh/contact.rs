@@ -80,6 +80,7 @@ fn with_skin(
         dt: step.dt,
         held_back: &scratch.crossing_repair.held_back,
         torn: scratch.crossing_repair.torn(),
+        is_strained: state.fineness.is_strained(Substeps::of(step.config)),
         hanging: step.model,
     };
     let skin = Skin {

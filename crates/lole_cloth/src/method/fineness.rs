@@ -62,6 +62,11 @@ impl Fineness {
         self.count.clamp(substeps.usual, substeps.most)
     }
 
+    /// Whether so much is strained that it takes twice as many as usual.
+    pub(crate) fn is_strained(&self, substeps: Substeps) -> bool {
+        2 * substeps.usual <= self.substep_count(substeps)
+    }
+
     /// Sets the substeps of the next step to those that all else takes with which the cloth is joined.
     pub(crate) const fn follow(&mut self, count: u32) {
         self.count = count;

@@ -70,6 +70,9 @@ impl CrossingRepair {
             motion: |start| drift.apply(start),
         };
         self.hold_in_rounds(fixed, &ways, (ceiling, is_hopeless));
+        if !is_hopeless {
+            self.relax(fixed, &goals);
+        }
         (self.drift, self.goals) = (drift, goals);
     }
 
@@ -92,8 +95,11 @@ impl CrossingRepair {
             spent += usize::from(SPARED_ROUND <= round && self.is_spent());
             let late = if is_hopeless {
                 SLOWING_ROUND + round
+            } else if 0 < spent {
+                // Rings would be looked at in vain.
+                SLOWING_ROUND + spent - 1
             } else {
-                round.saturating_sub(GROWING_ROUND).max(spent)
+                round.saturating_sub(GROWING_ROUND)
             };
             if !self.slow(fixed, ways, late) {
                 break;

@@ -1,0 +1,234 @@
+//! How cloth that was parted or held back keeps its lengths.
+//!
+//! What is brought to its sides of planes, or goes only a part of its way, is strained against what lies around
+//! it: a repair that parts a hundred crossings alone leaves a thousand edges longer or shorter by a fifth. So
+//! while it parts, and after it has held back, it brings edges towards the lengths that the solver gave them
+//! (strain limiting: Provot 1995, "Deformation constraints in a mass-spring model to describe rigid cloth
+//! behavior"), as far as nothing comes to cross by that.
+
+use glam::Vec3;
+
+use super::{CrossingRepair, Fixed};
+use crate::collision::surface::{PATCH_EDGES, Surface};
+
+/// How much longer or shorter an edge may be than the solver has left it, as a share.
+const LIMIT: f32 = 0.03;
+
+/// Where fewer than one in so many patches is parted, the springs of the next step do it.
+const FEW: usize = 100;
+
+/// Rings around what is parted that share its way.
+const RINGS: usize = 2;
+
+/// Sweeps over what is parted there in a round: more than usual, because lengths pull against planes.
+pub(super) const PARTING_SWEEP_COUNT: usize = 6;
+
+/// Times that what was held back is relaxed, each time but where that crossed before, and sweeps over its edges
+/// in each.
+const PASSES: usize = 2;
+const SWEEP_COUNT: usize = 16;
+
+/// Rounds of taking back what came to cross by it, and from which on the ring around goes back too.
+const TAKING_BACK_ROUNDS: usize = 8;
+const RING_ROUND: usize = 2;
+
+/// Pairs that may be looked at meanwhile for each patch.
+const RELAXING_EFFORT: usize = 2;
+
+/// So many edges of a sweep take as long as a pair of patches that is looked at.
+const EDGES_OF_A_PAIR: usize = 16;
+
+/// Edges at what a repair moves.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Edges {
+    all: Vec<Edge>,
+    /// Room for the patches to which they belong.
+    patches: Vec<u32>,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Edge {
+    ends: [u32; 2],
+    /// As the solver has left it [m].
+    length: f32,
+    /// How much of a change each end makes: 1 in sum.
+    shares: [f32; 2],
+}
+
+impl Edges {
+    /// Memory that it holds [byte].
+    pub(super) const fn byte_count(&self) -> usize {
+        size_of_val(self.all.as_slice()) + size_of_val(self.patches.as_slice())
+    }
+
+    /// Finds the edges of all patches at `particles`, as long as between the places where those were [m]; only what
+    /// is free moves.
+    fn find(
+        &mut self,
+        surface: &Surface,
+        particles: &[u32],
+        place: impl Fn(u32) -> Vec3,
+        is_free: impl Fn(u32) -> bool,
+    ) {
+        let Self { all, patches } = self;
+        patches.clear();
+        patches.extend(
+            (particles.iter()).flat_map(|&particle| surface.star(particle as usize).iter()),
+        );
+        patches.sort_unstable();
+        patches.dedup();
+        all.clear();
+        for &patch in &*patches {
+            let patch = &surface.patches[patch as usize];
+            let owned = PATCH_EDGES.iter().enumerate();
+            let owned = owned.filter(|(bit, _)| patch.owned_edges() >> bit & 1 == 1);
+            for (_, ends) in owned {
+                let ends = ends.map(|corner| patch.corners[corner]);
+                let shares = match ends.map(&is_free) {
+                    [true, true] => [0.5, 0.5],
+                    [true, false] => [1.0, 0.0],
+                    [false, true] => [0.0, 1.0],
+                    [false, false] => continue,
+                };
+                let [one, other] = ends.map(&place);
+                all.push(Edge {
+                    ends,
+                    length: one.distance(other),
+                    shares,
+                });
+            }
+        }
+    }
+
+    /// Brings each edge once to within [`LIMIT`] of its length.
+    fn sweep(&self, positions: &mut [Vec3]) {
+        for edge in &self.all {
+            let [one, other] = edge.ends.map(|end| end as usize);
+            let way = positions[other] - positions[one];
+            let now = way.length();
+            let wanted = now.clamp((1.0 - LIMIT) * edge.length, (1.0 + LIMIT) * edge.length);
+            if wanted != now && 0.0 < now {
+                let change = way * ((now - wanted) / now);
+                positions[one] += change * edge.shares[0];
+                positions[other] -= change * edge.shares[1];
+            }
+        }
+    }
+
+    /// What a sweep costs, as pairs of patches that are looked at.
+    const fn effort(&self) -> usize {
+        self.all.len() / EDGES_OF_A_PAIR
+    }
+}
+
+impl CrossingRepair {
+    /// Finds the edges around what is to be parted from `known` on, where that is so much that it strains the cloth;
+    /// whether it is.
+    pub(super) fn find_strained(&mut self, fixed: Fixed<'_>, known: usize) -> bool {
+        if self.separations.len() * FEW <= fixed.surface.patches.len() {
+            return false;
+        }
+        let new = &self.separations[known..];
+        let mut around: Vec<u32> = (new.iter())
+            .flat_map(|it| it.ends.into_iter().chain(it.corners))
+            .collect();
+        for _ in 0..RINGS {
+            around = (around.iter())
+                .flat_map(|&it| fixed.surface.ring(it))
+                .collect();
+            around.sort_unstable();
+            around.dedup();
+        }
+        for particle in around {
+            self.shift(particle, Vec3::ZERO);
+        }
+        let Self {
+            edges,
+            moved,
+            moved_places,
+            before,
+            positions,
+            ..
+        } = self;
+        let place = |particle: u32| match moved_places[particle as usize].checked_sub(1) {
+            Some(place) => before[place as usize],
+            None => positions[particle as usize],
+        };
+        let is_free = |particle: u32| {
+            0 < moved_places[particle as usize] && 0.0 < Self::inv_mass(fixed, particle)
+        };
+        edges.find(fixed.surface, moved, place, is_free);
+        true
+    }
+
+    /// Brings the edges around what is parted towards their lengths once.
+    pub(super) fn keep_lengths(&mut self) {
+        self.edges.sweep(&mut self.positions);
+        self.effort += self.edges.effort();
+    }
+
+    /// Brings what was held back towards the lengths that it had at `goals` [m], but where that would cross.
+    pub(super) fn relax(&mut self, fixed: Fixed<'_>, goals: &[Vec3]) {
+        let members = std::mem::take(&mut self.zones.members);
+        let is_all = goals.len() < 2 * members.len();
+        if self.ceiling == Some(0) && self.finder.crossings.is_empty() && !is_all {
+            self.relax_members(fixed, &members, goals);
+        }
+        self.zones.members = members;
+    }
+
+    fn relax_members(&mut self, fixed: Fixed<'_>, members: &[u32], goals: &[Vec3]) {
+        let most = RELAXING_EFFORT * fixed.surface.patches.len();
+        self.effort_max = self.effort + self.finder.effort + most;
+        let mut held = vec![None; goals.len()];
+        for &member in members {
+            held[member as usize] = Some(self.positions[member as usize]);
+        }
+        let is_free =
+            |particle| held[particle as usize].is_some() && 0.0 < Self::inv_mass(fixed, particle);
+        (self.edges).find(fixed.surface, members, |it| goals[it as usize], is_free);
+        for _ in 0..PASSES {
+            if self.is_spent() {
+                return;
+            }
+            for _ in 0..SWEEP_COUNT {
+                self.edges.sweep(&mut self.positions);
+            }
+            self.effort += SWEEP_COUNT * self.edges.effort();
+            for &member in members {
+                self.shift(member, Vec3::ZERO);
+            }
+            self.look_again(fixed);
+            for round in 0..TAKING_BACK_ROUNDS {
+                if self.finder.crossings.is_empty() || self.is_spent() {
+                    break;
+                }
+                self.take_back_to(fixed.surface, &held, RING_ROUND <= round);
+                self.look_again(fixed);
+            }
+            if !self.finder.crossings.is_empty() {
+                for &member in members {
+                    let place = held[member as usize];
+                    self.positions[member as usize] = place.unwrap_or(goals[member as usize]);
+                }
+                self.look_again(fixed);
+                return;
+            }
+        }
+    }
+
+    /// Brings what crosses, and what lies around it where that is not enough, to where it was held.
+    fn take_back_to(&mut self, surface: &Surface, held: &[Option<Vec3>], with_ring: bool) {
+        for crossing in &self.finder.crossings {
+            for particle in crossing.ends.into_iter().chain(crossing.corners) {
+                let own = std::iter::once(particle);
+                let ring = surface.ring(particle).filter(|_| with_ring);
+                for back in own.chain(ring) {
+                    if let Some(place) = held[back as usize] {
+                        self.positions[back as usize] = place;
+                    }
+                }
+            }
+        }
+    }
+}
