@@ -80,7 +80,8 @@ fn with_skin(
         dt: step.dt,
         held_back: &scratch.crossing_repair.held_back,
         torn: scratch.crossing_repair.torn(),
-        is_strained: state.fineness.is_strained(Substeps::of(step.config)),
+        // What is cut close to the body is stretched by it here and there, and stays outside.
+        is_strained: false,
         hanging: step.model,
     };
     let skin = Skin {

@@ -203,7 +203,7 @@ impl CrossingRepair {
                 if self.finder.crossings.is_empty() || self.is_spent() {
                     break;
                 }
-                self.take_back_to(fixed.surface, &held, RING_ROUND <= round);
+                self.take_back_to(fixed.surface, &held, round);
                 self.look_again(fixed);
             }
             if !self.finder.crossings.is_empty() {
@@ -217,18 +217,71 @@ impl CrossingRepair {
         }
     }
 
-    /// Brings what crosses, and what lies around it where that is not enough, to where it was held.
-    fn take_back_to(&mut self, surface: &Surface, held: &[Option<Vec3>], with_ring: bool) {
-        for crossing in &self.finder.crossings {
-            for particle in crossing.ends.into_iter().chain(crossing.corners) {
-                let own = std::iter::once(particle);
-                let ring = surface.ring(particle).filter(|_| with_ring);
-                for back in own.chain(ring) {
-                    if let Some(place) = held[back as usize] {
-                        self.positions[back as usize] = place;
-                    }
-                }
+    /// Brings what crosses to where it was held, and in later rounds what lies around it too.
+    fn take_back_to(&mut self, surface: &Surface, held: &[Option<Vec3>], round: usize) {
+        let crossed = (self.finder.crossings.iter())
+            .flat_map(|crossing| crossing.ends.into_iter().chain(crossing.corners));
+        for particle in crossed {
+            let ring = (surface.ring(particle)).filter(|_| RING_ROUND <= round);
+            for back in std::iter::once(particle).chain(ring) {
+                let place = &mut self.positions[back as usize];
+                *place = held[back as usize].unwrap_or(*place);
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Grid;
+
+    /// Particles of a sheet of 9 by 9, 1 cm apart.
+    fn sheet() -> (Surface, Vec<Vec3>) {
+        let grid = Grid::sheet(9, 9, [0.01; 2]);
+        let places = (0..81_u8).map(|it| Vec3::new(f32::from(it % 9), 0.0, f32::from(it / 9)));
+        (
+            Surface::from_grid(&grid),
+            places.map(|it| it * 0.01).collect(),
+        )
+    }
+
+    fn worst(edges: &Edges, places: &[Vec3]) -> f32 {
+        let strain = |edge: &Edge| {
+            let [one, other] = edge.ends.map(|end| places[end as usize]);
+            (one.distance(other) / edge.length - 1.0).abs()
+        };
+        edges.all.iter().map(strain).fold(0.0, f32::max)
+    }
+
+    #[test]
+    fn what_was_pushed_shares_its_way_with_what_is_free_around_it() {
+        let (surface, flat) = sheet();
+        let particles: Vec<u32> = (0..81).collect();
+        let is_free = |it: u32| 8 < it;
+        let mut edges = Edges::default();
+        edges.find(&surface, &particles, |it| flat[it as usize], is_free);
+        assert_eq!(
+            edges.all.len(),
+            8 * 9 * 2 + 64 - 8,
+            "each once, and none between what is not free"
+        );
+        let mut places = flat.clone();
+        places[40] += Vec3::X * 0.004;
+        assert!(0.3 < worst(&edges, &places));
+        for _ in 0..SWEEP_COUNT {
+            edges.sweep(&mut places);
+        }
+        assert!(worst(&edges, &places) < 1.5 * LIMIT);
+        assert_eq!(places[..9], flat[..9], "what is not free stays");
+        let share = |it: usize| places[it].x - flat[it].x;
+        assert!(
+            1.0e-4 < share(41) && 1.0e-4 < share(39),
+            "and is pushed too"
+        );
+        let calm = places.clone();
+        edges.sweep(&mut places);
+        let most = calm.iter().zip(&places).map(|(a, b)| a.distance(*b));
+        assert!(most.fold(0.0, f32::max) < 1.0e-4, "it comes to rest");
     }
 }
