@@ -43,7 +43,10 @@ const SOFT_TORN: f32 = 0.1;
 
 /// Pairs that a repair may look at for each patch of the cloth before it comes to an end: it then holds
 /// together what it has not parted.
-const EFFORT_MAX: usize = 8;
+const EFFORT_MAX: usize = 6;
+
+/// Pairs that it may look at for each patch while much of the cloth is strained.
+const STRAINED_EFFORT: usize = 8;
 
 /// Pairs that it may look at for each patch where something crossed before, holding back included: what is
 /// drawn out takes longer.
@@ -72,6 +75,8 @@ pub(crate) struct Fixed<'a> {
     pub(crate) body: &'a dyn Outside,
     /// Duration of the step [s].
     pub(crate) dt: f32,
+    /// Whether so much of the cloth was strained before that its lengths are kept, whatever it costs.
+    pub(crate) is_strained: bool,
 }
 
 /// Finds and repairs crossings.
@@ -242,6 +247,7 @@ impl CrossingRepair {
         self.before.clear();
         self.effort = 0;
         let effort_max = match self.ceiling {
+            Some(0) if fixed.is_strained => STRAINED_EFFORT,
             Some(0) => EFFORT_MAX,
             _ => TANGLE_EFFORT,
         };

@@ -218,6 +218,7 @@ fn repair_crossings(step: GridStep<'_>, state: &mut ClothState) {
     } = step;
     let repairs = |contact: SelfCollision| contact.crossings == Crossings::Repair;
     if config.self_collision.is_some_and(repairs) {
+        let is_strained = state.fineness.is_strained(Substeps::of(config));
         let scratch = &mut state.scratch;
         scratch.crossing_repair.repair(
             Fixed {
@@ -233,6 +234,7 @@ fn repair_crossings(step: GridStep<'_>, state: &mut ClothState) {
                     held: &scratch.held_depths,
                 },
                 dt,
+                is_strained,
             },
             scratch.cloth_contacts.start_positions(),
             &mut state.positions,

@@ -14,7 +14,8 @@ use crate::collision::surface::{PATCH_EDGES, Surface};
 /// How much longer or shorter an edge may be than the solver has left it, as a share.
 const LIMIT: f32 = 0.03;
 
-/// Where fewer than one in so many patches is parted, the springs of the next step do it.
+/// Where fewer than one in so many patches is parted, or has an edge that is strained, the springs of the next
+/// step do it.
 const FEW: usize = 100;
 
 /// Rings around what is parted that share its way.
@@ -115,6 +116,15 @@ impl Edges {
         }
     }
 
+    /// How many edges are longer or shorter by more than twice [`LIMIT`].
+    fn strained(&self, positions: &[Vec3]) -> usize {
+        let is_strained = |edge: &&Edge| {
+            let [one, other] = edge.ends.map(|end| positions[end as usize]);
+            2.0 * LIMIT * edge.length < (one.distance(other) - edge.length).abs()
+        };
+        self.all.iter().filter(is_strained).count()
+    }
+
     /// What a sweep costs, as pairs of patches that are looked at.
     const fn effort(&self) -> usize {
         self.all.len() / EDGES_OF_A_PAIR
@@ -125,7 +135,7 @@ impl CrossingRepair {
     /// Finds the edges around what is to be parted from `known` on, where that is so much that it strains the cloth;
     /// whether it is.
     pub(super) fn find_strained(&mut self, fixed: Fixed<'_>, known: usize) -> bool {
-        if self.separations.len() * FEW <= fixed.surface.patches.len() {
+        if !fixed.is_strained || self.separations.len() * FEW <= fixed.surface.patches.len() {
             return false;
         }
         let new = &self.separations[known..];
@@ -172,7 +182,10 @@ impl CrossingRepair {
         let members = std::mem::take(&mut self.zones.members);
         let is_all = goals.len() < 2 * members.len();
         if self.ceiling == Some(0) && self.finder.crossings.is_empty() && !is_all {
+            // What comes after it may do as much as without it.
+            let (known, most) = (self.effort + self.finder.effort, self.effort_max);
             self.relax_members(fixed, &members, goals);
+            self.effort_max = most + self.effort + self.finder.effort - known;
         }
         self.zones.members = members;
     }
@@ -187,6 +200,9 @@ impl CrossingRepair {
         let is_free =
             |particle| held[particle as usize].is_some() && 0.0 < Self::inv_mass(fixed, particle);
         (self.edges).find(fixed.surface, members, |it| goals[it as usize], is_free);
+        if self.edges.strained(&self.positions) * FEW <= fixed.surface.patches.len() {
+            return;
+        }
         for _ in 0..PASSES {
             if self.is_spent() {
                 return;
