@@ -75,7 +75,7 @@ pub(crate) struct Fixed<'a> {
     pub(crate) body: &'a dyn Outside,
     /// Duration of the step [s].
     pub(crate) dt: f32,
-    /// Whether so much of the cloth was strained before that its lengths are kept, whatever it costs.
+    /// Whether so much of the cloth was strained before that its lengths are kept, at some more effort.
     pub(crate) is_strained: bool,
 }
 
