@@ -191,8 +191,6 @@ impl Whole {
             inv_masses: &self.inv_masses,
             body: &body,
             dt,
-            // Only tried on gathered skirts, one by one.
-            is_strained: false,
         };
         let columns = (&mut state.positions[..], &mut state.velocities[..]);
         state

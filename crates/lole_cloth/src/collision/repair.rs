@@ -9,7 +9,7 @@
 
 mod hold;
 mod leave;
-mod relax;
+pub(crate) mod limit;
 mod tangle;
 
 use std::ops::Range;
@@ -28,7 +28,6 @@ use crate::collision::separation::Separation;
 use crate::collision::surface::Surface;
 use crate::collision::surfel::room::TORN;
 use crate::lanes::{Points, Scalars, SlotSet, narrow};
-use relax::Edges;
 
 /// Rounds of looking and bringing apart at most: a repair may make something else cross.
 const PARTING_ROUNDS: u8 = 8;
@@ -44,9 +43,6 @@ const SOFT_TORN: f32 = 0.1;
 /// Pairs that a repair may look at for each patch of the cloth before it comes to an end: it then holds
 /// together what it has not parted.
 const EFFORT_MAX: usize = 6;
-
-/// Pairs that it may look at for each patch while much of the cloth is strained.
-const STRAINED_EFFORT: usize = 8;
 
 /// Pairs that it may look at for each patch where something crossed before, holding back included: what is
 /// drawn out takes longer.
@@ -75,8 +71,6 @@ pub(crate) struct Fixed<'a> {
     pub(crate) body: &'a dyn Outside,
     /// Duration of the step [s].
     pub(crate) dt: f32,
-    /// Whether so much of the cloth was strained before that its lengths are kept, at some more effort.
-    pub(crate) is_strained: bool,
 }
 
 /// Finds and repairs crossings.
@@ -107,8 +101,6 @@ pub(crate) struct CrossingRepair {
     moved_patches: Marked,
     /// Where they were before the repair, then before the last of them left the body [m].
     before: Vec<Vec3>,
-    /// Edges at what is parted or held back.
-    edges: Edges,
     /// Which particles have left the body.
     is_outside: Vec<bool>,
     /// What was parted and is kept apart.
@@ -138,7 +130,6 @@ impl CrossingRepair {
             + size_of_val(&self.since[..])
             + size_of_val(&self.has_moved[..])
             + size_of_val(&self.before[..])
-            + self.edges.byte_count()
             + size_of_val(&self.is_outside[..])
             + size_of_val(&self.is_tangled[..])
             + self.held_back.byte_count()
@@ -238,16 +229,9 @@ impl CrossingRepair {
 
     fn work(&mut self, fixed: Fixed<'_>, starts: &[Vec3]) {
         self.separations.clear();
-        self.moved.clear();
-        self.moved_places.clear();
-        self.moved_places.resize(starts.len(), 0);
-        self.looked.clone_from(&self.positions);
-        self.has_moved.clear();
-        self.has_moved.resize(starts.len(), false);
-        self.before.clear();
+        self.start_moving();
         self.effort = 0;
         let effort_max = match self.ceiling {
-            Some(0) if fixed.is_strained => STRAINED_EFFORT,
             Some(0) => EFFORT_MAX,
             _ => TANGLE_EFFORT,
         };
@@ -269,23 +253,14 @@ impl CrossingRepair {
             if UNTANGLING_ROUNDS <= round && self.separations.len() == known {
                 break;
             }
-            let strains = self.find_strained(fixed, known);
-            let sweep_count = if strains {
-                relax::PARTING_SWEEP_COUNT
-            } else {
-                SWEEP_COUNT
-            };
-            for _ in 0..sweep_count {
-                if strains {
-                    self.keep_lengths();
-                }
+            for _ in 0..SWEEP_COUNT {
                 for index in 0..self.separations.len() {
                     self.part(fixed, self.separations[index]);
                 }
                 self.restrain(starts);
                 self.leave_body(fixed);
             }
-            self.effort += sweep_count * self.separations.len();
+            self.effort += SWEEP_COUNT * self.separations.len();
             let found = self.finder.crossings.len();
             self.look_again(fixed);
             if self.finder.crossings.is_empty() {
@@ -302,6 +277,18 @@ impl CrossingRepair {
             let slot = fixed.layout.slot(member as usize);
             self.held_back.insert(slot, fixed.inv_masses.len());
         }
+    }
+
+    /// Starts with nothing moved yet.
+    fn start_moving(&mut self) {
+        let count = self.positions.len();
+        self.moved.clear();
+        self.moved_places.clear();
+        self.moved_places.resize(count, 0);
+        self.looked.clone_from(&self.positions);
+        self.has_moved.clear();
+        self.has_moved.resize(count, false);
+        self.before.clear();
     }
 
     /// Whether the repair has done as much as it may.
@@ -405,12 +392,16 @@ impl CrossingRepair {
     }
 
     fn store(&self, fixed: Fixed<'_>, positions: &mut [Points], velocities: &mut [Points]) {
+        self.store_moved(fixed, positions);
+        for separation in &self.separations {
+            self.stop_approach(fixed, separation, velocities);
+        }
+    }
+
+    fn store_moved(&self, fixed: Fixed<'_>, positions: &mut [Points]) {
         for &particle in &self.moved {
             let (vector, lane) = fixed.layout.slot(particle as usize);
             positions[vector].set(lane, self.positions[particle as usize]);
-        }
-        for separation in &self.separations {
-            self.stop_approach(fixed, separation, velocities);
         }
     }
 

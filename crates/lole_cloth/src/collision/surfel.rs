@@ -132,8 +132,6 @@ pub(crate) struct Cloth<'a> {
     pub(crate) held_back: &'a SlotSet,
     /// Stretch from which it yields to what hangs in it.
     pub(crate) torn: f32,
-    /// Whether so much of it is strained that skin yields to all that it pulls.
-    pub(crate) is_strained: bool,
     /// From which pins its particles hang, and how far it is stretched.
     pub(crate) hanging: &'a dyn Hanging,
 }
@@ -310,8 +308,6 @@ impl SurfelContacts {
                 let is_held = cloth.held_back.contains(slot);
                 if is_held || HOOKED < deep && room::is_torn(cloth, slot) {
                     yielding.recede(slot, cloth.positions.len(), deep);
-                } else if cloth.is_strained && room::is_pulled(cloth, slot) {
-                    yielding.recede_slowly(slot, cloth.positions.len(), deep, cloth.dt);
                 }
             }
             let wanted = wanted - yielding.depth(slot);

@@ -80,8 +80,6 @@ fn with_skin(
         dt: step.dt,
         held_back: &scratch.crossing_repair.held_back,
         torn: scratch.crossing_repair.torn(),
-        // What is cut close to the body is stretched by it here and there, and stays outside.
-        is_strained: false,
         hanging: step.model,
     };
     let skin = Skin {

@@ -101,8 +101,6 @@ pub(crate) fn repair(step: MeshStep<'_>, state: &mut MeshState) {
                 held: &scratch.held,
             },
             dt,
-            // Only tried on gathered skirts.
-            is_strained: false,
         },
         &scratch.face_contacts.positions,
         &mut state.positions,

@@ -9,15 +9,13 @@ use std::num::NonZeroU32;
 
 use glam::Vec3;
 
+use crate::collision::repair::limit::{FEW, TOO_FAR};
 use crate::mesh::MeshModel;
 use crate::{ClothModel, SolverConfig, diagnose};
 
 /// Strain from which a part of the cloth counts as strained, and as not quite at rest.
 const STRAINED: f32 = 0.06;
 const UNEASY: f32 = 0.04;
-
-/// One part in so many may be strained.
-const FEW: usize = 100;
 
 /// Substeps of a step as usual, and at most.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -62,28 +60,25 @@ impl Fineness {
         self.count.clamp(substeps.usual, substeps.most)
     }
 
-    /// Whether so much is strained that it takes twice as many as usual.
-    pub(crate) fn is_strained(&self, substeps: Substeps) -> bool {
-        2 * substeps.usual <= self.substep_count(substeps)
-    }
-
     /// Sets the substeps of the next step to those that all else takes with which the cloth is joined.
     pub(crate) const fn follow(&mut self, count: u32) {
         self.count = count;
     }
 
-    /// Learns how strained the cloth came out of a step; `look` counts its parts, with a list for positions.
+    /// Learns how strained the cloth came out of a step; `look` counts its parts, with a list for positions. Whether
+    /// so much of it is strained too far that this is brought back at once.
     pub(crate) fn learn(
         &mut self,
         substeps: Substeps,
         look: impl FnOnce(&mut Strained, &mut Vec<Vec3>),
-    ) {
+    ) -> bool {
         if substeps.most <= substeps.usual {
-            return;
+            return false;
         }
         let mut strained = Strained::default();
         look(&mut strained, &mut self.positions);
-        let [is_strained, is_uneasy] = strained.beyond.map(|beyond| strained.all < FEW * beyond);
+        let [is_torn, is_strained, is_uneasy] =
+            strained.beyond.map(|beyond| strained.all < FEW * beyond);
         let now = self.substep_count(substeps);
         let usual = substeps.usual;
         self.count = if is_strained {
@@ -93,6 +88,7 @@ impl Fineness {
         } else {
             now.saturating_sub(usual.div_ceil(4)).max(usual)
         };
+        is_torn
     }
 }
 
@@ -100,8 +96,8 @@ impl Fineness {
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Strained {
     all: usize,
-    /// Strained, and uneasy.
-    beyond: [usize; 2],
+    /// Strained too far, strained, and uneasy.
+    beyond: [usize; 3],
 }
 
 impl Strained {
@@ -132,7 +128,7 @@ impl Strained {
     /// Counts what is so long, squared [m²], and was `rest_length` [m].
     fn count(&mut self, squared: f32, rest_length: f32) {
         self.all += 1;
-        for (beyond, limit) in self.beyond.iter_mut().zip([STRAINED, UNEASY]) {
+        for (beyond, limit) in self.beyond.iter_mut().zip([TOO_FAR, STRAINED, UNEASY]) {
             let [short, long] = [1.0 - limit, 1.0 + limit].map(|share| share * rest_length);
             *beyond += usize::from(!(short * short..=long * long).contains(&squared));
         }

@@ -18,11 +18,12 @@ use crate::collision::capsule::near::Range;
 use crate::collision::cloth_cloth::ClothContactLaw;
 use crate::collision::outside::Body;
 use crate::collision::repair::Fixed;
+use crate::collision::surfel::SurfelContacts;
 use crate::method::fineness::Substeps;
 use crate::phase::Observer;
 use crate::pins::PinSlots;
 use crate::step::{GridStep, Progress};
-use crate::{ClothModel, ClothState, Crossings, SelfCollision};
+use crate::{ClothModel, ClothState, Crossings, SelfCollision, diagnose};
 pub(crate) use contact::{find_body_contacts, move_capsules};
 use contact::{find_contacts, keep_guards, solve_cloth_contacts, with_skin};
 pub(crate) use schedule::Schedules;
@@ -200,49 +201,65 @@ impl SubstepNow<'_> {
 /// What is done once, after the last substep.
 pub(crate) fn end(step: GridStep<'_>, state: &mut ClothState) {
     finish_pins(step.model, state);
-    repair_crossings(step, state);
+    let repairs = |contact: SelfCollision| contact.crossings == Crossings::Repair;
+    let repairs = step.config.self_collision.is_some_and(repairs);
+    if repairs {
+        repair_crossings(step, state);
+    } else {
+        // What a repair has left without contact, for the next one to draw out, would stay so.
+        state.scratch.crossing_repair.forget();
+    }
     let positions = &state.positions;
-    (state.fineness).learn(Substeps::of(step.config), |strained, points| {
+    let is_torn = (state.fineness).learn(Substeps::of(step.config), |strained, points| {
         step.model.layout.gather_points(positions, points);
         strained.count_grid(step.model, points);
     });
+    if repairs && is_torn {
+        limit_strain(step, state);
+    }
 }
 
 /// Takes back what came to cross in this step.
 fn repair_crossings(step: GridStep<'_>, state: &mut ClothState) {
-    let GridStep {
-        model,
-        config,
-        input,
-        dt,
-    } = step;
-    let repairs = |contact: SelfCollision| contact.crossings == Crossings::Repair;
-    if config.self_collision.is_some_and(repairs) {
-        let is_strained = state.fineness.is_strained(Substeps::of(config));
-        let scratch = &mut state.scratch;
-        scratch.crossing_repair.repair(
-            Fixed {
-                level: config.instruction_set.level(),
-                surface: &model.surface,
-                layout: &model.layout,
-                inv_masses: &model.inv_masses,
-                body: &Body {
-                    layout: &model.layout,
-                    capsules: input.capsules,
-                    contact_offset: config.contact_offset,
-                    skin: &scratch.surfel_contacts,
-                    held: &scratch.held_depths,
-                },
-                dt,
-                is_strained,
-            },
-            scratch.cloth_contacts.start_positions(),
-            &mut state.positions,
-            &mut state.velocities,
-        );
-    } else {
-        // What a repair has left without contact, for the next one to draw out, would stay so.
-        state.scratch.crossing_repair.forget();
+    let scratch = &mut state.scratch;
+    let body = body_of(step, &scratch.surfel_contacts, &scratch.held_depths);
+    scratch.crossing_repair.repair(
+        fixed_of(step, &body),
+        scratch.cloth_contacts.start_positions(),
+        &mut state.positions,
+        &mut state.velocities,
+    );
+}
+
+/// Brings to its lengths what this step has strained too far.
+fn limit_strain(step: GridStep<'_>, state: &mut ClothState) {
+    let scratch = &mut state.scratch;
+    let body = body_of(step, &scratch.surfel_contacts, &scratch.held_depths);
+    scratch
+        .crossing_repair
+        .limit_strain(fixed_of(step, &body), &mut state.positions, &|edge| {
+            diagnose::each_structural_edge(step.model.spec(), edge);
+        });
+}
+
+fn body_of<'a>(step: GridStep<'a>, skin: &'a SurfelContacts, held: &'a [f32]) -> Body<'a> {
+    Body {
+        layout: &step.model.layout,
+        capsules: step.input.capsules,
+        contact_offset: step.config.contact_offset,
+        skin,
+        held,
+    }
+}
+
+fn fixed_of<'a>(step: GridStep<'a>, body: &'a Body<'a>) -> Fixed<'a> {
+    Fixed {
+        level: step.config.instruction_set.level(),
+        surface: &step.model.surface,
+        layout: &step.model.layout,
+        inv_masses: &step.model.inv_masses,
+        body,
+        dt: step.dt,
     }
 }
 

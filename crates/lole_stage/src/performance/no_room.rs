@@ -1,4 +1,5 @@
-//! Where a body left its cloth no room: told, because there the skin gave way and not the cloth.
+//! Where a body left its cloth no room: told, because there the skin gave way and not the cloth. What had no
+//! room when a frame began and lies outside of the skin when it ends is not worth a word.
 
 use glam::Vec3;
 use lole_body::Bone;
@@ -7,6 +8,8 @@ use lole_language::{Sentence, Words, words};
 
 /// Cloth that was held back farther than this from all skin [m] was pressed by other cloth.
 const NEAR: f32 = 0.06;
+/// Cloth less deep in the skin than this [m] has found room after all.
+const SUNK: f32 = 0.5e-3;
 /// Cloth that was held back which is looked at in a frame, at most.
 const LOOKED_AT: usize = 32;
 /// A part of the body counts that has at least one in so many of those beside it.
@@ -110,7 +113,7 @@ impl super::Performance {
     }
 }
 
-/// Writes down beside what cloth was held back in a frame that ends at a time [s]: `held` are its
+/// Writes down in what cloth lies that had no room in a frame that ends at a time [s]: `held` are its
 /// particles [m], of the body there are surfels, with the bone that carries each.
 pub(super) fn note(
     told: &mut Vec<NoRoom>,
@@ -141,13 +144,15 @@ pub(super) fn note(
     }
 }
 
-/// The surfel nearest to a place [m].
+/// The surfel nearest to a place [m] that lies in the skin there.
 fn nearest(place: Vec3, surfels: &[Surfel]) -> Option<usize> {
     let squares = surfels
         .iter()
         .map(|surfel| surfel.position.distance_squared(place));
     let (surfel, square) = squares.enumerate().min_by(|a, b| a.1.total_cmp(&b.1))?;
-    (square < NEAR * NEAR).then_some(surfel)
+    let Surfel { position, normal } = surfels[surfel];
+    let is_in = (place - position).dot(normal) < -SUNK;
+    (is_in && square < NEAR * NEAR).then_some(surfel)
 }
 
 /// Parts that are told apart, with their words.
@@ -192,7 +197,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_held_back_beside_a_part_of_the_body_is_told_once_for_a_time() {
+    fn what_is_held_back_in_a_part_of_the_body_is_told_once_for_a_time() {
         let surfel = |x: f32| Surfel {
             position: Vec3::X * x,
             normal: Vec3::X,
@@ -203,11 +208,12 @@ mod tests {
         let mut told = Vec::new();
         for frame in 0..10_u8 {
             let time = 2.0 + f32::from(frame) * 0.1;
-            let held = [Vec3::X * 0.01, Vec3::X * 0.5];
+            let held = [Vec3::X * -0.01, Vec3::X * 0.5];
             note(&mut told, time, &held, (&surfels, &bone_of));
         }
         note(&mut told, 5.0, &[Vec3::X * 0.99], (&surfels, &bone_of));
         note(&mut told, 5.1, &[], (&surfels, &bone_of));
+        note(&mut told, 8.0, &[Vec3::X * 1.002], (&surfels, &bone_of));
         let parts: Vec<_> = told.iter().map(|it| it.part).collect();
         assert_eq!(parts, [Bone::LeftFoot, Bone::Spine]);
         assert_eq!(told[0].time[0], 2.0);

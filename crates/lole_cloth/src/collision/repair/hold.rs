@@ -70,9 +70,6 @@ impl CrossingRepair {
             motion: |start| drift.apply(start),
         };
         self.hold_in_rounds(fixed, &ways, (ceiling, is_hopeless));
-        if fixed.is_strained && !is_hopeless {
-            self.relax(fixed, &goals);
-        }
         (self.drift, self.goals) = (drift, goals);
     }
 

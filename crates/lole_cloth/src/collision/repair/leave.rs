@@ -108,7 +108,7 @@ impl CrossingRepair {
 }
 
 /// Where the nearest point outside the body is [m], the particle's own if it is there.
-fn outside_body(fixed: Fixed<'_>, particle: u32, position: Vec3) -> Vec3 {
+pub(super) fn outside_body(fixed: Fixed<'_>, particle: u32, position: Vec3) -> Vec3 {
     let (vector, lane) = fixed.layout.slot(particle as usize);
     if fixed.inv_masses[vector].0[lane] <= 0.0 {
         return position;

@@ -25,9 +25,6 @@ const TAUT: f32 = 1.03;
 /// Cloth that is stretched by so much is pushed no farther.
 pub(crate) const TORN: f32 = 0.3;
 
-/// Cloth that is stretched by so much pulls at what lies under it, where much of it is strained.
-const PULLED: f32 = 0.08;
-
 /// From what a particle hangs: a pin, or the line between two of them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Anchor {
@@ -76,11 +73,6 @@ impl Anchor {
 /// Whether the cloth at a particle is stretched so far that the skin gives way to it.
 pub(super) fn is_torn(cloth: Cloth<'_>, slot: (usize, usize)) -> bool {
     cloth.torn < cloth.hanging.stretch_at(cloth.positions, slot)
-}
-
-/// Whether the cloth at a particle is stretched so far that the skin under it gives way slowly.
-pub(super) fn is_pulled(cloth: Cloth<'_>, slot: (usize, usize)) -> bool {
-    PULLED < cloth.hanging.stretch_at(cloth.positions, slot)
 }
 
 /// How far a place is outside of skin that keeps a distance [m], in the middle of a step.

@@ -10,9 +10,6 @@ use crate::lanes::{LANES, Scalars};
 /// Speed at which skin comes back [m/s]: as slow as a hand that is careful.
 const RETURNING: f32 = 0.1;
 
-/// Speed at which it gives way to what is pulled tight over it, and not hung up in it [m/s].
-const GIVING_WAY: f32 = 0.5;
-
 /// Farthest that it recedes [m]: what is deeper has left the reach of the skin.
 const FARTHEST: f32 = super::REACH_MAX;
 
@@ -62,21 +59,6 @@ impl Yielding {
         let depth = &mut self.depths[vector].0[lane];
         *depth = depth.max(deep + ROOM).min(FARTHEST);
     }
-
-    /// Lets the skin recede towards a particle, of so many vectors, that touches it or is so deep in it [m], as
-    /// far as it does in `dt` [s].
-    pub(super) fn recede_slowly(
-        &mut self,
-        slot: (usize, usize),
-        vector_count: usize,
-        deep: f32,
-        dt: f32,
-    ) {
-        let now = self.depth(slot);
-        if now - ROOM < deep {
-            self.recede(slot, vector_count, deep.min(now + GIVING_WAY * dt));
-        }
-    }
 }
 
 #[cfg(test)]
@@ -100,23 +82,5 @@ mod tests {
         assert_eq!(yielding.depth((0, 0)), FARTHEST);
         yielding.come_back(10.0);
         assert_eq!(yielding, Yielding::default());
-    }
-
-    #[test]
-    fn skin_recedes_slowly_from_what_is_pulled_over_it_as_long_as_that_touches() {
-        let mut yielding = Yielding::default();
-        let slot = (0, 5);
-        let mut depths = Vec::new();
-        for _ in 0..4 {
-            yielding.recede_slowly(slot, 1, 0.02, 0.01);
-            depths.push(yielding.depth(slot));
-        }
-        assert!(
-            depths.is_sorted() && depths[0] < 0.007 && depths[1] < depths[3],
-            "{depths:?}"
-        );
-        assert_eq!(depths[3], 0.02 + ROOM, "no farther than it is deep");
-        yielding.recede_slowly(slot, 1, 0.01, 0.01);
-        assert_eq!(yielding.depth(slot), 0.02 + ROOM, "what has left it");
     }
 }

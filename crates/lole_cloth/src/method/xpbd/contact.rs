@@ -85,7 +85,6 @@ fn encounter<'a>(step: GridStep<'a>, state: &'a ClothState) -> Encounter<'a> {
             dt: step.dt,
             held_back: &crossing_repair.held_back,
             torn: crossing_repair.torn(),
-            is_strained: state.fineness.is_strained(Substeps::of(step.config)),
             hanging: step.model,
         },
         skin: Skin {
