@@ -151,8 +151,14 @@ fn table(
     if !args.json {
         summary::print_bench_head(language);
     }
+    let reference = bench::reference().measure(settings)?;
     for entry in chosen {
-        let row = entry.measure(settings)?;
+        let mut row = if reference.is_of(&entry) {
+            reference.clone()
+        } else {
+            entry.measure(settings)?
+        };
+        row.compare(&reference);
         if !args.json {
             summary::print_bench_row(&row, language);
         }

@@ -304,6 +304,7 @@ fn a_bench_refuses_what_does_not_go_together_and_prints_its_rows() {
     assert_eq!(table.as_array().unwrap().len(), 1);
     assert_eq!(table[0]["scene"], "hang-64");
     assert_eq!(table[0]["spring_roofline"], Value::Null);
+    assert!(0.0 < table[0]["ratio_to_reference"].as_f64().unwrap());
     let soaked = rows(&["--soak", "120", "--seed", "5"]);
     assert_eq!(soaked[0]["frames"], 120);
     assert_eq!(soaked[0]["violations"], Value::Array(Vec::new()));

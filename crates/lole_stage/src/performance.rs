@@ -601,7 +601,10 @@ impl Performance {
     /// Substeps of one frame, most of any garment.
     #[must_use]
     pub fn substep_count(&self) -> u32 {
-        self.solvers().map(Solver::substep_count).max().unwrap_or(0)
+        let dressed = self.dressed.iter().zip(&self.production.dressed);
+        let dressed = dressed.map(|(moving, garment)| moving.substep_count(garment));
+        let counts = self.solvers().map(Solver::substep_count).chain(dressed);
+        counts.max().unwrap_or(0)
     }
 
     fn solvers(&self) -> impl Iterator<Item = &Solver> {

@@ -16,6 +16,9 @@ pub use phases::PhaseTime;
 pub use roofline::SpringRoofline;
 pub use row::BenchRow;
 
+/// The scene of the reference row.
+const REFERENCE: &str = "skirt";
+
 /// What holds for every scene.
 #[derive(Clone, Copy)]
 pub struct BenchSettings<'a> {
@@ -69,7 +72,7 @@ pub fn entries() -> Vec<Entry> {
     });
     let stage = stage::SCENES.iter().map(|scene| {
         let measure: Measure =
-            Box::new(|settings| Ok(stage::measure(scene, &(scene.design)(), settings)?));
+            Box::new(|settings| Ok(stage::measure(scene, &(scene.designs)(), settings)?));
         Entry {
             scene: scene.name,
             method: scene.method(),
@@ -77,6 +80,13 @@ pub fn entries() -> Vec<Entry> {
         }
     });
     engine.chain(stage).collect()
+}
+
+/// The row that others are held against in the same run, because machines differ and are noisy: the skirt by FB
+/// Euler on vectors, a method that does not change.
+#[must_use]
+pub fn reference() -> Entry {
+    entry(scene(REFERENCE), engine::Method::ExplicitRows)
 }
 
 /// The same square at several sizes, by every method of the engine.
@@ -90,7 +100,6 @@ pub fn sizes() -> Vec<Entry> {
 }
 
 /// A scene of the engine.
-#[cfg(test)]
 pub(crate) fn scene(name: &str) -> &'static ClothScene {
     let scene = SCENES.iter().find(|scene| scene.name == name);
     scene.expect("one of the table")

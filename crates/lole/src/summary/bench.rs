@@ -13,12 +13,13 @@ const PHASE_SHOWN_PCT: f64 = 0.5;
 /// Column heads of the bench table.
 pub(crate) fn print_bench_head(language: Language) {
     say!(
-        "{:<14} {:<13} {:>9} {:>8} {:>8} {:>8} {:>8} {:>6} {:>22} {:>15} {:>8} {:>7} {:>9} {:>10} {:>7} {:>6}  hash",
+        "{:<14} {:<13} {:>9} {:>8} {:>8} {:>7} {:>8} {:>8} {:>6} {:>22} {:>15} {:>8} {:>7} {:>9} {:>10} {:>7} {:>6}  hash",
         language.pick("場面", "scene"),
         language.pick("方法", "method"),
         language.pick("質点", "particles"),
         language.pick("分割", "substeps"),
         "CPU ms",
+        language.pick("基準比", "ratio"),
         "CPU p99",
         "wall ms",
         "ns",
@@ -33,6 +34,11 @@ pub(crate) fn print_bench_head(language: Language) {
     );
 }
 
+/// A figure with so many decimals, or a dash.
+fn figure(value: Option<f64>, decimals: usize) -> String {
+    value.map_or("-".to_owned(), |value| format!("{value:.decimals$}"))
+}
+
 /// One row of the bench table.
 pub(crate) fn print_bench_row(row: &BenchRow, language: Language) {
     let [crossings, inversions] = [row.self_crossings, row.layer_inversions]
@@ -40,12 +46,13 @@ pub(crate) fn print_bench_row(row: &BenchRow, language: Language) {
     let skin =
         (row.skin_penetration_mm).map_or("-".to_owned(), |skin| format!("{:.2}", skin.worst));
     say!(
-        "{:<14} {:<13} {:>9} {:>8} {:>8.3} {:>8.3} {:>8.3} {:>6.2} {:>10.3} {:>5.2} {:>5.2} {:>9.2} {:>5.2} {:>8.3} {:>7} {:>9} {:>10} {:>7.3} {:>6.0}  {}",
+        "{:<14} {:<13} {:>9} {:>8} {:>8.3} {:>7} {:>8.3} {:>8.3} {:>6.2} {:>10.3} {:>5.2} {:>5.2} {:>9.2} {:>5.2} {:>8.3} {:>7} {:>9} {:>10} {:>7} {:>6}  {}",
         row.scene,
         row.method,
         row.particles,
         row.substeps,
         row.frame_ms.median,
+        figure(row.ratio_to_reference, 3),
         row.frame_ms.p99,
         row.frame_wall_ms.median,
         row.particle_substep_ns,
@@ -58,8 +65,8 @@ pub(crate) fn print_bench_row(row: &BenchRow, language: Language) {
         skin,
         crossings,
         inversions,
-        row.rms_speed_m_per_s,
-        row.bytes_per_particle,
+        figure(row.rms_speed_m_per_s, 3),
+        figure(row.bytes_per_particle, 0),
         row.state_hash
     );
     print_below(row, language);

@@ -157,6 +157,12 @@ impl AssemblyState {
         }
     }
 
+    /// Substeps of the next step.
+    #[must_use]
+    pub fn substep_count(&self, assembly: &Assembly) -> u32 {
+        self.fineness.substep_count(assembly.substeps)
+    }
+
     /// Remembers where everything is.
     fn keep(&mut self) {
         for (kept, piece) in self.kept.iter_mut().zip(&self.pieces) {

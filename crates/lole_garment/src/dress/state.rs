@@ -22,6 +22,12 @@ impl DressedState {
         self.step_as(garment, &garment.assembly, (world, dt))
     }
 
+    /// Substeps of its next step.
+    #[must_use]
+    pub fn substep_count(&self, garment: &Dressed) -> u32 {
+        self.state.substep_count(&garment.assembly)
+    }
+
     pub(super) fn step_as(
         &mut self,
         garment: &Dressed,

@@ -128,6 +128,10 @@ impl Dressed {
         held.iter().map(|&it| self.positions[it as usize]).collect()
     }
 
+    pub(super) fn substep_count(&self, garment: &DressedGarment) -> u32 {
+        self.state.substep_count(&garment.dressed)
+    }
+
     pub(super) const fn is_lost(&self) -> bool {
         self.is_lost
     }

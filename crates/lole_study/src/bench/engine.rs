@@ -233,8 +233,8 @@ pub(super) fn measure(
         skin_penetration: None,
         crossings: seen.crossings,
         layer_inversions: None,
-        rms_speed: diagnose::rms_speed(&velocities),
-        byte_count: timed.prepared.byte_count() + timed.state.byte_count(),
+        rms_speed: Some(diagnose::rms_speed(&velocities)),
+        byte_count: Some(timed.prepared.byte_count() + timed.state.byte_count()),
         state_hash,
     };
     Ok(row.row())

@@ -111,7 +111,8 @@ pub fn cases() -> Vec<Case> {
             variants: engine_variants(scene, method),
         })
     });
-    let stage = (stage::SCENES.iter()).map(|scene| Case {
+    let stage = (stage::SCENES.iter()).filter(|scene| scene.takes_substeps());
+    let stage = stage.map(|scene| Case {
         scene: scene.name,
         about: scene.about,
         method: scene.method(),
@@ -155,9 +156,11 @@ fn stage_variants(scene: &'static StageScene) -> Vec<Variant> {
         sweeps: None,
         is_own: count.is_none(),
         run: Box::new(move |settings| {
-            let mut design = (scene.design)();
-            design.method.substep_count = count.or(design.method.substep_count);
-            Ok(stage::measure(scene, &design, settings)?)
+            let mut designs = (scene.designs)();
+            for design in &mut designs {
+                design.method.substep_count = count.or(design.method.substep_count);
+            }
+            Ok(stage::measure(scene, &designs, settings)?)
         }),
     };
     counts.map(variant).collect()

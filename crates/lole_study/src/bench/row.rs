@@ -30,6 +30,8 @@ pub struct BenchRow {
     pub frame_ms: MedianPercentile,
     /// Wall time of a frame [ms].
     pub frame_wall_ms: MedianPercentile,
+    /// Processor time of a median frame over that of the reference row in the same run.
+    pub ratio_to_reference: Option<f64>,
     /// Processor time for one particle in one substep [ns].
     pub particle_substep_ns: f64,
     /// Where the time of a frame goes, in the order of its phases; left out where the method has
@@ -54,15 +56,26 @@ pub struct BenchRow {
     /// Particles on the wrong side of the layer below them, most of any frame; left out where there
     /// are no layers.
     pub layer_inversions: Option<usize>,
-    /// Root mean square of the particles' speeds at the end [m/s].
-    pub rms_speed_m_per_s: f64,
-    /// Memory of the prepared cloth and its state.
-    pub bytes_per_particle: f64,
+    /// Root mean square of the particles' speeds at the end [m/s]; left out where a garment of triangles is worn.
+    pub rms_speed_m_per_s: Option<f64>,
+    /// Memory of the prepared cloth and its state; left out where a garment of triangles is worn.
+    pub bytes_per_particle: Option<f64>,
     /// All bits of the state at the end.
     pub state_hash: String,
 }
 
 impl BenchRow {
+    /// Says how its frames compare with those of a reference.
+    pub fn compare(&mut self, reference: &Self) {
+        self.ratio_to_reference = Some(self.frame_ms.median / reference.frame_ms.median);
+    }
+
+    /// Whether it is the same scene by the same method.
+    #[must_use]
+    pub fn is_of(&self, entry: &super::Entry) -> bool {
+        self.scene == entry.scene && self.method == entry.method
+    }
+
     /// The phase that takes most of the time.
     #[must_use]
     pub fn longest_phase(&self) -> Option<&'static str> {
@@ -92,8 +105,8 @@ pub(super) struct Run {
     pub(super) crossings: Option<Crossings>,
     pub(super) layer_inversions: Option<usize>,
     /// [m/s]
-    pub(super) rms_speed: f32,
-    pub(super) byte_count: usize,
+    pub(super) rms_speed: Option<f32>,
+    pub(super) byte_count: Option<usize>,
     pub(super) state_hash: u64,
 }
 
@@ -119,6 +132,7 @@ impl Run {
             threads: rayon::current_num_threads(),
             frame_ms,
             frame_wall_ms: median_and_p99(&times(|timing| timing.wall_seconds)),
+            ratio_to_reference: None,
             particle_substep_ns: 1e6 * frame_ms.median / (count * f64::from(self.substeps)),
             phases: self.phases,
             spring_roofline: self.spring_roofline,
@@ -129,8 +143,8 @@ impl Run {
             skin_penetration_mm: self.skin_penetration.map(worst_mm),
             self_crossings: self.crossings.and_then(Crossings::most),
             layer_inversions: self.layer_inversions,
-            rms_speed_m_per_s: f64::from(self.rms_speed),
-            bytes_per_particle: self.byte_count as f64 / count,
+            rms_speed_m_per_s: self.rms_speed.map(f64::from),
+            bytes_per_particle: self.byte_count.map(|it| it as f64 / count),
             state_hash: format!("{:016x}", self.state_hash),
         }
     }

@@ -1,27 +1,39 @@
 //! Scenes with a dancer: what a whole frame of the product costs.
 
+use glam::Vec3;
+use lole_cloth::diagnose::StrainSummary;
 use lole_cloth::{Phase, diagnose};
-use lole_costume::document::Design;
-use lole_stage::{Performance, Production, RunMetrics, StageError, double_pau};
+use lole_costume::document::{Design, parse};
+use lole_geom::fnv;
+use lole_stage::{Performance, Production, RunMetrics, StageError, double_pau, six_dancers};
+use rayon::iter::{IntoParallelRefMutIterator as _, ParallelIterator as _};
 
 use super::BenchSettings;
-use super::phases::PhaseClock;
+use super::phases::{PhaseClock, PhaseTime};
 use super::row::{BenchRow, Crossings, Run};
 use crate::Timing;
 
-/// One skirt on one dancer.
+/// Dancers in what they wear.
 pub(super) struct StageScene {
     pub(super) name: &'static str,
     /// What is in it.
     pub(super) about: &'static str,
     frame_count: u32,
-    pub(super) design: fn() -> Design,
+    /// By dancer.
+    pub(super) designs: fn() -> Vec<Design>,
 }
 
 impl StageScene {
     /// The method that moves its cloth.
     pub(super) fn method(&self) -> &'static str {
-        (self.design)().method.name.id()
+        (self.designs)()
+            .first()
+            .map_or("", |design| design.method.name.id())
+    }
+
+    /// Whether a number of substeps that is asked for means anything to it: garments of triangles have their own.
+    pub(super) fn takes_substeps(&self) -> bool {
+        (self.designs)().iter().any(|design| design.skirt.is_worn)
     }
 }
 
@@ -31,23 +43,91 @@ pub(super) const SCENES: &[StageScene] = &[
         name: "pau-fine",
         about: "a pāʻū skirt of 28,160 particles on a dancer",
         frame_count: 300,
-        design: Design::default,
+        designs: || vec![Design::default()],
     },
     StageScene {
         name: "pau-layers",
         about: "a double pāʻū and a top, 41,408 particles on a dancer",
         frame_count: 300,
-        design: double_pau,
+        designs: || vec![double_pau()],
+    },
+    StageScene {
+        name: "muumuu",
+        about: "a muʻumuʻu and a lei on a dancer",
+        frame_count: 150,
+        designs: || vec![fitted("muumuu")],
+    },
+    StageScene {
+        name: "holoku",
+        about: "a holokū and a lei on a dancer",
+        frame_count: 150,
+        designs: || vec![fitted("holoku")],
+    },
+    StageScene {
+        name: "kikepa",
+        about: "a kīkepa and a lei on a dancer",
+        frame_count: 150,
+        designs: || vec![fitted("kikepa")],
+    },
+    StageScene {
+        name: "blouse-pau",
+        about: "a blouse, a pāʻū skirt and a lei on a dancer",
+        frame_count: 150,
+        designs: || vec![over_skirt("blouse")],
+    },
+    StageScene {
+        name: "halau",
+        about: "six dancers in pāʻū skirts, three of them far away with coarser cloth",
+        frame_count: 100,
+        designs: halau,
     },
 ];
 
-/// A scene's dancer, settled and about to dance.
-fn settled(design: &Design, settings: BenchSettings<'_>) -> Result<Performance, StageError> {
-    let mut performance = Performance::new(Production::new(design)?)?;
-    performance.set_instruction_set(settings.instruction_set);
-    // What stops short is seen in the figures of the frames.
-    while performance.time() < 0.0 && performance.advance().is_ok() {}
-    Ok(performance)
+/// A garment of triangles with a lei, and nothing else.
+fn fitted(kind: &str) -> Design {
+    let mut design = over_skirt(kind);
+    design.skirt.is_worn = false;
+    design
+}
+
+/// The same over the skirt.
+fn over_skirt(kind: &str) -> Design {
+    let garments = [kind, "lei"].map(|kind| format!("[[garment]]\nkind = \"{kind}\"\n"));
+    let text = format!("lole = 1\n\n{}", garments.join("\n"));
+    parse(&text, kind).expect("a document of its own")
+}
+
+/// Particles of a skirt that is seen from far away: by columns and rows.
+const COARSE: (u32, u32) = (256, 32);
+
+fn halau() -> Vec<Design> {
+    let dancers = six_dancers().into_iter().enumerate();
+    let designs = dancers.map(|(place, (_, dancer))| {
+        let mut design = Design {
+            dancer,
+            ..Design::default()
+        };
+        if place % 2 == 1 {
+            (design.skirt.column_count, design.skirt.row_count) = COARSE;
+        }
+        design
+    });
+    designs.collect()
+}
+
+/// A scene's dancers, settled and about to dance.
+fn settled(
+    designs: &[Design],
+    settings: BenchSettings<'_>,
+) -> Result<Vec<Performance>, StageError> {
+    let all = designs.iter().map(|design| {
+        let mut performance = Performance::new(Production::new(design)?)?;
+        performance.set_instruction_set(settings.instruction_set);
+        // What stops short is seen in the figures of the frames.
+        while performance.time() < 0.0 && performance.advance().is_ok() {}
+        Ok(performance)
+    });
+    all.collect()
 }
 
 /// Dances a scene twice with the same bits: once for its times, with nothing between the frames that
@@ -55,87 +135,172 @@ fn settled(design: &Design, settings: BenchSettings<'_>) -> Result<Performance, 
 /// frame needs before it can be drawn: pose, capsules, pins and cloth.
 pub(super) fn measure(
     scene: &StageScene,
-    design: &Design,
+    designs: &[Design],
     settings: BenchSettings<'_>,
 ) -> Result<BenchRow, StageError> {
-    let (timings, clock, hash) = time(scene, settled(design, settings)?, settings);
-    let mut judged = settled(design, settings)?;
-    let (mut metrics, mut crossings) = (Vec::new(), Crossings::none());
+    let timed = time(scene, settled(designs, settings)?, settings);
+    let mut judged = settled(designs, settings)?;
+    let mut metrics = vec![Vec::new(); judged.len()];
+    let mut crossings = Crossings::none();
     let mut inversions = 0;
     for _ in 0..scene.frame_count {
-        let went_on = judged.advance().is_ok();
-        judged.pose_body();
-        metrics.push(judged.measure());
+        let went_on = advance_all(&mut judged);
+        for (metrics, performance) in metrics.iter_mut().zip(&mut judged) {
+            performance.pose_body();
+            metrics.push(performance.measure());
+            inversions = inversions.max(performance.layer_inversions());
+        }
         // A skirt that has settled crosses itself no more than one that dances.
-        crossings.see(u32::MAX, || self_crossings(&judged));
-        inversions = inversions.max(judged.layer_inversions());
+        crossings.see(u32::MAX, || judged.iter().map(self_crossings).sum());
         if !went_on {
             break;
         }
     }
-    debug_assert_eq!(judged.state_hash(), hash, "{}", scene.name);
-    let worst = RunMetrics::of(&metrics);
+    let hash = hash_of(&judged);
+    debug_assert_eq!(hash, timed.hash, "{}", scene.name);
+    let found: Vec<RunMetrics> = metrics.iter().map(|it| RunMetrics::of(it)).collect();
+    let worst = |strain: fn(&RunMetrics) -> StrainSummary| {
+        let strains = found.iter().map(strain);
+        strains.fold(StrainSummary::default(), |all, it| StrainSummary {
+            mean: all.mean.max(it.mean),
+            p99: all.p99.max(it.p99),
+            max: all.max.max(it.max),
+        })
+    };
+    let deepest = |depth: fn(&RunMetrics) -> f32| found.iter().map(depth).fold(0.0, f32::max);
+    let skin = deepest(|it| it.skin.worst_depth);
+    let gathers_only = judged.iter().all(|it| it.production().dressed.is_empty());
+    let has_layers = judged.iter().any(|it| 1 < it.production().garments.len());
     let run = Run {
         scene: scene.name,
-        method: judged.production().design.method.name.id(),
-        particles: judged.production().particle_count(),
-        substeps: judged.substep_count(),
-        timings,
-        phases: clock.times(),
+        method: scene.method(),
+        particles: (judged.iter())
+            .map(|it| it.production().moving_count())
+            .sum(),
+        substeps: judged
+            .iter()
+            .map(Performance::substep_count)
+            .max()
+            .unwrap_or(0),
+        timings: timed.timings,
+        phases: timed.phases,
         spring_roofline: None,
-        finite: diagnose::first_non_finite(judged.cloth_positions()).is_none(),
-        strain_end: worst.strain_end,
-        strain_worst: worst.strain,
-        penetration: worst.capsule_penetration.max(worst.skin.worst_depth),
-        skin_penetration: Some(worst.skin.worst_depth),
+        finite: judged.iter().all(is_finite),
+        strain_end: worst(|it| it.strain_end),
+        strain_worst: worst(|it| it.strain),
+        penetration: deepest(|it| it.capsule_penetration).max(skin),
+        skin_penetration: Some(skin),
         crossings: Some(crossings),
-        layer_inversions: (1 < judged.production().garments.len()).then_some(inversions),
-        rms_speed: judged.rms_speed(),
-        byte_count: judged.byte_count(),
-        state_hash: judged.state_hash(),
+        layer_inversions: has_layers.then_some(inversions),
+        rms_speed: (judged.iter().filter(|_| gathers_only))
+            .map(Performance::rms_speed)
+            .reduce(f32::max),
+        byte_count: gathers_only.then(|| judged.iter().map(Performance::byte_count).sum()),
+        state_hash: hash,
     };
     Ok(run.row())
 }
 
-/// Times of the frames of a scene, of their phases, and the bits that it ends with.
-fn time<'a>(
+fn hash_of(performances: &[Performance]) -> u64 {
+    let hashes = performances.iter().map(Performance::state_hash);
+    hashes
+        .reduce(|all, next| all.wrapping_mul(fnv::PRIME) ^ next)
+        .unwrap_or(0)
+}
+
+fn is_finite(performance: &Performance) -> bool {
+    let is_finite = |positions: &[Vec3]| diagnose::first_non_finite(positions).is_none();
+    let mut dressed = 0..performance.production().dressed.len();
+    is_finite(performance.cloth_positions())
+        && dressed.all(|place| is_finite(performance.dressed_positions(place)))
+}
+
+/// Moves all dancers on by a frame, on as many threads as there are; whether all of them dance on.
+fn advance_all(performances: &mut [Performance]) -> bool {
+    match performances {
+        [only] => only.advance().is_ok(),
+        _ => {
+            let went_on = performances.par_iter_mut().map(|it| it.advance().is_ok());
+            went_on.reduce(|| true, |all, one| all && one)
+        }
+    }
+}
+
+/// What was timed of a scene: its frames, their phases, and the bits that it ended with.
+struct Timed {
+    timings: Vec<Timing>,
+    phases: Option<Vec<PhaseTime>>,
+    hash: u64,
+}
+
+fn time(
     scene: &StageScene,
-    mut performance: Performance,
-    settings: BenchSettings<'a>,
-) -> (Vec<Timing>, PhaseClock<'a>, u64) {
+    mut performances: Vec<Performance>,
+    settings: BenchSettings<'_>,
+) -> Timed {
     let (mut timings, mut clock) = (Vec::new(), PhaseClock::new(settings.clock));
     for frame in 0..scene.frame_count {
-        if !advance(&mut performance, frame, &mut timings, &mut clock) {
+        if !advance(&mut performances, frame, &mut timings, &mut clock) {
             break;
         }
     }
-    (timings, clock, performance.state_hash())
+    Timed {
+        timings,
+        phases: clock.times(),
+        hash: hash_of(&performances),
+    }
 }
 
-/// The next frame, timed or observed; whether the dance goes on.
+/// The next frame, timed or observed; whether the dance goes on. Phases are those of gathered cloth on one
+/// dancer.
 fn advance(
-    performance: &mut Performance,
+    performances: &mut [Performance],
     frame: u32,
     timings: &mut Vec<Timing>,
     clock: &mut PhaseClock<'_>,
 ) -> bool {
-    if PhaseClock::observes(frame) {
+    if let [only] = performances
+        && only.production().dressed.is_empty()
+        && PhaseClock::observes(frame)
+    {
         clock.begin_frame();
-        let advanced = performance.advance_observed(&mut |phase| clock.passed(phase));
+        let advanced = only.advance_observed(&mut |phase| clock.passed(phase));
         clock.passed(Phase::Outside);
         return advanced.is_ok();
     }
     let watch = clock.stopwatch();
-    let advanced = performance.advance();
+    let went_on = advance_all(performances);
     timings.push(watch.read());
-    advanced.is_ok()
+    went_on
 }
 
 /// Edges of a garment that cross a triangle of the same one, of all garments.
 fn self_crossings(performance: &Performance) -> Option<usize> {
-    let crossings = performance.production().garments.iter().map(|garment| {
-        let grid = &garment.sewn.spec.grid;
-        diagnose::self_crossings(grid, performance.garment_positions(garment))
-    });
-    crossings.sum()
+    let production = performance.production();
+    let gathered = (production.garments.iter()).map(|garment| performance.self_crossings(garment));
+    let dressed = production.dressed.iter().enumerate();
+    let dressed = dressed
+        .map(|(place, garment)| (garment.dressed).crossings(performance.dressed_positions(place)));
+    gathered.chain(dressed).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_scene_has_dancers_in_what_it_is_named_for() {
+        for scene in SCENES {
+            let designs = (scene.designs)();
+            let is_gathered = designs.iter().all(|design| design.skirt.is_worn);
+            let has_own = (designs[0].garments.iter()).any(|it| it.template.id == scene.name);
+            assert!(is_gathered || has_own, "{}", scene.name);
+            assert_eq!(scene.takes_substeps(), is_gathered, "{}", scene.name);
+            assert_eq!(scene.method(), "xpbd");
+        }
+        let halau = halau();
+        let counts: Vec<u32> = halau.iter().map(|it| it.skirt.column_count).collect();
+        assert_eq!(counts.len(), 6);
+        assert_eq!(counts.iter().filter(|&&it| it == COARSE.0).count(), 3);
+    }
 }
