@@ -62,13 +62,11 @@ impl CrossingRepair {
             if self.finder.crossings.len() <= known {
                 return;
             }
-            self.take_back(fixed.surface);
+            self.take_back(fixed.surface, Back::Around);
             self.look_again(fixed);
         }
         if known < self.finder.crossings.len() {
-            for (&particle, &before) in self.moved.iter().zip(&self.before) {
-                self.positions[particle as usize] = before;
-            }
+            self.take_moved_back();
             self.look_again(fixed);
         }
     }
@@ -88,23 +86,36 @@ impl CrossingRepair {
         any
     }
 
-    /// Brings what crosses and what is near that to where it was before the last of the body was
-    /// left.
-    fn take_back(&mut self, surface: &Surface) {
+    /// Brings what was moved and crosses to where it was `before`.
+    pub(super) fn take_back(&mut self, surface: &Surface, back: Back) {
         for crossing in &self.finder.crossings {
-            let [start, end] = crossing.ends;
-            let [a, b, c] = crossing.corners;
-            for corner in [start, end, a, b, c]
-                .into_iter()
-                .flat_map(|it| surface.ring(it))
-            {
-                let moved = self.moved_places[corner as usize].checked_sub(1);
-                if let Some(place) = moved {
-                    self.positions[corner as usize] = self.before[place as usize];
+            for particle in crossing.ends.into_iter().chain(crossing.corners) {
+                let around = surface.ring(particle);
+                for corner in around.filter(|&it| back == Back::Around || it == particle) {
+                    let moved = self.moved_places[corner as usize].checked_sub(1);
+                    if let Some(place) = moved {
+                        self.positions[corner as usize] = self.before[place as usize];
+                    }
                 }
             }
         }
     }
+
+    /// Brings all that was moved to where it was `before`.
+    pub(super) fn take_moved_back(&mut self) {
+        for (&particle, &before) in self.moved.iter().zip(&self.before) {
+            self.positions[particle as usize] = before;
+        }
+    }
+}
+
+/// What goes back where something crosses.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Back {
+    /// What crosses.
+    Crossed,
+    /// What is near that, too.
+    Around,
 }
 
 /// Where the nearest point outside the body is [m], the particle's own if it is there.

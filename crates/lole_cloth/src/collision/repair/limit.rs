@@ -1,14 +1,14 @@
 //! Strain limiting: what a step has left too long or too short is brought to its lengths.
 //!
-//! Where a body leaves no room, contact and the repair move cloth against what lies around it, and springs bring
-//! it back only in later steps. The body gives way there and not the cloth: edges are brought to within a limit
-//! of their lengths at rest (Provot 1995, "Deformation constraints in a mass-spring model to describe rigid cloth
-//! behavior"), whether that is in the skin or not; then what is in the skin leaves it as far as lengths allow,
-//! and what has come to cross goes back to where it was.
+//! Contact and the repair move cloth against what lies around it, and springs bring it back only in later steps.
+//! So edges are brought to within a limit of their lengths at rest (Provot 1995, "Deformation constraints in a
+//! mass-spring model to describe rigid cloth behavior"), outside of the skin. Where there is no room for that the
+//! body gives way and not the cloth: they are brought there in the skin, and what is in it leaves it as far as
+//! lengths allow. What has come to cross goes back to where it was.
 
 use glam::Vec3;
 
-use super::leave::outside_body;
+use super::leave::{Back, outside_body};
 use super::{CrossingRepair, Fixed};
 use crate::collision::surface::Surface;
 use crate::lanes::{Points, narrow};
@@ -228,46 +228,38 @@ impl CrossingRepair {
         let is_free = |particle: usize| 0.0 < Self::inv_mass(fixed, narrow(particle));
         let edges = Edges::find(fixed.surface, &self.positions, each_edge, &is_free);
         self.start_moving();
-        let before = self.positions.clone();
         for particle in edges.particles() {
             self.shift(particle, Vec3::ZERO);
         }
         let outside = |particle, position| outside_body(fixed, particle, position);
         edges.keep_out(&mut self.positions, outside);
-        self.take_crossings_back(fixed, &before);
+        self.take_crossings_back(fixed);
         if edges.are_torn(&self.positions) {
-            self.positions.clone_from(&before);
+            self.take_moved_back();
             edges.give_way(&mut self.positions, outside);
-            self.take_crossings_back(fixed, &before);
+            self.take_crossings_back(fixed);
         }
         self.store_moved(fixed, positions);
     }
 
-    /// Takes back what has come to cross since all was where it was `before`, or else everything.
-    fn take_crossings_back(&mut self, fixed: Fixed<'_>, before: &[Vec3]) {
+    /// Takes back what has come to cross since nothing had moved, or else everything.
+    fn take_crossings_back(&mut self, fixed: Fixed<'_>) {
         self.look_again(fixed);
         for round in 0..TAKING_BACK_ROUNDS {
             if self.finder.crossings.is_empty() {
                 return;
             }
-            self.take_back_to(fixed.surface, before, round);
+            let back = if round < RING_ROUND {
+                Back::Crossed
+            } else {
+                Back::Around
+            };
+            self.take_back(fixed.surface, back);
             self.look_again(fixed);
         }
         if !self.finder.crossings.is_empty() {
-            self.positions.copy_from_slice(before);
+            self.take_moved_back();
             self.look_again(fixed);
-        }
-    }
-
-    /// Brings what crosses to where it was before, and in later rounds what lies around it too.
-    fn take_back_to(&mut self, surface: &Surface, before: &[Vec3], round: usize) {
-        let crossed = (self.finder.crossings.iter())
-            .flat_map(|crossing| crossing.ends.into_iter().chain(crossing.corners));
-        for particle in crossed {
-            let ring = (surface.ring(particle)).filter(|_| RING_ROUND <= round);
-            for back in std::iter::once(particle).chain(ring) {
-                self.positions[back as usize] = before[back as usize];
-            }
         }
     }
 }
