@@ -88,15 +88,16 @@ impl CrossingRepair {
 
     /// Brings what was moved and crosses to where it was `before`.
     pub(super) fn take_back(&mut self, surface: &Surface, back: Back) {
-        for crossing in &self.finder.crossings {
-            for particle in crossing.ends.into_iter().chain(crossing.corners) {
-                let around = surface.ring(particle);
-                for corner in around.filter(|&it| back == Back::Around || it == particle) {
-                    let moved = self.moved_places[corner as usize].checked_sub(1);
-                    if let Some(place) = moved {
-                        self.positions[corner as usize] = self.before[place as usize];
-                    }
-                }
+        let crossed = (self.finder.crossings.iter())
+            .flat_map(|crossing| crossing.ends.into_iter().chain(crossing.corners));
+        let goes_back = crossed.flat_map(|particle| {
+            let around = surface.ring(particle);
+            around.filter(move |&it| back == Back::Around || it == particle)
+        });
+        for particle in goes_back {
+            let moved = self.moved_places[particle as usize].checked_sub(1);
+            if let Some(place) = moved {
+                self.positions[particle as usize] = self.before[place as usize];
             }
         }
     }
