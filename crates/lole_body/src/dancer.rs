@@ -1,6 +1,6 @@
 //! The dancer, built from a tape: skin, skeleton, capsules and landmarks.
 
-use glam::{Affine3A, Vec3};
+use glam::{Affine3A, Vec2, Vec3};
 use lole_geom::Capsule;
 
 use crate::appearance::add_hair;
@@ -166,6 +166,17 @@ impl Dancer {
     #[must_use]
     pub fn tape_ring(&self, height: f32, point_count: usize) -> Vec<TapePoint> {
         tape::ring(&self.skin, height, point_count)
+    }
+
+    /// How cloth hangs around the trunk (arms left out) that is wrapped at the height `top` [m] of the bind
+    /// pose: at every `step` [m] from there down to `lowest`, the convex hull of all cuts down to there, as
+    /// corners `(x, z)` [m].
+    ///
+    /// Each starts at the middle of the back and runs over her left side (`+X`); it is empty where there is
+    /// no trunk yet.
+    #[must_use]
+    pub fn hung_rings(&self, [top, lowest]: [f32; 2], step: f32) -> Vec<Vec<Vec2>> {
+        tape::hung_rings(&self.skin, [top, lowest], step)
     }
 }
 

@@ -109,15 +109,46 @@ pub(crate) fn ring(skin: &SkinnedMesh, height: f32, count: usize) -> Vec<TapePoi
         .collect()
 }
 
+/// Triangles carried by the arm this far do not meet what is wrapped below the arms.
+const LEAST_WRAPPED_ARM_SHARE: f32 = 0.25;
+
+/// Closed ways around the trunk at every `step` [m] from `top` down to `lowest` in the bind pose, as cloth
+/// hangs that is wrapped at the top: around all of it from there down, and never closer than above. Corners
+/// `(x, z)` [m], begun at the middle of the back and running over the left side.
+pub(crate) fn hung_rings(skin: &SkinnedMesh, [top, lowest]: [f32; 2], step: f32) -> Vec<Vec<Vec2>> {
+    let triangles = without_arms(skin, LEAST_WRAPPED_ARM_SHARE);
+    let levels = std::iter::successors(Some(top), |level| Some(level - step));
+    let levels = levels.take_while(|&level| lowest - step < level);
+    let mut hull = Vec::new();
+    levels
+        .map(|level| {
+            let mut cuts = std::mem::take(&mut hull);
+            cuts.extend(cut_points(
+                &skin.positions,
+                triangles.iter().copied(),
+                level,
+            ));
+            hull = convex_hull(cuts);
+            let corners = from_back(&corners(skin, &hull));
+            corners.iter().map(|corner| corner.point).collect()
+        })
+        .collect()
+}
+
 /// Triangles of the body without those of the arms.
 pub(crate) fn trunk(skin: &SkinnedMesh) -> Vec<[u32; 3]> {
+    without_arms(skin, LEAST_ARM_SHARE)
+}
+
+/// Triangles of the body without those that an arm carries by as much on average.
+fn without_arms(skin: &SkinnedMesh, least_share: f32) -> Vec<[u32; 3]> {
     let arms: Vec<f32> = (skin.joints.iter().zip(&skin.weights))
         .map(|(joints, weights)| arm_share(*joints, *weights))
         .collect();
     let mut triangles = skin.body_triangles();
     triangles.retain(|triangle| {
         let sum: f32 = triangle.iter().map(|&vertex| arms[vertex as usize]).sum();
-        sum < 3.0 * LEAST_ARM_SHARE
+        sum < 3.0 * least_share
     });
     triangles
 }

@@ -222,3 +222,37 @@ fn every_instruction_set_gives_the_same_bits() {
     assert_eq!(hash(InstructionSet::Wide), expected);
     assert_eq!(hash(InstructionSet::Detected), expected);
 }
+
+/// Pleats pressed into one plane lie in each other without a crossing that could be counted, and cross by
+/// rounding as soon as they turn.
+#[test]
+fn cloth_laid_into_one_plane_goes_with_its_pins() {
+    let (flat, triangles) = rectangle(40, 24, 0.01, 0.4);
+    let pleat = |x: f32| {
+        let turned = (x / 0.05).rem_euclid(2.0);
+        0.05 * (turned.min(2.0 - turned) + 0.3 * x / 0.4)
+    };
+    let positions: Vec<Vec3> = (flat.iter())
+        .map(|p| Vec3::new(pleat(p.x), 1.0 - p.y, 0.180_034_07))
+        .collect();
+    let mut spec = MeshSpec::new(flat, triangles, FABRIC);
+    for column in 0..40 {
+        spec.pinned[column] = true;
+    }
+    let mut world = with_self_contact(World::new(&spec, &positions), Crossings::Repair);
+    let starts = world.pins.clone();
+    for frame in 1..=40 {
+        let turn = glam::Quat::from_rotation_y(0.01 * frame as f32);
+        for (pin, start) in world.pins.iter_mut().zip(&starts) {
+            *pin = turn * *start + Vec3::X * (0.005 * frame as f32);
+        }
+        world.step(&[]);
+    }
+    let now = world.positions();
+    let away = (world.pins.iter().zip(&now)).map(|(pin, place)| pin.distance(*place));
+    let farthest = away.fold(0.0, f32::max);
+    assert!(farthest < 0.005, "pins stay behind by {farthest} m");
+    let middle = |places: &[Vec3]| places.iter().map(|p| p.x).sum::<f32>() / places.len() as f32;
+    let way = middle(&now) - middle(&positions);
+    assert!(0.15 < way, "the cloth went {way} m");
+}

@@ -10,6 +10,7 @@ mod error;
 pub(crate) mod fit;
 mod flat;
 pub(crate) mod form;
+pub(crate) mod hung;
 mod laid;
 mod layers;
 mod panel;
@@ -152,6 +153,8 @@ struct Kit {
     spec: MeshSpec,
     joints: Vec<ClothJoint>,
     division: Division,
+    /// Pinned particles that are led to where they are tied, and the way of each [m].
+    led: Vec<(u32, Vec<Vec3>)>,
 }
 
 /// How finely garments are divided into triangles.
@@ -206,7 +209,8 @@ pub struct World<'a> {
     pub air_velocity: Vec3,
     /// How far the floor is from where it was laid [m].
     pub floor: Vec3,
-    /// Particles that a hand holds, and where [m]: at least those of [`Dressed::held`].
+    /// Particles that a hand holds, and where [m]: at least those of [`Dressed::held`]. What is pinned goes
+    /// where the hand is too.
     pub held: &'a [(u32, Vec3)],
 }
 
@@ -269,6 +273,7 @@ impl Dressed {
             elastics,
             pinned,
             pins,
+            led,
         } = laid;
         let fabric = garment.fabric;
         let mut spec = MeshSpec::new(mesh.flat.clone(), mesh.triangles.clone(), fabric);
@@ -283,6 +288,7 @@ impl Dressed {
             spec,
             joints,
             division,
+            led,
         };
         let assembly = assembly(&kit, Ease::Worn)?;
         let turned = |&[a, b, c]: &[u32; 3]| {
@@ -462,18 +468,20 @@ impl Dressed {
     /// Where everything is that is pinned or held, in its order [m].
     fn pin_targets(&self, world: &World<'_>) -> Vec<Vec3> {
         let pinned = self.pins.places(world);
-        if self.held.is_empty() {
+        if world.held.is_empty() {
             return pinned;
         }
         let own = (0_u32..).zip(&self.kit.spec.pinned);
         let own = own
             .filter(|(_, pinned)| **pinned)
             .map(|(particle, _)| particle);
-        let mut all: Vec<(u32, Vec3)> = own.zip(pinned).collect();
         let place = |particle: u32| {
             let found = world.held.iter().find(|(held, _)| *held == particle);
             found.map(|(_, place)| (particle, *place))
         };
+        let own = own.zip(pinned);
+        let own = own.map(|(particle, pin)| place(particle).unwrap_or((particle, pin)));
+        let mut all: Vec<(u32, Vec3)> = own.collect();
         all.extend(self.held.iter().filter_map(|&particle| place(particle)));
         all.sort_by_key(|(particle, _)| *particle);
         all.into_iter().map(|(_, place)| place).collect()

@@ -22,6 +22,9 @@ const HALVINGS: u8 = 2;
 /// Times that the way of a particle is halved in a zone of everything before it is held fast.
 const MOST_HALVINGS: u8 = 8;
 
+/// So many halvings leave nothing of a way in a zone of everything.
+pub(crate) const STILL: u32 = MOST_HALVINGS as u32 + 1;
+
 /// Farthest that a zone carries a particle beyond the way of the one that would go farthest [m].
 const LEVER_REACH: f32 = 0.03;
 

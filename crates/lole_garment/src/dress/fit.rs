@@ -11,6 +11,7 @@ use super::flat::FlatMesh;
 use super::form::Form;
 use super::smooth::Smoothing;
 use super::under::Under;
+use super::wrap::along;
 use super::{DressError, Dressed, DressedState, Ease, Kit, World, assembly, laid};
 
 /// How far she lifts her arms to be dressed from where they are built, 47° below the level [rad].
@@ -22,14 +23,19 @@ const SPREADING_PASSES: u32 = 120;
 /// Least distance from the skin at the start [m].
 pub(crate) const START_GAP: f32 = 0.006;
 
-/// Frames in which the seams come together, in which she takes her stance, and in which cloth comes to
+/// Frames in which what is tied is drawn to its knot, in which the seams come together, in which she takes her stance, and in which cloth comes to
 /// rest.
+const LEADING_FRAMES: u32 = 100;
 const SEWING_FRAMES: u32 = 24;
 const MOVING_FRAMES: u32 = 45;
 const RESTING_FRAMES: u32 = 30;
 /// How often what lies through itself is smoothed at most, and frames in which it comes to rest again.
 const SMOOTHING_ROUNDS: u32 = 8;
 const SMOOTHED_FRAMES: u32 = 12;
+/// Cloth deeper in the skin than this has been drawn through it [m].
+const SUNK: f32 = 0.004;
+/// A round that draws more than one particle in so many into it is taken back.
+const DRAWN_THROUGH: usize = 200;
 /// Duration of a frame [s].
 const FRAME: f32 = 1.0 / 60.0;
 /// Velocity kept from frame to frame while she moves, and while it comes to rest.
@@ -111,6 +117,7 @@ pub(super) fn fit(
     let smoothing = Smoothing::new(garment);
     let template = kit.template;
     let lost = |lost| DressError::Lost { template, lost };
+    lead((garment, kit, &basted), body, (&start, under), &mut state).map_err(lost)?;
     for frame in 0..SEWING_FRAMES + MOVING_FRAMES + RESTING_FRAMES {
         let moved = frame.saturating_sub(SEWING_FRAMES).min(MOVING_FRAMES);
         let share = moved as f32 / MOVING_FRAMES as f32;
@@ -147,6 +154,34 @@ pub(super) fn fit(
     Ok(())
 }
 
+/// Draws what is tied to the place of its knot, on a dancer in a pose, while it slips as when it is sewn.
+fn lead(
+    (garment, kit, basted): (&Dressed, &Kit, &Assembly),
+    body: (&Dancer, &MeshSurfels),
+    (pose, under): (&Pose, &mut Under<'_>),
+    state: &mut DressedState,
+) -> Result<(), Lost> {
+    if kit.led.is_empty() {
+        return Ok(());
+    }
+    let mut room = Room::default();
+    let world = room.world(body, (pose, under));
+    for frame in 1..=LEADING_FRAMES {
+        let share = frame as f32 / LEADING_FRAMES as f32;
+        let led = kit.led.iter();
+        let held: Vec<(u32, Vec3)> = led
+            .map(|(particle, way)| (*particle, along(way, share)))
+            .collect();
+        let world = World {
+            held: &held,
+            ..world
+        };
+        state.step_as(garment, basted, (&world, FRAME))?;
+        state.scale_velocities(garment, KEPT[1]);
+    }
+    Ok(())
+}
+
 /// Smooths what lies through itself on a dancer in a pose, and lets it come to rest again, sewn as `assembly`
 /// with so much of its velocity kept.
 fn smooth(
@@ -164,7 +199,8 @@ fn smooth(
         (crossings, places)
     };
     let (mut least, mut places) = count(state);
-    // No round leaves more than there was.
+    // No round leaves more than there was, nor draws cloth through her.
+    let most_sunk = sunk(&form, &places) + places.len() / DRAWN_THROUGH;
     let mut best = state.clone();
     for round in 0..SMOOTHING_ROUNDS {
         if !smoothing.smooth(garment, (&form, round), &mut places) {
@@ -178,13 +214,21 @@ fn smooth(
         }
         let crossings;
         (crossings, places) = count(state);
-        if crossings < least {
+        if crossings < least && sunk(&form, &places) <= most_sunk {
             least = crossings;
             best = state.clone();
         }
     }
     *state = best;
     Ok(())
+}
+
+/// Places that lie in her skin.
+fn sunk(form: &Form<'_>, places: &[Vec3]) -> usize {
+    let mut outside = places.to_vec();
+    form.push_out(&mut outside, |_| -SUNK);
+    let pairs = places.iter().zip(&outside);
+    pairs.filter(|(place, outside)| place != outside).count()
 }
 
 /// Lets a garment come to rest again on a dancer in her stance.

@@ -142,7 +142,14 @@ impl<'a> Form<'a> {
             let [a, b] = [a.1, b.1].map(|at| at.distance_squared(place));
             a.total_cmp(&b)
         })?;
-        Some(self.carried_to(*nearest, place))
+        let shares = nearest.joints.into_iter().zip(nearest.weights);
+        let (joints, weights) = trunk_alone(shares);
+        let carrier = TapePoint {
+            joints,
+            weights,
+            ..*nearest
+        };
+        Some(self.carried_to(carrier, place))
     }
 
     /// A point that goes as `carrier` does and lies at a place [m] in this pose.
@@ -188,24 +195,15 @@ impl<'a> Form<'a> {
         carried.map(|carried| carried.map(Some)).collect()
     }
 
-    /// The four bones that carry a point of a triangle of the skin most, and their shares.
+    /// The bones of the trunk that carry a point of a triangle of the skin, and their shares.
     fn of_trunk(&self, corners: [u32; 3], shares: [f32; 3]) -> ([u16; 4], [f32; 4]) {
         let skin = &self.dancer.skin;
-        let mut sums = [0.0_f32; Bone::ALL.len()];
-        for (corner, share) in corners.into_iter().zip(shares) {
+        let shares = corners.into_iter().zip(shares).flat_map(|(corner, share)| {
             let corner = corner as usize;
-            for (joint, weight) in skin.joints[corner].into_iter().zip(skin.weights[corner]) {
-                let bone = Bone::ALL[usize::from(joint)];
-                let bone = if is_of_leg(bone) { Bone::Hips } else { bone };
-                sums[bone.index()] += share * weight;
-            }
-        }
-        let mut order: Vec<usize> = (0..sums.len()).collect();
-        order.sort_by(|&a, &b| sums[b].total_cmp(&sums[a]));
-        let most = [0, 1, 2, 3].map(|place| order[place]);
-        let total: f32 = most.iter().map(|&bone| sums[bone]).sum();
-        let joints = most.map(|bone| u16::try_from(bone).unwrap_or(0));
-        (joints, most.map(|bone| sums[bone] / total.max(1.0e-6)))
+            let carried = skin.joints[corner].into_iter().zip(skin.weights[corner]);
+            carried.map(move |(joint, weight)| (joint, share * weight))
+        });
+        trunk_alone(shares)
     }
 
     /// The same where they come to lie so far over it: what carries them, and where they are then [m].
@@ -330,6 +328,25 @@ impl Tape {
         let [a, b] = [before, after].map(|at| self.places[at]);
         (a.0.lerp(b.0, part), a.1.lerp(b.1, part).normalize_or_zero())
     }
+}
+
+/// The four bones of the trunk that carry most, and their shares: legs go with the hips, arms with the chest.
+fn trunk_alone(shares: impl Iterator<Item = (u16, f32)>) -> ([u16; 4], [f32; 4]) {
+    let mut sums = [0.0_f32; Bone::ALL.len()];
+    for (joint, share) in shares {
+        let bone = match Bone::ALL[usize::from(joint)] {
+            leg if is_of_leg(leg) => Bone::Hips,
+            arm if is_of_arm(arm) => Bone::UpperChest,
+            trunk => trunk,
+        };
+        sums[bone.index()] += share;
+    }
+    let mut order: Vec<usize> = (0..sums.len()).collect();
+    order.sort_by(|&a, &b| sums[b].total_cmp(&sums[a]));
+    let most = [0, 1, 2, 3].map(|place| order[place]);
+    let total: f32 = most.iter().map(|&bone| sums[bone]).sum();
+    let joints = most.map(|bone| u16::try_from(bone).unwrap_or(0));
+    (joints, most.map(|bone| sums[bone] / total.max(1.0e-6)))
 }
 
 /// Whether a bone is an arm's.

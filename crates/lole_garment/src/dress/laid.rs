@@ -48,6 +48,8 @@ pub(super) struct Laid {
     pub(super) pinned: Vec<bool>,
     /// What carries them.
     pub(super) pins: Pins,
+    /// Pinned particles that are led to where they are tied, and the way of each [m].
+    pub(super) led: Vec<(u32, Vec<Vec3>)>,
 }
 
 /// Cuts a garment out and lays it around a dancer in the pose in which she is dressed.
@@ -77,6 +79,7 @@ pub(super) fn lay(
     let form = Form::new(dancer, &fit::fitting_pose(), LOWEST_TAPE);
     let no_trunk = || DressError::NoTrunk { template };
     let mut pinned = vec![false; mesh.flat.len()];
+    let mut led = Vec::new();
     let places = match &row.way {
         Way::Fitted(_) => {
             let bodice = Bodice::new(&pattern, parts.clone(), measures);
@@ -95,11 +98,16 @@ pub(super) fn lay(
             for (pin, &point) in pinned.iter_mut().zip(&mesh.in_piece) {
                 *pin = (wrap.is_pinned)(&cloth, point, spacing);
             }
+            led = led_ways((wrap, &cloth), (&mesh, &pinned));
             wrapped((wrap, &cloth), (&panels, &mesh, &pinned), &form)
         }
     };
     let places = places.ok_or_else(no_trunk)?;
-    let held: Vec<Vec3> = (places.iter().zip(&pinned))
+    let mut tied = places.clone();
+    for (particle, way) in &led {
+        tied[*particle as usize] = way.last().copied().unwrap_or(tied[*particle as usize]);
+    }
+    let held: Vec<Vec3> = (tied.iter().zip(&pinned))
         .filter(|(_, pinned)| **pinned)
         .map(|(place, _)| *place)
         .collect();
@@ -122,8 +130,21 @@ pub(super) fn lay(
         elastics,
         pinned,
         pins,
+        led,
         pattern,
     })
+}
+
+/// Pinned particles that are led to where they are tied, and the way of each [m].
+fn led_ways(
+    (wrap, cloth): (&Wrap, &Cloth<'_>),
+    (mesh, pinned): (&FlatMesh, &[bool]),
+) -> Vec<(u32, Vec<Vec3>)> {
+    let all = (0_u32..).zip(&mesh.in_piece).zip(pinned);
+    let all = all.filter(|(_, pinned)| **pinned);
+    all.map(|((particle, &point), _)| (particle, (wrap.led)(cloth, point)))
+        .filter(|(_, way)| !way.is_empty())
+        .collect()
 }
 
 /// What carries places that are pinned.
@@ -149,15 +170,15 @@ fn wrapped(
     let gaps: Vec<f32> = gaps.map(|&point| (wrap.gap)(cloth, point)).collect();
     let rule = |point: DVec2| (wrap.place)(cloth, point);
     let mut laid = places(panels, (mesh, &gaps), form, |_, point| rule(point))?;
-    if wrap.carrier == Carrier::Girded {
-        lay_as_girded(&mut laid, (mesh, pinned), rule);
+    if wrap.carrier != Carrier::Skin {
+        lay_as_ruled(&mut laid, (mesh, pinned), rule);
     }
     Some(laid)
 }
 
 /// Puts what is pinned back to where its rule laid it: moved out of the skin one by one, the layers of what
-/// is girded would go through each other.
-fn lay_as_girded(
+/// is girded would go through each other, and an edge under the arms would be torn where an arm hangs.
+fn lay_as_ruled(
     places: &mut [Vec3],
     (mesh, pinned): (&FlatMesh, &[bool]),
     rule: impl Fn(DVec2) -> Option<Vec3>,

@@ -300,6 +300,44 @@ fn a_wrap_knows_its_turns_and_says_where_one_has_gone_inside() {
     }
 }
 
+/// A garment that is held at her waist, shoulders or hips stays there while she goes half a meter.
+#[test]
+fn every_garment_goes_where_she_goes() {
+    let dancer = woman();
+    let triangles = dancer.skin.body_triangles();
+    const FRAMES: u16 = 24;
+    let skin = MeshSurfels::new(&dancer.skin.positions, &triangles, SPACING);
+    for template in all() {
+        let garment = put_on(template, &dancer);
+        let mut state = garment.state();
+        for frame in 1..=FRAMES {
+            let pose = Pose {
+                hips_translation: Vec3::X * (0.5 * f32::from(frame) / f32::from(FRAMES)),
+                ..Pose::default()
+            };
+            let world_from_bind = dancer.skeleton.world_from_bind(&pose);
+            let (mut positions, mut normals, mut surfels) = (Vec::new(), Vec::new(), Vec::new());
+            (dancer.skin).pose(&world_from_bind, &mut positions, &mut normals);
+            skin.pose(&positions, &normals, &mut surfels);
+            let world = World {
+                skin: (&positions, &normals),
+                surfels: &surfels,
+                world_from_bind: &world_from_bind,
+                air_velocity: Vec3::ZERO,
+                floor: Vec3::ZERO,
+                held: &[],
+            };
+            state.step(&garment, &world, 1.0 / 60.0).unwrap();
+        }
+        let mut now = Vec::new();
+        state.copy_positions(&garment, &mut now);
+        let middle =
+            |places: &[Vec3]| places.iter().map(|p| p.x).sum::<f32>() / places.len() as f32;
+        let way = middle(&now) - middle(&garment.start);
+        assert!((0.35..0.6).contains(&way), "{template} went {way} m");
+    }
+}
+
 #[test]
 fn what_is_put_on_last_lies_outside() {
     let dancer = woman();

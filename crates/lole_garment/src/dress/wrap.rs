@@ -7,6 +7,7 @@ use lole_geom::narrow;
 use lole_pattern::{Measures, Pattern};
 
 use super::form::Form;
+use super::hung::Hung;
 
 /// A rule for one rectangle.
 #[derive(Debug)]
@@ -20,6 +21,8 @@ pub struct Wrap {
     /// Whether a point is tied or tucked so firmly that it goes with the skin; the last number is the
     /// distance of particles [m].
     pub(crate) is_pinned: fn(&Cloth<'_>, DVec2, f64) -> bool,
+    /// The way on which such a point is led from where it lies to where it is tied [m]; empty where it stays.
+    pub(crate) led: fn(&Cloth<'_>, DVec2) -> Vec<Vec3>,
     /// What that goes with.
     pub(crate) carrier: Carrier,
 }
@@ -44,6 +47,8 @@ pub(crate) struct Cloth<'a> {
     pub(crate) size: DVec2,
     /// A way that its rule has looked for once [m].
     pub(crate) way: OnceCell<Option<Vec<Vec3>>>,
+    /// How it hangs, found once.
+    hung: OnceCell<Option<Hung>>,
 }
 
 impl<'a> Cloth<'a> {
@@ -61,6 +66,7 @@ impl<'a> Cloth<'a> {
             measures,
             size,
             way: OnceCell::new(),
+            hung: OnceCell::new(),
         }
     }
 
@@ -69,20 +75,13 @@ impl<'a> Cloth<'a> {
         self.measures.armpit_height.to_m_f32()
     }
 
-    /// Widest girth that is wrapped [m].
-    pub(crate) fn widest(&self) -> f64 {
-        self.measures
-            .bust_girth
-            .to_m()
-            .max(self.measures.hip_girth.to_m())
-    }
-
-    /// A place around the trunk, from the middle of the back over her left, with cloth that hangs around
-    /// `widest` [m] and further `gap` [m] out.
-    pub(crate) fn around(&self, height: f32, turn: f32, gap: f32) -> Option<Vec3> {
-        let (place, outward) = self.form.around_trunk(height, turn)?;
-        let room = narrow(self.widest()) - self.form.girth(height);
-        Some(place + outward * (gap + room.max(0.0) / std::f32::consts::TAU))
+    /// The trunk as this cloth hangs around it from a height down [m]; `None` where there is no trunk.
+    pub(crate) fn hung(&self, top: f32) -> Option<&Hung> {
+        let lowest = top - narrow(self.size.y);
+        let hung = self
+            .hung
+            .get_or_init(|| Hung::new(self.form.dancer, [top, lowest]));
+        hung.as_ref()
     }
 }
 

@@ -153,6 +153,7 @@ mod worn {
             gap: |_, _| fit::START_GAP,
             knots,
             is_pinned,
+            led: |_, _| Vec::new(),
             carrier: Carrier::Skin,
         }),
         particle_count: 3500.0,

@@ -161,8 +161,8 @@ mod worn {
     use lole_geom::narrow;
 
     use crate::dress::Way;
-    use crate::dress::bodice::folds;
     use crate::dress::form::Face;
+    use crate::dress::hung::Hung;
     use crate::dress::wrap::{Carrier, Cloth, Wrap, along};
     use crate::template::{FEW_SUBSTEPS, SewnRow};
 
@@ -172,6 +172,7 @@ mod worn {
             gap,
             knots: |_| Vec::new(),
             is_pinned,
+            led,
             carrier: Carrier::Tape,
         }),
         particle_count: 4000.0,
@@ -182,48 +183,66 @@ mod worn {
     /// least: the rest is for the way over the shoulder and the knot.
     const TURNS: [f64; 2] = [1.15, 1.5];
     /// The upper edge lies this far below the armpits [m].
-    const BELOW_ARMPIT: f32 = 0.012;
+    const BELOW_ARMPIT: f32 = 0.035;
     /// Gap to the skin, and what each turn adds [m].
     const GAP: f32 = 0.008;
     const TURN_GAP: f32 = 0.008;
-    /// Depth below the upper edge down to which the corner is drawn over the shoulder [m].
-    const DRAWN: f32 = 0.28;
+    /// How much farther out cloth is wrapped for each part of its way below the hips.
+    const LOOSER: f32 = 0.03;
     /// Length of the corner that the knot takes [m].
     const KNOT: f64 = 0.06;
     /// Cloth left for the way over the shoulder, over its length.
-    const SLACK: f32 = 1.06;
+    const SLACK: f32 = 1.1;
+    /// Points of the way over the shoulder, and the share of it after which what is led comes over the skin.
+    const WAY_POINTS: u16 = 24;
+    const OVER_FROM: f32 = 0.35;
     /// Cloth that is drawn up lies over the skin by this [m].
     const OVER_SKIN: f32 = 0.016;
-    /// Share of its length that the front end goes on around her; the rest of it lies in folds.
-    const GOES_ON: f32 = 0.7;
+    /// Before it is drawn over the shoulder, the corner is held away from her by so much of the way forward
+    /// for each part of it to her left.
+    const FORWARD: f32 = 0.8;
+    /// Share of the way after which the edge is held by the shoulder.
+    const CREST: f32 = 0.5;
 
     /// How she has wrapped it.
-    struct Wrapped {
+    struct Wrapped<'a> {
         /// Length that is wrapped [m]: she leaves what the way over the shoulder takes.
         end: f64,
-        /// Girth that it is wrapped around [m].
-        girth: f64,
         /// From the middle of the front over the left shoulder to the upper edge at the back [m].
-        way: [Vec3; 7],
+        way: &'a [Vec3],
     }
 
-    impl Wrapped {
-        fn new(cloth: &Cloth<'_>) -> Option<Self> {
-            let girth = cloth.widest();
-            let top = cloth.armpit() - BELOW_ARMPIT;
-            let way = over_shoulder(cloth, cloth.around(top, 0.5, gap_of(0.5))?)?;
-            let left = cloth.size.x - KNOT - f64::from(SLACK * length(&way));
+    impl<'a> Wrapped<'a> {
+        fn new(cloth: &'a Cloth<'_>) -> Option<Self> {
+            let top = top(cloth);
+            let hung = cloth.hung(top)?;
+            let start = hung.place(top, 0.5, gap_of(0.5));
+            let way = cloth.way.get_or_init(|| over_shoulder(cloth, start));
+            let way = way.as_ref()?;
+            let left = cloth.size.x - KNOT - f64::from(SLACK * length(way));
+            let girth = f64::from(hung.girth(top, GAP + 0.5 * TURN_GAP));
             let [least, most] = TURNS.map(|turns| turns * girth);
             Some(Self {
                 end: left.clamp(least, most).min(cloth.size.x - KNOT),
-                girth,
                 way,
             })
         }
 
-        /// Turns around her, from the middle of the back over her left.
-        fn turn_of(&self, x: f64) -> f32 {
-            0.5 + narrow((self.end - x) / self.girth)
+        /// Share of the way over the shoulder that a point of the upper edge comes to lie at.
+        fn share_over(&self, cloth: &Cloth<'_>, x: f64) -> f32 {
+            let drawn = cloth.size.x - 0.5 * KNOT - self.end;
+            narrow((x - self.end) / drawn).clamp(0.0, 1.0)
+        }
+
+        /// Turns around her, from the middle of the back over her left, of a point of the cloth, and how far
+        /// out of the skin it lies [m]. The front end lies in the middle of the front at the upper edge; from
+        /// there down the middle of what is wrapped hangs straight, and both ends slant.
+        fn around(&self, hung: &Hung, [top, x, height, looser]: [f32; 4]) -> [f32; 2] {
+            let half = 0.5 * narrow(self.end);
+            let mean = |height, looser| hung.girth(height, GAP + 0.5 * TURN_GAP + looser);
+            let middle = 0.5 + half / mean(top, 0.0);
+            let turn = middle + (half - x.min(2.0 * half)) / mean(height, looser);
+            [turn, gap_of(turn) + looser]
         }
     }
 
@@ -231,45 +250,68 @@ mod worn {
         way.windows(2).map(|pair| pair[0].distance(pair[1])).sum()
     }
 
+    /// Height of the upper edge [m].
+    fn top(cloth: &Cloth<'_>) -> f32 {
+        cloth.armpit() - BELOW_ARMPIT
+    }
+
     fn gap_of(turn: f32) -> f32 {
         GAP + TURN_GAP * (2.0 - turn)
+    }
+
+    /// Turns of a point around her, how far out of the skin it lies, and its height [m].
+    fn wrapped_at(cloth: &Cloth<'_>, wrapped: &Wrapped<'_>, point: DVec2) -> Option<[f32; 3]> {
+        let top = top(cloth);
+        let height = top - narrow(cloth.size.y - point.y);
+        let hips = cloth.measures.hip_height.to_m_f32();
+        let looser = LOOSER * (hips - height).max(0.0);
+        let [turn, gap] = wrapped.around(cloth.hung(top)?, [top, narrow(point.x), height, looser]);
+        Some([turn, gap, height])
     }
 
     /// The turns keep their order where an arm lets them no farther out than the skin.
     fn gap(cloth: &Cloth<'_>, point: DVec2) -> f32 {
         let wrapped = Wrapped::new(cloth);
-        let turn = wrapped.map_or(0.5, |wrapped| wrapped.turn_of(point.x).max(0.5));
-        gap_of(turn)
+        let at = wrapped.and_then(|wrapped| wrapped_at(cloth, &wrapped, point));
+        gap_of(at.map_or(0.5, |[turn, ..]| turn))
     }
 
-    /// What is tucked in: the upper edge, and the corner in the knot.
+    /// What is tucked in or tied: the upper edge where it is wrapped, and from the shoulder to the knot.
     fn is_pinned(cloth: &Cloth<'_>, point: DVec2, spacing: f64) -> bool {
         let is_top = cloth.size.y - 0.5 * spacing < point.y;
-        let end = Wrapped::new(cloth).map_or(cloth.size.x, |wrapped| wrapped.end);
-        is_top && (point.x <= end || cloth.size.x - KNOT <= point.x)
+        let is_tied = |wrapped: Wrapped<'_>| {
+            point.x <= wrapped.end || CREST <= wrapped.share_over(cloth, point.x)
+        };
+        is_top && Wrapped::new(cloth).is_none_or(is_tied)
     }
 
     fn place(cloth: &Cloth<'_>, point: DVec2) -> Option<Vec3> {
-        let top = cloth.armpit() - BELOW_ARMPIT;
-        let depth = narrow(cloth.size.y - point.y);
         let wrapped = Wrapped::new(cloth)?;
-        if point.x <= wrapped.end {
-            let turn = wrapped.turn_of(point.x);
-            return cloth.around(top - depth, turn, gap_of(turn));
-        }
-        let beyond = narrow(point.x - wrapped.end);
-        let tie = narrow(cloth.size.x - wrapped.end);
-        let drawn = (1.0 - depth / DRAWN).max(0.0);
-        let goes_on = 0.5 - GOES_ON * (1.0 - drawn) * beyond / narrow(wrapped.girth);
-        let fold = (1.0 - drawn) * folds(1.0 / GOES_ON, tie, beyond / tie);
-        let base = cloth.around(top - depth, goes_on, gap_of(goes_on) + fold)?;
-        let up = along(&wrapped.way, drawn * beyond / tie) - wrapped.way[0];
-        Some(base + up)
+        let [turn, gap, height] = wrapped_at(cloth, &wrapped, point)?;
+        let held_out =
+            narrow(point.x - wrapped.end).max(0.0) * Vec3::new(1.0, 0.0, FORWARD).normalize();
+        Some(cloth.hung(top(cloth))?.place(height, turn, gap) + held_out)
     }
 
-    /// From the middle of the front over the left shoulder to the upper edge at the back.
-    fn over_shoulder(cloth: &Cloth<'_>, start: Vec3) -> Option<[Vec3; 7]> {
-        let top = cloth.armpit() - BELOW_ARMPIT;
+    /// The edge beyond the shoulder goes over it, each point as far as it reaches towards the knot.
+    fn led(cloth: &Cloth<'_>, point: DVec2) -> Vec<Vec3> {
+        let Some(wrapped) = Wrapped::new(cloth).filter(|wrapped| wrapped.end < point.x) else {
+            return Vec::new();
+        };
+        let start = place(cloth, point);
+        let share = wrapped.share_over(cloth, point.x);
+        let before = wrapped.way.iter().zip(0_u16..).filter(|(_, number)| {
+            let passed = f32::from(*number) / f32::from(WAY_POINTS);
+            OVER_FROM < passed && passed < share
+        });
+        let before = before.map(|(place, _)| *place);
+        let last = along(wrapped.way, share);
+        start.into_iter().chain(before).chain([last]).collect()
+    }
+
+    /// From the middle of the front over the left shoulder to the upper edge at the back, over the skin.
+    fn over_shoulder(cloth: &Cloth<'_>, start: Vec3) -> Option<Vec<Vec3>> {
+        let top = top(cloth);
         let [neck, drop] = [cloth.measures.neck_height, cloth.measures.shoulder_drop];
         let shoulder = neck.to_m_f32() - 0.5 * drop.to_m_f32();
         let on = |share: f32, face: Face, side: f32| {
@@ -277,14 +319,19 @@ mod worn {
             let (place, outward) = cloth.form.on_trunk(height, face, side)?;
             Some(place + (outward + Vec3::Y * share).normalize_or_zero() * OVER_SKIN)
         };
-        Some([
+        let corners = [
             start,
-            on(0.4, Face::Front, 0.3)?,
-            on(0.8, Face::Front, 0.6)?,
-            on(1.0, Face::Front, 1.0)? + Vec3::Y * 0.01,
-            on(0.8, Face::Back, 0.7)?,
-            on(0.4, Face::Back, 0.6)?,
-            on(0.0, Face::Back, 0.55)?,
-        ])
+            on(0.4, Face::Front, 0.25)?,
+            on(0.8, Face::Front, 0.42)?,
+            on(1.0, Face::Front, 0.55)? + Vec3::Y * 0.01,
+            on(0.8, Face::Back, 0.5)?,
+            on(0.4, Face::Back, 0.45)?,
+            on(0.0, Face::Back, 0.42)?,
+        ];
+        let mut way: Vec<Vec3> = (0..=WAY_POINTS)
+            .map(|point| along(&corners, f32::from(point) / f32::from(WAY_POINTS)))
+            .collect();
+        cloth.form.push_out(&mut way, |_| OVER_SKIN);
+        Some(way)
     }
 }

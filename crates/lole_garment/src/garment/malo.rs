@@ -163,6 +163,7 @@ mod worn {
             gap: |_, _| fit::START_GAP,
             knots: |_| Vec::new(),
             is_pinned,
+            led: |_, _| Vec::new(),
             carrier: Carrier::Girded,
         }),
         particle_count: 3000.0,

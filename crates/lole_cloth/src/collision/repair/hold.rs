@@ -5,7 +5,7 @@ use glam::Vec3;
 
 use super::{CrossingRepair, Fixed, crossed_at};
 use crate::collision::crossing::CrossingFinder;
-use crate::collision::impact_zone::{Pins, Ways};
+use crate::collision::impact_zone::{Pins, STILL, Ways};
 use crate::lanes::{Points, narrow};
 
 /// Rounds after those of parting in which what still crosses is held together in zones.
@@ -113,7 +113,7 @@ impl CrossingRepair {
             }
             self.look_again(fixed);
         }
-        self.take_all_back(fixed, starts);
+        self.carry_all(fixed, ways);
     }
 
     /// Holds back further what has come to cross, and what lies around it.
@@ -159,25 +159,23 @@ impl CrossingRepair {
             let mut finder = CrossingFinder::default();
             let then = fixed.surface.at(starts);
             dispatch!(fixed.level, simd => finder.find_all(simd, then));
-            match finder.crossings.len() {
-                0 => 0,
-                count => count + count / 4 + TANGLE_ROOM,
-            }
+            with_room(finder.crossings.len())
         })
     }
 
-    /// The last resort: where even a rigid motion crosses, by rounding, everything stays where it was.
-    fn take_all_back(&mut self, fixed: Fixed<'_>, starts: &[Vec3]) {
-        for (particle, &start) in (0..).zip(starts) {
+    /// The last resort: everything goes as one rigid body. What crosses then lay in one place with something else
+    /// at the start, and crossed there but for rounding: from here on it is drawn out as a tangle.
+    fn carry_all<M: Fn(Vec3) -> Vec3>(&mut self, fixed: Fixed<'_>, ways: &Ways<'_, M>) {
+        self.zones.join_all(ways, STILL);
+        let inv_mass = |particle| Self::inv_mass(fixed, particle);
+        let moving = (ways.starts, &mut self.positions[..]);
+        self.zones.carry(moving, inv_mass, Pins::Yield);
+        for particle in 0..narrow(ways.starts.len()) {
             self.shift(particle, Vec3::ZERO);
-            self.positions[particle as usize] = start;
         }
-        if self.ceiling == Some(0) {
-            // That nothing crossed there is known.
-            self.finder.crossings.clear();
-        } else {
-            self.look_again(fixed);
-        }
+        self.look_again(fixed);
+        let found = self.finder.crossings.len();
+        self.ceiling = self.ceiling.map(|least| least.max(with_room(found)));
     }
 
     /// What was held back goes on as fast as it came, or it would cross again in the next step.
@@ -191,5 +189,13 @@ impl CrossingRepair {
             let velocity = (self.positions[particle] - starts[particle]) / fixed.dt;
             velocities[vector].set(lane, velocity);
         }
+    }
+}
+
+/// Crossings that so many may become while they are drawn out.
+const fn with_room(count: usize) -> usize {
+    match count {
+        0 => 0,
+        _ => count + count / 4 + TANGLE_ROOM,
     }
 }
