@@ -47,6 +47,21 @@ pub enum PictureError {
     /// An SVG that shows another picture.
     #[error("the drawing shows a photo inside of it; give the photo itself as PNG or JPEG")]
     SvgImage,
+    /// An SVG whose lines have markers, such as arrowheads.
+    #[error("the drawing has markers on its lines, such as arrowheads; turn them into paths")]
+    SvgMarkers,
+    /// An SVG that would be drawn for longer than a print may.
+    #[error(
+        "the drawing would take more than ten seconds to draw; leave out filters, and patterns, masks and clips \
+         that lie in each other, or save it as PNG"
+    )]
+    SvgWork,
+    /// An SVG whose layers need more memory than a print may.
+    #[error(
+        "the drawing would take more than 400 MB to draw; make its patterns smaller and leave out layers that \
+         lie in each other, or save it as PNG"
+    )]
+    SvgMemory,
 }
 
 impl PictureError {
@@ -81,6 +96,15 @@ impl Bilingual for PictureError {
             ),
             Self::SvgText => "図に文字があり、その書体がファイルにありません。\
                  文字をアウトライン（パス）に変えてください"
+                .to_owned(),
+            Self::SvgMarkers => {
+                "図の線にマーカー（矢じりなど）が付いています。アウトライン（パス）に変えてください".to_owned()
+            }
+            Self::SvgWork => "図を描くのに 10 秒より長くかかります。フィルターや、入れ子のパターン・マスク・クリップを\
+                 減らすか、PNG で保存し直してください"
+                .to_owned(),
+            Self::SvgMemory => "図を描くのに 400 MB より多くのメモリーが要ります。パターンを小さくし、\
+                 入れ子のレイヤーを減らすか、PNG で保存し直してください"
                 .to_owned(),
             Self::SvgImage => {
                 "図の中に写真があります。写真そのものを PNG か JPEG で指定してください".to_owned()

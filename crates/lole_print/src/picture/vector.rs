@@ -6,6 +6,8 @@ use resvg::usvg::{self, roxmltree};
 
 use super::{Picture, PictureError};
 
+mod work;
+
 /// Longest text that is read [byte].
 const LONGEST_TEXT: usize = 16 << 20;
 /// Elements and texts of a drawing, at most.
@@ -45,6 +47,8 @@ fn check_elements(document: &roxmltree::Document<'_>) -> Result<(), PictureError
         match node.tag_name().name() {
             "text" if node.descendants().any(has_letters) => return Err(PictureError::SvgText),
             "image" => return Err(PictureError::SvgImage),
+            // Each stands at every corner of a line, and may have lines with markers in it.
+            "marker" => return Err(PictureError::SvgMarkers),
             _ => {}
         }
     }
@@ -67,6 +71,11 @@ fn draw(tree: &usvg::Tree) -> Result<Picture, PictureError> {
     let size = tree.size();
     let scale = DRAWN_SIDE / size.width().max(size.height());
     let [width, height] = [size.width(), size.height()].map(|side| pixels(side * scale));
+    let canvas = [width, height].map(f64::from);
+    work::check(tree, canvas, Transform::from_scale(scale, scale)).map_err(|why| match why {
+        work::TooMuch::Work => PictureError::SvgWork,
+        work::TooMuch::Memory => PictureError::SvgMemory,
+    })?;
     let pixmap = Pixmap::new(width, height);
     let mut pixmap = pixmap.ok_or_else(|| PictureError::broken(&"it has no size"))?;
     resvg::render(

@@ -1,0 +1,146 @@
+//! Drawings of a few kilobytes that would be drawn for minutes or take all memory are refused before they
+//! are drawn; what people draw is not.
+
+use lole_print::{Picture, PictureError};
+
+fn read(drawn: &str) -> Result<Picture, PictureError> {
+    let text = format!(
+        r#"<svg xmlns="http://www.w3.org/2000/svg" width="100" height="100">{drawn}</svg>"#
+    );
+    Picture::read(text.as_bytes())
+}
+
+const ALL: &str = r#"x="0" y="0" width="100" height="100""#;
+
+/// Things in a chain, each of which uses the one before twice.
+fn chain(count: usize, link: impl Fn(usize, &str) -> String, used: &str) -> String {
+    let links: String = (0..count)
+        .map(|number| match number.checked_sub(1) {
+            Some(before) => link(number, &used.replace('#', &format!("#l{before}"))),
+            None => link(number, ""),
+        })
+        .collect();
+    format!("<defs>{links}</defs>")
+}
+
+#[test]
+fn what_uses_each_other_in_a_chain_is_not_drawn() {
+    let patterns = chain(
+        12,
+        |number, before| {
+            let fill = if before.is_empty() {
+                "fill=\"red\""
+            } else {
+                before
+            };
+            let half = format!("<rect width=\"50\" height=\"25\" {fill}/>");
+            format!(
+                r#"<pattern id="l{number}" width="50" height="50" patternUnits="userSpaceOnUse">{half}<g transform="translate(0 25)">{half}</g></pattern>"#
+            )
+        },
+        r#"fill="url(#)""#,
+    );
+    let masks = chain(
+        14,
+        |number, before| {
+            let half =
+                format!("<g {before}><rect width=\"100\" height=\"50\" fill=\"white\"/></g>");
+            format!(r#"<mask id="l{number}" {ALL} maskUnits="userSpaceOnUse">{half}{half}</mask>"#)
+        },
+        r#"mask="url(#)""#,
+    );
+    let clips = chain(
+        14,
+        |number, before| {
+            let half = format!("<rect {before} width=\"100\" height=\"50\"/>");
+            format!(r#"<clipPath id="l{number}">{half}{half}</clipPath>"#)
+        },
+        r#"clip-path="url(#)""#,
+    );
+    for (links, used) in [
+        (patterns, r#"fill="url(#l11)""#),
+        (masks, r#"mask="url(#l13)""#),
+        (clips, r#"clip-path="url(#l13)""#),
+    ] {
+        let said = read(&format!("{links}<rect {ALL} {used}/>"));
+        let is_refused = matches!(said, Err(PictureError::SvgWork | PictureError::SvgMemory));
+        assert!(is_refused, "{used}: {:?}", said.err());
+    }
+}
+
+#[test]
+fn a_tile_as_large_as_a_field_is_not_drawn() {
+    let said = read(
+        r#"<defs><pattern id="p" width="1e6" height="1e6" patternUnits="userSpaceOnUse"><rect width="9" height="9"/></pattern></defs><rect width="100" height="100" fill="url(#p)"/>"#,
+    );
+    assert_eq!(said.err(), Some(PictureError::SvgMemory));
+}
+
+#[test]
+fn filters_that_look_at_too_many_pixels_are_not_drawn() {
+    let ones = "1 ".repeat(625);
+    let filtered = |primitives: &str| {
+        read(&format!(
+            r#"<defs><filter id="f" x="0" y="0" width="1" height="1">{primitives}</filter></defs><rect {ALL} filter="url(#f)"/>"#
+        ))
+    };
+    for primitives in [
+        format!(r#"<feConvolveMatrix order="25" kernelMatrix="{ones}"/>"#),
+        r#"<feMorphology operator="dilate" radius="40"/>"#.to_owned(),
+        r#"<feTurbulence baseFrequency="0.05" numOctaves="9"/>"#.to_owned(),
+        r#"<feGaussianBlur stdDeviation="30"/>"#.repeat(40),
+    ] {
+        let said = filtered(&primitives);
+        let is_refused = matches!(said, Err(PictureError::SvgWork | PictureError::SvgMemory));
+        assert!(is_refused, "{primitives}: {:?}", said.err());
+    }
+    assert!(filtered(r#"<feGaussianBlur stdDeviation="2"/>"#).is_ok());
+}
+
+#[test]
+fn heaps_are_not_drawn() {
+    let groups = format!(
+        "{}<rect {ALL}/>{}",
+        r#"<g opacity="0.9">"#.repeat(300),
+        "</g>".repeat(300)
+    );
+    let rectangles = format!(r#"<rect {ALL} fill="red" opacity="0.5"/>"#).repeat(3000);
+    let zigzag = format!(r#"<path d="M0 0{}"/>"#, " L100 100L0 0".repeat(200_000));
+    let dashes = r#"<path d="M0 0L100 100" stroke="red" stroke-dasharray="0.00001 0.00001"/>"#;
+    for drawn in [groups, rectangles, zigzag, dashes.repeat(50)] {
+        let said = read(&drawn);
+        let is_refused = matches!(said, Err(PictureError::SvgWork | PictureError::SvgMemory));
+        assert!(is_refused, "{:.60}: {:?}", drawn, said.err());
+    }
+}
+
+#[test]
+fn copies_of_copies_end() {
+    let uses: String = (1..26)
+        .map(|number| {
+            let before = number - 1;
+            format!(r##"<g id="u{number}"><use href="#u{before}"/><use href="#u{before}"/></g>"##)
+        })
+        .collect();
+    let leaf = r#"<g id="u0"><rect width="1" height="1"/></g>"#;
+    let said = read(&format!("<defs>{leaf}{uses}</defs><use href=\"#u25\"/>"));
+    assert!(said.is_err());
+    let marker = r#"<marker id="m"><path d="M0 0 1 1 2 2" marker-mid="url(#m)"/></marker>"#;
+    let said = read(&format!(
+        "<defs>{marker}</defs><path d=\"M0 0 1 1 2 2\" marker-mid=\"url(#m)\"/>"
+    ));
+    assert_eq!(said.err(), Some(PictureError::SvgMarkers));
+}
+
+#[test]
+fn a_print_of_three_thousand_leaves_is_drawn() {
+    let leaves: String = (0..3000)
+        .map(|leaf| {
+            let (x, y) = (leaf % 97, leaf % 89);
+            format!(r##"<path fill="#307a3c" d="M{x} {y}q2 -3 4 0q-2 3 -4 0z"/>"##)
+        })
+        .collect();
+    let picture = read(&leaves).expect("a print");
+    let green = picture.pixels.chunks_exact(4).filter(|pixel| 0 < pixel[3]);
+    assert!(100_000 < green.count());
+}
