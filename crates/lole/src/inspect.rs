@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use lole_avatar::AvatarInspection;
+use lole_files::Unread;
 use lole_language::{Language, Sentence};
 use lole_motion::{RecordingInspection, bvh};
 
@@ -56,19 +57,18 @@ fn is_bvh(bytes: &[u8]) -> bool {
 
 fn read(path: &Path) -> Result<Vec<u8>, Failure> {
     let name = path.display();
-    let unreadable = |_| {
-        Failure::usage(Sentence::new(
-            format!("{name}: ファイルが読めません。場所と名前を確かめてください"),
-            format!("{name}: the file cannot be read; check the path"),
-        ))
-    };
-    let size = std::fs::metadata(path).map_err(unreadable)?.len();
-    if LARGEST_FILE < size {
-        let (megabytes, limit) = (size >> 20, LARGEST_FILE >> 20);
-        return Err(Failure::usage(Sentence::new(
-            format!("{name}: {megabytes} MB あり、{limit} MB までしか読みません"),
-            format!("{name}: the file has {megabytes} MB, and {limit} MB are read at most"),
-        )));
-    }
-    std::fs::read(path).map_err(unreadable)
+    let limit = LARGEST_FILE >> 20;
+    lole_files::read_ordinary(path, LARGEST_FILE).map_err(|why| {
+        Failure::usage(match why {
+            Unread::Unreadable => Sentence::new(
+                format!("{name}: ファイルが読めません。場所と名前を確かめてください"),
+                format!("{name}: the file cannot be read; check the path"),
+            ),
+            Unread::NoFile => lole_files::no_ordinary_file(path),
+            Unread::TooLarge { megabytes } => Sentence::new(
+                format!("{name}: {megabytes} MB あり、{limit} MB までしか読みません"),
+                format!("{name}: the file has {megabytes} MB, and {limit} MB are read at most"),
+            ),
+        })
+    })
 }

@@ -89,7 +89,7 @@ fn main() -> ExitCode {
         },
     };
     match result {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(()) => summary::end(language),
         Err(failure) => summary::explain(&failure, language),
     }
 }

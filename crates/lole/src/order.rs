@@ -19,6 +19,7 @@ use lole_export::order::{
     order_folder,
 };
 use lole_export::pdf::{Document, Paper, printable};
+use lole_files::Unread;
 use lole_geom::Length;
 use lole_language::{Bilingual as _, Language, Sentence};
 use rayon::prelude::*;
@@ -200,19 +201,26 @@ fn read_roster(path: &Path) -> Result<Roster, Failure> {
     roster::read(&read_list(path)?).map_err(|error| no_list(path, &error))
 }
 
+/// A list larger than this [byte] is not read.
+const LARGEST_LIST: u64 = 64 << 20;
+
 /// The bytes of a list of dancers.
 fn read_list(path: &Path) -> Result<Vec<u8>, Failure> {
-    std::fs::read(path).map_err(|_| {
-        let sentence = if path.is_dir() {
-            Sentence::new(
+    lole_files::read_ordinary(path, LARGEST_LIST).map_err(|why| {
+        let sentence = match why {
+            Unread::NoFile if path.is_dir() => Sentence::new(
                 "フォルダーです。名簿のファイルを書いてください",
                 "this is a folder; name the file of the list",
-            )
-        } else {
-            Sentence::new(
+            ),
+            Unread::NoFile => return Failure::usage(lole_files::no_ordinary_file(path)),
+            Unread::TooLarge { megabytes } => Sentence::new(
+                format!("{megabytes} MB あり、名簿としては大きすぎます。名簿だけを保存してください"),
+                format!("the file has {megabytes} MB, more than a list of dancers has; save only the list"),
+            ),
+            Unread::Unreadable => Sentence::new(
                 "ファイルが読めません。場所と名前を確かめてください",
                 "the file cannot be read; check the path",
-            )
+            ),
         };
         Failure::usage(of_file(path, &sentence))
     })

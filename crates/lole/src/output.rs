@@ -9,6 +9,8 @@ use lole_language::Sentence;
 
 /// Name of the folder for files that are not finished.
 const UNFINISHED: &str = ".lole-unfinished";
+/// A file in it that is locked while the run lasts; the system unlocks what was killed.
+const LOCK: &str = "lock";
 
 /// A results folder that is being filled. Dropped without [`OutputFolder::finish`], it removes
 /// what it wrote.
@@ -16,6 +18,8 @@ pub(crate) struct OutputFolder {
     folder: PathBuf,
     created: bool,
     unfinished: PathBuf,
+    /// Held while the run lasts.
+    lock: Option<fs::File>,
     files: Vec<String>,
 }
 
@@ -35,15 +39,45 @@ impl OutputFolder {
         fs::create_dir_all(folder).with_context(cannot)?;
         let unfinished = folder.join(format!("{UNFINISHED}-{}", std::process::id()));
         fs::create_dir_all(&unfinished).with_context(cannot)?;
-        let output = Self {
+        let mut output = Self {
             folder: folder.to_owned(),
             created,
             unfinished,
+            lock: None,
             files: Vec::new(),
         };
         fs::write(output.unfinished.join("probe"), b"lole").with_context(cannot)?;
         fs::remove_file(output.unfinished.join("probe")).with_context(cannot)?;
+        let lock = fs::File::create(output.unfinished.join(LOCK)).with_context(cannot)?;
+        // Where a file system knows no locks, runs are not kept apart.
+        drop(lock.try_lock());
+        output.lock = Some(lock);
+        output.clear_others()?;
         Ok(output)
+    }
+
+    /// Removes what runs that were killed have left; one that still goes on is left alone, and refuses this one.
+    fn clear_others(&self) -> Result<()> {
+        let all = fs::read_dir(&self.folder).into_iter().flatten().flatten();
+        let others = all.map(|entry| entry.path()).filter(|path| {
+            let name = path.file_name().unwrap_or_default().to_string_lossy();
+            name.starts_with(UNFINISHED) && *path != self.unfinished
+        });
+        for other in others {
+            let lock = fs::File::open(other.join(LOCK));
+            let is_held =
+                lock.is_ok_and(|lock| matches!(lock.try_lock(), Err(fs::TryLockError::WouldBlock)));
+            if is_held {
+                let folder = self.folder.display();
+                return Err(Sentence::new(
+                    format!("{folder}: 別の実行がこのフォルダーに書いています。終わるのを待つか、--out で別のフォルダーを選んでください"),
+                    format!("{folder}: another run is writing into this folder; wait for it or choose another with --out"),
+                )
+                .into());
+            }
+            drop(fs::remove_dir_all(&other));
+        }
+        Ok(())
     }
 
     /// Writes one file, not yet in its place.
@@ -93,6 +127,8 @@ impl OutputFolder {
 
 impl Drop for OutputFolder {
     fn drop(&mut self) {
+        // Some systems remove no file that is open.
+        self.lock = None;
         // Nothing can be done about a failure here, and nothing of value is lost by one.
         drop(fs::remove_dir_all(&self.unfinished));
         if self.created {
@@ -119,6 +155,26 @@ mod tests {
         output.write("half.mp4", b"half").unwrap();
         drop(output);
         assert!(!folder.exists());
+    }
+
+    #[test]
+    fn what_a_killed_run_left_is_removed_and_a_running_one_is_not_disturbed() {
+        let folder = scratch("others");
+        let killed = folder.join(format!("{UNFINISHED}-1"));
+        let running = folder.join(format!("{UNFINISHED}-2"));
+        for other in [&killed, &running] {
+            fs::create_dir_all(other).unwrap();
+            fs::write(other.join("half.mp4"), b"half").unwrap();
+        }
+        let lock = fs::File::create(running.join(LOCK)).unwrap();
+        lock.lock().unwrap();
+        let refused = OutputFolder::create(&folder).err().unwrap();
+        assert!(refused.to_string().contains("another run"), "{refused}");
+        assert!(running.join("half.mp4").exists());
+        drop(lock);
+        drop(OutputFolder::create(&folder).unwrap());
+        assert!(!killed.exists() && !running.exists());
+        fs::remove_dir_all(&folder).unwrap();
     }
 
     #[test]

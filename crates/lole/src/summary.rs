@@ -4,24 +4,51 @@
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use lole_costume::cost::Bill;
 use lole_costume::document::DesignError;
 use lole_export::dancer_sheet::DancerSheet;
 use lole_export::report::{Remark, RunReport};
 use lole_export::study::StudyReport;
-use lole_language::{Bilingual, Language, Sentence, Words};
+use lole_language::{Bilingual, Language, Sentence, Words, shown};
 use lole_stage::StageError;
 use lole_stage::validate::{Check, Protocol};
 
 use crate::Failure;
 
-/// Writes a line where the user looks. Nobody may be looking any more, as behind `| head`: that is
-/// no failure of the run.
+/// Writes a line where the user looks.
 macro_rules! say {
     ($($words:tt)*) => {
-        drop(writeln!(std::io::stdout(), $($words)*))
+        $crate::summary::heard(writeln!(std::io::stdout(), $($words)*))
     };
+}
+
+/// Whether something that was to be said is lost.
+static IS_LOST: AtomicBool = AtomicBool::new(false);
+
+/// Remembers that a line was lost. Nobody may be looking any more, as behind `| head`: that is no failure of
+/// the run.
+pub(crate) fn heard(said: std::io::Result<()>) {
+    if said.is_err_and(|error| error.kind() != std::io::ErrorKind::BrokenPipe) {
+        IS_LOST.store(true, Ordering::Relaxed);
+    }
+}
+
+/// The exit code of a run that went well: 1 where what it said could not be written.
+pub(crate) fn end(language: Language) -> ExitCode {
+    heard(std::io::stdout().flush());
+    if !IS_LOST.load(Ordering::Relaxed) {
+        return ExitCode::SUCCESS;
+    }
+    eprintln!(
+        "lole: {}",
+        language.pick(
+            "結果を出力に書けませんでした。出力先の空きを確かめてください。",
+            "the output could not be written; check that there is room where it goes"
+        )
+    );
+    ExitCode::from(1)
 }
 
 mod bench;
@@ -41,7 +68,7 @@ pub(crate) fn print_json(json: &str) {
 /// Says some sentences, a line each.
 pub(crate) fn print_lines(lines: &[Sentence], language: Language) {
     for line in lines {
-        say!("{}", line.text(language));
+        say!("{}", shown(&line.text(language)));
     }
 }
 
@@ -49,7 +76,7 @@ pub(crate) fn print_lines(lines: &[Sentence], language: Language) {
 pub(crate) fn print_inspection(path: &Path, lines: &[Sentence], language: Language) {
     say!("{}", path.display());
     for line in lines {
-        say!("  {}", line.text(language));
+        say!("  {}", shown(&line.text(language)));
     }
 }
 
@@ -323,7 +350,7 @@ fn has_end(path: &Path, end: &str) -> bool {
 /// Says what is wrong with rows of a list, one a line.
 pub(crate) fn print_problems(problems: &[Sentence], language: Language) {
     for problem in problems {
-        eprintln!("  ! {}", problem.text(language));
+        eprintln!("  ! {}", shown(&problem.text(language)));
     }
 }
 
@@ -331,15 +358,15 @@ pub(crate) fn print_problems(problems: &[Sentence], language: Language) {
 pub(crate) fn explain(failure: &Failure, language: Language) -> ExitCode {
     match failure {
         Failure::Usage(error) => {
-            eprintln!("lole: {}", one_line(error, language));
+            eprintln!("lole: {}", shown(&one_line(error, language)));
             ExitCode::from(2)
         }
         Failure::Run(error) => {
-            eprintln!("lole: {}", one_line(error, language));
+            eprintln!("lole: {}", shown(&one_line(error, language)));
             ExitCode::from(1)
         }
         Failure::Diverged(sentence) => {
-            eprintln!("lole: {}", sentence.text(language));
+            eprintln!("lole: {}", shown(&sentence.text(language)));
             ExitCode::from(1)
         }
         Failure::Interrupted => {

@@ -9,7 +9,7 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Arg, ArgAction, Command, CommandFactory as _, FromArgMatches as _};
 
 use lole_costume::document;
-use lole_language::{Bilingual as _, Language, Sentence};
+use lole_language::{Bilingual as _, Language, Sentence, repeated};
 
 use crate::args::{self, Cli};
 use crate::{Failure, summary};
@@ -454,7 +454,7 @@ fn headed(command: Command) -> Command {
 /// What was typed wrongly, and what to type.
 fn sentence(error: &clap::Error) -> Sentence {
     let context = |kind| match error.get(kind) {
-        Some(ContextValue::String(text)) => text.clone(),
+        Some(ContextValue::String(text)) => repeated(text),
         Some(ContextValue::Strings(texts)) => texts.join(", "),
         _ => String::new(),
     };

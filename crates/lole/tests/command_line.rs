@@ -146,7 +146,7 @@ fn wrong_usage_is_refused_before_anything_is_computed() {
     let inside = file.join("out");
     let cases: [(&Path, &Path, &[&str], &str); 6] = [
         (&missing, &out, &[], "missing.lole"),
-        (&scratch.0, &out, &[], "cannot be read"),
+        (&scratch.0, &out, &[], "no ordinary file"),
         (&design, &inside, &[], "--out"),
         (
             &design,
@@ -384,4 +384,114 @@ fn a_dancer_is_shown_from_four_sides_with_the_tape_on_her_body() {
         said.contains("nobody.vrm") && !said.contains("her.lole"),
         "{said}"
     );
+}
+
+#[test]
+fn messages_repeat_little_of_what_was_given_and_no_control_characters() {
+    let long = format!("a\u{1b}[2J\u{202e}b{}", "c".repeat(50_000));
+    for words in [
+        vec!["fabric", &long],
+        vec!["bench", "--scene", &long],
+        vec![&long],
+        vec!["dance", "--seconds", &long],
+        vec!["cost", &long],
+    ] {
+        let output = lole().args(&words).output().unwrap();
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert_ne!(output.status.code(), Some(0), "{said}");
+        let is_plain =
+            |letter: char| letter == '\n' || !letter.is_control() && letter != '\u{202e}';
+        assert!(said.chars().all(is_plain), "{said:?}");
+        assert!(said.chars().count() < 1500, "{said}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn only_ordinary_files_are_read() {
+    let scratch = Scratch::new("ordinary");
+    let design = |text: &str| scratch.write("design.lole", &format!("lole = 1\n{text}\n"));
+    let out = scratch.path("out");
+    let refused = |design: &Path| {
+        let command = lole()
+            .arg("pattern")
+            .arg(design)
+            .arg("--out")
+            .arg(&out)
+            .output();
+        let output = command.unwrap();
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{said}");
+        assert!(said.contains("no ordinary file"), "{said}");
+        assert!(!out.exists());
+    };
+    // A device that has no end, and one that nothing ever comes from.
+    refused(&design("[dancer]\nfile = \"/dev/zero\""));
+    refused(&design("[print]\nfile = \"/dev/tty\""));
+    refused(Path::new("/dev/zero"));
+    let list = lole()
+        .args(["order", "/dev/zero"])
+        .arg("--out")
+        .arg(&out)
+        .output();
+    assert_eq!(list.unwrap().status.code(), Some(2));
+    let avatar = lole().args(["inspect", "/dev/zero"]).output();
+    assert_eq!(avatar.unwrap().status.code(), Some(2));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn an_output_that_is_lost_is_a_failure_and_one_that_nobody_reads_is_none() {
+    let full = fs::OpenOptions::new()
+        .write(true)
+        .open("/dev/full")
+        .unwrap();
+    let output = lole()
+        .args(["fabric", "--json"])
+        .stdout(full)
+        .output()
+        .unwrap();
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    assert!(said.contains("could not be written"), "{said}");
+    let mut child = lole().arg("fabric").stdout(Stdio::piped()).spawn().unwrap();
+    drop(child.stdout.take());
+    assert_eq!(child.wait().unwrap().code(), Some(0));
+}
+
+#[test]
+fn lists_and_avatars_that_would_fill_the_memory_are_refused() {
+    let scratch = Scratch::new("large");
+    let design = scratch.write("design.lole", "lole = 1\n");
+    for (text, expected) in [
+        (
+            format!("name,hip\n{}", "\n".repeat(4_000_000)),
+            "no dancers",
+        ),
+        (
+            format!("name,hip\n{}", "a,90\n".repeat(100_000)),
+            "at most 1000",
+        ),
+        (",".repeat(1_000_000), "500 cells"),
+    ] {
+        let list = scratch.write("list.csv", &text);
+        let order = lole()
+            .arg("order")
+            .arg(&list)
+            .arg(&design)
+            .arg("--out")
+            .arg(scratch.path("out"))
+            .output();
+        let said = String::from_utf8(order.unwrap().stderr).unwrap();
+        assert!(said.contains(expected), "{said}");
+    }
+    for key in ["nodes", "materials", "extras"] {
+        let items = "{},".repeat(600_000);
+        let text = format!("{{\"asset\":{{\"version\":\"2.0\"}},\"{key}\":[{items}{{}}]}}");
+        let avatar = scratch.write("avatar.gltf", &text);
+        let output = lole().arg("inspect").arg(&avatar).output().unwrap();
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{said}");
+        assert!(said.contains("500000"), "{said}");
+    }
 }

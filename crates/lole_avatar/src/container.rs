@@ -10,7 +10,7 @@ use gltf_json::Root;
 use lole_language::{Sentence, words};
 use serde_json::{Map, Value};
 
-use crate::AvatarError;
+use crate::{AvatarError, bounded};
 
 /// Nodes of a file at most: a detailed avatar has a thousand.
 const MOST_NODES: usize = 4096;
@@ -57,6 +57,7 @@ impl<'a> File<'a> {
                 limit: MOST_TEXT as u64,
             });
         }
+        bounded::check(text)?;
         let root: Root = serde_json::from_slice(text).map_err(|error| AvatarError::Text {
             problem: visible(&error.to_string()),
         })?;

@@ -5,7 +5,7 @@
 use base64::Engine as _;
 use serde_json::Value;
 
-use crate::AvatarError;
+use crate::{AvatarError, bounded};
 
 /// Arrays of glTF whose items may name a file.
 const PARTS: [&str; 2] = ["buffers", "images"];
@@ -62,6 +62,7 @@ pub fn gathered(bytes: &[u8], read: impl Fn(&str) -> Option<Vec<u8>>) -> Option<
 fn text(bytes: &[u8]) -> Option<Value> {
     let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     text.trim_ascii_start().starts_with(b"{").then_some(())?;
+    bounded::check(text).ok()?;
     serde_json::from_slice(text).ok()
 }
 

@@ -17,6 +17,7 @@
 mod accessor;
 mod animation;
 mod avatar;
+mod bounded;
 mod container;
 mod dance;
 mod error;

@@ -3,6 +3,8 @@
 //! Whatever the shading of the file (metal and roughness, unlit, `MToon`), the base color and its
 //! picture are what remains of it. What a picture leaves clear is cut away, triangle by triangle.
 
+use std::borrow::Cow;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use glam::Vec2;
@@ -10,6 +12,7 @@ use gltf_json::material::{AlphaMode, Material};
 use gltf_json::texture::Info;
 use gltf_json::validation::Checked;
 use lole_body::{Look, SkinPicture};
+use lole_language::words;
 
 use crate::AvatarError;
 use crate::container::{File, embedded, visible};
@@ -19,6 +22,8 @@ use crate::geometry::Geometry;
 const LONGEST_SIDE: u32 = 8192;
 /// Longest side of a picture that is kept [pixel]; a larger one is made smaller.
 const KEPT_SIDE: u32 = 2048;
+/// Pixels of all pictures of a file that are read: sixteen of the largest that people use.
+const MOST_PIXELS: u64 = 16 * 4096 * 4096;
 /// Bytes that decoding a picture may take.
 const MOST_BYTES: u64 = 512 << 20;
 /// Opacity below which nothing is drawn, where the material does not say.
@@ -36,6 +41,7 @@ pub(crate) fn looks(file: &File<'_>, geometry: &Geometry) -> Result<Looks, Avata
     used.dedup();
     let mut pictures: Vec<Option<Option<Arc<SkinPicture>>>> = vec![None; file.root.images.len()];
     let (mut looks, mut triangles) = (Vec::new(), Vec::new());
+    check_pixels(file, &used)?;
     for material in used {
         let said = material.and_then(|index| file.root.materials.get(index));
         let look = look(file, said, &mut pictures)?;
@@ -110,33 +116,66 @@ fn picture(
     info: &Info,
     pictures: &mut [Option<Option<Arc<SkinPicture>>>],
 ) -> Result<Option<Arc<SkinPicture>>, AvatarError> {
-    let texture = file.root.textures.get(info.index.value());
-    let Some(image) = texture.map(|texture| texture.source.value()) else {
+    let Some(image) = image_of(file, info) else {
         return Ok(None);
     };
-    let Some(slot) = pictures.get_mut(image) else {
-        return Ok(None);
-    };
+    let slot = &mut pictures[image];
     if slot.is_none() {
         *slot = Some(decoded(file, image)?.map(Arc::new));
     }
     Ok(slot.clone().flatten())
 }
 
-fn decoded(file: &File<'_>, index: usize) -> Result<Option<SkinPicture>, AvatarError> {
+/// Checks how many pixels the pictures of these materials have, before any is read.
+fn check_pixels(file: &File<'_>, used: &[Option<usize>]) -> Result<(), AvatarError> {
+    let materials = used.iter().flatten();
+    let said = materials.filter_map(|&index| file.root.materials.get(index));
+    let infos = said.filter_map(|said| said.pbr_metallic_roughness.base_color_texture.as_ref());
+    let images: BTreeSet<usize> = infos.filter_map(|info| image_of(file, info)).collect();
+    let mut sum = 0_u64;
+    for index in images {
+        let Some(bytes) = encoded(file, index)? else {
+            continue;
+        };
+        let reader = image::ImageReader::new(std::io::Cursor::new(bytes)).with_guessed_format();
+        let size = reader.ok().and_then(|reader| reader.into_dimensions().ok());
+        let pixels = size.map_or(0, |(width, height)| u64::from(width) * u64::from(height));
+        sum = sum.saturating_add(pixels);
+    }
+    if MOST_PIXELS < sum {
+        return Err(AvatarError::TooLarge {
+            what: words("画素の画像", "pixels in its pictures"),
+            count: sum,
+            limit: MOST_PIXELS,
+        });
+    }
+    Ok(())
+}
+
+/// The bytes of a picture as it lies in the file; `None` where it lies in another one.
+fn encoded<'a>(file: &'a File<'_>, index: usize) -> Result<Option<Cow<'a, [u8]>>, AvatarError> {
     let said = &file.root.images[index];
-    let owned;
-    let bytes = match (said.buffer_view, &said.uri) {
-        (Some(view), _) => file.view(view)?,
+    Ok(match (said.buffer_view, &said.uri) {
+        (Some(view), _) => Some(Cow::Borrowed(file.view(view)?)),
         (None, Some(uri)) => match embedded(uri) {
-            Some(Ok(bytes)) => {
-                owned = bytes;
-                &owned
-            }
+            Some(Ok(bytes)) => Some(Cow::Owned(bytes)),
             // A picture in another file leaves the plain color.
-            _ => return Ok(None),
+            _ => None,
         },
-        (None, None) => return Ok(None),
+        (None, None) => None,
+    })
+}
+
+/// Which picture a texture shows, where there is one.
+fn image_of(file: &File<'_>, info: &Info) -> Option<usize> {
+    let texture = file.root.textures.get(info.index.value())?;
+    let image = texture.source.value();
+    (image < file.root.images.len()).then_some(image)
+}
+
+fn decoded(file: &File<'_>, index: usize) -> Result<Option<SkinPicture>, AvatarError> {
+    let Some(bytes) = encoded(file, index)? else {
+        return Ok(None);
     };
     let mut limits = image::Limits::default();
     limits.max_image_width = Some(LONGEST_SIDE);

@@ -105,6 +105,12 @@ pub enum RosterError {
     /// It is a spreadsheet's own file.
     #[error("the file is a workbook, not CSV; in the spreadsheet choose \"CSV UTF-8\" when saving")]
     Workbook,
+    /// A row has more cells than any list has columns.
+    #[error("line {line}: the row has more than 500 cells; save only the list")]
+    TooWide {
+        /// Its line.
+        line: u32,
+    },
     /// A quotation mark is never closed.
     #[error("line {line}: a quotation mark opens here and is never closed; close or remove it")]
     OpenQuote {
@@ -144,7 +150,9 @@ pub enum RosterError {
         second: usize,
     },
     /// More rows than one run takes.
-    #[error("the list has {count} dancers; at most {MOST_DANCERS} are cut at once, so split it")]
+    #[error(
+        "the list has {count} dancers or more; at most {MOST_DANCERS} are cut at once, so split it"
+    )]
     TooMany {
         /// How many.
         count: usize,
@@ -159,6 +167,9 @@ impl Bilingual for RosterError {
             ),
             Self::NoText => "UTF-8 でも Shift_JIS でもないファイルです。表計算ソフトで「CSV UTF-8」を選んで保存してください".to_owned(),
             Self::Workbook => "CSV ではなく表計算ソフトのファイルです。「CSV UTF-8」を選んで保存してください".to_owned(),
+            Self::TooWide { line } => {
+                format!("{line} 行目: 列が 500 より多くあります。名簿だけを保存してください")
+            }
             Self::OpenQuote { line } => format!(
                 "{line} 行目: ここで始まる引用符が閉じていません。閉じるか、消してください"
             ),
@@ -177,7 +188,7 @@ impl Bilingual for RosterError {
                 column.japanese
             ),
             Self::TooMany { count } => format!(
-                "名簿に {count} 人います。一度に {MOST_DANCERS} 人までです。分けてください"
+                "名簿に {count} 人以上います。一度に {MOST_DANCERS} 人までです。分けてください"
             ),
         }
     }

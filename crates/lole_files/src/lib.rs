@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 use std::fs::{self, File};
-use std::io::{self, Write as _};
+use std::io::{self, Read as _, Write as _};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -27,23 +27,74 @@ const MOST_PICTURES: u32 = 10_000;
 /// One sentence that names the file.
 pub fn read_document(path: &Path) -> Result<Vec<u8>, Sentence> {
     let name = path.display();
-    let unreadable = |_| {
-        Sentence::new(
+    read_ordinary(path, LARGEST_FILE).map_err(|why| match why {
+        Unread::Unreadable => Sentence::new(
             format!("{name}: ファイルが読めません。場所と名前を確かめてください"),
             format!("{name}: the file cannot be read; check the path"),
-        )
-    };
-    let size = fs::metadata(path).map_err(unreadable)?.len();
-    if LARGEST_FILE < size {
-        let megabytes = size >> 20;
-        return Err(Sentence::new(
+        ),
+        Unread::NoFile => no_ordinary_file(path),
+        Unread::TooLarge { megabytes } => Sentence::new(
             format!(
                 "{name}: {megabytes} MB もあり、デザインではありません。.lole のファイルを選んでください"
             ),
             format!("{name}: the file has {megabytes} MB and is no design; choose a .lole file"),
-        ));
+        ),
+    })
+}
+
+/// Why a file was not read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unread {
+    /// It is not there, or may not be read.
+    Unreadable,
+    /// It is a folder, a pipe or a device: reading it might never end.
+    NoFile,
+    /// It is larger than asked for.
+    TooLarge {
+        /// Its size [MB].
+        megabytes: u64,
+    },
+}
+
+/// Reads all of an ordinary file of at most so many bytes: a pipe that nobody writes to, or a device without an
+/// end, is not waited for.
+///
+/// # Errors
+/// See [`Unread`].
+pub fn read_ordinary(path: &Path, most: u64) -> Result<Vec<u8>, Unread> {
+    let kind = fs::metadata(path).map_err(|_| Unread::Unreadable)?;
+    if !kind.is_file() {
+        return Err(Unread::NoFile);
     }
-    fs::read(path).map_err(unreadable)
+    let too_large = |size: u64| Unread::TooLarge {
+        megabytes: size >> 20,
+    };
+    if most < kind.len() {
+        return Err(too_large(kind.len()));
+    }
+    let file = File::open(path).map_err(|_| Unread::Unreadable)?;
+    let mut bytes = Vec::new();
+    // It may have grown meanwhile, or be one of those that have no length.
+    let limited = &mut file.take(most + 1);
+    limited
+        .read_to_end(&mut bytes)
+        .map_err(|_| Unread::Unreadable)?;
+    match bytes.len() as u64 {
+        size if most < size => Err(too_large(size)),
+        _ => Ok(bytes),
+    }
+}
+
+/// What is said of a folder, a pipe or a device where a file is wanted.
+#[must_use]
+pub fn no_ordinary_file(path: &Path) -> Sentence {
+    let name = path.display();
+    Sentence::new(
+        format!(
+            "{name}: ふつうのファイルではありません（フォルダーや装置など）。ファイルを指定してください"
+        ),
+        format!("{name}: this is no ordinary file but a folder, a pipe or a device; name a file"),
+    )
 }
 
 /// Reads a design.
@@ -177,21 +228,18 @@ fn is_inside(file: &Path, other: &Path) -> bool {
 
 fn read_alone(path: &Path, key: &str) -> Result<Vec<u8>, Sentence> {
     let name = path.display();
-    let unreadable = |_| {
-        Sentence::new(
+    let limit = LARGEST_LINKED >> 20;
+    read_ordinary(path, LARGEST_LINKED).map_err(|why| match why {
+        Unread::Unreadable => Sentence::new(
             format!("{name}: ファイルが読めません。{key} の場所と名前を確かめてください"),
             format!("{name}: the file cannot be read; check the place in {key}"),
-        )
-    };
-    let size = fs::metadata(path).map_err(unreadable)?.len();
-    if LARGEST_LINKED < size {
-        let (megabytes, limit) = (size >> 20, LARGEST_LINKED >> 20);
-        return Err(Sentence::new(
+        ),
+        Unread::NoFile => no_ordinary_file(path),
+        Unread::TooLarge { megabytes } => Sentence::new(
             format!("{name}: {megabytes} MB あります。{limit} MB までにしてください"),
             format!("{name}: the file has {megabytes} MB; make it {limit} MB at most"),
-        ));
-    }
-    fs::read(path).map_err(unreadable)
+        ),
+    })
 }
 
 /// How a recording is named in a design at `document`: from there where it lies beside or below it,

@@ -1,6 +1,11 @@
 //! Bytes to cells: encodings, separators, quotation marks.
 
-use super::{MOST_BYTES, RosterError};
+use super::{MOST_BYTES, MOST_DANCERS, RosterError};
+
+/// Rows of a list that are looked at: its dancers, heads, sums and notes.
+const MOST_ROWS: usize = 2 * MOST_DANCERS;
+/// Cells of a row.
+const MOST_CELLS: usize = 500;
 
 /// What parts the columns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -83,7 +88,7 @@ pub(super) fn decode(bytes: &[u8]) -> Result<String, RosterError> {
     Ok(text.into_owned())
 }
 
-/// Rows of cells. A cell in quotation marks may hold separators, new lines, and doubled marks.
+/// Rows of cells that are not empty. A cell in quotation marks may hold separators, new lines, and doubled marks.
 pub(super) fn records(text: &str, separator: Separator) -> Result<Vec<Record>, RosterError> {
     let mut records = Vec::new();
     let mut cells = Vec::new();
@@ -110,13 +115,19 @@ pub(super) fn records(text: &str, separator: Separator) -> Result<Vec<Record>, R
             '\r' if letters.peek() == Some(&'\n') => {}
             '\r' | '\n' => {
                 cells.push(std::mem::take(&mut cell));
-                records.push(Record {
+                let record = Record {
                     line: first_line,
                     cells: std::mem::take(&mut cells),
-                });
+                };
+                keep(&mut records, record)?;
                 first_line = line;
             }
-            _ if letter == separator.letter() => cells.push(std::mem::take(&mut cell)),
+            _ if letter == separator.letter() => {
+                cells.push(std::mem::take(&mut cell));
+                if MOST_CELLS < cells.len() {
+                    return Err(RosterError::TooWide { line: first_line });
+                }
+            }
             _ => cell.push(letter),
         }
     }
@@ -124,11 +135,25 @@ pub(super) fn records(text: &str, separator: Separator) -> Result<Vec<Record>, R
         return Err(RosterError::OpenQuote { line });
     }
     cells.push(cell);
-    records.push(Record {
+    let record = Record {
         line: first_line,
         cells,
-    });
+    };
+    keep(&mut records, record)?;
     Ok(records)
+}
+
+/// Keeps a row unless it is empty.
+fn keep(records: &mut Vec<Record>, record: Record) -> Result<(), RosterError> {
+    if record.is_blank() {
+        return Ok(());
+    }
+    records.push(record);
+    if MOST_ROWS < records.len() {
+        let count = records.len();
+        return Err(RosterError::TooMany { count });
+    }
+    Ok(())
 }
 
 /// Whether a spreadsheet would compute the cell.

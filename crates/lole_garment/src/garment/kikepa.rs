@@ -288,8 +288,8 @@ mod worn {
     fn place(cloth: &Cloth<'_>, point: DVec2) -> Option<Vec3> {
         let wrapped = Wrapped::new(cloth)?;
         let [turn, gap, height] = wrapped_at(cloth, &wrapped, point)?;
-        let held_out =
-            narrow(point.x - wrapped.end).max(0.0) * Vec3::new(1.0, 0.0, FORWARD).normalize();
+        let held_out = narrow(point.x - wrapped.end).max(0.0)
+            * Vec3::new(1.0, 0.0, FORWARD).normalize_or_zero();
         Some(cloth.hung(top(cloth))?.place(height, turn, gap) + held_out)
     }
 
