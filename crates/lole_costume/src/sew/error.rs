@@ -67,15 +67,20 @@ pub enum SewError {
     },
     /// Too few particles for the band.
     #[error(
-        "{row_count} rows are too few for {elastic_row_count} elastic rows; use a row_count of at least {least}"
+        "{row_count} rows are too few for {elastic_row_count} elastic rows; {}",
+        match least {
+            Some(least) => format!("use a row_count of at least {least}"),
+            None => "they lie too close together: make casing_cm or casing_gap_cm larger, or elastic_row_count smaller"
+                .to_owned(),
+        }
     )]
     TooFewRows {
         /// Rows asked for.
         row_count: u32,
         /// Elastic rows of the draft.
         elastic_row_count: usize,
-        /// Rows needed.
-        least: u32,
+        /// Rows needed; `None` where no number that is accepted is enough.
+        least: Option<u32>,
     },
 }
 
@@ -92,9 +97,15 @@ impl Bilingual for SewError {
                 row_count,
                 elastic_row_count,
                 least,
-            } => format!(
-                "ゴム {elastic_row_count} 段に対して {row_count} 行では足りません。row_count を {least} 以上にしてください"
-            ),
+            } => match least {
+                Some(least) => format!(
+                    "ゴム {elastic_row_count} 段に対して {row_count} 行では足りません。row_count を {least} 以上にしてください"
+                ),
+                None => format!(
+                    "ゴム {elastic_row_count} 段の間が狭すぎます。casing_cm か casing_gap_cm を大きくするか、\
+                     elastic_row_count を小さくしてください"
+                ),
+            },
             Self::BandTooTall { top_cm, bust_cm } => format!(
                 "ゴムの部分が床から {top_cm:.0} cm まで届きますが、バストは {bust_cm:.0} cm です。\
                  casing_cm か casing_gap_cm か elastic_row_count を小さくするか、低い位置ではいてください"

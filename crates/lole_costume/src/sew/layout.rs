@@ -48,9 +48,7 @@ impl Layout {
             return Err(SewError::TooFewRows {
                 row_count: settings.row_count,
                 elastic_row_count: draft.elastic_rows.len(),
-                least: (settings.row_count..MOST_ROWS)
-                    .find(|&count| elastics(count).is_some())
-                    .unwrap_or(MOST_ROWS),
+                least: (settings.row_count..=MOST_ROWS).find(|&count| elastics(count).is_some()),
             });
         };
         let fullness = (worn.worn_girth.to_m_f32() / flat_length).min(1.0);
@@ -145,8 +143,8 @@ impl Layout {
 /// Her left side, as a fraction of the ring from where a skirt's seam is.
 const LEFT_SIDE: f32 = 0.25;
 
-/// More rows than anyone asks for.
-const MOST_ROWS: u32 = 1000;
+/// Rows that a design may ask for.
+const MOST_ROWS: u32 = 512;
 
 /// Grid rows that carry elastic; `None` where two fall on one row or too few are left below.
 fn elastic_rows(draft: &PauDraft, row_count: u32, spacing: f32) -> Option<Vec<u32>> {

@@ -103,14 +103,7 @@ pub(super) fn lay(
         }
     };
     let places = places.ok_or_else(no_trunk)?;
-    let mut tied = places.clone();
-    for (particle, way) in &led {
-        tied[*particle as usize] = way.last().copied().unwrap_or(tied[*particle as usize]);
-    }
-    let held: Vec<Vec3> = (tied.iter().zip(&pinned))
-        .filter(|(_, pinned)| **pinned)
-        .map(|(place, _)| *place)
-        .collect();
+    let held = held_places((&places, &pinned), &led);
     let pins = carry(&row.way, &form, &held).ok_or_else(no_trunk)?;
     let facing = (0..panels.panels.len()).map(|panel| faces_out(panel, &mesh, &places, &form));
     let facing = facing.collect();
@@ -144,6 +137,19 @@ fn led_ways(
     let all = all.filter(|(_, pinned)| **pinned);
     all.map(|((particle, &point), _)| (particle, (wrap.led)(cloth, point)))
         .filter(|(_, way)| !way.is_empty())
+        .collect()
+}
+
+/// Where pinned particles are held [m], in their order: where they lie, or where they are led to.
+fn held_places((places, pinned): (&[Vec3], &[bool]), led: &[(u32, Vec<Vec3>)]) -> Vec<Vec3> {
+    let mut tied = places.to_vec();
+    for (particle, way) in led {
+        let place = &mut tied[*particle as usize];
+        *place = way.last().copied().unwrap_or(*place);
+    }
+    let all = tied.into_iter().zip(pinned);
+    all.filter(|(_, pinned)| **pinned)
+        .map(|(place, _)| place)
         .collect()
 }
 
