@@ -322,10 +322,10 @@ mod worn {
         let corners = [
             start,
             on(0.4, Face::Front, 0.25)?,
-            on(0.8, Face::Front, 0.42)?,
-            on(1.0, Face::Front, 0.55)? + Vec3::Y * 0.01,
-            on(0.8, Face::Back, 0.5)?,
-            on(0.4, Face::Back, 0.45)?,
+            on(0.8, Face::Front, 0.36)?,
+            on(1.0, Face::Front, 0.42)? + Vec3::Y * 0.01,
+            on(0.8, Face::Back, 0.42)?,
+            on(0.4, Face::Back, 0.42)?,
             on(0.0, Face::Back, 0.42)?,
         ];
         let mut way: Vec<Vec3> = (0..=WAY_POINTS)
