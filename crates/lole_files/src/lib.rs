@@ -51,7 +51,7 @@ pub enum Unread {
     NoFile,
     /// It is larger than asked for.
     TooLarge {
-        /// Its size [MB].
+        /// Its size, in MB.
         megabytes: u64,
     },
 }
