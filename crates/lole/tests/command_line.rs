@@ -425,9 +425,9 @@ fn only_ordinary_files_are_read() {
         assert!(said.contains("no ordinary file"), "{said}");
         assert!(!out.exists());
     };
-    // A device that has no end, and one that nothing ever comes from.
+    // A device that has no end, and one in which there is nothing.
     refused(&design("[dancer]\nfile = \"/dev/zero\""));
-    refused(&design("[print]\nfile = \"/dev/tty\""));
+    refused(&design("[print]\nfile = \"/dev/null\""));
     refused(Path::new("/dev/zero"));
     let list = lole()
         .args(["order", "/dev/zero"])
