@@ -107,7 +107,18 @@ fn heaps_are_not_drawn() {
     let rectangles = format!(r#"<rect {ALL} fill="red" opacity="0.5"/>"#).repeat(3000);
     let zigzag = format!(r#"<path d="M0 0{}"/>"#, " L100 100L0 0".repeat(200_000));
     let dashes = r#"<path d="M0 0L100 100" stroke="red" stroke-dasharray="0.00001 0.00001"/>"#;
-    for drawn in [groups, rectangles, zigzag, dashes.repeat(50)] {
+    // A long way in a small place, in as many dashes as are drawn of one path.
+    let long = format!(
+        r#"<path d="M0 0{}" stroke="red" fill="none" stroke-dasharray="0.008 0.008"/>"#,
+        " L4 4L0 0".repeat(1000)
+    );
+    for drawn in [
+        groups,
+        rectangles,
+        zigzag,
+        dashes.repeat(50),
+        long.repeat(100),
+    ] {
         let said = read(&drawn);
         let is_refused = matches!(said, Err(PictureError::SvgWork | PictureError::SvgMemory));
         assert!(is_refused, "{:.60}: {:?}", drawn, said.err());

@@ -35,17 +35,38 @@ fn pixels([width, height]: Canvas) -> f64 {
     width * height
 }
 
+/// What something is drawn on.
+#[derive(Debug, Clone, Copy)]
+struct Onto {
+    /// From its own units to pixels.
+    transform: Transform,
+    canvas: Canvas,
+}
+
+impl Onto {
+    /// The same for what has a transform of its own.
+    fn moved(self, own: Transform) -> Self {
+        Self {
+            transform: self.transform.pre_concat(own),
+            ..self
+        }
+    }
+}
+
 /// Checks what a drawing costs on a canvas.
-pub(super) fn check(tree: &usvg::Tree, canvas: Canvas, scale: Transform) -> Result<(), TooMuch> {
+pub(super) fn check(
+    tree: &usvg::Tree,
+    canvas: Canvas,
+    transform: Transform,
+) -> Result<(), TooMuch> {
     let mut count = Count {
         most: canvas.map(|side| LAYER_REACH * side),
         steps: 0.0,
         bytes: 0.0,
         depth: 0,
     };
-    count.within(pixels(canvas), |count| {
-        count.children(tree.root(), (scale, canvas))
-    })
+    let onto = Onto { transform, canvas };
+    count.within(pixels(canvas), |count| count.children(tree.root(), onto))
 }
 
 struct Count {
@@ -89,86 +110,71 @@ impl Count {
         Ok(())
     }
 
-    fn children(
-        &mut self,
-        parent: &Group,
-        (transform, canvas): (Transform, Canvas),
-    ) -> Result<(), TooMuch> {
+    fn children(&mut self, parent: &Group, onto: Onto) -> Result<(), TooMuch> {
         for node in parent.children() {
             match node {
-                Node::Group(group) => self.group(group, (transform, canvas))?,
-                Node::Path(path) => self.path(path, (transform, canvas))?,
-                Node::Text(text) => self.group(text.flattened(), (transform, canvas))?,
-                Node::Image(_) => self.take(pixels(canvas))?,
+                Node::Group(group) => self.group(group, onto)?,
+                Node::Path(path) => self.path(path, onto)?,
+                Node::Text(text) => self.group(text.flattened(), onto)?,
+                Node::Image(_) => self.take(pixels(onto.canvas))?,
             }
         }
         Ok(())
     }
 
-    fn group(
-        &mut self,
-        group: &Group,
-        (transform, canvas): (Transform, Canvas),
-    ) -> Result<(), TooMuch> {
-        let transform = transform.pre_concat(group.transform());
+    fn group(&mut self, group: &Group, onto: Onto) -> Result<(), TooMuch> {
+        let onto = onto.moved(group.transform());
         if !group.should_isolate() {
-            return self.within(0.0, |count| count.children(group, (transform, canvas)));
+            return self.within(0.0, |count| count.children(group, onto));
         }
-        let bounds = group.layer_bounding_box().transform(transform);
+        let bounds = group.layer_bounding_box().transform(onto.transform);
         let layer = bounds.map_or(self.most, |bounds| {
             let sides = [bounds.width(), bounds.height()].map(|side| f64::from(side) + 4.0);
             [sides[0].min(self.most[0]), sides[1].min(self.most[1])]
         });
+        let onto = Onto {
+            canvas: layer,
+            ..onto
+        };
         self.within(pixels(layer), |count| {
-            count.children(group, (transform, layer))?;
+            count.children(group, onto)?;
             for filter in group.filters() {
-                count.filter(filter, (transform, layer))?;
+                count.filter(filter, onto)?;
             }
             if let Some(clip) = group.clip_path() {
-                count.clip(clip, (transform, layer))?;
+                count.clip(clip, onto)?;
             }
             if let Some(mask) = group.mask() {
-                count.mask(mask, (transform, layer))?;
+                count.mask(mask, onto)?;
             }
             count.take(pixels(layer))
         })
     }
 
-    fn clip(
-        &mut self,
-        clip: &ClipPath,
-        (transform, canvas): (Transform, Canvas),
-    ) -> Result<(), TooMuch> {
-        self.within(2.0 * pixels(canvas), |count| {
-            let inner = transform.pre_concat(clip.transform());
-            count.clipped(clip.root(), (inner, canvas))?;
+    fn clip(&mut self, clip: &ClipPath, onto: Onto) -> Result<(), TooMuch> {
+        self.within(2.0 * pixels(onto.canvas), |count| {
+            count.clipped(clip.root(), onto.moved(clip.transform()))?;
             clip.clip_path()
-                .map_or(Ok(()), |clip| count.clip(clip, (transform, canvas)))
+                .map_or(Ok(()), |clip| count.clip(clip, onto))
         })
     }
 
     /// What a clip is made of: groups that are clipped again are drawn by themselves.
-    fn clipped(
-        &mut self,
-        parent: &Group,
-        (transform, canvas): (Transform, Canvas),
-    ) -> Result<(), TooMuch> {
+    fn clipped(&mut self, parent: &Group, onto: Onto) -> Result<(), TooMuch> {
         for node in parent.children() {
             match node {
-                Node::Path(path) => self.path(path, (transform, canvas))?,
-                Node::Text(text) => self.clipped(text.flattened(), (transform, canvas))?,
+                Node::Path(path) => self.path(path, onto)?,
+                Node::Text(text) => self.clipped(text.flattened(), onto)?,
                 Node::Image(_) => {}
                 Node::Group(group) => {
-                    let transform = transform.pre_concat(group.transform());
-                    let layer = if group.clip_path().is_some() {
-                        2.0 * pixels(canvas)
-                    } else {
-                        0.0
+                    let onto = onto.moved(group.transform());
+                    let layer = match group.clip_path() {
+                        Some(_) => 2.0 * pixels(onto.canvas),
+                        None => 0.0,
                     };
                     self.within(layer, |count| {
-                        count.clipped(group, (transform, canvas))?;
-                        (group.clip_path())
-                            .map_or(Ok(()), |clip| count.clip(clip, (transform, canvas)))
+                        count.clipped(group, onto)?;
+                        (group.clip_path()).map_or(Ok(()), |clip| count.clip(clip, onto))
                     })?;
                 }
             }
@@ -176,78 +182,66 @@ impl Count {
         Ok(())
     }
 
-    fn mask(
-        &mut self,
-        mask: &Mask,
-        (transform, canvas): (Transform, Canvas),
-    ) -> Result<(), TooMuch> {
-        self.within(2.0 * pixels(canvas), |count| {
-            count.children(mask.root(), (transform, canvas))?;
-            mask.mask()
-                .map_or(Ok(()), |mask| count.mask(mask, (transform, canvas)))
+    fn mask(&mut self, mask: &Mask, onto: Onto) -> Result<(), TooMuch> {
+        self.within(2.0 * pixels(onto.canvas), |count| {
+            count.children(mask.root(), onto)?;
+            mask.mask().map_or(Ok(()), |mask| count.mask(mask, onto))
         })
     }
 
-    fn path(
-        &mut self,
-        path: &usvg::Path,
-        (transform, canvas): (Transform, Canvas),
-    ) -> Result<(), TooMuch> {
-        let bounds = path.stroke_bounding_box().transform(transform);
-        let sides = bounds.map_or(canvas, |bounds| {
+    fn path(&mut self, path: &usvg::Path, onto: Onto) -> Result<(), TooMuch> {
+        let bounds = path.stroke_bounding_box().transform(onto.transform);
+        let canvas = bounds.map_or(onto.canvas, |bounds| {
             let [width, height] = [bounds.width(), bounds.height()].map(f64::from);
-            [width.min(canvas[0]), height.min(canvas[1])]
+            [width.min(onto.canvas[0]), height.min(onto.canvas[1])]
         });
-        let rows = rows(path, transform, canvas[1]);
+        let covered = Onto { canvas, ..onto };
+        let way = Way::of(path, onto);
         if let Some(fill) = path.fill() {
-            self.take(rows)?;
-            self.paint(fill.paint(), sides, transform)?;
+            self.take(way.rows)?;
+            self.paint(fill.paint(), covered)?;
         }
         if let Some(stroke) = path.stroke() {
             let dashes = stroke.dasharray().map_or(0.0, |dashes| {
                 let period: f32 = dashes.iter().sum();
-                let bounds = path.data().bounds();
-                f64::from((bounds.width() + bounds.height()) / period) * dashes.len() as f64
+                way.length / f64::from(period) * dashes.len() as f64
             });
             // Both sides of the line, and what of it is cut into dashes.
-            self.take(3.0 * rows + EACH * dashes)?;
-            self.paint(stroke.paint(), sides, transform)?;
+            self.take(3.0 * way.rows + EACH * dashes)?;
+            self.paint(stroke.paint(), covered)?;
         }
         Ok(())
     }
 
-    fn paint(&mut self, paint: &Paint, sides: Canvas, transform: Transform) -> Result<(), TooMuch> {
+    fn paint(&mut self, paint: &Paint, onto: Onto) -> Result<(), TooMuch> {
+        let covered = pixels(onto.canvas);
         match paint {
-            Paint::Color(_) => self.take(pixels(sides)),
-            Paint::LinearGradient(_) | Paint::RadialGradient(_) => self.take(3.0 * pixels(sides)),
+            Paint::Color(_) => self.take(covered),
+            Paint::LinearGradient(_) | Paint::RadialGradient(_) => self.take(3.0 * covered),
             Paint::Pattern(pattern) => {
-                let (x, y) = transform.pre_concat(pattern.transform()).get_scale();
+                let (x, y) = onto.moved(pattern.transform()).transform.get_scale();
                 let size = [pattern.rect().width() * x, pattern.rect().height() * y];
-                let tile = size.map(f64::from);
-                let scale = Transform::from_scale(x, y);
-                self.within(pixels(tile), |count| {
-                    count.children(pattern.root(), (scale, tile))
+                let tile = Onto {
+                    transform: Transform::from_scale(x, y),
+                    canvas: size.map(f64::from),
+                };
+                self.within(pixels(tile.canvas), |count| {
+                    count.children(pattern.root(), tile)
                 })?;
-                self.take(8.0 * pixels(sides))
+                self.take(8.0 * covered)
             }
         }
     }
 
-    fn filter(
-        &mut self,
-        filter: &filter::Filter,
-        (transform, layer): (Transform, Canvas),
-    ) -> Result<(), TooMuch> {
-        let size = pixels(layer);
+    fn filter(&mut self, filter: &filter::Filter, onto: Onto) -> Result<(), TooMuch> {
+        let size = pixels(onto.canvas);
         // All results are kept until the last one is there.
         let kept = size * filter.primitives().len() as f64;
         self.within(kept, |count| {
             for primitive in filter.primitives() {
-                let (x, y) = transform.get_scale();
-                let scale = [f64::from(x), f64::from(y)];
-                count.take(size * per_pixel(primitive.kind(), (scale, layer)))?;
+                count.take(size * per_pixel(primitive.kind(), onto))?;
                 if let filter::Kind::Image(image) = primitive.kind() {
-                    count.children(image.root(), (transform, layer))?;
+                    count.children(image.root(), onto)?;
                 }
             }
             Ok(())
@@ -256,14 +250,16 @@ impl Count {
 }
 
 /// Steps of a filter for every pixel.
-fn per_pixel(kind: &filter::Kind, (scale, layer): ([f64; 2], Canvas)) -> f64 {
+fn per_pixel(kind: &filter::Kind, onto: Onto) -> f64 {
+    let (x, y) = onto.transform.get_scale();
+    let scale = [x, y].map(f64::from);
     match kind {
         filter::Kind::ConvolveMatrix(it) => {
             4.0 * f64::from(it.matrix().columns()) * f64::from(it.matrix().rows())
         }
         filter::Kind::Morphology(it) => {
             let radii = [it.radius_x(), it.radius_y()].map(|radius| f64::from(radius.get()));
-            let side = |axis: usize| (2.0 * radii[axis] * scale[axis] + 1.0).min(layer[axis]);
+            let side = |axis: usize| (2.0 * radii[axis] * scale[axis] + 1.0).min(onto.canvas[axis]);
             side(0) * side(1)
         }
         filter::Kind::Turbulence(it) => 60.0 * f64::from(it.num_octaves()),
@@ -274,27 +270,42 @@ fn per_pixel(kind: &filter::Kind, (scale, layer): ([f64; 2], Canvas)) -> f64 {
     }
 }
 
-/// Rows that the edges of a path cross, all together.
-fn rows(path: &usvg::Path, transform: Transform, height: f64) -> f64 {
-    let row = |point: Point| {
-        f64::from(point.x) * f64::from(transform.ky) + f64::from(point.y) * f64::from(transform.sy)
-    };
-    let mut sum = 0.0;
-    let mut last = 0.0;
-    let mut go = |points: &[Point]| {
-        for point in points {
-            let now = row(*point);
-            sum += 4.0 * f64::abs(now - last).min(height) + 16.0;
-            last = now;
+/// How far a path goes; curves as the lines through their handles, which are no shorter.
+struct Way {
+    /// Rows that its edges cross, all together.
+    rows: f64,
+    /// Length in its own units.
+    length: f64,
+}
+
+impl Way {
+    fn of(path: &usvg::Path, onto: Onto) -> Self {
+        let Onto { transform, canvas } = onto;
+        let row = |point: Point| {
+            f64::from(point.x) * f64::from(transform.ky)
+                + f64::from(point.y) * f64::from(transform.sy)
+        };
+        let mut way = Self {
+            rows: 0.0,
+            length: 0.0,
+        };
+        let mut last = Point::zero();
+        let mut go = |points: &[Point]| {
+            for &point in points {
+                let rows = f64::abs(row(point) - row(last)).min(canvas[1]);
+                way.rows += 4.0 * rows + 16.0;
+                way.length += f64::from(point.distance(last));
+                last = point;
+            }
+        };
+        for segment in path.data().segments() {
+            match segment {
+                PathSegment::MoveTo(to) | PathSegment::LineTo(to) => go(&[to]),
+                PathSegment::QuadTo(a, to) => go(&[a, to]),
+                PathSegment::CubicTo(a, b, to) => go(&[a, b, to]),
+                PathSegment::Close => {}
+            }
         }
-    };
-    for segment in path.data().segments() {
-        match segment {
-            PathSegment::MoveTo(to) | PathSegment::LineTo(to) => go(&[to]),
-            PathSegment::QuadTo(a, to) => go(&[a, to]),
-            PathSegment::CubicTo(a, b, to) => go(&[a, b, to]),
-            PathSegment::Close => {}
-        }
+        way
     }
-    sum
 }
