@@ -1,5 +1,6 @@
 //! Whatever is done to a file: one sentence, or something finite.
 
+use base64::Engine as _;
 use lole_avatar::{Avatar, AvatarError, AvatarInspection, read_dance};
 use lole_body::Pose;
 use lole_language::Bilingual as _;
@@ -221,4 +222,38 @@ proptest! {
             Err(error) => prop_assert!(!error.to_string().contains('\n')),
         }
     }
+}
+
+/// Pictures that are small in a file and would take a gigabyte are counted before any is read.
+#[test]
+fn pictures_of_too_many_pixels_are_refused_before_they_are_read() {
+    let mut png = std::io::Cursor::new(Vec::new());
+    image::GrayImage::new(8192, 8192)
+        .write_to(&mut png, image::ImageFormat::Png)
+        .expect("a picture");
+    let text = base64::engine::general_purpose::STANDARD.encode(png.into_inner());
+    let uri = format!("data:image/png;base64,{text}");
+    let with_pictures = |count: usize| {
+        let (mut text, bytes) = parts_of(avatar_seed());
+        let shown = |number: usize| json!({ "pbrMetallicRoughness": { "baseColorTexture": { "index": number } } });
+        text["images"] = json!(vec![json!({ "uri": uri }); count]);
+        let textures: Vec<Value> = (0..count).map(|it| json!({ "source": it })).collect();
+        text["textures"] = Value::Array(textures);
+        text["materials"] = Value::Array((0..count).map(shown).collect());
+        let primitives = &mut text["meshes"][0]["primitives"];
+        let first = primitives[0].clone();
+        let shows = |number: usize| {
+            let mut primitive = first.clone();
+            primitive["material"] = json!(number);
+            primitive
+        };
+        *primitives = Value::Array((0..count).map(shows).collect());
+        Avatar::read(&glb(&text.to_string(), bytes))
+    };
+    let Err(AvatarError::TooLarge { count, .. }) = with_pictures(5) else {
+        panic!("five of them are too many");
+    };
+    assert_eq!(count, 5 * 8192 * 8192);
+    let is_too_large = matches!(with_pictures(1), Err(AvatarError::TooLarge { .. }));
+    assert!(!is_too_large, "one of them is not");
 }
