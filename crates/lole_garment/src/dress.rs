@@ -153,8 +153,8 @@ struct Kit {
     spec: MeshSpec,
     joints: Vec<ClothJoint>,
     division: Division,
-    /// Pinned particles that are led to where they are tied, and the way of each [m].
-    led: Vec<(u32, Vec<Vec3>)>,
+    /// Places among the pinned particles of those that are led to where they are tied, and the way of each [m].
+    led: Vec<(usize, Vec<Vec3>)>,
 }
 
 /// How finely garments are divided into triangles.
@@ -209,8 +209,7 @@ pub struct World<'a> {
     pub air_velocity: Vec3,
     /// How far the floor is from where it was laid [m].
     pub floor: Vec3,
-    /// Particles that a hand holds, and where [m]: at least those of [`Dressed::held`]. What is pinned goes
-    /// where the hand is too.
+    /// Particles that a hand holds, and where [m]: at least those of [`Dressed::held`].
     pub held: &'a [(u32, Vec3)],
 }
 
@@ -468,20 +467,18 @@ impl Dressed {
     /// Where everything is that is pinned or held, in its order [m].
     fn pin_targets(&self, world: &World<'_>) -> Vec<Vec3> {
         let pinned = self.pins.places(world);
-        if world.held.is_empty() {
+        if self.held.is_empty() {
             return pinned;
         }
         let own = (0_u32..).zip(&self.kit.spec.pinned);
         let own = own
             .filter(|(_, pinned)| **pinned)
             .map(|(particle, _)| particle);
+        let mut all: Vec<(u32, Vec3)> = own.zip(pinned).collect();
         let place = |particle: u32| {
             let found = world.held.iter().find(|(held, _)| *held == particle);
             found.map(|(_, place)| (particle, *place))
         };
-        let own = own.zip(pinned);
-        let own = own.map(|(particle, pin)| place(particle).unwrap_or((particle, pin)));
-        let mut all: Vec<(u32, Vec3)> = own.collect();
         all.extend(self.held.iter().filter_map(|&particle| place(particle)));
         all.sort_by_key(|(particle, _)| *particle);
         all.into_iter().map(|(_, place)| place).collect()

@@ -168,15 +168,11 @@ fn lead(
     let world = room.world(body, (pose, under));
     for frame in 1..=LEADING_FRAMES {
         let share = frame as f32 / LEADING_FRAMES as f32;
-        let led = kit.led.iter();
-        let held: Vec<(u32, Vec3)> = led
-            .map(|(particle, way)| (*particle, along(way, share)))
-            .collect();
-        let world = World {
-            held: &held,
-            ..world
-        };
-        state.step_as(garment, basted, (&world, FRAME))?;
+        let mut pins = garment.pin_targets(&world);
+        for (pin, way) in &kit.led {
+            pins[*pin] = along(way, share);
+        }
+        state.step_to(pins, basted, (&world, FRAME))?;
         state.scale_velocities(garment, KEPT[1]);
     }
     Ok(())

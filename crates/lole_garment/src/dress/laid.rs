@@ -48,8 +48,8 @@ pub(super) struct Laid {
     pub(super) pinned: Vec<bool>,
     /// What carries them.
     pub(super) pins: Pins,
-    /// Pinned particles that are led to where they are tied, and the way of each [m].
-    pub(super) led: Vec<(u32, Vec<Vec3>)>,
+    /// Places among the pinned particles of those that are led to where they are tied, and the way of each [m].
+    pub(super) led: Vec<(usize, Vec<Vec3>)>,
 }
 
 /// Cuts a garment out and lays it around a dancer in the pose in which she is dressed.
@@ -128,29 +128,28 @@ pub(super) fn lay(
     })
 }
 
-/// Pinned particles that are led to where they are tied, and the way of each [m].
+/// Places among the pinned particles of those that are led to where they are tied, and the way of each [m].
 fn led_ways(
     (wrap, cloth): (&Wrap, &Cloth<'_>),
     (mesh, pinned): (&FlatMesh, &[bool]),
-) -> Vec<(u32, Vec<Vec3>)> {
-    let all = (0_u32..).zip(&mesh.in_piece).zip(pinned);
-    let all = all.filter(|(_, pinned)| **pinned);
-    all.map(|((particle, &point), _)| (particle, (wrap.led)(cloth, point)))
+) -> Vec<(usize, Vec<Vec3>)> {
+    let all = mesh.in_piece.iter().zip(pinned);
+    let held = all.filter(|(_, pinned)| **pinned);
+    let ways = held.map(|(&point, _)| (wrap.led)(cloth, point));
+    ways.enumerate()
         .filter(|(_, way)| !way.is_empty())
         .collect()
 }
 
 /// Where pinned particles are held [m], in their order: where they lie, or where they are led to.
-fn held_places((places, pinned): (&[Vec3], &[bool]), led: &[(u32, Vec<Vec3>)]) -> Vec<Vec3> {
-    let mut tied = places.to_vec();
-    for (particle, way) in led {
-        let place = &mut tied[*particle as usize];
-        *place = way.last().copied().unwrap_or(*place);
+fn held_places((places, pinned): (&[Vec3], &[bool]), led: &[(usize, Vec<Vec3>)]) -> Vec<Vec3> {
+    let all = places.iter().zip(pinned);
+    let lying = all.filter(|(_, pinned)| **pinned).map(|(place, _)| *place);
+    let mut held: Vec<Vec3> = lying.collect();
+    for (pin, way) in led {
+        held[*pin] = way.last().copied().unwrap_or(held[*pin]);
     }
-    let all = tied.into_iter().zip(pinned);
-    all.filter(|(_, pinned)| **pinned)
-        .map(|(place, _)| place)
-        .collect()
+    held
 }
 
 /// What carries places that are pinned.

@@ -34,8 +34,18 @@ impl DressedState {
         assembly: &Assembly,
         (world, dt): (&World<'_>, f32),
     ) -> Result<(), Lost> {
+        self.step_to(garment.pin_targets(world), assembly, (world, dt))
+    }
+
+    /// The same with what is pinned at these places [m] at the end of the step.
+    pub(super) fn step_to(
+        &mut self,
+        pin_targets: Vec<Vec3>,
+        assembly: &Assembly,
+        (world, dt): (&World<'_>, f32),
+    ) -> Result<(), Lost> {
         let input = AssemblyInput {
-            pin_targets: &[garment.pin_targets(world)],
+            pin_targets: &[pin_targets],
             surfels: world.surfels,
             capsules: &[Capsule {
                 ends: FLOOR.ends.map(|end| end + world.floor),
