@@ -12,7 +12,11 @@
 //! assert_eq!(sentence.text(Language::of_locale(Some("en-US"))), "there is too little cloth");
 //! ```
 
+mod shown;
+
 use std::fmt;
+
+pub use shown::{MOST_REPEATED, repeated, shown};
 
 /// A language of the product.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -64,70 +68,6 @@ impl Words {
 #[must_use]
 pub const fn words(japanese: &'static str, english: &'static str) -> Words {
     Words { japanese, english }
-}
-
-/// Letters of what was given that a message repeats, at most.
-pub const MOST_REPEATED: usize = 80;
-/// Letters of a message, at most: a sentence or two with a path in it.
-const LONGEST_MESSAGE: usize = 1200;
-
-/// What was given, as a message repeats it: at most [`MOST_REPEATED`] letters, with `…` for the rest.
-///
-/// ```
-/// assert_eq!(lole_language::repeated("hula"), "hula");
-/// assert_eq!(lole_language::repeated(&"a".repeat(1000)).chars().count(), 81);
-/// ```
-#[must_use]
-pub fn repeated(given: &str) -> String {
-    shortened(given, MOST_REPEATED)
-}
-
-/// A message as it is shown: control characters of what it repeats are made visible, so that no terminal
-/// follows them, and words longer than any in a language are cut.
-///
-/// ```
-/// assert_eq!(lole_language::shown("no \u{1b}[2J here"), "no \\u{1b}[2J here");
-/// ```
-#[must_use]
-pub fn shown(message: &str) -> String {
-    let words = message.split(' ').map(|word| match word.rfind('/') {
-        // Paths are cut in front of the name of their file.
-        Some(end) if LONGEST_WORD < word.chars().count() => {
-            let (folder, name) = word.split_at(end);
-            shortened(folder, LONGEST_WORD / 2) + &shortened(name, LONGEST_WORD / 2)
-        }
-        _ => shortened(word, LONGEST_WORD),
-    });
-    let mut text = String::new();
-    for letter in words
-        .collect::<Vec<_>>()
-        .join(" ")
-        .chars()
-        .take(LONGEST_MESSAGE + 1)
-    {
-        match letter {
-            '\n' | '\t' => text.push(letter),
-            _ if is_unseen(letter) => text.extend(letter.escape_unicode()),
-            _ => text.push(letter),
-        }
-    }
-    shortened(&text, LONGEST_MESSAGE)
-}
-
-/// Letters of a word, at most, a path included.
-const LONGEST_WORD: usize = 400;
-
-/// Whether a terminal would follow a letter instead of showing it, or it would turn what stands around it.
-fn is_unseen(letter: char) -> bool {
-    letter.is_control()
-        || matches!(letter, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
-}
-
-fn shortened(text: &str, most: usize) -> String {
-    match text.char_indices().nth(most) {
-        Some((end, _)) => format!("{}…", &text[..end]),
-        None => text.to_owned(),
-    }
 }
 
 /// The words with a capital letter: names stand in sentences, and a row of a table begins one.
