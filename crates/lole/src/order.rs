@@ -201,12 +201,9 @@ fn read_roster(path: &Path) -> Result<Roster, Failure> {
     roster::read(&read_list(path)?).map_err(|error| no_list(path, &error))
 }
 
-/// A list larger than this [byte] is not read.
-const LARGEST_LIST: u64 = 64 << 20;
-
 /// The bytes of a list of dancers.
 fn read_list(path: &Path) -> Result<Vec<u8>, Failure> {
-    lole_files::read_ordinary(path, LARGEST_LIST).map_err(|why| {
+    lole_files::read_ordinary(path, roster::MOST_BYTES as u64).map_err(|why| {
         let sentence = match why {
             Unread::NoFile if path.is_dir() => Sentence::new(
                 "フォルダーです。名簿のファイルを書いてください",

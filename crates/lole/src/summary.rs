@@ -17,10 +17,17 @@ use lole_stage::validate::{Check, Protocol};
 
 use crate::Failure;
 
-/// Writes a line where the user looks.
+/// Writes a line where the user looks, with nothing in it that a terminal would follow.
 macro_rules! say {
+    () => {
+        say!("")
+    };
     ($($words:tt)*) => {
-        $crate::summary::heard(writeln!(std::io::stdout(), $($words)*))
+        $crate::summary::heard(writeln!(
+            std::io::stdout(),
+            "{}",
+            lole_language::visible(&format!($($words)*))
+        ))
     };
 }
 
@@ -68,7 +75,7 @@ pub(crate) fn print_json(json: &str) {
 /// Says some sentences, a line each.
 pub(crate) fn print_lines(lines: &[Sentence], language: Language) {
     for line in lines {
-        say!("{}", shown(&line.text(language)));
+        say!("{}", line.text(language));
     }
 }
 
@@ -76,7 +83,7 @@ pub(crate) fn print_lines(lines: &[Sentence], language: Language) {
 pub(crate) fn print_inspection(path: &Path, lines: &[Sentence], language: Language) {
     say!("{}", path.display());
     for line in lines {
-        say!("  {}", shown(&line.text(language)));
+        say!("  {}", line.text(language));
     }
 }
 

@@ -408,6 +408,24 @@ fn messages_repeat_little_of_what_was_given_and_no_control_characters() {
 
 #[cfg(unix)]
 #[test]
+fn the_name_of_a_file_does_not_steer_the_terminal() {
+    let scratch = Scratch::new("names");
+    let list = scratch.write("a\u{1b}]0;x\u{7}.bvh", "");
+    let output = lole().arg("inspect").arg(&list).output().unwrap();
+    let out = scratch.path("b\u{1b}[2J");
+    let form = lole()
+        .arg("form")
+        .arg("--out")
+        .arg(out.join("form.pdf"))
+        .output();
+    for output in [output, form.unwrap()] {
+        let all = [output.stdout, output.stderr].concat();
+        assert!(!all.is_empty() && !all.contains(&0x1b), "{all:?}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
 fn only_ordinary_files_are_read() {
     let scratch = Scratch::new("ordinary");
     let design = |text: &str| scratch.write("design.lole", &format!("lole = 1\n{text}\n"));

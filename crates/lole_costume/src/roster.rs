@@ -30,7 +30,7 @@ use lengths::{Reading, Unit};
 /// Most dancers of a list: more than any hālau, and what one run can hold.
 pub const MOST_DANCERS: usize = 1000;
 /// Largest file [byte].
-const MOST_BYTES: usize = 8 << 20;
+pub const MOST_BYTES: usize = 8 << 20;
 /// Longest name [letter]: it becomes the name of files.
 const MOST_LETTERS: usize = 80;
 

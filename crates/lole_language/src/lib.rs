@@ -16,7 +16,7 @@ mod shown;
 
 use std::fmt;
 
-pub use shown::{MOST_REPEATED, repeated, shown};
+pub use shown::{MOST_REPEATED, repeated, shown, visible};
 
 /// A language of the product.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -32,20 +32,25 @@ pub fn shown(message: &str) -> String {
         }
         _ => shortened(word, LONGEST_WORD),
     });
-    let mut text = String::new();
-    for letter in words
-        .collect::<Vec<_>>()
-        .join(" ")
-        .chars()
-        .take(LONGEST_MESSAGE + 1)
-    {
+    shortened(
+        &visible(&words.collect::<Vec<_>>().join(" ")),
+        LONGEST_MESSAGE,
+    )
+}
+
+/// A text with its control characters made visible, and marks that turn the direction of what follows; lines
+/// and tabs stay.
+#[must_use]
+pub fn visible(text: &str) -> String {
+    let mut seen = String::with_capacity(text.len());
+    for letter in text.chars() {
         match letter {
-            '\n' | '\t' => text.push(letter),
-            _ if is_unseen(letter) => text.extend(letter.escape_unicode()),
-            _ => text.push(letter),
+            '\n' | '\t' => seen.push(letter),
+            _ if is_unseen(letter) => seen.extend(letter.escape_unicode()),
+            _ => seen.push(letter),
         }
     }
-    shortened(&text, LONGEST_MESSAGE)
+    seen
 }
 
 /// Letters of a word, at most, a path included.
