@@ -19,6 +19,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         topology: Topology::Sheet,
         spacing: [0.02, 0.02],
         flounce: None,
+        crimp: None,
     };
     // The hoist, the first column, is tied to the pole.
     let pinned = (0..grid.particle_count()).map(|particle| particle % 48 == 0);

@@ -45,6 +45,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         topology: Topology::Sheet,
         spacing: [SPACING; 2],
         flounce: None,
+        crimp: None,
     };
     let flat: Vec<Vec2> = (0..grid.particle_count())
         .map(|k| {

@@ -25,6 +25,7 @@ fn main() -> Result<(), lole_cloth::BuildError> {
         topology: Topology::Tube,
         spacing: [0.0075, 0.015],
         flounce: None,
+        crimp: None,
     };
     let mut pinned = vec![false; grid.particle_count()];
     pinned[..512].fill(true);

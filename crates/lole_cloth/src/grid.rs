@@ -24,6 +24,20 @@ pub struct Grid {
     pub spacing: [f32; 2],
     /// Fuller cloth that is sewn to the lower part; `None` where all rows are as long.
     pub flounce: Option<Flounce>,
+    /// How the upper part is crimped; `None` where cloth lies as long as it is.
+    pub crimp: Option<Crimp>,
+}
+
+/// Cloth that is pushed together along its rows in puckers too small for the grid: it lies as shorter cloth,
+/// and opens to its full length below.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Crimp {
+    /// Length of a crimped row as it lies over that of its cloth, above 0 and at most 1.
+    pub share: f32,
+    /// Last row that is crimped so much.
+    pub last_row: u32,
+    /// First row below it that lies as long as its cloth is.
+    pub open_row: u32,
 }
 
 /// Cloth that is gathered into a seam along a row and hangs below it: a column of it is wider than one
@@ -36,6 +50,16 @@ pub struct Flounce {
     pub fullness: f32,
 }
 
+impl Crimp {
+    /// Length of a row as it lies over that of its cloth: puckers flow into each other evenly on the way down.
+    #[expect(clippy::cast_precision_loss, reason = "rows are fewer than 2^24")]
+    fn share_of(self, row: u32) -> f32 {
+        let below = row.saturating_sub(self.last_row) as f32;
+        let opening = self.open_row.saturating_sub(self.last_row).max(1) as f32;
+        self.share + (1.0 - self.share) * (below / opening).min(1.0)
+    }
+}
+
 impl Grid {
     /// A rectangle with four free edges, its particles `spacing` [m] apart along `u` and `v`.
     #[must_use]
@@ -46,6 +70,7 @@ impl Grid {
             topology: Topology::Sheet,
             spacing,
             flounce: None,
+            crimp: None,
         }
     }
 
@@ -94,10 +119,29 @@ impl Grid {
         self.row_fullness(row + 1)
     }
 
-    /// Rest distance between neighbors along a row [m].
+    /// Cloth between neighbors along a row [m].
+    #[must_use]
+    pub fn cloth_spacing(&self, row: u32) -> f32 {
+        self.spacing[0] * self.row_fullness(row)
+    }
+
+    /// Length of a row as it lies over that of its cloth: less than 1 where it is crimped.
+    #[must_use]
+    pub fn crimp_share(&self, row: u32) -> f32 {
+        self.crimp.map_or(1.0, |crimp| crimp.share_of(row))
+    }
+
+    /// Rest distance between neighbors along a row as it lies [m].
     #[must_use]
     pub fn row_spacing(&self, row: u32) -> f32 {
-        self.spacing[0] * self.row_fullness(row)
+        self.cloth_spacing(row) * self.crimp_share(row)
+    }
+
+    /// Row from which on all rows, and all cells between them, are as wide.
+    pub(crate) fn last_uneven_row(&self) -> u32 {
+        let seam = self.flounce.map_or(0, |flounce| flounce.seam_row + 1);
+        let open = self.crimp.map_or(0, |crimp| crimp.open_row);
+        seam.max(open).min(self.row_count - 1)
     }
 
     /// Column `offset` to the right of `column`; `None` beyond the edge of a sheet.

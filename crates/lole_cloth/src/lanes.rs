@@ -510,6 +510,7 @@ mod tests {
             topology,
             spacing: [0.01, 0.01],
             flounce: None,
+            crimp: None,
         }
     }
 

@@ -115,7 +115,7 @@ pub mod wind;
 
 pub use config::{Crossings, InstructionSet, SelfCollision, SolverConfig};
 pub use fabric::{Fabric, Hysteresis};
-pub use grid::{Flounce, Grid, Topology};
+pub use grid::{Crimp, Flounce, Grid, Topology};
 pub use lost::{Lost, SubstepPart};
 pub use model::{BuildError, ClothModel};
 pub use phase::Phase;

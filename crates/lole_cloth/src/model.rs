@@ -36,6 +36,9 @@ pub enum BuildError {
     /// A method that moves cloth of one width only.
     #[error("this method moves no flounce; choose xpbd, or a garment without one")]
     Flounce,
+    /// A method that moves cloth whose columns are all as wide.
+    #[error("this method moves no crimped cloth; choose xpbd, or cloth that lies flat")]
+    Crimp,
     /// A number that is not finite or out of its range.
     #[error("`{field}` is {value}; it must be {rule}")]
     OutOfRange {
@@ -278,6 +281,15 @@ fn check_numbers(spec: &ClothSpec) -> Result<(), BuildError> {
         ("grid.spacing", spec.grid.spacing[1]),
         ("fabric.areal_density", fabric.areal_density),
     ];
+    if let Some(crimp) = spec.grid.crimp
+        && !(0.0 < crimp.share && crimp.share <= 1.0)
+    {
+        return Err(BuildError::OutOfRange {
+            field: "grid.crimp.share",
+            value: crimp.share,
+            rule: "above 0 and at most 1",
+        });
+    }
     if let Some(Flounce { seam_row, fullness }) = spec.grid.flounce {
         if !(fullness.is_finite() && 1.0 <= fullness) {
             return Err(BuildError::OutOfRange {

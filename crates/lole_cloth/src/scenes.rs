@@ -134,6 +134,7 @@ fn hang(side: u32, substep_count: u32, strides: &[u32]) -> Setup {
         topology: Topology::Sheet,
         spacing: [spacing; 2],
         flounce: None,
+        crimp: None,
     };
     let mut pinned = vec![false; grid.particle_count()];
     pinned[grid.index(0, 0)] = true;
@@ -180,6 +181,7 @@ fn skirt() -> Setup {
         topology: Topology::Tube,
         spacing: spacing.map(narrow),
         flounce: None,
+        crimp: None,
     };
     let mut positions = Vec::with_capacity(grid.particle_count());
     let (mut height, mut radius_above) = (0.0, 0.0);
@@ -236,6 +238,7 @@ fn gathered() -> Setup {
         topology: Topology::Tube,
         spacing: spacing.map(narrow),
         flounce: None,
+        crimp: None,
     };
     let girth = f64::from(column_count) * spacing[0];
     let ring = waved_ring(CASING_GIRTH / TAU, girth, column_count, FOLD_COUNT);

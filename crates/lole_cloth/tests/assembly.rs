@@ -45,6 +45,7 @@ fn grid_spec(columns: u32, rows: u32, spacing: f32) -> ClothSpec {
         topology: Topology::Sheet,
         spacing: [spacing; 2],
         flounce: None,
+        crimp: None,
     };
     ClothSpec {
         grid,

@@ -71,6 +71,7 @@ fn square(kind: Kind, side: u32, border: Border, config: SolverConfig) -> (Cloth
                     topology: Topology::Sheet,
                     spacing: [SPACING; 2],
                     flounce: None,
+                    crimp: None,
                 },
                 fabric: CALM,
                 row_layers: vec![1.0; side as usize],

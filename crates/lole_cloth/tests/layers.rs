@@ -39,6 +39,7 @@ fn full_tube((radius, fullness): (f64, f64), areal_density: f32) -> World {
         topology: Topology::Tube,
         spacing: [glam::DVec2::splat(spacing).as_vec2().x, 0.018],
         flounce: None,
+        crimp: None,
     };
     let ring = waved_ring(radius, girth, column_count, 8.0);
     let positions: Vec<Vec3> = (0..row_count)

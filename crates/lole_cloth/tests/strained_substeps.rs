@@ -30,6 +30,7 @@ fn spec() -> ClothSpec {
             LENGTH / (ROWS - 1) as f32,
         ],
         flounce: None,
+        crimp: None,
     };
     let mut pinned = vec![false; grid.particle_count()];
     pinned[..COLUMNS as usize].fill(true);

@@ -28,6 +28,7 @@ fn tube(columns: u32, rows: u32, spacing: f32, fabric: Fabric) -> ClothSpec {
         topology: Topology::Tube,
         spacing: [spacing; 2],
         flounce: None,
+        crimp: None,
     };
     ClothSpec {
         fabric,

@@ -34,6 +34,9 @@ pub struct SewSettings {
     pub row_count: u32,
     /// Ring length of one gather at the band [m].
     pub gather_pitch: f32,
+    /// Depth of a gather at the band [m]: what cloth there is beyond that is crimped in puckers that the grid does
+    /// not have.
+    pub gather_depth: f32,
     /// Gap between the skin and the inner turn of the gathers [m]: a fold of cloth and elastic.
     pub band_gap: f32,
     /// How unevenly gathers are pushed together: 0 is a machine's pleating, 1 a loose hand's.
@@ -47,7 +50,8 @@ impl Default for SewSettings {
         Self {
             column_count: 512,
             row_count: 55,
-            gather_pitch: 0.0165,
+            gather_pitch: 0.014,
+            gather_depth: 0.0075,
             band_gap: 0.004,
             unevenness: 0.5,
             seed: 1,
@@ -236,7 +240,6 @@ pub fn sew(
     let bare = layout.band_rings(dancer, worn_height, lowest)?;
     let least_gap = bare.iter().map(|ring| ring.gap_over(clothed));
     layout.band_gap = least_gap.fold(layout.band_gap, f32::max);
-    let gathers = layout.gathers();
     let mut rings = layout.band_rings(dancer, worn_height, lowest)?;
     let taut = match cut.place {
         WornPlace::Hips | WornPlace::Skirt => TAUT,
@@ -250,8 +253,8 @@ pub fn sew(
             .collect();
         Band::new(&elastics, bone, taut / BLOUSING)
     });
-    for ring in &rings {
-        ring.lay(gathers, &Flare::none(), 0.0, &mut start);
+    for (row, ring) in (0..).zip(&rings) {
+        ring.lay(layout.gathers(row), &Flare::none(), 0.0, &mut start);
     }
     let last = &rings[lowest as usize];
     let hanging = (layout.grid.row_count - 1 - lowest) as f32 * layout.grid.spacing[1];
@@ -260,7 +263,7 @@ pub fn sew(
     let flare = Flare::around(last, (dancer, clothed), stance, room, flat_length);
     for row in 1..layout.grid.row_count - lowest {
         let below = row as f32 * layout.grid.spacing[1];
-        last.lay(gathers, &flare, below, &mut start);
+        last.lay(layout.gathers(lowest + row), &flare, below, &mut start);
     }
     flounce::gather(&layout.grid, &mut start);
     let mut pinned = vec![false; layout.grid.particle_count()];
@@ -342,6 +345,7 @@ const TAUT_OVER_BUST: f32 = 0.93;
 mod tests {
     use lole_body::Measurements;
     use lole_geom::Length;
+    use lole_pattern::GatherRatio;
     use lole_pattern::design::pau_skirt::{PauOptions, draft_pau_skirt};
 
     use super::*;
@@ -367,12 +371,27 @@ mod tests {
         stance: &[Affine3A],
         (settings, flounce): (&SewSettings, Option<&PauDraft>),
     ) -> Result<SewnSkirt, SewError> {
+        let girth = Length::from_cm(82.0);
+        sewn_as(
+            (dancer, stance),
+            girth,
+            &PauOptions::default(),
+            (settings, flounce),
+        )
+    }
+
+    fn sewn_as(
+        (dancer, stance): (&Dancer, &[Affine3A]),
+        worn_girth: Length,
+        options: &PauOptions,
+        (settings, flounce): (&SewSettings, Option<&PauDraft>),
+    ) -> Result<SewnSkirt, SewError> {
         let worn = PauMeasurements {
             hip_girth: dancer.measurements.hip_girth,
-            worn_girth: Length::from_cm(82.0),
+            worn_girth,
             worn_height: Length::from_m(f64::from(dancer.landmarks.asis_height)),
         };
-        let draft = draft_pau_skirt(&worn, &PauOptions::default()).unwrap();
+        let draft = draft_pau_skirt(&worn, options).unwrap();
         let fabric = crate::fabrics::PRESETS[0].fabric();
         let cut = Cut {
             draft: &draft,
@@ -395,8 +414,8 @@ mod tests {
         let grid = &skirt.spec.grid;
         for row in 0..grid.row_count {
             let place = |column: u32| start[grid.index(row, column % grid.column_count)];
-            let lengths =
-                (0..grid.column_count).map(|c| place(c).distance(place(c + 1)) / grid.spacing[0]);
+            let lengths = (0..grid.column_count)
+                .map(|c| place(c).distance(place(c + 1)) / grid.row_spacing(row));
             let lengths: Vec<f32> = lengths.collect();
             let around = lengths.iter().sum::<f32>() / grid.column_count as f32;
             assert!((around - 1.0).abs() < 0.01, "row {row}: {around}");
@@ -406,10 +425,12 @@ mod tests {
                 "row {row}: an edge is stretched to {longest}"
             );
         }
+        let mut longest = 0.0_f32;
         for index in 0..start.len() - grid.column_count as usize {
             let down = start[index].distance(start[index + grid.column_count as usize]);
-            assert!(down / grid.spacing[1] < 1.03, "particle {index}");
+            longest = longest.max(down / grid.spacing[1]);
         }
+        assert!(longest < 1.06, "down a column: {longest}");
     }
 
     #[test]
@@ -503,6 +524,45 @@ mod tests {
                 "pin {}",
                 pin.particle
             );
+        }
+    }
+
+    #[test]
+    fn a_band_stands_no_farther_off_than_sewn_puckers_do() {
+        let large = lole_body::Tape {
+            waist_girth: Some(Length::from_cm(98.0)),
+            hip_girth: Some(Length::from_cm(118.0)),
+            ..lole_body::Tape::default()
+        };
+        let large = Dancer::new(&Measurements::from_tape(&large).unwrap()).unwrap();
+        for dancer in [&*DANCER, &large] {
+            let (body, still) = (&dancer.skin, lole_body::Pose::default());
+            let triangles = body.body_triangles();
+            let grid = lole_geom::TriangleGrid::new(&body.positions, &triangles, 0.02);
+            let stance = dancer.skeleton.world_from_bind(&still);
+            for ratio in [2.0, 3.0, 4.0, 5.0] {
+                let options = PauOptions {
+                    gather_ratio: GatherRatio::new(ratio).unwrap(),
+                    ..PauOptions::default()
+                };
+                let height = dancer.landmarks.asis_height;
+                let girth = Ring::at(dancer, height).unwrap().girth;
+                let girth = Length::from_m(f64::from(girth));
+                let settings = (&SewSettings::default(), None);
+                let skirt = sewn_as((dancer, &stance), girth, &options, settings).unwrap();
+                let off = skirt.pins.iter().map(|pin| {
+                    let place = pin.posed(&stance);
+                    grid.nearest(place, 0.08).unwrap().point.distance(place)
+                });
+                let mut off: Vec<f32> = off.collect();
+                off.sort_by(f32::total_cmp);
+                // An elastic is straight over the small of the back.
+                let [most, farthest] = [off[off.len() * 9 / 10], off[off.len() - 1]];
+                assert!(
+                    most < 0.016 && farthest < 0.025,
+                    "{ratio} times: {most} and {farthest} m off the skin"
+                );
+            }
         }
     }
 

@@ -20,6 +20,7 @@ fn drape_coefficient(preset: &str) -> f32 {
         topology: Topology::Sheet,
         spacing: [SPACING; 2],
         flounce: None,
+        crimp: None,
     };
     let half = 0.5 * SPACING * (COUNT - 1) as f32;
     let place = |row: u32, column: u32| {

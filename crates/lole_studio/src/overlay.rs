@@ -192,6 +192,7 @@ mod tests {
             topology: Topology::Tube,
             spacing: [0.01, 0.01],
             flounce: None,
+            crimp: None,
         };
         assert_eq!(spring_stride(&grid, 0.0001), 1);
         assert!(4 <= spring_stride(&grid, 0.004));

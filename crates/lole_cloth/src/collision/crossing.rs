@@ -279,6 +279,7 @@ mod tests {
             topology: Topology::Tube,
             spacing: [0.01; 2],
             flounce: None,
+            crimp: None,
         };
         let surface = Surface::from_grid(&grid);
         for amount in [0.0, 0.002, 0.006, 0.015] {

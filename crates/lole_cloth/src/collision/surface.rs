@@ -408,6 +408,7 @@ mod tests {
                 topology,
                 spacing: [0.01; 2],
                 flounce: None,
+                crimp: None,
             };
             let surface = Surface::from_grid(&grid);
             let triangles = grid.triangles();
@@ -429,6 +430,7 @@ mod tests {
             topology: Topology::Sheet,
             spacing: [0.01; 2],
             flounce: None,
+            crimp: None,
         };
         let surface = Surface::from_grid(&grid);
         assert_eq!(surface.star(grid.index(1, 1)), [0, 1, 3, 4]);

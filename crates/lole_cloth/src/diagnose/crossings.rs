@@ -115,6 +115,7 @@ mod tests {
             topology: Topology::Sheet,
             spacing: [0.01, 0.01],
             flounce: None,
+            crimp: None,
         };
         let mut positions = Vec::new();
         for row in 0..3 {

@@ -58,11 +58,14 @@ impl ExplicitModel {
     ///
     /// # Errors
     /// When a length does not fit the grid, a number is not finite or out of range, or the grid has a
-    /// flounce.
+    /// flounce or is crimped.
     pub fn new(spec: &ClothSpec) -> Result<Self, BuildError> {
         let cloth = ClothModel::new(spec)?;
         if spec.grid.flounce.is_some() {
             return Err(BuildError::Flounce);
+        }
+        if spec.grid.crimp.is_some() {
+            return Err(BuildError::Crimp);
         }
         let [h_u, h_v] = spec.grid.spacing.map(f64::from);
         let constants = SpringConstants::from_fabric(&spec.fabric, [h_u, h_v]);

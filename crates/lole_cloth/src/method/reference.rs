@@ -82,7 +82,7 @@ impl ReferenceModel {
         check_spec(spec)?;
         constants.check()?;
         let masses = particle_masses(spec).into_iter().map(f64::from).collect();
-        let springs = springs::build(&spec.grid, &constants);
+        let springs = springs::build(&spec.grid, &constants, &spec.fabric);
         let gather = SpringGather::new(spec.grid.particle_count(), &springs);
         let plate = Plate::new(&spec.grid, &constants, &spec.pinned);
         let pin_indices = (0u32..)
@@ -151,7 +151,7 @@ impl ReferenceModel {
         &self.pin_indices
     }
 
-    /// The edge lists, one for each family with a constant above zero.
+    /// The edge lists, one for each family with a constant above zero and each width of its columns.
     #[must_use]
     pub fn springs(&self) -> &[Springs] {
         &self.springs

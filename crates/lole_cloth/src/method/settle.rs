@@ -266,6 +266,7 @@ mod tests {
             topology: Topology::Sheet,
             spacing: [0.1; 2],
             flounce: None,
+            crimp: None,
         };
         ClothSpec {
             grid,

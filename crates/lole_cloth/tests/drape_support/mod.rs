@@ -132,6 +132,7 @@ pub(crate) fn square(fabric: Fabric, drape: Drape) -> Hung {
         topology: Topology::Sheet,
         spacing: [spacing; 2],
         flounce: None,
+        crimp: None,
     };
     let flat: Vec<Vec2> = (0..count * count)
         .map(|index| {

@@ -32,6 +32,7 @@ pub(crate) fn spec(columns: u32, rows: u32, topology: Topology, spacing: [f32; 2
         topology,
         spacing,
         flounce: None,
+        crimp: None,
     };
     ClothSpec {
         grid,

@@ -47,6 +47,7 @@ pub(crate) fn sheet_spec(columns: u32, rows: u32, spacing: f32, fabric: Fabric) 
         topology: Topology::Sheet,
         spacing: [spacing; 2],
         flounce: None,
+        crimp: None,
     };
     ClothSpec {
         grid,

@@ -1,7 +1,7 @@
 //! The grid of a gathered rectangle: where its elastics, its folds and its seams fall.
 
 use lole_body::Dancer;
-use lole_cloth::{Flounce, Grid, Topology};
+use lole_cloth::{Crimp, Flounce, Grid, Topology};
 use lole_geom::{Chance, trig};
 use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements};
 
@@ -16,6 +16,9 @@ const DEEPEST_FOLD: f32 = 0.04;
 /// Rows of the band lie this much closer on the body than in the cloth: cloth between two elastics
 /// blouses, it is never tight.
 pub(super) const BLOUSING: f32 = 0.96;
+
+/// Cloth below the lowest elastic over which its puckers have flowed into folds [m].
+const OPENING: f32 = 0.12;
 
 /// The grid and what its rows and columns mean.
 pub(super) struct Layout {
@@ -60,6 +63,9 @@ impl Layout {
                 least: whole_count(least.ceil(), 1.0),
             });
         }
+        let ring_length = worn.worn_girth.to_m_f32();
+        let fold_count = whole_count(ring_length, settings.gather_pitch).max(8);
+        let around = ring_length + 2.0 * settings.gather_depth * fold_count as f32;
         let grid = Grid {
             column_count: settings.column_count,
             row_count: settings.row_count,
@@ -68,6 +74,14 @@ impl Layout {
             flounce: flounce.map(|flounce| Flounce {
                 seam_row: whole_count(above, spacing_v).clamp(1, settings.row_count - 2),
                 fullness: (flounce.flat_length.to_m_f32() / flat_length).max(1.0),
+            }),
+            crimp: (around < flat_length).then(|| {
+                let last_row = elastic_rows.last().copied().unwrap_or(0);
+                Crimp {
+                    share: around / flat_length,
+                    last_row,
+                    open_row: last_row + whole_count(OPENING, spacing_v).max(1),
+                }
             }),
         };
         let fold_depth = draft.fold_depth.to_m_f32();
@@ -81,8 +95,6 @@ impl Layout {
                 1.0
             }
         };
-        let ring_length = worn.worn_girth.to_m_f32();
-        let fold_count = whole_count(ring_length, settings.gather_pitch).max(8);
         Ok(Self {
             grid,
             elastic_rows,
@@ -101,10 +113,11 @@ impl Layout {
         }
     }
 
-    pub(super) fn gathers(&self) -> Gathers<'_> {
+    /// Those of a row.
+    pub(super) fn gathers(&self, row: u32) -> Gathers<'_> {
         Gathers {
             gap: self.band_gap,
-            spacing: self.grid.spacing[0],
+            spacing: self.grid.spacing[0] * self.grid.crimp_share(row),
             column_count: self.grid.column_count,
             fold_starts: &self.fold_starts,
         }
@@ -121,7 +134,7 @@ impl Layout {
         let highest = worn_height + lowest as f32 * apart;
         let profile = Profile::new(dancer, worn_height..highest)?;
         let lowest_ring = self.fitting(profile.at(worn_height)?)?;
-        let reach = lowest_ring.depth_of(self.gathers());
+        let reach = lowest_ring.depth_of(self.gathers(lowest));
         let mut rings = vec![lowest_ring];
         rings.extend(Ring::upward(&profile, worn_height, [apart, reach], lowest)?);
         rings.reverse();

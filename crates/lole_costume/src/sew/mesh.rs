@@ -53,7 +53,7 @@ impl SkirtMesh {
     fn add(&mut self, grid: &Grid, [first, last]: [u32; 2]) {
         let columns = grid.cell_columns() + 1;
         let start = u32::try_from(self.particles.len()).unwrap_or(u32::MAX);
-        let spacing = Vec2::new(grid.row_spacing(last), grid.spacing[1]);
+        let spacing = Vec2::new(grid.cloth_spacing(last), grid.spacing[1]);
         for row in first..=last {
             for column in 0..columns {
                 (self.particles).push(row * grid.column_count + column % grid.column_count);
@@ -130,6 +130,7 @@ mod tests {
             topology: Topology::Tube,
             spacing: [0.01, 0.02],
             flounce: None,
+            crimp: None,
         };
         let grid = Grid {
             flounce: Some(Flounce {

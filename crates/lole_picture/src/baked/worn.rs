@@ -181,7 +181,7 @@ fn grid_mesh(garment: &Garment, print: &PrintImage) -> GridMesh {
     let below = GridSheet {
         row_count: grid.row_count - seam,
         rows_above: seam,
-        spacing: [grid.row_spacing(grid.row_count - 1), grid.spacing[1]],
+        spacing: [grid.cloth_spacing(grid.row_count - 1), grid.spacing[1]],
         uv_from_flat: print.uv_from_panel(flounce),
         ..sheet
     };

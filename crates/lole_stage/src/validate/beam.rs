@@ -43,6 +43,7 @@ impl Strip {
             topology: Topology::Sheet,
             spacing: [spacing; 2],
             flounce: None,
+            crimp: None,
         };
         let mut pinned = vec![false; grid.particle_count()];
         for &row in held_rows {

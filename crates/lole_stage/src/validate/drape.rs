@@ -200,6 +200,7 @@ fn grid() -> Grid {
         topology: Topology::Sheet,
         spacing: [(SIDE / f64::from(COUNT - 1)) as f32; 2],
         flounce: None,
+        crimp: None,
     }
 }
 

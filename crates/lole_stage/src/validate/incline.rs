@@ -130,6 +130,7 @@ fn spec(friction: f64) -> ClothSpec {
         topology: Topology::Sheet,
         spacing: [SPACING as f32; 2],
         flounce: None,
+        crimp: None,
     };
     ClothSpec {
         fabric: Fabric {

@@ -77,6 +77,7 @@ fn strip_grid(spacing: f64) -> Grid {
         topology: Topology::Sheet,
         spacing: [spacing as f32; 2],
         flounce: None,
+        crimp: None,
     }
 }
 

@@ -85,6 +85,7 @@ fn spec() -> ClothSpec {
         topology: Topology::Sheet,
         spacing: [SPACING as f32; 2],
         flounce: None,
+        crimp: None,
     };
     ClothSpec {
         fabric: Fabric {

@@ -45,6 +45,7 @@ fn spec() -> ClothSpec {
         topology: Topology::Tube,
         spacing: [SPACING; 2],
         flounce: None,
+        crimp: None,
     };
     ClothSpec {
         fabric: Fabric {

@@ -92,6 +92,7 @@ fn spec(radius: f64) -> ClothSpec {
         topology: Topology::Tube,
         spacing: [around as f32; 2],
         flounce: None,
+        crimp: None,
     };
     ClothSpec {
         fabric: Fabric {

@@ -1,7 +1,7 @@
 //! One constant for each family of springs, and how a fabric gives them.
 
 use super::check_not_negative;
-use crate::{BuildError, Fabric};
+use crate::{BuildError, Fabric, Grid};
 
 /// Stiffness of each family, the same for every spring of the family.
 ///
@@ -64,6 +64,22 @@ impl SpringConstants {
             plate_u: f64::from(fabric.bend[0]),
             plate_v: f64::from(fabric.bend[1]),
             twist: f64::from(fabric.twist),
+        }
+    }
+
+    /// The same where columns of `fabric` are `width` [m] wide instead of as in `grid`, because they are crimped.
+    pub(super) fn at_width(&self, (grid, fabric): (&Grid, &Fabric), width: f64) -> Self {
+        let [h_u, h_v] = grid.spacing.map(f64::from);
+        let [flat, crimped] = [h_u, width].map(|h_u| Self::from_fabric(fabric, [h_u, h_v]));
+        let ratio = |of: fn(&Self) -> f64| match of(&flat) {
+            0.0 => 1.0,
+            flat => of(&crimped) / flat,
+        };
+        Self {
+            structural_u: self.structural_u * ratio(|it| it.structural_u),
+            structural_v: self.structural_v * ratio(|it| it.structural_v),
+            shear: self.shear * ratio(|it| it.shear),
+            ..*self
         }
     }
 

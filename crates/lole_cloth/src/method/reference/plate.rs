@@ -122,9 +122,10 @@ enum Line {
 
 /// Second differences along rows or columns, with `rigidity` [N·m].
 fn line_stencils(grid: &Grid, pinned: &[bool], line: Line, rigidity: f64) -> Vec<Stencil> {
-    let [h_u, h_v] = grid.spacing.map(f64::from);
+    let h_v = f64::from(grid.spacing[1]);
     let mut stencils = Vec::with_capacity(grid.particle_count());
     for row in 0..grid.row_count {
+        let h_u = f64::from(grid.row_spacing(row));
         for column in 0..grid.column_count {
             let Some([before, after]) = arms(grid, line, row, column) else {
                 continue;
@@ -172,9 +173,10 @@ fn clamp_factor([before, center, after]: [bool; 3]) -> f64 {
 
 /// The mixed difference of every cell, `d_uv = (x_11 - x_10 - x_01 + x_00) / (h_u h_v)`.
 fn twist_stencils(grid: &Grid, twist: f64) -> Vec<Stencil> {
-    let area = f64::from(grid.spacing[0]) * f64::from(grid.spacing[1]);
     let mut stencils = Vec::with_capacity(grid.particle_count());
     for row in 0..grid.row_count - 1 {
+        let width = 0.5 * f64::from(grid.row_spacing(row) + grid.row_spacing(row + 1));
+        let area = width * f64::from(grid.spacing[1]);
         for column in 0..grid.column_count {
             let Some(right) = grid.column_right(column, 1) else {
                 continue;

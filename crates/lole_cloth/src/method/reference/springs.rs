@@ -3,8 +3,8 @@
 use glam::{DVec2, DVec3};
 
 use super::SpringConstants;
-use crate::Grid;
 use crate::method::paper;
+use crate::{Fabric, Grid};
 
 /// The families of the paper's figure 5; the two diagonals share one constant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -23,7 +23,7 @@ pub enum SpringFamily {
     SkipV,
 }
 
-/// All springs of one family: equal rest lengths, equal stiffness.
+/// All springs of one family in columns of one width: equal rest lengths, equal stiffness.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Springs {
     /// The family that they are.
@@ -38,41 +38,51 @@ pub struct Springs {
     pub direction: DVec2,
 }
 
-/// Edge lists of every family whose constant is above zero.
-pub(super) fn build(grid: &Grid, constants: &SpringConstants) -> Vec<Springs> {
-    let families = [
-        (SpringFamily::StructuralU, constants.structural_u, [1, 0]),
-        (SpringFamily::StructuralV, constants.structural_v, [0, 1]),
-        (SpringFamily::ShearFalling, constants.shear, [1, 1]),
-        (SpringFamily::ShearRising, constants.shear, [-1, 1]),
-        (SpringFamily::SkipU, constants.skip_u, [2, 0]),
-        (SpringFamily::SkipV, constants.skip_v, [0, 2]),
+/// Edge lists of every family whose constant is above zero; where cloth is crimped, one for each width that
+/// its columns have there.
+pub(super) fn build(grid: &Grid, constants: &SpringConstants, fabric: &Fabric) -> Vec<Springs> {
+    type Constant = fn(&SpringConstants) -> f64;
+    let families: [(SpringFamily, Constant, [i32; 2]); 6] = [
+        (SpringFamily::StructuralU, |it| it.structural_u, [1, 0]),
+        (SpringFamily::StructuralV, |it| it.structural_v, [0, 1]),
+        (SpringFamily::ShearFalling, |it| it.shear, [1, 1]),
+        (SpringFamily::ShearRising, |it| it.shear, [-1, 1]),
+        (SpringFamily::SkipU, |it| it.skip_u, [2, 0]),
+        (SpringFamily::SkipV, |it| it.skip_v, [0, 2]),
     ];
-    families
-        .into_iter()
-        .filter(|&(_, stiffness, _)| 0.0 < stiffness)
-        .map(|(family, stiffness, steps)| {
+    let mut springs = Vec::new();
+    for (family, constant, steps) in families {
+        if constant(constants) <= 0.0 {
+            continue;
+        }
+        let below = steps[1].unsigned_abs();
+        let rows: Vec<u32> = (0..grid.row_count.saturating_sub(below)).collect();
+        let width =
+            |row: u32| 0.5 * f64::from(grid.row_spacing(row) + grid.row_spacing(row + below));
+        for alike in rows.chunk_by(|&one, &next| width(one).total_cmp(&width(next)).is_eq()) {
+            let width = width(alike[0]);
             let flat = DVec2::new(
-                f64::from(steps[0]) * f64::from(grid.spacing[0]),
+                f64::from(steps[0]) * width,
                 f64::from(steps[1]) * f64::from(grid.spacing[1]),
             );
-            Springs {
+            springs.push(Springs {
                 family,
-                ends: edges(grid, steps),
+                ends: edges(grid, alike, steps),
                 rest_length: flat.length(),
-                stiffness,
+                stiffness: constant(&constants.at_width((grid, fabric), width)),
                 direction: flat.normalize_or_zero(),
-            }
-        })
-        .collect()
+            });
+        }
+    }
+    springs
 }
 
-/// All pairs that lie `steps` columns and rows apart. A negative column step is written from its
-/// left end, so that one rule for the seam serves both diagonals.
-fn edges(grid: &Grid, steps: [i32; 2]) -> Vec<[u32; 2]> {
+/// All pairs that lie `steps` columns and rows apart, the upper in one of `rows`. A negative column step is
+/// written from its left end, so that one rule for the seam serves both diagonals.
+fn edges(grid: &Grid, of_rows: &[u32], steps: [i32; 2]) -> Vec<[u32; 2]> {
     let [columns, rows] = steps.map(i32::unsigned_abs);
-    let mut ends = Vec::with_capacity(grid.particle_count());
-    for row in 0..grid.row_count.saturating_sub(rows) {
+    let mut ends = Vec::with_capacity(of_rows.len() * grid.column_count as usize);
+    for &row in of_rows {
         for column in 0..grid.column_count {
             let Some(right) = grid.column_right(column, columns) else {
                 continue;

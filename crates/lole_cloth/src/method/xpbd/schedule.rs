@@ -24,7 +24,7 @@ pub(crate) enum Stage {
     /// Strides down the columns, over so many rows, and their limit.
     ColumnStride(usize, Limit),
     /// Strides along the row: which of the strides, and their limit.
-    RowStride(usize, [Limit; 2]),
+    RowStride(usize, u32),
     /// Bending along the row.
     BendAlong,
     /// Bending down the columns.
@@ -181,14 +181,12 @@ fn push_far_and_soft(model: &ClothModel, config: &SolverConfig, schedule: &mut S
     if config.tether_scale.is_some() && model.tethers != Tethers::Loose {
         schedule.push(Stage::Tether(model.tethers.reach()));
     }
-    let [u, v] = model.spec().grid.spacing;
+    let v = model.spec().grid.spacing[1];
     for &stride in &config.column_strides {
         schedule.push(Stage::ColumnStride(stride as usize, Limit::new(stride, v)));
     }
-    let fullness = (model.spec().grid.flounce).map_or(1.0, |flounce| flounce.fullness);
     for (index, &stride) in config.row_strides.iter().enumerate() {
-        let limits = [u, fullness * u].map(|spacing| Limit::new(stride, spacing));
-        schedule.push(Stage::RowStride(index, limits));
+        schedule.push(Stage::RowStride(index, stride));
     }
     schedule.push(Stage::BendAlong);
     schedule.push(Stage::BendDown);
@@ -216,7 +214,7 @@ mod tests {
             Stage::Tether(3),
             Stage::ColumnStride(16, Limit::new(1, 1.0)),
             Stage::ColumnStride(4, Limit::new(1, 1.0)),
-            Stage::RowStride(0, [Limit::new(1, 1.0); 2]),
+            Stage::RowStride(0, 4),
             Stage::BendAlong,
             Stage::BendDown,
             Stage::Cells,

@@ -1,7 +1,5 @@
 //! Numbers that hold for every substep of one step, worked out of fabric and settings.
 
-use std::cmp::Ordering;
-
 use glam::Vec3;
 use lole_geom::trig;
 
@@ -26,16 +24,17 @@ pub(super) struct Substep {
     pub(super) air_velocity: Vec3,
     /// What drag leaves of a velocity relative to the air: `exp(-drag_rate h)`.
     pub(super) drag_kept: f32,
-    /// Above the seam of a flounce, along it, and below; all alike where there is none.
-    pub(super) woven: [Woven; 3],
-    /// Row of that seam; none is so far down where there is none.
-    pub(super) seam_row: usize,
+    /// By row, what holds it and the cells between it and the next together, down to the row from which on all
+    /// are alike.
+    pub(super) woven: Vec<[Woven; 2]>,
     pub(super) contact: ContactLaw,
 }
 
 /// What holds cloth together whose columns are so wide.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Woven {
+    /// Rest distance between its columns [m].
+    pub(super) spacing: f32,
     pub(super) across: Spring,
     pub(super) down: Spring,
     pub(super) cell: Cell,
@@ -99,12 +98,15 @@ impl Substep {
             config.structural_sweep_count.get() as f32,
         );
         let spec = model.spec();
-        let woven = [0.0, 0.5, 1.0].map(|below: f32| {
-            let fullness = (spec.grid.flounce).map_or(1.0, |flounce| flounce.fullness);
-            let [u, v] = spec.grid.spacing;
-            Woven::new(model, [u + (fullness - 1.0) * below * u, v], (h, sweeps))
-        });
-        let seam_row = spec.grid.flounce.map(|flounce| flounce.seam_row as usize);
+        let grid = &spec.grid;
+        let woven = (0..=grid.last_uneven_row())
+            .map(|row| {
+                let [upper, lower] = [row, row + 1].map(|row| grid.row_spacing(row));
+                // Cells that are gathered into a seam, or open below puckers, are as wide as their middle.
+                [upper, 0.5 * (upper + lower)]
+                    .map(|u| Woven::new(model, [u, grid.spacing[1]], (h, sweeps)))
+            })
+            .collect();
         Self {
             h,
             count,
@@ -112,7 +114,6 @@ impl Substep {
             air_velocity: input.air_velocity,
             drag_kept: trig::exp(-spec.fabric.drag_rate * h),
             woven,
-            seam_row: seam_row.unwrap_or(usize::MAX),
             contact: ContactLaw {
                 friction: spec.fabric.friction,
                 depenetration: config.depenetration_speed * h,
@@ -122,22 +123,20 @@ impl Substep {
 
     /// What holds a row together.
     pub(super) fn row(&self, row: usize) -> &Woven {
-        &self.woven[if self.seam_row < row { 2 } else { 0 }]
+        &self.woven[row.min(self.woven.len() - 1)][0]
     }
 
-    /// What holds the cells between a row and the next together. Those below a seam are gathered into
-    /// it at their upper edge.
+    /// What holds the cells between a row and the next together.
     pub(super) fn cells(&self, row: usize) -> &Woven {
-        &self.woven[match row.cmp(&self.seam_row) {
-            Ordering::Less => 0,
-            Ordering::Equal => 1,
-            Ordering::Greater => 2,
-        }]
+        &self.woven[row.min(self.woven.len() - 1)][1]
     }
 
     /// Whether any of it has internal friction.
     pub(super) fn has_friction(&self) -> bool {
-        self.woven.iter().any(|woven| woven.friction.acts())
+        self.woven
+            .iter()
+            .flatten()
+            .any(|woven| woven.friction.acts())
     }
 }
 
@@ -170,6 +169,7 @@ impl Woven {
         let bend_across = scaled_compliance(fabric.bend[0] * v / (u * u * u));
         let bend_down = scaled_compliance(fabric.bend[1] * u / (v * v * v));
         Self {
+            spacing: u,
             across: spring(u, structural_u),
             down: spring(v, structural_v),
             friction: Frictions::new(model, [u, v], [bend_across, bend_down], &cell),

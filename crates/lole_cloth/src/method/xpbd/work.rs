@@ -11,6 +11,7 @@ use crate::collision::surfel::SurfelContacts;
 use crate::constraint::bend::{Bend, Bending};
 use crate::constraint::hysteresis::{BendSets, Frictionless, Sets, ShearSets};
 use crate::constraint::shear::Shearing;
+use crate::constraint::stride::Limit;
 use crate::constraint::tether::{HangingRow, Tethers};
 use crate::lanes::{Points, RowLink, Vectors, row_links};
 use crate::step::Progress;
@@ -89,9 +90,9 @@ impl Work<'_> {
                 let masses = [masses, model.row_masses(row + span)];
                 limit.solve_pair(simd, self.row_pair(row, span), masses);
             }
-            Stage::RowStride(index, limits) => {
+            Stage::RowStride(index, stride) => {
                 let (_, links) = &self.strides.0[index];
-                let limit = limits[usize::from(substep.seam_row < row)];
+                let limit = Limit::new(stride, substep.row(row).spacing);
                 limit.solve_row(simd, self.row(row), masses, links);
             }
             Stage::BendAlong => self.bend_along(simd, row),
