@@ -17,8 +17,8 @@ use lole_picture::baked::{self, Keys};
 use lole_picture::studio::{FilmCamera, PhotoStudio, STILLS, still_cameras};
 use lole_render::{Backend, LightRig, Renderer, Size};
 use lole_stage::{
-    Danced, Divergence, FRAME_SECONDS, FRAMES_PER_SECOND, FrameMetrics, LayerWatch, Performance,
-    Production, StageError,
+    Danced, Divergence, FRAME_SECONDS, FRAMES_PER_SECOND, FrameMetrics, HoldWatch, LayerWatch,
+    Performance, Production, StageError,
 };
 use lole_study::figures::{self, RunFigures};
 use lole_study::{Stopwatch, Timing};
@@ -54,6 +54,8 @@ struct Recording {
     keys: Keys,
     /// Which cloth lies outside, from the first frame on.
     layers: Option<LayerWatch>,
+    /// How the skirt pulls at its elastics.
+    hold: Option<HoldWatch>,
     divergence: Option<Divergence>,
 }
 
@@ -294,6 +296,7 @@ impl Run<'_> {
         let patience = Watch::over(&bar, self.language);
         performance.pose_body();
         let mut camera = FilmCamera::new(performance);
+        recording.hold = HoldWatch::new(performance);
         for frame in 0..frame_count {
             check(&self.stop)?;
             if frame % FRAMES_PER_PICTURE == 0 {
@@ -318,6 +321,9 @@ impl Run<'_> {
             if let Err(divergence) = result {
                 recording.divergence = Some(divergence);
                 break;
+            }
+            if let Some(hold) = &mut recording.hold {
+                hold.look(performance);
             }
             patience.tell(performance.pressed_count());
             bar.inc(1);
@@ -418,6 +424,7 @@ impl Run<'_> {
             timings: &recording.timings,
             divergence: recording.divergence,
             layers: (recording.layers).map_or_else(Vec::new, |layers| layers.seen(performance)),
+            hold: (recording.hold).and_then(|hold| hold.seen(performance)),
             files: files.list,
         };
         let report = figures::report(performance, figures);

@@ -240,6 +240,7 @@ pub fn sew(
     let bare = layout.band_rings(dancer, worn_height, lowest)?;
     let least_gap = bare.iter().map(|ring| ring.gap_over(clothed));
     layout.band_gap = least_gap.fold(layout.band_gap, f32::max);
+    layout.crimp(worn.worn_girth.to_m_f32(), settings);
     let mut rings = layout.band_rings(dancer, worn_height, lowest)?;
     let taut = match cut.place {
         WornPlace::Hips | WornPlace::Skirt => TAUT,

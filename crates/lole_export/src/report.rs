@@ -6,8 +6,9 @@ mod html;
 mod model;
 
 pub use model::{
-    DancerMeasure, GarmentFacts, MeanPercentileMax, MedianPercentile, MinMeanMax, Remark,
-    ReportDivergence, ReportFile, ReportPieceOver, RunReport, RunSeries, SkirtFacts, Still, Worst,
+    DancerMeasure, ElasticHoldFacts, GarmentFacts, MeanPercentileMax, MedianPercentile, MinMeanMax,
+    Remark, ReportDivergence, ReportFile, ReportPieceOver, RunReport, RunSeries, SkirtFacts, Still,
+    Worst,
 };
 
 use crate::ExportError;

@@ -8,6 +8,7 @@ pub mod danced;
 mod double_pau;
 #[cfg(test)]
 mod extremes;
+mod hold;
 pub mod live;
 pub mod metrics;
 pub mod performance;
@@ -23,6 +24,7 @@ mod yielding;
 pub use adorned::Adornment;
 pub use danced::Danced;
 pub use double_pau::double_pau;
+pub use hold::{ElasticHold, HoldWatch};
 pub use live::{Pull, Show, Vitals, Wish};
 pub use metrics::{FrameMetrics, RunMetrics};
 pub use performance::{

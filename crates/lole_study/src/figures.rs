@@ -5,14 +5,15 @@ use lole_body::{Dancer, Tape};
 use lole_costume::document::Design;
 use lole_export::dancer_sheet::{CapsuleFacts, CoverageFacts, DancerSheet};
 use lole_export::report::{
-    DancerMeasure, GarmentFacts, MeanPercentileMax, MedianPercentile, MinMeanMax, PageMedia,
-    Remark, ReportDivergence, ReportFile, ReportPieceOver, RunReport, RunSeries, SkirtFacts,
-    Still as PageStill, Worst, report_html,
+    DancerMeasure, ElasticHoldFacts, GarmentFacts, MeanPercentileMax, MedianPercentile, MinMeanMax,
+    PageMedia, Remark, ReportDivergence, ReportFile, ReportPieceOver, RunReport, RunSeries,
+    SkirtFacts, Still as PageStill, Worst, report_html,
 };
 use lole_language::{Bilingual, Language, words};
 use lole_picture::studio::STILLS;
 use lole_stage::{
-    Divergence, FRAMES_PER_SECOND, FrameMetrics, GarmentLayers, Performance, Production, RunMetrics,
+    Divergence, ElasticHold, FRAMES_PER_SECOND, FrameMetrics, GarmentLayers, Performance,
+    Production, RunMetrics,
 };
 
 use crate::Timing;
@@ -33,6 +34,8 @@ pub struct RunFigures<'a> {
     pub divergence: Option<Divergence>,
     /// Which piece of each garment lay outside.
     pub layers: Vec<GarmentLayers>,
+    /// What the elastics of the skirt hold.
+    pub hold: Option<ElasticHold>,
     /// The files that were written.
     pub files: Vec<ReportFile>,
 }
@@ -99,7 +102,7 @@ pub fn report(performance: &Performance, run: RunFigures<'_>) -> RunReport {
             &production.design.tape(),
             production.license.as_ref(),
         ),
-        skirt: skirt_facts(performance),
+        skirt: skirt_facts(performance, run.hold),
         series: series(run.metrics, &process),
     }
 }
@@ -197,7 +200,7 @@ pub fn dancer_sheet(dancer: &Dancer, tape: &Tape, license: Option<&License>) -> 
     }
 }
 
-fn skirt_facts(performance: &Performance) -> SkirtFacts {
+fn skirt_facts(performance: &Performance, hold: Option<ElasticHold>) -> SkirtFacts {
     let production = performance.production();
     let license = production.license.as_ref();
     let refusal = license.and_then(License::export_refusal);
@@ -211,6 +214,10 @@ fn skirt_facts(performance: &Performance) -> SkirtFacts {
     };
     let (draft, skirt) = (&worn.draft, &production.design.skirt);
     warnings.extend(draft.warnings.iter().map(remark));
+    warnings.extend(hold.and_then(slips));
+    let overlaps = draft.elastic_rows.iter();
+    let overlaps = overlaps.map(|row| row.cut_length.to_cm() - row.ring_length.to_cm());
+    let overlap_cm = overlaps.fold(0.0, f64::max);
     SkirtFacts {
         is_worn: true,
         design_name: design_name(performance),
@@ -226,9 +233,30 @@ fn skirt_facts(performance: &Performance) -> SkirtFacts {
             .iter()
             .map(|row| row.cut_length.to_cm())
             .collect(),
+        elastic_hold: hold.map(|hold| ElasticHoldFacts {
+            pull_n: hold.pull,
+            held_n: hold.held,
+            loosest_cut_cm: hold.loosest_ring.map(|ring| 1e2 * ring + overlap_cm),
+        }),
         hip_girth_cm: worn.worn.hip_girth.to_cm(),
         warnings,
     }
+}
+
+/// A warning where elastics hold less than the dance pulls.
+fn slips(hold: ElasticHold) -> Option<Remark> {
+    (hold.held < hold.pull).then(|| Remark {
+        sentence: format!(
+            "the skirt may slip in this dance: it pulls with {:.0} N, and its elastics hold {:.0} N; cut them \
+             shorter, or use more rows",
+            hold.pull, hold.held
+        ),
+        sentence_ja: format!(
+            "この踊りではスカートがずり落ちるおそれがあります。引く力は {:.0} N、ゴムが支える力は {:.0} N です。\
+             ゴムを短くするか、段を増やしてください",
+            hold.pull, hold.held
+        ),
+    })
 }
 
 fn garment_facts(garment: &GarmentLayers) -> GarmentFacts {

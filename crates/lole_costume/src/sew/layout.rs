@@ -20,6 +20,12 @@ pub(super) const BLOUSING: f32 = 0.96;
 /// Cloth below the lowest elastic over which its puckers have flowed into folds [m].
 const OPENING: f32 = 0.12;
 
+/// Particles of a gather, at least: with fewer it is a cog that crosses the next one.
+const LEAST_FOLD_COLUMNS: u32 = 6;
+
+/// Cloth of a crimped gather, at least, over the ring that it takes.
+const LEAST_FULLNESS: f32 = 1.1;
+
 /// The grid and what its rows and columns mean.
 pub(super) struct Layout {
     pub(super) grid: Grid,
@@ -63,9 +69,6 @@ impl Layout {
                 least: whole_count(least.ceil(), 1.0),
             });
         }
-        let ring_length = worn.worn_girth.to_m_f32();
-        let fold_count = whole_count(ring_length, settings.gather_pitch).max(8);
-        let around = ring_length + 2.0 * settings.gather_depth * fold_count as f32;
         let grid = Grid {
             column_count: settings.column_count,
             row_count: settings.row_count,
@@ -75,14 +78,7 @@ impl Layout {
                 seam_row: whole_count(above, spacing_v).clamp(1, settings.row_count - 2),
                 fullness: (flounce.flat_length.to_m_f32() / flat_length).max(1.0),
             }),
-            crimp: (around < flat_length).then(|| {
-                let last_row = elastic_rows.last().copied().unwrap_or(0);
-                Crimp {
-                    share: around / flat_length,
-                    last_row,
-                    open_row: last_row + whole_count(OPENING, spacing_v).max(1),
-                }
-            }),
+            crimp: None,
         };
         let fold_depth = draft.fold_depth.to_m_f32();
         let hem = flounce.unwrap_or(draft).hem_depth.to_m_f32();
@@ -95,14 +91,35 @@ impl Layout {
                 1.0
             }
         };
-        Ok(Self {
+        let ring_length = worn.worn_girth.to_m_f32();
+        let fold_count = whole_count(ring_length, settings.gather_pitch)
+            .min(settings.column_count / LEAST_FOLD_COLUMNS)
+            .max(8);
+        let mut layout = Self {
             grid,
             elastic_rows,
             row_layers: (0..settings.row_count).map(layers).collect(),
             flat_length,
             fold_starts: fold_starts(settings, fold_count),
             band_gap: settings.band_gap,
-        })
+        };
+        layout.crimp(ring_length, settings);
+        Ok(layout)
+    }
+
+    /// Crimps the band so that gathers around a ring [m] of skin are as deep as is asked for, but never so much
+    /// that the widest of uneven gathers has too little cloth.
+    pub(super) fn crimp(&mut self, ring: f32, settings: &SewSettings) {
+        let ring = ring + std::f32::consts::TAU * self.band_gap;
+        let deep = 2.0 * settings.gather_depth * self.fold_starts.len() as f32;
+        let widest = 1.0 + LARGEST_UNEVENNESS * settings.unevenness;
+        let around = (ring + deep).max(LEAST_FULLNESS * widest * ring);
+        let last_row = self.elastic_rows.last().copied().unwrap_or(0);
+        self.grid.crimp = (around < self.flat_length).then(|| Crimp {
+            share: around / self.flat_length,
+            last_row,
+            open_row: last_row + whole_count(OPENING, self.grid.spacing[1]).max(1),
+        });
     }
 
     /// Leaves the side open, at her left.
@@ -205,6 +222,7 @@ fn fold_starts(settings: &SewSettings, fold_count: u32) -> Vec<f32> {
 /// Drift of the folds at an unevenness of 1, in rings over waves: six waves of strength up to 1.5
 /// change the pitch by at most `6 · 1.5 · 2π · 0.015 = 85 %`, so folds never change places.
 const LARGEST_DRIFT: f32 = 0.015;
+const LARGEST_UNEVENNESS: f32 = 0.85;
 
 #[cfg(test)]
 mod tests {

@@ -6,7 +6,8 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 
 use super::{
-    GarmentFacts, PageMedia, ReportDivergence, ReportFile, ReportPieceOver, RunReport, SkirtFacts,
+    ElasticHoldFacts, GarmentFacts, PageMedia, ReportDivergence, ReportFile, ReportPieceOver,
+    RunReport, SkirtFacts,
 };
 use crate::page::plot::{Floor, Plot, svg};
 use crate::page::text::{both, dance_step, escape, file_size, grouped, link, number};
@@ -230,6 +231,7 @@ fn skirt_rows(skirt: &SkirtFacts) -> Vec<Row> {
             ],
         ),
     ];
+    rows.extend(skirt.elastic_hold.map(hold_row));
     for (index, length) in skirt.elastic_lengths_cm.iter().enumerate() {
         let place = index + 1;
         rows.push(row(
@@ -249,6 +251,43 @@ fn skirt_rows(skirt: &SkirtFacts) -> Vec<Row> {
         ));
     }
     rows
+}
+
+/// Whether the elastics hold the skirt.
+fn hold_row(hold: ElasticHoldFacts) -> Row {
+    let loosest = hold.loosest_cut_cm.map(|cut| number(cut, 0));
+    let advice = match &loosest {
+        Some(cut) => [
+            format!(
+                "Cut to {cut} cm, they would still hold half as much again as the dance pulls."
+            ),
+            format!("{cut} cm に切っても、踊りで引かれる力の 1.5 倍まで持ちこたえます。"),
+        ],
+        None => [
+            "More rows of elastic, or stronger ones, are needed.".to_owned(),
+            "ゴムの段を増やすか、強いゴムにしてください。".to_owned(),
+        ],
+    };
+    let pulled = [
+        format!(
+            "The skirt pulls with {} N at most, and friction under its elastics holds {} N.",
+            number(hold.pull_n, 0),
+            number(hold.held_n, 0)
+        ),
+        format!(
+            "踊りのなかでスカートが引く力は最大 {} N、ゴムの下の摩擦が支える力は {} N です。",
+            number(hold.pull_n, 0),
+            number(hold.held_n, 0)
+        ),
+    ];
+    row(
+        ["Do the elastics hold?", "ゴムはずり落ちないか"],
+        format!("{} ×", number(hold.held_n / hold.pull_n, 1)),
+        [
+            &format!("{} {}", pulled[0], advice[0]),
+            &format!("{}{}", pulled[1], advice[1]),
+        ],
+    )
 }
 
 /// Which piece of each garment lies outside; nothing where none covers itself.

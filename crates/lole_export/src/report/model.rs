@@ -73,6 +73,18 @@ pub struct Remark {
     pub sentence_ja: String,
 }
 
+/// What the elastics of a skirt have to hold and what they do hold.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct ElasticHoldFacts {
+    /// Strongest pull of the skirt downwards in the dance, its weight included [N].
+    pub pull_n: f64,
+    /// What friction under the elastics holds [N].
+    pub held_n: f64,
+    /// Longest elastics, as they are cut, that hold half as much again as the dance pulls [cm]; `None` where
+    /// none do.
+    pub loosest_cut_cm: Option<f64>,
+}
+
 /// What a tailor wants to know of the skirt.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct SkirtFacts {
@@ -96,6 +108,8 @@ pub struct SkirtFacts {
     pub hem_height_cm: f64,
     /// Length of elastic to cut for each row, from the top [cm].
     pub elastic_lengths_cm: Vec<f64>,
+    /// Whether the elastics hold it in this dance; `None` where it was not watched.
+    pub elastic_hold: Option<ElasticHoldFacts>,
     /// Girth of the hip the skirt was drafted for [cm].
     pub hip_girth_cm: f64,
     /// What is unusual about the draft and what to do about it.

@@ -1,0 +1,153 @@
+//! Whether the elastics of a gathered skirt hold it while she dances.
+//!
+//! In the simulation they go with the skin. On her, friction carries the skirt: an elastic stretched to a
+//! tension `T` around any convex ring presses with `2 π T` in all, whatever the ring's shape, and holds
+//! `μ 2 π T`; `lole validate` holds the engine's own friction against the same formula (`waistband`).
+//! What it has to hold is what moves the skirt beside its weight, taken from the motion of its center of mass.
+//! Hips that widen below the band, and cloth that lies on them, help; they are left out, so that what is said
+//! to hold does.
+
+use std::f64::consts::TAU;
+
+use glam::Vec3;
+use lole_cloth::model::particle_masses;
+
+use crate::{FRAME_SECONDS, Performance};
+
+/// Stiffness of a braided elastic of eight cords in its casing [N] for a stretch to twice its length, an
+/// estimate; heavier ones hold more.
+const STIFFNESS: f64 = 25.0;
+/// Frames on either side over which an acceleration is measured: 0.05 s, within which a band gives way.
+const SPAN: usize = 3;
+/// How many times what the dance pulls an elastic that is recommended holds.
+const MARGIN: f64 = 1.5;
+
+/// Watches how a skirt pulls at its elastics.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HoldWatch {
+    /// Mass of every particle [kg].
+    masses: Vec<f32>,
+    /// Height of the center of mass [m] in the last frames, the newest last.
+    heights: Vec<f64>,
+    /// Strongest pull downwards so far [N].
+    pull: f64,
+    gravity: f64,
+}
+
+/// What the elastics of a skirt hold.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ElasticHold {
+    /// Strongest pull of the skirt downwards [N]: its weight and what its motion adds.
+    pub pull: f64,
+    /// What friction under the elastics holds [N].
+    pub held: f64,
+    /// Longest relaxed ring of each elastic that holds half as much again as the skirt pulls [m]; `None` where
+    /// no elastic does, not even one that is stretched to twice its length.
+    pub loosest_ring: Option<f64>,
+}
+
+impl HoldWatch {
+    /// Of the skirt that is worn; `None` where none is.
+    #[must_use]
+    pub fn new(performance: &Performance) -> Option<Self> {
+        let skirt = performance.production().skirt()?;
+        Some(Self {
+            masses: particle_masses(&skirt.sewn.spec),
+            heights: Vec::new(),
+            pull: 0.0,
+            gravity: f64::from(performance.gravity().length()),
+        })
+    }
+
+    /// Looks at a frame; call it after every one.
+    pub fn look(&mut self, performance: &Performance) {
+        let Some(skirt) = performance.production().skirt() else {
+            return;
+        };
+        let height = center_height(&self.masses, performance.garment_positions(skirt));
+        self.heights.push(height);
+        if self.heights.len() <= 2 * SPAN {
+            self.pull = self.pull.max(self.weight());
+            return;
+        }
+        let span = SPAN as f64 * f64::from(FRAME_SECONDS);
+        let [before, between, now] = [0, SPAN, 2 * SPAN].map(|frame| self.heights[frame]);
+        let upwards = (before - 2.0 * between + now) / (span * span);
+        self.pull = self.pull.max(self.mass() * (self.gravity + upwards));
+        self.heights.remove(0);
+    }
+
+    /// What the elastics hold of the strongest pull that was seen; `None` where there are none.
+    #[must_use]
+    pub fn seen(&self, performance: &Performance) -> Option<ElasticHold> {
+        let skirt = performance.production().skirt()?;
+        let rings = skirt.draft.elastic_rows.iter();
+        let rings: Vec<f64> = rings.map(|row| row.ring_length.to_m()).collect();
+        let friction = f64::from(skirt.sewn.spec.fabric.friction);
+        let girth = skirt.worn.worn_girth.to_m();
+        elastic_hold(girth, &rings, (friction, self.pull))
+    }
+
+    fn mass(&self) -> f64 {
+        self.masses.iter().copied().map(f64::from).sum()
+    }
+
+    fn weight(&self) -> f64 {
+        self.mass() * self.gravity
+    }
+}
+
+/// What relaxed rings [m] hold around a girth [m], by coefficient of friction and pull [N].
+fn elastic_hold(girth: f64, rings: &[f64], (friction, pull): (f64, f64)) -> Option<ElasticHold> {
+    if rings.is_empty() {
+        return None;
+    }
+    let tension = |ring: f64| STIFFNESS * (girth / ring - 1.0).max(0.0);
+    let held = friction * TAU * rings.iter().map(|&ring| tension(ring)).sum::<f64>();
+    let needed = MARGIN * pull / (friction * TAU * rings.len() as f64 * STIFFNESS);
+    Some(ElasticHold {
+        pull,
+        held,
+        loosest_ring: (needed <= 1.0).then(|| girth / (1.0 + needed)),
+    })
+}
+
+/// Mean height of some masses [m].
+fn center_height(masses: &[f32], positions: &[Vec3]) -> f64 {
+    let (mut moment, mut mass) = (0.0, 0.0);
+    for (&of, at) in masses.iter().zip(positions) {
+        moment += f64::from(of) * f64::from(at.y);
+        mass += f64::from(of);
+    }
+    moment / f64::max(mass, f64::MIN_POSITIVE)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn elastics_hold_what_friction_under_their_tension_does() {
+        // 0.8 m of ring around 1 m: 6.25 N, pressed with 39.3 N, of which friction holds 0.4.
+        let hold = elastic_hold(1.0, &[0.8, 0.8], (0.4, 10.0)).unwrap();
+        assert!(
+            (hold.held - 2.0 * 0.4 * TAU * 6.25).abs() < 1e-9,
+            "{hold:?}"
+        );
+        let ring = hold.loosest_ring.unwrap();
+        let just = elastic_hold(1.0, &[ring, ring], (0.4, 10.0)).unwrap();
+        assert!((just.held - 15.0).abs() < 1e-9, "{just:?}");
+        assert_eq!(
+            elastic_hold(1.0, &[0.8], (0.0, 10.0)).unwrap().loosest_ring,
+            None
+        );
+        assert_eq!(elastic_hold(1.0, &[], (0.4, 10.0)), None);
+    }
+
+    #[test]
+    fn a_ring_as_long_as_the_girth_holds_nothing() {
+        for ring in [1.0, 1.2] {
+            assert!(elastic_hold(1.0, &[ring], (0.4, 10.0)).unwrap().held.abs() < 1e-12);
+        }
+    }
+}
