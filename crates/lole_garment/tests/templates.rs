@@ -1,6 +1,8 @@
 //! Laws of every template: its outlines are closed, counterclockwise and simple, its seams walk, its
 //! numbers are finite, and what cannot be drafted is refused with the measure that is the cause.
 
+#[path = "bodies/any.rs"]
+mod any;
 mod bodies;
 
 use kurbo::{ParamCurve as _, PathSeg, Point, Shape as _};
@@ -14,6 +16,7 @@ use lole_pattern::piece::{CutCount, Finish, Mark};
 use lole_pattern::{DraftError, Measure, Measures, Pattern, Piece, Yardage};
 use proptest::prelude::*;
 
+use any::any_body;
 use bodies::{BODIES, of_row};
 
 /// How exactly seams walk [m]: a tenth of a millimeter.
@@ -514,19 +517,6 @@ fn materials_are_those_that_makers_give() {
 fn pairs_are_two_pieces() {
     assert_eq!(CutCount::Pairs(2).pieces(), 4);
     assert_eq!(CutCount::Alike(3).pieces(), 3);
-}
-
-/// Any body near one of the six or between two of them, every measure a little off.
-fn any_body() -> impl Strategy<Value = [f64; 27]> {
-    let noise = proptest::collection::vec(0.97..1.03_f64, 27);
-    (0..6_usize, 0..6_usize, 0.0..1.0_f64, 0.94..1.06_f64, noise).prop_map(
-        |(one, other, share, size, noise)| {
-            let (a, b) = (&BODIES[one].1, &BODIES[other].1);
-            std::array::from_fn(|index| {
-                (a[index] + share * (b[index] - a[index])) * size * noise[index]
-            })
-        },
-    )
 }
 
 proptest! {

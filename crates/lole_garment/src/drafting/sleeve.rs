@@ -4,6 +4,9 @@
 //! points over the armhole, and each half is as wide as makes its curve as long as its half of the
 //! armhole. A puff is the same sleeve, slashed and spread: wider, and higher at the crown.
 //!
+//! From the underarm up to the notches the cap is as long as the armhole; what it has more, eased or
+//! gathered, lies between the notches alone, evenly from each notch to the crown.
+//!
 //! The crown lies at `x = 0`; the front is towards `-x`; the underarm line is at `y = 0`.
 
 use kurbo::{PathSeg, Point, Vec2};
@@ -14,6 +17,7 @@ use lole_pattern::{DraftError, Measure, Measures};
 
 use super::block::{Block, unfit};
 use super::shape::{CM, Label, at, back_notch, beside, curve, edge, length, line, marked, notch};
+use super::yoke::Yoked;
 use crate::drafting::making::{both_sides, eased, gathered, plain, side};
 
 /// Edges of a sleeve, in their order.
@@ -47,16 +51,40 @@ pub(crate) struct Sleeve {
     pub(crate) piece: Piece,
     /// Where the crown lies along the cap, which begins at the back underarm.
     pub(crate) crown: f64,
-    /// How the cap is sewn in.
+    /// How the cap is sewn in between its notches.
     pub(crate) kind: SeamKind,
+    /// Armholes from the underarm to the shoulder, the back's and the front's [m].
+    armholes: [f64; 2],
+    /// Where their notches are, from the underarm up [m]; those of the cap are as far from its ends.
+    notches: [f64; 2],
     /// Finished width of the lower edge [m].
     pub(crate) hem_width: f64,
 }
 
 /// Allowance of sleeve seams [m].
 pub(crate) const SEAM: f64 = 1.0 * CM;
-/// Ratio up to which a cap is eased; fuller ones are gathered.
-const MOST_EASE: f64 = 1.06;
+/// Ratio up to which a cap is eased between its notches; fuller ones are gathered.
+const MOST_EASE: f64 = 1.08;
+/// Notches of an armhole from the underarm up, over its length.
+const NOTCH: f64 = 0.4;
+/// A notch this near to the seam of a yoke [m] would be taken for it.
+const NOTCH_FROM_YOKE: f64 = 1.5 * CM;
+
+/// Where the notch of half an armhole is, from the underarm up [m]; below the seam of a yoke that would
+/// lie beside it, or above where there is no room.
+pub(crate) fn armhole_notch(armhole: f64, yoke: Option<&Yoked>) -> f64 {
+    let usual = NOTCH * armhole;
+    let Some(seam) = yoke.map(|yoke| length(&yoke.lower)) else {
+        return usual;
+    };
+    if NOTCH_FROM_YOKE <= (usual - seam).abs() {
+        usual
+    } else if 2.0 * NOTCH_FROM_YOKE < seam {
+        seam - NOTCH_FROM_YOKE
+    } else {
+        seam + NOTCH_FROM_YOKE
+    }
+}
 
 impl Sleeve {
     /// Length of its underarm seam [m].
@@ -64,13 +92,13 @@ impl Sleeve {
         self.piece.edges[BACK_SIDE].length()
     }
 
-    /// A sleeve for the armholes of a block.
+    /// A sleeve for the armholes of a block, which yokes may cut.
     ///
     /// # Errors
     /// An arm that the armhole is too small for, or that is shorter than its sleeve's cap.
     pub(crate) fn new(
         measures: &Measures,
-        block: &Block,
+        (block, yokes): (&Block, Option<&[Yoked; 2]>),
         fit: &SleeveFit,
     ) -> Result<Self, DraftError> {
         measures.check(&[
@@ -118,13 +146,27 @@ impl Sleeve {
             };
             [of_side(0), of_side(1)]
         };
-        Ok(Self::of_cap((raised, widths), -below, fit))
+        let [of_front, of_back] = [0, 1].map(|half| yokes.map(|yokes| &yokes[half]));
+        let notches = [
+            armhole_notch(armholes[0], of_back),
+            armhole_notch(armholes[1], of_front),
+        ];
+        Ok(Self::of_cap(
+            (raised, widths),
+            -below,
+            (fit, armholes, notches),
+        ))
     }
 
-    fn of_cap((height, widths): (f64, [f64; 2]), hem_y: f64, fit: &SleeveFit) -> Self {
+    fn of_cap(
+        (height, widths): (f64, [f64; 2]),
+        hem_y: f64,
+        (fit, armholes, notches): (&SleeveFit, [f64; 2], [f64; 2]),
+    ) -> Self {
         let [back, front] = widths;
         let cap = cap_curve(height, widths);
-        let crown = length(&cap[..2]) / length(&cap);
+        let halves = [length(&cap[..2]), length(&cap[2..])];
+        let crown = halves[0] / (halves[0] + halves[1]);
         let hem_width = fit.hem_width.unwrap_or(back + front).min(back + front);
         // Both sides come in alike, so that they stay equally long.
         let inwards = 0.5 * (back + front - hem_width);
@@ -145,14 +187,18 @@ impl Sleeve {
                 SEAM,
             ),
         ];
-        let kind = if fit.cap_ratio <= 1.0 + 1.0e-9 {
+        let fullest = [0, 1]
+            .map(|half| (halves[half] - notches[half]) / (armholes[half] - notches[half]))
+            .into_iter()
+            .fold(1.0, f64::max);
+        let kind = if fullest <= 1.0 + 1.0e-9 {
             SeamKind::Plain
-        } else if fit.cap_ratio <= MOST_EASE {
+        } else if fullest <= MOST_EASE {
             SeamKind::Eased
         } else {
             SeamKind::Gathered
         };
-        let marks = cap_marks(&edges[CAP], crown, kind);
+        let marks = cap_marks(&edges[CAP], halves, (notches, kind));
         let label = Label::main("sleeve", words("袖", "sleeve"), CutCount::Pairs(1));
         let mut piece = label.piece(edges, super::shape::DOWN, marks);
         piece
@@ -162,6 +208,8 @@ impl Sleeve {
             piece,
             crown,
             kind,
+            armholes,
+            notches,
             hem_width,
         }
     }
@@ -173,21 +221,58 @@ impl Sleeve {
         let mut seams = Vec::new();
         let sides = plain(side(piece, 0, BACK_SIDE), side(piece, 0, FRONT_SIDE).back());
         seams.extend(both_sides(sides));
-        for (parts, [from, to]) in [(back, [0.0, self.crown]), (front, [1.0, self.crown])] {
+        for (half, parts) in [back, front].into_iter().enumerate() {
+            let notch = self.notches[half] / self.armholes[half];
             let mut passed = 0.0;
             for part in parts {
-                let along = |share: f64| from + (to - from) * share;
-                let full = side(piece, 0, CAP).between(along(passed), along(passed + part.share));
-                let flat = side(part.piece, 0, part.edge);
-                seams.extend(both_sides(match self.kind {
-                    SeamKind::Plain => plain(flat, full),
-                    SeamKind::Eased => eased(flat, full),
-                    SeamKind::Gathered => gathered(flat, full),
-                }));
-                passed += part.share;
+                let end = passed + part.share;
+                for [from, to] in stretches([passed, end], notch) {
+                    let within = |share: f64| ((share - passed) / part.share).clamp(0.0, 1.0);
+                    let flat = side(part.piece, 0, part.edge).between(within(from), within(to));
+                    let along = [from, to].map(|share| self.along_cap(half, share));
+                    let full = side(piece, 0, CAP).between(along[0], along[1]);
+                    seams.extend(both_sides(match self.kind {
+                        _ if to <= notch + SAME_PLACE => plain(flat, full),
+                        SeamKind::Plain => plain(flat, full),
+                        SeamKind::Eased => eased(flat, full),
+                        SeamKind::Gathered => gathered(flat, full),
+                    }));
+                }
+                passed = end;
             }
         }
         seams
+    }
+
+    /// Where along the cap a place of an armhole is sewn: `share` of the back's (0) or the front's (1)
+    /// length from the underarm up.
+    fn along_cap(&self, half: usize, share: f64) -> f64 {
+        let whole = self.piece.edges[CAP].length();
+        let of_half = [self.crown, 1.0 - self.crown][half] * whole;
+        let (armhole, notch) = (self.armholes[half], self.notches[half]);
+        let over = (share * armhole - notch).max(0.0);
+        let up = (share * armhole).min(notch) + over * (of_half - notch) / (armhole - notch);
+        let along = (up / whole).clamp(0.0, 1.0);
+        if half == 0 { along } else { 1.0 - along }
+    }
+
+    /// How long the armholes are between their notches, over the shoulder, and the cap there [m].
+    pub(crate) fn between_notches(&self) -> [f64; 2] {
+        let below: f64 = self.notches.iter().sum();
+        let armholes: f64 = self.armholes.iter().sum();
+        [armholes, self.piece.edges[CAP].length()].map(|whole| whole - below)
+    }
+}
+
+/// Shares of an armhole nearer than this are one place.
+const SAME_PLACE: f64 = 1.0e-6;
+
+/// A stretch of an armhole, cut at its notch where that lies within.
+fn stretches([from, to]: [f64; 2], notch: f64) -> Vec<[f64; 2]> {
+    if from + SAME_PLACE < notch && notch < to - SAME_PLACE {
+        vec![[from, notch], [notch, to]]
+    } else {
+        vec![[from, to]]
     }
 }
 
@@ -204,24 +289,19 @@ pub(crate) struct ArmholePart {
 const LEAST_BELOW: f64 = 1.5 * CM;
 
 /// Notches: one in front, two at the back, one at the crown; gathers in between.
-fn cap_marks(cap: &Edge, crown: f64, kind: SeamKind) -> Vec<lole_pattern::piece::Mark> {
-    /// Where the notches lie on each half from the underarm up: below them the cap lies flat.
-    const NOTCH: f64 = 0.4;
-    let total = cap.length();
-    let at_back = NOTCH * crown * total;
-    let at_front = total - NOTCH * (1.0 - crown) * total;
+fn cap_marks(
+    cap: &Edge,
+    [back, front]: [f64; 2],
+    (notches, kind): ([f64; 2], SeamKind),
+) -> Vec<lole_pattern::piece::Mark> {
+    let ends = [notches[0], back + front - notches[1]];
     let mut marks = vec![
-        back_notch(CAP, at_back),
-        notch(CAP, crown * total),
-        notch(CAP, at_front),
+        back_notch(CAP, ends[0]),
+        notch(CAP, back),
+        notch(CAP, ends[1]),
     ];
     if kind == SeamKind::Gathered {
-        marks.push(beside(
-            LineKind::Gather,
-            cap,
-            -0.4 * CM,
-            [at_back, at_front],
-        ));
+        marks.push(beside(LineKind::Gather, cap, -0.4 * CM, ends));
     }
     marks
 }

@@ -2,12 +2,13 @@
 
 use kurbo::{Affine, ParamCurve as _, PathSeg, Point};
 use lole_pattern::error::DraftError;
-use lole_pattern::piece::{Edge, Finish, Piece};
+use lole_pattern::piece::{Edge, Finish, Mark, Piece};
 
 use super::block::{Block, Half};
 use super::chosen::Chosen;
 use super::fitted::{SEAM, center_edge};
 use super::shape::{CM, Label, at, edge, length, line};
+use super::sleeve::armhole_notch;
 use crate::garment::blouse::{NECK_LOWER, NECK_LOWER_KEY};
 
 /// A half cut along a level line.
@@ -23,6 +24,8 @@ pub(crate) struct Yoked {
     pub(crate) end: Point,
 }
 
+/// The armhole among the edges of a yoke.
+const ARMHOLE: usize = 1;
 /// How far below the neckline's middle a yoke ends, where the armhole has room for it [m].
 const BELOW_NECK: f64 = 3.0 * CM;
 /// How far below the neckline's middle a yoke ends, at least [m].
@@ -83,8 +86,27 @@ impl Yoked {
         lower / (lower + upper)
     }
 
-    /// The yoke: its lower edge, armhole, shoulder, neckline and middle.
-    pub(crate) fn piece(&self, half: &Half, label: Label, center: (&'static str, Finish)) -> Piece {
+    /// The notch of the armhole, where it lies below the line: on this edge of the piece there.
+    pub(crate) fn notch_below(&self, edge: usize, mark: fn(usize, f64) -> Mark) -> Option<Mark> {
+        let at = self.notch();
+        (at < length(&self.lower)).then(|| mark(edge, at))
+    }
+
+    /// The notch of the armhole from the underarm up [m].
+    fn notch(&self) -> f64 {
+        let armhole = length(&self.lower) + length(&self.upper);
+        armhole_notch(armhole, Some(self))
+    }
+
+    /// The yoke: its lower edge, armhole, shoulder, neckline and middle. The notch of the armhole is cut
+    /// as `mark` says, where it lies above the line.
+    pub(crate) fn piece(
+        &self,
+        half: &Half,
+        label: Label,
+        center: (&'static str, Finish),
+        mark: fn(usize, f64) -> Mark,
+    ) -> Piece {
         let [tip, neck] = half.shoulder;
         let middle = at(0.0, self.level);
         // A cut segment begins where it was evaluated, and outlines close to the last bit.
@@ -101,7 +123,9 @@ impl Yoked {
             ),
             center_edge(center.0, half.center, middle, center.1),
         ];
-        label.piece(edges, super::shape::DOWN, Vec::new())
+        let over = self.notch() - length(&self.lower);
+        let marks = (0.0 < over).then(|| mark(ARMHOLE, over));
+        label.piece(edges, super::shape::DOWN, marks.into_iter().collect())
     }
 }
 

@@ -21,8 +21,8 @@ use crate::drafting::fitted::{
 use crate::drafting::making::{
     both_sides, cm, eased, elastic, notion, pattern, plain, say, side, step,
 };
-use crate::drafting::shape::{CM, DOWN, Label, at, curve, edge, length, line, notch};
-use crate::drafting::sleeve::{ArmholePart, Sleeve, SleeveFit};
+use crate::drafting::shape::{CM, DOWN, Label, at, back_notch, curve, edge, length, line, notch};
+use crate::drafting::sleeve::{ArmholePart, Sleeve, SleeveFit, armhole_notch};
 use crate::drafting::work::{Work, minutes};
 use crate::fitting::Fitting;
 use crate::sketch::{Sketch, Tone};
@@ -154,7 +154,7 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
     let upper_arm = measures.upper_arm_length.to_m();
     let sleeve = Sleeve::new(
         measures,
-        &block,
+        (&block, None),
         &SleeveFit {
             length: chosen.m_or("sleeve_length_cm", 0.7 * upper_arm) + chosen.m("puff_height_cm"),
             arm_ease: ARM_EASE,
@@ -264,17 +264,14 @@ impl Body {
             center_edge(center_id, half.center, center, finish),
         ];
         let mut marks = side.marks();
-        let total = length(&half.armhole);
+        let at = armhole_notch(length(&half.armhole), None);
         marks.push(match part {
-            Part::Front => notch(2, ARMHOLE_NOTCH * total),
-            Part::Back => crate::drafting::shape::back_notch(2, ARMHOLE_NOTCH * total),
+            Part::Front => notch(2, at),
+            Part::Back => back_notch(2, at),
         });
         label.piece(edges, DOWN, marks)
     }
 }
-
-/// Notches of the armhole from the underarm up, where those of the sleeve's cap are.
-pub(crate) const ARMHOLE_NOTCH: f64 = 0.4;
 
 /// Pieces of the blouse, in their order.
 const FRONT: usize = 0;
@@ -409,16 +406,15 @@ pub(crate) fn sleeve_steps(
 ) -> Vec<Step> {
     let [casing_cm, cut_cm, hem_cm] = [SLEEVE_CASING, arm + OVERLAP, sleeve.hem_width].map(cm);
     let [arm_cm, overlap_cm] = [arm, OVERLAP].map(cm);
-    let cap = sleeve.piece.edges[crate::drafting::sleeve::CAP].length();
-    let cap_cm = cm(cap);
+    let [flat_cm, cap_cm] = sleeve.between_notches().map(cm);
     let set_in = match sleeve.kind {
         SeamKind::Gathered => say!(
-            "袖山の合印の間に粗い縫い目を 2 本入れ、{cap_cm} cm の袖山を袖ぐりに合わせて寄せます。山の合印を肩線に、前後の合印どうしを合わせ、袖を中表に縫い付けます。",
-            "Run two rows of long stitches between the notches of the cap and gather its {cap_cm} cm into the armhole. Match the crown to the shoulder and the notches to each other and sew the sleeve in, right sides together."
+            "袖山の前の合印（1 本）から後ろの合印（2 本）までに粗い縫い目を 2 本入れ、{cap_cm} cm を袖ぐりの合印の間の {flat_cm} cm に寄せます。山の合印を肩線に、前後の合印どうしを合わせ、袖を中表に縫い付けます。合印から袖下までは袖山と袖ぐりが同じ長さで、寄せません。",
+            "Run two rows of long stitches along the cap from the single notch in front to the double one at the back and gather its {cap_cm} cm to the {flat_cm} cm between the notches of the armhole. Match the crown to the shoulder and the notches to each other and sew the sleeve in, right sides together. From the notches to the underarm both are equally long: do not gather there."
         ),
         SeamKind::Eased | SeamKind::Plain => say!(
-            "山の合印を肩線に、前後の合印どうしを合わせ、{cap_cm} cm の袖山をいせ込みながら袖を中表に縫い付けます。",
-            "Match the crown to the shoulder and the notches to each other, ease the cap of {cap_cm} cm in and sew the sleeve, right sides together."
+            "山の合印を肩線に、前後の合印どうしを合わせ、合印の間の袖山 {cap_cm} cm を袖ぐり {flat_cm} cm にいせ込みながら、袖を中表に縫い付けます。合印から袖下まではいせません。",
+            "Match the crown to the shoulder and the notches to each other, ease the {cap_cm} cm of the cap between its notches into the {flat_cm} cm of the armhole and sew the sleeve, right sides together. From the notches to the underarm nothing is eased."
         ),
     };
     vec![

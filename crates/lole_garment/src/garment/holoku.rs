@@ -13,7 +13,7 @@ use lole_pattern::piece::{CutCount, Edge, Finish, LineKind, Mark, Piece};
 use lole_pattern::{DraftError, Measure, Measures, Pattern};
 
 use super::blouse::{
-    ARMHOLE_NOTCH, BUST_EASE, NECK_LOWER, NECK_LOWER_KEY, NECK_WIDER, PUFF, flat_front, zip_step,
+    BUST_EASE, NECK_LOWER, NECK_LOWER_KEY, NECK_WIDER, PUFF, flat_front, zip_step,
 };
 use crate::drafting::block::{Block, Fit, NO_REMEDY, unfit};
 use crate::drafting::chosen::{Chosen, by_measure, choice, number};
@@ -22,10 +22,8 @@ use crate::drafting::fitted::{
     dart_step, hem_step, place, shown,
 };
 use crate::drafting::making::{both_sides, cm, eased, notion, pattern, plain, say, side, step};
-use crate::drafting::shape::{
-    CM, DOWN, Label, at, back_notch, curve, edge, length, line, marked, notch,
-};
-use crate::drafting::sleeve::{ArmholePart, CAP, Sleeve, SleeveFit};
+use crate::drafting::shape::{CM, DOWN, Label, at, back_notch, curve, edge, line, marked, notch};
+use crate::drafting::sleeve::{ArmholePart, Sleeve, SleeveFit};
 use crate::drafting::work::{Work, minutes};
 use crate::drafting::yoke::Yoked;
 use crate::fitting::Fitting;
@@ -155,9 +153,9 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
             armhole_dropped: 0.0,
         },
     )?;
-    let sleeve = sleeve(measures, &block, &chosen)?;
-    let body = Body::new(measures, &block, &chosen)?;
     let yokes = Yoked::both(&block, &chosen)?;
+    let sleeve = sleeve(measures, (&block, &yokes), &chosen)?;
+    let body = Body::new(measures, &block, &chosen)?;
     let front_side = SideLine::with_dart(&body.side(body.front), &block, DART_BELOW);
     let back_side = SideLine::plain(body.side(body.back));
     let front_label = Label::main(
@@ -173,8 +171,18 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
     let pieces = vec![
         body.front_piece(&yokes[0], &front_side),
         body.back_piece(&yokes[1], &back_side),
-        yokes[0].piece(&block.front, front_label, ("center_front", Finish::Fold)),
-        yokes[1].piece(&block.back, back_label, ("center_back", Finish::Seam)),
+        yokes[0].piece(
+            &block.front,
+            front_label,
+            ("center_front", Finish::Fold),
+            notch,
+        ),
+        yokes[1].piece(
+            &block.back,
+            back_label,
+            ("center_back", Finish::Seam),
+            back_notch,
+        ),
         sleeve.piece.clone(),
         binding(block.neckline_length(), Finish::Hem),
     ];
@@ -185,12 +193,16 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
     )))
 }
 
-fn sleeve(measures: &Measures, block: &Block, chosen: &Chosen<'_>) -> Result<Sleeve, DraftError> {
+fn sleeve(
+    measures: &Measures,
+    (block, yokes): (&Block, &[Yoked; 2]),
+    chosen: &Chosen<'_>,
+) -> Result<Sleeve, DraftError> {
     let is_puff = chosen.choice("sleeve") == "puff";
     let raised = if is_puff { 2.0 * CM } else { 0.0 };
     let mut sleeve = Sleeve::new(
         measures,
-        block,
+        (block, Some(yokes)),
         &SleeveFit {
             length: measures.arm_length.to_m() + raised,
             arm_ease: ARM_EASE,
@@ -325,7 +337,7 @@ impl Body {
         let dart_top = self.bust_point.y - 2.5 * CM;
         let bottom = 0.6 * self.hip_y;
         marks.extend(self.waist_dart(self.bust_point.x, self.darts[0], [dart_top, bottom]));
-        push_notch(&mut marks, yoked, notch);
+        marks.extend(yoked.notch_below(2, notch));
         label.piece(edges, DOWN, marks)
     }
 
@@ -351,7 +363,7 @@ impl Body {
         let x = 0.42 * self.back;
         let tops = [0.95 * self.bust_line.min(yoked.level), 0.75 * self.hip_y];
         marks.extend(self.waist_dart(x, self.darts[1], tops));
-        push_notch(&mut marks, yoked, back_notch);
+        marks.extend(yoked.notch_below(2, back_notch));
         label.piece(edges, DOWN, marks)
     }
 
@@ -391,15 +403,6 @@ impl Body {
             edge("yoke", vec![line(end, top)], Finish::Seam, SEAM),
             center,
         ]
-    }
-}
-
-/// The notch of the armhole, where it lies below the yoke.
-fn push_notch(marks: &mut Vec<Mark>, yoked: &Yoked, mark: fn(usize, f64) -> Mark) {
-    let lower = length(&yoked.lower);
-    let at = ARMHOLE_NOTCH * (lower + length(&yoked.upper));
-    if at < lower {
-        marks.push(mark(2, at));
     }
 }
 
@@ -547,12 +550,13 @@ fn yoke_step(pieces: &[Piece], seams: Vec<usize>) -> Step {
 }
 
 fn sleeve_step(sleeve: &Sleeve, seams: Vec<usize>) -> Step {
-    let [cap_cm, wrist_cm] = [sleeve.piece.edges[CAP].length(), sleeve.hem_width].map(cm);
+    let [flat_cm, cap_cm] = sleeve.between_notches().map(cm);
+    let wrist_cm = cm(sleeve.hem_width);
     step(
         words("袖を作って付ける", "Make the sleeves and set them in"),
         say!(
-            "袖下を縫い、袖口（まわり {wrist_cm} cm）を 3 cm 折って始末します。袖山 {cap_cm} cm を合印の間で袖ぐりに合わせて縮め、山を肩線に合わせて縫い付けます。",
-            "Sew the underarm seams and hem the wrists ({wrist_cm} cm around) by 3 cm. Draw the cap of {cap_cm} cm in between its notches to fit the armhole, its crown at the shoulder, and sew the sleeves in."
+            "袖下を縫い、袖口（まわり {wrist_cm} cm）を 3 cm 折って始末します。袖山の合印の間の {cap_cm} cm を、袖ぐりの合印の間の {flat_cm} cm に縮めます。山を肩線に、合印どうしを合わせて縫い付けます。合印から袖下までは同じ長さで、縮めません。",
+            "Sew the underarm seams and hem the wrists ({wrist_cm} cm around) by 3 cm. Draw the {cap_cm} cm of the cap between its notches in to the {flat_cm} cm between those of the armhole. Match the crown to the shoulder and the notches to each other and sew the sleeves in. From the notches to the underarm both are equally long: draw nothing in there."
         ),
         minutes(&[
             (Work::Sleeve, 2.0),

@@ -26,7 +26,7 @@ use crate::drafting::making::{
     both_sides, cm, eased, gathered, notion, pattern, plain, say, side, step,
 };
 use crate::drafting::shape::{
-    AROUND, CM, DOWN, Label, at, beside, curve, edge, line, marked, rectangle,
+    AROUND, CM, DOWN, Label, at, back_notch, beside, curve, edge, line, marked, notch, rectangle,
 };
 use crate::drafting::sleeve::{ArmholePart, Sleeve, SleeveFit};
 use crate::drafting::work::{Work, minutes};
@@ -128,6 +128,9 @@ const SLEEVE: usize = 4;
 const BINDING: usize = 5;
 const RUFFLE: usize = 6;
 
+/// The armhole among the edges of front and back.
+const ARMHOLE: usize = 2;
+
 fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError> {
     let measures = fitting.measures;
     let chosen = Chosen::new(OPTIONS, options)?;
@@ -142,8 +145,8 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
             armhole_dropped: 1.0 * CM,
         },
     )?;
-    let sleeve = sleeve(measures, &block, &chosen)?;
     let yokes = Yoked::both(&block, &chosen)?;
+    let sleeve = sleeve(measures, (&block, &yokes), &chosen)?;
     let skirt = Skirt::new(measures, &block, &chosen)?;
     let neckline = block.neckline_length();
     let slit = 0.5 * (measures.head_girth.to_m() + OVER_HEAD - neckline).max(0.0);
@@ -162,18 +165,30 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
         words("後ろヨーク", "back yoke"),
         CutCount::Alike(1),
     );
-    let mut back_yoke = yokes[1].piece(&block.back, back_label, ("center_back", Finish::Fold));
+    let mut back_yoke = yokes[1].piece(
+        &block.back,
+        back_label,
+        ("center_back", Finish::Fold),
+        back_notch,
+    );
     let lowest = block.back.center.y - yokes[1].level - 1.0 * CM;
     let slit = slit.min(lowest.max(0.0));
     if 0.0 < slit {
         let from = block.back.center;
         let to = from - Vec2::new(0.0, slit);
-        back_yoke.marks.push(marked(LineKind::Slit, &[from, to]));
+        back_yoke
+            .marks
+            .insert(0, marked(LineKind::Slit, &[from, to]));
     }
     let mut pieces = vec![
         skirt.front(&yokes[0], &block),
         skirt.back(&yokes[1]),
-        yokes[0].piece(&block.front, front_label, ("center_front", Finish::Fold)),
+        yokes[0].piece(
+            &block.front,
+            front_label,
+            ("center_front", Finish::Fold),
+            notch,
+        ),
         back_yoke,
         sleeve.piece.clone(),
         binding(neckline, ends),
@@ -184,12 +199,16 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
     Ok(finish(pieces, (measures, &skirt), (&sleeve, &yokes, slit)))
 }
 
-fn sleeve(measures: &Measures, block: &Block, chosen: &Chosen<'_>) -> Result<Sleeve, DraftError> {
+fn sleeve(
+    measures: &Measures,
+    (block, yokes): (&Block, &[Yoked; 2]),
+    chosen: &Chosen<'_>,
+) -> Result<Sleeve, DraftError> {
     let is_puff = chosen.choice("sleeve") == "puff";
     let long = SLEEVE_SHARE * measures.upper_arm_length.to_m();
     Sleeve::new(
         measures,
-        block,
+        (block, Some(yokes)),
         &SleeveFit {
             length: long + if is_puff { 2.0 * CM } else { 0.0 },
             arm_ease: ARM_EASE + 2.0 * CM,
@@ -266,12 +285,10 @@ impl Skirt {
         let spread = self.spread(yoked);
         let armhole = opened_armhole(yoked, block, spread);
         let label = Label::main("front", words("前スカート", "front"), CutCount::Alike(1));
-        self.piece(
-            label,
-            (armhole, yoked.level),
-            self.flat_front + spread,
-            "center_front",
-        )
+        let x = self.flat_front + spread;
+        let mut piece = self.piece(label, (armhole, yoked.level), x, "center_front");
+        piece.marks.extend(yoked.notch_below(ARMHOLE, notch));
+        piece
     }
 
     fn back(&self, yoked: &Yoked) -> Piece {
@@ -280,12 +297,10 @@ impl Skirt {
         let way = yoked.lower.iter().map(|segment| moved * *segment).collect();
         let armhole = edge("armhole", way, Finish::Seam, SEAM);
         let label = Label::main("back", words("後ろスカート", "back"), CutCount::Alike(1));
-        self.piece(
-            label,
-            (armhole, yoked.level),
-            self.back + spread,
-            "center_back",
-        )
+        let x = self.back + spread;
+        let mut piece = self.piece(label, (armhole, yoked.level), x, "center_back");
+        piece.marks.extend(yoked.notch_below(ARMHOLE, back_notch));
+        piece
     }
 
     /// `level` is the yoke line's at the middle, `x` the underarm's.

@@ -1,4 +1,4 @@
-//! Bodies to draft for: measures of built dancers, rounded to millimeters, and any between them.
+//! Bodies to draft for: measures of built dancers, rounded to millimeters.
 
 use lole_geom::Length;
 use lole_pattern::measures::TrunkGirth;
