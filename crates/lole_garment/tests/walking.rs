@@ -1,15 +1,15 @@
-//! Laws of seams as they are pinned: from notch to notch both sides differ in length by the ease or the gathers
-//! that are said of that stretch, and by nothing else.
+//! Laws of seams as they are pinned: both sides are marked where they meet, and from notch to notch they
+//! differ in length by the ease or the gathers that are said of that stretch, and by nothing else.
 
 #[path = "bodies/any.rs"]
 mod any;
 mod bodies;
 
-use kurbo::Point;
+use kurbo::{ParamCurve as _, ParamCurveArclen as _, Point};
 use lole_garment::Fitting;
 use lole_garment::template::{OptionKind, Options, TEMPLATES, Template};
 use lole_pattern::pattern::{Seam, SeamKind, SeamSide};
-use lole_pattern::piece::{Edge, LineKind, Mark};
+use lole_pattern::piece::{Edge, Finish, LineKind, Mark};
 use lole_pattern::{Pattern, Piece};
 use proptest::prelude::*;
 
@@ -130,7 +130,6 @@ fn gathering_rows(piece: &Piece) -> Vec<[Point; 2]> {
 fn check_gathers(pattern: &Pattern, piece: usize) -> Result<(), String> {
     let drawn = &pattern.pieces[piece];
     let rows = gathering_rows(drawn);
-    let point = |edge: &Edge, along: f64| edge.place(along).map_or(Point::ZERO, |(at, _)| at);
     let mut met = 0;
     for (index, edge) in drawn.edges.iter().enumerate() {
         for [from, to] in gathered_stretches(pattern, piece, index) {
@@ -156,9 +155,129 @@ fn check_gathers(pattern: &Pattern, piece: usize) -> Result<(), String> {
     Ok(())
 }
 
+/// Where a seam begins or ends there is a corner of the cloth or a notch; the middle of a piece on the fold
+/// is no corner.
+fn check_ends(pattern: &Pattern, side: &SeamSide) -> Result<(), String> {
+    let piece = &pattern.pieces[side.piece];
+    let whole = piece.edges[side.edge].length();
+    let count = piece.edges.len();
+    let is_fold = |edge: usize| piece.edges[edge].finish == Finish::Fold;
+    for along in side.between.map(|share| share * whole) {
+        let is_corner = if along < PINNED {
+            !is_fold((side.edge + count - 1) % count)
+        } else {
+            whole - PINNED < along && !is_fold((side.edge + 1) % count)
+        };
+        let notched = notches(piece, side.edge).into_iter();
+        let is_notched = notched
+            .into_iter()
+            .any(|one| (one.0 - along).abs() < PINNED);
+        if !is_corner && !is_notched {
+            return Err(format!(
+                "{} {} has no mark at {:.1} cm",
+                piece.id,
+                piece.edges[side.edge].id,
+                along * 100.0
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// No seam of a hand's length is unmarked between its ends, and no gathers are left to guessing.
+fn check_marked(pattern: &Pattern, seam: &Seam) -> Result<(), String> {
+    check_ends(pattern, &seam.flat)?;
+    check_ends(pattern, &seam.full)?;
+    let (marks, end) = pins(pattern, &seam.flat);
+    let (longest, apart) = match seam.kind {
+        SeamKind::Gathered => (0.12, 0.30),
+        SeamKind::Plain | SeamKind::Eased => (0.18, 0.45),
+    };
+    if marks.is_empty() && longest < end {
+        return Err(format!("{:.1} cm without a mark", end * 100.0));
+    }
+    let places: Vec<f64> = std::iter::once(0.0)
+        .chain(marks.iter().map(|mark| mark.0))
+        .chain([end])
+        .collect();
+    let widest = places
+        .windows(2)
+        .map(|two| two[1] - two[0])
+        .fold(0.0, f64::max);
+    if apart < widest {
+        return Err(format!("{:.1} cm from mark to mark", widest * 100.0));
+    }
+    Ok(())
+}
+
+/// Legs of darts that open at an edge are marked there, and no two other notches are taken for one.
+fn check_piece(piece: &Piece) -> Result<(), String> {
+    for (index, edge) in piece.edges.iter().enumerate() {
+        let found = notches(piece, index);
+        let legs = legs_on(piece, edge);
+        let is_near = |place: f64| move |other: &f64| (place - other).abs() < 2.0e-3;
+        for &leg in &legs {
+            if !found.iter().any(|one| is_near(leg)(&one.0)) {
+                return Err(format!(
+                    "{} {}: a dart without its notch",
+                    piece.id, edge.id
+                ));
+            }
+        }
+        let is_mouth = |one: &(f64, bool)| legs.iter().any(is_near(one.0));
+        let close = found
+            .windows(2)
+            .find(|two| two[1].0 - two[0].0 < NEAR && !two.iter().all(is_mouth));
+        if let Some(two) = close {
+            return Err(format!("{} {}: {two:?}", piece.id, edge.id));
+        }
+    }
+    Ok(())
+}
+
+/// Where legs of darts begin along an edge [m]: at corners of it.
+fn legs_on(piece: &Piece, edge: &Edge) -> Vec<f64> {
+    let legs = dart_ends(piece);
+    let mut passed = 0.0;
+    let mut found = Vec::new();
+    for segment in &edge.segments {
+        if legs
+            .iter()
+            .any(|leg| leg.distance(segment.start()) < 1.0e-3)
+        {
+            found.push(passed);
+        }
+        passed += segment.arclen(1.0e-6);
+    }
+    found
+}
+
+/// Notches of one edge are farther apart than this [m].
+const NEAR: f64 = 8.0e-3;
+
+fn point(edge: &Edge, along: f64) -> Point {
+    edge.place(along).map_or(Point::ZERO, |(at, _)| at)
+}
+
+/// Where the legs of straight darts begin.
+fn dart_ends(piece: &Piece) -> Vec<Point> {
+    let marks = piece.marks.iter();
+    marks
+        .filter_map(|mark| match mark {
+            Mark::Line {
+                kind: LineKind::Dart,
+                path,
+            } if path.elements().len() == 2 => path.elements()[0].end_point(),
+            _ => None,
+        })
+        .collect()
+}
+
 fn check(pattern: &Pattern) -> Result<(), String> {
+    pattern.pieces.iter().try_for_each(check_piece)?;
     for (index, seam) in pattern.seams.iter().enumerate() {
-        check_walk(pattern, seam).map_err(|fault| {
+        let checked = check_walk(pattern, seam).and_then(|()| check_marked(pattern, seam));
+        checked.map_err(|fault| {
             let [one, other] = [seam.flat, seam.full].map(|side| {
                 let piece = &pattern.pieces[side.piece];
                 format!(
@@ -193,7 +312,7 @@ fn variants(template: &'static Template) -> Vec<Options> {
 }
 
 #[test]
-fn every_choice_of_every_template_walks_from_notch_to_notch() {
+fn every_choice_of_every_template_is_marked_and_walks_from_notch_to_notch() {
     for (name, row) in &BODIES {
         for template in TEMPLATES {
             for options in variants(template) {
@@ -236,7 +355,7 @@ proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(400) })]
 
     #[test]
-    fn seams_walk_from_notch_to_notch_on_any_body(row in any_body()) {
+    fn seams_are_marked_and_walk_from_notch_to_notch_on_any_body(row in any_body()) {
         for template in TEMPLATES {
             if let Some(pattern) = drafted(template, &row, &Options::of(template)) {
                 let checked = check(&pattern);

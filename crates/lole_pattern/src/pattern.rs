@@ -1,10 +1,14 @@
 //! A pattern: the flat pieces of one garment, how they are joined, what else it takes, and the steps
 //! of its making.
 
+mod matching;
+
 use lole_geom::Length;
 use lole_language::{Sentence, Words};
 
 use crate::Piece;
+
+pub use matching::matched_parts;
 
 /// Everything that is needed to cut and sew one garment.
 #[derive(Debug, Clone, PartialEq)]

@@ -174,8 +174,8 @@ pub(crate) fn binding_step(neckline: f64, figure: StepFigure) -> Step {
     step(
         words("衿ぐりを始末する", "Bind the neckline"),
         say!(
-            "幅 {wide_cm} cm、長さ {long_cm} cm のバイアス布で衿ぐりをくるみます。中表に縫い、裏へ折ってまわりを縫います。",
-            "Bind the neckline with a bias strip of {wide_cm} by {long_cm} cm: sew it on right sides together, fold it to the inside over the allowance and stitch."
+            "幅 {wide_cm} cm、長さ {long_cm} cm のバイアス布で衿ぐりをくるみます。肩と前中心の合印を合わせて中表に縫い、裏へ折ってまわりを縫います。",
+            "Bind the neckline with a bias strip of {wide_cm} by {long_cm} cm: sew it on right sides together, its notches at the shoulders and the middle of the front, fold it to the inside over the allowance and stitch."
         ),
         minutes(&[(Work::Binding, neckline)]),
     )
@@ -230,8 +230,8 @@ pub(crate) fn closing_step(title: lole_language::Words, meters: f64, seams: Vec<
     step(
         title,
         say!(
-            "中表に合わせ、肩は {seam_cm} cm、脇は {side_cm} cm の縫い代で縫います。端を始末し、後ろへ倒します。",
-            "Right sides together, sew the shoulders with {seam_cm} cm and the sides with {side_cm} cm of allowance. Neaten the edges and press them to the back."
+            "合印どうしを合わせて中表に置き、肩は {seam_cm} cm、脇は {side_cm} cm の縫い代で縫います。端を始末し、後ろへ倒します。",
+            "Right sides together and notch on notch, sew the shoulders with {seam_cm} cm and the sides with {side_cm} cm of allowance. Neaten the edges and press them to the back."
         ),
         minutes(&[(Work::Seam, meters)]),
     )

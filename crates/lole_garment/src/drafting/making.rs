@@ -161,7 +161,7 @@ pub(crate) fn stitches(pieces: &[Piece], seams: &[Seam]) -> f64 {
     pieces.iter().map(stitched).sum::<f64>() + gathers.sum::<f64>()
 }
 
-/// A pattern, its thread counted from its own edges and seams.
+/// A pattern, its seams marked on both sides and its thread counted from its own edges and seams.
 pub(crate) fn pattern(
     pieces: Vec<Piece>,
     seams: Vec<Seam>,
@@ -177,12 +177,13 @@ pub(crate) fn pattern(
             Amount::Length(Length::from_m(thread)),
         ));
     }
-    Pattern {
+    let pattern = Pattern {
         pieces,
         seams,
         drawn_in: Vec::new(),
         notions,
         steps,
         warnings: Vec::new(),
-    }
+    };
+    pattern.with_matching_notches()
 }

@@ -375,8 +375,8 @@ pub(crate) fn zip_step(zip: f64, center: f64, (piece, edge): (usize, usize)) -> 
         )
     } else {
         say!(
-            "縫い代の端を先に始末します。後ろ中心に {zip_cm} cm のファスナーを衿ぐりから付け、その下の {below_cm} cm を縫い合わせます。",
-            "Neaten the allowances at the middle of the back first. Set the zip of {zip_cm} cm in from the neckline down and sew the {below_cm} cm below it closed."
+            "縫い代の端を先に始末します。後ろ中心に {zip_cm} cm のファスナーを衿ぐりから二本の合印まで付け、その下の {below_cm} cm を縫い合わせます。",
+            "Neaten the allowances at the middle of the back first. Set the zip of {zip_cm} cm in from the neckline down to the double notch and sew the {below_cm} cm below it closed."
         )
     };
     step(

@@ -407,7 +407,7 @@ impl Body {
 }
 
 fn finish(
-    pieces: Vec<Piece>,
+    mut pieces: Vec<Piece>,
     (front_side, yokes): (&SideLine, &[Yoked; 2]),
     (sleeve, body): (&Sleeve, &Body),
 ) -> Pattern {
@@ -454,14 +454,17 @@ fn finish(
 
     let yoke_back = pieces[BACK_YOKE].edges[of(BACK_YOKE, "center_back")].length();
     let zip = yoke_back + (yokes[1].level - body.hip_y - ZIP_OVER_HIPS).max(10.0 * CM);
+    let center = of(BACK, "center_back");
     let notions = fasteners(zip);
+    // Where the zip ends, on both halves.
+    pieces[BACK].marks.push(back_notch(center, zip - yoke_back));
     let hems = 2.0 * (pieces[FRONT].edges[0].length() + pieces[BACK].edges[0].length());
     let mut steps = vec![cutting_step(&pieces)];
     steps.extend(dart_step(FRONT, front_side, [0, 1]));
     steps.extend(waist_step(&pieces, body));
     steps.push(yoke_step(&pieces, of_yokes));
-    let center = yoke_back + pieces[BACK].edges[of(BACK, "center_back")].length();
-    steps.push(zip_step(zip, center, (BACK, of(BACK, "center_back"))));
+    let whole_back = yoke_back + pieces[BACK].edges[center].length();
+    steps.push(zip_step(zip, whole_back, (BACK, center)));
     let meters = 2.0 * (pieces[FRONT].edges[1].length() + pieces[FRONT_YOKE].edges[2].length());
     steps.push(closing_step(
         words("肩と脇を縫う", "Sew shoulders and sides"),
@@ -541,8 +544,8 @@ fn yoke_step(pieces: &[Piece], seams: Vec<usize>) -> Step {
     step(
         words("ヨークを付ける", "Sew on the yokes"),
         say!(
-            "身頃の上端に前ヨーク（{front_cm} cm）と後ろヨーク（合わせて {back_cm} cm）を中表に縫い、縫い代をヨークの方へ倒します。",
-            "Sew the front yoke ({front_cm} cm) and the back yokes ({back_cm} cm together) to the upper edges, right sides together, and press the allowances into the yokes."
+            "身頃の上端に前ヨーク（{front_cm} cm）と後ろヨーク（合わせて {back_cm} cm）を合印どうしを合わせて中表に縫い、縫い代をヨークの方へ倒します。",
+            "Sew the front yoke ({front_cm} cm) and the back yokes ({back_cm} cm together) to the upper edges, right sides together and notch on notch, and press the allowances into the yokes."
         ),
         minutes(&[(Work::Seam, meters)]),
     )

@@ -499,8 +499,8 @@ fn yoke_step(pieces: &[Piece], seams: Vec<usize>) -> Step {
     step(
         words("ギャザーを寄せてヨークに付ける", "Gather the skirts onto the yokes"),
         say!(
-            "前スカートの上端 {front_cm} cm を {front_to_cm} cm に、後ろの {back_cm} cm を {back_to_cm} cm に寄せ、それぞれのヨークに中表に縫います。縫い代はヨークの方へ倒します。",
-            "Gather the front's upper edge of {front_cm} cm to {front_to_cm} cm and the back's {back_cm} cm to {back_to_cm} cm and sew each to its yoke, right sides together. Press the allowances into the yokes."
+            "前スカートの上端 {front_cm} cm を {front_to_cm} cm に、後ろの {back_cm} cm を {back_to_cm} cm に寄せ、中心と 4 等分の合印を合わせて、それぞれのヨークに中表に縫います。縫い代はヨークの方へ倒します。",
+            "Gather the front's upper edge of {front_cm} cm to {front_to_cm} cm and the back's {back_cm} cm to {back_to_cm} cm, match the notches at the middle and the quarters, and sew each to its yoke, right sides together. Press the allowances into the yokes."
         ),
         minutes(&[(Work::Gathers, of(FRONT) + of(BACK))]),
     )
@@ -538,8 +538,8 @@ fn ruffle_step(pieces: &[Piece]) -> Step {
     step(
         words("フリルを付ける", "Sew on the ruffle"),
         say!(
-            "フリル 2 枚を輪に縫い、上端 {ring_cm} cm を {around_cm} cm に寄せて裾に中表に縫います。縫い代は上へ倒します。",
-            "Join the two strips to a ring, gather its {ring_cm} cm to {around_cm} cm and sew it to the lower edge, right sides together. Press the allowances up."
+            "フリル 2 枚を輪に縫い、上端 {ring_cm} cm を {around_cm} cm に寄せ、合印どうしを合わせて裾に中表に縫います。縫い目は前と後ろの中心に来ます。縫い代は上へ倒します。",
+            "Join the two strips to a ring, gather its {ring_cm} cm to {around_cm} cm, match the notches and sew it to the lower edge, right sides together; its seams come to the middles of front and back. Press the allowances up."
         ),
         minutes(&[(Work::Gathers, 2.0 * long), (Work::Seam, 0.5)]),
     )

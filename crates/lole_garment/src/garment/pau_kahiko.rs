@@ -117,7 +117,10 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
     let chosen = Chosen::new(OPTIONS, options)?;
     let row_count = chosen.count("cord_row_count");
     let Gathered { draft, worn, .. } = as_worn(fitting, options)?;
-    let mut piece = draft.pattern(TEMPLATE.name).pieces.swap_remove(0);
+    let mut piece = draft
+        .pattern_with(TEMPLATE.name, None)
+        .pieces
+        .swap_remove(0);
     for end in ENDS {
         piece.edges[end].finish = Finish::Hem;
     }

@@ -4,13 +4,14 @@
 //! Makers describe "a ruffle on top" and "a second, larger ruffle layer"; how deep and how full these are
 //! is an estimate and an option.
 
+use kurbo::Point;
 use lole_geom::Length;
 use lole_language::words;
 use lole_pattern::design::Sewn;
 use lole_pattern::design::pau_skirt::{
     ElasticRow, PauDraft, PauMeasurements, PauOptions, draft_pau_skirt,
 };
-use lole_pattern::pattern::{NotionKind, Seam, Step, StepFigure};
+use lole_pattern::pattern::{NotionKind, Seam, SeamKind, Step, StepFigure, matched_parts};
 use lole_pattern::piece::{CutCount, Finish, LineKind, Mark, Piece};
 use lole_pattern::{DraftError, GatherRatio, Pattern, Yardage};
 
@@ -19,7 +20,7 @@ use crate::drafting::chosen::{Chosen, by_measure, choice, count, number};
 use crate::drafting::making::{
     cm, edges_of, folds, gathered, hem_in_section, pattern, plain, say, side, step,
 };
-use crate::drafting::shape::{AROUND, CM, Label, across, beside, rectangle};
+use crate::drafting::shape::{AROUND, CM, Label, at, beside, marked, notch, rectangle};
 use crate::drafting::work::{Work, minutes};
 use crate::fitting::Fitting;
 use crate::sketch::{Sketch, Tone};
@@ -234,13 +235,8 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
         });
         joined.extend(ruffle.on_hem(1));
     } else {
-        let panel = &mut pieces[0];
         let y = (skirt.finished_length - under_band).to_m();
-        panel.marks.push(across(
-            LineKind::Placement,
-            y,
-            [0.0, skirt.flat_length.to_m()],
-        ));
+        pieces[0].marks.push(ruffle.placement(y));
     }
     pieces.push(ruffle.piece());
     let mut pattern = pattern(pieces, joined, notions.collect(), steps);
@@ -333,7 +329,45 @@ impl Ruffle {
         let top = &piece.edges[2];
         let gathers = beside(LineKind::Gather, top, GATHER_INSET, [0.0, self.strip]);
         piece.marks.push(gathers);
+        if self.top == Finish::Hem {
+            // No seam of two edges marks what is laid onto a line.
+            let parts = self.parts();
+            let part = self.strip / f64::from(parts);
+            let marks = (1..parts).map(|index| notch(2, f64::from(index) * part));
+            piece.marks.extend(marks);
+        }
         piece
+    }
+
+    /// Equal parts that a strip and what it is sewn to are marked at.
+    fn parts(&self) -> u32 {
+        matched_parts(self.kind(), self.flat / f64::from(self.count))
+    }
+
+    /// Whether there is anything to gather.
+    fn kind(&self) -> SeamKind {
+        if self.ring <= self.flat * (1.0 + 1.0e-9) {
+            SeamKind::Plain
+        } else {
+            SeamKind::Gathered
+        }
+    }
+
+    /// The line that a layer is laid onto, with a short stroke across it at every mark of the strips.
+    fn placement(&self, y: f64) -> Mark {
+        /// How far the strokes reach to both sides [m].
+        const STROKE: f64 = 0.7 * CM;
+        let parts = self.count * self.parts();
+        let strokes = (1..parts).flat_map(|index| {
+            let x = self.flat * f64::from(index) / f64::from(parts);
+            [0.0, STROKE, -STROKE, 0.0].map(|over| at(x, y + over))
+        });
+        let ends = [at(0.0, y), at(self.flat, y)];
+        let points: Vec<Point> = std::iter::once(ends[0])
+            .chain(strokes)
+            .chain([ends[1]])
+            .collect();
+        marked(LineKind::Placement, &points)
     }
 
     /// Strip to strip, and the last one to the first.
@@ -354,10 +388,9 @@ impl Ruffle {
                 let from = f64::from(copy) * share;
                 let flat = side(0, 0, 0).between(from, (from + share).min(1.0));
                 let full = side(piece, copy, 2).back();
-                if self.ring <= self.flat * (1.0 + 1.0e-9) {
-                    plain(flat, full)
-                } else {
-                    gathered(flat, full)
+                match self.kind() {
+                    SeamKind::Gathered => gathered(flat, full),
+                    SeamKind::Plain | SeamKind::Eased => plain(flat, full),
                 }
             })
             .collect()
@@ -369,15 +402,17 @@ impl Ruffle {
         let (height_cm, seam_cm) = (cm(self.depth + self.hem + SEAM), cm(SEAM));
         let count = self.count;
         let flounce = place == "hem";
+        let parts = count * self.parts();
+        let [each_cm, onto_cm] = [self.ring, self.flat].map(|way| cm(way / f64::from(parts)));
         let onto = if flounce {
             say!(
-                "フリルの上端とスカートの下端をそれぞれ 8 等分してしるしを付けます。フリルを {flat_cm} cm まで寄せ、しるしを合わせて中表に置き、縫い代 1 cm で縫います。縫い代の端をいっしょにジグザグミシンで始末し、上へ倒します。",
-                "Mark eighths on the ruffle's upper edge and on the skirt's lower edge. Gather the ruffle to {flat_cm} cm, match the marks, and sew the two right sides together with 1 cm of allowance. Neaten both allowances as one and press them up."
+                "フリルの上端に {each_cm} cm ごと、スカートの下端に {onto_cm} cm ごとに合印を付けます（全体を {parts} 等分）。フリルを {flat_cm} cm まで寄せ、合印を合わせて中表に置き、縫い代 1 cm で縫います。縫い代の端をいっしょにジグザグミシンで始末し、上へ倒します。",
+                "Notch the ruffle's upper edge every {each_cm} cm and the skirt's lower edge every {onto_cm} cm ({parts} equal parts of each). Gather the ruffle to {flat_cm} cm, match the notches, and sew the two right sides together with 1 cm of allowance. Neaten both allowances as one and press them up."
             )
         } else {
             say!(
-                "フリルの上端と付け位置の線をそれぞれ 8 等分してしるしを付けます。フリルの上端の縫い代を裏へ折り、{flat_cm} cm まで寄せ、しるしを合わせて付け位置に縫い付けます。",
-                "Mark eighths on the ruffle's upper edge and on the placement line. Fold the ruffle's upper allowance under, gather it to {flat_cm} cm, match the marks and stitch it onto the line."
+                "フリルの上端に {each_cm} cm ごとに合印を、付け位置の線に {onto_cm} cm ごとにしるしを付けます（全体を {parts} 等分）。フリルの上端の縫い代を裏へ折り、{flat_cm} cm まで寄せ、合印としるしを合わせて付け位置に縫い付けます。",
+                "Notch the ruffle's upper edge every {each_cm} cm and mark the placement line every {onto_cm} cm ({parts} equal parts of each). Fold the ruffle's upper allowance under, gather it to {flat_cm} cm, match the marks and stitch it onto the line."
             )
         };
         let figure = if flounce {

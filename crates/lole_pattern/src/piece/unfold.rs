@@ -4,6 +4,9 @@ use kurbo::{Affine, ParamCurve as _, PathSeg, Point};
 
 use super::{Edge, Finish, Mark, Piece};
 
+/// A notch nearer to a fold than this lies on it [m].
+const SAME: f64 = 1.0e-4;
+
 impl Piece {
     /// The whole piece: what is drawn to a fold, and its mirror image beyond it. Its edges run
     /// counterclockwise from the fold on, those of the mirror image last; those that lie on a fold
@@ -29,6 +32,14 @@ impl Piece {
             _ => Some(mark.clone()),
         });
         let far = self.marks.iter().filter_map(|mark| match mark {
+            // On the fold it is its own mirror image.
+            Mark::Notch { edge, along, .. }
+                if (*along < SAME && place(*edge)? == 0)
+                    || (self.edges[*edge].length() - SAME < *along
+                        && place(*edge)? + 1 == half.len()) =>
+            {
+                None
+            }
             Mark::Notch { edge, .. } => {
                 let twin = 2 * half.len() - 1 - place(*edge)?;
                 Some(mark.transformed(mirror, self).on_edge(twin))
