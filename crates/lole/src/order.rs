@@ -117,7 +117,12 @@ fn nobody(group: &Group, list: &Path) -> Failure {
             "the list has no dancers; write one a line below the heads",
         )
     });
-    Failure::usage(of_file(list, &sentence))
+    let sentence = of_file(list, &sentence);
+    // A list of dancers who are all too large for the cloth can be read.
+    if 0 < group.too_wide_count && group.too_wide_count == group.problems.len() {
+        return Failure::error(sentence);
+    }
+    Failure::usage(sentence)
 }
 
 /// Removes what an earlier order wrote and this one did not; tells of what cannot be removed.
@@ -264,7 +269,12 @@ fn own_plan(source: &Source) -> Result<DancerPlan, Failure> {
             .and_then(|tape| Dancer::with_appearance(&tape, &design.appearance()))
             .map_err(|error| located("dancer", Sentence::of(&error)))?,
     };
-    order::plan_dancer("", design, &dancer).map_err(|error| located("skirt", Sentence::of(&error)))
+    order::plan_dancer("", design, &dancer).map_err(|error| {
+        if error.is_too_wide() {
+            return Failure::error(Sentence::of(&error));
+        }
+        located("skirt", Sentence::of(&error))
+    })
 }
 
 /// Runs `lole cost`.

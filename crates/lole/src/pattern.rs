@@ -84,6 +84,10 @@ fn draft(source: &Source) -> Result<Vec<GarmentPattern>, Failure> {
     let (dancer, _) = lole_stage::dancer(&source.design)
         .map_err(|error| source.located(place_of(&error), Sentence::of(&error)))?;
     tailoring::patterns_of(&source.design, &dancer).map_err(|error| {
+        // Nothing is wrong with the document: there is no wider cloth on the table.
+        if error.is_too_wide() {
+            return Failure::error(Sentence::of(&error));
+        }
         let table = if error.place.is_some() {
             "garment"
         } else {

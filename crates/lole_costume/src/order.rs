@@ -77,7 +77,7 @@ impl PlannedGarment {
     /// Pieces that are cut as rectangles: along the selvage and across, as often as they are cut.
     #[must_use]
     pub fn rectangles(&self) -> Vec<(Words, [Length; 2], u32)> {
-        let pieces = self.tailored.pattern.pieces.iter();
+        let pieces = self.tailored.cutting().pieces.iter();
         pieces
             .filter_map(|piece| {
                 let [width, height] = piece.drawing(CURVE_TOLERANCE).rectangle?;
@@ -147,6 +147,14 @@ pub enum PlanError {
     Tailoring(#[from] TailoringError),
 }
 
+impl PlanError {
+    /// Whether a garment's cloth is too narrow for it.
+    #[must_use]
+    pub fn is_too_wide(&self) -> bool {
+        matches!(self, Self::Tailoring(error) if error.is_too_wide())
+    }
+}
+
 impl Bilingual for PlanError {
     fn japanese(&self) -> String {
         match self {
@@ -212,6 +220,8 @@ pub struct Group {
     pub problems: Vec<Sentence>,
     /// The line of each.
     problem_lines: Vec<u32>,
+    /// Dancers who are left out because the cloth is too narrow for their size.
+    pub too_wide_count: usize,
     /// What was not read, or read otherwise than it is written.
     pub notes: Vec<Sentence>,
 }
@@ -225,6 +235,7 @@ impl Group {
             designs: Vec::new(),
             problems: list.problems.iter().map(RowProblem::sentence).collect(),
             problem_lines: list.problems.iter().map(|problem| problem.line).collect(),
+            too_wide_count: 0,
             notes: list.notes.clone(),
         }
     }
@@ -242,6 +253,7 @@ impl Group {
                 self.designs.push(dancer.design(design));
             }
             Err(error) => {
+                self.too_wide_count += usize::from(error.is_too_wide());
                 let problem = RowProblem {
                     line: dancer.line,
                     column: None,

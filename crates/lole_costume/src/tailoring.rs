@@ -5,6 +5,7 @@ use lole_body::Dancer;
 use lole_garment::{Fitting, Template, measures};
 use lole_geom::Length;
 use lole_language::{Bilingual, Words, words};
+use lole_pattern::joining::fit_to_cloth;
 use lole_pattern::marker::{Border, Lay, Nap, TableCloth, lay_out};
 use lole_pattern::piece::ClothRole;
 use lole_pattern::{DraftError, Marker, Measures, Pattern};
@@ -30,6 +31,8 @@ pub struct GarmentPattern {
     pub name: Words,
     /// Its pieces, seams, notions and steps.
     pub pattern: Pattern,
+    /// Its pieces as they are cut, where some are wider than their cloth and are joined of parts.
+    pub parts: Option<Pattern>,
     /// What it is cut from.
     pub cloth: Cloth,
 }
@@ -76,6 +79,12 @@ pub const fn role_name(role: ClothRole) -> Words {
 }
 
 impl GarmentPattern {
+    /// Its pieces as they are laid on cloth and cut: parts of those that are wider than it.
+    #[must_use]
+    pub fn cutting(&self) -> &Pattern {
+        self.parts.as_ref().unwrap_or(&self.pattern)
+    }
+
     /// The cut plans of its cloths. Lining and other cloths beside the garment's own are taken to be as
     /// heavy as it is, and plain. `matched_repeat` makes the print meet at the seams.
     #[must_use]
@@ -89,17 +98,8 @@ impl GarmentPattern {
         let is_cut =
             |role: &ClothRole| self.pattern.pieces.iter().any(|piece| piece.cloth == *role);
         let plan = |role| {
-            let cloth = if role == ClothRole::Main {
-                self.cloth.on_table(lay, matched_repeat)
-            } else {
-                TableCloth {
-                    width: self.cloth.beside_width,
-                    nap: Nap::TwoWay,
-                    border: None,
-                    ..self.cloth.on_table(lay, None)
-                }
-            };
-            let marker = lay_out(&self.pattern, role, &cloth);
+            let cloth = self.cloth.in_role(role, lay, matched_repeat);
+            let marker = lay_out(self.cutting(), role, &cloth);
             ClothPlan {
                 role,
                 mass: self.cloth.mass(marker.yardage.needed, cloth.width),
@@ -120,6 +120,14 @@ pub struct TailoringError {
     pub place: Option<usize>,
     /// What is wrong.
     pub error: Box<DraftError>,
+}
+
+impl TailoringError {
+    /// Whether its cloth is too narrow for it: nothing is wrong with measures and options.
+    #[must_use]
+    pub fn is_too_wide(&self) -> bool {
+        matches!(*self.error, DraftError::WiderThanCloth { .. })
+    }
 }
 
 impl Bilingual for TailoringError {
@@ -157,14 +165,18 @@ pub fn drafts_of(
         let file_name = garment.template.file_name_in(layer);
         let id = numbered(&file_name, ids.iter().map(String::as_str));
         ids.push(id.clone());
-        let draft = match garment.pattern(&fitting) {
-            Ok(pattern) => Ok(GarmentPattern {
+        let cloth = Cloth::of(&garment.fabric, &garment.print);
+        let on_table = |role| cloth.in_role(role, Lay::Single, None);
+        let drafted = garment.pattern(&fitting);
+        let draft = match drafted.and_then(|pattern| fit_to_cloth(pattern, on_table)) {
+            Ok(fitted) => Ok(GarmentPattern {
                 template: garment.template,
                 place,
                 id,
                 name,
-                pattern,
-                cloth: Cloth::of(&garment.fabric, &garment.print),
+                pattern: fitted.pattern,
+                parts: fitted.parts,
+                cloth,
             }),
             Err(error) => Err(TailoringError {
                 garment: name,
@@ -253,6 +265,25 @@ impl Cloth {
             border: self.border,
             matched_repeat,
             lay,
+        }
+    }
+
+    /// The cloth of this role on the table; what lies beside the garment's own is plain.
+    #[must_use]
+    pub const fn in_role(
+        &self,
+        role: ClothRole,
+        lay: Lay,
+        matched_repeat: Option<Length>,
+    ) -> TableCloth {
+        if matches!(role, ClothRole::Main) {
+            return self.on_table(lay, matched_repeat);
+        }
+        TableCloth {
+            width: self.beside_width,
+            nap: Nap::TwoWay,
+            border: None,
+            ..self.on_table(lay, None)
         }
     }
 

@@ -429,7 +429,7 @@ fn rectangles(garment: &PlannedGarment, language: Language) -> Vec<String> {
     let rectangles = garment.rectangles().into_iter();
     let sentence = |(piece, [along, across], count): (Words, [Length; 2], u32)| {
         let (along, across) = (along.to_cm(), across.to_cm());
-        let mut pieces = garment.tailored.pattern.pieces.iter();
+        let mut pieces = garment.tailored.cutting().pieces.iter();
         let on_bias = pieces.any(|other| other.name == piece && other.is_on_bias());
         match language {
             Language::Japanese if on_bias => format!(

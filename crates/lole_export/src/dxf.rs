@@ -50,7 +50,7 @@ pub fn pattern_dxf(cut: &CutGarment, size: &str) -> Vec<u8> {
     dxf.pair(0, "SECTION").pair(2, "BLOCKS");
     let mut names: Vec<String> = Vec::new();
     let mut widths = Vec::new();
-    for piece in &cut.garment.pattern.pieces {
+    for piece in &cut.garment.cutting().pieces {
         let name = block_name(piece, &names);
         let drawing = piece.unfolded().drawing(TOLERANCE);
         widths.push(drawing.cut.bounds());

@@ -233,8 +233,8 @@ pub(crate) fn lengths_table(plans: &[DancerPlan], language: Language) -> PageTab
 /// "367.6 × 92.5" of every rectangle, after its name where there are several; other pieces have patterns.
 fn cut_words(garment: &PlannedGarment, language: Language) -> String {
     let rectangles = garment.rectangles();
-    let by_pattern = garment.tailored.pattern.pieces.len() - rectangles.len();
-    let is_alone = garment.tailored.pattern.pieces.len() == 1;
+    let by_pattern = garment.tailored.cutting().pieces.len() - rectangles.len();
+    let is_alone = garment.tailored.cutting().pieces.len() == 1;
     let sizes = rectangles.iter().map(|(name, [along, across], count)| {
         let name = if is_alone { "" } else { name.text(language) };
         let often = if *count == 1 {
@@ -438,14 +438,14 @@ fn label_lines(plan: &DancerPlan, language: Language) -> Vec<String> {
 fn label_cuts(garment: &PlannedGarment, language: Language) -> Vec<String> {
     let rectangles = garment.rectangles();
     let mut lines = Vec::new();
-    if rectangles.len() < garment.tailored.pattern.pieces.len() {
+    if rectangles.len() < garment.tailored.cutting().pieces.len() {
         lines.push(
             language
                 .pick("  型紙で裁つ", "  cut by the pattern")
                 .to_owned(),
         );
     }
-    let is_alone = garment.tailored.pattern.pieces.len() == 1;
+    let is_alone = garment.tailored.cutting().pieces.len() == 1;
     lines.extend(rectangles.iter().map(|(name, [along, across], count)| {
         let name = if is_alone {
             language.pick("裁つ", "cut")

@@ -31,6 +31,7 @@ fn cut(pattern: Pattern) -> CutGarment {
         id: "trial".to_owned(),
         name: words("試しの服", "trial pāʻū"),
         pattern,
+        parts: None,
         cloth: Cloth {
             name: words("木綿", "cotton"),
             width: Length::from_cm(110.0),

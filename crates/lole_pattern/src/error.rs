@@ -97,6 +97,21 @@ pub enum DraftError {
         /// What else can be done, beginning with a comma; may be empty.
         remedy: Words,
     },
+    /// A piece is wider than its cloth, and no seam that joins it would be hidden.
+    #[error(
+        "the {} is {across_cm:.1} cm across and cannot be joined unseen on cloth of {width_cm:.1} cm; use \
+         cloth at least {:.0} cm wide, or make it smaller",
+        piece.english,
+        across_cm.ceil()
+    )]
+    WiderThanCloth {
+        /// The piece.
+        piece: Words,
+        /// Its size across the cloth [cm].
+        across_cm: f64,
+        /// Width of the cloth [cm].
+        width_cm: f64,
+    },
 }
 
 /// A hem that leaves no length, or one above the place where the garment is worn [cm].
@@ -175,6 +190,16 @@ impl Bilingual for DraftError {
                 "{}が {cm:.1} cm です。ほかの寸法のもとでこの服を製図できるのは \
                  {least_cm:.1}～{most_cm:.1} cm です。測り直してください{}",
                 what.japanese, remedy.japanese
+            ),
+            Self::WiderThanCloth {
+                piece,
+                across_cm,
+                width_cm,
+            } => format!(
+                "「{}」は布幅の方向に {across_cm:.1} cm あり、幅 {width_cm:.1} cm の布では目立たない所で\
+                 はぎ合わせられません。幅 {:.0} cm 以上の布にするか、小さくしてください",
+                piece.japanese,
+                across_cm.ceil()
             ),
         }
     }

@@ -28,6 +28,7 @@
 
 pub mod design;
 pub mod error;
+pub mod joining;
 pub mod marker;
 pub mod measures;
 pub mod pattern;

@@ -23,6 +23,8 @@ use crate::piece::{ClothRole, LineKind, Mark};
 use crate::polygon::Polygon;
 use crate::{Pattern, Yardage};
 
+pub(crate) use item::{fits_cloth, size_on_cloth};
+
 /// Cloth as it lies on the table.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TableCloth {

@@ -145,6 +145,8 @@ pub enum LineKind {
     Placement,
     /// Slit to cut.
     Slit,
+    /// Where parts meet that a piece is joined of.
+    Join,
 }
 
 impl LineKind {
@@ -162,6 +164,7 @@ impl LineKind {
             Self::Dart => words("ダーツ", "dart"),
             Self::Placement => words("付け位置", "placement"),
             Self::Slit => words("切り込み", "slit"),
+            Self::Join => words("はぎ", "join"),
         }
     }
 }

@@ -159,7 +159,7 @@ fn garment_row(cut: &CutGarment) -> GarmentRow {
             mass_kg: micrometers(plan.mass),
             efficiency: micrometers(marker.efficiency),
             placed: (marker.placed.iter())
-                .map(|placed| placed_row(placed, &pattern.pieces[placed.piece]))
+                .map(|placed| placed_row(placed, &cut.garment.cutting().pieces[placed.piece]))
                 .collect(),
             warnings: marker.warnings.iter().map(Both::warning).collect(),
         }
@@ -183,7 +183,9 @@ fn garment_row(cut: &CutGarment) -> GarmentRow {
     GarmentRow {
         id: cut.garment.id.clone(),
         name: Both::words(cut.garment.name),
-        pieces: pattern.pieces.iter().map(piece_row).collect(),
+        pieces: (cut.garment.cutting().pieces.iter())
+            .map(piece_row)
+            .collect(),
         cloths: cloths.collect(),
         notions: notions.collect(),
         warnings: pattern.warnings.iter().map(Both::sentence).collect(),

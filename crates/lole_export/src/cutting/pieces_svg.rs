@@ -37,7 +37,7 @@ pub fn pieces_svg(cut: &CutGarment, language: Language) -> Vec<u8> {
     let mut groups = String::new();
     let (mut x, mut y, mut row_height) = (2.0 * GAP + SQUARE, GAP, SQUARE);
     let mut width = 0.0_f64;
-    for piece in &cut.garment.pattern.pieces {
+    for piece in &cut.garment.cutting().pieces {
         let whole = piece.unfolded();
         let drawing = whole.drawing(TOLERANCE);
         let bounds = drawing.cut.bounds();

@@ -234,7 +234,7 @@ pub(crate) fn draw_marker(
     let bottom = top + across * scale;
     let page = Affine::translate((left, bottom)) * Affine::scale_non_uniform(scale, -scale);
     let laid = Laid {
-        pieces: &cut.garment.pattern.pieces,
+        pieces: &cut.garment.cutting().pieces,
         marker,
         page,
         is_printed: draw_print(canvas.sheet, cut, plan, page),
@@ -262,7 +262,7 @@ pub(crate) fn numbers_words(
 ) -> Option<String> {
     let names: Vec<String> = (numbered.iter())
         .filter_map(|&index| {
-            let name = cut.garment.pattern.pieces.get(index)?.name.text(language);
+            let name = cut.garment.cutting().pieces.get(index)?.name.text(language);
             Some(format!("{} {name}", index + 1))
         })
         .collect();
@@ -501,7 +501,7 @@ impl Laid<'_> {
 /// Every piece of a cloth: how often it is cut, how large it is.
 fn pieces_table(cut: &CutGarment, plan: &ClothPlan, language: Language) -> PageTable {
     let pick = |japanese: &'static str, english: &'static str| language.pick(japanese, english);
-    let pieces = cut.garment.pattern.pieces.iter();
+    let pieces = cut.garment.cutting().pieces.iter();
     let rows = pieces
         .filter(|piece| piece.cloth == plan.role)
         .map(|piece| {

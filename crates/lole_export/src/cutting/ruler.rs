@@ -44,7 +44,7 @@ pub fn ruler_sheets(garments: &[CutGarment], paper: Paper, language: Language) -
         },
     );
     let pieces = garments.iter().flat_map(|cut| {
-        let pieces = cut.garment.pattern.pieces.iter();
+        let pieces = cut.garment.cutting().pieces.iter();
         pieces.filter_map(move |piece| Rectangle::of(cut, piece))
     });
     let mut is_empty = true;

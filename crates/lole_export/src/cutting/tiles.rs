@@ -82,7 +82,7 @@ pub fn tiled_sheets(cut: &CutGarment, paper: Paper, language: Language) -> Optio
 
 /// Pieces that no ruler draws.
 fn free_pieces(cut: &CutGarment) -> Vec<&Piece> {
-    let pieces = cut.garment.pattern.pieces.iter();
+    let pieces = cut.garment.cutting().pieces.iter();
     pieces
         .filter(|piece| piece.drawing(TOLERANCE).rectangle.is_none())
         .collect()

@@ -100,6 +100,23 @@ pub(super) fn cut_list(
     list
 }
 
+/// Whether a piece lies within both selvages of single cloth.
+pub(crate) fn fits_cloth(piece: &Piece, cloth: &TableCloth) -> bool {
+    let whole = piece.unfolded();
+    let ways = single_ways(&whole, cloth, Affine::IDENTITY, &mut Vec::new());
+    let reach = |way: &Way| way.outline.bounds().y1;
+    ways.iter()
+        .all(|way| reach(way) <= cloth.width.to_m() + FITS)
+}
+
+/// Size of a piece along the warp and across it, allowances included [m].
+pub(crate) fn size_on_cloth(piece: &Piece) -> [f64; 2] {
+    let whole = piece.unfolded();
+    let ways = ways(&whole, Nap::OneWay, Affine::IDENTITY);
+    let bounds = ways[0].outline.bounds();
+    [bounds.x1, bounds.y1]
+}
+
 const fn is_pair(piece: &Piece) -> bool {
     matches!(piece.cut, CutCount::Pairs(_))
 }

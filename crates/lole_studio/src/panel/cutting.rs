@@ -306,12 +306,12 @@ impl<'a> Drawing<'a> {
             painter.add(Shape::closed_line(outline, stroke));
             if DETAILED <= scale {
                 let page = |point: Point| at(point.x, point.y);
-                inner_lines(painter, &self.cut.tailored.pattern, placed, page);
+                inner_lines(painter, self.cut.tailored.cutting(), placed, page);
             }
             let bounds = placed.outline.bounds();
             let middle = at(0.5 * (bounds.x0 + bounds.x1), 0.5 * (bounds.y0 + bounds.y1));
             let room = narrow(bounds.x1 - bounds.x0) * scale;
-            let piece = &self.cut.tailored.pattern.pieces[placed.piece];
+            let piece = &self.cut.tailored.cutting().pieces[placed.piece];
             name_piece(painter, middle, room, studio.say(piece.name));
         }
         self.measures(painter, cloth, studio);

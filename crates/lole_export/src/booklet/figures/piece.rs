@@ -77,7 +77,7 @@ impl WorkedPiece<'_> {
         let sheet = &mut *canvas.sheet;
         let right = (page * Point::new(bounds.x1, 0.0)).x;
         let mut free = f64::NEG_INFINITY;
-        let mut darts_named = false;
+        let mut named: Vec<LineKind> = Vec::new();
         for (kind, path) in self.lines_from_top() {
             let stroke = Stroke::solid(0.45).with_color(SEWN);
             sheet.path(page * path.clone(), None, Some(stroke));
@@ -85,11 +85,14 @@ impl WorkedPiece<'_> {
             let at = page * on_piece;
             let below = 100.0 * (bounds.y1 - on_piece.y);
             let name = short_name(kind, canvas.language);
+            let box_of = path.bounding_box();
+            let is_upright = kind == LineKind::Join && box_of.width() < box_of.height();
             let text = match kind {
-                // Both legs of a dart have one name; where it lies is in the pattern.
-                LineKind::Dart if darts_named => continue,
-                LineKind::Dart => {
-                    darts_named = true;
+                // Both legs of a dart have one name, and so have upright joins; where they lie is in the
+                // pattern.
+                _ if (kind == LineKind::Dart || is_upright) && named.contains(&kind) => continue,
+                _ if kind == LineKind::Dart || is_upright => {
+                    named.push(kind);
                     name.to_owned()
                 }
                 LineKind::Slit => format!("{:.1} cm  {name}", 100.0 * long_side(path)),
@@ -228,6 +231,7 @@ const fn short_name(kind: LineKind, language: Language) -> &'static str {
         LineKind::Dart => ("ダーツ", "dart"),
         LineKind::Placement => ("付け位置", "placement"),
         LineKind::Slit => ("切り込み", "slit"),
+        LineKind::Join => ("はぎ", "join"),
     };
     language.pick(japanese, english)
 }
