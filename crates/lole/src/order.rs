@@ -239,9 +239,18 @@ fn prints_lines(prints: &[PrintTotal], count: usize) -> Vec<Sentence> {
         .map(|print| {
             let (cloth, width) = (print.cloth, print.width.to_cm());
             let (metric, yards) = (print.bought.metric.to_m(), print.bought.imperial.to_yd());
+            let saved = print.saved().to_m();
+            let [japanese, english] = if 0.0 < saved {
+                [
+                    format!("。いっしょに裁って {saved:.1} m 節約"),
+                    format!("; {saved:.1} m saved by cutting together"),
+                ]
+            } else {
+                [String::new(), String::new()]
+            };
             Sentence::new(
-                format!("{count} 人分: {}、幅 {width:.0} cm、{metric:.1} m（{yards:.1} ヤード、予備を含む）", cloth.japanese),
-                format!("for {count}: {} of {width:.0} cm, {metric:.1} m ({yards:.1} yd), spare included", cloth.english),
+                format!("{count} 人分: {}、幅 {width:.0} cm、{metric:.1} m（{yards:.1} ヤード、予備を含む）{japanese}", cloth.japanese),
+                format!("for {count}: {} of {width:.0} cm, {metric:.1} m ({yards:.1} yd), spare included{english}", cloth.english),
             )
         })
         .collect()

@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 
 use lole_body::{Dancer, Measurements};
 use lole_costume::document::{Design, GarmentDesign};
-use lole_costume::order::{DancerPlan, PlanError, plan_dancer};
+use lole_costume::order::{DancerPlan, PlanError, PrintTotal, Settings, plan_dancer, prints};
 use lole_garment::TEMPLATES;
 use lole_geom::Length;
 use lole_language::Bilingual as _;
@@ -46,6 +46,42 @@ fn plan(template: &str, width_cm: f64, who: usize) -> Result<DancerPlan, PlanErr
         built.unwrap_or_else(|error| panic!("{error}"))
     });
     plan_dancer("花子", &design(template, width_cm, who), &dancers[who])
+}
+
+/// Thirty dancers of six sizes on cloth of 110 cm, and what they buy of its one cloth.
+fn thirty(template: &str) -> (Vec<DancerPlan>, PrintTotal) {
+    let plans = (0..SIZES.len()).map(|who| plan(template, 110.0, who));
+    let plans: Vec<DancerPlan> = plans
+        .collect::<Result<_, _>>()
+        .unwrap_or_else(|error| panic!("{error}"));
+    let plans: Vec<DancerPlan> = plans.iter().cycle().take(30).cloned().collect();
+    let totals = prints(&plans, &design(template, 110.0, 0), &Settings::default());
+    assert_eq!(totals.len(), 1, "{template}");
+    (plans, totals[0].clone())
+}
+
+/// Everybody's pieces are in the strips once, beside each other and within the selvages.
+fn check_strips(plans: &[DancerPlan], total: &PrintTotal) {
+    let mut shares = vec![0; plans.len()];
+    let mut sum = Length::ZERO;
+    for strip in &total.strips {
+        let mut top = 0.0;
+        for share in &strip.shares {
+            let [from, to] = share.across.map(Length::to_m);
+            assert!(top < from + 1e-9 && from < to && share.along <= strip.length);
+            top = to;
+            shares[share.dancer] += 1;
+        }
+        assert!(top < total.width.to_m() + 1e-6);
+        sum = sum + strip.length;
+    }
+    assert!((sum - total.needed).to_cm().abs() < 1e-6);
+    assert!(total.needed.to_m() < total.apart.to_m() + 1e-6);
+    assert!(total.needed <= total.bought.metric && total.needed <= total.bought.imperial);
+    for (plan, count) in plans.iter().zip(shares) {
+        let placed = plan.garments[0].plans[0].marker.placed.len();
+        assert!(count == placed || count == 1, "{count} of {placed}");
+    }
 }
 
 /// Every piece lies within the selvages and within what is bought.
@@ -126,4 +162,66 @@ fn a_wrap_on_narrow_cloth_is_not_planned() {
         "{}",
         error.japanese()
     );
+}
+
+/// By hand: as many side by side as the widest allows, so a group needs no more lengths than that, each no
+/// longer than the longest.
+#[test]
+fn a_group_cuts_narrow_things_side_by_side() {
+    for template in ["malo", "pau-top", "raffia-skirt", "cellophane-skirt"] {
+        let (plans, total) = thirty(template);
+        check_strips(&plans, &total);
+        let sizes = plans
+            .iter()
+            .flat_map(|plan| &plan.garments[0].plans[0].marker.placed);
+        let sizes = sizes.map(|placed| placed.outline.bounds());
+        let [longest, widest] = sizes.fold([0.0_f64; 2], |[long, wide], bounds| {
+            [long.max(bounds.width()), wide.max(bounds.height())]
+        });
+        let side_by_side = ((1.10 + 1e-6) / widest).floor();
+        let most = (30.0 / side_by_side).ceil() * longest;
+        assert!(
+            total.needed.to_m() <= most + 1e-6,
+            "{template}: {:?} of {most} m",
+            total.needed
+        );
+        let [needed, apart] = [total.needed, total.apart].map(Length::to_m);
+        assert!(
+            side_by_side < 2.0 || 1.5 * needed < apart,
+            "{template}: {needed} of {apart} m"
+        );
+    }
+}
+
+/// What is as wide as the cloth gains nothing and loses nothing.
+#[test]
+fn a_group_never_needs_more_than_its_dancers_apart() {
+    for template in ["pau-skirt", "pau-ruffle", "blouse"] {
+        let (plans, total) = thirty(template);
+        check_strips(&plans, &total);
+    }
+}
+
+/// Thousands are laid in a moment, and the same again.
+#[test]
+fn a_thousand_dancers_are_laid_alike_each_time() {
+    let (plans, _) = thirty("malo");
+    let many: Vec<DancerPlan> = plans.iter().cycle().take(1000).cloned().collect();
+    let design = design("malo", 110.0, 0);
+    let settings = Settings {
+        bolt_length: Some(Length::from_m(50.0)),
+        ..Settings::default()
+    };
+    let total = prints(&many, &design, &settings);
+    check_strips(&many, &total[0]);
+    assert_eq!(total, prints(&many, &design, &settings));
+    let strips: usize = total[0].bolts.iter().map(Vec::len).sum();
+    assert_eq!(strips, total[0].strips.len());
+    for bolt in &total[0].bolts {
+        let cut: f64 = bolt
+            .iter()
+            .map(|&strip| total[0].strips[strip].length.to_m())
+            .sum();
+        assert!(cut < 50.0 + 1e-6);
+    }
 }

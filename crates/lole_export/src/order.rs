@@ -2,6 +2,7 @@
 //! cut cloth.
 
 mod folder;
+mod strips;
 
 use lole_body::Measure;
 use lole_costume::cost::Bill;
@@ -297,7 +298,7 @@ fn shopping(flow: &mut Flow, order: &Order<'_>, language: Language) {
             ),
         };
         flow.item("□", 7.0, &text, &TextStyle::body());
-        bolts(flow, order, print, language);
+        strips::write(flow, order, print, language);
         flow.space(2.0);
     }
     for notion in order.notions {
@@ -344,38 +345,6 @@ fn together_words(order: &Order<'_>, language: Language) -> String {
             "These are the amounts of the shopping list, bought together and with what is spare."
                 .to_owned()
         }
-    }
-}
-
-/// Who is cut from which bolt, where its length is known.
-fn bolts(flow: &mut Flow, order: &Order<'_>, print: &PrintTotal, language: Language) {
-    let names = |dancers: &[usize]| {
-        let plans = dancers.iter().map(|&dancer| order.plans.get(dancer));
-        let names = plans.map(|plan| plan.map_or("", |plan| plan.name.as_str()));
-        let names: Vec<&str> = names.collect();
-        names.join(language.pick("、", ", "))
-    };
-    for (number, bolt) in (1..).zip(&print.bolts) {
-        let dancers: Vec<usize> = bolt.iter().map(|&(dancer, _)| dancer).collect();
-        let cut: f64 = bolt.iter().map(|(_, length)| length.to_m()).sum();
-        let names = names(&dancers);
-        let text = match language {
-            Language::Japanese => format!("{number} 反目から {cut:.2} m: {names}"),
-            Language::English => format!("bolt {number}, {cut:.2} m: {names}"),
-        };
-        flow.indented(12.0, &text, &TextStyle::regular(11.0));
-    }
-    if !print.longer_than_bolt.is_empty() {
-        let names = names(&print.longer_than_bolt);
-        let text = match language {
-            Language::Japanese => format!(
-                "! 一反では足りない人: {names}。はぎ合わせるか、長い反物をさがしてください。"
-            ),
-            Language::English => format!(
-                "! One bolt is too short for {names}: join two lengths, or find a longer bolt."
-            ),
-        };
-        flow.indented(12.0, &text, &TextStyle::bold(12.0));
     }
 }
 
@@ -528,7 +497,11 @@ struct PrintRow {
     needed_m: f64,
     bought_m: f64,
     bought_yd: f64,
+    /// The same where everybody's are cut by themselves.
+    apart_m: f64,
+    saved_m: f64,
     bolts: Vec<Vec<String>>,
+    strips: Vec<strips::StripRow>,
 }
 
 #[derive(Serialize)]
@@ -612,13 +585,15 @@ pub fn order_json(
                 needed_m: rounded(print.needed.to_m()),
                 bought_m: rounded(print.bought.metric.to_m()),
                 bought_yd: rounded(print.bought.imperial.to_yd()),
+                apart_m: rounded(print.apart.to_m()),
+                saved_m: rounded(print.saved().to_m()),
                 bolts: (print.bolts.iter())
                     .map(|bolt| {
-                        bolt.iter()
-                            .filter_map(|&(dancer, _)| name(dancer))
-                            .collect()
+                        let dancers = strips::dancers(print, bolt).into_iter();
+                        dancers.filter_map(name).collect()
                     })
                     .collect(),
+                strips: strips::rows(print, &name),
             })
             .collect(),
         cost: cost_row(order.total),

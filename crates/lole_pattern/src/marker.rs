@@ -14,6 +14,7 @@ mod nest;
 mod raster;
 mod rectangles;
 mod slide;
+pub mod strips;
 
 use kurbo::Affine;
 use lole_geom::Length;

@@ -7,7 +7,8 @@ use lole_pattern::pattern::{Amount, NotionKind};
 use lole_pattern::piece::ClothRole;
 use lole_print::PrintMotif;
 
-use super::{DancerPlan, PlannedGarment, Settings};
+use super::together::{Cut, SharedStrip, bolts, together};
+use super::{DancerPlan, Settings};
 use crate::cost::ClothPrice;
 use crate::document::{Design, FabricDesign, PrintChoice};
 use crate::tailoring::{SKIRT, role_name};
@@ -27,15 +28,32 @@ pub struct PrintTotal {
     pub price: ClothPrice,
     /// Width of the cloth.
     pub width: Length,
-    /// What the pieces need, each dancer's rounded up by herself.
+    /// What the pieces of all dancers need, laid together.
     pub needed: Length,
+    /// What they need where everybody's are laid by themselves.
+    pub apart: Length,
     /// To ask for, with what is spare.
     pub bought: Yardage,
-    /// Where the bolt's length is known: what is cut from each bolt, as places among the dancers with
-    /// lengths, longest first.
-    pub bolts: Vec<Vec<(usize, Length)>>,
+    /// What is cut off the cloth, and what of it is whose.
+    pub strips: Vec<SharedStrip>,
+    /// Where the bolt's length is known: what is cut from each bolt, as places among the strips, longest
+    /// first.
+    pub bolts: Vec<Vec<usize>>,
     /// Dancers whose piece is longer than a bolt.
     pub longer_than_bolt: Vec<usize>,
+}
+
+impl PrintTotal {
+    /// What is saved by cutting together; zero where it is nothing that a shop would sell.
+    #[must_use]
+    pub fn saved(&self) -> Length {
+        let saved = self.apart - self.needed;
+        if saved < Length::from_cm(1.0) {
+            Length::ZERO
+        } else {
+            saved
+        }
+    }
 }
 
 /// What a group buys of each print.
@@ -45,7 +63,8 @@ pub fn prints(plans: &[DancerPlan], design: &Design, settings: &Settings) -> Vec
     let cut = (0_usize..).zip(plans);
     let cut = cut.flat_map(|(dancer, plan)| plan.garments.iter().map(move |it| (dancer, it)));
     // Leaves and flowers need no cloth.
-    for one in cut.filter(|(_, garment)| garment.own_plan().is_some()) {
+    let cut = cut.filter_map(|(dancer, garment)| Some((dancer, garment, garment.own_plan()?)));
+    for one in cut {
         let cloth = design.cloth_of(one.1.tailored.place);
         match kinds.iter_mut().find(|kind| kind.cloth == cloth) {
             Some(kind) => kind.cut.push(one),
@@ -63,128 +82,104 @@ pub fn prints(plans: &[DancerPlan], design: &Design, settings: &Settings) -> Vec
 /// What is cut from one print, by its dancer's place in the list.
 struct Kind<'a> {
     cloth: (&'a FabricDesign, &'a PrintChoice),
-    cut: Vec<(usize, &'a PlannedGarment)>,
+    cut: Vec<Cut<'a>>,
 }
 
 impl Kind<'_> {
     fn total(&self, settings: &Settings) -> PrintTotal {
         let (fabric, print) = self.cloth;
-        let cuts = self.cut.iter();
-        let cuts: Vec<_> = cuts
-            .map(|(dancer, garment)| (*dancer, garment.bought().needed))
-            .collect();
-        let mut garments = Vec::new();
-        for (_, garment) in &self.cut {
-            if !garments.contains(&garment.tailored.name) {
-                garments.push(garment.tailored.name);
-            }
-        }
-        let needed = cuts
-            .iter()
-            .fold(Length::ZERO, |sum, &(_, length)| sum + length);
-        let (bolts, longer_than_bolt) = match settings.bolt_length {
-            Some(length) => bolts(&cuts, length),
-            None => (Vec::new(), Vec::new()),
+        let cloth = Words {
+            japanese: fabric.preset.name_ja,
+            english: fabric.preset.name,
         };
         PrintTotal {
-            garments,
-            cloth: Words {
-                japanese: fabric.preset.name_ja,
-                english: fabric.preset.name,
-            },
+            cloth,
             print: print.clone(),
-            role: ClothRole::Main,
-            price: ClothPrice::of(fabric, ClothRole::Main, self.priced_by()),
-            width: Length::from_cm(fabric.width_cm),
-            needed,
-            bought: Yardage::for_length(needed * (1.0 + settings.spare_ratio)),
-            bolts,
-            longer_than_bolt,
+            ..total(
+                &self.cut,
+                (
+                    ClothRole::Main,
+                    ClothPrice::of(fabric, ClothRole::Main, self.priced_by()),
+                    Length::from_cm(fabric.width_cm),
+                ),
+                settings,
+            )
         }
     }
 
     /// Identifier of the garment whose table is asked for the price of the cloth: the skirt's own where it is
     /// among those of it, else the first.
     fn priced_by(&self) -> &str {
-        let mut ids = self
-            .cut
-            .iter()
-            .map(|(_, garment)| garment.tailored.id.as_str());
+        let mut ids = self.cut.iter().map(|cut| cut.1.tailored.id.as_str());
         let first = ids.clone().next();
         ids.find(|id| *id == SKIRT).or(first).unwrap_or_default()
     }
 }
 
-/// Lining, contrast cloth and interfacing of a group, each of one width together.
-fn beside(plans: &[DancerPlan], design: &Design, settings: &Settings) -> Vec<PrintTotal> {
-    let mut totals: Vec<PrintTotal> = Vec::new();
-    for garment in plans.iter().flat_map(|plan| &plan.garments) {
-        let (fabric, _) = design.cloth_of(garment.tailored.place);
-        let name = garment.tailored.name;
-        let beside = garment.plans.iter();
-        for plan in beside.filter(|plan| plan.role != ClothRole::Main) {
-            let (width, needed) = (plan.marker.cloth.width, plan.marker.yardage.needed);
-            let price = ClothPrice::of(fabric, plan.role, &garment.tailored.id);
-            let is_same = |total: &&mut PrintTotal| {
-                (total.role, total.width, total.price) == (plan.role, width, price)
-            };
-            if let Some(total) = totals.iter_mut().find(is_same) {
-                total.needed = total.needed + needed;
-                if !total.garments.contains(&name) {
-                    total.garments.push(name);
-                }
-                continue;
-            }
-            let total = PrintTotal {
-                garments: vec![name],
-                cloth: role_name(plan.role),
-                print: PrintChoice {
-                    motif: PrintMotif::Plain,
-                    ..PrintChoice::default()
-                },
-                role: plan.role,
-                price,
-                width,
-                needed,
-                bought: plan.marker.yardage,
-                bolts: Vec::new(),
-                longer_than_bolt: Vec::new(),
-            };
-            totals.push(total);
+/// What is bought of plain cloth of a role, price and width for all that is cut from it.
+fn total(
+    cuts: &[Cut<'_>],
+    (role, price, width): (ClothRole, ClothPrice, Length),
+    settings: &Settings,
+) -> PrintTotal {
+    let mut garments = Vec::new();
+    for (_, garment, _) in cuts {
+        if !garments.contains(&garment.tailored.name) {
+            garments.push(garment.tailored.name);
         }
     }
-    let with_spare = |total: PrintTotal| PrintTotal {
-        bought: Yardage::for_length(total.needed * (1.0 + settings.spare_ratio)),
-        ..total
+    let laid = together(cuts, width);
+    let (bolts, too_long) = match settings.bolt_length {
+        Some(length) => bolts(&laid.strips, length),
+        None => (Vec::new(), Vec::new()),
     };
-    totals.into_iter().map(with_spare).collect()
+    let mut longer_than_bolt: Vec<usize> = (too_long.iter())
+        .flat_map(|&strip| &laid.strips[strip].shares)
+        .map(|share| share.dancer)
+        .collect();
+    longer_than_bolt.sort_unstable();
+    longer_than_bolt.dedup();
+    PrintTotal {
+        garments,
+        cloth: role_name(role),
+        print: PrintChoice {
+            motif: PrintMotif::Plain,
+            ..PrintChoice::default()
+        },
+        role,
+        price,
+        width,
+        needed: laid.needed,
+        apart: laid.apart,
+        bought: Yardage::for_length(laid.needed * (1.0 + settings.spare_ratio)),
+        strips: laid.strips,
+        bolts,
+        longer_than_bolt,
+    }
 }
 
-/// What is cut from each bolt, so that no piece spans the end of one: the longest piece first, each
-/// from the first bolt that still holds it (first fit, decreasing: at most 11/9 of the fewest bolts,
-/// Johnson 1973).
-fn bolts(cuts: &[(usize, Length)], bolt: Length) -> (Vec<Vec<(usize, Length)>>, Vec<usize>) {
-    let mut sorted = cuts.to_vec();
-    // Equal lengths stay in the order of the list.
-    sorted.sort_by(|(_, one), (_, other)| other.to_m().total_cmp(&one.to_m()));
-    let mut bolts: Vec<(Length, Vec<(usize, Length)>)> = Vec::new();
-    let mut too_long = Vec::new();
-    for (dancer, length) in sorted {
-        if bolt < length {
-            too_long.push(dancer);
-            continue;
-        }
-        let room = bolts.iter_mut().find(|(left, _)| length <= *left);
-        match room {
-            Some((left, cut)) => {
-                *left = *left - length;
-                cut.push((dancer, length));
+/// Lining, contrast cloth and interfacing of a group, each of one width together.
+fn beside(plans: &[DancerPlan], design: &Design, settings: &Settings) -> Vec<PrintTotal> {
+    let mut kinds: Vec<((ClothRole, ClothPrice, Length), Vec<Cut<'_>>)> = Vec::new();
+    for (dancer, plan) in plans.iter().enumerate() {
+        for garment in &plan.garments {
+            let (fabric, _) = design.cloth_of(garment.tailored.place);
+            let beside = garment.plans.iter();
+            for plan in beside.filter(|plan| plan.role != ClothRole::Main) {
+                let price = ClothPrice::of(fabric, plan.role, &garment.tailored.id);
+                let kind = (plan.role, price, plan.marker.cloth.width);
+                let cut = (dancer, garment, plan);
+                match kinds.iter_mut().find(|(other, _)| *other == kind) {
+                    Some((_, cuts)) => cuts.push(cut),
+                    None => kinds.push((kind, vec![cut])),
+                }
             }
-            None => bolts.push((bolt - length, vec![(dancer, length)])),
         }
     }
-    let bolts = bolts.into_iter().map(|(_, cut)| cut).collect();
-    (bolts, too_long)
+    let totals = kinds
+        .iter()
+        .map(|(kind, cuts)| total(cuts, *kind, settings));
+    totals.collect()
 }
 
 /// A group's notions of one kind.
@@ -253,30 +248,4 @@ pub fn notions(plans: &[DancerPlan]) -> Vec<NotionTotal> {
         (place(one).cmp(&place(other))).then(long(one).total_cmp(&long(other)))
     });
     totals
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn no_piece_spans_two_bolts() {
-        let cuts: Vec<(usize, Length)> = [3.7, 3.9, 2.5, 4.1, 1.2, 3.3, 25.0]
-            .into_iter()
-            .enumerate()
-            .map(|(index, meters)| (index, Length::from_m(meters)))
-            .collect();
-        let (bolts, too_long) = bolts(&cuts, Length::from_m(8.0));
-        assert_eq!(too_long, [6]);
-        let mut seen: Vec<usize> = Vec::new();
-        for bolt in &bolts {
-            let length: f64 = bolt.iter().map(|(_, length)| length.to_m()).sum();
-            assert!(length <= 8.0 + 1e-9, "{length}");
-            seen.extend(bolt.iter().map(|&(dancer, _)| dancer));
-        }
-        seen.sort_unstable();
-        assert_eq!(seen, [0, 1, 2, 3, 4, 5]);
-        // 18.7 m need at least three bolts of 8 m.
-        assert_eq!(bolts.len(), 3);
-    }
 }
