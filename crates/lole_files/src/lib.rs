@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use lole_costume::document::{self, Design, LinkedFile};
-use lole_language::{Bilingual as _, Sentence};
+use lole_language::{Bilingual as _, Sentence, Words, words};
 use lole_print::Picture;
 
 /// A design larger than this [byte] is some other file; it is not even read.
@@ -104,9 +104,53 @@ pub fn no_ordinary_file(path: &Path) -> Sentence {
 pub fn read_design(path: &Path) -> Result<Design, Sentence> {
     let bytes = read_document(path)?;
     let name = path.display().to_string();
+    if let Some(kind) = kind_of(&bytes) {
+        return Err(Sentence::new(
+            format!(
+                "{name}: これは{}で、デザインではありません。.lole のファイルを選んでください",
+                kind.japanese
+            ),
+            format!(
+                "{name}: this is {} and no design; choose a .lole file",
+                kind.english
+            ),
+        ));
+    }
     let mut design = document::parse_bytes(&bytes, &name).map_err(|error| Sentence::of(&error))?;
     read_linked_files(&mut design, path)?;
     Ok(design)
+}
+
+/// What bytes are that are sometimes taken for a design, by how they begin.
+fn kind_of(bytes: &[u8]) -> Option<Words> {
+    let kinds: [(&[u8], Words); 7] = [
+        (b"\xff\xd8\xff", words("写真（JPEG）", "a photo (JPEG)")),
+        (b"\x89PNG", words("絵（PNG）", "a picture (PNG)")),
+        (b"GIF8", words("絵（GIF）", "a picture (GIF)")),
+        (
+            b"RIFF",
+            words("絵か音（WebP・WAV）", "a picture or sound (WebP, WAV)"),
+        ),
+        (
+            b"%PDF",
+            words("印刷用のページ（PDF）", "pages to print (PDF)"),
+        ),
+        (
+            b"PK\x03\x04",
+            words(
+                "表計算か圧縮ファイル（ZIP）",
+                "a spreadsheet or an archive (ZIP)",
+            ),
+        ),
+        (
+            b"glTF",
+            words("3D ファイル（GLB・VRM）", "a 3D file (GLB, VRM)"),
+        ),
+    ];
+    let found = kinds
+        .into_iter()
+        .find(|(start, _)| bytes.starts_with(start));
+    found.map(|(_, kind)| kind)
 }
 
 /// Reads the avatar, the recording and the pictures of prints that a design names, if it names any;
@@ -426,6 +470,17 @@ mod tests {
         let sentence = read_design(&path).unwrap_err();
         assert!(sentence.english.contains("bad.lole:3"), "{sentence}");
         assert!(read_design(&folder.join("none.lole")).is_err());
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn a_photo_that_is_opened_as_a_design_is_called_a_photo() {
+        let folder = folder("photo");
+        let path = folder.join("IMG_1.lole");
+        fs::write(&path, b"\xff\xd8\xff\xe0\0\x10JFIF").unwrap();
+        let sentence = read_design(&path).unwrap_err();
+        assert!(sentence.japanese.contains("写真（JPEG）"), "{sentence}");
+        assert!(!sentence.english.contains("UTF-8"), "{sentence}");
         fs::remove_dir_all(folder).unwrap();
     }
 
