@@ -1,16 +1,15 @@
 //! `lole pattern`: cut plans and patterns of everything that a design has.
 
 use std::sync::Arc;
+use std::sync::atomic::Ordering;
 
 use lole_costume::document::Place;
 use lole_costume::tailoring::{self, ClothPlan, GarmentPattern};
 use lole_export::booklet::amount_words;
 use lole_export::cutting::{
-    CutGarment, cut_plan_sheets, cut_plan_svg, masses, pattern_json, pieces_svg, ruler_sheets,
-    short_words, tiled_sheets, used_words,
+    CutGarment, PatternParts, masses, pattern_folder, short_words, used_words,
 };
-use lole_export::dxf::pattern_dxf;
-use lole_export::pdf::{Document, Paper, Sheet};
+use lole_export::pdf::Paper;
 use lole_language::{Bilingual as _, Language, Sentence, Words};
 use lole_pattern::marker::Lay;
 use lole_print::PrintImage;
@@ -38,13 +37,9 @@ pub(crate) fn run(args: &PatternArgs, language: Language) -> Result<(), Failure>
     let stop = stop_flag().map_err(Failure::Run)?;
     let source = source::read(args.design.as_deref())?;
     let garments = draft(&source)?;
-    let mut files = PatternFiles {
-        output: OutputFolder::create(&args.out).map_err(Failure::Usage)?,
-        paper: args.paper.paper(),
-        language,
-    };
+    let mut output = OutputFolder::create(&args.out).map_err(Failure::Usage)?;
     let count = u32::try_from(garments.len()).unwrap_or(u32::MAX);
-    let bar = progress_bar(2 * count + 1, language.pick("型紙", "pattern"));
+    let bar = progress_bar(2 * count, language.pick("型紙", "pattern"));
     let mut cuts = Vec::new();
     let prints = source.design.cut_print_images(PRINT_SIDE);
     let prints = prints.map_err(|error| Failure::usage(Sentence::of(&error)))?;
@@ -53,24 +48,33 @@ pub(crate) fn run(args: &PatternArgs, language: Language) -> Result<(), Failure>
         cuts.push(plan(garment, print, args));
         bar.inc(1);
     }
-    files.write_plans(&cuts)?;
-    bar.inc(1);
     let size = args
         .design
         .as_deref()
         .and_then(|path| path.file_stem())
         .map_or_else(|| "LOLE".into(), |stem| stem.to_string_lossy());
-    for cut in &cuts {
-        check(&stop)?;
-        files.write_garment(cut, &size)?;
+    let parts = PatternParts {
+        cuts: &cuts,
+        size: &size,
+        paper: args.paper.paper(),
+        language,
+        version: env!("CARGO_PKG_VERSION"),
+    };
+    let goes_on = || {
         bar.inc(1);
-    }
-    let json = pattern_json(&cuts, env!("CARGO_PKG_VERSION")).map_err(Failure::error)?;
-    files.write("pattern.json", json.as_bytes())?;
+        !stop.load(Ordering::Relaxed)
+    };
+    let files = pattern_folder(&parts, &goes_on).map_err(Failure::error)?;
+    check(&stop)?;
     bar.finish_and_clear();
-    let paths = files.output.finish().map_err(Failure::Run)?;
+    for (name, bytes) in &files {
+        output.write(name, bytes).map_err(Failure::Run)?;
+    }
+    let paths = output.finish().map_err(Failure::Run)?;
     if args.json {
-        summary::print_json(&json);
+        let json = files.iter().find(|(name, _)| name == "pattern.json");
+        let text = json.map_or("".into(), |(_, bytes)| String::from_utf8_lossy(bytes));
+        summary::print_json(&text);
     } else {
         let purchases: Vec<Sentence> = cuts.iter().flat_map(purchases).collect();
         let warnings: Vec<Sentence> = cuts.iter().flat_map(warnings).collect();
@@ -109,62 +113,6 @@ fn plan(garment: GarmentPattern, print: PrintImage, args: &PatternArgs) -> CutGa
         garment,
         print: Some(Arc::new(print)),
         owner: String::new(),
-    }
-}
-
-/// The folder of the files, and how they are written.
-struct PatternFiles {
-    output: OutputFolder,
-    paper: Paper,
-    language: Language,
-}
-
-impl PatternFiles {
-    /// What all garments share: cut plans, and the sheets for ruler and chalk.
-    fn write_plans(&mut self, cuts: &[CutGarment]) -> Result<(), Failure> {
-        // What is tied, strung or carved has no cut plan: its booklet says what to gather.
-        if cuts.iter().all(|cut| cut.plans.is_empty()) {
-            return Ok(());
-        }
-        let (paper, language) = (self.paper, self.language);
-        let title = language.pick("裁ち方図", "cut plan");
-        self.write_pdf(
-            "cut-plan.pdf",
-            title,
-            cut_plan_sheets(cuts, paper, language),
-        )?;
-        self.write("cut-plan.svg", &cut_plan_svg(cuts, language))?;
-        let ruler = ruler_sheets(cuts, paper, language);
-        if ruler.is_empty() {
-            return Ok(());
-        }
-        let title = language.pick("定規で引く線", "rectangles by ruler");
-        self.write_pdf("ruler.pdf", title, ruler)
-    }
-
-    /// The pieces of one garment at full size; `size` is the name of the design.
-    fn write_garment(&mut self, cut: &CutGarment, size: &str) -> Result<(), Failure> {
-        let (paper, language) = (self.paper, self.language);
-        let id = &cut.garment.id;
-        if let Some(tiled) = tiled_sheets(cut, paper, language) {
-            let name = format!("{id}-{}.pdf", paper.name().to_ascii_lowercase());
-            self.write_pdf(&name, cut.garment.name.text(language), tiled.sheets)?;
-        }
-        // Leaves and flowers are tied, not cut.
-        if cut.garment.pattern.pieces.is_empty() {
-            return Ok(());
-        }
-        self.write(&format!("{id}.svg"), &pieces_svg(cut, language))?;
-        self.write(&format!("{id}.dxf"), &pattern_dxf(cut, size))
-    }
-
-    fn write_pdf(&mut self, name: &str, title: &str, sheets: Vec<Sheet>) -> Result<(), Failure> {
-        let document = Document::new(title, self.language, sheets);
-        self.write(name, &document.to_bytes().map_err(Failure::error)?)
-    }
-
-    fn write(&mut self, name: &str, bytes: &[u8]) -> Result<(), Failure> {
-        self.output.write(name, bytes).map_err(Failure::Run)
     }
 }
 

@@ -10,10 +10,12 @@
 //! | `pattern.svg` | [`pieces_svg()`]: pieces at full size, a group for each |
 //! | `pattern.dxf` | [`crate::dxf::pattern_dxf`] |
 //! | `pattern.json` | [`pattern_json`] |
+//! | all of them | [`pattern_folder`] |
 //!
 //! Pieces are drawn as they are worn, `+y` up; pages have `y` down and are in millimeters.
 
 pub(crate) mod draw;
+mod folder;
 mod json;
 mod label;
 mod pieces_svg;
@@ -30,6 +32,7 @@ use lole_language::Language;
 use lole_pattern::piece::{CutCount, Piece};
 use lole_print::PrintImage;
 
+pub use folder::{PatternParts, pattern_folder};
 pub use json::pattern_json;
 pub use pieces_svg::pieces_svg;
 pub use plan::{cut_plan_sheets, cut_plan_svg, lying_width, masses, short_words, used_words};

@@ -382,8 +382,8 @@ fn label_lines(plan: &DancerPlan, language: Language) -> Vec<String> {
     };
     let (stature, hip) = (cm(Measure::Stature), cm(Measure::Hip));
     let mut lines = vec![match language {
-        Language::Japanese => format!("身長 {stature:.0}　ヒップ {hip:.1} cm"),
-        Language::English => format!("stature {stature:.0}, hip {hip:.1} cm"),
+        Language::Japanese => format!("身長 {stature:.1}　ヒップ {hip:.1} cm"),
+        Language::English => format!("stature {stature:.1}, hip {hip:.1} cm"),
     }];
     for garment in &plan.garments {
         lines.push(garment.tailored.name.text(language).to_owned());

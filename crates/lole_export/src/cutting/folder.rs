@@ -1,0 +1,113 @@
+//! Everything that one costume is cut by, as the files of one folder.
+
+use lole_language::Language;
+
+use super::{
+    CutGarment, cut_plan_sheets, cut_plan_svg, pattern_json, pieces_svg, ruler_sheets, tiled_sheets,
+};
+use crate::ExportError;
+use crate::dxf::pattern_dxf;
+use crate::pdf::{Document, Paper, Sheet};
+
+/// What a folder of patterns is made of.
+#[derive(Debug, Clone, Copy)]
+pub struct PatternParts<'a> {
+    /// The garments with their cut plans.
+    pub cuts: &'a [CutGarment],
+    /// Name of the size in the files of pattern programs: that of the design.
+    pub size: &'a str,
+    /// What it is printed on.
+    pub paper: Paper,
+    /// Language of every word.
+    pub language: Language,
+    /// Version of the program, written into the data.
+    pub version: &'static str,
+}
+
+/// Cut plans, sheets for ruler and chalk, and of each garment its pieces at full size, as names and
+/// bytes of files.
+///
+/// `goes_on` is asked once for each garment; where it says no, what is left is left out, and the files
+/// are not to be used.
+///
+/// # Errors
+/// [`ExportError`] of the encoders.
+pub fn pattern_folder(
+    parts: &PatternParts<'_>,
+    goes_on: &dyn Fn() -> bool,
+) -> Result<Vec<(String, Vec<u8>)>, ExportError> {
+    let mut folder = Folder {
+        parts,
+        files: Vec::new(),
+    };
+    folder.plans()?;
+    for cut in parts.cuts {
+        if !goes_on() {
+            break;
+        }
+        folder.garment(cut)?;
+    }
+    let json = pattern_json(parts.cuts, parts.version)?;
+    folder.add("pattern.json", json.into_bytes());
+    Ok(folder.files)
+}
+
+struct Folder<'a> {
+    parts: &'a PatternParts<'a>,
+    files: Vec<(String, Vec<u8>)>,
+}
+
+impl Folder<'_> {
+    /// What all garments share: cut plans, and the sheets for ruler and chalk.
+    fn plans(&mut self) -> Result<(), ExportError> {
+        let PatternParts {
+            cuts,
+            paper,
+            language,
+            ..
+        } = *self.parts;
+        // What is tied, strung or carved has no cut plan: its booklet says what to gather.
+        if cuts.iter().all(|cut| cut.plans.is_empty()) {
+            return Ok(());
+        }
+        let title = language.pick("裁ち方図", "cut plan");
+        self.pdf(
+            "cut-plan.pdf",
+            title,
+            cut_plan_sheets(cuts, paper, language),
+        )?;
+        self.add("cut-plan.svg", cut_plan_svg(cuts, language));
+        let ruler = ruler_sheets(cuts, paper, language);
+        if ruler.is_empty() {
+            return Ok(());
+        }
+        let title = language.pick("定規で引く線", "rectangles by ruler");
+        self.pdf("ruler.pdf", title, ruler)
+    }
+
+    /// The pieces of one garment at full size.
+    fn garment(&mut self, cut: &CutGarment) -> Result<(), ExportError> {
+        let (paper, language) = (self.parts.paper, self.parts.language);
+        let id = &cut.garment.id;
+        if let Some(tiled) = tiled_sheets(cut, paper, language) {
+            let name = format!("{id}-{}.pdf", paper.name().to_ascii_lowercase());
+            self.pdf(&name, cut.garment.name.text(language), tiled.sheets)?;
+        }
+        // Leaves and flowers are tied, not cut.
+        if !cut.garment.pattern.pieces.is_empty() {
+            self.add(&format!("{id}.svg"), pieces_svg(cut, language));
+            self.add(&format!("{id}.dxf"), pattern_dxf(cut, self.parts.size));
+        }
+        Ok(())
+    }
+
+    fn pdf(&mut self, name: &str, title: &str, sheets: Vec<Sheet>) -> Result<(), ExportError> {
+        let document = Document::new(title, self.parts.language, sheets);
+        self.add(name, document.to_bytes()?);
+        Ok(())
+    }
+
+    fn add(&mut self, name: &str, bytes: Vec<u8>) {
+        self.files.push((name.to_owned(), bytes));
+    }
+}
