@@ -1,5 +1,7 @@
 //! The window itself: panels, picture, simulation and files brought together.
 
+mod products;
+
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, Receiver};
@@ -7,29 +9,22 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use eframe::egui::{self, Context, Ui};
 use lole_costume::document::{Design, LinkedFile, LinkedPicture, PhotoMarks};
-use lole_export::{ImageView, still};
 use lole_files as files;
-use lole_language::Sentence;
-use lole_render::wgpu;
+use lole_garment::template::PAU_SKIRT;
+use lole_language::{Sentence, Words};
+use lole_render::{Image, wgpu};
 
+use crate::chooser::{self, Listing, ends_with_one_of};
 use crate::journal::{self, Journal, Leftover};
+use crate::making::Maker;
+use crate::memory::{Memory, MemoryKeeper};
 use crate::message::Message;
 use crate::ordering::{self, Job, OrderNews, OrderWork};
 use crate::sim::{News, Sim};
-use crate::studio::{Purpose, Question, Request};
+use crate::studio::{Purpose, Question, Request, Tab};
 use crate::tailor::Tailor;
 use crate::viewport::Viewport;
 use crate::{Studio, Work, look, panel};
-
-/// Width of the left and of the right column [point].
-const COLUMNS: [f32; 2] = [330.0, 272.0];
-/// Narrower windows have one column [point].
-const WIDE: f32 = 980.0;
-/// And still narrower ones none beside the picture, but below it [point].
-const NARROW: f32 = 640.0;
-
-/// What files of recordings are called.
-const RECORDING_ENDINGS: [&str; 8] = ["bvh", "BVH", "vrma", "VRMA", "glb", "gltf", "vrm", "VRM"];
 
 /// The running window.
 pub(crate) struct App {
@@ -37,6 +32,13 @@ pub(crate) struct App {
     sim: Sim,
     tailor: Tailor,
     order: Option<OrderWork>,
+    maker: Maker,
+    /// A folder that is being read for a question.
+    listing: Option<Receiver<Listing>>,
+    /// Folders that are being shown.
+    reveals: Vec<Receiver<Sentence>>,
+    /// The picture as it was when its button was pressed.
+    taken: Option<Image>,
     viewport: Viewport,
     /// Answers of the system's file dialog.
     answers: Option<Receiver<Option<PathBuf>>>,
@@ -61,15 +63,30 @@ pub(crate) type Shelf = Arc<Mutex<Option<Rescued>>>;
 pub(crate) struct Keeping {
     journal: Option<Journal>,
     leftover: Option<Leftover>,
+    memory: Option<MemoryKeeper>,
 }
 
 impl Keeping {
     pub(crate) fn begin() -> Self {
         let folder = journal::folder(|name| std::env::var_os(name));
+        let memory = folder.clone().map(|folder| {
+            let kept = Memory::read(&folder);
+            MemoryKeeper::start(folder, kept)
+        });
         let (journal, leftover) = folder
             .and_then(|folder| Journal::open(&folder))
             .map_or((None, None), |(journal, left)| (Some(journal), left));
-        Self { journal, leftover }
+        Self {
+            journal,
+            leftover,
+            memory,
+        }
+    }
+
+    /// What the last window left for this one.
+    pub(crate) fn memory(&self) -> Memory {
+        let keeper = self.memory.as_ref();
+        keeper.map_or_else(Memory::default, |keeper| keeper.kept().clone())
     }
 
     pub(crate) fn found(&self) -> Option<Work> {
@@ -90,14 +107,21 @@ impl App {
             watch_device(&gpu.device, &is_lost, context);
         }
         let Rescued { studio, keeping } = work;
+        if let Some(size) = studio.memory.size {
+            context.set_zoom_factor(size);
+        }
         let sim = start(studio.design().clone(), context);
-        let repaint = context.clone();
+        let [repaint, news] = [context.clone(), context.clone()];
         Self {
             keeping,
             studio,
             sim,
             tailor: Tailor::start(move || repaint.request_repaint()),
             order: None,
+            maker: Maker::start(move || news.request_repaint()),
+            listing: None,
+            reveals: Vec::new(),
+            taken: None,
             viewport: Viewport::new(),
             answers: None,
             context: context.clone(),
@@ -140,6 +164,7 @@ impl App {
             self.studio.paper = Some(paper);
         }
         self.receive_order();
+        self.receive_products();
         let answer = self.answers.as_ref().map(Receiver::try_recv);
         match answer {
             Some(Ok(path)) => {
@@ -152,27 +177,38 @@ impl App {
     }
 
     fn answer(&mut self, path: Option<PathBuf>) {
-        if let (Some(path), Some(question)) = (path, &mut self.studio.question) {
-            question.path = path.display().to_string();
+        let Some(question) = &mut self.studio.question else {
+            return;
+        };
+        match path {
+            Some(path) => question.path = path.display().to_string(),
+            None => {
+                question.note = Some(Sentence::new(
+                    "パソコンの窓では選ばれませんでした（その窓がないパソコンもあります）。上の一覧から選べます。",
+                    "Nothing was chosen in the system’s window (some systems have none). Choose from the list above.",
+                ));
+            }
         }
     }
 
+    /// A file that was dropped on the window is taken for what its name says.
     fn open_dropped(&mut self) {
         let dropped = self.context.input(|input| {
             let files = &input.raw.dropped_files;
             files.first().map(|file| file.path().to_owned())
         });
         if let Some(path) = dropped {
-            let is_recording = path.extension().is_some_and(|extension| {
-                ["bvh", "vrma"]
-                    .iter()
-                    .any(|known| extension.eq_ignore_ascii_case(known))
-            });
-            self.studio.request(if is_recording {
+            let ends_with = |endings: &[&str]| ends_with_one_of(&path, endings);
+            self.studio.starts = false;
+            let request = if ends_with(&["bvh", "vrma"]) {
                 Request::OpenRecording(path)
+            } else if ends_with(Purpose::Roster.endings()) {
+                self.studio.tab = Tab::Order;
+                Request::OpenRoster(path)
             } else {
                 Request::Open(path)
-            });
+            };
+            self.studio.request(request);
         }
     }
 
@@ -183,12 +219,18 @@ impl App {
                 Request::AskSave => self.ask(Purpose::Save),
                 Request::AskRecording => self.ask(Purpose::Record),
                 Request::Browse => self.browse(),
+                Request::ListFolder(folder) => self.list_folder(folder),
                 Request::Open(path) => self.open(&path),
                 Request::Save(path) => self.save(&path),
                 Request::OpenRecording(path) => self.open_recording(&path),
                 Request::Resume => self.resume(),
                 Request::Discard => self.discard(),
                 Request::Picture => self.take_picture(),
+                Request::SavePicture(path) => self.save_picture(&path),
+                Request::AskMake(product) => self.ask(Purpose::Make(product)),
+                Request::Make(product, path) => self.make(product, &path),
+                Request::CallOff(number) => self.maker.call_off(number),
+                Request::Reveal(path) => self.reveal(&path),
                 Request::AskPicture(place) => self.ask(Purpose::Print(place)),
                 Request::OpenPicture(place, path) => self.open_picture(place, &path),
                 Request::AskRoster => self.ask(Purpose::Roster),
@@ -204,6 +246,7 @@ impl App {
             }
         }
         self.keep();
+        self.remember();
         self.tailor.ask(self.studio.design(), self.studio.cutting);
         for command in self.studio.take_commands() {
             self.sim.send(command);
@@ -211,19 +254,22 @@ impl App {
     }
 
     fn ask(&mut self, purpose: Purpose) {
-        let folder = std::env::current_dir().unwrap_or_default();
+        let here = std::env::current_dir().unwrap_or_default();
+        let folder = match self.studio.path().and_then(Path::parent) {
+            Some(folder) if !folder.as_os_str().is_empty() => folder.to_owned(),
+            _ => here,
+        };
+        let usual = |words: Words| words.text(self.studio.language);
         let path = match (self.studio.path(), purpose) {
             (Some(path), Purpose::Open | Purpose::Save) => path.to_owned(),
-            (Some(path), Purpose::Order) => path.with_extension("").with_file_name("order"),
-            (Some(path), _) => path.with_file_name(""),
             (None, Purpose::Save) => folder.join("design.lole"),
-            (None, Purpose::Order) => folder.join("order"),
-            (None, _) => folder.join(""),
+            (_, Purpose::Order) => folder.join("order"),
+            (_, Purpose::Make(product)) => folder.join(usual(product.usual_name())),
+            (_, Purpose::Picture) => files::free_picture(&folder),
+            _ => folder.join(""),
         };
-        self.studio.question = Some(Question {
-            purpose,
-            path: path.display().to_string(),
-        });
+        self.studio.question = Some(Question::new(purpose, path.display().to_string()));
+        self.list_folder(chooser::folder_of(&path));
     }
 
     /// The system's own dialog, on a thread of its own: the dance goes on behind it.
@@ -235,25 +281,27 @@ impl App {
             return;
         }
         let purpose = question.purpose;
+        let name = Path::new(&question.path).file_name();
+        let name = name.map_or_else(String::new, |name| name.to_string_lossy().into_owned());
         let (sender, answers) = mpsc::channel();
         let context = self.context.clone();
         let ask = move || {
             let dialog = rfd::FileDialog::new();
-            let designs = |dialog: rfd::FileDialog| dialog.add_filter("Lole", &["lole"]);
             let path = match purpose {
-                Purpose::Open => designs(dialog).pick_file(),
-                Purpose::Save => designs(dialog).set_file_name("design.lole").save_file(),
-                Purpose::Record => dialog
-                    .add_filter("BVH, VRMA, glTF, VRM", &RECORDING_ENDINGS)
-                    .pick_file(),
-                Purpose::Print(_) => {
-                    let kinds = ["png", "jpg", "jpeg", "svg", "PNG", "JPG", "JPEG", "SVG"];
-                    dialog.add_filter("PNG, JPEG, SVG", &kinds).pick_file()
+                _ if purpose.is_folder() => dialog.pick_folder(),
+                _ => {
+                    let endings = purpose.endings();
+                    // Some systems tell capital letters from small ones.
+                    let capitals = endings.iter().map(|ending| ending.to_ascii_uppercase());
+                    let small = endings.iter().map(|ending| (*ending).to_owned());
+                    let both: Vec<String> = small.chain(capitals).collect();
+                    let dialog = dialog.add_filter(endings.join(", "), &both);
+                    if purpose.writes() {
+                        dialog.set_file_name(name).save_file()
+                    } else {
+                        dialog.pick_file()
+                    }
                 }
-                Purpose::Roster => dialog
-                    .add_filter("CSV", &["csv", "CSV", "tsv", "txt"])
-                    .pick_file(),
-                Purpose::Order => dialog.pick_folder(),
             };
             // The window may have been closed meanwhile.
             drop(sender.send(path));
@@ -273,12 +321,39 @@ impl App {
     }
 
     fn open(&mut self, path: &Path) {
+        if ends_with_one_of(path, Purpose::Print(None).endings()) {
+            self.print(path);
+            return;
+        }
         match files::read_design(path) {
             Ok(design) => {
                 self.studio.message = None;
                 self.studio.opened(design, Some(path.to_owned()));
+                let whole = std::fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+                self.studio.memory.note_design(&whole);
             }
             Err(sentence) => self.studio.message = Some(Message::trouble(&sentence)),
+        }
+    }
+
+    /// A picture that was given as if it were a design is printed on what is worn.
+    fn print(&mut self, path: &Path) {
+        let design = self.studio.design();
+        let place = (!design.skirt.is_worn && !design.garments.is_empty()).then_some(0);
+        let garment = place.map_or(PAU_SKIRT.name, |place| design.garments[place].name());
+        self.studio.message = None;
+        self.open_picture(place, path);
+        if self.studio.message.is_none() {
+            self.studio.tab = Tab::Cloth;
+            let [japanese, english] = [garment.japanese, garment.english];
+            self.studio.message = Some(Message::news(
+                format!(
+                    "写真を{japanese}の柄にしました。「布と柄」で大きさを合わせます。「元に戻す」でやめられます。"
+                ),
+                format!(
+                    "The picture is printed on the {english} now; set its size under “Cloth”, or press Undo."
+                ),
+            ));
         }
     }
 
@@ -331,6 +406,7 @@ impl App {
             Ok(list) => {
                 self.studio.message = None;
                 self.studio.order.list = Some((path.to_owned(), Arc::new(list)));
+                self.studio.memory.roster = std::fs::canonicalize(path).ok();
                 self.studio.order.totals = None;
                 self.begin_order(None);
             }
@@ -347,17 +423,12 @@ impl App {
             self.studio.message = Some(Message::trouble(&error));
             return;
         }
-        let stem = self.studio.path().and_then(Path::file_stem);
-        let title = stem.map_or_else(
-            || "Pāʻū".to_owned(),
-            |stem| lole_export::pdf::printable(&stem.to_string_lossy()),
-        );
         let job = Job {
             design: self.studio.design().clone(),
             list: Arc::clone(list),
             wishes: self.studio.order.wishes,
             folder,
-            title,
+            title: self.title(),
             language: self.studio.language,
         };
         let context = self.context.clone();
@@ -377,12 +448,13 @@ impl App {
                     if let Some(folder) = folder {
                         let folder = std::fs::canonicalize(&folder).unwrap_or(folder);
                         let name = folder.display();
-                        self.studio.message = Some(Message::news(
+                        let news = Message::news(
                             format!(
                                 "注文書を書きました: {name}（order.pdf を開いて印刷してください）"
                             ),
                             format!("The order is in {name}; open order.pdf to print it"),
-                        ));
+                        );
+                        self.studio.message = Some(news.at(&folder));
                     }
                 }
                 OrderNews::Failed(sentence) => {
@@ -434,6 +506,17 @@ impl App {
         }
     }
 
+    /// Keeps for the next window what was chosen in this one.
+    fn remember(&mut self) {
+        let memory = &mut self.studio.memory;
+        let size = self.context.zoom_factor();
+        let is_usual = (size - 1.0).abs() < 1e-3;
+        memory.size = (!is_usual || memory.size.is_some()).then_some(size);
+        if let Some(keeper) = &mut self.keeping.memory {
+            keeper.keep(memory);
+        }
+    }
+
     fn save(&mut self, path: &Path) {
         let path = path.with_extension("lole");
         if let Err(error) = self.studio.check() {
@@ -450,6 +533,7 @@ impl App {
                     format!("保存しました: {name}"),
                     format!("Saved: {name}"),
                 ));
+                self.studio.memory.note_design(&path);
                 self.studio.saved_at(path);
             }
             Err(sentence) => self.studio.message = Some(Message::trouble(&sentence)),
@@ -462,32 +546,6 @@ impl App {
         self.studio.rename_linked(|name| {
             let place = from.with_file_name(name);
             files::recording_name(&place, Some(saved))
-        });
-    }
-
-    fn take_picture(&mut self) {
-        let Some(image) = self.viewport.picture() else {
-            return;
-        };
-        let folder = std::env::current_dir().unwrap_or_default();
-        let failed = |error: lole_render::RenderError| {
-            let text = error.to_string();
-            Sentence::new(format!("写真を撮れません（{text}）"), text)
-        };
-        let path = files::free_picture(&folder);
-        let written = image.map_err(failed).and_then(|image| {
-            files::write_whole(&path, &png(&image)?)?;
-            Ok(std::fs::canonicalize(&path).unwrap_or(path))
-        });
-        self.studio.message = Some(match written {
-            Ok(path) => {
-                let name = path.display();
-                Message::news(
-                    format!("写真を書きました: {name}"),
-                    format!("The picture is in {name}"),
-                )
-            }
-            Err(sentence) => Message::trouble(&sentence),
         });
     }
 
@@ -516,40 +574,6 @@ impl App {
         if !self.context.input(|input| input.pointer.any_down()) {
             self.studio.rest();
         }
-    }
-
-    fn columns(&mut self, ui: &mut Ui) {
-        let width = ui.available_width();
-        let side = egui::Frame::new().fill(look::PAPER).inner_margin(12);
-        if width < NARROW {
-            let height = 0.45 * ui.available_height();
-            egui::Panel::bottom("all")
-                .frame(side)
-                .exact_size(height)
-                .show(ui, |ui| panel::one_column(ui, &mut self.studio));
-        } else if width < WIDE {
-            egui::Panel::left("all")
-                .frame(side)
-                .exact_size(COLUMNS[0])
-                .show(ui, |ui| panel::one_column(ui, &mut self.studio));
-        } else {
-            egui::Panel::left("left")
-                .frame(side)
-                .exact_size(COLUMNS[0])
-                .show(ui, |ui| panel::left_column(ui, &mut self.studio));
-            egui::Panel::right("right")
-                .frame(side)
-                .exact_size(COLUMNS[1])
-                .show(ui, |ui| panel::right_column(ui, &mut self.studio));
-        }
-    }
-
-    fn picture(&mut self, ui: &mut Ui, frame: &eframe::Frame) {
-        let area = ui.max_rect();
-        self.viewport
-            .show(ui, &mut self.studio, frame.wgpu_render_state());
-        let mut over = ui.new_child(egui::UiBuilder::new().max_rect(area.shrink(4.0)));
-        panel::notices(&mut over, &mut self.studio);
     }
 }
 
@@ -582,18 +606,18 @@ impl eframe::App for App {
         }
         self.open_dropped();
         self.follow_keys();
-        let bar = egui::Frame::new().fill(look::CARD).inner_margin(8);
-        egui::Panel::top("document")
-            .frame(bar)
-            .show(ui, |ui| panel::document_bar(ui, &mut self.studio));
-        egui::Panel::bottom("status")
-            .frame(bar.inner_margin(egui::Margin::symmetric(10, 4)))
-            .show(ui, |ui| panel::status_bar(ui, &mut self.studio));
-        self.columns(ui);
-        egui::CentralPanel::default()
-            .frame(egui::Frame::NONE)
-            .show(ui, |ui| self.picture(ui, frame));
+        let Self {
+            studio, viewport, ..
+        } = self;
+        let gpu = frame.wgpu_render_state();
+        panel::frame(ui, studio, |ui, studio| {
+            let area = ui.max_rect();
+            viewport.show(ui, studio, gpu);
+            let mut over = ui.new_child(egui::UiBuilder::new().max_rect(area.shrink(4.0)));
+            panel::notices(&mut over, studio);
+        });
         panel::enlarged(ui, &mut self.studio);
+        panel::start(ui, &mut self.studio);
         panel::question(ui, &mut self.studio);
         self.rest();
         self.serve();
@@ -618,11 +642,4 @@ fn watch_device(device: &wgpu::Device, is_lost: &Arc<AtomicBool>, context: &Cont
 fn start(design: Design, context: &Context) -> Sim {
     let context = context.clone();
     Sim::start(design, Arc::new(move || context.request_repaint()))
-}
-
-/// A picture as the bytes of a PNG.
-fn png(image: &lole_render::Image) -> Result<Vec<u8>, Sentence> {
-    ImageView::new(image.width, image.height, &image.pixels)
-        .and_then(still::encode_png)
-        .map_err(|error| Sentence::new(format!("写真を作れません（{error}）"), error.to_string()))
 }

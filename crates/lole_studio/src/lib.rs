@@ -5,12 +5,15 @@
 //! panels show and change; it needs neither a display nor a thread, so that they can be tested.
 
 mod app;
+mod chooser;
 mod clock;
 mod command;
 mod history;
 mod journal;
 mod light;
 mod look;
+mod making;
+mod memory;
 mod message;
 mod opening;
 mod orbit;
@@ -18,6 +21,8 @@ mod ordering;
 mod overlay;
 pub mod panel;
 mod paper;
+mod request;
+mod reveal;
 mod sim;
 mod snapshot;
 mod studio;

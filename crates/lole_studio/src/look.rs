@@ -12,11 +12,17 @@ const SMALL: f32 = 14.5;
 /// Size of a panel's title [point].
 const HEADING: f32 = 18.0;
 
+/// Height of what can be clicked [point].
+pub(crate) const TARGET: f32 = 34.0;
+
 pub(crate) const PAPER: Color32 = Color32::from_rgb(250, 247, 241);
 pub(crate) const CARD: Color32 = Color32::from_rgb(255, 254, 251);
 pub(crate) const INK: Color32 = Color32::from_rgb(38, 32, 28);
 pub(crate) const PALE_INK: Color32 = Color32::from_rgb(96, 86, 78);
+/// Between things; nothing depends on seeing it.
 pub(crate) const LINE: Color32 = Color32::from_rgb(217, 208, 195);
+/// Around what can be clicked or typed in.
+const OUTLINE: Color32 = Color32::from_rgb(108, 98, 89);
 pub(crate) const RED: Color32 = Color32::from_rgb(170, 28, 50);
 pub(crate) const PALE_RED: Color32 = Color32::from_rgb(246, 222, 218);
 pub(crate) const TEAL: Color32 = Color32::from_rgb(0, 112, 122);
@@ -49,7 +55,7 @@ fn style(style: &mut Style) {
     let spacing = &mut style.spacing;
     spacing.item_spacing = Vec2::new(8.0, 7.0);
     spacing.button_padding = Vec2::new(11.0, 6.0);
-    spacing.interact_size = Vec2::new(44.0, 32.0);
+    spacing.interact_size = Vec2::new(44.0, TARGET);
     spacing.icon_width = 20.0;
     spacing.icon_width_inner = 12.0;
     spacing.slider_rail_height = 6.0;
@@ -73,10 +79,10 @@ fn style(style: &mut Style) {
     let radius = CornerRadius::same(7);
     for (widget, fill, line) in [
         (&mut visuals.widgets.noninteractive, PAPER, LINE),
-        (&mut visuals.widgets.inactive, KEY, LINE),
-        (&mut visuals.widgets.hovered, KEY_HOVERED, PALE_INK),
+        (&mut visuals.widgets.inactive, KEY, OUTLINE),
+        (&mut visuals.widgets.hovered, KEY_HOVERED, INK),
         (&mut visuals.widgets.active, KEY_PRESSED, INK),
-        (&mut visuals.widgets.open, KEY_HOVERED, PALE_INK),
+        (&mut visuals.widgets.open, KEY_HOVERED, INK),
     ] {
         widget.bg_fill = fill;
         widget.weak_bg_fill = fill;
@@ -109,3 +115,55 @@ pub(crate) fn strain_color(strain: f32) -> glam::Vec3 {
 
 /// Strain that is shown in full color.
 pub(crate) const FULL_STRAIN: f32 = 0.05;
+
+#[cfg(test)]
+mod tests {
+    use eframe::egui::Rgba;
+
+    use super::*;
+
+    /// Contrast of two colors as the guidelines for accessible pages define it: 1 to 21.
+    fn contrast(one: Color32, other: Color32) -> f32 {
+        let luminance = |color: Color32| {
+            let linear = Rgba::from(color);
+            0.2126 * linear.r() + 0.7152 * linear.g() + 0.0722 * linear.b()
+        };
+        let [a, b] = [luminance(one), luminance(other)];
+        (a.max(b) + 0.05) / (a.min(b) + 0.05)
+    }
+
+    #[test]
+    fn contrast_of_black_on_white_is_that_of_the_definition() {
+        assert!((contrast(Color32::BLACK, Color32::WHITE) - 21.0).abs() < 1e-3);
+    }
+
+    #[test]
+    fn words_and_outlines_stand_out_from_everything_they_lie_on() {
+        const LEAST: f32 = 4.5;
+        let mut dressed = Style::default();
+        style(&mut dressed);
+        let visuals = &dressed.visuals;
+        let widgets = &visuals.widgets;
+        let grounds = [PAPER, CARD, PALE_RED];
+        for widget in [
+            &widgets.inactive,
+            &widgets.hovered,
+            &widgets.active,
+            &widgets.open,
+        ] {
+            assert!(LEAST <= contrast(widget.fg_stroke.color, widget.bg_fill));
+            for ground in grounds.into_iter().chain([widget.bg_fill]) {
+                assert!(LEAST <= contrast(widget.bg_stroke.color, ground));
+            }
+        }
+        let weak = visuals.weak_text_color.unwrap();
+        let text = widgets.noninteractive.fg_stroke.color;
+        for ink in [text, weak, RED, TEAL] {
+            for ground in grounds {
+                assert!(LEAST <= contrast(ink, ground), "{ink:?} on {ground:?}");
+            }
+        }
+        let chosen = &visuals.selection;
+        assert!(LEAST <= contrast(chosen.stroke.color, chosen.bg_fill));
+    }
+}

@@ -1,5 +1,7 @@
 //! A sentence that the window shows until it is closed or another one comes.
 
+use std::path::{Path, PathBuf};
+
 use lole_language::{Bilingual, Sentence};
 
 /// News or trouble.
@@ -9,6 +11,8 @@ pub struct Message {
     pub sentence: Sentence,
     /// How it is meant.
     pub kind: MessageKind,
+    /// A file or folder that it is about, to be shown.
+    pub place: Option<PathBuf>,
 }
 
 /// How a sentence is meant.
@@ -26,6 +30,7 @@ impl Message {
         Self {
             sentence: Sentence::new(japanese, english),
             kind: MessageKind::News,
+            place: None,
         }
     }
 
@@ -34,6 +39,16 @@ impl Message {
         Self {
             sentence: Sentence::of(error),
             kind: MessageKind::Trouble,
+            place: None,
+        }
+    }
+
+    /// The message with the file or folder that it is about.
+    #[must_use]
+    pub fn at(self, place: &Path) -> Self {
+        Self {
+            place: Some(place.to_owned()),
+            ..self
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, PanicHookInfo};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -13,9 +13,9 @@ use lole_files as files;
 use lole_language::{Language, Sentence, words};
 use lole_render::wgpu;
 
-use crate::Studio;
 use crate::app::{App, Keeping, Rescued};
 use crate::message::Message;
+use crate::{Studio, ordering};
 
 /// Size of a new window [point].
 const WINDOW: [f32; 2] = [1280.0, 720.0];
@@ -59,6 +59,7 @@ pub fn open(opening: &Opening) -> Result<(), Refusal> {
         keeping: Keeping::begin(),
     };
     work.studio.found = work.keeping.found();
+    remember(&mut work, opening.document.as_deref());
     for _ in 0..=MOST_REOPENINGS {
         match show(work).map_err(Refusal::Window)? {
             Some(lost) => work = lost,
@@ -73,6 +74,28 @@ pub fn open(opening: &Opening) -> Result<(), Refusal> {
         "グラフィックス装置が何度もとぎれました。lole dance --out フォルダー なら装置がなくても書き出せます",
         "the graphics adapter was lost again and again; lole dance --out FOLDER works without one",
     )))
+}
+
+/// What the last window left: the language and the list that were chosen, and recent designs.
+fn remember(work: &mut Rescued, document: Option<&Path>) {
+    let memory = work.keeping.memory();
+    let studio = &mut work.studio;
+    studio.language = memory.language.unwrap_or(studio.language);
+    let roster = memory.roster.clone();
+    studio.order.list = roster.and_then(|path| {
+        // A list that is gone is chosen anew, without a word.
+        let list = ordering::read_list(&path).ok()?;
+        Some((path, Arc::new(list)))
+    });
+    studio.memory = memory;
+    match document {
+        Some(path) => {
+            let path = std::fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+            studio.memory.note_design(&path);
+        }
+        // Work that was found is offered first.
+        None => studio.starts = studio.found.is_none(),
+    }
 }
 
 /// Shows the window until it is closed; gives the studio back where the graphics adapter was lost.

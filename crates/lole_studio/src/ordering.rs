@@ -7,7 +7,7 @@ use std::sync::mpsc::{self, Receiver};
 use std::thread::{self, JoinHandle};
 
 use lole_costume::cost;
-use lole_costume::document::Design;
+use lole_costume::document::{DancerDesign, Design};
 use lole_costume::order::{self, Group, NotionTotal, PrintTotal, Settings};
 use lole_costume::roster::{self, Roster};
 use lole_export::order::{ORDER_JSON, OrderParts, left_behind, order_folder};
@@ -25,6 +25,8 @@ pub struct OrderDesk {
     pub list: Option<(PathBuf, Arc<Roster>)>,
     /// What the buyer decides.
     pub wishes: BuyerWishes,
+    /// Who of the list was dressed, with what the design said of her then.
+    pub dressed: Option<(String, DancerDesign)>,
     /// What is being done.
     pub progress: Option<Progress>,
     /// What everybody needs, once it was worked out, with the design and wishes it is of.

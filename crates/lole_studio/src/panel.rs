@@ -3,22 +3,29 @@
 mod body;
 #[cfg(test)]
 mod cad_tests;
+#[cfg(test)]
+mod care_tests;
 mod choreography;
-mod cloth;
+mod cloths;
 mod cost;
 mod cutting;
 mod dance;
 mod dancer;
 mod document;
+mod frame;
 mod garment;
 mod garments;
 mod graphs;
 mod hindrance;
 mod knob;
+mod making;
+mod method;
 mod notice;
 mod options;
 mod order;
 mod overlays;
+#[cfg(test)]
+mod paper_tests;
 mod photo;
 mod placement;
 mod playback;
@@ -26,12 +33,12 @@ mod question;
 mod recording;
 mod sketch;
 mod skirt;
+mod start;
 mod status;
 mod steps;
 mod swatch;
 #[cfg(test)]
 mod tests;
-mod view;
 mod wind;
 
 use eframe::egui::{self, RichText, Ui};
@@ -42,12 +49,12 @@ use crate::{Studio, look, text};
 
 pub(crate) use cutting::ClothTextures;
 pub use cutting::enlarged;
-pub use document::show as document_bar;
+pub use frame::show as frame;
 pub use notice::show as notices;
 pub(crate) use photo::PhotoDesk;
 pub use question::show as question;
 pub(crate) use recording::ClipShelf;
-pub use status::show as status_bar;
+pub use start::show as start;
 pub(crate) use swatch::SwatchForm;
 
 /// One panel of a column.
@@ -77,24 +84,40 @@ const fn always(_: &Studio) -> bool {
 /// Tabs side by side.
 const TABS_OF_ROW: usize = 3;
 
-/// What is always at hand.
-const PLAYBACK: Panel = Panel {
-    title: text::PLAYBACK,
-    is_shown: always,
-    show: playback::show,
-};
+const fn panel(title: Words, show: fn(&mut Ui, &mut Studio)) -> Panel {
+    Panel {
+        title,
+        is_shown: always,
+        show,
+    }
+}
 
-/// What is danced, worn, who dances, and in which air.
+/// Who dances, what is worn, of which cloth, what is danced, and how it is made: in the order in which
+/// a costume is thought of.
 pub const DRAWERS: &[Drawer] = &[
+    Drawer {
+        tab: Tab::Dancer,
+        title: text::DANCER,
+        panels: &[panel(text::TAPE, dancer::show)],
+    },
+    Drawer {
+        tab: Tab::Costume,
+        title: text::COSTUME,
+        panels: &[
+            panel(text::SKIRT, skirt::show),
+            panel(text::GARMENTS, garments::show),
+        ],
+    },
+    Drawer {
+        tab: Tab::Cloth,
+        title: text::CLOTH,
+        panels: &[panel(text::CLOTH, cloths::show)],
+    },
     Drawer {
         tab: Tab::Dance,
         title: text::DANCE,
         panels: &[
-            Panel {
-                title: text::DANCE,
-                is_shown: always,
-                show: dance::show,
-            },
+            panel(text::DANCE, dance::show),
             Panel {
                 title: text::DANCE_STEP,
                 is_shown: dance::is_step,
@@ -110,137 +133,46 @@ pub const DRAWERS: &[Drawer] = &[
                 is_shown: dance::is_recording,
                 show: recording::show,
             },
-        ],
-    },
-    Drawer {
-        tab: Tab::Costume,
-        title: text::COSTUME,
-        panels: &[
-            Panel {
-                title: text::SKIRT,
-                is_shown: always,
-                show: skirt::show,
-            },
-            Panel {
-                title: text::GARMENTS,
-                is_shown: always,
-                show: garments::show,
-            },
+            panel(text::WIND, wind::show),
         ],
     },
     Drawer {
         tab: Tab::Cutting,
         title: text::CUT_AND_COST,
         panels: &[
-            Panel {
-                title: text::CUT_PLAN,
-                is_shown: always,
-                show: cutting::show,
-            },
-            Panel {
-                title: text::COST,
-                is_shown: always,
-                show: cost::show,
-            },
+            panel(text::MAKE_THEM, making::show),
+            panel(text::CUT_PLAN, cutting::show),
+            panel(text::COST, cost::show),
         ],
-    },
-    Drawer {
-        tab: Tab::Dancer,
-        title: text::DANCER,
-        panels: &[Panel {
-            title: text::TAPE,
-            is_shown: always,
-            show: dancer::show,
-        }],
     },
     Drawer {
         tab: Tab::Order,
         title: text::GROUP_ORDER,
-        panels: &[Panel {
-            title: text::GROUP_ORDER,
-            is_shown: always,
-            show: order::show,
-        }],
-    },
-    Drawer {
-        tab: Tab::Cloth,
-        title: text::AIR_AND_CLOTH,
-        panels: &[
-            Panel {
-                title: text::WIND,
-                is_shown: always,
-                show: wind::show,
-            },
-            Panel {
-                title: text::CLOTH,
-                is_shown: always,
-                show: cloth::show,
-            },
-            Panel {
-                title: text::BODY,
-                is_shown: always,
-                show: body::show,
-            },
-        ],
+        panels: &[panel(text::GROUP_ORDER, order::show)],
     },
 ];
 
-/// How it is looked at.
-pub const RIGHT: &[Panel] = &[
-    Panel {
-        title: text::VIEW,
-        is_shown: always,
-        show: view::show,
-    },
-    Panel {
-        title: text::SHOWS,
-        is_shown: always,
-        show: overlays::show,
-    },
-    Panel {
-        title: text::GRAPHS,
-        is_shown: always,
-        show: graphs::show,
-    },
+/// How it is computed, what is measured, and what is drawn over the picture: behind a door, because a
+/// costume is made without it.
+pub const RESEARCH: &[Panel] = &[
+    panel(text::COMPUTATION, method::show),
+    panel(text::BODY, body::show),
+    panel(text::SHOWS, overlays::show),
+    panel(text::GRAPHS, graphs::show),
 ];
 
-/// Shows what the design can be changed by.
-pub fn left_column(ui: &mut Ui, studio: &mut Studio) {
-    column(ui, studio, &[]);
-}
-
-/// Shows how it is looked at.
-pub fn right_column(ui: &mut Ui, studio: &mut Studio) {
-    scrolled(ui, "right", |ui| panels(ui, studio, RIGHT, None));
-}
-
-/// Shows everything, for narrow windows.
-pub fn one_column(ui: &mut Ui, studio: &mut Studio) {
-    column(ui, studio, RIGHT);
-}
-
-fn column(ui: &mut Ui, studio: &mut Studio, below: &[Panel]) {
-    (PLAYBACK.show)(ui, studio);
-    ui.add_space(4.0);
-    tabs(ui, studio);
-    ui.add_space(2.0);
-    let drawer = (DRAWERS.iter()).find(|drawer| drawer.tab == studio.tab);
-    let own = drawer.map_or(&[][..], |drawer| drawer.panels);
-    // The tab says it already.
-    let title = drawer.map(|drawer| drawer.title);
-    // Each drawer is as far scrolled as it was left.
-    scrolled(ui, (studio.tab as usize, "left"), |ui| {
-        panels(ui, studio, own, title);
-        if !below.is_empty() {
-            ui.separator();
-            panels(ui, studio, below, None);
-        }
-    });
+/// Tabs with their places in the order.
+fn tab_names(studio: &Studio) -> Vec<(Tab, String)> {
+    let numbered = (1..).zip(DRAWERS);
+    numbered
+        .map(|(number, drawer)| (drawer.tab, format!("{number} {}", studio.say(drawer.title))))
+        .collect()
 }
 
 fn tabs(ui: &mut Ui, studio: &mut Studio) {
-    let names: Vec<(Tab, &str)> = (DRAWERS.iter())
-        .map(|drawer| (drawer.tab, studio.say(drawer.title)))
+    let names = tab_names(studio);
+    let names: Vec<(Tab, &str)> = (names.iter())
+        .map(|(tab, name)| (*tab, name.as_str()))
         .collect();
     // Three in a row: words of two lines or small letters would be hard to read.
     for row in names.chunks(TABS_OF_ROW) {

@@ -5,12 +5,15 @@ use std::sync::Arc;
 
 use lole_costume::document::schema::{self, Kind};
 use lole_costume::document::{Design, DesignError, FabricDesign, LinkedFile, PartDesign, Problem};
+use lole_costume::roster::RosterDancer;
 use lole_language::{Bilingual as _, Language, Sentence, Words};
 use lole_render::View;
 use lole_stage::Divergence;
 
 use crate::command::Watch;
 use crate::history::History;
+use crate::making::MakingDesk;
+use crate::memory::Memory;
 use crate::message::Message;
 use crate::orbit::Orbit;
 use crate::ordering::OrderDesk;
@@ -20,6 +23,8 @@ use crate::undo::Undo;
 use crate::wished::Wished;
 use crate::work::Work;
 use crate::{Command, Snapshot};
+
+pub(crate) use crate::request::{Purpose, Question, Request};
 
 /// What is drawn over the picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -44,73 +49,6 @@ pub enum Tool {
     Hold,
     /// Turns the view.
     Turn,
-}
-
-/// What the program around the panels is asked for: it has files and dialogs.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Request {
-    /// Ask which design to open.
-    AskOpen,
-    /// Ask which recording to dance.
-    AskRecording,
-    /// Ask where to save.
-    AskSave,
-    /// Let the system's own dialog ask instead.
-    Browse,
-    /// Open this file.
-    Open(PathBuf),
-    /// Save there.
-    Save(PathBuf),
-    /// Dance this recording.
-    OpenRecording(PathBuf),
-    /// Ask which picture is printed on a garment of the list, from 0; `None` is the skirt.
-    AskPicture(Option<usize>),
-    /// Print it.
-    OpenPicture(Option<usize>, PathBuf),
-    /// Ask for the list of a group's dancers.
-    AskRoster,
-    /// Read it.
-    OpenRoster(PathBuf),
-    /// Work out what the group needs.
-    WorkOutOrder,
-    /// Ask where the order is to be written.
-    AskOrderFolder,
-    /// Write it there.
-    MakeOrder(PathBuf),
-    /// Stop working on it.
-    CallOffOrder,
-    /// Go on with the work that was found.
-    Resume,
-    /// Throw it away.
-    Discard,
-    /// Write the picture to a file.
-    Picture,
-}
-
-/// A question for a file.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Question {
-    /// Whether a file is opened or saved.
-    pub purpose: Purpose,
-    /// What was typed.
-    pub path: String,
-}
-
-/// What a file is asked for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Purpose {
-    /// To read a design.
-    Open,
-    /// To write the design.
-    Save,
-    /// To dance a recording.
-    Record,
-    /// To print a picture on a garment of the list, from 0; `None` is the skirt.
-    Print(Option<usize>),
-    /// To read a list of dancers.
-    Roster,
-    /// To write an order.
-    Order,
 }
 
 /// A design's file.
@@ -141,22 +79,33 @@ impl Hindrance {
     }
 }
 
-/// Which panels the left column shows.
+/// Which panels the left column shows, in the order in which a costume is thought of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Tab {
-    /// What is danced.
+    /// Who dances.
     #[default]
-    Dance,
+    Dancer,
     /// What is worn.
     Costume,
-    /// How it is cut and what it costs.
+    /// Of which cloth.
+    Cloth,
+    /// What is danced, in which air.
+    Dance,
+    /// How it is cut, what it costs and what is printed.
     Cutting,
-    /// Who dances.
-    Dancer,
     /// A group's order.
     Order,
-    /// Air, and how the cloth is computed.
-    Cloth,
+}
+
+/// The pages of the dance.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DancePage {
+    /// One step, over and over.
+    Step,
+    /// Steps one after the other.
+    Choreography,
+    /// What a dancer's motion was recorded as.
+    Recording,
 }
 
 /// What was danced before something else was chosen, so that it comes back when it is chosen again.
@@ -186,6 +135,12 @@ pub struct Studio {
     pub hindrance: Option<Hindrance>,
     /// Which panels the left column shows.
     pub tab: Tab,
+    /// The page of the dance that is looked at; `None` is that of what is danced.
+    pub dance_page: Option<DancePage>,
+    /// Whether the door to what researchers look at is open.
+    pub researches: bool,
+    /// Whether a window that is too narrow for both shows the picture.
+    pub watches: bool,
     /// What was danced before something else was chosen.
     pub shelf: DanceShelf,
     /// Work of a window that ended without saving, to be offered.
@@ -234,6 +189,12 @@ pub struct Studio {
     pub(crate) textures: ClothTextures,
     /// A group's order.
     pub order: OrderDesk,
+    /// What is made of the design.
+    pub making: MakingDesk,
+    /// Whether the first page is shown.
+    pub starts: bool,
+    /// What the next window is to know.
+    pub memory: Memory,
     commands: Vec<Command>,
     requests: Vec<Request>,
 }
@@ -254,6 +215,9 @@ impl Studio {
             is_unkept: false,
             hindrance: None,
             tab: Tab::default(),
+            dance_page: None,
+            researches: false,
+            watches: false,
             shelf: DanceShelf::default(),
             found: None,
             plays: true,
@@ -278,6 +242,9 @@ impl Studio {
             clips: ClipShelf::default(),
             textures: ClothTextures::default(),
             order: OrderDesk::default(),
+            making: MakingDesk::default(),
+            starts: false,
+            memory: Memory::default(),
             commands: Vec::new(),
             requests: Vec::new(),
         }
@@ -463,7 +430,19 @@ impl Studio {
             saved: design.clone(),
         });
         self.shelf = DanceShelf::default();
+        self.dance_page = None;
         self.go_to(Wished::new(design, self.files.len() - 1));
+    }
+
+    /// Dresses a dancer of the group's list; whoever was dressed before is one step back.
+    pub fn try_on(&mut self, dancer: &RosterDancer) {
+        self.change(|design| *design = dancer.design(design));
+        let name = &dancer.name;
+        self.order.dressed = Some((name.clone(), self.design().dancer.clone()));
+        self.message = Some(Message::news(
+            format!("{name} さんの寸法で着せています。「元に戻す」で前の踊り手に戻ります。"),
+            format!("Dressing {name}; Undo brings back the dancer before."),
+        ));
     }
 
     /// Notes that the design is safe in a file.

@@ -6,8 +6,27 @@ use lole_language::{Words, words};
 pub(crate) const OPEN: Words = words("開く…", "Open…");
 pub(crate) const SAVE: Words = words("保存", "Save");
 pub(crate) const SAVE_AS: Words = words("名前をつけて保存…", "Save as…");
-pub(crate) const PICTURE: Words = words("写真を撮る", "Take a picture");
-pub(crate) const BROWSE: Words = words("探す…", "Browse…");
+pub(crate) const PICTURE: Words = words("写真を撮る…", "Take a picture…");
+pub(crate) const BROWSE: Words = words("パソコンの窓で探す…", "The system’s own window…");
+pub(crate) const OWN_FOLDER: Words = words("自分のフォルダー", "My folder");
+pub(crate) const FOLDER_ABOVE: Words = words("上のフォルダーへ", "To the folder above");
+pub(crate) const NOTHING_HERE: Words = words(
+    "ここには選べるファイルがありません。",
+    "There is nothing to choose here.",
+);
+pub(crate) const OPEN_FOLDER: Words = words("フォルダーを開く", "Open the folder");
+pub(crate) const MAKE_THEM: Words = words("作る・印刷する", "Make and print");
+pub(crate) const WHAT_TO_MAKE: Words = words("何を作りますか？", "What shall it be?");
+pub(crate) const FIRST_PAGE: Words = words("最初のページ", "First page");
+pub(crate) const RECENT: Words = words("最近のデザイン", "Recent designs");
+pub(crate) const OPEN_DESIGN: Words = words("デザインを開く…", "Open a design…");
+pub(crate) const BEGIN_AS_IT_IS: Words = words("このまま始める", "Begin as it is");
+pub(crate) const TRY_ON: Words = words("この人に着せて見る", "See it on her");
+pub(crate) const WAITS: Words = words("順番を待っています", "waiting");
+pub(crate) const CALLED_OFF: Words = words(
+    "やめました。何も書いていません。",
+    "Called off; nothing was written.",
+);
 pub(crate) const CANCEL: Words = words("やめる", "Cancel");
 pub(crate) const CLOSE: Words = words("閉じる", "Close");
 pub(crate) const FILE: Words = words("ファイル", "File");
@@ -18,13 +37,26 @@ pub(crate) const DISCARD: Words = words("捨てる", "Throw it away");
 pub(crate) const UNNAMED: Words = words("名前のないデザイン", "Untitled design");
 pub(crate) const CHANGED: Words = words("（未保存）", "(not saved)");
 
-pub(crate) const PLAYBACK: Words = words("再生", "Playback");
 pub(crate) const PLAY: Words = words("踊る", "Play");
 pub(crate) const PAUSE: Words = words("止める", "Pause");
-pub(crate) const STEP: Words = words("1コマ進む", "One frame");
-pub(crate) const RESET: Words = words("最初から", "Reset");
+pub(crate) const STEP: Words = words("1コマずつ", "One frame");
+pub(crate) const RESET: Words = words("最初から", "From the start");
 pub(crate) const SPEED: Words = words("速さ", "Speed");
-pub(crate) const REAL_TIME: Words = words("実時間", "Real time");
+pub(crate) const PACE: Words = words("踊りの速さ", "Pace of the dance");
+
+pub(crate) const FILES: Words = words("ファイル ▾", "File ▾");
+pub(crate) const LARGER_TYPE: Words = words("字を大きく", "Larger type");
+pub(crate) const SMALLER_TYPE: Words = words("字を小さく", "Smaller type");
+pub(crate) const SIZE_OF_TYPE: Words = words(
+    "字とボタンの大きさ（Ctrl と ＋・− でも変わります）",
+    "Size of letters and buttons (Ctrl with + and −, too)",
+);
+pub(crate) const MAKES: Words = words("作る", "Make");
+pub(crate) const WATCHES: Words = words("踊りを見る", "Watch the dance");
+pub(crate) const TABS: Words = words("作る順番", "What to work on");
+pub(crate) const RESEARCH: Words = words("研究者向け", "For researchers");
+pub(crate) const FOR_RESEARCHERS: Words = words("研究者向け…", "For researchers…");
+pub(crate) const COMPUTATION: Words = words("計算のしかた", "Computation");
 
 pub(crate) const DANCE: Words = words("踊り", "Dance");
 pub(crate) const DANCE_STEP: Words = words("ステップ", "Step");
@@ -54,6 +86,16 @@ pub(crate) const DIRECTIONS: [Words; 8] = [
     words("左後ろ向き", "left back"),
     words("後ろ向き", "back"),
 ];
+pub(crate) const CHOREOGRAPHY_HOW: Words = words(
+    "ステップを順に並べて、一曲分の振付を作れます。",
+    "Steps are put one after the other, to a whole dance.",
+);
+pub(crate) const DANCE_CHOREOGRAPHY: Words = words("振付で踊る", "Dance a choreography");
+pub(crate) const RECORDING_HOW: Words = words(
+    "モーションキャプチャなどで記録した動き（BVH・VRMA・glTF）で踊れます。",
+    "A dance that was recorded (BVH, VRMA, glTF) can be danced.",
+);
+pub(crate) const OPEN_FIRST_RECORDING: Words = words("踊りの記録を開く…", "Open a recording…");
 pub(crate) const OPEN_RECORDING: Words = words("ほかの記録を開く…", "Open another recording…");
 pub(crate) const CLIP: Words = words("どの動きを踊るか", "Which of its dances");
 pub(crate) const AFTER_ITS_END: Words = words("終わったら", "At its end she");
@@ -69,12 +111,15 @@ pub(crate) const DROP_RECORDING: Words = words(
 pub(crate) const TEMPO: Words = words("テンポ", "Tempo (counts)");
 pub(crate) const TEMPO_UNIT: Words = words(" 拍/分", " /min");
 
-pub(crate) const CLOTH: Words = words("布", "Cloth");
+pub(crate) const CLOTH: Words = words("布と柄", "Cloth");
+pub(crate) const NO_CLOTH_WORN: Words = words(
+    "いま着ているものに、布で作るものはありません。",
+    "Nothing that is worn is made of cloth.",
+);
 pub(crate) const METHOD: Words = words("計算方法", "Method");
-pub(crate) const UNCROSSED: Words = words("布のすり抜けどめ", "Cloth stays out of cloth");
+pub(crate) const UNCROSSED: Words = words("布どうしを通り抜けさせない", "Cloth stays out of cloth");
 pub(crate) const STIFFNESS: Words = words("かたさ（倍）", "Stiffness (times)");
 pub(crate) const DAMPING: Words = words("空気の抵抗", "Damping by air");
-pub(crate) const AIR_AND_CLOTH: Words = words("風と布", "Air");
 pub(crate) const BODY: Words = words("体", "Body");
 pub(crate) const WIND: Words = words("風", "Wind");
 pub(crate) const STILL_AIR: Words = words("無風", "still");
@@ -99,7 +144,7 @@ pub(crate) const WIND_TURNS: Words = words("回る", "turns round");
 pub(crate) const WIND_TO_AND_FRO: Words = words("行き来する", "to and fro");
 pub(crate) const GUSTS: Words = words("風のむら", "Gusts");
 pub(crate) const OTHER_GUSTS: Words = words("ちがうむらにする", "Other gusts");
-pub(crate) const MEETS_SKIN: Words = words("布を肌そのものに当てる", "Cloth meets the skin itself");
+pub(crate) const MEETS_SKIN: Words = words("布が肌そのものに触れる", "Cloth meets the skin itself");
 pub(crate) const CAPSULES_COUNT: Words = words("体のカプセルの数", "Capsules of the body");
 
 pub(crate) const COSTUME: Words = words("衣装", "Costume");
@@ -107,7 +152,18 @@ pub(crate) const FABRIC: Words = words("布", "Fabric");
 pub(crate) const PRINT: Words = words("柄", "Print");
 pub(crate) const COLORWAY: Words = words("配色", "Colors");
 pub(crate) const GROUND: Words = words("地の色", "Ground color");
-pub(crate) const WEAR_SKIRT: Words = words("パウスカートを着る", "Wear the pāʻū skirt");
+pub(crate) const WEAR_SKIRT: Words = words("パウスカートをはく", "Wear the pāʻū skirt");
+pub(crate) const ELASTIC_ROWS: Words = words("ゴムの段数", "Rows of elastic");
+pub(crate) const ELASTIC_PLACES: Words = words("ゴムの位置と幅", "Where the elastic is");
+pub(crate) const RUFFLE_ABOVE: Words = words("上のゴムより上のフリル", "Ruffle above the top row");
+pub(crate) const CASING: Words = words("ゴム通しの幅", "Height of a casing");
+pub(crate) const CASING_GAP: Words = words("ゴム通しの間隔", "Between two casings");
+pub(crate) const WORN_ON_HIP_BONES: Words = words(
+    "いちばん下のゴムを腰骨に合わせる",
+    "Lowest row on the hip bones",
+);
+pub(crate) const WORN_HEIGHT: Words =
+    words("いちばん下のゴム（床から）", "Lowest row, above the floor");
 pub(crate) const ADD_GARMENT: Words = words("＋ 服や小物を足す", "+ Add a garment");
 pub(crate) const ORDER_OF_LAYERS: Words = words("重ねる順（上が内側）", "Order (inner first)");
 pub(crate) const MOVE_IN: Words = words("内側へ:", "Move inward:");
@@ -154,7 +210,7 @@ pub(crate) const FLIP: Words = words("裏返し", "Mirror image");
 pub(crate) const NOT_FLIPPED: Words = words("しない", "no");
 pub(crate) const FLIP_SIDEWAYS: Words = words("左右に", "left and right");
 pub(crate) const FLIP_OVER: Words = words("上下に", "top and bottom");
-pub(crate) const TILING: Words = words("並べ方", "Repeat");
+pub(crate) const TILING: Words = words("柄の並べ方", "Repeat");
 pub(crate) const STRAIGHT: Words = words("まっすぐ", "straight");
 pub(crate) const HALF_DROP: Words = words("1 列おきに半分下げる", "half drop");
 pub(crate) const BRICK: Words = words("1 段おきに半分ずらす", "brick");
@@ -180,7 +236,7 @@ pub(crate) const OVERHANG_ACROSS: Words = words("よこ: はみ出した長さ",
 pub(crate) const DROP_ACROSS: Words = words("よこ: 下がった長さ", "Across: drop of the tip");
 pub(crate) const TAKE_FABRIC: Words = words("この布で縫う", "Sew from this cloth");
 
-pub(crate) const CUT_AND_COST: Words = words("裁断・費用", "Cut, cost");
+pub(crate) const CUT_AND_COST: Words = words("型紙", "Paper");
 pub(crate) const CUT_PLAN: Words = words("裁ち方図", "Cut plan");
 pub(crate) const DRAFTING: Words = words("製図しています…", "Drafting…");
 pub(crate) const SINGLE: Words = words("布を一重に", "Cloth single");
@@ -219,7 +275,7 @@ pub(crate) const PRICE_ASKED: Words = words("値段を確認", "ask the price");
 pub(crate) const TOTAL: Words = words("合計", "Total");
 pub(crate) const TOTAL_KNOWN: Words = words("わかっている分", "Known so far");
 
-pub(crate) const GROUP_ORDER: Words = words("名簿・注文", "Group order");
+pub(crate) const GROUP_ORDER: Words = words("全員分", "Group");
 pub(crate) const CHOOSE_LIST: Words = words("名簿（CSV）を選ぶ…", "Choose a list (CSV)…");
 pub(crate) const LIST_HOW: Words = words(
     "表計算で 1 行に 1 人、名前・身長・ヒップなどを書き、CSV で保存した名簿を選びます。",
@@ -245,12 +301,12 @@ pub(crate) const TOTALS_ARE_OLD: Words = words(
     "The design has changed since; work it out again.",
 );
 pub(crate) const NO_PRICES_YET: Words = words(
-    "値段がまだありません。「裁断・費用」に書いてください。",
-    "No prices yet: write them under “Cut, cost”.",
+    "値段がまだありません。「型紙」に書いてください。",
+    "No prices yet: write them under “Paper”.",
 );
 pub(crate) const FOLDER: Words = words("フォルダー", "Folder");
 
-pub(crate) const GARMENTS: Words = words("重ねる服や小物", "Worn with it");
+pub(crate) const GARMENTS: Words = words("重ねる服・レイ・小物", "Worn with it");
 pub(crate) const TAKE_OFF: Words = words("脱ぐ:", "Take off:");
 pub(crate) const UNDER_SKIRT: Words = words("スカートの下", "under the skirt");
 pub(crate) const OVER_SKIRT: Words = words("スカートの上", "over it");
@@ -269,15 +325,14 @@ pub(crate) const ESTIMATED: Words = words("推定", "estimated");
 pub(crate) const LEAVE_OUT: Words = words("推定に戻す", "estimate it");
 
 pub(crate) const SKIRT: Words = words("スカート", "Skirt");
-pub(crate) const GATHER: Words = words("ギャザー（倍）", "Gathers (times)");
+pub(crate) const GATHER: Words = words("ギャザー（ヒップの何倍）", "Gathers (times the hips)");
 pub(crate) const HEM: Words = words("すその高さ（床から）", "Hem above the floor");
 pub(crate) const SEWS_ANEW: Words = words(
-    "変えると縫い直します。そのあいだも踊りは続きます。",
+    "変えると縫い直します。縫っている間も踊りは続きます。",
     "A change is sewn anew; the dance goes on meanwhile.",
 );
 pub(crate) const SEWING: Words = words("縫っています…", "Sewing…");
 
-pub(crate) const VIEW: Words = words("見る向き", "View");
 pub(crate) const FRONT: Words = words("正面", "Front");
 pub(crate) const SIDE: Words = words("横", "Side");
 pub(crate) const BACK: Words = words("後ろ", "Back");
@@ -293,7 +348,10 @@ pub(crate) const HINT: Words = words(
 pub(crate) const SHOWS: Words = words("重ねて見る", "Show");
 pub(crate) const CAPSULES: Words = words("カプセル", "Capsules");
 pub(crate) const SPRINGS: Words = words("ばね", "Springs");
-pub(crate) const STRAIN: Words = words("伸び縮み", "Strain");
+pub(crate) const STRAIN: Words = words(
+    "布が引っぱられている所を色で見る",
+    "Color the cloth where it pulls",
+);
 pub(crate) const SUNKEN: Words = words("めり込み", "Penetration");
 pub(crate) const SKELETON: Words = words("骨格", "Skeleton");
 pub(crate) const SHRUNK: Words = words("縮み", "shrunk");

@@ -134,7 +134,7 @@ fn narrow_cloth_is_warned_of_once_with_a_remedy() {
 
 #[test]
 fn a_print_is_turned_made_a_border_and_replaced_by_a_picture() {
-    let mut window = drafted(Design::default(), Language::English, Tab::Costume);
+    let mut window = drafted(Design::default(), Language::English, Tab::Cloth);
     unfold(&mut window, "Size and place of the print");
     click(&mut window, "➡");
     assert_eq!(
@@ -150,7 +150,7 @@ fn a_print_is_turned_made_a_border_and_replaced_by_a_picture() {
 
 #[test]
 fn one_s_own_cloth_is_measured_and_sewn_from() {
-    let mut window = drafted(Design::default(), Language::English, Tab::Costume);
+    let mut window = drafted(Design::default(), Language::English, Tab::Cloth);
     unfold(&mut window, "Width; test your own cloth");
     click(&mut window, "Sew from this cloth");
     let fabric = wished(&mut window).fabric;

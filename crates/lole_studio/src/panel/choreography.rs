@@ -4,9 +4,9 @@ use eframe::egui::{self, ComboBox, RichText, Ui};
 use lole_body::Side;
 use lole_costume::document::PartDesign;
 
-use super::hindrance;
 use super::knob::{self, wide_button};
 use super::steps::StepList;
+use super::{dance, hindrance};
 use crate::{Studio, look, text};
 
 /// Most counts of one part.
@@ -23,6 +23,13 @@ enum Edit {
 }
 
 pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
+    if !dance::is_danced(studio) {
+        ui.label(studio.say(text::CHOREOGRAPHY_HOW));
+        if wide_button(ui, studio.say(text::DANCE_CHOREOGRAPHY)) {
+            dance::dance_choreography(studio);
+        }
+        return;
+    }
     let parts = studio.design().motion.parts.clone();
     ui.label(RichText::new(whole(studio, &parts)).small().weak());
     let dancing = dancing_part(studio);
@@ -158,7 +165,7 @@ fn facing_ui(ui: &mut Ui, studio: &Studio, number: usize, part: &mut PartDesign)
     };
     let response = ComboBox::from_id_salt(("facing of part", number))
         .width(ui.available_width() - 8.0)
-        .truncate()
+        .wrap()
         .selected_text(name(facing))
         .show_ui(ui, |ui| {
             for degrees in DIRECTIONS {

@@ -8,7 +8,7 @@ use lole_language::{Sentence, Words};
 use lole_pattern::piece::ClothRole;
 
 use super::hindrance;
-use super::knob::{choice, left_label};
+use super::knob::{choice, left_label, width_of};
 use crate::paper::PaperGarment;
 use crate::studio::range;
 use crate::{Studio, look, text};
@@ -245,14 +245,6 @@ fn pieces(ui: &mut Ui, studio: &mut Studio, bill: Option<&Bill>) {
             studio.change_later(|design| *(notion.place)(&mut design.cost.notions) = price);
         }
     }
-}
-
-/// Width of a line of text [point].
-fn width_of(ui: &Ui, text: &str) -> f32 {
-    let font = egui::TextStyle::Body.resolve(ui.style());
-    let color = ui.visuals().text_color();
-    let galley = ui.painter().layout_no_wrap(text.to_owned(), font, color);
-    galley.size().x
 }
 
 /// A price to be typed; empty where nobody knows it.

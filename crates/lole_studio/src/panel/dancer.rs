@@ -137,7 +137,7 @@ impl Row {
             (false, None) => look::PALE_INK,
         };
         let name = studio.say(self.measure.words());
-        let label = Label::new(RichText::new(name).color(color)).truncate();
+        let label = Label::new(RichText::new(name).color(color)).wrap();
         let place = egui::Layout::left_to_right(egui::Align::Center);
         let label = ui.allocate_ui_with_layout(SIZES[0], place, |ui| {
             ui.set_min_size(SIZES[0]);

@@ -4,7 +4,7 @@
 use eframe::egui::{self, RichText, Ui};
 use lole_costume::document::{Design, GarmentDesign, GarmentLayer};
 use lole_garment::{Fineness, Shelf, Template};
-use lole_language::{Language, Words, capitalized};
+use lole_language::{Words, capitalized};
 
 use super::garment::{SKIRT_HEMS, fabric_ui, paper_ui, print_ui, width_ui};
 use super::knob::{choice, left_label, sign_button, wide_button};
@@ -105,14 +105,6 @@ fn garment_ui(ui: &mut Ui, studio: &mut Studio, place: usize, garment: &GarmentD
     let paper = studio.paper.clone();
     let on_paper = (paper.as_ref()).and_then(|paper| paper.garment(Some(place), studio.design()));
     let trouble = on_paper.and_then(|garment| garment.cut.as_ref().err());
-    // Leaves and flowers are not cut from cloth.
-    let is_cloth = on_paper.is_none_or(|garment| {
-        let cut = garment.cut.as_ref();
-        cut.map_or(true, |cut| !cut.plans.is_empty())
-    });
-    if is_cloth && cloth_ui(ui, studio, place, &mut changed) {
-        when = When::Later;
-    }
     let shape = egui::CollapsingHeader::new(studio.say(text::SHAPE)).default_open(true);
     let moved = shape.show(ui, |ui| options::show(ui, studio, &mut changed, trouble));
     if moved.body_returned == Some(true) {
@@ -129,6 +121,37 @@ fn garment_ui(ui: &mut Ui, studio: &mut Studio, place: usize, garment: &GarmentD
     match when {
         When::Now => studio.change(edit),
         When::Later => studio.change_later(edit),
+    }
+}
+
+/// Whether a garment of the list is cut from cloth: leaves and flowers are not.
+pub(super) fn is_of_cloth(studio: &Studio, place: usize) -> bool {
+    let paper = studio.paper.as_ref();
+    let on_paper = paper.and_then(|paper| paper.garment(Some(place), studio.design()));
+    on_paper.is_none_or(|garment| {
+        let cut = garment.cut.as_ref();
+        cut.map_or(true, |cut| !cut.plans.is_empty())
+    })
+}
+
+/// Fabric and print of a garment of the list.
+pub(super) fn cloth(ui: &mut Ui, studio: &mut Studio, place: usize) {
+    let Some(garment) = studio.design().garments.get(place).cloned() else {
+        return;
+    };
+    let mut changed = garment.clone();
+    let is_moved = cloth_ui(ui, studio, place, &mut changed);
+    let paper = studio.paper.clone();
+    let on_paper = (paper.as_ref()).and_then(|paper| paper.garment(Some(place), studio.design()));
+    paper_ui(ui, studio, on_paper);
+    if changed == garment {
+        return;
+    }
+    let edit = |design: &mut Design| design.garments[place] = changed;
+    if is_moved {
+        studio.change_later(edit);
+    } else {
+        studio.change(edit);
     }
 }
 
@@ -188,7 +211,7 @@ fn shelf(ui: &mut Ui, studio: &mut Studio) {
     }
 }
 
-/// A sketch, what it is called in both languages and what it is; whether it was chosen.
+/// A sketch, what it is called and what it is; whether it was chosen.
 fn entry(ui: &mut Ui, studio: &Studio, template: &Template, name: Words) -> bool {
     ui.horizontal(|ui| {
         let (_, rect) = ui.allocate_space(egui::Vec2::splat(SKETCH));
@@ -196,11 +219,8 @@ fn entry(ui: &mut Ui, studio: &Studio, template: &Template, name: Words) -> bool
         ui.vertical(|ui| {
             ui.spacing_mut().item_spacing.y = 2.0;
             let clicked = wide_button(ui, &capitalized(studio.say(name)));
-            let (other, about) = match studio.language {
-                Language::Japanese => (name.english, template.about.japanese),
-                Language::English => (name.japanese, template.about.english),
-            };
-            ui.label(RichText::new(format!("{other}: {about}")).small().weak());
+            let about = RichText::new(studio.say(template.about)).small().weak();
+            ui.label(about);
             clicked
         })
         .inner

@@ -17,6 +17,7 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     };
     let time = |sample: &Sample| f64::from(sample.time);
 
+    ui.label(RichText::new(pace(studio)).small());
     title(ui, studio.say(text::FRAME_TIME));
     let cost = points(&|s| [time(s), f64::from(s.milliseconds)]);
     plot("frame time")
@@ -58,6 +59,20 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
         ]
     });
     plot("hem path").show(ui, |plot| plot.line(line("", path, look::TEAL)));
+}
+
+/// What a frame takes, and how many pictures a second there are.
+fn pace(studio: &Studio) -> String {
+    let mut said = Vec::new();
+    if let Some(milliseconds) = studio.history.milliseconds() {
+        let unit = studio.say(text::MS_PER_FRAME);
+        said.push(format!("{milliseconds:.1} {unit}"));
+    }
+    if let Some(pictures) = studio.pictures_per_second {
+        let unit = studio.say(text::PICTURES_PER_SECOND);
+        said.push(format!("{pictures:.0} {unit}"));
+    }
+    said.join("   ")
 }
 
 fn title(ui: &mut Ui, name: &str) {

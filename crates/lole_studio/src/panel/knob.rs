@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 
 use eframe::egui::{self, Response, Slider, Ui};
 
-use crate::studio;
+use crate::{look, studio};
 
 /// Width of the value beside a slider [point].
 const VALUE_WIDTH: f32 = 108.0;
@@ -56,56 +56,102 @@ impl Knob<'_> {
     }
 }
 
-/// Buttons of which one is chosen, side by side, each as wide as the others.
+/// Room between buttons that stand side by side [point].
+const GAP: f32 = 6.0;
+
+/// Buttons of which one is chosen, each as wide as the others, in as few rows as have room for them.
 pub(super) fn choice<T: PartialEq + Copy>(
     ui: &mut Ui,
     chosen: Option<T>,
     options: &[(T, &str)],
 ) -> Option<T> {
     let mut picked = None;
-    let gap = 6.0;
-    #[expect(clippy::cast_precision_loss, reason = "a handful of buttons")]
-    let count = options.len().max(1) as f32;
-    let width = ((ui.available_width() - gap * (count - 1.0)) / count).max(30.0);
-    ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = gap;
-        ui.spacing_mut().button_padding.x = 2.0;
-        for &(option, name) in options {
-            let button = egui::Button::selectable(chosen == Some(option), name)
-                .frame_when_inactive(true)
-                .min_size(egui::vec2(width, 32.0));
-            if ui.add(button).clicked() {
-                picked = Some(option);
-            }
-        }
+    let room = ui.available_width();
+    let widest = options.iter().map(|(_, name)| width_of(ui, name));
+    let widest = widest.fold(30.0, f32::max) + 2.0 * PADDING;
+    let fit = (1..=options.len()).rev().find(|count| {
+        let gaps = GAP * (as_float(*count) - 1.0);
+        as_float(*count) * widest + gaps <= room
     });
+    let row_count = options.len().div_ceil(fit.unwrap_or(1)).max(1);
+    let in_row = options.len().div_ceil(row_count).max(1);
+    let width = ((room - GAP * (as_float(in_row) - 1.0)) / as_float(in_row)).max(30.0);
+    for row in options.chunks(in_row) {
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = GAP;
+            ui.spacing_mut().button_padding.x = PADDING;
+            let size = egui::vec2(width, ui.spacing().interact_size.y);
+            for &(option, name) in row {
+                let button = egui::Button::selectable(chosen == Some(option), name)
+                    .frame_when_inactive(true)
+                    .wrap()
+                    .min_size(size);
+                if ui.add(button).clicked() {
+                    picked = Some(option);
+                }
+            }
+        });
+    }
     picked
 }
 
-/// Words that begin at the left of a place of this size, cut off where they are longer.
+/// Room beside the words of a button of [`choice`] [point].
+const PADDING: f32 = 4.0;
+
+#[expect(clippy::cast_precision_loss, reason = "a handful of buttons")]
+const fn as_float(count: usize) -> f32 {
+    count as f32
+}
+
+/// Buttons of which one is chosen, each as wide as its words, among others in a row.
+pub(super) fn loose_choice<T: PartialEq + Copy>(
+    ui: &mut Ui,
+    chosen: Option<T>,
+    options: &[(T, &str)],
+) -> Option<T> {
+    let mut picked = None;
+    for &(option, name) in options {
+        let button =
+            egui::Button::selectable(chosen == Some(option), name).frame_when_inactive(true);
+        if ui.add(button).clicked() {
+            picked = Some(option);
+        }
+    }
+    picked
+}
+
+/// Width of a line of ordinary text [point].
+pub(super) fn width_of(ui: &Ui, text: &str) -> f32 {
+    let font = egui::TextStyle::Body.resolve(ui.style());
+    let color = ui.visuals().text_color();
+    let galley = ui.painter().layout_no_wrap(text.to_owned(), font, color);
+    galley.size().x
+}
+
+/// Words that begin at the left of a place of this size, in as many lines as they need.
 pub(super) fn left_label(
     ui: &mut Ui,
     size: egui::Vec2,
     words: impl Into<egui::WidgetText>,
 ) -> Response {
     let words = words.into();
-    let about = words.text().to_owned();
     let place = egui::Layout::left_to_right(egui::Align::Center);
     let label = ui.allocate_ui_with_layout(size, place, |ui| {
         ui.set_min_size(size);
-        ui.add(egui::Label::new(words).truncate())
+        ui.add(egui::Label::new(words).wrap())
     });
-    label.inner.on_hover_text(about)
+    label.inner
 }
 
 /// A button as wide as the panel; whether it was clicked.
 pub(super) fn wide_button(ui: &mut Ui, name: &str) -> bool {
-    let size = egui::vec2(ui.available_width(), 32.0);
-    ui.add(egui::Button::new(name).min_size(size)).clicked()
+    let size = egui::vec2(ui.available_width(), ui.spacing().interact_size.y);
+    ui.add(egui::Button::new(name).wrap().min_size(size))
+        .clicked()
 }
 
 /// Size of a button with a sign [point].
-pub(super) const SIGN: egui::Vec2 = egui::vec2(34.0, 30.0);
+pub(super) const SIGN: egui::Vec2 = egui::vec2(36.0, look::TARGET);
 
 /// A small button with a sign that is read out as `name`; whether it was clicked.
 pub(super) fn sign_button(ui: &mut Ui, sign: &str, name: &str) -> bool {
@@ -141,7 +187,7 @@ impl<S: egui::AsIdSalt> DropDown<'_, S> {
         let known = options.iter().find(|(option, _)| *option == chosen);
         egui::ComboBox::from_id_salt(self.salt)
             .width(ui.available_width())
-            .truncate()
+            .wrap()
             .selected_text(known.map_or("", |(_, name)| name))
             .show_ui(ui, |ui| {
                 for (option, name) in options {

@@ -31,9 +31,16 @@ pub fn show(ui: &mut Ui, studio: &mut Studio) {
         };
         card(ui, fill, |ui| {
             ui.label(studio.tell(&message.sentence));
-            if ui.button(studio.say(text::CLOSE)).clicked() {
-                studio.message = None;
-            }
+            ui.horizontal(|ui| {
+                if let Some(place) = message.place
+                    && ui.button(studio.say(text::OPEN_FOLDER)).clicked()
+                {
+                    studio.request(Request::Reveal(place));
+                }
+                if ui.button(studio.say(text::CLOSE)).clicked() {
+                    studio.message = None;
+                }
+            });
         });
     }
     if studio.sews && studio.snapshot.is_none() {
@@ -95,7 +102,7 @@ fn flew_apart(studio: &Studio, divergence: &Divergence) -> String {
         "{time:.2} 秒に、{row} 行 {column} 列から布が飛び散りました（{method}）。「最初から」を押すか、計算方法を変えてください。"
     );
     let english = format!(
-        "The cloth flew apart at {time:.2} s, first at row {row}, column {column} ({method}). Press Reset, or choose another method."
+        "The cloth flew apart at {time:.2} s, first at row {row}, column {column} ({method}). Press “From the start”, or choose another method."
     );
     studio.language.pick(&japanese, &english).to_owned()
 }

@@ -3,9 +3,10 @@
 
 use std::sync::Arc;
 
-use eframe::egui::{self, Grid, ProgressBar, RichText, Ui};
+use eframe::egui::{self, ProgressBar, RichText, Ui};
 use lole_body::Measure;
 use lole_costume::order::PrintTotal;
+use lole_costume::roster::RosterDancer;
 use lole_export::pdf::Paper;
 use lole_language::Sentence;
 use lole_pattern::pattern::Amount;
@@ -67,30 +68,47 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     }
 }
 
-/// Name, stature and hip of everybody.
-fn dancers(ui: &mut Ui, studio: &Studio, dancers: &[lole_costume::roster::RosterDancer]) {
-    Grid::new("dancers")
-        .num_columns(3)
-        .striped(true)
-        .show(ui, |ui| {
-            for measure in [None, Some(Measure::Stature), Some(Measure::Hip)] {
-                let words = measure.map_or(text::NAME, Measure::words);
-                ui.label(RichText::new(studio.say(words)).small().weak());
+/// Widths of a number of the list [point].
+const NUMBER: f32 = 56.0;
+
+/// Name, stature and hip of everybody; a click on a name dresses her.
+fn dancers(ui: &mut Ui, studio: &mut Studio, dancers: &[RosterDancer]) {
+    let name_width = (ui.available_width() - 2.0 * (NUMBER + 8.0)).max(80.0);
+    let measures = [Measure::Stature, Measure::Hip];
+    ui.horizontal(|ui| {
+        let small = |words| RichText::new(studio.say(words)).small().weak();
+        left_label(ui, egui::vec2(name_width, 20.0), small(text::NAME));
+        for measure in measures {
+            left_label(ui, egui::vec2(NUMBER, 20.0), small(measure.words()));
+        }
+    });
+    for dancer in dancers {
+        ui.horizontal(|ui| {
+            let size = egui::vec2(name_width, look::TARGET);
+            let is_on = is_dressed(studio, dancer);
+            let name = egui::Button::selectable(is_on, &dancer.name)
+                .frame_when_inactive(true)
+                .wrap()
+                .min_size(size);
+            let place = egui::Layout::top_down_justified(egui::Align::Min);
+            let button = ui.allocate_ui_with_layout(size, place, |ui| ui.add(name));
+            let button = button.inner.on_hover_text(studio.say(text::TRY_ON));
+            if button.clicked() {
+                studio.try_on(dancer);
             }
-            ui.end_row();
-            for dancer in dancers {
-                left_label(ui, egui::vec2(150.0, 22.0), &dancer.name);
-                for wanted in [Measure::Stature, Measure::Hip] {
-                    let found = dancer
-                        .tape_cm
-                        .iter()
-                        .find(|(measure, _)| *measure == wanted);
-                    let said = found.map_or_else(|| "–".to_owned(), |(_, cm)| format!("{cm:.1}"));
-                    ui.label(said);
-                }
-                ui.end_row();
+            for wanted in measures {
+                let found = dancer.tape_cm.iter().find(|(of, _)| *of == wanted);
+                let said = found.map_or_else(|| "–".to_owned(), |(_, cm)| format!("{cm:.1}"));
+                left_label(ui, egui::vec2(NUMBER, 24.0), said);
             }
         });
+    }
+}
+
+/// Whether the design is on this dancer.
+fn is_dressed(studio: &Studio, dancer: &RosterDancer) -> bool {
+    let dressed = studio.order.dressed.as_ref();
+    dressed.is_some_and(|(name, tape)| *name == dancer.name && *tape == studio.design().dancer)
 }
 
 fn wishes(ui: &mut Ui, studio: &mut Studio) {

@@ -10,7 +10,6 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
         (&mut shows.capsules, text::CAPSULES),
         (&mut shows.skeleton, text::SKELETON),
         (&mut shows.springs, text::SPRINGS),
-        (&mut shows.strain, text::STRAIN),
         (&mut shows.sunken, text::SUNKEN),
     ];
     let half = ui.available_width() / 2.0;
@@ -26,6 +25,13 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
                 }
             }
         });
+    studio.set_shows(shows);
+}
+
+/// Whether the cloth is colored by its strain, which shows a maker where it pulls.
+pub(super) fn strain(ui: &mut Ui, studio: &mut Studio) {
+    let mut shows = studio.shows;
+    ui.checkbox(&mut shows.strain, studio.say(text::STRAIN));
     if shows.strain {
         legend(ui, studio);
     }

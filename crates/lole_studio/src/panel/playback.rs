@@ -1,49 +1,96 @@
-//! Dance, pause, one frame, slow motion, from the beginning.
+//! Below the picture: dance, pause, from the beginning, slow motion; from where she is seen, and
+//! what dragging does.
 
-use eframe::egui::{self, RichText, Ui};
+use eframe::egui::{self, ComboBox, RichText, Ui};
 
-use super::knob::choice;
+use super::knob::loose_choice;
+use crate::orbit::VIEWS;
+use crate::studio::Tool;
 use crate::{Command, Studio, look, text};
 
 /// Speeds of the buttons, with their names.
 const SPEEDS: [(f64, &str); 4] = [(1.0, "×1"), (0.5, "×½"), (0.25, "×¼"), (0.1, "×⅒")];
+/// Narrower bars leave out what can be done without [point].
+const ROOMY: f32 = 440.0;
 
 pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
-    let gap = 6.0;
-    let third = ((ui.available_width() - 2.0 * gap) / 3.0).max(40.0);
-    let size = egui::vec2(third, 38.0);
-    ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = gap;
-        ui.spacing_mut().button_padding.x = 2.0;
-        let name = studio.say(if studio.plays {
-            text::PAUSE
-        } else {
-            text::PLAY
-        });
-        let main = egui::Button::new(RichText::new(name).strong().color(egui::Color32::WHITE))
-            .fill(look::RED)
-            .min_size(size);
-        if ui.add(main).clicked() {
-            studio.toggle_playing();
+    let is_roomy = ROOMY <= ui.available_width();
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing = egui::vec2(5.0, 5.0);
+        ui.spacing_mut().button_padding.x = 9.0;
+        play(ui, studio);
+        ui.add_space(6.0);
+        views(ui, studio);
+        if is_roomy {
+            ui.add_space(6.0);
+            tools(ui, studio);
+            ui.add_space(6.0);
+            speed(ui, studio);
         }
-        let step = egui::Button::new(studio.say(text::STEP)).min_size(size);
-        if ui.add(step).clicked() {
-            studio.step();
-        }
-        let reset = egui::Button::new(studio.say(text::RESET)).min_size(size);
-        if ui.add(reset).clicked() {
-            studio.reset();
-        }
-    });
-    ui.horizontal(|ui| {
-        ui.label(studio.say(text::SPEED));
-        speed(ui, studio);
     });
 }
 
+fn play(ui: &mut Ui, studio: &mut Studio) {
+    let name = studio.say(if studio.plays {
+        text::PAUSE
+    } else {
+        text::PLAY
+    });
+    let height = ui.spacing().interact_size.y;
+    let main = egui::Button::new(RichText::new(name).strong().color(egui::Color32::WHITE))
+        .fill(look::RED)
+        .min_size(egui::vec2(76.0, height));
+    if ui.add(main).clicked() {
+        studio.toggle_playing();
+    }
+    if ui.button(studio.say(text::RESET)).clicked() {
+        studio.reset();
+    }
+    if ui.button(studio.say(text::STEP)).clicked() {
+        studio.step();
+    }
+}
+
+/// A list of speeds that drops down.
 fn speed(ui: &mut Ui, studio: &mut Studio) {
-    if let Some(speed) = choice(ui, Some(studio.speed), &SPEEDS) {
-        studio.speed = speed;
-        studio.command(Command::Speed(speed));
+    let label = ui.label(studio.say(text::SPEED));
+    let mut chosen = studio.speed;
+    let is_chosen = |(speed, _): &&(f64, &str)| (*speed - chosen).abs() < 1e-9;
+    let said = SPEEDS.iter().find(is_chosen).map_or("", |(_, name)| *name);
+    ComboBox::from_id_salt("speed")
+        .width(64.0)
+        .selected_text(said)
+        .show_ui(ui, |ui| {
+            for (speed, name) in SPEEDS {
+                ui.selectable_value(&mut chosen, speed, name);
+            }
+        })
+        .response
+        .labelled_by(label.id);
+    if 1e-9 < (chosen - studio.speed).abs() {
+        studio.speed = chosen;
+        studio.command(Command::Speed(chosen));
+    }
+}
+
+fn views(ui: &mut Ui, studio: &mut Studio) {
+    let names = [text::FRONT, text::SIDE, text::BACK, text::THREE_QUARTER];
+    let options: Vec<_> = (VIEWS.iter().copied())
+        .zip(names.map(|name| studio.say(name)))
+        .collect();
+    let chosen = studio.orbit.and_then(|orbit| orbit.view);
+    if let Some(view) = loose_choice(ui, chosen, &options) {
+        studio.wanted_view = Some(view);
+    }
+}
+
+fn tools(ui: &mut Ui, studio: &mut Studio) {
+    ui.label(studio.say(text::DRAG_DOES));
+    let tools = [
+        (Tool::Hold, studio.say(text::HOLDS)),
+        (Tool::Turn, studio.say(text::TURNS)),
+    ];
+    if let Some(tool) = loose_choice(ui, Some(studio.tool), &tools) {
+        studio.tool = tool;
     }
 }

@@ -1,13 +1,22 @@
 //! A question for a file, in the window itself: it works where the system has no dialog.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use eframe::egui::{self, Align2, Key, TextEdit, Ui};
-
+use eframe::egui::{self, Align2, Key, RichText, ScrollArea, TextEdit, Ui};
 use lole_language::Words;
 
-use crate::studio::{Purpose, Request};
-use crate::{Studio, text};
+use super::hindrance;
+use super::knob::sign_button;
+use crate::chooser::Listing;
+use crate::studio::{Purpose, Question, Request};
+use crate::{Studio, look, text};
+
+/// Width of the question where there is room [point].
+const WIDTH: f32 = 560.0;
+/// Height of the list of files where there is room [point].
+const LIST: f32 = 280.0;
+/// What stands above and below the list [point].
+const AROUND: f32 = 270.0;
 
 /// What the question is called.
 const fn title(purpose: Purpose) -> Words {
@@ -18,6 +27,8 @@ const fn title(purpose: Purpose) -> Words {
         Purpose::Print(_) => text::OWN_PICTURE,
         Purpose::Roster => text::CHOOSE_LIST,
         Purpose::Order => text::MAKE_ORDER,
+        Purpose::Make(product) => product.name(),
+        Purpose::Picture => text::PICTURE,
     }
 }
 
@@ -30,6 +41,8 @@ const fn request(purpose: Purpose, path: PathBuf) -> Request {
         Purpose::Print(place) => Request::OpenPicture(place, path),
         Purpose::Roster => Request::OpenRoster(path),
         Purpose::Order => Request::MakeOrder(path),
+        Purpose::Make(product) => Request::Make(product, path),
+        Purpose::Picture => Request::SavePicture(path),
     }
 }
 
@@ -38,45 +51,174 @@ pub fn show(ui: &mut Ui, studio: &mut Studio) {
     let Some(mut question) = studio.question.take() else {
         return;
     };
-    let title = studio.say(title(question.purpose));
-    let (mut answered, mut given_up) = (false, false);
-    egui::Window::new(title)
+    let screen = ui.ctx().content_rect();
+    let room = egui::vec2(
+        WIDTH.min(screen.width() - 48.0),
+        LIST.min(screen.height() - AROUND).max(60.0),
+    );
+    let mut end = None;
+    egui::Window::new(studio.say(title(question.purpose)))
+        .id(egui::Id::unique("question"))
         .collapsible(false)
         .resizable(false)
         .anchor(Align2::CENTER_CENTER, [0.0, 0.0])
         .show(ui.ctx(), |ui| {
-            let what = match question.purpose {
-                Purpose::Order => text::FOLDER,
-                _ => text::FILE,
-            };
-            let label = ui.label(studio.say(what));
-            let field = TextEdit::singleline(&mut question.path).desired_width(360.0);
-            let response = ui.add(field).labelled_by(label.id);
-            answered = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
-            if !response.has_focus() && !answered {
-                response.request_focus();
+            ui.set_width(room.x);
+            if let Some(listing) = question.listing.clone() {
+                places(ui, studio, &mut question, &listing);
+                files(ui, studio, &mut question, &listing, room.y);
             }
-            ui.add_space(4.0);
-            ui.horizontal(|ui| {
-                let go = match question.purpose {
-                    Purpose::Open | Purpose::Record | Purpose::Print(_) | Purpose::Roster => {
-                        text::OPEN_IT
-                    }
-                    Purpose::Save | Purpose::Order => text::SAVE,
-                };
-                answered |= ui.button(studio.say(go)).clicked();
-                if ui.button(studio.say(text::BROWSE)).clicked() {
-                    studio.request(Request::Browse);
-                }
-                given_up = ui.button(studio.say(text::CANCEL)).clicked()
-                    || ui.input(|input| input.key_pressed(Key::Escape));
-            });
+            if let Some(note) = &question.note {
+                hindrance::sentence(ui, studio, note);
+            }
+            if field(ui, studio, &mut question) {
+                end = Some(End::Answered);
+            }
+            end = buttons(ui, studio, question.purpose).or(end);
         });
     let path = question.path.trim();
-    if answered && !path.is_empty() {
-        let path = PathBuf::from(path);
-        studio.request(request(question.purpose, path));
-    } else if !given_up {
-        studio.question = Some(question);
+    match end {
+        Some(End::Answered) if !path.is_empty() => {
+            let path = PathBuf::from(path);
+            // A folder is looked into, unless one was asked for.
+            if path.is_dir() && !question.purpose.is_folder() {
+                studio.request(Request::ListFolder(path));
+                studio.question = Some(question);
+            } else {
+                studio.request(request(question.purpose, path));
+            }
+        }
+        Some(End::GivenUp) => {}
+        Some(End::Answered) | None => studio.question = Some(question),
     }
+}
+
+/// How a question ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum End {
+    Answered,
+    GivenUp,
+}
+
+/// The folder that is looked into, the one above it, and those that people keep files in.
+fn places(ui: &mut Ui, studio: &mut Studio, question: &mut Question, listing: &Listing) {
+    let mut wanted = None;
+    ui.horizontal_wrapped(|ui| {
+        for place in &listing.places {
+            let is_own = Some(place) == listing.places.first();
+            let name = match place.file_name() {
+                Some(name) if !is_own => name.to_string_lossy().into_owned(),
+                _ => studio.say(text::OWN_FOLDER).to_owned(),
+            };
+            if ui.button(name).clicked() {
+                wanted = Some(place.clone());
+            }
+        }
+    });
+    ui.horizontal(|ui| {
+        if let Some(above) = listing.folder.parent()
+            && sign_button(ui, "⬆", studio.say(text::FOLDER_ABOVE))
+        {
+            wanted = Some(above.to_owned());
+        }
+        let here = RichText::new(listing.folder.display().to_string()).small();
+        ui.add(egui::Label::new(here).wrap());
+    });
+    if let Some(folder) = wanted {
+        go_to(studio, question, folder);
+    }
+}
+
+/// Looks into another folder; the name that was typed stays.
+fn go_to(studio: &mut Studio, question: &mut Question, folder: PathBuf) {
+    let name = Path::new(&question.path).file_name();
+    let name = name
+        .filter(|_| question.purpose.writes())
+        .map(PathBuf::from);
+    let path = folder.join(name.unwrap_or_default());
+    question.path = path.display().to_string();
+    studio.request(Request::ListFolder(folder));
+}
+
+fn files(
+    ui: &mut Ui,
+    studio: &mut Studio,
+    question: &mut Question,
+    listing: &Listing,
+    height: f32,
+) {
+    if let Some(trouble) = &listing.trouble {
+        hindrance::sentence(ui, studio, trouble);
+    }
+    let mut wanted = None;
+    look::card(look::CARD).inner_margin(6).show(ui, |ui| {
+        ScrollArea::vertical()
+            .id_salt(&listing.folder)
+            .max_height(height)
+            .auto_shrink([false, false])
+            .show(ui, |ui| {
+                if listing.entries.is_empty() {
+                    ui.label(RichText::new(studio.say(text::NOTHING_HERE)).weak());
+                }
+                for entry in &listing.entries {
+                    let path = listing.folder.join(&entry.name);
+                    let sign = if entry.is_file { "　" } else { "📁" };
+                    let name = format!("{sign} {}", entry.name);
+                    let is_chosen = Path::new(&question.path) == path;
+                    let button = egui::Button::selectable(is_chosen, name)
+                        .wrap()
+                        .min_size(egui::vec2(ui.available_width(), 28.0));
+                    if ui.add(button).clicked() {
+                        wanted = Some((path, entry.is_file));
+                    }
+                }
+            });
+    });
+    match wanted {
+        Some((path, true)) => question.path = path.display().to_string(),
+        Some((path, false)) => go_to(studio, question, path),
+        None => {}
+    }
+}
+
+/// What was typed or chosen; whether it was typed to its end.
+fn field(ui: &mut Ui, studio: &Studio, question: &mut Question) -> bool {
+    let what = if question.purpose.is_folder() {
+        text::FOLDER
+    } else {
+        text::FILE
+    };
+    let label = ui.label(studio.say(what));
+    let field = TextEdit::singleline(&mut question.path).desired_width(f32::INFINITY);
+    let response = ui.add(field).labelled_by(label.id);
+    let is_typed = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+    let has_focus = ui.ctx().memory(|memory| memory.focused().is_some());
+    if !has_focus && !is_typed {
+        response.request_focus();
+    }
+    is_typed
+}
+
+fn buttons(ui: &mut Ui, studio: &mut Studio, purpose: Purpose) -> Option<End> {
+    let mut end = None;
+    ui.add_space(4.0);
+    ui.horizontal_wrapped(|ui| {
+        let go = if purpose.writes() {
+            text::SAVE
+        } else {
+            text::OPEN_IT
+        };
+        let go = RichText::new(studio.say(go)).color(egui::Color32::WHITE);
+        if ui.add(egui::Button::new(go).fill(look::RED)).clicked() {
+            end = Some(End::Answered);
+        }
+        let is_escaped = ui.input(|input| input.key_pressed(Key::Escape));
+        if ui.button(studio.say(text::CANCEL)).clicked() || is_escaped {
+            end = Some(End::GivenUp);
+        }
+        if ui.button(studio.say(text::BROWSE)).clicked() {
+            studio.request(Request::Browse);
+        }
+    });
+    end
 }

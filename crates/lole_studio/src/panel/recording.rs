@@ -6,9 +6,10 @@ use std::sync::Arc;
 use eframe::egui::{RichText, Ui};
 use lole_avatar::{AnimationSummary, list_clips};
 use lole_costume::document::{MotionDrift, MotionRepeat};
+use lole_language::Sentence;
 
-use super::hindrance;
 use super::knob::{DropDown, choice, wide_button};
+use super::{dance, hindrance};
 use crate::studio::Request;
 use crate::{Studio, text};
 
@@ -44,12 +45,11 @@ impl ClipShelf {
 
 pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     let Some(file) = &studio.design().motion.file else {
+        first(ui, studio);
         return;
     };
     let bytes = file.bytes.clone();
-    let name = Path::new(&file.name).file_name();
-    let name = name.map_or_else(|| file.name.clone(), |name| name.to_string_lossy().into());
-    ui.label(RichText::new(name).strong());
+    ui.label(RichText::new(file_name(&file.name)).strong());
     if let Some(seconds) = seconds(studio) {
         let unit = studio.say(text::SECONDS);
         ui.label(RichText::new(format!("{seconds:.1} {unit}")).small().weak());
@@ -84,6 +84,33 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
             .small()
             .weak(),
     );
+}
+
+/// What can be done before a recording is danced.
+fn first(ui: &mut Ui, studio: &mut Studio) {
+    ui.label(studio.say(text::RECORDING_HOW));
+    if let Some(file) = studio.shelf.file.clone() {
+        let name = file_name(&file.name);
+        let again = Sentence::new(
+            format!("前の記録（{name}）で踊る"),
+            format!("Dance {name} again"),
+        );
+        if wide_button(ui, &studio.tell(&again)) {
+            dance::dance_recording(studio, file);
+            return;
+        }
+    }
+    if wide_button(ui, studio.say(text::OPEN_FIRST_RECORDING)) {
+        studio.request(Request::AskRecording);
+    }
+    let how = RichText::new(studio.say(text::DROP_RECORDING));
+    ui.label(how.small().weak());
+}
+
+/// The last part of a file's name.
+fn file_name(name: &str) -> String {
+    let last = Path::new(name).file_name();
+    last.map_or_else(|| name.to_owned(), |last| last.to_string_lossy().into())
 }
 
 /// Which of several animations is danced.

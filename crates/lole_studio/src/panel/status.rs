@@ -1,7 +1,7 @@
-//! The line below: time of the dance, where cloth has no room, how fast cloth and picture go, what the mouse
-//! does.
+//! The line below: time of the dance, where cloth has no room, whether the dance keeps pace, the door
+//! to what researchers look at.
 
-use eframe::egui::{Align, Label, Layout, RichText, Ui};
+use eframe::egui::{Align, Button, Label, Layout, RichText, Ui};
 
 use lole_stage::no_room_now;
 
@@ -11,29 +11,29 @@ use crate::{Studio, text};
 const NOTICED: f64 = 0.05;
 
 /// Narrower lines say nothing of the mouse [point].
-const WITH_HINT: f32 = 820.0;
+const WITH_HINT: f32 = 1000.0;
 
 /// Shows it.
-pub fn show(ui: &mut Ui, studio: &mut Studio) {
-    let parts = parts(studio);
-    let small = |part: &String| RichText::new(part).small();
-    if ui.available_width() < WITH_HINT {
-        ui.add(Label::new(small(&parts.join("   "))).truncate());
-        return;
-    }
-    ui.horizontal(|ui| {
-        if studio.sews {
-            ui.spinner();
+pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
+    let has_hint = WITH_HINT <= ui.available_width();
+    let line = |ui: &mut Ui| {
+        let name = RichText::new(studio.say(text::FOR_RESEARCHERS)).small();
+        let door = Button::selectable(studio.researches, name).frame_when_inactive(true);
+        if ui.add(door).clicked() {
+            studio.researches = !studio.researches;
         }
-        for part in &parts {
-            ui.label(small(part));
-            ui.add_space(10.0);
+        if has_hint {
+            ui.label(RichText::new(studio.say(text::HINT)).small().weak());
         }
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let hint = RichText::new(studio.say(text::HINT)).small().weak();
-            ui.add(Label::new(hint).truncate());
+        ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+            if studio.sews {
+                ui.spinner();
+            }
+            let said = RichText::new(parts(studio).join("   ")).small();
+            ui.add(Label::new(said).wrap());
         });
-    });
+    };
+    ui.horizontal(|ui| ui.with_layout(Layout::right_to_left(Align::Center), line));
 }
 
 fn parts(studio: &Studio) -> Vec<String> {
@@ -54,20 +54,12 @@ fn parts(studio: &Studio) -> Vec<String> {
         parts.push(studio.tell(&sentence));
     }
     if let Some(pace) = snapshot.pace {
-        let name = studio.say(text::REAL_TIME);
+        let name = studio.say(text::PACE);
         parts.push(if pace < studio.speed * (1.0 - NOTICED) {
             format!("{name} ×{pace:.2}")
         } else {
             format!("{name} ×{}", studio.speed)
         });
-    }
-    if let Some(milliseconds) = studio.history.milliseconds() {
-        let unit = studio.say(text::MS_PER_FRAME);
-        parts.push(format!("{milliseconds:.1} {unit}"));
-    }
-    if let Some(pictures) = studio.pictures_per_second {
-        let unit = studio.say(text::PICTURES_PER_SECOND);
-        parts.push(format!("{pictures:.0} {unit}"));
     }
     parts
 }

@@ -4,7 +4,8 @@ use eframe::egui::{Button, ComboBox, RichText, Ui, WidgetInfo, accesskit::Role};
 use lole_hula::DanceStep;
 use lole_language::{Language, Words, words};
 
-use crate::{Studio, text};
+use super::dance;
+use crate::{Studio, look, text};
 
 /// Steps that go together.
 struct Family {
@@ -70,9 +71,9 @@ const FAMILIES: &[Family] = &[
 const LIST_HEIGHT: f32 = 480.0;
 
 pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
-    let chosen = studio.design().motion.step;
+    let chosen = dance::is_danced(studio).then_some(studio.design().motion.step);
     if let Some(step) = rows(ui, studio.language, chosen) {
-        studio.change(|design| design.motion.step = step);
+        dance::dance_step(studio, step);
     }
     let chosen = studio.design().motion.step;
     ui.label(RichText::new(studio.say(chosen.about())).small().weak());
@@ -87,16 +88,16 @@ pub(super) fn name(step: DanceStep, language: Language) -> &'static str {
 }
 
 /// All steps in rows; the one that was picked, if one was.
-fn rows(ui: &mut Ui, language: Language, chosen: DanceStep) -> Option<DanceStep> {
+fn rows(ui: &mut Ui, language: Language, chosen: Option<DanceStep>) -> Option<DanceStep> {
     let mut picked = None;
     for family in FAMILIES {
         ui.label(RichText::new(family.name.text(language)).small().weak());
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing = [4.0, 4.0].into();
             for &step in family.steps {
-                let button = Button::selectable(chosen == step, name(step, language))
+                let button = Button::selectable(chosen == Some(step), name(step, language))
                     .frame_when_inactive(true)
-                    .min_size([30.0, 28.0].into());
+                    .min_size([36.0, look::TARGET].into());
                 if ui.add(button).on_hover_text(step.name()).clicked() {
                     picked = Some(step);
                 }
@@ -127,7 +128,7 @@ impl StepList {
         let response = ComboBox::from_id_salt(("step of part", self.number))
             .width(self.width)
             .height(LIST_HEIGHT)
-            .truncate()
+            .wrap()
             .selected_text(name(chosen, language))
             .show_ui(ui, |ui| {
                 for family in FAMILIES {

@@ -23,20 +23,19 @@ use crate::panel::ClipShelf;
 use crate::studio::{Purpose, Question, Request, Tab};
 use crate::{Command, Studio, panel};
 
-/// All panels above each other, tall enough that nothing scrolls away.
-pub(super) fn window(studio: Studio) -> Harness<'static, Studio> {
+/// A window with everything in it, tall enough that nothing scrolls away.
+pub(super) fn window(mut studio: Studio) -> Harness<'static, Studio> {
     let show = |ui: &mut eframe::egui::Ui, studio: &mut Studio| {
-        panel::document_bar(ui, studio);
-        panel::status_bar(ui, studio);
-        panel::notices(ui, studio);
-        panel::one_column(ui, studio);
+        panel::frame(ui, studio, panel::notices);
+        panel::start(ui, studio);
         panel::question(ui, studio);
         if !ui.input(|input| input.pointer.any_down()) {
             studio.rest();
         }
     };
+    studio.researches = true;
     let mut harness = Harness::builder()
-        .with_size([420.0, 3200.0])
+        .with_size([1400.0, 4200.0])
         .allow_missing_glyphs()
         .build_ui_state(show, studio);
     harness.run_steps(3);
@@ -94,17 +93,17 @@ fn pausing_stepping_slowing_and_resetting_are_sent() {
     assert_eq!(commands(&mut window), [Command::Pause]);
     click(&mut window, "One frame");
     assert_eq!(commands(&mut window), [Command::Step]);
-    click(&mut window, "×¼");
+    pick(&mut window, "Speed", "×¼");
     assert_eq!(commands(&mut window), [Command::Speed(0.25)]);
     click(&mut window, "Play");
     assert_eq!(commands(&mut window), [Command::Play]);
-    click(&mut window, "Reset");
+    click(&mut window, "From the start");
     assert_eq!(commands(&mut window), [Command::Reset, Command::Play]);
 }
 
 #[test]
 fn another_step_is_wished_at_once() {
-    let mut window = window(studio(Language::English));
+    let mut window = tab(Tab::Dance);
     click(&mut window, DanceStep::Ami.name());
     assert_eq!(wished(&mut window).motion.step, DanceStep::Ami);
 }
@@ -112,7 +111,7 @@ fn another_step_is_wished_at_once() {
 #[test]
 fn every_method_of_the_document_can_be_chosen() {
     for method in MethodName::ALL {
-        let mut window = tab(Tab::Cloth);
+        let mut window = tab(Tab::Dance);
         window
             .get_by_role_and_label(Role::ComboBox, "Method")
             .click();
@@ -141,7 +140,7 @@ fn the_language_switch_changes_the_labels_and_nothing_else() {
     let before = window.state().design().clone();
     click(&mut window, "日本語");
     assert_eq!(window.state().language, Language::Japanese);
-    for label in ["止める", "1コマ進む", "最初から", "開く…"] {
+    for label in ["止める", "1コマずつ", "最初から", "保存"] {
         window.get_by_role_and_label(Role::Button, label);
     }
     assert!(window.query_by_label("Pause").is_none());
@@ -156,7 +155,7 @@ fn cloth_that_flew_apart_says_when_and_where_and_offers_a_reset() {
     for (language, reset, part) in [
         (
             Language::English,
-            "Reset",
+            "From the start",
             "1.25 s, first at row 7, column 30",
         ),
         (Language::Japanese, "最初から", "1.25 秒に、7 行 30 列から"),
@@ -182,10 +181,10 @@ fn cloth_that_flew_apart_says_when_and_where_and_offers_a_reset() {
 
 #[test]
 fn overlays_that_cost_time_are_asked_for_and_called_off() {
-    let mut window = window(studio(Language::English));
+    let mut window = tab(Tab::Cloth);
     for shown in [true, false] {
         window
-            .get_by_role_and_label(Role::CheckBox, "Strain")
+            .get_by_role_and_label(Role::CheckBox, "Color the cloth where it pulls")
             .click();
         window.run_steps(3);
         let sent = commands(&mut window);
@@ -212,19 +211,13 @@ fn saving_asks_where_only_the_first_time() {
 #[test]
 fn a_question_for_a_file_can_be_answered_and_given_up() {
     let mut studio = studio(Language::English);
-    studio.question = Some(Question {
-        purpose: Purpose::Open,
-        path: "a.lole".to_owned(),
-    });
+    studio.question = Some(Question::new(Purpose::Open, "a.lole"));
     let mut window = window(studio);
     click(&mut window, "Open");
     let requests = window.state_mut().take_requests();
     assert_eq!(requests, [Request::Open(PathBuf::from("a.lole"))]);
     assert!(window.state().question.is_none());
-    window.state_mut().question = Some(Question {
-        purpose: Purpose::Save,
-        path: String::new(),
-    });
+    window.state_mut().question = Some(Question::new(Purpose::Save, ""));
     window.run_steps(3);
     click(&mut window, "Cancel");
     assert!(window.state().question.is_none());
@@ -238,6 +231,8 @@ fn a_message_stays_until_it_is_closed() {
     studio.message = Some(Message::trouble(&sentence));
     let mut window = window(studio);
     window.get_by_label("3行目がちがいます");
+    window.state_mut().researches = false;
+    window.run_steps(3);
     click(&mut window, "閉じる");
     assert!(window.query_by_label("3行目がちがいます").is_none());
 }
@@ -272,7 +267,7 @@ fn where_cloth_has_no_room_is_told_below_as_long_as_it_is_so() {
 
 #[test]
 fn a_slider_moved_by_keys_changes_the_design_within_its_range() {
-    let mut window = tab(Tab::Cloth);
+    let mut window = tab(Tab::Dance);
     let slider = window.get_by_role_and_label(Role::Slider, "Speed of the wind");
     assert_eq!(slider.accesskit_node().numeric_value(), Some(0.0));
     slider.focus();
@@ -285,7 +280,7 @@ fn a_slider_moved_by_keys_changes_the_design_within_its_range() {
 
 #[test]
 fn every_step_back_comes_from_the_bar_and_is_sent() {
-    let mut window = tab(Tab::Cloth);
+    let mut window = tab(Tab::Dance);
     click(&mut window, "breeze");
     let blown = wished(&mut window);
     assert_eq!(blown.wind.model, WindModel::Triangles);
@@ -301,7 +296,7 @@ fn every_step_back_comes_from_the_bar_and_is_sent() {
 
 #[test]
 fn wind_is_still_or_blows_as_one_likes_with_other_gusts() {
-    let mut window = tab(Tab::Cloth);
+    let mut window = tab(Tab::Dance);
     assert!(window.query_by_label("turns round").is_none());
     click(&mut window, "breeze");
     assert_eq!(wished(&mut window).wind.law, WindLaw::Steady);
@@ -327,7 +322,12 @@ fn wind_is_still_or_blows_as_one_likes_with_other_gusts() {
 #[test]
 fn a_choreography_is_put_together_part_by_part() {
     let mut window = tab(Tab::Dance);
+    // To look at a page changes nothing.
     click(&mut window, "Choreography");
+    assert!(commands(&mut window).is_empty());
+    assert!(window.state_mut().take_requests().is_empty());
+    assert_eq!(*window.state().design(), Design::default());
+    click(&mut window, "Dance a choreography");
     let counts = DanceStep::Kaholo.counts();
     assert_eq!(wished(&mut window).motion.parts[0].beat_count, counts);
     click(&mut window, "+ Add a part");
@@ -350,8 +350,11 @@ fn a_choreography_is_put_together_part_by_part() {
     assert_eq!(wished(&mut window).motion.parts.len(), 1);
     // Another source puts it on the shelf, and back.
     click(&mut window, "Step");
+    assert!(commands(&mut window).is_empty());
+    click(&mut window, DanceStep::Ami.name());
     assert!(wished(&mut window).motion.parts.is_empty());
     click(&mut window, "Choreography");
+    click(&mut window, "Dance a choreography");
     assert_eq!(wished(&mut window).motion.parts[0].step, DanceStep::Kao);
 }
 
@@ -369,6 +372,8 @@ fn a_hālau_s_manner_sets_the_whole_posture() {
 fn a_recording_is_asked_for_and_can_go_round_on_the_spot() {
     let mut window = tab(Tab::Dance);
     click(&mut window, "Recording");
+    assert!(window.state_mut().take_requests().is_empty());
+    click(&mut window, "Open a recording…");
     assert_eq!(window.state_mut().take_requests(), [Request::AskRecording]);
     let file = LinkedFile {
         bytes: Some(b"HIERARCHY".as_slice().into()),
@@ -385,8 +390,10 @@ fn a_recording_is_asked_for_and_can_go_round_on_the_spot() {
         (MotionRepeat::Loop, MotionDrift::Remove)
     );
     click(&mut window, "Step");
+    click(&mut window, DanceStep::Ami.name());
     assert!(wished(&mut window).motion.file.is_none());
     click(&mut window, "Recording");
+    click(&mut window, "Dance hula.bvh again");
     assert_eq!(wished(&mut window).motion.file, Some(file));
 }
 
@@ -427,9 +434,10 @@ fn one_of_several_animations_is_chosen_by_name_or_by_number_where_names_are_alik
 
 #[test]
 fn garments_are_put_on_cut_from_another_fabric_and_taken_off() {
-    let mut window = tab(Tab::Costume);
+    let mut window = tab(Tab::Cloth);
     pick(&mut window, "Fabric", PRESETS[5].name);
     assert_eq!(wished(&mut window).fabric.preset.id, PRESETS[5].id);
+    click(&mut window, "2 Costume");
     put_on(&mut window, "Pāʻū underskirt");
     put_on(&mut window, "Pāʻū top");
     let garments = wished(&mut window).garments;
@@ -452,6 +460,7 @@ fn garments_that_a_method_cannot_move_are_explained_where_they_are_added() {
     studio.tab = Tab::Costume;
     studio.change(|design| design.method.name = MethodName::FbEuler);
     let mut window = window(studio);
+    window.state_mut().researches = false;
     commands(&mut window);
     put_on(&mut window, "Pāʻū top");
     assert!(commands(&mut window).is_empty());
@@ -495,4 +504,40 @@ fn work_that_was_found_is_offered_once_in_a_sentence() {
         click(&mut window, button);
         assert_eq!(window.state_mut().take_requests(), [request]);
     }
+}
+
+#[test]
+fn rows_of_elastic_are_chosen_with_their_places() {
+    let mut window = tab(Tab::Costume);
+    click(&mut window, "4");
+    let skirt = wished(&mut window).skirt;
+    assert_eq!(skirt.elastic_row_count, 4);
+    window.get_by_label("Where the elastic is").click();
+    window.run_steps(20);
+    let hip_bones = "Lowest row on the hip bones";
+    window
+        .get_by_role_and_label(Role::CheckBox, hip_bones)
+        .click();
+    window.run_steps(3);
+    assert!(wished(&mut window).skirt.worn_height_cm.is_some());
+    let slider = window.get_by_role_and_label(Role::Slider, "Between two casings");
+    slider.focus();
+    window.run_steps(2);
+    window.key_press(eframe::egui::Key::ArrowRight);
+    window.run_steps(3);
+    assert!(skirt.casing_gap_cm < wished(&mut window).skirt.casing_gap_cm);
+}
+
+#[test]
+fn what_researchers_look_at_stands_behind_one_door_that_is_closed_at_first() {
+    let mut window = window(studio(Language::Japanese));
+    window.state_mut().researches = false;
+    window.run_steps(3);
+    for research in ["計算のしかた", "グラフ", "体"] {
+        assert!(window.query_by_label(research).is_none(), "{research}");
+    }
+    click(&mut window, "研究者向け…");
+    window.get_by_label("計算のしかた");
+    click(&mut window, "閉じる");
+    assert!(window.query_by_label("計算のしかた").is_none());
 }

@@ -1,0 +1,331 @@
+//! What one dancer takes home: booklet, pattern, film and 3D file of the design as it stands, made one
+//! after the other on a thread of its own.
+
+mod dance;
+mod paper;
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{self, Receiver, Sender};
+use std::thread::{self, JoinHandle};
+
+use lole_costume::document::Design;
+use lole_export::pdf::Paper;
+use lole_language::{Language, Sentence, Words, words};
+
+use crate::paper::Cutting;
+
+/// What can be made of a design.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Product {
+    /// How it is sewn, with drawings, materials and cost, as PDF.
+    Booklet,
+    /// Everything it is cut by: PDF, SVG, DXF, in a folder.
+    Pattern,
+    /// The dance, as MP4.
+    Film,
+    /// The dancer with her dance, for 3D programs, as GLB.
+    Model,
+}
+
+impl Product {
+    /// All of them, as they stand in the panel.
+    pub(crate) const ALL: [Self; 4] = [Self::Booklet, Self::Pattern, Self::Film, Self::Model];
+
+    /// What it is called.
+    pub(crate) const fn name(self) -> Words {
+        match self {
+            Self::Booklet => words("縫い方の本（PDF）", "Sewing booklet (PDF)"),
+            Self::Pattern => words("型紙一式（PDF・SVG・DXF）", "Patterns (PDF, SVG, DXF)"),
+            Self::Film => words("踊りの動画（MP4）", "Film of the dance (MP4)"),
+            Self::Model => words("3D ファイル（GLB）", "3D file (GLB)"),
+        }
+    }
+
+    /// What it is for, and how long it takes.
+    pub(crate) const fn about(self) -> Words {
+        match self {
+            Self::Booklet => words(
+                "材料、裁ち方、図入りの手順、費用。印刷して使います。1 分ほど。",
+                "Materials, cutting, steps with drawings, cost; to be printed. About a minute.",
+            ),
+            Self::Pattern => words(
+                "裁ち方図と原寸の型紙をフォルダーに書きます。すぐできます。",
+                "Cut plan and pieces at full size, in a folder. Done at once.",
+            ),
+            Self::Film => words(
+                "踊り全体を録画します。数分かかります。",
+                "The whole dance; takes some minutes.",
+            ),
+            Self::Model => words(
+                "Blender などで開けます。数分かかります。",
+                "Opens in Blender and the like; takes some minutes.",
+            ),
+        }
+    }
+
+    /// Name of its file or folder until somebody gives it another.
+    pub(crate) const fn usual_name(self) -> Words {
+        match self {
+            Self::Booklet => words("縫い方.pdf", "booklet.pdf"),
+            Self::Pattern => words("型紙", "pattern"),
+            Self::Film => words("踊り.mp4", "dance.mp4"),
+            Self::Model => words("踊り手.glb", "dancer.glb"),
+        }
+    }
+
+    /// How the name of its file ends; a folder has no ending.
+    pub(crate) const fn ending(self) -> Option<&'static str> {
+        match self {
+            Self::Booklet => Some("pdf"),
+            Self::Pattern => None,
+            Self::Film => Some("mp4"),
+            Self::Model => Some("glb"),
+        }
+    }
+}
+
+/// How far a product has come.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Stage {
+    /// Others are made before it.
+    Waiting,
+    /// This share of it is done, from 0 to 1.
+    Working(f32),
+    /// It lies at its place.
+    Done,
+    /// Why it was not made.
+    Failed(Sentence),
+    /// It was called off; nothing is left of it.
+    CalledOff,
+}
+
+impl Stage {
+    /// Whether nothing more happens to it.
+    pub(crate) const fn is_end(&self) -> bool {
+        !matches!(self, Self::Waiting | Self::Working(_))
+    }
+}
+
+/// One product that was asked for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Piece {
+    /// No two of a window share one.
+    pub number: u64,
+    /// What it is.
+    pub product: Product,
+    /// Where it is written.
+    pub path: PathBuf,
+    /// How far it has come.
+    pub stage: Stage,
+}
+
+/// Everything behind the panel of products.
+#[derive(Debug, Clone, Default)]
+pub struct MakingDesk {
+    /// What was asked for, in its order.
+    pub pieces: Vec<Piece>,
+}
+
+impl MakingDesk {
+    /// Takes in what was told of a piece; the piece itself where that was its end.
+    pub(crate) fn note(&mut self, number: u64, stage: Stage) -> Option<&Piece> {
+        let piece = self
+            .pieces
+            .iter_mut()
+            .find(|piece| piece.number == number)?;
+        piece.stage = stage;
+        piece.stage.is_end().then_some(piece)
+    }
+
+    /// Forgets a piece that nothing more happens to.
+    pub(crate) fn forget(&mut self, number: u64) {
+        (self.pieces).retain(|piece| piece.number != number || !piece.stage.is_end());
+    }
+}
+
+/// What is to be made, with the design as it was when it was asked for.
+#[derive(Debug, Clone)]
+pub(crate) struct Wish {
+    pub(crate) product: Product,
+    pub(crate) design: Design,
+    pub(crate) path: PathBuf,
+    pub(crate) paper: Paper,
+    pub(crate) cutting: Cutting,
+    pub(crate) language: Language,
+    /// What the costume is called.
+    pub(crate) title: String,
+}
+
+/// Why a product was not made.
+#[derive(Debug)]
+pub(crate) enum Unmade {
+    CalledOff,
+    Failed(Sentence),
+}
+
+impl Unmade {
+    /// Of an error that has no words of its own in both languages.
+    pub(crate) fn of(error: &dyn std::fmt::Display) -> Self {
+        let text = error.to_string();
+        Self::Failed(Sentence::new(format!("作れません（{text}）"), text))
+    }
+}
+
+/// How a product that is being made stays in touch with the window.
+pub(crate) struct Line<'a> {
+    is_called_off: &'a AtomicBool,
+    tell: &'a dyn Fn(f32),
+}
+
+impl Line<'_> {
+    pub(crate) fn is_called_off(&self) -> bool {
+        self.is_called_off.load(Ordering::Relaxed)
+    }
+
+    /// Goes on, or does not, with this share done.
+    pub(crate) fn goes_on(&self, share: f32) -> Result<(), Unmade> {
+        (self.tell)(share);
+        if self.is_called_off() {
+            return Err(Unmade::CalledOff);
+        }
+        Ok(())
+    }
+}
+
+/// A piece on its way to the thread, with what calls it off.
+struct Job {
+    number: u64,
+    wish: Wish,
+    is_called_off: Arc<AtomicBool>,
+}
+
+/// The thread that makes one thing after the other. Dropped, it is called off and waited for.
+pub(crate) struct Maker {
+    jobs: Option<Sender<Job>>,
+    news: Receiver<(u64, Stage)>,
+    stops: Vec<(u64, Arc<AtomicBool>)>,
+    count: u64,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl Maker {
+    /// Starts the thread; `wake` is called when there is news.
+    pub(crate) fn start(wake: impl Fn() + Send + 'static) -> Self {
+        let (jobs, received) = mpsc::channel();
+        let (sender, news) = mpsc::channel();
+        let thread = thread::Builder::new()
+            .name("making".to_owned())
+            .spawn(move || work(&received, &sender, &wake))
+            .ok();
+        Self {
+            jobs: Some(jobs),
+            news,
+            stops: Vec::new(),
+            count: 0,
+            thread,
+        }
+    }
+
+    /// Asks for a product; it is made when those before it are.
+    pub(crate) fn ask(&mut self, wish: Wish) -> Piece {
+        self.count += 1;
+        let number = self.count;
+        let piece = Piece {
+            number,
+            product: wish.product,
+            path: wish.path.clone(),
+            stage: Stage::Waiting,
+        };
+        let is_called_off = Arc::new(AtomicBool::new(false));
+        self.stops.push((number, Arc::clone(&is_called_off)));
+        let job = Job {
+            number,
+            wish,
+            is_called_off,
+        };
+        if let Some(jobs) = &self.jobs {
+            // The thread lives until the sender goes.
+            drop(jobs.send(job));
+        }
+        piece
+    }
+
+    /// Calls a product off, whether it waits or is being made.
+    pub(crate) fn call_off(&self, number: u64) {
+        for (_, stop) in self.stops.iter().filter(|(of, _)| *of == number) {
+            stop.store(true, Ordering::Relaxed);
+        }
+    }
+
+    /// What was told since the last time.
+    pub(crate) fn news(&mut self) -> Vec<(u64, Stage)> {
+        let news: Vec<_> = self.news.try_iter().collect();
+        let is_over =
+            |number: &u64| (news.iter()).any(|(of, stage)| of == number && stage.is_end());
+        self.stops.retain(|(number, _)| !is_over(number));
+        news
+    }
+}
+
+impl Drop for Maker {
+    fn drop(&mut self) {
+        for (_, stop) in &self.stops {
+            stop.store(true, Ordering::Relaxed);
+        }
+        self.jobs = None;
+        if let Some(thread) = self.thread.take() {
+            drop(thread.join());
+        }
+    }
+}
+
+fn work(jobs: &Receiver<Job>, news: &Sender<(u64, Stage)>, wake: &dyn Fn()) {
+    while let Ok(job) = jobs.recv() {
+        let tell = |stage| {
+            // Nobody listens only while the window closes.
+            drop(news.send((job.number, stage)));
+            wake();
+        };
+        let line = Line {
+            is_called_off: &job.is_called_off,
+            tell: &|share| tell(Stage::Working(share)),
+        };
+        tell(match make(&job.wish, &line) {
+            Ok(()) => Stage::Done,
+            Err(Unmade::CalledOff) => Stage::CalledOff,
+            Err(Unmade::Failed(sentence)) => Stage::Failed(sentence),
+        });
+    }
+}
+
+/// Makes it and writes it, whole or not at all.
+fn make(wish: &Wish, line: &Line<'_>) -> Result<(), Unmade> {
+    line.goes_on(0.0)?;
+    let one = |bytes: Vec<u8>| lole_files::write_whole(&wish.path, &bytes);
+    let written = match wish.product {
+        Product::Booklet => one(paper::booklet(wish, line)?),
+        Product::Pattern => lole_files::write_folder(&wish.path, &paper::pattern(wish, line)?),
+        Product::Film => one(dance::film(wish, line)?),
+        Product::Model => one(dance::model(wish, line)?),
+    };
+    written.map_err(Unmade::Failed)
+}
+
+/// A path that says what it is of: nothing opens a file whose name does not end as its kind does.
+pub(crate) fn with_ending(path: &Path, ending: &str) -> PathBuf {
+    let has_it = path
+        .extension()
+        .is_some_and(|known| known.eq_ignore_ascii_case(ending));
+    if has_it {
+        return path.to_owned();
+    }
+    let mut name = path.as_os_str().to_owned();
+    name.push(".");
+    name.push(ending);
+    PathBuf::from(name)
+}
+
+#[cfg(test)]
+mod tests;
