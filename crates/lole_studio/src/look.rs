@@ -93,6 +93,14 @@ fn style(style: &mut Style) {
     }
 }
 
+/// Dresses what is typed in: its outline while it has the keyboard is dark, and so are words that are
+/// selected in it. Chosen buttons have both the other way round.
+pub(crate) fn typing(ui: &mut egui::Ui) {
+    let selection = &mut ui.visuals_mut().selection;
+    selection.stroke = Stroke::new(2.0, INK);
+    selection.bg_fill = PALE_RED;
+}
+
 /// A card that stands for one thing of a list.
 pub(crate) fn card(fill: Color32) -> egui::Frame {
     egui::Frame::new()

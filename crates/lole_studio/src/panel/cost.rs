@@ -282,6 +282,7 @@ impl PriceRow<'_> {
                 .hint_text(studio.say(self.hint))
                 .desired_width(FIELD - 22.0);
             let add = |ui: &mut Ui| {
+                look::typing(ui);
                 // A field paints its hint in this color and in no other.
                 ui.visuals_mut().weak_text_color = Some(match self.hint {
                     text::OPTIONAL => look::PALE_INK,

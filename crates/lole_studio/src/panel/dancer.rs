@@ -153,6 +153,7 @@ impl Row {
         let known = given.or(self.estimate);
         let mut centimeters = known.unwrap_or(low);
         let response = ui.scope(|ui| {
+            look::typing(ui);
             if given.is_none() {
                 ui.visuals_mut().override_text_color = Some(look::PALE_INK);
                 ui.visuals_mut().widgets.inactive.weak_bg_fill = look::PAPER;

@@ -162,13 +162,19 @@ fn files(
                 }
                 for entry in &listing.entries {
                     let path = listing.folder.join(&entry.name);
-                    let sign = if entry.is_file { "　" } else { "📁" };
-                    let name = format!("{sign} {}", entry.name);
                     let is_chosen = Path::new(&question.path) == path;
-                    let button = egui::Button::selectable(is_chosen, name)
+                    let button = egui::Button::selectable(is_chosen, &entry.name)
                         .wrap()
                         .min_size(egui::vec2(ui.available_width(), 28.0));
-                    if ui.add(button).clicked() {
+                    let indented = |ui: &mut Ui| {
+                        ui.spacing_mut().button_padding.x = INDENT;
+                        ui.add(button)
+                    };
+                    let response = ui.scope(indented).inner;
+                    if !entry.is_file {
+                        paint_folder(ui.painter(), response.rect);
+                    }
+                    if response.clicked() {
                         wanted = Some((path, entry.is_file));
                     }
                 }
@@ -181,6 +187,19 @@ fn files(
     }
 }
 
+/// Room for the sign of a folder before its name [point].
+const INDENT: f32 = 34.0;
+
+/// A folder with its tab, drawn, because not every typeface has one.
+fn paint_folder(painter: &egui::Painter, row: egui::Rect) {
+    let at = row.left_center() + egui::vec2(20.0, 1.0);
+    let body = egui::Rect::from_center_size(at, egui::vec2(19.0, 13.0));
+    let tab = egui::Rect::from_min_size(body.min - egui::vec2(0.0, 3.0), egui::vec2(9.0, 5.0));
+    for part in [tab, body] {
+        painter.rect_filled(part, 2.0, look::OCHRE);
+    }
+}
+
 /// What was typed or chosen; whether it was typed to its end.
 fn field(ui: &mut Ui, studio: &Studio, question: &mut Question) -> bool {
     let what = if question.purpose.is_folder() {
@@ -190,7 +209,11 @@ fn field(ui: &mut Ui, studio: &Studio, question: &mut Question) -> bool {
     };
     let label = ui.label(studio.say(what));
     let field = TextEdit::singleline(&mut question.path).desired_width(f32::INFINITY);
-    let response = ui.add(field).labelled_by(label.id);
+    let add = |ui: &mut Ui| {
+        look::typing(ui);
+        ui.add(field).labelled_by(label.id)
+    };
+    let response = ui.scope(add).inner;
     let is_typed = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
     let has_focus = ui.ctx().memory(|memory| memory.focused().is_some());
     if !has_focus && !is_typed {

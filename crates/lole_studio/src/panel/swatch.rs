@@ -8,7 +8,7 @@ use lole_language::Sentence;
 use super::garment::kept;
 use super::hindrance;
 use super::knob::wide_button;
-use crate::{Studio, text};
+use crate::{Studio, look, text};
 
 /// What is written on the form.
 #[derive(Debug, Clone, PartialEq)]
@@ -81,6 +81,7 @@ pub(super) fn show(
     ui.horizontal(|ui| {
         let label = ui.label(studio.say(text::SWATCH_NAME));
         let field = TextEdit::singleline(&mut form.name).desired_width(f32::INFINITY);
+        look::typing(ui);
         ui.add(field).labelled_by(label.id);
     });
     Grid::new("swatch").num_columns(2).show(ui, |ui| {
