@@ -50,7 +50,7 @@ impl Default for SewSettings {
         Self {
             column_count: 512,
             row_count: 55,
-            gather_pitch: 0.014,
+            gather_pitch: 0.0165,
             gather_depth: 0.0075,
             band_gap: 0.004,
             unevenness: 0.5,
