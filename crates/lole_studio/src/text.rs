@@ -242,6 +242,10 @@ pub(crate) const DRAFTING: Words = words("製図しています…", "Drafting�
 pub(crate) const SINGLE: Words = words("布を一重に", "Cloth single");
 pub(crate) const FOLDED: Words = words("二つ折りに", "Folded");
 pub(crate) const MATCH_PRINT: Words = words("縫い目で柄を合わせる", "Match the print at seams");
+pub(crate) const JOINED: Words = words(
+    "布幅より広い部分は、分けて裁ち、目立たないところではぎ合わせます。作り方の最初に書いてあります。",
+    "What is wider than this cloth is cut in parts and joined where it does not show: see the first step.",
+);
 pub(crate) const NO_CLOTH: Words = words("布は使いません。", "No cloth is needed.");
 pub(crate) const LARGER: Words = words("大きく見る", "Show it large");
 pub(crate) const SELVAGE: Words = words("耳", "selvage");

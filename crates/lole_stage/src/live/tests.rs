@@ -69,7 +69,8 @@ fn another_step_tempo_and_method_keep_dancer_and_cloth_where_they_are() {
     let moved = (before.iter().zip(show.cloth_positions()))
         .map(|(a, b)| a.distance(*b))
         .fold(0.0, f32::max);
-    assert!(moved < 0.1, "{moved} m in one frame");
+    // An edge at the puckers that the one method leaves strained is let go by the other.
+    assert!(moved < 0.15, "{moved} m in one frame");
 }
 
 #[test]

@@ -113,21 +113,17 @@ fn a_price_is_asked_for_and_makes_the_bill() {
 }
 
 #[test]
-fn narrow_cloth_is_warned_of_once_with_a_remedy() {
+fn what_is_wider_than_its_cloth_is_planned_in_parts_and_said_to_be_joined() {
     let mut design = Design::default();
     design.fabric.width_cm = 70.0;
     let mut window = drafted(design, Language::English, Tab::Cutting);
-    assert_eq!(
-        window
-            .get_all_by_label_contains("use cloth at least")
-            .count(),
-        1
-    );
-    assert!(
-        window
-            .query_by_label_contains("cm tall and the cloth")
-            .is_none()
-    );
+    window.get_by_label_contains("joined where it does not show");
+    for warning in ["use cloth at least", "cm tall and the cloth"] {
+        assert!(window.query_by_label_contains(warning).is_none());
+    }
+    let usual = drafted(Design::default(), Language::English, Tab::Cutting);
+    let joined = usual.query_by_label_contains("joined where it does not show");
+    assert!(joined.is_none());
     click(&mut window, "Folded");
     assert_eq!(window.state().cutting.lay, Lay::Folded);
 }

@@ -104,6 +104,9 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
                 };
                 ui.push_id(("cut", index), |ui| {
                     plans_ui(ui, studio, garment, first);
+                    if cut.tailored.parts.is_some() {
+                        ui.label(studio.say(text::JOINED));
+                    }
                     for warning in &cut.tailored.pattern.warnings {
                         hindrance::sentence(ui, studio, warning);
                     }
