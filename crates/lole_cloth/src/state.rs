@@ -15,7 +15,7 @@ use crate::constraint::hysteresis::Sets;
 use crate::lanes::Points;
 use crate::method::explicit_rows::Form;
 use crate::method::fineness::Fineness;
-use crate::method::xpbd::{RowStrides, Schedules};
+use crate::method::xpbd::{RowStrides, Schedules, WovenRows};
 use crate::pins::PinGoals;
 
 /// Everything about one cloth that changes from step to step.
@@ -55,6 +55,7 @@ pub(crate) struct Scratch {
     pub(crate) cloth_contacts: ClothContacts,
     pub(crate) crossing_repair: CrossingRepair,
     pub(crate) moving_capsules: Vec<MovingCapsule>,
+    pub(crate) woven: WovenRows,
     pub(crate) row_strides: RowStrides,
     pub(crate) schedules: Schedules,
 }

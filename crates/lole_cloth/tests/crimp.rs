@@ -4,9 +4,10 @@ mod xpbd_support;
 
 use glam::Vec3;
 use lole_cloth::method::explicit_rows::ExplicitModel;
+use lole_cloth::method::reference::ReferenceModel;
 use lole_cloth::model::particle_masses;
 use lole_cloth::{BuildError, ClothModel, ClothSpec, Crimp, MassLaw, diagnose};
-use xpbd_support::{FABRIC, World, flat_positions, sheet_spec};
+use xpbd_support::{FABRIC, World, bulged_positions, row_lengths, sheet_spec};
 
 const COLUMNS: u32 = 48;
 const ROWS: u32 = 24;
@@ -20,15 +21,6 @@ fn crimped(share: f32) -> ClothSpec {
         open_row: 14,
     });
     spec
-}
-
-/// As long as the cloth is, and bulged a little so that it can buckle.
-fn bulged() -> Vec<Vec3> {
-    let mut positions = flat_positions(COLUMNS, ROWS, SPACING);
-    for (index, position) in positions.iter_mut().enumerate() {
-        position.y = 0.001 * lole_geom::trig::sin(index as f32 * 0.7);
-    }
-    positions
 }
 
 #[test]
@@ -46,15 +38,11 @@ fn it_weighs_what_its_cloth_weighs() {
 
 #[test]
 fn cloth_that_is_not_pushed_together_moves_as_plain_cloth_to_the_bit() {
-    let positions = bulged();
-    let mut plain = World::new(&sheet_spec(COLUMNS, ROWS, SPACING, FABRIC), &positions);
-    let mut crimped = World::new(&crimped(1.0), &positions);
-    for world in [&mut plain, &mut crimped] {
-        for _ in 0..30 {
-            world.step(&[]);
-        }
-    }
-    assert_eq!(plain.positions(), crimped.positions());
+    let positions = bulged_positions(COLUMNS, ROWS, SPACING);
+    let plain = sheet_spec(COLUMNS, ROWS, SPACING, FABRIC);
+    let [plain, crimped] =
+        [plain, crimped(1.0)].map(|spec| World::new(&spec, &positions).run(30).positions());
+    assert_eq!(plain, crimped);
 }
 
 #[test]
@@ -65,17 +53,13 @@ fn what_lies_as_wide_as_its_cloth_draws_together_where_it_is_crimped() {
         fabric,
         ..crimped(0.6)
     };
-    let mut world = World::new(&spec, &bulged());
+    let mut world = World::new(&spec, &bulged_positions(COLUMNS, ROWS, SPACING));
     world.config.gravity = Vec3::ZERO;
-    for _ in 0..240 {
-        world.step(&[]);
-    }
-    let positions = world.positions();
+    let positions = world.run(240).positions();
+    let lengths = row_lengths(&spec.grid, &positions);
     let mut last = 0.0;
     for row in 0..ROWS {
-        let place = |column| positions[spec.grid.index(row, column)];
-        let edges = (0..COLUMNS - 1).map(|column| place(column).distance(place(column + 1)));
-        let length = edges.sum::<f32>() / ((COLUMNS - 1) as f32 * SPACING);
+        let length = lengths[row as usize];
         let expected = spec.grid.crimp_share(row);
         assert!((length - expected).abs() < 0.04, "{row}: {length}");
         assert!(last < expected + 1e-6, "{row}: it opens downwards");
@@ -90,6 +74,10 @@ fn what_lies_as_wide_as_its_cloth_draws_together_where_it_is_crimped() {
 fn what_is_no_crimp_is_refused() {
     for share in [0.0, -0.5, 1.1, f32::NAN] {
         let error = ClothModel::new(&crimped(share)).expect_err("it is refused");
+        assert!(error.to_string().contains("grid.crimp"), "{error}");
+    }
+    for share in [0.0, -0.5, f32::NAN] {
+        let error = ReferenceModel::new(&crimped(share)).expect_err("it is refused");
         assert!(error.to_string().contains("grid.crimp"), "{error}");
     }
     let rows = ExplicitModel::new(&crimped(0.5)).map(drop);

@@ -7,7 +7,7 @@ use lole_cloth::method::explicit_rows::ExplicitModel;
 use lole_cloth::method::reference::ReferenceModel;
 use lole_cloth::model::particle_masses;
 use lole_cloth::{BuildError, ClothModel, ClothSpec, Flounce, MassLaw, diagnose};
-use xpbd_support::{FABRIC, World, flat_positions, sheet_spec};
+use xpbd_support::{FABRIC, World, bulged_positions, row_lengths, sheet_spec};
 
 const COLUMNS: u32 = 48;
 const ROWS: u32 = 20;
@@ -21,15 +21,6 @@ fn flounced(fullness: f32) -> ClothSpec {
         fullness,
     });
     spec
-}
-
-/// Flat, with every row as long as the first, and bulged a little so that it can buckle.
-fn bulged() -> Vec<Vec3> {
-    let mut positions = flat_positions(COLUMNS, ROWS, SPACING);
-    for (index, position) in positions.iter_mut().enumerate() {
-        position.y = 0.001 * lole_geom::trig::sin(index as f32 * 0.7);
-    }
-    positions
 }
 
 #[test]
@@ -49,15 +40,11 @@ fn it_weighs_what_its_cloth_weighs() {
 
 #[test]
 fn one_that_is_no_fuller_moves_as_plain_cloth_to_the_bit() {
-    let positions = bulged();
-    let mut plain = World::new(&sheet_spec(COLUMNS, ROWS, SPACING, FABRIC), &positions);
-    let mut flounced = World::new(&flounced(1.0), &positions);
-    for world in [&mut plain, &mut flounced] {
-        for _ in 0..30 {
-            world.step(&[]);
-        }
-    }
-    assert_eq!(plain.positions(), flounced.positions());
+    let positions = bulged_positions(COLUMNS, ROWS, SPACING);
+    let plain = sheet_spec(COLUMNS, ROWS, SPACING, FABRIC);
+    let [plain, flounced] =
+        [plain, flounced(1.0)].map(|spec| World::new(&spec, &positions).run(30).positions());
+    assert_eq!(plain, flounced);
 }
 
 #[test]
@@ -68,22 +55,16 @@ fn what_lies_as_narrow_as_the_cloth_above_opens_to_its_own_width() {
         fabric,
         ..flounced(1.5)
     };
-    let mut world = World::new(&spec, &bulged());
+    let mut world = World::new(&spec, &bulged_positions(COLUMNS, ROWS, SPACING));
     world.config.gravity = Vec3::ZERO;
-    for _ in 0..180 {
-        world.step(&[]);
-    }
-    let positions = world.positions();
-    let length = |row: u32| {
-        let place = |column| positions[spec.grid.index(row, column)];
-        let edges = (0..COLUMNS - 1).map(|column| place(column).distance(place(column + 1)));
-        edges.sum::<f32>() / ((COLUMNS - 1) as f32 * SPACING)
-    };
-    for row in 0..SEAM {
-        assert!((length(row) - 1.0).abs() < 0.02, "{row}: {}", length(row));
-    }
-    for row in SEAM + 3..ROWS {
-        assert!((length(row) - 1.5).abs() < 0.04, "{row}: {}", length(row));
+    let positions = world.run(180).positions();
+    let lengths = row_lengths(&spec.grid, &positions);
+    for (row, length) in lengths.into_iter().enumerate() {
+        if row < SEAM as usize {
+            assert!((length - 1.0).abs() < 0.02, "{row}: {length}");
+        } else if SEAM as usize + 3 <= row {
+            assert!((length - 1.5).abs() < 0.04, "{row}: {length}");
+        }
     }
     // Strain is that of each row's own cloth.
     let strain = diagnose::strain(&spec, &positions);

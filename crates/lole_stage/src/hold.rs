@@ -7,9 +7,9 @@
 //! Hips that widen below the band, and cloth that lies on them, help; they are left out, so that what is said
 //! to hold does.
 
+use std::collections::VecDeque;
 use std::f64::consts::TAU;
 
-use glam::Vec3;
 use lole_cloth::model::particle_masses;
 
 use crate::{FRAME_SECONDS, Performance};
@@ -27,11 +27,14 @@ const MARGIN: f64 = 1.5;
 pub struct HoldWatch {
     /// Mass of every particle [kg].
     masses: Vec<f32>,
+    /// Mass of it all [kg].
+    mass: f64,
+    /// Of free fall [m/s²].
+    gravity: f64,
     /// Height of the center of mass [m] in the last frames, the newest last.
-    heights: Vec<f64>,
+    heights: VecDeque<f64>,
     /// Strongest pull downwards so far [N].
     pull: f64,
-    gravity: f64,
 }
 
 /// What the elastics of a skirt hold.
@@ -51,11 +54,15 @@ impl HoldWatch {
     #[must_use]
     pub fn new(performance: &Performance) -> Option<Self> {
         let skirt = performance.production().skirt()?;
+        let masses = particle_masses(&skirt.sewn.spec);
+        let mass = masses.iter().map(|&mass| f64::from(mass)).sum::<f64>();
+        let gravity = f64::from(performance.gravity().length());
         Some(Self {
-            masses: particle_masses(&skirt.sewn.spec),
-            heights: Vec::new(),
-            pull: 0.0,
-            gravity: f64::from(performance.gravity().length()),
+            masses,
+            mass,
+            gravity,
+            heights: VecDeque::with_capacity(2 * SPAN + 1),
+            pull: mass * gravity,
         })
     }
 
@@ -64,17 +71,22 @@ impl HoldWatch {
         let Some(skirt) = performance.production().skirt() else {
             return;
         };
-        let height = center_height(&self.masses, performance.garment_positions(skirt));
-        self.heights.push(height);
+        let positions = self.masses.iter().zip(performance.garment_positions(skirt));
+        let moments = positions.map(|(&mass, at)| f64::from(mass) * f64::from(at.y));
+        self.rise_to(moments.sum::<f64>() / self.mass);
+    }
+
+    /// Takes the height of the center of mass [m] in the next frame.
+    fn rise_to(&mut self, height: f64) {
+        self.heights.push_back(height);
         if self.heights.len() <= 2 * SPAN {
-            self.pull = self.pull.max(self.weight());
             return;
         }
         let span = SPAN as f64 * f64::from(FRAME_SECONDS);
         let [before, between, now] = [0, SPAN, 2 * SPAN].map(|frame| self.heights[frame]);
         let upwards = (before - 2.0 * between + now) / (span * span);
-        self.pull = self.pull.max(self.mass() * (self.gravity + upwards));
-        self.heights.remove(0);
+        self.pull = self.pull.max(self.mass * (self.gravity + upwards));
+        self.heights.pop_front();
     }
 
     /// What the elastics hold of the strongest pull that was seen; `None` where there are none.
@@ -86,14 +98,6 @@ impl HoldWatch {
         let friction = f64::from(skirt.sewn.spec.fabric.friction);
         let girth = skirt.worn.worn_girth.to_m();
         elastic_hold(girth, &rings, (friction, self.pull))
-    }
-
-    fn mass(&self) -> f64 {
-        self.masses.iter().copied().map(f64::from).sum()
-    }
-
-    fn weight(&self) -> f64 {
-        self.mass() * self.gravity
     }
 }
 
@@ -110,16 +114,6 @@ fn elastic_hold(girth: f64, rings: &[f64], (friction, pull): (f64, f64)) -> Opti
         held,
         loosest_ring: (needed <= 1.0).then(|| girth / (1.0 + needed)),
     })
-}
-
-/// Mean height of some masses [m].
-fn center_height(masses: &[f32], positions: &[Vec3]) -> f64 {
-    let (mut moment, mut mass) = (0.0, 0.0);
-    for (&of, at) in masses.iter().zip(positions) {
-        moment += f64::from(of) * f64::from(at.y);
-        mass += f64::from(of);
-    }
-    moment / f64::max(mass, f64::MIN_POSITIVE)
 }
 
 #[cfg(test)]
@@ -142,6 +136,25 @@ mod tests {
             None
         );
         assert_eq!(elastic_hold(1.0, &[], (0.4, 10.0)), None);
+    }
+
+    #[test]
+    fn a_skirt_pulls_with_its_weight_and_with_what_lifts_it() {
+        let mut watch = HoldWatch {
+            masses: Vec::new(),
+            mass: 0.5,
+            gravity: 10.0,
+            heights: VecDeque::new(),
+            pull: 5.0,
+        };
+        (0..20).for_each(|_| watch.rise_to(0.8));
+        assert!((watch.pull - 5.0).abs() < 1e-9, "still: {}", watch.pull);
+        // Thrown up with 4 m/s².
+        for frame in 0..20 {
+            let time = f64::from(frame) * f64::from(FRAME_SECONDS);
+            watch.rise_to(0.8 + 2.0 * time * time);
+        }
+        assert!((watch.pull - 7.0).abs() < 1e-6, "lifted: {}", watch.pull);
     }
 
     #[test]

@@ -163,7 +163,7 @@ impl ReferenceModel {
         self.springs.iter().map(|family| family.ends.len()).sum()
     }
 
-    /// Positions [m] at which no spring is stretched: a flat sheet in the plane `z = 0`, rows
+    /// Positions [m] at which no spring of cloth that is not crimped is stretched: a flat sheet in the plane `z = 0`, rows
     /// downwards; a tube as the regular polygon whose sides are the spacing, its axis along `-y`.
     #[must_use]
     pub fn rest_positions(&self) -> Vec<DVec3> {
@@ -224,6 +224,9 @@ fn check_spec(spec: &ClothSpec) -> Result<(), BuildError> {
     }
     check_positive("spacing along u", f64::from(grid.spacing[0]))?;
     check_positive("spacing along v", f64::from(grid.spacing[1]))?;
+    if let Some(crimp) = grid.crimp {
+        check_positive("grid.crimp.share", f64::from(crimp.share))?;
+    }
     check_positive("areal_density", f64::from(spec.fabric.areal_density))?;
     for &layers in &spec.row_layers {
         check_positive("row_layers", f64::from(layers))?;

@@ -10,6 +10,7 @@ pub(crate) mod observed;
 mod schedule;
 mod substep;
 mod work;
+mod woven;
 
 use fearless_simd::{Simd, dispatch};
 use glam::Vec3;
@@ -31,6 +32,7 @@ use schedule::{Part, set_schedules};
 use substep::Substep;
 pub(crate) use work::RowStrides;
 use work::Work;
+pub(crate) use woven::WovenRows;
 
 /// Far capsules are tested in every so manyth substep, and in the last of a step.
 const FAR_INTERVAL: u32 = 4;
@@ -93,7 +95,9 @@ fn begin_observed(step: GridStep<'_>, state: &mut ClothState, observer: Observer
     } = step;
     let count = state.fineness.substep_count(Substeps::of(config));
     let substep = Substep::new(step, count);
-    if substep.has_friction() {
+    let woven = &mut state.scratch.woven;
+    woven.set(model, config, substep.h);
+    if woven.has_friction() {
         let [rows, width] = [model.layout.row_count, model.layout.group_count];
         let bend_counts = [rows * model.row_triples.len(), rows * width];
         let shear_count = rows * model.row_pairs.len();
@@ -178,6 +182,7 @@ impl SubstepNow<'_> {
             model,
             config: self.step.config,
             substep: &self.plan.substep,
+            woven: &scratch.woven,
             strides: &scratch.row_strides,
             positions: &mut state.positions,
             velocities: &mut state.velocities,

@@ -40,6 +40,25 @@ pub(crate) fn flat_positions(columns: u32, rows: u32, spacing: f32) -> Vec<Vec3>
         .collect()
 }
 
+/// The same, bulged a little so that it can buckle.
+pub(crate) fn bulged_positions(columns: u32, rows: u32, spacing: f32) -> Vec<Vec3> {
+    let mut positions = flat_positions(columns, rows, spacing);
+    for (index, position) in positions.iter_mut().enumerate() {
+        position.y = 0.001 * lole_geom::trig::sin(index as f32 * 0.7);
+    }
+    positions
+}
+
+/// Length of every row of a sheet over that of its first row's cloth.
+pub(crate) fn row_lengths(grid: &Grid, positions: &[Vec3]) -> Vec<f32> {
+    let columns = grid.column_count as usize;
+    let lengths = positions.chunks_exact(columns).map(|row| {
+        let edges = row.windows(2).map(|ends| ends[0].distance(ends[1]));
+        edges.sum::<f32>() / ((columns - 1) as f32 * grid.spacing[0])
+    });
+    lengths.collect()
+}
+
 pub(crate) fn sheet_spec(columns: u32, rows: u32, spacing: f32, fabric: Fabric) -> ClothSpec {
     let grid = Grid {
         column_count: columns,
@@ -73,6 +92,12 @@ impl World {
             pins,
             model,
         }
+    }
+
+    /// Moves the cloth on for some frames.
+    pub(crate) fn run(mut self, frames: u32) -> Self {
+        (0..frames).for_each(|_| self.step(&[]));
+        self
     }
 
     pub(crate) fn with_substeps(mut self, count: u32) -> Self {

@@ -23,7 +23,7 @@ pub(crate) enum Stage {
     Tether(usize),
     /// Strides down the columns, over so many rows, and their limit.
     ColumnStride(usize, Limit),
-    /// Strides along the row: which of the strides, and their limit.
+    /// Strides along the row: which of the strides, and how many columns it bridges.
     RowStride(usize, u32),
     /// Bending along the row.
     BendAlong,

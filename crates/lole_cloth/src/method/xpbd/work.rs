@@ -4,6 +4,7 @@ use fearless_simd::{Simd, f32x16, prelude::*};
 
 use super::schedule::Stage;
 use super::substep::Substep;
+use super::woven::WovenRows;
 use crate::collision::capsule::MovingCapsule;
 use crate::collision::capsule::near::{Range, RowContacts};
 use crate::collision::response::ContactRow;
@@ -60,6 +61,7 @@ pub(super) struct Work<'a> {
     pub(super) model: &'a ClothModel,
     pub(super) config: &'a SolverConfig,
     pub(super) substep: &'a Substep,
+    pub(super) woven: &'a WovenRows,
     pub(super) strides: &'a RowStrides,
     pub(super) positions: &'a mut [Points],
     pub(super) velocities: &'a mut [Points],
@@ -81,7 +83,7 @@ impl Work<'_> {
     /// Does the work of a stage that starts at a row.
     #[inline(always)]
     pub(super) fn perform<S: Simd>(&mut self, simd: S, stage: Stage, row: usize) {
-        let (model, substep) = (self.model, self.substep);
+        let (model, woven) = (self.model, self.woven);
         let masses = model.row_masses(row);
         match stage {
             Stage::Predict => self.predict(simd, row),
@@ -92,7 +94,7 @@ impl Work<'_> {
             }
             Stage::RowStride(index, stride) => {
                 let (_, links) = &self.strides.0[index];
-                let limit = Limit::new(stride, substep.row(row).spacing);
+                let limit = Limit::new(stride, woven.row(row).spacing);
                 limit.solve_row(simd, self.row(row), masses, links);
             }
             Stage::BendAlong => self.bend_along(simd, row),
@@ -101,12 +103,12 @@ impl Work<'_> {
             Stage::SpringsGathered if !model.pinned_rows.is_gathered(row) => {}
             Stage::SpringsAlong | Stage::SpringsGathered => {
                 let links = &model.row_pairs;
-                let spring = substep.row(row).across;
+                let spring = woven.row(row).across;
                 spring.solve_row(simd, self.row(row), masses, links);
             }
             Stage::SpringsDown => {
                 let masses = [masses, model.row_masses(row + 1)];
-                let spring = substep.cells(row).down;
+                let spring = woven.cells(row).down;
                 spring.solve_pair(simd, self.row_pair(row, 1), masses);
             }
             Stage::Finish => self.finish(simd, row),
@@ -119,7 +121,7 @@ impl Work<'_> {
         let (width, links) = (model.layout.group_count, &model.row_triples);
         // Half of a border row's cells is missing.
         let is_border = row == 0 || row + 1 == model.layout.row_count;
-        let woven = self.substep.row(row);
+        let woven = self.woven.row(row);
         let bend = Bend {
             scaled_compliance: woven.bend_across * if is_border { 2.0 } else { 1.0 },
             has_clamp: model.clamps.rows[row],
@@ -144,7 +146,7 @@ impl Work<'_> {
     fn bend_down<S: Simd>(&mut self, simd: S, row: usize) {
         let model = self.model;
         let width = model.layout.group_count;
-        let woven = self.substep.row(row + 1);
+        let woven = self.woven.row(row + 1);
         let bend = Bend {
             scaled_compliance: woven.bend_down,
             has_clamp: model.clamps.columns[row],
@@ -170,7 +172,7 @@ impl Work<'_> {
         let model = self.model;
         let (width, links) = (model.layout.group_count, &model.row_pairs);
         let masses = [model.row_masses(row), model.row_masses(row + 1)];
-        let woven = self.substep.cells(row);
+        let woven = self.woven.cells(row);
         let cell = woven.cell;
         let rows = pair(self.positions, [row, row + 1], width);
         match woven.friction.shear {
