@@ -248,6 +248,8 @@ impl Cloth {
             // has a border.
             nap: if print.file.is_some() || border.is_some() {
                 Nap::OneWay
+            } else if print.motif.is_alike_all_around() {
+                Nap::AllWays
             } else {
                 Nap::TwoWay
             },
@@ -281,7 +283,7 @@ impl Cloth {
         }
         TableCloth {
             width: self.beside_width,
-            nap: Nap::TwoWay,
+            nap: Nap::AllWays,
             border: None,
             ..self.on_table(lay, None)
         }

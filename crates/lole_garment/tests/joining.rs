@@ -12,8 +12,8 @@ use lole_geom::{Length, trig64};
 use lole_language::Bilingual as _;
 use lole_pattern::joining::{Fitted, fit_to_cloth};
 use lole_pattern::marker::{Lay, Nap, TableCloth};
-use lole_pattern::pattern::{Amount, NotionKind};
-use lole_pattern::piece::{Finish, LineKind, Mark};
+use lole_pattern::pattern::{Amount, NotionKind, Step};
+use lole_pattern::piece::{Edge, Finish, LineKind, Mark};
 use lole_pattern::{DraftError, Pattern, Piece};
 use proptest::prelude::*;
 
@@ -23,7 +23,7 @@ use bodies::{BODIES, of_row};
 fn cloth(width_cm: f64) -> TableCloth {
     TableCloth {
         width: Length::from_cm(width_cm),
-        nap: Nap::TwoWay,
+        nap: Nap::AllWays,
         border: None,
         matched_repeat: None,
         lay: Lay::Single,
@@ -102,6 +102,29 @@ fn check(whole: &Pattern, width_cm: f64, fitted: &Fitted) -> Result<(), String> 
         || fitted.parts.is_some() && (!is_counted || minutes(&fitted.pattern) <= minutes(whole))
     {
         return Err(format!("{joined} steps join {} pieces", cut.pieces.len()));
+    }
+    check_joins(&cut.pieces, &fitted.pattern.steps)
+}
+
+/// Cloth is joined right after it is cut, and sewn together with the allowance that its joins have.
+fn check_joins(pieces: &[Piece], steps: &[Step]) -> Result<(), String> {
+    let joins = pieces.iter().flat_map(|piece| &piece.edges);
+    let joins: Vec<&Edge> = joins.filter(|edge| edge.id == "join").collect();
+    if joins.is_empty() {
+        return Ok(());
+    }
+    let is_join = |step: &Step| step.title.english == "Join what is wider than the cloth";
+    let first = steps.iter().position(is_join);
+    let cut = steps.iter().position(|step| step.cuts);
+    if first.is_none() || first != cut.map(|cut| cut + 1) {
+        return Err(format!("cut in step {cut:?}, joined in {first:?}"));
+    }
+    for join in joins {
+        let said = format!("{:.1} cm of allowance", join.allowance.to_cm());
+        let says = |step: &Step| step.by_machine.to_string().contains(&said);
+        if !steps.iter().any(|step| is_join(step) && says(step)) {
+            return Err(format!("no step sews a join with {said}"));
+        }
     }
     Ok(())
 }

@@ -13,7 +13,7 @@ use lole_geom::Length;
 use lole_language::{Sentence, Words, words};
 
 use crate::marker::{Nap, TableCloth, fits_cloth, size_on_cloth};
-use crate::pattern::{Amount, NotionKind, Step, StepFigure};
+use crate::pattern::{Amount, NotionKind, Step, StepFigure, THREAD_PER_STITCH};
 use crate::piece::{ClothRole, CutCount, Edge, Finish, LineKind, Mark};
 use crate::{DraftError, Pattern, Piece};
 use split::{ALLOWANCE, Across, split};
@@ -66,8 +66,7 @@ pub fn fit_to_cloth(
         let parts = None;
         return Ok(Fitted { pattern, parts });
     }
-    steps.append(&mut pattern.steps);
-    pattern.steps = steps;
+    put_after_cutting(steps, &mut pattern.steps);
     add_thread(&mut pattern, joined);
     Ok(Fitted {
         parts: Some(Pattern {
@@ -82,14 +81,34 @@ pub fn fit_to_cloth(
     })
 }
 
+/// Puts the steps that join right behind that in which the cloth is cut, which says what is cut in parts.
+fn put_after_cutting(joins: Vec<Step>, steps: &mut Vec<Step>) {
+    let place = steps.iter().position(|step| step.cuts);
+    if let Some(place) = place {
+        let cut = &mut steps[place];
+        cut.by_machine = Sentence::new(
+            format!(
+                "{}ただし布幅に入りきらないものは、次の手順のとおりに分けて裁ちます。ここに書いた寸法と向きは、はぎ合わせたあとのものです。",
+                cut.by_machine.japanese
+            ),
+            format!(
+                "{} But what is wider than the cloth is cut in parts, as the next step says: sizes and directions here are those of the joined cloth.",
+                cut.by_machine
+            ),
+        );
+    }
+    let behind = place.map_or(0, |place| place + 1);
+    steps.splice(behind..behind, joins);
+}
+
 /// Thread for seams of this length [m]: a row to join and one to neaten each allowance.
 fn add_thread(pattern: &mut Pattern, joined: f64) {
-    /// Thread over its row of stitches, both threads and waste included, three rows.
-    const THREAD: f64 = 9.0;
+    /// Rows of stitches of a seam.
+    const ROWS: f64 = 3.0;
     let thread = pattern.notions.iter_mut();
     for notion in thread.filter(|notion| notion.kind == NotionKind::Thread) {
         if let Amount::Length(length) = &mut notion.amount {
-            *length = *length + Length::from_m(THREAD * joined);
+            *length = *length + Length::from_m(ROWS * THREAD_PER_STITCH * joined);
         }
     }
 }
@@ -115,6 +134,8 @@ struct Joint {
     parts: Vec<Piece>,
     /// Where the parts meet on the whole piece; those of a piece on the fold on its drawn half.
     lines: Vec<BezPath>,
+    /// Beyond each of them [m].
+    allowance: f64,
 }
 
 impl Joint {
@@ -140,15 +161,10 @@ impl Joint {
             _ => 1.0,
         };
         let long: f64 = self.lines.iter().map(|path| path.perimeter(1.0e-6)).sum();
-        let middle = if self.hidden == Hidden::MiddleBack {
-            fold_length(piece)
-        } else {
-            0.0
-        };
-        (long * halves + middle) * f64::from(piece.cut.pieces())
+        long * halves * f64::from(piece.cut.pieces())
     }
 
-    /// What is done before everything else.
+    /// What is done as soon as the cloth is cut.
     fn step(&self, index: usize, piece: &Piece, cloth: &TableCloth) -> Step {
         /// Pinning, sewing and neatening a meter with a machine, and by hand [min/m]; and for each piece.
         const PER_METER: [f64; 2] = [5.0, 30.0];
@@ -158,6 +174,7 @@ impl Joint {
         let across = 100.0 * across;
         let (sizes, length) = (self.sizes(), self.length(piece));
         let hidden = self.hidden.words();
+        let allowance = 100.0 * self.allowance;
         let line_count = self.lines.len();
         let marks = piece.marks.len();
         Step {
@@ -167,11 +184,11 @@ impl Joint {
             ),
             by_machine: Sentence::new(
                 format!(
-                    "「{}」は布幅の方向に {across:.1} cm あり、幅 {width:.0} cm の布一枚では取れません。{}に分けて裁ち、「はぎ」の端どうしを中表に縫い代 1 cm で縫い合わせ、端を始末して縫い代を割ります。{}。このあとは、はぎ合わせたものを一枚の「{}」として扱います。裁つ寸法は、はぎ合わせたあとの寸法です。",
+                    "「{}」は布幅の方向に {across:.1} cm あり、幅 {width:.0} cm の布一枚では取れません。{}に分けて裁ち、「はぎ」の端どうしを中表に縫い代 {allowance:.1} cm で縫い合わせ、端を始末して縫い代を割ります。{}。このあとは、はぎ合わせたものを一枚の「{}」として扱います。",
                     name.japanese, sizes.japanese, hidden.japanese, name.japanese
                 ),
                 format!(
-                    "The {} is {across:.1} cm across, more than one width of {width:.0} cm. Cut it as {}, sew the joins right sides together with 1 cm of allowance, neaten them and press them open. {}. From here on what is joined is one {}; sizes to cut are those of the joined cloth.",
+                    "The {} is {across:.1} cm across, more than one width of {width:.0} cm. Cut it as {}, sew the joins right sides together with {allowance:.1} cm of allowance, neaten them and press them open. {}. From here on what is joined is one {}.",
                     name.english, sizes.english, hidden.english, name.english
                 ),
             ),
@@ -182,6 +199,7 @@ impl Joint {
                 marks: (marks..marks + line_count).collect(),
             },
             minutes: PER_METER.map(|rate| EACH + rate * length),
+            cuts: false,
         }
     }
 
@@ -190,14 +208,20 @@ impl Joint {
         let (japanese, english): (Vec<String>, Vec<String>) = (self.parts.iter())
             .map(|part| {
                 let count = part.cut.pieces();
-                let size = part.drawing(1.0e-4).rectangle;
-                let size = size.map(|size| size.map(|side| format!("{:.1}", side.to_cm())));
-                match size {
-                    Some([x, y]) => (
-                        format!("「{}」{x} × {y} cm {count} 枚", part.name.japanese),
-                        format!("{count} of {x} by {y} cm ({})", part.name.english),
+                let is_rectangle = part.drawing(1.0e-4).rectangle.is_some();
+                let [along, across] = size_on_cloth(part).map(|side| 100.0 * side);
+                match is_rectangle {
+                    true => (
+                        format!(
+                            "「{}」{count} 枚（耳に沿って {along:.1} cm、幅の方向に {across:.1} cm）",
+                            part.name.japanese
+                        ),
+                        format!(
+                            "{count} of {along:.1} cm along the selvage by {across:.1} cm ({})",
+                            part.name.english
+                        ),
                     ),
-                    None => (
+                    false => (
                         format!("「{}」{count} 枚", part.name.japanese),
                         format!("{count} of the {}", part.name.english),
                     ),
@@ -295,6 +319,7 @@ fn inside(piece: &Piece) -> Option<Joint> {
         hidden: Hidden::Inside,
         parts: vec![below, facing],
         lines: vec![line],
+        allowance: ALLOWANCE,
     })
 }
 
@@ -313,6 +338,7 @@ fn under_ruffle(piece: &Piece) -> Option<Joint> {
         hidden: Hidden::UnderRuffle,
         parts: vec![under, over],
         lines: vec![line.within(piece)?],
+        allowance: ALLOWANCE,
     })
 }
 
@@ -325,10 +351,10 @@ fn level_of(piece: &Piece, wanted: LineKind) -> Option<f64> {
 }
 
 /// A gathered rectangle in strips from selvage to selvage, their warp down the body; none where the print
-/// has a direction.
+/// does not look the same after a quarter turn.
 fn widths(piece: &Piece, cloth: &TableCloth) -> Option<Joint> {
     let is_gathered = level_of(piece, LineKind::CasingTop).is_some();
-    let may_turn = cloth.nap == Nap::TwoWay && cloth.border.is_none();
+    let may_turn = cloth.nap == Nap::AllWays && cloth.border.is_none();
     let rectangle = piece.drawing(1.0e-4).rectangle;
     if !is_gathered || !may_turn || rectangle.is_none() || piece.edges.len() != 4 {
         return None;
@@ -372,6 +398,7 @@ fn widths(piece: &Piece, cloth: &TableCloth) -> Option<Joint> {
         hidden: Hidden::InGathers,
         parts: vec![part],
         lines,
+        allowance: end,
     })
 }
 
@@ -380,15 +407,6 @@ const LEAST_WIDTH: f64 = 0.2;
 
 fn has_fold(piece: &Piece) -> bool {
     piece.edges.iter().any(|edge| edge.finish == Finish::Fold)
-}
-
-/// Length of the fold of a piece [m].
-fn fold_length(piece: &Piece) -> f64 {
-    let folds = piece
-        .edges
-        .iter()
-        .filter(|edge| edge.finish == Finish::Fold);
-    folds.map(Edge::length).sum()
 }
 
 /// A back on the fold as a pair with a seam down its middle.
@@ -405,6 +423,7 @@ fn middle_back(piece: &Piece) -> Option<Joint> {
     }
     let edges = piece.edges.iter().map(|edge| match edge.finish {
         Finish::Fold => Edge {
+            id: "join",
             finish: Finish::Seam,
             ..edge.clone().with_allowance(Length::from_m(ALLOWANCE))
         },
@@ -417,7 +436,8 @@ fn middle_back(piece: &Piece) -> Option<Joint> {
             cut: CutCount::Pairs(count),
             ..piece.clone()
         }],
-        lines: Vec::new(),
+        lines: vec![BezPath::from_path_segments(fold.segments.iter().copied())],
+        allowance: ALLOWANCE,
     })
 }
 
@@ -446,6 +466,7 @@ fn gores<'a>(piece: &'a Piece, cloth: &TableCloth) -> impl Iterator<Item = Joint
             hidden: Hidden::Sides,
             parts: vec![inner, outer],
             lines: vec![line.within(piece)?],
+            allowance: ALLOWANCE,
         })
     })
 }

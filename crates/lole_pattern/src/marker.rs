@@ -51,10 +51,12 @@ pub enum Border {
     Hip,
 }
 
-/// Whether cloth looks the same from both ends.
+/// From which ends cloth looks the same.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Nap {
-    /// It does: pieces may be turned by half a turn.
+    /// From all sides, as plain cloth and a print of scattered motifs do: pieces may be turned by a quarter too.
+    AllWays,
+    /// From both ends: pieces may be turned by half a turn.
     #[default]
     TwoWay,
     /// Its pile, shine or print has a direction: all pieces lie the same way.

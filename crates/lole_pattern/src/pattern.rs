@@ -166,6 +166,9 @@ pub enum Amount {
     Mass(f64),
 }
 
+/// Sewing thread over stitched length of a lockstitch, both threads and waste included.
+pub const THREAD_PER_STITCH: f64 = 3.0;
+
 /// One thing to do.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Step {
@@ -179,6 +182,8 @@ pub struct Step {
     pub figure: StepFigure,
     /// Time with a machine, and by hand [min]; 0 for what is no work, such as putting it on. Estimates.
     pub minutes: [f64; 2],
+    /// Whether cloth is cut in it.
+    pub cuts: bool,
 }
 
 /// What the drawing of a step shows, taken from the pieces themselves.
@@ -207,6 +212,13 @@ pub enum StepFigure {
 }
 
 impl Step {
+    /// The step as one in which cloth is cut.
+    #[must_use]
+    pub const fn cutting(mut self) -> Self {
+        self.cuts = true;
+        self
+    }
+
     /// The step with how it is done by hand.
     #[must_use]
     pub fn or_by_hand(mut self, sentence: Sentence) -> Self {

@@ -38,6 +38,14 @@ pub enum PrintMotif {
     Plain,
 }
 
+impl PrintMotif {
+    /// Whether it looks the same from all sides: neither bands nor all upright.
+    #[must_use]
+    pub const fn is_alike_all_around(self) -> bool {
+        !matches!(self, Self::BirdOfParadise | Self::Pineapple | Self::Kapa)
+    }
+}
+
 /// A row of [`MOTIFS`].
 #[derive(Debug)]
 pub struct MotifRow {

@@ -47,12 +47,13 @@ pub(super) struct Together {
 /// What is cut from one cloth: the dancer's place, her garment, and how it lies on cloth of its own.
 pub(super) type Cut<'a> = (usize, &'a PlannedGarment, &'a ClothPlan);
 
-/// Lays everything on one cloth: piece by piece, or garment by garment as each lies in its own plan, side by
-/// side or one behind the other, whichever needs least. So a group never needs more than its dancers apart.
+/// Lays everything on one cloth: garment by garment as each lies in its own plan, one behind the other or side
+/// by side, or piece by piece, whichever needs least. So a group never needs more than its dancers apart.
 pub(super) fn together(cuts: &[Cut<'_>], width: Length) -> Together {
     let apart = (cuts.iter()).map(|(_, _, plan)| plan.marker.yardage.needed);
     let apart = apart.fold(Length::ZERO, |sum, length| sum + length);
-    let plans = [by_piece(cuts), by_garment(cuts), behind(cuts, width)];
+    // The first of those that need as little: what keeps each dancer's cloth together comes first.
+    let plans = [behind(cuts, width), by_garment(cuts), by_piece(cuts)];
     let mut best: Option<Together> = None;
     for shares in plans.into_iter().flatten() {
         let sizes: Vec<[Length; 2]> = (shares.iter())

@@ -116,7 +116,8 @@ impl Kind<'_> {
     }
 }
 
-/// What is bought of plain cloth of a role, price and width for all that is cut from it.
+/// What is bought of one cloth, named by its role and plain unless the caller says otherwise, by price and width
+/// for all that is cut from it; bolts are those of the garments' own cloth.
 fn total(
     cuts: &[Cut<'_>],
     (role, price, width): (ClothRole, ClothPrice, Length),
@@ -129,7 +130,8 @@ fn total(
         }
     }
     let laid = together(cuts, width);
-    let (bolts, too_long) = match settings.bolt_length {
+    let bolt_length = settings.bolt_length.filter(|_| role == ClothRole::Main);
+    let (bolts, too_long) = match bolt_length {
         Some(length) => bolts(&laid.strips, length),
         None => (Vec::new(), Vec::new()),
     };

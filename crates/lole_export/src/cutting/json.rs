@@ -146,7 +146,7 @@ fn garment_row(cut: &CutGarment) -> GarmentRow {
             name: Both::words(cut.garment.cloth.name),
             width_cm: micrometers(marker.cloth.width.to_cm()),
             nap: match marker.cloth.nap {
-                Nap::TwoWay => "two-way",
+                Nap::AllWays | Nap::TwoWay => "two-way",
                 Nap::OneWay => "one-way",
             },
             lay: match marker.cloth.lay {

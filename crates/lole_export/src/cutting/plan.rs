@@ -140,7 +140,7 @@ fn about(cut: &CutGarment, plan: &ClothPlan, language: Language) -> String {
     let used = used_words(plan, language.pick("　", "; "), language);
     let direction = match cloth.nap {
         Nap::OneWay => language.pick("・一方向に裁つ", "; all pieces one way"),
-        Nap::TwoWay => "",
+        Nap::AllWays | Nap::TwoWay => "",
     };
     match language {
         Language::Japanese => format!(

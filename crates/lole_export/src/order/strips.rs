@@ -50,14 +50,15 @@ pub(super) fn write(flow: &mut Flow, order: &Order<'_>, print: &PrintTotal, lang
         let names = print.longer_than_bolt.iter().map(|&dancer| name(dancer));
         let names: Vec<&str> = names.collect();
         let names = names.join(language.pick("、", ", "));
-        line(&match language {
+        let warning = match language {
             Language::Japanese => format!(
                 "! 一反では足りない人: {names}。はぎ合わせるか、長い反物をさがしてください。"
             ),
             Language::English => format!(
                 "! One bolt is too short for {names}: join two lengths, or find a longer bolt."
             ),
-        });
+        };
+        flow.indented(12.0, &warning, &TextStyle::bold(12.0));
     }
 }
 

@@ -255,7 +255,8 @@ fn skirt_rows(skirt: &SkirtFacts) -> Vec<Row> {
 
 /// Whether the elastics hold the skirt.
 fn hold_row(hold: ElasticHoldFacts) -> Row {
-    let loosest = hold.loosest_cut_cm.map(|cut| number(cut, 0));
+    // Rounded down: longer ones hold less.
+    let loosest = hold.loosest_cut_cm.map(|cut| number(cut.floor(), 0));
     let advice = match &loosest {
         Some(cut) => [
             format!(

@@ -189,15 +189,15 @@ pub(crate) fn binding_step(neckline: f64, figure: StepFigure) -> Step {
 /// How pieces are cut and marked.
 pub(crate) fn cutting_step(pieces: &[Piece]) -> Step {
     let count: u32 = pieces.iter().map(|piece| piece.cut.pieces()).sum();
-    let kinds = pieces.len();
     step(
         words("布を裁つ", "Cut out"),
         say!(
-            "型紙 {kinds} 種類には縫い代が入っています。そのまま外の線で、布 {count} 枚を裁ちます。布は広げて一枚で置き、裁ち方図のように地の目を合わせます。「わ」の型紙は半身です。写したら「わ」の線で裏返して続きを写し、左右をつなげて一枚に裁ちます（布を二つ折りにするときは、折り山に「わ」を合わせます）。「左右」の型紙は、二枚目を裏返して写します。合印とダーツを写します。",
-            "The {kinds} patterns include their seam allowances: cut {count} pieces of cloth along the outer lines. Spread the cloth in a single layer and lay them along the grain as the cut plan shows. A pattern with a fold line is one half: draw it, turn it over along the fold line, draw the other half, and cut both in one (on doubled cloth the fold line lies on the fold). Of a pair, turn the pattern over for the second piece. Mark notches and darts."
+            "型紙には縫い代が入っています。そのまま外の線で、型紙に書いてある枚数を裁ちます。布は広げて一枚で置き、裁ち方図のように地の目を合わせます。「わ」の型紙は半身です。写したら「わ」の線で裏返して続きを写し、左右をつなげて一枚に裁ちます（布を二つ折りにするときは、折り山に「わ」を合わせます）。「左右」の型紙は、二枚目を裏返して写します。合印とダーツを写します。",
+            "The patterns include their seam allowances: cut as many pieces of cloth as each says, along the outer lines. Spread the cloth in a single layer and lay them along the grain as the cut plan shows. A pattern with a fold line is one half: draw it, turn it over along the fold line, draw the other half, and cut both in one (on doubled cloth the fold line lies on the fold). Of a pair, turn the pattern over for the second piece. Mark notches and darts."
         ),
         minutes(&[(Work::Piece, f64::from(count)), (Work::Piece, 3.0)]),
     )
+    .cutting()
 }
 
 /// How a side dart is sewn; `None` where there is none.

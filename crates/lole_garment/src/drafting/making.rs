@@ -4,15 +4,13 @@
 
 use lole_geom::Length;
 use lole_language::{Sentence, Words, words};
+use lole_pattern::pattern::THREAD_PER_STITCH;
 use lole_pattern::pattern::{
     Amount, Notion, NotionKind, Pattern, Seam, SeamKind, SeamSide, Step, StepFigure,
 };
 use lole_pattern::piece::{Finish, Piece};
 
 use super::work::{self, Work};
-
-/// Sewing thread over stitched length of a lockstitch, both threads and waste included.
-const THREAD_PER_STITCH: f64 = 3.0;
 
 /// A sentence in both languages from two format strings, Japanese first.
 macro_rules! say {
@@ -54,6 +52,7 @@ pub(crate) const fn step(title: Words, by_machine: Sentence, minutes: [f64; 2]) 
         by_hand: None,
         figure: StepFigure::None,
         minutes,
+        cuts: false,
     }
 }
 

@@ -109,6 +109,7 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
             ),
             [10.0, 10.0],
         )
+        .cutting()
         .shown(edges_of(0, &[0, 1, 2, 3])),
         step(
             words("四辺を始末する", "Hem all four sides"),

@@ -173,6 +173,7 @@ fn steps(piece: &Piece, draft: &PauDraft, (cord, row_count): (f64, u32)) -> Vec<
             ),
             [20.0, 20.0],
         )
+        .cutting()
         .shown(edges_of(0, &[0, 1, 2, 3])),
         step(
             words("両端を始末する", "Hem both ends"),

@@ -32,6 +32,7 @@
 use lole_geom::Length;
 use lole_language::{Bilingual, Words, words};
 
+use crate::pattern::THREAD_PER_STITCH;
 use crate::{DraftError, ElasticRatio, GatherRatio, Yardage};
 
 /// What the tape says.
@@ -253,9 +254,6 @@ const BRAIDED_ELASTIC_STRETCH: f64 = 1.8;
 /// Cloth over relaxed elastic above which four layers of broadcloth crowd the casing: 5 yards on
 /// a 91 cm hip (6.5) is the fullest that makers describe.
 const CROWDED_BAND: f64 = 6.5;
-
-/// Sewing thread over stitched length of a lockstitch, both threads and waste included.
-const THREAD_PER_STITCH: f64 = 3.0;
 
 /// Drafts a pāʻū skirt.
 ///

@@ -81,7 +81,7 @@ impl PauDraft {
             drawn_in: Vec::new(),
             notions: self.notions(),
             steps: steps(self, sewn),
-            // What is wider than the cloth is told by the cut plan, for whatever cloth that has.
+            // What is wider than the cloth is joined where it is cut, or refused there, for whatever cloth that is.
             warnings: (self.warnings.iter())
                 .filter(|warning| !matches!(warning, PauWarning::TallerThanCloth { .. }))
                 .map(Sentence::of)

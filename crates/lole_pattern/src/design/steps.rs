@@ -69,6 +69,7 @@ fn press() -> Step {
         ),
         by_hand: None,
         figure: StepFigure::None,
+        cuts: false,
         minutes: [20.0, 20.0],
     }
 }
@@ -93,6 +94,7 @@ fn cut(draft: &PauDraft) -> Step {
             marks: Vec::new(),
         },
         // Measuring and cutting go along the edge about as fast.
+        cuts: true,
         minutes: [10.0 + 2.0 * (across + up).to_m(); 2],
     }
 }
@@ -145,6 +147,7 @@ fn mark(draft: &PauDraft, sewn: Option<&Sewn>) -> Step {
             edges: Vec::new(),
             marks: (0..band).chain(tapes..count).chain(placement).collect(),
         },
+        cuts: false,
         minutes: [20.0, 20.0],
     }
 }
@@ -178,6 +181,7 @@ fn close(draft: &PauDraft) -> Step {
         )),
         figure: StepFigure::Seams(vec![CLOSING]),
         // The seam, and both of its edges neatened.
+        cuts: false,
         minutes: minutes(10.0, draft.cut_height * 3.0),
     }
 }
@@ -222,6 +226,7 @@ fn fold_band(draft: &PauDraft) -> Step {
             piece: PANEL,
             marks: vec![0, 1],
         },
+        cuts: false,
         minutes: [20.0, 20.0],
     }
 }
@@ -254,6 +259,7 @@ fn stitch_casings(draft: &PauDraft) -> Step {
             piece: PANEL,
             marks: (0..2 + 2 * count).collect(),
         },
+        cuts: false,
         minutes: minutes(5.0, draft.flat_length * rounds(count)),
     }
 }
@@ -288,6 +294,7 @@ fn tape(draft: &PauDraft) -> Option<Step> {
             edges: Vec::new(),
             marks: (first..first + 2 * count).collect(),
         },
+        cuts: false,
         minutes: minutes(10.0, draft.flat_length * rounds(count)),
     })
 }
@@ -312,6 +319,7 @@ fn hem(draft: &PauDraft) -> Step {
             piece: PANEL,
             marks: vec![draft.lines.len() - 1],
         },
+        cuts: false,
         minutes: minutes(15.0, draft.flat_length),
     }
 }
@@ -357,6 +365,7 @@ fn thread_elastic(draft: &PauDraft) -> Step {
             piece: PANEL,
             marks: (1..draft.lines.len() - 1).collect(),
         },
+        cuts: false,
         minutes: [
             5.0 + 6.0 * rounds(count) * 0.5,
             5.0 + 12.0 * rounds(count) * 0.5,
@@ -378,6 +387,7 @@ fn finish(length: Length) -> Step {
         ),
         by_hand: None,
         figure: StepFigure::None,
+        cuts: false,
         minutes: [15.0, 15.0],
     }
 }

@@ -164,7 +164,7 @@ fn ways(piece: &Piece, nap: Nap, turned: Affine) -> Vec<Way> {
     let grain = turned * piece.grain.to_point() - Point::ORIGIN;
     let upright = quarter_exact(-trig64::atan2(grain.y, grain.x)) * turned;
     let mut ways = vec![Way::new(piece, upright, Vec2::new(1.0, 0.0))];
-    if nap == Nap::TwoWay {
+    if nap != Nap::OneWay {
         let upside_down = Affine::scale(-1.0) * upright;
         ways.push(Way::new(piece, upside_down, Vec2::new(-1.0, 0.0)));
     }
