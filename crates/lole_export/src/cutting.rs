@@ -12,6 +12,8 @@
 //! | `pattern.json` | [`pattern_json`] |
 //! | all of them | [`pattern_folder`] |
 //!
+//! What a folder holds of an earlier costume is told by [`left_behind`].
+//!
 //! Pieces are drawn as they are worn, `+y` up; pages have `y` down and are in millimeters.
 
 pub(crate) mod draw;
@@ -32,7 +34,7 @@ use lole_language::Language;
 use lole_pattern::piece::{CutCount, Piece};
 use lole_print::PrintImage;
 
-pub use folder::{PatternParts, pattern_folder};
+pub use folder::{PATTERN_JSON, PatternParts, left_behind, pattern_folder};
 pub use json::pattern_json;
 pub use pieces_svg::pieces_svg;
 pub use plan::{cut_plan_sheets, cut_plan_svg, lying_width, masses, short_words, used_words};

@@ -1,30 +1,33 @@
 //! The window itself: panels, picture, simulation and files brought together.
 
+mod asking;
 mod products;
 
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{self, Receiver};
+use std::sync::mpsc::Receiver;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use eframe::egui::{self, Context, Ui};
 use lole_costume::document::{Design, LinkedFile, LinkedPicture, PhotoMarks};
 use lole_files as files;
 use lole_garment::template::PAU_SKIRT;
-use lole_language::{Sentence, Words};
+use lole_language::Sentence;
 use lole_render::{Image, wgpu};
 
-use crate::chooser::{self, Listing, ends_with_one_of};
+use crate::chooser::ends_with_one_of;
 use crate::journal::{self, Journal, Leftover};
-use crate::making::Maker;
+use crate::making::{Maker, with_ending};
 use crate::memory::{Memory, MemoryKeeper};
 use crate::message::Message;
 use crate::ordering::{self, Job, OrderNews, OrderWork};
 use crate::sim::{News, Sim};
-use crate::studio::{Purpose, Question, Request, Tab};
+use crate::studio::{Purpose, Request, Tab};
 use crate::tailor::Tailor;
 use crate::viewport::Viewport;
 use crate::{Studio, Work, look, panel};
+
+use asking::Asking;
 
 /// The running window.
 pub(crate) struct App {
@@ -33,15 +36,12 @@ pub(crate) struct App {
     tailor: Tailor,
     order: Option<OrderWork>,
     maker: Maker,
-    /// A folder that is being read for a question.
-    listing: Option<Receiver<Listing>>,
+    asking: Asking,
     /// Folders that are being shown.
     reveals: Vec<Receiver<Sentence>>,
     /// The picture as it was when its button was pressed.
     taken: Option<Image>,
     viewport: Viewport,
-    /// Answers of the system's file dialog.
-    answers: Option<Receiver<Option<PathBuf>>>,
     keeping: Keeping,
     context: Context,
     /// Whether the graphics adapter was lost, and where the studio is put then.
@@ -112,22 +112,26 @@ impl App {
         }
         let sim = start(studio.design().clone(), context);
         let [repaint, news] = [context.clone(), context.clone()];
-        Self {
+        // Cards of a window before keep their numbers.
+        let last_number = studio.making.last_number();
+        let maker = Maker::start(last_number, move || news.request_repaint());
+        let mut app = Self {
             keeping,
             studio,
             sim,
             tailor: Tailor::start(move || repaint.request_repaint()),
             order: None,
-            maker: Maker::start(move || news.request_repaint()),
-            listing: None,
+            maker,
+            asking: Asking::default(),
             reveals: Vec::new(),
             taken: None,
             viewport: Viewport::new(),
-            answers: None,
             context: context.clone(),
             is_lost,
             shelf,
-        }
+        };
+        app.find_roster();
+        app
     }
 
     /// Whether the adapter is gone; asking lets the device tell.
@@ -165,30 +169,7 @@ impl App {
         }
         self.receive_order();
         self.receive_products();
-        let answer = self.answers.as_ref().map(Receiver::try_recv);
-        match answer {
-            Some(Ok(path)) => {
-                self.answers = None;
-                self.answer(path);
-            }
-            Some(Err(mpsc::TryRecvError::Disconnected)) => self.answers = None,
-            Some(Err(mpsc::TryRecvError::Empty)) | None => {}
-        }
-    }
-
-    fn answer(&mut self, path: Option<PathBuf>) {
-        let Some(question) = &mut self.studio.question else {
-            return;
-        };
-        match path {
-            Some(path) => question.path = path.display().to_string(),
-            None => {
-                question.note = Some(Sentence::new(
-                    "パソコンの窓では選ばれませんでした（その窓がないパソコンもあります）。上の一覧から選べます。",
-                    "Nothing was chosen in the system’s window (some systems have none). Choose from the list above.",
-                ));
-            }
-        }
+        self.receive_answers();
     }
 
     /// A file that was dropped on the window is taken for what its name says.
@@ -214,34 +195,14 @@ impl App {
 
     fn serve(&mut self) {
         for request in self.studio.take_requests() {
-            match request {
-                Request::AskOpen => self.ask(Purpose::Open),
-                Request::AskSave => self.ask(Purpose::Save),
-                Request::AskRecording => self.ask(Purpose::Record),
-                Request::Browse => self.browse(),
-                Request::ListFolder(folder) => self.list_folder(folder),
-                Request::Open(path) => self.open(&path),
-                Request::Save(path) => self.save(&path),
-                Request::OpenRecording(path) => self.open_recording(&path),
-                Request::Resume => self.resume(),
-                Request::Discard => self.discard(),
-                Request::Picture => self.take_picture(),
-                Request::SavePicture(path) => self.save_picture(&path),
-                Request::AskMake(product) => self.ask(Purpose::Make(product)),
-                Request::Make(product, path) => self.make(product, &path),
-                Request::CallOff(number) => self.maker.call_off(number),
-                Request::Reveal(path) => self.reveal(&path),
-                Request::AskPicture(place) => self.ask(Purpose::Print(place)),
-                Request::OpenPicture(place, path) => self.open_picture(place, &path),
-                Request::AskRoster => self.ask(Purpose::Roster),
-                Request::OpenRoster(path) => self.open_roster(&path),
-                Request::WorkOutOrder => self.begin_order(None),
-                Request::AskOrderFolder => self.ask(Purpose::Order),
-                Request::MakeOrder(path) => self.begin_order(Some(path)),
-                Request::CallOffOrder => {
-                    if let Some(order) = &self.order {
-                        order.call_off();
-                    }
+            let answered = self.studio.answered.take();
+            match answered {
+                Some(question) if question.request().as_ref() == Some(&request) => {
+                    self.find_out(question);
+                }
+                other => {
+                    self.studio.answered = other;
+                    self.follow(request);
                 }
             }
         }
@@ -253,71 +214,38 @@ impl App {
         }
     }
 
-    fn ask(&mut self, purpose: Purpose) {
-        let here = std::env::current_dir().unwrap_or_default();
-        let folder = match self.studio.path().and_then(Path::parent) {
-            Some(folder) if !folder.as_os_str().is_empty() => folder.to_owned(),
-            _ => here,
-        };
-        let usual = |words: Words| words.text(self.studio.language);
-        let path = match (self.studio.path(), purpose) {
-            (Some(path), Purpose::Open | Purpose::Save) => path.to_owned(),
-            (None, Purpose::Save) => folder.join("design.lole"),
-            (_, Purpose::Order) => folder.join("order"),
-            (_, Purpose::Make(product)) => folder.join(usual(product.usual_name())),
-            (_, Purpose::Picture) => files::free_picture(&folder),
-            _ => folder.join(""),
-        };
-        self.studio.question = Some(Question::new(purpose, path.display().to_string()));
-        self.list_folder(chooser::folder_of(&path));
-    }
-
-    /// The system's own dialog, on a thread of its own: the dance goes on behind it.
-    fn browse(&mut self) {
-        let Some(question) = &self.studio.question else {
-            return;
-        };
-        if self.answers.is_some() {
-            return;
-        }
-        let purpose = question.purpose;
-        let name = Path::new(&question.path).file_name();
-        let name = name.map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-        let (sender, answers) = mpsc::channel();
-        let context = self.context.clone();
-        let ask = move || {
-            let dialog = rfd::FileDialog::new();
-            let path = match purpose {
-                _ if purpose.is_folder() => dialog.pick_folder(),
-                _ => {
-                    let endings = purpose.endings();
-                    // Some systems tell capital letters from small ones.
-                    let capitals = endings.iter().map(|ending| ending.to_ascii_uppercase());
-                    let small = endings.iter().map(|ending| (*ending).to_owned());
-                    let both: Vec<String> = small.chain(capitals).collect();
-                    let dialog = dialog.add_filter(endings.join(", "), &both);
-                    if purpose.writes() {
-                        dialog.set_file_name(name).save_file()
-                    } else {
-                        dialog.pick_file()
-                    }
+    /// Does what was asked for.
+    fn follow(&mut self, request: Request) {
+        match request {
+            Request::AskOpen => self.ask(Purpose::Open),
+            Request::AskSave => self.ask(Purpose::Save),
+            Request::AskRecording => self.ask(Purpose::Record),
+            Request::Browse => self.browse(),
+            Request::ListFolder(folder) => self.list_folder(folder),
+            Request::Open(path) => self.open(&path),
+            Request::Save(path) => self.save(&path),
+            Request::OpenRecording(path) => self.open_recording(&path),
+            Request::Resume => self.resume(),
+            Request::Discard => self.discard(),
+            Request::Picture => self.take_picture(),
+            Request::SavePicture(path) => self.save_picture(&path),
+            Request::AskMake(product) => self.ask(Purpose::Make(product)),
+            Request::Make(product, path) => self.make(product, &path),
+            Request::CallOff(number) => self.maker.call_off(number),
+            Request::Reveal(path) => self.reveal(&path),
+            Request::AskPicture(place) => self.ask(Purpose::Print(place)),
+            Request::OpenPicture(place, path) => self.open_picture(place, &path),
+            Request::AskRoster => self.ask(Purpose::Roster),
+            Request::OpenRoster(path) => self.open_roster(&path),
+            Request::WorkOutOrder => self.begin_order(None),
+            Request::AskOrderFolder => self.ask(Purpose::Order),
+            Request::MakeOrder(path) => self.begin_order(Some(path)),
+            Request::CallOffOrder => {
+                if let Some(order) = &self.order {
+                    order.call_off();
                 }
-            };
-            // The window may have been closed meanwhile.
-            drop(sender.send(path));
-            context.request_repaint();
-        };
-        if cfg!(target_os = "macos") {
-            // There, dialogs belong to the main thread.
-            ask();
-        } else {
-            drop(
-                std::thread::Builder::new()
-                    .name("dialog".to_owned())
-                    .spawn(ask),
-            );
+            }
         }
-        self.answers = Some(answers);
     }
 
     fn open(&mut self, path: &Path) {
@@ -338,12 +266,19 @@ impl App {
 
     /// A picture that was given as if it were a design is printed on what is worn.
     fn print(&mut self, path: &Path) {
+        let Some(place) = panel::first_of_cloth(&self.studio) else {
+            self.studio.message = Some(Message::trouble(&Sentence::new(
+                "いま着ているものに布で作るものがないので、写真を柄にできません。",
+                "Nothing that is worn is made of cloth, so the picture cannot be printed on it.",
+            )));
+            return;
+        };
         let design = self.studio.design();
-        let place = (!design.skirt.is_worn && !design.garments.is_empty()).then_some(0);
         let garment = place.map_or(PAU_SKIRT.name, |place| design.garments[place].name());
         self.studio.message = None;
         self.open_picture(place, path);
         if self.studio.message.is_none() {
+            self.studio.starts = false;
             self.studio.tab = Tab::Cloth;
             let [japanese, english] = [garment.japanese, garment.english];
             self.studio.message = Some(Message::news(
@@ -405,6 +340,7 @@ impl App {
         match ordering::read_list(path) {
             Ok(list) => {
                 self.studio.message = None;
+                self.studio.starts = false;
                 self.studio.order.list = Some((path.to_owned(), Arc::new(list)));
                 self.studio.memory.roster = std::fs::canonicalize(path).ok();
                 self.studio.order.totals = None;
@@ -518,7 +454,7 @@ impl App {
     }
 
     fn save(&mut self, path: &Path) {
-        let path = path.with_extension("lole");
+        let path = with_ending(path, "lole");
         if let Err(error) = self.studio.check() {
             // It could not be opened again.
             self.studio.message = Some(Message::trouble(&error));

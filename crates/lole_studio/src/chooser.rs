@@ -1,15 +1,19 @@
 //! What lies in a folder, for a question for a file. Folders are read on a thread of their own: one
 //! that lies on a network may take its time.
 
-use std::ffi::OsString;
+use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{self, Receiver};
 use std::thread;
 
+use lole_export::cutting::PATTERN_JSON;
+use lole_export::order::ORDER_JSON;
 use lole_language::Sentence;
 
 /// Entries of one folder that are shown; more can be typed.
 const MOST_ENTRIES: usize = 2000;
+/// Names with numbers are tried up to this one; then the question says what is there.
+const MOST_NUMBER: u32 = 999;
 
 /// A folder with what can be chosen in it.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -20,6 +24,8 @@ pub struct Listing {
     pub entries: Vec<Entry>,
     /// Places that people keep files in.
     pub places: Vec<PathBuf>,
+    /// How many more entries there are that are not shown.
+    pub left_out: usize,
     /// Why the folder could not be read.
     pub trouble: Option<Sentence>,
 }
@@ -31,6 +37,54 @@ pub struct Entry {
     pub is_file: bool,
     /// What it is called.
     pub name: String,
+}
+
+/// What was found for a question.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Looked {
+    /// The folder that was looked into.
+    pub(crate) listing: Listing,
+    /// A name that was proposed, and one that is free in its place.
+    pub(crate) free: Option<[PathBuf; 2]>,
+}
+
+/// What lies where a question was answered.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Lies {
+    Nothing,
+    File,
+    Folder,
+    /// A folder with patterns or an order in it.
+    Filled,
+}
+
+/// What lies at the path that was answered, or at the one that would be written.
+pub(crate) fn what_lies(answer: &Path, target: &Path) -> Lies {
+    if answer.is_dir() {
+        let is_filled = [PATTERN_JSON, ORDER_JSON].map(|name| answer.join(name).exists());
+        return if is_filled.contains(&true) {
+            Lies::Filled
+        } else {
+            Lies::Folder
+        };
+    }
+    if target.exists() {
+        Lies::File
+    } else {
+        Lies::Nothing
+    }
+}
+
+/// The path, or the same with a number where it is taken.
+pub(crate) fn free_name(path: &Path, is_taken: impl Fn(&Path) -> bool) -> PathBuf {
+    let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+    let ending = path.extension().map(OsStr::to_string_lossy);
+    let ending = ending.map_or_else(String::new, |ending| format!(".{ending}"));
+    let numbered = (2..=MOST_NUMBER).map(|number| format!("{stem}-{number}{ending}"));
+    std::iter::once(path.to_owned())
+        .chain(numbered.map(|name| path.with_file_name(name)))
+        .find(|path| !is_taken(path))
+        .unwrap_or_else(|| path.to_owned())
 }
 
 /// Reads a folder; files whose names end otherwise are left out. All folders are kept.
@@ -64,8 +118,13 @@ pub(crate) fn list(folder: &Path, endings: &[&str]) -> Listing {
         })
         .collect();
     entries.sort();
+    let left_out = entries.len().saturating_sub(MOST_ENTRIES);
     entries.truncate(MOST_ENTRIES);
-    Listing { entries, ..listing }
+    Listing {
+        entries,
+        left_out,
+        ..listing
+    }
 }
 
 /// Whether the name of a file ends in one of these ways, in small or in capital letters.
@@ -74,22 +133,21 @@ pub(crate) fn ends_with_one_of(path: &Path, endings: &[&str]) -> bool {
     ending.is_some_and(|ending| (endings.iter()).any(|known| ending.eq_ignore_ascii_case(known)))
 }
 
-/// Reads a folder on a thread of its own; `wake` is called when it is read.
-pub(crate) fn begin(
-    folder: PathBuf,
-    endings: &'static [&'static str],
+/// Looks at files on a thread of its own; `wake` is called when it is done.
+pub(crate) fn begin<Found: Send + 'static>(
+    look: impl FnOnce() -> Found + Send + 'static,
     wake: impl Fn() + Send + 'static,
-) -> Receiver<Listing> {
-    let (sender, listings) = mpsc::channel();
+) -> Receiver<Found> {
+    let (sender, found) = mpsc::channel();
     let read = move || {
         // The question may have been given up meanwhile.
-        drop(sender.send(list(&folder, endings)));
+        drop(sender.send(look()));
         wake();
     };
     let thread = thread::Builder::new().name("folder".to_owned());
     // Where no thread can be had, the path can still be typed.
     drop(thread.spawn(read));
-    listings
+    found
 }
 
 /// Folders under the user's own one that systems make, in the words of the two languages.
@@ -137,10 +195,28 @@ mod tests {
         let listing = list(&folder, &["lole"]);
         let names: Vec<&str> = listing.entries.iter().map(|it| it.name.as_str()).collect();
         assert_eq!(names, ["z-folder", "a.LOLE", "b.lole"]);
-        assert!(listing.trouble.is_none());
+        assert!(listing.trouble.is_none() && listing.left_out == 0);
+        let lies = |name: &str| what_lies(&folder.join(name), &folder.join(format!("{name}.lole")));
+        assert_eq!(
+            ["b", "z-folder", "d"].map(lies),
+            [Lies::File, Lies::Folder, Lies::Nothing]
+        );
+        std::fs::write(folder.join("z-folder").join(PATTERN_JSON), "").unwrap();
+        assert_eq!(lies("z-folder"), Lies::Filled);
         assert_eq!(folder_of(&folder.join("none/new.lole")), folder);
         std::fs::remove_dir_all(&folder).unwrap();
         assert!(list(&folder, &["lole"]).trouble.is_some());
+    }
+
+    #[test]
+    fn a_name_that_is_taken_is_given_a_number() {
+        let taken = ["縫い方.pdf", "縫い方-2.pdf", "型紙"].map(Path::new);
+        let free = |name: &str| free_name(Path::new(name), |path| taken.contains(&path));
+        assert_eq!(free("縫い方.pdf"), Path::new("縫い方-3.pdf"));
+        assert_eq!(free("型紙"), Path::new("型紙-2"));
+        assert_eq!(free("踊り.mp4"), Path::new("踊り.mp4"));
+        let all = free_name(Path::new("a.pdf"), |_| true);
+        assert_eq!(all, Path::new("a.pdf"));
     }
 
     #[test]

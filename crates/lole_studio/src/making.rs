@@ -4,6 +4,7 @@
 mod dance;
 mod paper;
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -11,6 +12,7 @@ use std::sync::mpsc::{self, Receiver, Sender};
 use std::thread::{self, JoinHandle};
 
 use lole_costume::document::Design;
+use lole_export::cutting::{PATTERN_JSON, left_behind};
 use lole_export::pdf::Paper;
 use lole_language::{Language, Sentence, Words, words};
 
@@ -93,6 +95,8 @@ pub enum Stage {
     Waiting,
     /// This share of it is done, from 0 to 1.
     Working(f32),
+    /// It was called off while it was being made, and ends as soon as it can.
+    Stopping,
     /// It lies at its place.
     Done,
     /// Why it was not made.
@@ -104,7 +108,7 @@ pub enum Stage {
 impl Stage {
     /// Whether nothing more happens to it.
     pub(crate) const fn is_end(&self) -> bool {
-        !matches!(self, Self::Waiting | Self::Working(_))
+        !matches!(self, Self::Waiting | Self::Working(_) | Self::Stopping)
     }
 }
 
@@ -135,8 +139,48 @@ impl MakingDesk {
             .pieces
             .iter_mut()
             .find(|piece| piece.number == number)?;
+        // What the thread told before it heard that the piece is called off is no news.
+        let is_called_off = matches!(piece.stage, Stage::Stopping | Stage::CalledOff);
+        if is_called_off && !stage.is_end() {
+            return None;
+        }
         piece.stage = stage;
         piece.stage.is_end().then_some(piece)
+    }
+
+    /// Shows at once that a piece is called off: one that waits will never be begun.
+    pub(crate) fn call_off(&mut self, number: u64) {
+        for piece in &mut self.pieces {
+            if piece.number == number {
+                piece.stage = match piece.stage {
+                    Stage::Waiting => Stage::CalledOff,
+                    Stage::Working(_) => Stage::Stopping,
+                    _ => continue,
+                };
+            }
+        }
+    }
+
+    /// This desk for another window: the thread that made the pieces went with the window before.
+    pub(crate) fn anew(mut self) -> Self {
+        for piece in &mut self.pieces {
+            if !piece.stage.is_end() {
+                piece.stage = Stage::CalledOff;
+            }
+        }
+        self
+    }
+
+    /// The highest number that was given to a piece.
+    pub(crate) fn last_number(&self) -> u64 {
+        let numbers = self.pieces.iter().map(|piece| piece.number);
+        numbers.max().unwrap_or(0)
+    }
+
+    /// Where something is about to be written.
+    pub(crate) fn places(&self) -> Vec<PathBuf> {
+        let unfinished = self.pieces.iter().filter(|piece| !piece.stage.is_end());
+        unfinished.map(|piece| piece.path.clone()).collect()
     }
 
     /// Forgets a piece that nothing more happens to.
@@ -170,6 +214,21 @@ impl Unmade {
     pub(crate) fn of(error: &dyn std::fmt::Display) -> Self {
         let text = error.to_string();
         Self::Failed(Sentence::new(format!("作れません（{text}）"), text))
+    }
+}
+
+/// The cloth flew apart at this time of the dance [s], or where no dance is danced.
+fn flew_apart(time: Option<f32>) -> Sentence {
+    match time {
+        Some(time) if 0.0 <= time => Sentence::new(
+            format!("踊りの {time:.2} 秒で布が飛び散ったので、書けませんでした。"),
+            format!("the cloth flew apart at {time:.2} s of the dance; nothing was written"),
+        ),
+        // Before the dance the clock is below 0.
+        _ => Sentence::new(
+            "踊りの前、布をなじませているあいだに布が飛び散ったので、書けませんでした。",
+            "the cloth flew apart before the dance, while it settled; nothing was written",
+        ),
     }
 }
 
@@ -211,19 +270,24 @@ pub(crate) struct Maker {
 }
 
 impl Maker {
-    /// Starts the thread; `wake` is called when there is news.
-    pub(crate) fn start(wake: impl Fn() + Send + 'static) -> Self {
+    /// Starts the thread; `wake` is called when there is news. Pieces are numbered from the one after
+    /// `last_number`.
+    pub(crate) fn start(last_number: u64, wake: impl Fn() + Send + 'static) -> Self {
+        Self::start_with(make, last_number, wake)
+    }
+
+    fn start_with(make: Make, last_number: u64, wake: impl Fn() + Send + 'static) -> Self {
         let (jobs, received) = mpsc::channel();
         let (sender, news) = mpsc::channel();
         let thread = thread::Builder::new()
             .name("making".to_owned())
-            .spawn(move || work(&received, &sender, &wake))
+            .spawn(move || work(make, &received, &sender, &wake))
             .ok();
         Self {
             jobs: Some(jobs),
             news,
             stops: Vec::new(),
-            count: 0,
+            count: last_number,
             thread,
         }
     }
@@ -232,7 +296,7 @@ impl Maker {
     pub(crate) fn ask(&mut self, wish: Wish) -> Piece {
         self.count += 1;
         let number = self.count;
-        let piece = Piece {
+        let mut piece = Piece {
             number,
             product: wish.product,
             path: wish.path.clone(),
@@ -245,9 +309,9 @@ impl Maker {
             wish,
             is_called_off,
         };
-        if let Some(jobs) = &self.jobs {
-            // The thread lives until the sender goes.
-            drop(jobs.send(job));
+        let jobs = self.jobs.as_ref().filter(|_| self.thread.is_some());
+        if jobs.is_none_or(|jobs| jobs.send(job).is_err()) {
+            piece.stage = Stage::Failed(stopped_unexpectedly());
         }
         piece
     }
@@ -281,7 +345,10 @@ impl Drop for Maker {
     }
 }
 
-fn work(jobs: &Receiver<Job>, news: &Sender<(u64, Stage)>, wake: &dyn Fn()) {
+/// Makes one product.
+type Make = fn(&Wish, &Line<'_>) -> Result<(), Unmade>;
+
+fn work(make: Make, jobs: &Receiver<Job>, news: &Sender<(u64, Stage)>, wake: &dyn Fn()) {
     while let Ok(job) = jobs.recv() {
         let tell = |stage| {
             // Nobody listens only while the window closes.
@@ -292,25 +359,49 @@ fn work(jobs: &Receiver<Job>, news: &Sender<(u64, Stage)>, wake: &dyn Fn()) {
             is_called_off: &job.is_called_off,
             tell: &|share| tell(Stage::Working(share)),
         };
-        tell(match make(&job.wish, &line) {
-            Ok(()) => Stage::Done,
-            Err(Unmade::CalledOff) => Stage::CalledOff,
-            Err(Unmade::Failed(sentence)) => Stage::Failed(sentence),
+        // What goes wrong with one product is told, and leaves the others as they are.
+        let made = catch_unwind(AssertUnwindSafe(|| make(&job.wish, &line)));
+        tell(match made {
+            Ok(Ok(())) => Stage::Done,
+            Ok(Err(Unmade::CalledOff)) => Stage::CalledOff,
+            Ok(Err(Unmade::Failed(sentence))) => Stage::Failed(sentence),
+            Err(_) => Stage::Failed(stopped_unexpectedly()),
         });
     }
+}
+
+fn stopped_unexpectedly() -> Sentence {
+    Sentence::new(
+        "途中で止まってしまい、できませんでした。もう一度お試しください。",
+        "It stopped unexpectedly and was not made; please try again.",
+    )
 }
 
 /// Makes it and writes it, whole or not at all.
 fn make(wish: &Wish, line: &Line<'_>) -> Result<(), Unmade> {
     line.goes_on(0.0)?;
-    let one = |bytes: Vec<u8>| lole_files::write_whole(&wish.path, &bytes);
-    let written = match wish.product {
+    let one = |bytes: Vec<u8>| -> Result<(), Unmade> {
+        // The last moment to call it off.
+        line.goes_on(1.0)?;
+        lole_files::write_whole(&wish.path, &bytes).map_err(Unmade::Failed)
+    };
+    match wish.product {
         Product::Booklet => one(paper::booklet(wish, line)?),
-        Product::Pattern => lole_files::write_folder(&wish.path, &paper::pattern(wish, line)?),
+        Product::Pattern => fill(&wish.path, &paper::pattern(wish, line)?).map_err(Unmade::Failed),
         Product::Film => one(dance::film(wish, line)?),
         Product::Model => one(dance::model(wish, line)?),
-    };
-    written.map_err(Unmade::Failed)
+    }
+}
+
+/// Fills a folder of patterns; sheets of the costume before, which would be taken for this one's, go.
+fn fill(folder: &Path, files: &[(String, Vec<u8>)]) -> Result<(), Sentence> {
+    let earlier = std::fs::read(folder.join(PATTERN_JSON)).unwrap_or_default();
+    lole_files::write_folder(folder, files)?;
+    for name in left_behind(&earlier, files) {
+        // An old sheet that stays does no harm to the new ones.
+        drop(std::fs::remove_file(folder.join(name)));
+    }
+    Ok(())
 }
 
 /// A path that says what it is of: nothing opens a file whose name does not end as its kind does.

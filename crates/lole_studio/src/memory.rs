@@ -39,7 +39,9 @@ impl Memory {
     /// What a text says; lines that nobody knows are passed over.
     fn parse(text: &str) -> Self {
         let mut memory = Self::default();
-        for (key, value) in text.lines().filter_map(|line| line.split_once(" = ")) {
+        // A damaged letter costs its own line, not all of them.
+        let lines = (text.lines()).filter(|line| !line.contains(char::REPLACEMENT_CHARACTER));
+        for (key, value) in lines.filter_map(|line| line.split_once(" = ")) {
             match key {
                 "recent" if memory.recent.len() < MOST_RECENT => memory.recent.push(value.into()),
                 "roster" => memory.roster = Some(value.into()),
@@ -85,8 +87,8 @@ impl Memory {
 
     /// What the last window left in a folder; nothing where there is none.
     pub(crate) fn read(folder: &Path) -> Self {
-        let text = std::fs::read_to_string(folder.join(FILE));
-        text.map_or_else(|_| Self::default(), |text| Self::parse(&text))
+        let bytes = std::fs::read(folder.join(FILE)).unwrap_or_default();
+        Self::parse(&String::from_utf8_lossy(&bytes))
     }
 }
 
@@ -175,6 +177,12 @@ mod tests {
         keeper.keep(&memory);
         drop(keeper);
         assert_eq!(Memory::read(&folder), memory);
+        let mut bytes = std::fs::read(folder.join(FILE)).unwrap();
+        bytes.splice(0..0, *b"recent = \xff.lole\n");
+        std::fs::write(folder.join(FILE), bytes).unwrap();
+        let read = Memory::read(&folder);
+        assert_eq!(read.recent, memory.recent);
+        assert_eq!((read.roster, read.size), (memory.roster, memory.size));
         std::fs::remove_dir_all(&folder).unwrap();
         assert_eq!(Memory::read(&folder), Memory::default());
     }

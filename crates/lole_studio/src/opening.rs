@@ -13,9 +13,9 @@ use lole_files as files;
 use lole_language::{Language, Sentence, words};
 use lole_render::wgpu;
 
+use crate::Studio;
 use crate::app::{App, Keeping, Rescued};
 use crate::message::Message;
-use crate::{Studio, ordering};
 
 /// Size of a new window [point].
 const WINDOW: [f32; 2] = [1280.0, 720.0];
@@ -76,17 +76,12 @@ pub fn open(opening: &Opening) -> Result<(), Refusal> {
     )))
 }
 
-/// What the last window left: the language and the list that were chosen, and recent designs.
+/// What the last window left: the language that was chosen, and recent designs. The list that was chosen
+/// is read while the window is there already.
 fn remember(work: &mut Rescued, document: Option<&Path>) {
     let memory = work.keeping.memory();
     let studio = &mut work.studio;
     studio.language = memory.language.unwrap_or(studio.language);
-    let roster = memory.roster.clone();
-    studio.order.list = roster.and_then(|path| {
-        // A list that is gone is chosen anew, without a word.
-        let list = ordering::read_list(&path).ok()?;
-        Some((path, Arc::new(list)))
-    });
     studio.memory = memory;
     match document {
         Some(path) => {

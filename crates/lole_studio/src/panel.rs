@@ -50,6 +50,7 @@ use crate::{Studio, look, text};
 pub(crate) use cutting::ClothTextures;
 pub use cutting::enlarged;
 pub use frame::show as frame;
+pub(crate) use garments::first_of_cloth;
 pub use notice::show as notices;
 pub(crate) use photo::PhotoDesk;
 pub use question::show as question;

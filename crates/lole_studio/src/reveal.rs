@@ -19,9 +19,10 @@ const PROGRAM: &str = if cfg!(windows) {
 /// Opens a folder, or the one that a file lies in, on a thread of its own; a sentence comes where that
 /// does not work.
 pub(crate) fn begin(path: &Path, wake: impl Fn() + Send + 'static) -> Receiver<Sentence> {
-    let folder = folder_of(path);
+    let path = path.to_owned();
     let (sender, troubles) = mpsc::channel();
     let open = move || {
+        let folder = folder_of(&path);
         if !opens(PROGRAM, &folder) {
             let name = folder.display();
             // The window may have been closed meanwhile.
@@ -49,7 +50,12 @@ fn folder_of(path: &Path) -> PathBuf {
     if path.is_dir() {
         return path.to_owned();
     }
-    path.parent().unwrap_or(path).to_owned()
+    match path.parent() {
+        // A name alone lies where the program was started.
+        Some(folder) if folder.as_os_str().is_empty() => PathBuf::from("."),
+        Some(folder) => folder.to_owned(),
+        None => path.to_owned(),
+    }
 }
 
 #[cfg(test)]
@@ -61,6 +67,7 @@ mod tests {
         let folder = std::env::temp_dir();
         assert_eq!(folder_of(&folder), folder);
         assert_eq!(folder_of(&folder.join("no-such.pdf")), folder);
+        assert_eq!(folder_of(Path::new("no-such.pdf")), Path::new("."));
     }
 
     #[test]

@@ -169,6 +169,8 @@ pub struct Studio {
     pub message: Option<Message>,
     /// The question that is shown.
     pub question: Option<Question>,
+    /// The question whose answer is among the requests.
+    pub answered: Option<Question>,
     /// Pictures in the last second.
     pub pictures_per_second: Option<f64>,
     /// The newest draft on paper.
@@ -232,6 +234,7 @@ impl Studio {
             sews: true,
             message: None,
             question: None,
+            answered: None,
             pictures_per_second: None,
             paper: None,
             cutting: Cutting::default(),
@@ -252,7 +255,16 @@ impl Studio {
 
     /// This studio for another window: what was computed is gone, what was wished stays.
     #[must_use]
-    pub fn anew(self) -> Self {
+    pub fn anew(mut self) -> Self {
+        // The picture that it is about went with the window.
+        let is_picture = |question: &mut Question| question.purpose == Purpose::Picture;
+        self.question.take_if(is_picture);
+        if let Some(question) = &self.question
+            && question.listing.is_none()
+        {
+            let folder = question.folder.clone();
+            self.requests.push(Request::ListFolder(folder));
+        }
         Self {
             snapshot: None,
             stopped: None,
@@ -265,6 +277,11 @@ impl Studio {
             photo: PhotoDesk::default(),
             textures: ClothTextures::default(),
             commands: Vec::new(),
+            making: self.making.anew(),
+            order: OrderDesk {
+                progress: None,
+                ..self.order
+            },
             ..self
         }
     }
@@ -431,6 +448,7 @@ impl Studio {
         });
         self.shelf = DanceShelf::default();
         self.dance_page = None;
+        self.starts = false;
         self.go_to(Wished::new(design, self.files.len() - 1));
     }
 
@@ -504,6 +522,7 @@ impl Studio {
         }
         self.undo = Undo::of(work.past, work.future);
         self.files = work.files;
+        self.starts = false;
         self.go_to(work.present);
     }
 
@@ -564,6 +583,8 @@ pub(crate) fn range(table: &str, name: &str) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::making::{Piece, Product, Stage};
+    use crate::ordering::Progress;
 
     fn studio() -> Studio {
         Studio::new(Language::English, Design::default(), None)
@@ -633,6 +654,38 @@ mod tests {
         assert_eq!(*studio.design(), meanwhile);
         studio.undo();
         assert_eq!(*studio.design(), Design::default());
+    }
+
+    #[test]
+    fn another_window_goes_on_with_the_cards_and_the_question_but_not_with_their_threads() {
+        let mut studio = studio();
+        let piece = |number, stage| Piece {
+            number,
+            product: Product::Film,
+            path: PathBuf::from("hula.mp4"),
+            stage,
+        };
+        studio.making.pieces = vec![
+            piece(1, Stage::Done),
+            piece(2, Stage::Working(0.4)),
+            piece(3, Stage::Waiting),
+        ];
+        studio.order.progress = Some(Progress { done: 1, of: 9 });
+        studio.question = Some(Question::new(Purpose::Picture, "silk/lole-1.png"));
+        let mut studio = studio.anew();
+        let stages = studio.making.pieces.iter().map(|piece| &piece.stage);
+        let ends = [Stage::Done, Stage::CalledOff, Stage::CalledOff];
+        assert_eq!(stages.collect::<Vec<_>>(), ends.iter().collect::<Vec<_>>());
+        assert_eq!(studio.making.last_number(), 3);
+        assert_eq!(studio.order.progress, None);
+        // The picture went with the window.
+        assert_eq!(studio.question, None);
+        assert!(studio.take_requests().is_empty());
+        studio.question = Some(Question::new(Purpose::Open, "silk/a.lole"));
+        let mut studio = studio.anew();
+        assert!(studio.question.is_some());
+        let requests = studio.take_requests();
+        assert_eq!(requests, [Request::ListFolder("silk".into())]);
     }
 
     #[test]

@@ -7,7 +7,7 @@ pub(crate) const OPEN: Words = words("開く…", "Open…");
 pub(crate) const SAVE: Words = words("保存", "Save");
 pub(crate) const SAVE_AS: Words = words("名前をつけて保存…", "Save as…");
 pub(crate) const PICTURE: Words = words("写真を撮る…", "Take a picture…");
-pub(crate) const BROWSE: Words = words("パソコンの窓で探す…", "The system’s own window…");
+pub(crate) const BROWSE: Words = words("パソコンのファイル選択で探す…", "The system’s own window…");
 pub(crate) const OWN_FOLDER: Words = words("自分のフォルダー", "My folder");
 pub(crate) const FOLDER_ABOVE: Words = words("上のフォルダーへ", "To the folder above");
 pub(crate) const NOTHING_HERE: Words = words(
@@ -22,11 +22,13 @@ pub(crate) const RECENT: Words = words("最近のデザイン", "Recent designs"
 pub(crate) const OPEN_DESIGN: Words = words("デザインを開く…", "Open a design…");
 pub(crate) const BEGIN_AS_IT_IS: Words = words("このまま始める", "Begin as it is");
 pub(crate) const TRY_ON: Words = words("この人に着せて見る", "See it on her");
-pub(crate) const WAITS: Words = words("順番を待っています", "waiting");
+pub(crate) const WAITS: Words = words("順番を待っています", "Waiting");
+pub(crate) const STOPPING: Words = words("やめています…", "Stopping…");
 pub(crate) const CALLED_OFF: Words = words(
     "やめました。何も書いていません。",
     "Called off; nothing was written.",
 );
+pub(crate) const REPLACE: Words = words("上書きする", "Replace it");
 pub(crate) const CANCEL: Words = words("やめる", "Cancel");
 pub(crate) const CLOSE: Words = words("閉じる", "Close");
 pub(crate) const FILE: Words = words("ファイル", "File");
@@ -155,7 +157,8 @@ pub(crate) const GROUND: Words = words("地の色", "Ground color");
 pub(crate) const WEAR_SKIRT: Words = words("パウスカートをはく", "Wear the pāʻū skirt");
 pub(crate) const ELASTIC_ROWS: Words = words("ゴムの段数", "Rows of elastic");
 pub(crate) const ELASTIC_PLACES: Words = words("ゴムの位置と幅", "Where the elastic is");
-pub(crate) const RUFFLE_ABOVE: Words = words("上のゴムより上のフリル", "Ruffle above the top row");
+pub(crate) const RUFFLE_ABOVE: Words =
+    words("いちばん上のゴムから上のフリル", "Ruffle above the top row");
 pub(crate) const CASING: Words = words("ゴム通しの幅", "Height of a casing");
 pub(crate) const CASING_GAP: Words = words("ゴム通しの間隔", "Between two casings");
 pub(crate) const WORN_ON_HIP_BONES: Words = words(
@@ -236,7 +239,7 @@ pub(crate) const OVERHANG_ACROSS: Words = words("よこ: はみ出した長さ",
 pub(crate) const DROP_ACROSS: Words = words("よこ: 下がった長さ", "Across: drop of the tip");
 pub(crate) const TAKE_FABRIC: Words = words("この布で縫う", "Sew from this cloth");
 
-pub(crate) const CUT_AND_COST: Words = words("型紙", "Paper");
+pub(crate) const CUT_AND_COST: Words = words("型紙", "Pattern");
 pub(crate) const CUT_PLAN: Words = words("裁ち方図", "Cut plan");
 pub(crate) const DRAFTING: Words = words("製図しています…", "Drafting…");
 pub(crate) const SINGLE: Words = words("布を一重に", "Cloth single");
@@ -306,7 +309,7 @@ pub(crate) const TOTALS_ARE_OLD: Words = words(
 );
 pub(crate) const NO_PRICES_YET: Words = words(
     "値段がまだありません。「型紙」に書いてください。",
-    "No prices yet: write them under “Paper”.",
+    "No prices yet: write them under “Pattern”.",
 );
 pub(crate) const FOLDER: Words = words("フォルダー", "Folder");
 

@@ -9,6 +9,11 @@ use crate::ExportError;
 use crate::dxf::pattern_dxf;
 use crate::pdf::{Document, Paper, Sheet};
 
+/// The patterns as data.
+pub const PATTERN_JSON: &str = "pattern.json";
+/// Files that all garments of a folder share.
+const SHARED_FILES: [&str; 3] = ["cut-plan.pdf", "cut-plan.svg", "ruler.pdf"];
+
 /// What a folder of patterns is made of.
 #[derive(Debug, Clone, Copy)]
 pub struct PatternParts<'a> {
@@ -48,8 +53,37 @@ pub fn pattern_folder(
         folder.garment(cut)?;
     }
     let json = pattern_json(parts.cuts, parts.version)?;
-    folder.add("pattern.json", json.into_bytes());
+    folder.add(PATTERN_JSON, json.into_bytes());
     Ok(folder.files)
+}
+
+/// Names that the folder's earlier patterns may have, by their [`PATTERN_JSON`], and `files` have not:
+/// sheets of garments that are worn no more. Only names that patterns give are among them.
+#[must_use]
+pub fn left_behind(earlier: &[u8], files: &[(String, Vec<u8>)]) -> Vec<String> {
+    let earlier: serde_json::Value = serde_json::from_slice(earlier).unwrap_or_default();
+    let Some(garments) = earlier["garments"].as_array() else {
+        return Vec::new();
+    };
+    let ids = garments.iter().filter_map(|garment| garment["id"].as_str());
+    // An id that somebody else wrote names no file elsewhere.
+    let plain = ids.filter(|id| !id.contains(['/', '\\', ':']) && !id.contains(".."));
+    let own = plain.flat_map(|id| {
+        let sheets = Paper::ALL.map(|(paper, _)| tiled_name(id, paper));
+        sheets
+            .into_iter()
+            .chain([format!("{id}.svg"), format!("{id}.dxf")])
+    });
+    let shared = SHARED_FILES.map(str::to_owned);
+    let names = shared.into_iter().chain(own);
+    names
+        .filter(|name| files.iter().all(|(written, _)| written != name))
+        .collect()
+}
+
+/// The file of a garment's sheets to join.
+fn tiled_name(id: &str, paper: Paper) -> String {
+    format!("{id}-{}.pdf", paper.name().to_ascii_lowercase())
 }
 
 struct Folder<'a> {
@@ -90,7 +124,7 @@ impl Folder<'_> {
         let (paper, language) = (self.parts.paper, self.parts.language);
         let id = &cut.garment.id;
         if let Some(tiled) = tiled_sheets(cut, paper, language) {
-            let name = format!("{id}-{}.pdf", paper.name().to_ascii_lowercase());
+            let name = tiled_name(id, paper);
             self.pdf(&name, cut.garment.name.text(language), tiled.sheets)?;
         }
         // Leaves and flowers are tied, not cut.
@@ -109,5 +143,31 @@ impl Folder<'_> {
 
     fn add(&mut self, name: &str, bytes: Vec<u8>) {
         self.files.push((name.to_owned(), bytes));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Only what patterns write goes, and only where there were patterns.
+    #[test]
+    fn sheets_of_garments_that_are_worn_no_more_are_left_behind() {
+        let earlier = br#"{"garments": [{"id": "skirt"}, {"id": "pau-top-2"}, {"id": "../x"}]}"#;
+        let written = ["cut-plan.pdf", "cut-plan.svg", "skirt.svg", "skirt.dxf"];
+        let files = written.map(|name| (name.to_owned(), Vec::new()));
+        let gone = left_behind(earlier, &files);
+        for name in [
+            "ruler.pdf",
+            "skirt-a4.pdf",
+            "pau-top-2.svg",
+            "pau-top-2.dxf",
+        ] {
+            assert!(gone.iter().any(|it| it == name), "{name} in {gone:?}");
+        }
+        let is_own = |name: &String| written.contains(&name.as_str()) || name.contains("..");
+        assert!(!gone.iter().any(is_own), "{gone:?}");
+        assert!(left_behind(b"no json", &files).is_empty());
+        assert!(left_behind(b"", &files).is_empty());
     }
 }

@@ -1,7 +1,6 @@
 //! What is written for one dancer, the folders that are looked into for it, and the picture.
 
-use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::path::Path;
 use std::sync::mpsc::TryRecvError;
 
 use lole_export::{ImageView, pdf, still};
@@ -12,31 +11,12 @@ use lole_render::Image;
 use super::App;
 use crate::making::{Piece, Product, Stage, Wish, with_ending};
 use crate::message::Message;
-use crate::studio::Purpose;
-use crate::{chooser, reveal};
+use crate::reveal;
+use crate::studio::{Purpose, Question};
 
 impl App {
-    /// Begins to read a folder for the question.
-    pub(super) fn list_folder(&mut self, folder: PathBuf) {
-        let purpose = self.studio.question.as_ref().map(|it| it.purpose);
-        let endings = purpose.map_or(&[][..], Purpose::endings);
-        let context = self.context.clone();
-        let listing = chooser::begin(folder, endings, move || context.request_repaint());
-        self.listing = Some(listing);
-    }
-
-    /// Folders that were read, and what was made, since the last picture.
+    /// What was made, and folders that cannot be shown, since the last picture.
     pub(super) fn receive_products(&mut self) {
-        match self.listing.as_ref().map(|listing| listing.try_recv()) {
-            Some(Ok(listing)) => {
-                self.listing = None;
-                if let Some(question) = &mut self.studio.question {
-                    question.listing = Some(Arc::new(listing));
-                }
-            }
-            Some(Err(TryRecvError::Disconnected)) => self.listing = None,
-            Some(Err(TryRecvError::Empty)) | None => {}
-        }
         for (number, stage) in self.maker.news() {
             if let Some(piece) = self.studio.making.note(number, stage).cloned() {
                 self.studio.message = told(&piece).or(self.studio.message.take());
@@ -70,6 +50,9 @@ impl App {
             title: self.title(),
         };
         let piece = self.maker.ask(wish);
+        if let Some(message) = told(&piece) {
+            self.studio.message = Some(message);
+        }
         self.studio.making.pieces.push(piece);
     }
 
@@ -110,24 +93,37 @@ impl App {
     }
 
     pub(super) fn save_picture(&mut self, path: &Path) {
-        let Some(image) = self.taken.take() else {
-            return;
-        };
         let path = with_ending(path, "png");
-        let written = png(&image).and_then(|bytes| files::write_whole(&path, &bytes));
-        self.studio.message = Some(match written {
-            Ok(()) => {
+        match write_picture(&mut self.taken, &path) {
+            Some(Ok(())) => {
                 let path = std::fs::canonicalize(&path).unwrap_or(path);
                 let name = path.display();
                 let news = Message::news(
-                    format!("写真を書きました: {name}"),
+                    format!("写真を保存しました: {name}"),
                     format!("The picture is in {name}"),
                 );
-                news.at(&path)
+                self.studio.message = Some(news.at(&path));
             }
-            Err(sentence) => Message::trouble(&sentence),
-        });
+            Some(Err(sentence)) => {
+                // Another place may take it.
+                let mut question = Question::new(Purpose::Picture, path.display().to_string());
+                question.note = Some(sentence);
+                self.studio.question = Some(question);
+                self.look_near(path);
+            }
+            None => {}
+        }
     }
+}
+
+/// Writes the picture that was kept; until it is safe, it stays.
+fn write_picture(taken: &mut Option<Image>, path: &Path) -> Option<Result<(), Sentence>> {
+    let image = taken.as_ref()?;
+    let written = png(image).and_then(|bytes| files::write_whole(path, &bytes));
+    if written.is_ok() {
+        *taken = None;
+    }
+    Some(written)
 }
 
 /// What is said of a product that has ended; nothing where it was called off.
@@ -145,7 +141,7 @@ fn told(piece: &Piece) -> Option<Message> {
             format!("{}: {}", name.japanese, sentence.japanese),
             format!("{}: {}", name.english, sentence.english),
         ))),
-        Stage::Waiting | Stage::Working(_) | Stage::CalledOff => None,
+        Stage::Waiting | Stage::Working(_) | Stage::Stopping | Stage::CalledOff => None,
     }
 }
 
@@ -154,4 +150,28 @@ fn png(image: &Image) -> Result<Vec<u8>, Sentence> {
     ImageView::new(image.width, image.height, &image.pixels)
         .and_then(still::encode_png)
         .map_err(|error| Sentence::new(format!("写真を作れません（{error}）"), error.to_string()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_picture_that_cannot_be_written_is_kept() {
+        let folder = std::env::temp_dir().join(format!("lole-taken-{}", std::process::id()));
+        let path = folder.join("lole-1.png");
+        let mut taken = Some(Image {
+            width: 1,
+            height: 1,
+            pixels: vec![255; 4],
+        });
+        // The folder is not there.
+        assert!(matches!(write_picture(&mut taken, &path), Some(Err(_))));
+        assert!(taken.is_some());
+        std::fs::create_dir_all(&folder).unwrap();
+        assert_eq!(write_picture(&mut taken, &path), Some(Ok(())));
+        assert!(taken.is_none() && path.exists());
+        assert_eq!(write_picture(&mut taken, &path), None);
+        std::fs::remove_dir_all(&folder).unwrap();
+    }
 }

@@ -2,14 +2,13 @@
 //! is written does not depend on how fast this machine shows it.
 
 use lole_export::video::{Mp4Writer, VideoSettings};
-use lole_language::Sentence;
 use lole_picture::baked::{self, Keys};
 use lole_picture::studio::{FilmCamera, PhotoStudio};
 use lole_render::{Backend, LightRig, Renderer, Size};
 use lole_stage::{FRAME_SECONDS, FRAMES_PER_SECOND, Performance, Production};
 
 use super::paper::said;
-use super::{Line, Unmade, Wish};
+use super::{Line, Unmade, Wish, flew_apart};
 
 /// Pictures of the film per second.
 const FILM_RATE: u32 = 30;
@@ -89,17 +88,10 @@ fn dance(
             look(performance)?;
         }
         pool.install(|| performance.advance())
-            .map_err(|found| Unmade::Failed(flew_apart(found.time)))?;
+            .map_err(|found| Unmade::Failed(flew_apart(Some(found.time))))?;
     }
     performance.pose_body();
     Ok(())
-}
-
-fn flew_apart(time: f32) -> Sentence {
-    Sentence::new(
-        format!("踊りの {time:.2} 秒で布が飛び散ったので、書けませんでした。"),
-        format!("the cloth flew apart at {time:.2} s of the dance; nothing was written"),
-    )
 }
 
 /// Frames of a dance of `seconds`.

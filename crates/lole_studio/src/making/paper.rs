@@ -17,7 +17,7 @@ use lole_print::PrintImage;
 use lole_render::Size;
 use lole_stage::Production;
 
-use super::{Line, Unmade, Wish};
+use super::{Line, Unmade, Wish, flew_apart};
 
 /// Repeats on cut plans are drawn with so many pixels on a side.
 const PRINT_SIDE: u32 = 512;
@@ -101,6 +101,8 @@ fn cover(wish: &Wish, line: &Line<'_>) -> Result<EncodedPicture, Unmade> {
     let stopped = || line.is_called_off();
     let failed = |error: PortraitError| match error {
         PortraitError::CalledOff => Unmade::CalledOff,
+        PortraitError::Stage(error) => said(&error),
+        PortraitError::Diverged => Unmade::Failed(flew_apart(None)),
         error => Unmade::of(&error),
     };
     let performance = portrait::stand(production, u32::MAX, &stopped).map_err(failed)?;

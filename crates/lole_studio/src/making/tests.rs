@@ -2,6 +2,8 @@
 
 use std::time::Duration;
 
+use lole_costume::document::GarmentDesign;
+
 use super::*;
 
 /// A small skirt and a short dance, so that a test takes seconds.
@@ -45,7 +47,7 @@ fn end(maker: &mut Maker, number: u64) -> (Stage, Vec<f32>) {
 
 #[test]
 fn every_product_of_a_dancer_is_written_to_its_place_with_progress() {
-    let mut maker = Maker::start(|| {});
+    let mut maker = Maker::start(0, || {});
     for (product, name, magic) in [
         (Product::Booklet, "a.pdf", &b"%PDF"[..]),
         (Product::Film, "a.mp4", b"ftyp"),
@@ -64,7 +66,7 @@ fn every_product_of_a_dancer_is_written_to_its_place_with_progress() {
 
 #[test]
 fn a_pattern_is_cut_to_her_own_figures() {
-    let mut maker = Maker::start(|| {});
+    let mut maker = Maker::start(0, || {});
     let of_hip = |hip: f64, name: &str| {
         let mut wish = wish(Product::Pattern, name);
         wish.design.dancer.hip_cm = Some(hip);
@@ -91,7 +93,7 @@ fn a_pattern_is_cut_to_her_own_figures() {
 
 #[test]
 fn what_is_called_off_leaves_nothing_and_what_waits_is_never_begun() {
-    let mut maker = Maker::start(|| {});
+    let mut maker = Maker::start(0, || {});
     let first = maker.ask(wish(Product::Film, "off.mp4"));
     let second = maker.ask(wish(Product::Model, "off.glb"));
     maker.call_off(second.number);
@@ -105,8 +107,86 @@ fn what_is_called_off_leaves_nothing_and_what_waits_is_never_begun() {
 }
 
 #[test]
+fn what_is_called_off_at_the_last_moment_is_not_written() {
+    let wish = wish(Product::Model, "late.glb");
+    let is_called_off = AtomicBool::new(false);
+    let line = Line {
+        is_called_off: &is_called_off,
+        tell: &|share| is_called_off.store(1.0 <= share, Ordering::Relaxed),
+    };
+    assert!(matches!(make(&wish, &line), Err(Unmade::CalledOff)));
+    assert!(!wish.path.exists());
+}
+
+#[test]
+fn sheets_of_the_costume_before_do_not_stay_in_the_folder() {
+    let mut wish = wish(Product::Pattern, "again");
+    let is_called_off = AtomicBool::new(false);
+    let line = Line {
+        is_called_off: &is_called_off,
+        tell: &|_| {},
+    };
+    let top = GarmentDesign::of_kind("pau-top").unwrap();
+    wish.design.garments = vec![top];
+    make(&wish, &line).unwrap();
+    let files = || -> Vec<String> {
+        let found = std::fs::read_dir(&wish.path).unwrap().flatten();
+        found
+            .map(|it| it.file_name().to_string_lossy().into_owned())
+            .collect()
+    };
+    let is_of_top = |name: &String| name.starts_with("pau_top");
+    assert!(files().iter().any(is_of_top), "{:?}", files());
+    std::fs::write(wish.path.join("notes.txt"), "").unwrap();
+    let alone = Wish {
+        design: Design {
+            garments: Vec::new(),
+            ..wish.design.clone()
+        },
+        ..wish.clone()
+    };
+    make(&alone, &line).unwrap();
+    assert!(!files().iter().any(is_of_top), "{:?}", files());
+    for name in ["notes.txt", "pau_skirt.svg", "cut-plan.pdf"] {
+        assert!(
+            files().iter().any(|it| it == name),
+            "{name} in {:?}",
+            files()
+        );
+    }
+    std::fs::remove_dir_all(&wish.path).unwrap();
+}
+
+#[test]
+fn a_product_that_breaks_is_told_and_the_next_one_is_made() {
+    let breaks: Make = |wish, _| match wish.product {
+        Product::Film => panic!("on purpose"),
+        _ => Ok(()),
+    };
+    let mut maker = Maker::start_with(breaks, 7, || {});
+    let pieces = [Product::Film, Product::Model].map(|it| maker.ask(wish(it, "breaks")));
+    assert_eq!(pieces.each_ref().map(|piece| piece.number), [8, 9]);
+    let mut told = Vec::new();
+    let [film, model] = pieces.map(|it| end_of(&mut maker, it.number, &mut told).0);
+    assert!(matches!(film, Stage::Failed(_)), "{film:?}");
+    assert_eq!(model, Stage::Done);
+    // Without a thread it is said at once.
+    maker.thread = None;
+    let piece = maker.ask(wish(Product::Model, "never.glb"));
+    assert!(matches!(piece.stage, Stage::Failed(_)));
+}
+
+#[test]
+fn cloth_that_flies_apart_while_it_settles_has_no_time_of_the_dance() {
+    assert!(flew_apart(Some(1.25)).japanese.contains("1.25 秒"));
+    for sentence in [flew_apart(Some(-1.2)), flew_apart(None)] {
+        assert!(!sentence.japanese.contains("1.2") && !sentence.english.contains("1.2"));
+    }
+}
+
+#[test]
 fn what_cannot_be_made_says_why() {
-    let mut maker = Maker::start(|| {});
+    let mut maker = Maker::start(0, || {});
     let mut wish = wish(Product::Booklet, "never.pdf");
     wish.design.dancer.waist_cm = Some(130.0);
     wish.design.dancer.hip_cm = Some(80.0);

@@ -5,17 +5,20 @@ use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Event, Key, Rect, Shape, Ui};
+use eframe::egui::{Event, Key, Pos2, Rect, Shape, Ui, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use lole_body::Measure;
 use lole_costume::document::{Design, GarmentDesign, PartDesign};
-use lole_language::Language;
+use lole_language::{Language, Sentence};
 
 use super::tests::{click, window};
+use crate::chooser::{Entry, Lies, Listing};
 use crate::making::Product;
+use crate::message::Message;
 use crate::paper::PaperDesign;
 use crate::paper::tests::paper_of;
+use crate::request::Verdict;
 use crate::studio::{Purpose, Question, Request, Tab};
 use crate::{Studio, look, panel, text};
 
@@ -204,6 +207,77 @@ fn in_every_size_there_is_a_way_to_panels_picture_and_research_and_back() {
         let hip = Measure::Hip.words().english;
         assert!(window.query_all_by_label(hip).next().is_some());
     }
+}
+
+#[test]
+fn what_is_said_is_seen_beside_the_panels_of_the_smallest_window_too() {
+    for researches in [false, true] {
+        let mut studio = furnished(Language::English);
+        studio.researches = researches;
+        let sentence = Sentence::new("書けません", "line 3 cannot be written");
+        studio.message = Some(Message::trouble(&sentence));
+        let mut window = laid_out(studio, [400.0, 300.0]);
+        assert!(!window.state().watches);
+        let said = window.get_by_label("line 3 cannot be written").rect();
+        assert!(said.height() < 60.0 && said.bottom() < 300.0, "{said}");
+        window.state_mut().researches = false;
+        window.run_steps(3);
+        click(&mut window, "Close");
+        assert!(window.state().message.is_none());
+    }
+}
+
+#[test]
+fn a_question_fits_the_smallest_windows_with_its_list_and_its_buttons() {
+    let entry = |number: usize| Entry {
+        is_file: 3 < number,
+        name: format!("{number}.lole"),
+    };
+    let listing = Arc::new(Listing {
+        folder: "/silk/of/many/colors/and/names".into(),
+        entries: (0..2000).map(entry).collect(),
+        places: [
+            "/silk",
+            "/silk/デスクトップ",
+            "/silk/ドキュメント",
+            "/silk/画像",
+        ]
+        .map(Into::into)
+        .into(),
+        left_out: 17,
+        ..Listing::default()
+    });
+    let mut found = Vec::new();
+    for language in [Language::Japanese, Language::English] {
+        for [width, height] in SIZES.into_iter().chain([[360.0, 260.0]]) {
+            let mut studio = furnished(language);
+            let mut question = Question::new(Purpose::Save, "/silk/a.lole");
+            question.listing = Some(Arc::clone(&listing));
+            question = match question.weigh(Lies::File) {
+                Some(Verdict::Again(question)) => question,
+                verdict => panic!("{verdict:?}"),
+            };
+            studio.question = Some(question);
+            let [go, cancel, browse, unnamed] =
+                [text::REPLACE, text::CANCEL, text::BROWSE, text::UNNAMED].map(|it| studio.say(it));
+            let window = laid_out(studio, [width, height]);
+            for label in [go, cancel, browse] {
+                let rect = window.get_by_role_and_label(Role::Button, label).rect();
+                let screen = Rect::from_min_size(Pos2::ZERO, vec2(width, height));
+                if !screen.contains_rect(rect) {
+                    found.push(format!("{label}: {rect} in {width} x {height}"));
+                }
+            }
+            let first = window.get_by_role_and_label(Role::Button, "0.lole").rect();
+            if height < 5.0 * first.height() || height - 60.0 < first.bottom() {
+                found.push(format!("the list: {first} in {width} x {height}"));
+            }
+            // Of a long folder only what is seen is laid out.
+            assert!(window.query_by_label("900.lole").is_none());
+            found.extend(cut_off(&window, unnamed));
+        }
+    }
+    assert!(found.is_empty(), "{found:#?}");
 }
 
 #[test]

@@ -3,7 +3,7 @@
 
 use eframe::egui::{self, Align, Button, ComboBox, Layout, RichText, Ui};
 
-use super::{DRAWERS, RESEARCH, document, knob, panels, playback, scrolled, status, tabs};
+use super::{DRAWERS, RESEARCH, document, knob, notices, panels, playback, scrolled, status, tabs};
 use crate::studio::Tab;
 use crate::{Studio, look, text};
 
@@ -17,6 +17,8 @@ const BESIDE: f32 = 560.0;
 const LOW: f32 = 430.0;
 /// Share of the width that the column takes at most.
 const MOST_SHARE: f32 = 0.56;
+/// Share of the height that notices above the column take at most: longer ones are scrolled.
+const MOST_NOTICES: f32 = 0.7;
 
 /// Shows everything; `picture` fills what is left.
 pub fn show(ui: &mut Ui, studio: &mut Studio, picture: impl FnOnce(&mut Ui, &mut Studio)) {
@@ -73,6 +75,12 @@ fn one_at_a_time(ui: &mut Ui, studio: &mut Studio, picture: impl FnOnce(&mut Ui,
         return;
     }
     egui::CentralPanel::default().frame(side).show(ui, |ui| {
+        // They stand over the picture, which is not there.
+        egui::ScrollArea::vertical()
+            .id_salt("notices")
+            .max_height(MOST_NOTICES * ui.available_height())
+            .auto_shrink([false, true])
+            .show(ui, |ui| notices(ui, studio));
         if studio.researches {
             research(ui, studio);
         } else {

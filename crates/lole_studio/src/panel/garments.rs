@@ -125,6 +125,16 @@ fn garment_ui(ui: &mut Ui, studio: &mut Studio, place: usize, garment: &GarmentD
 }
 
 /// Whether a garment of the list is cut from cloth: leaves and flowers are not.
+/// The first thing that is worn of cloth: `Some(None)` is the skirt, else a place in the list.
+pub(crate) fn first_of_cloth(studio: &Studio) -> Option<Option<usize>> {
+    let design = studio.design();
+    if design.skirt.is_worn {
+        return Some(None);
+    }
+    let mut places = 0..design.garments.len();
+    places.find(|place| is_of_cloth(studio, *place)).map(Some)
+}
+
 pub(super) fn is_of_cloth(studio: &Studio, place: usize) -> bool {
     let paper = studio.paper.as_ref();
     let on_paper = paper.and_then(|paper| paper.garment(Some(place), studio.design()));

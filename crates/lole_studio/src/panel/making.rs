@@ -37,6 +37,9 @@ fn piece_ui(ui: &mut Ui, studio: &mut Studio, piece: &Piece) {
         let language = studio.language;
         let named = |words: Words| format!("{} {}", words.text(language), piece.number);
         match &piece.stage {
+            Stage::Stopping => {
+                ui.label(studio.say(text::STOPPING));
+            }
             Stage::Waiting | Stage::Working(_) => {
                 let share = match piece.stage {
                     Stage::Working(share) => share,
@@ -49,6 +52,7 @@ fn piece_ui(ui: &mut Ui, studio: &mut Studio, piece: &Piece) {
                 ui.add(ProgressBar::new(share).text(said));
                 if named_button(ui, studio.say(text::CANCEL), &named(text::CANCEL)) {
                     studio.request(Request::CallOff(piece.number));
+                    studio.making.call_off(piece.number);
                 }
             }
             Stage::Done => {

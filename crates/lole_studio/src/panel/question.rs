@@ -7,16 +7,36 @@ use lole_language::Words;
 
 use super::hindrance;
 use super::knob::sign_button;
-use crate::chooser::Listing;
+use crate::chooser::{Entry, Listing};
 use crate::studio::{Purpose, Question, Request};
 use crate::{Studio, look, text};
 
 /// Width of the question where there is room [point].
 const WIDTH: f32 = 560.0;
-/// Height of the list of files where there is room [point].
-const LIST: f32 = 280.0;
-/// What stands above and below the list [point].
-const AROUND: f32 = 270.0;
+/// Heights of the list of files where there is room, and where there is least [point].
+const LIST: [f32; 2] = [280.0, 64.0];
+/// Height of list and places at least, where they are scrolled together [point].
+const LEAST_ROOM: f32 = 28.0;
+/// Height of a file in the list [point].
+const ROW: f32 = 28.0;
+
+/// Heights of the last picture [point], by which this one's list fits the window.
+#[derive(Debug, Clone, Copy)]
+struct Heights {
+    /// The window's frame with its title.
+    frame: f32,
+    /// What stands above and below the list and is scrolled with it.
+    beside: f32,
+    /// What was typed, and the buttons, which are never scrolled away.
+    below: f32,
+}
+
+/// Before there was a picture.
+const FIRST: Heights = Heights {
+    frame: 60.0,
+    beside: 110.0,
+    below: 130.0,
+};
 
 /// What the question is called.
 const fn title(purpose: Purpose) -> Words {
@@ -32,65 +52,79 @@ const fn title(purpose: Purpose) -> Words {
     }
 }
 
-/// What is to be done with the path that was answered.
-const fn request(purpose: Purpose, path: PathBuf) -> Request {
-    match purpose {
-        Purpose::Open => Request::Open(path),
-        Purpose::Save => Request::Save(path),
-        Purpose::Record => Request::OpenRecording(path),
-        Purpose::Print(place) => Request::OpenPicture(place, path),
-        Purpose::Roster => Request::OpenRoster(path),
-        Purpose::Order => Request::MakeOrder(path),
-        Purpose::Make(product) => Request::Make(product, path),
-        Purpose::Picture => Request::SavePicture(path),
-    }
-}
-
 /// Shows the question, if there is one.
 pub fn show(ui: &mut Ui, studio: &mut Studio) {
     let Some(mut question) = studio.question.take() else {
         return;
     };
+    if question.replaces.is_some() && !question.is_replacing() {
+        // Another name was given: what was said of the one before is over.
+        question.replaces = None;
+        question.note = None;
+    }
     let screen = ui.ctx().content_rect();
-    let room = egui::vec2(
-        WIDTH.min(screen.width() - 48.0),
-        LIST.min(screen.height() - AROUND).max(60.0),
-    );
+    let id = egui::Id::unique("question");
+    let before: Heights = ui.data(|data| data.get_temp(id)).unwrap_or(FIRST);
+    let mut now = before;
     let mut end = None;
-    egui::Window::new(studio.say(title(question.purpose)))
-        .id(egui::Id::unique("question"))
+    let window = egui::Window::new(studio.say(title(question.purpose)))
+        .id(id)
         .collapsible(false)
         .resizable(false)
         .anchor(Align2::CENTER_CENTER, [0.0, 0.0])
         .show(ui.ctx(), |ui| {
-            ui.set_width(room.x);
+            ui.set_width(WIDTH.min(screen.width() - 48.0));
+            let room = (screen.height() - before.frame - before.below).max(LEAST_ROOM);
+            now.beside = upper(ui, studio, &mut question, [room, before.beside]);
+            let top = ui.min_rect().bottom();
+            if field(ui, studio, &mut question) && !question.is_replacing() {
+                end = Some(End::Answered);
+            }
+            end = buttons(ui, studio, &question).or(end);
+            now.below = ui.min_rect().bottom() - top;
+            ui.min_rect().height()
+        });
+    if let Some(window) = window {
+        let inner = window.inner.unwrap_or_default();
+        now.frame = window.response.rect.height() - inner;
+        ui.data_mut(|data| data.insert_temp(id, now));
+    }
+    match end {
+        Some(End::GivenUp) => {}
+        Some(End::Answered) if let Some(request) = question.request() => {
+            studio.request(request);
+            studio.answered = Some(question);
+        }
+        Some(End::Answered) | None => studio.question = Some(question),
+    }
+}
+
+/// Places, list and note, in a room of this height; the height of what stands beside the list, which was
+/// `beside` in the picture before.
+fn upper(
+    ui: &mut Ui,
+    studio: &mut Studio,
+    question: &mut Question,
+    [room, beside]: [f32; 2],
+) -> f32 {
+    let mut list = 0.0;
+    let scrolled = ScrollArea::vertical()
+        .id_salt("upper")
+        .max_height(room)
+        .min_scrolled_height(LEAST_ROOM)
+        .auto_shrink([false, true])
+        .show(ui, |ui| {
             if let Some(listing) = question.listing.clone() {
-                places(ui, studio, &mut question, &listing);
-                files(ui, studio, &mut question, &listing, room.y);
+                places(ui, studio, question, &listing);
+                // A little less than fits, so that rounding makes nothing to be scrolled.
+                list = (room - beside - 2.0).clamp(LIST[1], LIST[0]);
+                files(ui, studio, question, &listing, list);
             }
             if let Some(note) = &question.note {
                 hindrance::sentence(ui, studio, note);
             }
-            if field(ui, studio, &mut question) {
-                end = Some(End::Answered);
-            }
-            end = buttons(ui, studio, question.purpose).or(end);
         });
-    let path = question.path.trim();
-    match end {
-        Some(End::Answered) if !path.is_empty() => {
-            let path = PathBuf::from(path);
-            // A folder is looked into, unless one was asked for.
-            if path.is_dir() && !question.purpose.is_folder() {
-                studio.request(Request::ListFolder(path));
-                studio.question = Some(question);
-            } else {
-                studio.request(request(question.purpose, path));
-            }
-        }
-        Some(End::GivenUp) => {}
-        Some(End::Answered) | None => studio.question = Some(question),
-    }
+    scrolled.content_size.y - list
 }
 
 /// How a question ends.
@@ -152,39 +186,59 @@ fn files(
     }
     let mut wanted = None;
     look::card(look::CARD).inner_margin(6).show(ui, |ui| {
+        let padding = 2.0 * ui.spacing().button_padding.y;
+        let row = ROW.max(ui.text_style_height(&egui::TextStyle::Button) + padding);
         ScrollArea::vertical()
             .id_salt(&listing.folder)
             .max_height(height)
+            .min_scrolled_height(height)
             .auto_shrink([false, false])
-            .show(ui, |ui| {
+            .show_rows(ui, row, listing.entries.len(), |ui, rows| {
                 if listing.entries.is_empty() {
                     ui.label(RichText::new(studio.say(text::NOTHING_HERE)).weak());
                 }
-                for entry in &listing.entries {
-                    let path = listing.folder.join(&entry.name);
-                    let is_chosen = Path::new(&question.path) == path;
-                    let button = egui::Button::selectable(is_chosen, &entry.name)
-                        .wrap()
-                        .min_size(egui::vec2(ui.available_width(), 28.0));
-                    let indented = |ui: &mut Ui| {
-                        ui.spacing_mut().button_padding.x = INDENT;
-                        ui.add(button)
-                    };
-                    let response = ui.scope(indented).inner;
-                    if !entry.is_file {
-                        paint_folder(ui.painter(), response.rect);
-                    }
-                    if response.clicked() {
-                        wanted = Some((path, entry.is_file));
+                for entry in &listing.entries[rows] {
+                    if entry_ui(ui, question, listing, entry, row) {
+                        wanted = Some((listing.folder.join(&entry.name), entry.is_file));
                     }
                 }
             });
     });
+    if 0 < listing.left_out {
+        let count = listing.left_out;
+        let japanese = format!("このほかに {count} 個あります。名前を下に書いても選べます。");
+        let english = format!("There are {count} more; type the name of one below.");
+        ui.label(RichText::new(studio.language.pick(&japanese, &english)).small());
+    }
     match wanted {
         Some((path, true)) => question.path = path.display().to_string(),
         Some((path, false)) => go_to(studio, question, path),
         None => {}
     }
+}
+
+/// One file or folder of the list; whether it was chosen. All are of one height, so that of a long list
+/// only what is seen is laid out.
+fn entry_ui(
+    ui: &mut Ui,
+    question: &Question,
+    listing: &Listing,
+    entry: &Entry,
+    height: f32,
+) -> bool {
+    let is_chosen = question.answer() == Some(listing.folder.join(&entry.name));
+    let button = egui::Button::selectable(is_chosen, &entry.name)
+        .truncate()
+        .min_size(egui::vec2(ui.available_width(), height));
+    let indented = |ui: &mut Ui| {
+        ui.spacing_mut().button_padding.x = INDENT;
+        ui.add(button)
+    };
+    let response = ui.scope(indented).inner;
+    if !entry.is_file {
+        paint_folder(ui.painter(), response.rect);
+    }
+    response.on_hover_text(&entry.name).clicked()
 }
 
 /// Room for the sign of a folder before its name [point].
@@ -222,11 +276,13 @@ fn field(ui: &mut Ui, studio: &Studio, question: &mut Question) -> bool {
     is_typed
 }
 
-fn buttons(ui: &mut Ui, studio: &mut Studio, purpose: Purpose) -> Option<End> {
+fn buttons(ui: &mut Ui, studio: &mut Studio, question: &Question) -> Option<End> {
     let mut end = None;
     ui.add_space(4.0);
     ui.horizontal_wrapped(|ui| {
-        let go = if purpose.writes() {
+        let go = if question.is_replacing() {
+            text::REPLACE
+        } else if question.purpose.writes() {
             text::SAVE
         } else {
             text::OPEN_IT

@@ -128,7 +128,8 @@ enum Chosen {
 
 /// Shows it over the dance, until something is chosen.
 pub fn show(ui: &mut Ui, studio: &mut Studio) {
-    if !studio.starts {
+    // A question that was asked from here stands in its place, and leads back when it is given up.
+    if !studio.starts || studio.question.is_some() {
         return;
     }
     let screen = ui.ctx().content_rect();
@@ -148,7 +149,7 @@ pub fn show(ui: &mut Ui, studio: &mut Studio) {
                 chosen = page(ui, studio);
             });
         });
-    if ui.input(|input| input.key_pressed(egui::Key::Escape)) && studio.question.is_none() {
+    if ui.input(|input| input.key_pressed(egui::Key::Escape)) {
         chosen = Some(Chosen::Nothing);
     }
     if let Some(chosen) = chosen {
@@ -235,10 +236,15 @@ fn begin(studio: &mut Studio, chosen: Chosen) {
             studio.tab = Tab::default();
         }
         Chosen::Recent(path) => studio.request(Request::Open(path)),
-        Chosen::File => studio.request(Request::AskOpen),
+        // The page stays until something is opened.
+        Chosen::File => {
+            studio.request(Request::AskOpen);
+            return;
+        }
         Chosen::List => {
             studio.tab = Tab::Order;
             studio.request(Request::AskRoster);
+            return;
         }
         Chosen::Nothing => {}
     }
