@@ -274,14 +274,16 @@ pub(crate) fn print_check(method: &str, check: &Check, language: Language) {
     } else {
         language.pick("不合格", "FAIL")
     };
+    let [low, high] = check.bounds();
     say!(
-        "  {method:<10} {:<18} {:>12} {:>12} {:<4} {:>9.3} % (± {:.3} %)  {verdict}",
+        "  {method:<10} {:<18} {:>12} {:>12} {:<4} {:>9.3} %  [{}, {}]  {verdict}",
         check.case,
         figure(check.measured),
         figure(check.reference),
         check.unit,
         check.error_pct(),
-        check.gate_pct,
+        figure(low),
+        figure(high),
     );
 }
 

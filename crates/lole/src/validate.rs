@@ -38,7 +38,7 @@ pub(crate) fn run(args: &ValidateArgs, language: Language) -> Result<(), Failure
             summary::print_protocol(protocol, language);
         }
         let mut entry = entry(protocol);
-        for subject in Subject::ALL {
+        for &subject in protocol.subjects {
             check(&stop)?;
             let checks = protocol.run(subject).map_err(Failure::error)?;
             if let Some(language) = shown {

@@ -9,14 +9,9 @@
 #[path = "../tests/drape_support/mod.rs"]
 mod drape_support;
 
-use drape_support::{Drape, round, square};
+use drape_support::square;
+use lole_cloth::drape_test::RoundDrape;
 use lole_cloth::{Fabric, Hysteresis};
-
-/// Disc and specimen of JIS L 1096 [m].
-const STANDARD: Drape = Drape {
-    disc: 0.0635,
-    specimen: 0.127,
-};
 
 /// One fabric, in the units of Kawabata's instruments where it was measured.
 struct Measured {
@@ -86,13 +81,13 @@ fn main() {
             ..elastic
         };
         let [in_round, plain, held] = [
-            round(elastic, STANDARD),
-            square(elastic, STANDARD),
-            square(rubbing, STANDARD),
+            RoundDrape::JIS.hang(elastic).expect("a sound piece"),
+            square(elastic, RoundDrape::JIS),
+            square(rubbing, RoundDrape::JIS),
         ];
         let measured =
             (fabric.coefficient).map_or_else(|| "-".to_owned(), |share| format!("{share:.1} %"));
-        let shown = |hung: drape_support::Hung| {
+        let shown = |hung: lole_cloth::drape_test::Hung| {
             format!("{:.1} % in {} folds", 100.0 * hung.coefficient, hung.folds)
         };
         println!(

@@ -95,6 +95,7 @@ pub mod collision;
 pub mod config;
 mod constraint;
 pub mod diagnose;
+pub mod drape_test;
 pub mod fabric;
 pub mod grid;
 mod lanes;

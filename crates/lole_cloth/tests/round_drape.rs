@@ -2,14 +2,9 @@
 
 mod drape_support;
 
-use drape_support::{Drape, round, square};
+use drape_support::square;
+use lole_cloth::drape_test::RoundDrape;
 use lole_cloth::{Fabric, Hysteresis};
-
-/// Disc and specimen of BS 5058 [m].
-const STANDARD: Drape = Drape {
-    disc: 0.09,
-    specimen: 0.15,
-};
 
 /// An isotropic sheet with this bending length `(B / w)^(1/3)` [m].
 fn sheet(length: f32) -> Fabric {
@@ -35,7 +30,7 @@ fn a_stiffer_sheet_drapes_less_and_near_the_estimate_of_its_strips() {
     let estimates = [(0.02, 0.31), (0.025, 0.49), (0.03, 0.68)];
     let mut last = 0.0;
     for (length, estimate) in estimates {
-        let found = round(sheet(length), STANDARD);
+        let found = RoundDrape::BS.hang(sheet(length)).expect("a sound piece");
         assert!(last < found.coefficient, "{length}: {found:?}");
         assert!(
             (-0.12..0.3).contains(&(found.coefficient - estimate)),
@@ -56,7 +51,7 @@ fn yarns_that_rub_hold_the_cloth_up() {
         },
         ..elastic
     };
-    let [elastic, rubbing] = [elastic, rubbing].map(|fabric| square(fabric, STANDARD));
+    let [elastic, rubbing] = [elastic, rubbing].map(|fabric| square(fabric, RoundDrape::BS));
     assert!(
         elastic.coefficient + 0.05 < rubbing.coefficient,
         "{elastic:?} {rubbing:?}"

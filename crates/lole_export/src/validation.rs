@@ -49,6 +49,8 @@ pub struct CheckEntry {
     pub error_pct: f64,
     /// Largest error that passes [%].
     pub gate_pct: f64,
+    /// From where to where the figure passes, in its unit.
+    pub bounds: [f64; 2],
     /// Whether it does.
     pub pass: bool,
     /// Where the figure lies along the curve.

@@ -21,6 +21,7 @@ fn row(method: &str, measured: f64) -> CheckEntry {
         reference: 2.0,
         error_pct: 50.0 * (measured - 2.0),
         gate_pct: 1.0,
+        bounds: [1.98, 2.02],
         pass: measured.is_finite(),
         along: Some(1.5),
         ..CheckEntry::default()

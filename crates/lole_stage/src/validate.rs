@@ -11,8 +11,11 @@ mod chain;
 mod check;
 mod column;
 mod convergence;
+mod creep;
 mod drape;
 mod elastica;
+mod equilibrium;
+mod fabric_drape;
 mod hanging_strip;
 mod incline;
 mod lateral;
@@ -39,6 +42,8 @@ pub struct Protocol {
     pub name: &'static str,
     /// What is compared with what.
     pub about: Words,
+    /// The methods that it is for.
+    pub subjects: &'static [Subject],
     /// What keeps a method from more than its gate.
     pub limits: &'static [(Subject, Words)],
     /// The curve on which its figures should lie, if there is one.
@@ -78,13 +83,21 @@ mod tests {
     use super::*;
 
     fn assert_all_pass(subject: Subject) {
-        for protocol in PROTOCOLS {
+        let claimed = |protocol: &&Protocol| protocol.subjects.contains(&subject);
+        for protocol in PROTOCOLS.iter().filter(claimed) {
             let checks = protocol.run(subject).unwrap();
             assert!(!checks.is_empty(), "{}", protocol.name);
             for check in checks {
                 let name = format!("{} {}", protocol.name, subject.id());
                 assert!(check.passes(), "{name}: {check:?} {}", check.error_pct());
             }
+        }
+    }
+
+    #[test]
+    fn every_protocol_claims_a_method() {
+        for protocol in PROTOCOLS {
+            assert!(!protocol.subjects.is_empty(), "{}", protocol.name);
         }
     }
 

@@ -47,6 +47,7 @@ pub fn row(protocol: &Protocol, subject: Subject, check: Check) -> CheckEntry {
         unit: check.unit.to_owned(),
         error_pct: check.error_pct(),
         gate_pct: check.gate_pct,
+        bounds: check.bounds(),
         pass: check.passes(),
         along: check.along,
         limit: (!limits.is_empty()).then(|| limits.join("; ")),

@@ -42,7 +42,8 @@ fn rows(rows: &[CheckEntry]) -> String {
         both("Reference", "基準"),
         both("Unit", "単位"),
         both("Error (%)", "誤差（%）"),
-        both("Gate (%)", "許容（%）"),
+        both("Passes from", "合格の下限"),
+        both("to", "上限"),
         String::new(),
     ];
     let rows: Vec<Vec<String>> = rows.iter().map(cells).collect();
@@ -62,7 +63,8 @@ fn cells(row: &CheckEntry) -> Vec<String> {
         digits(row.reference),
         escape(&row.unit),
         digits(row.error_pct),
-        digits(row.gate_pct),
+        digits(row.bounds[0]),
+        digits(row.bounds[1]),
         verdict,
     ]
 }

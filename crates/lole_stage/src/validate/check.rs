@@ -70,6 +70,13 @@ impl Check {
         }
     }
 
+    /// From where to where the figure passes, in its own unit.
+    #[must_use]
+    pub fn bounds(&self) -> [f64; 2] {
+        let gate = (0.01 * self.gate_pct * self.scale).abs();
+        [self.reference - gate, self.reference + gate]
+    }
+
     /// Error [%] of its scale; infinite where the figure is not a number.
     #[must_use]
     pub fn error_pct(&self) -> f64 {
@@ -106,6 +113,8 @@ mod tests {
         for (measured, passes) in [(-0.9, true), (0.9, true), (1.1, false)] {
             assert_eq!(Check::vanishing("", measured, 1.0).passes(), passes);
         }
+        assert_eq!(Check::within("", 5.0, [4.0, 8.0]).bounds(), [4.0, 8.0]);
+        assert_eq!(Check::vanishing("", 0.0, 0.5).bounds(), [-0.5, 0.5]);
         for (measured, passes) in [(3.9, false), (4.1, true), (7.9, true), (8.1, false)] {
             assert_eq!(Check::within("", measured, [4.0, 8.0]).passes(), passes);
         }

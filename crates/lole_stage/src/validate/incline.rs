@@ -115,8 +115,9 @@ fn patch(subject: Subject, friction: f64) -> Result<Rig, BuildError> {
     Ok(rig.with_capsules(&[cylinder(0.0)]).with_substeps(SUBSTEPS))
 }
 
+/// The slope, `shift` [m] along itself.
 #[expect(clippy::cast_possible_truncation, reason = "capsules are in f32")]
-fn cylinder(shift: f64) -> Capsule {
+pub(super) fn cylinder(shift: f64) -> Capsule {
     let center = Vec3::new(shift as f32, -RADIUS, 0.0);
     let half = Vec3::X * HALF_LENGTH;
     Capsule::uniform(center - half, center + half, RADIUS)

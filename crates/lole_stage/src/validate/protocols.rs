@@ -3,9 +3,9 @@
 use lole_language::words;
 
 use super::{
-    Curve, Protocol, Subject, cantilever, capstan, catenary, chain, column, convergence, drape,
-    hanging_strip, incline, lateral, momentum, pendulum, residual, skirt_weight, stick_slip,
-    waistband, wave,
+    Curve, Protocol, Subject, cantilever, capstan, catenary, chain, column, convergence, creep,
+    drape, fabric_drape, hanging_strip, incline, lateral, momentum, pendulum, residual,
+    skirt_weight, stick_slip, waistband, wave,
 };
 
 /// All protocols.
@@ -16,6 +16,7 @@ pub const PROTOCOLS: &[Protocol] = &[
             "片側を固定した布の垂れの縦横比（重い弾性線と比べる）",
             "height over width of a clamped strip under its own weight, against the heavy elastica",
         ),
+        subjects: &Subject::ALL,
         limits: &[(
             Subject::Xpbd,
             words(
@@ -36,6 +37,7 @@ pub const PROTOCOLS: &[Protocol] = &[
             "固定した帯の垂れが、分割を細かくすると弾性線に近づく速さ",
             "how the hanging of a clamped strip nears the elastica as its cells grow finer",
         ),
+        subjects: &Subject::ALL,
         limits: &[(
             Subject::Xpbd,
             words(
@@ -56,6 +58,7 @@ pub const PROTOCOLS: &[Protocol] = &[
             "立てた布が自重で倒れはじめる Γ",
             "the Γ at which an upright clamped strip falls over under its own weight",
         ),
+        subjects: &Subject::ALL,
         limits: &[],
         curve: None,
         run: column::run,
@@ -66,6 +69,7 @@ pub const PROTOCOLS: &[Protocol] = &[
             "細い縁で立てて片側を固定した布が横に倒れはじめる Γ（曲げとねじり）",
             "the Γ at which a strip held on its narrow edge tips over sideways: bending and twist",
         ),
+        subjects: &Subject::ALL,
         limits: &[],
         curve: None,
         run: lateral::run,
@@ -76,6 +80,7 @@ pub const PROTOCOLS: &[Protocol] = &[
             "吊るした布の伸び（各ばねの下の重さの和と比べる）",
             "how far a hanging strip stretches, against the sum of the weights below each spring",
         ),
+        subjects: &Subject::ALL,
         limits: &[(
             Subject::Xpbd,
             words(
@@ -92,6 +97,7 @@ pub const PROTOCOLS: &[Protocol] = &[
             "両端を持った布のたるみ（懸垂線と比べる）",
             "sag of a strip held at both ends, against the catenary",
         ),
+        subjects: &Subject::ALL,
         limits: &[],
         curve: None,
         run: catenary::run,
@@ -102,6 +108,7 @@ pub const PROTOCOLS: &[Protocol] = &[
             "吊るした布の遅い三つの揺れの周期（吊り鎖と比べる）",
             "periods of the three slowest swings of a hanging strip, against the hanging chain",
         ),
+        subjects: &Subject::ALL,
         limits: &[],
         curve: None,
         run: chain::run,
@@ -112,6 +119,7 @@ pub const PROTOCOLS: &[Protocol] = &[
             "振り子の周期（小さな揺れの周期との比、振幅ごと）",
             "period of a pendulum over that of its small swings, by amplitude",
         ),
+        subjects: &Subject::ALL,
         limits: &[(
             Subject::Xpbd,
             words(
@@ -132,6 +140,7 @@ pub const PROTOCOLS: &[Protocol] = &[
             "布を伝わる波の速さ（剛性と質量の比の平方根と比べる）",
             "how fast a pulse travels along a strip, against the root of stiffness over mass",
         ),
+        subjects: &Subject::ALL,
         limits: &[(
             Subject::Xpbd,
             words(
@@ -148,6 +157,7 @@ pub const PROTOCOLS: &[Protocol] = &[
             "何にも触れない布の運動量と角運動量の変化（すべての速さの和に対する割合）",
             "change of linear and angular momentum of a crumpled sheet in empty space, over the sum of all speeds",
         ),
+        subjects: &Subject::ALL,
         limits: &[(
             Subject::Xpbd,
             words(
@@ -164,6 +174,7 @@ pub const PROTOCOLS: &[Protocol] = &[
             "斜面の布は摩擦角より緩ければ止まり、急なら滑り、動く面には運ばれる",
             "a patch on a slope sticks below the angle of friction, slides above it, and is carried by a belt",
         ),
+        subjects: &Subject::ALL,
         limits: &[(
             Subject::Xpbd,
             words(
@@ -175,11 +186,29 @@ pub const PROTOCOLS: &[Protocol] = &[
         run: incline::run,
     },
     Protocol {
+        name: "creep",
+        about: words(
+            "斜面に置いた畳んだ布が、摩擦角より緩い坂で1分間に動く距離",
+            "how far a stack of folded cloth comes in a minute on a slope below the angle of friction",
+        ),
+        subjects: &[Subject::Xpbd],
+        limits: &[(
+            Subject::Xpbd,
+            words(
+                "重なった布は、1分割ごとの押し合いがそろわないので、1分に数 cm まで滑ります（1枚なら止まります）",
+                "layers press unevenly from substep to substep, so a stack creeps by up to some centimeters a minute; a single layer stays",
+            ),
+        )],
+        curve: None,
+        run: creep::run,
+    },
+    Protocol {
         name: "capstan",
         about: words(
             "円柱に半周かけた布を引くときの張力の比 exp(μ π)",
             "how much harder a strip must be pulled over half a turn of a cylinder: exp(μ π)",
         ),
+        subjects: &Subject::ALL,
         limits: &[],
         curve: Some(Curve {
             along: words("摩擦係数 μ", "friction μ"),
@@ -194,6 +223,7 @@ pub const PROTOCOLS: &[Protocol] = &[
             "固定した布を台に押しつけ、先端が滑りだすまでの押し込み",
             "how far a clamped strip is pushed against a table before its tip slips",
         ),
+        subjects: &Subject::ALL,
         limits: &[],
         curve: Some(Curve {
             along: words("摩擦係数 μ", "friction μ"),
@@ -208,6 +238,7 @@ pub const PROTOCOLS: &[Protocol] = &[
             "体に巻いたゴムの張力（摩擦で支えられる重さから求める）",
             "tension of an elastic band around a body, by the weight that its friction holds",
         ),
+        subjects: &Subject::ALL,
         limits: &[
             (
                 Subject::FbEuler,
@@ -233,6 +264,7 @@ pub const PROTOCOLS: &[Protocol] = &[
             "吊るしたスカートのウエストにかかる力（スカートの重さと比べる）",
             "what the waist of a freely hanging skirt carries, against its weight",
         ),
+        subjects: &Subject::ALL,
         limits: &[],
         curve: None,
         run: skirt_weight::run,
@@ -243,6 +275,7 @@ pub const PROTOCOLS: &[Protocol] = &[
             "丸めた布を放したときに残る曲率（糸の摩擦 2HB / (2 B) と比べる）",
             "curvature that a rolled strip keeps when it is let go, against 2HB / (2 B) of its yarns' friction",
         ),
+        subjects: &Subject::ALL,
         limits: &[(
             Subject::FbEuler,
             words(
@@ -259,6 +292,7 @@ pub const PROTOCOLS: &[Protocol] = &[
             "円盤にのせた四角い布のドレープ係数（曲げ長さごと、片持ちの帯の見積もりと比べる）",
             "drape coefficient of a square on a disc over the bending length, against strips clamped level",
         ),
+        subjects: &Subject::ALL,
         limits: &[
             (Subject::FbEuler, DRAPE_LIMIT),
             (Subject::Xpbd, DRAPE_LIMIT),
@@ -269,6 +303,17 @@ pub const PROTOCOLS: &[Protocol] = &[
             points: drape::points,
         }),
         run: drape::run,
+    },
+    Protocol {
+        name: "fabric-drape",
+        about: words(
+            "測定された10種の布の丸い試験片のドレープ係数とひだの数（別の方法で求めた板のつり合いと比べる）",
+            "drape coefficient and folds of round specimens of ten measured fabrics, against the rests of a plate that is solved in another way",
+        ),
+        subjects: &[Subject::Xpbd],
+        limits: &[],
+        curve: None,
+        run: fabric_drape::run,
     },
 ];
 

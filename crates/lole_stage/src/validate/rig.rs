@@ -6,7 +6,9 @@ use glam::{DVec3, Vec3};
 use lole_cloth::collision::penalty::Penalty;
 use lole_cloth::method::explicit::{self, ExplicitConfig};
 use lole_cloth::method::reference::{ReferenceModel, ReferenceState};
-use lole_cloth::{BuildError, ClothModel, ClothSpec, ClothState, SolverConfig, StepInput, step};
+use lole_cloth::{
+    BuildError, ClothModel, ClothSpec, ClothState, SelfCollision, SolverConfig, StepInput, step,
+};
 use lole_geom::Capsule;
 
 /// Acceleration of gravity in every protocol [m/s²].
@@ -135,6 +137,14 @@ impl Rig {
         if let Kind::RealTime(rig) = &mut self.0 {
             rig.config.substep_count = count;
             rig.config.strained_substep_count = count;
+        }
+        self
+    }
+
+    /// The same meeting itself, where the method knows how.
+    pub(super) fn with_self_collision(mut self, contact: SelfCollision) -> Self {
+        if let Kind::RealTime(rig) = &mut self.0 {
+            rig.config.self_collision = Some(contact);
         }
         self
     }

@@ -1,0 +1,125 @@
+//! A stack of folded cloth on a slope, for a minute: below the angle of friction neither the stack should move
+//! on the slope nor one layer on the other.
+//!
+//! The slope is that of [`super::incline`], on which a single layer stays. In a stack the weight of one layer
+//! reaches the next unevenly from substep to substep; a particle that nothing presses on in one of them slides
+//! as far as it falls in it, a few micrometers, and nothing remembers where it stuck. So a stack creeps, and
+//! the gates say how far.
+
+use std::num::NonZeroU32;
+
+use glam::DVec3;
+use lole_cloth::{
+    BuildError, ClothSpec, Crossings, Fabric, Grid, Hysteresis, MassLaw, SelfCollision, Topology,
+};
+use lole_geom::trig64;
+
+use super::Check;
+use super::incline::cylinder;
+use super::rig::{FRAME, GRAVITY, Rig, Subject, mean};
+
+/// Layers, rows of each, columns, and their distance [m].
+const LAYERS: u32 = 3;
+const ROWS: u32 = 10;
+const COLUMNS: u32 = 5;
+const SPACING: f64 = 0.01;
+/// Half of the distance between layers [m].
+const RADIUS: f32 = 1.5e-3;
+/// Coefficients of friction, on the slope and between layers, and how far below their angles the slope is [°].
+const FRICTIONS: [f64; 2] = [0.3, 0.5];
+/// Farthest that a layer comes in a minute with each of them [mm].
+const CREEP: [f64; 2] = [60.0, 4.0];
+const BELOW: f64 = 5.0;
+/// Substeps that it dances with.
+const SUBSTEPS: NonZeroU32 = NonZeroU32::MIN.saturating_add(13);
+/// Frames until the stack lies, and those of a minute.
+const SETTLE: u32 = 300;
+const MINUTE: u32 = 3600;
+
+/// For the real-time method: the reference knows no contact of cloth with itself.
+pub(super) fn run(subject: Subject) -> Result<Vec<Check>, BuildError> {
+    debug_assert!(
+        (f64::from(MINUTE) * FRAME - 60.0).abs() < 1.0e-9,
+        "a minute"
+    );
+    let mut checks = Vec::new();
+    for (friction, creep) in FRICTIONS.into_iter().zip(CREEP) {
+        let angle = trig64::atan2(friction, 1.0) - BELOW.to_radians();
+        let (sin, cos) = trig64::sin_cos(angle);
+        let rig = Rig::new(subject, &spec(friction), &stack())?
+            .with_gravity(DVec3::new(sin, -cos, 0.0) * GRAVITY)
+            .with_capsules(&[cylinder(0.0)])
+            .with_substeps(SUBSTEPS);
+        let mut rig = rig.with_self_collision(SelfCollision {
+            radius: RADIUS,
+            substep_interval: NonZeroU32::MIN,
+            crossings: Crossings::Repair,
+        });
+        rig.settle(SETTLE);
+        let before = rig.positions();
+        rig.settle(MINUTE);
+        let after = rig.positions();
+        let count = (ROWS * COLUMNS) as usize;
+        let layers = before.chunks(count).zip(after.chunks(count));
+        for (layer, (before, after)) in (1..).zip(layers) {
+            let way: Vec<DVec3> = (after.iter().zip(before))
+                .map(|(after, before)| *after - *before)
+                .collect();
+            let case = format!("μ = {friction}, layer {layer}");
+            checks.push(Check::vanishing(case, 1.0e3 * mean(&way).length(), creep).unit("mm"));
+        }
+    }
+    Ok(checks)
+}
+
+/// The strip folded to and fro.
+fn stack() -> Vec<DVec3> {
+    let mut places = Vec::new();
+    for layer in 0..LAYERS {
+        for row in 0..ROWS {
+            // As far beyond the fold as keeps rows a spacing apart.
+            let along = if layer % 2 == 0 {
+                f64::from(row)
+            } else {
+                f64::from(ROWS - 1 - row) + 0.95
+            };
+            let half = 0.5 * f64::from(COLUMNS - 1);
+            places.extend((0..COLUMNS).map(|column| {
+                let height = f64::from(layer) * 2.0 * f64::from(RADIUS);
+                let across = f64::from(column) - half;
+                DVec3::new(along * SPACING, height, across * SPACING)
+            }));
+        }
+    }
+    places
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "specifications are in f32")]
+fn spec(friction: f64) -> ClothSpec {
+    let grid = Grid {
+        column_count: COLUMNS,
+        row_count: LAYERS * ROWS,
+        topology: Topology::Sheet,
+        spacing: [SPACING as f32; 2],
+        flounce: None,
+        crimp: None,
+    };
+    ClothSpec {
+        fabric: Fabric {
+            areal_density: 0.15,
+            thickness: 3.0e-4,
+            stretch: [500.0; 2],
+            shear: 50.0,
+            bend: [1.0e-5; 2],
+            twist: 1.0e-5,
+            hysteresis: Hysteresis::NONE,
+            friction: friction as f32,
+            cloth_friction: friction as f32,
+            drag_rate: 0.0,
+        },
+        row_layers: vec![1.0; grid.row_count as usize],
+        mass: MassLaw::Uniform,
+        pinned: vec![false; grid.particle_count()],
+        grid,
+    }
+}
