@@ -105,7 +105,7 @@ fn a_folder_of_patterns_is_written_or_the_earlier_one_stays() {
     fail_changes(
         &scratch.0,
         &|| lole(&["pattern", "--out"], &[&out, &design]),
-        11,
+        17,
     );
 }
 

@@ -6,6 +6,7 @@ use resvg::usvg::{self, roxmltree};
 
 use super::{Picture, PictureError};
 
+mod links;
 mod work;
 
 /// Longest text that is read [byte].
@@ -22,6 +23,9 @@ pub(super) fn read(bytes: &[u8]) -> Result<Picture, PictureError> {
     }
     let text = std::str::from_utf8(bytes).map_err(|error| PictureError::broken(&error))?;
     let text = text.trim_start_matches('\u{feff}').trim_start();
+    if links::has_crowded_elements(text) {
+        return Err(PictureError::SvgWork);
+    }
     let parsing = roxmltree::ParsingOptions {
         allow_dtd: true,
         nodes_limit: MOST_NODES,
@@ -33,6 +37,9 @@ pub(super) fn read(bytes: &[u8]) -> Result<Picture, PictureError> {
         return Err(PictureError::NotPicture);
     }
     check_elements(&document)?;
+    if !links::are_few(&document) {
+        return Err(PictureError::SvgWork);
+    }
     let options = usvg::Options {
         image_href_resolver: nothing_outside(),
         ..usvg::Options::default()
