@@ -189,6 +189,13 @@ fn what_is_read_for_ever_is_not_read() {
         // Every rule is looked at for every element.
         format!("<style>{rules}</style>") + &"<g/>".repeat(20_000),
         format!("<style>{}.b{{fill:red}}</style>", ".a,".repeat(100_000)) + &"<g/>".repeat(20_000),
+        // Every declaration is made for every element that a rule is for.
+        format!("<style>g{{{}}}</style>", "fill:red;".repeat(100_000)) + &"<g/>".repeat(20_000),
+        // A gradient is read anew wherever it is used.
+        format!(
+            "<linearGradient id=\"s\">{}</linearGradient>",
+            "<stop/>".repeat(100_000)
+        ) + &format!(r#"<rect {SMALL} fill="url(#s)"/>"#).repeat(10_000),
         // Every attribute is looked for among those before it.
         format!(
             "<g {}/>",

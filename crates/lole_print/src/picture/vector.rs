@@ -7,6 +7,7 @@ use resvg::usvg::{self, roxmltree};
 use super::{Picture, PictureError};
 
 mod links;
+mod styles;
 mod work;
 
 /// Longest text that is read [byte].
@@ -23,7 +24,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Picture, PictureError> {
     }
     let text = std::str::from_utf8(bytes).map_err(|error| PictureError::broken(&error))?;
     let text = text.trim_start_matches('\u{feff}').trim_start();
-    if links::has_crowded_elements(text) {
+    if styles::has_crowded_elements(text) {
         return Err(PictureError::SvgWork);
     }
     let parsing = roxmltree::ParsingOptions {
@@ -37,7 +38,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Picture, PictureError> {
         return Err(PictureError::NotPicture);
     }
     check_elements(&document)?;
-    if !links::are_few(&document) {
+    if !styles::are_few(&document) || !links::are_few(&document) {
         return Err(PictureError::SvgWork);
     }
     let options = usvg::Options {

@@ -1,20 +1,13 @@
-//! What reading a drawing would cost, before anything is made of it: attributes, rules of style, and things that
-//! name each other.
+//! What things of a drawing that name each other would cost to read.
 //!
-//! Readers of SVG look for each attribute among those before it, at each rule for each element, along each chain of
-//! names from its beginning, and through everything that is named inside of something named. What people draw is
-//! far below the bounds; a text of some kilobytes can be made for which a reader never ends.
+//! Readers of SVG go along each chain of names from its beginning, and through everything that is named inside of
+//! something named. What people draw is far below the bounds; a text of some kilobytes can be made for which a reader
+//! never ends.
 
 use std::collections::BTreeMap;
 
 use resvg::usvg::roxmltree::{Document, Node};
 
-/// Attributes of an element, at most.
-const MOST_ATTRIBUTES: usize = 500;
-/// Declarations in one `style`, at most.
-const MOST_DECLARATIONS: usize = 200;
-/// Letters of selectors times elements, at most: four thousand rules for ten thousand elements.
-const MOST_MATCHES: u64 = 400_000_000;
 /// Gradients, patterns or filters that inherit from each other in a chain, at most.
 const LONGEST_CHAIN: usize = 64;
 /// Steps along such chains, at most.
@@ -26,51 +19,22 @@ const DEEPEST: u32 = 1024;
 
 /// What is used by its name, and has things in it.
 const CONTAINERS: [&str; 5] = ["pattern", "mask", "clipPath", "filter", "marker"];
+/// What has colors along a line, and is read anew wherever it is used.
+const GRADIENTS: [&str; 2] = ["linearGradient", "radialGradient"];
+/// Elements in gradients times elements that name them, at most.
+const MOST_STOPS: u64 = 500_000_000;
+
 /// What inherits from what it names.
 const HEIRS: [&str; 4] = ["linearGradient", "radialGradient", "pattern", "filter"];
 
-/// Whether an element of the text has more attributes than any that is drawn. No letter `<` stands in an
-/// attribute, so that what lies between two of them is one element at most.
-pub(super) fn has_crowded_elements(text: &str) -> bool {
-    let elements = text.as_bytes().split(|byte| *byte == b'<');
-    let mut counts = elements.map(|element| element.iter().filter(|byte| **byte == b'=').count());
-    counts.any(|count| MOST_ATTRIBUTES < count)
-}
-
 /// Whether a reader would end soon.
 pub(super) fn are_few(document: &Document<'_>) -> bool {
-    are_styles_few(document) && Links::of(document).is_some_and(|links| links.are_few(document))
-}
-
-/// Whether declarations and rules are few.
-fn are_styles_few(document: &Document<'_>) -> bool {
-    let (mut elements, mut letters) = (0_u64, 0_u64);
-    for node in document.descendants() {
-        elements += u64::from(node.is_element());
-        let declared = node.attribute("style").unwrap_or_default();
-        if MOST_DECLARATIONS < declared.matches(';').count() {
-            return false;
-        }
-        if is(node, &["style"]) {
-            let texts = node.children().filter_map(|child| child.text());
-            letters += texts.map(selector_letters).sum::<u64>();
-        }
-    }
-    letters.saturating_mul(elements) <= MOST_MATCHES
-}
-
-/// Letters of a text of rules that stand outside of braces.
-fn selector_letters(rules: &str) -> u64 {
-    let mut is_inside = false;
-    let mut count = 0;
-    for letter in rules.bytes() {
-        match letter {
-            b'{' => is_inside = true,
-            b'}' => is_inside = false,
-            _ => count += u64::from(!is_inside && !letter.is_ascii_whitespace()),
-        }
-    }
-    count
+    Links::of(document).is_some_and(|links| {
+        links.are_chains_short(document)
+            && links.are_stops_few(document)
+            && links.are_looks_few(document)
+            && !links.has_circles()
+    })
 }
 
 fn is(node: Node<'_, '_>, names: &[&str]) -> bool {
@@ -84,6 +48,13 @@ fn named(text: &str) -> impl Iterator<Item = &str> {
         let name = name.trim().trim_matches(['"', '\'']).trim();
         name.strip_prefix('#')
     })
+}
+
+/// Names that rules of style refer to.
+fn in_styles<'a>(document: &'a Document<'_>) -> impl Iterator<Item = &'a str> {
+    let styles = document.descendants().filter(|node| is(*node, &["style"]));
+    let texts = styles.flat_map(|style| style.children().filter_map(|child| child.text()));
+    texts.flat_map(named)
 }
 
 /// Number of a node in its document.
@@ -148,46 +119,56 @@ impl<'a, 'input> Links<'a, 'input> {
         Some(size)
     }
 
-    fn are_few(&self, document: &'a Document<'input>) -> bool {
-        self.are_chains_short(document) && self.are_looks_few(document) && !self.has_circles()
-    }
-
     /// Whether what inherits does so from few, and not in a circle that it is not part of, which has no end.
     fn are_chains_short(&self, document: &'a Document<'input>) -> bool {
         let mut steps = 0;
-        for start in document.descendants().filter(|node| is(*node, &HEIRS)) {
-            let mut seen = vec![start];
-            let mut next = 0;
-            while let Some(node) = seen.get(next).copied() {
-                next += 1;
-                for target in href(node).map_or(&[][..], |name| self.targets(name)) {
-                    steps += 1;
-                    if *target == start || *target == node {
-                        continue;
-                    }
-                    if seen.contains(target) || LONGEST_CHAIN < seen.len() || MOST_STEPS < steps {
-                        return false;
-                    }
-                    seen.push(*target);
+        let mut heirs = document.descendants().filter(|node| is(*node, &HEIRS));
+        heirs.all(|heir| self.is_chain_short(heir, &mut steps))
+    }
+
+    fn is_chain_short(&self, start: Node<'a, 'input>, steps: &mut u64) -> bool {
+        let mut seen = vec![start];
+        let mut next = 0;
+        while let Some(node) = seen.get(next).copied() {
+            next += 1;
+            let targets = href(node).map_or(&[][..], |name| self.targets(name));
+            for target in targets {
+                *steps += 1;
+                if *target == start || *target == node {
+                    continue;
                 }
+                if seen.contains(target) || LONGEST_CHAIN < seen.len() || MOST_STEPS < *steps {
+                    return false;
+                }
+                seen.push(*target);
             }
         }
         true
     }
 
+    /// Elements in what has a name and is of some kinds.
+    fn weight(&self, name: &str, kinds: &[&str]) -> u64 {
+        let targets = self.targets(name).iter().filter(|node| is(**node, kinds));
+        targets.map(|node| self.sizes[number(*node)]).sum()
+    }
+
+    /// Whether gradients are read anew for few elements.
+    fn are_stops_few(&self, document: &'a Document<'input>) -> bool {
+        let weight = |name: &str| self.weight(name, &GRADIENTS);
+        let styled: u64 = in_styles(document).map(weight).sum();
+        let elements = document.descendants().filter(Node::is_element);
+        let stops = elements.map(|node| {
+            let texts = node.attributes().map(|attribute| attribute.value());
+            styled + texts.flat_map(named).map(weight).sum::<u64>()
+        });
+        stops.fold(0_u64, u64::saturating_add) <= MOST_STOPS
+    }
+
     /// Whether few elements lie in what is named inside of containers.
     fn are_looks_few(&self, document: &'a Document<'input>) -> bool {
-        let weight = |name: &str| -> u64 {
-            let targets = self
-                .targets(name)
-                .iter()
-                .filter(|node| is(**node, &CONTAINERS));
-            targets.map(|node| self.sizes[number(*node)]).sum()
-        };
-        let styles = document.descendants().filter(|node| is(*node, &["style"]));
-        let styles = styles.flat_map(|style| style.children().filter_map(|child| child.text()));
+        let weight = |name: &str| self.weight(name, &CONTAINERS);
         // A rule may be about any element.
-        let styled: u64 = styles.flat_map(named).map(weight).sum();
+        let styled: u64 = in_styles(document).map(weight).sum();
         let mut looks = 0_u64;
         // Elements and how many containers they lie in.
         let mut open = vec![(document.root_element(), 0_u64)];
@@ -212,33 +193,32 @@ impl<'a, 'input> Links<'a, 'input> {
 
     /// Whether something is drawn with itself, by way of whatever lies in it.
     fn has_circles(&self) -> bool {
-        let containers = self
-            .called
-            .values()
-            .flatten()
-            .filter(|node| is(**node, &CONTAINERS));
-        // Each is opened once and closed once; what is open again lies in itself.
-        let mut is_open: Vec<Option<bool>> = vec![None; self.sizes.len()];
-        for start in containers {
-            let mut path = vec![(*start, false)];
-            while let Some((node, is_done)) = path.pop() {
-                if is_done {
-                    is_open[number(node)] = Some(false);
-                    continue;
-                }
-                if is_open[number(node)].is_some() {
-                    continue;
-                }
-                is_open[number(node)] = Some(true);
-                path.push((node, true));
-                for target in self.inside(node) {
-                    match is_open[number(target)] {
-                        Some(true) => return true,
-                        Some(false) => {}
-                        None => path.push((target, false)),
-                    }
-                }
+        let mut containers = self.called.values().flatten();
+        let mut is_open = vec![None; self.sizes.len()];
+        containers.any(|node| is(*node, &CONTAINERS) && self.lies_in_itself(*node, &mut is_open))
+    }
+
+    /// Each is opened once and closed once; what is named while it is open lies in itself.
+    fn lies_in_itself(&self, start: Node<'a, 'input>, is_open: &mut [Option<bool>]) -> bool {
+        let mut path = vec![(start, false)];
+        while let Some((node, is_done)) = path.pop() {
+            if is_done {
+                is_open[number(node)] = Some(false);
+                continue;
             }
+            if is_open[number(node)].is_some() {
+                continue;
+            }
+            is_open[number(node)] = Some(true);
+            path.push((node, true));
+            let inside = self.inside(node);
+            if inside
+                .iter()
+                .any(|target| is_open[number(*target)] == Some(true))
+            {
+                return true;
+            }
+            path.extend(inside.into_iter().map(|target| (target, false)));
         }
         false
     }
