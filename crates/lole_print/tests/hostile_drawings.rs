@@ -272,7 +272,7 @@ fn styles_and_gradients_of_drawing_programs_are_read() {
     let clips = many(200, |number| {
         format!(r#"<clipPath id="c{number}"><rect {SMALL} class="cls-1"/></clipPath>"#)
     });
-    let leaves = many(3_000, |number| {
+    let leaves = many(600, |number| {
         let (class, clip) = (number % 300, number % 200);
         format!(
             r#"<g clip-path="url(#c{clip})"><rect {SMALL} class="cls-{class}" style="stroke:none;opacity:1"/></g>"#
