@@ -13,7 +13,7 @@ const MOST_LOOKS: u64 = 200_000_000;
 /// Parts of selectors times elements, at most: a thousand rules for fifty thousand elements.
 const MOST_TRIES: u64 = 50_000_000;
 /// Declarations of rules times elements that they are for, at most.
-const MOST_DECLARED: u64 = 50_000_000;
+const MOST_DECLARED: u64 = 20_000_000;
 /// Letters of a list of classes that are looked at as long as at an element.
 const LETTERS: usize = 16;
 
