@@ -285,3 +285,15 @@ fn styles_and_gradients_of_drawing_programs_are_read() {
     ));
     assert_eq!(said.err(), None);
 }
+
+/// The size is the width of an atom, and the circle that of a table.
+#[test]
+fn what_lies_far_outside_is_not_drawn() {
+    let text = r#"<svg xmlns="http://www.w3.org/2000/svg" width="3e-8em" height="8e-9mm"><circle r="4916"/></svg>"#;
+    let said = Picture::read(text.as_bytes()).err();
+    assert!(said.is_some_and(|error| error.to_string().contains("far out of its edges")));
+    // As far as a field from its leaf is nothing.
+    for far in ["100", "-100000"] {
+        assert!(read(&format!(r#"<circle cx="{far}" cy="{far}" r="99000"/>"#)).is_ok());
+    }
+}
