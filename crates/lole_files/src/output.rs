@@ -47,11 +47,9 @@ impl OutputFolder {
             let folder = folder.display();
             Sentence::new(
                 format!(
-                    "{folder}: このフォルダーには書けません（{error}）。別のフォルダーを選んでください（--out）"
+                    "{folder}: このフォルダーには書けません（{error}）。別のフォルダーを選んでください"
                 ),
-                format!(
-                    "{folder}: the folder cannot be written ({error}); choose another with --out"
-                ),
+                format!("{folder}: the folder cannot be written ({error}); choose another folder"),
             )
         };
         fs::create_dir_all(folder).map_err(cannot)?;
@@ -93,10 +91,10 @@ impl OutputFolder {
         if others.iter().any(|other| is_held(&other.join(LOCK))) {
             return Err(Sentence::new(
                 format!(
-                    "{folder}: 別の実行がこのフォルダーに書いています。終わるのを待つか、--out で別のフォルダーを選んでください"
+                    "{folder}: 別の実行がこのフォルダーに書いています。終わるのを待つか、別のフォルダーを選んでください"
                 ),
                 format!(
-                    "{folder}: another run is writing into this folder; wait for it or choose another with --out"
+                    "{folder}: another run is writing into this folder; wait for it or choose another folder"
                 ),
             ));
         }
@@ -342,7 +340,10 @@ mod tests {
         let file = scratch("file");
         fs::write(&file, b"not a folder").unwrap();
         let error = OutputFolder::create(&file.join("inside")).err().unwrap();
-        assert!(error.to_string().contains("--out"), "{error}");
+        assert!(
+            error.to_string().contains("choose another folder"),
+            "{error}"
+        );
         fs::remove_file(&file).unwrap();
     }
 }
