@@ -25,7 +25,6 @@ use lole_export::report::{
 };
 use lole_export::study::{CapsulesEntry, CauseEntry, RunEntry, StepEntry, StudyReport, study_csv};
 use lole_export::svg::sheet_svg;
-use lole_garment::template::PAU_TOP;
 use lole_language::{Language, is_unseen};
 use lole_pattern::marker::Lay;
 
@@ -331,7 +330,8 @@ fn list() -> Vec<u8> {
 /// The order of everybody with a hostile name, called `title`.
 fn order_of(title: &str) -> (OrderFolder, Group) {
     let design = Design {
-        garments: vec![GarmentDesign::new(&PAU_TOP)],
+        // Its pieces are patterns, in a file for each dancer that is called after her.
+        garments: vec![GarmentDesign::of_kind("blouse").unwrap()],
         ..Design::default()
     };
     let list = roster::read(&list()).unwrap();
