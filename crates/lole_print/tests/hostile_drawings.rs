@@ -297,3 +297,12 @@ fn what_lies_far_outside_is_not_drawn() {
         assert!(read(&format!(r#"<circle cx="{far}" cy="{far}" r="99000"/>"#)).is_ok());
     }
 }
+
+/// A filter so high that `usvg` panics while it reads: the drawing is lost, and no more.
+#[test]
+fn a_panic_of_a_library_is_a_sentence() {
+    let high = r#"<defs><filter id="f" height="6e31"/></defs><rect width="0.005" height="2e31" filter="url(#f)"/>"#;
+    let text = format!(r#"<svg xmlns="http://www.w3.org/2000/svg">{high}</svg>"#);
+    let said = Picture::read(text.as_bytes()).err();
+    assert!(said.is_some_and(|error| error.to_string().contains("cannot be drawn")));
+}
