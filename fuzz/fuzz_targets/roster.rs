@@ -8,7 +8,11 @@ use lole_costume::roster;
 fuzz_target!(|bytes: &[u8]| {
     match roster::read(bytes) {
         Ok(list) => {
-            assert!(list.dancers.iter().all(|dancer| dancer.hip_cm().is_finite()));
+            assert!(
+                list.dancers
+                    .iter()
+                    .all(|dancer| dancer.hip_cm().is_finite())
+            );
             assert!(list.problems.iter().all(|problem| 0 < problem.line));
         }
         Err(error) => assert!(!error.to_string().contains('\n')),

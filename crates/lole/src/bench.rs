@@ -12,7 +12,7 @@ use lole_study::soak::{SoakSettings, soak};
 
 use crate::args::{BenchArgs, Vectors};
 use crate::clock::SystemClock;
-use crate::output::OutputFolder;
+use crate::output;
 use crate::patience::{progress_bar, stop_flag};
 use crate::{Failure, summary};
 
@@ -188,10 +188,10 @@ fn trade_off(
         case.method
     })?;
     let mut output = (args.out.as_deref())
-        .map(OutputFolder::create)
+        .map(output::create)
         .transpose()
         .map_err(Failure::Usage)?;
-    let stop = stop_flag().map_err(Failure::Run)?;
+    let stop = stop_flag().map_err(Failure::error)?;
     let goes_on = || !stop.load(Ordering::Relaxed);
     let mut points: Vec<ParetoPoint> = Vec::new();
     for of_scene in cases.chunk_by(|one, next| one.scene == next.scene) {
@@ -209,10 +209,10 @@ fn trade_off(
         let page = trade_off_html(&pareto::report(&points, &cases));
         (output.write("bench.html", page.as_bytes()))
             .and_then(|()| output.write("bench.json", json.as_bytes()))
-            .map_err(Failure::Run)?;
+            .map_err(Failure::error)?;
     }
     if let Some(output) = output {
-        let paths = output.finish().map_err(Failure::Run)?;
+        let paths = output.finish().map_err(Failure::error)?;
         if !args.json {
             summary::print_files(&paths, language);
         }
@@ -223,7 +223,7 @@ fn trade_off(
 /// Soaks every scene of the engine, or the one that was named.
 fn soak_all(args: &BenchArgs, settings: SoakSettings, language: Language) -> Result<(), Failure> {
     let scenes = scenes_of_engine(args)?;
-    let stop = stop_flag().map_err(Failure::Run)?;
+    let stop = stop_flag().map_err(Failure::error)?;
     let is_stopped = || stop.load(Ordering::Relaxed);
     let mut rows = Vec::new();
     for scene in scenes {

@@ -11,6 +11,7 @@ use lole_export::counts::counts_csv;
 use lole_export::report::ReportFile;
 use lole_export::video::{Mp4Writer, Song, VideoSettings};
 use lole_export::{ImageView, still};
+use lole_files::OutputFolder;
 use lole_hula::DanceStep;
 use lole_language::{Bilingual as _, Language, Sentence, Words, words};
 use lole_picture::baked::{self, Keys};
@@ -25,7 +26,7 @@ use lole_study::{Stopwatch, Timing};
 
 use crate::args::DanceArgs;
 use crate::clock::SystemClock;
-use crate::output::OutputFolder;
+use crate::output;
 use crate::patience::{Watch, check, progress_bar, stop_flag};
 use crate::source::{self, Source};
 use crate::{Failure, summary};
@@ -72,13 +73,13 @@ impl Recording {
 
 /// Runs the command.
 pub(crate) fn run(args: &DanceArgs, language: Language) -> Result<(), Failure> {
-    let stop = stop_flag().map_err(Failure::Run)?;
+    let stop = stop_flag().map_err(Failure::error)?;
     let source = load(args)?;
     let production = Production::new(&source.design)
         .map_err(|error| source.located(place_of(&error), Sentence::of(&error)))?;
     check(&stop)?;
     let song = args.audio.as_deref().map(song).transpose()?;
-    let output = OutputFolder::create(&args.out).map_err(Failure::Usage)?;
+    let output = output::create(&args.out).map_err(Failure::Usage)?;
     let run = Run {
         song,
         args,
@@ -213,7 +214,7 @@ impl Run<'_> {
             .num_threads(threads)
             .build()
             .map_err(Failure::error)?;
-        let mut shoot = self.shoot(&performance).map_err(Failure::Run)?;
+        let mut shoot = self.shoot(&performance).map_err(Failure::error)?;
         let mut recording = Recording::default();
         self.settle(&mut performance, &pool, &mut recording)?;
         if recording.divergence.is_none() {
@@ -307,13 +308,13 @@ impl Run<'_> {
                 }
                 let dt = FRAME_SECONDS * FRAMES_PER_PICTURE as f32;
                 let view = camera.advance(performance, dt, shoot.size);
-                shoot.take(performance, view).map_err(Failure::Run)?;
+                shoot.take(performance, view).map_err(Failure::error)?;
             }
             if frame % (FRAMES_PER_SECOND / KEY_RATE) == 0 {
                 recording.keys.keep(performance);
             }
             if frame == still_frame {
-                shoot.take_stills(performance).map_err(Failure::Run)?;
+                shoot.take_stills(performance).map_err(Failure::error)?;
             }
             let watch = Stopwatch::start(&self.clock);
             let result = pool.install(|| performance.advance());
@@ -432,11 +433,11 @@ impl Run<'_> {
         let json = lole_export::report::report_json(&report).map_err(Failure::error)?;
         output
             .write("report.html", page.as_bytes())
-            .map_err(Failure::Run)?;
+            .map_err(Failure::error)?;
         output
             .write("report.json", json.as_bytes())
-            .map_err(Failure::Run)?;
-        let paths = output.finish().map_err(Failure::Run)?;
+            .map_err(Failure::error)?;
+        let paths = output.finish().map_err(Failure::error)?;
         bar.finish_and_clear();
         if self.args.json {
             summary::print_json(&json);
@@ -521,7 +522,7 @@ impl Files {
         bytes: &[u8],
         what: &str,
     ) -> Result<(), Failure> {
-        output.write(name, bytes).map_err(Failure::Run)?;
+        output.write(name, bytes).map_err(Failure::error)?;
         self.list.push(ReportFile {
             name: name.to_owned(),
             bytes: bytes.len() as u64,

@@ -12,7 +12,7 @@ use lole_render::{Backend, LightRig, Renderer, Scene, SceneMesh, Size};
 use lole_study::figures;
 
 use crate::args::DancerArgs;
-use crate::output::OutputFolder;
+use crate::output;
 use crate::patience::progress_bar;
 use crate::source;
 use crate::{Failure, summary};
@@ -39,7 +39,7 @@ pub(crate) fn run(args: &DancerArgs, language: Language) -> Result<(), Failure> 
         avatar: avatar.map(|file| file.name.clone()),
         ..figures::dancer_sheet(&dancer, &source.design.tape(), license.as_ref())
     };
-    let mut output = OutputFolder::create(&args.out).map_err(Failure::Usage)?;
+    let mut output = output::create(&args.out).map_err(Failure::Usage)?;
     let count = STILLS.iter().map(|_| 1_u32).sum();
     let bar = progress_bar(count, language.pick("写真をとる", "taking pictures"));
     let backend = if args.cpu {
@@ -47,19 +47,19 @@ pub(crate) fn run(args: &DancerArgs, language: Language) -> Result<(), Failure> 
     } else {
         Backend::Auto
     };
-    for (name, picture) in pictures(&dancer, backend, || bar.inc(1)).map_err(Failure::Run)? {
-        output.write(name, &picture).map_err(Failure::Run)?;
+    for (name, picture) in pictures(&dancer, backend, || bar.inc(1)).map_err(Failure::error)? {
+        output.write(name, &picture).map_err(Failure::error)?;
     }
     bar.finish_and_clear();
     if !baked::is_kept_here(license.as_ref()) {
         let glb = baked::body_glb(&dancer).map_err(Failure::error)?;
-        output.write("dancer.glb", &glb).map_err(Failure::Run)?;
+        output.write("dancer.glb", &glb).map_err(Failure::error)?;
     }
     let json = dancer_json(&sheet).map_err(Failure::error)?;
     output
         .write("dancer.json", json.as_bytes())
-        .map_err(Failure::Run)?;
-    let paths = output.finish().map_err(Failure::Run)?;
+        .map_err(Failure::error)?;
+    let paths = output.finish().map_err(Failure::error)?;
     if args.json {
         summary::print_json(&json);
         return Ok(());

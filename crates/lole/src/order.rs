@@ -25,7 +25,7 @@ use lole_language::{Bilingual as _, Language, Sentence};
 use rayon::prelude::*;
 
 use crate::args::{BookletArgs, CostArgs, FormArgs, OrderArgs, PageLanguage};
-use crate::output::OutputFolder;
+use crate::output;
 use crate::patience::{check, progress_bar, stop_flag};
 use crate::portrait;
 use crate::source::{self, Source};
@@ -47,7 +47,7 @@ impl PageLanguage {
 
 /// Runs `lole order`.
 pub(crate) fn run_order(args: &OrderArgs, language: Language) -> Result<(), Failure> {
-    let stop = stop_flag().map_err(Failure::Run)?;
+    let stop = stop_flag().map_err(Failure::error)?;
     let pages = PageLanguage::of(args.language, language);
     let source = source::read(Some(&args.design))?;
     let list = read_roster(&args.roster)?;
@@ -55,7 +55,7 @@ pub(crate) fn run_order(args: &OrderArgs, language: Language) -> Result<(), Fail
         spare_ratio: args.spare / 100.0,
         bolt_length: args.bolt.map(Length::from_m),
     };
-    let mut output = OutputFolder::create(&args.out).map_err(Failure::Usage)?;
+    let mut output = output::create(&args.out).map_err(Failure::Usage)?;
     let group = cut(&list, &source.design, (&stop, language))?;
     if group.plans.is_empty() {
         return Err(nobody(&group, &args.roster));
@@ -93,9 +93,9 @@ pub(crate) fn run_order(args: &OrderArgs, language: Language) -> Result<(), Fail
     bar.finish_and_clear();
     check(&stop)?;
     for (name, bytes) in &folder.files {
-        output.write(name, bytes).map_err(Failure::Run)?;
+        output.write(name, bytes).map_err(Failure::error)?;
     }
-    let paths = output.finish().map_err(Failure::Run)?;
+    let paths = output.finish().map_err(Failure::error)?;
     let stayed = tidy(&args.out, &left_behind(&earlier, &folder.json));
     if args.json {
         summary::print_json(&folder.json);
@@ -301,7 +301,7 @@ pub(crate) fn run_cost(args: &CostArgs, language: Language) -> Result<(), Failur
 
 /// Runs `lole booklet`.
 pub(crate) fn run_booklet(args: &BookletArgs, language: Language) -> Result<(), Failure> {
-    let stop = stop_flag().map_err(Failure::Run)?;
+    let stop = stop_flag().map_err(Failure::error)?;
     let pages = PageLanguage::of(args.language, language);
     let source = source::read(args.design.as_deref())?;
     let plan = own_plan(&source)?;
@@ -352,9 +352,9 @@ fn write_file(path: &Path, document: &Document, language: Language) -> Result<()
         _ => Path::new("."),
     };
     let name = file_name(path)?;
-    let mut output = OutputFolder::create(folder).map_err(Failure::Usage)?;
-    output.write(&name, &bytes).map_err(Failure::Run)?;
-    let paths = output.finish().map_err(Failure::Run)?;
+    let mut output = output::create(folder).map_err(Failure::Usage)?;
+    output.write(&name, &bytes).map_err(Failure::error)?;
+    let paths = output.finish().map_err(Failure::error)?;
     summary::print_pattern(&paths, &[], &[], language);
     Ok(())
 }

@@ -17,7 +17,7 @@ use lole_print::PrintImage;
 use crate::args::{PaperSize, PatternArgs};
 use crate::dance::place_of;
 use crate::order::PRINT_SIDE;
-use crate::output::OutputFolder;
+use crate::output;
 use crate::patience::{check, progress_bar, stop_flag};
 use crate::source::{self, Source};
 use crate::{Failure, summary};
@@ -34,10 +34,10 @@ impl PaperSize {
 
 /// Runs the command.
 pub(crate) fn run(args: &PatternArgs, language: Language) -> Result<(), Failure> {
-    let stop = stop_flag().map_err(Failure::Run)?;
+    let stop = stop_flag().map_err(Failure::error)?;
     let source = source::read(args.design.as_deref())?;
     let garments = draft(&source)?;
-    let mut output = OutputFolder::create(&args.out).map_err(Failure::Usage)?;
+    let mut output = output::create(&args.out).map_err(Failure::Usage)?;
     let count = u32::try_from(garments.len()).unwrap_or(u32::MAX);
     let bar = progress_bar(2 * count, language.pick("型紙", "pattern"));
     let mut cuts = Vec::new();
@@ -68,9 +68,9 @@ pub(crate) fn run(args: &PatternArgs, language: Language) -> Result<(), Failure>
     check(&stop)?;
     bar.finish_and_clear();
     for (name, bytes) in &files {
-        output.write(name, bytes).map_err(Failure::Run)?;
+        output.write(name, bytes).map_err(Failure::error)?;
     }
-    let paths = output.finish().map_err(Failure::Run)?;
+    let paths = output.finish().map_err(Failure::error)?;
     if args.json {
         let json = files.iter().find(|(name, _)| name == "pattern.json");
         let text = json.map_or("".into(), |(_, bytes)| String::from_utf8_lossy(bytes));

@@ -83,10 +83,7 @@ fn kept(design: &Design, index: usize, folder: &Path, stop: &AtomicBool) -> Resu
     let is_stopped = || stop.load(Ordering::Relaxed);
     let bytes = portrait::standing(design, &is_stopped).map_err(failure)?;
     // Whole or not at all: a half picture would be taken for a kept one.
-    let unfinished = path.with_extension("unfinished");
-    fs::write(&unfinished, &bytes)
-        .and_then(|()| fs::rename(&unfinished, &path))
-        .map_err(Failure::error)?;
+    lole_files::write_whole(&path, &bytes).map_err(Failure::error)?;
     let picture = portrait::of_jpeg(bytes);
     let picture = picture.ok_or_else(|| Failure::error(anyhow::anyhow!("no JPEG")))?;
     Ok((picture, name))

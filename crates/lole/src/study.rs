@@ -13,7 +13,7 @@ use lole_study::paper::{self, Audience, Extent};
 
 use crate::args::StudyArgs;
 use crate::clock::SystemClock;
-use crate::output::OutputFolder;
+use crate::output;
 use crate::patience::{progress_bar, stop_flag};
 use crate::{Failure, summary};
 
@@ -22,8 +22,8 @@ const PICTURE_QUALITY: u8 = 88;
 
 /// Runs the command.
 pub(crate) fn run(args: &StudyArgs, language: Language) -> Result<(), Failure> {
-    let stop = stop_flag().map_err(Failure::Run)?;
-    let mut output = OutputFolder::create(&args.out).map_err(Failure::Usage)?;
+    let stop = stop_flag().map_err(Failure::error)?;
+    let mut output = output::create(&args.out).map_err(Failure::Usage)?;
     let clock = SystemClock::start();
     let started = Stopwatch::start(&clock);
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
@@ -63,9 +63,9 @@ pub(crate) fn run(args: &StudyArgs, language: Language) -> Result<(), Failure> {
         ("study.png", &png),
     ];
     for (name, bytes) in files {
-        output.write(name, bytes).map_err(Failure::Run)?;
+        output.write(name, bytes).map_err(Failure::error)?;
     }
-    let paths = output.finish().map_err(Failure::Run)?;
+    let paths = output.finish().map_err(Failure::error)?;
     bar.finish_and_clear();
     if args.json {
         summary::print_json(&json);

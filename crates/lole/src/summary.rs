@@ -11,7 +11,7 @@ use lole_costume::document::DesignError;
 use lole_export::dancer_sheet::DancerSheet;
 use lole_export::report::{Remark, RunReport};
 use lole_export::study::StudyReport;
-use lole_language::{Bilingual, Language, Sentence, Words, shown};
+use lole_language::{Bilingual, Language, Sentence, Words, shown, visible_json};
 use lole_stage::StageError;
 use lole_stage::validate::{Check, Protocol};
 
@@ -67,9 +67,17 @@ pub(crate) use bench::{
 /// Exit code after Ctrl-C: 128 plus the signal's number, as shells have it.
 const INTERRUPTED: u8 = 130;
 
-/// Prints the report as JSON.
+/// Prints the report as JSON, for programs and for terminals.
 pub(crate) fn print_json(json: &str) {
-    say!("{json}");
+    heard(writeln!(std::io::stdout(), "{}", visible_json(json)));
+}
+
+/// Says what was found before a run began: beside the results, so that JSON stays JSON.
+pub(crate) fn print_found(found: &[Sentence]) {
+    let language = Language::of_locale(sys_locale::get_locale().as_deref());
+    for sentence in found {
+        eprintln!("{}", shown(&sentence.text(language)));
+    }
 }
 
 /// Says some sentences, a line each.

@@ -1,13 +1,14 @@
 //! `lole validate`: the engine against closed forms.
 
 use lole_export::validation::{CheckEntry, ValidationReport, validation_html};
+use lole_files::OutputFolder;
 use lole_language::{Language, Sentence, words};
 use lole_stage::validate::{Check, PROTOCOLS, Protocol, Subject};
 use lole_study::validation::{entry, limits, row};
 
 use crate::args::ValidateArgs;
 use crate::dance::unknown;
-use crate::output::OutputFolder;
+use crate::output;
 use crate::patience::{check, stop_flag};
 use crate::{Failure, summary};
 
@@ -23,10 +24,10 @@ pub(crate) fn run(args: &ValidateArgs, language: Language) -> Result<(), Failure
     let output = args
         .out
         .as_deref()
-        .map(OutputFolder::create)
+        .map(output::create)
         .transpose()
         .map_err(Failure::Usage)?;
-    let stop = stop_flag().map_err(Failure::Run)?;
+    let stop = stop_flag().map_err(Failure::error)?;
     let wanted = |name: &str| args.only.as_ref().is_none_or(|only| only == name);
     let mut report = ValidationReport {
         lole: env!("CARGO_PKG_VERSION").to_owned(),
@@ -73,8 +74,8 @@ fn finish(
         output
             .write("validation.html", page.as_bytes())
             .and_then(|()| output.write("validation.json", json.as_bytes()))
-            .map_err(Failure::Run)?;
-        let paths = output.finish().map_err(Failure::Run)?;
+            .map_err(Failure::error)?;
+        let paths = output.finish().map_err(Failure::error)?;
         if !args.json {
             summary::print_files(&paths, language);
         }

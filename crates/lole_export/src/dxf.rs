@@ -110,7 +110,11 @@ fn block_name(piece: &Piece, others: &[String]) -> String {
     }
 }
 
-/// Text that release 12 can hold: kahakō and ʻokina are left out, other letters become `?`.
+/// Most letters of a name: a value of release 12 holds 255 with what stands before it.
+const MOST_LETTERS: usize = 80;
+
+/// Text that release 12 can hold: kahakō and ʻokina are left out, other letters become `?`, and so do those with
+/// which readers spell other letters and new lines (`^J`, `%%010`, `\U+000A`).
 fn plain(text: &str) -> String {
     let letter = |letter: char| match letter {
         'ā' => Some('a'),
@@ -124,10 +128,12 @@ fn plain(text: &str) -> String {
         'Ō' => Some('O'),
         'Ū' => Some('U'),
         'ʻ' | '‘' | '’' => None,
+        '^' | '\\' => Some('?'),
         ' '..='~' => Some(letter),
         _ => Some('?'),
     };
-    text.chars().filter_map(letter).collect()
+    let letters = text.chars().filter_map(letter).take(MOST_LETTERS);
+    letters.collect::<String>().replace("%%", "??")
 }
 
 /// Whether a line comes back to its beginning.

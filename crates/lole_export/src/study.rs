@@ -10,6 +10,8 @@ pub use model::{
     StepEntry, StudyReport, Threshold,
 };
 
+use lole_language::visible;
+
 use crate::ExportError;
 
 /// `study.json`: indented; a number that is not finite becomes `null`.
@@ -52,9 +54,8 @@ pub fn study_csv(report: &StudyReport) -> String {
     }
     for body in &report.capsules {
         let line = format!(
-            "capsules,{} {},,,,,,,,,,,{},{},{},{},,,\r\n",
-            body.count,
-            body.body,
+            "capsules,{},,,,,,,,,,,{},{},{},{},,,\r\n",
+            cell(&format!("{} {}", body.count, body.body)),
             body.wrong_vertices,
             body.skin_mm,
             body.frame_ms.median,
@@ -65,16 +66,28 @@ pub fn study_csv(report: &StudyReport) -> String {
     csv
 }
 
+/// A text as one cell of a table: in quotation marks, and behind an apostrophe where a spreadsheet would compute it.
+fn cell(text: &str) -> String {
+    let text = visible(text);
+    let is_computed = text.starts_with(['=', '+', '-', '@', '\t', '\n']);
+    let apostrophe = if is_computed { "'" } else { "" };
+    let is_plain = !is_computed && !text.contains([',', '"', '\n']);
+    if is_plain {
+        return text;
+    }
+    format!("\"{apostrophe}{}\"", text.replace('"', "\"\""))
+}
+
 /// One line of the table; a run that was not made leaves none.
 fn append_run(csv: &mut String, part: &str, name: &str, run: &RunEntry) {
     if run.outcome.is_empty() {
         return;
     }
+    let (part, name, outcome) = (cell(part), cell(name), cell(&run.outcome));
     let or_empty = |value: Option<String>| value.unwrap_or_default();
     let written = write!(
         csv,
-        "{part},{name},{},{},{},{:e},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n",
-        run.outcome,
+        "{part},{name},{outcome},{},{},{:e},{},{},{},{},{},{},{},{},{},{},{},{},{}\r\n",
         or_empty(run.diverged_at_s.map(|time| time.to_string())),
         or_empty(run.diverged_particle.map(|particle| particle.to_string())),
         run.step_s,

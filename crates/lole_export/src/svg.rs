@@ -2,6 +2,7 @@
 
 use base64::Engine as _;
 use kurbo::Affine;
+use lole_language::visible;
 
 use crate::pdf::{Color, Item, Rect, Sheet, Stroke, Weight};
 
@@ -40,9 +41,12 @@ pub(crate) fn number(value: f64) -> String {
     }
 }
 
-/// Text between tags or in an attribute.
+/// Text between tags or in an attribute. What XML cannot hold, even spelled out, is made visible: a reader would
+/// refuse the whole drawing.
 pub(crate) fn escape(text: &str) -> String {
-    text.replace('&', "&amp;")
+    visible(text)
+        .replace(['\u{fffe}', '\u{ffff}'], "\u{fffd}")
+        .replace('&', "&amp;")
         .replace('<', "&lt;")
         .replace('>', "&gt;")
         .replace('"', "&quot;")

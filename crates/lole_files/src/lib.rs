@@ -3,8 +3,10 @@
 //!
 //! The crate knows no window and draws nothing; what goes wrong is one sentence that names the file.
 
+mod output;
+
 use std::collections::BTreeMap;
-use std::fs::{self, File};
+use std::fs::{self, File, TryLockError};
 use std::io::{self, Read as _, Write as _};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -12,6 +14,8 @@ use std::sync::Arc;
 use lole_costume::document::{self, Design, LinkedFile};
 use lole_language::{Bilingual as _, Sentence, Words, words};
 use lole_print::Picture;
+
+pub use output::OutputFolder;
 
 /// A design larger than this [byte] is some other file; it is not even read.
 const LARGEST_FILE: u64 = 16 << 20;
@@ -316,11 +320,12 @@ pub fn free_picture(folder: &Path) -> PathBuf {
     free.unwrap_or_else(|| folder.join("lole.png"))
 }
 
-/// Writes beside the file, then takes its place in one move.
+/// Writes beside the file, then takes its place in one move. What an earlier run left beside it is removed.
 ///
 /// # Errors
 /// One sentence that names the file.
 pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Sentence> {
+    clear_beside(path);
     let beside = beside(path);
     let written = write_and_move(&beside, path, bytes);
     if written.is_err() {
@@ -335,47 +340,11 @@ pub fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), Sentence> {
 /// # Errors
 /// One sentence that names the file.
 pub fn write_folder(folder: &Path, files: &[(String, Vec<u8>)]) -> Result<(), Sentence> {
-    let is_new = !folder.exists();
-    let name = folder.display();
-    fs::create_dir_all(folder).map_err(|_| {
-        Sentence::new(
-            format!("{name}: このフォルダーには書けません。別のフォルダーを選んでください"),
-            format!("{name}: the folder cannot be written; choose another"),
-        )
-    })?;
-    let unfinished = |name: &str| beside(&folder.join(name));
-    let mut failed = None;
+    let mut output = OutputFolder::create(folder)?;
     for (name, bytes) in files {
-        let path = folder.join(name);
-        let written = File::create(unfinished(name)).and_then(|mut file| {
-            file.write_all(bytes)?;
-            file.sync_all()
-        });
-        if let Err(error) = written {
-            failed = Some(cannot_write(&path, &error));
-            break;
-        }
+        output.write(name, bytes)?;
     }
-    if failed.is_none() {
-        for (name, _) in files {
-            let path = folder.join(name);
-            if let Err(error) = fs::rename(unfinished(name), &path) {
-                failed = Some(cannot_write(&path, &error));
-                break;
-            }
-        }
-    }
-    let Some(sentence) = failed else {
-        return Ok(());
-    };
-    for (name, _) in files {
-        // It may never have come to be.
-        drop(fs::remove_file(unfinished(name)));
-    }
-    if is_new {
-        drop(fs::remove_dir(folder));
-    }
-    Err(sentence)
+    output.finish().map(|_| ())
 }
 
 fn cannot_write(path: &Path, error: &io::Error) -> Sentence {
@@ -388,16 +357,57 @@ fn cannot_write(path: &Path, error: &io::Error) -> Sentence {
 
 fn write_and_move(beside: &Path, path: &Path, bytes: &[u8]) -> io::Result<()> {
     let mut file = File::create(beside)?;
+    // Held while it is written, so that nobody takes it for one that was left; where a file system knows no
+    // locks, none is.
+    drop(file.try_lock());
     file.write_all(bytes)?;
     file.sync_all()?;
-    drop(file);
-    fs::rename(beside, path)
+    fs::rename(beside, path)?;
+    sync_folder(path.parent().unwrap_or(Path::new("")));
+    Ok(())
 }
+
+/// Asks that what was moved in a folder stays moved when the power fails. Some systems cannot promise that, and what
+/// is there is whole all the same.
+pub fn sync_folder(folder: &Path) {
+    let here = folder.as_os_str().is_empty();
+    let folder = File::open(if here { Path::new(".") } else { folder });
+    drop(folder.and_then(|folder| folder.sync_all()));
+}
+
+/// How the name of a file ends that is not finished.
+const PART: &str = ".part";
 
 /// A name in the same folder, so that moving is one step, and of this process alone.
 fn beside(path: &Path) -> PathBuf {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    path.with_file_name(format!(".{name}.{}.part", std::process::id()))
+    path.with_file_name(format!(".{name}.{}{PART}", std::process::id()))
+}
+
+/// Removes what was left beside a file by runs that were killed while they wrote it.
+fn clear_beside(path: &Path) {
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let here = folder.as_os_str().is_empty();
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let start = format!(".{name}.");
+    let is_left = |found: &str| {
+        let process = found.strip_prefix(&start);
+        let process = process.and_then(|rest| rest.strip_suffix(PART));
+        process.is_some_and(|number| number.parse::<u32>().is_ok())
+    };
+    let all = fs::read_dir(if here { Path::new(".") } else { folder });
+    for entry in all.into_iter().flatten().flatten() {
+        let is_file = entry.file_type().is_ok_and(|kind| kind.is_file());
+        if !is_file || !is_left(&entry.file_name().to_string_lossy()) {
+            continue;
+        }
+        // Whoever still writes holds it.
+        let is_held = File::open(entry.path())
+            .is_ok_and(|file| matches!(file.try_lock(), Err(TryLockError::WouldBlock)));
+        if !is_held {
+            drop(fs::remove_file(entry.path()));
+        }
+    }
 }
 
 #[cfg(test)]

@@ -16,7 +16,7 @@ mod shown;
 
 use std::fmt;
 
-pub use shown::{MOST_REPEATED, repeated, shown, visible};
+pub use shown::{MOST_REPEATED, is_unseen, repeated, shown, visible, visible_json};
 
 /// A language of the product.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

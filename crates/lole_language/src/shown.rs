@@ -53,13 +53,35 @@ pub fn visible(text: &str) -> String {
     seen
 }
 
+/// JSON in which the same letters are written as JSON writes them, so that a terminal follows none and a
+/// program reads what was there.
+///
+/// ```
+/// assert_eq!(lole_language::visible_json("[\"a\u{202e}\"]"), "[\"a\\u202e\"]");
+/// ```
+#[must_use]
+pub fn visible_json(json: &str) -> String {
+    let mut seen = String::with_capacity(json.len());
+    for letter in json.chars() {
+        match letter {
+            // Between values, for people.
+            '\n' | '\t' => seen.push(letter),
+            // None of them lies beyond the letters of four digits.
+            _ if is_unseen(letter) => seen.push_str(&format!("\\u{:04x}", u32::from(letter))),
+            _ => seen.push(letter),
+        }
+    }
+    seen
+}
+
 /// Letters of a word, at most, a path included.
 const LONGEST_WORD: usize = 400;
 
 /// Whether a terminal would follow a letter instead of showing it, or it would turn what stands around it.
-fn is_unseen(letter: char) -> bool {
+#[must_use]
+pub fn is_unseen(letter: char) -> bool {
     letter.is_control()
-        || matches!(letter, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+        || matches!(letter, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
 
 fn shortened(text: &str, most: usize) -> String {

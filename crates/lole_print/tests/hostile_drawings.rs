@@ -155,3 +155,154 @@ fn a_print_of_three_thousand_leaves_is_drawn() {
     let green = picture.pixels.chunks_exact(4).filter(|pixel| 0 < pixel[3]);
     assert!(100_000 < green.count());
 }
+
+/// Numbered things, one after the other.
+fn many(count: usize, one: impl Fn(usize) -> String) -> String {
+    (0..count).map(one).collect()
+}
+
+const SMALL: &str = r#"width="9" height="9""#;
+
+/// Each of these is read without an end, or for minutes, before anything is drawn.
+#[test]
+fn what_is_read_for_ever_is_not_read() {
+    let gradients = |links: &str| {
+        let pairs = links.split(' ').map(|pair| pair.split_at(1));
+        let all = pairs.map(|(id, to)| format!(r##"<linearGradient id="{id}" href="#{to}"/>"##));
+        let all: String = all.collect();
+        format!(r#"<defs>{all}</defs><rect {SMALL} fill="url(#a)"/>"#)
+    };
+    let rules = many(20_000, |number| format!(".a{number}{{fill:red}}"));
+    let chain = many(20_000, |number| {
+        format!(r##"<pattern id="p{number}" href="#p{}"/>"##, number + 1)
+    });
+    let cases = [
+        // Those that inherit in a circle that does not come back to the first.
+        gradients("ab bc cb"),
+        gradients("ab bc cd db"),
+        gradients("ab bc cb")
+            .replace("linearGradient", "filter")
+            .replace("fill=", "filter="),
+        // Many that inherit in a chain, used often.
+        format!("<defs>{chain}</defs>")
+            + &format!(r#"<rect {SMALL} fill="url(#p0)"/>"#).repeat(2000),
+        // Every rule is looked at for every element.
+        format!("<style>{rules}</style>") + &"<g/>".repeat(20_000),
+        format!("<style>{}.b{{fill:red}}</style>", ".a,".repeat(100_000)) + &"<g/>".repeat(20_000),
+        // Every declaration is made for every element that a rule is for.
+        format!("<style>g{{{}}}</style>", "fill:red;".repeat(100_000)) + &"<g/>".repeat(20_000),
+        // A gradient is read anew wherever it is used.
+        format!(
+            "<linearGradient id=\"s\">{}</linearGradient>",
+            "<stop/>".repeat(100_000)
+        ) + &format!(r#"<rect {SMALL} fill="url(#s)"/>"#).repeat(10_000),
+        // Every attribute is looked for among those before it.
+        format!(
+            "<g {}/>",
+            many(100_000, |number| format!(r#"a{number}="1" "#))
+        ),
+        format!(
+            "<g style=\"{}\"/>",
+            many(200_000, |number| format!("a{number}:1;"))
+        ),
+        // What lies in itself is looked for anew after each that was found.
+        many(20_000, |number| {
+            format!(r#"<pattern id="p{number}"><g fill="url(#p{number})"/></pattern>"#)
+        }),
+        many(20_000, |number| {
+            format!(
+                r#"<clipPath id="p{number}"><rect {SMALL} clip-path="url(#p{number})"/></clipPath>"#
+            )
+        }),
+        // What is named is looked through for everything that names it.
+        format!(
+            r#"<pattern id="q">{}</pattern><pattern id="p">{}</pattern>"#,
+            "<g/>".repeat(20_000),
+            r#"<g fill="url(#q)"/>"#.repeat(20_000)
+        ),
+        format!(
+            r#"<style>g{{fill:url(#q)}}</style><pattern id="q">{0}</pattern>"#,
+            "<g/>".repeat(20_000),
+        ),
+    ];
+    for drawn in cases {
+        assert_eq!(
+            read(&drawn).err(),
+            Some(PictureError::SvgWork),
+            "{drawn:.120}"
+        );
+    }
+}
+
+/// Three that lie in each other have no bottom; a reader finds only two.
+#[test]
+fn what_lies_in_itself_by_way_of_others_is_not_read() {
+    let cycle = |kind: &str, key: &str| {
+        let links = [("a", "b"), ("b", "c"), ("c", "a")];
+        let links = links.map(|(id, to)| {
+            format!(r##"<{kind} id="{id}" {SMALL}><rect {SMALL} {key}="url(#{to})"/></{kind}>"##)
+        });
+        format!(
+            r#"<defs>{}</defs><rect {SMALL} {key}="url(#a)"/>"#,
+            links.concat()
+        )
+    };
+    for (kind, key) in [
+        ("pattern", "fill"),
+        ("mask", "mask"),
+        ("clipPath", "clip-path"),
+    ] {
+        let said = read(&cycle(kind, key));
+        assert_eq!(said.err(), Some(PictureError::SvgWork), "{kind}");
+    }
+}
+
+/// What people's programs write lies far below the bounds.
+#[test]
+fn styles_and_gradients_of_drawing_programs_are_read() {
+    let rules = many(300, |number| {
+        format!(".cls-{number}{{fill:url(#g{number})}}\n")
+    });
+    let gradients = many(300, |number| {
+        let stops = r#"<stop stop-color="red"/><stop offset="1"/>"#;
+        format!(
+            r##"<linearGradient id="s{number}">{stops}</linearGradient><linearGradient id="g{number}" href="#s{number}" x1="1"/>"##
+        )
+    });
+    let clips = many(200, |number| {
+        format!(r#"<clipPath id="c{number}"><rect {SMALL} class="cls-1"/></clipPath>"#)
+    });
+    let leaves = many(600, |number| {
+        let (class, clip) = (number % 300, number % 200);
+        format!(
+            r#"<g clip-path="url(#c{clip})"><rect {SMALL} class="cls-{class}" style="stroke:none;opacity:1"/></g>"#
+        )
+    });
+    // A gradient that names itself is a slip of a pen and no harm.
+    let slip = r##"<linearGradient id="me" href="#me"/>"##;
+    let said = read(&format!(
+        "<style>{rules}</style><defs>{gradients}{clips}{slip}</defs>{leaves}<rect {SMALL} fill=\"url(#me)\"/>"
+    ));
+    assert_eq!(said.err(), None);
+}
+
+/// The size is the width of an atom, and the circle that of a table.
+#[test]
+fn what_lies_far_outside_is_not_drawn() {
+    let text = r#"<svg xmlns="http://www.w3.org/2000/svg" width="3e-8em" height="8e-9mm"><circle r="4916"/></svg>"#;
+    let said = Picture::read(text.as_bytes()).err();
+    assert!(said.is_some_and(|error| error.to_string().contains("far out of its edges")));
+    // As far as a field from its leaf is nothing.
+    for far in ["100", "-100000"] {
+        assert!(read(&format!(r#"<circle cx="{far}" cy="{far}" r="99000"/>"#)).is_ok());
+    }
+}
+
+/// A filter so high that `usvg` panics while it reads: the drawing is lost, and no more.
+#[test]
+fn a_panic_of_a_library_is_a_sentence() {
+    let high = r#"<defs><filter id="f" height="6e31"/></defs><rect width="0.005" height="2e31" filter="url(#f)"/>"#;
+    let text = format!(r#"<svg xmlns="http://www.w3.org/2000/svg">{high}</svg>"#);
+    let said = Picture::read(text.as_bytes()).err();
+    assert!(said.is_some_and(|error| error.to_string().contains("cannot be drawn")));
+}

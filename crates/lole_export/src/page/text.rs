@@ -1,10 +1,12 @@
 //! Words and numbers of the page: escaping, units, and every sentence twice.
 
+use lole_language::visible;
+
 /// Text with the five characters that HTML gives a meaning spelled out, safe inside elements and
-/// quoted attributes.
+/// quoted attributes, and with marks made visible that would turn what stands around it.
 pub(crate) fn escape(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
-    for character in text.chars() {
+    for character in visible(text).chars() {
         match character {
             '&' => escaped.push_str("&amp;"),
             '<' => escaped.push_str("&lt;"),

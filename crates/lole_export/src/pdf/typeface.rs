@@ -3,6 +3,7 @@
 use std::sync::LazyLock;
 
 use harfrust::{Direction, FontRef, ShapeOptions, ShaperData, UnicodeBuffer};
+use lole_language::is_unseen;
 use skrifa::MetadataProvider as _;
 use skrifa::charmap::Charmap;
 
@@ -130,12 +131,12 @@ pub fn missing_glyphs(text: &str) -> Vec<char> {
 }
 
 /// `text` with a geta mark (〓) for each character that cannot be printed: names from a list may hold
-/// any character at all.
+/// any character at all. A mark that turns what stands around it is one of these, whatever the fonts hold.
 #[must_use]
 pub fn printable(text: &str) -> String {
     let letter = |letter: char| match letter {
-        _ if is_drawable(letter) => letter,
         '\t' | '\r' | '\n' => ' ',
+        _ if is_drawable(letter) && !is_unseen(letter) => letter,
         _ => GETA,
     };
     text.chars().map(letter).collect()

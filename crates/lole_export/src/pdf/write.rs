@@ -61,7 +61,7 @@ impl Document {
         });
         document.set_metadata(
             Metadata::new()
-                .title(self.title.clone())
+                .title(printable(&self.title))
                 .language(self.language.to_owned())
                 .producer("Lole".to_owned()),
         );

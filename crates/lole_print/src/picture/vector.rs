@@ -1,11 +1,15 @@
 //! SVG, drawn at the size that a print needs. Nothing outside of the text is looked at: no file, no
 //! font, no network.
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{self, roxmltree};
 
 use super::{Picture, PictureError};
 
+mod links;
+mod styles;
 mod work;
 
 /// Longest text that is read [byte].
@@ -22,6 +26,9 @@ pub(super) fn read(bytes: &[u8]) -> Result<Picture, PictureError> {
     }
     let text = std::str::from_utf8(bytes).map_err(|error| PictureError::broken(&error))?;
     let text = text.trim_start_matches('\u{feff}').trim_start();
+    if styles::has_crowded_elements(text) {
+        return Err(PictureError::SvgWork);
+    }
     let parsing = roxmltree::ParsingOptions {
         allow_dtd: true,
         nodes_limit: MOST_NODES,
@@ -33,12 +40,20 @@ pub(super) fn read(bytes: &[u8]) -> Result<Picture, PictureError> {
         return Err(PictureError::NotPicture);
     }
     check_elements(&document)?;
+    if !styles::are_few(&document) || !links::are_few(&document) {
+        return Err(PictureError::SvgWork);
+    }
     let options = usvg::Options {
         image_href_resolver: nothing_outside(),
         ..usvg::Options::default()
     };
-    let tree = usvg::Tree::from_xmltree(&document, &options);
-    draw(&tree.map_err(|error| PictureError::broken(&error))?)
+    let drawn = || {
+        let tree = usvg::Tree::from_xmltree(&document, &options);
+        draw(&tree.map_err(|error| PictureError::broken(&error))?)
+    };
+    // Both libraries have places that were never thought to be come to; the drawing is lost there, and no more.
+    let drawn = catch_unwind(AssertUnwindSafe(drawn));
+    drawn.unwrap_or_else(|_| Err(PictureError::broken(&"its lines cannot be drawn")))
 }
 
 /// What would be left out silently is refused.
@@ -75,6 +90,7 @@ fn draw(tree: &usvg::Tree) -> Result<Picture, PictureError> {
     work::check(tree, canvas, Transform::from_scale(scale, scale)).map_err(|why| match why {
         work::TooMuch::Work => PictureError::SvgWork,
         work::TooMuch::Memory => PictureError::SvgMemory,
+        work::TooMuch::Far => PictureError::broken(&"a line in it runs far out of its edges"),
     })?;
     let pixmap = Pixmap::new(width, height);
     let mut pixmap = pixmap.ok_or_else(|| PictureError::broken(&"it has no size"))?;

@@ -18,6 +18,9 @@ const MOST_DEPTH: u32 = 256;
 /// A layer reaches this many canvases along each side at most, as `resvg` cuts it.
 const LAYER_REACH: f64 = 5.0;
 const BYTES_PER_PIXEL: f64 = 4.0;
+/// Nothing lies farther from the origin [pixel]: beyond, numbers of the drawing cannot tell pixels apart, and
+/// `tiny-skia` loses its place in a line.
+const FARTHEST: f32 = 1.0e8;
 
 /// Why a drawing is not drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,6 +29,8 @@ pub(super) enum TooMuch {
     Work,
     /// Its layers would take more memory than a print may.
     Memory,
+    /// Something in it lies too far outside.
+    Far,
 }
 
 /// Width and height of what is drawn on [pixel].
@@ -191,6 +196,11 @@ impl Count {
 
     fn path(&mut self, path: &usvg::Path, onto: Onto) -> Result<(), TooMuch> {
         let bounds = path.stroke_bounding_box().transform(onto.transform);
+        let edges =
+            bounds.map(|bounds| [bounds.left(), bounds.top(), bounds.right(), bounds.bottom()]);
+        if edges.is_some_and(|edges| edges.iter().any(|edge| FARTHEST < edge.abs())) {
+            return Err(TooMuch::Far);
+        }
         let canvas = bounds.map_or(onto.canvas, |bounds| {
             let [width, height] = [bounds.width(), bounds.height()].map(f64::from);
             [width.min(onto.canvas[0]), height.min(onto.canvas[1])]
