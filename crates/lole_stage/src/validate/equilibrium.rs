@@ -191,47 +191,45 @@ impl Sheet {
         let mut matrix = Banded::new();
         for bending in &self.bendings {
             for weights in &bending.weights {
-                for (&one, a) in bending.nodes.iter().zip(weights) {
-                    for (&other, b) in bending.nodes.iter().zip(weights) {
-                        matrix.add(one, other, DMat3::from_diagonal(DVec3::splat(a * b)));
-                    }
-                }
+                matrix.add_all(&bending.nodes, |[one, other]| {
+                    DMat3::from_diagonal(DVec3::splat(weights[one] * weights[other]))
+                });
             }
         }
         for cell in &self.cells {
-            let [warp, weft] = cell
-                .slopes
-                .map(|weights| mix(&weights, &cell.nodes, positions));
-            let across = |one: DVec3, other: DVec3| {
-                DMat3::from_cols(one * other.x, one * other.y, one * other.z)
-            };
-            let pull = |slope: DVec3, other: DVec3, stiffness: f64| {
-                let length = slope.length();
-                let along = slope / length;
-                let along = across(along, along);
-                // What is pressed together is stiff along itself only.
-                let tension = (1.0 - 1.0 / length).max(0.0);
-                let stretch = along + (DMat3::IDENTITY - along) * tension;
-                stretch * stiffness + across(other, other) * self.shear
-            };
-            let own = [
-                pull(warp, weft, self.stretch[0]),
-                pull(weft, warp, self.stretch[1]),
-            ];
-            let both = across(weft, warp) * self.shear;
-            for (place, &one) in cell.nodes.iter().enumerate() {
-                let [a, b] = cell.slopes.map(|weights| weights[place]);
-                for (place, &other) in cell.nodes.iter().enumerate() {
-                    let [c, d] = cell.slopes.map(|weights| weights[place]);
-                    let block = own[0] * (a * c)
-                        + own[1] * (b * d)
-                        + both * (a * d)
-                        + both.transpose() * (b * c);
-                    matrix.add(one, other, block * cell.area);
-                }
-            }
+            self.stretch_in(cell, positions, &mut matrix);
         }
         matrix.solve(forces)
+    }
+
+    /// Adds what stretch and shear of a cell resist.
+    fn stretch_in(&self, cell: &Cell, positions: &[DVec3], matrix: &mut Banded) {
+        let [warp, weft] = cell
+            .slopes
+            .map(|weights| mix(&weights, &cell.nodes, positions));
+        let across = |one: DVec3, other: DVec3| {
+            DMat3::from_cols(one * other.x, one * other.y, one * other.z)
+        };
+        let pull = |slope: DVec3, other: DVec3, stiffness: f64| {
+            let length = slope.length();
+            let along = slope / length;
+            let along = across(along, along);
+            // What is pressed together is stiff along itself only.
+            let tension = (1.0 - 1.0 / length).max(0.0);
+            let stretch = along + (DMat3::IDENTITY - along) * tension;
+            stretch * stiffness + across(other, other) * self.shear
+        };
+        let own = [
+            pull(warp, weft, self.stretch[0]),
+            pull(weft, warp, self.stretch[1]),
+        ];
+        let both = across(weft, warp) * self.shear;
+        matrix.add_all(&cell.nodes, |[one, other]| {
+            let [a, b] = cell.slopes.map(|weights| weights[one]);
+            let [c, d] = cell.slopes.map(|weights| weights[other]);
+            let mixed = both * (a * d) + both.transpose() * (b * c);
+            (own[0] * (a * c) + own[1] * (b * d) + mixed) * cell.area
+        });
     }
 }
 
@@ -257,6 +255,15 @@ impl Banded {
             2 * (RAYS - ray)
         };
         Some(3 * (place * RINGS + ring.checked_sub(1)?))
+    }
+
+    /// Adds what the motions of some nodes do to each other, by their places in the list.
+    fn add_all(&mut self, nodes: &[usize], block: impl Fn([usize; 2]) -> DMat3) {
+        for (one, &node) in nodes.iter().enumerate() {
+            for (other, &neighbor) in nodes.iter().enumerate() {
+                self.add(node, neighbor, block([one, other]));
+            }
+        }
     }
 
     /// Adds what a node's motion does to another; only what is below the diagonal is kept.
