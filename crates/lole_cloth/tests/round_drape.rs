@@ -24,16 +24,16 @@ fn sheet(length: f32) -> Fabric {
 }
 
 #[test]
-fn a_stiffer_sheet_drapes_less_and_near_the_estimate_of_its_strips() {
+fn a_stiffer_sheet_drapes_less_and_never_more_than_its_strips() {
     // Strips clamped level from the edge of the disc, as heavy elasticas. Whole cloth is stiffer,
-    // because between its folds it would have to bend two ways at once: by 10 to 25 points.
+    // because between its folds it would have to bend two ways at once: the limper, the more.
     let estimates = [(0.02, 0.31), (0.025, 0.49), (0.03, 0.68)];
     let mut last = 0.0;
     for (length, estimate) in estimates {
         let found = RoundDrape::BS.hang(sheet(length)).expect("a sound piece");
         assert!(last < found.coefficient, "{length}: {found:?}");
         assert!(
-            (-0.12..0.3).contains(&(found.coefficient - estimate)),
+            (0.1..0.4).contains(&(found.coefficient - estimate)),
             "{length}: {found:?}"
         );
         assert!((4..=9).contains(&found.folds), "{length}: {found:?}");

@@ -700,3 +700,22 @@ fn a_choreography_is_as_long_as_its_parts() {
     short.motion.duration_s = Some(5.0);
     assert!((short.duration_s(dance.duration()) - 5.0).abs() < f64::EPSILON);
 }
+
+#[test]
+fn yes_and_no_may_be_said_as_toml_says_them() {
+    let answers = [
+        ("true", true),
+        ("false", false),
+        ("\"yes\"", true),
+        ("\"no\"", false),
+    ];
+    for (word, is_worn) in answers {
+        let text = format!("lole = 1\n[skirt]\nworn = {word}\n[[garment]]\nkind = \"muumuu\"\n");
+        let design = parse(&text, "a.lole").unwrap();
+        assert_eq!(design.skirt.is_worn, is_worn, "{word}");
+    }
+    for key in ["hem_height_cm", "fabric"] {
+        let text = format!("lole = 1\n[skirt]\n{key} = true\n");
+        assert!(parse(&text, "a.lole").is_err(), "{key}");
+    }
+}

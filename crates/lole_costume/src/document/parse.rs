@@ -459,8 +459,8 @@ fn fill<T>(key: &Key<T>, value: &DeValue<'_>, found: &str, design: &mut T) -> Re
             key.kind.check_count(count, found)?;
             set(design, count);
         }
-        Kind::Name { set, .. } => {
-            let name = value.as_str().ok_or_else(wrong_type)?;
+        Kind::Name { set, choices, .. } => {
+            let name = named(value, &choices()).ok_or_else(wrong_type)?;
             key.kind.check_name(name)?;
             set(design, name);
         }
@@ -481,6 +481,17 @@ fn fill<T>(key: &Key<T>, value: &DeValue<'_>, found: &str, design: &mut T) -> Re
         }
     }
     Ok(())
+}
+
+/// The name that a value is; where yes and no are to choose from, TOML's own `true` and `false` say them too.
+fn named<'a>(value: &'a DeValue<'_>, choices: &[&'a str]) -> Option<&'a str> {
+    match value {
+        DeValue::Boolean(answer) => {
+            let word = if *answer { "yes" } else { "no" };
+            choices.iter().find(|choice| **choice == word).copied()
+        }
+        _ => value.as_str(),
+    }
 }
 
 /// A number, whole or not; what no `f64` can hold becomes infinite and is then out of range.
