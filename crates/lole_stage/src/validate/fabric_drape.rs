@@ -83,7 +83,7 @@ const fn measured(
     }
 }
 
-/// Farthest that a coefficient may be from that of a plate with as many folds [points].
+/// Farthest that a coefficient may be from that of a plate with as many folds, in points.
 const POINTS: f64 = 2.0;
 /// Largest energy [%] by which that plate may lie above the lowest: with a fold more or less it is about the
 /// same, so cloth has several rests and takes one that is near where it came from.
