@@ -18,6 +18,8 @@ const UNFINISHED: &str = ".lole-unfinished";
 const LOCK: &str = "lock";
 /// A file in it that names the results, a line each, once all of them are whole: moving them has begun.
 const WHOLE: &str = "whole";
+/// The same while it is written.
+const LISTED: &str = "whole.part";
 /// A folder in it that keeps the results of the run before while they are replaced.
 const EARLIER: &str = "earlier";
 /// The longest list of results [byte].
@@ -161,7 +163,9 @@ impl OutputFolder {
     pub fn finish(mut self) -> Result<Vec<PathBuf>, Sentence> {
         let names = std::mem::take(&mut self.files);
         self.keep_earlier(&names)?;
-        self.write_whole(WHOLE, names.join("\n").as_bytes())?;
+        // The list appears at once: half of one would have half of the results moved.
+        self.write_whole(LISTED, names.join("\n").as_bytes())?;
+        replace(&self.unfinished.join(LISTED), &self.unfinished.join(WHOLE))?;
         sync_folder(&self.unfinished);
         for (index, name) in names.iter().enumerate() {
             let moved = replace(&self.unfinished.join(name), &self.folder.join(name));
@@ -301,6 +305,25 @@ mod tests {
         assert_eq!(fs::read_dir(&folder).unwrap().count(), 2);
         assert_eq!(fs::read(&outside).unwrap(), b"theirs");
         fs::remove_file(&outside).unwrap();
+        fs::remove_dir_all(&folder).unwrap();
+    }
+
+    #[test]
+    fn half_a_list_moves_nothing() {
+        let folder = scratch("half-list");
+        let killed = folder.join(format!("{UNFINISHED}-1"));
+        fs::create_dir_all(&killed).unwrap();
+        for name in ["first.pdf", "second.pdf"] {
+            fs::write(folder.join(name), b"old").unwrap();
+            fs::write(killed.join(name), b"new").unwrap();
+        }
+        // Killed after some letters of the list of both.
+        fs::write(killed.join(LISTED), "first.pdf\nsec").unwrap();
+        drop(OutputFolder::create(&folder).unwrap());
+        for name in ["first.pdf", "second.pdf"] {
+            assert_eq!(fs::read(folder.join(name)).unwrap(), b"old");
+        }
+        assert_eq!(fs::read_dir(&folder).unwrap().count(), 2);
         fs::remove_dir_all(&folder).unwrap();
     }
 
