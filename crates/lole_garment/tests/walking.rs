@@ -189,10 +189,10 @@ fn check_marked(pattern: &Pattern, seam: &Seam) -> Result<(), String> {
     check_ends(pattern, &seam.flat)?;
     check_ends(pattern, &seam.full)?;
     let (marks, end) = pins(pattern, &seam.flat);
-    // A mark that is there already stands in for one that would be 3 cm from it, at either end.
+    // A mark that is there already stands in for one that would be 2.5 cm from it, at either end.
     let (longest, apart) = match seam.kind {
-        SeamKind::Gathered => (0.12, 0.25 + 0.06),
-        SeamKind::Plain | SeamKind::Eased => (0.15, 0.40 + 0.06),
+        SeamKind::Gathered => (0.12, 0.25 + 0.05),
+        SeamKind::Plain | SeamKind::Eased => (0.15, 0.40 + 0.05),
     };
     if marks.is_empty() && longest < end {
         return Err(format!("{:.1} cm without a mark", end * 100.0));

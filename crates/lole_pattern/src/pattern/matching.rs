@@ -11,8 +11,9 @@ use crate::piece::{Finish, Mark, Piece};
 
 /// Marks nearer than this are one [m].
 const SAME: f64 = 1.0e-4;
-/// Marks between others keep this far from them [m]: nearer ones are mistaken for each other.
-const APART: f64 = 0.03;
+/// Marks between others keep this far from them [m]: nearer ones are mistaken for each other. One that is there
+/// already stands in for one that would be nearer, so marks lie up to twice this farther apart than wanted.
+const APART: f64 = 0.025;
 /// Seams shorter than these need no mark between their ends [m].
 const SHORT_GATHERS: f64 = 0.12;
 const SHORT_SEAM: f64 = 0.15;
