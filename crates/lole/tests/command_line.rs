@@ -4,51 +4,17 @@
     reason = "a test that cannot be set up has failed"
 )]
 
+mod support;
+
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
 use serde_json::Value;
+use support::{Scratch, lole};
 
 /// A skirt coarse enough that a run takes seconds; everything else as by default.
 const SMALL: &str = "lole = 1\n[skirt]\ncolumn_count = 96\nrow_count = 40\n";
-
-/// A scratch folder that is removed when the test ends.
-struct Scratch(PathBuf);
-
-impl Scratch {
-    fn new(name: &str) -> Self {
-        let folder = std::env::temp_dir().join(format!("lole-cli-{name}-{}", std::process::id()));
-        drop(fs::remove_dir_all(&folder));
-        fs::create_dir_all(&folder).unwrap();
-        Self(folder)
-    }
-
-    fn write(&self, name: &str, text: &str) -> PathBuf {
-        let path = self.0.join(name);
-        fs::write(&path, text).unwrap();
-        path
-    }
-
-    fn path(&self, name: &str) -> PathBuf {
-        self.0.join(name)
-    }
-}
-
-impl Drop for Scratch {
-    fn drop(&mut self) {
-        drop(fs::remove_dir_all(&self.0));
-    }
-}
-
-fn lole() -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_lole"));
-    command
-        .env("LANG", "en_US.UTF-8")
-        .env_remove("LC_ALL")
-        .env_remove("LC_MESSAGES");
-    command
-}
 
 fn dance(design: &Path, out: &Path, more: &[&str]) -> Output {
     let small = ["--cpu", "--seconds", "0.5", "--size", "128x72", "--json"];

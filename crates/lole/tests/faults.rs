@@ -9,39 +9,18 @@
 
 #[path = "../../lole_files/tests/failing_disk/mod.rs"]
 mod failing_disk;
+mod support;
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
 
 use failing_disk::{Mode, Seen, Shim, Trial, fill};
-
-/// A scratch folder that is removed when the test ends.
-struct Scratch(PathBuf);
-
-impl Scratch {
-    fn new(name: &str) -> Self {
-        let folder = std::env::temp_dir().join(format!("lole-{name}-{}", std::process::id()));
-        drop(fs::remove_dir_all(&folder));
-        fs::create_dir_all(&folder).unwrap();
-        Self(folder)
-    }
-}
-
-impl Drop for Scratch {
-    fn drop(&mut self) {
-        drop(fs::remove_dir_all(&self.0));
-    }
-}
+use support::{Scratch, in_english};
 
 fn lole(arguments: &[&str], paths: &[&Path]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_lole"));
-    command
-        .env("LANG", "en_US.UTF-8")
-        .env_remove("LC_ALL")
-        .env_remove("LC_MESSAGES")
-        .args(arguments)
-        .args(paths);
+    let mut command = support::lole();
+    command.args(arguments).args(paths);
     command
 }
 
@@ -114,16 +93,13 @@ fn a_folder_of_patterns_is_written_or_the_earlier_one_stays() {
 fn a_file_that_may_not_grow_is_one_sentence() {
     let scratch = Scratch::new("faults-limit");
     let out = scratch.0.join("out");
-    let output = Command::new("sh")
+    let output = in_english(Command::new("sh"))
         .args([
             "-c",
             "trap '' XFSZ; ulimit -f 8; exec \"$0\" form --out \"$1\"",
         ])
         .arg(env!("CARGO_BIN_EXE_lole"))
         .arg(out.join("form.pdf"))
-        .env("LANG", "en_US.UTF-8")
-        .env_remove("LC_ALL")
-        .env_remove("LC_MESSAGES")
         .output()
         .unwrap();
     let said = String::from_utf8_lossy(&output.stderr).into_owned();

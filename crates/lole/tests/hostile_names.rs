@@ -6,39 +6,21 @@
     reason = "a test that cannot be set up has failed"
 )]
 
+mod support;
+
 use std::collections::BTreeSet;
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::path::Path;
+use std::process::Output;
 
 use lole_language::is_unseen;
+use support::Scratch;
 
 /// A file may be called anything that holds no slash.
 const FILE: &str = "=cmd|<img src=x onerror=alert(1)>\"'&\u{1b}[2J\u{202e}\n  0\n) \\.lole";
 
-/// A scratch folder that is removed when the test ends.
-struct Scratch(PathBuf);
-
-impl Scratch {
-    fn new(name: &str) -> Self {
-        let folder = std::env::temp_dir().join(format!("lole-{name}-{}", std::process::id()));
-        drop(fs::remove_dir_all(&folder));
-        fs::create_dir_all(&folder).unwrap();
-        Self(folder)
-    }
-}
-
-impl Drop for Scratch {
-    fn drop(&mut self) {
-        drop(fs::remove_dir_all(&self.0));
-    }
-}
-
 fn lole(arguments: &[&str], paths: &[&Path], out: &Path) -> Output {
-    let output = Command::new(env!("CARGO_BIN_EXE_lole"))
-        .env("LANG", "en_US.UTF-8")
-        .env_remove("LC_ALL")
-        .env_remove("LC_MESSAGES")
+    let output = support::lole()
         .args(arguments)
         .args(paths)
         .arg("--out")

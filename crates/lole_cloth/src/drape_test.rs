@@ -125,30 +125,33 @@ impl RoundDrape {
         let shadow = 0.5 * doubled.abs() / PI - square;
         Hung {
             coefficient: shadow / whole,
-            folds: folds(hem),
+            folds: fold_count(hem.iter().map(|place| f64::from(place.y))),
         }
     }
 }
 
-/// How often a hem rises above its mean height and falls below, a tenth of its range apart.
-fn folds(hem: &[Vec3]) -> u32 {
-    let mean = hem.iter().map(|place| place.y).sum::<f32>() / hem.len() as f32;
-    let [low, high] = (hem.iter())
-        .fold([f32::INFINITY, f32::NEG_INFINITY], |[low, high], place| {
-            [low.min(place.y), high.max(place.y)]
-        });
+/// Folds of a hem by its heights [m], once around: how often it rises above its mean height and falls below, a
+/// tenth of its range apart.
+#[must_use]
+pub fn fold_count(heights: impl Iterator<Item = f64>) -> u32 {
+    let heights: Vec<f64> = heights.collect();
+    let mean = heights.iter().sum::<f64>() / heights.len() as f64;
+    let [low, high] = heights.iter().fold(
+        [f64::INFINITY, f64::NEG_INFINITY],
+        |[low, high], &height| [low.min(height), high.max(height)],
+    );
     let margin = 0.05 * (high - low);
     let (mut is_up, mut folds) = (None, 0);
     // Twice round, so that the first place does not matter.
-    for (index, place) in hem.iter().chain(hem).enumerate() {
-        let now = if mean + margin < place.y {
+    for (index, &height) in heights.iter().chain(&heights).enumerate() {
+        let now = if mean + margin < height {
             true
-        } else if place.y < mean - margin {
+        } else if height < mean - margin {
             false
         } else {
             continue;
         };
-        if hem.len() <= index && is_up == Some(false) && now {
+        if heights.len() <= index && is_up == Some(false) && now {
             folds += 1;
         }
         is_up = Some(now);

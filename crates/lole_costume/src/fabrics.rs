@@ -6,9 +6,10 @@
 //! A strip cut on the bias bends with `κ_uu = κ_vv = κ_uv = κ/2`, so its rigidity is
 //! `B_45 = (B_u + B_v + 2 B_t) / 4` and `B_t = 2 B_45 - (B_u + B_v) / 2`: derived wherever `B_45`
 //! was measured. Over the ten fabrics of Wang, O'Brien and Ramamoorthi 2011 that value is
-//! `√(B_u B_v)` on the mean (a test holds the figures), so that is the estimate for the others.
+//! `√(B_u B_v)` on the mean ([`PUBLISHED`]), so that is the estimate for the others.
 
 pub mod measure;
+mod published;
 mod shelf;
 pub mod touch;
 
@@ -16,6 +17,7 @@ use lole_cloth::{Fabric, Hysteresis};
 use lole_geom::narrow;
 
 pub use measure::{MeasureError, Measured, Overhang, Swatch};
+pub use published::{PUBLISHED, Published};
 pub use shelf::PRESETS;
 pub use touch::Touch;
 
@@ -192,33 +194,20 @@ pub(crate) fn si_fabric(figures: &FabricFigures) -> Fabric {
     }
 }
 
+/// Twist rigidity of a fabric by its bending rigidities at 0, 45 and 90 degrees, in their unit.
+#[must_use]
+pub fn twist_from_bias([warp, bias, weft]: [f64; 3]) -> f64 {
+    2.0 * bias - (warp + weft) / 2.0
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// Bending rigidity at 0, 45 and 90 degrees [µN·m], first curvature sample, of the ten fabrics
-    /// of Wang, O'Brien and Ramamoorthi 2011, "Data-Driven Elastic Models for Cloth".
-    const MEASURED_BENDING: [[f64; 3]; 10] = [
-        [14.0, 22.0, 20.0],
-        [52.0, 41.0, 31.0],
-        [23.0, 25.0, 14.0],
-        [60.0, 59.0, 51.0],
-        [125.0, 108.0, 125.0],
-        [59.0, 40.0, 46.0],
-        [117.0, 88.0, 60.0],
-        [46.0, 30.0, 32.0],
-        [36.0, 33.0, 37.0],
-        [64.0, 73.0, 97.0],
-    ];
-
-    fn twist_from_bias([warp, bias, weft]: [f64; 3]) -> f64 {
-        2.0 * bias - (warp + weft) / 2.0
-    }
-
     #[test]
     fn measured_twist_is_the_geometric_mean_of_the_bending_rigidities() {
-        let ratios = MEASURED_BENDING
-            .map(|rigidity| twist_from_bias(rigidity) / (rigidity[0] * rigidity[2]).sqrt());
+        let ratio = |bend: [f64; 3]| twist_from_bias(bend) / (bend[0] * bend[2]).sqrt();
+        let ratios = PUBLISHED.map(|fabric| ratio(fabric.bend));
         let mean = ratios.iter().sum::<f64>() / ratios.len() as f64;
         assert!((mean - 1.0).abs() < 0.05, "mean ratio {mean}");
     }
@@ -293,10 +282,10 @@ mod tests {
     #[test]
     fn derived_twists_follow_from_the_bias_strip() {
         for (id, rigidity) in [
-            ("barkcloth", MEASURED_BENDING[4]),
-            ("light-polyester", MEASURED_BENDING[0]),
-            ("jersey", MEASURED_BENDING[2]),
-            ("spandex", MEASURED_BENDING[3]),
+            ("barkcloth", PUBLISHED[4].bend),
+            ("light-polyester", PUBLISHED[0].bend),
+            ("jersey", PUBLISHED[2].bend),
+            ("spandex", PUBLISHED[3].bend),
         ] {
             let preset = Preset::from_id(id).unwrap();
             assert_eq!(preset.twist.provenance, Provenance::Derived, "{id}");

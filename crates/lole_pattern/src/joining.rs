@@ -208,24 +208,23 @@ impl Joint {
         let (japanese, english): (Vec<String>, Vec<String>) = (self.parts.iter())
             .map(|part| {
                 let count = part.cut.pieces();
-                let is_rectangle = part.drawing(1.0e-4).rectangle.is_some();
-                let [along, across] = size_on_cloth(part).map(|side| 100.0 * side);
-                match is_rectangle {
-                    true => (
-                        format!(
-                            "「{}」{count} 枚（耳に沿って {along:.1} cm、幅の方向に {across:.1} cm）",
-                            part.name.japanese
-                        ),
-                        format!(
-                            "{count} of {along:.1} cm along the selvage by {across:.1} cm ({})",
-                            part.name.english
-                        ),
-                    ),
-                    false => (
+                if part.drawing(1.0e-4).rectangle.is_none() {
+                    return (
                         format!("「{}」{count} 枚", part.name.japanese),
                         format!("{count} of the {}", part.name.english),
-                    ),
+                    );
                 }
+                let [along, across] = size_on_cloth(part).map(|side| 100.0 * side);
+                (
+                    format!(
+                        "「{}」{count} 枚（耳に沿って {along:.1} cm、幅の方向に {across:.1} cm）",
+                        part.name.japanese
+                    ),
+                    format!(
+                        "{count} of {along:.1} cm along the selvage by {across:.1} cm ({})",
+                        part.name.english
+                    ),
+                )
             })
             .unzip();
         Sentence::new(japanese.join("と"), english.join(" and "))

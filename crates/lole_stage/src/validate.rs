@@ -3,6 +3,7 @@
 //! A protocol is one file, one row of [`PROTOCOLS`]. It runs for every method that claims it; a
 //! method's gate is what it promises, and its limits say what keeps it from more.
 
+mod banded;
 mod beam;
 mod cantilever;
 mod capstan;

@@ -4,9 +4,9 @@
 
 use lole_geom::Length;
 use lole_language::{Sentence, Words, words};
-use lole_pattern::pattern::THREAD_PER_STITCH;
 use lole_pattern::pattern::{
     Amount, Notion, NotionKind, Pattern, Seam, SeamKind, SeamSide, Step, StepFigure,
+    THREAD_PER_STITCH,
 };
 use lole_pattern::piece::{Finish, Piece};
 

@@ -93,8 +93,8 @@ fn cut(draft: &PauDraft) -> Step {
             edges: vec![0, 1, 2, 3],
             marks: Vec::new(),
         },
-        // Measuring and cutting go along the edge about as fast.
         cuts: true,
+        // Measuring and cutting go along the edge about as fast.
         minutes: [10.0 + 2.0 * (across + up).to_m(); 2],
     }
 }
@@ -180,8 +180,8 @@ fn close(draft: &PauDraft) -> Step {
             "Sew the seam with half backstitches and overcast the raw edges.",
         )),
         figure: StepFigure::Seams(vec![CLOSING]),
-        // The seam, and both of its edges neatened.
         cuts: false,
+        // The seam, and both of its edges neatened.
         minutes: minutes(10.0, draft.cut_height * 3.0),
     }
 }

@@ -9,20 +9,17 @@
 use std::num::NonZeroU32;
 
 use glam::DVec3;
-use lole_cloth::{
-    BuildError, ClothSpec, Crossings, Fabric, Grid, Hysteresis, MassLaw, SelfCollision, Topology,
-};
+use lole_cloth::{BuildError, ClothSpec, Crossings, Fabric, SelfCollision};
 use lole_geom::trig64;
 
 use super::Check;
-use super::incline::cylinder;
+use super::incline::{self, SPACING, cylinder};
 use super::rig::{FRAME, GRAVITY, Rig, Subject, mean};
 
-/// Layers, rows of each, columns, and their distance [m].
+/// Layers, rows of each, and columns.
 const LAYERS: u32 = 3;
 const ROWS: u32 = 10;
 const COLUMNS: u32 = 5;
-const SPACING: f64 = 0.01;
 /// Half of the distance between layers [m].
 const RADIUS: f32 = 1.5e-3;
 /// Coefficients of friction, on the slope and between layers, and how far below their angles the slope is [°].
@@ -94,32 +91,15 @@ fn stack() -> Vec<DVec3> {
     places
 }
 
-#[expect(clippy::cast_possible_truncation, reason = "specifications are in f32")]
+/// The cloth of [`super::incline`], woven and stiff enough to fold.
 fn spec(friction: f64) -> ClothSpec {
-    let grid = Grid {
-        column_count: COLUMNS,
-        row_count: LAYERS * ROWS,
-        topology: Topology::Sheet,
-        spacing: [SPACING as f32; 2],
-        flounce: None,
-        crimp: None,
+    let mut spec = incline::spec(friction, [COLUMNS, LAYERS * ROWS]);
+    spec.fabric = Fabric {
+        stretch: [500.0; 2],
+        shear: 50.0,
+        bend: [1.0e-5; 2],
+        twist: 1.0e-5,
+        ..spec.fabric
     };
-    ClothSpec {
-        fabric: Fabric {
-            areal_density: 0.15,
-            thickness: 3.0e-4,
-            stretch: [500.0; 2],
-            shear: 50.0,
-            bend: [1.0e-5; 2],
-            twist: 1.0e-5,
-            hysteresis: Hysteresis::NONE,
-            friction: friction as f32,
-            cloth_friction: friction as f32,
-            drag_rate: 0.0,
-        },
-        row_layers: vec![1.0; grid.row_count as usize],
-        mass: MassLaw::Uniform,
-        pinned: vec![false; grid.particle_count()],
-        grid,
-    }
+    spec
 }

@@ -5,6 +5,7 @@
 //! takes every ray from the disc to the edge for a strip of its own, clamped level.
 
 use glam::DVec3;
+use lole_cloth::drape_test::fold_count;
 use lole_cloth::{BuildError, ClothSpec, Fabric, Grid, MassLaw, Topology};
 use lole_geom::trig64;
 
@@ -63,7 +64,7 @@ pub(super) fn run(subject: Subject) -> Result<Vec<Check>, BuildError> {
                 .unit("%")
                 .along(100.0 * length),
         );
-        let folds = f64::from(fold_count(&positions));
+        let folds = f64::from(fold_count(rim().map(|particle| positions[particle].y)));
         checks.push(Check::within(format!("{name}, folds"), folds, FOLDS));
         coefficients.push(found);
     }
@@ -134,35 +135,6 @@ fn outline(positions: &[DVec3]) -> Vec<f64> {
         }
     }
     rays
-}
-
-/// Folds of the hem: how often it rises above its mean height and falls below, a tenth of its
-/// range apart.
-fn fold_count(positions: &[DVec3]) -> u32 {
-    let heights: Vec<f64> = rim().map(|particle| positions[particle].y).collect();
-    let mean = heights.iter().sum::<f64>() / heights.len() as f64;
-    let [low, high] = heights.iter().fold(
-        [f64::INFINITY, f64::NEG_INFINITY],
-        |[low, high], &height| [low.min(height), high.max(height)],
-    );
-    let margin = 0.05 * (high - low);
-    let mut is_up = None;
-    let mut count = 0;
-    // Twice round, so that the first side does not matter.
-    for (index, height) in heights.iter().chain(&heights).enumerate() {
-        let now = if mean + margin < *height {
-            true
-        } else if *height < mean - margin {
-            false
-        } else {
-            continue;
-        };
-        if index >= heights.len() && is_up == Some(false) && now {
-            count += 1;
-        }
-        is_up = Some(now);
-    }
-    count
 }
 
 /// Particles of the hem, once around.

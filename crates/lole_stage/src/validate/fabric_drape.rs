@@ -6,82 +6,14 @@
 //! coefficient, and of one piece of cloth it differs from time to time by several points (Kenkare and others
 //! 2008), so what a plate of these figures does is what an elastic cloth can be held to.
 
+use lole_cloth::BuildError;
 use lole_cloth::drape_test::{Hung, RoundDrape};
-use lole_cloth::{BuildError, Fabric, Hysteresis};
+use lole_costume::fabrics::PUBLISHED;
 use rayon::iter::{IntoParallelIterator as _, ParallelIterator as _};
 
 use super::Check;
 use super::equilibrium::{Rest, Sheet};
 use super::rig::{GRAVITY, Subject};
-
-/// A fabric as it was measured.
-struct Measured {
-    /// What it is.
-    name: &'static str,
-    /// Mass per area [kg/m²].
-    density: f32,
-    /// Stretch along warp and weft, and shear [N/m].
-    membrane: [f32; 3],
-    /// Bending rigidity at 0, 45 and 90 degrees [µN·m].
-    bend: [f32; 3],
-}
-
-const FABRICS: [Measured; 10] = [
-    measured(
-        "polyester jacket",
-        0.113,
-        [43.0, 171.0, 14.0],
-        [14.0, 22.0, 20.0],
-    ),
-    measured(
-        "polyester tablecloth",
-        0.128,
-        [2002.0, 2027.0, 19.0],
-        [52.0, 41.0, 31.0],
-    ),
-    measured(
-        "cotton interlock",
-        0.187,
-        [17.0, 34.0, 37.0],
-        [23.0, 25.0, 14.0],
-    ),
-    measured("swimwear", 0.204, [48.0, 105.0, 61.0], [60.0, 59.0, 51.0]),
-    measured(
-        "woven trousers",
-        0.220,
-        [2017.0, 2035.0, 105.0],
-        [125.0, 108.0, 125.0],
-    ),
-    measured(
-        "polyester knit",
-        0.224,
-        [12.0, 3.0, 18.0],
-        [59.0, 40.0, 46.0],
-    ),
-    measured(
-        "polyester blanket",
-        0.228,
-        [152.0, 245.0, 30.0],
-        [117.0, 88.0, 60.0],
-    ),
-    measured("rib knit", 0.276, [43.0, 65.0, 83.0], [46.0, 30.0, 32.0]),
-    measured("ponte knit", 0.284, [31.0, 44.0, 32.0], [36.0, 33.0, 37.0]),
-    measured("denim", 0.324, [205.0, 1014.0, 53.0], [64.0, 73.0, 97.0]),
-];
-
-const fn measured(
-    name: &'static str,
-    density: f32,
-    membrane: [f32; 3],
-    bend: [f32; 3],
-) -> Measured {
-    Measured {
-        name,
-        density,
-        membrane,
-        bend,
-    }
-}
 
 /// Farthest that a coefficient may be from that of a plate with as many folds, in points.
 const POINTS: f64 = 2.0;
@@ -91,28 +23,10 @@ const ENERGY: f64 = 6.0;
 /// Folds of one of which the lowest plate begins.
 const CANDIDATES: std::ops::RangeInclusive<u32> = 4..=6;
 
-impl Measured {
-    fn fabric(&self) -> Fabric {
-        let [warp, bias, weft] = self.bend.map(|bend| 1.0e-6 * bend);
-        Fabric {
-            areal_density: self.density,
-            thickness: 3.0e-4,
-            stretch: [self.membrane[0], self.membrane[1]],
-            shear: self.membrane[2],
-            bend: [warp, weft],
-            twist: 2.0 * bias - 0.5 * (warp + weft),
-            hysteresis: Hysteresis::NONE,
-            friction: 0.0,
-            cloth_friction: 0.0,
-            drag_rate: 0.0,
-        }
-    }
-}
-
 /// For the real-time method: specimens are of triangles, which the reference has none of.
 pub(super) fn run(_: Subject) -> Result<Vec<Check>, BuildError> {
     let mut checks = Vec::new();
-    for measured in &FABRICS {
+    for measured in &PUBLISHED {
         let fabric = measured.fabric();
         // What is no cloth has no figures, which pass no gate.
         let nothing = Hung {

@@ -15,7 +15,7 @@ use super::rig::{FRAME, GRAVITY, Rig, Subject, mean};
 /// Columns across the cylinder, rows along it, and their distance [m].
 const COLUMNS: u32 = 3;
 const ROWS: u32 = 8;
-const SPACING: f64 = 0.01;
+pub(super) const SPACING: f64 = 0.01;
 /// Radius of the cylinder [m]: the outer columns lie at 0.01 radians, where the normal force is
 /// less by 5e-5. A larger one would round the depths of the real-time method.
 const RADIUS: f32 = 1.0;
@@ -111,7 +111,7 @@ fn patch(subject: Subject, friction: f64) -> Result<Rig, BuildError> {
             })
         })
         .collect();
-    let rig = Rig::new(subject, &spec(friction), &start)?;
+    let rig = Rig::new(subject, &spec(friction, [COLUMNS, ROWS]), &start)?;
     Ok(rig.with_capsules(&[cylinder(0.0)]).with_substeps(SUBSTEPS))
 }
 
@@ -123,11 +123,12 @@ pub(super) fn cylinder(shift: f64) -> Capsule {
     Capsule::uniform(center - half, center + half, RADIUS)
 }
 
+/// Loose cloth of so many columns and rows without bending.
 #[expect(clippy::cast_possible_truncation, reason = "specifications are in f32")]
-fn spec(friction: f64) -> ClothSpec {
+pub(super) fn spec(friction: f64, [column_count, row_count]: [u32; 2]) -> ClothSpec {
     let grid = Grid {
-        column_count: COLUMNS,
-        row_count: ROWS,
+        column_count,
+        row_count,
         topology: Topology::Sheet,
         spacing: [SPACING as f32; 2],
         flounce: None,

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use eframe::egui::Key;
+use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use lole_costume::document::{Design, GarmentDesign};
 use lole_costume::roster;
@@ -26,6 +27,21 @@ fn studio(tab: Tab) -> Studio {
     studio
 }
 
+/// A window in which the first film is being made and the second waits.
+fn with_two_films() -> Harness<'static, Studio> {
+    let mut window = window(studio(Tab::Cutting));
+    let piece = |number, stage| Piece {
+        number,
+        product: Product::Film,
+        path: PathBuf::from("hula.mp4"),
+        stage,
+    };
+    let pieces = &mut window.state_mut().making.pieces;
+    *pieces = vec![piece(1, Stage::Working(0.4)), piece(2, Stage::Waiting)];
+    window.run_steps(3);
+    window
+}
+
 #[test]
 fn every_product_is_asked_for_with_its_place() {
     let mut window = window(studio(Tab::Cutting));
@@ -45,16 +61,7 @@ fn every_product_is_asked_for_with_its_place() {
 
 #[test]
 fn a_product_can_be_called_off_and_once_done_its_folder_opened() {
-    let mut window = window(studio(Tab::Cutting));
-    let piece = |number, stage| Piece {
-        number,
-        product: Product::Film,
-        path: PathBuf::from("hula.mp4"),
-        stage,
-    };
-    let pieces = &mut window.state_mut().making.pieces;
-    *pieces = vec![piece(1, Stage::Working(0.4)), piece(2, Stage::Waiting)];
-    window.run_steps(3);
+    let mut window = with_two_films();
     click(&mut window, "Cancel 2");
     click(&mut window, "Cancel 1");
     let requests = window.state_mut().take_requests();
@@ -102,7 +109,7 @@ fn a_file_is_chosen_from_a_list_without_any_other_program() {
     window.get_by_label("no window");
     // The name that is to be written stays while folders are looked into.
     click(&mut window, "red");
-    let path = |window: &egui_kittest::Harness<'static, Studio>| {
+    let path = |window: &Harness<'static, Studio>| {
         PathBuf::from(&window.state().question.as_ref().unwrap().path)
     };
     assert_eq!(path(&window), Path::new("/silk/red/hula.lole"));
@@ -167,16 +174,7 @@ fn the_first_page_comes_back_when_its_question_is_given_up_and_goes_with_a_desig
 
 #[test]
 fn what_is_called_off_says_so_at_once() {
-    let mut window = window(studio(Tab::Cutting));
-    let piece = |number, stage| Piece {
-        number,
-        product: Product::Film,
-        path: PathBuf::from("hula.mp4"),
-        stage,
-    };
-    let pieces = &mut window.state_mut().making.pieces;
-    *pieces = vec![piece(1, Stage::Working(0.4)), piece(2, Stage::Waiting)];
-    window.run_steps(3);
+    let mut window = with_two_films();
     click(&mut window, "Cancel 2");
     window.get_by_label("Called off; nothing was written.");
     click(&mut window, "Cancel 1");
