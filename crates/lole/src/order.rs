@@ -96,7 +96,7 @@ pub(crate) fn run_order(args: &OrderArgs, language: Language) -> Result<(), Fail
         output.write(name, bytes).map_err(Failure::error)?;
     }
     let paths = output.finish().map_err(Failure::error)?;
-    let stayed = tidy(&args.out, &left_behind(&earlier, &folder.json));
+    let stayed = output::tidy(&args.out, &left_behind(&earlier, &folder.json));
     if args.json {
         summary::print_json(&folder.json);
     } else {
@@ -123,22 +123,6 @@ fn nobody(group: &Group, list: &Path) -> Failure {
         return Failure::error(sentence);
     }
     Failure::usage(sentence)
-}
-
-/// Removes what an earlier order wrote and this one did not; tells of what cannot be removed.
-fn tidy(folder: &Path, names: &[String]) -> Option<Sentence> {
-    let stays = |name: &&String| {
-        let path = folder.join(name);
-        std::fs::remove_file(&path).is_err() && path.exists()
-    };
-    let names: Vec<&str> = names.iter().filter(stays).map(String::as_str).collect();
-    (!names.is_empty()).then(|| {
-        let names = names.join(", ");
-        Sentence::new(
-            format!("前の注文のファイルが消せません。使わないでください: {names}"),
-            format!("files of an earlier order cannot be removed; do not use them: {names}"),
-        )
-    })
 }
 
 /// A bar for so many dancers.

@@ -7,7 +7,8 @@ use lole_costume::document::Place;
 use lole_costume::tailoring::{self, ClothPlan, GarmentPattern};
 use lole_export::booklet::amount_words;
 use lole_export::cutting::{
-    CutGarment, PatternParts, masses, pattern_folder, short_words, used_words,
+    CutGarment, PATTERN_JSON, PatternParts, left_behind, masses, pattern_folder, short_words,
+    used_words,
 };
 use lole_export::pdf::Paper;
 use lole_language::{Bilingual as _, Language, Sentence, Words};
@@ -70,14 +71,17 @@ pub(crate) fn run(args: &PatternArgs, language: Language) -> Result<(), Failure>
     for (name, bytes) in &files {
         output.write(name, bytes).map_err(Failure::error)?;
     }
+    let earlier = std::fs::read(args.out.join(PATTERN_JSON)).unwrap_or_default();
     let paths = output.finish().map_err(Failure::error)?;
+    // Sheets of the costume before would be taken for this one's.
+    let stayed = output::tidy(&args.out, &left_behind(&earlier, &files));
     if args.json {
-        let json = files.iter().find(|(name, _)| name == "pattern.json");
+        let json = files.iter().find(|(name, _)| name == PATTERN_JSON);
         let text = json.map_or("".into(), |(_, bytes)| String::from_utf8_lossy(bytes));
         summary::print_json(&text);
     } else {
         let purchases: Vec<Sentence> = cuts.iter().flat_map(purchases).collect();
-        let warnings: Vec<Sentence> = cuts.iter().flat_map(warnings).collect();
+        let warnings: Vec<Sentence> = cuts.iter().flat_map(warnings).chain(stayed).collect();
         summary::print_pattern(&paths, &purchases, &warnings, language);
     }
     Ok(())

@@ -80,3 +80,26 @@ fn what_cannot_be_drafted_is_one_sentence_with_its_place_and_writes_nothing() {
         assert!(!out.exists(), "{said}");
     }
 }
+
+#[test]
+fn sheets_of_the_costume_before_go() {
+    let scratch = Scratch::new("pattern-again");
+    let out = scratch.path("out");
+    let worn = ["[[garment]]\nkind = \"blouse\"\n", ""];
+    let [before, after] = worn.map(|more| {
+        let design = scratch.write("costume.lole", &format!("lole = 1\n{more}"));
+        assert_eq!(pattern(&design, &out, &[]).status.code(), Some(0));
+        let names = fs::read_dir(&out)
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name());
+        names.collect::<Vec<_>>()
+    });
+    let is_of_blouse = |name: &&std::ffi::OsString| name.to_string_lossy().starts_with("blouse");
+    assert!(before.iter().any(|name| is_of_blouse(&name)), "{before:?}");
+    assert!(!after.iter().any(|name| is_of_blouse(&name)), "{after:?}");
+    // What patterns did not write stays.
+    fs::write(out.join("blouse notes.txt"), "mine").unwrap();
+    let design = scratch.write("costume.lole", "lole = 1\n");
+    assert_eq!(pattern(&design, &out, &[]).status.code(), Some(0));
+    assert!(out.join("blouse notes.txt").exists());
+}

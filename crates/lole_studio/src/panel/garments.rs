@@ -124,7 +124,6 @@ fn garment_ui(ui: &mut Ui, studio: &mut Studio, place: usize, garment: &GarmentD
     }
 }
 
-/// Whether a garment of the list is cut from cloth: leaves and flowers are not.
 /// The first thing that is worn of cloth: `Some(None)` is the skirt, else a place in the list.
 pub(crate) fn first_of_cloth(studio: &Studio) -> Option<Option<usize>> {
     let design = studio.design();
@@ -135,6 +134,7 @@ pub(crate) fn first_of_cloth(studio: &Studio) -> Option<Option<usize>> {
     places.find(|place| is_of_cloth(studio, *place)).map(Some)
 }
 
+/// Whether a garment of the list is cut from cloth: leaves and flowers are not.
 pub(super) fn is_of_cloth(studio: &Studio, place: usize) -> bool {
     let paper = studio.paper.as_ref();
     let on_paper = paper.and_then(|paper| paper.garment(Some(place), studio.design()));
