@@ -83,8 +83,11 @@ pub(crate) fn find(
     for (piece, state) in pieces.iter().zip(&*states) {
         state.copy_positions(piece, &mut one);
         contacts.positions.extend_from_slice(&one);
-        state.copy_velocities(piece, &mut one);
-        contacts.velocities.extend_from_slice(&one);
+        // A piece alone closes in on nothing: its folds move together.
+        if 1 < pieces.len() {
+            state.copy_velocities(piece, &mut one);
+            contacts.velocities.extend_from_slice(&one);
+        }
         let is_tangled = match state {
             PieceState::Grid(state) => &state.scratch.crossing_repair.is_tangled,
             PieceState::Mesh(state) => &state.scratch.crossing_repair.is_tangled,
@@ -92,7 +95,11 @@ pub(crate) fn find(
         contacts.is_tangled.extend_from_slice(is_tangled);
         contacts.is_tangled.resize(contacts.positions.len(), false);
     }
-    contacts.find(faces, &meetings, dt);
+    let level = pieces
+        .first()
+        .map(|piece| config_of(piece).instruction_set)?
+        .level();
+    contacts.find(level, faces, &meetings, dt);
     Some(interval)
 }
 

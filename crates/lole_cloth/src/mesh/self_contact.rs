@@ -48,7 +48,8 @@ pub(crate) fn find(model: &MeshModel, config: &SolverConfig, state: &mut MeshSta
     contacts
         .is_tangled
         .clone_from(&scratch.crossing_repair.is_tangled);
-    contacts.find(&model.faces, &[meeting(model, config)], dt);
+    let level = config.instruction_set.level();
+    contacts.find(level, &model.faces, &[meeting(model, config)], dt);
 }
 
 /// Keeps what was parted in earlier steps apart in a substep of `h` [s].

@@ -1,15 +1,16 @@
 //! Which vertices and triangles may touch in a step.
 
+use fearless_simd::{Level, Simd, dispatch, f32x16, prelude::*};
 use glam::Vec3;
 use lole_geom::triangle_grid::{blend, nearest_barycentric};
 
 use super::faces::{FaceParticle, Faces};
-use super::{Body, FaceContacts, Meeting, Pair, is_beyond};
+use super::{Body, FaceContacts, Meeting, Pair};
 use crate::collision::crossing::crossing_point;
 use crate::collision::face_contact::faces::ABSENT;
-use crate::collision::grid::CellGrid;
+use crate::collision::grid::{CellGrid, each_hit};
 use crate::collision::parting::DEGENERATE_SQUARED;
-use crate::lanes::narrow;
+use crate::lanes::{LANES, Vectors, narrow};
 
 /// How far beyond touching candidates are kept [diameters]: folds move together, so what one gains
 /// on another in a step is far less than its speed.
@@ -31,6 +32,9 @@ const FLAT_SHARE: f32 = 0.8;
 /// and what lies this much farther apart for every meter of cloth from the pins.
 const PINNED_SHARE: f32 = 0.9;
 const PINNED_OPENING: f32 = 0.06;
+
+/// Edge of a cell, in distances at which a vertex is looked for, or in edges of triangles where those are longer.
+const CELL_REACHES: f32 = 2.0;
 
 /// Room for one search.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -69,7 +73,7 @@ impl FaceContacts {
 
     /// Finds the candidates of a step of `dt` [s], by piece as `meetings` say, with every particle at
     /// `positions`. Where cloth has blown up there are none.
-    pub(crate) fn find(&mut self, faces: &Faces, meetings: &[Meeting], dt: f32) {
+    pub(crate) fn find(&mut self, level: Level, faces: &Faces, meetings: &[Meeting], dt: f32) {
         self.clear();
         let radii = meetings.iter().filter_map(|meeting| meeting.radius);
         let widest = 2.0 * radii.fold(0.0, f32::max);
@@ -77,8 +81,9 @@ impl FaceContacts {
             return;
         }
         let reach = widest * (1.0 + MARGIN);
-        self.cells
-            .sort(&self.positions, reach.max(faces.edge_length));
+        // A triangle looks around in rows of cells, and sixteen of a row take no longer than one.
+        let cell = CELL_REACHES * reach.max(faces.edge_length);
+        self.cells.sort(&self.positions, cell);
         let search = Search {
             faces,
             meetings,
@@ -87,7 +92,8 @@ impl FaceContacts {
             is_tangled: &self.is_tangled,
             cells: &self.cells,
         };
-        search.collect(&mut self.room);
+        let room = &mut self.room;
+        dispatch!(level, simd => search.collect(simd, room));
         search.leave_tangles(&mut self.room);
         self.keep_nearest(faces, meetings);
     }
@@ -151,7 +157,10 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    fn collect(&self, room: &mut Room) {
+    #[inline(always)]
+    fn collect<S: Simd>(&self, simd: S, room: &mut Room) {
+        let radii = self.meetings.iter().filter_map(|meeting| meeting.radius);
+        let widest = radii.fold(0.0, f32::max);
         room.candidates.clear();
         room.normals.clear();
         room.normals.resize(self.positions.len(), Vec3::ZERO);
@@ -163,7 +172,13 @@ impl Search<'_> {
             for &corner in corners {
                 room.normals[corner as usize] += normal;
             }
-            self.look_around(triangle, [a, b, c], room);
+            let piece = self.faces.particles[corners[0] as usize].piece as usize;
+            if let Some(radius) = self.meetings[piece].radius {
+                let reach =
+                    (radius + widest) * (1.0 + MARGIN) + self.motions.most_closing(*corners);
+                let near = NearTriangle::new([a, b, c], reach);
+                self.look_around(simd, (triangle, radius), &near, room);
+            }
         }
     }
 
@@ -215,38 +230,38 @@ impl Search<'_> {
     }
 
     /// Adds the vertices near a triangle.
-    fn look_around(&self, triangle: u32, places: [Vec3; 3], room: &mut Room) {
-        let corners = self.faces.triangles[triangle as usize];
-        let piece = self.faces.particles[corners[0] as usize].piece as usize;
-        let Some(radius) = self.meetings[piece].radius else {
-            return;
-        };
-        for corner in corners {
+    #[inline(always)]
+    fn look_around<S: Simd>(
+        &self,
+        simd: S,
+        (triangle, radius): (u32, f32),
+        near: &NearTriangle,
+        room: &mut Room,
+    ) {
+        for corner in self.faces.triangles[triangle as usize] {
             room.stamps[corner as usize] = triangle;
             for &neighbor in self.faces.ring(corner) {
                 room.stamps[neighbor as usize] = triangle;
             }
         }
-        let widest =
-            (self.meetings.iter().filter_map(|meeting| meeting.radius)).fold(0.0, f32::max);
-        let reach = (radius + widest) * (1.0 + MARGIN) + self.motions.most_closing(corners);
-        let [a, b, c] = places;
-        let bounds = [a.min(b).min(c) - reach, a.max(b).max(c) + reach];
-        self.cells.runs_within(bounds, |run| {
-            for entry in run {
-                let particle = self.cells.entries[entry].particle;
-                if room.stamps[particle as usize] == triangle
-                    || is_beyond(self.cells.position(entry), places, reach)
-                {
-                    continue;
+        self.cells.runs_within(near.bounds(), |run| {
+            for from in run.clone().step_by(LANES) {
+                let hits = near.hits(simd, self.cells, from);
+                let entries = each_hit(hits, run.end - from);
+                let particles = entries.map(|place| self.cells.entries[from + place].particle);
+                for particle in particles {
+                    let is_beside = room.stamps[particle as usize] == triangle;
+                    let found = (!is_beside)
+                        .then(|| self.candidate((particle, triangle), near.corners, radius));
+                    room.candidates.extend(found.flatten());
                 }
-                let candidate = self.candidate((particle, triangle), places, radius);
-                room.candidates.extend(candidate);
             }
         });
     }
 
-    /// A vertex and a triangle, unless they are too far apart or do not meet.
+    /// A vertex and a triangle, unless they are too far apart or do not meet. Not inlined into vector code: it
+    /// would change kinds of instructions.
+    #[inline(never)]
     fn candidate(
         &self,
         (vertex, triangle): (u32, u32),
@@ -318,6 +333,58 @@ impl Search<'_> {
             }
         }
         allowed
+    }
+}
+
+/// A triangle and what is certainly too far from it.
+struct NearTriangle {
+    corners: [Vec3; 3],
+    reach: f32,
+    /// Twice its area along its normal [m²].
+    normal: Vec3,
+    /// The mean of its corners, and how far from there anything may lie [m].
+    middle: Vec3,
+    radius: f32,
+}
+
+impl NearTriangle {
+    /// Of what is at most `reach` [m] from it.
+    fn new([a, b, c]: [Vec3; 3], reach: f32) -> Self {
+        let middle = (a + b + c) / 3.0;
+        let squares = [a, b, c].map(|corner| corner.distance_squared(middle));
+        Self {
+            corners: [a, b, c],
+            reach,
+            normal: (b - a).cross(c - a),
+            middle,
+            radius: squares.into_iter().fold(0.0, f32::max).sqrt() + reach,
+        }
+    }
+
+    fn bounds(&self) -> [Vec3; 2] {
+        let [a, b, c] = self.corners;
+        [a.min(b).min(c) - self.reach, a.max(b).max(c) + self.reach]
+    }
+
+    /// Which of sixteen entries may be near enough, by bits: by their distance from its plane and its middle.
+    #[inline(always)]
+    fn hits<S: Simd>(&self, simd: S, cells: &CellGrid, from: usize) -> u64 {
+        let [x, y, z] = &cells.coordinates;
+        let lanes = from..from + LANES;
+        let entries = Vectors {
+            x: f32x16::from_slice(simd, &x[lanes.clone()]),
+            y: f32x16::from_slice(simd, &y[lanes.clone()]),
+            z: f32x16::from_slice(simd, &z[lanes]),
+        };
+        let splat = |value: f32| f32x16::splat(simd, value);
+        let from_middle = entries.sub(Vectors::splat(simd, self.middle));
+        let height = from_middle.dot(Vectors::splat(simd, self.normal));
+        let is_round = from_middle
+            .dot(from_middle)
+            .simd_le(splat(self.radius * self.radius));
+        let limit = self.reach * self.reach * self.normal.length_squared();
+        let is_level = (height * height).simd_le(splat(limit));
+        is_round.to_bitmask() & is_level.to_bitmask()
     }
 }
 
