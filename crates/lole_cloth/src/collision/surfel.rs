@@ -106,15 +106,6 @@ pub(crate) struct Skin<'a> {
     pub(crate) offset: f32,
 }
 
-impl Skin<'_> {
-    /// Where a surfel is in the middle of the step [m].
-    #[inline(always)]
-    fn middle(&self, surfel: u32) -> Vec3 {
-        let surfel = surfel as usize;
-        (self.before[surfel].position + self.after[surfel].position) * 0.5
-    }
-}
-
 /// The cloth at the start of a step.
 #[derive(Clone, Copy)]
 pub(crate) struct Cloth<'a> {

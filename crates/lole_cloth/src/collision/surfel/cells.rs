@@ -64,7 +64,9 @@ pub(crate) struct SurfelCells {
     starts: Vec<u32>,
     /// Which surfels there are, by cell and in their order.
     entries: Vec<u32>,
-    unsorted: Vec<u32>,
+    /// By surfel, its place among the entries; [`NO_PLACE`] of what is far.
+    places: Vec<u32>,
+    unsorted: Vec<Unsorted>,
     /// Where each of the entries is in the middle of the step, by axis [m], and a vector beyond the
     /// last.
     coordinates: [Vec<f32>; 3],
@@ -73,6 +75,18 @@ pub(crate) struct SurfelCells {
     nearness: Nearness,
     mean_motion: Vec3,
     spread: f32,
+}
+
+/// Place of a surfel that is far from the cloth.
+const NO_PLACE: u32 = u32::MAX;
+
+/// A surfel near the cloth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Unsorted {
+    surfel: u32,
+    cell: u32,
+    /// Where it is in the middle of the step [m].
+    middle: Vec3,
 }
 
 /// The nearest surfel so far.
@@ -90,6 +104,7 @@ impl SurfelCells {
         size_of_val(self.starts.as_slice())
             + size_of_val(self.entries.as_slice())
             + size_of_val(self.unsorted.as_slice())
+            + size_of_val(self.places.as_slice())
             + 3 * size_of_val(self.coordinates[0].as_slice())
             + size_of_val(self.sectors.as_slice())
             + self.nearness.byte_count()
@@ -109,12 +124,7 @@ impl SurfelCells {
     /// it would change kinds of instructions.
     #[inline(never)]
     pub(crate) fn sort(&mut self, skin: Skin<'_>, [low, high]: [Vec3; 2], reach: f32) {
-        self.choose(skin, [low - reach, high + reach]);
-        let start = (Vec3::INFINITY, Vec3::NEG_INFINITY);
-        let (low, high) = (self.unsorted.iter()).fold(start, |(low, high), &surfel| {
-            let middle = skin.middle(surfel);
-            (low.min(middle), high.max(middle))
-        });
+        let [low, high] = self.choose(skin, [low - reach, high + reach]);
         // Empty cells all around, so that what may come near lies in one.
         self.low = low - FARTHEST as f32 * CELL;
         self.counts = if self.unsorted.is_empty() {
@@ -126,8 +136,10 @@ impl SurfelCells {
         self.starts.clear();
         self.starts
             .resize(usize::try_from(cell_count).unwrap_or(0) + 1, 0);
-        for &surfel in &self.unsorted {
-            let cell = self.cell_index(skin.middle(surfel));
+        let mut unsorted = std::mem::take(&mut self.unsorted);
+        for one in &mut unsorted {
+            let cell = self.cell_index(one.middle);
+            one.cell = narrow(cell);
             self.starts[cell + 1] += 1;
         }
         let mut sum = 0;
@@ -136,23 +148,26 @@ impl SurfelCells {
             *start = sum;
         }
         self.entries.clear();
-        self.entries.resize(self.unsorted.len(), 0);
+        self.entries.resize(unsorted.len(), 0);
+        self.places.clear();
+        self.places.resize(skin.after.len(), NO_PLACE);
         for column in &mut self.coordinates {
             column.clear();
-            column.resize(self.unsorted.len() + LANES, f32::INFINITY);
+            column.resize(unsorted.len() + LANES, f32::INFINITY);
         }
         // Backwards: the start of the next cell is counted down to the start of this one.
-        for &surfel in self.unsorted.iter().rev() {
-            let middle = skin.middle(surfel);
-            let cell = self.cell_index(middle);
-            let end = &mut self.starts[cell + 1];
+        for one in unsorted.iter().rev() {
+            let end = &mut self.starts[one.cell as usize + 1];
             *end -= 1;
-            let place = *end as usize;
-            self.entries[place] = surfel;
+            let place = *end;
+            self.places[one.surfel as usize] = place;
+            let place = place as usize;
+            self.entries[place] = one.surfel;
             for (axis, column) in self.coordinates.iter_mut().enumerate() {
-                column[place] = middle[axis];
+                column[place] = one.middle[axis];
             }
         }
+        self.unsorted = unsorted;
         self.starts.remove(0);
         self.starts.push(narrow(self.unsorted.len()));
         self.nearness.set(self.counts, &self.starts);
@@ -164,29 +179,36 @@ impl SurfelCells {
         self.sectors.extend(normals.map(Sectors::of));
     }
 
-    /// Takes those in the box, and how they move.
-    fn choose(&mut self, skin: Skin<'_>, [low, high]: [Vec3; 2]) {
+    /// Takes those in the box, and how they move; the box around them in the middle of the step.
+    fn choose(&mut self, skin: Skin<'_>, [low, high]: [Vec3; 2]) -> [Vec3; 2] {
         self.unsorted.clear();
         let mut sum = Vec3::ZERO;
-        for ((index, before), after) in (0u32..).zip(skin.before).zip(skin.after) {
+        let mut around = [Vec3::INFINITY, Vec3::NEG_INFINITY];
+        for ((surfel, before), after) in (0u32..).zip(skin.before).zip(skin.after) {
             if before.is_withdrawn() || after.is_withdrawn() {
                 continue;
             }
             let middle = (before.position + after.position) * 0.5;
             if middle.cmpge(low).all() && middle.cmple(high).all() {
-                self.unsorted.push(index);
+                self.unsorted.push(Unsorted {
+                    surfel,
+                    cell: 0,
+                    middle,
+                });
                 sum += after.position - before.position;
+                around = [around[0].min(middle), around[1].max(middle)];
             }
         }
         #[expect(clippy::cast_precision_loss, reason = "surfels are fewer than 2^24")]
         let count = self.unsorted.len().max(1) as f32;
         self.mean_motion = sum / count;
-        let spread = self.unsorted.iter().map(|&index| {
-            let index = index as usize;
+        let spread = self.unsorted.iter().map(|one| {
+            let index = one.surfel as usize;
             let motion = skin.after[index].position - skin.before[index].position;
             (motion - self.mean_motion).length_squared()
         });
         self.spread = spread.fold(0.0, f32::max).sqrt();
+        around
     }
 
     /// Rounded down by cutting off, which is quick, and is the same from where it is positive on.
@@ -216,19 +238,19 @@ impl SurfelCells {
     }
 
     /// The surfel nearest to `point` within `reach` [m], by its place among the entries; of equals
-    /// the first. `hint` is one that may be it: a near one saves work and changes nothing.
+    /// the first. `hints` may be it: near ones save work and change nothing.
     #[inline(always)]
     pub(crate) fn nearest<S: Simd>(
         &self,
         simd: S,
         point: Vec3,
         reach: f32,
-        hint: Option<usize>,
+        hints: [Option<usize>; 2],
     ) -> Option<usize> {
         if !self.may_reach(point, reach) {
             return None;
         }
-        let place = self.nearer(point, reach, [hint, None]);
+        let place = self.nearer(point, reach, hints);
         let squared = place.map_or(reach * reach, |place| {
             point.distance_squared(self.position(place))
         });
@@ -385,6 +407,12 @@ impl SurfelCells {
     pub(crate) fn position(&self, place: usize) -> Vec3 {
         let [x, y, z] = &self.coordinates;
         Vec3::new(x[place], y[place], z[place])
+    }
+
+    /// The place of a surfel among the entries; `None` of what is far from the cloth.
+    pub(crate) fn place_of(&self, surfel: u32) -> Option<usize> {
+        let place = self.places.get(surfel as usize).copied();
+        Some(place.filter(|&place| place != NO_PLACE)? as usize)
     }
 
     /// Which surfel is at a place among the entries.

@@ -40,6 +40,8 @@ struct Part {
     rows: Range<usize>,
     /// In the order of the rows.
     near: Vec<Near>,
+    /// In the same order, the surfel that was the nearest in the search before, counted from 1, or 0.
+    last: Vec<u32>,
     facings: Facings,
     slots: Vec<(usize, usize)>,
 }
@@ -54,7 +56,9 @@ impl SurfelSearch {
     /// Memory that it holds [byte].
     pub(super) fn byte_count(&self) -> usize {
         let parts = self.parts.iter();
-        let sizes = parts.map(|part| size_of_val(&part.near[..]) + part.facings.byte_count());
+        let sizes = parts.map(|part| {
+            size_of_val(&part.near[..]) + size_of_val(&part.last[..]) + part.facings.byte_count()
+        });
         sizes.sum()
     }
 
@@ -113,6 +117,12 @@ impl Part {
             self.find_nearest(simd, start, cells, encounter);
             self.find_opposite(start, cells, encounter);
         }
+        self.last.clear();
+        let surfel = |near: &Near| {
+            let place = near.nearest.get();
+            place.map_or(0, |place| narrow(cells.surfel(place) + 1))
+        };
+        self.last.extend(self.near.iter().map(surfel));
     }
 
     /// Searches for every particle of a row, or, where they lie close together, for every second one:
@@ -127,12 +137,14 @@ impl Part {
     ) {
         let is_dense = encounter.cloth.spacing < CLOSE;
         let row = &mut self.near[start..];
-        // A neighbor's surfel is near, if not the nearest.
+        // A neighbor's surfel is near, and so is its own of the search before, if not the nearest.
         let mut hint = None;
-        let slots = self.slots.iter().zip(row.iter_mut());
-        for (&slot, near) in slots.step_by(if is_dense { 2 } else { 1 }) {
+        let slots = (start..).zip(&self.slots).zip(row.iter_mut());
+        for ((index, &slot), near) in slots.step_by(if is_dense { 2 } else { 1 }) {
             let (middle, reach) = encounter.flight(slot, cells);
-            hint = cells.nearest(simd, middle, reach, hint);
+            let last = self.last.get(index).and_then(|it| it.checked_sub(1));
+            let last = last.and_then(|surfel| cells.place_of(surfel));
+            hint = cells.nearest(simd, middle, reach, [hint, last]);
             near.nearest = Place::new(hint);
         }
         if !is_dense {
