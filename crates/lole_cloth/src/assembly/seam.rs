@@ -119,10 +119,11 @@ fn point_at(line: &[PieceParticle], shares: &[f32], share: f32) -> EdgePoint {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Stitches(Vec<Stitch>);
 
-/// Up to four particles with the weights of `C`, and one over `Σ w weight²` [kg].
+/// Up to four particles with the weights of `C`, those that have one first, and one over `Σ w weight²` [kg].
 #[derive(Debug, Clone, PartialEq)]
 struct Stitch {
     ends: [(Knot, f32); 4],
+    count: usize,
     mass: f32,
 }
 
@@ -138,12 +139,12 @@ impl Stitches {
     pub(crate) fn solve(&self, states: &mut [PieceState]) {
         for _ in 0..PASS_COUNT {
             for stitch in &self.0 {
-                let places = stitch
-                    .ends
+                let ends = &stitch.ends[..stitch.count];
+                let places = ends
                     .iter()
                     .map(|(knot, weight)| knot.place(states) * *weight);
                 let impulse = places.fold(Vec3::ZERO, |sum, place| sum + place) * -stitch.mass;
-                for (knot, weight) in &stitch.ends {
+                for (knot, weight) in ends {
                     knot.push(states, impulse * *weight);
                 }
             }
@@ -173,7 +174,7 @@ impl Stitch {
         let [p, q] = points;
         // A particle itself has no second end.
         let second = |point: &EdgePoint| usize::from(0.0 < point.share);
-        let ends = [
+        let mut ends = [
             end(p, 0, 1.0 - p.share)?,
             end(p, second(p), p.share)?,
             end(q, 0, q.share - 1.0)?,
@@ -182,7 +183,9 @@ impl Stitch {
         let sum: f32 = (ends.iter())
             .map(|(knot, weight)| knot.inv_mass * weight * weight)
             .sum();
+        ends.sort_by_key(|&(_, weight)| weight == 0.0);
         Ok(Self {
+            count: ends.iter().filter(|&&(_, weight)| weight != 0.0).count(),
             ends,
             mass: 1.0 / (sum + INV_MASS_FLOOR),
         })
