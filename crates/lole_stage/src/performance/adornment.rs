@@ -11,7 +11,7 @@ use lole_geom::{Surfel, fnv};
 
 use super::FRAME_SECONDS;
 use super::order::Inner;
-use super::over_cloth::OverCloth;
+use super::over_cloth::{Attention, OverCloth};
 use crate::production::{Garment, Production};
 use crate::{Adornment, StageError};
 
@@ -98,12 +98,12 @@ impl Adorned {
             if adorned.lies_on_cloth(&around) {
                 adorned.over = OverCloth::new(&surfels, dressed);
             }
-            adorned.look(production, &around);
+            adorned.look(production, &around, Attention::Whole);
             adorned.lift(production, &around);
             for frame in 0..LOWERING_FRAMES {
                 // Nothing but the strands moves, and they are lowered slowly.
                 if frame.is_multiple_of(LOWERING_LOOKS) {
-                    adorned.look_under_tied(&around);
+                    adorned.look_under_tied(&around, Attention::Whole);
                 }
                 adorned.step_by(production, &around, |config| StrandConfig {
                     drag_rate: config.drag_rate.max(LOWERING_DRAG),
@@ -156,12 +156,12 @@ impl Adorned {
 
     /// Moves all strands on by a frame.
     pub(super) fn step(&mut self, production: &Production, around: &AroundStrands<'_>) {
-        self.look(production, around);
+        self.look(production, around, Attention::InTurn);
         self.step_by(production, around, |config| config);
     }
 
     /// Looks at the cloth that strands lie on: the same for all of them.
-    fn look(&mut self, production: &Production, around: &AroundStrands<'_>) {
+    fn look(&mut self, production: &Production, around: &AroundStrands<'_>, attention: Attention) {
         self.worn.clear();
         if !around.cloth.is_empty() {
             for garment in &production.garments {
@@ -170,24 +170,26 @@ impl Adorned {
             }
         }
         self.sewn.clear();
-        for &(triangles, positions) in around.dressed {
+        let all_tied = self.hanging.iter().flatten().all(Hanging::is_tied);
+        for &(triangles, positions) in around.dressed.iter().filter(|_| !all_tied) {
             let normals = vertex_normals(positions, triangles);
             let outside = positions.iter().zip(normals);
             let surfels = outside.map(|(&position, normal)| Surfel { position, normal });
             self.sewn.extend(surfels);
         }
-        self.look_under_tied(around);
+        self.look_under_tied(around, attention);
     }
 
     /// Looks at the cloth below strands that are tied, where they are now.
-    fn look_under_tied(&mut self, around: &AroundStrands<'_>) {
+    fn look_under_tied(&mut self, around: &AroundStrands<'_>, attention: Attention) {
         if self.lies_on_cloth(around) {
             let tied = self.hanging.iter().flatten();
             let tied = tied.filter(|hanging| hanging.is_tied());
             let strands: Vec<Vec3> = tied
                 .flat_map(|hanging| hanging.state.positions.iter().copied())
                 .collect();
-            self.over.look(around.surfels, around.dressed, &strands);
+            let strands = (&strands[..], attention);
+            self.over.look(around.surfels, around.dressed, strands);
         }
     }
 

@@ -19,6 +19,9 @@ const REACH: f32 = 0.06;
 const LOOSE: f32 = 0.05;
 /// Skin this near is raised alike [m]: half of a flower.
 const ALIKE: f32 = 0.025;
+/// Cloth is looked for over surfels so far from each other [m]: some twenty of them are raised alike, and folds are
+/// wider.
+const STATION_GAP: f32 = 0.009;
 /// Skin and cloth that face each other's way less than this cosine do not lie on each other.
 const SAME_WAY: f32 = 0.3;
 /// Only what is this near to a strand is looked at [m]: more than what it meets and what is alike.
@@ -26,116 +29,207 @@ const MARGIN: f32 = 0.12;
 /// Cells of the search [m]: about two edges of the cloth.
 const CELL: f32 = 0.03;
 
+/// Frames in which every station is looked at once: cloth that lies under a string does not slide by a fold's
+/// width in as many.
+const TURNS: usize = 3;
+
+/// How closely the cloth is looked at.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Attention {
+    /// Over all stations.
+    Whole,
+    /// Over those whose turn it is.
+    InTurn,
+}
+
 /// What does not change from frame to frame, and room.
 #[derive(Clone, Default)]
 pub(super) struct OverCloth {
-    /// Of every surfel of the skin, those that are raised alike, itself among them.
+    /// Surfels of the skin over which cloth is looked for.
+    stations: Arc<Vec<u32>>,
+    /// Of every surfel of the skin, the places of the stations with which it is raised alike.
     alike: Arc<Vec<Vec<u32>>>,
     /// By garment, particles that hang far from the skin.
     loose: Arc<Vec<Vec<u32>>>,
-    /// How far each surfel is raised [m] and which way it faces then, as it was found and as it is spread.
+    /// The box that was looked at last [m].
+    looked: [Vec3; 2],
+    /// How far each station is raised [m], and which way it faces then; and whose turn it is to be looked at.
     found: Vec<(f32, Vec3)>,
-    raised: Vec<(f32, Vec3)>,
+    turn: usize,
+    /// The surfels in the box, how far they are raised [m], and which way they face then.
+    raised: Vec<(u32, f32, Vec3)>,
     far: Vec<Surfel>,
+}
+
+/// Surfels by height, so that a slice of her is looked at and not all of her.
+struct ByHeight<'a> {
+    skin: &'a [Surfel],
+    places: Vec<u32>,
+}
+
+impl<'a> ByHeight<'a> {
+    fn new(skin: &'a [Surfel]) -> Self {
+        let height = |place: u32| skin[place as usize].position.y;
+        let mut places: Vec<u32> = (0..).take(skin.len()).collect();
+        places.sort_by(|&a, &b| height(a).total_cmp(&height(b)));
+        Self { skin, places }
+    }
+
+    fn around(&self, y: f32, reach: f32) -> impl Iterator<Item = u32> + '_ {
+        let height = |place: u32| self.skin[place as usize].position.y;
+        let below = |limit: f32| self.places.partition_point(|&place| height(place) < limit);
+        let slice = below(y - reach)..below(y + reach);
+        self.places[slice].iter().copied()
+    }
+
+    /// Those within `reach` [m] of a surfel that face its way, ascending.
+    fn alike(&self, one: &Surfel, reach: f32) -> Vec<u32> {
+        let is_alike = |&place: &u32| {
+            let other = &self.skin[place as usize];
+            one.position.distance_squared(other.position) < reach * reach
+                && SAME_WAY < one.normal.dot(other.normal)
+        };
+        let mut alike: Vec<u32> = self
+            .around(one.position.y, reach)
+            .filter(is_alike)
+            .collect();
+        alike.sort_unstable();
+        alike
+    }
 }
 
 impl OverCloth {
     /// Looks at a dancer who stands in her garments.
     pub(super) fn new(skin: &[Surfel], cloth: &[Inner<'_>]) -> Self {
-        let is_near = |a: &Surfel, b: &Surfel| {
-            a.position.distance_squared(b.position) < ALIKE * ALIKE
-                && SAME_WAY < a.normal.dot(b.normal)
-        };
-        // By height, so that a slice of her is looked at and not all of her.
-        let height = |place: u32| skin[place as usize].position.y;
-        let mut by_height: Vec<u32> = (0..).take(skin.len()).collect();
-        by_height.sort_by(|&a, &b| height(a).total_cmp(&height(b)));
-        let around = |y: f32, reach: f32| {
-            let below = |limit: f32| by_height.partition_point(|&place| height(place) < limit);
-            let slice = below(y - reach)..below(y + reach);
-            by_height[slice].iter().copied()
-        };
-        let alike = skin.iter().map(|one| {
-            let mut near: Vec<u32> = around(one.position.y, ALIKE)
-                .filter(|&place| is_near(one, &skin[place as usize]))
-                .collect();
-            near.sort_unstable();
-            near
+        let by_height = ByHeight::new(skin);
+        let mut stations = Vec::new();
+        // By surfel, its place among the stations.
+        let mut station_of = vec![None; skin.len()];
+        for (place, surfel) in (0..).zip(skin) {
+            let alike = by_height.alike(surfel, STATION_GAP);
+            if alike
+                .iter()
+                .all(|&other| station_of[other as usize].is_none())
+            {
+                station_of[place as usize] = u32::try_from(stations.len()).ok();
+                stations.push(place);
+            }
+        }
+        let alike = skin.iter().map(|surfel| {
+            let alike = by_height.alike(surfel, ALIKE).into_iter();
+            alike
+                .filter_map(|other| station_of[other as usize])
+                .collect()
         });
         let loose = cloth.iter().map(|(_, positions)| {
             let all = (0..).zip(*positions);
             let loose = all.filter(|(_, place)| {
                 let apart = |one: u32| skin[one as usize].position.distance_squared(**place);
-                around(place.y, LOOSE).all(|one| LOOSE * LOOSE < apart(one))
+                (by_height.around(place.y, LOOSE)).all(|one| LOOSE * LOOSE < apart(one))
             });
             loose.map(|(particle, _)| particle).collect()
         });
         Self {
             alike: Arc::new(alike.collect()),
             loose: Arc::new(loose.collect()),
+            stations: Arc::new(stations),
             ..Self::default()
         }
     }
 
-    /// Finds how far the cloth raises the skin near the places of strands [m].
-    pub(super) fn look(&mut self, skin: &[Surfel], cloth: &[Inner<'_>], strands: &[Vec3]) {
+    /// Whether a place is in the box that was looked at last.
+    fn is_near(&self, place: Vec3) -> bool {
+        let [low, high] = self.looked;
+        place.cmpge(low).all() && place.cmple(high).all()
+    }
+
+    /// Finds how far the cloth raises the skin near the places of strands [m]: of every station, or of those whose
+    /// turn it is, which is a look at each in [`TURNS`] frames.
+    pub(super) fn look(
+        &mut self,
+        skin: &[Surfel],
+        cloth: &[Inner<'_>],
+        (strands, attention): (&[Vec3], Attention),
+    ) {
         let start = (Vec3::INFINITY, Vec3::NEG_INFINITY);
         let (low, high) = strands.iter().fold(start, |(low, high), &place| {
             (low.min(place), high.max(place))
         });
-        let (low, high) = (low - MARGIN, high + MARGIN);
-        let is_near = |place: Vec3| place.cmpge(low).all() && place.cmple(high).all();
-        self.found.clear();
-        (self.found).extend(skin.iter().map(|surfel| (0.0, surfel.normal)));
+        self.looked = [low - MARGIN, high + MARGIN];
+        let mut found = std::mem::take(&mut self.found);
+        found.resize(self.stations.len(), (0.0, Vec3::ZERO));
+        let looks = match attention {
+            Attention::Whole => 0..TURNS,
+            Attention::InTurn => self.turn..self.turn + 1,
+        };
+        self.turn = (self.turn + 1) % TURNS;
+        let mut stations: Vec<(&u32, &mut (f32, Vec3))> = (self.stations.iter())
+            .zip(&mut found)
+            .enumerate()
+            .filter_map(|(place, pair)| looks.contains(&(place % TURNS)).then_some(pair))
+            .collect();
+        for (station, found) in &mut stations {
+            **found = (0.0, skin[**station as usize].normal);
+        }
         self.far.clear();
         let mut crossed = Vec::new();
-        for (&(triangles, positions), loose) in cloth.iter().zip(&*self.loose) {
+        let loose = Arc::clone(&self.loose);
+        for (&(triangles, positions), loose) in cloth.iter().zip(&*loose) {
             let near: Vec<[u32; 3]> = (triangles.iter().copied())
                 .filter(|corners| {
-                    corners
-                        .iter()
-                        .any(|&corner| is_near(positions[corner as usize]))
+                    let mut corners = corners.iter();
+                    corners.any(|&corner| self.is_near(positions[corner as usize]))
                 })
                 .collect();
             let grid = TriangleGrid::new(positions, &near, CELL);
-            for (surfel, found) in skin.iter().zip(&mut self.found) {
-                if is_near(surfel.position) {
+            for (station, found) in &mut stations {
+                let surfel = &skin[**station as usize];
+                if self.is_near(surfel.position) {
                     outermost(surfel, (&grid, &near, positions), (&mut crossed, found));
                 }
             }
-            let met = |particle: &&u32| is_near(positions[**particle as usize]);
-            if !loose.iter().any(|particle| met(&particle)) {
+            let is_met = |particle: &&u32| self.is_near(positions[**particle as usize]);
+            if !loose.iter().any(|particle| is_met(&particle)) {
                 continue;
             }
             // All triangles around what is near are near.
             let normals = vertex_normals(positions, &near);
-            let met = loose.iter().filter(met);
-            self.far.extend(met.map(|&particle| Surfel {
-                position: positions[particle as usize],
-                normal: normals[particle as usize],
-            }));
+            let met: Vec<Surfel> = (loose.iter().filter(is_met))
+                .map(|&particle| Surfel {
+                    position: positions[particle as usize],
+                    normal: normals[particle as usize],
+                })
+                .collect();
+            self.far.extend(met);
         }
-        self.spread();
+        self.found = found;
+        self.spread(skin);
     }
 
     /// The mean of what is alike: half of a flower does not follow a fold, and rests a few millimeters
     /// deeper than its crests.
-    fn spread(&mut self) {
-        self.raised.clear();
-        for alike in &*self.alike {
-            let found = alike.iter().map(|&place| self.found[place as usize]);
+    fn spread(&mut self, skin: &[Surfel]) {
+        let mut raised = std::mem::take(&mut self.raised);
+        raised.clear();
+        let all = (0..).zip(skin).zip(&*self.alike);
+        for ((place, surfel), alike) in all.filter(|((_, it), _)| self.is_near(it.position)) {
+            let found = alike.iter().map(|&station| self.found[station as usize]);
             let sum = found.fold((0.0, Vec3::ZERO), |sum, one| (sum.0 + one.0, sum.1 + one.1));
+            #[expect(clippy::cast_precision_loss, reason = "stations are few")]
             let height = sum.0 / alike.len().max(1) as f32;
-            self.raised.push((height, sum.1.normalize_or_zero()));
+            let normal = sum.1.try_normalize().unwrap_or(surfel.normal);
+            raised.push((place, height, normal));
         }
+        self.raised = raised;
     }
 
     /// Raises the skin to the cloth that was looked at last.
     pub(super) fn raise(&self, skin: &mut [Surfel]) {
-        for (surfel, (height, normal)) in skin.iter_mut().zip(&self.raised) {
-            if 0.0 < *height {
-                surfel.position += surfel.normal * *height;
-                surfel.normal = *normal;
+        for &(place, height, normal) in &self.raised {
+            if 0.0 < height {
+                let surfel = &mut skin[place as usize];
+                surfel.position += surfel.normal * height;
+                surfel.normal = normal;
             }
         }
     }
@@ -145,12 +239,16 @@ impl OverCloth {
         &self.far
     }
 
-    /// How the skin nearest to a place was raised when it was looked at last [m].
+    /// How the skin nearest to a place was raised when it was looked at last [m]; nothing where nothing was.
     pub(super) fn lift(&self, skin: &[Surfel], place: Vec3) -> Vec3 {
-        let apart = |surfel: &Surfel| surfel.position.distance_squared(place);
-        let pairs = skin.iter().zip(&self.raised);
-        let nearest = pairs.min_by(|a, b| apart(a.0).total_cmp(&apart(b.0)));
-        nearest.map_or(Vec3::ZERO, |(surfel, raised)| surfel.normal * raised.0)
+        if !self.is_near(place) {
+            return Vec3::ZERO;
+        }
+        let apart = |one: u32| skin[one as usize].position.distance_squared(place);
+        let nearest = (self.raised.iter()).min_by(|a, b| apart(a.0).total_cmp(&apart(b.0)));
+        nearest.map_or(Vec3::ZERO, |&(one, height, _)| {
+            skin[one as usize].normal * height
+        })
     }
 }
 
