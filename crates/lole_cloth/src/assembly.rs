@@ -26,4 +26,4 @@ pub use knot::{EdgePoint, Ends, PieceParticle};
 pub use piece::{ClothPiece, PieceState};
 pub use pleat::Pleat;
 pub use seam::ClothSeam;
-pub use step::{Assembly, AssemblyInput, AssemblyState, step};
+pub use step::{Assembly, AssemblyInput, AssemblyState, step, step_observed};

@@ -27,17 +27,23 @@ pub enum Phase {
     Cells,
     /// Structural springs.
     Springs,
+    /// Bending and strain of the triangles of a mesh, star by star.
+    Stars,
+    /// Seams, elastics and whatever else joins pieces of cloth.
+    Joints,
     /// Contact of the cloth with itself.
     SelfContact,
     /// Contact with capsules and skin, friction, and velocities.
     BodyContact,
     /// Crossings of the cloth with itself are found and taken back.
     Crossings,
+    /// Strands: what hangs and swings beside the cloth.
+    Strands,
 }
 
 impl Phase {
     /// Every phase, in the order in which it is first done.
-    pub const ALL: [Self; 12] = [
+    pub const ALL: [Self; 15] = [
         Self::Outside,
         Self::FindBody,
         Self::FindSelf,
@@ -47,9 +53,12 @@ impl Phase {
         Self::Bend,
         Self::Cells,
         Self::Springs,
+        Self::Stars,
+        Self::Joints,
         Self::SelfContact,
         Self::BodyContact,
         Self::Crossings,
+        Self::Strands,
     ];
 
     /// Name of the phase for programs.
@@ -65,9 +74,12 @@ impl Phase {
             Self::Bend => "bend",
             Self::Cells => "cells",
             Self::Springs => "springs",
+            Self::Stars => "stars",
+            Self::Joints => "joints",
             Self::SelfContact => "self-contact",
             Self::BodyContact => "body-contact",
             Self::Crossings => "crossings",
+            Self::Strands => "strands",
         }
     }
 }

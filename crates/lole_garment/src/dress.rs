@@ -7,6 +7,7 @@
 pub(crate) mod bodice;
 mod crossings;
 mod error;
+mod fair;
 pub(crate) mod fit;
 mod flat;
 pub(crate) mod form;
@@ -40,6 +41,7 @@ use lole_pattern::Pattern;
 use crate::GarmentSpec;
 use crate::fitting::Fitting;
 use crate::template::{SewnRow, Wear};
+use fair::Fairing;
 use form::Form;
 use under::Under;
 
@@ -111,6 +113,8 @@ pub struct Dressed {
     welded: Vec<u32>,
     /// Particles of gathered edges that are drawn in the seam, between two others.
     puckers: Vec<(u32, [u32; 2], f32)>,
+    /// What is beside each vertex as it is seen.
+    fairing: Fairing,
     /// The triangles that cover the trunk, and not the arms: garments worn over it meet them.
     pub trunk_triangles: Vec<[u32; 3]>,
     /// Those of them that hang below what is tucked in: skirts worn over it meet them.
@@ -325,8 +329,14 @@ impl Dressed {
             panel_of: mesh.panel_of.iter().map(|&it| flat::number(it)).collect(),
             pieces,
             puckers: mesh.puckers,
+            fairing: Fairing::default(),
         };
-        Ok((dressed, kit))
+        Ok((dressed.with_fairing(), kit))
+    }
+
+    /// Takes so many substeps in every step, instead of as many as the garment's row says.
+    pub fn set_substep_count(&mut self, count: NonZeroU32) {
+        self.assembly = self.assembly.clone().with_substep_count(count);
     }
 
     /// Which particles belong to cloth over the trunk that is not tucked in.
@@ -356,11 +366,16 @@ impl Dressed {
     #[must_use]
     pub fn drawn(&self, positions: &[Vec3]) -> Vec<Vec3> {
         let mut drawn = self.closed(positions);
+        self.pucker(&mut drawn);
+        drawn
+    }
+
+    /// Lays what is gathered on a seam into it.
+    fn pucker(&self, drawn: &mut [Vec3]) {
         for &(particle, ends, share) in &self.puckers {
             let [first, last] = ends.map(|end| drawn[end as usize]);
             drawn[particle as usize] = first.lerp(last, share);
         }
-        drawn
     }
 
     /// Places with seams closed: what is sewn together lies in its middle [m].

@@ -281,7 +281,7 @@ impl Performance {
         self.held = held;
     }
 
-    fn step_in(&mut self, pose: Pose, observer: Observer<'_>) -> Result<(), Divergence> {
+    fn step_in(&mut self, pose: Pose, mut observer: Observer<'_>) -> Result<(), Divergence> {
         self.pose_dancer(pose);
         self.follow_jump();
         let surroundings = Surroundings {
@@ -304,7 +304,7 @@ impl Performance {
         let pairs = || self.production.dressed.iter();
         let is_under = |garment: &DressedGarment| garment.layer == GarmentLayer::Under;
         let all = (&mut self.dressed[..], &self.production.dressed[..]);
-        dressed::step_layer(all, GarmentLayer::Under, &around, &[]);
+        dressed::step_layer(all, GarmentLayer::Under, (&around, &[]), &mut observer);
         let inner: Vec<order::Inner<'_>> = (self.dressed.iter().zip(pairs()))
             .filter(|(_, garment)| is_under(garment))
             .map(|(dressed, garment)| {
@@ -315,17 +315,20 @@ impl Performance {
             .collect();
         let worn = (&mut self.worn[..], &self.production.garments[..]);
         self.order
-            .step((trunk, &inner), worn, &surroundings, observer);
+            .step((trunk, &inner), worn, &surroundings, &mut observer);
         look(&self.worn, &mut self.cloth_positions);
         let hanging = (&self.production.garments[..], &self.cloth_positions[..]);
         let pressed = pressed::flatten((self.press.as_mut(), trunk), hanging);
         let grids = dressed::grids(&self.production.garments, &pressed);
         let grids: Vec<order::Inner<'_>> = grids.collect();
         let all = (&mut self.dressed[..], &self.production.dressed[..]);
-        dressed::step_layer(all, GarmentLayer::Over, &around, &grids);
+        dressed::step_layer(all, GarmentLayer::Over, (&around, &grids), &mut observer);
         let over = (&self.dressed[..], &self.production.dressed[..]);
         pressed::tighten((self.press.as_mut(), trunk), over);
         self.step_adornments();
+        if let Some(passed) = observer {
+            passed(Phase::Strands);
+        }
         self.note_no_room();
         self.settle();
         self.check_stage()

@@ -1,5 +1,6 @@
 //! What does not change while it is performed: the dancer, her dance, and what she wears.
 
+use std::num::NonZeroU32;
 use std::ops::Range;
 
 use glam::{Affine3A, Vec3};
@@ -113,6 +114,14 @@ impl DressedGarment {
 }
 
 impl Production {
+    /// Lets garments of triangles take so many substeps in every frame, strained or not: their rows say what they
+    /// want, and this is for whoever asks what fewer or more would give.
+    pub fn set_garment_substep_count(&mut self, count: NonZeroU32) {
+        for garment in &mut self.dressed {
+            garment.dressed.set_substep_count(count);
+        }
+    }
+
     /// Measures, drafts and sews a design.
     ///
     /// # Errors

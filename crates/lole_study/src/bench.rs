@@ -72,7 +72,7 @@ pub fn entries() -> Vec<Entry> {
     });
     let stage = stage::SCENES.iter().map(|scene| {
         let measure: Measure =
-            Box::new(|settings| Ok(stage::measure(scene, &(scene.designs)(), settings)?));
+            Box::new(|settings| Ok(stage::measure(scene, (&(scene.designs)(), None), settings)?));
         Entry {
             scene: scene.name,
             method: scene.method(),

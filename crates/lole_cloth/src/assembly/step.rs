@@ -17,6 +17,7 @@ use crate::mesh::finite::all_finite;
 use crate::mesh::step::MeshStep;
 use crate::method::fineness::{Fineness, Substeps};
 use crate::method::xpbd;
+use crate::phase::Phase;
 use crate::step::GridStep;
 use crate::{StepInput, mesh, mesh_state_hash, state_hash};
 
@@ -70,25 +71,21 @@ impl Assembly {
     /// # Errors
     /// A joint of pieces or particles that do not exist, or with a number that is out of range.
     pub fn new(
-        mut pieces: Vec<ClothPiece>,
+        pieces: Vec<ClothPiece>,
         joints: &[ClothJoint],
         substep_count: NonZeroU32,
     ) -> Result<Self, JointError> {
-        for piece in &mut pieces {
-            let config = piece.config_mut();
-            config.substep_count = substep_count;
-            // All of them take as many.
-            config.strained_substep_count = substep_count;
-        }
         let made = joints.iter().map(|joint| Made::new(&pieces, joint));
         let made = made.collect::<Result<_, _>>()?;
-        Ok(Self {
+        let assembly = Self {
             joints: made,
             faces: contact::faces(&pieces, joints),
             whole: Whole::new(&pieces, joints),
             pieces,
             substeps: Substeps::exactly(substep_count),
-        })
+        };
+        // All of them take as many.
+        Ok(assembly.with_substep_count(substep_count))
     }
 
     /// This assembly, taking up to so many substeps a step, for a while, where more than one part of the cloth in
@@ -99,6 +96,17 @@ impl Assembly {
             piece.config_mut().strained_substep_count = count;
         }
         self.substeps = self.substeps.up_to(count);
+        self
+    }
+
+    /// This assembly, taking so many substeps in every step.
+    #[must_use]
+    pub fn with_substep_count(mut self, count: NonZeroU32) -> Self {
+        for piece in &mut self.pieces {
+            let config = piece.config_mut();
+            (config.substep_count, config.strained_substep_count) = (count, count);
+        }
+        self.substeps = Substeps::exactly(count);
         self
     }
 
@@ -193,6 +201,22 @@ pub fn step(
     state: &mut AssemblyState,
     dt: f32,
 ) -> Result<(), Lost> {
+    step_observed(assembly, (input, dt), state, &mut |_| {})
+}
+
+/// Moves the assembly on as [`step`] does, bit for bit, and calls `passed` whenever a [`Phase`] has ended: first
+/// of all for what the caller did before. A phase ends several times in a step; of a grid all that its springs do
+/// counts as one.
+///
+/// # Errors
+/// As [`step`].
+pub fn step_observed(
+    assembly: &Assembly,
+    (input, dt): (&AssemblyInput<'_>, f32),
+    state: &mut AssemblyState,
+    passed: &mut dyn FnMut(Phase),
+) -> Result<(), Lost> {
+    passed(Phase::Outside);
     check_cloth(0, [assembly.pieces.len(), state.pieces.len()])?;
     for (place, (piece, state)) in assembly.pieces.iter().zip(&state.pieces).enumerate() {
         let lengths = match (piece, state) {
@@ -218,12 +242,12 @@ pub fn step(
         dt,
     };
     state.keep();
-    advance(step, state, None);
+    advance(step, state, None, passed);
     if !state.pieces.iter().all(is_finite) {
         // The same again, looking at every piece after every substep.
         state.restore();
         let mut lost = None;
-        advance(step, state, Some(&mut lost));
+        advance(step, state, Some(&mut lost), passed);
         state.restore();
         let piece = assembly.pieces.len();
         return Err(lost.unwrap_or(Lost::Piece { piece, substep: 0 }));
@@ -288,7 +312,12 @@ struct AssemblyStep<'a> {
 }
 
 /// Moves all pieces on; where `lost` is given, it is told of the first piece that goes nowhere.
-fn advance(step: AssemblyStep<'_>, state: &mut AssemblyState, mut lost: Option<&mut Option<Lost>>) {
+fn advance(
+    step: AssemblyStep<'_>,
+    state: &mut AssemblyState,
+    mut lost: Option<&mut Option<Lost>>,
+    passed: &mut dyn FnMut(Phase),
+) {
     let AssemblyStep {
         assembly,
         input,
@@ -311,14 +340,16 @@ fn advance(step: AssemblyStep<'_>, state: &mut AssemblyState, mut lost: Option<&
     let plans: Vec<Option<Plan<'_>>> = (pieces().zip(&mut state.pieces))
         .map(|((piece, input), state)| Plan::begin(piece, input, dt, state))
         .collect();
+    passed(Phase::FindBody);
     assembly.whole.begin(&state.pieces, &mut state.whole);
     let contact_interval = contact::find(&assembly.pieces, &assembly.faces, state, dt);
+    passed(Phase::FindSelf);
     #[expect(clippy::cast_precision_loss, reason = "substeps are few")]
     let h = dt / count as f32;
     for index in 0..count {
         let planned = plans.iter().zip(&mut state.pieces);
         for (plan, state) in planned.filter_map(|(plan, state)| Some((plan.as_ref()?, state))) {
-            plan.predict_and_project(index, state);
+            plan.predict_and_project(index, state, passed);
         }
         #[expect(clippy::cast_precision_loss, reason = "substeps are few")]
         let bones = Bones {
@@ -329,14 +360,17 @@ fn advance(step: AssemblyStep<'_>, state: &mut AssemblyState, mut lost: Option<&
         for joint in &assembly.joints {
             joint.solve(&mut state.pieces, &bones, h);
         }
+        passed(Phase::Joints);
         if contact_interval.is_some_and(|interval| index.is_multiple_of(interval)) {
             state.contacts.solve(&mut state.pieces[..], h);
         }
         (assembly.whole).keep_guards(&mut state.pieces, &state.whole, h);
+        passed(Phase::SelfContact);
         let planned = plans.iter().zip(&mut state.pieces);
         for (plan, state) in planned.filter_map(|(plan, state)| Some((plan.as_ref()?, state))) {
             plan.finish(index, state);
         }
+        passed(Phase::BodyContact);
         if let Some(lost) = lost.as_deref_mut().filter(|lost| lost.is_none())
             && let Some(piece) = state.pieces.iter().position(|piece| !is_finite(piece))
         {
@@ -346,6 +380,13 @@ fn advance(step: AssemblyStep<'_>, state: &mut AssemblyState, mut lost: Option<&
             });
         }
     }
+    finish_pins(assembly, state);
+    (assembly.whole).repair(&assembly.pieces, &inputs, state, dt);
+    passed(Phase::Crossings);
+}
+
+/// Rounding has moved the pins a little off where they go.
+fn finish_pins(assembly: &Assembly, state: &mut AssemblyState) {
     for (piece, state) in assembly.pieces.iter().zip(&mut state.pieces) {
         match (piece, state) {
             (ClothPiece::Grid(model, _), PieceState::Grid(state)) => {
@@ -357,7 +398,6 @@ fn advance(step: AssemblyStep<'_>, state: &mut AssemblyState, mut lost: Option<&
             _ => {}
         }
     }
-    (assembly.whole).repair(&assembly.pieces, &inputs, state, dt);
 }
 
 /// What holds for all substeps of a piece.
@@ -397,10 +437,16 @@ impl<'a> Plan<'a> {
         }
     }
 
-    fn predict_and_project(&self, index: u32, state: &mut PieceState) {
+    fn predict_and_project(
+        &self,
+        index: u32,
+        state: &mut PieceState,
+        passed: &mut dyn FnMut(Phase),
+    ) {
         match (self, state) {
             (&Self::Grid(step, ref plan), PieceState::Grid(state)) => {
                 xpbd::SubstepNow { step, plan, index }.predict_and_project(state);
+                passed(Phase::Springs);
             }
             (&Self::Mesh(step, ref substep), PieceState::Mesh(state)) => {
                 mesh::step::SubstepNow {
@@ -408,7 +454,7 @@ impl<'a> Plan<'a> {
                     substep,
                     index,
                 }
-                .predict_and_project(state, &mut None);
+                .predict_and_project(state, &mut None, passed);
             }
             _ => {}
         }

@@ -22,6 +22,7 @@ use crate::mesh::strain::{self, Strain};
 use crate::mesh::stride;
 use crate::mesh::tether;
 use crate::method::fineness::Substeps;
+use crate::phase::Phase;
 use crate::pins::PinSlots;
 use crate::step::StepOf;
 use crate::{SolverConfig, StepInput};
@@ -190,7 +191,7 @@ fn advance(step: MeshStep<'_>, state: &mut MeshState, watch: &mut Option<Watch>)
             substep,
             index,
         };
-        now.predict_and_project(state, watch);
+        now.predict_and_project(state, watch, &mut |_| {});
         self_contact::solve(now, state);
         look(watch, step.model, state, SubstepPart::Cloth);
         contact::finish(now, state);
@@ -231,18 +232,26 @@ pub(crate) struct SubstepNow<'a> {
 }
 
 impl SubstepNow<'_> {
-    /// The first part: everything but contact.
-    pub(crate) fn predict_and_project(self, state: &mut MeshState, watch: &mut Option<Watch>) {
+    /// The first part: everything but contact. `passed` is told of every phase that has ended.
+    pub(crate) fn predict_and_project(
+        self,
+        state: &mut MeshState,
+        watch: &mut Option<Watch>,
+        passed: &mut dyn FnMut(Phase),
+    ) {
         contact::begin_substep(self, state);
+        passed(Phase::FindBody);
         let (model, substep) = (self.step.model, self.substep);
         let level = self.step.config.instruction_set.level();
         dispatch!(level, simd => predict(simd, model, substep, state));
         look(watch, model, state, SubstepPart::Flight);
+        passed(Phase::Predict);
         let MeshScratch {
             particles, strides, ..
         } = &mut state.scratch;
         dispatch!(level, simd => stride::solve(simd, particles, strides));
         look(watch, model, state, SubstepPart::Strides);
+        passed(Phase::Strides);
         let MeshScratch {
             particles,
             resisting,
@@ -258,6 +267,7 @@ impl SubstepNow<'_> {
         let sweep_count = substep.sweep_count;
         dispatch!(level, simd => solve_triangles(simd, particles, resisting, sweep_count));
         look(watch, model, state, SubstepPart::Strain);
+        passed(Phase::Stars);
     }
 }
 

@@ -1,8 +1,8 @@
 //! What moves of a dressed garment.
 
 use glam::Vec3;
-use lole_cloth::Lost;
-use lole_cloth::assembly::{Assembly, AssemblyInput, AssemblyState, PieceState, step};
+use lole_cloth::assembly::{Assembly, AssemblyInput, AssemblyState, PieceState, step_observed};
+use lole_cloth::{Lost, Phase};
 use lole_geom::Capsule;
 
 use super::{Dressed, FLOOR, World};
@@ -19,7 +19,22 @@ impl DressedState {
     /// # Errors
     /// Where a particle would go nowhere; nothing has moved then.
     pub fn step(&mut self, garment: &Dressed, world: &World<'_>, dt: f32) -> Result<(), Lost> {
-        self.step_as(garment, &garment.assembly, (world, dt))
+        self.step_observed(garment, (world, dt), &mut |_| {})
+    }
+
+    /// The same, bit for bit, and `passed` is called whenever a [`Phase`] has ended, first of all for what the
+    /// caller did before.
+    ///
+    /// # Errors
+    /// As [`Self::step`].
+    pub fn step_observed(
+        &mut self,
+        garment: &Dressed,
+        (world, dt): (&World<'_>, f32),
+        passed: &mut dyn FnMut(Phase),
+    ) -> Result<(), Lost> {
+        let targets = garment.pin_targets(world);
+        self.step_to((targets, passed), &garment.assembly, (world, dt))
     }
 
     /// Substeps of its next step.
@@ -34,13 +49,14 @@ impl DressedState {
         assembly: &Assembly,
         (world, dt): (&World<'_>, f32),
     ) -> Result<(), Lost> {
-        self.step_to(garment.pin_targets(world), assembly, (world, dt))
+        let targets = garment.pin_targets(world);
+        self.step_to((targets, &mut |_| {}), assembly, (world, dt))
     }
 
     /// The same with what is pinned at these places [m] at the end of the step.
     pub(super) fn step_to(
         &mut self,
-        pin_targets: Vec<Vec3>,
+        (pin_targets, passed): (Vec<Vec3>, &mut dyn FnMut(Phase)),
         assembly: &Assembly,
         (world, dt): (&World<'_>, f32),
     ) -> Result<(), Lost> {
@@ -54,7 +70,7 @@ impl DressedState {
             air_velocity: world.air_velocity,
             ..AssemblyInput::default()
         };
-        step(assembly, &input, &mut self.state, dt)
+        step_observed(assembly, (&input, dt), &mut self.state, passed)
     }
 
     /// The same cloth as it hangs and moves, as a garment of the same cut that is held otherwise.

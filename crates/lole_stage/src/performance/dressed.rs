@@ -15,7 +15,7 @@ use super::{FRAME_SECONDS, Performance, held_in};
 use crate::StageError;
 use crate::production::{DressedGarment, Garment};
 use crate::skin_check::{self, SkinCheck};
-use crate::solver::CONTACT_OFFSET;
+use crate::solver::{CONTACT_OFFSET, Observer};
 
 /// Share of its velocity that cloth keeps from frame to frame until the dance begins.
 const SETTLING: f32 = 0.9;
@@ -86,8 +86,8 @@ impl Dressed {
     pub(super) fn step(
         &mut self,
         garment: &DressedGarment,
-        around: &Around<'_>,
-        inside: &[order::Inner<'_>],
+        (around, inside): (&Around<'_>, &[order::Inner<'_>]),
+        observer: &mut Observer<'_>,
     ) {
         self.surfels.clear();
         self.surfels.extend_from_slice(around.skin);
@@ -109,7 +109,10 @@ impl Dressed {
             floor: Vec3::ZERO,
         };
         let sewn = self.held.as_deref().unwrap_or(&garment.dressed);
-        let moved = self.state.step(sewn, &world, FRAME_SECONDS);
+        let moved = match observer {
+            None => self.state.step(sewn, &world, FRAME_SECONDS),
+            Some(passed) => (self.state).step_observed(sewn, (&world, FRAME_SECONDS), *passed),
+        };
         self.is_lost |= moved.is_err();
         if around.is_settling {
             self.state.scale_velocities(&garment.dressed, SETTLING);
@@ -164,8 +167,8 @@ impl Dressed {
 pub(super) fn step_layer(
     (moving, garments): (&mut [Dressed], &[DressedGarment]),
     layer: GarmentLayer,
-    around: &Around<'_>,
-    grids: &[order::Inner<'_>],
+    (around, grids): (&Around<'_>, &[order::Inner<'_>]),
+    observer: &mut Observer<'_>,
 ) {
     for place in 0..moving.len() {
         let (before, rest) = moving.split_at_mut(place);
@@ -182,7 +185,7 @@ pub(super) fn step_layer(
             (triangles, moving.positions())
         });
         let inside: Vec<order::Inner<'_>> = inside.chain(grids.iter().copied()).collect();
-        own.step(garment, around, &inside);
+        own.step(garment, (around, &inside), observer);
     }
 }
 
@@ -209,9 +212,9 @@ impl Performance {
     #[must_use]
     pub fn dressed_vertices(&self, place: usize) -> [Vec<Vec3>; 2] {
         let garment = &self.production.dressed[place].dressed;
-        let drawn = garment.drawn(self.dressed[place].positions());
-        let normals = garment.normals(&drawn);
-        [drawn, normals]
+        let seen = garment.seen(self.dressed[place].positions());
+        let normals = garment.normals(&seen);
+        [seen, normals]
     }
 
     /// How much a dressed garment is stretched in the current frame, and how much of it is in the drawn

@@ -48,7 +48,7 @@ impl Order {
         (trunk, inner): (Trunk, &[Inner<'_>]),
         (worn, garments): (&mut [Worn], &[Garment]),
         surroundings: &Surroundings<'_>,
-        mut observer: Observer<'_>,
+        observer: &mut Observer<'_>,
     ) {
         let mut dressed: Vec<Dressed<'_>> = garments.iter().map(|_| Vec::new()).collect();
         for pair in worn.iter_mut().zip(garments) {
@@ -59,7 +59,7 @@ impl Order {
         let chains = self.chains.iter_mut().zip(dressed);
         if observer.is_some() || rayon::current_num_threads() == 1 {
             for (chain, dressed) in chains {
-                chain.step((trunk, inner), dressed, surroundings, &mut observer);
+                chain.step((trunk, inner), dressed, surroundings, observer);
             }
         } else {
             let chains: Vec<_> = chains.collect();

@@ -21,8 +21,9 @@ use crate::StudyError;
 const SUBSTEP_COUNTS: [u32; 6] = [2, 4, 8, 12, 16, 24];
 const SWEEP_COUNTS: [u32; 4] = [1, 2, 4, 6];
 
-/// Substeps that are tried on a dancer, beside the design's own.
+/// Substeps that are tried of gathered cloth on a dancer, and of garments of triangles, beside their own.
 const STAGE_SUBSTEP_COUNTS: [u32; 5] = [6, 8, 11, 18, 24];
+const GARMENT_SUBSTEP_COUNTS: [u32; 5] = [12, 24, 36, 64, 96];
 
 /// A scene and a method, with every setting that is tried.
 pub struct Case {
@@ -111,8 +112,7 @@ pub fn cases() -> Vec<Case> {
             variants: engine_variants(scene, method),
         })
     });
-    let stage = (stage::SCENES.iter()).filter(|scene| scene.takes_substeps());
-    let stage = stage.map(|scene| Case {
+    let stage = stage::SCENES.iter().map(|scene| Case {
         scene: scene.name,
         about: scene.about,
         method: scene.method(),
@@ -151,16 +151,26 @@ fn engine_variants(scene: &'static ClothScene, method: Method) -> Vec<Variant> {
 
 /// Every setting for a scene with a dancer.
 fn stage_variants(scene: &'static StageScene) -> Vec<Variant> {
-    let counts = STAGE_SUBSTEP_COUNTS.map(Some).into_iter().chain([None]);
+    let has_triangles = scene.has_triangles();
+    let counts = if has_triangles {
+        GARMENT_SUBSTEP_COUNTS
+    } else {
+        STAGE_SUBSTEP_COUNTS
+    };
+    let counts = counts.map(Some).into_iter().chain([None]);
     let variant = |count: Option<u32>| Variant {
         sweeps: None,
         is_own: count.is_none(),
         run: Box::new(move |settings| {
             let mut designs = (scene.designs)();
+            if has_triangles {
+                let count = count.and_then(NonZeroU32::new);
+                return Ok(stage::measure(scene, (&designs, count), settings)?);
+            }
             for design in &mut designs {
                 design.method.substep_count = count.or(design.method.substep_count);
             }
-            Ok(stage::measure(scene, &designs, settings)?)
+            Ok(stage::measure(scene, (&designs, None), settings)?)
         }),
     };
     counts.map(variant).collect()

@@ -1,5 +1,7 @@
 //! Scenes with a dancer: what a whole frame of the product costs.
 
+use std::num::NonZeroU32;
+
 use glam::Vec3;
 use lole_cloth::diagnose::StrainSummary;
 use lole_cloth::{Phase, diagnose};
@@ -31,9 +33,14 @@ impl StageScene {
             .map_or("", |design| design.method.name.id())
     }
 
-    /// Whether a number of substeps that is asked for means anything to it: garments of triangles have their own.
-    pub(super) fn takes_substeps(&self) -> bool {
-        (self.designs)().iter().any(|design| design.skirt.is_worn)
+    /// What a number of substeps that is asked for goes to: the garments of triangles where there are any, or the
+    /// gathered cloth, whose own curve is that of a skirt alone.
+    pub(super) fn has_triangles(&self) -> bool {
+        let has_own = |design: &Design| {
+            let mut garments = design.garments.iter();
+            garments.any(|garment| garment.template.is_sewn())
+        };
+        (self.designs)().iter().any(has_own)
     }
 }
 
@@ -115,13 +122,17 @@ fn halau() -> Vec<Design> {
     designs.collect()
 }
 
-/// A scene's dancers, settled and about to dance.
+/// A scene's dancers, settled and about to dance; garments of triangles with so many substeps, or their own.
 fn settled(
-    designs: &[Design],
+    (designs, garment_substeps): (&[Design], Option<NonZeroU32>),
     settings: BenchSettings<'_>,
 ) -> Result<Vec<Performance>, StageError> {
     let all = designs.iter().map(|design| {
-        let mut performance = Performance::new(Production::new(design)?)?;
+        let mut production = Production::new(design)?;
+        if let Some(count) = garment_substeps {
+            production.set_garment_substep_count(count);
+        }
+        let mut performance = Performance::new(production)?;
         performance.set_instruction_set(settings.instruction_set);
         // What stops short is seen in the figures of the frames.
         while performance.time() < 0.0 && performance.advance().is_ok() {}
@@ -135,11 +146,12 @@ fn settled(
 /// frame needs before it can be drawn: pose, capsules, pins and cloth.
 pub(super) fn measure(
     scene: &StageScene,
-    designs: &[Design],
+    (designs, garment_substeps): (&[Design], Option<NonZeroU32>),
     settings: BenchSettings<'_>,
 ) -> Result<BenchRow, StageError> {
-    let timed = time(scene, settled(designs, settings)?, settings);
-    let mut judged = settled(designs, settings)?;
+    let all = (designs, garment_substeps);
+    let timed = time(scene, settled(all, settings)?, settings);
+    let mut judged = settled(all, settings)?;
     let mut metrics = vec![Vec::new(); judged.len()];
     let mut crossings = Crossings::none();
     let mut inversions = 0;
@@ -251,8 +263,7 @@ fn time(
     }
 }
 
-/// The next frame, timed or observed; whether the dance goes on. Phases are those of gathered cloth on one
-/// dancer.
+/// The next frame, timed or observed; whether the dance goes on. Phases are those of one dancer.
 fn advance(
     performances: &mut [Performance],
     frame: u32,
@@ -260,7 +271,6 @@ fn advance(
     clock: &mut PhaseClock<'_>,
 ) -> bool {
     if let [only] = performances
-        && only.production().dressed.is_empty()
         && PhaseClock::observes(frame)
     {
         clock.begin_frame();
@@ -295,7 +305,7 @@ mod tests {
             let is_gathered = designs.iter().all(|design| design.skirt.is_worn);
             let has_own = (designs[0].garments.iter()).any(|it| it.template.id == scene.name);
             assert!(is_gathered || has_own, "{}", scene.name);
-            assert_eq!(scene.takes_substeps(), is_gathered, "{}", scene.name);
+            assert_eq!(scene.has_triangles(), has_own, "{}", scene.name);
             assert_eq!(scene.method(), "xpbd");
         }
         let halau = halau();
