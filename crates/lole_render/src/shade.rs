@@ -36,6 +36,9 @@ const LIFT_TEXELS: f32 = 2.0;
 const SLACK: f32 = 0.0015;
 /// Per unit of wrap, light crosses this much of the body at the terminator [m].
 const WRAP_DEPTH: f32 = 0.15;
+/// At the terminator a flat triangle is in its own shadow where the round surface that it stands for is not yet: what
+/// is as near as a long edge does not count as in the way there [m].
+const FACET: f32 = 0.03;
 /// Cosine to the key light from which on no light crosses the body.
 const WRAP_END: f32 = 0.4;
 /// Four nodes of a lattice.
@@ -113,7 +116,8 @@ pub(crate) fn shade(
         normal
     };
     let wrap = surface.subsurface.w;
-    let crossed = wrap * WRAP_DEPTH * (1.0 - key_cosine.abs() / WRAP_END).max(0.0);
+    let at_terminator = (1.0 - key_cosine.abs() / WRAP_END).max(0.0);
+    let crossed = (wrap * WRAP_DEPTH).max(FACET) * at_terminator;
     let lift = lit_side * (LIFT_TEXELS * frame.key_color.w) + toward_key * crossed;
     // Nothing of the key light shows past the end of the wrap, unless through cloth.
     let shows = key_cosine > -(wrap + 0.5 * frame.key_toward.w) || surface.gloss.z > 0.0;
@@ -473,6 +477,7 @@ mod tests {
             format!("const LIFT_TEXELS: f32 = {LIFT_TEXELS:?};"),
             format!("const SLACK: f32 = {SLACK:?};"),
             format!("const WRAP_DEPTH: f32 = {WRAP_DEPTH:?};"),
+            format!("const FACET: f32 = {FACET:?};"),
             format!("const TOE: f32 = {TOE:?};"),
             format!("const WRAP_END: f32 = {WRAP_END:?};"),
         ] {

@@ -31,6 +31,7 @@ struct Surface {
 
 const LIFT_TEXELS: f32 = 2.0;
 const WRAP_DEPTH: f32 = 0.15;
+const FACET: f32 = 0.03;
 const WRAP_END: f32 = 0.4;
 const TOE: f32 = 0.01;
 const PI: f32 = 3.14159265;
@@ -118,7 +119,8 @@ fn shade(
         lit_side = -normal;
     }
     let wrap = surface.subsurface.w;
-    let crossed = wrap * WRAP_DEPTH * max(1.0 - abs(key_cosine) / WRAP_END, 0.0);
+    let at_terminator = max(1.0 - abs(key_cosine) / WRAP_END, 0.0);
+    let crossed = max(wrap * WRAP_DEPTH, FACET) * at_terminator;
     let lift = lit_side * (LIFT_TEXELS * frame.key_color.w) + toward_key * crossed;
     var seen = 0.0;
     if key_cosine > -(wrap + 0.5 * frame.key_toward.w) || surface.gloss.z > 0.0 {
