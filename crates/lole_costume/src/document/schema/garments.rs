@@ -1,18 +1,20 @@
 //! The keys of garments that are worn with the skirt: those that every garment has, and those of gathered
 //! ones; the options of its template stand between them.
 
-use lole_garment::TEMPLATES;
+use lole_garment::{TEMPLATES, given};
 use lole_language::words;
 
 use super::tables::MAX_SEED;
 use super::{Key, Kind, Table};
-use crate::document::{GarmentDesign, GarmentLayer};
+use crate::document::{GarmentDesign, GarmentLayer, LinkedPattern};
 use crate::fabrics::{PRESETS, Preset};
 
 /// Names of every kind of garment.
 #[must_use]
 pub fn kind_ids() -> Vec<&'static str> {
-    TEMPLATES.iter().map(|template| template.id).collect()
+    let given = [&given::TEMPLATE];
+    let all = TEMPLATES.iter().chain(&given);
+    all.map(|template| template.id).collect()
 }
 
 /// Name of the list of garments; their parts are named after it.
@@ -47,6 +49,18 @@ pub const GARMENT: &[Table<GarmentDesign>] = &[
                         design.layer = *layer;
                     }
                 },
+            },
+        },
+        Key {
+            name: "file",
+            about: words(
+                "ほかのプログラムの型紙（kind = \"pattern-file\" のとき）",
+                "a pattern of another program, where kind is \"pattern-file\"",
+            ),
+            kind: Kind::Text {
+                what: words("ファイルの名前", "the name of a file"),
+                get: |design| design.file.as_ref().map(|file| file.name.as_str()),
+                set: |design, name| design.file = Some(LinkedPattern::named(name)),
             },
         }],
     },
