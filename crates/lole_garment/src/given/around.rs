@@ -17,6 +17,10 @@ const BESIDE: f64 = 0.25;
 const WAISTS: [f64; 2] = [1.03, -0.05];
 /// Panels that look the same way within this angle lie beside each other [rad].
 const SAME_WAY: f64 = 0.27;
+/// The upper edge of what is worn from a band ends within this of its highest level [m].
+const NEAR_TOP: f64 = 0.035;
+/// A seam over the shoulder lies within this of the highest level [m].
+const SHOULDER: f64 = 0.12;
 /// A panel that lies flatter than this looks where it is [cosine].
 const FLAT: f64 = 0.3;
 
@@ -152,6 +156,51 @@ impl Around {
             }
         }
         (faces == [true; 2]).then_some(girth)
+    }
+
+    /// Length of the edges on the trunk that end at the highest level and that nothing is sewn to [m]; `None`
+    /// where there are none.
+    pub(crate) fn upper_edge(&self, given: &Given, top: f64) -> Option<f64> {
+        let mut length = 0.0;
+        for (place, piece) in given.pattern.pieces.iter().enumerate() {
+            for (number, edge) in piece.edges.iter().enumerate() {
+                let is_free = given.sewn_to(place, number).is_none();
+                let levels = self.levels_of(given, (place, number));
+                let is_upper = levels.is_some_and(|[low, _]| top - NEAR_TOP < low);
+                if is_free && is_upper {
+                    length += edge.length();
+                }
+            }
+        }
+        (0.0 < length).then_some(length)
+    }
+
+    /// The highest level at which panels of two sides are sewn together beside her, and not over a shoulder; that
+    /// of all cloth where they are nowhere.
+    pub(crate) fn end_of_sides(&self, given: &Given, top: f64) -> f64 {
+        let mut end = f64::NEG_INFINITY;
+        for seam in &given.pattern.seams {
+            let [one, other] = [seam.flat, seam.full].map(|side| self.panels[side.piece].part);
+            let (Part::Trunk(first), Part::Trunk(second)) = (one, other) else {
+                continue;
+            };
+            let levels = self.levels_of(given, (seam.flat.piece, seam.flat.edge));
+            let Some([low, high]) = levels.filter(|_| first != second) else {
+                continue;
+            };
+            if 0.5 * (low + high) < top - SHOULDER {
+                end = end.max(high);
+            }
+        }
+        if end.is_finite() { end } else { top }
+    }
+
+    /// Lower and higher level of the ends of an edge on the trunk [m]; `None` of another.
+    fn levels_of(&self, given: &Given, (piece, edge): (usize, usize)) -> Option<[f64; 2]> {
+        let is_on_trunk = matches!(self.panels[piece].part, Part::Trunk(_));
+        let ends = given.pattern.pieces[piece].edges[edge].ends();
+        let [from, to] = ends.map(|end| given.panels[piece].place(DVec2::new(end.x, end.y)).y);
+        is_on_trunk.then(|| [from.min(to), from.max(to)])
     }
 
     /// Lowest and highest level of the cloth on the trunk [m]; `None` where there is none.

@@ -22,7 +22,9 @@ const SHOULDERS: [f64; 2] = [1.30, 0.20];
 const HIGH_BANDS: [f64; 2] = [1.12, 0.04];
 /// Distance of levels that are looked at [m].
 const STEP: f64 = 0.02;
-/// How far below its upper edge the length of a band is taken [m].
+/// How far below the upper end of its sides a garment closes around her for certain [m].
+const BELOW_SIDES: f64 = 0.01;
+/// How far below its upper edge the length of a band is taken that has no free edge [m].
 const BELOW_EDGE: f64 = 0.004;
 /// Cloth lies this far above the skin on the shoulder [m].
 const OVER_SHOULDER: f64 = 0.010;
@@ -67,7 +69,8 @@ impl Size {
         };
         let origin = usize::from(given.origin == Origin::Trunk);
         if SHOULDERS[origin] < top {
-            return Self::from_shoulders(&around, fitting, (top, chosen));
+            let sides = around.end_of_sides(given, top);
+            return Self::from_shoulders(&around, fitting, (top, sides, chosen));
         }
         let measures = fitting.measures;
         let [highest, lowest] = if HIGH_BANDS[origin] < top {
@@ -76,7 +79,9 @@ impl Size {
             [measures.waist_height, measures.hip_height]
         };
         let reach = [highest, lowest].map(Length::to_m);
-        Self::from_band(&around, fitting, (top, chosen), reach)
+        let edge = around.upper_edge(given, top);
+        let cloth = edge.or_else(|| around.girth(top - BELOW_EDGE));
+        Self::from_band(fitting, (top, cloth.unwrap_or(0.0), chosen), reach)
     }
 
     /// A level of the file's body as a height on her [m].
@@ -88,7 +93,7 @@ impl Size {
     fn from_shoulders(
         around: &Around,
         fitting: &Fitting<'_>,
-        (top, chosen): (f64, Option<f64>),
+        (top, sides, chosen): (f64, f64, Option<f64>),
     ) -> Self {
         let measures = fitting.measures;
         let mut size = Self {
@@ -98,11 +103,13 @@ impl Size {
             notes: Vec::new(),
         };
         let lowest = measures.hip_height.to_m();
-        let highest = measures.armpit_height.to_m() - BELOW_ARMPIT;
+        let armpit = measures.armpit_height.to_m() - BELOW_ARMPIT;
         // A larger garment hangs deeper, where she may be wider.
         for _ in 0..3 {
             let mut tightest: Option<[f64; 3]> = None;
             let mut height = lowest;
+            // Above its sides cloth does not close around her.
+            let highest = armpit.min(size.height(sides) - BELOW_SIDES);
             while height < highest {
                 let level = top - (size.top[1] - height) / size.ratio;
                 let cloth = around.girth(level);
@@ -133,12 +140,10 @@ impl Size {
     }
 
     fn from_band(
-        around: &Around,
         fitting: &Fitting<'_>,
-        (top, chosen): (f64, Option<f64>),
+        (top, cloth, chosen): (f64, f64, Option<f64>),
         [highest, lowest]: [f64; 2],
     ) -> Self {
-        let cloth = around.girth(top - BELOW_EDGE).unwrap_or(0.0);
         let worn = cloth * chosen.unwrap_or(1.0);
         let at = |height: f64| {
             let girth = fitting.girth_at(narrow(height));
