@@ -77,11 +77,7 @@ pub(crate) fn run(args: &DanceArgs, language: Language) -> Result<(), Failure> {
 }
 
 /// Performs a design and writes what is made of it.
-pub(crate) fn perform(
-    args: &DanceArgs,
-    source: Source,
-    language: Language,
-) -> Result<(), Failure> {
+pub(crate) fn perform(args: &DanceArgs, source: Source, language: Language) -> Result<(), Failure> {
     let stop = stop_flag().map_err(Failure::error)?;
     let production = Production::new(&source.design)
         .map_err(|error| source.located(place_of(&error), Sentence::of(&error)))?;

@@ -5,11 +5,11 @@ use std::sync::atomic::Ordering;
 
 use lole_costume::document::Place;
 use lole_costume::tailoring::{self, ClothPlan, GarmentPattern};
+use lole_exchange::garmentcode;
 use lole_export::booklet::amount_words;
 use lole_export::cutting::{
     CutGarment, PatternParts, masses, pattern_folder, short_words, used_words,
 };
-use lole_exchange::garmentcode;
 use lole_export::pdf::Paper;
 use lole_language::{Bilingual as _, Language, Sentence, Words};
 use lole_pattern::marker::Lay;
@@ -98,11 +98,15 @@ fn write_garmentcode(
         .map_err(|error| source.located(place_of(&error), Sentence::of(&error)))?;
     let waist = f64::from(dancer.landmarks.waist_height);
     let mut output = output::create(&args.out).map_err(Failure::Usage)?;
-    let cut = garments.iter().filter(|garment| !garment.pattern.pieces.is_empty());
+    let cut = garments
+        .iter()
+        .filter(|garment| !garment.pattern.pieces.is_empty());
     for garment in cut {
         let name = format!("{}_specification.json", garment.id);
         let text = garmentcode::write(&garment.pattern, waist);
-        output.write(&name, text.as_bytes()).map_err(Failure::error)?;
+        output
+            .write(&name, text.as_bytes())
+            .map_err(Failure::error)?;
     }
     let paths = output.finish().map_err(Failure::error)?;
     summary::print_files(&paths, language);

@@ -143,11 +143,7 @@ const JAPANESE_HELP: &[(&str, &str, &str)] = &[
         "measures",
         "ほかのプログラムの採寸: GarmentCode の体（.yaml）、FreeSewing（.json .yaml）、Seamly の .smis",
     ),
-    (
-        "wear",
-        "cpu",
-        "グラフィックス装置があっても CPU で描きます",
-    ),
+    ("wear", "cpu", "グラフィックス装置があっても CPU で描きます"),
     (
         "wear",
         "json",

@@ -30,8 +30,8 @@ pub(crate) fn run(args: WearArgs, language: Language) -> Result<(), Failure> {
     if let Some(name) = &args.fabric {
         let ids: Vec<&str> = PRESETS.iter().map(|preset| preset.id).collect();
         let preset = Preset::from_id(name);
-        garment.fabric.preset = preset
-            .ok_or_else(|| dance::unknown("--fabric", name, words("布", "fabric"), &ids))?;
+        garment.fabric.preset =
+            preset.ok_or_else(|| dance::unknown("--fabric", name, words("布", "fabric"), &ids))?;
     }
     let chosen = args.size_ratio.map(|ratio| (given::SIZE_KEY, ratio));
     design.garments = vec![garment.with(chosen.as_slice())];

@@ -17,7 +17,9 @@ pub enum ExchangeError {
         most: usize,
     },
     /// It is no JSON.
-    #[error("this is no JSON (line {line}, column {column}); export the file again from its program")]
+    #[error(
+        "this is no JSON (line {line}, column {column}); export the file again from its program"
+    )]
     NotJson {
         /// Line of the first mistake, from 1.
         line: usize,

@@ -62,7 +62,11 @@ impl<'a> Fields<'a> {
 
 pub(crate) fn list<'a>(value: &'a Value, place: &str) -> Result<&'a [Value], ExchangeError> {
     value.as_array().map(Vec::as_slice).ok_or_else(|| {
-        ExchangeError::wrong(place, &value.to_string(), ("[…] の並び", "a list in brackets"))
+        ExchangeError::wrong(
+            place,
+            &value.to_string(),
+            ("[…] の並び", "a list in brackets"),
+        )
     })
 }
 
@@ -96,7 +100,9 @@ pub(crate) fn numbers<const N: usize>(
 
 /// A whole number that is not negative.
 pub(crate) fn index(value: &Value, place: &str) -> Result<usize, ExchangeError> {
-    let found = value.as_u64().and_then(|number| usize::try_from(number).ok());
+    let found = value
+        .as_u64()
+        .and_then(|number| usize::try_from(number).ok());
     found.ok_or_else(|| {
         ExchangeError::wrong(
             place,

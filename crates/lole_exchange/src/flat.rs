@@ -2,7 +2,9 @@
 
 use std::fmt::Write as _;
 
-use kurbo::{Affine, BezPath, ParamCurve as _, ParamCurveArclen as _, PathSeg, Point, Rect, Shape as _};
+use kurbo::{
+    Affine, BezPath, ParamCurve as _, ParamCurveArclen as _, PathSeg, Point, Rect, Shape as _,
+};
 use lole_garment::Given;
 use lole_pattern::piece::{Edge, Piece};
 
@@ -128,7 +130,8 @@ fn middle_of(edge: &Edge) -> (Point, kurbo::Vec2) {
             left -= own;
             continue;
         }
-        let at = |length: f64| PathSeg::eval(segment, segment.inv_arclen(length.clamp(0.0, own), EXACT));
+        let at =
+            |length: f64| PathSeg::eval(segment, segment.inv_arclen(length.clamp(0.0, own), EXACT));
         let step = 0.01 * own;
         let along = at(left + step) - at(left - step);
         let inward = kurbo::Vec2::new(-along.y, along.x) / along.hypot().max(1.0e-9);

@@ -21,9 +21,9 @@ use kurbo::{ParamCurve as _, PathSeg, Vec2};
 use lole_garment::given::{Given, GivenPanel, MOST_PANELS, Origin, number_words, panel_id};
 use lole_geom::{Length, polygon};
 use lole_language::{Sentence, Words, is_unseen, words};
-use lole_pattern::piece::{ClothRole, CutCount, Edge, Finish, Piece};
 use lole_pattern::Pattern;
 use lole_pattern::pattern::Seam;
+use lole_pattern::piece::{ClothRole, CutCount, Edge, Finish, Piece};
 use serde_json::Value;
 
 use crate::ExchangeError;
@@ -32,10 +32,7 @@ use crate::fields::{self, Fields};
 pub use write::write;
 
 /// What a file of this kind is called.
-pub const WHAT: Words = words(
-    "GarmentCode の型紙",
-    "a pattern of GarmentCode",
-);
+pub const WHAT: Words = words("GarmentCode の型紙", "a pattern of GarmentCode");
 
 /// Bytes of a file, at most: a dress of forty panels has 120,000.
 pub const MOST_BYTES: usize = 4 << 20;
@@ -142,7 +139,9 @@ pub fn is_specification(bytes: &[u8]) -> bool {
     let Ok(value) = serde_json::from_slice::<Value>(bytes) else {
         return false;
     };
-    let panels = value.get("pattern").and_then(|pattern| pattern.get("panels"));
+    let panels = value
+        .get("pattern")
+        .and_then(|pattern| pattern.get("panels"));
     panels.is_some()
 }
 
@@ -189,7 +188,10 @@ impl Format {
                 return Err(ExchangeError::wrong(
                     properties.at("curvature_coords"),
                     &properties.map["curvature_coords"].to_string(),
-                    ("\"relative\" か \"absolute\"", "\"relative\" or \"absolute\""),
+                    (
+                        "\"relative\" か \"absolute\"",
+                        "\"relative\" or \"absolute\"",
+                    ),
                 ));
             }
         };
@@ -210,7 +212,11 @@ fn read_panels(pattern: &Fields<'_>, format: Format) -> Result<Vec<Panel>, Excha
             "there is no panel; choose a file with a garment in it",
         ));
     }
-    too_many("pattern.panels", words("型紙", "panels"), (count, MOST_PANELS))?;
+    too_many(
+        "pattern.panels",
+        words("型紙", "panels"),
+        (count, MOST_PANELS),
+    )?;
     let read = panels.map.iter().map(|(name, value)| {
         let is_name = name.chars().nth(MOST_LETTERS).is_none() && !name.chars().any(is_unseen);
         if !is_name || name.is_empty() {
@@ -245,11 +251,7 @@ pub(crate) fn too_many(
     })
 }
 
-fn read_panel(
-    name: &str,
-    fields: &Fields<'_>,
-    format: Format,
-) -> Result<Panel, ExchangeError> {
+fn read_panel(name: &str, fields: &Fields<'_>, format: Format) -> Result<Panel, ExchangeError> {
     let vertices = fields.list("vertices")?;
     let at = fields.at("vertices");
     too_many(&at, words("頂点", "vertices"), (vertices.len(), MOST_EDGES))?;
@@ -330,8 +332,14 @@ fn check_size(panels: &[Panel]) -> Result<(), ExchangeError> {
     }
     Err(ExchangeError::unsewable(
         "properties.units_in_meter",
-        format!("いちばん大きい型紙が {:.1} cm になります。単位を確かめてください", 100.0 * largest),
-        format!("the largest panel would be {:.1} cm long; check the unit", 100.0 * largest),
+        format!(
+            "いちばん大きい型紙が {:.1} cm になります。単位を確かめてください",
+            100.0 * largest
+        ),
+        format!(
+            "the largest panel would be {:.1} cm long; check the unit",
+            100.0 * largest
+        ),
     ))
 }
 

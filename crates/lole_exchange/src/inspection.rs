@@ -75,7 +75,11 @@ impl PatternInspection {
             stitches: stitches.collect(),
             cloth_area_m2: panels.iter().map(|panel| panel.area_m2).sum(),
             panels,
-            notes: given.notes.iter().map(|note| note.english.clone()).collect(),
+            notes: given
+                .notes
+                .iter()
+                .map(|note| note.english.clone())
+                .collect(),
             said: given.notes.clone(),
         }
     }
@@ -83,11 +87,14 @@ impl PatternInspection {
     /// The same as sentences.
     #[must_use]
     pub fn lines(&self) -> Vec<Sentence> {
-        let (panels, stitches, area) =
-            (self.panels.len(), self.stitches.len(), self.cloth_area_m2);
+        let (panels, stitches, area) = (self.panels.len(), self.stitches.len(), self.cloth_area_m2);
         let mut lines = vec![Sentence::new(
-            format!("GarmentCode の型紙: {panels} 枚、縫い合わせ {stitches} か所、布 {area:.3} m²（縫い代なし）"),
-            format!("pattern of GarmentCode: {panels} panels, {stitches} stitches, {area:.3} m² of cloth without allowances"),
+            format!(
+                "GarmentCode の型紙: {panels} 枚、縫い合わせ {stitches} か所、布 {area:.3} m²（縫い代なし）"
+            ),
+            format!(
+                "pattern of GarmentCode: {panels} panels, {stitches} stitches, {area:.3} m² of cloth without allowances"
+            ),
         )];
         for (number, panel) in (1..).zip(&self.panels) {
             let ([width, height], edges, name) = (panel.size_cm, panel.edge_count, &panel.name);

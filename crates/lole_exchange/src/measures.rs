@@ -161,7 +161,10 @@ pub fn read(bytes: &[u8]) -> Result<BodyMeasures, ExchangeError> {
     }
     let bytes = bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(bytes);
     let text = std::str::from_utf8(bytes).map_err(|error| {
-        let line = 1 + bytes[..error.valid_up_to()].iter().filter(|it| **it == b'\n').count();
+        let line = 1 + bytes[..error.valid_up_to()]
+            .iter()
+            .filter(|it| **it == b'\n')
+            .count();
         ExchangeError::unsewable(
             format!("line {line}"),
             "UTF-8 の文字ではありません。UTF-8 で保存し直してください",
@@ -201,10 +204,18 @@ fn taken(
     unit: f64,
     values: &[(String, f64)],
 ) -> Result<BodyMeasures, ExchangeError> {
-    let value = |name: &str| values.iter().find(|(other, _)| other == name).map(|(_, value)| *value);
+    let value = |name: &str| {
+        values
+            .iter()
+            .find(|(other, _)| other == name)
+            .map(|(_, value)| *value)
+    };
     let mut measures = Vec::new();
     for row in rows {
-        let terms = row.terms.iter().map(|(name, sign)| Some(sign * value(name)?));
+        let terms = row
+            .terms
+            .iter()
+            .map(|(name, sign)| Some(sign * value(name)?));
         let Some(sum) = terms.sum::<Option<f64>>() else {
             continue;
         };
@@ -214,8 +225,14 @@ fn taken(
             let words = row.measure.words();
             return Err(ExchangeError::unsewable(
                 row.from,
-                format!("{}が {cm:.1} cm になります（{least} から {most} cm まで）。値と単位を確かめてください", words.japanese),
-                format!("the {} would be {cm:.1} cm, and is {least} to {most} cm; check the value and its unit", words.english),
+                format!(
+                    "{}が {cm:.1} cm になります（{least} から {most} cm まで）。値と単位を確かめてください",
+                    words.japanese
+                ),
+                format!(
+                    "the {} would be {cm:.1} cm, and is {least} to {most} cm; check the value and its unit",
+                    words.english
+                ),
             ));
         }
         measures.push(Taken {
@@ -231,7 +248,10 @@ fn taken(
             "no measure in it is known; choose a body of GarmentCode (YAML), a measurement set of FreeSewing, or a .smis of Seamly",
         ));
     }
-    let used = |name: &str| rows.iter().any(|row| row.terms.iter().any(|(term, _)| *term == name));
+    let used = |name: &str| {
+        rows.iter()
+            .any(|row| row.terms.iter().any(|(term, _)| *term == name))
+    };
     let unused = values.iter().filter(|(name, _)| !used(name));
     Ok(BodyMeasures {
         format,
@@ -312,11 +332,18 @@ fn xml(text: &str) -> Result<Vec<(String, f64)>, ExchangeError> {
         )
     };
     let document = roxmltree::Document::parse(text).map_err(|error| not_xml(error.pos().row))?;
-    let deep = |node: &roxmltree::Node<'_, '_>| DEEPEST < node.ancestors().take(DEEPEST + 2).count();
-    if document.descendants().take(4 * MOST).any(|node| deep(&node)) {
+    let deep =
+        |node: &roxmltree::Node<'_, '_>| DEEPEST < node.ancestors().take(DEEPEST + 2).count();
+    if document
+        .descendants()
+        .take(4 * MOST)
+        .any(|node| deep(&node))
+    {
         return Err(not_xml(1));
     }
-    let unit = document.descendants().find(|node| node.has_tag_name("unit"));
+    let unit = document
+        .descendants()
+        .find(|node| node.has_tag_name("unit"));
     let unit = unit.and_then(|node| node.text()).map(str::trim);
     let cm = match unit {
         Some("mm") => 0.1,
@@ -331,10 +358,16 @@ fn xml(text: &str) -> Result<Vec<(String, f64)>, ExchangeError> {
         }
     };
     let mut values = Vec::new();
-    for node in document.descendants().filter(|node| node.has_tag_name("m")).take(MOST + 1) {
+    for node in document
+        .descendants()
+        .filter(|node| node.has_tag_name("m"))
+        .take(MOST + 1)
+    {
         let place = format!("line {}", document.text_pos_at(node.range().start).row);
         let name = named(node.attribute("name").unwrap_or_default(), &place)?;
-        let value = node.attribute("value").and_then(|value| value.trim().parse::<f64>().ok());
+        let value = node
+            .attribute("value")
+            .and_then(|value| value.trim().parse::<f64>().ok());
         if let Some(value) = value.filter(|value| value.is_finite() && 0.0 < *value) {
             values.push((name, cm * value));
         }

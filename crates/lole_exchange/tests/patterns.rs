@@ -36,7 +36,11 @@ fn refused(result: Result<Given, ExchangeError>, place: &str) {
 #[test]
 fn panels_edges_and_stitches_are_read_in_their_unit() {
     let given = read(SKIRT).unwrap();
-    let names: Vec<&str> = given.panels.iter().map(|panel| panel.name.as_str()).collect();
+    let names: Vec<&str> = given
+        .panels
+        .iter()
+        .map(|panel| panel.name.as_str())
+        .collect();
     assert_eq!(names, ["back", "front"]);
     assert_eq!(given.origin, Origin::Floor);
     let [back, front] = &given.pattern.pieces[..] else {
@@ -47,7 +51,10 @@ fn panels_edges_and_stitches_are_read_in_their_unit() {
     let arc = 2.0 * 1.5 * lole_geom::trig64::asin(0.6 / 3.0);
     assert!((front.edges[0].length() - arc).abs() < 1.0e-6);
     // It bulges to the right of its way: below the chord of the hem.
-    let lowest = front.edges[0].segments.iter().map(|it| it.eval(1.0).y.min(it.eval(0.5).y));
+    let lowest = front.edges[0]
+        .segments
+        .iter()
+        .map(|it| it.eval(1.0).y.min(it.eval(0.5).y));
     let lowest = lowest.fold(f64::INFINITY, f64::min);
     let depth = 1.5 - (1.5_f64 * 1.5 - 0.3 * 0.3).sqrt();
     assert!((lowest + 0.5 + depth).abs() < 1.0e-4, "{lowest}");
@@ -56,7 +63,10 @@ fn panels_edges_and_stitches_are_read_in_their_unit() {
     assert_eq!(seams.len(), 2);
     assert!(seams.iter().all(|seam| seam.kind != SeamKind::Gathered));
     let corner = given.panels[0].place(DVec2::new(-0.3, -0.5));
-    assert!(corner.abs_diff_eq(glam::DVec3::new(0.3, 0.45, -0.2), 1.0e-9), "{corner}");
+    assert!(
+        corner.abs_diff_eq(glam::DVec3::new(0.3, 0.45, -0.2), 1.0e-9),
+        "{corner}"
+    );
 }
 
 /// Edges that are sewn run against each other: the hem's corners meet, and the waist's.
@@ -67,7 +77,11 @@ fn ends_meet_so_that_the_right_side_stays_right() {
         let ends = [seam.flat, seam.full].map(|side| {
             let edge = &given.pattern.pieces[side.piece].edges[side.edge];
             let [from, to] = edge.ends();
-            if side.between[0] < side.between[1] { [from.y, to.y] } else { [to.y, from.y] }
+            if side.between[0] < side.between[1] {
+                [from.y, to.y]
+            } else {
+                [to.y, from.y]
+            }
         });
         for (one, other) in ends[0].into_iter().zip(ends[1]) {
             assert!((one - other).abs() < 0.1, "{ends:?}");
@@ -86,22 +100,76 @@ fn ends_meet_so_that_the_right_side_stays_right() {
 fn what_cannot_be_sewn_is_refused_with_its_place() {
     refused(read("no"), "this is no JSON");
     refused(read("[]"), "{}");
-    refused(changed("\"units_in_meter\": 1000", "\"units_in_meter\": 0"), "properties.units_in_meter");
-    refused(changed("\"units_in_meter\": 1000", "\"units_in_meter\": 20"), "pattern.panels.back.vertices");
-    refused(changed("\"units_in_meter\": 1000", "\"units_in_meter\": 1e9"), "properties.units_in_meter");
+    refused(
+        changed("\"units_in_meter\": 1000", "\"units_in_meter\": 0"),
+        "properties.units_in_meter",
+    );
+    refused(
+        changed("\"units_in_meter\": 1000", "\"units_in_meter\": 20"),
+        "pattern.panels.back.vertices",
+    );
+    refused(
+        changed("\"units_in_meter\": 1000", "\"units_in_meter\": 1e9"),
+        "properties.units_in_meter",
+    );
     refused(changed("[-300, -500]", "[-300, 1e999]"), "this is no JSON");
-    refused(changed("[-300, -500]", "[-300, null]"), "pattern.panels.front.vertices[0]");
-    refused(changed("[-300, -500]", "[-300]"), "pattern.panels.front.vertices[0]");
-    refused(changed("\"endpoints\": [0, 1]", "\"endpoints\": [0, 7]"), "pattern.panels.front.edges[0]");
-    refused(changed("\"endpoints\": [0, 1]", "\"endpoints\": [0, 2]"), "pattern.panels.front.edges[0]");
-    refused(changed("\"circle\"", "\"spiral\""), "pattern.panels.front.edges[0].curvature.type");
-    refused(changed("[1500, 0, 1]", "[150, 0, 1]"), "pattern.panels.front.edges[0].curvature.params");
-    refused(changed("[[0.5, 0.02]]", "[[0.5, 9]]"), "pattern.panels.front.edges");
-    refused(changed("{\"panel\": \"back\", \"edge\": 3}", "{\"panel\": \"side\", \"edge\": 3}"), "pattern.stitches[0].panel");
-    refused(changed("{\"panel\": \"back\", \"edge\": 3}", "{\"panel\": \"back\", \"edge\": 9}"), "pattern.stitches[0].edge");
-    refused(changed("{\"panel\": \"back\", \"edge\": 3}", "{\"panel\": \"back\", \"edge\": 1}"), "pattern.stitches[1]");
-    refused(changed("\"rotation\": [0, 0, 0]", "\"rotation\": [0, 0]"), "pattern.panels.front.rotation");
-    refused(changed("\"front\": {", "\"front\\u0007\": {"), "pattern.panels");
+    refused(
+        changed("[-300, -500]", "[-300, null]"),
+        "pattern.panels.front.vertices[0]",
+    );
+    refused(
+        changed("[-300, -500]", "[-300]"),
+        "pattern.panels.front.vertices[0]",
+    );
+    refused(
+        changed("\"endpoints\": [0, 1]", "\"endpoints\": [0, 7]"),
+        "pattern.panels.front.edges[0]",
+    );
+    refused(
+        changed("\"endpoints\": [0, 1]", "\"endpoints\": [0, 2]"),
+        "pattern.panels.front.edges[0]",
+    );
+    refused(
+        changed("\"circle\"", "\"spiral\""),
+        "pattern.panels.front.edges[0].curvature.type",
+    );
+    refused(
+        changed("[1500, 0, 1]", "[150, 0, 1]"),
+        "pattern.panels.front.edges[0].curvature.params",
+    );
+    refused(
+        changed("[[0.5, 0.02]]", "[[0.5, 9]]"),
+        "pattern.panels.front.edges",
+    );
+    refused(
+        changed(
+            "{\"panel\": \"back\", \"edge\": 3}",
+            "{\"panel\": \"side\", \"edge\": 3}",
+        ),
+        "pattern.stitches[0].panel",
+    );
+    refused(
+        changed(
+            "{\"panel\": \"back\", \"edge\": 3}",
+            "{\"panel\": \"back\", \"edge\": 9}",
+        ),
+        "pattern.stitches[0].edge",
+    );
+    refused(
+        changed(
+            "{\"panel\": \"back\", \"edge\": 3}",
+            "{\"panel\": \"back\", \"edge\": 1}",
+        ),
+        "pattern.stitches[1]",
+    );
+    refused(
+        changed("\"rotation\": [0, 0, 0]", "\"rotation\": [0, 0]"),
+        "pattern.panels.front.rotation",
+    );
+    refused(
+        changed("\"front\": {", "\"front\\u0007\": {"),
+        "pattern.panels",
+    );
     let deep = "[".repeat(100_000);
     refused(read(&deep), "this is no JSON");
     let large = vec![b' '; garmentcode::MOST_BYTES + 1];
@@ -127,8 +195,17 @@ fn a_pattern_is_drawn_and_told() {
     let found = PatternInspection::new(&given);
     assert_eq!((found.panels.len(), found.stitches.len()), (2, 2));
     let expected = 0.5 * (0.6 + 0.4) * 0.5 + 0.5 * (0.6 + 0.48) * 0.5;
-    assert!((found.cloth_area_m2 - expected).abs() < 0.05, "{}", found.cloth_area_m2);
-    assert!(found.lines().iter().all(|line| line.english != line.japanese));
+    assert!(
+        (found.cloth_area_m2 - expected).abs() < 0.05,
+        "{}",
+        found.cloth_area_m2
+    );
+    assert!(
+        found
+            .lines()
+            .iter()
+            .all(|line| line.english != line.japanese)
+    );
 }
 
 /// Points along the outline of every panel that a pattern is cut into, by the panel.
@@ -140,7 +217,11 @@ fn outlines(pattern: &Pattern) -> Vec<Vec<DVec2>> {
             let is_mirrored = matches!(piece.cut, lole_pattern::piece::CutCount::Pairs(_))
                 && !copy.is_multiple_of(2)
                 && !is_folded;
-            let whole = if is_mirrored { piece.mirrored() } else { piece.unfolded() };
+            let whole = if is_mirrored {
+                piece.mirrored()
+            } else {
+                piece.unfolded()
+            };
             outlines.push(corners(&whole));
         }
     }
@@ -169,9 +250,15 @@ fn what_is_written_comes_back() {
     let dancer = Dancer::new(&Measurements::woman()).unwrap();
     let measures = lole_garment::measures(&dancer);
     let waist = measures.waist_height.to_m();
-    for template in TEMPLATES.iter().filter(|it| it.is_sewn() || it.id.starts_with("pau-")) {
+    for template in TEMPLATES
+        .iter()
+        .filter(|it| it.is_sewn() || it.id.starts_with("pau-"))
+    {
         let template: &template::Template = template;
-        let fitting = Fitting { dancer: Some(&dancer), ..Fitting::by(&measures) };
+        let fitting = Fitting {
+            dancer: Some(&dancer),
+            ..Fitting::by(&measures)
+        };
         let Ok(pattern) = (template.draft)(&fitting, &Options::of(template)) else {
             continue;
         };
@@ -181,16 +268,32 @@ fn what_is_written_comes_back() {
         assert_eq!(before.len(), given.panels.len(), "{}", template.id);
         for outline in &before {
             let worst = |piece: &lole_pattern::Piece| {
-                outline.iter().map(|point| distance(piece, *point)).fold(0.0, f64::max)
+                outline
+                    .iter()
+                    .map(|point| distance(piece, *point))
+                    .fold(0.0, f64::max)
             };
-            let nearest = given.pattern.pieces.iter().map(worst).fold(f64::INFINITY, f64::min);
+            let nearest = given
+                .pattern
+                .pieces
+                .iter()
+                .map(worst)
+                .fold(f64::INFINITY, f64::min);
             assert!(nearest < 1.0e-5, "{}: {nearest}", template.id);
         }
         let sewn = |pattern: &Pattern| -> f64 {
-            pattern.seams.iter().map(|seam| seam.full.length(&pattern.pieces)).sum()
+            pattern
+                .seams
+                .iter()
+                .map(|seam| seam.full.length(&pattern.pieces))
+                .sum()
         };
         let [written, back] = [sewn(&pattern), sewn(&given.pattern)];
-        assert!((written - back).abs() < 1.0e-3 * written.max(1.0), "{}: {written} {back}", template.id);
+        assert!(
+            (written - back).abs() < 1.0e-3 * written.max(1.0),
+            "{}: {written} {back}",
+            template.id
+        );
     }
 }
 
@@ -206,7 +309,8 @@ fn measures_of_others_become_a_dancers() {
     assert_eq!(of(&body, Measure::Hip), Some(104.1));
     assert!((of(&body, Measure::WaistHeight).unwrap() - 104.894).abs() < 1.0e-9);
     assert_eq!(body.unused, ["wrist"]);
-    let set = r#"{"name": "x", "measies": {"chest": 925, "seat": 1010, "hips": 900, "waist": 750}}"#;
+    let set =
+        r#"{"name": "x", "measies": {"chest": 925, "seat": 1010, "hips": 900, "waist": 750}}"#;
     let body = measures::read(set.as_bytes()).unwrap();
     assert_eq!(body.format, "FreeSewing");
     assert_eq!(of(&body, Measure::Bust), Some(92.5));
@@ -215,7 +319,14 @@ fn measures_of_others_become_a_dancers() {
     let body = measures::read(smis.as_bytes()).unwrap();
     assert!((of(&body, Measure::Hip).unwrap() - 91.44).abs() < 1.0e-9);
     assert_eq!(of(&body, Measure::Bust), None);
-    for wrong in ["", "hello", "<a>", "{}", "body:\n  bust: 974", "<smis><unit>ell</unit></smis>"] {
+    for wrong in [
+        "",
+        "hello",
+        "<a>",
+        "{}",
+        "body:\n  bust: 974",
+        "<smis><unit>ell</unit></smis>",
+    ] {
         let error = measures::read(wrong.as_bytes()).unwrap_err();
         assert!(!error.to_string().contains('\n'));
         assert_ne!(error.japanese(), error.to_string());
@@ -245,7 +356,11 @@ fn sample_patterns_are_read() {
             }
         };
         let given = garmentcode::read(&bytes).unwrap();
-        assert_eq!([given.panels.len(), given.pattern.seams.len()], counts, "{name}");
+        assert_eq!(
+            [given.panels.len(), given.pattern.seams.len()],
+            counts,
+            "{name}"
+        );
     }
 }
 

@@ -12,8 +12,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use lole_costume::document::{self, Design, LinkedFile, LinkedPattern};
-use lole_exchange::measures::{self, BodyMeasures};
 use lole_exchange::garmentcode;
+use lole_exchange::measures::{self, BodyMeasures};
 use lole_garment::Given;
 use lole_language::{Bilingual as _, Sentence, Words, words};
 use lole_print::Picture;

@@ -9,8 +9,8 @@ use glam::{DAffine3, DVec2, DVec3};
 use lole_language::{Sentence, words};
 use lole_pattern::{DraftError, Pattern};
 
-use crate::dress::Way;
 use crate::drafting::chosen::by_measure;
+use crate::dress::Way;
 use crate::fitting::Fitting;
 use crate::sketch::{Sketch, Tone};
 use crate::template::{MANY_SUBSTEPS, OptionRow, Options, SewnRow, Shelf, Template, Wear};

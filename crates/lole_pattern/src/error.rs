@@ -195,7 +195,8 @@ impl Bilingual for DraftError {
                 what.japanese, remedy.japanese
             ),
             Self::NoFile => {
-                "型紙のファイルがまだ読まれていません。file = \"…\" で名前を書いてください".to_owned()
+                "型紙のファイルがまだ読まれていません。file = \"…\" で名前を書いてください"
+                    .to_owned()
             }
             Self::WiderThanCloth {
                 piece,

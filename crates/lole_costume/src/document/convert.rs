@@ -3,10 +3,10 @@
 use lole_body::{Appearance, CapsuleLayout, Measure, Measurements, Tape};
 use lole_cloth::wind::Wind;
 use lole_cloth::{Crossings, Fabric};
+use lole_garment::given;
 use lole_geom::Length;
 use lole_geom::narrow;
 use lole_hula::{MotionSettings, Part, School};
-use lole_garment::given;
 use lole_language::{Bilingual, Sentence, repeated};
 
 use super::{
@@ -86,7 +86,8 @@ impl Design {
         self.check_avatar().map_err(|problem| ("dancer", problem))?;
         (self.motion_settings().check()).map_err(|error| ("motion", together(&error)))?;
         self.check_prints()?;
-        self.check_files().map_err(|problem| (schema::LIST, problem))?;
+        self.check_files()
+            .map_err(|problem| (schema::LIST, problem))?;
         let danced = self.garments.iter().filter(|garment| garment.is_danced());
         let danced_count = danced.count();
         if MOST_LISTED < self.garments.len() {
@@ -124,8 +125,12 @@ impl Design {
             let sentence = match (garment.kind_id() == id, &garment.file) {
                 (true, Some(_)) | (false, None) => continue,
                 (true, None) => Sentence::new(
-                    format!("kind = \"{id}\" には、型紙のファイルの名前が要ります。file = \"…\" を書いてください"),
-                    format!("kind = \"{id}\" needs the name of a pattern's file; write file = \"…\""),
+                    format!(
+                        "kind = \"{id}\" には、型紙のファイルの名前が要ります。file = \"…\" を書いてください"
+                    ),
+                    format!(
+                        "kind = \"{id}\" needs the name of a pattern's file; write file = \"…\""
+                    ),
                 ),
                 (false, Some(file)) => Sentence::new(
                     format!(

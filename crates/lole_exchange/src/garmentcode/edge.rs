@@ -71,7 +71,10 @@ pub(super) fn read_loop(
         ends.push([from, to]);
     }
     let next = ends.iter().cycle().skip(1);
-    let gap = ends.iter().zip(next).position(|(one, next)| one[1] != next[0]);
+    let gap = ends
+        .iter()
+        .zip(next)
+        .position(|(one, next)| one[1] != next[0]);
     if let Some(number) = gap {
         return Err(ExchangeError::unsewable(
             format!("{at}[{number}]"),
@@ -162,7 +165,10 @@ fn read_edge(
         }
         _ => Err(ExchangeError::wrong(
             fields.at("type"),
-            &fields.value("type").map(Value::to_string).unwrap_or_default(),
+            &fields
+                .value("type")
+                .map(Value::to_string)
+                .unwrap_or_default(),
             (
                 "\"quadratic\"・\"cubic\"・\"circle\" のどれか",
                 "\"quadratic\", \"cubic\" or \"circle\"",

@@ -35,7 +35,11 @@ pub(super) fn read(
     panels: &[Panel],
 ) -> Result<(Vec<Seam>, Vec<Sentence>), ExchangeError> {
     let at = "pattern.stitches";
-    too_many(at, words("縫い合わせ", "stitches"), (list.len(), MOST_STITCHES))?;
+    too_many(
+        at,
+        words("縫い合わせ", "stitches"),
+        (list.len(), MOST_STITCHES),
+    )?;
     let names: BTreeMap<&str, usize> = (panels.iter().enumerate())
         .map(|(place, panel)| (panel.name.as_str(), place))
         .collect();
@@ -96,7 +100,10 @@ fn read_side(
         return Err(ExchangeError::wrong(
             side.at("panel"),
             &name.to_string(),
-            ("このファイルの型紙の名前", "the name of a panel of this file"),
+            (
+                "このファイルの型紙の名前",
+                "the name of a panel of this file",
+            ),
         ));
     };
     let edge = fields::index(side.value("edge")?, &side.at("edge"))?;
@@ -123,7 +130,11 @@ fn seam(sides: [Side; 2], (panels, is_turned): (&[Panel], bool)) -> Seam {
         let panel = &panels[side.panel];
         let whole = SeamSide::whole(side.panel, 0, panel.edge_of_piece(side.edge));
         // As the edge runs in the file.
-        if panel.is_clockwise { whole.back() } else { whole }
+        if panel.is_clockwise {
+            whole.back()
+        } else {
+            whole
+        }
     };
     let [first, second] = sides.map(of_piece);
     let second = if is_turned { second } else { second.back() };
@@ -161,7 +172,11 @@ fn contradiction(
     let [[a, b], [c, d]] = [first, second].map(ends);
     let along = a.distance(c) + b.distance(d);
     let against = a.distance(d) + b.distance(c);
-    let (sewn, other) = if is_turned { (along, against) } else { (against, along) };
+    let (sewn, other) = if is_turned {
+        (along, against)
+    } else {
+        (against, along)
+    };
     if sewn <= other + FARTHER {
         return None;
     }

@@ -77,13 +77,20 @@ pub fn write(pattern: &Pattern, waist_height: f64) -> String {
 /// The panels that are cut of a piece.
 fn sheets_of(place: usize, piece: &Piece) -> Vec<Sheet> {
     let count = piece.edges.len();
-    let fold = piece.edges.iter().position(|edge| edge.finish == Finish::Fold);
+    let fold = piece
+        .edges
+        .iter()
+        .position(|edge| edge.finish == Finish::Fold);
     let is_back = piece.id.contains("back");
     let name = |copy: u32, of: u32| {
         if of == 1 {
             piece.id.to_owned()
         } else if matches!(piece.cut, CutCount::Pairs(_)) {
-            let side = if copy.is_multiple_of(2) { "left" } else { "right" };
+            let side = if copy.is_multiple_of(2) {
+                "left"
+            } else {
+                "right"
+            };
             if of == 2 {
                 format!("{side}_{}", piece.id)
             } else {
@@ -116,7 +123,11 @@ fn sheets_of(place: usize, piece: &Piece) -> Vec<Sheet> {
     (0..pieces)
         .map(|copy| {
             let is_mirrored = matches!(piece.cut, CutCount::Pairs(_)) && !copy.is_multiple_of(2);
-            let drawn = if is_mirrored { piece.mirrored() } else { piece.clone() };
+            let drawn = if is_mirrored {
+                piece.mirrored()
+            } else {
+                piece.clone()
+            };
             let edges = drawn.edges.into_iter().enumerate().map(|(at, edge)| {
                 let own = if is_mirrored { count - 1 - at } else { at };
                 ((place, copy, own), edge.segments, is_mirrored)
@@ -166,7 +177,8 @@ impl Cuts {
         };
         let after = cuts.partition_point(|cut| *cut < share);
         let is_known = |cut: Option<&f64>| cut.is_some_and(|cut| (cut - share).abs() < SAME);
-        if !is_known(cuts.get(after)) && !is_known(after.checked_sub(1).and_then(|at| cuts.get(at))) {
+        if !is_known(cuts.get(after)) && !is_known(after.checked_sub(1).and_then(|at| cuts.get(at)))
+        {
             cuts.insert(after, share);
         }
     }

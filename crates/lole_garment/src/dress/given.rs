@@ -126,7 +126,11 @@ impl<'a> Placing<'a> {
         let cloth = self.girth(place.y - raised).max(1.0e-3);
         let turn = narrow(self.around.sides[side].turn) / std::f32::consts::TAU + along / cloth;
         let (skin, outward) = self.form.around_trunk(below, 0.5 - turn)?;
-        let close = if size.hang == Hang::Band { BAND_GAP } else { CLOSE };
+        let close = if size.hang == Hang::Band {
+            BAND_GAP
+        } else {
+            CLOSE
+        };
         let room = (cloth - self.form.girth(below)) / std::f32::consts::TAU;
         let wrapped = skin + outward * room.clamp(close, FARTHEST) + Vec3::Y * (height - below);
         if height <= self.armpit {
@@ -184,8 +188,8 @@ impl<'a> Placing<'a> {
         let (sin, cos) = trig::sin_cos(if arm.is_front { turn } else { -turn });
         let radius = narrow(width * ratio) / std::f32::consts::TAU;
         let along = narrow((down - sleeve.begins[0]) * ratio);
-        let [shoulder, elbow, hand] =
-            [Bone::LeftUpperArm, Bone::LeftLowerArm, Bone::LeftHand].map(|bone| self.form.joint(bone));
+        let [shoulder, elbow, hand] = [Bone::LeftUpperArm, Bone::LeftLowerArm, Bone::LeftHand]
+            .map(|bone| self.form.joint(bone));
         let upper = elbow - shoulder;
         let (axis, center) = if along <= upper.length() {
             let axis = upper.normalize_or_zero();
@@ -212,7 +216,8 @@ fn filled(girths: &[Option<f64>]) -> Vec<f64> {
         near.map_or(1.0, |(_, girth)| *girth)
     };
     let all = girths.iter().enumerate();
-    all.map(|(at, girth)| girth.unwrap_or_else(|| nearest(at))).collect()
+    all.map(|(at, girth)| girth.unwrap_or_else(|| nearest(at)))
+        .collect()
 }
 
 impl Sleeve {
@@ -239,13 +244,20 @@ impl Sleeve {
                     Some(other) if own(other).is_none() => &mut armhole,
                     Some(_) => continue,
                 };
-                into.extend(line.ends().map(|point| seen(piece, DVec2::new(point.x, point.y))));
+                into.extend(
+                    line.ends()
+                        .map(|point| seen(piece, DVec2::new(point.x, point.y))),
+                );
             }
         }
         let middle = |points: &[DVec2]| points.iter().sum::<DVec2>() / points.len().max(1) as f64;
         let down = (middle(&free) - middle(&armhole)).try_normalize();
         let down = down.filter(|_| !free.is_empty() && !armhole.is_empty())?;
-        let across = if down.x < 0.0 { -down.perp() } else { down.perp() };
+        let across = if down.x < 0.0 {
+            -down.perp()
+        } else {
+            down.perp()
+        };
         let axes = [down, across];
         let mut sleeve = Self {
             axes,
@@ -258,7 +270,9 @@ impl Sleeve {
             let border: Vec<DVec2> = border
                 .map(|place| DVec2::from(sleeve.seen(*place, left)))
                 .collect();
-            let first = border.iter().fold(f64::INFINITY, |first, at| first.min(at.x));
+            let first = border
+                .iter()
+                .fold(f64::INFINITY, |first, at| first.min(at.x));
             sleeve.begins[0] = sleeve.begins[0].min(first);
             sleeve.borders[usize::from(!arm.is_front)].push(border);
         }
@@ -276,7 +290,10 @@ impl Sleeve {
     /// From where to where a half reaches across the arm so far down it; what is beyond its end is as its end.
     fn span(&self, half: usize, down: f64) -> Option<[f64; 2]> {
         let borders = &self.borders[half];
-        let last = borders.iter().flatten().fold(f64::NEG_INFINITY, |last, at| last.max(at.x));
+        let last = borders
+            .iter()
+            .flatten()
+            .fold(f64::NEG_INFINITY, |last, at| last.max(at.x));
         let down = down.min(last - 0.1 * LEVEL);
         let mut span = [f64::INFINITY, f64::NEG_INFINITY];
         for border in borders {
@@ -332,7 +349,10 @@ fn held(sized: Sized<'_>, (panels, mesh): (&Panels, &FlatMesh)) -> Vec<bool> {
     }
     // Corners of the edge lie in seams.
     let edge = held.clone();
-    let ends = mesh.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let ends = mesh
+        .triangles
+        .iter()
+        .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
     for [a, b] in ends {
         for [one, other] in [[a, b], [b, a]] {
             let is_beside = edge[one as usize] && !edge[other as usize];
@@ -345,7 +365,11 @@ fn held(sized: Sized<'_>, (panels, mesh): (&Panels, &FlatMesh)) -> Vec<bool> {
 }
 
 /// Cloth that is longer than it is cut draws what is beside it along, until nothing is stretched that can give.
-fn draw_along((mesh, gaps, held): (&FlatMesh, &[f32], &[bool]), form: &Form<'_>, places: &mut [Vec3]) {
+fn draw_along(
+    (mesh, gaps, held): (&FlatMesh, &[f32], &[bool]),
+    form: &Form<'_>,
+    places: &mut [Vec3],
+) {
     let groups = welded(mesh);
     let mut is_fixed = vec![false; places.len()];
     for (&group, &is_held) in groups.iter().zip(held) {

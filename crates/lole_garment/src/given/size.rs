@@ -160,8 +160,14 @@ impl Size {
         }
         let steps = (0_u32..).map(|step| highest - f64::from(step) * 0.5 * STEP);
         let heights: Vec<f64> = steps.take_while(|height| lowest <= *height).collect();
-        let narrowest = heights.iter().copied().min_by(|a, b| at(*a).total_cmp(&at(*b)));
-        let widest = heights.iter().copied().max_by(|a, b| at(*a).total_cmp(&at(*b)));
+        let narrowest = heights
+            .iter()
+            .copied()
+            .min_by(|a, b| at(*a).total_cmp(&at(*b)));
+        let widest = heights
+            .iter()
+            .copied()
+            .max_by(|a, b| at(*a).total_cmp(&at(*b)));
         let (Some(narrowest), Some(widest)) = (narrowest, widest) else {
             return band(highest, chosen.unwrap_or(1.0), Vec::new());
         };
@@ -187,7 +193,11 @@ impl Size {
             }
             None => {
                 let ratio = at(widest) / cloth;
-                band(widest, ratio, vec![reduced([cloth, at(widest) / BAND], ratio)])
+                band(
+                    widest,
+                    ratio,
+                    vec![reduced([cloth, at(widest) / BAND], ratio)],
+                )
             }
         }
     }
@@ -221,7 +231,9 @@ fn too_tight(cloth: f64, body: f64) -> Sentence {
     let [cloth, body] = [cloth, body].map(|girth| 100.0 * girth);
     Sentence::new(
         format!("型紙は {cloth:.1} cm で、体の {body:.1} cm にはきつく、布が伸びます"),
-        format!("the pattern goes around {cloth:.1} cm and is tight on her {body:.1} cm: the cloth will stretch"),
+        format!(
+            "the pattern goes around {cloth:.1} cm and is tight on her {body:.1} cm: the cloth will stretch"
+        ),
     )
 }
 

@@ -31,38 +31,40 @@ pub const GARMENT: &[Table<GarmentDesign>] = &[
             "スカートと着る服や小物",
             "a garment or accessory that is worn with the skirt",
         ),
-        keys: &[Key {
-            name: "layer",
-            about: words(
-                "スカートの下（under）か上（over）か。並べた順に体から外へ重なる",
-                "under the skirt or over it; garments of a layer lie in their order, from the skin outward",
-            ),
-            kind: Kind::Name {
-                what: words("重ねる場所", "layer"),
-                choices: || LAYERS.iter().map(|(id, _)| *id).collect(),
-                get: |design| {
-                    let found = LAYERS.iter().find(|(_, layer)| *layer == design.layer);
-                    found.map_or(LAYERS[0].0, |(id, _)| id)
-                },
-                set: |design, name| {
-                    if let Some((_, layer)) = LAYERS.iter().find(|(id, _)| *id == name) {
-                        design.layer = *layer;
-                    }
+        keys: &[
+            Key {
+                name: "layer",
+                about: words(
+                    "スカートの下（under）か上（over）か。並べた順に体から外へ重なる",
+                    "under the skirt or over it; garments of a layer lie in their order, from the skin outward",
+                ),
+                kind: Kind::Name {
+                    what: words("重ねる場所", "layer"),
+                    choices: || LAYERS.iter().map(|(id, _)| *id).collect(),
+                    get: |design| {
+                        let found = LAYERS.iter().find(|(_, layer)| *layer == design.layer);
+                        found.map_or(LAYERS[0].0, |(id, _)| id)
+                    },
+                    set: |design, name| {
+                        if let Some((_, layer)) = LAYERS.iter().find(|(id, _)| *id == name) {
+                            design.layer = *layer;
+                        }
+                    },
                 },
             },
-        },
-        Key {
-            name: "file",
-            about: words(
-                "ほかのプログラムの型紙（kind = \"pattern-file\" のとき）",
-                "a pattern of another program, where kind is \"pattern-file\"",
-            ),
-            kind: Kind::Text {
-                what: words("ファイルの名前", "the name of a file"),
-                get: |design| design.file.as_ref().map(|file| file.name.as_str()),
-                set: |design, name| design.file = Some(LinkedPattern::named(name)),
+            Key {
+                name: "file",
+                about: words(
+                    "ほかのプログラムの型紙（kind = \"pattern-file\" のとき）",
+                    "a pattern of another program, where kind is \"pattern-file\"",
+                ),
+                kind: Kind::Text {
+                    what: words("ファイルの名前", "the name of a file"),
+                    get: |design| design.file.as_ref().map(|file| file.name.as_str()),
+                    set: |design, name| design.file = Some(LinkedPattern::named(name)),
+                },
             },
-        }],
+        ],
     },
     Table {
         name: "fabric",
