@@ -24,6 +24,8 @@ pub(crate) struct Cli {
 pub(crate) enum Command {
     /// Drape and dance a design; write film, stills, 3D file and report.
     Dance(DanceArgs),
+    /// Sew a garment from another program's pattern, and dance in it; write what dance writes.
+    Wear(Box<WearArgs>),
     /// Cut plans and patterns of a design: on paper at full size, as SVG and as DXF.
     Pattern(PatternArgs),
     /// One design for a list of dancers: cut sizes, elastics, cloth to buy, cost, booklet, summary.
@@ -105,6 +107,10 @@ pub(crate) struct DancerArgs {
     /// Avatar instead of the design's dancer (.vrm, .glb, .gltf).
     #[arg(long, value_name = "FILE")]
     pub(crate) avatar: Option<PathBuf>,
+    /// Her measures from another program: a body of GarmentCode (.yaml), a set of FreeSewing (.json, .yaml),
+    /// .smis of Seamly.
+    #[arg(long, value_name = "FILE", conflicts_with = "avatar")]
+    pub(crate) measures: Option<PathBuf>,
     /// Draw with the processor even where there is a graphics device.
     #[arg(long)]
     pub(crate) cpu: bool,
@@ -116,11 +122,15 @@ pub(crate) struct DancerArgs {
 /// `lole inspect`.
 #[derive(Debug, Args)]
 pub(crate) struct InspectArgs {
-    /// The file: an avatar or a recorded motion (.vrm, .glb, .gltf, .vrma, .bvh).
+    /// The file: an avatar or a recorded motion (.vrm, .glb, .gltf, .vrma, .bvh), another program's pattern
+    /// (.json) or measures (.yaml, .json, .smis).
     pub(crate) file: PathBuf,
     /// List that says which joint is which bone, one `joint = bone` on a line.
     #[arg(long, value_name = "LIST")]
     pub(crate) bones: Option<PathBuf>,
+    /// Draw the panels of a pattern flat, with their stitches numbered, into this file.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) svg: Option<PathBuf>,
     /// Print it as JSON.
     #[arg(long)]
     pub(crate) json: bool,
@@ -149,6 +159,10 @@ pub(crate) struct DanceArgs {
     /// Avatar who dances instead of the design's dancer (.vrm, .glb, .gltf).
     #[arg(long, value_name = "FILE")]
     pub(crate) avatar: Option<PathBuf>,
+    /// Her measures from another program: a body of GarmentCode (.yaml), a set of FreeSewing (.json, .yaml),
+    /// .smis of Seamly.
+    #[arg(long, value_name = "FILE", conflicts_with = "avatar")]
+    pub(crate) measures: Option<PathBuf>,
     /// Recorded motion that is danced instead of the design's (.bvh, .vrma, .glb, .vrm).
     #[arg(long, value_name = "FILE", conflicts_with = "step")]
     pub(crate) motion: Option<PathBuf>,
@@ -164,6 +178,56 @@ pub(crate) struct DanceArgs {
     /// Chance for how unevenly the gathers are pushed together; otherwise the design's.
     #[arg(long, value_parser = seed, allow_negative_numbers = true)]
     pub(crate) seed: Option<u64>,
+    /// Draw with the processor even where there is a graphics device.
+    #[arg(long)]
+    pub(crate) cpu: bool,
+    /// Print the report as JSON on standard output, and nothing else there.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// `lole wear`.
+#[derive(Debug, Args)]
+pub(crate) struct WearArgs {
+    /// The pattern: a specification of GarmentCode (.json).
+    pub(crate) pattern: PathBuf,
+    /// Design whose dancer, motion, cloth and print are taken; her garments are not.
+    #[arg(long, value_name = "DESIGN")]
+    pub(crate) dancer: Option<PathBuf>,
+    /// Avatar who wears it (.vrm, .glb, .gltf).
+    #[arg(long, value_name = "FILE")]
+    pub(crate) avatar: Option<PathBuf>,
+    /// Her measures from another program: a body of GarmentCode (.yaml), a set of FreeSewing (.json, .yaml),
+    /// .smis of Seamly.
+    #[arg(long, value_name = "FILE", conflicts_with = "avatar")]
+    pub(crate) measures: Option<PathBuf>,
+    /// Folder for the results.
+    #[arg(long, value_name = "DIR", default_value = "lole-wear")]
+    pub(crate) out: PathBuf,
+    /// Size of all pieces over that of the file, 0.25 to 4; left out, the one that she can wear.
+    #[arg(long, value_name = "RATIO", value_parser = size_ratio, allow_negative_numbers = true)]
+    pub(crate) size_ratio: Option<f64>,
+    /// Fabric of the shelf, such as cotton-lawn; `lole fabric` lists them.
+    #[arg(long, value_name = "NAME")]
+    pub(crate) fabric: Option<String>,
+    /// Length of the dance [s], 0.5 to 600; otherwise the design's, 12 without one.
+    #[arg(long, value_parser = seconds, allow_negative_numbers = true)]
+    pub(crate) seconds: Option<f64>,
+    /// Dance step, such as kao, kaholo, hela or ami-kuu, instead of what the design dances.
+    #[arg(long)]
+    pub(crate) step: Option<String>,
+    /// Tempo in counts per minute; otherwise the design's.
+    #[arg(long, value_name = "COUNTS", value_parser = tempo, allow_negative_numbers = true)]
+    pub(crate) bpm: Option<f64>,
+    /// Recorded motion that is danced (.bvh, .vrma, .glb, .vrm).
+    #[arg(long, value_name = "FILE", conflicts_with = "step")]
+    pub(crate) motion: Option<PathBuf>,
+    /// Size of the film in pixels, both even.
+    #[arg(long, value_name = "WIDTHxHEIGHT", default_value = "1280x720", value_parser = size)]
+    pub(crate) size: (u32, u32),
+    /// Threads of the simulation; the result is the same on any number.
+    #[arg(long, value_parser = threads, allow_negative_numbers = true)]
+    pub(crate) threads: Option<u16>,
     /// Draw with the processor even where there is a graphics device.
     #[arg(long)]
     pub(crate) cpu: bool,
@@ -189,9 +253,19 @@ pub(crate) struct PatternArgs {
     /// Lay the pieces so that the print meets at the seams: takes more cloth.
     #[arg(long)]
     pub(crate) match_print: bool,
+    /// Write the pieces and how they are sewn for another program instead.
+    #[arg(long, value_enum)]
+    pub(crate) format: Option<PatternFormat>,
     /// Print the pattern as JSON on standard output, and nothing else there.
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+/// Forms of other programs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum PatternFormat {
+    /// Specifications of GarmentCode (JSON): panels, edges, stitches.
+    Garmentcode,
 }
 
 /// `lole order`.
@@ -383,6 +457,20 @@ fn seconds(text: &str) -> Result<f64, Sentence> {
     };
     let value = text.parse::<f64>().map_err(|_| help())?;
     (0.5..=600.0)
+        .contains(&value)
+        .then_some(value)
+        .ok_or_else(help)
+}
+
+fn size_ratio(text: &str) -> Result<f64, Sentence> {
+    let help = || {
+        Sentence::new(
+            "0.25 から 4 までの倍率を書いてください（例: 1.1）",
+            "give a ratio from 0.25 to 4, such as 1.1",
+        )
+    };
+    let value = text.parse::<f64>().map_err(|_| help())?;
+    (0.25..=4.0)
         .contains(&value)
         .then_some(value)
         .ok_or_else(help)

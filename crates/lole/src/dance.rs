@@ -73,12 +73,19 @@ impl Recording {
 
 /// Runs the command.
 pub(crate) fn run(args: &DanceArgs, language: Language) -> Result<(), Failure> {
+    perform(args, load(args)?, language)
+}
+
+/// Performs a design and writes what is made of it.
+pub(crate) fn perform(args: &DanceArgs, source: Source, language: Language) -> Result<(), Failure> {
     let stop = stop_flag().map_err(Failure::error)?;
-    let source = load(args)?;
     let production = Production::new(&source.design)
         .map_err(|error| source.located(place_of(&error), Sentence::of(&error)))?;
     check(&stop)?;
     let song = args.audio.as_deref().map(song).transpose()?;
+    if !args.json {
+        tell(&production, language);
+    }
     let output = output::create(&args.out).map_err(Failure::Usage)?;
     let run = Run {
         song,
@@ -89,6 +96,18 @@ pub(crate) fn run(args: &DanceArgs, language: Language) -> Result<(), Failure> {
         design: source.design,
     };
     run.perform(production, output)
+}
+
+/// Says what the files of others' patterns leave open and how that was taken.
+fn tell(production: &Production, language: Language) {
+    for garment in &production.dressed {
+        let design = &production.design.garments[garment.listed];
+        let given = design.file.as_ref().and_then(|file| file.given.as_ref());
+        let notes = given.map(|given| given.notes.iter());
+        let notes = notes.map(|notes| notes.chain(&garment.dressed.pattern.warnings));
+        let notes: Vec<Sentence> = notes.into_iter().flatten().cloned().collect();
+        summary::print_lines(&notes, language);
+    }
 }
 
 /// Reads the song of the command line.
@@ -139,12 +158,13 @@ struct Run<'a> {
 fn load(args: &DanceArgs) -> Result<Source, Failure> {
     let mut source = source::read(args.design.as_deref())?;
     source.put(args.avatar.as_deref(), args.motion.as_deref())?;
+    source.measure(args.measures.as_deref())?;
     lay_over(&mut source.design, args)?;
     Ok(source)
 }
 
 /// Lays the wishes for the dance over a design.
-fn lay_over(design: &mut Design, args: &DanceArgs) -> Result<(), Failure> {
+pub(crate) fn lay_over(design: &mut Design, args: &DanceArgs) -> Result<(), Failure> {
     if let Some(step) = &args.step {
         let ids = DanceStep::ALL.map(DanceStep::id);
         design.motion.step = DanceStep::from_id(step)

@@ -27,6 +27,7 @@ const PICTURE_SIZE: Size = Size {
 pub(crate) fn run(args: &DancerArgs, language: Language) -> Result<(), Failure> {
     let mut source = source::read(args.design.as_deref())?;
     source.put(args.avatar.as_deref(), None)?;
+    source.measure(args.measures.as_deref())?;
     let (dancer, license) = lole_stage::dancer(&source.design).map_err(|error| {
         let place = Place {
             table: "dancer",

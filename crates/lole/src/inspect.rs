@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use lole_avatar::AvatarInspection;
+use lole_exchange::{PatternInspection, garmentcode, measures};
 use lole_files::Unread;
 use lole_language::{Language, Sentence};
 use lole_motion::{RecordingInspection, bvh};
@@ -27,7 +28,24 @@ pub(crate) fn run(args: &InspectArgs, language: Language) -> Result<(), Failure>
             format!("{name}: {}", sentence.english),
         ))
     };
-    let (lines, json) = if is_bvh(&bytes) {
+    if args.svg.is_some() && !garmentcode::is_specification(&bytes) {
+        return Err(named(Sentence::new(
+            "--svg は GarmentCode の型紙だけに使えます",
+            "--svg is for a pattern of GarmentCode alone",
+        )));
+    }
+    let (lines, json) = if garmentcode::is_specification(&bytes) {
+        let given = garmentcode::read(&bytes).map_err(|error| named(Sentence::of(&error)))?;
+        if let Some(path) = &args.svg {
+            let drawing = lole_exchange::flat::svg(&given);
+            lole_files::write_whole(path, drawing.as_bytes()).map_err(Failure::usage)?;
+        }
+        let found = PatternInspection::new(&given);
+        (found.lines(), serde_json::to_string_pretty(&found))
+    } else if is_measures(&args.file, &bytes) {
+        let found = measures::read(&bytes).map_err(|error| named(Sentence::of(&error)))?;
+        (found.lines(), serde_json::to_string_pretty(&found))
+    } else if is_bvh(&bytes) {
         let recording = bvh::parse(&bytes).map_err(|error| named(Sentence::of(&error)))?;
         let found = RecordingInspection::new("BVH", &recording, list);
         (found.lines(), serde_json::to_string_pretty(&found))
@@ -42,6 +60,14 @@ pub(crate) fn run(args: &InspectArgs, language: Language) -> Result<(), Failure>
         summary::print_inspection(&args.file, &lines, language);
     }
     Ok(())
+}
+
+/// Whether a file is one of measures: by its name, or as a set of FreeSewing begins.
+fn is_measures(path: &Path, bytes: &[u8]) -> bool {
+    let ending = path.extension().and_then(|ending| ending.to_str());
+    let ending = ending.unwrap_or_default().to_ascii_lowercase();
+    let is_named = ["yaml", "yml", "smis", "vit"].contains(&ending.as_str());
+    is_named || (ending == "json" && measures::read(bytes).is_ok())
 }
 
 /// Whether a file begins as BVH does.

@@ -17,6 +17,7 @@ mod study;
 mod summary;
 mod usage;
 mod validate;
+mod wear;
 mod window;
 
 use std::process::ExitCode;
@@ -75,6 +76,7 @@ fn main() -> ExitCode {
         },
         Asked::Command(command) => match *command {
             Command::Dance(args) => dance::run(&args, language),
+            Command::Wear(args) => wear::run(*args, language),
             Command::Pattern(args) => pattern::run(&args, language),
             Command::Order(args) => order::run_order(&args, language),
             Command::Booklet(args) => order::run_booklet(&args, language),

@@ -5,6 +5,7 @@ use std::sync::atomic::Ordering;
 
 use lole_costume::document::Place;
 use lole_costume::tailoring::{self, ClothPlan, GarmentPattern};
+use lole_exchange::garmentcode;
 use lole_export::booklet::amount_words;
 use lole_export::cutting::{
     CutGarment, PATTERN_JSON, PatternParts, left_behind, masses, pattern_folder, short_words,
@@ -15,7 +16,7 @@ use lole_language::{Bilingual as _, Language, Sentence, Words};
 use lole_pattern::marker::Lay;
 use lole_print::PrintImage;
 
-use crate::args::{PaperSize, PatternArgs};
+use crate::args::{PaperSize, PatternArgs, PatternFormat};
 use crate::dance::place_of;
 use crate::order::PRINT_SIDE;
 use crate::output;
@@ -38,6 +39,9 @@ pub(crate) fn run(args: &PatternArgs, language: Language) -> Result<(), Failure>
     let stop = stop_flag().map_err(Failure::error)?;
     let source = source::read(args.design.as_deref())?;
     let garments = draft(&source)?;
+    if args.format == Some(PatternFormat::Garmentcode) {
+        return write_garmentcode(&source, &garments, args, language);
+    }
     let mut output = output::create(&args.out).map_err(Failure::Usage)?;
     let count = u32::try_from(garments.len()).unwrap_or(u32::MAX);
     let bar = progress_bar(2 * count, language.pick("型紙", "pattern"));
@@ -84,6 +88,32 @@ pub(crate) fn run(args: &PatternArgs, language: Language) -> Result<(), Failure>
         let warnings: Vec<Sentence> = cuts.iter().flat_map(warnings).chain(stayed).collect();
         summary::print_pattern(&paths, &purchases, &warnings, language);
     }
+    Ok(())
+}
+
+/// Writes every garment as a specification of GarmentCode.
+fn write_garmentcode(
+    source: &Source,
+    garments: &[GarmentPattern],
+    args: &PatternArgs,
+    language: Language,
+) -> Result<(), Failure> {
+    let (dancer, _) = lole_stage::dancer(&source.design)
+        .map_err(|error| source.located(place_of(&error), Sentence::of(&error)))?;
+    let waist = f64::from(dancer.landmarks.waist_height);
+    let mut output = output::create(&args.out).map_err(Failure::Usage)?;
+    let cut = garments
+        .iter()
+        .filter(|garment| !garment.pattern.pieces.is_empty());
+    for garment in cut {
+        let name = format!("{}_specification.json", garment.id);
+        let text = garmentcode::write(&garment.pattern, waist);
+        output
+            .write(&name, text.as_bytes())
+            .map_err(Failure::error)?;
+    }
+    let paths = output.finish().map_err(Failure::error)?;
+    summary::print_files(&paths, language);
     Ok(())
 }
 

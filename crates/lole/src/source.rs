@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use lole_body::Measure;
 use lole_costume::document::{self, Design, Place};
 use lole_language::Sentence;
 
@@ -61,6 +62,25 @@ impl Source {
             }
         }
         Ok(())
+    }
+
+    /// Builds the design's dancer to the measures of another program's file.
+    pub(crate) fn measure(&mut self, path: Option<&Path>) -> Result<(), Failure> {
+        let Some(path) = path else {
+            return Ok(());
+        };
+        let name = path.display().to_string();
+        let body = lole_files::read_measures(path, "--measures").map_err(Failure::usage)?;
+        let dancer = &mut self.design.dancer;
+        dancer.file = None;
+        for measure in Measure::ALL {
+            *dancer.measure_mut(measure) = None;
+        }
+        for taken in &body.measures {
+            *dancer.measure_mut(taken.measure) = Some((100.0 * taken.cm).round() / 100.0);
+        }
+        self.put.push("dancer");
+        (self.design.check(&name)).map_err(|error| Failure::Usage(error.into()))
     }
 
     /// A mistake that only measuring, drafting or sewing finds, with the line where it is mended; a

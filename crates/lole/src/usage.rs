@@ -76,11 +76,76 @@ const JAPANESE_HELP: &[(&str, &str, &str)] = &[
     ),
     (
         "dance",
+        "measures",
+        "ほかのプログラムの採寸: GarmentCode の体（.yaml）、FreeSewing（.json .yaml）、Seamly の .smis",
+    ),
+    (
+        "dance",
         "cpu",
         "グラフィックス装置があっても CPU で描きます",
     ),
     (
         "dance",
+        "json",
+        "レポートを JSON で標準出力に書きます（ほかには何も書きません）",
+    ),
+    (
+        "wear",
+        "",
+        "ほかのプログラムの型紙から服を縫い、着せて踊らせます（書き出すものは dance と同じ）",
+    ),
+    (
+        "wear",
+        "pattern",
+        "型紙: GarmentCode の仕様ファイル（.json）",
+    ),
+    (
+        "wear",
+        "dancer",
+        "踊り手・踊り・布・柄をとるデザイン（その服は着ません）",
+    ),
+    ("wear", "avatar", "着るアバター（.vrm .glb .gltf）"),
+    ("wear", "out", "書き出すフォルダー"),
+    (
+        "wear",
+        "size_ratio",
+        "型紙の大きさの倍率、0.25 から 4。書かなければ、着られる大きさ",
+    ),
+    (
+        "wear",
+        "fabric",
+        "棚の布（cotton-lawn など）。一覧は lole fabric",
+    ),
+    (
+        "wear",
+        "seconds",
+        "踊りの長さ [秒]、0.5 から 600。書かなければデザインのとおり（デザインがなければ 12）",
+    ),
+    (
+        "wear",
+        "step",
+        "ステップ: kao, kaholo, ami, uwehe。書かなければデザインのとおり",
+    ),
+    (
+        "wear",
+        "bpm",
+        "テンポ（1分あたりの拍数）。書かなければデザインのとおり",
+    ),
+    ("wear", "motion", "踊る記録（.bvh .vrma .glb .vrm）"),
+    ("wear", "size", "動画の大きさ [画素]。どちらも偶数"),
+    (
+        "wear",
+        "threads",
+        "計算に使うスレッド数。いくつでも結果は同じです",
+    ),
+    (
+        "wear",
+        "measures",
+        "ほかのプログラムの採寸: GarmentCode の体（.yaml）、FreeSewing（.json .yaml）、Seamly の .smis",
+    ),
+    ("wear", "cpu", "グラフィックス装置があっても CPU で描きます"),
+    (
+        "wear",
         "json",
         "レポートを JSON で標準出力に書きます（ほかには何も書きません）",
     ),
@@ -109,6 +174,11 @@ const JAPANESE_HELP: &[(&str, &str, &str)] = &[
         "pattern",
         "match_print",
         "縫い目で柄が合うように置きます（布が多く要ります）",
+    ),
+    (
+        "pattern",
+        "format",
+        "かわりに、ほかのプログラムの形で型紙と縫い合わせを書き出します: garmentcode",
     ),
     (
         "pattern",
@@ -286,6 +356,11 @@ const JAPANESE_HELP: &[(&str, &str, &str)] = &[
     ),
     (
         "dancer",
+        "measures",
+        "ほかのプログラムの採寸: GarmentCode の体（.yaml）、FreeSewing（.json .yaml）、Seamly の .smis",
+    ),
+    (
+        "dancer",
         "cpu",
         "グラフィックス装置があっても CPU で描きます",
     ),
@@ -308,6 +383,11 @@ const JAPANESE_HELP: &[(&str, &str, &str)] = &[
         "inspect",
         "bones",
         "どの関節がどの骨かの表。一行に一つ「関節 = 骨」",
+    ),
+    (
+        "inspect",
+        "svg",
+        "型紙を平らに、縫い合わせに番号をつけて、このファイルに描きます",
     ),
     ("inspect", "json", "JSON で書きます"),
     (

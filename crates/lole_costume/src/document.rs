@@ -34,7 +34,7 @@ use lole_print::{PrintLay, PrintMotif};
 
 pub use cost::{CostDesign, Currency, NotionPrices};
 pub use error::{DesignError, Problem};
-pub use garment::GarmentDesign;
+pub use garment::{GarmentDesign, LinkedPattern};
 pub use lole_garment::GarmentLayer;
 pub use nearest::{likely, nearest};
 pub use parse::{Place, locate, parse, parse_bytes};

@@ -11,7 +11,10 @@ use std::io::{self, Read as _, Write as _};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use lole_costume::document::{self, Design, LinkedFile};
+use lole_costume::document::{self, Design, LinkedFile, LinkedPattern};
+use lole_exchange::garmentcode;
+use lole_exchange::measures::{self, BodyMeasures};
+use lole_garment::Given;
 use lole_language::{Bilingual as _, Sentence, Words, words};
 use lole_print::Picture;
 
@@ -181,7 +184,55 @@ pub fn read_linked_files(design: &mut Design, document: &Path) -> Result<(), Sen
             file.picture = Some(read_picture(&path, key)?);
         }
     }
+    for garment in &mut design.garments {
+        if let Some(file) = &mut garment.file {
+            let path = document.with_file_name(&file.name);
+            file.given = Some(read_pattern(&path, "[[garment]] file")?);
+        }
+    }
     Ok(())
+}
+
+/// Reads a pattern of another program that a design or a command names under `key`.
+///
+/// # Errors
+/// One sentence that names the file.
+pub fn read_pattern(path: &Path, key: &str) -> Result<Arc<Given>, Sentence> {
+    let bytes = read_alone(path, key)?;
+    let given = garmentcode::read(&bytes).map_err(|error| {
+        let name = path.display();
+        Sentence::new(
+            format!("{name}: {}", error.japanese()),
+            format!("{name}: {error}"),
+        )
+    })?;
+    Ok(Arc::new(given))
+}
+
+/// Reads another program's measures of a body that a command names under `key`.
+///
+/// # Errors
+/// One sentence that names the file.
+pub fn read_measures(path: &Path, key: &str) -> Result<BodyMeasures, Sentence> {
+    let bytes = read_alone(path, key)?;
+    measures::read(&bytes).map_err(|error| {
+        let name = path.display();
+        Sentence::new(
+            format!("{name}: {}", error.japanese()),
+            format!("{name}: {error}"),
+        )
+    })
+}
+
+/// A pattern of another program for a garment of a design, named by its whole path.
+///
+/// # Errors
+/// One sentence that names the file.
+pub fn linked_pattern(path: &Path, key: &str) -> Result<LinkedPattern, Sentence> {
+    Ok(LinkedPattern {
+        given: Some(read_pattern(path, key)?),
+        name: recording_name(path, None),
+    })
 }
 
 /// Names the files of a design by their whole paths, so that a design that is written elsewhere than
@@ -196,6 +247,11 @@ pub fn name_linked_files(design: &mut Design, document: &Path) {
     }
     for print in design.prints_mut() {
         if let Some(file) = &mut print.file {
+            whole(&mut file.name);
+        }
+    }
+    for garment in &mut design.garments {
+        if let Some(file) = &mut garment.file {
             whole(&mut file.name);
         }
     }

@@ -11,6 +11,7 @@ mod fair;
 pub(crate) mod fit;
 mod flat;
 pub(crate) mod form;
+mod given;
 pub(crate) mod hung;
 mod laid;
 mod layers;
@@ -42,6 +43,7 @@ use crate::GarmentSpec;
 use crate::fitting::Fitting;
 use crate::template::{SewnRow, Wear};
 use fair::Fairing;
+use flat::number;
 use form::Form;
 use under::Under;
 
@@ -228,8 +230,15 @@ pub fn dress(
     among: &Among<'_>,
 ) -> Result<Dressed, DressError> {
     let measures = crate::measures(dancer);
-    let pattern = spec.pattern(&Fitting::by(&measures))?;
+    // Drafts go by measures alone, and the pieces of a file by tapes around her.
+    let fitting = Fitting {
+        dancer: spec.given.map(|_| dancer),
+        ..Fitting::by(&measures)
+    };
+    let pattern = spec.pattern(&fitting)?;
     let template = spec.template.id;
+    let size = (spec.given).map(|given| given.size_for(&fitting, spec.options));
+    let sized = (spec.given.zip(size.as_ref())).map(|(given, size)| given::Sized { given, size });
     let Wear::Sewn(row) = &spec.template.worn else {
         return Err(DressError::NotWorn { template });
     };
@@ -237,7 +246,7 @@ pub fn dress(
         (template, row),
         pattern,
         (dancer, &measures),
-        among.division,
+        (among.division, sized),
     )?;
     let mut under = Under::new(dancer, stance, among.inside);
     let (mut dressed, mut kit) = Dressed::sew((spec, row), laid, among.division)?;
@@ -326,7 +335,7 @@ impl Dressed {
             triangles,
             on_cloth: on_cloth.collect(),
             welded: welded(&mesh),
-            panel_of: mesh.panel_of.iter().map(|&it| flat::number(it)).collect(),
+            panel_of: mesh.panel_of.iter().map(|&it| number(it)).collect(),
             pieces,
             puckers: mesh.puckers,
             fairing: Fairing::default(),
@@ -591,7 +600,7 @@ fn joints(mesh: &flat::FlatMesh, elastics: &[f32]) -> Vec<ClothJoint> {
 
 /// By particle, the first one that it is sewn to, directly or by way of others.
 fn welded(mesh: &flat::FlatMesh) -> Vec<u32> {
-    let mut first: Vec<u32> = (0..flat::number(mesh.flat.len())).collect();
+    let mut first: Vec<u32> = (0..number(mesh.flat.len())).collect();
     fn root(first: &mut [u32], mut particle: u32) -> u32 {
         while first[particle as usize] != particle {
             first[particle as usize] = first[first[particle as usize] as usize];
@@ -603,7 +612,7 @@ fn welded(mesh: &flat::FlatMesh) -> Vec<u32> {
         let [a, b] = [a, b].map(|particle| root(&mut first, particle));
         first[a.max(b) as usize] = a.min(b);
     }
-    (0..flat::number(mesh.flat.len()))
+    (0..number(mesh.flat.len()))
         .map(|particle| root(&mut first, particle))
         .collect()
 }

@@ -12,6 +12,7 @@ mod drafting;
 pub mod dress;
 mod fitting;
 mod garment;
+pub mod given;
 pub mod measures;
 pub mod sketch;
 mod spec;
@@ -19,6 +20,7 @@ pub mod template;
 pub mod wave;
 
 pub use fitting::Fitting;
+pub use given::Given;
 pub use measures::measures;
 pub use sketch::Sketch;
 pub use spec::{Colors, GarmentSpec};

@@ -4,6 +4,7 @@ use lole_cloth::Fabric;
 use lole_pattern::{DraftError, Pattern};
 
 use crate::fitting::Fitting;
+use crate::given::Given;
 use crate::template::{Options, Template};
 
 /// One garment as it is ordered: what it is, how it is cut, and what of.
@@ -17,6 +18,8 @@ pub struct GarmentSpec<'a> {
     pub fabric: Fabric,
     /// Its colors.
     pub colors: Colors,
+    /// The pieces that it is cut after where a file has them.
+    pub given: Option<&'a Given>,
 }
 
 /// Colors of a print, or of what is made of leaves and flowers; sRGB.
@@ -38,6 +41,9 @@ impl GarmentSpec<'_> {
     /// # Errors
     /// Measures or options that it cannot be drafted from.
     pub fn pattern(&self, fitting: &Fitting<'_>) -> Result<Pattern, DraftError> {
-        (self.template.draft)(fitting, self.options)
+        match self.given {
+            Some(given) => Ok(given.pattern_for(fitting, self.options)),
+            None => (self.template.draft)(fitting, self.options),
+        }
     }
 }

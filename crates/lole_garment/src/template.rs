@@ -339,7 +339,9 @@ impl Template {
     /// The template of this name.
     #[must_use]
     pub fn of_id(id: &str) -> Option<&'static Self> {
-        TEMPLATES.iter().find(|it| it.id == id).copied()
+        let given = [&crate::given::TEMPLATE];
+        let mut all = TEMPLATES.iter().chain(&given);
+        all.find(|it| it.id == id).copied()
     }
 
     /// Where an option of this key stands among [`Template::options`].

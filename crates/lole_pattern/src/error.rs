@@ -97,6 +97,9 @@ pub enum DraftError {
         /// What else can be done, beginning with a comma; may be empty.
         remedy: Words,
     },
+    /// A garment of a pattern file whose file was not read.
+    #[error("the pattern's file is not read; name it with file = \"…\"")]
+    NoFile,
     /// A piece is wider than its cloth, and no seam that joins it would be hidden.
     #[error(
         "the {} is {across_cm:.1} cm across and cannot be joined unseen on cloth of {width_cm:.1} cm; use \
@@ -191,6 +194,10 @@ impl Bilingual for DraftError {
                  {least_cm:.1}～{most_cm:.1} cm です。測り直してください{}",
                 what.japanese, remedy.japanese
             ),
+            Self::NoFile => {
+                "型紙のファイルがまだ読まれていません。file = \"…\" で名前を書いてください"
+                    .to_owned()
+            }
             Self::WiderThanCloth {
                 piece,
                 across_cm,

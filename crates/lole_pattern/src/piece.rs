@@ -188,6 +188,17 @@ impl Edge {
         self
     }
 
+    /// Its first point and its last one [m]; both at zero for an edge without segments.
+    #[must_use]
+    pub fn ends(&self) -> [Point; 2] {
+        use kurbo::ParamCurve as _;
+        let (first, last) = (self.segments.first(), self.segments.last());
+        [
+            first.map_or(Point::ZERO, PathSeg::start),
+            last.map_or(Point::ZERO, PathSeg::end),
+        ]
+    }
+
     /// Length of the stitching line [m], to a hundredth of a millimeter.
     #[must_use]
     pub fn length(&self) -> f64 {

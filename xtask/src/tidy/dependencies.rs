@@ -65,8 +65,25 @@ const TABLE: &[(&str, &[&str])] = &[
         ],
     ),
     (
+        "lole_exchange",
+        &[
+            "lole_language",
+            "lole_geom",
+            "lole_body",
+            "lole_pattern",
+            "lole_garment",
+        ],
+    ),
+    (
         "lole_files",
-        &["lole_language", "lole_avatar", "lole_print", "lole_costume"],
+        &[
+            "lole_language",
+            "lole_avatar",
+            "lole_print",
+            "lole_garment",
+            "lole_exchange",
+            "lole_costume",
+        ],
     ),
     (
         "lole_stage",
@@ -167,6 +184,7 @@ const TABLE: &[(&str, &[&str])] = &[
             "lole_garment",
             "lole_render",
             "lole_costume",
+            "lole_exchange",
             "lole_files",
             "lole_stage",
             "lole_export",

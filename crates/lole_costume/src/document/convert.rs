@@ -3,10 +3,11 @@
 use lole_body::{Appearance, CapsuleLayout, Measure, Measurements, Tape};
 use lole_cloth::wind::Wind;
 use lole_cloth::{Crossings, Fabric};
+use lole_garment::given;
 use lole_geom::Length;
 use lole_geom::narrow;
 use lole_hula::{MotionSettings, Part, School};
-use lole_language::{Bilingual, Sentence};
+use lole_language::{Bilingual, Sentence, repeated};
 
 use super::{
     BodyShapes, DancerDesign, Design, DesignError, FabricDesign, GarmentDesign, GarmentLayer,
@@ -85,6 +86,8 @@ impl Design {
         self.check_avatar().map_err(|problem| ("dancer", problem))?;
         (self.motion_settings().check()).map_err(|error| ("motion", together(&error)))?;
         self.check_prints()?;
+        self.check_files()
+            .map_err(|problem| (schema::LIST, problem))?;
         let danced = self.garments.iter().filter(|garment| garment.is_danced());
         let danced_count = danced.count();
         if MOST_LISTED < self.garments.len() {
@@ -111,6 +114,36 @@ impl Design {
                     .to_owned(),
             );
             return Err(("method", Box::new(Problem::Together { sentence })));
+        }
+        Ok(())
+    }
+
+    /// A file is named where a garment is cut after one, and nowhere else.
+    fn check_files(&self) -> Result<(), Box<Problem>> {
+        let id = given::TEMPLATE.id;
+        for garment in &self.garments {
+            let sentence = match (garment.kind_id() == id, &garment.file) {
+                (true, Some(_)) | (false, None) => continue,
+                (true, None) => Sentence::new(
+                    format!(
+                        "kind = \"{id}\" には、型紙のファイルの名前が要ります。file = \"…\" を書いてください"
+                    ),
+                    format!(
+                        "kind = \"{id}\" needs the name of a pattern's file; write file = \"…\""
+                    ),
+                ),
+                (false, Some(file)) => Sentence::new(
+                    format!(
+                        "file = \"{}\" は kind = \"{id}\" の服だけのものです。どちらかを直してください",
+                        repeated(&file.name)
+                    ),
+                    format!(
+                        "file = \"{}\" is for a garment of kind = \"{id}\" alone; change one of them",
+                        repeated(&file.name)
+                    ),
+                ),
+            };
+            return Err(Box::new(Problem::Together { sentence }));
         }
         Ok(())
     }

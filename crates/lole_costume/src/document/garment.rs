@@ -1,7 +1,11 @@
 //! Garments that are worn with the skirt, in the units of the document.
 
+use std::sync::Arc;
+
 use lole_garment::template::PAU_SKIRT;
-use lole_garment::{Colors, Fineness, Fitting, GarmentLayer, GarmentSpec, Options, Template};
+use lole_garment::{
+    Colors, Fineness, Fitting, GarmentLayer, GarmentSpec, Given, Options, Template,
+};
 use lole_language::Words;
 use lole_pattern::{DraftError, Pattern};
 use lole_print::PrintMotif;
@@ -24,6 +28,29 @@ pub struct GarmentDesign {
     pub fabric: FabricDesign,
     /// What is printed on it.
     pub print: PrintChoice,
+    /// The file of another program that it is cut after, where it is of that kind.
+    pub file: Option<LinkedPattern>,
+}
+
+/// A pattern of another program that a document names. Whoever opens the document reads it: the pieces are not
+/// part of the text.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LinkedPattern {
+    /// Its place from the document.
+    pub name: String,
+    /// What it holds; `None` until it is read.
+    pub given: Option<Arc<Given>>,
+}
+
+impl LinkedPattern {
+    /// A pattern that is not read yet.
+    #[must_use]
+    pub fn named(name: &str) -> Self {
+        Self {
+            name: name.to_owned(),
+            given: None,
+        }
+    }
 }
 
 impl GarmentDesign {
@@ -41,6 +68,7 @@ impl GarmentDesign {
                 fineness: template.fineness(),
                 fabric: FabricDesign::default(),
                 print,
+                file: None,
             };
         };
         Self {
@@ -50,6 +78,7 @@ impl GarmentDesign {
             fineness: second.fineness,
             fabric: lawn(),
             print,
+            file: None,
         }
     }
 
@@ -138,6 +167,7 @@ impl GarmentDesign {
                 leaf: print.leaf,
                 shadow: print.shadow,
             },
+            given: self.file.as_ref().and_then(|file| file.given.as_deref()),
         }
     }
 }
@@ -169,6 +199,7 @@ impl SkirtDesign {
             },
             fabric: fabric.clone(),
             print: print.clone(),
+            file: None,
         }
     }
 }

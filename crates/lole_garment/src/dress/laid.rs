@@ -10,6 +10,7 @@ use lole_pattern::{Measures, Pattern};
 use super::bodice::{Bodice, Covered, mirrored};
 use super::flat::{self, FlatMesh};
 use super::form::Form;
+use super::given::{self, Sized};
 use super::panel::{self, Panels};
 use super::wrap::{Carrier, Cloth, Wrap};
 use super::{Division, DressError, Pins, fit};
@@ -23,6 +24,8 @@ pub enum Way {
     Fitted(&'static [(&'static str, Covered)]),
     /// One rectangle, laid by a rule.
     Wrapped(Wrap),
+    /// As the file says that it was read from.
+    Given,
 }
 
 /// Finest and coarsest edges of triangles [m].
@@ -57,14 +60,14 @@ pub(super) fn lay(
     (template, row): (&'static str, &SewnRow),
     pattern: Pattern,
     (dancer, measures): (&Dancer, &Measures),
-    division: Division,
+    (division, sized): (Division, Option<Sized<'_>>),
 ) -> Result<Laid, DressError> {
     let part_of = |piece: &Piece| match &row.way {
         Way::Fitted(parts) => {
             let mut rows = parts.iter();
             rows.find(|(id, _)| *id == piece.id).map(|(_, part)| *part)
         }
-        Way::Wrapped(_) => Some(Covered::Wrap),
+        Way::Wrapped(_) | Way::Given => Some(Covered::Wrap),
     };
     let parts: Vec<Option<Covered>> = pattern.pieces.iter().map(part_of).collect();
     let particle_count = row.particle_count * division.particle_share();
@@ -101,16 +104,25 @@ pub(super) fn lay(
             led = led_ways((wrap, &cloth), (&mesh, &pinned));
             wrapped((wrap, &cloth), (&panels, &mesh, &pinned), &form)
         }
+        Way::Given => {
+            let sized = sized.ok_or(DressError::NotWorn { template })?;
+            let laid = given::lay(sized, (&panels, &mesh), (&form, measures));
+            laid.map(|(places, held)| {
+                pinned = held;
+                places
+            })
+        }
     };
     let places = places.ok_or_else(no_trunk)?;
     let held = held_places((&places, &pinned), &led);
     let pins = carry(&row.way, &form, &held).ok_or_else(no_trunk)?;
     let facing = (0..panels.panels.len()).map(|panel| faces_out(panel, &mesh, &places, &form));
     let facing = facing.collect();
-    let is_on_arm = panels
-        .panels
-        .iter()
-        .map(|panel| parts[panel.piece] == Some(Covered::Sleeve));
+    let on_arms = sized.map(|sized| sized.given.on_arms());
+    let is_on_arm = panels.panels.iter().map(|panel| match &on_arms {
+        Some(on_arms) => on_arms[panel.piece],
+        None => parts[panel.piece] == Some(Covered::Sleeve),
+    });
     let is_on_arm = is_on_arm.collect();
     let drawn_in = pattern.drawn_in.iter();
     let elastics = drawn_in.map(|drawn| narrow(drawn.length.to_m())).collect();
@@ -155,12 +167,15 @@ fn held_places((places, pinned): (&[Vec3], &[bool]), led: &[(usize, Vec<Vec3>)])
 /// What carries places that are pinned.
 fn carry(way: &Way, form: &Form<'_>, held: &[Vec3]) -> Option<Pins> {
     let mut pins = form.carry(held)?;
-    if let Way::Wrapped(wrap) = way {
-        match wrap.carrier {
-            Carrier::Skin => {}
-            Carrier::Tape => pins.tied = held.iter().map(|&place| form.tied(place)).collect(),
-            Carrier::Girded => pins.tied = form.girded(held)?,
-        }
+    let carrier = match way {
+        Way::Fitted(_) => Carrier::Skin,
+        Way::Wrapped(wrap) => wrap.carrier,
+        Way::Given => Carrier::Tape,
+    };
+    match carrier {
+        Carrier::Skin => {}
+        Carrier::Tape => pins.tied = held.iter().map(|&place| form.tied(place)).collect(),
+        Carrier::Girded => pins.tied = form.girded(held)?,
     }
     Some(pins)
 }

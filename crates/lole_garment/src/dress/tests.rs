@@ -45,6 +45,7 @@ const fn spec<'a>(template: &'static Template, options: &'a Options) -> GarmentS
             leaf: [0; 3],
             shadow: [0; 3],
         },
+        given: None,
     }
 }
 
@@ -56,7 +57,7 @@ fn laid(template: &str, dancer: &Dancer) -> laid::Laid {
     let measures = crate::measures(dancer);
     let pattern = (template.draft)(&Fitting::by(&measures), &Options::of(template)).unwrap();
     let body = (dancer, &measures);
-    laid::lay((template.id, row), pattern, body, Division::Full).unwrap()
+    laid::lay((template.id, row), pattern, body, (Division::Full, None)).unwrap()
 }
 
 fn put_on(template: &str, dancer: &Dancer) -> Dressed {
