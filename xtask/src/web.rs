@@ -110,7 +110,7 @@ fn shrink(wasm: &Path) -> anyhow::Result<()> {
             println!("wasm-opt could not make it smaller: {reason}");
         }
         Err(_) => {
-            println!("wasm-opt is not installed (package binaryen): the program stays larger")
+            println!("wasm-opt is not installed (package binaryen): the program stays larger");
         }
     }
     Ok(())

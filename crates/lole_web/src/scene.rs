@@ -82,9 +82,11 @@ fn played(
             capsules: &capsules,
             ..StepInput::default()
         };
+        let mut moved = false;
         times.push(milliseconds(|| {
-            drop(advance(&setup.config, &input, &mut state))
+            moved = advance(&setup.config, &input, &mut state);
         }));
+        debug_assert!(moved, "a target for every pin");
     }
     line(name, state_hash(&state), times)
 }

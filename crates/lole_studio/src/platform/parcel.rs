@@ -18,6 +18,7 @@ impl Packer {
         self.0.extend_from_slice(bytemuck::bytes_of(&value));
     }
 
+    #[expect(clippy::fn_params_excessive_bools, reason = "it packs one")]
     pub(crate) fn flag(&mut self, value: bool) {
         self.put(u8::from(value));
     }

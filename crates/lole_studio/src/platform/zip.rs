@@ -7,7 +7,7 @@ const UTF8: u16 = 1 << 11;
 /// What is needed to read it: version 2.0.
 const VERSION: u16 = 20;
 /// The first of January 1980, the earliest date: archives of the same files are the same bytes.
-const DATE: u16 = 0b0000000_0001_00001;
+const DATE: u16 = (1 << 5) | 1;
 
 /// The archive of files by name. Parts of 4 GB and more have no place in it.
 pub(crate) fn archive(files: &[(String, Vec<u8>)]) -> Vec<u8> {

@@ -11,9 +11,7 @@ use lole_files::shelf;
 use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast as _, JsValue};
 use wasm_bindgen_futures::spawn_local;
-use web_sys::{
-    Blob, BlobPropertyBag, Document, Event, File, HtmlAnchorElement, HtmlElement, HtmlInputElement,
-};
+use web_sys::{Blob, BlobPropertyBag, Document, Event, File, HtmlAnchorElement, HtmlInputElement};
 
 use crate::chooser::ends_with_one_of;
 use crate::platform::zip;
@@ -83,8 +81,7 @@ pub(super) fn choose(endings: &[&str], chosen: impl Fn(PathBuf) + 'static) -> Op
     let endings: Vec<String> = endings.iter().map(|ending| format!(".{ending}")).collect();
     input.set_accept(&endings.join(","));
     input.set_id("chooser");
-    let hidden: &HtmlElement = input.unchecked_ref();
-    hidden.style().set_property("display", "none").ok()?;
+    input.set_hidden(true);
     let body = document()?.body()?;
     // One at a time: the one before was called off without a word, as browsers do.
     if let Some(before) = document()?.get_element_by_id("chooser") {
