@@ -19,7 +19,7 @@ pub(crate) struct Asking {
 
 impl App {
     /// Nothing: the list of the last visit lies in no folder.
-    pub(crate) const fn find_roster(&self) {}
+    pub(crate) const fn find_roster(&mut self) {}
 
     /// Asks for a file to read, or writes what is to be written under its usual name.
     pub(crate) fn ask(&mut self, purpose: Purpose) {

@@ -65,7 +65,7 @@ pub(crate) fn take_dropped(context: &Context) -> Option<PathBuf> {
 }
 
 /// Lays a dropped file on the shelf; its name.
-async fn laid(file: &Arc<dyn DroppedFile>) -> Option<PathBuf> {
+async fn laid(file: &Arc<dyn DroppedFile + Send + Sync>) -> Option<PathBuf> {
     let path = file.path().to_owned();
     let bytes = file.bytes_async().await.ok()?;
     super::keeping::keep_file(&path, &bytes);

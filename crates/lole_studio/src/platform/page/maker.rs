@@ -145,7 +145,7 @@ fn put_wish(packer: &mut Packer, wish: &Wish) {
     packer.count(
         Paper::ALL
             .iter()
-            .position(|paper| *paper == wish.paper)
+            .position(|(paper, _)| *paper == wish.paper)
             .unwrap_or(0),
     );
     packer.flag(wish.cutting.lay == Lay::Folded);
@@ -159,7 +159,7 @@ fn get_wish(unpacker: &mut Unpacker<'_>) -> Option<Wish> {
     Some(Wish {
         path: unpacker.text()?.into(),
         product: *Product::ALL.get(unpacker.count()?)?,
-        paper: *Paper::ALL.get(unpacker.count()?)?,
+        paper: Paper::ALL.get(unpacker.count()?)?.0,
         cutting: Cutting {
             lay: if unpacker.flag()? {
                 Lay::Folded
@@ -183,7 +183,10 @@ pub(super) fn serve() {
     hear(|parcel| {
         let mut parcel = Unpacker(parcel);
         match parcel.get::<u8>() {
-            Some(FILE) => drop(get_file(&mut parcel)),
+            Some(FILE) => {
+                // A parcel that is broken lays nothing down.
+                get_file(&mut parcel);
+            }
             Some(WISH) => {
                 if let Some(wish) = get_wish(&mut parcel) {
                     work(&wish);

@@ -364,7 +364,11 @@ impl Work {
             Some(())
         };
         let heard = match head {
-            Some(asked::FILE) => return drop(get_file(&mut parcel)),
+            Some(asked::FILE) => {
+                // A parcel that is broken lays nothing down.
+                get_file(&mut parcel);
+                None
+            }
             Some(asked::SETTLING) => begin(&mut parcel, Entrance::Settling),
             Some(asked::SETTLED) => begin(&mut parcel, Entrance::Settled),
             Some(asked::COMMAND) => get_command(&mut parcel)
