@@ -12,6 +12,7 @@ mod golden;
 mod look;
 mod shape;
 mod tidy;
+mod web;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -23,6 +24,8 @@ usage: cargo xtask <command>
   docs     build the documentation, warnings being errors, and check its links
   golden   rewrite the goldens under tests/golden and list what changed
   shape    lines of functions, files and crates, values that functions take, names had twice
+  web      build the studio as a page into one folder, and hold its size against the budget
+  serve [PORT]  show that page on this machine
   look DIR look at the files that `lole dance` wrote: all there, and the report complete
 ";
 
@@ -34,6 +37,9 @@ fn main() -> ExitCode {
         ["docs"] => docs::run(&repository()),
         ["golden"] => golden::run(&repository()),
         ["shape"] => shape::run(&repository()),
+        ["web"] => web::run(&repository()),
+        ["serve"] => web::serve(&web::folder(&repository()), None),
+        ["serve", port] => web::serve(&web::folder(&repository()), Some(port)),
         ["look", folder] => look::run(Path::new(folder)),
         _ => {
             eprint!("{USAGE}");

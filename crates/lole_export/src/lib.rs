@@ -40,6 +40,7 @@ pub mod study;
 pub mod svg;
 pub mod trade_off;
 pub mod validation;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod video;
 
 pub use error::ExportError;

@@ -27,6 +27,8 @@ pub use flow::{Flow, Margins};
 pub use paper::Paper;
 pub use sheet::{Align, Color, EncodedPicture, Item, Rect, Sheet, Stroke, TextStyle};
 pub use table::{Cell, Column, PageTable};
+#[cfg(target_arch = "wasm32")]
+pub use typeface::give_fonts;
 pub use typeface::{Weight, missing_glyphs, printable, text_width};
 pub use wrap::wrap;
 pub use write::Document;

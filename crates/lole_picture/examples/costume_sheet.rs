@@ -100,6 +100,6 @@ fn shoot(
         .collect();
     let camera = Camera::framing_points(&framed, view, 480.0 / 640.0);
     let lights = LightRig::seen_from(&camera);
-    let scene = looks.scene(production, &moment.dancer(), camera, lights);
+    let scene = looks.scene(&moment.dancer(), camera, lights);
     Ok(renderer.render(&scene)?.pixels)
 }

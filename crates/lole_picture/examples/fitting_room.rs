@@ -477,7 +477,7 @@ fn shoot(
     for view in VIEWS {
         let camera = Camera::framing_points(&points, view, CELL.aspect());
         let lights = LightRig::seen_from(&camera);
-        let scene = looks.scene(production, &shown, camera, lights);
+        let scene = looks.scene(&shown, camera, lights);
         cells.push(renderer.render(&scene)?.pixels);
     }
     Ok(cells)

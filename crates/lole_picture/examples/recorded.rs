@@ -193,7 +193,7 @@ fn shoot(performance: &Performance) -> Result<Vec<u8>, Box<dyn Error>> {
     let mut cells = Vec::new();
     for view in VIEWS {
         let camera = Camera::framing_points(performance.body_positions(), view, CELL.aspect());
-        let scene = looks.scene(production, &shown, camera, LightRig::seen_from(&camera));
+        let scene = looks.scene(&shown, camera, LightRig::seen_from(&camera));
         cells.push(renderer.render(&scene)?.pixels);
     }
     let width = CELL.width as usize * 4;

@@ -350,7 +350,7 @@ fn shoot(performance: &mut Performance) -> Result<Vec<u8>, Box<dyn Error>> {
     for view in [View::Front, View::Side] {
         let camera = Camera::framing_points(&points, view, CELL.aspect());
         let lights = LightRig::seen_from(&camera);
-        let scene = looks.scene(production, &moment.dancer(), camera, lights);
+        let scene = looks.scene(&moment.dancer(), camera, lights);
         pixels.extend(renderer.render(&scene)?.pixels);
     }
     Ok(pixels)

@@ -11,7 +11,7 @@ pub mod studio;
 
 use std::sync::Arc;
 
-use glam::Vec2;
+use glam::{Vec2, Vec3};
 use lole_body::{Appearance, BodyPicture, Dancer, Look, PartKind, appearance};
 use lole_costume::document::Design;
 use lole_costume::document::PrintError;
@@ -25,18 +25,34 @@ pub use moment::{DrawnDancer, Moment};
 /// Pixels of one print repeat: a repeat of 45 cm shows every petal from two meters.
 const PRINT_SIDE: u32 = 1024;
 
-/// The materials of one production.
+/// All that is drawn of one production, without the production: whoever shows a moment of it needs nothing else.
 pub struct Looks {
     /// What she wears or holds, surface by surface as [`Production::surfaces`] has them.
     pub worn: Vec<Cover>,
     /// The dancer's parts, in the order of her skin's.
-    pub parts: Vec<(PartKind, Material)>,
+    pub parts: Vec<BodyPart>,
+    /// Where the vertices of her skin lie on its pictures.
+    pub skin_uvs: Vec<Vec2>,
+}
+
+/// How one part of the dancer looks.
+pub struct BodyPart {
+    /// Its material.
+    pub material: Material,
+    /// Its triangles, by vertices of her skin.
+    pub triangles: Vec<[u32; 3]>,
 }
 
 /// How one surface of what is worn looks.
 pub struct Cover {
     /// Its material.
     pub material: Material,
+    /// Its triangles, by its drawn vertices.
+    pub triangles: Vec<[u32; 3]>,
+    /// Linear color factors of its vertices; none where the material says all.
+    pub colors: Vec<Vec3>,
+    /// Whether it is cloth.
+    pub is_cloth: bool,
     /// Where its vertices lie on the print, in repeats; none where it is no cloth.
     pub uvs: Vec<Vec2>,
     /// The print, for files that carry it; `None` where it is no cloth.
@@ -61,11 +77,20 @@ impl Looks {
     /// A picture that was not read or cannot be a texture.
     pub fn new(design: &Design, production: &Production) -> Result<Self, LookError> {
         let surfaces = production.surfaces();
+        let skin = &production.dancer.skin;
+        let materials = dancer_materials(&production.dancer)?;
+        let parts = skin.parts.iter().zip(materials);
         Ok(Self {
             worn: surfaces
                 .map(|surface| cover(design, surface))
                 .collect::<Result<_, _>>()?,
-            parts: dancer_materials(&production.dancer)?,
+            parts: parts
+                .map(|(part, (_, material))| BodyPart {
+                    material,
+                    triangles: part.triangles.clone(),
+                })
+                .collect(),
+            skin_uvs: skin.uvs.clone(),
         })
     }
 
@@ -74,7 +99,6 @@ impl Looks {
     #[must_use]
     pub fn scene<'a>(
         &'a self,
-        production: &'a Production,
         dancer: &DrawnDancer<'a>,
         camera: Camera,
         lights: LightRig,
@@ -83,38 +107,30 @@ impl Looks {
             lights,
             ..Scene::studio(camera)
         };
-        let worn = production.surfaces().zip(dancer.worn).zip(&self.worn);
-        let worn = worn
-            .enumerate()
-            .map(|(place, ((surface, vertices), cover))| {
-                let own = surface.beside().map_or(&[][..], |beside| &beside.colors);
-                let colors = dancer.colors.get(place).filter(|colors| !colors.is_empty());
-                SceneMesh {
-                    positions: &vertices[0],
-                    normals: &vertices[1],
-                    uvs: &cover.uvs,
-                    colors: colors.map_or(own, Vec::as_slice),
-                    triangles: surface.triangles(),
-                    material: (dancer.colored)
-                        .filter(|_| colors.is_some())
-                        .unwrap_or(&cover.material),
-                }
-            });
-        let skin = &production.dancer.skin;
+        let worn = dancer.worn.iter().zip(&self.worn).enumerate();
+        let worn = worn.map(|(place, (vertices, cover))| {
+            let colors = dancer.colors.get(place).filter(|colors| !colors.is_empty());
+            SceneMesh {
+                positions: &vertices[0],
+                normals: &vertices[1],
+                uvs: &cover.uvs,
+                colors: colors.unwrap_or(&cover.colors),
+                triangles: &cover.triangles,
+                material: (dancer.colored)
+                    .filter(|_| colors.is_some())
+                    .unwrap_or(&cover.material),
+            }
+        });
         let [positions, normals] = dancer.body;
-        let parts = skin.parts.iter().zip(&self.parts);
-        let parts = parts.map(|(part, (_, material))| SceneMesh {
+        let parts = self.parts.iter().map(|part| SceneMesh {
             positions,
             normals,
-            uvs: &skin.uvs,
+            uvs: &self.skin_uvs,
             colors: &[],
             triangles: &part.triangles,
-            material,
+            material: &part.material,
         });
-        let cloth_count = production
-            .surfaces()
-            .filter(|it| it.beside().is_none())
-            .count();
+        let cloth_count = self.worn.iter().filter(|cover| cover.is_cloth).count();
         scene.meshes.extend(worn);
         let beside = scene.meshes.split_off(cloth_count);
         scene.meshes.extend(parts);
@@ -128,6 +144,9 @@ fn cover(design: &Design, surface: WornSurface<'_>) -> Result<Cover, LookError> 
     if let Some(beside) = surface.beside() {
         return Ok(Cover {
             material: finish_material(beside.finish),
+            triangles: surface.triangles().to_vec(),
+            colors: beside.colors.clone(),
+            is_cloth: false,
             uvs: Vec::new(),
             print: None,
         });
@@ -150,6 +169,9 @@ fn cover(design: &Design, surface: WornSurface<'_>) -> Result<Cover, LookError> 
     };
     Ok(Cover {
         material: Material::printed_cloth(Arc::new(texture)),
+        triangles: surface.triangles().to_vec(),
+        colors: Vec::new(),
+        is_cloth: true,
         uvs,
         print: Some(print),
     })

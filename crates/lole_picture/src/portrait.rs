@@ -120,7 +120,7 @@ pub fn shoot(
     let looks = Looks::new(&production.design, production)?;
     let moment = Moment::of(performance);
     let lights = LightRig::seen_from(&camera);
-    let scene = looks.scene(production, &moment.dancer(), camera, lights);
+    let scene = looks.scene(&moment.dancer(), camera, lights);
     let mut renderer = Renderer::new(Backend::Cpu, size)?;
     Ok(renderer.render(&scene)?)
 }

@@ -82,11 +82,8 @@ impl PhotoStudio {
         lights: LightRig,
         renderer: &mut Renderer,
     ) -> Result<Image, RenderError> {
-        let production = performance.production();
         let moment = Moment::of(performance);
-        let scene = self
-            .looks
-            .scene(production, &moment.dancer(), camera, lights);
+        let scene = self.looks.scene(&moment.dancer(), camera, lights);
         renderer.render(&scene)
     }
 }

@@ -1,6 +1,5 @@
 //! The window itself: panels, picture, simulation and files brought together.
 
-mod asking;
 mod products;
 
 use std::path::{Path, PathBuf};
@@ -16,34 +15,30 @@ use lole_language::Sentence;
 use lole_render::{Image, wgpu};
 
 use crate::chooser::ends_with_one_of;
-use crate::journal::{self, Journal, Leftover};
-use crate::making::{Maker, with_ending};
-use crate::memory::{Memory, MemoryKeeper};
+use crate::making::with_ending;
 use crate::message::Message;
-use crate::ordering::{self, Job, OrderNews, OrderWork};
-use crate::sim::{News, Sim};
+use crate::ordering::{self, Job, OrderNews};
+use crate::platform::{self, Asking, Keeping, Maker, OrderWork, Sim, Tailor};
+use crate::sim::News;
 use crate::studio::{Purpose, Request, Tab};
-use crate::tailor::Tailor;
 use crate::viewport::Viewport;
-use crate::{Studio, Work, look, panel};
-
-use asking::Asking;
+use crate::{Studio, look, panel};
 
 /// The running window.
 pub(crate) struct App {
-    studio: Studio,
+    pub(crate) studio: Studio,
     sim: Sim,
     tailor: Tailor,
     order: Option<OrderWork>,
     maker: Maker,
-    asking: Asking,
+    pub(crate) asking: Asking,
     /// Folders that are being shown.
     reveals: Vec<Receiver<Sentence>>,
     /// The picture as it was when its button was pressed.
     taken: Option<Image>,
     viewport: Viewport,
     keeping: Keeping,
-    context: Context,
+    pub(crate) context: Context,
     /// Whether the graphics adapter was lost, and where the studio is put then.
     is_lost: Arc<AtomicBool>,
     shelf: Shelf,
@@ -57,42 +52,6 @@ pub(crate) struct Rescued {
 
 /// Where it is put.
 pub(crate) type Shelf = Arc<Mutex<Option<Rescued>>>;
-
-/// The copy of the work that outlives a crash, and the one that another window left.
-#[derive(Default)]
-pub(crate) struct Keeping {
-    journal: Option<Journal>,
-    leftover: Option<Leftover>,
-    memory: Option<MemoryKeeper>,
-}
-
-impl Keeping {
-    pub(crate) fn begin() -> Self {
-        let folder = journal::folder(|name| std::env::var_os(name));
-        let memory = folder.clone().map(|folder| {
-            let kept = Memory::read(&folder);
-            MemoryKeeper::start(folder, kept)
-        });
-        let (journal, leftover) = folder
-            .and_then(|folder| Journal::open(&folder))
-            .map_or((None, None), |(journal, left)| (Some(journal), left));
-        Self {
-            journal,
-            leftover,
-            memory,
-        }
-    }
-
-    /// What the last window left for this one.
-    pub(crate) fn memory(&self) -> Memory {
-        let keeper = self.memory.as_ref();
-        keeper.map_or_else(Memory::default, |keeper| keeper.kept().clone())
-    }
-
-    pub(crate) fn found(&self) -> Option<Work> {
-        self.leftover.as_ref().map(|leftover| leftover.work.clone())
-    }
-}
 
 impl App {
     pub(crate) fn new(
@@ -154,6 +113,8 @@ impl App {
                 News::Sewing => self.studio.sews = true,
                 News::Sewn => self.studio.sews = false,
                 News::Refused(sentence, kept) => self.studio.refused(sentence, *kept),
+                // Whoever starts the simulation has seen to it.
+                News::Elsewhere(..) => {}
             }
         }
         if !self.sim.is_alive() {
@@ -174,11 +135,7 @@ impl App {
 
     /// A file that was dropped on the window is taken for what its name says.
     fn open_dropped(&mut self) {
-        let dropped = self.context.input(|input| {
-            let files = &input.raw.dropped_files;
-            files.first().map(|file| file.path().to_owned())
-        });
-        if let Some(path) = dropped {
+        if let Some(path) = platform::take_dropped(&self.context) {
             let ends_with = |endings: &[&str]| ends_with_one_of(&path, endings);
             self.studio.starts = false;
             let request = if ends_with(&["bvh", "vrma"]) {
@@ -215,7 +172,7 @@ impl App {
     }
 
     /// Does what was asked for.
-    fn follow(&mut self, request: Request) {
+    pub(crate) fn follow(&mut self, request: Request) {
         match request {
             Request::AskOpen => self.ask(Purpose::Open),
             Request::AskSave => self.ask(Purpose::Save),
@@ -412,33 +369,23 @@ impl App {
 
     fn resume(&mut self) {
         self.studio.found = None;
-        if let Some(leftover) = self.keeping.leftover.take() {
-            self.studio.resume(leftover.work.clone());
-            leftover.discard();
+        if let Some(work) = self.keeping.take_found() {
+            self.studio.resume(work);
         }
     }
 
     fn discard(&mut self) {
         self.studio.found = None;
-        if let Some(leftover) = self.keeping.leftover.take() {
-            leftover.discard();
-        }
+        drop(self.keeping.take_found());
     }
 
     /// Keeps a copy of the work where it is in no file.
     fn keep(&mut self) {
-        let Some(journal) = &self.keeping.journal else {
-            return;
-        };
-        if let Some(sentence) = journal.trouble() {
+        if let Some(sentence) = self.keeping.trouble() {
             self.studio.message = Some(Message::trouble(&sentence));
         }
         if let Some(work) = self.studio.take_work() {
-            if work.is_unsaved() {
-                journal.keep(work);
-            } else {
-                journal.clear();
-            }
+            self.keeping.keep(work);
         }
     }
 
@@ -448,9 +395,7 @@ impl App {
         let size = self.context.zoom_factor();
         let is_usual = (size - 1.0).abs() < 1e-3;
         memory.size = (!is_usual || memory.size.is_some()).then_some(size);
-        if let Some(keeper) = &mut self.keeping.memory {
-            keeper.keep(memory);
-        }
+        self.keeping.remember(memory);
     }
 
     fn save(&mut self, path: &Path) {

@@ -1,10 +1,7 @@
-//! What lies in a folder, for a question for a file. Folders are read on a thread of their own: one
-//! that lies on a network may take its time.
+//! What lies in a folder, for a question for a file.
 
 use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
-use std::sync::mpsc::{self, Receiver};
-use std::thread;
 
 use lole_export::cutting::PATTERN_JSON;
 use lole_export::order::ORDER_JSON;
@@ -131,23 +128,6 @@ pub(crate) fn list(folder: &Path, endings: &[&str]) -> Listing {
 pub(crate) fn ends_with_one_of(path: &Path, endings: &[&str]) -> bool {
     let ending = path.extension();
     ending.is_some_and(|ending| (endings.iter()).any(|known| ending.eq_ignore_ascii_case(known)))
-}
-
-/// Looks at files on a thread of its own; `wake` is called when it is done.
-pub(crate) fn begin<Found: Send + 'static>(
-    look: impl FnOnce() -> Found + Send + 'static,
-    wake: impl Fn() + Send + 'static,
-) -> Receiver<Found> {
-    let (sender, found) = mpsc::channel();
-    let read = move || {
-        // The question may have been given up meanwhile.
-        drop(sender.send(look()));
-        wake();
-    };
-    let thread = thread::Builder::new().name("folder".to_owned());
-    // Where no thread can be had, the path can still be typed.
-    drop(thread.spawn(read));
-    found
 }
 
 /// Folders under the user's own one that systems make, in the words of the two languages.

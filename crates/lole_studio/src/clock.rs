@@ -1,6 +1,6 @@
 //! The one place of the window that reads a clock.
 
-use std::time::Instant;
+use web_time::Instant;
 
 /// Seconds since it was started.
 #[derive(Debug, Clone, Copy)]

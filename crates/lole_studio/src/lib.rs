@@ -4,25 +4,31 @@
 //! simulation's thread and draws the [`Snapshot`]s that come back. A [`Studio`] is all that the
 //! panels show and change; it needs neither a display nor a thread, so that they can be tested.
 
+#![cfg_attr(
+    target_arch = "wasm32",
+    expect(
+        dead_code,
+        reason = "a page leaves out what only a window does, such as lists of folders"
+    )
+)]
+
 mod app;
 mod chooser;
 mod clock;
 mod command;
 mod history;
-mod journal;
 mod light;
 mod look;
 mod making;
 mod memory;
 mod message;
-mod opening;
 mod orbit;
 mod ordering;
 mod overlay;
 pub mod panel;
 mod paper;
+mod platform;
 mod request;
-mod reveal;
 mod sim;
 mod snapshot;
 mod studio;
@@ -33,9 +39,15 @@ mod viewport;
 mod wished;
 mod work;
 
+#[cfg(target_arch = "wasm32")]
+pub use lole_export::pdf::give_fonts;
+#[cfg(target_arch = "wasm32")]
+pub use platform::page::opening::{PageOpening, open_page, serve};
+
 pub use command::Command;
 pub use message::Message;
-pub use opening::{Opening, Refusal, open};
+#[cfg(not(target_arch = "wasm32"))]
+pub use platform::window::opening::{Opening, Refusal, open};
 pub use snapshot::Snapshot;
 pub use studio::Studio;
 pub use work::Work;

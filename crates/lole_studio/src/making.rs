@@ -1,15 +1,11 @@
 //! What one dancer takes home: booklet, pattern, film and 3D file of the design as it stands, made one
 //! after the other on a thread of its own.
 
-mod dance;
+pub(crate) mod dance;
 mod paper;
 
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{self, Receiver, Sender};
-use std::thread::{self, JoinHandle};
 
 use lole_costume::document::Design;
 use lole_export::cutting::{PATTERN_JSON, left_behind};
@@ -17,6 +13,7 @@ use lole_export::pdf::Paper;
 use lole_language::{Language, Sentence, Words, words};
 
 use crate::paper::Cutting;
+use crate::platform;
 
 /// What can be made of a design.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -218,7 +215,7 @@ impl Unmade {
 }
 
 /// The cloth flew apart at this time of the dance [s], or where no dance is danced.
-fn flew_apart(time: Option<f32>) -> Sentence {
+pub(crate) fn flew_apart(time: Option<f32>) -> Sentence {
     match time {
         Some(time) if 0.0 <= time => Sentence::new(
             format!("踊りの {time:.2} 秒で布が飛び散ったので、書けませんでした。"),
@@ -234,8 +231,8 @@ fn flew_apart(time: Option<f32>) -> Sentence {
 
 /// How a product that is being made stays in touch with the window.
 pub(crate) struct Line<'a> {
-    is_called_off: &'a AtomicBool,
-    tell: &'a dyn Fn(f32),
+    pub(crate) is_called_off: &'a AtomicBool,
+    pub(crate) tell: &'a dyn Fn(f32),
 }
 
 impl Line<'_> {
@@ -253,124 +250,8 @@ impl Line<'_> {
     }
 }
 
-/// A piece on its way to the thread, with what calls it off.
-struct Job {
-    number: u64,
-    wish: Wish,
-    is_called_off: Arc<AtomicBool>,
-}
-
-/// The thread that makes one thing after the other. Dropped, it is called off and waited for.
-pub(crate) struct Maker {
-    jobs: Option<Sender<Job>>,
-    news: Receiver<(u64, Stage)>,
-    stops: Vec<(u64, Arc<AtomicBool>)>,
-    count: u64,
-    thread: Option<JoinHandle<()>>,
-}
-
-impl Maker {
-    /// Starts the thread; `wake` is called when there is news. Pieces are numbered from the one after
-    /// `last_number`.
-    pub(crate) fn start(last_number: u64, wake: impl Fn() + Send + 'static) -> Self {
-        Self::start_with(make, last_number, wake)
-    }
-
-    fn start_with(make: Make, last_number: u64, wake: impl Fn() + Send + 'static) -> Self {
-        let (jobs, received) = mpsc::channel();
-        let (sender, news) = mpsc::channel();
-        let thread = thread::Builder::new()
-            .name("making".to_owned())
-            .spawn(move || work(make, &received, &sender, &wake))
-            .ok();
-        Self {
-            jobs: Some(jobs),
-            news,
-            stops: Vec::new(),
-            count: last_number,
-            thread,
-        }
-    }
-
-    /// Asks for a product; it is made when those before it are.
-    pub(crate) fn ask(&mut self, wish: Wish) -> Piece {
-        self.count += 1;
-        let number = self.count;
-        let mut piece = Piece {
-            number,
-            product: wish.product,
-            path: wish.path.clone(),
-            stage: Stage::Waiting,
-        };
-        let is_called_off = Arc::new(AtomicBool::new(false));
-        self.stops.push((number, Arc::clone(&is_called_off)));
-        let job = Job {
-            number,
-            wish,
-            is_called_off,
-        };
-        let jobs = self.jobs.as_ref().filter(|_| self.thread.is_some());
-        if jobs.is_none_or(|jobs| jobs.send(job).is_err()) {
-            piece.stage = Stage::Failed(stopped_unexpectedly());
-        }
-        piece
-    }
-
-    /// Calls a product off, whether it waits or is being made.
-    pub(crate) fn call_off(&self, number: u64) {
-        for (_, stop) in self.stops.iter().filter(|(of, _)| *of == number) {
-            stop.store(true, Ordering::Relaxed);
-        }
-    }
-
-    /// What was told since the last time.
-    pub(crate) fn news(&mut self) -> Vec<(u64, Stage)> {
-        let news: Vec<_> = self.news.try_iter().collect();
-        let is_over =
-            |number: &u64| (news.iter()).any(|(of, stage)| of == number && stage.is_end());
-        self.stops.retain(|(number, _)| !is_over(number));
-        news
-    }
-}
-
-impl Drop for Maker {
-    fn drop(&mut self) {
-        for (_, stop) in &self.stops {
-            stop.store(true, Ordering::Relaxed);
-        }
-        self.jobs = None;
-        if let Some(thread) = self.thread.take() {
-            drop(thread.join());
-        }
-    }
-}
-
-/// Makes one product.
-type Make = fn(&Wish, &Line<'_>) -> Result<(), Unmade>;
-
-fn work(make: Make, jobs: &Receiver<Job>, news: &Sender<(u64, Stage)>, wake: &dyn Fn()) {
-    while let Ok(job) = jobs.recv() {
-        let tell = |stage| {
-            // Nobody listens only while the window closes.
-            drop(news.send((job.number, stage)));
-            wake();
-        };
-        let line = Line {
-            is_called_off: &job.is_called_off,
-            tell: &|share| tell(Stage::Working(share)),
-        };
-        // What goes wrong with one product is told, and leaves the others as they are.
-        let made = catch_unwind(AssertUnwindSafe(|| make(&job.wish, &line)));
-        tell(match made {
-            Ok(Ok(())) => Stage::Done,
-            Ok(Err(Unmade::CalledOff)) => Stage::CalledOff,
-            Ok(Err(Unmade::Failed(sentence))) => Stage::Failed(sentence),
-            Err(_) => Stage::Failed(stopped_unexpectedly()),
-        });
-    }
-}
-
-fn stopped_unexpectedly() -> Sentence {
+/// What is said of a product whose maker is gone.
+pub(crate) fn stopped_unexpectedly() -> Sentence {
     Sentence::new(
         "途中で止まってしまい、できませんでした。もう一度お試しください。",
         "It stopped unexpectedly and was not made; please try again.",
@@ -378,7 +259,7 @@ fn stopped_unexpectedly() -> Sentence {
 }
 
 /// Makes it and writes it, whole or not at all.
-fn make(wish: &Wish, line: &Line<'_>) -> Result<(), Unmade> {
+pub(crate) fn make(wish: &Wish, line: &Line<'_>) -> Result<(), Unmade> {
     line.goes_on(0.0)?;
     let one = |bytes: Vec<u8>| -> Result<(), Unmade> {
         // The last moment to call it off.
@@ -388,7 +269,7 @@ fn make(wish: &Wish, line: &Line<'_>) -> Result<(), Unmade> {
     match wish.product {
         Product::Booklet => one(paper::booklet(wish, line)?),
         Product::Pattern => fill(&wish.path, &paper::pattern(wish, line)?).map_err(Unmade::Failed),
-        Product::Film => one(dance::film(wish, line)?),
+        Product::Film => one(platform::film(wish, line)?),
         Product::Model => one(dance::model(wish, line)?),
     }
 }
@@ -417,6 +298,3 @@ pub(crate) fn with_ending(path: &Path, ending: &str) -> PathBuf {
     name.push(ending);
     PathBuf::from(name)
 }
-
-#[cfg(test)]
-mod tests;

@@ -3,12 +3,11 @@
 use std::f32::consts::{PI, TAU};
 
 use glam::Vec3;
-use lole_cloth::Grid;
 use lole_geom::{Capsule, trig};
 use lole_render::{Overlay, OverlayLine};
-use lole_stage::Worn;
 
 use crate::Snapshot;
+use crate::snapshot::Net;
 use crate::studio::Shows;
 
 /// Corners of a circle.
@@ -49,21 +48,10 @@ impl Strokes {
             }
         };
         if shows.springs {
-            for worn in snapshot.wardrobe.production.worn() {
-                let particles = snapshot.particles.get(worn.particles()).unwrap_or_default();
-                match worn {
-                    Worn::Gathered(garment) => {
-                        let grid = &garment.sewn.spec.grid;
-                        let stride = spring_stride(grid, meters_per_pixel * scale);
-                        let springs = springs(grid, particles, stride);
-                        strokes.on_surfaces.extend(springs.map(line(SPRING, 1.0)));
-                    }
-                    Worn::Sewn(garment) => {
-                        let edges = edges(&garment.dressed.triangles, particles);
-                        strokes.on_surfaces.extend(edges.map(line(SPRING, 1.0)));
-                    }
-                    Worn::Beside(_) => {}
-                }
+            for net in &snapshot.wardrobe.nets {
+                let stride = spring_stride(net.spacing, meters_per_pixel * scale);
+                let springs = shown(net, &snapshot.particles, stride);
+                strokes.on_surfaces.extend(springs.map(line(SPRING, 1.0)));
             }
         }
         if shows.capsules {
@@ -88,10 +76,14 @@ impl Strokes {
     }
 }
 
-/// Every how many rows and columns springs are drawn, so that they can be told apart.
-fn spring_stride(grid: &Grid, meters_per_point: f32) -> u32 {
-    let finest = grid.spacing[0].min(grid.spacing[1]).max(1.0e-4);
+/// Every how many rows and columns springs are drawn whose threads lie `spacing` apart [m], so that they can be
+/// told apart.
+fn spring_stride(spacing: f32, meters_per_point: f32) -> u32 {
     let mut stride = 1;
+    if spacing <= 0.0 {
+        return stride;
+    }
+    let finest = spacing.max(1.0e-4);
     // Gathered cloth lies about a quarter as wide as it is.
     while stride < 16 && 0.5 * finest * stride as f32 / meters_per_point < SPRING_GAP {
         stride *= 2;
@@ -99,33 +91,11 @@ fn spring_stride(grid: &Grid, meters_per_point: f32) -> u32 {
     stride
 }
 
-fn springs(grid: &Grid, particles: &[Vec3], stride: u32) -> impl Iterator<Item = [Vec3; 2]> {
-    let grid = *grid;
-    let at = move |row: u32, column: u32| particles.get(grid.index(row, column)).copied();
-    (0..grid.row_count).flat_map(move |row| {
-        (0..grid.column_count).flat_map(move |column| {
-            let here = at(row, column);
-            let right = (row % stride == 0)
-                .then(|| at(row, grid.column_right(column, 1)?))
-                .flatten();
-            let below = (column % stride == 0 && row + 1 < grid.row_count)
-                .then(|| at(row + 1, column))
-                .flatten();
-            [right, below]
-                .into_iter()
-                .filter_map(move |there| Some([here?, there?]))
-        })
-    })
-}
-
-/// The edges of triangles, each once or twice.
-fn edges(triangles: &[[u32; 3]], particles: &[Vec3]) -> impl Iterator<Item = [Vec3; 2]> {
-    let at = |corner: u32| particles.get(corner as usize).copied();
-    triangles.iter().flat_map(move |&[a, b, c]| {
-        [[a, b], [b, c], [c, a]]
-            .into_iter()
-            .filter_map(move |[from, to]| Some([at(from)?, at(to)?]))
-    })
+/// The lines of a net on every so manyth row and column.
+fn shown(net: &Net, particles: &[Vec3], stride: u32) -> impl Iterator<Item = [Vec3; 2]> {
+    let at = |particle: u32| particles.get(particle as usize).copied();
+    let lines = (net.lines.iter()).filter(move |[.., thread]| thread % stride == 0);
+    lines.filter_map(move |&[from, to, _]| Some([at(from)?, at(to)?]))
 }
 
 /// Rings around both ends, lines along the side, and a cap on each end.
@@ -167,8 +137,6 @@ fn capsule_outline(capsule: &Capsule) -> impl Iterator<Item = [Vec3; 2]> {
 
 #[cfg(test)]
 mod tests {
-    use lole_cloth::Topology;
-
     use super::*;
 
     #[test]
@@ -186,18 +154,15 @@ mod tests {
 
     #[test]
     fn far_springs_are_thinned_and_near_ones_are_all_there() {
-        let grid = Grid {
-            column_count: 8,
-            row_count: 5,
-            topology: Topology::Tube,
-            spacing: [0.01, 0.01],
-            flounce: None,
-            crimp: None,
+        assert_eq!(spring_stride(0.01, 0.0001), 1);
+        assert!(4 <= spring_stride(0.01, 0.004));
+        let net = Net {
+            spacing: 0.01,
+            lines: vec![[0, 1, 0], [1, 2, 1], [2, 3, 2]],
         };
-        assert_eq!(spring_stride(&grid, 0.0001), 1);
-        assert!(4 <= spring_stride(&grid, 0.004));
-        let particles = vec![Vec3::ZERO; grid.particle_count()];
-        assert_eq!(springs(&grid, &particles, 1).count(), 8 * 5 + 8 * 4);
-        assert_eq!(springs(&grid, &[], 1).count(), 0);
+        let particles = [Vec3::ZERO; 4];
+        assert_eq!(shown(&net, &particles, 1).count(), 3);
+        assert_eq!(shown(&net, &particles, 2).count(), 2);
+        assert_eq!(shown(&net, &[], 1).count(), 0);
     }
 }

@@ -1,5 +1,6 @@
 //! One moment of the show, handed from the simulation's thread to the picture.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -9,29 +10,45 @@ use lole_cloth::Grid;
 use lole_geom::Capsule;
 use lole_picture::{Looks, Moment};
 use lole_render::Scene;
-use lole_stage::{Divergence, Production, WornSurface};
+use lole_stage::{Divergence, Production, Worn, WornSurface};
 
 use crate::history::Sample;
 
-/// What belongs together as long as the skirt is not sewn anew.
+/// What belongs together as long as the skirt is not sewn anew. It is all that the picture needs of the
+/// production, which stays with the simulation.
 pub struct Wardrobe {
     /// Tells wardrobes apart.
     pub id: u64,
-    /// Dancer, dance and garments.
-    pub production: Arc<Production>,
-    /// Materials.
+    /// Triangles, materials and prints.
     pub looks: Looks,
+    /// Height of the dancer's crown above the floor [m].
+    pub crown_height: f32,
     /// What a tape says around the dancer.
     pub taped: [Taped; 14],
+    /// The springs of everything that is worn, as they are shown.
+    pub(crate) nets: Vec<Net>,
+    /// Which particle of all cloth each drawn vertex goes with, surface by surface; empty where bones carry it.
+    pub(crate) particle_of_vertex: Vec<Vec<u32>>,
     /// What she wears in fewer triangles, surface by surface, for adapters that compute on the processor;
     /// `None` where there are no fewer.
     pub(crate) coarse_triangles: Vec<Option<Vec<[u32; 3]>>>,
 }
 
+/// The springs of one thing that is worn, as lines between particles.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Net {
+    /// Distance between the finest threads of a grid [m]; 0 where all lines are always shown.
+    pub(crate) spacing: f32,
+    /// The lines, by particles of all cloth, and which row or column of a grid each lies on.
+    pub(crate) lines: Vec<[u32; 3]>,
+}
+
 impl Wardrobe {
     /// A wardrobe with a number of its own.
-    pub(crate) fn new(production: Arc<Production>, looks: Looks) -> Self {
+    pub(crate) fn new(production: &Production, looks: Looks) -> Self {
         static NEXT: AtomicU64 = AtomicU64::new(1);
+        let particles = u32::try_from(production.moving_count()).unwrap_or(u32::MAX);
+        let numbers: Vec<u32> = (0..particles).collect();
         Self {
             id: NEXT.fetch_add(1, Ordering::Relaxed),
             coarse_triangles: (production.surfaces())
@@ -42,14 +59,16 @@ impl Wardrobe {
                     WornSurface::Sewn(_) | WornSurface::Beside(..) => None,
                 })
                 .collect(),
+            particle_of_vertex: (production.surfaces())
+                .map(|surface| surface.by_vertex(&numbers))
+                .collect(),
+            nets: production.worn().filter_map(Net::of).collect(),
+            crown_height: production.dancer.landmarks.crown_height,
             taped: production.dancer.taped(&production.design.tape()),
-            production,
             looks,
         }
     }
-}
 
-impl Wardrobe {
     /// Draws what she wears in fewer triangles.
     pub(crate) fn coarsen<'a>(&'a self, scene: &mut Scene<'a>) {
         for (mesh, triangles) in scene.meshes.iter_mut().zip(&self.coarse_triangles) {
@@ -58,6 +77,57 @@ impl Wardrobe {
             mesh.triangles = triangles;
         }
     }
+}
+
+impl Net {
+    /// The springs between neighbors of a grid, or the edges of triangles; `None` of what is no cloth.
+    fn of(worn: Worn<'_>) -> Option<Self> {
+        let first = u32::try_from(worn.particles().start).ok()?;
+        let (spacing, mut lines) = match worn {
+            Worn::Gathered(garment) => {
+                let grid = &garment.sewn.spec.grid;
+                (grid.spacing[0].min(grid.spacing[1]), springs(grid))
+            }
+            Worn::Sewn(garment) => (0.0, edges(&garment.dressed.triangles)),
+            Worn::Beside(_) => return None,
+        };
+        for [from, to, _] in &mut lines {
+            *from += first;
+            *to += first;
+        }
+        Some(Self { spacing, lines })
+    }
+}
+
+/// The springs between neighbors, each with its row or column.
+fn springs(grid: &Grid) -> Vec<[u32; 3]> {
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "particles are counted in 32 bits"
+    )]
+    let at = |row: u32, column: u32| grid.index(row, column) as u32;
+    let mut lines = Vec::new();
+    for row in 0..grid.row_count {
+        for column in 0..grid.column_count {
+            if let Some(right) = grid.column_right(column, 1) {
+                lines.push([at(row, column), at(row, right), row]);
+            }
+            if row + 1 < grid.row_count {
+                lines.push([at(row, column), at(row + 1, column), column]);
+            }
+        }
+    }
+    lines
+}
+
+/// Every edge of triangles once.
+fn edges(triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
+    let sides = triangles
+        .iter()
+        .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let sides = sides.map(|[a, b]| [a.min(b), a.max(b), 0]);
+    let once: BTreeSet<[u32; 3]> = sides.collect();
+    once.into_iter().collect()
 }
 
 /// Triangles over every second row and column of a grid's vertices, the last ones included.
@@ -115,4 +185,25 @@ pub struct Snapshot {
     pub without_room: Vec<Bone>,
     /// Where and when the cloth flew apart.
     pub stopped: Option<Divergence>,
+}
+
+#[cfg(test)]
+mod tests {
+    use lole_cloth::Topology;
+
+    use super::*;
+
+    #[test]
+    fn a_tube_has_a_spring_to_the_right_of_every_particle_and_below_all_but_the_last() {
+        let grid = Grid {
+            column_count: 8,
+            row_count: 5,
+            topology: Topology::Tube,
+            spacing: [0.01, 0.01],
+            flounce: None,
+            crimp: None,
+        };
+        assert_eq!(springs(&grid).len(), 8 * 5 + 8 * 4);
+        assert_eq!(edges(&[[0, 1, 2], [2, 1, 3]]).len(), 5);
+    }
 }

@@ -1,95 +1,34 @@
-//! Drafting on a thread of its own: whoever turns a knob never waits for the cut plan.
-
-use std::sync::Arc;
-use std::sync::mpsc::{self, Receiver, Sender};
-use std::thread::{self, JoinHandle};
+//! Drafting what was asked for last: whoever turns a knob never waits for the cut plan.
 
 use lole_body::Dancer;
 use lole_costume::document::{DancerDesign, Design};
 
 use crate::paper::{Cutting, DrawnPrints, PaperDesign};
 
-/// The running thread. Dropped, it ends and is waited for.
-pub(crate) struct Tailor {
-    wishes: Option<Sender<(Box<Design>, Cutting)>>,
-    papers: Receiver<Arc<PaperDesign>>,
-    /// What was asked for last.
-    asked: Option<(Design, Cutting)>,
-    thread: Option<JoinHandle<()>>,
+/// What is kept from one paper to the next.
+#[derive(Default)]
+pub(crate) struct Bench {
+    measured: Option<(DancerDesign, Option<Dancer>)>,
+    prints: DrawnPrints,
+    number: u64,
 }
 
-impl Tailor {
-    /// Starts the thread; `wake` is called when a paper is ready.
-    pub(crate) fn start(wake: impl Fn() + Send + 'static) -> Self {
-        let (wishes, received) = mpsc::channel();
-        let (done, papers) = mpsc::channel();
-        let thread = thread::Builder::new()
-            .name("tailor".to_owned())
-            .spawn(move || work(&received, &done, wake))
-            .ok();
-        Self {
-            wishes: Some(wishes),
-            papers,
-            asked: None,
-            thread,
-        }
-    }
-
-    /// Asks for the paper of a design, unless it was asked for already.
-    pub(crate) fn ask(&mut self, design: &Design, cutting: Cutting) {
-        let is_asked =
-            (self.asked.as_ref()).is_some_and(|(asked, how)| asked == design && *how == cutting);
-        if let (false, Some(wishes)) = (is_asked, &self.wishes) {
-            self.asked = Some((design.clone(), cutting));
-            // The thread lives until the sender goes.
-            drop(wishes.send((Box::new(design.clone()), cutting)));
-        }
-    }
-
-    /// The newest paper, if there is a new one.
-    pub(crate) fn take(&self) -> Option<Arc<PaperDesign>> {
-        self.papers.try_iter().last()
-    }
-}
-
-impl Drop for Tailor {
-    fn drop(&mut self) {
-        self.wishes = None;
-        if let Some(thread) = self.thread.take() {
-            drop(thread.join());
-        }
-    }
-}
-
-fn work(
-    wishes: &Receiver<(Box<Design>, Cutting)>,
-    papers: &Sender<Arc<PaperDesign>>,
-    wake: impl Fn(),
-) {
-    let mut measured: Option<(DancerDesign, Option<Dancer>)> = None;
-    let mut prints = DrawnPrints::default();
-    let mut number = 0;
-    while let Ok(first) = wishes.recv() {
-        // Of many only the last counts.
-        let (design, cutting) = wishes.try_iter().last().unwrap_or(first);
-        let is_known = (measured.as_ref()).is_some_and(|(tape, _)| *tape == design.dancer);
+impl Bench {
+    /// The paper of a design; `None` where it cannot be danced, which is told beside its tape.
+    pub(crate) fn paper(&mut self, design: &Design, cutting: Cutting) -> Option<PaperDesign> {
+        let is_known = (self.measured.as_ref()).is_some_and(|(tape, _)| *tape == design.dancer);
         if !is_known {
             // Why a tape makes no body is told beside the tape.
-            let dancer = lole_stage::dancer(&design).ok().map(|(dancer, _)| dancer);
-            measured = Some((design.dancer.clone(), dancer));
+            let dancer = lole_stage::dancer(design).ok().map(|(dancer, _)| dancer);
+            self.measured = Some((design.dancer.clone(), dancer));
         }
-        let dancer = measured.as_ref().and_then(|(_, dancer)| dancer.as_ref());
-        let paper = match dancer {
-            Some(dancer) if design.check("").is_ok() => {
-                PaperDesign::drawn(&design, cutting, dancer, &mut prints)
-            }
-            _ => continue,
-        };
-        number += 1;
-        let paper = PaperDesign { number, ..paper };
-        if papers.send(Arc::new(paper)).is_err() {
-            return;
-        }
-        wake();
+        let dancer = self.measured.as_ref()?.1.as_ref()?;
+        design.check("").ok()?;
+        self.number += 1;
+        let paper = PaperDesign::drawn(design, cutting, dancer, &mut self.prints);
+        Some(PaperDesign {
+            number: self.number,
+            ..paper
+        })
     }
 }

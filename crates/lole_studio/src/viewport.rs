@@ -14,11 +14,12 @@ use lole_render::{
 use lole_stage::Pull;
 
 use crate::clock::Clock;
-use crate::light::{Job, Light};
+use crate::light::Job;
 use crate::look::strain_color;
 use crate::message::Message;
 use crate::orbit::{Orbit, hand_at, pick};
 use crate::overlay::Strokes;
+use crate::platform::Light;
 use crate::studio::{Shows, Tool};
 use crate::{Command, Snapshot, Studio};
 
@@ -340,7 +341,7 @@ impl Viewport {
         let wardrobe = &snapshot.wardrobe;
         let camera = orbit.camera();
         let lights = LightRig::seen_from(&camera);
-        let mut scene = (wardrobe.looks).scene(&wardrobe.production, &figure, camera, lights);
+        let mut scene = (wardrobe.looks).scene(&figure, camera, lights);
         if is_coarse {
             wardrobe.coarsen(&mut scene);
         }
@@ -430,8 +431,7 @@ fn drag_of(ui: &Ui, response: &Response) -> Vec2 {
 
 /// Where she stands and steps [m].
 fn stage_of(snapshot: &Snapshot) -> Bounds {
-    let dancer = &snapshot.wardrobe.production.dancer;
-    let crown = dancer.landmarks.crown_height;
+    let crown = snapshot.wardrobe.crown_height;
     Bounds {
         min: Vec3::new(-SIDE_ROOM, -0.02, -0.3),
         max: Vec3::new(SIDE_ROOM, crown + 0.06, 0.3),
@@ -443,13 +443,15 @@ fn stage_of(snapshot: &Snapshot) -> Bounds {
 fn cloth_colors(snapshot: &Snapshot, shows: Shows) -> Vec<Vec<Vec3>> {
     let strain = snapshot.strain.iter().map(|&strain| strain_color(strain));
     let strain: Vec<Vec3> = strain.collect();
-    let surfaces = snapshot.wardrobe.production.surfaces();
+    let wardrobe = &snapshot.wardrobe;
+    let surfaces = wardrobe.looks.worn.iter().zip(&wardrobe.particle_of_vertex);
     let colors = surfaces.zip(&snapshot.moment.worn);
-    let colors = colors.map(|(surface, [positions, _])| {
-        let by_strain = surface.by_vertex(&strain);
+    let colors = colors.map(|((cover, particles), [positions, _])| {
+        let by_strain = |&particle: &u32| strain.get(particle as usize).copied();
+        let by_strain: Vec<Vec3> = particles.iter().filter_map(by_strain).collect();
         if shows.strain && !by_strain.is_empty() {
             by_strain
-        } else if shows.springs && surface.beside().is_none() {
+        } else if shows.springs && cover.is_cloth {
             vec![strain_color(0.0); positions.len()]
         } else {
             Vec::new()

@@ -170,6 +170,10 @@ const TABLE: &[(&str, &[&str])] = &[
         ],
     ),
     (
+        "lole_web",
+        &["lole_cloth", "lole_costume", "lole_stage", "lole_studio"],
+    ),
+    (
         "lole",
         &[
             "lole_language",

@@ -22,13 +22,46 @@ pub enum Weight {
     Bold,
 }
 
-/// Font files, see `data/fonts/README.md`.
-const REGULAR: &[u8] = include_bytes!("../../data/fonts/NotoSansJP-Regular.otf");
-const BOLD: &[u8] = include_bytes!("../../data/fonts/NotoSansJP-Bold.otf");
+/// Font files, see `data/fonts/README.md`; of each weight one.
+#[cfg(not(target_arch = "wasm32"))]
+mod files {
+    /// They are built in.
+    pub(super) fn all() -> Option<[&'static [u8]; 2]> {
+        Some([
+            include_bytes!("../../data/fonts/NotoSansJP-Regular.otf"),
+            include_bytes!("../../data/fonts/NotoSansJP-Bold.otf"),
+        ])
+    }
+}
+
+/// A page does not carry seven megabytes that only paper needs: whoever makes paper there gives them first.
+#[cfg(target_arch = "wasm32")]
+mod files {
+    use std::sync::OnceLock;
+
+    static GIVEN: OnceLock<[Vec<u8>; 2]> = OnceLock::new();
+
+    /// Gives the font files of both weights, the regular one first; those that were given first stay.
+    pub fn give_fonts(files: [Vec<u8>; 2]) {
+        // The second time they are the same.
+        drop(GIVEN.set(files));
+    }
+
+    /// Those that were given.
+    pub(super) fn all() -> Option<[&'static [u8]; 2]> {
+        let [regular, bold] = GIVEN.get()?;
+        Some([regular, bold])
+    }
+}
+
+#[cfg(target_arch = "wasm32")]
+pub use files::give_fonts;
 
 // The tables of a font are found once: pages measure thousands of words.
-static FACES: LazyLock<Option<[Face; 2]>> =
-    LazyLock::new(|| Some([Face::read(REGULAR)?, Face::read(BOLD)?]));
+static FACES: LazyLock<Option<[Face; 2]>> = LazyLock::new(|| {
+    let [regular, bold] = files::all()?;
+    Some([Face::read(regular)?, Face::read(bold)?])
+});
 
 /// A font, with what is found in it once.
 struct Face {
@@ -56,11 +89,12 @@ impl Face {
 }
 
 impl Weight {
-    /// The font file.
-    pub(super) const fn bytes(self) -> &'static [u8] {
+    /// The font file; empty where it was not given.
+    pub(super) fn bytes(self) -> &'static [u8] {
+        let [regular, bold] = files::all().unwrap_or_default();
         match self {
-            Self::Regular => REGULAR,
-            Self::Bold => BOLD,
+            Self::Regular => regular,
+            Self::Bold => bold,
         }
     }
 

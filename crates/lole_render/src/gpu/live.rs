@@ -110,6 +110,18 @@ impl AmbientLight {
         let geometry = Geometry::of(scene);
         Ok(Self(ambient_alone(&scene.lights, &geometry)))
     }
+
+    /// Light on the face and on the back of each vertex, linear, in the order of the scene's meshes.
+    #[must_use]
+    pub fn faces(&self) -> &[[Vec3; 2]] {
+        &self.0
+    }
+
+    /// The light whose [`Self::faces`] these are.
+    #[must_use]
+    pub const fn from_faces(faces: Vec<[Vec3; 2]>) -> Self {
+        Self(faces)
+    }
 }
 
 /// Constants of the floor's light (`FloorLight` in `live.wgsl`).

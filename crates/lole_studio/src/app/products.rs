@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::mpsc::TryRecvError;
 
-use lole_export::{ImageView, pdf, still};
+use lole_export::{ImageView, still};
 use lole_files as files;
 use lole_language::Sentence;
 use lole_render::Image;
@@ -11,7 +11,7 @@ use lole_render::Image;
 use super::App;
 use crate::making::{Piece, Product, Stage, Wish, with_ending};
 use crate::message::Message;
-use crate::reveal;
+use crate::platform;
 use crate::studio::{Purpose, Question};
 
 impl App {
@@ -61,13 +61,13 @@ impl App {
         let stem = self.studio.path().and_then(Path::file_stem);
         stem.map_or_else(
             || "Pāʻū".to_owned(),
-            |stem| pdf::printable(&stem.to_string_lossy()),
+            |stem| stem.to_string_lossy().into_owned(),
         )
     }
 
     pub(super) fn reveal(&mut self, path: &Path) {
         let context = self.context.clone();
-        let news = reveal::begin(path, move || context.request_repaint());
+        let news = platform::reveal(path, move || context.request_repaint());
         self.reveals.push(news);
     }
 

@@ -9,7 +9,7 @@ use lole_costume::tailoring;
 use lole_export::ImageView;
 use lole_export::booklet::{Booklet, booklet_sheets};
 use lole_export::cutting::{CutGarment, PatternParts, pattern_folder};
-use lole_export::pdf::{Document, EncodedPicture};
+use lole_export::pdf::{Document, EncodedPicture, printable};
 use lole_language::{Bilingual, Sentence};
 use lole_picture::portrait::{self, PortraitError};
 use lole_picture::studio::still_cameras;
@@ -40,7 +40,7 @@ pub(super) fn booklet(wish: &Wish, line: &Line<'_>) -> Result<Vec<u8>, Unmade> {
     line.goes_on(SHARES[1])?;
     let prints = prints(wish)?;
     let booklet = Booklet {
-        title: wish.title.clone(),
+        title: printable(&wish.title),
         plan: &plan,
         group: &[],
         prints: &prints,
@@ -49,7 +49,7 @@ pub(super) fn booklet(wish: &Wish, line: &Line<'_>) -> Result<Vec<u8>, Unmade> {
         hem_height_cm: design.costume_hem_cm(),
     };
     let sheets = booklet_sheets(&booklet, wish.paper, wish.language);
-    let document = Document::new(&wish.title, wish.language, sheets);
+    let document = Document::new(&printable(&wish.title), wish.language, sheets);
     document.to_bytes().map_err(|error| Unmade::of(&error))
 }
 
@@ -71,7 +71,7 @@ pub(super) fn pattern(wish: &Wish, line: &Line<'_>) -> Result<Vec<(String, Vec<u
         .collect();
     let parts = PatternParts {
         cuts: &cuts,
-        size: &wish.title,
+        size: &printable(&wish.title),
         paper: wish.paper,
         language: wish.language,
         version: env!("CARGO_PKG_VERSION"),

@@ -7,7 +7,8 @@ use lole_language::Words;
 
 use super::hindrance;
 use super::knob::{choice, wide_button};
-use crate::making::{Piece, Product, Stage};
+use crate::making::{Piece, Stage};
+use crate::platform;
 use crate::studio::Request;
 use crate::{Studio, look, text};
 
@@ -16,7 +17,7 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     if let Some(paper) = choice(ui, Some(studio.order.wishes.paper), &Paper::ALL) {
         studio.order.wishes.paper = paper;
     }
-    for product in Product::ALL {
+    for &product in platform::products() {
         let name = format!("{}…", studio.say(product.name()));
         if wide_button(ui, &name) {
             studio.request(Request::AskMake(product));
@@ -59,7 +60,9 @@ fn piece_ui(ui: &mut Ui, studio: &mut Studio, piece: &Piece) {
                 ui.label(RichText::new(piece.path.display().to_string()).small());
                 ui.horizontal(|ui| {
                     let open = named(text::OPEN_FOLDER);
-                    if named_button(ui, studio.say(text::OPEN_FOLDER), &open) {
+                    if platform::HAS_FOLDERS
+                        && named_button(ui, studio.say(text::OPEN_FOLDER), &open)
+                    {
                         studio.request(Request::Reveal(piece.path.clone()));
                     }
                     close(ui, studio, piece, &named(text::CLOSE));

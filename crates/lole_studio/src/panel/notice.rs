@@ -4,6 +4,7 @@ use eframe::egui::{self, Color32, RichText, Ui};
 use lole_stage::Divergence;
 
 use crate::message::MessageKind;
+use crate::platform;
 use crate::studio::Request;
 use crate::{Studio, look, text};
 
@@ -33,6 +34,7 @@ pub fn show(ui: &mut Ui, studio: &mut Studio) {
             ui.label(studio.tell(&message.sentence));
             ui.horizontal(|ui| {
                 if let Some(place) = message.place
+                    && platform::HAS_FOLDERS
                     && ui.button(studio.say(text::OPEN_FOLDER)).clicked()
                 {
                     studio.request(Request::Reveal(place));

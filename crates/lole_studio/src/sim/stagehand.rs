@@ -1,8 +1,7 @@
-//! The work of the simulation's thread.
+//! The work of the simulation, one turn after the other.
 
 use std::sync::Arc;
-use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, TryRecvError};
-use std::time::Duration;
+use std::sync::mpsc::{Receiver, Sender, TryRecvError};
 
 use glam::Vec3;
 use lole_cloth::Crossings;
@@ -13,11 +12,12 @@ use lole_stage::{Show, Vertices, Wish};
 
 use super::pace::Pace;
 use super::repair::Repair;
-use super::sewing::{Entrance, Sewing, Sewn, wardrobe};
+use super::sewing::{Entrance, Sewn, wardrobe};
 use super::{Input, News, Outbox};
 use crate::clock::Clock;
 use crate::command::Watch;
 use crate::history::Sample;
+use crate::platform::{self, Sewing};
 use crate::snapshot::Wardrobe;
 use crate::{Command, Snapshot};
 
@@ -29,10 +29,23 @@ const SUNKEN_INTERVAL: f64 = 0.4;
 /// Samples kept for a picture that is not taken, as while the window is minimized.
 const MOST_SAMPLES: usize = 600;
 
+/// When there is something to do again.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Rest {
+    /// At once.
+    None,
+    /// In so many seconds, or when something is sent.
+    Until(f64),
+    /// When something is sent.
+    Called,
+    /// Never: it was told to quit.
+    Ended,
+}
+
 /// Whoever keeps the show going.
-pub(super) struct Stagehand {
+pub(crate) struct Stagehand {
     inputs: Sender<Input>,
-    outbox: Outbox,
+    outbox: Box<dyn Outbox>,
     clock: Clock,
     pace: Pace,
     repair: Repair,
@@ -55,13 +68,16 @@ pub(super) struct Stagehand {
 }
 
 impl Stagehand {
-    pub(super) fn new(design: Design, inputs: Sender<Input>, outbox: Outbox) -> Self {
+    /// Begins to sew `design`; `inputs` is where what reaches it is sent.
+    pub(crate) fn new(
+        design: Design,
+        entrance: Entrance,
+        inputs: Sender<Input>,
+        outbox: Box<dyn Outbox>,
+    ) -> Self {
         let clock = Clock::start();
-        let cores = std::thread::available_parallelism().map_or(1, usize::from);
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(cores.saturating_sub(1).clamp(1, MOST_THREADS))
-            .build()
-            .ok();
+        let threads = platform::cores().saturating_sub(1).clamp(1, MOST_THREADS);
+        let pool = platform::pool(threads);
         let mut hand = Self {
             inputs,
             outbox,
@@ -81,30 +97,34 @@ impl Stagehand {
             is_stale: false,
             quits: false,
         };
-        hand.sew(design);
+        hand.sew(design, entrance);
         hand
     }
 
-    /// Works until it is told to quit.
-    pub(super) fn work(mut self, inputs: &Receiver<Input>) {
-        while !self.quits {
-            self.obey(inputs);
-            if self.quits {
-                return;
-            }
-            if self.may_dance() {
-                let wait = self.pace.wait(self.clock.seconds());
-                if 0.0 < wait && self.steps == 0 {
-                    self.rest(inputs, Some(wait));
-                } else {
-                    self.dance();
-                }
-            } else if !(self.is_stale && self.outbox.is_empty()) {
-                // A picture that nobody has taken is looked after again soon.
-                self.rest(inputs, self.is_stale.then_some(0.02));
-            }
-            self.show();
+    /// Obeys, dances one frame where it is due, and hands out what is new; says how long there is nothing to do.
+    pub(crate) fn turn(&mut self, inputs: &Receiver<Input>) -> Rest {
+        self.obey(inputs);
+        if self.quits {
+            return Rest::Ended;
         }
+        let mut rest = Rest::None;
+        if self.may_dance() {
+            let wait = self.pace.wait(self.clock.seconds());
+            if 0.0 < wait && self.steps == 0 {
+                rest = Rest::Until(wait);
+            } else {
+                self.dance();
+            }
+        } else if !(self.is_stale && self.outbox.is_empty()) {
+            // A picture that nobody has taken is looked after again soon.
+            rest = if self.is_stale {
+                Rest::Until(0.02)
+            } else {
+                Rest::Called
+            };
+        }
+        self.show();
+        rest
     }
 
     fn may_dance(&self) -> bool {
@@ -136,22 +156,8 @@ impl Stagehand {
         }
     }
 
-    /// Waits for something to be sent, at most for `seconds`.
-    fn rest(&mut self, inputs: &Receiver<Input>, seconds: Option<f64>) {
-        let input = match seconds {
-            Some(seconds) => match inputs.recv_timeout(Duration::from_secs_f64(seconds)) {
-                Ok(input) => Some(input),
-                Err(RecvTimeoutError::Timeout) => None,
-                Err(RecvTimeoutError::Disconnected) => Some(Input::Wanted(Command::Quit)),
-            },
-            None => inputs.recv().ok().or(Some(Input::Wanted(Command::Quit))),
-        };
-        if let Some(input) = input {
-            self.take_in(input);
-        }
-    }
-
-    fn take_in(&mut self, input: Input) {
+    /// Takes in one thing that was sent.
+    pub(crate) fn take_in(&mut self, input: Input) {
         match input {
             Input::Wanted(command) => self.follow(command),
             Input::Sewn(sewn) => self.dress(*sewn),
@@ -208,18 +214,18 @@ impl Stagehand {
             return;
         }
         let Some((show, clothes)) = &mut self.stage else {
-            self.sew(design);
+            self.resew(design);
             return;
         };
         let prints_anew = !show.design().prints().eq(design.prints());
         let before = (show.design().clone(), show.production());
         match show.wish(&design) {
-            Ok(Wish::Resew) => self.sew(design),
+            Ok(Wish::Resew) => self.resew(design),
             Ok(Wish::Granted) => {
                 self.is_stale = true;
                 let adorned_anew = !Arc::ptr_eq(&before.1, &show.production());
                 if prints_anew || adorned_anew {
-                    match wardrobe(&design, show.production()) {
+                    match wardrobe(&design, &show.production()) {
                         Ok(new) => *clothes = new,
                         Err(sentence) => self.refuse(sentence, before.0),
                     }
@@ -233,14 +239,20 @@ impl Stagehand {
         self.outbox.say(News::Refused(sentence, Box::new(kept)));
     }
 
-    fn sew(&mut self, design: Design) {
+    fn sew(&mut self, design: Design, entrance: Entrance) {
+        self.outbox.say(News::Sewing);
+        let on_stage = self.stage.as_ref().map(|(show, _)| show.design());
+        self.sewing = Sewing::begin((design, entrance), on_stage, &self.inputs, &*self.outbox);
+    }
+
+    /// Sews anew while what is on stage dances on.
+    fn resew(&mut self, design: Design) {
         let entrance = if self.stage.is_some() {
             Entrance::Settled
         } else {
             Entrance::Settling
         };
-        self.outbox.say(News::Sewing);
-        self.sewing = Some(Sewing::begin(design, entrance, self.inputs.clone()));
+        self.sew(design, entrance);
     }
 
     /// Puts what was sewn on stage, or sews what was wished meanwhile.
@@ -251,7 +263,7 @@ impl Stagehand {
             if self.stage.is_some() {
                 self.wish(next);
             } else {
-                self.sew(next);
+                self.resew(next);
             }
             if self.sewing.is_none() {
                 self.outbox.say(News::Sewn);
@@ -370,14 +382,14 @@ impl Stagehand {
 pub(crate) fn first_moment(design: &Design) -> Result<Snapshot, Sentence> {
     let said = |error: lole_stage::StageError| Sentence::of(&error);
     let production = Arc::new(lole_stage::Production::new(design).map_err(said)?);
-    let clothes = wardrobe(design, Arc::clone(&production))?;
+    let clothes = wardrobe(design, &production)?;
     let show = Show::of(production).map_err(said)?;
     Ok(photograph(&show, &clothes, Watch::default()))
 }
 
 /// The show as it stands.
 fn photograph(show: &Show, clothes: &Arc<Wardrobe>, watch: Watch) -> Snapshot {
-    let production = &clothes.production;
+    let production = &*show.production();
     let mut body = Vertices::default();
     let [positions, normals] = &mut body;
     (production.dancer.skin).pose(show.world_from_bind(), positions, normals);

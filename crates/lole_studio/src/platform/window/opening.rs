@@ -13,8 +13,9 @@ use lole_files as files;
 use lole_language::{Language, Sentence, words};
 use lole_render::wgpu;
 
+use super::Keeping;
 use crate::Studio;
-use crate::app::{App, Keeping, Rescued};
+use crate::app::{App, Rescued};
 use crate::message::Message;
 
 /// Size of a new window [point].

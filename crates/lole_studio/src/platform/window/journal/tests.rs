@@ -63,7 +63,7 @@ fn a_process_that_works_until_it_is_killed() {
 #[test]
 fn a_killed_process_leaves_its_work_and_every_step_back_to_the_next_window() {
     let folder = fresh("killed");
-    let this = "journal::tests::a_process_that_works_until_it_is_killed";
+    let this = "platform::window::journal::tests::a_process_that_works_until_it_is_killed";
     let mut process = Command::new(std::env::current_exe().unwrap())
         .args(["--exact", this, "--nocapture"])
         .env(FOLDER, &folder)

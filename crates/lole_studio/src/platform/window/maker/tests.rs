@@ -1,10 +1,15 @@
 //! Products of a small design, made by the thread that the window has.
 
+use std::path::Path;
 use std::time::Duration;
 
-use lole_costume::document::GarmentDesign;
+use lole_costume::document::{Design, GarmentDesign};
+use lole_export::pdf::Paper;
+use lole_language::Language;
 
 use super::*;
+use crate::making::{Product, flew_apart, with_ending};
+use crate::paper::Cutting;
 
 /// A small skirt and a short dance, so that a test takes seconds.
 fn wish(product: Product, name: &str) -> Wish {

@@ -5,12 +5,13 @@ use std::collections::VecDeque;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::{self, Receiver, TryRecvError};
+use std::thread;
 
 use lole_costume::roster::Roster;
 use lole_files as files;
 use lole_language::Words;
 
-use super::App;
+use crate::app::App;
 use crate::chooser::{self, Lies, Looked};
 use crate::ordering;
 use crate::request::Verdict;
@@ -21,7 +22,7 @@ type FoundList = (PathBuf, Arc<Roster>);
 
 /// What is asked of other threads for the question that is shown.
 #[derive(Default)]
-pub(super) struct Asking {
+pub(crate) struct Asking {
     /// A folder that is being read.
     looked: Option<Receiver<Looked>>,
     /// The system's own dialog, with what it asks for.
@@ -35,7 +36,7 @@ pub(super) struct Asking {
 impl App {
     /// Begins to read the list that the last window had; one that is gone is chosen anew, without a
     /// word.
-    pub(super) fn find_roster(&mut self) {
+    pub(crate) fn find_roster(&mut self) {
         let known = self.studio.memory.roster.clone();
         if let Some(path) = known.filter(|_| self.studio.order.list.is_none()) {
             let context = self.context.clone();
@@ -43,12 +44,12 @@ impl App {
                 let list = ordering::read_list(&path).ok()?;
                 Some((path, Arc::new(list)))
             };
-            let roster = chooser::begin(read, move || context.request_repaint());
+            let roster = aside(read, move || context.request_repaint());
             self.asking.roster = Some(roster);
         }
     }
 
-    pub(super) fn ask(&mut self, purpose: Purpose) {
+    pub(crate) fn ask(&mut self, purpose: Purpose) {
         let known = self.studio.path().map(whole);
         let folder = match known.as_deref().and_then(Path::parent) {
             Some(folder) => folder.to_owned(),
@@ -73,7 +74,7 @@ impl App {
     }
 
     /// Begins to read a folder for the question.
-    pub(super) fn list_folder(&mut self, folder: PathBuf) {
+    pub(crate) fn list_folder(&mut self, folder: PathBuf) {
         let purpose = self.studio.question.as_ref().map(|it| it.purpose);
         let endings = purpose.map_or(&[][..], Purpose::endings);
         self.look(move || Looked {
@@ -83,7 +84,7 @@ impl App {
     }
 
     /// Begins to read the folder that is nearest to a picture's path.
-    pub(super) fn look_near(&mut self, path: PathBuf) {
+    pub(crate) fn look_near(&mut self, path: PathBuf) {
         self.look(move || Looked {
             listing: chooser::list(&chooser::folder_of(&path), Purpose::Picture.endings()),
             free: None,
@@ -92,12 +93,12 @@ impl App {
 
     fn look(&mut self, look: impl FnOnce() -> Looked + Send + 'static) {
         let context = self.context.clone();
-        let looked = chooser::begin(look, move || context.request_repaint());
+        let looked = aside(look, move || context.request_repaint());
         self.asking.looked = Some(looked);
     }
 
     /// Finds out what lies where a question was answered, before anything is done.
-    pub(super) fn find_out(&mut self, question: Question) {
+    pub(crate) fn find_out(&mut self, question: Question) {
         let (Some(answer), Some(target)) = (question.answer(), question.target()) else {
             return;
         };
@@ -112,12 +113,12 @@ impl App {
             lies => lies,
         };
         let context = self.context.clone();
-        let lies = chooser::begin(look, move || context.request_repaint());
+        let lies = aside(look, move || context.request_repaint());
         self.asking.weighed.push_back((question, lies));
     }
 
     /// What was found for questions since the last picture.
-    pub(super) fn receive_answers(&mut self) {
+    pub(crate) fn receive_answers(&mut self) {
         if let Some(looked) = news_of(&mut self.asking.looked, |looked| looked)
             && let Some(question) = &mut self.studio.question
         {
@@ -175,7 +176,7 @@ impl App {
     }
 
     /// The system's own dialog, on a thread of its own: the dance goes on behind it.
-    pub(super) fn browse(&mut self) {
+    pub(crate) fn browse(&mut self) {
         let Some(question) = &self.studio.question else {
             return;
         };
@@ -196,11 +197,7 @@ impl App {
             // There, dialogs belong to the main thread.
             ask();
         } else {
-            drop(
-                std::thread::Builder::new()
-                    .name("dialog".to_owned())
-                    .spawn(ask),
-            );
+            drop(thread::Builder::new().name("dialog".to_owned()).spawn(ask));
         }
         self.asking.chosen = Some((purpose, answers));
     }
@@ -250,4 +247,22 @@ fn news_of<Kept, News>(
         *kept = None;
     }
     told.ok()
+}
+
+/// Looks at files on a thread of its own, because a folder on a network may take its time; `wake` is called when
+/// it is done.
+fn aside<Found: Send + 'static>(
+    look: impl FnOnce() -> Found + Send + 'static,
+    wake: impl Fn() + Send + 'static,
+) -> Receiver<Found> {
+    let (sender, found) = mpsc::channel();
+    let read = move || {
+        // The question may have been given up meanwhile.
+        drop(sender.send(look()));
+        wake();
+    };
+    let thread = thread::Builder::new().name("folder".to_owned());
+    // Where no thread can be had, the path can still be typed.
+    drop(thread.spawn(read));
+    found
 }
