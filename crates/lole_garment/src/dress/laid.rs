@@ -62,13 +62,7 @@ pub(super) fn lay(
     (dancer, measures): (&Dancer, &Measures),
     (division, sized): (Division, Option<Sized<'_>>),
 ) -> Result<Laid, DressError> {
-    let part_of = |piece: &Piece| match &row.way {
-        Way::Fitted(parts) => {
-            let mut rows = parts.iter();
-            rows.find(|(id, _)| *id == piece.id).map(|(_, part)| *part)
-        }
-        Way::Wrapped(_) | Way::Given => Some(Covered::Wrap),
-    };
+    let part_of = |piece: &Piece| part_of(&row.way, piece);
     let parts: Vec<Option<Covered>> = pattern.pieces.iter().map(part_of).collect();
     let particle_count = row.particle_count * division.particle_share();
     let spacing = spacing(&pattern, &parts, particle_count);
@@ -138,6 +132,17 @@ pub(super) fn lay(
         led,
         pattern,
     })
+}
+
+/// What of her a piece covers; nothing where its row does not name it.
+fn part_of(way: &Way, piece: &Piece) -> Option<Covered> {
+    match way {
+        Way::Fitted(parts) => {
+            let mut rows = parts.iter();
+            rows.find(|(id, _)| *id == piece.id).map(|(_, part)| *part)
+        }
+        Way::Wrapped(_) | Way::Given => Some(Covered::Wrap),
+    }
 }
 
 /// Places among the pinned particles of those that are led to where they are tied, and the way of each [m].
