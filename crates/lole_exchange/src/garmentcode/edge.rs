@@ -183,7 +183,7 @@ fn arc(
     (radius, [is_large, is_right]): (f64, [bool; 2]),
 ) -> Option<Vec<PathSeg>> {
     let half = 0.5 * from.distance(to);
-    if !(half * (1.0 - ROUNDED) <= radius) || FARTHEST < radius {
+    if !(half * (1.0 - ROUNDED)..=FARTHEST).contains(&radius) {
         return None;
     }
     let radius = radius.max(half);

@@ -187,21 +187,22 @@ impl Cuts {
     fn meet(&mut self, pattern: &Pattern) {
         for _ in 0..PASSES {
             for seam in &pattern.seams {
-                for [one, other] in [[seam.flat, seam.full], [seam.full, seam.flat]] {
-                    for share in other.between {
-                        self.add(key_of(other), share);
-                    }
-                    let [from, to] = one.between;
-                    let inside: Vec<f64> = (self.0.get(&key_of(one)).into_iter().flatten())
-                        .map(|cut| (cut - from) / (to - from))
-                        .filter(|share| (SAME..1.0 - SAME).contains(share))
-                        .collect();
-                    for share in inside {
-                        let [from, to] = other.between;
-                        self.add(key_of(other), from + (to - from) * share);
-                    }
-                }
+                self.carry(seam.flat, seam.full);
+                self.carry(seam.full, seam.flat);
             }
+        }
+    }
+
+    /// Cuts the other side of a seam at its ends, and where one side is cut.
+    fn carry(&mut self, one: SeamSide, other: SeamSide) {
+        let [from, to] = one.between;
+        let inside: Vec<f64> = (self.0.get(&key_of(one)).into_iter().flatten())
+            .map(|cut| (cut - from) / (to - from))
+            .filter(|share| (SAME..1.0 - SAME).contains(share))
+            .collect();
+        let [begin, end] = other.between;
+        for share in [0.0, 1.0].into_iter().chain(inside) {
+            self.add(key_of(other), begin + (end - begin) * share);
         }
     }
 

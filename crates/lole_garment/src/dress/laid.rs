@@ -118,12 +118,7 @@ pub(super) fn lay(
     let pins = carry(&row.way, &form, &held).ok_or_else(no_trunk)?;
     let facing = (0..panels.panels.len()).map(|panel| faces_out(panel, &mesh, &places, &form));
     let facing = facing.collect();
-    let on_arms = sized.map(|sized| sized.given.on_arms());
-    let is_on_arm = panels.panels.iter().map(|panel| match &on_arms {
-        Some(on_arms) => on_arms[panel.piece],
-        None => parts[panel.piece] == Some(Covered::Sleeve),
-    });
-    let is_on_arm = is_on_arm.collect();
+    let is_on_arm = on_arms(&panels, &parts, sized);
     let drawn_in = pattern.drawn_in.iter();
     let elastics = drawn_in.map(|drawn| narrow(drawn.length.to_m())).collect();
     Ok(Laid {
@@ -138,6 +133,16 @@ pub(super) fn lay(
         led,
         pattern,
     })
+}
+
+/// By panel, whether it covers an arm.
+fn on_arms(panels: &Panels, parts: &[Option<Covered>], sized: Option<Sized<'_>>) -> Vec<bool> {
+    let of_file = sized.map(|sized| sized.given.on_arms());
+    let covered = panels.panels.iter().map(|panel| match &of_file {
+        Some(of_file) => of_file[panel.piece],
+        None => parts[panel.piece] == Some(Covered::Sleeve),
+    });
+    covered.collect()
 }
 
 /// Places among the pinned particles of those that are led to where they are tied, and the way of each [m].

@@ -265,7 +265,7 @@ fn what_is_gathered_touches_its_seam_and_is_through_it_where_it_is_drawn_through
     assert!(100 < dress.puckers.len());
     assert_eq!(dress.crossings(&dress.start), Some(0));
     // One point of the ruffle far from its seam, drawn out through the other side of the dress.
-    let below = |particle: &usize| dress.piece_of(flat::number(*particle)).1 == "ruffle";
+    let below = |particle: &usize| dress.piece_of(number(*particle)).1 == "ruffle";
     let ruffle = (0..dress.particle_count()).filter(below);
     let lowest = ruffle.min_by(|&a, &b| dress.start[a].y.total_cmp(&dress.start[b].y));
     let mut pulled = dress.start.clone();
