@@ -62,7 +62,13 @@ pub(super) fn lay(
     (dancer, measures): (&Dancer, &Measures),
     (division, sized): (Division, Option<Sized<'_>>),
 ) -> Result<Laid, DressError> {
-    let part_of = |piece: &Piece| part_of(&row.way, piece);
+    let part_of = |piece: &Piece| match &row.way {
+        Way::Fitted(parts) => {
+            let mut rows = parts.iter();
+            rows.find(|(id, _)| *id == piece.id).map(|(_, part)| *part)
+        }
+        Way::Wrapped(_) | Way::Given => Some(Covered::Wrap),
+    };
     let parts: Vec<Option<Covered>> = pattern.pieces.iter().map(part_of).collect();
     let particle_count = row.particle_count * division.particle_share();
     let spacing = spacing(&pattern, &parts, particle_count);
@@ -112,12 +118,7 @@ pub(super) fn lay(
     let pins = carry(&row.way, &form, &held).ok_or_else(no_trunk)?;
     let facing = (0..panels.panels.len()).map(|panel| faces_out(panel, &mesh, &places, &form));
     let facing = facing.collect();
-    let on_arms = sized.map(|sized| sized.given.on_arms());
-    let is_on_arm = panels.panels.iter().map(|panel| match &on_arms {
-        Some(on_arms) => on_arms[panel.piece],
-        None => parts[panel.piece] == Some(Covered::Sleeve),
-    });
-    let is_on_arm = is_on_arm.collect();
+    let is_on_arm = on_arms(&panels, &parts, sized);
     let drawn_in = pattern.drawn_in.iter();
     let elastics = drawn_in.map(|drawn| narrow(drawn.length.to_m())).collect();
     Ok(Laid {
@@ -134,15 +135,14 @@ pub(super) fn lay(
     })
 }
 
-/// What of her a piece covers; nothing where its row does not name it.
-fn part_of(way: &Way, piece: &Piece) -> Option<Covered> {
-    match way {
-        Way::Fitted(parts) => {
-            let mut rows = parts.iter();
-            rows.find(|(id, _)| *id == piece.id).map(|(_, part)| *part)
-        }
-        Way::Wrapped(_) | Way::Given => Some(Covered::Wrap),
-    }
+/// By panel, whether it covers an arm.
+fn on_arms(panels: &Panels, parts: &[Option<Covered>], sized: Option<Sized<'_>>) -> Vec<bool> {
+    let of_file = sized.map(|sized| sized.given.on_arms());
+    let covered = panels.panels.iter().map(|panel| match &of_file {
+        Some(of_file) => of_file[panel.piece],
+        None => parts[panel.piece] == Some(Covered::Sleeve),
+    });
+    covered.collect()
 }
 
 /// Places among the pinned particles of those that are led to where they are tied, and the way of each [m].
