@@ -23,7 +23,7 @@ import time
 import urllib.request
 import zlib
 
-SIZE = (1280, 720)
+SIZE = (1280, 800)
 KINDS = {".js": "text/javascript", ".wasm": "application/wasm", ".webmanifest": "application/manifest+json"}
 
 

@@ -58,7 +58,14 @@ pub(crate) fn run(repository: &Path) -> anyhow::Result<ExitCode> {
     fs::create_dir_all(&folder)?;
     let wasm = target.join(format!("{}/web/{PACKAGE}.wasm", toolchain::TARGET));
     let bound = Command::new("wasm-bindgen")
-        .args(["--target", "web", "--no-typescript", "--out-dir"])
+        // Names serve debuggers alone.
+        .args([
+            "--target",
+            "web",
+            "--no-typescript",
+            "--remove-name-section",
+            "--out-dir",
+        ])
         .args([&folder, &wasm])
         .status()
         .context("wasm-bindgen cannot be run")?;

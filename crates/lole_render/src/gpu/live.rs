@@ -17,7 +17,7 @@ use crate::prepare::Geometry;
 use crate::{Bounds, Image, RenderError, Scene, Size};
 use glam::{Vec2, Vec3, Vec4};
 use meshes::{FADE_ROUNDS, LiveMeshes};
-use pipelines::{FLOOR, LivePipelines};
+use pipelines::{FLOOR, LIVE_COLOR, LivePipelines};
 
 /// How much work a picture may be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -517,7 +517,7 @@ impl Targets {
             view(&kind.texture(device, sides))
         };
         let shown = TextureKind {
-            format: COLOR,
+            format: LIVE_COLOR,
             samples: 1,
             usage: attachment
                 | wgpu::TextureUsages::TEXTURE_BINDING
@@ -526,7 +526,7 @@ impl Targets {
         let picture = shown.texture(device, sides);
         Self {
             size,
-            samples: (samples > 1).then(|| sampled(COLOR)),
+            samples: (samples > 1).then(|| sampled(LIVE_COLOR)),
             depth: sampled(DEPTH),
             drawn: view(&picture),
             shown: picture.create_view(&wgpu::TextureViewDescriptor {

@@ -31,6 +31,19 @@ const FLOOR_TAPS: i32 = 14;
 // Lines that lie on a surface are moved toward the eye by this share of their distance.
 override TOWARD_EYE: f32 = 0.0;
 
+// 1 where the picture's format does not encode light as sRGB, so that it is done here.
+override ENCODES: f32 = 0.0;
+
+// What a picture is given: light, or light encoded by IEC 61966-2-1.
+fn written(light: vec3<f32>) -> vec3<f32> {
+    if ENCODES < 0.5 {
+        return light;
+    }
+    let whole = clamp(light, vec3<f32>(0.0), vec3<f32>(1.0));
+    let bright = 1.055 * pow(whole, vec3<f32>(1.0 / 2.4)) - 0.055;
+    return select(bright, 12.92 * whole, whole <= vec3<f32>(0.0031308));
+}
+
 fn key_place(position: vec3<f32>) -> vec3<f32> {
     return vec3<f32>(
         dot(frame.key_texel_u, vec4<f32>(position, 1.0)),
@@ -192,5 +205,5 @@ fn line_fragment(in: LineFragment) -> @location(0) vec4<f32> {
     let beyond = max(max(-in.place.x, in.place.x - in.place.z), 0.0);
     let distance = length(vec2<f32>(beyond, in.place.y));
     let cover = clamp(in.place.w + 0.5 - distance, 0.0, 1.0);
-    return vec4<f32>(in.color.rgb, in.color.a * cover);
+    return vec4<f32>(written(in.color.rgb), in.color.a * cover);
 }

@@ -92,7 +92,7 @@ fn mesh_fragment(in: MeshFragment, @builtin(front_facing) is_face: bool) -> @loc
     let light = vec4<f32>(0.0);
     let color = shade(in.position, normal, toward_eye, albedo, max(ambient, light.rgb),
         max(ambient_behind, light.rgb));
-    return vec4<f32>(color, 1.0);
+    return vec4<f32>(written(color), 1.0);
 }
 
 fn normalize_or(vector: vec3<f32>, otherwise: vec3<f32>) -> vec3<f32> {
@@ -244,7 +244,8 @@ fn background_fragment(in: BackgroundFragment) -> @location(0) vec4<f32> {
     let glow = 1.0 + frame.background_top.w * (0.45 - corner * (2.0 - corner));
     let color = base * glow * ground;
     let grain = (pixel_noise(pixel) - 0.5) * (2.2 / 255.0);
-    return vec4<f32>(max(color + sqrt(max(color, vec3<f32>(0.0))) * grain, vec3<f32>(0.0)), 1.0);
+    let light = max(color + sqrt(max(color, vec3<f32>(0.0))) * grain, vec3<f32>(0.0));
+    return vec4<f32>(written(light), 1.0);
 }
 
 fn ground_factor(point: vec2<f32>) -> vec3<f32> {

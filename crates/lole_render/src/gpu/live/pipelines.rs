@@ -164,7 +164,7 @@ impl<'a> Recipe<'a> {
         Self {
             groups,
             vertex: "mesh_vertex",
-            fragment: Some(("mesh_fragment", COLOR)),
+            fragment: Some(("mesh_fragment", LIVE_COLOR)),
             buffers: &WHOLE,
             cull,
             depth: Some((wgpu::CompareFunction::Greater, Writes::Depth)),
@@ -176,7 +176,7 @@ impl<'a> Recipe<'a> {
         Self {
             groups,
             vertex: "background_vertex",
-            fragment: Some(("background_fragment", COLOR)),
+            fragment: Some(("background_fragment", LIVE_COLOR)),
             buffers: &[],
             cull: None,
             depth: Some((wgpu::CompareFunction::Always, Writes::ColorOnly)),
@@ -188,7 +188,7 @@ impl<'a> Recipe<'a> {
         Self {
             groups,
             vertex: "line_vertex",
-            fragment: Some(("line_fragment", COLOR)),
+            fragment: Some(("line_fragment", LIVE_COLOR)),
             buffers: &LINES,
             cull: None,
             depth: Some((compare, Writes::ColorOnly)),
@@ -211,6 +211,7 @@ impl<'a> Recipe<'a> {
         let buffers: Vec<_> = self.buffers.iter().cloned().map(Some).collect();
         let toward_eye = [("TOWARD_EYE", TOWARD_EYE)];
         let is_line = self.vertex == "line_vertex";
+        let is_encoded = LIVE_COLOR != COLOR && self.is_multisampled;
         let targets = [self.fragment.map(|(_, format)| wgpu::ColorTargetState {
             format,
             blend: is_line.then_some(wgpu::BlendState::ALPHA_BLENDING),
@@ -246,7 +247,10 @@ impl<'a> Recipe<'a> {
             fragment: self.fragment.map(|(entry, _)| wgpu::FragmentState {
                 module: shader,
                 entry_point: Some(entry),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                compilation_options: wgpu::PipelineCompilationOptions {
+                    constants: if is_encoded { &[("ENCODES", 1.0)] } else { &[] },
+                    ..wgpu::PipelineCompilationOptions::default()
+                },
                 targets: &targets,
             }),
             multiview_mask: None,
@@ -254,6 +258,14 @@ impl<'a> Recipe<'a> {
         })
     }
 }
+
+/// Format of the picture. WebGL cannot look at one texture in two formats, as the window does to have what its
+/// format encoded: there, the shader encodes.
+pub(super) const LIVE_COLOR: wgpu::TextureFormat = if cfg!(target_arch = "wasm32") {
+    wgpu::TextureFormat::Rgba8Unorm
+} else {
+    COLOR
+};
 
 /// Lines on a surface are moved toward the eye by this share of their distance: 6 mm at 3 m, so
 /// that the surface does not swallow them.
