@@ -94,7 +94,9 @@ fn check_ends<'k>(
     for key in keys {
         // Marks on a photo go together, and with a photo, and a file belongs to patterns of others; their own tests
         // vary them.
-        let is_tied = ["known_", "crop_"].iter().any(|it| key.name.starts_with(it));
+        let is_tied = ["known_", "crop_"]
+            .iter()
+            .any(|it| key.name.starts_with(it));
         if is_tied || key.name == "file" {
             continue;
         }
@@ -269,7 +271,7 @@ const MISTAKES: &[(&str, &str, [&str; 2])] = &[
         "mine.lole:4: [[garment]] zzz: there is no such key",
         [
             "the keys of this table are layer, file, hem_height_cm",
-            "この表の項目は layer, hem_height_cm",
+            "この表の項目は layer, file, hem_height_cm",
         ],
     ),
     (
@@ -320,7 +322,10 @@ const MISTAKES: &[(&str, &str, [&str; 2])] = &[
     (
         "[[garment]]\nkind = \"kihei\"\nzzz = 1\n",
         "mine.lole:4: [[garment]] zzz: there is no such key",
-        ["layer, length_cm, height_cm", "layer, length_cm, height_cm"],
+        [
+            "layer, file, length_cm, height_cm",
+            "layer, file, length_cm, height_cm",
+        ],
     ),
     (
         "[[garmnet]]\nkind = \"pau-top\"\n",
