@@ -21,7 +21,7 @@ const SAME_WAY: f64 = 0.27;
 const NEAR_TOP: f64 = 0.035;
 /// A seam over the shoulder lies within this of the highest level [m].
 const SHOULDER: f64 = 0.12;
-/// A panel that lies flatter than this looks where it is [cosine].
+/// A panel that lies flatter than this looks where it is: a cosine.
 const FLAT: f64 = 0.3;
 
 /// What a panel covers.
