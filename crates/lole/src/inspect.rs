@@ -21,20 +21,15 @@ pub(crate) fn run(args: &InspectArgs, language: Language) -> Result<(), Failure>
     let list = args.bones.as_deref().map(read).transpose()?;
     let list = list.map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
     let list = list.as_deref();
-    let named = |sentence: Sentence| {
-        let name = args.file.display();
-        Failure::usage(Sentence::new(
-            format!("{name}: {}", sentence.japanese),
-            format!("{name}: {}", sentence.english),
-        ))
-    };
-    if args.svg.is_some() && !garmentcode::is_specification(&bytes) {
+    let named = |sentence: Sentence| Failure::usage(lole_files::in_file(&args.file, &sentence));
+    let is_pattern = garmentcode::is_specification(&bytes);
+    if args.svg.is_some() && !is_pattern {
         return Err(named(Sentence::new(
             "--svg は GarmentCode の型紙だけに使えます",
             "--svg is for a pattern of GarmentCode alone",
         )));
     }
-    let (lines, json) = if garmentcode::is_specification(&bytes) {
+    let (lines, json) = if is_pattern {
         let given = garmentcode::read(&bytes).map_err(|error| named(Sentence::of(&error)))?;
         if let Some(path) = &args.svg {
             let drawing = lole_exchange::flat::svg(&given);
@@ -51,7 +46,13 @@ pub(crate) fn run(args: &InspectArgs, language: Language) -> Result<(), Failure>
         (found.lines(), serde_json::to_string_pretty(&found))
     } else {
         let found = AvatarInspection::new(&bytes, list);
-        let found = found.map_err(|error| named(Sentence::of(&error)))?;
+        let found = found.map_err(|error| {
+            named(if ending(&args.file) == "json" {
+                no_known_json()
+            } else {
+                Sentence::of(&error)
+            })
+        })?;
         (found.lines(), serde_json::to_string_pretty(&found))
     };
     if args.json {
@@ -64,10 +65,23 @@ pub(crate) fn run(args: &InspectArgs, language: Language) -> Result<(), Failure>
 
 /// Whether a file is one of measures: by its name, or as a set of FreeSewing begins.
 fn is_measures(path: &Path, bytes: &[u8]) -> bool {
-    let ending = path.extension().and_then(|ending| ending.to_str());
-    let ending = ending.unwrap_or_default().to_ascii_lowercase();
+    let ending = ending(path);
     let is_named = ["yaml", "yml", "smis", "vit"].contains(&ending.as_str());
     is_named || (ending == "json" && measures::read(bytes).is_ok())
+}
+
+/// What a file's name ends with, in small letters.
+fn ending(path: &Path) -> String {
+    let ending = path.extension().and_then(|ending| ending.to_str());
+    ending.unwrap_or_default().to_ascii_lowercase()
+}
+
+/// Of a file whose name promises JSON, and that is nothing that is read here.
+fn no_known_json() -> Sentence {
+    Sentence::new(
+        "GarmentCode の型紙でも、採寸でも、glTF でもありません。もとのプログラムから書き出し直してください",
+        "this is no pattern of GarmentCode, no measures and no glTF; export it again from its program",
+    )
 }
 
 /// Whether a file begins as BVH does.

@@ -1,9 +1,21 @@
-//! Fields of a JSON file, read by name with the place of each for messages.
+//! Files of text and the fields of a JSON file, read by name with the place of each for messages.
 
 use lole_language::Words;
 use serde_json::{Map, Value};
 
 use crate::ExchangeError;
+
+/// The bytes of a file of text without the mark that some programs begin it with, where it has at most so many.
+pub(crate) fn checked(bytes: &[u8], what: Words, most: usize) -> Result<&[u8], ExchangeError> {
+    if most < bytes.len() {
+        return Err(ExchangeError::TooLarge {
+            what,
+            kilobytes: bytes.len() / 1000,
+            most: most / 1000,
+        });
+    }
+    Ok(bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(bytes))
+}
 
 /// An object of a file and where it stands.
 pub(crate) struct Fields<'a> {

@@ -95,14 +95,7 @@ impl Panel {
 /// # Errors
 /// The first thing that is wrong, in one sentence with its place in the file.
 pub fn read(bytes: &[u8]) -> Result<Given, ExchangeError> {
-    if MOST_BYTES < bytes.len() {
-        return Err(ExchangeError::TooLarge {
-            what: WHAT,
-            kilobytes: bytes.len() / 1000,
-            most: MOST_BYTES / 1000,
-        });
-    }
-    let bytes = bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(bytes);
+    let bytes = fields::checked(bytes, WHAT, MOST_BYTES)?;
     let value: Value = serde_json::from_slice(bytes).map_err(|error| ExchangeError::NotJson {
         line: error.line(),
         column: error.column(),
@@ -136,13 +129,14 @@ pub fn read(bytes: &[u8]) -> Result<Given, ExchangeError> {
 /// Whether bytes begin as a specification does: for commands that take files of several kinds.
 #[must_use]
 pub fn is_specification(bytes: &[u8]) -> bool {
-    let Ok(value) = serde_json::from_slice::<Value>(bytes) else {
+    // What is larger is none, and what it holds may take a hundred times as much once it is read.
+    let Ok(bytes) = fields::checked(bytes, WHAT, MOST_BYTES) else {
         return false;
     };
-    let panels = value
+    let value = serde_json::from_slice::<Value>(bytes).unwrap_or_default();
+    value
         .get("pattern")
-        .and_then(|pattern| pattern.get("panels"));
-    panels.is_some()
+        .is_some_and(|pattern| pattern.get("panels").is_some())
 }
 
 /// What a file says about all its numbers.

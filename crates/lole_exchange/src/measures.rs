@@ -152,14 +152,7 @@ const SEAMLY: &[Row] = rows! {
 /// The first thing that is wrong, in one sentence with its place.
 pub fn read(bytes: &[u8]) -> Result<BodyMeasures, ExchangeError> {
     const WHAT: lole_language::Words = lole_language::words("採寸のファイル", "a file of measures");
-    if MOST_BYTES < bytes.len() {
-        return Err(ExchangeError::TooLarge {
-            what: WHAT,
-            kilobytes: bytes.len() / 1000,
-            most: MOST_BYTES / 1000,
-        });
-    }
-    let bytes = bytes.strip_prefix("\u{feff}".as_bytes()).unwrap_or(bytes);
+    let bytes = fields::checked(bytes, WHAT, MOST_BYTES)?;
     let text = std::str::from_utf8(bytes).map_err(|error| {
         let line = 1 + bytes[..error.valid_up_to()]
             .iter()

@@ -34,6 +34,14 @@ fn refused(result: Result<Given, ExchangeError>, place: &str) {
 }
 
 #[test]
+fn what_is_larger_than_a_pattern_may_be_is_not_read_as_one() {
+    let skirt = include_str!("skirt.json");
+    assert!(garmentcode::is_specification(skirt.as_bytes()));
+    let padded = format!("{skirt}{}", " ".repeat(garmentcode::MOST_BYTES));
+    assert!(!garmentcode::is_specification(padded.as_bytes()));
+}
+
+#[test]
 fn panels_edges_and_stitches_are_read_in_their_unit() {
     let given = read(SKIRT).unwrap();
     let names: Vec<&str> = given

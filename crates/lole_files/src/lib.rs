@@ -16,7 +16,7 @@ use lole_costume::document::{self, Design, LinkedFile, LinkedPattern};
 use lole_exchange::garmentcode;
 use lole_exchange::measures::{self, BodyMeasures};
 use lole_garment::Given;
-use lole_language::{Bilingual as _, Sentence, Words, words};
+use lole_language::{Sentence, Words, words};
 use lole_print::Picture;
 
 pub use output::OutputFolder;
@@ -108,6 +108,16 @@ pub fn no_ordinary_file(path: &Path) -> Sentence {
             "{name}: ふつうのファイルではありません（フォルダーや装置など）。ファイルを指定してください"
         ),
         format!("{name}: this is no ordinary file but a folder, a pipe or a device; name a file"),
+    )
+}
+
+/// A sentence about what is in a file, with the file's name before it.
+#[must_use]
+pub fn in_file(path: &Path, sentence: &Sentence) -> Sentence {
+    let name = path.display();
+    Sentence::new(
+        format!("{name}: {}", sentence.japanese),
+        format!("{name}: {}", sentence.english),
     )
 }
 
@@ -206,13 +216,7 @@ pub fn read_linked_files(design: &mut Design, document: &Path) -> Result<(), Sen
 /// One sentence that names the file.
 pub fn read_pattern(path: &Path, key: &str) -> Result<Arc<Given>, Sentence> {
     let bytes = read_alone(path, key)?;
-    let given = garmentcode::read(&bytes).map_err(|error| {
-        let name = path.display();
-        Sentence::new(
-            format!("{name}: {}", error.japanese()),
-            format!("{name}: {error}"),
-        )
-    })?;
+    let given = garmentcode::read(&bytes).map_err(|error| in_file(path, &Sentence::of(&error)))?;
     Ok(Arc::new(given))
 }
 
@@ -222,13 +226,7 @@ pub fn read_pattern(path: &Path, key: &str) -> Result<Arc<Given>, Sentence> {
 /// One sentence that names the file.
 pub fn read_measures(path: &Path, key: &str) -> Result<BodyMeasures, Sentence> {
     let bytes = read_alone(path, key)?;
-    measures::read(&bytes).map_err(|error| {
-        let name = path.display();
-        Sentence::new(
-            format!("{name}: {}", error.japanese()),
-            format!("{name}: {error}"),
-        )
-    })
+    measures::read(&bytes).map_err(|error| in_file(path, &Sentence::of(&error)))
 }
 
 /// A pattern of another program for a garment of a design, named by its whole path.
@@ -282,13 +280,7 @@ pub fn linked_file(path: &Path, key: &str) -> Result<LinkedFile, Sentence> {
 /// One sentence that names the file.
 pub fn read_picture(path: &Path, key: &str) -> Result<Arc<Picture>, Sentence> {
     let bytes = read_linked(path, key)?;
-    let picture = Picture::read(&bytes).map_err(|error| {
-        let name = path.display();
-        Sentence::new(
-            format!("{name}: {}", error.japanese()),
-            format!("{name}: {error}"),
-        )
-    })?;
+    let picture = Picture::read(&bytes).map_err(|error| in_file(path, &Sentence::of(&error)))?;
     Ok(Arc::new(picture))
 }
 
@@ -307,14 +299,8 @@ pub fn read_linked(path: &Path, key: &str) -> Result<Arc<[u8]>, Sentence> {
 /// # Errors
 /// One sentence: an address outside the folder, or a file that is too large.
 pub fn with_neighbors(bytes: Vec<u8>, path: &Path) -> Result<Vec<u8>, Sentence> {
-    let said = |sentence: Sentence| {
-        let name = path.display();
-        Sentence::new(
-            format!("{name}: {}", sentence.japanese),
-            format!("{name}: {}", sentence.english),
-        )
-    };
-    let names = lole_avatar::neighbors(&bytes).map_err(|error| said(Sentence::of(&error)))?;
+    let names =
+        lole_avatar::neighbors(&bytes).map_err(|error| in_file(path, &Sentence::of(&error)))?;
     let mut found = BTreeMap::new();
     for name in names {
         let beside = path.with_file_name(&name);
