@@ -1,5 +1,6 @@
 //! What may be typed after `lole`.
 
+use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -455,11 +456,7 @@ fn seconds(text: &str) -> Result<f64, Sentence> {
             "give a number of seconds from 0.5 to 600, such as 12",
         )
     };
-    let value = text.parse::<f64>().map_err(|_| help())?;
-    (0.5..=600.0)
-        .contains(&value)
-        .then_some(value)
-        .ok_or_else(help)
+    within(text, 0.5..=600.0).ok_or_else(help)
 }
 
 fn size_ratio(text: &str) -> Result<f64, Sentence> {
@@ -469,11 +466,13 @@ fn size_ratio(text: &str) -> Result<f64, Sentence> {
             "give a ratio from 0.25 to 4, such as 1.1",
         )
     };
-    let value = text.parse::<f64>().map_err(|_| help())?;
-    (0.25..=4.0)
-        .contains(&value)
-        .then_some(value)
-        .ok_or_else(help)
+    within(text, 0.25..=4.0).ok_or_else(help)
+}
+
+/// A number in a range.
+fn within(text: &str, range: RangeInclusive<f64>) -> Option<f64> {
+    let value = text.parse::<f64>().ok()?;
+    range.contains(&value).then_some(value)
 }
 
 /// Any number: the measurement knows which there are.
