@@ -15,7 +15,7 @@ pub(crate) struct Source {
     /// The document; empty for the built-in design.
     pub(crate) text: String,
     pub(crate) design: Design,
-    /// Files that the command line puts in place of the design's, by the tables that name them.
+    /// What the command line puts in place of the design's, by tables.
     put: Vec<&'static str>,
 }
 
@@ -62,6 +62,11 @@ impl Source {
             }
         }
         Ok(())
+    }
+
+    /// Says that what a table of the design holds comes from the command line, so that mistakes in it have no line.
+    pub(crate) fn replaces(&mut self, table: &'static str) {
+        self.put.push(table);
     }
 
     /// Builds the design's dancer to the measures of another program's file.

@@ -1,5 +1,6 @@
 //! `lole wear`: a garment sewn from another program's pattern, danced as a design is.
 
+use lole_costume::document::schema::LIST;
 use lole_costume::document::{GarmentDesign, PrintChoice};
 use lole_costume::fabrics::{PRESETS, Preset};
 use lole_garment::given;
@@ -36,6 +37,7 @@ pub(crate) fn run(args: WearArgs, language: Language) -> Result<(), Failure> {
     let chosen = args.size_ratio.map(|ratio| (given::SIZE_KEY, ratio));
     design.garments = vec![garment.with(chosen.as_slice())];
     design.skirt.is_worn = false;
+    source.replaces(LIST);
     let wishes = DanceArgs {
         design: args.dancer,
         out: args.out,

@@ -132,14 +132,18 @@ impl Given {
     /// The pattern for one body: all pieces in her size.
     #[must_use]
     pub fn pattern_for(&self, fitting: &Fitting<'_>, options: &Options) -> Pattern {
-        let size = self.size_for(fitting, options);
+        self.pattern_in(&self.size_for(fitting, options))
+    }
+
+    /// The pattern in a size.
+    pub(crate) fn pattern_in(&self, size: &Size) -> Pattern {
         let mut pattern = self.pattern.clone();
         let scale = kurbo::Affine::scale(size.ratio);
         let segments = pattern.pieces.iter_mut().flat_map(|piece| &mut piece.edges);
         for segment in segments.flat_map(|edge| &mut edge.segments) {
             *segment = scale * *segment;
         }
-        pattern.warnings.extend(size.notes);
+        pattern.warnings.extend(size.notes.iter().cloned());
         pattern
     }
 }

@@ -6,7 +6,6 @@
 
 use glam::{DVec2, Vec3};
 use kurbo::{ParamCurve as _, PathSeg};
-use lole_body::Bone;
 use lole_geom::narrow;
 use lole_geom::trig;
 use lole_pattern::piece::{Finish, Piece};
@@ -287,8 +286,6 @@ impl<'a> Bodice<'a> {
 
     /// Around the left arm: the crown lies at the shoulder point, the seam below the arm.
     fn on_arm(&self, form: &Form<'_>, piece: usize, point: DVec2) -> Vec3 {
-        let [shoulder, elbow, hand] =
-            [Bone::LeftUpperArm, Bone::LeftLowerArm, Bone::LeftHand].map(|bone| form.joint(bone));
         let outline = &self.outlines[piece];
         let crown = outline
             .iter()
@@ -301,17 +298,7 @@ impl<'a> Bodice<'a> {
         let turn = narrow((point.x / half.max(1.0e-3)).clamp(-1.0, 1.0));
         let radius = narrow(back + front) / std::f32::consts::TAU;
         let along = narrow(crown - point.y) - OVER_SHOULDER;
-        let upper = elbow - shoulder;
-        let (axis, center) = if along <= upper.length() {
-            let axis = upper.normalize_or_zero();
-            (axis, shoulder + axis * along)
-        } else {
-            let axis = (hand - elbow).normalize_or_zero();
-            (axis, elbow + axis * (along - upper.length()))
-        };
-        let forward = (Vec3::Z - axis * axis.z).normalize_or_zero();
-        let over = forward.cross(axis).normalize_or_zero();
-        let over = if over.y < 0.0 { -over } else { over };
+        let [center, over, forward] = form.in_arm(along);
         let (sin, cos) = trig::sin_cos(turn * std::f32::consts::PI);
         center + (over * cos - forward * sin) * radius
     }

@@ -32,6 +32,14 @@ pub enum DressError {
         /// Its template.
         template: &'static str,
     },
+    /// The panels of a file cannot be laid around her.
+    #[error(
+        "the panels of {template} cannot be laid around the dancer; they must lie before and behind the trunk, and panels beside it must be sewn to them"
+    )]
+    Unlaid {
+        /// Its template.
+        template: &'static str,
+    },
     /// The mesh cannot be built.
     #[error("the cloth of {template} cannot be divided into triangles: {error}")]
     Mesh {
@@ -72,6 +80,11 @@ impl Bilingual for DressError {
             }
             Self::NoTrunk { template } => {
                 format!("{template} の来る所に胴がありません。丈を短くしてください")
+            }
+            Self::Unlaid { template } => {
+                format!(
+                    "{template} の型紙を体のまわりに置けません。胴の前と後ろに型紙が要り、その横の型紙は縫い合わせてください"
+                )
             }
             Self::Mesh { template, error } => {
                 format!("{template} の布を三角形に分けられません（{error}）")

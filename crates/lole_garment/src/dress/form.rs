@@ -120,6 +120,25 @@ impl<'a> Form<'a> {
         self.world_from_bind[bone.index()].transform_point3(joint)
     }
 
+    /// A place in the middle of the left arm so far from the shoulder [m], and the ways over the arm and to its
+    /// front.
+    pub(super) fn in_arm(&self, along: f32) -> [Vec3; 3] {
+        let [shoulder, elbow, hand] =
+            [Bone::LeftUpperArm, Bone::LeftLowerArm, Bone::LeftHand].map(|bone| self.joint(bone));
+        let upper = elbow - shoulder;
+        let (axis, center) = if along <= upper.length() {
+            let axis = upper.normalize_or_zero();
+            (axis, shoulder + axis * along)
+        } else {
+            let axis = (hand - elbow).normalize_or_zero();
+            (axis, elbow + axis * (along - upper.length()))
+        };
+        let forward = (Vec3::Z - axis * axis.z).normalize_or_zero();
+        let over = forward.cross(axis).normalize_or_zero();
+        let over = if over.y < 0.0 { -over } else { over };
+        [center, over, forward]
+    }
+
     /// The skin of the trunk below places that it carries, and how far they lie over it [m]; `None` where
     /// one is far from all of it.
     pub(super) fn carry(&self, places: &[Vec3]) -> Option<Pins> {

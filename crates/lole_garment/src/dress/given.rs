@@ -6,7 +6,6 @@
 //! nearly meet. Then seams are drawn together, and cloth that this stretches draws what is beside it along.
 
 use glam::{DVec2, DVec3, Vec2, Vec3};
-use lole_body::Bone;
 use lole_geom::{narrow, trig};
 use lole_pattern::Measures;
 
@@ -15,7 +14,7 @@ use super::flat::FlatMesh;
 use super::form::{Face, Form};
 use super::panel::Panels;
 use super::{fit, number, welded};
-use crate::given::around::{Arm, Around, Part};
+use crate::given::around::{Arm, Around, NEAR_TOP, Part};
 use crate::given::{Given, Hang, Size};
 
 /// Gap between skin and cloth that lies close [m].
@@ -33,8 +32,6 @@ const SLOPE_STEP: f32 = 0.005;
 const DEEPEST_SLOPE: f32 = 0.16;
 /// Halvings until a place on a tape is found.
 const HALVINGS: u32 = 18;
-/// Upper edges of what is worn from a band are held within this of its highest level [m].
-const HELD: f64 = 0.035;
 /// Passes in which stretched cloth draws what is beside it, and after how many it is brought out of the skin.
 const DRAWING_PASSES: u32 = 240;
 const PASSES_OF_SKIN: u32 = 24;
@@ -188,19 +185,7 @@ impl<'a> Placing<'a> {
         let (sin, cos) = trig::sin_cos(if arm.is_front { turn } else { -turn });
         let radius = narrow(width * ratio) / std::f32::consts::TAU;
         let along = narrow((down - sleeve.begins[0]) * ratio);
-        let [shoulder, elbow, hand] = [Bone::LeftUpperArm, Bone::LeftLowerArm, Bone::LeftHand]
-            .map(|bone| self.form.joint(bone));
-        let upper = elbow - shoulder;
-        let (axis, center) = if along <= upper.length() {
-            let axis = upper.normalize_or_zero();
-            (axis, shoulder + axis * along)
-        } else {
-            let axis = (hand - elbow).normalize_or_zero();
-            (axis, elbow + axis * (along - upper.length()))
-        };
-        let forward = (Vec3::Z - axis * axis.z).normalize_or_zero();
-        let over = forward.cross(axis).normalize_or_zero();
-        let over = if over.y < 0.0 { -over } else { over };
+        let [center, over, forward] = self.form.in_arm(along);
         let place = center + (over * cos + forward * sin) * radius;
         Some(if arm.is_left { place } else { mirrored(place) })
     }
@@ -345,7 +330,7 @@ fn held(sized: Sized<'_>, (panels, mesh): (&Panels, &FlatMesh)) -> Vec<bool> {
         place.y
     };
     for &particle in &mesh.hems {
-        held[particle as usize] = size.top[0] - HELD < level(particle);
+        held[particle as usize] = size.top[0] - NEAR_TOP < level(particle);
     }
     // Corners of the edge lie in seams.
     let edge = held.clone();

@@ -107,10 +107,9 @@ pub(super) fn lay(
         Way::Given => {
             let sized = sized.ok_or(DressError::NotWorn { template })?;
             let laid = given::lay(sized, (&panels, &mesh), (&form, measures));
-            laid.map(|(places, held)| {
-                pinned = held;
-                places
-            })
+            let (places, held) = laid.ok_or(DressError::Unlaid { template })?;
+            pinned = held;
+            Some(places)
         }
     };
     let places = places.ok_or_else(no_trunk)?;

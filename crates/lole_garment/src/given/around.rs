@@ -17,8 +17,8 @@ const BESIDE: f64 = 0.25;
 const WAISTS: [f64; 2] = [1.03, -0.05];
 /// Panels that look the same way within this angle lie beside each other [rad].
 const SAME_WAY: f64 = 0.27;
-/// The upper edge of what is worn from a band ends within this of its highest level [m].
-const NEAR_TOP: f64 = 0.035;
+/// The upper edge of what is worn from a band ends within this of its highest level, and is held there [m].
+pub(crate) const NEAR_TOP: f64 = 0.035;
 /// A seam over the shoulder lies within this of the highest level [m].
 const SHOULDER: f64 = 0.12;
 /// A panel that lies flatter than this looks where it is: a cosine.

@@ -5,7 +5,7 @@
 //! nowhere. Whatever is changed is told.
 
 use lole_geom::{Length, narrow};
-use lole_language::Sentence;
+use lole_language::{Sentence, Words, words};
 
 use super::around::Around;
 use super::{Given, Origin};
@@ -73,12 +73,14 @@ impl Size {
             return Self::from_shoulders(&around, fitting, (top, sides, chosen));
         }
         let measures = fitting.measures;
-        let [highest, lowest] = if HIGH_BANDS[origin] < top {
-            [measures.armpit_height, measures.waist_height]
+        let (from, reach) = if HIGH_BANDS[origin] < top {
+            let reach = [measures.armpit_height, measures.waist_height];
+            (words("わきの下", "armpits"), reach)
         } else {
-            [measures.waist_height, measures.hip_height]
+            let reach = [measures.waist_height, measures.hip_height];
+            (words("ウエスト", "waist"), reach)
         };
-        let reach = [highest, lowest].map(Length::to_m);
+        let reach = (from, reach.map(Length::to_m));
         let edge = around.upper_edge(given, top);
         let cloth = edge.or_else(|| around.girth(top - BELOW_EDGE));
         Self::from_band(fitting, (top, cloth.unwrap_or(0.0), chosen), reach)
@@ -142,7 +144,7 @@ impl Size {
     fn from_band(
         fitting: &Fitting<'_>,
         (top, cloth, chosen): (f64, f64, Option<f64>),
-        [highest, lowest]: [f64; 2],
+        (from, [highest, lowest]): (Words, [f64; 2]),
     ) -> Self {
         let worn = cloth * chosen.unwrap_or(1.0);
         let at = |height: f64| {
@@ -188,7 +190,7 @@ impl Size {
         match heights.iter().find(|height| worn <= at(**height)) {
             // Where a band lies between two heights it is drawn in by less than a tape is read to.
             Some(height) => {
-                let note = slid(cloth, [*height, highest]);
+                let note = slid(cloth, highest - *height, from);
                 band(*height, at(*height) / cloth, note.into_iter().collect())
             }
             None => {
@@ -237,17 +239,18 @@ fn too_tight(cloth: f64, body: f64) -> Sentence {
     )
 }
 
-/// A band that is worn below the waist because it is too long for that.
-fn slid(cloth: f64, [height, highest]: [f64; 2]) -> Option<Sentence> {
-    let below = 100.0 * (highest - height);
-    let cloth = 100.0 * cloth;
+/// A band that is worn so far below a place because it is too long for that [m].
+fn slid(cloth: f64, below: f64, from: Words) -> Option<Sentence> {
+    let [cloth, below] = [cloth, below].map(|length| 100.0 * length);
     (1.0 < below).then(|| {
         Sentence::new(
             format!(
-                "上端の {cloth:.1} cm が体に合うのは、いちばん細い所より {below:.0} cm 下です。そこではきます"
+                "上端の {cloth:.1} cm が体に合うのは、{}より {below:.0} cm 下です。そこで着ます",
+                from.japanese
             ),
             format!(
-                "its upper edge of {cloth:.1} cm fits her {below:.0} cm below the waist and is worn there"
+                "its upper edge of {cloth:.1} cm fits her {below:.0} cm below the {} and is worn there",
+                from.english
             ),
         )
     })
