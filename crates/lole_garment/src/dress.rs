@@ -115,7 +115,7 @@ pub struct Dressed {
     welded: Vec<u32>,
     /// Particles of gathered edges that are drawn in the seam, between two others.
     puckers: Vec<(u32, [u32; 2], f32)>,
-    /// What is beside each vertex as it is seen.
+    /// What is beside each vertex when its seams are closed.
     fairing: Fairing,
     /// The triangles that cover the trunk, and not the arms: garments worn over it meet them.
     pub trunk_triangles: Vec<[u32; 3]>,
@@ -235,10 +235,13 @@ pub fn dress(
         dancer: spec.given.map(|_| dancer),
         ..Fitting::by(&measures)
     };
-    let pattern = spec.pattern(&fitting)?;
     let template = spec.template.id;
     let size = (spec.given).map(|given| given.size_for(&fitting, spec.options));
     let sized = (spec.given.zip(size.as_ref())).map(|(given, size)| given::Sized { given, size });
+    let pattern = match sized {
+        Some(sized) => sized.given.pattern_in(sized.size),
+        None => spec.pattern(&fitting)?,
+    };
     let Wear::Sewn(row) = &spec.template.worn else {
         return Err(DressError::NotWorn { template });
     };
@@ -371,19 +374,18 @@ impl Dressed {
         self.start.len()
     }
 
-    /// Places as they are drawn: what is sewn together is one point [m].
-    #[must_use]
-    pub fn drawn(&self, positions: &[Vec3]) -> Vec<Vec3> {
-        let mut drawn = self.closed(positions);
-        self.pucker(&mut drawn);
-        drawn
+    /// Places of the cloth as it is sewn: what is sewn together is one point [m].
+    fn joined(&self, positions: &[Vec3]) -> Vec<Vec3> {
+        let mut joined = self.closed(positions);
+        self.pucker(&mut joined);
+        joined
     }
 
     /// Lays what is gathered on a seam into it.
-    fn pucker(&self, drawn: &mut [Vec3]) {
+    fn pucker(&self, joined: &mut [Vec3]) {
         for &(particle, ends, share) in &self.puckers {
-            let [first, last] = ends.map(|end| drawn[end as usize]);
-            drawn[particle as usize] = first.lerp(last, share);
+            let [first, last] = ends.map(|end| joined[end as usize]);
+            joined[particle as usize] = first.lerp(last, share);
         }
     }
 

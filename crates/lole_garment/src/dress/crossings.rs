@@ -1,6 +1,6 @@
 //! Where a garment goes through itself, with its seams closed.
 //!
-//! What is counted is the surface that is drawn: what is sewn together is one point, and what is gathered in
+//! What is counted is the cloth as it is sewn, before it is faired to be drawn: what is sewn together is one point, and what is gathered in
 //! between lies on the side of the other cloth's triangle that runs along the seam. So that triangle is cut
 //! there, and both cloths have those points in common: they touch along the seam, and cross only where one
 //! goes through the other beside it.
@@ -37,7 +37,7 @@ impl Dressed {
     /// The same one by one.
     #[must_use]
     pub fn crossing_pairs(&self, positions: &[Vec3]) -> Option<Vec<ClothCrossing>> {
-        let drawn = self.drawn(positions);
+        let joined = self.joined(positions);
         let triangles = self.closed_triangles();
         let mut edges: Vec<[u32; 2]> = (triangles.iter())
             .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]])
@@ -45,16 +45,16 @@ impl Dressed {
             .collect();
         edges.sort_unstable();
         edges.dedup();
-        let crossings = diagnose::crossings((&triangles, edges.into_iter()), &drawn, EDGE)?;
+        let crossings = diagnose::crossings((&triangles, edges.into_iter()), &joined, EDGE)?;
         let crossing = |(ends, triangle): ([u32; 2], u32)| ClothCrossing {
             ends,
             corners: triangles[triangle as usize],
-            place: 0.5 * (drawn[ends[0] as usize] + drawn[ends[1] as usize]),
+            place: 0.5 * (joined[ends[0] as usize] + joined[ends[1] as usize]),
         };
         Some(crossings.into_iter().map(crossing).collect())
     }
 
-    /// The triangles as they are drawn, cut where something is gathered on one of their sides.
+    /// The triangles as they are sewn, cut where something is gathered on one of their sides.
     fn closed_triangles(&self) -> Vec<[u32; 3]> {
         let gathered = self.gathered();
         let mut closed = Vec::with_capacity(self.triangles.len());

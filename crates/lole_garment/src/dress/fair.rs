@@ -1,4 +1,4 @@
-//! How a garment is seen: its drawn surface, faired.
+//! How a garment is drawn: its surface, faired.
 //!
 //! The triangles of a garment carry folds of a few edges' length; what lies between neighbors only, a vertex in and
 //! the next one out, is no fold that cloth would have but what the mesh cannot carry, and light shows all of it: as
@@ -104,19 +104,19 @@ impl Fairing {
 }
 
 impl Dressed {
-    /// Places as they are seen [m]: as they are drawn, and faired.
+    /// Places as they are drawn: what is sewn together is one point, and the surface is faired [m].
     #[must_use]
-    pub fn seen(&self, positions: &[Vec3]) -> Vec<Vec3> {
-        let mut seen = self.closed(positions);
+    pub fn drawn(&self, positions: &[Vec3]) -> Vec<Vec3> {
+        let mut closed = self.closed(positions);
         // Of what is sewn together only the first has neighbors.
-        self.fairing.fair(&mut seen);
-        let welded = |particle: usize| seen[self.welded[particle] as usize];
-        let mut seen: Vec<Vec3> = (0..seen.len()).map(welded).collect();
-        self.pucker(&mut seen);
-        seen
+        self.fairing.fair(&mut closed);
+        let groups = self.welded.iter().map(|&group| closed[group as usize]);
+        let mut drawn: Vec<Vec3> = groups.collect();
+        self.pucker(&mut drawn);
+        drawn
     }
 
-    /// What is beside each vertex when its seams are closed.
+    /// This garment, with what its fairing must know.
     pub(super) fn with_fairing(mut self) -> Self {
         let mut is_held = vec![false; self.start.len()];
         for (particle, &group) in (0..).zip(&self.welded) {

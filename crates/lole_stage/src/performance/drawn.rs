@@ -41,7 +41,7 @@ impl Performance {
         let gathered = production.garments.iter();
         let gathered = gathered.map(|it| pressed[it.particles.clone()].to_vec());
         let sewn = production.dressed.iter().zip(&self.dressed);
-        let sewn = sewn.map(|(garment, moving)| garment.dressed.seen(moving.positions()));
+        let sewn = sewn.map(|(garment, moving)| garment.dressed.drawn(moving.positions()));
         let beside = production.adornments.iter().map(Worn::Beside);
         let posed = self.adorned.posed(production, &self.world_from_bind);
         let posed = beside.flat_map(Worn::surfaces).zip(posed);

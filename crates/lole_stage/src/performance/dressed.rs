@@ -212,9 +212,9 @@ impl Performance {
     #[must_use]
     pub fn dressed_vertices(&self, place: usize) -> [Vec<Vec3>; 2] {
         let garment = &self.production.dressed[place].dressed;
-        let seen = garment.seen(self.dressed[place].positions());
-        let normals = garment.normals(&seen);
-        [seen, normals]
+        let drawn = garment.drawn(self.dressed[place].positions());
+        let normals = garment.normals(&drawn);
+        [drawn, normals]
     }
 
     /// How much a dressed garment is stretched in the current frame, and how much of it is in the drawn
