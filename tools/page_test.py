@@ -14,14 +14,12 @@ import functools
 import http.server
 import json
 import pathlib
-import struct
 import subprocess
 import sys
 import tempfile
 import threading
 import time
 import urllib.request
-import zlib
 
 SIZE = (1280, 800)
 KINDS = {".js": "text/javascript", ".wasm": "application/wasm", ".webmanifest": "application/manifest+json"}
@@ -139,37 +137,6 @@ def wait(is_done, seconds, what):
             return found
         time.sleep(0.2)
     raise SystemExit(f"{what}: not after {seconds} s")
-
-
-def pixels(picture):
-    """Rows of a PNG of 8 bits, three or four to a pixel."""
-    width, height, _, kind = struct.unpack(">IIBB", picture[16:26])
-    size, data, at = {2: 3, 6: 4}[kind], b"", 8
-    while at < len(picture):
-        length, = struct.unpack(">I", picture[at:at + 4])
-        if picture[at + 4:at + 8] == b"IDAT":
-            data += picture[at + 8:at + 8 + length]
-        at += 12 + length
-    raw, before, rows = zlib.decompress(data), bytes(width * size), []
-    for row in range(height):
-        start = row * (width * size + 1)
-        line, way = bytearray(raw[start + 1:start + 1 + width * size]), raw[start]
-        for i in range(len(line)):
-            left = line[i - size] if i >= size else 0
-            up, corner = before[i], before[i - size] if i >= size else 0
-            guess = {0: 0, 1: left, 2: up, 3: (left + up) // 2}.get(way)
-            if guess is None:
-                guess = min((left, up, corner), key=lambda it: abs(left + up - corner - it))
-            line[i] = (line[i] + guess) & 255
-        before = bytes(line)
-        rows.append([tuple(before[x * size:x * size + 3]) for x in range(width)])
-    return rows
-
-
-def red_width(picture, left):
-    """Widest row of saturated red right of a column: the built-in skirt."""
-    is_red = lambda it: it[0] > 90 and it[0] > 1.8 * it[1] and it[0] > 1.5 * it[2]
-    return max(sum(map(is_red, row[left:])) for row in pixels(picture))
 
 
 def main():

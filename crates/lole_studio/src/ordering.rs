@@ -240,10 +240,11 @@ fn pictures(job: &Job, group: &Group, line: &Line<'_>) -> Option<Vec<Option<Enco
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
 
-    fn job(list: &str, folder: Option<PathBuf>) -> Job {
+    /// An order of a list as text, without pictures.
+    pub(crate) fn job(list: &str, folder: Option<PathBuf>) -> Job {
         Job {
             design: Design::default(),
             list: Arc::new(roster::read(list.as_bytes()).unwrap()),

@@ -7,7 +7,8 @@ use std::process::{Command, Stdio};
 
 use anyhow::{Context as _, bail};
 
-/// Bytes that each part may have when it is sent compressed, a line each; `total` is of all together.
+/// Bytes that each part may have when it is sent compressed, a line each; `first` is of all that the first picture
+/// needs.
 const BUDGET: &str = "crates/lole_web/budget.txt";
 
 /// Parts that are fetched when they are wanted, and kept for visits without a network; not of the first picture.

@@ -276,6 +276,17 @@ impl Design {
         [&self.print].into_iter().chain(listed)
     }
 
+    /// Names of the files that it links, from where the document is.
+    pub fn linked_names(&self) -> impl Iterator<Item = &str> {
+        let files = [&self.dancer.file, &self.motion.file].into_iter().flatten();
+        let files = files.map(|file| &file.name);
+        let prints = self.prints().filter_map(|print| print.file.as_ref());
+        let prints = prints.map(|file| &file.name);
+        let patterns = (self.garments.iter()).filter_map(|garment| garment.file.as_ref());
+        let patterns = patterns.map(|file| &file.name);
+        files.chain(prints).chain(patterns).map(String::as_str)
+    }
+
     /// A part of every gathered rectangle that is worn, from the skin outward: `skirt` of the skirt.
     pub(super) fn worn<'a, P>(
         &'a self,

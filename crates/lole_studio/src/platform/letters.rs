@@ -33,17 +33,6 @@ pub(crate) fn get_design(unpacker: &mut Unpacker<'_>) -> Option<Design> {
     Some(design)
 }
 
-/// Names of the files that a design needs.
-pub(crate) fn linked_names(design: &Design) -> Vec<String> {
-    let files = [&design.dancer.file, &design.motion.file];
-    let files = files.into_iter().flatten().map(|file| &file.name);
-    let prints = design.prints().filter_map(|print| print.file.as_ref());
-    files
-        .chain(prints.map(|file| &file.name))
-        .cloned()
-        .collect()
-}
-
 /// Lays a file on the receiver's shelf.
 pub(crate) fn put_file(packer: &mut Packer, name: &str, bytes: &[u8]) {
     packer.text(name);
@@ -149,7 +138,7 @@ pub(crate) fn get_news(unpacker: &mut Unpacker<'_>) -> Option<News> {
     })
 }
 
-/// Materials with their pictures; one picture that several share is sent once.
+/// A material with its picture.
 fn put_material(packer: &mut Packer, material: &Material) {
     packer.put(material.base_color);
     packer.maybe(material.texture.as_deref(), |packer, texture| {
@@ -505,8 +494,9 @@ mod tests {
         let mut parcel = Packer::default();
         put_file(&mut parcel, "布.svg", svg);
         get_file(&mut Unpacker(&parcel.0)).unwrap();
-        let mut design = document::parse("lole = 1\n[print]\nfile = \"布.svg\"\n", "").unwrap();
-        assert_eq!(linked_names(&design), ["布.svg"]);
+        let text = "lole = 1\n[print]\nfile = \"布.svg\"\n";
+        let mut design = document::parse(text, "").unwrap();
+        assert_eq!(design.linked_names().collect::<Vec<_>>(), ["布.svg"]);
         drop(files::read_linked_files(&mut design, Path::new("")));
         let read = returns(&design, put_design, get_design);
         assert!(read.print.file.is_some_and(|file| file.picture.is_some()));

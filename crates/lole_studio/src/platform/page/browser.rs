@@ -142,7 +142,10 @@ pub(super) fn hand_out() {
         download(&name, &bytes);
     }
     for (folder, files) in folders {
-        download(&format!("{}.zip", folder.display()), &zip::archive(&files));
+        match zip::archive(&files) {
+            Ok(archive) => drop(download(&format!("{}.zip", folder.display()), &archive)),
+            Err(error) => web_sys::console::error_1(&error.to_string().into()),
+        }
     }
 }
 

@@ -4,6 +4,7 @@ use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, VecDeque};
 use std::path::Path;
 use std::rc::Rc;
+use std::sync::Arc;
 
 use js_sys::{Array, Object, Reflect, Uint8Array};
 use lole_costume::document::Design;
@@ -12,7 +13,7 @@ use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast as _, JsValue};
 use web_sys::{DedicatedWorkerGlobalScope, Event, MessageEvent, WorkerOptions, WorkerType};
 
-use crate::platform::letters::{linked_names, put_file};
+use crate::platform::letters::put_file;
 use crate::platform::parcel::Packer;
 
 /// The script that a worker begins with.
@@ -26,8 +27,8 @@ pub(super) struct Worker {
     worker: web_sys::Worker,
     inbox: Rc<RefCell<VecDeque<Vec<u8>>>>,
     failed: Rc<Cell<bool>>,
-    /// Files that lie on its shelf, with their lengths.
-    laid: RefCell<BTreeMap<String, usize>>,
+    /// Files that lie on its shelf.
+    laid: RefCell<BTreeMap<String, Arc<[u8]>>>,
     _hears: Closure<dyn FnMut(MessageEvent)>,
     _fails: Closure<dyn FnMut(Event)>,
 }
@@ -76,15 +77,16 @@ impl Worker {
 
     /// Sends what a design needs and the worker has not got: a parcel of `head` and the file, for each.
     pub(super) fn lay_linked(&self, design: &Design, head: u8) {
-        for name in linked_names(design) {
-            let Some(bytes) = shelf::find(Path::new(&name)) else {
+        for name in design.linked_names() {
+            let Some(bytes) = shelf::find(Path::new(name)) else {
                 continue;
             };
-            let known = self.laid.borrow_mut().insert(name.clone(), bytes.len());
-            if known != Some(bytes.len()) {
+            let mut laid = self.laid.borrow_mut();
+            let known = laid.insert(name.to_owned(), Arc::clone(&bytes));
+            if known.is_none_or(|known| known != bytes) {
                 let mut parcel = Packer::default();
                 parcel.put(head);
-                put_file(&mut parcel, &name, &bytes);
+                put_file(&mut parcel, name, &bytes);
                 self.post(&parcel);
             }
         }

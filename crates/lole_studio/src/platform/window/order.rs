@@ -61,28 +61,8 @@ impl Drop for OrderWork {
 
 #[cfg(test)]
 mod tests {
-    use std::path::PathBuf;
-
-    use lole_costume::document::Design;
-    use lole_costume::roster;
-    use lole_language::Language;
-
     use super::*;
-    use crate::ordering::BuyerWishes;
-
-    fn job(list: &str, folder: Option<PathBuf>) -> Job {
-        Job {
-            design: Design::default(),
-            list: Arc::new(roster::read(list.as_bytes()).unwrap()),
-            wishes: BuyerWishes {
-                pictures: false,
-                ..BuyerWishes::default()
-            },
-            folder,
-            title: "Hau".to_owned(),
-            language: Language::English,
-        }
-    }
+    use crate::ordering::tests::job;
 
     fn end(work: &OrderWork) -> OrderNews {
         loop {
