@@ -24,7 +24,7 @@ mod yielding;
 pub use adorned::Adornment;
 pub use danced::Danced;
 pub use double_pau::double_pau;
-pub use hold::{ElasticHold, HoldWatch};
+pub use hold::{ElasticHold, HoldWatch, OFF};
 pub use live::{Pull, Show, Vitals, Wish};
 pub use metrics::{FrameMetrics, RunMetrics};
 pub use performance::{

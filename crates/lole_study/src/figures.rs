@@ -12,7 +12,7 @@ use lole_export::report::{
 use lole_language::{Bilingual, Language, words};
 use lole_picture::studio::STILLS;
 use lole_stage::{
-    Divergence, ElasticHold, FRAMES_PER_SECOND, FrameMetrics, GarmentLayers, Performance,
+    Divergence, ElasticHold, FRAMES_PER_SECOND, FrameMetrics, GarmentLayers, OFF, Performance,
     Production, RunMetrics,
 };
 
@@ -236,6 +236,7 @@ fn skirt_facts(performance: &Performance, hold: Option<ElasticHold>) -> SkirtFac
         elastic_hold: hold.map(|hold| ElasticHoldFacts {
             pull_n: hold.pull,
             held_n: hold.held,
+            slid_cm: 1e2 * hold.slid,
             loosest_cut_cm: hold.loosest_ring.map(|ring| 1e2 * ring + overlap_cm),
         }),
         hip_girth_cm: worn.worn.hip_girth.to_cm(),
@@ -245,14 +246,26 @@ fn skirt_facts(performance: &Performance, hold: Option<ElasticHold>) -> SkirtFac
 
 /// A warning where elastics hold less than the dance pulls.
 fn slips(hold: ElasticHold) -> Option<Remark> {
-    (hold.held < hold.pull).then(|| Remark {
+    if hold.pull <= hold.held {
+        return None;
+    }
+    let cm = 1e2 * hold.slid;
+    let [ends, ends_ja] = if OFF <= hold.slid {
+        ["and comes off".to_owned(), "腰から落ちます".to_owned()]
+    } else {
+        [
+            format!("and slides {cm:.1} cm down"),
+            format!("{cm:.1} cm ずり落ちます"),
+        ]
+    };
+    Some(Remark {
         sentence: format!(
-            "the skirt may slip in this dance: it pulls with {:.0} N, and its elastics hold {:.0} N; cut them \
+            "the skirt slips in this dance: it pulls with {:.1} N, its elastics hold {:.1} N, {ends}; cut them \
              shorter, or use more rows",
             hold.pull, hold.held
         ),
         sentence_ja: format!(
-            "この踊りではスカートがずり落ちるおそれがあります。引く力は {:.0} N、ゴムが支える力は {:.0} N です。\
+            "この踊りではスカートがずれます。引く力は {:.1} N、ゴムが支える力は {:.1} N で、{ends_ja}。\
              ゴムを短くするか、段を増やしてください",
             hold.pull, hold.held
         ),

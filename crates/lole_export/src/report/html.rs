@@ -271,14 +271,16 @@ fn hold_row(hold: ElasticHoldFacts) -> Row {
     };
     let pulled = [
         format!(
-            "The skirt pulls with {} N at most, and friction under its elastics holds {} N.",
+            "The skirt pulls with {} N at most, and friction under its elastics holds {} N: it slides {} cm.",
             number(hold.pull_n, 0),
-            number(hold.held_n, 0)
+            number(hold.held_n, 0),
+            number(hold.slid_cm, 1)
         ),
         format!(
-            "踊りのなかでスカートが引く力は最大 {} N、ゴムの下の摩擦が支える力は {} N です。",
+            "踊りのなかでスカートが引く力は最大 {} N、ゴムの下の摩擦が支える力は {} N で、ずれは {} cm です。",
             number(hold.pull_n, 0),
-            number(hold.held_n, 0)
+            number(hold.held_n, 0),
+            number(hold.slid_cm, 1)
         ),
     ];
     row(

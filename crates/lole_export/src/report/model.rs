@@ -80,6 +80,9 @@ pub struct ElasticHoldFacts {
     pub pull_n: f64,
     /// What friction under the elastics holds [N].
     pub held_n: f64,
+    /// How far the skirt slides down in the dance, as a band held by friction alone [cm]; as far as hips are high
+    /// where it comes off.
+    pub slid_cm: f64,
     /// Longest elastics, as they are cut, that hold half as much again as the dance pulls [cm]; `None` where
     /// none do.
     pub loosest_cut_cm: Option<f64>,
