@@ -86,6 +86,14 @@ class Browser:
     def noted(self, what):
         return self.run(f"return document.documentElement.getAttribute('data-{what}')")
 
+    def reached(self, what, seconds):
+        """When the page came to `what` [ms]; ends at once where it says that it cannot be opened."""
+        def look():
+            if wrong := self.noted("failed"):
+                raise SystemExit(f"the page says that it failed: {wrong}")
+            return self.noted(what)
+        return wait(look, seconds, f"the page was not {what}")
+
     def click(self, x, y):
         self.drag([(x, y)])
 
@@ -157,7 +165,11 @@ def main():
     browser, failed = Browser(downloads), False
     try:
         for name, check in checks.items():
-            said = check(browser, address, shots, downloads, asked)
+            try:
+                said = check(browser, address, shots, downloads, asked)
+            except SystemExit as error:
+                failed, said = True, f"FAILED: {error}; {browser.run('return document.body.innerText')[:300]!r}"
+                browser.shot(shots / f"{name}-failed.png")
             wrong = browser.errors()
             failed |= bool(wrong)
             print(f"{name}: {said}" + "".join(f"\n  console: {line}" for line in wrong), flush=True)
@@ -193,11 +205,12 @@ def scenes(browser, address, _shots, _downloads, asked):
 def cold(browser, address, shots, *_):
     """A first visit: nothing kept, the first page, then the dance."""
     browser.open(address)
-    opened = wait(lambda: browser.noted("lole"), 180, "the page")
-    first = wait(lambda: browser.noted("settling") or browser.noted("dancing"), 180, "the first picture")
-    dancing = wait(lambda: browser.noted("dancing"), 300, "the dance")
+    opened = browser.reached("lole", 240)
+    settling = browser.reached("settling", 180)
+    first = browser.reached("drawn", 60)
+    dancing = browser.reached("dancing", 300)
     browser.shot(shots / "cold.png")
-    return f"open after {opened} ms, she is seen after {first} ms and dances after {dancing} ms"
+    return f"open after {opened} ms, sewn after {settling} ms, she is seen after {first} ms and dances after {dancing} ms"
 
 
 CHECKS = {"scenes": scenes, "cold": cold}

@@ -69,6 +69,7 @@ const open = async () => {
 
 const failed = (error) => {
   console.error(error);
+  document.documentElement.dataset.failed = error;
   say(inJapanese
     ? `開けませんでした。読み直すか、ほかのブラウザーでお試しください。（${error}）`
     : `It could not be opened; reload the page, or try another browser. (${error})`);

@@ -27,7 +27,7 @@ pub(super) fn document() -> Option<Document> {
 
 /// Notes on the page when something was seen for the first time, in milliseconds since it was asked for, as
 /// `data-dancing`: whoever measures the page reads it there.
-pub(super) fn note(what: &str) {
+pub(crate) fn note(what: &str) {
     thread_local!(static NOTED: RefCell<Vec<String>> = const { RefCell::new(Vec::new()) });
     let is_new = NOTED.with_borrow_mut(|noted| {
         let is_new = noted.iter().all(|known| known != what);
