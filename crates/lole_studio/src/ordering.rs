@@ -94,6 +94,8 @@ pub struct Totals {
 pub(crate) struct Job {
     pub(crate) design: Design,
     pub(crate) list: Arc<Roster>,
+    /// The file that the list was read from.
+    pub(crate) list_file: PathBuf,
     pub(crate) wishes: BuyerWishes,
     /// Where the order is written; only worked out where there is none.
     pub(crate) folder: Option<PathBuf>,
@@ -248,6 +250,7 @@ pub(crate) mod tests {
         Job {
             design: Design::default(),
             list: Arc::new(roster::read(list.as_bytes()).unwrap()),
+            list_file: PathBuf::from("list.csv"),
             wishes: BuyerWishes {
                 pictures: false,
                 ..BuyerWishes::default()
