@@ -6,9 +6,9 @@ use std::sync::Arc;
 
 use lole_body::{Bone, Measure, Taped};
 use lole_costume::document::{self, Design};
+use lole_export::pdf::Paper;
 use lole_files::{self as files, shelf};
 use lole_geom::{Capsule, Length};
-use lole_export::pdf::Paper;
 use lole_language::{Language, Sentence};
 use lole_picture::{BodyPart, Cover, Looks, Moment};
 use lole_render::{BackShade, Camera, Material, Sides, Texture};
