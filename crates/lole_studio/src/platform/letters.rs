@@ -458,6 +458,17 @@ mod tests {
     }
 
     #[test]
+    fn languages_and_papers_come_through() {
+        for language in [Language::Japanese, Language::English] {
+            let read = returns(&language, |to, it| put_language(to, *it), get_language);
+            assert_eq!(read, language);
+        }
+        for (paper, _) in Paper::ALL {
+            assert!(returns(&paper, |to, it| put_paper(to, *it), get_paper) == paper);
+        }
+    }
+
+    #[test]
     fn a_moment_and_its_wardrobe_come_through_to_the_bit() {
         let snapshot = first_moment(&small()).unwrap();
         let wardrobe = returns(&*snapshot.wardrobe, put_wardrobe, get_wardrobe);

@@ -144,12 +144,13 @@ fn send(job: &Job, wake: &Wake) -> Option<Worker> {
     worker.lay_linked(&job.design, FILE);
     let mut parcel = Packer::default();
     parcel.put(FILE);
-    let list = shelf::find(&job.list_file)?;
-    put_file(&mut parcel, &job.list_file.to_string_lossy(), &list);
+    let (list_file, _) = &job.list;
+    let list_file_name = list_file.to_string_lossy();
+    put_file(&mut parcel, &list_file_name, &shelf::find(list_file)?);
     worker.post(&parcel);
     let mut parcel = Packer::default();
     parcel.put(JOB);
-    parcel.text(&job.list_file.to_string_lossy());
+    parcel.text(&list_file_name);
     parcel.text(&job.folder.as_ref()?.to_string_lossy());
     parcel.put(job.wishes.spare_percent);
     parcel.maybe(job.wishes.bolt_m, Packer::put);
@@ -176,8 +177,7 @@ fn get_job(unpacker: &mut Unpacker<'_>) -> Option<Result<Job, Sentence>> {
     let design = get_design(unpacker)?;
     Some(read_list(&list_file).map(|list| Job {
         design,
-        list: Arc::new(list),
-        list_file,
+        list: (list_file, Arc::new(list)),
         wishes,
         folder,
         title,
