@@ -6,6 +6,8 @@
 //! browser's storage. Both sides have the same names, and the rest of the studio knows neither.
 
 #[cfg(any(target_arch = "wasm32", test))]
+mod fineness;
+#[cfg(any(target_arch = "wasm32", test))]
 mod letters;
 #[cfg(target_arch = "wasm32")]
 pub(crate) mod page;
