@@ -1,5 +1,6 @@
 //! Builds the studio as a page: one folder that any static server can serve.
 
+mod exports;
 mod serve;
 mod size;
 mod toolchain;
@@ -110,7 +111,17 @@ fn shrink(wasm: &Path) -> anyhow::Result<()> {
         .arg(&smaller)
         .output();
     match run {
-        Ok(output) if output.status.success() => fs::rename(&smaller, wasm)?,
+        Ok(output) if output.status.success() => {
+            if exports::tables(&fs::read(&smaller)?) == exports::tables(&fs::read(wasm)?) {
+                fs::rename(&smaller, wasm)?;
+            } else {
+                fs::remove_file(&smaller)?;
+                println!(
+                    "wasm-opt names the program's tables wrongly, as version 108 does: the program stays larger; \
+                     a newer binaryen is needed"
+                );
+            }
+        }
         Ok(output) => {
             let reason = String::from_utf8_lossy(&output.stderr);
             let reason = reason.lines().next().unwrap_or_default();

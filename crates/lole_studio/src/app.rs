@@ -309,7 +309,7 @@ impl App {
 
     /// Cuts the design for everybody on the list, and writes the order where there is a folder.
     fn begin_order(&mut self, folder: Option<PathBuf>) {
-        let Some((_, list)) = &self.studio.order.list else {
+        let Some(list) = self.studio.order.list.clone() else {
             return;
         };
         if let Err(error) = self.studio.check() {
@@ -318,7 +318,7 @@ impl App {
         }
         let job = Job {
             design: self.studio.design().clone(),
-            list: Arc::clone(list),
+            list,
             wishes: self.studio.order.wishes,
             folder,
             title: self.title(),

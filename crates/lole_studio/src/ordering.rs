@@ -93,7 +93,8 @@ pub struct Totals {
 /// What is to be done.
 pub(crate) struct Job {
     pub(crate) design: Design,
-    pub(crate) list: Arc<Roster>,
+    /// The list, with the file it was read from.
+    pub(crate) list: (PathBuf, Arc<Roster>),
     pub(crate) wishes: BuyerWishes,
     /// Where the order is written; only worked out where there is none.
     pub(crate) folder: Option<PathBuf>,
@@ -144,9 +145,9 @@ impl Line<'_> {
 
 /// Cuts for everybody, and writes the order where that was asked for.
 pub(crate) fn run(job: &Job, line: &Line<'_>) -> Result<OrderNews, Sentence> {
-    let mut group = Group::of(&job.list);
-    let of = job.list.dancers.len();
-    for (done, dancer) in job.list.dancers.iter().enumerate() {
+    let mut group = Group::of(&job.list.1);
+    let of = job.list.1.dancers.len();
+    for (done, dancer) in job.list.1.dancers.iter().enumerate() {
         line.progress(done, of);
         if line.is_called_off() {
             return Ok(OrderNews::CalledOff);
@@ -247,7 +248,10 @@ pub(crate) mod tests {
     pub(crate) fn job(list: &str, folder: Option<PathBuf>) -> Job {
         Job {
             design: Design::default(),
-            list: Arc::new(roster::read(list.as_bytes()).unwrap()),
+            list: (
+                PathBuf::from("list.csv"),
+                Arc::new(roster::read(list.as_bytes()).unwrap()),
+            ),
             wishes: BuyerWishes {
                 pictures: false,
                 ..BuyerWishes::default()
@@ -262,8 +266,8 @@ pub(crate) mod tests {
     fn an_order_shows_everybody_in_her_costume() {
         let mut job = job("name,stature,hip\nNani,150,85\n", None);
         job.wishes.pictures = true;
-        let mut group = Group::of(&job.list);
-        let dancer = &job.list.dancers[0];
+        let mut group = Group::of(&job.list.1);
+        let dancer = &job.list.1.dancers[0];
         group.add(dancer, &job.design, order::plan(dancer, &job.design));
         let called_off = AtomicBool::new(false);
         let line = Line {

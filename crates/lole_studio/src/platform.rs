@@ -6,6 +6,8 @@
 //! browser's storage. Both sides have the same names, and the rest of the studio knows neither.
 
 #[cfg(any(target_arch = "wasm32", test))]
+mod fineness;
+#[cfg(any(target_arch = "wasm32", test))]
 mod letters;
 #[cfg(target_arch = "wasm32")]
 pub(crate) mod page;
@@ -18,11 +20,11 @@ mod zip;
 
 #[cfg(target_arch = "wasm32")]
 pub(crate) use page::{
-    Asking, HAS_FOLDERS, Keeping, Light, Maker, OrderWork, Sewing, Sim, Tailor, cores, film, pool,
-    products, reveal, take_dropped,
+    Asking, HAS_FOLDERS, Keeping, Light, Maker, OrderWork, Sewing, Sim, Tailor, cores, film, note,
+    pool, products, reveal, take_dropped,
 };
 #[cfg(not(target_arch = "wasm32"))]
 pub(crate) use window::{
-    Asking, HAS_FOLDERS, Keeping, Light, Maker, OrderWork, Sewing, Sim, Tailor, cores, film, pool,
-    products, reveal, take_dropped,
+    Asking, HAS_FOLDERS, Keeping, Light, Maker, OrderWork, Sewing, Sim, Tailor, cores, film, note,
+    pool, products, reveal, take_dropped,
 };

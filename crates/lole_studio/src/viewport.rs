@@ -19,7 +19,7 @@ use crate::look::strain_color;
 use crate::message::Message;
 use crate::orbit::{Orbit, hand_at, pick};
 use crate::overlay::Strokes;
-use crate::platform::Light;
+use crate::platform::{self, Light};
 use crate::studio::{Shows, Tool};
 use crate::{Command, Snapshot, Studio};
 
@@ -346,6 +346,7 @@ impl Viewport {
             wardrobe.coarsen(&mut scene);
         }
         live.view.draw(&scene, strokes.overlay())?;
+        platform::note("drawn");
         self.pictures += 1;
         self.drawn = Some(drawn);
         Ok(())

@@ -67,8 +67,22 @@ const open = async () => {
   document.documentElement.dataset.lole = performance.now().toFixed(0);
 };
 
+// A browser takes graphics away when its driver fails or a laptop wakes up. The work is kept as it changes, so that
+// the page opens again; where that does not help, it is said.
+const LOST = "lole.lost";
+document.getElementById("studio").addEventListener("webglcontextlost", () => {
+  const last = Number(sessionStorage.getItem(LOST));
+  sessionStorage.setItem(LOST, String(Date.now()));
+  if (60000 < Date.now() - last) location.reload();
+  else {
+    document.getElementById("wait").hidden = false;
+    failed(inJapanese ? "グラフィックスが止まりました" : "the graphics stopped");
+  }
+});
+
 const failed = (error) => {
   console.error(error);
+  document.documentElement.dataset.failed = error;
   say(inJapanese
     ? `開けませんでした。読み直すか、ほかのブラウザーでお試しください。（${error}）`
     : `It could not be opened; reload the page, or try another browser. (${error})`);
@@ -79,6 +93,7 @@ const failed = (error) => {
 const offer = (waiting) => {
   const bar = document.createElement("button");
   bar.id = "update";
+  bar.className = "bar";
   bar.textContent = inJapanese
     ? "新しい版があります。押すと開き直します（デザインはそのまま残ります）"
     : "A new version is here. Press to reopen; your design stays as it is";
@@ -100,10 +115,28 @@ const keepOffline = async () => {
   // The dance comes first; what only visits without a network need can wait.
   const ready = await navigator.serviceWorker.ready;
   setTimeout(() => ready.active.postMessage("later"), 20000);
-  // Asked once: a browser that agrees does not clear the design when it needs room.
-  await navigator.storage?.persist?.();
+};
+
+// Asks the browser not to clear the design when it needs room. Where it does not agree, that is said once.
+const keepDesign = async () => {
+  if (await navigator.storage?.persist?.() || localStorage.getItem("lole.warned")) return;
+  const warn = () => {
+    if (!localStorage.getItem("lole.work")) { setTimeout(warn, 60000); return; }
+    const bar = document.createElement("button");
+    bar.id = "purge";
+    bar.className = "bar";
+    bar.textContent = inJapanese
+      ? "このブラウザーは、しばらく開かないとデザインを消すことがあります。「保存」でファイルにも残してください（押すと閉じます）"
+      : "This browser may clear the design when the page was not opened for a while. Press “Save” to keep a file, too. (Press to close)";
+    bar.onclick = () => { localStorage.setItem("lole.warned", "1"); bar.remove(); };
+    document.body.append(bar);
+  };
+  setTimeout(warn, 60000);
 };
 
 (asked.has("scenes") ? check() : open()).catch(failed);
 
-if ("serviceWorker" in navigator && !asked.has("scenes")) keepOffline().catch(() => {});
+if (!asked.has("scenes")) {
+  if ("serviceWorker" in navigator) keepOffline().catch(() => {});
+  keepDesign().catch(() => {});
+}

@@ -9,7 +9,7 @@ self.onmessage = async (first) => {
   self.onmessage = (event) => waiting.push(event);
   const { module, role } = first.data;
   initSync({ module });
-  if (role === "maker") {
+  if (role === "maker" || role === "order") {
     giveFonts(...await Promise.all([bytes("paper-regular.otf"), bytes("paper-bold.otf")]));
   }
   serve(role);

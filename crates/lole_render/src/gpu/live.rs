@@ -595,6 +595,7 @@ impl Shared {
                     compares.clone(),
                     view_entry(4, &under_map),
                     buffer_entry(5, &floor_light),
+                    view_entry(6, &key_map),
                 ],
             ),
             frame_group: group(

@@ -3,8 +3,10 @@
 
 @group(0) @binding(1) var key_map: texture_depth_2d;
 @group(0) @binding(3) var key_sampler: sampler_comparison;
-@group(0) @binding(4) var under_map: texture_depth_2d;
+@group(0) @binding(4) var under_map: texture_2d<f32>;
 @group(0) @binding(5) var<uniform> floor_light: FloorLight;
+// `key_map` once more: WebGL compares with a map of depths or reads it, but not both through one name.
+@group(0) @binding(6) var key_depths: texture_2d<f32>;
 
 // Light on the open floor: of the room, and of the key light. `room.w` is how dark shadows are,
 // `key.w` the side of the key light's map [texel].
@@ -110,7 +112,7 @@ fn floor_fragment(@builtin(position) pixel: vec4<f32>) -> @location(0) vec4<f32>
     for (var tap = 0; tap < FLOOR_TAPS; tap++) {
         let at = place.xy + disk(tap, turn) * (0.06 / frame.key_color.w);
         let texel = vec2<i32>(clamp(at, vec2<f32>(0.0), size - 1.0));
-        let before = (textureLoad(key_map, texel, 0) - place.z) * KEY_RANGE;
+        let before = (textureLoad(key_depths, texel, 0).x - place.z) * KEY_RANGE;
         if before > 0.0 {
             found += vec2<f32>(1.0, before);
         }
@@ -126,7 +128,7 @@ fn floor_fragment(@builtin(position) pixel: vec4<f32>) -> @location(0) vec4<f32>
         let spot = pixel.xy + offset * (0.34 * frame.ground.w);
         let last = vec2<f32>(textureDimensions(under_map)) - 1.0;
         let texel = vec2<i32>(clamp(spot, vec2<f32>(0.0), last));
-        let height = (1.0 - textureLoad(under_map, texel, 0)) * UNDER_RANGE;
+        let height = (1.0 - textureLoad(under_map, texel, 0).x) * UNDER_RANGE;
         let share = clamp(height / ROOF, 0.0, 1.0);
         open += share * share * (3.0 - 2.0 * share);
     }
@@ -145,7 +147,7 @@ struct LineFragment {
     @builtin(position) clip: vec4<f32>,
     @location(0) color: vec4<f32>,
     // Place along and across the line, its length and half its width [pixel].
-    @location(1) @interpolate(linear) place: vec4<f32>,
+    @location(1) place: vec4<f32>,
 }
 
 @vertex
@@ -189,7 +191,8 @@ fn line_vertex(
     let end = select(-1.0, 1.0, is_end);
     let base = select(a, b, is_end);
     let offset = (along * end + across * side) * reach / (0.5 * picture);
-    out.clip = vec4<f32>(base.xy + offset * base.w, base.z * (1.0 + TOWARD_EYE), base.w);
+    // Divided here, so that everything is interpolated evenly over the screen: WebGL has no other way to say so.
+    out.clip = vec4<f32>(base.xy / base.w + offset, base.z / base.w * (1.0 + TOWARD_EYE), 1.0);
     out.color = vec4<f32>(pow(color.rgb, vec3<f32>(2.2)), color.a);
     out.place = vec4<f32>(
         select(-reach, length_in_pixels + reach, is_end),

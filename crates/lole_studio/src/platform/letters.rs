@@ -6,9 +6,10 @@ use std::sync::Arc;
 
 use lole_body::{Bone, Measure, Taped};
 use lole_costume::document::{self, Design};
+use lole_export::pdf::Paper;
 use lole_files::{self as files, shelf};
 use lole_geom::{Capsule, Length};
-use lole_language::Sentence;
+use lole_language::{Language, Sentence};
 use lole_picture::{BodyPart, Cover, Looks, Moment};
 use lole_render::{BackShade, Camera, Material, Sides, Texture};
 use lole_stage::{Divergence, Pull, Vitals};
@@ -53,6 +54,28 @@ pub(crate) fn put_sentence(packer: &mut Packer, sentence: &Sentence) {
 
 pub(crate) fn get_sentence(unpacker: &mut Unpacker<'_>) -> Option<Sentence> {
     Some(Sentence::new(unpacker.text()?, unpacker.text()?))
+}
+
+pub(crate) fn put_language(packer: &mut Packer, language: Language) {
+    packer.flag(language == Language::Japanese);
+}
+
+pub(crate) fn get_language(unpacker: &mut Unpacker<'_>) -> Option<Language> {
+    Some(if unpacker.flag()? {
+        Language::Japanese
+    } else {
+        Language::English
+    })
+}
+
+/// A paper size by its place in the list of all.
+pub(crate) fn put_paper(packer: &mut Packer, paper: Paper) {
+    let place = Paper::ALL.iter().position(|(known, _)| *known == paper);
+    packer.count(place.unwrap_or(0));
+}
+
+pub(crate) fn get_paper(unpacker: &mut Unpacker<'_>) -> Option<Paper> {
+    Some(Paper::ALL.get(unpacker.count()?)?.0)
 }
 
 pub(crate) fn put_command(packer: &mut Packer, command: &Command) {
@@ -432,6 +455,17 @@ mod tests {
         let mut design = Design::default();
         (design.skirt.column_count, design.skirt.row_count) = (96, 24);
         design
+    }
+
+    #[test]
+    fn languages_and_papers_come_through() {
+        for language in [Language::Japanese, Language::English] {
+            let read = returns(&language, |to, it| put_language(to, *it), get_language);
+            assert_eq!(read, language);
+        }
+        for (paper, _) in Paper::ALL {
+            assert!(returns(&paper, |to, it| put_paper(to, *it), get_paper) == paper);
+        }
     }
 
     #[test]

@@ -19,7 +19,7 @@ use lole_language::Sentence;
 use crate::making::{Line, Product, Unmade, Wish};
 
 pub(crate) use asking::Asking;
-pub(crate) use browser::take_dropped;
+pub(crate) use browser::{note, take_dropped};
 pub(crate) use keeping::Keeping;
 pub(crate) use light::Light;
 pub(crate) use maker::Maker;

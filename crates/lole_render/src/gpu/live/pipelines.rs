@@ -73,8 +73,9 @@ impl LivePipelines {
                 uniform(0),
                 texture(1, DEPTHS),
                 comparison(3),
-                texture(4, DEPTHS),
+                texture(4, READ_ONLY),
                 uniform(5),
+                texture(6, READ_ONLY),
             ],
         );
         let frame_layout = layout(
@@ -271,7 +272,7 @@ pub(super) const LIVE_COLOR: wgpu::TextureFormat = if cfg!(target_arch = "wasm32
 /// that the surface does not swallow them.
 const TOWARD_EYE: f64 = 2.0e-3;
 
-/// A map of depths, read texel by texel or compared.
+/// A map of depths that is compared; one that is read texel by texel is as any other texture.
 const DEPTHS: wgpu::TextureSampleType = wgpu::TextureSampleType::Depth;
 
 const fn comparison(binding: u32) -> wgpu::BindGroupLayoutEntry {
@@ -280,5 +281,44 @@ const fn comparison(binding: u32) -> wgpu::BindGroupLayoutEntry {
         visibility: wgpu::ShaderStages::FRAGMENT,
         ty: wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Comparison),
         count: None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use naga::back::{glsl, pipeline_constants::process_overrides};
+    use naga::valid::{Capabilities, ValidationFlags, Validator};
+
+    /// Every function of the window's picture can be said in the language of WebGL 2, as a page needs it.
+    #[test]
+    fn shaders_can_be_drawn_by_web_gl() {
+        let source = concat!(include_str!("../shade.wgsl"), include_str!("../live.wgsl"));
+        let module = naga::front::wgsl::parse_str(source).unwrap();
+        let mut validator = Validator::new(ValidationFlags::all(), Capabilities::empty());
+        let info = validator.validate(&module).unwrap();
+        let mut constants = naga::back::PipelineConstants::default();
+        constants.insert("ENCODES".to_owned(), 1.0);
+        let options = glsl::Options {
+            version: glsl::Version::Embedded {
+                version: 300,
+                is_webgl: true,
+            },
+            ..glsl::Options::default()
+        };
+        assert!(!module.entry_points.is_empty());
+        for entry in &module.entry_points {
+            let function = Some((entry.stage, entry.name.as_str()));
+            let (whole, info) = process_overrides(&module, &info, function, &constants).unwrap();
+            let pipeline = glsl::PipelineOptions {
+                shader_stage: entry.stage,
+                entry_point: entry.name.clone(),
+                multiview: None,
+            };
+            let bounds = naga::proc::BoundsCheckPolicies::default();
+            let mut text = String::new();
+            let written = glsl::Writer::new(&mut text, &whole, &info, &options, &pipeline, bounds)
+                .and_then(|mut writer| writer.write());
+            assert!(written.is_ok(), "{}: {written:?}", entry.name);
+        }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 use std::collections::VecDeque;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use eframe::egui::{Context, DroppedFile};
@@ -27,7 +27,7 @@ pub(super) fn document() -> Option<Document> {
 
 /// Notes on the page when something was seen for the first time, in milliseconds since it was asked for, as
 /// `data-dancing`: whoever measures the page reads it there.
-pub(super) fn note(what: &str) {
+pub(crate) fn note(what: &str) {
     thread_local!(static NOTED: RefCell<Vec<String>> = const { RefCell::new(Vec::new()) });
     let is_new = NOTED.with_borrow_mut(|noted| {
         let is_new = noted.iter().all(|known| known != what);
@@ -124,14 +124,12 @@ pub(super) fn hand_out() {
     let mut single = Vec::new();
     let mut folders: Vec<(PathBuf, Vec<(String, Vec<u8>)>)> = Vec::new();
     for (path, bytes) in shelf::take_written() {
-        let name = path
-            .file_name()
-            .unwrap_or_default()
-            .to_string_lossy()
-            .into_owned();
-        let folder = path.parent().unwrap_or(Path::new("")).to_owned();
-        if folder.as_os_str().is_empty() {
-            single.push((name, bytes));
+        let mut parts = path.components();
+        let folder = PathBuf::from(parts.next().map_or("".as_ref(), |part| part.as_os_str()));
+        // Archives part their folders by this sign on every system.
+        let name = parts.as_path().to_string_lossy().replace('\\', "/");
+        if name.is_empty() {
+            single.push((folder.to_string_lossy().into_owned(), bytes));
         } else if let Some((_, files)) = folders.iter_mut().find(|(known, _)| *known == folder) {
             files.push((name, bytes));
         } else {

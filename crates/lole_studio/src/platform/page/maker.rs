@@ -5,15 +5,16 @@ use std::path::Path;
 use std::rc::Rc;
 use std::sync::atomic::AtomicBool;
 
-use lole_export::pdf::Paper;
 use lole_files::shelf;
-use lole_language::Language;
 use lole_pattern::marker::Lay;
 
 use super::worker::{Wake, Worker, answer, hear};
 use crate::making::{Line, Piece, Product, Stage, Unmade, Wish, make, stopped_unexpectedly};
 use crate::paper::Cutting;
-use crate::platform::letters::{get_design, get_file, get_sentence, put_design, put_sentence};
+use crate::platform::letters::{
+    get_design, get_file, get_language, get_paper, get_sentence, put_design, put_language,
+    put_paper, put_sentence,
+};
 use crate::platform::parcel::{Packer, Unpacker};
 
 /// What the worker is called.
@@ -142,15 +143,10 @@ fn receive(number: u64, worker: &Worker, news: &mut Vec<(u64, Stage)>) -> bool {
 fn put_wish(packer: &mut Packer, wish: &Wish) {
     packer.text(&wish.path.to_string_lossy());
     packer.count(wish.product as usize);
-    packer.count(
-        Paper::ALL
-            .iter()
-            .position(|(paper, _)| *paper == wish.paper)
-            .unwrap_or(0),
-    );
+    put_paper(packer, wish.paper);
     packer.flag(wish.cutting.lay == Lay::Folded);
     packer.flag(wish.cutting.matches_print);
-    packer.flag(wish.language == Language::Japanese);
+    put_language(packer, wish.language);
     packer.text(&wish.title);
     put_design(packer, &wish.design);
 }
@@ -159,7 +155,7 @@ fn get_wish(unpacker: &mut Unpacker<'_>) -> Option<Wish> {
     Some(Wish {
         path: unpacker.text()?.into(),
         product: *Product::ALL.get(unpacker.count()?)?,
-        paper: Paper::ALL.get(unpacker.count()?)?.0,
+        paper: get_paper(unpacker)?,
         cutting: Cutting {
             lay: if unpacker.flag()? {
                 Lay::Folded
@@ -168,11 +164,7 @@ fn get_wish(unpacker: &mut Unpacker<'_>) -> Option<Wish> {
             },
             matches_print: unpacker.flag()?,
         },
-        language: if unpacker.flag()? {
-            Language::Japanese
-        } else {
-            Language::English
-        },
+        language: get_language(unpacker)?,
         title: unpacker.text()?,
         design: get_design(unpacker)?,
     })

@@ -89,6 +89,7 @@ pub fn serve(role: &str) {
         super::sim::ROLE => super::sim::serve(),
         super::light::ROLE => super::light::serve(),
         super::maker::ROLE => super::maker::serve(),
+        super::order::ROLE => super::order::serve(),
         _ => {}
     }
 }

@@ -16,6 +16,7 @@ use web_sys::MessageChannel;
 use super::browser;
 use super::worker::{Wake, Worker, answer, hear, scope};
 use crate::command::Watch;
+use crate::platform::fineness::danced;
 use crate::platform::letters::{
     get_command, get_design, get_file, get_news, get_snapshot, get_wardrobe, put_command,
     put_design, put_news, put_snapshot, put_wardrobe,
@@ -46,6 +47,9 @@ mod told {
     pub(super) const SNAPSHOT: u8 = 2;
 }
 
+/// Designs that are remembered as the studio has them: one on stage, one that is sewn, and wishes in between.
+const MOST_SENT: usize = 16;
+
 /// The simulation as the page sees it.
 pub(crate) struct Sim(RefCell<Stage>);
 
@@ -55,6 +59,8 @@ struct Stage {
     understudy: Option<Player>,
     /// What goes on while the understudy sews.
     kept: Design,
+    /// Designs that were sent, the newest last, as the studio has them.
+    sent: VecDeque<Design>,
     news: VecDeque<News>,
     plays: bool,
     speed: f64,
@@ -147,10 +153,11 @@ impl Sim {
     pub(crate) fn start(design: Design, wake: Arc<dyn Fn() + Send + Sync>) -> Self {
         let wake: Wake = Rc::new(move || wake());
         Self(RefCell::new(Stage {
-            dancing: Player::start(&design, asked::SETTLING, &wake),
+            dancing: Player::start(&danced(&design), asked::SETTLING, &wake),
             wake,
             understudy: None,
-            kept: design,
+            kept: design.clone(),
+            sent: VecDeque::from([design]),
             news: VecDeque::new(),
             plays: true,
             speed: 1.0,
@@ -161,6 +168,14 @@ impl Sim {
     /// Sends a wish.
     pub(crate) fn send(&self, command: Command) {
         let mut stage = self.0.borrow_mut();
+        let command = match command {
+            Command::Wish(design) => {
+                let quick = danced(&design);
+                stage.note_sent(*design);
+                Command::Wish(Box::new(quick))
+            }
+            command => command,
+        };
         match &command {
             Command::Play => stage.plays = true,
             Command::Pause | Command::Step => stage.plays = false,
@@ -205,8 +220,12 @@ impl Stage {
             .unwrap_or_default();
         for news in said {
             match news {
+                News::Refused(sentence, kept) => {
+                    let kept = Box::new(self.as_sent(*kept));
+                    self.news.push_back(News::Refused(sentence, kept));
+                }
                 News::Elsewhere(wished, kept) => {
-                    self.kept = *kept;
+                    self.kept = self.as_sent(*kept);
                     self.understudy = Player::start(&wished, asked::SETTLED, &self.wake);
                 }
                 news => self.news.push_back(news),
@@ -239,6 +258,21 @@ impl Stage {
             let sentence = crate::making::stopped_unexpectedly();
             self.news.push_back(News::Refused(sentence, kept));
         }
+    }
+
+    fn note_sent(&mut self, design: Design) {
+        self.sent.push_back(design);
+        while MOST_SENT < self.sent.len() {
+            self.sent.pop_front();
+        }
+    }
+
+    /// The studio's design of one that a worker has.
+    fn as_sent(&self, quick: Design) -> Design {
+        let mut sent = self.sent.iter().rev();
+        sent.find(|sent| danced(sent) == quick)
+            .cloned()
+            .unwrap_or(quick)
     }
 
     /// Tells whoever takes the stage what was asked of the one before.
