@@ -120,6 +120,7 @@ impl Layout {
             notions: Vec::new(),
             steps: Vec::new(),
             warnings: Vec::new(),
+            finished: Vec::new(),
         };
         let [_, step] = step(paper);
         let mut best: Option<Self> = None;

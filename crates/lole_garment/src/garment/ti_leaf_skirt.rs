@@ -6,7 +6,7 @@
 
 use lole_geom::Length;
 use lole_language::words;
-use lole_pattern::pattern::{Amount, NotionKind};
+use lole_pattern::pattern::{Amount, Craft, NotionKind, StepFigure};
 use lole_pattern::{DraftError, Pattern};
 
 use super::pau_skirt::WORN_HEIGHT;
@@ -109,7 +109,8 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
                 "Slit the midrib on the back {stem_cm} cm above the stem and pull it off towards the tip."
             ),
             [100.0, 100.0],
-        ),
+        )
+        .shown(StepFigure::Craft(Craft::SlitLeaf(Length::from_m(WHOLE_STEM)))),
         step(
             words("上のひもを編む", "Braid the upper cord"),
             say!(
@@ -117,7 +118,8 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
                 "Braid three equal lengths out of {braid_cm} cm of cord to a belt of {upper_cm} cm."
             ),
             [30.0, 30.0],
-        ),
+        )
+        .shown(StepFigure::Craft(Craft::Braid)),
         step(
             words("葉を編み付ける", "Fasten the leaves"),
             say!(
@@ -125,7 +127,8 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
                 "Hang each stem over the braid and bind it {gap_cm} cm below with the lower cord of {lower_cm} cm. Set {leaf_count} leaves over {girth_cm} cm."
             ),
             [240.0, 240.0],
-        ),
+        )
+        .shown(StepFigure::Craft(Craft::LeavesOnCord(Length::from_m(CORD_GAP)))),
         step(
             words("しまう", "Keep it"),
             say!(
