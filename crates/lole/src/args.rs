@@ -271,6 +271,9 @@ pub(crate) struct PatternArgs {
     /// Paper of the printer: a4, a3 or letter.
     #[arg(long, value_enum, default_value_t = PaperSize::A4)]
     pub(crate) paper: PaperSize,
+    /// Write each garment on one page too, at full size: a0, roll (91 cm wide) or projector; several with commas.
+    #[arg(long, value_enum, value_name = "PAGE", value_delimiter = ',')]
+    pub(crate) whole: Vec<WholePage>,
     /// Lay the cloth doubled, folded lengthwise, and cut pairs at once.
     #[arg(long)]
     pub(crate) folded: bool,
@@ -283,6 +286,17 @@ pub(crate) struct PatternArgs {
     /// Print the pattern as JSON on standard output, and nothing else there.
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+/// Pages that hold a garment whole.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum WholePage {
+    /// As wide as A0.
+    A0,
+    /// From a roll of 36 inches.
+    Roll,
+    /// For a projector: no margin, thick lines.
+    Projector,
 }
 
 /// Forms of other programs.

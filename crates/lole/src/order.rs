@@ -274,7 +274,7 @@ fn prints_lines(prints: &[PrintTotal], count: usize) -> Vec<Sentence> {
 }
 
 /// Name of the costume: that of its document.
-fn title(source: &Source) -> String {
+pub(crate) fn title(source: &Source) -> String {
     let stem = Path::new(&source.name).file_stem();
     let is_document = !source.text.is_empty();
     match stem.filter(|_| is_document) {

@@ -8,21 +8,31 @@ use lole_costume::tailoring::{self, ClothPlan, GarmentPattern};
 use lole_exchange::garmentcode;
 use lole_export::booklet::amount_words;
 use lole_export::cutting::{
-    CutGarment, PATTERN_JSON, PatternParts, left_behind, masses, pattern_folder, short_words,
-    used_words,
+    CutGarment, PATTERN_JSON, PatternParts, Stamp, WholeSheet, has_shaped_pieces, left_behind,
+    masses, pattern_folder, short_words, used_words,
 };
 use lole_export::pdf::Paper;
 use lole_language::{Bilingual as _, Language, Sentence, Words};
 use lole_pattern::marker::Lay;
 use lole_print::PrintImage;
 
-use crate::args::{PaperSize, PatternArgs, PatternFormat};
+use crate::args::{PaperSize, PatternArgs, PatternFormat, WholePage};
 use crate::dance::place_of;
 use crate::order::PRINT_SIDE;
 use crate::output;
 use crate::patience::{check, progress_bar, stop_flag};
 use crate::source::{self, Source};
 use crate::{Failure, summary};
+
+impl WholePage {
+    const fn page(self) -> WholeSheet {
+        match self {
+            Self::A0 => WholeSheet::A0,
+            Self::Roll => WholeSheet::Roll,
+            Self::Projector => WholeSheet::Projector,
+        }
+    }
+}
 
 impl PaperSize {
     pub(crate) const fn paper(self) -> Paper {
@@ -46,11 +56,13 @@ pub(crate) fn run(args: &PatternArgs, language: Language) -> Result<(), Failure>
     let count = u32::try_from(garments.len()).unwrap_or(u32::MAX);
     let bar = progress_bar(2 * count, language.pick("型紙", "pattern"));
     let mut cuts = Vec::new();
+    let stamp = Stamp::of(&crate::order::title(&source), &source.design);
+    let whole: Vec<WholeSheet> = args.whole.iter().map(|page| page.page()).collect();
     let prints = source.design.cut_print_images(PRINT_SIDE);
     let prints = prints.map_err(|error| Failure::usage(Sentence::of(&error)))?;
     for (garment, print) in garments.into_iter().zip(prints) {
         check(&stop)?;
-        cuts.push(plan(garment, print, args));
+        cuts.push(plan(garment, (print, &stamp), args));
         bar.inc(1);
     }
     let size = args
@@ -62,6 +74,7 @@ pub(crate) fn run(args: &PatternArgs, language: Language) -> Result<(), Failure>
         cuts: &cuts,
         size: &size,
         paper: args.paper.paper(),
+        whole: &whole,
         language,
         version: env!("CARGO_PKG_VERSION"),
     };
@@ -85,7 +98,9 @@ pub(crate) fn run(args: &PatternArgs, language: Language) -> Result<(), Failure>
         summary::print_json(&text);
     } else {
         let purchases: Vec<Sentence> = cuts.iter().flat_map(purchases).collect();
-        let warnings: Vec<Sentence> = cuts.iter().flat_map(warnings).chain(stayed).collect();
+        let narrow = too_wide_for_pages(&cuts, &whole, &files);
+        let warnings = cuts.iter().flat_map(warnings).chain(stayed).chain(narrow);
+        let warnings: Vec<Sentence> = warnings.collect();
         summary::print_pattern(&paths, &purchases, &warnings, language);
     }
     Ok(())
@@ -135,7 +150,11 @@ fn draft(source: &Source) -> Result<Vec<GarmentPattern>, Failure> {
     })
 }
 
-fn plan(garment: GarmentPattern, print: PrintImage, args: &PatternArgs) -> CutGarment {
+fn plan(
+    garment: GarmentPattern,
+    (print, stamp): (PrintImage, &Stamp),
+    args: &PatternArgs,
+) -> CutGarment {
     let lay = if args.folded {
         Lay::Folded
     } else {
@@ -147,6 +166,7 @@ fn plan(garment: GarmentPattern, print: PrintImage, args: &PatternArgs) -> CutGa
         garment,
         print: Some(Arc::new(print)),
         owner: String::new(),
+        stamp: stamp.clone(),
     }
 }
 
@@ -214,6 +234,35 @@ fn gathered(cut: &CutGarment) -> Sentence {
             listed(Language::English)
         ),
     )
+}
+
+/// Garments that were asked for on one page and do not fit on it.
+fn too_wide_for_pages(
+    cuts: &[CutGarment],
+    whole: &[WholeSheet],
+    files: &[(String, Vec<u8>)],
+) -> Vec<Sentence> {
+    let asked = cuts.iter().filter(|cut| has_shaped_pieces(&cut.garment));
+    let asked = asked.flat_map(|cut| whole.iter().map(move |page| (cut, page.name())));
+    let missing = asked.filter(|(cut, page)| {
+        let name = format!("{}-{page}.pdf", cut.garment.id);
+        files.iter().all(|(written, _)| *written != name)
+    });
+    missing
+        .map(|(cut, page)| {
+            let name = cut.garment.name;
+            Sentence::new(
+                format!(
+                    "{}: {page} の幅に入らない型紙があるので、貼り合わせる紙だけを書き出しました",
+                    name.japanese
+                ),
+                format!(
+                    "{}: a piece is wider than {page}; only the sheets to join are written",
+                    name.english
+                ),
+            )
+        })
+        .collect()
 }
 
 /// What the maker should decide before cutting.

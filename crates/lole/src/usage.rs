@@ -167,6 +167,11 @@ const JAPANESE_HELP: &[(&str, &str, &str)] = &[
     ),
     (
         "pattern",
+        "whole",
+        "服ごとに一枚の原寸も書き出します: a0、roll（幅 91 cm）、projector。コンマで並べられます",
+    ),
+    (
+        "pattern",
         "folded",
         "布を縦に二つ折り（わ）にして、左右を一度に裁ちます",
     ),

@@ -6,6 +6,7 @@
 //! | `cut-plan.pdf` | [`cut_plan_sheets`]: where each piece lies on the cloth |
 //! | `cut-plan.svg` | [`cut_plan_svg`] |
 //! | `pattern-a4.pdf` | [`tiled_sheets`]: pieces at full size over sheets to join |
+//! | `pattern-roll.pdf` | [`whole_sheet`]: the same on one page, for plotters and projectors |
 //! | `ruler.pdf` | [`ruler_sheets`]: rectangles to draw with ruler and chalk |
 //! | `pattern.svg` | [`pieces_svg()`]: pieces at full size, a group for each |
 //! | `pattern.dxf` | [`crate::dxf::pattern_dxf`] |
@@ -23,7 +24,9 @@ mod label;
 mod pieces_svg;
 mod plan;
 mod ruler;
+mod stamp;
 mod tiles;
+mod whole;
 
 use std::sync::Arc;
 
@@ -40,7 +43,9 @@ pub use pieces_svg::pieces_svg;
 pub use plan::{cut_plan_sheets, cut_plan_svg, lying_width, masses, short_words, used_words};
 pub(crate) use plan::{draw_marker, numbers_words};
 pub use ruler::ruler_sheets;
+pub use stamp::Stamp;
 pub use tiles::{TiledPattern, tiled_sheets};
+pub use whole::{WholeSheet, has_shaped_pieces, whole_sheet};
 
 /// One garment with its cut plans.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,6 +58,8 @@ pub struct CutGarment {
     pub print: Option<Arc<PrintImage>>,
     /// Whose it is, written on every sheet of its pattern; empty where it is one dancer's alone.
     pub owner: String,
+    /// Which design in which version it is, written beside it.
+    pub stamp: Stamp,
 }
 
 impl CutGarment {
@@ -63,6 +70,7 @@ impl CutGarment {
             plans: planned.plans.clone(),
             print: None,
             owner: String::new(),
+            stamp: Stamp::default(),
         }
     }
 

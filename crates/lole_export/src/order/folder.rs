@@ -13,7 +13,7 @@ use rayon::prelude::*;
 use super::{Order, order_json, order_sheets};
 use crate::ExportError;
 use crate::booklet::{Booklet, Worn, booklet_sheets};
-use crate::cutting::{CutGarment, tiled_sheets};
+use crate::cutting::{CutGarment, Stamp, tiled_sheets};
 use crate::pdf::{Document, EncodedPicture, Paper, Sheet};
 
 /// What an order is made of.
@@ -190,7 +190,9 @@ fn paper_patterns(
         if !goes_on() {
             return Ok(None);
         }
-        let sheets = pattern_sheets(plan, paper, language);
+        let design = parts.group.designs.get(index);
+        let stamp = design.map(|design| Stamp::of(&parts.title, design));
+        let sheets = pattern_sheets(plan, &stamp.unwrap_or_default(), paper, language);
         if sheets.is_empty() {
             return Ok(None);
         }
@@ -207,10 +209,16 @@ fn paper_patterns(
 }
 
 /// One dancer's patterns at full size; none where all of hers are drawn by ruler.
-fn pattern_sheets(plan: &DancerPlan, paper: Paper, language: Language) -> Vec<Sheet> {
+fn pattern_sheets(
+    plan: &DancerPlan,
+    stamp: &Stamp,
+    paper: Paper,
+    language: Language,
+) -> Vec<Sheet> {
     let tiled = plan.garments.iter().filter_map(|garment| {
         let cut = CutGarment {
             owner: plan.name.clone(),
+            stamp: stamp.clone(),
             ..CutGarment::of(garment)
         };
         tiled_sheets(&cut, paper, language)

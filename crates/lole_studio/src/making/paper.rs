@@ -7,7 +7,7 @@ use lole_costume::cost;
 use lole_costume::order;
 use lole_costume::tailoring;
 use lole_export::booklet::{Booklet, Worn, booklet_sheets};
-use lole_export::cutting::{CutGarment, PatternParts, pattern_folder};
+use lole_export::cutting::{CutGarment, PatternParts, Stamp, pattern_folder};
 use lole_export::pdf::{Document, printable};
 use lole_language::{Bilingual, Sentence};
 use lole_picture::portrait::{self, PortraitError};
@@ -60,6 +60,7 @@ pub(super) fn pattern(wish: &Wish, line: &Line<'_>) -> Result<Vec<(String, Vec<u
                 garment,
                 print: Some(print),
                 owner: String::new(),
+                stamp: Stamp::of(&printable(&wish.title), design),
             }
         })
         .collect();
@@ -67,6 +68,7 @@ pub(super) fn pattern(wish: &Wish, line: &Line<'_>) -> Result<Vec<(String, Vec<u
         cuts: &cuts,
         size: &printable(&wish.title),
         paper: wish.paper,
+        whole: &[],
         language: wish.language,
         version: env!("CARGO_PKG_VERSION"),
     };
