@@ -372,6 +372,18 @@ fn open_hint(path: &Path, language: Language) -> &'static str {
                 "print at 100 %, join the sheets",
             )
         }
+        _ if ["-a0.pdf", "-roll.pdf"]
+            .iter()
+            .any(|end| name.ends_with(end)) =>
+        {
+            language.pick(
+                "コピー店のロール紙に 100 % で印刷",
+                "for a copy shop's roll, at 100 %",
+            )
+        }
+        _ if name.ends_with("-projector.pdf") => {
+            language.pick("プロジェクターで布に映す", "for a projector over the cloth")
+        }
         _ if has_end(path, "pdf") => language.pick("印刷して読む", "to print and read"),
         _ => language.pick("写真", "a still"),
     }

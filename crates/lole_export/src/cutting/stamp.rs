@@ -67,7 +67,7 @@ impl Stamp {
         parts.join(" ")
     }
 
-    /// Draws the code with the id below it; nothing where there is no id.
+    /// Draws the code with what it says beside it; nothing where there is no id.
     pub(super) fn draw(&self, sheet: &mut Sheet, [x, y]: [f64; 2], owner: &str) {
         if self.id.is_empty() {
             return;
@@ -92,13 +92,17 @@ impl Stamp {
             }
         }
         sheet.path(path, Some(Color::BLACK), None);
-        let at = [x + 0.5 * CODE, y + CODE + 5.0];
-        sheet.text(at, &self.id, &TextStyle::bold(10.0), Align::Center);
+        let said = [owner, &self.title, &self.size, &self.id];
+        let said = said.into_iter().filter(|words| !words.is_empty());
+        for (row, words) in (0_u32..).zip(said) {
+            let at = [x + CODE + 3.5, y + 4.0 + 5.5 * f64::from(row)];
+            sheet.text(at, words, &TextStyle::regular(10.0), Align::Left);
+        }
     }
 }
 
 /// Side of a code on paper [mm].
-pub(super) const CODE: f64 = 26.0;
+pub(super) const CODE: f64 = 21.0;
 
 /// A bar of five centimeters at the foot of a sheet, to measure whether it was printed at its size.
 pub(super) fn draw_bar(sheet: &mut Sheet, [x, y]: [f64; 2], language: Language) {

@@ -557,17 +557,8 @@ fn cover(cut: &CutGarment, layout: &Layout, count: usize, language: Language) ->
     let center = [left + 0.5 * TEST_SQUARE, top + 0.5 * TEST_SQUARE];
     sheet.text(center, said, &TextStyle::bold(12.0), Align::Center);
     draw_legend(&mut sheet, [left + TEST_SQUARE + 10.0, top], language);
-    let code = [left + TEST_SQUARE + 10.0, top + TEST_SQUARE - CODE - 8.0];
+    let code = [left + TEST_SQUARE + 10.0, top + TEST_SQUARE - CODE];
     cut.stamp.draw(&mut sheet, code, &cut.owner);
-    let beside = [code[0] + CODE + 4.0, code[1] + 4.0];
-    for (row, words) in (0_u32..).zip([
-        cut.owner.as_str(),
-        cut.stamp.title.as_str(),
-        cut.stamp.size.as_str(),
-    ]) {
-        let at = [beside[0], beside[1] + 6.0 * f64::from(row)];
-        sheet.text(at, words, &TextStyle::regular(10.0), Align::Left);
-    }
     sheet.bookmarks.push(title.clone());
     let map = Rect {
         x: left,

@@ -179,7 +179,7 @@ fn draw_head(sheet: &mut Sheet, (cut, page): (&CutGarment, WholeSheet), language
         &TextStyle::regular(16.0),
         Align::Left,
     );
-    let at = [x, left + 100.0 - CODE - 8.0];
+    let at = [x, left + 100.0 - CODE];
     cut.stamp.draw(sheet, at, &cut.owner);
 }
 
