@@ -274,6 +274,10 @@ pub(crate) struct PatternArgs {
     /// Write each garment on one page too, at full size: a0, roll (91 cm wide) or projector; several with commas.
     #[arg(long, value_enum, value_name = "PAGE", value_delimiter = ',')]
     pub(crate) whole: Vec<WholePage>,
+    /// Write each garment in several sizes around one another too: jis (JIS L 4005, 5AR to 17AR), or a list of your
+    /// own sizes as for an order.
+    #[arg(long, value_name = "LIST")]
+    pub(crate) sizes: Option<String>,
     /// Lay the cloth doubled, folded lengthwise, and cut pairs at once.
     #[arg(long)]
     pub(crate) folded: bool,

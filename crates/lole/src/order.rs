@@ -213,7 +213,7 @@ fn verdict(problems: &[Sentence], language: Language) -> Result<(), Failure> {
     )))
 }
 
-fn read_roster(path: &Path) -> Result<Roster, Failure> {
+pub(crate) fn read_roster(path: &Path) -> Result<Roster, Failure> {
     roster::read(&read_list(path)?).map_err(|error| no_list(path, &error))
 }
 

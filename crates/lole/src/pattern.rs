@@ -1,17 +1,20 @@
 //! `lole pattern`: cut plans and patterns of everything that a design has.
 
+use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
-use lole_costume::document::Place;
+use lole_costume::document::{Design, Place};
+use lole_costume::order;
+use lole_costume::size_chart;
 use lole_costume::tailoring::{self, ClothPlan, GarmentPattern};
 use lole_exchange::garmentcode;
 use lole_export::booklet::amount_words;
 use lole_export::cutting::{
-    CutGarment, PATTERN_JSON, PatternParts, Stamp, WholeSheet, has_shaped_pieces, left_behind,
-    masses, pattern_folder, short_words, used_words,
+    CutGarment, MOST_SIZES, PATTERN_JSON, PatternParts, Stamp, WholeSheet, has_shaped_pieces,
+    left_behind, masses, nested_sheet, pattern_folder, short_words, sizes_name, used_words,
 };
-use lole_export::pdf::Paper;
+use lole_export::pdf::{Document, Paper};
 use lole_language::{Bilingual as _, Language, Sentence, Words};
 use lole_pattern::marker::Lay;
 use lole_print::PrintImage;
@@ -82,7 +85,10 @@ pub(crate) fn run(args: &PatternArgs, language: Language) -> Result<(), Failure>
         bar.inc(1);
         !stop.load(Ordering::Relaxed)
     };
-    let files = pattern_folder(&parts, &goes_on).map_err(Failure::error)?;
+    let mut files = pattern_folder(&parts, &goes_on).map_err(Failure::error)?;
+    if let Some(sizes) = &args.sizes {
+        files.extend(nested(&source.design, sizes, language)?);
+    }
     check(&stop)?;
     bar.finish_and_clear();
     for (name, bytes) in &files {
@@ -234,6 +240,55 @@ fn gathered(cut: &CutGarment) -> Sentence {
             listed(Language::English)
         ),
     )
+}
+
+/// Every garment in all sizes of a chart or a list, on a page each.
+fn nested(
+    design: &Design,
+    sizes: &str,
+    language: Language,
+) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+    let chart = match sizes {
+        "jis" => size_chart::jis(),
+        list => crate::order::read_roster(Path::new(list))?,
+    };
+    let of_list = |sentence: Sentence| {
+        Failure::usage(Sentence::new(
+            format!("--sizes {sizes}: {}", sentence.japanese()),
+            format!("--sizes {sizes}: {sentence}"),
+        ))
+    };
+    if let Some(problem) = chart.problems.first() {
+        return Err(of_list(problem.sentence()));
+    }
+    if MOST_SIZES < chart.dancers.len() {
+        return Err(of_list(Sentence::new(
+            format!("{MOST_SIZES} サイズまでです。表を分けてください"),
+            format!("at most {MOST_SIZES} sizes can be told apart; divide the list"),
+        )));
+    }
+    let mut plans = Vec::new();
+    for size in &chart.dancers {
+        let plan = order::plan(size, design).map_err(|error| {
+            let (name, said) = (&size.name, Sentence::of(&error));
+            of_list(Sentence::new(
+                format!("{name}: {}", said.japanese()),
+                format!("{name}: {said}"),
+            ))
+        })?;
+        plans.push(plan);
+    }
+    let garments = plans.first().map_or(0, |plan| plan.garments.len());
+    let mut files = Vec::new();
+    for garment in 0..garments {
+        if let Some(sheet) = nested_sheet(&plans, garment, language) {
+            let tailored = &plans[0].garments[garment].tailored;
+            let document = Document::new(tailored.name.text(language), language, vec![sheet]);
+            let bytes = document.to_bytes().map_err(Failure::error)?;
+            files.push((sizes_name(&tailored.id), bytes));
+        }
+    }
+    Ok(files)
 }
 
 /// Garments that were asked for on one page and do not fit on it.

@@ -372,7 +372,7 @@ fn open_hint(path: &Path, language: Language) -> &'static str {
                 "print at 100 %, join the sheets",
             )
         }
-        _ if ["-a0.pdf", "-roll.pdf"]
+        _ if ["-a0.pdf", "-roll.pdf", "-sizes.pdf"]
             .iter()
             .any(|end| name.ends_with(end)) =>
         {

@@ -172,6 +172,11 @@ const JAPANESE_HELP: &[(&str, &str, &str)] = &[
     ),
     (
         "pattern",
+        "sizes",
+        "いくつものサイズを重ねた原寸も書き出します: jis（JIS L 4005、5AR～17AR）、または自分のサイズの名簿",
+    ),
+    (
+        "pattern",
         "folded",
         "布を縦に二つ折り（わ）にして、左右を一度に裁ちます",
     ),

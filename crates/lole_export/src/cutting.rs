@@ -7,6 +7,7 @@
 //! | `cut-plan.svg` | [`cut_plan_svg`] |
 //! | `pattern-a4.pdf` | [`tiled_sheets`]: pieces at full size over sheets to join |
 //! | `pattern-roll.pdf` | [`whole_sheet`]: the same on one page, for plotters and projectors |
+//! | `pattern-sizes.pdf` | [`nested_sheet`]: all sizes of a list around one another |
 //! | `ruler.pdf` | [`ruler_sheets`]: rectangles to draw with ruler and chalk |
 //! | `pattern.svg` | [`pieces_svg()`]: pieces at full size, a group for each |
 //! | `pattern.dxf` | [`crate::dxf::pattern_dxf`] |
@@ -21,6 +22,7 @@ pub(crate) mod draw;
 mod folder;
 mod json;
 mod label;
+mod nested;
 mod pieces_svg;
 mod plan;
 mod ruler;
@@ -37,8 +39,9 @@ use lole_language::Language;
 use lole_pattern::piece::{CutCount, Piece};
 use lole_print::PrintImage;
 
-pub use folder::{PATTERN_JSON, PatternParts, left_behind, pattern_folder};
+pub use folder::{PATTERN_JSON, PatternParts, left_behind, pattern_folder, sizes_name};
 pub use json::pattern_json;
+pub use nested::{MOST_SIZES, nested_sheet};
 pub use pieces_svg::pieces_svg;
 pub use plan::{cut_plan_sheets, cut_plan_svg, lying_width, masses, short_words, used_words};
 pub(crate) use plan::{draw_marker, numbers_words};

@@ -76,7 +76,7 @@ pub fn left_behind(earlier: &[u8], files: &[(String, Vec<u8>)]) -> Vec<String> {
         sheets
             .into_iter()
             .chain(WholeSheet::ALL.map(|(page, _)| whole_name(id, page)))
-            .chain([format!("{id}.svg"), format!("{id}.dxf")])
+            .chain([sizes_name(id), format!("{id}.svg"), format!("{id}.dxf")])
     });
     let shared = SHARED_FILES.map(str::to_owned);
     let names = shared.into_iter().chain(own);
@@ -88,6 +88,12 @@ pub fn left_behind(earlier: &[u8], files: &[(String, Vec<u8>)]) -> Vec<String> {
 /// The file of a garment's sheets to join.
 fn tiled_name(id: &str, paper: Paper) -> String {
     format!("{id}-{}.pdf", paper.name().to_ascii_lowercase())
+}
+
+/// The file of a page with all sizes of a garment.
+#[must_use]
+pub fn sizes_name(id: &str) -> String {
+    format!("{id}-sizes.pdf")
 }
 
 /// The file of a page that holds a garment whole.

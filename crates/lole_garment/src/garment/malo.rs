@@ -7,7 +7,7 @@
 use lole_language::words;
 use lole_pattern::pattern::StepFigure;
 use lole_pattern::piece::{CutCount, Finish};
-use lole_pattern::{DraftError, Measure, Pattern};
+use lole_pattern::{DraftError, Measure, Measures, Pattern};
 
 use super::kikepa::size_of;
 use crate::drafting::chosen::{Chosen, by_measure, number};
@@ -103,30 +103,6 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
     let [cut_length, cut_width] = [length, width].map(|side| cm(side + 2.0 * hem));
     let [turn_cm, rest_cm] = folds(hem);
     let [flap_cm, waist_cm] = [flap, waist].map(cm);
-    let figure = StepFigure::Wrapping(vec![
-        laid(flap, words("前に垂らす", "hangs in front"), None),
-        laid(
-            measures.crotch_length.to_m(),
-            words(
-                "股を通して後ろの腰まで",
-                "between the legs, up to the waist behind",
-            ),
-            None,
-        ),
-        laid(
-            turns * waist,
-            words("腰に巻く", "wound about the waist"),
-            Some([0.5, 0.5 + turns]),
-        ),
-        laid(
-            flap,
-            words(
-                "巻いた布にくぐらせて後ろに垂らす",
-                "drawn under the waist's turns, hangs behind",
-            ),
-            None,
-        ),
-    ]);
     let yards = (lole_geom::Length::from_m(length).to_yd() * 10.0).round() / 10.0;
     let steps = vec![
         step(
@@ -160,7 +136,7 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
             ),
             NO_WORK,
         )
-        .shown(figure),
+        .shown(way(flap, measures, turns)),
     ];
     Ok(pattern(vec![piece], Vec::new(), Vec::new(), steps)
         .measuring(size_of(length, width))
@@ -168,6 +144,34 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
             "マロの幅は目安です。締め方はクムに習ってください",
             "the width of the malo is an estimate; learn from your kumu how it is girded"
         )))
+}
+
+/// The strip's parts in the order in which they are laid.
+fn way(flap: f64, measures: &Measures, turns: f64) -> StepFigure {
+    StepFigure::Wrapping(vec![
+        laid(flap, words("前に垂らす", "hangs in front"), None),
+        laid(
+            measures.crotch_length.to_m(),
+            words(
+                "股を通して後ろの腰まで",
+                "between the legs, up to the waist behind",
+            ),
+            None,
+        ),
+        laid(
+            turns * measures.waist_girth.to_m(),
+            words("腰に巻く", "wound about the waist"),
+            Some([0.5, 0.5 + turns]),
+        ),
+        laid(
+            flap,
+            words(
+                "巻いた布にくぐらせて後ろに垂らす",
+                "drawn under the turns at the waist, hangs behind",
+            ),
+            None,
+        ),
+    ])
 }
 
 mod worn {

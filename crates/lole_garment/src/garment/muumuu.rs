@@ -451,10 +451,7 @@ fn finish(
     if has_ruffle {
         steps.push(ruffle_step(&pieces, onto_hem));
     }
-    let hem = pieces.get(RUFFLE).map_or_else(
-        || 2.0 * (pieces[FRONT].edges[0].length() + pieces[BACK].edges[0].length()),
-        |ruffle| 2.0 * ruffle.edges[0].length(),
-    );
+    let hem = hem_around(&pieces);
     let (last, depth) = if has_ruffle {
         (RUFFLE, 3.0 * CM)
     } else {
@@ -501,6 +498,14 @@ fn finished(
             skirt.ruffle - skirt.hem_y,
         ),
     ]
+}
+
+/// Around the lowest edge [m].
+fn hem_around(pieces: &[Piece]) -> f64 {
+    pieces.get(RUFFLE).map_or_else(
+        || 2.0 * (pieces[FRONT].edges[0].length() + pieces[BACK].edges[0].length()),
+        |ruffle| 2.0 * ruffle.edges[0].length(),
+    )
 }
 
 /// Strips to a ring, and their upper edges to the hem: the first from the middle of the front over the

@@ -6,7 +6,7 @@
 
 use lole_geom::Length;
 use lole_language::words;
-use lole_pattern::pattern::{Amount, Craft, NotionKind, StepFigure};
+use lole_pattern::pattern::{Amount, Craft, Notion, NotionKind, StepFigure};
 use lole_pattern::{DraftError, Pattern};
 
 use super::pau_skirt::WORN_HEIGHT;
@@ -69,16 +69,9 @@ const CORD_GAP: f64 = 2.54 * CM;
 /// Longest leaves that are found [m].
 const LONGEST_LEAF: f64 = 76.0 * CM;
 
-fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError> {
-    let measures = fitting.measures;
-    let chosen = Chosen::new(OPTIONS, options)?;
-    let worn = Hung::of(measures, &chosen)?;
-    let leaf_count = whole(worn.girth / chosen.m("leaf_spacing_cm"));
-    let upper = worn.girth + chosen.m("tie_cm");
-    let [girth_cm, upper_cm, braid_cm, lower_cm] =
-        [worn.girth, upper, 3.0 * upper * BRAID_TAKE_UP, 2.0 * upper].map(cm);
-    let [stem_cm, gap_cm, length_cm] = [WHOLE_STEM, CORD_GAP, worn.length].map(cm);
-    let notions = vec![
+/// So many leaves, and cord for a braid of this length and for the lower cord [m].
+fn leaves_and_cord(leaf_count: u32, upper: f64) -> Vec<Notion> {
+    vec![
         notion(
             NotionKind::Leaf,
             words("ティの葉（大きいもの）", "large ti leaves"),
@@ -92,7 +85,19 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
             ),
             Amount::Length(Length::from_m(upper * (3.0 * BRAID_TAKE_UP + 2.0))),
         ),
-    ];
+    ]
+}
+
+fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError> {
+    let measures = fitting.measures;
+    let chosen = Chosen::new(OPTIONS, options)?;
+    let worn = Hung::of(measures, &chosen)?;
+    let leaf_count = whole(worn.girth / chosen.m("leaf_spacing_cm"));
+    let upper = worn.girth + chosen.m("tie_cm");
+    let [girth_cm, upper_cm, braid_cm, lower_cm] =
+        [worn.girth, upper, 3.0 * upper * BRAID_TAKE_UP, 2.0 * upper].map(cm);
+    let [stem_cm, gap_cm, length_cm] = [WHOLE_STEM, CORD_GAP, worn.length].map(cm);
+    let notions = leaves_and_cord(leaf_count, upper);
     let steps = vec![
         step(
             words("葉をそろえる", "Choose the leaves"),

@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use kurbo::{BezPath, Point, Shape as _, Vec2};
 use lole_geom::trig64;
+use lole_language::Language;
 use lole_pattern::pattern::Craft;
 
 use super::LABEL;
@@ -276,28 +277,32 @@ fn draw_leaves_on_cord(canvas: &mut Canvas<'_>, left: Point, gap_cm: f64) {
         );
     }
     let aside = left.x + 86.0;
-    arrow(
-        sheet,
-        [Point::new(aside, upper), Point::new(aside, lower)],
-        &Stroke::solid(0.25),
-    );
-    let style = &LABEL;
+    name_cords(sheet, [aside, upper, lower, foot], gap_cm, language);
+}
+
+/// What the cords are, and how far they are from each other.
+fn name_cords(
+    sheet: &mut Sheet,
+    [aside, upper, lower, foot]: [f64; 4],
+    gap_cm: f64,
+    language: Language,
+) {
+    let ends = [Point::new(aside, upper), Point::new(aside, lower)];
+    arrow(sheet, ends, &Stroke::solid(0.25));
+    let pick = |japanese: &'static str, english: &'static str| language.pick(japanese, english);
+    let gap = format!("{gap_cm:.1} cm");
     for (y, text) in [
         (
             upper + 0.5,
-            language
-                .pick("三つ編み（上のひも）", "braid, the upper cord")
-                .to_owned(),
+            pick("三つ編み（上のひも）", "braid, the upper cord"),
         ),
-        (0.5 * (upper + lower) + 1.6, format!("{gap_cm:.1} cm")),
+        (0.5 * (upper + lower) + 1.6, gap.as_str()),
         (
             lower + 3.2,
-            language
-                .pick("下のひもをからめる", "the lower cord around each")
-                .to_owned(),
+            pick("下のひもをからめる", "the lower cord around each"),
         ),
-        (foot - 4.0, language.pick("葉", "leaves").to_owned()),
+        (foot - 4.0, pick("葉", "leaves")),
     ] {
-        sheet.text([aside + 4.0, y], &text, style, Align::Left);
+        sheet.text([aside + 4.0, y], text, &LABEL, Align::Left);
     }
 }
