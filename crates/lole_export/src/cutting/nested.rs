@@ -4,9 +4,9 @@ use kurbo::{Affine, Point, Rect as Bounds};
 use lole_body::Measure;
 use lole_costume::order::DancerPlan;
 use lole_language::{Language, capitalized};
-use lole_pattern::piece::{Drawing, Piece};
+use lole_pattern::piece::{Drawing, Finish, Piece};
 
-use super::draw::{arrow, line, notch_places, outline};
+use super::draw::{PLACE_ON_FOLD, arrow, fold_stroke, line, notch_places, outline};
 use super::{CutGarment, MM, TOLERANCE, cut_words};
 use crate::pdf::{Align, Rect, Sheet, Stroke, TextStyle};
 
@@ -96,7 +96,7 @@ impl<'a> Nest<'a> {
     }
 
     fn draw(&self, sheet: &mut Sheet, page: Affine, (cut, language): (&CutGarment, Language)) {
-        let small = TextStyle::bold(9.0);
+        let small = TextStyle::bold(7.5);
         for (index, (name, drawing)) in self.drawings.iter().enumerate() {
             sheet.path(outline(&drawing.cut, page), None, Some(stroke(index)));
             for marked in &drawing.lines {
@@ -124,7 +124,9 @@ impl<'a> Nest<'a> {
             let lowest = drawing.cut.points.iter().map(|point| page * *point);
             let corner = lowest.max_by(|a, b| (a.x + a.y).total_cmp(&(b.x + b.y)));
             if let Some(at) = corner {
-                sheet.text([at.x + 1.0, at.y + 3.0], name, &small, Align::Left);
+                // Neighbors stand on two levels, so that their names do not run into each other.
+                let level = if index % 2 == 0 { 3.0 } else { 6.2 };
+                sheet.text([at.x + 0.5, at.y + level], name, &small, Align::Left);
             }
         }
         let Some((_, first)) = self.drawings.first() else {
@@ -133,15 +135,41 @@ impl<'a> Nest<'a> {
         let grain = first.grain.map(|end| page * end);
         arrow(sheet, grain, &Stroke::solid(0.35));
         let label = page * first.label;
+        let is_half = first
+            .stitches
+            .iter()
+            .any(|edge| edge.finish == Finish::Fold);
+        let fold = if is_half {
+            language.pick("（わ）", " on fold")
+        } else {
+            ""
+        };
         let words = [
             capitalized(self.piece.name.text(language)),
             cut.title(language),
-            cut_words(self.piece, language),
+            format!("{}{fold}", cut_words(self.piece, language)),
         ];
+        say_fold(sheet, (first, page), language);
         let style = TextStyle::bold(14.0);
         for (row, words) in (0_u32..).zip(&words) {
             let y = label.y + style.line_height() * (f64::from(row) - 3.0);
-            sheet.text([label.x, y], words, &style, Align::Center);
+            // Beside the arrow, which stands upright.
+            sheet.text([label.x + 4.0, y], words, &style, Align::Left);
+        }
+    }
+}
+
+/// Says along the edge on a fold that the other half is cut with it.
+fn say_fold(sheet: &mut Sheet, (drawing, page): (&Drawing, Affine), language: Language) {
+    let folds = drawing.stitches.iter();
+    for fold in folds.filter(|edge| edge.finish == Finish::Fold) {
+        if let [from, .., to] = fold.points[..] {
+            let path = line(&fold.points, page);
+            sheet.path(path, None, Some(fold_stroke()));
+            let at = page * from.midpoint(to) + kurbo::Vec2::new(6.0, 0.0);
+            let words = PLACE_ON_FOLD.text(language);
+            let upright = core::f64::consts::FRAC_PI_2;
+            sheet.turned_text([at.x, at.y], upright, words, &TextStyle::bold(12.0));
         }
     }
 }

@@ -70,6 +70,7 @@ pub fn tiled_sheets(cut: &CutGarment, paper: Paper, language: Language) -> Optio
         placed: &layout.marker.placed,
         page_from_cloth: layout.drawing_from_marker(),
         rooms: &rooms,
+        is_upright: false,
         thick: 1.0,
     };
     let drawing = Arc::new(draw_pieces(cut, &free, &drawn, language));
@@ -473,7 +474,10 @@ pub(super) fn draw_pieces(
         let to_page = drawn.page_from_cloth * placed.cloth_from_piece;
         let drawing = piece.drawing(TOLERANCE);
         let words = label(cut, piece, language);
-        let place = Label::of(&drawing, &words, to_page, drawn.rooms);
+        let mut place = Label::of(&drawing, &words, to_page, drawn.rooms);
+        if drawn.is_upright {
+            place = place.beside(&drawing, &words, to_page);
+        }
         let full_size = FullSize {
             drawing: &drawing,
             page_from_piece: to_page,
@@ -492,6 +496,8 @@ pub(super) struct Drawn<'a> {
     pub(super) page_from_cloth: Affine,
     /// Parts of the page on which words stand whole; none where all of it is.
     pub(super) rooms: &'a [kurbo::Rect],
+    /// Whether the warp, and so all arrows, run down the page.
+    pub(super) is_upright: bool,
     /// How thick lines are, over those of paper.
     pub(super) thick: f64,
 }

@@ -115,6 +115,7 @@ pub fn whole_sheet(cut: &CutGarment, page: WholeSheet, language: Language) -> Op
         placed: &marker.placed,
         page_from_cloth: turned,
         rooms: &[],
+        is_upright: true,
         thick: page.thick(),
     };
     sheet
