@@ -35,8 +35,8 @@ macro_rules! say {
 static IS_QUIET: AtomicBool = AtomicBool::new(false);
 
 /// Leaves out what was written and how far it is.
-pub(crate) fn say_less(is_quiet: bool) {
-    IS_QUIET.store(is_quiet, Ordering::Relaxed);
+pub(crate) fn say_less() {
+    IS_QUIET.store(true, Ordering::Relaxed);
 }
 
 /// Whether only warnings and asked-for figures are told.

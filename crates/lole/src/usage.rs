@@ -471,7 +471,9 @@ pub(crate) fn read(language: Language) -> Result<Asked, ExitCode> {
         .try_get_matches()
         .and_then(|matches| Cli::from_arg_matches(&matches))
         .map(|cli| {
-            summary::say_less(cli.quiet);
+            if cli.quiet {
+                summary::say_less();
+            }
             Asked::Command(Box::new(cli.command))
         })
         .map_err(|error| match error.kind() {

@@ -23,7 +23,7 @@ pub(super) fn records(bytes: &[u8]) -> Result<Vec<Record>, RosterError> {
     if let Some(contents) = &contents {
         check_repeats(contents)?;
     }
-    let mut sheets = open(bytes, contents.is_some())?;
+    let mut sheets = open(bytes, contents.as_deref())?;
     let names = sheets.sheet_names();
     let mut best: Option<(usize, Vec<Record>)> = None;
     for name in names.into_iter().take(MOST_SHEETS) {
@@ -46,9 +46,10 @@ const HEAD_LINES: u32 = 10;
 
 type Bytes<'a> = Cursor<&'a [u8]>;
 
-fn open(bytes: &[u8], is_ods: bool) -> Result<Sheets<Bytes<'_>>, RosterError> {
+/// Opens it: an `.ods` is what has such contents.
+fn open<'a>(bytes: &'a [u8], contents: Option<&str>) -> Result<Sheets<Bytes<'a>>, RosterError> {
     let cursor = Cursor::new(bytes);
-    if is_ods {
+    if contents.is_some() {
         let book: Result<Ods<_>, _> = open_workbook_from_rs(cursor);
         return book.map(Sheets::Ods).map_err(|_| RosterError::Workbook);
     }
