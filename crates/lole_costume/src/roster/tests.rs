@@ -64,7 +64,13 @@ fn ods(rows: &str) -> Vec<u8> {
         </office:spreadsheet></office:body></office:document-content>"#
     );
     let kind = "application/vnd.oasis.opendocument.spreadsheet".to_owned();
-    archive(&[("mimetype", kind), ("content.xml", text)])
+    let listed = r#"<manifest:manifest
+        xmlns:manifest="urn:oasis:names:tc:opendocument:xmlns:manifest:1.0"/>"#;
+    archive(&[
+        ("mimetype", kind),
+        ("META-INF/manifest.xml", listed.to_owned()),
+        ("content.xml", text),
+    ])
 }
 
 fn row_of(cells: &[&str]) -> String {
@@ -107,7 +113,10 @@ fn workbooks_that_swell_are_refused() {
     let large = archive(&[("content.xml", " ".repeat((64 << 20) + 1))]);
     assert!(large.len() < 200_000);
     assert!(matches!(read(&large), Err(RosterError::Swells)));
-    assert!(matches!(read(&archive(&[])), Err(RosterError::Workbook)));
+    assert!(matches!(
+        read(&archive(&[("note.txt", "aloha".to_owned())])),
+        Err(RosterError::Workbook)
+    ));
 }
 
 #[test]
