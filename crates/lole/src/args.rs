@@ -15,6 +15,9 @@ use lole_language::Sentence;
     override_usage = "lole [DESIGN.lole]\n       lole <COMMAND>"
 )]
 pub(crate) struct Cli {
+    /// Leave out what was written and how far it is; warnings and asked-for figures stay.
+    #[arg(short, long, global = true)]
+    pub(crate) quiet: bool,
     /// What to do.
     #[command(subcommand)]
     pub(crate) command: Command,
@@ -49,6 +52,26 @@ pub(crate) enum Command {
     Inspect(InspectArgs),
     /// The shelf of fabrics with their figures, and your own cloth measured with ruler and scale.
     Fabric(FabricArgs),
+    /// What a shell completes after lole, on standard output, for its folder of completions.
+    Completions(CompletionsArgs),
+    /// Manual pages of lole and of each of its commands.
+    Man(ManArgs),
+}
+
+/// `lole completions`.
+#[derive(Debug, Args)]
+pub(crate) struct CompletionsArgs {
+    /// The shell: bash, zsh, fish, elvish or powershell.
+    #[arg(value_enum)]
+    pub(crate) shell: clap_complete::Shell,
+}
+
+/// `lole man`.
+#[derive(Debug, Args)]
+pub(crate) struct ManArgs {
+    /// Folder for the pages.
+    #[arg(long, value_name = "DIR", default_value = "lole-man")]
+    pub(crate) out: PathBuf,
 }
 
 /// `lole fabric`.
@@ -248,6 +271,13 @@ pub(crate) struct PatternArgs {
     /// Paper of the printer: a4, a3 or letter.
     #[arg(long, value_enum, default_value_t = PaperSize::A4)]
     pub(crate) paper: PaperSize,
+    /// Write each garment on one page too, at full size: a0, roll (91 cm wide) or projector; several with commas.
+    #[arg(long, value_enum, value_name = "PAGE", value_delimiter = ',')]
+    pub(crate) whole: Vec<WholePage>,
+    /// Write each garment in several sizes around one another too: jis (JIS L 4005, 5AR to 17AR), or a list of your
+    /// own sizes as for an order.
+    #[arg(long, value_name = "LIST")]
+    pub(crate) sizes: Option<String>,
     /// Lay the cloth doubled, folded lengthwise, and cut pairs at once.
     #[arg(long)]
     pub(crate) folded: bool,
@@ -262,6 +292,17 @@ pub(crate) struct PatternArgs {
     pub(crate) json: bool,
 }
 
+/// Pages that hold a garment whole.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum WholePage {
+    /// As wide as A0.
+    A0,
+    /// From a roll of 36 inches.
+    Roll,
+    /// For a projector: no margin, thick lines.
+    Projector,
+}
+
 /// Forms of other programs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum PatternFormat {
@@ -272,7 +313,8 @@ pub(crate) enum PatternFormat {
 /// `lole order`.
 #[derive(Debug, Args)]
 pub(crate) struct OrderArgs {
-    /// List of dancers from a spreadsheet (CSV): names and measurements.
+    /// List of dancers from a spreadsheet (CSV, .xlsx, .ods; - reads it from standard input): names and
+    /// measurements.
     pub(crate) roster: PathBuf,
     /// Design document that all of them wear.
     pub(crate) design: PathBuf,
@@ -304,7 +346,7 @@ pub(crate) struct OrderArgs {
 pub(crate) struct BookletArgs {
     /// Design document; without one, the built-in pāʻū skirt.
     pub(crate) design: Option<PathBuf>,
-    /// File to write.
+    /// File to write; - writes it to standard output.
     #[arg(long, value_name = "FILE", default_value = "booklet.pdf")]
     pub(crate) out: PathBuf,
     /// Language of the pages: ja or en; otherwise the system's.
@@ -331,9 +373,9 @@ pub(crate) struct CostArgs {
 /// `lole form`.
 #[derive(Debug, Args)]
 pub(crate) struct FormArgs {
-    /// List of dancers (CSV) whose names are written in, one page each; an empty form without one.
+    /// List of dancers (CSV, .xlsx, .ods) whose names are written in, one page each; an empty form without one.
     pub(crate) roster: Option<PathBuf>,
-    /// File to write.
+    /// File to write; - writes it to standard output.
     #[arg(long, value_name = "FILE", default_value = "form.pdf")]
     pub(crate) out: PathBuf,
     /// Language of the page: ja or en; otherwise the system's.

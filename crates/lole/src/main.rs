@@ -6,6 +6,7 @@ mod clock;
 mod dance;
 mod dancer;
 mod fabric;
+mod handbook;
 mod inspect;
 mod order;
 mod output;
@@ -88,6 +89,8 @@ fn main() -> ExitCode {
             Command::Dancer(args) => dancer::run(&args, language),
             Command::Fabric(args) => fabric::run(&args, language),
             Command::Inspect(args) => inspect::run(&args, language),
+            Command::Completions(args) => handbook::complete(&args),
+            Command::Man(args) => handbook::man(&args, language),
         },
     };
     match result {

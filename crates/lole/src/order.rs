@@ -1,6 +1,7 @@
 //! `lole order`, `lole cost`, `lole booklet` and `lole form`: costumes for one dancer or a group, on
 //! paper.
 
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -12,13 +13,14 @@ use lole_costume::cost;
 use lole_costume::document::{Design, Place};
 use lole_costume::order::{self, DancerPlan, Group, PrintTotal, Settings};
 use lole_costume::roster::{self, Roster, RosterError};
+use lole_costume::tailoring;
 use lole_export::booklet::{Booklet, bill_remarks, booklet_sheets};
 use lole_export::form::form_sheet;
 use lole_export::order::{
     ORDER_JSON, OrderParts, PATTERN_FILES, PICTURE_FOLDER, bill_json, left_behind, listed_files,
     order_folder,
 };
-use lole_export::pdf::{Document, Paper, printable};
+use lole_export::pdf::{Document, Paper, missing_glyphs, printable};
 use lole_files::Unread;
 use lole_geom::Length;
 use lole_language::{Bilingual as _, Language, Sentence};
@@ -104,9 +106,34 @@ pub(crate) fn run_order(args: &OrderArgs, language: Language) -> Result<(), Fail
         let mut notes = group.notes.clone();
         notes.extend(group.warnings());
         notes.extend(stayed);
+        let names = group.plans.iter().map(|plan| plan.name.as_str());
+        notes.extend(unprinted(names.chain([parts.title.as_str()])));
         summary::print_pattern(&shown(&paths), &lines, &notes, language);
     }
     verdict(&group.problems, language)
+}
+
+/// Tells of letters that the built-in typeface lacks, so that nobody wonders at 〓 on paper.
+fn unprinted<'a>(texts: impl Iterator<Item = &'a str>) -> Option<Sentence> {
+    let mut missing: Vec<char> = texts.flat_map(missing_glyphs).collect();
+    missing.sort_unstable();
+    missing.dedup();
+    let listed = |comma: &str| {
+        let letters: Vec<String> = missing.iter().map(char::to_string).collect();
+        letters.join(comma)
+    };
+    (!missing.is_empty()).then(|| {
+        Sentence::new(
+            format!(
+                "紙に印刷できない文字があり、〓になります: {}。名簿でかなや常用の漢字に書きかえると印刷できます",
+                listed("、")
+            ),
+            format!(
+                "letters that cannot be printed stand as 〓 on paper: {}; write these names in kana, kanji of everyday use or Latin letters",
+                listed(", ")
+            ),
+        )
+    })
 }
 
 /// Why nobody of a list can be cut for.
@@ -186,13 +213,19 @@ fn verdict(problems: &[Sentence], language: Language) -> Result<(), Failure> {
     )))
 }
 
-fn read_roster(path: &Path) -> Result<Roster, Failure> {
+pub(crate) fn read_roster(path: &Path) -> Result<Roster, Failure> {
     roster::read(&read_list(path)?).map_err(|error| no_list(path, &error))
 }
 
 /// The bytes of a list of dancers.
 fn read_list(path: &Path) -> Result<Vec<u8>, Failure> {
-    lole_files::read_ordinary(path, roster::MOST_BYTES as u64).map_err(|why| {
+    let most = roster::MOST_BYTES as u64;
+    let read = if lole_files::is_piped(path) {
+        lole_files::read_piped(most)
+    } else {
+        lole_files::read_ordinary(path, most)
+    };
+    read.map_err(|why| {
         let sentence = match why {
             Unread::NoFile if path.is_dir() => Sentence::new(
                 "フォルダーです。名簿のファイルを書いてください",
@@ -241,7 +274,7 @@ fn prints_lines(prints: &[PrintTotal], count: usize) -> Vec<Sentence> {
 }
 
 /// Name of the costume: that of its document.
-fn title(source: &Source) -> String {
+pub(crate) fn title(source: &Source) -> String {
     let stem = Path::new(&source.name).file_stem();
     let is_document = !source.text.is_empty();
     match stem.filter(|_| is_document) {
@@ -250,8 +283,8 @@ fn title(source: &Source) -> String {
     }
 }
 
-/// The plan of a design for its own dancer.
-fn own_plan(source: &Source) -> Result<DancerPlan, Failure> {
+/// A design's own dancer, and its plan for her.
+fn own_plan(source: &Source) -> Result<(Dancer, DancerPlan), Failure> {
     let located = |table, sentence| source.located(Place { table, key: "" }, sentence);
     let design = &source.design;
     let dancer = match &design.dancer.file {
@@ -262,18 +295,19 @@ fn own_plan(source: &Source) -> Result<DancerPlan, Failure> {
             .and_then(|tape| Dancer::with_appearance(&tape, &design.appearance()))
             .map_err(|error| located("dancer", Sentence::of(&error)))?,
     };
-    order::plan_dancer("", design, &dancer).map_err(|error| {
+    let plan = order::plan_dancer("", design, &dancer).map_err(|error| {
         if error.is_too_wide() {
             return Failure::error(Sentence::of(&error));
         }
         located("skirt", Sentence::of(&error))
-    })
+    })?;
+    Ok((dancer, plan))
 }
 
 /// Runs `lole cost`.
 pub(crate) fn run_cost(args: &CostArgs, language: Language) -> Result<(), Failure> {
     let source = source::read(args.design.as_deref())?;
-    let plan = own_plan(&source)?;
+    let (_, plan) = own_plan(&source)?;
     let bill = cost::bill(&source.design, &plan);
     if args.json {
         summary::print_json(&bill_json(&bill).map_err(Failure::error)?);
@@ -288,13 +322,14 @@ pub(crate) fn run_booklet(args: &BookletArgs, language: Language) -> Result<(), 
     let stop = stop_flag().map_err(Failure::error)?;
     let pages = PageLanguage::of(args.language, language);
     let source = source::read(args.design.as_deref())?;
-    let plan = own_plan(&source)?;
+    let (dancer, plan) = own_plan(&source)?;
     let bill = cost::bill(&source.design, &plan);
-    let cover = if args.no_pictures {
+    let worn = if args.no_pictures {
         None
     } else {
-        Some(portrait::cover(&source.design, &stop)?)
+        Some(portrait::worn(&source.design, &stop)?)
     };
+    let measures = tailoring::measures_used(&source.design, &dancer);
     let prints = source.design.cut_print_images(PRINT_SIDE);
     let prints = prints.map_err(|error| Failure::usage(Sentence::of(&error)))?;
     let prints: Vec<_> = prints.into_iter().map(Arc::new).collect();
@@ -304,33 +339,53 @@ pub(crate) fn run_booklet(args: &BookletArgs, language: Language) -> Result<(), 
         group: &[],
         prints: &prints,
         bill: &bill,
-        cover,
+        measures: &measures,
+        worn,
         hem_height_cm: source.design.costume_hem_cm(),
     };
     let sheets = booklet_sheets(&booklet, args.paper.paper(), pages);
     let document = Document::new(&booklet.title, pages, sheets);
-    write_file(&args.out, &document, language)
+    write_file(&args.out, &document, &[], language)
 }
 
 /// Runs `lole form`.
 pub(crate) fn run_form(args: &FormArgs, language: Language) -> Result<(), Failure> {
     let pages = PageLanguage::of(args.language, language);
     let paper: Paper = args.paper.paper();
-    let sheets = match &args.roster {
-        None => vec![form_sheet(None, paper, pages)],
-        // Names are enough: what is missing is what the form asks for.
-        Some(path) => (roster::names(&read_list(path)?).map_err(|error| no_list(path, &error))?)
-            .iter()
-            .map(|name| form_sheet(Some(name), paper, pages))
-            .collect(),
+    // Names are enough: what is missing is what the form asks for.
+    let names = match &args.roster {
+        None => Vec::new(),
+        Some(path) => roster::names(&read_list(path)?).map_err(|error| no_list(path, &error))?,
     };
+    let sheets = if args.roster.is_none() {
+        vec![form_sheet(None, paper, pages)]
+    } else {
+        let sheets = names
+            .iter()
+            .map(|name| form_sheet(Some(name), paper, pages));
+        sheets.collect()
+    };
+    let notes: Vec<Sentence> = unprinted(names.iter().map(String::as_str))
+        .into_iter()
+        .collect();
     let title = pages.pick("採寸表", "Measurement form");
-    write_file(&args.out, &Document::new(title, pages, sheets), language)
+    let document = Document::new(title, pages, sheets);
+    write_file(&args.out, &document, &notes, language)
 }
 
 /// Writes one file, whole or not at all, and tells of it in the system's language.
-fn write_file(path: &Path, document: &Document, language: Language) -> Result<(), Failure> {
+fn write_file(
+    path: &Path,
+    document: &Document,
+    notes: &[Sentence],
+    language: Language,
+) -> Result<(), Failure> {
     let bytes = document.to_bytes().map_err(Failure::error)?;
+    if lole_files::is_piped(path) {
+        summary::heard(std::io::stdout().write_all(&bytes));
+        summary::print_found(notes);
+        return Ok(());
+    }
     let folder = match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
@@ -339,7 +394,7 @@ fn write_file(path: &Path, document: &Document, language: Language) -> Result<()
     let mut output = output::create(folder).map_err(Failure::Usage)?;
     output.write(&name, &bytes).map_err(Failure::error)?;
     let paths = output.finish().map_err(Failure::error)?;
-    summary::print_pattern(&paths, &[], &[], language);
+    summary::print_pattern(&paths, &[], notes, language);
     Ok(())
 }
 

@@ -9,7 +9,7 @@ use anyhow::Context as _;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use lole_language::{Language, Sentence};
 
-use crate::Failure;
+use crate::{Failure, summary};
 
 /// A flag that Ctrl-C and a request to end set.
 pub(crate) fn stop_flag() -> anyhow::Result<Arc<AtomicBool>> {
@@ -35,10 +35,12 @@ pub(crate) fn progress_bar(length: u32, message: &'static str) -> ProgressBar {
     let style = ProgressStyle::with_template("{msg:>12} [{bar:32}] {pos}/{len}  {eta}  {prefix}")
         .unwrap_or_else(|_| ProgressStyle::default_bar())
         .progress_chars("=> ");
-    let bar = ProgressBar::with_draw_target(
-        Some(u64::from(length)),
-        ProgressDrawTarget::stderr_with_hz(5),
-    );
+    let target = if summary::is_quiet() {
+        ProgressDrawTarget::hidden()
+    } else {
+        ProgressDrawTarget::stderr_with_hz(5)
+    };
+    let bar = ProgressBar::with_draw_target(Some(u64::from(length)), target);
     bar.with_style(style).with_message(message)
 }
 

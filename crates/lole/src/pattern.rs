@@ -1,28 +1,41 @@
 //! `lole pattern`: cut plans and patterns of everything that a design has.
 
+use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
-use lole_costume::document::Place;
+use lole_costume::document::{Design, Place};
+use lole_costume::order;
+use lole_costume::size_chart;
 use lole_costume::tailoring::{self, ClothPlan, GarmentPattern};
 use lole_exchange::garmentcode;
 use lole_export::booklet::amount_words;
 use lole_export::cutting::{
-    CutGarment, PATTERN_JSON, PatternParts, left_behind, masses, pattern_folder, short_words,
-    used_words,
+    CutGarment, MOST_SIZES, PATTERN_JSON, PatternParts, Stamp, WholeSheet, has_shaped_pieces,
+    left_behind, masses, nested_sheet, pattern_folder, short_words, sizes_name, used_words,
 };
-use lole_export::pdf::Paper;
+use lole_export::pdf::{Document, Paper};
 use lole_language::{Bilingual as _, Language, Sentence, Words};
 use lole_pattern::marker::Lay;
 use lole_print::PrintImage;
 
-use crate::args::{PaperSize, PatternArgs, PatternFormat};
+use crate::args::{PaperSize, PatternArgs, PatternFormat, WholePage};
 use crate::dance::place_of;
 use crate::order::PRINT_SIDE;
 use crate::output;
 use crate::patience::{check, progress_bar, stop_flag};
 use crate::source::{self, Source};
 use crate::{Failure, summary};
+
+impl WholePage {
+    const fn page(self) -> WholeSheet {
+        match self {
+            Self::A0 => WholeSheet::A0,
+            Self::Roll => WholeSheet::Roll,
+            Self::Projector => WholeSheet::Projector,
+        }
+    }
+}
 
 impl PaperSize {
     pub(crate) const fn paper(self) -> Paper {
@@ -46,11 +59,13 @@ pub(crate) fn run(args: &PatternArgs, language: Language) -> Result<(), Failure>
     let count = u32::try_from(garments.len()).unwrap_or(u32::MAX);
     let bar = progress_bar(2 * count, language.pick("型紙", "pattern"));
     let mut cuts = Vec::new();
+    let stamp = Stamp::of(&crate::order::title(&source), &source.design);
+    let whole: Vec<WholeSheet> = args.whole.iter().map(|page| page.page()).collect();
     let prints = source.design.cut_print_images(PRINT_SIDE);
     let prints = prints.map_err(|error| Failure::usage(Sentence::of(&error)))?;
     for (garment, print) in garments.into_iter().zip(prints) {
         check(&stop)?;
-        cuts.push(plan(garment, print, args));
+        cuts.push(plan(garment, (print, &stamp), args));
         bar.inc(1);
     }
     let size = args
@@ -62,6 +77,7 @@ pub(crate) fn run(args: &PatternArgs, language: Language) -> Result<(), Failure>
         cuts: &cuts,
         size: &size,
         paper: args.paper.paper(),
+        whole: &whole,
         language,
         version: env!("CARGO_PKG_VERSION"),
     };
@@ -69,7 +85,10 @@ pub(crate) fn run(args: &PatternArgs, language: Language) -> Result<(), Failure>
         bar.inc(1);
         !stop.load(Ordering::Relaxed)
     };
-    let files = pattern_folder(&parts, &goes_on).map_err(Failure::error)?;
+    let mut files = pattern_folder(&parts, &goes_on).map_err(Failure::error)?;
+    if let Some(sizes) = &args.sizes {
+        files.extend(nested(&source.design, sizes, language)?);
+    }
     check(&stop)?;
     bar.finish_and_clear();
     for (name, bytes) in &files {
@@ -85,7 +104,9 @@ pub(crate) fn run(args: &PatternArgs, language: Language) -> Result<(), Failure>
         summary::print_json(&text);
     } else {
         let purchases: Vec<Sentence> = cuts.iter().flat_map(purchases).collect();
-        let warnings: Vec<Sentence> = cuts.iter().flat_map(warnings).chain(stayed).collect();
+        let narrow = too_wide_for_pages(&cuts, &whole, &files);
+        let warnings = cuts.iter().flat_map(warnings).chain(stayed).chain(narrow);
+        let warnings: Vec<Sentence> = warnings.collect();
         summary::print_pattern(&paths, &purchases, &warnings, language);
     }
     Ok(())
@@ -135,7 +156,11 @@ fn draft(source: &Source) -> Result<Vec<GarmentPattern>, Failure> {
     })
 }
 
-fn plan(garment: GarmentPattern, print: PrintImage, args: &PatternArgs) -> CutGarment {
+fn plan(
+    garment: GarmentPattern,
+    (print, stamp): (PrintImage, &Stamp),
+    args: &PatternArgs,
+) -> CutGarment {
     let lay = if args.folded {
         Lay::Folded
     } else {
@@ -147,6 +172,7 @@ fn plan(garment: GarmentPattern, print: PrintImage, args: &PatternArgs) -> CutGa
         garment,
         print: Some(Arc::new(print)),
         owner: String::new(),
+        stamp: stamp.clone(),
     }
 }
 
@@ -214,6 +240,84 @@ fn gathered(cut: &CutGarment) -> Sentence {
             listed(Language::English)
         ),
     )
+}
+
+/// Every garment in all sizes of a chart or a list, on a page each.
+fn nested(
+    design: &Design,
+    sizes: &str,
+    language: Language,
+) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+    let chart = match sizes {
+        "jis" => size_chart::jis(),
+        list => crate::order::read_roster(Path::new(list))?,
+    };
+    let of_list = |sentence: Sentence| {
+        Failure::usage(Sentence::new(
+            format!("--sizes {sizes}: {}", sentence.japanese()),
+            format!("--sizes {sizes}: {sentence}"),
+        ))
+    };
+    if let Some(problem) = chart.problems.first() {
+        return Err(of_list(problem.sentence()));
+    }
+    if MOST_SIZES < chart.dancers.len() {
+        return Err(of_list(Sentence::new(
+            format!("{MOST_SIZES} サイズまでです。表を分けてください"),
+            format!("at most {MOST_SIZES} sizes can be told apart; divide the list"),
+        )));
+    }
+    let mut plans = Vec::new();
+    for size in &chart.dancers {
+        let plan = order::plan(size, design).map_err(|error| {
+            let (name, said) = (&size.name, Sentence::of(&error));
+            of_list(Sentence::new(
+                format!("{name}: {}", said.japanese()),
+                format!("{name}: {said}"),
+            ))
+        })?;
+        plans.push(plan);
+    }
+    let garments = plans.first().map_or(0, |plan| plan.garments.len());
+    let mut files = Vec::new();
+    for garment in 0..garments {
+        if let Some(sheet) = nested_sheet(&plans, garment, language) {
+            let tailored = &plans[0].garments[garment].tailored;
+            let document = Document::new(tailored.name.text(language), language, vec![sheet]);
+            let bytes = document.to_bytes().map_err(Failure::error)?;
+            files.push((sizes_name(&tailored.id), bytes));
+        }
+    }
+    Ok(files)
+}
+
+/// Garments that were asked for on one page and do not fit on it.
+fn too_wide_for_pages(
+    cuts: &[CutGarment],
+    whole: &[WholeSheet],
+    files: &[(String, Vec<u8>)],
+) -> Vec<Sentence> {
+    let asked = cuts.iter().filter(|cut| has_shaped_pieces(&cut.garment));
+    let asked = asked.flat_map(|cut| whole.iter().map(move |page| (cut, page.name())));
+    let missing = asked.filter(|(cut, page)| {
+        let name = format!("{}-{page}.pdf", cut.garment.id);
+        files.iter().all(|(written, _)| *written != name)
+    });
+    missing
+        .map(|(cut, page)| {
+            let name = cut.garment.name;
+            Sentence::new(
+                format!(
+                    "{}: {page} の幅に入らない型紙があるので、貼り合わせる紙だけを書き出しました",
+                    name.japanese
+                ),
+                format!(
+                    "{}: a piece is wider than {page}; only the sheets to join are written",
+                    name.english
+                ),
+            )
+        })
+        .collect()
 }
 
 /// What the maker should decide before cutting.

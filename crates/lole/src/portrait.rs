@@ -6,38 +6,26 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use indicatif::ProgressBar;
 use lole_costume::document::{Design, to_toml};
-use lole_export::ImageView;
+use lole_export::booklet::Worn;
 use lole_export::order::PICTURE_FOLDER;
 use lole_export::pdf::EncodedPicture;
 use lole_picture::portrait::{self, PortraitError};
-use lole_picture::studio::still_cameras;
-use lole_render::Size;
 use lole_stage::Production;
 use rayon::prelude::*;
 
 use crate::Failure;
 
-/// Size of the picture on a cover, upright.
-const COVER: Size = Size {
-    width: 900,
-    height: 1200,
-};
-
-/// A dancer in her costume, large.
+/// A dancer in her costume, for a booklet.
 ///
 /// # Errors
 /// A costume that cannot be put on, or an interruption.
-pub(crate) fn cover(design: &Design, stop: &AtomicBool) -> Result<EncodedPicture, Failure> {
+pub(crate) fn worn(design: &Design, stop: &AtomicBool) -> Result<Worn, Failure> {
     let is_stopped = || stop.load(Ordering::Relaxed);
     let production = Production::new(design).map_err(PortraitError::from);
     let performance = production
         .and_then(|production| portrait::stand(production, u32::MAX, &is_stopped))
         .map_err(failure)?;
-    let cameras = still_cameras(&performance, COVER);
-    let camera = cameras.into_iter().next();
-    let camera = camera.unwrap_or_else(|| portrait::standing_camera(COVER));
-    let image = portrait::shoot(&performance, camera, COVER).map_err(failure)?;
-    picture(&image)
+    portrait::of_booklet(&performance).map_err(failure)
 }
 
 /// A dancer's picture and the file that it is kept in, by its path in the order's folder.
@@ -94,11 +82,4 @@ fn failure(error: PortraitError) -> Failure {
         PortraitError::CalledOff => Failure::Interrupted,
         error => Failure::error(error),
     }
-}
-
-fn picture(image: &lole_render::Image) -> Result<EncodedPicture, Failure> {
-    let (width, height) = (image.width, image.height);
-    ImageView::new(width, height, &image.pixels)
-        .and_then(EncodedPicture::photo)
-        .map_err(Failure::error)
 }

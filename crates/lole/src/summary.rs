@@ -31,6 +31,19 @@ macro_rules! say {
     };
 }
 
+/// Whether what was written is not told of.
+static IS_QUIET: AtomicBool = AtomicBool::new(false);
+
+/// Leaves out what was written and how far it is.
+pub(crate) fn say_less() {
+    IS_QUIET.store(true, Ordering::Relaxed);
+}
+
+/// Whether only warnings and asked-for figures are told.
+pub(crate) fn is_quiet() -> bool {
+    IS_QUIET.load(Ordering::Relaxed)
+}
+
 /// Whether something that was to be said is lost.
 static IS_LOST: AtomicBool = AtomicBool::new(false);
 
@@ -120,13 +133,12 @@ pub(crate) fn print_dancer(sheet: &DancerSheet, language: Language) {
 
 /// Says what a run wrote and how it went.
 pub(crate) fn print_run(report: &RunReport, paths: &[PathBuf], seconds: f64, language: Language) {
-    say!();
-    for path in paths {
-        say!("  {:<44} {}", path.display(), open_hint(path, language));
+    print_files(paths, language);
+    if !is_quiet() {
+        say!();
     }
-    say!();
     print_warnings(report, language);
-    if 0 < report.frames {
+    if 0 < report.frames && !is_quiet() {
         print_figures(report, seconds, language);
     }
 }
@@ -223,8 +235,10 @@ pub(crate) fn print_pattern(
     language: Language,
 ) {
     print_files(paths, language);
-    say!();
-    for purchase in purchases {
+    if !is_quiet() {
+        say!();
+    }
+    for purchase in purchases.iter().filter(|_| !is_quiet()) {
         say!("  {}", purchase.text(language));
     }
     for warning in warnings {
@@ -269,6 +283,9 @@ pub(crate) fn print_limit(method: &str, limit: Words, language: Language) {
 
 /// Says what a validation wrote.
 pub(crate) fn print_files(paths: &[PathBuf], language: Language) {
+    if is_quiet() {
+        return;
+    }
     say!();
     for path in paths {
         say!("  {:<44} {}", path.display(), open_hint(path, language));
@@ -354,6 +371,18 @@ fn open_hint(path: &Path, language: Language) -> &'static str {
                 "倍率 100 % で印刷して貼り合わせる",
                 "print at 100 %, join the sheets",
             )
+        }
+        _ if ["-a0.pdf", "-roll.pdf", "-sizes.pdf"]
+            .iter()
+            .any(|end| name.ends_with(end)) =>
+        {
+            language.pick(
+                "コピー店のロール紙に 100 % で印刷",
+                "for a copy shop's roll, at 100 %",
+            )
+        }
+        _ if name.ends_with("-projector.pdf") => {
+            language.pick("プロジェクターで布に映す", "for a projector over the cloth")
         }
         _ if has_end(path, "pdf") => language.pick("印刷して読む", "to print and read"),
         _ => language.pick("写真", "a still"),

@@ -167,6 +167,16 @@ const JAPANESE_HELP: &[(&str, &str, &str)] = &[
     ),
     (
         "pattern",
+        "whole",
+        "服ごとに一枚の原寸も書き出します: a0、roll（幅 91 cm）、projector。コンマで並べられます",
+    ),
+    (
+        "pattern",
+        "sizes",
+        "いくつものサイズを重ねた原寸も書き出します: jis（JIS L 4005、5AR～17AR）、または自分のサイズの名簿",
+    ),
+    (
+        "pattern",
         "folded",
         "布を縦に二つ折り（わ）にして、左右を一度に裁ちます",
     ),
@@ -190,7 +200,11 @@ const JAPANESE_HELP: &[(&str, &str, &str)] = &[
         "",
         "一つのデザインを名簿の全員に: 裁つ寸法、ゴム、買う布、費用、縫い方の本、一覧",
     ),
-    ("order", "roster", "表計算ソフトの名簿（CSV）: 名前と寸法"),
+    (
+        "order",
+        "roster",
+        "表計算ソフトの名簿（CSV、.xlsx、.ods。- は標準入力）: 名前と寸法",
+    ),
     ("order", "design", "全員が着るデザインの文書"),
     (
         "order",
@@ -233,7 +247,7 @@ const JAPANESE_HELP: &[(&str, &str, &str)] = &[
         "design",
         "デザインの文書。書かなければ、内蔵のパウスカート",
     ),
-    ("booklet", "out", "書き出すファイル"),
+    ("booklet", "out", "書き出すファイル。- は標準出力"),
     (
         "booklet",
         "language",
@@ -252,9 +266,9 @@ const JAPANESE_HELP: &[(&str, &str, &str)] = &[
     (
         "form",
         "roster",
-        "名前を書き入れる名簿（CSV）、一人一ページ。書かなければ名前は空けます",
+        "名前を書き入れる名簿（CSV、.xlsx、.ods）、一人一ページ。書かなければ名前は空けます",
     ),
-    ("form", "out", "書き出すファイル"),
+    ("form", "out", "書き出すファイル。- は標準出力"),
     (
         "form",
         "language",
@@ -425,6 +439,18 @@ const JAPANESE_HELP: &[(&str, &str, &str)] = &[
         "先が触れる斜面の角度 [度]。多くの試験所は 41.5、JIS L 1096 は 45",
     ),
     ("fabric", "json", "JSON で書きます"),
+    ("completions", "", "シェルの補完を標準出力に書きます"),
+    (
+        "completions",
+        "shell",
+        "シェル: bash、zsh、fish、elvish、powershell",
+    ),
+    (
+        "man",
+        "",
+        "lole と各コマンドのマニュアルページを書き出します",
+    ),
+    ("man", "out", "書き出すフォルダー"),
 ];
 
 /// What was asked for.
@@ -444,7 +470,12 @@ pub(crate) fn read(language: Language) -> Result<Asked, ExitCode> {
     command(language)
         .try_get_matches()
         .and_then(|matches| Cli::from_arg_matches(&matches))
-        .map(|cli| Asked::Command(Box::new(cli.command)))
+        .map(|cli| {
+            if cli.quiet {
+                summary::say_less();
+            }
+            Asked::Command(Box::new(cli.command))
+        })
         .map_err(|error| match error.kind() {
             ErrorKind::DisplayHelp
             | ErrorKind::DisplayVersion
@@ -466,7 +497,7 @@ fn window(words: &[OsString]) -> Option<Option<PathBuf>> {
     }
 }
 
-fn command(language: Language) -> Command {
+pub(crate) fn command(language: Language) -> Command {
     let command = Cli::command();
     match language {
         Language::English => command,
@@ -481,6 +512,11 @@ fn in_japanese(command: Command) -> Command {
         .collect();
     let command = headed(command)
         .about("布が生きて動く、フラ衣装の CAD。コマンドを書かなければ、踊りの窓を開きます")
+        .mut_arg("quiet", |quiet| {
+            quiet
+                .help("書き出したものと進み具合を表示しません（警告と、求めた数値は表示します）")
+                .help_heading("オプション")
+        })
         .subcommand_help_heading("コマンド")
         .disable_help_subcommand(true)
         .disable_version_flag(true)

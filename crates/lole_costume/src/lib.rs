@@ -18,4 +18,5 @@ pub mod fabrics;
 pub mod order;
 pub mod roster;
 pub mod sew;
+pub mod size_chart;
 pub mod tailoring;

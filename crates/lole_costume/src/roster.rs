@@ -1,4 +1,5 @@
-//! A list of dancers as a spreadsheet saves it: one row a dancer, names and tape measures.
+//! A list of dancers as a spreadsheet saves it, as text or as a workbook: one row a dancer, names and tape
+//! measures.
 //!
 //! Heads are Japanese or English and stand in any order; text is UTF-8 with or without a byte-order
 //! mark, UTF-16 with one, or `Shift_JIS`; columns are parted by commas, semicolons or tabs. A length is
@@ -17,6 +18,8 @@
 mod cells;
 mod columns;
 mod lengths;
+#[cfg(not(target_arch = "wasm32"))]
+mod workbook;
 
 use lole_body::{Figure, Measure, Measurements};
 use lole_garment::template::OptionKind;
@@ -102,9 +105,16 @@ pub enum RosterError {
         "the file is no text in UTF-8 or Shift_JIS; in the spreadsheet choose \"CSV UTF-8\" when saving"
     )]
     NoText,
-    /// It is a spreadsheet's own file.
-    #[error("the file is a workbook, not CSV; in the spreadsheet choose \"CSV UTF-8\" when saving")]
+    /// It is a spreadsheet's own file, of a kind or in a state that is not read.
+    #[error(
+        "the file is a workbook that cannot be read; save it as .xlsx or .ods, or choose \"CSV UTF-8\" when saving"
+    )]
     Workbook,
+    /// Unpacked it is larger than any list.
+    #[error(
+        "unpacked the workbook has more than 64 MB, more than a list of dancers has; save only the list"
+    )]
+    Swells,
     /// A row has more cells than any list has columns.
     #[error("line {line}: the row has more than 500 cells; save only the list")]
     TooWide {
@@ -166,7 +176,8 @@ impl Bilingual for RosterError {
                 "ファイルが {bytes} バイトあり、名簿としては大きすぎます。名簿だけを保存してください"
             ),
             Self::NoText => "UTF-8 でも Shift_JIS でもないファイルです。表計算ソフトで「CSV UTF-8」を選んで保存してください".to_owned(),
-            Self::Workbook => "CSV ではなく表計算ソフトのファイルです。「CSV UTF-8」を選んで保存してください".to_owned(),
+            Self::Workbook => "読めない表計算ソフトのファイルです。.xlsx か .ods で、または「CSV UTF-8」を選んで保存してください".to_owned(),
+            Self::Swells => "展開すると 64 MB を超え、名簿としては大きすぎます。名簿だけを保存してください".to_owned(),
             Self::TooWide { line } => {
                 format!("{line} 行目: 列が 500 より多くあります。名簿だけを保存してください")
             }
@@ -255,8 +266,7 @@ fn follow_stature(design: &mut Design, ratio: f64) {
 /// # Errors
 /// A file that is no list, or that has no column of names; see [`RosterError`].
 pub fn names(bytes: &[u8]) -> Result<Vec<String>, RosterError> {
-    let text = cells::decode(bytes)?;
-    let records = cells::records(&text, Separator::of(&text))?;
+    let (records, _) = records(bytes)?;
     let Sheet { head, rows, .. } = Sheet::of(records)?;
     let (columns, _) = columns::read(&head, &[Meaning::Name])?;
     let is_name = |column: &&Column| column.meaning == Meaning::Name;
@@ -274,6 +284,20 @@ pub fn names(bytes: &[u8]) -> Result<Vec<String>, RosterError> {
         return Err(RosterError::TooMany { count: names.len() });
     }
     Ok(names)
+}
+
+/// The rows of a file, and what parts their cells: a workbook writes decimals with a point.
+fn records(bytes: &[u8]) -> Result<(Vec<Record>, Separator), RosterError> {
+    #[cfg(not(target_arch = "wasm32"))]
+    if bytes.starts_with(b"PK\x03\x04") {
+        if MOST_BYTES < bytes.len() {
+            return Err(RosterError::TooLarge { bytes: bytes.len() });
+        }
+        return Ok((workbook::records(bytes)?, Separator::Comma));
+    }
+    let text = cells::decode(bytes)?;
+    let separator = Separator::of(&text);
+    Ok((cells::records(&text, separator)?, separator))
 }
 
 /// The rows of a file that are not empty, by what they are.
@@ -394,9 +418,7 @@ fn surplus(head: &Record, rows: &[Record]) -> Option<Sentence> {
 /// A file that is no list, see [`RosterError`]. Single rows that cannot be used are part of the
 /// [`Roster`].
 pub fn read(bytes: &[u8]) -> Result<Roster, RosterError> {
-    let text = cells::decode(bytes)?;
-    let separator = Separator::of(&text);
-    let records = cells::records(&text, separator)?;
+    let (records, separator) = records(bytes)?;
     let Sheet { titles, head, rows } = Sheet::of(records)?;
     let (mut columns, notes) = columns::read(&head, &columns::NEEDED)?;
     let mut named = columns.iter();

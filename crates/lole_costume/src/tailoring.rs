@@ -8,7 +8,7 @@ use lole_language::{Bilingual, Words, words};
 use lole_pattern::joining::fit_to_cloth;
 use lole_pattern::marker::{Border, Lay, Nap, TableCloth, lay_out};
 use lole_pattern::piece::ClothRole;
-use lole_pattern::{DraftError, Marker, Measures, Pattern};
+use lole_pattern::{DraftError, Marker, Measure, Measures, Pattern};
 use lole_print::{PrintBorder, PrintMotif};
 
 use crate::document::{
@@ -195,6 +195,57 @@ pub fn drafts_of(
     drafts
 }
 
+/// What of her measures the garments of a design depend on, in the order of
+/// [`Measure::ALL`]: those that draft another pattern where they are a little
+/// larger or smaller.
+#[must_use]
+pub fn measures_used(design: &Design, dancer: &Dancer) -> Vec<UsedMeasure> {
+    let own = measures(dancer);
+    let mut used = Vec::new();
+    for &measure in Measure::ALL {
+        let length = measure.of(&own);
+        let is_used = design.cut().any(|place| {
+            let (layer, garment) = match place {
+                Some(index) => {
+                    let garment = design.garments[index].clone();
+                    (Some(garment.layer), garment)
+                }
+                None => (None, design.skirt.garment(&design.fabric, &design.print)),
+            };
+            let draft = |measures: &Measures| {
+                // The dancer herself would be measured again, whatever the measures say.
+                let fitting = Fitting {
+                    dancer: None,
+                    ..fitting(design, (dancer, measures), (layer, &garment))
+                };
+                garment.pattern(&fitting).ok()
+            };
+            let drafted = draft(&own);
+            [1.0 - NUDGE, 1.0 + NUDGE].into_iter().any(|ratio| {
+                let mut nudged = own.clone();
+                *measure.of_mut(&mut nudged) = length * ratio;
+                draft(&nudged) != drafted
+            })
+        });
+        if is_used {
+            used.push(UsedMeasure { measure, length });
+        }
+    }
+    used
+}
+
+/// Measures are made so much larger and smaller to see what depends on them.
+const NUDGE: f64 = 0.01;
+
+/// A measure that a costume is drafted by.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct UsedMeasure {
+    /// Which.
+    pub measure: Measure,
+    /// Its value.
+    pub length: Length,
+}
+
 /// For whom a garment of a design is drafted, of what cloth and with what: in a layer, or as the skirt.
 #[must_use]
 pub fn fitting<'a>(
@@ -340,6 +391,30 @@ mod tests {
                     > 0.1
             );
         }
+    }
+
+    #[test]
+    fn a_wreath_depends_on_the_head_and_a_blouse_on_neck_and_arm() {
+        let used = |kind: &str| {
+            let mut design = Design::default();
+            design.skirt.is_worn = false;
+            design.garments = GarmentDesign::of_kind(kind).into_iter().collect();
+            let measurements = Measurements::from_tape(&design.tape()).unwrap();
+            let dancer = Dancer::with_appearance(&measurements, &design.appearance()).unwrap();
+            let used = measures_used(&design, &dancer).into_iter();
+            used.map(|used| used.measure).collect::<Vec<Measure>>()
+        };
+        assert_eq!(used("lei-poo"), [Measure::HeadGirth]);
+        let blouse = used("blouse");
+        for measure in [
+            Measure::BustGirth,
+            Measure::NeckGirth,
+            Measure::UpperArmGirth,
+            Measure::BackLength,
+        ] {
+            assert!(blouse.contains(&measure), "{measure:?} not in {blouse:?}");
+        }
+        assert!(!blouse.contains(&Measure::CrotchLength), "{blouse:?}");
     }
 
     /// The worked example of the makers: hip 91.4 cm, four times its cloth.

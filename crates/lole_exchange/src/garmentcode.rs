@@ -385,6 +385,7 @@ fn pattern_of(panels: &[Panel], seams: Vec<Seam>) -> Pattern {
         drawn_in: Vec::new(),
         notions: Vec::new(),
         steps: Vec::new(),
+        finished: Vec::new(),
         warnings: vec![Sentence::new(
             "型紙のファイルに縫い代は書かれていません。ダーツのほかはどこも 1 cm 付けてあります",
             "the pattern's file says nothing of seam allowances: 1 cm is added everywhere but at darts",

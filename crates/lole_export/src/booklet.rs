@@ -5,14 +5,14 @@
 
 mod figures;
 mod keep;
+mod sizes;
 mod style;
 
 use std::sync::Arc;
 
-use lole_body::Measure;
 use lole_costume::cost::Bill;
 use lole_costume::order::{CutElastic, DancerPlan, PlannedGarment};
-use lole_costume::tailoring::{ClothPlan, role_name};
+use lole_costume::tailoring::{ClothPlan, UsedMeasure, role_name};
 use lole_garment::Shelf;
 use lole_geom::Length;
 use lole_language::{Bilingual as _, Language, Sentence, Words, capitalized};
@@ -41,10 +41,32 @@ pub struct Booklet<'a> {
     pub prints: &'a [Arc<PrintImage>],
     /// What it costs.
     pub bill: &'a Bill,
+    /// What of her measures the costume is drafted by; empty where that is not known.
+    pub measures: &'a [UsedMeasure],
     /// The costume on its dancer.
-    pub cover: Option<EncodedPicture>,
+    pub worn: Option<Worn>,
     /// Height of the hem above the floor [cm]; `None` where the costume has none that was decided.
     pub hem_height_cm: Option<f64>,
+}
+
+/// Pictures of a costume as it is worn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Worn {
+    /// For the cover.
+    pub cover: EncodedPicture,
+    /// From the front and from behind, at one scale; none where there is the cover alone.
+    pub front_and_back: Option<[EncodedPicture; 2]>,
+}
+
+impl Worn {
+    /// The cover alone.
+    #[must_use]
+    pub const fn alone(cover: EncodedPicture) -> Self {
+        Self {
+            cover,
+            front_and_back: None,
+        }
+    }
 }
 
 /// The pages of a booklet, in one language.
@@ -53,10 +75,17 @@ pub fn booklet_sheets(booklet: &Booklet<'_>, paper: Paper, language: Language) -
     let mut flow = Flow::new(paper.size_mm(), Margins::default());
     cover(&mut flow, booklet, language);
     flow.new_page();
+    if let Some(pictures) = booklet
+        .worn
+        .as_ref()
+        .and_then(|worn| worn.front_and_back.as_ref())
+    {
+        front_and_back(&mut flow, pictures, language);
+    }
     materials(&mut flow, booklet.plan, language);
     // The sizes of a drum or a rattle are in its steps.
     if !booklet.plan.garments.iter().all(is_held) {
-        measures(&mut flow, booklet.plan, language);
+        sizes::draw(&mut flow, booklet, language);
     }
     if 1 < booklet.group.len() {
         flow.space(6.0);
@@ -109,9 +138,9 @@ fn cover(flow: &mut Flow, booklet: &Booklet<'_>, language: Language) {
     flow.space(4.0);
     let text_height = 4.0 * TextStyle::regular(14.0).line_height() + 4.0;
     let height = flow.left_over() - text_height - 2.0;
-    flow.block(height, |sheet, rect| match &booklet.cover {
-        Some(picture) => {
-            let shown = sheet.picture(rect, picture);
+    flow.block(height, |sheet, rect| match &booklet.worn {
+        Some(Worn { cover, .. }) => {
+            let shown = sheet.picture(rect, cover);
             sheet.rect(shown, None, Some(Stroke::solid(0.3).with_color(ACCENT)));
         }
         None => rule(sheet, [rect.x, rect.y], width),
@@ -123,6 +152,28 @@ fn cover(flow: &mut Flow, booklet: &Booklet<'_>, language: Language) {
             sheet.text(at, &line, &TextStyle::regular(14.0), Align::Center);
         });
     }
+}
+
+/// The finished costume from the front and from behind, side by side.
+fn front_and_back(flow: &mut Flow, pictures: &[EncodedPicture; 2], language: Language) {
+    const HEIGHT: f64 = 108.0;
+    head(flow, language.pick("できあがり", "How it is worn"));
+    let names = [language.pick("前", "front"), language.pick("後ろ", "back")];
+    flow.block(HEIGHT + 8.0, |sheet, rect| {
+        let half = 0.5 * rect.width;
+        for (place, (picture, name)) in [0.0, half].into_iter().zip(pictures.iter().zip(names)) {
+            let room = Rect {
+                x: rect.x + place,
+                y: rect.y,
+                width: half,
+                height: HEIGHT,
+            };
+            let shown = sheet.picture(room, picture);
+            let at = [shown.x + 0.5 * shown.width, rect.y + HEIGHT + 5.5];
+            sheet.text(at, name, &TextStyle::regular(12.5), Align::Center);
+        }
+    });
+    flow.space(4.0);
 }
 
 /// The lines of the cover: the garments, the dancer, her hem and the time that it takes.
@@ -292,64 +343,6 @@ fn material_rows(garment: &PlannedGarment, language: Language) -> Vec<Vec<Cell>>
 /// Whether it is held and not worn.
 fn is_held(garment: &PlannedGarment) -> bool {
     garment.tailored.template.shelf == Shelf::Implements
-}
-
-fn measures(flow: &mut Flow, plan: &DancerPlan, language: Language) {
-    let table = measure_table(plan, language);
-    flow.keep(table.height(flow.width()) + 26.0);
-    head(flow, language.pick("寸法", "Measurements"));
-    table.draw(flow);
-    flow.space(2.0);
-    flow.paragraph(
-        language.pick(
-            "「推定」は測っていない寸法です。縫う前に測れるものは測ってください。",
-            "Measurements marked as estimated were not taken; take them if you can before you sew.",
-        ),
-        &TextStyle::regular(11.5),
-    );
-}
-
-/// The tape in centimeters and inches.
-fn measure_table(plan: &DancerPlan, language: Language) -> PageTable {
-    let wanted = [
-        Measure::Stature,
-        Measure::Bust,
-        Measure::Waist,
-        Measure::HighHip,
-        Measure::Hip,
-        Measure::Inseam,
-        Measure::WaistHeight,
-    ];
-    let taped = plan
-        .tape_cm
-        .iter()
-        .filter(|(measure, _)| wanted.contains(measure));
-    let rows = taped
-        .map(|&(measure, cm)| {
-            let is_estimated = plan.estimated.contains(&measure);
-            let how = if is_estimated {
-                language.pick("推定", "estimated")
-            } else {
-                language.pick("実測", "measured")
-            };
-            vec![
-                Cell::bold(capitalized(measure.words().text(language))),
-                format!("{cm:.1} cm").into(),
-                format!("{:.1} in", cm / 2.54).into(),
-                how.into(),
-            ]
-        })
-        .collect();
-    PageTable {
-        columns: vec![
-            Column::text("", 4.0),
-            Column::number("", 2.0),
-            Column::number("", 2.0),
-            Column::text("", 2.0),
-        ],
-        rows,
-        size_pt: 12.5,
-    }
 }
 
 /// Everybody's lengths, where the rest of the booklet has those of one.

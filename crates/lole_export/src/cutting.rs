@@ -6,6 +6,8 @@
 //! | `cut-plan.pdf` | [`cut_plan_sheets`]: where each piece lies on the cloth |
 //! | `cut-plan.svg` | [`cut_plan_svg`] |
 //! | `pattern-a4.pdf` | [`tiled_sheets`]: pieces at full size over sheets to join |
+//! | `pattern-roll.pdf` | [`whole_sheet`]: the same on one page, for plotters and projectors |
+//! | `pattern-sizes.pdf` | [`nested_sheet`]: all sizes of a list around one another |
 //! | `ruler.pdf` | [`ruler_sheets`]: rectangles to draw with ruler and chalk |
 //! | `pattern.svg` | [`pieces_svg()`]: pieces at full size, a group for each |
 //! | `pattern.dxf` | [`crate::dxf::pattern_dxf`] |
@@ -20,10 +22,13 @@ pub(crate) mod draw;
 mod folder;
 mod json;
 mod label;
+mod nested;
 mod pieces_svg;
 mod plan;
 mod ruler;
+mod stamp;
 mod tiles;
+mod whole;
 
 use std::sync::Arc;
 
@@ -34,13 +39,16 @@ use lole_language::Language;
 use lole_pattern::piece::{CutCount, Piece};
 use lole_print::PrintImage;
 
-pub use folder::{PATTERN_JSON, PatternParts, left_behind, pattern_folder};
+pub use folder::{PATTERN_JSON, PatternParts, left_behind, pattern_folder, sizes_name};
 pub use json::pattern_json;
+pub use nested::{MOST_SIZES, nested_sheet};
 pub use pieces_svg::pieces_svg;
 pub use plan::{cut_plan_sheets, cut_plan_svg, lying_width, masses, short_words, used_words};
 pub(crate) use plan::{draw_marker, numbers_words};
 pub use ruler::ruler_sheets;
+pub use stamp::Stamp;
 pub use tiles::{TiledPattern, tiled_sheets};
+pub use whole::{WholeSheet, has_shaped_pieces, whole_sheet};
 
 /// One garment with its cut plans.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,6 +61,8 @@ pub struct CutGarment {
     pub print: Option<Arc<PrintImage>>,
     /// Whose it is, written on every sheet of its pattern; empty where it is one dancer's alone.
     pub owner: String,
+    /// Which design in which version it is, written beside it.
+    pub stamp: Stamp,
 }
 
 impl CutGarment {
@@ -63,6 +73,7 @@ impl CutGarment {
             plans: planned.plans.clone(),
             print: None,
             owner: String::new(),
+            stamp: Stamp::default(),
         }
     }
 

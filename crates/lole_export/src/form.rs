@@ -40,6 +40,14 @@ const ROWS: &[Row] = &[
         ),
     },
     Row {
+        measure: Measure::Underbust,
+        tape: Tape::Around(5.45, 0.74),
+        how: words(
+            "バストのすぐ下を水平に。ダーツの深さが決まる",
+            "level, right below the bust; it decides the darts",
+        ),
+    },
+    Row {
         measure: Measure::Waist,
         tape: Tape::Around(5.0, 0.66),
         how: words("いちばん細いところ", "around the narrowest part"),

@@ -37,7 +37,8 @@ fn pages(design: &Design, plan: &DancerPlan, language: Language) -> Vec<Sheet> {
         group: &[],
         prints: &[],
         bill: &bill,
-        cover: None,
+        measures: &[],
+        worn: None,
         hem_height_cm: design.costume_hem_cm(),
     };
     booklet_sheets(&booklet, Paper::A4, language)

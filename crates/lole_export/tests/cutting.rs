@@ -47,6 +47,7 @@ fn cut(pattern: Pattern) -> CutGarment {
         garment,
         print: None,
         owner: String::new(),
+        stamp: lole_export::cutting::Stamp::default(),
     }
 }
 

@@ -414,6 +414,7 @@ fn a_pattern_for_programs_has_the_parts_that_it_has_with_harmless_names() {
         garment,
         print: None,
         owner: String::new(),
+        stamp: lole_export::cutting::Stamp::default(),
     };
     let harmless = pattern_dxf(&cut, HARMLESS);
     let line_count = |dxf: &[u8]| dxf.split(|byte| *byte == b'\n').count();

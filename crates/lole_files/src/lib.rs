@@ -35,7 +35,12 @@ const MOST_PICTURES: u32 = 10_000;
 /// One sentence that names the file.
 pub fn read_document(path: &Path) -> Result<Vec<u8>, Sentence> {
     let name = path.display();
-    read_ordinary(path, LARGEST_FILE).map_err(|why| match why {
+    let read = if is_piped(path) {
+        read_piped(LARGEST_FILE)
+    } else {
+        read_ordinary(path, LARGEST_FILE)
+    };
+    read.map_err(|why| match why {
         Unread::Unreadable => Sentence::new(
             format!("{name}: ファイルが読めません。場所と名前を確かめてください"),
             format!("{name}: the file cannot be read; check the path"),
@@ -48,6 +53,28 @@ pub fn read_document(path: &Path) -> Result<Vec<u8>, Sentence> {
             format!("{name}: the file has {megabytes} MB and is no design; choose a .lole file"),
         ),
     })
+}
+
+/// Whether a path stands for what is piped in or out: `-`.
+#[must_use]
+pub fn is_piped(path: &Path) -> bool {
+    path.as_os_str() == "-"
+}
+
+/// Reads what is piped in, if it is small enough.
+///
+/// # Errors
+/// Why it was not read.
+pub fn read_piped(most: u64) -> Result<Vec<u8>, Unread> {
+    let mut bytes = Vec::new();
+    let read = io::stdin().lock().take(most + 1).read_to_end(&mut bytes);
+    read.map_err(|_| Unread::Unreadable)?;
+    if most < bytes.len() as u64 {
+        // Nobody knows how much more there is.
+        let megabytes = most.div_ceil(1_000_000);
+        return Err(Unread::TooLarge { megabytes });
+    }
+    Ok(bytes)
 }
 
 /// Why a file was not read.

@@ -76,6 +76,7 @@ pub fn fit_to_cloth(
             notions: Vec::new(),
             steps: Vec::new(),
             warnings: Vec::new(),
+            finished: Vec::new(),
         }),
         pattern,
     })

@@ -25,6 +25,27 @@ pub struct Pattern {
     pub steps: Vec<Step>,
     /// What the maker should know before cutting.
     pub warnings: Vec<Sentence>,
+    /// What a tape says of the sewn garment.
+    pub finished: Vec<FinishedMeasure>,
+}
+
+/// A measure of the sewn garment, beside that of the body where it is worn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FinishedMeasure {
+    /// Where it is taken.
+    pub name: Words,
+    /// Of the body there; `None` where there is none, as at a hem that flares.
+    pub body: Option<Length>,
+    /// Of the garment, as it hangs or as its elastic rests.
+    pub garment: Length,
+}
+
+impl FinishedMeasure {
+    /// What the garment has over the body; negative where it is drawn in.
+    #[must_use]
+    pub fn ease(&self) -> Option<Length> {
+        Some(self.garment - self.body?)
+    }
 }
 
 /// Two edges that are sewn together.
@@ -209,6 +230,35 @@ pub enum StepFigure {
         /// Indices into [`Piece::marks`] of the lines across, from the raw edge on.
         marks: Vec<usize>,
     },
+    /// A long cloth that is wound around its wearer: its parts in the order in which they are laid.
+    Wrapping(Vec<WrapPart>),
+    /// Something that hands do without cloth.
+    Craft(Craft),
+}
+
+/// A part of a cloth along its length, and where it comes to lie.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WrapPart {
+    /// How much of the cloth it is.
+    pub length: Length,
+    /// Where it lies.
+    pub name: Words,
+    /// Its way around the wearer, in turns: 0 is the middle of the front, a quarter her left, a half the
+    /// middle of the back. `None` of what hangs or goes another way.
+    pub around: Option<[f64; 2]>,
+}
+
+/// Work of hands that no piece of cloth shows.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Craft {
+    /// Three strands braided.
+    Braid,
+    /// Leaves and flowers laid one over the other on a base and wound on with a strand.
+    Wili,
+    /// A leaf slit along its midrib, whole for this length above its stem.
+    SlitLeaf(Length),
+    /// Stems hung over a cord and bound by another one this far below it.
+    LeavesOnCord(Length),
 }
 
 impl Step {
@@ -287,6 +337,13 @@ impl Pattern {
             line: SeamSide::whole(piece, copy, edge),
             length,
         }));
+        self
+    }
+
+    /// The pattern with what a tape says of the sewn garment.
+    #[must_use]
+    pub fn measuring(mut self, finished: Vec<FinishedMeasure>) -> Self {
+        self.finished = finished;
         self
     }
 

@@ -9,6 +9,9 @@ use lole_garment::dress::Division;
 use lole_render::{Backend, Bounds, Camera, LightRig, Renderer, Size, View};
 use lole_stage::{Performance, Production};
 
+use lole_export::booklet::Worn;
+
+use crate::studio::{STILLS, still_cameras};
 use crate::{Looks, Moment};
 
 /// Size of one picture of a group [pixel]: as wide as her arms and skirt need, as tall as the tallest.
@@ -18,6 +21,12 @@ pub const STANDING: Size = Size {
 };
 /// What it shows to either side, and from the floor up [m]: outstretched arms of a tall dancer.
 const STANDING_REACH: [f32; 2] = [0.92, 2.0];
+
+/// Size of the pictures of a booklet [pixel], upright.
+const COVER: Size = Size {
+    width: 900,
+    height: 1200,
+};
 
 /// Particles of cloth that hangs still in a small picture, around and down: more would not be seen.
 const COARSE: [u32; 2] = [224, 32];
@@ -94,6 +103,26 @@ pub fn stand(
     }
     performance.pose_body();
     Ok(performance)
+}
+
+/// Her pictures for a booklet, as she stands: the first of the stills large, then front and back.
+///
+/// # Errors
+/// A print or a size that cannot be drawn.
+pub fn of_booklet(performance: &Performance) -> Result<Worn, PortraitError> {
+    let cameras = still_cameras(performance, COVER);
+    let view = |wanted: View| {
+        let place = STILLS.iter().position(|still| still.view == wanted);
+        let camera = place.and_then(|place| cameras.get(place).copied());
+        let camera = camera.unwrap_or_else(|| standing_camera(COVER));
+        let image = shoot(performance, camera, COVER)?;
+        let image = ImageView::new(image.width, image.height, &image.pixels)?;
+        Ok::<EncodedPicture, PortraitError>(EncodedPicture::photo(image)?)
+    };
+    Ok(Worn {
+        cover: view(View::ThreeQuarter)?,
+        front_and_back: Some([view(View::Front)?, view(View::Back)?]),
+    })
 }
 
 /// The camera of a group's pictures.

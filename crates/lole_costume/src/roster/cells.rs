@@ -3,9 +3,9 @@
 use super::{MOST_BYTES, MOST_DANCERS, RosterError};
 
 /// Rows of a list that are looked at: its dancers, heads, sums and notes.
-const MOST_ROWS: usize = 2 * MOST_DANCERS;
+pub(super) const MOST_ROWS: usize = 2 * MOST_DANCERS;
 /// Cells of a row.
-const MOST_CELLS: usize = 500;
+pub(super) const MOST_CELLS: usize = 500;
 
 /// What parts the columns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -59,7 +59,7 @@ const HEADS: &[(Meaning, &[&str])] = &[
     ),
     (
         Meaning::Measure(Measure::Stature),
-        &["身長", "背丈", "stature", "height", "bodyheight"],
+        &["身長", "stature", "height", "bodyheight"],
     ),
     (
         Meaning::Measure(Measure::Bust),
@@ -221,10 +221,18 @@ fn notes(unknown: &[String]) -> Vec<Sentence> {
     if unknown.is_empty() {
         return Vec::new();
     }
-    vec![Sentence::new(
+    let mut notes = vec![Sentence::new(
         format!("次の列は読みませんでした: {}", unknown.join("、")),
         format!("These columns were not read: {}", unknown.join(", ")),
-    )]
+    )];
+    // Read as the stature it would make a child of her.
+    if unknown.iter().any(|head| name_and_unit(head).0 == "背丈") {
+        notes.push(Sentence::new(
+            "「背丈」は首の付け根からウエストまでの長さです。身長の列の見出しは「身長」にしてください",
+            "背丈 is the length of the back, from the nape to the waist; call the column of statures 身長",
+        ));
+    }
+    notes
 }
 
 /// What a head says, and the unit of its numbers: `ヒップ cm` and `ヒップcm` alike.

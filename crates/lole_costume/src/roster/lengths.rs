@@ -153,12 +153,46 @@ fn decimal(number: &str, separator: Separator) -> Option<f64> {
     (number.is_finite() && 0.0 <= number).then_some(number)
 }
 
-/// Full-width letters as narrow ones, in lower case.
+/// Katakana from U+FF66 on, in the order of their half-width forms.
+const KATAKANA: &str = "ヲァィゥェォャュョッーアイウエオカキクケコサシスセソタチツテトナニヌネノハヒフヘホマミムメモヤユヨラリルレロワン";
+
+/// Full-width letters as narrow ones, in lower case; half-width kana, and kana whose marks are letters of
+/// their own, as everybody writes them.
 pub(super) fn narrow(text: &str) -> String {
-    let letter = |letter: char| match letter {
-        '\u{ff01}'..='\u{ff5e}' => char::from_u32(u32::from(letter) - 0xfee0).unwrap_or(letter),
-        '\u{3000}' | '\u{a0}' => ' ',
-        _ => letter,
+    let mut narrowed = String::with_capacity(text.len());
+    for letter in text.chars() {
+        match letter {
+            '\u{ff01}'..='\u{ff5e}' => {
+                narrowed.extend(char::from_u32(u32::from(letter) - 0xfee0));
+            }
+            '\u{3000}' | '\u{a0}' => narrowed.push(' '),
+            '\u{ff66}'..='\u{ff9d}' => {
+                let place = u32::from(letter) - 0xff66;
+                narrowed.extend(KATAKANA.chars().nth(place as usize));
+            }
+            'ﾞ' | '\u{3099}' => mark(&mut narrowed, 1),
+            'ﾟ' | '\u{309a}' => mark(&mut narrowed, 2),
+            _ => narrowed.push(letter),
+        }
+    }
+    narrowed.to_lowercase()
+}
+
+/// Puts a voiced mark (1) or a half-voiced one (2) on the last letter, where it can have one.
+fn mark(text: &mut String, mark: u32) {
+    let Some(last) = text.pop() else { return };
+    let takes = match last {
+        'ウ' => mark == 1,
+        'は' | 'ひ' | 'ふ' | 'へ' | 'ほ' | 'ハ' | 'ヒ' | 'フ' | 'ヘ' | 'ホ' => true,
+        _ => {
+            mark == 1
+                && "かきくけこさしすせそたちつてとカキクケコサシスセソタチツテト".contains(last)
+        }
     };
-    text.chars().map(letter).collect::<String>().to_lowercase()
+    let marked = match last {
+        'ウ' if takes => Some('ヴ'),
+        _ if takes => char::from_u32(u32::from(last) + mark),
+        _ => None,
+    };
+    text.push(marked.unwrap_or(last));
 }

@@ -26,6 +26,115 @@ fn hips(roster: &Roster) -> Vec<f64> {
 }
 
 #[test]
+fn half_width_kana_and_marks_apart_are_the_same_heads() {
+    let wanted = read_text("名前,バスト,ヒップ\n花子,84,91.4\n");
+    for text in [
+        "名前,ﾊﾞｽﾄ,ﾋｯﾌﾟ\n花子,84,91.4\n",
+        "名前,ハ\u{3099}スト,ヒッフ\u{309a}\n花子,84,91.4\n",
+    ] {
+        let read = read_text(text);
+        assert_eq!(read.dancers, wanted.dancers, "{text}");
+        assert!(read.notes.is_empty(), "{:?}", read.notes);
+    }
+}
+
+/// A ZIP archive of these parts.
+fn archive(parts: &[(&str, String)]) -> Vec<u8> {
+    use std::io::Write as _;
+    use zip::write::SimpleFileOptions;
+    let mut writer = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
+    let packed = SimpleFileOptions::default().compression_method(zip::CompressionMethod::Deflated);
+    for (name, text) in parts {
+        writer.start_file(*name, packed).unwrap();
+        writer.write_all(text.as_bytes()).unwrap();
+    }
+    writer.finish().unwrap().into_inner()
+}
+
+/// An `.ods` whose second table holds these rows.
+fn ods(rows: &str) -> Vec<u8> {
+    let text = format!(
+        r#"<?xml version="1.0"?><office:document-content
+        xmlns:office="urn:oasis:names:tc:opendocument:xmlns:office:1.0"
+        xmlns:table="urn:oasis:names:tc:opendocument:xmlns:table:1.0"
+        xmlns:text="urn:oasis:names:tc:opendocument:xmlns:text:1.0"><office:body><office:spreadsheet>
+        <table:table table:name="Notes"><table:table-row><table:table-cell office:value-type="string">
+        <text:p>aloha</text:p></table:table-cell></table:table-row></table:table>
+        <table:table table:name="List">{rows}</table:table>
+        </office:spreadsheet></office:body></office:document-content>"#
+    );
+    let kind = "application/vnd.oasis.opendocument.spreadsheet".to_owned();
+    let listed = r#"<manifest:manifest
+        xmlns:manifest="urn:oasis:names:tc:opendocument:xmlns:manifest:1.0"/>"#;
+    archive(&[
+        ("mimetype", kind),
+        ("META-INF/manifest.xml", listed.to_owned()),
+        ("content.xml", text),
+    ])
+}
+
+fn row_of(cells: &[&str]) -> String {
+    let cells = cells.iter().map(|text| {
+        format!(r#"<table:table-cell office:value-type="string"><text:p>{text}</text:p></table:table-cell>"#)
+    });
+    format!(
+        "<table:table-row>{}</table:table-row>",
+        cells.collect::<String>()
+    )
+}
+
+#[test]
+fn the_sheet_of_a_workbook_with_heads_is_the_list() {
+    let wanted = read_text("名前,身長,ヒップ\n花子,158.5,91.4\n");
+    let rest = r#"<table:table-row table:number-rows-repeated="1048000"><table:table-cell
+        table:number-columns-repeated="16384"/></table:table-row>"#;
+    let heads = row_of(&["名前", "身長", "ヒップ"]);
+    let book = ods(&format!(
+        "{heads}{}{rest}",
+        row_of(&["花子", "158.5", "91.4"])
+    ));
+    assert_eq!(read(&book).unwrap().dancers, wanted.dancers);
+    assert_eq!(names(&book).unwrap(), ["花子"]);
+}
+
+#[test]
+fn workbooks_that_swell_are_refused() {
+    let many = r#"<table:table-row table:number-rows-repeated="900000"><table:table-cell
+        office:value-type="string" table:number-columns-repeated="90"><text:p>x</text:p></table:table-cell>
+        </table:table-row>"#;
+    let wide = many.replace("900000", "1").replace("\"90\"", "\"16000\"");
+    for (rows, why) in [
+        (many, "dancers or more"),
+        (wide.as_str(), "more than 500 cells"),
+    ] {
+        let why_not = read(&ods(rows)).unwrap_err().to_string();
+        assert!(why_not.contains(why), "{why_not}");
+    }
+    let large = archive(&[("content.xml", " ".repeat((64 << 20) + 1))]);
+    assert!(large.len() < 200_000);
+    assert!(matches!(read(&large), Err(RosterError::Swells)));
+    assert!(matches!(
+        read(&archive(&[("note.txt", "aloha".to_owned())])),
+        Err(RosterError::Workbook)
+    ));
+}
+
+#[test]
+fn the_back_length_is_no_stature() {
+    let roster = read_text("名前,身長,背丈,ヒップ\n花子,158,38,91\n");
+    let tape = &roster.dancers[0].tape_cm;
+    assert!(tape.contains(&(Measure::Stature, 158.0)), "{tape:?}");
+    let alone = read_text("名前,背丈,ヒップ\n花子,38,91\n");
+    assert_eq!(alone.dancers[0].tape_cm, [(Measure::Hip, 91.0)]);
+    assert!(
+        alone
+            .notes
+            .iter()
+            .any(|note| note.english.contains("length of the back"))
+    );
+}
+
+#[test]
 fn encodings_and_separators_say_the_same() {
     let text = "氏名,身長(cm),ヒップ,備考\n高橋 花子,158.5,91.4,\"午前, 火曜\"\n";
     let wanted = read_text(text);

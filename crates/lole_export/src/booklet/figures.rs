@@ -3,9 +3,11 @@
 //! Long pieces are drawn shorter than they are, so that what matters can be seen; sections show cloth
 //! layer on layer with gaps between the layers.
 
+mod craft;
 mod piece;
 mod seams;
 mod section;
+mod wrapping;
 
 use kurbo::Affine;
 use lole_language::words;
@@ -26,6 +28,8 @@ pub(super) const fn height(figure: &StepFigure) -> f64 {
         StepFigure::Piece { .. } => 48.0,
         StepFigure::Seams(_) => 46.0,
         StepFigure::Section { .. } => 47.0,
+        StepFigure::Wrapping(_) => 66.0,
+        StepFigure::Craft(_) => 40.0,
     }
 }
 
@@ -48,6 +52,8 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, pattern: &Pattern, figure: &StepFigu
             }
         }
         StepFigure::Seams(seams) => seams::draw(canvas, pattern, seams),
+        StepFigure::Wrapping(parts) => wrapping::draw(canvas, parts),
+        StepFigure::Craft(craft) => craft::draw(canvas, *craft),
         StepFigure::Section { piece, marks } => {
             if let Some(piece) = pattern.pieces.get(*piece) {
                 let has_elastic =

@@ -30,6 +30,7 @@ fn head_above(flow: &mut Flow, text: &str, room: f64) {
         let style = TextStyle::bold(19.0).with_color(ACCENT);
         sheet.text([rect.x, rect.y + 8.0], text, &style, Align::Left);
         rule(sheet, [rect.x, rect.y + 11.0], rect.width);
+        sheet.bookmarks.push(text.to_owned());
     });
     flow.space(1.0);
 }

@@ -18,8 +18,6 @@ const HEAD: f64 = 5.0;
 /// Points nearer to a line than this are on it [m].
 const ON_LINE: f64 = 1.0e-5;
 
-/// Of lines and points on a piece.
-const THIN: Stroke = Stroke::solid(0.25);
 /// Letters of their names.
 const NAME: TextStyle = TextStyle::regular(8.0);
 
@@ -73,6 +71,8 @@ pub(super) struct FullSize<'a> {
     pub(super) drawing: &'a Drawing,
     pub(super) page_from_piece: Affine,
     pub(super) language: Language,
+    /// How thick lines are, over those of paper.
+    pub(super) thick: f64,
 }
 
 impl FullSize<'_> {
@@ -85,20 +85,26 @@ impl FullSize<'_> {
         self.draw_lines(sheet);
         self.draw_points(sheet);
         let cut = cut_path(drawing, self.page_from_piece);
-        sheet.path(cut, None, Some(Stroke::solid(0.5)));
+        let stroke = Stroke::solid(0.5 * self.thick);
+        sheet.path(cut, None, Some(stroke.clone()));
         for notch in &drawing.notches {
-            draw_notch(sheet, notch, self.page_from_piece);
+            draw_notch(sheet, notch, self.page_from_piece, &stroke);
         }
         let grain = drawing.grain.map(|end| self.page_from_piece * end);
-        arrow(sheet, grain, &Stroke::solid(0.35));
+        arrow(sheet, grain, &Stroke::solid(0.35 * self.thick));
         draw_label(sheet, words, label);
+    }
+
+    /// Of lines and points on the piece.
+    const fn thin(&self) -> Stroke {
+        Stroke::solid(0.25 * self.thick)
     }
 
     fn draw_lines(&self, sheet: &mut Sheet) {
         let mut dart_end = None;
         for marked in &self.drawing.lines {
             let path = line(&marked.points, self.page_from_piece);
-            sheet.path(path, None, Some(THIN));
+            sheet.path(path, None, Some(self.thin()));
             // Both legs of a dart end in one point and have one name.
             let end = marked.points.last().copied();
             let is_second_leg = marked.kind == LineKind::Dart && dart_end == end;
@@ -118,7 +124,7 @@ impl FullSize<'_> {
             let at = self.page_from_piece * *at;
             for arm in [Vec2::new(4.0, 0.0), Vec2::new(0.0, 4.0)] {
                 let [from, to] = [at - arm, at + arm];
-                sheet.line([from.x, from.y], [to.x, to.y], THIN);
+                sheet.line([from.x, from.y], [to.x, to.y], self.thin());
             }
             let name = name.text(self.language);
             sheet.text([at.x + 2.0, at.y - 2.0], name, &NAME, Align::Left);
@@ -134,7 +140,7 @@ impl FullSize<'_> {
                 self.say_fold(sheet, [first, last].map(|end| self.page_from_piece * end));
             }
         } else if 1e-9 < stitches.allowance.to_m() {
-            let stroke = Stroke::dashed(0.3, 3.0).with_color(STITCH);
+            let stroke = Stroke::dashed(0.3 * self.thick, 3.0).with_color(STITCH);
             sheet.path(path, None, Some(stroke));
         }
     }
@@ -199,7 +205,7 @@ pub(crate) const fn notch_places(notch: &DrawnNotch) -> &'static [f64] {
     }
 }
 
-fn draw_notch(sheet: &mut Sheet, notch: &DrawnNotch, page_from_piece: Affine) {
+fn draw_notch(sheet: &mut Sheet, notch: &DrawnNotch, page_from_piece: Affine, stroke: &Stroke) {
     let at = page_from_piece * notch.at;
     let inward = page_from_piece * (notch.at + notch.inward) - at;
     let inward = inward / inward.hypot().max(1e-9);
@@ -207,7 +213,7 @@ fn draw_notch(sheet: &mut Sheet, notch: &DrawnNotch, page_from_piece: Affine) {
     for place in notch_places(notch) {
         let from = at + side * *place;
         let to = from + inward * NOTCH;
-        sheet.line([from.x, from.y], [to.x, to.y], Stroke::solid(0.5));
+        sheet.line([from.x, from.y], [to.x, to.y], stroke.clone());
     }
 }
 

@@ -3,7 +3,8 @@
 use lole_language::Language;
 
 use super::{
-    CutGarment, cut_plan_sheets, cut_plan_svg, pattern_json, pieces_svg, ruler_sheets, tiled_sheets,
+    CutGarment, WholeSheet, cut_plan_sheets, cut_plan_svg, pattern_json, pieces_svg, ruler_sheets,
+    tiled_sheets, whole_sheet,
 };
 use crate::ExportError;
 use crate::dxf::pattern_dxf;
@@ -23,6 +24,8 @@ pub struct PatternParts<'a> {
     pub size: &'a str,
     /// What it is printed on.
     pub paper: Paper,
+    /// Pages beside it that hold a garment whole.
+    pub whole: &'a [WholeSheet],
     /// Language of every word.
     pub language: Language,
     /// Version of the program, written into the data.
@@ -72,7 +75,8 @@ pub fn left_behind(earlier: &[u8], files: &[(String, Vec<u8>)]) -> Vec<String> {
         let sheets = Paper::ALL.map(|(paper, _)| tiled_name(id, paper));
         sheets
             .into_iter()
-            .chain([format!("{id}.svg"), format!("{id}.dxf")])
+            .chain(WholeSheet::ALL.map(|(page, _)| whole_name(id, page)))
+            .chain([sizes_name(id), format!("{id}.svg"), format!("{id}.dxf")])
     });
     let shared = SHARED_FILES.map(str::to_owned);
     let names = shared.into_iter().chain(own);
@@ -84,6 +88,17 @@ pub fn left_behind(earlier: &[u8], files: &[(String, Vec<u8>)]) -> Vec<String> {
 /// The file of a garment's sheets to join.
 fn tiled_name(id: &str, paper: Paper) -> String {
     format!("{id}-{}.pdf", paper.name().to_ascii_lowercase())
+}
+
+/// The file of a page with all sizes of a garment.
+#[must_use]
+pub fn sizes_name(id: &str) -> String {
+    format!("{id}-sizes.pdf")
+}
+
+/// The file of a page that holds a garment whole.
+fn whole_name(id: &str, page: WholeSheet) -> String {
+    format!("{id}-{}.pdf", page.name())
 }
 
 struct Folder<'a> {
@@ -127,6 +142,12 @@ impl Folder<'_> {
             let name = tiled_name(id, paper);
             self.pdf(&name, cut.garment.name.text(language), tiled.sheets)?;
         }
+        for page in self.parts.whole {
+            if let Some(sheet) = whole_sheet(cut, *page, language) {
+                let name = whole_name(id, *page);
+                self.pdf(&name, cut.garment.name.text(language), vec![sheet])?;
+            }
+        }
         // Leaves and flowers are tied, not cut.
         if !cut.garment.pattern.pieces.is_empty() {
             self.add(&format!("{id}.svg"), pieces_svg(cut, language));
@@ -160,6 +181,7 @@ mod tests {
         for name in [
             "ruler.pdf",
             "skirt-a4.pdf",
+            "skirt-roll.pdf",
             "pau-top-2.svg",
             "pau-top-2.dxf",
         ] {

@@ -79,6 +79,27 @@ impl Label {
         }
     }
 
+    /// The label beside an arrow that runs through its place, smaller where there is little room.
+    pub(super) fn beside(
+        self,
+        drawing: &Drawing,
+        words: &[String],
+        page_from_piece: Affine,
+    ) -> Self {
+        let room = scale_of(page_from_piece) * drawing.label_room - CLEAR;
+        let wide = width_of(&self.style, words);
+        let size_pt = self.style.size_pt * (room / wide.max(1.0)).clamp(0.4, 1.0);
+        let style = TextStyle::bold(size_pt);
+        let at = page_from_piece * drawing.label;
+        Self {
+            foot: Point::new(
+                at.x + CLEAR + 0.5 * width_of(&style, words),
+                at.y + 0.4 * height_of(&style, words),
+            ),
+            style,
+        }
+    }
+
     /// What the words cover [mm].
     fn space(&self, words: &[String]) -> Rect {
         let half = 0.5 * width_of(&self.style, words);

@@ -11,12 +11,13 @@ use lole_costume::tailoring::role_name;
 use lole_geom::Length;
 use lole_language::Language;
 use lole_pattern::Pattern;
-use lole_pattern::marker::{Lay, Marker, Nap, TableCloth, lay_out};
+use lole_pattern::marker::{Lay, Marker, Nap, Placed, TableCloth, lay_out};
 use lole_pattern::piece::{ClothRole, CutCount, Finish, Piece};
 use lole_pattern::polygon::Polygon;
 
 use super::draw::{FullSize, PLACE_ON_FOLD, fitting, fold_stroke, outline};
 use super::label::Label;
+use super::stamp::{CODE, draw_bar};
 use super::{CutGarment, MM, TOLERANCE, cut_words};
 use crate::canvas::Canvas;
 use crate::pdf::{Align, Color, Item, Paper, Rect, Sheet, Stroke, TextStyle};
@@ -63,14 +64,25 @@ pub fn tiled_sheets(cut: &CutGarment, paper: Paper, language: Language) -> Optio
         return None;
     }
     let layout = Layout::new(&free, paper);
-    let drawing = Arc::new(draw_pieces(cut, &free, &layout, language));
     let tiles = layout.used_tiles();
+    let rooms: Vec<kurbo::Rect> = tiles.iter().map(|tile| layout.room(*tile)).collect();
+    let drawn = Drawn {
+        placed: &layout.marker.placed,
+        page_from_cloth: layout.drawing_from_marker(),
+        rooms: &rooms,
+        is_upright: false,
+        thick: 1.0,
+    };
+    let drawing = Arc::new(draw_pieces(cut, &free, &drawn, language));
     let mut sheets = vec![cover(cut, &layout, tiles.len(), language)];
     for (number, tile) in (1_usize..).zip(&tiles) {
         let mut sheet = layout.tile_sheet(*tile, &tiles, &drawing, language);
-        let at = [0.5 * sheet.size[0], sheet.size[1] - 4.5];
+        let [width, height] = sheet.size;
         let foot = foot(cut, number, tiles.len(), language);
-        sheet.text(at, &foot, &TextStyle::regular(8.0), Align::Center);
+        let style = fitted_foot(&foot, width - 2.0 * MARGIN - 56.0);
+        sheet.text([width - MARGIN, height - 5.0], &foot, &style, Align::Right);
+        draw_bar(&mut sheet, [MARGIN, height - 6.4], language);
+        sheet.bookmarks.push(tile_name(*tile));
         sheets.push(sheet);
     }
     Some(TiledPattern {
@@ -81,11 +93,36 @@ pub fn tiled_sheets(cut: &CutGarment, paper: Paper, language: Language) -> Optio
 }
 
 /// Pieces that no ruler draws.
-fn free_pieces(cut: &CutGarment) -> Vec<&Piece> {
+pub(super) fn free_pieces(cut: &CutGarment) -> Vec<&Piece> {
     let pieces = cut.garment.cutting().pieces.iter();
     pieces
         .filter(|piece| piece.drawing(TOLERANCE).rectangle.is_none())
         .collect()
+}
+
+/// The pieces as paper has them: once each, to their folds only, with room for scissors between them.
+pub(super) fn on_paper(free: &[&Piece]) -> Pattern {
+    let once = |piece: &&Piece| {
+        let mut piece = (*piece).clone();
+        piece.cut = CutCount::Alike(1);
+        piece.cloth = ClothRole::Main;
+        for edge in &mut piece.edges {
+            edge.allowance = edge.allowance + Length::from_m(SPACE / MM);
+            if edge.finish == Finish::Fold {
+                edge.finish = Finish::Selvage;
+            }
+        }
+        piece
+    };
+    Pattern {
+        pieces: free.iter().map(once).collect(),
+        seams: Vec::new(),
+        drawn_in: Vec::new(),
+        notions: Vec::new(),
+        steps: Vec::new(),
+        warnings: Vec::new(),
+        finished: Vec::new(),
+    }
 }
 
 /// All pieces laid on one large sheet, and how paper covers it.
@@ -99,28 +136,7 @@ struct Layout {
 impl Layout {
     /// The sheet that takes the fewest papers, over some widths.
     fn new(free: &[&Piece], paper: Paper) -> Self {
-        let on_paper = |piece: &&Piece| {
-            let mut piece = (*piece).clone();
-            piece.cut = CutCount::Alike(1);
-            piece.cloth = ClothRole::Main;
-            for edge in &mut piece.edges {
-                // Room for scissors between the pieces.
-                edge.allowance = edge.allowance + Length::from_m(SPACE / MM);
-                // Drawn to its fold only.
-                if edge.finish == Finish::Fold {
-                    edge.finish = Finish::Selvage;
-                }
-            }
-            piece
-        };
-        let pattern = Pattern {
-            pieces: free.iter().map(on_paper).collect(),
-            seams: Vec::new(),
-            drawn_in: Vec::new(),
-            notions: Vec::new(),
-            steps: Vec::new(),
-            warnings: Vec::new(),
-        };
+        let pattern = on_paper(free);
         let [_, step] = step(paper);
         let mut best: Option<Self> = None;
         for rows in 1..=MOST_ROWS {
@@ -446,29 +462,44 @@ impl Joint {
 }
 
 /// All pieces at full size in the space of the whole drawing.
-fn draw_pieces(
+pub(super) fn draw_pieces(
     cut: &CutGarment,
     free: &[&Piece],
-    layout: &Layout,
+    drawn: &Drawn<'_>,
     language: Language,
 ) -> Vec<Item> {
     let mut sheet = Sheet::new([0.0, 0.0]);
-    let tiles = layout.used_tiles();
-    let rooms: Vec<kurbo::Rect> = tiles.iter().map(|tile| layout.room(*tile)).collect();
-    for placed in &layout.marker.placed {
+    for placed in drawn.placed {
         let piece = free[placed.piece];
-        let to_drawing = layout.drawing_from_marker() * placed.cloth_from_piece;
+        let to_page = drawn.page_from_cloth * placed.cloth_from_piece;
         let drawing = piece.drawing(TOLERANCE);
         let words = label(cut, piece, language);
-        let place = Label::of(&drawing, &words, to_drawing, &rooms);
+        let mut place = Label::of(&drawing, &words, to_page, drawn.rooms);
+        if drawn.is_upright {
+            place = place.beside(&drawing, &words, to_page);
+        }
         let full_size = FullSize {
             drawing: &drawing,
-            page_from_piece: to_drawing,
+            page_from_piece: to_page,
             language,
+            thick: drawn.thick,
         };
         full_size.draw(&mut sheet, &words, &place);
     }
     sheet.items
+}
+
+/// Pieces as they lie on paper.
+pub(super) struct Drawn<'a> {
+    pub(super) placed: &'a [Placed],
+    /// From meters of the cloth that they were laid on to millimeters of the page.
+    pub(super) page_from_cloth: Affine,
+    /// Parts of the page on which words stand whole; none where all of it is.
+    pub(super) rooms: &'a [kurbo::Rect],
+    /// Whether the warp, and so all arrows, run down the page.
+    pub(super) is_upright: bool,
+    /// How thick lines are, over those of paper.
+    pub(super) thick: f64,
 }
 
 /// What stands on a piece: its name, its garment, how often and from what it is cut.
@@ -487,12 +518,22 @@ fn label(cut: &CutGarment, piece: &Piece, language: Language) -> Vec<String> {
     ]
 }
 
+/// Letters in which the line at the foot of a sheet leaves room for what stands beside it.
+fn fitted_foot(foot: &str, room: f64) -> TextStyle {
+    const MOST: f64 = 8.0;
+    let natural = TextStyle::regular(MOST).width_of(foot);
+    TextStyle::regular(MOST * (room / natural).min(1.0))
+}
+
 /// The line at the foot of a sheet.
 fn foot(cut: &CutGarment, number: usize, count: usize, language: Language) -> String {
     let name = cut.title(language);
+    let stamp = cut.stamp.words();
     match language {
-        Language::Japanese => format!("{name}　{number} / {count}　倍率100 %で印刷"),
-        Language::English => format!("{name}, sheet {number} of {count}. Print at 100 %."),
+        Language::Japanese => format!("{name}　{stamp}　{number} / {count}　倍率100 %で印刷"),
+        Language::English => {
+            format!("{name}  {stamp}  sheet {number} of {count}. Print at 100 %.")
+        }
     }
 }
 
@@ -522,6 +563,9 @@ fn cover(cut: &CutGarment, layout: &Layout, count: usize, language: Language) ->
     let center = [left + 0.5 * TEST_SQUARE, top + 0.5 * TEST_SQUARE];
     sheet.text(center, said, &TextStyle::bold(12.0), Align::Center);
     draw_legend(&mut sheet, [left + TEST_SQUARE + 10.0, top], language);
+    let code = [left + TEST_SQUARE + 10.0, top + TEST_SQUARE - CODE];
+    cut.stamp.draw(&mut sheet, code, &cut.owner);
+    sheet.bookmarks.push(title.clone());
     let map = Rect {
         x: left,
         y: top + TEST_SQUARE + 14.0,

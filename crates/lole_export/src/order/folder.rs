@@ -2,16 +2,18 @@
 
 use std::sync::Arc;
 
+use lole_body::{Dancer, Measurements};
 use lole_costume::cost::{self, Bill};
 use lole_costume::document::Design;
 use lole_costume::order::{self, DancerPlan, Group, PrintTotal, Settings};
+use lole_costume::tailoring::{self, UsedMeasure};
 use lole_language::Language;
 use rayon::prelude::*;
 
 use super::{Order, order_json, order_sheets};
 use crate::ExportError;
-use crate::booklet::{Booklet, booklet_sheets};
-use crate::cutting::{CutGarment, tiled_sheets};
+use crate::booklet::{Booklet, Worn, booklet_sheets};
+use crate::cutting::{CutGarment, Stamp, tiled_sheets};
 use crate::pdf::{Document, EncodedPicture, Paper, Sheet};
 
 /// What an order is made of.
@@ -154,16 +156,28 @@ fn booklet_of(parts: &OrderParts<'_>, bills: &[Bill]) -> Option<Vec<Sheet>> {
     // A picture that was not read leaves the plans without it.
     let images = design.cut_print_images(PRINT_SIDE).unwrap_or_default();
     let images: Vec<_> = images.into_iter().map(Arc::new).collect();
+    let measures = (parts.group.designs.first()).map_or_else(Vec::new, measures_of);
     let booklet = Booklet {
         title: parts.title.clone(),
         plan: plans.first()?,
         group: plans,
         prints: &images,
         bill: bills.first()?,
-        cover: parts.pictures.first().cloned().flatten(),
+        measures: &measures,
+        worn: (parts.pictures.first().cloned().flatten()).map(Worn::alone),
         hem_height_cm: design.costume_hem_cm(),
     };
     Some(booklet_sheets(&booklet, parts.paper, parts.language))
+}
+
+/// What a design's costume is drafted by; nothing where its tape makes no body.
+fn measures_of(design: &Design) -> Vec<UsedMeasure> {
+    let tape = Measurements::from_tape(&design.tape());
+    let dancer = tape.and_then(|tape| Dancer::with_appearance(&tape, &design.appearance()));
+    dancer.map_or_else(
+        |_| Vec::new(),
+        |dancer| tailoring::measures_used(design, &dancer),
+    )
 }
 
 /// A file of patterns at full size for every dancer whose garments are not all drawn by ruler.
@@ -176,7 +190,9 @@ fn paper_patterns(
         if !goes_on() {
             return Ok(None);
         }
-        let sheets = pattern_sheets(plan, paper, language);
+        let design = parts.group.designs.get(index);
+        let stamp = design.map(|design| Stamp::of(&parts.title, design));
+        let sheets = pattern_sheets(plan, &stamp.unwrap_or_default(), paper, language);
         if sheets.is_empty() {
             return Ok(None);
         }
@@ -193,10 +209,16 @@ fn paper_patterns(
 }
 
 /// One dancer's patterns at full size; none where all of hers are drawn by ruler.
-fn pattern_sheets(plan: &DancerPlan, paper: Paper, language: Language) -> Vec<Sheet> {
+fn pattern_sheets(
+    plan: &DancerPlan,
+    stamp: &Stamp,
+    paper: Paper,
+    language: Language,
+) -> Vec<Sheet> {
     let tiled = plan.garments.iter().filter_map(|garment| {
         let cut = CutGarment {
             owner: plan.name.clone(),
+            stamp: stamp.clone(),
             ..CutGarment::of(garment)
         };
         tiled_sheets(&cut, paper, language)

@@ -291,14 +291,19 @@ pub struct Sheet {
     pub size: [f64; 2],
     /// What is on it, the lowest first.
     pub items: Vec<Item>,
+    /// What readers list beside the pages, to go to this one.
+    pub bookmarks: Vec<String>,
 }
 
 impl Sheet {
     /// An empty page of this size [mm].
     #[must_use]
     pub const fn new(size: [f64; 2]) -> Self {
-        let items = Vec::new();
-        Self { size, items }
+        Self {
+            size,
+            items: Vec::new(),
+            bookmarks: Vec::new(),
+        }
     }
 
     /// Draws a straight line.

@@ -3,9 +3,11 @@
 use krilla::Data;
 use krilla::SerializeSettings;
 use krilla::color::rgb;
+use krilla::destination::XyzDestination;
 use krilla::geom::{Path, PathBuilder, Point, Size, Transform};
 use krilla::image::Image;
 use krilla::metadata::Metadata;
+use krilla::outline::{Outline, OutlineNode};
 use krilla::page::PageSettings;
 use krilla::paint::{Fill, FillRule, LineCap, LineJoin, Stroke as PdfStroke, StrokeDash};
 use krilla::surface::Surface;
@@ -82,9 +84,24 @@ impl Document {
             page.finish();
             drawn.map_err(failed)?;
         }
+        document.set_outline(self.outline());
         document
             .finish()
             .map_err(|error| failed(format!("{error:?}")))
+    }
+}
+
+impl Document {
+    /// The bookmarks of all pages, in order.
+    fn outline(&self) -> Outline {
+        let mut outline = Outline::new();
+        for (index, sheet) in self.sheets.iter().enumerate() {
+            for text in &sheet.bookmarks {
+                let top = XyzDestination::new(index, Point::from_xy(0.0, 0.0));
+                outline.push_child(OutlineNode::new(printable(text), top));
+            }
+        }
+        outline
     }
 }
 

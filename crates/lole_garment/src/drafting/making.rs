@@ -5,8 +5,8 @@
 use lole_geom::Length;
 use lole_language::{Sentence, Words, words};
 use lole_pattern::pattern::{
-    Amount, Notion, NotionKind, Pattern, Seam, SeamKind, SeamSide, Step, StepFigure,
-    THREAD_PER_STITCH,
+    Amount, FinishedMeasure, Notion, NotionKind, Pattern, Seam, SeamKind, SeamSide, Step,
+    StepFigure, THREAD_PER_STITCH, WrapPart,
 };
 use lole_pattern::piece::{Finish, Piece};
 
@@ -62,6 +62,26 @@ pub(crate) fn edges_of(piece: usize, edges: &[usize]) -> StepFigure {
         piece,
         edges: edges.to_vec(),
         marks: Vec::new(),
+    }
+}
+
+/// A measure of the sewn garment [m], of the body there too where it is worn close to one.
+pub(crate) fn sewn(name: Words, body: Option<Length>, garment: f64) -> FinishedMeasure {
+    let garment = Length::from_m(garment);
+    FinishedMeasure {
+        name,
+        body,
+        garment,
+    }
+}
+
+/// A part of a cloth that is wound around its wearer [m].
+pub(crate) fn laid(length: f64, name: Words, around: Option<[f64; 2]>) -> WrapPart {
+    let length = Length::from_m(length);
+    WrapPart {
+        length,
+        name,
+        around,
     }
 }
 
@@ -183,6 +203,7 @@ pub(crate) fn pattern(
         notions,
         steps,
         warnings: Vec::new(),
+        finished: Vec::new(),
     };
     pattern.with_matching_notches()
 }

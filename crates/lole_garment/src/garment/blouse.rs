@@ -8,7 +8,9 @@
 use kurbo::{PathSeg, Vec2};
 use lole_geom::Length;
 use lole_language::words;
-use lole_pattern::pattern::{Amount, Notion, NotionKind, Seam, SeamKind, Step, StepFigure};
+use lole_pattern::pattern::{
+    Amount, FinishedMeasure, Notion, NotionKind, Seam, SeamKind, Step, StepFigure,
+};
 use lole_pattern::piece::{CutCount, Finish, Piece};
 use lole_pattern::{DraftError, Measure, Measures, Pattern};
 
@@ -19,7 +21,7 @@ use crate::drafting::fitted::{
     cutting_step, dart_step, hem_step, place, shown, upper_edges,
 };
 use crate::drafting::making::{
-    both_sides, cm, eased, elastic, notion, pattern, plain, say, side, step,
+    both_sides, cm, eased, elastic, notion, pattern, plain, say, sewn, side, step,
 };
 use crate::drafting::shape::{CM, DOWN, Label, at, back_notch, curve, edge, length, line, notch};
 use crate::drafting::sleeve::{ArmholePart, Sleeve, SleeveFit, armhole_notch};
@@ -174,7 +176,51 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
         sleeve.piece.clone(),
         binding(block.neckline_length(), Finish::Hem),
     ];
-    Ok(finish(pieces, (&front_side, &sleeve), (measures, &body)))
+    let half_bust = block.back.underarm.x + flat_front(&block);
+    let finished = finished(measures, (half_bust, &body), (&sleeve, &pieces));
+    let pattern = finish(pieces, (&front_side, &sleeve), (measures, &body));
+    Ok(pattern.measuring(finished))
+}
+
+/// What a tape says of the blouse.
+fn finished(
+    measures: &Measures,
+    (half_bust, body): (f64, &Body),
+    (sleeve, pieces): (&Sleeve, &[Piece]),
+) -> Vec<FinishedMeasure> {
+    let hem = [FRONT, BACK].map(|piece| pieces[piece].edges[0].length());
+    vec![
+        sewn(
+            words("バスト", "bust"),
+            Some(measures.bust_girth),
+            2.0 * half_bust,
+        ),
+        sewn(
+            words("ウエスト", "waist"),
+            Some(measures.waist_girth),
+            2.0 * half_bust - 4.0 * body.waist_in,
+        ),
+        sewn(
+            words("裾まわり", "around the hem"),
+            None,
+            2.0 * (hem[0] + hem[1]),
+        ),
+        sewn(
+            words("袖口（ゴム）", "edge of the sleeve, elastic"),
+            Some(measures.upper_arm_girth),
+            measures.upper_arm_girth.to_m() * ARM_ELASTIC,
+        ),
+        sewn(
+            words("袖下の長さ", "underarm seam of the sleeve"),
+            None,
+            sleeve.underarm(),
+        ),
+        sewn(
+            words("後ろ中心の丈", "middle of the back"),
+            None,
+            pieces[BACK].edges[place(&pieces[BACK], "center_back")].length(),
+        ),
+    ]
 }
 
 /// Where the front's underarm lay before it was pivoted.

@@ -8,7 +8,7 @@
 use kurbo::{PathSeg, Vec2};
 use lole_geom::Length;
 use lole_language::words;
-use lole_pattern::pattern::{Amount, NotionKind, Seam, Step, StepFigure};
+use lole_pattern::pattern::{Amount, FinishedMeasure, NotionKind, Seam, Step, StepFigure};
 use lole_pattern::piece::{CutCount, Edge, Finish, LineKind, Mark, Piece};
 use lole_pattern::{DraftError, Measure, Measures, Pattern};
 
@@ -21,7 +21,9 @@ use crate::drafting::fitted::{
     FITTED_SEAM, SEAM, SideLine, binding, binding_seams, binding_step, closing_step, cutting_step,
     dart_step, hem_step, place, shown,
 };
-use crate::drafting::making::{both_sides, cm, eased, notion, pattern, plain, say, side, step};
+use crate::drafting::making::{
+    both_sides, cm, eased, notion, pattern, plain, say, sewn, side, step,
+};
 use crate::drafting::shape::{CM, DOWN, Label, at, back_notch, curve, edge, line, marked, notch};
 use crate::drafting::sleeve::{ArmholePart, Sleeve, SleeveFit};
 use crate::drafting::work::{Work, minutes};
@@ -186,11 +188,55 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
         sleeve.piece.clone(),
         binding(block.neckline_length(), Finish::Hem),
     ];
-    let pattern = finish(pieces, (&front_side, &yokes), (&sleeve, &body));
+    let finished = finished(measures, &body, (&sleeve, &pieces));
+    let pattern = finish(pieces, (&front_side, &yokes), (&sleeve, &body)).measuring(finished);
     Ok(pattern.warn(say!(
         "引き裾の長さと裾の広がりは目安です。仮縫いで確かめてください",
         "train and flare are estimates; try the dress on in basted cloth first"
     )))
+}
+
+/// What a tape says of the dress.
+fn finished(
+    measures: &Measures,
+    body: &Body,
+    (sleeve, pieces): (&Sleeve, &[Piece]),
+) -> Vec<FinishedMeasure> {
+    let half_bust = body.front + body.back;
+    let darts = body.darts[0] + body.darts[1];
+    let hem = [FRONT, BACK].map(|piece| pieces[piece].edges[0].length());
+    vec![
+        sewn(
+            words("バスト", "bust"),
+            Some(measures.bust_girth),
+            2.0 * half_bust,
+        ),
+        sewn(
+            words("ウエスト", "waist"),
+            Some(measures.waist_girth),
+            2.0 * (half_bust - 2.0 * body.waist_in - darts),
+        ),
+        sewn(
+            words("ヒップ", "hips"),
+            Some(measures.hip_girth),
+            2.0 * (half_bust + 2.0 * body.hip_out),
+        ),
+        sewn(
+            words("袖口", "edge of the sleeve"),
+            Some(measures.wrist_girth),
+            sleeve.hem_width,
+        ),
+        sewn(
+            words("裾まわり", "around the hem"),
+            None,
+            2.0 * (hem[0] + hem[1]),
+        ),
+        sewn(
+            words("引き裾（床から先）", "train beyond the hem in front"),
+            None,
+            body.train,
+        ),
+    ]
 }
 
 fn sleeve(

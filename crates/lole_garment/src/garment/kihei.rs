@@ -4,11 +4,15 @@
 //! estimate, follows the stature, and is no wider than can be cut from cloth of 110 cm.
 
 use lole_language::words;
+use lole_pattern::pattern::StepFigure;
 use lole_pattern::piece::{CutCount, Finish};
 use lole_pattern::{DraftError, Measure, Pattern};
 
+use super::kikepa::size_of;
 use crate::drafting::chosen::{Chosen, by_measure, number};
-use crate::drafting::making::{NO_WORK, cm, edges_of, folds, hem_in_section, pattern, say, step};
+use crate::drafting::making::{
+    NO_WORK, cm, edges_of, folds, hem_in_section, laid, pattern, say, step,
+};
 use crate::drafting::shape::{AROUND, CM, Label, rectangle};
 use crate::drafting::work::{Work, minutes};
 use crate::fitting::Fitting;
@@ -94,6 +98,19 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
     let [cut_length, cut_height] = [length, height].map(|side| cm(side + 2.0 * hem));
     let [turn_cm, rest_cm] = folds(hem);
     let knot_cm = cm(KNOT);
+    let hanging = words("結び目から垂れる", "hangs from the knot");
+    let figure = StepFigure::Wrapping(vec![
+        laid(KNOT, hanging, None),
+        laid(
+            length - 2.0 * KNOT,
+            words(
+                "左の肩から背中、右の脇の下を通って左の肩へ",
+                "from the left shoulder over the back, under the right arm, to the left shoulder",
+            ),
+            Some([0.25, 1.25]),
+        ),
+        laid(KNOT, hanging, None),
+    ]);
     let steps = vec![
         step(
             words("布を裁つ", "Cut the cloth"),
@@ -121,18 +138,19 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
         step(
             words("着る", "Put it on"),
             say!(
-                "布を背中に当て、上の二つの角を、角から {knot_cm} cm のところで片方の肩の上に結びます。反対の腕は出しておきます。",
-                "Lay the cloth across the back and knot the two upper corners on one shoulder, {knot_cm} cm from each corner. The other arm stays free."
+                "布を背中に当て、右の脇の下を通して前へ回し、上の二つの角を、角から {knot_cm} cm のところで左の肩の上に結びます。右の腕は出しておきます。",
+                "Lay the cloth across the back, bring it under the right arm to the front and knot the two upper corners on the left shoulder, {knot_cm} cm from each corner. The right arm stays free."
             ),
             NO_WORK,
-        ),
+        )
+        .shown(figure),
     ];
-    Ok(
-        pattern(vec![piece], Vec::new(), Vec::new(), steps).warn(say!(
+    Ok(pattern(vec![piece], Vec::new(), Vec::new(), steps)
+        .measuring(size_of(length, height))
+        .warn(say!(
             "キーヘイの大きさは目安です。クムの決まりに合わせてください",
             "the size of the kīhei is an estimate; the rule of your kumu comes first"
-        )),
-    )
+        )))
 }
 
 mod worn {

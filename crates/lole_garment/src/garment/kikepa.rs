@@ -5,13 +5,16 @@
 //! two yards to a girth of 91 cm: derived.
 
 use lole_geom::Length;
-use lole_language::words;
+use lole_language::{Words, words};
+use lole_pattern::pattern::{FinishedMeasure, StepFigure};
 use lole_pattern::piece::{CutCount, Finish};
 use lole_pattern::{DraftError, Measure, Measures, Pattern};
 
 use super::pau_skirt::HEM_HEIGHT;
 use crate::drafting::chosen::{Chosen, by_measure, number};
-use crate::drafting::making::{NO_WORK, cm, edges_of, folds, hem_in_section, pattern, say, step};
+use crate::drafting::making::{
+    NO_WORK, cm, edges_of, folds, hem_in_section, laid, pattern, say, sewn, step,
+};
 use crate::drafting::shape::{AROUND, CM, Label, rectangle};
 use crate::drafting::work::{Work, minutes};
 use crate::fitting::Fitting;
@@ -99,7 +102,25 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
     let piece = rectangle(label, [width, height], sides, AROUND);
     let [cut_width, cut_height] = [width, height].map(|side| cm(side + 2.0 * hem));
     let [turn_cm, rest_cm] = folds(hem);
-    let [tie_cm, girth_cm] = [chosen.m("tie_cm"), widest].map(cm);
+    let turns = chosen.number("wrap_ratio");
+    let [tie_cm, girth_cm, wrapped_cm] = [chosen.m("tie_cm"), widest, turns * widest].map(cm);
+    let begin = beginning(turns);
+    let (begin_japanese, begin_english) = (begin.japanese, begin.english);
+    let figure = StepFigure::Wrapping(vec![
+        laid(
+            turns * widest,
+            words("胴に巻く", "wrapped under the arms"),
+            Some([1.0 - turns, 1.0]),
+        ),
+        laid(
+            chosen.m("tie_cm"),
+            words(
+                "左の肩の上を通って後ろで結ぶ",
+                "over the left shoulder, tied at the back",
+            ),
+            None,
+        ),
+    ]);
     let steps = vec![
         step(
             words("布を裁つ", "Cut the cloth"),
@@ -127,18 +148,42 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
         step(
             words("着る", "Put it on"),
             say!(
-                "上の端を脇の下に当て、{girth_cm} cm の胴を一周半巻きます。角の {tie_cm} cm を左の肩の上へ回し、後ろの端と結びます。",
-                "Hold the upper edge under the arms and wrap it one and a half times around {girth_cm} cm. Bring the last {tie_cm} cm over the left shoulder and tie it to the edge at the back."
+                "上の端を脇の下に当て、{begin_japanese}から始めて右へ回し、{girth_cm} cm の胴に {turns} 周（{wrapped_cm} cm）巻きます。前に来た角の {tie_cm} cm を左の肩の上へ回し、後ろの上の端と結びます。",
+                "Hold the upper edge under the arms, begin at {begin_english} and wrap towards your right, {turns} times around {girth_cm} cm ({wrapped_cm} cm). Bring the last {tie_cm} cm, a corner in front now, over the left shoulder and tie it to the upper edge at the back."
             ),
             NO_WORK,
-        ),
+        )
+        .shown(figure),
     ];
-    Ok(
-        pattern(vec![piece], Vec::new(), Vec::new(), steps).warn(say!(
+    Ok(pattern(vec![piece], Vec::new(), Vec::new(), steps)
+        .measuring(size_of(width, height))
+        .warn(say!(
             "巻き方と大きさは目安です。クムの決まりに合わせてください",
             "size and way of wrapping are estimates; the rule of your kumu comes first"
-        )),
-    )
+        )))
+}
+
+/// Length and width of a hemmed cloth [m].
+pub(super) fn size_of(length: f64, width: f64) -> Vec<FinishedMeasure> {
+    vec![
+        sewn(words("長さ", "length"), None, length),
+        sewn(words("幅", "width"), None, width),
+    ]
+}
+
+/// Where wrapping begins that ends in the middle of the front after so many turns.
+fn beginning(turns: f64) -> Words {
+    const PLACES: [Words; 4] = [
+        words("前の中心", "the middle of the front"),
+        words("左脇", "your left side"),
+        words("後ろの中心", "the middle of the back"),
+        words("右脇", "your right side"),
+    ];
+    // Towards her right from the front is back through the quarters.
+    let quarters = (4.0 * (1.0 - turns)).round().rem_euclid(4.0);
+    let is_at = |place: &usize| (quarters - *place as f64).abs() < 0.5;
+    let place = (0..PLACES.len()).find(is_at);
+    PLACES[place.unwrap_or_default()]
 }
 
 /// The cloth must reach from the hem over the bust.

@@ -4,7 +4,7 @@
 //! many leaves, are estimates.
 
 use lole_language::words;
-use lole_pattern::pattern::NotionKind;
+use lole_pattern::pattern::{Craft, NotionKind, StepFigure};
 use lole_pattern::{DraftError, Measure, Pattern};
 
 use crate::drafting::accessory::{accessory, counted, raffia};
@@ -100,14 +100,15 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
         let leaves = whole(band / CM * chosen.number("leaves_per_cm_ratio"));
         let [band_cm, base_cm, tie_cm] = [band, base, tie].map(cm);
         let (japanese, english) = (name.japanese, name.english);
-        steps.push(step(
+        let winding = step(
             name,
             say!(
                 "{japanese}用を 2 本作ります。三つ編みの土台 {base_cm} cm に、葉 {leaves} 枚を {band_cm} cm にわたって巻き付け、両端 {tie_cm} cm を結ぶために残します。",
                 "Make two for the {english}: wind {leaves} leaves onto {band_cm} cm of a braided base of {base_cm} cm and leave {tie_cm} cm at each end for the knot."
             ),
             [60.0, 60.0],
-        ));
+        );
+        steps.push(winding.shown(StepFigure::Craft(Craft::Wili)));
         notions.push(counted(
             NotionKind::Leaf,
             words("葉またはシダ", "leaves or ferns"),

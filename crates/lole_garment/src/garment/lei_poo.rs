@@ -4,12 +4,12 @@
 //! ends that tie it are estimates.
 
 use lole_language::words;
-use lole_pattern::pattern::NotionKind;
+use lole_pattern::pattern::{Craft, NotionKind, StepFigure};
 use lole_pattern::{DraftError, Measure, Pattern};
 
 use crate::drafting::accessory::{accessory, counted, raffia};
 use crate::drafting::chosen::{Chosen, number};
-use crate::drafting::making::{NO_WORK, cm, say, step, whole};
+use crate::drafting::making::{NO_WORK, cm, say, sewn, step, whole};
 use crate::drafting::shape::CM;
 use crate::fitting::Fitting;
 use crate::sketch::Sketch;
@@ -79,7 +79,8 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
                 "Braid three strands of raffia to a base of {base_cm} cm. {tie_cm} cm at each end stay bare, for the knot."
             ),
             [15.0, 15.0],
-        ),
+        )
+        .shown(StepFigure::Craft(Craft::Braid)),
         step(
             words("葉と花を巻き付ける", "Wind on leaves and flowers"),
             say!(
@@ -87,7 +88,8 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
                 "Lay {leaves} leaves and {flowers} flowers one over the other and wind them onto the base with another strand (wili), for {head_cm} cm."
             ),
             [90.0, 90.0],
-        ),
+        )
+        .shown(StepFigure::Craft(Craft::Wili)),
         step(
             words("かぶる", "Put it on"),
             say!(
@@ -118,7 +120,13 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
         "葉と花の数は目安です",
         "the numbers of leaves and flowers are estimates"
     );
-    Ok(accessory(Vec::new(), notions, steps, estimate))
+    Ok(
+        accessory(Vec::new(), notions, steps, estimate).measuring(vec![sewn(
+            words("飾りの長さ", "length of leaves and flowers"),
+            Some(measures.head_girth),
+            head,
+        )]),
+    )
 }
 
 mod worn {

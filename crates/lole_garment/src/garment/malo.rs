@@ -5,11 +5,15 @@
 //! about the waist: derived.
 
 use lole_language::words;
+use lole_pattern::pattern::StepFigure;
 use lole_pattern::piece::{CutCount, Finish};
-use lole_pattern::{DraftError, Measure, Pattern};
+use lole_pattern::{DraftError, Measure, Measures, Pattern};
 
+use super::kikepa::size_of;
 use crate::drafting::chosen::{Chosen, by_measure, number};
-use crate::drafting::making::{NO_WORK, cm, edges_of, folds, hem_in_section, pattern, say, step};
+use crate::drafting::making::{
+    NO_WORK, cm, edges_of, folds, hem_in_section, laid, pattern, say, step,
+};
 use crate::drafting::shape::{AROUND, CM, Label, rectangle};
 use crate::drafting::work::{Work, minutes};
 use crate::fitting::Fitting;
@@ -131,14 +135,43 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
                 "Leave {flap_cm} cm hanging in front, pass the strip between the legs, wind it {turns} times about the waist of {waist_cm} cm, draw it under itself and let the rest hang at the back."
             ),
             NO_WORK,
-        ),
+        )
+        .shown(way(flap, measures, turns)),
     ];
-    Ok(
-        pattern(vec![piece], Vec::new(), Vec::new(), steps).warn(say!(
+    Ok(pattern(vec![piece], Vec::new(), Vec::new(), steps)
+        .measuring(size_of(length, width))
+        .warn(say!(
             "マロの幅は目安です。締め方はクムに習ってください",
             "the width of the malo is an estimate; learn from your kumu how it is girded"
-        )),
-    )
+        )))
+}
+
+/// The strip's parts in the order in which they are laid.
+fn way(flap: f64, measures: &Measures, turns: f64) -> StepFigure {
+    StepFigure::Wrapping(vec![
+        laid(flap, words("前に垂らす", "hangs in front"), None),
+        laid(
+            measures.crotch_length.to_m(),
+            words(
+                "股を通して後ろの腰まで",
+                "between the legs, up to the waist behind",
+            ),
+            None,
+        ),
+        laid(
+            turns * measures.waist_girth.to_m(),
+            words("腰に巻く", "wound about the waist"),
+            Some([0.5, 0.5 + turns]),
+        ),
+        laid(
+            flap,
+            words(
+                "巻いた布にくぐらせて後ろに垂らす",
+                "drawn under the turns at the waist, hangs behind",
+            ),
+            None,
+        ),
+    ])
 }
 
 mod worn {

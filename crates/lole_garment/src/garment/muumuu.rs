@@ -7,7 +7,7 @@
 use kurbo::{Affine, ParamCurve as _, Vec2};
 use lole_geom::Length;
 use lole_language::words;
-use lole_pattern::pattern::{Amount, Notion, NotionKind, Seam, Step};
+use lole_pattern::pattern::{Amount, FinishedMeasure, Notion, NotionKind, Seam, Step};
 use lole_pattern::piece::{CutCount, Edge, Finish, LineKind, Piece};
 use lole_pattern::{DraftError, Measure, Measures, Pattern};
 
@@ -23,7 +23,7 @@ use crate::drafting::fitted::{
     shown,
 };
 use crate::drafting::making::{
-    both_sides, cm, eased, gathered, notion, pattern, plain, say, side, step,
+    both_sides, cm, eased, gathered, notion, pattern, plain, say, sewn, side, step,
 };
 use crate::drafting::shape::{
     AROUND, CM, DOWN, Label, at, back_notch, beside, curve, edge, line, marked, notch, rectangle,
@@ -429,6 +429,8 @@ fn finish(
     if has_ruffle {
         seams.extend(ruffle_seams(&pieces));
     }
+    // The last four are those onto the hem: the first of the front, and the first of the back.
+    let onto_hem = vec![seams.len().saturating_sub(4), seams.len().saturating_sub(2)];
     let arm = measures.upper_arm_girth.to_m() * ARM_ELASTIC;
     let notions = notions(arm, slit);
     let mut steps = vec![cutting_step(&pieces)];
@@ -447,22 +449,62 @@ fn finish(
     ));
     steps.extend(sleeve_steps(sleeve, arm, (SLEEVE, of_sleeve)));
     if has_ruffle {
-        steps.push(ruffle_step(&pieces));
+        steps.push(ruffle_step(&pieces, onto_hem));
     }
-    let hem = pieces.get(RUFFLE).map_or_else(
-        || 2.0 * (pieces[FRONT].edges[0].length() + pieces[BACK].edges[0].length()),
-        |ruffle| 2.0 * ruffle.edges[0].length(),
-    );
+    let hem = hem_around(&pieces);
     let (last, depth) = if has_ruffle {
         (RUFFLE, 3.0 * CM)
     } else {
         (FRONT, skirt.hem)
     };
     steps.push(hem_step(depth, hem, shown(&pieces, last, &["hem"])));
-    pattern(pieces, seams, notions, steps).drawn_in(
-        SLEEVE,
-        crate::drafting::sleeve::HEM,
-        Length::from_m(arm),
+    let finished = finished(measures, skirt, (sleeve, arm), hem);
+    pattern(pieces, seams, notions, steps)
+        .measuring(finished)
+        .drawn_in(SLEEVE, crate::drafting::sleeve::HEM, Length::from_m(arm))
+}
+
+/// What a tape says of the dress: it hangs from the yoke, wide everywhere below.
+fn finished(
+    measures: &Measures,
+    skirt: &Skirt,
+    (sleeve, arm): (&Sleeve, f64),
+    hem: f64,
+) -> Vec<FinishedMeasure> {
+    let yoked = 2.0 * (skirt.flat_front + skirt.back);
+    vec![
+        sewn(
+            words(
+                "バスト（ヨークの下のギャザーを除く）",
+                "bust, without the gathers below the yoke",
+            ),
+            Some(measures.bust_girth),
+            yoked,
+        ),
+        sewn(
+            words("袖口（ゴム）", "edge of the sleeve, elastic"),
+            Some(measures.upper_arm_girth),
+            arm,
+        ),
+        sewn(
+            words("袖下の長さ", "underarm seam of the sleeve"),
+            None,
+            sleeve.underarm(),
+        ),
+        sewn(words("裾まわり", "around the hem"), None, hem),
+        sewn(
+            words("ウエストから裾まで", "from the waist to the hem"),
+            None,
+            skirt.ruffle - skirt.hem_y,
+        ),
+    ]
+}
+
+/// Around the lowest edge [m].
+fn hem_around(pieces: &[Piece]) -> f64 {
+    pieces.get(RUFFLE).map_or_else(
+        || 2.0 * (pieces[FRONT].edges[0].length() + pieces[BACK].edges[0].length()),
+        |ruffle| 2.0 * ruffle.edges[0].length(),
     )
 }
 
@@ -531,7 +573,7 @@ fn slit_step(slit: f64) -> Step {
     })
 }
 
-fn ruffle_step(pieces: &[Piece]) -> Step {
+fn ruffle_step(pieces: &[Piece], onto_hem: Vec<usize>) -> Step {
     let long = pieces[RUFFLE].edges[0].length();
     let around = 2.0 * (pieces[FRONT].edges[0].length() + pieces[BACK].edges[0].length());
     let [ring_cm, around_cm] = [2.0 * long, around].map(cm);
@@ -543,7 +585,7 @@ fn ruffle_step(pieces: &[Piece]) -> Step {
         ),
         minutes(&[(Work::Gathers, 2.0 * long), (Work::Seam, 0.5)]),
     )
-    .shown(shown(pieces, RUFFLE, &["top"]))
+    .shown(lole_pattern::pattern::StepFigure::Seams(onto_hem))
 }
 
 fn notions(arm: f64, slit: f64) -> Vec<Notion> {

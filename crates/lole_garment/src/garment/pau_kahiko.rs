@@ -15,7 +15,7 @@ use super::pau_skirt::{
     CASING, GAP, GATHERS, HEADER, HEM, HEM_HEIGHT, UNKNOWN_WIDTH, WORN_HEIGHT, worn,
 };
 use crate::drafting::chosen::{Chosen, by_measure, count, number};
-use crate::drafting::making::{cm, edges_of, notion, pattern, say, step, stitching};
+use crate::drafting::making::{cm, edges_of, notion, pattern, say, sewn, step, stitching};
 use crate::drafting::work::{Work, minutes};
 use crate::fitting::Fitting;
 use crate::sketch::{Sketch, Tone};
@@ -140,7 +140,18 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
     };
     let steps = steps(&piece, &draft, (cord_cut, row_count));
     let notions = vec![cords];
-    let pattern = pattern(vec![piece], Vec::new(), notions, steps);
+    let pattern = pattern(vec![piece], Vec::new(), notions, steps).measuring(vec![
+        sewn(
+            words("上の折り山から裾まで", "from the top fold to the hem"),
+            None,
+            draft.finished_length.to_m(),
+        ),
+        sewn(
+            words("裾の長さ", "along the hem"),
+            None,
+            draft.flat_length.to_m(),
+        ),
+    ]);
     Ok(pattern.warn(say!(
         "ひもの長さと段数は目安です。ハーラウや曲の決まりがあれば、それに合わせてください",
         "length and number of the cords are estimates; the rule of your hālau comes first"

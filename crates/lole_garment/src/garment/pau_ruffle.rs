@@ -216,6 +216,7 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
         notions,
         steps,
         warnings,
+        finished,
     } = base;
     let notions = notions
         .into_iter()
@@ -241,6 +242,7 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
     pieces.push(ruffle.piece());
     let mut pattern = pattern(pieces, joined, notions.collect(), steps);
     pattern.warnings = warnings;
+    pattern.finished = finished;
     Ok(pattern.warn(say!(
         "フリルの丈と寄せ方は目安です",
         "depth and fullness of the ruffle are estimates"

@@ -6,7 +6,7 @@
 
 use lole_geom::Length;
 use lole_language::words;
-use lole_pattern::pattern::{Amount, NotionKind};
+use lole_pattern::pattern::{Amount, Craft, Notion, NotionKind, StepFigure};
 use lole_pattern::{DraftError, Pattern};
 
 use super::pau_skirt::WORN_HEIGHT;
@@ -69,16 +69,9 @@ const CORD_GAP: f64 = 2.54 * CM;
 /// Longest leaves that are found [m].
 const LONGEST_LEAF: f64 = 76.0 * CM;
 
-fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError> {
-    let measures = fitting.measures;
-    let chosen = Chosen::new(OPTIONS, options)?;
-    let worn = Hung::of(measures, &chosen)?;
-    let leaf_count = whole(worn.girth / chosen.m("leaf_spacing_cm"));
-    let upper = worn.girth + chosen.m("tie_cm");
-    let [girth_cm, upper_cm, braid_cm, lower_cm] =
-        [worn.girth, upper, 3.0 * upper * BRAID_TAKE_UP, 2.0 * upper].map(cm);
-    let [stem_cm, gap_cm, length_cm] = [WHOLE_STEM, CORD_GAP, worn.length].map(cm);
-    let notions = vec![
+/// So many leaves, and cord for a braid of this length and for the lower cord [m].
+fn leaves_and_cord(leaf_count: u32, upper: f64) -> Vec<Notion> {
+    vec![
         notion(
             NotionKind::Leaf,
             words("ティの葉（大きいもの）", "large ti leaves"),
@@ -92,7 +85,19 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
             ),
             Amount::Length(Length::from_m(upper * (3.0 * BRAID_TAKE_UP + 2.0))),
         ),
-    ];
+    ]
+}
+
+fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError> {
+    let measures = fitting.measures;
+    let chosen = Chosen::new(OPTIONS, options)?;
+    let worn = Hung::of(measures, &chosen)?;
+    let leaf_count = whole(worn.girth / chosen.m("leaf_spacing_cm"));
+    let upper = worn.girth + chosen.m("tie_cm");
+    let [girth_cm, upper_cm, braid_cm, lower_cm] =
+        [worn.girth, upper, 3.0 * upper * BRAID_TAKE_UP, 2.0 * upper].map(cm);
+    let [stem_cm, gap_cm, length_cm] = [WHOLE_STEM, CORD_GAP, worn.length].map(cm);
+    let notions = leaves_and_cord(leaf_count, upper);
     let steps = vec![
         step(
             words("葉をそろえる", "Choose the leaves"),
@@ -109,7 +114,8 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
                 "Slit the midrib on the back {stem_cm} cm above the stem and pull it off towards the tip."
             ),
             [100.0, 100.0],
-        ),
+        )
+        .shown(StepFigure::Craft(Craft::SlitLeaf(Length::from_m(WHOLE_STEM)))),
         step(
             words("上のひもを編む", "Braid the upper cord"),
             say!(
@@ -117,7 +123,8 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
                 "Braid three equal lengths out of {braid_cm} cm of cord to a belt of {upper_cm} cm."
             ),
             [30.0, 30.0],
-        ),
+        )
+        .shown(StepFigure::Craft(Craft::Braid)),
         step(
             words("葉を編み付ける", "Fasten the leaves"),
             say!(
@@ -125,7 +132,8 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
                 "Hang each stem over the braid and bind it {gap_cm} cm below with the lower cord of {lower_cm} cm. Set {leaf_count} leaves over {girth_cm} cm."
             ),
             [240.0, 240.0],
-        ),
+        )
+        .shown(StepFigure::Craft(Craft::LeavesOnCord(Length::from_m(CORD_GAP)))),
         step(
             words("しまう", "Keep it"),
             say!(

@@ -6,7 +6,9 @@ use lole_language::{Sentence, Words, words};
 
 use super::pau_skirt::{PauDraft, PauLine, PauWarning};
 use super::steps::{Sewn, steps};
-use crate::pattern::{Amount, Notion, NotionKind, Pattern, Seam, SeamKind, SeamSide};
+use crate::pattern::{
+    Amount, FinishedMeasure, Notion, NotionKind, Pattern, Seam, SeamKind, SeamSide,
+};
 use crate::piece::{ClothRole, CutCount, Edge, Finish, LineKind, Mark, Piece};
 
 /// Edges of the piece, in their order.
@@ -86,7 +88,24 @@ impl PauDraft {
                 .filter(|warning| !matches!(warning, PauWarning::TallerThanCloth { .. }))
                 .map(Sentence::of)
                 .collect(),
+            finished: self.finished(),
         }
+    }
+
+    /// What a tape says of it, sewn: length and hem.
+    fn finished(&self) -> Vec<FinishedMeasure> {
+        let measure = |name: Words, garment: Length| FinishedMeasure {
+            name,
+            body: None,
+            garment,
+        };
+        vec![
+            measure(
+                words("上の折り山から裾まで", "from the top fold to the hem"),
+                self.finished_length,
+            ),
+            measure(words("裾まわり", "around the hem"), self.flat_length),
+        ]
     }
 
     fn piece(&self, name: Words) -> Piece {

@@ -443,7 +443,7 @@ mod tests {
                         assert!(seams.iter().all(|&seam| seam < pattern.seams.len()));
                         continue;
                     }
-                    StepFigure::None => continue,
+                    StepFigure::Wrapping(_) | StepFigure::Craft(_) | StepFigure::None => continue,
                 };
                 let piece = &pattern.pieces[piece];
                 assert!(edges.iter().all(|&edge| edge < piece.edges.len()));

@@ -237,5 +237,6 @@ pub(crate) fn pattern() -> Pattern {
         notions: Vec::new(),
         steps: Vec::new(),
         warnings: Vec::new(),
+        finished: Vec::new(),
     }
 }

@@ -6,26 +6,18 @@ use lole_body::Dancer;
 use lole_costume::cost;
 use lole_costume::order;
 use lole_costume::tailoring;
-use lole_export::ImageView;
-use lole_export::booklet::{Booklet, booklet_sheets};
-use lole_export::cutting::{CutGarment, PatternParts, pattern_folder};
-use lole_export::pdf::{Document, EncodedPicture, printable};
+use lole_export::booklet::{Booklet, Worn, booklet_sheets};
+use lole_export::cutting::{CutGarment, PatternParts, Stamp, pattern_folder};
+use lole_export::pdf::{Document, printable};
 use lole_language::{Bilingual, Sentence};
 use lole_picture::portrait::{self, PortraitError};
-use lole_picture::studio::still_cameras;
 use lole_print::PrintImage;
-use lole_render::Size;
 use lole_stage::Production;
 
 use super::{Line, Unmade, Wish, flew_apart};
 
 /// Repeats on cut plans are drawn with so many pixels on a side.
 const PRINT_SIDE: u32 = 512;
-/// Size of the picture on a cover, upright.
-const COVER: Size = Size {
-    width: 900,
-    height: 1200,
-};
 /// Shares of a booklet that are done when its figures are known and when its cover is drawn.
 const SHARES: [f32; 2] = [0.1, 0.9];
 
@@ -36,7 +28,8 @@ pub(super) fn booklet(wish: &Wish, line: &Line<'_>) -> Result<Vec<u8>, Unmade> {
     let plan = order::plan_dancer("", design, &dancer).map_err(|error| said(&error))?;
     let bill = cost::bill(design, &plan);
     line.goes_on(SHARES[0])?;
-    let cover = cover(wish, line)?;
+    let worn = worn(wish, line)?;
+    let measures = tailoring::measures_used(design, &dancer);
     line.goes_on(SHARES[1])?;
     let prints = prints(wish)?;
     let booklet = Booklet {
@@ -45,7 +38,8 @@ pub(super) fn booklet(wish: &Wish, line: &Line<'_>) -> Result<Vec<u8>, Unmade> {
         group: &[],
         prints: &prints,
         bill: &bill,
-        cover: Some(cover),
+        measures: &measures,
+        worn: Some(worn),
         hem_height_cm: design.costume_hem_cm(),
     };
     let sheets = booklet_sheets(&booklet, wish.paper, wish.language);
@@ -66,6 +60,7 @@ pub(super) fn pattern(wish: &Wish, line: &Line<'_>) -> Result<Vec<(String, Vec<u
                 garment,
                 print: Some(print),
                 owner: String::new(),
+                stamp: Stamp::of(&printable(&wish.title), design),
             }
         })
         .collect();
@@ -73,6 +68,7 @@ pub(super) fn pattern(wish: &Wish, line: &Line<'_>) -> Result<Vec<(String, Vec<u
         cuts: &cuts,
         size: &printable(&wish.title),
         paper: wish.paper,
+        whole: &[],
         language: wish.language,
         version: env!("CARGO_PKG_VERSION"),
     };
@@ -95,8 +91,8 @@ fn prints(wish: &Wish) -> Result<Vec<Arc<PrintImage>>, Unmade> {
     Ok(prints.into_iter().map(Arc::new).collect())
 }
 
-/// She in her costume, large.
-fn cover(wish: &Wish, line: &Line<'_>) -> Result<EncodedPicture, Unmade> {
+/// She in her costume.
+fn worn(wish: &Wish, line: &Line<'_>) -> Result<Worn, Unmade> {
     let production = Production::new(&wish.design).map_err(|error| said(&error))?;
     let stopped = || line.is_called_off();
     let failed = |error: PortraitError| match error {
@@ -106,12 +102,7 @@ fn cover(wish: &Wish, line: &Line<'_>) -> Result<EncodedPicture, Unmade> {
         error => Unmade::of(&error),
     };
     let performance = portrait::stand(production, u32::MAX, &stopped).map_err(failed)?;
-    let camera = still_cameras(&performance, COVER).into_iter().next();
-    let camera = camera.unwrap_or_else(|| portrait::standing_camera(COVER));
-    let image = portrait::shoot(&performance, camera, COVER).map_err(failed)?;
-    ImageView::new(image.width, image.height, &image.pixels)
-        .and_then(EncodedPicture::photo)
-        .map_err(|error| Unmade::of(&error))
+    portrait::of_booklet(&performance).map_err(failed)
 }
 
 /// Of an error that speaks both languages.
