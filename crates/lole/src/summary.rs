@@ -275,6 +275,53 @@ pub(crate) fn print_files(paths: &[PathBuf], language: Language) {
     }
 }
 
+/// Says what an export wrote; a sequence of files is one line.
+pub(crate) fn print_export(
+    take: &Path,
+    (frames, rate): (u32, u32),
+    paths: &[PathBuf],
+    language: Language,
+) {
+    let is_numbered = |path: &&PathBuf| {
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        has_end(path, "obj") && stem.starts_with("dance_")
+    };
+    let (numbered, alone): (Vec<_>, Vec<_>) = paths.iter().partition(is_numbered);
+    let alone: Vec<PathBuf> = alone.into_iter().cloned().collect();
+    print_files(&alone, language);
+    if let (Some(first), Some(last)) = (numbered.first(), numbered.last()) {
+        let last = last.file_name().unwrap_or_default().to_string_lossy();
+        let names = format!("{} … {last}", first.display());
+        say!("  {names:<44} {}", open_hint(first, language));
+    }
+    let seconds = f64::from(frames) / f64::from(rate);
+    say!();
+    say!(
+        "  {}",
+        language.pick(
+            &format!(
+                "{frames} コマ、毎秒 {rate} コマ（{seconds:.1} 秒）。単位はメートル、上は +Y、正面は +Z"
+            ),
+            &format!(
+                "{frames} frames, {rate} a second ({seconds:.1} s); in meters, +Y up, the dancer's front at +Z"
+            ),
+        )
+    );
+    say!(
+        "  {}",
+        language.pick(
+            &format!(
+                "{}: 踊り直さずに、ほかの形式でも書き出せます",
+                take.display()
+            ),
+            &format!(
+                "{}: gives other formats without another dance",
+                take.display()
+            ),
+        )
+    );
+}
+
 /// One figure of a protocol against its reference.
 pub(crate) fn print_check(method: &str, check: &Check, language: Language) {
     let verdict = if check.passes() {
@@ -314,7 +361,7 @@ fn open_hint(path: &Path, language: Language) -> &'static str {
             language.pick("ここから: ブラウザで開く", "start here: open in a browser")
         }
         "dance.mp4" => language.pick("動画プレーヤーで再生", "plays in any video player"),
-        "dancer.glb" => language.pick(
+        "dancer.glb" | "dance.glb" => language.pick(
             "Blender や 3D ビューアーで開く",
             "opens in Blender and 3D viewers",
         ),
@@ -334,6 +381,19 @@ fn open_hint(path: &Path, language: Language) -> &'static str {
             "定規とチャコで引く線",
             "rectangles to draw with ruler and chalk",
         ),
+        _ if has_end(path, "usdc") || has_end(path, "usdz") => language.pick(
+            "Blender・Houdini・Maya・Unreal などで開く（USD）",
+            "opens in Blender, Houdini, Maya, Unreal (USD)",
+        ),
+        _ if has_end(path, "pc2") || has_end(path, "mdd") => language.pick(
+            "同じ名前の OBJ に頂点キャッシュとして付ける",
+            "a vertex cache for the OBJ of the same name",
+        ),
+        _ if has_end(path, "obj") => {
+            language.pick("3D ソフトで開く（OBJ）", "opens in 3D programs (OBJ)")
+        }
+        _ if has_end(path, "mtl") => language.pick("OBJ の材質", "materials of the OBJ"),
+        _ if has_end(path, "npz") => language.pick("numpy.load で読む", "numpy.load reads it"),
         _ if has_end(path, "csv") => language.pick("表計算で開く", "opens in a spreadsheet"),
         _ if has_end(path, "json") => {
             language.pick("プログラム用の数値", "the numbers, for programs")

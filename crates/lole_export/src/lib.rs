@@ -38,6 +38,7 @@ pub mod report;
 pub mod still;
 pub mod study;
 pub mod svg;
+pub mod take;
 pub mod trade_off;
 pub mod validation;
 #[cfg(not(target_arch = "wasm32"))]

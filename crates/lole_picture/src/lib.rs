@@ -8,6 +8,7 @@ pub mod baked;
 mod moment;
 pub mod portrait;
 pub mod studio;
+pub mod taken;
 
 use std::sync::Arc;
 

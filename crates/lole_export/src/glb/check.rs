@@ -1,5 +1,7 @@
 //! Refuses scenes that would make a broken file.
 
+use std::borrow::Cow;
+
 use glam::Vec3;
 use lole_body::skeleton::Bone;
 
@@ -72,10 +74,10 @@ fn check_cloth(cloth: &BakedCloth<'_>) -> Result<(), ExportError> {
     length(
         cloth.name,
         "frames",
-        cloth.frames.len(),
+        cloth.frames.count(),
         cloth.key_times.len(),
     )?;
-    if cloth.frames.is_empty() {
+    if cloth.frames.count() == 0 {
         return length(cloth.name, "frames", 0, 1);
     }
     key_times(cloth.name, cloth.key_times)?;
@@ -88,23 +90,27 @@ fn check_cloth(cloth: &BakedCloth<'_>) -> Result<(), ExportError> {
         .iter()
         .map(|index| *index as usize);
     indices(cloth.name, "triangles", corners, vertex_count)?;
-    let particle_count = cloth.frames[0].len();
+    let particle_count = cloth.frames.frame(0)?.len();
     let particles = cloth
         .mesh
         .particles
         .iter()
         .map(|particle| *particle as usize);
     indices(cloth.name, "particles", particles, particle_count)?;
-    for frame in cloth.frames {
-        length(
-            cloth.name,
-            "particles of a frame",
-            frame.len(),
-            particle_count,
-        )?;
-        finite(cloth.name, "particles of a frame", frame)?;
-    }
     Ok(())
+}
+
+/// A frame of a cloth, looked at: as many particles as in the first, all of them somewhere.
+pub(super) fn checked_frame<'a>(
+    cloth: &BakedCloth<'a>,
+    number: usize,
+    particle_count: usize,
+) -> Result<Cow<'a, [Vec3]>, ExportError> {
+    let frame = cloth.frames.frame(number)?;
+    let column = "particles of a frame";
+    length(cloth.name, column, frame.len(), particle_count)?;
+    finite(cloth.name, column, &frame)?;
+    Ok(frame)
 }
 
 fn length(
