@@ -29,6 +29,8 @@ pub(crate) enum Command {
     Wear(Box<WearArgs>),
     /// A dance for other programs: point caches, OBJ, NumPy, tables, USD.
     Export(Box<ExportArgs>),
+    /// A dancer in her costume as an avatar (VRM 1.0), its skirt on spring bones fitted to how it sways.
+    Vrm(Box<VrmArgs>),
     /// Cut plans and patterns of a design: on paper at full size, as SVG and as DXF.
     Pattern(PatternArgs),
     /// One design for a list of dancers: cut sizes, elastics, cloth to buy, cost, booklet, summary.
@@ -296,6 +298,32 @@ pub(crate) enum ExportFormat {
     Npz,
     /// A table for each mesh.
     Csv,
+}
+
+/// `lole vrm`.
+#[derive(Debug, Args)]
+pub(crate) struct VrmArgs {
+    /// Design document, which is danced and recorded, or a take that was recorded (.take); without one, the
+    /// built-in pāʻū skirt dances kāholo.
+    pub(crate) source: Option<PathBuf>,
+    /// Folder for the results: costume.vrm, and the recording.
+    #[arg(long, value_name = "DIR", default_value = "lole-vrm")]
+    pub(crate) out: PathBuf,
+    /// What the avatar is called.
+    #[arg(long, value_name = "NAME", default_value = "Lole")]
+    pub(crate) name: String,
+    /// Who made it, for the terms of use that every VRM carries.
+    #[arg(long, value_name = "NAME", required = true)]
+    pub(crate) author: Vec<String>,
+    /// Length of the dance that the springs are fitted to [s], 0.5 to 600; otherwise the design's, 12 without one.
+    #[arg(long, value_parser = seconds, allow_negative_numbers = true)]
+    pub(crate) seconds: Option<f64>,
+    /// Threads of the simulation; the result is the same on any number.
+    #[arg(long, value_parser = threads, allow_negative_numbers = true)]
+    pub(crate) threads: Option<u16>,
+    /// Print what was written as JSON on standard output, and nothing else there.
+    #[arg(long)]
+    pub(crate) json: bool,
 }
 
 /// `lole pattern`.

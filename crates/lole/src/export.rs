@@ -9,18 +9,21 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
+use lole_avatar::License;
 use lole_costume::document::Design;
 use lole_export::glb::{ClothFit, said_of};
 use lole_export::take::record::{RecordedTake, StagedTake, TakeError, TakeHeader};
 use lole_export::take::{TakeFormat, TakeSource as _, write_take};
+use lole_export::vrm::VrmMeta;
 use lole_files::OutputFolder;
 use lole_language::{Language, Sentence};
 use lole_picture::taken::{take_glb, take_scene};
+use lole_picture::vrm::take_vrm;
 use lole_picture::{Cover, Looks};
 use lole_stage::Production;
 use serde_json::json;
 
-use crate::args::{DanceArgs, ExportArgs, ExportFormat};
+use crate::args::{DanceArgs, ExportArgs, ExportFormat, VrmArgs};
 use crate::patience::{check, progress_bar, stop_flag};
 use crate::source::{self, Source};
 use crate::{Failure, dance, output, summary};
@@ -31,6 +34,8 @@ use written::{Files, Watched};
 const TAKE: &str = "take";
 /// The file with bones.
 const GLB: &str = "dance.glb";
+/// The avatar.
+const VRM: &str = "costume.vrm";
 
 /// A take that is read from the disk.
 type Take = RecordedTake<BufReader<File>>;
@@ -41,28 +46,12 @@ pub(crate) fn run(args: &ExportArgs, language: Language) -> Result<(), Failure> 
     formats.sort_unstable();
     formats.dedup();
     let stop = stop_flag().map_err(Failure::error)?;
-    let (take, production, path, output) = match args.source.as_deref().filter(|it| is_take(it)) {
-        Some(path) => {
-            refuse_wishes(args)?;
-            let take = open(path)?;
-            let production = produce(&read(path, take.header())?)?;
-            let output = output::create(&args.out).map_err(Failure::Usage)?;
-            (take, production, path.to_owned(), output)
-        }
-        None => {
-            let source = load(args)?;
-            let production = produce(&source)?;
-            let output = output::create(&args.out).map_err(Failure::Usage)?;
-            let recorder = Recorder {
-                args,
-                language,
-                stop: &stop,
-                design: &source.design,
-            };
-            let path = recorder.record(&production)?;
-            (open(&path)?, production, path, output)
-        }
-    };
+    let Ready {
+        take,
+        production,
+        path,
+        output,
+    } = ready(args, language, &stop)?;
     let looks = looks(&production.design, &production)?;
     let staged = stage(take, (&production, &looks.worn), &path)?;
     let (frames, rate) = (staged.scene().frame_count, staged.scene().frame_rate);
@@ -82,6 +71,100 @@ pub(crate) fn run(args: &ExportArgs, language: Language) -> Result<(), Failure> 
         summary::print_lines(&[said_of(&fits)], language);
     }
     Ok(())
+}
+
+/// Runs `lole vrm`.
+pub(crate) fn run_vrm(args: &VrmArgs, language: Language) -> Result<(), Failure> {
+    let stop = stop_flag().map_err(Failure::error)?;
+    let wishes = ExportArgs {
+        source: args.source.clone(),
+        format: Vec::new(),
+        out: args.out.clone(),
+        fps: None,
+        seconds: args.seconds,
+        step: None,
+        bpm: None,
+        avatar: None,
+        motion: None,
+        threads: args.threads,
+        json: args.json,
+    };
+    let Ready {
+        take,
+        production,
+        path,
+        mut output,
+    } = ready(&wishes, language, &stop)?;
+    if let Some(refusal) = production
+        .license
+        .as_ref()
+        .and_then(License::export_refusal)
+    {
+        return Err(Failure::usage(refusal));
+    }
+    let looks = looks(&production.design, &production)?;
+    let mut staged = stage(take, (&production, &looks.worn), &path)?;
+    let meta = VrmMeta {
+        name: args.name.clone(),
+        authors: args.author.clone(),
+    };
+    let made = take_vrm(&production, &looks.worn, (&mut staged, &meta));
+    let (bytes, figures) = made.map_err(Failure::error)?;
+    output.write(VRM, &bytes).map_err(Failure::error)?;
+    let paths = output.finish().map_err(Failure::error)?;
+    if args.json {
+        let files: Vec<String> = paths.iter().map(|it| it.display().to_string()).collect();
+        let [stiffness, drag, gravity] = figures.settings;
+        let told = json!({ "take": path.display().to_string(), "files": files,
+            "frames": figures.frames, "mean_mm": figures.mean_mm, "worst_mm": figures.worst_mm,
+            "leg_share": figures.leg_share, "leg_share_of_take": figures.leg_share_of_take,
+            "stiffness": stiffness, "drag_force": drag, "gravity_power": gravity });
+        summary::print_json(&format!("{told:#}"));
+    } else {
+        summary::print_files(&paths, language);
+        summary::print_vrm(&figures, language);
+    }
+    Ok(())
+}
+
+/// A take that is whole, and what is needed to make files of it.
+struct Ready {
+    take: Take,
+    production: Arc<Production>,
+    path: PathBuf,
+    output: OutputFolder,
+}
+
+/// Opens the take that was given, or records the design.
+fn ready(args: &ExportArgs, language: Language, stop: &AtomicBool) -> Result<Ready, Failure> {
+    let make = || output::create(&args.out).map_err(Failure::Usage);
+    if let Some(path) = args.source.as_deref().filter(|it| is_take(it)) {
+        refuse_wishes(args)?;
+        let take = open(path)?;
+        let production = produce(&read(path, take.header())?)?;
+        return Ok(Ready {
+            take,
+            production,
+            path: path.to_owned(),
+            output: make()?,
+        });
+    }
+    let source = load(args)?;
+    let production = produce(&source)?;
+    let output = make()?;
+    let recorder = Recorder {
+        args,
+        language,
+        stop,
+        design: &source.design,
+    };
+    let path = recorder.record(&production)?;
+    Ok(Ready {
+        take: open(&path)?,
+        production,
+        path,
+        output,
+    })
 }
 
 /// Cloth that a file has on bones, and how far they carry it from where it was.

@@ -79,6 +79,7 @@ fn main() -> ExitCode {
             Command::Dance(args) => dance::run(&args, language),
             Command::Wear(args) => wear::run(*args, language),
             Command::Export(args) => export::run(&args, language),
+            Command::Vrm(args) => export::run_vrm(&args, language),
             Command::Pattern(args) => pattern::run(&args, language),
             Command::Order(args) => order::run_order(&args, language),
             Command::Booklet(args) => order::run_booklet(&args, language),

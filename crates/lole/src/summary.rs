@@ -12,6 +12,7 @@ use lole_export::dancer_sheet::DancerSheet;
 use lole_export::report::{Remark, RunReport};
 use lole_export::study::StudyReport;
 use lole_language::{Bilingual, Language, Sentence, Words, shown, visible_json};
+use lole_picture::vrm::VrmFigures;
 use lole_stage::StageError;
 use lole_stage::validate::{Check, Protocol};
 
@@ -322,6 +323,27 @@ pub(crate) fn print_export(
     );
 }
 
+/// Says how near the springs of an avatar come to the dance that they were fitted to.
+pub(crate) fn print_vrm(figures: &VrmFigures, language: Language) {
+    let VrmFigures {
+        frames,
+        mean_mm,
+        worst_mm,
+        leg_share,
+        leg_share_of_take,
+        settings: [stiffness, drag, gravity],
+    } = figures;
+    let (legs, of_take) = (100.0 * leg_share, 100.0 * leg_share_of_take);
+    say!();
+    say!(
+        "  {}",
+        language.pick(
+            &format!("揺れ骨: 硬さ {stiffness:.2}、減衰 {drag:.2}、重力 {gravity:.2}。{frames} コマで、布との差は平均 {mean_mm:.1} mm、最大 {worst_mm:.0} mm。脚が出るコマは {legs:.1} %（記録では {of_take:.1} %）"),
+            &format!("springs: stiffness {stiffness:.2}, drag {drag:.2}, gravity {gravity:.2}; over {frames} frames off by {mean_mm:.1} mm on the mean and {worst_mm:.0} mm at most; a leg comes through in {legs:.1} % of them ({of_take:.1} % in the take)"),
+        )
+    );
+}
+
 /// One figure of a protocol against its reference.
 pub(crate) fn print_check(method: &str, check: &Check, language: Language) {
     let verdict = if check.passes() {
@@ -384,6 +406,10 @@ fn open_hint(path: &Path, language: Language) -> &'static str {
         _ if has_end(path, "usdc") || has_end(path, "usdz") => language.pick(
             "Blender・Houdini・Maya・Unreal などで開く（USD）",
             "opens in Blender, Houdini, Maya, Unreal (USD)",
+        ),
+        _ if has_end(path, "vrm") => language.pick(
+            "VRM を読むアプリで開く",
+            "opens in programs that read VRM 1.0",
         ),
         _ if has_end(path, "pc2") || has_end(path, "mdd") => language.pick(
             "同じ名前の OBJ に頂点キャッシュとして付ける",

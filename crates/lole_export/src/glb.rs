@@ -15,6 +15,7 @@ use std::fmt::Debug;
 
 use glam::{Vec2, Vec3};
 use lole_body::skeleton::{Pose, Skeleton};
+use serde_json::Value;
 
 use crate::ExportError;
 
@@ -35,6 +36,21 @@ pub struct GlbScene<'a> {
     pub skinned: &'a [GlbMesh<'a>],
     /// Cloth that moves by itself.
     pub cloths: &'a [BakedCloth<'a>],
+    /// Joints after those of the skeleton, parents before children.
+    pub added: &'a [AddedJoint],
+    /// Extensions of the whole file by name; the node of a joint is its place plus one.
+    pub extensions: &'a [(&'a str, Value)],
+}
+
+/// A joint that is no bone of the body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AddedJoint {
+    /// Name of its node.
+    pub name: String,
+    /// Place of its parent: among `Bone::ALL`, and behind them among the added ones.
+    pub parent: usize,
+    /// Where it is in the bind pose [m].
+    pub place: Vec3,
 }
 
 /// A mesh carried by the bones.
@@ -50,7 +66,7 @@ pub struct GlbMesh<'a> {
     pub uvs: &'a [Vec2],
     /// Linear colors of the vertices, shape of `positions` or empty; they multiply the material's.
     pub colors: &'a [Vec3],
-    /// Bones of each vertex, as positions in `Bone::ALL`.
+    /// Bones of each vertex, as positions in `Bone::ALL` and behind them among the added joints.
     pub joints: &'a [[u16; 4]],
     /// Their weights; brought to a sum of 1 here.
     pub weights: &'a [[f32; 4]],

@@ -268,6 +268,8 @@ impl Sample {
             poses: &self.poses,
             skinned: &skinned,
             cloths: &cloths,
+            added: &[],
+            extensions: &[],
         })?;
         assert_eq!(file.fits.is_empty(), self.frames.len() <= MOST_TARGETS + 1);
         Ok(file.bytes)

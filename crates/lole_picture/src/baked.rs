@@ -117,6 +117,8 @@ pub fn body_glb(dancer: &Dancer) -> Result<Vec<u8>, ExportError> {
         poses: &[],
         skinned: &[skinned(dancer, &parts)],
         cloths: &[],
+        added: &[],
+        extensions: &[],
     })?;
     Ok(file.bytes)
 }
@@ -148,6 +150,8 @@ pub fn dancer_glb(
         poses: &keys.poses,
         skinned: &bodies,
         cloths: &cloths,
+        added: &[],
+        extensions: &[],
     })
 }
 

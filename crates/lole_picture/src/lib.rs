@@ -9,6 +9,7 @@ mod moment;
 pub mod portrait;
 pub mod studio;
 pub mod taken;
+pub mod vrm;
 
 use std::sync::Arc;
 

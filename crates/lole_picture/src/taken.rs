@@ -185,6 +185,8 @@ pub fn take_glb(
         poses: &poses,
         skinned: &bodies,
         cloths: &cloths,
+        added: &[],
+        extensions: &[],
     })
 }
 

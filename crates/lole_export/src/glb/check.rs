@@ -27,11 +27,23 @@ pub(super) fn check_scene(scene: &GlbScene<'_>) -> Result<(), ExportError> {
             });
         }
     }
-    scene.skinned.iter().try_for_each(check_skinned)?;
+    finite_added(scene)?;
+    let joint_count = Bone::COUNT + scene.added.len();
+    let mut skinned = scene.skinned.iter();
+    skinned.try_for_each(|mesh| check_skinned(mesh, joint_count))?;
     scene.cloths.iter().try_for_each(check_cloth)
 }
 
-fn check_skinned(mesh: &GlbMesh<'_>) -> Result<(), ExportError> {
+fn finite_added(scene: &GlbScene<'_>) -> Result<(), ExportError> {
+    for (place, joint) in scene.added.iter().enumerate() {
+        finite(&joint.name, "joints", &[joint.place])?;
+        let parents = Bone::COUNT + place;
+        indices(&joint.name, "joints", [joint.parent].into_iter(), parents)?;
+    }
+    Ok(())
+}
+
+fn check_skinned(mesh: &GlbMesh<'_>, joint_count: usize) -> Result<(), ExportError> {
     let count = mesh.positions.len();
     length(mesh.name, "normals", mesh.normals.len(), count)?;
     if !mesh.uvs.is_empty() {
@@ -46,7 +58,7 @@ fn check_skinned(mesh: &GlbMesh<'_>) -> Result<(), ExportError> {
         .as_flattened()
         .iter()
         .map(|joint| usize::from(*joint));
-    indices(mesh.name, "joints", joints, Bone::COUNT)?;
+    indices(mesh.name, "joints", joints, joint_count)?;
     for part in mesh.parts {
         let corners = part
             .triangles

@@ -52,8 +52,10 @@ pub(super) fn write_scene(scene: &GlbScene<'_>) -> Result<GlbFile, ExportError> 
     let mut document = Document::default();
     write_skeleton(&mut document, scene);
     if !scene.skinned.is_empty() {
-        let inverse_binds = document.buffer.inverse_binds(&scene.skeleton.joints);
-        let bone_nodes: Vec<usize> = (1..=Bone::COUNT).collect();
+        let added = scene.added.iter().map(|joint| joint.place);
+        let joints: Vec<Vec3> = scene.skeleton.joints.iter().copied().chain(added).collect();
+        let inverse_binds = document.buffer.inverse_binds(&joints);
+        let bone_nodes: Vec<usize> = (1..=joints.len()).collect();
         document.skins.push(json!({
             "name": "dancer", "skeleton": 1, "joints": bone_nodes,
             "inverseBindMatrices": inverse_binds,
@@ -77,7 +79,14 @@ pub(super) fn write_scene(scene: &GlbScene<'_>) -> Result<GlbFile, ExportError> 
             "name": "dance", "channels": document.channels, "samplers": document.samplers,
         }));
     }
-    let json = document.json(animations);
+    let mut json = document.json(animations);
+    for (name, extension) in scene.extensions {
+        json["extensions"][name] = extension.clone();
+        match json["extensionsUsed"].as_array_mut() {
+            Some(used) => used.push(json!(name)),
+            None => json["extensionsUsed"] = json!([name]),
+        }
+    }
     let bytes = pack(&json, document.buffer.bytes)?;
     Ok(GlbFile { bytes, fits })
 }
@@ -145,16 +154,36 @@ fn write_skeleton(document: &mut Document, scene: &GlbScene<'_>) {
         let mut node = json!({
             "name": bone.name(), "translation": (joint - origin).to_array(),
         });
-        let children: Vec<usize> = Bone::ALL
-            .iter()
-            .filter(|child| child.parent() == Some(bone))
-            .map(|child| node_of(*child))
-            .collect();
+        let bones = Bone::ALL.iter();
+        let bones = bones.filter(|child| child.parent() == Some(bone));
+        let bones = bones.map(|child| node_of(*child));
+        let children: Vec<usize> = bones.chain(added_below(scene, bone.index())).collect();
         if !children.is_empty() {
             node["children"] = json!(children);
         }
         document.nodes.push(node);
     }
+    for (place, joint) in scene.added.iter().enumerate() {
+        let parent = match joint.parent.checked_sub(Bone::COUNT) {
+            None => scene.skeleton.joints[joint.parent],
+            Some(parent) => scene.added[parent].place,
+        };
+        let mut node = json!({
+            "name": joint.name, "translation": (joint.place - parent).to_array(),
+        });
+        let children: Vec<usize> = added_below(scene, Bone::COUNT + place).collect();
+        if !children.is_empty() {
+            node["children"] = json!(children);
+        }
+        document.nodes.push(node);
+    }
+}
+
+/// Nodes of the added joints below a joint.
+fn added_below(scene: &GlbScene<'_>, parent: usize) -> impl Iterator<Item = usize> {
+    let added = scene.added.iter().enumerate();
+    let below = added.filter(move |(_, joint)| joint.parent == parent);
+    below.map(|(place, _)| Bone::COUNT + place + 1)
 }
 
 /// Channels that turn the bones and carry the hips; bones that never turn get none.
@@ -321,8 +350,10 @@ impl Base {
         let mut attributes = json!({
             "POSITION": buffer.positions(&scaled.collect::<Vec<_>>()),
             "NORMAL": buffer.vectors(&self.normals),
-            "TEXCOORD_0": buffer.uvs(&cloth.mesh.uvs),
         });
+        if cloth.material.texture_png.is_some() {
+            attributes["TEXCOORD_0"] = json!(buffer.uvs(&cloth.mesh.uvs));
+        }
         if !cloth.colors.is_empty() {
             attributes["COLOR_0"] = json!(buffer.vectors(cloth.colors));
         }
