@@ -19,8 +19,7 @@ use serde_json::Value;
 
 use crate::ExportError;
 
-/// Most morph targets of a mesh: viewers that keep them in a texture of 2048 × 2048, or in an array of layers, play
-/// so many and not always more.
+/// Most morph targets of a mesh: viewers differ in how many they play, and so many are safe.
 pub const MOST_TARGETS: usize = 128;
 
 /// Everything a `dancer.glb` holds.

@@ -302,3 +302,127 @@ fn figures(chains: &Chains, track: &Track, settings: Settings) -> VrmFigures {
         settings: [settings.stiffness, settings.drag, settings.gravity],
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use lole_geom::trig;
+
+    use super::super::rest::{Hanging, HangingSurface};
+    use super::*;
+
+    const HIPS: Vec3 = Vec3::new(0.0, 0.9, 0.0);
+
+    /// A skirt of a cone, at rest.
+    fn chains() -> Chains {
+        let mut rest = Vec::new();
+        for row in 0..20_u16 {
+            for column in 0..64_u16 {
+                let down = f32::from(row) / 19.0;
+                let (sin, cos) = trig::sin_cos(f32::from(column) / 64.0 * std::f32::consts::TAU);
+                let radius = 0.15 + 0.1 * down;
+                rest.push(HIPS + Vec3::new(radius * sin, -0.01 - 0.6 * down, radius * cos));
+            }
+        }
+        let surface = HangingSurface {
+            mesh: 0,
+            vertices: (0..rest.len()).collect(),
+            rest,
+        };
+        Chains::new(
+            &Hanging {
+                surfaces: vec![surface],
+            },
+            HIPS,
+        )
+    }
+
+    /// Hips that sway to and fro for some seconds, without legs.
+    fn swaying(chains: &Chains) -> Track {
+        let mut track = Track::new(30, chains);
+        for frame in 0..90_u16 {
+            let sway = 0.08 * trig::sin(0.2 * f32::from(frame));
+            let turn = Quat::from_rotation_z(0.8 * sway);
+            let about = Affine3A::from_translation(HIPS)
+                * Affine3A::from_quat(turn)
+                * Affine3A::from_translation(-HIPS);
+            track.push(
+                Affine3A::from_translation(Vec3::X * sway) * about,
+                Vec::new(),
+                None,
+            );
+        }
+        track
+    }
+
+    #[test]
+    fn every_vertex_is_carried_in_whole_and_rests_where_it_is() {
+        let chains = chains();
+        for carriers in &chains.carriers {
+            let sum: f32 = carriers.iter().map(|(_, share)| share).sum();
+            assert!((sum - 1.0).abs() < 1.0e-5, "{carriers:?}");
+            assert!(carriers.iter().all(|(_, share)| 0.0 <= *share));
+        }
+        let still = Settings {
+            stiffness: 1.0,
+            drag: 0.4,
+            gravity: 0.0,
+        };
+        let mut simulation = Simulation::new(&chains, still, Affine3A::IDENTITY);
+        for _ in 0..60 {
+            simulation.step(Affine3A::IDENTITY, &[], 1.0 / 60.0);
+        }
+        for (vertex, place) in chains.vertices.iter().enumerate() {
+            let off = simulation
+                .vertex(vertex, Affine3A::IDENTITY)
+                .distance(*place);
+            assert!(off < 1.0e-4, "{off} m");
+        }
+    }
+
+    #[test]
+    fn settings_that_made_a_sway_are_found_again() {
+        let chains = chains();
+        let made = Settings {
+            stiffness: 0.5,
+            drag: 0.3,
+            gravity: 0.2,
+        };
+        let still = swaying(&chains);
+        let mut track = Track::new(30, &chains);
+        play(&chains, &still, made, |frame, simulation| {
+            let hips = still.hips[frame];
+            let places = 0..chains.vertices.len();
+            let places = places.map(|vertex| simulation.vertex(vertex, hips));
+            track.push(hips, Vec::new(), Some(places.collect()));
+        });
+        let (found, figures) = fit(&chains, &track);
+        assert!(figures.mean_mm < 3.0, "{found:?} {figures:?}");
+        assert!(figures.mean_mm <= figures.worst_mm);
+        let stiff = Settings {
+            stiffness: 4.0,
+            ..made
+        };
+        assert!(loss(&chains, &track, found) < 0.2 * loss(&chains, &track, stiff));
+    }
+
+    #[test]
+    fn joints_stay_out_of_legs() {
+        let chains = chains();
+        let leg = Capsule::uniform(Vec3::new(0.2, 0.9, 0.0), Vec3::new(0.3, 0.2, 0.0), 0.08);
+        let soft = Settings {
+            stiffness: 0.3,
+            drag: 0.5,
+            gravity: 0.3,
+        };
+        let mut simulation = Simulation::new(&chains, soft, Affine3A::IDENTITY);
+        for _ in 0..120 {
+            simulation.step(Affine3A::IDENTITY, &[leg], 1.0 / 60.0);
+        }
+        for moving in &simulation.moving {
+            for tail in moving.now {
+                // A joint keeps its length, so that it may come a little into what pushes it.
+                assert!(-0.004 < leg.signed_distance(tail), "{tail}");
+            }
+        }
+    }
+}
