@@ -71,18 +71,55 @@ fn a_dance_opens_in_the_programs_of_others_where_it_was_danced() {
     } else {
         println!("skipped: no NumPy for {python} (pip install numpy usd-core bpy)");
     }
-    let node = Command::new("node")
-        .arg(tool("gltf_check.mjs"))
-        .arg(out.join("dance.glb"))
-        .output();
-    match node {
-        Ok(checked) => {
-            let text = String::from_utf8_lossy(&checked.stdout);
-            println!("{text}");
-            assert!(matches!(checked.status.code(), Some(0 | 3)), "{text}");
-        }
-        Err(_) => println!("skipped: no Node here"),
-    }
+    ask_node("gltf_check.mjs", &out.join("dance.glb"));
+}
+
+/// Asks a tool of Node about a file; what is not installed is printed.
+fn ask_node(script: &str, file: &Path) {
+    let Ok(checked) = Command::new("node").arg(tool(script)).arg(file).output() else {
+        println!("skipped: no Node here");
+        return;
+    };
+    let text = String::from_utf8_lossy(&checked.stdout);
+    println!("{text}");
+    let said = said(&checked);
+    assert!(matches!(checked.status.code(), Some(0 | 3)), "{text}{said}");
+}
+
+#[test]
+fn a_costume_is_an_avatar_whose_skirt_swings() {
+    let scratch = Scratch::new("vrm");
+    let design = scratch.write("layers.lole", LAYERS);
+    let out = scratch.path("out");
+    let mut command = lole();
+    command.arg("vrm").arg(&design).arg("--out").arg(&out);
+    let wishes = [
+        "--seconds",
+        "1",
+        "--author",
+        "Mele",
+        "--author",
+        "Kai",
+        "--json",
+    ];
+    let told = told(&command.args(wishes).output().unwrap());
+    let number = |key: &str| told[key].as_f64().unwrap();
+    assert!(number("mean_mm") <= number("worst_mm"), "{told}");
+    // Chains stand for sectors of a skirt 60 cm long, not for its folds.
+    assert!((0.1..60.0).contains(&number("mean_mm")), "{told}");
+    assert!((0.0..=1.0).contains(&number("leg_share")), "{told}");
+    let file = out.join("costume.vrm");
+    // Our own reader, which knows nothing of the writer.
+    let read = lole()
+        .arg("inspect")
+        .arg(&file)
+        .arg("--json")
+        .output()
+        .unwrap();
+    assert!(read.status.success(), "{}", said(&read));
+    assert!(String::from_utf8_lossy(&read.stdout).contains("Mele"));
+    ask_node("gltf_check.mjs", &file);
+    ask_node("vrm_check.mjs", &file);
 }
 
 #[test]

@@ -222,10 +222,17 @@ fn hung(
 ) -> Carried4 {
     let place = rest.off_hips(at.0);
     let position = on_skin.0.lerp(place, (below / BAND).min(1.0));
-    let (mut joints, mut weights) = ([0; 4], [0.0; 4]);
-    for (slot, (carrier, share)) in chains.carried(place).into_iter().enumerate() {
-        joints[slot] = carrier.map_or(0, |(chain, joint)| joint_place(chain, joint));
-        weights[slot] = share;
+    let (mut joints, mut weights, mut count) = ([0; 4], [0.0; 4], 0);
+    for (carrier, share) in chains.carried(place) {
+        let joint = carrier.map_or(0, |(chain, joint)| joint_place(chain, joint));
+        // No joint stands twice for a vertex.
+        let slot = joints[..count].iter().position(|&it| it == joint);
+        let slot = slot.unwrap_or_else(|| {
+            count += 1;
+            count - 1
+        });
+        joints[slot] = joint;
+        weights[slot] += share;
     }
     let joints = joints.map(|joint| u16::try_from(joint).unwrap_or(0));
     (position, rest.turned_off_hips(at.1), joints, weights)
@@ -299,8 +306,9 @@ fn write(
     let pictures = BodyPictures::of(dancer)?;
     let parts = pictures.parts(dancer);
     let worn = worn::Worn::of(production, covers)?;
-    let names: Vec<String> = production
-        .surfaces()
+    let surfaces: Vec<WornSurface<'_>> = production.surfaces().collect();
+    let names: Vec<String> = surfaces
+        .iter()
         .enumerate()
         .map(|(place, surface)| format!("{}_{place}", surface.worn().name()))
         .collect();
@@ -309,7 +317,10 @@ fn write(
         .map(|it| {
             [GlbPart {
                 triangles: &covers[it.place].triangles,
-                material: worn.material_at(it.place),
+                material: match surfaces[it.place].beside() {
+                    Some(beside) => worn::material(beside.finish),
+                    None => worn.material_at(it.place),
+                },
             }]
         })
         .collect();
