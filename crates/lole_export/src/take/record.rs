@@ -19,7 +19,7 @@ const VERSION: u32 = 1;
 /// A header larger than this [byte] is none: a design has 16 MiB at most.
 const LARGEST_HEADER: u32 = 32 << 20;
 /// Bytes before the header.
-const PREFIX: u64 = 8 + 4 + 4 + 8;
+const PREFIX: usize = 8 + 4 + 4 + 8;
 /// Bytes of a pose: the hips' place, and a quaternion for each bone.
 const POSE_BYTES: usize = 12 + 16 * Bone::COUNT;
 /// Bytes of a vertex: its position and its normal.
@@ -160,7 +160,7 @@ impl<R: Read + Seek> RecordedTake<R> {
     pub fn open(mut file: R) -> Result<Self, TakeError> {
         let size = file.seek(SeekFrom::End(0))?;
         file.seek(SeekFrom::Start(0))?;
-        let mut prefix = [0; PREFIX as usize];
+        let mut prefix = [0; PREFIX];
         file.read_exact(&mut prefix)
             .map_err(|_| TakeError::NoTake)?;
         let [magic, version, length] = [&prefix[..8], &prefix[8..12], &prefix[12..16]];
@@ -171,7 +171,7 @@ impl<R: Read + Seek> RecordedTake<R> {
             return Err(TakeError::OtherVersion(format!("layout {}", word(version))));
         }
         let length = word(length);
-        if LARGEST_HEADER < length || size < PREFIX + u64::from(length) {
+        if LARGEST_HEADER < length || size < PREFIX as u64 + u64::from(length) {
             return Err(TakeError::NoTake);
         }
         let mut json = vec![0; length as usize];
@@ -180,7 +180,7 @@ impl<R: Read + Seek> RecordedTake<R> {
             return Err(TakeError::NoTake);
         }
         let header: TakeHeader = serde_json::from_slice(&json).map_err(|_| TakeError::NoTake)?;
-        let start = PREFIX + u64::from(length);
+        let start = PREFIX as u64 + u64::from(length);
         let frames = (size - start) / header.frame_bytes() as u64;
         let most = u64::from(header.frame_count);
         let mut take = Self {
