@@ -30,6 +30,10 @@ pub(crate) enum Command {
     Dance(DanceArgs),
     /// Sew a garment from another program's pattern, and dance in it; write what dance writes.
     Wear(Box<WearArgs>),
+    /// A dance for other programs: point caches, OBJ, NumPy, tables, USD.
+    Export(Box<ExportArgs>),
+    /// A dancer in her costume as an avatar (VRM 1.0), its skirt on spring bones fitted to how it sways.
+    Vrm(Box<VrmArgs>),
     /// Cut plans and patterns of a design: on paper at full size, as SVG and as DXF.
     Pattern(PatternArgs),
     /// One design for a list of dancers: cut sizes, elastics, cloth to buy, cost, booklet, summary.
@@ -256,6 +260,91 @@ pub(crate) struct WearArgs {
     #[arg(long)]
     pub(crate) cpu: bool,
     /// Print the report as JSON on standard output, and nothing else there.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// `lole export`.
+#[derive(Debug, Args)]
+pub(crate) struct ExportArgs {
+    /// Design document, which is danced and recorded, or a take that was recorded (.take); without one, the
+    /// built-in pāʻū skirt dances kāholo.
+    pub(crate) source: Option<PathBuf>,
+    /// Forms to write, with commas between them.
+    #[arg(long, value_enum, value_delimiter = ',', required = true)]
+    pub(crate) format: Vec<ExportFormat>,
+    /// Folder for the results; a recording that was stopped is kept in it and goes on.
+    #[arg(long, value_name = "DIR", default_value = "lole-export")]
+    pub(crate) out: PathBuf,
+    /// Frames in a second: 60, 30, 20, 15, 12, 10, 6 or 5; of a take, those it was recorded with.
+    #[arg(long, value_name = "FRAMES", value_parser = frame_rate, allow_negative_numbers = true)]
+    pub(crate) fps: Option<u32>,
+    /// Length of the dance [s], 0.5 to 600; otherwise the design's, 12 without one.
+    #[arg(long, value_parser = seconds, allow_negative_numbers = true)]
+    pub(crate) seconds: Option<f64>,
+    /// Dance step, such as kao, kaholo, hela or ami-kuu, instead of what the design dances.
+    #[arg(long)]
+    pub(crate) step: Option<String>,
+    /// Tempo in counts per minute; otherwise the design's.
+    #[arg(long, value_name = "COUNTS", value_parser = tempo, allow_negative_numbers = true)]
+    pub(crate) bpm: Option<f64>,
+    /// Avatar who dances instead of the design's dancer (.vrm, .glb, .gltf).
+    #[arg(long, value_name = "FILE")]
+    pub(crate) avatar: Option<PathBuf>,
+    /// Recorded motion that is danced instead of the design's (.bvh, .vrma, .glb, .vrm).
+    #[arg(long, value_name = "FILE", conflicts_with = "step")]
+    pub(crate) motion: Option<PathBuf>,
+    /// Threads of the simulation; the result is the same on any number.
+    #[arg(long, value_parser = threads, allow_negative_numbers = true)]
+    pub(crate) threads: Option<u16>,
+    /// Print what was written as JSON on standard output, and nothing else there.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// Forms of a dance for other programs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
+pub(crate) enum ExportFormat {
+    /// glTF with dancer and bones, for viewers and game engines.
+    Glb,
+    /// OpenUSD, binary, with its pictures beside it.
+    Usd,
+    /// OpenUSD as one file.
+    Usdz,
+    /// Point caches of 3ds Max and Blender, with each mesh as OBJ.
+    Pc2,
+    /// Point caches of LightWave, with each mesh as OBJ.
+    Mdd,
+    /// One OBJ for each frame.
+    Obj,
+    /// Arrays of NumPy.
+    Npz,
+    /// A table for each mesh.
+    Csv,
+}
+
+/// `lole vrm`.
+#[derive(Debug, Args)]
+pub(crate) struct VrmArgs {
+    /// Design document, which is danced and recorded, or a take that was recorded (.take); without one, the
+    /// built-in pāʻū skirt dances kāholo.
+    pub(crate) source: Option<PathBuf>,
+    /// Folder for the results: costume.vrm, and the recording.
+    #[arg(long, value_name = "DIR", default_value = "lole-vrm")]
+    pub(crate) out: PathBuf,
+    /// What the avatar is called.
+    #[arg(long, value_name = "NAME", default_value = "Lole")]
+    pub(crate) name: String,
+    /// Who made it, for the terms of use that every VRM carries.
+    #[arg(long, value_name = "NAME", required = true)]
+    pub(crate) author: Vec<String>,
+    /// Length of the dance that the springs are fitted to [s], 0.5 to 600; otherwise the design's, 12 without one.
+    #[arg(long, value_parser = seconds, allow_negative_numbers = true)]
+    pub(crate) seconds: Option<f64>,
+    /// Threads of the simulation; the result is the same on any number.
+    #[arg(long, value_parser = threads, allow_negative_numbers = true)]
+    pub(crate) threads: Option<u16>,
+    /// Print what was written as JSON on standard output, and nothing else there.
     #[arg(long)]
     pub(crate) json: bool,
 }
@@ -499,6 +588,18 @@ fn seconds(text: &str) -> Result<f64, Sentence> {
         )
     };
     within(text, 0.5..=600.0).ok_or_else(help)
+}
+
+fn frame_rate(text: &str) -> Result<u32, Sentence> {
+    const RATES: [u32; 8] = [60, 30, 20, 15, 12, 10, 6, 5];
+    let help = || {
+        Sentence::new(
+            "60・30・20・15・12・10・6・5 から選んでください（1秒のコマ数）",
+            "choose one of 60, 30, 20, 15, 12, 10, 6, 5 frames a second",
+        )
+    };
+    let rate = text.parse().ok();
+    rate.filter(|rate| RATES.contains(rate)).ok_or_else(help)
 }
 
 fn size_ratio(text: &str) -> Result<f64, Sentence> {

@@ -8,6 +8,7 @@ use anyhow::Result;
 use lole_avatar::AvatarError;
 use lole_costume::document::{self, Design, MethodName, Place};
 use lole_export::counts::counts_csv;
+use lole_export::glb::said_of;
 use lole_export::report::ReportFile;
 use lole_export::video::{Mp4Writer, Song, VideoSettings};
 use lole_export::{ImageView, still};
@@ -35,8 +36,6 @@ use crate::{Failure, summary};
 const FILM_RATE: u32 = 30;
 /// Simulated frames per picture.
 const FRAMES_PER_PICTURE: u32 = FRAMES_PER_SECOND / FILM_RATE;
-/// Keys of the baked motion per second.
-const KEY_RATE: u32 = 15;
 /// Looks a second at which piece of a garment lies outside.
 const LAYER_RATE: u32 = 5;
 /// Size of the stills: upright, as a poster is.
@@ -229,14 +228,14 @@ impl Run<'_> {
         let started = Stopwatch::start(&self.clock);
         let mut performance =
             Performance::new(production).map_err(|error| Failure::Usage(error.into()))?;
-        let threads = self.thread_count();
+        let threads = thread_count(self.args.threads);
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(threads)
             .build()
             .map_err(Failure::error)?;
         let mut shoot = self.shoot(&performance).map_err(Failure::error)?;
         let mut recording = Recording::default();
-        self.settle(&mut performance, &pool, &mut recording)?;
+        recording.divergence = settle_on(&mut performance, &pool, (&self.stop, self.language))?;
         if recording.divergence.is_none() {
             self.dance(&mut performance, &pool, &mut shoot, &mut recording)?;
         }
@@ -247,13 +246,6 @@ impl Run<'_> {
             threads,
         };
         self.write(finished, output, started)
-    }
-
-    fn thread_count(&self) -> usize {
-        let cores = || std::thread::available_parallelism().map_or(1, usize::from);
-        self.args
-            .threads
-            .map_or_else(|| cores().min(MOST_THREADS), usize::from)
     }
 
     fn shoot(&self, performance: &Performance) -> Result<Shoot> {
@@ -277,30 +269,6 @@ impl Run<'_> {
         })
     }
 
-    /// Lets the skirt hang down in the dancer's stance.
-    fn settle(
-        &self,
-        performance: &mut Performance,
-        pool: &rayon::ThreadPool,
-        recording: &mut Recording,
-    ) -> Result<(), Failure> {
-        let count = Performance::settle_frame_count();
-        let bar = progress_bar(count, self.language.pick("布をなじませる", "settling"));
-        let watch = Watch::over(&bar, self.language);
-        while performance.time() < 0.0 {
-            check(&self.stop)?;
-            if let Err(divergence) = pool.install(|| performance.advance()) {
-                recording.divergence = Some(divergence);
-                break;
-            }
-            watch.tell(performance.pressed_count());
-            bar.inc(1);
-        }
-        drop(watch);
-        bar.finish_and_clear();
-        Ok(())
-    }
-
     /// Dances, drawing every second frame into the film.
     fn dance(
         &self,
@@ -313,6 +281,7 @@ impl Run<'_> {
         let whole = dance.whole(self.design.motion.repeat);
         let frame_count = frame_count(self.design.duration_s(whole));
         let still_frame = self.still_frame(frame_count);
+        let key_stride = FRAMES_PER_SECOND / baked::key_rate(frame_count);
         let bar = progress_bar(frame_count, self.language.pick("踊る", "dancing"));
         let patience = Watch::over(&bar, self.language);
         performance.pose_body();
@@ -330,7 +299,7 @@ impl Run<'_> {
                 let view = camera.advance(performance, dt, shoot.size);
                 shoot.take(performance, view).map_err(Failure::error)?;
             }
-            if frame % (FRAMES_PER_SECOND / KEY_RATE) == 0 {
+            if frame % key_stride == 0 {
                 recording.keys.keep(performance);
             }
             if frame == still_frame {
@@ -432,7 +401,11 @@ impl Run<'_> {
             bar.inc(1);
             let glb = baked::dancer_glb(performance, &recording.keys, shoot.studio.covers())
                 .map_err(Failure::error)?;
-            files.add(&mut output, "dancer.glb", &glb, "The dancer with her skeleton and dance, and the skirt with its baked motion: opens in Blender and 3D viewers.")?;
+            let what = format!(
+                "The dancer with her skeleton and dance, and what she wears with its baked motion: opens in Blender and 3D viewers.{}",
+                said_of(&glb.fits).english
+            );
+            files.add(&mut output, "dancer.glb", &glb.bytes, &what)?;
         }
         bar.inc(1);
         self.write_counts(performance, &mut output, &mut files)?;
@@ -552,12 +525,39 @@ impl Files {
     }
 }
 
+/// Threads the cloth is simulated on, as asked or as this machine has them.
+pub(crate) fn thread_count(asked: Option<u16>) -> usize {
+    let cores = || std::thread::available_parallelism().map_or(1, usize::from);
+    asked.map_or_else(|| cores().min(MOST_THREADS), usize::from)
+}
+
+/// Lets what she wears hang down in the dancer's stance; gives where it diverged, if it did.
+pub(crate) fn settle_on(
+    performance: &mut Performance,
+    pool: &rayon::ThreadPool,
+    (stop, language): (&AtomicBool, Language),
+) -> Result<Option<Divergence>, Failure> {
+    let count = Performance::settle_frame_count();
+    let bar = progress_bar(count, language.pick("布をなじませる", "settling"));
+    let watch = Watch::over(&bar, language);
+    let mut divergence = None;
+    while performance.time() < 0.0 && divergence.is_none() {
+        check(stop)?;
+        divergence = pool.install(|| performance.advance()).err();
+        watch.tell(performance.pressed_count());
+        bar.inc(1);
+    }
+    drop(watch);
+    bar.finish_and_clear();
+    Ok(divergence)
+}
+
 /// Simulated frames of a dance of `seconds`.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
     reason = "the command line allows at most 600 seconds"
 )]
-fn frame_count(seconds: f64) -> u32 {
+pub(crate) fn frame_count(seconds: f64) -> u32 {
     (seconds * f64::from(FRAMES_PER_SECOND)).round() as u32
 }

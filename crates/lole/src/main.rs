@@ -5,6 +5,7 @@ mod bench;
 mod clock;
 mod dance;
 mod dancer;
+mod export;
 mod fabric;
 mod handbook;
 mod inspect;
@@ -78,6 +79,8 @@ fn main() -> ExitCode {
         Asked::Command(command) => match *command {
             Command::Dance(args) => dance::run(&args, language),
             Command::Wear(args) => wear::run(*args, language),
+            Command::Export(args) => export::run(&args, language),
+            Command::Vrm(args) => export::run_vrm(&args, language),
             Command::Pattern(args) => pattern::run(&args, language),
             Command::Order(args) => order::run_order(&args, language),
             Command::Booklet(args) => order::run_booklet(&args, language),

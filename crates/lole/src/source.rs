@@ -45,6 +45,16 @@ pub(crate) fn read(path: Option<&Path>) -> Result<Source, Failure> {
 }
 
 impl Source {
+    /// A design that was read already, by the name that sentences call it.
+    pub(crate) const fn of(name: String, text: String, design: Design) -> Self {
+        Self {
+            name,
+            text,
+            design,
+            put: Vec::new(),
+        }
+    }
+
     /// Lays files of the command line over those of the design: an avatar, a recorded motion.
     pub(crate) fn put(
         &mut self,

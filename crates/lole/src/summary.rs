@@ -12,6 +12,7 @@ use lole_export::dancer_sheet::DancerSheet;
 use lole_export::report::{Remark, RunReport};
 use lole_export::study::StudyReport;
 use lole_language::{Bilingual, Language, Sentence, Words, shown, visible_json};
+use lole_picture::vrm::VrmFigures;
 use lole_stage::StageError;
 use lole_stage::validate::{Check, Protocol};
 
@@ -292,6 +293,74 @@ pub(crate) fn print_files(paths: &[PathBuf], language: Language) {
     }
 }
 
+/// Says what an export wrote; a sequence of files is one line.
+pub(crate) fn print_export(
+    take: &Path,
+    (frames, rate): (u32, u32),
+    paths: &[PathBuf],
+    language: Language,
+) {
+    let is_numbered = |path: &&PathBuf| {
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        has_end(path, "obj") && stem.starts_with("dance_")
+    };
+    let (numbered, alone): (Vec<_>, Vec<_>) = paths.iter().partition(is_numbered);
+    let alone: Vec<PathBuf> = alone.into_iter().cloned().collect();
+    print_files(&alone, language);
+    if let (Some(first), Some(last)) = (numbered.first(), numbered.last()) {
+        let last = last.file_name().unwrap_or_default().to_string_lossy();
+        let names = format!("{} … {last}", first.display());
+        say!("  {names:<44} {}", open_hint(first, language));
+    }
+    let seconds = f64::from(frames) / f64::from(rate);
+    say!();
+    say!(
+        "  {}",
+        language.pick(
+            &format!(
+                "{frames} コマ、毎秒 {rate} コマ（{seconds:.1} 秒）。単位はメートル、上は +Y、正面は +Z"
+            ),
+            &format!(
+                "{frames} frames, {rate} a second ({seconds:.1} s); in meters, +Y up, the dancer's front at +Z"
+            ),
+        )
+    );
+    say!(
+        "  {}",
+        language.pick(
+            &format!(
+                "{}: 踊り直さずに、ほかの形式でも書き出せます",
+                take.display()
+            ),
+            &format!(
+                "{}: gives other formats without another dance",
+                take.display()
+            ),
+        )
+    );
+}
+
+/// Says how near the springs of an avatar come to the dance that they were fitted to.
+pub(crate) fn print_vrm(figures: &VrmFigures, language: Language) {
+    let VrmFigures {
+        frames,
+        mean_mm,
+        worst_mm,
+        leg_share,
+        leg_share_of_take,
+        settings: [stiffness, drag, gravity],
+    } = figures;
+    let (legs, of_take) = (100.0 * leg_share, 100.0 * leg_share_of_take);
+    say!();
+    say!(
+        "  {}",
+        language.pick(
+            &format!("揺れ骨: 硬さ {stiffness:.2}、減衰 {drag:.2}、重力 {gravity:.2}。{frames} コマで、布との差は平均 {mean_mm:.1} mm、最大 {worst_mm:.0} mm。脚が出るコマは {legs:.1} %（記録では {of_take:.1} %）"),
+            &format!("springs: stiffness {stiffness:.2}, drag {drag:.2}, gravity {gravity:.2}; over {frames} frames off by {mean_mm:.1} mm on the mean and {worst_mm:.0} mm at most; a leg comes through in {legs:.1} % of them ({of_take:.1} % in the take)"),
+        )
+    );
+}
+
 /// One figure of a protocol against its reference.
 pub(crate) fn print_check(method: &str, check: &Check, language: Language) {
     let verdict = if check.passes() {
@@ -331,7 +400,7 @@ fn open_hint(path: &Path, language: Language) -> &'static str {
             language.pick("ここから: ブラウザで開く", "start here: open in a browser")
         }
         "dance.mp4" => language.pick("動画プレーヤーで再生", "plays in any video player"),
-        "dancer.glb" => language.pick(
+        "dancer.glb" | "dance.glb" => language.pick(
             "Blender や 3D ビューアーで開く",
             "opens in Blender and 3D viewers",
         ),
@@ -351,6 +420,23 @@ fn open_hint(path: &Path, language: Language) -> &'static str {
             "定規とチャコで引く線",
             "rectangles to draw with ruler and chalk",
         ),
+        _ if has_end(path, "usdc") || has_end(path, "usdz") => language.pick(
+            "Blender・Houdini・Maya・Unreal などで開く（USD）",
+            "opens in Blender, Houdini, Maya, Unreal (USD)",
+        ),
+        _ if has_end(path, "vrm") => language.pick(
+            "VRM を読むアプリで開く",
+            "opens in programs that read VRM 1.0",
+        ),
+        _ if has_end(path, "pc2") || has_end(path, "mdd") => language.pick(
+            "同じ名前の OBJ に頂点キャッシュとして付ける",
+            "a vertex cache for the OBJ of the same name",
+        ),
+        _ if has_end(path, "obj") => {
+            language.pick("3D ソフトで開く（OBJ）", "opens in 3D programs (OBJ)")
+        }
+        _ if has_end(path, "mtl") => language.pick("OBJ の材質", "materials of the OBJ"),
+        _ if has_end(path, "npz") => language.pick("numpy.load で読む", "numpy.load reads it"),
         _ if has_end(path, "csv") => language.pick("表計算で開く", "opens in a spreadsheet"),
         _ if has_end(path, "json") => {
             language.pick("プログラム用の数値", "the numbers, for programs")

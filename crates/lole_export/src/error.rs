@@ -117,6 +117,16 @@ pub enum ExportError {
         /// First bad entry.
         index: usize,
     },
+    /// A recorded frame cannot be had.
+    #[error("{mesh}: frame {frame} cannot be read ({cause}); record the take again")]
+    FrameLost {
+        /// Name of the mesh.
+        mesh: String,
+        /// Number of the frame.
+        frame: usize,
+        /// Why.
+        cause: String,
+    },
     /// The GLB would be larger than its 32-bit length field.
     #[error("the GLB would be {bytes} bytes but a GLB ends at 4 GiB; write fewer cloth frames")]
     TooLarge {

@@ -12,6 +12,8 @@
 //! | `counts.csv` | [`counts::counts_csv`]: when every count of a dance falls |
 //! | stills | [`still::encode_png`], [`still::encode_jpeg`] |
 //! | `dancer.glb` | [`glb::write_glb`]: skinned dancer and cloth with baked motion |
+//! | `costume.vrm` | [`glb::write_glb`] with the extensions of [`vrm`] |
+//! | takes | [`take::write_take`]: point caches, OBJ, NumPy, tables, USD |
 //! | `dancer.json` | [`dancer_sheet::dancer_json`]: a dancer's tape and capsules |
 //! | `report.json` | [`report::report_json`] |
 //! | `report.html` | [`report::report_html`]: one self-contained page in Japanese and English |
@@ -38,10 +40,12 @@ pub mod report;
 pub mod still;
 pub mod study;
 pub mod svg;
+pub mod take;
 pub mod trade_off;
 pub mod validation;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod video;
+pub mod vrm;
 
 pub use error::ExportError;
 pub use still::ImageView;

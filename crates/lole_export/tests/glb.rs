@@ -11,7 +11,7 @@ use lole_body::skeleton::{Bone, Pose, Skeleton};
 use lole_export::ExportError;
 use lole_export::glb::{
     BakedCloth, GlbMaterial, GlbMesh, GlbPart, GlbScene, GlbSides, GridMesh, GridRing, GridSheet,
-    write_glb,
+    MOST_TARGETS, write_glb,
 };
 use serde_json::Value;
 
@@ -230,6 +230,7 @@ impl Sample {
             name: "skin",
             base_color: [0.5, 0.3, 0.2],
             roughness: 0.6,
+            sheen: 0.0,
             texture_png: None,
             sides: GlbSides::Front,
         };
@@ -254,19 +255,24 @@ impl Sample {
             colors: &[],
             material: GlbMaterial {
                 name: "print",
+                sheen: 0.12,
                 sides: GlbSides::Both,
                 ..material
             },
             key_times: &self.times,
             frames: &self.frames,
         }];
-        write_glb(&GlbScene {
+        let file = write_glb(&GlbScene {
             skeleton: &self.skeleton,
             pose_times: &self.times,
             poses: &self.poses,
             skinned: &skinned,
             cloths: &cloths,
-        })
+            added: &[],
+            extensions: &[],
+        })?;
+        assert_eq!(file.fits.is_empty(), self.frames.len() <= MOST_TARGETS + 1);
+        Ok(file.bytes)
     }
 }
 

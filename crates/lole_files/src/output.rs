@@ -4,6 +4,7 @@
 //! for the next run to find: where all of its files were whole, that run moves the rest of them into their
 //! place, so that two runs never stay mixed; else it removes them. It says which.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
@@ -35,6 +36,8 @@ pub struct OutputFolder {
     /// Held while the run lasts.
     lock: Option<fs::File>,
     files: Vec<String>,
+    /// Those of them that somebody else wrote.
+    begun: BTreeSet<String>,
     found: Vec<Sentence>,
 }
 
@@ -62,6 +65,7 @@ impl OutputFolder {
             unfinished,
             lock: None,
             files: Vec::new(),
+            begun: BTreeSet::new(),
             found: Vec::new(),
         };
         fs::create_dir_all(&output.unfinished).map_err(cannot)?;
@@ -148,6 +152,30 @@ impl OutputFolder {
         Ok(())
     }
 
+    /// Begins a file that is too large to be written at once, not yet in its place.
+    ///
+    /// # Errors
+    /// A file that cannot be made.
+    pub fn begin(&mut self, name: &str) -> io::Result<fs::File> {
+        if !self.files.iter().any(|file| file == name) {
+            self.files.push(name.to_owned());
+        }
+        self.begun.insert(name.to_owned());
+        fs::File::create(self.unfinished.join(name))
+    }
+
+    /// Sees to it that what was begun is on the disk.
+    fn sync_begun(&self) -> Result<(), Sentence> {
+        for name in &self.begun {
+            let file = fs::OpenOptions::new()
+                .append(true)
+                .open(self.unfinished.join(name));
+            file.and_then(|file| file.sync_all())
+                .map_err(|error| cannot_write(&self.folder.join(name), &error))?;
+        }
+        Ok(())
+    }
+
     fn write_whole(&self, name: &str, bytes: &[u8]) -> Result<(), Sentence> {
         let written = fs::File::create(self.unfinished.join(name)).and_then(|mut file| {
             file.write_all(bytes)?;
@@ -161,6 +189,7 @@ impl OutputFolder {
     /// # Errors
     /// One sentence that names the file; those of the earlier run are as they were.
     pub fn finish(mut self) -> Result<Vec<PathBuf>, Sentence> {
+        self.sync_begun()?;
         let names = std::mem::take(&mut self.files);
         self.keep_earlier(&names)?;
         // The list appears at once: half of one would have half of the results moved.

@@ -1,16 +1,31 @@
 //! `dancer.glb`: the recorded run as a file for other programs.
 
-mod worn;
+pub(crate) mod worn;
 
 use glam::Vec3;
 use lole_avatar::License;
 use lole_body::{Appearance, BodyPicture, Dancer, Look, PartKind, Pose, appearance};
-use lole_export::glb::{GlbMaterial, GlbMesh, GlbPart, GlbScene, GlbSides, write_glb};
+use lole_export::glb::{
+    GlbFile, GlbMaterial, GlbMesh, GlbPart, GlbScene, GlbSides, MOST_TARGETS, write_glb,
+};
 use lole_export::still::encode_png;
 use lole_export::{ExportError, ImageView};
-use lole_stage::Performance;
+use lole_stage::{FRAMES_PER_SECOND, Performance};
 
 use crate::{Cover, linear};
+
+/// Keys of the baked motion per second, the best first: fewer where cloth can then be written as it moved.
+const KEY_RATES: [u32; 3] = [15, 12, 10];
+
+/// Keys a second of a dance of so many simulated frames.
+#[must_use]
+pub fn key_rate(frame_count: u32) -> u32 {
+    let fits = |rate: &u32| {
+        let keys = frame_count.div_ceil(FRAMES_PER_SECOND / rate);
+        keys as usize <= MOST_TARGETS + 1
+    };
+    KEY_RATES.into_iter().find(fits).unwrap_or(KEY_RATES[0])
+}
 
 /// Poses and cloth at key times.
 #[derive(Debug, Default)]
@@ -42,7 +57,7 @@ fn body_png(picture: &BodyPicture) -> Result<Vec<u8>, ExportError> {
 }
 
 /// Pictures on the dancer, as a file carries them.
-struct BodyPictures {
+pub(crate) struct BodyPictures {
     face: Vec<u8>,
     hair: Vec<u8>,
     /// Of each part of a given skin.
@@ -50,7 +65,7 @@ struct BodyPictures {
 }
 
 impl BodyPictures {
-    fn of(dancer: &Dancer) -> Result<Self, ExportError> {
+    pub(crate) fn of(dancer: &Dancer) -> Result<Self, ExportError> {
         let looks = dancer.skin.looks.iter().map(look_png);
         Ok(Self {
             face: body_png(&dancer.face_picture())?,
@@ -60,7 +75,7 @@ impl BodyPictures {
     }
 
     /// The parts of her skin with their materials.
-    fn parts<'a>(&'a self, dancer: &'a Dancer) -> Vec<GlbPart<'a>> {
+    pub(crate) fn parts<'a>(&'a self, dancer: &'a Dancer) -> Vec<GlbPart<'a>> {
         let skin = &dancer.skin;
         let parts = skin.parts.iter().enumerate();
         parts
@@ -75,7 +90,7 @@ impl BodyPictures {
     }
 }
 
-fn skinned<'a>(dancer: &'a Dancer, parts: &'a [GlbPart<'a>]) -> GlbMesh<'a> {
+pub(crate) fn skinned<'a>(dancer: &'a Dancer, parts: &'a [GlbPart<'a>]) -> GlbMesh<'a> {
     let skin = &dancer.skin;
     GlbMesh {
         name: "dancer",
@@ -96,13 +111,16 @@ fn skinned<'a>(dancer: &'a Dancer, parts: &'a [GlbPart<'a>]) -> GlbMesh<'a> {
 pub fn body_glb(dancer: &Dancer) -> Result<Vec<u8>, ExportError> {
     let pictures = BodyPictures::of(dancer)?;
     let parts = pictures.parts(dancer);
-    write_glb(&GlbScene {
+    let file = write_glb(&GlbScene {
         skeleton: &dancer.skeleton,
         pose_times: &[],
         poses: &[],
         skinned: &[skinned(dancer, &parts)],
         cloths: &[],
-    })
+        added: &[],
+        extensions: &[],
+    })?;
+    Ok(file.bytes)
 }
 
 /// The file's bytes: dancer with skeleton and motion, garments with their baked motion and print;
@@ -114,7 +132,7 @@ pub fn dancer_glb(
     performance: &Performance,
     keys: &Keys,
     covers: &[Cover],
-) -> Result<Vec<u8>, ExportError> {
+) -> Result<GlbFile, ExportError> {
     let production = performance.production();
     let pictures = BodyPictures::of(&production.dancer)?;
     let parts = pictures.parts(&production.dancer);
@@ -132,6 +150,8 @@ pub fn dancer_glb(
         poses: &keys.poses,
         skinned: &bodies,
         cloths: &cloths,
+        added: &[],
+        extensions: &[],
     })
 }
 
@@ -161,6 +181,7 @@ fn look_material<'a>(look: &'a Look, png: Option<&'a [u8]>) -> GlbMaterial<'a> {
         name: &look.name,
         base_color: look.base_color,
         roughness: look.roughness,
+        sheen: 0.0,
         texture_png: png,
         sides: if look.is_two_sided {
             GlbSides::Both
@@ -183,6 +204,7 @@ fn material<'a>(kind: PartKind, look: &Appearance, [face, hair]: [&'a [u8]; 2]) 
         name,
         base_color: linear(color),
         roughness,
+        sheen: 0.0,
         texture_png,
         sides: GlbSides::Front,
     }

@@ -8,6 +8,8 @@ pub mod baked;
 mod moment;
 pub mod portrait;
 pub mod studio;
+pub mod taken;
+pub mod vrm;
 
 use std::sync::Arc;
 

@@ -107,7 +107,9 @@ pub fn report(performance: &Performance, run: RunFigures<'_>) -> RunReport {
     }
 }
 
-fn explain(found: &Divergence, production: &Production, design: &Design) -> ReportDivergence {
+/// Where and when the cloth stopped being cloth, and what to change.
+#[must_use]
+pub fn explain(found: &Divergence, production: &Production, design: &Design) -> ReportDivergence {
     let remedy = match design.method.name.id() {
         "xpbd" => words(
             "[method] substep_count を増やすか、[motion] tempo_bpm を下げてください",

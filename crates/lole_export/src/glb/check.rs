@@ -1,5 +1,7 @@
 //! Refuses scenes that would make a broken file.
 
+use std::borrow::Cow;
+
 use glam::Vec3;
 use lole_body::skeleton::Bone;
 
@@ -25,11 +27,23 @@ pub(super) fn check_scene(scene: &GlbScene<'_>) -> Result<(), ExportError> {
             });
         }
     }
-    scene.skinned.iter().try_for_each(check_skinned)?;
+    finite_added(scene)?;
+    let joint_count = Bone::COUNT + scene.added.len();
+    let mut skinned = scene.skinned.iter();
+    skinned.try_for_each(|mesh| check_skinned(mesh, joint_count))?;
     scene.cloths.iter().try_for_each(check_cloth)
 }
 
-fn check_skinned(mesh: &GlbMesh<'_>) -> Result<(), ExportError> {
+fn finite_added(scene: &GlbScene<'_>) -> Result<(), ExportError> {
+    for (place, joint) in scene.added.iter().enumerate() {
+        finite(&joint.name, "joints", &[joint.place])?;
+        let parents = Bone::COUNT + place;
+        indices(&joint.name, "joints", [joint.parent].into_iter(), parents)?;
+    }
+    Ok(())
+}
+
+fn check_skinned(mesh: &GlbMesh<'_>, joint_count: usize) -> Result<(), ExportError> {
     let count = mesh.positions.len();
     length(mesh.name, "normals", mesh.normals.len(), count)?;
     if !mesh.uvs.is_empty() {
@@ -44,7 +58,7 @@ fn check_skinned(mesh: &GlbMesh<'_>) -> Result<(), ExportError> {
         .as_flattened()
         .iter()
         .map(|joint| usize::from(*joint));
-    indices(mesh.name, "joints", joints, Bone::COUNT)?;
+    indices(mesh.name, "joints", joints, joint_count)?;
     for part in mesh.parts {
         let corners = part
             .triangles
@@ -72,10 +86,10 @@ fn check_cloth(cloth: &BakedCloth<'_>) -> Result<(), ExportError> {
     length(
         cloth.name,
         "frames",
-        cloth.frames.len(),
+        cloth.frames.count(),
         cloth.key_times.len(),
     )?;
-    if cloth.frames.is_empty() {
+    if cloth.frames.count() == 0 {
         return length(cloth.name, "frames", 0, 1);
     }
     key_times(cloth.name, cloth.key_times)?;
@@ -88,23 +102,27 @@ fn check_cloth(cloth: &BakedCloth<'_>) -> Result<(), ExportError> {
         .iter()
         .map(|index| *index as usize);
     indices(cloth.name, "triangles", corners, vertex_count)?;
-    let particle_count = cloth.frames[0].len();
+    let particle_count = cloth.frames.frame(0)?.len();
     let particles = cloth
         .mesh
         .particles
         .iter()
         .map(|particle| *particle as usize);
     indices(cloth.name, "particles", particles, particle_count)?;
-    for frame in cloth.frames {
-        length(
-            cloth.name,
-            "particles of a frame",
-            frame.len(),
-            particle_count,
-        )?;
-        finite(cloth.name, "particles of a frame", frame)?;
-    }
     Ok(())
+}
+
+/// A frame of a cloth, looked at: as many particles as in the first, all of them somewhere.
+pub(super) fn checked_frame<'a>(
+    cloth: &BakedCloth<'a>,
+    number: usize,
+    particle_count: usize,
+) -> Result<Cow<'a, [Vec3]>, ExportError> {
+    let frame = cloth.frames.frame(number)?;
+    let column = "particles of a frame";
+    length(cloth.name, column, frame.len(), particle_count)?;
+    finite(cloth.name, column, &frame)?;
+    Ok(frame)
 }
 
 fn length(

@@ -3,13 +3,18 @@
 //! The JSON is put together with `serde_json` alone: the asset uses a dozen of glTF's objects, and
 //! typed crates for it lag behind the extensions while the validator checks what matters.
 
+use std::borrow::Cow;
+
 use glam::Vec3;
 use lole_body::skeleton::Bone;
 use lole_geom::mesh::vertex_normals;
 use serde_json::{Map, Value, json};
 
 use super::buffer::Buffer;
-use super::{BakedCloth, GlbMaterial, GlbMesh, GlbScene, GlbSides};
+use super::check::checked_frame;
+use super::{
+    BakedCloth, GlbFile, GlbMaterial, GlbMesh, GlbScene, GlbSides, MOST_TARGETS, skinned_cloth,
+};
 use crate::ExportError;
 
 /// `glTF`, `JSON` and `BIN\0` as little-endian numbers; glTF 2.0, section 4.4.
@@ -22,49 +27,68 @@ const LINEAR: u32 = 9729;
 const LINEAR_MIPMAP_LINEAR: u32 = 9987;
 const REPEAT: u32 = 10_497;
 
+/// How wide the shine of fibers spreads: that of cotton, which is neither velvet (less) nor felt (more).
+const SHEEN_ROUGHNESS: f32 = 0.5;
+
 /// The lists of the file as they grow.
 #[derive(Default)]
-struct Document {
-    buffer: Buffer,
-    nodes: Vec<Value>,
-    meshes: Vec<Value>,
+pub(super) struct Document {
+    pub(super) buffer: Buffer,
+    pub(super) nodes: Vec<Value>,
+    pub(super) meshes: Vec<Value>,
+    pub(super) skins: Vec<Value>,
     materials: Vec<Value>,
     textures: Vec<Value>,
     images: Vec<Value>,
     samplers: Vec<Value>,
     channels: Vec<Value>,
-    roots: Vec<usize>,
+    pub(super) roots: Vec<usize>,
     quantized: u32,
+    has_sheen: bool,
 }
 
 /// Bytes of the GLB of a checked scene.
-pub(super) fn write_scene(scene: &GlbScene<'_>) -> Result<Vec<u8>, ExportError> {
+pub(super) fn write_scene(scene: &GlbScene<'_>) -> Result<GlbFile, ExportError> {
     let mut document = Document::default();
     write_skeleton(&mut document, scene);
+    if !scene.skinned.is_empty() {
+        let added = scene.added.iter().map(|joint| joint.place);
+        let joints: Vec<Vec3> = scene.skeleton.joints.iter().copied().chain(added).collect();
+        let inverse_binds = document.buffer.inverse_binds(&joints);
+        let bone_nodes: Vec<usize> = (1..=joints.len()).collect();
+        document.skins.push(json!({
+            "name": "dancer", "skeleton": 1, "joints": bone_nodes,
+            "inverseBindMatrices": inverse_binds,
+        }));
+    }
     for mesh in scene.skinned {
         write_skinned(&mut document, mesh);
     }
     let mut animations = Vec::new();
     animate_bones(&mut document, scene);
-    let mut samplers = std::mem::take(&mut document.samplers);
+    let mut fits = Vec::new();
     for cloth in scene.cloths {
-        write_cloth(&mut document, cloth, &mut samplers);
+        if cloth.frames.count() <= MOST_TARGETS + 1 {
+            write_cloth(&mut document, cloth)?;
+        } else {
+            fits.push(skinned_cloth::write(&mut document, cloth)?);
+        }
     }
     if !document.channels.is_empty() {
         animations.push(json!({
-            "name": "dance", "channels": document.channels, "samplers": samplers,
+            "name": "dance", "channels": document.channels, "samplers": document.samplers,
         }));
     }
-    let inverse_binds = document.buffer.inverse_binds(&scene.skeleton.joints);
     let mut json = document.json(animations);
-    if !scene.skinned.is_empty() {
-        let bone_nodes: Vec<usize> = (1..=Bone::COUNT).collect();
-        json["skins"] = json!([{
-            "name": "dancer", "skeleton": 1, "joints": bone_nodes,
-            "inverseBindMatrices": inverse_binds,
-        }]);
+    for (name, extension) in scene.extensions {
+        json["extensions"][name] = extension.clone();
+        match json["extensionsUsed"].as_array_mut() {
+            Some(used) => used.push(json!(name)),
+            None => json["extensionsUsed"] = json!([name]),
+        }
     }
-    pack(&json, document.buffer.bytes)
+    let bytes = pack(&json, document.buffer.bytes)?;
+    Ok(GlbFile { bytes, fits })
 }
 
 impl Document {
@@ -79,8 +103,16 @@ impl Document {
             "accessors": self.buffer.accessors,
             "buffers": [{ "byteLength": self.buffer.bytes.len() }],
         });
+        let used = [
+            (0 < self.quantized, "KHR_mesh_quantization"),
+            (self.has_sheen, "KHR_materials_sheen"),
+        ];
+        let used = used.iter().filter(|(is_used, _)| *is_used);
+        let used: Vec<&str> = used.map(|(_, name)| *name).collect();
+        if !used.is_empty() {
+            json["extensionsUsed"] = json!(used);
+        }
         if 0 < self.quantized {
-            json["extensionsUsed"] = json!(["KHR_mesh_quantization"]);
             json["extensionsRequired"] = json!(["KHR_mesh_quantization"]);
         }
         // glTF has no empty lists.
@@ -92,6 +124,7 @@ impl Document {
         }
         let lists = [
             ("meshes", std::mem::take(&mut self.meshes)),
+            ("skins", std::mem::take(&mut self.skins)),
             ("materials", std::mem::take(&mut self.materials)),
             ("textures", std::mem::take(&mut self.textures)),
             ("images", std::mem::take(&mut self.images)),
@@ -121,16 +154,36 @@ fn write_skeleton(document: &mut Document, scene: &GlbScene<'_>) {
         let mut node = json!({
             "name": bone.name(), "translation": (joint - origin).to_array(),
         });
-        let children: Vec<usize> = Bone::ALL
-            .iter()
-            .filter(|child| child.parent() == Some(bone))
-            .map(|child| node_of(*child))
-            .collect();
+        let bones = Bone::ALL.iter();
+        let bones = bones.filter(|child| child.parent() == Some(bone));
+        let bones = bones.map(|child| node_of(*child));
+        let children: Vec<usize> = bones.chain(added_below(scene, bone.index())).collect();
         if !children.is_empty() {
             node["children"] = json!(children);
         }
         document.nodes.push(node);
     }
+    for (place, joint) in scene.added.iter().enumerate() {
+        let parent = match joint.parent.checked_sub(Bone::COUNT) {
+            None => scene.skeleton.joints[joint.parent],
+            Some(parent) => scene.added[parent].place,
+        };
+        let mut node = json!({
+            "name": joint.name, "translation": (joint.place - parent).to_array(),
+        });
+        let children: Vec<usize> = added_below(scene, Bone::COUNT + place).collect();
+        if !children.is_empty() {
+            node["children"] = json!(children);
+        }
+        document.nodes.push(node);
+    }
+}
+
+/// Nodes of the added joints below a joint.
+fn added_below(scene: &GlbScene<'_>, parent: usize) -> impl Iterator<Item = usize> {
+    let added = scene.added.iter().enumerate();
+    let below = added.filter(move |(_, joint)| joint.parent == parent);
+    below.map(|(place, _)| Bone::COUNT + place + 1)
 }
 
 /// Channels that turn the bones and carry the hips; bones that never turn get none.
@@ -167,7 +220,12 @@ fn animate_bones(document: &mut Document, scene: &GlbScene<'_>) {
 }
 
 /// A linear animation of one property of one node.
-fn push_channel(document: &mut Document, [input, output]: [usize; 2], node: usize, path: &str) {
+pub(super) fn push_channel(
+    document: &mut Document,
+    [input, output]: [usize; 2],
+    node: usize,
+    path: &str,
+) {
     document.channels.push(json!({
         "sampler": document.samplers.len(), "target": { "node": node, "path": path },
     }));
@@ -229,12 +287,15 @@ fn write_skinned(document: &mut Document, mesh: &GlbMesh<'_>) {
 }
 
 /// The first frame is the mesh; each later one is a morph target that is fully on at its time.
-fn write_cloth(document: &mut Document, cloth: &BakedCloth<'_>, samplers: &mut Vec<Value>) {
-    let base = Base::of(cloth);
+fn write_cloth(document: &mut Document, cloth: &BakedCloth<'_>) -> Result<(), ExportError> {
+    let particle_count = cloth.frames.frame(0)?.len();
+    let frames = (0..cloth.frames.count()).map(|frame| checked_frame(cloth, frame, particle_count));
+    let frames: Vec<Cow<'_, [Vec3]>> = frames.collect::<Result<_, _>>()?;
+    let base = Base::of(cloth, &frames);
     let buffer = &mut document.buffer;
     let attributes = base.attributes(buffer, cloth);
-    let frames = cloth.frames[1..].iter();
-    let targets: Vec<Value> = frames
+    let targets = frames[1..].iter();
+    let targets: Vec<Value> = targets
         .map(|frame| base.target(buffer, cloth, frame))
         .collect();
     let indices = document.buffer.triangles(&cloth.mesh.triangles);
@@ -253,10 +314,7 @@ fn write_cloth(document: &mut Document, cloth: &BakedCloth<'_>, samplers: &mut V
         mesh["extras"] = json!({ "targetNames": names });
         let input = document.buffer.times(cloth.key_times);
         let output = document.buffer.scalars(&one_hot(targets.len()));
-        document.channels.push(json!({
-            "sampler": samplers.len(), "target": { "node": node, "path": "weights" },
-        }));
-        samplers.push(json!({ "input": input, "output": output, "interpolation": "LINEAR" }));
+        push_channel(document, [input, output], node, "weights");
         mesh["primitives"][0]["targets"] = Value::Array(targets);
     }
     document.meshes.push(mesh);
@@ -266,6 +324,7 @@ fn write_cloth(document: &mut Document, cloth: &BakedCloth<'_>, samplers: &mut V
         json["scale"] = json!([base.scale, base.scale, base.scale]);
     }
     document.nodes.push(json);
+    Ok(())
 }
 
 /// The first frame of a cloth, from which its targets are told.
@@ -278,11 +337,11 @@ struct Base {
 }
 
 impl Base {
-    fn of(cloth: &BakedCloth<'_>) -> Self {
+    fn of(cloth: &BakedCloth<'_>, frames: &[Cow<'_, [Vec3]>]) -> Self {
         Self {
-            vertices: vertices(cloth, &cloth.frames[0]),
-            normals: cloth.mesh.normals(&cloth.frames[0]),
-            scale: displacement_scale(cloth),
+            vertices: vertices(cloth, &frames[0]),
+            normals: cloth.mesh.normals(&frames[0]),
+            scale: displacement_scale(frames),
         }
     }
 
@@ -291,8 +350,10 @@ impl Base {
         let mut attributes = json!({
             "POSITION": buffer.positions(&scaled.collect::<Vec<_>>()),
             "NORMAL": buffer.vectors(&self.normals),
-            "TEXCOORD_0": buffer.uvs(&cloth.mesh.uvs),
         });
+        if cloth.material.texture_png.is_some() {
+            attributes["TEXCOORD_0"] = json!(buffer.uvs(&cloth.mesh.uvs));
+        }
         if !cloth.colors.is_empty() {
             attributes["COLOR_0"] = json!(buffer.vectors(cloth.colors));
         }
@@ -323,7 +384,7 @@ impl Base {
 }
 
 /// Where the vertices of a cloth are in a frame of its particles [m].
-fn vertices(cloth: &BakedCloth<'_>, frame: &[Vec3]) -> Vec<Vec3> {
+pub(super) fn vertices(cloth: &BakedCloth<'_>, frame: &[Vec3]) -> Vec<Vec3> {
     let particles = cloth.mesh.particles.iter();
     particles
         .map(|particle| frame[*particle as usize])
@@ -332,9 +393,9 @@ fn vertices(cloth: &BakedCloth<'_>, frame: &[Vec3]) -> Vec<Vec3> {
 
 /// Meters that a full displacement stands for: 1, or the power of two that reaches the farthest
 /// vertex of a dance that travels. Steps are then `scale / 32767`, 0.03 mm at 1.
-fn displacement_scale(cloth: &BakedCloth<'_>) -> f32 {
-    let rest = &cloth.frames[0];
-    let moved = cloth.frames.iter().flat_map(|frame| frame.iter().zip(rest));
+fn displacement_scale(frames: &[Cow<'_, [Vec3]>]) -> f32 {
+    let rest = &frames[0];
+    let moved = frames.iter().flat_map(|frame| frame.iter().zip(&rest[..]));
     let farthest = moved.fold(0.0_f32, |far, (now, then)| {
         far.max((*now - *then).abs().max_element())
     });
@@ -355,7 +416,7 @@ fn one_hot(count: usize) -> Vec<f32> {
 }
 
 /// Appends a material, with its texture, and gives its index.
-fn write_material(document: &mut Document, material: &GlbMaterial<'_>) -> usize {
+pub(super) fn write_material(document: &mut Document, material: &GlbMaterial<'_>) -> usize {
     let [red, green, blue] = material.base_color.map(|channel| channel.clamp(0.0, 1.0));
     let mut surface = json!({
         "baseColorFactor": [red, green, blue, 1.0],
@@ -372,11 +433,19 @@ fn write_material(document: &mut Document, material: &GlbMaterial<'_>) -> usize 
             .push(json!({ "source": document.images.len() - 1, "sampler": 0 }));
         surface["baseColorTexture"] = json!({ "index": document.textures.len() - 1 });
     }
-    document.materials.push(json!({
+    let mut made = json!({
         "name": material.name,
         "pbrMetallicRoughness": surface,
         "doubleSided": material.sides == GlbSides::Both,
-    }));
+    });
+    if 0.0 < material.sheen {
+        document.has_sheen = true;
+        let color = [material.sheen.min(1.0); 3];
+        made["extensions"] = json!({ "KHR_materials_sheen": {
+            "sheenColorFactor": color, "sheenRoughnessFactor": SHEEN_ROUGHNESS,
+        }});
+    }
+    document.materials.push(made);
     document.materials.len() - 1
 }
 
@@ -402,7 +471,7 @@ fn unit(normals: &[Vec3]) -> Vec<Vec3> {
 impl super::GridMesh {
     /// Unit vertex normals for particle positions. They are those of the particles, so that the
     /// two sides of a seam agree.
-    fn normals(&self, particles: &[Vec3]) -> Vec<Vec3> {
+    pub(super) fn normals(&self, particles: &[Vec3]) -> Vec<Vec3> {
         let triangles: Vec<[u32; 3]> = self
             .triangles
             .iter()

@@ -18,8 +18,13 @@ const COLUMN_STRIDE: u32 = 2;
 /// Rows of the simulation for one row of the file.
 const ROW_STRIDE: u32 = 1;
 
+/// A surface that was not recorded.
+const NO_FRAMES: &Vec<Vec<Vec3>> = &Vec::new();
+/// How much the fibers of woven cloth shine at a grazing angle, as the pictures of a dance have it.
+const CLOTH_SHEEN: f32 = 0.12;
+
 /// Everything that is worn, prepared for the file.
-pub(super) struct Worn<'a> {
+pub(crate) struct Worn<'a> {
     /// What bones carry.
     ridden: Vec<Ridden<'a>>,
     /// What moves by itself.
@@ -44,7 +49,7 @@ struct Baked<'a> {
 }
 
 impl<'a> Worn<'a> {
-    pub(super) fn of(production: &'a Production, covers: &[Cover]) -> Result<Self, ExportError> {
+    pub(crate) fn of(production: &'a Production, covers: &[Cover]) -> Result<Self, ExportError> {
         let mut worn = Self {
             ridden: Vec::new(),
             baked: Vec::new(),
@@ -79,7 +84,7 @@ impl<'a> Worn<'a> {
     }
 
     /// Triangles and material of each ridden surface.
-    pub(super) fn ridden(&self) -> Vec<[GlbPart<'a>; 1]> {
+    pub(crate) fn ridden(&self) -> Vec<[GlbPart<'a>; 1]> {
         let part = |ridden: &Ridden<'a>| {
             [GlbPart {
                 triangles: &ridden.surface.triangles,
@@ -90,7 +95,7 @@ impl<'a> Worn<'a> {
     }
 
     /// What bones carry.
-    pub(super) fn skinned<'b>(&'b self, parts: &'b [[GlbPart<'a>; 1]]) -> Vec<GlbMesh<'b>> {
+    pub(crate) fn skinned<'b>(&'b self, parts: &'b [[GlbPart<'a>; 1]]) -> Vec<GlbMesh<'b>> {
         let ridden = self.ridden.iter().zip(parts);
         let meshes = ridden.filter_map(|(ridden, parts)| {
             let Carried::Bones {
@@ -114,6 +119,12 @@ impl<'a> Worn<'a> {
         meshes.filter(|mesh| !mesh.positions.is_empty()).collect()
     }
 
+    /// What a surface that moves by itself is made of, by its place among all surfaces.
+    pub(crate) fn material_at(&self, place: usize) -> GlbMaterial<'_> {
+        let baked = self.baked.iter().find(|baked| baked.place == place);
+        baked.map_or(cloth(None), Baked::material)
+    }
+
     /// What moves by itself, with its recorded frames by surface.
     pub(super) fn baked<'b>(
         &'b self,
@@ -124,18 +135,24 @@ impl<'a> Worn<'a> {
             name: &baked.name,
             mesh: &baked.mesh,
             colors: baked.beside.map_or(&[], |surface| &surface.colors),
-            material: match baked.beside {
-                Some(surface) => material(surface.finish),
-                None => cloth(baked.print.as_deref()),
-            },
+            material: baked.material(),
             key_times,
-            frames: frames.get(baked.place).map_or(&[], Vec::as_slice),
+            frames: frames.get(baked.place).unwrap_or(NO_FRAMES),
         });
         baked.collect()
     }
 }
 
-fn print_png(print: &PrintImage) -> Result<Vec<u8>, ExportError> {
+impl Baked<'_> {
+    fn material(&self) -> GlbMaterial<'_> {
+        match self.beside {
+            Some(surface) => material(surface.finish),
+            None => cloth(self.print.as_deref()),
+        }
+    }
+}
+
+pub(crate) fn print_png(print: &PrintImage) -> Result<Vec<u8>, ExportError> {
     let image = ImageView::new(print.width, print.height, &print.pixels)?;
     encode_png(image)
 }
@@ -188,29 +205,31 @@ fn grid_mesh(garment: &Garment, print: &PrintImage) -> GridMesh {
     mesh.with(&GridMesh::new(&below, [COLUMN_STRIDE, ROW_STRIDE]))
 }
 
-const fn cloth(print: Option<&[u8]>) -> GlbMaterial<'_> {
+pub(crate) const fn cloth(print: Option<&[u8]>) -> GlbMaterial<'_> {
     GlbMaterial {
         name: "print",
         base_color: [1.0; 3],
         roughness: 0.85,
+        sheen: CLOTH_SHEEN,
         texture_png: print,
         sides: GlbSides::Both,
     }
 }
 
-const fn material(finish: AdornmentFinish) -> GlbMaterial<'static> {
-    let (name, roughness) = match finish {
-        AdornmentFinish::Leaf => ("leaf", 0.55),
-        AdornmentFinish::Petal => ("petal", 0.85),
-        AdornmentFinish::Feather => ("feather", 0.9),
-        AdornmentFinish::Fiber => ("fiber", 0.9),
-        AdornmentFinish::Wood => ("wood", 0.4),
-        AdornmentFinish::Film => ("film", 0.15),
+pub(crate) const fn material(finish: AdornmentFinish) -> GlbMaterial<'static> {
+    let (name, roughness, sheen) = match finish {
+        AdornmentFinish::Leaf => ("leaf", 0.55, 0.0),
+        AdornmentFinish::Petal => ("petal", 0.85, 0.15),
+        AdornmentFinish::Feather => ("feather", 0.9, 0.35),
+        AdornmentFinish::Fiber => ("fiber", 0.9, 0.10),
+        AdornmentFinish::Wood => ("wood", 0.4, 0.0),
+        AdornmentFinish::Film => ("film", 0.15, 0.0),
     };
     GlbMaterial {
         name,
         base_color: [1.0; 3],
         roughness,
+        sheen,
         texture_png: None,
         sides: GlbSides::Both,
     }

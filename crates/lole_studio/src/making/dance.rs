@@ -9,20 +9,26 @@ use super::paper::said;
 use super::{Line, Unmade, Wish, flew_apart};
 use crate::platform;
 
-/// Keys of the 3D file per second.
-const KEY_RATE: u32 = 15;
 /// The dancer with her dance as the bytes of a GLB.
 pub(super) fn model(wish: &Wish, line: &Line<'_>) -> Result<Vec<u8>, Unmade> {
     let mut performance = performance(wish)?;
     let photo = PhotoStudio::new(&performance).map_err(|error| Unmade::of(&error))?;
     let mut keys = Keys::default();
-    let every = FRAMES_PER_SECOND / KEY_RATE;
+    let every = FRAMES_PER_SECOND / baked::key_rate(danced(&performance));
     dance(&mut performance, line, every, |performance| {
         keys.keep(performance);
         Ok(())
     })?;
-    let bytes = baked::dancer_glb(&performance, &keys, photo.covers());
-    bytes.map_err(|error| Unmade::of(&error))
+    let file = baked::dancer_glb(&performance, &keys, photo.covers());
+    file.map(|file| file.bytes)
+        .map_err(|error| Unmade::of(&error))
+}
+
+/// Simulated frames of the dance.
+fn danced(performance: &Performance) -> u32 {
+    let design = &performance.production().design;
+    let whole = (performance.production().dance).whole(design.motion.repeat);
+    frame_count(design.duration_s(whole))
 }
 
 /// What is performed, before its first frame.
@@ -41,9 +47,7 @@ pub(crate) fn dance(
 ) -> Result<(), Unmade> {
     // Half of the processor: the window dances on.
     let pool = platform::pool((platform::cores() / 2).max(1));
-    let design = &performance.production().design;
-    let whole = (performance.production().dance).whole(design.motion.repeat);
-    let danced = frame_count(design.duration_s(whole));
+    let danced = danced(performance);
     let settled = Performance::settle_frame_count();
     let all = (settled + danced).max(1) as f32;
     for frame in 0..settled + danced {
