@@ -170,13 +170,13 @@ fn told(args: &BatchArgs, (performed, failed): (usize, Option<usize>), language:
         return;
     }
     let mut lines = vec![Sentence::new(
-        format!("{performed} 回踊りました"),
-        format!("{performed} runs performed"),
+        format!("踊った回数: {performed}"),
+        format!("runs performed now: {performed}"),
     )];
     if let Some(failed) = failed.filter(|&failed| 0 < failed) {
         lines.push(Sentence::new(
-            format!("{failed} 回は最後まで行きませんでした。表の error の列をご覧ください"),
-            format!("{failed} runs failed; see the column error of the table"),
+            format!("最後まで行かなかった回数: {failed}（表の error の列に理由）"),
+            format!("runs of all that failed: {failed} (why stands in the column error)"),
         ));
     }
     summary::print_lines(&lines, language);

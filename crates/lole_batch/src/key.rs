@@ -95,6 +95,14 @@ impl KeyPath {
     }
 }
 
+/// Puts a value where a path such as `skirt.gather_ratio` or `garment.1.fabric.preset` names it.
+///
+/// # Errors
+/// One sentence: the path names no key, or no place of the list.
+pub fn put(document: &mut Table, path: &str, value: Value) -> Result<(), Sentence> {
+    KeyPath::read(path)?.put(document, value)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -25,6 +25,7 @@ pub mod sweep;
 pub mod table;
 
 pub use batch::{Batch, Missing};
+pub use key::put;
 pub use perform::{Files, Performed, perform};
 pub use plan::Plan;
 pub use record::{Figures, Record};
