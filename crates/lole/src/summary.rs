@@ -334,10 +334,9 @@ fn open_hint(path: &Path, language: Language) -> &'static str {
             "定規とチャコで引く線",
             "rectangles to draw with ruler and chalk",
         ),
-        _ if has_end(path, "parquet") => language.pick(
-            "pandas や DuckDB で読む",
-            "for pandas, Polars, DuckDB",
-        ),
+        _ if has_end(path, "parquet") => {
+            language.pick("pandas や DuckDB で読む", "for pandas, Polars, DuckDB")
+        }
         _ if has_end(path, "csv") => language.pick("表計算で開く", "opens in a spreadsheet"),
         _ if has_end(path, "json") => {
             language.pick("プログラム用の数値", "the numbers, for programs")

@@ -26,7 +26,8 @@ def perform(path: Path, out: Path) -> list[dict[str, float]]:
     missing = sweep.missing(out)
     # A run releases Python's lock, so that threads are enough for all cores.
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        for done, _ in enumerate(pool.map(lambda number: sweep.perform(number, out), missing), 1):
+        tasks = [pool.submit(sweep.perform, number, out) for number in missing]
+        for done, _ in enumerate((task.result() for task in tasks), 1):
             print(f"\r{done}/{len(missing)}", end="", flush=True)
     rows = list(csv.DictReader(io.StringIO(sweep.write_table(out))))
     failed = [row for row in rows if row["error"]]

@@ -6,7 +6,6 @@ use lole_batch::put;
 use lole_body::{Dancer, Measurements};
 use lole_costume::document::{self, Design as Document};
 use lole_costume::{cost, order};
-use lole_export::order::bill_json;
 use lole_files::{name_linked_files, read_document, read_linked_files};
 use lole_language::Sentence;
 use pyo3::prelude::*;
@@ -92,7 +91,8 @@ impl Design {
         objects_of(py, &drawn).map(Some)
     }
 
-    /// The bill, as `lole cost --json` has it.
+    /// The bill: what is paid for, in the design's currency; a line without a price has no sum, and `asks`
+    /// names the key that would tell it.
     fn cost<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let document = &self.document;
         let dancer = match &document.dancer.file {
@@ -105,8 +105,25 @@ impl Design {
         };
         let plan = order::plan_dancer("", document, &dancer);
         let plan = plan.map_err(|error| refused(py, &error))?;
-        let json = bill_json(&cost::bill(document, &plan));
-        crate::objects(py, &json.map_err(|error| wrong(py, "", error.to_string()))?)
+        let bill = cost::bill(document, &plan);
+        let lines = bill.lines.iter().map(|line| {
+            json!({
+                "name": line.name.english,
+                "name_ja": line.name.japanese,
+                "amount": line.amount.english,
+                "amount_ja": line.amount.japanese,
+                "sum": line.sum,
+                "asks": line.asks,
+            })
+        });
+        let told = json!({
+            "currency": bill.currency.id(),
+            "total": bill.total,
+            "hours": bill.hours,
+            "is_complete": bill.is_complete(),
+            "lines": lines.collect::<Vec<_>>(),
+        });
+        objects_of(py, &told)
     }
 
     fn __eq__(&self, other: &Self) -> bool {
@@ -118,7 +135,7 @@ impl Design {
     fn of_table(py: Python<'_>, mut table: Table) -> PyResult<Self> {
         let version = i64::try_from(document::VERSION).unwrap_or(i64::MAX);
         table.entry("lole").or_insert(Value::Integer(version));
-        let text = toml::to_string(&table).map_err(|error| wrong(py, "", error.to_string()))?;
+        let text = toml::to_string(&table).map_err(|error| wrong(py, error.to_string(), error.to_string()))?;
         let document = document::parse(&text, "design").map_err(|error| {
             // The text is not the user's, and neither are its lines.
             let error = document::DesignError {

@@ -29,20 +29,7 @@ impl Performance {
     #[new]
     #[pyo3(signature = (design=None, *, threads=1))]
     fn new(py: Python<'_>, design: Option<PyRef<'_, Design>>, threads: usize) -> PyResult<Self> {
-        if !(1..=256).contains(&threads) {
-            return Err(wrong(
-                py,
-                "threads は 1 から 256 までの整数にしてください",
-                "threads: give a whole number from 1 to 256",
-            ));
-        }
-        let document = design.map_or_else(Document::default, |it| it.document.clone());
-        let stage = py.detach(|| Production::new(&document).and_then(lole_stage::Performance::new));
-        let pool = ThreadPoolBuilder::new().num_threads(threads).build();
-        Ok(Self {
-            stage: stage.map_err(|error| refused(py, &error))?,
-            pool: pool.map_err(|error| wrong(py, "スレッドを作れません", error.to_string()))?,
-        })
+        Self::on_stage(py, design.as_deref(), threads)
     }
 
     /// Time of the dance [s]; negative while the cloth settles.
@@ -63,11 +50,11 @@ impl Performance {
     /// All bits of the cloth as 16 hexadecimal digits.
     #[getter]
     fn state_hash(&self) -> String {
-        format!("{:016x}", self.stage.state_hash())
+        self.hash()
     }
 
     /// Lets the cloth come to rest on the standing dancer: at most three seconds, to time 0.
-    fn settle(&mut self, py: Python<'_>) -> PyResult<()> {
+    pub(crate) fn settle(&mut self, py: Python<'_>) -> PyResult<()> {
         while self.stage.time() < 0.0 {
             py.check_signals()?;
             self.advance(py)?;
@@ -185,8 +172,40 @@ impl Performance {
 }
 
 impl Performance {
+    /// Drafts, sews and dresses.
+    pub(crate) fn on_stage(
+        py: Python<'_>,
+        design: Option<&Design>,
+        threads: usize,
+    ) -> PyResult<Self> {
+        if !(1..=256).contains(&threads) {
+            return Err(wrong(
+                py,
+                "threads は 1 から 256 までの整数にしてください",
+                "threads: give a whole number from 1 to 256",
+            ));
+        }
+        let document = design.map_or_else(Document::default, |it| it.document.clone());
+        let stage = py.detach(|| Production::new(&document).and_then(lole_stage::Performance::new));
+        let pool = ThreadPoolBuilder::new().num_threads(threads).build();
+        Ok(Self {
+            stage: stage.map_err(|error| refused(py, &error))?,
+            pool: pool.map_err(|error| wrong(py, "スレッドを作れません", error.to_string()))?,
+        })
+    }
+
+    /// Particles that move.
+    pub(crate) fn particle_count(&self) -> usize {
+        self.stage.production().moving_count()
+    }
+
+    /// All bits of the cloth.
+    pub(crate) fn hash(&self) -> String {
+        format!("{:016x}", self.stage.state_hash())
+    }
+
     /// One frame, without Python's lock.
-    fn advance(&mut self, py: Python<'_>) -> PyResult<()> {
+    pub(crate) fn advance(&mut self, py: Python<'_>) -> PyResult<()> {
         let Self { stage, pool } = self;
         let result = py.detach(|| pool.install(|| stage.advance()));
         result.map_err(|Divergence { time, row, column, .. }| {

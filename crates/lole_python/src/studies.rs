@@ -1,31 +1,17 @@
 //! Fabrics, validation and benches as tables of Python.
 
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use cpu_time::ProcessTime;
-use lole_cloth::InstructionSet;
 use lole_costume::fabrics::PRESETS;
 use lole_language::Sentence;
 use lole_stage::validate::PROTOCOLS;
-use lole_study::bench::{BenchSettings, entries};
-use lole_study::{Clock, validation};
 use pyo3::prelude::*;
 use serde_json::{Value, json};
 
+use crate::design::Design;
+use crate::performance::Performance;
 use crate::{objects_of, refused, wrong};
-
-/// The machine's clocks: whoever calls from Python waits by them.
-struct MachineClock(Instant, ProcessTime);
-
-impl Clock for MachineClock {
-    fn wall(&self) -> Duration {
-        self.0.elapsed()
-    }
-
-    fn process(&self) -> Duration {
-        self.1.elapsed()
-    }
-}
 
 /// The fabrics of the shelf, in SI units.
 #[pyfunction]
@@ -49,7 +35,7 @@ pub(crate) fn fabrics(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
     objects_of(py, &rows.collect::<Vec<Value>>())
 }
 
-/// The engine against closed forms, a row each, as `lole validate --json` has them.
+/// The engine against closed forms, a row each: what was measured, its reference and its bounds.
 #[pyfunction]
 #[pyo3(signature = (only=None))]
 pub(crate) fn validate<'py>(py: Python<'py>, only: Option<&str>) -> PyResult<Bound<'py, PyAny>> {
@@ -64,45 +50,68 @@ pub(crate) fn validate<'py>(py: Python<'py>, only: Option<&str>) -> PyResult<Bou
             py.check_signals()?;
             let checks = py.detach(|| protocol.run(subject));
             let checks = checks.map_err(|error| wrong(py, error.to_string(), error.to_string()))?;
-            let of = |check| validation::row(protocol, subject, check);
-            rows.extend(checks.into_iter().map(of));
+            rows.extend(checks.into_iter().map(|check| {
+                json!({
+                    "name": protocol.name,
+                    "method": subject.id(),
+                    "case": check.case,
+                    "measured": check.measured,
+                    "reference": check.reference,
+                    "unit": check.unit,
+                    "bounds": check.bounds(),
+                    "pass": check.passes(),
+                })
+            }));
         }
     }
     objects_of(py, &rows)
 }
 
-/// What a frame of a scene costs, as `lole bench --json` has it.
+/// What a frame of a design costs on this machine, once it has settled.
 #[pyfunction]
-#[pyo3(signature = (scene, method="xpbd"))]
+#[pyo3(signature = (design=None, *, frames=120, threads=1))]
 #[expect(
     clippy::disallowed_methods,
     reason = "the caller's clock: a bench of Python is timed here"
 )]
 pub(crate) fn bench<'py>(
     py: Python<'py>,
-    scene: &str,
-    method: &str,
+    design: Option<PyRef<'py, Design>>,
+    frames: u32,
+    threads: usize,
 ) -> PyResult<Bound<'py, PyAny>> {
-    let entries = entries();
-    let asked = entries
-        .iter()
-        .find(|it| it.scene == scene && it.method == method);
-    let Some(entry) = asked else {
-        let names: Vec<_> = entries.iter().map(|it| it.scene).collect();
-        return Err(no_such(py, scene, &names));
-    };
-    let row = py.detach(|| {
-        let clock = MachineClock(Instant::now(), ProcessTime::now());
-        entry.measure(BenchSettings {
-            instruction_set: InstructionSet::Detected,
-            roofline: false,
-            clock: &clock,
-        })
+    if !(1..=36_000).contains(&frames) {
+        return Err(wrong(
+            py,
+            "frames は 1 から 36000 までの整数にしてください",
+            "frames: give a whole number from 1 to 36000",
+        ));
+    }
+    let mut performance = Performance::on_stage(py, design.as_deref(), threads)?;
+    performance.settle(py)?;
+    let (mut wall, mut process) = (Vec::new(), Vec::new());
+    for _ in 0..frames {
+        py.check_signals()?;
+        let (at, spent) = (Instant::now(), ProcessTime::now());
+        performance.advance(py)?;
+        process.push(1e3 * spent.elapsed().as_secs_f64());
+        wall.push(1e3 * at.elapsed().as_secs_f64());
+    }
+    let row = json!({
+        "particles": performance.particle_count(),
+        "threads": threads,
+        "frames": frames,
+        "frame_ms": spread(process),
+        "frame_wall_ms": spread(wall),
+        "state_hash": performance.hash(),
     });
-    objects_of(
-        py,
-        &row.map_err(|error| wrong(py, error.to_string(), error.to_string()))?,
-    )
+    objects_of(py, &row)
+}
+
+/// Median and 99th percentile: entries `n/2` and `99 n/100` of the sorted values.
+fn spread(mut values: Vec<f64>) -> Value {
+    values.sort_by(f64::total_cmp);
+    json!({ "median": values[values.len() / 2], "p99": values[values.len() * 99 / 100] })
 }
 
 fn no_such(py: Python<'_>, name: &str, names: &[&str]) -> PyErr {

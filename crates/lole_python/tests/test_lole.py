@@ -139,9 +139,18 @@ def test_fabrics_and_validation_are_tables() -> None:
     assert rows and all(row["pass"] for row in rows)
     with pytest.raises(lole.LoleError, match="choose one of"):
         lole.validate("nothing")
-    with pytest.raises(lole.LoleError, match="choose one of"):
-        lole.bench("nothing")
-    assert lole.bench("hang-64")["finite"]
+
+
+def test_a_bench_dances_the_same_dance(small: dict[str, Any]) -> None:
+    design = lole.Design(small)
+    row = lole.bench(design, frames=10, threads=2)
+    performance = lole.Performance(design)
+    performance.settle()
+    performance.step(10)
+    assert row["state_hash"] == performance.state_hash
+    assert 0 < row["frame_wall_ms"]["median"] <= row["frame_wall_ms"]["p99"]
+    with pytest.raises(lole.LoleError, match="frames"):
+        lole.bench(design, frames=0)
 
 
 def test_a_sweep_in_any_order_makes_one_table(sweep_file: Path, tmp_path: Path) -> None:

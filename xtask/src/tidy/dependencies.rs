@@ -214,13 +214,10 @@ const TABLE: &[(&str, &[&str])] = &[
         &[
             "lole_language",
             "lole_geom",
-            "lole_cloth",
             "lole_body",
             "lole_costume",
             "lole_files",
             "lole_stage",
-            "lole_export",
-            "lole_study",
             "lole_batch",
         ],
     ),

@@ -36,7 +36,8 @@ class Design:
     def draft(self) -> dict[str, Any] | None:
         """The skirt on paper, lengths in cm; ``None`` where none is worn."""
     def cost(self) -> dict[str, Any]:
-        """The bill, as ``lole cost --json`` has it."""
+        """The bill: what is paid for, in the design's currency; a line without a price has no sum, and ``asks``
+        names the key that would tell it."""
 
 @final
 class Dancer:
@@ -115,7 +116,8 @@ def fabrics() -> list[dict[str, Any]]:
     """The fabrics of the shelf, in SI units."""
 
 def validate(only: str | None = None) -> list[dict[str, Any]]:
-    """The engine against closed forms, a row each, as ``lole validate --json`` has them."""
+    """The engine against closed forms, a row each: what was measured, its reference and its bounds."""
 
-def bench(scene: str, method: str = "xpbd") -> dict[str, Any]:
-    """What a frame of a scene costs, as ``lole bench --json`` has it."""
+def bench(design: Design | None = None, *, frames: int = 120, threads: int = 1) -> dict[str, Any]:
+    """What a frame of a design costs on this machine, once it has settled: ``frame_ms`` of processor time and
+    ``frame_wall_ms``, median and 99th percentile."""
