@@ -24,7 +24,7 @@ pub(crate) fn run(args: &BatchArgs, language: Language) -> Result<(), Failure> {
     let performed = if args.merge {
         0
     } else {
-        let due = due(&batch, &folder, args.shard);
+        let due = batch.due(&folder, args.shard.unwrap_or((1, 1)));
         perform_all(&batch, &folder, (&due, args.threads), (&stop, language))?;
         check(&stop)?;
         due.len()
@@ -50,15 +50,6 @@ fn others(args: &BatchArgs) -> Result<Vec<RunFolder>, Failure> {
         )))
     });
     all.collect()
-}
-
-/// Numbers of the runs of a share that have not ended.
-fn due(batch: &Batch, folder: &RunFolder, shard: Option<(u64, u64)>) -> Vec<u64> {
-    let (share, shares) = shard.unwrap_or((1, 1));
-    let numbers = (0..batch.plan().run_count()).filter(|number| number % shares == share - 1);
-    numbers
-        .filter(|&number| batch.record(folder, &batch.run(number)).is_none())
-        .collect()
 }
 
 /// Performs runs on so many threads, each run on one of them from its first to its last frame.

@@ -131,6 +131,28 @@ fn shares_threads_and_kills_end_in_the_same_table_to_the_bit() {
 }
 
 #[test]
+fn equal_runs_are_performed_once_and_stand_in_the_table_as_often_as_asked() {
+    let (scratch, _) = swept("batch-equal");
+    let sweep = scratch.write(
+        "equal.toml",
+        "lole_sweep = 1\ndesign = \"small.lole\"\nkind = \"list\"\n[fixed]\n\"motion.duration_s\" = 0.5\n\
+         [[axis]]\nkey = \"skirt.gather_ratio\"\nvalues = [2, 2, 2]\n",
+    );
+    let out = scratch.path("out");
+    let output = batch(&sweep, &out, &["--threads", "3", "--json"]);
+    let told: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(told["performed"], 1, "{}", said(&output));
+    let csv = String::from_utf8(tables(&out)[0].clone()).unwrap();
+    let rows: Vec<&str> = csv
+        .lines()
+        .skip(1)
+        .map(|row| row.split_once(',').unwrap().1)
+        .collect();
+    assert_eq!(rows.len(), 3);
+    assert!(rows.iter().all(|row| row == &rows[0]), "{csv}");
+}
+
+#[test]
 fn a_hostile_sweep_is_one_sentence_and_leaves_nothing() {
     let scratch = Scratch::new("batch-hostile");
     scratch.write("small.lole", SMALL);

@@ -4,6 +4,7 @@
 //! The manifest is the file of the sweep. A run is its number in it; performing and keeping it twice changes
 //! nothing.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use lole_files::{RunFolder, read_document, read_linked_files, runs::linked_hash};
@@ -106,6 +107,19 @@ impl Batch {
     #[must_use]
     pub fn record(&self, folder: &RunFolder, run: &Run) -> Option<Record> {
         Record::read(&folder.record(&run.id)?, &run.document)
+    }
+
+    /// Numbers of the runs of a share, as in `(2, 8)` for the second of eight, that are to be performed: they have
+    /// not ended, and of runs that are the same only the first counts.
+    #[must_use]
+    pub fn due(&self, folder: &RunFolder, (share, shares): (u64, u64)) -> Vec<u64> {
+        let mut seen = BTreeSet::new();
+        let numbers = (0..self.plan.run_count()).filter(|number| number % shares == share - 1);
+        let is_due = |number: &u64| {
+            let run = self.run(*number);
+            self.record(folder, &run).is_none() && seen.insert(run.id)
+        };
+        numbers.filter(is_due).collect()
     }
 
     /// Dances a run; see [`perform::perform`]. `None` where it was called off.

@@ -135,7 +135,8 @@ impl Design {
     fn of_table(py: Python<'_>, mut table: Table) -> PyResult<Self> {
         let version = i64::try_from(document::VERSION).unwrap_or(i64::MAX);
         table.entry("lole").or_insert(Value::Integer(version));
-        let text = toml::to_string(&table).map_err(|error| wrong(py, error.to_string(), error.to_string()))?;
+        let text = toml::to_string(&table)
+            .map_err(|error| wrong(py, error.to_string(), error.to_string()))?;
         let document = document::parse(&text, "design").map_err(|error| {
             // The text is not the user's, and neither are its lines.
             let error = document::DesignError {

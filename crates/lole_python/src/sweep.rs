@@ -99,17 +99,10 @@ impl Sweep {
         objects(py, &record.map_err(|why| refused(py, &why))?)
     }
 
-    /// The runs that the folder does not hold.
+    /// The runs that are to be performed, because the folder does not hold them; of equal runs only the first.
     fn missing(&self, py: Python<'_>, out: &Bound<'_, PyAny>) -> PyResult<Vec<u64>> {
         let folder = RunFolder::at(&path(out)?);
-        Ok(py.detach(|| {
-            let numbers = 0..self.batch.plan().run_count();
-            let is_due = |number: &u64| {
-                let run = self.batch.run(*number);
-                self.batch.record(&folder, &run).is_none()
-            };
-            numbers.filter(is_due).collect()
-        }))
+        Ok(py.detach(|| self.batch.due(&folder, (1, 1))))
     }
 
     /// Takes over runs from other folders; how many.

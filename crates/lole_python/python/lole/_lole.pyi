@@ -106,7 +106,7 @@ class Sweep:
     def perform(self, number: int, out: str | PathLike[str]) -> dict[str, Any]:
         """Performs a run unless the folder holds it, keeps it there, and gives its record."""
     def missing(self, out: str | PathLike[str]) -> list[int]:
-        """The runs that the folder does not hold."""
+        """The runs that are to be performed, because the folder does not hold them; of equal runs only the first."""
     def gather(self, out: str | PathLike[str], others: Sequence[str | PathLike[str]]) -> int:
         """Takes over runs from other folders; how many."""
     def write_table(self, out: str | PathLike[str]) -> str:
