@@ -1,4 +1,4 @@
-//! A sweep that lies in a file, and a folder of results: the steps that the command, Python, a queue or a
+//! A sweep that lies in a file, and a folder of results: the steps that the command and whoever has a queue or a
 //! cluster take in any order, on any number of machines.
 //!
 //! The manifest is the file of the sweep. A run is its number in it; performing and keeping it twice changes

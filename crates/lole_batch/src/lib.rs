@@ -3,7 +3,7 @@
 //!
 //! | Module | What it is |
 //! |---|---|
-//! | [`batch`] | a sweep in a file and a folder of results: what the command, Python and clusters call |
+//! | [`batch`] | a sweep in a file and a folder of results: what the command and queues call |
 //! | [`sweep`] | the text of a sweep, read and refused |
 //! | [`plan`] | a sweep over a design: which documents are run, and what each is called |
 //! | [`perform`] | one document danced from first to last frame, and measured |
