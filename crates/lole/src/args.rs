@@ -408,8 +408,8 @@ pub(crate) struct BatchArgs {
     /// Runs at a time, one on a core each; otherwise as many as there are cores. The table is the same.
     #[arg(long, value_parser = threads, allow_negative_numbers = true)]
     pub(crate) threads: Option<u16>,
-    /// Only the I-th of N shares of the runs, as in 2/8, without a table: for queues such as HyperQueue and
-    /// Slurm, whose shares may write into one folder.
+    /// Only the I-th of N shares of the runs, as in 2/8, without a table: for a queue such as Slurm's, whose
+    /// shares may write into one folder.
     #[arg(long, value_name = "I/N", value_parser = shard)]
     pub(crate) shard: Option<(u64, u64)>,
     /// Run nothing: make the table of what has ended.

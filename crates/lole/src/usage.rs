@@ -313,7 +313,7 @@ const JAPANESE_HELP: &[(&str, &str, &str)] = &[
     (
         "batch",
         "shard",
-        "N に分けた I 番目だけを行い、表は作りません（例 2/8）。HyperQueue や Slurm のために。同じフォルダーに書けます",
+        "N に分けた I 番目だけを行い、表は作りません（例 2/8）。Slurm などのために。同じフォルダーに書けます",
     ),
     (
         "batch",

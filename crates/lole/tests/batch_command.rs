@@ -119,7 +119,7 @@ fn shares_threads_and_kills_end_in_the_same_table_to_the_bit() {
         .iter()
         .flat_map(|it| ["--from", it.to_str().unwrap()])
         .collect();
-    let output = batch(&sweep, &merged, &[&["--merge"], &from[..]].concat());
+    let output = batch(&sweep, &merged, &[&["--merge"][..], &from].concat());
     assert!(output.status.success(), "{}", said(&output));
     assert_eq!(tables(&merged), expected);
 

@@ -1,4 +1,4 @@
-//! Positions as NumPy's own format, version 1.0: little-endian `f32`, one row of three a point.
+//! Positions as `NumPy`'s own format, version 1.0: little-endian `f32`, one row of three a point.
 
 use glam::Vec3;
 
@@ -9,7 +9,7 @@ pub(crate) fn points(points: &[Vec3]) -> Vec<u8> {
         points.len()
     );
     // Magic, version and length are 10 bytes; the head ends in a line break, at a multiple of 64.
-    while (10 + head.len() + 1) % 64 != 0 {
+    while !(10 + head.len() + 1).is_multiple_of(64) {
         head.push(' ');
     }
     head.push('\n');

@@ -57,7 +57,7 @@ pub enum FileKind {
     Design,
     /// Strain, hem, sway and folds by time, as CSV.
     Series,
-    /// Where every particle is at the end [m], as NumPy reads it.
+    /// Where every particle is at the end [m], as `NumPy` reads it.
     Positions,
 }
 
@@ -81,7 +81,7 @@ pub enum SweepKind {
     Grid,
     /// The first values of all, the second values of all, and so on.
     List,
-    /// In every axis one run in each of `count` equal parts, in an order of its own (McKay, Beckman and
+    /// In every axis one run in each of `count` equal parts, in an order of its own (`McKay`, Beckman and
     /// Conover 1979).
     LatinHypercube,
 }

@@ -15,9 +15,10 @@ proptest! {
     #[test]
     fn every_part_of_an_axis_has_one_run(count in 1_u64..200, seed in 0_u64..1000) {
         let shares = cube(count, seed, "").shares().unwrap();
-        let mut parts: Vec<u64> = shares[0].iter().map(|it| (it * count as f64) as u64).collect();
+        let part = |share: &f64| (1..=count).filter(|&end| end as f64 <= share * count as f64).count();
+        let mut parts: Vec<usize> = shares[0].iter().map(part).collect();
         parts.sort_unstable();
-        prop_assert_eq!(parts, (0..count).collect::<Vec<_>>());
+        prop_assert_eq!(parts, (0..shares[0].len()).collect::<Vec<_>>());
         prop_assert!(shares[0].iter().all(|it| (0.0..1.0).contains(it)));
     }
 
