@@ -147,6 +147,13 @@ impl Plan {
     fn probe(&self, number: usize) -> Result<bool, SweepError> {
         let axis = &self.sweep.axes[number];
         let values = match &axis.span {
+            // What lies between two numbers that a key takes, it takes too.
+            Span::Values(values) if axis.is_range => values
+                .iter()
+                .take(1)
+                .chain(values.last())
+                .cloned()
+                .collect(),
             Span::Values(values) => values.clone(),
             Span::Between { .. } => vec![axis.span.at(0.0), axis.span.at(1.0)],
         };

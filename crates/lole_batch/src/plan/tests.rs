@@ -1,3 +1,5 @@
+//! Laws of plans: every run is a design, and what is none is refused before anything runs.
+
 use std::collections::BTreeSet;
 
 use proptest::prelude::{prop_assert, prop_assert_eq, proptest};

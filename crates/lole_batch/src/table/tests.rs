@@ -1,3 +1,5 @@
+//! Laws of tables: both files say the same, and nothing of a clock.
+
 use parquet::file::reader::{FileReader as _, SerializedFileReader};
 use parquet::record::Field;
 
