@@ -50,6 +50,8 @@ pub(crate) enum Command {
     Validate(ValidateArgs),
     /// Frame time by scene on this machine, with strain and penetration.
     Bench(BenchArgs),
+    /// Runs by the thousand: what a sweep varies of a design, as one table.
+    Batch(BatchArgs),
     /// The dancer alone: pictures from four sides, the tape on her body, capsules, 3D file.
     Dancer(DancerArgs),
     /// What is in an avatar or a recording: bones, unit, axes, pose, meshes, motion, license.
@@ -526,6 +528,32 @@ pub(crate) struct ValidateArgs {
     pub(crate) json: bool,
 }
 
+/// `lole batch`.
+#[derive(Debug, Args)]
+pub(crate) struct BatchArgs {
+    /// The sweep: a design, and which of its keys are varied (.toml).
+    pub(crate) sweep: PathBuf,
+    /// Folder for the results; runs that ended there are not run again.
+    #[arg(long, value_name = "DIR", default_value = "lole-batch")]
+    pub(crate) out: PathBuf,
+    /// Runs at a time, one on a core each; otherwise as many as there are cores. The table is the same.
+    #[arg(long, value_parser = threads, allow_negative_numbers = true)]
+    pub(crate) threads: Option<u16>,
+    /// Only the I-th of N shares of the runs, as in 2/8, without a table: for a queue such as Slurm's, whose
+    /// shares may write into one folder.
+    #[arg(long, value_name = "I/N", value_parser = shard)]
+    pub(crate) shard: Option<(u64, u64)>,
+    /// Run nothing: make the table of what has ended.
+    #[arg(long, conflicts_with = "shard")]
+    pub(crate) merge: bool,
+    /// Another folder of results whose runs are taken over first; may be given again.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) from: Vec<PathBuf>,
+    /// Print the outcome as JSON.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
 /// `lole bench`.
 #[derive(Debug, Args)]
 pub(crate) struct BenchArgs {
@@ -667,6 +695,20 @@ fn threads(text: &str) -> Result<u16, Sentence> {
     };
     let value = text.parse().map_err(|_| help())?;
     (1..=256).contains(&value).then_some(value).ok_or_else(help)
+}
+
+/// `I/N`, counted from 1.
+fn shard(text: &str) -> Result<(u64, u64), Sentence> {
+    let numbers = text.split_once('/');
+    let numbers = numbers.and_then(|(one, all)| Some((one.parse().ok()?, all.parse().ok()?)));
+    numbers
+        .filter(|(one, all)| (1..=*all).contains(one))
+        .ok_or_else(|| {
+            Sentence::new(
+                "何番目/いくつに分けるか を書いてください（例: 2/8）",
+                "give a share and how many there are, such as 2/8",
+            )
+        })
 }
 
 fn frames(text: &str) -> Result<u32, Sentence> {

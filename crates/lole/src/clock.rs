@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use cpu_time::ProcessTime;
+use cpu_time::{ProcessTime, ThreadTime};
 use lole_study::Clock;
 
 /// The machine's clocks since the command began.
@@ -23,6 +23,11 @@ impl SystemClock {
             process: ProcessTime::now(),
         }
     }
+}
+
+/// Processor time of this thread since some fixed moment.
+pub(crate) fn of_thread() -> Duration {
+    ThreadTime::now().as_duration()
 }
 
 impl Clock for SystemClock {

@@ -1,6 +1,7 @@
 //! The `lole` command: arguments in, files out.
 
 mod args;
+mod batch;
 mod bench;
 mod clock;
 mod dance;
@@ -88,6 +89,7 @@ fn main() -> ExitCode {
             Command::Form(args) => order::run_form(&args, language),
             Command::Study(args) => study::run(&args, language),
             Command::Validate(args) => validate::run(&args, language),
+            Command::Batch(args) => batch::run(&args, language),
             Command::Bench(args) => bench::run(&args, language),
             Command::Dancer(args) => dancer::run(&args, language),
             Command::Fabric(args) => fabric::run(&args, language),

@@ -437,6 +437,9 @@ fn open_hint(path: &Path, language: Language) -> &'static str {
         }
         _ if has_end(path, "mtl") => language.pick("OBJ の材質", "materials of the OBJ"),
         _ if has_end(path, "npz") => language.pick("numpy.load で読む", "numpy.load reads it"),
+        _ if has_end(path, "parquet") => {
+            language.pick("pandas や DuckDB で読む", "for pandas, Polars, DuckDB")
+        }
         _ if has_end(path, "csv") => language.pick("表計算で開く", "opens in a spreadsheet"),
         _ if has_end(path, "json") => {
             language.pick("プログラム用の数値", "the numbers, for programs")

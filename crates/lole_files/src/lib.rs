@@ -4,6 +4,7 @@
 //! The crate knows no window and draws nothing; what goes wrong is one sentence that names the file.
 
 mod output;
+pub mod runs;
 pub mod shelf;
 
 use std::collections::BTreeMap;
@@ -20,6 +21,7 @@ use lole_language::{Sentence, Words, words};
 use lole_print::Picture;
 
 pub use output::OutputFolder;
+pub use runs::RunFolder;
 
 /// A design larger than this [byte] is some other file; it is not even read.
 const LARGEST_FILE: u64 = 16 << 20;

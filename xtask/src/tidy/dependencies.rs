@@ -78,6 +78,7 @@ const TABLE: &[(&str, &[&str])] = &[
         "lole_files",
         &[
             "lole_language",
+            "lole_geom",
             "lole_avatar",
             "lole_print",
             "lole_garment",
@@ -150,6 +151,17 @@ const TABLE: &[(&str, &[&str])] = &[
         ],
     ),
     (
+        "lole_batch",
+        &[
+            "lole_language",
+            "lole_geom",
+            "lole_cloth",
+            "lole_costume",
+            "lole_files",
+            "lole_stage",
+        ],
+    ),
+    (
         "lole_studio",
         &[
             "lole_language",
@@ -194,6 +206,7 @@ const TABLE: &[(&str, &[&str])] = &[
             "lole_export",
             "lole_picture",
             "lole_study",
+            "lole_batch",
         ],
     ),
     ("xtask", &[]),
