@@ -79,16 +79,18 @@ fn perform_all(
         }
         Ok(())
     };
+    let worker = || {
+        let Err(failure) = work() else {
+            return;
+        };
+        has_failed.store(true, Ordering::Relaxed);
+        if let Ok(mut failed) = failed.lock() {
+            failed.get_or_insert(failure);
+        }
+    };
     std::thread::scope(|scope| {
         for _ in 0..threads {
-            scope.spawn(|| {
-                if let Err(failure) = work() {
-                    has_failed.store(true, Ordering::Relaxed);
-                    if let Ok(mut failed) = failed.lock() {
-                        failed.get_or_insert(failure);
-                    }
-                }
-            });
+            scope.spawn(worker);
         }
     });
     bar.finish_and_clear();

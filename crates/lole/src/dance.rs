@@ -234,8 +234,11 @@ impl Run<'_> {
             .build()
             .map_err(Failure::error)?;
         let mut shoot = self.shoot(&performance).map_err(Failure::error)?;
-        let mut recording = Recording::default();
-        recording.divergence = settle_on(&mut performance, &pool, (&self.stop, self.language))?;
+        let divergence = settle_on(&mut performance, &pool, (&self.stop, self.language))?;
+        let mut recording = Recording {
+            divergence,
+            ..Recording::default()
+        };
         if recording.divergence.is_none() {
             self.dance(&mut performance, &pool, &mut shoot, &mut recording)?;
         }

@@ -117,7 +117,7 @@ pub(crate) fn run_vrm(args: &VrmArgs, language: Language) -> Result<(), Failure>
         let [stiffness, drag, gravity] = figures.settings;
         let told = json!({ "take": path.display().to_string(), "files": files,
             "frames": figures.frames, "mean_mm": figures.mean_mm, "worst_mm": figures.worst_mm,
-            "leg_share": figures.leg_share, "leg_share_of_take": figures.leg_share_of_take,
+            "leg_share": figures.leg_share,
             "stiffness": stiffness, "drag_force": drag, "gravity_power": gravity });
         summary::print_json(&format!("{told:#}"));
     } else {

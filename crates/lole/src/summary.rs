@@ -347,16 +347,15 @@ pub(crate) fn print_vrm(figures: &VrmFigures, language: Language) {
         mean_mm,
         worst_mm,
         leg_share,
-        leg_share_of_take,
         settings: [stiffness, drag, gravity],
     } = figures;
-    let (legs, of_take) = (100.0 * leg_share, 100.0 * leg_share_of_take);
+    let legs = 100.0 * leg_share;
     say!();
     say!(
         "  {}",
         language.pick(
-            &format!("揺れ骨: 硬さ {stiffness:.2}、減衰 {drag:.2}、重力 {gravity:.2}。{frames} コマで、布との差は平均 {mean_mm:.1} mm、最大 {worst_mm:.0} mm。脚が出るコマは {legs:.1} %（記録では {of_take:.1} %）"),
-            &format!("springs: stiffness {stiffness:.2}, drag {drag:.2}, gravity {gravity:.2}; over {frames} frames off by {mean_mm:.1} mm on the mean and {worst_mm:.0} mm at most; a leg comes through in {legs:.1} % of them ({of_take:.1} % in the take)"),
+            &format!("揺れ骨: 硬さ {stiffness:.2}、減衰 {drag:.2}、重力 {gravity:.2}。{frames} コマで、布との差は平均 {mean_mm:.1} mm、最大 {worst_mm:.0} mm。脚が出るコマは {legs:.1} %"),
+            &format!("springs: stiffness {stiffness:.2}, drag {drag:.2}, gravity {gravity:.2}; over {frames} frames off by {mean_mm:.1} mm on the mean and {worst_mm:.0} mm at most; a leg comes through in {legs:.1} % of them"),
         )
     );
 }
@@ -391,6 +390,9 @@ fn figure(value: f64) -> String {
 }
 
 fn open_hint(path: &Path, language: Language) -> &'static str {
+    if let Some(hint) = take_hint(path, language) {
+        return hint;
+    }
     let name = path
         .file_name()
         .and_then(|name| name.to_str())
@@ -420,26 +422,6 @@ fn open_hint(path: &Path, language: Language) -> &'static str {
             "定規とチャコで引く線",
             "rectangles to draw with ruler and chalk",
         ),
-        _ if has_end(path, "usdc") || has_end(path, "usdz") => language.pick(
-            "Blender・Houdini・Maya・Unreal などで開く（USD）",
-            "opens in Blender, Houdini, Maya, Unreal (USD)",
-        ),
-        _ if has_end(path, "vrm") => language.pick(
-            "VRM を読むアプリで開く",
-            "opens in programs that read VRM 1.0",
-        ),
-        _ if has_end(path, "pc2") || has_end(path, "mdd") => language.pick(
-            "同じ名前の OBJ に頂点キャッシュとして付ける",
-            "a vertex cache for the OBJ of the same name",
-        ),
-        _ if has_end(path, "obj") => {
-            language.pick("3D ソフトで開く（OBJ）", "opens in 3D programs (OBJ)")
-        }
-        _ if has_end(path, "mtl") => language.pick("OBJ の材質", "materials of the OBJ"),
-        _ if has_end(path, "npz") => language.pick("numpy.load で読む", "numpy.load reads it"),
-        _ if has_end(path, "parquet") => {
-            language.pick("pandas や DuckDB で読む", "for pandas, Polars, DuckDB")
-        }
         _ if has_end(path, "csv") => language.pick("表計算で開く", "opens in a spreadsheet"),
         _ if has_end(path, "json") => {
             language.pick("プログラム用の数値", "the numbers, for programs")
@@ -476,6 +458,29 @@ fn open_hint(path: &Path, language: Language) -> &'static str {
         _ if has_end(path, "pdf") => language.pick("印刷して読む", "to print and read"),
         _ => language.pick("写真", "a still"),
     }
+}
+
+/// With what a file of a take or a sweep is opened.
+fn take_hint(path: &Path, language: Language) -> Option<&'static str> {
+    Some(match path.extension()?.to_str()? {
+        "usdc" | "usdz" => language.pick(
+            "Blender・Houdini・Maya・Unreal などで開く（USD）",
+            "opens in Blender, Houdini, Maya, Unreal (USD)",
+        ),
+        "vrm" => language.pick(
+            "VRM を読むアプリで開く",
+            "opens in programs that read VRM 1.0",
+        ),
+        "pc2" | "mdd" => language.pick(
+            "同じ名前の OBJ に頂点キャッシュとして付ける",
+            "a vertex cache for the OBJ of the same name",
+        ),
+        "obj" => language.pick("3D ソフトで開く（OBJ）", "opens in 3D programs (OBJ)"),
+        "mtl" => language.pick("OBJ の材質", "materials of the OBJ"),
+        "npz" => language.pick("numpy.load で読む", "numpy.load reads it"),
+        "parquet" => language.pick("pandas や DuckDB で読む", "for pandas, Polars, DuckDB"),
+        _ => return None,
+    })
 }
 
 fn has_end(path: &Path, end: &str) -> bool {

@@ -123,7 +123,7 @@ impl Plan {
             }
         };
         let values: Vec<Value> = (values.into_iter().zip(&self.is_whole))
-            .map(|(value, &is_whole)| fitting(value, is_whole))
+            .map(|(value, &is_whole)| if is_whole { whole(value) } else { value })
             .collect();
         let mut table = self.base.clone();
         for (axis, value) in self.sweep.axes.iter().zip(&values) {
@@ -160,7 +160,7 @@ impl Plan {
         let mut is_whole = false;
         for value in values {
             let first = self.tried(number, &value);
-            let rounded = fitting(value.clone(), true);
+            let rounded = whole(value.clone());
             let place = format!("[[axis]] {}", number + 1);
             match first {
                 Ok(()) => {}
@@ -196,11 +196,11 @@ enum Tried {
     Refused(DesignError),
 }
 
-/// A number as a key takes it.
-fn fitting(value: Value, is_whole: bool) -> Value {
+/// A number as a key of whole numbers takes it.
+fn whole(value: Value) -> Value {
     match value {
         #[expect(clippy::cast_possible_truncation, reason = "in the range of its key")]
-        Value::Float(number) if is_whole => Value::Integer(number.round() as i64),
+        Value::Float(number) => Value::Integer(number.round() as i64),
         value => value,
     }
 }

@@ -230,7 +230,7 @@ impl Sweep {
         }
         let axes = (1..).zip(read.axis).map(|(number, axis)| {
             let place = format!("[[axis]] {number}");
-            axis.read(is_cube).map_err(|why| {
+            axis.read(read.kind).map_err(|why| {
                 Sentence::new(
                     format!("{place}: {}", why.japanese),
                     format!("{place}: {}", why.english),
@@ -328,7 +328,7 @@ fn not_a_sweep(error: &toml::de::Error, text: &str, name: &str) -> SweepError {
 }
 
 impl AxisText {
-    fn read(self, is_cube: bool) -> Result<Axis, Sentence> {
+    fn read(self, kind: SweepKind) -> Result<Axis, Sentence> {
         let names = match (self.key, self.keys) {
             (Some(key), None) => vec![key],
             (None, Some(keys)) if !keys.is_empty() => keys,
@@ -360,8 +360,7 @@ impl AxisText {
                 Span::Values(values)
             }
             (None, Some(from), Some(to)) => {
-                let is_log = self.scale == Some(Scale::Log);
-                range(name, (from, to), (self.count, is_log), is_cube)?
+                range(name, (from, to), (self.count, self.scale), kind)?
             }
             _ => return Err(either()),
         };
@@ -377,9 +376,10 @@ impl AxisText {
 fn range(
     name: &str,
     (from, to): (f64, f64),
-    (count, is_log): (Option<u64>, bool),
-    is_cube: bool,
+    (count, scale): (Option<u64>, Option<Scale>),
+    kind: SweepKind,
 ) -> Result<Span, Sentence> {
+    let is_log = scale == Some(Scale::Log);
     if !(from.is_finite() && to.is_finite() && from < to) {
         return Err(Sentence::new(
             format!(
@@ -395,7 +395,7 @@ fn range(
         ));
     }
     let span = Span::Between { from, to, is_log };
-    match (count, is_cube) {
+    match (count, kind == SweepKind::LatinHypercube) {
         (None, true) => Ok(span),
         (Some(count), false) if (2..=MOST_RUNS).contains(&count) => {
             let last = (count - 1) as f64;

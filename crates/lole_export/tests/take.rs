@@ -215,12 +215,12 @@ fn a_package_is_stored_and_every_file_in_it_begins_at_64_bytes() {
         assert!(
             file.data_start().unwrap().is_multiple_of(64),
             "{}",
-            file.name()
+            file.name().unwrap()
         );
         let mut bytes = Vec::new();
         file.read_to_end(&mut bytes).unwrap();
         if place == 0 {
-            assert_eq!(file.name(), "dance.usdc");
+            assert_eq!(file.name().unwrap(), "dance.usdc");
             assert!(
                 &bytes == stage,
                 "the stage alone and in the package are one"

@@ -252,7 +252,7 @@ impl<R: Read + Seek> RecordedTake<R> {
         let place = self.place(frame) + (POSE_BYTES + VERTEX_BYTES * before) as u64;
         let bytes = self.bytes_at(place, VERTEX_BYTES * count)?;
         let (positions, normals) = bytes.split_at(12 * count);
-        let positions = positions.chunks_exact(12).map(|it| vector(it));
+        let positions = positions.chunks_exact(12).map(vector);
         let normals = normals.chunks_exact(4).map(|it| {
             let level = |at: usize| i16::from_le_bytes([it[at], it[at + 1]]);
             unfolded([level(0), level(2)])

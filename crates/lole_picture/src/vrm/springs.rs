@@ -8,7 +8,7 @@ use lole_geom::Capsule;
 use rayon::prelude::*;
 
 use super::chains::{Chains, LEVELS, NODES, SECTORS};
-use super::{VrmFigures, is_in};
+use super::{VrmFigures, comes_through};
 
 /// Frames in a second that players simulate springs at.
 const PLAYED_RATE: u32 = 60;
@@ -42,7 +42,6 @@ pub(super) struct Track {
     /// Mean place of the vertices about each joint, in the same frames.
     targets: Vec<Option<Vec<[Option<Vec3>; NODES]>>>,
     near: Vec<[Vec<usize>; NODES]>,
-    pub(super) leg_share: f64,
 }
 
 impl Track {
@@ -54,7 +53,6 @@ impl Track {
             places: Vec::new(),
             targets: Vec::new(),
             near: chains.near.clone(),
-            leg_share: 0.0,
         }
     }
 
@@ -125,9 +123,7 @@ impl<'a> Simulation<'a> {
                 let on = |place: Vec3| root + length * (place - root).normalize_or(axis);
                 let mut next = on(moving.now[joint] + inertia + pull);
                 for leg in legs {
-                    if let Some(out) = pushed_out(leg, next) {
-                        next = on(out);
-                    }
+                    next = pushed_out(leg, next).map_or(next, on);
                 }
                 moving.before[joint] = moving.now[joint];
                 moving.now[joint] = next;
@@ -275,7 +271,7 @@ fn best_of(chains: &Chains, track: &Track, settings: &[Settings]) -> Settings {
 
 fn figures(chains: &Chains, track: &Track, settings: Settings) -> VrmFigures {
     let (mut sum, mut worst, mut count) = (0.0_f64, 0.0_f32, 0.0_f64);
-    let (mut frames, mut in_leg) = (0_u32, 0_u32);
+    let (mut frames, mut through) = (0_u32, 0_u32);
     play(chains, track, settings, |frame, simulation| {
         let Some(places) = &track.places[frame] else {
             return;
@@ -291,14 +287,13 @@ fn figures(chains: &Chains, track: &Track, settings: Settings) -> VrmFigures {
             count += 1.0;
         }
         frames += 1;
-        in_leg += u32::from(is_in(&track.legs[frame], &carried));
+        through += u32::from(comes_through(&track.legs[frame], &carried, places));
     });
     VrmFigures {
         frames,
         mean_mm: 1000.0 * sum / count.max(1.0),
         worst_mm: 1000.0 * f64::from(worst),
-        leg_share: f64::from(in_leg) / f64::from(frames.max(1)),
-        leg_share_of_take: track.leg_share,
+        leg_share: f64::from(through) / f64::from(frames.max(1)),
         settings: [settings.stiffness, settings.drag, settings.gravity],
     }
 }

@@ -21,7 +21,7 @@ const LAYERS: u32 = 3;
 const ROWS: u32 = 10;
 const COLUMNS: u32 = 5;
 /// Half of the distance between layers [m]: so much of a column's width as a skirt has it.
-const RADIUS: f32 = 0.45 * SPACING as f32;
+const RADIUS: f32 = 4.5e-3;
 /// Coefficients of friction, on the slope and between layers, and how far below their angles the slope is [°].
 const FRICTIONS: [f64; 2] = [0.3, 0.5];
 const BELOW: f64 = 5.0;

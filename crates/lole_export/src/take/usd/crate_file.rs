@@ -72,6 +72,7 @@ impl Rep {
         Self(Self::IS_ARRAY | (kind as u64) << 48 | place)
     }
 
+    #[expect(clippy::fn_params_excessive_bools, reason = "the value itself")]
     pub(super) const fn bool(value: bool) -> Self {
         Self::inlined(Kind::Bool, value as u32)
     }
