@@ -161,3 +161,29 @@ fn refused(cases: &[(String, &str)]) {
         assert!(!error.japanese().is_ascii());
     }
 }
+
+#[test]
+fn sweeps_in_the_documents_can_be_read() {
+    for (name, text, fence) in [
+        (
+            "README.md",
+            include_str!("../../../../README.md"),
+            "```toml sweep\n",
+        ),
+        (
+            "batch.md",
+            include_str!("../../../../docs/batch.md"),
+            "```toml\nlole_sweep",
+        ),
+    ] {
+        let (_, rest) = text.split_once(fence).expect(name);
+        let (sample, _) = rest.split_once("```").expect(name);
+        let sample = sample.trim_start_matches(" = 1\n");
+        let sample = if sample.contains("lole_sweep") {
+            sample.to_owned()
+        } else {
+            format!("lole_sweep = 1\n{sample}")
+        };
+        Sweep::read(&sample, name).unwrap();
+    }
+}

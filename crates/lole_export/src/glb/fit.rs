@@ -5,7 +5,7 @@
 //! with rigid bones"): a bone is the rotation and translation that leave its vertices the least error, the weights of
 //! a vertex are the ones of four bones that leave it the least error over all samples.
 
-use glam::{Mat3, Quat, Vec3};
+use glam::{Mat3, Mat4, Quat, Vec3, Vec4};
 use lole_geom::trig;
 use lole_language::Sentence;
 use rayon::prelude::*;
@@ -25,6 +25,8 @@ const ROUNDS: usize = 4;
 const CANDIDATES: usize = 8;
 /// Turns of the search for a rotation: it converges in about five from where it was.
 const ROTATION_TURNS: usize = 24;
+/// Multiplications that bring a quaternion near the rotation that is sought, from anywhere.
+const FORM_TURNS: usize = 48;
 /// Added to the diagonal of a vertex's weight problem, as a share of it: bones that move alike share evenly.
 const RIDGE: f32 = 1.0e-4;
 
@@ -282,9 +284,63 @@ fn rigid(pairs: &[(f32, Vec3, Vec3)], start: Quat) -> Rigid {
     }
 }
 
+/// The rotation nearest to a matrix: the one that is found from `start`, so that a bone turns steadily where its
+/// vertices leave it free, unless the best of all is better by more than rounding.
+fn rotation(matrix: Mat3, start: Quat) -> Quat {
+    let fit = |turn: Quat| {
+        let axes = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| turn * axis);
+        let columns = [matrix.x_axis, matrix.y_axis, matrix.z_axis];
+        (axes.iter().zip(&columns))
+            .map(|(axis, column)| axis.dot(*column))
+            .sum::<f32>()
+    };
+    let near = polished(matrix, start);
+    let best = polished(matrix, farthest(matrix, start));
+    let size = matrix
+        .to_cols_array()
+        .iter()
+        .map(|it| it * it)
+        .sum::<f32>()
+        .sqrt();
+    if fit(best) - fit(near) < 1.0e-4 * size {
+        near
+    } else {
+        best
+    }
+}
+
+/// Near the rotation that is nearest to a matrix, wherever it is: a quaternion's square form of it (Horn 1987) has it
+/// for its longest axis, which multiplying again and again turns any quaternion to.
+fn farthest(matrix: Mat3, start: Quat) -> Quat {
+    let [x, y, z] = [matrix.x_axis, matrix.y_axis, matrix.z_axis];
+    let twist = Vec3::new(y.z - z.y, z.x - x.z, x.y - y.x);
+    let trace = x.x + y.y + z.z;
+    let form = Mat4::from_cols(
+        Vec4::new(x.x - y.y - z.z, x.y + y.x, x.z + z.x, twist.x),
+        Vec4::new(x.y + y.x, y.y - x.x - z.z, y.z + z.y, twist.y),
+        Vec4::new(x.z + z.x, y.z + z.y, z.z - x.x - y.y, twist.z),
+        Vec4::new(twist.x, twist.y, twist.z, trace),
+    );
+    // Longer than its most negative axis, so that the most positive one wins.
+    let shift = form
+        .to_cols_array()
+        .iter()
+        .map(|it| it * it)
+        .sum::<f32>()
+        .sqrt();
+    if shift <= f32::MIN_POSITIVE {
+        return start;
+    }
+    let mut turn = Vec4::from(start) + Vec4::new(0.11, 0.13, 0.17, 0.19);
+    for _ in 0..FORM_TURNS {
+        turn = (form * turn / shift + turn).normalize_or(Vec4::W);
+    }
+    Quat::from_vec4(turn)
+}
+
 /// The rotation nearest to a matrix, from one that is near (Müller, Bender, Chentanez and Macklin 2016, "A robust
 /// method to extract the rotational part of deformations").
-fn rotation(matrix: Mat3, start: Quat) -> Quat {
+fn polished(matrix: Mat3, start: Quat) -> Quat {
     let mut turn = start;
     let columns = [matrix.x_axis, matrix.y_axis, matrix.z_axis];
     for _ in 0..ROTATION_TURNS {
@@ -488,6 +544,27 @@ mod tests {
         for weights in &fit.skin.weights {
             let sum: f32 = weights.iter().sum();
             assert!((sum - 1.0).abs() < 1.0e-4 && weights.iter().all(|it| 0.0 <= *it));
+        }
+    }
+
+    #[test]
+    fn the_nearest_rotation_is_found_from_anywhere() {
+        for number in 0..200_u8 {
+            let angles = [0.7, 1.3, 2.9].map(|rate| rate * f32::from(number));
+            let truth = Quat::from_euler(glam::EulerRot::XYZ, angles[0], angles[1], angles[2]);
+            // A volume, a plate and a narrow plate.
+            for sizes in [
+                Vec3::new(3.0, 2.0, 1.0),
+                Vec3::new(3.0, 2.0, 0.0),
+                Vec3::new(3.0, 0.3, 0.0),
+            ] {
+                let matrix = Mat3::from_quat(truth) * Mat3::from_diagonal(sizes);
+                let found = rotation(matrix, Quat::IDENTITY);
+                assert!(
+                    0.999 < found.dot(truth).abs(),
+                    "{number} {sizes}: {found} {truth}"
+                );
+            }
         }
     }
 

@@ -20,8 +20,8 @@ const WARM_UP: u32 = 120;
 const STIFFNESS: [f32; 6] = [0.02, 0.1, 0.3, 0.8, 2.0, 4.0];
 const DRAG: [f32; 5] = [0.05, 0.2, 0.4, 0.6, 0.9];
 const GRAVITY: [f32; 5] = [0.0, 0.1, 0.3, 0.8, 2.0];
-/// Rounds in which the best ones are improved, each by half the step of the one before.
-const ROUNDS: usize = 4;
+/// Rounds in which the best ones are improved; the step is halved where none around it is better.
+const ROUNDS: usize = 10;
 
 /// Settings of all joints.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,6 +29,26 @@ pub(super) struct Settings {
     pub(super) stiffness: f32,
     pub(super) drag: f32,
     pub(super) gravity: f32,
+}
+
+impl Settings {
+    /// These first, and all that are a step away in some of the three.
+    fn around(self, factor: f32, step: f32) -> Vec<Self> {
+        let mut near = vec![self];
+        let factors = [1.0, 1.0 / factor, factor];
+        for stiffer in factors {
+            for heavier in factors {
+                for change in [0.0, -step, step] {
+                    near.push(Self {
+                        stiffness: (self.stiffness * stiffer).min(4.0),
+                        drag: (self.drag + change).clamp(0.0, 1.0),
+                        gravity: self.gravity * heavier,
+                    });
+                }
+            }
+        }
+        near
+    }
 }
 
 /// What the take was, as chains are compared with it.
@@ -229,31 +249,14 @@ pub(super) fn fit(chains: &Chains, track: &Track) -> (Settings, VrmFigures) {
     let mut best = best_of(chains, track, &grid);
     let (mut factor, mut step) = (1.5_f32, 0.1_f32);
     for _ in 0..ROUNDS {
-        let mut near = vec![best];
-        for change in [-1.0_f32, 1.0] {
-            let scaled = |value: f32| {
-                if change < 0.0 {
-                    value / factor
-                } else {
-                    value * factor
-                }
-            };
-            near.push(Settings {
-                stiffness: scaled(best.stiffness).min(4.0),
-                ..best
-            });
-            near.push(Settings {
-                gravity: scaled(best.gravity),
-                ..best
-            });
-            near.push(Settings {
-                drag: (best.drag + change * step).clamp(0.0, 1.0),
-                ..best
-            });
+        // Stiffness, drag and gravity make up for each other: a better place lies across their axes.
+        let near = best.around(factor, step);
+        let better = best_of(chains, track, &near);
+        if better == best {
+            factor = 1.0 + 0.5 * (factor - 1.0);
+            step *= 0.5;
         }
-        best = best_of(chains, track, &near);
-        factor = 1.0 + 0.6 * (factor - 1.0);
-        step *= 0.6;
+        best = better;
     }
     (best, figures(chains, track, best))
 }
