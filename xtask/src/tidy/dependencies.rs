@@ -209,6 +209,18 @@ const TABLE: &[(&str, &[&str])] = &[
             "lole_batch",
         ],
     ),
+    (
+        "lole_python",
+        &[
+            "lole_language",
+            "lole_geom",
+            "lole_body",
+            "lole_costume",
+            "lole_files",
+            "lole_stage",
+            "lole_batch",
+        ],
+    ),
     ("xtask", &[]),
 ];
 
