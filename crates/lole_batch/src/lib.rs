@@ -6,7 +6,7 @@
 //! | [`batch`] | a sweep in a file and a folder of results: what the command and queues call |
 //! | [`sweep`] | the text of a sweep, read and refused |
 //! | [`plan`] | a sweep over a design: which documents are run, and what each is called |
-//! | [`perform`] | one document danced from first to last frame, and measured |
+//! | [`perform`](mod@perform) | one document danced from first to last frame, and measured |
 //! | [`hem`] | sway and folds of a hem |
 //! | [`record`] | what one run leaves behind, as text that any machine can write |
 //! | [`table`] | the columns of all runs; as CSV and as Parquet |

@@ -25,8 +25,8 @@ const ROUNDS: usize = 4;
 const CANDIDATES: usize = 8;
 /// Turns of the search for a rotation: it converges in about five from where it was.
 const ROTATION_TURNS: usize = 24;
-/// Multiplications that bring a quaternion near the rotation that is sought, from anywhere.
-const FORM_TURNS: usize = 48;
+/// Squarings after which a form has little left but its longest axis.
+const FORM_SQUARES: usize = 12;
 /// Added to the diagonal of a vertex's weight problem, as a share of it: bones that move alike share evenly.
 const RIDGE: f32 = 1.0e-4;
 
@@ -235,12 +235,39 @@ fn improved(
     rest: &[Vec3],
     frame: &[Vec3],
     (skin, by_bone): (&Skin, &[Vec<(usize, f32)>]),
-    mut key: Vec<Rigid>,
+    last: Vec<Rigid>,
 ) -> Vec<Rigid> {
-    let mut now: Vec<Vec3> = (0..rest.len())
-        .map(|vertex| skin.at(vertex, rest[vertex], &key))
+    let carried = |key: &[Rigid]| -> Vec<Vec3> {
+        (0..rest.len())
+            .map(|vertex| skin.at(vertex, rest[vertex], key))
+            .collect()
+    };
+    let off = |now: &[Vec3]| -> f32 {
+        (now.iter().zip(frame))
+            .map(|(now, place)| now.distance_squared(*place))
+            .sum()
+    };
+    // Each bone as if it alone carried its vertices: exact where they go together, while bones that share them
+    // would find there from the last frame only slowly, each held back by the others.
+    let alone: Vec<Rigid> = (by_bone.iter().zip(&last))
+        .map(|(vertices, last)| {
+            let pairs = vertices.iter();
+            let pairs = pairs.map(|&(vertex, weight)| (weight, rest[vertex], frame[vertex]));
+            let pairs: Vec<(f32, Vec3, Vec3)> = pairs.collect();
+            if pairs.is_empty() {
+                *last
+            } else {
+                rigid(&pairs, last.turn)
+            }
+        })
         .collect();
-    // Errors are passed on from bone to bone; twice is nearly as good as ten times.
+    let (now_last, now_alone) = (carried(&last), carried(&alone));
+    let (mut key, mut now) = if off(&now_alone) < off(&now_last) {
+        (alone, now_alone)
+    } else {
+        (last, now_last)
+    };
+    // Errors are passed on from bone to bone.
     for _ in 0..2 {
         for (bone, vertices) in by_bone.iter().enumerate() {
             if vertices.is_empty() {
@@ -302,7 +329,7 @@ fn rotation(matrix: Mat3, start: Quat) -> Quat {
         .map(|it| it * it)
         .sum::<f32>()
         .sqrt();
-    if fit(best) - fit(near) < 1.0e-4 * size {
+    if fit(best) - fit(near) < 1.0e-6 * size {
         near
     } else {
         best
@@ -310,7 +337,7 @@ fn rotation(matrix: Mat3, start: Quat) -> Quat {
 }
 
 /// Near the rotation that is nearest to a matrix, wherever it is: a quaternion's square form of it (Horn 1987) has it
-/// for its longest axis, which multiplying again and again turns any quaternion to.
+/// for its longest axis, which is what its powers leave.
 fn farthest(matrix: Mat3, start: Quat) -> Quat {
     let [x, y, z] = [matrix.x_axis, matrix.y_axis, matrix.z_axis];
     let twist = Vec3::new(y.z - z.y, z.x - x.z, x.y - y.x);
@@ -331,10 +358,25 @@ fn farthest(matrix: Mat3, start: Quat) -> Quat {
     if shift <= f32::MIN_POSITIVE {
         return start;
     }
-    let mut turn = Vec4::from(start) + Vec4::new(0.11, 0.13, 0.17, 0.19);
-    for _ in 0..FORM_TURNS {
-        turn = (form * turn / shift + turn).normalize_or(Vec4::W);
+    let mut power = form * (1.0 / shift) + Mat4::IDENTITY;
+    for _ in 0..FORM_SQUARES {
+        let square = power * power;
+        let size = square
+            .to_cols_array()
+            .iter()
+            .fold(0.0_f32, |most, it| most.max(it.abs()));
+        power = square * (1.0 / size.max(f32::MIN_POSITIVE));
     }
+    // Its columns are multiples of that axis, the longest one the least rounded.
+    let columns = [power.x_axis, power.y_axis, power.z_axis, power.w_axis];
+    let longest = columns.into_iter().fold(Vec4::ZERO, |longest, column| {
+        if longest.length_squared() < column.length_squared() {
+            column
+        } else {
+            longest
+        }
+    });
+    let turn = longest.normalize_or(Vec4::from(start));
     Quat::from_vec4(turn)
 }
 
