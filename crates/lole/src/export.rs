@@ -51,7 +51,7 @@ pub(crate) fn run(args: &ExportArgs, language: Language) -> Result<(), Failure> 
         production,
         path,
         output,
-    } = ready(args, language, &stop)?;
+    } = ready(args, |_| Ok(()), language, &stop)?;
     let looks = looks(&production.design, &production)?;
     let staged = stage(take, (&production, &looks.worn), &path)?;
     let (frames, rate) = (staged.scene().frame_count, staged.scene().frame_rate);
@@ -94,14 +94,7 @@ pub(crate) fn run_vrm(args: &VrmArgs, language: Language) -> Result<(), Failure>
         production,
         path,
         mut output,
-    } = ready(&wishes, language, &stop)?;
-    if let Some(refusal) = production
-        .license
-        .as_ref()
-        .and_then(License::export_refusal)
-    {
-        return Err(Failure::usage(refusal));
-    }
+    } = ready(&wishes, refused_as_avatar, language, &stop)?;
     let looks = looks(&production.design, &production)?;
     let mut staged = stage(take, (&production, &looks.worn), &path)?;
     let meta = VrmMeta {
@@ -135,13 +128,26 @@ struct Ready {
     output: OutputFolder,
 }
 
-/// Opens the take that was given, or records the design.
-fn ready(args: &ExportArgs, language: Language, stop: &AtomicBool) -> Result<Ready, Failure> {
+/// A dancer whose license keeps her out of files becomes no avatar.
+fn refused_as_avatar(production: &Production) -> Result<(), Failure> {
+    let license = production.license.as_ref();
+    let refusal = license.and_then(License::export_refusal);
+    refusal.map_or(Ok(()), |refusal| Err(Failure::usage(refusal)))
+}
+
+/// Opens the take that was given, or records the design, unless the dancer is refused before.
+fn ready(
+    args: &ExportArgs,
+    refuse: fn(&Production) -> Result<(), Failure>,
+    language: Language,
+    stop: &AtomicBool,
+) -> Result<Ready, Failure> {
     let make = || output::create(&args.out).map_err(Failure::Usage);
     if let Some(path) = args.source.as_deref().filter(|it| is_take(it)) {
         refuse_wishes(args)?;
         let take = open(path)?;
         let production = produce(&read(path, take.header())?)?;
+        refuse(&production)?;
         return Ok(Ready {
             take,
             production,
@@ -151,6 +157,7 @@ fn ready(args: &ExportArgs, language: Language, stop: &AtomicBool) -> Result<Rea
     }
     let source = load(args)?;
     let production = produce(&source)?;
+    refuse(&production)?;
     let output = make()?;
     let recorder = Recorder {
         args,
@@ -262,7 +269,9 @@ fn open(path: &Path) -> Result<Take, Failure> {
     take.map_err(|error| {
         let name = path.display();
         let japanese = match &error {
-            TakeError::Unreadable(cause) => format!("ファイルが読めません（{cause}）"),
+            TakeError::Unreadable(cause) => {
+                format!("ファイルが読めません。場所を確かめてください（{cause}）")
+            }
             TakeError::OtherVersion(version) => {
                 format!(
                     "別のバージョンの Lole（{version}）が記録したテイクです。記録し直してください"

@@ -13,6 +13,7 @@ use lole_export::booklet::amount_words;
 use lole_export::cutting::{
     CutGarment, MOST_SIZES, PATTERN_JSON, PatternParts, Stamp, WholeSheet, has_shaped_pieces,
     left_behind, masses, nested_sheet, pattern_folder, short_words, sizes_name, used_words,
+    whole_name,
 };
 use lole_export::pdf::{Document, Paper};
 use lole_language::{Bilingual as _, Language, Sentence, Words};
@@ -86,8 +87,11 @@ pub(crate) fn run(args: &PatternArgs, language: Language) -> Result<(), Failure>
         !stop.load(Ordering::Relaxed)
     };
     let mut files = pattern_folder(&parts, &goes_on).map_err(Failure::error)?;
+    let mut apart = Vec::new();
     if let Some(sizes) = &args.sizes {
-        files.extend(nested(&source.design, sizes, language)?);
+        let (sheets, not_nested) = nested(&source.design, sizes, language)?;
+        files.extend(sheets);
+        apart = not_nested;
     }
     check(&stop)?;
     bar.finish_and_clear();
@@ -105,7 +109,12 @@ pub(crate) fn run(args: &PatternArgs, language: Language) -> Result<(), Failure>
     } else {
         let purchases: Vec<Sentence> = cuts.iter().flat_map(purchases).collect();
         let narrow = too_wide_for_pages(&cuts, &whole, &files);
-        let warnings = cuts.iter().flat_map(warnings).chain(stayed).chain(narrow);
+        let warnings = cuts
+            .iter()
+            .flat_map(warnings)
+            .chain(stayed)
+            .chain(narrow)
+            .chain(apart);
         let warnings: Vec<Sentence> = warnings.collect();
         summary::print_pattern(&paths, &purchases, &warnings, language);
     }
@@ -242,12 +251,11 @@ fn gathered(cut: &CutGarment) -> Sentence {
     )
 }
 
+/// Pages of garments in several sizes under their names, and why others have none.
+type Nested = (Vec<(String, Vec<u8>)>, Vec<Sentence>);
+
 /// Every garment in all sizes of a chart or a list, on a page each.
-fn nested(
-    design: &Design,
-    sizes: &str,
-    language: Language,
-) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+fn nested(design: &Design, sizes: &str, language: Language) -> Result<Nested, Failure> {
     let chart = match sizes {
         "jis" => size_chart::jis(),
         list => crate::order::read_roster(Path::new(list))?,
@@ -279,16 +287,20 @@ fn nested(
         plans.push(plan);
     }
     let garments = plans.first().map_or(0, |plan| plan.garments.len());
-    let mut files = Vec::new();
+    let (mut files, mut apart) = (Vec::new(), Vec::new());
     for garment in 0..garments {
-        if let Some(sheet) = nested_sheet(&plans, garment, language) {
-            let tailored = &plans[0].garments[garment].tailored;
-            let document = Document::new(tailored.name.text(language), language, vec![sheet]);
-            let bytes = document.to_bytes().map_err(Failure::error)?;
-            files.push((sizes_name(&tailored.id), bytes));
+        let tailored = &plans[0].garments[garment].tailored;
+        match nested_sheet(&plans, garment, language) {
+            Ok(sheet) => {
+                let title = tailored.name.text(language);
+                let document = Document::new(title, language, vec![sheet]);
+                let bytes = document.to_bytes().map_err(Failure::error)?;
+                files.push((sizes_name(&tailored.id), bytes));
+            }
+            Err(why) => apart.push(why.sentence(tailored.name)),
         }
     }
-    Ok(files)
+    Ok((files, apart))
 }
 
 /// Garments that were asked for on one page and do not fit on it.
@@ -298,14 +310,14 @@ fn too_wide_for_pages(
     files: &[(String, Vec<u8>)],
 ) -> Vec<Sentence> {
     let asked = cuts.iter().filter(|cut| has_shaped_pieces(&cut.garment));
-    let asked = asked.flat_map(|cut| whole.iter().map(move |page| (cut, page.name())));
+    let asked = asked.flat_map(|cut| whole.iter().map(move |page| (cut, *page)));
     let missing = asked.filter(|(cut, page)| {
-        let name = format!("{}-{page}.pdf", cut.garment.id);
+        let name = whole_name(&cut.garment.id, *page);
         files.iter().all(|(written, _)| *written != name)
     });
     missing
         .map(|(cut, page)| {
-            let name = cut.garment.name;
+            let (name, page) = (cut.garment.name, page.name());
             Sentence::new(
                 format!(
                     "{}: {page} の幅に入らない型紙があるので、貼り合わせる紙だけを書き出しました",

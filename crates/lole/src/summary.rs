@@ -238,9 +238,9 @@ pub(crate) fn print_pattern(
     print_files(paths, language);
     if !is_quiet() {
         say!();
-    }
-    for purchase in purchases.iter().filter(|_| !is_quiet()) {
-        say!("  {}", purchase.text(language));
+        for purchase in purchases {
+            say!("  {}", purchase.text(language));
+        }
     }
     for warning in warnings {
         say!("  ! {}", warning.text(language));
@@ -300,6 +300,9 @@ pub(crate) fn print_export(
     paths: &[PathBuf],
     language: Language,
 ) {
+    if is_quiet() {
+        return;
+    }
     let is_numbered = |path: &&PathBuf| {
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
         has_end(path, "obj") && stem.starts_with("dance_")

@@ -180,6 +180,10 @@ fn sentence(error: &clap::Error) -> Sentence {
             let typed = context(ContextKind::InvalidSubcommand);
             unknown(&typed, "コマンド", "command", &names)
         }
+        ErrorKind::MissingRequiredArgument => Sentence::new(
+            format!("{option}: 書かれていません。足してください。lole --help に説明があります"),
+            format!("{option}: it is missing; add it, lole --help tells how"),
+        ),
         ErrorKind::ArgumentConflict => Sentence::new(
             format!("{name}: 二度は書けません。一つだけ残してください"),
             format!("{name}: it stands there twice; keep one"),

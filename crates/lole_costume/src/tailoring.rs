@@ -201,37 +201,41 @@ pub fn drafts_of(
 #[must_use]
 pub fn measures_used(design: &Design, dancer: &Dancer) -> Vec<UsedMeasure> {
     let own = measures(dancer);
-    let mut used = Vec::new();
-    for &measure in Measure::ALL {
-        let length = measure.of(&own);
-        let is_used = design.cut().any(|place| {
-            let (layer, garment) = match place {
-                Some(index) => {
-                    let garment = design.garments[index].clone();
-                    (Some(garment.layer), garment)
-                }
-                None => (None, design.skirt.garment(&design.fabric, &design.print)),
-            };
-            let draft = |measures: &Measures| {
+    let garments: Vec<_> = (design.cut())
+        .map(|place| match place {
+            Some(index) => {
+                let garment = design.garments[index].clone();
+                (Some(garment.layer), garment)
+            }
+            None => (None, design.skirt.garment(&design.fabric, &design.print)),
+        })
+        .collect();
+    let drafts = |measures: &Measures| -> Vec<Option<Pattern>> {
+        (garments.iter())
+            .map(|(layer, garment)| {
                 // The dancer herself would be measured again, whatever the measures say.
                 let fitting = Fitting {
                     dancer: None,
-                    ..fitting(design, (dancer, measures), (layer, &garment))
+                    ..fitting(design, (dancer, measures), (*layer, garment))
                 };
                 garment.pattern(&fitting).ok()
-            };
-            let drafted = draft(&own);
-            [1.0 - NUDGE, 1.0 + NUDGE].into_iter().any(|ratio| {
-                let mut nudged = own.clone();
-                *measure.of_mut(&mut nudged) = length * ratio;
-                draft(&nudged) != drafted
             })
-        });
-        if is_used {
-            used.push(UsedMeasure { measure, length });
-        }
-    }
-    used
+            .collect()
+    };
+    let drafted = drafts(&own);
+    let is_used = |measure: &Measure| {
+        [1.0 - NUDGE, 1.0 + NUDGE].into_iter().any(|ratio| {
+            let mut nudged = own.clone();
+            *measure.of_mut(&mut nudged) = measure.of(&own) * ratio;
+            drafts(&nudged) != drafted
+        })
+    };
+    let used = Measure::ALL.iter().copied().filter(is_used);
+    used.map(|measure| UsedMeasure {
+        measure,
+        length: measure.of(&own),
+    })
+    .collect()
 }
 
 /// Measures are made so much larger and smaller to see what depends on them.

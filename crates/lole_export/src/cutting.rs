@@ -39,9 +39,9 @@ use lole_language::Language;
 use lole_pattern::piece::{CutCount, Piece};
 use lole_print::PrintImage;
 
-pub use folder::{PATTERN_JSON, PatternParts, left_behind, pattern_folder, sizes_name};
+pub use folder::{PATTERN_JSON, PatternParts, left_behind, pattern_folder, sizes_name, whole_name};
 pub use json::pattern_json;
-pub use nested::{MOST_SIZES, nested_sheet};
+pub use nested::{MOST_SIZES, NotNested, nested_sheet};
 pub use pieces_svg::pieces_svg;
 pub use plan::{cut_plan_sheets, cut_plan_svg, lying_width, masses, short_words, used_words};
 pub(crate) use plan::{draw_marker, numbers_words};

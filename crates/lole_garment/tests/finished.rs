@@ -8,7 +8,7 @@ use kurbo::PathEl;
 use lole_garment::Fitting;
 use lole_garment::template::{Options, TEMPLATES, Template};
 use lole_pattern::pattern::{Pattern, StepFigure};
-use lole_pattern::piece::{LineKind, Mark};
+use lole_pattern::piece::{Finish, LineKind, Mark};
 use lole_pattern::{Measures, Piece};
 use proptest::prelude::*;
 
@@ -92,6 +92,32 @@ proptest! {
                     "{} {}: {ease}", template.id, row.name.english
                 );
             }
+        }
+    }
+
+    /// A skirt with a flounce is as long as both, and as wide as the flounce.
+    #[test]
+    fn a_flounce_is_part_of_the_skirt_that_is_said(body in any_body(), choice in 0_u8..3) {
+        let measures = of_row(&body);
+        let template = Template::of_id("pau-ruffle").expect("on the shelf");
+        let options = Options::of(template).with(template, &[("ruffle", f64::from(choice))]);
+        if let Ok(pattern) = (template.draft)(&Fitting::by(&measures), &options) {
+            let panel = piece(&pattern, "panel");
+            let said = |name: &str| {
+                let row = pattern.finished.iter().find(|row| row.name.english == name);
+                row.map_or(0.0, |row| row.garment.to_m())
+            };
+            let bounds = |piece: &Piece| piece.stitching_polygon(1.0e-5).bounds();
+            let (mut length, mut around) = (bounds(panel).height(), bounds(panel).width());
+            if panel.edges[0].finish == Finish::Seam {
+                let ruffle = piece(&pattern, "ruffle");
+                length += bounds(ruffle).height();
+                around = bounds(ruffle).width() * f64::from(ruffle.cut.pieces());
+            }
+            let found = said("from the top fold to the hem");
+            prop_assert!((found - length).abs() < CLOSE, "{choice}: {found} of {length}");
+            let found = said("around the hem");
+            prop_assert!((found - around).abs() < CLOSE, "{choice}: {found} of {around}");
         }
     }
 

@@ -71,12 +71,7 @@ pub fn fit_to_cloth(
     Ok(Fitted {
         parts: Some(Pattern {
             pieces: parts,
-            seams: Vec::new(),
-            drawn_in: Vec::new(),
-            notions: Vec::new(),
-            steps: Vec::new(),
-            warnings: Vec::new(),
-            finished: Vec::new(),
+            ..Pattern::default()
         }),
         pattern,
     })

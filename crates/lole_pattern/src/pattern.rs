@@ -11,7 +11,7 @@ use crate::Piece;
 pub use matching::matched_parts;
 
 /// Everything that is needed to cut and sew one garment.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Pattern {
     /// Its pieces, the largest ones first.
     pub pieces: Vec<Piece>,

@@ -110,6 +110,39 @@ fn workbooks_that_swell_are_refused() {
         let why_not = read(&ods(rows)).unwrap_err().to_string();
         assert!(why_not.contains(why), "{why_not}");
     }
+    // Whatever else fills a cell, and whatever stands between a name and what it says.
+    let cell = |said: &str, text: &str| {
+        format!(
+            "<table:table-row><table:table-cell {said}>{text}</table:table-cell></table:table-row>"
+        )
+    };
+    let named = [
+        "office:boolean-value=\"true\"",
+        "office:date-value=\"2026-01-01\"",
+        "office:string-value='x>y'",
+    ];
+    for named in named {
+        let rows = cell(
+            &format!("{named}\ttable:number-columns-repeated=\n'16000'"),
+            "",
+        );
+        let why_not = read(&ods(&rows)).unwrap_err();
+        assert!(
+            matches!(why_not, RosterError::TooWide { line: 1 }),
+            "{named}: {why_not}"
+        );
+    }
+    let covered = "<table:table-row><table:covered-table-cell table:number-columns-repeated='16000' \
+                   office:value='1'/></table:table-row>";
+    assert!(matches!(
+        read(&ods(covered)),
+        Err(RosterError::TooWide { .. })
+    ));
+    let long = format!("<text:p>{}</text:p>", "x".repeat(1 << 20));
+    let often = cell("table:number-columns-repeated='400'", &long);
+    assert!(matches!(read(&ods(&often)), Err(RosterError::Swells)));
+    let spaces = cell("", "<text:p>a<text:s text:c='99999999999'/>b</text:p>");
+    assert!(!matches!(read(&ods(&spaces)), Err(RosterError::Swells)));
     let large = archive(&[("content.xml", " ".repeat((64 << 20) + 1))]);
     assert!(large.len() < 200_000);
     assert!(matches!(read(&large), Err(RosterError::Swells)));
@@ -382,4 +415,15 @@ proptest! {
             }
         }
     }
+}
+
+#[test]
+fn cells_of_an_ods_hold_their_values_and_not_their_notes() {
+    let row = r#"<table:table-row><table:table-cell office:value-type="string"><office:annotation>
+        <text:p>ask her</text:p></office:annotation><text:p>A &amp; B&#x3042;</text:p></table:table-cell>
+        <table:table-cell office:value-type="float" office:value="158.50000001"><text:p>159</text:p>
+        </table:table-cell><table:table-cell office:value="91.4"/></table:table-row>"#;
+    let book = ods(&format!("{}{row}", row_of(&["名前", "身長", "ヒップ"])));
+    let wanted = read_text("名前,身長,ヒップ\nA & Bあ,158.5,91.4\n");
+    assert_eq!(read(&book).unwrap().dancers, wanted.dancers);
 }

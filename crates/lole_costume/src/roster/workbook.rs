@@ -1,11 +1,13 @@
 //! The first sheet of a workbook that is a list: `.xlsx` and `.ods`, read as they are saved.
 //!
 //! A workbook is a ZIP archive, and a small one can swell without end; so its parts are unpacked up to a
-//! bound before anything is read of them, and cells are counted while they are read.
+//! bound before anything is read of them, and cells and their letters are counted while they are read.
+
+mod ods;
 
 use std::io::{Cursor, Read as _};
 
-use calamine::{Data, DataRef, Ods, Reader as _, Sheets, Xlsx, open_workbook_from_rs};
+use calamine::{Data, DataRef, Reader as _, Xlsx, open_workbook_from_rs};
 use zip::ZipArchive;
 
 use super::cells::{MOST_CELLS, MOST_ROWS, Record};
@@ -13,25 +15,20 @@ use super::{RosterError, columns};
 
 /// Largest size of all parts of a workbook, unpacked [byte].
 const MOST_UNPACKED: u64 = 64 << 20;
+/// Most that all cells of a sheet have together [byte]: a text is kept once and can be meant by every cell.
+const MOST_LETTERS: usize = 64 << 20;
 /// Sheets that are looked at for a list.
 const MOST_SHEETS: usize = 20;
 
 /// A list of strings for each row that is not empty, of the sheet with the most heads among its first rows; the
 /// first of equals.
 pub(super) fn records(bytes: &[u8]) -> Result<Vec<Record>, RosterError> {
-    let contents = unpacked(bytes)?;
-    if let Some(contents) = &contents {
-        check_repeats(contents)?;
-    }
-    let mut sheets = open(bytes, contents.as_deref())?;
-    let names = sheets.sheet_names();
+    let sheets = match unpacked(bytes)? {
+        Some(contents) => ods::sheets(&contents)?,
+        None => of_xlsx(bytes)?,
+    };
     let mut best: Option<(usize, Vec<Record>)> = None;
-    for name in names.into_iter().take(MOST_SHEETS) {
-        let records = match &mut sheets {
-            Sheets::Xlsx(book) => of_xlsx(book, &name)?,
-            Sheets::Ods(book) => of_ods(book, &name)?,
-            _ => return Err(RosterError::Workbook),
-        };
+    for records in sheets {
         let upper = records.iter().take_while(|row| row.line <= HEAD_LINES);
         let count = upper.map(columns::known_count).max().unwrap_or_default();
         if best.as_ref().is_none_or(|(most, _)| *most < count) {
@@ -45,17 +42,6 @@ pub(super) fn records(bytes: &[u8]) -> Result<Vec<Record>, RosterError> {
 const HEAD_LINES: u32 = 10;
 
 type Bytes<'a> = Cursor<&'a [u8]>;
-
-/// Opens it: an `.ods` is what has such contents.
-fn open<'a>(bytes: &'a [u8], contents: Option<&str>) -> Result<Sheets<Bytes<'a>>, RosterError> {
-    let cursor = Cursor::new(bytes);
-    if contents.is_some() {
-        let book: Result<Ods<_>, _> = open_workbook_from_rs(cursor);
-        return book.map(Sheets::Ods).map_err(|_| RosterError::Workbook);
-    }
-    let book: Result<Xlsx<_>, _> = open_workbook_from_rs(cursor);
-    book.map(Sheets::Xlsx).map_err(|_| RosterError::Workbook)
-}
 
 /// Unpacks every part up to the bound; the text of an `.ods`, where it is one.
 fn unpacked(bytes: &[u8]) -> Result<Option<String>, RosterError> {
@@ -78,82 +64,26 @@ fn unpacked(bytes: &[u8]) -> Result<Option<String>, RosterError> {
     Ok(contents)
 }
 
-/// An `.ods` says of a row or a cell how often it is repeated: a line of text can be a million rows.
-fn check_repeats(contents: &str) -> Result<(), RosterError> {
-    contents
-        .split("<table:table ")
-        .skip(1)
-        .try_for_each(|sheet| {
-            let mut row_count = 0_usize;
-            for row in sheet.split("<table:table-row").skip(1) {
-                row_count = row_count.saturating_add(repeats(row, "table:number-rows-repeated"));
-                // Sheets end with all the rows that are left, which are empty.
-                if !has_text(row) {
-                    continue;
-                }
-                if 2 * MOST_ROWS < row_count {
-                    return Err(RosterError::TooMany { count: row_count });
-                }
-                check_cells(row, u32::try_from(row_count).unwrap_or(u32::MAX))?;
-            }
-            Ok(())
-        })
+/// The sheets of an `.xlsx`.
+fn of_xlsx(bytes: &[u8]) -> Result<Vec<Vec<Record>>, RosterError> {
+    let book: Result<Xlsx<_>, _> = open_workbook_from_rs(Cursor::new(bytes));
+    let mut book = book.map_err(|_| RosterError::Workbook)?;
+    let names = book.sheet_names().into_iter().take(MOST_SHEETS);
+    names.map(|name| sheet_of_xlsx(&mut book, &name)).collect()
 }
 
-fn has_text(part: &str) -> bool {
-    part.contains("<text:p") || part.contains("office:value=")
-}
-
-/// The same of the cells of a row.
-fn check_cells(row: &str, line: u32) -> Result<(), RosterError> {
-    let mut cell_count = 0_usize;
-    for cell in row.split("<table:table-cell").skip(1) {
-        cell_count = cell_count.saturating_add(repeats(cell, "table:number-columns-repeated"));
-        if has_text(cell) && MOST_CELLS < cell_count {
-            return Err(RosterError::TooWide { line });
-        }
-    }
-    Ok(())
-}
-
-/// What the first tag of a text says of this attribute; 1 where it says nothing.
-fn repeats(tagged: &str, attribute: &str) -> usize {
-    let tag = tagged.split('>').next().unwrap_or_default();
-    let Some((_, value)) = tag.split_once(attribute) else {
-        return 1;
-    };
-    let value = value.trim_start_matches([' ', '=', '"', '\'', '\n', '\t', '\r']);
-    let end = value.find(|letter: char| !letter.is_ascii_digit());
-    let digits = &value[..end.unwrap_or(value.len())];
-    digits.parse().unwrap_or(usize::MAX)
-}
-
-fn of_xlsx(book: &mut Xlsx<Bytes<'_>>, name: &str) -> Result<Vec<Record>, RosterError> {
+fn sheet_of_xlsx(book: &mut Xlsx<Bytes<'_>>, name: &str) -> Result<Vec<Record>, RosterError> {
     let Ok(mut reader) = book.worksheet_cells_reader(name) else {
         // A sheet of a chart has no cells.
         return Ok(Vec::new());
     };
     let mut rows = Rows::default();
     while let Some(cell) = reader.next_cell().map_err(|_| RosterError::Workbook)? {
-        let text = match cell.get_value() {
-            DataRef::SharedString(text) => (*text).to_owned(),
-            other => text_of(&Data::from(other.clone())),
-        };
-        rows.put(cell.get_position(), text)?;
-    }
-    Ok(rows.records)
-}
-
-fn of_ods(book: &mut Ods<Bytes<'_>>, name: &str) -> Result<Vec<Record>, RosterError> {
-    let range = book
-        .worksheet_range(name)
-        .map_err(|_| RosterError::Workbook)?;
-    let (row, column) = range.start().unwrap_or_default();
-    let mut rows = Rows::default();
-    for (down, across, value) in range.used_cells() {
-        let [down, across] = [down, across].map(|off| u32::try_from(off).unwrap_or(u32::MAX));
-        let place = (row.saturating_add(down), column.saturating_add(across));
-        rows.put(place, text_of(value))?;
+        let place = cell.get_position();
+        match cell.get_value() {
+            DataRef::SharedString(text) => rows.put(place, text)?,
+            other => rows.put(place, &text_of(&Data::from(other.clone())))?,
+        }
     }
     Ok(rows.records)
 }
@@ -162,12 +92,18 @@ fn of_ods(book: &mut Ods<Bytes<'_>>, name: &str) -> Result<Vec<Record>, RosterEr
 #[derive(Default)]
 struct Rows {
     records: Vec<Record>,
+    /// Size of all texts [byte].
+    letters: usize,
 }
 
 impl Rows {
-    fn put(&mut self, (row, column): (u32, u32), text: String) -> Result<(), RosterError> {
+    fn put(&mut self, (row, column): (u32, u32), text: &str) -> Result<(), RosterError> {
         if text.trim().is_empty() {
             return Ok(());
+        }
+        self.letters = self.letters.saturating_add(text.len());
+        if MOST_LETTERS < self.letters {
+            return Err(RosterError::Swells);
         }
         let line = row.saturating_add(1);
         let column = column as usize;
@@ -186,7 +122,7 @@ impl Rows {
             if record.cells.len() <= column {
                 record.cells.resize(column + 1, String::new());
             }
-            record.cells[column] = text;
+            text.clone_into(&mut record.cells[column]);
         }
         Ok(())
     }
@@ -195,11 +131,12 @@ impl Rows {
 /// A cell as it would stand in CSV. Of a formula it is what it came to when the workbook was saved.
 fn text_of(value: &Data) -> String {
     match value {
-        Data::Float(number) => {
-            // Nine digits: what a tape has, without the tail of binary fractions.
-            let rounded = (number * 1.0e6).round() / 1.0e6;
-            format!("{rounded}")
-        }
+        Data::Float(value) => number(*value),
         other => other.to_string(),
     }
+}
+
+/// A number as it would stand in CSV: six decimals, without the tail of binary fractions.
+fn number(value: f64) -> String {
+    format!("{}", (value * 1.0e6).round() / 1.0e6)
 }

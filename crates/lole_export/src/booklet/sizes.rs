@@ -16,6 +16,15 @@ const SIZE: f64 = 12.5;
 
 /// Measurements of the dancer, and of every finished garment.
 pub(super) fn draw(flow: &mut Flow, booklet: &Booklet<'_>, language: Language) {
+    let rows = measured(booklet);
+    if !rows.is_empty() {
+        of_dancer(flow, &rows, language);
+    }
+    finished(flow, booklet.plan, language);
+}
+
+/// Her measures, and which of them are guesses.
+fn of_dancer(flow: &mut Flow, rows: &[Row], language: Language) {
     let table = PageTable {
         columns: vec![
             Column::text("", 4.0),
@@ -23,16 +32,16 @@ pub(super) fn draw(flow: &mut Flow, booklet: &Booklet<'_>, language: Language) {
             Column::number("", 2.0),
             Column::text("", 2.0),
         ],
-        rows: measured(booklet)
-            .into_iter()
-            .map(|row| row.cells(language))
-            .collect(),
+        rows: rows.iter().map(|row| row.cells(language)).collect(),
         size_pt: SIZE,
     };
     // Of many rows the first go with their head.
     flow.keep(table.height(flow.width()).min(90.0) + 26.0);
     head(flow, language.pick("寸法", "Measurements"));
     table.draw(flow);
+    if !rows.iter().any(|row| row.is_estimated) {
+        return;
+    }
     flow.space(2.0);
     flow.paragraph(
         language.pick(
@@ -41,7 +50,6 @@ pub(super) fn draw(flow: &mut Flow, booklet: &Booklet<'_>, language: Language) {
         ),
         &TextStyle::regular(11.5),
     );
-    finished(flow, booklet.plan, language);
 }
 
 /// A measure of the dancer.

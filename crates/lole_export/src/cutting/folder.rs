@@ -97,7 +97,8 @@ pub fn sizes_name(id: &str) -> String {
 }
 
 /// The file of a page that holds a garment whole.
-fn whole_name(id: &str, page: WholeSheet) -> String {
+#[must_use]
+pub fn whole_name(id: &str, page: WholeSheet) -> String {
     format!("{id}-{}.pdf", page.name())
 }
 

@@ -3,7 +3,7 @@
 use kurbo::{Affine, Point, Rect as Bounds};
 use lole_body::Measure;
 use lole_costume::order::DancerPlan;
-use lole_language::{Language, capitalized};
+use lole_language::{Language, Sentence, Words, capitalized};
 use lole_pattern::piece::{Drawing, Finish, Piece};
 
 use super::draw::{PLACE_ON_FOLD, arrow, fold_stroke, line, notch_places, outline};
@@ -29,11 +29,58 @@ const DASHES: [&[f64]; 5] = [
     &[10.0, 2.0, 2.0, 2.0, 2.0, 2.0],
 ];
 
-/// A garment of one design in several sizes, each a plan under its name, on one page; `None` where it has no
-/// pieces of a shape, or where one is wider than the page.
-#[must_use]
-pub fn nested_sheet(sizes: &[DancerPlan], garment: usize, language: Language) -> Option<Sheet> {
-    let first = sizes.first()?.garments.get(garment)?;
+/// Why a garment is not nested.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum NotNested {
+    /// All of it is cut by ruler and chalk, to the figures of its own sheet.
+    Rectangles,
+    /// It has other pieces in the size of this name.
+    Differs(String),
+    /// The piece of this name is wider than the page in some size.
+    TooWide(Words),
+}
+
+impl NotNested {
+    /// The sentence about a garment.
+    #[must_use]
+    pub fn sentence(&self, garment: Words) -> Sentence {
+        let (japanese, english) = match self {
+            Self::Rectangles => (
+                "長方形だけなので、サイズを重ねた型紙はありません。裁つ寸法の紙を使います".to_owned(),
+                "it is cut from rectangles alone, so there is nothing to nest; its sheet of cut sizes has the figures"
+                    .to_owned(),
+            ),
+            Self::Differs(size) => (
+                format!("サイズ {size} は型紙の枚数か種類がちがうので、重ねられません。分けて書き出してください"),
+                format!("size {size} has other pieces, so the sizes are not nested; write that size by itself"),
+            ),
+            Self::TooWide(piece) => (
+                format!("{}が 914 mm の紙より広いサイズがあり、重ねられません。大きいサイズを分けてください", piece.japanese),
+                format!(
+                    "the {} is wider than paper of 914 mm in some size, so the sizes are not nested; leave the largest out",
+                    piece.english
+                ),
+            ),
+        };
+        Sentence::new(
+            format!("{}: {japanese}", garment.japanese),
+            format!("{}: {english}", garment.english),
+        )
+    }
+}
+
+/// A garment of one design in several sizes, each a plan under its name, on one page.
+///
+/// # Errors
+///
+/// [`NotNested`]: it has no pieces of a shape, other ones in another size, or one is wider than the page.
+pub fn nested_sheet(
+    sizes: &[DancerPlan],
+    garment: usize,
+    language: Language,
+) -> Result<Sheet, NotNested> {
+    let first = sizes.first().and_then(|size| size.garments.get(garment));
+    let first = first.ok_or(NotNested::Rectangles)?;
     let cut = CutGarment::of(first);
     let shaped: Vec<usize> = (0..cut.garment.cutting().pieces.len())
         .filter(|&index| {
@@ -42,14 +89,15 @@ pub fn nested_sheet(sizes: &[DancerPlan], garment: usize, language: Language) ->
         })
         .collect();
     if shaped.is_empty() {
-        return None;
+        return Err(NotNested::Rectangles);
     }
-    let nests: Option<Vec<Nest<'_>>> = (shaped.iter())
+    let nests: Result<Vec<Nest<'_>>, NotNested> = (shaped.iter())
         .map(|&index| Nest::of(sizes, garment, index))
         .collect();
     let nests = nests?;
     let bounds: Vec<Bounds> = nests.iter().map(Nest::bounds).collect();
-    let (corners, height) = shelves(&bounds)?;
+    let wide = |index: usize| NotNested::TooWide(nests[index].piece.name);
+    let (corners, height) = shelves(&bounds).map_err(wide)?;
     let mut sheet = Sheet::new([WIDTH, height]);
     draw_chart(&mut sheet, (&cut, sizes), language);
     for (nest, (bounds, corner)) in nests.iter().zip(bounds.iter().zip(corners)) {
@@ -59,7 +107,7 @@ pub fn nested_sheet(sizes: &[DancerPlan], garment: usize, language: Language) ->
             * Affine::translate((-bounds.x0, -bounds.y1));
         nest.draw(&mut sheet, page, (&cut, language));
     }
-    Some(sheet)
+    Ok(sheet)
 }
 
 /// One piece in all sizes.
@@ -69,21 +117,23 @@ struct Nest<'a> {
 }
 
 impl<'a> Nest<'a> {
-    /// `None` where a size has no such piece.
-    fn of(sizes: &'a [DancerPlan], garment: usize, index: usize) -> Option<Self> {
+    /// [`NotNested::Differs`] where a size has no such piece.
+    fn of(sizes: &'a [DancerPlan], garment: usize, index: usize) -> Result<Self, NotNested> {
         let pieces = |size: &'a DancerPlan| {
             let pieces = &size.garments.get(garment)?.tailored.cutting().pieces;
             pieces.get(index)
         };
-        let piece = pieces(sizes.first()?)?;
-        let drawings: Option<Vec<(&str, Drawing)>> = (sizes.iter())
+        let piece = sizes.first().and_then(pieces);
+        let piece = piece.ok_or(NotNested::Rectangles)?;
+        let drawings: Result<Vec<(&str, Drawing)>, NotNested> = (sizes.iter())
             .map(|size| {
-                let own = pieces(size).filter(|own| own.id == piece.id)?;
-                Some((size.name.as_str(), own.drawing(TOLERANCE)))
+                let own = pieces(size).filter(|own| own.id == piece.id);
+                let own = own.ok_or_else(|| NotNested::Differs(size.name.clone()))?;
+                Ok((size.name.as_str(), own.drawing(TOLERANCE)))
             })
             .collect();
         let drawings = drawings?;
-        Some(Self { piece, drawings })
+        Ok(Self { piece, drawings })
     }
 
     fn bounds(&self) -> Bounds {
@@ -183,8 +233,8 @@ fn stroke(index: usize) -> Stroke {
 }
 
 /// Where the upper left corners of boxes come to lie, the tallest first, row by row, and the height of the page;
-/// `None` where one is wider than it.
-fn shelves(bounds: &[Bounds]) -> Option<(Vec<Point>, f64)> {
+/// or the first that is wider than it.
+fn shelves(bounds: &[Bounds]) -> Result<(Vec<Point>, f64), usize> {
     let room = WIDTH - 2.0 * MARGIN;
     let mut order: Vec<usize> = (0..bounds.len()).collect();
     order.sort_by(|&a, &b| bounds[b].height().total_cmp(&bounds[a].height()));
@@ -193,7 +243,7 @@ fn shelves(bounds: &[Bounds]) -> Option<(Vec<Point>, f64)> {
     for index in order {
         let [wide, tall] = [bounds[index].width(), bounds[index].height()].map(|side| side * MM);
         if room < wide {
-            return None;
+            return Err(index);
         }
         if room < x + wide {
             (x, top, high) = (0.0, top + high + GAP, 0.0);
@@ -202,7 +252,7 @@ fn shelves(bounds: &[Bounds]) -> Option<(Vec<Point>, f64)> {
         x += wide + GAP;
         high = high.max(tall);
     }
-    Some((corners, top + high + MARGIN))
+    Ok((corners, top + high + MARGIN))
 }
 
 /// What it is, a square to measure, and the sizes with their lines and girths.
@@ -278,7 +328,7 @@ mod tests {
                 .map(|size| order::plan(size, &design).unwrap_or_else(|error| panic!("{error}")))
                 .collect();
             let sheet = nested_sheet(&sizes, 0, Language::English);
-            let sheet = sheet.unwrap_or_else(|| panic!("{kind}"));
+            let sheet = sheet.unwrap_or_else(|error| panic!("{kind}: {error:?}"));
             let count = |name: &str| sheet.texts().iter().filter(|text| **text == name).count();
             let pieces = sizes[0].garments[0].tailored.cutting().pieces.iter();
             let shaped = pieces
@@ -288,7 +338,7 @@ mod tests {
                 // Once for each piece, and once in the chart.
                 assert_eq!(count(&size.name), shaped + 1, "{kind} {}", size.name);
             }
-            let nest = Nest::of(&sizes, 0, 0).unwrap_or_else(|| panic!("{kind}"));
+            let nest = Nest::of(&sizes, 0, 0).unwrap_or_else(|error| panic!("{kind}: {error:?}"));
             let areas: Vec<f64> = nest
                 .drawings
                 .iter()
@@ -305,6 +355,34 @@ mod tests {
                     );
                 }
             }
+        }
+    }
+
+    /// What cannot be nested says why, in one sentence about the garment and its piece.
+    #[test]
+    fn what_is_not_nested_says_why() {
+        let chart = size_chart::jis();
+        let plan = |size, kind: &str| {
+            let mut design = Design::default();
+            design.skirt.is_worn = kind.is_empty();
+            design.garments = GarmentDesign::of_kind(kind).into_iter().collect();
+            order::plan(size, &design).unwrap_or_else(|error| panic!("{error}"))
+        };
+        let [small, large] = [&chart.dancers[0], &chart.dancers[1]];
+        let skirts = [plan(small, ""), plan(large, "")];
+        let why = nested_sheet(&skirts, 0, Language::English).err();
+        assert_eq!(why, Some(NotNested::Rectangles));
+        let mixed = [plan(small, "blouse"), plan(large, "muumuu")];
+        let why = nested_sheet(&mixed, 0, Language::English).err();
+        assert_eq!(why, Some(NotNested::Differs(large.name.clone())));
+        let boxes = [0.5, 1.0].map(|wide| Bounds::new(0.0, 0.0, wide, 0.2));
+        assert_eq!(shelves(&boxes).err(), Some(1));
+        for why in [
+            NotNested::Rectangles,
+            NotNested::TooWide(skirts[0].garments[0].tailored.name),
+        ] {
+            let said = why.sentence(skirts[0].garments[0].tailored.name);
+            assert!(said.to_string().starts_with("pāʻū: "), "{said}");
         }
     }
 }

@@ -116,12 +116,7 @@ pub(super) fn on_paper(free: &[&Piece]) -> Pattern {
     };
     Pattern {
         pieces: free.iter().map(once).collect(),
-        seams: Vec::new(),
-        drawn_in: Vec::new(),
-        notions: Vec::new(),
-        steps: Vec::new(),
-        warnings: Vec::new(),
-        finished: Vec::new(),
+        ..Pattern::default()
     }
 }
 

@@ -322,7 +322,7 @@ fn rotation(matrix: Mat3, start: Quat) -> Quat {
             .sum::<f32>()
     };
     let near = polished(matrix, start);
-    let best = polished(matrix, farthest(matrix, start));
+    let best = polished(matrix, by_form(matrix, start));
     let size = matrix
         .to_cols_array()
         .iter()
@@ -338,7 +338,7 @@ fn rotation(matrix: Mat3, start: Quat) -> Quat {
 
 /// Near the rotation that is nearest to a matrix, wherever it is: a quaternion's square form of it (Horn 1987) has it
 /// for its longest axis, which is what its powers leave.
-fn farthest(matrix: Mat3, start: Quat) -> Quat {
+fn by_form(matrix: Mat3, start: Quat) -> Quat {
     let [x, y, z] = [matrix.x_axis, matrix.y_axis, matrix.z_axis];
     let twist = Vec3::new(y.z - z.y, z.x - x.z, x.y - y.x);
     let trace = x.x + y.y + z.z;

@@ -128,7 +128,7 @@ fn outward(point: Vec2) -> Vec2 {
 #[non_exhaustive]
 pub enum TakeError {
     /// It cannot be read at all.
-    #[error("the file cannot be read ({0})")]
+    #[error("the file cannot be read; check the path ({0})")]
     Unreadable(#[from] io::Error),
     /// It begins otherwise.
     #[error("this is no take; record one with `lole export`")]

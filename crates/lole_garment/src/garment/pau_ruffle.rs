@@ -216,7 +216,7 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
         notions,
         steps,
         warnings,
-        finished,
+        mut finished,
     } = base;
     let notions = notions
         .into_iter()
@@ -235,6 +235,9 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
             )
         });
         joined.extend(ruffle.on_hem(1));
+        // Its lowest edge is the ruffle's.
+        let around = finished.iter_mut().filter(|row| row.name == PauDraft::HEM);
+        around.for_each(|row| row.garment = Length::from_m(ruffle.ring));
     } else {
         let y = (skirt.finished_length - under_band).to_m();
         pieces[0].marks.push(ruffle.placement(y));

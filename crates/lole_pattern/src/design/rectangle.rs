@@ -67,6 +67,9 @@ const CASINGS: [(f64, Words, Words); 8] = [
 ];
 
 impl PauDraft {
+    /// What the tape around its lowest edge is called.
+    pub const HEM: Words = words("裾まわり", "around the hem");
+
     /// The draft as a pattern. The piece lies as it is worn, its flat length along `x` from 0, its
     /// hem fold at `y = 0`; the warp runs around the body.
     #[must_use]
@@ -77,6 +80,7 @@ impl PauDraft {
     /// The same with what is sewn onto it before the elastics are drawn in, and without notches.
     #[must_use]
     pub fn pattern_with(&self, name: Words, sewn: Option<Sewn>) -> Pattern {
+        let below = sewn.as_ref().map_or(Length::ZERO, |sewn| sewn.below);
         Pattern {
             pieces: vec![self.piece(name)],
             seams: vec![closing_seam()],
@@ -88,12 +92,12 @@ impl PauDraft {
                 .filter(|warning| !matches!(warning, PauWarning::TallerThanCloth { .. }))
                 .map(Sentence::of)
                 .collect(),
-            finished: self.finished(),
+            finished: self.finished(below),
         }
     }
 
-    /// What a tape says of it, sewn: length and hem.
-    fn finished(&self) -> Vec<FinishedMeasure> {
+    /// What a tape says of it, sewn: length and hem, with what hangs below its own edge.
+    fn finished(&self, below: Length) -> Vec<FinishedMeasure> {
         let measure = |name: Words, garment: Length| FinishedMeasure {
             name,
             body: None,
@@ -102,9 +106,9 @@ impl PauDraft {
         vec![
             measure(
                 words("上の折り山から裾まで", "from the top fold to the hem"),
-                self.finished_length,
+                self.finished_length + below,
             ),
-            measure(words("裾まわり", "around the hem"), self.flat_length),
+            measure(Self::HEM, self.flat_length),
         ]
     }
 

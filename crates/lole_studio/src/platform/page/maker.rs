@@ -1,14 +1,12 @@
 //! Products made one after the other in a worker, and handed out as downloads.
 
 use std::collections::VecDeque;
-use std::path::Path;
 use std::rc::Rc;
 use std::sync::atomic::AtomicBool;
 
-use lole_files::shelf;
 use lole_pattern::marker::Lay;
 
-use super::worker::{Wake, Worker, answer, hear};
+use super::worker::{Wake, Worker, answer, answer_written, hear, lay_written};
 use crate::making::{Line, Piece, Product, Stage, Unmade, Wish, make, stopped_unexpectedly};
 use crate::paper::Cutting;
 use crate::platform::letters::{
@@ -26,9 +24,9 @@ const WISH: u8 = 1;
 /// First byte of what the worker sends.
 mod told {
     pub(super) const WORKING: u8 = 0;
-    pub(super) const FILE: u8 = 1;
-    pub(super) const DONE: u8 = 2;
-    pub(super) const FAILED: u8 = 3;
+    /// All files follow.
+    pub(super) const DONE: u8 = 1;
+    pub(super) const FAILED: u8 = 2;
 }
 
 /// Whoever makes one thing after the other. A worker is started for each, and ended when it is called off.
@@ -119,13 +117,10 @@ fn receive(number: u64, worker: &Worker, news: &mut Vec<(u64, Stage)>) -> bool {
         let mut parcel = Unpacker(&parcel);
         let stage = match parcel.get::<u8>() {
             Some(told::WORKING) => Stage::Working(parcel.get().unwrap_or(0.0)),
-            Some(told::FILE) => {
-                if let (Some(name), Some(bytes)) = (parcel.text(), parcel.list::<u8>()) {
-                    shelf::write(Path::new(&name), &bytes);
-                }
-                continue;
+            Some(told::DONE) => {
+                lay_written(&mut parcel);
+                Stage::Done
             }
-            Some(told::DONE) => Stage::Done,
             _ => Stage::Failed(get_sentence(&mut parcel).unwrap_or_else(stopped_unexpectedly)),
         };
         let ends = stage.is_end();
@@ -202,22 +197,11 @@ fn work(wish: &Wish) {
     };
     let made = make(wish, &line);
     let mut end = Packer::default();
+    end.put(told::FAILED);
     match made {
-        Ok(()) => {
-            for (path, bytes) in shelf::take_written() {
-                let mut parcel = Packer::default();
-                parcel.put(told::FILE);
-                parcel.text(&path.to_string_lossy());
-                parcel.list(&bytes);
-                answer(&parcel);
-            }
-            end.put(told::DONE);
-        }
-        Err(Unmade::Failed(sentence)) => {
-            end.put(told::FAILED);
-            put_sentence(&mut end, &sentence);
-        }
-        Err(Unmade::CalledOff) => end.put(told::FAILED),
+        Ok(()) => return answer_written(told::DONE),
+        Err(Unmade::Failed(sentence)) => put_sentence(&mut end, &sentence),
+        Err(Unmade::CalledOff) => {}
     }
     answer(&end);
 }

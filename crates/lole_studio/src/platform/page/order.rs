@@ -2,7 +2,7 @@
 //! and handed out as one archive.
 
 use std::cell::{Cell, RefCell};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::rc::Rc;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -10,7 +10,7 @@ use std::sync::atomic::AtomicBool;
 use lole_files::shelf;
 use lole_language::Sentence;
 
-use super::worker::{Wake, Worker, answer, hear};
+use super::worker::{Wake, Worker, answer, answer_written, hear, lay_written};
 use crate::making::stopped_unexpectedly;
 use crate::ordering::{BuyerWishes, Job, Line, OrderNews, Progress, read_list, run};
 use crate::platform::letters::{
@@ -28,9 +28,9 @@ const JOB: u8 = 1;
 /// First byte of what the worker sends.
 mod told {
     pub(super) const PROGRESS: u8 = 0;
-    pub(super) const FILE: u8 = 1;
-    pub(super) const DONE: u8 = 2;
-    pub(super) const FAILED: u8 = 3;
+    /// All files follow.
+    pub(super) const DONE: u8 = 1;
+    pub(super) const FAILED: u8 = 2;
 }
 
 /// One order. Dropped, it ends at once.
@@ -96,13 +96,8 @@ impl OrderWork {
                     }
                     continue;
                 }
-                Some(told::FILE) => {
-                    if let (Some(name), Some(bytes)) = (parcel.text(), parcel.list::<u8>()) {
-                        shelf::write(Path::new(&name), &bytes);
-                    }
-                    continue;
-                }
                 Some(told::DONE) => {
+                    lay_written(&mut parcel);
                     let job = self.job.take();
                     news.extend(job.map(|job| {
                         let archive = job.folder.as_ref().map(|it| it.with_extension("zip"));
@@ -219,16 +214,7 @@ fn work(job: &Job) {
         fail(&sentence);
         return;
     }
-    for (path, bytes) in shelf::take_written() {
-        let mut parcel = Packer::default();
-        parcel.put(told::FILE);
-        parcel.text(&path.to_string_lossy());
-        parcel.list(&bytes);
-        answer(&parcel);
-    }
-    let mut parcel = Packer::default();
-    parcel.put(told::DONE);
-    answer(&parcel);
+    answer_written(told::DONE);
 }
 
 fn fail(sentence: &Sentence) {

@@ -14,7 +14,7 @@ use wasm_bindgen::{JsCast as _, JsValue};
 use web_sys::{DedicatedWorkerGlobalScope, Event, MessageEvent, WorkerOptions, WorkerType};
 
 use crate::platform::letters::put_file;
-use crate::platform::parcel::Packer;
+use crate::platform::parcel::{Packer, Unpacker};
 
 /// The script that a worker begins with.
 const SCRIPT: &str = "./worker.js";
@@ -134,6 +134,30 @@ pub(super) fn answer(parcel: &Packer) {
     post(&parcel.0, |message, transfer| {
         scope().post_message_with_transfer(message, transfer)
     });
+}
+
+/// Sends all files that were written, in one parcel that begins with `head`: some of them are no archive, and a
+/// page hands out what it has.
+pub(super) fn answer_written(head: u8) {
+    let written = shelf::take_written();
+    let mut parcel = Packer::default();
+    parcel.put(head);
+    parcel.count(written.len());
+    for (path, bytes) in written {
+        parcel.text(&path.to_string_lossy());
+        parcel.list(&bytes);
+    }
+    answer(&parcel);
+}
+
+/// Writes what [`answer_written`] sent, after its head.
+pub(super) fn lay_written(parcel: &mut Unpacker<'_>) {
+    for _ in 0..parcel.count().unwrap_or(0) {
+        let (Some(name), Some(bytes)) = (parcel.text(), parcel.list::<u8>()) else {
+            return;
+        };
+        shelf::write(Path::new(&name), &bytes);
+    }
 }
 
 /// The worker that this program is.
