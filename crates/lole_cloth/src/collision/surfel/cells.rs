@@ -1,5 +1,7 @@
 //! Surfels sorted into cubic cells, and the nearest of those around a point.
 
+mod together;
+
 use std::ops::Range;
 
 use fearless_simd::{Simd, f32x16, prelude::*};
@@ -11,6 +13,7 @@ use super::nearness::{FARTHEST, Nearness};
 use super::{PINCH_REACH, REACH_MAX, Skin};
 use crate::collision::grid::each_hit;
 use crate::lanes::{LANES, Vectors, narrow};
+pub(super) use together::Seeker;
 
 /// Edge of a cell [m]: a few surfels' spacing.
 const CELL: f32 = 0.02;

@@ -6,9 +6,9 @@ use std::ops::Range;
 use fearless_simd::{Level, Simd, dispatch};
 use rayon::prelude::*;
 
-use super::cells::{Facings, SurfelCells};
+use super::cells::{Facings, Seeker, SurfelCells};
 use super::{CLOSE, Cloth, Encounter, PINCH_REACH};
-use crate::lanes::narrow;
+use crate::lanes::{LANES, narrow};
 
 /// Parts into which the rows are cut where several threads share them.
 const PART_COUNT: usize = 8;
@@ -44,6 +44,7 @@ struct Part {
     last: Vec<u32>,
     facings: Facings,
     slots: Vec<(usize, usize)>,
+    seekers: Vec<Seeker>,
 }
 
 /// The surfels near all particles.
@@ -137,16 +138,30 @@ impl Part {
     ) {
         let is_dense = encounter.cloth.spacing < CLOSE;
         let row = &mut self.near[start..];
-        // A neighbor's surfel is near, and so is its own of the search before, if not the nearest.
+        let step = if is_dense { 2 } else { 1 };
+        // Its own surfel of the search before is near, if not the nearest, and so is a neighbor's.
         let mut hint = None;
-        let slots = (start..).zip(&self.slots).zip(row.iter_mut());
-        for ((index, &slot), near) in slots.step_by(if is_dense { 2 } else { 1 }) {
-            let (middle, reach) = encounter.flight(slot, cells);
-            let last = self.last.get(index).and_then(|it| it.checked_sub(1));
-            let last = last.and_then(|surfel| cells.place_of(surfel));
-            hint = cells.nearest(simd, middle, reach, [hint, last]);
-            near.nearest = Place::new(hint);
+        let mut seekers = std::mem::take(&mut self.seekers);
+        for first in (0..row.len()).step_by(step * LANES) {
+            let asked = (first..row.len()).step_by(step).take(LANES);
+            seekers.clear();
+            seekers.extend(asked.map(|index| {
+                let (point, reach) = encounter.flight(self.slots[index], cells);
+                let last = self.last.get(start + index);
+                let last = last.and_then(|it| it.checked_sub(1));
+                let last = last.and_then(|surfel| cells.place_of(surfel));
+                Seeker {
+                    point,
+                    reach,
+                    hint: last.or(hint),
+                }
+            }));
+            cells.nearest_of_each(simd, &seekers, |lane, place| {
+                row[first + step * lane].nearest = Place::new(place);
+                hint = place.or(hint);
+            });
         }
+        self.seekers = seekers;
         if !is_dense {
             return;
         }
