@@ -18,6 +18,10 @@ const MAGIC: &[u8; 8] = b"LOLETAKE";
 const VERSION: u32 = 1;
 /// A header larger than this [byte] is none: a design has 16 MiB at most.
 const LARGEST_HEADER: u32 = 32 << 20;
+/// Most vertices of all meshes: a hundred times those of a dancer in four garments.
+const MOST_VERTICES: usize = 1 << 24;
+/// Most frames in a second.
+const HIGHEST_RATE: u32 = 1000;
 /// Bytes before the header.
 const PREFIX: usize = 8 + 4 + 4 + 8;
 /// Bytes of a pose: the hips' place, and a quaternion for each bone.
@@ -58,6 +62,13 @@ impl TakeHeader {
         bytes.extend(fnv::hash(json.iter().copied()).to_le_bytes());
         bytes.extend(json);
         Ok(bytes)
+    }
+
+    /// Whether its figures can be those of a take: what is read of it is asked memory for.
+    fn is_possible(&self) -> bool {
+        let vertices = self.meshes.iter().map(|(_, count)| *count);
+        let sum = vertices.fold(0, usize::saturating_add);
+        sum <= MOST_VERTICES && (1..=HIGHEST_RATE).contains(&self.frame_rate)
     }
 
     /// Bytes of one frame.
@@ -180,6 +191,9 @@ impl<R: Read + Seek> RecordedTake<R> {
             return Err(TakeError::NoTake);
         }
         let header: TakeHeader = serde_json::from_slice(&json).map_err(|_| TakeError::NoTake)?;
+        if !header.is_possible() {
+            return Err(TakeError::NoTake);
+        }
         let start = PREFIX as u64 + u64::from(length);
         let frames = (size - start) / header.frame_bytes() as u64;
         let most = u64::from(header.frame_count);
@@ -252,12 +266,15 @@ impl<R: Read + Seek> RecordedTake<R> {
         let place = self.place(frame) + (POSE_BYTES + VERTEX_BYTES * before) as u64;
         let bytes = self.bytes_at(place, VERTEX_BYTES * count)?;
         let (positions, normals) = bytes.split_at(12 * count);
-        let positions = positions.chunks_exact(12).map(vector);
+        let positions: Vec<Vec3> = positions.chunks_exact(12).map(vector).collect();
+        if !positions.iter().all(|position| position.is_finite()) {
+            return Err(no_number(frame));
+        }
         let normals = normals.chunks_exact(4).map(|it| {
             let level = |at: usize| i16::from_le_bytes([it[at], it[at + 1]]);
             unfolded([level(0), level(2)])
         });
-        Ok([positions.collect(), normals.collect()])
+        Ok([positions, normals.collect()])
     }
 
     fn pose(&mut self, frame: u32) -> io::Result<Pose> {
@@ -266,11 +283,25 @@ impl<R: Read + Seek> RecordedTake<R> {
             let axis = vector(it);
             Quat::from_xyzw(axis.x, axis.y, axis.z, float(&it[12..]))
         });
-        Ok(Pose {
+        let pose = Pose {
             hips_translation: vector(&bytes),
             rotations: turns.collect(),
-        })
+        };
+        let is_turn = |turn: &Quat| turn.is_finite() && turn.is_normalized();
+        if pose.hips_translation.is_finite() && pose.rotations.iter().all(is_turn) {
+            Ok(pose)
+        } else {
+            Err(no_number(frame))
+        }
     }
+}
+
+/// A frame whose hash is right and whose values are none: nobody recorded it.
+fn no_number(frame: u32) -> io::Error {
+    io::Error::new(
+        io::ErrorKind::InvalidData,
+        format!("frame {frame} of the take has places that are no numbers; record it again"),
+    )
 }
 
 /// A recording with the meshes that it moves.
@@ -369,6 +400,42 @@ mod tests {
             let pose = take.pose(frame.into()).unwrap();
             assert_eq!(pose.hips_translation, Vec3::splat(f32::from(frame)));
         }
+    }
+
+    /// Hashes are no seals: a header or a frame that fits its hash may still be nobody's.
+    #[test]
+    fn figures_that_no_take_has_are_refused() {
+        let with = |change: &dyn Fn(&mut TakeHeader)| {
+            let mut header = header();
+            change(&mut header);
+            RecordedTake::open(Cursor::new(header.bytes().unwrap())).map(|take| take.whole)
+        };
+        assert_eq!(with(&|_| ()).unwrap(), 0);
+        let many = with(&|it| it.meshes[0].1 = usize::MAX / 8);
+        assert!(matches!(many, Err(TakeError::NoTake)));
+        let wrapped = with(&|it| it.meshes = vec![("a".into(), usize::MAX), ("b".into(), 2)]);
+        assert!(matches!(wrapped, Err(TakeError::NoTake)));
+        for rate in [0, u32::MAX] {
+            assert!(matches!(
+                with(&|it| it.frame_rate = rate),
+                Err(TakeError::NoTake)
+            ));
+        }
+    }
+
+    #[test]
+    fn frames_of_no_numbers_are_not_read() {
+        let mut bytes = header().bytes().unwrap();
+        let broken = [vec![Vec3::NAN; 3], vec![Vec3::Y; 3]];
+        let pose = Pose {
+            hips_translation: Vec3::INFINITY,
+            ..Pose::default()
+        };
+        bytes.extend(frame_bytes(&pose, &[broken, vertices(2, 0)]));
+        let mut take = RecordedTake::open(Cursor::new(bytes)).unwrap();
+        assert_eq!(take.whole_count(), 1);
+        assert!(take.pose(0).is_err() && take.vertices(0, 0).is_err());
+        assert!(take.vertices(0, 1).is_ok());
     }
 
     proptest! {
