@@ -81,9 +81,7 @@ impl Contacts {
             let middle = flight.positions[particle] + (common + away) * 0.5;
             let travel = away.length() + self.cells.spread();
             let reach = REACH + model.contact_offsets[particle] + travel;
-            hint = self
-                .cells
-                .nearest(simd, middle, reach.min(REACH_MAX), [hint, None]);
+            hint = self.cells.nearest(simd, middle, reach.min(REACH_MAX), hint);
             if let Some(place) = hint {
                 let surfel = self.cells.surfel(place);
                 self.planes.push(Plane {

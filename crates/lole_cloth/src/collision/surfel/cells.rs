@@ -241,24 +241,20 @@ impl SurfelCells {
     }
 
     /// The surfel nearest to `point` within `reach` [m], by its place among the entries; of equals
-    /// the first. `hints` may be it: near ones save work and change nothing.
+    /// the first. `hint` may be it: a near one saves work and changes nothing.
     #[inline(always)]
     pub(crate) fn nearest<S: Simd>(
         &self,
         simd: S,
         point: Vec3,
         reach: f32,
-        hints: [Option<usize>; 2],
+        hint: Option<usize>,
     ) -> Option<usize> {
         if !self.may_reach(point, reach) {
             return None;
         }
-        let place = self.nearer(point, reach, hints);
-        let squared = place.map_or(reach * reach, |place| {
-            point.distance_squared(self.position(place))
-        });
-        let mut best = Best { squared, place };
-        self.for_each_run(point, squared.sqrt(), |run| {
+        let mut best = self.begin(point, reach, hint);
+        self.for_each_run(point, best.squared.sqrt(), |run| {
             best = self.nearest_of(simd, run, point, best);
         });
         best.place
@@ -325,6 +321,20 @@ impl SurfelCells {
         *known
     }
 
+    /// What a particle at `point` knows before it looks around.
+    fn begin(&self, point: Vec3, reach: f32, hint: Option<usize>) -> Best {
+        let place = self.nearer(point, reach, [hint, None]);
+        let squared = place.map_or(reach * reach, |place| {
+            point.distance_squared(self.position(place))
+        });
+        Best { squared, place }
+    }
+
+    /// The part of a box of cells that there is.
+    fn within(&self, [low, high]: [IVec3; 2]) -> [IVec3; 2] {
+        [low.max(IVec3::ZERO), high.min(self.counts - IVec3::ONE)]
+    }
+
     /// Calls with the places of all surfels in the cells within `radius` [m] of `point`, and of more.
     #[inline(always)]
     fn for_each_run(&self, point: Vec3, radius: f32, visit: impl FnMut(Range<usize>)) {
@@ -338,8 +348,7 @@ impl SurfelCells {
     /// Calls with the places of all surfels in the cells from one corner of a box to the other.
     #[inline(always)]
     fn for_each_run_of(&self, low: IVec3, high: IVec3, mut visit: impl FnMut(Range<usize>)) {
-        let low = low.max(IVec3::ZERO);
-        let high = high.min(self.counts - IVec3::ONE);
+        let [low, high] = self.within([low, high]);
         if high.cmplt(low).any() {
             return;
         }

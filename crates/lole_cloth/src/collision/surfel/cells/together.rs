@@ -4,7 +4,7 @@
 use fearless_simd::{Simd, f32x16, prelude::*};
 use glam::{IVec3, Vec3};
 
-use super::{Best, SurfelCells};
+use super::SurfelCells;
 use crate::lanes::{LANES, Points, Vectors};
 
 /// Cells around all of them, over those around each, from which on each is looked after by itself.
@@ -51,7 +51,7 @@ impl SurfelCells {
             if !self.may_reach(seeker.point, seeker.reach) {
                 continue;
             }
-            let best = self.begin(seeker);
+            let best = self.begin(seeker.point, seeker.reach, seeker.hint);
             let radius = best.squared.sqrt();
             let own = self.within(
                 [seeker.point - radius, seeker.point + radius].map(|point| self.cell_of(point)),
@@ -70,7 +70,7 @@ impl SurfelCells {
             for (lane, seeker) in seekers.iter().enumerate() {
                 found(
                     lane,
-                    self.nearest(simd, seeker.point, seeker.reach, [seeker.hint, None]),
+                    self.nearest(simd, seeker.point, seeker.reach, seeker.hint),
                 );
             }
             return;
@@ -79,20 +79,6 @@ impl SurfelCells {
         for (lane, &place) in bests.places[..seekers.len()].iter().enumerate() {
             found(lane, as_place(place));
         }
-    }
-
-    /// What a particle knows before it looks around.
-    fn begin(&self, seeker: &Seeker) -> Best {
-        let place = self.nearer(seeker.point, seeker.reach, [seeker.hint, None]);
-        let squared = place.map_or(seeker.reach * seeker.reach, |place| {
-            seeker.point.distance_squared(self.position(place))
-        });
-        Best { squared, place }
-    }
-
-    /// The part of a box of cells that there is.
-    fn within(&self, [low, high]: [IVec3; 2]) -> [IVec3; 2] {
-        [low.max(IVec3::ZERO), high.min(self.counts - IVec3::ONE)]
     }
 
     /// Holds every surfel of a box of cells against all of them, in the order of the places.
@@ -196,7 +182,7 @@ mod tests {
             });
             for (seeker, &found) in seekers.iter().zip(&found) {
                 let alone = dispatch!(Level::new(), simd => {
-                    cells.nearest(simd, seeker.point, seeker.reach, [None; 2])
+                    cells.nearest(simd, seeker.point, seeker.reach, None)
                 });
                 assert_eq!(found, alone, "round {round}");
             }
