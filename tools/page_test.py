@@ -5,7 +5,7 @@ usage: page_test.py [--folder target/web/page] [--shots FOLDER] [--scenes native
 
 Needs Chromium and its driver (Debian: chromium, chromium-driver), and nothing else.
 `--scenes` holds the engine's hashes in the browser against those of this machine, as
-`cargo run --release -p lole_web --example scenes` prints them.
+`cargo run --release -p lole_stage --example scenes` prints them.
 """
 
 import argparse

@@ -36,7 +36,8 @@ pub(crate) fn folder(repository: &Path) -> PathBuf {
     target(repository).join("web/page")
 }
 
-fn target(repository: &Path) -> PathBuf {
+/// Cargo's folder for what is built.
+pub(crate) fn target(repository: &Path) -> PathBuf {
     std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| repository.join("target"), PathBuf::from)
 }
 

@@ -15,9 +15,10 @@ use lole_export::{ImageView, still};
 use lole_files::OutputFolder;
 use lole_hula::DanceStep;
 use lole_language::{Bilingual as _, Language, Sentence, Words, words};
+use lole_picture::Lamps;
 use lole_picture::baked::{self, Keys};
 use lole_picture::studio::{FilmCamera, PhotoStudio, STILLS, still_cameras};
-use lole_render::{Backend, LightRig, Renderer, Size};
+use lole_render::{Backend, Renderer, Size};
 use lole_stage::{
     Danced, Divergence, FRAME_SECONDS, FRAMES_PER_SECOND, FrameMetrics, HoldWatch, LayerWatch,
     Performance, Production, StageError,
@@ -461,9 +462,9 @@ struct Finished<'a> {
 impl Shoot {
     /// The lamps of the film stand still while the camera moves.
     fn take(&mut self, performance: &Performance, camera: lole_render::Camera) -> Result<()> {
-        let image =
-            self.studio
-                .shoot(performance, camera, LightRig::default(), &mut self.renderer)?;
+        let image = self
+            .studio
+            .shoot(performance, camera, Lamps::Still, &mut self.renderer)?;
         Ok(self.film.push_frame(&image.pixels)?)
     }
 
@@ -471,10 +472,9 @@ impl Shoot {
         performance.pose_body();
         self.renderer.resize(STILL_SIZE)?;
         for camera in still_cameras(performance, STILL_SIZE) {
-            let lights = LightRig::seen_from(&camera);
-            let image = self
-                .studio
-                .shoot(performance, camera, lights, &mut self.renderer)?;
+            let image =
+                self.studio
+                    .shoot(performance, camera, Lamps::WithCamera, &mut self.renderer)?;
             self.stills.push(image);
         }
         self.renderer.resize(self.size)?;

@@ -47,10 +47,11 @@ pub(crate) fn run(args: &InspectArgs, language: Language) -> Result<(), Failure>
     } else {
         let found = AvatarInspection::new(&bytes, list);
         let found = found.map_err(|error| {
-            named(if ending(&args.file) == "json" {
-                no_known_json()
-            } else {
-                Sentence::of(&error)
+            named(match ending(&args.file).as_str() {
+                "json" => no_known_json(),
+                "lole" => a_design(),
+                "take" => a_take(),
+                _ => Sentence::of(&error),
             })
         })?;
         (found.lines(), serde_json::to_string_pretty(&found))
@@ -81,6 +82,22 @@ fn no_known_json() -> Sentence {
     Sentence::new(
         "GarmentCode の型紙でも、採寸でも、glTF でもありません。もとのプログラムから書き出し直してください",
         "this is no pattern of GarmentCode, no measures and no glTF; export it again from its program",
+    )
+}
+
+/// Of a design, which has commands of its own.
+fn a_design() -> Sentence {
+    Sentence::new(
+        "これはデザインです。型紙は lole pattern、費用は lole cost、踊りは lole dance に渡してください",
+        "this is a design; give it to lole pattern for its pattern, lole cost for its price or lole dance to see it",
+    )
+}
+
+/// Of a recording of Lole's own.
+fn a_take() -> Sentence {
+    Sentence::new(
+        "これは踊りの記録です。lole export に渡してください",
+        "this is a recorded dance; give it to lole export",
     )
 }
 

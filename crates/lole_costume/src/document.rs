@@ -17,6 +17,7 @@ mod nearest;
 mod parse;
 mod print;
 pub mod schema;
+mod stage;
 mod template;
 mod write;
 
@@ -39,6 +40,7 @@ pub use lole_garment::GarmentLayer;
 pub use nearest::{likely, nearest};
 pub use parse::{Place, locate, parse, parse_bytes};
 pub use print::{LinkedPicture, PhotoMarks, PrintError};
+pub use stage::{StageDesign, StageSet};
 pub use write::to_toml;
 
 /// Version of the format that this program writes, and the newest it reads.
@@ -64,6 +66,8 @@ pub struct Design {
     pub wind: WindDesign,
     /// How the cloth is computed.
     pub method: MethodDesign,
+    /// What is around her in pictures.
+    pub stage: StageDesign,
     /// Prices.
     pub cost: CostDesign,
     /// What is worn with the skirt, in each layer from the skin outward.

@@ -8,8 +8,8 @@ use std::io::Write;
 
 use glam::Vec3;
 use lole_costume::document;
-use lole_picture::{Looks, Moment};
-use lole_render::{Backend, Camera, LightRig, Renderer, Size, View};
+use lole_picture::{Lamps, Looks, Moment};
+use lole_render::{Backend, Camera, Renderer, Size, View};
 use lole_stage::{FRAME_SECONDS, Performance, Production};
 
 const VIEWS: [View; 4] = [View::Front, View::ThreeQuarter, View::Side, View::Back];
@@ -99,7 +99,6 @@ fn shoot(
         .filter(|place| part == "all" || place.x.abs() < 0.3)
         .collect();
     let camera = Camera::framing_points(&framed, view, 480.0 / 640.0);
-    let lights = LightRig::seen_from(&camera);
-    let scene = looks.scene(&moment.dancer(), camera, lights);
+    let scene = looks.scene(&moment.dancer(), camera, Lamps::WithCamera);
     Ok(renderer.render(&scene)?.pixels)
 }

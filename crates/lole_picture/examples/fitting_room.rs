@@ -2,11 +2,12 @@
 //! shows before a dance.
 //!
 //! `cargo run --release -p lole_picture --example fitting_room -- OUT [TEMPLATE ...] [--only DANCER,DANCER]
-//! [--seconds S] [--dance STEP] [--tempo BPM] [--layer under] [--skirt] [--close] [--where] [--print LINE]`
+//! [--seconds S] [--dance STEP] [--tempo BPM] [--layer under] [--skirt] [--close] [--where] [--fine] [--print LINE]`
 //! writes a picture for each template there, as she stands and after so many seconds of her dance, and prints
 //! figures for each dancer. Without a template, all that can be put on; `kihei+muumuu` puts on both, from
 //! the skin outward, and `'pau-ruffle:ruffle = "layer"'` has an option as in a document. `--where` says
-//! where cloth is stretched most, and which pieces go through each other.
+//! where cloth is stretched most, and which pieces go through each other; `--fine` divides garments of triangles into
+//! those of 1.2 cm.
 
 #![expect(
     clippy::print_stdout,
@@ -25,10 +26,10 @@ use lole_body::Bone;
 use lole_costume::document::{DancerDesign, Design, GarmentLayer, parse};
 use lole_garment::TEMPLATES;
 use lole_garment::dress::Layers;
-use lole_picture::{Looks, Moment};
-use lole_render::{Backend, Camera, LightRig, Renderer, Size, View};
+use lole_picture::{Lamps, Looks, Moment};
+use lole_render::{Backend, Camera, Renderer, Size, View};
 use lole_stage::skin_check::{CheckedSurface, check};
-use lole_stage::{Performance, Production, six_dancers};
+use lole_stage::{Division, Performance, Production, six_dancers};
 
 /// Size of one picture of the sheet [pixel].
 const CELL: Size = Size::new(360, 560);
@@ -46,6 +47,7 @@ struct Asked {
     dance: Option<String>,
     tempo: Option<f64>,
     says_where: bool,
+    division: Division,
 }
 
 fn asked() -> Result<Asked, Box<dyn Error>> {
@@ -62,6 +64,7 @@ fn asked() -> Result<Asked, Box<dyn Error>> {
         dance: None,
         tempo: None,
         says_where: false,
+        division: Division::Full,
     };
     while let Some(argument) = arguments.next() {
         match argument.as_str() {
@@ -75,6 +78,7 @@ fn asked() -> Result<Asked, Box<dyn Error>> {
             }
             "--close" => asked.is_close = true,
             "--skirt" => asked.has_skirt = true,
+            "--fine" => asked.division = Division::Fine,
             "--where" => asked.says_where = true,
             "--dance" => asked.dance = arguments.next(),
             "--tempo" => asked.tempo = Some(arguments.next().ok_or("counts a minute?")?.parse()?),
@@ -147,7 +151,7 @@ fn fitting(
     }
     (design.skirt.column_count, design.skirt.row_count) = (256, 32);
     let begun = Instant::now();
-    let production = Production::new(&design)?;
+    let production = Production::divided(&design, asked.division)?;
     let sewn = begun.elapsed().as_secs_f32();
     let mut performance = Performance::new(production)?;
     let mut restless = String::new();
@@ -476,8 +480,7 @@ fn shoot(
     let mut cells = Vec::new();
     for view in VIEWS {
         let camera = Camera::framing_points(&points, view, CELL.aspect());
-        let lights = LightRig::seen_from(&camera);
-        let scene = looks.scene(&shown, camera, lights);
+        let scene = looks.scene(&shown, camera, Lamps::WithCamera);
         cells.push(renderer.render(&scene)?.pixels);
     }
     Ok(cells)

@@ -16,8 +16,8 @@ use glam::Vec3;
 use lole_body::Bone;
 use lole_costume::document::{Design, LinkedFile, parse};
 use lole_hula::DanceStep;
-use lole_picture::{DrawnDancer, Looks};
-use lole_render::{Backend, Camera, LightRig, Renderer, Size, View};
+use lole_picture::{DrawnDancer, Lamps, Looks};
+use lole_render::{Backend, Camera, Renderer, Size, View};
 use lole_stage::{Performance, Production};
 
 /// Size of one picture of the sheet [pixel].
@@ -193,7 +193,7 @@ fn shoot(performance: &Performance) -> Result<Vec<u8>, Box<dyn Error>> {
     let mut cells = Vec::new();
     for view in VIEWS {
         let camera = Camera::framing_points(performance.body_positions(), view, CELL.aspect());
-        let scene = looks.scene(&shown, camera, LightRig::seen_from(&camera));
+        let scene = looks.scene(&shown, camera, Lamps::WithCamera);
         cells.push(renderer.render(&scene)?.pixels);
     }
     let width = CELL.width as usize * 4;

@@ -21,8 +21,8 @@ use glam::Vec3;
 use lole_body::Bone;
 use lole_costume::document::{self, Design};
 use lole_hula::DanceStep;
-use lole_picture::{Looks, Moment};
-use lole_render::{Backend, Camera, LightRig, Renderer, Size, View};
+use lole_picture::{Lamps, Looks, Moment};
+use lole_render::{Backend, Camera, Renderer, Size, View};
 
 use lole_stage::{Garment, Performance, Production, Stranger, six_dancers};
 
@@ -349,8 +349,7 @@ fn shoot(performance: &mut Performance) -> Result<Vec<u8>, Box<dyn Error>> {
     let mut pixels = Vec::new();
     for view in [View::Front, View::Side] {
         let camera = Camera::framing_points(&points, view, CELL.aspect());
-        let lights = LightRig::seen_from(&camera);
-        let scene = looks.scene(&moment.dancer(), camera, lights);
+        let scene = looks.scene(&moment.dancer(), camera, Lamps::WithCamera);
         pixels.extend(renderer.render(&scene)?.pixels);
     }
     Ok(pixels)

@@ -7,6 +7,7 @@
 pub mod baked;
 mod moment;
 pub mod portrait;
+mod sets;
 pub mod studio;
 pub mod taken;
 pub mod vrm;
@@ -15,14 +16,15 @@ use std::sync::Arc;
 
 use glam::{Vec2, Vec3};
 use lole_body::{Appearance, BodyPicture, Dancer, Look, PartKind, appearance};
-use lole_costume::document::Design;
-use lole_costume::document::PrintError;
+use lole_costume::document::{Design, PrintError, StageSet};
 use lole_garment::adorn::AdornmentFinish;
 use lole_print::PrintImage;
 use lole_render::srgb::linear_from_srgb;
-use lole_render::{Camera, LightRig, Material, RenderError, Scene, SceneMesh, Sides, Texture};
+use lole_render::{Camera, Material, RenderError, Scene, SceneMesh, Sides, Texture};
 use lole_stage::{Production, WornSurface};
 pub use moment::{DrawnDancer, Moment};
+pub use sets::Lamps;
+use sets::StageLook;
 
 /// Pixels of one print repeat: a repeat of 45 cm shows every petal from two meters.
 const PRINT_SIDE: u32 = 1024;
@@ -35,6 +37,8 @@ pub struct Looks {
     pub parts: Vec<BodyPart>,
     /// Where the vertices of her skin lie on its pictures.
     pub skin_uvs: Vec<Vec2>,
+    /// What is around her.
+    pub set: StageSet,
 }
 
 /// How one part of the dancer looks.
@@ -93,21 +97,26 @@ impl Looks {
                 })
                 .collect(),
             skin_uvs: skin.uvs.clone(),
+            set: design.stage.set,
         })
     }
 
-    /// The scene of one moment in the studio: first the cloth, then the parts of the dancer, then what she
+    /// The scene of one moment in its set: first the cloth, then the parts of the dancer, then what she
     /// wears beside the cloth.
     #[must_use]
     pub fn scene<'a>(
         &'a self,
         dancer: &DrawnDancer<'a>,
         camera: Camera,
-        lights: LightRig,
+        lamps: Lamps,
     ) -> Scene<'a> {
+        let (lights, background, ground) = StageLook::of(self.set).around(&camera, lamps);
         let mut scene = Scene {
+            meshes: Vec::new(),
+            camera,
             lights,
-            ..Scene::studio(camera)
+            background,
+            ground: Some(ground),
         };
         let worn = dancer.worn.iter().zip(&self.worn).enumerate();
         let worn = worn.map(|(place, (vertices, cover))| {

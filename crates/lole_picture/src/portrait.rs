@@ -1,18 +1,18 @@
 //! Pictures of dancers who stand in their costume, for paper: at rest, all of a group at one scale.
 
 use glam::Vec3;
-use lole_costume::document::Design;
+use lole_costume::document::{Design, StageSet};
 use lole_export::ImageView;
 use lole_export::pdf::EncodedPicture;
 use lole_export::still::encode_jpeg;
 use lole_garment::dress::Division;
-use lole_render::{Backend, Bounds, Camera, LightRig, Renderer, Size, View};
+use lole_render::{Backend, Bounds, Camera, Renderer, Size, View};
 use lole_stage::{Performance, Production};
 
 use lole_export::booklet::Worn;
 
 use crate::studio::{STILLS, still_cameras};
-use crate::{Looks, Moment};
+use crate::{Lamps, Looks, Moment};
 
 /// Size of one picture of a group [pixel]: as wide as her arms and skirt need, as tall as the tallest.
 pub const STANDING: Size = Size {
@@ -146,10 +146,13 @@ pub fn shoot(
     size: Size,
 ) -> Result<lole_render::Image, PortraitError> {
     let production = performance.production();
-    let looks = Looks::new(&production.design, production)?;
+    let looks = Looks {
+        // On paper nothing is behind her.
+        set: StageSet::Studio,
+        ..Looks::new(&production.design, production)?
+    };
     let moment = Moment::of(performance);
-    let lights = LightRig::seen_from(&camera);
-    let scene = looks.scene(&moment.dancer(), camera, lights);
+    let scene = looks.scene(&moment.dancer(), camera, Lamps::WithCamera);
     let mut renderer = Renderer::new(Backend::Cpu, size)?;
     Ok(renderer.render(&scene)?)
 }

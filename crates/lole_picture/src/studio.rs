@@ -3,10 +3,10 @@
 use glam::Vec3;
 use lole_body::Bone;
 use lole_geom::trig;
-use lole_render::{Bounds, Camera, Image, LightRig, RenderError, Renderer, Size, View};
+use lole_render::{Bounds, Camera, Image, RenderError, Renderer, Size, View};
 use lole_stage::Performance;
 
-use crate::{Cover, LookError, Looks, Moment};
+use crate::{Cover, Lamps, LookError, Looks, Moment};
 
 /// Everything that pictures of one production share.
 pub struct PhotoStudio {
@@ -79,11 +79,11 @@ impl PhotoStudio {
         &self,
         performance: &Performance,
         camera: Camera,
-        lights: LightRig,
+        lamps: Lamps,
         renderer: &mut Renderer,
     ) -> Result<Image, RenderError> {
         let moment = Moment::of(performance);
-        let scene = self.looks.scene(&moment.dancer(), camera, lights);
+        let scene = self.looks.scene(&moment.dancer(), camera, lamps);
         renderer.render(&scene)
     }
 }

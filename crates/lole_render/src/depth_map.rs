@@ -3,8 +3,9 @@
 use crate::prepare::Geometry;
 use crate::shade::BELL;
 use crate::whole;
-use glam::{BVec4A, Vec2, Vec3, Vec4};
+use glam::{Vec2, Vec3, Vec4};
 use rayon::prelude::*;
+use wide::f32x4;
 
 /// Depth of a texel that nothing covers [m]; a finite number, so that shaders can hold it.
 pub(crate) const EMPTY: f32 = 1.0e30;
@@ -23,7 +24,7 @@ const WIDE_SPAN: i32 = 8;
 /// The cone of a lamp begins this wide [texel]: what always counts, and one of rounding.
 const FOOT: usize = 4;
 /// Middles of four texels in a row.
-const LANES: Vec4 = Vec4::new(0.5, 1.5, 2.5, 3.5);
+const LANES: f32x4 = f32x4::new([0.5, 1.5, 2.5, 3.5]);
 
 /// Nearest and farthest surface along an axis for each texel of a plane across it.
 #[derive(Debug, Clone)]
@@ -175,10 +176,13 @@ impl DepthMap {
                 let dx = LANES + (x as f32 - a.x);
                 let (beta_at, gamma_at) = (dx * beta.x + at_a[0], dx * gamma.x + at_a[1]);
                 // A hair wider than the triangle: neighbors share their edge.
-                let least = beta_at.min(gamma_at).min(1.0 - beta_at - gamma_at);
+                let alpha_at = f32x4::ONE - beta_at - gamma_at;
+                let least = beta_at.fast_min(gamma_at).fast_min(alpha_at);
                 let depth = dx * slope.x + (a.z + slope.y * dy);
-                let depth = depth.clamp(Vec4::splat(low.z), Vec4::splat(high.z));
-                let inside = least.cmpge(Vec4::splat(-RIM));
+                let depth = depth
+                    .fast_max(f32x4::splat(low.z))
+                    .fast_min(f32x4::splat(high.z));
+                let inside = least.simd_ge(f32x4::splat(-RIM));
                 self.enter(row + x.unsigned_abs() as usize, inside, depth);
             }
         }
@@ -186,13 +190,15 @@ impl DepthMap {
 
     /// Enters the depths of four texels where `inside` says so.
     #[inline]
-    fn enter(&mut self, texel: usize, inside: BVec4A, depth: Vec4) {
-        let nearest = &mut self.nearest[texel..texel + 4];
-        let before = Vec4::from_slice(nearest);
-        Vec4::select(inside, before.max(depth), before).write_to_slice(nearest);
-        if let Some(farthest) = self.farthest.get_mut(texel..texel + 4) {
-            let before = Vec4::from_slice(farthest);
-            Vec4::select(inside, before.min(depth), before).write_to_slice(farthest);
+    fn enter(&mut self, texel: usize, inside: f32x4, depth: f32x4) {
+        if let Some(nearest) = self.nearest[texel..].first_chunk_mut::<4>() {
+            let before = f32x4::new(*nearest);
+            *nearest = inside.bitselect(before.fast_max(depth), before).to_array();
+        }
+        let farthest = self.farthest.get_mut(texel..);
+        if let Some(farthest) = farthest.and_then(|rest| rest.first_chunk_mut::<4>()) {
+            let before = f32x4::new(*farthest);
+            *farthest = inside.bitselect(before.fast_min(depth), before).to_array();
         }
     }
 
@@ -221,7 +227,7 @@ impl DepthMap {
     /// What the light at `+axis` sees at eight neighbors in a row of a level; `-EMPTY` outside the
     /// map.
     #[inline]
-    pub(crate) fn eight(&self, level: usize, [first, row]: [i32; 2]) -> [Vec4; 2] {
+    pub(crate) fn eight(&self, level: usize, [first, row]: [i32; 2]) -> [f32x4; 2] {
         let texels = match level.checked_sub(1) {
             None => &self.nearest,
             Some(coarser) => &self.coarser[coarser],
@@ -229,17 +235,18 @@ impl DepthMap {
         let (width, height) = (self.width >> level, self.height >> level);
         let row = match usize::try_from(row) {
             Ok(row) if row < height => &texels[row * width..(row + 1) * width],
-            _ => return [Vec4::splat(-EMPTY); 2],
+            _ => return [f32x4::splat(-EMPTY); 2],
         };
         let inside = usize::try_from(first).ok();
-        if let Some(eight) = inside.and_then(|first| row.get(first..first + 8)) {
-            return [Vec4::from_slice(eight), Vec4::from_slice(&eight[4..])];
+        let eight = inside.and_then(|first| row.get(first..)?.first_chunk::<8>());
+        if let Some(&[a, b, c, d, e, f, g, h]) = eight {
+            return [f32x4::new([a, b, c, d]), f32x4::new([e, f, g, h])];
         }
         let at = |node: i32| {
             let column = usize::try_from(first + node).unwrap_or(usize::MAX);
             row.get(column).copied().unwrap_or(-EMPTY)
         };
-        [0, 4].map(|node| Vec4::new(at(node), at(node + 1), at(node + 2), at(node + 3)))
+        [0, 4].map(|node| f32x4::new([at(node), at(node + 1), at(node + 2), at(node + 3)]))
     }
 
     /// What the light at `+axis` sees at eight texels of the finest level, `stride` apart in a row and
@@ -250,7 +257,7 @@ impl DepthMap {
         [first, row]: [i32; 2],
         stride: i32,
         down: &[i32; 8],
-    ) -> [Vec4; 2] {
+    ) -> [f32x4; 2] {
         let at = |node: u8| {
             let column = (first + i32::from(node) * stride).cast_unsigned() as usize;
             let row = (row + down[usize::from(node)]).cast_unsigned() as usize;
@@ -260,7 +267,7 @@ impl DepthMap {
                 -EMPTY
             }
         };
-        [0, 4].map(|node| Vec4::new(at(node), at(node + 1), at(node + 2), at(node + 3)))
+        [0, 4].map(|node| f32x4::new([at(node), at(node + 1), at(node + 2), at(node + 3)]))
     }
 
     /// For each texel, the depth above which nothing is in the way of a lamp at `+axis` that is

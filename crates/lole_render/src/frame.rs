@@ -2,7 +2,7 @@
 //! uniform block (`Frame` in `gpu/shade.wgsl`); the CPU reads the same fields.
 
 use crate::bake::{Bake, key_tangent};
-use crate::{Scene, Size};
+use crate::{Background, Gradient, Landscape, Scene, Size};
 use glam::{Mat4, Vec2, Vec3, Vec4};
 use lole_geom::trig;
 
@@ -33,6 +33,24 @@ pub(crate) struct Frame {
     pub(crate) background_top: Vec4,
     /// Backdrop at the bottom; `w` is 1 where there is a ground.
     pub(crate) background_bottom: Vec4,
+    /// Color of the sky above; `w` is 1 where there is a landscape.
+    pub(crate) sky_zenith: Vec4,
+    /// Color of the sky at the horizon; `w` is the sine of the elevation at which it has ended.
+    pub(crate) sky_horizon: Vec4,
+    /// Unit vector towards the glow; `w` is how much the near floor mirrors.
+    pub(crate) sun_toward: Vec4,
+    /// Color of the glow; `w` is how much the far floor mirrors.
+    pub(crate) sun_color: Vec4,
+    /// Color of the near floor; `w` is how far it is lit [m].
+    pub(crate) floor_near: Vec4,
+    /// Color of the far floor; `w` is where it begins [m].
+    pub(crate) floor_far: Vec4,
+    /// Color of haze; `w` is its distance [m].
+    pub(crate) haze: Vec4,
+    /// Color of the mountains; `w` is their height.
+    pub(crate) mountains: Vec4,
+    /// Color of the trees; `w` is their height.
+    pub(crate) trees: Vec4,
     /// Height of the ground [m], x and z of the corner of its light map [m], cells per meter.
     pub(crate) ground: Vec4,
 }
@@ -86,7 +104,19 @@ impl Frame {
         let across = reach * size.aspect();
         let (width, height) = (size.width as f32, size.height as f32);
         let key = &scene.lights.key;
-        let background = &scene.background;
+        let (gradient, landscape) = match &scene.background {
+            Background::Gradient(gradient) => (*gradient, None),
+            Background::Landscape(landscape) => {
+                let gradient = Gradient {
+                    top: landscape.zenith,
+                    bottom: landscape.near.color,
+                    glow: landscape.glow,
+                };
+                (gradient, Some(landscape))
+            }
+        };
+        let of = |get: fn(&Landscape) -> Vec4| landscape.map_or(Vec4::ZERO, get);
+        let named = |color: [f32; 3], last: f32| Vec3::from(color).extend(last);
         let ground = map.ground.map_or(Vec4::ZERO, |place| {
             Vec4::new(
                 place.height,
@@ -105,9 +135,20 @@ impl Frame {
             key_color: Vec3::from(key.color).extend(map.texel),
             key_texel_u: map.texel_u,
             key_texel_v: map.texel_v,
-            background_top: Vec3::from(background.top).extend(background.glow),
-            background_bottom: Vec3::from(background.bottom)
-                .extend(f32::from(u8::from(map.ground.is_some()))),
+            background_top: named(gradient.top, gradient.glow),
+            background_bottom: named(gradient.bottom, f32::from(u8::from(map.ground.is_some()))),
+            sky_zenith: of(|it| Vec3::from(it.zenith).extend(1.0)),
+            sky_horizon: of(|it| Vec3::from(it.horizon).extend(it.band.max(1.0e-3))),
+            sun_toward: of(|it| {
+                let toward = Vec3::from(it.sun.toward);
+                toward.normalize_or(Vec3::Y).extend(it.near.mirror)
+            }),
+            sun_color: of(|it| Vec3::from(it.sun.color).extend(it.far.mirror)),
+            floor_near: of(|it| Vec3::from(it.near.color).extend(it.pool.max(1.0e-3))),
+            floor_far: of(|it| Vec3::from(it.far.color).extend(it.shore.max(1.0e-3))),
+            haze: of(|it| Vec3::from(it.haze).extend(it.haze_distance.max(1.0e-3))),
+            mountains: of(|it| Vec3::from(it.mountains.color).extend(it.mountains.height)),
+            trees: of(|it| Vec3::from(it.trees.color).extend(it.trees.height)),
             ground,
         }
     }

@@ -13,6 +13,7 @@
 //! Colors are linear unless a name says sRGB; light is in units in which a white card facing the
 //! key light shows as white.
 
+pub mod backdrop;
 mod bake;
 pub mod camera;
 mod cpu;
@@ -32,11 +33,12 @@ pub mod srgb;
 pub mod texture;
 mod whole;
 
+pub use backdrop::{Background, Gradient, Ground, Landscape};
 pub use camera::{Bounds, Camera, View};
 pub use error::RenderError;
 pub use gpu::{AmbientLight, Effort, LiveView, Overlay, OverlayLine};
 pub use image::{Image, Size};
-pub use light::{Background, Ground, KeyLight, LightRig, SoftBox};
+pub use light::{KeyLight, LightRig, SoftBox};
 pub use material::{BackShade, Material, Sides};
 pub use renderer::{Backend, Renderer};
 pub use scene::{Scene, SceneMesh};

@@ -1,4 +1,4 @@
-//! The lights of the studio, its backdrop and its floor.
+//! The lights around the subject.
 
 use crate::Camera;
 use glam::Vec3;
@@ -44,13 +44,6 @@ pub struct LightRig {
     pub exposure: f32,
 }
 
-impl Default for LightRig {
-    /// The rig of [`LightRig::seen_from`] for a camera in front.
-    fn default() -> Self {
-        Self::turned(0.0)
-    }
-}
-
 impl LightRig {
     /// The studio's lights as they stand around `camera`: a warm key from the upper right of the
     /// picture, a cool fill from its left, a rim from behind, in a bright room with a sand-colored
@@ -58,27 +51,38 @@ impl LightRig {
     #[must_use]
     pub fn seen_from(camera: &Camera) -> Self {
         let arm = camera.eye - camera.target;
-        Self::turned(trig::atan2(arm.x, arm.z))
+        Self::default().turned(trig::atan2(arm.x, arm.z))
     }
 
-    /// The studio's lights turned about the vertical by `azimuth` [rad].
-    fn turned(azimuth: f32) -> Self {
-        let (sin, cos) = trig::sin_cos(azimuth);
-        let turn = |x: f32, y: f32, z: f32| Vec3::new(x * cos + z * sin, y, z * cos - x * sin);
+    /// These lights turned about the vertical by `azimuth` [rad]: those in front of the dancer come to stand in front
+    /// of a camera at that azimuth.
+    #[must_use]
+    pub fn turned(mut self, azimuth: f32) -> Self {
+        self.key.toward = turned(self.key.toward, azimuth);
+        for soft in &mut self.boxes {
+            soft.toward = turned(soft.toward, azimuth);
+        }
+        self
+    }
+}
+
+impl Default for LightRig {
+    /// The rig of [`LightRig::seen_from`] for a camera in front.
+    fn default() -> Self {
         Self {
             key: KeyLight {
-                toward: turn(0.78, 1.08, 0.62),
+                toward: Vec3::new(0.78, 1.08, 0.62),
                 color: [1.42, 1.30, 1.12],
                 angular_radius: 0.10,
             },
             boxes: vec![
                 SoftBox {
-                    toward: turn(-1.0, 0.30, 0.45),
+                    toward: Vec3::new(-1.0, 0.30, 0.45),
                     color: [0.17, 0.21, 0.27],
                     focus: 2.0,
                 },
                 SoftBox {
-                    toward: turn(-0.45, 0.50, -1.0),
+                    toward: Vec3::new(-0.45, 0.50, -1.0),
                     color: [0.62, 0.60, 0.57],
                     focus: 4.0,
                 },
@@ -91,43 +95,10 @@ impl LightRig {
     }
 }
 
-/// The backdrop: a soft gradient without a horizon, shown as given (not tone mapped).
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Background {
-    /// Color at the top of the picture, linear.
-    pub top: [f32; 3],
-    /// Color at the bottom, linear.
-    pub bottom: [f32; 3],
-    /// How much lighter the middle is than the corners, 0 to 1.
-    pub glow: f32,
-}
-
-impl Default for Background {
-    /// Pale warm gray above pale sand.
-    fn default() -> Self {
-        Self {
-            top: [0.68, 0.66, 0.63],
-            bottom: [0.80, 0.757, 0.69],
-            glow: 0.22,
-        }
-    }
-}
-
-/// The floor: it shows the backdrop, darkened where light is kept from it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Ground {
-    /// Height of the floor [m].
-    pub height: f32,
-    /// How dark shadows on it are, 0 (not at all) to 1 (as dark as the lights make them).
-    pub shadow: f32,
-}
-
-impl Default for Ground {
-    /// At height 0.
-    fn default() -> Self {
-        Self {
-            height: 0.0,
-            shadow: 0.85,
-        }
-    }
+/// A direction turned about the vertical by `azimuth` [rad], from the front towards the dancer's left.
+#[must_use]
+pub fn turned(direction: Vec3, azimuth: f32) -> Vec3 {
+    let (sin, cos) = trig::sin_cos(azimuth);
+    let Vec3 { x, y, z } = direction;
+    Vec3::new(x * cos + z * sin, y, z * cos - x * sin)
 }

@@ -12,6 +12,7 @@ use crate::whole;
 use glam::{Vec2, Vec3, Vec4};
 use lole_geom::trig;
 use std::f32::consts::PI;
+use wide::f32x4;
 
 /// Averages run over eight by eight nodes of a lattice: this many strides to each side.
 const RINGS: f32 = 4.0;
@@ -42,7 +43,7 @@ const FACET: f32 = 0.03;
 /// Cosine to the key light from which on no light crosses the body.
 const WRAP_END: f32 = 0.4;
 /// Four nodes of a lattice.
-const LANES: Vec4 = Vec4::new(0.0, 1.0, 2.0, 3.0);
+const LANES: f32x4 = f32x4::new([0.0, 1.0, 2.0, 3.0]);
 /// Light that the tone curve takes off.
 const TOE: f32 = 0.01;
 
@@ -257,28 +258,29 @@ impl KeyShadow<'_> {
         let step = (1 << level) as f32;
         let lattice = Lattice::around(at / step);
         let at_step = at / step;
-        let (mut weights, mut distances) = (Vec4::ZERO, Vec4::ZERO);
+        let (mut weights, mut distances) = (f32x4::ZERO, f32x4::ZERO);
         for node in 0..8 {
             let (row, down) = lattice.row(at_step, node);
             let surfaces = self.map.eight(level, [lattice.column, row]);
             for (surface, square) in surfaces.into_iter().zip(lattice.squares) {
-                let before = (surface - at.z).max(Vec4::ZERO);
-                if before == Vec4::ZERO {
+                let before = (surface - at.z).fast_max(f32x4::ZERO);
+                if !before.simd_gt(f32x4::ZERO).any() {
                     continue;
                 }
                 // What is in the way counts only where its own penumbra reaches this point, from
                 // anywhere in the square; one that falls between squares is left to a finer level.
                 let reach = before * (per_depth / step);
-                let held = (reach - 0.5).clamp(Vec4::ZERO, Vec4::ONE);
-                let reach = (reach + 0.7).min(Vec4::splat(RINGS));
-                let per_square = (reach * reach).recip();
-                let bell = (1.0 - (square + down * down) * per_square).max(Vec4::ZERO);
+                let held = (reach - 0.5).fast_max(f32x4::ZERO).fast_min(f32x4::ONE);
+                let reach = (reach + 0.7).fast_min(f32x4::splat(RINGS));
+                let per_square = f32x4::ONE / (reach * reach);
+                let bell = f32x4::ONE - (square + down * down) * per_square;
+                let bell = bell.fast_max(f32x4::ZERO);
                 let weight = bell * held * per_square;
                 weights += weight;
                 distances += weight * before;
             }
         }
-        Vec2::new(weights.element_sum(), distances.element_sum())
+        Vec2::new(weights.reduce_add(), distances.reduce_add())
     }
 
     /// Share of the texels around a point that are not before it, as far out as things at a
@@ -298,11 +300,10 @@ impl KeyShadow<'_> {
         // By row and by column, nodes are shifted by quarters of a stride: an edge that runs
         // along the lattice crosses them one by one.
         let down_shifts: [i32; 8] = std::array::from_fn(|node| shift(column, node, stride));
-        let below = [0, 4].map(|lane| {
-            Vec4::from_array(std::array::from_fn(|node| down_shifts[lane + node] as f32))
-        });
+        let below = [0, 4]
+            .map(|lane| f32x4::new(std::array::from_fn(|node| down_shifts[lane + node] as f32)));
         let per_square = 1.0 / (radius * radius);
-        let (mut hidden, mut all) = (Vec4::ZERO, Vec4::ZERO);
+        let (mut hidden, mut all) = (f32x4::ZERO, f32x4::ZERO);
         for node in 0..8_u8 {
             let first = column * stride + shift(row, usize::from(node), stride);
             let row = (row + i32::from(node)) * stride;
@@ -312,14 +313,14 @@ impl KeyShadow<'_> {
             for (half, surface) in surfaces.into_iter().enumerate() {
                 let right = right + half as f32 * 4.0 * step;
                 let down = below[half] + down;
-                let bell = 1.0 - (right * right + down * down) * per_square;
-                let before = surface.cmpgt(at.z + (1.0 - bell) * rise);
-                let bell = bell.max(Vec4::ZERO);
+                let bell = f32x4::ONE - (right * right + down * down) * per_square;
+                let before = surface.simd_gt((f32x4::ONE - bell) * rise + at.z);
+                let bell = bell.fast_max(f32x4::ZERO);
                 all += bell;
-                hidden += Vec4::select(before, bell, Vec4::ZERO);
+                hidden += before & bell;
             }
         }
-        1.0 - hidden.element_sum() / all.element_sum()
+        1.0 - hidden.reduce_add() / all.reduce_add()
     }
 }
 
@@ -335,7 +336,7 @@ struct Lattice {
     column: i32,
     row: i32,
     /// Squares of the distances of the columns' middles [texel²].
-    squares: [Vec4; 2],
+    squares: [f32x4; 2],
 }
 
 impl Lattice {
@@ -392,10 +393,13 @@ pub(crate) fn tone_map(color: Vec3) -> Vec3 {
 pub(crate) fn background(frame: &Frame, pixel: Vec2, ground: Vec3) -> Vec3 {
     let place = pixel / Vec2::new(frame.ray_right.w, frame.ray_down.w);
     let down = place.y * place.y * (3.0 - 2.0 * place.y);
-    let base = frame
+    let mut base = frame
         .background_top
         .truncate()
         .lerp(frame.background_bottom.truncate(), down);
+    if frame.sky_zenith.w > 0.5 {
+        base = landscape(frame, frame.ray(pixel).normalize_or(Vec3::NEG_Z));
+    }
     let from_middle = (place - Vec2::new(0.5, 0.52)) * Vec2::new(1.5, 1.25);
     let corner = from_middle.length_squared().min(1.0);
     let glow = 1.0 + frame.background_top.w * (0.45 - corner * (2.0 - corner));
@@ -403,6 +407,85 @@ pub(crate) fn background(frame: &Frame, pixel: Vec2, ground: Vec3) -> Vec3 {
     let color = base * glow * ground;
     let grain = (pixel_noise(pixel) - 0.5) * (2.2 / 255.0);
     (color + color.map(|c| c.max(0.0).sqrt()) * grain).max(Vec3::ZERO)
+}
+
+/// Sky, outlines or floor in a direction.
+fn landscape(frame: &Frame, ray: Vec3) -> Vec3 {
+    let drop = frame.ground.x - frame.eye.y;
+    if ray.y > -1.0e-5 || drop >= 0.0 {
+        return outlined(frame, ray, sky(frame, ray));
+    }
+    let way = drop / ray.y;
+    let hit = frame.eye.truncate() + ray * way;
+    let from_middle = Vec2::new(hit.x, hit.z).length();
+    let dim = (from_middle / frame.floor_near.w).min(100.0);
+    let near = frame.floor_near.truncate() / (1.0 + dim * dim * dim * dim);
+    let beyond = smooth_between(frame.floor_far.w, frame.floor_far.w * 1.12, from_middle);
+    let base = near.lerp(frame.floor_far.truncate(), beyond);
+    let grazing = 1.0 + ray.y;
+    let mirrors = frame.sun_toward.w + (frame.sun_color.w - frame.sun_toward.w) * beyond;
+    let upward = Vec3::new(ray.x, -ray.y, ray.z);
+    let mirrored = outlined(frame, upward, sky(frame, upward));
+    let floor = base.lerp(mirrored, mirrors * grazing * grazing * grazing);
+    let far = way / (way + frame.haze.w);
+    floor.lerp(frame.haze.truncate(), far * far)
+}
+
+/// The sky in a direction that points up or level.
+fn sky(frame: &Frame, ray: Vec3) -> Vec3 {
+    let up = (ray.y / frame.sky_horizon.w).clamp(0.0, 1.0);
+    let plain = (frame.sky_horizon.truncate()).lerp(frame.sky_zenith.truncate(), up * (2.0 - up));
+    let near = ray.dot(frame.sun_toward.truncate()).max(0.0);
+    let near_4 = near * near * near * near;
+    let near_16 = near_4 * near_4 * near_4 * near_4;
+    plain + frame.sun_color.truncate() * (0.35 * near_4 + 0.65 * near_16 * near_16)
+}
+
+/// Mountains and trees before the sky. Their heights are sums of waves around the horizon: powers of the direction
+/// as a complex number, so that they close without a seam.
+fn outlined(frame: &Frame, ray: Vec3, sky: Vec3) -> Vec3 {
+    let around = Vec2::new(ray.x, ray.z);
+    let around = around / around.length().max(1.0e-6);
+    let twice = times(around, around);
+    let thrice = times(twice, around);
+    let fifth = times(thrice, twice);
+    let eighth = times(fifth, thrice);
+    let thirteenth = times(eighth, fifth);
+    let twenty_first = times(thirteenth, eighth);
+    let thirty_fourth = times(twenty_first, thirteenth);
+    let fifty_fifth = times(thirty_fourth, twenty_first);
+    let eighty_ninth = times(fifty_fifth, thirty_fourth);
+    let finest = times(times(eighty_ninth, fifty_fifth), eighty_ninth);
+    let ridge = 0.55 + 0.22 * thrice.y + 0.18 * fifth.x - 0.22 * eighth.y.abs()
+        + 0.12 * (1.0 - 2.0 * thirteenth.x.abs())
+        + 0.05 * (1.0 - 2.0 * thirty_fourth.y.abs());
+    let crowns = 0.55
+        + 0.12 * thirteenth.y
+        + 0.12 * thirty_fourth.y.abs()
+        + 0.12 * fifty_fifth.x.abs()
+        + 0.09 * eighty_ninth.y.abs()
+        + 0.06 * finest.x.abs();
+    let before = |sky: Vec3, outline: Vec4, share: f32| {
+        let top = outline.w * share;
+        let seen = if outline.w > 0.0 {
+            1.0 - smooth_between(top - 0.0025, top + 0.0025, ray.y)
+        } else {
+            0.0
+        };
+        sky.lerp(outline.truncate(), seen)
+    };
+    before(before(sky, frame.mountains, ridge), frame.trees, crowns)
+}
+
+/// Product of two complex numbers.
+fn times(a: Vec2, b: Vec2) -> Vec2 {
+    Vec2::new(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x)
+}
+
+/// 0 up to `low`, 1 from `high` on.
+fn smooth_between(low: f32, high: f32, value: f32) -> f32 {
+    let share = ((value - low) / (high - low)).clamp(0.0, 1.0);
+    share * share * (3.0 - 2.0 * share)
 }
 
 /// Where the ray through a place of the picture meets the floor: x, z and 1, or 0 where it does

@@ -5,9 +5,10 @@
 
 use glam::{Vec2, Vec3};
 use lole_geom::trig;
+use lole_render::backdrop::{Floor, Outline, Sun};
 use lole_render::{
-    BackShade, Backend, Background, Camera, Ground, Image, KeyLight, LightRig, Material,
-    RenderError, Renderer, Scene, SceneMesh, Sides, Size, Texture,
+    BackShade, Backend, Background, Camera, Gradient, Ground, Image, KeyLight, Landscape, LightRig,
+    Material, RenderError, Renderer, Scene, SceneMesh, Sides, Size, Texture,
 };
 use std::f32::consts::{PI, TAU};
 use std::sync::Arc;
@@ -119,11 +120,11 @@ fn plain_scene<'a>(camera: Camera, room: f32) -> Scene<'a> {
             nadir: [room; 3],
             exposure: 1.0,
         },
-        background: Background {
+        background: Background::Gradient(Gradient {
             top: [0.0; 3],
             bottom: [0.0; 3],
             glow: 0.0,
-        },
+        }),
         ground: None,
         ..Scene::studio(camera)
     }
@@ -226,7 +227,11 @@ fn the_ground_is_darker_in_shadow_and_far_away_unchanged() {
     };
     let mut scene = Scene::studio(camera);
     scene.lights.key.toward = Vec3::new(1.0, 1.0, 0.0);
-    scene.background.glow = 0.0;
+    scene.background = Background::Gradient(Gradient {
+        top: [0.68; 3],
+        bottom: [0.80; 3],
+        glow: 0.0,
+    });
     let open = draw(&scene, SMALL);
     scene.meshes.push(ball.with(&material));
     let shaded = draw(&scene, SMALL);
@@ -274,11 +279,11 @@ fn a_body_is_not_seen_from_inside() {
 #[test]
 fn an_empty_scene_is_its_backdrop() {
     let mut scene = plain_scene(front_camera(3.0), 1.0);
-    scene.background = Background {
+    scene.background = Background::Gradient(Gradient {
         top: [0.5, 0.4, 0.3],
         bottom: [0.5, 0.4, 0.3],
         glow: 0.0,
-    };
+    });
     scene.ground = Some(Ground::default());
     let image = draw(&scene, Size::new(50, 37));
     assert_eq!(image.pixels.len(), 50 * 37 * 4);
@@ -531,20 +536,144 @@ fn both_backends_draw_nearly_the_same() {
         vertical_fov: 0.5,
     });
     scene.meshes = vec![ball.with(&skin), sheet.with(&cloth)];
-    let by_gpu = gpu.render(&scene).unwrap();
-    let by_cpu = draw(&scene, size);
-    let differences: Vec<u8> = by_gpu
-        .pixels
-        .iter()
-        .zip(&by_cpu.pixels)
-        .map(|(a, b)| a.abs_diff(*b))
+    for background in [scene.background, Background::Landscape(landscape())] {
+        scene.background = background;
+        let by_gpu = gpu.render(&scene).unwrap();
+        let by_cpu = draw(&scene, size);
+        let pairs = by_gpu.pixels.iter().zip(&by_cpu.pixels);
+        let differences: Vec<u8> = pairs.map(|(a, b)| a.abs_diff(*b)).collect();
+        let count = differences.len() as f64;
+        let mean = differences.iter().map(|&d| f64::from(d)).sum::<f64>() / count;
+        let off = differences.iter().filter(|&&d| d > 12).count() as f64 / count;
+        let adapter = gpu.description();
+        assert!(mean < 0.6, "mean difference {mean} on {adapter}");
+        assert!(off < 0.01, "{off} of all bytes differ by more than 12");
+    }
+}
+
+/// Everything that a landscape can have.
+fn landscape() -> Landscape {
+    Landscape {
+        zenith: [0.1, 0.2, 0.5],
+        horizon: [0.6, 0.5, 0.4],
+        band: 0.4,
+        sun: Sun {
+            toward: [-0.4, 0.2, -1.0],
+            color: [0.3, 0.2, 0.1],
+        },
+        near: Floor {
+            color: [0.4, 0.3, 0.2],
+            mirror: 0.1,
+        },
+        far: Floor {
+            color: [0.05, 0.1, 0.2],
+            mirror: 0.6,
+        },
+        shore: 6.0,
+        pool: 20.0,
+        haze: [0.5, 0.45, 0.4],
+        haze_distance: 200.0,
+        mountains: Outline {
+            color: [0.2, 0.25, 0.3],
+            height: 0.12,
+        },
+        trees: Outline {
+            color: [0.05, 0.1, 0.03],
+            height: 0.04,
+        },
+        glow: 0.0,
+    }
+}
+
+/// A level camera has the horizon in the middle of its picture, whatever its height: sky above it, floor below, and
+/// the far floor nearer to the horizon than the near one.
+#[test]
+fn the_horizon_of_a_landscape_is_level_with_the_eye() {
+    let nothing = Outline {
+        height: 0.0,
+        ..landscape().trees
+    };
+    let plain = Landscape {
+        mountains: nothing,
+        trees: nothing,
+        sun: Sun {
+            color: [0.0; 3],
+            ..landscape().sun
+        },
+        near: Floor {
+            mirror: 0.0,
+            ..landscape().near
+        },
+        far: Floor {
+            mirror: 0.0,
+            ..landscape().far
+        },
+        haze_distance: 1.0e6,
+        ..landscape()
+    };
+    for height in [0.3, 1.5, 4.0] {
+        let camera = Camera {
+            eye: Vec3::new(0.0, height, 3.0),
+            target: Vec3::new(0.0, height, 0.0),
+            vertical_fov: 1.2,
+        };
+        let scene = Scene {
+            background: Background::Landscape(plain),
+            ..Scene::studio(camera)
+        };
+        let image = draw(&scene, SMALL);
+        let near = |y: u32, wanted: [f32; 3]| {
+            let pixel = image.pixel(SMALL.width / 2, y).unwrap();
+            let mut both = pixel.iter().zip(wanted);
+            both.all(|(byte, linear)| (f32::from(*byte) - srgb(linear)).abs() < 6.0)
+        };
+        let middle = SMALL.height / 2;
+        assert!(near(0, plain.zenith), "{height}");
+        assert!(near(middle - 1, plain.horizon), "{height}");
+        assert!(near(middle + 1, plain.far.color), "{height}");
+        let sees_feet = height < 2.0;
+        assert!(
+            !sees_feet || near(SMALL.height - 1, plain.near.color),
+            "{height}"
+        );
+    }
+}
+
+/// Mountains close around the horizon: their outline has no step anywhere.
+#[test]
+fn the_outline_of_mountains_has_no_seam() {
+    let scene = |azimuth: f32| {
+        let (sin, cos) = trig::sin_cos(azimuth);
+        let toward = Vec3::new(sin, 0.0, cos);
+        let camera = Camera {
+            eye: Vec3::Y,
+            target: Vec3::Y + toward,
+            vertical_fov: 0.6,
+        };
+        Scene {
+            background: Background::Landscape(landscape()),
+            ..Scene::studio(camera)
+        }
+    };
+    let tops: Vec<usize> = (0..12_u16)
+        .flat_map(|turn| {
+            let image = draw(&scene(f32::from(turn) * TAU / 12.0), SMALL);
+            let sky = |x: u32, y: u32| image.pixel(x, y).unwrap()[2];
+            (0..SMALL.width)
+                .map(|x| {
+                    let above = |y: &u32| sky(x, *y) < sky(x, 0).saturating_sub(30);
+                    (0..SMALL.height).find(above).unwrap_or(SMALL.height) as usize
+                })
+                .collect::<Vec<_>>()
+        })
         .collect();
-    let mean = differences.iter().map(|&d| f64::from(d)).sum::<f64>() / differences.len() as f64;
-    let off = differences.iter().filter(|&&d| d > 12).count() as f64 / differences.len() as f64;
     assert!(
-        mean < 0.6,
-        "mean difference {mean} on {}",
-        gpu.description()
+        tops.iter().any(|top| top.abs_diff(tops[0]) > 3),
+        "no mountain"
     );
-    assert!(off < 0.01, "{off} of all bytes differ by more than 12");
+    for row in tops.chunks(SMALL.width as usize) {
+        for pair in row.windows(2) {
+            assert!(pair[0].abs_diff(pair[1]) <= 4, "{pair:?}");
+        }
+    }
 }

@@ -10,6 +10,7 @@ mod double_pau;
 mod extremes;
 mod hold;
 pub mod live;
+pub mod machine;
 pub mod metrics;
 pub mod performance;
 pub mod production;
@@ -26,6 +27,7 @@ pub use danced::Danced;
 pub use double_pau::double_pau;
 pub use hold::{ElasticHold, HoldWatch, OFF};
 pub use live::{Pull, Show, Vitals, Wish};
+pub use lole_garment::dress::Division;
 pub use metrics::{FrameMetrics, RunMetrics};
 pub use performance::{
     Divergence, Energy, FRAME_SECONDS, FRAMES_PER_SECOND, GarmentLayers, LayerWatch, NoRoom,

@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use lole_render::{AmbientLight, Camera, LightRig};
+use lole_picture::Lamps;
+use lole_render::{AmbientLight, Camera};
 
 use crate::Snapshot;
 
@@ -24,9 +25,8 @@ pub(crate) struct Job {
 /// The light of a moment and the wardrobe that it is for; `None` where the moment cannot be drawn.
 pub(crate) fn lit(job: &Job) -> Option<(u64, AmbientLight)> {
     let wardrobe = &job.snapshot.wardrobe;
-    let lights = LightRig::seen_from(&job.camera);
     let dancer = job.snapshot.moment.dancer();
-    let mut scene = (wardrobe.looks).scene(&dancer, job.camera, lights);
+    let mut scene = (wardrobe.looks).scene(&dancer, job.camera, Lamps::WithCamera);
     if job.is_coarse {
         wardrobe.coarsen(&mut scene);
     }

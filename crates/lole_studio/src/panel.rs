@@ -31,6 +31,7 @@ mod placement;
 mod playback;
 mod question;
 mod recording;
+mod set;
 mod sketch;
 mod skirt;
 mod start;
@@ -135,6 +136,7 @@ pub const DRAWERS: &[Drawer] = &[
                 show: recording::show,
             },
             panel(text::WIND, wind::show),
+            panel(text::PICTURES, set::show),
         ],
     },
     Drawer {

@@ -7,10 +7,8 @@ use eframe::egui_wgpu::RenderState;
 use glam::{Vec2, Vec3};
 use lole_geom::trig;
 use lole_language::Sentence;
-use lole_picture::DrawnDancer;
-use lole_render::{
-    Bounds, Effort, Image, LightRig, LiveView, Material, RenderError, Size, View, wgpu,
-};
+use lole_picture::{DrawnDancer, Lamps};
+use lole_render::{Bounds, Effort, Image, LiveView, Material, RenderError, Size, View, wgpu};
 use lole_stage::Pull;
 
 use crate::clock::Clock;
@@ -340,8 +338,7 @@ impl Viewport {
         };
         let wardrobe = &snapshot.wardrobe;
         let camera = orbit.camera();
-        let lights = LightRig::seen_from(&camera);
-        let mut scene = (wardrobe.looks).scene(&figure, camera, lights);
+        let mut scene = (wardrobe.looks).scene(&figure, camera, Lamps::WithCamera);
         if is_coarse {
             wardrobe.coarsen(&mut scene);
         }

@@ -1,8 +1,10 @@
 //! What the page's script calls.
 
+use lole_stage::machine;
 use lole_studio::PageOpening;
 use wasm_bindgen::prelude::wasm_bindgen;
 use web_sys::HtmlCanvasElement;
+use web_time::Instant;
 
 /// A page before it is opened.
 #[wasm_bindgen]
@@ -57,16 +59,17 @@ pub fn serve(role: &str) {
     lole_studio::serve(role);
 }
 
-/// Names of the engine's scenes, a line each.
+/// Names of the scenes of a machine, a line each.
 #[wasm_bindgen]
 #[must_use]
 pub fn scenes() -> String {
-    crate::scene::names().join("\n")
+    machine::names().join("\n")
 }
 
-/// Runs a scene of the engine: its name, the hash of its last state, and the median time of a frame [ms].
+/// Runs such a scene: its name, the hash of its last state, and the median time of a frame [ms].
 #[wasm_bindgen]
 #[must_use]
 pub fn scene(name: &str) -> Option<String> {
-    crate::scene::run(name)
+    let start = Instant::now();
+    machine::run(name, &|| start.elapsed().as_secs_f64() * 1e3)
 }

@@ -5,14 +5,15 @@ use crate::camera::NEAR;
 use crate::frame::Frame;
 use crate::prepare::Geometry;
 use crate::{Sides, whole};
-use glam::{Vec2, Vec3, Vec4};
+use glam::{Vec2, Vec3};
 use rayon::prelude::*;
+use wide::f32x4;
 
 /// Samples of a pixel, across: the pattern that graphics adapters use too, so that edges look
 /// alike.
-pub(super) const SAMPLE_X: Vec4 = Vec4::new(0.375, 0.875, 0.125, 0.625);
+pub(super) const SAMPLE_X: [f32; 4] = [0.375, 0.875, 0.125, 0.625];
 /// Samples of a pixel, down.
-pub(super) const SAMPLE_Y: Vec4 = Vec4::new(0.125, 0.375, 0.625, 0.875);
+pub(super) const SAMPLE_Y: [f32; 4] = [0.125, 0.375, 0.625, 0.875];
 /// No triangle.
 pub(super) const NOTHING: u32 = u32::MAX;
 
@@ -119,7 +120,7 @@ pub(super) fn doubled_area([a, b, c]: &[Corner; 3]) -> f32 {
 
 /// Samples of one tile: the nearest triangle and its depth.
 pub(super) struct Samples {
-    depths: Vec<Vec4>,
+    depths: Vec<f32x4>,
     /// Triangle by pixel and sample, [`NOTHING`] where none.
     pub(super) triangles: Vec<[u32; 4]>,
 }
@@ -132,7 +133,7 @@ pub(super) fn draw_tile(
     corners: &[Corner],
 ) -> Samples {
     let mut samples = Samples {
-        depths: vec![Vec4::ZERO; TILE * TILE],
+        depths: vec![f32x4::ZERO; TILE * TILE],
         triangles: vec![[NOTHING; 4]; TILE * TILE],
     };
     let origin = grid.origin(tile);
@@ -153,7 +154,7 @@ struct Edge {
     across: f32,
     down: f32,
     offset: f32,
-    at_samples: Vec4,
+    at_samples: f32x4,
 }
 
 impl Edge {
@@ -169,12 +170,12 @@ impl Edge {
             across,
             down,
             offset,
-            at_samples: SAMPLE_X * across + SAMPLE_Y * down,
+            at_samples: f32x4::new(SAMPLE_X) * across + f32x4::new(SAMPLE_Y) * down,
         }
     }
 
-    fn at(&self, x: f32, y: f32) -> Vec4 {
-        Vec4::splat(self.across * x + self.down * y + self.offset) + self.at_samples
+    fn at(&self, x: f32, y: f32) -> f32x4 {
+        f32x4::splat(self.across * x + self.down * y + self.offset) + self.at_samples
     }
 }
 
@@ -205,19 +206,20 @@ impl Samples {
         let (ab, ac) = (b - a, c - a);
         let slope_x = (ab.z * ac.y - ac.z * ab.y) / area;
         let slope_y = (ac.z * ab.x - ab.z * ac.x) / area;
-        let depth_at_samples = SAMPLE_X * slope_x + SAMPLE_Y * slope_y;
-        let (least, most) = (Vec4::splat(low.z), Vec4::splat(high.z));
+        let depth_at_samples = f32x4::new(SAMPLE_X) * slope_x + f32x4::new(SAMPLE_Y) * slope_y;
+        let (least, most) = (f32x4::splat(low.z), f32x4::splat(high.z));
         for y in first_y..=last_y {
             for x in first_x..=last_x {
                 let (x_at, y_at) = (x as f32, y as f32);
                 let [e0, e1, e2] = [0, 1, 2].map(|edge| edges[edge].at(x_at, y_at));
-                let inside = e0.min(e1).min(e2).cmpge(Vec4::ZERO);
+                let inside = e0.fast_min(e1).fast_min(e2).simd_ge(f32x4::ZERO);
                 if !inside.any() {
                     continue;
                 }
                 let flat = a.z + slope_x * (x_at - a.x) + slope_y * (y_at - a.y);
-                let depth = (Vec4::splat(flat) + depth_at_samples).clamp(least, most);
-                let depth = Vec4::select(inside, depth, Vec4::NEG_ONE);
+                let depth = f32x4::splat(flat) + depth_at_samples;
+                let depth = depth.fast_max(least).fast_min(most);
+                let depth = inside.bitselect(depth, -f32x4::ONE);
                 self.enter(y * TILE + x, depth, triangle);
             }
         }
@@ -225,10 +227,10 @@ impl Samples {
 
     /// Enters a triangle at the samples of a pixel where it is nearest; a negative depth is not
     /// covered.
-    fn enter(&mut self, pixel: usize, depth: Vec4, triangle: u32) {
-        let nearer = depth.cmpgt(self.depths[pixel]);
-        self.depths[pixel] = Vec4::select(nearer, depth, self.depths[pixel]);
-        let mask = nearer.bitmask();
+    fn enter(&mut self, pixel: usize, depth: f32x4, triangle: u32) {
+        let nearer = depth.simd_gt(self.depths[pixel]);
+        self.depths[pixel] = nearer.bitselect(depth, self.depths[pixel]);
+        let mask = nearer.to_bitmask();
         for (sample, seen) in self.triangles[pixel].iter_mut().enumerate() {
             if mask & (1 << sample) != 0 {
                 *seen = triangle;

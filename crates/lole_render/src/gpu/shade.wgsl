@@ -13,6 +13,15 @@ struct Frame {
     key_texel_v: vec4<f32>,
     background_top: vec4<f32>,
     background_bottom: vec4<f32>,
+    sky_zenith: vec4<f32>,
+    sky_horizon: vec4<f32>,
+    sun_toward: vec4<f32>,
+    sun_color: vec4<f32>,
+    floor_near: vec4<f32>,
+    floor_far: vec4<f32>,
+    haze: vec4<f32>,
+    mountains: vec4<f32>,
+    trees: vec4<f32>,
     ground: vec4<f32>,
 }
 
@@ -238,7 +247,10 @@ fn background_fragment(in: BackgroundFragment) -> @location(0) vec4<f32> {
     }
     let place = pixel / vec2<f32>(frame.ray_right.w, frame.ray_down.w);
     let down = place.y * place.y * (3.0 - 2.0 * place.y);
-    let base = mix(frame.background_top.rgb, frame.background_bottom.rgb, down);
+    var base = mix(frame.background_top.rgb, frame.background_bottom.rgb, down);
+    if frame.sky_zenith.w > 0.5 {
+        base = landscape(normalize_or(ray, vec3<f32>(0.0, 0.0, -1.0)));
+    }
     let from_middle = (place - vec2<f32>(0.5, 0.52)) * vec2<f32>(1.5, 1.25);
     let corner = min(dot(from_middle, from_middle), 1.0);
     let glow = 1.0 + frame.background_top.w * (0.45 - corner * (2.0 - corner));
@@ -246,6 +258,78 @@ fn background_fragment(in: BackgroundFragment) -> @location(0) vec4<f32> {
     let grain = (pixel_noise(pixel) - 0.5) * (2.2 / 255.0);
     let light = max(color + sqrt(max(color, vec3<f32>(0.0))) * grain, vec3<f32>(0.0));
     return vec4<f32>(written(light), 1.0);
+}
+
+fn landscape(ray: vec3<f32>) -> vec3<f32> {
+    let drop = frame.ground.x - frame.eye.y;
+    if ray.y > -1.0e-5 || drop >= 0.0 {
+        return outlined(ray, sky(ray));
+    }
+    let way = drop / ray.y;
+    let hit = frame.eye.xyz + ray * way;
+    let from_middle = length(hit.xz);
+    let dim = min(from_middle / frame.floor_near.w, 100.0);
+    let near = frame.floor_near.rgb / (1.0 + dim * dim * dim * dim);
+    let beyond = smooth_between(frame.floor_far.w, frame.floor_far.w * 1.12, from_middle);
+    let base = mix(near, frame.floor_far.rgb, beyond);
+    let grazing = 1.0 + ray.y;
+    let mirrors = frame.sun_toward.w + (frame.sun_color.w - frame.sun_toward.w) * beyond;
+    let upward = vec3<f32>(ray.x, -ray.y, ray.z);
+    let mirrored = outlined(upward, sky(upward));
+    let floor_color = mix(base, mirrored, mirrors * grazing * grazing * grazing);
+    let far = way / (way + frame.haze.w);
+    return mix(floor_color, frame.haze.rgb, far * far);
+}
+
+fn sky(ray: vec3<f32>) -> vec3<f32> {
+    let up = clamp(ray.y / frame.sky_horizon.w, 0.0, 1.0);
+    let plain = mix(frame.sky_horizon.rgb, frame.sky_zenith.rgb, up * (2.0 - up));
+    let near = max(dot(ray, frame.sun_toward.xyz), 0.0);
+    let near_4 = near * near * near * near;
+    let near_16 = near_4 * near_4 * near_4 * near_4;
+    return plain + frame.sun_color.rgb * (0.35 * near_4 + 0.65 * near_16 * near_16);
+}
+
+fn outlined(ray: vec3<f32>, sky_color: vec3<f32>) -> vec3<f32> {
+    let around = ray.xz / max(length(ray.xz), 1.0e-6);
+    let twice = times(around, around);
+    let thrice = times(twice, around);
+    let fifth = times(thrice, twice);
+    let eighth = times(fifth, thrice);
+    let thirteenth = times(eighth, fifth);
+    let twenty_first = times(thirteenth, eighth);
+    let thirty_fourth = times(twenty_first, thirteenth);
+    let fifty_fifth = times(thirty_fourth, twenty_first);
+    let eighty_ninth = times(fifty_fifth, thirty_fourth);
+    let finest = times(times(eighty_ninth, fifty_fifth), eighty_ninth);
+    let ridge = 0.55 + 0.22 * thrice.y + 0.18 * fifth.x - 0.22 * abs(eighth.y)
+        + 0.12 * (1.0 - 2.0 * abs(thirteenth.x))
+        + 0.05 * (1.0 - 2.0 * abs(thirty_fourth.y));
+    let crowns = 0.55
+        + 0.12 * thirteenth.y
+        + 0.12 * abs(thirty_fourth.y)
+        + 0.12 * abs(fifty_fifth.x)
+        + 0.09 * abs(eighty_ninth.y)
+        + 0.06 * abs(finest.x);
+    return before(before(sky_color, frame.mountains, ridge, ray.y), frame.trees, crowns, ray.y);
+}
+
+fn before(sky_color: vec3<f32>, outline: vec4<f32>, share: f32, height: f32) -> vec3<f32> {
+    let top = outline.w * share;
+    var seen = 0.0;
+    if outline.w > 0.0 {
+        seen = 1.0 - smooth_between(top - 0.0025, top + 0.0025, height);
+    }
+    return mix(sky_color, outline.rgb, seen);
+}
+
+fn times(a: vec2<f32>, b: vec2<f32>) -> vec2<f32> {
+    return vec2<f32>(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
+}
+
+fn smooth_between(low: f32, high: f32, value: f32) -> f32 {
+    let share = clamp((value - low) / (high - low), 0.0, 1.0);
+    return share * share * (3.0 - 2.0 * share);
 }
 
 fn ground_factor(point: vec2<f32>) -> vec3<f32> {

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use lole_body::{Bone, Measure, Taped};
-use lole_costume::document::{self, Design};
+use lole_costume::document::{self, Design, StageSet};
 use lole_export::pdf::Paper;
 use lole_files::{self as files, shelf};
 use lole_geom::{Capsule, Length};
@@ -229,6 +229,8 @@ fn put_looks(packer: &mut Packer, looks: &Looks) {
         packer.list(&part.triangles);
     });
     packer.list(&looks.skin_uvs);
+    let set = StageSet::ALL.iter().position(|set| *set == looks.set);
+    packer.put(set.unwrap_or(0) as u64);
 }
 
 fn get_looks(unpacker: &mut Unpacker<'_>) -> Option<Looks> {
@@ -253,6 +255,7 @@ fn get_looks(unpacker: &mut Unpacker<'_>) -> Option<Looks> {
         worn,
         parts,
         skin_uvs: unpacker.list()?,
+        set: *StageSet::ALL.get(usize::try_from(unpacker.get::<u64>()?).ok()?)?,
     })
 }
 

@@ -218,13 +218,14 @@ impl Stagehand {
             return;
         };
         let prints_anew = !show.design().prints().eq(design.prints());
+        let set_anew = show.design().stage != design.stage;
         let before = (show.design().clone(), show.production());
         match show.wish(&design) {
             Ok(Wish::Resew) => self.resew(design),
             Ok(Wish::Granted) => {
                 self.is_stale = true;
                 let adorned_anew = !Arc::ptr_eq(&before.1, &show.production());
-                if prints_anew || adorned_anew {
+                if prints_anew || set_anew || adorned_anew {
                     match wardrobe(&design, &show.production()) {
                         Ok(new) => *clothes = new,
                         Err(sentence) => self.refuse(sentence, before.0),

@@ -7,7 +7,9 @@ use lole_cloth::diagnose::StrainSummary;
 use lole_cloth::{Phase, diagnose};
 use lole_costume::document::{Design, parse};
 use lole_geom::fnv;
-use lole_stage::{Performance, Production, RunMetrics, StageError, double_pau, six_dancers};
+use lole_stage::{
+    Division, Performance, Production, RunMetrics, StageError, double_pau, six_dancers,
+};
 use rayon::iter::{IntoParallelRefMutIterator as _, ParallelIterator as _};
 
 use super::BenchSettings;
@@ -21,6 +23,8 @@ pub(super) struct StageScene {
     /// What is in it.
     pub(super) about: &'static str,
     frame_count: u32,
+    /// Of its garments of triangles.
+    division: Division,
     /// By dancer.
     pub(super) designs: fn() -> Vec<Design>,
 }
@@ -50,42 +54,70 @@ pub(super) const SCENES: &[StageScene] = &[
         name: "pau-fine",
         about: "a pāʻū skirt of 28,160 particles on a dancer",
         frame_count: 300,
+        division: Division::Full,
         designs: || vec![Design::default()],
     },
     StageScene {
         name: "pau-layers",
         about: "a double pāʻū and a top, 41,408 particles on a dancer",
         frame_count: 300,
+        division: Division::Full,
         designs: || vec![double_pau()],
     },
     StageScene {
         name: "muumuu",
         about: "a muʻumuʻu and a lei on a dancer",
         frame_count: 150,
+        division: Division::Full,
         designs: || vec![fitted("muumuu")],
     },
     StageScene {
         name: "holoku",
         about: "a holokū and a lei on a dancer",
         frame_count: 150,
+        division: Division::Full,
         designs: || vec![fitted("holoku")],
     },
     StageScene {
         name: "kikepa",
         about: "a kīkepa and a lei on a dancer",
         frame_count: 150,
+        division: Division::Full,
+        designs: || vec![fitted("kikepa")],
+    },
+    StageScene {
+        name: "muumuu-fine",
+        about: "a muʻumuʻu of 1.2 cm triangles and a lei on a dancer",
+        frame_count: 150,
+        division: Division::Fine,
+        designs: || vec![fitted("muumuu")],
+    },
+    StageScene {
+        name: "holoku-fine",
+        about: "a holokū of 1.2 cm triangles and a lei on a dancer",
+        frame_count: 150,
+        division: Division::Fine,
+        designs: || vec![fitted("holoku")],
+    },
+    StageScene {
+        name: "kikepa-fine",
+        about: "a kīkepa of 1.2 cm triangles and a lei on a dancer",
+        frame_count: 150,
+        division: Division::Fine,
         designs: || vec![fitted("kikepa")],
     },
     StageScene {
         name: "blouse-pau",
         about: "a blouse, a pāʻū skirt and a lei on a dancer",
         frame_count: 150,
+        division: Division::Full,
         designs: || vec![over_skirt("blouse")],
     },
     StageScene {
         name: "halau",
         about: "six dancers in pāʻū skirts, three of them far away with coarser cloth",
         frame_count: 100,
+        division: Division::Full,
         designs: halau,
     },
 ];
@@ -124,11 +156,11 @@ fn halau() -> Vec<Design> {
 
 /// A scene's dancers, settled and about to dance; garments of triangles with so many substeps, or their own.
 fn settled(
-    (designs, garment_substeps): (&[Design], Option<NonZeroU32>),
+    (scene, designs, garment_substeps): (&StageScene, &[Design], Option<NonZeroU32>),
     settings: BenchSettings<'_>,
 ) -> Result<Vec<Performance>, StageError> {
     let all = designs.iter().map(|design| {
-        let mut production = Production::new(design)?;
+        let mut production = Production::divided(design, scene.division)?;
         if let Some(count) = garment_substeps {
             production.set_garment_substep_count(count);
         }
@@ -149,7 +181,7 @@ pub(super) fn measure(
     (designs, garment_substeps): (&[Design], Option<NonZeroU32>),
     settings: BenchSettings<'_>,
 ) -> Result<BenchRow, StageError> {
-    let all = (designs, garment_substeps);
+    let all = (scene, designs, garment_substeps);
     let timed = time(scene, settled(all, settings)?, settings);
     let mut judged = settled(all, settings)?;
     let mut metrics = vec![Vec::new(); judged.len()];

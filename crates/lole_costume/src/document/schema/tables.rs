@@ -12,7 +12,7 @@ use lole_language::words;
 use super::cost::COST;
 use super::motion::MOTION;
 use super::{Key, Kind, Table};
-use crate::document::{BodyShapes, LinkedFile, MethodName, Uncrossed, WindModel};
+use crate::document::{BodyShapes, LinkedFile, MethodName, StageSet, Uncrossed, WindModel};
 use crate::fabrics::{PRESETS, Preset};
 
 /// Largest seed: what fits the integers of TOML.
@@ -39,6 +39,13 @@ const WIND_LAWS: &[(&str, WindLaw)] = &[
 const WIND_MODELS: &[(&str, WindModel)] = &[
     ("uniform", WindModel::Uniform),
     ("triangles", WindModel::Triangles),
+];
+const SETS: &[(&str, StageSet)] = &[
+    (StageSet::Studio.id(), StageSet::Studio),
+    (StageSet::Plain.id(), StageSet::Plain),
+    (StageSet::Theater.id(), StageSet::Theater),
+    (StageSet::Beach.id(), StageSet::Beach),
+    (StageSet::Lawn.id(), StageSet::Lawn),
 ];
 const BODIES: &[(&str, BodyShapes)] = &[
     (BodyShapes::Skin.id(), BodyShapes::Skin),
@@ -67,7 +74,9 @@ const CAPSULE_SHAPES: &[(&str, CapsuleShape)] = &[
 ];
 
 /// The tables in the order they are written.
-pub const TABLES: &[Table] = &[DANCER, SKIRT, FABRIC, PRINT, COST, MOTION, WIND, METHOD];
+pub const TABLES: &[Table] = &[
+    DANCER, SKIRT, FABRIC, PRINT, COST, MOTION, WIND, STAGE, METHOD,
+];
 
 const DANCER: Table = Table {
     name: "dancer",
@@ -309,6 +318,22 @@ const WIND: Table = Table {
         ),
         seed!(wind, "突風を決める種", "what the gusts follow from"),
     ],
+};
+
+const STAGE: Table = Table {
+    name: "stage",
+    about: words(
+        "写真と動画の背景と光",
+        "background and light of pictures and film",
+    ),
+    keys: &[choice!(
+        "set",
+        words("背景", "set"),
+        SETS,
+        stage.set,
+        "studio は写真スタジオ、plain は白、theater は劇場、beach は夕暮れの浜、lawn は芝生と山",
+        "a photographer's studio, plain white, a theater, a beach at dusk, or a lawn before mountains"
+    )],
 };
 
 const METHOD: Table = Table {

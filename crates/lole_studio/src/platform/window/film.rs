@@ -1,8 +1,9 @@
 //! The film, by an encoder in C++, which a page has no room for.
 
 use lole_export::video::{Mp4Writer, VideoSettings};
+use lole_picture::Lamps;
 use lole_picture::studio::{FilmCamera, PhotoStudio};
-use lole_render::{Backend, LightRig, Renderer, Size};
+use lole_render::{Backend, Renderer, Size};
 use lole_stage::{FRAME_SECONDS, FRAMES_PER_SECOND};
 
 use crate::making::dance::{dance, performance};
@@ -31,7 +32,7 @@ pub(crate) fn film(wish: &Wish, line: &Line<'_>) -> Result<Vec<u8>, Unmade> {
     dance(&mut performance, line, every, |performance| {
         let camera = camera.get_or_insert_with(|| FilmCamera::new(performance));
         let view = camera.advance(performance, dt, FILM_SIZE);
-        let image = photo.shoot(performance, view, LightRig::default(), &mut renderer);
+        let image = photo.shoot(performance, view, Lamps::Still, &mut renderer);
         let image = image.map_err(|error| Unmade::of(&error))?;
         let pushed = film.push_frame(&image.pixels);
         pushed.map_err(|error| Unmade::of(&error))

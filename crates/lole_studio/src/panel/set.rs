@@ -1,0 +1,20 @@
+//! Where she is seen: floor, background and light of window, stills and film.
+
+use eframe::egui::Ui;
+use lole_costume::document::StageSet;
+
+use super::knob::DropDown;
+use crate::{Studio, text};
+
+pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
+    let sets: Vec<_> = (StageSet::ALL.iter())
+        .map(|set| (*set, studio.say(set.name()).to_owned()))
+        .collect();
+    let list = DropDown {
+        salt: "set",
+        name: studio.say(text::SET),
+    };
+    if let Some(set) = list.show(ui, studio.design().stage.set, &sets) {
+        studio.change(|design| design.stage.set = set);
+    }
+}
