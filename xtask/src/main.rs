@@ -7,7 +7,6 @@
     reason = "a command speaks on the terminal"
 )]
 
-mod dist;
 mod docs;
 mod golden;
 mod look;
@@ -28,7 +27,6 @@ usage: cargo xtask <command>
   shape    lines of functions, files and crates, values that functions take, names had twice
   web      build the studio as a page into one folder, and hold its size against the budget
   serve [PORT]  show that page on this machine
-  dist     build archive and packages for machines without a compiler, with licenses, bill of materials and checksums
   looks [--keep] [NAME ...]  draw twenty situations, and say which look different from the kept sheet
   look DIR look at the files that `lole dance` wrote: all there, and the report complete
 ";
@@ -44,7 +42,6 @@ fn main() -> ExitCode {
         ["web"] => web::run(&repository()),
         ["serve"] => web::serve(&web::folder(&repository()), None),
         ["serve", port] => web::serve(&web::folder(&repository()), Some(port)),
-        ["dist"] => dist::run(&repository()),
         ["looks", rest @ ..] => looks::run(&repository(), rest),
         ["look", folder] => look::run(Path::new(folder)),
         _ => {
