@@ -91,6 +91,7 @@ const TABLE: &[(&str, &[&str])] = &[
         &[
             "lole_language",
             "lole_geom",
+            "lole_golden",
             "lole_cloth",
             "lole_body",
             "lole_hula",
@@ -181,10 +182,7 @@ const TABLE: &[(&str, &[&str])] = &[
             "lole_picture",
         ],
     ),
-    (
-        "lole_web",
-        &["lole_cloth", "lole_costume", "lole_stage", "lole_studio"],
-    ),
+    ("lole_web", &["lole_stage", "lole_studio"]),
     (
         "lole",
         &[
