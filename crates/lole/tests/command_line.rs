@@ -372,6 +372,19 @@ fn messages_repeat_little_of_what_was_given_and_no_control_characters() {
     }
 }
 
+/// What other commands read is told which, in one sentence.
+#[test]
+fn inspect_says_what_reads_a_design_or_a_take() {
+    let scratch = Scratch::new("inspect");
+    for (name, command) in [("a.lole", "lole dance"), ("a.take", "lole export")] {
+        let file = scratch.write(name, "lole = 1\n");
+        let output = lole().arg("inspect").arg(&file).output().unwrap();
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{said}");
+        assert!(said.contains(command), "{said}");
+    }
+}
+
 #[cfg(unix)]
 #[test]
 fn the_name_of_a_file_does_not_steer_the_terminal() {

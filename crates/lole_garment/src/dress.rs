@@ -169,7 +169,7 @@ pub enum Division {
     /// As they are danced.
     #[default]
     Full,
-    /// Into two and a half times as many, with edges of 1.2 cm: folds as small as sewn ones, for films.
+    /// Into two and a half times as many, with edges of 1.2 cm: to see what finer cloth would cost and look like.
     Fine,
     /// Into half as many, for small pictures.
     Half,

@@ -1,11 +1,10 @@
 //! What stands around the dancer in pictures: floor, background and lamps of each set.
 
+use glam::Vec3;
 use lole_costume::document::StageSet;
 use lole_geom::trig;
 use lole_render::backdrop::{Floor, Outline, Sun};
 use lole_render::{Background, Camera, Gradient, Ground, KeyLight, Landscape, LightRig, SoftBox};
-
-use glam::Vec3;
 
 /// Where lamps stand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -47,17 +46,11 @@ impl StageLook {
             Lamps::Still => 0.0,
         };
         let background = match self.background {
-            Background::Landscape(landscape) => {
-                Background::Landscape(landscape.turned(|toward| turned(toward, azimuth)))
-            }
+            Background::Landscape(landscape) => Background::Landscape(landscape.turned(azimuth)),
             gradient @ Background::Gradient(_) => gradient,
         };
         (self.lights.turned(azimuth), background, self.ground)
     }
-}
-
-fn turned(toward: Vec3, azimuth: f32) -> Vec3 {
-    lole_render::light::turned(toward, azimuth)
 }
 
 /// Even light on white: what a catalogue prints.

@@ -1,5 +1,6 @@
 //! What is behind the subject, and the floor below it.
 
+use crate::light::turned;
 use glam::Vec3;
 
 /// What is behind everything, shown as given (not tone mapped).
@@ -92,10 +93,11 @@ impl Default for Background {
 }
 
 impl Landscape {
-    /// The same turned about the vertical, as `turn` turns a direction.
+    /// The same with its glow turned about the vertical by `azimuth` [rad], as [`LightRig::turned`](crate::LightRig)
+    /// turns lights; mountains and trees stay where they are.
     #[must_use]
-    pub fn turned(self, turn: impl Fn(Vec3) -> Vec3) -> Self {
-        let toward = turn(Vec3::from(self.sun.toward)).to_array();
+    pub fn turned(self, azimuth: f32) -> Self {
+        let toward = turned(Vec3::from(self.sun.toward), azimuth).to_array();
         Self {
             sun: Sun { toward, ..self.sun },
             ..self

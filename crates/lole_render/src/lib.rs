@@ -30,6 +30,7 @@ mod renderer;
 pub mod scene;
 mod shade;
 pub mod srgb;
+mod surroundings;
 pub mod texture;
 mod whole;
 

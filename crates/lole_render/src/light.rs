@@ -96,8 +96,7 @@ impl Default for LightRig {
 }
 
 /// A direction turned about the vertical by `azimuth` [rad], from the front towards the dancer's left.
-#[must_use]
-pub fn turned(direction: Vec3, azimuth: f32) -> Vec3 {
+pub(crate) fn turned(direction: Vec3, azimuth: f32) -> Vec3 {
     let (sin, cos) = trig::sin_cos(azimuth);
     let Vec3 { x, y, z } = direction;
     Vec3::new(x * cos + z * sin, y, z * cos - x * sin)

@@ -42,6 +42,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
     let out = PathBuf::from(arguments.next().ok_or("where to?")?);
     let asked: Vec<String> = arguments.collect();
+    let is_known = |name: &String| SITUATIONS.iter().any(|situation| situation.name == name);
+    if let Some(name) = asked.iter().find(|name| !is_known(name)) {
+        let names: Vec<&str> = SITUATIONS.iter().map(|situation| situation.name).collect();
+        return Err(format!("{name} is no situation; there are {}", names.join(", ")).into());
+    }
     fs::create_dir_all(&out)?;
     let kept = image::open(KEPT).map(|image| image.to_rgb8()).ok();
     let rows = u32::try_from(SITUATIONS.len())?.div_ceil(COLUMNS);

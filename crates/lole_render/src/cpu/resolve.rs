@@ -9,6 +9,7 @@ use crate::frame::Frame;
 use crate::prepare::Geometry;
 use crate::shade::{self, KeyShadow, Point, Surface};
 use crate::srgb::SrgbTable;
+use crate::surroundings;
 use glam::{Vec2, Vec3};
 
 /// Everything that pixels are made of.
@@ -55,12 +56,12 @@ fn pixel_color(picture: &Picture<'_>, corner: Vec2, seen: &[u32; 4]) -> Vec3 {
         }
         let share = if triangle == NOTHING {
             let middle = corner + 0.5;
-            let hit = shade::floor_hit(picture.frame, middle);
+            let hit = surroundings::floor_hit(picture.frame, middle);
             let ground = match &picture.bake.ground {
                 Some(light) if hit.z > 0.0 => light.factor_at(hit.x, hit.y),
                 _ => Vec3::ONE,
             };
-            shade::background(picture.frame, middle, ground)
+            surroundings::background(picture.frame, middle, ground)
         } else {
             surface_color(picture, triangle, corner + place / count)
         };

@@ -1,5 +1,5 @@
-// The shading formula for graphics adapters; its twin is `shade.rs`: line by line alike. How much of
-// the key light is seen stands apart: `key.wgsl` as stills see it, `live.wgsl` for windows.
+// The shading formula for graphics adapters; its twins are `shade.rs` and `surroundings.rs`: line by line
+// alike. How much of the key light is seen stands apart: `key.wgsl` as stills see it, `live.wgsl` for windows.
 
 struct Frame {
     clip_from_world: mat4x4<f32>,
