@@ -22,11 +22,17 @@ pub(crate) fn run(repository: &Path) -> anyhow::Result<ExitCode> {
     let mut test = Command::new(env!("CARGO"));
     test.current_dir(repository)
         .env("LOLE_GOLDEN", "write")
-        .args(["test", "--quiet"]);
-    for name in &crates {
-        test.args(["--package", name]);
-    }
-    test.args(["--", "golden_"]);
+        // The whole workspace, as the README's test command: with some crates only, their dependencies would be
+        // built once more with other features.
+        .args([
+            "test",
+            "--workspace",
+            "--lib",
+            "--tests",
+            "--quiet",
+            "--",
+            "golden_",
+        ]);
     let status = test.status().context("cannot run cargo test")?;
     ensure!(
         status.success(),
