@@ -20,8 +20,8 @@ use lole_picture::baked::{self, Keys};
 use lole_picture::studio::{FilmCamera, PhotoStudio, STILLS, still_cameras};
 use lole_render::{Backend, Renderer, Size};
 use lole_stage::{
-    Danced, Divergence, FRAME_SECONDS, FRAMES_PER_SECOND, FrameMetrics, HoldWatch, LayerWatch,
-    Performance, Production, StageError,
+    Danced, Divergence, FRAMES_PER_SECOND, FrameMetrics, HoldWatch, LayerWatch, Performance,
+    Production, StageError,
 };
 use lole_study::figures::{self, RunFigures};
 use lole_study::{Stopwatch, Timing};
@@ -289,7 +289,7 @@ impl Run<'_> {
         let bar = progress_bar(frame_count, self.language.pick("踊る", "dancing"));
         let patience = Watch::over(&bar, self.language);
         performance.pose_body();
-        let mut camera = FilmCamera::new(performance);
+        let camera = FilmCamera::new(performance);
         recording.hold = HoldWatch::new(performance);
         for frame in 0..frame_count {
             check(&self.stop)?;
@@ -299,8 +299,7 @@ impl Run<'_> {
                 if frame % (FRAMES_PER_SECOND / LAYER_RATE) == 0 {
                     recording.watch_layers(performance);
                 }
-                let dt = FRAME_SECONDS * FRAMES_PER_PICTURE as f32;
-                let view = camera.advance(performance, dt, shoot.size);
+                let view = camera.view(performance, shoot.size);
                 shoot.take(performance, view).map_err(Failure::error)?;
             }
             if frame % key_stride == 0 {

@@ -4,7 +4,7 @@ use lole_export::video::{Mp4Writer, VideoSettings};
 use lole_picture::Lamps;
 use lole_picture::studio::{FilmCamera, PhotoStudio};
 use lole_render::{Backend, Renderer, Size};
-use lole_stage::{FRAME_SECONDS, FRAMES_PER_SECOND};
+use lole_stage::FRAMES_PER_SECOND;
 
 use crate::making::dance::{dance, performance};
 use crate::making::{Line, Unmade, Wish};
@@ -28,10 +28,9 @@ pub(crate) fn film(wish: &Wish, line: &Line<'_>) -> Result<Vec<u8>, Unmade> {
     let mut film = film.map_err(|error| Unmade::of(&error))?;
     let mut camera = None;
     let every = FRAMES_PER_SECOND / FILM_RATE;
-    let dt = FRAME_SECONDS * every as f32;
     dance(&mut performance, line, every, |performance| {
         let camera = camera.get_or_insert_with(|| FilmCamera::new(performance));
-        let view = camera.advance(performance, dt, FILM_SIZE);
+        let view = camera.view(performance, FILM_SIZE);
         let image = photo.shoot(performance, view, Lamps::Still, &mut renderer);
         let image = image.map_err(|error| Unmade::of(&error))?;
         let pushed = film.push_frame(&image.pixels);
