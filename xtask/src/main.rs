@@ -7,6 +7,7 @@
     reason = "a command speaks on the terminal"
 )]
 
+mod dist;
 mod docs;
 mod golden;
 mod look;
@@ -26,6 +27,7 @@ usage: cargo xtask <command>
   golden   rewrite the goldens under tests/golden and list what changed
   shape    lines of functions, files and crates, values that functions take, names had twice
   web      build the studio as a page into one folder, and hold its size against the budget
+  dist     build packages for machines without a compiler: archive, Debian package, licenses, bill of materials
   serve [PORT]  show that page on this machine
   looks [--keep] [NAME ...]  draw twenty situations, and say which look different from the kept sheet
   look DIR look at the files that `lole dance` wrote: all there, and the report complete
@@ -39,6 +41,7 @@ fn main() -> ExitCode {
         ["docs"] => docs::run(&repository()),
         ["golden"] => golden::run(&repository()),
         ["shape"] => shape::run(&repository()),
+        ["dist"] => dist::run(&repository()),
         ["web"] => web::run(&repository()),
         ["serve"] => web::serve(&web::folder(&repository()), None),
         ["serve", port] => web::serve(&web::folder(&repository()), Some(port)),

@@ -29,6 +29,8 @@ pub use sheet::{Align, Color, EncodedPicture, Item, Rect, Sheet, Stroke, TextSty
 pub use table::{Cell, Column, PageTable};
 #[cfg(target_arch = "wasm32")]
 pub use typeface::give_fonts;
+#[cfg(not(target_arch = "wasm32"))]
+pub use typeface::regular_font;
 pub use typeface::{Weight, missing_glyphs, printable, text_width};
 pub use wrap::wrap;
 pub use write::Document;

@@ -62,6 +62,8 @@ impl App {
     ) -> Self {
         let context = &creation.egui_ctx;
         look::apply(context);
+        #[cfg(not(target_arch = "wasm32"))]
+        look::bring_letters(context);
         if let Some(gpu) = &creation.wgpu_render_state {
             watch_device(&gpu.device, &is_lost, context);
         }

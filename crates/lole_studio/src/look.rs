@@ -31,10 +31,23 @@ const KEY: Color32 = Color32::from_rgb(238, 231, 220);
 const KEY_HOVERED: Color32 = Color32::from_rgb(229, 219, 204);
 const KEY_PRESSED: Color32 = Color32::from_rgb(217, 204, 185);
 
+/// Gives the window the letters of paper, after its own: a machine may have no Japanese font.
+#[cfg(not(target_arch = "wasm32"))]
+pub(crate) fn bring_letters(context: &egui::Context) {
+    use egui::epaint::text::{FontInsert, FontPriority, InsertFontFamily};
+    let families = [FontFamily::Proportional, FontFamily::Monospace];
+    let families = families.map(|family| InsertFontFamily {
+        family,
+        priority: FontPriority::Lowest,
+    });
+    let font = egui::FontData::from_static(lole_export::pdf::regular_font());
+    context.add_font(FontInsert::new("letters", font, families.into()));
+}
+
 /// Dresses the window.
 pub(crate) fn apply(context: &egui::Context) {
     context.set_theme(egui::Theme::Light);
-    // A machine without a Japanese font shows boxes instead of ending.
+    // A letter that no font has is shown as a box instead of ending all.
     context.set_missing_glyph_policy(egui::MissingGlyphPolicy::Tofu);
     context.all_styles_mut(style);
 }
@@ -173,5 +186,23 @@ mod tests {
         }
         let chosen = &visuals.selection;
         assert!(LEAST <= contrast(chosen.stroke.color, chosen.bg_fill));
+    }
+
+    #[test]
+    fn japanese_and_hawaiian_are_written_on_a_machine_without_fonts() {
+        let context = egui::Context::default();
+        bring_letters(&context);
+        let mut seen = false;
+        // Fonts that are added come in the next pass.
+        for _ in 0..2 {
+            let mut output = context.run_ui(egui::RawInput::default(), |ui| {
+                let has = |fonts: &mut egui::epaint::FontsView<'_>| {
+                    fonts.has_glyphs(&FontId::proportional(BODY), "日本語の型紙と髙﨑 －＋ pāʻū")
+                };
+                seen = ui.ctx().fonts_mut(has);
+            });
+            output.textures_delta.clear();
+        }
+        assert!(seen);
     }
 }

@@ -57,6 +57,13 @@ mod files {
 #[cfg(target_arch = "wasm32")]
 pub use files::give_fonts;
 
+/// The font file of ordinary text, which has the letters of Japanese and of Hawaiian.
+#[cfg(not(target_arch = "wasm32"))]
+#[must_use]
+pub fn regular_font() -> &'static [u8] {
+    Weight::Regular.bytes()
+}
+
 // The tables of a font are found once: pages measure thousands of words.
 static FACES: LazyLock<Option<[Face; 2]>> = LazyLock::new(|| {
     let [regular, bold] = files::all()?;
