@@ -1,8 +1,8 @@
 //! Packages for machines without a compiler: an archive and a Debian package of both programs, with the licenses of
 //! what is built in, a bill of materials and checksums.
 //!
-//! The programs are built so that the same sources give the same bytes in any folder: paths of this machine are
-//! replaced, and the time is that of the last commit.
+//! Paths of this machine are replaced in the programs, and the time in all of it is that of the last commit, so that
+//! nothing in them depends on where and when they were built.
 
 use std::fs;
 use std::path::{Path, PathBuf};
