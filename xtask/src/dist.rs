@@ -144,7 +144,7 @@ impl Bench<'_> {
         self.built().join("release").join(name)
     }
 
-    /// Builds the programs with the same bytes wherever the sources lie.
+    /// Builds the programs without a path of this machine.
     fn build(&self) -> anyhow::Result<()> {
         let home = std::env::var_os("CARGO_HOME").map(PathBuf::from);
         let home = home.or_else(|| Some(Path::new(&std::env::var_os("HOME")?).join(".cargo")));

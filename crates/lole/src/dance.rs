@@ -17,7 +17,8 @@ use lole_hula::DanceStep;
 use lole_language::{Bilingual as _, Language, Sentence, Words, words};
 use lole_picture::Lamps;
 use lole_picture::baked::{self, Keys};
-use lole_picture::studio::{FilmCamera, PhotoStudio, STILLS, still_cameras};
+use lole_picture::film::FilmCamera;
+use lole_picture::studio::{PhotoStudio, STILLS, still_cameras};
 use lole_render::{Backend, Renderer, Size};
 use lole_stage::{
     Danced, Divergence, FRAMES_PER_SECOND, FrameMetrics, HoldWatch, LayerWatch, Performance,

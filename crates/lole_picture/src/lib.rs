@@ -5,6 +5,7 @@
 //! It opens nothing and draws nothing: [`lole_render`] does. What becomes a file is given back as bytes.
 
 pub mod baked;
+pub mod film;
 mod moment;
 pub mod portrait;
 mod sets;

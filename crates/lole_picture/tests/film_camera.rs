@@ -5,7 +5,7 @@ use glam::Vec3;
 use lole_body::Bone;
 use lole_costume::document;
 use lole_geom::trig;
-use lole_picture::studio::FilmCamera;
+use lole_picture::film::FilmCamera;
 use lole_render::{Camera, Size};
 use lole_stage::{Performance, Production};
 

@@ -108,7 +108,8 @@ impl CrossingRepair {
                 break;
             };
             let radius = SWELL_RADIUS.max(SWELL_SLOPE * way.length());
-            // No later swell is wider than the first one, which is around what was deepest.
+            // The first one is around what is deepest; a later one that is wider moves no more than is gathered here,
+            // and what crosses by that is parted or taken back.
             let near = near.get_or_insert_with(|| self.around(fixed, &held, 2.0 * radius));
             for &particle in &*near {
                 let away = self.positions[particle as usize].distance_squared(middle);

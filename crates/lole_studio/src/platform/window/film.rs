@@ -2,7 +2,8 @@
 
 use lole_export::video::{Mp4Writer, VideoSettings};
 use lole_picture::Lamps;
-use lole_picture::studio::{FilmCamera, PhotoStudio};
+use lole_picture::film::FilmCamera;
+use lole_picture::studio::PhotoStudio;
 use lole_render::{Backend, Renderer, Size};
 use lole_stage::FRAMES_PER_SECOND;
 
