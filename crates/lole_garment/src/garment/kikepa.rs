@@ -210,7 +210,7 @@ mod worn {
     use crate::dress::form::Face;
     use crate::dress::hung::Hung;
     use crate::dress::wrap::{Carrier, Cloth, Wrap, along};
-    use crate::template::{FEW_SUBSTEPS, SewnRow};
+    use crate::template::{MANY_SUBSTEPS, SewnRow};
 
     pub(super) const ROW: SewnRow = SewnRow {
         way: Way::Wrapped(Wrap {
@@ -222,14 +222,14 @@ mod worn {
             carrier: Carrier::Tape,
         }),
         particle_count: 4000.0,
-        substep_counts: FEW_SUBSTEPS,
+        substep_counts: [MANY_SUBSTEPS[0]; 2],
     };
 
     /// The wrapped part is this many turns at most, as the template's instructions say, and this many at
     /// least: the rest is for the way over the shoulder and the knot.
     const TURNS: [f64; 2] = [1.15, 1.5];
     /// The upper edge lies this far below the armpits [m].
-    const BELOW_ARMPIT: f32 = 0.035;
+    const BELOW_ARMPIT: f32 = 0.05;
     /// Gap to the skin, and what each turn adds [m].
     const GAP: f32 = 0.008;
     const TURN_GAP: f32 = 0.008;
@@ -238,7 +238,7 @@ mod worn {
     /// Length of the corner that the knot takes [m].
     const KNOT: f64 = 0.06;
     /// Cloth left for the way over the shoulder, over its length.
-    const SLACK: f32 = 1.1;
+    const SLACK: f32 = 1.4;
     /// Points of the way over the shoulder, and the share of it after which what is led comes over the skin.
     const WAY_POINTS: u16 = 24;
     const OVER_FROM: f32 = 0.35;
@@ -247,6 +247,8 @@ mod worn {
     /// Before it is drawn over the shoulder, the corner is held away from her by so much of the way forward
     /// for each part of it to her left.
     const FORWARD: f32 = 0.8;
+    /// To both sides of the middle of her side, the part of a turn that lies under the arm.
+    const UNDER_ARM: f32 = 0.1;
     /// Share of the way after which the edge is held by the shoulder.
     const CREST: f32 = 0.5;
 
@@ -322,11 +324,19 @@ mod worn {
         gap_of(at.map_or(0.5, |[turn, ..]| turn))
     }
 
-    /// What is tucked in or tied: the upper edge where it is wrapped, and from the shoulder to the knot.
+    /// What is tucked in or tied: the upper edge where it is wrapped, and from the shoulder to the knot. Under the
+    /// arms it is free to be pushed down by them.
     fn is_pinned(cloth: &Cloth<'_>, point: DVec2, spacing: f64) -> bool {
         let is_top = cloth.size.y - 0.5 * spacing < point.y;
+        let is_under_arm = |wrapped: &Wrapped<'_>| {
+            let turns = wrapped_at(cloth, wrapped, point).map(|[turn, ..]| turn);
+            // The sides are a quarter and three quarters of a turn from the middle of the back.
+            let sides = turns.map(|turn| 2.0 * turn - 0.5);
+            sides.is_some_and(|it| (it - it.round()).abs() < 2.0 * UNDER_ARM)
+        };
         let is_tied = |wrapped: Wrapped<'_>| {
-            point.x <= wrapped.end || CREST <= wrapped.share_over(cloth, point.x)
+            let is_wrapped = point.x <= wrapped.end && !is_under_arm(&wrapped);
+            is_wrapped || CREST <= wrapped.share_over(cloth, point.x)
         };
         is_top && Wrapped::new(cloth).is_none_or(is_tied)
     }
@@ -368,10 +378,10 @@ mod worn {
         let corners = [
             start,
             on(0.4, Face::Front, 0.25)?,
-            on(0.8, Face::Front, 0.36)?,
-            on(1.0, Face::Front, 0.42)? + Vec3::Y * 0.01,
-            on(0.8, Face::Back, 0.42)?,
-            on(0.4, Face::Back, 0.42)?,
+            on(0.8, Face::Front, 0.32)?,
+            on(1.0, Face::Front, 0.36)? + Vec3::Y * 0.01,
+            on(0.8, Face::Back, 0.36)?,
+            on(0.4, Face::Back, 0.38)?,
             on(0.0, Face::Back, 0.42)?,
         ];
         let mut way: Vec<Vec3> = (0..=WAY_POINTS)
