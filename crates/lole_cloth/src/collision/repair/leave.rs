@@ -96,7 +96,7 @@ impl CrossingRepair {
     /// smoothly around what is deepest, along its way out, until nothing is deep. Whether anything was.
     fn swell_out(&mut self, fixed: Fixed<'_>) -> bool {
         let held: Vec<u32> = self.moved.clone();
-        let mut near: Option<Vec<u32>> = None;
+        let (mut near, mut reach) = (Vec::new(), 0.0);
         for _ in 0..SWELLS {
             let ways = held.iter().map(|&particle| {
                 let position = self.positions[particle as usize];
@@ -108,10 +108,13 @@ impl CrossingRepair {
                 break;
             };
             let radius = SWELL_RADIUS.max(SWELL_SLOPE * way.length());
-            // The first one is around what is deepest; a later one that is wider moves no more than is gathered here,
-            // and what crosses by that is parted or taken back.
-            let near = near.get_or_insert_with(|| self.around(fixed, &held, 2.0 * radius));
-            for &particle in &*near {
+            // The first one is around what is deepest, and most later ones reach no farther; by twice its radius,
+            // because the others move what they are around.
+            if reach < radius {
+                reach = radius;
+                near = self.around(fixed, &held, 2.0 * radius);
+            }
+            for &particle in &near {
                 let away = self.positions[particle as usize].distance_squared(middle);
                 let rest = 1.0 - away / (radius * radius);
                 if 0.0 < rest {
@@ -119,10 +122,11 @@ impl CrossingRepair {
                 }
             }
         }
-        if near.is_some() {
+        let has_swelled = 0.0 < reach;
+        if has_swelled {
             self.look_again(fixed);
         }
-        near.is_some()
+        has_swelled
     }
 
     /// What is free and at most so far [m] from the box around some particles.
