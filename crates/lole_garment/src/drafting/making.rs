@@ -207,3 +207,11 @@ pub(crate) fn pattern(
     };
     pattern.with_matching_notches()
 }
+
+/// Length and width of a hemmed cloth [m].
+pub(crate) fn length_and_width(length: f64, width: f64) -> Vec<FinishedMeasure> {
+    vec![
+        sewn(words("長さ", "length"), None, length),
+        sewn(words("幅", "width"), None, width),
+    ]
+}

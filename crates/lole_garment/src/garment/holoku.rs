@@ -65,7 +65,7 @@ const SLEEVES: &[Choice] = &[
 ];
 
 const OPTIONS: &[OptionRow] = &[
-    number("bust_ease_cm", [2.0, 20.0], 4.0, BUST_EASE),
+    number("bust_ease_cm", [2.0, 20.0], 10.0, BUST_EASE),
     number(
         "waist_ease_cm",
         [2.0, 30.0],
@@ -130,7 +130,7 @@ const WIDEST_DART: f64 = 5.0 * CM;
 const NARROWEST_DART: f64 = 0.6 * CM;
 /// Sleeve over the arm where it is close, and its edge over the wrist [m].
 const ARM_EASE: f64 = 4.5 * CM;
-const WRIST_EASE: f64 = 7.0 * CM;
+const WRIST_EASE: f64 = 10.0 * CM;
 /// Train over the stature. Estimated.
 const TRAIN: f64 = 0.38;
 /// The zip ends this far over the hips [m].
@@ -260,7 +260,7 @@ fn sleeve(
             crown_raised: raised,
             hem_width: Some(measures.wrist_girth.to_m() + WRIST_EASE),
             hem: 3.0 * CM,
-            cap_height: 0.5,
+            cap_height: 0.4,
         },
     )?;
     sleeve.piece.name = words("長袖", "long sleeve");

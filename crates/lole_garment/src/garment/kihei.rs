@@ -8,10 +8,9 @@ use lole_pattern::pattern::StepFigure;
 use lole_pattern::piece::{CutCount, Finish};
 use lole_pattern::{DraftError, Measure, Pattern};
 
-use super::kikepa::size_of;
 use crate::drafting::chosen::{Chosen, by_measure, number};
 use crate::drafting::making::{
-    NO_WORK, cm, edges_of, folds, hem_in_section, laid, pattern, say, step,
+    NO_WORK, cm, edges_of, folds, hem_in_section, laid, length_and_width, pattern, say, step,
 };
 use crate::drafting::shape::{AROUND, CM, Label, rectangle};
 use crate::drafting::work::{Work, minutes};
@@ -146,7 +145,7 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
         .shown(figure),
     ];
     Ok(pattern(vec![piece], Vec::new(), Vec::new(), steps)
-        .measuring(size_of(length, height))
+        .measuring(length_and_width(length, height))
         .warn(say!(
             "キーヘイの大きさは目安です。クムの決まりに合わせてください",
             "the size of the kīhei is an estimate; the rule of your kumu comes first"

@@ -6,14 +6,14 @@
 
 use lole_geom::Length;
 use lole_language::{Words, words};
-use lole_pattern::pattern::{FinishedMeasure, StepFigure};
+use lole_pattern::pattern::StepFigure;
 use lole_pattern::piece::{CutCount, Finish};
 use lole_pattern::{DraftError, Measure, Measures, Pattern};
 
 use super::pau_skirt::HEM_HEIGHT;
 use crate::drafting::chosen::{Chosen, by_measure, number};
 use crate::drafting::making::{
-    NO_WORK, cm, edges_of, folds, hem_in_section, laid, pattern, say, sewn, step,
+    NO_WORK, cm, edges_of, folds, hem_in_section, laid, length_and_width, pattern, say, step,
 };
 use crate::drafting::shape::{AROUND, CM, Label, rectangle};
 use crate::drafting::work::{Work, minutes};
@@ -156,19 +156,11 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
         .shown(figure),
     ];
     Ok(pattern(vec![piece], Vec::new(), Vec::new(), steps)
-        .measuring(size_of(width, height))
+        .measuring(length_and_width(width, height))
         .warn(say!(
             "巻き方と大きさは目安です。クムの決まりに合わせてください",
             "size and way of wrapping are estimates; the rule of your kumu comes first"
         )))
-}
-
-/// Length and width of a hemmed cloth [m].
-pub(super) fn size_of(length: f64, width: f64) -> Vec<FinishedMeasure> {
-    vec![
-        sewn(words("長さ", "length"), None, length),
-        sewn(words("幅", "width"), None, width),
-    ]
 }
 
 /// Where wrapping begins that ends in the middle of the front after so many turns.

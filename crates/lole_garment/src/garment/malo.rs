@@ -9,10 +9,9 @@ use lole_pattern::pattern::StepFigure;
 use lole_pattern::piece::{CutCount, Finish};
 use lole_pattern::{DraftError, Measure, Measures, Pattern};
 
-use super::kikepa::size_of;
 use crate::drafting::chosen::{Chosen, by_measure, number};
 use crate::drafting::making::{
-    NO_WORK, cm, edges_of, folds, hem_in_section, laid, pattern, say, step,
+    NO_WORK, cm, edges_of, folds, hem_in_section, laid, length_and_width, pattern, say, step,
 };
 use crate::drafting::shape::{AROUND, CM, Label, rectangle};
 use crate::drafting::work::{Work, minutes};
@@ -139,7 +138,7 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
         .shown(way(flap, measures, turns)),
     ];
     Ok(pattern(vec![piece], Vec::new(), Vec::new(), steps)
-        .measuring(size_of(length, width))
+        .measuring(length_and_width(length, width))
         .warn(say!(
             "マロの幅は目安です。締め方はクムに習ってください",
             "the width of the malo is an estimate; learn from your kumu how it is girded"
