@@ -256,9 +256,9 @@ type Nested = (Vec<(String, Vec<u8>)>, Vec<Sentence>);
 
 /// Every garment in all sizes of a chart or a list, on a page each.
 fn nested(design: &Design, sizes: &str, language: Language) -> Result<Nested, Failure> {
-    let chart = match sizes {
-        "jis" => size_chart::jis(),
-        list => crate::order::read_roster(Path::new(list))?,
+    let chart = match size_chart::chart(sizes) {
+        Some(chart) => chart,
+        None => crate::order::read_roster(Path::new(sizes))?,
     };
     let of_list = |sentence: Sentence| {
         Failure::usage(Sentence::new(

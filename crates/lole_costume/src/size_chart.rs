@@ -7,19 +7,30 @@ use crate::roster::{self, Roster};
 const JIS: &str = "name,stature,bust,hip\n5AR,158,77,87\n7AR,158,80,89\n9AR,158,83,91\n11AR,158,86,93\n\
     13AR,158,89,95\n15AR,158,92,97\n17AR,158,96,99\n";
 
+/// EN 13402-3, women by their bust, of the middle of its steps of stature: the bust in steps of 4 cm up to 104, of 6
+/// beyond, with waist and hip as the standard pairs them.
+const EN: &str = "name,stature,bust,waist,hip\n76,168,76,60,84\n80,168,80,64,88\n84,168,84,68,92\n\
+    88,168,88,72,96\n92,168,92,76,100\n96,168,96,80,104\n100,168,100,84,108\n104,168,104,88,112\n";
+
+/// Charts by name: in commands, and what it is.
+const CHARTS: [(&str, &str); 2] = [("jis", JIS), ("en", EN)];
+
+/// Names of the charts.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    CHARTS.iter().map(|(name, _)| *name)
+}
+
+/// The sizes of a chart, from the smallest on; `None` where none has that name.
+#[must_use]
+pub fn chart(name: &str) -> Option<Roster> {
+    let (_, text) = CHARTS.iter().find(|(known, _)| *known == name)?;
+    roster::read(text.as_bytes()).ok()
+}
+
 /// The sizes of JIS L 4005, from the smallest on.
 #[must_use]
 pub fn jis() -> Roster {
-    read(JIS)
-}
-
-fn read(text: &str) -> Roster {
-    // A test reads it.
-    roster::read(text.as_bytes()).unwrap_or_else(|_| Roster {
-        dancers: Vec::new(),
-        problems: Vec::new(),
-        notes: Vec::new(),
-    })
+    chart("jis").unwrap_or_default()
 }
 
 #[cfg(test)]
@@ -29,16 +40,20 @@ mod tests {
 
     #[test]
     fn every_size_is_read_and_rises() {
-        let chart = jis();
-        assert!(
-            chart.problems.is_empty() && chart.notes.is_empty(),
-            "{chart:?}"
-        );
-        assert_eq!(chart.dancers.len(), 7);
-        let hips: Vec<f64> = chart.dancers.iter().map(RosterDancer::hip_cm).collect();
-        assert!(
-            hips.windows(2).all(|pair| pair[1] - pair[0] == 2.0),
-            "{hips:?}"
-        );
+        for (name, count, step) in [("jis", 7, 2.0), ("en", 8, 4.0)] {
+            let chart = chart(name).expect("a chart");
+            assert!(
+                chart.problems.is_empty() && chart.notes.is_empty(),
+                "{chart:?}"
+            );
+            assert_eq!(chart.dancers.len(), count, "{name}");
+            let hips: Vec<f64> = chart.dancers.iter().map(RosterDancer::hip_cm).collect();
+            assert!(
+                hips.windows(2).all(|pair| pair[1] - pair[0] == step),
+                "{hips:?}"
+            );
+        }
+        assert_eq!(chart("us"), None);
+        assert!(names().all(|name| chart(name).is_some()));
     }
 }
