@@ -1,5 +1,6 @@
 //! Legal designs at random: bodies over the whole range of every measure, garments with options over the whole
-//! range of each. Every one dances for a while, or is refused in a sentence that names what excludes what.
+//! range of each, and now and then any other key of the document over the whole of its own. Every one dances for a
+//! while, or is refused in a sentence that names what excludes what.
 //!
 //! `cargo run --release -p lole_stage --example random_designs -- [--first N] [--count N] [--seconds S]
 //! [--print]` prints a line for each: how it ended, its worst frame and how long all took; then the sentences of
@@ -19,9 +20,11 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use lole_costume::document;
+use lole_costume::document::schema::{Kind, TABLES, Table};
 use lole_garment::TEMPLATES;
 use lole_garment::template::{OptionKind, OptionRow};
 use lole_geom::chance::Chance;
+use lole_geom::trig64;
 use lole_stage::{Performance, Production};
 
 /// Range of the stature [cm], and key and range of every other measure as a share of it: wider than people, and
@@ -37,6 +40,12 @@ const MEASURES: [(&str, [f64; 2]); 5] = [
 const FIGURES: [&str; 3] = ["woman", "man", "child"];
 /// Garments of a design, at most.
 const MOST_GARMENTS: u32 = 3;
+
+/// Share of the other keys that a design says.
+const KEYS_SAID: f32 = 0.08;
+
+/// Rows, columns and substeps are no more than these: finer cloth takes longer, and is as legal.
+const MOST_OF_A_COUNT: u64 = 256;
 
 /// How a design ended.
 enum End {
@@ -141,8 +150,9 @@ fn design(seed: u64) -> String {
             lines.push(format!("{key} = {:.1}", share * stature));
         }
     }
-    let worn = if chance.falls(0.5) { "yes" } else { "no" };
-    lines.push(format!("[skirt]\nworn = \"{worn}\""));
+    for table in TABLES {
+        lines.extend(others(&mut chance, table));
+    }
     for number in 0..MOST_GARMENTS {
         let Some(template) = chance.choose(TEMPLATES) else {
             continue;
@@ -158,6 +168,43 @@ fn design(seed: u64) -> String {
         }
     }
     lines.join("\n")
+}
+
+/// A table with some of its keys; a body's are its measures, which go by its stature.
+fn others(chance: &mut Chance, table: &Table) -> Vec<String> {
+    let mut lines = Vec::new();
+    if table.name == "dancer" {
+        return lines;
+    }
+    lines.push(format!("[{}]", table.name));
+    if table.name == "skirt" {
+        let worn = if chance.falls(0.5) { "yes" } else { "no" };
+        lines.push(format!("worn = \"{worn}\""));
+    }
+    for key in table.keys.iter().filter(|key| key.name != "worn") {
+        if !chance.falls(KEYS_SAID) {
+            continue;
+        }
+        let said = match &key.kind {
+            Kind::Number { min, max, .. } => format!("{:.4}", between(chance, [*min, *max])),
+            Kind::Count { min, max, .. } => {
+                let most = if key.name.ends_with("seed") {
+                    *max
+                } else {
+                    MOST_OF_A_COUNT.min(*max)
+                };
+                format!("{:.0}", between(chance, [*min as f64, most as f64]).floor())
+            }
+            Kind::Name { choices, .. } => {
+                let choices = choices();
+                format!("\"{}\"", chance.choose(&choices).unwrap_or(&""))
+            }
+            // Files are looked for, and colors change no cloth.
+            Kind::Text { .. } | Kind::Color { .. } => continue,
+        };
+        lines.push(format!("{} = {said}", key.name));
+    }
+    lines
 }
 
 /// A value of an option, now and then one of its ends.
@@ -177,10 +224,14 @@ fn value(chance: &mut Chance, row: &OptionRow) -> String {
     }
 }
 
+/// A number of a range, now and then one of its ends; where it goes over powers of ten, each as often.
 fn between(chance: &mut Chance, [low, high]: [f64; 2]) -> f64 {
     match chance.finest_share() {
         share if share < 0.1 => low,
         share if 0.9 < share => high,
+        _ if 0.0 < low && 30.0 * low < high => {
+            low * trig64::powf(high / low, chance.finest_share())
+        }
         _ => low + (high - low) * chance.finest_share(),
     }
 }
