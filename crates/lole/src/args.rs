@@ -1,10 +1,13 @@
 //! What may be typed after `lole`.
 
+mod group;
+
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+pub(crate) use group::GroupArgs;
 use lole_language::Sentence;
 
 /// Hula costume CAD with live cloth. Without a command it opens the live window.
@@ -214,6 +217,8 @@ pub(crate) struct DanceArgs {
     /// Print the report as JSON on standard output, and nothing else there.
     #[arg(long)]
     pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) group: GroupArgs,
 }
 
 /// `lole wear`.
@@ -365,8 +370,8 @@ pub(crate) struct PatternArgs {
     /// Write each garment on one page too, at full size: a0, roll (91 cm wide) or projector; several with commas.
     #[arg(long, value_enum, value_name = "PAGE", value_delimiter = ',')]
     pub(crate) whole: Vec<WholePage>,
-    /// Write each garment in several sizes around one another too: jis (JIS L 4005, 5AR to 17AR), or a list of your
-    /// own sizes as for an order.
+    /// Write each garment in several sizes around one another too: jis (JIS L 4005, 5AR to 17AR), en (EN
+    /// 13402-3, bust 76 to 104), or a list of your own sizes as for an order.
     #[arg(long, value_name = "LIST")]
     pub(crate) sizes: Option<String>,
     /// Lay the cloth doubled, folded lengthwise, and cut pairs at once.

@@ -1,5 +1,7 @@
 //! `lole dance`: drape, dance, draw, write.
 
+mod group;
+
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -74,7 +76,12 @@ impl Recording {
 
 /// Runs the command.
 pub(crate) fn run(args: &DanceArgs, language: Language) -> Result<(), Failure> {
-    perform(args, load(args)?, language)
+    let source = load(args)?;
+    if let Some(list) = &args.group.dancers {
+        let song = args.audio.as_deref().map(song).transpose()?;
+        return group::run((args, list), &source, song.as_ref(), language);
+    }
+    perform(args, source, language)
 }
 
 /// Performs a design and writes what is made of it.
@@ -256,18 +263,13 @@ impl Run<'_> {
     fn shoot(&self, performance: &Performance) -> Result<Shoot> {
         let (width, height) = self.args.size;
         let size = Size::new(width, height);
-        let backend = if self.args.cpu {
-            Backend::Cpu
-        } else {
-            Backend::Auto
-        };
         let mut film = Mp4Writer::new([width, height], FILM_RATE, VideoSettings::default())?;
         if let Some(song) = &self.song {
             film.set_song(song.clone());
         }
         Ok(Shoot {
             studio: PhotoStudio::new(performance)?,
-            renderer: Renderer::new(backend, size)?,
+            renderer: Renderer::new(backend(self.args), size)?,
             film,
             size,
             stills: Vec::new(),
@@ -285,7 +287,7 @@ impl Run<'_> {
         let dance = &performance.production().dance;
         let whole = dance.whole(self.design.motion.repeat);
         let frame_count = frame_count(self.design.duration_s(whole));
-        let still_frame = self.still_frame(frame_count);
+        let still_frame = still_frame(&self.design, frame_count);
         let key_stride = FRAMES_PER_SECOND / baked::key_rate(frame_count);
         let bar = progress_bar(frame_count, self.language.pick("踊る", "dancing"));
         let patience = Watch::over(&bar, self.language);
@@ -330,18 +332,6 @@ impl Run<'_> {
         }
         bar.finish_and_clear();
         Ok(())
-    }
-
-    /// The frame of the stills: on a count, past the middle, when the sway is in full swing.
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "a dance has at most 36,000 frames"
-    )]
-    fn still_frame(&self, frame_count: u32) -> u32 {
-        let beat = f64::from(FRAMES_PER_SECOND) * 60.0 / self.design.motion.tempo_bpm;
-        let counts = (0.6 * f64::from(frame_count) / beat).round();
-        ((counts * beat) as u32).min(frame_count - 1)
     }
 
     /// Writes when every count falls; a recording has none.
@@ -526,6 +516,27 @@ impl Files {
         });
         Ok(())
     }
+}
+
+/// What draws.
+const fn backend(args: &DanceArgs) -> Backend {
+    if args.cpu {
+        Backend::Cpu
+    } else {
+        Backend::Auto
+    }
+}
+
+/// The frame of the stills: on a count, past the middle, when the sway is in full swing.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a dance has at most 36,000 frames"
+)]
+fn still_frame(design: &Design, frame_count: u32) -> u32 {
+    let beat = f64::from(FRAMES_PER_SECOND) * 60.0 / design.motion.tempo_bpm;
+    let counts = (0.6 * f64::from(frame_count) / beat).round();
+    ((counts * beat) as u32).min(frame_count - 1)
 }
 
 /// Threads the cloth is simulated on, as asked or as this machine has them.

@@ -23,7 +23,7 @@ use lole_picture::{Cover, Looks};
 use lole_stage::Production;
 use serde_json::json;
 
-use crate::args::{DanceArgs, ExportArgs, ExportFormat, VrmArgs};
+use crate::args::{DanceArgs, ExportArgs, ExportFormat, GroupArgs, VrmArgs};
 use crate::patience::{check, progress_bar, stop_flag};
 use crate::source::{self, Source};
 use crate::{Failure, dance, output, summary};
@@ -222,6 +222,7 @@ fn load(args: &ExportArgs) -> Result<Source, Failure> {
         seed: None,
         cpu: true,
         json: args.json,
+        group: GroupArgs::default(),
     };
     dance::lay_over(&mut source.design, &wishes)?;
     Ok(source)

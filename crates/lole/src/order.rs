@@ -192,7 +192,7 @@ fn shown(paths: &[PathBuf]) -> Vec<PathBuf> {
 }
 
 /// A sentence about a file.
-fn of_file(path: &Path, sentence: &Sentence) -> Sentence {
+pub(crate) fn of_file(path: &Path, sentence: &Sentence) -> Sentence {
     let name = path.display();
     Sentence::new(
         format!("{name}: {}", sentence.japanese()),

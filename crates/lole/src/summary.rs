@@ -144,6 +144,18 @@ pub(crate) fn print_run(report: &RunReport, paths: &[PathBuf], seconds: f64, lan
     }
 }
 
+/// Says what the film of a group wrote, and how long all took.
+pub(crate) fn print_group(paths: &[PathBuf], (count, seconds): (usize, f64), language: Language) {
+    print_files(paths, language);
+    if !is_quiet() {
+        say!();
+        say!(
+            "  {count} {} · {seconds:.0} s",
+            language.pick("人", "dancers")
+        );
+    }
+}
+
 /// What is unusual about a run, and measures that nobody took.
 fn print_warnings(report: &RunReport, language: Language) {
     let pick = |japanese: &'static str, english: &'static str| language.pick(japanese, english);

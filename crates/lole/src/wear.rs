@@ -7,7 +7,7 @@ use lole_garment::given;
 use lole_language::{Language, words};
 use lole_print::PrintMotif;
 
-use crate::args::{DanceArgs, WearArgs};
+use crate::args::{DanceArgs, GroupArgs, WearArgs};
 use crate::{Failure, dance, source};
 
 /// Runs the command.
@@ -54,6 +54,7 @@ pub(crate) fn run(args: WearArgs, language: Language) -> Result<(), Failure> {
         seed: None,
         cpu: args.cpu,
         json: args.json,
+        group: GroupArgs::default(),
     };
     dance::lay_over(&mut source.design, &wishes)?;
     dance::perform(&wishes, source, language)

@@ -15,6 +15,7 @@
 //! | `costume.vrm` | [`glb::write_glb`] with the extensions of [`vrm`] |
 //! | takes | [`take::write_take`]: point caches, OBJ, NumPy, tables, USD |
 //! | `dancer.json` | [`dancer_sheet::dancer_json`]: a dancer's tape and capsules |
+//! | `group.json` | [`group::group_json`]: who stands where in a film of a group |
 //! | `report.json` | [`report::report_json`] |
 //! | `report.html` | [`report::report_html`]: one self-contained page in Japanese and English |
 //! | `study.json`, `.csv`, `.html` | [`study::study_json`], [`study::study_csv`], [`study::study_html`] |
@@ -33,6 +34,7 @@ pub mod dxf;
 pub mod error;
 pub mod form;
 pub mod glb;
+pub mod group;
 pub mod order;
 mod page;
 pub mod pdf;

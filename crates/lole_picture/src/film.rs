@@ -8,12 +8,23 @@ use lole_stage::{Performance, Production};
 
 /// The film's camera: it goes with the dancer softly, as someone does who knows the dance, and drifts from the front
 /// to her side and back. It stands as near as it can without losing a hand, a foot or the hem through the whole
-/// dance.
+/// dance. Of a group it sees everybody.
 pub struct FilmCamera {
-    /// How far her skirt swings from her hips [m].
-    skirt: f32,
+    /// How far the skirt of each dancer swings from her hips [m].
+    skirts: Vec<f32>,
     /// The outermost places of her and her skirt, from where the camera looks [m].
     reach: Vec<Vec3>,
+    /// Largest drift to either side [rad].
+    drift: f32,
+}
+
+/// A dancer, and where she stands.
+#[derive(Clone, Copy)]
+pub struct Placed<'a> {
+    /// Her dance, as if she were alone.
+    pub performance: &'a Performance,
+    /// Where she stands instead of in the middle of the stage [m].
+    pub at: Vec3,
 }
 
 /// Free air beyond the crown and the fingers' roots [m].
@@ -27,8 +38,9 @@ const AROUND_COUNT: u8 = 9;
 const AROUND_SECONDS: f32 = 0.09;
 /// Looks at the dance from one of them to the next.
 const LOOKS: u8 = 3;
-/// Largest drift to either side [rad].
+/// Largest drift to either side around one dancer, and around a group, whose rows would hide each other [rad].
 const DRIFT: f32 = 0.6;
+const GROUP_DRIFT: f32 = 0.2;
 /// Time of one drift from side to side and back [s].
 const DRIFT_PERIOD: f32 = 16.0;
 
@@ -54,44 +66,89 @@ impl FilmCamera {
     /// Knows the dance that is performed.
     #[must_use]
     pub fn new(performance: &Performance) -> Self {
-        let production = performance.production();
-        let hips = Figure::of(&production.dancer, performance.world_from_bind(), 0.0).hips;
-        let skirt = skirt_radius(performance, hips);
+        Self::of_group(&[alone(performance)])
+    }
+
+    /// Knows the dance of a group.
+    #[must_use]
+    pub fn of_group(group: &[Placed<'_>]) -> Self {
+        let skirts: Vec<f32> = group
+            .iter()
+            .map(|it| skirt_radius(it.performance))
+            .collect();
         Self {
-            skirt,
-            reach: reach(production, skirt),
+            reach: reach(group, &skirts),
+            drift: if group.len() < 2 { DRIFT } else { GROUP_DRIFT },
+            skirts,
         }
     }
 
     /// The view at the performance's time.
     #[must_use]
     pub fn view(&self, performance: &Performance, size: Size) -> Camera {
-        let (production, time) = (performance.production(), performance.time());
+        self.group_view(&[alone(performance)], size)
+    }
+
+    /// The view at the time of the group for which it was made.
+    #[must_use]
+    pub fn group_view(&self, group: &[Placed<'_>], size: Size) -> Camera {
+        let time = group.first().map_or(0.0, |it| it.performance.time());
         let times = steps().map(|step| time + step * AROUND_SECONDS);
-        let middle = smoothed(times.map(|it| Figure::at(production, it, self.skirt).middle()));
+        let middle = smoothed(times.map(|it| Figures::at(group, it, &self.skirts).middle()));
         let phase = std::f32::consts::TAU * time / DRIFT_PERIOD;
-        let azimuth = DRIFT * trig::sin(phase);
+        let azimuth = self.drift * trig::sin(phase);
         let around: Vec<Vec3> = self.reach.iter().map(|&away| middle + away).collect();
         Camera::framing_points(&around, View::Turned(azimuth), size.aspect())
     }
 }
 
-/// The outermost places of the lead-in and one round of the dance, from where the camera looks [m].
-fn reach(production: &Production, skirt: f32) -> Vec<Vec3> {
-    let dance = &production.dance;
-    let length = dance.lead_in() + dance.period();
+/// One dancer in the middle of the stage.
+const fn alone(performance: &Performance) -> Placed<'_> {
+    Placed {
+        performance,
+        at: Vec3::ZERO,
+    }
+}
+
+/// From one dancer of a row to the next, so that no hand reaches a neighbor in any moment of the dance that all
+/// share [m].
+#[must_use]
+pub fn room(performances: &[&Performance]) -> f32 {
+    let group: Vec<Placed<'_>> = performances.iter().map(|it| alone(it)).collect();
+    let skirts: Vec<f32> = performances.iter().map(|it| skirt_radius(it)).collect();
+    let breadth = moments(&group, &skirts, 0.0).map(|figures| {
+        let [right, left] = [Vec3::X, Vec3::NEG_X].map(|side| figures.farthest(side).dot(side));
+        right + left
+    });
+    breadth.fold(0.0, f32::max)
+}
+
+/// Looks at the lead-in and one round of the dance, and so long before and after [s].
+fn moments<'a>(
+    group: &'a [Placed<'a>],
+    skirts: &'a [f32],
+    around: f32,
+) -> impl Iterator<Item = Figures> + 'a {
+    let dances = group.iter().map(|it| &it.performance.production().dance);
+    let length = dances
+        .map(|dance| dance.lead_in() + dance.period())
+        .fold(0.0, f32::max);
     let dt = AROUND_SECONDS / f32::from(LOOKS);
+    (0_u16..)
+        .map(move |look| dt * f32::from(look) - around)
+        .take_while(move |&time| time <= length + around)
+        .map(move |time| Figures::at(group, time, skirts))
+}
+
+/// The outermost places of the lead-in and one round of the dance, from where the camera looks [m].
+fn reach(group: &[Placed<'_>], skirts: &[f32]) -> Vec<Vec3> {
     let [every, half] = [LOOKS, LOOKS * AROUND_COUNT].map(usize::from);
     // What the camera looks at lies before and after, too.
     let around = AROUND_SECONDS * f32::from(AROUND_COUNT);
-    let figures = (0_u16..)
-        .map(|look| dt * f32::from(look) - around)
-        .take_while(|&time| time <= length + around)
-        .map(|time| Figure::at(production, time, skirt));
-    let figures: Vec<Figure> = figures.collect();
+    let figures: Vec<Figures> = moments(group, skirts, around).collect();
     let mut reach: Vec<(Vec3, Vec3)> = directions().map(|it| (it, Vec3::ZERO)).collect();
     for moments in figures.windows(2 * half + 1) {
-        let middle = smoothed(moments.iter().step_by(every).map(Figure::middle));
+        let middle = smoothed(moments.iter().step_by(every).map(Figures::middle));
         for (direction, farthest) in &mut reach {
             let away = moments[half].farthest(*direction) - middle;
             if farthest.dot(*direction) < away.dot(*direction) {
@@ -126,6 +183,39 @@ const ENDS: [Bone; 6] = [
     Bone::RightFoot,
 ];
 
+/// Where everybody is in one moment.
+struct Figures(Vec<Figure>);
+
+impl Figures {
+    /// At a time of the dance [s].
+    fn at(group: &[Placed<'_>], time: f32, skirts: &[f32]) -> Self {
+        let figures = group.iter().zip(skirts).map(|(dancer, &skirt)| {
+            let production = dancer.performance.production();
+            Figure::at(production, time, skirt).moved(dancer.at)
+        });
+        Self(figures.collect())
+    }
+
+    /// Where a camera in front of them looks [m].
+    fn middle(&self) -> Vec3 {
+        let (mut low, mut high, mut depth) = (f32::MAX, f32::MIN, 0.0);
+        for figure in &self.0 {
+            let [left, right] = figure.sides();
+            (low, high) = (low.min(left), high.max(right));
+            depth += figure.hips.z / self.0.len() as f32;
+        }
+        Vec3::new(0.5 * (low + high), 0.0, depth)
+    }
+
+    /// The place of them that is farthest in a direction [m].
+    fn farthest(&self, direction: Vec3) -> Vec3 {
+        let places = self.0.iter().map(|figure| figure.farthest(direction));
+        let by_direction =
+            |one: &Vec3, other: &Vec3| one.dot(direction).total_cmp(&other.dot(direction));
+        places.max_by(by_direction).unwrap_or(Vec3::ZERO)
+    }
+}
+
 /// Where a dancer is in one moment.
 struct Figure {
     hips: Vec3,
@@ -157,14 +247,23 @@ impl Figure {
         }
     }
 
-    /// Where a camera in front of her looks [m].
-    fn middle(&self) -> Vec3 {
+    /// As much elsewhere [m].
+    fn moved(self, by: Vec3) -> Self {
+        Self {
+            hips: self.hips + by,
+            ends: self.ends.map(|end| end + by),
+            skirt: self.skirt,
+        }
+    }
+
+    /// How far she reaches to her right and to her left [m].
+    fn sides(&self) -> [f32; 2] {
         let sides = self.ends.iter().map(|end| end.x);
         let sides = sides.chain([self.hips.x - self.skirt, self.hips.x + self.skirt]);
         let (low, high) = sides.fold((f32::MAX, f32::MIN), |(low, high), x| {
             (low.min(x), high.max(x))
         });
-        Vec3::new(0.5 * (low + high), 0.0, self.hips.z)
+        [low, high]
     }
 
     /// The place of her that is farthest in a direction [m].
@@ -184,7 +283,9 @@ impl Figure {
 }
 
 /// How far what she wears hangs from her hips' joint, and swings [m].
-fn skirt_radius(performance: &Performance, hips: Vec3) -> f32 {
+fn skirt_radius(performance: &Performance) -> f32 {
+    let production = performance.production();
+    let hips = Figure::of(&production.dancer, performance.world_from_bind(), 0.0).hips;
     let away = |place: &Vec3| Vec3::new(place.x - hips.x, 0.0, place.z - hips.z).length();
     SWING
         * performance

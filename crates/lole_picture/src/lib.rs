@@ -111,14 +111,31 @@ impl Looks {
         camera: Camera,
         lamps: Lamps,
     ) -> Scene<'a> {
-        let (lights, background, ground) = StageLook::of(self.set).around(&camera, lamps);
-        let mut scene = Scene {
-            meshes: Vec::new(),
+        Self::stage(&[(self, *dancer)], (self.set, lamps), camera)
+    }
+
+    /// The scene of one moment of several dancers in a set, each as [`Looks::scene`] has her.
+    #[must_use]
+    pub fn stage<'a>(
+        dancers: &[(&'a Self, DrawnDancer<'a>)],
+        (set, lamps): (StageSet, Lamps),
+        camera: Camera,
+    ) -> Scene<'a> {
+        let (lights, background, ground) = StageLook::of(set).around(&camera, lamps);
+        let meshes = dancers
+            .iter()
+            .flat_map(|(looks, dancer)| looks.meshes(dancer));
+        Scene {
+            meshes: meshes.collect(),
             camera,
             lights,
             background,
             ground: Some(ground),
-        };
+        }
+    }
+
+    /// The meshes of one moment: cloth, parts of the dancer, what she wears beside the cloth.
+    fn meshes<'a>(&'a self, dancer: &DrawnDancer<'a>) -> Vec<SceneMesh<'a>> {
         let worn = dancer.worn.iter().zip(&self.worn).enumerate();
         let worn = worn.map(|(place, (vertices, cover))| {
             let colors = dancer.colors.get(place).filter(|colors| !colors.is_empty());
@@ -143,11 +160,11 @@ impl Looks {
             material: &part.material,
         });
         let cloth_count = self.worn.iter().filter(|cover| cover.is_cloth).count();
-        scene.meshes.extend(worn);
-        let beside = scene.meshes.split_off(cloth_count);
-        scene.meshes.extend(parts);
-        scene.meshes.extend(beside);
-        scene
+        let mut meshes: Vec<SceneMesh<'a>> = worn.collect();
+        let beside = meshes.split_off(cloth_count);
+        meshes.extend(parts);
+        meshes.extend(beside);
+        meshes
     }
 }
 

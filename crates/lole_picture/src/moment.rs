@@ -44,6 +44,16 @@ impl Moment {
         Self { worn, body }
     }
 
+    /// The same, so far elsewhere on the stage [m].
+    #[must_use]
+    pub fn moved(mut self, by: Vec3) -> Self {
+        let surfaces = self.worn.iter_mut().chain([&mut self.body]);
+        for place in surfaces.flat_map(|[positions, _]| positions) {
+            *place += by;
+        }
+        self
+    }
+
     /// What is drawn of it; everything in its own colors.
     #[must_use]
     pub fn dancer(&self) -> DrawnDancer<'_> {

@@ -5,9 +5,9 @@ use glam::Vec3;
 use lole_body::Bone;
 use lole_costume::document;
 use lole_geom::trig;
-use lole_picture::film::FilmCamera;
+use lole_picture::film::{FilmCamera, Placed, room};
 use lole_render::{Camera, Size};
-use lole_stage::{Performance, Production};
+use lole_stage::{Formation, Performance, Production};
 
 /// Landscape, upright as a telephone, square.
 const FORMATS: [Size; 3] = [
@@ -121,4 +121,65 @@ fn a_skirt_that_swings_stays_in_an_upright_picture() {
             performance.time().to_string()
         });
     });
+}
+
+#[test]
+fn everybody_of_a_group_is_seen_and_no_hand_reaches_a_neighbor() {
+    for step in ["kaholo", "uwehe", "kaapuni"] {
+        let text = |dancer: &str| {
+            format!("lole = 1\n[skirt]\nworn = \"no\"\n{dancer}[motion]\nstep = \"{step}\"\n")
+        };
+        let mut group: Vec<Performance> = DANCERS
+            .iter()
+            .map(|dancer| {
+                let design = document::parse(&text(dancer), "test").expect("a design");
+                Performance::new(Production::new(&design).expect("made")).expect("worn")
+            })
+            .collect();
+        for performance in &mut group {
+            while performance.time() < 0.0 {
+                performance.advance().expect("nothing flies away");
+            }
+        }
+        let room = room(&group.iter().collect::<Vec<_>>());
+        assert!(room < 3.0, "{step}: {room} m");
+        let places = Formation::Line.places(group.len(), room);
+        let placed = |group: &[Performance], camera: &mut dyn FnMut(&[Placed<'_>])| {
+            let placed = group.iter().zip(&places);
+            let placed: Vec<Placed<'_>> = placed
+                .map(|(performance, &at)| Placed { performance, at })
+                .collect();
+            camera(&placed);
+        };
+        let mut cameras = Vec::new();
+        placed(&group, &mut |placed| {
+            cameras.push(FilmCamera::of_group(placed))
+        });
+        while group[0].time() < 9.0 {
+            for performance in &mut group {
+                for _ in 0..8 {
+                    performance.advance().expect("nothing flies away");
+                }
+                performance.pose_body();
+            }
+            placed(&group, &mut |placed| {
+                let views = FORMATS.map(|size| cameras[0].group_view(placed, size));
+                let mut ends = Vec::new();
+                for dancer in placed {
+                    let body = dancer.performance.body_positions().iter();
+                    let body: Vec<Vec3> = body.map(|place| place + dancer.at).collect();
+                    all_seen(&body, &views, || {
+                        format!("{step}, {} s", dancer.performance.time())
+                    });
+                    let sides = body.iter().map(|place| place.x);
+                    ends.push(sides.fold((f32::MAX, f32::MIN), |(low, high), x| {
+                        (low.min(x), high.max(x))
+                    }));
+                }
+                for pair in ends.windows(2) {
+                    assert!(pair[0].1 < pair[1].0, "{step}: {ends:?}");
+                }
+            });
+        }
+    }
 }

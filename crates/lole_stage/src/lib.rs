@@ -8,6 +8,7 @@ pub mod danced;
 mod double_pau;
 #[cfg(test)]
 mod extremes;
+mod formation;
 mod hold;
 pub mod live;
 pub mod machine;
@@ -25,6 +26,7 @@ mod yielding;
 pub use adorned::Adornment;
 pub use danced::Danced;
 pub use double_pau::double_pau;
+pub use formation::Formation;
 pub use hold::{ElasticHold, HoldWatch, OFF};
 pub use live::{Pull, Show, Vitals, Wish};
 pub use lole_garment::dress::Division;

@@ -49,6 +49,21 @@ pub(super) const JAPANESE_HELP: &[(&str, &str, &str)] = &[
         "audio",
         "動画に入れる曲: MP4 の AAC か Opus（.m4a）。踊りと同時に始まります",
     ),
+    (
+        "dance",
+        "dancers",
+        "表計算ソフトで保存した名簿（.csv .xlsx .ods）。全員が自分の寸法で一緒に踊ります。24 人まで",
+    ),
+    (
+        "dance",
+        "formation",
+        "並び方: rows（互い違いの列）・line（横一列）・wedge（くさび形）・circle（輪）",
+    ),
+    (
+        "dance",
+        "spacing",
+        "横に並ぶ人との間 [cm]、60〜500。書かなければ手が届かないだけ離れます",
+    ),
     ("dance", "size", "動画の大きさ [画素]。どちらも偶数"),
     (
         "dance",
@@ -267,7 +282,7 @@ pub(super) const JAPANESE_HELP: &[(&str, &str, &str)] = &[
     (
         "pattern",
         "sizes",
-        "いくつものサイズを重ねた原寸も書き出します: jis（JIS L 4005、5AR～17AR）、または自分のサイズの名簿",
+        "いくつものサイズを重ねた原寸も書き出します: jis（JIS L 4005、5AR～17AR）、en（EN 13402-3、バスト 76～104）、または自分のサイズの名簿",
     ),
     (
         "order",
