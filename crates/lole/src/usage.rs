@@ -184,10 +184,21 @@ fn sentence(error: &clap::Error) -> Sentence {
             format!("{option}: 書かれていません。足してください。lole --help に説明があります"),
             format!("{option}: it is missing; add it, lole --help tells how"),
         ),
-        ErrorKind::ArgumentConflict => Sentence::new(
-            format!("{name}: 二度は書けません。一つだけ残してください"),
-            format!("{name}: it stands there twice; keep one"),
-        ),
+        ErrorKind::ArgumentConflict => {
+            let other = context(ContextKind::PriorArg);
+            let other = other.split([' ', '=']).next().unwrap_or_default();
+            if other.is_empty() || other == name {
+                Sentence::new(
+                    format!("{name}: 二度は書けません。一つだけ残してください"),
+                    format!("{name}: it stands there twice; keep one"),
+                )
+            } else {
+                Sentence::new(
+                    format!("{name} と {other} は一緒に使えません。どちらか一つを残してください"),
+                    format!("{name} and {other} do not go together; keep one"),
+                )
+            }
+        }
         _ => plain(error),
     }
 }
@@ -340,6 +351,10 @@ mod tests {
             (
                 &["lole", "dance", "--seconds", "2", "--seconds", "3"],
                 "--seconds: it stands there twice; keep one",
+            ),
+            (
+                &["lole", "dance", "--avatar", "a.vrm", "--measures", "b.yaml"],
+                "--avatar and --measures do not go together; keep one",
             ),
         ] {
             let sentence = said(words);

@@ -12,7 +12,7 @@ use std::process::Output;
 use serde_json::Value;
 use support::{Scratch, lole};
 
-const SMALL: &str = "lole = 1\n[skirt]\ncolumn_count = 64\nrow_count = 20\n";
+const SMALL: &str = "lole = 1\n[skirt]\ncolumn_count = 112\nrow_count = 20\n";
 const LIST: &str = "name,stature,bust,waist,hip\nHanako,158,83,66,91\nʻIolana,170,96,80,104\n";
 
 /// Dances a group for a moment.
@@ -103,7 +103,7 @@ fn a_group_that_cannot_dance_is_refused_in_a_sentence() {
             "choose one of rows, line, wedge, circle",
         ),
         (LIST, &["--spacing", "10"], "from 60 to 500"),
-        (LIST, &["--json"], "--json"),
+        (LIST, &["--json"], "do not go together"),
     ];
     for (list, more, said) in cases {
         let output = group(&scratch, list, "none", more);

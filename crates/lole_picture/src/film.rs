@@ -1,10 +1,14 @@
 //! Where the film's camera stands: as near as the whole dance allows.
 
+mod shots;
+
 use glam::{Affine3A, Vec3};
 use lole_body::{Bone, Dancer};
 use lole_geom::trig;
 use lole_render::{Camera, Size, View};
 use lole_stage::{Performance, Production};
+pub use shots::Framing;
+use shots::Shots;
 
 /// The film's camera: it goes with the dancer softly, as someone does who knows the dance, and drifts from the front
 /// to her side and back. It stands as near as it can without losing a hand, a foot or the hem through the whole
@@ -14,8 +18,10 @@ pub struct FilmCamera {
     skirts: Vec<f32>,
     /// The outermost places of her and her skirt, from where the camera looks [m].
     reach: Vec<Vec3>,
-    /// Largest drift to either side [rad].
-    drift: f32,
+    /// Height of the hips of the first [m].
+    hips: f32,
+    /// From where which phrase is seen.
+    shots: Shots,
 }
 
 /// A dancer, and where she stands.
@@ -38,11 +44,8 @@ const AROUND_COUNT: u8 = 9;
 const AROUND_SECONDS: f32 = 0.09;
 /// Looks at the dance from one of them to the next.
 const LOOKS: u8 = 3;
-/// Largest drift to either side around one dancer, and around a group, whose rows would hide each other [rad].
-const DRIFT: f32 = 0.6;
-const GROUP_DRIFT: f32 = 0.2;
-/// Time of one drift from side to side and back [s].
-const DRIFT_PERIOD: f32 = 16.0;
+/// A shot from the hips up ends so far below them [m].
+const BELOW_HIPS: f32 = 0.25;
 
 /// The mean of places around a moment, the nearer the more, so that the camera neither lags nor jerks.
 fn smoothed(places: impl Iterator<Item = Vec3>) -> Vec3 {
@@ -78,7 +81,11 @@ impl FilmCamera {
             .collect();
         Self {
             reach: reach(group, &skirts),
-            drift: if group.len() < 2 { DRIFT } else { GROUP_DRIFT },
+            hips: group.first().map_or(0.0, |it| {
+                let dancer = &it.performance.production().dancer;
+                dancer.skeleton.joint(Bone::Hips).y
+            }),
+            shots: shots(group),
             skirts,
         }
     }
@@ -95,11 +102,31 @@ impl FilmCamera {
         let time = group.first().map_or(0.0, |it| it.performance.time());
         let times = steps().map(|step| time + step * AROUND_SECONDS);
         let middle = smoothed(times.map(|it| Figures::at(group, it, &self.skirts).middle()));
-        let phase = std::f32::consts::TAU * time / DRIFT_PERIOD;
-        let azimuth = self.drift * trig::sin(phase);
-        let around: Vec<Vec3> = self.reach.iter().map(|&away| middle + away).collect();
+        let (azimuth, framing) = self.shots.at(time);
+        let lowest = match framing {
+            Framing::Whole => f32::MIN,
+            Framing::Upper => self.hips - BELOW_HIPS,
+        };
+        let around = self.reach.iter().map(|&away| middle + away);
+        let around: Vec<Vec3> = around
+            .map(|place| place.with_y(place.y.max(lowest)))
+            .collect();
         Camera::framing_points(&around, View::Turned(azimuth), size.aspect())
     }
+}
+
+/// When the film of a dance is cut to another shot [s], and what each shot shows: one more than cuts.
+#[must_use]
+pub fn cuts(performance: &Performance) -> (Vec<f32>, Vec<Framing>) {
+    let shots = shots(&[alone(performance)]);
+    let begins = std::iter::once(0.0).chain(shots.cuts().iter().copied());
+    let framings = begins.map(|time| shots.at(time).1).collect();
+    (shots.cuts().to_vec(), framings)
+}
+
+fn shots(group: &[Placed<'_>]) -> Shots {
+    let first = group.first().map(|it| it.performance.production());
+    first.map_or_else(Shots::default, |first| Shots::new(first, 1 < group.len()))
 }
 
 /// One dancer in the middle of the stage.

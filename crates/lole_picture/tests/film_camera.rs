@@ -5,7 +5,7 @@ use glam::Vec3;
 use lole_body::Bone;
 use lole_costume::document;
 use lole_geom::trig;
-use lole_picture::film::{FilmCamera, Placed, room};
+use lole_picture::film::{self, FilmCamera, Framing, Placed, room};
 use lole_render::{Camera, Size};
 use lole_stage::{Formation, Performance, Production};
 
@@ -182,4 +182,69 @@ fn everybody_of_a_group_is_seen_and_no_hand_reaches_a_neighbor() {
             });
         }
     }
+}
+
+#[test]
+fn a_film_is_cut_on_counts_and_moves_softly_between_them() {
+    let text = "[skirt]\nworn = \"no\"\n[motion]\nstep = \"ami-kuu\"\ntempo_bpm = 100\n[stage]\ncamera = \"cuts\"\n";
+    let mut shot_before: Option<(usize, Camera)> = None;
+    let mut seen = 0_usize;
+    film(text, 26.0, &mut |performance, views| {
+        let (cuts, framings) = film::cuts(performance);
+        let time = performance.time();
+        let shot = cuts.partition_point(|&cut| cut <= time);
+        let hips = performance.world_from_bind()[Bone::Hips.index()];
+        let skeleton = &performance.production().dancer.skeleton;
+        let hips = hips.transform_point3(skeleton.joint(Bone::Hips));
+        let shown = performance.body_positions().iter().copied();
+        let shown: Vec<Vec3> = match framings[shot] {
+            Framing::Whole => shown.collect(),
+            Framing::Upper => shown.filter(|place| hips.y < place.y).collect(),
+        };
+        all_seen(&shown, views, || format!("shot {shot}, {time} s"));
+        if let Some((number, camera)) = shot_before {
+            let moved = camera.eye.distance(views[0].eye);
+            if number == shot {
+                assert!(
+                    moved < 0.25,
+                    "{moved} m in a seventh of a second at {time} s"
+                );
+            } else {
+                assert!(0.5 < moved, "{moved} m from shot to shot at {time} s");
+                seen += 1;
+            }
+        }
+        shot_before = Some((shot, views[0]));
+    });
+    assert!(4 <= seen, "{seen} cuts");
+    let design = document::parse(&format!("lole = 1\n{text}"), "test").expect("a design");
+    let performance = Performance::new(Production::new(&design).expect("made")).expect("worn");
+    let lole_stage::Danced::Step(dance) = &performance.production().dance else {
+        panic!("a step");
+    };
+    let counts: Vec<f64> = dance.counts(600.0).iter().map(|count| count.time).collect();
+    let (cuts, _) = film::cuts(&performance);
+    for cut in &cuts {
+        let is_count = counts
+            .iter()
+            .any(|time| (time - f64::from(*cut)).abs() < 1.0e-4);
+        assert!(is_count, "{cut} s");
+    }
+    for pair in cuts.windows(2) {
+        assert!(2.9 < pair[1] - pair[0], "{pair:?}");
+    }
+}
+
+#[test]
+fn a_turntable_goes_once_around_her_and_loses_nothing() {
+    let text = "[skirt]\nworn = \"no\"\n[stage]\ncamera = \"turntable\"\n";
+    let mut quarters = [false; 4];
+    film(text, 12.0, &mut |performance, views| {
+        all_seen(performance.body_positions(), views, || {
+            format!("{} s", performance.time())
+        });
+        let arm = views[0].eye - views[0].target;
+        quarters[2 * usize::from(arm.z < 0.0) + usize::from(arm.x < 0.0)] = true;
+    });
+    assert_eq!(quarters, [true; 4]);
 }

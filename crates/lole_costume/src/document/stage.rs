@@ -5,6 +5,50 @@
 pub struct StageDesign {
     /// Floor, background and light.
     pub set: StageSet,
+    /// How the film's camera moves.
+    pub camera: CameraWork,
+}
+
+/// How the film's camera moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum CameraWork {
+    /// Slowly from side to side.
+    #[default]
+    Drift,
+    /// It goes with her and does not turn.
+    Still,
+    /// Once around her in 12 seconds.
+    Turntable,
+    /// It stands elsewhere in every phrase of the dance.
+    Cuts,
+}
+
+impl CameraWork {
+    /// All of them, the usual one first.
+    pub const ALL: [Self; 4] = [Self::Drift, Self::Still, Self::Turntable, Self::Cuts];
+
+    /// Its name in documents.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Drift => "drift",
+            Self::Still => "still",
+            Self::Turntable => "turntable",
+            Self::Cuts => "cuts",
+        }
+    }
+
+    /// What a person calls it.
+    #[must_use]
+    pub const fn name(self) -> lole_language::Words {
+        use lole_language::words;
+        match self {
+            Self::Drift => words("ゆっくり左右に", "slowly from side to side"),
+            Self::Still => words("正面から", "from the front"),
+            Self::Turntable => words("ひとまわり", "once around"),
+            Self::Cuts => words("フレーズごとに切り替える", "cut on phrases"),
+        }
+    }
 }
 
 /// Floor, background and light of pictures.

@@ -1,7 +1,7 @@
 //! Where she is seen: floor, background and light of window, stills and film.
 
 use eframe::egui::Ui;
-use lole_costume::document::StageSet;
+use lole_costume::document::{CameraWork, StageSet};
 
 use super::knob::DropDown;
 use crate::{Studio, text};
@@ -16,5 +16,15 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     };
     if let Some(set) = list.show(ui, studio.design().stage.set, &sets) {
         studio.change(|design| design.stage.set = set);
+    }
+    let cameras: Vec<_> = (CameraWork::ALL.iter())
+        .map(|work| (*work, studio.say(work.name()).to_owned()))
+        .collect();
+    let list = DropDown {
+        salt: "camera",
+        name: studio.say(text::CAMERA),
+    };
+    if let Some(work) = list.show(ui, studio.design().stage.camera, &cameras) {
+        studio.change(|design| design.stage.camera = work);
     }
 }

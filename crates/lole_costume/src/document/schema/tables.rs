@@ -12,7 +12,9 @@ use lole_language::words;
 use super::cost::COST;
 use super::motion::MOTION;
 use super::{Key, Kind, Table};
-use crate::document::{BodyShapes, LinkedFile, MethodName, StageSet, Uncrossed, WindModel};
+use crate::document::{
+    BodyShapes, CameraWork, LinkedFile, MethodName, StageSet, Uncrossed, WindModel,
+};
 use crate::fabrics::{PRESETS, Preset};
 
 /// Largest seed: what fits the integers of TOML.
@@ -46,6 +48,12 @@ const SETS: &[(&str, StageSet)] = &[
     (StageSet::Theater.id(), StageSet::Theater),
     (StageSet::Beach.id(), StageSet::Beach),
     (StageSet::Lawn.id(), StageSet::Lawn),
+];
+const CAMERAS: &[(&str, CameraWork)] = &[
+    (CameraWork::Drift.id(), CameraWork::Drift),
+    (CameraWork::Still.id(), CameraWork::Still),
+    (CameraWork::Turntable.id(), CameraWork::Turntable),
+    (CameraWork::Cuts.id(), CameraWork::Cuts),
 ];
 const BODIES: &[(&str, BodyShapes)] = &[
     (BodyShapes::Skin.id(), BodyShapes::Skin),
@@ -326,14 +334,24 @@ const STAGE: Table = Table {
         "写真と動画の背景と光",
         "background and light of pictures and film",
     ),
-    keys: &[choice!(
-        "set",
-        words("背景", "set"),
-        SETS,
-        stage.set,
-        "studio は写真スタジオ、plain は白、theater は劇場、beach は夕暮れの浜、lawn は芝生と山",
-        "a photographer's studio, plain white, a theater, a beach at dusk, or a lawn before mountains"
-    )],
+    keys: &[
+        choice!(
+            "set",
+            words("背景", "set"),
+            SETS,
+            stage.set,
+            "studio は写真スタジオ、plain は白、theater は劇場、beach は夕暮れの浜、lawn は芝生と山",
+            "a photographer's studio, plain white, a theater, a beach at dusk, or a lawn before mountains"
+        ),
+        choice!(
+            "camera",
+            words("動画の撮り方", "camera of the film"),
+            CAMERAS,
+            stage.camera,
+            "動画の撮り方: drift はゆっくり左右に、still は正面から、turntable は 12 秒でひとまわり、cuts はフレーズごとに切り替える",
+            "how the film is shot: slowly from side to side, from the front, once around in 12 s, or cut on phrases"
+        ),
+    ],
 };
 
 const METHOD: Table = Table {
