@@ -126,7 +126,7 @@ pub fn cuts(performance: &Performance) -> (Vec<f32>, Vec<Framing>) {
 
 fn shots(group: &[Placed<'_>]) -> Shots {
     let first = group.first().map(|it| it.performance.production());
-    first.map_or_else(Shots::default, |first| Shots::new(first, 1 < group.len()))
+    first.map_or_else(Shots::default, |first| Shots::new(first, group.len()))
 }
 
 /// One dancer in the middle of the stage.

@@ -6,6 +6,7 @@
 
 pub mod baked;
 pub mod film;
+pub mod group;
 mod moment;
 pub mod portrait;
 mod sets;

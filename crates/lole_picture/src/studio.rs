@@ -1,11 +1,9 @@
 //! Pictures of a dance, and the viewpoints of its stills.
 
 use glam::Vec3;
-use lole_costume::document::StageSet;
 use lole_render::{Camera, Image, RenderError, Renderer, Size, View};
 use lole_stage::Performance;
 
-use crate::film::Placed;
 use crate::{Cover, Lamps, LookError, Looks, Moment};
 
 /// Everything that pictures of one production share.
@@ -65,6 +63,11 @@ impl PhotoStudio {
         })
     }
 
+    /// How she and all that she wears look.
+    pub(crate) const fn looks(&self) -> &Looks {
+        &self.looks
+    }
+
     /// How everything that is worn looks, surface by surface.
     #[must_use]
     pub fn covers(&self) -> &[Cover] {
@@ -88,29 +91,6 @@ impl PhotoStudio {
     }
 }
 
-/// The picture of a group's current frame, each dancer in her studio and where she stands, in the set of the first;
-/// all bodies must be posed.
-///
-/// # Errors
-/// A size that cannot be drawn, or an adapter that fails.
-pub fn shoot_group(
-    group: &[(&PhotoStudio, Placed<'_>)],
-    (camera, lamps): (Camera, Lamps),
-    renderer: &mut Renderer,
-) -> Result<Image, RenderError> {
-    let moments = group.iter();
-    let moments = moments.map(|(_, dancer)| Moment::of(dancer.performance).moved(dancer.at));
-    let moments: Vec<Moment> = moments.collect();
-    let dancers = group.iter().zip(&moments);
-    let dancers: Vec<_> = dancers
-        .map(|((studio, _), moment)| (&studio.looks, moment.dancer()))
-        .collect();
-    let set = dancers
-        .first()
-        .map_or_else(StageSet::default, |(looks, _)| looks.set);
-    renderer.render(&Looks::stage(&dancers, (set, lamps), camera))
-}
-
 /// The cameras of the stills, in their order: the whole dancer with what she wears, in all at the same
 /// scale, so that lengths can be compared from picture to picture.
 #[must_use]
@@ -118,17 +98,6 @@ pub fn still_cameras(performance: &Performance, size: Size) -> Vec<Camera> {
     let mut points = performance.body_positions().to_vec();
     points.extend(performance.cloth_positions());
     cameras_around(&points, size)
-}
-
-/// The same around a group.
-#[must_use]
-pub fn group_still_cameras(group: &[Placed<'_>], size: Size) -> Vec<Camera> {
-    let points = group.iter().flat_map(|dancer| {
-        let body = dancer.performance.body_positions().iter();
-        let cloth = dancer.performance.cloth_positions();
-        body.chain(cloth).map(|place| place + dancer.at)
-    });
-    cameras_around(&points.collect::<Vec<Vec3>>(), size)
 }
 
 /// A camera for each still that has all the points in view, all at the same distance.

@@ -123,38 +123,38 @@ fn a_skirt_that_swings_stays_in_an_upright_picture() {
     });
 }
 
+/// Dancers of one step, about to dance.
+fn dancers(step: &str) -> Vec<Performance> {
+    let ready = |dancer: &&str| {
+        let text =
+            format!("lole = 1\n[skirt]\nworn = \"no\"\n{dancer}[motion]\nstep = \"{step}\"\n");
+        let design = document::parse(&text, "test").expect("a design");
+        let mut performance =
+            Performance::new(Production::new(&design).expect("made")).expect("worn");
+        while performance.time() < 0.0 {
+            performance.advance().expect("nothing flies away");
+        }
+        performance
+    };
+    DANCERS.iter().map(ready).collect()
+}
+
+/// Each where she stands.
+fn placed<'a>(group: &'a [Performance], places: &[Vec3]) -> Vec<Placed<'a>> {
+    let placed = group.iter().zip(places);
+    placed
+        .map(|(performance, &at)| Placed { performance, at })
+        .collect()
+}
+
 #[test]
 fn everybody_of_a_group_is_seen_and_no_hand_reaches_a_neighbor() {
     for step in ["kaholo", "uwehe", "kaapuni"] {
-        let text = |dancer: &str| {
-            format!("lole = 1\n[skirt]\nworn = \"no\"\n{dancer}[motion]\nstep = \"{step}\"\n")
-        };
-        let mut group: Vec<Performance> = DANCERS
-            .iter()
-            .map(|dancer| {
-                let design = document::parse(&text(dancer), "test").expect("a design");
-                Performance::new(Production::new(&design).expect("made")).expect("worn")
-            })
-            .collect();
-        for performance in &mut group {
-            while performance.time() < 0.0 {
-                performance.advance().expect("nothing flies away");
-            }
-        }
+        let mut group = dancers(step);
         let room = room(&group.iter().collect::<Vec<_>>());
         assert!(room < 3.0, "{step}: {room} m");
         let places = Formation::Line.places(group.len(), room);
-        let placed = |group: &[Performance], camera: &mut dyn FnMut(&[Placed<'_>])| {
-            let placed = group.iter().zip(&places);
-            let placed: Vec<Placed<'_>> = placed
-                .map(|(performance, &at)| Placed { performance, at })
-                .collect();
-            camera(&placed);
-        };
-        let mut cameras = Vec::new();
-        placed(&group, &mut |placed| {
-            cameras.push(FilmCamera::of_group(placed))
-        });
+        let camera = FilmCamera::of_group(&placed(&group, &places));
         while group[0].time() < 9.0 {
             for performance in &mut group {
                 for _ in 0..8 {
@@ -162,24 +162,20 @@ fn everybody_of_a_group_is_seen_and_no_hand_reaches_a_neighbor() {
                 }
                 performance.pose_body();
             }
-            placed(&group, &mut |placed| {
-                let views = FORMATS.map(|size| cameras[0].group_view(placed, size));
-                let mut ends = Vec::new();
-                for dancer in placed {
-                    let body = dancer.performance.body_positions().iter();
-                    let body: Vec<Vec3> = body.map(|place| place + dancer.at).collect();
-                    all_seen(&body, &views, || {
-                        format!("{step}, {} s", dancer.performance.time())
-                    });
-                    let sides = body.iter().map(|place| place.x);
-                    ends.push(sides.fold((f32::MAX, f32::MIN), |(low, high), x| {
-                        (low.min(x), high.max(x))
-                    }));
-                }
-                for pair in ends.windows(2) {
-                    assert!(pair[0].1 < pair[1].0, "{step}: {ends:?}");
-                }
+            let placed = placed(&group, &places);
+            let views = FORMATS.map(|size| camera.group_view(&placed, size));
+            let bodies = placed.iter().map(|dancer| {
+                let body = dancer.performance.body_positions().iter();
+                body.map(|place| place + dancer.at).collect::<Vec<Vec3>>()
             });
+            let place = || format!("{step}, {} s", group[0].time());
+            let mut right_before = f32::MIN;
+            for body in bodies {
+                all_seen(&body, &views, place);
+                let left = body.iter().map(|it| it.x).fold(f32::MAX, f32::min);
+                assert!(right_before < left, "{}", place());
+                right_before = body.iter().map(|it| it.x).fold(f32::MIN, f32::max);
+            }
         }
     }
 }

@@ -134,18 +134,21 @@ fn centered(mut places: Vec<Vec3>) -> Vec<Vec3> {
 mod tests {
     use super::*;
 
+    /// Every pair of places.
+    fn pairs(places: &[Vec3]) -> impl Iterator<Item = (Vec3, Vec3)> + '_ {
+        let numbered = places.iter().enumerate();
+        numbered.flat_map(|(number, &one)| places[number + 1..].iter().map(move |it| (one, *it)))
+    }
+
     #[test]
     fn everybody_has_her_room_in_every_formation() {
         for formation in Formation::ALL {
             for count in 1..=40 {
                 let places = formation.places(count, 1.5);
                 assert_eq!(places.len(), count, "{formation:?}");
-                for (number, one) in places.iter().enumerate() {
-                    for other in &places[number + 1..] {
-                        let apart = one.distance(*other);
-                        assert!(1.19 < apart, "{formation:?} of {count}: {apart} m");
-                    }
-                }
+                let nearest = pairs(&places).map(|(one, other)| one.distance(other));
+                let nearest = nearest.fold(f32::INFINITY, f32::min);
+                assert!(1.19 < nearest, "{formation:?} of {count}: {nearest} m");
             }
         }
     }
@@ -156,12 +159,11 @@ mod tests {
             assert_eq!(formation.places(1, 1.5), [Vec3::ZERO], "{formation:?}");
             for count in 2..=40 {
                 let places = formation.places(count, 1.5);
-                for axis in [Vec3::X, Vec3::Z] {
-                    let along = places.iter().map(|place| place.dot(axis));
-                    let (low, high) =
-                        along.fold((0.0_f32, 0.0_f32), |(a, b), x| (a.min(x), b.max(x)));
-                    assert!((low + high).abs() < 1.0e-4, "{formation:?} of {count}");
-                }
+                let low = places.iter().fold(Vec3::ZERO, |low, place| low.min(*place));
+                let high = places
+                    .iter()
+                    .fold(Vec3::ZERO, |high, place| high.max(*place));
+                assert!((low + high).length() < 1.0e-4, "{formation:?} of {count}");
             }
         }
     }
@@ -184,12 +186,9 @@ mod tests {
     fn nobody_of_a_wedge_stands_straight_behind_another() {
         for count in 2..=40 {
             let places = Formation::Wedge.places(count, 1.5);
-            for (number, one) in places.iter().enumerate() {
-                for other in &places[number + 1..] {
-                    let aside = (other.x - one.x).abs();
-                    assert!(0.8 < aside, "{count}: {aside} m");
-                }
-            }
+            let aside = pairs(&places).map(|(one, other)| (one.x - other.x).abs());
+            let aside = aside.fold(f32::INFINITY, f32::min);
+            assert!(0.8 < aside, "{count}: {aside} m");
         }
     }
 

@@ -2,15 +2,18 @@
 //! after the other on a thread of its own.
 
 pub(crate) mod dance;
-mod paper;
+pub(crate) mod paper;
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use lole_costume::document::Design;
+use lole_costume::roster::Roster;
 use lole_export::cutting::{PATTERN_JSON, left_behind};
 use lole_export::pdf::Paper;
 use lole_language::{Language, Sentence, Words, words};
+use lole_stage::Formation;
 
 use crate::paper::Cutting;
 use crate::platform;
@@ -26,10 +29,12 @@ pub enum Product {
     Film,
     /// The dancer with her dance, for 3D programs, as GLB.
     Model,
+    /// Everybody of the list in one dance, as MP4.
+    GroupFilm,
 }
 
 impl Product {
-    /// All of them, as they stand in the panel.
+    /// Those of one dancer, as they stand in the panel.
     pub(crate) const ALL: [Self; 4] = [Self::Booklet, Self::Pattern, Self::Film, Self::Model];
 
     /// What it is called.
@@ -39,6 +44,7 @@ impl Product {
             Self::Pattern => words("型紙一式（PDF・SVG・DXF）", "Patterns (PDF, SVG, DXF)"),
             Self::Film => words("踊りの動画（MP4）", "Film of the dance (MP4)"),
             Self::Model => words("3D ファイル（GLB）", "3D file (GLB)"),
+            Self::GroupFilm => words("みんなで踊る動画（MP4）", "Film of everybody (MP4)"),
         }
     }
 
@@ -61,6 +67,10 @@ impl Product {
                 "Blender などで開けます。数分かかります。",
                 "Opens in Blender and the like; takes some minutes.",
             ),
+            Self::GroupFilm => words(
+                "名簿の全員が、それぞれの寸法と衣装で一緒に踊ります。一人につき数分かかります。",
+                "Everybody of the list dances, in her own measures and costume; takes some minutes for each.",
+            ),
         }
     }
 
@@ -71,6 +81,7 @@ impl Product {
             Self::Pattern => words("型紙", "pattern"),
             Self::Film => words("踊り.mp4", "dance.mp4"),
             Self::Model => words("踊り手.glb", "dancer.glb"),
+            Self::GroupFilm => words("みんな.mp4", "group.mp4"),
         }
     }
 
@@ -79,7 +90,7 @@ impl Product {
         match self {
             Self::Booklet => Some("pdf"),
             Self::Pattern => None,
-            Self::Film => Some("mp4"),
+            Self::Film | Self::GroupFilm => Some("mp4"),
             Self::Model => Some("glb"),
         }
     }
@@ -197,6 +208,8 @@ pub(crate) struct Wish {
     pub(crate) language: Language,
     /// What the costume is called.
     pub(crate) title: String,
+    /// Who dances where it is of everybody, and how they stand.
+    pub(crate) group: Option<(Arc<Roster>, Formation)>,
 }
 
 /// Why a product was not made.
@@ -270,6 +283,7 @@ pub(crate) fn make(wish: &Wish, line: &Line<'_>) -> Result<(), Unmade> {
         Product::Booklet => one(paper::booklet(wish, line)?),
         Product::Pattern => fill(&wish.path, &paper::pattern(wish, line)?).map_err(Unmade::Failed),
         Product::Film => one(platform::film(wish, line)?),
+        Product::GroupFilm => one(platform::group_film(wish, line)?),
         Product::Model => one(dance::model(wish, line)?),
     }
 }

@@ -15,6 +15,7 @@ use lole_language::{Bilingual as _, Language, Sentence};
 
 use lole_files as files;
 use lole_picture::portrait::{self, PortraitError};
+use lole_stage::Formation;
 
 /// Everything behind the panel of orders.
 #[derive(Debug, Clone, Default)]
@@ -27,6 +28,8 @@ pub struct OrderDesk {
     pub dressed: Option<(String, DancerDesign)>,
     /// What is being done.
     pub progress: Option<Progress>,
+    /// How they stand in the film of all.
+    pub formation: Formation,
     /// What everybody needs, once it was worked out, with the design and wishes it is of.
     pub totals: Option<Arc<Totals>>,
 }

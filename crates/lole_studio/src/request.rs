@@ -254,7 +254,7 @@ impl Purpose {
             Self::Roster => &["csv", "tsv", "txt", "xlsx", "ods"],
             Self::Order | Self::Make(Product::Pattern) => &[],
             Self::Make(Product::Booklet) => &["pdf"],
-            Self::Make(Product::Film) => &["mp4"],
+            Self::Make(Product::Film | Product::GroupFilm) => &["mp4"],
             Self::Make(Product::Model) => &["glb"],
             Self::Picture => &["png"],
         }

@@ -55,7 +55,8 @@ pub(super) struct Shots {
 }
 
 impl Shots {
-    pub(super) fn new(production: &Production, is_group: bool) -> Self {
+    /// Of the dance that so many share.
+    pub(super) fn new(production: &Production, dancer_count: usize) -> Self {
         let work = production.design.stage.camera;
         let cuts = match work {
             CameraWork::Cuts => cuts(&production.dance),
@@ -63,7 +64,7 @@ impl Shots {
         };
         Self {
             work,
-            is_group,
+            is_group: 1 < dancer_count,
             cuts,
         }
     }

@@ -1,6 +1,7 @@
 //! What is written for one dancer, the folders that are looked into for it, and the picture.
 
 use std::path::Path;
+use std::sync::Arc;
 use std::sync::mpsc::TryRecvError;
 
 use lole_export::{ImageView, still};
@@ -40,7 +41,10 @@ impl App {
             Some(ending) => with_ending(path, ending),
             None => path.to_owned(),
         };
+        let list = self.studio.order.list.as_ref();
+        let list = list.filter(|_| product == Product::GroupFilm);
         let wish = Wish {
+            group: list.map(|(_, list)| (Arc::clone(list), self.studio.order.formation)),
             product,
             design: self.studio.design().clone(),
             path,

@@ -25,7 +25,7 @@ pub(super) fn model(wish: &Wish, line: &Line<'_>) -> Result<Vec<u8>, Unmade> {
 }
 
 /// Simulated frames of the dance.
-fn danced(performance: &Performance) -> u32 {
+pub(crate) fn danced(performance: &Performance) -> u32 {
     let design = &performance.production().design;
     let whole = (performance.production().dance).whole(design.motion.repeat);
     frame_count(design.duration_s(whole))

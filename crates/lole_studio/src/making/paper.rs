@@ -106,6 +106,6 @@ fn worn(wish: &Wish, line: &Line<'_>) -> Result<Worn, Unmade> {
 }
 
 /// Of an error that speaks both languages.
-pub(super) fn said(error: &impl Bilingual) -> Unmade {
+pub(crate) fn said(error: &impl Bilingual) -> Unmade {
     Unmade::Failed(Sentence::of(error))
 }

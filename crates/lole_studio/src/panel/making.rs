@@ -7,7 +7,7 @@ use lole_language::Words;
 
 use super::hindrance;
 use super::knob::{choice, wide_button};
-use crate::making::{Piece, Stage};
+use crate::making::{Piece, Product, Stage};
 use crate::platform;
 use crate::studio::Request;
 use crate::{Studio, look, text};
@@ -25,8 +25,13 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
         let about = RichText::new(studio.say(product.about())).small();
         ui.label(about.weak());
     }
+    pieces(ui, studio, |product| product != Product::GroupFilm);
+}
+
+/// How far each of some products has come.
+pub(super) fn pieces(ui: &mut Ui, studio: &mut Studio, shows: impl Fn(Product) -> bool) {
     let pieces = studio.making.pieces.clone();
-    for piece in pieces.iter().rev() {
+    for piece in pieces.iter().rev().filter(|piece| shows(piece.product)) {
         piece_ui(ui, studio, piece);
     }
 }

@@ -10,11 +10,15 @@ use lole_costume::roster::RosterDancer;
 use lole_export::pdf::Paper;
 use lole_language::Sentence;
 use lole_pattern::pattern::Amount;
+use lole_stage::Formation;
 
 use super::cost::total_name;
 use super::hindrance;
-use super::knob::{Knob, Scale, choice, left_label, wide_button};
+use super::knob::{DropDown, Knob, Scale, choice, left_label, wide_button};
+use super::making;
+use crate::making::Product;
 use crate::ordering::{Progress, Totals};
+use crate::platform;
 use crate::studio::Request;
 use crate::{Studio, look, text};
 
@@ -66,6 +70,29 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     if let Some(totals) = totals {
         totals_ui(ui, studio, &totals);
     }
+    if platform::products().contains(&Product::Film) {
+        film(ui, studio);
+    }
+}
+
+/// Everybody in one film.
+fn film(ui: &mut Ui, studio: &mut Studio) {
+    ui.separator();
+    let formations = Formation::ALL.map(|it| (it, studio.say(it.name()).to_owned()));
+    let list = DropDown {
+        salt: "formation",
+        name: studio.say(text::FORMATION),
+    };
+    if let Some(formation) = list.show(ui, studio.order.formation, &formations) {
+        studio.order.formation = formation;
+    }
+    let product = Product::GroupFilm;
+    if wide_button(ui, &format!("{}…", studio.say(product.name()))) {
+        studio.request(Request::AskMake(product));
+    }
+    let about = RichText::new(studio.say(product.about())).small();
+    ui.label(about.weak());
+    making::pieces(ui, studio, |product| product == Product::GroupFilm);
 }
 
 /// Widths of a number of the list [point].

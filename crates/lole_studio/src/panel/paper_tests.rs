@@ -253,3 +253,23 @@ fn a_dancer_of_the_list_is_dressed_by_a_click_with_her_figures_to_the_millimeter
     click(&mut window, "Undo");
     assert_eq!(*window.state().design(), Design::default());
 }
+
+#[test]
+fn everybody_of_the_list_is_filmed_as_they_are_to_stand() {
+    let mut studio = studio(Tab::Order);
+    let list = roster::read("name,stature,hip\nHanako,155.5,98\nNani,150,85\n".as_bytes());
+    studio.order.list = Some((PathBuf::from("hula.csv"), Arc::new(list.unwrap())));
+    let mut window = window(studio);
+    let product = Product::GroupFilm;
+    click(&mut window, &format!("{}…", product.name().english));
+    let requests = window.state_mut().take_requests();
+    assert_eq!(requests, [Request::AskMake(product)]);
+    window.state_mut().making.pieces = vec![Piece {
+        number: 1,
+        product,
+        path: PathBuf::from("all.mp4"),
+        stage: Stage::Working(0.4),
+    }];
+    window.run_steps(3);
+    window.get_by_label("40 %");
+}

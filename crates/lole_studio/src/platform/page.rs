@@ -53,6 +53,11 @@ pub(crate) fn film(_wish: &Wish, _line: &Line<'_>) -> Result<Vec<u8>, Unmade> {
     )))
 }
 
+/// The same of everybody.
+pub(crate) fn group_film(wish: &Wish, line: &Line<'_>) -> Result<Vec<u8>, Unmade> {
+    film(wish, line)
+}
+
 /// Nothing: what was downloaded is shown by the browser itself.
 pub(crate) fn reveal(_path: &Path, _wake: impl Fn() + Send + 'static) -> Receiver<Sentence> {
     mpsc::channel().1

@@ -21,7 +21,7 @@ use eframe::egui::Context;
 use crate::making::Product;
 
 pub(crate) use asking::Asking;
-pub(crate) use film::film;
+pub(crate) use film::{film, group_film};
 pub(crate) use keeping::Keeping;
 pub(crate) use light::Light;
 pub(crate) use maker::Maker;

@@ -162,6 +162,8 @@ fn get_wish(unpacker: &mut Unpacker<'_>) -> Option<Wish> {
         language: get_language(unpacker)?,
         title: unpacker.text()?,
         design: get_design(unpacker)?,
+        // A page makes no film.
+        group: None,
     })
 }
 

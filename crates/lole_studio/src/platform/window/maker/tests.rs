@@ -26,6 +26,7 @@ fn wish(product: Product, name: &str) -> Wish {
         cutting: Cutting::default(),
         language: Language::Japanese,
         title: "ハウ".to_owned(),
+        group: None,
     }
 }
 
@@ -48,6 +49,35 @@ fn end_of(maker: &mut Maker, number: u64, told: &mut Vec<(u64, Stage)>) -> (Stag
 
 fn end(maker: &mut Maker, number: u64) -> (Stage, Vec<f32>) {
     end_of(maker, number, &mut Vec::new())
+}
+
+#[test]
+fn everybody_of_a_list_dances_in_one_film_or_it_is_said_why_not() {
+    let mut maker = Maker::start(0, || {});
+    let heads = "name,stature,bust,waist,hip\n";
+    let mut ask = |rows: &str, name: &str| {
+        let list = lole_costume::roster::read(format!("{heads}{rows}").as_bytes()).unwrap();
+        let mut wish = wish(Product::GroupFilm, name);
+        wish.design.skirt.column_count = 112;
+        wish.group = Some((list.into(), lole_stage::Formation::Wedge));
+        let piece = maker.ask(wish);
+        (end(&mut maker, piece.number), piece.path)
+    };
+    let ((stage, shares), path) = ask("Hanako,158,83,66,91\nMele,165,92,74,99\n", "all.mp4");
+    assert_eq!(stage, Stage::Done);
+    assert!(shares.is_sorted() && shares.iter().all(|share| (0.0..=1.0).contains(share)));
+    let bytes = std::fs::read(&path).unwrap();
+    assert!(bytes[..12].windows(4).any(|four| four == b"ftyp"));
+    std::fs::remove_file(&path).unwrap();
+    let many: String = (0..25).map(|it| format!("{it},158,83,66,91\n")).collect();
+    for (rows, said) in [(many.as_str(), "25 dancers"), ("", "no dancers")] {
+        let ((stage, _), path) = ask(rows, "none.mp4");
+        let Stage::Failed(why) = stage else {
+            panic!("{said}");
+        };
+        assert!(why.english.contains(said), "{why}");
+        assert!(!path.exists());
+    }
 }
 
 #[test]
