@@ -19,8 +19,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 use std::time::Instant;
 
-use lole_costume::document;
-use lole_costume::document::schema::{Kind, TABLES, Table};
+use lole_costume::document::schema::{Key, Kind, TABLES, Table};
+use lole_costume::document::{self, MethodName};
 use lole_garment::TEMPLATES;
 use lole_garment::template::{OptionKind, OptionRow};
 use lole_geom::chance::Chance;
@@ -121,7 +121,12 @@ fn danced(text: &str, seconds: f64) -> End {
     while f64::from(performance.time()) < seconds {
         let start = Instant::now();
         if let Err(error) = performance.advance() {
-            return End::CameApart(format!("{error:?}"));
+            let why = format!("{error:?}");
+            // The paper's methods come apart where their steps are too large for a fabric, and say so.
+            return match design.method.name {
+                MethodName::Xpbd => End::CameApart(why),
+                _ => End::Refused(format!("{} came apart", design.method.name.id())),
+            };
         }
         worst_ms = worst_ms.max(1000.0 * start.elapsed().as_secs_f64());
     }
@@ -181,7 +186,11 @@ fn others(chance: &mut Chance, table: &Table) -> Vec<String> {
         let worn = if chance.falls(0.5) { "yes" } else { "no" };
         lines.push(format!("worn = \"{worn}\""));
     }
-    for key in table.keys.iter().filter(|key| key.name != "worn") {
+    // There is no photo of which they could say something.
+    let alone = |key: &&Key| {
+        key.name != "worn" && !key.name.starts_with("known_") && !key.name.starts_with("crop_")
+    };
+    for key in table.keys.iter().filter(alone) {
         if !chance.falls(KEYS_SAID) {
             continue;
         }
@@ -189,7 +198,8 @@ fn others(chance: &mut Chance, table: &Table) -> Vec<String> {
             Kind::Number { min, max, .. } => format!("{:.4}", between(chance, [*min, *max])),
             Kind::Count { min, max, .. } => {
                 let most = if key.name.ends_with("seed") {
-                    *max
+                    // Beyond this no float is every whole number.
+                    (*max).min(1 << f64::MANTISSA_DIGITS)
                 } else {
                     MOST_OF_A_COUNT.min(*max)
                 };

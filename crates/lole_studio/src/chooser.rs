@@ -156,14 +156,33 @@ fn places(variable: impl Fn(&str) -> Option<OsString>) -> Vec<PathBuf> {
 
 /// The nearest folder to a path that is there: the one a question begins in.
 pub(crate) fn folder_of(path: &Path) -> PathBuf {
-    let near = path.ancestors().skip(1).find(|folder| folder.is_dir());
+    let mut near = path.ancestors().skip(usize::from(!ends_as_folder(path)));
+    let near = near.find(|folder| folder.is_dir());
     let here = || std::env::current_dir().unwrap_or_default();
     near.map_or_else(here, Path::to_owned)
+}
+
+/// Whether a path is written as that of a folder.
+pub(crate) fn ends_as_folder(path: &Path) -> bool {
+    let end = path.as_os_str().as_encoded_bytes().last();
+    end.is_some_and(|&end| std::path::is_separator(char::from(end)))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_path_that_is_written_as_a_folder_is_looked_into_and_no_other() {
+        let folder = std::env::temp_dir().join(format!("lole-near-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        let parent = folder.parent().map(Path::to_owned);
+        assert_eq!(Some(folder_of(&folder)), parent);
+        assert_eq!(folder_of(&folder.join("")), folder);
+        assert_eq!(folder_of(&folder.join("not-there/")), folder);
+        assert_eq!(folder_of(&folder.join("a.lole")), folder);
+        std::fs::remove_dir_all(&folder).unwrap();
+    }
 
     #[test]
     fn folders_come_first_and_of_files_those_that_are_asked_for() {

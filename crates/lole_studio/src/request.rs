@@ -94,7 +94,12 @@ impl Question {
     #[must_use]
     pub fn new(purpose: Purpose, path: impl Into<String>) -> Self {
         let path = path.into();
-        let folder = Path::new(&path).parent().unwrap_or(Path::new(""));
+        let whole = Path::new(&path);
+        let folder = if crate::chooser::ends_as_folder(whole) {
+            whole
+        } else {
+            whole.parent().unwrap_or(Path::new(""))
+        };
         Self {
             purpose,
             folder: folder.to_owned(),

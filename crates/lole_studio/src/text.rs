@@ -287,11 +287,18 @@ pub(crate) const TOTAL: Words = words("合計", "Total");
 pub(crate) const TOTAL_KNOWN: Words = words("わかっている分", "Known so far");
 
 pub(crate) const GROUP_ORDER: Words = words("全員分", "Group");
-pub(crate) const CHOOSE_LIST: Words = words("名簿（CSV）を選ぶ…", "Choose a list (CSV)…");
-pub(crate) const LIST_HOW: Words = words(
-    "表計算で 1 行に 1 人、名前・身長・ヒップなどを書き、CSV で保存した名簿を選びます。",
-    "Choose a list saved as CSV by a spreadsheet: one dancer a row, with name, stature, hip and so on.",
-);
+pub(crate) const CHOOSE_LIST: Words = words("名簿を選ぶ…", "Choose a list…");
+pub(crate) const LIST_HOW: Words = if cfg!(target_arch = "wasm32") {
+    words(
+        "表計算で 1 行に 1 人、名前・身長・ヒップなどを書き、CSV で保存した名簿を選びます。",
+        "Choose a list saved as CSV by a spreadsheet: one dancer a row, with name, stature, hip and so on.",
+    )
+} else {
+    words(
+        "表計算で 1 行に 1 人、名前・身長・ヒップなどを書いた名簿（.xlsx .ods .csv）を選びます。",
+        "Choose a list from a spreadsheet (.xlsx, .ods, .csv): one dancer a row, with name, stature, hip and so on.",
+    )
+};
 pub(crate) const NAME: Words = words("名前", "Name");
 pub(crate) const SPARE: Words = words("予備の布", "Spare cloth");
 pub(crate) const PAPER: Words = words("印刷する紙", "Paper");

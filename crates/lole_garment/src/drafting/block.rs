@@ -208,11 +208,12 @@ pub(crate) fn unfit(
     [least, most]: [f64; 2],
     remedy: lole_language::Words,
 ) -> DraftError {
+    // Told in millimeters: what is refused does not stand inside.
     DraftError::Measure {
         what: measure.words(),
         cm: measure.of(measures).to_cm(),
-        least_cm: least / CM,
-        most_cm: most / CM,
+        least_cm: (10.0 * least / CM).ceil() / 10.0,
+        most_cm: (10.0 * most / CM).floor() / 10.0,
         remedy,
     }
 }

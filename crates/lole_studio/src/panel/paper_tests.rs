@@ -149,7 +149,7 @@ fn the_first_page_begins_with_a_costume_a_design_of_before_or_as_it_is() {
     assert_eq!(requests, [Request::Open("silk/hau.lole".into())]);
     assert!(begun("Begin as it is").1.is_empty());
     assert_eq!(begun("Open a design…").1, [Request::AskOpen]);
-    assert_eq!(begun("Choose a list (CSV)…").1, [Request::AskRoster]);
+    assert_eq!(begun("Choose a list…").1, [Request::AskRoster]);
 }
 
 #[test]
