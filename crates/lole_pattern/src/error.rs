@@ -97,6 +97,16 @@ pub enum DraftError {
         /// What else can be done, beginning with a comma; may be empty.
         remedy: Words,
     },
+    /// A skirt would be worn around the legs.
+    #[error(
+        "worn_height_cm is {worn_cm:.0} cm, where her legs have parted; wear the skirt above {least_cm:.0} cm"
+    )]
+    WornTooLow {
+        /// Height of its upper edge above the floor [cm].
+        worn_cm: f64,
+        /// Lowest height at which it is carried [cm].
+        least_cm: f64,
+    },
     /// A garment of a pattern file whose file was not read.
     #[error("the pattern's file is not read; name it with file = \"…\"")]
     NoFile,
@@ -193,6 +203,9 @@ impl Bilingual for DraftError {
                 "{}が {cm:.1} cm です。ほかの寸法のもとでこの服を製図できるのは \
                  {least_cm:.1}～{most_cm:.1} cm です。測り直してください{}",
                 what.japanese, remedy.japanese
+            ),
+            Self::WornTooLow { worn_cm, least_cm } => format!(
+                "worn_height_cm が {worn_cm:.0} cm ですが、そこはもう脚です。{least_cm:.0} cm より上ではいてください"
             ),
             Self::NoFile => {
                 "型紙のファイルがまだ読まれていません。file = \"…\" で名前を書いてください"

@@ -94,6 +94,26 @@ fn skirts_of_strands_stay_outside_the_skin_and_keep_their_length() {
 }
 
 #[test]
+fn a_skirt_of_strands_is_not_worn_around_the_legs() {
+    for kind in ["ti-leaf-skirt", "raffia-skirt", "cellophane-skirt"] {
+        for (worn_cm, is_refused) in [(40, true), (60, true), (85, false)] {
+            let design = design(&format!(
+                "[skirt]\nworn = \"no\"\n[[garment]]\nkind = \"{kind}\"\nworn_height_cm = {worn_cm}\nhem_height_cm = 10\n"
+            ));
+            let made = Production::new(&design).map(|_| ());
+            let said = made.as_ref().err().map(ToString::to_string);
+            assert_eq!(
+                said.is_some(),
+                is_refused,
+                "{kind} at {worn_cm} cm: {said:?}"
+            );
+            let names_the_key = said.is_none_or(|it| it.contains("worn_height_cm"));
+            assert!(names_the_key, "{kind} at {worn_cm} cm");
+        }
+    }
+}
+
+#[test]
 fn lei_stay_around_the_neck_and_outside_the_skin() {
     for (dancer, step) in DANCERS.iter().zip(["ami", "kaholo", "kaholo"]) {
         for form in ["closed", "open"] {

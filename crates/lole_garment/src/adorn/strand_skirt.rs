@@ -17,6 +17,7 @@ use super::chosen::{Chosen, chance, real, whole};
 use super::shape::{OnStrands, Shape};
 use super::{AdornmentFinish, Carrier, HangingStrands, Made, Rider, Surface, Wearer};
 use crate::GarmentSpec;
+use crate::drafting::strands::is_on_hips;
 
 /// Strands that are moved at most; more of them are drawn beside these.
 const MOST_STRANDS: usize = 260;
@@ -122,7 +123,7 @@ pub(crate) fn ti_leaf(spec: &GarmentSpec<'_>, wearer: &Wearer<'_>) -> Result<Mad
             (place, (color * shade * dry).clamp(Vec3::ZERO, Vec3::ONE))
         });
         on.add_bent(&half, (strand, spacing));
-    });
+    })?;
     made.surfaces.insert(0, braid(wearer, &hung, cord));
     Ok(named(made, AdornmentFinish::Leaf))
 }
@@ -170,7 +171,7 @@ pub(crate) fn raffia(spec: &GarmentSpec<'_>, wearer: &Wearer<'_>) -> Result<Made
             });
             on.add_bent(&fan, (strand, spacing));
         }
-    });
+    })?;
     made.surfaces
         .insert(0, band(wearer, &hung, &stuff, chosen.ground()));
     Ok(named(made, AdornmentFinish::Fiber))
@@ -212,7 +213,7 @@ pub(crate) fn cellophane(spec: &GarmentSpec<'_>, wearer: &Wearer<'_>) -> Result<
             (place, color)
         });
         on.add_bent(&strip, (strand, spacing));
-    });
+    })?;
     made.surfaces
         .insert(0, band(wearer, &hung, &stuff, chosen.ground()));
     Ok(named(made, AdornmentFinish::Film))
@@ -233,7 +234,9 @@ fn hang(
     hung: &Hung,
     stuff: &Stuff,
     draw: impl Fn(&mut OnStrands, (usize, usize), f32),
-) -> Made {
+) -> Result<Made, DraftError> {
+    let fastened = 0.5 * f64::from(stuff.band);
+    is_on_hips(wearer.measures, f64::from(hung.height), fastened)?;
     let moved = stuff.count.min(MOST_STRANDS);
     let spacing = hung.length / real(PARTICLES - 1);
     let ring = wearer
@@ -275,11 +278,11 @@ fn hang(
     for one in 0..stuff.count {
         draw(&mut on, (one, one * moved / stuff.count.max(1)), spacing);
     }
-    Made {
+    Ok(Made {
         surfaces: vec![on.surface(AdornmentFinish::Fiber)],
         strands: Some(hanging),
         ..Made::default()
-    }
+    })
 }
 
 /// Layers are dealt out so that neighbors around the waist lie over each other.

@@ -25,6 +25,22 @@ pub(crate) const STRANDS_HEM: lole_language::Words = words(
     "hem above the floor; left out: at the knees",
 );
 
+/// Whether a skirt of strands whose upper edge is at a height, and which is fastened so far below it [m], lies on hips
+/// and not on legs.
+pub(crate) fn is_on_hips(measures: &Measures, height: f64, below: f64) -> Result<(), DraftError> {
+    let Some(lowest) = measures.trunk.first() else {
+        return Ok(());
+    };
+    let least = lowest.height.to_m() + below;
+    if height < least {
+        return Err(DraftError::WornTooLow {
+            worn_cm: height / CM,
+            least_cm: (least / CM).ceil(),
+        });
+    }
+    Ok(())
+}
+
 /// Where a skirt of strands is worn, and how long it is.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Hung {
@@ -45,6 +61,7 @@ impl Hung {
             Measure::KneeHeight,
         ])?;
         let height = chosen.m_or("worn_height_cm", measures.hip_bone_height.to_m());
+        is_on_hips(measures, height, 0.0)?;
         let girth = measures.girth_at(Length::from_m(height));
         let hem = chosen.m_or("hem_height_cm", measures.knee_height.to_m());
         let length = height - hem;

@@ -10,7 +10,7 @@ use eframe::egui;
 use eframe::egui_wgpu::{WgpuConfiguration, WgpuSetup, WgpuSetupCreateNew};
 use lole_costume::document::Design;
 use lole_files as files;
-use lole_language::{Language, Sentence, words};
+use lole_language::{Language, Sentence};
 use lole_render::wgpu;
 
 use super::Keeping;
@@ -187,13 +187,27 @@ fn taken_away(panic: &(dyn Any + Send)) -> Sentence {
     )
 }
 
+/// Variables that name a display, where a system has them.
+const DISPLAYS: [&str; 3] = ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"];
+
 fn no_window(error: &eframe::Error) -> Sentence {
+    let is_named = |name| std::env::var_os(name).is_some_and(|it| !it.is_empty());
+    let has_display = DISPLAYS.into_iter().any(is_named);
     let reason = match error {
-        eframe::Error::Wgpu(_) | eframe::Error::AppCreation(_) => words(
+        eframe::Error::Wgpu(_) | eframe::Error::AppCreation(_) => Sentence::new(
             "グラフィックス装置が使えません",
             "no graphics adapter can be used",
         ),
-        _ => words("画面がありません", "there is no display"),
+        // There is one, and something that it is reached by is not.
+        error if has_display => Sentence::new(
+            format!(
+                "画面につながりません: {error}。X か Wayland のライブラリが足りないかもしれません"
+            ),
+            format!(
+                "the display cannot be reached: {error}; a library of X or Wayland may be missing"
+            ),
+        ),
+        _ => Sentence::new("画面がありません", "there is no display"),
     };
     Sentence::new(
         format!(
