@@ -93,7 +93,12 @@ fn a_group_that_cannot_dance_is_refused_in_a_sentence() {
     let many: String = (0..25).map(|it| format!("{it},158,83,66,91\n")).collect();
     let many = format!("name,stature,bust,waist,hip\n{many}");
     let heads = "name,stature,bust,waist,hip\n";
-    let cases: [(&str, &[&str], &str); 6] = [
+    let cases: [(&str, &[&str], &str); 7] = [
+        (
+            "name,stature,bust,waist,hip\nHanako,158,83,66,91\nMele,100,140,120,140\n",
+            &[],
+            "list.csv: line 3, Mele: bust girth",
+        ),
         (&many, &[], "25 dancers are listed, and a film holds 24"),
         (heads, &[], "no dancers"),
         ("name,hip\nHanako,x\n", &[], "line 2"),

@@ -62,7 +62,7 @@ pub(super) fn run(
         .num_threads(threads)
         .build()
         .map_err(Failure::error)?;
-    let members = pool.install(|| dressed(&roster.dancers, source, (&stop, language)))?;
+    let members = pool.install(|| dressed((&roster.dancers, list), source, (&stop, language)))?;
     let folder = output::create(&args.out).map_err(Failure::Usage)?;
     let stage = Stage {
         args,
@@ -100,7 +100,7 @@ fn how_many(count: usize) -> Sentence {
 
 /// Everybody dressed, in the order of the list.
 fn dressed(
-    dancers: &[RosterDancer],
+    (dancers, list): (&[RosterDancer], &Path),
     source: &Source,
     (stop, language): (&AtomicBool, Language),
 ) -> Result<Vec<Member>, Failure> {
@@ -113,7 +113,12 @@ fn dressed(
         member.map_err(|error| match error {
             MemberError::Stage(error) => {
                 let sentence = named(&dancer.name, &Sentence::of(&error));
-                source.located(place_of(&error), sentence)
+                let place = place_of(&error);
+                if place.table == "dancer" {
+                    // Her measures stand in the list, not in the design.
+                    return Failure::usage(of_file(list, &in_line(dancer.line, &sentence)));
+                }
+                source.located(place, sentence)
             }
             MemberError::Look(error) => Failure::error(error),
         })
@@ -121,6 +126,14 @@ fn dressed(
     let members: Vec<Result<Member, Failure>> = members.collect();
     bar.finish_and_clear();
     members.into_iter().collect()
+}
+
+/// A sentence about a line of the list.
+fn in_line(line: u32, sentence: &Sentence) -> Sentence {
+    Sentence::new(
+        format!("{line} 行目、{}", sentence.japanese()),
+        format!("line {line}, {sentence}"),
+    )
 }
 
 /// A sentence about one dancer.
