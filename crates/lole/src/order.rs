@@ -136,14 +136,18 @@ fn unprinted<'a>(texts: impl Iterator<Item = &'a str>) -> Option<Sentence> {
     })
 }
 
+/// What is said of a list without rows.
+pub(crate) fn nobody_listed() -> Sentence {
+    Sentence::new(
+        "名簿に踊り手がいません。見出しの下に一人一行で書いてください",
+        "the list has no dancers; write one a line below the heads",
+    )
+}
+
 /// Why nobody of a list can be cut for.
 fn nobody(group: &Group, list: &Path) -> Failure {
-    let sentence = group.problems.first().cloned().unwrap_or_else(|| {
-        Sentence::new(
-            "名簿に踊り手がいません。見出しの下に一人一行で書いてください",
-            "the list has no dancers; write one a line below the heads",
-        )
-    });
+    let sentence = group.problems.first().cloned();
+    let sentence = sentence.unwrap_or_else(nobody_listed);
     let sentence = of_file(list, &sentence);
     // A list of dancers who are all too large for the cloth can be read.
     if 0 < group.too_wide_count && group.too_wide_count == group.problems.len() {

@@ -38,7 +38,7 @@ pub const MOST_BYTES: usize = 8 << 20;
 const MOST_LETTERS: usize = 80;
 
 /// What a file says.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Roster {
     /// Everybody whose row can be used, in the order of the file.
     pub dancers: Vec<RosterDancer>,

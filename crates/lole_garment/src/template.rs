@@ -158,7 +158,7 @@ pub const MANY_SUBSTEPS: [NonZeroU32; 2] = [
     NonZeroU32::MIN.saturating_add(47),
     NonZeroU32::MIN.saturating_add(95),
 ];
-/// Substeps of what is wound tightly: where an arm presses its edge there is no room for stiffer cloth.
+/// Substeps of what is wound tightly.
 pub const FEW_SUBSTEPS: [NonZeroU32; 2] = [NonZeroU32::MIN.saturating_add(23); 2];
 
 /// A template that is one rectangle, gathered around the hips.

@@ -96,12 +96,12 @@ impl Member {
 }
 
 /// Dancers on one stage. Its work is shared among the threads of the pool that it is called in.
-pub struct Group {
+pub struct Ensemble {
     members: Vec<Member>,
     formation: Formation,
 }
 
-impl Group {
+impl Ensemble {
     /// Places everybody, from one to the next of a row by `spacing` [m], or so far that no hand reaches a neighbor.
     #[must_use]
     pub fn new(mut members: Vec<Member>, formation: Formation, spacing: Option<f32>) -> Self {

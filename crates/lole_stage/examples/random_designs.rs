@@ -156,7 +156,7 @@ fn design(seed: u64) -> String {
         }
     }
     for table in TABLES {
-        lines.extend(others(&mut chance, table));
+        lines.extend(some_keys(&mut chance, table));
     }
     for number in 0..MOST_GARMENTS {
         let Some(template) = chance.choose(TEMPLATES) else {
@@ -176,7 +176,7 @@ fn design(seed: u64) -> String {
 }
 
 /// A table with some of its keys; a body's are its measures, which go by its stature.
-fn others(chance: &mut Chance, table: &Table) -> Vec<String> {
+fn some_keys(chance: &mut Chance, table: &Table) -> Vec<String> {
     let mut lines = Vec::new();
     if table.name == "dancer" {
         return lines;

@@ -12,18 +12,16 @@ use lole_export::video::{Mp4Writer, Song, VideoSettings};
 use lole_files::OutputFolder;
 use lole_language::{Bilingual as _, Language, Sentence};
 use lole_picture::Lamps;
-use lole_picture::group::{Group, MOST_DANCERS, Member, MemberError};
+use lole_picture::group::{Ensemble, MOST_DANCERS, Member, MemberError};
 use lole_render::{Image, Renderer, Size};
 use lole_stage::{Danced, Performance};
 use lole_study::{Stopwatch, figures};
 use rayon::prelude::*;
 
-use super::{
-    FILM_RATE, FRAMES_PER_PICTURE, Files, backend, frame_count, place_of, still_frame, thread_count,
-};
+use super::{FILM_RATE, FRAMES_PER_PICTURE, Files, backend, frame_count, place_of, still_frame};
 use crate::args::DanceArgs;
 use crate::clock::SystemClock;
-use crate::order::{of_file, read_roster};
+use crate::order::{nobody_listed, of_file, read_roster};
 use crate::patience::{check, progress_bar, stop_flag};
 use crate::source::Source;
 use crate::{Failure, output, summary};
@@ -55,16 +53,14 @@ pub(super) fn run(
     let started = Stopwatch::start(&clock);
     // Dancers share nothing, so every core has one.
     let cores = || std::thread::available_parallelism().map_or(1, usize::from);
-    let threads = args
-        .threads
-        .map_or_else(cores, |_| thread_count(args.threads));
+    let threads = args.threads.map_or_else(cores, usize::from);
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(threads)
         .build()
         .map_err(Failure::error)?;
     let members = pool.install(|| dressed((&roster.dancers, list), source, (&stop, language)))?;
     let folder = output::create(&args.out).map_err(Failure::Usage)?;
-    let stage = Stage {
+    let run = Run {
         args,
         language,
         stop: &stop,
@@ -72,9 +68,9 @@ pub(super) fn run(
     };
     let (formation, spacing) = (args.group.formation, args.group.spacing);
     let paths = pool.install(|| {
-        let mut group = Group::new(members, formation, spacing);
-        let shots = stage.film(&mut group, song)?;
-        stage.write(&group, &shots, folder)
+        let mut group = Ensemble::new(members, formation, spacing);
+        let taken = run.film(&mut group, song)?;
+        run.write(&group, &taken, folder)
     })?;
     let seconds = started.read().wall_seconds;
     summary::print_group(&paths, (count, seconds), language);
@@ -83,10 +79,7 @@ pub(super) fn run(
 
 fn how_many(count: usize) -> Sentence {
     if count == 0 {
-        return Sentence::new(
-            "名簿に踊り手がいません。見出しの下に一人一行で書いてください",
-            "the list has no dancers; write one a line below the heads",
-        );
+        return nobody_listed();
     }
     Sentence::new(
         format!(
@@ -145,7 +138,7 @@ fn named(name: &str, sentence: &Sentence) -> Sentence {
 }
 
 /// What a film of a group is made with.
-struct Stage<'a> {
+struct Run<'a> {
     args: &'a DanceArgs,
     language: Language,
     stop: &'a AtomicBool,
@@ -153,14 +146,14 @@ struct Stage<'a> {
 }
 
 /// What the camera has taken.
-struct Shots {
+struct Taken {
     film: Vec<u8>,
     stills: Vec<Image>,
 }
 
-impl Stage<'_> {
+impl Run<'_> {
     /// Lets what everybody wears hang down, and dances.
-    fn film(&self, group: &mut Group, song: Option<&Song>) -> Result<Shots, Failure> {
+    fn film(&self, group: &mut Ensemble, song: Option<&Song>) -> Result<Taken, Failure> {
         let (width, height) = self.args.size;
         let size = Size::new(width, height);
         let mut renderer = Renderer::new(backend(self.args), size).map_err(Failure::error)?;
@@ -194,13 +187,13 @@ impl Stage<'_> {
         }
         group.look();
         bar.finish_and_clear();
-        Ok(Shots {
+        Ok(Taken {
             film: film.finish().map_err(Failure::error)?,
             stills,
         })
     }
 
-    fn settle(&self, group: &mut Group) -> Result<(), Failure> {
+    fn settle(&self, group: &mut Ensemble) -> Result<(), Failure> {
         let count = Performance::settle_frame_count();
         let bar = progress_bar(count, self.language.pick("布をなじませる", "settling"));
         while group.is_settling() {
@@ -214,13 +207,13 @@ impl Stage<'_> {
 
     fn write(
         &self,
-        group: &Group,
-        shots: &Shots,
+        group: &Ensemble,
+        taken: &Taken,
         mut folder: OutputFolder,
     ) -> Result<Vec<PathBuf>, Failure> {
         let mut files = Files::default();
-        files.add(&mut folder, "dance.mp4", &shots.film, "")?;
-        files.add_stills(&mut folder, &shots.stills)?;
+        files.add(&mut folder, "dance.mp4", &taken.film, "")?;
+        files.add_stills(&mut folder, &taken.stills)?;
         if let Some(Danced::Step(dance)) = danced(group) {
             let counts = counts_csv(&dance.counts(self.design.duration_s(dance.duration())));
             files.add(&mut folder, "counts.csv", counts.as_bytes(), "")?;
@@ -234,13 +227,13 @@ impl Stage<'_> {
 }
 
 /// What all of them dance.
-fn danced(group: &Group) -> Option<&Danced> {
+fn danced(group: &Ensemble) -> Option<&Danced> {
     let first = group.members().first()?;
     Some(&first.performance().production().dance)
 }
 
 /// A frame of everybody.
-fn advance(group: &mut Group) -> Result<(), Failure> {
+fn advance(group: &mut Ensemble) -> Result<(), Failure> {
     group.advance().map_err(|(place, found)| {
         let member = &group.members()[place];
         let production = member.performance().production();
@@ -251,7 +244,7 @@ fn advance(group: &mut Group) -> Result<(), Failure> {
 }
 
 /// The stills of a moment in which everybody is posed.
-fn take_stills(group: &mut Group, renderer: &mut Renderer) -> Result<Vec<Image>> {
+fn take_stills(group: &mut Ensemble, renderer: &mut Renderer) -> Result<Vec<Image>> {
     group.look();
     renderer.resize(STILL_SIZE)?;
     let cameras = group.still_cameras(STILL_SIZE).into_iter();

@@ -324,7 +324,8 @@ mod tests {
             let mut design = Design::default();
             design.skirt.is_worn = false;
             design.garments = GarmentDesign::of_kind(kind).into_iter().collect();
-            let sizes: Vec<DancerPlan> = (size_chart::jis().dancers.iter())
+            let chart = size_chart::chart("jis").expect("a chart");
+            let sizes: Vec<DancerPlan> = (chart.dancers.iter())
                 .map(|size| order::plan(size, &design).unwrap_or_else(|error| panic!("{error}")))
                 .collect();
             let sheet = nested_sheet(&sizes, 0, Language::English);
@@ -361,7 +362,7 @@ mod tests {
     /// What cannot be nested says why, in one sentence about the garment and its piece.
     #[test]
     fn what_is_not_nested_says_why() {
-        let chart = size_chart::jis();
+        let chart = size_chart::chart("jis").expect("a chart");
         let plan = |size, kind: &str| {
             let mut design = Design::default();
             design.skirt.is_worn = kind.is_empty();

@@ -214,6 +214,7 @@ mod worn {
             carrier: Carrier::Tape,
         }),
         particle_count: 4000.0,
+        // An arm lifts it in every count: more of them where it is strained would be more of them always.
         substep_counts: [MANY_SUBSTEPS[0]; 2],
     };
 

@@ -1,4 +1,4 @@
-//! Where she is seen: floor, background and light of window, stills and film.
+//! How she is seen: floor, background and light of window, stills and film, and how the film is shot.
 
 use eframe::egui::Ui;
 use lole_costume::document::{CameraWork, StageSet};

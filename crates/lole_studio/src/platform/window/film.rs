@@ -4,7 +4,7 @@ use lole_export::video::{Mp4Writer, VideoSettings};
 use lole_language::Sentence;
 use lole_picture::Lamps;
 use lole_picture::film::FilmCamera;
-use lole_picture::group::{Group, MOST_DANCERS, Member, MemberError};
+use lole_picture::group::{Ensemble, MOST_DANCERS, Member, MemberError};
 use lole_picture::studio::PhotoStudio;
 use lole_render::{Backend, Renderer, Size};
 use lole_stage::FRAMES_PER_SECOND;
@@ -61,15 +61,18 @@ pub(crate) fn group_film(wish: &Wish, line: &Line<'_>) -> Result<Vec<u8>, Unmade
         let member = Member::new(&dancer.name, &design);
         members.push(member.map_err(|error| refused(&dancer.name, &error))?);
     }
-    let mut group = Group::new(members, *formation, None);
+    let mut group = Ensemble::new(members, *formation, None);
     let renderer = Renderer::new(Backend::Auto, FILM_SIZE);
     let mut renderer = renderer.map_err(|error| Unmade::of(&error))?;
     let size = [FILM_SIZE.width, FILM_SIZE.height];
     let film = Mp4Writer::new(size, FILM_RATE, VideoSettings::default());
     let mut film = film.map_err(|error| Unmade::of(&error))?;
-    let advance = |group: &mut Group| {
+    let advance = |group: &mut Ensemble| {
         let moved = within(pool.as_ref(), || group.advance());
-        moved.map_err(|(_, found)| Unmade::Failed(flew_apart(Some(found.time))))
+        moved.map_err(|(place, found)| {
+            let name = group.members()[place].name();
+            Unmade::Failed(named(name, &flew_apart(Some(found.time))))
+        })
     };
     while group.is_settling() {
         line.goes_on(all(0.0))?;
@@ -130,10 +133,15 @@ fn refused(name: &str, error: &MemberError) -> Unmade {
         MemberError::Look(error) => Unmade::of(error),
     };
     match why {
-        Unmade::Failed(why) => Unmade::Failed(Sentence::new(
-            format!("{name}: {}", why.japanese),
-            format!("{name}: {}", why.english),
-        )),
+        Unmade::Failed(why) => Unmade::Failed(named(name, &why)),
         Unmade::CalledOff => why,
     }
+}
+
+/// A sentence about one dancer.
+fn named(name: &str, sentence: &Sentence) -> Sentence {
+    Sentence::new(
+        format!("{name}: {}", sentence.japanese),
+        format!("{name}: {}", sentence.english),
+    )
 }
