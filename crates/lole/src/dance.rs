@@ -10,8 +10,9 @@ use anyhow::Result;
 use lole_avatar::AvatarError;
 use lole_costume::document::{self, Design, MethodName, Place};
 use lole_export::counts::counts_csv;
+use lole_export::glb::MOST_TARGETS;
 use lole_export::glb::said_of;
-use lole_export::report::ReportFile;
+use lole_export::report::{PageFilm, ReportFile};
 use lole_export::video::{Mp4Writer, Song, VideoSettings};
 use lole_export::{ImageView, still};
 use lole_files::OutputFolder;
@@ -47,6 +48,12 @@ const STILL_SIZE: Size = Size {
     width: 1080,
     height: 1440,
 };
+/// Simulated frames of a dance whose film is held in memory: a minute.
+const HELD_FRAMES: u32 = 60 * FRAMES_PER_SECOND;
+/// Largest film that the page holds itself [byte]: browsers open no page of hundreds of megabytes.
+const LARGEST_HELD_FILM: u64 = 64 << 20;
+/// The film's name.
+const FILM: &str = "dance.mp4";
 /// Threads the cloth is simulated on unless asked otherwise: more do not help a single skirt.
 const MOST_THREADS: usize = 4;
 
@@ -242,10 +249,12 @@ impl Run<'_> {
             .num_threads(threads)
             .build()
             .map_err(Failure::error)?;
-        let mut shoot = self.shoot(&performance).map_err(Failure::error)?;
+        let mut shoot = self.shoot(&performance, &output).map_err(Failure::error)?;
         let divergence = settle_on(&mut performance, &pool, (&self.stop, self.language))?;
+        let keys = self.keys(&performance, &output).map_err(Failure::error)?;
         let mut recording = Recording {
             divergence,
+            keys,
             ..Recording::default()
         };
         if recording.divergence.is_none() {
@@ -260,13 +269,28 @@ impl Run<'_> {
         self.write(finished, output, started)
     }
 
-    fn shoot(&self, performance: &Performance) -> Result<Shoot> {
+    /// Simulated frames of the dance.
+    fn frame_count(&self, performance: &Performance) -> u32 {
+        let whole = (performance.production().dance).whole(self.design.motion.repeat);
+        frame_count(self.design.duration_s(whole))
+    }
+
+    /// Where what is worn is kept for the 3D file: in memory only what becomes morph targets.
+    fn keys(&self, performance: &Performance, output: &OutputFolder) -> Result<Keys> {
+        let frame_count = self.frame_count(performance);
+        let count = frame_count.div_ceil(FRAMES_PER_SECOND / baked::key_rate(frame_count));
+        Ok(if count as usize <= MOST_TARGETS + 1 {
+            Keys::default()
+        } else {
+            Keys::in_file(output.scratch("keys")?)
+        })
+    }
+
+    fn shoot(&self, performance: &Performance, output: &OutputFolder) -> Result<Shoot> {
         let (width, height) = self.args.size;
         let size = Size::new(width, height);
-        let mut film = Mp4Writer::new([width, height], FILM_RATE, VideoSettings::default())?;
-        if let Some(song) = &self.song {
-            film.set_song(song.clone());
-        }
+        let frame_count = self.frame_count(performance);
+        let film = open_film([width, height], (frame_count, self.song.as_ref()), output)?;
         Ok(Shoot {
             studio: PhotoStudio::new(performance)?,
             renderer: Renderer::new(backend(self.args), size)?,
@@ -284,9 +308,7 @@ impl Run<'_> {
         shoot: &mut Shoot,
         recording: &mut Recording,
     ) -> Result<(), Failure> {
-        let dance = &performance.production().dance;
-        let whole = dance.whole(self.design.motion.repeat);
-        let frame_count = frame_count(self.design.duration_s(whole));
+        let frame_count = self.frame_count(performance);
         let still_frame = still_frame(&self.design, frame_count);
         let key_stride = FRAMES_PER_SECOND / baked::key_rate(frame_count);
         let bar = progress_bar(frame_count, self.language.pick("踊る", "dancing"));
@@ -306,7 +328,8 @@ impl Run<'_> {
                 shoot.take(performance, view).map_err(Failure::error)?;
             }
             if frame % key_stride == 0 {
-                recording.keys.keep(performance);
+                let kept = recording.keys.keep(performance);
+                kept.map_err(Failure::error)?;
             }
             if frame == still_frame {
                 shoot.take_stills(performance).map_err(Failure::error)?;
@@ -378,19 +401,10 @@ impl Run<'_> {
         let bar = progress_bar(3, self.language.pick("書き出す", "writing"));
         let mut files = Files::default();
         let renderer = shoot.renderer.description().to_owned();
-        let film = match recording.divergence {
-            None => Some(shoot.film.finish().map_err(Failure::error)?),
-            Some(_) => None,
-        };
         bar.inc(1);
-        let mut stills = Vec::new();
-        if let Some(film) = &film {
-            files.add(
-                &mut output,
-                "dance.mp4",
-                film,
-                "The film: plays in any video player and browser.",
-            )?;
+        let (mut film, mut stills) = (None, Vec::new());
+        if recording.divergence.is_none() {
+            film = Some(files.add_film(&mut output, shoot.film)?);
             stills = files.add_stills(&mut output, &shoot.stills)?;
             bar.inc(1);
             let glb = baked::dancer_glb(performance, &recording.keys, shoot.studio.covers())
@@ -416,7 +430,7 @@ impl Run<'_> {
             files: files.list,
         };
         let report = figures::report(performance, figures);
-        let page = figures::page(&report, film.as_deref(), &stills);
+        let page = figures::page(&report, film.as_ref().map(shown), &stills);
         let json = lole_export::report::report_json(&report).map_err(Failure::error)?;
         output
             .write("report.html", page.as_bytes())
@@ -472,6 +486,28 @@ impl Shoot {
     }
 }
 
+/// Opens a film of so many simulated frames; a long one waits in the folder for its end.
+fn open_film(
+    size: [u32; 2],
+    (frame_count, song): (u32, Option<&Song>),
+    output: &OutputFolder,
+) -> Result<Mp4Writer> {
+    let mut film = Mp4Writer::new(size, FILM_RATE, VideoSettings::default())?;
+    if HELD_FRAMES < frame_count {
+        film.keep_in(output.scratch("film")?);
+    }
+    if let Some(song) = song {
+        film.set_song(song.clone());
+    }
+    Ok(film)
+}
+
+/// How the page shows a film: itself, or, where its bytes were not given, from beside.
+fn shown(film: &Option<Vec<u8>>) -> PageFilm<'_> {
+    film.as_deref()
+        .map_or(PageFilm::Beside(FILM), PageFilm::Held)
+}
+
 /// Files written so far, for the report.
 #[derive(Default)]
 struct Files {
@@ -499,6 +535,28 @@ impl Files {
             jpegs.push(still::encode_jpeg(image, 88).map_err(Failure::error)?);
         }
         Ok(jpegs)
+    }
+
+    /// Closes and writes the film; gives its bytes where a page can hold them.
+    fn add_film(
+        &mut self,
+        output: &mut OutputFolder,
+        film: Mp4Writer,
+    ) -> Result<Option<Vec<u8>>, Failure> {
+        let what = "The film: plays in any video player and browser.";
+        if film.byte_count() <= LARGEST_HELD_FILM {
+            let bytes = film.finish().map_err(Failure::error)?;
+            self.add(output, FILM, &bytes, what)?;
+            return Ok(Some(bytes));
+        }
+        let mut file = output.begin(FILM).map_err(Failure::error)?;
+        film.finish_into(&mut file).map_err(Failure::error)?;
+        self.list.push(ReportFile {
+            name: FILM.to_owned(),
+            bytes: file.metadata().map_err(Failure::error)?.len(),
+            what: what.to_owned(),
+        });
+        Ok(None)
     }
 
     fn add(

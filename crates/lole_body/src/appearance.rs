@@ -1,6 +1,5 @@
-//! How a dancer looks: her hair, its color, her skin's and her leotard's, and her painted face.
+//! How a dancer looks: her hair, its color, her skin's and her leotard's.
 
-mod face;
 mod hair;
 mod hair_paint;
 
@@ -94,13 +93,6 @@ pub struct BodyPicture {
 }
 
 impl Dancer {
-    /// The picture of [`crate::PartKind::Face`]: made up for the stage on a woman, plain on a man and
-    /// on a child.
-    #[must_use]
-    pub fn face_picture(&self) -> BodyPicture {
-        face::face_texture(&self.appearance, self.measurements.figure)
-    }
-
     /// The picture of [`crate::PartKind::Hair`].
     #[must_use]
     pub fn hair_picture(&self) -> BodyPicture {

@@ -1,11 +1,14 @@
 //! The dancer, built from a tape: skin, skeleton, capsules and landmarks.
 
+use std::sync::Arc;
+
 use glam::{Affine3A, Vec2, Vec3};
 use lole_geom::Capsule;
 
 use crate::appearance::add_hair;
 use crate::capsules::{CapsuleLayout, fit_capsules};
-use crate::skin_build::build_skin;
+use crate::drawn::build_drawn;
+use crate::skin_build::{build_skin, skin_half};
 use crate::{
     Appearance, BodyCapsule, BodyError, Bone, Measurements, Skeleton, SkinnedMesh, TapePoint,
 };
@@ -67,8 +70,10 @@ pub struct Dancer {
     pub appearance: Appearance,
     /// Joints of the bind pose.
     pub skeleton: Skeleton,
-    /// The drawn body.
+    /// What cloth meets and a tape measures.
     pub skin: SkinnedMesh,
+    /// What is drawn of her instead; `None` of a given body, whose skin is drawn.
+    pub figure: Option<Arc<SkinnedMesh>>,
     /// The capsules cloth collides with: the 13 of [`CapsuleLayout::default`].
     pub capsules: Vec<BodyCapsule>,
     /// Heights to hang clothes on.
@@ -102,9 +107,14 @@ impl Dancer {
                 .collect(),
             waist_side: widest_at(&shape, shape.body.tape_level("waist")),
         };
-        let mut skin = build_skin(&shape, &skeleton);
+        let half = skin_half(&shape);
+        let mut skin = build_skin(&half, &shape.regions, &skeleton);
         let style = appearance.hair.worn_by(measurements.figure);
-        add_hair(&mut skin, &shape, style);
+        add_hair(&mut skin, (&shape, shape.head.head()), style);
+        let looks = (measurements.figure, appearance);
+        let (mut figure, scalp) = build_drawn((&shape, &half), &skeleton, looks)?;
+        add_hair(&mut figure, (&shape, &scalp), style);
+        figure.colors.resize(figure.positions.len(), Vec3::ONE);
         let height = |bone: Bone| skeleton.joint(bone).y;
         let landmarks = Landmarks {
             bust_height: shape.body.tape_level("bust"),
@@ -129,9 +139,16 @@ impl Dancer {
             appearance: *appearance,
             skeleton,
             skin,
+            figure: Some(Arc::new(figure)),
             capsules,
             landmarks,
         })
+    }
+
+    /// The body as it is drawn.
+    #[must_use]
+    pub fn drawn(&self) -> &SkinnedMesh {
+        self.figure.as_deref().unwrap_or(&self.skin)
     }
 
     /// Other capsules for the same body: assign them to [`Dancer::capsules`].

@@ -6,11 +6,13 @@
 pub mod appearance;
 pub mod capsules;
 pub mod dancer;
+mod drawn;
 pub mod error;
 mod given;
 pub mod ik;
 pub mod measured;
 pub mod measurements;
+mod parts;
 mod sections;
 pub mod skeleton;
 pub mod skin;

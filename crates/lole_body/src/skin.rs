@@ -23,8 +23,16 @@ pub enum PartKind {
     Skin,
     /// The plain leotard, always worn.
     Leotard,
-    /// The front of the head, with painted eyes, brows and lips (see [`crate::Dancer::face_picture`]).
+    /// The front of the head of what cloth meets; of the drawn body it is skin.
     Face,
+    /// Nails of fingers and toes, over the skin.
+    Nail,
+    /// The eyes; their colors are those of the vertices.
+    Eye,
+    /// The brows; their colors are those of the vertices.
+    Brow,
+    /// The lashes, seen from both sides; their colors are those of the vertices.
+    Lash,
     /// The hair, with painted strands (see [`crate::Dancer::hair_picture`]).
     Hair,
     /// Petals of the flower in the hair.
@@ -80,7 +88,9 @@ pub struct SkinnedMesh {
     pub positions: Vec<Vec3>,
     /// Unit outward normals of the bind pose, shape `[vertex_count, 3]`.
     pub normals: Vec<Vec3>,
-    /// Texture coordinates of face and hair, `v` down; elsewhere of no meaning, shape
+    /// Linear factors on the colors of the vertices, shape `[vertex_count, 3]`; empty where there are none.
+    pub colors: Vec<Vec3>,
+    /// Texture coordinates of hair, `v` down; elsewhere of no meaning, shape
     /// `[vertex_count, 2]`.
     pub uvs: Vec<Vec2>,
     /// Bones ([`crate::Bone::index`]) that carry each vertex, shape `[vertex_count, 4]`.

@@ -12,37 +12,80 @@ use crate::surface::regions::Regions;
 use crate::{Bone, MeshPart, PartKind, Pose, Skeleton, SkinnedMesh};
 
 /// The left half with regions and dense weights.
-struct Half {
-    positions: Vec<Vec3>,
-    normals: Vec<Vec3>,
-    rows: Vec<Row>,
-    triangles: Vec<[u32; 3]>,
-    kinds: Vec<PartKind>,
+#[derive(Clone)]
+pub(crate) struct Half {
+    pub(crate) positions: Vec<Vec3>,
+    pub(crate) normals: Vec<Vec3>,
+    pub(crate) rows: Vec<Row>,
+    /// Factors on the color of the skin; none on what cloth meets.
+    pub(crate) colors: Vec<Vec3>,
+    pub(crate) triangles: Vec<[u32; 3]>,
+    pub(crate) kinds: Vec<PartKind>,
 }
 
-/// The whole body: skin, leotard and face.
-pub(crate) fn build_skin(shape: &Shape, skeleton: &Skeleton) -> SkinnedMesh {
-    let half = Half {
+/// The left half of what cloth meets.
+pub(crate) fn skin_half(shape: &Shape) -> Half {
+    Half {
         positions: shape.positions.clone(),
         normals: shape.normals.clone(),
         rows: half_weights(shape),
+        colors: Vec::new(),
         triangles: shape.triangles.clone(),
         kinds: shape.kinds.clone(),
-    };
-    let mut skin = half.mirrored(&shape.regions);
+    }
+}
+
+/// The whole body that cloth meets: skin, leotard and face.
+pub(crate) fn build_skin(half: &Half, regions: &Regions, skeleton: &Skeleton) -> SkinnedMesh {
+    let mut skin = half.mirrored(regions);
     add_hinges(&mut skin, skeleton);
     skin
 }
 
 impl Half {
+    /// A new vertex on the edge between two, where their heights say 0.
+    pub(crate) fn split(&mut self, [a, b]: [u32; 2], heights: &[f32]) -> u32 {
+        let (a, b) = (a as usize, b as usize);
+        let share = heights[a] / (heights[a] - heights[b]);
+        let place = self.positions[a].lerp(self.positions[b], share);
+        self.positions.push(place);
+        let normal = self.normals[a].lerp(self.normals[b], share);
+        self.normals.push(normal.normalize_or_zero());
+        let row = std::array::from_fn(|bone| {
+            self.rows[a][bone] + (self.rows[b][bone] - self.rows[a][bone]) * share
+        });
+        self.rows.push(row);
+        self.colors.push(self.colors[a].lerp(self.colors[b], share));
+        u32::try_from(self.positions.len() - 1).unwrap_or(u32::MAX)
+    }
+
+    /// Drops the vertices that no triangle uses.
+    pub(crate) fn compact(&mut self) {
+        let mut renamed = vec![u32::MAX; self.positions.len()];
+        let mut kept = Vec::new();
+        for corner in self.triangles.iter_mut().flatten() {
+            let new = &mut renamed[*corner as usize];
+            if *new == u32::MAX {
+                *new = u32::try_from(kept.len()).unwrap_or(u32::MAX);
+                kept.push(*corner as usize);
+            }
+            *corner = *new;
+        }
+        self.positions = kept.iter().map(|&old| self.positions[old]).collect();
+        self.normals = kept.iter().map(|&old| self.normals[old]).collect();
+        self.rows = kept.iter().map(|&old| self.rows[old]).collect();
+        self.colors = kept.iter().map(|&old| self.colors[old]).collect();
+    }
+
     /// The half and its mirror image, sharing the vertices on the plane.
-    fn mirrored(&self, regions: &Regions) -> SkinnedMesh {
+    pub(crate) fn mirrored(&self, regions: &Regions) -> SkinnedMesh {
         let flip = Vec3::new(-1.0, 1.0, 1.0);
         let mirror = mirror_table();
         let mut mesh = SkinnedMesh::default();
         let mut twin = Vec::with_capacity(self.positions.len());
         for (vertex, &position) in self.positions.iter().enumerate() {
             twin.push(u32::try_from(vertex).unwrap_or(u32::MAX));
+            mesh.colors.extend(self.colors.get(vertex));
             let (joints, weights) = four_largest(&self.rows[vertex]);
             mesh.positions.push(position);
             mesh.normals.push(self.normals[vertex]);
@@ -57,12 +100,18 @@ impl Half {
             twin[vertex] = u32::try_from(mesh.positions.len()).unwrap_or(u32::MAX);
             let (joints, weights) = four_largest(&mirrored_row(&self.rows[vertex], &mirror));
             mesh.positions.push(position * flip);
+            mesh.colors.extend(self.colors.get(vertex));
             mesh.normals.push(self.normals[vertex] * flip);
             mesh.uvs.push(regions.face_uv(position * flip));
             mesh.joints.push(joints);
             mesh.weights.push(weights);
         }
-        for kind in [PartKind::Skin, PartKind::Leotard, PartKind::Face] {
+        for kind in [
+            PartKind::Skin,
+            PartKind::Leotard,
+            PartKind::Face,
+            PartKind::Nail,
+        ] {
             let mut triangles = Vec::new();
             for (&[a, b, c], _) in
                 (self.triangles.iter().zip(&self.kinds)).filter(|(_, k)| **k == kind)
@@ -70,7 +119,9 @@ impl Half {
                 triangles.push([a, b, c]);
                 triangles.push([a, c, b].map(|vertex| twin[vertex as usize]));
             }
-            mesh.parts.push(MeshPart { kind, triangles });
+            if !triangles.is_empty() {
+                mesh.parts.push(MeshPart { kind, triangles });
+            }
         }
         mesh
     }
@@ -119,7 +170,7 @@ const LEAST_SHARE: f32 = 0.004;
 const ALIKE: f32 = 0.12;
 
 /// Adds the hinges, with the vertices that both of their bones carry and nothing else.
-fn add_hinges(skin: &mut SkinnedMesh, skeleton: &Skeleton) {
+pub(crate) fn add_hinges(skin: &mut SkinnedMesh, skeleton: &Skeleton) {
     let areas = areas(skin);
     let all = KINDS
         .iter()

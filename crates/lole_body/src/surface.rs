@@ -21,6 +21,7 @@ use std::collections::BTreeMap;
 use glam::Vec3;
 use lole_language::Sentence;
 
+use crate::parts::Shares;
 use crate::sections::{Sections, Tube, read_bodies};
 use crate::{BodyError, Figure, Measure, Measurements, PartKind};
 pub(crate) use field::Field;
@@ -54,14 +55,51 @@ pub(crate) struct Shape {
     pub(crate) asis: f32,
     /// Size of the head over the mean woman's.
     pub(crate) head_size: f32,
+    /// Which measured bodies she is made of.
+    pub(crate) made_of: MadeOf,
+    /// How she came from them to her measures.
+    pub(crate) placing: Placing,
+}
+
+/// Shares of the measured bodies, and where the head of their sections went.
+pub(crate) struct MadeOf {
+    /// Of the body.
+    pub(crate) body: Shares,
+    /// Of the head, which a small child's proportions are not carried on to.
+    pub(crate) head: Shares,
+    /// Middle of the head of these shares, and where it is in the sections [m].
+    pub(crate) head_moved: [Vec3; 2],
+    /// How much the head is grown about it.
+    pub(crate) head_grown: f32,
+}
+
+/// From the sections of the measured bodies to the body of a tape.
+pub(crate) struct Placing {
+    floor: f32,
+    heights: Heights,
+    shoulders: Option<Shoulders>,
+    girths: Girths,
+}
+
+impl Placing {
+    /// Points of the left half, each of which rides with the arm by so much.
+    pub(crate) fn carry(&self, points: &[Vec3], arms: &[f32]) -> Vec<Vec3> {
+        let placed = points.iter().zip(arms).map(|(&point, &arm)| {
+            let point = self.heights.carry(point - Vec3::Y * self.floor, arm);
+            let shoulders = self.shoulders.as_ref();
+            shoulders.map_or(point, |it| it.carry(point, arm))
+        });
+        self.girths.warp(&placed.collect::<Vec<_>>(), arms)
+    }
 }
 
 /// Builds the left half of the dancer's surface.
 pub(crate) fn build(tape: &Measurements) -> Result<Shape, BodyError> {
-    let mut body = nearest_body(&read_bodies()?, tape)?;
+    let (mut body, mut made_of) = nearest_body(&read_bodies()?, tape)?;
     if tape.figure == Figure::Child {
-        head::grow(&mut body);
+        made_of.head_grown = head::grow(&mut body);
     }
+    made_of.head_moved[1] = body.head.center;
     let head_size = head::size(&body.head);
     let field = Field::new(&body);
     let (mut mesh, neighbors) = closed_half(&field)?;
@@ -125,6 +163,13 @@ pub(crate) fn build(tape: &Measurements) -> Result<Shape, BodyError> {
         head: field,
         asis,
         head_size,
+        made_of,
+        placing: Placing {
+            floor,
+            heights,
+            shoulders,
+            girths,
+        },
     })
 }
 
@@ -149,7 +194,7 @@ fn closed_half(field: &Field) -> Result<(HalfMesh, Neighbors), BodyError> {
 fn nearest_body(
     bodies: &BTreeMap<String, Sections>,
     tape: &Measurements,
-) -> Result<Sections, BodyError> {
+) -> Result<(Sections, MadeOf), BodyError> {
     const WOMEN: [&str; 4] = ["woman_mean", "woman_60s", "woman_small", "woman_large"];
     const WOMEN_AND_CHILDREN: [&str; 6] = [
         "woman_mean",
@@ -159,17 +204,38 @@ fn nearest_body(
         "child_8",
         "child_12",
     ];
-    match tape.figure {
-        Figure::OfStature => nearest_blend(bodies, &WOMEN_AND_CHILDREN, tape),
-        Figure::Woman => nearest_blend(bodies, &WOMEN, tape),
-        Figure::Man => nearest_blend(bodies, &["man_mean"], tape),
-        Figure::Child => child(bodies, tape),
+    let names: &[&str] = match tape.figure {
+        Figure::OfStature => &WOMEN_AND_CHILDREN,
+        Figure::Woman => &WOMEN,
+        Figure::Man => &["man_mean"],
+        Figure::Child => return child(bodies, tape),
+    };
+    let (body, shares) = nearest_blend(bodies, names, tape)?;
+    let head = shares.clone();
+    Ok((body, MadeOf::new(bodies, shares, head)))
+}
+
+impl MadeOf {
+    fn new(bodies: &BTreeMap<String, Sections>, body: Shares, head: Shares) -> Self {
+        let centers = head
+            .iter()
+            .filter_map(|(name, share)| Some(bodies.get(name)?.head.center * *share));
+        let center = centers.sum();
+        Self {
+            body,
+            head,
+            head_moved: [center, center],
+            head_grown: 1.0,
+        }
     }
 }
 
 /// A child's proportions by stature: on the line through the two measured children, carried on
 /// beyond the younger one, whose head is larger and whose legs are shorter.
-fn child(bodies: &BTreeMap<String, Sections>, tape: &Measurements) -> Result<Sections, BodyError> {
+fn child(
+    bodies: &BTreeMap<String, Sections>,
+    tape: &Measurements,
+) -> Result<(Sections, MadeOf), BodyError> {
     /// How far beyond the younger child the line is carried on: to 100 cm.
     const YOUNGEST: f32 = -1.22;
     /// How far the line is carried on for the head: not beyond the younger child, for the size of the
@@ -185,7 +251,14 @@ fn child(bodies: &BTreeMap<String, Sections>, tape: &Measurements) -> Result<Sec
     let stature = tape.stature.to_m() as f32;
     let share = (stature - younger.height) / (older.height - younger.height);
     let share = share.clamp(YOUNGEST, 1.0);
-    let [low, high] = [younger, older].map(|body| body.scaled(stature / body.height));
+    let scales = [younger, older].map(|body| stature / body.height);
+    let [low, high] = [younger.scaled(scales[0]), older.scaled(scales[1])];
+    let shares = |share: f32| -> Shares {
+        let names = ["child_8", "child_12"].into_iter().map(str::to_owned);
+        names
+            .zip([(1.0 - share) * scales[0], share * scales[1]])
+            .collect()
+    };
     let blended = |share: f32| {
         let blend = Sections::blended(&[(1.0 - share, &low), (share, &high)]);
         blend.ok_or_else(|| BodyError::Sections {
@@ -196,7 +269,8 @@ fn child(bodies: &BTreeMap<String, Sections>, tape: &Measurements) -> Result<Sec
     // A face does not bear it: beyond the younger child it keeps its features.
     let face = blended(share.max(LEAST_FACE))?.head;
     (body.head.radii, body.head.face) = (face.radii, face.face);
-    Ok(body)
+    let made_of = MadeOf::new(bodies, shares(share), shares(share.max(LEAST_FACE)));
+    Ok((body, made_of))
 }
 
 /// The convex blend of the named bodies nearest to the tape, at her stature.
@@ -207,7 +281,7 @@ fn nearest_blend(
     bodies: &BTreeMap<String, Sections>,
     names: &[&str],
     tape: &Measurements,
-) -> Result<Sections, BodyError> {
+) -> Result<(Sections, Shares), BodyError> {
     const STATURE_WEIGHT: f64 = 0.25;
     const STEPS: usize = 600;
     let stature = tape.stature.to_m();
@@ -215,7 +289,10 @@ fn nearest_blend(
         let [bust, waist, hip] = girths.map(|girth| girth / height);
         [bust, waist, hip, STATURE_WEIGHT * height]
     };
-    let found: Vec<&Sections> = names.iter().filter_map(|&name| bodies.get(name)).collect();
+    let found = names
+        .iter()
+        .filter_map(|&name| Some((name, bodies.get(name)?)));
+    let (names, found): (Vec<&str>, Vec<&Sections>) = found.unzip();
     let wanted = feature(
         stature,
         [tape.bust_girth, tape.waist_girth, tape.hip_girth].map(lole_geom::Length::to_m),
@@ -247,19 +324,20 @@ fn nearest_blend(
         project_to_simplex(&mut shares);
     }
     #[expect(clippy::cast_possible_truncation, reason = "a share to seven digits")]
-    let scaled: Vec<(f32, Sections)> = (shares.iter().zip(&found))
-        .filter(|(share, _)| **share > 1.0e-4)
-        .map(|(&share, body)| {
-            (
-                share as f32,
-                body.scaled((stature / f64::from(body.height)) as f32),
-            )
+    let scaled: Vec<(f32, Sections, (String, f32))> = (shares.iter().zip(&found).zip(names))
+        .filter(|((share, _), _)| **share > 1.0e-4)
+        .map(|((&share, body), name)| {
+            let (share, scale) = (share as f32, (stature / f64::from(body.height)) as f32);
+            (share, body.scaled(scale), (name.to_owned(), share * scale))
         })
         .collect();
-    let blend: Vec<(f32, &Sections)> = scaled.iter().map(|(share, body)| (*share, body)).collect();
-    Sections::blended(&blend).ok_or_else(|| BodyError::Sections {
+    let blend: Vec<(f32, &Sections)> = (scaled.iter())
+        .map(|(share, body, _)| (*share, body))
+        .collect();
+    let body = Sections::blended(&blend).ok_or_else(|| BodyError::Sections {
         reason: "no such body in the table".to_owned(),
-    })
+    })?;
+    Ok((body, scaled.into_iter().map(|(.., share)| share).collect()))
 }
 
 /// Nearest point with shares that are not negative and sum to 1 (Duchi et al. 2008).

@@ -72,9 +72,10 @@ pub const SCENES: &[ClothScene] = &[
         frame_count: 300,
         build: || {
             let mut setup = skirt();
-            // What is pressed together is strained more: it needs another substep and sweep.
-            setup.config.substep_count = NonZeroU32::MIN.saturating_add(9);
-            setup.config.structural_sweep_count = NonZeroU32::MIN.saturating_add(4);
+            // Where folds keep apart once a frame, more sweeps strain them more: of the settings that
+            // `--pareto` tries none is both faster and less strained than these.
+            setup.config.substep_count = NonZeroU32::MIN.saturating_add(7);
+            setup.config.structural_sweep_count = NonZeroU32::MIN.saturating_add(1);
             setup.config.self_collision = Some(SelfCollision {
                 radius: 0.006,
                 substep_interval: NonZeroU32::MIN.saturating_add(1),

@@ -29,13 +29,22 @@ pub fn report_json(report: &RunReport) -> Result<String, ExportError> {
 /// What the page shows besides numbers.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct PageMedia<'a> {
-    /// The film as MP4 bytes; the page is made without one when `None`.
-    pub film_mp4: Option<&'a [u8]>,
+    /// The film; the page is made without one when `None`.
+    pub film: Option<PageFilm<'a>>,
     /// Stills as JPEG bytes, in the order of the page; the first is the film's poster.
     pub stills: &'a [Still<'a>],
 }
 
-/// `report.html`: one self-contained page in Japanese and English.
+/// The film of a page.
+#[derive(Debug, Clone, Copy)]
+pub enum PageFilm<'a> {
+    /// MP4 bytes that the page holds itself.
+    Held(&'a [u8]),
+    /// Name of an MP4 beside the page: one that is too long for browsers to open a page with.
+    Beside(&'a str),
+}
+
+/// `report.html`: one page in Japanese and English.
 #[must_use]
 pub fn report_html(report: &RunReport, media: PageMedia<'_>) -> String {
     html::page(report, media)

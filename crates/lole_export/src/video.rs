@@ -10,6 +10,9 @@ mod yuv;
 
 pub use audio::{AudioError, Song};
 
+use std::fs::File;
+use std::io::{self, Read as _, Seek as _, SeekFrom, Write};
+
 use openh264::OpenH264API;
 use openh264::encoder::{
     BitRate, Complexity, Encoder, EncoderConfig, FrameRate, FrameType, IntraFramePeriod, Profile,
@@ -53,14 +56,48 @@ impl Default for VideoSettings {
     }
 }
 
-/// Encodes a film one picture at a time; only encoded pictures are kept.
+/// Encoded pictures that wait for the film to be closed, whose index stands before them.
+enum Samples {
+    Memory(Vec<u8>),
+    Scratch(File),
+}
+
+impl Samples {
+    fn push(&mut self, sample: &[u8]) -> io::Result<()> {
+        match self {
+            Self::Memory(bytes) => bytes.extend_from_slice(sample),
+            Self::Scratch(file) => file.write_all(sample)?,
+        }
+        Ok(())
+    }
+
+    /// Writes all of them behind each other.
+    fn copy_to(self, out: &mut dyn Write) -> io::Result<()> {
+        match self {
+            Self::Memory(bytes) => out.write_all(&bytes),
+            Self::Scratch(mut file) => {
+                file.seek(SeekFrom::Start(0))?;
+                let mut part = vec![0; COPIED_AT_ONCE];
+                loop {
+                    let count = file.read(&mut part)?;
+                    if count == 0 {
+                        return Ok(());
+                    }
+                    out.write_all(&part[..count])?;
+                }
+            }
+        }
+    }
+}
+
+/// Encodes a film one picture at a time; only encoded pictures are kept, in memory or, of a long film, in a file.
 pub struct Mp4Writer {
     size: [u32; 2],
     fps: u32,
     encoder: Encoder,
     picture: YuvPicture,
     parameters: [Vec<u8>; 2],
-    samples: Vec<u8>,
+    samples: Samples,
     sample_sizes: Vec<u32>,
     keyframes: Vec<u32>,
     song: Option<Song>,
@@ -101,7 +138,7 @@ impl Mp4Writer {
             encoder,
             picture: YuvPicture::new(size[0] as usize, size[1] as usize),
             parameters: [Vec::new(), Vec::new()],
-            samples: Vec::new(),
+            samples: Samples::Memory(Vec::new()),
             sample_sizes: Vec::new(),
             keyframes: Vec::new(),
             song: None,
@@ -123,18 +160,18 @@ impl Mp4Writer {
             .encoder
             .encode(&self.picture)
             .map_err(|error| failed(error.to_string()))?;
-        let start = self.samples.len();
         let frame_type = stream.frame_type();
+        let mut sample = Vec::new();
         for unit in nal_units(&stream.to_vec()) {
-            append_unit(unit, &mut self.parameters, &mut self.samples);
+            append_unit(unit, &mut self.parameters, &mut sample);
         }
-        let size = self.samples.len() - start;
-        let (Ok(size), Ok(index)) = (u32::try_from(size), u32::try_from(frame)) else {
+        let (Ok(size), Ok(index)) = (u32::try_from(sample.len()), u32::try_from(frame)) else {
             return Err(failed("the film is longer than an MP4 can be".into()));
         };
         if size == 0 {
             return Err(failed("no picture came out".into()));
         }
+        self.samples.push(&sample).map_err(unwritten)?;
         if matches!(frame_type, FrameType::IDR) {
             self.keyframes.push(index);
         }
@@ -142,10 +179,22 @@ impl Mp4Writer {
         Ok(())
     }
 
+    /// Keeps encoded pictures in an empty file that can be read again instead of in memory; call it before the
+    /// first picture. The file is the caller's to remove.
+    pub fn keep_in(&mut self, scratch: File) {
+        self.samples = Samples::Scratch(scratch);
+    }
+
     /// Puts a song under the film; it begins with the first picture and ends with the last at the
     /// latest.
     pub fn set_song(&mut self, song: Song) {
         self.song = Some(song);
+    }
+
+    /// Bytes of the pictures pushed so far.
+    #[must_use]
+    pub fn byte_count(&self) -> u64 {
+        self.sample_sizes.iter().map(|&size| u64::from(size)).sum()
     }
 
     /// Pictures pushed so far.
@@ -159,7 +208,17 @@ impl Mp4Writer {
     /// # Errors
     /// [`ExportError::FilmEmpty`] when no picture was pushed, [`ExportError::Encoding`] for a film
     /// beyond 4 GiB.
-    pub fn finish(mut self) -> Result<Vec<u8>, ExportError> {
+    pub fn finish(self) -> Result<Vec<u8>, ExportError> {
+        let mut bytes = Vec::new();
+        self.finish_into(&mut bytes)?;
+        Ok(bytes)
+    }
+
+    /// Closes the film and writes it, index first, so that it plays while it loads.
+    ///
+    /// # Errors
+    /// As [`Self::finish`], and [`ExportError::Encoding`] for what cannot be written.
+    pub fn finish_into(mut self, out: &mut dyn Write) -> Result<(), ExportError> {
         if self.sample_sizes.is_empty() {
             return Err(ExportError::FilmEmpty);
         }
@@ -180,10 +239,27 @@ impl Mp4Writer {
             keyframes: &self.keyframes,
             song: self.song.as_ref(),
         };
-        mp4::write_mp4(&track, &self.samples).map_err(|error| ExportError::Encoding {
-            file: "MP4",
+        let head = mp4::head(&track).map_err(|error| ExportError::Encoding {
+            file: MP4,
             cause: error.to_string(),
-        })
+        })?;
+        out.write_all(&head).map_err(unwritten)?;
+        self.samples.copy_to(out).map_err(unwritten)?;
+        let sound = self.song.map_or_else(Vec::new, |song| song.data);
+        out.write_all(&sound).map_err(unwritten)
+    }
+}
+
+/// What an error of writing calls the film.
+const MP4: &str = "MP4";
+/// Bytes that are copied at once.
+const COPIED_AT_ONCE: usize = 1 << 16;
+
+#[expect(clippy::needless_pass_by_value, reason = "for `map_err`")]
+fn unwritten(error: io::Error) -> ExportError {
+    ExportError::Encoding {
+        file: MP4,
+        cause: error.to_string(),
     }
 }
 

@@ -185,7 +185,7 @@ fn page_of(name: &str) -> String {
         jpeg: &[1],
     }];
     let media = PageMedia {
-        film_mp4: None,
+        film: None,
         stills: &stills,
     };
     report_html(&report, media)

@@ -7,8 +7,8 @@
 )]
 
 use lole_export::report::{
-    DancerMeasure, GarmentFacts, PageMedia, ReportDivergence, ReportFile, ReportPieceOver,
-    RunReport, RunSeries, Still, Worst, report_html, report_json,
+    DancerMeasure, GarmentFacts, PageFilm, PageMedia, ReportDivergence, ReportFile,
+    ReportPieceOver, RunReport, RunSeries, Still, Worst, report_html, report_json,
 };
 use serde_json::Value;
 
@@ -169,7 +169,7 @@ fn names_cannot_become_markup() {
     let page = report_html(
         &report,
         PageMedia {
-            film_mp4: None,
+            film: None,
             stills: &stills,
         },
     );
@@ -187,7 +187,7 @@ fn the_page_needs_nothing_from_outside() {
     let page = report_html(
         &report(),
         PageMedia {
-            film_mp4: Some(&[0; 9]),
+            film: Some(PageFilm::Held(&[0; 9])),
             stills: &stills,
         },
     );
@@ -195,6 +195,14 @@ fn the_page_needs_nothing_from_outside() {
     assert!(page.contains("data:video/mp4;base64,AAAAAAAAAAAA") && page.contains("playsinline"));
     assert!(page.contains("data:image/jpeg;base64,/9g="));
     assert!(page.contains("href=\"./dancer.glb\""));
+}
+
+#[test]
+fn a_long_film_stays_beside_the_page() {
+    let film = Some(PageFilm::Beside("dance.mp4"));
+    let stills = &[];
+    let page = report_html(&report(), PageMedia { film, stills });
+    assert!(page.contains("src=\"./dance.mp4\"") && !page.contains("data:video"));
 }
 
 #[test]

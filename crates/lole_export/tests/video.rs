@@ -6,6 +6,8 @@
     reason = "a test that meets anything unexpected should stop"
 )]
 
+use std::fs::File;
+
 use lole_export::video::{Mp4Writer, VideoSettings};
 use mp4_atom::{Any, Atom as _, Codec, Colr, Decode as _, Moov, StszSamples};
 use openh264::decoder::Decoder;
@@ -41,6 +43,39 @@ fn film(frame_count: u32, block: [u8; 3]) -> Vec<u8> {
     }
     assert_eq!(writer.frame_count(), frame_count as usize);
     writer.finish().unwrap()
+}
+
+/// An empty file, open to be written and read, and open to be read alone.
+fn scratch(name: &str) -> (File, File) {
+    let path = std::env::temp_dir().join(format!("lole_film_{}_{name}", std::process::id()));
+    let mut options = File::options();
+    let options = options.read(true).write(true).create(true).truncate(true);
+    let both = (options.open(&path).unwrap(), File::open(&path).unwrap());
+    std::fs::remove_file(&path).unwrap();
+    both
+}
+
+#[test]
+fn a_film_kept_in_a_file_is_the_same_to_the_byte() {
+    let mut writer = Mp4Writer::new(SIZE, 30, VideoSettings::default()).unwrap();
+    let (scratch, _) = scratch("kept");
+    writer.keep_in(scratch);
+    for frame in 0..9 {
+        writer.push_frame(&picture(frame, [200, 40, 90])).unwrap();
+    }
+    let mut bytes = Vec::new();
+    writer.finish_into(&mut bytes).unwrap();
+    assert!(bytes == film(9, [200, 40, 90]));
+}
+
+#[test]
+fn a_film_that_cannot_be_kept_says_so() {
+    let mut writer = Mp4Writer::new(SIZE, 30, VideoSettings::default()).unwrap();
+    let (_, only_read) = scratch("only_read");
+    // A file that is only read takes nothing, as a full disk does.
+    writer.keep_in(only_read);
+    let error = writer.push_frame(&picture(0, [1, 2, 3])).unwrap_err();
+    assert!(error.to_string().contains("writing MP4 failed"), "{error}");
 }
 
 /// The index, and the H.264 samples in order.

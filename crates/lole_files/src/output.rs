@@ -164,6 +164,18 @@ impl OutputFolder {
         fs::File::create(self.unfinished.join(name))
     }
 
+    /// An empty file for what a long run need not hold in memory: it is no result, and goes when the run ends.
+    ///
+    /// # Errors
+    /// A file that cannot be made.
+    pub fn scratch(&self, name: &str) -> io::Result<fs::File> {
+        fs::OpenOptions::new()
+            .read(true)
+            .write(true)
+            .create_new(true)
+            .open(self.unfinished.join(name))
+    }
+
     /// Sees to it that what was begun is on the disk.
     fn sync_begun(&self) -> Result<(), Sentence> {
         for name in &self.begun {

@@ -13,6 +13,7 @@ pub mod mesh;
 pub mod mesh_surfels;
 pub mod number;
 pub mod polygon;
+pub mod srgb;
 pub mod surfel;
 pub mod triangle_grid;
 pub mod trig;

@@ -82,7 +82,7 @@ impl Drawn {
         let dancer = Dancer::with_appearance(&measurements, &design.appearance())?;
         let world_from_bind = dancer.skeleton.world_from_bind(&standing());
         let (mut positions, mut normals) = (Vec::new(), Vec::new());
-        (dancer.skin).pose(&world_from_bind, &mut positions, &mut normals);
+        (dancer.drawn()).pose(&world_from_bind, &mut positions, &mut normals);
         let head = dancer.skeleton.joint(Bone::Head);
         let crown = dancer.landmarks.crown_height;
         Ok(Self {
@@ -164,13 +164,13 @@ fn draw(
 ) -> Result<(), Box<dyn Error>> {
     let mut scene = Scene::studio(camera);
     for (drawn, (positions, normals)) in bodies {
-        let skin = &drawn.dancer.skin;
+        let skin = drawn.dancer.drawn();
         for (part, (_, material)) in skin.parts.iter().zip(&drawn.materials) {
             scene.meshes.push(SceneMesh {
                 positions,
                 normals,
                 uvs: &skin.uvs,
-                colors: &[],
+                colors: &skin.colors,
                 triangles: &part.triangles,
                 material,
             });

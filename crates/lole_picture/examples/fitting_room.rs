@@ -349,7 +349,7 @@ fn drawn_outside(performance: &Performance, place: usize) -> u32 {
     let body = CheckedSurface {
         positions: &moment.body[0],
         normals: &moment.body[1],
-        triangles: &production.body_triangles,
+        triangles: &production.drawn_triangles,
     };
     let cloth = CheckedSurface {
         positions: &moment.worn[production.garments.len() + place][0],

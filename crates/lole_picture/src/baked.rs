@@ -1,10 +1,12 @@
 //! `dancer.glb`: the recorded run as a file for other programs.
 
+mod keys;
 pub(crate) mod worn;
 
-use glam::Vec3;
+pub use keys::Keys;
+
 use lole_avatar::License;
-use lole_body::{Appearance, BodyPicture, Dancer, Look, PartKind, Pose, appearance};
+use lole_body::{Appearance, BodyPicture, Dancer, Look, PartKind, appearance};
 use lole_export::glb::{
     GlbFile, GlbMaterial, GlbMesh, GlbPart, GlbScene, GlbSides, MOST_TARGETS, write_glb,
 };
@@ -27,30 +29,6 @@ pub fn key_rate(frame_count: u32) -> u32 {
     KEY_RATES.into_iter().find(fits).unwrap_or(KEY_RATES[0])
 }
 
-/// Poses and cloth at key times.
-#[derive(Debug, Default)]
-pub struct Keys {
-    /// When each was kept [s].
-    pub times: Vec<f32>,
-    /// The dancer's pose at each.
-    pub poses: Vec<Pose>,
-    /// By surface of what is worn, then by time; see [`Performance::recorded`].
-    pub worn: Vec<Vec<Vec<Vec3>>>,
-}
-
-impl Keys {
-    /// Keeps the current frame.
-    pub fn keep(&mut self, performance: &Performance) {
-        self.times.push(performance.time());
-        self.poses.push(performance.pose().clone());
-        let recorded = performance.recorded();
-        self.worn.resize_with(recorded.len(), Vec::new);
-        for (frames, positions) in self.worn.iter_mut().zip(recorded) {
-            frames.push(positions);
-        }
-    }
-}
-
 fn body_png(picture: &BodyPicture) -> Result<Vec<u8>, ExportError> {
     let image = ImageView::new(picture.side, picture.side, &picture.pixels)?;
     encode_png(image)
@@ -58,7 +36,6 @@ fn body_png(picture: &BodyPicture) -> Result<Vec<u8>, ExportError> {
 
 /// Pictures on the dancer, as a file carries them.
 pub(crate) struct BodyPictures {
-    face: Vec<u8>,
     hair: Vec<u8>,
     /// Of each part of a given skin.
     looks: Vec<Option<Vec<u8>>>,
@@ -66,9 +43,8 @@ pub(crate) struct BodyPictures {
 
 impl BodyPictures {
     pub(crate) fn of(dancer: &Dancer) -> Result<Self, ExportError> {
-        let looks = dancer.skin.looks.iter().map(look_png);
+        let looks = dancer.drawn().looks.iter().map(look_png);
         Ok(Self {
-            face: body_png(&dancer.face_picture())?,
             hair: body_png(&dancer.hair_picture())?,
             looks: looks.collect::<Result<_, _>>()?,
         })
@@ -76,14 +52,14 @@ impl BodyPictures {
 
     /// The parts of her skin with their materials.
     pub(crate) fn parts<'a>(&'a self, dancer: &'a Dancer) -> Vec<GlbPart<'a>> {
-        let skin = &dancer.skin;
+        let skin = dancer.drawn();
         let parts = skin.parts.iter().enumerate();
         parts
             .map(|(place, part)| GlbPart {
                 triangles: &part.triangles,
                 material: match (skin.looks.get(place), self.looks.get(place)) {
                     (Some(look), Some(png)) => look_material(look, png.as_deref()),
-                    _ => material(part.kind, &dancer.appearance, [&self.face, &self.hair]),
+                    _ => material(part.kind, &dancer.appearance, &self.hair),
                 },
             })
             .collect()
@@ -91,13 +67,13 @@ impl BodyPictures {
 }
 
 pub(crate) fn skinned<'a>(dancer: &'a Dancer, parts: &'a [GlbPart<'a>]) -> GlbMesh<'a> {
-    let skin = &dancer.skin;
+    let skin = dancer.drawn();
     GlbMesh {
         name: "dancer",
         positions: &skin.positions,
         normals: &skin.normals,
         uvs: &skin.uvs,
-        colors: &[],
+        colors: &skin.colors,
         joints: &skin.joints,
         weights: &skin.weights,
         parts,
@@ -143,7 +119,8 @@ pub fn dancer_glb(
         bodies.push(skinned(&production.dancer, &parts));
     }
     bodies.extend(worn.skinned(&ridden));
-    let cloths = worn.baked(&keys.times, &keys.worn);
+    let frames = keys.by_surface();
+    let cloths = worn.baked(&keys.times, &frames);
     write_glb(&GlbScene {
         skeleton: &production.dancer.skeleton,
         pose_times: &keys.times,
@@ -191,10 +168,13 @@ fn look_material<'a>(look: &'a Look, png: Option<&'a [u8]>) -> GlbMaterial<'a> {
     }
 }
 
-fn material<'a>(kind: PartKind, look: &Appearance, [face, hair]: [&'a [u8]; 2]) -> GlbMaterial<'a> {
+fn material<'a>(kind: PartKind, look: &Appearance, hair: &'a [u8]) -> GlbMaterial<'a> {
     let (name, color, roughness, texture_png) = match kind {
-        PartKind::Skin | PartKind::Given => ("skin", look.skin_srgb, 0.6, None),
-        PartKind::Face => ("face", [255; 3], 0.6, Some(face)),
+        PartKind::Skin | PartKind::Face | PartKind::Given => ("skin", look.skin_srgb, 0.6, None),
+        PartKind::Nail => ("nails", look.skin_srgb, 0.3, None),
+        PartKind::Eye => ("eyes", [255; 3], 0.15, None),
+        PartKind::Brow => ("brows", [255; 3], 0.6, None),
+        PartKind::Lash => ("lashes", [255; 3], 0.6, None),
         PartKind::Leotard => ("leotard", look.leotard_srgb, 0.8, None),
         PartKind::Hair => ("hair", [255; 3], 0.75, Some(hair)),
         PartKind::Flower => ("flower", appearance::FLOWER_SRGB, 0.8, None),
@@ -206,6 +186,10 @@ fn material<'a>(kind: PartKind, look: &Appearance, [face, hair]: [&'a [u8]; 2]) 
         roughness,
         sheen: 0.0,
         texture_png,
-        sides: GlbSides::Front,
+        sides: if kind == PartKind::Lash {
+            GlbSides::Both
+        } else {
+            GlbSides::Front
+        },
     }
 }

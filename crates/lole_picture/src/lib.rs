@@ -24,7 +24,7 @@ use lole_print::PrintImage;
 use lole_render::srgb::linear_from_srgb;
 use lole_render::{Camera, Material, RenderError, Scene, SceneMesh, Sides, Texture};
 use lole_stage::{Production, WornSurface};
-pub use moment::{DrawnDancer, Moment};
+pub use moment::{DrawnDancer, Moment, drawn_body};
 pub use sets::Lamps;
 use sets::StageLook;
 
@@ -39,6 +39,8 @@ pub struct Looks {
     pub parts: Vec<BodyPart>,
     /// Where the vertices of her skin lie on its pictures.
     pub skin_uvs: Vec<Vec2>,
+    /// Linear factors on the colors of her vertices; empty where there are none.
+    pub skin_colors: Vec<Vec3>,
     /// What is around her.
     pub set: StageSet,
 }
@@ -79,13 +81,13 @@ pub enum LookError {
 }
 
 impl Looks {
-    /// Draws prints, face and hair once.
+    /// Draws prints and hair once.
     ///
     /// # Errors
     /// A picture that was not read or cannot be a texture.
     pub fn new(design: &Design, production: &Production) -> Result<Self, LookError> {
         let surfaces = production.surfaces();
-        let skin = &production.dancer.skin;
+        let skin = production.dancer.drawn();
         let materials = dancer_materials(&production.dancer)?;
         let parts = skin.parts.iter().zip(materials);
         Ok(Self {
@@ -99,6 +101,7 @@ impl Looks {
                 })
                 .collect(),
             skin_uvs: skin.uvs.clone(),
+            skin_colors: skin.colors.clone(),
             set: design.stage.set,
         })
     }
@@ -156,7 +159,7 @@ impl Looks {
             positions,
             normals,
             uvs: &self.skin_uvs,
-            colors: &[],
+            colors: &self.skin_colors,
             triangles: &part.triangles,
             material: &part.material,
         });
@@ -269,11 +272,11 @@ pub fn dancer_materials(dancer: &Dancer) -> Result<Vec<(PartKind, Material)>, Re
     };
     let paint = Paint {
         appearance: &dancer.appearance,
-        face: texture(dancer.face_picture())?,
         hair: texture(dancer.hair_picture())?,
     };
-    let parts = dancer.skin.parts.iter().enumerate().map(|(place, part)| {
-        let material = match dancer.skin.looks.get(place) {
+    let drawn = dancer.drawn();
+    let parts = drawn.parts.iter().enumerate().map(|(place, part)| {
+        let material = match drawn.looks.get(place) {
             Some(look) => look_material(look)?,
             None => part_material(part.kind, &paint),
         };
@@ -285,7 +288,6 @@ pub fn dancer_materials(dancer: &Dancer) -> Result<Vec<(PartKind, Material)>, Re
 /// The colors and pictures on the body.
 struct Paint<'a> {
     appearance: &'a Appearance,
-    face: Arc<Texture>,
     hair: Arc<Texture>,
 }
 
@@ -311,9 +313,22 @@ fn look_material(look: &Look) -> Result<Material, RenderError> {
 
 fn part_material(kind: PartKind, paint: &Paint<'_>) -> Material {
     match kind {
-        PartKind::Skin | PartKind::Given => Material::skin(linear(paint.appearance.skin_srgb)),
-        PartKind::Face => Material {
-            texture: Some(Arc::clone(&paint.face)),
+        PartKind::Skin | PartKind::Face | PartKind::Given => {
+            Material::skin(linear(paint.appearance.skin_srgb))
+        }
+        PartKind::Nail => Material {
+            roughness: 0.32,
+            specular: 0.04,
+            ..Material::skin(linear(paint.appearance.skin_srgb))
+        },
+        PartKind::Eye => Material {
+            roughness: 0.12,
+            specular: 0.045,
+            ..Material::skin([1.0; 3])
+        },
+        PartKind::Brow => Material::skin([1.0; 3]),
+        PartKind::Lash => Material {
+            sides: Sides::Both,
             ..Material::skin([1.0; 3])
         },
         PartKind::Leotard => Material {

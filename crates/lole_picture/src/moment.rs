@@ -1,6 +1,7 @@
 //! Where everything that is drawn is in one moment.
 
-use glam::Vec3;
+use glam::{Affine3A, Vec3};
+use lole_body::Dancer;
 use lole_render::Material;
 use lole_stage::{Performance, Production, Vertices};
 
@@ -18,6 +19,15 @@ pub struct DrawnDancer<'a> {
     pub body: [&'a [Vec3]; 2],
 }
 
+/// The body as it is drawn in a pose.
+#[must_use]
+pub fn drawn_body(dancer: &Dancer, world_from_bind: &[Affine3A]) -> Vertices {
+    let mut body = Vertices::default();
+    let [positions, normals] = &mut body;
+    (dancer.drawn()).pose(world_from_bind, positions, normals);
+    body
+}
+
 /// One frame, kept to be drawn.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Moment {
@@ -28,12 +38,12 @@ pub struct Moment {
 }
 
 impl Moment {
-    /// The present frame of a performance; its body must be posed.
+    /// The present frame of a performance.
     #[must_use]
     pub fn of(performance: &Performance) -> Self {
-        let body = [performance.body_positions(), performance.body_normals()];
-        let body = body.map(<[Vec3]>::to_vec);
-        Self::new(performance.production(), performance.surfaces(), body)
+        let production = performance.production();
+        let body = drawn_body(&production.dancer, performance.world_from_bind());
+        Self::new(production, performance.surfaces(), body)
     }
 
     /// What is worn and a posed body, whose flesh gives way to what lies in it.

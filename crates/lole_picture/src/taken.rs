@@ -85,9 +85,9 @@ fn body(production: &Production, names: &[String]) -> Result<TakeMesh, ExportErr
     });
     Ok(TakeMesh {
         parts: parts.collect(),
-        vertex_count: dancer.skin.positions.len(),
-        uvs: dancer.skin.uvs.clone(),
-        colors: Vec::new(),
+        vertex_count: dancer.drawn().positions.len(),
+        uvs: dancer.drawn().uvs.clone(),
+        colors: dancer.drawn().colors.clone(),
         name,
     })
 }

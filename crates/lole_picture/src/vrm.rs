@@ -323,10 +323,10 @@ fn write(
         name: "dancer",
         positions: &rest.positions,
         normals: &rest.normals,
-        uvs: &dancer.skin.uvs,
-        colors: &[],
-        joints: &dancer.skin.joints,
-        weights: &dancer.skin.weights,
+        uvs: &dancer.drawn().uvs,
+        colors: &dancer.drawn().colors,
+        joints: &dancer.drawn().joints,
+        weights: &dancer.drawn().weights,
         parts: &parts,
     }];
     meshes.extend(clothes.iter().zip(&cloth_parts).map(|(it, parts)| GlbMesh {

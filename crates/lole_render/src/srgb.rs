@@ -48,15 +48,7 @@ fn byte(value: f32) -> u8 {
     (value.clamp(0.0, 1.0) * 255.0).round() as u8
 }
 
-/// Linear light of an sRGB-encoded share, both 0 to 1 (IEC 61966-2-1).
-#[must_use]
-pub fn linear_from_srgb(value: f32) -> f32 {
-    if value <= 0.040_45 {
-        value / 12.92
-    } else {
-        trig::powf((value + 0.055) / 1.055, 2.4)
-    }
-}
+pub use lole_geom::srgb::linear_from_srgb;
 
 fn srgb_from_linear(value: f32) -> f32 {
     if value <= 0.003_130_8 {

@@ -1,9 +1,10 @@
 //! What a dancer wears or holds beside the cloth: lei, wreaths, flowers, skirts of strands, instruments.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use glam::{Affine3A, Vec3};
-use lole_body::{Dancer, MeshPart, PartKind};
+use lole_body::{Dancer, MeshPart, PartKind, SkinnedMesh};
 use lole_cloth::strands::Ring;
 use lole_costume::document::{Design, GarmentDesign};
 use lole_costume::tailoring::numbered;
@@ -163,4 +164,19 @@ pub(crate) fn parts_shown(parts: &[MeshPart], design: &Design) -> Vec<MeshPart> 
     let shown = parts.iter();
     let shown = shown.filter(|part| !(is_replaced && is_flower(part.kind)));
     shown.cloned().collect()
+}
+
+/// The drawn body without what an adornment of a design stands for.
+pub(crate) fn figure_shown(
+    figure: Option<&Arc<SkinnedMesh>>,
+    design: &Design,
+) -> Option<Arc<SkinnedMesh>> {
+    let figure = figure?;
+    let parts = parts_shown(&figure.parts, design);
+    if parts.len() == figure.parts.len() {
+        return Some(Arc::clone(figure));
+    }
+    let mut shown = SkinnedMesh::clone(figure);
+    shown.parts = parts;
+    Some(Arc::new(shown))
 }

@@ -2,10 +2,11 @@
 
 use std::num::NonZeroU32;
 use std::ops::Range;
+use std::sync::Arc;
 
 use glam::{Affine3A, Vec3};
 use lole_avatar::{Avatar, License};
-use lole_body::{Bone, CapsuleLayout, Dancer, Measurements, MeshPart, Pose};
+use lole_body::{Bone, CapsuleLayout, Dancer, Measurements, MeshPart, Pose, SkinnedMesh};
 use lole_cloth::Fabric;
 use lole_costume::document::{Design, GarmentDesign, GarmentLayer};
 use lole_costume::sew::{
@@ -19,7 +20,7 @@ use lole_geom::{Length, MeshSurfels};
 use lole_pattern::Measures;
 use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements};
 
-use crate::adorned::{Adornment, adorned, parts_shown};
+use crate::adorned::{Adornment, adorned, figure_shown, parts_shown};
 use crate::performance::Forearms;
 use crate::{Danced, StageError};
 
@@ -47,8 +48,10 @@ pub struct Production {
     pub dressed: Vec<DressedGarment>,
     /// What she wears or holds beside the cloth.
     pub adornments: Vec<Adornment>,
-    /// Triangles of the closed body surface.
+    /// Triangles of the closed body surface that cloth meets.
     pub body_triangles: Vec<[u32; 3]>,
+    /// The same of the body as it is drawn.
+    pub drawn_triangles: Vec<[u32; 3]>,
     /// The body surface as cloth meets it that meets the skin.
     pub body_surfels: MeshSurfels,
     /// Which of them are on the forearms.
@@ -57,6 +60,8 @@ pub struct Production {
     skirt: Option<usize>,
     /// All parts of her skin, those too that an adornment stands for.
     parts: Vec<MeshPart>,
+    /// The drawn body with all of its parts.
+    figure: Option<Arc<SkinnedMesh>>,
 }
 
 /// One garment, from paper to particles.
@@ -159,6 +164,9 @@ impl Production {
     ) -> Result<Self, StageError> {
         let parts = dancer.skin.parts.clone();
         dancer.skin.parts = parts_shown(&parts, design);
+        let figure = dancer.figure.clone();
+        dancer.figure = figure_shown(figure.as_ref(), design);
+        let drawn_triangles = dancer.drawn().body_triangles();
         let body_triangles = dancer.skin.body_triangles();
         let body_surfels =
             MeshSurfels::new(&dancer.skin.positions, &body_triangles, SURFEL_SPACING);
@@ -198,10 +206,12 @@ impl Production {
             forearms: Forearms::new(&dancer, &body_surfels),
             body_surfels,
             body_triangles,
+            drawn_triangles,
             dancer,
             license: None,
             skirt,
             parts,
+            figure,
         })
     }
 
@@ -241,6 +251,7 @@ impl Production {
             }
         }
         new.dancer.skin.parts = parts_shown(&self.parts, &new.design);
+        new.dancer.figure = figure_shown(self.figure.as_ref(), &new.design);
         let stance = self.dance.pose_at(0.0);
         let posed = new.dancer.skeleton.world_from_bind(&stance);
         new.adornments = adorned(&new.design, &new.dancer, &posed, self.cloth_count())?;

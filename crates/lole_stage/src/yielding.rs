@@ -35,7 +35,7 @@ pub fn give_way(
             normals: &[],
             triangles: &garment.dressed.open_triangles,
         };
-        press(&production.body_triangles, cloth, (positions, normals));
+        press(&production.drawn_triangles, cloth, (positions, normals));
     }
 }
 

@@ -6,8 +6,8 @@ use lole_costume::document::Design;
 use lole_export::dancer_sheet::{CapsuleFacts, CoverageFacts, DancerSheet};
 use lole_export::report::{
     DancerMeasure, ElasticHoldFacts, GarmentFacts, MeanPercentileMax, MedianPercentile, MinMeanMax,
-    PageMedia, Remark, ReportDivergence, ReportFile, ReportPieceOver, RunReport, RunSeries,
-    SkirtFacts, Still as PageStill, Worst, report_html,
+    PageFilm, PageMedia, Remark, ReportDivergence, ReportFile, ReportPieceOver, RunReport,
+    RunSeries, SkirtFacts, Still as PageStill, Worst, report_html,
 };
 use lole_language::{Bilingual, Language, words};
 use lole_picture::studio::STILLS;
@@ -354,7 +354,7 @@ fn series(metrics: &[FrameMetrics], process_ms: &[f64]) -> RunSeries {
 
 /// The page of a run.
 #[must_use]
-pub fn page(report: &RunReport, film: Option<&[u8]>, jpegs: &[Vec<u8>]) -> String {
+pub fn page(report: &RunReport, film: Option<PageFilm<'_>>, jpegs: &[Vec<u8>]) -> String {
     let stills: Vec<PageStill<'_>> = STILLS
         .iter()
         .zip(jpegs)
@@ -367,7 +367,7 @@ pub fn page(report: &RunReport, film: Option<&[u8]>, jpegs: &[Vec<u8>]) -> Strin
     report_html(
         report,
         PageMedia {
-            film_mp4: film,
+            film,
             stills: &stills,
         },
     )

@@ -8,7 +8,7 @@ use lole_costume::document::{self, Design};
 use lole_costume::roster::RosterDancer;
 use lole_export::counts::counts_csv;
 use lole_export::group::group_json;
-use lole_export::video::{Mp4Writer, Song, VideoSettings};
+use lole_export::video::{Mp4Writer, Song};
 use lole_files::OutputFolder;
 use lole_language::{Bilingual as _, Language, Sentence};
 use lole_picture::Lamps;
@@ -18,7 +18,7 @@ use lole_stage::{Danced, Performance};
 use lole_study::{Stopwatch, figures};
 use rayon::prelude::*;
 
-use super::{FILM_RATE, FRAMES_PER_PICTURE, Files, backend, frame_count, place_of, still_frame};
+use super::{FRAMES_PER_PICTURE, Files, backend, frame_count, open_film, place_of, still_frame};
 use crate::args::DanceArgs;
 use crate::clock::SystemClock;
 use crate::order::{nobody_listed, of_file, read_roster};
@@ -69,8 +69,8 @@ pub(super) fn run(
     let (formation, spacing) = (args.group.formation, args.group.spacing);
     let paths = pool.install(|| {
         let mut group = Ensemble::new(members, formation, spacing);
-        let taken = run.film(&mut group, song)?;
-        run.write(&group, &taken, folder)
+        let taken = run.film(&mut group, song, &folder)?;
+        run.write(&group, taken, folder)
     })?;
     let seconds = started.read().wall_seconds;
     summary::print_group(&paths, (count, seconds), language);
@@ -147,25 +147,27 @@ struct Run<'a> {
 
 /// What the camera has taken.
 struct Taken {
-    film: Vec<u8>,
+    film: Mp4Writer,
     stills: Vec<Image>,
 }
 
 impl Run<'_> {
     /// Lets what everybody wears hang down, and dances.
-    fn film(&self, group: &mut Ensemble, song: Option<&Song>) -> Result<Taken, Failure> {
+    fn film(
+        &self,
+        group: &mut Ensemble,
+        song: Option<&Song>,
+        folder: &OutputFolder,
+    ) -> Result<Taken, Failure> {
         let (width, height) = self.args.size;
         let size = Size::new(width, height);
         let mut renderer = Renderer::new(backend(self.args), size).map_err(Failure::error)?;
-        let mut film = Mp4Writer::new([width, height], FILM_RATE, VideoSettings::default())
-            .map_err(Failure::error)?;
-        if let Some(song) = song {
-            film.set_song(song.clone());
-        }
-        self.settle(group)?;
         let whole = danced(group).and_then(|dance| dance.whole(self.design.motion.repeat));
         let frame_count = frame_count(self.design.duration_s(whole));
         let still_frame = still_frame(self.design, frame_count);
+        let film = open_film([width, height], (frame_count, song), folder);
+        let mut film = film.map_err(Failure::error)?;
+        self.settle(group)?;
         let bar = progress_bar(frame_count, self.language.pick("踊る", "dancing"));
         group.look();
         let camera = group.camera();
@@ -187,10 +189,7 @@ impl Run<'_> {
         }
         group.look();
         bar.finish_and_clear();
-        Ok(Taken {
-            film: film.finish().map_err(Failure::error)?,
-            stills,
-        })
+        Ok(Taken { film, stills })
     }
 
     fn settle(&self, group: &mut Ensemble) -> Result<(), Failure> {
@@ -208,11 +207,11 @@ impl Run<'_> {
     fn write(
         &self,
         group: &Ensemble,
-        taken: &Taken,
+        taken: Taken,
         mut folder: OutputFolder,
     ) -> Result<Vec<PathBuf>, Failure> {
         let mut files = Files::default();
-        files.add(&mut folder, "dance.mp4", &taken.film, "")?;
+        files.add_film(&mut folder, taken.film)?;
         files.add_stills(&mut folder, &taken.stills)?;
         if let Some(Danced::Step(dance)) = danced(group) {
             let counts = counts_csv(&dance.counts(self.design.duration_s(dance.duration())));

@@ -33,10 +33,10 @@ const FLOWER: [f32; 2] = [72.0, 16.0];
 const FLOWER_RADIUS: f32 = 0.034;
 
 /// Appends hair and, where it is worn, the flower to the skin.
-pub(crate) fn add_hair(skin: &mut SkinnedMesh, shape: &Shape, style: HairStyle) {
+pub(crate) fn add_hair(skin: &mut SkinnedMesh, (shape, head): (&Shape, &Head), style: HairStyle) {
     let cut = Cut::of(style);
     let scalp = Scalp {
-        head: shape.head.head(),
+        head,
         center: shape.body.head.center,
         k: shape.head_size,
         hairline: Pchip::new(cut.hairline),

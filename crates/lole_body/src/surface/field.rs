@@ -6,6 +6,7 @@
 use std::f32::consts::TAU;
 
 use glam::Vec3;
+use lole_geom::triangle_grid::TriangleGrid;
 use lole_geom::trig;
 use rayon::prelude::*;
 
@@ -22,6 +23,9 @@ const AROUND: usize = 96;
 const DOME: [f32; 6] = [0.35, 0.6, 0.8, 0.92, 0.98, 1.0];
 /// The lowest latitude of the head table [°].
 const LOWEST_LATITUDE: f32 = -75.0;
+/// Step [°] in which a surface is asked how far it reaches, and cells [m] its triangles are sorted into.
+const SURFACE_STEP: f32 = 1.5;
+const SURFACE_CELL: f32 = 0.012;
 /// Points nearer to the mirror plane than this share of the lattice step are sampled there: legs
 /// are cut flat at the plane, where their field is zero from both sides.
 const OFF_PLANE: f32 = 0.5;
@@ -405,6 +409,55 @@ impl Head {
         }
     }
 
+    /// The same directions from a `center`, as far as a surface reaches there; where it is open, as far as around
+    /// the opening.
+    pub(crate) fn on(&self, center: Vec3, (positions, triangles): (&[Vec3], &[[u32; 3]])) -> Self {
+        let grid = TriangleGrid::new(positions, triangles, SURFACE_CELL);
+        let out = 1.5 * self.reach;
+        let radius = |longitude: f32, latitude: f32| {
+            let (sin, cos) = trig::sin_cos(longitude.to_radians());
+            let (up, level) = trig::sin_cos(latitude.to_radians());
+            // From outside, and not from inside: behind the lids lies more of the surface.
+            let far = center + Vec3::new(sin * level, up, cos * level) * out;
+            let met = grid.first_crossing(far, center);
+            met.map_or(f32::NAN, |share| (1.0 - share) * out)
+        };
+        let step = SURFACE_STEP;
+        let [longitude_count, latitude_count] = [180.0, 90.0 - LOWEST_LATITUDE].map(|range| {
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "some hundreds"
+            )]
+            let count = (range / step) as usize + 1;
+            count
+        });
+        let rows = (0..longitude_count).into_par_iter().map(|longitude| {
+            // A hair's breadth off the mirror plane, where the half surface ends.
+            let longitude = (longitude as f32 * step).clamp(0.1, 179.9);
+            (0..latitude_count)
+                .map(|latitude| radius(longitude, LOWEST_LATITUDE + latitude as f32 * step))
+                .collect()
+        });
+        let mut rows: Vec<Vec<f32>> = rows.collect();
+        close(&mut rows, 0.5 * (self.least + self.reach));
+        let longitudes: Vec<f32> = (0..=180).map(|degree| degree as f32).collect();
+        let latitudes: Vec<f32> = (-75..=90).map(|degree| degree as f32).collect();
+        let radii = resample_grid(
+            &rows,
+            [step, LOWEST_LATITUDE, step],
+            &longitudes,
+            &latitudes,
+        );
+        let all = || radii.iter().flatten().copied();
+        Self {
+            center,
+            least: all().fold(f32::INFINITY, f32::min),
+            reach: all().fold(0.0, f32::max),
+            radii,
+        }
+    }
+
     fn fill(&self, slice: &mut Slice<'_>) {
         let step = slice.frame.step;
         let reach = Vec3::splat(self.reach + 2.0 * step);
@@ -440,6 +493,45 @@ impl Head {
         let low = self.radii[i][j] + (self.radii[i + 1][j] - self.radii[i][j]) * x;
         let high = self.radii[i][j + 1] + (self.radii[i + 1][j + 1] - self.radii[i][j + 1]) * x;
         low + (high - low) * y
+    }
+}
+
+/// Gives what is not a number the mean of what is around it, from its rim inwards.
+fn close(rows: &mut [Vec<f32>], otherwise: f32) {
+    loop {
+        let mut found = Vec::new();
+        let mut left = false;
+        for (row, values) in rows.iter().enumerate() {
+            for (column, _) in values
+                .iter()
+                .enumerate()
+                .filter(|(_, value)| value.is_nan())
+            {
+                let beside = [row.wrapping_sub(1), row + 1].map(|row| rows.get(row)?.get(column));
+                let along = [column.wrapping_sub(1), column + 1].map(|column| values.get(column));
+                let around = beside.into_iter().chain(along).flatten();
+                let around: Vec<f32> = around.copied().filter(|value| !value.is_nan()).collect();
+                if around.is_empty() {
+                    left = true;
+                } else {
+                    let mean = around.iter().sum::<f32>() / around.len() as f32;
+                    found.push(([row, column], mean));
+                }
+            }
+        }
+        let is_stuck = found.is_empty();
+        for ([row, column], mean) in found {
+            rows[row][column] = mean;
+        }
+        if is_stuck && left {
+            // Nothing at all was met.
+            for value in rows.iter_mut().flatten().filter(|value| value.is_nan()) {
+                *value = otherwise;
+            }
+        }
+        if !left || is_stuck {
+            return;
+        }
     }
 }
 

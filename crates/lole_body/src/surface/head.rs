@@ -33,8 +33,8 @@ pub(super) fn size(head: &HeadTable) -> f32 {
     head.radii.iter().flatten().sum::<f32>() / count as f32 / MEAN_RADIUS
 }
 
-/// Makes the head of a child as large as heads of her stature are.
-pub(super) fn grow(body: &mut Sections) {
+/// Makes the head of a child as large as heads of her stature are; by how much.
+pub(super) fn grow(body: &mut Sections) -> f32 {
     let wanted = Pchip::new(&GIRTH).at(100.0 * body.height) / 100.0;
     let factor = wanted / girth(&body.head);
     for radius in (body.head.radii.iter_mut().chain(&mut body.head.face)).flatten() {
@@ -54,6 +54,7 @@ pub(super) fn grow(body: &mut Sections) {
     }
     let rise = Vec3::Y * (RISE * (factor - 1.0) * body.height / 1.28);
     body.head.center += rise;
+    factor
 }
 
 /// Length [m] around the head at the height of the brows, ears left out.

@@ -6,8 +6,8 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 
 use super::{
-    ElasticHoldFacts, GarmentFacts, PageMedia, ReportDivergence, ReportFile, ReportPieceOver,
-    RunReport, SkirtFacts,
+    ElasticHoldFacts, GarmentFacts, PageFilm, PageMedia, ReportDivergence, ReportFile,
+    ReportPieceOver, RunReport, SkirtFacts,
 };
 use crate::page::plot::{Floor, Plot, svg};
 use crate::page::text::{both, dance_step, escape, file_size, grouped, link, number};
@@ -90,7 +90,7 @@ fn where_it_broke(found: &ReportDivergence) -> String {
 }
 
 fn film(media: PageMedia<'_>) -> String {
-    let Some(film) = media.film_mp4 else {
+    let Some(film) = media.film else {
         return String::new();
     };
     let poster = media.stills.first().map_or_else(String::new, |still| {
@@ -99,9 +99,12 @@ fn film(media: PageMedia<'_>) -> String {
             STANDARD.encode(still.jpeg)
         )
     });
+    let source = match film {
+        PageFilm::Held(bytes) => format!("data:video/mp4;base64,{}", STANDARD.encode(bytes)),
+        PageFilm::Beside(name) => format!("./{}", escape(name)),
+    };
     format!(
-        "<video controls playsinline loop preload=\"metadata\"{poster} src=\"data:video/mp4;base64,{}\"></video>\n",
-        STANDARD.encode(film),
+        "<video controls playsinline loop preload=\"metadata\"{poster} src=\"{source}\"></video>\n"
     )
 }
 

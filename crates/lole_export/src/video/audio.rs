@@ -309,7 +309,7 @@ fn gather(file: &[u8], table: &[u8], sizes: &[u32]) -> Result<Vec<u8>, AudioErro
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::video::mp4::{Track, write_mp4};
+    use crate::video::mp4::{Track, head};
     use mp4_atom::{Audio, FixedPoint, esds};
 
     fn song() -> Song {
@@ -363,7 +363,10 @@ mod tests {
             keyframes: &[0],
             song: Some(song),
         };
-        write_mp4(&track, &[7; 90]).unwrap()
+        let mut bytes = head(&track).unwrap();
+        bytes.extend([7; 90]);
+        bytes.extend(&song.data);
+        bytes
     }
 
     #[test]

@@ -34,9 +34,9 @@ pub(super) struct Track<'a> {
     pub song: Option<&'a Song>,
 }
 
-/// Bytes of the file: `ftyp`, `moov`, then `samples` as `mdat`.
-pub(super) fn write_mp4(track: &Track<'_>, samples: &[u8]) -> Result<Vec<u8>, mp4_atom::Error> {
-    let mut bytes = Vec::with_capacity(samples.len() + 64 * 1024);
+/// Bytes of the file before its pictures and its sound: `ftyp`, `moov`, and the head of `mdat`.
+pub(super) fn head(track: &Track<'_>) -> Result<Vec<u8>, mp4_atom::Error> {
+    let mut bytes = Vec::with_capacity(64 * 1024);
     Ftyp {
         major_brand: b"isom".into(),
         minor_version: 0x200,
@@ -50,18 +50,18 @@ pub(super) fn write_mp4(track: &Track<'_>, samples: &[u8]) -> Result<Vec<u8>, mp
     let mut measured = Vec::new();
     movie(track, [0; 2]).encode(&mut measured)?;
     let header_len = 8;
-    let offset = bytes.len() + measured.len() + header_len;
-    let sound = track.song.map_or(&[][..], |song| &song.data);
-    let mdat_len = samples.len() + sound.len() + header_len;
-    let lengths = [offset, offset + samples.len(), mdat_len].map(u32::try_from);
+    let sizes = track.sample_sizes.iter();
+    let pictures_len: u64 = sizes.map(|&size| u64::from(size)).sum();
+    let sound_len = track.song.map_or(0, |song| song.data.len()) as u64;
+    let offset = (bytes.len() + measured.len()) as u64 + header_len;
+    let mdat_len = pictures_len + sound_len + header_len;
+    let lengths = [offset, offset + pictures_len, mdat_len].map(u32::try_from);
     let [Ok(pictures_at), Ok(sound_at), Ok(mdat_len)] = lengths else {
         return Err(mp4_atom::Error::TooLarge(mp4_atom::Mdat::KIND));
     };
     movie(track, [pictures_at, sound_at]).encode(&mut bytes)?;
     bytes.extend_from_slice(&mdat_len.to_be_bytes());
     bytes.extend_from_slice(b"mdat");
-    bytes.extend_from_slice(samples);
-    bytes.extend_from_slice(sound);
     Ok(bytes)
 }
 

@@ -11,6 +11,7 @@ use lole_garment::adorn::{self, AdornmentFinish, Carried};
 use lole_print::PrintImage;
 use lole_stage::{Garment, Production, WornSurface};
 
+use super::keys::SurfaceKeys;
 use crate::Cover;
 
 /// Columns of the simulation for one column of the file: a gather keeps five vertices.
@@ -129,7 +130,7 @@ impl<'a> Worn<'a> {
     pub(super) fn baked<'b>(
         &'b self,
         key_times: &'b [f32],
-        frames: &'b [Vec<Vec<Vec3>>],
+        frames: &'b [SurfaceKeys<'b>],
     ) -> Vec<BakedCloth<'b>> {
         let baked = self.baked.iter().map(|baked| BakedCloth {
             name: &baked.name,
@@ -137,7 +138,7 @@ impl<'a> Worn<'a> {
             colors: baked.beside.map_or(&[], |surface| &surface.colors),
             material: baked.material(),
             key_times,
-            frames: frames.get(baked.place).unwrap_or(NO_FRAMES),
+            frames: (frames.get(baked.place)).map_or(NO_FRAMES, |frames| frames),
         });
         baked.collect()
     }

@@ -46,8 +46,8 @@ impl Rest {
         let first_from_bind = skeleton.world_from_bind(first);
         let (mut positions, mut normals) = (Vec::new(), Vec::new());
         let (mut first_positions, mut unused) = (Vec::new(), Vec::new());
-        (dancer.skin).pose(&first_from_bind, &mut first_positions, &mut unused);
-        (dancer.skin).pose(&t_from_bind, &mut positions, &mut normals);
+        (dancer.drawn()).pose(&first_from_bind, &mut first_positions, &mut unused);
+        (dancer.drawn()).pose(&t_from_bind, &mut positions, &mut normals);
         let joints = Bone::ALL.iter().map(|&bone| {
             let world = t_from_bind[bone.index()];
             world.transform_point3(skeleton.joint(bone))
@@ -59,8 +59,8 @@ impl Rest {
             },
             positions,
             normals,
-            joints: dancer.skin.joints.clone(),
-            weights: dancer.skin.weights.clone(),
+            joints: dancer.drawn().joints.clone(),
+            weights: dancer.drawn().weights.clone(),
             first_positions,
             t_from_bind,
             first_from_bind,

@@ -39,8 +39,8 @@ struct Surface {
 @group(1) @binding(2) var print_sampler: sampler;
 
 const LIFT_TEXELS: f32 = 2.0;
-const WRAP_DEPTH: f32 = 0.15;
-const FACET: f32 = 0.03;
+const WRAP_DEPTH: f32 = 0.06;
+const FACET: f32 = 0.012;
 const WRAP_END: f32 = 0.4;
 const TOE: f32 = 0.01;
 const PI: f32 = 3.14159265;

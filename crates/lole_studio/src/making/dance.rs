@@ -16,8 +16,8 @@ pub(super) fn model(wish: &Wish, line: &Line<'_>) -> Result<Vec<u8>, Unmade> {
     let mut keys = Keys::default();
     let every = FRAMES_PER_SECOND / baked::key_rate(danced(&performance));
     dance(&mut performance, line, every, |performance| {
-        keys.keep(performance);
-        Ok(())
+        let kept = keys.keep(performance);
+        kept.map_err(|error| Unmade::of(&error))
     })?;
     let file = baked::dancer_glb(&performance, &keys, photo.covers());
     file.map(|file| file.bytes)

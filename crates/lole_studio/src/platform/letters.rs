@@ -229,6 +229,7 @@ fn put_looks(packer: &mut Packer, looks: &Looks) {
         packer.list(&part.triangles);
     });
     packer.list(&looks.skin_uvs);
+    packer.list(&looks.skin_colors);
     let set = StageSet::ALL.iter().position(|set| *set == looks.set);
     packer.put(set.unwrap_or(0) as u64);
 }
@@ -255,6 +256,7 @@ fn get_looks(unpacker: &mut Unpacker<'_>) -> Option<Looks> {
         worn,
         parts,
         skin_uvs: unpacker.list()?,
+        skin_colors: unpacker.list()?,
         set: *StageSet::ALL.get(usize::try_from(unpacker.get::<u64>()?).ok()?)?,
     })
 }

@@ -8,7 +8,7 @@ use lole_cloth::Crossings;
 use lole_costume::document::{Design, Uncrossed};
 use lole_language::Sentence;
 use lole_picture::Moment;
-use lole_stage::{Show, Vertices, Wish};
+use lole_stage::{Show, Wish};
 
 use super::pace::Pace;
 use super::repair::Repair;
@@ -367,8 +367,11 @@ impl Stagehand {
             if self.watch.sunken {
                 let now = self.clock.seconds();
                 if SUNKEN_INTERVAL < now - self.sunken.0 || !self.plays {
-                    let [positions, normals] = &snapshot.moment.body;
-                    self.sunken = (now, show.sunken(positions, normals));
+                    // Cloth meets her skin, which is not drawn.
+                    let (mut positions, mut normals) = (Vec::new(), Vec::new());
+                    let skin = &show.production().dancer.skin;
+                    skin.pose(show.world_from_bind(), &mut positions, &mut normals);
+                    self.sunken = (now, show.sunken(&positions, &normals));
                 }
                 snapshot.sunken.clone_from(&self.sunken.1);
             }
@@ -391,9 +394,7 @@ pub(crate) fn first_moment(design: &Design) -> Result<Snapshot, Sentence> {
 /// The show as it stands.
 fn photograph(show: &Show, clothes: &Arc<Wardrobe>, watch: Watch) -> Snapshot {
     let production = &*show.production();
-    let mut body = Vertices::default();
-    let [positions, normals] = &mut body;
-    (production.dancer.skin).pose(show.world_from_bind(), positions, normals);
+    let body = lole_picture::drawn_body(&production.dancer, show.world_from_bind());
     Snapshot {
         wardrobe: Arc::clone(clothes),
         time: show.time(),

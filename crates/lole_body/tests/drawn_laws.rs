@@ -1,0 +1,162 @@
+//! Laws of the drawn body: a closed surface whose head, hands and feet are sewn on without a crack, and which is
+//! the skin that cloth meets everywhere else.
+
+#![expect(
+    clippy::unwrap_used,
+    reason = "helpers of tests; a failure is a failed test"
+)]
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use glam::Vec3;
+use lole_body::{Bone, Dancer, Figure, Measurements, PartKind, SkinnedMesh, Tape};
+use lole_geom::{Chance, Length, TriangleGrid};
+
+/// Dancers of every figure at random, over the whole range of measures that a body can be built of.
+fn dancers(count: u64) -> Vec<Dancer> {
+    let mut chance = Chance::new(7);
+    let mut found = Vec::new();
+    for turn in 0.. {
+        let figure = [Figure::Woman, Figure::Man, Figure::Child, Figure::OfStature][turn % 4];
+        let mut between = |low: f64, high: f64| low + (high - low) * f64::from(chance.share());
+        let stature = match figure {
+            Figure::Child => between(100.0, 155.0),
+            _ => between(140.0, 190.0),
+        };
+        let hip = stature * between(0.46, 0.8);
+        let tape = Tape {
+            figure,
+            stature: Some(Length::from_cm(stature)),
+            hip_girth: Some(Length::from_cm(hip)),
+            waist_girth: Some(Length::from_cm(hip * between(0.66, 0.95))),
+            bust_girth: Some(Length::from_cm(hip * between(0.82, 1.05))),
+            ..Tape::default()
+        };
+        // What no body has is refused, and not drawn.
+        let built = Measurements::from_tape(&tape).and_then(|tape| Dancer::new(&tape));
+        found.extend(built.ok());
+        if found.len() as u64 == count {
+            break;
+        }
+        assert!(turn < 400, "hardly any of them can be built");
+    }
+    found
+}
+
+/// Every edge has a triangle on each side, once in each direction, and the whole is one ball.
+fn assert_closed(mesh: &SkinnedMesh) {
+    let triangles = mesh.body_triangles();
+    let mut met: BTreeMap<[u32; 2], u32> = BTreeMap::new();
+    for &[a, b, c] in &triangles {
+        for edge in [[a, b], [b, c], [c, a]] {
+            *met.entry(edge).or_default() += 1;
+        }
+    }
+    let twice = met.values().filter(|count| **count != 1).count();
+    let open = met.keys().filter(|[a, b]| !met.contains_key(&[*b, *a]));
+    assert_eq!(
+        (twice, open.count()),
+        (0, 0),
+        "edges met twice, and open ones"
+    );
+    let vertices: BTreeSet<u32> = triangles.iter().flatten().copied().collect();
+    assert_eq!(
+        vertices.len() + triangles.len(),
+        met.len() / 2 + 2,
+        "one ball"
+    );
+}
+
+#[test]
+fn the_drawn_body_is_closed_whatever_the_measures() {
+    for dancer in dancers(16) {
+        let drawn = dancer.drawn();
+        assert_closed(drawn);
+        for (vertex, normal) in drawn.normals.iter().enumerate() {
+            assert!(
+                (normal.length() - 1.0).abs() < 1.0e-3,
+                "normal {vertex}: {normal}"
+            );
+            let sum: f32 = drawn.weights[vertex].iter().sum();
+            assert!((sum - 1.0).abs() < 1.0e-4, "weights {vertex}: {sum}");
+        }
+        let is_color =
+            |color: &Vec3| (0.0..=1.6).contains(&color.min_element()) && color.max_element() <= 1.6;
+        assert_eq!(drawn.colors.len(), drawn.positions.len());
+        assert!(drawn.colors.iter().all(is_color));
+    }
+}
+
+#[test]
+fn the_drawn_body_is_the_skin_but_for_head_hands_and_feet() {
+    for dancer in dancers(8) {
+        let (drawn, skin) = (dancer.drawn(), &dancer.skin);
+        let triangles = skin.body_triangles();
+        let grid = TriangleGrid::new(&skin.positions, &triangles, 0.012);
+        let neck = dancer.skeleton.joint(Bone::Neck).y;
+        for &vertex in drawn.body_triangles().iter().flatten() {
+            let place = drawn.positions[vertex as usize];
+            let bone = drawn.strongest_bone(vertex as usize);
+            let name = bone.name();
+            let is_part = [
+                "Hand", "Thumb", "Index", "Middle", "Ring", "Little", "Foot", "Toes",
+            ]
+            .iter()
+            .any(|part| name.contains(part))
+                || neck - 0.02 < place.y
+                    && matches!(bone, Bone::Head | Bone::Neck | Bone::UpperChest);
+            // Ears, lids and toes stand farther off than their sections.
+            let most = if is_part { 0.035 } else { 0.006 };
+            let off = grid
+                .nearest(place, 0.05)
+                .map_or(0.05, |nearest| nearest.distance);
+            assert!(off < most, "{name} at {place}: {off} m off the skin");
+        }
+    }
+}
+
+#[test]
+fn eyes_lie_behind_the_lids_and_between_them() {
+    for dancer in dancers(8) {
+        let drawn = dancer.drawn();
+        let part = |kind: PartKind| drawn.parts.iter().find(|part| part.kind == kind).unwrap();
+        let eyes = &part(PartKind::Eye).triangles;
+        let places = |triangles: &[[u32; 3]]| -> Vec<Vec3> {
+            let corners = triangles.iter().flatten();
+            corners
+                .map(|&corner| drawn.positions[corner as usize])
+                .collect()
+        };
+        let left: Vec<Vec3> = places(eyes)
+            .into_iter()
+            .filter(|place| 0.0 < place.x)
+            .collect();
+        let front = left
+            .iter()
+            .fold(Vec3::MIN, |front, place| front.max(*place))
+            .z;
+        let back = left
+            .iter()
+            .fold(Vec3::MAX, |back, place| back.min(*place))
+            .z;
+        let body = drawn.body_triangles();
+        let grid = TriangleGrid::new(&drawn.positions, &body, 0.012);
+        let middle = left.iter().sum::<Vec3>() / left.len() as f32;
+        // Somebody before her sees the iris, and skin over and under the eye.
+        let seen = |up: f32, depth: f32| {
+            let from = Vec3::new(middle.x, middle.y + up, front + 0.2);
+            let to = Vec3::new(middle.x, middle.y + up, depth);
+            grid.first_crossing(from, to).is_none()
+        };
+        assert!(seen(0.0, front - 0.001), "the lids are closed");
+        let size = front - back;
+        let is_covered = |up: f32| !seen(up * size, back);
+        assert!(is_covered(1.1) && is_covered(-1.1), "there are no lids");
+    }
+}
+
+#[test]
+fn the_same_tape_draws_the_same_bits() {
+    let [one, other] = [(); 2].map(|()| Dancer::new(&Measurements::woman()).unwrap());
+    assert_eq!(one.drawn(), other.drawn());
+}

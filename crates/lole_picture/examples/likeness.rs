@@ -1,0 +1,178 @@
+//! Heads, hands and feet of dancers, large: what one looks at to judge them.
+//!
+//! `cargo run --release -p lole_picture --example likeness -- OUT` writes a picture for each of ten dancers: her
+//! face from the front, from the side and from between, her hand from both sides, and her feet.
+
+use std::error::Error;
+use std::path::{Path, PathBuf};
+
+use glam::{Quat, Vec3};
+use lole_body::{Bone, Dancer, Figure, HairStyle, Measurements, Pose};
+use lole_costume::document::{DancerDesign, Design};
+use lole_picture::{dancer_materials, drawn_body};
+use lole_render::{Backend, Camera, Renderer, Scene, SceneMesh, Size};
+
+/// Size of a view [pixel], and how many stand side by side.
+const VIEW: Size = Size::new(520, 520);
+const COLUMNS: usize = 3;
+
+/// Name, figure, stature, bust, waist and hip [cm] as far as they are given, hair, and color of the skin.
+type Who = (&'static str, Figure, [Option<f64>; 4], HairStyle, [u8; 3]);
+
+const fn cm(of: [f64; 4]) -> [Option<f64>; 4] {
+    [Some(of[0]), Some(of[1]), Some(of[2]), Some(of[3])]
+}
+
+const FAIR: [u8; 3] = [222, 178, 148];
+const TAN: [u8; 3] = [190, 136, 100];
+const BROWN: [u8; 3] = [132, 88, 62];
+const ANY: HairStyle = HairStyle::OfFigure;
+
+const TEN: [Who; 10] = [
+    ("woman", Figure::Woman, [None; 4], ANY, FAIR),
+    (
+        "small",
+        Figure::Woman,
+        cm([150.0, 80.0, 62.0, 86.0]),
+        HairStyle::Long,
+        FAIR,
+    ),
+    (
+        "large",
+        Figure::Woman,
+        cm([163.0, 118.0, 108.0, 124.0]),
+        ANY,
+        TAN,
+    ),
+    (
+        "tall",
+        Figure::Woman,
+        cm([178.0, 88.0, 68.0, 94.0]),
+        HairStyle::Short,
+        BROWN,
+    ),
+    (
+        "elder",
+        Figure::Woman,
+        cm([152.0, 92.0, 82.0, 95.0]),
+        ANY,
+        FAIR,
+    ),
+    ("man", Figure::Man, [None; 4], ANY, TAN),
+    (
+        "stout_man",
+        Figure::Man,
+        cm([178.0, 118.0, 112.0, 116.0]),
+        ANY,
+        BROWN,
+    ),
+    (
+        "child_150",
+        Figure::Child,
+        [Some(150.0), None, None, None],
+        ANY,
+        FAIR,
+    ),
+    (
+        "child_128",
+        Figure::Child,
+        [Some(128.0), None, None, None],
+        HairStyle::Bun,
+        TAN,
+    ),
+    (
+        "child_100",
+        Figure::Child,
+        [Some(100.0), None, None, None],
+        ANY,
+        FAIR,
+    ),
+];
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let folder = PathBuf::from(std::env::args().nth(1).ok_or("name a folder")?);
+    std::fs::create_dir_all(&folder)?;
+    for who in TEN {
+        portrait(&folder.join(format!("{}.png", who.0)), who)?;
+    }
+    Ok(())
+}
+
+fn portrait(path: &Path, (_, figure, measures, hair, skin): Who) -> Result<(), Box<dyn Error>> {
+    let [stature_cm, bust_cm, waist_cm, hip_cm] = measures;
+    let design = Design {
+        dancer: DancerDesign {
+            figure,
+            stature_cm,
+            bust_cm,
+            waist_cm,
+            hip_cm,
+            hair,
+            ..DancerDesign::default()
+        },
+        ..Design::default()
+    };
+    let mut appearance = design.appearance();
+    appearance.skin_srgb = skin;
+    let measurements = Measurements::from_tape(&design.tape())?;
+    let dancer = Dancer::with_appearance(&measurements, &appearance)?;
+    let mut pose = Pose::default();
+    pose.rotate(
+        Bone::LeftUpperArm,
+        Quat::from_rotation_z(-20.0_f32.to_radians()),
+    );
+    let world_from_bind = dancer.skeleton.world_from_bind(&pose);
+    let [positions, normals] = drawn_body(&dancer, &world_from_bind);
+    let materials = dancer_materials(&dancer)?;
+    let joint =
+        |bone: Bone| world_from_bind[bone.index()].transform_point3(dancer.skeleton.joint(bone));
+    let crown = dancer.landmarks.crown_height;
+    let head = joint(Bone::Head);
+    let face = Vec3::new(0.0, 0.42 * crown + 0.58 * head.y, head.z + 0.02);
+    let hand = joint(Bone::LeftMiddleProximal);
+    let foot = joint(Bone::LeftToes) - Vec3::Z * 0.03;
+    let size = crown - head.y;
+    let views = [
+        (face, Vec3::new(0.0, 0.0, 1.0), 1.25 * size),
+        (face, Vec3::new(0.75, 0.05, 0.8), 1.25 * size),
+        (face, Vec3::new(1.0, 0.0, 0.0), 1.25 * size),
+        (hand, Vec3::new(1.0, 0.2, 0.3), 1.1 * size),
+        (hand, Vec3::new(-1.0, 0.1, 0.6), 1.1 * size),
+        (foot, Vec3::new(0.5, 0.9, 1.0), 1.3 * size),
+    ];
+    let mut renderer = Renderer::new(Backend::Cpu, VIEW)?;
+    let [width, height] = [VIEW.width as usize, VIEW.height as usize];
+    let rows = views.len() / COLUMNS;
+    let mut sheet = vec![0_u8; COLUMNS * width * rows * height * 4];
+    for (index, (target, from, opening)) in views.into_iter().enumerate() {
+        const DISTANCE: f32 = 2.2;
+        let mut scene = Scene::studio(Camera {
+            eye: target + from.normalize_or(Vec3::Z) * DISTANCE,
+            target,
+            vertical_fov: opening / DISTANCE,
+        });
+        let skin = dancer.drawn();
+        for (part, (_, material)) in skin.parts.iter().zip(&materials) {
+            scene.meshes.push(SceneMesh {
+                positions: &positions,
+                normals: &normals,
+                uvs: &skin.uvs,
+                colors: &skin.colors,
+                triangles: &part.triangles,
+                material,
+            });
+        }
+        let image = renderer.render(&scene)?;
+        let [column, row] = [index % COLUMNS, index / COLUMNS];
+        for (line, pixels) in image.pixels.chunks_exact(width * 4).enumerate() {
+            let start = ((row * height + line) * COLUMNS + column) * width * 4;
+            sheet[start..start + pixels.len()].copy_from_slice(pixels);
+        }
+    }
+    let [wide, high] =
+        [COLUMNS * width, rows * height].map(|side| u32::try_from(side).unwrap_or(0));
+    let mut encoder = png::Encoder::new(std::fs::File::create(path)?, wide, high);
+    encoder.set_color(png::ColorType::Rgba);
+    encoder.write_header()?.write_image_data(&sheet)?;
+    Ok(())
+}
