@@ -7,6 +7,7 @@ use lole_geom::Capsule;
 
 use crate::appearance::add_hair;
 use crate::capsules::{CapsuleLayout, fit_capsules};
+use crate::drawn::alive::{DrawnBody, Expression};
 use crate::drawn::build_drawn;
 use crate::skin_build::{build_skin, skin_half};
 use crate::{
@@ -73,7 +74,7 @@ pub struct Dancer {
     /// What cloth meets and a tape measures.
     pub skin: SkinnedMesh,
     /// What is drawn of her instead; `None` of a given body, whose skin is drawn.
-    pub figure: Option<Arc<SkinnedMesh>>,
+    pub figure: Option<Arc<DrawnBody>>,
     /// The capsules cloth collides with: the 13 of [`CapsuleLayout::default`].
     pub capsules: Vec<BodyCapsule>,
     /// Heights to hang clothes on.
@@ -113,8 +114,9 @@ impl Dancer {
         add_hair(&mut skin, (&shape, shape.head.head()), style);
         let looks = (measurements.figure, appearance);
         let (mut figure, scalp) = build_drawn((&shape, &half), &skeleton, looks)?;
-        add_hair(&mut figure, (&shape, &scalp), style);
-        figure.colors.resize(figure.positions.len(), Vec3::ONE);
+        add_hair(&mut figure.mesh, (&shape, &scalp), style);
+        let count = figure.mesh.positions.len();
+        figure.mesh.colors.resize(count, Vec3::ONE);
         let height = |bone: Bone| skeleton.joint(bone).y;
         let landmarks = Landmarks {
             bust_height: shape.body.tape_level("bust"),
@@ -148,7 +150,22 @@ impl Dancer {
     /// The body as it is drawn.
     #[must_use]
     pub fn drawn(&self) -> &SkinnedMesh {
-        self.figure.as_deref().unwrap_or(&self.skin)
+        self.figure
+            .as_deref()
+            .map_or(&self.skin, |figure| &figure.mesh)
+    }
+
+    /// Posed vertices and normals of [`Self::drawn`]; both vectors are cleared and filled.
+    pub fn pose_drawn(
+        &self,
+        world_from_bind: &[Affine3A],
+        expression: Expression,
+        (positions, normals): (&mut Vec<Vec3>, &mut Vec<Vec3>),
+    ) {
+        match &self.figure {
+            Some(figure) => figure.pose(world_from_bind, expression, positions, normals),
+            None => self.skin.pose(world_from_bind, positions, normals),
+        }
     }
 
     /// Other capsules for the same body: assign them to [`Dancer::capsules`].

@@ -3,6 +3,7 @@
 //!
 //! Skin and drawn body are the same everywhere else, so what cloth meets is what is seen under it.
 
+pub(crate) mod alive;
 mod eyes;
 mod paint;
 mod weld;
@@ -15,7 +16,8 @@ use crate::skin_build::{Half, add_hinges};
 use crate::skin_weights::Row;
 use crate::surface::Shape;
 use crate::surface::field::Head;
-use crate::{Appearance, BodyError, Bone, Figure, PartKind, Skeleton, SkinnedMesh};
+use crate::{Appearance, BodyError, Bone, Figure, PartKind, Skeleton};
+use alive::{DrawnBody, Eyeball, LidPoint};
 use weld::Seam;
 
 /// Cells [m] in which the skin's triangles are found: twice their edges.
@@ -28,7 +30,7 @@ pub(crate) fn build_drawn(
     (shape, half): (&Shape, &Half),
     skeleton: &Skeleton,
     (figure, appearance): (Figure, &Appearance),
-) -> Result<(SkinnedMesh, Head), BodyError> {
+) -> Result<(DrawnBody, Head), BodyError> {
     let made_of = &shape.made_of;
     let mut half = half.clone();
     half.colors = vec![Vec3::ONE; half.positions.len()];
@@ -57,16 +59,38 @@ pub(crate) fn build_drawn(
     place_head(&mut head, shape);
     let colors = paint::head(&head, figure);
     let crown = Vec3::new(0.0, shape.body.height, shape.body.head.center.z);
-    skin.sew(&mut half, &mut head.part, (colors.clone(), &[]), crown);
-    half.compact();
+    let first = skin.sew(&mut half, &mut head.part, (colors.clone(), &[]), crown);
+    let renamed = half.compact();
     let scalp = shape.head.head().on(
         shape.body.head.center,
         (&head.part.positions, &without_ear(&head)),
     );
-    let mut mesh = half.mirrored(&shape.regions);
+    let (mut mesh, twins) = half.mirrored(&shape.regions);
     add_hinges(&mut mesh, skeleton);
-    eyes::add(&mut mesh, (&head, &colors), (figure, appearance));
-    Ok((mesh, scalp))
+    let flip = Vec3::new(-1.0, 1.0, 1.0);
+    let halves = alive::closing(&head, 0.5);
+    let lids = halves.into_iter().zip(alive::closing(&head, 1.0));
+    let lids = lids.flat_map(|((point, half), (_, whole))| {
+        let vertex = renamed[(first + point) as usize];
+        let moved = [half, whole];
+        let other = moved.map(|by| by * flip);
+        [(vertex, moved), (twins[vertex as usize], other)]
+    });
+    let lids = lids.map(|(vertex, moved)| LidPoint { vertex, moved });
+    let mut drawn = DrawnBody {
+        lids: lids.collect(),
+        mesh,
+        eyes: [1.0, -1.0].map(|side| {
+            let flip = Vec3::new(side, 1.0, 1.0);
+            Eyeball {
+                vertices: 0..0,
+                center: head.eye * flip,
+                ahead: head.gaze * flip,
+            }
+        }),
+    };
+    eyes::add(&mut drawn, (&head, &colors), (figure, appearance));
+    Ok((drawn, scalp))
 }
 
 /// Carries a head and its eye to the body's measures.
@@ -111,15 +135,15 @@ struct OldSkin<'a> {
 }
 
 impl OldSkin<'_> {
-    /// Cuts the half off where a part begins, and sews the part with its nails on. `tip` is a place in what is cut
-    /// off.
+    /// Cuts the half off where a part begins, and sews the part with its nails on; the vertex of its first point.
+    /// `tip` is a place in what is cut off.
     fn sew(
         &self,
         half: &mut Half,
         part: &mut Part,
         (colors, nails): (Vec<Vec3>, &[[u32; 3]]),
         tip: Vec3,
-    ) {
+    ) -> u32 {
         let seam = Seam::of(part);
         let border = weld::cut(half, &seam, tip);
         weld::fit(part, &seam, (&half.positions, &border));
@@ -149,6 +173,7 @@ impl OldSkin<'_> {
         let nails = nails.iter().map(|nail| nail.map(|point| point + first));
         half.triangles.extend(nails);
         half.kinds.resize(half.triangles.len(), PartKind::Nail);
+        first
     }
 
     /// How bones carry the skin nearest to a place, and its normal there.

@@ -37,7 +37,7 @@ pub(crate) fn skin_half(shape: &Shape) -> Half {
 
 /// The whole body that cloth meets: skin, leotard and face.
 pub(crate) fn build_skin(half: &Half, regions: &Regions, skeleton: &Skeleton) -> SkinnedMesh {
-    let mut skin = half.mirrored(regions);
+    let (mut skin, _) = half.mirrored(regions);
     add_hinges(&mut skin, skeleton);
     skin
 }
@@ -59,8 +59,8 @@ impl Half {
         u32::try_from(self.positions.len() - 1).unwrap_or(u32::MAX)
     }
 
-    /// Drops the vertices that no triangle uses.
-    pub(crate) fn compact(&mut self) {
+    /// Drops the vertices that no triangle uses; what each is called now.
+    pub(crate) fn compact(&mut self) -> Vec<u32> {
         let mut renamed = vec![u32::MAX; self.positions.len()];
         let mut kept = Vec::new();
         for corner in self.triangles.iter_mut().flatten() {
@@ -75,10 +75,11 @@ impl Half {
         self.normals = kept.iter().map(|&old| self.normals[old]).collect();
         self.rows = kept.iter().map(|&old| self.rows[old]).collect();
         self.colors = kept.iter().map(|&old| self.colors[old]).collect();
+        renamed
     }
 
-    /// The half and its mirror image, sharing the vertices on the plane.
-    pub(crate) fn mirrored(&self, regions: &Regions) -> SkinnedMesh {
+    /// The half and its mirror image, sharing the vertices on the plane, and the twin of each vertex of the half.
+    pub(crate) fn mirrored(&self, regions: &Regions) -> (SkinnedMesh, Vec<u32>) {
         let flip = Vec3::new(-1.0, 1.0, 1.0);
         let mirror = mirror_table();
         let mut mesh = SkinnedMesh::default();
@@ -123,7 +124,7 @@ impl Half {
                 mesh.parts.push(MeshPart { kind, triangles });
             }
         }
-        mesh
+        (mesh, twin)
     }
 }
 

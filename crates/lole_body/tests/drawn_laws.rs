@@ -9,7 +9,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use glam::Vec3;
-use lole_body::{Bone, Dancer, Figure, Measurements, PartKind, SkinnedMesh, Tape};
+use lole_body::{
+    Bone, Dancer, Expression, Figure, Measurements, PartKind, Pose, SkinnedMesh, Tape,
+};
 use lole_geom::{Chance, Length, TriangleGrid};
 
 /// Dancers of every figure at random, over the whole range of measures that a body can be built of.
@@ -156,7 +158,74 @@ fn eyes_lie_behind_the_lids_and_between_them() {
 }
 
 #[test]
+fn closed_eyes_are_covered_and_open_again() {
+    for dancer in dancers(6) {
+        let bones = dancer.skeleton.world_from_bind(&Pose::default());
+        let pose = |closed: f32| {
+            let expression = Expression {
+                closed,
+                looks_at: None,
+            };
+            let (mut positions, mut normals) = (Vec::new(), Vec::new());
+            dancer.pose_drawn(&bones, expression, (&mut positions, &mut normals));
+            positions
+        };
+        let drawn = dancer.drawn();
+        let eyes = drawn.parts.iter().find(|part| part.kind == PartKind::Eye);
+        let eyes: BTreeSet<u32> = eyes.unwrap().triangles.iter().flatten().copied().collect();
+        let body = drawn.body_triangles();
+        let seen = |closed: f32| {
+            let positions = pose(closed);
+            let grid = TriangleGrid::new(&positions, &body, 0.012);
+            let is_seen = |&&vertex: &&u32| {
+                let place = positions[vertex as usize];
+                let from = place + Vec3::Z * 0.2;
+                grid.first_crossing(from, place + Vec3::Z * 1.0e-4)
+                    .is_none()
+            };
+            eyes.iter().filter(is_seen).count()
+        };
+        let counts = [0.0, 0.25, 0.5, 0.75, 1.0].map(seen);
+        assert!(30 < counts[0], "{counts:?}");
+        assert!(counts.is_sorted_by(|more, less| less <= more), "{counts:?}");
+        assert_eq!(counts[4], 0, "nothing of a closed eye is seen");
+        assert_eq!(pose(0.0), {
+            let (mut positions, mut normals) = (Vec::new(), Vec::new());
+            drawn.pose(&bones, &mut positions, &mut normals);
+            positions
+        });
+    }
+}
+
+#[test]
+fn eyes_turn_to_what_she_looks_at_and_stay_where_they_are() {
+    let dancer = Dancer::new(&Measurements::woman()).unwrap();
+    let bones = dancer.skeleton.world_from_bind(&Pose::default());
+    let eyes = |looks_at: Option<Vec3>| -> Vec<Vec3> {
+        let expression = Expression {
+            closed: 0.0,
+            looks_at,
+        };
+        let (mut positions, mut normals) = (Vec::new(), Vec::new());
+        dancer.pose_drawn(&bones, expression, (&mut positions, &mut normals));
+        let part = (dancer.drawn().parts.iter()).find(|part| part.kind == PartKind::Eye);
+        let corners = part.unwrap().triangles.iter().flatten();
+        corners.map(|&corner| positions[corner as usize]).collect()
+    };
+    let ahead = eyes(None);
+    // The first triangle begins at the pupil's middle.
+    for (target, way) in [(Vec3::X, Vec3::X), (-Vec3::X, -Vec3::X), (Vec3::Y, Vec3::Y)] {
+        let looking = eyes(Some(ahead[0] + target * 0.7 + Vec3::Z));
+        assert!(0.5e-3 < (looking[0] - ahead[0]).dot(way), "{target}");
+        let farthest = looking.iter().zip(&ahead).map(|(a, b)| a.distance(*b));
+        assert!(farthest.fold(0.0, f32::max) < 6.0e-3);
+    }
+    let behind = eyes(Some(ahead[0] - Vec3::Z * 2.0));
+    assert!(behind[0].distance(ahead[0]) < 0.5e-3);
+}
+
+#[test]
 fn the_same_tape_draws_the_same_bits() {
     let [one, other] = [(); 2].map(|()| Dancer::new(&Measurements::woman()).unwrap());
-    assert_eq!(one.drawn(), other.drawn());
+    assert_eq!(one.figure, other.figure);
 }

@@ -1,13 +1,14 @@
 //! Heads, hands and feet of dancers, large: what one looks at to judge them.
 //!
 //! `cargo run --release -p lole_picture --example likeness -- OUT` writes a picture for each of ten dancers: her
-//! face from the front, from the side and from between, her hand from both sides, and her feet.
+//! face from the front, from the side and from between, her hand from both sides, her foot, and how she blinks and
+//! looks aside.
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use glam::{Quat, Vec3};
-use lole_body::{Bone, Dancer, Figure, HairStyle, Measurements, Pose};
+use lole_body::{Bone, Dancer, Expression, Figure, HairStyle, Measurements, Pose};
 use lole_costume::document::{DancerDesign, Design};
 use lole_picture::{dancer_materials, drawn_body};
 use lole_render::{Backend, Camera, Renderer, Scene, SceneMesh, Size};
@@ -122,7 +123,6 @@ fn portrait(path: &Path, (_, figure, measures, hair, skin): Who) -> Result<(), B
         Quat::from_rotation_z(-20.0_f32.to_radians()),
     );
     let world_from_bind = dancer.skeleton.world_from_bind(&pose);
-    let [positions, normals] = drawn_body(&dancer, &world_from_bind);
     let materials = dancer_materials(&dancer)?;
     let joint =
         |bone: Bone| world_from_bind[bone.index()].transform_point3(dancer.skeleton.joint(bone));
@@ -132,20 +132,38 @@ fn portrait(path: &Path, (_, figure, measures, hair, skin): Who) -> Result<(), B
     let hand = joint(Bone::LeftMiddleProximal);
     let foot = joint(Bone::LeftToes) - Vec3::Z * 0.03;
     let size = crown - head.y;
+    let ahead = Vec3::Z;
+    let open = Expression::default();
+    let closed = |closed: f32| Expression { closed, ..open };
+    let aside = Expression {
+        looks_at: Some(face + Vec3::new(0.6, 0.5, 0.6)),
+        ..open
+    };
+    let below = Expression {
+        looks_at: Some(face + Vec3::new(-0.4, -0.6, 0.5)),
+        ..open
+    };
     let views = [
-        (face, Vec3::new(0.0, 0.0, 1.0), 1.25 * size),
-        (face, Vec3::new(0.75, 0.05, 0.8), 1.25 * size),
-        (face, Vec3::new(1.0, 0.0, 0.0), 1.25 * size),
-        (hand, Vec3::new(1.0, 0.2, 0.3), 1.1 * size),
-        (hand, Vec3::new(-1.0, 0.1, 0.6), 1.1 * size),
-        (foot, Vec3::new(0.5, 0.9, 1.0), 1.3 * size),
+        (face, ahead, 1.25 * size, open),
+        (face, Vec3::new(0.75, 0.05, 0.8), 1.25 * size, open),
+        (face, Vec3::X, 1.25 * size, open),
+        (hand, Vec3::new(1.0, 0.2, 0.3), 1.1 * size, open),
+        (hand, Vec3::new(-1.0, 0.1, 0.6), 1.1 * size, open),
+        (foot, Vec3::new(0.5, 0.9, 1.0), 1.3 * size, open),
+        (face, ahead, 0.7 * size, closed(0.35)),
+        (face, ahead, 0.7 * size, closed(0.7)),
+        (face, ahead, 0.7 * size, closed(1.0)),
+        (face, ahead, 0.7 * size, aside),
+        (face, ahead, 0.7 * size, below),
+        (face, Vec3::new(0.75, 0.05, 0.8), 0.7 * size, closed(1.0)),
     ];
     let mut renderer = Renderer::new(Backend::Cpu, VIEW)?;
     let [width, height] = [VIEW.width as usize, VIEW.height as usize];
     let rows = views.len() / COLUMNS;
     let mut sheet = vec![0_u8; COLUMNS * width * rows * height * 4];
-    for (index, (target, from, opening)) in views.into_iter().enumerate() {
+    for (index, (target, from, opening, expression)) in views.into_iter().enumerate() {
         const DISTANCE: f32 = 2.2;
+        let [positions, normals] = drawn_body(&dancer, &world_from_bind, expression);
         let mut scene = Scene::studio(Camera {
             eye: target + from.normalize_or(Vec3::Z) * DISTANCE,
             target,

@@ -11,6 +11,8 @@ use crate::film::{self, FilmCamera, Placed};
 use crate::studio::{PhotoStudio, cameras_around};
 use crate::{Lamps, LookError, Looks, Moment};
 
+/// How far apart the clocks are that dancers blink by [s]: nobody blinks with her neighbor.
+const BLINKS_APART: f32 = 11.3;
 /// Most dancers of one film: each takes as much time as a film of her alone.
 pub const MOST_DANCERS: usize = 24;
 /// Free air between the hands of neighbors [m].
@@ -186,8 +188,14 @@ impl Ensemble {
         (camera, lamps): (Camera, Lamps),
         renderer: &mut Renderer,
     ) -> Result<Image, RenderError> {
-        let moments = self.members.par_iter();
-        let moments = moments.map(|it| Moment::of(&it.performance).moved(it.at));
+        let moments = self.members.par_iter().enumerate();
+        let moments = moments.map(|(place, it)| {
+            let moment = match lamps {
+                Lamps::Still => Moment::among(&it.performance, BLINKS_APART * place as f32),
+                Lamps::WithCamera => Moment::photographed(&it.performance),
+            };
+            moment.moved(it.at)
+        });
         let moments: Vec<Moment> = moments.collect();
         let dancers = self.members.iter().zip(&moments);
         let dancers: Vec<_> = dancers

@@ -4,6 +4,7 @@
 //!
 //! It opens nothing and draws nothing: [`lole_render`] does. What becomes a file is given back as bytes.
 
+pub mod alive;
 pub mod baked;
 pub mod film;
 pub mod group;

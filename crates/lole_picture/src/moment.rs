@@ -1,9 +1,11 @@
 //! Where everything that is drawn is in one moment.
 
 use glam::{Affine3A, Vec3};
-use lole_body::Dancer;
+use lole_body::{Dancer, Expression};
 use lole_render::Material;
 use lole_stage::{Performance, Production, Vertices};
+
+use crate::alive;
 
 /// Dancer and what she wears in one moment, as they are drawn.
 #[derive(Debug, Clone, Copy)]
@@ -21,10 +23,14 @@ pub struct DrawnDancer<'a> {
 
 /// The body as it is drawn in a pose.
 #[must_use]
-pub fn drawn_body(dancer: &Dancer, world_from_bind: &[Affine3A]) -> Vertices {
+pub fn drawn_body(
+    dancer: &Dancer,
+    world_from_bind: &[Affine3A],
+    expression: Expression,
+) -> Vertices {
     let mut body = Vertices::default();
     let [positions, normals] = &mut body;
-    (dancer.drawn()).pose(world_from_bind, positions, normals);
+    dancer.pose_drawn(world_from_bind, expression, (positions, normals));
     body
 }
 
@@ -41,8 +47,33 @@ impl Moment {
     /// The present frame of a performance.
     #[must_use]
     pub fn of(performance: &Performance) -> Self {
+        Self::among(performance, 0.0)
+    }
+
+    /// The present frame of one of several who dance together: she blinks by a clock that is so much fast [s].
+    #[must_use]
+    pub fn among(performance: &Performance, fast: f32) -> Self {
+        let now = alive::expression(performance, fast);
+        Self::with(performance, now)
+    }
+
+    /// The present frame of a performance as it is photographed: nobody blinks.
+    #[must_use]
+    pub fn photographed(performance: &Performance) -> Self {
+        let now = Expression {
+            closed: 0.0,
+            ..alive::expression(performance, 0.0)
+        };
+        Self::with(performance, now)
+    }
+
+    fn with(performance: &Performance, expression: Expression) -> Self {
         let production = performance.production();
-        let body = drawn_body(&production.dancer, performance.world_from_bind());
+        let body = drawn_body(
+            &production.dancer,
+            performance.world_from_bind(),
+            expression,
+        );
         Self::new(production, performance.surfaces(), body)
     }
 

@@ -151,7 +151,7 @@ pub fn shoot(
         set: StageSet::Studio,
         ..Looks::new(&production.design, production)?
     };
-    let moment = Moment::of(performance);
+    let moment = Moment::photographed(performance);
     let scene = looks.scene(&moment.dancer(), camera, Lamps::WithCamera);
     let mut renderer = Renderer::new(Backend::Cpu, size)?;
     Ok(renderer.render(&scene)?)

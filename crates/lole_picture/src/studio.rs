@@ -85,7 +85,10 @@ impl PhotoStudio {
         lamps: Lamps,
         renderer: &mut Renderer,
     ) -> Result<Image, RenderError> {
-        let moment = Moment::of(performance);
+        let moment = match lamps {
+            Lamps::Still => Moment::of(performance),
+            Lamps::WithCamera => Moment::photographed(performance),
+        };
         let scene = self.looks.scene(&moment.dancer(), camera, lamps);
         renderer.render(&scene)
     }

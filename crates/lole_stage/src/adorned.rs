@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use glam::{Affine3A, Vec3};
-use lole_body::{Dancer, MeshPart, PartKind, SkinnedMesh};
+use lole_body::{Dancer, DrawnBody, MeshPart, PartKind};
 use lole_cloth::strands::Ring;
 use lole_costume::document::{Design, GarmentDesign};
 use lole_costume::tailoring::numbered;
@@ -168,15 +168,15 @@ pub(crate) fn parts_shown(parts: &[MeshPart], design: &Design) -> Vec<MeshPart> 
 
 /// The drawn body without what an adornment of a design stands for.
 pub(crate) fn figure_shown(
-    figure: Option<&Arc<SkinnedMesh>>,
+    figure: Option<&Arc<DrawnBody>>,
     design: &Design,
-) -> Option<Arc<SkinnedMesh>> {
+) -> Option<Arc<DrawnBody>> {
     let figure = figure?;
-    let parts = parts_shown(&figure.parts, design);
-    if parts.len() == figure.parts.len() {
+    let parts = parts_shown(&figure.mesh.parts, design);
+    if parts.len() == figure.mesh.parts.len() {
         return Some(Arc::clone(figure));
     }
-    let mut shown = SkinnedMesh::clone(figure);
-    shown.parts = parts;
+    let mut shown = DrawnBody::clone(figure);
+    shown.mesh.parts = parts;
     Some(Arc::new(shown))
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use glam::{Affine3A, Vec3};
 use lole_avatar::{Avatar, License};
-use lole_body::{Bone, CapsuleLayout, Dancer, Measurements, MeshPart, Pose, SkinnedMesh};
+use lole_body::{Bone, CapsuleLayout, Dancer, DrawnBody, Measurements, MeshPart, Pose};
 use lole_cloth::Fabric;
 use lole_costume::document::{Design, GarmentDesign, GarmentLayer};
 use lole_costume::sew::{
@@ -61,7 +61,7 @@ pub struct Production {
     /// All parts of her skin, those too that an adornment stands for.
     parts: Vec<MeshPart>,
     /// The drawn body with all of its parts.
-    figure: Option<Arc<SkinnedMesh>>,
+    figure: Option<Arc<DrawnBody>>,
 }
 
 /// One garment, from paper to particles.

@@ -68,6 +68,7 @@ pub(crate) const RECORDING_SHORT: Words = words("記録", "Recording");
 pub(crate) const PICTURES: Words = words("写真と動画", "Pictures and film");
 pub(crate) const SET: Words = words("背景と光", "Background and light");
 pub(crate) const FORMATION: Words = words("並び方", "How they stand");
+pub(crate) const GAZE: Words = words("視線", "Where she looks");
 pub(crate) const CAMERA: Words = words("動画の撮り方", "Camera of the film");
 pub(crate) const SCHOOL: Words = words("流儀（ハーラウ）", "Manner (hālau)");
 pub(crate) const ADD_PART: Words = words("＋ 部分を足す", "+ Add a part");

@@ -7,6 +7,7 @@ use lole_geom::mesh::vertex_normals;
 use lole_geom::srgb::linear_from_srgb;
 use lole_geom::trig;
 
+use super::alive::{DrawnBody, LidPoint, with_upper_lid};
 use crate::parts::HeadPart;
 use crate::surface::warp::smooth_step;
 use crate::{Appearance, Bone, Figure, MeshPart, PartKind, SkinnedMesh};
@@ -62,35 +63,54 @@ struct Loose {
 
 /// Adds eyes, brows and lashes.
 pub(super) fn add(
-    mesh: &mut SkinnedMesh,
+    drawn: &mut DrawnBody,
     (head, colors): (&HeadPart, &[Vec3]),
     (figure, appearance): (Figure, &Appearance),
 ) {
+    let mesh = &mut drawn.mesh;
+    let first = number(mesh.positions.len());
     let mut eyes = Loose::default();
-    for side in [1.0, -1.0] {
+    for (eyeball, side) in drawn.eyes.iter_mut().zip([1.0, -1.0]) {
+        let start = first + number(eyes.positions.len());
         eyes.eye(head, side);
+        eyeball.vertices = start..first + number(eyes.positions.len());
     }
     eyes.add_to(mesh, PartKind::Eye);
     let mut brows = Loose::default();
     brows.brow((head, colors), (figure, appearance));
     brows.mirror();
     brows.add_to(mesh, PartKind::Brow);
+    let first = number(mesh.positions.len());
     let mut lashes = Loose::default();
-    lashes.lashes(head, figure);
+    let columns = lashes.lashes(head, figure);
+    let count = number(lashes.positions.len());
+    let places = lashes.positions.clone();
     lashes.mirror();
     lashes.add_to(mesh, PartKind::Lash);
+    for (vertex, (place, column)) in (first..).zip(places.into_iter().zip(columns)) {
+        let moved = [0.5, 1.0].map(|share| with_upper_lid(head, place, column, share));
+        let other = moved.map(|by| by * Vec3::new(-1.0, 1.0, 1.0));
+        let pair = [(vertex, moved), (vertex + count, other)];
+        drawn
+            .lids
+            .extend(pair.map(|(vertex, moved)| LidPoint { vertex, moved }));
+    }
+}
+
+fn number(count: usize) -> u32 {
+    u32::try_from(count).unwrap_or(u32::MAX)
 }
 
 impl Loose {
     fn push(&mut self, place: Vec3, color: Vec3) -> u32 {
         self.positions.push(place);
         self.colors.push(color);
-        u32::try_from(self.positions.len() - 1).unwrap_or(u32::MAX)
+        number(self.positions.len() - 1)
     }
 
     /// The same once more on the other side.
     fn mirror(&mut self) {
-        let first = u32::try_from(self.positions.len()).unwrap_or(u32::MAX);
+        let first = number(self.positions.len());
         let other = self
             .positions
             .iter()
@@ -104,7 +124,7 @@ impl Loose {
     }
 
     fn add_to(self, mesh: &mut SkinnedMesh, kind: PartKind) {
-        let first = u32::try_from(mesh.positions.len()).unwrap_or(u32::MAX);
+        let first = number(mesh.positions.len());
         let count = self.positions.len();
         mesh.normals
             .extend(vertex_normals(&self.positions, &self.triangles));
@@ -155,7 +175,7 @@ impl Loose {
         let pole = self.push(place(0.0, 0.0), PUPIL);
         let mut last: Option<u32> = None;
         for (polar, color) in rings {
-            let first = u32::try_from(self.positions.len()).unwrap_or(u32::MAX);
+            let first = number(self.positions.len());
             for step in 0..AROUND {
                 let at = place(polar, TAU * step as f32 / AROUND as f32);
                 self.push(at, color * shade(at));
@@ -240,7 +260,7 @@ impl Loose {
             let dense = 0.95 * smooth_step((end + 0.6) / 2.2);
             let width = half * BROW_WIDTHS[index.min(BROW_WIDTHS.len() - 1)];
             let below = on(colors, anchor) * linear(appearance.skin_srgb);
-            let first = u32::try_from(self.positions.len()).unwrap_or(u32::MAX);
+            let first = number(self.positions.len());
             for (across, hair) in ACROSS {
                 let flat = up * (across * width);
                 let place = line[index] + normal * BROW_LIFT + flat;
@@ -262,8 +282,8 @@ impl Loose {
         self.face_out();
     }
 
-    /// Lashes along the upper lid: a row of points, longest towards the outer corner.
-    fn lashes(&mut self, head: &HeadPart, figure: Figure) {
+    /// Lashes along the upper lid, longest towards the outer corner; the lid's column of each vertex.
+    fn lashes(&mut self, head: &HeadPart, figure: Figure) -> Vec<usize> {
         let longest = match figure {
             Figure::OfStature | Figure::Woman => 4.4e-3,
             Figure::Child => 2.6e-3,
@@ -278,6 +298,7 @@ impl Loose {
             places[0].lerp(places[1], place.fract())
         };
         let size = head.eye_radius / 0.0143;
+        let mut columns = Vec::new();
         for lash in 0..LASHES {
             let share = (lash as f32 + 0.5) / LASHES as f32;
             let column = 2.4 + 14.6 * share;
@@ -298,7 +319,9 @@ impl Loose {
             let tip = self.push(tip, LASH);
             self.triangles
                 .extend([[one, two, right], [one, right, left], [left, right, tip]]);
+            columns.resize(self.positions.len(), narrow_index(column.round()));
         }
+        columns
     }
 
     /// Turns triangles that look into the head.

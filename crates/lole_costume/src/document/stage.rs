@@ -7,6 +7,42 @@ pub struct StageDesign {
     pub set: StageSet,
     /// How the film's camera moves.
     pub camera: CameraWork,
+    /// Where she looks.
+    pub gaze: Gaze,
+}
+
+/// Where the dancer looks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Gaze {
+    /// At the hand that tells the story.
+    #[default]
+    Hands,
+    /// Ahead, at those who watch.
+    Ahead,
+}
+
+impl Gaze {
+    /// All of them, the usual one first.
+    pub const ALL: [Self; 2] = [Self::Hands, Self::Ahead];
+
+    /// Its name in documents.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Hands => "hands",
+            Self::Ahead => "ahead",
+        }
+    }
+
+    /// What a person calls it.
+    #[must_use]
+    pub const fn name(self) -> lole_language::Words {
+        use lole_language::words;
+        match self {
+            Self::Hands => words("手を追う", "at her hands"),
+            Self::Ahead => words("まっすぐ前", "straight ahead"),
+        }
+    }
 }
 
 /// How the film's camera moves.

@@ -1,7 +1,7 @@
 //! How she is seen: floor, background and light of window, stills and film, and how the film is shot.
 
 use eframe::egui::Ui;
-use lole_costume::document::{CameraWork, StageSet};
+use lole_costume::document::{CameraWork, Gaze, StageSet};
 
 use super::knob::DropDown;
 use crate::{Studio, text};
@@ -26,5 +26,15 @@ pub(super) fn show(ui: &mut Ui, studio: &mut Studio) {
     };
     if let Some(work) = list.show(ui, studio.design().stage.camera, &cameras) {
         studio.change(|design| design.stage.camera = work);
+    }
+    let gazes: Vec<_> = (Gaze::ALL.iter())
+        .map(|gaze| (*gaze, studio.say(gaze.name()).to_owned()))
+        .collect();
+    let list = DropDown {
+        salt: "gaze",
+        name: studio.say(text::GAZE),
+    };
+    if let Some(gaze) = list.show(ui, studio.design().stage.gaze, &gazes) {
+        studio.change(|design| design.stage.gaze = gaze);
     }
 }

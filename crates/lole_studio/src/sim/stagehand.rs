@@ -394,7 +394,10 @@ pub(crate) fn first_moment(design: &Design) -> Result<Snapshot, Sentence> {
 /// The show as it stands.
 fn photograph(show: &Show, clothes: &Arc<Wardrobe>, watch: Watch) -> Snapshot {
     let production = &*show.production();
-    let body = lole_picture::drawn_body(&production.dancer, show.world_from_bind());
+    let now = (production.design.stage.gaze, show.time());
+    let bones = show.world_from_bind();
+    let expression = lole_picture::alive::expression_at(&production.dancer, now, bones);
+    let body = lole_picture::drawn_body(&production.dancer, bones, expression);
     Snapshot {
         wardrobe: Arc::clone(clothes),
         time: show.time(),

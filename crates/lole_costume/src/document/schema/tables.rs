@@ -13,7 +13,7 @@ use super::cost::COST;
 use super::motion::MOTION;
 use super::{Key, Kind, Table};
 use crate::document::{
-    BodyShapes, CameraWork, LinkedFile, MethodName, StageSet, Uncrossed, WindModel,
+    BodyShapes, CameraWork, Gaze, LinkedFile, MethodName, StageSet, Uncrossed, WindModel,
 };
 use crate::fabrics::{PRESETS, Preset};
 
@@ -48,6 +48,10 @@ const SETS: &[(&str, StageSet)] = &[
     (StageSet::Theater.id(), StageSet::Theater),
     (StageSet::Beach.id(), StageSet::Beach),
     (StageSet::Lawn.id(), StageSet::Lawn),
+];
+const GAZES: &[(&str, Gaze)] = &[
+    (Gaze::Hands.id(), Gaze::Hands),
+    (Gaze::Ahead.id(), Gaze::Ahead),
 ];
 const CAMERAS: &[(&str, CameraWork)] = &[
     (CameraWork::Drift.id(), CameraWork::Drift),
@@ -350,6 +354,14 @@ const STAGE: Table = Table {
             stage.camera,
             "動画の撮り方: drift はゆっくり左右に、still は正面から、turntable は 12 秒でひとまわり、cuts はフレーズごとに切り替える",
             "how the film is shot: slowly from side to side, from the front, once around in 12 s, or cut on phrases"
+        ),
+        choice!(
+            "gaze",
+            words("視線", "gaze"),
+            GAZES,
+            stage.gaze,
+            "視線: hands は語る手を目で追う、ahead はまっすぐ前を見る",
+            "where she looks: at the hand that tells the story, or straight ahead"
         ),
     ],
 };
