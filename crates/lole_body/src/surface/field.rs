@@ -25,6 +25,9 @@ const DOME: [f32; 6] = [0.35, 0.6, 0.8, 0.92, 0.98, 1.0];
 const LOWEST_LATITUDE: f32 = -75.0;
 /// Step [°] in which a surface is asked how far it reaches, and cells [m] its triangles are sorted into.
 const SURFACE_STEP: f32 = 1.5;
+/// How far out of what is known, and into it, the surface is looked for [m].
+const SURFACE_OUT: f32 = 0.02;
+const SURFACE_IN: f32 = 0.03;
 const SURFACE_CELL: f32 = 0.012;
 /// Points nearer to the mirror plane than this share of the lattice step are sampled there: legs
 /// are cut flat at the plane, where their field is zero from both sides.
@@ -413,14 +416,15 @@ impl Head {
     /// the opening.
     pub(crate) fn on(&self, center: Vec3, (positions, triangles): (&[Vec3], &[[u32; 3]])) -> Self {
         let grid = TriangleGrid::new(positions, triangles, SURFACE_CELL);
-        let out = 1.5 * self.reach;
         let radius = |longitude: f32, latitude: f32| {
             let (sin, cos) = trig::sin_cos(longitude.to_radians());
             let (up, level) = trig::sin_cos(latitude.to_radians());
+            let towards = Vec3::new(sin * level, up, cos * level);
+            let known = self.radius(longitude, latitude);
             // From outside, and not from inside: behind the lids lies more of the surface.
-            let far = center + Vec3::new(sin * level, up, cos * level) * out;
-            let met = grid.first_crossing(far, center);
-            met.map_or(f32::NAN, |share| (1.0 - share) * out)
+            let [far, near] = [known + SURFACE_OUT, known - SURFACE_IN];
+            let met = grid.first_crossing(center + towards * far, center + towards * near);
+            met.map_or(f32::NAN, |share| far + (near - far) * share)
         };
         let step = SURFACE_STEP;
         let [longitude_count, latitude_count] = [180.0, 90.0 - LOWEST_LATITUDE].map(|range| {
