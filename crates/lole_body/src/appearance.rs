@@ -13,6 +13,8 @@ pub const SKIN_SRGB: [u8; 3] = [222, 178, 148];
 pub const LEOTARD_SRGB: [u8; 3] = [38, 36, 44];
 /// Color of the hair without its strands unless another is chosen, sRGB-encoded bytes.
 pub const HAIR_SRGB: [u8; 3] = [36, 27, 24];
+/// Color of nails over that of the skin, linear.
+pub const NAIL_TONE: [f32; 3] = [1.08, 1.04, 1.17];
 /// Color of the flower's petals, sRGB-encoded bytes.
 pub const FLOWER_SRGB: [u8; 3] = [250, 244, 234];
 /// Color of the flower's heart, sRGB-encoded bytes.

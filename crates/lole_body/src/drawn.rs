@@ -90,6 +90,8 @@ pub(crate) fn build_drawn(
         }),
     };
     eyes::add(&mut drawn, (&head, &colors), (figure, appearance));
+    drawn.lids.sort_by_key(|lid| lid.vertex);
+    drawn.lids.dedup_by_key(|lid| lid.vertex);
     Ok((drawn, scalp))
 }
 

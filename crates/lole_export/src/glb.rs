@@ -71,6 +71,19 @@ pub struct GlbMesh<'a> {
     pub weights: &'a [[f32; 4]],
     /// Triangles by material; they share the vertices.
     pub parts: &'a [GlbPart<'a>],
+    /// Shapes that it can take, such as closed eyes.
+    pub shapes: &'a [GlbShape],
+}
+
+/// A shape that a mesh can take beside its own.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GlbShape {
+    /// Name in the file.
+    pub name: &'static str,
+    /// Vertices that move, ascending, and how far [m].
+    pub moved: Vec<(u32, Vec3)>,
+    /// How much of it is on at each of [`GlbScene::pose_times`]; empty where it stays off.
+    pub weights: Vec<f32>,
 }
 
 /// The triangles of one material.

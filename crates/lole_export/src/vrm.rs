@@ -50,14 +50,15 @@ pub struct VrmCollider {
     pub radius: f32,
 }
 
-/// `VRMC_vrm`: only who made it may use it, which they may widen; every bone is one of VRM's.
+/// `VRMC_vrm`: only who made it may use it, which they may widen; every bone is one of VRM's. `blinks` is the node
+/// whose mesh has closed eyes as its first shape.
 #[must_use]
-pub fn humanoid(meta: &VrmMeta) -> Value {
+pub fn humanoid(meta: &VrmMeta, blinks: Option<usize>) -> Value {
     let bones = Bone::ALL.iter();
     let bones: serde_json::Map<String, Value> = bones
         .map(|bone| (bone.name().to_owned(), json!({ "node": bone.index() + 1 })))
         .collect();
-    json!({
+    let mut humanoid = json!({
         "specVersion": "1.0",
         "meta": {
             "name": meta.name, "authors": meta.authors, "licenseUrl": LICENSE,
@@ -65,7 +66,14 @@ pub fn humanoid(meta: &VrmMeta) -> Value {
             "creditNotation": "required", "modification": "prohibited",
         },
         "humanoid": { "humanBones": bones },
-    })
+    });
+    if let Some(node) = blinks {
+        humanoid["expressions"] = json!({ "preset": { "blink": {
+            "morphTargetBinds": [{ "node": node, "index": 0, "weight": 1.0 }],
+            "overrideBlink": "none", "overrideLookAt": "none", "overrideMouth": "none",
+        }}});
+    }
+    humanoid
 }
 
 /// `VRMC_springBone`: every chain keeps away from every collider.

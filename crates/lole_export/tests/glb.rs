@@ -248,6 +248,7 @@ impl Sample {
             joints: &self.joints,
             weights: &self.weights,
             parts: &parts,
+            shapes: &[],
         }];
         let cloths = [BakedCloth {
             name: "pau_skirt",

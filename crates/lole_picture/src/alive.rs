@@ -44,7 +44,7 @@ pub fn expression_at(
     clippy::cast_possible_truncation,
     reason = "seconds of a dance, and bits of a hash"
 )]
-fn blink(time: f32) -> f32 {
+pub(crate) fn blink(time: f32) -> f32 {
     let turn = (time / BLINK_EVERY).floor();
     // Each comes at its own time after its turn, and may reach into the next one's.
     [turn - 1.0, turn]

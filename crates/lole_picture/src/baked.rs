@@ -6,15 +6,15 @@ pub(crate) mod worn;
 pub use keys::Keys;
 
 use lole_avatar::License;
-use lole_body::{Appearance, BodyPicture, Dancer, Look, PartKind, appearance};
+use lole_body::{Appearance, BodyPicture, Dancer, DrawnBody, Look, PartKind, appearance};
 use lole_export::glb::{
-    GlbFile, GlbMaterial, GlbMesh, GlbPart, GlbScene, GlbSides, MOST_TARGETS, write_glb,
+    GlbFile, GlbMaterial, GlbMesh, GlbPart, GlbScene, GlbShape, GlbSides, MOST_TARGETS, write_glb,
 };
 use lole_export::still::encode_png;
 use lole_export::{ExportError, ImageView};
 use lole_stage::{FRAMES_PER_SECOND, Performance};
 
-use crate::{Cover, linear};
+use crate::{Cover, alive, linear, nail_color};
 
 /// Keys of the baked motion per second, the best first: fewer where cloth can then be written as it moved.
 const KEY_RATES: [u32; 3] = [15, 12, 10];
@@ -66,7 +66,31 @@ impl BodyPictures {
     }
 }
 
-pub(crate) fn skinned<'a>(dancer: &'a Dancer, parts: &'a [GlbPart<'a>]) -> GlbMesh<'a> {
+/// Her eyes half closed and closed, as she blinks at these times [s]; none of a given body.
+pub(crate) fn blinking(dancer: &Dancer, times: &[f32]) -> Vec<GlbShape> {
+    let Some(figure) = &dancer.figure else {
+        return Vec::new();
+    };
+    ["eyes_half_closed", "eyes_closed"]
+        .into_iter()
+        .enumerate()
+        .map(|(shape, name)| GlbShape {
+            name,
+            moved: (figure.closing())
+                .map(|(vertex, moved)| (vertex, moved[shape]))
+                .collect(),
+            weights: (times.iter())
+                .map(|&time| DrawnBody::closing_shares(alive::blink(time))[shape])
+                .collect(),
+        })
+        .collect()
+}
+
+pub(crate) fn skinned<'a>(
+    dancer: &'a Dancer,
+    parts: &'a [GlbPart<'a>],
+    shapes: &'a [GlbShape],
+) -> GlbMesh<'a> {
     let skin = dancer.drawn();
     GlbMesh {
         name: "dancer",
@@ -77,6 +101,7 @@ pub(crate) fn skinned<'a>(dancer: &'a Dancer, parts: &'a [GlbPart<'a>]) -> GlbMe
         joints: &skin.joints,
         weights: &skin.weights,
         parts,
+        shapes,
     }
 }
 
@@ -91,7 +116,7 @@ pub fn body_glb(dancer: &Dancer) -> Result<Vec<u8>, ExportError> {
         skeleton: &dancer.skeleton,
         pose_times: &[],
         poses: &[],
-        skinned: &[skinned(dancer, &parts)],
+        skinned: &[skinned(dancer, &parts, &blinking(dancer, &[]))],
         cloths: &[],
         added: &[],
         extensions: &[],
@@ -114,9 +139,10 @@ pub fn dancer_glb(
     let parts = pictures.parts(&production.dancer);
     let worn = worn::Worn::of(production, covers)?;
     let ridden = worn.ridden();
+    let shapes = blinking(&production.dancer, &keys.times);
     let mut bodies = Vec::new();
     if !leaves_body_out(performance) {
-        bodies.push(skinned(&production.dancer, &parts));
+        bodies.push(skinned(&production.dancer, &parts, &shapes));
     }
     bodies.extend(worn.skinned(&ridden));
     let frames = keys.by_surface();
@@ -182,7 +208,11 @@ fn material<'a>(kind: PartKind, look: &Appearance, hair: &'a [u8]) -> GlbMateria
     };
     GlbMaterial {
         name,
-        base_color: linear(color),
+        base_color: if kind == PartKind::Nail {
+            nail_color(look)
+        } else {
+            linear(color)
+        },
         roughness,
         sheen: 0.0,
         texture_png,

@@ -320,7 +320,7 @@ fn part_material(kind: PartKind, paint: &Paint<'_>) -> Material {
         PartKind::Nail => Material {
             roughness: 0.32,
             specular: 0.04,
-            ..Material::skin(linear(paint.appearance.skin_srgb))
+            ..Material::skin(nail_color(paint.appearance))
         },
         PartKind::Eye => Material {
             roughness: 0.12,
@@ -347,6 +347,12 @@ fn part_material(kind: PartKind, paint: &Paint<'_>) -> Material {
         PartKind::Flower => Material::cloth(linear(appearance::FLOWER_SRGB)),
         PartKind::FlowerHeart => Material::cloth(linear(appearance::FLOWER_HEART_SRGB)),
     }
+}
+
+/// Linear color of a dancer's nails.
+pub(crate) fn nail_color(look: &Appearance) -> [f32; 3] {
+    let skin = linear(look.skin_srgb);
+    std::array::from_fn(|channel| (skin[channel] * appearance::NAIL_TONE[channel]).min(1.0))
 }
 
 /// Linear light of an sRGB-encoded color.

@@ -12,7 +12,7 @@ mod springs;
 use glam::Vec3;
 use lole_body::Bone;
 use lole_export::ExportError;
-use lole_export::glb::{AddedJoint, GlbMesh, GlbPart, GlbScene, write_glb};
+use lole_export::glb::{AddedJoint, GlbMesh, GlbPart, GlbScene, GlbShape, write_glb};
 use lole_export::take::{TakeScene, TakeSource};
 use lole_export::vrm::{VrmCollider, VrmJoint, VrmMeta, VrmSpring, humanoid, spring_bone};
 use lole_garment::adorn::Carried;
@@ -319,6 +319,7 @@ fn write(
             }]
         })
         .collect();
+    let shapes: Vec<GlbShape> = rest.closed_eyes(dancer).into_iter().collect();
     let mut meshes = vec![GlbMesh {
         name: "dancer",
         positions: &rest.positions,
@@ -328,6 +329,7 @@ fn write(
         joints: &dancer.drawn().joints,
         weights: &dancer.drawn().weights,
         parts: &parts,
+        shapes: &shapes,
     }];
     meshes.extend(clothes.iter().zip(&cloth_parts).map(|(it, parts)| GlbMesh {
         name: &names[it.place],
@@ -338,9 +340,13 @@ fn write(
         joints: &it.joints,
         weights: &it.weights,
         parts,
+        shapes: &[],
     }));
     let (added, springs) = swinging(chains, settings);
-    let mut extensions = vec![("VRMC_vrm", humanoid(meta))];
+    // Meshes stand behind the armature, the bones and the joints of the chains.
+    let body = 1 + Bone::COUNT + added.len();
+    let blinks = (!shapes.is_empty()).then_some(body);
+    let mut extensions = vec![("VRMC_vrm", humanoid(meta, blinks))];
     if !springs.is_empty() {
         extensions.push((
             "VRMC_springBone",

@@ -63,6 +63,19 @@ pub(crate) struct Eyeball {
 }
 
 impl DrawnBody {
+    /// Vertices that move with the lids, ascending, and how far each has moved when the eyes are half closed and when
+    /// they are closed [m], in the bind pose.
+    pub fn closing(&self) -> impl Iterator<Item = (u32, [Vec3; 2])> {
+        self.lids.iter().map(|lid| (lid.vertex, lid.moved))
+    }
+
+    /// Shares of both when the eyes are so far closed, 0 to 1: the way of a lid is an arc, and a line would go
+    /// through the eye.
+    #[must_use]
+    pub fn closing_shares(closed: f32) -> [f32; 2] {
+        [4.0 * closed * (1.0 - closed), closed * (2.0 * closed - 1.0)]
+    }
+
     /// Posed positions and normals as [`SkinnedMesh::pose`] has them, with what the face does.
     pub fn pose(
         &self,
@@ -90,8 +103,7 @@ impl DrawnBody {
         }
         let closed = (expression.closed + LID_FOLLOWS * down).clamp(0.0, 1.0);
         if 0.0 < closed {
-            // The way of a lid is an arc: a line would go through the eye.
-            let shares = [4.0 * closed * (1.0 - closed), closed * (2.0 * closed - 1.0)];
+            let shares = Self::closing_shares(closed);
             for lid in &self.lids {
                 let vertex = lid.vertex as usize;
                 let moved = lid.moved[0] * shares[0] + lid.moved[1] * shares[1];

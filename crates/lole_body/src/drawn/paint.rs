@@ -15,7 +15,6 @@ const LIPS: Vec3 = Vec3::new(0.54, 0.22, 0.21);
 const LASHES: Vec3 = Vec3::new(0.055, 0.034, 0.028);
 const LOWER_LID: Vec3 = Vec3::new(0.52, 0.27, 0.22);
 const NOSTRIL: Vec3 = Vec3::new(0.12, 0.05, 0.04);
-const NAIL: Vec3 = Vec3::new(0.80, 0.52, 0.45);
 /// How far nails lie over the skin [m].
 const NAIL_LIFT: f32 = 0.15e-3;
 /// Points of a ring around the lids on the upper lid, with both corners.
@@ -63,7 +62,7 @@ fn shaded(open: f32) -> Vec3 {
 }
 
 fn factors(colors: impl Iterator<Item = Vec3>) -> Vec<Vec3> {
-    colors.map(|color| color / SKIN).collect()
+    colors.map(|color| (color / SKIN).min(Vec3::ONE)).collect()
 }
 
 /// Of a hand or a foot, without its nails.
@@ -84,7 +83,7 @@ pub(super) fn nails(part: &mut Part, colors: &mut Vec<Vec3>) -> Vec<[u32; 3]> {
             own[old] = u32::try_from(part.positions.len()).unwrap_or(u32::MAX);
             part.positions
                 .push(part.positions[old] + normals[old] * NAIL_LIFT);
-            colors.push(NAIL / SKIN);
+            colors.push(Vec3::ONE);
         }
         own[old]
     };

@@ -79,6 +79,27 @@ impl Buffer {
         }))
     }
 
+    /// How far some of `count` vertices move from where they are, and the others not at all.
+    pub(super) fn moves(&mut self, count: usize, moved: &[(u32, Vec3)]) -> usize {
+        let ways: Vec<Vec3> = moved.iter().map(|(_, way)| *way).collect();
+        // Those that stay count too.
+        let (low, high) = bounds(&ways);
+        let (low, high) = (low.min(Vec3::ZERO), high.max(Vec3::ZERO));
+        let vertices: Vec<u8> = (moved.iter()).flat_map(|(vertex, _)| vertex.to_le_bytes()).collect();
+        let vertices = self.view(&vertices, None, None);
+        let ways = float_bytes(ways.iter().flat_map(|way| way.to_array()));
+        let ways = self.view(&ways, None, None);
+        self.accessor(json!({
+            "componentType": FLOAT, "type": "VEC3", "count": count,
+            "min": low.to_array(), "max": high.to_array(),
+            "sparse": {
+                "count": moved.len(),
+                "indices": { "bufferView": vertices, "componentType": UNSIGNED_INT },
+                "values": { "bufferView": ways },
+            },
+        }))
+    }
+
     /// Texture coordinates.
     pub(super) fn uvs(&mut self, uvs: &[Vec2]) -> usize {
         let bytes = float_bytes(uvs.iter().flat_map(|uv| uv.to_array()));

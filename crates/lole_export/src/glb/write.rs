@@ -13,7 +13,7 @@ use serde_json::{Map, Value, json};
 use super::buffer::Buffer;
 use super::check::checked_frame;
 use super::{
-    BakedCloth, GlbFile, GlbMaterial, GlbMesh, GlbScene, GlbSides, MOST_TARGETS, skinned_cloth,
+    BakedCloth, GlbFile, GlbMaterial, GlbMesh, GlbScene, GlbShape, GlbSides, MOST_TARGETS, skinned_cloth,
 };
 use crate::ExportError;
 
@@ -62,7 +62,7 @@ pub(super) fn write_scene(scene: &GlbScene<'_>) -> Result<GlbFile, ExportError> 
         }));
     }
     for mesh in scene.skinned {
-        write_skinned(&mut document, mesh);
+        write_skinned(&mut document, mesh, scene.pose_times);
     }
     let mut animations = Vec::new();
     animate_bones(&mut document, scene);
@@ -235,7 +235,7 @@ pub(super) fn push_channel(
 }
 
 /// A node of its own at the scene's root, as glTF wants skinned meshes.
-fn write_skinned(document: &mut Document, mesh: &GlbMesh<'_>) {
+fn write_skinned(document: &mut Document, mesh: &GlbMesh<'_>, times: &[f32]) {
     let buffer = &mut document.buffer;
     let weights: Vec<[f32; 4]> = mesh
         .weights
@@ -261,6 +261,11 @@ fn write_skinned(document: &mut Document, mesh: &GlbMesh<'_>) {
     }
     attributes.insert("JOINTS_0".into(), json!(buffer.joints(&joints)));
     attributes.insert("WEIGHTS_0".into(), json!(buffer.weights(&weights)));
+    let shapes = mesh.shapes.iter().filter(|shape| !shape.moved.is_empty());
+    let shapes: Vec<&GlbShape> = shapes.collect();
+    let targets: Vec<Value> = (shapes.iter())
+        .map(|shape| json!({ "POSITION": buffer.moves(mesh.positions.len(), &shape.moved) }))
+        .collect();
     let mut primitives = Vec::new();
     for part in mesh.parts.iter().filter(|part| !part.triangles.is_empty()) {
         let indices = document.buffer.triangles(part.triangles);
@@ -270,20 +275,44 @@ fn write_skinned(document: &mut Document, mesh: &GlbMesh<'_>) {
         if let (Some(uvs), Some(_)) = (uvs, part.material.texture_png) {
             attributes.insert("TEXCOORD_0".into(), json!(uvs));
         }
-        primitives.push(json!({
+        let mut primitive = json!({
             "attributes": attributes, "indices": indices, "material": material,
-        }));
+        });
+        if !targets.is_empty() {
+            primitive["targets"] = json!(targets);
+        }
+        primitives.push(primitive);
     }
     if primitives.is_empty() {
         return;
     }
-    document
-        .meshes
-        .push(json!({ "name": mesh.name, "primitives": primitives }));
-    document.roots.push(document.nodes.len());
+    let mut whole = json!({ "name": mesh.name, "primitives": primitives });
+    let node = document.nodes.len();
+    if !shapes.is_empty() {
+        whole["weights"] = json!(vec![0.0; shapes.len()]);
+        let names: Vec<&str> = shapes.iter().map(|shape| shape.name).collect();
+        whole["extras"] = json!({ "targetNames": names });
+        animate_shapes(document, &shapes, (times, node));
+    }
+    document.meshes.push(whole);
+    document.roots.push(node);
     document.nodes.push(json!({
         "name": mesh.name, "mesh": document.meshes.len() - 1, "skin": 0,
     }));
+}
+
+/// A channel for the shapes of a mesh, where one of them is ever on.
+fn animate_shapes(document: &mut Document, shapes: &[&GlbShape], (times, node): (&[f32], usize)) {
+    let at = |shape: &GlbShape, key: usize| shape.weights.get(key).copied().unwrap_or(0.0);
+    let keys = 0..times.len();
+    let weights: Vec<f32> = keys
+        .flat_map(|key| shapes.iter().map(move |shape| at(shape, key)))
+        .collect();
+    if weights.iter().any(|weight| *weight != 0.0) {
+        let input = document.buffer.times(times);
+        let output = document.buffer.scalars(&weights);
+        push_channel(document, [input, output], node, "weights");
+    }
 }
 
 /// The first frame is the mesh; each later one is a morph target that is fully on at its time.

@@ -114,6 +114,7 @@ impl<'a> Worn<'a> {
                 joints: &ridden.joints,
                 weights: &ridden.weights,
                 parts,
+                shapes: &[],
             })
         });
         // An adornment without its flowers has a surface without triangles.

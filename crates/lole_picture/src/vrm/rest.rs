@@ -6,6 +6,7 @@ use glam::{Affine3A, Quat, Vec3};
 use lole_body::skin::blend;
 use lole_body::{Bone, Dancer, Pose, Skeleton};
 use lole_export::take::{TakeScene, TakeSource};
+use lole_export::glb::GlbShape;
 use lole_stage::{Production, WornSurface};
 
 /// Cloth whose hem is not farther below the hips than this [m] does not hang.
@@ -65,6 +66,19 @@ impl Rest {
             t_from_bind,
             first_from_bind,
         }
+    }
+
+    /// The shape of closed eyes; none of a given body, whose lids are not known.
+    pub(super) fn closed_eyes(&self, dancer: &Dancer) -> Option<GlbShape> {
+        let figure = dancer.figure.as_ref()?;
+        let head = self.t_from_bind[Bone::Head.index()];
+        let moved = figure.closing();
+        let moved = moved.map(|(vertex, [_, closed])| (vertex, head.transform_vector3(closed)));
+        Some(GlbShape {
+            name: "blink",
+            moved: moved.collect(),
+            weights: Vec::new(),
+        })
     }
 
     /// Where the hips are at rest [m].
