@@ -418,6 +418,8 @@ impl Run<'_> {
         bar.inc(1);
         self.write_counts(performance, &mut output, &mut files)?;
         self.write_design(&mut output, &mut files)?;
+        // Some systems remove no folder with a file in it that is open.
+        drop(recording.keys);
         let figures = RunFigures {
             design: &self.design,
             threads,

@@ -1,7 +1,7 @@
 //! `lole dancer`: the dancer alone, in pictures, figures and a 3D file.
 
 use anyhow::Result;
-use lole_body::{Dancer, Pose};
+use lole_body::{Dancer, Expression, Pose};
 use lole_costume::document::Place;
 use lole_export::dancer_sheet::{DancerSheet, dancer_json};
 use lole_export::{ImageView, still};
@@ -80,22 +80,22 @@ fn pictures(
     taken: impl Fn(),
 ) -> Result<Vec<(&'static str, Vec<u8>)>> {
     let world_from_bind = dancer.skeleton.world_from_bind(&Pose::default());
-    let (mut positions, mut normals) = (Vec::new(), Vec::new());
-    let skin = &dancer.skin;
-    skin.pose(&world_from_bind, &mut positions, &mut normals);
+    let [positions, normals] =
+        lole_picture::drawn_body(dancer, &world_from_bind, Expression::default());
+    let drawn = dancer.drawn();
     let materials = lole_picture::dancer_materials(dancer)?;
     let mut renderer = Renderer::new(backend, PICTURE_SIZE)?;
     let cameras = cameras_around(&positions, PICTURE_SIZE);
     let mut pictures = Vec::new();
     for (still, camera) in STILLS.iter().zip(cameras) {
-        let parts = skin.parts.iter().zip(&materials);
+        let parts = drawn.parts.iter().zip(&materials);
         let scene = Scene {
             meshes: parts
                 .map(|(part, (_, material))| SceneMesh {
                     positions: &positions,
                     normals: &normals,
-                    uvs: &skin.uvs,
-                    colors: &[],
+                    uvs: &drawn.uvs,
+                    colors: &drawn.colors,
                     triangles: &part.triangles,
                     material,
                 })

@@ -109,7 +109,7 @@ impl Dancer {
             waist_side: widest_at(&shape, shape.body.tape_level("waist")),
         };
         let half = skin_half(&shape);
-        let mut skin = build_skin(&half, &shape.regions, &skeleton);
+        let mut skin = build_skin(&half, &skeleton);
         let style = appearance.hair.worn_by(measurements.figure);
         add_hair(&mut skin, (&shape, shape.head.head()), style);
         let looks = (measurements.figure, appearance);

@@ -22,8 +22,8 @@ use weld::Seam;
 
 /// Cells [m] in which the skin's triangles are found: twice their edges.
 const CELL: f32 = 0.012;
-/// How far a part may lie from the skin [m] whose place it takes.
-const FARTHEST: f32 = 0.08;
+/// How far from a part the skin is looked for whose place it takes [m].
+const FARTHEST: f32 = 1.0;
 
 /// The drawn body without hair, and the head that hair lies on.
 pub(crate) fn build_drawn(
@@ -65,7 +65,7 @@ pub(crate) fn build_drawn(
         shape.body.head.center,
         (&head.part.positions, &without_ear(&head)),
     );
-    let (mut mesh, twins) = half.mirrored(&shape.regions);
+    let (mut mesh, twins) = half.mirrored();
     add_hinges(&mut mesh, skeleton);
     let flip = Vec3::new(-1.0, 1.0, 1.0);
     let halves = alive::closing(&head, 0.5);

@@ -4,6 +4,7 @@
 //! parts blend linearly, point by point. Provenance: `data/README.md`.
 
 use std::collections::BTreeMap;
+use std::sync::LazyLock;
 
 use glam::{Mat3, Vec3};
 use serde::Deserialize;
@@ -71,8 +72,6 @@ struct Raw {
     #[serde(default)]
     nail: Vec<u8>,
     bodies: BTreeMap<String, RawBody>,
-    #[serde(flatten)]
-    head: Option<RawHead>,
 }
 
 #[derive(Deserialize)]
@@ -92,6 +91,8 @@ struct RawEye {
 
 #[derive(Deserialize)]
 struct RawHead {
+    #[serde(flatten)]
+    part: Raw,
     mid: Vec<i32>,
     eye: Vec<Vec<u32>>,
     rim_ring: usize,
@@ -127,13 +128,16 @@ fn broken(reason: impl ToString) -> BodyError {
     }
 }
 
+/// What a table holds; it is read once.
+fn read<'a, T: Deserialize<'a>>(table: &'a str) -> Result<T, String> {
+    serde_json::from_str(table).map_err(|error| error.to_string())
+}
+
 /// The head of a blend of bodies.
 pub(crate) fn head(shares: &Shares) -> Result<HeadPart, BodyError> {
-    let mut raw: Raw = serde_json::from_str(HEAD).map_err(broken)?;
-    let told = raw
-        .head
-        .take()
-        .ok_or_else(|| broken("a head's rings are missing"))?;
+    static RAW: LazyLock<Result<RawHead, String>> = LazyLock::new(|| read(HEAD));
+    let told = RAW.as_ref().map_err(broken)?;
+    let raw = &told.part;
     let mut part = raw.blend(shares)?;
     let eyes = raw.weighed(shares)?;
     let eyes =
@@ -166,9 +170,9 @@ pub(crate) fn head(shares: &Shares) -> Result<HeadPart, BodyError> {
     Ok(HeadPart {
         part,
         middle,
-        lids: told.eye,
+        lids: told.eye.clone(),
         lid_rim: told.rim_ring,
-        lips: told.mouth,
+        lips: told.mouth.clone(),
         lip_rim: told.lip_ring,
         ear: run(&told.ear),
         cheek: told.cheek.iter().map(|percent| percent / 100.0).collect(),
@@ -184,14 +188,14 @@ pub(crate) fn head(shares: &Shares) -> Result<HeadPart, BodyError> {
 
 /// The left hand of a blend of bodies.
 pub(crate) fn hand(shares: &Shares) -> Result<Part, BodyError> {
-    let raw: Raw = serde_json::from_str(HAND).map_err(broken)?;
-    raw.blend(shares)
+    static RAW: LazyLock<Result<Raw, String>> = LazyLock::new(|| read(HAND));
+    RAW.as_ref().map_err(broken)?.blend(shares)
 }
 
 /// The left foot of a blend of bodies.
 pub(crate) fn foot(shares: &Shares) -> Result<Part, BodyError> {
-    let raw: Raw = serde_json::from_str(FOOT).map_err(broken)?;
-    raw.blend(shares)
+    static RAW: LazyLock<Result<Raw, String>> = LazyLock::new(|| read(FOOT));
+    RAW.as_ref().map_err(broken)?.blend(shares)
 }
 
 /// Numbers from the differences between them.

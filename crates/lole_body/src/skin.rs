@@ -1,4 +1,4 @@
-//! The drawn body: a mesh in the bind pose with joints and weights, and how a pose carries it.
+//! A body's surface: a mesh in the bind pose with joints and weights, and how a pose carries it.
 //!
 //! Linear blending draws a bent limb in towards its axis, by the cosine of half the bend where two
 //! bones share it evenly. About knees and elbows a vertex therefore turns rigidly about a center of its

@@ -1,14 +1,13 @@
 //! From the half surface to the whole skin: regions cut, mirrored, weighted, and the centers about
 //! which knees and elbows turn.
 
-use glam::{Quat, Vec3};
+use glam::{Quat, Vec2, Vec3};
 use lole_geom::trig;
 
 use crate::skin::{Hinge, Turning};
 use crate::skin_weights::{Row, four_largest, half_weights, mirror_table, mirrored_row};
 use crate::surface::Shape;
 use crate::surface::half::is_on_plane;
-use crate::surface::regions::Regions;
 use crate::{Bone, MeshPart, PartKind, Pose, Skeleton, SkinnedMesh};
 
 /// The left half with regions and dense weights.
@@ -36,8 +35,8 @@ pub(crate) fn skin_half(shape: &Shape) -> Half {
 }
 
 /// The whole body that cloth meets: skin, leotard and face.
-pub(crate) fn build_skin(half: &Half, regions: &Regions, skeleton: &Skeleton) -> SkinnedMesh {
-    let (mut skin, _) = half.mirrored(regions);
+pub(crate) fn build_skin(half: &Half, skeleton: &Skeleton) -> SkinnedMesh {
+    let (mut skin, _) = half.mirrored();
     add_hinges(&mut skin, skeleton);
     skin
 }
@@ -79,7 +78,7 @@ impl Half {
     }
 
     /// The half and its mirror image, sharing the vertices on the plane, and the twin of each vertex of the half.
-    pub(crate) fn mirrored(&self, regions: &Regions) -> (SkinnedMesh, Vec<u32>) {
+    pub(crate) fn mirrored(&self) -> (SkinnedMesh, Vec<u32>) {
         let flip = Vec3::new(-1.0, 1.0, 1.0);
         let mirror = mirror_table();
         let mut mesh = SkinnedMesh::default();
@@ -90,7 +89,6 @@ impl Half {
             let (joints, weights) = four_largest(&self.rows[vertex]);
             mesh.positions.push(position);
             mesh.normals.push(self.normals[vertex]);
-            mesh.uvs.push(regions.face_uv(position));
             mesh.joints.push(joints);
             mesh.weights.push(weights);
         }
@@ -103,7 +101,6 @@ impl Half {
             mesh.positions.push(position * flip);
             mesh.colors.extend(self.colors.get(vertex));
             mesh.normals.push(self.normals[vertex] * flip);
-            mesh.uvs.push(regions.face_uv(position * flip));
             mesh.joints.push(joints);
             mesh.weights.push(weights);
         }
@@ -124,6 +121,7 @@ impl Half {
                 mesh.parts.push(MeshPart { kind, triangles });
             }
         }
+        mesh.uvs.resize(mesh.positions.len(), Vec2::ZERO);
         (mesh, twin)
     }
 }

@@ -49,7 +49,6 @@ pub(crate) struct Shape {
     /// The sections with final heights; joints with final girths.
     pub(crate) body: Sections,
     pub(crate) crotch: f32,
-    pub(crate) regions: Regions,
     /// The head's field before heights were carried; `body.head.center` is where it ended.
     pub(crate) head: Field,
     pub(crate) asis: f32,
@@ -159,7 +158,6 @@ pub(crate) fn build(tape: &Measurements) -> Result<Shape, BodyError> {
         kinds: fine.kinds,
         body,
         crotch,
-        regions,
         head: field,
         asis,
         head_size,

@@ -73,6 +73,8 @@ pub struct GlbMesh<'a> {
     pub parts: &'a [GlbPart<'a>],
     /// Shapes that it can take, such as closed eyes.
     pub shapes: &'a [GlbShape],
+    /// Times of the shapes' weights [s], growing.
+    pub shape_times: &'a [f32],
 }
 
 /// A shape that a mesh can take beside its own.
@@ -82,7 +84,7 @@ pub struct GlbShape {
     pub name: &'static str,
     /// Vertices that move, ascending, and how far [m].
     pub moved: Vec<(u32, Vec3)>,
-    /// How much of it is on at each of [`GlbScene::pose_times`]; empty where it stays off.
+    /// How much of it is on at each of the mesh's `shape_times`; empty where it stays off.
     pub weights: Vec<f32>,
 }
 

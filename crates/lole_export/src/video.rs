@@ -100,6 +100,8 @@ pub struct Mp4Writer {
     samples: Samples,
     sample_sizes: Vec<u32>,
     keyframes: Vec<u32>,
+    /// Sum of the sizes.
+    picture_bytes: u64,
     song: Option<Song>,
 }
 
@@ -141,6 +143,7 @@ impl Mp4Writer {
             samples: Samples::Memory(Vec::new()),
             sample_sizes: Vec::new(),
             keyframes: Vec::new(),
+            picture_bytes: 0,
             song: None,
         })
     }
@@ -168,6 +171,9 @@ impl Mp4Writer {
         let (Ok(size), Ok(index)) = (u32::try_from(sample.len()), u32::try_from(frame)) else {
             return Err(failed("the film is longer than an MP4 can be".into()));
         };
+        if LARGEST_FILM < self.byte_count() + u64::from(size) {
+            return Err(failed("the film is larger than 4 GB; make it shorter or smaller".into()));
+        }
         if size == 0 {
             return Err(failed("no picture came out".into()));
         }
@@ -176,6 +182,7 @@ impl Mp4Writer {
             self.keyframes.push(index);
         }
         self.sample_sizes.push(size);
+        self.picture_bytes += u64::from(size);
         Ok(())
     }
 
@@ -191,10 +198,11 @@ impl Mp4Writer {
         self.song = Some(song);
     }
 
-    /// Bytes of the pictures pushed so far.
+    /// Bytes of the pictures pushed so far, and of the song.
     #[must_use]
     pub fn byte_count(&self) -> u64 {
-        self.sample_sizes.iter().map(|&size| u64::from(size)).sum()
+        let song = self.song.as_ref().map_or(0, |song| song.data.len());
+        self.picture_bytes + song as u64
     }
 
     /// Pictures pushed so far.
@@ -252,6 +260,8 @@ impl Mp4Writer {
 
 /// What an error of writing calls the film.
 const MP4: &str = "MP4";
+/// Most bytes of the pictures of a film, whose index counts in 32 bits; the song and the index have the rest.
+const LARGEST_FILM: u64 = (1 << 32) - (1 << 28);
 /// Bytes that are copied at once.
 const COPIED_AT_ONCE: usize = 1 << 16;
 

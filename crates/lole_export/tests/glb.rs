@@ -249,6 +249,7 @@ impl Sample {
             weights: &self.weights,
             parts: &parts,
             shapes: &[],
+            shape_times: &[],
         }];
         let cloths = [BakedCloth {
             name: "pau_skirt",

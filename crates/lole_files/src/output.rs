@@ -172,7 +172,8 @@ impl OutputFolder {
         fs::OpenOptions::new()
             .read(true)
             .write(true)
-            .create_new(true)
+            .create(true)
+            .truncate(true)
             .open(self.unfinished.join(name))
     }
 

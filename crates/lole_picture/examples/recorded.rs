@@ -16,7 +16,7 @@ use glam::Vec3;
 use lole_body::Bone;
 use lole_costume::document::{Design, LinkedFile, parse};
 use lole_hula::DanceStep;
-use lole_picture::{DrawnDancer, Lamps, Looks};
+use lole_picture::{Moment, Lamps, Looks};
 use lole_render::{Backend, Camera, Renderer, Size, View};
 use lole_stage::{Performance, Production};
 
@@ -182,18 +182,12 @@ fn bone_at(performance: &Performance, place: Vec3) -> Bone {
 fn shoot(performance: &Performance) -> Result<Vec<u8>, Box<dyn Error>> {
     let production = performance.production();
     let looks = Looks::new(&production.design, production)?;
-    let worn = performance.surfaces();
-    let shown = DrawnDancer {
-        worn: &worn,
-        colors: &[],
-        colored: None,
-        body: [performance.body_positions(), performance.body_normals()],
-    };
+    let moment = Moment::photographed(performance);
     let mut renderer = Renderer::new(Backend::Cpu, CELL)?;
     let mut cells = Vec::new();
     for view in VIEWS {
         let camera = Camera::framing_points(performance.body_positions(), view, CELL.aspect());
-        let scene = looks.scene(&shown, camera, Lamps::WithCamera);
+        let scene = looks.scene(&moment.dancer(), camera, Lamps::WithCamera);
         cells.push(renderer.render(&scene)?.pixels);
     }
     let width = CELL.width as usize * 4;

@@ -1,7 +1,7 @@
 //! What her face does: eyes that blink, and that look at the hand which tells the story.
 
 use glam::{Affine3A, Vec3};
-use lole_body::{Bone, Dancer, Expression, Skeleton};
+use lole_body::{Bone, Dancer, Expression};
 use lole_costume::document::Gaze;
 use lole_geom::fnv;
 use lole_stage::Performance;
@@ -33,7 +33,7 @@ pub fn expression_at(
     Expression {
         closed: blink(time),
         looks_at: match gaze {
-            Gaze::Hands => leading_hand(&dancer.skeleton, world_from_bind),
+            Gaze::Hands => leading_hand(dancer, world_from_bind),
             Gaze::Ahead => None,
         },
     }
@@ -46,15 +46,10 @@ pub fn expression_at(
 )]
 pub(crate) fn blink(time: f32) -> f32 {
     let turn = (time / BLINK_EVERY).floor();
-    // Each comes at its own time after its turn, and may reach into the next one's.
-    [turn - 1.0, turn]
-        .map(|turn| {
-            let hash = fnv::hash((turn as i64).to_le_bytes());
-            let late = (hash >> 40) as f32 / (1_u32 << 24) as f32;
-            shut(time - (turn * BLINK_EVERY + BLINK_LATER * late))
-        })
-        .into_iter()
-        .fold(0.0, f32::max)
+    // Each comes at its own time after its turn, and is over before the next one's.
+    let hash = fnv::hash((turn as i64).to_le_bytes());
+    let late = (hash >> 40) as f32 / (1_u32 << 24) as f32;
+    shut(time - (turn * BLINK_EVERY + BLINK_LATER * late))
 }
 
 /// How far the eyes are closed so long after a blink began [s].
@@ -67,9 +62,13 @@ fn shut(after: f32) -> f32 {
 }
 
 /// Where the hand is that reaches farther up and out; both where they reach as far. None where both hang down.
-fn leading_hand(skeleton: &Skeleton, world_from_bind: &[Affine3A]) -> Option<Vec3> {
+fn leading_hand(dancer: &Dancer, world_from_bind: &[Affine3A]) -> Option<Vec3> {
+    let skeleton = &dancer.skeleton;
     let joint = |bone: Bone| world_from_bind[bone.index()].transform_point3(skeleton.joint(bone));
-    let [hips, chest, head] = [Bone::Hips, Bone::UpperChest, Bone::Head].map(joint);
+    let [hips, chest] = [Bone::Hips, Bone::UpperChest].map(joint);
+    // Only a drawn body has eyes that turn.
+    let eyes = dancer.figure.as_ref()?.between_eyes();
+    let head = world_from_bind[Bone::Head.index()].transform_point3(eyes);
     let ahead = world_from_bind[Bone::Head.index()].transform_vector3(Vec3::Z);
     let size = (chest.y - hips.y).max(0.05);
     let (mut sum, mut total) = (Vec3::ZERO, 0.0);
@@ -77,7 +76,8 @@ fn leading_hand(skeleton: &Skeleton, world_from_bind: &[Affine3A]) -> Option<Vec
         let hand = joint(bone);
         let up = ((hand.y - hips.y) / size).clamp(0.0, 2.0);
         let out = Vec3::new(hand.x - chest.x, 0.0, hand.z - chest.z).length() / size;
-        let weight = (up * (0.4 + out)).powi(4);
+        let reach = up * (0.4 + out);
+        let weight = reach * reach * reach * reach;
         sum += hand * weight;
         total += weight;
     }

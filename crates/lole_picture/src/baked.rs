@@ -66,15 +66,34 @@ impl BodyPictures {
     }
 }
 
-/// Her eyes half closed and closed, as she blinks at these times [s]; none of a given body.
-pub(crate) fn blinking(dancer: &Dancer, times: &[f32]) -> Vec<GlbShape> {
-    let Some(figure) = &dancer.figure else {
-        return Vec::new();
-    };
-    ["eyes_half_closed", "eyes_closed"]
-        .into_iter()
-        .enumerate()
-        .map(|(shape, name)| GlbShape {
+/// Pictures a second of a blink, which keys of a dance are too far apart for.
+const BLINK_RATE: f32 = 30.0;
+
+/// How she blinks in a dance: the shapes of her face, and when they are on.
+pub(crate) struct Blinking {
+    shapes: Vec<GlbShape>,
+    times: Vec<f32>,
+}
+
+impl Blinking {
+    /// As long as a dance goes on, from its first time to its last [s]; nothing of a given body.
+    pub(crate) fn of(dancer: &Dancer, times: &[f32]) -> Self {
+        let Some(figure) = &dancer.figure else {
+            return Self {
+                shapes: Vec::new(),
+                times: Vec::new(),
+            };
+        };
+        let ends = [times.first(), times.last()].map(|time| time.copied().unwrap_or_default());
+        let step = |index: u16| ends[0] + f32::from(index) / BLINK_RATE;
+        let times: Vec<f32> = if ends[0] < ends[1] {
+            let times = (0..u16::MAX).map(step);
+            times.take_while(|time| *time <= ends[1]).collect()
+        } else {
+            Vec::new()
+        };
+        let shapes = ["eyes_half_closed", "eyes_closed"].into_iter().enumerate();
+        let shapes = shapes.map(|(shape, name)| GlbShape {
             name,
             moved: (figure.closing())
                 .map(|(vertex, moved)| (vertex, moved[shape]))
@@ -82,14 +101,18 @@ pub(crate) fn blinking(dancer: &Dancer, times: &[f32]) -> Vec<GlbShape> {
             weights: (times.iter())
                 .map(|&time| DrawnBody::closing_shares(alive::blink(time))[shape])
                 .collect(),
-        })
-        .collect()
+        });
+        Self {
+            shapes: shapes.collect(),
+            times,
+        }
+    }
 }
 
 pub(crate) fn skinned<'a>(
     dancer: &'a Dancer,
     parts: &'a [GlbPart<'a>],
-    shapes: &'a [GlbShape],
+    blinking: &'a Blinking,
 ) -> GlbMesh<'a> {
     let skin = dancer.drawn();
     GlbMesh {
@@ -101,7 +124,8 @@ pub(crate) fn skinned<'a>(
         joints: &skin.joints,
         weights: &skin.weights,
         parts,
-        shapes,
+        shapes: &blinking.shapes,
+        shape_times: &blinking.times,
     }
 }
 
@@ -116,7 +140,7 @@ pub fn body_glb(dancer: &Dancer) -> Result<Vec<u8>, ExportError> {
         skeleton: &dancer.skeleton,
         pose_times: &[],
         poses: &[],
-        skinned: &[skinned(dancer, &parts, &blinking(dancer, &[]))],
+        skinned: &[skinned(dancer, &parts, &Blinking::of(dancer, &[]))],
         cloths: &[],
         added: &[],
         extensions: &[],
@@ -139,10 +163,10 @@ pub fn dancer_glb(
     let parts = pictures.parts(&production.dancer);
     let worn = worn::Worn::of(production, covers)?;
     let ridden = worn.ridden();
-    let shapes = blinking(&production.dancer, &keys.times);
+    let blinking = Blinking::of(&production.dancer, &keys.times);
     let mut bodies = Vec::new();
     if !leaves_body_out(performance) {
-        bodies.push(skinned(&production.dancer, &parts, &shapes));
+        bodies.push(skinned(&production.dancer, &parts, &blinking));
     }
     bodies.extend(worn.skinned(&ridden));
     let frames = keys.by_surface();

@@ -16,7 +16,7 @@ use lole_export::take::{
 };
 use lole_stage::{Performance, Production, WornSurface};
 
-use crate::baked::{BodyPictures, blinking, is_kept_here, skinned, worn};
+use crate::baked::{Blinking, BodyPictures, is_kept_here, skinned, worn};
 use crate::{Cover, Moment};
 
 /// Fewest keys a second that cloth is thinned to, to be written as it moved.
@@ -142,10 +142,10 @@ pub fn take_glb(
     let ridden = worn.ridden();
     let pictures = BodyPictures::of(&production.dancer)?;
     let parts = pictures.parts(&production.dancer);
-    let shapes = blinking(&production.dancer, &times);
+    let blinking = Blinking::of(&production.dancer, &times);
     let mut bodies = Vec::new();
     if !is_kept_here(production.license.as_ref()) {
-        bodies.push(skinned(&production.dancer, &parts, &shapes));
+        bodies.push(skinned(&production.dancer, &parts, &blinking));
     }
     bodies.extend(worn.skinned(&ridden));
     let shared = RefCell::new(take);

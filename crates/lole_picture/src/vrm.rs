@@ -330,6 +330,7 @@ fn write(
         weights: &dancer.drawn().weights,
         parts: &parts,
         shapes: &shapes,
+        shape_times: &[],
     }];
     meshes.extend(clothes.iter().zip(&cloth_parts).map(|(it, parts)| GlbMesh {
         name: &names[it.place],
@@ -341,6 +342,7 @@ fn write(
         weights: &it.weights,
         parts,
         shapes: &[],
+        shape_times: &[],
     }));
     let (added, springs) = swinging(chains, settings);
     // Meshes stand behind the armature, the bones and the joints of the chains.

@@ -505,7 +505,7 @@ impl Performance {
         })
     }
 
-    /// Places the drawn body in the current pose: for pictures and checks, not for the cloth.
+    /// Places the skin in the current pose: for checks and cameras, not for the cloth; what is drawn is another body.
     pub fn pose_body(&mut self) {
         let skin = &self.production.dancer.skin;
         skin.pose(
@@ -527,13 +527,13 @@ impl Performance {
         &self.cloth_positions[garment.particles.clone()]
     }
 
-    /// Posed vertices of the drawn body [m]; call [`Self::pose_body`] first.
+    /// Posed vertices of the skin [m]; call [`Self::pose_body`] first.
     #[must_use]
     pub fn body_positions(&self) -> &[Vec3] {
         &self.body_positions
     }
 
-    /// Posed unit normals of the drawn body.
+    /// Posed unit normals of the skin.
     #[must_use]
     pub fn body_normals(&self) -> &[Vec3] {
         &self.body_normals

@@ -1,4 +1,4 @@
-//! Does skin show through cloth? Measured against the drawn body, not against its capsules.
+//! Does skin show through cloth? Measured against the body's skin, not against its capsules.
 
 use glam::Vec3;
 use lole_geom::triangle_grid::{TriangleGrid, blend};
@@ -45,7 +45,7 @@ impl SkinCheck {
     }
 }
 
-/// Compares one frame's cloth with one frame's drawn body.
+/// Compares one frame's cloth with one frame's body.
 ///
 /// A cloth vertex is inside when it lies behind the nearest point of the skin. A body vertex shows
 /// when cloth lies behind it, inside the body, and none lies in front of it.

@@ -63,6 +63,12 @@ pub(crate) struct Eyeball {
 }
 
 impl DrawnBody {
+    /// The middle between the eyes [m], in the bind pose.
+    #[must_use]
+    pub fn between_eyes(&self) -> Vec3 {
+        0.5 * (self.eyes[0].center + self.eyes[1].center)
+    }
+
     /// Vertices that move with the lids, ascending, and how far each has moved when the eyes are half closed and when
     /// they are closed [m], in the bind pose.
     pub fn closing(&self) -> impl Iterator<Item = (u32, [Vec3; 2])> {

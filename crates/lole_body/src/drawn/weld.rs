@@ -110,7 +110,7 @@ fn beyond(half: &Half, seam: &Seam, tip: Vec3) -> Vec<f32> {
         .collect();
     let over = |heights: &[f32], vertex: usize| LEAST < heights[vertex];
     let seed = (0..heights.len())
-        .filter(|&vertex| over(&heights, vertex) && half.colors[vertex] == Vec3::ONE)
+        .filter(|&vertex| over(&heights, vertex))
         .min_by(|&a, &b| {
             let [a, b] = [a, b].map(|vertex| half.positions[vertex].distance_squared(tip));
             a.total_cmp(&b)
@@ -177,7 +177,10 @@ pub(super) fn fit(part: &mut Part, seam: &Seam, (positions, border): (&[Vec3], &
         let (mut sum, mut total, mut least) = (Vec3::ZERO, 0.0, f32::INFINITY);
         for (end, way) in rim.iter().zip(&ways) {
             let apart = place.distance(*end);
-            let weight = (apart + 1.0e-4).powi(-3);
+            let weight = {
+                let near = (apart + 1.0e-4).recip();
+                near * near * near
+            };
             sum += *way * weight;
             total += weight;
             least = least.min(apart);

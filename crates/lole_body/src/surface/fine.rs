@@ -64,7 +64,7 @@ impl Fine {
             .push(self.arms[a] + (self.arms[b] - self.arms[a]) * share);
     }
 
-    /// Collapses to the triangles of the drawn body; kept vertices keep their normals.
+    /// Collapses to the triangles of the skin; kept vertices keep their normals.
     pub(crate) fn simplify(&mut self, body: &Sections) {
         let regions: Vec<u8> = self.kinds.iter().map(|&kind| kind as u8).collect();
         let kept = simplify(

@@ -1,4 +1,4 @@
-//! Where the leotard ends and the painted face begins: signed functions of the bind position.
+//! Where the leotard ends and the face begins: signed functions of the bind position.
 
 use glam::{Vec2, Vec3};
 
@@ -26,7 +26,7 @@ const ARMPIT_SHARE: f32 = 0.884;
 const SHOULDER_SHARE: f32 = 1.049;
 const ARMPIT_ASIDE: f32 = 1.03;
 
-/// Where the leotard ends and the painted face begins, in the bind pose.
+/// Where the leotard ends and the face begins, in the bind pose.
 #[derive(Debug, Clone)]
 pub(crate) struct Regions {
     /// Stature over 1.585 m.
@@ -105,12 +105,6 @@ impl Regions {
     /// Positive on the front of the head.
     pub(crate) fn face(&self, point: Vec3) -> f32 {
         self.face_radius - (point - self.face_center).length()
-    }
-
-    /// The face seen from the front, over the square around it; `v` down.
-    pub(crate) fn face_uv(&self, point: Vec3) -> Vec2 {
-        let offset = (point - self.face_center) / (2.0 * self.face_radius);
-        Vec2::new(0.5 + offset.x, 0.5 - offset.y).clamp(Vec2::ZERO, Vec2::ONE)
     }
 }
 

@@ -30,8 +30,7 @@ pub(super) fn check_scene(scene: &GlbScene<'_>) -> Result<(), ExportError> {
     finite_added(scene)?;
     let joint_count = Bone::COUNT + scene.added.len();
     let mut skinned = scene.skinned.iter();
-    let counts = (joint_count, scene.pose_times.len());
-    skinned.try_for_each(|mesh| check_skinned(mesh, counts))?;
+    skinned.try_for_each(|mesh| check_skinned(mesh, joint_count))?;
     scene.cloths.iter().try_for_each(check_cloth)
 }
 
@@ -44,10 +43,7 @@ fn finite_added(scene: &GlbScene<'_>) -> Result<(), ExportError> {
     Ok(())
 }
 
-fn check_skinned(
-    mesh: &GlbMesh<'_>,
-    (joint_count, key_count): (usize, usize),
-) -> Result<(), ExportError> {
+fn check_skinned(mesh: &GlbMesh<'_>, joint_count: usize) -> Result<(), ExportError> {
     let count = mesh.positions.len();
     length(mesh.name, "normals", mesh.normals.len(), count)?;
     if !mesh.uvs.is_empty() {
@@ -71,13 +67,18 @@ fn check_skinned(
             .map(|index| *index as usize);
         indices(mesh.name, "triangles", corners, count)?;
     }
+    if !mesh.colors.is_empty() {
+        length(mesh.name, "colors", mesh.colors.len(), count)?;
+        finite(mesh.name, "colors", mesh.colors)?;
+    }
+    key_times(mesh.name, mesh.shape_times)?;
     for shape in mesh.shapes {
         let moved = shape.moved.iter().map(|(vertex, _)| *vertex as usize);
         indices(mesh.name, "shapes", moved, count)?;
         let ways: Vec<Vec3> = shape.moved.iter().map(|(_, way)| *way).collect();
         finite(mesh.name, "shapes", &ways)?;
         if !shape.weights.is_empty() {
-            length(mesh.name, "shape weights", shape.weights.len(), key_count)?;
+            length(mesh.name, "shape weights", shape.weights.len(), mesh.shape_times.len())?;
         }
     }
     for (index, weights) in mesh.weights.iter().enumerate() {

@@ -62,7 +62,7 @@ pub(super) fn write_scene(scene: &GlbScene<'_>) -> Result<GlbFile, ExportError> 
         }));
     }
     for mesh in scene.skinned {
-        write_skinned(&mut document, mesh, scene.pose_times);
+        write_skinned(&mut document, mesh);
     }
     let mut animations = Vec::new();
     animate_bones(&mut document, scene);
@@ -235,7 +235,7 @@ pub(super) fn push_channel(
 }
 
 /// A node of its own at the scene's root, as glTF wants skinned meshes.
-fn write_skinned(document: &mut Document, mesh: &GlbMesh<'_>, times: &[f32]) {
+fn write_skinned(document: &mut Document, mesh: &GlbMesh<'_>) {
     let buffer = &mut document.buffer;
     let weights: Vec<[f32; 4]> = mesh
         .weights
@@ -292,7 +292,7 @@ fn write_skinned(document: &mut Document, mesh: &GlbMesh<'_>, times: &[f32]) {
         whole["weights"] = json!(vec![0.0; shapes.len()]);
         let names: Vec<&str> = shapes.iter().map(|shape| shape.name).collect();
         whole["extras"] = json!({ "targetNames": names });
-        animate_shapes(document, &shapes, (times, node));
+        animate_shapes(document, &shapes, (mesh.shape_times, node));
     }
     document.meshes.push(whole);
     document.roots.push(node);

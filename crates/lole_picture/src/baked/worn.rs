@@ -115,6 +115,7 @@ impl<'a> Worn<'a> {
                 weights: &ridden.weights,
                 parts,
                 shapes: &[],
+                shape_times: &[],
             })
         });
         // An adornment without its flowers has a surface without triangles.
