@@ -82,8 +82,7 @@ fn the_drawn_body_is_closed_whatever_the_measures() {
             let sum: f32 = drawn.weights[vertex].iter().sum();
             assert!((sum - 1.0).abs() < 1.0e-4, "weights {vertex}: {sum}");
         }
-        let is_color =
-            |color: &Vec3| color.cmpge(Vec3::ZERO).all() && color.cmple(Vec3::ONE).all();
+        let is_color = |color: &Vec3| color.cmpge(Vec3::ZERO).all() && color.cmple(Vec3::ONE).all();
         assert_eq!(drawn.colors.len(), drawn.positions.len());
         assert!(drawn.colors.iter().all(is_color));
     }

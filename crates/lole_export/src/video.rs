@@ -172,7 +172,9 @@ impl Mp4Writer {
             return Err(failed("the film is longer than an MP4 can be".into()));
         };
         if LARGEST_FILM < self.byte_count() + u64::from(size) {
-            return Err(failed("the film is larger than 4 GB; make it shorter or smaller".into()));
+            return Err(failed(
+                "the film is larger than 4 GB; make it shorter or smaller".into(),
+            ));
         }
         if size == 0 {
             return Err(failed("no picture came out".into()));

@@ -16,7 +16,7 @@ use glam::Vec3;
 use lole_body::Bone;
 use lole_costume::document::{Design, LinkedFile, parse};
 use lole_hula::DanceStep;
-use lole_picture::{Moment, Lamps, Looks};
+use lole_picture::{Lamps, Looks, Moment};
 use lole_render::{Backend, Camera, Renderer, Size, View};
 use lole_stage::{Performance, Production};
 

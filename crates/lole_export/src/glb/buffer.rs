@@ -85,7 +85,9 @@ impl Buffer {
         // Those that stay count too.
         let (low, high) = bounds(&ways);
         let (low, high) = (low.min(Vec3::ZERO), high.max(Vec3::ZERO));
-        let vertices: Vec<u8> = (moved.iter()).flat_map(|(vertex, _)| vertex.to_le_bytes()).collect();
+        let vertices: Vec<u8> = (moved.iter())
+            .flat_map(|(vertex, _)| vertex.to_le_bytes())
+            .collect();
         let vertices = self.view(&vertices, None, None);
         let ways = float_bytes(ways.iter().flat_map(|way| way.to_array()));
         let ways = self.view(&ways, None, None);

@@ -78,7 +78,12 @@ fn check_skinned(mesh: &GlbMesh<'_>, joint_count: usize) -> Result<(), ExportErr
         let ways: Vec<Vec3> = shape.moved.iter().map(|(_, way)| *way).collect();
         finite(mesh.name, "shapes", &ways)?;
         if !shape.weights.is_empty() {
-            length(mesh.name, "shape weights", shape.weights.len(), mesh.shape_times.len())?;
+            length(
+                mesh.name,
+                "shape weights",
+                shape.weights.len(),
+                mesh.shape_times.len(),
+            )?;
         }
     }
     for (index, weights) in mesh.weights.iter().enumerate() {

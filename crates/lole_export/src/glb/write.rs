@@ -13,7 +13,8 @@ use serde_json::{Map, Value, json};
 use super::buffer::Buffer;
 use super::check::checked_frame;
 use super::{
-    BakedCloth, GlbFile, GlbMaterial, GlbMesh, GlbScene, GlbShape, GlbSides, MOST_TARGETS, skinned_cloth,
+    BakedCloth, GlbFile, GlbMaterial, GlbMesh, GlbScene, GlbShape, GlbSides, MOST_TARGETS,
+    skinned_cloth,
 };
 use crate::ExportError;
 

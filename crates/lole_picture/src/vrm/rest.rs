@@ -5,8 +5,8 @@ use std::io;
 use glam::{Affine3A, Quat, Vec3};
 use lole_body::skin::blend;
 use lole_body::{Bone, Dancer, Pose, Skeleton};
-use lole_export::take::{TakeScene, TakeSource};
 use lole_export::glb::GlbShape;
+use lole_export::take::{TakeScene, TakeSource};
 use lole_stage::{Production, WornSurface};
 
 /// Cloth whose hem is not farther below the hips than this [m] does not hang.
