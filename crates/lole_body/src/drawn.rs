@@ -151,7 +151,7 @@ impl OldSkin<'_> {
         weld::fit(part, &seam, (&half.positions, &border));
         let mut joined = part.triangles.clone();
         let first = u32::try_from(half.positions.len()).unwrap_or(u32::MAX);
-        let rim: Vec<u32> = part.rim.iter().map(|point| point + first).collect();
+        let mut rim: Vec<u32> = part.rim.iter().map(|point| point + first).collect();
         let mut rows = Vec::with_capacity(part.positions.len());
         let mut around = Vec::with_capacity(part.positions.len());
         for &place in &part.positions {
@@ -167,8 +167,11 @@ impl OldSkin<'_> {
         for triangle in &mut joined {
             *triangle = triangle.map(|point| point + first);
         }
-        let is_along = part.is_along_rim();
-        joined.extend(weld::zip(&half.positions, &border, &rim, is_along));
+        // Two surfaces run along their common border in opposite ways.
+        if part.is_along_rim() {
+            rim.reverse();
+        }
+        joined.extend(weld::zip(&half.positions, &border, &rim));
         half.kinds
             .resize(half.triangles.len() + joined.len(), PartKind::Skin);
         half.triangles.extend(joined);

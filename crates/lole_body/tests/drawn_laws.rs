@@ -1,11 +1,6 @@
 //! Laws of the drawn body: a closed surface whose head, hands and feet are sewn on without a crack, and which is
 //! the skin that cloth meets everywhere else.
 
-#![expect(
-    clippy::unwrap_used,
-    reason = "helpers of tests; a failure is a failed test"
-)]
-
 use std::collections::{BTreeMap, BTreeSet};
 
 use glam::Vec3;

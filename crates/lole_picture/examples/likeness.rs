@@ -7,7 +7,7 @@
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-use glam::{Quat, Vec3};
+use glam::{Affine3A, Quat, Vec3};
 use lole_body::{Bone, Dancer, Expression, Figure, HairStyle, Measurements, Pose};
 use lole_costume::document::{DancerDesign, Design};
 use lole_picture::{dancer_materials, drawn_body};
@@ -99,77 +99,93 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-fn portrait(path: &Path, (_, figure, measures, hair, skin): Who) -> Result<(), Box<dyn Error>> {
-    let [stature_cm, bust_cm, waist_cm, hip_cm] = measures;
-    let design = Design {
-        dancer: DancerDesign {
-            figure,
-            stature_cm,
-            bust_cm,
-            waist_cm,
-            hip_cm,
-            hair,
-            ..DancerDesign::default()
-        },
-        ..Design::default()
-    };
-    let mut appearance = design.appearance();
-    appearance.skin_srgb = skin;
-    let measurements = Measurements::from_tape(&design.tape())?;
-    let dancer = Dancer::with_appearance(&measurements, &appearance)?;
-    let mut pose = Pose::default();
-    pose.rotate(
-        Bone::LeftUpperArm,
-        Quat::from_rotation_z(-20.0_f32.to_radians()),
-    );
-    let world_from_bind = dancer.skeleton.world_from_bind(&pose);
-    let materials = dancer_materials(&dancer)?;
-    let joint =
-        |bone: Bone| world_from_bind[bone.index()].transform_point3(dancer.skeleton.joint(bone));
-    let crown = dancer.landmarks.crown_height;
-    let head = joint(Bone::Head);
-    let face = Vec3::new(0.0, 0.42 * crown + 0.58 * head.y, head.z + 0.02);
-    let hand = joint(Bone::LeftMiddleProximal);
-    let foot = joint(Bone::LeftToes) - Vec3::Z * 0.03;
-    let size = crown - head.y;
-    let ahead = Vec3::Z;
-    let open = Expression::default();
-    let closed = |closed: f32| Expression { closed, ..open };
-    let aside = Expression {
-        looks_at: Some(face + Vec3::new(0.6, 0.5, 0.6)),
-        ..open
-    };
-    let below = Expression {
-        looks_at: Some(face + Vec3::new(-0.4, -0.6, 0.5)),
-        ..open
-    };
-    let views = [
-        (face, ahead, 1.25 * size, open),
-        (face, Vec3::new(0.75, 0.05, 0.8), 1.25 * size, open),
-        (face, Vec3::X, 1.25 * size, open),
-        (hand, Vec3::new(1.0, 0.2, 0.3), 1.1 * size, open),
-        (hand, Vec3::new(-1.0, 0.1, 0.6), 1.1 * size, open),
-        (foot, Vec3::new(0.5, 0.9, 1.0), 1.3 * size, open),
-        (face, ahead, 0.7 * size, closed(0.35)),
-        (face, ahead, 0.7 * size, closed(0.7)),
-        (face, ahead, 0.7 * size, closed(1.0)),
-        (face, ahead, 0.7 * size, aside),
-        (face, ahead, 0.7 * size, below),
-        (face, Vec3::new(0.75, 0.05, 0.8), 0.7 * size, closed(1.0)),
-    ];
-    let mut renderer = Renderer::new(Backend::Cpu, VIEW)?;
-    let [width, height] = [VIEW.width as usize, VIEW.height as usize];
-    let rows = views.len() / COLUMNS;
-    let mut sheet = vec![0_u8; COLUMNS * width * rows * height * 4];
-    for (index, (target, from, opening, expression)) in views.into_iter().enumerate() {
+/// A dancer with one arm lowered a little.
+struct Posed {
+    dancer: Dancer,
+    world_from_bind: Vec<Affine3A>,
+}
+
+/// What is looked at, from where, how much of it is seen [m], and what the face does.
+type View = (Vec3, Vec3, f32, Expression);
+
+impl Posed {
+    fn new((_, figure, measures, hair, skin): Who) -> Result<Self, Box<dyn Error>> {
+        let [stature_cm, bust_cm, waist_cm, hip_cm] = measures;
+        let design = Design {
+            dancer: DancerDesign {
+                figure,
+                stature_cm,
+                bust_cm,
+                waist_cm,
+                hip_cm,
+                hair,
+                ..DancerDesign::default()
+            },
+            ..Design::default()
+        };
+        let mut appearance = design.appearance();
+        appearance.skin_srgb = skin;
+        let measurements = Measurements::from_tape(&design.tape())?;
+        let dancer = Dancer::with_appearance(&measurements, &appearance)?;
+        let mut pose = Pose::default();
+        pose.rotate(
+            Bone::LeftUpperArm,
+            Quat::from_rotation_z(-20.0_f32.to_radians()),
+        );
+        Ok(Self {
+            world_from_bind: dancer.skeleton.world_from_bind(&pose),
+            dancer,
+        })
+    }
+
+    fn views(&self) -> [View; 12] {
+        let dancer = &self.dancer;
+        let joint = |bone: Bone| {
+            self.world_from_bind[bone.index()].transform_point3(dancer.skeleton.joint(bone))
+        };
+        let crown = dancer.landmarks.crown_height;
+        let head = joint(Bone::Head);
+        let face = Vec3::new(0.0, 0.42 * crown + 0.58 * head.y, head.z + 0.02);
+        let hand = joint(Bone::LeftMiddleProximal);
+        let foot = joint(Bone::LeftToes) - Vec3::Z * 0.03;
+        let size = crown - head.y;
+        let (ahead, half_aside) = (Vec3::Z, Vec3::new(0.75, 0.05, 0.8));
+        let open = Expression::default();
+        let closed = |closed: f32| Expression { closed, ..open };
+        let looking = |way: Vec3| Expression {
+            looks_at: Some(face + way),
+            ..open
+        };
+        [
+            (face, ahead, 1.25 * size, open),
+            (face, half_aside, 1.25 * size, open),
+            (face, Vec3::X, 1.25 * size, open),
+            (hand, Vec3::new(1.0, 0.2, 0.3), 1.1 * size, open),
+            (hand, Vec3::new(-1.0, 0.1, 0.6), 1.1 * size, open),
+            (foot, Vec3::new(0.5, 0.9, 1.0), 1.3 * size, open),
+            (face, ahead, 0.7 * size, closed(0.35)),
+            (face, ahead, 0.7 * size, closed(0.7)),
+            (face, ahead, 0.7 * size, closed(1.0)),
+            (face, ahead, 0.7 * size, looking(Vec3::new(0.6, 0.5, 0.6))),
+            (face, ahead, 0.7 * size, looking(Vec3::new(-0.4, -0.6, 0.5))),
+            (face, half_aside, 0.7 * size, closed(1.0)),
+        ]
+    }
+
+    fn draw(
+        &self,
+        (target, from, opening, expression): View,
+        renderer: &mut Renderer,
+    ) -> Result<Vec<u8>, Box<dyn Error>> {
         const DISTANCE: f32 = 2.2;
-        let [positions, normals] = drawn_body(&dancer, &world_from_bind, expression);
+        let [positions, normals] = drawn_body(&self.dancer, &self.world_from_bind, expression);
         let mut scene = Scene::studio(Camera {
             eye: target + from.normalize_or(Vec3::Z) * DISTANCE,
             target,
             vertical_fov: opening / DISTANCE,
         });
-        let skin = dancer.drawn();
+        let skin = self.dancer.drawn();
+        let materials = dancer_materials(&self.dancer)?;
         for (part, (_, material)) in skin.parts.iter().zip(&materials) {
             scene.meshes.push(SceneMesh {
                 positions: &positions,
@@ -180,9 +196,21 @@ fn portrait(path: &Path, (_, figure, measures, hair, skin): Who) -> Result<(), B
                 material,
             });
         }
-        let image = renderer.render(&scene)?;
+        Ok(renderer.render(&scene)?.pixels)
+    }
+}
+
+fn portrait(path: &Path, who: Who) -> Result<(), Box<dyn Error>> {
+    let posed = Posed::new(who)?;
+    let views = posed.views();
+    let mut renderer = Renderer::new(Backend::Cpu, VIEW)?;
+    let [width, height] = [VIEW.width as usize, VIEW.height as usize];
+    let rows = views.len() / COLUMNS;
+    let mut sheet = vec![0_u8; COLUMNS * width * rows * height * 4];
+    for (index, view) in views.into_iter().enumerate() {
+        let pixels = posed.draw(view, &mut renderer)?;
         let [column, row] = [index % COLUMNS, index / COLUMNS];
-        for (line, pixels) in image.pixels.chunks_exact(width * 4).enumerate() {
+        for (line, pixels) in pixels.chunks_exact(width * 4).enumerate() {
             let start = ((row * height + line) * COLUMNS + column) * width * 4;
             sheet[start..start + pixels.len()].copy_from_slice(pixels);
         }

@@ -158,6 +158,15 @@ fn column_turn(from: Vec3, to: Vec3) -> Option<Turn> {
     })
 }
 
+/// How far from the eye's middle a ring of the lids stays, in radii; those far behind the rim go where they are led.
+fn clear_of(ring: usize, rim: usize) -> f32 {
+    if rim + 3 < ring {
+        return 0.0;
+    }
+    let front = ((rim as f32 - ring as f32) / 4.0 + 0.5).clamp(0.0, 1.0);
+    CLEAR + CLEAR_BEFORE * front
+}
+
 /// Where points of the head go when the eye closes by a share: points by number, and how far each moves [m].
 pub(super) fn closing(head: &HeadPart, share: f32) -> Vec<(u32, Vec3)> {
     let (rim, around) = (head.lid_rim, head.lids[head.lid_rim].len());
@@ -175,27 +184,17 @@ pub(super) fn closing(head: &HeadPart, share: f32) -> Vec<(u32, Vec3)> {
             let Some(turn) = column_turn(start, meets) else {
                 continue;
             };
+            let way = if column == lower { LOWER } else { 1.0 };
             for (ring, points) in head.lids.iter().enumerate() {
                 let fade = if ring < rim {
-                    let eased = smooth_step(ring as f32 / rim as f32);
-                    if column == lower {
-                        LOWER * eased
-                    } else {
-                        eased
-                    }
+                    way * smooth_step(ring as f32 / rim as f32)
                 } else {
                     1.0
                 };
                 let before = place(ring, column);
                 let turned = Quat::from_axis_angle(turn.axis, turn.angle * fade * share) * before;
-                let front = ((rim as f32 - ring as f32) / 4.0 + 0.5).clamp(0.0, 1.0);
-                let clear = if ring <= rim + 3 {
-                    radius * (CLEAR + CLEAR_BEFORE * front)
-                } else {
-                    0.0
-                };
                 let length = turned.length();
-                let wanted = length.max(clear);
+                let wanted = length.max(radius * clear_of(ring, rim));
                 let turned = turned * (1.0 + (wanted / length.max(1.0e-6) - 1.0) * share * fade);
                 moved.push((points[column], turned - before));
             }

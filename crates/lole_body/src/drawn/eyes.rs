@@ -173,6 +173,7 @@ impl Loose {
         };
         let shade = |place: Vec3| 0.45 + 0.55 * smooth_step((lid - place.y) / LID_SHADOW);
         let pole = self.push(place(0.0, 0.0), PUPIL);
+        let around = number(AROUND);
         let mut last: Option<u32> = None;
         for (polar, color) in rings {
             let first = number(self.positions.len());
@@ -180,8 +181,8 @@ impl Loose {
                 let at = place(polar, TAU * step as f32 / AROUND as f32);
                 self.push(at, color * shade(at));
             }
-            for step in 0..AROUND as u32 {
-                let next = (step + 1) % AROUND as u32;
+            for step in 0..around {
+                let next = (step + 1) % around;
                 match last {
                     None => self.triangles.push([pole, first + step, first + next]),
                     Some(inner) => self.triangles.extend([
@@ -267,7 +268,7 @@ impl Loose {
                 self.push(place, below.lerp(brow, hair * dense));
             }
             if let Some(inner) = last {
-                for step in 0..ACROSS.len() as u32 - 1 {
+                for step in 0..number(ACROSS.len() - 1) {
                     let [a, b, c, d] = [
                         inner + step,
                         inner + step + 1,

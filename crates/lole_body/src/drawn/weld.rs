@@ -156,16 +156,18 @@ fn chain(along: &BTreeMap<u32, u32>) -> Vec<u32> {
 
 /// Draws the part's rim to the body's border, and what is near it less and less.
 pub(super) fn fit(part: &mut Part, seam: &Seam, (positions, border): (&[Vec3], &[u32])) {
-    let border: Vec<Vec3> = (border.iter())
+    let mut border: Vec<Vec3> = (border.iter())
         .map(|&point| positions[point as usize])
         .collect();
     let rim: Vec<Vec3> = (part.rim.iter())
         .map(|&point| part.positions[point as usize])
         .collect();
-    let is_half = rim.first().is_some_and(|&end| is_on_plane(end));
+    if rim.first().is_some_and(|&end| !is_on_plane(end)) {
+        border.extend(border.first().copied());
+    }
     let ways: Vec<Vec3> = (rim.iter())
         .map(|&place| {
-            let way = nearest_on(&border, place, !is_half) - place;
+            let way = nearest_on(&border, place) - place;
             let mut way = way - seam.normal * way.dot(seam.normal);
             if is_on_plane(place) {
                 way.x = 0.0;
@@ -193,14 +195,10 @@ pub(super) fn fit(part: &mut Part, seam: &Seam, (positions, border): (&[Vec3], &
     }
 }
 
-/// The nearest point of a line of points, which may be closed.
-fn nearest_on(line: &[Vec3], place: Vec3, closed: bool) -> Vec3 {
+/// The nearest point of a line of points.
+fn nearest_on(line: &[Vec3], place: Vec3) -> Vec3 {
     let pairs = line.windows(2).map(|pair| [pair[0], pair[1]]);
-    let last = match line {
-        [first, .., last] if closed => Some([*last, *first]),
-        _ => None,
-    };
-    let found = pairs.chain(last).map(|[a, b]| {
+    let found = pairs.map(|[a, b]| {
         let way = b - a;
         let share = (place - a).dot(way) / way.length_squared().max(1.0e-12);
         a + way * share.clamp(0.0, 1.0)
@@ -236,22 +234,13 @@ pub(super) fn normals(part: &Part, around: &[Vec3]) -> Vec<Vec3> {
     normals.collect()
 }
 
-/// Triangles between the body's border and a part's rim, whose triangles run along it as `is_along` says.
-pub(super) fn zip(
-    positions: &[Vec3],
-    border: &[u32],
-    rim: &[u32],
-    is_along: bool,
-) -> Vec<[u32; 3]> {
+/// Triangles between the body's border and a part's rim, which run the same way.
+pub(super) fn zip(positions: &[Vec3], border: &[u32], rim: &[u32]) -> Vec<[u32; 3]> {
     let at = |point: u32| positions[point as usize];
     let (Some(&start), Some(&end)) = (border.first(), rim.first()) else {
         return Vec::new();
     };
-    let mut other: Vec<u32> = rim.to_vec();
-    // Two surfaces run along their common border in opposite ways.
-    if is_along {
-        other.reverse();
-    }
+    let mut other = rim.to_vec();
     let mut one = border.to_vec();
     if !is_on_plane(at(end)) {
         let apart = |point: &u32| at(*point).distance_squared(at(start));
