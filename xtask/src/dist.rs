@@ -70,17 +70,7 @@ pub(crate) fn run(repository: &Path) -> anyhow::Result<ExitCode> {
         }
     }
     fs::create_dir_all(&folder)?;
-    let epoch = output(repository, "git", &["log", "-1", "--format=%ct"]).unwrap_or_default();
-    let bench = Bench {
-        repository,
-        folder,
-        version: version(repository)?,
-        epoch: if epoch.is_empty() {
-            "0".to_owned()
-        } else {
-            epoch
-        },
-    };
+    let bench = Bench::new(repository, folder)?;
     bench.build()?;
     let stage = bench.stage()?;
     bench.bill()?;
@@ -89,6 +79,63 @@ pub(crate) fn run(repository: &Path) -> anyhow::Result<ExitCode> {
     bench.checksums()?;
     println!("packages are in {}", bench.folder.display());
     Ok(ExitCode::SUCCESS)
+}
+
+/// Builds the programs twice, from the sources here and from a copy of them elsewhere, and says whether they are the
+/// same to the bit.
+pub(crate) fn twice(repository: &Path) -> anyhow::Result<ExitCode> {
+    let changed = output(repository, "git", &["status", "--porcelain"]).unwrap_or_default();
+    ensure!(
+        changed.is_empty(),
+        "commit what has changed: the copy is of the last commit"
+    );
+    let folder = super::web::target(repository).join("dist");
+    let copy = folder.join("again").join("in a folder of another name");
+    drop(fs::remove_dir_all(&copy));
+    fs::create_dir_all(&copy)?;
+    let archive = copy.join("sources.tar");
+    finish(
+        Command::new("git")
+            .current_dir(repository)
+            .args(["archive", "--output"])
+            .arg(&archive)
+            .arg("HEAD"),
+    )?;
+    finish(
+        Command::new("tar")
+            .current_dir(&copy)
+            .args(["-x", "-f", "sources.tar"]),
+    )?;
+    fs::remove_file(archive)?;
+    let first = Bench::new(repository, folder)?;
+    let other = Bench {
+        repository: &copy,
+        folder: copy.join("elsewhere"),
+        version: first.version.clone(),
+        epoch: first.epoch.clone(),
+    };
+    let mut is_same = true;
+    for bench in [&first, &other] {
+        fs::create_dir_all(&bench.folder)?;
+        bench.build()?;
+    }
+    for program in PROGRAMS {
+        let [one, two] = [&first, &other].map(|bench| fs::read(bench.program(program)));
+        let (one, two) = (one?, two?);
+        let says = if one == two {
+            "the same"
+        } else {
+            "not the same"
+        };
+        println!("{program}: {} bytes, {says} in both", one.len());
+        is_same &= one == two;
+    }
+    fs::remove_dir_all(&copy)?;
+    Ok(if is_same {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::FAILURE
+    })
 }
 
 /// What says which tool is missing, and how it is installed.
@@ -134,7 +181,19 @@ fn finish(command: &mut Command) -> anyhow::Result<()> {
     Ok(())
 }
 
-impl Bench<'_> {
+impl<'a> Bench<'a> {
+    fn new(repository: &'a Path, folder: PathBuf) -> anyhow::Result<Self> {
+        let epoch = output(repository, "git", &["log", "-1", "--format=%ct"]);
+        Ok(Self {
+            repository,
+            folder,
+            version: version(repository)?,
+            epoch: epoch
+                .filter(|it| !it.is_empty())
+                .unwrap_or_else(|| "0".to_owned()),
+        })
+    }
+
     /// Cargo's own folder of these builds: other flags than usual would build everything anew each time.
     fn built(&self) -> PathBuf {
         self.folder.join("build")
@@ -154,6 +213,8 @@ impl Bench<'_> {
             (self.repository.display().to_string(), "lole"),
             (home.display().to_string(), "cargo"),
             (sysroot, "rust"),
+            // It lies in the first one: of several, the last one counts.
+            (self.built().display().to_string(), "built"),
         ];
         let rust = places
             .iter()

@@ -27,7 +27,8 @@ usage: cargo xtask <command>
   golden   rewrite the goldens under tests/golden and list what changed
   shape    lines of functions, files and crates, values that functions take, names had twice
   web      build the studio as a page into one folder, and hold its size against the budget
-  dist     build packages for machines without a compiler: archive, Debian package, licenses, bill of materials
+  dist     build packages for machines without a compiler: archive, Debian package, licenses, bill of materials;
+           --twice builds the programs here and in a copy elsewhere, and says whether they are the same
   serve [PORT]  show that page on this machine
   looks [--keep] [NAME ...]  draw twenty situations, and say which look different from the kept sheet
   look DIR look at the files that `lole dance` wrote: all there, and the report complete
@@ -42,6 +43,7 @@ fn main() -> ExitCode {
         ["golden"] => golden::run(&repository()),
         ["shape"] => shape::run(&repository()),
         ["dist"] => dist::run(&repository()),
+        ["dist", "--twice"] => dist::twice(&repository()),
         ["web"] => web::run(&repository()),
         ["serve"] => web::serve(&web::folder(&repository()), None),
         ["serve", port] => web::serve(&web::folder(&repository()), Some(port)),

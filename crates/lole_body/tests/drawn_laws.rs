@@ -5,9 +5,14 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use glam::Vec3;
 use lole_body::{
-    Bone, Dancer, Expression, Figure, Measurements, PartKind, Pose, SkinnedMesh, Tape,
+    Appearance, BodyError, Bone, Dancer, Expression, Figure, Measurements, PartKind, Pose,
+    SkinnedMesh, Tape,
 };
 use lole_geom::{Chance, Length, TriangleGrid};
+
+fn drawn(measurements: &Measurements) -> Result<Dancer, BodyError> {
+    Dancer::with_appearance(measurements, &Appearance::default())
+}
 
 /// Dancers of every figure at random, over the whole range of measures that a body can be built of.
 fn dancers(count: u64) -> Vec<Dancer> {
@@ -30,7 +35,7 @@ fn dancers(count: u64) -> Vec<Dancer> {
             ..Tape::default()
         };
         // What no body has is refused, and not drawn.
-        let built = Measurements::from_tape(&tape).and_then(|tape| Dancer::new(&tape));
+        let built = Measurements::from_tape(&tape).and_then(|tape| drawn(&tape));
         found.extend(built.ok());
         if found.len() as u64 == count {
             break;
@@ -193,7 +198,7 @@ fn closed_eyes_are_covered_and_open_again() {
 
 #[test]
 fn eyes_turn_to_what_she_looks_at_and_stay_where_they_are() {
-    let dancer = Dancer::new(&Measurements::woman()).unwrap();
+    let dancer = drawn(&Measurements::woman()).unwrap();
     let bones = dancer.skeleton.world_from_bind(&Pose::default());
     let eyes = |looks_at: Option<Vec3>| -> Vec<Vec3> {
         let expression = Expression {
@@ -220,6 +225,6 @@ fn eyes_turn_to_what_she_looks_at_and_stay_where_they_are() {
 
 #[test]
 fn the_same_tape_draws_the_same_bits() {
-    let [one, other] = [(); 2].map(|()| Dancer::new(&Measurements::woman()).unwrap());
+    let [one, other] = [(); 2].map(|()| drawn(&Measurements::woman()).unwrap());
     assert_eq!(one.figure, other.figure);
 }

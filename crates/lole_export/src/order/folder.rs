@@ -173,7 +173,7 @@ fn booklet_of(parts: &OrderParts<'_>, bills: &[Bill]) -> Option<Vec<Sheet>> {
 /// What a design's costume is drafted by; nothing where its tape makes no body.
 fn measures_of(design: &Design) -> Vec<UsedMeasure> {
     let tape = Measurements::from_tape(&design.tape());
-    let dancer = tape.and_then(|tape| Dancer::with_appearance(&tape, &design.appearance()));
+    let dancer = tape.and_then(|tape| Dancer::undrawn(&tape, &design.appearance()));
     dancer.map_or_else(
         |_| Vec::new(),
         |dancer| tailoring::measures_used(design, &dancer),
