@@ -90,7 +90,7 @@ pub(crate) fn twice(repository: &Path) -> anyhow::Result<ExitCode> {
         "commit what has changed: the copy is of the last commit"
     );
     let folder = super::web::target(repository).join("dist");
-    let copy = folder.join("again").join("in a folder of another name");
+    let copy = folder.join("again").join("in-a-folder-of-another-name");
     drop(fs::remove_dir_all(&copy));
     fs::create_dir_all(&copy)?;
     let archive = copy.join("sources.tar");
