@@ -10,8 +10,7 @@ use anyhow::Result;
 use lole_avatar::AvatarError;
 use lole_costume::document::{self, Design, MethodName, Place};
 use lole_export::counts::counts_csv;
-use lole_export::glb::MOST_TARGETS;
-use lole_export::glb::said_of;
+use lole_export::glb::{MOST_TARGETS, said_of};
 use lole_export::report::{PageFilm, ReportFile};
 use lole_export::video::{Mp4Writer, Song, VideoSettings};
 use lole_export::{ImageView, still};
@@ -414,11 +413,13 @@ impl Run<'_> {
                 said_of(&glb.fits).english
             );
             files.add(&mut output, "dancer.glb", &glb.bytes, &what)?;
+        } else {
+            drop(shoot.film);
         }
         bar.inc(1);
         self.write_counts(performance, &mut output, &mut files)?;
         self.write_design(&mut output, &mut files)?;
-        // Some systems remove no folder with a file in it that is open.
+        // Some systems remove no folder with a file in it that is open, as those of film and keys may be.
         drop(recording.keys);
         let figures = RunFigures {
             design: &self.design,

@@ -7,8 +7,7 @@ use lole_geom::Capsule;
 
 use crate::appearance::add_hair;
 use crate::capsules::{CapsuleLayout, fit_capsules};
-use crate::drawn::alive::{DrawnBody, Expression};
-use crate::drawn::build_drawn;
+use crate::drawn::{DrawnBody, Expression, build_drawn};
 use crate::skin_build::{Half, build_skin, skin_half};
 use crate::surface::Shape;
 use crate::{
@@ -76,7 +75,7 @@ pub struct Dancer {
     pub skin: SkinnedMesh,
     /// What is drawn of her instead; `None` where her skin is drawn: of a given body, and of one that was built
     /// undrawn.
-    pub figure: Option<Arc<DrawnBody>>,
+    pub drawn_body: Option<Arc<DrawnBody>>,
     /// The capsules cloth collides with: the 13 of [`CapsuleLayout::default`].
     pub capsules: Vec<BodyCapsule>,
     /// Heights to hang clothes on.
@@ -125,12 +124,12 @@ impl Dancer {
         let half = skin_half(&shape);
         let mut dancer = Self::built(measurements, appearance, (&shape, &half));
         let looks = (measurements.figure, appearance);
-        let (mut figure, scalp) = build_drawn((&shape, &half), &dancer.skeleton, looks)?;
+        let (mut drawn, scalp) = build_drawn((&shape, &half), &dancer.skeleton, looks)?;
         let style = appearance.hair.worn_by(measurements.figure);
-        add_hair(&mut figure.mesh, (&shape, &scalp), style);
-        let count = figure.mesh.positions.len();
-        figure.mesh.colors.resize(count, Vec3::ONE);
-        dancer.figure = Some(Arc::new(figure));
+        add_hair(&mut drawn.mesh, (&shape, &scalp), style);
+        let count = drawn.mesh.positions.len();
+        drawn.mesh.colors.resize(count, Vec3::ONE);
+        dancer.drawn_body = Some(Arc::new(drawn));
         Ok(dancer)
     }
 
@@ -172,7 +171,7 @@ impl Dancer {
             appearance: *appearance,
             skeleton,
             skin,
-            figure: None,
+            drawn_body: None,
             capsules,
             landmarks,
         }
@@ -181,9 +180,8 @@ impl Dancer {
     /// The body as it is drawn.
     #[must_use]
     pub fn drawn(&self) -> &SkinnedMesh {
-        self.figure
-            .as_deref()
-            .map_or(&self.skin, |figure| &figure.mesh)
+        let drawn = self.drawn_body.as_deref();
+        drawn.map_or(&self.skin, |drawn| &drawn.mesh)
     }
 
     /// Posed vertices and normals of [`Self::drawn`]; both vectors are cleared and filled.
@@ -193,8 +191,8 @@ impl Dancer {
         expression: Expression,
         (positions, normals): (&mut Vec<Vec3>, &mut Vec<Vec3>),
     ) {
-        match &self.figure {
-            Some(figure) => figure.pose(world_from_bind, expression, positions, normals),
+        match &self.drawn_body {
+            Some(drawn) => drawn.pose(world_from_bind, expression, positions, normals),
             None => self.skin.pose(world_from_bind, positions, normals),
         }
     }

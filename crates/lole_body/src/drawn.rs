@@ -3,197 +3,98 @@
 //!
 //! Skin and drawn body are the same everywhere else, so what cloth meets is what is seen under it.
 
-pub(crate) mod alive;
+mod build;
 mod eyes;
+mod face;
 mod paint;
 mod weld;
 
-use glam::Vec3;
-use lole_geom::triangle_grid::{TriangleGrid, blend};
+pub(crate) use build::build_drawn;
 
-use crate::parts::{self, HeadPart, Part};
-use crate::skin_build::{Half, add_hinges};
-use crate::skin_weights::Row;
-use crate::surface::Shape;
-use crate::surface::field::Head;
-use crate::{Appearance, BodyError, Bone, Figure, PartKind, Skeleton};
-use alive::{DrawnBody, Eyeball, LidPoint};
-use weld::Seam;
+use glam::{Affine3A, Vec3};
 
-/// Cells [m] in which the skin's triangles are found: twice their edges.
-const CELL: f32 = 0.012;
-/// How far from a part the skin is looked for whose place it takes [m].
-const FARTHEST: f32 = 1.0;
+use crate::skin::blend;
+use crate::{Bone, SkinnedMesh};
+use face::{Eyeball, LidPoint};
 
-/// The drawn body without hair, and the head that hair lies on.
-pub(crate) fn build_drawn(
-    (shape, half): (&Shape, &Half),
-    skeleton: &Skeleton,
-    (figure, appearance): (Figure, &Appearance),
-) -> Result<(DrawnBody, Head), BodyError> {
-    let made_of = &shape.made_of;
-    let mut half = half.clone();
-    half.colors = vec![Vec3::ONE; half.positions.len()];
-    for kind in &mut half.kinds {
-        if *kind == PartKind::Face {
-            *kind = PartKind::Skin;
-        }
-    }
-    let rows = half.rows.clone();
-    let skin = OldSkin {
-        grid: TriangleGrid::new(&shape.positions, &shape.triangles, CELL),
-        shape,
-        rows: &rows,
-    };
-    for (mut part, arm, tip) in [
-        (parts::hand(&made_of.body)?, 1.0, Bone::LeftMiddleDistal),
-        (parts::foot(&made_of.body)?, 0.0, Bone::LeftToes),
-    ] {
-        let arms = vec![arm; part.positions.len()];
-        part.positions = shape.placing.carry(&part.positions, &arms);
-        let mut colors = paint::limb(&part);
-        let nails = paint::nails(&mut part, &mut colors);
-        skin.sew(&mut half, &mut part, (colors, &nails), skeleton.joint(tip));
-    }
-    let mut head = parts::head(&made_of.head)?;
-    place_head(&mut head, shape);
-    let colors = paint::head(&head, figure);
-    let crown = Vec3::new(0.0, shape.body.height, shape.body.head.center.z);
-    let first = skin.sew(&mut half, &mut head.part, (colors.clone(), &[]), crown);
-    let renamed = half.compact();
-    let scalp = shape.head.head().on(
-        shape.body.head.center,
-        (&head.part.positions, &without_ear(&head)),
-    );
-    let (mut mesh, twins) = half.mirrored();
-    add_hinges(&mut mesh, skeleton);
-    let flip = Vec3::new(-1.0, 1.0, 1.0);
-    let halves = alive::closing(&head, 0.5);
-    let lids = halves.into_iter().zip(alive::closing(&head, 1.0));
-    let lids = lids.flat_map(|((point, half), (_, whole))| {
-        let vertex = renamed[(first + point) as usize];
-        let moved = [half, whole];
-        let other = moved.map(|by| by * flip);
-        [(vertex, moved), (twins[vertex as usize], other)]
-    });
-    let lids = lids.map(|(vertex, moved)| LidPoint { vertex, moved });
-    let mut drawn = DrawnBody {
-        lids: lids.collect(),
-        mesh,
-        eyes: [1.0, -1.0].map(|side| {
-            let flip = Vec3::new(side, 1.0, 1.0);
-            Eyeball {
-                vertices: 0..0,
-                center: head.eye * flip,
-                ahead: head.gaze * flip,
-            }
-        }),
-    };
-    eyes::add(&mut drawn, (&head, &colors), (figure, appearance));
-    drawn.lids.sort_by_key(|lid| lid.vertex);
-    drawn.lids.dedup_by_key(|lid| lid.vertex);
-    Ok((drawn, scalp))
+/// How much a lid follows an eye that looks as far down as it does.
+const LID_FOLLOWS: f32 = 0.14;
+
+/// What a face does in a moment.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Expression {
+    /// How far the eyes are closed, 0 to 1.
+    pub closed: f32,
+    /// Where she looks, in the world [m]; straight ahead where it is `None`.
+    pub looks_at: Option<Vec3>,
 }
 
-/// Carries a head and its eye to the body's measures.
-fn place_head(head: &mut HeadPart, shape: &Shape) {
-    let made_of = &shape.made_of;
-    let [from, to] = made_of.head_moved;
-    let grown = |place: Vec3| to + (place - from) * made_of.head_grown;
-    let part = &mut head.part;
-    // A point beside the eye tells what became of its radius.
-    let ends = [Vec3::ZERO, Vec3::X * head.eye_radius].map(|out| head.eye + out);
-    let places = part.positions.iter().copied().chain(ends);
-    let places: Vec<Vec3> = places.map(grown).collect();
-    let mut placed = shape.placing.carry(&places, &vec![0.0; places.len()]);
-    if let [.., eye, side] = placed[..] {
-        let size = eye.distance(side) / head.eye_radius;
-        (head.eye, head.eye_radius) = (eye, head.eye_radius * size);
-        head.iris_radius *= size;
-    }
-    placed.truncate(part.positions.len());
-    for &point in &head.middle {
-        placed[point as usize].x = 0.0;
-    }
-    part.positions = placed;
+/// A body as it is drawn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DrawnBody {
+    /// Its surface in the bind pose, with open eyes that look ahead.
+    pub mesh: SkinnedMesh,
+    /// Points that move with the lids.
+    lids: Vec<LidPoint>,
+    /// The left eye and the right one.
+    eyes: [Eyeball; 2],
 }
 
-/// A head's triangles without its ear: hair lies on the skull behind it.
-fn without_ear(head: &HeadPart) -> Vec<[u32; 3]> {
-    let mut is_ear = vec![false; head.part.positions.len()];
-    for &point in &head.ear {
-        is_ear[point as usize] = true;
+impl DrawnBody {
+    /// The middle between the eyes [m], in the bind pose.
+    #[must_use]
+    pub fn between_eyes(&self) -> Vec3 {
+        0.5 * (self.eyes[0].center + self.eyes[1].center)
     }
-    let triangles = head.part.triangles.iter();
-    let left = triangles.filter(|it| !it.iter().any(|&point| is_ear[point as usize]));
-    left.copied().collect()
-}
 
-/// The skin that cloth meets, which parts take their weights from.
-struct OldSkin<'a> {
-    grid: TriangleGrid<'a>,
-    shape: &'a Shape,
-    rows: &'a [Row],
-}
+    /// Vertices that move with the lids, ascending, and how far each has moved when the eyes are half closed and when
+    /// they are closed [m], in the bind pose.
+    pub fn closing(&self) -> impl Iterator<Item = (u32, [Vec3; 2])> {
+        self.lids.iter().map(|lid| (lid.vertex, lid.moved))
+    }
 
-impl OldSkin<'_> {
-    /// Cuts the half off where a part begins, and sews the part with its nails on; the vertex of its first point.
-    /// `tip` is a place in what is cut off.
-    fn sew(
+    /// Shares of both when the eyes are so far closed, 0 to 1: the way of a lid is an arc, and a line would go
+    /// through the eye.
+    #[must_use]
+    pub fn closing_shares(closed: f32) -> [f32; 2] {
+        [4.0 * closed * (1.0 - closed), closed * (2.0 * closed - 1.0)]
+    }
+
+    /// Posed positions and normals as [`SkinnedMesh::pose`] has them, with what the face does.
+    pub fn pose(
         &self,
-        half: &mut Half,
-        part: &mut Part,
-        (colors, nails): (Vec<Vec3>, &[[u32; 3]]),
-        tip: Vec3,
-    ) -> u32 {
-        let seam = Seam::of(part);
-        let border = weld::cut(half, &seam, tip);
-        weld::fit(part, &seam, (&half.positions, &border));
-        let mut joined = part.triangles.clone();
-        let first = u32::try_from(half.positions.len()).unwrap_or(u32::MAX);
-        let mut rim: Vec<u32> = part.rim.iter().map(|point| point + first).collect();
-        let mut rows = Vec::with_capacity(part.positions.len());
-        let mut around = Vec::with_capacity(part.positions.len());
-        for &place in &part.positions {
-            let (row, normal) = self.at(place);
-            rows.push(row);
-            around.push(normal);
-        }
-        let normals = weld::normals(part, &around);
-        half.positions.extend(&part.positions);
-        half.normals.extend(normals);
-        half.rows.extend(rows);
-        half.colors.extend(colors);
-        for triangle in &mut joined {
-            *triangle = triangle.map(|point| point + first);
-        }
-        // Two surfaces run along their common border in opposite ways.
-        if part.is_along_rim() {
-            rim.reverse();
-        }
-        joined.extend(weld::zip(&half.positions, &border, &rim));
-        half.kinds
-            .resize(half.triangles.len() + joined.len(), PartKind::Skin);
-        half.triangles.extend(joined);
-        let nails = nails.iter().map(|nail| nail.map(|point| point + first));
-        half.triangles.extend(nails);
-        half.kinds.resize(half.triangles.len(), PartKind::Nail);
-        first
-    }
-
-    /// How bones carry the skin nearest to a place, and its normal there.
-    fn at(&self, place: Vec3) -> (Row, Vec3) {
-        let Some(nearest) = self.grid.nearest(place, FARTHEST) else {
-            return ([0.0; Bone::COUNT], Vec3::ZERO);
-        };
-        let corners = self.shape.triangles[nearest.triangle as usize];
-        let mut row = [0.0; Bone::COUNT];
-        for (corner, share) in corners.into_iter().zip(nearest.barycentric.to_array()) {
-            for (sum, weight) in row.iter_mut().zip(&self.rows[corner as usize]) {
-                *sum += share * weight;
+        world_from_bind: &[Affine3A],
+        expression: Expression,
+        positions: &mut Vec<Vec3>,
+        normals: &mut Vec<Vec3>,
+    ) {
+        self.mesh.pose(world_from_bind, positions, normals);
+        let head = world_from_bind[Bone::Head.index()];
+        let mut down = 0.0_f32;
+        if let Some(target) = expression.looks_at {
+            let target = head.inverse().transform_point3(target);
+            for eye in &self.eyes {
+                let (turn, lowered) = eye.turn(target);
+                down = down.max(lowered);
+                for vertex in eye.vertices.clone() {
+                    let vertex = vertex as usize;
+                    let place = eye.center + turn * (self.mesh.positions[vertex] - eye.center);
+                    positions[vertex] = head.transform_point3(place);
+                    let normal = turn * self.mesh.normals[vertex];
+                    normals[vertex] = head.transform_vector3(normal).normalize_or_zero();
+                }
             }
         }
-        let normals = corners.map(|corner| self.shape.normals[corner as usize]);
-        (row, blend(normals, nearest.barycentric).normalize_or_zero())
+        let closed = (expression.closed + LID_FOLLOWS * down).clamp(0.0, 1.0);
+        if 0.0 < closed {
+            let shares = Self::closing_shares(closed);
+            for lid in &self.lids {
+                let vertex = lid.vertex as usize;
+                let moved = lid.moved[0] * shares[0] + lid.moved[1] * shares[1];
+                let (joints, weights) = (self.mesh.joints[vertex], self.mesh.weights[vertex]);
+                let blended = blend(world_from_bind, joints, weights);
+                positions[vertex] += blended.transform_vector3(moved);
+            }
+        }
     }
 }

@@ -75,7 +75,7 @@ impl Dancer {
         leotard::dress(&mut skin, &skeleton, &landmarks, &tapes.positions);
         let capsules = fit_capsules(&skin, &skeleton, &landmarks, CapsuleLayout::default());
         let mut dancer = Self {
-            figure: None,
+            drawn_body: None,
             measurements: Measurements::woman(),
             appearance: Appearance::default(),
             skeleton,

@@ -226,5 +226,5 @@ fn eyes_turn_to_what_she_looks_at_and_stay_where_they_are() {
 #[test]
 fn the_same_tape_draws_the_same_bits() {
     let [one, other] = [(); 2].map(|()| drawn(&Measurements::woman()).unwrap());
-    assert_eq!(one.figure, other.figure);
+    assert_eq!(one.drawn_body, other.drawn_body);
 }

@@ -7,10 +7,13 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use glam::{Affine3A, Mat3A, Quat, Vec3};
-use lole_body::{Bone, Dancer, Figure, HairStyle, Measurements, PartKind, Pose};
-use lole_costume::document::{DancerDesign, Design};
+use lole_body::{Bone, Dancer, Figure, HairStyle, PartKind, Pose};
 use lole_picture::dancer_materials;
 use lole_render::{Backend, Camera, Material, Renderer, Scene, SceneMesh, Size};
+
+use people::{Measures, all};
+
+mod people;
 
 /// How far the dancers stand apart [m].
 const APART: f32 = 0.74;
@@ -19,11 +22,7 @@ const BODIES: Size = Size::new(1200, 600);
 const FACES: Size = Size::new(1200, 310);
 
 /// Who stands there: figure, stature, bust, waist and hip [cm] as far as they are given, and hair.
-type Who = (Figure, [Option<f64>; 4], HairStyle);
-
-const fn all(cm: [f64; 4]) -> [Option<f64>; 4] {
-    [Some(cm[0]), Some(cm[1]), Some(cm[2]), Some(cm[3])]
-}
+type Who = (Figure, Measures, HairStyle);
 
 const SIX: [Who; 6] = [
     (Figure::Woman, [None; 4], HairStyle::OfFigure),
@@ -65,21 +64,7 @@ struct Drawn {
 
 impl Drawn {
     fn new((figure, measures, hair): Who) -> Result<Self, Box<dyn Error>> {
-        let [stature_cm, bust_cm, waist_cm, hip_cm] = measures;
-        let design = Design {
-            dancer: DancerDesign {
-                figure,
-                stature_cm,
-                bust_cm,
-                waist_cm,
-                hip_cm,
-                hair,
-                ..DancerDesign::default()
-            },
-            ..Design::default()
-        };
-        let measurements = Measurements::from_tape(&design.tape())?;
-        let dancer = Dancer::with_appearance(&measurements, &design.appearance())?;
+        let dancer = people::dancer(figure, measures, (hair, |_| ()))?;
         let world_from_bind = dancer.skeleton.world_from_bind(&standing());
         let (mut positions, mut normals) = (Vec::new(), Vec::new());
         (dancer.drawn()).pose(&world_from_bind, &mut positions, &mut normals);

@@ -8,21 +8,20 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use glam::{Affine3A, Quat, Vec3};
-use lole_body::{Bone, Dancer, Expression, Figure, HairStyle, Measurements, Pose};
-use lole_costume::document::{DancerDesign, Design};
+use lole_body::{Appearance, Bone, Dancer, Expression, Figure, HairStyle, Pose};
 use lole_picture::{dancer_materials, drawn_body};
 use lole_render::{Backend, Camera, Renderer, Scene, SceneMesh, Size};
+
+use people::{Measures, all};
+
+mod people;
 
 /// Size of a view [pixel], and how many stand side by side.
 const VIEW: Size = Size::new(520, 520);
 const COLUMNS: usize = 3;
 
 /// Name, figure, stature, bust, waist and hip [cm] as far as they are given, hair, and color of the skin.
-type Who = (&'static str, Figure, [Option<f64>; 4], HairStyle, [u8; 3]);
-
-const fn cm(of: [f64; 4]) -> [Option<f64>; 4] {
-    [Some(of[0]), Some(of[1]), Some(of[2]), Some(of[3])]
-}
+type Who = (&'static str, Figure, Measures, HairStyle, [u8; 3]);
 
 const FAIR: [u8; 3] = [222, 178, 148];
 const TAN: [u8; 3] = [190, 136, 100];
@@ -34,28 +33,28 @@ const TEN: [Who; 10] = [
     (
         "small",
         Figure::Woman,
-        cm([150.0, 80.0, 62.0, 86.0]),
+        all([150.0, 80.0, 62.0, 86.0]),
         HairStyle::Long,
         FAIR,
     ),
     (
         "large",
         Figure::Woman,
-        cm([163.0, 118.0, 108.0, 124.0]),
+        all([163.0, 118.0, 108.0, 124.0]),
         ANY,
         TAN,
     ),
     (
         "tall",
         Figure::Woman,
-        cm([178.0, 88.0, 68.0, 94.0]),
+        all([178.0, 88.0, 68.0, 94.0]),
         HairStyle::Short,
         BROWN,
     ),
     (
         "elder",
         Figure::Woman,
-        cm([152.0, 92.0, 82.0, 95.0]),
+        all([152.0, 92.0, 82.0, 95.0]),
         ANY,
         FAIR,
     ),
@@ -63,7 +62,7 @@ const TEN: [Who; 10] = [
     (
         "stout_man",
         Figure::Man,
-        cm([178.0, 118.0, 112.0, 116.0]),
+        all([178.0, 118.0, 112.0, 116.0]),
         ANY,
         BROWN,
     ),
@@ -110,23 +109,8 @@ type View = (Vec3, Vec3, f32, Expression);
 
 impl Posed {
     fn new((_, figure, measures, hair, skin): Who) -> Result<Self, Box<dyn Error>> {
-        let [stature_cm, bust_cm, waist_cm, hip_cm] = measures;
-        let design = Design {
-            dancer: DancerDesign {
-                figure,
-                stature_cm,
-                bust_cm,
-                waist_cm,
-                hip_cm,
-                hair,
-                ..DancerDesign::default()
-            },
-            ..Design::default()
-        };
-        let mut appearance = design.appearance();
-        appearance.skin_srgb = skin;
-        let measurements = Measurements::from_tape(&design.tape())?;
-        let dancer = Dancer::with_appearance(&measurements, &appearance)?;
+        let looks = (hair, |look: &mut Appearance| look.skin_srgb = skin);
+        let dancer = people::dancer(figure, measures, looks)?;
         let mut pose = Pose::default();
         pose.rotate(
             Bone::LeftUpperArm,

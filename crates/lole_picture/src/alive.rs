@@ -67,7 +67,7 @@ fn leading_hand(dancer: &Dancer, world_from_bind: &[Affine3A]) -> Option<Vec3> {
     let joint = |bone: Bone| world_from_bind[bone.index()].transform_point3(skeleton.joint(bone));
     let [hips, chest] = [Bone::Hips, Bone::UpperChest].map(joint);
     // Only a drawn body has eyes that turn.
-    let eyes = dancer.figure.as_ref()?.between_eyes();
+    let eyes = dancer.drawn_body.as_ref()?.between_eyes();
     let head = world_from_bind[Bone::Head.index()].transform_point3(eyes);
     let ahead = world_from_bind[Bone::Head.index()].transform_vector3(Vec3::Z);
     let size = (chest.y - hips.y).max(0.05);

@@ -78,7 +78,7 @@ pub(crate) struct Blinking {
 impl Blinking {
     /// As long as a dance goes on, from its first time to its last [s]; nothing of a given body.
     pub(crate) fn of(dancer: &Dancer, times: &[f32]) -> Self {
-        let Some(figure) = &dancer.figure else {
+        let Some(drawn) = &dancer.drawn_body else {
             return Self {
                 shapes: Vec::new(),
                 times: Vec::new(),
@@ -95,7 +95,7 @@ impl Blinking {
         let shapes = ["eyes_half_closed", "eyes_closed"].into_iter().enumerate();
         let shapes = shapes.map(|(shape, name)| GlbShape {
             name,
-            moved: (figure.closing())
+            moved: (drawn.closing())
                 .map(|(vertex, moved)| (vertex, moved[shape]))
                 .collect(),
             weights: (times.iter())

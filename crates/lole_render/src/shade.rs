@@ -38,7 +38,8 @@ const SLACK: f32 = 0.0015;
 /// Per unit of wrap, light crosses this much of the body at the terminator [m].
 const WRAP_DEPTH: f32 = 0.06;
 /// At the terminator a flat triangle is in its own shadow where the round surface that it stands for is not yet: what
-/// is as near as a long edge does not count as in the way there [m].
+/// is this near does not count as in the way there [m]. More lets light into fine relief: bright lines around nostrils
+/// and fingers in shadow.
 const FACET: f32 = 0.012;
 /// Cosine to the key light from which on no light crosses the body.
 const WRAP_END: f32 = 0.4;

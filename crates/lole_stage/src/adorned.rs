@@ -167,16 +167,16 @@ pub(crate) fn parts_shown(parts: &[MeshPart], design: &Design) -> Vec<MeshPart> 
 }
 
 /// The drawn body without what an adornment of a design stands for.
-pub(crate) fn figure_shown(
-    figure: Option<&Arc<DrawnBody>>,
+pub(crate) fn drawn_shown(
+    drawn: Option<&Arc<DrawnBody>>,
     design: &Design,
 ) -> Option<Arc<DrawnBody>> {
-    let figure = figure?;
-    let parts = parts_shown(&figure.mesh.parts, design);
-    if parts.len() == figure.mesh.parts.len() {
-        return Some(Arc::clone(figure));
+    let drawn = drawn?;
+    let parts = parts_shown(&drawn.mesh.parts, design);
+    if parts.len() == drawn.mesh.parts.len() {
+        return Some(Arc::clone(drawn));
     }
-    let mut shown = DrawnBody::clone(figure);
+    let mut shown = DrawnBody::clone(drawn);
     shown.mesh.parts = parts;
     Some(Arc::new(shown))
 }

@@ -20,7 +20,7 @@ use lole_geom::{Length, MeshSurfels};
 use lole_pattern::Measures;
 use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements};
 
-use crate::adorned::{Adornment, adorned, figure_shown, parts_shown};
+use crate::adorned::{Adornment, adorned, drawn_shown, parts_shown};
 use crate::performance::Forearms;
 use crate::{Danced, StageError};
 
@@ -61,7 +61,7 @@ pub struct Production {
     /// All parts of her skin, those too that an adornment stands for.
     parts: Vec<MeshPart>,
     /// The drawn body with all of its parts.
-    figure: Option<Arc<DrawnBody>>,
+    drawn_body: Option<Arc<DrawnBody>>,
 }
 
 /// One garment, from paper to particles.
@@ -164,8 +164,8 @@ impl Production {
     ) -> Result<Self, StageError> {
         let parts = dancer.skin.parts.clone();
         dancer.skin.parts = parts_shown(&parts, design);
-        let figure = dancer.figure.clone();
-        dancer.figure = figure_shown(figure.as_ref(), design);
+        let drawn_body = dancer.drawn_body.clone();
+        dancer.drawn_body = drawn_shown(drawn_body.as_ref(), design);
         let drawn_triangles = dancer.drawn().body_triangles();
         let body_triangles = dancer.skin.body_triangles();
         let body_surfels =
@@ -211,7 +211,7 @@ impl Production {
             license: None,
             skirt,
             parts,
-            figure,
+            drawn_body,
         })
     }
 
@@ -251,7 +251,7 @@ impl Production {
             }
         }
         new.dancer.skin.parts = parts_shown(&self.parts, &new.design);
-        new.dancer.figure = figure_shown(self.figure.as_ref(), &new.design);
+        new.dancer.drawn_body = drawn_shown(self.drawn_body.as_ref(), &new.design);
         let stance = self.dance.pose_at(0.0);
         let posed = new.dancer.skeleton.world_from_bind(&stance);
         new.adornments = adorned(&new.design, &new.dancer, &posed, self.cloth_count())?;

@@ -7,7 +7,7 @@ use lole_geom::mesh::vertex_normals;
 use lole_geom::srgb::linear_from_srgb;
 use lole_geom::trig;
 
-use super::alive::{DrawnBody, LidPoint, with_upper_lid};
+use super::face::{Eyeball, LidPoint, with_upper_lid};
 use crate::parts::HeadPart;
 use crate::surface::warp::smooth_step;
 use crate::{Appearance, Bone, Figure, MeshPart, PartKind, SkinnedMesh};
@@ -49,7 +49,7 @@ fn linear(color: [u8; 3]) -> Vec3 {
     clippy::cast_sign_loss,
     reason = "a column of some dozens"
 )]
-fn narrow_index(column: f32) -> usize {
+fn column_index(column: f32) -> usize {
     column.max(0.0) as usize
 }
 
@@ -61,20 +61,24 @@ struct Loose {
     triangles: Vec<[u32; 3]>,
 }
 
-/// Adds eyes, brows and lashes.
+/// Adds eyes, brows and lashes: the eyes, and the lashes' points, which move with the lids.
 pub(super) fn add(
-    drawn: &mut DrawnBody,
+    mesh: &mut SkinnedMesh,
     (head, colors): (&HeadPart, &[Vec3]),
     (figure, appearance): (Figure, &Appearance),
-) {
-    let mesh = &mut drawn.mesh;
+) -> ([Eyeball; 2], Vec<LidPoint>) {
     let first = number(mesh.positions.len());
     let mut eyes = Loose::default();
-    for (eyeball, side) in drawn.eyes.iter_mut().zip([1.0, -1.0]) {
+    let eyeballs = [1.0, -1.0].map(|side| {
         let start = first + number(eyes.positions.len());
         eyes.eye(head, side);
-        eyeball.vertices = start..first + number(eyes.positions.len());
-    }
+        let flip = Vec3::new(side, 1.0, 1.0);
+        Eyeball {
+            vertices: start..first + number(eyes.positions.len()),
+            center: head.eye * flip,
+            ahead: head.gaze * flip,
+        }
+    });
     eyes.add_to(mesh, PartKind::Eye);
     let mut brows = Loose::default();
     brows.brow((head, colors), (figure, appearance));
@@ -87,14 +91,14 @@ pub(super) fn add(
     let places = lashes.positions.clone();
     lashes.mirror();
     lashes.add_to(mesh, PartKind::Lash);
-    for (vertex, (place, column)) in (first..).zip(places.into_iter().zip(columns)) {
+    let placed = places.into_iter().zip(columns);
+    let points = (first..).zip(placed).flat_map(|(vertex, (place, column))| {
         let moved = [0.5, 1.0].map(|share| with_upper_lid(head, place, column, share));
         let other = moved.map(|by| by * Vec3::new(-1.0, 1.0, 1.0));
         let pair = [(vertex, moved), (vertex + count, other)];
-        drawn
-            .lids
-            .extend(pair.map(|(vertex, moved)| LidPoint { vertex, moved }));
-    }
+        pair.map(|(vertex, moved)| LidPoint { vertex, moved })
+    });
+    (eyeballs, points.collect())
 }
 
 fn number(count: usize) -> u32 {
@@ -293,7 +297,7 @@ impl Loose {
         let rim = &head.lids[head.lid_rim];
         let at = |place: f32| {
             let places = [place.floor(), place.floor() + 1.0].map(|column| {
-                let point = rim[narrow_index(column).min(rim.len() - 1)];
+                let point = rim[column_index(column).min(rim.len() - 1)];
                 head.part.positions[point as usize]
             });
             places[0].lerp(places[1], place.fract())
@@ -320,7 +324,7 @@ impl Loose {
             let tip = self.push(tip, LASH);
             self.triangles
                 .extend([[one, two, right], [one, right, left], [left, right, tip]]);
-            columns.resize(self.positions.len(), narrow_index(column.round()));
+            columns.resize(self.positions.len(), column_index(column.round()));
         }
         columns
     }

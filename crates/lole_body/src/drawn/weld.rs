@@ -1,14 +1,14 @@
 //! Sewing a part to the body: the body is cut along a plane, the part's rim is drawn to the cut, and the strip
 //! between them is closed.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use glam::Vec3;
 use lole_geom::mesh::vertex_normals;
 
 use crate::parts::Part;
 use crate::skin_build::Half;
-use crate::surface::half::is_on_plane;
+use crate::surface::half::{Neighbors, is_on_plane};
 use crate::surface::warp::smooth_step;
 
 /// How far before the part's rim the body is cut [m].
@@ -115,7 +115,7 @@ fn beyond(half: &Half, seam: &Seam, tip: Vec3) -> Vec<f32> {
             let [a, b] = [a, b].map(|vertex| half.positions[vertex].distance_squared(tip));
             a.total_cmp(&b)
         });
-    let neighbors = crate::surface::half::Neighbors::new(heights.len(), &half.triangles);
+    let neighbors = Neighbors::new(heights.len(), &half.triangles);
     let mut is_beyond = vec![false; heights.len()];
     let mut open: Vec<usize> = seed.into_iter().collect();
     while let Some(vertex) = open.pop() {
@@ -125,19 +125,17 @@ fn beyond(half: &Half, seam: &Seam, tip: Vec3) -> Vec<f32> {
         }
     }
     for (height, beyond) in heights.iter_mut().zip(is_beyond) {
-        *height = match (beyond, *height < -LEAST) {
-            (true, _) => *height,
-            (false, true) => *height,
-            // On the plane, or beyond it elsewhere on the body.
-            (false, false) => -LEAST,
-        };
+        if !beyond {
+            // On the plane, or beyond it elsewhere on the body, it stays as what is before it does.
+            *height = height.min(-LEAST);
+        }
     }
     heights
 }
 
 /// Points in the order in which each leads to the next.
 fn chain(along: &BTreeMap<u32, u32>) -> Vec<u32> {
-    let ends: std::collections::BTreeSet<u32> = along.values().copied().collect();
+    let ends: BTreeSet<u32> = along.values().copied().collect();
     let first = (along.keys()).find(|point| !ends.contains(point));
     let Some(&first) = first.or_else(|| along.keys().next()) else {
         return Vec::new();
@@ -179,10 +177,8 @@ pub(super) fn fit(part: &mut Part, seam: &Seam, (positions, border): (&[Vec3], &
         let (mut sum, mut total, mut least) = (Vec3::ZERO, 0.0, f32::INFINITY);
         for (end, way) in rim.iter().zip(&ways) {
             let apart = place.distance(*end);
-            let weight = {
-                let near = (apart + 1.0e-4).recip();
-                near * near * near
-            };
+            let near = (apart + 1.0e-4).recip();
+            let weight = near * near * near;
             sum += *way * weight;
             total += weight;
             least = least.min(apart);

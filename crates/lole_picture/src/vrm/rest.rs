@@ -70,9 +70,9 @@ impl Rest {
 
     /// The shape of closed eyes; none of a given body, whose lids are not known.
     pub(super) fn closed_eyes(&self, dancer: &Dancer) -> Option<GlbShape> {
-        let figure = dancer.figure.as_ref()?;
+        let drawn = dancer.drawn_body.as_ref()?;
         let head = self.t_from_bind[Bone::Head.index()];
-        let moved = figure.closing();
+        let moved = drawn.closing();
         let moved = moved.map(|(vertex, [_, closed])| (vertex, head.transform_vector3(closed)));
         Some(GlbShape {
             name: "blink",

@@ -2,16 +2,16 @@
 
 use std::ops::Range;
 
-use glam::{Affine3A, Quat, Vec3};
+use glam::{Quat, Vec3};
 use lole_geom::trig;
 
 use crate::parts::HeadPart;
-use crate::skin::blend;
 use crate::surface::warp::smooth_step;
-use crate::{Bone, SkinnedMesh};
 
 /// Where the lids meet: so much of the way from the upper lid's rim to the lower one's.
 const MEETS: f32 = 0.86;
+/// How far from the eye's middle they meet at least, in radii.
+const LEAST_MEETING: f32 = 1.06;
 /// How much of the upper lid's way the lower lid goes.
 const LOWER: f32 = 0.8;
 /// Skin over the eye keeps so far from its middle, in radii; over its front a little more.
@@ -20,110 +20,28 @@ const CLEAR_BEFORE: f32 = 0.03;
 /// How far eyes turn: aside, up and down [rad].
 const MOST_ASIDE: f32 = 0.26;
 const MOST_UP: f32 = 0.16;
-/// How much a lid follows an eye that looks as far down as it does.
-const LID_FOLLOWS: f32 = 0.14;
-
-/// What a face does in a moment.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Expression {
-    /// How far the eyes are closed, 0 to 1.
-    pub closed: f32,
-    /// Where she looks, in the world [m]; straight ahead where it is `None`.
-    pub looks_at: Option<Vec3>,
-}
-
-/// A body as it is drawn.
-#[derive(Debug, Clone, PartialEq)]
-pub struct DrawnBody {
-    /// Its surface in the bind pose, with open eyes that look ahead.
-    pub mesh: SkinnedMesh,
-    /// Points that move with the lids.
-    pub(crate) lids: Vec<LidPoint>,
-    /// The left eye and the right one.
-    pub(crate) eyes: [Eyeball; 2],
-}
-
 /// A point that moves with a lid.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct LidPoint {
+pub(super) struct LidPoint {
     /// The vertex.
-    pub(crate) vertex: u32,
+    pub(super) vertex: u32,
     /// How far it has moved when the eye is half closed and when it is closed [m], in the bind pose.
-    pub(crate) moved: [Vec3; 2],
+    pub(super) moved: [Vec3; 2],
 }
 
 /// An eyeball.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Eyeball {
+pub(super) struct Eyeball {
     /// Its vertices, with the light in it.
-    pub(crate) vertices: Range<u32>,
+    pub(super) vertices: Range<u32>,
     /// Its middle [m], and where it looks, in the bind pose.
-    pub(crate) center: Vec3,
-    pub(crate) ahead: Vec3,
-}
-
-impl DrawnBody {
-    /// The middle between the eyes [m], in the bind pose.
-    #[must_use]
-    pub fn between_eyes(&self) -> Vec3 {
-        0.5 * (self.eyes[0].center + self.eyes[1].center)
-    }
-
-    /// Vertices that move with the lids, ascending, and how far each has moved when the eyes are half closed and when
-    /// they are closed [m], in the bind pose.
-    pub fn closing(&self) -> impl Iterator<Item = (u32, [Vec3; 2])> {
-        self.lids.iter().map(|lid| (lid.vertex, lid.moved))
-    }
-
-    /// Shares of both when the eyes are so far closed, 0 to 1: the way of a lid is an arc, and a line would go
-    /// through the eye.
-    #[must_use]
-    pub fn closing_shares(closed: f32) -> [f32; 2] {
-        [4.0 * closed * (1.0 - closed), closed * (2.0 * closed - 1.0)]
-    }
-
-    /// Posed positions and normals as [`SkinnedMesh::pose`] has them, with what the face does.
-    pub fn pose(
-        &self,
-        world_from_bind: &[Affine3A],
-        expression: Expression,
-        positions: &mut Vec<Vec3>,
-        normals: &mut Vec<Vec3>,
-    ) {
-        self.mesh.pose(world_from_bind, positions, normals);
-        let head = world_from_bind[Bone::Head.index()];
-        let mut down = 0.0_f32;
-        if let Some(target) = expression.looks_at {
-            let target = head.inverse().transform_point3(target);
-            for eye in &self.eyes {
-                let (turn, lowered) = eye.turn(target);
-                down = down.max(lowered);
-                for vertex in eye.vertices.clone() {
-                    let vertex = vertex as usize;
-                    let place = eye.center + turn * (self.mesh.positions[vertex] - eye.center);
-                    positions[vertex] = head.transform_point3(place);
-                    let normal = turn * self.mesh.normals[vertex];
-                    normals[vertex] = head.transform_vector3(normal).normalize_or_zero();
-                }
-            }
-        }
-        let closed = (expression.closed + LID_FOLLOWS * down).clamp(0.0, 1.0);
-        if 0.0 < closed {
-            let shares = Self::closing_shares(closed);
-            for lid in &self.lids {
-                let vertex = lid.vertex as usize;
-                let moved = lid.moved[0] * shares[0] + lid.moved[1] * shares[1];
-                let (joints, weights) = (self.mesh.joints[vertex], self.mesh.weights[vertex]);
-                let blended = blend(world_from_bind, joints, weights);
-                positions[vertex] += blended.transform_vector3(moved);
-            }
-        }
-    }
+    pub(super) center: Vec3,
+    pub(super) ahead: Vec3,
 }
 
 impl Eyeball {
     /// How it turns to look at a place of the bind pose, as far as eyes turn, and how far down that is, 0 to 1.
-    fn turn(&self, target: Vec3) -> (Quat, f32) {
+    pub(super) fn turn(&self, target: Vec3) -> (Quat, f32) {
         let way = (target - self.center).normalize_or(self.ahead);
         // Behind her she does not look.
         let before = smooth_step((way.z + 0.1) / 0.4);
@@ -158,6 +76,12 @@ fn column_turn(from: Vec3, to: Vec3) -> Option<Turn> {
     })
 }
 
+/// Where the rim of the upper lid and that of the lower one opposite to it meet, all from the eye's middle [m].
+fn meeting([upper, lower]: [Vec3; 2], radius: f32) -> Vec3 {
+    let way = (upper * (1.0 - MEETS) + lower * MEETS).normalize_or(upper);
+    way * lower.length().max(LEAST_MEETING * radius)
+}
+
 /// How far from the eye's middle a ring of the lids stays, in radii; those far behind the rim go where they are led.
 fn clear_of(ring: usize, rim: usize) -> f32 {
     if rim + 3 < ring {
@@ -178,8 +102,7 @@ pub(super) fn closing(head: &HeadPart, share: f32) -> Vec<(u32, Vec3)> {
     for upper in 1..around / 2 {
         let lower = around - upper;
         let [from, opposite] = [place(rim, upper), place(rim, lower)];
-        let meets = (from * (1.0 - MEETS) + opposite * MEETS).normalize_or(from);
-        let meets = meets * opposite.length().max(1.06 * radius);
+        let meets = meeting([from, opposite], radius);
         for (column, start) in [(upper, from), (lower, opposite)] {
             let Some(turn) = column_turn(start, meets) else {
                 continue;
@@ -209,8 +132,7 @@ pub(super) fn with_upper_lid(head: &HeadPart, place: Vec3, column: usize, share:
     let at = |column: usize| head.part.positions[rim[column] as usize] - head.eye;
     let column = column.clamp(1, rim.len() / 2 - 1);
     let [from, opposite] = [at(column), at(rim.len() - column)];
-    let meets = (from * (1.0 - MEETS) + opposite * MEETS).normalize_or(from);
-    let meets = meets * opposite.length().max(1.06 * head.eye_radius);
+    let meets = meeting([from, opposite], head.eye_radius);
     column_turn(from, meets).map_or(Vec3::ZERO, |turn| {
         let before = place - head.eye;
         Quat::from_axis_angle(turn.axis, turn.angle * share) * before - before
