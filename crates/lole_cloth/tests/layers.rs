@@ -122,6 +122,78 @@ fn unordered_layers_pass_through_each_other() {
     assert!(50 < worst_inversions(Order::Open));
 }
 
+/// Farthest distance from the axis at which a place at a height is met [m]; `None` where nothing is worn there.
+fn outline(envelope: &Envelope, height: f32) -> Option<f32> {
+    let place = Vec3::new(0.3, height, 0.1);
+    let (clearance, _) = envelope.clearance(place)?;
+    Some(place.with_y(0.0).length() - clearance)
+}
+
+#[test]
+fn an_outline_goes_along_with_an_edge_and_steps_from_no_height_to_the_next() {
+    let skirt = tube(0.205, 0.12);
+    let triangles = skirt.model.spec().grid.triangles();
+    let trunk = Trunk {
+        axis: Vec3::ZERO,
+        forward: Vec3::Z,
+    };
+    let mut envelope = Envelope::default();
+    let mut before: Option<Vec<Option<f32>>> = None;
+    for millimeter in 0..40_u8 {
+        let by = Vec3::Y * (0.001 * f32::from(millimeter));
+        let moved: Vec<Vec3> = skirt.positions().iter().map(|place| *place + by).collect();
+        envelope.begin(trunk);
+        envelope.put_on(&triangles, &moved);
+        envelope.add_surfels(0.0, &mut Vec::new());
+        let heights = (0..20_u8).map(|it| -0.10 + 0.006 * f32::from(it));
+        let now: Vec<Option<f32>> = heights.map(|height| outline(&envelope, height)).collect();
+        // At the start of the test the edge lies 8 cm below the axis: the outline is there, and none far above.
+        assert!(now[0].is_some_and(|radius| 0.2 < radius), "{now:?}");
+        for (place, (now, before)) in now.iter().zip(before.iter().flatten()).enumerate() {
+            if let (Some(now), Some(before)) = (now, before) {
+                // It rises by as much as its slope where the edge comes by.
+                assert!(
+                    (now - before).abs() < 0.003,
+                    "{place}: {before} and {now} m"
+                );
+            }
+            // What comes new is below the edge by more than it is far from any cloth.
+            let new = (before.is_none()).then_some(*now).flatten();
+            assert!(new.is_none_or(|new| new < 0.20), "{place}: {new:?}");
+        }
+        before = Some(now);
+    }
+}
+
+#[test]
+fn an_outline_made_for_cloth_is_the_whole_one_around_it() {
+    let skirt = tube(0.205, 0.12);
+    let triangles = skirt.model.spec().grid.triangles();
+    let positions = skirt.positions();
+    let outer: Vec<Vec3> = (0..8_u8)
+        .map(|it| Vec3::new(0.25, -0.10 - 0.005 * f32::from(it), 0.0))
+        .collect();
+    let [mut whole, mut around] = [Envelope::default(), Envelope::default()];
+    let trunk = Trunk {
+        axis: Vec3::ZERO,
+        forward: Vec3::Z,
+    };
+    whole.begin(trunk);
+    around.begin_around(trunk, &outer);
+    for envelope in [&mut whole, &mut around] {
+        envelope.put_on(&triangles, &positions);
+        envelope.add_surfels(0.0, &mut Vec::new());
+    }
+    for height in (0..24_u8).map(|it| -0.06 - 0.01 * f32::from(it)) {
+        let [whole, around] = [&whole, &around].map(|it| outline(it, height));
+        if -0.25 < height {
+            assert_eq!(whole, around, "at {height} m");
+        }
+    }
+    assert_eq!(outline(&around, -0.45), None, "far below");
+    assert!(outline(&whole, -0.45).is_some());
+}
+
 #[test]
 fn a_start_in_the_wrong_order_comes_right_soon_and_without_a_pop() {
     // The outer one has the cloth to go around the inner one.

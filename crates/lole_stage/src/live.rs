@@ -330,7 +330,11 @@ impl Show {
             for particle in held.iter().filter(|&particle| own.contains(particle)) {
                 pinned.pinned[particle - own.start] = true;
             }
-            let mut solver = Solver::new(design, &pinned, &self.positions[own.clone()])?;
+            let mut solver = Solver::new(
+                design,
+                (&pinned, garment.rows),
+                &self.positions[own.clone()],
+            )?;
             solver.edit_velocities(|kept| kept.copy_from_slice(&self.velocities[own]));
             solvers.push(solver);
         }

@@ -94,6 +94,17 @@ pub struct Garment {
     /// Place of the first garment that it is worn over or under, directly or by way of others; its own
     /// where that is none. Garments of different chains never meet.
     pub chain: usize,
+    /// What holds its rows together.
+    pub rows: Rows,
+}
+
+/// What holds the rows of a gathered garment together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Rows {
+    /// Springs, and chords over many columns. Over other cloth those draw it through that.
+    ByChords,
+    /// Springs alone.
+    BySprings,
 }
 
 /// A garment of a template on the dancer.
@@ -194,6 +205,7 @@ impl Production {
         wardrobe.put_on_layer(design, GarmentLayer::Over)?;
         let (mut garments, posed) = (wardrobe.garments, wardrobe.stance);
         link_chains(&mut garments);
+        hold_rows(&mut garments, design);
         let body = (&dancer, &body_surfels);
         let dressed = dressed(design, body, (&stance, &garments), division)?;
         let adornments = adorned(design, &dancer, &posed, cloth_count(&garments, &dressed))?;
@@ -477,6 +489,7 @@ impl Wardrobe<'_> {
             watched,
             particles: first..first + particle_count,
             chain: self.garments.len(),
+            rows: Rows::ByChords,
         });
         Ok(())
     }
@@ -566,6 +579,26 @@ fn upper_edges(garments: &[Garment], posed: &[Affine3A]) -> Vec<Vec3> {
         places
     });
     edges.collect()
+}
+
+/// Columns from which on the rows of a garment that lies on the skin need chords whatever is worn over it: with
+/// springs alone a skirt of 512 stays strained, and one of 352 does not.
+const CHORDED_COLUMNS: u32 = 400;
+
+/// Finds what holds the rows of each garment together.
+fn hold_rows(garments: &mut [Garment], design: &Design) {
+    let is_under =
+        |garment: &GarmentDesign| garment.is_dressed() && garment.layer == GarmentLayer::Under;
+    let has_under = design.garments.iter().any(is_under);
+    let chains: Vec<usize> = garments.iter().map(|garment| garment.chain).collect();
+    for (place, garment) in garments.iter_mut().enumerate() {
+        let lies_on_cloth = has_under || chains[..place].contains(&garment.chain);
+        let is_under_other = chains[place + 1..].contains(&garment.chain);
+        let is_fine = CHORDED_COLUMNS <= garment.sewn.spec.grid.column_count;
+        if lies_on_cloth || (is_under_other && !is_fine) {
+            garment.rows = Rows::BySprings;
+        }
+    }
 }
 
 /// Links garments that share a height of the body into chains.

@@ -13,9 +13,10 @@ use lole_cloth::{
     ClothModel, ClothSpec, ClothState, Crossings, GridStep, InstructionSet, Lost, Phase,
     SelfCollision, SolverConfig, StepInput, diagnose,
 };
-use lole_costume::document::{Design, GarmentDesign, WindModel};
+use lole_costume::document::{Design, WindModel};
 use lole_geom::{Capsule, Surfel, trig64};
 
+use crate::production::Rows;
 use crate::{FRAME_SECONDS, StageError};
 
 /// Gap kept between capsules and cloth [m]: half the thickness of a gathered double layer.
@@ -41,7 +42,7 @@ const RING_PARTS: u32 = 16;
 /// 4.4 %.
 const SUBSTEP_COUNT: NonZeroU32 = NonZeroU32::MIN.saturating_add(13);
 
-/// The same where several garments are worn: they are divided more coarsely, and a row that lies alone
+/// The same where rows have no chords, which are worn over others or under them: a row that lies alone
 /// between two elastics is compressed. In the first 90 frames of a double pāʻū the worst of the 99th
 /// percentiles is 4.0 % with 14, 3.4 % with 16; of 300 frames 7.2 % with 16, 3.8 with 18, and with 20 two
 /// particles lose their order.
@@ -147,14 +148,12 @@ impl Solver {
     /// Prepares the cloth for the design's method, at rest at `start` [m].
     pub(crate) fn new(
         design: &Design,
-        spec: &ClothSpec,
+        (spec, holds_together): (&ClothSpec, Rows),
         start: &[Vec3],
     ) -> Result<Self, StageError> {
-        let is_alone = design.garments.iter().all(GarmentDesign::is_adornment);
-        let usual = if is_alone {
-            SUBSTEP_COUNT
-        } else {
-            LAYERED_SUBSTEP_COUNT
+        let usual = match holds_together {
+            Rows::ByChords => SUBSTEP_COUNT,
+            Rows::BySprings => LAYERED_SUBSTEP_COUNT,
         };
         let substeps = design.method.substep_count.and_then(NonZeroU32::new);
         let Some(integrator) = design.method.name.integrator() else {
@@ -165,8 +164,8 @@ impl Solver {
                 spec.fabric.drag_rate = 0.0;
             }
             let model = ClothModel::new(&spec)?;
-            // Over another skirt chords draw cloth through the layer within.
-            let chord = is_alone.then(|| (spec.grid.column_count / RING_PARTS).max(1));
+            let chord = (spec.grid.column_count / RING_PARTS).max(1);
+            let chord = (holds_together == Rows::ByChords).then_some(chord);
             let config = SolverConfig {
                 row_strides: chord.into_iter().collect(),
                 ..xpbd_config(

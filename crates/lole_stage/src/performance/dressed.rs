@@ -92,7 +92,7 @@ impl Dressed {
         self.surfels.clear();
         self.surfels.extend_from_slice(around.skin);
         if !inside.is_empty() {
-            self.envelope.begin(around.trunk);
+            self.envelope.begin_around(around.trunk, &self.positions);
             for (triangles, positions) in inside {
                 self.envelope.put_on(triangles, positions);
             }

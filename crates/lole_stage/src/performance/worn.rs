@@ -109,7 +109,7 @@ impl Worn {
             .sewn
             .start_positions(body.world_from_bind, &given_way);
         let spec = &garment.sewn.spec;
-        let solver = Solver::new(design, spec, &start)?;
+        let solver = Solver::new(design, (spec, garment.rows), &start)?;
         let settle = SettleConfig {
             dt: FRAME_SECONDS,
             frame_limit: SETTLE_FRAMES,
@@ -250,19 +250,20 @@ impl Worn {
 /// A forearm that hangs against the band presses a row of gathers flat on the skin below each of them, as far
 /// as they stand off: a whole gather of `fold_columns` and its neighbors in part.
 fn press_pins((targets, skin): (&mut [Vec3], &[Surfel]), forearms: &[Surfel], fold_columns: usize) {
-    let (low, high) = bounds(forearms);
+    let parts: Vec<Part<'_>> = forearms.chunks(PART).map(Part::new).collect();
     let stands_off = |target: Vec3, skin: &Surfel| {
         let gap = (target - skin.position).dot(skin.normal);
         (gap - PIN_CLEARANCE).max(0.0)
     };
+    let (low, high) = bounds(forearms);
     let pressed = targets.iter().zip(skin).map(|(&target, skin)| {
+        let off = stands_off(target, skin);
         let is_near = target.cmpge(low).all() && target.cmple(high).all();
-        let deep = if is_near {
-            depth(target, forearms)
+        if 0.0 < off && is_near {
+            depth(target, &parts).min(off)
         } else {
             0.0
-        };
-        deep.min(stands_off(target, skin))
+        }
     });
     let pressed: Vec<f32> = pressed.collect();
     if pressed.iter().all(|&it| it == 0.0) {
@@ -283,11 +284,43 @@ fn bounds(surfels: &[Surfel]) -> (Vec3, Vec3) {
     })
 }
 
+/// Surfels of a part of skin: they are copied slice by slice along a forearm, and so many lie near each other.
+const PART: usize = 32;
+
+/// A part of skin, and a box around it.
+struct Part<'a> {
+    surfels: &'a [Surfel],
+    low: Vec3,
+    high: Vec3,
+}
+
+impl<'a> Part<'a> {
+    fn new(surfels: &'a [Surfel]) -> Self {
+        let (low, high) = bounds(surfels);
+        Self { surfels, low, high }
+    }
+
+    /// Square of a distance [m²] that none of its surfels is nearer to a place than.
+    fn least_square(&self, place: Vec3) -> f32 {
+        place.distance_squared(place.clamp(self.low, self.high))
+    }
+}
+
 /// How far inside of a skin a place is that should be clear of it [m], 0 outside: by the nearest surfel.
-fn depth(place: Vec3, skin: &[Surfel]) -> f32 {
-    let square = |surfel: &Surfel| surfel.position.distance_squared(place);
-    let nearest = skin.iter().min_by(|a, b| square(a).total_cmp(&square(b)));
-    nearest.map_or(0.0, |nearest| {
+fn depth(place: Vec3, skin: &[Part<'_>]) -> f32 {
+    let mut nearest: Option<(f32, &Surfel)> = None;
+    for part in skin {
+        if nearest.is_some_and(|(square, _)| square <= part.least_square(place)) {
+            continue;
+        }
+        for surfel in part.surfels {
+            let square = surfel.position.distance_squared(place);
+            if nearest.is_none_or(|(least, _)| square < least) {
+                nearest = Some((square, surfel));
+            }
+        }
+    }
+    nearest.map_or(0.0, |(_, nearest)| {
         let out = (place - nearest.position).dot(nearest.normal);
         (PIN_CLEARANCE - out).max(0.0)
     })
@@ -344,7 +377,10 @@ mod tests {
         arm.extend(outer.collect::<Vec<_>>());
         press_pins((&mut pins, &skin), &arm, 10);
         for (pin, (&now, &before)) in pins.iter().zip(&before).enumerate() {
-            assert!(depth(now, &arm) < 1.0e-6 || before == now, "{pin}");
+            assert!(
+                depth(now, &[Part::new(&arm)]) < 1.0e-6 || before == now,
+                "{pin}"
+            );
             assert!(
                 0.101 - 1.0e-6 < now.length(),
                 "{pin} is pressed into the waist"

@@ -5,19 +5,43 @@
 //! direction, bridged from crest to crest. It is smooth, lies outside of every particle it was made
 //! of, and moves from frame to frame, so that contact with skin is contact with cloth worn inside.
 
+use std::ops::Range;
+
 use glam::Vec3;
 use lole_geom::Surfel;
 
-use super::wall::{self, LEVELS, SECTORS, Trunk, Wall, around, bin, from_axis};
+use super::wall::{self, LEVEL, LEVELS, SECTORS, Trunk, Wall, around, bin, from_axis};
 
 /// Sectors to either side that are bridged: about a gather's width at the hips, half of a fold's at
 /// the hem.
 const BRIDGE: usize = 3;
 
+/// Radius of the bend with which cloth goes over an edge [m], and how many levels away it still counts.
+const ROUND: f32 = 0.04;
+const ROUND_LEVELS: usize = 3;
+/// How much of the bend is given back [m], so that what lies farthest is not cut off between two heights.
+const ROUND_OUT: f32 = 0.0004;
+
+/// The place that is farthest from the axis in a bin.
+#[derive(Debug, Clone, Copy, Default)]
+struct Crest {
+    /// Distance from the axis [m]; 0 where nothing is worn.
+    radius: f32,
+    /// Over the axis' point [m].
+    height: f32,
+}
+
+/// How far below and above cloth an outline is made for it [m]: farther than it moves in a frame, with room.
+const AROUND: f32 = 0.18;
+
 /// How far garments stand out; its room is kept from frame to frame.
 #[derive(Debug, Clone)]
 pub struct Envelope {
     trunk: Trunk,
+    /// Heights between which something may meet it [m].
+    heights: Range<f32>,
+    /// What is farthest from the axis; shape `[LEVELS, SECTORS]`.
+    farthest: Vec<Crest>,
     /// Farthest distance from the axis [m], 0 where nothing is worn; shape `[LEVELS, SECTORS]`.
     radii: Vec<f32>,
     /// Farthest distance from the axis [m], bridged from crest to crest; shape `[LEVELS, SECTORS]`.
@@ -30,7 +54,9 @@ impl Default for Envelope {
     fn default() -> Self {
         Self {
             trunk: Trunk::default(),
-            radii: vec![0.0; LEVELS * SECTORS],
+            heights: f32::NEG_INFINITY..f32::INFINITY,
+            farthest: vec![Crest::default(); LEVELS * SECTORS],
+            radii: Vec::new(),
             bridged: Vec::new(),
             directions: wall::directions(),
         }
@@ -40,25 +66,43 @@ impl Default for Envelope {
 impl Envelope {
     /// Begins anew around a trunk: nothing is worn yet.
     pub fn begin(&mut self, trunk: Trunk) {
+        self.begin_around(trunk, &[]);
+    }
+
+    /// The same, for cloth that lies at these places [m] and meets nothing far below or above of them; for any
+    /// where there are none.
+    pub fn begin_around(&mut self, trunk: Trunk, outer: &[Vec3]) {
         self.trunk = trunk;
-        self.radii.fill(0.0);
+        self.farthest.fill(Crest::default());
+        let none = f32::INFINITY..f32::NEG_INFINITY;
+        let heights = outer.iter().fold(none, |heights, place| {
+            heights.start.min(place.y)..heights.end.max(place.y)
+        });
+        self.heights = if outer.is_empty() {
+            f32::NEG_INFINITY..f32::INFINITY
+        } else {
+            heights.start - AROUND..heights.end + AROUND
+        };
     }
 
     /// Puts on the `triangles` between `positions` [m].
     pub fn put_on(&mut self, triangles: &[[u32; 3]], positions: &[Vec3]) {
-        for triangle in triangles {
-            let [a, b, c] = triangle.map(|corner| self.trunk.local(positions[corner as usize]));
-            // A cell of the cloth may be as high as a level.
-            for point in [a, (a + b) * 0.5, (b + c) * 0.5, (c + a) * 0.5] {
-                if let Some(bin) = bin(point) {
-                    self.radii[bin] = self.radii[bin].max(from_axis(point));
-                }
+        let farthest = &mut self.farthest;
+        let cloth = (triangles, positions);
+        wall::each_point(self.trunk, cloth, &self.heights, |_, point| {
+            let farthest = &mut farthest[point.bin];
+            if farthest.radius < point.radius {
+                *farthest = Crest {
+                    radius: point.radius,
+                    height: point.height,
+                };
             }
-        }
+        });
     }
 
     /// Adds the surface, a surfel for every bin, `inset` [m] inside of it.
     pub fn add_surfels(&mut self, inset: f32, surfels: &mut Vec<Surfel>) {
+        self.round();
         self.bridge();
         let wall = Wall {
             trunk: self.trunk,
@@ -76,6 +120,28 @@ impl Envelope {
         let radius = *self.bridged.get(bin(local)?)?;
         let outward = (place - self.trunk.axis).with_y(0.0).try_normalize()?;
         (0.0 < radius).then(|| (from_axis(local) - radius, outward))
+    }
+
+    /// Rounds what is farthest at every height, so that an outline goes along with cloth and does not step from
+    /// one height to the next when an edge comes by.
+    fn round(&mut self) {
+        self.radii.clear();
+        for level in 0..LEVELS {
+            let height = wall::height_of(level) + 0.5 * LEVEL;
+            let near = level.saturating_sub(ROUND_LEVELS)..(level + ROUND_LEVELS + 1).min(LEVELS);
+            let mut ring = [0.0_f32; SECTORS];
+            for other in near {
+                let others = &self.farthest[other * SECTORS..(other + 1) * SECTORS];
+                for (radius, other) in ring.iter_mut().zip(others) {
+                    let apart = other.height - height;
+                    let bent = other.radius + ROUND_OUT - apart * apart * (0.5 / ROUND);
+                    if 0.0 < other.radius {
+                        *radius = radius.max(bent);
+                    }
+                }
+            }
+            self.radii.extend(ring);
+        }
     }
 
     /// Spans what lies between crests, outside of everything worn: the mean of as many farthest
@@ -148,13 +214,25 @@ mod tests {
         };
         let (surfels, positions) = enveloped(trunk);
         let worn: Vec<&Surfel> = surfels.iter().filter(|s| s.position != NOWHERE).collect();
-        assert_eq!(worn.len(), 41 * SECTORS);
+        // It goes over its two edges in a bend.
+        assert_eq!(worn.len(), (41 + 2 * ROUND_LEVELS) * SECTORS);
         for surfel in &worn {
             let arm = surfel.position - trunk.axis;
             let radius = from_axis(arm);
-            assert!((radius - 0.27).abs() < 0.003, "{radius} m");
+            let beyond = (arm.y - 0.1).max(-0.5 - arm.y).max(0.0);
+            let bent = 0.27 - beyond * beyond * (0.5 / ROUND);
+            assert!(
+                (bent - 0.006..bent + 0.003).contains(&radius),
+                "{radius} m at {}",
+                arm.y
+            );
             let outward = arm.with_y(0.0) / radius;
-            assert!(0.99 < surfel.normal.dot(outward), "{}", surfel.normal);
+            let is_upright = beyond == 0.0;
+            assert!(
+                !is_upright || 0.9 < surfel.normal.dot(outward),
+                "{}",
+                surfel.normal
+            );
         }
         for &position in &positions {
             let near = worn.iter().min_by(|a, b| {

@@ -1,5 +1,7 @@
 //! A surface around the axis of the trunk: how far it stands out, by height and direction.
 
+use std::ops::Range;
+
 use glam::Vec3;
 use lole_geom::Surfel;
 
@@ -110,12 +112,17 @@ impl Wall<'_> {
 
     /// Where the surface of a bin is from the axis [m], with forward along `z`; `None` where there is
     /// none.
-    #[expect(clippy::cast_precision_loss, reason = "levels are few")]
     fn place(&self, level: usize, sector: usize) -> Option<Vec3> {
         let radius = self.radii[level * SECTORS + sector];
-        let height = (level as f32 + 0.5 - LEVELS_BELOW as f32) * LEVEL;
+        let height = height_of(level) + 0.5 * LEVEL;
         (0.0 < radius).then(|| self.directions[sector] * radius + Vec3::Y * height)
     }
+}
+
+/// Height of the lower edge of a level over the axis [m].
+#[expect(clippy::cast_precision_loss, reason = "levels are few")]
+pub(super) const fn height_of(level: usize) -> f32 {
+    (level as f32 - LEVELS_BELOW as f32) * LEVEL
 }
 
 /// The bin of a place seen from the axis, if there is one.
@@ -142,21 +149,142 @@ pub(super) fn spot(arm: Vec3) -> Option<[(usize, f32); 4]> {
     ])
 }
 
-/// Level and sector of a place seen from the axis, both counted from the edge of the first.
-#[expect(clippy::cast_precision_loss, reason = "bins are few")]
-fn coordinates(arm: Vec3) -> Option<[f32; 2]> {
-    let level = arm.y / LEVEL + LEVELS_BELOW as f32;
-    if !(0.0 <= level && level < LEVELS as f32) {
-        return None;
+/// Triangles whose points are found together.
+const TOGETHER: usize = 16;
+/// Points of a triangle that are looked at: its first corner and the middles of its edges, because a cell of the
+/// cloth may be as high as a level.
+const POINTS: usize = 4;
+
+/// Where the points of triangles are: by triangle, four of each.
+struct Places {
+    x: [f32; TOGETHER * POINTS],
+    y: [f32; TOGETHER * POINTS],
+    z: [f32; TOGETHER * POINTS],
+}
+
+/// A point of cloth.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Point {
+    pub(super) bin: usize,
+    /// Distance from the axis [m].
+    pub(super) radius: f32,
+    /// Over the axis' point [m].
+    pub(super) height: f32,
+}
+
+/// Calls `found` for points all over some triangles between `positions` [m] that begin between two heights [m]:
+/// with the place of the triangle, and the point with its bin.
+pub(super) fn each_point(
+    trunk: Trunk,
+    (triangles, positions): (&[[u32; 3]], &[Vec3]),
+    heights: &Range<f32>,
+    mut found: impl FnMut(usize, Point),
+) {
+    let mut places = Places {
+        x: [0.0; TOGETHER * POINTS],
+        y: [0.0; TOGETHER * POINTS],
+        z: [0.0; TOGETHER * POINTS],
+    };
+    let mut own = [0; TOGETHER];
+    let mut count = 0;
+    for (triangle, corners) in triangles.iter().enumerate() {
+        let corners = corners.map(|corner| positions[corner as usize]);
+        if !heights.contains(&corners[0].y) {
+            continue;
+        }
+        let [a, b, c] = corners.map(|place| trunk.local(place));
+        for (point, place) in [a, (a + b) * 0.5, (b + c) * 0.5, (c + a) * 0.5]
+            .into_iter()
+            .enumerate()
+        {
+            let at = point * TOGETHER + count;
+            (places.x[at], places.y[at], places.z[at]) = (place.x, place.y, place.z);
+        }
+        own[count] = triangle;
+        count += 1;
+        if count == TOGETHER {
+            tell(&places, &own, &mut found);
+            count = 0;
+        }
     }
-    // Once around in 0..4, evenly enough and without an angle.
+    tell(&places, &own[..count], &mut found);
+}
+
+/// Tells of the points of as many triangles as there are in `own`.
+fn tell(places: &Places, own: &[usize], found: &mut impl FnMut(usize, Point)) {
+    let mut bins = [0_u32; TOGETHER * POINTS];
+    let mut radii = [0.0_f32; TOGETHER * POINTS];
+    for at in 0..TOGETHER * POINTS {
+        let arm = Vec3::new(places.x[at], places.y[at], places.z[at]);
+        bins[at] = bin_or_none(arm);
+        radii[at] = from_axis(arm);
+    }
+    for (place, &triangle) in own.iter().enumerate() {
+        for point in 0..POINTS {
+            let at = point * TOGETHER + place;
+            if bins[at] != NO_BIN {
+                let point = Point {
+                    bin: bins[at] as usize,
+                    radius: radii[at],
+                    height: places.y[at],
+                };
+                found(triangle, point);
+            }
+        }
+    }
+}
+
+const NO_BIN: u32 = u32::MAX;
+
+/// As [`bin`], without a branch.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    clippy::cast_precision_loss,
+    reason = "bins are few, and counted from 0"
+)]
+#[inline(always)]
+fn bin_or_none(arm: Vec3) -> u32 {
+    let level = level_at(arm);
+    let sector = sector_at(arm) as u32;
+    let sector = if sector < SECTORS as u32 {
+        sector
+    } else {
+        sector - SECTORS as u32
+    };
+    if 0.0 <= level && level < LEVELS as f32 {
+        level as u32 * SECTORS as u32 + sector
+    } else {
+        NO_BIN
+    }
+}
+
+/// Level of a place seen from the axis, counted from the edge of the first.
+#[expect(clippy::cast_precision_loss, reason = "bins are few")]
+#[inline(always)]
+fn level_at(arm: Vec3) -> f32 {
+    arm.y / LEVEL + LEVELS_BELOW as f32
+}
+
+/// Sector of a place seen from the axis, counted from the edge of the first: once around in all, evenly enough and
+/// without an angle.
+#[expect(clippy::cast_precision_loss, reason = "bins are few")]
+#[inline(always)]
+fn sector_at(arm: Vec3) -> f32 {
     let share = arm.x / (arm.x.abs() + arm.z.abs()).max(1.0e-6);
     let around = if 0.0 <= arm.z {
         1.0 - share
     } else {
         3.0 + share
     };
-    Some([level, (around * (SECTORS / 4) as f32).max(0.0)])
+    (around * (SECTORS / 4) as f32).max(0.0)
+}
+
+/// Level and sector of a place seen from the axis, both counted from the edge of the first.
+#[expect(clippy::cast_precision_loss, reason = "bins are few")]
+fn coordinates(arm: Vec3) -> Option<[f32; 2]> {
+    let level = level_at(arm);
+    (0.0 <= level && level < LEVELS as f32).then(|| [level, sector_at(arm)])
 }
 
 #[expect(
@@ -174,6 +302,7 @@ pub(super) const fn area_at(radius: f32) -> f32 {
     std::f32::consts::TAU * radius / SECTORS as f32 * LEVEL
 }
 
+#[inline(always)]
 pub(super) fn from_axis(arm: Vec3) -> f32 {
     (arm.x * arm.x + arm.z * arm.z).sqrt()
 }
