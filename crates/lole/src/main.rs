@@ -41,6 +41,8 @@ pub(crate) enum Failure {
     Diverged(Sentence),
     /// Ctrl-C: exit code 130, as shells expect.
     Interrupted,
+    /// The same, where something is kept for the next time.
+    Paused(Sentence),
 }
 
 impl Failure {

@@ -102,20 +102,16 @@ pub(crate) fn run(args: &PatternArgs, language: Language) -> Result<(), Failure>
     let paths = output.finish().map_err(Failure::error)?;
     // Sheets of the costume before would be taken for this one's.
     let stayed = output::tidy(&args.out, &left_behind(&earlier, &files));
+    let narrow = too_wide_for_pages(&cuts, &whole, &files);
+    let warnings = cuts.iter().flat_map(warnings).chain(stayed);
+    let warnings: Vec<Sentence> = warnings.chain(narrow).chain(apart).collect();
     if args.json {
         let json = files.iter().find(|(name, _)| name == PATTERN_JSON);
         let text = json.map_or("".into(), |(_, bytes)| String::from_utf8_lossy(bytes));
         summary::print_json(&text);
+        summary::print_problems(&warnings, language);
     } else {
         let purchases: Vec<Sentence> = cuts.iter().flat_map(purchases).collect();
-        let narrow = too_wide_for_pages(&cuts, &whole, &files);
-        let warnings = cuts
-            .iter()
-            .flat_map(warnings)
-            .chain(stayed)
-            .chain(narrow)
-            .chain(apart);
-        let warnings: Vec<Sentence> = warnings.collect();
         summary::print_pattern(&paths, &purchases, &warnings, language);
     }
     Ok(())

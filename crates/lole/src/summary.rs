@@ -502,7 +502,7 @@ fn has_end(path: &Path, end: &str) -> bool {
     path.extension().is_some_and(|found| found == end)
 }
 
-/// Says what is wrong with rows of a list, one a line.
+/// Says what is wrong, or what to look at, one a line, where results go to standard output.
 pub(crate) fn print_problems(problems: &[Sentence], language: Language) {
     for problem in problems {
         eprintln!("  ! {}", shown(&problem.text(language)));
@@ -532,6 +532,10 @@ pub(crate) fn explain(failure: &Failure, language: Language) -> ExitCode {
                     "stopped; nothing half-written was left."
                 )
             );
+            ExitCode::from(INTERRUPTED)
+        }
+        Failure::Paused(sentence) => {
+            eprintln!("lole: {}", shown(&sentence.text(language)));
             ExitCode::from(INTERRUPTED)
         }
     }

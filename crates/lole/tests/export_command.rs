@@ -210,3 +210,34 @@ fn what_is_no_take_is_refused_in_a_sentence() {
         assert!(!out.exists());
     }
 }
+
+#[cfg(unix)]
+#[test]
+fn a_recording_that_is_stopped_says_what_it_keeps() {
+    let scratch = Scratch::new("export-stopped");
+    let design = scratch.write("skirt.lole", SKIRT);
+    let out = scratch.path("out");
+    let mut command = in_english(lole());
+    command.arg("export").arg(&design).arg("--out").arg(&out);
+    let errors = scratch.path("errors");
+    let file = fs::File::create(&errors).unwrap();
+    let mut child = command
+        .args(["--seconds", "600"])
+        .stderr(file)
+        .spawn()
+        .unwrap();
+    let size = || fs::metadata(out.join("unfinished.take")).map_or(0, |it| it.len());
+    // A frame of 3,840 particles and the dancer is more than 60 kB.
+    while size() < 1 << 20 {
+        assert!(child.try_wait().unwrap().is_none(), "it ended by itself");
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+    let interrupt = Command::new("kill")
+        .args(["-INT", &child.id().to_string()])
+        .status();
+    assert!(interrupt.unwrap().success());
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+    let said = fs::read_to_string(&errors).unwrap();
+    assert!(said.contains("unfinished.take keeps"), "{said}");
+    assert!(!said.contains("nothing half-written"), "{said}");
+}

@@ -103,3 +103,26 @@ fn sheets_of_the_costume_before_go() {
     assert_eq!(pattern(&design, &out, &[]).status.code(), Some(0));
     assert!(out.join("blouse notes.txt").exists());
 }
+
+#[test]
+fn what_to_look_at_is_told_beside_json_too() {
+    let scratch = Scratch::new("pattern-told");
+    let design = scratch.write("blouse.lole", "lole = 1\n[[garment]]\nkind = \"blouse\"\n");
+    let wishes = ["--whole", "projector", "--sizes", "en"];
+    let told = |more: &[&str]| {
+        let out = scratch.path("out");
+        let output = pattern(&design, &out, &[&wishes[..], more].concat());
+        assert_eq!(output.status.code(), Some(0));
+        output
+    };
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    let remarks = |text: String| -> Vec<String> {
+        let lines = text.lines().filter(|line| line.starts_with("  ! "));
+        lines.map(str::to_owned).collect()
+    };
+    let plain = remarks(text(&told(&[]).stdout));
+    let output = told(&["--json"]);
+    assert!(!plain.is_empty(), "this one has something to tell");
+    assert_eq!(remarks(text(&output.stderr)), plain);
+    let _: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+}

@@ -111,7 +111,7 @@ impl Recorder<'_> {
         );
         let patience = Watch::over(&bar, self.language);
         for frame in 0..tape.header.frame_count {
-            check(self.stop)?;
+            check(self.stop).map_err(|_| paused(path, tape.kept.len().max(frame as usize)))?;
             performance.pose_body();
             let (pose, meshes) = take_frame(&performance);
             let written = tape.put(frame, &frame_bytes(&pose, &meshes));
@@ -130,6 +130,20 @@ impl Recorder<'_> {
         bar.finish_and_clear();
         Ok(())
     }
+}
+
+/// Stopped after so many frames.
+fn paused(path: &Path, frames: usize) -> Failure {
+    if frames == 0 {
+        return Failure::Interrupted;
+    }
+    let path = path.display();
+    Failure::Paused(Sentence::new(
+        format!(
+            "中止しました。{path} に {frames} コマ残してあり、同じコマンドでその続きから録れます。"
+        ),
+        format!("stopped; {path} keeps {frames} frames, and the same command goes on from there."),
+    ))
 }
 
 impl Tape {
