@@ -222,7 +222,7 @@ fn a_recording_that_is_stopped_says_what_it_keeps() {
     let errors = scratch.path("errors");
     let file = fs::File::create(&errors).unwrap();
     let mut child = command
-        .args(["--seconds", "600"])
+        .args(["--seconds", "600", "--format", "npz"])
         .stderr(file)
         .spawn()
         .unwrap();
