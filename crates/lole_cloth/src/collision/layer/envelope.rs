@@ -31,6 +31,15 @@ struct Crest {
     height: f32,
 }
 
+impl Crest {
+    /// How far from the axis cloth is at another height that goes over it in a bend [m]; 0 where nothing is worn.
+    fn bent_at(&self, height: f32) -> f32 {
+        let apart = self.height - height;
+        let bent = self.radius + ROUND_OUT - apart * apart * (0.5 / ROUND);
+        if 0.0 < self.radius { bent } else { 0.0 }
+    }
+}
+
 /// How far below and above cloth an outline is made for it [m]: farther than it moves in a frame, with room.
 const AROUND: f32 = 0.18;
 
@@ -133,11 +142,7 @@ impl Envelope {
             for other in near {
                 let others = &self.farthest[other * SECTORS..(other + 1) * SECTORS];
                 for (radius, other) in ring.iter_mut().zip(others) {
-                    let apart = other.height - height;
-                    let bent = other.radius + ROUND_OUT - apart * apart * (0.5 / ROUND);
-                    if 0.0 < other.radius {
-                        *radius = radius.max(bent);
-                    }
+                    *radius = radius.max(other.bent_at(height));
                 }
             }
             self.radii.extend(ring);
