@@ -217,27 +217,38 @@ fn a_recording_that_is_stopped_says_what_it_keeps() {
     let scratch = Scratch::new("export-stopped");
     let design = scratch.write("skirt.lole", SKIRT);
     let out = scratch.path("out");
-    let mut command = in_english(lole());
-    command.arg("export").arg(&design).arg("--out").arg(&out);
     let errors = scratch.path("errors");
-    let file = fs::File::create(&errors).unwrap();
-    let mut child = command
-        .args(["--seconds", "600", "--format", "npz"])
-        .stderr(file)
-        .spawn()
-        .unwrap();
-    let size = || fs::metadata(out.join("unfinished.take")).map_or(0, |it| it.len());
+    let kept = || fs::metadata(out.join("unfinished.take")).map_or(0, |it| it.len());
+    // Interrupted when that is true; what it says.
+    let stopped = |is_time: &dyn Fn() -> bool| {
+        let mut command = in_english(lole());
+        command.arg("export").arg(&design).arg("--out").arg(&out);
+        command.args(["--seconds", "600", "--format", "npz"]);
+        command.stderr(fs::File::create(&errors).unwrap());
+        let mut child = command.spawn().unwrap();
+        while !is_time() {
+            assert!(child.try_wait().unwrap().is_none(), "it ended by itself");
+            std::thread::sleep(std::time::Duration::from_millis(20));
+        }
+        let interrupt = Command::new("kill")
+            .args(["-INT", &child.id().to_string()])
+            .status();
+        assert!(interrupt.unwrap().success());
+        assert_eq!(child.wait().unwrap().code(), Some(130));
+        fs::read_to_string(&errors).unwrap()
+    };
+    // Before a frame is danced there is only a header of some kilobytes.
+    let said = stopped(&|| 0 < kept());
+    assert!(said.contains("nothing half-written"), "{said}");
+    assert_eq!(kept(), 0);
     // A frame of 3,840 particles and the dancer is more than 60 kB.
-    while size() < 1 << 20 {
-        assert!(child.try_wait().unwrap().is_none(), "it ended by itself");
-        std::thread::sleep(std::time::Duration::from_millis(20));
-    }
-    let interrupt = Command::new("kill")
-        .args(["-INT", &child.id().to_string()])
-        .status();
-    assert!(interrupt.unwrap().success());
-    assert_eq!(child.wait().unwrap().code(), Some(130));
-    let said = fs::read_to_string(&errors).unwrap();
+    let said = stopped(&|| 1 << 20 < kept());
     assert!(said.contains("unfinished.take keeps"), "{said}");
     assert!(!said.contains("nothing half-written"), "{said}");
+    // Again, while the cloth comes to rest: the frames are still there, and it says so.
+    let before = kept();
+    let is_found = || fs::read_to_string(&errors).is_ok_and(|it| it.contains("unfinished.take"));
+    let said = stopped(&is_found);
+    assert!(said.contains("unfinished.take keeps"), "{said}");
+    assert!(before <= kept());
 }

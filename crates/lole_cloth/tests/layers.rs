@@ -147,7 +147,7 @@ fn an_outline_goes_along_with_an_edge_and_steps_from_no_height_to_the_next() {
         envelope.add_surfels(0.0, &mut Vec::new());
         let heights = (0..20_u8).map(|it| -0.10 + 0.006 * f32::from(it));
         let now: Vec<Option<f32>> = heights.map(|height| outline(&envelope, height)).collect();
-        // At the start of the test the edge lies 8 cm below the axis: the outline is there, and none far above.
+        // The edge lies 8 cm below the axis at first, and rises.
         assert!(now[0].is_some_and(|radius| 0.2 < radius), "{now:?}");
         for (place, (now, before)) in now.iter().zip(before.iter().flatten()).enumerate() {
             if let (Some(now), Some(before)) = (now, before) {
@@ -157,7 +157,7 @@ fn an_outline_goes_along_with_an_edge_and_steps_from_no_height_to_the_next() {
                     "{place}: {before} and {now} m"
                 );
             }
-            // What comes new is below the edge by more than it is far from any cloth.
+            // What comes new begins well inside of the cloth, and not as far out as its edge.
             let new = (before.is_none()).then_some(*now).flatten();
             assert!(new.is_none_or(|new| new < 0.20), "{place}: {new:?}");
         }

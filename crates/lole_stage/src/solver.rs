@@ -148,10 +148,10 @@ impl Solver {
     /// Prepares the cloth for the design's method, at rest at `start` [m].
     pub(crate) fn new(
         design: &Design,
-        (spec, holds_together): (&ClothSpec, Rows),
+        (spec, rows): (&ClothSpec, Rows),
         start: &[Vec3],
     ) -> Result<Self, StageError> {
-        let usual = match holds_together {
+        let usual = match rows {
             Rows::ByChords => SUBSTEP_COUNT,
             Rows::BySprings => LAYERED_SUBSTEP_COUNT,
         };
@@ -165,7 +165,7 @@ impl Solver {
             }
             let model = ClothModel::new(&spec)?;
             let chord = (spec.grid.column_count / RING_PARTS).max(1);
-            let chord = (holds_together == Rows::ByChords).then_some(chord);
+            let chord = (rows == Rows::ByChords).then_some(chord);
             let config = SolverConfig {
                 row_strides: chord.into_iter().collect(),
                 ..xpbd_config(

@@ -60,7 +60,11 @@ impl Recorder<'_> {
         if !tape.kept.is_empty() {
             summary::print_found(&[found(&path, tape.kept.len())]);
         }
-        self.dance(production, &mut tape, &path)?;
+        self.dance(production, &mut tape, &path)
+            .map_err(|failure| match failure {
+                Failure::Interrupted => tape.left(&path),
+                other => other,
+            })?;
         tape.file.sync_all().map_err(cannot)?;
         drop(tape);
         fs::rename(&path, &whole).map_err(cannot)?;
@@ -111,7 +115,7 @@ impl Recorder<'_> {
         );
         let patience = Watch::over(&bar, self.language);
         for frame in 0..tape.header.frame_count {
-            check(self.stop).map_err(|_| paused(path, tape.kept.len().max(frame as usize)))?;
+            check(self.stop)?;
             performance.pose_body();
             let (pose, meshes) = take_frame(&performance);
             let written = tape.put(frame, &frame_bytes(&pose, &meshes));
@@ -130,20 +134,6 @@ impl Recorder<'_> {
         bar.finish_and_clear();
         Ok(())
     }
-}
-
-/// Stopped after so many frames.
-fn paused(path: &Path, frames: usize) -> Failure {
-    if frames == 0 {
-        return Failure::Interrupted;
-    }
-    let path = path.display();
-    Failure::Paused(Sentence::new(
-        format!(
-            "中止しました。{path} に {frames} コマ残してあり、同じコマンドでその続きから録れます。"
-        ),
-        format!("stopped; {path} keeps {frames} frames, and the same command goes on from there."),
-    ))
 }
 
 impl Tape {
@@ -171,6 +161,26 @@ impl Tape {
         };
         tape.cut(tape.kept.len())?;
         Ok(tape)
+    }
+
+    /// What is told when the recording is stopped: a tape without a frame is not kept.
+    fn left(&self, path: &Path) -> Failure {
+        let size = self.file.metadata().map_or(0, |it| it.len());
+        let frames = size.saturating_sub(self.start) / self.header.frame_bytes() as u64;
+        if frames == 0 {
+            // Whoever records next begins anew, whether or not it can be removed.
+            drop(fs::remove_file(path));
+            return Failure::Interrupted;
+        }
+        let path = path.display();
+        Failure::Paused(Sentence::new(
+            format!(
+                "中止しました。{path} に {frames} コマ残してあり、同じコマンドでその続きから録れます。"
+            ),
+            format!(
+                "stopped; {path} keeps {frames} frames, and the same command goes on from there."
+            ),
+        ))
     }
 
     /// Leaves so many frames, whole ones.

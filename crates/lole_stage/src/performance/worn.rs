@@ -150,9 +150,10 @@ impl Worn {
             // What was lifted is farther from the next elastic.
             garment.sewn.slide_elastics(&mut self.pin_targets);
             self.lift_pins(column_count, garment.sewn.fold_columns);
+            let forearms: Vec<Part<'_>> = body.forearms.chunks(PART).map(Part::new).collect();
             let rows = self.pin_targets.chunks_mut(column_count);
             for (targets, skin) in rows.zip(self.pin_skin.chunks(column_count)) {
-                press_pins((targets, skin), body.forearms, garment.sewn.fold_columns);
+                press_pins((targets, skin), &forearms, garment.sewn.fold_columns);
             }
         }
         if !held.is_empty() {
@@ -249,18 +250,26 @@ impl Worn {
 
 /// A forearm that hangs against the band presses a row of gathers flat on the skin below each of them, as far
 /// as they stand off: a whole gather of `fold_columns` and its neighbors in part.
-fn press_pins((targets, skin): (&mut [Vec3], &[Surfel]), forearms: &[Surfel], fold_columns: usize) {
-    let parts: Vec<Part<'_>> = forearms.chunks(PART).map(Part::new).collect();
+fn press_pins(
+    (targets, skin): (&mut [Vec3], &[Surfel]),
+    forearms: &[Part<'_>],
+    fold_columns: usize,
+) {
     let stands_off = |target: Vec3, skin: &Surfel| {
         let gap = (target - skin.position).dot(skin.normal);
         (gap - PIN_CLEARANCE).max(0.0)
     };
-    let (low, high) = bounds(forearms);
+    let low = forearms
+        .iter()
+        .fold(Vec3::INFINITY, |low, part| low.min(part.low));
+    let high = forearms
+        .iter()
+        .fold(Vec3::NEG_INFINITY, |high, part| high.max(part.high));
     let pressed = targets.iter().zip(skin).map(|(&target, skin)| {
         let off = stands_off(target, skin);
         let is_near = target.cmpge(low).all() && target.cmple(high).all();
         if 0.0 < off && is_near {
-            depth(target, &parts).min(off)
+            depth(target, forearms).min(off)
         } else {
             0.0
         }
@@ -375,12 +384,10 @@ mod tests {
             normal: Vec3::X,
         });
         arm.extend(outer.collect::<Vec<_>>());
+        let arm = [Part::new(&arm)];
         press_pins((&mut pins, &skin), &arm, 10);
         for (pin, (&now, &before)) in pins.iter().zip(&before).enumerate() {
-            assert!(
-                depth(now, &[Part::new(&arm)]) < 1.0e-6 || before == now,
-                "{pin}"
-            );
+            assert!(depth(now, &arm) < 1.0e-6 || before == now, "{pin}");
             assert!(
                 0.101 - 1.0e-6 < now.length(),
                 "{pin} is pressed into the waist"

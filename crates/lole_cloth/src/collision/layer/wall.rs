@@ -127,8 +127,8 @@ pub(super) const fn height_of(level: usize) -> f32 {
 
 /// The bin of a place seen from the axis, if there is one.
 pub(super) fn bin(arm: Vec3) -> Option<usize> {
-    let [level, sector] = coordinates(arm)?;
-    Some(whole(level) * SECTORS + whole(sector) % SECTORS)
+    let bin = bin_or_none(arm);
+    (bin != NO_BIN).then_some(bin as usize)
 }
 
 /// The bins whose middles are around a place seen from the axis, with their weights, if there are any.
@@ -234,9 +234,10 @@ fn tell(places: &Places, own: &[usize], found: &mut impl FnMut(usize, Point)) {
     }
 }
 
+/// No bin of any place.
 const NO_BIN: u32 = u32::MAX;
 
-/// As [`bin`], without a branch.
+/// The bin of a place seen from the axis, or [`NO_BIN`], without a branch.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
