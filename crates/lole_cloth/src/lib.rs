@@ -91,6 +91,7 @@
 //! What takes back crossings is a third of a step, and the strain of the worst moment is what it leaves there.
 
 pub mod assembly;
+pub mod awake;
 pub mod collision;
 pub mod config;
 mod constraint;

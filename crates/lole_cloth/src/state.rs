@@ -3,7 +3,6 @@
 use glam::Vec3;
 use lole_geom::{Capsule, Surfel};
 
-use crate::ClothModel;
 use crate::collision::capsule::MovingCapsule;
 use crate::collision::capsule::near::RowContacts;
 use crate::collision::capsule::stop::TangentPlanes;
@@ -14,9 +13,10 @@ use crate::collision::surfel::SurfelContacts;
 use crate::constraint::hysteresis::Sets;
 use crate::lanes::Points;
 use crate::method::explicit_rows::Form;
-use crate::method::fineness::Fineness;
+use crate::method::fineness::{Fineness, Substeps};
 use crate::method::xpbd::{RowStrides, Schedules, WovenRows};
 use crate::pins::PinGoals;
+use crate::{ClothModel, SolverConfig};
 
 /// Everything about one cloth that changes from step to step.
 #[derive(Debug, Clone)]
@@ -114,6 +114,12 @@ impl ClothState {
         };
         state.set_positions(model, positions);
         state
+    }
+
+    /// Substeps of the next step: as many as usual, or more where the last one left the cloth strained.
+    #[must_use]
+    pub fn substep_count(&self, config: &SolverConfig) -> u32 {
+        self.fineness.substep_count(Substeps::of(config))
     }
 
     /// Pairs of an edge and a triangle that are kept from crossing, because an earlier step had to part

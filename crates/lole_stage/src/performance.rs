@@ -23,6 +23,7 @@ use std::sync::Arc;
 
 use glam::{Affine3A, Vec3};
 use lole_body::{BodyCapsule, Bone, Pose};
+use lole_cloth::awake::keep_awake;
 use lole_cloth::collision::layer::Press;
 use lole_cloth::method::explicit::ExplicitConfig;
 use lole_cloth::method::reference::ReferenceModel;
@@ -206,7 +207,7 @@ impl Performance {
     pub fn advance(&mut self) -> Result<(), Divergence> {
         self.frame += 1;
         let pose = self.pose_of_dance();
-        self.step_in(pose, None)
+        keep_awake(|| self.step_in(pose, None))
     }
 
     /// The same, bit for bit, and `passed` is called whenever a [`Phase`] of the real-time method
@@ -223,7 +224,7 @@ impl Performance {
     /// The same with the dancer in a pose of the caller's instead of her dance's.
     pub(crate) fn advance_in(&mut self, pose: Pose) -> Result<(), Divergence> {
         self.frame += 1;
-        self.step_in(pose, None)
+        keep_awake(|| self.step_in(pose, None))
     }
 
     /// The adornments of another design, which has the same cloth, come down on her and her cloth as both
@@ -601,7 +602,7 @@ impl Performance {
         self.solvers().next().map_or(usual, Solver::gravity)
     }
 
-    /// Substeps of one frame, most of any garment.
+    /// Substeps of the next frame, most of any garment: more than usual where cloth is strained.
     #[must_use]
     pub fn substep_count(&self) -> u32 {
         let dressed = self.dressed.iter().zip(&self.production.dressed);

@@ -346,10 +346,10 @@ impl Solver {
         }
     }
 
-    /// Substeps of one frame, of the cloth as it lies.
+    /// Substeps of the next frame, of the cloth as it lies.
     pub(crate) fn substep_count(&self) -> u32 {
         match self {
-            Self::Xpbd(xpbd) => xpbd.config.substep_count.get(),
+            Self::Xpbd(xpbd) => xpbd.state.substep_count(&xpbd.config),
             Self::Explicit(reference) => match reference.config.substeps {
                 Substeps::Fixed(count) => count.get(),
                 Substeps::Automatic => reference.model.stable_substeps_at(

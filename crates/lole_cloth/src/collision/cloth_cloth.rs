@@ -36,9 +36,8 @@ const PINNED_OPENING: f32 = 0.06;
 /// Slabs at most. They do not depend on threads, so that the order of pairs does not either.
 const SLAB_COUNT_MAX: usize = 16;
 
-/// Below this many pairs a solution is over before a second thread has woken up, which takes it about 50 µs
-/// where it sleeps; between the searches and the solutions of a fine skirt it does not.
-const PARALLEL_PAIRS_MIN: usize = 1 << 15;
+/// Below this many pairs a solution, 27 ns a pair, is over before a second thread gains anything on it.
+const PARALLEL_PAIRS_MIN: usize = 1 << 12;
 
 /// A pair that may touch, by entries of the cell grid.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -10,6 +10,8 @@ use std::sync::Arc;
 use glam::Vec3;
 use lole_geom::mesh::vertex_normals;
 use lole_geom::{Surfel, TriangleGrid};
+use rayon::iter::ParallelIterator as _;
+use rayon::slice::ParallelSliceMut as _;
 
 use super::order::Inner;
 
@@ -32,6 +34,12 @@ const CELL: f32 = 0.03;
 /// Frames in which every station is looked at once: cloth that lies under a string does not slide by a fold's
 /// width in as many.
 const TURNS: usize = 3;
+
+/// Stations that a thread looks at together.
+const TOGETHER: usize = 32;
+
+/// A station, and what is found over it.
+type Looked<'a> = (&'a u32, &'a mut (f32, Vec3));
 
 /// How closely the cloth is looked at.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -163,7 +171,7 @@ impl OverCloth {
             Attention::InTurn => self.turn..self.turn + 1,
         };
         self.turn = (self.turn + 1) % TURNS;
-        let mut stations: Vec<(&u32, &mut (f32, Vec3))> = (self.stations.iter())
+        let mut stations: Vec<Looked<'_>> = (self.stations.iter())
             .zip(&mut found)
             .enumerate()
             .filter_map(|(place, pair)| looks.contains(&(place % TURNS)).then_some(pair))
@@ -172,7 +180,6 @@ impl OverCloth {
             **found = (0.0, skin[**station as usize].normal);
         }
         self.far.clear();
-        let mut crossed = Vec::new();
         let loose = Arc::clone(&self.loose);
         for (&(triangles, positions), loose) in cloth.iter().zip(&*loose) {
             let near: Vec<[u32; 3]> = (triangles.iter().copied())
@@ -182,11 +189,19 @@ impl OverCloth {
                 })
                 .collect();
             let grid = TriangleGrid::new(positions, &near, CELL);
-            for (station, found) in &mut stations {
-                let surfel = &skin[**station as usize];
-                if self.is_near(surfel.position) {
+            let look = |stations: &mut [Looked<'_>]| {
+                let mut crossed = Vec::new();
+                let skin = stations
+                    .iter_mut()
+                    .map(|(it, found)| (&skin[**it as usize], found));
+                for (surfel, found) in skin.filter(|(it, _)| self.is_near(it.position)) {
                     outermost(surfel, (&grid, &near, positions), (&mut crossed, found));
                 }
+            };
+            if rayon::current_num_threads() == 1 {
+                look(&mut stations);
+            } else {
+                stations.par_chunks_mut(TOGETHER).for_each(look);
             }
             let is_met = |particle: &&u32| self.is_near(positions[**particle as usize]);
             if !loose.iter().any(|particle| is_met(&particle)) {

@@ -1,8 +1,11 @@
 //! Which vertices and triangles may touch in a step.
 
+use std::ops::Range;
+
 use fearless_simd::{Level, Simd, dispatch, f32x16, prelude::*};
 use glam::Vec3;
 use lole_geom::triangle_grid::{blend, nearest_barycentric};
+use rayon::prelude::*;
 
 use super::faces::{FaceParticle, Faces};
 use super::{Body, FaceContacts, Meeting, Pair};
@@ -36,12 +39,15 @@ const PINNED_OPENING: f32 = 0.06;
 /// Edge of a cell, in distances at which a vertex is looked for, or in edges of triangles where those are longer.
 const CELL_REACHES: f32 = 2.0;
 
+/// Parts of the triangles that threads look around. They do not depend on threads, and what is found is taken in
+/// the order of the triangles.
+const PART_COUNT: usize = 16;
+
 /// Room for one search.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Room {
     candidates: Vec<Candidate>,
-    /// Last triangle that every particle was found to be near on the cloth.
-    stamps: Vec<u32>,
+    parts: Vec<Part>,
     /// Sums of the normals of the triangles around every particle [m²].
     normals: Vec<Vec3>,
     /// Squared distance of the nearest triangle on each side of every particle [m²].
@@ -50,6 +56,17 @@ pub(super) struct Room {
     is_tangled: Vec<bool>,
     /// By particle, its body or [`ABSENT`].
     body_of: Vec<u32>,
+}
+
+/// Some of the triangles, and what is found around them.
+#[derive(Debug, Clone, Default, PartialEq)]
+struct Part {
+    triangles: Range<usize>,
+    candidates: Vec<Candidate>,
+    /// Last triangle that every particle was found to be near on the cloth.
+    stamps: Vec<u32>,
+    /// By candidate whose vertex has an edge that goes through the triangle, its place and the edge's far end.
+    through: Vec<(usize, u32)>,
 }
 
 /// A vertex near a triangle.
@@ -92,8 +109,7 @@ impl FaceContacts {
             is_tangled: &self.is_tangled,
             cells: &self.cells,
         };
-        let room = &mut self.room;
-        dispatch!(level, simd => search.collect(simd, room));
+        search.collect(level, &mut self.room);
         search.leave_tangles(&mut self.room);
         self.keep_nearest(faces, meetings);
     }
@@ -157,51 +173,91 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    #[inline(always)]
-    fn collect<S: Simd>(&self, simd: S, room: &mut Room) {
-        let radii = self.meetings.iter().filter_map(|meeting| meeting.radius);
-        let widest = radii.fold(0.0, f32::max);
-        room.candidates.clear();
-        room.normals.clear();
-        room.normals.resize(self.positions.len(), Vec3::ZERO);
-        room.stamps.clear();
-        room.stamps.resize(self.positions.len(), ABSENT);
-        for (triangle, corners) in (0_u32..).zip(&self.faces.triangles) {
+    /// Finds the candidates, and the normals at every particle.
+    fn collect(&self, level: Level, room: &mut Room) {
+        let is_alone = rayon::current_num_threads() == 1;
+        let count = if is_alone { 1 } else { PART_COUNT };
+        let triangle_count = self.faces.triangles.len();
+        room.parts.resize_with(count, Part::default);
+        for (index, part) in room.parts.iter_mut().enumerate() {
+            part.triangles = triangle_count * index / count..triangle_count * (index + 1) / count;
+        }
+        let find = |part: &mut Part| {
+            dispatch!(level, simd => self.look_around_all(simd, part));
+            self.find_tangles(part);
+        };
+        if is_alone {
+            room.parts.iter_mut().for_each(find);
+            self.add_normals(&mut room.normals);
+        } else {
+            let normals = &mut room.normals;
+            let parts = &mut room.parts;
+            rayon::join(
+                || parts.par_iter_mut().for_each(find),
+                || self.add_normals(normals),
+            );
+        }
+    }
+
+    fn add_normals(&self, normals: &mut Vec<Vec3>) {
+        normals.clear();
+        normals.resize(self.positions.len(), Vec3::ZERO);
+        for corners in &self.faces.triangles {
             let [a, b, c] = corners.map(|corner| self.positions[corner as usize]);
             let normal = (b - a).cross(c - a);
             for &corner in corners {
-                room.normals[corner as usize] += normal;
-            }
-            let piece = self.faces.particles[corners[0] as usize].piece as usize;
-            if let Some(radius) = self.meetings[piece].radius {
-                let reach =
-                    (radius + widest) * (1.0 + MARGIN) + self.motions.most_closing(*corners);
-                let near = NearTriangle::new([a, b, c], reach);
-                self.look_around(simd, (triangle, radius), &near, room);
+                normals[corner as usize] += normal;
             }
         }
     }
 
-    /// Drops candidates around edges that go through triangles: there nobody knows on which side he
+    #[inline(always)]
+    fn look_around_all<S: Simd>(&self, simd: S, part: &mut Part) {
+        let radii = self.meetings.iter().filter_map(|meeting| meeting.radius);
+        let widest = radii.fold(0.0, f32::max);
+        part.candidates.clear();
+        part.stamps.clear();
+        part.stamps.resize(self.positions.len(), ABSENT);
+        for triangle in part.triangles.clone() {
+            let corners = self.faces.triangles[triangle];
+            let piece = self.faces.particles[corners[0] as usize].piece as usize;
+            if let Some(radius) = self.meetings[piece].radius {
+                let places = corners.map(|corner| self.positions[corner as usize]);
+                let reach = (radius + widest) * (1.0 + MARGIN) + self.motions.most_closing(corners);
+                let near = NearTriangle::new(places, reach);
+                self.look_around(simd, (narrow(triangle), radius), &near, part);
+            }
+        }
+    }
+
+    fn find_tangles(&self, part: &mut Part) {
+        part.through.clear();
+        for (place, candidate) in part.candidates.iter().enumerate() {
+            let corners = self.faces.triangles[candidate.triangle as usize];
+            let far = self.edge_through(candidate.vertex, corners);
+            part.through.extend(far.map(|far| (place, far)));
+        }
+    }
+
+    /// Takes all candidates but those around edges that go through triangles: there nobody knows on which side he
     /// belongs, and contact would draw the cloth together and tangle it more.
     fn leave_tangles(&self, room: &mut Room) {
         let Room {
             candidates,
+            parts,
             is_tangled,
             ..
         } = room;
         is_tangled.clear();
-        for candidate in candidates.iter() {
-            let corners = self.faces.triangles[candidate.triangle as usize];
-            let Some(far) = self.edge_through(candidate.vertex, corners) else {
-                continue;
-            };
-            is_tangled.resize(self.positions.len(), false);
-            let [a, b, c] = corners;
-            for member in [candidate.vertex, far, a, b, c] {
-                is_tangled[member as usize] = true;
-                for &neighbor in self.faces.ring(member) {
-                    is_tangled[neighbor as usize] = true;
+        candidates.clear();
+        for part in parts {
+            candidates.extend_from_slice(&part.candidates);
+            for &(place, far) in &part.through {
+                let candidate = &part.candidates[place];
+                is_tangled.resize(self.positions.len(), false);
+                let [a, b, c] = self.faces.triangles[candidate.triangle as usize];
+                for member in [candidate.vertex, far, a, b, c] {
+                    self.mark_around(member, is_tangled);
                 }
             }
         }
@@ -211,6 +267,13 @@ impl Search<'_> {
                 let mut members = [candidate.vertex, a, b, c].into_iter();
                 members.any(|member| !is_tangled[member as usize])
             });
+        }
+    }
+
+    fn mark_around(&self, member: u32, marks: &mut [bool]) {
+        marks[member as usize] = true;
+        for &neighbor in self.faces.ring(member) {
+            marks[neighbor as usize] = true;
         }
     }
 
@@ -236,12 +299,12 @@ impl Search<'_> {
         simd: S,
         (triangle, radius): (u32, f32),
         near: &NearTriangle,
-        room: &mut Room,
+        part: &mut Part,
     ) {
         for corner in self.faces.triangles[triangle as usize] {
-            room.stamps[corner as usize] = triangle;
+            part.stamps[corner as usize] = triangle;
             for &neighbor in self.faces.ring(corner) {
-                room.stamps[neighbor as usize] = triangle;
+                part.stamps[neighbor as usize] = triangle;
             }
         }
         self.cells.runs_within(near.bounds(), |run| {
@@ -250,10 +313,10 @@ impl Search<'_> {
                 let entries = each_hit(hits, run.end - from);
                 let particles = entries.map(|place| self.cells.entries[from + place].particle);
                 for particle in particles {
-                    let is_beside = room.stamps[particle as usize] == triangle;
+                    let is_beside = part.stamps[particle as usize] == triangle;
                     let found = (!is_beside)
                         .then(|| self.candidate((particle, triangle), near.corners, radius));
-                    room.candidates.extend(found.flatten());
+                    part.candidates.extend(found.flatten());
                 }
             }
         });
