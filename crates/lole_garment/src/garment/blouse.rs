@@ -2,8 +2,8 @@
 //!
 //! Drafted from the bodice [block](crate::drafting::block). The sides come in at the waist and go out to the hips
 //! by the same amounts in front and at the back, so that both stay equally long. Ease of the bust: makers
-//! of hula dresses in Japan give 3 to 4 cm to close dresses; a blouse has more. Depths of neckline and
-//! puff are estimates and options.
+//! of hula dresses in Japan give 3 to 4 cm to close dresses; a blouse with sleeves has the 12 cm of Bunka's
+//! block. Depths of neckline and puff are estimates and options.
 
 use kurbo::{PathSeg, Vec2};
 use lole_geom::Length;
@@ -63,7 +63,7 @@ fn sketch(pen: &mut Sketch) {
 }
 
 const OPTIONS: &[OptionRow] = &[
-    number("bust_ease_cm", [2.0, 30.0], 8.0, BUST_EASE),
+    number("bust_ease_cm", [2.0, 30.0], 12.0, BUST_EASE),
     number(
         "waist_in_cm",
         [0.0, 4.0],
@@ -125,6 +125,9 @@ pub(crate) const NECK_LOWER: lole_language::Words = words(
 pub(crate) const PUFF: lole_language::Words =
     words("袖山の長さ÷袖ぐり", "cap of the sleeve over the armhole");
 
+/// Height of the cap over that of the armhole, before it is raised: lower than the five sixths of a coat, for
+/// arms that dance.
+const CAP_HEIGHT: f64 = 0.6;
 /// Sleeve over the arm, before it is spread [m].
 pub(crate) const ARM_EASE: f64 = 5.0 * CM;
 /// The sleeve's elastic over the arm.
@@ -164,7 +167,7 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
             crown_raised: chosen.m("puff_height_cm"),
             hem_width: None,
             hem: SLEEVE_CASING,
-            cap_height: 5.0 / 6.0,
+            cap_height: CAP_HEIGHT,
         },
     )?;
     let body = Body::new(measures, &block, &chosen);
