@@ -39,9 +39,12 @@ const PINNED_OPENING: f32 = 0.06;
 /// Edge of a cell, in distances at which a vertex is looked for, or in edges of triangles where those are longer.
 const CELL_REACHES: f32 = 2.0;
 
-/// Parts of the triangles that threads look around. They do not depend on threads, and what is found is taken in
-/// the order of the triangles.
+/// Parts of the triangles that several threads look around. What is found is taken in the order of the triangles,
+/// so that it is the same with one.
 const PART_COUNT: usize = 16;
+
+/// Fewer triangles than these are looked around before a second thread has begun.
+const SHARED_MIN: usize = 1024;
 
 /// Room for one search.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -175,9 +178,9 @@ struct Search<'a> {
 impl Search<'_> {
     /// Finds the candidates, and the normals at every particle.
     fn collect(&self, level: Level, room: &mut Room) {
-        let is_alone = rayon::current_num_threads() == 1;
-        let count = if is_alone { 1 } else { PART_COUNT };
         let triangle_count = self.faces.triangles.len();
+        let is_alone = triangle_count < SHARED_MIN || rayon::current_num_threads() == 1;
+        let count = if is_alone { 1 } else { PART_COUNT };
         room.parts.resize_with(count, Part::default);
         for (index, part) in room.parts.iter_mut().enumerate() {
             part.triangles = triangle_count * index / count..triangle_count * (index + 1) / count;
