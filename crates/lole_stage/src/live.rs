@@ -468,7 +468,7 @@ impl Show {
         self.performance.without_room()
     }
 
-    /// Substeps of one frame.
+    /// Substeps of the next frame, most of any garment.
     #[must_use]
     pub fn substep_count(&self) -> u32 {
         self.performance.substep_count()

@@ -179,7 +179,7 @@ pub struct Snapshot {
     pub part: Option<usize>,
     /// How long the recording is that is danced [s].
     pub recording_seconds: Option<f32>,
-    /// Substeps of one frame.
+    /// Substeps of the next frame.
     pub substep_count: u32,
     /// Parts of the body beside which cloth has no room.
     pub without_room: Vec<Bone>,

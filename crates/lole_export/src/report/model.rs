@@ -196,7 +196,7 @@ pub struct RunReport {
     pub springs: usize,
     /// Name of the integration method, such as `xpbd`.
     pub method: String,
-    /// Substeps per frame.
+    /// Substeps of a frame as the cloth is after the last one: more than usual where it is strained.
     pub substeps: u32,
     /// Threads the simulation used.
     pub threads: usize,
