@@ -94,12 +94,15 @@ pub(super) fn lay(
         }
         Way::Wrapped(wrap) => {
             let cloth = Cloth::new(&form, (&pattern, measures));
-            for [first, second] in (wrap.knots)(&cloth) {
-                let knot = [first, second].map(|point| mesh.nearest(point));
-                mesh.stitches.push(knot);
-            }
             for (pin, &point) in pinned.iter_mut().zip(&mesh.in_piece) {
                 *pin = (wrap.is_pinned)(&cloth, point, spacing);
+            }
+            for [first, second] in (wrap.knots)(&cloth) {
+                let knot = [first, second].map(|point| mesh.nearest(point));
+                for particle in knot {
+                    pinned[particle as usize] = true;
+                }
+                mesh.stitches.push(knot);
             }
             led = led_ways((wrap, &cloth), (&mesh, &pinned));
             wrapped((wrap, &cloth), (&panels, &mesh, &pinned), &form)

@@ -16,7 +16,7 @@ pub struct Wrap {
     pub(crate) place: fn(&Cloth<'_>, DVec2) -> Option<Vec3>,
     /// How far from the skin a point lies at least [m]: more, the more cloth there is below it.
     pub(crate) gap: fn(&Cloth<'_>, DVec2) -> f32,
-    /// Points of the cloth that are knotted to each other.
+    /// Points of the cloth that are knotted to each other and held there.
     pub(crate) knots: fn(&Cloth<'_>) -> Vec<[DVec2; 2]>,
     /// Whether a point is tied or tucked so firmly that it goes with the skin; the last number is the
     /// distance of particles [m].

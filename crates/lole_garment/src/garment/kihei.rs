@@ -170,7 +170,8 @@ mod worn {
             place,
             gap: |_, _| fit::START_GAP,
             knots,
-            is_pinned,
+            // The knot alone sits on the shoulder.
+            is_pinned: |_, _, _| false,
             led: |_, _| Vec::new(),
             carrier: Carrier::Skin,
         }),
@@ -203,12 +204,6 @@ mod worn {
             [right, left]
         };
         TIED.map(ends).to_vec()
-    }
-
-    /// The knot sits on the shoulder.
-    fn is_pinned(cloth: &Cloth<'_>, point: DVec2, spacing: f64) -> bool {
-        let near = |at: &DVec2| at.distance(point) < 0.6 * spacing;
-        knots(cloth).iter().flatten().any(near)
     }
 
     fn place(cloth: &Cloth<'_>, point: DVec2) -> Option<Vec3> {

@@ -363,10 +363,16 @@ mod worn {
         let top = top(cloth);
         let [neck, drop] = [cloth.measures.neck_height, cloth.measures.shoulder_drop];
         let shoulder = neck.to_m_f32() - 0.5 * drop.to_m_f32();
+        // At the back it comes down over all turns of the edge.
+        let over_edge = gap_of(0.5) + TURN_GAP;
         let on = |share: f32, face: Face, side: f32| {
             let height = top + (shoulder - top) * share;
             let (place, outward) = cloth.form.on_trunk(height, face, side)?;
-            Some(place + (outward + Vec3::Y * share).normalize_or_zero() * OVER_SKIN)
+            let over = match face {
+                Face::Front => OVER_SKIN,
+                Face::Back => over_edge + (OVER_SKIN - over_edge) * share,
+            };
+            Some(place + (outward + Vec3::Y * share).normalize_or_zero() * over)
         };
         let corners = [
             start,
