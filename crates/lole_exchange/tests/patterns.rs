@@ -334,6 +334,7 @@ fn measures_of_others_become_a_dancers() {
         "{}",
         "body:\n  bust: 974",
         "<smis><unit>ell</unit></smis>",
+        "<smis><unit>two\nlines\t</unit></smis>",
     ] {
         let error = measures::read(wrong.as_bytes()).unwrap_err();
         assert!(!error.to_string().contains('\n'));

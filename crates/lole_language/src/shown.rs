@@ -5,15 +5,16 @@ pub const MOST_REPEATED: usize = 80;
 /// Letters of a message, at most: a sentence or two with a path in it.
 const LONGEST_MESSAGE: usize = 1200;
 
-/// What was given, as a message repeats it: at most [`MOST_REPEATED`] letters, with `…` for the rest.
+/// What was given, as a message repeats it: at most [`MOST_REPEATED`] letters, with `…` for the rest, on one line.
 ///
 /// ```
 /// assert_eq!(lole_language::repeated("hula"), "hula");
+/// assert_eq!(lole_language::repeated("two\nlines"), "two lines");
 /// assert_eq!(lole_language::repeated(&"a".repeat(1000)).chars().count(), 81);
 /// ```
 #[must_use]
 pub fn repeated(given: &str) -> String {
-    shortened(given, MOST_REPEATED)
+    shortened(given, MOST_REPEATED).replace(['\n', '\r', '\t'], " ")
 }
 
 /// A message as it is shown: control characters of what it repeats are made visible, so that no terminal
