@@ -37,10 +37,8 @@ const LIFT_TEXELS: f32 = 2.0;
 const SLACK: f32 = 0.0015;
 /// Per unit of wrap, light crosses this much of the body at the terminator [m].
 const WRAP_DEPTH: f32 = 0.06;
-/// At the terminator a flat triangle is in its own shadow where the round surface that it stands for is not yet: what
-/// is this near does not count as in the way there [m]. More lets light into fine relief: bright lines around nostrils
-/// and fingers in shadow.
-const FACET: f32 = 0.012;
+/// Cosine to the key light below which a surface counts as no steeper.
+const STEEPEST: f32 = 0.1;
 /// Cosine to the key light from which on no light crosses the body.
 const WRAP_END: f32 = 0.4;
 /// Four nodes of a lattice.
@@ -119,12 +117,12 @@ pub(crate) fn shade(
     };
     let wrap = surface.subsurface.w;
     let at_terminator = (1.0 - key_cosine.abs() / WRAP_END).max(0.0);
-    let crossed = (wrap * WRAP_DEPTH).max(FACET) * at_terminator;
+    let crossed = wrap * WRAP_DEPTH * at_terminator;
     let lift = lit_side * (LIFT_TEXELS * frame.key_color.w) + toward_key * crossed;
     // Nothing of the key light shows past the end of the wrap, unless through cloth.
     let shows = key_cosine > -(wrap + 0.5 * frame.key_toward.w) || surface.gloss.z > 0.0;
     let seen = if shows {
-        shadow.seen(point.position + lift)
+        shadow.seen(point.position + lift, shadow.slope(lit_side))
     } else {
         0.0
     };
@@ -224,8 +222,21 @@ pub(crate) struct KeyShadow<'a> {
 }
 
 impl KeyShadow<'_> {
-    /// Share of the key light seen from a point.
-    pub(crate) fn seen(self, position: Vec3) -> f32 {
+    /// How much nearer to the light a surface with this unit normal lies from texel to texel [m], along columns and
+    /// rows; none where it faces away.
+    pub(crate) fn slope(self, normal: Vec3) -> Vec2 {
+        let cosine = normal.dot(self.map.axis);
+        let per_cosine = cosine.clamp(0.0, STEEPEST) / (STEEPEST * cosine.max(STEEPEST));
+        let along = Vec2::new(
+            normal.dot(self.map.texel_u.truncate()),
+            normal.dot(self.map.texel_v.truncate()),
+        );
+        along * (-self.map.texel * self.map.texel * per_cosine)
+    }
+
+    /// Share of the key light seen from a point of a surface with a `slope`. The surface is not in its own way: where
+    /// it rises around the point, only what lies before its plane is.
+    pub(crate) fn seen(self, position: Vec3, slope: Vec2) -> f32 {
         let at = self.map.project(position) + Vec3::new(0.0, 0.0, SLACK);
         if self.is_clear(at) {
             return 1.0;
@@ -236,12 +247,12 @@ impl KeyShadow<'_> {
         while level < COARSER_LEVELS && search > RINGS * (1 << level) as f32 {
             level += 1;
         }
-        let far = self.blockers(at, level);
-        let close = self.blockers(at, (level - NEAR_SEARCH).max(FINEST_SEARCH));
+        let far = self.blockers(at, slope, level);
+        let close = self.blockers(at, slope, (level - NEAR_SEARCH).max(FINEST_SEARCH));
         // Where nothing is in the way, the nearest texels decide.
         let mean = (far.y + close.y) / (far.x + close.x + 1.0e-4);
         let distance = mean.min(self.softest).max(LEAST_RADIUS / per_depth);
-        self.share(at, distance)
+        self.share(at, slope, distance)
     }
 
     /// Whether nothing is in the way. Outside the map, its rim answers: what rises out of the cone
@@ -254,17 +265,23 @@ impl KeyShadow<'_> {
 
     /// Weight of what is in the way, and weight times its distance [m], in eight by eight squares
     /// of a level of the map around a point.
-    fn blockers(self, at: Vec3, level: usize) -> Vec2 {
+    fn blockers(self, at: Vec3, slope: Vec2, level: usize) -> Vec2 {
         let per_depth = BELL * self.tangent / self.map.texel;
         let step = (1 << level) as f32;
         let lattice = Lattice::around(at / step);
         let at_step = at / step;
         let (mut weights, mut distances) = (f32x4::ZERO, f32x4::ZERO);
+        let slope = slope * step;
+        // A square holds what is nearest to the light in any of its corners.
+        let corner = 0.5 * (slope.x.abs() + slope.y.abs());
+        let planes = lattice.columns.map(|right| right * slope.x + corner);
         for node in 0..8 {
             let (row, down) = lattice.row(at_step, node);
             let surfaces = self.map.eight(level, [lattice.column, row]);
-            for (surface, square) in surfaces.into_iter().zip(lattice.squares) {
-                let before = (surface - at.z).fast_max(f32x4::ZERO);
+            let halves = surfaces.into_iter().zip(planes).zip(lattice.squares);
+            for ((surface, plane), square) in halves {
+                let plane = (plane + down * slope.y).fast_max(f32x4::ZERO);
+                let before = (surface - at.z - plane).fast_max(f32x4::ZERO);
                 if !before.simd_gt(f32x4::ZERO).any() {
                     continue;
                 }
@@ -286,7 +303,7 @@ impl KeyShadow<'_> {
 
     /// Share of the texels around a point that are not before it, as far out as things at a
     /// `distance` [m] throw their penumbra.
-    fn share(self, at: Vec3, distance: f32) -> f32 {
+    fn share(self, at: Vec3, slope: Vec2, distance: f32) -> f32 {
         let radius = BELL * distance * self.tangent / self.map.texel;
         // Farther out only what is farther away throws a shadow here; the surface itself, seen
         // aslant, does not.
@@ -315,7 +332,8 @@ impl KeyShadow<'_> {
                 let right = right + half as f32 * 4.0 * step;
                 let down = below[half] + down;
                 let bell = f32x4::ONE - (right * right + down * down) * per_square;
-                let before = surface.simd_gt((f32x4::ONE - bell) * rise + at.z);
+                let plane = (right * slope.x + down * slope.y).fast_max(f32x4::ZERO);
+                let before = surface.simd_gt((f32x4::ONE - bell) * rise + plane + at.z);
                 let bell = bell.fast_max(f32x4::ZERO);
                 all += bell;
                 hidden += before & bell;
@@ -336,7 +354,8 @@ fn shift(first: i32, node: usize, stride: i32) -> i32 {
 struct Lattice {
     column: i32,
     row: i32,
-    /// Squares of the distances of the columns' middles [texel²].
+    /// How far to the right of the point the columns' middles lie, and the squares of that [texel, texel²].
+    columns: [f32x4; 2],
     squares: [f32x4; 2],
 }
 
@@ -345,10 +364,12 @@ impl Lattice {
         let first = |at: f32| whole::ceil(at - 0.5 - RINGS);
         let (column, row) = (first(at.x), first(at.y));
         let right = LANES + (column as f32 + 0.5 - at.x);
+        let columns = [right, right + 4.0];
         Self {
             column,
             row,
-            squares: [right, right + 4.0].map(|right| right * right),
+            columns,
+            squares: columns.map(|right| right * right),
         }
     }
 
@@ -449,7 +470,7 @@ mod tests {
             format!("const LIFT_TEXELS: f32 = {LIFT_TEXELS:?};"),
             format!("const SLACK: f32 = {SLACK:?};"),
             format!("const WRAP_DEPTH: f32 = {WRAP_DEPTH:?};"),
-            format!("const FACET: f32 = {FACET:?};"),
+            format!("const STEEPEST: f32 = {STEEPEST:?};"),
             format!("const TOE: f32 = {TOE:?};"),
             format!("const WRAP_END: f32 = {WRAP_END:?};"),
         ] {
@@ -500,7 +521,7 @@ mod tests {
             tangent: TANGENT,
             softest: SOFTEST_DISTANCE,
         };
-        let seen = |x: f32| shadow.seen(Vec3::new(x, 0.0, 0.05));
+        let seen = |x: f32| shadow.seen(Vec3::new(x, 0.0, 0.05), Vec2::ZERO);
         let wide = HEIGHT * TANGENT;
         assert!(seen(-1.3 * wide) < 0.01 && seen(1.3 * wide) > 0.99);
         assert!((seen(0.0) - 0.5).abs() < 0.06, "{}", seen(0.0));
@@ -509,6 +530,65 @@ mod tests {
             let rise = seen(x + 0.001) - seen(x);
             assert!((-0.004..0.05).contains(&rise), "{rise} at {x}");
         }
+    }
+
+    /// On a floor that is lit at a flat angle the shadow of a card is that of the card, as if no floor were in the map.
+    #[test]
+    fn a_slanted_surface_is_not_in_its_own_way() {
+        const HEIGHT: f32 = 0.3;
+        const TANGENT: f32 = 0.1;
+        let axis = Vec3::new(0.97, 0.25, 0.0).normalize_or_zero();
+        let across = Vec3::new(-axis.y, axis.x, 0.0);
+        let corners = |middle: Vec3, along: Vec3, z: [f32; 2]| {
+            let ends = [(-1.0, z[0]), (-1.0, z[1]), (1.0, z[1]), (1.0, z[0])];
+            ends.map(|(side, z)| middle + along * side + Vec3::Z * z)
+        };
+        let floor = corners(Vec3::ZERO, Vec3::X, [-1.0, 1.0]);
+        let card = corners(axis * HEIGHT, across * 0.2, [-1.0, 0.0]);
+        let material = Material::default();
+        let map = |meshes: &[[Vec3; 4]]| {
+            let mut scene = Scene::studio(Camera {
+                eye: Vec3::Y,
+                target: Vec3::ZERO,
+                vertical_fov: 0.5,
+            });
+            scene.meshes = meshes
+                .iter()
+                .map(|positions| SceneMesh {
+                    positions,
+                    normals: &[],
+                    uvs: &[],
+                    colors: &[],
+                    triangles: &[[0, 1, 2], [0, 2, 3]],
+                    material: &material,
+                })
+                .collect();
+            DepthMap::draw(&Geometry::of(&scene), axis, 1536, Layers::Nearest)
+        };
+        let (whole, alone) = (map(&[floor, card]), map(&[card]));
+        let seen = |map: &DepthMap, z: f32, slopes: bool| {
+            let shadow = KeyShadow {
+                map,
+                clear_above: &map.clear_above(TANGENT),
+                tangent: TANGENT,
+                softest: SOFTEST_DISTANCE,
+            };
+            let slope = if slopes {
+                shadow.slope(Vec3::Y)
+            } else {
+                Vec2::ZERO
+            };
+            shadow.seen(Vec3::new(0.0, LIFT_TEXELS * whole.texel, z), slope)
+        };
+        let (mut off, mut off_before) = (0.0_f32, 0.0_f32);
+        for step in -30_i16..30 {
+            let z = f32::from(step) * 0.002;
+            let wanted = seen(&alone, z, false);
+            off = off.max((seen(&whole, z, true) - wanted).abs());
+            off_before = off_before.max((seen(&whole, z, false) - wanted).abs());
+        }
+        assert!(off < 0.08, "{off}");
+        assert!(0.1 < off_before, "the scene asks for it: {off_before}");
     }
 
     #[test]

@@ -69,8 +69,8 @@ impl GroundLight {
             .map(|index| {
                 let (x, z) = (index % CELLS, index / CELLS);
                 let middle = place(x as f32 + 0.5, z as f32 + 0.5);
-                let light =
-                    key_light * shadow.seen(middle) + room_between(&room_lights, room_side, x, z);
+                let light = key_light * shadow.seen(middle, Vec2::ZERO)
+                    + room_between(&room_lights, room_side, x, z);
                 let shaded = (light / open).min(Vec3::ONE);
                 let fade = ground.shadow * edge_fade(x, z);
                 Vec3::ONE.lerp(shaded, fade.clamp(0.0, 1.0))

@@ -54,7 +54,7 @@ fn key_place(position: vec3<f32>) -> vec3<f32> {
     );
 }
 
-fn key_seen(position: vec3<f32>) -> f32 {
+fn key_seen(position: vec3<f32>, slope: vec2<f32>) -> f32 {
     let size = vec2<f32>(textureDimensions(key_map));
     let place = key_place(position);
     let at = place.xy / size;
@@ -68,8 +68,9 @@ fn key_seen(position: vec3<f32>) -> f32 {
     var seen = 0.0;
     for (var tap = 0; tap < taps; tap++) {
         let place = vec2<f32>(vec2<i32>((tap * 2) % taps, tap)) + 0.5;
-        let offset = (place * spread - 1.0) * step;
-        seen += textureSampleCompareLevel(key_map, key_sampler, at + offset, depth);
+        let offset = place * spread - 1.0;
+        let plane = max(dot(offset * EDGE, slope), 0.0) / KEY_RANGE;
+        seen += textureSampleCompareLevel(key_map, key_sampler, at + offset * step, depth + plane);
     }
     return seen / f32(taps);
 }

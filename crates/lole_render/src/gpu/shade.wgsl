@@ -40,7 +40,7 @@ struct Surface {
 
 const LIFT_TEXELS: f32 = 2.0;
 const WRAP_DEPTH: f32 = 0.06;
-const FACET: f32 = 0.012;
+const STEEPEST: f32 = 0.1;
 const WRAP_END: f32 = 0.4;
 const TOE: f32 = 0.01;
 const PI: f32 = 3.14159265;
@@ -129,11 +129,11 @@ fn shade(
     }
     let wrap = surface.subsurface.w;
     let at_terminator = max(1.0 - abs(key_cosine) / WRAP_END, 0.0);
-    let crossed = max(wrap * WRAP_DEPTH, FACET) * at_terminator;
+    let crossed = wrap * WRAP_DEPTH * at_terminator;
     let lift = lit_side * (LIFT_TEXELS * frame.key_color.w) + toward_key * crossed;
     var seen = 0.0;
     if key_cosine > -(wrap + 0.5 * frame.key_toward.w) || surface.gloss.z > 0.0 {
-        seen = key_seen(position + lift);
+        seen = key_seen(position + lift, key_slope(lit_side));
     }
     let key = frame.key_color.rgb * seen;
 
@@ -163,6 +163,13 @@ fn shade(
         * mirror
         * lambert;
     return tone_map((diffuse + sheen + highlight + ambient * room_mirror) * frame.eye.w);
+}
+
+fn key_slope(normal: vec3<f32>) -> vec2<f32> {
+    let cosine = dot(normal, frame.key_toward.xyz);
+    let per_cosine = clamp(cosine, 0.0, STEEPEST) / (STEEPEST * max(cosine, STEEPEST));
+    let along = vec2<f32>(dot(normal, frame.key_texel_u.xyz), dot(normal, frame.key_texel_v.xyz));
+    return along * (-frame.key_color.w * frame.key_color.w * per_cosine);
 }
 
 fn face_eye(normal: vec3<f32>, toward_eye: vec3<f32>) -> vec3<f32> {
