@@ -9,8 +9,8 @@ pub struct ClothSpec {
     pub grid: Grid,
     /// Material of the whole cloth.
     pub fabric: Fabric,
-    /// Layers of cloth at each row: 1, or 2 where a hem or casing is folded. Multiplies the mass.
-    /// Shape `[row_count]`.
+    /// Layers of cloth at each row: 1, or more where a hem or casing is folded. Multiplies the mass and
+    /// the bending stiffness: each layer bends by itself. Shape `[row_count]`.
     pub row_layers: Vec<f32>,
     /// Whether border particles carry only the area of their own half cells.
     pub mass: MassLaw,

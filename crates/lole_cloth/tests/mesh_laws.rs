@@ -67,7 +67,7 @@ fn a_strip_on_the_bias_stretches_by_its_shear_modulus() {
 
 /// Height over width of a clamped strip of this `Γ = w L³ / B` in so many segments, yarns along it
 /// (`turn` 0) or across.
-fn height_over_width(gamma: f32, segments: u16, jitter: f32, turn: f32) -> f32 {
+fn height_over_width(gamma: f32, segments: u16, (jitter, turn): (f32, f32), layers: f32) -> f32 {
     let length = 0.2;
     let spacing = length / f32::from(segments);
     let rows = u32::from(segments) + 2;
@@ -82,6 +82,7 @@ fn height_over_width(gamma: f32, segments: u16, jitter: f32, turn: f32) -> f32 {
     spec.fabric.twist = rigidity;
     spec.fabric.stretch = [4e3 * weight * length; 2];
     spec.fabric.drag_rate = 17.0;
+    spec.layers.fill(layers);
     spec.pinned[..10].fill(true);
     let mut world = World::new(&spec, &positions).untethered().with_substeps(40);
     for _ in 0..180 {
@@ -101,8 +102,17 @@ fn a_clamped_strip_hangs_like_the_elastica_on_any_mesh() {
         (0.5, 0.0),
         (0.5, FRAC_PI_4),
     ] {
-        let error = height_over_width(8.0, 10, jitter, turn) / 0.88433 - 1.0;
+        let error = height_over_width(8.0, 10, (jitter, turn), 1.0) / 0.88433 - 1.0;
         assert!(error.abs() < 0.04, "jitter {jitter}, turn {turn}: {error}");
+    }
+}
+
+/// Layers that slide on each other weigh and bend as many times as much as one.
+#[test]
+fn loose_layers_hang_as_one_does() {
+    for layers in [2.0, 3.0] {
+        let error = height_over_width(8.0, 10, (0.5, 0.0), layers) / 0.88433 - 1.0;
+        assert!(error.abs() < 0.04, "{layers} layers: {error}");
     }
 }
 

@@ -202,6 +202,25 @@ fn the_only_rest_is_found_from_afar() {
     assert!(apart < 0.006, "{apart} of its length");
 }
 
+/// Layers that slide on each other weigh and bend as many times as much as one, in both methods.
+#[test]
+fn loose_layers_hang_as_one_does() {
+    let one = cantilever();
+    let mut case = cantilever();
+    case.spec.row_layers.fill(3.0);
+    let settle_config = SettleConfig {
+        residual: 5e-4,
+        frame_limit: 2000,
+        ..SettleConfig::default()
+    };
+    let rest = |case: &Case| settled(case, (&config(40), &settle_config), &[]).1;
+    let apart = rms_distance(&rest(&one), &rest(&case)) / 0.1;
+    assert!(apart < 0.006, "{apart} of its length");
+    let rest = |case: &Case| reference_rest(&case.spec, &case.positions);
+    let apart = rms_distance(&rest(&one), &rest(&case)) / 0.1;
+    assert!(apart < 0.006, "{apart} of its length by the reference");
+}
+
 #[test]
 fn a_cloth_over_a_capsule_comes_to_rest_and_stays_there() {
     let mut case = handkerchief();

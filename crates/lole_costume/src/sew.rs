@@ -381,6 +381,29 @@ mod tests {
         )
     }
 
+    /// Casings and hem weigh as much where they are folded as they were cut.
+    #[test]
+    fn a_skirt_weighs_as_much_as_the_cloth_that_is_cut() {
+        let girth = Length::from_cm(82.0);
+        let options = PauOptions::default();
+        let stance = DANCER.skeleton.world_from_bind(&lole_body::Pose::default());
+        let settings = SewSettings::default();
+        let skirt = sewn_as((&DANCER, &stance), girth, &options, (&settings, None)).unwrap();
+        let worn = PauMeasurements {
+            hip_girth: DANCER.measurements.hip_girth,
+            worn_girth: girth,
+            worn_height: Length::from_m(f64::from(DANCER.landmarks.asis_height)),
+        };
+        let draft = draft_pau_skirt(&worn, &options).unwrap();
+        let layers = &skirt.spec.row_layers;
+        // The first and the last row stand for half a row.
+        let whole: f32 = layers.iter().sum();
+        let rows = whole - 0.5 * (layers[0] + layers[layers.len() - 1]);
+        let folded = f64::from(rows * skirt.spec.grid.spacing[1]);
+        let share = folded / draft.cut_height.to_m();
+        assert!((0.98..1.02).contains(&share), "{share}");
+    }
+
     fn sewn_as(
         (dancer, stance): (&Dancer, &[Affine3A]),
         worn_girth: Length,

@@ -10,6 +10,7 @@ mod error;
 mod fair;
 pub(crate) mod fit;
 mod flat;
+mod folded;
 pub(crate) mod form;
 mod given;
 pub(crate) mod hung;
@@ -81,8 +82,6 @@ const FASTENED: usize = 2;
 const ELASTIC_STIFFNESS: f32 = 15.0;
 /// How long edges of triangles are, about [m].
 const EDGE: f32 = 0.02;
-/// Layers of cloth at an edge that is bound or hemmed.
-const EDGE_LAYERS: f32 = 2.0;
 
 /// A garment on a dancer, ready to be simulated and drawn.
 #[derive(Debug, Clone)]
@@ -292,12 +291,11 @@ impl Dressed {
             pinned,
             pins,
             led,
+            layers,
         } = laid;
         let fabric = garment.fabric;
         let mut spec = MeshSpec::new(mesh.flat.clone(), mesh.triangles.clone(), fabric);
-        for &edge in mesh.hems.iter() {
-            spec.layers[edge as usize] = EDGE_LAYERS;
-        }
+        spec.layers = layers;
         spec.pinned = pinned;
         let joints = joints(&mesh, &elastics);
         let kit = Kit {

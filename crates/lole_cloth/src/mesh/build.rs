@@ -151,7 +151,8 @@ fn star_at(
     inv_masses: &[f64],
 ) -> Option<StarSpec> {
     let Shape { topology, rest } = shape;
-    let rigidities = rigidities(&spec.fabric)?;
+    let layers = f64::from(spec.layers[middle]);
+    let rigidities = rigidities(&spec.fabric)?.map(|rigidity| layers * rigidity);
     let pinned = |particle: &u32| spec.pinned[*particle as usize];
     if spec.pinned[middle] && topology.neighbors[middle].iter().all(pinned) {
         return None;

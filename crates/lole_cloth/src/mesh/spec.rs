@@ -24,7 +24,7 @@ pub struct MeshSpec {
     /// Material of the whole piece.
     pub fabric: Fabric,
     /// Layers of cloth at each particle: 1, or more where a hem or casing is folded. Multiplies
-    /// the mass. Shape `[particle_count]`.
+    /// the mass and the bending stiffness: each layer bends by itself. Shape `[particle_count]`.
     pub layers: Vec<f32>,
     /// Particles carried exactly by the body, shape `[particle_count]`.
     pub pinned: Vec<bool>,

@@ -130,6 +130,7 @@ fn bend_weights(spec: &ClothSpec, constants: &SpringConstants) -> [Vec<f32>; 2] 
     let share = |is_border: bool| if is_border { 0.5 } else { 1.0 };
     let mut weights = [Vec::new(), Vec::new()];
     for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))) {
+        let whole = whole.map(|weight| weight * f64::from(spec.row_layers[row as usize]));
         let center = pinned(row, column);
         let [left, right] = [columns - 1, 1].map(|by| pinned(row, (column + by) % columns));
         let is_border = row == 0 || row + 1 == rows;

@@ -84,7 +84,7 @@ impl ReferenceModel {
         let masses = particle_masses(spec).into_iter().map(f64::from).collect();
         let springs = springs::build(&spec.grid, &constants, &spec.fabric);
         let gather = SpringGather::new(spec.grid.particle_count(), &springs);
-        let plate = Plate::new(&spec.grid, &constants, &spec.pinned);
+        let plate = Plate::new(spec, &constants);
         let pin_indices = (0u32..)
             .zip(&spec.pinned)
             .filter_map(|(index, &is_pinned)| is_pinned.then_some(index))

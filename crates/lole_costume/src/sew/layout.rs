@@ -4,6 +4,7 @@ use lole_body::Dancer;
 use lole_cloth::{Crimp, Flounce, Grid, Topology};
 use lole_geom::{Chance, trig};
 use lole_pattern::design::pau_skirt::{PauDraft, PauMeasurements};
+use lole_pattern::piece::hem_turns;
 
 use super::profile::Profile;
 use super::ring::{Gathers, Ring};
@@ -81,15 +82,24 @@ impl Layout {
             crimp: None,
         };
         let fold_depth = draft.fold_depth.to_m_f32();
-        let hem = flounce.unwrap_or(draft).hem_depth.to_m_f32();
+        let hem = flounce.unwrap_or(draft).hem_depth;
+        // Its allowance is turned in, so it lies on less cloth than it is deep.
+        let hem_height = hem_turns(hem)[1].to_m_f32();
+        let hem_layers = hem.to_m_f32() / hem_height.max(f32::MIN_POSITIVE);
         let layers = |row: u32| {
             let from_top = row as f32 * spacing_v;
             let is_seam = grid.flounce.is_some_and(|flounce| flounce.seam_row == row);
-            if from_top < fold_depth || finished - hem < from_top || is_seam {
-                2.0
-            } else {
+            let folded = if from_top < fold_depth || is_seam {
                 1.0
-            }
+            } else {
+                0.0
+            };
+            // Of the lowest row the half below it is not cloth.
+            let from_hem = finished - from_top;
+            let low = (from_hem - 0.5 * spacing_v).max(0.0);
+            let high = from_hem + 0.5 * spacing_v;
+            let hemmed = (high.min(hem_height) - low).max(0.0) / (high - low);
+            1.0 + folded + hem_layers * hemmed
         };
         let ring_length = worn.worn_girth.to_m_f32();
         let fold_count = whole_count(ring_length, settings.gather_pitch)

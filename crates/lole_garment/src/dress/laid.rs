@@ -9,6 +9,7 @@ use lole_pattern::{Measures, Pattern};
 
 use super::bodice::{Bodice, Covered, mirrored};
 use super::flat::{self, FlatMesh};
+use super::folded;
 use super::form::Form;
 use super::given::{self, Sized};
 use super::panel::{self, Panels};
@@ -53,7 +54,12 @@ pub(super) struct Laid {
     pub(super) pins: Pins,
     /// Places among the pinned particles of those that are led to where they are tied, and the way of each [m].
     pub(super) led: Vec<(usize, Vec<Vec3>)>,
+    /// Layers of cloth at every particle.
+    pub(super) layers: Vec<f32>,
 }
+
+/// Layers of cloth at an edge of a given pattern to which nothing is sewn: it says nothing of allowances.
+const GIVEN_EDGE_LAYERS: f32 = 2.0;
 
 /// Cuts a garment out and lays it around a dancer in the pose in which she is dressed.
 pub(super) fn lay(
@@ -123,7 +129,12 @@ pub(super) fn lay(
     let is_on_arm = on_arms(&panels, &parts, sized);
     let drawn_in = pattern.drawn_in.iter();
     let elastics = drawn_in.map(|drawn| narrow(drawn.length.to_m())).collect();
+    let layers = match row.way {
+        Way::Given => given_layers(&mesh),
+        _ => folded::layers(&pattern, (&panels, &mesh), spacing),
+    };
     Ok(Laid {
+        layers,
         mesh,
         places,
         facing,
@@ -135,6 +146,15 @@ pub(super) fn lay(
         led,
         pattern,
     })
+}
+
+/// Layers at every particle of a given pattern.
+fn given_layers(mesh: &FlatMesh) -> Vec<f32> {
+    let mut layers = vec![1.0; mesh.flat.len()];
+    for &edge in &mesh.hems {
+        layers[edge as usize] = GIVEN_EDGE_LAYERS;
+    }
+    layers
 }
 
 /// By panel, whether it covers an arm.

@@ -106,6 +106,33 @@ fn triangles_cover_the_pieces_that_are_cut_but_for_darts() {
     }
 }
 
+/// What is folded under at hems and seams weighs as much where it lies as it was cut.
+#[test]
+fn a_garment_weighs_as_much_as_the_cloth_that_is_cut() {
+    let dancer = woman();
+    for template in all() {
+        let laid = laid(template, &dancer);
+        let area = |corners: &[u32; 3]| {
+            let [a, b, c] = corners.map(|corner| corner as usize);
+            let flat = &laid.mesh.in_piece;
+            let layers: f32 = [a, b, c].map(|corner| laid.layers[corner]).iter().sum();
+            f64::from(layers) / 3.0 * 0.5 * (flat[b] - flat[a]).perp_dot(flat[c] - flat[a])
+        };
+        let worn: f64 = laid.mesh.triangles.iter().map(area).sum();
+        let pieces = laid.pattern.pieces.iter();
+        let cut: f64 = pieces
+            .filter(|piece| piece.id != "binding")
+            .map(|piece| {
+                let area = piece.unfolded().cut_polygon(1.0e-3).signed_area();
+                area.abs() * f64::from(piece.cut.pieces())
+            })
+            .sum();
+        let share = worn / cut;
+        println!("{template}: {share:.3}");
+        assert!((0.96..1.04).contains(&share), "{template}: {share}");
+    }
+}
+
 #[test]
 fn every_particle_is_laid_outside_of_the_skin_at_a_place() {
     let dancer = woman();

@@ -15,7 +15,7 @@ use glam::DVec3;
 
 use super::springs::{particle, row_starts};
 use super::{SpringConstants, column_share, row_share};
-use crate::{Grid, Topology};
+use crate::{ClothSpec, Grid, Topology};
 
 /// One quadratic term `½ weight |Σ coefficient × position|²`; the coefficients add up to zero.
 #[derive(Debug, Clone, Copy)]
@@ -54,13 +54,14 @@ pub(super) struct Plate {
 
 impl Plate {
     /// All differences of the grid, and the Hessian they add up to.
-    pub(super) fn new(grid: &Grid, constants: &SpringConstants, pinned: &[bool]) -> Self {
+    pub(super) fn new(spec: &ClothSpec, constants: &SpringConstants) -> Self {
+        let ClothSpec { grid, pinned, .. } = spec;
         let mut stencils = Vec::new();
         if 0.0 < constants.plate_u {
-            stencils.extend(line_stencils(grid, pinned, Line::Row, constants.plate_u));
+            stencils.extend(line_stencils(spec, Line::Row, constants.plate_u));
         }
         if 0.0 < constants.plate_v {
-            stencils.extend(line_stencils(grid, pinned, Line::Column, constants.plate_v));
+            stencils.extend(line_stencils(spec, Line::Column, constants.plate_v));
         }
         if 0.0 < constants.twist {
             stencils.extend(twist_stencils(grid, constants.twist));
@@ -120,12 +121,14 @@ enum Line {
     Column,
 }
 
-/// Second differences along rows or columns, with `rigidity` [N·m].
-fn line_stencils(grid: &Grid, pinned: &[bool], line: Line, rigidity: f64) -> Vec<Stencil> {
+/// Second differences along rows or columns, with `rigidity` [N·m] of one layer.
+fn line_stencils(spec: &ClothSpec, line: Line, rigidity: f64) -> Vec<Stencil> {
+    let ClothSpec { grid, pinned, .. } = spec;
     let h_v = f64::from(grid.spacing[1]);
     let mut stencils = Vec::with_capacity(grid.particle_count());
     for row in 0..grid.row_count {
         let h_u = f64::from(grid.row_spacing(row));
+        let rigidity = rigidity * f64::from(spec.row_layers[row as usize]);
         for column in 0..grid.column_count {
             let Some([before, after]) = arms(grid, line, row, column) else {
                 continue;

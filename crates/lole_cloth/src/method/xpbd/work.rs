@@ -123,7 +123,8 @@ impl Work<'_> {
         let is_border = row == 0 || row + 1 == model.layout.row_count;
         let woven = self.woven.row(row);
         let bend = Bend {
-            scaled_compliance: woven.bend_across * if is_border { 2.0 } else { 1.0 },
+            scaled_compliance: woven.bend_across * if is_border { 2.0 } else { 1.0 }
+                / model.spec().row_layers[row],
             has_clamp: model.clamps.rows[row],
         };
         let masses = model.row_masses(row);
@@ -148,7 +149,7 @@ impl Work<'_> {
         let width = model.layout.group_count;
         let woven = self.woven.row(row + 1);
         let bend = Bend {
-            scaled_compliance: woven.bend_down,
+            scaled_compliance: woven.bend_down / model.spec().row_layers[row + 1],
             has_clamp: model.clamps.columns[row],
         };
         let masses = [row, row + 1, row + 2].map(|row| model.row_masses(row));
