@@ -36,7 +36,6 @@ fn a_wrap_is_whole_where_it_is_tied_and_covers_her_in_a_dance() {
             let strain = garment.strain_by_particle(&garment.start);
             let most = strain.into_iter().fold(0.0, f32::max);
             let crossings = garment.crossings(performance.dressed_positions(0)).unwrap();
-            println!("{kind} on {measures:?}: {most:.2}, {showing} showing, {crossings} crossings");
             assert!(most < MOST_STRAIN, "{kind} on {measures:?}: {most}");
             assert!(showing <= MOST_SHOWING, "{kind} on {measures:?}: {showing}");
             assert_eq!(crossings, 0, "{kind} on {measures:?}");

@@ -100,16 +100,7 @@ pub(super) fn lay(
         }
         Way::Wrapped(wrap) => {
             let cloth = Cloth::new(&form, (&pattern, measures));
-            for (pin, &point) in pinned.iter_mut().zip(&mesh.in_piece) {
-                *pin = (wrap.is_pinned)(&cloth, point, spacing);
-            }
-            for [first, second] in (wrap.knots)(&cloth) {
-                let knot = [first, second].map(|point| mesh.nearest(point));
-                for particle in knot {
-                    pinned[particle as usize] = true;
-                }
-                mesh.stitches.push(knot);
-            }
+            pinned = tied((wrap, &cloth), &mut mesh, spacing);
             led = led_ways((wrap, &cloth), (&mesh, &pinned));
             wrapped((wrap, &cloth), (&panels, &mesh, &pinned), &form)
         }
@@ -165,6 +156,22 @@ fn on_arms(panels: &Panels, parts: &[Option<Covered>], sized: Option<Sized<'_>>)
         None => parts[panel.piece] == Some(Covered::Sleeve),
     });
     covered.collect()
+}
+
+/// Which particles are tied or tucked so firmly that they are pinned: what is knotted is stitched too.
+fn tied((wrap, cloth): (&Wrap, &Cloth<'_>), mesh: &mut FlatMesh, spacing: f64) -> Vec<bool> {
+    let points = mesh.in_piece.iter();
+    let mut pinned: Vec<bool> = points
+        .map(|&point| (wrap.is_pinned)(cloth, point, spacing))
+        .collect();
+    for ends in (wrap.knots)(cloth) {
+        let knot = ends.map(|point| mesh.nearest(point));
+        for particle in knot {
+            pinned[particle as usize] = true;
+        }
+        mesh.stitches.push(knot);
+    }
+    pinned
 }
 
 /// Places among the pinned particles of those that are led to where they are tied, and the way of each [m].

@@ -128,7 +128,6 @@ fn a_garment_weighs_as_much_as_the_cloth_that_is_cut() {
             })
             .sum();
         let share = worn / cut;
-        println!("{template}: {share:.3}");
         assert!((0.96..1.04).contains(&share), "{template}: {share}");
     }
 }
