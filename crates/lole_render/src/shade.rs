@@ -480,10 +480,51 @@ mod tests {
 
     /// Under a straight edge the light falls off evenly over the width that the lamp's size gives,
     /// half of it where the edge is.
+    /// Tangent of the angular radius of the lamp over [`Lit`].
+    const TANGENT: f32 = 0.1;
+
+    /// Rectangles under a lamp, by their corners in order.
+    struct Lit {
+        map: DepthMap,
+        clear_above: Vec<f32>,
+    }
+
+    impl Lit {
+        fn new(rectangles: &[[Vec3; 4]], toward_lamp: Vec3) -> Self {
+            let material = Material::default();
+            let mut scene = Scene::studio(Camera {
+                eye: Vec3::Z,
+                target: Vec3::ZERO,
+                vertical_fov: 0.5,
+            });
+            let meshes = rectangles.iter().map(|positions| SceneMesh {
+                positions,
+                normals: &[],
+                uvs: &[],
+                colors: &[],
+                triangles: &[[0, 1, 2], [0, 2, 3]],
+                material: &material,
+            });
+            scene.meshes = meshes.collect();
+            let geometry = Geometry::of(&scene);
+            let map = DepthMap::draw(&geometry, toward_lamp, 1536, Layers::Nearest);
+            let clear_above = map.clear_above(TANGENT);
+            Self { map, clear_above }
+        }
+
+        fn shadow(&self) -> KeyShadow<'_> {
+            KeyShadow {
+                map: &self.map,
+                clear_above: &self.clear_above,
+                tangent: TANGENT,
+                softest: SOFTEST_DISTANCE,
+            }
+        }
+    }
+
     #[test]
     fn the_penumbra_of_an_edge_is_smooth_and_as_wide_as_the_lamp_says() {
         const HEIGHT: f32 = 0.3;
-        const TANGENT: f32 = 0.1;
         let plane = |low: Vec2, high: Vec2, y: f32| {
             [
                 [low.x, low.y],
@@ -492,36 +533,11 @@ mod tests {
                 [high.x, low.y],
             ]
             .map(|[x, z]| Vec3::new(x, y, z))
-            .to_vec()
         };
-        let (floor, card) = (
-            plane(Vec2::splat(-0.8), Vec2::splat(0.8), 0.0),
-            plane(Vec2::new(-0.8, -0.8), Vec2::new(0.0, 0.8), HEIGHT),
-        );
-        let material = Material::default();
-        let mut scene = Scene::studio(Camera {
-            eye: Vec3::Z,
-            target: Vec3::ZERO,
-            vertical_fov: 0.5,
-        });
-        for positions in [&floor, &card] {
-            scene.meshes.push(SceneMesh {
-                positions,
-                normals: &[],
-                uvs: &[],
-                colors: &[],
-                triangles: &[[0, 1, 2], [0, 2, 3]],
-                material: &material,
-            });
-        }
-        let map = DepthMap::draw(&Geometry::of(&scene), Vec3::Y, 1536, Layers::Nearest);
-        let shadow = KeyShadow {
-            map: &map,
-            clear_above: &map.clear_above(TANGENT),
-            tangent: TANGENT,
-            softest: SOFTEST_DISTANCE,
-        };
-        let seen = |x: f32| shadow.seen(Vec3::new(x, 0.0, 0.05), Vec2::ZERO);
+        let floor = plane(Vec2::splat(-0.8), Vec2::splat(0.8), 0.0);
+        let card = plane(Vec2::new(-0.8, -0.8), Vec2::new(0.0, 0.8), HEIGHT);
+        let lit = Lit::new(&[floor, card], Vec3::Y);
+        let seen = |x: f32| lit.shadow().seen(Vec3::new(x, 0.0, 0.05), Vec2::ZERO);
         let wide = HEIGHT * TANGENT;
         assert!(seen(-1.3 * wide) < 0.01 && seen(1.3 * wide) > 0.99);
         assert!((seen(0.0) - 0.5).abs() < 0.06, "{}", seen(0.0));
@@ -536,7 +552,6 @@ mod tests {
     #[test]
     fn a_slanted_surface_is_not_in_its_own_way() {
         const HEIGHT: f32 = 0.3;
-        const TANGENT: f32 = 0.1;
         let axis = Vec3::new(0.97, 0.25, 0.0).normalize_or_zero();
         let across = Vec3::new(-axis.y, axis.x, 0.0);
         let corners = |middle: Vec3, along: Vec3, z: [f32; 2]| {
@@ -545,47 +560,14 @@ mod tests {
         };
         let floor = corners(Vec3::ZERO, Vec3::X, [-1.0, 1.0]);
         let card = corners(axis * HEIGHT, across * 0.2, [-1.0, 0.0]);
-        let material = Material::default();
-        let map = |meshes: &[[Vec3; 4]]| {
-            let mut scene = Scene::studio(Camera {
-                eye: Vec3::Y,
-                target: Vec3::ZERO,
-                vertical_fov: 0.5,
-            });
-            scene.meshes = meshes
-                .iter()
-                .map(|positions| SceneMesh {
-                    positions,
-                    normals: &[],
-                    uvs: &[],
-                    colors: &[],
-                    triangles: &[[0, 1, 2], [0, 2, 3]],
-                    material: &material,
-                })
-                .collect();
-            DepthMap::draw(&Geometry::of(&scene), axis, 1536, Layers::Nearest)
-        };
-        let (whole, alone) = (map(&[floor, card]), map(&[card]));
-        let seen = |map: &DepthMap, z: f32, slopes: bool| {
-            let shadow = KeyShadow {
-                map,
-                clear_above: &map.clear_above(TANGENT),
-                tangent: TANGENT,
-                softest: SOFTEST_DISTANCE,
-            };
-            let slope = if slopes {
-                shadow.slope(Vec3::Y)
-            } else {
-                Vec2::ZERO
-            };
-            shadow.seen(Vec3::new(0.0, LIFT_TEXELS * whole.texel, z), slope)
-        };
+        let (whole, alone) = (Lit::new(&[floor, card], axis), Lit::new(&[card], axis));
+        let slope = whole.shadow().slope(Vec3::Y);
         let (mut off, mut off_before) = (0.0_f32, 0.0_f32);
         for step in -30_i16..30 {
-            let z = f32::from(step) * 0.002;
-            let wanted = seen(&alone, z, false);
-            off = off.max((seen(&whole, z, true) - wanted).abs());
-            off_before = off_before.max((seen(&whole, z, false) - wanted).abs());
+            let at = Vec3::new(0.0, LIFT_TEXELS * whole.map.texel, f32::from(step) * 0.002);
+            let wanted = alone.shadow().seen(at, Vec2::ZERO);
+            off = off.max((whole.shadow().seen(at, slope) - wanted).abs());
+            off_before = off_before.max((whole.shadow().seen(at, Vec2::ZERO) - wanted).abs());
         }
         assert!(off < 0.08, "{off}");
         assert!(0.1 < off_before, "the scene asks for it: {off_before}");
