@@ -239,7 +239,12 @@ mod worn {
     const OVER_SKIN: f32 = 0.016;
     /// Before it is drawn over the shoulder, the corner is held away from her by so much of the way forward
     /// for each part of it to her left.
-    const FORWARD: f32 = 0.8;
+    const FORWARD: f32 = 0.4;
+    /// On its way it is lifted by so much of the length of the way over the shoulder, and comes down on it at
+    /// last: what hangs from it would be drawn through the arm instead of over it.
+    const LIFT: f32 = 0.5;
+    /// Points of the way of what is lifted.
+    const LIFT_POINTS: u16 = 24;
     /// To both sides of the middle of her side, the part of a turn that lies under the arm.
     const UNDER_ARM: f32 = 0.1;
     /// Share of the way after which the edge is held by the shoulder.
@@ -342,7 +347,7 @@ mod worn {
         Some(cloth.hung(top(cloth))?.place(height, turn, gap) + held_out)
     }
 
-    /// The edge beyond the shoulder goes over it, each point as far as it reaches towards the knot.
+    /// The edge beyond the shoulder is lifted over it, each point as far as it reaches towards the knot.
     fn led(cloth: &Cloth<'_>, point: DVec2) -> Vec<Vec3> {
         let Some(wrapped) = Wrapped::new(cloth).filter(|wrapped| wrapped.end < point.x) else {
             return Vec::new();
@@ -355,7 +360,13 @@ mod worn {
         });
         let before = before.map(|(place, _)| *place);
         let last = along(wrapped.way, share);
-        start.into_iter().chain(before).chain([last]).collect()
+        let low: Vec<Vec3> = start.into_iter().chain(before).chain([last]).collect();
+        let lift = LIFT * length(wrapped.way) * share;
+        let lifted = |point: u16| {
+            let passed = f32::from(point) / f32::from(LIFT_POINTS);
+            along(&low, passed) + Vec3::Y * (4.0 * lift * passed * (1.0 - passed))
+        };
+        (0..=LIFT_POINTS).map(lifted).collect()
     }
 
     /// From the middle of the front over the left shoulder to the upper edge at the back, over the skin.
