@@ -65,7 +65,7 @@ const SLEEVES: &[Choice] = &[
 ];
 
 const OPTIONS: &[OptionRow] = &[
-    number("bust_ease_cm", [2.0, 20.0], 10.0, BUST_EASE),
+    number("bust_ease_cm", [2.0, 20.0], 12.0, BUST_EASE),
     number(
         "waist_ease_cm",
         [2.0, 30.0],
@@ -130,7 +130,11 @@ const WIDEST_DART: f64 = 5.0 * CM;
 const NARROWEST_DART: f64 = 0.6 * CM;
 /// Sleeve over the arm where it is close, and its edge over the wrist [m].
 const ARM_EASE: f64 = 4.5 * CM;
-const WRIST_EASE: f64 = 10.0 * CM;
+const WRIST_EASE: f64 = 14.0 * CM;
+/// As a shirt's, for arms that dance: the armhole lies lower than the block's [m], and the cap over its height
+/// is flat.
+const ARMHOLE_DROPPED: f64 = 2.0 * CM;
+const CAP_HEIGHT: f64 = 0.3;
 /// Train over the stature. Estimated.
 const TRAIN: f64 = 0.38;
 /// The zip ends this far over the hips [m].
@@ -152,7 +156,7 @@ fn draft(fitting: &Fitting<'_>, options: &Options) -> Result<Pattern, DraftError
             bust_ease: chosen.m("bust_ease_cm"),
             neck_widened: chosen.m("neck_wider_cm"),
             neck_dropped: [lower, 0.25 * lower],
-            armhole_dropped: 0.0,
+            armhole_dropped: ARMHOLE_DROPPED,
         },
     )?;
     let yokes = Yoked::both(&block, &chosen)?;
@@ -260,7 +264,7 @@ fn sleeve(
             crown_raised: raised,
             hem_width: Some(measures.wrist_girth.to_m() + WRIST_EASE),
             hem: 3.0 * CM,
-            cap_height: 0.4,
+            cap_height: CAP_HEIGHT,
         },
     )?;
     sleeve.piece.name = words("長袖", "long sleeve");
