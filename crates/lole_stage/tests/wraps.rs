@@ -1,5 +1,7 @@
 //! Laws of what is wrapped and tied, on dancers far from those whom a garment was tried on while it was made.
 
+use std::error::Error;
+
 use lole_costume::document::parse;
 use lole_stage::{Division, Performance, Production};
 
@@ -12,13 +14,16 @@ const DANCERS: [[f32; 4]; 4] = [
 ];
 
 /// A dancer in one wrap, before her dance.
-fn danced((kind, division): (&str, Division), measures: [f32; 4]) -> Performance {
+fn danced(
+    (kind, division): (&str, Division),
+    measures: [f32; 4],
+) -> Result<Performance, Box<dyn Error>> {
     let [stature, bust, waist, hip] = measures;
     let text = format!(
         "lole = 1\n[dancer]\nstature_cm = {stature}\nbust_cm = {bust}\nwaist_cm = {waist}\nhip_cm = {hip}\n[motion]\nstep = \"kao\"\ntempo_bpm = 136\n[skirt]\nworn = \"no\"\n[[garment]]\nkind = \"{kind}\"\n"
     );
-    let design = parse(&text, "wrapped").unwrap();
-    Performance::new(Production::divided(&design, division).unwrap()).unwrap()
+    let design = parse(&text, "wrapped")?;
+    Ok(Performance::new(Production::divided(&design, division)?)?)
 }
 
 /// A knot draws its points together, and nothing else of the cloth stays behind, pinned where it was laid: a kīhei
@@ -30,7 +35,7 @@ fn a_wrap_is_whole_where_it_is_tied_and_covers_her_in_a_dance() {
     const MOST_SHOWING: u32 = 20;
     for kind in ["kihei", "kikepa"] {
         for measures in DANCERS {
-            let mut performance = danced((kind, Division::Full), measures);
+            let mut performance = danced((kind, Division::Full), measures).unwrap();
             let mut showing = 0;
             while performance.time() < 1.0 {
                 performance.advance().unwrap();
@@ -62,7 +67,7 @@ fn no_arm_is_in_the_cloth_that_is_led_over_it() {
         (Division::Fine, [161.8, 76.7, 58.8, 86.0]),
     ];
     for (division, measures) in cases {
-        let mut performance = danced(("kikepa", division), measures);
+        let mut performance = danced(("kikepa", division), measures).unwrap();
         while performance.time() < 0.25 {
             performance.advance().unwrap();
             performance.pose_body();
