@@ -478,8 +478,6 @@ mod tests {
         }
     }
 
-    /// Under a straight edge the light falls off evenly over the width that the lamp's size gives,
-    /// half of it where the edge is.
     /// Tangent of the angular radius of the lamp over [`Lit`].
     const TANGENT: f32 = 0.1;
 
@@ -522,6 +520,8 @@ mod tests {
         }
     }
 
+    /// Under a straight edge the light falls off evenly over the width that the lamp's size gives,
+    /// half of it where the edge is.
     #[test]
     fn the_penumbra_of_an_edge_is_smooth_and_as_wide_as_the_lamp_says() {
         const HEIGHT: f32 = 0.3;
